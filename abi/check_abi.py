@@ -10,6 +10,9 @@ usage: check_abi.py symbols LIBRARY        exported names = symbols.txt = names 
        check_abi.py layout                 every public struct and member stands in layout.c
        check_abi.py structs                every struct that grows, and function that takes it, is in struct_size_test.c
        check_abi.py versions               header, CMake, bindings and the changelog's first section have one version
+       check_abi.py refused PROGRAM LIBRARY FOLDER
+                                           the loader refuses the library to a program of an older SONAME, which starts
+                                           with what is in the folder
        check_abi.py write-symbols LIBRARY  renews symbols.txt
        check_abi.py next-version RELEASE [break]   renews VERSION and dartsweep.map for a release
 """
@@ -234,6 +237,34 @@ def check_versions():
     return problems
 
 
+def check_refused(program, library, folder):
+    """The loader ends a program that finds no library of its name, or one with other symbols under that name."""
+    name = re.search(r"\(NEEDED\).*\[(libdartsweep\.so\.\d+)\]", run("readelf", "-d", program))[1]
+    node = re.search(r"Name: (DARTSWEEP_\d+)", run("readelf", "-V", program))[1]
+
+    def start(libraries, **settings):
+        environment = {"LC_ALL": "C", "LD_LIBRARY_PATH": libraries, "LD_BIND_NOW": "1", **settings}
+        return subprocess.run([program], env=environment, text=True, capture_output=True)
+
+    def refused(done, status, message):
+        print(done.stderr.strip())
+        return done.returncode == status and done.stdout == "" and message in done.stderr
+
+    problems = []
+    loaded = start(folder, LD_TRACE_LOADED_OBJECTS="1", LD_WARN="yes")  # tells what is loaded; the program does not run
+    text = loaded.stdout + loaded.stderr
+    if loaded.returncode != 0 or f"{name} => {folder}/" not in text or re.search("not found|undefined", text):
+        problems.append(f"with its own library the program does not start: {text}")
+    with tempfile.TemporaryDirectory() as today:
+        pathlib.Path(today, f"libdartsweep.so.{major()}").symlink_to(library)
+        if not refused(start(today), 127, f"{name}: cannot open shared object file"):
+            problems.append(f"the loader should find no {name}")
+        pathlib.Path(today, name).symlink_to(library)
+        if not refused(start(today), 1, f"version `{node}' not found"):
+            problems.append(f"the loader should find no {node} in the library under the name {name}")
+    return problems
+
+
 # ---- what renews ------------------------------------------------------------------------------------------------------
 
 
@@ -271,7 +302,8 @@ def next_version(version, kind=None):
 
 
 COMMANDS = {"symbols": check_symbols, "needed": check_needed, "abidiff": check_abidiff, "source": check_source,
-            "layout": check_layout, "structs": check_structs, "versions": check_versions, "write-symbols": write_symbols, "next-version": next_version}
+            "layout": check_layout, "structs": check_structs, "versions": check_versions, "refused": check_refused,
+            "write-symbols": write_symbols, "next-version": next_version}
 
 
 def main():

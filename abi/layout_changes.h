@@ -11,22 +11,6 @@ AT(dsw_cut_desc, start, 32);
 AT(dsw_cut_desc, snap, 40);
 GROWS(dsw_cut_desc, snap);
 
-SIZE(dsw_cut_report, 40);
-AT(dsw_cut_report, distance, 0);
-AT(dsw_cut_report, volumes_crossed, 8);
-AT(dsw_cut_report, volumes_split, 12);
-AT(dsw_cut_report, volumes_whole, 16);
-AT(dsw_cut_report, volumes_changed, 20);
-AT(dsw_cut_report, volumes_visited, 24);
-AT(dsw_cut_report, vertex_count, 28);
-AT(dsw_cut_report, face_count, 32);
-AT(dsw_cut_report, reserved, 36);
-
-SIZE(dsw_cut_vertex, 40);
-AT(dsw_cut_vertex, vertex, 0);
-AT(dsw_cut_vertex, from, 8);
-AT(dsw_cut_vertex, weights, 24);
-
 SIZE(dsw_cut_face, 24);
 AT(dsw_cut_face, front, 0);
 AT(dsw_cut_face, back, 12);
@@ -43,11 +27,6 @@ AT(dsw_carve_desc, start, 48);
 AT(dsw_carve_desc, snap, 56);
 GROWS(dsw_carve_desc, snap);
 
-SIZE(dsw_carve_report, 48);
-AT(dsw_carve_report, cut, 0);
-AT(dsw_carve_report, volumes_carved, 40);
-AT(dsw_carve_report, reserved, 44);
-
 SIZE(dsw_tie_desc, 48);
 AT(dsw_tie_desc, struct_size, 0);
 AT(dsw_tie_desc, flags, 4);
@@ -58,28 +37,15 @@ AT(dsw_tie_desc, start, 32);
 AT(dsw_tie_desc, snap, 40);
 GROWS(dsw_tie_desc, snap);
 
-SIZE(dsw_tie_report, 48);
-AT(dsw_tie_report, cut, 0);
-AT(dsw_tie_report, is_closed, 40);
-AT(dsw_tie_report, reserved, 44);
-
-SIZE(dsw_open_desc, 40);
-AT(dsw_open_desc, struct_size, 0);
-AT(dsw_open_desc, flags, 4);
-AT(dsw_open_desc, faces, 8);
-AT(dsw_open_desc, face_count, 16);
-AT(dsw_open_desc, width, 24);
-AT(dsw_open_desc, region, 32);
-AT(dsw_open_desc, tag, 36);
-GROWS(dsw_open_desc, tag);
-
-SIZE(dsw_open_report, 32);
-AT(dsw_open_report, smallest_width, 0);
-AT(dsw_open_report, largest_width, 8);
-AT(dsw_open_report, vertices_parted, 16);
-AT(dsw_open_report, vertices_shortened, 20);
-AT(dsw_open_report, faces_opened, 24);
-AT(dsw_open_report, volumes_changed, 28);
+SIZE(dsw_open_crack_desc, 40);
+AT(dsw_open_crack_desc, struct_size, 0);
+AT(dsw_open_crack_desc, flags, 4);
+AT(dsw_open_crack_desc, faces, 8);
+AT(dsw_open_crack_desc, face_count, 16);
+AT(dsw_open_crack_desc, width, 24);
+AT(dsw_open_crack_desc, region, 32);
+AT(dsw_open_crack_desc, tag, 36);
+GROWS(dsw_open_crack_desc, tag);
 
 SIZE(dsw_detach_desc, 56);
 AT(dsw_detach_desc, struct_size, 0);
@@ -93,23 +59,6 @@ AT(dsw_detach_desc, gap, 32);
 AT(dsw_detach_desc, volume, 40);
 AT(dsw_detach_desc, max_volumes, 48);
 GROWS(dsw_detach_desc, max_volumes);
-
-SIZE(dsw_detach_report, 32);
-AT(dsw_detach_report, distance, 0);
-AT(dsw_detach_report, volume_count, 8);
-AT(dsw_detach_report, vertex_count, 12);
-AT(dsw_detach_report, face_count, 16);
-AT(dsw_detach_report, sewn_count, 20);
-AT(dsw_detach_report, unsewn_count, 24);
-AT(dsw_detach_report, reserved, 28);
-
-SIZE(dsw_detached_vertex, 32);
-AT(dsw_detached_vertex, from, 0);
-AT(dsw_detached_vertex, weights, 16);
-
-SIZE(dsw_detached_face, 20);
-AT(dsw_detached_face, face, 0);
-AT(dsw_detached_face, volume, 12);
 
 SIZE(dsw_deform_options, 48);
 AT(dsw_deform_options, struct_size, 0);
@@ -135,16 +84,6 @@ AT(dsw_remesh_desc, radius, 40);
 AT(dsw_remesh_desc, max_faces, 44);
 GROWS(dsw_remesh_desc, max_faces);
 
-SIZE(dsw_remesh_report, 32);
-AT(dsw_remesh_report, invalid_count, 0);
-AT(dsw_remesh_report, mended_count, 4);
-AT(dsw_remesh_report, left_count, 8);
-AT(dsw_remesh_report, patch_count, 12);
-AT(dsw_remesh_report, volumes_removed, 16);
-AT(dsw_remesh_report, volumes_added, 20);
-AT(dsw_remesh_report, most_faces, 24);
-AT(dsw_remesh_report, reserved, 28);
-
 SIZE(dsw_deform_report, 40);
 AT(dsw_deform_report, fraction, 0);
 AT(dsw_deform_report, outcome, 8);
@@ -156,21 +95,68 @@ AT(dsw_deform_report, invalid_count, 28);
 AT(dsw_deform_report, pushed_count, 32);
 AT(dsw_deform_report, remeshed_count, 36);
 
-SIZE(dsw_wall_contact, 200);
+SIZE(dsw_wall_contact, 240);
 AT(dsw_wall_contact, from, 0);
 AT(dsw_wall_contact, to, 24);
 AT(dsw_wall_contact, time, 48);
 AT(dsw_wall_contact, point, 56);
-AT(dsw_wall_contact, normal, 80);
-AT(dsw_wall_contact, along, 104);
-AT(dsw_wall_contact, moving, 112);
-AT(dsw_wall_contact, others, 120);
-AT(dsw_wall_contact, wall, 136);
-AT(dsw_wall_contact, particle, 148);
-AT(dsw_wall_contact, body, 156);
-AT(dsw_wall_contact, vertex, 164);
-AT(dsw_wall_contact, edge, 172);
-AT(dsw_wall_contact, face, 180);
-AT(dsw_wall_contact, response, 188);
-AT(dsw_wall_contact, tag, 192);
-AT(dsw_wall_contact, reserved, 196);
+AT(dsw_wall_contact, edge_parameter, 80);
+AT(dsw_wall_contact, contact, 88);
+AT(dsw_wall_contact, moving, 168);
+AT(dsw_wall_contact, others, 176);
+AT(dsw_wall_contact, particle, 192);
+AT(dsw_wall_contact, body, 200);
+AT(dsw_wall_contact, vertex, 208);
+AT(dsw_wall_contact, edge, 216);
+AT(dsw_wall_contact, face, 224);
+AT(dsw_wall_contact, response, 232);
+AT(dsw_wall_contact, reserved, 236);
+
+SIZE(dsw_vertex_origin, 40);
+AT(dsw_vertex_origin, vertex, 0);
+AT(dsw_vertex_origin, from, 8);
+AT(dsw_vertex_origin, weights, 24);
+
+SIZE(dsw_face_origin, 20);
+AT(dsw_face_origin, face, 0);
+AT(dsw_face_origin, volume, 12);
+
+SIZE(dsw_change, 232);
+AT(dsw_change, struct_size, 0);
+AT(dsw_change, is_closed, 4);
+AT(dsw_change, distance, 8);
+AT(dsw_change, smallest_width, 16);
+AT(dsw_change, largest_width, 24);
+AT(dsw_change, volumes_visited, 32);
+AT(dsw_change, volumes_crossed, 36);
+AT(dsw_change, volumes_split, 40);
+AT(dsw_change, volumes_changed, 44);
+AT(dsw_change, vertices_parted, 48);
+AT(dsw_change, vertices_shortened, 52);
+AT(dsw_change, faces_sewn, 56);
+AT(dsw_change, faces_unsewn, 60);
+AT(dsw_change, volumes_invalid, 64);
+AT(dsw_change, volumes_removed, 68);
+AT(dsw_change, volumes_added, 72);
+AT(dsw_change, patch_count, 76);
+AT(dsw_change, most_faces, 80);
+AT(dsw_change, reserved, 84);
+AT(dsw_change, volumes, 88);
+AT(dsw_change, volume_count, 96);
+AT(dsw_change, vertices, 104);
+AT(dsw_change, vertex_count, 112);
+AT(dsw_change, faces, 120);
+AT(dsw_change, face_count, 128);
+AT(dsw_change, whole, 136);
+AT(dsw_change, whole_count, 144);
+AT(dsw_change, carved, 152);
+AT(dsw_change, carved_count, 160);
+AT(dsw_change, unrepaired, 168);
+AT(dsw_change, unrepaired_count, 176);
+AT(dsw_change, detached, 184);
+AT(dsw_change, detached_count, 192);
+AT(dsw_change, body_vertices, 200);
+AT(dsw_change, body_vertex_count, 208);
+AT(dsw_change, body_faces, 216);
+AT(dsw_change, body_face_count, 224);
+GROWS(dsw_change, body_face_count);

@@ -19,7 +19,7 @@
 %include "dartsweep/ids.h"
 %include "dartsweep/context.h"
 %include "dartsweep/contact.h"
-%include "dartsweep/contact_check.h"
+%include "dartsweep/cross_check.h"
 %include "dartsweep/environment.h"
 %include "dartsweep/query.h"
 %include "dartsweep/sweep.h"

@@ -56,9 +56,9 @@ milliseconds() {
 # made_again FILE: in `calls` how many calls did the same, in `identical` whether all did.
 made_again() {
   identical=0
-  if "$replay" "$1" --quiet > "$out/verdict.txt" 2>> "$log" && grep -q '^the recording ends here' "$out/verdict.txt"; then identical=1; fi
-  cat "$out/verdict.txt" >> "$log"
-  calls=$(sed -n 's/ calls did what was recorded$//p' "$out/verdict.txt")
+  if "$replay" "$1" --quiet > "$out/validation.txt" 2>> "$log" && grep -q '^the recording ends here' "$out/validation.txt"; then identical=1; fi
+  cat "$out/validation.txt" >> "$log"
+  calls=$(sed -n 's/ calls did what was recorded$//p' "$out/validation.txt")
 }
 
 milliseconds "${insert[@]}"
@@ -90,5 +90,5 @@ wait $process 2>> "$log" || true
 made_again "$out/killed.dswrec"
 echo "replay.bit_identical.killed $identical"
 echo "replay.calls.killed $calls"
-sed -n 's/^the recording ends here.* with \([0-9]*\) bytes of an entry.*/replay.torn_bytes.killed \1/p' "$out/verdict.txt"
+sed -n 's/^the recording ends here.* with \([0-9]*\) bytes of an entry.*/replay.torn_bytes.killed \1/p' "$out/validation.txt"
 [ $((result * identical)) -eq 1 ] || exit 1

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Takes from enumerators what they have in common, in enums that SWIG wrote: Place.PLACE_OUTSIDE becomes Place.OUTSIDE. (SWIG can't:
-to C they are names of one scope.) With "camel" they become Place.Outside. Usage: enumerators.py FOLDER SUFFIX [camel]"""
+"""Takes from enumerators what they have in common, in enums that SWIG wrote: Location.LOCATION_OUTSIDE becomes Location.OUTSIDE. (SWIG can't:
+to C they are names of one scope.) With "camel" they become Location.Outside. Usage: enumerators.py FOLDER SUFFIX [camel]"""
 
 import pathlib
 import re

@@ -21,7 +21,7 @@ DSW_EACH_DESCRIPTION(DSW_INITIALISED)
 %ignore type::point_count;
 %ignore type::point_stride_bytes;
 %ignore type::cell_types;
-%ignore type::cell_count;
+%ignore type::volume_count;
 %ignore type::offsets;
 %ignore type::connectivity;
 %ignore type::connectivity_count;
@@ -51,8 +51,8 @@ DSW_CELLS_AS_ARGUMENTS(dsw_volumes_desc)
 %ignore dsw_cut_desc::point_stride_bytes;
 %ignore dsw_cut_desc::rows;
 %ignore dsw_cut_desc::columns;
-%ignore dsw_open_desc::faces;
-%ignore dsw_open_desc::face_count;
+%ignore dsw_open_crack_desc::faces;
+%ignore dsw_open_crack_desc::face_count;
 %ignore dsw_carve_desc::points;
 %ignore dsw_carve_desc::point_count;
 %ignore dsw_carve_desc::point_stride_bytes;
@@ -68,6 +68,22 @@ DSW_CELLS_AS_ARGUMENTS(dsw_volumes_desc)
 %ignore dsw_move_options::order;
 %ignore dsw_move_options::order_count;
 
+// Lists are methods of Change, which derives from the struct.
+%define DSW_LIST_OF_CHANGE(list, count)
+%ignore dsw_change::list;
+%ignore dsw_change::count;
+%enddef
+DSW_LIST_OF_CHANGE(volumes, volume_count)
+DSW_LIST_OF_CHANGE(vertices, vertex_count)
+DSW_LIST_OF_CHANGE(faces, face_count)
+DSW_LIST_OF_CHANGE(whole, whole_count)
+DSW_LIST_OF_CHANGE(carved, carved_count)
+DSW_LIST_OF_CHANGE(unrepaired, unrepaired_count)
+DSW_LIST_OF_CHANGE(detached, detached_count)
+DSW_LIST_OF_CHANGE(body_vertices, body_vertex_count)
+DSW_LIST_OF_CHANGE(body_faces, body_face_count)
+%ignore dartsweep::Change::Change;
+
 // Members that are structs are handled as `const type &`: typemaps copy them, since a host may keep them longer than the whole.
 %define DSW_MEMBER(type, name)
 %naturalvar type;
@@ -82,7 +98,7 @@ DSW_EACH_RESULT(DSW_MEMBER)
 %ignore dsw_trace_data;
 %ignore dsw_coarsen_report;
 %ignore dsw_recording_desc;
-%ignore dsw_bundle_desc;
+%ignore dsw_bug_report_desc;
 %ignore dsw_replay_info;
 %ignore dsw_replay_report;
 %ignore dsw_replay_outcome;

@@ -162,8 +162,8 @@ DSW_EACH_RECORD(DSW_ARRAYS_OF_STRUCTS)
 %enddef
 DSW_EACH_ID(DSW_VALUE)
 DSW_EACH_RECORD(DSW_VALUE)
-DSW_VALUE(dsw_vec3, Vec3)
-%typemap(ctype) dartsweep::Point, const dartsweep::Point & "dsw_vec3"
+DSW_VALUE(dartsweep::Vec3, Vec3)
+%typemap(ctype) dartsweep::Point, const dartsweep::Point & "dartsweep::Vec3"
 %typemap(imtype) dartsweep::Point, const dartsweep::Point & "Vec3"
 %typemap(cstype) dartsweep::Point, const dartsweep::Point & "Vec3"
 %typemap(csin) const dartsweep::Point & "$csinput"
@@ -171,12 +171,15 @@ DSW_VALUE(dsw_vec3, Vec3)
   point = dartsweep::Point(&$input.x, 3);
   $1 = &point;
 }
-%typemap(out, null="dsw_vec3()") dartsweep::Point "$result = dsw_vec3{(&$1)->at[0], (&$1)->at[1], (&$1)->at[2]};"
+%typemap(out, null="dartsweep::Vec3()") dartsweep::Point {
+  $result = dartsweep::Vec3{(&$1)->at[0], (&$1)->at[1], (&$1)->at[2]};
+}
 %typemap(csout, excode=SWIGEXCODE) dartsweep::Point {
     Vec3 value = $imcall;$excode
     return value;
   }
 DSW_VALUE(dsw_cell, Cell)
+DSW_VALUE(dsw_contact, Contact)
 
 // --- members that are structs of other kinds, or arrays: copies
 %define DSW_COPIED(type, name)
@@ -189,8 +192,7 @@ DSW_VALUE(dsw_cell, Cell)
       return value;
     } %}
 %enddef
-DSW_COPIED(dsw_contact_opinion, ContactOpinion)
-DSW_COPIED(dsw_detach_report, DetachReport)
+DSW_COPIED(dsw_cross_check, CrossCheck)
 
 %define DSW_NUMBERS_MEMBER(type, element)
 %typemap(ctype, out="dartsweep_csharp::Block") type [ANY] "dartsweep_csharp::Pinned"
@@ -221,7 +223,7 @@ DSW_NUMBERS_MEMBER(double, double)
 DSW_NUMBERS_MEMBER(uint32_t, uint)
 
 // --- members that are text: SWIG's own way needs its helper
-%immutable dsw_verdict::text;
+%immutable dsw_validation::text;
 %typemap(ctype) char [ANY] "dartsweep_csharp::Block"
 %typemap(imtype) char [ANY] "Block"
 %typemap(cstype) char [ANY] "string"
@@ -243,6 +245,9 @@ DSW_NUMBERS_MEMBER(uint32_t, uint)
   $1.owner = dartsweep_csharp::owner_of($input);
   dartsweep_csharp::set_points($input, $1.data, $1.count);
 }
+
+// --- a change: its numbers and lists in one class
+%include "common/change_numbers.i"
 
 // --- the log: a delegate
 %typemap(ctype) std::unique_ptr<dartsweep::LogSink> "void *"

@@ -47,8 +47,13 @@
   }
 
   /** Cuts along a blade of rows * columns points (x, y, z), row by row. */
-  public CutReport cut(double[] blade, int rows, int columns) {
+  public Change cut(double[] blade, int rows, int columns) {
     return cut(DoubleBuffer.wrap(blade), rows, columns);
+  }
+
+  /** Takes the environment to positions of its vertices (x, y, z): a copy, which getPoints reads. */
+  public DeformReport deform(double[] positions) {
+    return deform(DoubleBuffer.wrap(positions));
   }
 %}
 
@@ -96,11 +101,6 @@
   /** The body with an id. */
   public Body body(BodyId id) {
     return new Body(this, id);
-  }
-
-  /** Takes the environment to positions of its vertices (x, y, z): a copy, which Environment.getPoints reads. */
-  public DeformReport deform(double[] positions) {
-    return deform(DoubleBuffer.wrap(positions));
   }
 %}
 

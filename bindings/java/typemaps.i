@@ -78,7 +78,7 @@
 %enddef
 DSW_EACH_RECORD(DSW_COPIED)
 DSW_EACH_RESULT(DSW_COPIED)
-%ignore dsw_vec3;
+%ignore dartsweep::Vec3;
 
 // --- points: DoubleBuffers, used in place where they are direct and of native byte order; one point is a double[3], in
 // the plane a double[2]
@@ -113,16 +113,16 @@ DSW_POINTS(dartsweep::PointsOut, DoublesOut)
     return $jnicall;
   }
 %enddef
-DSW_POINT(const dsw_vec3 &)
+DSW_POINT(const dartsweep::Vec3 &)
 DSW_POINT(const dartsweep::Point &)
 DSW_POINT(dartsweep::Point)
 DSW_POINT(double [ANY])
 DSW_POINT(double [ANY][ANY])
-%typemap(in) const dsw_vec3 & (dsw_vec3 point) {
+%typemap(in) const dartsweep::Vec3 & (dartsweep::Vec3 point) {
   if (!dartsweep_java::set_doubles(jenv, $input, &point.x, 3)) return $null;
   $1 = &point;
 }
-%typemap(out) const dsw_vec3 & {
+%typemap(out) const dartsweep::Vec3 & {
   $result = dartsweep_java::to_java(jenv, &$1->x, 3);
 }
 %typemap(in) const dartsweep::Point & (dartsweep::Point point) {
@@ -190,7 +190,7 @@ DSW_NUMBERS(std::size_t, long, jlongArray)
   }
 
 %immutable dsw_build_report::offenders;
-%immutable dsw_contact::fixed;
+%immutable dsw_body_contact::fixed;
 
 // --- arrays of structs: lists in C's memory
 %define DSW_LISTS(type, name)
@@ -325,9 +325,11 @@ DSW_LISTS(type, name)
 %enddef
 DSW_EACH_ID(DSW_IDS)
 %immutable dsw_body_edit::ends;
-%immutable dsw_cut_vertex::from;
-%immutable dsw_detached_vertex::from;
+%immutable dsw_vertex_origin::from;
 %immutable dsw_wall_contact::others;
+
+// --- a change: its numbers and lists in one class
+%include "common/change_numbers.i"
 
 // --- the log: any object with write(level, text)
 %typemap(jni) std::unique_ptr<dartsweep::LogSink> "jobject"

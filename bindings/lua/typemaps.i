@@ -87,7 +87,7 @@ DSW_EACH_DESCRIPTION(DSW_DESCRIPTION)
 DSW_FROM_TABLE(dsw_rigid_motion, new dsw_rigid_motion())
 
 // --- points: {x, y, z}, in the plane {x, y}
-%ignore dsw_vec3;
+%ignore dartsweep::Vec3;
 %typemap(in) const dartsweep::Point & (dartsweep::Point point) {
   if (!dartsweep_lua::to_point(L, $input, "$1_name", &point)) SWIG_fail;
   $1 = &point;
@@ -173,8 +173,8 @@ struct dartsweep_lua::ArrayName<type> {
 %enddef
 DSW_EACH_ID(DSW_STRUCTS)
 DSW_EACH_RECORD(DSW_STRUCTS)
-DSW_STRUCTS(dsw_contact_opinion, ContactOpinion)
-DSW_STRUCTS(dsw_detach_report, DetachReport)
+DSW_STRUCTS(dsw_cross_check, CrossCheck)
+DSW_STRUCTS(dsw_contact, Contact)
 DSW_STRUCTS(dsw_cell, Cell)
 
 // --- ids: nil is the null id
@@ -199,6 +199,9 @@ DSW_EACH_ID(DSW_IDS)
   $1 = *held;
 }
 
+// --- a change: its numbers and lists in one class
+%include "common/change_numbers.i"
+
 // --- several results of one call
 %define DSW_RESULTS(type, ...)
 %ignore dartsweep::type;
@@ -207,7 +210,7 @@ DSW_EACH_ID(DSW_IDS)
   SWIG_arg += dartsweep_lua::push_all(L, __VA_ARGS__);
 }
 %enddef
-DSW_RESULTS(Location, parts.volume, parts.place)
+DSW_RESULTS(Located, parts.volume, parts.location)
 DSW_RESULTS(VolumeCounts, parts.type, parts.vertices, parts.edges, parts.faces)
 DSW_RESULTS(FaceVolumes, parts.near_side, parts.far_side)
 DSW_RESULTS(Neighbour, parts.volume, parts.impassable)
@@ -216,5 +219,4 @@ DSW_RESULTS(VolumeSplit, parts.left, parts.right, parts.face)
 DSW_RESULTS(FaceSplit, parts.left, parts.right, parts.edge)
 DSW_RESULTS(EdgeSplit, parts.vertex, parts.first, parts.second)
 DSW_RESULTS(Particle, parts.position, parts.volume)
-DSW_RESULTS(Detached, parts.body, parts.report)
 DSW_RESULTS(BodyFilter, parts.category, parts.mask)

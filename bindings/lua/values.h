@@ -139,7 +139,7 @@ void push_list(lua_State *L, const T *values, std::size_t count) {
 }
 
 inline void push(lua_State *L, const std::string &text) { lua_pushlstring(L, text.data(), text.size()); }
-inline void push(lua_State *L, const dsw_vec3 &point) { push_list(L, &point.x, 3); }
+inline void push(lua_State *L, const dartsweep::Vec3 &point) { push_list(L, &point.x, 3); }
 inline void push(lua_State *L, const dartsweep::Point &point) { push_list(L, point.at, point.size); }
 
 // Several results of one call; answers how many.

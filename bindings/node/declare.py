@@ -102,7 +102,12 @@ for name, value in re.findall(r"#define DSW_(VERSION_\w+) (\d+)", headers):
 # --- structs
 bodies = dict(re.findall(r"typedef struct (\w+) \{(.*?)\n\} \w+;", headers, re.S))
 results = dict(re.findall(r"struct (\w+) \{(.*?)\n\};", (root / "include/dartsweep/cpp/results.hpp").read_text(), re.S))
+values = re.findall(r"struct (\w+) \{(.*?)\n\};", (root / "include/dartsweep/cpp/arrays.hpp").read_text(), re.S)
+bodies |= {"dartsweep::" + name: body for name, body in values}
 structs: dict[str, Struct] = {}
+
+
+wanted = {c_name: (name, kind) for kind in ("ID", "RECORD", "DESCRIPTION", "RESULT") for c_name, name in listed(kind).items()}
 
 
 def layout(c_type: str) -> tuple[int, int]:
@@ -128,6 +133,7 @@ def add(c_name: str, name: str, kind: str, body: str) -> None:
             continue
         c_type, names = re.fullmatch(r"(?:const )?([\w:]+ ?\*?) ?(.*);", declaration).groups()
         c_type = c_type.replace("std::", "").replace(" ", "")
+        c_type = "dartsweep::" + c_type if "dartsweep::" + c_type in wanted else c_type
         for each in names.split(","):
             member, dims = re.fullmatch(r"\s*(\w+)\s*((?:\[\d+\])*)", each).groups()
             sizes = [int(dim) for dim in re.findall(r"\d+", dims)]
@@ -142,7 +148,6 @@ def add(c_name: str, name: str, kind: str, body: str) -> None:
     structs[c_name] = Struct(c_name, name, kind, -(-at // alignment) * alignment, members)
 
 
-wanted = {c_name: (name, kind) for kind in ("ID", "RECORD", "DESCRIPTION", "RESULT") for c_name, name in listed(kind).items()}
 while len(structs) < len(wanted):  # members before what has them
     for c_name, (name, kind) in wanted.items():
         nested = {word for word in re.findall(r"dsw_\w+", re.sub(r"/\*.*?\*/", "", bodies[c_name], flags=re.S)) if word in wanted}
@@ -152,7 +157,12 @@ for name, body in results.items():
     add("dartsweep::" + name, name, "RESULT", body)
 
 
+lists_of_change = [name for pair in re.findall(r"^DSW_LIST_OF_CHANGE\((\w+), (\w+)\)", hidden, re.M) for name in pair]
+
+
 def is_hidden(struct: Struct, member: Member) -> bool:
+    if struct.c_name == "dsw_change" and member.name in lists_of_change:
+        return True
     owners = ["type"] if f"DSW_CELLS_AS_ARGUMENTS({struct.c_name})" in hidden else []
     return member.name in ("struct_size", "reserved") or any(
         f"%ignore {owner}::{member.name};" in hidden for owner in [*owners, struct.c_name])

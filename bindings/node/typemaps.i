@@ -9,6 +9,7 @@
 %rename("$ignore", %$isenumitem) "";
 %rename("$ignore", %$isconstant) "";
 %rename("%(lowercamelcase)s", %$isfunction, %$ismember) "";
+%rename("%(lowercamelcase)s", %$isvariable) "";
 %rename(version) dsw_version;
 %rename(statusString) dsw_status_string;
 %rename(raiseStatus) dartsweep::raise_status;
@@ -127,7 +128,7 @@ DSW_STRUCT_BY_REFERENCE(type, name)
 DSW_EACH_ID(DSW_STRUCTS)
 DSW_EACH_RECORD(DSW_STRUCTS)
 DSW_EACH_RESULT(DSW_STRUCT_BY_REFERENCE)
-DSW_STRUCT(dartsweep::Location)
+DSW_STRUCT(dartsweep::Located)
 DSW_STRUCT(dartsweep::VolumeCounts)
 DSW_STRUCT(dartsweep::FaceVolumes)
 DSW_STRUCT(dartsweep::Neighbour)
@@ -136,7 +137,6 @@ DSW_STRUCT(dartsweep::VolumeSplit)
 DSW_STRUCT(dartsweep::FaceSplit)
 DSW_STRUCT(dartsweep::EdgeSplit)
 DSW_STRUCT(dartsweep::Particle)
-DSW_STRUCT(dartsweep::Detached)
 DSW_STRUCT(dartsweep::BodyFilter)
 
 // One point: an array of 3 numbers, or 2 in the plane.
@@ -158,6 +158,9 @@ DSW_STRUCT(dartsweep::BodyFilter)
 }
 %enddef
 DSW_EACH_DESCRIPTION(DSW_OPTIONS)
+
+// --- a change: its numbers and lists in one class
+%include "common/change_numbers.i"
 
 // --- the log: a function (level, text)
 %typemap(in) std::unique_ptr<dartsweep::LogSink> {

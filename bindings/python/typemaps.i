@@ -77,20 +77,21 @@ DSW_LONG(Environment::merge_edges)
 DSW_LONG(Environment::collapse_edge)
 DSW_LONG(Environment::cut)
 DSW_LONG(Environment::tear_faces)
-DSW_LONG(Environment::open)
+DSW_LONG(Environment::open_crack)
 DSW_LONG(Environment::carve)
 DSW_LONG(Environment::tie)
 DSW_LONG(Environment::remesh)
+DSW_LONG(Environment::deform)
+DSW_LONG(Environment::detach)
+DSW_LONG(Environment::get_change)
 DSW_LONG(Scene::Scene)
 DSW_LONG(Scene::load)
 DSW_LONG(Scene::save)
 DSW_LONG(Scene::close)
 DSW_LONG(Scene::create_particles)
-DSW_LONG(Scene::get_particles)
+DSW_LONG(Scene::get_particle_positions)
 DSW_LONG(Scene::move_particles)
 DSW_LONG(Scene::cast_from_particles)
-DSW_LONG(Scene::deform)
-DSW_LONG(Scene::detach)
 DSW_LONG(Scene::create_body)
 DSW_LONG(Scene::move_bodies)
 DSW_LONG(Body::destroy)
@@ -261,9 +262,31 @@ DSW_EACH_ENUM(DSW_CONSTANT)
 DSW_EACH_ID(DSW_COPIED)
 DSW_EACH_RECORD(DSW_COPIED)
 DSW_EACH_RESULT(DSW_COPIED)
-%typemap(out) const dsw_vec3 & {
+%typemap(out) const dartsweep::Vec3 & {
   $result = dartsweep_python::copy_to_python(&$1->x, 3);
 }
+// --- lists of a change: attributes, each made once
+%define DSW_LIST(list, words)
+%rename(_get_##list) dartsweep::Change::get_##list;
+%extend dartsweep::Change {
+%pythoncode %{list = _list_of_change(#list, words)%}
+}
+%enddef
+DSW_LIST(volumes, "What became of each volume (dtypes.VOLUME_CHANGE).")
+DSW_LIST(vertices, "Vertices added by a cut or a crack (dtypes.VERTEX_ORIGIN).")
+DSW_LIST(faces, "Faces of a cut or tear; lips of a crack (dtypes.CUT_FACE).")
+DSW_LIST(whole, "Cut: volumes crossed, but not split.")
+DSW_LIST(carved, "Carving: volumes made passable.")
+DSW_LIST(unrepaired, "Repair: volumes left invalid, by index.")
+DSW_LIST(detached, "Volumes of the detached piece.")
+DSW_LIST(body_vertices, "Of the detached body, by index (dtypes.VERTEX_ORIGIN).")
+DSW_LIST(body_faces, "Of the detached body, by index (dtypes.FACE_ORIGIN).")
+%extend dartsweep::Change {
+%pythoncode %{def __repr__(self):
+    return f"Change({_members_of(self, lambda value: len(value) if hasattr(value, '__len__') else value)})"
+__setattr__ = _set_member%}
+}
+
 // --- values that compare, hash and describe themselves
 %pythonbegin %{
 def _set_member(self, name, value):
@@ -276,11 +299,24 @@ def _set_member(self, name, value):
         raise AttributeError(f"{kind.__name__} has no member '{name}'" + (f": did you mean '{near[0]}'?" if near else ""))
     object.__setattr__(self, name, value)
 
-def _describe(self):
-    """Name(member=value, ...)"""
+def _members_of(self, shown=lambda value: value):
+    """member=value, ..."""
     kind = type(self)
     members = [name for name in dir(kind) if name != "thisown" and isinstance(getattr(kind, name), property)]
-    return f"{kind.__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in members)})"
+    return ", ".join(f"{name}={shown(getattr(self, name))!r}" for name in members)
+
+def _describe(self):
+    """Name(member=value, ...)"""
+    return f"{type(self).__name__}({_members_of(self)})"
+
+def _list_of_change(name, words):
+    """An array of a change, made when it is asked for first."""
+    def get(self):
+        kept = self.__dict__.setdefault("_lists", {})
+        if name not in kept:
+            kept[name] = getattr(self, "_get_" + name)()
+        return kept[name]
+    return property(get, doc=words)
 %}
 %define DSW_DESCRIBED(type, name)
 %extend type {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstring>
 #include <functional>
 #include <optional>
 #include <string>
@@ -49,9 +50,9 @@ TEST(Layer, ClosesOnceInAnyOrder) {
 TEST(Layer, StatusesAreThrown) {
   Environment environment = cube();
   Scene scene(environment);
-  EXPECT_EQ(status_of([&] { environment.get_volume(1); }), DSW_STATUS_OUT_OF_RANGE);
+  EXPECT_EQ(status_of([&] { environment.get_volume_id(1); }), DSW_STATUS_OUT_OF_RANGE);
   EXPECT_EQ(status_of([&] { scene.destroy_particle({9, 1}); }), DSW_STATUS_STALE_ID);
-  EXPECT_EQ(status_of([&] { scene.deform({}); }), DSW_STATUS_NOT_NAMED);
+  EXPECT_EQ(status_of([&] { environment.deform({}); }), DSW_STATUS_NOT_ENABLED);
   EXPECT_EQ(status_of([&] { environment.locate_points({kPoints.data(), 24}, {}, {}); }), DSW_STATUS_WRONG_SIZE);
   EXPECT_EQ(status_of([&] { Environment::load({}); }), DSW_STATUS_NULL_ARGUMENT);
 }
@@ -74,7 +75,7 @@ TEST(Layer, PointsOfThePlaneHaveTwoCoordinates) {
   EXPECT_EQ(loaded.dimension(), 2u);
   EXPECT_EQ(loaded.get_points().size(), 8u);
   EXPECT_EQ(loaded.info().volume_count, 2u);
-  const Point corner = loaded.get_position(loaded.get_vertex(2));
+  const Point corner = loaded.get_vertex_position(loaded.get_vertex_id(2));
   EXPECT_TRUE(corner.size == 2 && corner.at[0] == 1 && corner.at[1] == 1 && corner.at[2] == 0);
   const Point start(0.5, 0.25);
   EXPECT_EQ(loaded.cast(start, {0.5, 2.25}).time, 0.375);
@@ -88,17 +89,18 @@ TEST(Layer, PointsOfThePlaneHaveTwoCoordinates) {
   Body body(scene, scene.create_body({rope, 4}, {edge, 2}));
   const dsw_move_report report = body.move({rows, 2, 2, 24});
   EXPECT_EQ(report.vertices_stopped, 1u);
-  const Array<dsw_contact> contacts = body.get_contacts();
+  const Array<dsw_body_contact> contacts = body.get_contacts();
   ASSERT_EQ(contacts.size(), 1u);
-  EXPECT_TRUE(contacts.get(0).time == 0.75 && contacts.get(0).normal[1] == -1 && contacts.get(0).normal[2] == 0);
+  EXPECT_TRUE(contacts.get(0).time == 0.75 && contacts.get(0).contact.normal[1] == -1 &&
+              contacts.get(0).contact.normal[2] == 0);
   double positions[4];
   body.get_positions({positions, 4});
   EXPECT_TRUE(positions[0] == 0.5 && positions[1] > 0.99 && positions[1] < 1 && positions[3] == 0.5);
   body.get_positions({positions, 2, 2});
   EXPECT_EQ(status_of([&] { body.get_positions({positions, 3}); }), DSW_STATUS_WRONG_SIZE);
   EXPECT_EQ(status_of([&] { body.move({rows, 2, 3, 24}); }), DSW_STATUS_WRONG_SIZE);
-  const dsw_vec3 place = scene.get_particle(scene.create_particle(start)).position;
-  EXPECT_TRUE(place.x == 0.5 && place.y == 0.25 && place.z == 0);
+  const Vec3 position = scene.get_particle_position(scene.create_particle(start)).position;
+  EXPECT_TRUE(position.x == 0.5 && position.y == 0.25 && position.z == 0);
 }
 
 /// Points in memory of their very size: the sanitizers would see a third coordinate.
@@ -131,7 +133,7 @@ TEST(Layer, ArraysOfThePlaneAreReadAndWrittenByTwo) {
   scene.cast_from_particles({particles, 2}, of<Points>(to), nullptr, {flights, 2});
   EXPECT_TRUE(flights[0].time == 0.375 && flights[1].time == 0.125);
   scene.move_particles({particles, 2}, of<Points>(fixed), nullptr, {});
-  scene.get_particles({particles, 2}, of<PointsOut>(out));
+  scene.get_particle_positions({particles, 2}, of<PointsOut>(out));
   EXPECT_EQ(out, fixed);
   const dsw_body_id bodies[] = {scene.create_body(of<Points>(from)), scene.create_body(of<Points>(fixed))};
   std::vector<double> targets = {0.5, 0.5, 0.5, 0.75, 0.75, 0.5, 0.75, 0.75};
@@ -140,7 +142,7 @@ TEST(Layer, ArraysOfThePlaneAreReadAndWrittenByTwo) {
   EXPECT_EQ(out, (std::vector<double>{0.75, 0.5, 0.75, 0.75}));
 
   auto next = std::make_shared<std::vector<double>>(std::vector<double>{0, 0, 1, 0, 1, 2, 0, 2});
-  EXPECT_EQ(scene.deform({next->data(), 8, 0, next}).outcome, DSW_DEFORM_DONE);
+  EXPECT_EQ(environment.deform({next->data(), 8, 0, next}).outcome, DSW_DEFORM_DONE);
   const Array<double> points = environment.get_points();
   ASSERT_EQ(points.size(), 8u);
   EXPECT_TRUE(points.get(5) == 2 && points.get(7) == 2);
@@ -148,7 +150,7 @@ TEST(Layer, ArraysOfThePlaneAreReadAndWrittenByTwo) {
 
 TEST(Layer, SurgeryInThePlaneReadsByTwo) {
   Environment environment = square();
-  const dsw_vertex_id vertices[] = {environment.get_vertex(1), environment.get_vertex(2)};
+  const dsw_vertex_id vertices[] = {environment.get_vertex_id(1), environment.get_vertex_id(2)};
   const std::int64_t triangle[] = {0, 2, 1};
   dsw_volumes_desc kind;
   dsw_volumes_desc_init(&kind, sizeof kind);
@@ -160,18 +162,38 @@ TEST(Layer, SurgeryInThePlaneReadsByTwo) {
   EXPECT_NEAR(environment.get_centre(made).at[0], 4.0 / 3, 1e-15);
   EXPECT_EQ(environment.cut(of<Points>(blade), 2, 1).volumes_split, 2u);
   const std::uint32_t corners[] = {0, 1, 1, 2, 2, 0};
-  EXPECT_GT(environment.carve(of<Points>(shape), {corners, 6}).cut.volumes_crossed, 0u);
-  EXPECT_GT(environment.tie(of<Points>(line)).cut.face_count, 0u);
+  EXPECT_GT(environment.carve(of<Points>(shape), {corners, 6}).volumes_crossed, 0u);
+  EXPECT_GT(environment.tie(of<Points>(line)).face_count, 0u);
   EXPECT_EQ(status_of([&] { environment.cut(of<Points>(blade), 3, 1); }), DSW_STATUS_WRONG_SIZE);
   EXPECT_EQ(status_of([&] { environment.carve(of<Points>(shape), {corners, 5}); }), DSW_STATUS_WRONG_SIZE);
-  const dsw_face_id side = environment.get_volume_face(environment.get_volume(made.index), 0);
+  const dsw_face_id side = environment.get_face_id(environment.get_volume_id(made.index), 0);
   const dsw_vertex_id middle = environment.split_edge({side.volume, side.generation, side.local}, 0.5).vertex;
-  EXPECT_EQ(environment.get_position(middle).size, 2u);
+  EXPECT_EQ(environment.get_vertex_position(middle).size, 2u);
   Trace trace;
   trace.add_walk(environment, {0.75, 0.5}, {0.75, 3}, 0.25);
   const Array<double> drawn = trace.get_points();
   ASSERT_GT(drawn.size(), 3u);
   for (std::size_t i = 0; i < drawn.size(); ++i) EXPECT_TRUE(i % 3 != 2 || drawn.get(i) == 0);
+}
+
+TEST(Layer, ChangesAreCopiesThatLast) {
+  std::optional<Environment> environment(square());
+  const double blade[] = {0.25, -1, 0.25, 2};
+  const auto lasting = [](Change change) {
+    EXPECT_EQ(change.volumes_split, 2u);
+    EXPECT_EQ(change.get_faces().size(), 2u);
+    EXPECT_EQ(change.get_vertices().size(), 3u);
+    EXPECT_EQ(change.get_vertices().get(0).vertex.index, 4u);
+    EXPECT_EQ(change.get_volumes().size(), change.volume_count);
+    EXPECT_EQ(change.get_detached().size(), 0u);
+    EXPECT_EQ(change.volumes[0].before.generation, 1u);
+  };
+  Change cut = environment->cut({blade, 4}, 2, 1), last = environment->get_change();
+  environment->unsew_face(cut.get_faces().get(0).front);
+  EXPECT_EQ(environment->get_change().volume_count, 0u);
+  environment.reset();
+  lasting(std::move(cut));
+  lasting(std::move(last));
 }
 
 std::string words_of(const std::function<void()> &call) {
@@ -203,13 +225,13 @@ TEST(Layer, EmptyArraysAreLeftOutWhereverTheyLie) {
   const std::vector<std::uint8_t> bytes(1);
   const std::vector<std::int32_t> numbers(1);
   const std::vector<dsw_volume_id> ids(1);
-  std::vector<std::int32_t> places(1, 7);
+  std::vector<std::int32_t> locations(1, 7);
   const std::int32_t *const end = numbers.data() + 1;
   Environment environment({kPoints.data(), 24}, {kCube.data(), 8, 8}, {end, 0, 8}, {bytes.data() + 1, 0}, {end, 0}, {},
                           {end, 0, 8}, {end, 0, 8});
   EXPECT_EQ(environment.info().volume_count, 1u);
   std::vector<dsw_volume_id> found(1);
-  environment.locate_points({kMiddle.at, 3}, {ids.data() + 1, 0}, {found.data(), 1}, {places.data() + 1, 0});
+  environment.locate_points({kMiddle.at, 3}, {ids.data() + 1, 0}, {found.data(), 1}, {locations.data() + 1, 0});
   EXPECT_EQ(found[0].generation, 1u);
 }
 
@@ -224,7 +246,7 @@ TEST(Layer, LentPositionsAreHeldUntilTheNext) {
     auto next = std::make_shared<std::vector<double>>(kPoints);
     (*next)[0] = -0.25 * i;
     lent.push_back(next);
-    scene.deform({next->data(), 24, 0, next});
+    environment.deform({next->data(), 24, 0, next});
     EXPECT_EQ(environment.get_points().get(0), -0.25 * i);
   }
   EXPECT_TRUE(lent[0].expired() && lent[1].expired() && !lent[2].expired());
@@ -267,16 +289,16 @@ TEST(Layer, RoomForPointsIsWhatTheArrayHas) {
     next->resize(3 * count);
     return Lent{next->data(), count, 3, next};
   };
-  const auto split = [&] { environment.split_edge(environment.get_volume_edge(environment.get_volume(0), 0), 0.5); };
-  scene.deform(lend(9), &options);
+  const auto split = [&] { environment.split_edge(environment.get_edge_id(environment.get_volume_id(0), 0), 0.5); };
+  environment.deform(lend(9), &options);
   EXPECT_EQ(options.point_room, 0u);
   split();
   EXPECT_EQ(status_of(split), DSW_STATUS_BORROWED);
-  scene.deform(lend(9), &options);
+  environment.deform(lend(9), &options);
   EXPECT_EQ(status_of(split), DSW_STATUS_BORROWED);
   options.point_room = 1000;
-  EXPECT_EQ(status_of([&] { scene.deform(lend(9), &options); }), DSW_STATUS_WRONG_SIZE);
-  EXPECT_EQ(status_of([&] { scene.deform(lend(8)); }), DSW_STATUS_WRONG_SIZE);
+  EXPECT_EQ(status_of([&] { environment.deform(lend(9), &options); }), DSW_STATUS_WRONG_SIZE);
+  EXPECT_EQ(status_of([&] { environment.deform(lend(8)); }), DSW_STATUS_WRONG_SIZE);
 }
 
 TEST(Layer, SnapshotsGoOn) {
@@ -287,6 +309,23 @@ TEST(Layer, SnapshotsGoOn) {
   Environment other = Environment::load({block.data(), block.size()});
   Scene copy = Scene::load(other, {inside.data(), inside.size()});
   EXPECT_EQ(copy.move_particle(particle, kBeyond).time, scene.move_particle(particle, kBeyond).time);
+}
+
+TEST(Layer, SnapshotsHaveContactsAsTheyWere) {
+  Environment environment = square();
+  const dsw_volume_id wall = environment.get_volume_id(1);
+  environment.mark_volumes({&wall, 1}, DSW_MARK_IMPASSABLE);
+  Scene scene(environment);
+  const double point[] = {0.75, 0.25}, target[] = {0.25, 0.75};
+  Body body(scene, scene.create_body({point, 2}));
+  body.move({target, 2});
+  Array<std::uint8_t> block = environment.save(), inside = scene.save();
+  Environment other = Environment::load({block.data(), block.size()});
+  Scene copy = Scene::load(other, {inside.data(), inside.size()});
+  const Array<dsw_body_contact> was = body.get_contacts(), is = Body(copy, body.id()).get_contacts();
+  ASSERT_TRUE(was.size() == 1 && is.size() == 1);
+  EXPECT_TRUE(equal(was[0].contact.behind, wall));
+  EXPECT_EQ(std::memcmp(was.begin(), is.begin(), sizeof was[0]), 0);
 }
 
 TEST(Layer, ThreadsMayCallAndCloseAsTheyLike) {
@@ -302,10 +341,10 @@ TEST(Layer, ThreadsMayCallAndCloseAsTheyLike) {
           for (int i = 0; i < 200; ++i) {
             if (number == 0 && i == 150) scene.close();
             if (number % 2) scene.move_particle(particle, i % 2 ? kMiddle : kNear);
-            if (number == 2) environment.set_tag(environment.get_volume(0), static_cast<std::uint32_t>(i));
+            if (number == 2) environment.set_tag(environment.get_volume_id(0), static_cast<std::uint32_t>(i));
             if (number == 4) Scene another(environment);
             environment.cast(kMiddle, kBeyond);
-            scene.get_particle(particle);
+            scene.get_particle_position(particle);
           }
         } catch (const Closed &) {
           ++refused;

@@ -57,30 +57,30 @@ void say_flight(const dsw_flight *flight) {
   integer(flight->outcome);
   number(flight->time);
   point(flight->position);
-  point(flight->normal);
-  integer(flight->face.volume);
-  integer(flight->face.local);
-  integer(flight->cells_visited);
+  point(flight->contact.normal);
+  integer(flight->contact.wall.volume);
+  integer(flight->contact.wall.local);
+  integer(flight->volumes_visited);
 }
 
 void say_sweep(const dsw_sweep *sweep) {
   integer(sweep->outcome);
   number(sweep->time);
   point(sweep->point);
-  number(sweep->along);
+  number(sweep->edge_parameter);
 }
 
-void say_contacts(const char *name, const dsw_contact *contacts, size_t count) {
+void say_contacts(const char *name, const dsw_body_contact *contacts, size_t count) {
   size_t i;
   stage(name);
   integer(count);
   for (i = 0; i < count; ++i) {
     integer(contacts[i].vertex.index);
-    integer(contacts[i].kind);
+    integer(contacts[i].contact.kind);
     number(contacts[i].time);
     point(contacts[i].point);
-    point(contacts[i].normal);
-    integer(contacts[i].wall.volume);
+    point(contacts[i].contact.normal);
+    integer(contacts[i].contact.wall.volume);
   }
 }
 
@@ -98,19 +98,19 @@ void say_deformation(const dsw_deform_report *report) {
 }
 
 void cut(dsw_environment *environment, const dsw_cut_desc *desc) {
-  const dsw_cut_vertex *vertices = NULL;
-  dsw_cut_report report;
+  dsw_change change;
   dsw_environment_info info;
-  size_t i, count = 0;
-  must(dsw_environment_cut(environment, desc, &report));
-  number(report.distance);
-  integer(report.volumes_split);
-  integer(report.face_count);
+  size_t i;
+  change.struct_size = sizeof change;
+  must(dsw_environment_cut(environment, desc, &change));
+  number(change.distance);
+  integer(change.volumes_split);
+  integer(change.face_count);
   info.struct_size = sizeof info;
   must(dsw_environment_get_info(environment, &info));
   integer(info.volume_count);
-  must(dsw_environment_get_cut_vertices(environment, &vertices, &count));
-  for (i = 0; i < count; ++i) integer(vertices[i].vertex.index), number(vertices[i].weights[0]);
+  for (i = 0; i < change.vertex_count; ++i)
+    integer(change.vertices[i].vertex.index), number(change.vertices[i].weights[0]);
 }
 
 /* --- what it is played with: integers, so that all languages have the same bits */
@@ -160,7 +160,7 @@ static dsw_environment *create(void) {
   desc.point_count = POINTS;
   desc.connectivity = cells;
   desc.connectivity_count = 8 * CELLS;
-  desc.cell_count = CELLS;
+  desc.volume_count = CELLS;
   desc.regions = regions;
   must(dsw_environment_create(NULL, &desc, &environment, NULL));
   return environment;
@@ -190,7 +190,7 @@ static dsw_body_id create_catheter(dsw_scene *scene, double *positions) {
 static void queries(const dsw_environment *environment) {
   static double from[3 * 64], to[3 * 64], fixed[3 * 16];
   static dsw_volume_id volumes[64];
-  static dsw_place places[64];
+  static dsw_location locations[64];
   static dsw_flight flights[64];
   static dsw_sweep sweeps[16];
   int i;
@@ -198,8 +198,8 @@ static void queries(const dsw_environment *environment) {
   stage("locate");
   seed = 1;
   draw_points(from, 64);
-  must(dsw_environment_locate_points(environment, from, 64, 0, NULL, volumes, places));
-  for (i = 0; i < 64; ++i) integer(places[i]), integer(volumes[i].index), integer(volumes[i].generation);
+  must(dsw_environment_locate_points(environment, from, 64, 0, NULL, volumes, locations));
+  for (i = 0; i < 64; ++i) integer(locations[i]), integer(volumes[i].index), integer(volumes[i].generation);
 
   stage("cast");
   draw_points(to, 64);
@@ -214,7 +214,7 @@ static void queries(const dsw_environment *environment) {
   stage("nearest");
   for (i = 0; i < 64; ++i) {
     dsw_nearest nearest;
-    if (places[i] != DSW_PLACE_PASSABLE) continue;
+    if (locations[i] != DSW_LOCATION_PASSABLE) continue;
     must(dsw_environment_find_nearest(environment, from + 3 * i, volumes[i], 20.0, &nearest));
     say_nearest(&nearest);
   }
@@ -232,7 +232,7 @@ static void move_particles(dsw_scene *scene, const dsw_particle_id *particles) {
 static void push_catheter(dsw_scene *scene, dsw_body_id body, double *positions) {
   dsw_move_options options;
   dsw_move_report report;
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   size_t i, count = 0, step;
 
   stage("catheter");
@@ -303,13 +303,13 @@ static void errors(dsw_environment *environment, dsw_scene *scene, const dsw_par
   stage("errors");
   integer(dsw_environment_cast(environment, anywhere, no_point, inside, NULL, &flight));
   integer(dsw_environment_cast(environment, stale, inside, outside, NULL, &flight));
-  integer(dsw_environment_get_volume(environment, CELLS, &volume));
+  integer(dsw_environment_get_volume_id(environment, CELLS, &volume));
   integer(dsw_particle_create(scene, outside, anywhere, &particle));
   integer(dsw_particle_create(scene, in_wall, anywhere, &particle));
   same[0] = same[1] = particles[0];
   integer(dsw_scene_move_particles(scene, same, 2, both, 0, NULL, NULL));
   must(dsw_particle_create(scene, inside, anywhere, &particle));
-  must(dsw_particle_get(scene, particle, NULL, &volume));
+  must(dsw_particle_get_position(scene, particle, NULL, &volume));
   integer(dsw_environment_mark_volumes(environment, &volume, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   must(dsw_particle_destroy(scene, particle));
   integer(dsw_particle_destroy(scene, particle));
@@ -319,7 +319,7 @@ static void errors(dsw_environment *environment, dsw_scene *scene, const dsw_par
   desc.point_count = POINTS;
   desc.connectivity = twice;
   desc.connectivity_count = 4;
-  desc.cell_count = 1;
+  desc.volume_count = 1;
   desc.uniform_cell_type = DSW_CELL_TYPE_TETRA;
   integer(dsw_environment_create(NULL, &desc, &other, NULL));
 }
@@ -354,7 +354,7 @@ static void deform(void) {
     memcpy(next + 3 * i, points + 3 * i, 3 * sizeof *next);
     next[3 * i] += (48 - points[3 * i]) * 0.4375;
   }
-  must(dsw_scene_deform(scene, next, POINTS, NULL, &report));
+  must(dsw_environment_deform(environment, next, POINTS, NULL, &report));
   say_deformation(&report);
   must(dsw_body_get_positions(scene, body, positions, LINKS, 0, NULL, &count));
   for (i = 0; i < LINKS; ++i) point(positions + 3 * i);
@@ -388,7 +388,7 @@ static void play(void) {
   for (i = 0; i < PARTICLES; ++i, ++cell) { /* at the centres of the first cells of the lumen */
     dsw_volume_id volume;
     while (regions[cell] != 1) ++cell;
-    must(dsw_environment_get_volume(environment, (uint32_t)cell, &volume));
+    must(dsw_environment_get_volume_id(environment, (uint32_t)cell, &volume));
     must(dsw_environment_get_centre(environment, volume, centres + 3 * i));
   }
   must(dsw_scene_create_particles(scene, centres, PARTICLES, 0, NULL, particles, NULL));

@@ -12,7 +12,7 @@ void integer(uint64_t value);
 void number(double value);
 void say_flight(const dsw_flight *flight);
 void say_sweep(const dsw_sweep *sweep);
-void say_contacts(const char *stage_name, const dsw_contact *contacts, size_t count);
+void say_contacts(const char *stage_name, const dsw_body_contact *contacts, size_t count);
 void say_nearest(const dsw_nearest *nearest);
 void say_deformation(const dsw_deform_report *report);
 

@@ -43,7 +43,7 @@ static dsw_environment *create_plane(void) {
   desc.points = corners;
   desc.point_count = CORNERS;
   desc.cell_types = types;
-  desc.cell_count = SHARDS;
+  desc.volume_count = SHARDS;
   desc.offsets = ends;
   desc.connectivity = sides;
   desc.connectivity_count = (size_t)ends[SHARDS];
@@ -64,7 +64,7 @@ static dsw_body_id pull_rope(dsw_scene *scene) {
   dsw_body_id body;
   dsw_move_options options;
   dsw_move_report report;
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   size_t i, count = 0, step;
   for (i = 0; i < LINKS; ++i) positions[2 * i] = 20.25 + 3.0 * (double)i, positions[2 * i + 1] = 40.5;
   for (i = 0; i + 1 < LINKS; ++i) edges[2 * i] = (uint32_t)i, edges[2 * i + 1] = (uint32_t)i + 1;
@@ -107,7 +107,7 @@ static void bend_and_cut(dsw_environment *environment, dsw_scene *scene, dsw_bod
   }
   dsw_deform_options_init(&options, sizeof options);
   options.point_room = CORNERS + ROOM;
-  must(dsw_scene_deform(scene, next, CORNERS, &options, &report));
+  must(dsw_environment_deform(environment, next, CORNERS, &options, &report));
   say_deformation(&report);
   must(dsw_body_get_positions(scene, rope, positions, LINKS, 0, NULL, &count));
   for (i = 0; i < 2 * LINKS; ++i) number(positions[i]);
@@ -126,7 +126,7 @@ void plane(void) {
   static dsw_sweep sweeps[16];
   static dsw_particle_id particles[32];
   static dsw_volume_id volumes[32];
-  static dsw_place places[32];
+  static dsw_location locations[32];
   dsw_environment *const environment = create_plane();
   const dsw_vertex_id pole = {5 * (SIDE + 1) + 5, 1};
   dsw_environment_info info;
@@ -152,10 +152,10 @@ void plane(void) {
   stage("plane locate");
   seed = 1;
   draw_plane(from, 32);
-  must(dsw_environment_locate_points(environment, from, 32, 0, NULL, volumes, places));
+  must(dsw_environment_locate_points(environment, from, 32, 0, NULL, volumes, locations));
   for (i = 0; i < 32; ++i) {
-    integer(places[i]), integer(volumes[i].index), integer(volumes[i].generation);
-    if (places[i] != DSW_PLACE_PASSABLE) continue;
+    integer(locations[i]), integer(volumes[i].index), integer(volumes[i].generation);
+    if (locations[i] != DSW_LOCATION_PASSABLE) continue;
     must(dsw_environment_find_nearest(environment, from + 2 * i, volumes[i], 20.0, &nearest));
     say_nearest(&nearest);
   }
@@ -177,7 +177,7 @@ void plane(void) {
   must(dsw_scene_create(environment, &desc, &scene));
   must(dsw_scene_create_particles(scene, from, 32, 0, NULL, particles, NULL));
   must(dsw_scene_move_particles(scene, particles, 32, to, 0, NULL, NULL));
-  must(dsw_scene_get_particles(scene, particles, 32, from, 0, NULL));
+  must(dsw_scene_get_particle_positions(scene, particles, 32, from, 0, NULL));
   for (i = 0; i < 64; ++i) number(from[i]);
   rope = pull_rope(scene);
   stage("plane snapshot");

@@ -12,7 +12,7 @@ static dsw_status create_cube(dsw_environment **environment) {
   desc.point_count = 8;
   desc.connectivity = kCube;
   desc.connectivity_count = 8;
-  desc.cell_count = 1;
+  desc.volume_count = 1;
   return dsw_environment_create(NULL, &desc, environment, NULL);
 }
 

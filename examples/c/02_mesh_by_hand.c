@@ -69,7 +69,7 @@ int main(void) {
   desc.points = kPoints;
   desc.point_count = sizeof kPoints / sizeof kPoints[0] / 3;
   desc.cell_types = kTypes;
-  desc.cell_count = kCells;
+  desc.volume_count = kCells;
   desc.offsets = kOffsets;
   desc.connectivity = kConnectivity;
   desc.connectivity_count = sizeof kConnectivity / sizeof kConnectivity[0];
@@ -92,7 +92,8 @@ int main(void) {
         "finding the face");
   check(dsw_environment_mark_faces(environment, &wall, 1, DSW_MARK_IMPASSABLE) == DSW_STATUS_OK, "marking");
   check(move_to(scene, particle, 2.5, 0.5, 0.5, &flight) <= 2 && flight.volume.index == kRight, "stopped");
-  check(flight.outcome == DSW_OUTCOME_CONTACT && flight.normal[0] == -1 && flight.behind.index == kTip, "contact");
+  check(flight.outcome == DSW_OUTCOME_CONTACT && flight.contact.normal[0] == -1 && flight.contact.behind.index == kTip,
+        "contact");
 
   /* Back, up into the roof and down through the left cell into the polyhedron. */
   check(move_to(scene, particle, 0.25, 0.4, 0.3, &flight) == 0.25 && flight.volume.index == kLeft, "back again");

@@ -63,9 +63,9 @@ static size_t run(uint32_t threads, double *end) {
   desc.point_count = kPoints;
   desc.connectivity = hexahedra;
   desc.connectivity_count = 8 * kCells;
-  desc.cell_count = kCells;
+  desc.volume_count = kCells;
   desc.regions = regions;
-  desc.flags = DSW_ENVIRONMENT_LOCATE_GRID;
+  desc.flags = DSW_ENVIRONMENT_LOCATE_TREE;
   check(dsw_environment_create(context, &desc, &environment, NULL), "creating the environment");
   check(dsw_environment_mark_region(environment, kPillar, DSW_MARK_IMPASSABLE, 0, NULL, NULL), "marking");
 
@@ -74,12 +74,12 @@ static size_t run(uint32_t threads, double *end) {
   check(dsw_scene_create(environment, &scene_desc, &scene), "creating the scene");
   for (int i = 0; i < kParticles;) { /* anywhere but in a pillar */
     dsw_volume_id volume;
-    dsw_place place;
+    dsw_location place;
     for (int k = 0; k < 3; ++k) {
       positions[3 * i + k] = (double)kSide * next_number(&state);
     }
     check(dsw_environment_locate(environment, positions + 3 * i, no_hint, &volume, &place), "locating");
-    i += place == DSW_PLACE_PASSABLE;
+    i += place == DSW_LOCATION_PASSABLE;
   }
   check(dsw_scene_create_particles(scene, positions, kParticles, 0, NULL, particles, NULL), "creating particles");
   for (int step = 0; step < kSteps; ++step) {
@@ -95,7 +95,7 @@ static size_t run(uint32_t threads, double *end) {
   check(dsw_scene_get_statistics(scene, &statistics), "reading the statistics");
   printf("%u thread(s): %lu casts, %lu contacts, %.2f cells and %.2f orientation tests a cast\n", (unsigned)threads,
          (unsigned long)statistics.casts, (unsigned long)statistics.contacts,
-         (double)statistics.cells_visited / (double)statistics.casts,
+         (double)statistics.volumes_visited / (double)statistics.casts,
          (double)statistics.orientation_tests / (double)statistics.casts);
   check(dsw_scene_destroy(scene), "destroying the scene");
   check(dsw_environment_destroy(environment), "destroying the environment");

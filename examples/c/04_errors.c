@@ -26,7 +26,7 @@ static dsw_status create(const int64_t *cells, uint32_t flags, dsw_environment *
   desc.point_count = 5;
   desc.connectivity = cells;
   desc.connectivity_count = 8;
-  desc.cell_count = 2;
+  desc.volume_count = 2;
   desc.flags = flags;
   report->struct_size = sizeof *report;
   return dsw_environment_create(NULL, &desc, environment, report);
@@ -41,7 +41,7 @@ int main(void) {
   dsw_scene *scene = NULL;
   dsw_particle_id particle, gone;
   dsw_volume_id volume;
-  dsw_place place;
+  dsw_location place;
   dsw_flight flight;
   dsw_cell cell;
   dsw_vertex_id corner[1];
@@ -65,16 +65,16 @@ int main(void) {
   expect(DSW_STATUS_OK, dsw_particle_create(scene, inside, none, &particle), "a particle inside");
 
   /* A failed call changes nothing. */
-  expect(DSW_STATUS_OK, dsw_particle_get(scene, particle, before, NULL), "where it is");
+  expect(DSW_STATUS_OK, dsw_particle_get_position(scene, particle, before, NULL), "where it is");
   expect(DSW_STATUS_NON_FINITE, dsw_particle_move(scene, particle, not_a_number, NULL, &flight), "a move to NaN");
-  expect(DSW_STATUS_OK, dsw_particle_get(scene, particle, after, NULL), "where it is now");
+  expect(DSW_STATUS_OK, dsw_particle_get_position(scene, particle, after, NULL), "where it is now");
   failures += before[0] != after[0] || before[1] != after[1] || before[2] != after[2];
 
   /* Physics is no error: a wall in the way and a place outside are answers. */
   expect(DSW_STATUS_OK, dsw_particle_move(scene, particle, far_away, NULL, &flight), "a move far away");
   failures += flight.outcome != DSW_OUTCOME_CONTACT || flight.position[0] > 1;
   expect(DSW_STATUS_OK, dsw_environment_locate(environment, outside, none, &volume, &place), "locating outside");
-  failures += place != DSW_PLACE_OUTSIDE || volume.generation != 0;
+  failures += place != DSW_LOCATION_OUTSIDE || volume.generation != 0;
 
   /* A buffer that is too small tells the size it should have. */
   cell.kind = DSW_CELL_VOLUME;
@@ -88,9 +88,9 @@ int main(void) {
   /* An id outlives what it named and says so. */
   gone = particle;
   expect(DSW_STATUS_OK, dsw_particle_destroy(scene, particle), "removing the particle");
-  expect(DSW_STATUS_STALE_ID, dsw_particle_get(scene, gone, after, NULL), "asking for it");
-  expect(DSW_STATUS_NULL_ARGUMENT, dsw_particle_get(NULL, gone, after, NULL), "no scene at all");
-  expect(DSW_STATUS_NOT_NAMED, dsw_scene_reset_statistics(scene), "counters not asked for");
+  expect(DSW_STATUS_STALE_ID, dsw_particle_get_position(scene, gone, after, NULL), "asking for it");
+  expect(DSW_STATUS_NULL_ARGUMENT, dsw_particle_get_position(NULL, gone, after, NULL), "no scene at all");
+  expect(DSW_STATUS_NOT_ENABLED, dsw_scene_reset_statistics(scene), "counters not asked for");
 
   expect(DSW_STATUS_OK, dsw_scene_destroy(scene), "destroying the scene");
   expect(DSW_STATUS_OK, dsw_environment_destroy(environment), "destroying the mesh");

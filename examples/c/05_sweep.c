@@ -52,7 +52,7 @@ static dsw_environment *create_layer(void) {
   desc.point_count = kPoints;
   desc.connectivity = &cells[0][0];
   desc.connectivity_count = 8 * kCells;
-  desc.cell_count = kCells;
+  desc.volume_count = kCells;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   return environment;
 }
@@ -85,7 +85,7 @@ int main(void) {
     check(dsw_environment_sweep_edges(environment, 1, NULL, tip, target, hub, 0, &options, &sweep) == DSW_STATUS_OK,
           "sweeping");
     printf("%-24s %s, %u volumes looked at\n", kLevels[level],
-           sweep.outcome == DSW_OUTCOME_CONTACT ? "contact" : "nothing in the way", (unsigned)sweep.cells_visited);
+           sweep.outcome == DSW_OUTCOME_CONTACT ? "contact" : "nothing in the way", (unsigned)sweep.volumes_visited);
     check((sweep.outcome == DSW_OUTCOME_CONTACT) == (level == DSW_LEVEL_EDGES_SWEPT), "what each level sees");
   }
 
@@ -93,13 +93,14 @@ int main(void) {
   printf("after %g of the turn, tip at (%g, %g, %g)\n", sweep.time, sweep.position[0], sweep.position[1],
          sweep.position[2]);
   printf("touches (%g, %g, %g), %g along the needle, normal (%.3f, %.3f, %.3f)\n", sweep.point[0], sweep.point[1],
-         sweep.point[2], sweep.along, sweep.normal[0], sweep.normal[1], sweep.normal[2]);
-  check(sweep.time == 0.5 && sweep.position[0] == 1.75 && sweep.along == 0.5, "when");
+         sweep.point[2], sweep.edge_parameter, sweep.contact.normal[0], sweep.contact.normal[1],
+         sweep.contact.normal[2]);
+  check(sweep.time == 0.5 && sweep.position[0] == 1.75 && sweep.edge_parameter == 0.5, "when");
   check(sweep.point[0] == 2 && sweep.point[1] == 2 && sweep.point[2] == 0.5, "where");
-  check(sweep.kind == DSW_CONTACT_EDGE && sweep.obstacle == DSW_CELL_FACE && sweep.face.volume == wall.volume &&
-            sweep.face.local == wall.local,
+  check(sweep.contact.kind == DSW_CONTACT_EDGE && sweep.contact.marked_kind == DSW_CELL_FACE &&
+            sweep.contact.wall.volume == wall.volume && sweep.contact.wall.local == wall.local,
         "what");
-  check(fabs(sweep.normal[0] + 3 / sqrt(9.25)) < 1e-15 && sweep.normal[2] == 0, "against the motion");
+  check(fabs(sweep.contact.normal[0] + 3 / sqrt(9.25)) < 1e-15 && sweep.contact.normal[2] == 0, "against the motion");
 
   check(dsw_environment_destroy(environment) == DSW_STATUS_OK, "destroying");
   return 0;

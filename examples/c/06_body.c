@@ -46,7 +46,7 @@ static dsw_environment *create_layer(void) {
   desc.point_count = kPoints;
   desc.connectivity = &cells[0][0];
   desc.connectivity_count = 8 * kCells;
-  desc.cell_count = kCells;
+  desc.volume_count = kCells;
   desc.tags = tags;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   return environment;
@@ -67,7 +67,7 @@ static dsw_body_id create_body(dsw_scene *scene) {
 }
 
 /* Whether a vertex rests, slides or bounces: what it touched before tells. */
-static const char *history_of(const dsw_contact *now, const dsw_contact_past *past) {
+static const char *history_of(const dsw_body_contact *now, const dsw_previous_contact *past) {
   double way = 0;
   int k;
   for (k = 0; k < 3; ++k) way += (now->point[k] - past->point[k]) * (now->point[k] - past->point[k]);
@@ -78,18 +78,19 @@ static const char *history_of(const dsw_contact *now, const dsw_contact_past *pa
 
 static void print_contacts(const dsw_scene *scene, dsw_body_id body) {
   static const char *const kWhat[] = {"nothing", "a vertex", "an edge", "a face", "a volume"};
-  const dsw_contact *c = NULL;
-  const dsw_contact_past *past = NULL;
+  const dsw_body_contact *c = NULL;
+  const dsw_previous_contact *past = NULL;
   size_t count = 0, i;
   check(dsw_body_get_contacts(scene, body, &c, &count) == DSW_STATUS_OK, "reading contacts");
-  check(dsw_body_get_contact_pasts(scene, body, &past, &count) == DSW_STATUS_OK, "reading what was before");
+  check(dsw_body_get_previous_contacts(scene, body, &past, &count) == DSW_STATUS_OK, "reading what was before");
   for (i = 0; i < count; ++i) {
     printf("    vertex %u at time %.4f: %s touches %s, tag %u, at (%g, %g, %g), normal (%.3f, %.3f, %.3f), %s\n",
            (unsigned)c[i].vertex.index, c[i].time, c[i].edge.generation != 0 ? "its edge" : "it",
-           kWhat[c[i].obstacle.kind], (unsigned)c[i].tag, c[i].point[0], c[i].point[1], c[i].point[2], c[i].normal[0],
-           c[i].normal[1], c[i].normal[2], history_of(&c[i], &past[i]));
+           kWhat[c[i].contact.obstacle.kind], (unsigned)c[i].contact.tag, c[i].point[0], c[i].point[1], c[i].point[2],
+           c[i].contact.normal[0], c[i].contact.normal[1], c[i].contact.normal[2], history_of(&c[i], &past[i]));
     /* A sliding vertex may go as far as the outer boundary. */
-    check(c[i].edge.generation == 0 || (c[i].tag == 106 && c[i].cause == DSW_CELL_VOLUME), "edges touch the pillar");
+    check(c[i].edge.generation == 0 || (c[i].contact.tag == 106 && c[i].contact.marked_kind == DSW_CELL_VOLUME),
+          "edges touch the pillar");
   }
 }
 
@@ -106,7 +107,7 @@ int main(void) {
   size_t count = 0, i;
   int run, push;
 
-  check(dsw_environment_get_volume(environment, 6, &pillar) == DSW_STATUS_OK, "finding the pillar");
+  check(dsw_environment_get_volume_id(environment, 6, &pillar) == DSW_STATUS_OK, "finding the pillar");
   check(dsw_environment_mark_volumes(environment, &pillar, 1, DSW_MARK_IMPASSABLE, 0, NULL) == DSW_STATUS_OK,
         "marking");
 

@@ -25,9 +25,9 @@ static dsw_environment *create_spike(void) {
   desc.point_count = 9;
   desc.connectivity = cells;
   desc.connectivity_count = 30;
-  desc.cell_count = 6;
+  desc.volume_count = 6;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
-  check(dsw_environment_get_volume(environment, 0, &spike) == DSW_STATUS_OK, "finding the spike");
+  check(dsw_environment_get_volume_id(environment, 0, &spike) == DSW_STATUS_OK, "finding the spike");
   check(dsw_environment_mark_volumes(environment, &spike, 1, DSW_MARK_IMPASSABLE, 0, NULL) == DSW_STATUS_OK, "marking");
   return environment;
 }
@@ -67,7 +67,7 @@ int main(void) {
   dsw_body_id body;
   dsw_move_report report;
   dsw_rigid_motion motion = {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, -0.3}};
-  const dsw_contact *contact = NULL;
+  const dsw_body_contact *contact = NULL;
   const uint32_t *offending = NULL;
   size_t count = 0;
   double p[12];
@@ -91,11 +91,12 @@ int main(void) {
   printf("faces: %u contacts, bottom at %g %g %g\n", (unsigned)report.contact_count, p[2], p[5], p[8]);
   printf("  the first: vertex %u at time %g, its face touches (%g, %g, %g), normal (%.3f, %.3f, %.3f)\n",
          (unsigned)contact->vertex.index, contact->time, contact->point[0], contact->point[1], contact->point[2],
-         contact->normal[0], contact->normal[1], contact->normal[2]);
-  check(
-      contact->kind == DSW_CONTACT_VERTEX && contact->obstacle.kind == DSW_CELL_VERTEX && contact->face.generation != 0,
-      "a face on the tip");
-  check(contact->cause == DSW_CELL_VOLUME && contact->normal[2] > 0.9 && contact->point[2] == 1, "of the spike");
+         contact->contact.normal[0], contact->contact.normal[1], contact->contact.normal[2]);
+  check(contact->contact.kind == DSW_CONTACT_VERTEX && contact->contact.obstacle.kind == DSW_CELL_VERTEX &&
+            contact->face.generation != 0,
+        "a face on the tip");
+  check(contact->contact.marked_kind == DSW_CELL_VOLUME && contact->contact.normal[2] > 0.9 && contact->point[2] == 1,
+        "of the spike");
   check(dsw_body_destroy(scene, body) == DSW_STATUS_OK, "removing the body");
 
   /* A rigid body keeps its shape: it falls until a fraction of 1/1000 is too much. */

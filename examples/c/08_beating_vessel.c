@@ -49,7 +49,7 @@ static dsw_environment *create_vessel(double *points) {
   desc.point_count = POINTS;
   desc.connectivity = cells;
   desc.connectivity_count = 8 * n;
-  desc.cell_count = n;
+  desc.volume_count = n;
   desc.regions = regions;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   check(dsw_environment_mark_between(environment, LUMEN, TISSUE, DSW_MARK_IMPASSABLE, &faces) == DSW_STATUS_OK,
@@ -119,7 +119,8 @@ int main(void) {
     double *next = arrays[step % 2];
     dsw_deform_report report;
     beat(rest, -2 + 12.0 * step / (STEPS - 1), next);
-    check(dsw_scene_deform(scene, next, POINTS, &options, &report) == DSW_STATUS_OK, "deforming");
+    check(dsw_environment_deform(dsw_scene_get_environment(scene), next, POINTS, &options, &report) == DSW_STATUS_OK,
+          "deforming");
     contacts += report.contact_count;
     pushed += report.pushed_count;
     held += report.held_count;

@@ -38,7 +38,7 @@ static dsw_environment *create_block(void) {
   desc.point_count = ALONG * ALONG * ALONG;
   desc.connectivity = cells;
   desc.connectivity_count = n;
-  desc.cell_count = n / 8;
+  desc.volume_count = n / 8;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   return environment;
 }
@@ -57,11 +57,9 @@ int main(void) {
   const double blade[3][2][3] = {
       {{-1, 1.2, 2.6}, {-1, 7.7, 3.1}}, {{4, 1.2, 3.2}, {4, 7.7, 3.8}}, {{9, 1.2, 4.1}, {9, 7.7, 4.4}}};
   dsw_environment *environment = create_block();
-  const dsw_cut_vertex *vertices = NULL;
-  const dsw_volume_change *changes = NULL;
-  size_t vertex_count = 0, change_count = 0;
   dsw_cut_desc desc;
-  dsw_cut_report report;
+  dsw_change report;
+  report.struct_size = sizeof report;
   check(fly(environment) == 1.0, "nothing is in the way");
   dsw_cut_desc_init(&desc, sizeof desc);
   desc.points = &blade[0][0][0];
@@ -71,15 +69,12 @@ int main(void) {
   check(dsw_environment_cut(environment, &desc, &report) == DSW_STATUS_OK, "cutting");
   printf("the blade crossed %u of %d volumes: %u were split, %u stayed whole round its end\n",
          (unsigned)report.volumes_crossed, SIDE * SIDE * SIDE, (unsigned)report.volumes_split,
-         (unsigned)report.volumes_whole);
+         (unsigned)report.whole_count);
   printf("%u faces of the cut, at most %.3f from the blade\n", (unsigned)report.face_count, report.distance);
-  check(dsw_environment_get_cut_vertices(environment, &vertices, &vertex_count) == DSW_STATUS_OK &&
-            dsw_environment_get_volume_changes(environment, &changes, &change_count) == DSW_STATUS_OK,
-        "reading what changed");
-  check(vertex_count > 0 && change_count > 0, "a cut changes something");
-  printf("%u new vertices; the first is %.2f of vertex %u and %.2f of vertex %u\n", (unsigned)vertex_count,
-         vertices[0].weights[0], (unsigned)vertices[0].from[0].index, vertices[0].weights[1],
-         (unsigned)vertices[0].from[1].index);
+  check(report.vertex_count > 0 && report.volume_count > 0, "a cut changes something");
+  printf("%u new vertices; the first is %.2f of vertex %u and %.2f of vertex %u\n", (unsigned)report.vertex_count,
+         report.vertices[0].weights[0], (unsigned)report.vertices[0].from[0].index, report.vertices[0].weights[1],
+         (unsigned)report.vertices[0].from[1].index);
   printf("a flight across gets %.3f of its way\n", fly(environment));
   check(fly(environment) < 0.5, "the crack is in the way");
   check(dsw_environment_check(environment, NULL) == DSW_STATUS_OK, "all volumes are valid");

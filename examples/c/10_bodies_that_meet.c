@@ -35,7 +35,7 @@ int main(void) {
   dsw_scene_desc scene_desc;
   dsw_body_id first, second;
   dsw_move_report report;
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   const dsw_contact_partner *partners = NULL;
   double ends[6];
   size_t i, count = 0, partner_count = 0;
@@ -44,7 +44,7 @@ int main(void) {
   desc.point_count = 8;
   desc.connectivity = cube;
   desc.connectivity_count = 8;
-  desc.cell_count = 1;
+  desc.volume_count = 1;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   dsw_scene_desc_init(&scene_desc, sizeof scene_desc);
   scene_desc.features = DSW_FEATURE_BODY_CONTACTS;
@@ -59,8 +59,8 @@ int main(void) {
   for (i = 0; i < count; ++i) {
     printf("vertex %u stops after %.4f of its way: body %u was met at %g %g %g, normal %g %g %g\n",
            (unsigned)contacts[i].vertex.index, contacts[i].time, (unsigned)partners[i].body.index, contacts[i].point[0],
-           contacts[i].point[1], contacts[i].point[2], contacts[i].normal[0], contacts[i].normal[1],
-           contacts[i].normal[2]);
+           contacts[i].point[1], contacts[i].point[2], contacts[i].contact.normal[0], contacts[i].contact.normal[1],
+           contacts[i].contact.normal[2]);
     check(partners[i].body.index == first.index, "it is the first needle");
   }
   check(dsw_body_get_positions(scene, second, ends, 2, 0, NULL, &count) == DSW_STATUS_OK, "reading");

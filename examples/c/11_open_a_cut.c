@@ -39,10 +39,10 @@ static dsw_environment *create_block(void) {
   desc.point_count = ALONG * ALONG * ALONG;
   desc.connectivity = cells;
   desc.connectivity_count = n;
-  desc.cell_count = n / 8;
+  desc.volume_count = n / 8;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   for (k = 0; k < TISSUE; ++k) {
-    check(dsw_environment_get_volume(environment, (uint32_t)k, &tissue[k]) == DSW_STATUS_OK, "naming the tissue");
+    check(dsw_environment_get_volume_id(environment, (uint32_t)k, &tissue[k]) == DSW_STATUS_OK, "naming the tissue");
   }
   check(dsw_environment_mark_volumes(environment, tissue, TISSUE, DSW_MARK_IMPASSABLE, 0, NULL) == DSW_STATUS_OK,
         "marking the tissue");
@@ -52,21 +52,21 @@ static dsw_environment *create_block(void) {
 /* Cuts down to z = 1.5, and gives the faces of the cut that lie inside of the tissue: from there it opens into the air by itself. */
 static size_t cut(dsw_environment *environment, dsw_cut_face *inside, size_t room) {
   const double blade[2][2][3] = {{{4.3, 1.2, 1.5}, {4.3, 1.2, 9}}, {{3.6, 6.8, 1.5}, {3.6, 6.8, 9}}};
-  const dsw_cut_face *faces = NULL;
+  dsw_change change;
   dsw_cut_desc desc;
-  size_t i, count = 0, kept = 0;
+  size_t i, kept = 0;
   dsw_cut_desc_init(&desc, sizeof desc);
   desc.points = &blade[0][0][0];
   desc.rows = desc.columns = 2;
-  check(dsw_environment_cut(environment, &desc, NULL) == DSW_STATUS_OK, "cutting");
-  check(dsw_environment_get_cut_faces(environment, &faces, &count) == DSW_STATUS_OK, "reading the cut");
-  for (i = 0; i < count && kept < room; ++i) {
+  change.struct_size = sizeof change;
+  check(dsw_environment_cut(environment, &desc, &change) == DSW_STATUS_OK, "cutting");
+  for (i = 0; i < change.face_count && kept < room; ++i) {
     dsw_cell volume = {DSW_CELL_VOLUME, 0, 0, 0};
     int is_tissue = 0;
-    volume.index = faces[i].front.volume;
-    volume.generation = faces[i].front.generation;
+    volume.index = change.faces[i].front.volume;
+    volume.generation = change.faces[i].front.generation;
     check(dsw_environment_is_marked(environment, volume, &is_tissue) == DSW_STATUS_OK, "asking for a mark");
-    if (is_tissue) inside[kept++] = faces[i];
+    if (is_tissue) inside[kept++] = change.faces[i];
   }
   return kept;
 }
@@ -96,12 +96,11 @@ static double push_probe(dsw_environment *environment) {
 int main(void) {
   dsw_cut_face inside[64];
   dsw_environment *environment = create_block();
-  const dsw_cut_vertex *vertices = NULL;
-  size_t vertex_count = 0;
-  dsw_open_desc desc;
-  dsw_open_report report;
+  dsw_open_crack_desc desc;
+  dsw_change report;
+  report.struct_size = sizeof report;
   double depth;
-  dsw_open_desc_init(&desc, sizeof desc);
+  dsw_open_crack_desc_init(&desc, sizeof desc);
   desc.faces = inside;
   desc.face_count = cut(environment, inside, 64);
   desc.width = 0.5;
@@ -109,13 +108,12 @@ int main(void) {
   depth = push_probe(environment);
   printf("the cut is closed: the probe goes %.3f of its way\n", depth);
   check(depth < 0.2, "the tissue stops the probe");
-  check(dsw_environment_open(environment, &desc, &report) == DSW_STATUS_OK, "opening");
-  printf("%u of %u faces opened, %u vertices came apart by %.3f to %.3f\n", (unsigned)report.faces_opened,
+  check(dsw_environment_open_crack(environment, &desc, &report) == DSW_STATUS_OK, "opening");
+  printf("%u of %u faces opened, %u vertices came apart by %.3f to %.3f\n", (unsigned)report.face_count,
          (unsigned)desc.face_count, (unsigned)report.vertices_parted, report.smallest_width, report.largest_width);
-  check(dsw_environment_get_cut_vertices(environment, &vertices, &vertex_count) == DSW_STATUS_OK, "reading vertices");
-  check(vertex_count == 2 * report.vertices_parted && vertex_count > 0, "each comes apart in two");
-  printf("the first two new vertices, %u and %u, were vertex %u\n", (unsigned)vertices[0].vertex.index,
-         (unsigned)vertices[1].vertex.index, (unsigned)vertices[0].from[0].index);
+  check(report.vertex_count == 2 * report.vertices_parted && report.vertex_count > 0, "each comes apart in two");
+  printf("the first two new vertices, %u and %u, were vertex %u\n", (unsigned)report.vertices[0].vertex.index,
+         (unsigned)report.vertices[1].vertex.index, (unsigned)report.vertices[0].from[0].index);
   depth = push_probe(environment);
   printf("the cut is open: the probe goes %.3f of its way\n", depth);
   check(depth == 1, "the probe enters the cut");

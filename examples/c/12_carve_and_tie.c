@@ -39,7 +39,7 @@ static dsw_environment *create_block(void) {
   desc.point_count = ALONG * ALONG * ALONG;
   desc.connectivity = cells;
   desc.connectivity_count = n;
-  desc.cell_count = n / 8;
+  desc.volume_count = n / 8;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   check(dsw_environment_mark_region(environment, 0, DSW_MARK_IMPASSABLE, 0, NULL, NULL) == DSW_STATUS_OK, "marking");
   return environment;
@@ -57,11 +57,12 @@ static void ring(double x, double radius, double points[ROUND][3]) {
 }
 
 /* A drill: two rings, beyond the block on both sides, each closed by a fan. */
-static dsw_carve_report drill(dsw_environment *environment) {
+static dsw_change drill(dsw_environment *environment) {
   double points[2][ROUND][3];
   uint32_t triangles[3 * (4 * ROUND - 4)], n = 0, i;
   dsw_carve_desc desc;
-  dsw_carve_report report;
+  dsw_change report;
+  report.struct_size = sizeof report;
   ring(-1, 1.8, points[0]);
   ring(SIDE + 1, 1.8, points[1]);
   for (i = 0; i < ROUND; ++i) {
@@ -93,29 +94,29 @@ static double fly(const dsw_environment *environment) {
 
 int main(void) {
   dsw_environment *environment = create_block();
-  const dsw_carve_report carved = drill(environment);
+  const dsw_change carved = drill(environment);
   double loop[ROUND][3];
-  const dsw_cut_face *cut = NULL;
   dsw_face_id fronts[256], backs[256];
   dsw_tie_desc desc;
-  dsw_tie_report tied;
-  size_t count = 0, i;
-  printf("%u volumes were split and %u carved; a flight gets to %g\n", carved.cut.volumes_split, carved.volumes_carved,
-         fly(environment));
-  check(carved.volumes_carved > 0 && fly(environment) == 1, "the tunnel");
+  dsw_change tied;
+  tied.struct_size = sizeof tied;
+  size_t i;
+  printf("%u volumes were split and %u carved; a flight gets to %g\n", carved.volumes_split,
+         (unsigned)carved.carved_count, fly(environment));
+  check(carved.carved_count > 0 && fly(environment) == 1, "the tunnel");
 
   ring(3.3, 2.6, loop); /* in the bone */
   dsw_tie_desc_init(&desc, sizeof desc);
   desc.points = &loop[0][0];
   desc.point_count = ROUND;
   check(dsw_environment_tie(environment, &desc, &tied) == DSW_STATUS_OK, "tying");
-  printf("tied: %u volumes were split and %u marked; a flight gets to %g\n", tied.cut.volumes_split,
-         tied.cut.volumes_whole, fly(environment));
-  check(tied.is_closed && tied.cut.volumes_whole == 0 && fabs(fly(environment) - 0.4) < 1e-12, "the ligature");
+  printf("tied: %u volumes were split and %u marked; a flight gets to %g\n", tied.volumes_split,
+         (unsigned)tied.whole_count, fly(environment));
+  check(tied.is_closed && tied.whole_count == 0 && fabs(fly(environment) - 0.4) < 1e-12, "the ligature");
 
-  check(dsw_environment_get_cut_faces(environment, &cut, &count) == DSW_STATUS_OK && count <= 256, "asking");
-  for (i = 0; i < count; ++i) fronts[i] = cut[i].front, backs[i] = cut[i].back;
-  check(dsw_environment_sew_faces(environment, fronts, backs, count) == DSW_STATUS_OK, "undoing");
+  check(tied.face_count <= 256, "the faces of the ligature");
+  for (i = 0; i < tied.face_count; ++i) fronts[i] = tied.faces[i].front, backs[i] = tied.faces[i].back;
+  check(dsw_environment_sew_faces(environment, fronts, backs, tied.face_count) == DSW_STATUS_OK, "undoing");
   check(fly(environment) == 1, "the tunnel again");
   dsw_environment_destroy(environment);
   return 0;

@@ -45,7 +45,7 @@ static dsw_environment *create_organ(void) {
   desc.point_count = ALONG * ALONG * ALONG;
   desc.connectivity = cells;
   desc.connectivity_count = n;
-  desc.cell_count = n / 8;
+  desc.volume_count = n / 8;
   desc.regions = regions;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   check(dsw_environment_mark_region(environment, 1, DSW_MARK_IMPASSABLE, 0, NULL, NULL) == DSW_STATUS_OK, "marking");
@@ -58,7 +58,8 @@ static void cut(dsw_environment *environment, const double *from, const double *
   const dsw_volume_id anywhere = {0, 0};
   double blade[2][2][3];
   dsw_cut_desc desc;
-  dsw_cut_report report;
+  dsw_change report;
+  report.struct_size = sizeof report;
   int row, column;
   for (row = 0; row < 2; ++row) {
     for (column = 0; column < 2; ++column) {
@@ -93,11 +94,10 @@ int main(void) {
   dsw_scene *scene = NULL;
   dsw_body_id piece;
   dsw_detach_desc desc;
-  dsw_detach_report report;
+  dsw_change report;
+  report.struct_size = sizeof report;
   dsw_rigid_motion pull = {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 3}};
   dsw_move_report moved;
-  const dsw_detached_vertex *vertices = NULL;
-  size_t count = 0;
   check(dsw_scene_create(environment, NULL, &scene) == DSW_STATUS_OK, "a scene");
 
   cut(environment, left[0], left[1]);
@@ -105,18 +105,17 @@ int main(void) {
   check(dsw_environment_locate(environment, inside, anywhere, &desc.volume, NULL) == DSW_STATUS_OK, "locating");
   desc.level = DSW_LEVEL_FACES;
   desc.max_volumes = 150;
-  check(dsw_scene_detach(scene, &desc, &piece, &report) == DSW_STATUS_TOO_LARGE, "one cut is not enough");
+  check(dsw_environment_detach(environment, &desc, &piece, &report) == DSW_STATUS_TOO_LARGE, "one cut is not enough");
   cut(environment, right[0], right[1]);
   check(!is_way_free(environment), "the piece is in the way");
 
   check(dsw_environment_locate(environment, inside, anywhere, &desc.volume, NULL) == DSW_STATUS_OK, "locating");
-  check(dsw_scene_detach(scene, &desc, &piece, &report) == DSW_STATUS_OK, "detaching");
+  check(dsw_environment_detach(environment, &desc, &piece, &report) == DSW_STATUS_OK, "detaching");
   printf("%u volumes came off as a body of %u vertices and %u triangles, drawn in by %.3f at most\n",
-         (unsigned)report.volume_count, (unsigned)report.vertex_count, (unsigned)report.face_count, report.distance);
-  check(dsw_scene_get_detached_vertices(scene, &vertices, &count) == DSW_STATUS_OK && count == report.vertex_count,
-        "where its vertices come from");
-  printf("the first was vertex %u of the organ\n", (unsigned)vertices[0].from[0].index);
-  check(report.sewn_count > 0 && is_way_free(environment), "the space is one again");
+         (unsigned)report.detached_count, (unsigned)report.body_vertex_count, (unsigned)report.body_face_count,
+         report.distance);
+  printf("the first was vertex %u of the organ\n", (unsigned)report.body_vertices[0].from[0].index);
+  check(report.faces_sewn > 0 && is_way_free(environment), "the space is one again");
 
   check(dsw_body_move_rigid(scene, piece, &pull, NULL, &moved) == DSW_STATUS_OK, "pulling");
   printf("it is pulled out by %.3f of the way\n", moved.fraction);

@@ -1,5 +1,5 @@
 /* A scene is recorded while a particle and a wall meet; the recording, read from a file as after a crash, is made again call by call and
- * ends with the same bytes. One call of it becomes a recording of its own, and the last one a bug report with the exact verdict on it. The files
+ * ends with the same bytes. One call of it becomes a recording of its own, and the last one a bug report with the exact validation on it. The files
  * stay: dartsweep_replay (replay/replay.c) opens them. */
 #include <dartsweep/dartsweep.h>
 #include <stdio.h>
@@ -32,7 +32,7 @@ static dsw_environment *create_row(void) {
   desc.point_count = 16;
   desc.connectivity = &cells[0][0];
   desc.connectivity_count = 24;
-  desc.cell_count = 3;
+  desc.volume_count = 3;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   return environment;
 }
@@ -63,8 +63,8 @@ int main(void) {
   dsw_replay *replay = NULL;
   dsw_replay_report report;
   const double start[3] = {0.5, 0.5, 0.5}, target[3] = {2.75, 0.5, 0.25};
-  dsw_bundle_desc report_desc;
-  dsw_verdict verdict;
+  dsw_bug_report_desc report_desc;
+  dsw_validation validation;
   size_t size = 0, saved;
   unsigned char *bytes;
 
@@ -73,17 +73,17 @@ int main(void) {
   desc.path = name;
   check(dsw_scene_start_recording(scene, &desc) == DSW_STATUS_OK, "recording");
   check(dsw_particle_create(scene, start, null_volume, &particle) == DSW_STATUS_OK, "a particle");
-  check(dsw_environment_get_volume(environment, 2, &wall) == DSW_STATUS_OK, "the wall");
+  check(dsw_environment_get_volume_id(environment, 2, &wall) == DSW_STATUS_OK, "the wall");
   check(dsw_environment_mark_volumes(environment, &wall, 1, DSW_MARK_IMPASSABLE, 0, NULL) == DSW_STATUS_OK, "marking");
   check(dsw_particle_move(scene, particle, target, NULL, NULL) == DSW_STATUS_OK, "moving");
   saved = save(scene, before, sizeof before);
-  dsw_bundle_desc_init(&report_desc, sizeof report_desc);
+  dsw_bug_report_desc_init(&report_desc, sizeof report_desc);
   report_desc.path = "14_report.dswrec";
   report_desc.note = "the particle stops early";
-  verdict.struct_size = sizeof verdict;
-  check(dsw_scene_write_bundle(scene, &report_desc, &verdict) == DSW_STATUS_OK, "a bug report");
-  printf("the last call was %s\n", verdict.is_right ? "right: there is a wall in the way" : verdict.text);
-  check(verdict.is_right == 1 && verdict.contacts == 1, "the verdict");
+  validation.struct_size = sizeof validation;
+  check(dsw_scene_write_bug_report(scene, &report_desc, &validation) == DSW_STATUS_OK, "a bug report");
+  printf("the last call was %s\n", validation.is_right ? "right: there is a wall in the way" : validation.text);
+  check(validation.is_right == 1 && validation.contacts == 1, "the validation");
   /* No dsw_scene_stop_recording: as if the process had died here. Every call is in the file. */
 
   bytes = read_file(name, &size);

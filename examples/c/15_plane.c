@@ -58,7 +58,7 @@ static dsw_environment *create_town(void) {
   desc.dimension = 2;
   desc.points = points, desc.point_count = ALONG * (HIGH + 1);
   desc.connectivity = corners, desc.connectivity_count = n;
-  desc.offsets = offsets, desc.cell_types = types, desc.regions = regions, desc.cell_count = cell;
+  desc.offsets = offsets, desc.cell_types = types, desc.regions = regions, desc.volume_count = cell;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   check(dsw_environment_mark_region(environment, 1, DSW_MARK_IMPASSABLE, 0, NULL, NULL) == DSW_STATUS_OK, "marking");
   return environment;
@@ -78,7 +78,7 @@ int main(void) {
   const uint32_t edges[2][2] = {{0, 1}, {1, 2}};
   const double path[3][2] = {{5.1, 2.8}, {6.3, 1.9}, {7.4, 1.2}}; /* of the scalpel's point */
   dsw_environment *environment = create_town();
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   dsw_scene *scene = NULL;
   dsw_body_desc body_desc;
   dsw_body_id body;
@@ -103,7 +103,7 @@ int main(void) {
     check(dsw_body_get_contacts(scene, body, &contacts, &contact_count) == DSW_STATUS_OK, "reading contacts");
     for (i = 0; i < contact_count; ++i) {
       printf("step %d: vertex %u, touch at (%g, %g), normal (%.3f, %.3f)\n", step, (unsigned)contacts[i].vertex.index,
-             contacts[i].point[0], contacts[i].point[1], contacts[i].normal[0], contacts[i].normal[1]);
+             contacts[i].point[0], contacts[i].point[1], contacts[i].contact.normal[0], contacts[i].contact.normal[1]);
     }
   }
   check(dsw_body_get_positions(scene, body, &p[0][0], MOST, 0, NULL, &count) == DSW_STATUS_OK, "reading positions");

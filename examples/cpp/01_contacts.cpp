@@ -25,9 +25,10 @@ int main() {
     options.edge_response = DSW_RESPONSE_SLIDE;
     const dsw_move_report report = body.move(rod, &options);
     const auto contacts = body.get_contacts();
-    for (const dsw_contact& contact : contacts) {
+    for (const dsw_body_contact& contact : contacts) {
       std::printf("vertex %u at (%g, %g, %g), normal (%g, %g, %g)\n", contact.vertex.index, contact.position[0],
-                  contact.position[1], contact.position[2], contact.normal[0], contact.normal[1], contact.normal[2]);
+                  contact.position[1], contact.position[2], contact.contact.normal[0], contact.contact.normal[1],
+                  contact.contact.normal[2]);
     }
     return flight.time == 0.5 && report.contact_count == contacts.size() && !contacts.empty() ? 0 : 1;
   } catch (const dartsweep::Error& error) {

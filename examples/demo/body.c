@@ -28,7 +28,7 @@ void figures_touch(body_figures *figures, const double *point, const double *nor
 
 void figures_add(body_figures *figures, const dsw_scene *scene, dsw_body_id body, const dsw_move_report *report,
                  double seconds, int keep, FILE *csv) {
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   const dsw_body_edit *edits = NULL;
   size_t contact_count = 0, edit_count = 0, lasting = 0, inserted = 0;
   require(dsw_body_get_contacts(scene, body, &contacts, &contact_count), "reading contacts", kFailed);
@@ -36,7 +36,7 @@ void figures_add(body_figures *figures, const dsw_scene *scene, dsw_body_id body
   for (size_t i = 0; i < contact_count; ++i) {
     lasting += contacts[i].history == DSW_HISTORY_LASTING;
     if (keep) {
-      figures_touch(figures, contacts[i].point, contacts[i].normal);
+      figures_touch(figures, contacts[i].point, contacts[i].contact.normal);
     }
   }
   for (size_t i = 0; i < edit_count; ++i) {
@@ -72,10 +72,10 @@ void prove_edges(body_figures *figures, const dsw_scene *scene, dsw_body_id body
   dsw_body_edge_id *edges = (dsw_body_edge_id *)demo_allocate(n, sizeof(dsw_body_edge_id));
   dsw_flight *flights = (dsw_flight *)demo_allocate(n, sizeof(dsw_flight));
   require(dsw_body_get_positions(scene, body, positions, slots, 0, volumes, &slots), "reading a body", kFailed);
-  require(dsw_body_get_edges(scene, body, edges, n, &n), "reading a body", kFailed);
+  require(dsw_body_get_edge_ids(scene, body, edges, n, &n), "reading a body", kFailed);
   for (size_t i = 0; i < n; ++i) {
     dsw_body_vertex_id ends[2];
-    require(dsw_body_get_edge(scene, body, edges[i], ends), "reading an edge", kFailed);
+    require(dsw_body_get_edge_ends(scene, body, edges[i], ends), "reading an edge", kFailed);
     memcpy(from + 3 * i, positions + 3 * (size_t)ends[0].index, 3 * sizeof(double));
     memcpy(to + 3 * i, positions + 3 * (size_t)ends[1].index, 3 * sizeof(double));
     start[i] = volumes[ends[0].index];

@@ -37,7 +37,7 @@ static void create_environment(demo_box *box, dsw_context *context) {
   desc.point_count = box->point_count;
   desc.connectivity = connectivity;
   desc.connectivity_count = 8 * cells;
-  desc.cell_count = cells;
+  desc.volume_count = cells;
   require(dsw_environment_create(context, &desc, &box->environment, NULL), "creating the box", kFailed);
   free(connectivity);
 }

@@ -52,7 +52,7 @@ static void create_body(demo_catheter *c, const demo_flow *flow) {
     status = dsw_body_create(c->scene, &desc, &c->body);
   }
   require(status, "creating the catheter", kFailed);
-  require(dsw_body_get_vertices(c->scene, c->body, c->vertex, kMostLinks, &c->count), "reading the catheter", kFailed);
+  require(dsw_body_get_vertex_ids(c->scene, c->body, c->vertex, kMostLinks, &c->count), "reading the catheter", kFailed);
   c->rest[0] = distance(points, points + 3);
 }
 
@@ -80,7 +80,7 @@ static void follow_edits(demo_catheter *c) {
     const dsw_body_edit *e = edits + n;
     if (e->inserted) {
       size_t a = place_of(c, e->ends[0].index), b = place_of(c, e->ends[1].index), first = a < b ? a : b;
-      double share = a < b ? e->share : 1 - e->share, rest = c->rest[first];
+      double share = a < b ? e->edge_parameter : 1 - e->edge_parameter, rest = c->rest[first];
       if (c->count == kMostLinks) {
         fprintf(stderr, "demo: the catheter has more than %d vertices\n", (int)kMostLinks);
         exit(kFailed);

@@ -16,14 +16,16 @@ void changes_deform(change_figures *figures, dsw_scene *scene, double *next, siz
   const dsw_wall_contact *contacts = NULL;
   size_t count = 0;
   double start = seconds_now();
-  require(dsw_scene_deform(scene, next, point_count, NULL, &report), "bending the environment", kFailed);
+  require(dsw_environment_deform(dsw_scene_get_environment(scene), next, point_count, NULL, &report),
+          "bending the environment", kFailed);
   changes_add(figures, seconds_now() - start);
   figures->contacts += report.contact_count;
   figures->pushed += report.pushed_count;
   figures->held += report.held_count;
-  require(dsw_scene_get_wall_contacts(scene, &contacts, &count), "reading contacts of walls", kFailed);
+  require(dsw_environment_get_wall_contacts(dsw_scene_get_environment(scene), &contacts, &count),
+          "reading contacts of walls", kFailed);
   for (size_t i = 0; touched != NULL && i < count; ++i) {
-    figures_touch(touched, contacts[i].point, contacts[i].normal);
+    figures_touch(touched, contacts[i].point, contacts[i].contact.normal);
   }
 }
 

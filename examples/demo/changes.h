@@ -23,7 +23,7 @@ typedef struct change_figures {
 /* Adds one change of the environment that took so long. */
 void changes_add(change_figures *figures, double seconds);
 
-/* Takes the environment of a scene to `next`, as dsw_scene_deform; walls push. Wall contacts are kept in `touched` if it is not
+/* Takes the environment of a scene to `next`, as dsw_environment_deform; walls push. Wall contacts are kept in `touched` if it is not
  * null. */
 void changes_deform(change_figures *figures, dsw_scene *scene, double *next, size_t point_count, body_figures *touched);
 

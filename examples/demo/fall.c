@@ -46,8 +46,8 @@ static dsw_environment *create_pyramids(dsw_context *context, size_t *cells) {
   desc.point_count = corners + cubes;
   desc.connectivity = connectivity;
   desc.connectivity_count = 30 * cubes;
-  desc.cell_count = *cells = 6 * cubes;
-  desc.flags = DSW_ENVIRONMENT_LOCATE_GRID;
+  desc.volume_count = *cells = 6 * cubes;
+  desc.flags = DSW_ENVIRONMENT_LOCATE_TREE;
   require(dsw_environment_create(context, &desc, &environment, NULL), "creating the pyramids", kFailed);
   free(points);
   free(connectivity);
@@ -61,17 +61,17 @@ static size_t mark_obstacles(dsw_environment *environment) {
   dsw_volume_id marked[kWide * kWide + 6 * 7 + 6];
   size_t count = 0;
   for (uint32_t i = 0; i < kWide * kWide; ++i) {
-    require(dsw_environment_get_volume(environment, 6 * i, &marked[count++]), "marking the floor", kFailed);
+    require(dsw_environment_get_volume_id(environment, 6 * i, &marked[count++]), "marking the floor", kFailed);
   }
   for (size_t i = 0; i < sizeof kCubes / sizeof kCubes[0]; ++i) {
     uint32_t cube = (uint32_t)(kCubes[i][0] + kWide * (kCubes[i][1] + kWide * kCubes[i][2]));
     for (uint32_t k = kCubes[i][2] == 0 ? 1 : 0; k < 6; ++k) {
-      require(dsw_environment_get_volume(environment, 6 * cube + k, &marked[count++]), "marking a cube", kFailed);
+      require(dsw_environment_get_volume_id(environment, 6 * cube + k, &marked[count++]), "marking a cube", kFailed);
     }
   }
   for (size_t i = 0; i < sizeof kRoofs / sizeof kRoofs[0]; ++i) {
     uint32_t cube = (uint32_t)(kRoofs[i][0] + kWide * (kRoofs[i][1] + kWide * kRoofs[i][2]));
-    require(dsw_environment_get_volume(environment, 6 * cube, &marked[count++]), "marking a roof", kFailed);
+    require(dsw_environment_get_volume_id(environment, 6 * cube, &marked[count++]), "marking a roof", kFailed);
   }
   require(dsw_environment_mark_volumes(environment, marked, count, DSW_MARK_IMPASSABLE, 0, NULL), "marking", kFailed);
   return count;

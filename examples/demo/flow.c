@@ -22,7 +22,7 @@ static dsw_status find_centre(const dsw_environment *environment, dsw_volume_id 
   memset(centre, 0, 3 * sizeof(double));
   for (size_t i = 0; status == DSW_STATUS_OK && i < count; ++i) {
     double p[3];
-    status = dsw_environment_get_position(environment, vertices[i], p);
+    status = dsw_environment_get_vertex_position(environment, vertices[i], p);
     for (int k = 0; k < 3; ++k) {
       centre[k] += p[k] / (double)count;
     }
@@ -37,7 +37,7 @@ static dsw_status find_neighbour(const dsw_environment *environment, dsw_volume_
   dsw_volume_id sides[2];
   dsw_cell cell;
   int impassable = 0;
-  dsw_status status = dsw_environment_get_volume_face(environment, volume, local, &face);
+  dsw_status status = dsw_environment_get_face_id(environment, volume, local, &face);
   if (status == DSW_STATUS_OK) {
     status = dsw_environment_get_face_volumes(environment, face, &sides[0], &sides[1]);
   }
@@ -277,7 +277,7 @@ dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh
     if ((mesh->lumen != 0 && mesh->regions[i] != mesh->lumen) || flow->slot_of[i] != kNoSlot) {
       continue;
     }
-    status = dsw_environment_get_volume(environment, i, &volume);
+    status = dsw_environment_get_volume_id(environment, i, &volume);
     if (status == DSW_STATUS_OK) {
       status = flood(environment, volume, flow, &g);
     }

@@ -48,12 +48,12 @@ dsw_environment *create_environment(dsw_context *context, const demo_mesh *mesh)
   desc.points = mesh->points;
   desc.point_count = mesh->point_count;
   desc.cell_types = mesh->types;
-  desc.cell_count = mesh->cell_count;
+  desc.volume_count = mesh->cell_count;
   desc.offsets = mesh->offsets;
   desc.connectivity = mesh->connectivity;
   desc.connectivity_count = mesh->connectivity_count;
   desc.regions = mesh->regions;
-  desc.flags = DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_GRID;
+  desc.flags = DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_TREE;
   require(dsw_environment_create(context, &desc, &environment, NULL), "the mesh cannot be used", kBadInput);
   return environment;
 }

@@ -85,7 +85,7 @@ int write_trace(const dsw_environment *environment, const char *out, const char 
   data.struct_size = sizeof data;
   require(dsw_trace_create(NULL, &trace), "creating a trace", kFailed);
   require(dsw_trace_add_impassable(trace, environment, with_boundary, 0), "tracing the wall", kFailed);
-  require(dsw_trace_get(trace, &data), "reading a trace", kFailed);
+  require(dsw_trace_get_data(trace, &data), "reading a trace", kFailed);
   int code = vtu_write(out, name, data.points, data.point_count, data.triangles, 3, data.triangle_count, NULL, 0);
   require(dsw_trace_destroy(trace), "destroying a trace", kFailed);
   return code;

@@ -52,7 +52,8 @@ static void place_cloud(demo_run *run) {
     cell.local = 0;
     require(dsw_environment_copy_vertices(run->environment, cell, vertices, 256, &count), "placing the cloud", kFailed);
     size_t pick = (size_t)(chance((uint32_t)i, 0, 2) * (double)count);
-    require(dsw_environment_get_position(run->environment, vertices[pick], corner), "placing the cloud", kFailed);
+    require(dsw_environment_get_vertex_position(run->environment, vertices[pick], corner), "placing the cloud",
+            kFailed);
     for (size_t k = 0; k < 3; ++k) {
       double centre = flow->centre[3 * slot + k];
       run->position[3 * i + k] = centre + part * (corner[k] - centre);
@@ -65,10 +66,10 @@ static void record(demo_run *run, size_t i, int last_steps) {
   const dsw_flight *flight = run->flight + i;
   if (flight->outcome == DSW_OUTCOME_CONTACT) {
     run->contacts[i] += 1;
-    memcpy(run->last_normal + 3 * i, flight->normal, sizeof flight->normal);
+    memcpy(run->last_normal + 3 * i, flight->contact.normal, sizeof flight->contact.normal);
     if (last_steps && run->touch_count < run->touch_capacity) {
       memcpy(run->touch + 3 * run->touch_count, flight->position, sizeof flight->position);
-      memcpy(run->touch_normal + 3 * run->touch_count++, flight->normal, sizeof flight->normal);
+      memcpy(run->touch_normal + 3 * run->touch_count++, flight->contact.normal, sizeof flight->contact.normal);
     }
   }
   memcpy(run->moved + 3 * i, flight->position, sizeof flight->position);
@@ -121,16 +122,16 @@ static void prove_moves(demo_run *run) {
 /* Locates every particle anew, without a hint: in the lumen, in the volume that its particle says. */
 static void prove_places(demo_run *run) {
   dsw_volume_id *found = (dsw_volume_id *)demo_allocate(run->cloud, sizeof(dsw_volume_id));
-  dsw_place *places = (dsw_place *)demo_allocate(run->cloud, sizeof(dsw_place));
+  dsw_location *places = (dsw_location *)demo_allocate(run->cloud, sizeof(dsw_location));
   for (size_t i = 0; i < run->cloud; ++i) {
-    require(dsw_particle_get(run->scene, run->ids[i], run->position + 3 * i, run->volume + i), "reading a particle",
-            kFailed);
+    require(dsw_particle_get_position(run->scene, run->ids[i], run->position + 3 * i, run->volume + i),
+            "reading a particle", kFailed);
     run->wrong_moves += memcmp(run->position + 3 * i, run->moved + 3 * i, 3 * sizeof(double)) != 0;
   }
   require(dsw_environment_locate_points(run->environment, run->position, run->cloud, 0, NULL, found, places),
           "proving the places", kFailed);
   for (size_t i = 0; i < run->cloud; ++i) {
-    run->wrong_places += places[i] != DSW_PLACE_PASSABLE || found[i].index != run->volume[i].index ||
+    run->wrong_places += places[i] != DSW_LOCATION_PASSABLE || found[i].index != run->volume[i].index ||
                          found[i].generation != run->volume[i].generation ||
                          run->flow.slot_of[found[i].index] == kNoSlot;
   }
@@ -170,7 +171,7 @@ void create_run(demo_run *run, dsw_environment *environment, const demo_mesh *me
   require(dsw_scene_create_particles(run->scene, run->position, n, 0, run->volume, run->ids, &offender),
           "creating the particles", kFailed);
   for (size_t i = 0; i < n; ++i) {
-    require(dsw_particle_get(run->scene, run->ids[i], NULL, run->volume + i), "reading a particle", kFailed);
+    require(dsw_particle_get_position(run->scene, run->ids[i], NULL, run->volume + i), "reading a particle", kFailed);
   }
 }
 

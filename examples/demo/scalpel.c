@@ -61,10 +61,10 @@ static double find_top(const demo_scalpel *s, double x, double y, double *layer)
     exit(kBadInput);
   }
   for (int k = 0; k < 3; ++k) {
-    height += flight.normal[k] * (flight.position[k] - s->centre[k]);
+    height += flight.contact.normal[k] * (flight.position[k] - s->centre[k]);
   }
   if (layer != NULL) {
-    *layer = (s->first - 1) * height / flight.normal[up];
+    *layer = (s->first - 1) * height / flight.contact.normal[up];
   }
   return flight.position[up];
 }
@@ -124,7 +124,7 @@ void scalpel_create(demo_scalpel *s, dsw_context *context, const demo_mesh *orga
   desc.points = organ->points;
   desc.point_count = organ->point_count;
   desc.cell_types = organ->types;
-  desc.cell_count = organ->cell_count;
+  desc.volume_count = organ->cell_count;
   desc.offsets = organ->offsets;
   desc.connectivity = organ->connectivity;
   desc.connectivity_count = organ->connectivity_count;
@@ -142,7 +142,8 @@ void scalpel_create(demo_scalpel *s, dsw_context *context, const demo_mesh *orga
 static void cut(demo_scalpel *s, const double *blade, size_t last) {
   size_t behind = kFine + s->stations / kBehind, first = last < behind ? 0 : last - behind;
   dsw_cut_desc desc;
-  dsw_cut_report report;
+  dsw_change report;
+  report.struct_size = sizeof report;
   dsw_cut_desc_init(&desc, sizeof desc);
   desc.points = blade + 6 * first;
   desc.rows = (uint32_t)(last - first + 1);
@@ -184,7 +185,7 @@ static void open_cut(demo_scalpel *s) {
   for (uint32_t i = 0; i < info.volume_index_count; ++i) {
     double centre[3];
     dsw_volume_id *volume = volumes + s->opened;
-    if (dsw_environment_get_volume(s->environment, i, volume) == DSW_STATUS_OK) {
+    if (dsw_environment_get_volume_id(s->environment, i, volume) == DSW_STATUS_OK) {
       require(dsw_environment_get_centre(s->environment, *volume, centre), "reading the tissue", kFailed);
       s->opened += (size_t)is_between(s, centre);
     }

@@ -135,7 +135,7 @@ static void find_targets(demo_soft *soft, double gravity) {
 }
 
 static void count_touches(demo_soft *soft) {
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   size_t count = 0;
   require(dsw_body_get_contacts(soft->scene, soft->body, &contacts, &count), "reading contacts", kFailed);
   for (size_t i = 0; i < soft->surface->point_count; ++i) {

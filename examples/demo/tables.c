@@ -24,7 +24,7 @@ void print_cloud(FILE *out, const demo_run *run, const demo_mesh *mesh, size_t s
   fprintf(out, "  -----------------------------------------------------------------\n");
   fprintf(out, "  casts                       %12.0f\n", (double)s.casts);
   fprintf(out, "  contacts                    %12.0f\n", (double)s.contacts);
-  fprintf(out, "  cells visited per cast      %12.2f\n", (double)s.cells_visited / casts);
+  fprintf(out, "  cells visited per cast      %12.2f\n", (double)s.volumes_visited / casts);
   fprintf(out, "  orientation tests per cast  %12.2f\n", (double)s.orientation_tests / casts);
   fprintf(out, "  exact fallbacks             %12.0f (%.4f %% of the tests)\n", (double)s.exact_fallbacks,
           s.orientation_tests > 0 ? 100.0 * (double)s.exact_fallbacks / (double)s.orientation_tests : 0.0);
@@ -91,7 +91,7 @@ void print_bodies(FILE *out, const demo_catheter *catheters, const demo_fall *fa
   fprintf(out, "\n\n  pyramids                    %12lu, %lu of them impassable\n", (unsigned long)fall->cells,
           (unsigned long)fall->impassable);
   fprintf(out, "  cells visited in a step     %12.0f (by the surface's casts; at level FACES)\n",
-          (double)s.cells_visited / (double)fall->soft.figures.steps);
+          (double)s.volumes_visited / (double)fall->soft.figures.steps);
 }
 
 static void print_words(FILE *out, const char *what, const char *const *words, size_t count) {

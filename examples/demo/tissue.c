@@ -75,7 +75,7 @@ static void add_face(const dsw_environment *environment, dsw_face_id face, uint3
     uint32_t *at = place + vertices[k].index;
     if (*at == 0xffffffffu) {
       *at = (uint32_t)h->vertex_count;
-      require(dsw_environment_get_position(environment, vertices[k], h->points + 3 * h->vertex_count), "reading tissue",
+      require(dsw_environment_get_vertex_position(environment, vertices[k], h->points + 3 * h->vertex_count), "reading tissue",
               kFailed);
       h->vertices[h->vertex_count++] = vertices[k];
     }
@@ -105,7 +105,7 @@ static void find_hull(const dsw_environment *environment, const dsw_volume_id *v
       dsw_face_id face;
       require(dsw_environment_get_neighbour(environment, volumes[i], f, &beyond, NULL), "reading tissue", kFailed);
       if (beyond.generation == 0) {
-        require(dsw_environment_get_volume_face(environment, volumes[i], f, &face), "reading tissue", kFailed);
+        require(dsw_environment_get_face_id(environment, volumes[i], f, &face), "reading tissue", kFailed);
         add_face(environment, face, place, h);
       }
     }
@@ -188,7 +188,7 @@ static void add_layers(dsw_environment *environment, const hull *h, const double
   desc.points = points;
   desc.point_count = kLayers * n;
   desc.cell_types = types;
-  desc.cell_count = cells;
+  desc.volume_count = cells;
   desc.offsets = offsets;
   desc.connectivity = connectivity;
   desc.connectivity_count = used;
@@ -211,7 +211,7 @@ void tissue_put_in_air(dsw_environment *environment, double most, double *first,
   require(dsw_environment_get_info(environment, &info), "reading tissue", kFailed);
   dsw_volume_id *volumes = (dsw_volume_id *)demo_allocate(info.volume_count, sizeof(dsw_volume_id));
   for (uint32_t i = 0; i < info.volume_count; ++i) {
-    require(dsw_environment_get_volume(environment, i, volumes + i), "reading tissue", kFailed);
+    require(dsw_environment_get_volume_id(environment, i, volumes + i), "reading tissue", kFailed);
   }
   require(dsw_environment_mark_volumes(environment, volumes, info.volume_count, DSW_MARK_IMPASSABLE, 0, NULL),
           "marking the tissue", kFailed);

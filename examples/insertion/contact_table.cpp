@@ -8,16 +8,16 @@ const char* name_of(dsw_contact_kind kind) {
   return kind == DSW_CONTACT_PLANE ? "plane" : kind == DSW_CONTACT_EDGE ? "edge" : "vertex";
 }
 
-void ContactTable::Counts::add(const dsw_contact& contact) {
+void ContactTable::Counts::add(const dsw_body_contact& contact) {
   ++(contact.edge.generation != 0 ? on_edge : at_vertex);
   ++(contact.history == DSW_HISTORY_LASTING ? lasting : fresh);
   ++total;
 }
 
-void ContactTable::add(const dsw_contact& contact) {
+void ContactTable::add(const dsw_body_contact& contact) {
   all_.add(contact);
-  by_kind_[contact.kind].add(contact);
-  by_tag_[contact.tag].add(contact);
+  by_kind_[contact.contact.kind].add(contact);
+  by_tag_[contact.contact.tag].add(contact);
 }
 
 std::vector<std::string> ContactTable::columns() const {

@@ -17,7 +17,7 @@ const char* name_of(dsw_contact_kind kind);
 
 class ContactTable {
  public:
-  void add(const dsw_contact& contact);
+  void add(const dsw_body_contact& contact);
 
   std::vector<std::string> columns() const;
   // The first cell is the row's name, the others are counts.
@@ -28,7 +28,7 @@ class ContactTable {
  private:
   struct Counts {
     std::size_t at_vertex = 0, on_edge = 0, total = 0, fresh = 0, lasting = 0;
-    void add(const dsw_contact& contact);
+    void add(const dsw_body_contact& contact);
   };
   Counts all_;
   std::map<dsw_contact_kind, Counts> by_kind_;

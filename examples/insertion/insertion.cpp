@@ -79,7 +79,7 @@ void Run::count_cells(Step* step) {
   statistics.struct_size = sizeof statistics;
   check(dsw_scene_get_statistics(world_.scene(), &statistics), "reading statistics");
   check(dsw_scene_reset_statistics(world_.scene()), "resetting statistics");
-  step->cells_visited = statistics.cells_visited;
+  step->volumes_visited = statistics.volumes_visited;
   step->orientation_tests = statistics.orientation_tests;
 }
 
@@ -98,18 +98,18 @@ Step Run::step() {
   step.reached = catheter_->reached();
   step.all_in = catheter_->links() >= made_of_.links;
   std::size_t count = 0;
-  const dsw_contact* all = contacts(&count);
-  std::for_each(all, all + count, [this](const dsw_contact& contact) { table_.add(contact); });
+  const dsw_body_contact* all = contacts(&count);
+  std::for_each(all, all + count, [this](const dsw_body_contact& contact) { table_.add(contact); });
 
-  const physics::Verdict verdict = physics::verify(world_.scene(), catheter_->body().id());
-  step.free = verdict.good() && verdict.from_own == 0;  // nothing bends: no volume lies over another
-  step.vertices = verdict.vertices;
-  totals_.not_free += verdict.not_free;
-  totals_.lost += verdict.lost + verdict.from_own;
-  totals_.edges_verified += verdict.edges;
-  totals_.vertices_verified += verdict.vertices;
+  const physics::Validation validation = physics::verify(world_.scene(), catheter_->body().id());
+  step.free = validation.good() && validation.from_own == 0;  // nothing bends: no volume lies over another
+  step.vertices = validation.vertices;
+  totals_.not_free += validation.not_free;
+  totals_.lost += validation.lost + validation.from_own;
+  totals_.edges_verified += validation.edges;
+  totals_.vertices_verified += validation.vertices;
   totals_.refused += report.status == DSW_STATUS_OK ? 0 : 1;
-  add(step, verdict.edges);
+  add(step, validation.edges);
   return step;
 }
 
@@ -124,8 +124,8 @@ void Run::add(const Step& step, std::size_t edges) {
   t.inserted += step.inserted;
   t.removed += step.removed;
   t.most_vertices = std::max(t.most_vertices, step.vertices);
-  t.most_cells = std::max(t.most_cells, step.cells_visited);
-  t.cells += step.cells_visited;
+  t.most_cells = std::max(t.most_cells, step.volumes_visited);
+  t.cells += step.volumes_visited;
   t.orientation_tests += step.orientation_tests;
   t.detection_seconds += step.detection_seconds;
   t.step_seconds += step.step_seconds;
@@ -139,8 +139,8 @@ void Run::add(const Step& step, std::size_t edges) {
   t.whole_longest = std::max(t.whole_longest, step.detection_seconds);
 }
 
-const dsw_contact* Run::contacts(std::size_t* count) const {
-  const dsw_contact* contacts = nullptr;
+const dsw_body_contact* Run::contacts(std::size_t* count) const {
+  const dsw_body_contact* contacts = nullptr;
   check(dsw_body_get_contacts(world_.scene(), catheter_->body().id(), &contacts, count), "reading contacts");
   return contacts;
 }

@@ -11,7 +11,7 @@ namespace insertion {
 // One step.
 struct Step {
   std::size_t vertices = 0, contacts = 0, inserted = 0, removed = 0;
-  std::uint64_t cells_visited = 0, orientation_tests = 0;  // 0 without statistics
+  std::uint64_t volumes_visited = 0, orientation_tests = 0;  // 0 without statistics
   double detection_seconds = 0, step_seconds = 0;  // the library's move; all of the step, without the verification
   double reached = 0;                              // along the route
   bool free = false, all_in = false;               // verified; no link is still to come
@@ -42,7 +42,7 @@ class Run {
   // Throws BadInput where not all of it could be written.
   void stop_recording();
   // Of the last step.
-  const dsw_contact* contacts(std::size_t* count) const;
+  const dsw_body_contact* contacts(std::size_t* count) const;
   bool good() const { return totals_.steps == totals_.exactly_free && totals_.refused == 0; }
 
  private:

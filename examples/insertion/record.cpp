@@ -37,20 +37,20 @@ Json rounded(const double* values, std::size_t count) {
 
 Json contacts_of(const Run& run, const std::vector<std::size_t>& line) {
   std::size_t count = 0;
-  const dsw_contact* contacts = run.contacts(&count);
+  const dsw_body_contact* contacts = run.contacts(&count);
   std::vector<double> impulse(count, 0);
   for (const physics::Touch& touch : run.catheter().body().touches()) {
     impulse[touch.contact] = touch.impulse.norm();
   }
   Json list = Json::array();
   for (std::size_t i = 0; i < count; ++i) {
-    const dsw_contact& contact = contacts[i];
+    const dsw_body_contact& contact = contacts[i];
     const auto at = std::find(line.begin(), line.end(), contact.vertex.index);
     list.push_back({{"point", rounded(contact.point, 3)},
-                    {"normal", rounded(contact.normal, 3)},
-                    {"kind", name_of(contact.kind)},
+                    {"normal", rounded(contact.contact.normal, 3)},
+                    {"kind", name_of(contact.contact.kind)},
                     {"time", rounded(contact.time)},
-                    {"tag", contact.tag},
+                    {"tag", contact.contact.tag},
                     {"vertex", at == line.end() ? -1 : at - line.begin()},
                     {"impulse", rounded(impulse[i])}});
   }
@@ -132,7 +132,7 @@ void print(const Json& summary, const Run& run, std::ostream& out) {
 
 Record::Record(const Options& options, const Vessel* vessel, const Run* run)
     : options_(options), vessel_(vessel), run_(run), csv_(options.out + "/steps.csv") {
-  csv_ << "step,time,vertices,contacts,inserted,removed,cells_visited,orientation_tests,detection_ms,step_ms,reached,"
+  csv_ << "step,time,vertices,contacts,inserted,removed,volumes_visited,orientation_tests,detection_ms,step_ms,reached,"
           "free\n";
   if (!csv_.flush()) {  // now, not after all steps
     throw BadInput("cannot write '" + options.out + "/steps.csv'");
@@ -147,7 +147,7 @@ void Record::add(const Step& step) {
   char line[256];
   std::snprintf(line, sizeof line, "%zu,%.9g,%zu,%zu,%zu,%zu,%llu,%llu,%.6g,%.6g,%.6g,%d\n", steps_,
                 static_cast<double>(steps_) * options_.dt, step.vertices, step.contacts, step.inserted, step.removed,
-                static_cast<unsigned long long>(step.cells_visited),
+                static_cast<unsigned long long>(step.volumes_visited),
                 static_cast<unsigned long long>(step.orientation_tests), 1e3 * step.detection_seconds,
                 1e3 * step.step_seconds, step.reached, step.free ? 1 : 0);
   csv_ << line;
@@ -168,7 +168,7 @@ void Record::add_to_series() {
   bool free = true;
   for (const Step& step : window_) {
     contacts += step.contacts;
-    cells = std::max(cells, step.cells_visited);
+    cells = std::max(cells, step.volumes_visited);
     tests += step.orientation_tests;
     detection += step.detection_seconds;
     whole += step.step_seconds;
@@ -220,10 +220,10 @@ void Record::write_vtu() const {
     }
   }
   std::size_t count = 0;
-  const dsw_contact* contacts = run_->contacts(&count);
+  const dsw_body_contact* contacts = run_->contacts(&count);
   for (std::size_t i = 0; i < count; ++i) {
     touches.insert(touches.end(), contacts[i].point, contacts[i].point + 3);
-    normals.insert(normals.end(), contacts[i].normal, contacts[i].normal + 3);
+    normals.insert(normals.end(), contacts[i].contact.normal, contacts[i].contact.normal + 3);
   }
   const Wall wall = wall_of(*vessel_);
   const vtu_field field_inserted = field("inserted", inserted.data(), 1);

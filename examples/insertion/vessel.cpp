@@ -32,7 +32,7 @@ class Mesh {
 void tag_regions(dsw_environment* environment, const demo_mesh& mesh) {
   for (std::uint32_t i = 0; i < mesh.cell_count; ++i) {
     dsw_volume_id volume;
-    check(dsw_environment_get_volume(environment, i, &volume), "finding a volume");
+    check(dsw_environment_get_volume_id(environment, i, &volume), "finding a volume");
     check(dsw_environment_set_tag(environment, volume, static_cast<std::uint32_t>(mesh.regions[i])),
           "tagging a volume");
   }
@@ -42,7 +42,7 @@ void tag_regions(dsw_environment* environment, const demo_mesh& mesh) {
 std::size_t read_corners(const dsw_environment* environment, dsw_volume_id volume, std::uint32_t local,
                          dsw_vertex_id* corners) {
   dsw_face_id face;
-  check(dsw_environment_get_volume_face(environment, volume, local, &face), "reading a face");
+  check(dsw_environment_get_face_id(environment, volume, local, &face), "reading a face");
   const dsw_cell cell = {DSW_CELL_FACE, face.volume, face.generation, face.local};
   std::size_t count = 0;
   check(dsw_environment_copy_vertices(environment, cell, corners, kMostCorners, &count), "reading the wall");
@@ -80,7 +80,7 @@ Wall wall_of(const Vessel& vessel) {
     const auto [found, is_new] = point_of.emplace(vertex.index, static_cast<std::uint32_t>(wall.positions.size() / 3));
     if (is_new) {
       std::array<double, 3> at;
-      check(dsw_environment_get_position(vessel.environment(), vertex, at.data()), "reading the wall");
+      check(dsw_environment_get_vertex_position(vessel.environment(), vertex, at.data()), "reading the wall");
       wall.positions.insert(wall.positions.end(), at.begin(), at.end());
     }
     return found->second;

@@ -55,7 +55,7 @@ Environment make_environment() {
   desc.point_count = points.size() / 3;
   desc.connectivity = corners.data();
   desc.connectivity_count = corners.size();
-  desc.cell_count = corners.size() / 8;
+  desc.volume_count = corners.size() / 8;
   dsw_environment* raw = nullptr;
   must(dsw_environment_create(nullptr, &desc, &raw, nullptr));
   Environment environment(raw, dsw_environment_destroy);
@@ -128,7 +128,7 @@ class Thread {
     must(dsw_body_create(scene, &desc, &body_));
     std::vector<dsw_body_edge_id> ids(along_.size());
     std::size_t count = 0;
-    must(dsw_body_get_edges(scene, body_, ids.data(), ids.size(), &count));
+    must(dsw_body_get_edge_ids(scene, body_, ids.data(), ids.size(), &count));
     for (std::size_t i = 0; i < count; ++i) along_[i].edge = ids[i];
     read();
   }
@@ -306,7 +306,7 @@ class Thread {
   void follow(const dsw_body_edit& edit, bool by_response) {
     if (edit.inserted != 0) {
       const std::size_t a = place_of(edit.ends[0].index), b = place_of(edit.ends[1].index), i = std::min(a, b);
-      const double share = a < b ? edit.share : 1 - edit.share, rest = along_[i].rest;
+      const double share = a < b ? edit.edge_parameter : 1 - edit.edge_parameter, rest = along_[i].rest;
       const Link next = {edit.vertex.index, (1 - share) * rest, a < b ? edit.rest : edit.edge, by_response};
       along_[i].rest = share * rest;
       along_[i].edge = a < b ? edit.edge : edit.rest;
@@ -340,7 +340,7 @@ class Thread {
       dsw_status status = DSW_STATUS_OCCUPIED;
       if (length < kShort && !(link.by_response && next.by_response)) {
         dsw_body_vertex_id gone;
-        must(dsw_body_get_vertex(scene_, body_, link.by_response ? next.vertex : link.vertex, &gone));
+        must(dsw_body_get_vertex_id(scene_, body_, link.by_response ? next.vertex : link.vertex, &gone));
         status = dsw_body_collapse_edge(scene_, body_, link.edge, gone, &edit);
       } else if (length > 2 * kRest) {
         status = dsw_body_split_edge(scene_, body_, link.edge, 0.5, &edit);
@@ -377,7 +377,7 @@ class Thread {
 
   /// What has touched keeps off what it has touched in the next step.
   void read_contacts(Figures& figures) {
-    const dsw_contact* contacts = nullptr;
+    const dsw_body_contact* contacts = nullptr;
     const dsw_contact_partner* partners = nullptr;
     std::size_t count = 0;
     must(dsw_body_get_contact_partners(scene_, body_, &partners, &count));
@@ -388,7 +388,7 @@ class Thread {
       Contact contact = {{}, {}, partners[k].body.generation != 0, {}, {}};
       ++(contact.of_thread ? figures.at_itself : figures.at_post);
       std::copy_n(contacts[k].point, 3, contact.point.data());
-      std::copy_n(contacts[k].normal, 3, contact.normal.data());
+      std::copy_n(contacts[k].contact.normal, 3, contact.normal.data());
       const std::size_t v = place_of(contacts[k].vertex.index);
       if (v > edges) continue;  // it has been removed since
       contact.place = nearest(contact.point, v < 3 ? 0 : v - 3, std::min(v + 3, edges));

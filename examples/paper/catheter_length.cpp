@@ -167,10 +167,10 @@ Course push(const char* name, std::size_t steps, double dt, const insertion::Ves
     line.add("vertices", static_cast<double>(body.count()));
     line.add("displacement_mm", farthest(before.position, body.points.position));
     line.add("touches", static_cast<double>(body.touches().size()));
-    line.add("cells_tested", different).add("cell_visits", static_cast<double>(work.cells_visited));
+    line.add("cells_tested", different).add("cell_visits", static_cast<double>(work.volumes_visited));
     line.add("orientation_tests", static_cast<double>(work.orientation_tests)).add("cells", cells);
     line.add("cells_tested_share", different / cells)
-        .add("cell_visits_share", static_cast<double>(work.cells_visited) / cells);
+        .add("cell_visits_share", static_cast<double>(work.volumes_visited) / cells);
     table->push_back(line);
   }
   if (!course.free) {

@@ -39,16 +39,16 @@ Environment make_channel(const Channel& channel) {
   desc.point_count = points.size() / 3;
   desc.connectivity = cells.data();
   desc.connectivity_count = cells.size();
-  desc.cell_count = cells.size() / (plane ? 4 : 8);
+  desc.volume_count = cells.size() / (plane ? 4 : 8);
   desc.uniform_cell_type = plane ? DSW_CELL_TYPE_QUAD : DSW_CELL_TYPE_HEXAHEDRON;
-  desc.flags = DSW_ENVIRONMENT_LOCATE_GRID;
+  desc.flags = DSW_ENVIRONMENT_LOCATE_TREE;
   dsw_environment* made = nullptr;
   check(dsw_environment_create(nullptr, &desc, &made, nullptr), "creating a channel");
   Environment environment(made);
   for (const std::array<int, 3>& at : channel.obstacles) {
     dsw_volume_id volume;
     const int index = at[0] + n[0] * (at[1] + n[1] * at[2]);
-    check(dsw_environment_get_volume(made, static_cast<std::uint32_t>(index), &volume), "finding an obstacle");
+    check(dsw_environment_get_volume_id(made, static_cast<std::uint32_t>(index), &volume), "finding an obstacle");
     check(dsw_environment_mark_volumes(made, &volume, 1, DSW_MARK_IMPASSABLE, 0, nullptr), "marking an obstacle");
     check(dsw_environment_set_tag(made, volume, channel.tag), "tagging an obstacle");
   }

@@ -42,19 +42,19 @@ void push(const Touch& touch, const Vector3& impulse, Points* points) {
 }
 
 // The ends of what touched, the moving vertex first.
-void read_ends(const dsw_scene* scene, dsw_body_id body, const dsw_contact& contact, const Points& points,
+void read_ends(const dsw_scene* scene, dsw_body_id body, const dsw_body_contact& contact, const Points& points,
                Touch* touch) {
   dsw_body_vertex_id ends[3];
-  if (contact.edge.generation != 0 && dsw_body_get_edge(scene, body, contact.edge, ends) == DSW_STATUS_OK) {
+  if (contact.edge.generation != 0 && dsw_body_get_edge_ends(scene, body, contact.edge, ends) == DSW_STATUS_OK) {
     const bool first = ends[0].index == contact.vertex.index;
     if (first || ends[1].index == contact.vertex.index) {
       touch->count = 2;
       touch->point[1] = ends[first ? 1 : 0].index;
-      touch->share[0] = 1 - contact.along;
-      touch->share[1] = contact.along;
+      touch->share[0] = 1 - contact.edge_parameter;
+      touch->share[1] = contact.edge_parameter;
     }
   }
-  if (contact.face.generation != 0 && dsw_body_get_face(scene, body, contact.face, ends) == DSW_STATUS_OK) {
+  if (contact.face.generation != 0 && dsw_body_get_face_corners(scene, body, contact.face, ends) == DSW_STATUS_OK) {
     const int moving = static_cast<int>(
         std::find_if(ends, ends + 3, [&](const dsw_body_vertex_id& end) { return end.index == contact.vertex.index; }) -
         ends);
@@ -72,24 +72,24 @@ void read_ends(const dsw_scene* scene, dsw_body_id body, const dsw_contact& cont
 
 std::vector<Touch> read_touches(const dsw_scene* scene, dsw_body_id body, const Points& points,
                                 const Friction& friction) {
-  const dsw_contact* contacts = nullptr;
+  const dsw_body_contact* contacts = nullptr;
   std::size_t count = 0;
   check(dsw_body_get_contacts(scene, body, &contacts, &count), "reading contacts");
   std::vector<Touch> touches;
   for (std::size_t i = 0; i < count; ++i) {
-    const dsw_contact& contact = contacts[i];
+    const dsw_body_contact& contact = contacts[i];
     dsw_body_vertex_id now;
-    if (dsw_body_get_vertex(scene, body, contact.vertex.index, &now) != DSW_STATUS_OK ||
+    if (dsw_body_get_vertex_id(scene, body, contact.vertex.index, &now) != DSW_STATUS_OK ||
         now.generation != contact.vertex.generation) {
       continue;
     }
     Touch touch;
     touch.contact = i;
     touch.point[0] = contact.vertex.index;
-    touch.normal = Eigen::Map<const Vector3>(contact.normal);
+    touch.normal = Eigen::Map<const Vector3>(contact.contact.normal);
     touch.at = Eigen::Map<const Vector3>(contact.point);
-    touch.friction = friction.of(contact.tag);
-    touch.wall = contact.wall;
+    touch.friction = friction.of(contact.contact.tag);
+    touch.wall = contact.contact.wall;
     read_ends(scene, body, contact, points, &touch);
     touches.push_back(touch);
   }

@@ -162,7 +162,7 @@ std::vector<std::uint32_t> Fold::edges() const {
   check(dsw_body_get_counts(world_.scene(), body_->id(), &counts), "reading a body");
   std::vector<std::uint32_t> ends(std::size_t{2} * counts.edge_slots);
   std::size_t count = 0;
-  check(dsw_body_get_edge_vertices(world_.scene(), body_->id(), ends.data(), counts.edge_slots, &count),
+  check(dsw_body_get_edge_indices(world_.scene(), body_->id(), ends.data(), counts.edge_slots, &count),
         "reading edges");
   ends.erase(std::remove(ends.begin(), ends.end(), UINT32_MAX), ends.end());
   return ends;
@@ -174,7 +174,7 @@ std::vector<std::uint32_t> Fold::faces() const {
   check(dsw_body_get_counts(world_.scene(), body_->id(), &counts), "reading a body");
   std::vector<std::uint32_t> corners(std::size_t{3} * counts.face_slots + 3);  // + 3: never a null pointer
   std::size_t count = 0;
-  check(dsw_body_get_face_vertices(world_.scene(), body_->id(), corners.data(), counts.face_slots, &count),
+  check(dsw_body_get_face_indices(world_.scene(), body_->id(), corners.data(), counts.face_slots, &count),
         "reading faces");
   corners.resize(std::size_t{3} * counts.face_slots);
   corners.erase(std::remove(corners.begin(), corners.end(), UINT32_MAX), corners.end());
@@ -228,7 +228,7 @@ FoldStep Fold::step() {
   const Eigen::Matrix3d& r = originals.rotation();
   done.turned = std::atan2((r * up).x(), up.dot(r * up)) * 180 / kPi;
   done.unwanted = Eigen::AngleAxisd(r.transpose() * body_->shape->rotation()).angle() * 180 / kPi;
-  done.verdict = verify(world_.scene(), body_->id());
+  done.validation = verify(world_.scene(), body_->id());
   return done;
 }
 

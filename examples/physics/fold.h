@@ -51,7 +51,7 @@ struct FoldStep {
   double turned = 0;  // rotation about the ridge of the shape that the original vertices match, degrees
   double unwanted =
       0;  // angle between the rotation of equation 1 and the one that it has without inserted vertices, degrees
-  Verdict verdict;
+  Validation validation;
 };
 
 class Fold {

@@ -43,7 +43,7 @@ physics::Row row_of(const FoldStep& step) {
   row.add("removed", static_cast<double>(step.removed)).add("contacts", static_cast<double>(step.contacts));
   row.add("largest_pull", step.largest_pull).add("removed_pull", step.removed_pull).add("bend", step.bend);
   row.add("turned", step.turned).add("unwanted", step.unwanted);
-  row.add("not_free", static_cast<double>(step.verdict.not_free)).add("lost", static_cast<double>(step.verdict.lost));
+  row.add("not_free", static_cast<double>(step.validation.not_free)).add("lost", static_cast<double>(step.validation.lost));
   return row;
 }
 
@@ -62,7 +62,7 @@ int run(const FoldOptions& options, const std::string& folder) {
     inserted += step.inserted;
     removed += step.removed;
     most = std::max(most, step.vertices);
-    free += step.verdict.good() ? 1 : 0;
+    free += step.validation.good() ? 1 : 0;
     if (step.step + 1 == options.press) {
       views.push_back(view_of(fold, "folded"));
     } else if (step.step + 1 == options.press + options.lift) {

@@ -47,10 +47,10 @@ void take_step(World* world, double dt, bool with_proof, Outcome* outcome) {
       outcome->message = world->report(i).message;
     }
     if (with_proof) {
-      const Verdict verdict = verify(world->scene(), body.id());
-      finite = finite && verdict.nonfinite == 0;
-      outcome->not_free += verdict.not_free;
-      outcome->lost += verdict.lost;
+      const Validation validation = verify(world->scene(), body.id());
+      finite = finite && validation.nonfinite == 0;
+      outcome->not_free += validation.not_free;
+      outcome->lost += validation.lost;
     }
   }
   if (world->walls() != nullptr) {

@@ -19,8 +19,8 @@ Mesh read_mesh(const dsw_scene* scene, dsw_body_id body) {
   mesh.edges.resize(counts.edge_count);
   std::vector<std::uint32_t> slots(std::size_t{2} * counts.edge_slots);
   std::size_t count = 0;
-  check(dsw_body_get_edges(scene, body, mesh.edges.data(), mesh.edges.size(), &count), "reading edges");
-  check(dsw_body_get_edge_vertices(scene, body, slots.data(), counts.edge_slots, &count), "reading edges");
+  check(dsw_body_get_edge_ids(scene, body, mesh.edges.data(), mesh.edges.size(), &count), "reading edges");
+  check(dsw_body_get_edge_indices(scene, body, slots.data(), counts.edge_slots, &count), "reading edges");
   for (const dsw_body_edge_id& edge : mesh.edges) {
     mesh.ends.insert(mesh.ends.end(), {slots[2 * edge.index], slots[2 * edge.index + 1]});
   }
@@ -77,7 +77,7 @@ bool remove_one(dsw_scene* scene, dsw_body_id body, const InsertedVertices& inse
       continue;
     }
     dsw_body_vertex_id vertex;
-    check(dsw_body_get_vertex(scene, body, static_cast<std::uint32_t>(i), &vertex), "reading a vertex");
+    check(dsw_body_get_vertex_id(scene, body, static_cast<std::uint32_t>(i), &vertex), "reading a vertex");
     for (const std::size_t* end = inserted.ends(i); end != inserted.ends(i) + 2; ++end) {
       for (std::size_t k = 0; k < mesh.ends.size(); ++k) {
         if (mesh.ends[k] != i || mesh.ends[k ^ 1] != *end) {
@@ -87,7 +87,7 @@ bool remove_one(dsw_scene* scene, dsw_body_id body, const InsertedVertices& inse
         if (status == DSW_STATUS_OK) {
           return true;
         }
-        if (status != DSW_STATUS_OCCUPIED && status != DSW_STATUS_BAD_CELL) {
+        if (status != DSW_STATUS_OCCUPIED && status != DSW_STATUS_NOT_MANIFOLD) {
           check(status, "removing a vertex");
         }
       }

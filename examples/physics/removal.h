@@ -44,7 +44,7 @@ class InsertedVertices {
 
 // Removes an inserted vertex that the criterion allows to remove, by dsw_body_collapse_edge into one of its `ends`.
 // The library sweeps the way: where something stands there (DSW_STATUS_OCCUPIED), or the surface would not stay one
-// (DSW_STATUS_BAD_CELL), the vertex stays. `pulls` and `colliding` are those of all vertices by index, `negligible`
+// (DSW_STATUS_NOT_MANIFOLD), the vertex stays. `pulls` and `colliding` are those of all vertices by index, `negligible`
 // is the largest pull that counts as none, scene units. Returns whether a vertex was removed; `edit` then says which.
 // Throws LibraryError for whatever else a call answers. O(inserted vertices * edges). Certain: when all inserted
 // vertices are gone, in whatever order, the edges are the original ones, since `ends` lead along each original edge

@@ -158,7 +158,7 @@ void SoftBody::follow_edits(StepReport* report) {
 
 void SoftBody::follow_edit(const dsw_body_edit& edit, StepReport* report) {
   std::size_t a = edit.ends[0].index, b = edit.ends[1].index, vertex = edit.vertex.index;
-  double share = edit.share;
+  double share = edit.edge_parameter;
   // A contact of a vertex that was here before says nothing of this one.
   known_.erase(std::remove_if(known_.begin(), known_.end(),
                               [vertex](const Touch& touch) {
@@ -231,7 +231,7 @@ bool SoftBody::add_vertex(const Vector3& at, std::size_t next, double mass, doub
   const dsw_volume_id anywhere = {0, 0};
   dsw_body_vertex_id vertex, end;
   dsw_body_edge_id edge;
-  check(dsw_body_get_vertex(scene_, id_, static_cast<std::uint32_t>(next), &end), "reading a vertex");
+  check(dsw_body_get_vertex_id(scene_, id_, static_cast<std::uint32_t>(next), &end), "reading a vertex");
   check(dsw_body_add_vertex(scene_, id_, at.data(), anywhere, &vertex), "adding a vertex");
   const dsw_status status = dsw_body_add_edge(scene_, id_, vertex, end, &edge);
   if (status == DSW_STATUS_OCCUPIED) {

@@ -84,7 +84,7 @@ Reached run(const Motion& motion, double dt, bool from_tip) {
     check(dsw_body_move(world.scene(), body->id(), targets.front().data(), targets.size(), 0, &options, &report),
           "moving");
     if (report.contact_count > 0 && !touched) {
-      const dsw_contact* contacts = nullptr;
+      const dsw_body_contact* contacts = nullptr;
       std::size_t count = 0;
       check(dsw_body_get_contacts(world.scene(), body->id(), &contacts, &count), "reading contacts");
       reached.contact_time = (static_cast<double>(step) + contacts[0].time) * dt;

@@ -9,9 +9,9 @@ namespace {
 // Whether that is where a search for a point ends, from `hint` or from anywhere, and passable.
 bool is_in(const dsw_environment* environment, const double* point, dsw_volume_id volume, dsw_volume_id hint) {
   dsw_volume_id found;
-  dsw_place place = DSW_PLACE_NONE;
+  dsw_location place = DSW_LOCATION_NONE;
   check(dsw_environment_locate(environment, point, hint, &found, &place), "finding a vertex");
-  return place == DSW_PLACE_PASSABLE && found.index == volume.index;
+  return place == DSW_LOCATION_PASSABLE && found.index == volume.index;
 }
 
 // Whether a body with the same faces can be created in the same place.
@@ -20,7 +20,7 @@ bool is_free_surface(dsw_scene* scene, dsw_body_id body, std::size_t face_slots,
   std::vector<double> points;
   std::vector<std::uint32_t> point_of(positions.size() / 3, UINT32_MAX);
   std::size_t count = 0;
-  check(dsw_body_get_face_vertices(scene, body, corners.data(), face_slots, &count), "reading faces");
+  check(dsw_body_get_face_indices(scene, body, corners.data(), face_slots, &count), "reading faces");
   for (const std::uint32_t corner : corners) {
     if (corner == UINT32_MAX) {
       continue;  // a free slot
@@ -56,7 +56,7 @@ bool is_free_surface(dsw_scene* scene, dsw_body_id body, std::size_t face_slots,
 
 }  // namespace
 
-Verdict verify(dsw_scene* scene, dsw_body_id body) {
+Validation verify(dsw_scene* scene, dsw_body_id body) {
   const dsw_environment* environment = dsw_scene_get_environment(scene);
   dsw_body_counts counts;
   counts.struct_size = sizeof counts;
@@ -69,18 +69,18 @@ Verdict verify(dsw_scene* scene, dsw_body_id body) {
   check(dsw_body_get_positions(scene, body, positions.data(), counts.vertex_slots, 3 * sizeof(double), volumes.data(),
                                &count),
         "reading positions");
-  check(dsw_body_get_vertices(scene, body, vertices.data(), vertices.size(), &count), "reading vertices");
-  check(dsw_body_get_edges(scene, body, edges.data(), edges.size(), &count), "reading edges");
+  check(dsw_body_get_vertex_ids(scene, body, vertices.data(), vertices.size(), &count), "reading vertices");
+  check(dsw_body_get_edge_ids(scene, body, edges.data(), edges.size(), &count), "reading edges");
 
-  Verdict verdict;
-  verdict.vertices = vertices.size();
-  verdict.edges = edges.size();
+  Validation validation;
+  validation.vertices = vertices.size();
+  validation.edges = edges.size();
   for (const dsw_body_vertex_id& vertex : vertices) {
     const double* p = &positions[std::size_t{3} * vertex.index];
-    verdict.nonfinite += std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) ? 0 : 1;
+    validation.nonfinite += std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) ? 0 : 1;
   }
-  if (verdict.nonfinite > 0) {
-    return verdict;  // nobody can say where that is
+  if (validation.nonfinite > 0) {
+    return validation;  // nobody can say where that is
   }
   for (const dsw_body_vertex_id& vertex : vertices) {
     const double* p = &positions[std::size_t{3} * vertex.index];
@@ -88,12 +88,12 @@ Verdict verify(dsw_scene* scene, dsw_body_id body) {
     // Where walls have folded cells over, a cell that nobody met may lie over the one that holds the vertex: the walk from that one's own
     // centre decides.
     if (!is_in(environment, p, reported, {0, 0})) {
-      ++(is_in(environment, p, reported, reported) ? verdict.from_own : verdict.lost);
+      ++(is_in(environment, p, reported, reported) ? validation.from_own : validation.lost);
     }
   }
   for (const dsw_body_edge_id& edge : edges) {
     dsw_body_vertex_id ends[2];
-    check(dsw_body_get_edge(scene, body, edge, ends), "reading an edge");
+    check(dsw_body_get_edge_ends(scene, body, edge, ends), "reading an edge");
     const double *p = &positions[std::size_t{3} * ends[0].index], *q = &positions[std::size_t{3} * ends[1].index];
     from.insert(from.end(), p, p + 3);
     to.insert(to.end(), q, q + 3);
@@ -107,12 +107,12 @@ Verdict verify(dsw_scene* scene, dsw_body_id body) {
           "casting the edges");
   }
   for (std::size_t i = 0; i < flights.size(); ++i) {
-    verdict.not_free += flights[i].outcome != DSW_OUTCOME_REACHED || flights[i].volume.index != end[i].index ? 1 : 0;
+    validation.not_free += flights[i].outcome != DSW_OUTCOME_REACHED || flights[i].volume.index != end[i].index ? 1 : 0;
   }
   if (counts.face_count > 0) {
-    verdict.not_free += is_free_surface(scene, body, counts.face_slots, positions) ? 0 : 1;
+    validation.not_free += is_free_surface(scene, body, counts.face_slots, positions) ? 0 : 1;
   }
-  return verdict;
+  return validation;
 }
 
 }  // namespace physics

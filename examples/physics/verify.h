@@ -6,7 +6,7 @@
 
 namespace physics {
 
-struct Verdict {
+struct Validation {
   std::size_t edges = 0, vertices = 0;  // looked at
   std::size_t nonfinite = 0;            // vertices whose position is no number
   std::size_t not_free = 0;             // edges that meet something impassable; one more for a surface that does
@@ -18,7 +18,7 @@ struct Verdict {
 // Casts every edge through the environment alone, and finds every vertex again: without a hint or, where walls have folded cells over
 // others, from its own cell. A surface is created once more where it is, which fails unless it is free at its level. Throws LibraryError.
 // O(edges + vertices), given an environment with a grid.
-Verdict verify(dsw_scene* scene, dsw_body_id body);
+Validation verify(dsw_scene* scene, dsw_body_id body);
 
 }  // namespace physics
 

@@ -37,7 +37,8 @@ std::size_t Walls::point_of(dsw_vertex_id vertex) {
   const auto added = point_of_.emplace(vertex.index, vertices_.size());
   if (added.second) {
     Vector3 at;
-    check(dsw_environment_get_position(dsw_scene_get_environment(scene_), vertex, at.data()), "reading a vertex");
+    check(dsw_environment_get_vertex_position(dsw_scene_get_environment(scene_), vertex, at.data()),
+          "reading a vertex");
     points.set(vertices_.size(), at, options_.mass);
     vertices_.push_back(vertex.index);
   }
@@ -53,7 +54,7 @@ void Walls::find_wall() {
   std::set<std::pair<std::size_t, std::size_t>> edges;
   for (std::uint32_t index = 0; index < info.volume_index_count; ++index) {
     dsw_volume_id volume;
-    if (dsw_environment_get_volume(environment, index, &volume) != DSW_STATUS_OK) {
+    if (dsw_environment_get_volume_id(environment, index, &volume) != DSW_STATUS_OK) {
       continue;  // removed
     }
     std::uint32_t faces = 0;
@@ -67,7 +68,7 @@ void Walls::find_wall() {
       if (impassable == 0 || behind.generation == 0 || behind.index < index) {
         continue;
       }
-      check(dsw_environment_get_volume_face(environment, volume, local, &face), "reading a face");
+      check(dsw_environment_get_face_id(environment, volume, local, &face), "reading a face");
       const std::vector<dsw_vertex_id> corners = corners_of(environment, face);
       for (std::size_t k = 0; k < corners.size(); ++k) {
         const std::size_t a = point_of(corners[k]), b = point_of(corners[(k + 1) % corners.size()]);
@@ -108,7 +109,8 @@ dsw_status Walls::step(double dt, dsw_deform_report* report) {
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     std::copy_n(next.position[i].data(), 3, &array[3 * std::size_t{vertices_[i]}]);
   }
-  const dsw_status status = dsw_scene_deform(scene_, array.data(), array.size() / 3, &options_.deform, report);
+  const dsw_status status = dsw_environment_deform(dsw_scene_get_environment(scene_), array.data(), array.size() / 3,
+                                                   &options_.deform, report);
   check(status, "bending the environment");
   if (report->outcome == DSW_DEFORM_REFUSED) {
     points.rest();

@@ -5,8 +5,7 @@
 static void read_chain(chain *c) {
   require(dsw_body_get_positions(c->scene, c->body, c->positions, kMostLinks, 0, NULL, &c->vertex_count),
           "reading positions", kFailed);
-  require(dsw_body_get_edge_vertices(c->scene, c->body, c->edges, kMostLinks, &c->edge_count), "reading edges",
-          kFailed);
+  require(dsw_body_get_edge_indices(c->scene, c->body, c->edges, kMostLinks, &c->edge_count), "reading edges", kFailed);
 }
 
 void chain_create(chain *c, dsw_scene *scene, const double *positions, size_t count) {
@@ -58,8 +57,8 @@ void chain_draw(const chain *c, const svg_view *view, const char *style) {
 }
 
 void chain_draw_contacts(const chain *c, const svg_view *view, const char *style) {
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   size_t count = 0, i;
   require(dsw_body_get_contacts(c->scene, c->body, &contacts, &count), "reading contacts", kFailed);
-  for (i = 0; i < count; ++i) svg_arrow(view, contacts[i].point, contacts[i].normal, 14, style);
+  for (i = 0; i < count; ++i) svg_arrow(view, contacts[i].point, contacts[i].contact.normal, 14, style);
 }

@@ -40,7 +40,7 @@ dsw_environment *mesh_environment(const plane_mesh *mesh) {
   desc.points = mesh->points;
   desc.point_count = mesh->point_count;
   desc.cell_types = mesh->types;
-  desc.cell_count = mesh->cell_count;
+  desc.volume_count = mesh->cell_count;
   desc.offsets = mesh->first;
   desc.connectivity = mesh->corners;
   desc.connectivity_count = (size_t)mesh->first[mesh->cell_count];

@@ -75,7 +75,7 @@ def insert(environment: ds.Environment, plan: Plan, depth: float, length: float)
             if chain[0, 2] >= depth:
                 break
             if fed >= LINK:  # the next link comes in
-                base = body.vertices()[-1]
+                base = body.vertex_ids()[-1]
                 body.add_edge(base, body.add_vertex(inlet))
                 fed = 0.0
         tip = float(body.positions()[0, 2])

@@ -1,8 +1,8 @@
 /* Opens a recording (record.h), makes its calls again and tells what they did:
  *
- *   dartsweep_replay FILE [--to N [--take FILE]] [--judge] [--quiet] [--draw FOLDER]
+ *   dartsweep_replay FILE [--to N [--take FILE]] [--validate] [--quiet] [--draw FOLDER]
  *
- * README.md tells what it prints. Exit code 1: a call did something else than was recorded, or the verdict is that something is wrong; 2: the
+ * README.md tells what it prints. Exit code 1: a call did something else than was recorded, or the validation is that something is wrong; 2: the
  * file or an option can't be used. */
 #include <dartsweep/dartsweep.h>
 #include <getopt.h>
@@ -17,17 +17,17 @@
 typedef struct options {
   const char *file, *take, *draw;
   uint64_t to;
-  int quiet, judge;
+  int quiet, validate;
 } options;
 
 static int usage(void) {
-  fprintf(stderr, "usage: dartsweep_replay FILE [--to N [--take FILE]] [--judge] [--quiet] [--draw FOLDER]\n");
+  fprintf(stderr, "usage: dartsweep_replay FILE [--to N [--take FILE]] [--validate] [--quiet] [--draw FOLDER]\n");
   return kBadInput;
 }
 
 static int read_options(int argc, char **argv, options *o) {
   static const struct option known[] = {{"to", required_argument, NULL, 't'},   {"quiet", no_argument, NULL, 'q'},
-                                        {"judge", no_argument, NULL, 'j'},      {"take", required_argument, NULL, 'k'},
+                                        {"validate", no_argument, NULL, 'j'},   {"take", required_argument, NULL, 'k'},
                                         {"draw", required_argument, NULL, 'd'}, {NULL, 0, NULL, 0}};
   int letter;
   memset(o, 0, sizeof *o);
@@ -40,7 +40,7 @@ static int read_options(int argc, char **argv, options *o) {
     } else if (letter == 'q') {
       o->quiet = 1;
     } else if (letter == 'j') {
-      o->judge = 1;
+      o->validate = 1;
     } else if (letter == 'k') {
       o->take = optarg;
     } else if (letter == 'd') {
@@ -107,7 +107,7 @@ static void print_beginning(const dsw_replay *replay, const dsw_scene *scene, si
   require(dsw_environment_get_info(dsw_scene_get_environment(scene), &environment), "reading the environment", kFailed);
   require(dsw_scene_get_particle_count(scene, &particles), "counting", kFailed);
   require(dsw_scene_get_body_count(scene, &bodies), "counting", kFailed);
-  printf("%s made by version %u.%u.%u%s\n", (info.flags & DSW_RECORDING_BUNDLE) ? "bug report" : "recording",
+  printf("%s made by version %u.%u.%u%s\n", (info.flags & DSW_RECORDING_BUG_REPORT) ? "bug report" : "recording",
          info.version / 1000000, info.version / 1000 % 1000, info.version % 1000,
          (info.flags & DSW_RECORDING_STATES) ? ", with the state after each call" : "");
   printf("at its beginning %lu volumes, %lu particles, %lu bodies\n", (unsigned long)environment.volume_count,
@@ -120,22 +120,22 @@ static void print_step(const dsw_replay_report *report) {
          outcome_name(report->outcome));
   if (report->status != DSW_STATUS_OK) printf("          %s\n", dsw_last_error_message());
   if (report->outcome != DSW_REPLAY_DIFFERENT) return;
-  if (report->reserved & DSW_DIFFERS_STATUS)
+  if (report->differs & DSW_DIFFERS_STATUS)
     printf("          the recorded call %s\n", report->has_failed ? "failed" : "did not fail");
-  if (report->reserved & DSW_DIFFERS_RESULTS) printf("          it answered something else\n");
-  if (report->reserved & DSW_DIFFERS_STATE) printf("          what is there after it is something else\n");
+  if (report->differs & DSW_DIFFERS_RESULTS) printf("          it answered something else\n");
+  if (report->differs & DSW_DIFFERS_STATE) printf("          what is there after it is something else\n");
 }
 
 /* Returns 1 if all is right. */
-static int print_verdict(const dsw_verdict *v) {
-  printf("exact verdict: %s%s\n", v->is_right ? "right" : "WRONG: ", v->text);
+static int print_validation(const dsw_validation *v) {
+  printf("exact validation: %s%s\n", v->is_right ? "right" : "WRONG: ", v->text);
   printf("  in their volumes  %" PRIu64 " particles and vertices, but for %" PRIu64 "\n", v->places, v->lost);
   printf("  free              %" PRIu64 " edges, but for %" PRIu64 "; %" PRIu64 " faces, but for %" PRIu64 "\n",
          v->edges, v->crossing, v->faces, v->pierced);
-  if (v->ways + v->contacts + v->not_judged == 0) return v->is_right != 0;
+  if (v->ways + v->contacts + v->not_validated == 0) return v->is_right != 0;
   printf("  the call          %" PRIu64 " ways that nothing is in, but for %" PRIu64 "; %" PRIu64
-         " contacts at their time, but for %" PRIu64 "; %" PRIu64 " not judged\n",
-         v->ways, v->missed, v->contacts, v->wrong, v->not_judged);
+         " contacts at their time, but for %" PRIu64 "; %" PRIu64 " not validated\n",
+         v->ways, v->missed, v->contacts, v->wrong, v->not_validated);
   return v->is_right != 0;
 }
 
@@ -149,24 +149,24 @@ static char *describe_next(dsw_replay *replay) {
   return text;
 }
 
-/* The next step, told. `good` becomes 0 where the verdict is that something is wrong. */
+/* The next step, told. `good` becomes 0 where the validation is that something is wrong. */
 static dsw_replay_outcome step(dsw_replay *replay, const options *o, int *good) {
   dsw_replay_report report;
-  dsw_verdict verdict;
+  dsw_validation validation;
   char *arguments = NULL;
-  const int judge = o->judge || (info_of(replay).flags & DSW_RECORDING_BUNDLE) != 0;
-  verdict.struct_size = sizeof verdict;
-  verdict.is_right = 1;
-  if (judge) arguments = describe_next(replay);
-  require(judge ? dsw_replay_step_judged(replay, &report, &verdict) : dsw_replay_step(replay, &report),
+  const int validate = o->validate || (info_of(replay).flags & DSW_RECORDING_BUG_REPORT) != 0;
+  validation.struct_size = sizeof validation;
+  validation.is_right = 1;
+  if (validate) arguments = describe_next(replay);
+  require(validate ? dsw_replay_step_validated(replay, &report, &validation) : dsw_replay_step(replay, &report),
           "making the next call", kBadInput);
-  if (report.outcome != DSW_REPLAY_END && (!o->quiet || report.outcome != DSW_REPLAY_SAME || !verdict.is_right)) {
+  if (report.outcome != DSW_REPLAY_END && (!o->quiet || report.outcome != DSW_REPLAY_SAME || !validation.is_right)) {
     print_step(&report);
-    if (judge) printf("          %s\n", arguments);
-    if (judge) print_verdict(&verdict);
+    if (validate) printf("          %s\n", arguments);
+    if (validate) print_validation(&validation);
   }
   free(arguments);
-  if (!verdict.is_right) *good = 0;
+  if (!validation.is_right) *good = 0;
   return report.outcome;
 }
 
@@ -216,7 +216,7 @@ static dsw_replay_outcome take_call(dsw_replay *replay, dsw_scene *scene, const 
 /* The edges of a body, and what it touched in its last move. */
 static int draw_body(const dsw_scene *scene, dsw_body_id body, const char *folder, const char *when) {
   dsw_body_counts counts;
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   double *positions, *touches;
   uint32_t *ends;
   size_t got = 0, i, count = 0;
@@ -228,7 +228,7 @@ static int draw_body(const dsw_scene *scene, dsw_body_id body, const char *folde
   ends = (uint32_t *)room_for(2 * (size_t)counts.edge_slots, sizeof *ends);
   require(dsw_body_get_positions(scene, body, positions, counts.vertex_slots, 0, NULL, &got), "reading a body",
           kFailed);
-  require(dsw_body_get_edge_vertices(scene, body, ends, counts.edge_slots, &got), "reading a body", kFailed);
+  require(dsw_body_get_edge_indices(scene, body, ends, counts.edge_slots, &got), "reading a body", kFailed);
   for (i = 0; i < counts.edge_slots; ++i) {
     if (ends[2 * i] == UINT32_MAX) continue; /* a free slot */
     ends[2 * count] = ends[2 * i];
@@ -243,7 +243,7 @@ static int draw_body(const dsw_scene *scene, dsw_body_id body, const char *folde
   touches = (double *)room_for(6 * count, sizeof *touches);
   for (i = 0; i < count; ++i) {
     memcpy(touches + 3 * i, contacts[i].point, sizeof contacts[i].point);
-    memcpy(touches + 3 * (count + i), contacts[i].normal, sizeof contacts[i].normal);
+    memcpy(touches + 3 * (count + i), contacts[i].contact.normal, sizeof contacts[i].contact.normal);
   }
   snprintf(name, sizeof name, "%scontacts_%u.vtu", when, body.index);
   if (code == 0 && count != 0) code = write_touches(folder, name, touches, touches + 3 * count, count);
@@ -261,7 +261,7 @@ static int draw_particles(const dsw_scene *scene, const char *folder, const char
   particles = (dsw_particle_id *)room_for(count, sizeof *particles);
   positions = (double *)room_for(3 * count, sizeof *positions);
   require(dsw_scene_get_particle_ids(scene, particles, count, &count), "reading particles", kFailed);
-  require(dsw_scene_get_particles(scene, particles, count, positions, 0, NULL), "reading particles", kFailed);
+  require(dsw_scene_get_particle_positions(scene, particles, count, positions, 0, NULL), "reading particles", kFailed);
   snprintf(name, sizeof name, "%sparticles.vtu", when);
   if (count != 0) code = vtu_write(folder, name, positions, count, NULL, 0, 0, NULL, 0);
   free(particles);
@@ -276,7 +276,7 @@ static int draw(const dsw_scene *scene, const char *folder, const char *when) {
   int code = draw_particles(scene, folder, when);
   require(dsw_scene_get_body_count(scene, &count), "counting", kFailed);
   bodies = (dsw_body_id *)room_for(count, sizeof *bodies);
-  require(dsw_scene_get_bodies(scene, bodies, count, &count), "reading bodies", kFailed);
+  require(dsw_scene_get_body_ids(scene, bodies, count, &count), "reading bodies", kFailed);
   for (i = 0; i < count && code == 0; ++i) code = draw_body(scene, bodies[i], folder, when);
   free(bodies);
   return code;
@@ -310,8 +310,9 @@ int main(int argc, char **argv) {
     printf("the recording ends here%s, with %" PRIu64 " bytes of an entry that is not whole\n",
            last == DSW_REPLAY_UNFINISHED ? " in a call" : "", info.bytes_left);
   if (*info.note != 0) printf("note: %s\n", info.note);
-  if (info.verdict != NULL)
-    printf("verdict when it was written: %s%s\n", info.verdict->is_right ? "right" : "WRONG: ", info.verdict->text);
+  if (info.validation != NULL)
+    printf("validation when it was written: %s%s\n",
+           info.validation->is_right ? "right" : "WRONG: ", info.validation->text);
   if (!print_end(scene)) good = 0;
   if (o.draw != NULL &&
       (draw(scene, o.draw, "") != 0 || write_trace(dsw_scene_get_environment(scene), o.draw, "walls.vtu", 1) != 0))

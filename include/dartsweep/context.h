@@ -1,7 +1,6 @@
 /** @file context.h
- * A context: memory, log and parallel-for of the host. Null means malloc, no log, and one thread
- * per processor for batches. A context must outlive its objects. Callbacks must not call dsw
- * functions.
+ * A context: memory, log and parallel-for of the host. The null context has all defaults. A context
+ * must outlive its objects. Callbacks must not call dsw functions.
  */
 #ifndef DARTSWEEP_CONTEXT_H
 #define DARTSWEEP_CONTEXT_H
@@ -28,18 +27,18 @@ typedef enum dsw_log_level {
   DSW_LOG_ERROR = 1,               /**< Something went wrong. */
   DSW_LOG_WARNING = 2,             /**< A host may want to change something. */
   DSW_LOG_INFO = 3,                /**< Progress. */
-  DSW_LOG_FORCE_INT32 = 0x7fffffff /**< No value. */
+  DSW_LOG_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_log_level;
 
-/** Receives one line, valid during the call. Called on the thread of the dsw call, without a
- * lock. */
+/** Receives one line, valid during the call. Called on the thread of the dsw call; no lock is
+ * held. */
 typedef void (*dsw_log_fn)(void *user, dsw_log_level level, const char *text);
 
 /** Does task number `task`. It never throws. */
 typedef void (*dsw_task_fn)(void *task_data, size_t task);
 
-/** Runs task(task_data, i) once for every i in 0 .. task_count-1, and returns when all are done. No
- * result depends on their order and threads. */
+/** Runs task(task_data, i) once for every i in 0 .. task_count-1, and returns when all are done.
+ * Any order and threads will do. */
 typedef void (*dsw_parallel_for_fn)(void *user, dsw_task_fn task, void *task_data,
                                     size_t task_count);
 
@@ -55,18 +54,18 @@ typedef struct dsw_context_desc {
   dsw_parallel_for_fn parallel_for; /**< Null: built in. */
 } dsw_context_desc;
 
-/** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 
 /** Creates a context.
  * @param desc null: all defaults; the callbacks are retained.
  * @return DSW_STATUS_OUT_OF_RANGE: also if only one of allocate and release is set.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+ * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API dsw_status dsw_context_create(const dsw_context_desc *desc, dsw_context **context);
 
 /** Destroys a context.
  * @return DSW_STATUS_IN_USE: objects of the context exist.
- * @note Cost: O(1). Thread: writer. @since 1.0 */
+ * @note Cost: O(1). @since 2.0 */
 DSW_API dsw_status dsw_context_destroy(dsw_context *context);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 /** @file ids.h
- * Ids: an index and a generation, which counts the uses of that index from 1 on. The null id is all
+ * Ids: an index, and a generation that counts the uses of the index from 1 on. The null id is all
  * zeros. An id becomes stale when its object is removed, or its volume rebuilt by a change of the
  * topology (topology.h). Pass an id with the environment or scene that gave it.
  */
@@ -25,17 +25,17 @@ typedef struct dsw_volume_id {
 } dsw_volume_id;
 
 /** A face: face number `local` of a volume, in VTK's order of the cell type, or that of the face
- * stream. A face between two volumes has two ids. Functions accept both; reports give the canonical
- * one, from the volume with the lower index. */
+ * stream. A face between two volumes has two ids. Functions accept both. Reports give the canonical
+ * one, of the volume with the lower index. */
 typedef struct dsw_face_id {
   uint32_t volume;     /**< Its volume's index. */
   uint32_t generation; /**< Its volume's generation. */
   uint32_t local;      /**< Its number there. */
 } dsw_face_id;
 
-/** An edge: edge number `local` of a volume, counted where first met on the way over the faces in
- * order, round each as seen from outside. The canonical id is from the volume with the lowest
- * index. */
+/** An edge: edge number `local` of a volume, counted where it first occurs on the faces in their
+ * order, each run round as seen from outside. The canonical id is that of the volume with the
+ * lowest index. */
 typedef struct dsw_edge_id {
   uint32_t volume;     /**< Its volume's index. */
   uint32_t generation; /**< Its volume's generation. */
@@ -79,7 +79,7 @@ typedef enum dsw_cell_kind {
   DSW_CELL_EDGE = 2,                     /**< A dsw_edge_id. */
   DSW_CELL_FACE = 3,                     /**< A dsw_face_id. */
   DSW_CELL_VOLUME = 4,                   /**< A dsw_volume_id. */
-  DSW_CELL_KIND_FORCE_INT32 = 0x7fffffff /**< No value. */
+  DSW_CELL_KIND_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_cell_kind;
 
 /** A cell of any kind, with the numbers of its id; `local` is 0 for vertices and volumes. */

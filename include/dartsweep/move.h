@@ -1,8 +1,8 @@
 /** @file move.h
- * Moves of bodies, one vertex at a time; contacts are exact for that order. After each call the
- * parts that the level covers are free, and nothing that the level sees was passed (lossy flags
- * excepted). `report` and `reports` may be null. More: bindings/docs/moving_bodies.md. [JCD10] 4.1,
- * 4.2
+ * Moves of bodies, one vertex at a time. Contacts are exact for that order. After each call the
+ * parts that the level covers are free. Without lossy flags, they have passed nothing that the
+ * level sees. `report` and `reports` may be null. More: bindings/docs/moving_bodies.md.
+ * Source: [JCD10] 4.1, 4.2.
  */
 #ifndef DARTSWEEP_MOVE_H
 #define DARTSWEEP_MOVE_H
@@ -16,16 +16,16 @@ extern "C" {
 /** How a contact is found [JCD10] 4.2. */
 typedef enum dsw_search {
   DSW_SEARCH_EXACT = 0, /**< The first contact. */
-  /** All obstacles of the whole way, by time. */
-  DSW_SEARCH_ALL = 1,
-  /** Dichotomic: halvings between a free and an occupied place, which the contact describes. At
-   * DSW_LEVEL_EDGES another contact may come first. */
+  /** All obstacles on the whole way, by time. */
+  DSW_SEARCH_EXHAUSTIVE = 1,
+  /** Dichotomic: halves the way between a free position and one that is not, which the contact
+   * describes. At DSW_LEVEL_EDGES another contact may come first. */
   DSW_SEARCH_BISECTION = 2,
-  DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< No value. */
+  DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_search;
 
-/** What happens at a contact [JCD10] 4.2, figure 5. A moving vertex inserts at most 64 vertices. If
- * no vertex can be inserted, the moving vertex stops. */
+/** What happens at a contact [JCD10] 4.2, figure 5. A moving vertex inserts at most 64 vertices,
+ * and stops if it can insert none. */
 typedef enum dsw_response {
   /** The vertex stops before the contact. */
   DSW_RESPONSE_STOP = 0,
@@ -37,9 +37,9 @@ typedef enum dsw_response {
   DSW_RESPONSE_HYBRID = 3,
   /** The vertex moves on along the obstacle. */
   DSW_RESPONSE_SLIDE = 4,
-  /** ADAPTIVE_ONE, or SLIDE where no vertex can be inserted. Since 1.1. */
+  /** ADAPTIVE_ONE, or SLIDE where no vertex can be inserted. */
   DSW_RESPONSE_ADAPTIVE_SLIDE = 5,
-  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value. */
+  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_response;
 
 /** Options of a move. */
@@ -50,16 +50,16 @@ typedef struct dsw_move_options {
   dsw_response edge_response;   /**< Of its edges and faces; default STOP. */
   dsw_search search;            /**< Default EXACT. */
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
-  /** Work limit: volumes that one sweep may look at; 0: none. Then vertices stop free. */
-  uint32_t max_cells;
+  /** Work limit: volumes that one sweep may visit; 0: none. At the limit the vertex stops, free. */
+  uint32_t max_volumes;
   uint32_t reserved; /**< 0. */
-  double min_part;   /**< Least share of an edge in a part, up to 0.5; 0 means 0.25. */
+  double min_part;   /**< Least share of an edge in a part; up to 0.5, 0 means 0.25. */
   double min_length; /**< Least length of a part; 0: none. */
-  /** Distance from a touched wall, without guarantee; 0 means 1e-9 of the size of the volume in
-   * front; negative: none. */
+  /** Distance to keep from a touched wall, not guaranteed; 0 means 1e-9 of the size of the volume
+   * in front; negative: none. */
   double stand_off;
-  /** Inserted vertices go if their distance from the line between their neighbours is at most this
-   * share of its length. 0: never. */
+  /** An inserted vertex is removed if its distance from the line between its neighbours is at most
+   * this share of the line. 0: never. */
   double noise_share;
   /** Distinct indices of the vertices that move, in order; null: all. */
   const uint32_t *order;
@@ -68,9 +68,9 @@ typedef struct dsw_move_options {
 
 /** What a move did. */
 typedef struct dsw_move_report {
-  double fraction;           /**< Part made by dsw_body_move_rigid; else 1. */
-  uint32_t vertices_moved;   /**< Vertices to move. */
-  uint32_t vertices_stopped; /**< Those not at their targets. */
+  double fraction;           /**< Part of the motion that dsw_body_move_rigid made; else 1. */
+  uint32_t vertices_moved;   /**< Vertices that had to move. */
+  uint32_t vertices_stopped; /**< Of these, not at their targets. */
   uint32_t contact_count;    /**< See dsw_body_get_contacts. */
   uint32_t edit_count;       /**< See dsw_body_get_edits. */
   uint32_t edges_swept;      /**< Sweeps of edges, from both ends. */
@@ -79,15 +79,14 @@ typedef struct dsw_move_report {
   uint32_t reserved;         /**< 0. */
 } dsw_move_report;
 
-/** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
 /** Moves the vertices of a body to their targets, one after the other.
- * @param targets `target_count` points, one for each vertex slot; read for vertices that move.
- * @return DSW_STATUS_DUPLICATE_ID: `order`.
- * @note Cost: O(volumes met + bodies near the way). Thread: writer. Source: [JCD10] 4.
- * @since 1.0 */
+ * @param targets `target_count` points, one for each vertex slot; only those of moving vertices
+ * are read.
+ * @return DSW_STATUS_DUPLICATE_ID: in `order`.
+ * @note Cost: O(volumes met + bodies near the way). Source: [JCD10] 4. @since 2.0 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,
                                  const dsw_move_options *options, dsw_move_report *report);
@@ -96,8 +95,7 @@ DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const doubl
  * @param bodies distinct.
  * @param targets `target_count` points, body after body.
  * @param options `order` must be null.
- * @return as dsw_body_move.
- * @note Cost: as dsw_body_move. Thread: writer, batch. @since 1.0 */
+ * @note Cost: as dsw_body_move. Batch. @since 2.0 */
 DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
                                          const double *targets, size_t target_count,
                                          size_t stride_bytes, const dsw_move_options *options,
@@ -110,36 +108,33 @@ typedef struct dsw_rigid_motion {
   double translation[3]; /**< Added after the rotation. */
 } dsw_rigid_motion;
 
-/** Moves a body rigidly: the motion is halved, up to 52 times, until all vertices can make it one
- * by one.
+/** Moves a body rigidly. The motion is halved, up to 52 times, until all vertices can make it, one
+ * after the other.
  * @param options only `order`, of all vertices, counts.
- * @return as dsw_body_move.
- * @note Cost: as dsw_body_move, for each fraction tried. Thread: writer. @since 1.0 */
+ * @note Cost: as dsw_body_move, for each fraction tried. @since 2.0 */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);
 
-/** Gives the contacts of the last move of a body, in order.
- * @param contacts valid until the body moves or is edited.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+/** Gives the contacts of the last move of a body, in order. @note Cost: O(1). @since 2.0 */
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body,
-                                         const dsw_contact **contacts, size_t *count);
+                                         const dsw_body_contact **contacts, size_t *count);
 
-/** Gives the other body of each of these contacts.
- * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_BODY_CONTACTS.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+/** Gives the other body of each contact.
+ * @return DSW_STATUS_NOT_ENABLED: DSW_FEATURE_BODY_CONTACTS.
+ * @note Cost: O(1). @since 2.0 */
 DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_body_id body,
                                                  const dsw_contact_partner **partners,
                                                  size_t *count);
 
-/** Gives what the vertex of each of these contacts touched before.
- * @note Cost: O(1). Thread: reader. Source: [JCD10] 3.1. @since 1.1 */
-DSW_API dsw_status dsw_body_get_contact_pasts(const dsw_scene *scene, dsw_body_id body,
-                                              const dsw_contact_past **pasts, size_t *count);
+/** Gives what the vertex of each contact touched before.
+ * @note Cost: O(1). Source: [JCD10] 3.1. @since 2.0 */
+DSW_API dsw_status dsw_body_get_previous_contacts(const dsw_scene *scene, dsw_body_id body,
+                                                  const dsw_previous_contact **pasts,
+                                                  size_t *count);
 
 /** Gives the vertices that the last move of a body inserted and removed, in order.
- * @param edits valid until the body moves or is edited, or the environment is deformed.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+ * @note Cost: O(1). @since 2.0 */
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body,
                                       const dsw_body_edit **edits, size_t *count);
 

@@ -1,6 +1,6 @@
 /** @file remesh.h
- * Mending: valid volumes replace invalid ones (deform.h) and a few neighbours. No vertex is moved
- * or added. topology.h holds here, with its getters. More: bindings/docs/deforming.md.
+ * Repair: valid volumes replace invalid ones (deform.h) and a few neighbours. No vertex is moved or
+ * added. What topology.h says holds here, too. More: bindings/docs/deforming.md.
  */
 #ifndef DARTSWEEP_REMESH_H
 #define DARTSWEEP_REMESH_H
@@ -11,51 +11,30 @@
 extern "C" {
 #endif
 
-/** What is mended. */
+/** What is repaired. */
 typedef struct dsw_remesh_desc {
   uint32_t struct_size; /**< sizeof(dsw_remesh_desc). */
   uint32_t flags;       /**< 0. */
-  /** Volumes to mend if they are invalid, now or at `next`; null: all. */
+  /** Volumes to repair if they are invalid, now or at `next`; null: all. */
   const dsw_volume_id *volumes;
   size_t volume_count; /**< Volumes. */
-  const double *next;  /**< May be null; next positions, to mend before a deformation. */
+  const double *next;  /**< Null, or the next positions, to repair before a deformation. */
   size_t point_count;  /**< Vertices of the environment; 0 if `next` is null. */
   /** Rings of neighbours, by vertices, that may be replaced, 1 to 8; 0 means 1. */
   uint32_t radius;
   uint32_t max_faces; /**< Most faces of a patch, 4 to 128; 0 means 48. */
 } dsw_remesh_desc;
 
-/** What was mended. */
-typedef struct dsw_remesh_report {
-  uint32_t invalid_count;   /**< Volumes that were invalid. */
-  uint32_t mended_count;    /**< Of these, replaced. */
-  uint32_t left_count;      /**< The others; see dsw_environment_get_unmended_volumes. */
-  uint32_t patch_count;     /**< Patches. */
-  uint32_t volumes_removed; /**< All volumes replaced. */
-  uint32_t volumes_added;   /**< Their replacements, never more. */
-  uint32_t most_faces;      /**< Most faces of an added volume. */
-  uint32_t reserved;        /**< 0. */
-} dsw_remesh_report;
-
-/** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_remesh_desc_init(dsw_remesh_desc *desc, size_t size);
 
-/** Mends invalid volumes. Marks, regions and tags stay.
- * @param desc null means all defaults.
- * @param report may be null.
- * @return as topology.h; DSW_STATUS_WRONG_SIZE: point_count; OCCUPIED: something would lie in no
- * volume.
- * @note Cost: O(volumes replaced and their neighbours), or O(n) for all. Thread: as topology.h.
- * Source: [JCD10] 5.2. @since 1.0 */
+/** Repairs invalid volumes. Marks, regions and tags stay.
+ * @param desc null: all defaults.
+ * @return DSW_STATUS_WRONG_SIZE: point_count.
+ * @note Cost: O(volumes replaced and their neighbours), or O(n) for all. Source: [JCD10] 5.2.
+ * @since 2.0 */
 DSW_API dsw_status dsw_environment_remesh(dsw_environment *environment, const dsw_remesh_desc *desc,
-                                          dsw_remesh_report *report);
-
-/** Gives the volumes that the last mending left invalid, by index, with their ids then.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_environment_get_unmended_volumes(const dsw_environment *environment,
-                                                        const dsw_volume_id **volumes,
-                                                        size_t *count);
+                                          dsw_change *change);
 
 #ifdef __cplusplus
 }

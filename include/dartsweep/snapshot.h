@@ -1,7 +1,7 @@
 /** @file snapshot.h
  * Environments and scenes as blocks of bytes, the same on every machine. What is loaded goes on
- * with the same ids and bits as what was saved. A `block` of `size_bytes` needs no alignment, and
- * is not trusted: lengths, checksum, links, every cell, particle and body are checked.
+ * with the ids and bits of what was saved. A `block` of `size_bytes` needs no alignment. It is not
+ * trusted: lengths, checksum, links, every cell, particle and body are checked.
  */
 #ifndef DARTSWEEP_SNAPSHOT_H
 #define DARTSWEEP_SNAPSHOT_H
@@ -12,31 +12,28 @@
 extern "C" {
 #endif
 
-/** Saves an environment, but not the list of its last change (topology.h).
- * @note Cost: O(n). Thread: reader. @since 1.0 */
+/** Saves an environment without its last dsw_change. @note Cost: O(n). @since 2.0 */
 DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void *block,
                                         size_t capacity_bytes, size_t *size_bytes);
 
-/** Loads an environment, which owns its points. Cells may be invalid only if the saved one had been
- * deformed.
- * @return DSW_STATUS_TRUNCATED, DSW_STATUS_BAD_VERSION, DSW_STATUS_CORRUPT.
- * @note Cost: O(n). Thread: any. @since 1.0 */
+/** Loads an environment, which owns its points. Cells may be invalid only if it had been deformed.
+ * @return DSW_STATUS_TRUNCATED, BAD_VERSION, CORRUPT.
+ * @note Cost: O(n). Thread: any. @since 2.0 */
 DSW_API dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes,
                                         dsw_environment **environment);
 
-/** Saves a scene without its environment. Of borrowed results only the contacts of each body's last
- * move are saved.
- * @note Cost: O(contents of the scene). Thread: reader. @since 1.0 */
+/** Saves a scene without its environment. Of the results of earlier calls, only the contacts of
+ * each body's last move are saved.
+ * @note Cost: O(contents of the scene). @since 2.0 */
 DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t capacity_bytes,
                                   size_t *size_bytes);
 
-/** Loads a scene into its environment, unchanged since the save, or into one loaded from a snapshot
- * of that.
+/** Loads a scene into its environment, unchanged since then, or into one loaded from a snapshot of
+ * it.
  * @param environment retained.
- * @return DSW_STATUS_TRUNCATED, DSW_STATUS_BAD_VERSION; DSW_STATUS_CORRUPT, also if saved in
- * another environment; DSW_STATUS_IN_USE as dsw_scene_create.
- * @note Cost: O(contents of the scene); clearances are measured again. Thread: writer of the
- * environment. @since 1.0 */
+ * @return DSW_STATUS_TRUNCATED, BAD_VERSION; CORRUPT, also if saved in another environment; IN_USE
+ * as dsw_scene_create.
+ * @note Cost: O(contents of the scene); clearances are measured again. @since 2.0 */
 DSW_API dsw_status dsw_scene_load(dsw_environment *environment, const void *block,
                                   size_t size_bytes, dsw_scene **scene);
 

@@ -1,10 +1,10 @@
 /** @file surgery.h
- * Cuts along the surface that a blade sweeps, tears, cracks that open: changes, for which
- * topology.h holds. How they work: bindings/docs/cutting.md.
+ * Cuts along the surface that a blade sweeps, tears, cracks that open. What topology.h says holds
+ * here, too. More: bindings/docs/cutting.md.
  *
  * The blade is exact under the shift, and may lie anywhere: along edges and faces, folded, outside.
  * Volumes that it crosses completely are split, passable or not. A volume stays whole if the blade
- * ends inside or crosses one of its edges twice, or if a part would be invalid; it can still get
+ * ends inside, crosses one of its edges twice, or would leave an invalid part. It can still get
  * vertices and edges from neighbours.
  */
 #ifndef DARTSWEEP_SURGERY_H
@@ -22,130 +22,71 @@ typedef enum dsw_cut_flag {
   DSW_CUT_UNSEW = 1
 } dsw_cut_flag;
 
-/** Describes a cut. Points 0 and 1 of two neighbouring rows span the triangles {00, 01, 11} and
- * {00, 11, 10} of the blade, counter-clockwise seen from its front. Only volumes connected with the
- * first one met are cut. */
+/** Describes a cut. Two neighbouring points of two neighbouring rows span the triangles {00, 01,
+ * 11} and {00, 11, 10} of the blade (row, point), counter-clockwise seen from its front. Only
+ * volumes connected with the first one that the blade meets are cut. */
 typedef struct dsw_cut_desc {
   uint32_t struct_size; /**< sizeof(dsw_cut_desc). */
   uint32_t flags;       /**< DSW_CUT_... */
-  /** The edge of the blade, a chain of `columns` points, at `rows` places in turn. */
+  /** Rows of points: each row is the edge of the blade at one moment. */
   const double *points;
   size_t point_stride_bytes; /**< As every stride. */
   uint32_t rows;             /**< At least 2; rows * columns is less than 2^28. */
   uint32_t columns;          /**< At least 2. */
-  /** Where the search begins, at best a volume that the blade crosses, or the null id. */
+  /** Null, or where the search begins: at best a volume that the blade crosses. */
   dsw_volume_id start;
-  /** A crossing nearer to the end of an edge than this share of its length counts as at that end.
-   * Above 0, at most 0.25; 0 means 0.01. */
+  /** A crossing of an edge nearer to an end than this share of the edge counts as at that end. At
+   * most 0.25; 0 means 0.01. */
   double snap;
 } dsw_cut_desc;
 
-/** What a cut did. */
-typedef struct dsw_cut_report {
-  /** Largest distance of a cut vertex from the blade, or of the blade from the cut in split
-   * volumes. */
-  double distance;
-  /** Volumes that the blade met. */
-  uint32_t volumes_crossed;
-  uint32_t volumes_split;   /**< Of these, split. */
-  uint32_t volumes_whole;   /**< See dsw_environment_get_whole_volumes. */
-  uint32_t volumes_changed; /**< Volumes split, or given vertices or edges. */
-  /** Volumes visited, also on the way from `start`. */
-  uint32_t volumes_visited;
-  uint32_t vertex_count; /**< See dsw_environment_get_cut_vertices. */
-  uint32_t face_count;   /**< See dsw_environment_get_cut_faces. */
-  uint32_t reserved;     /**< 0. */
-} dsw_cut_report;
-
-/** A new vertex at weights[0] from[0] + weights[1] from[1], rounded. */
-typedef struct dsw_cut_vertex {
-  dsw_vertex_id vertex;  /**< The new vertex. */
-  dsw_vertex_id from[2]; /**< The old vertices. */
-  double weights[2];     /**< Above 0; their sum is 1. */
-} dsw_cut_vertex;
-
-/** A face of the cut: one face with two ids, or two faces with DSW_CUT_UNSEW. */
-typedef struct dsw_cut_face {
-  dsw_face_id front; /**< Its id from the volume in front of the blade. */
-  dsw_face_id back;  /**< Its id from the volume behind the blade. */
-} dsw_cut_face;
-
-/** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
 /** Cuts an environment along a blade. In a split volume the part in front keeps the index.
- * @param report may be null. @return DSW_STATUS_BORROWED; never BAD_CELL or INVALID_CELL.
- * @note Cost: O(pairs of a volume and a triangle that meet, and on the way to the blade), and
- * local. Thread: writer. @since 1.0 */
+ * @return DSW_STATUS_BORROWED.
+ * @note Cost: O(pairs of a triangle and a volume that meet, and on the way to the blade), and
+ * local. @since 2.0 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc,
-                                       dsw_cut_report *report);
+                                       dsw_change *change);
 
-/** Unsews faces with a load above a threshold; faces of the outer boundary stay.
- * @param faces an id may stand twice. @param loads, threshold in the host's unit; may be infinite.
- * @param torn how many were torn; may be null.
- * @note Cost: O(count), and local. Thread: writer. @since 1.0 */
+/** Unsews faces with a load above a threshold. Faces of the outer boundary stay.
+ * @param faces an id may occur twice.
+ * @param loads, threshold in the host's unit; may be infinite.
+ * @note Cost: O(count), and local. @since 2.0 */
 DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment,
                                               const dsw_face_id *faces, const double *loads,
-                                              size_t count, double threshold, size_t *torn);
-
-/** Gives the vertices that the last cut or opening added.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_environment_get_cut_vertices(const dsw_environment *environment,
-                                                    const dsw_cut_vertex **vertices, size_t *count);
-
-/** Gives the faces of the last cut or tear, or the lips of the last opening, by their ids right
- * after it.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_environment_get_cut_faces(const dsw_environment *environment,
-                                                 const dsw_cut_face **faces, size_t *count);
-
-/** Gives the volumes that the last cut crossed and left whole, with their ids right after it.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_environment_get_whole_volumes(const dsw_environment *environment,
-                                                     const dsw_volume_id **volumes, size_t *count);
+                                              size_t count, double threshold, dsw_change *change);
 
 /** Describes how a crack opens. */
-typedef struct dsw_open_desc {
-  uint32_t struct_size; /**< sizeof(dsw_open_desc). */
+typedef struct dsw_open_crack_desc {
+  uint32_t struct_size; /**< sizeof(dsw_open_crack_desc). */
   uint32_t flags;       /**< 0. */
-  /** The crack, as dsw_environment_get_cut_faces gives it: pairs of faces of the outer boundary
-   * that lie on each other, or inner faces, named from any side. */
+  /** The crack, as in dsw_change: pairs of faces of the outer boundary that lie on each other, or
+   * faces between two volumes, by any id. */
   const dsw_cut_face *faces;
   size_t face_count; /**< How many. */
   double width;      /**< Above 0: distance of the two copies of a vertex. */
-  /** Region label of the gap. If not 0, the crack also opens into passable volumes with this
-   * label. */
+  /** Region label of the gap. If not 0, passable volumes with this label also count as the space
+   * into which the crack opens. */
   int32_t region;
   uint32_t tag; /**< Host tag of the gap. */
-} dsw_open_desc;
+} dsw_open_crack_desc;
 
-/** What an opening did. Widths are rounded. */
-typedef struct dsw_open_report {
-  double smallest_width;    /**< Smallest; 0 if none came apart. */
-  double largest_width;     /**< Largest. */
-  uint32_t vertices_parted; /**< Vertices that came apart. */
-  /** Of these, by less than `width`. */
-  uint32_t vertices_shortened;
-  uint32_t faces_opened;    /**< Faces that opened; as many volumes came. */
-  uint32_t volumes_changed; /**< Volumes at these vertices. */
-} dsw_open_report;
+/** Writes the defaults; `width` has none. @since 2.0 */
+DSW_API void dsw_open_crack_desc_init(dsw_open_crack_desc *desc, size_t size);
 
-/** Writes the defaults; `width` has none. @note Cost: O(1). Thread: any. @since 1.0 */
-DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
-
-/** Opens a crack: its lips move apart, and one passable volume for each face that opens fills the
- * gap, sewn to neighbours, and to lips without marks. A vertex comes apart where the crack divides
- * the volumes round it into two sets. Its copies move less than `width` asks where a volume would
- * be invalid. To open into passable volumes at the rim, name only faces between impassable volumes.
- * Both copies become cut vertices, with the old one twice in `from`. The lips, and the added
- * volumes at the end of dsw_environment_get_volume_changes, are in the order of `faces`.
- * @param report may be null. To open nothing is no failure.
- * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces do not lie on each other, are
- * of one volume, or not on the outer boundary.
- * @note Cost: O(volumes at the crack), and local. Thread: writer. Source: [JCD10] 5.2.
- * @since 1.0 */
-DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,
-                                        dsw_open_report *report);
+/** Opens a crack. Its lips move apart, and a passable volume for each face that opens fills the
+ * gap, sewn to its neighbours and to lips without marks. A vertex comes apart where the crack
+ * divides the volumes round it into two sets. Its copies move less where a volume would become
+ * invalid. To open into passable volumes at the rim, give only faces between impassable volumes. In
+ * `change` both copies are new vertices, with the old vertex twice in `from`. Lips, and added
+ * volumes at the end of `volumes`, have the order of `faces`.
+ * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces of a pair do not lie on each
+ * other, are of one volume, or are not on the outer boundary.
+ * @note Cost: O(volumes at the crack), and local. Source: [JCD10] 5.2. @since 2.0 */
+DSW_API dsw_status dsw_environment_open_crack(dsw_environment *environment,
+                                              const dsw_open_crack_desc *desc, dsw_change *change);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,5 @@
 /** @file sweep.h
- * Edges swept through an environment without a body: the end p of an edge moves to p', the end q
- * stays.
+ * Edges that sweep without a body: the end p of an edge moves to p', the end q stays.
  */
 #ifndef DARTSWEEP_SWEEP_H
 #define DARTSWEEP_SWEEP_H
@@ -16,17 +15,16 @@ extern "C" {
 
 /** What is checked when one end of an edge moves. */
 typedef enum dsw_level {
-  /** The path p p'. The edge p q has to be free at the start, see DSW_SWEEP_START_FREE. */
+  /** The path p p'. The edge p q must be free at the start, see DSW_SWEEP_START_FREE. */
   DSW_LEVEL_POINTS = 1,
-  /** Also the edge in its new place, p' q [JCD10] 4.1. Misses an obstacle inside the triangle
-   * alone. Any contact is that of DSW_LEVEL_EDGES_SWEPT. */
+  /** Also the edge in its new place, p' q [JCD10] 4.1. Misses obstacles that lie inside the
+   * triangle. Any contact is that of DSW_LEVEL_EDGES_SWEPT. */
   DSW_LEVEL_EDGES = 2,
   /** The whole triangle p p' q: impassable faces, and marked edges without an impassable face. */
   DSW_LEVEL_EDGES_SWEPT = 3,
-  /** For bodies: also the tetrahedra that faces p q r sweep, for what enters through their inside,
-   * and marked vertices. */
+  /** For bodies: also the tetrahedra that faces p q r sweep, and marked vertices. */
   DSW_LEVEL_FACES = 4,
-  DSW_LEVEL_FORCE_INT32 = 0x7fffffff /**< No value. */
+  DSW_LEVEL_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_level;
 
 /** Flags of a sweep. */
@@ -42,18 +40,17 @@ typedef struct dsw_sweep_options {
   uint32_t struct_size; /**< sizeof(dsw_sweep_options). */
   uint32_t flags;       /**< DSW_SWEEP_... */
   dsw_level level;      /**< DSW_LEVEL_EDGES_SWEPT by default. */
-  uint32_t max_cells;   /**< Volumes visited before DSW_OUTCOME_WORK_LIMIT; 0: no limit. */
+  uint32_t max_volumes; /**< Volumes visited before DSW_OUTCOME_WORK_LIMIT; 0: no limit. */
 } dsw_sweep_options;
 
-/** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_sweep_options_init(dsw_sweep_options *options, size_t size);
 
 /** Sweeps edges, each as if alone. At DSW_LEVEL_EDGES_SWEPT a contact is reported if and only if
  * the triangle, under the shift, meets something impassable.
  * @param starts hints for the moving ends, see DSW_SWEEP_START_KNOWN; may be null.
  * @param from, to, fixed p, p' and q. @param sweeps undefined on failure.
- * @note Cost: O(volumes that the triangle meets). Thread: reader, batch. Source: [JCD10] 4.1.
- * @since 1.0 */
+ * @note Cost: O(volumes that the triangle meets). Batch. Source: [JCD10] 4.1. @since 2.0 */
 DSW_API dsw_status dsw_environment_sweep_edges(const dsw_environment *environment, size_t count,
                                                const dsw_volume_id *starts, const double *from,
                                                const double *to, const double *fixed,

@@ -1,23 +1,23 @@
 /** @file topology.h
  * The basic changes of the topology [JCD10] 5.2: volumes are added and removed, faces sewn and
  * unsewn, volumes, faces and edges split and merged, edges collapsed. bindings/docs/topology.md
- * says more, also when each change is refused.
+ * tells when each is refused.
  *
- * Each new volume is exactly valid. New volumes fill the space of the old ones, unless a function
- * says that the outer boundary moves; dsw_environment_check tells whether that crosses itself.
- * Particles and bodies follow. Pointers for new ids may be null.
+ * Each new volume is exactly valid. New volumes fill the space of the old ones, unless a comment
+ * says that the outer boundary moves; dsw_environment_check tells whether it then crosses itself.
+ * Particles and bodies follow. Pointers for new ids may be null, and so may `change`, except in
+ * dsw_environment_get_change.
  *
  * A volume that changes keeps index, region label, tag and mark, and gets a new generation: its id,
- * and those of its faces and edges, become stale. dsw_environment_get_volume_changes gives the new
- * ids.
+ * and those of its faces and edges, become stale. dsw_environment_get_change gives the new ids.
  *
  * Any change can answer DSW_STATUS_SHARED (several scenes), OCCUPIED (a particle or vertex of a
- * body would be in no passable volume, or a body not free at its level; see marking.h),
- * BAD_TOPOLOGY, BAD_CELL, INVALID_CELL, TOO_LARGE.
+ * body would be in no passable volume, or a body not free; see marking.h), BAD_TOPOLOGY, BAD_CELL,
+ * INVALID_CELL, TOO_LARGE.
  *
- * "Local" cost: O(faces of the volumes that change), and a pass over particles and bodies (only
- * those near with DSW_FEATURE_LIVE_CHANGES). The first change makes tables: 24 bytes a volume, 12 a
- * vertex. Writers need the environment and its scene.
+ * "Local" cost: O(faces of the volumes that change), and a pass over particles and bodies (with
+ * DSW_FEATURE_LIVE_CHANGES only those near). The first change makes tables: 24 bytes a volume, 12 a
+ * vertex.
  */
 #ifndef DARTSWEEP_TOPOLOGY_H
 #define DARTSWEEP_TOPOLOGY_H
@@ -28,24 +28,92 @@
 extern "C" {
 #endif
 
-/** What became of a volume. A volume that is split or merged has two of these. */
+/** What became of a volume. A split gives two of these with one `before`, a merge two with one
+ * `after`. */
 typedef struct dsw_volume_change {
   dsw_volume_id before; /**< Null: the volume was added. */
   dsw_volume_id after;  /**< Null: the volume was removed. */
 } dsw_volume_change;
 
-/** Sews faces of the outer boundary with the same vertices, `faces_a`[i] and `faces_b`[i] of two
- * volumes, into one, marked if either was. If their triangles differ, one volume is cut anew; other
- * ids stay valid.
+/** Origin of a new vertex: weights[0] from[0] + weights[1] from[1], rounded. */
+typedef struct dsw_vertex_origin {
+  dsw_vertex_id vertex;  /**< The new vertex; null for a vertex of a body. */
+  dsw_vertex_id from[2]; /**< Old vertices; equal if the vertex is a copy. */
+  double weights[2];     /**< Their sum is 1. */
+} dsw_vertex_origin;
+
+/** A face of a cut: one face with two ids, or two faces that lie on each other. */
+typedef struct dsw_cut_face {
+  dsw_face_id front; /**< Its id from the volume in front of the blade. */
+  dsw_face_id back;  /**< Its id from the volume behind the blade. */
+} dsw_cut_face;
+
+/** Origin of a face of a detached body. */
+typedef struct dsw_face_origin {
+  dsw_face_id face;     /**< Face that holds the triangle. */
+  dsw_volume_id volume; /**< Volume of the piece at that face. */
+} dsw_face_origin;
+
+/** What the last successful change of the topology did. All ids but `before` and `from` are those
+ * after the change. What does not apply is 0 or empty. */
+typedef struct dsw_change {
+  uint32_t struct_size; /**< sizeof(dsw_change). */
+  uint32_t is_closed;   /**< Ligature: 0 if a way leads past the loop. */
+  /** Cut: largest distance of a new vertex from the blade, and of the blade from the cut in split
+   * volumes. Detached body: of a vertex from its origin. */
+  double distance;
+  double smallest_width;                  /**< Crack: smallest opening; 0 if nothing came apart. */
+  double largest_width;                   /**< Crack: largest opening. */
+  uint32_t volumes_visited;               /**< Cut: also on the way from `start`. */
+  uint32_t volumes_crossed;               /**< Cut: met by the blade. */
+  uint32_t volumes_split;                 /**< Of these, split. */
+  uint32_t volumes_changed;               /**< Cut: with a new vertex or edge. Crack: at its rim. */
+  uint32_t vertices_parted;               /**< Crack: that came apart. */
+  uint32_t vertices_shortened;            /**< Of these, by less than `width`. */
+  uint32_t faces_sewn;                    /**< Piece: pairs of faces that became one. */
+  uint32_t faces_unsewn;                  /**< Piece: faces that stay on the outer boundary. */
+  uint32_t volumes_invalid;               /**< Repair: found invalid. */
+  uint32_t volumes_removed;               /**< Repair: replaced. */
+  uint32_t volumes_added;                 /**< Repair: their replacements. */
+  uint32_t patch_count;                   /**< Repair: patches. */
+  uint32_t most_faces;                    /**< Repair: of an added volume. */
+  uint32_t reserved;                      /**< 0. */
+  const dsw_volume_change *volumes;       /**< What became of each volume. */
+  size_t volume_count;                    /**< Entries. */
+  const dsw_vertex_origin *vertices;      /**< New vertices of a cut or crack. */
+  size_t vertex_count;                    /**< Entries. */
+  const dsw_cut_face *faces;              /**< Faces of a cut or tear; lips of a crack. */
+  size_t face_count;                      /**< Entries. */
+  const dsw_volume_id *whole;             /**< Cut: volumes crossed, but not split. */
+  size_t whole_count;                     /**< Entries. */
+  const dsw_volume_id *carved;            /**< Carving: volumes made passable. */
+  size_t carved_count;                    /**< Entries. */
+  const dsw_volume_id *unrepaired;        /**< Repair: volumes left invalid, by index. */
+  size_t unrepaired_count;                /**< Entries. */
+  const dsw_volume_id *detached;          /**< Volumes of the detached piece. */
+  size_t detached_count;                  /**< Entries. */
+  const dsw_vertex_origin *body_vertices; /**< Of the detached body, by index. */
+  size_t body_vertex_count;               /**< Entries. */
+  const dsw_face_origin *body_faces;      /**< Of the detached body, by index. */
+  size_t body_face_count;                 /**< Entries. */
+} dsw_change;
+
+/** Gives the last change. @note Cost: O(1). @since 2.0 */
+DSW_API dsw_status dsw_environment_get_change(const dsw_environment *environment,
+                                              dsw_change *change);
+
+/** Sews `faces_a`[i] and `faces_b`[i], faces of the outer boundary with the same vertices, into one
+ * face, marked if either was. If their triangles differ, one of the two volumes changes; other ids
+ * stay valid.
  * @return DSW_STATUS_DUPLICATE_ID.
- * @note Cost: local. Thread: writer. @since 1.0 */
+ * @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_sew_faces(dsw_environment *environment,
                                              const dsw_face_id *faces_a, const dsw_face_id *faces_b,
                                              size_t count);
 
 /** Unsews a face between two volumes into two faces of the outer boundary, with its mark. All ids
  * stay valid.
- * @note Cost: local. Thread: writer. @since 1.0 */
+ * @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_unsew_face(dsw_environment *environment, dsw_face_id face);
 
 /** Describes new volumes. */
@@ -53,21 +121,21 @@ typedef struct dsw_volumes_desc {
   uint32_t struct_size; /**< sizeof(dsw_volumes_desc). */
   /** Size of integers in arrays of void: 4 or 8; 0 means 8. */
   uint32_t index_bytes;
-  /** Old vertices: 0 .. vertex_count-1 in connectivity. */
+  /** Old vertices, 0 .. vertex_count-1 in connectivity. */
   const dsw_vertex_id *vertices;
   size_t vertex_count;       /**< Number of these. */
-  const double *points;      /**< New vertices: vertex_count and following in connectivity. */
-  size_t point_count;        /**< 0 if points are borrowed without room (deform.h). */
+  const double *points;      /**< New vertices, from vertex_count on in connectivity. */
+  size_t point_count;        /**< 0 if borrowed points have no room (deform.h). */
   size_t point_stride_bytes; /**< As every stride. */
   /** dsw_cell_type of each; null: uniform_cell_type. */
   const uint8_t *cell_types;
-  size_t cell_count;         /**< At least 1. */
+  size_t volume_count;       /**< At least 1. */
   const void *offsets;       /**< As in dsw_environment_desc. */
   const void *connectivity;  /**< Indices; for a polyhedron its face stream. */
   size_t connectivity_count; /**< Its integers. */
   const int32_t *regions;    /**< Null, or labels. */
   const uint32_t *tags;      /**< Null, or host tags. */
-  /** Faces of the outer boundary to sew to new ones with the same vertices. Others stay apart. */
+  /** Faces of the outer boundary to sew to new faces. Others stay apart. */
   const dsw_face_id *sew_to;
   size_t sew_count; /**< Number of these. */
   /** Type of all volumes if cell_types is null; hexahedra by default, never polyhedra. */
@@ -75,83 +143,75 @@ typedef struct dsw_volumes_desc {
   uint32_t reserved; /**< 0. */
 } dsw_volumes_desc;
 
-/** Writes the defaults: hexahedra, 8-byte indices. @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults: hexahedra, 8-byte indices. @since 2.0 */
 DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
 
-/** Adds passable volumes, joined where they share faces. The caller makes sure that they overlap
- * nothing (dsw_environment_check).
+/** Adds passable volumes, sewn to each other where they share faces. They must overlap nothing
+ * (dsw_environment_check).
  * @return DSW_STATUS_BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE, BORROWED;
  * NOT_FOUND: no new volume has a face of sew_to.
- * @note Cost: local. Thread: writer. @since 1.0 */
+ * @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_add_volumes(dsw_environment *environment,
                                                const dsw_volumes_desc *desc, dsw_volume_id *volumes,
                                                dsw_vertex_id *vertices);
 
-/** Removes volumes, but not all; an id may stand twice.
- * @note Cost: local. Thread: writer. @since 1.0 */
+/** Removes volumes, but not all. An id may occur twice. @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment,
                                                   const dsw_volume_id *volumes, size_t count);
 
-/** Merges two volumes that are both marked or both not. All faces that they share go.
- * @param face between the two.
- * @param volume has index, region label and tag of the one in the face id.
- * @note Cost: local. Thread: writer. @since 1.0 */
+/** Merges two volumes, both marked or both not. All faces between them go.
+ * @param face a face between them; its id names the volume whose index, region label and tag stay.
+ * @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, dsw_face_id face,
                                                  dsw_volume_id *volume);
 
 /** Splits a volume by a new face, cut into triangles, along a closed loop of its edges.
  * @param loop 3 or more different vertices.
- * @param volumes 2 ids: the part left of the loop seen from outside, which keeps the index, and the
+ * @param volumes 2 ids: the part left of the loop seen from outside, with the old index, and the
  * other.
- * @note Cost: local. Thread: writer. @since 1.0 */
+ * @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, dsw_volume_id volume,
                                                 const dsw_vertex_id *loop, size_t count,
                                                 dsw_volume_id *volumes, dsw_face_id *face);
 
-/** Merges the two faces of an edge that has no others; both are marked or both not. Their triangles
+/** Merges the two faces of an edge that has no others, both marked or both not. Their triangles
  * stay.
- * @note Cost: local. Thread: writer. @since 1.0 */
+ * @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_face_id *face);
 
-/** Splits a face by a new edge. In a warped face this can change the space of its volumes, or the
- * outer boundary.
+/** Splits a face by a new edge. A warped face can get other triangles, which changes the space of
+ * its volumes or the outer boundary.
  * @param a, b vertices of the face that no edge joins.
- * @param faces 2 ids: the part from a to b, seen from outside of the volume in the face id, and the
- * other.
- * @note Cost: local. Thread: writer. @since 1.0 */
+ * @param faces 2 ids: the part from a to b, seen from outside of the volume in the face id, and
+ * the other.
+ * @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_face_id face,
                                               dsw_vertex_id a, dsw_vertex_id b, dsw_face_id *faces,
                                               dsw_edge_id *edge);
 
-/** Splits an edge by a new vertex at a rounded place, by which the outer boundary moves.
- * @param share above 0, below 1: the place from the first to the second vertex
+/** Splits an edge by a new vertex. The vertex is rounded, and the outer boundary moves with it.
+ * @param edge_parameter above 0, below 1, from the first to the second vertex
  * (dsw_environment_copy_vertices).
  * @param edges 2 ids: the parts at the first and second vertex. @return DSW_STATUS_BORROWED.
- * @note Cost: local. Thread: writer. @since 1.0 */
+ * @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_edge_id edge,
-                                              double share, dsw_vertex_id *vertex,
+                                              double edge_parameter, dsw_vertex_id *vertex,
                                               dsw_edge_id *edges);
 
-/** Merges the two edges of a vertex that has no others. The new edge, and the outer boundary there,
- * runs straight.
+/** Merges the two edges of a vertex that has no others. The new edge runs straight, and the outer
+ * boundary moves with it.
  * @param vertex the end of `edge` that goes.
- * @note Cost: local. Thread: writer. @since 1.0 */
+ * @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_merge_edges(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_vertex_id vertex, dsw_edge_id *merged);
 
 /** Merges one end of an edge into the other, if the outer boundary keeps its form. Tetrahedra at
  * the edge vanish with their marks; their two other faces become one, marked if either was.
  * @param vertex the end that goes.
- * @note Cost: local. Thread: writer. @since 1.0 */
+ * @note Cost: local. @since 2.0 */
 DSW_API dsw_status dsw_environment_collapse_edge(dsw_environment *environment, dsw_edge_id edge,
                                                  dsw_vertex_id vertex);
-
-/** Tells what became of volumes in the last successful change.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_environment_get_volume_changes(const dsw_environment *environment,
-                                                      const dsw_volume_change **changes,
-                                                      size_t *count);
 
 #ifdef __cplusplus
 }

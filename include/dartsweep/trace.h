@@ -1,7 +1,7 @@
 /** @file trace.h
  * Geometry for viewers: a trace collects dots, segments and triangles of cells, casts and contacts
- * in plain arrays. Each of them carries the `label` that was given when it was added. Normals are
- * drawn `normal_length` long. Writers write the trace and read the environment.
+ * in plain arrays. Each has the `label` with which it was added. Normals are drawn `normal_length`
+ * long.
  */
 #ifndef DARTSWEEP_TRACE_H
 #define DARTSWEEP_TRACE_H
@@ -34,16 +34,16 @@ typedef struct dsw_trace_data {
   size_t triangle_count;           /**< Triangles. */
 } dsw_trace_data;
 
-/** Creates an empty trace. @note Cost: O(1). Thread: any. @since 1.0 */
+/** Creates an empty trace. @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API dsw_status dsw_trace_create(dsw_context *context, dsw_trace **trace);
 
-/** Destroys a trace. @note Cost: O(1). Thread: writer. @since 1.0 */
+/** Destroys a trace. @note Cost: O(1). @since 2.0 */
 DSW_API dsw_status dsw_trace_destroy(dsw_trace *trace);
 
-/** Empties a trace and keeps its memory. @note Cost: O(1). Thread: writer. @since 1.0 */
+/** Empties a trace and keeps its memory. @note Cost: O(1). @since 2.0 */
 DSW_API dsw_status dsw_trace_clear(dsw_trace *trace);
 
-/** Adds the boundary triangles of volumes. @note Cost: O(count). Thread: writer. @since 1.0 */
+/** Adds the boundary triangles of volumes. @note Cost: O(count). @since 2.0 */
 DSW_API dsw_status dsw_trace_add_volumes(dsw_trace *trace, const dsw_environment *environment,
                                          const dsw_volume_id *volumes, size_t count,
                                          uint32_t label);
@@ -51,26 +51,25 @@ DSW_API dsw_status dsw_trace_add_volumes(dsw_trace *trace, const dsw_environment
 /** Adds everything impassable that borders a passable volume: faces as triangles, marked edges as
  * segments, marked vertices as dots.
  * @param with_boundary 0 leaves out the outer boundary.
- * @note Cost: O(volumes). Thread: writer. @since 1.0 */
+ * @note Cost: O(volumes). @since 2.0 */
 DSW_API dsw_status dsw_trace_add_impassable(dsw_trace *trace, const dsw_environment *environment,
                                             int with_boundary, uint32_t label);
 
 /** Casts a segment and adds a dot where each volume is entered, the segments between, and the
  * contact as dsw_trace_add_contact does.
- * @note Cost: as dsw_environment_cast. Thread: writer.
- * @since 1.0 */
+ * @note Cost: as dsw_environment_cast. @since 2.0 */
 DSW_API dsw_status dsw_trace_add_walk(dsw_trace *trace, const dsw_environment *environment,
                                       dsw_volume_id start, const double *from, const double *to,
                                       const dsw_cast_options *options, double normal_length,
                                       uint32_t label);
 
 /** Adds a dot at flight->position and a segment along the normal, if the flight ended at a contact.
- * @note Cost: O(1) amortised. Thread: writer. @since 1.0 */
+ * @note Cost: O(1) amortised. @since 2.0 */
 DSW_API dsw_status dsw_trace_add_contact(dsw_trace *trace, const dsw_flight *flight,
                                          double normal_length, uint32_t label);
 
-/** Gives the arrays. @note Cost: O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_trace_get(const dsw_trace *trace, dsw_trace_data *data);
+/** Gives the arrays. @note Cost: O(1). @since 2.0 */
+DSW_API dsw_status dsw_trace_get_data(const dsw_trace *trace, dsw_trace_data *data);
 
 #ifdef __cplusplus
 }

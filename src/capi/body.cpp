@@ -48,7 +48,7 @@ dsw::BodyDescription to_description(const dsw::Scene<D>& scene, const dsw_body_d
   const dsw::SweepLevel level = capi::to_body_level<D>(d.level, "desc->level");
   dsw::BodyDescription out = capi::to_description(scene, {level, d.flags, d.motion_share, d.category, d.mask});
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
-  if (d.vertex_count == 0) fail(DSW_STATUS_WRONG_SIZE, "desc->vertex_count is 0, a body has at least one vertex");
+  if (d.vertex_count == 0) fail(DSW_STATUS_WRONG_SIZE, "desc->vertex_count is 0, must be at least 1");
   out.positions = capi::to_points<D>(d.positions, d.vertex_count, d.stride_bytes, "desc->positions");
   out.vertex_count = d.vertex_count;
   capi::check_hints(scene.env.map, d.hints, d.vertex_count, "desc->hints");
@@ -86,7 +86,7 @@ BodyDescription to_description(const Scene<D>& scene, const BodyOptions& options
   }
   const bool self = (options.flags & DSW_BODY_SELF_CONTACTS) != 0;
   if (self || options.category != 0 || options.mask != 0) {
-    check_named(scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
+    check_enabled(scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
   }
   out.filter = to_filter(options.category, options.mask, self);
   out.rigid = (options.flags & DSW_BODY_RIGID) != 0;
@@ -111,8 +111,8 @@ uint32_t to_face(const Body<D>& body, dsw_body_face_id id, const char* name) {
   fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no face of the body", name, id.index, id.generation);
 }
 
-void check_named(bool named, const char* feature) {
-  if (!named) fail(DSW_STATUS_NOT_NAMED, "scene was made without %s", feature);
+void check_enabled(bool enabled, const char* feature) {
+  if (!enabled) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable %s", feature);
 }
 
 #define DSW_BODY_ACCESS(D)                                                      \
@@ -166,7 +166,7 @@ dsw_status dsw_scene_get_body_count(const dsw_scene* scene, size_t* count) {
                              [&](const auto& s) { capi::give(count, "count", s.body_slots.alive_count()); });
 }
 
-dsw_status dsw_scene_get_bodies(const dsw_scene* scene, dsw_body_id* bodies, size_t capacity, size_t* count) {
+dsw_status dsw_scene_get_body_ids(const dsw_scene* scene, dsw_body_id* bodies, size_t capacity, size_t* count) {
   return capi::guarded_visit(
       __func__, scene, [&](const auto& s) { capi::copy_ids(s.bodies.size(), s.body_slots, bodies, capacity, count); });
 }
@@ -205,7 +205,7 @@ dsw_status dsw_body_get_filter(const dsw_scene* scene, dsw_body_id body, uint32_
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::require(category, "category");
     capi::require(mask, "mask");
-    capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
+    capi::check_enabled(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
     *category = of.body.filter.category;
     *mask = of.body.filter.mask;
   });
@@ -213,7 +213,7 @@ dsw_status dsw_body_get_filter(const dsw_scene* scene, dsw_body_id body, uint32_
 
 dsw_status dsw_body_set_filter(dsw_scene* scene, dsw_body_id body, uint32_t category, uint32_t mask) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
-    capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
+    capi::check_enabled(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
     capi::Recorded call(scene, capi::row_of<dsw_body_set_filter>, body, category, mask);
     set_filter(of.scene, of.body, to_filter(category, mask, of.body.filter.self));
     call.done();
@@ -234,28 +234,29 @@ dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, doub
   });
 }
 
-dsw_status dsw_body_get_vertices(const dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id* vertices,
-                                 size_t capacity, size_t* count) {
+dsw_status dsw_body_get_vertex_ids(const dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id* vertices,
+                                   size_t capacity, size_t* count) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::copy_ids(of.body.vertices.size(), of.body.vertex_slots, vertices, capacity, count);
   });
 }
 
-dsw_status dsw_body_get_edges(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id* edges, size_t capacity,
-                              size_t* count) {
+dsw_status dsw_body_get_edge_ids(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id* edges, size_t capacity,
+                                 size_t* count) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::copy_ids(of.body.edges.size(), of.body.edge_slots, edges, capacity, count);
   });
 }
 
-dsw_status dsw_body_get_faces(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id* faces, size_t capacity,
-                              size_t* count) {
+dsw_status dsw_body_get_face_ids(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id* faces, size_t capacity,
+                                 size_t* count) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::copy_ids(of.body.faces.size(), of.body.face_slots, faces, capacity, count);
   });
 }
 
-dsw_status dsw_body_get_vertex(const dsw_scene* scene, dsw_body_id body, uint32_t index, dsw_body_vertex_id* vertex) {
+dsw_status dsw_body_get_vertex_id(const dsw_scene* scene, dsw_body_id body, uint32_t index,
+                                  dsw_body_vertex_id* vertex) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
     if (!b.has_vertex(index)) {
@@ -266,8 +267,8 @@ dsw_status dsw_body_get_vertex(const dsw_scene* scene, dsw_body_id body, uint32_
   });
 }
 
-dsw_status dsw_body_get_edge_vertices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
-                                      size_t* count) {
+dsw_status dsw_body_get_edge_indices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
+                                     size_t* count) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
     capi::check_capacity(b.edges.size(), capacity, vertices, count);
@@ -275,8 +276,8 @@ dsw_status dsw_body_get_edge_vertices(const dsw_scene* scene, dsw_body_id body, 
   });
 }
 
-dsw_status dsw_body_get_face_vertices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
-                                      size_t* count) {
+dsw_status dsw_body_get_face_indices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
+                                     size_t* count) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
     capi::check_capacity(b.faces.size(), capacity, vertices, count);
@@ -284,8 +285,8 @@ dsw_status dsw_body_get_face_vertices(const dsw_scene* scene, dsw_body_id body, 
   });
 }
 
-dsw_status dsw_body_get_edge(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge,
-                             dsw_body_vertex_id* vertices) {
+dsw_status dsw_body_get_edge_ends(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge,
+                                  dsw_body_vertex_id* vertices) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
     capi::require(vertices, "vertices");
@@ -294,8 +295,8 @@ dsw_status dsw_body_get_edge(const dsw_scene* scene, dsw_body_id body, dsw_body_
   });
 }
 
-dsw_status dsw_body_get_face(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id face,
-                             dsw_body_vertex_id* vertices) {
+dsw_status dsw_body_get_face_corners(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id face,
+                                     dsw_body_vertex_id* vertices) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
     capi::require(vertices, "vertices");

@@ -53,7 +53,7 @@ uint32_t to_edge(const Body<D>& body, dsw_body_edge_id id, const char* name);
 template <int D>
 uint32_t to_face(const Body<D>& body, dsw_body_face_id id, const char* name);
 
-/** Throws NOT_NAMED unless the scene was made with a feature. */
-void check_named(bool named, const char* feature);
+/** Throws NOT_ENABLED unless the scene was made with a feature. */
+void check_enabled(bool named, const char* feature);
 
 }  // namespace dsw::capi

@@ -36,7 +36,7 @@ dsw_status dsw_body_add_face(dsw_scene* scene, dsw_body_id body, dsw_body_vertex
     const uint32_t corners[3] = {capi::to_vertex(of.body, a, "a"), capi::to_vertex(of.body, b, "b"),
                                  capi::to_vertex(of.body, c, "c")};
     if constexpr (capi::kDimension<decltype(of)> == 2) {
-      fail(DSW_STATUS_UNSUPPORTED, "bodies in the plane have no faces; (%u, %u, %u) can't be one", corners[0],
+      fail(DSW_STATUS_UNSUPPORTED, "bodies in the plane have no faces; (%u, %u, %u) cannot be one", corners[0],
            corners[1], corners[2]);
     } else {
       capi::Recorded call(scene, capi::row_of<dsw_body_add_face>, body, a, b, c);
@@ -77,7 +77,8 @@ dsw_status dsw_body_split_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge
                                dsw_body_edit* edit) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t e = capi::to_edge(of.body, edge, "edge");
-    if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must lie between 0 and 1", share);
+    if (!(share > 0 && share < 1))
+      fail(DSW_STATUS_OUT_OF_RANGE, "edge_parameter is %g, must be above 0 and below 1", share);
     capi::Recorded call(scene, capi::row_of<dsw_body_split_edge>, body, edge, share);
     split_body_edge(of.scene, of.record, e, share, edit);
     call.done(of.body);

@@ -56,7 +56,7 @@ constexpr size_t times(size_t a, size_t b) { return b != 0 && a > SIZE_MAX / b ?
 constexpr size_t one_more(size_t count) { return count == SIZE_MAX ? count : count + 1; }
 constexpr size_t index_bytes(const dsw_volumes_desc& d) { return d.index_bytes == 0 ? 8 : d.index_bytes; }
 inline constexpr auto offset_bytes = [](const dsw_volumes_desc& d, size_t) {
-  return times(one_more(d.cell_count), index_bytes(d));
+  return times(one_more(d.volume_count), index_bytes(d));
 };
 inline constexpr auto connectivity_bytes = [](const dsw_volumes_desc& d, size_t) {
   return times(d.connectivity_count, index_bytes(d));
@@ -87,11 +87,11 @@ inline constexpr auto kTable = std::make_tuple(
         array("vertices", &dsw_volumes_desc::vertices, &dsw_volumes_desc::vertex_count),
         points("points", &dsw_volumes_desc::points, &dsw_volumes_desc::point_count,
                &dsw_volumes_desc::point_stride_bytes),
-        array("types", &dsw_volumes_desc::cell_types, &dsw_volumes_desc::cell_count),
+        array("types", &dsw_volumes_desc::cell_types, &dsw_volumes_desc::volume_count),
         array("offsets", &dsw_volumes_desc::offsets, offset_bytes),
         array("connectivity", &dsw_volumes_desc::connectivity, connectivity_bytes),
-        array("regions", &dsw_volumes_desc::regions, &dsw_volumes_desc::cell_count),
-        array("tags", &dsw_volumes_desc::tags, &dsw_volumes_desc::cell_count),
+        array("regions", &dsw_volumes_desc::regions, &dsw_volumes_desc::volume_count),
+        array("tags", &dsw_volumes_desc::tags, &dsw_volumes_desc::volume_count),
         array("sewn to", &dsw_volumes_desc::sew_to, &dsw_volumes_desc::sew_count))),
     DSW_ROW(9, dsw_environment_remove_volumes)(array<1, 2>("volumes")),
     DSW_ROW(10, dsw_environment_sew_faces)(array<1, 3>("faces"), array_like<2, 3>("to")),
@@ -106,18 +106,18 @@ inline constexpr auto kTable = std::make_tuple(
     DSW_ROW(19, dsw_environment_cut)(structure<1>("desc",
         points("points", &dsw_cut_desc::points, blade_points, &dsw_cut_desc::point_stride_bytes))),
     DSW_ROW(20, dsw_environment_tear_faces)(array<1, 3>("faces"), array_like<2, 3>("loads"), value<4>("limit")),
-    DSW_ROW(21, dsw_environment_open)(structure<1>("desc",
-        array("faces", &dsw_open_desc::faces, &dsw_open_desc::face_count))),
+    DSW_ROW(21, dsw_environment_open_crack)(structure<1>("desc",
+        array("faces", &dsw_open_crack_desc::faces, &dsw_open_crack_desc::face_count))),
     DSW_ROW(22, dsw_environment_carve)(structure<1>("desc",
         points("points", &dsw_carve_desc::points, &dsw_carve_desc::point_count, &dsw_carve_desc::point_stride_bytes),
         array("triangles", &dsw_carve_desc::triangles, corners))),
     DSW_ROW(23, dsw_environment_tie)(structure<1>("desc",
         points("points", &dsw_tie_desc::points, &dsw_tie_desc::point_count, &dsw_tie_desc::point_stride_bytes))),
-    DSW_ROW(24, dsw_scene_detach)(structure<1>("desc"), result<2>()),
+    DSW_ROW(24, dsw_environment_detach)(structure<1>("desc"), result<2>()),
     DSW_ROW(25, dsw_environment_remesh)(structure<1>("desc",
         array("volumes", &dsw_remesh_desc::volumes, &dsw_remesh_desc::volume_count),
         points("next", &dsw_remesh_desc::next, &dsw_remesh_desc::point_count))),
-    DSW_ROW(26, dsw_scene_deform)(structure<3>("options"), MovedPoints{"vertices"}),
+    DSW_ROW(26, dsw_environment_deform)(structure<3>("options"), MovedPoints{"vertices"}),
     DSW_ROW(27, dsw_particle_create)(point<1>("position"), value<2>("hint"), result<3>()),
     DSW_ROW(28, dsw_scene_create_particles)(
         points<1, 2, 3>("positions"), array_like<4, 2>("hints"), results<5, 2>()),
@@ -177,8 +177,7 @@ inline constexpr const auto& row_of = find_row<kFunction>();
 /** Whether a call changes the environment and not only what is in the scene. */
 template <class Row>
 constexpr bool changes_environment(const Row&) {
-  return std::is_same_v<std::tuple_element_t<0, typename Row::Given>, dsw_environment*> ||
-         Row::number == row_of<dsw_scene_detach>.number || Row::number == row_of<dsw_scene_deform>.number;
+  return std::is_same_v<std::tuple_element_t<0, typename Row::Given>, dsw_environment*>;
 }
 
 /** Calls use(row) with the row that has a number. False: there is none. */

@@ -8,7 +8,7 @@ using dsw::fail;
 namespace {
 
 void check_count(size_t count, size_t least, const char* name) {
-  if (count < least) fail(DSW_STATUS_OUT_OF_RANGE, "desc->%s is %zu, must be %zu at least", name, count, least);
+  if (count < least) fail(DSW_STATUS_OUT_OF_RANGE, "desc->%s is %zu, must be at least %zu", name, count, least);
   if (count >= dsw::kVertexMask) fail(DSW_STATUS_TOO_LARGE, "desc->%s is %zu, must be below 2^28", name, count);
 }
 
@@ -28,7 +28,7 @@ dsw::Blade<D> read_shape(const dsw::Memory* memory, const dsw_carve_desc& d) {
            d.point_count);
     }
     if (c[0] == c[1] || (D == 3 && (c[1] == c[2] || c[2] == c[0]))) {
-      fail(DSW_STATUS_BAD_TOPOLOGY, "%s %zu of desc->triangles names a point twice", simplex, s);
+      fail(DSW_STATUS_BAD_TOPOLOGY, "%s %zu of desc->triangles repeats a point", simplex, s);
     }
   }
   auto shape = dsw::Blade<D>::of_simplices(memory, points, static_cast<uint32_t>(d.point_count), d.triangles,
@@ -46,35 +46,38 @@ dsw::Blade<D> read_shape(const dsw::Memory* memory, const dsw_carve_desc& d) {
 void dsw_carve_desc_init(dsw_carve_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_carve_desc{}); }
 void dsw_tie_desc_init(dsw_tie_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_tie_desc{}); }
 
-dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_desc* desc, dsw_carve_report* report) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
-    const dsw_carve_desc d = capi::read_required(desc, "desc");
-    capi::check_flags(d.flags, DSW_CARVE_WHOLE, "desc->flags");
-    dsw::CutSettings settings;
-    settings.snap = capi::to_snap(d.snap);
-    settings.splits = (d.flags & DSW_CARVE_WHOLE) != 0 ? dsw::Splits::kNothing : dsw::Splits::kImpassable;
-    const auto shape = read_shape<capi::kDimension<decltype(change)>>(change.memory(), d);
-    const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
-    change.record(capi::row_of<dsw_environment_carve>, &d);
-    change.tell(carve_out(change, shape, start, settings), report);
-  });
+dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_desc* desc, dsw_change* out) {
+  return capi::guarded_change(
+      __func__, environment,
+      [&](auto& change) {
+        const dsw_carve_desc d = capi::read_required(desc, "desc");
+        capi::check_flags(d.flags, DSW_CARVE_WHOLE, "desc->flags");
+        dsw::CutSettings settings;
+        settings.snap = capi::to_snap(d.snap);
+        settings.splits = (d.flags & DSW_CARVE_WHOLE) != 0 ? dsw::Splits::kNothing : dsw::Splits::kImpassable;
+        const auto shape = read_shape<capi::kDimension<decltype(change)>>(change.memory(), d);
+        const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
+        change.record(capi::row_of<dsw_environment_carve>, &d);
+        carve_out(change, shape, start, settings);
+        change.tell();
+      },
+      out);
 }
 
-dsw_status dsw_environment_get_carved_volumes(const dsw_environment* environment, const dsw_volume_id** volumes,
-                                              size_t* count) {
-  return capi::lend(__func__, environment, &dsw::ChangeResults::carved, volumes, count, "volumes");
-}
-
-dsw_status dsw_environment_tie(dsw_environment* environment, const dsw_tie_desc* desc, dsw_tie_report* report) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
-    constexpr int D = capi::kDimension<decltype(change)>;
-    const dsw_tie_desc d = capi::read_required(desc, "desc");
-    capi::check_flags(d.flags, 0, "desc->flags");
-    const double snap = capi::to_snap(d.snap);
-    check_count(d.point_count, D, "point_count");
-    const auto points = capi::to_finite_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points");
-    const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
-    change.record(capi::row_of<dsw_environment_tie>, &d);
-    change.tell(tie_off(change, points, static_cast<uint32_t>(d.point_count), start, snap), report);
-  });
+dsw_status dsw_environment_tie(dsw_environment* environment, const dsw_tie_desc* desc, dsw_change* out) {
+  return capi::guarded_change(
+      __func__, environment,
+      [&](auto& change) {
+        constexpr int D = capi::kDimension<decltype(change)>;
+        const dsw_tie_desc d = capi::read_required(desc, "desc");
+        capi::check_flags(d.flags, 0, "desc->flags");
+        const double snap = capi::to_snap(d.snap);
+        check_count(d.point_count, D, "point_count");
+        const auto points = capi::to_finite_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points");
+        const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
+        change.record(capi::row_of<dsw_environment_tie>, &d);
+        tie_off(change, points, static_cast<uint32_t>(d.point_count), start, snap);
+        change.tell();
+      },
+      out);
 }

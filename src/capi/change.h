@@ -14,8 +14,9 @@ class Change : public Site<D> {
  public:
   static constexpr int kDimension = D;
 
-  /** Throws SHARED. */
-  Change(dsw_environment& handle, Environment<D>& engine) : Change(handle, engine, only_scene(handle)) {}
+  /** `out` may be null. Throws SHARED. */
+  Change(dsw_environment& handle, Environment<D>& engine, dsw_change* out)
+      : Change(handle, engine, only_scene(handle), out) {}
 
   const Map<D>& map() const { return this->env.map; }
   const Memory* memory() const { return this->env.memory; }
@@ -29,13 +30,11 @@ class Change : public Site<D> {
   void record(const Row& row, const Arguments&... arguments) {
     call_.emplace(host_, row, arguments...);
   }
-  /** The change has been made, and `done` says how. */
-  template <class Report>
-  void tell(const Report& done, Report* report) {
-    call_->done(done, items_of(this->results.volumes));
-    if (report != nullptr) *report = done;
+  /** The change has been made. */
+  void tell() {
+    call_->done(this->results.numbers, items_of(this->results.volumes));
+    if (out_ != nullptr) write_struct(out_, this->results.change());
   }
-  void tell() { call_->done(items_of(this->results.volumes)); }
 
   /** Likewise, of a change that is written as an edit here. */
   template <class Row, class... Arguments>
@@ -60,28 +59,33 @@ class Change : public Site<D> {
   }
 
  private:
-  Change(dsw_environment& handle, Environment<D>& engine, dsw_scene* host)
-      : Site<D>{engine, engine_of<D>(host), handle.results}, host_(host) {}
+  Change(dsw_environment& handle, Environment<D>& engine, dsw_scene* host, dsw_change* out)
+      : Site<D>{engine, engine_of<D>(host), handle.results}, host_(host), out_(out) {
+    if (out != nullptr) check_size(out, "change");
+  }
 
   dsw_scene* host_;  // null: nobody looks on
+  dsw_change* out_;
   std::optional<Recorded> call_;
   std::optional<Edit<D>> edit_;
 };
 
-/** Runs the body of the entry point named `function` with the change that it is to make. */
+/** Runs the body of the entry point named `function` with the change that it is to make. `out` may be null. */
 template <class Body>
-dsw_status guarded_change(const char* function, dsw_environment* environment, const Body& body) noexcept {
+dsw_status guarded_change(const char* function, dsw_environment* environment, const Body& body,
+                          dsw_change* out = nullptr) noexcept {
   return guarded_visit(function, environment, [&](auto& env) {
-    Change<kDimension<decltype(env)>> change(*environment, env);
+    Change<kDimension<decltype(env)>> change(*environment, env, out);
     body(change);
   });
 }
 /** Likewise, for functions of space. */
 template <class Body>
-dsw_status guarded_change_of_space(const char* function, dsw_environment* environment, const Body& body) noexcept {
+dsw_status guarded_change_of_space(const char* function, dsw_environment* environment, const Body& body,
+                                   dsw_change* out = nullptr) noexcept {
   return guard(function, [&] {
     Environment<3>& env = space(check_handle(environment));
-    Change<3> change(*environment, env);
+    Change<3> change(*environment, env, out);
     body(change);
   });
 }

@@ -88,7 +88,7 @@ void check_hints(const Map<D>& map, const dsw_volume_id* ids, size_t count, cons
 void require_array(const void* array, size_t count, const char* name) {
   if (count != 0) require(array, name);
   // No array is so long: what a host gets that counts in signed numbers and ends below zero.
-  if (count > PTRDIFF_MAX) fail(DSW_STATUS_WRONG_SIZE, "%s can't have %zu entries", name, count);
+  if (count > PTRDIFF_MAX) fail(DSW_STATUS_WRONG_SIZE, "%s cannot have %zu entries", name, count);
 }
 
 template <int D>
@@ -114,7 +114,7 @@ SegmentOptions to_options(const dsw_cast_options* options) {
   const dsw_cast_options o = read_struct(options, "options");
   check_flags(o.flags, DSW_CAST_START_KNOWN | DSW_CAST_NO_DETAIL, "options->flags");
   if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
-  return {o.max_cells, (o.flags & DSW_CAST_NO_DETAIL) == 0, (o.flags & DSW_CAST_START_KNOWN) != 0};
+  return {o.max_volumes, (o.flags & DSW_CAST_NO_DETAIL) == 0, (o.flags & DSW_CAST_START_KNOWN) != 0};
 }
 
 void check_flags(uint32_t flags, uint32_t known, const char* name) {

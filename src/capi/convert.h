@@ -167,18 +167,6 @@ void hand_out(const Array<T>& array, const T** items, size_t* count, const char*
   *count = array.size();
 }
 
-/** Entry points that lend results of the last change, and of the last piece that came off. */
-template <class T>
-dsw_status lend(const char* function, const dsw_environment* environment, Array<T> ChangeResults::*member,
-                const T** items, size_t* count, const char* name) noexcept {
-  return guard(function, [&] { hand_out(check_handle(environment).results.*member, items, count, name); });
-}
-template <class T>
-dsw_status lend(const char* function, const dsw_scene* scene, Array<T> DetachResults::*member, const T** items,
-                size_t* count, const char* name) noexcept {
-  return guard(function, [&] { hand_out(check_handle(scene).detached.*member, items, count, name); });
-}
-
 /** Gives a result to a host that has to take it. */
 template <class T>
 void give(T* out, const char* name, const T& value) {

@@ -13,12 +13,19 @@ namespace {
 template <int D>
 dsw::Deformation<D>& deformation_of(const dsw::Scene<D>& scene) {
   dsw::Deformation<D>* const of = scene.deformation.get();
-  if (of == nullptr) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_DEFORMING");
+  if (of == nullptr) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable DSW_FEATURE_DEFORMING");
   return *of;
 }
 
-const dsw::WallRecord& record_of(const dsw_scene* scene) {
-  return capi::visit(capi::check_handle(scene),
+/** The scene that deforms an environment. */
+dsw_scene& deforming_scene(const dsw_environment* environment) {
+  dsw_scene* const scene = capi::only_scene(capi::check_handle(environment));
+  if (scene == nullptr) fail(DSW_STATUS_NOT_ENABLED, "the environment has no scene with DSW_FEATURE_DEFORMING");
+  return *scene;
+}
+
+const dsw::WallRecord& record_of(const dsw_environment* environment) {
+  return capi::visit(deforming_scene(environment),
                      [](const auto& engine) -> const dsw::WallRecord& { return deformation_of(engine).record; });
 }
 
@@ -36,7 +43,7 @@ dsw::WallSettings read_settings(const dsw_deform_options& o) {
   s.response = o.response;
   s.refuses_invalid = o.invalid == DSW_INVALID_REFUSE;
   if (s.end_state && s.response == DSW_WALL_HOLD) {
-    fail(DSW_STATUS_UNSUPPORTED, "options->response is %u, with END_STATE it must be PUSH, INSERT or STOP",
+    fail(DSW_STATUS_UNSUPPORTED, "options->response is %u, must be PUSH, INSERT or STOP with END_STATE",
          capi::raw_value(o.response));
   }
   if (o.most_halvings > 10) {
@@ -57,60 +64,66 @@ void dsw_deform_options_init(dsw_deform_options* options, size_t size) {
   capi::init_struct(options, size, dsw_deform_options{});
 }
 
-dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, const dsw_deform_options* options,
-                            dsw_deform_report* report) {
-  return capi::guarded_visit(__func__, scene, [&](auto& engine) {
-    constexpr int D = capi::kDimension<decltype(engine)>;
-    const dsw::Deformation<D>& of = deformation_of(engine);
-    capi::require(next, "next");
-    if (point_count != of.env.map.vertex_count) {
-      fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,
-           of.env.map.vertex_count);
-    }
-    const dsw_deform_options o = capi::read_optional(options, "options");
-    const dsw::WallSettings settings = read_settings(o);
-    if (settings.point_room != 0 && settings.point_room < point_count) {
-      fail(DSW_STATUS_WRONG_SIZE, "options->point_room is %zu, point_count is %zu", settings.point_room, point_count);
-    }
-    if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
-    [[maybe_unused]] const dsw::MendSettings mend = capi::to_mend_settings(o.remesh_radius, o.remesh_max_faces);
-    if (D == 2 && o.invalid == DSW_INVALID_REMESH) {
-      fail(DSW_STATUS_UNSUPPORTED, "options->invalid is DSW_INVALID_REMESH, in the plane it must be HOLD or REFUSE");
-    }
-    dsw_deform_options written = o;
-    if (scene->watch != nullptr) written.point_room = scene->watch->offered;
-    capi::Recorded call(scene, capi::row_of<dsw_scene_deform>, next, point_count, &written);
-    uint32_t remeshed = 0;
-    if constexpr (D == 3) {
-      if (o.invalid == DSW_INVALID_REMESH)
-        remeshed = mend_and_deform({of.env, &engine, scene->environment->results}, next, settings, mend);
-    }
-    if (o.invalid != DSW_INVALID_REMESH) deform(engine, next, settings);
-    const dsw::WallRecord& record = of.record;
-    const dsw_deform_report done{record.fraction,
-                                 record.outcome,
-                                 record.steps,
-                                 record.near,
-                                 static_cast<uint32_t>(record.held.size()),
-                                 static_cast<uint32_t>(record.contacts.size()),
-                                 static_cast<uint32_t>(record.invalid.size()),
-                                 record.pushed,
-                                 remeshed};
-    call.done(done, capi::items_of(record.held));
-    if (report != nullptr) *report = done;
+dsw_status dsw_environment_deform(dsw_environment* environment, double* next, size_t point_count,
+                                  const dsw_deform_options* options, dsw_deform_report* report) {
+  return capi::guard(__func__, [&] {
+    dsw_scene& scene = deforming_scene(environment);
+    capi::visit(scene, [&](auto& engine) {
+      constexpr int D = capi::kDimension<decltype(engine)>;
+      const dsw::Deformation<D>& of = deformation_of(engine);
+      capi::require(next, "next");
+      if (point_count != of.env.map.vertex_count) {
+        fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,
+             of.env.map.vertex_count);
+      }
+      const dsw_deform_options o = capi::read_optional(options, "options");
+      const dsw::WallSettings settings = read_settings(o);
+      if (settings.point_room != 0 && settings.point_room < point_count) {
+        fail(DSW_STATUS_WRONG_SIZE, "options->point_room is %zu, point_count is %zu", settings.point_room, point_count);
+      }
+      if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
+      [[maybe_unused]] const dsw::MendSettings mend = capi::to_mend_settings(o.remesh_radius, o.remesh_max_faces);
+      if (D == 2 && o.invalid == DSW_INVALID_REMESH) {
+        fail(DSW_STATUS_UNSUPPORTED, "options->invalid is DSW_INVALID_REMESH, must be HOLD or REFUSE in the plane");
+      }
+      dsw_deform_options written = o;
+      if (scene.watch != nullptr) written.point_room = scene.watch->offered;
+      capi::Recorded call(&scene, capi::row_of<dsw_environment_deform>, next, point_count, &written);
+      uint32_t remeshed = 0;
+      if constexpr (D == 3) {
+        if (o.invalid == DSW_INVALID_REMESH)
+          remeshed = mend_and_deform({of.env, &engine, environment->results}, next, settings, mend);
+      }
+      if (o.invalid != DSW_INVALID_REMESH) deform(engine, next, settings);
+      const dsw::WallRecord& record = of.record;
+      const dsw_deform_report done{record.fraction,
+                                   record.outcome,
+                                   record.steps,
+                                   record.near,
+                                   static_cast<uint32_t>(record.held.size()),
+                                   static_cast<uint32_t>(record.contacts.size()),
+                                   static_cast<uint32_t>(record.invalid.size()),
+                                   record.pushed,
+                                   remeshed};
+      call.done(done, capi::items_of(record.held));
+      if (report != nullptr) *report = done;
+    });
   });
 }
 
-dsw_status dsw_scene_get_wall_contacts(const dsw_scene* scene, const dsw_wall_contact** contacts, size_t* count) {
-  return capi::guard(__func__, [&] { capi::hand_out(record_of(scene).contacts, contacts, count, "contacts"); });
+dsw_status dsw_environment_get_wall_contacts(const dsw_environment* environment, const dsw_wall_contact** contacts,
+                                             size_t* count) {
+  return capi::guard(__func__, [&] { capi::hand_out(record_of(environment).contacts, contacts, count, "contacts"); });
 }
 
-dsw_status dsw_scene_get_held_vertices(const dsw_scene* scene, const dsw_vertex_id** vertices, size_t* count) {
-  return capi::guard(__func__, [&] { capi::hand_out(record_of(scene).held, vertices, count, "vertices"); });
+dsw_status dsw_environment_get_held_vertices(const dsw_environment* environment, const dsw_vertex_id** vertices,
+                                             size_t* count) {
+  return capi::guard(__func__, [&] { capi::hand_out(record_of(environment).held, vertices, count, "vertices"); });
 }
 
-dsw_status dsw_scene_get_invalid_volumes(const dsw_scene* scene, const dsw_volume_id** volumes, size_t* count) {
-  return capi::guard(__func__, [&] { capi::hand_out(record_of(scene).invalid, volumes, count, "volumes"); });
+dsw_status dsw_environment_get_invalid_volumes(const dsw_environment* environment, const dsw_volume_id** volumes,
+                                               size_t* count) {
+  return capi::guard(__func__, [&] { capi::hand_out(record_of(environment).invalid, volumes, count, "volumes"); });
 }
 
 dsw_status dsw_environment_is_valid(const dsw_environment* environment, dsw_volume_id volume, int* valid) {

@@ -19,11 +19,11 @@ constexpr size_t first_size = 0;
   inline constexpr size_t first_size<type> = offsetof(type, last_member) + sizeof(type::last_member)
 DSW_FIRST_SIZE(dsw_context_desc, parallel_for);
 DSW_FIRST_SIZE(dsw_environment_desc, reserved);
-DSW_FIRST_SIZE(dsw_build_report, convex_cell_count);
+DSW_FIRST_SIZE(dsw_build_report, convex_volume_count);
 DSW_FIRST_SIZE(dsw_volumes_desc, reserved);
 DSW_FIRST_SIZE(dsw_environment_info, upper);
 DSW_FIRST_SIZE(dsw_cast_options, reserved);
-DSW_FIRST_SIZE(dsw_sweep_options, max_cells);
+DSW_FIRST_SIZE(dsw_sweep_options, max_volumes);
 DSW_FIRST_SIZE(dsw_scene_desc, features);
 DSW_FIRST_SIZE(dsw_statistics, candidates);
 DSW_FIRST_SIZE(dsw_body_desc, motion_share);
@@ -33,16 +33,17 @@ DSW_FIRST_SIZE(dsw_deform_options, min_part);
 DSW_FIRST_SIZE(dsw_cut_desc, snap);
 DSW_FIRST_SIZE(dsw_carve_desc, snap);
 DSW_FIRST_SIZE(dsw_tie_desc, snap);
-DSW_FIRST_SIZE(dsw_open_desc, tag);
+DSW_FIRST_SIZE(dsw_open_crack_desc, tag);
 DSW_FIRST_SIZE(dsw_detach_desc, max_volumes);
 DSW_FIRST_SIZE(dsw_remesh_desc, max_faces);
 DSW_FIRST_SIZE(dsw_coarsen_options, max_trials);
 DSW_FIRST_SIZE(dsw_coarsen_report, trials);
 DSW_FIRST_SIZE(dsw_recording_desc, user);
-DSW_FIRST_SIZE(dsw_replay_info, verdict);
-DSW_FIRST_SIZE(dsw_verdict, text);
-DSW_FIRST_SIZE(dsw_bundle_desc, note);
+DSW_FIRST_SIZE(dsw_replay_info, validation);
+DSW_FIRST_SIZE(dsw_validation, text);
+DSW_FIRST_SIZE(dsw_bug_report_desc, note);
 DSW_FIRST_SIZE(dsw_trace_data, triangle_count);
+DSW_FIRST_SIZE(dsw_change, body_face_count);
 #undef DSW_FIRST_SIZE
 
 /** No struct will ever be larger: what claims to be is garbage and must not be read. */

@@ -22,7 +22,7 @@ void check_numbers(const dsw_detach_desc& d) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->gap is %g, must be above 0 and at most 0.25, or 0", d.gap);
   }
   if (d.halvings > kMostHalvings) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->halvings is %u, must be %u at most", d.halvings, kMostHalvings);
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->halvings is %u, must be at most %u", d.halvings, kMostHalvings);
   }
 }
 
@@ -30,40 +30,28 @@ void check_numbers(const dsw_detach_desc& d) {
 
 void dsw_detach_desc_init(dsw_detach_desc* desc, size_t size) { capi::init_struct(desc, size, default_detachment()); }
 
-dsw_status dsw_scene_detach(dsw_scene* scene, const dsw_detach_desc* desc, dsw_body_id* body,
-                            dsw_detach_report* report) {
+dsw_status dsw_environment_detach(dsw_environment* environment, const dsw_detach_desc* desc, dsw_body_id* body,
+                                  dsw_change* change) {
   return capi::guard(__func__, [&] {
-    dsw_scene& handle = capi::check_handle(scene);
-    dsw_environment& home = *handle.environment;
-    capi::only_scene(home);
+    dsw_environment& home = capi::check_handle(environment);
+    dsw_scene* const scene = capi::only_scene(home);
+    if (scene == nullptr) fail(DSW_STATUS_NOT_FOUND, "the environment has no scene for the body");
     capi::require(body, "body");
+    if (change != nullptr) capi::check_size(change, "change");
     const dsw_detach_desc d = capi::read_required(desc, "desc");
     check_numbers(d);
     const dsw::SweepLevel level = capi::to_level(d.level, DSW_LEVEL_FACES, "desc->level");
+    dsw::Scene<3>& engine = capi::space(*scene);
     const dsw::BodyDescription like =
-        capi::to_description(capi::space(handle), {level, d.flags, d.motion_share, d.category, d.mask});
+        capi::to_description(engine, {level, d.flags, d.motion_share, d.category, d.mask});
     dsw::Environment<3>& env = capi::space(home);
     const dsw::Cell start = capi::to_cell(env.map, d.volume, {"desc->volume", false});
-    capi::Recorded call(scene, capi::row_of<dsw_scene_detach>, &d);
-    dsw::Detachment detachment(env, capi::space(handle), start, d.max_volumes == 0 ? SIZE_MAX : d.max_volumes);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_detach>, &d);
+    dsw::Detachment detachment(env, engine, start, d.max_volumes == 0 ? SIZE_MAX : d.max_volumes);
     const double gap = d.gap == 0 ? 0.01 : d.gap;
     const uint32_t halvings = d.halvings == 0 ? 32 : d.halvings;
-    const dsw_detach_report done = detachment.carry_out(like, gap, 2 * (2 * halvings + 1), body, handle.detached);
-    home.results.volumes.clear();
-    call.done(*body, done);
-    if (report != nullptr) *report = done;
+    *body = detachment.carry_out(like, gap, 2 * (2 * halvings + 1), home.results);
+    call.done(*body, home.results.numbers);
+    if (change != nullptr) capi::write_struct(change, home.results.change());
   });
-}
-
-dsw_status dsw_scene_get_detached_volumes(const dsw_scene* scene, const dsw_volume_id** volumes, size_t* count) {
-  return capi::lend(__func__, scene, &dsw::DetachResults::volumes, volumes, count, "volumes");
-}
-
-dsw_status dsw_scene_get_detached_vertices(const dsw_scene* scene, const dsw_detached_vertex** vertices,
-                                           size_t* count) {
-  return capi::lend(__func__, scene, &dsw::DetachResults::vertices, vertices, count, "vertices");
-}
-
-dsw_status dsw_scene_get_detached_faces(const dsw_scene* scene, const dsw_detached_face** faces, size_t* count) {
-  return capi::lend(__func__, scene, &dsw::DetachResults::faces, faces, count, "faces");
 }

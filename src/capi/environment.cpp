@@ -123,7 +123,7 @@ dsw_status dsw_environment_check(const dsw_environment* environment, dsw_build_r
   });
 }
 
-dsw_status dsw_environment_get_volume(const dsw_environment* environment, uint32_t index, dsw_volume_id* volume) {
+dsw_status dsw_environment_get_volume_id(const dsw_environment* environment, uint32_t index, dsw_volume_id* volume) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
     if (index >= map.index_count()) {
@@ -134,7 +134,7 @@ dsw_status dsw_environment_get_volume(const dsw_environment* environment, uint32
   });
 }
 
-dsw_status dsw_environment_get_vertex(const dsw_environment* environment, uint32_t index, dsw_vertex_id* vertex) {
+dsw_status dsw_environment_get_vertex_id(const dsw_environment* environment, uint32_t index, dsw_vertex_id* vertex) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
     if (index >= map.vertex_count) {
@@ -146,7 +146,7 @@ dsw_status dsw_environment_get_vertex(const dsw_environment* environment, uint32
   });
 }
 
-dsw_status dsw_environment_get_position(const dsw_environment* environment, dsw_vertex_id vertex, double* xyz) {
+dsw_status dsw_environment_get_vertex_position(const dsw_environment* environment, dsw_vertex_id vertex, double* xyz) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     capi::require(xyz, "xyz");
     const double* const point = env.point(capi::to_vertex(env.map, vertex, {"vertex", false}));
@@ -168,8 +168,8 @@ dsw_status dsw_environment_get_volume_counts(const dsw_environment* environment,
   });
 }
 
-dsw_status dsw_environment_get_volume_face(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
-                                           dsw_face_id* face) {
+dsw_status dsw_environment_get_face_id(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
+                                       dsw_face_id* face) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
@@ -197,8 +197,8 @@ dsw_status dsw_environment_get_centre(const dsw_environment* environment, dsw_vo
   });
 }
 
-dsw_status dsw_environment_get_volume_edge(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
-                                           dsw_edge_id* edge) {
+dsw_status dsw_environment_get_edge_id(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
+                                       dsw_edge_id* edge) {
   return capi::guard(__func__, [&] {
     const dsw::Map<3>& map = capi::space(capi::check_handle(environment)).map;
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});

@@ -18,9 +18,9 @@ constexpr size_t kMostPoints = kVertexMask;
 
 template <int D>
 void check_cells(const dsw_environment_desc& d) {
-  if (d.cell_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->cell_count is 0, must be at least 1");
-  if (d.cell_count > kMostPoints) {
-    fail(DSW_STATUS_TOO_LARGE, "desc->cell_count is %zu, must be at most %zu", d.cell_count, kMostPoints);
+  if (d.volume_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->volume_count is 0, must be at least 1");
+  if (d.volume_count > kMostPoints) {
+    fail(DSW_STATUS_TOO_LARGE, "desc->volume_count is %zu, must be at most %zu", d.volume_count, kMostPoints);
   }
   if (d.index_bytes != 0 && d.index_bytes != 4 && d.index_bytes != 8) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->index_bytes is %u, must be 0, 4 or 8", d.index_bytes);
@@ -63,8 +63,8 @@ bool is_planar(const dsw_environment_desc& d) {
 template <int D>
 MeshInput read_input(const dsw_environment_desc& d) {
   check_flags(d.flags,
-              DSW_ENVIRONMENT_BORROW_POINTS | DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_GRID |
-                  DSW_ENVIRONMENT_CHECK_BOUNDARY | DSW_ENVIRONMENT_NO_LOCATE_GRID,
+              DSW_ENVIRONMENT_BORROW_POINTS | DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_TREE |
+                  DSW_ENVIRONMENT_CHECK_BOUNDARY | DSW_ENVIRONMENT_NO_LOCATE_TREE,
               "desc->flags");
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
   check_points<D>(d);
@@ -77,7 +77,7 @@ MeshInput read_input(const dsw_environment_desc& d) {
   input.reorient = (d.flags & DSW_ENVIRONMENT_REORIENT) != 0;
   input.cell_types = d.cell_types;
   input.uniform_cell_type = d.uniform_cell_type;
-  input.cell_count = d.cell_count;
+  input.cell_count = d.volume_count;
   input.index_bytes = d.index_bytes == 0 ? 8 : d.index_bytes;
   input.offsets = d.offsets;
   input.connectivity = d.connectivity;
@@ -91,8 +91,8 @@ MeshInput read_input(const dsw_environment_desc& d) {
 }
 
 TreeUse tree_use(uint32_t flags) {
-  if ((flags & DSW_ENVIRONMENT_NO_LOCATE_GRID) != 0) return TreeUse::kLeftOut;
-  return (flags & DSW_ENVIRONMENT_LOCATE_GRID) != 0 ? TreeUse::kAtOnce : TreeUse::kAtNeed;
+  if ((flags & DSW_ENVIRONMENT_NO_LOCATE_TREE) != 0) return TreeUse::kLeftOut;
+  return (flags & DSW_ENVIRONMENT_LOCATE_TREE) != 0 ? TreeUse::kAtOnce : TreeUse::kAtNeed;
 }
 
 /** Fills the caller's report, whatever ended the work. */
@@ -124,7 +124,7 @@ class ReportWriter {
     std::copy(report_.offenders.index, report_.offenders.index + r.offender_count, r.offenders);
     r.reoriented_count = report_.reoriented_count;
     r.unused_point_count = report_.unused_point_count;
-    r.convex_cell_count = report_.convex_cell_count;
+    r.convex_volume_count = report_.convex_volume_count;
     r.part_count = part_count;
     r.boundary_face_count = boundary_face_count;
     write_struct(out_, r);
@@ -176,7 +176,7 @@ void check(const Environment<D>& env, dsw_build_report* report) {
     for_each_cell(map, [&](Cell c) {
       const CellState state = check_cell(env, c);
       if (state == CellState::kInverted || state == CellState::kInvalid) found.offenders.add(map.index(c));
-      if (state == CellState::kValidConvex) ++found.convex_cell_count;
+      if (state == CellState::kValidConvex) ++found.convex_volume_count;
     });
     if (found.offenders.count != 0) {
       fail(DSW_STATUS_INVALID_CELL, "cell %u is not valid", found.offenders.index[0]);

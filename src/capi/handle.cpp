@@ -23,9 +23,7 @@ dsw_environment::dsw_environment(dsw_context* owner, uint32_t dimension)
 
 template <int D>
 dsw_scene::dsw_scene(dsw_environment* home, const dsw::Environment<D>& env, dsw::SceneFeatures features)
-    : environment(home),
-      engine(std::in_place_type<dsw::Scene<D>>, env, env.memory, home->parallel, features),
-      detached(env.memory) {}
+    : environment(home), engine(std::in_place_type<dsw::Scene<D>>, env, env.memory, home->parallel, features) {}
 
 dsw_scene::~dsw_scene() { dsw::capi::end_recording(*this); }
 
@@ -86,7 +84,7 @@ uint32_t scene_count(const dsw_environment& environment) {
 dsw_scene* only_scene(const dsw_environment& environment) {
   const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
   if (environment.scene_count > 1) {
-    fail(DSW_STATUS_SHARED, "environment is shared by %u scenes and can't be changed", environment.scene_count);
+    fail(DSW_STATUS_SHARED, "environment is shared by %u scenes and cannot be changed", environment.scene_count);
   }
   return environment.first_scene;
 }

@@ -12,7 +12,6 @@
 #include "capi/guard.h"
 #include "dartsweep/scene.h"
 #include "scene/change.h"
-#include "scene/detachment.h"
 
 namespace dsw::capi {
 struct Recording;
@@ -56,7 +55,6 @@ struct dsw_scene {
   dsw_scene* previous = nullptr;              // of the same environment
   dsw_scene* next = nullptr;
   std::variant<dsw::Scene<3>, dsw::Scene<2>> engine;  // of the dimension of its environment
-  dsw::DetachResults detached;                        // of the last piece that came off
 
   /** `env` is that of `home`. */
   template <int D>

@@ -35,7 +35,7 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
       to_number(capi::raw_value(o.edge_response), DSW_RESPONSE_ADAPTIVE_SLIDE, "options->edge_response"));
   s.search = static_cast<dsw::Search>(to_number(capi::raw_value(o.search), DSW_SEARCH_BISECTION, "options->search"));
   if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
-  s.max_cells = o.max_cells;
+  s.max_volumes = o.max_volumes;
   if (o.bisection_depth > 52) {
     fail(DSW_STATUS_OUT_OF_RANGE, "options->bisection_depth is %u, must be 1 to 52, or 0", o.bisection_depth);
   }
@@ -67,7 +67,7 @@ dsw::MoveOrder to_order(const dsw::Scene<D>& scene, const dsw::Body<D>& body, co
   for (size_t i = 0; i < o.order_count; ++i) {
     const uint32_t v = o.order[i];
     if (!body.has_vertex(v)) fail(DSW_STATUS_OUT_OF_RANGE, "options->order[%zu] is %u, which names no vertex", i, v);
-    if (seen[v]) fail(DSW_STATUS_DUPLICATE_ID, "options->order[%zu] is %u, which stands twice", i, v);
+    if (seen[v]) fail(DSW_STATUS_DUPLICATE_ID, "options->order[%zu] is %u, which occurs twice", i, v);
     seen[v] = true;
   }
   return {o.order, o.order_count};
@@ -188,7 +188,7 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
     size_t needed = 0;
     for (size_t i = 0; i < count; ++i) {
       records.push_back(&check_body(s, bodies[i], {"bodies", true}, i));
-      if (seen[bodies[i].index]) fail(DSW_STATUS_DUPLICATE_ID, "bodies[%zu] stands twice", i);
+      if (seen[bodies[i].index]) fail(DSW_STATUS_DUPLICATE_ID, "bodies[%zu] occurs twice", i);
       seen[bodies[i].index] = true;
       needed += records[i]->body.vertices.size();
     }
@@ -229,7 +229,7 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
   });
 }
 
-dsw_status dsw_body_get_contacts(const dsw_scene* scene, dsw_body_id body, const dsw_contact** contacts,
+dsw_status dsw_body_get_contacts(const dsw_scene* scene, dsw_body_id body, const dsw_body_contact** contacts,
                                  size_t* count) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::hand_out(of.record.record.contacts, contacts, count, "contacts");
@@ -239,15 +239,16 @@ dsw_status dsw_body_get_contacts(const dsw_scene* scene, dsw_body_id body, const
 dsw_status dsw_body_get_contact_partners(const dsw_scene* scene, dsw_body_id body, const dsw_contact_partner** partners,
                                          size_t* count) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
-    capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
+    capi::check_enabled(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
     capi::hand_out(of.record.record.partners, partners, count, "partners");
   });
 }
 
-dsw_status dsw_body_get_contact_pasts(const dsw_scene* scene, dsw_body_id body, const dsw_contact_past** pasts,
-                                      size_t* count) {
-  return capi::guarded_body(__func__, scene, body,
-                            [&](const auto& of) { capi::hand_out(of.record.record.pasts, pasts, count, "pasts"); });
+dsw_status dsw_body_get_previous_contacts(const dsw_scene* scene, dsw_body_id body,
+                                          const dsw_previous_contact** previous, size_t* count) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    capi::hand_out(of.record.record.previous, previous, count, "previous");
+  });
 }
 
 dsw_status dsw_body_get_edits(const dsw_scene* scene, dsw_body_id body, const dsw_body_edit** edits, size_t* count) {

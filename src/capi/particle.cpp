@@ -13,7 +13,7 @@ namespace {
 /** A particle knows its volume, so DSW_CAST_START_KNOWN means nothing here. */
 dsw::FlightOptions to_flight_options(const dsw_cast_options* options) {
   const dsw::SegmentOptions o = capi::to_options(options);
-  return {o.max_cells, o.detail};
+  return {o.max_volumes, o.detail};
 }
 
 /** Where particles are. */
@@ -77,7 +77,8 @@ dsw_status dsw_scene_get_particle_ids(const dsw_scene* scene, dsw_particle_id* p
                              [&](auto& s) { capi::copy_ids(s.particles.size(), s.slots, particles, capacity, count); });
 }
 
-dsw_status dsw_particle_get(const dsw_scene* scene, dsw_particle_id particle, double* position, dsw_volume_id* volume) {
+dsw_status dsw_particle_get_position(const dsw_scene* scene, dsw_particle_id particle, double* position,
+                                     dsw_volume_id* volume) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     check_particle(s, particle);
@@ -87,8 +88,8 @@ dsw_status dsw_particle_get(const dsw_scene* scene, dsw_particle_id particle, do
   });
 }
 
-dsw_status dsw_scene_get_particles(const dsw_scene* scene, const dsw_particle_id* particles, size_t count,
-                                   double* positions, size_t stride_bytes, dsw_volume_id* volumes) {
+dsw_status dsw_scene_get_particle_positions(const dsw_scene* scene, const dsw_particle_id* particles, size_t count,
+                                            double* positions, size_t stride_bytes, dsw_volume_id* volumes) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     capi::require_array(particles, count, "particles");
@@ -151,7 +152,7 @@ dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** 
     capi::require(crossings, "crossings");
     capi::require(first, "first");
     capi::require(flight_count, "flight_count");
-    if (!s.features.crossings) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_CROSSINGS");
+    if (!s.features.crossings) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable DSW_FEATURE_CROSSINGS");
     *crossings = s.crossings.data();
     *first = s.crossing_first.data();
     *flight_count = s.crossing_first.size() - 1;

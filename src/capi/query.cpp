@@ -12,7 +12,7 @@ void dsw_cast_options_init(dsw_cast_options* options, size_t size) {
 }
 
 dsw_status dsw_environment_locate(const dsw_environment* environment, const double* point, dsw_volume_id hint,
-                                  dsw_volume_id* volume, dsw_place* place) {
+                                  dsw_volume_id* volume, dsw_location* place) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     capi::require(volume, "volume");
@@ -26,7 +26,7 @@ dsw_status dsw_environment_locate(const dsw_environment* environment, const doub
 
 dsw_status dsw_environment_locate_points(const dsw_environment* environment, const double* points, size_t count,
                                          size_t stride_bytes, const dsw_volume_id* hints, dsw_volume_id* volumes,
-                                         dsw_place* places) {
+                                         dsw_location* places) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     const dsw::PointArray array = capi::to_finite_points<D>(points, count, stride_bytes, "points");

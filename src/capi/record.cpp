@@ -46,10 +46,11 @@ uint64_t room_of(const dsw_scene& scene) {
                      [](const auto& env) -> uint64_t { return env.lent == nullptr ? 0 : env.point_room; });
 }
 
-template <class Saved>
-dsw::Array<uint8_t> saved_block(const Saved& saved) {
-  dsw::Array<uint8_t> block(snapshot_bytes(saved), 0, dsw::Allocator<uint8_t>(saved.memory));
-  save(saved, block.data());
+/** `format`: of a scene, where it is not today's. */
+template <class Saved, class... Format>
+dsw::Array<uint8_t> saved_block(const Saved& saved, Format... format) {
+  dsw::Array<uint8_t> block(snapshot_bytes(saved, format...), 0, dsw::Allocator<uint8_t>(saved.memory));
+  save(saved, block.data(), format...);
   return block;
 }
 
@@ -93,7 +94,7 @@ Recording::Recording(const Memory* memory, const dsw_recording_desc& desc)
   if (desc.path == nullptr) return;
   file = std::fopen(desc.path, "w+b");
   if (file == nullptr) {
-    fail(DSW_STATUS_WRITE_FAILED, "desc->path, %.200s, can't be written: %s", desc.path, std::strerror(errno));
+    fail(DSW_STATUS_WRITE_FAILED, "desc->path, %.200s, cannot be written: %s", desc.path, std::strerror(errno));
   }
   std::setvbuf(file, nullptr, _IONBF, 0);  // what was written is the system's at once
   write = write_to_file;
@@ -107,7 +108,7 @@ Recording::~Recording() {
 void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Owned<Recording>& made) {
   made.make(capi::memory_of(*scene.environment), desc);
   write_beginning(scene, *made.get());
-  if (!made.get()->writer.works()) fail(DSW_STATUS_WRITE_FAILED, "the beginning could not be written");
+  if (!made.get()->writer.works()) fail(DSW_STATUS_WRITE_FAILED, "the start of the recording was not written");
 }
 
 bool end_recording(dsw_scene& scene) noexcept {
@@ -119,9 +120,9 @@ bool end_recording(dsw_scene& scene) noexcept {
   return works;
 }
 
-uint64_t state_of(const dsw_scene& scene, bool with_environment) {
+uint64_t state_of(const dsw_scene& scene, bool with_environment, uint32_t format) {
   return visit(scene, [&](const auto& engine) {
-    const Array<uint8_t> block = saved_block(engine);
+    const Array<uint8_t> block = saved_block(engine, format);
     const uint64_t sum = checksum(0, block.data(), block.size());
     if (!with_environment) return sum;
     const Array<uint8_t> whole = saved_block(engine.env);
@@ -168,14 +169,18 @@ void Recorded::finish(bool failed, uint64_t digest) noexcept {
   now.made = true;
   now.failed = failed;
   now.digest = digest;
-  if (!failed && (wants_state || (scene.watch != nullptr && scene.watch->wants_state))) {
+  const auto take_state = [&](uint32_t format, CallResult& to) {
     try {
-      now.state = state_of(scene, with_environment_);
-      now.has_state = true;
+      to.state = state_of(scene, with_environment_, format);
+      to.has_state = true;
     } catch (...) {  // no memory: a call that is recorded without
     }
+  };
+  if (scene.watch != nullptr) {
+    scene.watch->last = now;
+    if (!failed && scene.watch->wants_state) take_state(scene.watch->format, scene.watch->last);
   }
-  if (scene.watch != nullptr) scene.watch->last = now;
+  if (!failed && wants_state) take_state(kSceneFormat, now);
   if (scene.recording == nullptr) return;
   RecordWriter& writer = scene.recording->writer;
   const uint64_t result[kMostResultWords] = {failed ? 1u : 0u, digest, now.state};
@@ -211,7 +216,7 @@ dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc*
 dsw_status dsw_scene_stop_recording(dsw_scene* scene) {
   return capi::guard(__func__, [&] {
     if (!capi::end_recording(capi::check_handle(scene))) {
-      fail(DSW_STATUS_WRITE_FAILED, "the recording ends early: something could not be written");
+      fail(DSW_STATUS_WRITE_FAILED, "the recording is incomplete: something was not written");
     }
   });
 }

@@ -9,6 +9,7 @@
 #include "capi/calls.h"
 #include "capi/convert.h"
 #include "record/record.h"
+#include "snapshot/scene_snapshot.h"
 
 namespace dsw::capi {
 
@@ -33,8 +34,9 @@ struct Recording {
 void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Owned<Recording>& made);
 /** Ends the recording of a scene, if it has one. False: not all of it was written. */
 bool end_recording(dsw_scene& scene) noexcept;
-/** Checksum of what is in a scene, and of its environment if asked for, as saved. Throws std::bad_alloc. */
-uint64_t state_of(const dsw_scene& scene, bool with_environment);
+/** Checksum of what is in a scene, and of its environment if asked for, as saved in a format of scenes. Throws
+ * std::bad_alloc. */
+uint64_t state_of(const dsw_scene& scene, bool with_environment, uint32_t format = kSceneFormat);
 
 /** What is told of the last call that changed a scene, to whom replays it. */
 struct CallResult {
@@ -44,6 +46,7 @@ struct CallResult {
 /** What a replay and its scene tell each other. */
 struct CallWatch {
   bool wants_state = false;
+  uint32_t format = kSceneFormat;  // of the recorded scene, so of the recorded states
   /** For how many vertices the recorded host's points had room, and those of the deformation that is being made; there
    * is memory for as many as have been needed. */
   uint64_t room = 0, offered = 0;

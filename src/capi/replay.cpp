@@ -95,6 +95,7 @@ void load_beginning(dsw_replay& replay) {
   capi::visit(*scene, [&](auto& engine) { load(engine, second.bytes, second.size); });
   replay.scene = scene.enter();
   replay.scene->watch = &replay.watch;
+  replay.watch.format = dsw::saved_version(second.bytes);
   if (lending[0] != 0) lend_points(replay, lending[1]);
 }
 
@@ -105,15 +106,15 @@ const char* read_note(const dsw::Entry& entry) {
   return reinterpret_cast<const char*>(entry.bytes);
 }
 
-void read_end_of_bundle(dsw_replay& replay, const dsw::Entry& entry) {
+void read_end_of_bug_report(dsw_replay& replay, const dsw::Entry& entry) {
   if (entry.kind == dsw::EntryKind::kNote) {
     replay.note = read_note(entry);
     return;
   }
   replay.words.resize(entry.size / sizeof(uint64_t));
   std::memcpy(replay.words.data(), entry.bytes, entry.size);
-  replay.verdict = capi::WordReader(replay.words).get_struct<dsw_verdict>();
-  replay.verdict->text[sizeof replay.verdict->text - 1] = 0;
+  replay.validation = capi::WordReader(replay.words).get_struct<dsw_validation>();
+  replay.validation->text[sizeof replay.validation->text - 1] = 0;
 }
 
 /** The result of a call, if there is one, and whether the call was then made again with more room. */
@@ -130,12 +131,15 @@ bool read_result(dsw::RecordReader& reader, capi::CallResult* result) {
   return true;
 }
 
-/** DSW_DIFFERS_... */
-uint32_t what_differs(const capi::CallResult& recorded, const capi::CallResult& now) {
+/** The first version that writes the results of today. */
+constexpr uint32_t kFirstComparable = 2000000;
+
+/** DSW_DIFFERS_... `maker`: the version that recorded. */
+uint32_t what_differs(const capi::CallResult& recorded, const capi::CallResult& now, uint32_t maker) {
   const bool failed = !now.made || now.failed;
   uint32_t differs = 0;
   if (failed != recorded.failed) return DSW_DIFFERS_STATUS;
-  if (!failed && now.digest != recorded.digest) differs |= DSW_DIFFERS_RESULTS;
+  if (!failed && maker >= kFirstComparable && now.digest != recorded.digest) differs |= DSW_DIFFERS_RESULTS;
   if (recorded.has_state && now.has_state && now.state != recorded.state) differs |= DSW_DIFFERS_STATE;
   return differs;
 }
@@ -206,8 +210,8 @@ bool read_next(dsw_replay& replay, std::optional<NextCall>& next) {
   for (;;) {
     RecordReader reader = replay.reader;
     if (!reader.next(&entry)) return false;
-    if (entry.kind == EntryKind::kNote || entry.kind == EntryKind::kVerdict) {
-      read_end_of_bundle(replay, entry);
+    if (entry.kind == EntryKind::kNote || entry.kind == EntryKind::kValidation) {
+      read_end_of_bug_report(replay, entry);
       replay.reader = reader;
       continue;
     }
@@ -265,9 +269,9 @@ void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* rep
     }
     make_room(replay);
   }
-  const uint32_t differs = next.is_finished ? what_differs(next.result, replay.watch.last) : 0;
+  const uint32_t differs = next.is_finished ? what_differs(next.result, replay.watch.last, replay.version) : 0;
   report->has_failed = next.result.failed ? 1u : 0u;
-  report->reserved = differs;
+  report->differs = differs;
   report->outcome = !next.is_finished ? DSW_REPLAY_UNFINISHED : differs == 0 ? DSW_REPLAY_SAME : DSW_REPLAY_DIFFERENT;
   replay.reader = next.after;
   ++replay.calls;
@@ -337,7 +341,7 @@ dsw_status dsw_replay_get_info(const dsw_replay* replay, dsw_replay_info* info) 
     capi::require(info, "info");
     capi::check_size(info, "info");
     capi::write_struct(info, dsw_replay_info{0, handle.flags, handle.version, 0, handle.calls, handle.reader.left(),
-                                             handle.note, handle.verdict ? &*handle.verdict : nullptr});
+                                             handle.note, handle.validation ? &*handle.validation : nullptr});
   });
 }
 

@@ -17,7 +17,7 @@ struct dsw_replay {
   uint64_t calls = 0;  // made so far
   uint32_t version = 0, flags = 0;
   const char* note = "";
-  std::optional<dsw_verdict> verdict;
+  std::optional<dsw_validation> validation;
   dsw::Array<uint64_t> words;             // the arguments of a call
   dsw::Array<dsw::Array<uint64_t>> kept;  // what they point at besides
   dsw::Array<double> points[2];           // lent to the environment in turn

@@ -10,7 +10,7 @@ namespace {
 
 template <int D>
 void require_statistics(const dsw::Scene<D>& scene) {
-  if (!scene.features.statistics) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_STATISTICS");
+  if (!scene.features.statistics) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable DSW_FEATURE_STATISTICS");
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ dsw_status dsw_scene_get_statistics(const dsw_scene* scene, dsw_statistics* stat
     capi::check_size(statistics, "statistics");
     dsw_statistics s{};
     s.casts = from.cast.casts;
-    s.cells_visited = from.cast.cells_visited;
+    s.volumes_visited = from.cast.volumes_visited;
     s.orientation_tests = from.cast.orientation_tests;
     s.exact_fallbacks = from.cast.exact_fallbacks;
     s.ties = from.cast.ties;
@@ -84,7 +84,6 @@ dsw_status dsw_scene_reset_statistics(dsw_scene* scene) {
 
 dsw_status dsw_scene_get_memory_bytes(const dsw_scene* scene, uint64_t* bytes) {
   return capi::guarded_visit(__func__, scene, [&](const auto& engine) {
-    capi::give<uint64_t>(bytes, "bytes",
-                         engine.memory_bytes() + scene->detached.memory_bytes() + sizeof *scene - sizeof engine);
+    capi::give<uint64_t>(bytes, "bytes", engine.memory_bytes() + sizeof *scene - sizeof engine);
   });
 }

@@ -13,8 +13,8 @@ namespace {
 template <int D>
 dsw::PointArray read_blade(const dsw_cut_desc& d) {
   if (d.rows < 2 || (D == 3 ? d.columns < 2 : d.columns != 1)) {
-    const char* const columns = D == 3 ? "2 at least" : "1 in the plane";
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be 2 at least and %s", d.rows,
+    const char* const columns = D == 3 ? "at least 2" : "1 in the plane";
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be at least 2 and %s", d.rows,
          d.columns, columns);
   }
   if (uint64_t{d.rows} * d.columns > dsw::kVertexMask) {
@@ -27,70 +27,67 @@ dsw::PointArray read_blade(const dsw_cut_desc& d) {
 }  // namespace
 
 void dsw_cut_desc_init(dsw_cut_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_cut_desc{}); }
-void dsw_open_desc_init(dsw_open_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_open_desc{}); }
+void dsw_open_crack_desc_init(dsw_open_crack_desc* desc, size_t size) {
+  capi::init_struct(desc, size, dsw_open_crack_desc{});
+}
 
-dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc* desc, dsw_cut_report* report) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
-    constexpr int D = capi::kDimension<decltype(change)>;
-    const dsw_cut_desc d = capi::read_required(desc, "desc");
-    capi::check_flags(d.flags, DSW_CUT_UNSEW, "desc->flags");
-    dsw::CutSettings settings;
-    settings.unsew = (d.flags & DSW_CUT_UNSEW) != 0;
-    settings.snap = capi::to_snap(d.snap);
-    const auto blade = dsw::Blade<D>::of_grid(change.memory(), read_blade<D>(d), d.rows, d.columns);
-    const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
-    change.record(capi::row_of<dsw_environment_cut>, &d);
-    change.tell(cut_along(change, blade, start, settings), report);
-  });
+dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc* desc, dsw_change* out) {
+  return capi::guarded_change(
+      __func__, environment,
+      [&](auto& change) {
+        constexpr int D = capi::kDimension<decltype(change)>;
+        const dsw_cut_desc d = capi::read_required(desc, "desc");
+        capi::check_flags(d.flags, DSW_CUT_UNSEW, "desc->flags");
+        dsw::CutSettings settings;
+        settings.unsew = (d.flags & DSW_CUT_UNSEW) != 0;
+        settings.snap = capi::to_snap(d.snap);
+        const auto blade = dsw::Blade<D>::of_grid(change.memory(), read_blade<D>(d), d.rows, d.columns);
+        const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
+        change.record(capi::row_of<dsw_environment_cut>, &d);
+        cut_along(change, blade, start, settings);
+        change.tell();
+      },
+      out);
 }
 
 dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_face_id* faces, const double* loads,
-                                      size_t count, double threshold, size_t* torn) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
-    capi::require_array(faces, count, "faces");
-    capi::require_array(loads, count, "loads");
-    if (std::isnan(threshold)) fail(DSW_STATUS_NON_FINITE, "threshold is not a number");
-    change.record(capi::row_of<dsw_environment_tear_faces>, faces, loads, count, threshold);
-    auto facets = change.template array<dsw::HalfFacet>(0);
-    for (size_t i = 0; i < count; ++i) {
-      const dsw::HalfFacet h = capi::to_half_facet(change.map(), faces[i], {"faces", true}, i);
-      if (std::isnan(loads[i])) fail(DSW_STATUS_NON_FINITE, "loads[%zu] is not a number", i);
-      if (loads[i] > threshold) facets.push_back(h);
-    }
-    const size_t parted = tear_facets(change, facets);
-    change.tell();
-    if (torn != nullptr) *torn = parted;
-  });
+                                      size_t count, double threshold, dsw_change* out) {
+  return capi::guarded_change(
+      __func__, environment,
+      [&](auto& change) {
+        capi::require_array(faces, count, "faces");
+        capi::require_array(loads, count, "loads");
+        if (std::isnan(threshold)) fail(DSW_STATUS_NON_FINITE, "threshold is not a number");
+        change.record(capi::row_of<dsw_environment_tear_faces>, faces, loads, count, threshold);
+        auto facets = change.template array<dsw::HalfFacet>(0);
+        for (size_t i = 0; i < count; ++i) {
+          const dsw::HalfFacet h = capi::to_half_facet(change.map(), faces[i], {"faces", true}, i);
+          if (std::isnan(loads[i])) fail(DSW_STATUS_NON_FINITE, "loads[%zu] is not a number", i);
+          if (loads[i] > threshold) facets.push_back(h);
+        }
+        tear_facets(change, facets);
+        change.tell();
+      },
+      out);
 }
 
-dsw_status dsw_environment_open(dsw_environment* environment, const dsw_open_desc* desc, dsw_open_report* report) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
-    const dsw_open_desc d = capi::read_required(desc, "desc");
-    capi::check_flags(d.flags, 0, "desc->flags");
-    if (!std::isfinite(d.width)) fail(DSW_STATUS_NON_FINITE, "desc->width is not finite");
-    if (!(d.width > 0)) fail(DSW_STATUS_OUT_OF_RANGE, "desc->width is %g, must be above 0", d.width);
-    capi::require_array(d.faces, d.face_count, "desc->faces");
-    change.record(capi::row_of<dsw_environment_open>, &d);
-    dsw::Crack<capi::kDimension<decltype(change)>> crack(change.env, d.region);
-    for (size_t i = 0; i < d.face_count; ++i) {
-      const dsw::HalfFacet front = capi::to_half_facet(change.map(), d.faces[i].front, {"desc->faces", true}, i);
-      crack.add(front, capi::to_half_facet(change.map(), d.faces[i].back, {"desc->faces", true}, i), i);
-    }
-    change.tell(open_crack(change, crack, {d.width, d.region, d.tag}), report);
-  });
-}
-
-dsw_status dsw_environment_get_cut_vertices(const dsw_environment* environment, const dsw_cut_vertex** vertices,
-                                            size_t* count) {
-  return capi::lend(__func__, environment, &dsw::ChangeResults::vertices, vertices, count, "vertices");
-}
-
-dsw_status dsw_environment_get_cut_faces(const dsw_environment* environment, const dsw_cut_face** faces,
-                                         size_t* count) {
-  return capi::lend(__func__, environment, &dsw::ChangeResults::faces, faces, count, "faces");
-}
-
-dsw_status dsw_environment_get_whole_volumes(const dsw_environment* environment, const dsw_volume_id** volumes,
-                                             size_t* count) {
-  return capi::lend(__func__, environment, &dsw::ChangeResults::whole, volumes, count, "volumes");
+dsw_status dsw_environment_open_crack(dsw_environment* environment, const dsw_open_crack_desc* desc, dsw_change* out) {
+  return capi::guarded_change(
+      __func__, environment,
+      [&](auto& change) {
+        const dsw_open_crack_desc d = capi::read_required(desc, "desc");
+        capi::check_flags(d.flags, 0, "desc->flags");
+        if (!std::isfinite(d.width)) fail(DSW_STATUS_NON_FINITE, "desc->width is not finite");
+        if (!(d.width > 0)) fail(DSW_STATUS_OUT_OF_RANGE, "desc->width is %g, must be above 0", d.width);
+        capi::require_array(d.faces, d.face_count, "desc->faces");
+        change.record(capi::row_of<dsw_environment_open_crack>, &d);
+        dsw::Crack<capi::kDimension<decltype(change)>> crack(change.env, d.region);
+        for (size_t i = 0; i < d.face_count; ++i) {
+          const dsw::HalfFacet front = capi::to_half_facet(change.map(), d.faces[i].front, {"desc->faces", true}, i);
+          crack.add(front, capi::to_half_facet(change.map(), d.faces[i].back, {"desc->faces", true}, i), i);
+        }
+        open_crack(change, crack, {d.width, d.region, d.tag});
+        change.tell();
+      },
+      out);
 }

@@ -18,7 +18,7 @@ dsw::SweepOptions to_options(const dsw_sweep_options* options) {
   if (options == nullptr) return {};
   const dsw_sweep_options o = capi::read_struct(options, "options");
   capi::check_flags(o.flags, DSW_SWEEP_START_KNOWN | DSW_SWEEP_START_FREE, "options->flags");
-  return {capi::to_level(o.level, DSW_LEVEL_EDGES_SWEPT, "options->level"), o.max_cells,
+  return {capi::to_level(o.level, DSW_LEVEL_EDGES_SWEPT, "options->level"), o.max_volumes,
           (o.flags & DSW_SWEEP_START_KNOWN) != 0, (o.flags & DSW_SWEEP_START_FREE) != 0};
 }
 

@@ -24,10 +24,10 @@ void check_arrays(const dsw_volumes_desc& d) {
   if (d.index_bytes != 0 && d.index_bytes != 4 && d.index_bytes != 8) {
     fail(DSW_STATUS_UNSUPPORTED, "desc->index_bytes is %u, must be 4 or 8", d.index_bytes);
   }
-  if (d.cell_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->cell_count is 0, must be at least 1");
-  if (d.cell_count > dsw::kVertexMask || d.point_count > dsw::kVertexMask) {
-    fail(DSW_STATUS_TOO_LARGE, "desc->cell_count is %zu and desc->point_count is %zu, must be below 2^28", d.cell_count,
-         d.point_count);
+  if (d.volume_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->volume_count is 0, must be at least 1");
+  if (d.volume_count > dsw::kVertexMask || d.point_count > dsw::kVertexMask) {
+    fail(DSW_STATUS_TOO_LARGE, "desc->volume_count is %zu and desc->point_count is %zu, must be below 2^28",
+         d.volume_count, d.point_count);
   }
   capi::require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
   const dsw::CellType type = dsw::cell_type<D>(d.uniform_cell_type);
@@ -60,12 +60,12 @@ dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_v
     const auto index_bytes = static_cast<uint32_t>(capi::index_bytes(d));
     auto& edit = change.begin(capi::row_of<dsw_environment_add_volumes>, &d);
     for (size_t i = 0; i < d.point_count; ++i) all.push_back(edit.add_vertex(points[i]));
-    const dsw::NewCells input{all.data(),  all.size(),   d.cell_types,   d.uniform_cell_type,  d.cell_count,
+    const dsw::NewCells input{all.data(),  all.size(),   d.cell_types,   d.uniform_cell_type,  d.volume_count,
                               index_bytes, d.offsets,    d.connectivity, d.connectivity_count, d.regions,
                               d.tags,      faces.data(), d.sew_count};
     add_cells(edit, input);
     change.carry_out();
-    for (size_t i = 0; volumes != nullptr && i < d.cell_count; ++i) volumes[i] = change.volume(i);
+    for (size_t i = 0; volumes != nullptr && i < d.volume_count; ++i) volumes[i] = change.volume(i);
     for (size_t i = 0; vertices != nullptr && i < d.point_count; ++i) {
       vertices[i] = capi::vertex_id(change.map(), all[d.vertex_count + i]);
     }
@@ -128,7 +128,7 @@ dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume
 dsw_status dsw_environment_merge_faces(dsw_environment* environment, dsw_edge_id edge, dsw_face_id* face) {
   return capi::guard(__func__, [&] {
     dsw_environment& handle = capi::check_handle(environment);
-    capi::Change<3> change(handle, with_edges(handle, "dsw_environment_merge_edges"));
+    capi::Change<3> change(handle, with_edges(handle, "dsw_environment_merge_edges"), nullptr);
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     const dsw::MergedFacet merged = merge_facets(change.begin(capi::row_of<dsw_environment_merge_faces>, edge), d);
     change.carry_out();
@@ -140,7 +140,7 @@ dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id 
                                       dsw_face_id* faces, dsw_edge_id* edge) {
   return capi::guard(__func__, [&] {
     dsw_environment& handle = capi::check_handle(environment);
-    capi::Change<3> change(handle, with_edges(handle, "dsw_environment_split_edge"));
+    capi::Change<3> change(handle, with_edges(handle, "dsw_environment_split_edge"), nullptr);
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
     const uint32_t from = capi::to_vertex(change.map(), a, {"a", false});
     const uint32_t to = capi::to_vertex(change.map(), b, {"b", false});
@@ -160,7 +160,8 @@ dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id 
   return capi::guarded_change(__func__, environment, [&](auto& change) {
     const auto& map = change.map();
     const dsw::Dart d = capi::to_dart(map, edge, {"edge", false});
-    if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must be above 0 and below 1", share);
+    if (!(share > 0 && share < 1))
+      fail(DSW_STATUS_OUT_OF_RANGE, "edge_parameter is %g, must be above 0 and below 1", share);
     const uint32_t ends[2] = {dart_vertex(map, d), dart_target(map, d)};
     const uint32_t middle = split_edge(change.begin(capi::row_of<dsw_environment_split_edge>, edge, share), d, share);
     change.carry_out();
@@ -193,7 +194,11 @@ dsw_status dsw_environment_collapse_edge(dsw_environment* environment, dsw_edge_
   });
 }
 
-dsw_status dsw_environment_get_volume_changes(const dsw_environment* environment, const dsw_volume_change** changes,
-                                              size_t* count) {
-  return capi::lend(__func__, environment, &dsw::ChangeResults::volumes, changes, count, "changes");
+dsw_status dsw_environment_get_change(const dsw_environment* environment, dsw_change* change) {
+  return capi::guard(__func__, [&] {
+    const dsw_change last = capi::check_handle(environment).results.change();
+    capi::require(change, "change");
+    capi::check_size(change, "change");
+    capi::write_struct(change, last);
+  });
 }

@@ -93,13 +93,13 @@ dsw_status dsw_trace_add_contact(dsw_trace* trace, const dsw_flight* flight, dou
     check_length(normal_length);
     if (flight->outcome == DSW_OUTCOME_CONTACT) {
       capi::check_point<3>(flight->position, "flight->position");
-      capi::check_point<3>(flight->normal, "flight->normal");
+      capi::check_point<3>(flight->contact.normal, "flight->normal");
     }
     add_contact(engine, *flight, normal_length, label);
   });
 }
 
-dsw_status dsw_trace_get(const dsw_trace* trace, dsw_trace_data* data) {
+dsw_status dsw_trace_get_data(const dsw_trace* trace, dsw_trace_data* data) {
   return capi::guard(__func__, [&] {
     const dsw::Trace& engine = capi::check_handle(trace).engine;
     capi::require(data, "data");

@@ -44,7 +44,8 @@ struct Touched {
 };
 
 /** Point, place along the edge and normal of an edge, or of a vertex alone, on an edge or a vertex in space. */
-Vec describe_edge(const PairContact<3>& met, const EdgeMotion& m, const Touched<3>& touched, dsw_contact& contact) {
+Vec describe_edge(const PairContact<3>& met, const EdgeMotion& m, const Touched<3>& touched,
+                  dsw_body_contact& contact) {
   const double *const a = touched.at[0], *const b = touched.at[1];
   const Vec move = difference<3>(m.to, m.p), edge = difference<3>(m.q, contact.position), other = difference<3>(b, a);
   if (met.place == TouchPlace::kInside) {
@@ -59,7 +60,8 @@ Vec describe_edge(const PairContact<3>& met, const EdgeMotion& m, const Touched<
 }
 
 /** The same in the plane. */
-Vec describe_edge(const PairContact<2>& met, const EdgeMotion& m, const Touched<2>& touched, dsw_contact& contact) {
+Vec describe_edge(const PairContact<2>& met, const EdgeMotion& m, const Touched<2>& touched,
+                  dsw_body_contact& contact) {
   if (met.edge == kNone) return normal_on<2>(orient<2>(touched.at, m.p), touched.at, difference<2>(m.to, m.p));
   std::copy_n(touched.at[0], 2, contact.point);
   return swing_normal(m, contact.position, touched.at[0]);
@@ -68,14 +70,14 @@ Vec describe_edge(const PairContact<2>& met, const EdgeMotion& m, const Touched<
 }  // namespace
 
 template <int D>
-dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
-                     const PairContact<D>& met) {
-  dsw_contact contact{};
+dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
+                          const PairContact<D>& met) {
+  dsw_body_contact contact{};
   const double* const from = body.position(v);
   std::copy_n(from, D, contact.from);
   std::copy_n(to, D, contact.to);
   contact.vertex = vertex_id(body, v);
-  contact.front = volume_id(env.map, body.vertices[v].cell);
+  contact.contact.front = volume_id(env.map, body.vertices[v].cell);
   contact.time = met.time;
   point_at<D>(from, to, met.time, contact.position);
   std::copy_n(contact.position, D, contact.point);
@@ -101,12 +103,12 @@ dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v,
       std::copy_n(q, D, contact.fixed[0]);
     }
     normal = describe_edge(met, {from, to, q}, touched, contact);
-    if (met.edge != kNone) contact.along = share_along<D>(contact.position, q, contact.point);
+    if (met.edge != kNone) contact.edge_parameter = share_along<D>(contact.position, q, contact.point);
   }
-  store<D>(normal + Vec::Zero(), contact.normal);  // never -0
-  contact.kind = met.part == PartKind::kVertex ? DSW_CONTACT_VERTEX
-                 : met.part == PartKind::kEdge ? DSW_CONTACT_EDGE
-                                               : DSW_CONTACT_PLANE;
+  store<D>(normal + Vec::Zero(), contact.contact.normal);  // never -0
+  contact.contact.kind = met.part == PartKind::kVertex ? DSW_CONTACT_VERTEX
+                         : met.part == PartKind::kEdge ? DSW_CONTACT_EDGE
+                                                       : DSW_CONTACT_PLANE;
   return contact;
 }
 
@@ -127,10 +129,10 @@ uint64_t part_key(const dsw_contact_partner& partner) noexcept {
   return uint64_t{3} << 32 | partner.face.index;
 }
 
-template dsw_contact describe(const Environment<2>& env, const Body<2>& body, uint32_t v, const double* to,
-                              const PairContact<2>& met);
-template dsw_contact describe(const Environment<3>& env, const Body<3>& body, uint32_t v, const double* to,
-                              const PairContact<3>& met);
+template dsw_body_contact describe(const Environment<2>& env, const Body<2>& body, uint32_t v, const double* to,
+                                   const PairContact<2>& met);
+template dsw_body_contact describe(const Environment<3>& env, const Body<3>& body, uint32_t v, const double* to,
+                                   const PairContact<3>& met);
 DSW_INSTANTIATE(partner_of);
 
 }  // namespace dsw

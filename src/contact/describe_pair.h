@@ -11,8 +11,8 @@ struct Environment;
 
 /** All but `distance_left` and `history` of the contact that vertex v met on its way to `to`. */
 template <int D>
-dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
-                     const PairContact<D>& met);
+dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
+                          const PairContact<D>& met);
 
 /** What was touched. */
 template <int D>

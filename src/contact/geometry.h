@@ -10,7 +10,7 @@ struct ContactGeometry {
   double position[3] = {};  // of the moving vertex
   double point[3] = {};     // of the touch
   double along = 0;         // on the touching edge: 0 the moving end, 1 the fixed one
-  double normal[3] = {};    // unit, out of the obstacle; see dsw_sweep and dsw_contact
+  double normal[3] = {};    // unit, out of the obstacle; see dsw_sweep and dsw_body_contact
 };
 
 /** Of a contact on the way of a vertex from p to `to`. */

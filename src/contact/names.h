@@ -50,4 +50,31 @@ dsw_cell_kind obstacle_kind(const Environment<D>& env, HalfFacet facet) noexcept
   return !env.map.opposite(facet).valid() || env.map.facet_marked(facet) ? DSW_CELL_FACE : DSW_CELL_VOLUME;
 }
 
+// What was touched, in a contact: first the wall, as it is seen from in front, then the part of it.
+
+template <int D>
+void name_wall(const Environment<D>& env, HalfFacet wall, dsw_contact& contact) noexcept {
+  const Map<D>& map = env.map;
+  const HalfFacet other = map.opposite(wall);
+  contact.kind = DSW_CONTACT_PLANE;
+  contact.wall = face_id(map, canonical(map, wall));
+  contact.obstacle = {DSW_CELL_FACE, contact.wall.volume, contact.wall.generation, contact.wall.local};
+  contact.front = volume_id(map, map.cell_of(wall));
+  contact.behind = volume_id(map, other.valid() ? map.cell_of(other) : Cell{});
+  contact.marked_kind = obstacle_kind(env, wall);
+  contact.tag = obstacle_tag(env, wall, map.cell_of(wall));
+}
+
+inline void name_edge(const Map<3>& map, Dart dart, dsw_contact& contact) noexcept {
+  const dsw_edge_id edge = edge_id(map, dart);
+  contact.kind = DSW_CONTACT_EDGE;
+  contact.obstacle = {DSW_CELL_EDGE, edge.volume, edge.generation, edge.local};
+}
+
+template <int D>
+void name_vertex(const Map<D>& map, uint32_t vertex, dsw_contact& contact) noexcept {
+  contact.kind = DSW_CONTACT_VERTEX;
+  contact.obstacle = {DSW_CELL_VERTEX, vertex, map.vertex_generation(vertex), 0};
+}
+
 }  // namespace dsw

@@ -2,39 +2,39 @@
 
 #include <algorithm>
 
-#include "cross_check/second_opinion.h"
+#include "cross_check/second_normal.h"
 
 namespace dsw {
 namespace {
 
-dsw_no_opinion to_reason(NoFeatures why) {
+dsw_no_cross_check to_reason(NoFeatures why) {
   switch (why) {
     case NoFeatures::kParallel:
-      return DSW_NO_OPINION_PARALLEL;
+      return DSW_NO_CROSS_CHECK_PARALLEL;
     case NoFeatures::kOutsideCone:
-      return DSW_NO_OPINION_OUTSIDE_CONE;
+      return DSW_NO_CROSS_CHECK_OUTSIDE_CONE;
     default:
-      return DSW_NO_OPINION_NOT_CONVERGED;
+      return DSW_NO_CROSS_CHECK_NOT_CONVERGED;
   }
 }
 
-dsw_opinion kind_asked(TouchKind kind) {
+dsw_cross_check_kind kind_asked(TouchKind kind) {
   switch (kind) {
     case TouchKind::kPoint:
-      return DSW_OPINION_PLANE;
+      return DSW_CROSS_CHECK_PLANE;
     case TouchKind::kCorner:
-      return DSW_OPINION_VERTEX;
+      return DSW_CROSS_CHECK_VERTEX;
     default:
-      return DSW_OPINION_EDGE;
+      return DSW_CROSS_CHECK_EDGE;
   }
 }
 
 }  // namespace
 
-dsw_contact_opinion opinion_on(const Environment<3>& env, const Touch& touch, bool has_wall) {
-  dsw_contact_opinion answer{};
+dsw_cross_check cross_check_of(const Environment<3>& env, const Touch& touch, bool has_wall) {
+  dsw_cross_check answer{};
   if (!has_wall) {
-    answer.reason = DSW_NO_OPINION_WIRE;
+    answer.reason = DSW_NO_CROSS_CHECK_MARKED;
     return answer;
   }
   Features features(env.memory);
@@ -43,16 +43,17 @@ dsw_contact_opinion opinion_on(const Environment<3>& env, const Touch& touch, bo
     answer.reason = to_reason(why);
     return answer;
   }
-  const SecondOpinion second = second_opinion(features, touch.normal);
-  if (second.verdict != Verdict::kGiven) {
-    answer.reason = second.verdict == Verdict::kNotUnique ? DSW_NO_OPINION_NOT_UNIQUE : DSW_NO_OPINION_NOT_CONVERGED;
+  const SecondNormal second = second_normal(features, touch.normal);
+  if (second.answer != Answer::kGiven) {
+    answer.reason =
+        second.answer == Answer::kNotUnique ? DSW_NO_CROSS_CHECK_NOT_UNIQUE : DSW_NO_CROSS_CHECK_NOT_CONVERGED;
     return answer;
   }
   std::copy_n(second.normal, 3, answer.normal);
   answer.depth = second.depth;
   answer.pushed_in = second.pushed_in;
   answer.angle_rad = second.angle;
-  answer.opinion = kind_asked(touch.kind);
+  answer.kind = kind_asked(touch.kind);
   return answer;
 }
 

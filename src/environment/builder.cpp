@@ -66,12 +66,12 @@ void validate(Environment<D>& env, BuildReport& report) {
       state = check_cell(env, c);
     }
     settle(c, state);
-    if (state == CellState::kValidConvex) ++report.convex_cell_count;
+    if (state == CellState::kValidConvex) ++report.convex_volume_count;
   }
   for (const Cell c : changed) {
     const bool was_convex = map.convex(c);
     const CellState state = check_cell(env, c);
-    if (was_convex != (state == CellState::kValidConvex)) report.convex_cell_count += was_convex ? ~0u : 1u;
+    if (was_convex != (state == CellState::kValidConvex)) report.convex_volume_count += was_convex ? ~0u : 1u;
     settle(c, state);
   }
   const auto raise = [&](Offenders& offenders, dsw_status status, const char* what) {

@@ -37,7 +37,7 @@ struct Offenders {
 
 struct BuildReport {
   Offenders offenders;
-  uint32_t reoriented_count = 0, unused_point_count = 0, convex_cell_count = 0;
+  uint32_t reoriented_count = 0, unused_point_count = 0, convex_volume_count = 0;
 };
 
 /** Fills an empty environment; throws Error (and leaves the environment useless) on the first kind of defect found,

@@ -87,7 +87,7 @@ class Reader {
   /** Types and extents of all entries: after this every access to connectivity is inside of it. */
   void scan_types() {
     if (in_.cell_count >= kMaxUnits)
-      fail(DSW_STATUS_TOO_LARGE, "cell_count is %zu, must be below 2^28", in_.cell_count);
+      fail(DSW_STATUS_TOO_LARGE, "volume_count is %zu, must be below 2^28", in_.cell_count);
     map_.cell_count = static_cast<uint32_t>(in_.cell_count);
     Offenders bad_type, bad_size;
     if (in_.offsets == nullptr) uniform_vertices_ = type_of(0).vertex_count;

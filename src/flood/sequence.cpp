@@ -183,10 +183,10 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
 template <int D>
 PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept {
   PathFacets passed;
-  if (path.end != CastEnd::kReached || path.cells_visited < 2 || path.cells_visited > 3) return passed;
+  if (path.end != CastEnd::kReached || path.volumes_visited < 2 || path.volumes_visited > 3) return passed;
   passed.facets[0] = map.half_facet(start, path.first_facet);
   passed.count = 1;
-  if (path.cells_visited == 2) return passed;
+  if (path.volumes_visited == 2) return passed;
   // Two tetrahedra have one facet in common; other cells may have several.
   if (D == 3 && (map.form(path.previous) != Form::kSimplex || map.form(path.cell) != Form::kSimplex)) return {};
   for (uint32_t f = 0, facets = map.facets_of(path.previous); f < facets; ++f) {

@@ -160,12 +160,12 @@ void SolidSweep<D>::clear() {
 }
 
 template <int D>
-SweepResult SolidSweep<D>::sweep(const SolidMotion<D>& m, Cell start, uint32_t max_cells, bool collect) {
+SweepResult SolidSweep<D>::sweep(const SolidMotion<D>& m, Cell start, uint32_t max_volumes, bool collect) {
   clear();
   collect_ = collect;
   const Solid solid(m);
   if (solid.turn == 0) return result_;
-  flood(start, max_cells, [&](Cell c) {
+  flood(start, max_volumes, [&](Cell c) {
     read_vertices(c, solid);
     look_at_inside_vertices(solid, c);
     enter_neighbours(solid, c);

@@ -13,7 +13,7 @@ enum class SweepEnd : uint32_t { kFree, kContact, kWorkLimit };
 struct SweepResult {
   SweepEnd end = SweepEnd::kFree;
   SweepContact contact;  // kContact: the first. kWorkLimit: nothing, even if contacts had been found: not all were
-  uint32_t cells_visited = 0;
+  uint32_t volumes_visited = 0;
 };
 
 /** Floods from the cell of p over all cells that what is swept meets without crossing anything impassable: what is
@@ -29,7 +29,7 @@ class SolidSweep {
    * plane what enters through p p' to the path of p: where they find nothing earlier, this is the first contact.
    * Nothing is found where p, p', q, r lie in one plane, or p, p', q in one line. With `collect`, all() has every
    * contact afterwards. Throws std::bad_alloc. O(cells met, and cells round the vertices inside). */
-  SweepResult sweep(const SolidMotion<D>& m, Cell start, uint32_t max_cells, bool collect = false);
+  SweepResult sweep(const SolidMotion<D>& m, Cell start, uint32_t max_volumes, bool collect = false);
 
   /** The cells met by the last sweep. */
   const CellQueue& cells() const { return cells_; }
@@ -65,15 +65,15 @@ class SolidSweep {
   }
   /** Calls look(cell) for each cell that is met, up to the work limit; look inserts more into cells_. */
   template <class Look>
-  void flood(Cell start, uint32_t max_cells, Look look) {
+  void flood(Cell start, uint32_t max_volumes, Look look) {
     cells_.insert(start);
     for (size_t i = 0; i < cells_.size(); ++i) {
-      if (max_cells != 0 && i == max_cells) {
+      if (max_volumes != 0 && i == max_volumes) {
         result_.end = SweepEnd::kWorkLimit;
         result_.contact = {};
         return;
       }
-      ++result_.cells_visited;
+      ++result_.volumes_visited;
       look(cells_[i]);
     }
   }

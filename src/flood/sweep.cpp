@@ -41,12 +41,12 @@ std::array<ptrdiff_t, 3> event_key(const Environment<3>& env, const SweepContact
 
 }  // namespace
 
-SweepResult SweepFlood<3>::sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect) {
+SweepResult SweepFlood<3>::sweep(const EdgeMotion& m, Cell start, uint32_t max_volumes, bool collect) {
   const SweptTriangle triangle(m);
   triangle_ = &triangle;
   clear();
   collect_ = collect;
-  flood(start, max_cells, [&](Cell c) {
+  flood(start, max_volumes, [&](Cell c) {
     if (!read_corners(c)) return;
     const Shape shape = map_.shape(c);
     look_at_facets(c, shape);

@@ -24,7 +24,7 @@ class SweepFlood<3> : public SolidSweep<3> {
 
   /** `start` contains m.p, and the edge p q is free. Nothing is found where p, p', q are collinear: the path of p is
    * the sweep then. With `collect`, all() has every contact afterwards. Throws std::bad_alloc. O(cells met). */
-  SweepResult sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect = false);
+  SweepResult sweep(const EdgeMotion& m, Cell start, uint32_t max_volumes, bool collect = false);
 
  private:
   bool read_corners(Cell c);

@@ -30,7 +30,7 @@ class Flood {
       heap_.pop_back();
       if (!see(c)) continue;
       --most;
-      ++result_.cells_visited;
+      ++result_.volumes_visited;
       visit(c);
     }
     return true;
@@ -132,7 +132,7 @@ bool find_nearest_far(const Environment<D>& env, const double* point, Cell start
     const CellTree<D>* tree = env.obstacles.find(env);
     if (tree == nullptr) {
       const bool is_done = flood.run(env.obstacles.patience(env));
-      env.obstacles.note_flood(env, result.cells_visited);
+      env.obstacles.note_flood(env, result.volumes_visited);
       if (is_done) return flood.finish();
       tree = env.obstacles.find(env);
     }
@@ -140,7 +140,7 @@ bool find_nearest_far(const Environment<D>& env, const double* point, Cell start
     const SearchEnd end =
         tree == nullptr ? SearchEnd::kUnknown : NearestSearch<D>(distances, *tree, point, start, radius).run(other);
     if (end != SearchEnd::kUnknown) {
-      other.cells_visited += result.cells_visited;
+      other.volumes_visited += result.volumes_visited;
       result = other;
       return end == SearchEnd::kFound;
     }

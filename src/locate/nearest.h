@@ -8,10 +8,10 @@ namespace dsw {
 
 struct NearestResult {
   double distance = 0;
-  double point[3] = {};        // of the obstacle; in the plane the third is 0, as below
-  double normal[3] = {};       // unit, towards the asked point; zero at distance 0
-  FeatureRef feature;          // canonical: facet, marked edge (in space) or marked vertex
-  uint32_t cells_visited = 0;  // how many cells were looked at; the tree looks at other ones than the flood
+  double point[3] = {};          // of the obstacle; in the plane the third is 0, as below
+  double normal[3] = {};         // unit, towards the asked point; zero at distance 0
+  FeatureRef feature;            // canonical: facet, marked edge (in space) or marked vertex
+  uint32_t volumes_visited = 0;  // how many cells were looked at; the tree looks at other ones than the flood
 };
 
 /** Whether something impassable that can be seen from `point`, in `start`, lies within `radius`. Cells are visited in

@@ -36,7 +36,7 @@ double NearestSearch<D>::reach() const {
 template <int D>
 SearchEnd NearestSearch<D>::run(NearestResult& result) {
   if (!gather()) return SearchEnd::kUnknown;
-  result.cells_visited = looked_.size();
+  result.volumes_visited = looked_.size();
   if (sights_.empty()) return SearchEnd::kNothing;
   if (!set_levels()) return SearchEnd::kUnknown;
   double end = HUGE_VAL;
@@ -44,7 +44,7 @@ SearchEnd NearestSearch<D>::run(NearestResult& result) {
   if (!(end <= reach()) || !take_lower(end) || !take_last(end) || best_ == nullptr) return SearchEnd::kUnknown;
   distances_.report(best_->distance, best_->at, result);
   result.feature = best_->feature;
-  result.cells_visited += step_count_;
+  result.volumes_visited += step_count_;
   return SearchEnd::kFound;
 }
 

@@ -12,17 +12,6 @@ void copy_point(const double* from, double* to) noexcept {
   for (int k = 0; k < D; ++k) to[k] = from[k];
 }
 
-template <int D>
-void report_obstacle(const Environment<D>& env, HalfFacet facet, Cell at, dsw_flight* flight) noexcept {
-  const HalfFacet other = env.map.opposite(facet);
-  const Cell behind = other.valid() ? env.map.cell_of(other) : Cell{};
-  flight->face = face_id(env.map, canonical(env.map, facet));
-  flight->behind = volume_id(env.map, behind);
-  flight->kind = DSW_CONTACT_PLANE;
-  flight->obstacle = obstacle_kind(env, facet);
-  flight->tag = obstacle_tag(env, facet, at);
-}
-
 dsw_outcome outcome_of(CastEnd end) noexcept {
   return end == CastEnd::kReached ? DSW_OUTCOME_REACHED
          : end == CastEnd::kHit   ? DSW_OUTCOME_CONTACT
@@ -36,18 +25,19 @@ void report_arrival(const Environment<D>& env, const CastRequest& request, const
                     dsw_flight* flight) noexcept {
   for (int k = 0; k < 3; ++k) {
     flight->position[k] = detail && k < D ? request.to[k] : 0;
-    flight->normal[k] = 0;
+    flight->contact.normal[k] = 0;
   }
   flight->time = detail ? 1 : 0;
   flight->volume = volume_id(env.map, result.cell);
-  flight->face = {0, 0, 0};
-  flight->behind = {0, 0};
+  flight->contact.obstacle = {DSW_CELL_NONE, 0, 0, 0};
+  flight->contact.wall = {0, 0, 0};
+  flight->contact.front = {0, 0};
+  flight->contact.behind = {0, 0};
   flight->outcome = DSW_OUTCOME_REACHED;
-  flight->kind = DSW_CONTACT_NONE;
-  flight->obstacle = DSW_CELL_NONE;
-  flight->tag = 0;
-  flight->cells_visited = result.cells_visited;
-  flight->reserved[0] = flight->reserved[1] = 0;
+  flight->contact.kind = DSW_CONTACT_NONE;
+  flight->contact.marked_kind = DSW_CELL_NONE;
+  flight->contact.tag = 0;
+  flight->volumes_visited = result.volumes_visited;
 }
 
 /** What is different for one that met something. */
@@ -55,8 +45,8 @@ template <int D>
 void report_hit(const Environment<D>& env, const CastRequest& request, const CastResult& result, const PlaneHit<D>& hit,
                 dsw_flight* flight) noexcept {
   flight->time = hit.time;
-  copy_point<D>(hit.normal, flight->normal);
-  report_obstacle(env, result.facet, result.cell, flight);
+  copy_point<D>(hit.normal, flight->contact.normal);
+  name_wall(env, result.facet, flight->contact);
   point_at<D>(request.from, request.to, flight->time, flight->position);
 }
 
@@ -131,10 +121,10 @@ void report_move(const Environment<D>& env, const MoveResult<D>& result, bool de
   flight->time = result.time;
   flight->volume = volume_id(env.map, result.cell);
   flight->outcome = result.work_limited ? DSW_OUTCOME_WORK_LIMIT : outcome_of(result.cast.end);
-  flight->cells_visited = result.cast.cells_visited;
+  flight->volumes_visited = result.cast.volumes_visited;
   if (!detail || flight->outcome != DSW_OUTCOME_CONTACT) return;
-  copy_point<D>(result.normal, flight->normal);
-  report_obstacle(env, result.cast.facet, result.cast.cell, flight);
+  copy_point<D>(result.normal, flight->contact.normal);
+  name_wall(env, result.cast.facet, flight->contact);
 }
 
 template <int D>

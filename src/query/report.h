@@ -17,7 +17,7 @@ inline void clear(dsw_flight* flight) noexcept {
   std::memcpy(reinterpret_cast<unsigned char*>(flight) + 56, &kZero, sizeof *flight - 56);
 }
 
-/** Report of a free cast from `request`. Without detail: outcome, volume and cells_visited only. */
+/** Report of a free cast from `request`. Without detail: outcome, volume and volumes_visited only. */
 template <int D>
 void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
                  dsw_flight* flight) noexcept;

@@ -21,7 +21,7 @@ void cast_range(const Environment<D>& env, Starts<D> starts, PointArray from, Po
       const Cell cell = starts.find(begin, from[begin]);
       if (is_passable(env, cell)) {
         reports[packet.count()] = flights + begin;
-        packet.add(env, cell, from[begin], to[begin]).max_cells = options.max_cells;
+        packet.add(env, cell, from[begin], to[begin]).max_volumes = options.max_volumes;
       } else {
         report_no_start(env, from[begin], cell, flights + begin);
       }
@@ -69,12 +69,12 @@ void cast_path(const Environment<D>& env, dsw_volume_id start, const double* fro
   request.from = from;
   request.to = to;
   request.start = Starts<D>(env, &start, options.start_known).find(0, from);
-  request.max_cells = options.max_cells;
+  request.max_volumes = options.max_volumes;
   *count = 0;
   if (!is_passable(env, request.start)) return report_no_start(env, from, request.start, flight);
   CastResult result = cast(env, request, nullptr);
   report_cast(env, request, result, options.detail, flight);
-  *count = result.cells_visited;
+  *count = result.volumes_visited;
   if (capacity < *count) return;
   // Cast again, now that the room is known to be enough: a buffer that is too small stays untouched.
   PathWriter<D> writer{&env, from, to, crossings};

@@ -9,7 +9,7 @@
 namespace dsw {
 
 struct SegmentOptions {
-  uint32_t max_cells = 0;
+  uint32_t max_volumes = 0;
   bool detail = true;
   bool start_known = false;  // starts contain their points; else they are hints
 };

@@ -6,7 +6,7 @@
 
 #include "base/batch.h"
 #include "base/dimensions.h"
-#include "contact/geometry.h"
+#include "contact/describe.h"
 #include "query/report.h"
 #include "query/starts.h"
 
@@ -18,28 +18,10 @@ void report_contact(const Environment<D>& env, const EdgeMotion& m, const SweepC
   const ContactGeometry geometry = contact_geometry(env, m.p, m.to, contact);
   sweep.outcome = DSW_OUTCOME_CONTACT;
   sweep.time = geometry.time;
-  sweep.along = geometry.along;
+  sweep.edge_parameter = geometry.along;
   std::copy_n(geometry.position, 3, sweep.position);
   std::copy_n(geometry.point, 3, sweep.point);
-  std::copy_n(geometry.normal, 3, sweep.normal);
-  sweep.front = volume_id(env.map, contact.front);
-  sweep.kind = DSW_CONTACT_PLANE;
-  sweep.obstacle = D == 2 ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
-  if (contact.facet.valid()) {
-    sweep.face = face_id(env.map, canonical(env.map, contact.facet));
-    sweep.obstacle = obstacle_kind(env, contact.facet);
-    const HalfFacet wall = seen_wall(env, contact, geometry.normal);
-    sweep.tag = obstacle_tag(env, wall, env.map.cell_of(wall));
-  }
-  if constexpr (D == 2) {
-    if (contact.vertex == kNoVertex) return;
-    sweep.kind = DSW_CONTACT_VERTEX;
-    sweep.edge = {contact.vertex, env.map.vertex_generation(contact.vertex), 0};
-  } else {
-    if (contact.dart == kNoFacet) return;
-    sweep.kind = DSW_CONTACT_EDGE;
-    sweep.edge = edge_id(env.map, {contact.front, contact.dart});
-  }
+  sweep.contact = contact_of(env, contact, geometry.normal);
 }
 
 /** The sweeps of one thread. */
@@ -69,7 +51,7 @@ class Sweeper {
       uint32_t left = 0;
       if (!work_left(sweep, left)) return;
       const SweepResult swept = flood_.sweep(m, start, left);
-      sweep.cells_visited += swept.cells_visited;
+      sweep.volumes_visited += swept.volumes_visited;
       if (swept.end == SweepEnd::kWorkLimit) {
         sweep.outcome = DSW_OUTCOME_WORK_LIMIT;
         return;
@@ -100,8 +82,8 @@ class Sweeper {
 
   /** How many cells may still be looked at; 0: as many as it takes. False, and the outcome is set, if none may. */
   bool work_left(dsw_sweep& sweep, uint32_t& left) const {
-    left = options_.max_cells == 0 ? 0 : options_.max_cells - sweep.cells_visited;
-    if (options_.max_cells == 0 || left != 0) return true;
+    left = options_.max_volumes == 0 ? 0 : options_.max_volumes - sweep.volumes_visited;
+    if (options_.max_volumes == 0 || left != 0) return true;
     sweep.outcome = DSW_OUTCOME_WORK_LIMIT;
     return false;
   }
@@ -112,7 +94,7 @@ class Sweeper {
     uint32_t left = 0;
     if (!work_left(sweep, left)) return result;
     result = cast(env_, from, to, start, left);
-    sweep.cells_visited += result.cells_visited;
+    sweep.volumes_visited += result.volumes_visited;
     if (result.end == CastEnd::kWorkLimit) sweep.outcome = DSW_OUTCOME_WORK_LIMIT;
     return result;
   }

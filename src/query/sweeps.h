@@ -11,7 +11,7 @@ namespace dsw {
 
 struct SweepOptions {
   SweepLevel level = SweepLevel::kEdgesSwept;
-  uint32_t max_cells = 0;
+  uint32_t max_volumes = 0;
   bool start_known = false;  // starts contain the moving ends; else they are hints
   bool start_free = false;   // the edges are free where they start
 };

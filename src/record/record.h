@@ -17,7 +17,7 @@ enum class EntryKind : uint32_t {
   kRepeated = 5,
   kMaker = 6,
   kNote = 7,
-  kVerdict = 8
+  kValidation = 8
 };
 
 /** Where bytes go. False: no more. */

@@ -30,7 +30,7 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     settings.edge = MoveSettings::slides(settings.edge) ? Response::kSlide : Response::kStop;
   }
   record.clear();
-  sweeps_.max_cells = settings.max_cells;
+  sweeps_.max_volumes = settings.max_volumes;
   start(body, targets, order);
   const bool edits = settings.may_edit();
   before_.assign(body.vertices.begin(), body.vertices.end());
@@ -70,7 +70,7 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
 template <int D>
 void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
   record.clear();
-  sweeps_.max_cells = 0;
+  sweeps_.max_volumes = 0;
   before_.assign(body.vertices.begin(), body.vertices.end());
   places_.resize(D * body.vertices.size());
   double fraction = 1;
@@ -91,7 +91,7 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
   record.moved = static_cast<uint32_t>(course_.order.size());
   record.stopped = record.fraction == 1 ? 0 : record.moved;
   record.sweeps = sweeps_.counts;
-  for (dsw_contact& contact : record.contacts) {
+  for (dsw_body_contact& contact : record.contacts) {
     contact.distance_left = length(difference<D>(contact.to, body.position(contact.vertex.index)));
   }
 }
@@ -131,7 +131,7 @@ void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to
   Cell cell;
   const bool any = sweeps_.find_first(body, v, to, &first, &cell) == SweepEnd::kContact;
   const bool any_pair = sweeps_.partners != nullptr && find_first_pair(*sweeps_.partners, body, v, to, &pair);
-  const dsw_contact contact = any ? describe(env_, body, v, to, first) : dsw_contact{};
+  const dsw_body_contact contact = any ? describe(env_, body, v, to, first) : dsw_body_contact{};
   if (any_pair && !(any && contact.time <= pair.time)) {
     record.add(describe(env_, body, v, to, pair), partner_of(pair));
   } else if (any) {

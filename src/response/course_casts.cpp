@@ -38,7 +38,7 @@ void CourseCasts<D>::cast_paths() {
   for (const uint32_t v : course_.order) {
     if (!course_.moves(v)) continue;
     vertices_[packet_.count()] = v;
-    packet_.add(env_, body.vertices[v].cell, body.position(v), course_.targets[v]).max_cells = sweeps_.max_cells;
+    packet_.add(env_, body.vertices[v].cell, body.position(v), course_.targets[v]).max_volumes = sweeps_.max_volumes;
     if (packet_.full()) run_paths();
   }
   run_paths();
@@ -51,7 +51,7 @@ void CourseCasts<D>::add_edge(uint32_t e, uint32_t v, const End& from, const End
   edges_[at] = e;
   CastRequest& request = packet_.add(env_, from.cell, from.position, to.position);
   request.end = to.cell;
-  request.max_cells = sweeps_.max_cells;
+  request.max_volumes = sweeps_.max_volumes;
   if (course_.body->keeps_sequences()) {
     if (writers_.size() == at) writers_.emplace_back(env_.memory);
     writers_[at].attach(env_, request);

@@ -63,7 +63,7 @@ bool EdgeSieve<D>::next() {
   if (skipping.by_environment && course_.body->level == SweepLevel::kEdges && !course_.body->keeps_sequences()) {
     drop_inside();
   }
-  if (skipping.by_clearance && sweeps_.max_cells == 0) drop_clear();
+  if (skipping.by_clearance && sweeps_.max_volumes == 0) drop_clear();
   if (may_skip_ && skipping.by_similar_motion) drop_similar();
   if (may_skip_ && skipping.back_edges) drop_back();
   return true;

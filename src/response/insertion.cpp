@@ -59,7 +59,7 @@ uint32_t insert_vertex(Body<D>& body, uint32_t edge, const double* point, Cell c
     edit->ends[1] = vertex_id(body, before.ends[1]);
     edit->edge = edge_id(body, edge);
     edit->rest = edge_id(body, rest);
-    edit->share = share;
+    edit->edge_parameter = share;
     edit->inserted = 1;
   }
   return middle;

@@ -16,7 +16,7 @@ struct MoveSettings {
   Response vertex = Response::kStop, edge = Response::kStop;
   Search search = Search::kExact;
   uint32_t bisection_depth = 20;
-  uint32_t max_cells = 0;
+  uint32_t max_volumes = 0;
   double min_part = 0.25, min_length = 0;
   double stand_off = 0;  // 0: 1e-9 of the cell in front; negative: none
   double noise_share = 0;
@@ -32,25 +32,25 @@ struct MoveSettings {
 
 /** What a move leaves for the host to read. */
 struct MoveRecord {
-  Array<dsw_contact> contacts;
-  Array<dsw_contact_partner> partners;  // of the contacts, if bodies meet each other
-  Array<dsw_contact_past> pasts;        // of the contacts: filled in when the move is done
+  Array<dsw_body_contact> contacts;
+  Array<dsw_contact_partner> partners;   // of the contacts, if bodies meet each other
+  Array<dsw_previous_contact> previous;  // of the contacts: filled in when the move is done
   bool keeps_partners = false;
   Array<dsw_body_edit> edits;
   double fraction = 1;
   uint32_t moved = 0, stopped = 0, limited = 0;
   SweepCounts sweeps;
 
-  explicit MoveRecord(const Memory* memory) : contacts(memory), partners(memory), pasts(memory), edits(memory) {}
-  void add(const dsw_contact& contact, const dsw_contact_partner& partner = {}) {
+  explicit MoveRecord(const Memory* memory) : contacts(memory), partners(memory), previous(memory), edits(memory) {}
+  void add(const dsw_body_contact& contact, const dsw_contact_partner& partner = {}) {
     contacts.push_back(contact);
-    pasts.emplace_back();
+    previous.emplace_back();
     if (keeps_partners) partners.push_back(partner);
   }
   void clear() {
     contacts.clear();
     partners.clear();
-    pasts.clear();
+    previous.clear();
     edits.clear();
     fraction = 1;
     moved = stopped = limited = 0;

@@ -46,7 +46,7 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
     }
     const double left = length(difference<D>(target, body_.position(v)));
     for (size_t i = first_contact; i < record_.contacts.size(); ++i) record_.contacts[i].distance_left = left;
-    const dsw_contact contact = record_.contacts[first_contact];
+    const dsw_body_contact contact = record_.contacts[first_contact];
     const bool of_vertex = contact.edge.generation == 0 && contact.face.generation == 0;
     const Response response = of_vertex ? settings_.vertex : settings_.edge;
     if (!of_vertex && settings_.may_insert() && insert(v, contact)) {
@@ -75,12 +75,12 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
     put_vertex(body_, v, to, cell);
     return true;
   }
-  const dsw_contact contact = record_contacts(v, to, end == SweepEnd::kContact ? &first : nullptr, pair);
+  const dsw_body_contact contact = record_contacts(v, to, end == SweepEnd::kContact ? &first : nullptr, pair);
   const auto is_free = [&](const double* candidate) { return sweeps_.is_free(body_, v, candidate, &cell); };
   double target[D], time = contact.time;
   std::copy_n(to, D, target);
   shorten<D>(at.position, target, &time, is_free);
-  const double lean = std::fabs(dot(to_vec<D>(contact.normal), difference<D>(target, at.position)));
+  const double lean = std::fabs(dot(to_vec<D>(contact.contact.normal), difference<D>(target, at.position)));
   const double back = stand_off(contact) / lean;
   if (back > 0)
     time = std::max(0.0, time - back);  // not a number: the way is longer than doubles go, and nothing is kept off
@@ -93,9 +93,9 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
 /** Of what is met of the environment, which may be null, and of other bodies. Returns the first. Notes what is under
  * the touching edge, if the response wants that. */
 template <int D>
-dsw_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const StarContact* first,
-                                           const PairContact<D>& pair) {
-  dsw_contact contact{}, of_pair{};
+dsw_body_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const StarContact* first,
+                                                const PairContact<D>& pair) {
+  dsw_body_contact contact{}, of_pair{};
   if (first != nullptr) contact = describe(env_, body_, v, to, *first);
   const bool pair_first = first == nullptr || pair.time < contact.time;
   if (pair_first) {
@@ -113,7 +113,7 @@ dsw_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const S
     inserts = inserts && (all[i].edge != kNone || all[i].face != kNone);  // from there on the vertex is stopped itself
     const bool is_under = inserts && all[i].edge == first->edge;
     if (!records && !is_under) continue;
-    const dsw_contact each = describe(env_, body_, v, to, all[i]);
+    const dsw_body_contact each = describe(env_, body_, v, to, all[i]);
     if (records) record_.add(each);
     if (is_under) under_.push_back(each);
   }
@@ -151,7 +151,7 @@ bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
     }
   }
   dsw_contact_partner partner{};
-  dsw_contact contact = describe_try(v, to, met_at, met, &partner);
+  dsw_body_contact contact = describe_try(v, to, met_at, met, &partner);
   contact.time = free;
   std::copy_n(free_at, D, contact.position);
   record_.add(contact, partner);
@@ -170,9 +170,9 @@ bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
 
 /** What the part of the way that ends at `met` touches, as far as the way to `to` is told of it. */
 template <int D>
-dsw_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
-                                        dsw_contact_partner* partner) {
-  dsw_contact contact;
+dsw_body_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
+                                             dsw_contact_partner* partner) {
+  dsw_body_contact contact;
   if (tried.of_partner) {
     PairContact<D> pair;
     find_first_pair(*sweeps_.partners, body_, v, met, &pair);
@@ -194,14 +194,14 @@ dsw_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const doub
 }
 
 template <int D>
-double VertexMove<D>::stand_off(const dsw_contact& contact) const {
+double VertexMove<D>::stand_off(const dsw_body_contact& contact) const {
   if (settings_.stand_off != 0) return std::max(0.0, settings_.stand_off);
-  return kStandOffShare * extent(env_, env_.map.cell(contact.front.index));
+  return kStandOffShare * extent(env_, env_.map.cell(contact.contact.front.index));
 }
 
 /** Whether the response puts vertices on this edge at all: HYBRID only once, as edges of new vertices are static. */
 template <int D>
-bool VertexMove<D>::may_split(uint32_t v, const dsw_contact& contact) const {
+bool VertexMove<D>::may_split(uint32_t v, const dsw_body_contact& contact) const {
   if (contact.edge.generation == 0) return false;
   if (settings_.edge != Response::kHybrid) return true;
   const uint32_t fixed = body_.edges[contact.edge.index].other(v);
@@ -213,7 +213,7 @@ bool VertexMove<D>::may_split(uint32_t v, const dsw_contact& contact) const {
  * that edge. Of these the one met first lies on the edge; for the others its parts are bent, in the order in which
  * obstacles are met. What that sweeps is free, or a vertex is left out. */
 template <int D>
-bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
+bool VertexMove<D>::insert(uint32_t v, const dsw_body_contact& contact) {
   if (!may_split(v, contact)) return false;
   const uint32_t fixed = body_.edges[contact.edge.index].other(v);
   const double size = length(difference<D>(body_.position(fixed), body_.position(v)));
@@ -221,16 +221,18 @@ bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
   parts.push_back({v, fixed, 0, 1});
   bool any = false;
   for (size_t i = 0; i <= under_.size(); ++i) {
-    const dsw_contact& at = i == 0 ? contact : under_[i - 1];
-    const auto holds = [&](const Part& part) { return part.from_share < at.along && at.along < part.to_share; };
+    const dsw_body_contact& at = i == 0 ? contact : under_[i - 1];
+    const auto holds = [&](const Part& part) {
+      return part.from_share < at.edge_parameter && at.edge_parameter < part.to_share;
+    };
     const auto part = std::find_if(parts.begin(), parts.end(), holds);
     if (part == parts.end()) continue;
     const uint32_t middle = put_on(*part, size, at, i == 0);
     if (middle == kNone) continue;
     any = true;
-    const Part rest{middle, part->to, at.along, part->to_share};
+    const Part rest{middle, part->to, at.edge_parameter, part->to_share};
     part->to = middle;
-    part->to_share = at.along;
+    part->to_share = at.edge_parameter;
     parts.push_back(rest);
   }
   return any;
@@ -238,8 +240,8 @@ bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
 
 /** Puts a vertex on a part of an edge of that length, if what remains of it keeps its share. Returns it, or kNone. */
 template <int D>
-uint32_t VertexMove<D>::put_on(const Part& part, double size, const dsw_contact& contact, bool on_edge) {
-  const double before = contact.along - part.from_share, behind = part.to_share - contact.along;
+uint32_t VertexMove<D>::put_on(const Part& part, double size, const dsw_body_contact& contact, bool on_edge) {
+  const double before = contact.edge_parameter - part.from_share, behind = part.to_share - contact.edge_parameter;
   if (record_.edits.size() - first_edit_ == kMostInsertions) return kNone;
   if (!(before >= settings_.min_part && behind >= settings_.min_part)) return kNone;
   if (!(size * std::min(before, behind) >= settings_.min_length)) return kNone;
@@ -247,7 +249,7 @@ uint32_t VertexMove<D>::put_on(const Part& part, double size, const dsw_contact&
   const double *p = body_.position(body_.edges[e].ends[0]), *q = body_.position(body_.edges[e].ends[1]);
   const double along = before / (part.to_share - part.from_share);
   const double share = body_.edges[e].ends[0] == part.from ? along : 1 - along;
-  const Vec normal = to_vec<D>(contact.normal);
+  const Vec normal = to_vec<D>(contact.contact.normal);
   double point[D], largest = 0;
   if (on_edge) {
     point_at<D>(p, q, share, point);
@@ -279,10 +281,10 @@ uint32_t VertexMove<D>::put_on(const Part& part, double size, const dsw_contact&
 
 /** The rest of the move without its part into the walls that are touched; false if nothing remains. */
 template <int D>
-bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& contact, Walls& walls,
+bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_body_contact& contact, Walls& walls,
                           double* to) const {
   const double* const at = body_.position(v);
-  const Vec normal = to_vec<D>(contact.normal);
+  const Vec normal = to_vec<D>(contact.contact.normal);
   Vec rest = difference<D>(target, at);
   const double into = dot(rest, normal);
   if (into < 0) rest -= into * normal;

@@ -26,27 +26,28 @@ class VertexMove {
 
   bool advance(uint32_t v, const double* to);
   bool advance_by_halving(uint32_t v, const double* to);
-  dsw_contact describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
-                           dsw_contact_partner* partner);
-  dsw_contact record_contacts(uint32_t v, const double* to, const StarContact* first, const PairContact<D>& pair);
-  double stand_off(const dsw_contact& contact) const;
-  bool insert(uint32_t v, const dsw_contact& contact);
-  bool may_split(uint32_t v, const dsw_contact& contact) const;
+  dsw_body_contact describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
+                                dsw_contact_partner* partner);
+  dsw_body_contact record_contacts(uint32_t v, const double* to, const StarContact* first, const PairContact<D>& pair);
+  double stand_off(const dsw_body_contact& contact) const;
+  bool insert(uint32_t v, const dsw_body_contact& contact);
+  bool may_split(uint32_t v, const dsw_body_contact& contact) const;
   /** A place for a vertex on the part of an edge between two shares of its length, counted from the moving end. */
   struct Part {
     uint32_t from, to;  // vertices
     double from_share, to_share;
   };
-  uint32_t put_on(const Part& part, double length, const dsw_contact& contact, bool on_edge);
-  bool slide(uint32_t v, const double* target, const dsw_contact& contact, Walls& walls, double* to) const;
+  uint32_t put_on(const Part& part, double length, const dsw_body_contact& contact, bool on_edge);
+  bool slide(uint32_t v, const double* target, const dsw_body_contact& contact, Walls& walls, double* to) const;
 
   const Environment<D>& env_;
   Body<D>& body_;
   const MoveSettings& settings_;
   StarSweep<D>& sweeps_;
   MoveRecord& record_;
-  size_t first_edit_ = 0;                  // of this vertex
-  Array<dsw_contact> under_{env_.memory};  // the touching edge, behind the first contact; if vertices are put there
+  size_t first_edit_ = 0;  // of this vertex
+  Array<dsw_body_contact> under_{
+      env_.memory};  // the touching edge, behind the first contact; if vertices are put there
 };
 
 }  // namespace dsw

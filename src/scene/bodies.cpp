@@ -25,9 +25,9 @@ void add_edges(Body<D>& body, const BodyDescription& d) {
     const uint32_t a = d.edges[2 * i], b = d.edges[2 * i + 1];
     check_corner(d, a, "edges", 2 * i);
     check_corner(d, b, "edges", 2 * i + 1);
-    if (a == b) fail(DSW_STATUS_BAD_CELL, "edge %zu joins vertex %u with itself", i, a);
+    if (a == b) fail(DSW_STATUS_REPEATED_VERTEX, "edge %zu joins vertex %u with itself", i, a);
     if (find_edge(body, a, b) != kNone) {
-      fail(DSW_STATUS_DUPLICATE_CELL, "edge %zu between vertices %u and %u occurs twice", i, a, b);
+      fail(DSW_STATUS_DUPLICATE_PART, "edge %zu between vertices %u and %u occurs twice", i, a, b);
     }
     add_edge(body, a, b);
   }
@@ -36,7 +36,7 @@ void add_edges(Body<D>& body, const BodyDescription& d) {
 template <int D>
 void add_triangle(Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c) {
   if (a == b || b == c || c == a) {
-    fail(DSW_STATUS_BAD_CELL, "face %zu has the triangle (%u, %u, %u), which names a vertex twice", face, a, b, c);
+    fail(DSW_STATUS_REPEATED_VERTEX, "face %zu has the triangle (%u, %u, %u), which names a vertex twice", face, a, b, c);
   }
   check_face(body, face, a, b, c);
   add_face(body, a, b, c);
@@ -49,7 +49,7 @@ void check_closed(const Body<3>& body) {
          "DSW_BODY_SKIP_BACK_EDGES is for closed surfaces: an edge does not have two faces, or a vertex has none");
   }
   if (!is_turned_outwards(body)) {
-    fail(DSW_STATUS_INVERTED_CELL,
+    fail(DSW_STATUS_NOT_ORIENTED,
          "DSW_BODY_SKIP_BACK_EDGES: the volume that the faces hold is not positive; corners must be counter-clockwise "
          "seen from outside");
   }
@@ -78,7 +78,7 @@ void add_faces(Body<D>& body, const BodyDescription& d) {
   }
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (is_one_fan(body, v)) continue;
-    fail(DSW_STATUS_SHARED_FACE, "the triangles at vertex %u form more than one fan", v);
+    fail(DSW_STATUS_NOT_MANIFOLD, "the triangles at vertex %u form more than one fan", v);
   }
 }
 
@@ -90,12 +90,12 @@ void check_face(const Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32
     case FaceDefect::kFine:
       return;
     case FaceDefect::kRepeated:
-      fail(DSW_STATUS_DUPLICATE_CELL, "face %zu: the triangle (%u, %u, %u) occurs twice", face, a, b, c);
+      fail(DSW_STATUS_DUPLICATE_PART, "face %zu: the triangle (%u, %u, %u) occurs twice", face, a, b, c);
     case FaceDefect::kThirdFace:
-      fail(DSW_STATUS_SHARED_FACE, "face %zu: an edge of triangle (%u, %u, %u) has two triangles already", face, a, b,
+      fail(DSW_STATUS_NOT_MANIFOLD, "face %zu: an edge of triangle (%u, %u, %u) has two triangles already", face, a, b,
            c);
     case FaceDefect::kTurned:
-      fail(DSW_STATUS_INVERTED_CELL, "face %zu: triangle (%u, %u, %u) is turned against a neighbour", face, a, b, c);
+      fail(DSW_STATUS_NOT_ORIENTED, "face %zu: triangle (%u, %u, %u) is turned against a neighbour", face, a, b, c);
   }
 }
 

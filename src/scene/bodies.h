@@ -24,8 +24,8 @@ struct BodyRecord {
       : body(memory), record(memory), next(memory), before(memory), touches(memory) {}
   uint64_t memory_bytes() const {
     return body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.partners) +
-           array_bytes(record.pasts) + array_bytes(record.edits) + array_bytes(next.contacts) +
-           array_bytes(next.partners) + array_bytes(next.pasts) + array_bytes(next.edits) + array_bytes(before) +
+           array_bytes(record.previous) + array_bytes(record.edits) + array_bytes(next.contacts) +
+           array_bytes(next.partners) + array_bytes(next.previous) + array_bytes(next.edits) + array_bytes(before) +
            touches.memory_bytes();
   }
 };

@@ -67,9 +67,9 @@ uint32_t add_body_vertex(Scene<D>& scene, BodyRecord<D>& of, const double* posit
 
 template <int D>
 uint32_t add_body_edge(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b) {
-  if (a == b) fail(DSW_STATUS_BAD_CELL, "an edge from vertex %u to itself", a);
+  if (a == b) fail(DSW_STATUS_REPEATED_VERTEX, "an edge from vertex %u to itself", a);
   if (find_edge(body, a, b) != kNone) {
-    fail(DSW_STATUS_DUPLICATE_CELL, "vertices %u and %u are joined already", a, b);
+    fail(DSW_STATUS_DUPLICATE_PART, "vertices %u and %u are joined already", a, b);
   }
   check_edge_free(scene.env, body, a, b);
   Neighbours<D>(scene, body).check_edge(a, b);
@@ -79,10 +79,10 @@ uint32_t add_body_edge(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b) {
 
 template <int D>
 uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, uint32_t c) {
-  if (a == b || b == c || c == a) fail(DSW_STATUS_BAD_CELL, "triangle (%u, %u, %u) names a vertex twice", a, b, c);
+  if (a == b || b == c || c == a) fail(DSW_STATUS_REPEATED_VERTEX, "triangle (%u, %u, %u) names a vertex twice", a, b, c);
   check_face(body, body.faces.size(), a, b, c);
   if (starts_fan(body, a, b, c)) {
-    fail(DSW_STATUS_SHARED_FACE, "triangle (%u, %u, %u) shares only a vertex with the others", a, b, c);
+    fail(DSW_STATUS_NOT_MANIFOLD, "triangle (%u, %u, %u) shares only a vertex with the others", a, b, c);
   }
   const uint32_t corners[3] = {a, b, c};
   const Neighbours<D> neighbours(scene, body);
@@ -127,7 +127,7 @@ void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint3
   Body<D>& body = of.body;
   follow_changes(scene, of);
   if (!can_collapse(body, edge, vertex)) {
-    fail(DSW_STATUS_BAD_CELL, "merging vertex %u into %u would leave no manifold", vertex,
+    fail(DSW_STATUS_NOT_MANIFOLD, "merging vertex %u into %u would leave no manifold", vertex,
          body.edges[edge].other(vertex));
   }
   const Neighbours<D> neighbours(scene, body);

@@ -6,23 +6,42 @@ namespace dsw {
 namespace {
 
 template <int D>
-void name_cells(const Map<D>& map, const Array<Cell>* cells, Array<dsw_volume_id>& ids, Array<dsw_volume_id>& out) {
-  if (cells == nullptr) return;
-  for (const Cell c : *cells) ids.push_back(volume_id(map, c));
-  out.swap(ids);
+void name_cells(const Map<D>& map, const Array<Cell>* cells, Array<dsw_volume_id>& ids) noexcept {
+  for (size_t i = 0; cells != nullptr && i < cells->size(); ++i) ids.push_back(volume_id(map, (*cells)[i]));
 }
 
 }  // namespace
 
+dsw_change ChangeResults::change() const noexcept {
+  dsw_change all = numbers;
+  all.struct_size = sizeof all;
+  const auto give = [](const auto& from, auto*& items, size_t& count) {
+    items = from.data();
+    count = from.size();
+  };
+  give(volumes, all.volumes, all.volume_count);
+  give(vertices, all.vertices, all.vertex_count);
+  give(faces, all.faces, all.face_count);
+  give(whole, all.whole, all.whole_count);
+  give(carved, all.carved, all.carved_count);
+  give(unrepaired, all.unrepaired, all.unrepaired_count);
+  give(detached, all.detached, all.detached_count);
+  give(body_vertices, all.body_vertices, all.body_vertex_count);
+  give(body_faces, all.body_faces, all.body_face_count);
+  return all;
+}
+
 uint64_t ChangeResults::memory_bytes() const noexcept {
-  return array_bytes(volumes) + array_bytes(vertices) + array_bytes(faces) + array_bytes(whole) + array_bytes(carved) +
-         array_bytes(unmended);
+  return array_bytes(volumes) + array_bytes(vertices) + array_bytes(body_vertices) + array_bytes(faces) +
+         array_bytes(whole) + array_bytes(carved) + array_bytes(unrepaired) + array_bytes(detached) +
+         array_bytes(body_faces);
 }
 
 template <int D>
 bool Site<D>::change(Edit<D>& edit, const Told& told, const Meanwhile* meanwhile) const {
   const Map<D>& map = env.map;
   ChangeResults next(env.memory);
+  next.numbers = told.numbers;
   next.volumes.reserve(edit.most_changes());
   if (told.faces != nullptr) next.faces.reserve(told.faces->size());
   if (told.whole != nullptr) next.whole.reserve(told.whole->size());
@@ -38,23 +57,20 @@ bool Site<D>::change(Edit<D>& edit, const Told& told, const Meanwhile* meanwhile
     edit.apply();
     edit.finish();
   } else if (!carry_out_prepared(edit, *scene, meanwhile)) {
-    results.volumes.clear();
+    results = ChangeResults(env.memory);
     return false;
   }
   for (const VolumeChange& c : edit.changes()) {
     next.volumes.push_back({{c.before.index, c.before.generation}, {c.after.index, c.after.generation}});
   }
-  results.volumes.swap(next.volumes);
-  if (told.faces != nullptr) {
-    for (const CutFace& f : *told.faces) next.faces.push_back({face_id(map, f.front), face_id(map, f.back)});
-    results.faces.swap(next.faces);
+  for (size_t i = 0; told.faces != nullptr && i < told.faces->size(); ++i) {
+    const CutFace& f = (*told.faces)[i];
+    next.faces.push_back({face_id(map, f.front), face_id(map, f.back)});
   }
-  if (told.vertices != nullptr) {
-    for (dsw_cut_vertex& v : next.vertices) v.vertex.generation = map.vertex_generation(v.vertex.index);
-    results.vertices.swap(next.vertices);
-  }
-  name_cells(map, told.whole, next.whole, results.whole);
-  name_cells(map, told.carved, next.carved, results.carved);
+  for (dsw_vertex_origin& v : next.vertices) v.vertex.generation = map.vertex_generation(v.vertex.index);
+  name_cells(map, told.whole, next.whole);
+  name_cells(map, told.carved, next.carved);
+  results = std::move(next);
   return true;
 }
 

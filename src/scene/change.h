@@ -2,30 +2,38 @@
 // What a change of the topology leaves for the host to read, whatever made the change.
 
 #include "cutting/cut.h"
-#include "dartsweep/carve.h"
+#include "dartsweep/topology.h"
 #include "scene/edits.h"
 
 namespace dsw {
 
-/** Of the last change that has such results. */
+/** The last change. */
 struct ChangeResults {
+  dsw_change numbers{};  // without its arrays
   Array<dsw_volume_change> volumes;
-  Array<dsw_cut_vertex> vertices;
+  Array<dsw_vertex_origin> vertices, body_vertices;
   Array<dsw_cut_face> faces;
-  Array<dsw_volume_id> whole, carved, unmended;
+  Array<dsw_volume_id> whole, carved, unrepaired, detached;
+  Array<dsw_face_origin> body_faces;
 
   explicit ChangeResults(const Memory* memory)
-      : volumes(Allocator<dsw_volume_change>(memory)),
-        vertices(Allocator<dsw_cut_vertex>(memory)),
-        faces(Allocator<dsw_cut_face>(memory)),
-        whole(Allocator<dsw_volume_id>(memory)),
-        carved(Allocator<dsw_volume_id>(memory)),
-        unmended(Allocator<dsw_volume_id>(memory)) {}
+      : volumes(memory),
+        vertices(memory),
+        body_vertices(memory),
+        faces(memory),
+        whole(memory),
+        carved(memory),
+        unrepaired(memory),
+        detached(memory),
+        body_faces(memory) {}
+  /** As the host reads it. */
+  dsw_change change() const noexcept;
   uint64_t memory_bytes() const noexcept;
 };
 
-/** What is told of a change besides its volumes. Of what is null the results keep what they have. */
+/** What is told of a change besides its volumes. */
 struct Told {
+  dsw_change numbers{};  // without arrays
   const Array<NewVertex>* vertices = nullptr;
   const Array<CutFace>* faces = nullptr;
   const Array<Cell>*whole = nullptr, *carved = nullptr;
@@ -38,8 +46,8 @@ struct Site {
   Scene<D>* scene;
   ChangeResults& results;
 
-  /** Carries out an edit that is prepared, as edits.h says, and tells of it. Returns whether the change stays. Throws
-   * as carry_out_prepared and std::bad_alloc: then the results are as before. */
+  /** Carries out an edit that is prepared, as edits.h says, and tells of it. Returns whether the change stays; if not,
+   * the results are empty. Throws as carry_out_prepared and std::bad_alloc: then the results are as before. */
   bool change(Edit<D>& edit, const Told& told, const Meanwhile* meanwhile = nullptr) const;
 };
 

@@ -89,7 +89,7 @@ void renew_ids(Deformation<3>& deformation) noexcept {
   const Map<3>& map = deformation.env.map;
   for (dsw_volume_id& id : deformation.record.invalid) id.generation = map.cell_slots.generation(id.index);
   for (dsw_wall_contact& contact : deformation.record.contacts) {
-    dsw_face_id& wall = contact.wall;
+    dsw_face_id& wall = contact.contact.wall;
     if (wall.generation != 0) wall.generation = map.cell_slots.generation(wall.volume);
   }
 }

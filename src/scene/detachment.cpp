@@ -25,12 +25,12 @@ Detachment::Detachment(Environment<3>& env, Scene<3>& scene, Cell start, size_t 
       cells_(surface_.vertices.size(), Cell{}, env.memory),
       made_(env.memory) {}
 
-dsw_detach_report Detachment::carry_out(const BodyDescription& like, double share, uint32_t attempts, dsw_body_id* body,
-                                        DetachResults& results) {
-  DetachResults next(env_.memory);
-  next.volumes.reserve(piece_.size());
-  next.vertices.reserve(surface_.vertices.size());
-  next.faces.reserve(surface_.triangles.size());
+dsw_body_id Detachment::carry_out(const BodyDescription& like, double share, uint32_t attempts,
+                                  ChangeResults& results) {
+  ChangeResults next(env_.memory);
+  next.detached.reserve(piece_.size());
+  next.body_vertices.reserve(surface_.vertices.size());
+  next.body_faces.reserve(surface_.triangles.size());
   share_ = share;
   attempts_ = attempts;
   scene_.offending.clear();
@@ -44,29 +44,24 @@ dsw_detach_report Detachment::carry_out(const BodyDescription& like, double shar
   const Meanwhile meanwhile{enter, this};
   carry_out_prepared(edit_, scene_, &meanwhile);
   tell(next);
-  std::swap(results, next);
-  *body = id_;
-  const auto count = [](const auto& all) { return static_cast<uint32_t>(all.size()); };
-  return {measure(),
-          count(results.volumes),
-          count(results.vertices),
-          count(results.faces),
-          count(piece_.cracks()),
-          count_unsewn(),
-          0};
+  results = std::move(next);
+  return id_;
 }
 
 /** There is room. */
-void Detachment::tell(DetachResults& results) const {
+void Detachment::tell(ChangeResults& results) const {
   const Map<3>& map = env_.map;
+  results.numbers.distance = measure();
+  results.numbers.faces_sewn = static_cast<uint32_t>(piece_.cracks().size());
+  results.numbers.faces_unsewn = count_unsewn();
   const auto id_of = [&](uint32_t vertex) { return dsw_vertex_id{vertex, map.vertex_generation(vertex)}; };
-  for (size_t i = 0; i < piece_.size(); ++i) results.volumes.push_back(volume_id(map, piece_[i]));
+  for (size_t i = 0; i < piece_.size(); ++i) results.detached.push_back(volume_id(map, piece_[i]));
   for (const SurfaceVertex& v : surface_.vertices) {
     const double first = v.from[0] == v.from[1] ? 1 : 0.5;
-    results.vertices.push_back({{id_of(v.from[0]), id_of(v.from[1])}, {first, 1 - first}});
+    results.body_vertices.push_back({{}, {id_of(v.from[0]), id_of(v.from[1])}, {first, 1 - first}});
   }
   for (const SurfaceTriangle& t : surface_.triangles) {
-    results.faces.push_back({face_id(map, canonical(map, t.facet)), volume_id(map, map.cell_of(t.facet))});
+    results.body_faces.push_back({face_id(map, canonical(map, t.facet)), volume_id(map, map.cell_of(t.facet))});
   }
 }
 

@@ -1,24 +1,10 @@
 #pragma once
 // A piece of what is impassable comes off: its cells become passable, its surface becomes a body.
 
-#include "dartsweep/detach.h"
 #include "pieces/inset.h"
-#include "scene/scene.h"
+#include "scene/change.h"
 
 namespace dsw {
-
-/** What the host can read of the last piece that came off. */
-struct DetachResults {
-  Array<dsw_volume_id> volumes;
-  Array<dsw_detached_vertex> vertices;
-  Array<dsw_detached_face> faces;
-
-  explicit DetachResults(const Memory* memory)
-      : volumes(Allocator<dsw_volume_id>(memory)),
-        vertices(Allocator<dsw_detached_vertex>(memory)),
-        faces(Allocator<dsw_detached_face>(memory)) {}
-  uint64_t memory_bytes() const noexcept { return array_bytes(volumes) + array_bytes(vertices) + array_bytes(faces); }
-};
 
 class Detachment {
  public:
@@ -28,8 +14,7 @@ class Detachment {
   /** Carries it out. `like` has the body's level, flags and filter; its vertices are drawn in by `share` as Inset says,
    * each in up to `attempts` places. Throws OCCUPIED if it is not free then, or touches a body, and std::bad_alloc;
    * nothing has changed then. */
-  dsw_detach_report carry_out(const BodyDescription& like, double share, uint32_t attempts, dsw_body_id* body,
-                              DetachResults& results);
+  dsw_body_id carry_out(const BodyDescription& like, double share, uint32_t attempts, ChangeResults& results);
 
  private:
   void write_edit();
@@ -42,7 +27,7 @@ class Detachment {
   void enter();
   /** The largest distance by which a vertex was drawn in, rounded. */
   double measure() const noexcept;
-  void tell(DetachResults& results) const;
+  void tell(ChangeResults& results) const;
   uint32_t count_unsewn() const noexcept;
 
   Environment<3>& env_;

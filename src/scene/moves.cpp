@@ -79,7 +79,7 @@ void finish_one(const Scene<D>& scene, ParticleState<D>& state, const CastReques
   const MoveResult<D> result = finish_move(scene.env, request, flight, detail && report != nullptr,
                                            statistics == nullptr ? nullptr : &statistics->cast);
   if (statistics != nullptr) {
-    const bool left = result.cast.cells_visited > 1;
+    const bool left = result.cast.volumes_visited > 1;
     statistics->forecast_hits += left && result.cast.first_facet == state.forecast ? 1 : 0;
     statistics->contacts += result.cast.end == CastEnd::kHit ? 1 : 0;
     statistics->candidates += result.candidates;
@@ -92,7 +92,7 @@ void finish_one(const Scene<D>& scene, ParticleState<D>& state, const CastReques
 
 /** Casts of particles' moves, a packet at a time; `done(first, packet)` is called for each, in their order. */
 template <int D, class Done>
-void cast_particles(Scene<D>& scene, const dsw_particle_id* ids, PointArray targets, uint32_t max_cells,
+void cast_particles(Scene<D>& scene, const dsw_particle_id* ids, PointArray targets, uint32_t max_volumes,
                     bool with_crossings, size_t begin, size_t end, CastCounters* counters, const Done& done) noexcept {
   Packet<D> packet;
   CrossingWriter<D> writers[kPacket];
@@ -103,7 +103,7 @@ void cast_particles(Scene<D>& scene, const dsw_particle_id* ids, PointArray targ
       const ParticleState<D>& state = scene.particles[ids[begin].index];
       CrossingWriter<D>& writer = writers[packet.count()];
       CastRequest& request = packet.add(scene.env, state.cell, state.position, targets[begin]);
-      request.max_cells = max_cells;
+      request.max_volumes = max_volumes;
       request.forecast = state.forecast;
       if (with_crossings) writer.start(scene, begin, request);
     }
@@ -116,12 +116,13 @@ void cast_particles(Scene<D>& scene, const dsw_particle_id* ids, PointArray targ
  * cast, but only where crossings are asked for, and no memory beyond the answer. */
 template <int D>
 void prepare_crossings(Scene<D>& scene, const dsw_particle_id* ids, size_t count, PointArray targets,
-                       uint32_t max_cells) {
+                       uint32_t max_volumes) {
   Array<size_t> first(count + 1, size_t{0}, scene.crossing_first.get_allocator());
   auto body = [&](size_t begin, size_t end) noexcept {
-    cast_particles(scene, ids, targets, max_cells, false, begin, end, nullptr, [&](size_t at, const Packet<D>& packet) {
-      for (uint32_t i = 0; i < packet.count(); ++i) first[at + i + 1] = packet.result(i).cells_visited;
-    });
+    cast_particles(scene, ids, targets, max_volumes, false, begin, end, nullptr,
+                   [&](size_t at, const Packet<D>& packet) {
+                     for (uint32_t i = 0; i < packet.count(); ++i) first[at + i + 1] = packet.result(i).volumes_visited;
+                   });
   };
   share_out(scene.parallel, count, body);
   for (size_t i = 0; i < count; ++i) first[i + 1] += first[i];
@@ -156,9 +157,9 @@ template <int D>
 void move_checked(Scene<D>& scene, const dsw_particle_id* ids, size_t count, PointArray targets,
                   const FlightOptions& options, dsw_flight* flights) {
   prepare_statistics(scene, count);
-  if (scene.features.crossings) prepare_crossings(scene, ids, count, targets, options.max_cells);
+  if (scene.features.crossings) prepare_crossings(scene, ids, count, targets, options.max_volumes);
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
-    cast_particles(scene, ids, targets, options.max_cells, scene.features.crossings, begin, end,
+    cast_particles(scene, ids, targets, options.max_volumes, scene.features.crossings, begin, end,
                    statistics == nullptr ? nullptr : &statistics->cast, [&](size_t first, const Packet<D>& packet) {
                      for (uint32_t i = 0; i < packet.count(); ++i) {
                        finish_one(scene, scene.particles[ids[first + i].index], packet.request(i), packet.result(i),
@@ -205,7 +206,7 @@ void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t cou
   check_finite(to, count, D, {"to", true});
   prepare_statistics(scene, count);
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
-    cast_particles(scene, ids, to, options.max_cells, false, begin, end,
+    cast_particles(scene, ids, to, options.max_volumes, false, begin, end,
                    statistics == nullptr ? nullptr : &statistics->cast, [&](size_t first, const Packet<D>& packet) {
                      dsw_flight* reports[kPacket];
                      for (uint32_t i = 0; i < packet.count(); ++i) {

@@ -61,7 +61,7 @@ dsw_nearest report_nearest(const Environment<D>& env, const double* point, Cell 
       answer.tag = obstacle_tag(env, seen, env.map.cell_of(seen));
     }
   }
-  answer.cells_visited = found.cells_visited;
+  answer.volumes_visited = found.volumes_visited;
   return answer;
 }
 

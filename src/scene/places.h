@@ -9,8 +9,8 @@ namespace dsw {
 
 /** What a cell is that locate has found. */
 template <int D>
-dsw_place place_of(const Environment<D>& env, Cell c) noexcept {
-  return !c.valid() ? DSW_PLACE_OUTSIDE : is_closed(env, c) ? DSW_PLACE_IMPASSABLE : DSW_PLACE_PASSABLE;
+dsw_location place_of(const Environment<D>& env, Cell c) noexcept {
+  return !c.valid() ? DSW_LOCATION_OUTSIDE : is_closed(env, c) ? DSW_LOCATION_IMPASSABLE : DSW_LOCATION_PASSABLE;
 }
 
 /** The public id of what classify and find_nearest name. */

@@ -97,7 +97,7 @@ struct Scene {
 };
 
 struct FlightOptions {
-  uint32_t max_cells = 0;
+  uint32_t max_volumes = 0;
   bool detail = true;
 };
 

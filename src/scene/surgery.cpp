@@ -10,13 +10,16 @@ namespace {
 
 /** Carries out a cut that is prepared. `visited`: cells that were looked at. */
 template <int D>
-dsw_cut_report carry_out_cut(const Site<D>& site, Edit<D>& edit, const CutRecord& record, uint32_t visited,
-                             const Array<Cell>* carved) {
-  site.change(edit, {&record.vertices, &record.faces, &record.whole, carved});
-  const auto count = [](const auto& all) { return static_cast<uint32_t>(all.size()); };
-  return {record.distance,        record.met,          record.split,
-          count(record.whole),    record.changed,      visited,
-          count(record.vertices), count(record.faces), 0};
+void carry_out_cut(const Site<D>& site, Edit<D>& edit, const CutRecord& record, uint32_t visited,
+                   const Array<Cell>* carved, bool is_closed) {
+  Told told{{}, &record.vertices, &record.faces, &record.whole, carved};
+  told.numbers.is_closed = is_closed ? 1 : 0;
+  told.numbers.distance = record.distance;
+  told.numbers.volumes_visited = visited;
+  told.numbers.volumes_crossed = record.met;
+  told.numbers.volumes_split = record.split;
+  told.numbers.volumes_changed = record.changed;
+  site.change(edit, told);
 }
 
 /** What a ligature spans: a loop's points and their mean; in the plane a line. `points` are kept for the blade. */
@@ -36,7 +39,7 @@ Blade<D> span_loop(const Memory* memory, PointArray loop, uint32_t count, Array<
 }  // namespace
 
 template <int D>
-dsw_cut_report cut_along(const Site<D>& site, const Blade<D>& blade, Cell hint, const CutSettings& settings) {
+void cut_along(const Site<D>& site, const Blade<D>& blade, Cell hint, const CutSettings& settings) {
   uint32_t visited = 0;
   const Cell start = find_start(site.env, blade, hint, &visited);
   Crossings<D> crossings(site.env, blade);
@@ -44,11 +47,11 @@ dsw_cut_report cut_along(const Site<D>& site, const Blade<D>& blade, Cell hint, 
   Cut<D> cut(site.env, blade, settings, crossings);
   std::optional<Edit<D>> edit;
   cut.prepare(edit);
-  return carry_out_cut(site, *edit, cut.record(), cut.record().met + visited, nullptr);
+  carry_out_cut(site, *edit, cut.record(), cut.record().met + visited, nullptr, false);
 }
 
 template <int D>
-dsw_carve_report carve_out(const Site<D>& site, const Blade<D>& shape, Cell start, const CutSettings& settings) {
+void carve_out(const Site<D>& site, const Blade<D>& shape, Cell start, const CutSettings& settings) {
   Crossings<D> crossings(site.env, shape);
   Inside<D> inside(site.env, shape, crossings);
   uint32_t visited = 0;
@@ -62,12 +65,11 @@ dsw_carve_report carve_out(const Site<D>& site, const Blade<D>& shape, Cell star
   cut.prepare(edit);
   Array<Cell> carved{Allocator<Cell>(site.env.memory)};
   inside.carve(*edit, carved);
-  const dsw_cut_report report = carry_out_cut(site, *edit, cut.record(), visited + inside.cell_count(), &carved);
-  return {report, static_cast<uint32_t>(carved.size()), 0};
+  carry_out_cut(site, *edit, cut.record(), visited + inside.cell_count(), &carved, false);
 }
 
 template <int D>
-dsw_tie_report tie_off(const Site<D>& site, PointArray loop, uint32_t count, Cell start, double snap) {
+void tie_off(const Site<D>& site, PointArray loop, uint32_t count, Cell start, double snap) {
   Array<double> points{Allocator<double>(site.env.memory)};
   const Blade<D> disc = span_loop<D>(site.env.memory, loop, count, points);
   Crossings<D> crossings(site.env, disc);
@@ -82,24 +84,27 @@ dsw_tie_report tie_off(const Site<D>& site, PointArray loop, uint32_t count, Cel
   std::optional<Edit<D>> edit;
   cut.prepare(edit);
   const bool is_closed = closes(site.env, crossings);
-  return {carry_out_cut(site, *edit, cut.record(), visited + cut.record().met, nullptr), is_closed ? 1u : 0u, 0};
+  carry_out_cut(site, *edit, cut.record(), visited + cut.record().met, nullptr, is_closed);
 }
 
 template <int D>
-dsw_open_report open_crack(const Site<D>& site, Crack<D>& crack, const OpenSettings& settings) {
+void open_crack(const Site<D>& site, Crack<D>& crack, const OpenSettings& settings) {
   crack.part();
   Opening<D> opening(site.env, crack, settings);
   std::optional<Edit<D>> edit;
   opening.prepare(edit);
   const OpenRecord& record = opening.record();
-  site.change(*edit, {&record.vertices, &record.faces});
-  const auto parted = static_cast<uint32_t>(record.vertices.size() / 2);
-  const auto opened = static_cast<uint32_t>(record.faces.size());
-  return {record.smallest, record.largest, parted, record.shortened, opened, record.changed};
+  Told told{{}, &record.vertices, &record.faces};
+  told.numbers.smallest_width = record.smallest;
+  told.numbers.largest_width = record.largest;
+  told.numbers.vertices_parted = static_cast<uint32_t>(record.vertices.size() / 2);
+  told.numbers.vertices_shortened = record.shortened;
+  told.numbers.volumes_changed = record.changed;
+  site.change(*edit, told);
 }
 
 template <int D>
-size_t tear_facets(const Site<D>& site, const Array<HalfFacet>& facets) {
+void tear_facets(const Site<D>& site, const Array<HalfFacet>& facets) {
   Edit<D> edit(site.env);
   Array<CutFace> torn{Allocator<CutFace>(site.env.memory)};
   KeyTable seen(site.env.memory);
@@ -111,26 +116,30 @@ size_t tear_facets(const Site<D>& site, const Array<HalfFacet>& facets) {
     torn.push_back({h, o});
   }
   edit.prepare();
-  site.change(edit, {nullptr, &torn});
-  return torn.size();
+  site.change(edit, {{}, nullptr, &torn});
 }
 
-dsw_remesh_report mend_cells(const Site<3>& site, Mending& mending, const Meanwhile* meanwhile) {
+void mend_cells(const Site<3>& site, Mending& mending, const Meanwhile* meanwhile) {
   std::optional<Edit<3>> edit;
   mending.prepare(edit);
   const MendRecord& record = mending.record();
-  Array<dsw_volume_id> left{Allocator<dsw_volume_id>(site.env.memory)};
+  Array<dsw_volume_id> left(site.env.memory);
   for (const Cell c : record.left) left.push_back(volume_id(site.env.map, c));
-  uint32_t gone = record.gone;
+  Told told;
+  dsw_change& numbers = told.numbers;
+  numbers.volumes_invalid = record.wanted;
+  numbers.volumes_removed = record.gone;
+  numbers.volumes_added = record.made;
+  numbers.patch_count = record.patches;
+  numbers.most_faces = record.most_faces;
   if (edit) {
-    if (!site.change(*edit, {}, meanwhile)) gone = 0;
+    site.change(*edit, told, meanwhile);
   } else {
     if (meanwhile != nullptr) meanwhile->run(meanwhile->user);
-    site.results.volumes.clear();
+    site.results = ChangeResults(site.env.memory);
+    site.results.numbers = numbers;
   }
-  site.results.unmended.swap(left);
-  const auto count = static_cast<uint32_t>(record.left.size());
-  return {record.wanted, record.wanted - count, count, record.patches, gone, record.made, record.most_faces, 0};
+  site.results.unrepaired.swap(left);
 }
 
 uint32_t mend_and_deform(const Site<3>& site, double* next, const WallSettings& settings, MendSettings mend) {
@@ -143,17 +152,17 @@ uint32_t mend_and_deform(const Site<3>& site, double* next, const WallSettings& 
     return of.record.outcome != DSW_DEFORM_REFUSED;
   };
   const Meanwhile meanwhile{[](void* user) { return (*static_cast<decltype(bend)*>(user))(); }, &bend};
-  const dsw_remesh_report report = mend_cells(site, mending, &meanwhile);
+  mend_cells(site, mending, &meanwhile);
   renew_ids(of);
-  return report.volumes_removed;
+  return site.results.numbers.volumes_removed;
 }
 
-#define DSW_SURGERY(D)                                                                            \
-  template dsw_cut_report cut_along(const Site<D>&, const Blade<D>&, Cell, const CutSettings&);   \
-  template dsw_carve_report carve_out(const Site<D>&, const Blade<D>&, Cell, const CutSettings&); \
-  template dsw_tie_report tie_off(const Site<D>&, PointArray, uint32_t, Cell, double);            \
-  template dsw_open_report open_crack(const Site<D>&, Crack<D>&, const OpenSettings&);            \
-  template size_t tear_facets(const Site<D>&, const Array<HalfFacet>&)
+#define DSW_SURGERY(D)                                                                \
+  template void cut_along(const Site<D>&, const Blade<D>&, Cell, const CutSettings&); \
+  template void carve_out(const Site<D>&, const Blade<D>&, Cell, const CutSettings&); \
+  template void tie_off(const Site<D>&, PointArray, uint32_t, Cell, double);          \
+  template void open_crack(const Site<D>&, Crack<D>&, const OpenSettings&);           \
+  template void tear_facets(const Site<D>&, const Array<HalfFacet>&)
 DSW_SURGERY(2);
 DSW_SURGERY(3);
 #undef DSW_SURGERY

@@ -19,18 +19,18 @@ bool is_same(dsw_body_vertex_id a, dsw_body_vertex_id b) noexcept {
 }
 
 LastTouch touch_of(const MoveRecord& record, uint32_t i, uint64_t move) noexcept {
-  const dsw_contact& contact = record.contacts[i];
+  const dsw_body_contact& contact = record.contacts[i];
   LastTouch touch{};
   std::copy_n(contact.point, 3, touch.point);
-  std::copy_n(contact.normal, 3, touch.normal);
+  std::copy_n(contact.contact.normal, 3, touch.normal);
   touch.move = move;
-  touch.obstacle = contact.obstacle;
+  touch.obstacle = contact.contact.obstacle;
   if (record.keeps_partners) touch.body = record.partners[i].body;
   touch.vertex = contact.vertex;
   return touch;
 }
 
-void fill_in(const LastTouch& touch, uint64_t move, dsw_contact_past& past) noexcept {
+void fill_in(const LastTouch& touch, uint64_t move, dsw_previous_contact& past) noexcept {
   std::copy_n(touch.point, 3, past.point);
   std::copy_n(touch.normal, 3, past.normal);
   past.obstacle = touch.obstacle;
@@ -48,9 +48,9 @@ bool TouchHistory::Stop::operator<(const Stop& other) const noexcept {
 }
 
 TouchHistory::Stop TouchHistory::to_stop(const MoveRecord& record, uint32_t contact) noexcept {
-  const dsw_contact& c = record.contacts[contact];
+  const dsw_body_contact& c = record.contacts[contact];
   const dsw_contact_partner partner = record.keeps_partners ? record.partners[contact] : dsw_contact_partner{};
-  const uint64_t obstacle = partner.body.generation != 0 ? part_key(partner) : obstacle_key(c);
+  const uint64_t obstacle = partner.body.generation != 0 ? part_key(partner) : obstacle_key(c.contact.obstacle);
   return {c.vertex, obstacle, partner.body, contact};
 }
 
@@ -84,12 +84,12 @@ void TouchHistory::follow(const MoveRecord& last, MoveRecord& next, const SlotPo
   const auto by_vertex = [](const LastTouch& a, dsw_body_vertex_id b) { return a.vertex.index < b.index; };
   const uint64_t now = moves + 1;  // number of the move that has been made; that of `last` is `moves`
   for (uint32_t i = 0; i < next.contacts.size(); ++i) {
-    dsw_contact_past& past = next.pasts[i];
+    dsw_previous_contact& past = next.previous[i];
     const Stop stop = to_stop(next, i);
     const Stop *const same = find_last(stop, true), *const any = same != nullptr ? same : find_last(stop, false);
     next.contacts[i].history = same != nullptr ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW;
-    past.moves = same != nullptr ? one_more(last.pasts[same->contact].moves) : 1;
-    past.touching = any != nullptr ? one_more(last.pasts[any->contact].touching) : 1;
+    past.moves = same != nullptr ? one_more(last.previous[same->contact].moves) : 1;
+    past.touching = any != nullptr ? one_more(last.previous[any->contact].touching) : 1;
     if (any != nullptr) {
       fill_in(touch_of(last, any->contact, moves), now, past);
       continue;

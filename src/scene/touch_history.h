@@ -22,7 +22,7 @@ class TouchHistory {
   /** Before a move: makes room for follow(). `last` is what the move before has left. Throws
    * std::bad_alloc. */
   void prepare(const MoveRecord& last);
-  /** After it: fills in the history and the pasts of its contacts, and remembers those of the
+  /** After it: fills in the history and the previous of its contacts, and remembers those of the
    * move before. O(vertices that have touched anything). */
   void follow(const MoveRecord& last, MoveRecord& next, const SlotPool& vertices) noexcept;
 

@@ -58,6 +58,12 @@ uint32_t saved_dimension(const uint8_t* block, size_t size) noexcept {
   return dimension == 2 ? 2 : 3;
 }
 
+uint32_t saved_version(const uint8_t* block) noexcept {
+  uint32_t version = 0;
+  fetch(&version, block + kAtVersion, 1);
+  return version;
+}
+
 BlockReader::BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_t* block, size_t size) : at_(block) {
   // Blocks of another version may have a shorter header.
   if (size < kAtSections) {

@@ -59,6 +59,8 @@ class BlockWriter {
 
 /** What a block says of its dimension, not to be trusted: 2, or else 3. */
 uint32_t saved_dimension(const uint8_t* block, size_t size) noexcept;
+/** The version of the format of a block that a BlockReader has accepted. */
+uint32_t saved_version(const uint8_t* block) noexcept;
 
 /** Reads a block that is not trusted. Whatever is wrong throws Error: TRUNCATED, BAD_VERSION or CORRUPT. */
 class BlockReader {

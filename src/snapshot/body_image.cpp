@@ -8,6 +8,7 @@
 
 #include "base/dimensions.h"
 #include "body/integrity.h"
+#include "contact/names.h"
 #include "locate/locate.h"
 #include "locate/nearest.h"
 #include "scene/scene.h"
@@ -77,7 +78,8 @@ void append(Array<T>& to, std::initializer_list<T> values) {
 template <class Contact, class Visit>
 void for_each_place(Contact& c, Visit visit) {
   visit(c.from, 3), visit(c.to, 3), visit(c.fixed[0], 3), visit(c.fixed[1], 3), visit(&c.time, 1);
-  visit(c.position, 3), visit(c.point, 3), visit(c.normal, 3), visit(&c.along, 1), visit(&c.distance_left, 1);
+  visit(c.position, 3), visit(c.point, 3), visit(c.contact.normal, 3), visit(&c.edge_parameter, 1),
+      visit(&c.distance_left, 1);
 }
 constexpr size_t kContactPlaces = 24;
 
@@ -86,9 +88,11 @@ template <class Contact, class Visit>
 void for_each_word(Contact& c, Visit visit) {
   visit(c.vertex.index), visit(c.vertex.generation), visit(c.edge.index), visit(c.edge.generation);
   visit(c.face.index), visit(c.face.generation);
-  visit(c.obstacle.kind), visit(c.obstacle.index), visit(c.obstacle.generation), visit(c.obstacle.local);
-  visit(c.wall.volume), visit(c.wall.generation), visit(c.wall.local), visit(c.front.index), visit(c.front.generation);
-  visit(c.kind), visit(c.cause), visit(c.tag), visit(c.history);
+  visit(c.contact.obstacle.kind), visit(c.contact.obstacle.index), visit(c.contact.obstacle.generation),
+      visit(c.contact.obstacle.local);
+  visit(c.contact.wall.volume), visit(c.contact.wall.generation), visit(c.contact.wall.local),
+      visit(c.contact.front.index), visit(c.contact.front.generation);
+  visit(c.contact.kind), visit(c.contact.marked_kind), visit(c.contact.tag), visit(c.history);
 }
 constexpr size_t kContactWords = 19, kAtObstacleKind = 6, kAtKind = 15;  // then cause, tag, history
 
@@ -125,6 +129,17 @@ bool is_whole(const Map<D>& map, const Array<uint32_t>& facets) {
   return true;
 }
 
+/** The volume behind a wall, which the format leaves out; null if the wall has changed since. */
+template <int D>
+dsw_volume_id behind_wall(const Map<D>& map, dsw_face_id wall, dsw_volume_id front) {
+  if (!map.is_alive(wall.volume, wall.generation)) return {0, 0};
+  const Cell near_side = to_cell(map, wall.volume);
+  if (wall.local >= map.facets_of(near_side)) fail_corrupt("the wall of a contact");
+  const HalfFacet other = map.opposite(map.half_facet(near_side, wall.local));
+  if (!other.valid()) return {0, 0};
+  return volume_id(map, front.index == wall.volume ? map.cell_of(other) : near_side);
+}
+
 constexpr uint32_t kUnknown = 0xffffffffu;  // instead of a sequence's count
 
 template <int D>
@@ -146,7 +161,7 @@ bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexce
 }
 
 template <int D>
-void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
+void append(const Scene<D>& scene, const BodyRecord<D>& of, bool with_history, SceneImage& image) {
   const Environment<D>& env = scene.env;
   const Map<D>& map = env.map;
   const Body<D>& body = of.body;
@@ -177,7 +192,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
   // A vertex that was added since the shape was taken makes the shape worthless: the next move takes it anew.
   const bool has_rest = body.is_rigid() && body.shape[0].rest.size() == D * vertices;
   numbers[kRest] = has_rest ? D * vertices : 0;
-  append(image.bodies, numbers, kNumbers);
+  append(image.bodies, numbers, with_history ? size_t{kNumbers} : kNumbersBefore);
   const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
     append(to, from.data(), from.size());
   };
@@ -212,7 +227,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
     append(image.ball_words,
            {ball.wait, ball.patience, ball.radius > 0 && ball.version == env.obstacle_version ? 1u : 0u});
   }
-  for (const dsw_contact& contact : of.record.contacts) {
+  for (const dsw_body_contact& contact : of.record.contacts) {
     for_each_place(contact, [&](const double* at, size_t count) { append(image.contact_places, at, count); });
     for_each_word(contact, [&](auto word) { append(image.contacts, {static_cast<uint32_t>(word)}); });
   }
@@ -220,15 +235,16 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
     append(image.partners, {p.body.index, p.body.generation, p.vertex.index, p.vertex.generation, p.edge.index,
                             p.edge.generation, p.face.index, p.face.generation});
   }
+  if (!with_history) return;
   for (const RigidShape<D>& shape : body.shape) {
     append(image.shapes, shape.moved.rotation, 4);
     append(image.shapes, shape.moved.centre, D);
     append(image.shapes, shape.moved.translation, D);
     if (has_rest) append(image.shapes, shape.rest.data(), shape.rest.size());
   }
-  for (const dsw_contact_past& past : of.record.pasts) {
-    append_touch(past, image.past_places, image.pasts);
-    append(image.pasts, {past.since, past.moves, past.touching});
+  for (const dsw_previous_contact& past : of.record.previous) {
+    append_touch(past, image.past_places, image.previous);
+    append(image.previous, {past.since, past.moves, past.touching});
   }
   for (const LastTouch& touch : of.touches.earlier) {
     append_touch(touch, image.touch_places, image.touches);
@@ -359,7 +375,7 @@ void BodyReader<D>::read_contacts(BodyRecord<D>& of, uint64_t count) {
   const double* place = take(image_.contact_places, contact_place_, kContactPlaces * count);
   const uint32_t* words = take(image_.contacts, contact_, kContactWords * count);
   of.record.contacts.resize(static_cast<size_t>(count));
-  for (dsw_contact& contact : of.record.contacts) {
+  for (dsw_body_contact& contact : of.record.contacts) {
     if (words[kAtObstacleKind] > DSW_CELL_VOLUME || words[kAtKind] > DSW_CONTACT_VERTEX ||
         words[kAtKind + 1] > DSW_CELL_VOLUME || words[kAtKind + 3] > DSW_HISTORY_LASTING) {
       fail_corrupt("a contact");
@@ -369,6 +385,7 @@ void BodyReader<D>::read_contacts(BodyRecord<D>& of, uint64_t count) {
       place += n;
     });
     for_each_word(contact, [&](auto& word) { word = static_cast<std::decay_t<decltype(word)>>(*words++); });
+    contact.contact.behind = behind_wall(env_.map, contact.contact.wall, contact.contact.front);
   }
 }
 
@@ -387,23 +404,23 @@ void BodyReader<D>::read_partners(BodyRecord<D>& of, uint64_t count) {
 
 template <int D>
 void BodyReader<D>::read_history(BodyRecord<D>& of, const uint64_t* n) {
-  of.record.pasts.resize(of.record.contacts.size());
-  for (size_t i = 0; i < of.record.pasts.size() && !has_history_; ++i) {
-    const dsw_contact& contact = of.record.contacts[i];
-    dsw_contact_past& past = of.record.pasts[i];
+  of.record.previous.resize(of.record.contacts.size());
+  for (size_t i = 0; i < of.record.previous.size() && !has_history_; ++i) {
+    const dsw_body_contact& contact = of.record.contacts[i];
+    dsw_previous_contact& past = of.record.previous[i];
     past.moves = past.touching = 1;
     if (contact.history != DSW_HISTORY_LASTING) continue;
     std::copy_n(contact.point, 3, past.point);
-    std::copy_n(contact.normal, 3, past.normal);
-    past.obstacle = contact.obstacle;
+    std::copy_n(contact.contact.normal, 3, past.normal);
+    past.obstacle = contact.contact.obstacle;
     if (!of.record.partners.empty()) past.body = of.record.partners[i].body;
     past.since = 1;
     past.moves = past.touching = 2;
   }
   if (!has_history_) return;
-  const double* place = take(image_.past_places, past_place_, kTouchPlaces * of.record.pasts.size());
-  const uint32_t* words = take(image_.pasts, past_, kPastWords * of.record.pasts.size());
-  for (dsw_contact_past& past : of.record.pasts) {
+  const double* place = take(image_.past_places, past_place_, kTouchPlaces * of.record.previous.size());
+  const uint32_t* words = take(image_.previous, past_, kPastWords * of.record.previous.size());
+  for (dsw_previous_contact& past : of.record.previous) {
     read_touch(place, words, past);
     past.since = words[6];
     past.moves = words[7];
@@ -521,7 +538,7 @@ void BodyReader<D>::finish() const {
       face_slot_ == i.face_slots.size() && free_face_ == i.free_faces.size() && inserted_ == i.inserted.size() &&
       sequence_ == i.sequences.size() && ball_ == i.balls.size() && ball_word_ == i.ball_words.size() &&
       contact_place_ == i.contact_places.size() && contact_ == i.contacts.size() && partner_ == i.partners.size() &&
-      past_place_ == i.past_places.size() && past_ == i.pasts.size() && touch_place_ == i.touch_places.size() &&
+      past_place_ == i.past_places.size() && past_ == i.previous.size() && touch_place_ == i.touch_places.size() &&
       touch_ == i.touches.size() && shape_ == i.shapes.size();
   if (!all) fail_corrupt("more of bodies than there are");
 }

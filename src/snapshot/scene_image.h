@@ -33,9 +33,9 @@ struct SceneImage {
   Array<double> contact_places;
   Array<uint32_t> contacts;
   Array<uint32_t> partners;  // one for each contact, if bodies meet each other
-  // From version 3 on: what vertices touched before; pasts one for each contact.
+  // From version 3 on: what vertices touched before; previous one for each contact.
   Array<double> past_places;
-  Array<uint32_t> pasts;
+  Array<uint32_t> previous;
   Array<double> touch_places;
   Array<uint32_t> touches;
   Array<double> shapes;  // of rigid bodies: rotation, centre, translation, rest places
@@ -58,7 +58,7 @@ struct SceneImage {
     visit(sequences);
     visit(balls), visit(ball_words);
     visit(contact_places), visit(contacts), visit(partners);
-    visit(past_places), visit(pasts), visit(touch_places), visit(touches);
+    visit(past_places), visit(previous), visit(touch_places), visit(touches);
     visit(shapes);
   }
 };
@@ -80,9 +80,10 @@ Cell to_cell(const Map<D>& map, uint32_t index) {
 template <int D>
 bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept;
 
-/** Appends a body, or a slot without one. Throws std::bad_alloc. */
+/** Appends a body, or a slot without one, with what vertices touched before their last move or without that. Throws
+ * std::bad_alloc. */
 template <int D>
-void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image);
+void append(const Scene<D>& scene, const BodyRecord<D>& of, bool with_history, SceneImage& image);
 
 /** Takes bodies from an image, which is not trusted: Error with CORRUPT, or std::bad_alloc. */
 template <int D>

@@ -13,14 +13,22 @@
 namespace dsw {
 namespace {
 
-constexpr BlockKind kKind = {"DSWSCN\x1a\n", 3, 2, SceneImage::kSections, SceneImage::kSectionsBefore};
+constexpr BlockKind kKind = {"DSWSCN\x1a\n", kSceneFormat, kOldestSceneFormat, SceneImage::kSections,
+                             SceneImage::kSectionsBefore};
+/** What is written in a format. */
+constexpr BlockKind kind_of(uint32_t format) {
+  BlockKind kind = kKind;
+  kind.version = format;
+  if (format != kSceneFormat) kind.sections = kind.sections_before;
+  return kind;
+}
 constexpr uint32_t kStatistics = 1, kCrossings = 2, kDeforming = 4, kContacts = 8, kLive = 16, kAllFeatures = 31;
 
 constexpr size_t kCounters = 9, kExtents = 3;
 
 void get_counters(const SceneStatistics& s, uint64_t* out) {
   const uint64_t values[kCounters] = {s.cast.casts,
-                                      s.cast.cells_visited,
+                                      s.cast.volumes_visited,
                                       s.cast.orientation_tests,
                                       s.cast.exact_fallbacks,
                                       s.cast.ties,
@@ -42,7 +50,7 @@ void get_extents(const Map<D>& map, uint64_t* out) {
 }
 
 template <int D>
-SceneImage image_of(const Scene<D>& scene) {
+SceneImage image_of(const Scene<D>& scene, uint32_t format) {
   SceneImage image(scene.memory);
   image.numbers.resize(kCounters + kExtents);
   get_counters(scene.statistics, image.numbers.data());
@@ -58,7 +66,7 @@ SceneImage image_of(const Scene<D>& scene) {
   image.free_particles = scene.slots.free_slots();
   image.body_slots = scene.body_slots.words();
   image.free_bodies = scene.body_slots.free_slots();
-  for (const BodyRecord<D>& each : scene.bodies) append(scene, each, image);
+  for (const BodyRecord<D>& each : scene.bodies) append(scene, each, format == kSceneFormat, image);
   return image;
 }
 
@@ -152,16 +160,16 @@ SceneImage::SceneImage(const Memory* memory) {
 }
 
 template <int D>
-size_t snapshot_bytes(const Scene<D>& scene) {
-  SceneImage image = image_of(scene);
-  return block_bytes(kKind, header_of(scene, image));
+size_t snapshot_bytes(const Scene<D>& scene, uint32_t format) {
+  SceneImage image = image_of(scene, format);
+  return block_bytes(kind_of(format), header_of(scene, image));
 }
 
 template <int D>
-void save(const Scene<D>& scene, uint8_t* out) {
-  SceneImage image = image_of(scene);
-  BlockWriter writer(kKind, header_of(scene, image), D, out);
-  image.for_each([&](const auto& array) {
+void save(const Scene<D>& scene, uint8_t* out, uint32_t format) {
+  SceneImage image = image_of(scene, format);
+  BlockWriter writer(kind_of(format), header_of(scene, image), D, out);
+  image.for_each([&](const auto& array) {  // those that an older format lacks are empty
     writer.write(array);
     writer.end_section();
   });

@@ -5,13 +5,16 @@
 
 namespace dsw {
 
-/** Size of the block that `save` writes. Throws std::bad_alloc. */
-template <int D>
-size_t snapshot_bytes(const Scene<D>& scene);
+/** The version of the format, and the oldest one that is read and, for replays, still written. */
+constexpr uint32_t kSceneFormat = 3, kOldestSceneFormat = 2;
 
-/** Writes snapshot_bytes(scene) bytes, of any alignment. Throws std::bad_alloc before the first is written. */
+/** Size of the block that `save` writes in a format. Throws std::bad_alloc. */
 template <int D>
-void save(const Scene<D>& scene, uint8_t* out);
+size_t snapshot_bytes(const Scene<D>& scene, uint32_t format = kSceneFormat);
+
+/** Writes snapshot_bytes(scene, format) bytes, of any alignment. Throws std::bad_alloc before the first is written. */
+template <int D>
+void save(const Scene<D>& scene, uint8_t* out, uint32_t format = kSceneFormat);
 
 /** The features of a saved scene. Throws as `load`. */
 template <int D>

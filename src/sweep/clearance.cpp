@@ -54,7 +54,7 @@ bool measure(const Environment<D>& env, Body<D>& body, uint32_t v, double needed
   const double* const at = body.position(v);
   NearestResult nearest;
   const bool found = find_nearest(env, at, body.vertices[v].cell, reach, nearest);
-  body.clearance_credit -= kCell * nearest.cells_visited;
+  body.clearance_credit -= kCell * nearest.volumes_visited;
   const double radius = kKept * (found ? nearest.distance : reach);
   double largest = reach;
   for (int k = 0; k < D; ++k) largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});

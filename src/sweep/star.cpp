@@ -36,7 +36,7 @@ bool StarSweep<D>::is_face_seen(const FaceMotion& m, Cell cell) const {
 template <int D>
 Settled StarSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls) {
   // What is known must not carry an edge past the work limit that it meets without.
-  if (max_cells != 0) return Settled::kNo;
+  if (max_volumes != 0) return Settled::kNo;
   const Skipping& skipping = body.skipping;
   Settled settled = Settled::kNo;
   if (ask_balls && is_clear(env_, body, sweep)) {
@@ -68,7 +68,7 @@ bool StarSweep<D>::find_hit_edges(const Body<D>& body, uint32_t v, const double*
     packet_edges_[packet_.count()] = e;
     CastRequest& request = packet_.add(env_, cell, to, fixed.position);
     request.end = fixed.cell;
-    request.max_cells = max_cells;
+    request.max_volumes = max_volumes;
     if (packet_.full()) run();
     return !(one_is_enough && !hit_edges_.empty());
   });
@@ -79,7 +79,7 @@ bool StarSweep<D>::find_hit_edges(const Body<D>& body, uint32_t v, const double*
 /** Also notes whether it met the work limit. */
 template <int D>
 CastResult StarSweep<D>::cast_path(const Body<D>& body, uint32_t v, const double* to) {
-  const CastResult path = cast(env_, body.position(v), to, body.vertices[v].cell, max_cells, counters);
+  const CastResult path = cast(env_, body.position(v), to, body.vertices[v].cell, max_volumes, counters);
   limited_ = path.end == CastEnd::kWorkLimit;
   return path;
 }
@@ -233,7 +233,7 @@ template <int D>
 void StarSweep<D>::find_all(const Body<D>& body, uint32_t v, const double* to, const StarContact& first,
                             Array<StarContact>& all) {
   all.clear();
-  const CastResult path = cast(env_, body.position(v), to, body.vertices[v].cell, max_cells, counters);
+  const CastResult path = cast(env_, body.position(v), to, body.vertices[v].cell, max_volumes, counters);
   if (path.end == CastEnd::kHit) all.push_back({path_contact(env_, path), kNone, kNone});
   if (body.level == SweepLevel::kPoints) return;
   if (body.level == SweepLevel::kEdges && path.end == CastEnd::kReached) {

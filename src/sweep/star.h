@@ -107,7 +107,7 @@ class StarSweep {
    * meets anything. Not asked with a work limit, which is that of the cells that a sweep itself meets. */
   template <class... Cells>
   bool is_boxed(const Bounds<D>& box, Cell start, Cells... others) noexcept {
-    return max_cells == 0 && probe_.is_free(box, start) && (probe_.has_entered(others) && ...);
+    return max_volumes == 0 && probe_.is_free(box, start) && (probe_.has_entered(others) && ...);
   }
 
   bool is_triangle_free(const EdgeMotion& m, Cell start) {
@@ -122,7 +122,7 @@ class StarSweep {
 
   SweepCounts counts;
   CastCounters* counters = nullptr;       // of casts, and cells of floods; may stay null
-  uint32_t max_cells = 0;                 // work limit of each cast and flood; 0: none
+  uint32_t max_volumes = 0;               // work limit of each cast and flood; 0: none
   const Partners<D>* partners = nullptr;  // other bodies that the body can meet; null: none
 
  private:
@@ -134,8 +134,8 @@ class StarSweep {
   void consider(const double* p, const double* to, StarContact found, Earliest& earliest) const;
   template <class Motion, class... Collect>
   SweepResult flood(const Motion& m, Cell start, Collect... collect) {
-    const SweepResult swept = flood_.sweep(m, start, max_cells, collect...);
-    if (counters != nullptr) counters->cells_visited += swept.cells_visited;
+    const SweepResult swept = flood_.sweep(m, start, max_volumes, collect...);
+    if (counters != nullptr) counters->volumes_visited += swept.volumes_visited;
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     return swept;
   }

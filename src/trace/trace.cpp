@@ -110,7 +110,7 @@ bool is_shown(const Map<D>& map, HalfFacet h, bool with_boundary) {
 void add_contact(Addition& addition, const dsw_flight& flight, double normal_length) {
   if (flight.outcome != DSW_OUTCOME_CONTACT) return;
   double end[3];
-  for (int k = 0; k < 3; ++k) end[k] = flight.position[k] + normal_length * flight.normal[k];
+  for (int k = 0; k < 3; ++k) end[k] = flight.position[k] + normal_length * flight.contact.normal[k];
   const uint32_t a = addition.point<3>(flight.position);
   addition.dot(a);
   addition.segment(a, addition.point<3>(end));

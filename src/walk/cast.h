@@ -19,16 +19,16 @@ struct CastResult {
   uint32_t simplex = 0;             // kHit: which simplex of `cell` was pierced. kWorkLimit: that through which `cell`
                                     // was entered, in the numbering of `previous`
   Cell previous;                    // the cell before `cell`; invalid if it is the first
-  uint32_t cells_visited = 1;       // the first included
+  uint32_t volumes_visited = 1;     // the first included
   uint32_t first_facet = kNoFacet;  // local number of the facet through which the first cell was left, or tried to be
 };
 
 /** Counters of casts; plain adds into a struct of the calling thread. */
 struct CastCounters {
-  uint64_t casts = 0, cells_visited = 0, orientation_tests = 0, exact_fallbacks = 0, ties = 0;
+  uint64_t casts = 0, volumes_visited = 0, orientation_tests = 0, exact_fallbacks = 0, ties = 0;
   void add(const CastCounters& o) {
     casts += o.casts;
-    cells_visited += o.cells_visited;
+    volumes_visited += o.volumes_visited;
     orientation_tests += o.orientation_tests;
     exact_fallbacks += o.exact_fallbacks;
     ties += o.ties;
@@ -43,8 +43,8 @@ struct CastRequest {
   const double* from;  // D finite doubles, in `start` under the shift
   const double* to;
   Cell start;
-  Cell end = {};           // contains `to` under the shift, if that is known: a convex one is entered and not looked at
-  uint32_t max_cells = 0;  // 0: no limit
+  Cell end = {};  // contains `to` under the shift, if that is known: a convex one is entered and not looked at
+  uint32_t max_volumes = 0;      // 0: no limit
   uint32_t forecast = kNoFacet;  // local facet of `start` to test first, in convex cells of other than the common forms
   bool through_walls = false;    // ends only at the target or the outer boundary (locating)
   CrossingFn crossing = nullptr;
@@ -57,13 +57,13 @@ CastResult cast(const Environment<D>& env, const CastRequest& request, CastCount
 
 /** A plain cast. */
 template <int D>
-CastResult cast(const Environment<D>& env, const double* from, const double* to, Cell start, uint32_t max_cells = 0,
+CastResult cast(const Environment<D>& env, const double* from, const double* to, Cell start, uint32_t max_volumes = 0,
                 CastCounters* counters = nullptr) noexcept {
   CastRequest request;
   request.from = from;
   request.to = to;
   request.start = start;
-  request.max_cells = max_cells;
+  request.max_volumes = max_volumes;
   return cast(env, request, counters);
 }
 

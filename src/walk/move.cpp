@@ -16,7 +16,7 @@ void pull_back(const Environment<D>& env, const CastRequest& request, MoveResult
                CastCounters* counters) noexcept {
   CastRequest trial = request;
   trial.crossing = nullptr;
-  trial.max_cells = 0;
+  trial.max_volumes = 0;
   const auto is_free = [&](const double* candidate) {
     trial.to = candidate;
     const CastResult free = cast(env, trial, counters);

@@ -266,7 +266,7 @@ class Walkers {
       result.simplex = f.exit.simplex;
       return false;
     }
-    if (result.cells_visited == request.max_cells) {  // cells_visited is never 0, so 0 is no limit
+    if (result.volumes_visited == request.max_volumes) {  // volumes_visited is never 0, so 0 is no limit
       result.end = CastEnd::kWorkLimit;
       result.simplex = f.entry.simplex;
       return false;
@@ -278,7 +278,7 @@ class Walkers {
     f.visited |= visit_bit(next);
     result.previous = result.cell;
     result.cell = next;
-    ++result.cells_visited;
+    ++result.volumes_visited;
     return !ends_in(i, next);
   }
 
@@ -308,7 +308,7 @@ void walk_counted(const Environment<D>& env, const CastRequest* requests, uint32
                   CastCounters* counters) noexcept {
   Walkers<D, CountAll>(env, requests, results, {counters}).run(count);
   counters->casts += count;
-  for (uint32_t i = 0; i < count; ++i) counters->cells_visited += results[i].cells_visited;
+  for (uint32_t i = 0; i < count; ++i) counters->volumes_visited += results[i].volumes_visited;
 }
 template <int D>
 bool contains(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept {

@@ -11,10 +11,7 @@ template <int D>
 dsw_wall_contact describe(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, uint32_t vertex,
                           const double* from, const double* to, dsw_wall_response done) noexcept;
 
-/** Names a feature, and the wall that it meets. */
+/** Names the feature that is touched. */
 template <int D>
 void name_feature(const Occupants<D>& all, const Feature& feature, dsw_wall_contact& contact) noexcept;
-template <int D>
-void name_wall(const Environment<D>& env, HalfFacet wall, dsw_wall_contact& contact) noexcept;
-
 }  // namespace dsw

@@ -1,6 +1,7 @@
 #include "walls/end_repair.h"
 
 #include "base/points.h"
+#include "contact/names.h"
 #include "environment/moving.h"
 #include "predicates/plane_hit.h"
 #include "response/insertion.h"
@@ -236,11 +237,11 @@ void EndRepair<D>::add_contact(uint32_t owner, uint32_t edge, const Way& way, ds
   dsw_wall_contact contact{};
   std::copy_n(body.position(body.edges[edge].ends[0]), D, contact.from);
   std::copy_n(body.position(body.edges[edge].ends[1]), D, contact.to);
-  contact.time = contact.along = way.along;
+  contact.time = contact.edge_parameter = way.along;
   std::copy_n(way.at, D, contact.point);
-  store<D>(way.normal, contact.normal);
+  store<D>(way.normal, contact.contact.normal);
   contact.response = done;
-  name_wall(env_, way.wall, contact);
+  if (way.wall.valid()) name_wall(env_, way.wall, contact.contact);
   name_feature(all_, {Feature::kEdge, owner, edge}, contact);
   record.contacts.push_back(contact);
 }

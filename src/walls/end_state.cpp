@@ -138,7 +138,7 @@ Went EndState<D>::run_seats(const WallSettings& settings, WallRecord& record) {
   for (uint32_t i = 0; i < packet_.count(); ++i) {
     const CastResult& flight = packet_.result(i);
     if (flight.end == CastEnd::kReached) {
-      if (flight.cells_visited != 1) set_location(all_, points_[i], position(all_, points_[i]), flight.cell);
+      if (flight.volumes_visited != 1) set_location(all_, points_[i], position(all_, points_[i]), flight.cell);
     } else if (!put_before(packet_.request(i), flight, points_[i], done, record) ||
                settings.response == DSW_WALL_STOP) {
       return Went::kStopped;
@@ -167,9 +167,9 @@ bool EndState<D>::put_before(const CastRequest& request, const CastResult& fligh
   std::copy_n(request.to, D, contact.to);
   contact.time = move.time;
   std::copy_n(move.position, D, contact.point);
-  std::copy_n(move.normal, D, contact.normal);
+  std::copy_n(move.normal, D, contact.contact.normal);
   contact.response = done;
-  name_wall(env_, flight.facet, contact);
+  name_wall(env_, flight.facet, contact.contact);
   name_feature(all_, point, contact);
   record.contacts.push_back(contact);
   if (waits) {

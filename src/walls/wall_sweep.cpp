@@ -68,6 +68,7 @@ WallHit hit_of(const WallPart<Count>& part, const double* const (&swept)[Count +
   WallHit hit;
   hit.time = event_time<D>(swept[0], swept[1], event);
   hit.wall = part.facet;
+  hit.cell = part.cell;
   std::copy_n(part.others.data(), Count, hit.others);
   return hit;
 }
@@ -87,10 +88,12 @@ template <int D>
 void WallSweep<D>::start(uint32_t vertex, const Array<Cell>& star) {
   const Map<D>& map = env_.map;
   vertex_ = vertex;
+  front_ = star.front();
   simplices_.clear();
   ridges_.clear();
   for (const Cell c : star) {
     if (map.marked(c)) continue;
+    if (map.marked(front_)) front_ = c;
     const Shape shape = map.shape(c);
     for (uint32_t facet = 0; facet < shape.facet_count(); ++facet) {
       bool is_at_vertex = false;
@@ -115,13 +118,13 @@ void WallSweep<D>::add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t f
     const auto at = std::find(corners.begin(), corners.end(), vertex_);
     if (at == corners.end()) continue;
     std::rotate(corners.begin(), at, corners.end());
-    WallPart<D - 1> simplex{{}, h};
+    WallPart<D - 1> simplex{{}, h, c};
     std::copy(corners.begin() + 1, corners.end(), simplex.others.begin());
     simplices_.push_back(simplex);
     if constexpr (D == 3) {
-      for (const uint32_t q : simplex.others) add_ridge({q}, h);
+      for (const uint32_t q : simplex.others) add_ridge({q}, h, c);
     } else {
-      add_ridge({}, h);
+      add_ridge({}, h, c);
     }
   }
 }
@@ -130,7 +133,7 @@ void WallSweep<D>::add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t f
 template <int D>
 void WallSweep<D>::add_lone_ridges(const Array<Cell>& star) {
   if constexpr (D == 2) {
-    if (vertex_marked(env_, vertex_)) add_ridge({}, {});
+    if (vertex_marked(env_, vertex_)) add_ridge({}, {}, front_);
   } else if (env_.marked_edges != 0) {
     for (const Cell c : star) {
       const Shape shape = env_.map.shape(c);
@@ -138,7 +141,7 @@ void WallSweep<D>::add_lone_ridges(const Array<Cell>& star) {
         if (env_.map.vertex(c, shape.dart_vertex(d)) != vertex_) continue;
         for (const uint32_t end : {shape.beta1(d), shape.beta0(d)}) {
           const uint32_t q = env_.map.vertex(c, shape.dart_vertex(end));
-          if (edge_marked(env_, vertex_, q)) add_ridge({q}, {});
+          if (edge_marked(env_, vertex_, q)) add_ridge({q}, {}, c);
         }
       }
     }
@@ -146,11 +149,13 @@ void WallSweep<D>::add_lone_ridges(const Array<Cell>& star) {
 }
 
 template <int D>
-void WallSweep<D>::add_ridge(const std::array<uint32_t, D - 2>& others, HalfFacet facet) {
-  for (const WallPart<D - 2>& ridge : ridges_) {
-    if (ridge.others == others) return;
+void WallSweep<D>::add_ridge(const std::array<uint32_t, D - 2>& others, HalfFacet facet, Cell cell) {
+  for (WallPart<D - 2>& ridge : ridges_) {
+    if (ridge.others != others) continue;
+    if (env_.map.marked(ridge.cell)) ridge.cell = cell;
+    return;
   }
-  ridges_.push_back({others, facet});
+  ridges_.push_back({others, facet, cell});
 }
 
 template <int D>
@@ -204,7 +209,7 @@ bool WallSweep<D>::meets_face([[maybe_unused]] const Body<D>& body, [[maybe_unus
     const SweptTriangle triangle({face[0], face[1], face[2]});
     const int side = triangle.side(to);
     if (side * triangle.side(from) >= 0 || triangle.outside(from, to, side) != 0) return false;
-    const WallPart<0> vertex{{}, simplices_.empty() ? HalfFacet{} : simplices_.front().facet};
+    const WallPart<0> vertex{{}, simplices_.empty() ? HalfFacet{} : simplices_.front().facet, front_};
     *hit = hit_of<D>(vertex, way, face);
     return true;
   }

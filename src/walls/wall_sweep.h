@@ -14,18 +14,20 @@ namespace dsw {
 struct WallHit {
   double time = 0;  // fraction of the vertex's way, rounded down
   Feature feature;
-  HalfFacet wall;                       // impassable; invalid for a wire and a marked vertex
+  HalfFacet wall;                       // impassable; invalid for a marked edge and a marked vertex
+  Cell cell;                            // at the wall, the edge or the vertex
   uint32_t others[2] = {kNone, kNone};  // with the vertex the part of the wall that touches; kNone beyond that
 
   bool operator<(const WallHit& o) const { return time != o.time ? time < o.time : feature < o.feature; }
 };
 
-/** A part of a wall at the moving vertex: `Count` other vertices, and the facet that makes it one; invalid for a wire
- * and a marked vertex. */
+/** A part of a wall at the moving vertex: `Count` other vertices, the facet that makes it one (invalid for a marked edge
+ * and a marked vertex), and a cell there, passable if there is one. */
 template <size_t Count>
 struct WallPart {
   std::array<uint32_t, Count> others;
   HalfFacet facet;
+  Cell cell;
 };
 
 template <int D>
@@ -44,13 +46,14 @@ class WallSweep {
  private:
   void add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t facet);
   void add_lone_ridges(const Array<Cell>& star);
-  void add_ridge(const std::array<uint32_t, D - 2>& others, HalfFacet facet);
+  void add_ridge(const std::array<uint32_t, D - 2>& others, HalfFacet facet, Cell cell);
   bool meets_point(const double* x, const double* from, const double* to, WallHit* hit) const;
   bool meets_edge(const Body<D>& body, uint32_t e, const double* from, const double* to, WallHit* hit) const;
   bool meets_face(const Body<D>& body, uint32_t f, const double* from, const double* to, WallHit* hit) const;
 
   const Environment<D>& env_;
   uint32_t vertex_ = kNone;
+  Cell front_;               // at the vertex, passable if there is one
   bool impassable_ = false;  // the vertex: by its mark, or by a ridge, as every wall has one at it
   Array<WallPart<D - 1>> simplices_{env_.memory};  // of facets: met by points
   Array<WallPart<D - 2>> ridges_{env_.memory};     // of those, and wires; in the plane the vertex: met by edges

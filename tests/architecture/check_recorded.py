@@ -14,7 +14,7 @@ NOT_RECORDED = {
     "dsw_scene_load": "likewise",
     "dsw_scene_start_recording": "the recording itself",
     "dsw_scene_stop_recording": "the recording itself",
-    "dsw_scene_write_bundle": "leaves the scene as it is",
+    "dsw_scene_write_bug_report": "leaves the scene as it is",
 }
 
 root = pathlib.Path(sys.argv[1])

@@ -213,7 +213,7 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
     };
     for (int step = 0; step < 60; ++step) flock.move(shifted(0.1).data(), &pressing);
     for (int step = 0; step < 20; ++step) {
-      const dsw_contact* contacts = nullptr;
+      const dsw_body_contact* contacts = nullptr;
       std::size_t count = 0;
       check(dsw_body_get_contacts(flock.scene(), flock.bodies().front(), &contacts, &count));
       std::vector<double> targets = shifted(kStep);

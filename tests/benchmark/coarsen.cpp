@@ -29,7 +29,7 @@ Segments about_twenty_cells(const World& world, const scenes::TetCasts& casts) {
   Segments chosen;
   chosen.batch = all.batch;
   for (std::size_t i = 0; i < all.count(); ++i) {
-    if (flights[i].cells_visited < kLeastCells || flights[i].cells_visited > kMostCells) continue;
+    if (flights[i].volumes_visited < kLeastCells || flights[i].volumes_visited > kMostCells) continue;
     chosen.from.insert(chosen.from.end(), &all.from[3 * i], &all.from[3 * i] + 3);
     chosen.to.insert(chosen.to.end(), &all.to[3 * i], &all.to[3 * i] + 3);
     chosen.starts.push_back(all.starts[i]);
@@ -39,7 +39,7 @@ Segments about_twenty_cells(const World& world, const scenes::TetCasts& casts) {
 
 double crossings(const std::vector<dsw_flight>& flights) {
   double sum = 0.0;
-  for (const dsw_flight& flight : flights) sum += flight.cells_visited - 1;
+  for (const dsw_flight& flight : flights) sum += flight.volumes_visited - 1;
   return sum;
 }
 
@@ -71,7 +71,7 @@ void compare(const std::string& suffix, const scenes::VolumeMesh& mesh, bool qui
       about_twenty_cells(fine, scenes::long_tet_casts(mesh, quick ? 200000 : 1000000, 8 * edge, 1, false, 41));
   Segments in_coarse = segments;
   for (dsw_volume_id& start : in_coarse.starts) {
-    check(dsw_environment_get_volume(coarse->environment(), map[start.index], &start));
+    check(dsw_environment_get_volume_id(coarse->environment(), map[start.index], &start));
   }
   const auto before = cast_all(fine, segments), after = cast_all(*coarse, in_coarse);
   double different = 0.0;

@@ -77,15 +77,16 @@ void cut_lattice(std::size_t cells, const std::string& label, std::size_t bodies
     dsw_cut_desc_init(&desc, sizeof desc);
     desc.points = blade.data();
     desc.rows = desc.columns = kRows;
-    check(dsw_environment_get_volume(environment, scene.grid.cell_at(at), &desc.start));
-    dsw_cut_report cut;
+    check(dsw_environment_get_volume_id(environment, scene.grid.cell_at(at), &desc.start));
+    dsw_change cut;
+    cut.struct_size = sizeof cut;
     const double time = time_ns([&] { check(dsw_environment_cut(environment, &desc, &cut)); });
     if (i == 0) continue;  // makes the tables of the first change
     times.push_back(time);
     crossed += cut.volumes_crossed;
     touched += cut.volumes_visited + cut.volumes_changed;  // what is both counts twice
     split += cut.volumes_split;
-    whole += cut.volumes_whole;
+    whole += cut.whole_count;
     distance = std::max(distance, cut.distance);
   }
   double sum = 0;

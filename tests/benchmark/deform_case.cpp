@@ -66,7 +66,8 @@ DeformCase::DeformCase(std::size_t cells)
     : hex_("deform", lattice(cells), {}, 1), wave_(hex_.grid.options.size), names_(hex_.world, hex_.walls) {
   dsw_scene* scene = hex_.world.scene(DSW_FEATURE_DEFORMING);
   for (auto& points : points_) wave_.write(step_, points);
-  check(dsw_scene_deform(scene, points_[0].data(), points_[0].size() / 3, nullptr, nullptr));
+  check(dsw_environment_deform(dsw_scene_get_environment(scene), points_[0].data(), points_[0].size() / 3, nullptr,
+                               nullptr));
 
   const std::vector<double>& starts = hex_.motion.starts();
   particles_.resize(hex_.motion.vertex_count());
@@ -106,7 +107,9 @@ DeformCase::Times DeformCase::advance(dsw_deform_method method, DeformStep& step
   options.method = method;
   dsw_deform_report report{};
   Times times{};
-  times.update = cpu_time_ns([&] { check(dsw_scene_deform(scene, next.data(), next.size() / 3, &options, &report)); });
+  times.update = cpu_time_ns([&] {
+    check(dsw_environment_deform(dsw_scene_get_environment(scene), next.data(), next.size() / 3, &options, &report));
+  });
   times.queries = cpu_time_ns([&] {
     check(dsw_scene_cast_from_particles(scene, sources_.data(), sources_.size(), to_.data(), 0, nullptr,
                                         flights_.data()));
@@ -118,7 +121,8 @@ DeformCase::Times DeformCase::advance(dsw_deform_method method, DeformStep& step
   step.segments.batch = sources_.size();
   step.segments.from.resize(to_.size());
   step.segments.to = to_;
-  check(dsw_scene_get_particles(scene, sources_.data(), sources_.size(), step.segments.from.data(), 0, nullptr));
+  check(
+      dsw_scene_get_particle_positions(scene, sources_.data(), sources_.size(), step.segments.from.data(), 0, nullptr));
   step.answers.clear();
   for (const dsw_flight& flight : flights_) step.answers.push_back(names_.answer_of(flight));
   hex_.motion.advance();
@@ -131,7 +135,7 @@ bool DeformCase::place_particle(std::size_t i, const double* lattice_point) {
   double at[3];
   wave_.move(step_, lattice_point, at);
   dsw_volume_id hint;
-  check(dsw_environment_get_volume(hex_.world.environment(), hex_.grid.cell_at(lattice_point), &hint));
+  check(dsw_environment_get_volume_id(hex_.world.environment(), hex_.grid.cell_at(lattice_point), &hint));
   return dsw_particle_create(hex_.world.scene(), at, hint, &particles_[i]) == DSW_STATUS_OK;
 }
 

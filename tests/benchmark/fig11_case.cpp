@@ -98,15 +98,15 @@ class Obstacles {
 /** Tells the physics what bodies touched. */
 void answer_contacts(const Flock& flock, scenes::SoftHexahedra& bodies) {
   for (std::size_t i = 0; i < flock.bodies().size(); ++i) {
-    const dsw_contact* contacts = nullptr;
+    const dsw_body_contact* contacts = nullptr;
     std::size_t count = 0;
     check(dsw_body_get_contacts(flock.scene(), flock.bodies()[i], &contacts, &count));
-    for (const dsw_contact* contact = contacts; contact != contacts + count; ++contact) {
+    for (const dsw_body_contact* contact = contacts; contact != contacts + count; ++contact) {
       const std::size_t p = contact->vertex.index;
       std::size_t q = p;
       if (contact->edge.generation != 0) {
         dsw_body_vertex_id ends[2];
-        check(dsw_body_get_edge(flock.scene(), flock.bodies()[i], contact->edge, ends));
+        check(dsw_body_get_edge_ends(flock.scene(), flock.bodies()[i], contact->edge, ends));
         q = ends[0].index == p ? ends[1].index : ends[0].index;
       }
       const std::size_t first = i * scenes::kBodyVertices;

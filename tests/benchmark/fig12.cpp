@@ -118,7 +118,7 @@ std::size_t count_not_free(const Fall& fall, const World& world, const Flock& fl
 }
 
 std::set<std::uint32_t> touched(const Flock& flock) {
-  const dsw_contact* contacts = nullptr;
+  const dsw_body_contact* contacts = nullptr;
   std::size_t count = 0;
   check(dsw_body_get_contacts(flock.scene(), flock.bodies().front(), &contacts, &count));
   std::set<std::uint32_t> vertices;

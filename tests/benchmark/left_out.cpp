@@ -95,7 +95,7 @@ std::vector<Setting> all_settings() {
           response("adaptive_many", DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_MANY),
           response("hybrid", DSW_RESPONSE_SLIDE, DSW_RESPONSE_HYBRID),
           response("adaptive_slide", DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_SLIDE),
-          search("all", DSW_SEARCH_ALL),
+          search("all", DSW_SEARCH_EXHAUSTIVE),
           search("bisection", DSW_SEARCH_BISECTION)};
 }
 

@@ -136,7 +136,8 @@ void run_moved(const Tetrahedra& tets, const std::vector<double>& points, Report
     std::vector<double>& to = next[step % 2];
     for (std::size_t i = 0; i < to.size(); i += 3)
       to[i + 2] = tets.points[i + 2] + 0.02 * std::sin(6 * tets.points[i] + step);
-    expect_ok(dsw_scene_deform(scene.get(), to.data(), to.size() / 3, nullptr, nullptr));
+    expect_ok(
+        dsw_environment_deform(dsw_scene_get_environment(scene.get()), to.data(), to.size() / 3, nullptr, nullptr));
     first.push_back(1e-6 * cpu_time_ns([&] { locate(environment.get(), &points[0]); }));
     later.push_back(time_points(points, [&](const double* p) { locate(environment.get(), p); }).mean);
   }
@@ -162,16 +163,16 @@ NearestTimes time_nearest(const dsw_environment* environment, const dsw_environm
   NearestTimes result;
   for (std::size_t i = 0; i < count; ++i) {
     dsw_volume_id volume;
-    dsw_place place;
+    dsw_location place;
     dsw_nearest nearest;
     const double* const p = &points[3 * i];
     expect_ok(dsw_environment_locate(environment, p, {0, 0}, &volume, &place));
-    if (place != DSW_PLACE_PASSABLE) continue;
+    if (place != DSW_LOCATION_PASSABLE) continue;
     times.push_back(1e-3 * cpu_time_ns([&] { nearest = nearest_of(environment, p, volume); }));
-    result.cells += nearest.cells_visited;
+    result.cells += nearest.volumes_visited;
     if (i >= compared) continue;
     dsw_nearest other = nearest_of(without, p, volume);
-    other.cells_visited = nearest.cells_visited;
+    other.volumes_visited = nearest.volumes_visited;
     result.differ += std::memcmp(&other, &nearest, sizeof other) == 0 ? 0 : 1;
   }
   const auto asked = static_cast<double>(times.size());
@@ -251,7 +252,7 @@ void run_nearest(const Tetrahedra& tets, dsw_environment* environment, dsw_envir
 void run_locate(const Options& options, Report& report) {
   const Tetrahedra tets(1000000);
   const std::vector<double> inside = random_points(kPoints, 0.02, 0.98, 5), outside = random_points(kPoints, 1.1, 2, 6);
-  const EnvironmentOwner environment = tets.make(0), without = tets.make(DSW_ENVIRONMENT_NO_LOCATE_GRID);
+  const EnvironmentOwner environment = tets.make(0), without = tets.make(DSW_ENVIRONMENT_NO_LOCATE_TREE);
   const double cells = static_cast<double>(tets.corners.size() / 4);
   const std::uint64_t before = bytes_of(environment.get());
   const auto ours = [&](const double* p) { return locate(environment.get(), p); };

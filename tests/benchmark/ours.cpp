@@ -99,7 +99,7 @@ void World::close_scene() {
 std::vector<dsw_volume_id> volume_ids(const World& world, const std::vector<std::uint32_t>& cells) {
   std::vector<dsw_volume_id> ids(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    check(dsw_environment_get_volume(world.environment(), cells[i], &ids[i]));
+    check(dsw_environment_get_volume_id(world.environment(), cells[i], &ids[i]));
   }
   return ids;
 }
@@ -134,7 +134,7 @@ void adopt_triangulation(const World& world, const scenes::VolumeMesh& mesh, std
   check(dsw_trace_add_impassable(trace, world.environment(), 1, 0));
   dsw_trace_data data{};
   data.struct_size = sizeof data;
-  check(dsw_trace_get(trace, &data));
+  check(dsw_trace_get_data(trace, &data));
 
   // The trace carries positions; points of the mesh are told apart by theirs, which are exact copies.
   using Position = std::array<double, 3>;
@@ -172,13 +172,13 @@ void adopt_triangulation(const World& world, const scenes::VolumeMesh& mesh, std
 std::size_t locate_starts(const World& world, const std::vector<std::uint32_t>& cells, Segments& segments) {
   const std::size_t count = segments.count();
   const auto hints = volume_ids(world, cells);
-  std::vector<dsw_place> places(count);
+  std::vector<dsw_location> places(count);
   segments.starts.resize(count);
   check(dsw_environment_locate_points(world.environment(), segments.from.data(), count, 0, hints.data(),
                                       segments.starts.data(), places.data()));
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (places[i] != DSW_PLACE_PASSABLE) continue;
+    if (places[i] != DSW_LOCATION_PASSABLE) continue;
     segments.starts[kept] = segments.starts[i];
     std::copy_n(&segments.from[3 * i], 3, &segments.from[3 * kept]);
     std::copy_n(&segments.to[3 * i], 3, &segments.to[3 * kept]);
@@ -248,7 +248,7 @@ Work count_work(World& world, const Segments& segments, std::size_t batches) {
     statistics.struct_size = sizeof statistics;
     check(dsw_scene_get_statistics(scene, &statistics));
     work.casts += static_cast<double>(statistics.casts);
-    work.cells += static_cast<double>(statistics.cells_visited);
+    work.cells += static_cast<double>(statistics.volumes_visited);
     work.orientation_tests += static_cast<double>(statistics.orientation_tests);
     work.exact_fallbacks += static_cast<double>(statistics.exact_fallbacks);
     work.ties += static_cast<double>(statistics.ties);

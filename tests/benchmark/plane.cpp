@@ -85,7 +85,7 @@ Figures run_size(const std::string& key, std::size_t count, double step, bool qu
                       kParticles);
     counted.move(to);
     std::vector<dsw_volume_id> volumes(kParticles);
-    check(dsw_scene_get_particles(ours.scene, ours.particles.data(), kParticles, nullptr, 0, volumes.data()));
+    check(dsw_scene_get_particle_positions(ours.scene, ours.particles.data(), kParticles, nullptr, 0, volumes.data()));
     for (std::size_t i = 0; i < kParticles; ++i) differences += volumes[i].index != faces[i]->info() ? 1 : 0;
   }
   dsw_statistics s{};
@@ -101,7 +101,7 @@ Figures run_size(const std::string& key, std::size_t count, double step, bool qu
   report.set("plane." + key + ".cgal_ns_per_locate", median(cgal_ns));
   report.set("plane." + key + ".vs_cgal", median_ratio(our_ns, cgal_ns));
   report.set("plane." + key + ".differences", differences);
-  report.set("plane." + key + ".cells_per_cast", static_cast<double>(s.cells_visited) / casts);
+  report.set("plane." + key + ".cells_per_cast", static_cast<double>(s.volumes_visited) / casts);
   report.set("plane." + key + ".orientation_tests_per_cast", figures.tests_per_cast);
   return figures;
 }

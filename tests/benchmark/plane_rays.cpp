@@ -90,7 +90,7 @@ struct Rays {
       from.insert(from.end(), {x, y});
       to.insert(to.end(), {std::clamp(target[0], 0.05, 0.95), std::clamp(target[1], 0.05, 0.95)});
       dsw_volume_id id;
-      check(dsw_environment_get_volume(triangles.environment, face->info(), &id));
+      check(dsw_environment_get_volume_id(triangles.environment, face->info(), &id));
       starts.push_back(id);
       faces.push_back(face);
     }
@@ -149,7 +149,7 @@ void run_plane_rays(const Options& options, Report& report) {
     std::vector<char> solid(info.volume_count);
     for (std::uint32_t i = 0; i < info.volume_count; i += 20) {
       dsw_volume_id id;
-      check(dsw_environment_get_volume(triangles.environment, i, &id));
+      check(dsw_environment_get_volume_id(triangles.environment, i, &id));
       check(dsw_environment_mark_volumes(triangles.environment, &id, 1, DSW_MARK_IMPASSABLE, 0, nullptr));
       solid[i] = 1;
     }

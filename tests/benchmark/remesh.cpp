@@ -92,7 +92,8 @@ std::vector<double> stirred(const scenes::VolumeMesh& mesh, const std::vector<ch
 }
 
 struct Result {
-  dsw_remesh_report report;
+  dsw_change report;
+  report.struct_size = sizeof report;
   double ns;
 };
 
@@ -103,11 +104,12 @@ Result mend(const scenes::VolumeMesh& mesh, std::vector<double> next, std::uint3
   {
     World bent(mesh, 1);
     std::vector<double> points = next;
-    check(dsw_scene_deform(bent.scene(DSW_FEATURE_DEFORMING), points.data(), points.size() / 3, nullptr, nullptr));
+    check(
+        dsw_environment_deform(bent.scene(DSW_FEATURE_DEFORMING), points.data(), points.size() / 3, nullptr, nullptr));
     for (std::uint32_t i = 0; i < mesh.cell_count(); ++i) {
       dsw_volume_id volume;
       int valid;
-      check(dsw_environment_get_volume(bent.environment(), i, &volume));
+      check(dsw_environment_get_volume_id(bent.environment(), i, &volume));
       check(dsw_environment_is_valid(bent.environment(), volume, &valid));
       if (valid == 0) invalid.push_back(volume);
     }
@@ -122,7 +124,7 @@ Result mend(const scenes::VolumeMesh& mesh, std::vector<double> next, std::uint3
     desc.next = next.data();
     desc.point_count = next.size() / 3;
   } else {
-    check(dsw_scene_deform(world.scene(DSW_FEATURE_DEFORMING), read.data(), read.size() / 3, nullptr, nullptr));
+    check(dsw_environment_deform(world.scene(DSW_FEATURE_DEFORMING), read.data(), read.size() / 3, nullptr, nullptr));
   }
   dsw_remesh_desc nothing = desc;
   nothing.volume_count = 0;
@@ -141,15 +143,17 @@ void run_remesh(const Options& options, Report& report) {
     for (const bool before : {true, false}) {
       for (const std::uint32_t radius : {1u, 2u}) {
         const Result r = mend(mesh, next, radius, before);
-        const double wanted = std::max(1u, r.report.invalid_count), mended = std::max(1u, r.report.mended_count);
+        const double wanted = std::max(1u, r.report.invalid_count),
+                     mended = std::max(1u, r.report.volumes_invalid - report.unrepaired_count);
         char name[64];
         std::snprintf(name, sizeof name, "%s%g.%s.r%u", kind.c_str(), by, before ? "before" : "after", radius);
-        report.set(std::string("remesh.share.") + name, r.report.mended_count / wanted);
+        report.set(std::string("remesh.share.") + name, r.report.volumes_invalid - report.unrepaired_count / wanted);
         report.set(std::string("remesh.us.") + name, 1e-3 * r.ns / mended);
         std::printf(
             "  %-24s %6u invalid, %5.1f %% mended in %u patches, %u -> %u volumes, most faces %u, %.1f us each\n", name,
-            r.report.invalid_count, 100 * r.report.mended_count / wanted, r.report.patch_count,
-            r.report.volumes_removed, r.report.volumes_added, r.report.most_faces, 1e-3 * r.ns / mended);
+            r.report.invalid_count, 100 * r.report.volumes_invalid - report.unrepaired_count / wanted,
+            r.report.patch_count, r.report.volumes_removed, r.report.volumes_added, r.report.most_faces,
+            1e-3 * r.ns / mended);
       }
     }
   };

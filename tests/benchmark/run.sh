@@ -80,7 +80,7 @@ mkdir -p "$tree"
 cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
   -DDSW_BUILD_EXAMPLES=ON -DDSW_WITH_LIBCCD=ON > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
 cmake --build "$tree" -j "$(nproc)" \
-  --target dartsweep_bench dartsweep_bench_predicates dartsweep_oracle dartsweep_core edits_tests contact_check_tests paper_catheter_length
+  --target dartsweep_bench dartsweep_bench_predicates dartsweep_oracle dartsweep_core edits_tests cross_check_tests paper_catheter_length
 
 bench=$tree/tests/benchmark
 if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 edits=5000 cases=110000
@@ -94,7 +94,7 @@ failed=0
   --plane "$sweeps" --plane-sweeps "$sweeps" --plane-deformations "$deformations" --json "$tree/oracle.json" || failed=1
 DSW_EDITS=$edits "$tree/tests/property/edits_tests" --gtest_output="json:$tree/edits.json" > "$tree/edits.log" || failed=1
 
-"$tree/tests/property/contact_check_tests" --gtest_output="json:$tree/normals.json" > "$tree/normals.log" || failed=1
+"$tree/tests/property/cross_check_tests" --gtest_output="json:$tree/normals.json" > "$tree/normals.log" || failed=1
 python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/normals.json" "$tree/walk.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/oracle.json"
 echo "wrote $json"
 exit $failed

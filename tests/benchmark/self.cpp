@@ -85,7 +85,7 @@ class Rope {
     check(dsw_body_get_positions(scene_, body_, at_.data(), at_.size() / 3, 0, nullptr, &count));
     step.after = at_;
     step.stopped.assign(at_.size() / 3, 0);
-    const dsw_contact* contacts = nullptr;
+    const dsw_body_contact* contacts = nullptr;
     check(dsw_body_get_contacts(scene_, body_, &contacts, &count));
     for (std::size_t i = 0; i < count; ++i) step.stopped[contacts[i].vertex.index] = 1;
     step.contacts = count;

@@ -242,7 +242,7 @@ void describe(dsw_cut_desc& d, uint32_t dimension) {
   d.columns = dimension - 1;
 }
 
-void describe(dsw_open_desc& d, uint32_t dimension) {
+void describe(dsw_open_crack_desc& d, uint32_t dimension) {
   static const dsw_cut_face faces[] = {{{2, 1, 1}, {3, 1, 0}}}, sides[] = {{{2, 1, 1}, {3, 1, 3}}};
   d.faces = dimension == 2 ? sides : faces;
   d.face_count = 1;

@@ -85,7 +85,7 @@ void describe(dsw_environment_desc& d, uint32_t dimension);
 void describe(dsw_body_desc& d, uint32_t dimension);
 void describe(dsw_volumes_desc& d, uint32_t dimension);
 void describe(dsw_cut_desc& d, uint32_t dimension);
-void describe(dsw_open_desc& d, uint32_t dimension);
+void describe(dsw_open_crack_desc& d, uint32_t dimension);
 void describe(dsw_carve_desc& d, uint32_t dimension);
 void describe(dsw_tie_desc& d, uint32_t dimension);
 void describe(dsw_detach_desc& d, uint32_t dimension);

@@ -7,7 +7,7 @@
 block_numbers g_block;
 dsw_environment *g_env;
 double g_blade[12];
-dsw_cut_report g_cut;
+dsw_change g_cut;
 dsw_cut_face g_faces[64];
 
 static grid g_grid;
@@ -26,6 +26,7 @@ void begin_block(dsw_context *context, double size, uint32_t flags) {
   for (i = 0; i < 3 * g_grid.point_count; ++i) g_grid.points[i] *= size;
   d = g_block.dimension == 2 ? squares_desc(&g_grid) : grid_desc(&g_grid);
   d.flags = flags;
+  g_cut = empty_change();
   CHECK_OK(dsw_environment_create(context, &d, &g_env, NULL));
 }
 
@@ -56,13 +57,13 @@ dsw_cut_desc blade_at(double x, double y_end) {
 
 void cut(dsw_cut_desc d, uint32_t flags) {
   d.flags = flags;
+  g_cut = empty_change();
   CHECK_OK(dsw_environment_cut(g_env, &d, &g_cut));
 }
 
 size_t keep_faces(void) {
-  const dsw_cut_face *faces = NULL;
-  size_t count = 999;
-  CHECK_OK(dsw_environment_get_cut_faces(g_env, &faces, &count));
+  const dsw_cut_face *faces = change_of(g_env).faces;
+  const size_t count = change_of(g_env).face_count;
   CHECK(count <= 64);
   if (count != 0) memcpy(g_faces, faces, count * sizeof *faces);
   return count;
@@ -70,7 +71,7 @@ size_t keep_faces(void) {
 
 double x_of(dsw_vertex_id vertex) {
   double at[3] = {0, 0, 0};
-  CHECK_OK(dsw_environment_get_position(g_env, vertex, at));
+  CHECK_OK(dsw_environment_get_vertex_position(g_env, vertex, at));
   return at[0];
 }
 

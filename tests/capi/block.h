@@ -21,7 +21,7 @@ extern dsw_environment *g_env;
 /* Points of the last blade: two rows of two points, in the plane two points. */
 extern double g_blade[12];
 /* Of the last cut of `cut`, and the faces that keep_faces kept. */
-extern dsw_cut_report g_cut;
+extern dsw_change g_cut;
 extern dsw_cut_face g_faces[64];
 
 /* Chooses the dimension of the block from here on; failures name it. */

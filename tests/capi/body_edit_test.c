@@ -81,8 +81,8 @@ static void edges_come_and_go(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_add_edge(g_scene, body, g_gone, vertex_id(4), &e));
   CHECK_MESSAGE("a {index 0, generation 9} names no vertex");
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_add_edge(g_scene, body, vertex_id(0), g_nothing, &e));
-  CHECK_FAILS(DSW_STATUS_BAD_CELL, dsw_body_add_edge(g_scene, body, vertex_id(4), vertex_id(4), &e));
-  CHECK_FAILS(DSW_STATUS_DUPLICATE_CELL, dsw_body_add_edge(g_scene, body, vertex_id(1), vertex_id(0), &e));
+  CHECK_FAILS(DSW_STATUS_REPEATED_VERTEX, dsw_body_add_edge(g_scene, body, vertex_id(4), vertex_id(4), &e));
+  CHECK_FAILS(DSW_STATUS_DUPLICATE_PART, dsw_body_add_edge(g_scene, body, vertex_id(1), vertex_id(0), &e));
   mark_wall(DSW_MARK_IMPASSABLE);
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_add_edge(g_scene, body, vertex_id(2), far, &e));
   CHECK_MESSAGE("the edge between vertices 2 and 5");
@@ -114,14 +114,14 @@ static void faces_come_and_go(void) {
               dsw_body_add_face(g_scene, body, vertex_id(1), vertex_id(0), vertex_id(4), NULL));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_add_face(g_scene, body, vertex_id(1), vertex_id(0), g_gone, &f));
   CHECK_MESSAGE("c {index 0, generation 9}");
-  CHECK_FAILS(DSW_STATUS_BAD_CELL, ADD(1, 0, 1));
-  CHECK_FAILS(DSW_STATUS_DUPLICATE_CELL, ADD(1, 2, 0));
-  CHECK_FAILS(DSW_STATUS_SHARED_FACE, ADD(0, 2, 4));
-  CHECK_FAILS(DSW_STATUS_INVERTED_CELL, ADD(0, 1, 4));
+  CHECK_FAILS(DSW_STATUS_REPEATED_VERTEX, ADD(1, 0, 1));
+  CHECK_FAILS(DSW_STATUS_DUPLICATE_PART, ADD(1, 2, 0));
+  CHECK_FAILS(DSW_STATUS_NOT_MANIFOLD, ADD(0, 2, 4));
+  CHECK_FAILS(DSW_STATUS_NOT_ORIENTED, ADD(0, 1, 4));
   CHECK(f.index == 55 && f.generation == 66 && has(body, 6, 5, 2));
   CHECK_OK(ADD(1, 0, 4)); /* two edges come with it */
   CHECK(f.index == 2 && f.generation == 1 && has(body, 6, 7, 3));
-  CHECK_OK(dsw_body_get_face(g_scene, body, f, v));
+  CHECK_OK(dsw_body_get_face_corners(g_scene, body, f, v));
   CHECK(v[0].index == 1 && v[1].index == 0 && v[2].index == 4);
   CHECK_OK(dsw_body_remove_face(g_scene, body, f)); /* its edges stay */
   CHECK(has(body, 6, 7, 2));
@@ -158,18 +158,18 @@ static void edges_are_split(void) {
   for (i = 0; i < 5; ++i) {
     CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE,
                 dsw_body_split_edge(g_scene, body, edge_id(2), i == 4 ? (double)NAN : kShares[i], &edit));
-    CHECK_MESSAGE("share is ");
+    CHECK_MESSAGE("edge_parameter is ");
   }
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_split_edge(g_scene, body, edge_id(7), 0.5, &edit));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_split_edge(NULL, body, edge_id(2), 0.5, &edit));
   CHECK(memcmp(&edit, &before, sizeof edit) == 0 && has(body, 5, 5, 2));
   CHECK_OK(dsw_body_split_edge(g_scene, body, edge_id(2), 0.75, &edit)); /* 2 0: two faces become four */
   CHECK(edit.vertex.index == 5 && edit.vertex.generation == 1 && edit.inserted == 1 && edit.reserved == 0);
-  CHECK(edit.ends[0].index == 2 && edit.ends[1].index == 0 && edit.share == 0.75 && edit.edge.index == 2);
+  CHECK(edit.ends[0].index == 2 && edit.ends[1].index == 0 && edit.edge_parameter == 0.75 && edit.edge.index == 2);
   CHECK(edit.edge.generation == 1 && edit.rest.generation == 1 && has(body, 6, 8, 4));
-  CHECK_OK(dsw_body_get_edge(g_scene, body, edit.edge, ends));
+  CHECK_OK(dsw_body_get_edge_ends(g_scene, body, edit.edge, ends));
   CHECK(ends[0].index + ends[1].index == 7); /* 2 and 5 */
-  CHECK_OK(dsw_body_get_edge(g_scene, body, edit.rest, ends));
+  CHECK_OK(dsw_body_get_edge_ends(g_scene, body, edit.rest, ends));
   CHECK(ends[0].index + ends[1].index == 5); /* 5 and 0 */
   position_of(body, 5, p);
   CHECK(memcmp(p, middle, sizeof p) == 0);
@@ -193,19 +193,19 @@ static void edges_are_collapsed(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_collapse_edge(g_scene, body, e, g_gone, &edit));
   CHECK_FAILS(DSW_STATUS_NOT_FOUND, dsw_body_collapse_edge(g_scene, body, e, vertex_id(2), &edit));
   CHECK_MESSAGE("vertex 2 is no end of edge");
-  CHECK_FAILS(DSW_STATUS_BAD_CELL, dsw_body_collapse_edge(g_scene, body, edge_id(2), vertex_id(2), &edit));
+  CHECK_FAILS(DSW_STATUS_NOT_MANIFOLD, dsw_body_collapse_edge(g_scene, body, edge_id(2), vertex_id(2), &edit));
   CHECK_MESSAGE("would leave no manifold"); /* an inner edge between two vertices of the rim */
   CHECK_OK(dsw_body_add_edge(g_scene, body, vertex_id(4), far, &e));
   CHECK(has(body, 6, 7, 2) && memcmp(&edit, &before, sizeof edit) == 0);
   CHECK_OK(dsw_body_collapse_edge(g_scene, body, e, far, &edit));
   CHECK(edit.vertex.index == far.index && edit.vertex.generation == far.generation && edit.ends[0].index == 4);
-  CHECK(edit.edge.index == e.index && edit.inserted == 0 && edit.reserved == 0 && edit.share == 0);
+  CHECK(edit.edge.index == e.index && edit.inserted == 0 && edit.reserved == 0 && edit.edge_parameter == 0);
   CHECK(edit.ends[1].generation == 0 && edit.rest.generation == 0);
   CHECK(has(body, 5, 6, 2)); /* 1 4 is what became of 1 5 */
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_remove_vertex(g_scene, body, far));
   CHECK_OK(dsw_body_collapse_edge(g_scene, body, edge_id(0), vertex_id(0), NULL)); /* the face 0 1 2 goes with it */
   CHECK(has(body, 4, 4, 1));
-  CHECK_OK(dsw_body_get_face(g_scene, body, face_id(1), v));
+  CHECK_OK(dsw_body_get_face_corners(g_scene, body, face_id(1), v));
   CHECK(v[0].index + v[1].index + v[2].index == 6); /* 1 2 3 */
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
@@ -240,36 +240,36 @@ static void all_is_read_at_once(void) {
   dsw_body_vertex_id v = {7, 7};
   uint32_t pairs[10], triples[6], none = 77;
   size_t count = 55;
-  CHECK_OK(dsw_body_get_vertex(g_scene, body, 4, &v));
+  CHECK_OK(dsw_body_get_vertex_id(g_scene, body, 4, &v));
   CHECK(v.index == 4 && v.generation == 1);
   v = g_gone;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_get_vertex(g_scene, body, 5, &v));
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_get_vertex(g_scene, body, 0xffffffffu, &v));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_vertex(g_scene, body, 0, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_vertex(NULL, body, 0, &v));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_vertex(g_scene, stale, 0, &v));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_get_vertex_id(g_scene, body, 5, &v));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_get_vertex_id(g_scene, body, 0xffffffffu, &v));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_vertex_id(g_scene, body, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_vertex_id(NULL, body, 0, &v));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_vertex_id(g_scene, stale, 0, &v));
   CHECK(v.index == g_gone.index && v.generation == g_gone.generation);
 
-  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_edge_vertices(g_scene, body, &none, 0, &count));
+  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_edge_indices(g_scene, body, &none, 0, &count));
   CHECK(count == 5 && none == 77);
-  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_face_vertices(g_scene, body, &none, 1, &count));
+  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_face_indices(g_scene, body, &none, 1, &count));
   CHECK(count == 2 && none == 77);
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_edge_vertices(g_scene, body, NULL, 5, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_face_vertices(g_scene, body, triples, 2, NULL));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_edge_vertices(g_scene, stale, pairs, 5, &count));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_face_vertices(g_scene, stale, triples, 2, &count));
-  CHECK_OK(dsw_body_get_edge_vertices(g_scene, body, pairs, 5, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_edge_indices(g_scene, body, NULL, 5, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_face_indices(g_scene, body, triples, 2, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_edge_indices(g_scene, stale, pairs, 5, &count));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_face_indices(g_scene, stale, triples, 2, &count));
+  CHECK_OK(dsw_body_get_edge_indices(g_scene, body, pairs, 5, &count));
   CHECK(count == 5 && pairs[0] == 0 && pairs[1] == 1 && pairs[8] == 3 && pairs[9] == 0);
-  CHECK_OK(dsw_body_get_face_vertices(g_scene, body, triples, 2, &count));
+  CHECK_OK(dsw_body_get_face_indices(g_scene, body, triples, 2, &count));
   CHECK(count == 2 && triples[0] == 0 && triples[1] == 1 && triples[2] == 2 && triples[5] == 3);
 
   CHECK_OK(dsw_body_remove_edge(g_scene, body, edge_id(0))); /* and face 0 with it */
-  CHECK_OK(dsw_body_get_edge_vertices(g_scene, body, pairs, 5, &count));
+  CHECK_OK(dsw_body_get_edge_indices(g_scene, body, pairs, 5, &count));
   CHECK(count == 5 && pairs[0] == 0xffffffffu && pairs[1] == 0xffffffffu && pairs[2] == 1);
-  CHECK_OK(dsw_body_get_face_vertices(g_scene, body, triples, 2, &count));
+  CHECK_OK(dsw_body_get_face_indices(g_scene, body, triples, 2, &count));
   CHECK(triples[0] == 0xffffffffu && triples[2] == 0xffffffffu && triples[3] == 0);
   CHECK_OK(dsw_body_remove_vertex(g_scene, body, vertex_id(4)));
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_get_vertex(g_scene, body, 4, &v));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_get_vertex_id(g_scene, body, 4, &v));
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 

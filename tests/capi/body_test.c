@@ -78,27 +78,27 @@ static void a_body_has_what_was_given(void) {
     dsw_level now = (dsw_level)0;
     d.level = (dsw_level)level;
     d.hints = level % 2 != 0 ? hints : NULL;
-    d.flags = DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_BY_MOTION;
+    d.flags = DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_SIMILAR_MOTION;
     body = make(&d);
     c = counts_of(body);
     CHECK(c.struct_size == sizeof c && c.vertex_count == 5 && c.edge_count == 9 && c.face_count == 6);
     CHECK(c.vertex_slots == 5 && c.edge_slots == 9 && c.face_slots == 6 && c.reserved == 0);
     CHECK_OK(dsw_body_get_level(g_scene, body, &now));
     CHECK((int)now == level && body_count() == 1);
-    CHECK_OK(dsw_body_get_vertices(g_scene, body, v, 5, &count));
+    CHECK_OK(dsw_body_get_vertex_ids(g_scene, body, v, 5, &count));
     for (i = 0; i < 5; ++i) CHECK(v[i].index == i && v[i].generation == 1);
-    CHECK_OK(dsw_body_get_edges(g_scene, body, e, 9, &count));
+    CHECK_OK(dsw_body_get_edge_ids(g_scene, body, e, 9, &count));
     CHECK(count == 9);
     for (i = 0; i < 9; ++i) {
-      CHECK_OK(dsw_body_get_edge(g_scene, body, e[i], ends));
+      CHECK_OK(dsw_body_get_edge_ends(g_scene, body, e[i], ends));
       CHECK(e[i].index == i && ends[0].generation == 1 && ends[1].generation == 1);
       CHECK((ends[0].index == edges[i][0] && ends[1].index == edges[i][1]) ||
             (i > 0 && ends[0].index == edges[i][1] && ends[1].index == edges[i][0]));
     }
-    CHECK_OK(dsw_body_get_faces(g_scene, body, f, 6, &count));
+    CHECK_OK(dsw_body_get_face_ids(g_scene, body, f, 6, &count));
     CHECK(count == 6);
     for (i = 0; i < 6; ++i) {
-      CHECK_OK(dsw_body_get_face(g_scene, body, f[i], ends));
+      CHECK_OK(dsw_body_get_face_corners(g_scene, body, f[i], ends));
       for (k = 0; k < 3; ++k) CHECK(ends[k].index == faces[i][k] && ends[k].generation == 1);
     }
     memset(p, 0x55, sizeof p);
@@ -132,7 +132,7 @@ static void back_edges_are_those_of_closed_surfaces_turned_outwards(void) {
     for (i = 0; i <= d.face_count; ++i) offsets[i] = (uint32_t)d.face_corner_count - d.face_offsets[d.face_count - i];
     d.face_offsets = offsets;
     d.face_corners = corners;
-    refuses(DSW_STATUS_INVERTED_CELL, &d, "is not positive");
+    refuses(DSW_STATUS_NOT_ORIENTED, &d, "is not positive");
     d.flags = 0;
     CHECK_OK(dsw_body_destroy(g_scene, make(&d)));
   }
@@ -221,19 +221,19 @@ static void bad_topology_is_refused(void) {
   } kBad[] = {
       {DSW_STATUS_INDEX_OUT_OF_RANGE, "desc->edges[2] is 5, there are 5 vertices", 2, {0, 1, 5, 1}, 0, {0}, {0}},
       {DSW_STATUS_INDEX_OUT_OF_RANGE, "desc->edges[3] is 4294967295", 2, {0, 1, 2, 0xffffffffu}, 0, {0}, {0}},
-      {DSW_STATUS_BAD_CELL, "edge 1 joins vertex 2 with itself", 2, {0, 1, 2, 2}, 0, {0}, {0}},
-      {DSW_STATUS_DUPLICATE_CELL, "edge 1 between vertices 1 and 0 occurs twice", 2, {0, 1, 1, 0}, 0, {0}, {0}},
+      {DSW_STATUS_REPEATED_VERTEX, "edge 1 joins vertex 2 with itself", 2, {0, 1, 2, 2}, 0, {0}, {0}},
+      {DSW_STATUS_DUPLICATE_PART, "edge 1 between vertices 1 and 0 occurs twice", 2, {0, 1, 1, 0}, 0, {0}, {0}},
       {DSW_STATUS_INDEX_OUT_OF_RANGE, "desc->face_corners[4] is 9", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 9, 3}},
       {DSW_STATUS_WRONG_SIZE, "must go from 0 to face_corner_count", 0, {0}, 1, {3, 6}, {0, 1, 2, 0, 1, 2}},
       {DSW_STATUS_WRONG_SIZE, "face 1 has corners 3 to 5", 0, {0}, 2, {0, 3, 5}, {0, 1, 2, 0, 2}},
       {DSW_STATUS_WRONG_SIZE, "face 0 has corners 0 to 6 of 3", 0, {0}, 2, {0, 6, 3}, {0, 1, 2, 3, 4, 0}},
-      {DSW_STATUS_BAD_CELL, "names a vertex twice", 0, {0}, 1, {0, 3}, {0, 1, 0}},
-      {DSW_STATUS_BAD_CELL, "names a vertex twice", 0, {0}, 1, {0, 4}, {0, 1, 2, 0}},
-      {DSW_STATUS_DUPLICATE_CELL, "occurs twice", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 1, 2, 0}},
-      {DSW_STATUS_DUPLICATE_CELL, "occurs twice", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 2, 1}}, /* turned */
-      {DSW_STATUS_SHARED_FACE, "two triangles already", 0, {0}, 3, {0, 3, 6, 9}, {0, 1, 2, 1, 0, 3, 0, 1, 4}},
-      {DSW_STATUS_SHARED_FACE, "vertex 0 form more than one fan", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 3, 4}},
-      {DSW_STATUS_INVERTED_CELL, "is turned against a neighbour", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 1, 3}},
+      {DSW_STATUS_REPEATED_VERTEX, "names a vertex twice", 0, {0}, 1, {0, 3}, {0, 1, 0}},
+      {DSW_STATUS_REPEATED_VERTEX, "names a vertex twice", 0, {0}, 1, {0, 4}, {0, 1, 2, 0}},
+      {DSW_STATUS_DUPLICATE_PART, "occurs twice", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 1, 2, 0}},
+      {DSW_STATUS_DUPLICATE_PART, "occurs twice", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 2, 1}}, /* turned */
+      {DSW_STATUS_NOT_MANIFOLD, "two triangles already", 0, {0}, 3, {0, 3, 6, 9}, {0, 1, 2, 1, 0, 3, 0, 1, 4}},
+      {DSW_STATUS_NOT_MANIFOLD, "vertex 0 form more than one fan", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 3, 4}},
+      {DSW_STATUS_NOT_ORIENTED, "is turned against a neighbour", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 1, 3}},
   };
   size_t i;
   for (i = 0; i < sizeof kBad / sizeof kBad[0]; ++i) {
@@ -317,15 +317,15 @@ static void capacities_are_asked_for(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_positions(g_scene, body, NULL, 5, 0, NULL, &count));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_positions(g_scene, body, p, 5, 0, NULL, NULL));
   CHECK(memcmp(p, before, sizeof p) == 0);
-  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_vertices(g_scene, body, v, 4, &count));
+  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_vertex_ids(g_scene, body, v, 4, &count));
   CHECK(count == 5);
-  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_edges(g_scene, body, e, 8, &count));
+  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_edge_ids(g_scene, body, e, 8, &count));
   CHECK(count == 9);
-  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_faces(g_scene, body, NULL, 0, &count));
+  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_face_ids(g_scene, body, NULL, 0, &count));
   CHECK(count == 6);
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_vertices(g_scene, body, NULL, 5, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_edges(g_scene, body, e, 9, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_faces(g_scene, body, f, 6, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_vertex_ids(g_scene, body, NULL, 5, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_edge_ids(g_scene, body, e, 9, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_face_ids(g_scene, body, f, 6, NULL));
   CHECK_OK(dsw_body_get_positions(g_scene, body, p, 5, 0, NULL, &count));
   CHECK(memcmp(p, g_pyramid, sizeof p) == 0);
   CHECK_OK(dsw_body_destroy(g_scene, body));
@@ -347,11 +347,11 @@ static void handles_are_checked(dsw_scene *scene, dsw_body_id body, dsw_status s
   CHECK_FAILS(status, dsw_body_get_level(scene, body, &level));
   CHECK_FAILS(status, dsw_body_set_level(scene, body, DSW_LEVEL_POINTS));
   CHECK_FAILS(status, dsw_body_get_positions(scene, body, p, 5, 0, NULL, &count));
-  CHECK_FAILS(status, dsw_body_get_vertices(scene, body, v, 5, &count));
-  CHECK_FAILS(status, dsw_body_get_edges(scene, body, e, 9, &count));
-  CHECK_FAILS(status, dsw_body_get_faces(scene, body, f, 6, &count));
-  CHECK_FAILS(status, dsw_body_get_edge(scene, body, edge, v));
-  CHECK_FAILS(status, dsw_body_get_face(scene, body, face, v));
+  CHECK_FAILS(status, dsw_body_get_vertex_ids(scene, body, v, 5, &count));
+  CHECK_FAILS(status, dsw_body_get_edge_ids(scene, body, e, 9, &count));
+  CHECK_FAILS(status, dsw_body_get_face_ids(scene, body, f, 6, &count));
+  CHECK_FAILS(status, dsw_body_get_edge_ends(scene, body, edge, v));
+  CHECK_FAILS(status, dsw_body_get_face_corners(scene, body, face, v));
   CHECK_FAILS(status, dsw_body_destroy(scene, body));
   CHECK(count == 99 && level == DSW_LEVEL_FACES);
 }
@@ -375,13 +375,13 @@ static void bad_handles_are_refused(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_offending_edges(g_scene, &offending, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_counts(g_scene, body, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_level(g_scene, body, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_edge(g_scene, body, (dsw_body_edge_id){0, 1}, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_face(g_scene, body, (dsw_body_face_id){0, 1}, NULL));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_edge(g_scene, body, stale_edge, v));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_edge_ends(g_scene, body, (dsw_body_edge_id){0, 1}, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_face_corners(g_scene, body, (dsw_body_face_id){0, 1}, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_edge_ends(g_scene, body, stale_edge, v));
   CHECK_MESSAGE("edge {index 0, generation 2} names no edge of the body");
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_edge(g_scene, body, no_edge, v));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_face(g_scene, body, stale_face, v));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_face(g_scene, body, no_face, v));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_edge_ends(g_scene, body, no_edge, v));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_face_corners(g_scene, body, stale_face, v));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_face_corners(g_scene, body, no_face, v));
   c.struct_size = 8;
   CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_body_get_counts(g_scene, body, &c));
   handles_are_checked(NULL, body, DSW_STATUS_NULL_ARGUMENT);

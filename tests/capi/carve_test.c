@@ -8,8 +8,8 @@
 
 static dsw_environment *g_env; /* 4 x 4 x 4 cubes */
 static double g_points[8 * 3];
-static dsw_carve_report g_carved;
-static dsw_tie_report g_tied;
+static dsw_change g_carved;
+static dsw_change g_tied;
 
 static const uint32_t g_box[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                    2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
@@ -80,9 +80,9 @@ static dsw_tie_desc loop(double at, double reach) {
 }
 
 static size_t carved_count(const dsw_volume_id **volumes) {
-  size_t count = 999;
-  CHECK_OK(dsw_environment_get_carved_volumes(g_env, volumes, &count));
-  return count;
+  const dsw_change change = change_of(g_env);
+  *volumes = change.carved;
+  return change.carved_count;
 }
 
 static double fly(double y, double z) {
@@ -101,26 +101,23 @@ static void along_the_grid(void) {
   begin_block(NULL);
   CHECK(carved_count(&volumes) == 0);
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 8 && g_carved.cut.volumes_split == 0 && g_carved.cut.volumes_changed == 0);
+  CHECK(g_carved.carved_count == 8 && g_carved.volumes_split == 0 && g_carved.volumes_changed == 0);
   CHECK(marked_count() == 56);
   CHECK(carved_count(&volumes) == 8);
   for (i = 0; i < 8; ++i) CHECK((volumes[i].index % 4 + 1) / 2 == 1 && volumes[i].generation == 1);
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved)); /* nothing is left to carve */
-  CHECK(g_carved.volumes_carved == 0 && carved_count(&volumes) == 0 && marked_count() == 56);
+  CHECK(g_carved.carved_count == 0 && carved_count(&volumes) == 0 && marked_count() == 56);
   end();
 }
 
 static void through_cubes(void) {
   dsw_carve_desc d = box(0.75, 3.25);
-  const dsw_volume_change *changes = NULL;
-  size_t count = 0;
   begin_block(NULL);
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.cut.volumes_crossed == 56 && g_carved.cut.volumes_split == 56 && g_carved.cut.volumes_whole == 0);
-  CHECK(g_carved.volumes_carved == 64 && marked_count() == 56 && info_of(g_env).volume_count == 120);
-  CHECK(g_carved.cut.vertex_count == 3 * 9 * 2);
-  CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
-  CHECK(count == 112);
+  CHECK(g_carved.volumes_crossed == 56 && g_carved.volumes_split == 56 && g_carved.whole_count == 0);
+  CHECK(g_carved.carved_count == 64 && marked_count() == 56 && info_of(g_env).volume_count == 120);
+  CHECK(g_carved.vertex_count == 3 * 9 * 2);
+  CHECK(g_carved.volume_count == 112 && change_of(g_env).volume_count == 112);
   end();
 }
 
@@ -129,12 +126,12 @@ static void whole_volumes(void) {
   begin_block(NULL);
   d.flags = DSW_CARVE_WHOLE;
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 27 && g_carved.cut.volumes_changed == 0 && info_of(g_env).volume_count == 64);
-  CHECK(g_carved.cut.volumes_whole == 26 && g_carved.cut.volumes_crossed == 26);
+  CHECK(g_carved.carved_count == 27 && g_carved.volumes_changed == 0 && info_of(g_env).volume_count == 64);
+  CHECK(g_carved.whole_count == 26 && g_carved.volumes_crossed == 26);
   d = box(2.5, 3.6); /* the surface's lower sides pass through centres: it is shifted beyond them */
   d.flags = DSW_CARVE_WHOLE;
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 1 && marked_count() == 36);
+  CHECK(g_carved.carved_count == 1 && marked_count() == 36);
   end();
 }
 
@@ -142,16 +139,16 @@ static void all_and_nothing(void) {
   dsw_carve_desc d = box(5, 7);
   begin_block(NULL);
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 0 && g_carved.cut.volumes_crossed == 0);
+  CHECK(g_carved.carved_count == 0 && g_carved.volumes_crossed == 0);
   d.start = volume_at(9);
   CHECK_OK(dsw_environment_carve(g_env, &d, NULL));
   d = box(1.5, 1.5); /* a point */
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 0 && g_carved.cut.volumes_split == 0);
+  CHECK(g_carved.carved_count == 0 && g_carved.volumes_split == 0);
   d = box(-1e300, 1e300);
   d.start = volume_at(9);
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 64 && g_carved.cut.volumes_crossed == 0 && marked_count() == 0);
+  CHECK(g_carved.carved_count == 64 && g_carved.volumes_crossed == 0 && marked_count() == 0);
   end();
 }
 
@@ -168,18 +165,16 @@ static void what_hangs_together(void) {
   CHECK_OK(dsw_environment_tear_faces(g_env, faces, loads, 16, 0, NULL));
   d.start = volume_at(0);
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 32);
+  CHECK(g_carved.carved_count == 32);
   d.start = no_volume;
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 32 && marked_count() == 0);
+  CHECK(g_carved.carved_count == 32 && marked_count() == 0);
   end();
 }
 
 static void bad_shapes(void) {
   dsw_carve_desc d = box(0.75, 3.25), bad;
   uint32_t triangles[36];
-  const dsw_volume_id *volumes = NULL;
-  size_t count = 5;
   begin_block(NULL);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_carve(NULL, &d, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_carve(g_env, NULL, NULL));
@@ -207,10 +202,7 @@ static void bad_shapes(void) {
   g_points[7] = NAN;
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_carve(g_env, &d, NULL));
   CHECK_MESSAGE("desc->points[2]");
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_carved_volumes(NULL, &volumes, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_carved_volumes(g_env, NULL, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_carved_volumes(g_env, &volumes, NULL));
-  CHECK(volumes == NULL && count == 5 && marked_count() == 64);
+  CHECK(marked_count() == 64);
   end();
 }
 
@@ -222,10 +214,11 @@ static void a_tube(void) {
   begin_tube(NULL);
   CHECK(fly(1.7, 2.4) == 1);
   CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
-  CHECK(g_tied.is_closed == 1 && g_tied.cut.volumes_split == 4 && g_tied.cut.volumes_whole == 0);
+  CHECK(g_tied.is_closed == 1 && g_tied.volumes_split == 4 && g_tied.whole_count == 0);
   CHECK(info_of(g_env).volume_count == 68 && marked_count() == 48);
   CHECK(fabs(fly(1.7, 2.4) - (1.25 - 0.3) / 3.4) < 1e-12);
-  CHECK_OK(dsw_environment_get_cut_faces(g_env, &faces, &count));
+  faces = change_of(g_env).faces;
+  count = change_of(g_env).face_count;
   CHECK(count == 4);
   for (i = 0; i < 4; ++i) {
     a[i] = faces[i].front;
@@ -240,8 +233,8 @@ static void along_faces(void) {
   dsw_tie_desc d = loop(2, 1.5);
   begin_tube(NULL);
   CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
-  CHECK(g_tied.is_closed == 1 && g_tied.cut.volumes_split == 0 && g_tied.cut.volumes_whole == 0);
-  CHECK(g_tied.cut.face_count == 4 && g_tied.cut.volumes_changed == 0 && fabs(fly(1.7, 2.4) - 0.5) < 1e-12);
+  CHECK(g_tied.is_closed == 1 && g_tied.volumes_split == 0 && g_tied.whole_count == 0);
+  CHECK(g_tied.face_count == 4 && g_tied.volumes_changed == 0 && fabs(fly(1.7, 2.4) - 0.5) < 1e-12);
   end();
 }
 
@@ -252,14 +245,15 @@ static void a_loop_in_the_tube(void) {
   begin_tube(NULL);
   d.start = volume_at(0);
   CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
-  CHECK(g_tied.is_closed == 0 && g_tied.cut.volumes_split == 0 && g_tied.cut.volumes_whole == 4);
+  CHECK(g_tied.is_closed == 0 && g_tied.volumes_split == 0 && g_tied.whole_count == 4);
   CHECK(marked_count() == 52 && fly(1.7, 2.4) < 0.3);
-  CHECK_OK(dsw_environment_get_whole_volumes(g_env, &whole, &count));
+  whole = change_of(g_env).whole;
+  count = change_of(g_env).whole_count;
   CHECK_OK(dsw_environment_mark_volumes(g_env, whole, count, DSW_MARK_PASSABLE, 0, NULL));
   CHECK(fly(1.7, 2.4) == 1);
   d = loop(9, 0.5); /* nowhere */
   CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
-  CHECK(g_tied.is_closed == 0 && g_tied.cut.volumes_crossed == 0 && fly(1.7, 2.4) == 1);
+  CHECK(g_tied.is_closed == 0 && g_tied.volumes_crossed == 0 && fly(1.7, 2.4) == 1);
   d = loop(9, 0); /* a point */
   CHECK_OK(dsw_environment_tie(g_env, &d, NULL));
   end();
@@ -272,7 +266,7 @@ static void a_fold_of_the_blade(void) {
   const dsw_volume_id *whole = NULL;
   size_t i, count = 0;
   dsw_cut_desc d;
-  dsw_cut_report report;
+  dsw_change report = empty_change();
   g_env = make_environment(NULL, 4, 4, 4);
   for (i = 0; i < 25; ++i) {
     points[3 * i] = i == 12 ? 1.2 : 0.9;
@@ -283,8 +277,9 @@ static void a_fold_of_the_blade(void) {
   d.points = points;
   d.rows = d.columns = 5;
   CHECK_OK(dsw_environment_cut(g_env, &d, &report));
-  CHECK(report.volumes_crossed == 17 && report.volumes_split == 16 && report.volumes_whole == 1);
-  CHECK_OK(dsw_environment_get_whole_volumes(g_env, &whole, &count));
+  CHECK(report.volumes_crossed == 17 && report.volumes_split == 16 && report.whole_count == 1);
+  whole = change_of(g_env).whole;
+  count = change_of(g_env).whole_count;
   CHECK(count == 1 && whole[0].index == 1 + 4 * (2 + 4 * 2));
   end();
 }
@@ -318,7 +313,7 @@ static void borrowed_points(void) {
   CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_carve(g_env, &d, NULL));
   d.flags = DSW_CARVE_WHOLE; /* needs no vertices */
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 8 && marked_count() == 56);
+  CHECK(g_carved.carved_count == 8 && marked_count() == 56);
   end();
   grid_destroy(&g);
 }
@@ -387,6 +382,7 @@ static void running_out_of_memory(void) {
 }
 
 int main(void) {
+  g_carved = g_tied = empty_change();
   along_the_grid();
   through_cubes();
   whole_volumes();

@@ -31,22 +31,22 @@ static void ids_come_from_indices(void) {
   dsw_volume_id volume = {9, 9};
   dsw_vertex_id vertex = {9, 9};
   double xyz[3];
-  CHECK_OK(dsw_environment_get_volume(g_env, 11, &volume));
+  CHECK_OK(dsw_environment_get_volume_id(g_env, 11, &volume));
   CHECK(volume.index == 11 && volume.generation == 1);
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_get_volume(g_env, 12, &volume));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_get_volume_id(g_env, 12, &volume));
   CHECK_MESSAGE("index is 12, must be 0 .. 11");
   CHECK(volume.index == 11);
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_volume(g_env, 0, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_volume(NULL, 0, &volume));
-  CHECK_OK(dsw_environment_get_vertex(g_env, 35, &vertex));
-  CHECK_OK(dsw_environment_get_position(g_env, vertex, xyz));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_volume_id(g_env, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_volume_id(NULL, 0, &volume));
+  CHECK_OK(dsw_environment_get_vertex_id(g_env, 35, &vertex));
+  CHECK_OK(dsw_environment_get_vertex_position(g_env, vertex, xyz));
   CHECK(xyz[0] == 3 && xyz[1] == 2 && xyz[2] == 2);
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_get_vertex(g_env, 36, &vertex));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_vertex(g_env, 0, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_position(g_env, vertex, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_get_vertex_id(g_env, 36, &vertex));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_vertex_id(g_env, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_vertex_position(g_env, vertex, NULL));
   vertex.generation = 2;
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_position(g_env, vertex, xyz));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_position(g_env, vertex_at(36), xyz));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_vertex_position(g_env, vertex, xyz));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_vertex_position(g_env, vertex_at(36), xyz));
 }
 
 static void a_volume_counts_its_cells(void) {
@@ -85,9 +85,9 @@ static void neighbours_and_centres(void) {
 static void faces_have_two_sides_and_one_canonical_name(void) {
   dsw_face_id face;
   dsw_volume_id near_side, far_side;
-  CHECK_OK(dsw_environment_get_volume_face(g_env, volume_at(1), FACE_X0, &face));
+  CHECK_OK(dsw_environment_get_face_id(g_env, volume_at(1), FACE_X0, &face));
   CHECK(face.volume == 0 && face.local == FACE_X1 && face.generation == 1);
-  CHECK_OK(dsw_environment_get_volume_face(g_env, volume_at(1), FACE_X1, &face));
+  CHECK_OK(dsw_environment_get_face_id(g_env, volume_at(1), FACE_X1, &face));
   CHECK(face.volume == 1 && face.local == FACE_X1);
   CHECK_OK(dsw_environment_get_face_volumes(g_env, face, &near_side, &far_side));
   CHECK(near_side.index == 1 && far_side.index == 2 && far_side.generation == 1);
@@ -96,9 +96,9 @@ static void faces_have_two_sides_and_one_canonical_name(void) {
   CHECK_OK(dsw_environment_get_face_volumes(g_env, face_at(2, FACE_X1), &near_side, &far_side));
   CHECK(near_side.index == 2 && far_side.index == 0 && far_side.generation == 0);
   CHECK_OK(dsw_environment_get_face_volumes(g_env, face, NULL, NULL));
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_get_volume_face(g_env, volume_at(1), 6, &face));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_volume_face(g_env, no_volume, 0, &face));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_volume_face(g_env, volume_at(1), 0, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_get_face_id(g_env, volume_at(1), 6, &face));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_face_id(g_env, no_volume, 0, &face));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_face_id(g_env, volume_at(1), 0, NULL));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_face_volumes(g_env, face_at(1, 6), NULL, NULL));
   CHECK_MESSAGE("local 6");
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_face_volumes(g_env, face_at(12, 0), NULL, NULL));
@@ -123,18 +123,18 @@ static void an_edge_has_one_canonical_name(void) {
     for (local = 0; local < 12; ++local) {
       uint32_t named[2], canonical[2];
       dsw_edge_id again;
-      CHECK_OK(dsw_environment_get_volume_edge(g_env, volume_at(volume), local, &edge));
+      CHECK_OK(dsw_environment_get_edge_id(g_env, volume_at(volume), local, &edge));
       CHECK(edge.volume <= volume && edge.generation == 1 && edge.local < 12);
-      CHECK_OK(dsw_environment_get_volume_edge(g_env, volume_at(edge.volume), edge.local, &again));
+      CHECK_OK(dsw_environment_get_edge_id(g_env, volume_at(edge.volume), edge.local, &again));
       CHECK(again.volume == edge.volume && again.local == edge.local);
       edge_points(edge_at(volume, local), named);
       edge_points(edge, canonical);
       CHECK(named[0] == canonical[0] && named[1] == canonical[1]);
     }
   }
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_get_volume_edge(g_env, volume_at(0), 12, &edge));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_volume_edge(g_env, stale_volume, 0, &edge));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_volume_edge(g_env, volume_at(0), 0, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_get_edge_id(g_env, volume_at(0), 12, &edge));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_edge_id(g_env, stale_volume, 0, &edge));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_edge_id(g_env, volume_at(0), 0, NULL));
 }
 
 static void vertices_come_in_the_order_of_the_type(void) {

@@ -35,12 +35,12 @@ static dsw_environment *tetrahedra(dsw_context *context, int borrow) {
   dsw_environment_desc_init(&desc, sizeof desc);
   desc.points = points;
   desc.point_count = sizeof points / (3 * sizeof(double));
-  desc.cell_count = CELLS;
+  desc.volume_count = CELLS;
   desc.uniform_cell_type = DSW_CELL_TYPE_TETRA;
   desc.connectivity = cells;
   desc.connectivity_count = 4 * CELLS;
   desc.regions = regions;
-  desc.flags = borrow ? DSW_ENVIRONMENT_BORROW_POINTS : DSW_ENVIRONMENT_LOCATE_GRID;
+  desc.flags = borrow ? DSW_ENVIRONMENT_BORROW_POINTS : DSW_ENVIRONMENT_LOCATE_TREE;
   if (context == NULL) CHECK_OK(dsw_environment_create(NULL, &desc, &env, NULL));
   if (context != NULL) CHECK_OK(dsw_environment_create(context, &desc, &env, NULL));
   return env;

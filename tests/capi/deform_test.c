@@ -36,19 +36,19 @@ static void a_floor_lifts_a_particle(void) {
   CHECK(report.outcome == DSW_DEFORM_DONE && report.fraction == 1 && report.held_count == 0 && report.steps == 1);
   CHECK(report.contact_count >= 1 && report.pushed_count >= 1);
   CHECK(g_dimension == 3 ? report.near_count >= 8 : report.near_count == 4);
-  CHECK_OK(dsw_particle_get(g_scene, particle, now, &volume));
+  CHECK_OK(dsw_particle_get_position(g_scene, particle, now, &volume));
   CHECK(memcmp(now, at, g_up * sizeof *now) == 0 && now[g_up] > 2.5 && volume.index == cell(2, 1, 2));
-  CHECK_OK(dsw_scene_get_wall_contacts(g_scene, &c, &count));
+  CHECK_OK(dsw_environment_get_wall_contacts(g_env, &c, &count));
   CHECK(count == report.contact_count && c->particle.index == particle.index);
   CHECK(c->particle.generation == particle.generation && c->body.generation == 0);
-  CHECK(c->normal[g_up] > 0.5 && c->time > 0 && c->time < 1 && c->response == DSW_WALL_PUSH);
-  CHECK(c->wall.generation == 1 && c->moving.generation == 1 && c->tag == 100 + cell(2, 1, 1));
+  CHECK(c->contact.normal[g_up] > 0.5 && c->time > 0 && c->time < 1 && c->response == DSW_WALL_PUSH);
+  CHECK(c->contact.wall.generation == 1 && c->moving.generation == 1 && c->contact.tag == 100 + cell(2, 1, 1));
   CHECK(c->point[g_up] == at[g_up]);
   if (g_dimension == 2) {
     CHECK(c->from[0] == 2 && c->from[1] == 2 && c->to[1] == 2.5 && c->from[2] == 0 && c->to[2] == 0);
     CHECK(c->moving.index == vertex(2, 0, 2) && c->others[0].index == vertex(3, 0, 2) && c->others[1].generation == 0);
-    CHECK(c->point[0] == at[0] && c->point[2] == 0 && c->along == 0 && c->normal[2] == 0);
-    CHECK(c->wall.volume == cell(2, 0, 1) && c->wall.local == SIDE_UP);
+    CHECK(c->point[0] == at[0] && c->point[2] == 0 && c->edge_parameter == 0 && c->contact.normal[2] == 0);
+    CHECK(c->contact.wall.volume == cell(2, 0, 1) && c->contact.wall.local == SIDE_UP);
   }
   end();
 }
@@ -73,16 +73,16 @@ static void an_edge_is_pushed_split_or_holds_the_wall(void) {
     point(2, 2, 2)[g_up] += 0.4; /* one vertex, below the middle of the edge */
     report = deform(&o);
     CHECK(report.contact_count >= 1);
-    CHECK_OK(dsw_scene_get_wall_contacts(g_scene, &c, &count));
+    CHECK_OK(dsw_environment_get_wall_contacts(g_env, &c, &count));
     if (plane && responses[i] != DSW_WALL_STOP) {
-      CHECK(fabs(c->along - 0.5) < 1e-12 && c->point[0] == 2 && c->point[1] == 2.11);
-      CHECK(c->normal[0] == 0 && c->normal[1] == 1 && c->normal[2] == 0);
+      CHECK(fabs(c->edge_parameter - 0.5) < 1e-12 && c->point[0] == 2 && c->point[1] == 2.11);
+      CHECK(c->contact.normal[0] == 0 && c->contact.normal[1] == 1 && c->contact.normal[2] == 0);
       CHECK(c->edge.generation == 1 && c->vertex.generation == 0 && c->others[0].generation == 0);
-      CHECK(c->wall.generation == 1 && c->tag != 0 && fabs(c->time - 0.275) < 1e-12);
+      CHECK(c->contact.wall.generation == 1 && c->contact.tag != 0 && fabs(c->time - 0.275) < 1e-12);
     }
     CHECK(body_counts(g_scene, body).vertex_count == (responses[i] == DSW_WALL_INSERT ? 3u : 2u));
     CHECK_OK(dsw_body_get_positions(g_scene, body, now, 3, 0, NULL, &count));
-    CHECK_OK(dsw_scene_get_held_vertices(g_scene, &held, &count));
+    CHECK_OK(dsw_environment_get_held_vertices(g_env, &held, &count));
     CHECK(count == report.held_count);
     if (responses[i] == DSW_WALL_HOLD) {
       CHECK(report.outcome == DSW_DEFORM_HELD && count == 1 && held[0].index == vertex(2, 2, 2));
@@ -97,7 +97,7 @@ static void an_edge_is_pushed_split_or_holds_the_wall(void) {
     CHECK_OK(dsw_body_get_edits(g_scene, body, &edits, &count));
     CHECK(count == (responses[i] == DSW_WALL_INSERT ? 1u : 0u));
     if (count == 1) CHECK(edits[0].inserted == 1 && now[2 * g_dimension + g_up] > 2.4);
-    if (count == 1 && plane) CHECK(fabs(edits[0].share - 0.5) < 1e-12 && now[4] == 2);
+    if (count == 1 && plane) CHECK(fabs(edits[0].edge_parameter - 0.5) < 1e-12 && now[4] == 2);
     if (plane && responses[i] == DSW_WALL_PUSH) CHECK(now[1] > 2.4 && now[3] > 2.4);
     end();
   }
@@ -132,7 +132,7 @@ static void steps_are_halved_where_cells_would_fold(void) {
   for (i = 0; i < g_point_count; ++i) next_points()[g_dimension * i] += 1.5; /* further than a cell is wide */
   report = deform(NULL);
   CHECK(report.outcome == DSW_DEFORM_DONE && report.steps > 1 && report.contact_count == 0);
-  CHECK_OK(dsw_particle_get(g_scene, particle, NULL, &volume));
+  CHECK_OK(dsw_particle_get_position(g_scene, particle, NULL, &volume));
   CHECK(volume.index == cell(1, 2, 2) || volume.index == cell(0, 2, 2));
   end();
 }
@@ -162,8 +162,8 @@ static void invalid_volumes(void) {
   CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_check(g_env, NULL));
   /* It counts as impassable, for casts from outside and as a question. */
   CHECK_OK(dsw_environment_cast_segments(g_env, 1, &start, at, flat(to, 1), 0, NULL, &flight));
-  CHECK(flight.outcome == DSW_OUTCOME_CONTACT && flight.behind.index == cell(2, 2, 1));
-  CHECK(flight.obstacle == DSW_CELL_VOLUME && flight.position[g_up] >= 2);
+  CHECK(flight.outcome == DSW_OUTCOME_CONTACT && flight.contact.behind.index == cell(2, 2, 1));
+  CHECK(flight.contact.marked_kind == DSW_CELL_VOLUME && flight.position[g_up] >= 2);
   CHECK_OK(dsw_environment_is_impassable(g_env, cell_at(DSW_CELL_VOLUME, cell(2, 2, 1), 0), &impassable));
   CHECK(impassable == 1);
   CHECK_OK(dsw_environment_save(g_env, NULL, 0, &count));
@@ -176,7 +176,7 @@ static void invalid_volumes(void) {
   report = deform(&o);
   CHECK(report.outcome == DSW_DEFORM_REFUSED && report.fraction == 0 && report.invalid_count >= 1);
   CHECK(memcmp(before, next_points(), bytes) == 0);
-  CHECK_OK(dsw_scene_get_invalid_volumes(g_scene, &invalid, &count));
+  CHECK_OK(dsw_environment_get_invalid_volumes(g_env, &invalid, &count));
   CHECK(count == report.invalid_count && invalid[0].generation == 1);
   o.invalid = DSW_INVALID_HOLD;
   report = deform(&o);
@@ -203,16 +203,16 @@ static void end_state(void) {
   report = deform(&o);
   CHECK(report.outcome == DSW_DEFORM_DONE && report.contact_count == (plane ? 3 : 1));
   CHECK(report.pushed_count == report.contact_count);
-  CHECK_OK(dsw_particle_get(g_scene, particle, now, &volume));
+  CHECK_OK(dsw_particle_get_position(g_scene, particle, now, &volume));
   CHECK(now[g_up] >= 2.5 && volume.index == cell(2, 1, 2));
   if (plane) {
     const dsw_wall_contact *c = NULL;
     size_t count = 0;
     heights_of(body, now);
     CHECK(now[0] >= 2.5 && now[1] >= 2.5);
-    CHECK_OK(dsw_scene_get_wall_contacts(g_scene, &c, &count));
+    CHECK_OK(dsw_environment_get_wall_contacts(g_env, &c, &count));
     CHECK(c->moving.generation == 0 && c->from[0] == 2.5 && c->from[1] == 2.75 && c->to[0] == at[0] && c->to[2] == 0);
-    CHECK(c->wall.generation == 1 && c->normal[1] == 1 && c->normal[2] == 0);
+    CHECK(c->contact.wall.generation == 1 && c->contact.normal[1] == 1 && c->contact.normal[2] == 0);
   }
   /* Without a wall in the way it changes its volume instead. */
   o.response = DSW_WALL_STOP;
@@ -224,7 +224,7 @@ static void end_state(void) {
   CHECK(report.outcome == DSW_DEFORM_FRACTION && report.fraction < 1 && report.fraction > 0);
   CHECK(point(2, 2, 2)[g_up] == 1.9 + report.fraction * (2.7 - 1.9));
   o.response = DSW_WALL_HOLD;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_deform(g_scene, next_points(), g_point_count, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_deform(g_env, next_points(), g_point_count, &o, NULL));
   end();
 }
 
@@ -238,10 +238,11 @@ static void bad_arguments(void) {
   size_t count = 0;
   const double *read = NULL;
   int valid = -1;
-#define DEFORM(scene, points, more, o) dsw_scene_deform(scene, points, g_point_count + (more), o, NULL)
+#define DEFORM(scene, points, more, o) \
+  dsw_environment_deform(dsw_scene_get_environment(scene), points, g_point_count + (more), o, NULL)
   begin(0);
-  CHECK_FAILS(DSW_STATUS_NOT_NAMED, DEFORM(g_scene, next_points(), 0, NULL));
-  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_scene_get_wall_contacts(g_scene, &contacts, &count));
+  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, DEFORM(g_scene, next_points(), 0, NULL));
+  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_environment_get_wall_contacts(g_env, &contacts, &count));
   dsw_scene_desc_init(&d, sizeof d);
   d.features = DSW_FEATURE_DEFORMING;
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_scene_create(g_env, &d, &other));
@@ -315,8 +316,8 @@ static void saved_and_loaded(void) {
   CHECK_OK(dsw_environment_save(g_env, blocks[0], sizeof blocks[0], &sizes[0]));
   CHECK_OK(dsw_scene_save(g_scene, blocks[1], sizeof blocks[1], &sizes[1]));
   CHECK_OK(dsw_environment_load(NULL, blocks[0], sizes[0], &loaded));
-  CHECK_OK(dsw_environment_get_position(g_env, vertex_at(vertex(2, 2, 1)), now[0]));
-  CHECK_OK(dsw_environment_get_position(loaded, vertex_at(vertex(2, 2, 1)), now[1]));
+  CHECK_OK(dsw_environment_get_vertex_position(g_env, vertex_at(vertex(2, 2, 1)), now[0]));
+  CHECK_OK(dsw_environment_get_vertex_position(loaded, vertex_at(vertex(2, 2, 1)), now[1]));
   CHECK(now[0][0] == 2.25 && memcmp(now[0], now[1], g_dimension * sizeof(double)) == 0);
   built.struct_size = sizeof built;
   CHECK_OK(dsw_environment_check(loaded, &built));
@@ -325,12 +326,12 @@ static void saved_and_loaded(void) {
   CHECK_OK(dsw_scene_load(loaded, blocks[1], sizes[1], &again));
   raise_row(2, 0.3);
   for (i = 0; i < 2; ++i) memcpy(arrays[i], next_points(), bytes);
-  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], g_point_count, NULL, &reports[0]));
-  CHECK_OK(dsw_scene_deform(again, arrays[1], g_point_count, NULL, &reports[1]));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], g_point_count, NULL, &reports[0]));
+  CHECK_OK(dsw_environment_deform(loaded, arrays[1], g_point_count, NULL, &reports[1]));
   CHECK(memcmp(&reports[0], &reports[1], sizeof reports[0]) == 0 && reports[0].contact_count > 0);
   CHECK(memcmp(arrays[0], arrays[1], bytes) == 0);
-  CHECK_OK(dsw_particle_get(g_scene, particle, now[0], NULL));
-  CHECK_OK(dsw_particle_get(again, particle, now[1], NULL));
+  CHECK_OK(dsw_particle_get_position(g_scene, particle, now[0], NULL));
+  CHECK_OK(dsw_particle_get_position(again, particle, now[1], NULL));
   CHECK(memcmp(now[0], now[1], g_dimension * sizeof(double)) == 0 && now[0][g_up] > 2.8);
   CHECK_OK(dsw_body_get_positions(g_scene, body, now[0], 2, 0, NULL, &count));
   CHECK_OK(dsw_body_get_positions(again, body, now[1], 2, 0, NULL, &count));
@@ -370,7 +371,7 @@ static void a_point_between_two_cubes(void) {
   d.point_count = 15;
   d.connectivity = cells;
   d.connectivity_count = 16;
-  d.cell_count = 2;
+  d.volume_count = 2;
   CHECK_OK(dsw_environment_create(NULL, &d, &environment, NULL));
   scene = make_scene(environment, DSW_FEATURE_DEFORMING);
   for (i = 0; i < 2; ++i) CHECK_OK(dsw_particle_create(scene, at[i], no_volume, &particles[i]));
@@ -378,12 +379,12 @@ static void a_point_between_two_cubes(void) {
     dsw_deform_report report;
     double *const next = points[turn % 2 == 0 ? 1 : 0];
     for (k = 0; k < 3; ++k) next[3 * 7 + k] = turn % 2 == 0 ? 0.75 : 1.25;
-    CHECK_OK(dsw_scene_deform(scene, next, 15, NULL, &report));
+    CHECK_OK(dsw_environment_deform(dsw_scene_get_environment(scene), next, 15, NULL, &report));
     CHECK(report.outcome == DSW_DEFORM_DONE && report.contact_count == (turn < 2 ? 1u : 0u));
     for (i = 0; i < 2; ++i) {
       double now[3];
       dsw_volume_id volume;
-      CHECK_OK(dsw_particle_get(scene, particles[i], now, &volume));
+      CHECK_OK(dsw_particle_get_position(scene, particles[i], now, &volume));
       CHECK(volume.index == (uint32_t)i && (i == 0 ? now[0] < 0.76 : now[0] > 1.24 || turn == 0));
     }
   }
@@ -398,9 +399,9 @@ static void cut_while_bent(void) {
   static const double other_blade[12] = {2.25, -1, -1, 2.25, 5, -1, 2.25, -1, 5, 2.25, 5, 5};
   static double arrays[2][3 * 2 * POINTS];
   dsw_deform_options o = deform_options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
-  const dsw_cut_vertex *added = NULL;
+  const dsw_vertex_origin *added = NULL;
   size_t i, count = 0, points = POINTS;
-  dsw_cut_report report;
+  dsw_change report = empty_change();
   dsw_cut_desc d;
   int turn, valid = 1;
   begin(DSW_FEATURE_DEFORMING);
@@ -410,20 +411,21 @@ static void cut_while_bent(void) {
   for (turn = 0; turn < 2; ++turn) memcpy(arrays[turn], g_points[0], sizeof g_points[0]);
 
   o.point_room = POINTS - 1;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
   o.point_room = POINTS + 24;
-  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
   for (i = 3 * POINTS; i < 6 * POINTS; ++i) arrays[0][i] = -7;
   CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL)); /* needs 25 */
   for (i = 3 * POINTS; i < 6 * POINTS; ++i) CHECK(arrays[0][i] == -7);
   o.point_room = 0;
-  CHECK_OK(dsw_scene_deform(g_scene, arrays[1], POINTS, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[1], POINTS, &o, NULL));
   CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL));
   o.point_room = POINTS + 25;
-  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
   CHECK_OK(dsw_environment_cut(g_env, &d, &report));
   CHECK(report.volumes_split == 16 && report.vertex_count == 25);
-  CHECK_OK(dsw_environment_get_cut_vertices(g_env, &added, &count));
+  added = change_of(g_env).vertices;
+  count = change_of(g_env).vertex_count;
   CHECK(count == 25);
   for (i = 0; i < count; ++i) {
     CHECK(added[i].vertex.index >= POINTS && added[i].vertex.index < POINTS + 25);
@@ -432,12 +434,12 @@ static void cut_while_bent(void) {
   }
   CHECK(arrays[0][3 * (POINTS + 25)] == -7);
   points += count;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_deform(g_scene, arrays[1], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_env, arrays[1], POINTS, &o, NULL));
   /* The first volume invalid, and the blade's points outside: it is looked for from another volume. */
   memcpy(arrays[1], arrays[0], sizeof arrays[0]);
   arrays[1][0] = arrays[1][1] = arrays[1][2] = 0.9;
   o.point_room = 2 * POINTS;
-  CHECK_OK(dsw_scene_deform(g_scene, arrays[1], points, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[1], points, &o, NULL));
   CHECK_OK(dsw_environment_is_valid(g_env, volume_at(0), &valid));
   CHECK(!valid);
   d.points = other_blade;
@@ -446,11 +448,11 @@ static void cut_while_bent(void) {
   points += report.vertex_count;
   memcpy(arrays[0], arrays[1], sizeof arrays[0]);
   memset(arrays[0], 0, 3 * sizeof(double));
-  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], points, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], points, &o, NULL));
   memcpy(arrays[1], arrays[0], sizeof arrays[0]);
   for (i = 0; i < points; ++i) arrays[1][3 * i] *= 1.125;
   o.point_room = 0;
-  CHECK_OK(dsw_scene_deform(g_scene, arrays[1], points, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[1], points, &o, NULL));
   CHECK_OK(dsw_environment_check(g_env, NULL));
   end();
 }

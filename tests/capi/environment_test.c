@@ -27,7 +27,7 @@ static dsw_status build_tets(const double *points, size_t point_count, const int
   d.points = points;
   d.point_count = point_count;
   d.uniform_cell_type = DSW_CELL_TYPE_TETRA;
-  d.cell_count = cell_count;
+  d.volume_count = cell_count;
   d.connectivity = cells;
   d.connectivity_count = 4 * cell_count;
   status = dsw_environment_create(NULL, &d, &environment, report);
@@ -53,7 +53,7 @@ static void a_grid_is_created_and_reported(void) {
   CHECK_OK(dsw_environment_create(NULL, &d, &environment, &r));
   CHECK(r.struct_size == sizeof r && r.status == DSW_STATUS_OK && r.offender_count == 0);
   CHECK(r.part_count == 1 && r.unused_point_count == 0 && r.reoriented_count == 0);
-  CHECK(r.boundary_face_count == 2 * (6 + 8 + 12) && r.convex_cell_count == 24);
+  CHECK(r.boundary_face_count == 2 * (6 + 8 + 12) && r.convex_volume_count == 24);
   CHECK_OK(dsw_environment_destroy(environment));
   grid_destroy(&g);
 }
@@ -123,7 +123,7 @@ static void unknown_values_are_refused(void) {
   CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 0x80, CREATE);
   CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, reserved, 1, CREATE);
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, index_bytes, 2, CREATE);
-  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, cell_count, 0, CREATE);
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, volume_count, 0, CREATE);
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, point_count, 0, CREATE);
   CHECK_REFUSES(DSW_STATUS_TOO_LARGE, d, point_count, (size_t)1 << 28, CREATE);
   CHECK_REFUSES(DSW_STATUS_BAD_CELL_TYPE, d, uniform_cell_type, DSW_CELL_TYPE_POLYHEDRON, CREATE);
@@ -162,11 +162,11 @@ static void points_may_be_spaced_out(void) {
   d.point_count = 4;
   d.point_stride_bytes = sizeof points[0];
   d.uniform_cell_type = DSW_CELL_TYPE_TETRA;
-  d.cell_count = 1;
+  d.volume_count = 1;
   d.connectivity = cell;
   d.connectivity_count = 4;
   CHECK_OK(dsw_environment_create(NULL, &d, &environment, NULL));
-  CHECK_OK(dsw_environment_get_position(environment, vertex_at(3), xyz));
+  CHECK_OK(dsw_environment_get_vertex_position(environment, vertex_at(3), xyz));
   CHECK(xyz[0] == 0 && xyz[1] == 0 && xyz[2] == 1);
   CHECK_OK(dsw_environment_destroy(environment));
 }
@@ -262,7 +262,7 @@ static void an_unknown_cell_type_is_refused(void) {
   d.points = unit_tet;
   d.point_count = 4;
   d.cell_types = &type;
-  d.cell_count = 1;
+  d.volume_count = 1;
   d.offsets = offsets;
   d.connectivity = cell;
   d.connectivity_count = 4;
@@ -285,7 +285,7 @@ static void a_missing_cell_type_is_named(void) {
   dsw_environment_desc_init(&d, sizeof d);
   d.points = unit_tet;
   d.point_count = 4;
-  d.cell_count = 2;
+  d.volume_count = 2;
   d.connectivity = cells;
   d.connectivity_count = 8;
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_create(NULL, &d, &environment, &r));
@@ -297,7 +297,7 @@ static void a_missing_cell_type_is_named(void) {
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_create(NULL, &d, &environment, &r));
   CHECK(strstr(dsw_last_error_message(), "7 entries for 2 cells, but") != NULL);
   d.connectivity_count = 4;
-  d.cell_count = 1;
+  d.volume_count = 1;
   d.uniform_cell_type = DSW_CELL_TYPE_TETRA;
   CHECK_OK(dsw_environment_create(NULL, &d, &environment, &r));
   CHECK_OK(dsw_environment_destroy(environment));
@@ -305,7 +305,7 @@ static void a_missing_cell_type_is_named(void) {
 
 /* Whatever is said of the search structure, the answers are the same; what is never built takes no memory. */
 static void the_search_structure_changes_no_answer(void) {
-  const uint32_t flags[] = {0, DSW_ENVIRONMENT_LOCATE_GRID, DSW_ENVIRONMENT_NO_LOCATE_GRID};
+  const uint32_t flags[] = {0, DSW_ENVIRONMENT_LOCATE_TREE, DSW_ENVIRONMENT_NO_LOCATE_TREE};
   grid g = grid_create(5, 5, 5);
   uint64_t bytes[3];
   size_t i, k;
@@ -349,7 +349,7 @@ static void an_environment_can_be_checked_again(void) {
   dsw_environment *const environment = make_environment(NULL, 3, 2, 2);
   dsw_build_report r = new_report();
   CHECK_OK(dsw_environment_check(environment, &r));
-  CHECK(r.status == DSW_STATUS_OK && r.part_count == 1 && r.convex_cell_count == 12);
+  CHECK(r.status == DSW_STATUS_OK && r.part_count == 1 && r.convex_volume_count == 12);
   CHECK_OK(dsw_environment_check(environment, NULL));
   r.struct_size = 8;
   CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_check(environment, &r));

@@ -67,7 +67,7 @@ dsw_environment_desc grid_desc(const grid *g) {
   dsw_environment_desc_init(&d, sizeof d);
   d.points = g->points;
   d.point_count = g->point_count;
-  d.cell_count = g->cell_count;
+  d.volume_count = g->cell_count;
   d.connectivity = g->cells;
   d.connectivity_count = 8 * g->cell_count;
   d.regions = g->regions;
@@ -93,7 +93,7 @@ dsw_environment_desc squares_desc(grid *g) {
   d.connectivity_count /= 2;
   /* The points below come first, and in each cube the face below. */
   for (i = 0; i < d.point_count; ++i) memmove(g->points + 2 * i, g->points + 3 * i, 2 * sizeof *g->points);
-  for (i = 0; i < d.cell_count; ++i) memmove(g->cells + 4 * i, g->cells + 8 * i, 4 * sizeof *g->cells);
+  for (i = 0; i < d.volume_count; ++i) memmove(g->cells + 4 * i, g->cells + 8 * i, 4 * sizeof *g->cells);
   return d;
 }
 
@@ -112,6 +112,19 @@ void end_scene(dsw_scene *scene) {
   CHECK_OK(dsw_environment_destroy(environment));
 }
 
+dsw_change empty_change(void) {
+  dsw_change change;
+  memset(&change, 0, sizeof change);
+  change.struct_size = sizeof change;
+  return change;
+}
+
+dsw_change change_of(const dsw_environment *environment) {
+  dsw_change change = empty_change();
+  CHECK_OK(dsw_environment_get_change(environment, &change));
+  return change;
+}
+
 dsw_environment_info info_of(const dsw_environment *environment) {
   dsw_environment_info info;
   info.struct_size = sizeof info;
@@ -127,7 +140,7 @@ dsw_environment_desc polygons_desc(const double *points, size_t point_count, dsw
   d.points = points;
   d.point_count = point_count;
   d.uniform_cell_type = type;
-  d.cell_count = cell_count;
+  d.volume_count = cell_count;
   d.connectivity = cells;
   d.connectivity_count = (type == DSW_CELL_TYPE_TRIANGLE ? 3 : 4) * cell_count;
   return d;
@@ -208,7 +221,7 @@ dsw_deform_report deform_to_next(dsw_scene *scene, double *points, size_t point_
   double *const to = points + (size_t)*next * numbers, *const other = points + (size_t)(1 - *next) * numbers;
   dsw_deform_report report;
   memset(&report, 9, sizeof report);
-  CHECK_OK(dsw_scene_deform(scene, to, point_count, o, &report));
+  CHECK_OK(dsw_environment_deform(dsw_scene_get_environment(scene), to, point_count, o, &report));
   if (report.outcome != DSW_DEFORM_REFUSED) {
     const double *read = NULL;
     size_t count = 0;

@@ -33,6 +33,10 @@ dsw_scene *make_scene(dsw_environment *environment, uint32_t features);
 /* Destroys a scene and its environment. */
 void end_scene(dsw_scene *scene);
 dsw_environment_info info_of(const dsw_environment *environment);
+/* The last change of the topology. */
+dsw_change change_of(const dsw_environment *environment);
+/* A dsw_change to be filled. */
+dsw_change empty_change(void);
 dsw_body_desc body_desc(const double *positions, size_t count, const uint32_t *edges, size_t edge_count,
                         dsw_level level);
 /* Faces alone; the last offset is the number of their corners. */

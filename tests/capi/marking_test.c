@@ -83,7 +83,7 @@ static void wires_are_marked_by_any_of_their_names(void) {
   CHECK(mark_count(DSW_CELL_EDGE) == 1 && marked(cell) && impassable(cell));
   for (local = 0; local < 12; ++local) { /* the name that volume 10, at (1,1,1), has for it */
     dsw_edge_id canonical;
-    CHECK_OK(dsw_environment_get_volume_edge(g_env, volume_at(10), local, &canonical));
+    CHECK_OK(dsw_environment_get_edge_id(g_env, volume_at(10), local, &canonical));
     CHECK(marked(cell_at(DSW_CELL_EDGE, 10, local)) ==
           (canonical.volume == edge.volume && canonical.local == edge.local));
   }

@@ -59,7 +59,7 @@ static void creating_an_environment(int plane) {
   dsw_environment *environment = NULL;
   dsw_build_report report;
   size_t refusals;
-  d.flags = DSW_ENVIRONMENT_LOCATE_GRID | DSW_ENVIRONMENT_CHECK_BOUNDARY;
+  d.flags = DSW_ENVIRONMENT_LOCATE_TREE | DSW_ENVIRONMENT_CHECK_BOUNDARY;
   report.struct_size = sizeof report;
   report.status = DSW_STATUS_OK;
   UNTIL_IT_SUCCEEDS(dsw_environment_create(context, &d, &environment, &report),
@@ -104,10 +104,10 @@ static int nothing_moved(dsw_scene *scene, int plane) {
   size_t i;
   for (i = 0; i < CLOUD; ++i) {
     double position[3];
-    if (dsw_particle_get(scene, g_ids[i], position, NULL) != DSW_STATUS_OK) return 0;
+    if (dsw_particle_get_position(scene, g_ids[i], position, NULL) != DSW_STATUS_OK) return 0;
     if (memcmp(position, g_positions + 3 * i, (plane ? 2 : 3) * sizeof *position) != 0) return 0;
   }
-  return g_flights[0].cells_visited == 0;
+  return g_flights[0].volumes_visited == 0;
 }
 
 static dsw_statistics statistics_of(dsw_scene *scene) {
@@ -299,7 +299,7 @@ static void sweeps(void) {
   UNTIL_IT_SUCCEEDS(dsw_environment_sweep_edges(g_env, COUNT, NULL, points[0], points[1], points[2], 0, NULL, reports),
                     g_host.alive == before, refusals);
   CHECK(refusals >= 4 && g_host.alive == before && g_host.parallel_calls == refusals + 1);
-  for (i = 0; i < COUNT; ++i) CHECK(reports[i].outcome == DSW_OUTCOME_REACHED && reports[i].cells_visited > 20);
+  for (i = 0; i < COUNT; ++i) CHECK(reports[i].outcome == DSW_OUTCOME_REACHED && reports[i].volumes_visited > 20);
   end();
 }
 

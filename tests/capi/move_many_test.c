@@ -48,7 +48,7 @@ static void a_rigid_body_keeps_its_shape(void) {
   dsw_environment *environment = make_pillar(NULL);
   dsw_scene *scene = make_scene(environment, 0);
   dsw_rigid_motion motion = translation(1, 0, 0);
-  const dsw_contact *c = NULL;
+  const dsw_body_contact *c = NULL;
   const dsw_body_edit *e = NULL;
   dsw_move_report r;
   size_t count = 0;
@@ -71,7 +71,7 @@ static void a_rigid_body_keeps_its_shape(void) {
     CHECK_OK(dsw_body_move_rigid(scene, body, &motion, NULL, &r));
     CHECK(r.fraction > 0.2 && r.fraction <= 0.5 && frexp(r.fraction, &i) == 0.5 && r.vertices_stopped == 4);
     CHECK_OK(dsw_body_get_contacts(scene, body, &c, &count));
-    CHECK(count == 1 && r.contact_count == 1 && c->normal[0] == -1 && c->tag == 100 + PILLAR && c->point[0] == 2);
+    CHECK(count == 1 && r.contact_count == 1 && c->contact.normal[0] == -1 && c->contact.tag == 100 + PILLAR && c->point[0] == 2);
     CHECK(c->history == DSW_HISTORY_NEW);
     CHECK_OK(dsw_body_get_edits(scene, body, &e, &count));
     CHECK(count == 0 && r.edit_count == 0);
@@ -195,7 +195,7 @@ static void many_move_as_one_by_one(void) {
     CHECK_OK(dsw_scene_move_bodies(scene, others, n, targets, 4 * n, 0, &o, many));
     CHECK(memcmp(one, many, n * sizeof one[0]) == 0);
     for (i = 0; i < n; ++i) {
-      const dsw_contact *a = NULL, *b = NULL;
+      const dsw_body_contact *a = NULL, *b = NULL;
       size_t count_a = 0, count_b = 0;
       positions_of(alone, bodies[i], p);
       positions_of(scene, others[i], q);
@@ -237,7 +237,7 @@ static void bad_batches_change_nothing(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, MANY(scene, stale, targets, 8, 0, NULL));
   CHECK_MESSAGE("bodies[1] {index 0, generation 9}");
   CHECK_FAILS(DSW_STATUS_DUPLICATE_ID, MANY(scene, twice, targets, 8, 0, NULL));
-  CHECK_MESSAGE("bodies[1] stands twice");
+  CHECK_MESSAGE("bodies[1] occurs twice");
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MANY(scene, bodies, targets, 7, 0, NULL));
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MANY(scene, bodies, targets, 8, 12, NULL));
   targets[23] = NAN;
@@ -308,7 +308,7 @@ static void memory_runs_out(void) {
       CHECK_MESSAGE("allocator returned null");
       CHECK(body_count == (call == 0 ? 0u : 1u) && (call > 0 || (body.index == 7 && body.generation == 8)));
       if (call == 0) continue;
-      CHECK(dsw_body_get_vertices(scene, body, NULL, 0, &count) == DSW_STATUS_BUFFER_TOO_SMALL);
+      CHECK(dsw_body_get_vertex_ids(scene, body, NULL, 0, &count) == DSW_STATUS_BUFFER_TOO_SMALL);
       CHECK(count == 4);
       positions_of(scene, body, now);
       CHECK(memcmp(p, now, sizeof p) == 0);

@@ -13,7 +13,7 @@ static void init_writes_the_defaults(void) {
   dsw_move_options_init(&o, sizeof o);
   CHECK(o.struct_size == sizeof o && o.flags == 0 && o.vertex_response == DSW_RESPONSE_STOP);
   CHECK(o.edge_response == DSW_RESPONSE_STOP && o.search == DSW_SEARCH_EXACT && o.bisection_depth == 0);
-  CHECK(o.min_part == 0 && o.stand_off == 0 && o.min_length == 0 && o.max_cells == 0 && o.noise_share == 0 &&
+  CHECK(o.min_part == 0 && o.stand_off == 0 && o.min_length == 0 && o.max_volumes == 0 && o.noise_share == 0 &&
         o.order == NULL && o.order_count == 0);
   memset(&o, 0xff, sizeof o);
   dsw_move_options_init(&o, 8);
@@ -22,7 +22,7 @@ static void init_writes_the_defaults(void) {
 }
 
 static void a_free_move_arrives(void) {
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   const dsw_body_edit *edits = NULL;
   int level;
   for (level = DSW_LEVEL_POINTS; level <= (int)top_level(); ++level) {
@@ -47,10 +47,10 @@ static void a_work_limit_stops_free(void) {
     const dsw_body_id body = make_line(g_left, 2, (dsw_level)level);
     dsw_move_options o = move_options();
     dsw_move_report r;
-    o.max_cells = 1;
+    o.max_volumes = 1;
     r = move(body, g_right, 2, &o);
     CHECK(r.vertices_stopped == 2 && r.vertices_limited == 2 && r.contact_count == 0 && is_at(body, g_left, 2));
-    o.max_cells = 1000;
+    o.max_volumes = 1000;
     r = move(body, g_right, 2, &o);
     CHECK(r.vertices_stopped == 0 && r.vertices_limited == 0 && is_at(body, g_right, 2));
     CHECK_OK(dsw_body_destroy(g_scene, body));
@@ -62,7 +62,7 @@ static void a_contact_says_everything(void) {
   const dsw_body_id body = make_line(g_left, 2, DSW_LEVEL_EDGES_SWEPT);
   const double touched[3] = {2, 1, 1.5}, origin[3] = {0, 0, 0};
   const int space = g_dimension == 3;
-  const dsw_contact *c = NULL;
+  const dsw_body_contact *c = NULL;
   dsw_move_report r;
   uint32_t first = 0;
   double p[6];
@@ -82,13 +82,13 @@ static void a_contact_says_everything(void) {
   CHECK(fabs(c->position[0] - (1.25 + 2 * c->time)) < 1e-15 && c->position[1] == 0.25);
   CHECK(c->position[2] == (space ? 1.5 : 0));
   for (k = 0; k < (int)g_dimension; ++k) CHECK(fabs(c->point[k] - touched[k]) < 1e-14);
-  CHECK(is_unit(c->normal) && c->normal[0] < -0.9 && c->normal[1] < 0 && c->normal[2] == 0);
-  CHECK(fabs(c->along - 0.75 / 3.5) < 1e-14 && c->vertex.index == 0 && c->vertex.generation == 1);
+  CHECK(is_unit(c->contact.normal) && c->contact.normal[0] < -0.9 && c->contact.normal[1] < 0 && c->contact.normal[2] == 0);
+  CHECK(fabs(c->edge_parameter - 0.75 / 3.5) < 1e-14 && c->vertex.index == 0 && c->vertex.generation == 1);
   CHECK(c->edge.index == 0 && c->edge.generation == 1 && c->face.generation == 0);
-  CHECK(c->obstacle.generation == 1 && c->obstacle.kind == (space ? DSW_CELL_EDGE : DSW_CELL_VERTEX));
-  CHECK(c->kind == (space ? DSW_CONTACT_EDGE : DSW_CONTACT_VERTEX));
-  CHECK(space || (c->obstacle.index == point_at(2, 1) && c->obstacle.local == 0 && c->point[2] == 0));
-  CHECK(c->cause == DSW_CELL_VOLUME && c->tag == 100 + g_pillar && c->wall.generation == 1 && c->front.generation == 1);
+  CHECK(c->contact.obstacle.generation == 1 && c->contact.obstacle.kind == (space ? DSW_CELL_EDGE : DSW_CELL_VERTEX));
+  CHECK(c->contact.kind == (space ? DSW_CONTACT_EDGE : DSW_CONTACT_VERTEX));
+  CHECK(space || (c->contact.obstacle.index == point_at(2, 1) && c->contact.obstacle.local == 0 && c->point[2] == 0));
+  CHECK(c->contact.marked_kind == DSW_CELL_VOLUME && c->contact.tag == 100 + g_pillar && c->contact.wall.generation == 1 && c->contact.front.generation == 1);
   CHECK(c->history == DSW_HISTORY_NEW && c->distance_left > 1.04 && c->distance_left < 1.05);
   CHECK(p[0] <= c->position[0] && p[0] > c->position[0] - 1e-12 && p[1] == 0.25 && is_point(p + 3, g_left + 3));
   r = move(body, g_right, 2, &o);
@@ -105,7 +105,7 @@ static void a_contact_says_everything(void) {
 static void a_new_vertex_has_no_history(void) {
   const double from[3] = {0.5, 0.5, 0.5}, down[3] = {0.5, -1, 0.5};
   const dsw_body_id body = make_line(from, 1, top_level());
-  const dsw_contact *c = NULL;
+  const dsw_body_contact *c = NULL;
   dsw_body_vertex_id v = {0, 1};
   move(body, down, 1, NULL);
   CHECK(contacts_of(body, &c) == 1 && c->history == DSW_HISTORY_NEW);
@@ -123,7 +123,7 @@ static void a_new_vertex_has_no_history(void) {
 static void every_obstacle_has_its_history(void) {
   const double from[3] = {3.5, 3.25, 1.5}, corner[3] = {5, 5, 1.5};
   const dsw_body_id body = make_line(from, 1, top_level());
-  const dsw_contact *c = NULL;
+  const dsw_body_contact *c = NULL;
   dsw_move_options o = move_options();
   size_t count, i;
   int turn;
@@ -139,7 +139,7 @@ static void every_obstacle_has_its_history(void) {
 
 static void a_vertex_stops_or_slides(void) {
   const double from[3] = {1.5, 1.25, 1.5}, to[3] = {2.5, 1.75, 1.5};
-  const dsw_contact *c = NULL;
+  const dsw_body_contact *c = NULL;
   dsw_move_options o = move_options();
   int level;
   mark_pillar(DSW_MARK_IMPASSABLE);
@@ -150,11 +150,11 @@ static void a_vertex_stops_or_slides(void) {
     o.vertex_response = DSW_RESPONSE_STOP;
     r = move(body, to, 1, &o);
     CHECK(r.vertices_stopped == 1 && r.contact_count == 1 && contacts_of(body, &c) == 1);
-    CHECK(c->time == 0.5 && c->kind == DSW_CONTACT_PLANE && c->obstacle.kind == DSW_CELL_FACE && c->normal[0] == -1);
-    CHECK(c->edge.generation == 0 && c->face.generation == 0 && c->along == 0 && c->point[0] == 2 &&
+    CHECK(c->time == 0.5 && c->contact.kind == DSW_CONTACT_PLANE && c->contact.obstacle.kind == DSW_CELL_FACE && c->contact.normal[0] == -1);
+    CHECK(c->edge.generation == 0 && c->face.generation == 0 && c->edge_parameter == 0 && c->point[0] == 2 &&
           c->point[1] == 1.5);
-    CHECK(c->tag == 100 + g_pillar && c->front.index == g_pillar - 1 && c->obstacle.index == g_pillar - 1);
-    CHECK(c->obstacle.local == FACE_X1 && fabs(c->distance_left - sqrt(0.3125)) < 1e-8);
+    CHECK(c->contact.tag == 100 + g_pillar && c->contact.front.index == g_pillar - 1 && c->contact.obstacle.index == g_pillar - 1);
+    CHECK(c->contact.obstacle.local == FACE_X1 && fabs(c->distance_left - sqrt(0.3125)) < 1e-8);
     positions_of(body, p, 1);
     CHECK(p[0] <= 2 && p[0] > 2 - 1e-8);
     o.vertex_response = DSW_RESPONSE_SLIDE;
@@ -189,11 +189,11 @@ static void responses_insert_vertices(void) {
     CHECK(r.vertices_stopped == kStopped[i]);
     CHECK(r.contact_count >= (i == 2 ? 1u : 2u)); /* many at once: then 1 meets nothing */
     CHECK(has(body, 2 + kInserted[i], 1 + kInserted[i], 0));
-    CHECK_OK(dsw_body_get_vertices(g_scene, body, v, 8, &count));
+    CHECK_OK(dsw_body_get_vertex_ids(g_scene, body, v, 8, &count));
     CHECK(count == 2 + kInserted[i] && positions_of(body, targets, 4) == count);
     for (k = 0; k < r.edit_count; ++k) {
       CHECK(e[k].inserted == 1 && e[k].vertex.index == 2 + k && e[k].vertex.generation == 1 && e[k].reserved == 0);
-      CHECK(e[k].share > 0.125 && e[k].share < 0.875 && e[k].edge.generation == 1 && e[k].rest.generation == 1);
+      CHECK(e[k].edge_parameter > 0.125 && e[k].edge_parameter < 0.875 && e[k].edge.generation == 1 && e[k].rest.generation == 1);
       CHECK(targets[6 + 3 * k] <= 2 && targets[6 + 3 * k] > 2 - 1e-6); /* at the corners (2, 1) and (2, 2) */
       CHECK(fabs(targets[7 + 3 * k] - (double)(1 + k)) < 1e-6);
     }
@@ -204,7 +204,7 @@ static void responses_insert_vertices(void) {
       r = move(body, targets, 4, &o);
       CHECK(r.edit_count == 2 && edits_of(body, &e) == 2 && e[0].inserted == 0 && e[1].inserted == 0);
       CHECK(e[0].vertex.index >= 2 && e[1].vertex.index >= 2 && e[0].ends[0].generation == 1);
-      CHECK_OK(dsw_body_get_vertices(g_scene, body, v, 8, &count));
+      CHECK_OK(dsw_body_get_vertex_ids(g_scene, body, v, 8, &count));
       CHECK(count == 2);
     }
     CHECK_OK(dsw_body_destroy(g_scene, body));
@@ -213,14 +213,14 @@ static void responses_insert_vertices(void) {
 }
 
 static void searches_agree(void) {
-  static const dsw_search kSearches[3] = {DSW_SEARCH_EXACT, DSW_SEARCH_ALL, DSW_SEARCH_BISECTION};
+  static const dsw_search kSearches[3] = {DSW_SEARCH_EXACT, DSW_SEARCH_EXHAUSTIVE, DSW_SEARCH_BISECTION};
   double exact = 0;
   int i;
   mark_pillar(DSW_MARK_IMPASSABLE);
   for (i = 0; i < 3; ++i) {
     const dsw_body_id body = make_line(g_left, 2, DSW_LEVEL_EDGES_SWEPT);
     dsw_move_options o = move_options();
-    const dsw_contact *c = NULL;
+    const dsw_body_contact *c = NULL;
     size_t count;
     o.search = kSearches[i];
     o.bisection_depth = 10;
@@ -230,13 +230,13 @@ static void searches_agree(void) {
     if (i == 0) exact = c->time;
     CHECK(i == 2 ? c->time <= exact && c->time >= exact - 1.0 / 1024 : c->time == exact);
     if (i == 2) { /* the pillar's lower face is what a cast along the edge meets first */
-      CHECK(c->kind == DSW_CONTACT_PLANE && c->obstacle.kind == DSW_CELL_FACE && c->tag == 100 + g_pillar);
-      CHECK(c->normal[0] == 0 && c->normal[1] == -1 && fabs(c->point[0] - 2) < 1e-2 && fabs(c->point[1] - 1) < 1e-15);
-      CHECK(fabs(c->along - 0.75 / 3.5) < 1e-2 && c->edge.generation == 1);
-      CHECK(c->front.index == g_pillar - N && c->front.generation == 1);
+      CHECK(c->contact.kind == DSW_CONTACT_PLANE && c->contact.obstacle.kind == DSW_CELL_FACE && c->contact.tag == 100 + g_pillar);
+      CHECK(c->contact.normal[0] == 0 && c->contact.normal[1] == -1 && fabs(c->point[0] - 2) < 1e-2 && fabs(c->point[1] - 1) < 1e-15);
+      CHECK(fabs(c->edge_parameter - 0.75 / 3.5) < 1e-2 && c->edge.generation == 1);
+      CHECK(c->contact.front.index == g_pillar - N && c->contact.front.generation == 1);
     } else {
-      CHECK(c->kind == (g_dimension == 3 ? DSW_CONTACT_EDGE : DSW_CONTACT_VERTEX));
-      CHECK(c->obstacle.kind == (g_dimension == 3 ? DSW_CELL_EDGE : DSW_CELL_VERTEX));
+      CHECK(c->contact.kind == (g_dimension == 3 ? DSW_CONTACT_EDGE : DSW_CONTACT_VERTEX));
+      CHECK(c->contact.obstacle.kind == (g_dimension == 3 ? DSW_CELL_EDGE : DSW_CELL_VERTEX));
     }
     CHECK_OK(dsw_body_destroy(g_scene, body));
   }
@@ -251,7 +251,7 @@ static void a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side(void) {
   CHECK_OK(mark_face(g_pillar - 1, FACE_X1, DSW_MARK_IMPASSABLE));
   for (left = 0; left < 2; ++left) {
     double p[9] = {3.5, 0.5, 2.1, 2.25, 2.9, 0.3, 2.2, 2.9, 2.7};
-    const dsw_contact *c = NULL;
+    const dsw_body_contact *c = NULL;
     dsw_body_desc d;
     dsw_body_id body;
     int i;
@@ -262,8 +262,8 @@ static void a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side(void) {
     CHECK_OK(dsw_body_create(g_scene, &d, &body));
     p[0] = 4 - p[0];
     CHECK(move(body, p, 3, NULL).contact_count == 1 && contacts_of(body, &c) == 1);
-    CHECK(c->kind == DSW_CONTACT_VERTEX && c->point[0] == 2 && c->point[1] == 1 && c->point[2] == 2);
-    CHECK((left ? -c->normal[0] : c->normal[0]) > 0.9 && c->tag == 100u + g_pillar - (left ? 0 : 1));
+    CHECK(c->contact.kind == DSW_CONTACT_VERTEX && c->point[0] == 2 && c->point[1] == 1 && c->point[2] == 2);
+    CHECK((left ? -c->contact.normal[0] : c->contact.normal[0]) > 0.9 && c->contact.tag == 100u + g_pillar - (left ? 0 : 1));
     CHECK_OK(dsw_body_destroy(g_scene, body));
   }
   CHECK_OK(mark_face(g_pillar - 1, FACE_X1, DSW_MARK_PASSABLE));
@@ -333,7 +333,7 @@ static void bad_options_are_refused(void) {
 static void bad_arguments_change_nothing(void) {
   const dsw_body_id body = make_line(g_left, 2, DSW_LEVEL_EDGES_SWEPT), stale = {body.index, body.generation + 1};
   const uint32_t first = 0;
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   const dsw_body_edit *edits = NULL;
   dsw_move_options o = move_options();
   double bad[6];

@@ -31,20 +31,20 @@ static void positions_come_in_bulk(void) {
   ids[1] = particle_at(scene, g_middle);
   ids[2] = ids[0]; /* an id may stand many times */
   positions[0][3] = positions[2][3] = 7;
-  CHECK_OK(dsw_scene_get_particles(scene, ids, 3, positions[0], sizeof positions[0], volumes));
+  CHECK_OK(dsw_scene_get_particle_positions(scene, ids, 3, positions[0], sizeof positions[0], volumes));
   for (i = 0; i < 3; ++i) {
-    CHECK_OK(dsw_particle_get(scene, ids[i], one, &volume));
+    CHECK_OK(dsw_particle_get_position(scene, ids[i], one, &volume));
     CHECK(memcmp(one, positions[i], sizeof one) == 0 && memcmp(&volume, &volumes[i], sizeof volume) == 0);
   }
   CHECK(positions[0][3] == 7 && positions[2][3] == 7);
-  CHECK_OK(dsw_scene_get_particles(scene, ids, 3, NULL, 0, NULL));
-  CHECK_OK(dsw_scene_get_particles(scene, NULL, 0, NULL, 0, NULL));
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_get_particles(scene, ids, 3, positions[0], 20, volumes));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_particles(scene, NULL, 1, positions[0], 0, volumes));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_particles(NULL, ids, 3, positions[0], 0, volumes));
+  CHECK_OK(dsw_scene_get_particle_positions(scene, ids, 3, NULL, 0, NULL));
+  CHECK_OK(dsw_scene_get_particle_positions(scene, NULL, 0, NULL, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_get_particle_positions(scene, ids, 3, positions[0], 20, volumes));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_particle_positions(scene, NULL, 1, positions[0], 0, volumes));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_particle_positions(NULL, ids, 3, positions[0], 0, volumes));
   CHECK_OK(dsw_particle_destroy(scene, ids[1]));
   positions[0][0] = -1;
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_scene_get_particles(scene, ids, 3, positions[0], 0, volumes));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_scene_get_particle_positions(scene, ids, 3, positions[0], 0, volumes));
   CHECK_MESSAGE("particles[1]");
   CHECK(positions[0][0] == -1);
   CHECK_OK(dsw_scene_destroy(scene));
@@ -57,19 +57,19 @@ static void particles_come_and_go(void) {
   dsw_volume_id volume;
   double position[3];
   CHECK(first.index == 0 && first.generation == 1 && second.index == 1 && particle_count(scene) == 2);
-  CHECK_OK(dsw_particle_get(scene, first, position, &volume));
+  CHECK_OK(dsw_particle_get_position(scene, first, position, &volume));
   CHECK(memcmp(position, g_middle, sizeof position) == 0 && volume.index == 1 + 4 * (1 + 4 * 1) &&
         volume.generation == 1);
-  CHECK_OK(dsw_particle_get(scene, first, NULL, NULL));
+  CHECK_OK(dsw_particle_get_position(scene, first, NULL, NULL));
   CHECK_OK(dsw_particle_destroy(scene, first));
   CHECK(particle_count(scene) == 1);
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_get(scene, first, position, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_get_position(scene, first, position, NULL));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_destroy(scene, first));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_move(scene, first, g_middle, NULL, NULL));
   CHECK_MESSAGE("particle {index 0, generation 1} names no particle");
   third = particle_at(scene, g_middle);
   CHECK(third.index == 0 && third.generation == 2 && particle_count(scene) == 2);
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_get(scene, first, position, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_get_position(scene, first, position, NULL));
   CHECK_OK(dsw_scene_destroy(scene)); /* with all it holds */
 }
 
@@ -78,9 +78,9 @@ static void ids_that_were_never_given_out_are_stale(void) {
   const dsw_particle_id id = particle_at(scene, g_middle);
   dsw_particle_id forged[5] = {{0, 0}, {0, 2}, {1, 1}, {0xffffffffu, 1}, {0, 0x80000001u}};
   size_t i;
-  for (i = 0; i < 5; ++i) CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_get(scene, forged[i], NULL, NULL));
+  for (i = 0; i < 5; ++i) CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_get_position(scene, forged[i], NULL, NULL));
   CHECK_OK(dsw_particle_destroy(scene, id));
-  for (i = 0; i < 5; ++i) CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_get(scene, forged[i], NULL, NULL));
+  for (i = 0; i < 5; ++i) CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_get_position(scene, forged[i], NULL, NULL));
   CHECK_OK(dsw_scene_destroy(scene));
 }
 
@@ -106,7 +106,7 @@ static void a_bad_particle_is_refused(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_create((dsw_scene *)(void *)g_env, g_middle, no_volume, &id));
   CHECK(id.index == 7 && particle_count(scene) == 0);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_particle_destroy(NULL, id));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_particle_get(NULL, id, NULL, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_particle_get_position(NULL, id, NULL, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_particle_count(scene, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_particle_count(NULL, NULL));
   CHECK_OK(dsw_scene_destroy(scene));
@@ -154,8 +154,9 @@ static void a_move_reaches_its_target(void) {
   dsw_flight f;
   CHECK_OK(dsw_particle_move(scene, id, to, NULL, &f));
   CHECK(f.outcome == DSW_OUTCOME_REACHED && f.time == 1 && memcmp(f.position, to, sizeof to) == 0);
-  CHECK(f.volume.index == 3 + 4 * 2 && f.kind == DSW_CONTACT_NONE && f.face.generation == 0 && f.cells_visited == 5);
-  CHECK_OK(dsw_particle_get(scene, id, position, &volume));
+  CHECK(f.volume.index == 3 + 4 * 2 && f.contact.kind == DSW_CONTACT_NONE && f.contact.wall.generation == 0 &&
+        f.volumes_visited == 5);
+  CHECK_OK(dsw_particle_get_position(scene, id, position, &volume));
   CHECK(memcmp(position, to, sizeof to) == 0 && volume.index == f.volume.index);
   CHECK_OK(dsw_scene_destroy(scene));
 }
@@ -171,11 +172,12 @@ static void a_stopped_particle_stays_on_this_side(void) {
   int again;
   CHECK_OK(dsw_environment_mark_volumes(g_env, &wall, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_OK(dsw_particle_move(scene, id, to, NULL, &f));
-  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.time == 0.1875 && f.kind == DSW_CONTACT_PLANE);
-  CHECK(f.normal[2] == -1 && f.behind.index == wall.index && f.obstacle == DSW_CELL_VOLUME);
-  CHECK(f.tag == 100 + wall.index && f.face.volume == wall.index - 16 && f.face.local == FACE_Z1);
-  CHECK(f.position[2] < 3 && f.position[2] > 2.999999 && f.cells_visited == 2);
-  CHECK_OK(dsw_particle_get(scene, id, position, &volume));
+  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.time == 0.1875 && f.contact.kind == DSW_CONTACT_PLANE);
+  CHECK(f.contact.normal[2] == -1 && f.contact.behind.index == wall.index && f.contact.marked_kind == DSW_CELL_VOLUME);
+  CHECK(f.contact.tag == 100 + wall.index && f.contact.wall.volume == wall.index - 16 &&
+        f.contact.wall.local == FACE_Z1);
+  CHECK(f.position[2] < 3 && f.position[2] > 2.999999 && f.volumes_visited == 2);
+  CHECK_OK(dsw_particle_get_position(scene, id, position, &volume));
   CHECK(memcmp(position, f.position, sizeof position) == 0 && volume.index == f.volume.index);
   for (again = 0; again < 3; ++again) {
     CHECK_OK(dsw_particle_move(scene, id, to, NULL, &f));
@@ -192,16 +194,16 @@ static void options_are_obeyed(void) {
   dsw_cast_options o;
   dsw_flight f;
   dsw_cast_options_init(&o, sizeof o);
-  o.max_cells = 1;
+  o.max_volumes = 1;
   CHECK_OK(dsw_particle_move(scene, id, to, &o, &f));
-  CHECK(f.outcome == DSW_OUTCOME_WORK_LIMIT && f.cells_visited == 1 && f.position[2] >= 1.5 && f.position[2] < 2);
-  CHECK(f.kind == DSW_CONTACT_NONE && f.face.generation == 0);
-  o.max_cells = 0;
+  CHECK(f.outcome == DSW_OUTCOME_WORK_LIMIT && f.volumes_visited == 1 && f.position[2] >= 1.5 && f.position[2] < 2);
+  CHECK(f.contact.kind == DSW_CONTACT_NONE && f.contact.wall.generation == 0);
+  o.max_volumes = 0;
   o.flags = DSW_CAST_NO_DETAIL;
   memset(&f, 0x55, sizeof f);
   CHECK_OK(dsw_particle_move(scene, id, to, &o, &f));
   CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.position[2] < 4 && f.position[2] > 3.9 && f.time > 0 && f.time < 1);
-  CHECK(f.normal[2] == 0 && f.face.generation == 0 && f.behind.generation == 0 && f.reserved[1] == 0);
+  CHECK(f.contact.normal[2] == 0 && f.contact.wall.generation == 0 && f.contact.behind.generation == 0);
   o.flags = DSW_CAST_START_KNOWN; /* no effect */
   CHECK_OK(dsw_particle_move(scene, id, g_middle, &o, &f));
   o.flags = 0x4;
@@ -224,8 +226,8 @@ static void a_bad_move_changes_nothing(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_move(scene, stale_particle, g_middle, NULL, &f));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_particle_move(scene, id, NULL, NULL, &f));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_particle_move(NULL, id, g_middle, NULL, &f));
-  CHECK(f.cells_visited == 0x55555555u);
-  CHECK_OK(dsw_particle_get(scene, id, position, NULL));
+  CHECK(f.volumes_visited == 0x55555555u);
+  CHECK_OK(dsw_particle_get_position(scene, id, position, NULL));
   CHECK(memcmp(position, g_middle, sizeof position) == 0);
   CHECK_OK(dsw_scene_destroy(scene));
 }
@@ -298,7 +300,7 @@ static dsw_statistics run_cloud(dsw_context *context, cloud *c, size_t *crossing
   CHECK(flights == BATCH && first[0] == 0);
   for (i = 0; i < BATCH; ++i) {
     size_t k;
-    CHECK(first[i + 1] - first[i] == c->flights[i].cells_visited);
+    CHECK(first[i + 1] - first[i] == c->flights[i].volumes_visited);
     CHECK(list[first[i]].face.generation == 0 && list[first[i]].time == 0);
     for (k = first[i] + 1; k < first[i + 1]; ++k)
       CHECK(list[k].time >= list[k - 1].time && list[k].face.generation == 1);
@@ -406,9 +408,9 @@ static void bad_batches_move_nothing(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_move_particles(scene, ids, 2, NULL, 0, NULL, f));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_cast_from_particles(NULL, ids, 2, targets, 0, NULL, f));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_cast_from_particles(scene, ids, 2, targets, 0, NULL, NULL));
-  CHECK(f[0].cells_visited == 0x55555555u);
+  CHECK(f[0].volumes_visited == 0x55555555u);
   for (i = 0; i < 2; ++i) {
-    CHECK_OK(dsw_particle_get(scene, ids[i], position, NULL));
+    CHECK_OK(dsw_particle_get_position(scene, ids[i], position, NULL));
     CHECK(memcmp(position, g_middle, sizeof position) == 0);
   }
   CHECK_OK(dsw_scene_move_particles(scene, ids, 2, targets, 0, NULL, f)); /* a failed batch leaves no stamp behind */
@@ -425,8 +427,9 @@ static void casts_from_particles_leave_them_where_they_are(void) {
   dsw_flight f[2];
   CHECK_OK(dsw_scene_cast_from_particles(scene, ids, 2, to, 32, NULL, f));
   CHECK(f[0].outcome == DSW_OUTCOME_REACHED && f[0].position[0] == 3.5);
-  CHECK(f[1].outcome == DSW_OUTCOME_CONTACT && f[1].time == 0.3125 && f[1].position[0] == 4 && f[1].normal[0] == -1);
-  CHECK_OK(dsw_particle_get(scene, id, position, NULL));
+  CHECK(f[1].outcome == DSW_OUTCOME_CONTACT && f[1].time == 0.3125 && f[1].position[0] == 4 &&
+        f[1].contact.normal[0] == -1);
+  CHECK_OK(dsw_particle_get_position(scene, id, position, NULL));
   CHECK(memcmp(position, g_middle, sizeof position) == 0);
   CHECK_OK(dsw_scene_destroy(scene));
 }
@@ -447,7 +450,7 @@ static void crossings_tell_the_way(void) {
   CHECK(list[1].volume.index == 22 && list[1].face.volume == 21 && list[1].face.local == FACE_X1 &&
         list[1].time == 0.25);
   CHECK(list[2].volume.index == 23 && list[2].time == 0.75);
-  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_scene_get_crossings(plain, &list, &first, &flights));
+  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_scene_get_crossings(plain, &list, &first, &flights));
   CHECK_MESSAGE("DSW_FEATURE_CROSSINGS");
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_crossings(NULL, &list, &first, &flights));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_crossings(scene, NULL, &first, &flights));

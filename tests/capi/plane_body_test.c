@@ -30,13 +30,13 @@ static void a_body_has_what_was_given(void) {
   CHECK(volumes[0].index == 0 && volumes[1].index == 2 && volumes[2].index == 9);
   CHECK_OK(dsw_body_get_positions(g_scene, body, p, 3, 0, NULL, &count)); /* 16 bytes apart */
   CHECK(p[2] == 2.5 && p[5] == 2.5);
-  CHECK_OK(dsw_body_get_edge_vertices(g_scene, body, edges, 3, &count));
+  CHECK_OK(dsw_body_get_edge_indices(g_scene, body, edges, 3, &count));
   CHECK(count == 3 && edges[4] == 2 && edges[5] == 0);
-  CHECK_OK(dsw_body_get_edge(g_scene, body, edge_id(1), ends));
+  CHECK_OK(dsw_body_get_edge_ends(g_scene, body, edge_id(1), ends));
   CHECK(ends[0].index == 1 && ends[1].index == 2);
-  CHECK_OK(dsw_body_get_faces(g_scene, body, faces, 1, &count));
+  CHECK_OK(dsw_body_get_face_ids(g_scene, body, faces, 1, &count));
   CHECK(count == 0);
-  CHECK_OK(dsw_body_get_face_vertices(g_scene, body, corners, 1, &count));
+  CHECK_OK(dsw_body_get_face_indices(g_scene, body, corners, 1, &count));
   CHECK(count == 0);
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
@@ -77,7 +77,7 @@ static void bad_bodies_are_refused(void) {
   d.edge_count = 0;
   refuses(DSW_STATUS_STALE_ID, &d, "desc->hints[0]");
   d = line_desc(points, 3, 0, DSW_LEVEL_EDGES), d.edges = twice;
-  refuses(DSW_STATUS_DUPLICATE_CELL, &d, "edge 1");
+  refuses(DSW_STATUS_DUPLICATE_PART, &d, "edge 1");
   d.edges = beyond;
   d.edge_count = 1;
   refuses(DSW_STATUS_INDEX_OUT_OF_RANGE, &d, "desc->edges[1] is 7");
@@ -128,7 +128,7 @@ static void edits_are_checked(void) {
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_add_face(g_scene, body, vertex_id(0), vertex_id(1), far, &f));
   CHECK_MESSAGE("bodies in the plane have no faces");
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_remove_face(g_scene, body, no_face));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_face(g_scene, body, no_face, corners));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_face_corners(g_scene, body, no_face, corners));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_add_edge(g_scene, body, stale, far, &e));
   CHECK_OK(mark_cell(g_pillar, DSW_MARK_IMPASSABLE));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_add_edge(g_scene, body, vertex_id(1), far, &e));
@@ -138,7 +138,7 @@ static void edits_are_checked(void) {
   CHECK(e.index == 1 && e.generation == 1 && has(body, 3, 2, 0));
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_split_edge(g_scene, body, e, 1, &edit));
   CHECK_OK(dsw_body_split_edge(g_scene, body, e, 0.25, &edit));
-  CHECK(has(body, 4, 3, 0) && edit.inserted == 1 && edit.vertex.index == 3 && edit.share == 0.25);
+  CHECK(has(body, 4, 3, 0) && edit.inserted == 1 && edit.vertex.index == 3 && edit.edge_parameter == 0.25);
   CHECK(edit.ends[0].index == 1 && edit.ends[1].index == 2 && edit.edge.index == 1 && edit.rest.index == 2);
   CHECK(positions_of(body, p, 4) == 4 && p[9] == 2 && p[10] == 1.5);
   /* Merging 1 into the new vertex turns the edge 0 1, on which nothing lies. */
@@ -222,15 +222,21 @@ static void edges_are_swept_without_a_body(void) {
   CHECK_OK(mark_point(2, 2, DSW_MARK_IMPASSABLE));
   CHECK_OK(mark_cell(g_pillar, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 24, NULL, s));
-  CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].kind == DSW_CONTACT_VERTEX && s[0].obstacle == DSW_CELL_VOLUME);
-  CHECK(s[0].edge.volume == point_at(2, 1) && s[0].edge.generation == 1 && s[0].tag == 100 + g_pillar);
-  CHECK(s[0].face.generation == 1 && s[0].normal[1] < 0 && s[0].normal[2] == 0 && fabs(s[0].point[1] - 1) < 1e-14);
-  CHECK(s[1].outcome == DSW_OUTCOME_CONTACT && s[1].kind == DSW_CONTACT_PLANE && s[1].time == 0.5);
-  CHECK(s[1].edge.generation == 0 && s[1].face.volume == g_pillar - 1 && s[1].normal[0] == -1);
+  CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].contact.kind == DSW_CONTACT_VERTEX &&
+        s[0].contact.marked_kind == DSW_CELL_VOLUME);
+  CHECK(s[0].contact.obstacle.index == point_at(2, 1) && s[0].contact.obstacle.generation == 1 &&
+        s[0].contact.tag == 100 + g_pillar);
+  CHECK(s[0].contact.wall.generation == 1 && s[0].contact.normal[1] < 0 && s[0].contact.normal[2] == 0 &&
+        fabs(s[0].point[1] - 1) < 1e-14);
+  CHECK(s[1].outcome == DSW_OUTCOME_CONTACT && s[1].contact.kind == DSW_CONTACT_PLANE && s[1].time == 0.5);
+  CHECK(s[1].contact.obstacle.kind == DSW_CELL_FACE && s[1].contact.wall.volume == g_pillar - 1 &&
+        s[1].contact.normal[0] == -1);
   CHECK_OK(mark_cell(g_pillar, DSW_MARK_PASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 24, NULL, s));
-  CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].kind == DSW_CONTACT_VERTEX && s[0].obstacle == DSW_CELL_VERTEX);
-  CHECK(s[0].edge.volume == point_at(2, 2) && s[0].face.generation == 0 && s[0].tag == 0 && s[0].front.generation == 1);
+  CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].contact.kind == DSW_CONTACT_VERTEX &&
+        s[0].contact.marked_kind == DSW_CELL_VERTEX);
+  CHECK(s[0].contact.obstacle.index == point_at(2, 2) && s[0].contact.wall.generation == 0 && s[0].contact.tag == 0 &&
+        s[0].contact.front.generation == 1);
   o.level = DSW_LEVEL_EDGES; /* a lone vertex is met by what is swept alone */
   CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, to, fixed, 0, &o, s));
   CHECK(s[0].outcome == DSW_OUTCOME_REACHED);
@@ -249,8 +255,10 @@ static void a_tag_is_that_of_what_is_behind_the_wall(void) {
   CHECK_OK(mark_face(N, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
   CHECK_OK(mark_face(N, SIDE_UP, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, to, fixed, 0, NULL, &s));
-  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.kind == DSW_CONTACT_VERTEX && s.edge.volume == point_at(1, 2));
-  CHECK(s.front.index == N + 1 && s.face.volume == N && s.face.local == SIDE_RIGHT && s.tag == 100 + N);
+  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_VERTEX &&
+        s.contact.obstacle.index == point_at(1, 2));
+  CHECK(s.contact.front.index == N + 1 && s.contact.wall.volume == N && s.contact.wall.local == SIDE_RIGHT &&
+        s.contact.tag == 100 + N);
   CHECK_OK(mark_face(N, SIDE_RIGHT, DSW_MARK_PASSABLE));
   CHECK_OK(mark_face(N, SIDE_UP, DSW_MARK_PASSABLE));
 }
@@ -261,9 +269,11 @@ static void a_tag_at_the_end_of_a_wall_is_that_of_its_other_side(void) {
   dsw_sweep s[2];
   CHECK_OK(mark_face(g_pillar - 1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 0, NULL, s));
-  CHECK(s[0].kind == DSW_CONTACT_VERTEX && s[0].edge.volume == point_at(2, 1) && s[0].normal[0] > 0.9);
-  CHECK(s[1].kind == DSW_CONTACT_VERTEX && s[1].edge.volume == point_at(2, 1) && s[1].normal[0] < -0.9);
-  CHECK(s[0].tag == 100 + g_pillar - 1 && s[1].tag == 100 + g_pillar);
+  CHECK(s[0].contact.kind == DSW_CONTACT_VERTEX && s[0].contact.obstacle.index == point_at(2, 1) &&
+        s[0].contact.normal[0] > 0.9);
+  CHECK(s[1].contact.kind == DSW_CONTACT_VERTEX && s[1].contact.obstacle.index == point_at(2, 1) &&
+        s[1].contact.normal[0] < -0.9);
+  CHECK(s[0].contact.tag == 100 + g_pillar - 1 && s[1].contact.tag == 100 + g_pillar);
   CHECK_OK(mark_face(g_pillar - 1, SIDE_RIGHT, DSW_MARK_PASSABLE));
 }
 
@@ -273,10 +283,10 @@ static void what_sweeps_nothing_needs_no_work_left(void) {
   dsw_sweep s;
   dsw_sweep_options_init(&o, sizeof o);
   CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, fixed, fixed, 0, &o, &s));
-  o.max_cells = s.cells_visited;
+  o.max_volumes = s.volumes_visited;
   CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, fixed, fixed, 0, &o, &s));
-  CHECK(s.outcome == DSW_OUTCOME_REACHED && s.cells_visited == o.max_cells);
-  --o.max_cells;
+  CHECK(s.outcome == DSW_OUTCOME_REACHED && s.volumes_visited == o.max_volumes);
+  --o.max_volumes;
   CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, fixed, fixed, 0, &o, &s));
   CHECK(s.outcome == DSW_OUTCOME_WORK_LIMIT);
 }
@@ -294,7 +304,7 @@ static void what_a_scene_holds_is_told(void) {
   CHECK_OK(dsw_body_create(scene, &d, &body));
   CHECK_OK(dsw_scene_get_memory_bytes(scene, &with));
   CHECK(with >= before + 2 * 24 + 24);
-  CHECK_OK(dsw_scene_get_bodies(scene, bodies, 2, &count));
+  CHECK_OK(dsw_scene_get_body_ids(scene, bodies, 2, &count));
   CHECK(count == 1 && bodies[0].index == body.index);
   CHECK_OK(dsw_body_move(scene, body, out, 2, 0, NULL, NULL));
   CHECK_OK(dsw_scene_get_statistics(scene, &statistics));

@@ -23,8 +23,10 @@ static void a_lone_point_is_met_by_swept_edges(void) {
     point(2, 0, 2)[1] += 0.4;
     report = deform(NULL);
     CHECK(report.outcome == DSW_DEFORM_DONE && report.contact_count == (meets ? 1u : 0u));
-    CHECK_OK(dsw_scene_get_wall_contacts(g_scene, &c, &count));
-    if (meets) CHECK(c->wall.generation == 0 && c->tag == 0 && c->moving.index == vertex(2, 0, 2) && c->normal[1] == 1);
+    CHECK_OK(dsw_environment_get_wall_contacts(g_env, &c, &count));
+    if (meets)
+      CHECK(c->contact.wall.generation == 0 && c->contact.tag == 0 && c->moving.index == vertex(2, 0, 2) &&
+            c->contact.normal[1] == 1);
     end();
   }
 }
@@ -75,7 +77,7 @@ static void refused_where_all_would_be_valid(void) {
   point(2, 0, 2)[0] = 1.4;
   report = deform(&o);
   CHECK(report.outcome == DSW_DEFORM_REFUSED && report.invalid_count == 4);
-  CHECK_OK(dsw_scene_get_invalid_volumes(g_scene, &volumes, &count));
+  CHECK_OK(dsw_environment_get_invalid_volumes(g_env, &volumes, &count));
   CHECK(count == 4 && volumes[0].index == cell(1, 0, 1) && volumes[1].index == cell(2, 0, 1) &&
         volumes[2].index == cell(1, 0, 2) && volumes[3].index == cell(2, 0, 2));
   /* By itself the new shape is fine: it is the way there that cannot be told. */
@@ -111,7 +113,7 @@ static void points_of_the_boundary(void) {
   d.offsets = offsets;
   d.connectivity = cells;
   d.connectivity_count = 14;
-  d.cell_count = 4;
+  d.volume_count = 4;
   CHECK_OK(dsw_environment_create(NULL, &d, &environment, NULL));
   scene = make_scene(environment, DSW_FEATURE_DEFORMING);
   for (i = 0; i < 4; ++i) CHECK_OK(dsw_particle_create(scene, at[i], no_volume, &particles[i]));
@@ -121,12 +123,12 @@ static void points_of_the_boundary(void) {
     next[4] = next[5] = turn % 2 == 0 ? 0.75 : 1.25;
     next[8] = turn % 2 == 0 ? 1.8 : 2.2; /* over the particles at it, which no wall meets, but their polygons change */
     next[9] = 1.05;
-    CHECK_OK(dsw_scene_deform(scene, next, 10, NULL, &report));
+    CHECK_OK(dsw_environment_deform(dsw_scene_get_environment(scene), next, 10, NULL, &report));
     CHECK(report.outcome == DSW_DEFORM_DONE && report.held_count == 0);
     for (i = 0; i < 4; ++i) {
       double now[2];
       dsw_volume_id volume, found;
-      CHECK_OK(dsw_particle_get(scene, particles[i], now, &volume));
+      CHECK_OK(dsw_particle_get_position(scene, particles[i], now, &volume));
       CHECK_OK(dsw_environment_locate(environment, now, no_volume, &found, NULL));
       CHECK(volume.index == found.index && (i == 0) == (volume.index == 0));
       if (i >= 2) CHECK(now[0] == at[i][0]);
@@ -140,8 +142,8 @@ static void cut_while_bent(void) {
   static const double blade[4] = {1.25, -1, 1.25, 5}, at[2] = {1.5, 2.5};
   static double arrays[2][4 * POINTS];
   dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
-  const dsw_cut_vertex *added = NULL;
-  dsw_cut_report report;
+  const dsw_vertex_origin *added = NULL;
+  dsw_change report = empty_change();
   dsw_deform_report bent;
   dsw_cut_desc d;
   dsw_particle_id particle;
@@ -157,25 +159,26 @@ static void cut_while_bent(void) {
   d.flags = DSW_CUT_UNSEW;
   for (i = 0; i < 2; ++i) memcpy(arrays[i], g_points[0], 2 * POINTS * sizeof(double));
   o.point_room = POINTS + 4;
-  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
   for (i = 2 * POINTS; i < 4 * POINTS; ++i) arrays[0][i] = -7;
   CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL)); /* needs 5 */
   for (i = 2 * POINTS; i < 4 * POINTS; ++i) CHECK(arrays[0][i] == -7);
   o.point_room = POINTS + 5;
-  CHECK_OK(dsw_scene_deform(g_scene, arrays[1], POINTS, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[1], POINTS, &o, NULL));
   for (i = 2 * POINTS; i < 4 * POINTS; ++i) arrays[1][i] = -7;
   CHECK_OK(dsw_environment_cut(g_env, &d, &report));
   CHECK(report.volumes_split == 4);
-  CHECK_OK(dsw_environment_get_cut_vertices(g_env, &added, &count));
+  added = change_of(g_env).vertices;
+  count = change_of(g_env).vertex_count;
   for (i = 0; i < count; ++i) CHECK(arrays[1][2 * added[i].vertex.index] == 1.25);
   CHECK(arrays[1][2 * (POINTS + 5)] == -7);
   /* Both sides of the crack are walls: that on the left pushes what lies there. */
   memcpy(arrays[0], arrays[1], sizeof arrays[0]);
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
   for (i = 0; i < (size_t)POINTS + 5; ++i) arrays[0][2 * i] *= 1.25;
-  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], POINTS + 5, &o, &bent));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], POINTS + 5, &o, &bent));
   CHECK(bent.outcome == DSW_DEFORM_DONE && bent.contact_count > 0);
-  CHECK_OK(dsw_particle_get(g_scene, particle, now, NULL));
+  CHECK_OK(dsw_particle_get_position(g_scene, particle, now, NULL));
   CHECK(now[0] > 1.5625 && now[1] == at[1]);
   CHECK_OK(dsw_environment_check(g_env, NULL));
   end();
@@ -212,11 +215,11 @@ static void refused_memory_changes_nothing(void) {
       memcpy(arrays[1], arrays[0], sizeof arrays[1]);
       h.calls = 0;
       h.refuse = n;
-      status = dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL);
+      status = dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL);
       h.refuse = 0;
       CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
       CHECK(memcmp(arrays[0], arrays[1], sizeof arrays[0]) == 0);
-      CHECK_OK(dsw_particle_get(g_scene, particle, now, NULL));
+      CHECK_OK(dsw_particle_get_position(g_scene, particle, now, NULL));
       CHECK_OK(dsw_body_get_positions(g_scene, body, of_body, 3, 0, NULL, &count));
       if (status == DSW_STATUS_OK) {
         CHECK(now[1] > 2.4 && of_body[1] > 2.4);

@@ -15,7 +15,7 @@ static void small_obstacles_are_met_when_swept(void) {
       const dsw_body_id body = make_line(from, 2, (dsw_level)level);
       dsw_move_options o = move_options();
       dsw_move_report r;
-      const dsw_contact *c = NULL;
+      const dsw_body_contact *c = NULL;
       o.order = &first;
       o.order_count = 1;
       CHECK_OK(small != 0 ? mark_point(2, 2, DSW_MARK_IMPASSABLE) : mark_cell(g_pillar + N, DSW_MARK_IMPASSABLE));
@@ -24,11 +24,11 @@ static void small_obstacles_are_met_when_swept(void) {
         CHECK(r.vertices_stopped == 0 && r.contact_count == 0 && is_at(body, to, 2));
       } else if (level == DSW_LEVEL_EDGES_SWEPT) {
         CHECK(r.vertices_stopped == 1 && r.contact_count == 1 && contacts_of(body, &c) == 1);
-        CHECK(c->kind == DSW_CONTACT_VERTEX && c->obstacle.kind == DSW_CELL_VERTEX);
-        CHECK(c->obstacle.index == point_at(2, 2));
-        CHECK(c->cause == (small != 0 ? DSW_CELL_VERTEX : DSW_CELL_VOLUME));
-        CHECK((c->wall.generation == 0) == (small != 0) && (c->tag == 0) == (small != 0));
-        CHECK(c->normal[1] < 0 && c->normal[2] == 0 && c->edge.generation == 1);
+        CHECK(c->contact.kind == DSW_CONTACT_VERTEX && c->contact.obstacle.kind == DSW_CELL_VERTEX);
+        CHECK(c->contact.obstacle.index == point_at(2, 2));
+        CHECK(c->contact.marked_kind == (small != 0 ? DSW_CELL_VERTEX : DSW_CELL_VOLUME));
+        CHECK((c->contact.wall.generation == 0) == (small != 0) && (c->contact.tag == 0) == (small != 0));
+        CHECK(c->contact.normal[1] < 0 && c->contact.normal[2] == 0 && c->edge.generation == 1);
       }
       CHECK_OK(dsw_body_destroy(g_scene, body));
       CHECK_OK(small != 0 ? mark_point(2, 2, DSW_MARK_PASSABLE) : mark_cell(g_pillar + N, DSW_MARK_PASSABLE));
@@ -118,7 +118,7 @@ static void bodies_meet(void) {
   const double hook[6] = {0.5, 2.5, 0.5, 3.5, 1.5, 3.5}, closed[6] = {0.5, 2.5, 0.5, 3.5, 0.25, 2.75};
   dsw_scene *const scene = make_scene(g_env, DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_STATISTICS);
   const dsw_contact_partner *partners = NULL;
-  const dsw_contact *c = NULL;
+  const dsw_body_contact *c = NULL;
   const uint32_t tip = 2;
   dsw_move_options o = move_options();
   dsw_body_desc d = line_desc(pole, 2, 0, DSW_LEVEL_EDGES_SWEPT);
@@ -133,8 +133,8 @@ static void bodies_meet(void) {
   CHECK(r.vertices_stopped == 2 && r.contact_count == 2);
   CHECK_OK(dsw_body_get_contacts(scene, moving, &c, &count));
   CHECK_OK(dsw_body_get_contact_partners(scene, moving, &partners, &count));
-  CHECK(count == 2 && c[0].vertex.index == 0 && c[0].kind == DSW_CONTACT_EDGE && c[0].normal[0] == -1);
-  CHECK(c[0].obstacle.kind == DSW_CELL_NONE && c[0].wall.generation == 0 && fabs(c[0].point[0] - 2.5) < 1e-14);
+  CHECK(count == 2 && c[0].vertex.index == 0 && c[0].contact.kind == DSW_CONTACT_EDGE && c[0].contact.normal[0] == -1);
+  CHECK(c[0].contact.obstacle.kind == DSW_CELL_NONE && c[0].contact.wall.generation == 0 && fabs(c[0].point[0] - 2.5) < 1e-14);
   CHECK(partners[0].body.index == still.index && partners[0].body.generation == still.generation);
   CHECK(partners[0].edge.generation == 1 && partners[0].vertex.generation == 0 && partners[0].face.generation == 0);
   CHECK_OK(dsw_body_get_positions(scene, moving, p, 3, 0, NULL, &count));

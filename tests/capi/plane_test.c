@@ -29,7 +29,7 @@ static dsw_environment_desc plane_desc(void) {
   desc.points = g_points[0];
   desc.point_count = 7;
   desc.cell_types = g_types;
-  desc.cell_count = 4;
+  desc.volume_count = 4;
   desc.offsets = g_offsets;
   desc.connectivity = g_cells;
   desc.connectivity_count = 14;
@@ -64,7 +64,7 @@ static void environments_are_created_and_described(void) {
   int flag;
   report.struct_size = sizeof report;
   CHECK_OK(dsw_environment_create(NULL, &desc, &environment, &report));
-  CHECK(report.boundary_face_count == 6 && report.part_count == 1 && report.convex_cell_count == 4);
+  CHECK(report.boundary_face_count == 6 && report.part_count == 1 && report.convex_volume_count == 4);
   info = info_of(environment);
   CHECK(info.dimension == 2 && info.vertex_count == 7 && info.volume_count == 4 && info.face_count == 10);
   CHECK(info.lower[0] == 0 && info.upper[0] == 2 && info.upper[1] == 3 && info.upper[2] == 0);
@@ -75,12 +75,12 @@ static void environments_are_created_and_described(void) {
   CHECK(type == DSW_CELL_TYPE_QUAD);
   CHECK_OK(dsw_environment_get_volume_counts(environment, volume_at(1), &type, NULL, NULL, NULL));
   CHECK(type == DSW_CELL_TYPE_TRIANGLE);
-  CHECK_OK(dsw_environment_get_position(environment, vertex_at(6), xy));
+  CHECK_OK(dsw_environment_get_vertex_position(environment, vertex_at(6), xy));
   CHECK(xy[0] == 1 && xy[1] == 3 && xy[2] == 7);
   CHECK_OK(dsw_environment_get_centre(environment, volume_at(0), xy));
   CHECK(xy[0] == 0.5 && xy[1] == 0.5 && xy[2] == 7);
   /* Side 2 of cell 1 is side 1 of cell 0 seen from the other side. */
-  CHECK_OK(dsw_environment_get_volume_face(environment, volume_at(1), 2, &face));
+  CHECK_OK(dsw_environment_get_face_id(environment, volume_at(1), 2, &face));
   CHECK(face.volume == 0 && face.local == 1);
   CHECK_OK(dsw_environment_copy_vertices(environment, cell_at(DSW_CELL_FACE, 1, 2), corners, 8, &count));
   CHECK(count == 2 && corners[0].index == 4 && corners[1].index == 1);
@@ -103,7 +103,7 @@ static void faces_are_found_by_their_vertices(void) {
   CHECK_OK(dsw_environment_find_faces(environment, 2, offsets, indices, faces, &missing));
   CHECK(missing == 1 && faces[0].volume == 1 && faces[0].local == 1 && faces[1].generation == 0);
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_find_edges(environment, 1, indices, &edge, NULL));
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_get_volume_edge(environment, volume_at(0), 0, &edge));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_get_edge_id(environment, volume_at(0), 0, &edge));
   CHECK_OK(dsw_environment_destroy(environment));
 }
 
@@ -180,11 +180,11 @@ static void points_are_located_and_classified(void) {
   const double points[4][3] = {{0.5, 0.5, 9}, {1.9, 0.5, 9}, {1, 2, 9}, {5, 5, 9}};
   const double corner[2] = {1, 1}, on_side[2] = {1, 0.25}, bad[2] = {0, INFINITY};
   dsw_volume_id volumes[4], volume;
-  dsw_place places[4];
+  dsw_location places[4];
   dsw_cell cell;
   CHECK_OK(dsw_environment_locate_points(environment, points[0], 4, 24, NULL, volumes, places));
   CHECK(is_volume(volumes[0], 0) && is_volume(volumes[1], 2) && is_volume(volumes[2], 3) && volumes[3].generation == 0);
-  CHECK(places[0] == DSW_PLACE_PASSABLE && places[3] == DSW_PLACE_OUTSIDE);
+  CHECK(places[0] == DSW_LOCATION_PASSABLE && places[3] == DSW_LOCATION_OUTSIDE);
   CHECK_OK(dsw_environment_locate(environment, points[1], volume_at(0), &volume, NULL));
   CHECK(is_volume(volume, 2));
   CHECK_OK(dsw_environment_classify(environment, corner, volume_at(3), &cell));
@@ -206,11 +206,11 @@ static void segments_are_cast(void) {
   dsw_crossing crossings[8];
   size_t count;
   CHECK_OK(dsw_environment_cast_segments(environment, 2, NULL, from[0], to[0], 0, NULL, flights));
-  CHECK(flights[0].outcome == DSW_OUTCOME_CONTACT && flights[0].kind == DSW_CONTACT_PLANE);
-  CHECK(flights[0].obstacle == DSW_CELL_FACE && flights[0].cells_visited == 3 && flights[0].tag == 12);
-  CHECK(flights[0].face.volume == 2 && flights[0].face.local == 0 && flights[0].behind.generation == 0);
+  CHECK(flights[0].outcome == DSW_OUTCOME_CONTACT && flights[0].contact.kind == DSW_CONTACT_PLANE);
+  CHECK(flights[0].contact.marked_kind == DSW_CELL_FACE && flights[0].volumes_visited == 3 && flights[0].contact.tag == 12);
+  CHECK(flights[0].contact.wall.volume == 2 && flights[0].contact.wall.local == 0 && flights[0].contact.behind.generation == 0);
   CHECK(fabs(flights[0].time - 1.75 / 3) < 1e-15 && fabs(flights[0].position[0] - 2) < 1e-12);
-  CHECK(flights[0].normal[0] == -1 && flights[0].normal[1] == 0 && flights[0].normal[2] == 0);
+  CHECK(flights[0].contact.normal[0] == -1 && flights[0].contact.normal[1] == 0 && flights[0].contact.normal[2] == 0);
   CHECK(flights[1].outcome == DSW_OUTCOME_REACHED && flights[1].position[1] == 0.25 && is_volume(flights[1].volume, 0));
   CHECK_OK(dsw_environment_cast(environment, volume_at(0), from[0], to[0], NULL, &one));
   CHECK(memcmp(&one, &flights[0], sizeof one) == 0);
@@ -290,11 +290,11 @@ static void particles_move(void) {
   CHECK(offender == 0);
   CHECK_OK(dsw_scene_move_particles(scene, ids, 2, targets[0], 0, NULL, flights));
   CHECK(flights[0].outcome == DSW_OUTCOME_REACHED && is_volume(flights[0].volume, 2));
-  CHECK(flights[1].outcome == DSW_OUTCOME_CONTACT && flights[1].normal[1] == 1 && flights[1].position[2] == 0);
+  CHECK(flights[1].outcome == DSW_OUTCOME_CONTACT && flights[1].contact.normal[1] == 1 && flights[1].position[2] == 0);
   CHECK(flights[1].position[0] == 0.5 && flights[1].position[1] > 0 && flights[1].position[1] < 1e-12);
   CHECK_OK(dsw_scene_get_crossings(scene, &crossings, &first, &count));
   CHECK(count == 2 && first[2] - first[1] == 2 && is_volume(crossings[first[1]].volume, 3));
-  CHECK_OK(dsw_scene_get_particles(scene, ids, 2, found[0], 24, volumes));
+  CHECK_OK(dsw_scene_get_particle_positions(scene, ids, 2, found[0], 24, volumes));
   CHECK(found[0][0] == 1.5 && found[0][1] == 0.75 && found[0][2] == 0 && found[1][1] == flights[1].position[1]);
   CHECK(is_volume(volumes[0], 2) && is_volume(volumes[1], flights[1].volume.index));
   CHECK_OK(dsw_scene_cast_from_particles(scene, ids, 1, outside, 0, NULL, flights));
@@ -306,7 +306,7 @@ static void particles_move(void) {
   CHECK(count == 1);
   CHECK_OK(dsw_environment_mark_volumes(environment, &wanted, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_OK(dsw_particle_move(scene, ids[0], positions[0], NULL, flights));
-  CHECK(flights[0].outcome == DSW_OUTCOME_CONTACT && flights[0].obstacle == DSW_CELL_VOLUME && flights[0].tag == 11);
+  CHECK(flights[0].outcome == DSW_OUTCOME_CONTACT && flights[0].contact.marked_kind == DSW_CELL_VOLUME && flights[0].contact.tag == 11);
   CHECK_OK(dsw_scene_get_statistics(scene, &statistics));
   CHECK(statistics.contacts == 3 && statistics.orientation_tests > 0);
   CHECK_OK(dsw_particle_destroy(scene, ids[0]));
@@ -361,10 +361,10 @@ static void recordings_are_made_again(void) {
   dsw_particle_id particle;
   dsw_replay *replay = NULL;
   dsw_replay_report report;
-  dsw_verdict verdict = {0};
+  dsw_validation validation = {0};
   char text[200];
   size_t size, calls = 0;
-  verdict.struct_size = sizeof verdict;
+  validation.struct_size = sizeof validation;
   recording.flags = DSW_RECORDING_STATES;
   CHECK_OK(dsw_scene_start_recording(scene, &recording));
   CHECK_OK(dsw_environment_mark_faces(environment, &side, 1, DSW_MARK_IMPASSABLE));
@@ -378,12 +378,12 @@ static void recordings_are_made_again(void) {
   for (;; ++calls) {
     CHECK_OK(dsw_replay_describe_next(replay, text, sizeof text, &size));
     if (calls == 2) CHECK(strncmp(text, "particle 0.1 target [ 1.5 9 ]", 29) == 0);
-    CHECK_OK(dsw_replay_step_judged(replay, &report, &verdict));
-    CHECK(verdict.is_right && strcmp(verdict.text, "") == 0);
+    CHECK_OK(dsw_replay_step_validated(replay, &report, &validation));
+    CHECK(validation.is_right && strcmp(validation.text, "") == 0);
     if (report.outcome != DSW_REPLAY_SAME) break;
   }
   CHECK(report.outcome == DSW_REPLAY_END && calls == 5);
-  CHECK(verdict.places == 4 && verdict.edges == 2);
+  CHECK(validation.places == 4 && validation.edges == 2);
   CHECK_OK(dsw_replay_destroy(replay));
   end_scene(scene);
 }

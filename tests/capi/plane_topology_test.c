@@ -52,11 +52,11 @@ static void splitting_at_two_corners(void) {
   CHECK(merged.index == parts[0].index);
   /* Two corners in a row with a third between them: nothing lies on that side. */
   CHECK_OK(dsw_environment_split_edge(g_env, as_edge(side_between(0, 1)), 0.5, NULL, NULL));
-  CHECK_OK(dsw_environment_get_volume(g_env, 0, &merged));
+  CHECK_OK(dsw_environment_get_volume_id(g_env, 0, &merged));
   loop[0] = corner(0, 0, 0), loop[1] = corner(1, 0, 0);
   CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_split_volume(g_env, merged, loop, 2, NULL, NULL));
 
-  CHECK_OK(dsw_environment_get_volume(g_env, 1, &merged));
+  CHECK_OK(dsw_environment_get_volume_id(g_env, 1, &merged));
   CHECK_OK(dsw_environment_mark_volumes(g_env, &merged, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_merge_volumes(g_env, wall(1), NULL));
   CHECK_MESSAGE("marked");
@@ -83,7 +83,7 @@ static void removing_and_adding_volumes(void) {
   for (i = 0; i < 4; ++i) old[i] = corner(1 + (i == 1 || i == 2), i >= 2, 0);
   d.vertices = old;
   d.vertex_count = 4;
-  d.cell_count = 1;
+  d.volume_count = 1;
   d.connectivity = quad;
   d.connectivity_count = 4;
   d.sew_to = sew_to;
@@ -109,7 +109,7 @@ static void removing_and_adding_volumes(void) {
   d.points = xy;
   d.point_count = 2;
   d.uniform_cell_type = DSW_CELL_TYPE_TRIANGLE;
-  d.cell_count = 2;
+  d.volume_count = 2;
   d.offsets = offsets;
   d.connectivity = fan;
   d.connectivity_count = 6;
@@ -128,7 +128,7 @@ static void removing_and_adding_volumes(void) {
   CHECK(added[0].index == 3 && added[1].index == 4 && fresh[0].index == 8 && fresh[1].index == 9);
   CHECK(has_type(added[1], DSW_CELL_TYPE_TRIANGLE, 3));
   CHECK_OK(dsw_environment_remove_volumes(g_env, added, 1));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_position(g_env, fresh[0], xy));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_vertex_position(g_env, fresh[0], xy));
   end(4, 9);
 }
 
@@ -152,7 +152,7 @@ static void sides(void) {
   /* Named by the square on its right the side runs downwards. */
   CHECK_OK(dsw_environment_split_edge(g_env, edge_at(1, SIDE_LEFT), 0.25, &middle, parts));
   CHECK(middle.index == 8 && change_count() == 2);
-  CHECK_OK(dsw_environment_get_position(g_env, middle, xy));
+  CHECK_OK(dsw_environment_get_vertex_position(g_env, middle, xy));
   CHECK(xy[0] == 1 && xy[1] == 0.75 && xy[2] == 9);
   side = as_side(parts[0]);
   CHECK(side.volume == 0 && side.generation == 2);
@@ -168,7 +168,7 @@ static void sides(void) {
   CHECK_MESSAGE("marked");
   CHECK_OK(dsw_environment_mark_faces(g_env, mark, 1, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_merge_edges(g_env, parts[1], middle, &merged));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_position(g_env, middle, xy));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_vertex_position(g_env, middle, xy));
   side = as_side(merged);
   CHECK(side.volume == 0 && side.generation == 3);
   CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_collapse_edge(g_env, merged, corner(1, 0, 0)));
@@ -200,7 +200,7 @@ static void collapsing_a_side(void) {
   CHECK_OK(dsw_environment_collapse_edge(g_env, as_edge(side_between(4, 1)), vertex_at(4)));
   CHECK(change_count() == 4);
   for (i = 0; i < 2; ++i) {
-    CHECK_OK(dsw_particle_get(scene, particles[i], NULL, &where[i]));
+    CHECK_OK(dsw_particle_get_position(scene, particles[i], NULL, &where[i]));
     CHECK_OK(dsw_environment_locate(g_env, i == 0 ? high : low, no_volume, &found, NULL));
     CHECK(where[i].index == found.index && where[i].generation == found.generation && found.generation == 2);
   }

@@ -11,20 +11,20 @@ static void init_writes_the_defaults(void) {
   dsw_cast_options o;
   memset(&o, 0xff, sizeof o);
   dsw_cast_options_init(&o, sizeof o);
-  CHECK(o.struct_size == sizeof o && o.flags == 0 && o.max_cells == 0 && o.reserved == 0);
+  CHECK(o.struct_size == sizeof o && o.flags == 0 && o.max_volumes == 0 && o.reserved == 0);
   dsw_cast_options_init(NULL, sizeof o);
 }
 
 static void a_point_is_located(void) {
   const double inside[3] = {2.5, 0.5, 0.5}, outside[3] = {4.5, 0.5, 0.5}, bad[3] = {0.5, -INFINITY, 0.5};
   dsw_volume_id volume = {9, 9};
-  dsw_place place = DSW_PLACE_NONE;
+  dsw_location place = DSW_LOCATION_NONE;
   CHECK_OK(dsw_environment_locate(g_env, inside, no_volume, &volume, &place));
-  CHECK(volume.index == 2 && volume.generation == 1 && place == DSW_PLACE_PASSABLE);
+  CHECK(volume.index == 2 && volume.generation == 1 && place == DSW_LOCATION_PASSABLE);
   CHECK_OK(dsw_environment_locate(g_env, inside, volume_at(15), &volume, NULL));
   CHECK(volume.index == 2);
   CHECK_OK(dsw_environment_locate(g_env, outside, volume_at(0), &volume, &place));
-  CHECK(volume.index == 0 && volume.generation == 0 && place == DSW_PLACE_OUTSIDE);
+  CHECK(volume.index == 0 && volume.generation == 0 && place == DSW_LOCATION_OUTSIDE);
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_locate(g_env, bad, no_volume, &volume, &place));
   CHECK_MESSAGE("dsw_environment_locate: point[1] is -inf, must be finite");
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_locate(g_env, inside, stale_volume, &volume, &place));
@@ -38,10 +38,10 @@ static void a_point_in_an_impassable_volume_says_so(void) {
   const double point[3] = {2.5, 0.5, 0.5};
   const dsw_volume_id marked = volume_at(2);
   dsw_volume_id volume;
-  dsw_place place = DSW_PLACE_NONE;
+  dsw_location place = DSW_LOCATION_NONE;
   CHECK_OK(dsw_environment_mark_volumes(g_env, &marked, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_OK(dsw_environment_locate(g_env, point, no_volume, &volume, &place));
-  CHECK(volume.index == 2 && place == DSW_PLACE_IMPASSABLE);
+  CHECK(volume.index == 2 && place == DSW_LOCATION_IMPASSABLE);
   CHECK_OK(dsw_environment_mark_volumes(g_env, &marked, 1, DSW_MARK_PASSABLE, 0, NULL));
 }
 
@@ -50,11 +50,11 @@ static void many_points_are_located(void) {
   const dsw_volume_id hints[3] = {{0, 0}, {3, 1}, {0, 1}};
   const dsw_volume_id bad_hints[3] = {{0, 0}, {3, 1}, {16, 1}};
   dsw_volume_id volumes[3];
-  dsw_place places[3];
+  dsw_location places[3];
   CHECK_OK(dsw_environment_locate_points(g_env, points, 3, 32, hints, volumes, places));
-  CHECK(volumes[0].index == 0 && volumes[0].generation == 1 && places[0] == DSW_PLACE_PASSABLE);
-  CHECK(volumes[1].generation == 0 && places[1] == DSW_PLACE_OUTSIDE);
-  CHECK(volumes[2].index == 15 && places[2] == DSW_PLACE_PASSABLE);
+  CHECK(volumes[0].index == 0 && volumes[0].generation == 1 && places[0] == DSW_LOCATION_PASSABLE);
+  CHECK(volumes[1].generation == 0 && places[1] == DSW_LOCATION_OUTSIDE);
+  CHECK(volumes[2].index == 15 && places[2] == DSW_LOCATION_PASSABLE);
   CHECK_OK(dsw_environment_locate_points(g_env, points, 1, 0, NULL, volumes, NULL));
   CHECK_OK(dsw_environment_locate_points(g_env, NULL, 0, 0, NULL, NULL, NULL));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_locate_points(g_env, points, 3, 32, bad_hints, volumes, places));
@@ -105,15 +105,16 @@ static void what_a_point_lies_on_is_told(void) {
 static const double g_from[3] = {0.5, 0.5, 0.5};
 
 static int is_null_contact(const dsw_flight *f) {
-  return f->normal[0] == 0 && f->normal[1] == 0 && f->normal[2] == 0 && f->face.generation == 0 &&
-         f->behind.generation == 0 && f->kind == DSW_CONTACT_NONE && f->obstacle == DSW_CELL_NONE && f->tag == 0;
+  return f->contact.normal[0] == 0 && f->contact.normal[1] == 0 && f->contact.normal[2] == 0 &&
+         f->contact.wall.generation == 0 && f->contact.behind.generation == 0 && f->contact.kind == DSW_CONTACT_NONE &&
+         f->contact.marked_kind == DSW_CELL_NONE && f->contact.tag == 0;
 }
 
 static void a_free_cast_reaches_its_target(void) {
   const double to[3] = {3.25, 0.75, 0.5};
   dsw_flight f;
   CHECK_OK(dsw_environment_cast(g_env, no_volume, g_from, to, NULL, &f));
-  CHECK(f.outcome == DSW_OUTCOME_REACHED && f.time == 1 && f.volume.index == 3 && f.cells_visited == 4);
+  CHECK(f.outcome == DSW_OUTCOME_REACHED && f.time == 1 && f.volume.index == 3 && f.volumes_visited == 4);
   CHECK(memcmp(f.position, to, sizeof to) == 0 && is_null_contact(&f));
 }
 
@@ -121,11 +122,13 @@ static void a_cast_stops_at_the_outer_boundary(void) {
   const double to[3] = {8.5, 0.5, 0.5};
   dsw_flight f;
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, NULL, &f));
-  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.kind == DSW_CONTACT_PLANE && f.obstacle == DSW_CELL_FACE);
+  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.contact.kind == DSW_CONTACT_PLANE &&
+        f.contact.marked_kind == DSW_CELL_FACE);
   CHECK(f.time == 0.4375 && f.position[0] == 4 && f.position[1] == 0.5);
-  CHECK(f.normal[0] == -1 && f.normal[1] == 0 && f.normal[2] == 0);
-  CHECK(f.volume.index == 3 && f.face.volume == 3 && f.face.local == FACE_X1 && f.face.generation == 1);
-  CHECK(f.behind.generation == 0 && f.tag == 103 && f.cells_visited == 4 && f.reserved[0] == 0 && f.reserved[1] == 0);
+  CHECK(f.contact.normal[0] == -1 && f.contact.normal[1] == 0 && f.contact.normal[2] == 0);
+  CHECK(f.volume.index == 3 && f.contact.wall.volume == 3 && f.contact.wall.local == FACE_X1 &&
+        f.contact.wall.generation == 1);
+  CHECK(f.contact.behind.generation == 0 && f.contact.tag == 103 && f.volumes_visited == 4);
 }
 
 static void a_cast_tells_what_makes_a_face_impassable(void) {
@@ -135,14 +138,15 @@ static void a_cast_tells_what_makes_a_face_impassable(void) {
   dsw_flight f;
   CHECK_OK(dsw_environment_mark_volumes(g_env, &wall, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, NULL, &f));
-  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.obstacle == DSW_CELL_VOLUME && f.behind.index == 2 && f.tag == 102);
-  CHECK(f.face.volume == 1 && f.face.local == FACE_X1 && f.volume.index == 1 && f.time == 0.5);
+  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.contact.marked_kind == DSW_CELL_VOLUME && f.contact.behind.index == 2 &&
+        f.contact.tag == 102);
+  CHECK(f.contact.wall.volume == 1 && f.contact.wall.local == FACE_X1 && f.volume.index == 1 && f.time == 0.5);
   CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, NULL, &f));
-  CHECK(f.obstacle == DSW_CELL_FACE && f.behind.index == 2);
+  CHECK(f.contact.marked_kind == DSW_CELL_FACE && f.contact.behind.index == 2);
   CHECK_OK(dsw_environment_mark_volumes(g_env, &wall, 1, DSW_MARK_PASSABLE, 0, NULL));
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, NULL, &f));
-  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.obstacle == DSW_CELL_FACE);
+  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.contact.marked_kind == DSW_CELL_FACE);
   CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, DSW_MARK_PASSABLE));
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, NULL, &f));
   CHECK(f.outcome == DSW_OUTCOME_REACHED);
@@ -156,7 +160,7 @@ static void a_cast_without_a_start_says_so(void) {
   dsw_cast_options_init(&known, sizeof known);
   known.flags = DSW_CAST_START_KNOWN;
   CHECK_OK(dsw_environment_cast(g_env, no_volume, outside, g_from, NULL, &f));
-  CHECK(f.outcome == DSW_OUTCOME_OUTSIDE && f.volume.generation == 0 && f.cells_visited == 0 && f.time == 0);
+  CHECK(f.outcome == DSW_OUTCOME_OUTSIDE && f.volume.generation == 0 && f.volumes_visited == 0 && f.time == 0);
   CHECK(memcmp(f.position, outside, sizeof outside) == 0);
   CHECK_OK(dsw_environment_mark_volumes(g_env, &wall, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_OK(dsw_environment_cast(g_env, no_volume, g_from, outside, NULL, &f));
@@ -171,18 +175,18 @@ static void options_are_obeyed(void) {
   dsw_cast_options o;
   dsw_flight f;
   dsw_cast_options_init(&o, sizeof o);
-  o.max_cells = 3;
+  o.max_volumes = 3;
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, &o, &f));
-  CHECK(f.outcome == DSW_OUTCOME_WORK_LIMIT && f.cells_visited == 3 && f.volume.index == 2);
+  CHECK(f.outcome == DSW_OUTCOME_WORK_LIMIT && f.volumes_visited == 3 && f.volume.index == 2);
   CHECK(f.time == 0.1875 && f.position[0] == 2 && is_null_contact(&f));
-  o.max_cells = 1;
+  o.max_volumes = 1;
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, &o, &f));
   CHECK(f.outcome == DSW_OUTCOME_WORK_LIMIT && f.time == 0 && memcmp(f.position, g_from, sizeof g_from) == 0);
-  o.max_cells = 0;
+  o.max_volumes = 0;
   o.flags = DSW_CAST_NO_DETAIL | DSW_CAST_START_KNOWN;
   memset(&f, 0x55, sizeof f);
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, &o, &f));
-  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.volume.index == 3 && f.cells_visited == 4);
+  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.volume.index == 3 && f.volumes_visited == 4);
   CHECK(f.time == 0 && f.position[0] == 0 && is_null_contact(&f));
   o.flags = 0x10;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_cast(g_env, volume_at(0), g_from, to, &o, &f));
@@ -326,7 +330,7 @@ static void a_path_lists_the_volumes_in_order(void) {
   count = 0;
   CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL,
               dsw_environment_cast_path(g_env, no_volume, g_from, to, NULL, path, 3, &count, &f));
-  CHECK(count == 4 && path[0].volume.index == 0x55555555u && f.cells_visited == 0x55555555u);
+  CHECK(count == 4 && path[0].volume.index == 0x55555555u && f.volumes_visited == 0x55555555u);
 }
 
 static void a_path_without_a_start_is_empty(void) {
@@ -357,7 +361,7 @@ static void the_nearest_impassable_thing_is_found(void) {
   CHECK_OK(dsw_environment_mark_faces(g_env, &wall, 1, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_find_nearest(g_env, point, volume_at(1), 0.25, &n));
   CHECK(n.distance == 0.25 && n.cell.index == 0 && n.cell.local == FACE_X1 && n.normal[0] == 1);
-  CHECK(n.cells_visited >= 1);
+  CHECK(n.volumes_visited >= 1);
   CHECK_OK(dsw_environment_find_nearest(g_env, point, volume_at(1), 0.125, &n));
   CHECK(isinf(n.distance) && n.cell.kind == DSW_CELL_NONE && n.normal[0] == 0);
   CHECK_OK(dsw_environment_mark_faces(g_env, &wall, 1, DSW_MARK_PASSABLE));

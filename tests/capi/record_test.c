@@ -66,7 +66,7 @@ static void calls_are_made_again_by_name(void) {
   CHECK_OK(dsw_replay_step(replay, &report));
   CHECK(report.outcome == DSW_REPLAY_END && report.call == 6 && report.function == NULL);
   CHECK_OK(dsw_replay_get_scene(replay, &again));
-  CHECK_OK(dsw_particle_get(again, particle, position, NULL));
+  CHECK_OK(dsw_particle_get_position(again, particle, position, NULL));
   CHECK(memcmp(position, to, sizeof to) == 0);
   CHECK_OK(dsw_environment_get_tag(dsw_scene_get_environment(again), wall, &tag));
   CHECK(tag == 77);
@@ -151,7 +151,7 @@ static void states_are_those_after_the_call(void) {
   CHECK_OK(dsw_replay_get_scene(replay, &again));
   CHECK_OK(dsw_environment_set_tag(dsw_scene_get_environment(again), volume, 77)); /* it is there then anyway */
   CHECK_OK(dsw_replay_step(replay, &report));
-  CHECK(report.outcome == DSW_REPLAY_SAME && report.reserved == 0);
+  CHECK(report.outcome == DSW_REPLAY_SAME && report.differs == 0);
   CHECK_OK(dsw_replay_destroy(replay));
 }
 
@@ -217,7 +217,7 @@ static void empty_answers_are_alike(void) {
       desc = to_tape(&one);
       CHECK_OK(dsw_scene_start_recording(scene, &desc));
     }
-    CHECK_OK(dsw_scene_deform(scene, next[k % 2], count, &options, &bent));
+    CHECK_OK(dsw_environment_deform(dsw_scene_get_environment(scene), next[k % 2], count, &options, &bent));
     CHECK((bent.held_count != 0) == (k < 2));
   }
   CHECK_OK(dsw_scene_create_particles(scene, from, 0, 0, NULL, &particle, NULL));
@@ -275,11 +275,11 @@ static void bad_arguments(void) {
   end_scene(scene);
 }
 
-static void bundles_take_bad_arguments_and_full_disks(void) {
+static void bug_reports_take_bad_arguments_and_full_disks(void) {
   dsw_scene *const scene = make_scene(make_environment(NULL, 2, 1, 1), 0);
   const double from[3] = {0.5, 0.5, 0.5}, to[3] = {1.5, 0.5, 0.25};
-  dsw_bundle_desc desc;
-  dsw_verdict verdict;
+  dsw_bug_report_desc desc;
+  dsw_validation validation;
   dsw_replay *replay = NULL;
   dsw_replay_report report;
   dsw_replay_info info;
@@ -288,38 +288,38 @@ static void bundles_take_bad_arguments_and_full_disks(void) {
   record_latest(scene);
   CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
   CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
-  dsw_bundle_desc_init(&desc, sizeof desc);
-  verdict.struct_size = sizeof verdict;
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bundle(NULL, &desc, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bundle(scene, NULL, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bundle(scene, &desc, &verdict));
+  dsw_bug_report_desc_init(&desc, sizeof desc);
+  validation.struct_size = sizeof validation;
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bug_report(NULL, &desc, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bug_report(scene, NULL, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bug_report(scene, &desc, &validation));
   desc.write = to_tape(&one).write;
   desc.user = &one;
   desc.path = "x";
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_write_bundle(scene, &desc, &verdict));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_write_bug_report(scene, &desc, &validation));
   desc.path = NULL;
   desc.flags = 1;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_write_bundle(scene, &desc, &verdict));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_write_bug_report(scene, &desc, &validation));
   desc.flags = 0;
-  verdict.struct_size = 8;
-  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_scene_write_bundle(scene, &desc, &verdict));
-  verdict.struct_size = sizeof verdict;
+  validation.struct_size = 8;
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_scene_write_bug_report(scene, &desc, &validation));
+  validation.struct_size = sizeof validation;
   desc.note = "strange";
-  CHECK_OK(dsw_scene_write_bundle(scene, &desc, &verdict));
-  CHECK(verdict.is_right == 1 && verdict.places == 1 && verdict.ways == 1 && verdict.text[0] == 0);
+  CHECK_OK(dsw_scene_write_bug_report(scene, &desc, &validation));
+  CHECK(validation.is_right == 1 && validation.places == 1 && validation.ways == 1 && validation.text[0] == 0);
   writes = one.writes;
   for (refuse = 1; refuse <= writes; ++refuse) {
     memset(&other, 0, sizeof other);
     other.refuse = refuse;
     desc.user = &other;
-    CHECK_FAILS(DSW_STATUS_WRITE_FAILED, dsw_scene_write_bundle(scene, &desc, NULL));
+    CHECK_FAILS(DSW_STATUS_WRITE_FAILED, dsw_scene_write_bug_report(scene, &desc, NULL));
   }
   replay = replay_of(&one);
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_judged(replay, &report, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_judged(replay, NULL, &verdict));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_judged(NULL, &report, &verdict));
-  CHECK_OK(dsw_replay_step_judged(replay, &report, &verdict));
-  CHECK(report.outcome == DSW_REPLAY_SAME && strcmp(report.function, "dsw_particle_move") == 0 && verdict.ways == 1);
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_validated(replay, &report, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_validated(replay, NULL, &validation));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_validated(NULL, &report, &validation));
+  CHECK_OK(dsw_replay_step_validated(replay, &report, &validation));
+  CHECK(report.outcome == DSW_REPLAY_SAME && strcmp(report.function, "dsw_particle_move") == 0 && validation.ways == 1);
   CHECK_OK(dsw_replay_step(replay, &report));
   info.struct_size = 4;
   CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_replay_get_info(replay, &info));
@@ -338,20 +338,20 @@ static void reports_always_have_their_call(void) {
   static double targets[kParticles][3];
   static dsw_particle_id particles[kParticles];
   dsw_scene *const scene = make_scene(make_environment(NULL, 1, 1, 1), 0);
-  dsw_bundle_desc desc;
+  dsw_bug_report_desc desc;
   dsw_replay *replay = NULL;
   unsigned call, i;
   for (i = 0; i < kParticles; ++i) targets[i][0] = targets[i][1] = targets[i][2] = 0.25 + i * 0.001;
   CHECK_OK(dsw_scene_create_particles(scene, targets[0], kParticles, 0, NULL, particles, NULL));
   record_latest(scene);
-  dsw_bundle_desc_init(&desc, sizeof desc);
+  dsw_bug_report_desc_init(&desc, sizeof desc);
   desc.write = to_tape(&one).write;
   desc.user = &one;
   for (call = 0; call < kCalls; ++call) { /* 16 kB each */
     for (i = 0; i < kParticles; ++i) targets[i][1] = 0.25 + call * 0.001;
     CHECK_OK(dsw_scene_move_particles(scene, particles, kParticles, targets[0], 0, NULL, NULL));
     memset(&one, 0, sizeof one);
-    CHECK_OK(dsw_scene_write_bundle(scene, &desc, NULL));
+    CHECK_OK(dsw_scene_write_bug_report(scene, &desc, NULL));
     replay = replay_of(&one);
     step(replay);
     CHECK_OK(dsw_replay_destroy(replay));
@@ -364,23 +364,23 @@ static void recordings_may_be_spoilt(void) {
   static const char *const path = "record_test.dswrec";
   dsw_scene *const scene = make_scene(make_environment(NULL, 1, 1, 1), 0);
   dsw_recording_desc to;
-  dsw_bundle_desc desc;
+  dsw_bug_report_desc desc;
   FILE *file;
   dsw_recording_desc_init(&to, sizeof to);
   to.path = path;
   CHECK_OK(dsw_scene_start_recording(scene, &to));
-  dsw_bundle_desc_init(&desc, sizeof desc);
+  dsw_bug_report_desc_init(&desc, sizeof desc);
   desc.write = to_tape(&one).write;
   desc.user = &one;
-  CHECK_OK(dsw_scene_write_bundle(scene, &desc, NULL));
+  CHECK_OK(dsw_scene_write_bug_report(scene, &desc, NULL));
   file = fopen(path, "wb");
   CHECK(file != NULL);
-  CHECK_FAILS(DSW_STATUS_NOT_FOUND, dsw_scene_write_bundle(scene, &desc, NULL));
+  CHECK_FAILS(DSW_STATUS_NOT_FOUND, dsw_scene_write_bug_report(scene, &desc, NULL));
   if (file != NULL) {
     CHECK(fwrite(one.bytes, 1, 24, file) == 24);
     fclose(file);
   }
-  CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_write_bundle(scene, &desc, NULL));
+  CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_write_bug_report(scene, &desc, NULL));
   end_scene(scene);
   remove(path);
 }
@@ -394,8 +394,8 @@ static void folds_are_not_judged(void) {
   const dsw_face_id wall = face_at(1, FACE_X1);
   double next[16][3], position[3];
   const double *points = NULL;
-  dsw_bundle_desc desc;
-  dsw_verdict verdict;
+  dsw_bug_report_desc desc;
+  dsw_validation validation;
   dsw_particle_id particle;
   size_t i, count = 0;
   CHECK_OK(dsw_environment_mark_faces(env, &wall, 1, DSW_MARK_IMPASSABLE));
@@ -404,18 +404,18 @@ static void folds_are_not_judged(void) {
   CHECK(count == 16);
   memcpy(next, points, sizeof next);
   for (i = 0; i < 16; ++i) next[i][0] -= next[i][0] == 2 ? 1.5 : 0;
-  CHECK_OK(dsw_scene_deform(scene, next[0], count, NULL, NULL));
+  CHECK_OK(dsw_environment_deform(dsw_scene_get_environment(scene), next[0], count, NULL, NULL));
   CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_check(env, NULL));
   record_latest(scene);
   CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
-  CHECK_OK(dsw_particle_get(scene, particle, position, NULL));
+  CHECK_OK(dsw_particle_get_position(scene, particle, position, NULL));
   CHECK(memcmp(position, to, sizeof to) == 0);
-  dsw_bundle_desc_init(&desc, sizeof desc);
+  dsw_bug_report_desc_init(&desc, sizeof desc);
   desc.write = to_tape(&one).write;
   desc.user = &one;
-  verdict.struct_size = sizeof verdict;
-  CHECK_OK(dsw_scene_write_bundle(scene, &desc, &verdict));
-  CHECK(verdict.is_right == 1 && verdict.ways == 1 && verdict.missed == 0 && verdict.not_judged == 1);
+  validation.struct_size = sizeof validation;
+  CHECK_OK(dsw_scene_write_bug_report(scene, &desc, &validation));
+  CHECK(validation.is_right == 1 && validation.ways == 1 && validation.missed == 0 && validation.not_validated == 1);
   end_scene(scene);
 }
 
@@ -469,7 +469,7 @@ static void reports_may_run_out_of_memory(void) {
     dsw_environment *env;
     dsw_scene *scene;
     dsw_recording_desc latest;
-    dsw_bundle_desc desc;
+    dsw_bug_report_desc desc;
     dsw_particle_id particle;
     dsw_status status;
     double position[3];
@@ -481,7 +481,7 @@ static void reports_may_run_out_of_memory(void) {
     CHECK_OK(dsw_particle_move(scene, particle, from, NULL, NULL)); /* what moves need is there */
     dsw_recording_desc_init(&latest, sizeof latest);
     latest.flags = DSW_RECORDING_LATEST | DSW_RECORDING_STATES;
-    dsw_bundle_desc_init(&desc, sizeof desc);
+    dsw_bug_report_desc_init(&desc, sizeof desc);
     desc.write = to_tape(&one).write;
     desc.user = &one;
     h.calls = 0;
@@ -489,12 +489,12 @@ static void reports_may_run_out_of_memory(void) {
     status = dsw_scene_start_recording(scene, &latest);
     CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY || status == DSW_STATUS_WRITE_FAILED);
     CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
-    status = dsw_scene_write_bundle(scene, &desc, NULL);
+    status = dsw_scene_write_bug_report(scene, &desc, NULL);
     CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY || status == DSW_STATUS_WRITE_FAILED);
     reports += status == DSW_STATUS_OK ? 1u : 0u;
     done = h.calls < refuse;
     h.refuse = 0;
-    CHECK_OK(dsw_particle_get(scene, particle, position, NULL));
+    CHECK_OK(dsw_particle_get_position(scene, particle, position, NULL));
     CHECK(memcmp(position, to, sizeof to) == 0);
     end_scene(scene);
     end_context(context, &h);
@@ -510,7 +510,7 @@ int main(void) {
   writing_may_fail();
   empty_answers_are_alike();
   bad_arguments();
-  bundles_take_bad_arguments_and_full_disks();
+  bug_reports_take_bad_arguments_and_full_disks();
   reports_always_have_their_call();
   recordings_may_be_spoilt();
   folds_are_not_judged();

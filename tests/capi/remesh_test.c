@@ -11,7 +11,7 @@ static dsw_environment *g_env; /* 4 x 4 x 4 cubes */
 static dsw_scene *g_scene;
 static grid g_grid;
 static double g_next[3 * POINTS]; /* lent */
-static dsw_remesh_report g_report;
+static dsw_change g_report;
 
 /* Volumes without labels, which can be merged. */
 static void begin(dsw_context *context) {
@@ -49,12 +49,7 @@ static int is_valid(dsw_volume_id volume) {
   return valid;
 }
 
-static size_t left(void) {
-  const dsw_volume_id *volumes = NULL;
-  size_t count = 999;
-  CHECK_OK(dsw_environment_get_unmended_volumes(g_env, &volumes, &count));
-  return count;
-}
+static size_t left(void) { return change_of(g_env).unrepaired_count; }
 
 static void before_a_deformation(void) {
   dsw_remesh_desc d = with_next();
@@ -63,15 +58,18 @@ static void before_a_deformation(void) {
   begin(NULL);
   fold();
   CHECK_OK(dsw_environment_remesh(g_env, &d, &g_report));
-  CHECK(g_report.invalid_count > 0 && g_report.mended_count == g_report.invalid_count && g_report.left_count == 0);
+  CHECK(g_report.volumes_invalid > 0 &&
+        g_report.volumes_invalid - g_report.unrepaired_count == g_report.volumes_invalid &&
+        g_report.unrepaired_count == 0);
   CHECK(g_report.patch_count == 1 && g_report.volumes_added == 1 && g_report.volumes_removed > 1);
   CHECK(g_report.most_faces > 6 && g_report.reserved == 0 && left() == 0);
-  CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
+  changes = change_of(g_env).volumes;
+  count = change_of(g_env).volume_count;
   CHECK(count == g_report.volumes_removed);
   for (i = 0; i < count; ++i)
     CHECK(changes[i].after.index == changes[0].after.index && changes[i].before.generation == 1);
   CHECK_OK(dsw_environment_check(g_env, NULL));
-  CHECK_OK(dsw_scene_deform(g_scene, g_next, POINTS, NULL, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, g_next, POINTS, NULL, NULL));
   CHECK(is_valid(changes[0].after) == 1);
   CHECK(info_of(g_env).volume_count == N * N * N + 1 - g_report.volumes_removed);
   CHECK_OK(dsw_environment_check(g_env, NULL));
@@ -83,21 +81,21 @@ static void after_a_deformation(void) {
   dsw_remesh_desc d;
   begin(NULL);
   fold();
-  CHECK_OK(dsw_scene_deform(g_scene, g_next, POINTS, NULL, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, g_next, POINTS, NULL, NULL));
   CHECK(is_valid(one) == 0);
   CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_check(g_env, NULL));
   dsw_remesh_desc_init(&d, sizeof d);
   d.volumes = &one;
   d.volume_count = 0;
   CHECK_OK(dsw_environment_remesh(g_env, &d, &g_report)); /* none is named */
-  CHECK(g_report.invalid_count == 0 && g_report.volumes_removed == 0 && is_valid(one) == 0);
+  CHECK(g_report.volumes_invalid == 0 && g_report.volumes_removed == 0 && is_valid(one) == 0);
   d.volume_count = 1;
   CHECK_OK(dsw_environment_remesh(g_env, &d, &g_report));
-  CHECK(g_report.invalid_count == 1 && g_report.mended_count == 1);
+  CHECK(g_report.volumes_invalid == 1 && g_report.volumes_invalid - g_report.unrepaired_count == 1);
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_remesh(g_env, &d, NULL));
   CHECK_OK(dsw_environment_remesh(g_env, NULL, NULL)); /* whatever is left */
   CHECK_OK(dsw_environment_remesh(g_env, NULL, &g_report));
-  CHECK(g_report.invalid_count == 0);
+  CHECK(g_report.volumes_invalid == 0);
   CHECK_OK(dsw_environment_check(g_env, NULL));
   end();
 }
@@ -111,16 +109,18 @@ static void what_is_left(void) {
   begin(NULL);
   point(0, 2, 2)[1] += 1.1; /* in the outer face: this folds */
   CHECK_OK(dsw_environment_remesh(g_env, &d, &g_report));
-  CHECK(g_report.invalid_count > 0 && g_report.mended_count == 0 && g_report.volumes_removed == 0);
-  CHECK(left() == g_report.left_count && g_report.left_count == g_report.invalid_count);
-  CHECK_OK(dsw_environment_get_unmended_volumes(g_env, &volumes, &count));
+  CHECK(g_report.volumes_invalid > 0 && g_report.volumes_invalid - g_report.unrepaired_count == 0 &&
+        g_report.volumes_removed == 0);
+  CHECK(left() == g_report.unrepaired_count && g_report.unrepaired_count == g_report.volumes_invalid);
+  volumes = change_of(g_env).unrepaired;
+  count = change_of(g_env).unrepaired_count;
   for (i = 0; i < count; ++i) CHECK(is_valid(volumes[i]) == 1); /* until it is bent */
   end();
   begin(NULL);
   fold();
   for (i = 0; i < N * N * N; ++i) CHECK_OK(dsw_environment_set_tag(g_env, volume_at(i), i));
   CHECK_OK(dsw_environment_remesh(g_env, &d, &g_report));
-  CHECK(g_report.invalid_count > 0 && g_report.mended_count == 0);
+  CHECK(g_report.volumes_invalid > 0 && g_report.volumes_invalid - g_report.unrepaired_count == 0);
   end();
 }
 
@@ -139,9 +139,9 @@ static void with_a_deformation(void) {
     dsw_deform_options_init(&o, sizeof o);
     CHECK(o.remesh_radius == 0 && o.remesh_max_faces == 0);
     o.invalid = remesh ? DSW_INVALID_REMESH : DSW_INVALID_HOLD;
-    CHECK_OK(dsw_scene_deform(g_scene, g_next, POINTS, &o, &report));
+    CHECK_OK(dsw_environment_deform(g_env, g_next, POINTS, &o, &report));
     CHECK(remesh ? report.remeshed_count > 0 : report.remeshed_count == 0);
-    CHECK_OK(dsw_particle_get(g_scene, particle, now, &in));
+    CHECK_OK(dsw_particle_get_position(g_scene, particle, now, &in));
     CHECK(is_valid(in) == 1 && now[0] == at[0] && now[1] == at[1]);
     CHECK(report.outcome == (remesh ? DSW_DEFORM_DONE : DSW_DEFORM_HELD));
     end();
@@ -152,14 +152,9 @@ static void bad_arguments(void) {
   dsw_remesh_desc bad;
   dsw_remesh_desc d = with_next();
   dsw_deform_options o;
-  const dsw_volume_id *volumes = NULL;
   dsw_scene *other;
-  size_t count;
   begin(NULL);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_remesh(NULL, &d, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_unmended_volumes(NULL, &volumes, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_unmended_volumes(g_env, NULL, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_unmended_volumes(g_env, &volumes, NULL));
   d.volume_count = 1;
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_remesh(g_env, &d, NULL));
   CHECK_MESSAGE("desc->volumes");
@@ -174,17 +169,17 @@ static void bad_arguments(void) {
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, with_next(), max_faces, 129, dsw_environment_remesh(g_env, &bad, NULL));
   dsw_deform_options_init(&o, sizeof o);
   o.remesh_radius = 9;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_deform(g_scene, g_next, POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_deform(g_env, g_next, POINTS, &o, NULL));
   o.remesh_radius = 0;
   o.remesh_max_faces = 3;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_deform(g_scene, g_next, POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_deform(g_env, g_next, POINTS, &o, NULL));
   CHECK_OK(dsw_scene_destroy(g_scene));
   g_scene = make_scene(g_env, 0);
   other = make_scene(g_env, 0);
   CHECK_FAILS(DSW_STATUS_SHARED, dsw_environment_remesh(g_env, NULL, NULL));
   CHECK_OK(dsw_scene_destroy(other));
   CHECK_OK(dsw_environment_remesh(g_env, NULL, &g_report)); /* nothing is invalid */
-  CHECK(g_report.invalid_count == 0 && g_report.patch_count == 0 && left() == 0);
+  CHECK(g_report.volumes_invalid == 0 && g_report.patch_count == 0 && left() == 0);
   end();
 }
 
@@ -195,7 +190,7 @@ static void not_finite(void) {
   begin(NULL);
   point(2, 2, 2)[1] = 0 / nought;
   CHECK_OK(dsw_environment_remesh(g_env, &d, &g_report));
-  CHECK(g_report.invalid_count == 8 && g_report.left_count == 8 && g_report.volumes_removed == 0);
+  CHECK(g_report.volumes_invalid == 8 && g_report.unrepaired_count == 8 && g_report.volumes_removed == 0);
   end();
 }
 
@@ -212,13 +207,14 @@ static void without_memory(void) {
     now = info_of(g_env);
     CHECK(now.volume_count == before.volume_count && now.face_count == before.face_count);
   }
-  CHECK(n > 50 && g_report.mended_count > 0);
+  CHECK(n > 50 && g_report.volumes_invalid - g_report.unrepaired_count > 0);
   CHECK_OK(dsw_environment_check(g_env, NULL));
   end();
   end_context(context, &h);
 }
 
 int main(void) {
+  g_report = empty_change();
   before_a_deformation();
   after_a_deformation();
   what_is_left();

@@ -44,7 +44,7 @@ static void the_exhaustive_search_finds_what_no_sequence_meets(void) {
                          many = run(dimension, FIGURE5_ADAPTIVE_MANY, &options);
     CHECK(one.inserted == 2 && many.inserted == 3 && many.pegs[2] == FIGURE5_C);
     for (i = 0; i < one.inserted; ++i) CHECK(one.pegs[i] != FIGURE5_C);
-    options.search = DSW_SEARCH_ALL; /* reports what the response finds by itself: four, then D once more */
+    options.search = DSW_SEARCH_EXHAUSTIVE; /* reports what the response finds by itself: four, then D once more */
     CHECK(run(dimension, FIGURE5_ADAPTIVE_MANY, &options).contacts == 5);
     options.search = DSW_SEARCH_EXACT;
   }

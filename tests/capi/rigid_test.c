@@ -43,7 +43,7 @@ static void end(void) { end_scene(g_scene); }
 static dsw_deform_report deform(const dsw_deform_options *o) {
   dsw_deform_report report;
   memset(&report, 0x55, sizeof report);
-  CHECK_OK(dsw_scene_deform(g_scene, g_points[g_next], g_point_count, o, &report));
+  CHECK_OK(dsw_environment_deform(g_env, g_points[g_next], g_point_count, o, &report));
   if (report.outcome != DSW_DEFORM_REFUSED) {
     memcpy(g_points[1 - g_next], g_points[g_next], sizeof g_points[0]);
     g_next = 1 - g_next;
@@ -125,7 +125,7 @@ static void a_rod_turns_or_is_lifted(unsigned dimension) {
       raise_point(at_end ? 3 : 2, 1, 0.4);
       report = deform(NULL);
       CHECK(report.outcome == DSW_DEFORM_DONE && report.contact_count > 0 && report.pushed_count > 0);
-      CHECK_OK(dsw_scene_get_wall_contacts(g_scene, &contacts, &count));
+      CHECK_OK(dsw_environment_get_wall_contacts(g_env, &contacts, &count));
       CHECK(contacts[0].response == DSW_WALL_PUSH && contacts[0].body.index == body.index);
       CHECK(read(body, now) == 3);
       if (!rigid) {
@@ -278,7 +278,7 @@ static void edges_that_are_not_free(unsigned dimension) {
       raise_point(2, 1, 0.35);
       report = deform(&o);
       CHECK_OK(dsw_body_get_edits(g_scene, body, &edits, &edit_count));
-      CHECK_OK(dsw_scene_get_wall_contacts(g_scene, &contacts, &count));
+      CHECK_OK(dsw_environment_get_wall_contacts(g_env, &contacts, &count));
       CHECK(count == report.contact_count);
       CHECK(read(body, now) == (!rigid && responses[i] == DSW_WALL_INSERT ? 3u : 2u));
       if (responses[i] == DSW_WALL_STOP || (!rigid && responses[i] == DSW_WALL_PUSH)) {
@@ -286,16 +286,16 @@ static void edges_that_are_not_free(unsigned dimension) {
         CHECK(memcmp(before, now, 2 * sizeof now[0]) == 0);
       } else {
         CHECK(report.outcome == DSW_DEFORM_DONE && count == 1 && contacts[0].edge.generation == 1);
-        CHECK(fabs(contacts[0].point[0] - 2) < 0.1 && contacts[0].normal[1] > 0.9);
+        CHECK(fabs(contacts[0].point[0] - 2) < 0.1 && contacts[0].contact.normal[1] > 0.9);
         CHECK(contacts[0].response == (rigid ? DSW_WALL_PUSH : DSW_WALL_INSERT) && contacts[0].moving.generation == 0);
-        CHECK(contacts[0].wall.generation == 1 && report.pushed_count == (rigid ? 2u : 1u));
+        CHECK(contacts[0].contact.wall.generation == 1 && report.pushed_count == (rigid ? 2u : 1u));
         if (rigid) {
           CHECK(edit_count == 0 && change(before, now, 2) <= 8 * 3 * kUnit);
           CHECK(now[0][1] + now[1][1] > 2.2);
         } else {
           CHECK(edit_count == 1 && edits[0].inserted == 1 && edits[0].vertex.index == 2 && now[2][1] >= 1.35);
           CHECK(now[2][1] < 1.36 && memcmp(before, now, 2 * sizeof now[0]) == 0);
-          CHECK(edits[0].share == contacts[0].along);
+          CHECK(edits[0].edge_parameter == contacts[0].edge_parameter);
         }
       }
       end();

@@ -86,14 +86,14 @@ static void statistics_count_what_was_done(void) {
   CHECK(s.casts == 0 && s.orientation_tests == 0); /* locating is not a flight */
   CHECK_OK(dsw_particle_move(scene, p, free_target, NULL, NULL));
   s = statistics_of(scene);
-  CHECK(s.casts == 1 && s.cells_visited == 2 && s.contacts == 0 && s.candidates == 0 && s.orientation_tests >= 6);
+  CHECK(s.casts == 1 && s.volumes_visited == 2 && s.contacts == 0 && s.candidates == 0 && s.orientation_tests >= 6);
   CHECK_OK(dsw_particle_move(scene, p, wall, NULL, NULL));
   s = statistics_of(scene);
   CHECK(s.contacts == 1 && s.candidates >= 1 && s.casts == 2 + s.candidates);
-  CHECK(s.cells_visited == 3 + s.candidates);
+  CHECK(s.volumes_visited == 3 + s.candidates);
   CHECK_OK(dsw_scene_reset_statistics(scene));
   s = statistics_of(scene);
-  CHECK(s.casts == 0 && s.cells_visited == 0 && s.contacts == 0 && s.candidates == 0 && s.orientation_tests == 0);
+  CHECK(s.casts == 0 && s.volumes_visited == 0 && s.contacts == 0 && s.candidates == 0 && s.orientation_tests == 0);
   CHECK_OK(dsw_scene_cast_from_particles(scene, &p, 1, wall, 0, NULL, &flight));
   s = statistics_of(scene);
   CHECK(s.casts == 1 && s.contacts == 1 && s.candidates == 0);
@@ -104,9 +104,9 @@ static void statistics_must_be_named(void) {
   dsw_scene *const scene = make_scene(g_env, 0), *const counting = make_scene(g_env, DSW_FEATURE_STATISTICS);
   dsw_statistics s;
   s.struct_size = sizeof s;
-  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_scene_get_statistics(scene, &s));
+  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_scene_get_statistics(scene, &s));
   CHECK_MESSAGE("DSW_FEATURE_STATISTICS");
-  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_scene_reset_statistics(scene));
+  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_scene_reset_statistics(scene));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_statistics(NULL, &s));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_reset_statistics(NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_statistics(counting, NULL));

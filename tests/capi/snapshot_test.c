@@ -136,7 +136,7 @@ static void scenes_are_saved_and_loaded(void) {
   dsw_particle_id particle;
   dsw_scene *loaded = NULL;
   dsw_environment *none = NULL;
-  const dsw_contact *contacts[2];
+  const dsw_body_contact *contacts[2];
   dsw_statistics statistics;
   size_t size = 0, again = 0, now = 0, count[2], i;
   CHECK_OK(dsw_particle_create(scene, place, no_volume, &particle));

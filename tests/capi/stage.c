@@ -71,7 +71,7 @@ int is_at(dsw_body_id body, const double *wanted, size_t count) {
   return i == count;
 }
 
-size_t contacts_of(dsw_body_id body, const dsw_contact **contacts) {
+size_t contacts_of(dsw_body_id body, const dsw_body_contact **contacts) {
   size_t count = 99;
   CHECK_OK(dsw_body_get_contacts(g_scene, body, contacts, &count));
   return count;

@@ -36,7 +36,7 @@ size_t positions_of(dsw_body_id body, double *p, size_t capacity);
 /* Whether a point is this one: in the plane x and y are compared, and the third number is 0. */
 int is_point(const double *p, const double *wanted);
 int is_at(dsw_body_id body, const double *wanted, size_t count);
-size_t contacts_of(dsw_body_id body, const dsw_contact **contacts);
+size_t contacts_of(dsw_body_id body, const dsw_body_contact **contacts);
 size_t edits_of(dsw_body_id body, const dsw_body_edit **edits);
 dsw_body_counts counts_of(dsw_body_id body);
 int has(dsw_body_id body, uint32_t vertices, uint32_t edges, uint32_t faces);

@@ -38,9 +38,4 @@ dsw_face_id wall(unsigned x) {
   return find_face(g_dimension == 3 ? 4 : 2, corners);
 }
 
-size_t change_count(void) {
-  const dsw_volume_change *changes = NULL;
-  size_t count = 99;
-  CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
-  return count;
-}
+size_t change_count(void) { return change_of(g_env).volume_count; }

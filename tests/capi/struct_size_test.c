@@ -12,10 +12,11 @@ enum { GUARD = 64, LARGEST = 4096 };
 /* ---- the last member of each in the first release: never changes ------------------------------------------------- */
 #define LAST_dsw_body_counts reserved
 #define LAST_dsw_body_desc motion_share
-#define LAST_dsw_build_report convex_cell_count
-#define LAST_dsw_bundle_desc note
+#define LAST_dsw_build_report convex_volume_count
+#define LAST_dsw_bug_report_desc note
 #define LAST_dsw_carve_desc snap
 #define LAST_dsw_cast_options reserved
+#define LAST_dsw_change body_face_count
 #define LAST_dsw_coarsen_options max_trials
 #define LAST_dsw_coarsen_report trials
 #define LAST_dsw_context_desc parallel_for
@@ -25,16 +26,16 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_environment_desc reserved
 #define LAST_dsw_environment_info upper
 #define LAST_dsw_move_options order_count
-#define LAST_dsw_open_desc tag
+#define LAST_dsw_open_crack_desc tag
 #define LAST_dsw_recording_desc user
 #define LAST_dsw_remesh_desc max_faces
-#define LAST_dsw_replay_info verdict
+#define LAST_dsw_replay_info validation
 #define LAST_dsw_scene_desc features
 #define LAST_dsw_statistics candidates
-#define LAST_dsw_sweep_options max_cells
+#define LAST_dsw_sweep_options max_volumes
 #define LAST_dsw_tie_desc snap
 #define LAST_dsw_trace_data triangle_count
-#define LAST_dsw_verdict text
+#define LAST_dsw_validation text
 #define LAST_dsw_volumes_desc reserved
 
 /* ---- calls that succeed with what is described ------------------------------------------------------------------- */
@@ -100,7 +101,7 @@ static dsw_status coarsen(const dsw_coarsen_options *options, dsw_coarsen_report
   desc.points = points;
   desc.point_count = 8;
   desc.uniform_cell_type = DSW_CELL_TYPE_TETRA;
-  desc.cell_count = 6;
+  desc.volume_count = 6;
   desc.connectivity = cells;
   desc.connectivity_count = 24;
   CHECK_OK(dsw_environment_create(NULL, &desc, &source, NULL));
@@ -154,10 +155,10 @@ RUN(dsw_trace_add_walk, dsw_cast_options) {
   CHECK_OK(dsw_trace_destroy(g_trace));
   return status;
 }
-RUN(dsw_trace_get, dsw_trace_data) {
+RUN(dsw_trace_get_data, dsw_trace_data) {
   dsw_status status;
   CHECK_OK(dsw_trace_create(NULL, &g_trace));
-  status = dsw_trace_get(g_trace, s); /* empty: all is 0 */
+  status = dsw_trace_get_data(g_trace, s); /* empty: all is 0 */
   CHECK_OK(dsw_trace_destroy(g_trace));
   return status;
 }
@@ -177,10 +178,10 @@ RUN(dsw_body_move_rigid, dsw_move_options) {
   return dsw_body_move_rigid(g_scene, body(), &motion, s, NULL);
 }
 
-RUN(dsw_scene_deform, dsw_deform_options) {
+RUN(dsw_environment_deform, dsw_deform_options) {
   memcpy(g_next, g_grid.points, sizeof g_next);
   g_next[3 * grid_point(&g_grid, 1, 1, 1)] += 0.125;
-  return dsw_scene_deform(g_scene, g_next, POINTS, s, NULL);
+  return dsw_environment_deform(g_env, g_next, POINTS, s, NULL);
 }
 RUN(dsw_environment_remesh, dsw_remesh_desc) { return dsw_environment_remesh(g_env, s, NULL); }
 RUN(dsw_environment_add_volumes, dsw_volumes_desc) {
@@ -190,12 +191,12 @@ RUN(dsw_environment_add_volumes, dsw_volumes_desc) {
 RUN(dsw_environment_cut, dsw_cut_desc) { return dsw_environment_cut(g_env, s, NULL); }
 RUN(dsw_environment_carve, dsw_carve_desc) { return dsw_environment_carve(g_env, s, NULL); }
 RUN(dsw_environment_tie, dsw_tie_desc) { return dsw_environment_tie(g_env, s, NULL); }
-RUN(dsw_environment_open, dsw_open_desc) { return dsw_environment_open(g_env, s, NULL); }
-RUN(dsw_scene_detach, dsw_detach_desc) {
+RUN(dsw_environment_open_crack, dsw_open_crack_desc) { return dsw_environment_open_crack(g_env, s, NULL); }
+RUN(dsw_environment_detach, dsw_detach_desc) {
   const dsw_volume_id cube = volume_at(CUBE);
   dsw_body_id id;
   CHECK_OK(dsw_environment_mark_volumes(g_env, &cube, 1, DSW_MARK_IMPASSABLE, 0, NULL));
-  return dsw_scene_detach(g_scene, s, &id, NULL);
+  return dsw_environment_detach(g_env, s, &id, NULL);
 }
 RUN(dsw_scene_start_recording, dsw_recording_desc) { return dsw_scene_start_recording(g_scene, s); }
 
@@ -217,20 +218,20 @@ RUN(dsw_replay_get_info, dsw_replay_info) {
   CHECK_OK(dsw_replay_destroy(r));
   return status;
 }
-RUN(dsw_replay_step_judged, dsw_verdict) {
+RUN(dsw_replay_step_validated, dsw_validation) {
   dsw_replay *const r = replay();
   dsw_replay_report report;
-  const dsw_status status = dsw_replay_step_judged(r, &report, s);
+  const dsw_status status = dsw_replay_step_validated(r, &report, s);
   CHECK_OK(dsw_replay_destroy(r));
   return status;
 }
-RUN(dsw_scene_write_bundle, dsw_bundle_desc) { return dsw_scene_write_bundle(g_scene, s, NULL); }
-RUN(dsw_scene_write_bundle, dsw_verdict) {
-  dsw_bundle_desc desc;
-  dsw_bundle_desc_init(&desc, sizeof desc);
+RUN(dsw_scene_write_bug_report, dsw_bug_report_desc) { return dsw_scene_write_bug_report(g_scene, s, NULL); }
+RUN(dsw_scene_write_bug_report, dsw_validation) {
+  dsw_bug_report_desc desc;
+  dsw_bug_report_desc_init(&desc, sizeof desc);
   desc.write = to_tape(&g_tape).write;
   desc.user = &g_tape;
-  return dsw_scene_write_bundle(g_scene, &desc, s);
+  return dsw_scene_write_bug_report(g_scene, &desc, s);
 }
 
 /* ---- what is described: the members without a default ------------------------------------------------------------ */
@@ -253,19 +254,19 @@ FILL(dsw_context_desc) { s->thread_count = 1; }
 FILL(dsw_environment_desc) { *s = grid_desc(&g_grid); }
 FILL(dsw_coarsen_options) { s->max_faces = 16; }
 FILL(dsw_scene_desc) { s->features = DSW_FEATURE_STATISTICS; }
-FILL(dsw_cast_options) { s->max_cells = 9; }
-FILL(dsw_sweep_options) { s->max_cells = 99; }
+FILL(dsw_cast_options) { s->max_volumes = 9; }
+FILL(dsw_sweep_options) { s->max_volumes = 99; }
 FILL(dsw_body_desc) {
   s->positions = g_line;
   s->vertex_count = 2;
 }
-FILL(dsw_move_options) { s->max_cells = 99; }
+FILL(dsw_move_options) { s->max_volumes = 99; }
 FILL(dsw_deform_options) { s->most_halvings = 3; }
 FILL(dsw_remesh_desc) { s->radius = 1; }
 FILL(dsw_volumes_desc) {
   s->points = g_more_points;
   s->point_count = 8;
-  s->cell_count = 1;
+  s->volume_count = 1;
   s->connectivity = g_more_cells;
   s->connectivity_count = 8;
 }
@@ -283,14 +284,53 @@ FILL(dsw_tie_desc) {
   s->points = g_loop;
   s->point_count = 4;
 }
-FILL(dsw_open_desc) {
+FILL(dsw_open_crack_desc) {
   s->faces = &g_inner_face;
   s->face_count = 1;
   s->width = 0.125;
 }
 FILL(dsw_detach_desc) { s->volume = volume_at(CUBE); }
 FILL(dsw_recording_desc) { s->write = write_nowhere; }
-FILL(dsw_bundle_desc) { s->write = write_nowhere; }
+FILL(dsw_bug_report_desc) { s->write = write_nowhere; }
+
+/* Where arrays lie is not the same in two runs. */
+static dsw_status without_arrays(dsw_status status, dsw_change *s) {
+  if (status != DSW_STATUS_OK) return status;
+  s->volumes = NULL;
+  s->vertices = s->body_vertices = NULL;
+  s->faces = NULL;
+  s->whole = s->carved = s->unrepaired = s->detached = NULL;
+  s->body_faces = NULL;
+  return status;
+}
+
+/* What a change tells: described as above, with all other arguments as for its description. */
+#define CHANGE(function, type)                           \
+  RUN(function, dsw_change) {                            \
+    type desc;                                           \
+    type##_init(&desc, sizeof desc);                     \
+    fill_##type(&desc);                                  \
+    return without_arrays(function(g_env, &desc, s), s); \
+  }
+CHANGE(dsw_environment_cut, dsw_cut_desc)
+CHANGE(dsw_environment_carve, dsw_carve_desc)
+CHANGE(dsw_environment_tie, dsw_tie_desc)
+CHANGE(dsw_environment_open_crack, dsw_open_crack_desc)
+CHANGE(dsw_environment_remesh, dsw_remesh_desc)
+RUN(dsw_environment_detach, dsw_change) {
+  const dsw_volume_id cube = volume_at(CUBE);
+  dsw_detach_desc desc;
+  dsw_body_id id;
+  CHECK_OK(dsw_environment_mark_volumes(g_env, &cube, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  dsw_detach_desc_init(&desc, sizeof desc);
+  desc.volume = cube;
+  return without_arrays(dsw_environment_detach(g_env, &desc, &id, s), s);
+}
+RUN(dsw_environment_tear_faces, dsw_change) {
+  const double load = 2;
+  return without_arrays(dsw_environment_tear_faces(g_env, &g_inner_face.front, &load, 1, 1, s), s);
+}
+RUN(dsw_environment_get_change, dsw_change) { return without_arrays(dsw_environment_get_change(g_env, s), s); }
 
 /* ---- the tables -------------------------------------------------------------------------------------------------- */
 typedef union any { /* aligned for each of them */
@@ -328,34 +368,42 @@ typedef struct init_row {
   X(dsw_environment_coarsen, dsw_coarsen_options)    \
   X(dsw_environment_create, dsw_environment_desc)    \
   X(dsw_environment_cut, dsw_cut_desc)               \
-  X(dsw_environment_open, dsw_open_desc)             \
+  X(dsw_environment_open_crack, dsw_open_crack_desc) \
   X(dsw_environment_remesh, dsw_remesh_desc)         \
   X(dsw_environment_sweep_edges, dsw_sweep_options)  \
   X(dsw_environment_tie, dsw_tie_desc)               \
   X(dsw_particle_move, dsw_cast_options)             \
   X(dsw_scene_cast_from_particles, dsw_cast_options) \
   X(dsw_scene_create, dsw_scene_desc)                \
-  X(dsw_scene_deform, dsw_deform_options)            \
-  X(dsw_scene_detach, dsw_detach_desc)               \
+  X(dsw_environment_deform, dsw_deform_options)      \
+  X(dsw_environment_detach, dsw_detach_desc)         \
   X(dsw_scene_move_bodies, dsw_move_options)         \
   X(dsw_scene_move_particles, dsw_cast_options)      \
   X(dsw_scene_start_recording, dsw_recording_desc)   \
-  X(dsw_scene_write_bundle, dsw_bundle_desc)         \
+  X(dsw_scene_write_bug_report, dsw_bug_report_desc) \
   X(dsw_trace_add_walk, dsw_cast_options)
 #define EACH_OUTPUT(X)                              \
   X(dsw_body_get_counts, dsw_body_counts)           \
+  X(dsw_environment_carve, dsw_change)              \
   X(dsw_environment_check, dsw_build_report)        \
   X(dsw_environment_coarsen, dsw_coarsen_report)    \
   X(dsw_environment_create, dsw_build_report)       \
+  X(dsw_environment_cut, dsw_change)                \
+  X(dsw_environment_detach, dsw_change)             \
+  X(dsw_environment_get_change, dsw_change)         \
+  X(dsw_environment_open_crack, dsw_change)         \
+  X(dsw_environment_remesh, dsw_change)             \
+  X(dsw_environment_tear_faces, dsw_change)         \
+  X(dsw_environment_tie, dsw_change)                \
   X(dsw_environment_get_info, dsw_environment_info) \
   X(dsw_replay_get_info, dsw_replay_info)           \
-  X(dsw_replay_step_judged, dsw_verdict)            \
+  X(dsw_replay_step_validated, dsw_validation)      \
   X(dsw_scene_get_statistics, dsw_statistics)       \
-  X(dsw_scene_write_bundle, dsw_verdict)            \
-  X(dsw_trace_get, dsw_trace_data)
+  X(dsw_scene_write_bug_report, dsw_validation)     \
+  X(dsw_trace_get_data, dsw_trace_data)
 #define EACH_INIT(X)                                 \
   X(dsw_body_desc_init, dsw_body_desc)               \
-  X(dsw_bundle_desc_init, dsw_bundle_desc)           \
+  X(dsw_bug_report_desc_init, dsw_bug_report_desc)   \
   X(dsw_carve_desc_init, dsw_carve_desc)             \
   X(dsw_cast_options_init, dsw_cast_options)         \
   X(dsw_coarsen_options_init, dsw_coarsen_options)   \
@@ -365,7 +413,7 @@ typedef struct init_row {
   X(dsw_detach_desc_init, dsw_detach_desc)           \
   X(dsw_environment_desc_init, dsw_environment_desc) \
   X(dsw_move_options_init, dsw_move_options)         \
-  X(dsw_open_desc_init, dsw_open_desc)               \
+  X(dsw_open_crack_desc_init, dsw_open_crack_desc)   \
   X(dsw_recording_desc_init, dsw_recording_desc)     \
   X(dsw_remesh_desc_init, dsw_remesh_desc)           \
   X(dsw_scene_desc_init, dsw_scene_desc)             \

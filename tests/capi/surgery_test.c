@@ -8,20 +8,20 @@
 
 static void begin(void) { begin_block(NULL, 1, 0); }
 
-static size_t vertex_count(const dsw_cut_vertex **vertices) {
-  size_t count = 999;
-  CHECK_OK(dsw_environment_get_cut_vertices(g_env, vertices, &count));
-  return count;
+static size_t vertex_count(const dsw_vertex_origin **vertices) {
+  const dsw_change change = change_of(g_env);
+  *vertices = change.vertices;
+  return change.vertex_count;
 }
 static size_t whole_count(const dsw_volume_id **volumes) {
-  size_t count = 999;
-  CHECK_OK(dsw_environment_get_whole_volumes(g_env, volumes, &count));
-  return count;
+  const dsw_change change = change_of(g_env);
+  *volumes = change.whole;
+  return change.whole_count;
 }
 
 static void a_cut_right_through(void) {
   const block_numbers b = g_block;
-  const dsw_cut_vertex *v = NULL;
+  const dsw_vertex_origin *v = NULL;
   const dsw_volume_id *whole = NULL;
   const dsw_volume_change *changes = NULL;
   size_t i, count = 0;
@@ -29,7 +29,7 @@ static void a_cut_right_through(void) {
   CHECK(keep_faces() == 0 && vertex_count(&v) == 0 && whole_count(&whole) == 0);
   cut(blade_at(1.25, 5), 0);
   CHECK(g_cut.volumes_crossed == b.layer && g_cut.volumes_split == b.layer && g_cut.volumes_changed == b.layer);
-  CHECK(g_cut.volumes_whole == 0 && whole_count(&whole) == 0 && g_cut.distance == 0);
+  CHECK(g_cut.whole_count == 0 && whole_count(&whole) == 0 && g_cut.distance == 0);
   CHECK(g_cut.vertex_count == b.corners && vertex_count(&v) == b.corners);
   CHECK(g_cut.face_count == b.layer && keep_faces() == b.layer);
   CHECK(g_cut.volumes_visited >= b.layer && g_cut.volumes_visited <= b.layer + b.layer / 4);
@@ -41,7 +41,8 @@ static void a_cut_right_through(void) {
     CHECK(g_faces[i].front.volume % 4 == 1 && g_faces[i].front.volume < b.cells); /* keeps its index */
     CHECK(g_faces[i].back.volume >= b.cells);
   }
-  CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
+  changes = change_of(g_env).volumes;
+  count = change_of(g_env).volume_count;
   CHECK(count == 2 * b.layer && changes[0].before.index == changes[1].before.index);
   CHECK(fly(0.5, 0.5, 3.5, 3.5) == 1);
   end_block(b.cells + b.layer, b.boundary + b.rim, 1);
@@ -66,7 +67,7 @@ static void along_faces(void) {
   size_t i;
   begin();
   cut(blade_at(2, 5), 0);
-  CHECK(g_cut.volumes_split == 0 && g_cut.volumes_whole == 0 && g_cut.vertex_count == 0);
+  CHECK(g_cut.volumes_split == 0 && g_cut.whole_count == 0 && g_cut.vertex_count == 0);
   CHECK(keep_faces() == b.layer);
   for (i = 0; i < b.layer; ++i) CHECK(g_faces[i].front.volume % 4 == 2 && g_faces[i].back.volume % 4 == 1);
   cut(blade_at(2.001, 5), DSW_CUT_UNSEW); /* within a hundredth of an edge */
@@ -106,20 +107,21 @@ static void nothing_to_cut(void) {
   CHECK(g_cut.volumes_split == 0);
   for (i = 0; i < 12; ++i) g_blade[i] = 0.5; /* one point, inside */
   cut(d, 0);
-  CHECK(g_cut.volumes_crossed == 1 && g_cut.volumes_whole == 1 && g_cut.volumes_changed == 0);
+  CHECK(g_cut.volumes_crossed == 1 && g_cut.whole_count == 1 && g_cut.volumes_changed == 0);
   for (i = 0; i < 12; ++i) g_blade[i] = i % 2 == 0 ? 1e300 : -1e300;
   cut(d, 0);
   end_block(b.cells, b.boundary, 1);
 }
 
-static void a_tear_keeps_what_the_cut_said(void) {
+static void a_tear_replaces_what_the_cut_said(void) {
   const block_numbers b = g_block;
-  const dsw_cut_vertex *vertices = NULL;
-  size_t torn = 0;
+  const dsw_vertex_origin *vertices = NULL;
+  dsw_change change = empty_change();
   begin();
   cut(blade_at(1.25, 5), 0);
-  CHECK_OK(dsw_environment_tear_faces(g_env, NULL, NULL, 0, 1, &torn));
   CHECK(vertex_count(&vertices) == b.corners);
+  CHECK_OK(dsw_environment_tear_faces(g_env, NULL, NULL, 0, 1, &change));
+  CHECK(vertex_count(&vertices) == 0 && change.vertex_count == 0 && change.distance == 0 && change.face_count == 0);
   end_block(b.cells + b.layer, b.boundary + b.rim, 1);
 }
 
@@ -127,39 +129,43 @@ static void tears(void) {
   const block_numbers b = g_block;
   dsw_face_id faces[4];
   double loads[4] = {2, 2, 1, 9};
-  size_t count = 99;
+  dsw_change change = empty_change();
   begin();
   faces[0] = face_at(0, FACE_X1);
   faces[1] = face_at(1, b.x0); /* the same */
   faces[2] = face_at(1, FACE_X1);
   faces[3] = face_at(0, b.x0); /* on the outer boundary */
-  CHECK_OK(dsw_environment_tear_faces(g_env, faces, loads, 4, 1, &count));
-  CHECK(count == 1 && keep_faces() == 1 && info_of(g_env).boundary_face_count == b.boundary + 2);
+  CHECK_OK(dsw_environment_tear_faces(g_env, faces, loads, 4, 1, &change));
+  CHECK(change.face_count == 1 && keep_faces() == 1 && info_of(g_env).boundary_face_count == b.boundary + 2);
   CHECK(g_faces[0].front.volume == 0 && g_faces[0].back.volume == 1);
   loads[2] = NAN;
-  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_tear_faces(g_env, faces, loads, 4, 1, &count));
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_tear_faces(g_env, faces, loads, 4, 1, &change));
   CHECK_MESSAGE("loads[2]");
   loads[2] = HUGE_VAL;
-  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_tear_faces(g_env, faces, loads, 4, NAN, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tear_faces(g_env, NULL, loads, 4, 1, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tear_faces(g_env, faces, NULL, 4, 1, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tear_faces(NULL, faces, loads, 4, 1, &count));
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_tear_faces(g_env, faces, loads, 4, NAN, &change));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tear_faces(g_env, NULL, loads, 4, 1, &change));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tear_faces(g_env, faces, NULL, 4, 1, &change));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tear_faces(NULL, faces, loads, 4, 1, &change));
   faces[3] = face_at(b.cells, b.x0);
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_tear_faces(g_env, faces, loads, 4, 1, &count));
-  CHECK(keep_faces() == 1 && count == 1);
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_tear_faces(g_env, faces, loads, 4, 1, &change));
+  CHECK(keep_faces() == 1);
   CHECK_OK(dsw_environment_tear_faces(g_env, faces, loads, 3, 1, NULL));
   end_block(b.cells, b.boundary + 4, 1);
 }
 
 static void bad_arguments(void) {
   dsw_cut_desc d = blade_at(1.25, 5), bad;
-  dsw_cut_vertex none;
-  const dsw_cut_vertex *vertices = &none;
-  size_t count = 5;
+  dsw_change change = empty_change();
   const int plane = g_block.dimension == 2;
   begin();
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_cut(NULL, &d, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_cut(g_env, NULL, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_change(NULL, &change));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_change(g_env, NULL));
+  change.struct_size = 8;
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_get_change(g_env, &change));
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_cut(g_env, &d, &change));
+  CHECK(change_of(g_env).face_count == 0 && change.face_count == 0);
   CHECK_REFUSES(DSW_STATUS_NULL_ARGUMENT, d, points, NULL, dsw_environment_cut(g_env, &bad, NULL));
   CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, d, struct_size, 8, dsw_environment_cut(g_env, &bad, NULL));
   CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 2, dsw_environment_cut(g_env, &bad, NULL));
@@ -177,12 +183,6 @@ static void bad_arguments(void) {
   g_blade[plane ? 3 : 7] = NAN;
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_cut(g_env, &d, NULL));
   CHECK_MESSAGE(plane ? "desc->points[1]" : "desc->points[2]");
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_cut_vertices(NULL, &vertices, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_cut_vertices(g_env, NULL, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_cut_vertices(g_env, &vertices, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_cut_faces(g_env, NULL, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_whole_volumes(g_env, NULL, &count));
-  CHECK(vertices == &none && count == 5);
   end_block(g_block.cells, g_block.boundary, 1);
 }
 
@@ -274,19 +274,19 @@ static void a_bend(void) {
 static void ties(void) {
   static const double across[4] = {-1, 1.3, 5, 1.4}, short_of_it[4] = {0.5, 1.3, 5, 1.4};
   dsw_tie_desc d;
-  dsw_tie_report report;
+  dsw_change report = empty_change();
   begin();
   dsw_tie_desc_init(&d, sizeof d);
   d.points = across;
   d.point_count = 2;
   CHECK_OK(dsw_environment_tie(g_env, &d, &report));
-  CHECK(report.is_closed == 1 && report.cut.volumes_split == 4 && report.cut.face_count == 4);
+  CHECK(report.is_closed == 1 && report.volumes_split == 4 && report.face_count == 4);
   CHECK(fly(0.5, 0.5, 0.5, 3) < 1 && fly(3.9, 3.5, 0.1, 0.1) < 1);
   end_block(20, 26, 2);
   begin();
   d.points = short_of_it;
   CHECK_OK(dsw_environment_tie(g_env, &d, &report));
-  CHECK(report.is_closed == 0 && report.cut.volumes_whole == 1);
+  CHECK(report.is_closed == 0 && report.whole_count == 1);
   CHECK(fly(0.5, 0.5, 0.5, 3) < 1);
   d.point_count = 1;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_tie(g_env, &d, &report));
@@ -298,7 +298,7 @@ static void shapes_are_carved(void) {
   static const double points[8] = {0.6, 0.6, 3.4, 0.6, 3.4, 3.4, 0.6, 3.4};
   static const uint32_t sides[8] = {0, 1, 1, 2, 2, 3, 3, 0}, open_sides[6] = {0, 1, 1, 2, 2, 3};
   dsw_carve_desc d;
-  dsw_carve_report report;
+  dsw_change report = empty_change();
   dsw_volume_id all[16];
   uint32_t i;
   begin();
@@ -314,7 +314,7 @@ static void shapes_are_carved(void) {
   d.triangles = sides;
   d.triangle_count = 4;
   CHECK_OK(dsw_environment_carve(g_env, &d, &report));
-  CHECK(report.cut.volumes_split == 12 && report.cut.vertex_count == 12 && report.volumes_carved == 16);
+  CHECK(report.volumes_split == 12 && report.vertex_count == 12 && report.carved_count == 16);
   CHECK(fly(0.9, 0.9, 3.1, 3.1) == 1 && fly(2, 2, 2, 0) < 0.71);
   end_block(28, 16, 1);
 }
@@ -325,14 +325,14 @@ static void recordings_make_it_again(void) {
   const dsw_volume_id wall = volume_at(10);
   const dsw_face_id side = face_at(3, 2);
   const double load = 2;
-  size_t torn = 0;
+  dsw_change change = empty_change();
   uint32_t calls = 0;
   dsw_scene *scene = NULL;
   static tape one;
   dsw_recording_desc recording = to_tape(&one);
   dsw_tie_desc tie;
   dsw_carve_desc carve;
-  dsw_carve_report carved;
+  dsw_change carved = empty_change();
   dsw_replay *replay = NULL;
   dsw_replay_report report;
   begin();
@@ -344,12 +344,12 @@ static void recordings_make_it_again(void) {
   carve.points = square, carve.point_count = 4;
   carve.triangles = sides, carve.triangle_count = 4;
   CHECK_OK(dsw_environment_carve(g_env, &carve, &carved));
-  CHECK(carved.volumes_carved == 1);
+  CHECK(carved.carved_count == 1);
   dsw_tie_desc_init(&tie, sizeof tie);
   tie.points = line, tie.point_count = 2;
   CHECK_OK(dsw_environment_tie(g_env, &tie, NULL));
-  CHECK_OK(dsw_environment_tear_faces(g_env, &side, &load, 1, 1, &torn));
-  CHECK(torn == 1);
+  CHECK_OK(dsw_environment_tear_faces(g_env, &side, &load, 1, 1, &change));
+  CHECK(change.face_count == 1);
   cut(blade_at(1.25, 5), 0);
   CHECK_OK(dsw_scene_stop_recording(scene));
   CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
@@ -368,7 +368,7 @@ static void in_both(void) {
   along_faces();
   up_to_the_last_volume_that_is_crossed();
   nothing_to_cut();
-  a_tear_keeps_what_the_cut_said();
+  a_tear_replaces_what_the_cut_said();
   tears();
   bad_arguments();
   borrowed_points();

@@ -44,7 +44,7 @@ static dsw_sweep sweep_with(const dsw_sweep_options *options, dsw_volume_id star
   dsw_sweep s;
   memset(&s, 0x55, sizeof s);
   CHECK_OK(dsw_environment_sweep_edges(g_env, 1, &start, from, to, fixed, 0, options, &s));
-  CHECK(s.reserved == 0);
+  CHECK(s.contact.obstacle.generation != 0 || s.outcome != DSW_OUTCOME_CONTACT);
   return s;
 }
 
@@ -57,8 +57,9 @@ static int same_point(const double *a, const double *b) { return a[0] == b[0] &&
 
 static int is_volume(dsw_volume_id id, uint32_t index) { return id.index == index && id.generation == 1; }
 
-static int same_edge(dsw_edge_id a, dsw_edge_id b) {
-  return a.volume == b.volume && a.generation == b.generation && a.local == b.local;
+static int is_edge(dsw_cell cell, dsw_edge_id edge) {
+  return cell.kind == DSW_CELL_EDGE && cell.index == edge.volume && cell.generation == edge.generation &&
+         cell.local == edge.local;
 }
 
 static int is_face(dsw_face_id id, uint32_t volume, uint32_t local) {
@@ -70,13 +71,14 @@ static int is_near(const double *a, double x, double y, double z) {
 }
 
 static int has_no_contact(const dsw_sweep *s) {
-  return same_point(s->normal, g_zero) && s->front.generation == 0 && s->face.generation == 0 &&
-         s->edge.generation == 0 && s->kind == DSW_CONTACT_NONE && s->obstacle == DSW_CELL_NONE && s->tag == 0;
+  return same_point(s->contact.normal, g_zero) && s->contact.front.generation == 0 && s->contact.wall.generation == 0 &&
+         s->contact.obstacle.generation == 0 && s->contact.kind == DSW_CONTACT_NONE &&
+         s->contact.marked_kind == DSW_CELL_NONE && s->contact.tag == 0;
 }
 
 static int reached(const dsw_sweep *s, const double *to, uint32_t volume) {
   return s->outcome == DSW_OUTCOME_REACHED && s->time == 1 && same_point(s->position, to) &&
-         is_volume(s->volume, volume) && s->cells_visited >= 1 && has_no_contact(s);
+         is_volume(s->volume, volume) && s->volumes_visited >= 1 && has_no_contact(s);
 }
 
 static int stayed(const dsw_sweep *s, dsw_outcome outcome, const double *from) {
@@ -85,7 +87,7 @@ static int stayed(const dsw_sweep *s, dsw_outcome outcome, const double *from) {
 
 /* Reports that differ at most in the work they took. */
 static int same_but_work(dsw_sweep a, dsw_sweep b) {
-  a.cells_visited = b.cells_visited = 0;
+  a.volumes_visited = b.volumes_visited = 0;
   return memcmp(&a, &b, sizeof a) == 0;
 }
 
@@ -93,10 +95,10 @@ static void init_writes_the_defaults(void) {
   dsw_sweep_options o;
   memset(&o, 0xff, sizeof o);
   dsw_sweep_options_init(&o, sizeof o);
-  CHECK(o.struct_size == sizeof o && o.flags == 0 && o.level == DSW_LEVEL_EDGES_SWEPT && o.max_cells == 0);
+  CHECK(o.struct_size == sizeof o && o.flags == 0 && o.level == DSW_LEVEL_EDGES_SWEPT && o.max_volumes == 0);
   memset(&o, 0xff, sizeof o);
   dsw_sweep_options_init(&o, 8); /* a shorter struct than ours */
-  CHECK(o.struct_size == 8 && o.flags == 0 && o.max_cells == 0xffffffffu);
+  CHECK(o.struct_size == 8 && o.flags == 0 && o.max_volumes == 0xffffffffu);
   dsw_sweep_options_init(NULL, sizeof o);
 }
 
@@ -106,7 +108,7 @@ static void an_edge_comes_through(void) {
   CHECK(reached(&s, g_to, 3 + NX * NY));
   for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES; ++level) {
     const dsw_sweep less = sweep_at((dsw_level)level, g_from, g_to, g_fixed);
-    CHECK(same_but_work(less, s) && less.cells_visited <= s.cells_visited);
+    CHECK(same_but_work(less, s) && less.volumes_visited <= s.volumes_visited);
   }
   CHECK(same_but_work(s, sweep_with(NULL, no_volume, g_from, g_to, g_fixed)));
 }
@@ -122,18 +124,22 @@ static void a_free_standing_face_is_met_by_the_edge(void) {
   s = sweep_at(DSW_LEVEL_EDGES, g_from, g_to, g_fixed);
   CHECK(reached(&s, g_to, 3 + NX * NY));
   s = sweep_at(DSW_LEVEL_EDGES_SWEPT, g_from, g_to, g_fixed);
-  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.kind == DSW_CONTACT_EDGE && s.obstacle == DSW_CELL_FACE);
-  CHECK(s.time == 0.5 && same_point(s.position, g_half) && same_point(s.point, g_touched) && s.along == 0.5);
-  CHECK(is_near(s.normal, -3 / length, 0.5 / length, 0));
-  CHECK(is_volume(s.volume, NX * NY) && is_volume(s.front, BEFORE) && is_face(s.face, BEFORE, FACE_X1));
-  CHECK(same_edge(s.edge, rim) && s.tag == 100 + BEHIND && s.cells_visited >= 4);
+  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_EDGE &&
+        s.contact.marked_kind == DSW_CELL_FACE);
+  CHECK(s.time == 0.5 && same_point(s.position, g_half) && same_point(s.point, g_touched) && s.edge_parameter == 0.5);
+  CHECK(is_near(s.contact.normal, -3 / length, 0.5 / length, 0));
+  CHECK(is_volume(s.volume, NX * NY) && is_volume(s.contact.front, BEFORE) && is_face(s.contact.wall, BEFORE, FACE_X1));
+  CHECK(is_edge(s.contact.obstacle, rim) && s.contact.tag == 100 + BEHIND && s.volumes_visited >= 4);
   { /* from the other side: the mirror image, and the tag of what is behind then */
     const double from[3] = {3.75, 0.5, 1.5}, to[3] = {0.75, 0.5, 1.5}, fixed[3] = {1.75, 3.5, 1.5};
     s = sweep_at(DSW_LEVEL_EDGES_SWEPT, from, to, fixed);
-    CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.kind == DSW_CONTACT_EDGE && s.time == 0.5 && s.along == 0.5);
-    CHECK(s.position[0] == 2.25 && same_point(s.point, g_touched) && is_near(s.normal, 3 / length, 0.5 / length, 0));
-    CHECK(is_volume(s.volume, 3 + NX * NY) && is_volume(s.front, BEHIND) && is_face(s.face, BEFORE, FACE_X1));
-    CHECK(same_edge(s.edge, rim) && s.tag == 100 + BEFORE);
+    CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_EDGE && s.time == 0.5 &&
+          s.edge_parameter == 0.5);
+    CHECK(s.position[0] == 2.25 && same_point(s.point, g_touched) &&
+          is_near(s.contact.normal, 3 / length, 0.5 / length, 0));
+    CHECK(is_volume(s.volume, 3 + NX * NY) && is_volume(s.contact.front, BEHIND) &&
+          is_face(s.contact.wall, BEFORE, FACE_X1));
+    CHECK(is_edge(s.contact.obstacle, rim) && s.contact.tag == 100 + BEFORE);
   }
   mark_face(BEHIND, FACE_X0, DSW_MARK_PASSABLE);
 }
@@ -148,11 +154,13 @@ static void a_wire_is_met_by_the_edge(void) {
   s = sweep_at(DSW_LEVEL_EDGES, g_from, g_to, g_fixed);
   CHECK(reached(&s, g_to, 3 + NX * NY));
   s = sweep_at(DSW_LEVEL_EDGES_SWEPT, g_from, g_to, g_fixed);
-  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.kind == DSW_CONTACT_EDGE && s.obstacle == DSW_CELL_EDGE);
-  CHECK(s.time == 0.5 && same_point(s.position, g_half) && same_point(s.point, g_touched) && s.along == 0.5);
-  CHECK(is_near(s.normal, -3 / length, 0.5 / length, 0));
-  CHECK(is_volume(s.volume, NX * NY) && s.front.generation == 1 && same_edge(s.edge, wire));
-  CHECK(s.face.volume == 0 && s.face.generation == 0 && s.face.local == 0 && s.tag == 0);
+  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_EDGE &&
+        s.contact.marked_kind == DSW_CELL_EDGE);
+  CHECK(s.time == 0.5 && same_point(s.position, g_half) && same_point(s.point, g_touched) && s.edge_parameter == 0.5);
+  CHECK(is_near(s.contact.normal, -3 / length, 0.5 / length, 0));
+  CHECK(is_volume(s.volume, NX * NY) && s.contact.front.generation == 1 && is_edge(s.contact.obstacle, wire));
+  CHECK(s.contact.wall.volume == 0 && s.contact.wall.generation == 0 && s.contact.wall.local == 0 &&
+        s.contact.tag == 0);
   CHECK_OK(dsw_environment_mark_edges(g_env, &wire, 1, DSW_MARK_PASSABLE));
 }
 
@@ -164,11 +172,14 @@ static void the_moving_end_meets_a_face(void) {
   mark_volume(2 + NX * NY, DSW_MARK_IMPASSABLE);
   for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES_SWEPT; ++level) {
     const dsw_sweep s = sweep_at((dsw_level)level, from, to, fixed);
-    CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.kind == DSW_CONTACT_PLANE && s.obstacle == DSW_CELL_VOLUME);
-    CHECK(s.time == 0.5 && same_point(s.position, met) && same_point(s.point, met) && s.along == 0);
-    CHECK(s.normal[0] == -1 && s.normal[1] == 0 && s.normal[2] == 0 && s.edge.generation == 0);
-    CHECK(is_volume(s.volume, NX * NY) && is_volume(s.front, 1 + NX * NY) && is_face(s.face, 1 + NX * NY, FACE_X1));
-    CHECK(s.tag == 100 + 2 + NX * NY);
+    CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_PLANE &&
+          s.contact.marked_kind == DSW_CELL_VOLUME);
+    CHECK(s.time == 0.5 && same_point(s.position, met) && same_point(s.point, met) && s.edge_parameter == 0);
+    CHECK(s.contact.normal[0] == -1 && s.contact.normal[1] == 0 && s.contact.normal[2] == 0 &&
+          s.contact.obstacle.kind == DSW_CELL_FACE);
+    CHECK(is_volume(s.volume, NX * NY) && is_volume(s.contact.front, 1 + NX * NY) &&
+          is_face(s.contact.wall, 1 + NX * NY, FACE_X1));
+    CHECK(s.contact.tag == 100 + 2 + NX * NY);
   }
   mark_volume(2 + NX * NY, DSW_MARK_PASSABLE);
 }
@@ -189,10 +200,12 @@ static void the_outer_boundary_is_met(void) {
   int level;
   for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES_SWEPT; ++level) {
     const dsw_sweep s = sweep_at((dsw_level)level, from, to, fixed);
-    CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.kind == DSW_CONTACT_PLANE && s.obstacle == DSW_CELL_FACE);
-    CHECK(s.time == 0.5 && same_point(s.position, met) && same_point(s.point, met) && s.along == 0);
-    CHECK(s.normal[0] == -1 && is_volume(s.front, 3 + NX * NY) && is_face(s.face, 3 + NX * NY, FACE_X1));
-    CHECK(s.tag == 100 + 3 + NX * NY);
+    CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_PLANE &&
+          s.contact.marked_kind == DSW_CELL_FACE);
+    CHECK(s.time == 0.5 && same_point(s.position, met) && same_point(s.point, met) && s.edge_parameter == 0);
+    CHECK(s.contact.normal[0] == -1 && is_volume(s.contact.front, 3 + NX * NY) &&
+          is_face(s.contact.wall, 3 + NX * NY, FACE_X1));
+    CHECK(s.contact.tag == 100 + 3 + NX * NY);
   }
 }
 
@@ -205,8 +218,8 @@ static void a_hit_at_edges_is_reported_as_swept(void) {
   CHECK(reached(&s, to, 1 + NX * NY));
   s = sweep_at(DSW_LEVEL_EDGES, g_from, to, g_fixed);
   swept = sweep_at(DSW_LEVEL_EDGES_SWEPT, g_from, to, g_fixed);
-  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.kind == DSW_CONTACT_EDGE && same_but_work(s, swept));
-  CHECK(s.time <= 1.5 / 1.6875 && s.time > 0.8888 && same_point(s.point, g_touched) && s.along == 0.5);
+  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_EDGE && same_but_work(s, swept));
+  CHECK(s.time <= 1.5 / 1.6875 && s.time > 0.8888 && same_point(s.point, g_touched) && s.edge_parameter == 0.5);
   mark_face(BEFORE, FACE_X1, DSW_MARK_PASSABLE);
 }
 
@@ -226,9 +239,10 @@ static void degenerate_edges_have_answers(void) {
     CHECK(reached(&s, g_from, NX * NY));
     mark_face(1 + NX * NY, FACE_X1, DSW_MARK_IMPASSABLE);
     s = sweep_at((dsw_level)level, from, to, from); /* p = q, and a wall in the way */
-    CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.kind == DSW_CONTACT_PLANE && s.time == 0.5 && s.along == 0);
-    CHECK(same_point(s.position, met) && same_point(s.point, met) && s.normal[0] == -1);
-    CHECK(is_volume(s.front, 1 + NX * NY) && is_face(s.face, 1 + NX * NY, FACE_X1));
+    CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_PLANE && s.time == 0.5 &&
+          s.edge_parameter == 0);
+    CHECK(same_point(s.position, met) && same_point(s.point, met) && s.contact.normal[0] == -1);
+    CHECK(is_volume(s.contact.front, 1 + NX * NY) && is_face(s.contact.wall, 1 + NX * NY, FACE_X1));
     mark_face(1 + NX * NY, FACE_X1, DSW_MARK_PASSABLE);
   }
 }
@@ -238,7 +252,7 @@ static void an_edge_that_can_not_start_says_so(void) {
   int level;
   for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES_SWEPT; ++level) {
     dsw_sweep s = sweep_at((dsw_level)level, outside, g_to, g_fixed);
-    CHECK(stayed(&s, DSW_OUTCOME_OUTSIDE, outside) && s.volume.generation == 0 && s.cells_visited == 0);
+    CHECK(stayed(&s, DSW_OUTCOME_OUTSIDE, outside) && s.volume.generation == 0 && s.volumes_visited == 0);
     mark_volume(NX * NY, DSW_MARK_IMPASSABLE);
     s = sweep_at((dsw_level)level, g_from, g_to, g_fixed);
     CHECK(stayed(&s, DSW_OUTCOME_IMPASSABLE, g_from) && is_volume(s.volume, NX * NY));
@@ -266,7 +280,7 @@ static void known_starts_change_no_answer(void) {
   for (flags = 0; flags < 4; ++flags) {
     o.flags = ((flags & 1) != 0 ? DSW_SWEEP_START_KNOWN : 0u) | ((flags & 2) != 0 ? DSW_SWEEP_START_FREE : 0u);
     s = sweep_with(&o, start, g_from, g_to, g_fixed);
-    CHECK(same_but_work(s, plain) && s.cells_visited <= plain.cells_visited);
+    CHECK(same_but_work(s, plain) && s.volumes_visited <= plain.volumes_visited);
   }
   mark_face(BEFORE, FACE_X1, DSW_MARK_PASSABLE);
   mark_volume(NX * NY, DSW_MARK_IMPASSABLE);
@@ -280,10 +294,10 @@ static void work_is_limited(void) {
   for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES_SWEPT; ++level) {
     dsw_sweep_options o = at_level((dsw_level)level);
     const dsw_sweep whole = sweep_with(&o, no_volume, g_from, g_to, g_fixed);
-    for (o.max_cells = 1; o.max_cells <= whole.cells_visited; ++o.max_cells) {
+    for (o.max_volumes = 1; o.max_volumes <= whole.volumes_visited; ++o.max_volumes) {
       const dsw_sweep s = sweep_with(&o, no_volume, g_from, g_to, g_fixed);
-      CHECK(s.cells_visited <= o.max_cells);
-      if (o.max_cells == whole.cells_visited) {
+      CHECK(s.volumes_visited <= o.max_volumes);
+      if (o.max_volumes == whole.volumes_visited) {
         CHECK(memcmp(&s, &whole, sizeof s) == 0);
       } else {
         CHECK(stayed(&s, DSW_OUTCOME_WORK_LIMIT, g_from) && is_volume(s.volume, NX * NY));
@@ -385,7 +399,8 @@ static void edges_lie_a_stride_apart(void) {
 static void far_targets_are_values(void) {
   const double from[3] = {0.5, 0.25, 1.5}, to[3] = {1e300, -1e300, 1e300}, fixed[3] = {0.5, 1.75, 1.5};
   dsw_sweep s = sweep_at(DSW_LEVEL_EDGES_SWEPT, from, to, fixed);
-  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.time >= 0 && s.time < 1e-299 && s.along >= 0 && s.along <= 1);
+  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.time >= 0 && s.time < 1e-299 && s.edge_parameter >= 0 &&
+        s.edge_parameter <= 1);
   CHECK(s.position[0] >= 0 && s.position[0] <= 4 && s.position[1] >= 0 && s.position[1] <= 4);
   CHECK(s.point[0] >= 0 && s.point[0] <= 4 && s.point[1] >= 0 && s.point[1] <= 4);
 }
@@ -457,8 +472,8 @@ static void batches_are_the_same_for_any_sharing(void) {
   CHECK(h.parallel_calls == 3 && h.tasks > 3);
   for (i = 0; i < COUNT; ++i) {
     ++outcomes[sweeps[i].outcome];
-    ++kinds[sweeps[i].kind];
-    wires += sweeps[i].obstacle == DSW_CELL_EDGE;
+    ++kinds[sweeps[i].contact.kind];
+    wires += sweeps[i].contact.marked_kind == DSW_CELL_EDGE;
   }
   CHECK(outcomes[DSW_OUTCOME_REACHED] > 50 && outcomes[DSW_OUTCOME_OUTSIDE] > 50 && wires > 10);
   CHECK(outcomes[DSW_OUTCOME_IMPASSABLE] > 50 && kinds[DSW_CONTACT_PLANE] > 50 && kinds[DSW_CONTACT_EDGE] > 50);

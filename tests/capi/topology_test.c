@@ -83,7 +83,8 @@ static void merging_and_splitting_volumes(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_merge_volumes(g_env, face_at(0, 6), &merged));
   CHECK_OK(dsw_environment_merge_volumes(g_env, face_at(0, FACE_X1), &merged));
   CHECK(merged.index == 0 && merged.generation == 2);
-  CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
+  changes = change_of(g_env).volumes;
+  count = change_of(g_env).volume_count;
   CHECK(count == 2 && changes[0].before.index == 0 && changes[0].before.generation == 1);
   CHECK(count == 2 && changes[1].before.index == 1 && changes[1].after.index == 0 && changes[1].after.generation == 2);
   CHECK_OK(dsw_environment_get_volume_counts(g_env, merged, &type, &vertices, &edges, &faces));
@@ -92,7 +93,7 @@ static void merging_and_splitting_volumes(void) {
   CHECK_OK(dsw_environment_get_tag(g_env, merged, &tag));
   CHECK(tag == 100);
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_tag(g_env, volume_at(0), &tag));
-  CHECK_FAILS(DSW_STATUS_NOT_FOUND, dsw_environment_get_volume(g_env, 1, &parts[0]));
+  CHECK_FAILS(DSW_STATUS_NOT_FOUND, dsw_environment_get_volume_id(g_env, 1, &parts[0]));
 
   if (g_dimension == 3) bad_splits_in_space(merged);
   if (g_dimension == 2) bad_splits_in_the_plane(merged);
@@ -138,7 +139,7 @@ static void removing_and_adding_volumes(void) {
   }
   d.vertices = old;
   d.vertex_count = 8;
-  d.cell_count = 1;
+  d.volume_count = 1;
   d.connectivity = cube;
   d.connectivity_count = 8;
   d.regions = regions;
@@ -184,8 +185,8 @@ static void removing_and_adding_volumes(void) {
   CHECK_OK(dsw_environment_add_volumes(g_env, &d, &added, fresh));
   CHECK(added.index == 3 && fresh[0].index == 16 && fresh[3].index == 19);
   CHECK_OK(dsw_environment_remove_volumes(g_env, &added, 1));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_position(g_env, fresh[0], xyz));
-  CHECK_FAILS(DSW_STATUS_NOT_FOUND, dsw_environment_get_vertex(g_env, 16, fresh));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_vertex_position(g_env, fresh[0], xyz));
+  CHECK_FAILS(DSW_STATUS_NOT_FOUND, dsw_environment_get_vertex_id(g_env, 16, fresh));
   CHECK_OK(dsw_environment_add_volumes(g_env, &d, NULL, fresh));
   CHECK(fresh[0].generation == 2);
   end(4, 18);
@@ -218,14 +219,14 @@ static void faces_and_edges(void) {
   CHECK_OK(
       dsw_environment_split_edge(g_env, find_edge(corner_index(1, 0, 0), corner_index(1, 1, 0)), 0.25, &middle, parts));
   CHECK(middle.index == 16 && change_count() == 2);
-  CHECK_OK(dsw_environment_get_position(g_env, middle, xyz));
+  CHECK_OK(dsw_environment_get_vertex_position(g_env, middle, xyz));
   CHECK(xyz[0] == 1 && xyz[2] == 0 && (xyz[1] == 0.25 || xyz[1] == 0.75));
   CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_merge_edges(g_env, parts[0], corner(2, 0, 0), &merged));
   CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY,
               dsw_environment_merge_edges(g_env, find_edge(corner_index(1, 0, 0), corner_index(1, 0, 1)),
                                           corner(1, 0, 1), &merged));
   CHECK_OK(dsw_environment_merge_edges(g_env, parts[1], middle, &merged));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_position(g_env, middle, xyz));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_vertex_position(g_env, middle, xyz));
   /* Collapsing a long edge would take the cubes' corner off. */
   CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_collapse_edge(g_env, merged, corner(1, 0, 0)));
   CHECK_MESSAGE("outer boundary");
@@ -245,7 +246,7 @@ static void borrowed_points(void) {
   CHECK_OK(dsw_environment_create(NULL, &d, &g_env, NULL));
   CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_split_edge(g_env, edge_at(0, 0), 0.5, NULL, NULL));
   CHECK_OK(dsw_environment_remove_volumes(g_env, &last, 1));
-  CHECK_OK(dsw_environment_get_position(g_env, corner(3, 0, 0), xyz));
+  CHECK_OK(dsw_environment_get_vertex_position(g_env, corner(3, 0, 0), xyz));
   end(2, 10);
   grid_destroy(&g);
 }
@@ -276,7 +277,7 @@ static void what_is_inside(void) {
   CHECK(count == 1 && bodies[0].index == body.index);
   CHECK(part_count() == 1);
   CHECK_OK(dsw_environment_merge_volumes(g_env, wall(1), &merged));
-  CHECK_OK(dsw_particle_get(scene, particle, NULL, &where));
+  CHECK_OK(dsw_particle_get_position(scene, particle, NULL, &where));
   CHECK(where.index == merged.index && where.generation == merged.generation);
   second = make_scene(g_env, 0);
   CHECK_FAILS(DSW_STATUS_SHARED, dsw_environment_unsew_face(g_env, wall(2)));

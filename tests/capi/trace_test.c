@@ -10,7 +10,7 @@ static dsw_trace_data data_of(const dsw_trace *trace) {
   dsw_trace_data d;
   memset(&d, 0x55, sizeof d);
   d.struct_size = sizeof d;
-  CHECK_OK(dsw_trace_get(trace, &d));
+  CHECK_OK(dsw_trace_get_data(trace, &d));
   CHECK(d.struct_size == sizeof d && d.reserved == 0);
   return d;
 }
@@ -34,9 +34,9 @@ static void a_trace_is_empty_at_first(void) {
   dsw_trace_data d = data_of(trace);
   CHECK(d.point_count == 0 && d.vertex_count == 0 && d.segment_count == 0 && d.triangle_count == 0);
   d.struct_size = 8;
-  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_trace_get(trace, &d));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_trace_get(trace, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_trace_get(NULL, &d));
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_trace_get_data(trace, &d));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_trace_get_data(trace, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_trace_get_data(NULL, &d));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_trace_create(NULL, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_trace_clear(NULL));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_trace_clear((dsw_trace *)(void *)g_env));

@@ -92,14 +92,14 @@ TEST(Cpp, PointsComeAsNumbersRowsOrVectorsOfAProgram) {
   const std::vector<double> numbers = {0.5, 0.5, 0.5, 0.25, 0.5, 3};
   const std::vector<Row> rows = {{0.5, 0.5, 0.5}, {0.25, 0.5, 3}};
   const OwnVector own[] = {{0.5, 0.5, 0.5}, {0.25, 0.5, 3}};
-  const std::array<dsw_vec3, 2> structs = {{{0.5, 0.5, 0.5}, {0.25, 0.5, 3}}};
+  const std::array<Vec3, 2> structs = {{{0.5, 0.5, 0.5}, {0.25, 0.5, 3}}};
   std::vector<OwnVector> in_vector(own, own + 2);
   for (const Points points : {Points(numbers), Points(rows), Points(in_vector), Points(structs)}) {
     std::vector<dsw_volume_id> volumes(2, dsw_volume_id{7, 7});
     environment.locate_points(points, {}, volumes);
     EXPECT_FALSE(is_null(volumes[0]));
     EXPECT_TRUE(is_null(volumes[1]));
-    EXPECT_TRUE(equal(volumes[0], environment.get_volume(0)));
+    EXPECT_TRUE(equal(volumes[0], environment.get_volume_id(0)));
   }
   std::vector<dsw_volume_id> volumes(2);
   EXPECT_THROW(environment.locate_points(std::vector<double>(5), {}, volumes), WrongSize);
@@ -120,17 +120,17 @@ TEST(Cpp, ABodyMovesAndItsContactsAreRead) {
   Body body(scene, scene.create_body(rod, std::vector<std::uint32_t>{0, 1}));
   for (Row &at : rod) at[2] = 2;
   const dsw_move_report report = body.move(rod);
-  const Array<dsw_contact> contacts = body.get_contacts();
+  const Array<dsw_body_contact> contacts = body.get_contacts();
   ASSERT_EQ(contacts.size(), report.contact_count);
   ASSERT_EQ(contacts.size(), 2u);
-  for (const dsw_contact &contact : contacts) EXPECT_EQ(contact.position[2], 1);
+  for (const dsw_body_contact &contact : contacts) EXPECT_EQ(contact.position[2], 1);
   EXPECT_EQ(contacts[1].vertex.index, contacts.get(1).vertex.index);
   EXPECT_THROW(contacts.get(2), OutOfRange);
   std::vector<Row> now(2);
   body.get_positions(now);
   EXPECT_EQ(now[0][0], 0.25);
   EXPECT_LT(now[0][2], 1);
-  const dsw_contact *lent = nullptr;
+  const dsw_body_contact *lent = nullptr;
   std::size_t count = 0;
   check(dsw_body_get_contacts(scene.handle(), body.id(), &lent, &count));
   EXPECT_EQ(count, contacts.size());
@@ -138,16 +138,31 @@ TEST(Cpp, ABodyMovesAndItsContactsAreRead) {
 
 TEST(Cpp, LentPointsLiveAsLongAsTheyAreRead) {
   Environment environment = cube();
-  Scene scene = deforming_scene(environment);
+  const Scene scene = deforming_scene(environment);
   auto next = std::make_shared<std::vector<Row>>(kCorners);
   for (Row &at : *next) at[0] *= 2;
   const std::weak_ptr<void> watched = next;
-  EXPECT_EQ(scene.deform(Lent(std::move(next))).outcome, DSW_DEFORM_DONE);
+  EXPECT_EQ(environment.deform(Lent(std::move(next))).outcome, DSW_DEFORM_DONE);
   EXPECT_FALSE(watched.expired());
   EXPECT_EQ(environment.get_points()[3], 2);
-  EXPECT_EQ(environment.get_position(environment.get_vertex(1))[0], 2);
-  scene.deform(Lent(std::make_shared<std::vector<Row>>(kCorners)));
+  EXPECT_EQ(environment.get_vertex_position(environment.get_vertex_id(1))[0], 2);
+  environment.deform(Lent(std::make_shared<std::vector<Row>>(kCorners)));
   EXPECT_TRUE(watched.expired());
+}
+
+TEST(Cpp, AChangeOwnsItsLists) {
+  Environment environment = cube();
+  const std::vector<Row> blade = {{-1, -1, 0.5}, {2, -1, 0.5}, {-1, 2, 0.5}, {2, 2, 0.5}};
+  Change cut = environment.cut(blade, 2, 2);
+  environment.remove_volumes(std::vector<dsw_volume_id>{environment.get_volume_id(0)});
+  const Change last = environment.get_change(), kept = std::move(cut);
+  EXPECT_EQ(kept.volumes_split, 1u);
+  ASSERT_EQ(kept.volume_count, 2u);
+  EXPECT_EQ(kept.volumes[0].before.generation, 1u);
+  EXPECT_EQ(kept.get_faces().size(), kept.face_count);
+  ASSERT_EQ(last.volume_count, 1u);
+  EXPECT_TRUE(is_null(last.volumes[0].after));
+  EXPECT_EQ(last.volumes_split, 0u);
 }
 
 TEST(Cpp, TrianglesMakeThePlane) {

@@ -37,7 +37,7 @@ EnvironmentPtr create_or_thin_out(Mesh& mesh) {
   for (int round = 0; round < 10; ++round) {
     const DescArrays arrays(mesh, {});
     dsw_environment_desc desc = arrays.desc;
-    desc.flags = DSW_ENVIRONMENT_LOCATE_GRID;
+    desc.flags = DSW_ENVIRONMENT_LOCATE_TREE;
     dsw_build_report report;
     report.struct_size = sizeof report;
     dsw_environment* environment = nullptr;
@@ -111,9 +111,9 @@ TEST_P(RealMeshTest, CastsAndMovesAgreeWithTheOracle) {
   for (int i = 0; i < rounds; ++i) {
     const Vec p = rng.chance(0.5) ? motions.start() : motions.site();
     dsw_volume_id found;
-    dsw_place where;
+    dsw_location where;
     ASSERT_EQ(dsw_environment_locate(place.get(), p.data(), {0, 0}, &found, &where), DSW_STATUS_OK);
-    if (where == DSW_PLACE_OUTSIDE) continue;
+    if (where == DSW_LOCATION_OUTSIDE) continue;
     ASSERT_TRUE(world.contains(static_cast<int>(found.index), world.body(p.data()))) << hex(p) << " in " << found.index;
     Vec q = motions.target(p);
     if (rng.chance(0.8) && std::fabs(q[0]) < 1e10 && std::fabs(q[1]) < 1e10 && std::fabs(q[2]) < 1e10) {

@@ -31,7 +31,7 @@ dsw_status Calls::make() {
 
 dsw_volume_id Calls::volume() {
   dsw_volume_id id = {bytes_.byte(), bytes_.below(4)};
-  if (!wild()) dsw_environment_get_volume(environment_, id.index % most_volumes_, &id);
+  if (!wild()) dsw_environment_get_volume_id(environment_, id.index % most_volumes_, &id);
   return id;
 }
 
@@ -47,7 +47,7 @@ dsw_edge_id Calls::edge() {
 
 dsw_vertex_id Calls::vertex() {
   dsw_vertex_id id = {bytes_.byte(), bytes_.below(4)};
-  if (!wild()) dsw_environment_get_vertex(environment_, id.index % most_vertices_, &id);
+  if (!wild()) dsw_environment_get_vertex_id(environment_, id.index % most_vertices_, &id);
   return id;
 }
 
@@ -63,13 +63,13 @@ dsw_body_id Calls::body() {
   dsw_body_id ids[64];
   size_t count = 0;
   const uint32_t i = bytes_.byte();
-  if (wild() || dsw_scene_get_bodies(scene_, ids, 64, &count) != DSW_STATUS_OK || count == 0) return {i, 1};
+  if (wild() || dsw_scene_get_body_ids(scene_, ids, 64, &count) != DSW_STATUS_OK || count == 0) return {i, 1};
   return ids[i % count];
 }
 
 dsw_body_vertex_id Calls::body_vertex(dsw_body_id of) {
   dsw_body_vertex_id id = {bytes_.below(12), bytes_.below(4)};
-  if (!wild()) dsw_body_get_vertex(scene_, of, id.index, &id);
+  if (!wild()) dsw_body_get_vertex_id(scene_, of, id.index, &id);
   return id;
 }
 
@@ -77,7 +77,7 @@ dsw_body_edge_id Calls::body_edge(dsw_body_id of) {
   dsw_body_edge_id ids[64];
   size_t count = 0;
   const uint32_t i = bytes_.byte();
-  if (wild() || dsw_body_get_edges(scene_, of, ids, 64, &count) != DSW_STATUS_OK || count == 0) return {i, 1};
+  if (wild() || dsw_body_get_edge_ids(scene_, of, ids, 64, &count) != DSW_STATUS_OK || count == 0) return {i, 1};
   return ids[i % count];
 }
 
@@ -85,7 +85,7 @@ dsw_body_face_id Calls::body_face(dsw_body_id of) {
   dsw_body_face_id ids[64];
   size_t count = 0;
   const uint32_t i = bytes_.byte();
-  if (wild() || dsw_body_get_faces(scene_, of, ids, 64, &count) != DSW_STATUS_OK || count == 0) return {i, 1};
+  if (wild() || dsw_body_get_face_ids(scene_, of, ids, 64, &count) != DSW_STATUS_OK || count == 0) return {i, 1};
   return ids[i % count];
 }
 
@@ -194,7 +194,7 @@ dsw_status Calls::add_volumes() {
   desc.points = points;
   desc.point_count = needed - count;
   desc.uniform_cell_type = dimension_ == 3 ? DSW_CELL_TYPE_TETRA : DSW_CELL_TYPE_TRIANGLE;
-  desc.cell_count = 1;
+  desc.volume_count = 1;
   desc.connectivity = dimension_ == 3 ? tetrahedron : triangle;
   desc.connectivity_count = needed;
   if (bytes_.below(2) == 0) {
@@ -229,16 +229,16 @@ dsw_status Calls::cut(uint32_t which) {
       return dsw_environment_tear_faces(environment_, faces, loads, 2, bytes_.number(), nullptr);
     }
     case 3: {
-      const dsw_cut_face* faces = nullptr;
-      size_t count = 0;
-      dsw_environment_get_cut_faces(environment_, &faces, &count);
-      const std::vector<dsw_cut_face> crack(faces, faces + count);
-      dsw_open_desc d;
-      dsw_open_desc_init(&d, sizeof d);
+      dsw_change change;
+      change.struct_size = sizeof change;
+      dsw_environment_get_change(environment_, &change);
+      const std::vector<dsw_cut_face> crack(change.faces, change.faces + change.face_count);
+      dsw_open_crack_desc d;
+      dsw_open_crack_desc_init(&d, sizeof d);
       d.faces = crack.data();
       d.face_count = crack.size();
       d.width = bytes_.below(16) / 32.0;
-      return dsw_environment_open(environment_, &d, nullptr);
+      return dsw_environment_open_crack(environment_, &d, nullptr);
     }
     case 4: {
       const uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
@@ -268,7 +268,7 @@ dsw_status Calls::cut(uint32_t which) {
       d.volume = volume();
       d.level = static_cast<dsw_level>(bytes_.below(5));
       dsw_body_id body_id;
-      return dsw_scene_detach(scene_, &d, &body_id, nullptr);
+      return dsw_environment_detach(dsw_scene_get_environment(scene_), &d, &body_id, nullptr);
     }
     default:
       return remesh();
@@ -307,7 +307,7 @@ dsw_status Calls::deform() {
     for (size_t k = 0; k < dimension_; ++k) next[dimension_ * v + k] += static_cast<int8_t>(bytes_.byte()) / 100.0;
   }
   if (wild()) next[dimension_ * (bytes_.byte() % count)] = bytes_.number();
-  return dsw_scene_deform(scene_, next.data(), count, &o, nullptr);
+  return dsw_environment_deform(dsw_scene_get_environment(scene_), next.data(), count, &o, nullptr);
 }
 
 }  // namespace dsw_fuzz

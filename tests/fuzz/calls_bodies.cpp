@@ -10,7 +10,7 @@ dsw_status Calls::use_particles(uint32_t which) {
   dsw_flight flights[3];
   dsw_cast_options o;
   dsw_cast_options_init(&o, sizeof o);
-  o.max_cells = bytes_.below(4);
+  o.max_volumes = bytes_.below(4);
   switch (which) {
     case 0: {
       dsw_particle_id id;
@@ -110,7 +110,7 @@ dsw_move_options Calls::options() {
   o.edge_response = static_cast<dsw_response>(bytes_.below(7));
   o.search = static_cast<dsw_search>(bytes_.below(4));
   o.bisection_depth = bytes_.below(12);
-  o.max_cells = bytes_.below(8) == 0 ? bytes_.below(20) : 0;
+  o.max_volumes = bytes_.below(8) == 0 ? bytes_.below(20) : 0;
   o.min_length = 0.01;  // or edges are split for ever
   o.noise_share = bytes_.below(2) * 0.02;
   o.stand_off = wild() ? bytes_.number() : 0;

@@ -87,11 +87,10 @@ dsw_status Calls::look_at_cells() {
   int32_t region;
   Answers answers;
   answers << dsw_environment_get_volume_counts(e, v, &type, counts, counts + 1, counts + 2)
-          << dsw_environment_get_volume_face(e, v, local, &face_out)
-          << dsw_environment_get_volume_edge(e, v, local, &edge_out)
+          << dsw_environment_get_face_id(e, v, local, &face_out) << dsw_environment_get_edge_id(e, v, local, &edge_out)
           << dsw_environment_get_face_volumes(e, f, &near_side, &far_side)
           << dsw_environment_get_neighbour(e, v, local, &near_side, &flag) << dsw_environment_get_centre(e, v, xyz)
-          << dsw_environment_get_position(e, corner, xyz) << dsw_environment_get_region(e, v, &region)
+          << dsw_environment_get_vertex_position(e, corner, xyz) << dsw_environment_get_region(e, v, &region)
           << dsw_environment_get_tag(e, v, &tag) << dsw_environment_is_valid(e, v, &flag)
           << dsw_environment_is_marked(e, cell, &flag) << dsw_environment_is_impassable(e, cell, &flag);
   for (const dsw_cell& each : {cell, dsw_cell{DSW_CELL_FACE, f.volume, f.generation, local},
@@ -111,16 +110,25 @@ dsw_status Calls::look_at_cells() {
 }
 
 dsw_status Calls::look_at_changes() {
-  const auto of_environment = [&](auto get) {
-    return [this, get](auto items, size_t* count) { return get(environment_, items, count); };
-  };
+  dsw_change change;
+  change.struct_size = sizeof change;
   Answers answers;
-  answers << read_all<dsw_volume_change>(of_environment(dsw_environment_get_volume_changes))
-          << read_all<dsw_cut_vertex>(of_environment(dsw_environment_get_cut_vertices))
-          << read_all<dsw_cut_face>(of_environment(dsw_environment_get_cut_faces))
-          << read_all<dsw_volume_id>(of_environment(dsw_environment_get_whole_volumes))
-          << read_all<dsw_volume_id>(of_environment(dsw_environment_get_carved_volumes))
-          << read_all<dsw_volume_id>(of_environment(dsw_environment_get_unmended_volumes));
+  answers << dsw_environment_get_change(environment_, &change);
+  const auto read = [](const auto* items, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+      const auto copy = items[i];
+      static_cast<void>(copy);
+    }
+  };
+  read(change.volumes, change.volume_count);
+  read(change.vertices, change.vertex_count);
+  read(change.faces, change.face_count);
+  read(change.whole, change.whole_count);
+  read(change.carved, change.carved_count);
+  read(change.unrepaired, change.unrepaired_count);
+  read(change.detached, change.detached_count);
+  read(change.body_vertices, change.body_vertex_count);
+  read(change.body_faces, change.body_face_count);
   dsw_build_report report;
   report.struct_size = sizeof report;
   // Not always: it takes longer than most calls.
@@ -144,12 +152,12 @@ dsw_status Calls::look_at_scene() {
   double positions[6];
   dsw_volume_id volumes[2];
   Answers answers;
-  answers << read_all<dsw_volume_id>(of_scene(dsw_scene_get_detached_volumes))
-          << read_all<dsw_detached_vertex>(of_scene(dsw_scene_get_detached_vertices))
-          << read_all<dsw_detached_face>(of_scene(dsw_scene_get_detached_faces))
-          << read_all<dsw_wall_contact>(of_scene(dsw_scene_get_wall_contacts))
-          << read_all<dsw_vertex_id>(of_scene(dsw_scene_get_held_vertices))
-          << read_all<dsw_volume_id>(of_scene(dsw_scene_get_invalid_volumes))
+  const auto of_environment = [&](auto get) {
+    return [this, get](auto items, size_t* items_count) { return get(environment_, items, items_count); };
+  };
+  answers << read_all<dsw_wall_contact>(of_environment(dsw_environment_get_wall_contacts))
+          << read_all<dsw_vertex_id>(of_environment(dsw_environment_get_held_vertices))
+          << read_all<dsw_volume_id>(of_environment(dsw_environment_get_invalid_volumes))
           << read_all<dsw_particle_id>(of_scene(dsw_scene_get_occupants))
           << read_all<dsw_body_id>(of_scene(dsw_scene_get_occupant_bodies))
           << read_all<uint32_t[2]>([&](const uint32_t(**items)[2], size_t* pairs) {
@@ -159,10 +167,11 @@ dsw_status Calls::look_at_scene() {
                return status;
              })
           << copy_all<dsw_particle_id>(copied(dsw_scene_get_particle_ids))
-          << copy_all<dsw_body_id>(copied(dsw_scene_get_bodies)) << dsw_scene_get_statistics(scene_, &statistics)
+          << copy_all<dsw_body_id>(copied(dsw_scene_get_body_ids)) << dsw_scene_get_statistics(scene_, &statistics)
           << dsw_scene_get_memory_bytes(scene_, &memory) << dsw_scene_get_particle_count(scene_, &count)
-          << dsw_scene_get_body_count(scene_, &count) << dsw_scene_get_particles(scene_, ids, 2, positions, 0, volumes)
-          << dsw_particle_get(scene_, ids[0], positions, volumes);
+          << dsw_scene_get_body_count(scene_, &count)
+          << dsw_scene_get_particle_positions(scene_, ids, 2, positions, 0, volumes)
+          << dsw_particle_get_position(scene_, ids[0], positions, volumes);
   const dsw_status status = dsw_scene_get_crossings(scene_, &crossings, &first, &flights);
   if (status == DSW_STATUS_OK && flights != 0) {
     require(first[0] == 0 && (first[flights] == 0 || crossings[first[flights] - 1].time <= 1), "crossings can be read");
@@ -188,16 +197,16 @@ dsw_status Calls::look_at_body() {
   uint32_t category, mask;
   dsw_body_vertex_id corners[3];
   return Answers() << dsw_body_get_level(scene_, id, &level) << dsw_body_get_filter(scene_, id, &category, &mask)
-                   << dsw_body_get_edge(scene_, id, body_edge(id), corners)
-                   << dsw_body_get_face(scene_, id, body_face(id), corners)
-                   << copy_all<dsw_body_vertex_id>(copied(dsw_body_get_vertices))
-                   << copy_all<dsw_body_edge_id>(copied(dsw_body_get_edges))
-                   << copy_all<dsw_body_face_id>(copied(dsw_body_get_faces))
-                   << copy_all<std::array<uint32_t, 2>>(tuples(dsw_body_get_edge_vertices))
-                   << copy_all<std::array<uint32_t, 3>>(tuples(dsw_body_get_face_vertices))
-                   << read_all<dsw_contact>(of_body(dsw_body_get_contacts))
+                   << dsw_body_get_edge_ends(scene_, id, body_edge(id), corners)
+                   << dsw_body_get_face_corners(scene_, id, body_face(id), corners)
+                   << copy_all<dsw_body_vertex_id>(copied(dsw_body_get_vertex_ids))
+                   << copy_all<dsw_body_edge_id>(copied(dsw_body_get_edge_ids))
+                   << copy_all<dsw_body_face_id>(copied(dsw_body_get_face_ids))
+                   << copy_all<std::array<uint32_t, 2>>(tuples(dsw_body_get_edge_indices))
+                   << copy_all<std::array<uint32_t, 3>>(tuples(dsw_body_get_face_indices))
+                   << read_all<dsw_body_contact>(of_body(dsw_body_get_contacts))
                    << read_all<dsw_contact_partner>(of_body(dsw_body_get_contact_partners))
-                   << read_all<dsw_contact_past>(of_body(dsw_body_get_contact_pasts))
+                   << read_all<dsw_previous_contact>(of_body(dsw_body_get_previous_contacts))
                    << read_all<dsw_body_edit>(of_body(dsw_body_get_edits));
 }
 
@@ -211,13 +220,13 @@ dsw_status Calls::ask() {
   dsw_cast_options cast;
   dsw_cast_options_init(&cast, sizeof cast);
   cast.flags = bytes_.below(5);
-  cast.max_cells = bytes_.below(4);
+  cast.max_volumes = bytes_.below(4);
   dsw_sweep_options sweep;
   dsw_sweep_options_init(&sweep, sizeof sweep);
   sweep.flags = bytes_.below(5);
   sweep.level = static_cast<dsw_level>(bytes_.below(5));
   dsw_volume_id volumes[2];
-  dsw_place places[2];
+  dsw_location places[2];
   dsw_cell cell;
   dsw_flight flights[2];
   dsw_sweep sweeps[2];
@@ -252,16 +261,17 @@ dsw_status Calls::draw() {
   if (dsw_environment_cast(environment_, {0, 0}, points, points + dimension_, nullptr, &flight) == DSW_STATUS_OK) {
     answers << dsw_trace_add_contact(trace, &flight, bytes_.number(), 4);
   }
-  require(dsw_trace_get(trace, &data) == DSW_STATUS_OK, "a trace can be read");
+  require(dsw_trace_get_data(trace, &data) == DSW_STATUS_OK, "a trace can be read");
   for (size_t i = 0; i < 3 * data.triangle_count; ++i) require(data.triangles[i] < data.point_count, "a point");
   for (size_t i = 0; i < 2 * data.segment_count; ++i) require(data.segments[i] < data.point_count, "a point");
   for (size_t i = 0; i < data.vertex_count; ++i) require(data.vertices[i] < data.point_count, "a point");
   answers << dsw_trace_clear(trace) << dsw_trace_destroy(trace);
-  const dsw_contact* contacts = nullptr;
+  const dsw_body_contact* contacts = nullptr;
   size_t count = 0;
   dsw_body_get_contacts(scene_, body(), &contacts, &count);
-  dsw_contact_opinion opinion;
-  for (size_t i = 0; i < count && i < 4; ++i) answers << dsw_contact_check(environment_, contacts + i, &opinion);
+  dsw_cross_check opinion;
+  for (size_t i = 0; i < count && i < 4; ++i)
+    answers << dsw_environment_cross_check(environment_, contacts + i, &opinion);
   return answers;
 }
 

@@ -122,7 +122,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   }
   desc.points = mesh.points.data();
   desc.point_count = mesh.points.size() / 3;
-  desc.cell_count = mesh.types.size();
+  desc.volume_count = mesh.types.size();
   desc.cell_types = uniform ? nullptr : mesh.types.data();
   desc.uniform_cell_type = uniform && !mesh.types.empty() ? mesh.types[0] : 0;
   desc.offsets = uniform && no_offsets ? nullptr : pick(offsets, mesh.offsets);

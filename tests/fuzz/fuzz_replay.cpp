@@ -115,19 +115,19 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
                     "a recording opens");
   dsw_replay_report report;
   dsw_status status;
-  dsw_verdict verdict;
-  verdict.struct_size = sizeof verdict;
+  dsw_validation validation;
+  validation.struct_size = sizeof validation;
   do {
     char text[64];
     size_t text_size = 0;
     status = dsw_replay_describe_next(replay, text, sizeof text, &text_size);
     dsw_fuzz::require(status == DSW_STATUS_OK || status == DSW_STATUS_CORRUPT, dsw_last_error_message());
-    status = dsw_replay_step_judged(replay, &report, &verdict);
+    status = dsw_replay_step_validated(replay, &report, &validation);
     dsw_fuzz::require(status == DSW_STATUS_OK || status == DSW_STATUS_CORRUPT || status == DSW_STATUS_UNSUPPORTED ||
                           status == DSW_STATUS_BAD_STRUCT_SIZE,
                       dsw_last_error_message());
     dsw_fuzz::require(status != DSW_STATUS_OK || report.status != DSW_STATUS_INTERNAL, dsw_last_error_message());
-    dsw_fuzz::require(status != DSW_STATUS_OK || verdict.is_right == 1, verdict.text);
+    dsw_fuzz::require(status != DSW_STATUS_OK || validation.is_right == 1, validation.text);
   } while (status == DSW_STATUS_OK && report.outcome != DSW_REPLAY_END);
   dsw_scene* scene = nullptr;
   dsw_fuzz::require(dsw_replay_get_scene(replay, &scene) == DSW_STATUS_OK, "a replay has a scene");

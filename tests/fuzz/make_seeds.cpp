@@ -202,7 +202,7 @@ std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked, boo
   desc.points = points.data();
   desc.point_count = mesh.points.size();
   desc.cell_types = types.data();
-  desc.cell_count = types.size();
+  desc.volume_count = types.size();
   desc.offsets = offsets.data();
   desc.connectivity = connectivity.data();
   desc.connectivity_count = connectivity.size();
@@ -269,19 +269,19 @@ int main(int argc, char** argv) {
   } seeds[] = {
       {"hexahedra", two_hexahedra(), kLabelled, 0},
       {"uniform_hexahedra", two_hexahedra(), kUniform | kNoOffsets | kNarrow, DSW_ENVIRONMENT_BORROW_POINTS},
-      {"warped_hexahedra", warped_hexahedra(), kLabelled | kNarrow, DSW_ENVIRONMENT_LOCATE_GRID},
+      {"warped_hexahedra", warped_hexahedra(), kLabelled | kNarrow, DSW_ENVIRONMENT_LOCATE_TREE},
       {"polyhedra", two_polyhedra(), kLabelled, DSW_ENVIRONMENT_CHECK_BOUNDARY},
       {"polyhedra_faces_apart", two_polyhedra(), kFacesApart | kNarrow, 0},
-      {"pyramids", six_pyramids(), kLabelled, DSW_ENVIRONMENT_LOCATE_GRID | DSW_ENVIRONMENT_CHECK_BOUNDARY},
+      {"pyramids", six_pyramids(), kLabelled, DSW_ENVIRONMENT_LOCATE_TREE | DSW_ENVIRONMENT_CHECK_BOUNDARY},
       {"mixed", mixed(), kLabelled, 0},
       {"tetrahedra", tetrahedra(), kUniform | kNoOffsets, 0},
       {"damaged_tetrahedra", tetrahedra(), kDamaged, 0},
-      {"plane", plane(), kPlanar | kLabelled, DSW_ENVIRONMENT_LOCATE_GRID | DSW_ENVIRONMENT_CHECK_BOUNDARY},
+      {"plane", plane(), kPlanar | kLabelled, DSW_ENVIRONMENT_LOCATE_TREE | DSW_ENVIRONMENT_CHECK_BOUNDARY},
       {"reoriented_wedges", mixed(), kLabelled, DSW_ENVIRONMENT_REORIENT},
   };
   for (const auto& seed : seeds) {
     write(folder / "create" / seed.name, encode(seed.mesh, seed.layout, seed.flags));
-    const uint32_t flags = seed.flags & uint32_t{DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_GRID};
+    const uint32_t flags = seed.flags & uint32_t{DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_TREE};
     const bool marked = (seed.layout & kLabelled) != 0;
     write(folder / "snapshot" / seed.name, snapshot(seed.mesh, flags, marked, false));
     write(folder / "snapshot" / (std::string(seed.name) + "_changed"), snapshot(seed.mesh, flags, marked, true));

@@ -13,7 +13,7 @@ bool is_finite(const double* xyz) { return std::isfinite(xyz[0]) && std::isfinit
 dsw_volume_id pick_volume(const dsw_environment* environment, Bytes* bytes) {
   dsw_volume_id id = {0, 0};
   const uint32_t index = bytes->below(info_of(environment).volume_count + 1);
-  dsw_environment_get_volume(environment, index, &id);  // one past the end leaves null
+  dsw_environment_get_volume_id(environment, index, &id);  // one past the end leaves null
   return id;
 }
 
@@ -28,16 +28,16 @@ void locate_something(const dsw_environment* environment, bool is_partition, Byt
   read_point(environment, bytes, point);
   dsw_volume_id volume = {0, 0}, hinted = {0, 0};
   const dsw_volume_id hint = pick_volume(environment, bytes), none = {0, 0};
-  dsw_place place = DSW_PLACE_NONE;
+  dsw_location place = DSW_LOCATION_NONE;
   const dsw_status status = dsw_environment_locate(environment, point, none, &volume, &place);
   require((status == DSW_STATUS_OK) == is_finite(point), "locate answers every finite point and no other");
   if (status != DSW_STATUS_OK) return;
-  require((place == DSW_PLACE_OUTSIDE) == (volume.generation == 0), "outside is the null id");
+  require((place == DSW_LOCATION_OUTSIDE) == (volume.generation == 0), "outside is the null id");
   require(dsw_environment_locate(environment, point, hint, &hinted, nullptr) == DSW_STATUS_OK, "locate with a hint");
   if (is_partition) {
     require(hinted.index == volume.index && hinted.generation == volume.generation, "a hint changes no answer");
   }
-  if (place == DSW_PLACE_OUTSIDE) return;
+  if (place == DSW_LOCATION_OUTSIDE) return;
   dsw_cell cell;
   require(dsw_environment_classify(environment, point, volume, &cell) == DSW_STATUS_OK, "a located point has a cell");
   dsw_nearest nearest;
@@ -54,14 +54,17 @@ void check_sweep(const dsw_sweep& s, bool is_limited) {
   require(s.outcome != DSW_OUTCOME_REACHED || s.time == 1.0, "what came through came through");
   require((s.outcome == DSW_OUTCOME_OUTSIDE) == (s.volume.generation == 0), "the moving end has a volume");
   const bool contact = s.outcome == DSW_OUTCOME_CONTACT;
-  require(contact == (s.kind != DSW_CONTACT_NONE) && contact == (s.front.generation != 0), "a contact, or none");
-  require(s.kind == DSW_CONTACT_EDGE || s.kind == DSW_CONTACT_VERTEX || s.edge.generation == 0,
-          "an edge or vertex with that kind only");
-  require((s.obstacle == DSW_CELL_FACE || s.obstacle == DSW_CELL_VOLUME) == (s.face.generation != 0), "met a face");
-  require((s.obstacle == DSW_CELL_NONE) != contact && s.reserved == 0, "a contact has an obstacle");
+  require(contact == (s.contact.kind != DSW_CONTACT_NONE) && contact == (s.contact.front.generation != 0),
+          "a contact, or none");
+  require((s.contact.obstacle.kind == DSW_CELL_NONE) == !contact, "a contact has an obstacle");
+  require((s.contact.marked_kind == DSW_CELL_FACE || s.contact.marked_kind == DSW_CELL_VOLUME) ==
+              (s.contact.wall.generation != 0),
+          "met a face");
+  require((s.contact.marked_kind == DSW_CELL_NONE) != contact, "a contact has a mark");
   if (!contact) return;
-  require(is_finite(s.point) && s.along >= 0.0 && s.along <= 1.0, "a contact has a place on the edge");
-  require(is_unit(s.normal), "a contact has a unit normal");
+  require(is_finite(s.point) && s.edge_parameter >= 0.0 && s.edge_parameter <= 1.0,
+          "a contact has a place on the edge");
+  require(is_unit(s.contact.normal), "a contact has a unit normal");
 }
 
 void sweep_something(const dsw_environment* environment, bool is_partition, Bytes* bytes) {
@@ -69,9 +72,9 @@ void sweep_something(const dsw_environment* environment, bool is_partition, Byte
   const dsw_volume_id start = pick_volume(environment, bytes);
   dsw_sweep_options options;
   dsw_sweep_options_init(&options, sizeof options);
-  options.max_cells = bytes->below(16) * 2;
+  options.max_volumes = bytes->below(16) * 2;
   for (double* each : {from, to, fixed}) read_point(environment, bytes, each);
-  const bool is_limited = options.max_cells != 0;
+  const bool is_limited = options.max_volumes != 0;
   dsw_sweep found[DSW_LEVEL_EDGES_SWEPT + 1];
   for (int level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES_SWEPT; ++level) {
     options.level = static_cast<dsw_level>(level);
@@ -102,20 +105,20 @@ void move_particle(dsw_scene* scene, bool is_partition, Bytes* bytes) {
     read_point(environment, bytes, target);
     dsw_cast_options options;
     dsw_cast_options_init(&options, sizeof options);
-    options.max_cells = bytes->below(4);
+    options.max_volumes = bytes->below(4);
     dsw_flight flight;
     const dsw_status status = dsw_particle_move(scene, particle, target, &options, &flight);
     require((status == DSW_STATUS_OK) == is_finite(target), "a move to every finite target and no other");
     if (status != DSW_STATUS_OK) continue;
     dsw_volume_id volume, found;
-    dsw_place place;
-    require(dsw_particle_get(scene, particle, position, &volume) == DSW_STATUS_OK, "a particle can be read");
+    dsw_location place;
+    require(dsw_particle_get_position(scene, particle, position, &volume) == DSW_STATUS_OK, "a particle can be read");
     require(is_finite(position) && flight.time >= 0.0 && flight.time <= 1.0, "position and time are numbers");
     require(dsw_environment_locate(environment, position, volume, &found, &place) == DSW_STATUS_OK,
             "locate a particle");
     if (!is_partition) continue;
     require(found.index == volume.index && found.generation == volume.generation, "a particle lies in its volume");
-    require(place == DSW_PLACE_PASSABLE, "a particle is free");
+    require(place == DSW_LOCATION_PASSABLE, "a particle is free");
   }
 }
 

@@ -41,9 +41,9 @@ struct Subject {
     require(dsw_body_get_positions(scene, id, positions.data(), volumes.size(), 0, volumes.data(), &n) == DSW_STATUS_OK,
             "positions can be read");
     require(n == counts.vertex_slots, "one position a slot");
-    require(dsw_body_get_vertices(scene, id, vertices.data(), vertices.size(), &n) == DSW_STATUS_OK, "vertices");
-    require(dsw_body_get_edges(scene, id, edges.data(), edges.size(), &n) == DSW_STATUS_OK, "edges");
-    require(dsw_body_get_faces(scene, id, faces.data(), faces.size(), &n) == DSW_STATUS_OK, "faces");
+    require(dsw_body_get_vertex_ids(scene, id, vertices.data(), vertices.size(), &n) == DSW_STATUS_OK, "vertices");
+    require(dsw_body_get_edge_ids(scene, id, edges.data(), edges.size(), &n) == DSW_STATUS_OK, "edges");
+    require(dsw_body_get_face_ids(scene, id, faces.data(), faces.size(), &n) == DSW_STATUS_OK, "faces");
   }
   const double* at(uint32_t vertex) const { return positions.data() + dimension * vertex; }
 
@@ -76,7 +76,7 @@ void check_body(Subject* s) {
   require(dsw_body_get_level(s->scene, s->id, &level) == DSW_STATUS_OK, "a body has a level");
   for (const dsw_body_edge_id edge : s->edges) {
     dsw_body_vertex_id ends[2];
-    require(dsw_body_get_edge(s->scene, s->id, edge, ends) == DSW_STATUS_OK, "an edge has ends");
+    require(dsw_body_get_edge_ends(s->scene, s->id, edge, ends) == DSW_STATUS_OK, "an edge has ends");
     require(ends[0].index != ends[1].index && ends[0].generation != 0 && ends[1].generation != 0, "two living ends");
     if (level == DSW_LEVEL_POINTS || !s->is_partition) continue;
     check_edge_is_free(*s, ends[0].index, ends[1].index);
@@ -84,7 +84,7 @@ void check_body(Subject* s) {
   }
   for (const dsw_body_face_id face : s->faces) {
     dsw_body_vertex_id corners[3];
-    require(dsw_body_get_face(s->scene, s->id, face, corners) == DSW_STATUS_OK, "a face has corners");
+    require(dsw_body_get_face_corners(s->scene, s->id, face, corners) == DSW_STATUS_OK, "a face has corners");
     require(corners[0].index != corners[1].index && corners[1].index != corners[2].index &&
                 corners[2].index != corners[0].index,
             "three of them");
@@ -92,25 +92,25 @@ void check_body(Subject* s) {
   if (!s->is_partition) return;
   for (const dsw_body_vertex_id vertex : s->vertices) {
     dsw_volume_id found;
-    dsw_place place;
+    dsw_location place;
     require(dsw_environment_locate(environment, s->at(vertex.index), s->volumes[vertex.index], &found, &place) ==
                 DSW_STATUS_OK,
             "locate a vertex");
-    require(place == DSW_PLACE_PASSABLE && found.index == s->volumes[vertex.index].index, "a vertex is where it says");
+    require(place == DSW_LOCATION_PASSABLE && found.index == s->volumes[vertex.index].index, "a vertex is where it says");
   }
   require(dsw_body_set_level(s->scene, s->id, DSW_LEVEL_POINTS) == DSW_STATUS_OK, "a level can be lowered");
   require(dsw_body_set_level(s->scene, s->id, level) == DSW_STATUS_OK, "a body is free at its level");
 }
 
-void check_contact(const Subject& s, const dsw_contact& c, dsw_search search) {
-  require(c.time >= 0 && c.time <= 1 && c.along >= 0 && c.along <= 1, "a contact has a time and a place on the edge");
-  require(is_unit(c.normal) && all_finite(c.point, 3) && all_finite(c.position, 3), "normal, point and position");
-  require(c.kind != DSW_CONTACT_NONE && c.obstacle.kind != DSW_CELL_NONE && c.cause != DSW_CELL_NONE, "with something");
+void check_contact(const Subject& s, const dsw_body_contact& c, dsw_search search) {
+  require(c.time >= 0 && c.time <= 1 && c.edge_parameter >= 0 && c.edge_parameter <= 1, "a contact has a time and a place on the edge");
+  require(is_unit(c.contact.normal) && all_finite(c.point, 3) && all_finite(c.position, 3), "normal, point and position");
+  require(c.contact.kind != DSW_CONTACT_NONE && c.contact.obstacle.kind != DSW_CELL_NONE && c.contact.marked_kind != DSW_CELL_NONE, "with something");
   require(c.history == DSW_HISTORY_NEW || c.history == DSW_HISTORY_LASTING, "new or lasting");
   require(c.edge.generation == 0 || c.face.generation == 0, "an edge or a face");
-  require(c.vertex.generation != 0 && c.front.generation != 0 && c.distance_left >= 0, "a contact is whole");
+  require(c.vertex.generation != 0 && c.contact.front.generation != 0 && c.distance_left >= 0, "a contact is whole");
   if (!s.is_partition || search == DSW_SEARCH_BISECTION || c.face.generation != 0) return;
-  const bool all = search == DSW_SEARCH_ALL;  // obstacles behind the first come with their own times
+  const bool all = search == DSW_SEARCH_EXHAUSTIVE;  // obstacles behind the first come with their own times
   const dsw_environment* environment = dsw_scene_get_environment(s.scene);
   const dsw_volume_id none = {0, 0};
   if (c.edge.generation != 0) {
@@ -129,7 +129,7 @@ void check_contact(const Subject& s, const dsw_contact& c, dsw_search search) {
 }
 
 void check_results(const Subject& s, const dsw_move_report& report, dsw_search search) {
-  const dsw_contact* contacts = nullptr;
+  const dsw_body_contact* contacts = nullptr;
   const dsw_body_edit* edits = nullptr;
   size_t count = 0;
   require(dsw_body_get_contacts(s.scene, s.id, &contacts, &count) == DSW_STATUS_OK, "contacts");

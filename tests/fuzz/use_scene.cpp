@@ -43,7 +43,7 @@ void move_body(dsw_scene* scene, dsw_body_id body, const double (&by)[3]) {
   for (size_t i = 0; i < targets.size(); ++i) targets[i] += by[i % dimension];
   const dsw_status status = dsw_body_move(scene, body, targets.data(), counts.vertex_slots, 0, nullptr, nullptr);
   require(status == DSW_STATUS_OK || status == DSW_STATUS_NON_FINITE, "a body moves");
-  const dsw_contact* contacts = nullptr;
+  const dsw_body_contact* contacts = nullptr;
   require(dsw_body_get_contacts(scene, body, &contacts, &count) == DSW_STATUS_OK, "contacts of a body");
 }
 

@@ -94,7 +94,7 @@ dsw_environment* make_world(const World& world) {
   desc.points = points.data();
   desc.point_count = points.size() / 3;
   desc.cell_types = types.data();
-  desc.cell_count = types.size();
+  desc.volume_count = types.size();
   desc.offsets = offsets.data();
   desc.connectivity = connectivity.data();
   desc.connectivity_count = connectivity.size();

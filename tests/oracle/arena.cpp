@@ -41,35 +41,36 @@ std::string wrong_position(const Sweep& s, const dsw_sweep& got) {
 }
 
 /// The wall of a contact in the words of a swept edge's report.
-dsw_sweep as_sweep(const dsw_contact& c) {
+dsw_sweep as_sweep(const dsw_body_contact& c) {
   dsw_sweep s;
   std::memset(&s, 0, sizeof s);
   for (size_t k = 0; k < 3; ++k) {
     s.position[k] = c.position[k];
     s.point[k] = c.point[k];
-    s.normal[k] = c.normal[k];
+    s.contact.normal[k] = c.contact.normal[k];
   }
   s.time = c.time;
-  s.along = c.along;
-  s.front = c.front;
-  s.face = c.wall;
-  if (c.kind != DSW_CONTACT_PLANE) s.edge = {c.obstacle.index, c.obstacle.generation, c.obstacle.local};
-  s.kind = c.kind;
-  s.obstacle = c.cause;
-  s.tag = c.tag;
+  s.edge_parameter = c.edge_parameter;
+  s.contact.front = c.contact.front;
+  s.contact.wall = c.contact.wall;
+  s.contact.obstacle = c.contact.obstacle;
+  s.contact.behind = c.contact.behind;
+  s.contact.kind = c.contact.kind;
+  s.contact.marked_kind = c.contact.marked_kind;
+  s.contact.tag = c.contact.tag;
   return s;
 }
 
 /// Whether an obstacle that is a face, an edge or a vertex says so.
-bool names_obstacle(const SweepEvent& e, const dsw_contact& c) {
-  const dsw_cell& o = c.obstacle;
+bool names_obstacle(const SweepEvent& e, const dsw_body_contact& c) {
+  const dsw_cell& o = c.contact.obstacle;
   if (e.vertex >= 0) {
-    return c.kind == DSW_CONTACT_VERTEX && o.kind == DSW_CELL_VERTEX && o.index == static_cast<uint32_t>(e.vertex) &&
-           o.generation == 1 && o.local == 0;
+    return c.contact.kind == DSW_CONTACT_VERTEX && o.kind == DSW_CELL_VERTEX &&
+           o.index == static_cast<uint32_t>(e.vertex) && o.generation == 1 && o.local == 0;
   }
-  return (c.kind == DSW_CONTACT_PLANE && o.kind == DSW_CELL_FACE && o.index == c.wall.volume &&
-          o.generation == c.wall.generation && o.local == c.wall.local) ||
-         (c.kind == DSW_CONTACT_EDGE && o.kind == DSW_CELL_EDGE);
+  return (c.contact.kind == DSW_CONTACT_PLANE && o.kind == DSW_CELL_FACE && o.index == c.contact.wall.volume &&
+          o.generation == c.contact.wall.generation && o.local == c.contact.wall.local) ||
+         (c.contact.kind == DSW_CONTACT_EDGE && o.kind == DSW_CELL_EDGE);
 }
 
 }  // namespace
@@ -98,49 +99,53 @@ bool Arena::impassable(int face) const {
 
 std::string Arena::wrong_wall(const dsw_sweep& got, const std::vector<int>& around,
                               const std::vector<dsw_cell_kind>& alone) const {
-  if (got.front.index >= ids().size()) return " front " + name(got.front);
+  if (got.contact.front.index >= ids().size()) return " front " + name(got.contact.front);
   const bool lone = std::none_of(around.begin(), around.end(), [&](int f) { return impassable(f); });
   const bool front_there = std::any_of(around.begin(), around.end(), [&](int f) {
     const Wall w = wall(f);
-    return same_volume(got.front, w.cell[0]) || (w.cell[1] >= 0 && same_volume(got.front, w.cell[1]));
+    return same_volume(got.contact.front, w.cell[0]) || (w.cell[1] >= 0 && same_volume(got.contact.front, w.cell[1]));
   });
-  if (!front_there || marked(static_cast<int>(got.front.index))) return " front " + name(got.front);
+  if (!front_there || marked(static_cast<int>(got.contact.front.index))) return " front " + name(got.contact.front);
   if (lone) {
-    const bool right = none(got.face) && got.tag == 0 && std::count(alone.begin(), alone.end(), got.obstacle) != 0;
+    const bool right = none(got.contact.wall) && got.contact.tag == 0 &&
+                       std::count(alone.begin(), alone.end(), got.contact.marked_kind) != 0;
     return right ? "" : " a face, an obstacle or a tag where there is no wall";
   }
-  const int face = face_named(got.face);
-  if (face < 0 || !impassable(face)) return " face " + name(got.face) + " is not canonical or not impassable";
+  const int face = face_named(got.contact.wall);
+  if (face < 0 || !impassable(face)) return " face " + name(got.contact.wall) + " is not canonical or not impassable";
   if (std::find(around.begin(), around.end(), face) == around.end()) {
-    return " face " + name(got.face) + " does not bear the obstacle";
+    return " face " + name(got.contact.wall) + " does not bear the obstacle";
   }
   const Wall w = wall(face);
-  if (got.obstacle != (w.marked || w.cell[1] < 0 ? DSW_CELL_FACE : DSW_CELL_VOLUME)) {
-    return " obstacle " + std::to_string(got.obstacle);
+  if (got.contact.marked_kind != (w.marked || w.cell[1] < 0 ? DSW_CELL_FACE : DSW_CELL_VOLUME)) {
+    return " obstacle " + std::to_string(got.contact.marked_kind);
   }
   // Behind the face as seen from the front; where the front does not touch it, behind may be either side.
   for (size_t side = 0; side < 2; ++side) {
     const int behind = w.cell[side], other = w.cell[1 - side];
-    if (same_volume(got.front, behind) && other >= 0) continue;
-    if (got.tag == tag(behind >= 0 ? behind : other)) return "";
-    if (other < 0 && got.tag == tag(static_cast<int>(got.front.index))) return "";
+    if (same_volume(got.contact.front, behind) && other >= 0) continue;
+    if (got.contact.tag == tag(behind >= 0 ? behind : other)) return "";
+    if (other < 0 && got.contact.tag == tag(static_cast<int>(got.contact.front.index))) return "";
   }
-  return " tag " + std::to_string(got.tag) + " of face " + name(got.face) + " from " + name(got.front);
+  return " tag " + std::to_string(got.contact.tag) + " of face " + name(got.contact.wall) + " from " +
+         name(got.contact.front);
 }
 
 /// The moving end on a face.
 std::string Arena::wrong_at_path(const SweepEvent& event, const dsw_sweep& got) const {
   const Wall met = this->met(event);
   const int front = met.cell[event.side > 0 ? 0 : 1], behind = met.cell[event.side > 0 ? 1 : 0];
-  if (got.kind != DSW_CONTACT_PLANE || !none(got.edge)) return " kind " + std::to_string(got.kind);
-  if (face_named(got.face) != face_of(event)) return " face " + name(got.face);
-  if (!same_volume(got.front, front)) return " front " + name(got.front) + " for " + std::to_string(front);
-  if (got.along != 0) return " along " + number(got.along);
-  if (got.obstacle != (met.marked || behind < 0 ? DSW_CELL_FACE : DSW_CELL_VOLUME)) {
-    return " obstacle " + std::to_string(got.obstacle);
+  if (got.contact.kind != DSW_CONTACT_PLANE || !names_wall(got.contact))
+    return " kind " + std::to_string(got.contact.kind);
+  if (face_named(got.contact.wall) != face_of(event)) return " face " + name(got.contact.wall);
+  if (!same_volume(got.contact.front, front))
+    return " front " + name(got.contact.front) + " for " + std::to_string(front);
+  if (got.edge_parameter != 0) return " along " + number(got.edge_parameter);
+  if (got.contact.marked_kind != (met.marked || behind < 0 ? DSW_CELL_FACE : DSW_CELL_VOLUME)) {
+    return " obstacle " + std::to_string(got.contact.marked_kind);
   }
-  if (got.tag != tag(behind >= 0 ? behind : front)) return " tag " + std::to_string(got.tag);
-  return normal_fits(event, got.normal) ? "" : " normal " + hex(got.normal);
+  if (got.contact.tag != tag(behind >= 0 ? behind : front)) return " tag " + std::to_string(got.contact.tag);
+  return normal_fits(event, got.contact.normal) ? "" : " normal " + hex(got.contact.normal);
 }
 
 /// The normal of a contact of an edge: across it and the obstacle, against the motion. In doubles, so only where it is
@@ -169,7 +174,7 @@ std::string Arena::wrong_across(const Sweep& s, const SweepEvent& event, const d
   if (!(size > 0) || !(tolerance < 1e-4)) return "";
   const double against = dot(n, move);
   for (double& x : n) x /= against > 0 ? -size : size;
-  const Vec reported = {got.normal[0], got.normal[1], got.normal[2]};
+  const Vec reported = {got.contact.normal[0], got.contact.normal[1], got.contact.normal[2]};
   const double cosine = dot(n, reported);
   // A motion that lies in the plane of both leaves the side to rounding.
   if (std::fabs(against) <= tolerance * size * length(move)) {
@@ -187,13 +192,14 @@ std::string Arena::wrong_place(const Sweep& s, const SweepEvent& event, const ds
   if (!(most < DBL_MAX / 4)) return "";
   const std::string wrong = wrong_position(s, got);
   if (!wrong.empty()) return wrong;
-  if (!(got.along >= 0 && got.along <= 1)) return " along " + number(got.along);
+  if (!(got.edge_parameter >= 0 && got.edge_parameter <= 1)) return " along " + number(got.edge_parameter);
   const double allowed = 32 * DBL_EPSILON * most + 4 * DBL_TRUE_MIN;
   Vec there;
-  for (size_t k = 0; k < 3; ++k) there[k] = got.position[k] + got.along * (s.fixed[k] - got.position[k]);
+  for (size_t k = 0; k < 3; ++k) there[k] = got.position[k] + got.edge_parameter * (s.fixed[k] - got.position[k]);
   const double off = distance(there, there, got.point);
   if (!(off <= allowed)) {
-    return " point " + hex(got.point) + " is not at along " + number(got.along) + ", off by " + number(off / size());
+    return " point " + hex(got.point) + " is not at along " + number(got.edge_parameter) + ", off by " +
+           number(off / size());
   }
   if (event.triangle >= 0) return "";
   const auto [a, b] = ends_of(event);
@@ -214,10 +220,10 @@ std::string Arena::wrong_event(const Sweep& s, const SweepEvent& event, const ds
   return wrong + wrong_place(s, event, got);
 }
 
-std::string Arena::wrong_contact(const VertexMove& f, const SweepEvent& e, const dsw_contact& c) const {
+std::string Arena::wrong_contact(const VertexMove& f, const SweepEvent& e, const dsw_body_contact& c) const {
   if (!names_obstacle(e, c)) {
-    return " kind " + std::to_string(c.kind) + " with obstacle " + std::to_string(c.obstacle.index) + " of kind " +
-           std::to_string(c.obstacle.kind);
+    return " kind " + std::to_string(c.contact.kind) + " with obstacle " + std::to_string(c.contact.obstacle.index) +
+           " of kind " + std::to_string(c.contact.obstacle.kind);
   }
   const dsw_sweep wall = as_sweep(c);
   if (e.face >= 0) return wrong_at_face(f, e, c, wall);

@@ -38,9 +38,9 @@ class Arena {
   /// What is wrong with a reported contact if `event` is the true one; empty if nothing is.
   std::string wrong_event(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
   /// The same of a body's; `flight` has the event's own edge or face alone.
-  std::string wrong_contact(const VertexMove& flight, const SweepEvent& event, const dsw_contact& contact) const;
+  std::string wrong_contact(const VertexMove& flight, const SweepEvent& event, const dsw_body_contact& contact) const;
   /// What is wrong with a sweep's truth in the eyes of another oracle; empty if nothing is.
-  virtual std::string second_opinion(const Sweep& sweep) = 0;
+  virtual std::string second_normal(const Sweep& sweep) = 0;
 
  protected:
   struct Wall {
@@ -62,7 +62,7 @@ class Arena {
   virtual std::array<Vec, 2> ends_of(const SweepEvent& event) const = 0;
   virtual std::string wrong_name(const SweepEvent& event, const dsw_sweep& got) const = 0;
   /// An event at a face.
-  virtual std::string wrong_at_face(const VertexMove&, const SweepEvent&, const dsw_contact&,
+  virtual std::string wrong_at_face(const VertexMove&, const SweepEvent&, const dsw_body_contact&,
                                     const dsw_sweep& /*wall*/) const {
     return " no such event";
   }

@@ -56,7 +56,7 @@ class ClosedBody {
     if (status != DSW_STATUS_OK) {
       const bool right = status == DSW_STATUS_OUTSIDE || status == DSW_STATUS_IMPASSABLE ||
                          status == DSW_STATUS_OCCUPIED || status == DSW_STATUS_NON_FINITE ||
-                         (status == DSW_STATUS_INVERTED_CELL && !(radius_ > 1e-9 * std::fabs(centre[0])));
+                         (status == DSW_STATUS_NOT_ORIENTED && !(radius_ > 1e-9 * std::fabs(centre[0])));
       if (!right) report_.faults.fault(SweepReport::kWrong, std::string("not made: ") + dsw_last_error_message());
       return;
     }

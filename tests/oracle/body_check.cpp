@@ -75,7 +75,7 @@ void BodyChecker::placed(const BodyState& s, dsw_level level, const std::string&
 
 /// A reported contact against the true first events. Ids of edges and faces, by number, or null where they are not
 /// known.
-void BodyChecker::judge(const VertexMove& flight, const MoveTruth& truth, const dsw_contact& c, const std::string& what,
+void BodyChecker::judge(const VertexMove& flight, const MoveTruth& truth, const dsw_body_contact& c, const std::string& what,
                         const std::vector<dsw_body_edge_id>* edges, const std::vector<dsw_body_face_id>* faces) {
   const double time = truth.events[0].time;
   if (!(c.time == time)) {
@@ -109,12 +109,12 @@ void BodyChecker::judge(const VertexMove& flight, const MoveTruth& truth, const 
     if (wrong == " ") wrong = fault + ", for " + name(e) + (e.order == 0 ? "" : " by the shift");
     if (wrong.empty()) break;
   }
-  const double length = std::sqrt(c.normal[0] * c.normal[0] + c.normal[1] * c.normal[1] + c.normal[2] * c.normal[2]);
-  if (!(std::fabs(length - 1) <= 1e-14)) wrong += " normal is not a unit: " + hex(c.normal);
+  const double length = std::sqrt(c.contact.normal[0] * c.contact.normal[0] + c.contact.normal[1] * c.contact.normal[1] + c.contact.normal[2] * c.contact.normal[2]);
+  if (!(std::fabs(length - 1) <= 1e-14)) wrong += " normal is not a unit: " + hex(c.contact.normal);
   if (!wrong.empty()) report_.fault(SweepReport::kWrong, what + wrong);
 }
 
-void BodyChecker::alone(const dsw_contact& c, const std::string& how) {
+void BodyChecker::alone(const dsw_body_contact& c, const std::string& how) {
   VertexMove flight = {{c.from[0], c.from[1], c.from[2]}, {c.to[0], c.to[1], c.to[2]}, {}, {}};
   const size_t ends = c.face.generation != 0 ? 2 : c.edge.generation != 0 ? 1 : 0;
   for (size_t i = 0; i < ends; ++i) flight.fixed.push_back({c.fixed[i][0], c.fixed[i][1], c.fixed[i][2]});
@@ -134,13 +134,13 @@ void BodyChecker::alone(const dsw_contact& c, const std::string& how) {
   judge(flight, truth, c, what, nullptr, nullptr);
 }
 
-void BodyChecker::history(const std::vector<dsw_contact>& before, const std::vector<dsw_contact>& now,
+void BodyChecker::history(const std::vector<dsw_body_contact>& before, const std::vector<dsw_body_contact>& now,
                           const std::string& how) {
-  for (const dsw_contact& c : now) {
-    const bool lasting = std::any_of(before.begin(), before.end(), [&](const dsw_contact& b) {
-      return same_id(b.vertex, c.vertex) && b.obstacle.kind == c.obstacle.kind &&
-             b.obstacle.index == c.obstacle.index && b.obstacle.generation == c.obstacle.generation &&
-             b.obstacle.local == c.obstacle.local;
+  for (const dsw_body_contact& c : now) {
+    const bool lasting = std::any_of(before.begin(), before.end(), [&](const dsw_body_contact& b) {
+      return same_id(b.vertex, c.vertex) && b.contact.obstacle.kind == c.contact.obstacle.kind &&
+             b.contact.obstacle.index == c.contact.obstacle.index && b.contact.obstacle.generation == c.contact.obstacle.generation &&
+             b.contact.obstacle.local == c.contact.obstacle.local;
     });
     if (c.history == (lasting ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW)) continue;
     report_.fault(SweepReport::kWrong, "vertex " + name(c.vertex) + how + ": history " + std::to_string(c.history));
@@ -148,7 +148,7 @@ void BodyChecker::history(const std::vector<dsw_contact>& before, const std::vec
 }
 
 void BodyChecker::step(const BodyState& now, size_t vertex, const Vec& to, dsw_level level, const BodyMove& move,
-                       const dsw_contact* contact, const Vec& reached, const std::string& how) {
+                       const dsw_body_contact* contact, const Vec& reached, const std::string& how) {
   std::vector<size_t> edges_of, faces_of;
   VertexMove flight = now.flight(vertex, to, &edges_of, &faces_of);
   const MoveTruth truth = arena_.exact.move(flight, level);
@@ -204,16 +204,16 @@ void BodyChecker::replay(const BodyState& before, const BodyMove& move, dsw_leve
   size_t next = 0, stopped = 0;
   uint32_t sweeps = 0;
   for (uint32_t v : move.order) {
-    const dsw_contact* contact = nullptr;
+    const dsw_body_contact* contact = nullptr;
     if (next < answer.contacts.size() && same_id(answer.contacts[next].vertex, before.vertices[v])) {
       contact = &answer.contacts[next++];
       for (; move.all && next < answer.contacts.size() && same_id(answer.contacts[next].vertex, contact->vertex);
            ++next) {
-        const dsw_contact &one = answer.contacts[next - 1], &two = answer.contacts[next];
+        const dsw_body_contact &one = answer.contacts[next - 1], &two = answer.contacts[next];
         if (one.time <= two.time) continue;
         char text[160];
-        std::snprintf(text, sizeof text, " obstacle kind %d at %a before kind %d at %a, flight ", one.obstacle.kind,
-                      one.time, two.obstacle.kind, two.time);
+        std::snprintf(text, sizeof text, " obstacle kind %d at %a before kind %d at %a, flight ", one.contact.obstacle.kind,
+                      one.time, two.contact.obstacle.kind, two.time);
         wrong(text + describe(now.flight(v, move.targets[v])));
       }
     }

@@ -13,7 +13,7 @@ struct BodyMove {
   std::vector<Vec> targets;     // by slot
   bool drops = false;           // edges are left out on their way: contacts at edges may be missing
   bool stand_off = false;       // a wide one may leave no way at all
-  bool all = false;             // DSW_SEARCH_ALL: more contacts of a vertex may follow the first
+  bool all = false;             // DSW_SEARCH_EXHAUSTIVE: more contacts of a vertex may follow the first
 };
 
 class BodyChecker {
@@ -30,17 +30,17 @@ class BodyChecker {
   void replay(const BodyState& before, const BodyMove& move, dsw_level level, const BodyAnswer& answer,
               const std::string& how);
   /// Whether contacts say rightly that their vertex was stopped by the same obstacle in the move before.
-  void history(const std::vector<dsw_contact>& before, const std::vector<dsw_contact>& now, const std::string& how);
+  void history(const std::vector<dsw_body_contact>& before, const std::vector<dsw_body_contact>& now, const std::string& how);
   /// A contact against the sweep that it tells of, whatever came before.
-  void alone(const dsw_contact& contact, const std::string& how);
+  void alone(const dsw_body_contact& contact, const std::string& how);
 
   uint64_t true_contacts = 0, dropped = 0;  // of moves that may drop some
   double time_error = 0;                    // largest relative error of a reported time against the exact one
 
  private:
   void step(const BodyState& now, size_t vertex, const Vec& to, dsw_level level, const BodyMove& move,
-            const dsw_contact* contact, const Vec& reached, const std::string& how);
-  void judge(const VertexMove& flight, const MoveTruth& truth, const dsw_contact& contact, const std::string& what,
+            const dsw_body_contact* contact, const Vec& reached, const std::string& how);
+  void judge(const VertexMove& flight, const MoveTruth& truth, const dsw_body_contact& contact, const std::string& what,
              const std::vector<dsw_body_edge_id>* edges, const std::vector<dsw_body_face_id>* faces);
 
   Arena& arena_;

@@ -102,7 +102,7 @@ dsw_move_options Course::options_of(const BodyMove& move) {
   dsw_move_options options = defaults(dsw_move_options_init);
   const double distances[] = {0, 0, -1, 1e-3 * arena_.size()};
   options.stand_off = distances[rng_.below(4)];
-  if (move.all) options.search = DSW_SEARCH_ALL;
+  if (move.all) options.search = DSW_SEARCH_EXHAUSTIVE;
   options.order = move.order.data();
   options.order_count = move.order.size();
   return options;
@@ -112,7 +112,7 @@ bool Course::moved(dsw_body_id body, const BodyMove& move, const dsw_move_option
                    SweepReport& faults) {
   const std::string fault = move_body(scene_, body, move.targets, &options, answer);
   if (!fault.empty()) faults.fault(SweepReport::kWrong, fault);
-  for (const dsw_contact& contact : answer.contacts) {
+  for (const dsw_body_contact& contact : answer.contacts) {
     if (arena_.dimension == 2) break;  // libccd knows space alone
     if (report_.opinions.ask(environment_, contact)) continue;
     faults.fault(SweepReport::kWrong, std::string("a question for a second opinion: ") + dsw_last_error_message());
@@ -143,7 +143,7 @@ void Course::stopping() {
   report_.twins += twins.size();
   const int moves = rng_.between(4, 14);
   BodyAnswer answer, other;
-  std::vector<dsw_contact> before;
+  std::vector<dsw_body_contact> before;
   for (int i = 0; i < moves; ++i) {
     BodyMove move = source.move(state);
     move.all = rng_.chance(0.1);
@@ -195,7 +195,7 @@ void Course::responding() {
     report_.edits += answer.report.edit_count;
     const std::string how = " responses " + std::to_string(options.vertex_response) + " and " +
                             std::to_string(options.edge_response) + " move " + std::to_string(i);
-    for (const dsw_contact& c : answer.contacts) {
+    for (const dsw_body_contact& c : answer.contacts) {
       if (!bisects) checker.alone(c, how);
     }
     checker.placed(answer.after, level_, "after" + how);

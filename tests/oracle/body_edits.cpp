@@ -57,7 +57,7 @@ dsw_status Course::edit(dsw_body_id body, Bodies& source, const BodyState& state
       const uint32_t from = state.edges[e][rng_.below(2)], to = state.edges[e][state.edges[e][0] == from ? 1 : 0];
       const dsw_status status = dsw_body_collapse_edge(scene_, body, state.edge_ids[e], state.vertices[from], nullptr);
       const bool free = arena_.exact.move(state.flight(from, state.at[to]), level_).events.empty();
-      if (status == DSW_STATUS_BAD_CELL || status == (free ? DSW_STATUS_OK : DSW_STATUS_OCCUPIED)) return status;
+      if (status == DSW_STATUS_NOT_MANIFOLD || status == (free ? DSW_STATUS_OK : DSW_STATUS_OCCUPIED)) return status;
       faults.fault(free ? SweepReport::kEarly : SweepReport::kMissed,
                    "collapsing " + describe(state.flight(from, state.at[to])) + ": " + dsw_status_string(status));
       return status;

@@ -134,7 +134,7 @@ std::string to_json(const BodyReport& report) {
   add("edges.similar_motion_contacts", static_cast<double>(report.similar_contacts));
   add("edges.similar_motion_not_free_after", static_cast<double>(report.similar.total.not_free_after));
   // Of these scenes: with wires, and ends exactly on edges and corners. The figures of the benchmark are those of
-  // contact_check_test.
+  // cross_check_test.
   add("body.oracle.normal_vs_libccd_deg_p99", report.opinions.quantile(0.99));
   add("body.oracle.normal_qualified_share", report.opinions.share());
   add("contact.time_error_exact", report.time_error);

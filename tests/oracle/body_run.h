@@ -2,7 +2,7 @@
 #pragma once
 
 #include "body_check.h"
-#include "opinions.h"
+#include "cross_checks.h"
 #include "places.h"
 
 #include <functional>

@@ -108,9 +108,9 @@ std::string read_body(const dsw_scene* scene, dsw_body_id body, BodyState& s) {
     return std::string("positions: ") + dsw_last_error_message();
   }
   std::vector<dsw_body_vertex_id> living;
-  std::string fault = read_ids(scene, body, dsw_body_get_vertices, counts.vertex_count, living);
-  if (fault.empty()) fault = read_ids(scene, body, dsw_body_get_edges, counts.edge_count, s.edge_ids);
-  if (fault.empty()) fault = read_ids(scene, body, dsw_body_get_faces, counts.face_count, s.face_ids);
+  std::string fault = read_ids(scene, body, dsw_body_get_vertex_ids, counts.vertex_count, living);
+  if (fault.empty()) fault = read_ids(scene, body, dsw_body_get_edge_ids, counts.edge_count, s.edge_ids);
+  if (fault.empty()) fault = read_ids(scene, body, dsw_body_get_face_ids, counts.face_count, s.face_ids);
   if (!fault.empty()) return fault;
   s.vertices.assign(slots, {0, 0});
   for (const dsw_body_vertex_id& v : living) {
@@ -125,7 +125,7 @@ std::string read_body(const dsw_scene* scene, dsw_body_id body, BodyState& s) {
   std::vector<std::array<uint32_t, 2>> sorted;
   for (const dsw_body_edge_id& e : s.edge_ids) {
     dsw_body_vertex_id v[2];
-    if (dsw_body_get_edge(scene, body, e, v) != DSW_STATUS_OK || !alive(v[0]) || !alive(v[1])) return "ends of an edge";
+    if (dsw_body_get_edge_ends(scene, body, e, v) != DSW_STATUS_OK || !alive(v[0]) || !alive(v[1])) return "ends of an edge";
     s.edges.push_back({v[0].index, v[1].index});
     sorted.push_back(ordered(v[0].index, v[1].index));
   }
@@ -133,7 +133,7 @@ std::string read_body(const dsw_scene* scene, dsw_body_id body, BodyState& s) {
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return "an edge stands twice";
   for (const dsw_body_face_id& f : s.face_ids) {
     dsw_body_vertex_id v[3];
-    if (dsw_body_get_face(scene, body, f, v) != DSW_STATUS_OK) return "corners of a face";
+    if (dsw_body_get_face_corners(scene, body, f, v) != DSW_STATUS_OK) return "corners of a face";
     for (size_t k = 0; k < 3; ++k) {
       if (!alive(v[k])) return "a face with a corner that is gone";
       if (!std::binary_search(sorted.begin(), sorted.end(), ordered(v[k].index, v[(k + 1) % 3].index))) {
@@ -152,7 +152,7 @@ std::string move_body(dsw_scene* scene, dsw_body_id body, const std::vector<Vec>
       DSW_STATUS_OK) {
     return std::string("move: ") + dsw_last_error_message();
   }
-  const dsw_contact* contacts = nullptr;
+  const dsw_body_contact* contacts = nullptr;
   size_t count = 0;
   if (dsw_body_get_contacts(scene, body, &contacts, &count) != DSW_STATUS_OK) return dsw_last_error_message();
   answer.contacts.assign(contacts, contacts + count);
@@ -162,7 +162,7 @@ std::string move_body(dsw_scene* scene, dsw_body_id body, const std::vector<Vec>
 std::string bits_of(const BodyAnswer& answer) {
   std::string bits;
   const auto add = [&](const void* data, size_t size) { bits.append(static_cast<const char*>(data), size); };
-  for (const dsw_contact& c : answer.contacts) add(&c, offsetof(dsw_contact, history) + sizeof c.history);
+  for (const dsw_body_contact& c : answer.contacts) add(&c, offsetof(dsw_body_contact, history) + sizeof c.history);
   for (const Vec& p : answer.after.at) add(p.data(), sizeof p);
   for (const dsw_volume_id& v : answer.after.volumes) add(&v, sizeof v);
   return bits;

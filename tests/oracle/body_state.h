@@ -42,7 +42,7 @@ std::string read_body(const dsw_scene* scene, dsw_body_id body, BodyState& state
 /// What the library answered to a move.
 struct BodyAnswer {
   dsw_move_report report;
-  std::vector<dsw_contact> contacts;
+  std::vector<dsw_body_contact> contacts;
   BodyState after;
 };
 

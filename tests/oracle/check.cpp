@@ -81,33 +81,34 @@ bool Checker::compare_hit(const Walk& walk, const dsw_flight& flight, const std:
   std::string wrong;
   if (flight.outcome != DSW_OUTCOME_CONTACT) wrong += " outcome " + std::to_string(flight.outcome) + " for a contact";
   if (!(flight.time == walk.time)) wrong += " time " + number(flight.time) + " for " + number(walk.time);
-  if (!same_face(flight.face, walk.face)) {
-    wrong +=
-        " face " + name(flight.face) + " for " + std::to_string(face.cell[0]) + "/" + std::to_string(face.local[0]);
+  if (!same_face(flight.contact.wall, walk.face)) {
+    wrong += " face " + name(flight.contact.wall) + " for " + std::to_string(face.cell[0]) + "/" +
+             std::to_string(face.local[0]);
   }
-  if (!same_volume(flight.behind, behind)) wrong += " behind " + name(flight.behind) + " for " + std::to_string(behind);
-  if (flight.kind != DSW_CONTACT_PLANE) wrong += " kind " + std::to_string(flight.kind);
+  if (!same_volume(flight.contact.behind, behind))
+    wrong += " behind " + name(flight.contact.behind) + " for " + std::to_string(behind);
+  if (flight.contact.kind != DSW_CONTACT_PLANE) wrong += " kind " + std::to_string(flight.contact.kind);
   const bool by_face = face.marked || behind < 0;
-  if (flight.obstacle != (by_face ? DSW_CELL_FACE : DSW_CELL_VOLUME))
-    wrong += " obstacle " + std::to_string(flight.obstacle);
+  if (flight.contact.marked_kind != (by_face ? DSW_CELL_FACE : DSW_CELL_VOLUME))
+    wrong += " obstacle " + std::to_string(flight.contact.marked_kind);
   const auto tagged = static_cast<size_t>(behind >= 0 ? behind : walk.cell);
   const uint32_t tag = world_.mesh.tags.empty() ? 0 : world_.mesh.tags[tagged];
-  if (flight.tag != tag) wrong += " tag " + std::to_string(flight.tag) + " for " + std::to_string(tag);
+  if (flight.contact.tag != tag) wrong += " tag " + std::to_string(flight.contact.tag) + " for " + std::to_string(tag);
   double tolerance = 0;
   const Vec normal = world_.unit_normal(walk.triangle, &tolerance);
   for (size_t k = 0; k < 3; ++k) {
     const double want = -walk.side * normal[k];
-    if (!(std::fabs(flight.normal[k] - want) <= tolerance)) {
-      wrong += " normal[" + std::to_string(k) + "] " + number(flight.normal[k]) + " for " + number(want);
+    if (!(std::fabs(flight.contact.normal[k] - want) <= tolerance)) {
+      wrong += " normal[" + std::to_string(k) + "] " + number(flight.contact.normal[k]) + " for " + number(want);
     }
   }
   if (!wrong.empty()) report_.mismatch(what + wrong);
   return wrong.empty();
 }
 
-void Checker::compare_crossings(const Walk& walk, const dsw_crossing* crossings, size_t count, uint32_t max_cells,
+void Checker::compare_crossings(const Walk& walk, const dsw_crossing* crossings, size_t count, uint32_t max_volumes,
                                 const std::string& what) {
-  const size_t expected = limited(walk, max_cells) ? max_cells : walk.steps.size();
+  const size_t expected = limited(walk, max_volumes) ? max_volumes : walk.steps.size();
   std::string wrong;
   if (count != expected) wrong = " " + std::to_string(count) + " crossings for " + std::to_string(expected);
   for (size_t i = 0; i < count && i < expected && wrong.empty(); ++i) {
@@ -121,13 +122,13 @@ void Checker::compare_crossings(const Walk& walk, const dsw_crossing* crossings,
   if (!wrong.empty()) report_.mismatch(what + wrong);
 }
 
-void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint, bool known, uint32_t max_cells,
+void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint, bool known, uint32_t max_volumes,
                         int start) {
   const BodyPoint from = world_.body(p.data()), to = world_.body(q.data());
   const Walk walk = world_.cast(from, to, start);
   report_.flight(walk);
   std::string what = "cast from " + hex(p) + " to " + hex(q) + " start " + name(hint) + (known ? " known" : "") +
-                     " way " + std::to_string(way) + " limit " + std::to_string(max_cells) + ":";
+                     " way " + std::to_string(way) + " limit " + std::to_string(max_volumes) + ":";
   if (walk.outcome == Walk::kBroken) {
     report_.mismatch(what + " environment is no partition: " + walk.fault);
     return;
@@ -140,7 +141,7 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
   dsw_cast_options options = defaults(dsw_cast_options_init);
   if (known) options.flags |= DSW_CAST_START_KNOWN;
   if (way == kNoDetail) options.flags |= DSW_CAST_NO_DETAIL;
-  options.max_cells = max_cells;
+  options.max_volumes = max_volumes;
   dsw_flight flight;
   std::memset(&flight, 0xee, sizeof flight);
   std::vector<dsw_crossing> crossings(walk.steps.size() + 8);
@@ -165,10 +166,10 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
     }
     return;
   }
-  if (way == kPath) compare_crossings(walk, crossings.data(), count, max_cells, what);
-  const size_t visited = limited(walk, max_cells) ? max_cells : walk.steps.size();
-  if (flight.cells_visited != visited) {
-    report_.mismatch(what + " cells_visited " + std::to_string(flight.cells_visited) + " for " +
+  if (way == kPath) compare_crossings(walk, crossings.data(), count, max_volumes, what);
+  const size_t visited = limited(walk, max_volumes) ? max_volumes : walk.steps.size();
+  if (flight.volumes_visited != visited) {
+    report_.mismatch(what + " volumes_visited " + std::to_string(flight.volumes_visited) + " for " +
                      std::to_string(visited));
   }
   const int last = walk.steps[visited - 1].cell;
@@ -176,7 +177,7 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
     report_.mismatch(what + " volume " + name(flight.volume) + " for " + std::to_string(last));
     if (walk.outcome == Walk::kReached && visited == walk.steps.size()) report_.lost(what);
   }
-  const bool stopped = limited(walk, max_cells);
+  const bool stopped = limited(walk, max_volumes);
   const dsw_outcome want = stopped                          ? DSW_OUTCOME_WORK_LIMIT
                            : walk.outcome == Walk::kContact ? DSW_OUTCOME_CONTACT
                                                             : DSW_OUTCOME_REACHED;
@@ -189,8 +190,9 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
     compare_hit(walk, flight, what);
   } else {
     const double zero[3] = {0, 0, 0};
-    if (!same_bits(flight.normal, zero) || !same_face(flight.face, -1) || !same_volume(flight.behind, -1) ||
-        flight.kind != DSW_CONTACT_NONE || flight.obstacle != DSW_CELL_NONE || flight.tag != 0) {
+    if (!same_bits(flight.contact.normal, zero) || !same_face(flight.contact.wall, -1) ||
+        !same_volume(flight.contact.behind, -1) || flight.contact.kind != DSW_CONTACT_NONE ||
+        flight.contact.marked_kind != DSW_CELL_NONE || flight.contact.tag != 0) {
       report_.mismatch(what + " members of a contact are set without one");
     }
   }
@@ -201,7 +203,6 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
     report_.mismatch(what + " work limit at time " + number(flight.time) + " after " +
                      number(walk.steps[visited - 1].time));
   }
-  if (flight.reserved[0] != 0 || flight.reserved[1] != 0) report_.mismatch(what + " reserved is set");
   for (size_t k = 0; k < 3; ++k) {
     const double u = q[k] - p[k], at = p[k] + flight.time * u;
     const double allowed = 1e-15 * (std::fabs(p[k]) + std::fabs(flight.time * u)) + 2 * DBL_TRUE_MIN;
@@ -216,27 +217,27 @@ void Checker::locate(const Vec& p, dsw_volume_id hint) {
   const BodyPoint body = world_.body(p.data());
   const int cell = world_.locate(body);
   dsw_volume_id volume;
-  dsw_place place;
+  dsw_location place;
   const std::string what = "locate " + hex(p) + " hint " + name(hint) + ":";
   const dsw_status status = dsw_environment_locate(environment_, p.data(), hint, &volume, &place);
   if (status != DSW_STATUS_OK) {
     report_.mismatch(what + " " + dsw_status_string(status) + ": " + dsw_last_error_message());
     return;
   }
-  const dsw_place want = cell < 0                                             ? DSW_PLACE_OUTSIDE
-                         : world_.cell_marked[static_cast<size_t>(cell)] != 0 ? DSW_PLACE_IMPASSABLE
-                                                                              : DSW_PLACE_PASSABLE;
+  const dsw_location want = cell < 0                                             ? DSW_LOCATION_OUTSIDE
+                            : world_.cell_marked[static_cast<size_t>(cell)] != 0 ? DSW_LOCATION_IMPASSABLE
+                                                                                 : DSW_LOCATION_PASSABLE;
   if (!same_volume(volume, cell) || place != want) {
     report_.mismatch(what + " " + name(volume) + " place " + std::to_string(place) + " for " + std::to_string(cell) +
                      " place " + std::to_string(want));
   }
 }
 
-void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target, uint32_t max_cells,
+void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target, uint32_t max_volumes,
                    bool with_crossings) {
   Vec old_position, position;
   dsw_volume_id old_volume, volume;
-  if (dsw_particle_get(scene, particle, old_position.data(), &old_volume) != DSW_STATUS_OK) {
+  if (dsw_particle_get_position(scene, particle, old_position.data(), &old_volume) != DSW_STATUS_OK) {
     report_.mismatch(std::string("particle_get: ") + dsw_last_error_message());
     return;
   }
@@ -244,17 +245,17 @@ void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target
   const Walk walk = world_.cast(from, to, static_cast<int>(old_volume.index));
   report_.flight(walk);
   const std::string what = "move from " + hex(old_position) + " in " + name(old_volume) + " to " + hex(target) +
-                           " limit " + std::to_string(max_cells) + ":";
+                           " limit " + std::to_string(max_volumes) + ":";
   if (walk.outcome == Walk::kBroken || walk.steps.empty()) {
     report_.mismatch(what + " no walk: " + walk.fault);
     return;
   }
   dsw_cast_options options = defaults(dsw_cast_options_init);
-  options.max_cells = max_cells;
+  options.max_volumes = max_volumes;
   dsw_flight flight;
   std::memset(&flight, 0xee, sizeof flight);
   dsw_status status = dsw_particle_move(scene, particle, target.data(), &options, &flight);
-  if (status == DSW_STATUS_OK) status = dsw_particle_get(scene, particle, position.data(), &volume);
+  if (status == DSW_STATUS_OK) status = dsw_particle_get_position(scene, particle, position.data(), &volume);
   if (status != DSW_STATUS_OK) {
     report_.mismatch(what + " " + dsw_status_string(status) + ": " + dsw_last_error_message());
     return;
@@ -264,8 +265,8 @@ void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target
     report_.mismatch(what + " the particle is at " + hex(position) + " in " + name(volume) + ", reported " +
                      hex(flight.position) + " in " + name(flight.volume));
   }
-  const bool stopped = limited(walk, max_cells);
-  const size_t visited = stopped ? max_cells : walk.steps.size();
+  const bool stopped = limited(walk, max_volumes);
+  const size_t visited = stopped ? max_volumes : walk.steps.size();
   const dsw_outcome want = stopped                          ? DSW_OUTCOME_WORK_LIMIT
                            : walk.outcome == Walk::kContact ? DSW_OUTCOME_CONTACT
                                                             : DSW_OUTCOME_REACHED;
@@ -278,8 +279,8 @@ void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target
   } else if (stopped && !(flight.time >= 0 && flight.time <= walk.steps[visited - 1].time)) {
     report_.mismatch(what + " work limit at time " + number(flight.time));
   }
-  if (flight.cells_visited != visited) {
-    report_.mismatch(what + " cells_visited " + std::to_string(flight.cells_visited) + " for " +
+  if (flight.volumes_visited != visited) {
+    report_.mismatch(what + " volumes_visited " + std::to_string(flight.volumes_visited) + " for " +
                      std::to_string(visited));
   }
   if (with_crossings) {
@@ -289,7 +290,7 @@ void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target
     if (dsw_scene_get_crossings(scene, &crossings, &first, &flights) != DSW_STATUS_OK || flights != 1) {
       report_.mismatch(what + " no crossings");
     } else {
-      compare_crossings(walk, crossings + first[0], first[1] - first[0], max_cells, what);
+      compare_crossings(walk, crossings + first[0], first[1] - first[0], max_volumes, what);
     }
   }
   // Wherever it stopped: the way there is free and the recorded volume holds it.

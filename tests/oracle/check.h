@@ -44,6 +44,18 @@ struct EnvironmentDelete {
   void operator()(dsw_environment* e) const { dsw_environment_destroy(e); }
 };
 using EnvironmentPtr = std::unique_ptr<dsw_environment, EnvironmentDelete>;
+
+inline dsw_change empty_change() {
+  dsw_change change{};
+  change.struct_size = sizeof change;
+  return change;
+}
+/// The last change of the topology.
+inline dsw_change change_of(const dsw_environment* environment) {
+  dsw_change change = empty_change();
+  dsw_environment_get_change(environment, &change);
+  return change;
+}
 struct SceneDelete {
   void operator()(dsw_scene* s) const { dsw_scene_destroy(s); }
 };
@@ -60,21 +72,23 @@ class Checker {
       : world_(world), environment_(environment), report_(report) {}
 
   enum Way { kCast, kPath, kBatch, kNoDetail, kWays };
-  /// A free cast; `hint` is handed over as start, `known` says that it is right. max_cells 0: no limit. `start` is the
+  /// A free cast; `hint` is handed over as start, `known` says that it is right. max_volumes 0: no limit. `start` is the
   /// cell that the oracle takes as start, or -1 to have it located.
-  void free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint, bool known, uint32_t max_cells,
+  void free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint, bool known, uint32_t max_volumes,
                  int start = -1);
   void locate(const Vec& p, dsw_volume_id hint);
   /// Moves a particle and checks the report, the reached place and the recorded volume.
-  void move(dsw_scene* scene, dsw_particle_id particle, const Vec& target, uint32_t max_cells, bool crossings);
+  void move(dsw_scene* scene, dsw_particle_id particle, const Vec& target, uint32_t max_volumes, bool crossings);
 
  private:
   bool compare_hit(const Walk& walk, const dsw_flight& flight, const std::string& what);
-  void compare_crossings(const Walk& walk, const dsw_crossing* crossings, size_t count, uint32_t max_cells,
+  void compare_crossings(const Walk& walk, const dsw_crossing* crossings, size_t count, uint32_t max_volumes,
                          const std::string& what);
   bool same_volume(dsw_volume_id id, int cell) const;
   bool same_face(dsw_face_id id, int face) const;
-  bool limited(const Walk& walk, uint32_t max_cells) const { return max_cells != 0 && walk.steps.size() > max_cells; }
+  bool limited(const Walk& walk, uint32_t max_volumes) const {
+    return max_volumes != 0 && walk.steps.size() > max_volumes;
+  }
 
   World& world_;
   dsw_environment* environment_;

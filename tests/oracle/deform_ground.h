@@ -36,7 +36,7 @@ struct Part {
   bool at_rest = true;  // no wall has touched it, or what belongs to it, and it is where it was
 };
 
-struct Verdict {
+struct Validation {
   std::vector<std::string> faults;
   uint64_t parts = 0, contacts = 0;  // that were judged
 };
@@ -58,7 +58,7 @@ class Ground {
   virtual int corner(int cell, Rng& rng) const = 0;
   virtual std::unique_ptr<Picture> picture(const std::vector<Vec>& points) const = 0;
   /// Of what was passed, and of contacts that are none.
-  virtual Verdict judge(const Deformed&, const std::vector<Part>&) { return {}; }
+  virtual Validation judge(const Deformed&, const std::vector<Part>&) { return {}; }
 };
 
 }  // namespace dsw::oracle

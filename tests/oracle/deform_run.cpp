@@ -111,7 +111,7 @@ void Deformer::settle() {
     for (size_t k = 0; k < dimension_; ++k) particle.at[k] = rng_.range(lower[k], upper[k]);
     dsw_volume_id volume;
     if (dsw_particle_create(scene_.get(), particle.at.data(), {0, 0}, &particle.id) != DSW_STATUS_OK ||
-        dsw_particle_get(scene_.get(), particle.id, nullptr, &volume) != DSW_STATUS_OK) {
+        dsw_particle_get_position(scene_.get(), particle.id, nullptr, &volume) != DSW_STATUS_OK) {
       continue;
     }
     particle.chamber = chamber_[volume.index];
@@ -322,7 +322,7 @@ void Deformer::check(Deformed& d, const std::string& how) {
     Vec at = {0, 0, 0};
     dsw_volume_id volume;
     const std::string what = how + ": particle " + std::to_string(particle.id.index);
-    if (dsw_particle_get(scene_.get(), particle.id, at.data(), &volume) != DSW_STATUS_OK) {
+    if (dsw_particle_get_position(scene_.get(), particle.id, at.data(), &volume) != DSW_STATUS_OK) {
       wrong(what + " is gone");
       continue;
     }
@@ -336,10 +336,10 @@ void Deformer::check(Deformed& d, const std::string& how) {
     parts_.push_back(part);
     particle.at = at;
   }
-  const Verdict verdict = ground_.judge(d, parts_);
-  report_.judged_parts += verdict.parts;
-  report_.judged_contacts += verdict.contacts;
-  for (const std::string& fault : verdict.faults) wrong(how + ": " + fault);
+  const Validation validation = ground_.judge(d, parts_);
+  report_.judged_parts += validation.parts;
+  report_.judged_contacts += validation.contacts;
+  for (const std::string& fault : validation.faults) wrong(how + ": " + fault);
 }
 
 bool Deformer::step() {
@@ -349,7 +349,8 @@ bool Deformer::step() {
   d.options = next_options();
   std::vector<double> next = flat(d.target);
   const std::vector<double> asked = next;
-  const dsw_status status = dsw_scene_deform(scene_.get(), next.data(), d.target.size(), &d.options, &d.report);
+  const dsw_status status = dsw_environment_deform(dsw_scene_get_environment(scene_.get()), next.data(),
+                                                   d.target.size(), &d.options, &d.report);
   const std::string how = "step " + std::to_string(report_.steps) + " method " + std::to_string(d.options.method) +
                           " response " + std::to_string(d.options.response) + " halvings " +
                           std::to_string(d.options.most_halvings);
@@ -377,9 +378,9 @@ bool Deformer::step() {
   }
   const dsw_wall_contact* contacts = nullptr;
   const dsw_vertex_id* held = nullptr;
-  dsw_scene_get_wall_contacts(scene_.get(), &contacts, &count);
+  dsw_environment_get_wall_contacts(dsw_scene_get_environment(scene_.get()), &contacts, &count);
   d.contacts.assign(contacts, contacts + count);
-  dsw_scene_get_held_vertices(scene_.get(), &held, &count);
+  dsw_environment_get_held_vertices(dsw_scene_get_environment(scene_.get()), &held, &count);
   d.held.assign(held, held + count);
   if (!refused) check_way(d, how);
   check(d, how);

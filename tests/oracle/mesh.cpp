@@ -95,7 +95,7 @@ DescArrays::DescArrays(const Mesh& mesh, const Layout& layout) {
   desc.point_count = mesh.points.size();
   desc.point_stride_bytes = layout.stride == 24 ? 0 : layout.stride;
   desc.cell_types = types.data();
-  desc.cell_count = mesh.cells.size();
+  desc.volume_count = mesh.cells.size();
   desc.connectivity_count = connectivity.size();
   if (layout.index_bytes == 4) {
     offsets32.assign(offsets.begin(), offsets.end());

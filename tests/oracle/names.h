@@ -31,7 +31,12 @@ inline std::string name(dsw_edge_id id) { return name_in_volume(id); }
 
 /// Members of descriptions and reports are compared with null ids.
 inline bool none(dsw_face_id id) { return id.volume == 0 && id.generation == 0 && id.local == 0; }
-inline bool none(dsw_edge_id id) { return id.volume == 0 && id.generation == 0 && id.local == 0; }
+inline bool none(const dsw_cell& c) { return c.kind == 0 && c.index == 0 && c.generation == 0 && c.local == 0; }
+/// Whether the obstacle of a contact is its wall.
+inline bool names_wall(const dsw_contact& c) {
+  return c.obstacle.kind == DSW_CELL_FACE && c.obstacle.index == c.wall.volume &&
+         c.obstacle.generation == c.wall.generation && c.obstacle.local == c.wall.local;
+}
 
 template <class Id>
 bool same_id(Id a, Id b) {

@@ -74,12 +74,13 @@ std::array<Vec, 2> PlaneArena::ends_of(const SweepEvent& event) const {
 }
 
 std::string PlaneArena::wrong_name(const SweepEvent& event, const dsw_sweep& got) const {
-  const bool right = got.kind == DSW_CONTACT_VERTEX && got.edge.volume == static_cast<uint32_t>(event.vertex) &&
-                     got.edge.generation == 1 && got.edge.local == 0;
-  return right ? "" : " kind " + std::to_string(got.kind) + " " + name(got.edge) + " at a vertex";
+  const bool right = got.contact.kind == DSW_CONTACT_VERTEX && got.contact.obstacle.kind == DSW_CELL_VERTEX &&
+                     got.contact.obstacle.index == static_cast<uint32_t>(event.vertex) &&
+                     got.contact.obstacle.generation == 1 && got.contact.obstacle.local == 0;
+  return right ? "" : " kind " + std::to_string(got.contact.kind) + " " + name(got.contact.obstacle) + " at a vertex";
 }
 
-std::string PlaneArena::second_opinion(const Sweep& s) {
+std::string PlaneArena::second_normal(const Sweep& s) {
   const SweepTruth& t = s.truth;
   const plane::Flight flight = plane::cast(world_, t.start, flat(s.from), flat(s.to));
   const bool fits = t.path_hit == (flight.outcome == plane::Flight::kContact) && t.path.size() <= 1 &&

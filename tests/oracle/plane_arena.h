@@ -16,7 +16,7 @@ class PlaneArena : public Arena {
   bool lattice() const override { return world_.lattice; }
   const std::vector<dsw_volume_id>& ids() const override { return ids_; }
   bool marked(int cell) const override { return world_.cell_marked[static_cast<size_t>(cell)] != 0; }
-  std::string second_opinion(const Sweep& sweep) override;
+  std::string second_normal(const Sweep& sweep) override;
 
  private:
   Wall wall(int face) const override;

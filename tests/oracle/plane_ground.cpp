@@ -55,15 +55,15 @@ class PlaneGround : public Ground {
     return std::make_unique<PlanePicture>(world_, marked_, points);
   }
 
-  Verdict judge(const Deformed& d, const std::vector<Part>& parts) override {
-    Verdict verdict;
+  Validation judge(const Deformed& d, const std::vector<Part>& parts) override {
+    Validation validation;
     const WallJudge judge(world_, marked_, d);
     const auto note = [&](const std::string& fault) {
-      if (!fault.empty()) verdict.faults.push_back(fault);
+      if (!fault.empty()) validation.faults.push_back(fault);
     };
     for (const Part& part : parts) {
       if (!judge.knows(part)) continue;
-      ++verdict.parts;
+      ++validation.parts;
       note(judge.passed(part));
     }
     const bool pushes = d.options.response == DSW_WALL_PUSH || d.options.response == DSW_WALL_INSERT;
@@ -83,9 +83,9 @@ class PlaneGround : public Ground {
       }
       const std::string fault = judge.wrong_contact(c, edge);
       if (!fault.empty()) note("contact " + std::to_string(i) + ": " + fault);
-      verdict.contacts += c.edge.generation == 0 || edge != nullptr ? 1 : 0;
+      validation.contacts += c.edge.generation == 0 || edge != nullptr ? 1 : 0;
     }
-    return verdict;
+    return validation;
   }
 
  private:

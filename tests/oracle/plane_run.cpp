@@ -162,10 +162,10 @@ class Scene {
     }
     const Side& side = world_.sides[static_cast<size_t>(truth.side)];
     const int behind = side.cell[0] == truth.cells.back() ? side.cell[1] : side.cell[0];
-    const bool right = flight.time == truth.time && flight.face.volume == static_cast<uint32_t>(side.cell[0]) &&
-                       flight.face.local == static_cast<uint32_t>(side.local[0]) &&
-                       same(flight.behind, id_of(behind)) && flight.cells_visited == truth.cells.size() &&
-                       flight.position[2] == 0 && flight.normal[2] == 0;
+    const bool right = flight.time == truth.time && flight.contact.wall.volume == static_cast<uint32_t>(side.cell[0]) &&
+                       flight.contact.wall.local == static_cast<uint32_t>(side.local[0]) &&
+                       same(flight.contact.behind, id_of(behind)) && flight.volumes_visited == truth.cells.size() &&
+                       flight.position[2] == 0 && flight.contact.normal[2] == 0;
     if (!right) wrong("time, side or cells: " + what);
   }
 
@@ -199,7 +199,7 @@ class Scene {
   void check_move(dsw_scene* scene, dsw_particle_id particle) {
     Vec p, reached;
     dsw_volume_id volume;
-    dsw_particle_get(scene, particle, p.data(), &volume);
+    dsw_particle_get_position(scene, particle, p.data(), &volume);
     const int cell = static_cast<int>(volume.index);
     const Vec q = target(p);
     const std::string what = "move " + text_of(p) + " " + text_of(q);
@@ -210,7 +210,7 @@ class Scene {
     if (dsw_particle_move(scene, particle, q.data(), nullptr, &flight) != DSW_STATUS_OK)
       return wrong(dsw_last_error_message());
     compare(truth, flight, what);
-    dsw_particle_get(scene, particle, reached.data(), &volume);
+    dsw_particle_get_position(scene, particle, reached.data(), &volume);
     const Flight done = plane::cast(world_, cell, p, reached);
     if (done.outcome != Flight::kReached) {
       ++report_.not_free_after;

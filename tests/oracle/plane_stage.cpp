@@ -26,12 +26,12 @@ EnvironmentPtr make_environment(const Turn& turn, const World& world, Rng& rng, 
   desc.point_count = world.points.size();
   desc.point_stride_bytes = stride * sizeof(double);
   desc.cell_types = types.data();
-  desc.cell_count = types.size();
+  desc.volume_count = types.size();
   desc.offsets = offsets.data();
   desc.connectivity = connectivity.data();
   desc.connectivity_count = connectivity.size();
   desc.tags = world.tags.data();
-  desc.flags = rng.chance(0.5) ? uint32_t{DSW_ENVIRONMENT_LOCATE_GRID} : 0;
+  desc.flags = rng.chance(0.5) ? uint32_t{DSW_ENVIRONMENT_LOCATE_TREE} : 0;
   if (rng.chance(0.5)) desc.flags |= uint32_t{DSW_ENVIRONMENT_CHECK_BOUNDARY};
   dsw_environment* environment = nullptr;
   dsw_environment_create(context, &desc, &environment, nullptr);

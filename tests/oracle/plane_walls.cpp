@@ -132,28 +132,28 @@ std::string WallJudge::wrong_wall(const dsw_wall_contact& c) const {
   if (c.moving.generation != 1 || has_other != at_point || c.others[1].generation != 0 || c.face.generation != 0) {
     return "vertices of the wall";
   }
-  if (none(c.wall)) {
+  if (none(c.contact.wall)) {
     return at_point || is_impassable(moving, DSW_LEVEL_EDGES) || !is_impassable(moving, DSW_LEVEL_EDGES_SWEPT)
                ? "no wall"
                : "";
   }
   for (const plane::Side& s : world_.sides) {
-    if (static_cast<uint32_t>(s.cell[0]) != c.wall.volume || static_cast<uint32_t>(s.local[0]) != c.wall.local)
+    if (static_cast<uint32_t>(s.cell[0]) != c.contact.wall.volume || static_cast<uint32_t>(s.local[0]) != c.contact.wall.local)
       continue;
     const bool at_ends =
         has_other ? (s.a == moving && s.b == other) || (s.a == other && s.b == moving) : s.a == moving || s.b == moving;
-    const bool known = c.tag == world_.tags[static_cast<size_t>(s.cell[0])] ||
-                       (s.cell[1] >= 0 && c.tag == world_.tags[static_cast<size_t>(s.cell[1])]);
-    return at_ends && known && world_.impassable(s) && c.wall.generation == 1 ? "" : "wall " + name(c.wall);
+    const bool known = c.contact.tag == world_.tags[static_cast<size_t>(s.cell[0])] ||
+                       (s.cell[1] >= 0 && c.contact.tag == world_.tags[static_cast<size_t>(s.cell[1])]);
+    return at_ends && known && world_.impassable(s) && c.contact.wall.generation == 1 ? "" : "wall " + name(c.contact.wall);
   }
-  return "no such wall " + name(c.wall);
+  return "no such wall " + name(c.contact.wall);
 }
 
 std::string WallJudge::wrong_contact(const dsw_wall_contact& c, const Part* part) const {
-  const double length = std::hypot(c.normal[0], c.normal[1]);
-  if (!(std::fabs(length - 1) <= 1e-14) || c.normal[2] != 0) return "normal " + hex(c.normal);
+  const double length = std::hypot(c.contact.normal[0], c.contact.normal[1]);
+  if (!(std::fabs(length - 1) <= 1e-14) || c.contact.normal[2] != 0) return "normal " + hex(c.contact.normal);
   if (d_.options.method != DSW_DEFORM_SWEPT)
-    return c.moving.generation == 0 && !none(c.wall) ? "" : "walls of a contact";
+    return c.moving.generation == 0 && !none(c.contact.wall) ? "" : "walls of a contact";
   const std::string wall = wrong_wall(c);
   if (!wall.empty()) return wall;
   // Contacts of a way that was cut short are those of the way before.

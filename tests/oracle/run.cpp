@@ -67,7 +67,7 @@ void one_scene(const Turn& turn, uint64_t seed, uint64_t casts, Report& report) 
   layout.index_bytes = rng.chance(0.5) ? 4 : 8;
   layout.separate_faces = rng.chance(0.5);
   layout.stride = rng.chance(0.3) ? 40 : 24;
-  const uint32_t flags = rng.chance(0.5) ? DSW_ENVIRONMENT_LOCATE_GRID : 0;
+  const uint32_t flags = rng.chance(0.5) ? DSW_ENVIRONMENT_LOCATE_TREE : 0;
   report.begin(turn.kind->name,
                std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " + std::to_string(seed));
   const EnvironmentPtr environment = create_environment(mesh, layout, flags);
@@ -125,7 +125,7 @@ void one_scene(const Turn& turn, uint64_t seed, uint64_t casts, Report& report) 
     if (!particles.empty() && rng.chance(0.4)) {
       const dsw_particle_id particle = particles[rng.below(particles.size())];
       Vec from;
-      dsw_particle_get(scene.get(), particle, from.data(), nullptr);
+      dsw_particle_get_position(scene.get(), particle, from.data(), nullptr);
       checker.move(scene.get(), particle, motions.target(from), limit, crossings);
       continue;
     }

@@ -60,23 +60,25 @@ std::array<Vec, 2> SpaceArena::ends_of(const SweepEvent& event) const {
 std::string SpaceArena::wrong_name(const SweepEvent& event, const dsw_sweep& got) const {
   const auto real = edges_.find({event.a, event.b});
   if (real == edges_.end()) {
-    return got.kind == DSW_CONTACT_PLANE && none(got.edge) ? ""
-                                                           : " kind " + std::to_string(got.kind) + " at a diagonal";
+    return got.contact.kind == DSW_CONTACT_PLANE && names_wall(got.contact)
+               ? ""
+               : " kind " + std::to_string(got.contact.kind) + " at a diagonal";
   }
   const dsw_edge_id want = real->second;
-  if (got.kind != DSW_CONTACT_EDGE) return " kind " + std::to_string(got.kind);
-  if (got.edge.volume != want.volume || got.edge.generation != want.generation || got.edge.local != want.local) {
-    return " edge " + name(got.edge) + " for " + name(want);
+  if (got.contact.kind != DSW_CONTACT_EDGE) return " kind " + std::to_string(got.contact.kind);
+  if (got.contact.obstacle.kind != DSW_CELL_EDGE || got.contact.obstacle.index != want.volume ||
+      got.contact.obstacle.generation != want.generation || got.contact.obstacle.local != want.local) {
+    return " edge " + name(got.contact.obstacle) + " for " + name(want);
   }
   return "";
 }
 
 /// A face's inside on a vertex of the environment.
-std::string SpaceArena::wrong_at_face(const VertexMove& f, const SweepEvent& e, const dsw_contact& c,
+std::string SpaceArena::wrong_at_face(const VertexMove& f, const SweepEvent& e, const dsw_body_contact& c,
                                       const dsw_sweep& wall) const {
   const Vec& site = world_.mesh.points[static_cast<size_t>(e.vertex)];
   std::string wrong = wrong_wall(wall, faces_at_vertex_.at(e.vertex), {DSW_CELL_EDGE, DSW_CELL_VERTEX});
-  if (c.along != 0) wrong += " along is set";
+  if (c.edge_parameter != 0) wrong += " along is set";
   double most = 0;
   for (const Vec* p : {&f.from, &f.to, &f.fixed[0], &f.fixed[1], &site}) {
     for (double x : *p) most = std::max(most, std::fabs(x));
@@ -102,12 +104,12 @@ std::string SpaceArena::wrong_at_face(const VertexMove& f, const SweepEvent& e, 
   if (!(size > 0) || !(tolerance < 1e-4) || !(std::fabs(against) > tolerance * size)) return wrong;
   for (size_t k = 0; k < 3; ++k) {
     const double want = against > 0 ? -n[k] / size : n[k] / size;
-    if (!(std::fabs(c.normal[k] - want) <= tolerance)) wrong += " normal " + hex(c.normal);
+    if (!(std::fabs(c.contact.normal[k] - want) <= tolerance)) wrong += " normal " + hex(c.contact.normal);
   }
   return wrong;
 }
 
-std::string SpaceArena::second_opinion(const Sweep& s) {
+std::string SpaceArena::second_normal(const Sweep& s) {
   const SweepTruth& t = s.truth;
   const Walk walk = world_.cast(world_.body(s.from.data()), world_.body(s.to.data()), t.start);
   const bool fits = t.path_hit == (walk.outcome == Walk::kContact) && t.path.size() <= 1 &&

@@ -18,7 +18,7 @@ class SpaceArena : public Arena {
   bool lattice() const override { return world_.lattice; }
   const std::vector<dsw_volume_id>& ids() const override { return world_.ids; }
   bool marked(int cell) const override { return world_.cell_marked[static_cast<size_t>(cell)] != 0; }
-  std::string second_opinion(const Sweep& sweep) override;
+  std::string second_normal(const Sweep& sweep) override;
 
  private:
   Wall wall(int face) const override;
@@ -30,7 +30,7 @@ class SpaceArena : public Arena {
   std::vector<int> faces_round(const SweepEvent& event) const override;
   std::array<Vec, 2> ends_of(const SweepEvent& event) const override;
   std::string wrong_name(const SweepEvent& event, const dsw_sweep& got) const override;
-  std::string wrong_at_face(const VertexMove& flight, const SweepEvent& event, const dsw_contact& contact,
+  std::string wrong_at_face(const VertexMove& flight, const SweepEvent& event, const dsw_body_contact& contact,
                             const dsw_sweep& wall) const override;
 
   World& world_;

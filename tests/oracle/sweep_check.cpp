@@ -81,7 +81,6 @@ void SweepChecker::compare(const Sweep& s, dsw_level level, const dsw_sweep& got
     report_.fault(missed ? SweepReport::kMissed : early ? SweepReport::kEarly : SweepReport::kWrong, text);
     return;
   }
-  if (got.reserved != 0) wrong(" reserved is set");
   if (want == DSW_OUTCOME_CONTACT) {
     if (!(got.time == events[0].time)) {
       const std::string text = " time " + number(got.time) + " for " + number(events[0].time) + " " + name(events[0]);
@@ -96,12 +95,13 @@ void SweepChecker::compare(const Sweep& s, dsw_level level, const dsw_sweep& got
         text = fault + ", " + name(e) + " time " + number(e.time) + (e.order == 0 ? "" : " by the shift");
     }
     if (text != " ") wrong(text);
-    const Vec n = {got.normal[0], got.normal[1], got.normal[2]};
+    const Vec n = {got.contact.normal[0], got.contact.normal[1], got.contact.normal[2]};
     if (!(std::fabs(length(n) - 1) <= 1e-14)) wrong(" normal is not a unit: " + hex(n));
   } else {
     const double zero[3] = {0, 0, 0};
-    if (!none(got.face) || !none(got.edge) || !arena_.same_volume(got.front, -1) || !same(got.normal, zero) ||
-        got.tag != 0 || got.kind != DSW_CONTACT_NONE || got.obstacle != DSW_CELL_NONE) {
+    if (!none(got.contact.wall) || !none(got.contact.obstacle) || !arena_.same_volume(got.contact.front, -1) ||
+        !same(got.contact.normal, zero) || got.contact.tag != 0 || got.contact.kind != DSW_CONTACT_NONE ||
+        got.contact.marked_kind != DSW_CELL_NONE) {
       wrong(" members of a contact are set without one");
     }
     if (!(got.time == (want == DSW_OUTCOME_REACHED ? 1 : 0))) wrong(" time " + number(got.time));
@@ -112,24 +112,25 @@ void SweepChecker::compare(const Sweep& s, dsw_level level, const dsw_sweep& got
   if (!arena_.same_volume(got.volume, cell)) wrong(" volume " + name(got.volume) + " for " + std::to_string(cell));
 }
 
-void SweepChecker::compare_limited(const Sweep& s, uint32_t max_cells, const dsw_sweep& whole, const dsw_sweep& got,
+void SweepChecker::compare_limited(const Sweep& s, uint32_t max_volumes, const dsw_sweep& whole, const dsw_sweep& got,
                                    const std::string& how) {
   // One budget for the casts and the flood.
   const bool stopped = got.outcome == DSW_OUTCOME_WORK_LIMIT;
   std::string wrong;
-  if (stopped != (whole.cells_visited > max_cells)) wrong += " outcome " + std::to_string(got.outcome);
-  if (stopped && (got.cells_visited != max_cells || got.time != 0 || !same(got.position, s.from.data()) ||
-                  !arena_.same_volume(got.volume, s.truth.start) || !none(got.face) || !none(got.edge))) {
-    wrong += " stopped after " + std::to_string(got.cells_visited) + " at " + number(got.time);
+  if (stopped != (whole.volumes_visited > max_volumes)) wrong += " outcome " + std::to_string(got.outcome);
+  if (stopped &&
+      (got.volumes_visited != max_volumes || got.time != 0 || !same(got.position, s.from.data()) ||
+       !arena_.same_volume(got.volume, s.truth.start) || !none(got.contact.wall) || !none(got.contact.obstacle))) {
+    wrong += " stopped after " + std::to_string(got.volumes_visited) + " at " + number(got.time);
   }
   if (!stopped &&
-      (got.outcome != whole.outcome || got.time != whole.time || got.cells_visited != whole.cells_visited)) {
+      (got.outcome != whole.outcome || got.time != whole.time || got.volumes_visited != whole.volumes_visited)) {
     wrong += " another answer than without a limit";
   }
   if (wrong.empty()) return;
   report_.fault(SweepReport::kWrong, "sweep " + hex(s.from) + " to " + hex(s.to) + " fixed " + hex(s.fixed) + how +
-                                         " limit " + std::to_string(max_cells) + " of " +
-                                         std::to_string(whole.cells_visited) + ":" + wrong);
+                                         " limit " + std::to_string(max_volumes) + " of " +
+                                         std::to_string(whole.volumes_visited) + ":" + wrong);
 }
 
 void SweepChecker::check_truth(const Sweep& s) {
@@ -138,7 +139,7 @@ void SweepChecker::check_truth(const Sweep& s) {
   const auto wrong = [&](const std::string& text) { report_.fault(SweepReport::kWrong, what + text); };
   if (t.start == -2) return wrong(" several cells contain the start");
   if (!may_start(t)) return;
-  const std::string opinion = arena_.second_opinion(s);
+  const std::string opinion = arena_.second_normal(s);
   if (!opinion.empty()) wrong(opinion);
   if (t.new_edge_hit && t.swept.empty()) wrong(" the new edge meets something, the triangle nothing");
   if (!t.swept.empty() && t.path_hit && compare_times(t.swept[0], t.path[0]) > 0) wrong(" the path is met first");

@@ -45,7 +45,7 @@ class SweepChecker {
   static const std::vector<SweepEvent>& first(const SweepTruth& truth, dsw_level level);
   void compare(const Sweep& sweep, dsw_level level, const dsw_sweep& got, const std::string& how);
   /// `whole`: the answer without a limit.
-  void compare_limited(const Sweep& sweep, uint32_t max_cells, const dsw_sweep& whole, const dsw_sweep& got,
+  void compare_limited(const Sweep& sweep, uint32_t max_volumes, const dsw_sweep& whole, const dsw_sweep& got,
                        const std::string& how);
   /// The truth against the oracle of casts, and against itself with the triangle's corners exchanged or its path cut.
   void check_truth(const Sweep& sweep);

@@ -36,7 +36,7 @@ void call(const Arena& arena, const dsw_environment* environment, const std::vec
     std::memset(reports, 0xee, count * sizeof *reports);
     const size_t at = first * stride;
     const bool defaults =
-        flags == 0 && options.level == DSW_LEVEL_EDGES_SWEPT && options.max_cells == 0 && rng.chance(0.5);
+        flags == 0 && options.level == DSW_LEVEL_EDGES_SWEPT && options.max_volumes == 0 && rng.chance(0.5);
     const dsw_status status = dsw_environment_sweep_edges(
         environment, count, any_start ? starts.data() + first : nullptr, from.data() + at, to.data() + at,
         fixed.data() + at, stride == dimension ? 0 : stride * sizeof(double), defaults ? nullptr : &options, reports);
@@ -47,7 +47,7 @@ void call(const Arena& arena, const dsw_environment* environment, const std::vec
   };
   for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT}) {
     options.level = level;
-    options.max_cells = 0;
+    options.max_volumes = 0;
     std::vector<dsw_sweep> reports(sweeps.size());
     if (!ask(0, sweeps.size(), reports.data())) continue;
     for (size_t i = 0; i < sweeps.size(); ++i) {
@@ -56,9 +56,9 @@ void call(const Arena& arena, const dsw_environment* environment, const std::vec
       checker.compare(*sweeps[i], level, reports[i], how);
       if (!rng.chance(0.05)) continue;
       dsw_sweep limited;
-      options.max_cells = 1 + rng.below(reports[i].cells_visited + 1);
-      if (ask(i, 1, &limited)) checker.compare_limited(*sweeps[i], options.max_cells, reports[i], limited, how);
-      options.max_cells = 0;
+      options.max_volumes = 1 + rng.below(reports[i].volumes_visited + 1);
+      if (ask(i, 1, &limited)) checker.compare_limited(*sweeps[i], options.max_volumes, reports[i], limited, how);
+      options.max_volumes = 0;
     }
   }
 }

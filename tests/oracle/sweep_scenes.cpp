@@ -62,7 +62,7 @@ std::unique_ptr<Stage> make_stage(const SweepTurn& turn, uint64_t seed, Rng& rng
   report.begin(turn.kind->name,
                std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " + std::to_string(seed));
   if (may_be_refused(mesh)) return nullptr;
-  EnvironmentPtr environment = create_environment(mesh, {}, rng.chance(0.5) ? DSW_ENVIRONMENT_LOCATE_GRID : 0);
+  EnvironmentPtr environment = create_environment(mesh, {}, rng.chance(0.5) ? DSW_ENVIRONMENT_LOCATE_TREE : 0);
   if (environment == nullptr) {
     report.fault(SweepReport::kWrong, "a valid mesh was refused");
     return nullptr;
@@ -126,7 +126,7 @@ void Stage::mark_vertices(Rng& rng, SweepReport& report) {
   for (size_t v = 0; v < used.size(); ++v) {
     dsw_vertex_id id;
     if (used[v] == 0 || !rng.chance(share) ||
-        dsw_environment_get_vertex(environment.get(), static_cast<uint32_t>(v), &id) != DSW_STATUS_OK) {
+        dsw_environment_get_vertex_id(environment.get(), static_cast<uint32_t>(v), &id) != DSW_STATUS_OK) {
       continue;
     }
     ids.push_back(id);

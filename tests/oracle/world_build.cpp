@@ -46,7 +46,7 @@ void World::read_topology(const dsw_environment* environment, const Changed& cha
   for (size_t c = 0; c < count; ++c) {
     if (!changed.volumes.empty()) {
       ids[c] = changed.volumes[c];
-    } else if (dsw_environment_get_volume(environment, static_cast<uint32_t>(c), &ids[c]) != DSW_STATUS_OK) {
+    } else if (dsw_environment_get_volume_id(environment, static_cast<uint32_t>(c), &ids[c]) != DSW_STATUS_OK) {
       fault_ = "get_volume failed for cell " + std::to_string(c);
       return;
     }
@@ -76,7 +76,7 @@ void World::read_topology(const dsw_environment* environment, const Changed& cha
     std::memset(&data, 0, sizeof data);
     data.struct_size = sizeof data;
     if (dsw_trace_add_volumes(trace, environment, &ids[c], 1, static_cast<uint32_t>(c)) != DSW_STATUS_OK ||
-        dsw_trace_get(trace, &data) != DSW_STATUS_OK) {
+        dsw_trace_get_data(trace, &data) != DSW_STATUS_OK) {
       fault_ = "no trace of cell " + std::to_string(c);
       break;
     }

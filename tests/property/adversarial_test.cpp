@@ -173,7 +173,7 @@ TEST(AdversarialTest, NotFiniteIsRefusedAndNothingChanges) {
       EXPECT_EQ(dsw_environment_cast_path(environment, {0, 0}, at, p, nullptr, nullptr, 0, &count, &flight),
                 DSW_STATUS_NON_FINITE);
       dsw_volume_id v = {77, 77};
-      dsw_place where = DSW_PLACE_NONE;
+      dsw_location where = DSW_LOCATION_NONE;
       EXPECT_EQ(dsw_environment_locate(environment, p, {0, 0}, &v, &where), DSW_STATUS_NON_FINITE);
       EXPECT_EQ(v.index, 77u);
       EXPECT_EQ(dsw_particle_create(scene.get(), p, {0, 0}, &unset), DSW_STATUS_NON_FINITE);
@@ -194,7 +194,7 @@ TEST(AdversarialTest, NotFiniteIsRefusedAndNothingChanges) {
   EXPECT_EQ(count, 1u);
   double position[3];
   dsw_volume_id volume;
-  ASSERT_EQ(dsw_particle_get(scene.get(), particle, position, &volume), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_particle_get_position(scene.get(), particle, position, &volume), DSW_STATUS_OK);
   EXPECT_EQ(hex(position), hex(at));
   EXPECT_TRUE(same(volume, grid.place.world->ids[0]));
 }
@@ -229,10 +229,10 @@ EnvironmentPtr row(bool wedges) {
   desc.points = points.data();
   desc.point_count = points.size() / 3;
   desc.uniform_cell_type = wedges ? DSW_CELL_TYPE_WEDGE : DSW_CELL_TYPE_HEXAHEDRON;
-  desc.cell_count = wedges ? 2 * kLong : kLong;
+  desc.volume_count = wedges ? 2 * kLong : kLong;
   desc.connectivity = cells.data();
   desc.connectivity_count = cells.size();
-  desc.flags = DSW_ENVIRONMENT_LOCATE_GRID;
+  desc.flags = DSW_ENVIRONMENT_LOCATE_TREE;
   dsw_environment* environment = nullptr;
   EXPECT_EQ(dsw_environment_create(nullptr, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
   return EnvironmentPtr(environment);
@@ -252,7 +252,7 @@ TEST(AdversarialLongTest, AMillionHexahedraInOneFlight) {
     dsw_flight flight;
     ASSERT_EQ(dsw_environment_cast(environment.get(), {0, 0}, r[0], r[1], nullptr, &flight), DSW_STATUS_OK);
     EXPECT_EQ(flight.outcome, DSW_OUTCOME_REACHED) << hex(r[0]);
-    EXPECT_EQ(flight.cells_visited, kLong);
+    EXPECT_EQ(flight.volumes_visited, kLong);
     EXPECT_EQ(flight.volume.index, kLong - 1);
   }
   // Back, and out at the near end: the time is exactly known.
@@ -262,8 +262,8 @@ TEST(AdversarialLongTest, AMillionHexahedraInOneFlight) {
   EXPECT_EQ(flight.outcome, DSW_OUTCOME_CONTACT);
   EXPECT_EQ(flight.time, 0.5);
   EXPECT_EQ(flight.volume.index, 0u);
-  EXPECT_EQ(flight.cells_visited, kLong);
-  EXPECT_EQ(flight.normal[0], 1);
+  EXPECT_EQ(flight.volumes_visited, kLong);
+  EXPECT_EQ(flight.contact.normal[0], 1);
   // Every crossing: at exactly i in x, so at the floor of (i - 1/2) / (last - 1/2).
   std::vector<dsw_crossing> crossings(kLong);
   size_t count = 0;
@@ -280,10 +280,10 @@ TEST(AdversarialLongTest, AMillionHexahedraInOneFlight) {
   EXPECT_EQ(wrong, 0u);
   // A work limit in the middle of it.
   dsw_cast_options options = defaults(dsw_cast_options_init);
-  options.max_cells = 1000;
+  options.max_volumes = 1000;
   ASSERT_EQ(dsw_environment_cast(environment.get(), {0, 0}, rows[0][0], rows[0][1], &options, &flight), DSW_STATUS_OK);
   EXPECT_EQ(flight.outcome, DSW_OUTCOME_WORK_LIMIT);
-  EXPECT_EQ(flight.cells_visited, 1000u);
+  EXPECT_EQ(flight.volumes_visited, 1000u);
   EXPECT_EQ(flight.volume.index, 999u);
 }
 
@@ -296,10 +296,10 @@ TEST(AdversarialLongTest, AMillionPairsOfWedgesInOneFlight) {
   dsw_flight flight;
   ASSERT_EQ(dsw_environment_cast(environment.get(), {0, 0}, along[0], along[1], nullptr, &flight), DSW_STATUS_OK);
   EXPECT_EQ(flight.outcome, DSW_OUTCOME_REACHED);
-  EXPECT_EQ(flight.cells_visited, kLong);
+  EXPECT_EQ(flight.volumes_visited, kLong);
   ASSERT_EQ(dsw_environment_cast(environment.get(), {0, 0}, across[0], across[1], nullptr, &flight), DSW_STATUS_OK);
   EXPECT_EQ(flight.outcome, DSW_OUTCOME_REACHED);
-  EXPECT_EQ(flight.cells_visited, kLong + 1);
+  EXPECT_EQ(flight.volumes_visited, kLong + 1);
   EXPECT_EQ(flight.volume.index / 2, kLong - 1);
 }
 
@@ -324,7 +324,7 @@ TEST(AdversarialLongTest, AMillionStepsAgainstAWall) {
   Vec p = {24, 24, 24}, push = {1, 0.3, -0.2};
   uint64_t steps = 0, free_steps = 0, kept = 0, contacts = 0, moved = 0;
   dsw_volume_id old_volume;
-  ASSERT_EQ(dsw_particle_get(scene.get(), particle, nullptr, &old_volume), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_particle_get_position(scene.get(), particle, nullptr, &old_volume), DSW_STATUS_OK);
   for (; steps < 1000000; ++steps) {
     if (steps % 50000 == 0) push = {rng.range(-1, 1), rng.range(-1, 1), rng.range(-1, 1)};
     // Pressed on, jittering on all scales from one unit in the last place upwards.
@@ -336,7 +336,7 @@ TEST(AdversarialLongTest, AMillionStepsAgainstAWall) {
     contacts += flight.outcome == DSW_OUTCOME_CONTACT;
     Vec reached;
     dsw_volume_id volume;
-    ASSERT_EQ(dsw_particle_get(scene.get(), particle, reached.data(), &volume), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_particle_get_position(scene.get(), particle, reached.data(), &volume), DSW_STATUS_OK);
     moved += reached != p;
     const BodyPoint from = world.body(p.data()), to = world.body(reached.data());
     kept += world.contains(static_cast<int>(volume.index), to);

@@ -126,17 +126,17 @@ TEST_F(BodyCreateTest, PlacesThatAreNone) {
 TEST_F(BodyCreateTest, EdgesAndFacesThatAreNone) {
   refuse(DSW_STATUS_INDEX_OUT_OF_RANGE, {{kA, kB}, {{0, 2}}, {}});
   refuse(DSW_STATUS_INDEX_OUT_OF_RANGE, {{kA, kB, kC}, {}, {{0, 1, 3}}});
-  refuse(DSW_STATUS_BAD_CELL, {{kA, kB}, {{1, 1}}, {}});
-  refuse(DSW_STATUS_BAD_CELL, {{kA, kB, kC}, {}, {{0, 1, 0}}});
-  refuse(DSW_STATUS_DUPLICATE_CELL, {{kA, kB}, {{0, 1}, {1, 0}}, {}});
-  refuse(DSW_STATUS_DUPLICATE_CELL, {{kA, kB, kC}, {}, {{0, 1, 2}, {1, 2, 0}}});
-  refuse(DSW_STATUS_INVERTED_CELL, {{kA, kB, kC, kD}, {}, {{0, 1, 2}, {0, 1, 3}}});
+  refuse(DSW_STATUS_REPEATED_VERTEX, {{kA, kB}, {{1, 1}}, {}});
+  refuse(DSW_STATUS_REPEATED_VERTEX, {{kA, kB, kC}, {}, {{0, 1, 0}}});
+  refuse(DSW_STATUS_DUPLICATE_PART, {{kA, kB}, {{0, 1}, {1, 0}}, {}});
+  refuse(DSW_STATUS_DUPLICATE_PART, {{kA, kB, kC}, {}, {{0, 1, 2}, {1, 2, 0}}});
+  refuse(DSW_STATUS_NOT_ORIENTED, {{kA, kB, kC, kD}, {}, {{0, 1, 2}, {0, 1, 3}}});
 }
 
 TEST_F(BodyCreateTest, OnlyManifolds) {
   // Three triangles at one edge; two cones that share their tip.
-  refuse(DSW_STATUS_SHARED_FACE, {{kA, kB, kC, kD, kE}, {}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}});
-  refuse(DSW_STATUS_SHARED_FACE, {{kA, kB, kC, kD, kE}, {}, {{0, 1, 2}, {0, 3, 4}}});
+  refuse(DSW_STATUS_NOT_MANIFOLD, {{kA, kB, kC, kD, kE}, {}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}});
+  refuse(DSW_STATUS_NOT_MANIFOLD, {{kA, kB, kC, kD, kE}, {}, {{0, 1, 2}, {0, 3, 4}}});
   BodyPlan two = tetrahedron(kA, 0.25);
   const BodyPlan other = tetrahedron(kA, -0.25);
   two.at.insert(two.at.end(), other.at.begin() + 1, other.at.end());
@@ -144,7 +144,7 @@ TEST_F(BodyCreateTest, OnlyManifolds) {
     for (uint32_t& v : f) v = v == 0 ? 0 : v + 3;
     two.faces.push_back(f);
   }
-  refuse(DSW_STATUS_SHARED_FACE, two);
+  refuse(DSW_STATUS_NOT_MANIFOLD, two);
   // Edges without faces may meet where they like.
   const BodyState state = read(make({{kA, kB, kC, kD, kE}, {{0, 1}, {0, 2}, {0, 3}, {0, 4}}, {{0, 1, 2}}}));
   EXPECT_EQ(state.edges.size(), 5u);
@@ -232,13 +232,13 @@ TEST_F(BodyCreateTest, IdsOfGoneBodiesAreStale) {
     size_t count = 55;
     const double targets[6] = {0};
     dsw_body_vertex_id vertex;
-    const dsw_contact* contacts = nullptr;
+    const dsw_body_contact* contacts = nullptr;
     EXPECT_EQ(dsw_body_destroy(scene(), id), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_get_counts(scene(), id, &counts), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_get_level(scene(), id, &level), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_set_level(scene(), id, DSW_LEVEL_POINTS), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_get_positions(scene(), id, xyz, 2, 0, nullptr, &count), DSW_STATUS_STALE_ID);
-    EXPECT_EQ(dsw_body_get_vertices(scene(), id, &vertex, 1, &count), DSW_STATUS_STALE_ID);
+    EXPECT_EQ(dsw_body_get_vertex_ids(scene(), id, &vertex, 1, &count), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_add_vertex(scene(), id, kA.data(), {0, 0}, &vertex), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_move(scene(), id, targets, 2, 0, nullptr, nullptr), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_get_contacts(scene(), id, &contacts, &count), DSW_STATUS_STALE_ID);
@@ -254,11 +254,11 @@ TEST_F(BodyCreateTest, BuffersThatAreTooSmallLearnTheSize) {
   EXPECT_EQ(count, 4u);
   EXPECT_EQ(xyz[0], 7);
   dsw_body_edge_id edges[6] = {{9, 9}};
-  EXPECT_EQ(dsw_body_get_edges(scene(), body, edges, 5, &count), DSW_STATUS_BUFFER_TOO_SMALL);
+  EXPECT_EQ(dsw_body_get_edge_ids(scene(), body, edges, 5, &count), DSW_STATUS_BUFFER_TOO_SMALL);
   EXPECT_EQ(count, 6u);
   EXPECT_EQ(edges[0].index, 9u);
   dsw_body_face_id faces[4];
-  EXPECT_EQ(dsw_body_get_faces(scene(), body, faces, 3, &count), DSW_STATUS_BUFFER_TOO_SMALL);
+  EXPECT_EQ(dsw_body_get_face_ids(scene(), body, faces, 3, &count), DSW_STATUS_BUFFER_TOO_SMALL);
   EXPECT_EQ(count, 4u);
 }
 

@@ -41,7 +41,7 @@ TEST_F(BodyEditTest, RemovedPartsAreStaleAndTheirIndicesComeBackWithAHigherGener
   EXPECT_EQ(read(body).edges.size(), 5u);
   EXPECT_EQ(read(body).faces.size(), 2u);
   dsw_body_vertex_id ends[2];
-  refuse(DSW_STATUS_STALE_ID, body, [&] { return dsw_body_get_edge(scene(), body, before.edge_ids[e], ends); });
+  refuse(DSW_STATUS_STALE_ID, body, [&] { return dsw_body_get_edge_ends(scene(), body, before.edge_ids[e], ends); });
 
   ASSERT_EQ(dsw_body_remove_vertex(scene(), body, before.vertices[3]), DSW_STATUS_OK);
   const BodyState rest = read(body);
@@ -91,25 +91,25 @@ TEST_F(BodyEditTest, WhatCannotBeAdded) {
   refuse(DSW_STATUS_IMPASSABLE, body, [&] { return add_vertex({3.5, 3.5, 2.5}, {0, 0}); });
   refuse(DSW_STATUS_STALE_ID, body, [&] { return add_vertex(kB, {1, 7}); });
   refuse(DSW_STATUS_STALE_ID, body, [&] { return add_edge(v[0], stale); });
-  refuse(DSW_STATUS_BAD_CELL, body, [&] { return add_edge(v[3], v[3]); });
-  refuse(DSW_STATUS_DUPLICATE_CELL, body, [&] { return add_edge(v[0], v[3]); });
+  refuse(DSW_STATUS_REPEATED_VERTEX, body, [&] { return add_edge(v[3], v[3]); });
+  refuse(DSW_STATUS_DUPLICATE_PART, body, [&] { return add_edge(v[0], v[3]); });
   refuse(DSW_STATUS_OCCUPIED, body, [&] { return add_edge(v[0], v[4]); });
   refuse(DSW_STATUS_STALE_ID, body, [&] { return add_face(v[0], v[1], stale); });
-  refuse(DSW_STATUS_BAD_CELL, body, [&] { return add_face(v[0], v[1], v[1]); });
-  refuse(DSW_STATUS_DUPLICATE_CELL, body, [&] { return add_face(v[1], v[2], v[0]); });
-  refuse(DSW_STATUS_INVERTED_CELL, body, [&] { return add_face(v[0], v[1], v[3]); });
+  refuse(DSW_STATUS_REPEATED_VERTEX, body, [&] { return add_face(v[0], v[1], v[1]); });
+  refuse(DSW_STATUS_DUPLICATE_PART, body, [&] { return add_face(v[1], v[2], v[0]); });
+  refuse(DSW_STATUS_NOT_ORIENTED, body, [&] { return add_face(v[0], v[1], v[3]); });
   refuse(DSW_STATUS_OCCUPIED, body, [&] { return add_face(v[1], v[0], v[4]); });
   dsw_body_face_id face;
   ASSERT_EQ(dsw_body_add_face(scene(), body, v[1], v[0], v[3], &face), DSW_STATUS_OK);
   dsw_body_vertex_id more;
   ASSERT_EQ(dsw_body_add_vertex(scene(), body, Vec{0.25, 0.25, 0.25}.data(), {0, 0}, &more), DSW_STATUS_OK);
-  refuse(DSW_STATUS_SHARED_FACE, body, [&] { return add_face(v[0], v[1], more); });
+  refuse(DSW_STATUS_NOT_MANIFOLD, body, [&] { return add_face(v[0], v[1], more); });
 }
 
 TEST_F(BodyEditTest, AFaceThatWouldMakeASecondFanIsRefused) {
   const dsw_body_id body = make({{kA, kB, kC, kD, {0.25, 0.25, 0.25}}, {}, {{0, 1, 2}}});
   const BodyState s = read(body);
-  refuse(DSW_STATUS_SHARED_FACE, body, [&] {
+  refuse(DSW_STATUS_NOT_MANIFOLD, body, [&] {
     dsw_body_face_id face;
     return dsw_body_add_face(scene(), body, s.vertices[0], s.vertices[3], s.vertices[4], &face);
   });
@@ -126,7 +126,7 @@ TEST_F(BodyEditTest, SplitAndCollapseAreARoundTrip) {
     const BodyState middle = read(body);
     EXPECT_EQ(middle.edges.size(), 9u);
     EXPECT_EQ(middle.faces.size(), 6u);
-    EXPECT_TRUE(split.inserted == 1 && split.reserved == 0 && split.share == 0.25);
+    EXPECT_TRUE(split.inserted == 1 && split.reserved == 0 && split.edge_parameter == 0.25);
     EXPECT_EQ(split.edge.index, before.edge_ids[e].index);
     EXPECT_EQ(split.edge.generation, before.edge_ids[e].generation);
     const Vec& a = before.at[split.ends[0].index];
@@ -135,7 +135,7 @@ TEST_F(BodyEditTest, SplitAndCollapseAreARoundTrip) {
     for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(m[k], a[k] + 0.25 * (b[k] - a[k]), 1e-15);
     const auto joins = [&](dsw_body_edge_id id, dsw_body_vertex_id x, dsw_body_vertex_id y) {
       dsw_body_vertex_id ends[2];
-      EXPECT_EQ(dsw_body_get_edge(scene(), body, id, ends), DSW_STATUS_OK);
+      EXPECT_EQ(dsw_body_get_edge_ends(scene(), body, id, ends), DSW_STATUS_OK);
       return (ends[0].index == x.index && ends[1].index == y.index) ||
              (ends[0].index == y.index && ends[1].index == x.index);
     };
@@ -184,7 +184,7 @@ TEST_F(BodyEditTest, CollapsesThatAreRefused) {
   BodyState s = read(surface);
   const size_t e = edge_between(s, 0, 1);
   // Two triangles on the same three vertices would be left.
-  refuse(DSW_STATUS_BAD_CELL, surface,
+  refuse(DSW_STATUS_NOT_MANIFOLD, surface,
          [&] { return dsw_body_collapse_edge(scene(), surface, s.edge_ids[e], s.vertices[0], nullptr); });
   refuse(DSW_STATUS_NOT_FOUND, surface,
          [&] { return dsw_body_collapse_edge(scene(), surface, s.edge_ids[e], s.vertices[2], nullptr); });
@@ -225,7 +225,7 @@ TEST_F(BodyEditTest, AWireBetweenTwoSurfacesDoesNotCollapseToAVertexOfTwoFans) {
                                  {{0, 1, 2}, {3, 4, 5}}});
   const BodyState s = read(body);
   for (uint32_t v : {0u, 3u}) {
-    refuse(DSW_STATUS_BAD_CELL, body, [&] {
+    refuse(DSW_STATUS_NOT_MANIFOLD, body, [&] {
       return dsw_body_collapse_edge(scene(), body, s.edge_ids[edge_between(s, 0, 3)], s.vertices[v], nullptr);
     });
   }

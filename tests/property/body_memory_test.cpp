@@ -101,10 +101,10 @@ TEST_F(BodyMemoryTest, AMoveThatFailedLeavesContactsAndTheirHistory) {
   BodyAnswer first;
   ASSERT_EQ(move_body(scene(), body, to, nullptr, first), "");
   ASSERT_EQ(first.contacts.size(), 1u);
-  const dsw_contact* contacts = nullptr;
+  const dsw_body_contact* contacts = nullptr;
   size_t count = 0;
   dsw_move_options options = defaults(dsw_move_options_init);
-  options.search = DSW_SEARCH_ALL;
+  options.search = DSW_SEARCH_EXHAUSTIVE;
   until_it_succeeds(
       [&] { return dsw_body_move(scene(), body, to[0].data(), to.size(), 0, &options, nullptr); },
       [&] { return dsw_body_get_contacts(scene(), body, &contacts, &count) == DSW_STATUS_OK && count == 1; });

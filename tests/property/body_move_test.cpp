@@ -16,7 +16,7 @@ class BodyMoveTest : public BodyTest {
   /// Contacts of the last move included.
   std::string everything(dsw_body_id body) {
     BodyAnswer answer;
-    const dsw_contact* contacts = nullptr;
+    const dsw_body_contact* contacts = nullptr;
     size_t count = 0;
     EXPECT_EQ(dsw_body_get_contacts(scene(), body, &contacts, &count), DSW_STATUS_OK);
     answer.contacts.assign(contacts, contacts + count);
@@ -95,10 +95,10 @@ TEST_F(BodyMoveTest, EachLevelMeetsWhatItSays) {
     EXPECT_EQ(answer.report.vertices_stopped, answer.contacts.size());
     EXPECT_EQ(answer.report.fraction, 1);
     if (answer.contacts.empty()) continue;
-    const dsw_contact& c = answer.contacts[0];
-    EXPECT_EQ(c.kind, DSW_CONTACT_EDGE);
-    EXPECT_EQ(c.cause, DSW_CELL_EDGE);
-    EXPECT_EQ(c.wall.generation, 0u);
+    const dsw_body_contact& c = answer.contacts[0];
+    EXPECT_EQ(c.contact.kind, DSW_CONTACT_EDGE);
+    EXPECT_EQ(c.contact.marked_kind, DSW_CELL_EDGE);
+    EXPECT_EQ(c.contact.wall.generation, 0u);
     EXPECT_TRUE(c.vertex.index == 0 && c.edge.generation == 1 && c.face.generation == 0);
     EXPECT_EQ(c.point[0], 2);
     EXPECT_EQ(c.point[1], 2);
@@ -155,14 +155,14 @@ TEST_F(BodyMoveTest, ALoneMarkedVertexIsMetByFacesOnly) {
     const BodyAnswer answer = move(body, {to, q, r});
     ASSERT_EQ(answer.contacts.size(), level == DSW_LEVEL_FACES ? 1u : 0u);
     if (answer.contacts.empty()) continue;
-    const dsw_contact& c = answer.contacts[0];
-    EXPECT_EQ(c.kind, DSW_CONTACT_VERTEX);
-    EXPECT_EQ(c.cause, DSW_CELL_VERTEX);
-    EXPECT_TRUE(c.obstacle.kind == DSW_CELL_VERTEX && c.obstacle.index == marked.index);
-    EXPECT_TRUE(c.face.generation == 1 && c.edge.generation == 0 && c.wall.generation == 0);
+    const dsw_body_contact& c = answer.contacts[0];
+    EXPECT_EQ(c.contact.kind, DSW_CONTACT_VERTEX);
+    EXPECT_EQ(c.contact.marked_kind, DSW_CELL_VERTEX);
+    EXPECT_TRUE(c.contact.obstacle.kind == DSW_CELL_VERTEX && c.contact.obstacle.index == marked.index);
+    EXPECT_TRUE(c.face.generation == 1 && c.edge.generation == 0 && c.contact.wall.generation == 0);
     EXPECT_TRUE(c.point[0] == 2 && c.point[1] == 2 && c.point[2] == 1);
     EXPECT_EQ(c.time, std::nextafter(0.4, 0));  // 2/5, rounded down
-    EXPECT_LT(c.normal[2], 0);
+    EXPECT_LT(c.contact.normal[2], 0);
   }
 }
 
@@ -188,7 +188,7 @@ TEST_F(BodyMoveTest, AStopLastsWhicheverObstaclesWereListedBesideIt) {
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {3.75, 1.5, 1.5};
   const dsw_body_id body = make(segment(from, fixed));
   dsw_move_options options = defaults(dsw_move_options_init);
-  options.search = DSW_SEARCH_ALL;
+  options.search = DSW_SEARCH_EXHAUSTIVE;
   ASSERT_EQ(move(body, {to, fixed}, &options).contacts.size(), 2u);
   const BodyAnswer again = move(body, {to, fixed});
   ASSERT_EQ(again.contacts.size(), 1u);
@@ -201,7 +201,7 @@ TEST_F(BodyMoveTest, AllObstaclesUnderTheEdgeComeInTheirOrder) {
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {3.75, 1.5, 1.5};
   const dsw_body_id body = make(segment(from, fixed)), twin = make(segment(from, fixed));
   dsw_move_options options = defaults(dsw_move_options_init);
-  options.search = DSW_SEARCH_ALL;
+  options.search = DSW_SEARCH_EXHAUSTIVE;
   const BodyAnswer all = move(body, {to, fixed}, &options), exact = move(twin, {to, fixed});
   ASSERT_EQ(all.contacts.size(), 2u);
   ASSERT_EQ(exact.contacts.size(), 1u);
@@ -238,7 +238,7 @@ TEST_F(BodyMoveTest, HalvingEndsBetweenAFreePlaceAndOneThatIsNot) {
       continue;
     }
     ASSERT_EQ(halved.contacts.size(), 1u);
-    const dsw_contact& c = halved.contacts[0];
+    const dsw_body_contact& c = halved.contacts[0];
     EXPECT_EQ(std::floor(c.time / kStep), c.time / kStep);
     // It stands where it is seen free, and the place behind is not free; nor is the target.
     const Vec to = targets[0];
@@ -257,13 +257,13 @@ TEST_F(BodyMoveTest, HalvingEndsBetweenAFreePlaceAndOneThatIsNot) {
     for (int k = 1; k < 3; ++k) ASSERT_EQ(dsw_body_destroy(scene(), bodies[k]), DSW_STATUS_OK);
     // What runs into a face does so on that face.
     of_faces += c.face.generation != 0 ? 1 : 0;
-    if (c.kind != DSW_CONTACT_PLANE) continue;
+    if (c.contact.kind != DSW_CONTACT_PLANE) continue;
     ++(c.edge.generation != 0 ? of_edges : of_paths);
     double largest = 0;
-    for (const double x : c.normal) largest = std::max(largest, std::fabs(x));
+    for (const double x : c.contact.normal) largest = std::max(largest, std::fabs(x));
     EXPECT_EQ(largest, 1) << i;  // all faces here look along an axis
     for (size_t k = 0; k < 3; ++k)
-      far += c.normal[k] != 0 && std::fabs(c.point[k] - std::round(c.point[k])) > 1e-12 ? 1 : 0;
+      far += c.contact.normal[k] != 0 && std::fabs(c.point[k] - std::round(c.point[k])) > 1e-12 ? 1 : 0;
   }
   EXPECT_GT(of_paths, 20);
   EXPECT_GT(of_edges, 20);
@@ -279,7 +279,7 @@ TEST_F(BodyMoveTest, AllObstaclesAtEdgesAreThoseOfTheEdgesThatWereHit) {
   const std::vector<Vec> to = {{3.5, 0.5, 1.5}, plan.at[1], plan.at[2]};
   const dsw_body_id body = make(plan, DSW_LEVEL_EDGES), twin = make(plan, DSW_LEVEL_EDGES);
   dsw_move_options options = defaults(dsw_move_options_init);
-  options.search = DSW_SEARCH_ALL;
+  options.search = DSW_SEARCH_EXHAUSTIVE;
   const BodyAnswer exact = move(twin, to), all = move(body, to, &options);
   ASSERT_EQ(exact.contacts.size(), 1u);
   EXPECT_TRUE(exact.contacts[0].point[0] == 3 && exact.contacts[0].point[1] == 1);
@@ -334,11 +334,11 @@ TEST(BodySlideTest, TargetsAtTheEndOfTheDoublesLeaveNumbers) {
     for (const Vec& p : answer.after.at) {
       for (double x : p) ASSERT_TRUE(std::isfinite(x)) << i << ": " << hex(p);
     }
-    for (const dsw_contact& c : answer.contacts) {
+    for (const dsw_body_contact& c : answer.contacts) {
       for (size_t k = 0; k < 3; ++k) {
         ASSERT_TRUE(std::isfinite(c.from[k]) && std::isfinite(c.to[k])) << i << ": " << hex(c.from) << hex(c.to);
         ASSERT_TRUE(std::isfinite(c.position[k])) << i << ": " << hex(c.position);
-        ASSERT_TRUE(std::isfinite(c.point[k]) && std::isfinite(c.normal[k])) << i << ": " << hex(c.point);
+        ASSERT_TRUE(std::isfinite(c.point[k]) && std::isfinite(c.contact.normal[k])) << i << ": " << hex(c.point);
       }
       ASSERT_TRUE(c.time >= 0 && c.time <= 1) << i;
     }
@@ -477,7 +477,7 @@ TEST_F(BodyMoveTest, TheWorkLimitStopsTheSameMovesWithAndWithoutWhatIsLossless) 
       const dsw_body_id body = make({at, {{0, 1}}, {}}, level, flags);
       EXPECT_EQ(move(body, to).report.vertices_stopped, 0u);
       dsw_move_options options = defaults(dsw_move_options_init);
-      options.max_cells = 2;
+      options.max_volumes = 2;
       const BodyAnswer answer = move(body, further, &options);
       EXPECT_EQ(answer.report.vertices_stopped, 1u) << "level " << level << ", flags " << flags;
       answers[flags] = bits_of(answer.after);

@@ -79,7 +79,7 @@ std::vector<std::string> answers(const std::string& name, dsw_context* context, 
                   DSW_STATUS_OK)
             << dsw_last_error_message();
       }
-      const dsw_contact* list = nullptr;
+      const dsw_body_contact* list = nullptr;
       size_t count = 0;
       BodyAnswer answer;
       EXPECT_EQ(dsw_body_get_contacts(scene.get(), bodies[i], &list, &count), DSW_STATUS_OK);

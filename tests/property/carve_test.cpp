@@ -104,17 +104,15 @@ class CarveTest : public SceneTest {
   }
   /// What volumes that changed come from.
   std::map<uint32_t, uint32_t> origins() const {
-    const dsw_volume_change* changes = nullptr;
-    size_t count = 0;
-    EXPECT_EQ(dsw_environment_get_volume_changes(place_.get(), &changes, &count), DSW_STATUS_OK);
+    const dsw_volume_change* changes = change_of(place_.get()).volumes;
+    const size_t count = change_of(place_.get()).volume_count;
     std::map<uint32_t, uint32_t> origins;
     for (size_t i = 0; i < count; ++i) origins[changes[i].after.index] = changes[i].before.index;
     return origins;
   }
-  std::set<uint32_t> carved(uint32_t wanted) const {
-    const dsw_volume_id* ids = nullptr;
-    size_t count = 0;
-    EXPECT_EQ(dsw_environment_get_carved_volumes(place_.get(), &ids, &count), DSW_STATUS_OK);
+  std::set<uint32_t> carved(size_t wanted) const {
+    const dsw_volume_id* ids = change_of(place_.get()).carved;
+    const size_t count = change_of(place_.get()).carved_count;
     EXPECT_EQ(count, wanted);
     std::set<uint32_t> carved;
     for (size_t i = 0; i < count; ++i) {
@@ -146,10 +144,10 @@ TEST_P(CarveTest, WhatIsInsideIsCarvedAndNothingElse) {
       const dsw::Cell any = env().map.cell(rng.below(env().map.index_count()));
       if (any.valid() && rng.chance(0.5)) desc.start = volume_id(env().map, any);
       const auto before = marks();
-      dsw_carve_report report;
+      dsw_change report = empty_change();
       ASSERT_EQ(dsw_environment_carve(place_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
       const auto origin = origins();
-      const std::set<uint32_t> is_carved = carved(report.volumes_carved);
+      const std::set<uint32_t> is_carved = carved(report.carved_count);
       Turns turns(surface, rng);
       std::map<uint32_t, bool> is_inside;
       ASSERT_EQ(check_integrity(env().map), nullptr);
@@ -178,7 +176,7 @@ TEST_P(CarveTest, WhatIsInsideIsCarvedAndNothingElse) {
         }
       });
       carved_volumes += is_carved.size();
-      split += report.cut.volumes_split;
+      split += report.volumes_split;
       if (HasFailure()) return;
     }
   }

@@ -42,7 +42,7 @@ mpq_class volume_of(const dsw_environment* environment, uint32_t index) {
     EXPECT_EQ(vertices.size(), 3u);
     for (size_t k = 0; k < 3; ++k) {
       double xyz[3];
-      EXPECT_EQ(dsw_environment_get_position(environment, vertices[k], xyz), DSW_STATUS_OK);
+      EXPECT_EQ(dsw_environment_get_vertex_position(environment, vertices[k], xyz), DSW_STATUS_OK);
       for (size_t i = 0; i < 3; ++i) p[k][i] = xyz[i];
     }
     sum += p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) + p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2]) +
@@ -119,9 +119,9 @@ TEST_P(CoarsenTest, CastsMeetTheSameFacesAtTheSameTimes) {
         ASSERT_EQ(fine.outcome, other.outcome) << hex(p) << hex(q);
         EXPECT_EQ(fine.time, other.time);
         EXPECT_EQ(hex(fine.position), hex(other.position));
-        EXPECT_EQ(corners(place_.get(), fine.face), corners(coarse.environment.get(), other.face));
+        EXPECT_EQ(corners(place_.get(), fine.contact.wall), corners(coarse.environment.get(), other.contact.wall));
         EXPECT_EQ(mapped(coarse, fine.volume), other.volume.index);
-        EXPECT_LE(other.cells_visited, fine.cells_visited);
+        EXPECT_LE(other.volumes_visited, fine.volumes_visited);
       }
     }
   }

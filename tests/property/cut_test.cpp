@@ -42,9 +42,8 @@ class CutTest : public SceneTest {
     ASSERT_EQ(dsw_environment_cut(place_.get(), &desc_, &report_), DSW_STATUS_OK) << dsw_last_error_message();
   }
   std::vector<dsw_cut_face> faces() const {
-    const dsw_cut_face* faces = nullptr;
-    size_t count = 0;
-    EXPECT_EQ(dsw_environment_get_cut_faces(place_.get(), &faces, &count), DSW_STATUS_OK);
+    const dsw_cut_face* faces = change_of(place_.get()).faces;
+    const size_t count = change_of(place_.get()).face_count;
     return {faces, faces + count};
   }
   /// Signed height of a point over the blade's plane.
@@ -60,10 +59,9 @@ class CutTest : public SceneTest {
   }
   /// Adds the volumes that the last cut left whole.
   void add_whole(std::set<uint32_t>& is_whole) const {
-    const dsw_volume_id* ids = nullptr;
-    size_t count = 0;
-    EXPECT_EQ(dsw_environment_get_whole_volumes(place_.get(), &ids, &count), DSW_STATUS_OK);
-    EXPECT_EQ(count, report_.volumes_whole);
+    const dsw_volume_id* ids = change_of(place_.get()).whole;
+    const size_t count = change_of(place_.get()).whole_count;
+    EXPECT_EQ(count, report_.whole_count);
     for (size_t i = 0; i < count; ++i) {
       is_whole.insert(ids[i].index);
       EXPECT_TRUE(dsw::capi::space(*place_.get()).map.is_alive(ids[i].index, ids[i].generation));
@@ -101,7 +99,7 @@ class CutTest : public SceneTest {
   Place place_;
   double blade_[12] = {};
   dsw_cut_desc desc_{};
-  dsw_cut_report report_{};
+  dsw_change report_ = empty_change();
 };
 DSW_FOR_ALL_SCENES(CutTest);
 
@@ -122,7 +120,7 @@ TEST_P(CutTest, NothingIsOnBothSidesOfThePlaneButWhatStayedWhole) {
       });
       check_faces();
       split += report_.volumes_split;
-      whole += report_.volumes_whole;
+      whole += report_.whole_count;
       EXPECT_LE(report_.distance, 0.1 * place_.world->size);
       slack = std::max(slack, 1.01 * report_.distance);
       add_whole(is_whole);
@@ -131,7 +129,7 @@ TEST_P(CutTest, NothingIsOnBothSidesOfThePlaneButWhatStayedWhole) {
       // The plane meets an environment that is not convex in several parts; each is a cut of its own.
       desc_.start = volume_id(e.map, left[0]);
       ASSERT_EQ(dsw_environment_cut(place_.get(), &desc_, &report_), DSW_STATUS_OK) << dsw_last_error_message();
-    } while (report_.volumes_split + report_.volumes_whole > 0);
+    } while (report_.volumes_split + report_.whole_count > 0);
     EXPECT_TRUE(left.empty()) << "volume " << e.map.index(left[0]) << ", seed " << seed;
   }
   RecordProperty("split", static_cast<int>(split));

@@ -53,7 +53,7 @@ TEST(DefectTest, AGoodMeshHasNone) {
   EXPECT_TRUE(o.offenders.empty());
   EXPECT_EQ(o.report.part_count, 1u);
   EXPECT_EQ(o.report.boundary_face_count, 18u);
-  EXPECT_EQ(o.report.convex_cell_count, 4u);
+  EXPECT_EQ(o.report.convex_volume_count, 4u);
   EXPECT_EQ(o.report.unused_point_count, 0u);
 }
 
@@ -272,7 +272,7 @@ TEST(DefectTest, WrongSizesAndOffsets) {
   desc.point_count = size_t{1} << 28;
   EXPECT_EQ(create(desc).status, DSW_STATUS_TOO_LARGE);
   desc = good.desc;
-  desc.cell_count = 0;
+  desc.volume_count = 0;
   EXPECT_NE(create(desc).status, DSW_STATUS_OK);
   desc = good.desc;
   desc.flags = 0x40000000u;

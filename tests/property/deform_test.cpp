@@ -32,10 +32,12 @@ TEST_F(DeformTest, GivesTheSameBitsTwice) {
     const dsw_body_id body = make(tetrahedron({2.05, 1.5, 1.25}, 0.5), DSW_LEVEL_FACES, DSW_BODY_SEQUENCES);
     const dsw_body_id tool = make(tetrahedron({2.05, 1.1, 1.25}, 0.3), DSW_LEVEL_FACES, DSW_BODY_RIGID);
     std::vector<double> next = bent(points_of(place_.get()), 0.2);
-    ASSERT_EQ(dsw_scene_deform(scene(), next.data(), next.size() / 3, nullptr, nullptr), DSW_STATUS_OK);
+    ASSERT_EQ(
+        dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), next.size() / 3, nullptr, nullptr),
+        DSW_STATUS_OK);
     const dsw_wall_contact* contacts = nullptr;
     size_t count = 0;
-    ASSERT_EQ(dsw_scene_get_wall_contacts(scene(), &contacts, &count), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_environment_get_wall_contacts(dsw_scene_get_environment(scene()), &contacts, &count), DSW_STATUS_OK);
     each = bits_of(read(body)) + bits_of(read(tool)) +
            std::string(reinterpret_cast<const char*>(next.data()), 8 * next.size()) +
            std::string(reinterpret_cast<const char*>(contacts), count * sizeof *contacts);
@@ -55,7 +57,9 @@ TEST_F(DeformTest, KeepsAFaceWithItsCornersInOneLine) {
     std::vector<double>& next = arrays_[method == DSW_DEFORM_SWEPT ? 0 : 1];
     next = bent(now, 0.05);
     dsw_deform_report report;
-    ASSERT_EQ(dsw_scene_deform(scene(), next.data(), next.size() / 3, &options, &report), DSW_STATUS_OK);
+    ASSERT_EQ(
+        dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), next.size() / 3, &options, &report),
+        DSW_STATUS_OK);
     EXPECT_EQ(report.outcome, DSW_DEFORM_DONE) << method;
     EXPECT_EQ(report.steps, method == DSW_DEFORM_SWEPT ? 1u : 0u);
   }
@@ -65,7 +69,8 @@ TEST_F(DeformTest, KeepsAFaceWithItsCornersInOneLine) {
 TEST_F(DeformTest, CostsNothingWhereNothingLies) {
   std::vector<double> next = bent(points_of(place_.get()), 0.2);
   dsw_deform_report report;
-  ASSERT_EQ(dsw_scene_deform(scene(), next.data(), next.size() / 3, nullptr, &report), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), next.size() / 3, nullptr, &report),
+            DSW_STATUS_OK);
   EXPECT_EQ(report.near_count, 0u);
   EXPECT_EQ(report.outcome, DSW_DEFORM_DONE);
   EXPECT_EQ(points_of(place_.get()), next);
@@ -122,14 +127,19 @@ TEST_F(DeformMemoryTest, Deforming) {
       std::vector<double>& next = arrays.back();
       const std::vector<double> asked = next;
       double where[3];
-      dsw_particle_get(scene(), particle, where, nullptr);
+      dsw_particle_get_position(scene(), particle, where, nullptr);
       const auto unchanged = [&] {
         double now[3];
-        return dsw_particle_get(scene(), particle, now, nullptr) == DSW_STATUS_OK && std::equal(now, now + 3, where) &&
-               next == asked && points_of(place_.get()) == before && bits_of(read(body)) + bits_of(read(other)) == bits;
+        return dsw_particle_get_position(scene(), particle, now, nullptr) == DSW_STATUS_OK &&
+               std::equal(now, now + 3, where) && next == asked && points_of(place_.get()) == before &&
+               bits_of(read(body)) + bits_of(read(other)) == bits;
       };
       const size_t refusals = until_it_succeeds(
-          [&] { return dsw_scene_deform(scene(), next.data(), next.size() / 3, &options, nullptr); }, unchanged);
+          [&] {
+            return dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), next.size() / 3, &options,
+                                          nullptr);
+          },
+          unchanged);
       EXPECT_GE(refusals, arrays.size() == 1 ? 5u : 0u);
     }
   }
@@ -162,10 +172,11 @@ TEST_F(DeformMemoryTest, RunningOutOfMemoryAtTheEndPutsBackWhatWasPushed) {
     const std::vector<double> asked = next;
     dsw_deform_report report{};
     memory_.refuse = memory_.calls + refusals + 1;
-    status = dsw_scene_deform(scene(), next.data(), next.size() / 3, nullptr, &report);
+    status = dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), next.size() / 3, nullptr, &report);
     memory_.refuse = 0;
     double now[2][3];
-    for (int i = 0; i < 2; ++i) ASSERT_EQ(dsw_particle_get(scene(), particles[i], now[i], nullptr), DSW_STATUS_OK);
+    for (int i = 0; i < 2; ++i)
+      ASSERT_EQ(dsw_particle_get_position(scene(), particles[i], now[i], nullptr), DSW_STATUS_OK);
     const bool is_pushed = now[0][0] != at[0][0];
     if (status == DSW_STATUS_OK) {
       EXPECT_TRUE(is_pushed && report.held_count > 0);
@@ -192,9 +203,11 @@ TEST_F(DeformMemoryTest, AFailureLeavesWhatTheOneBeforeHasDone) {
   for (uint32_t y = 1; y <= 2; ++y) {
     for (uint32_t z = 1; z <= 2; ++z) arrays[0][3 * point(2, y, z)] += 0.2;
   }
-  ASSERT_EQ(dsw_scene_deform(scene(), arrays[0].data(), arrays[0].size() / 3, nullptr, nullptr), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene()), arrays[0].data(), arrays[0].size() / 3, nullptr,
+                                   nullptr),
+            DSW_STATUS_OK);
   double pushed[3];
-  ASSERT_EQ(dsw_particle_get(scene(), particle, pushed, nullptr), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_particle_get_position(scene(), particle, pushed, nullptr), DSW_STATUS_OK);
   ASSERT_GT(pushed[0], 2.1);
   const dsw_body_id body = make(tetrahedron({3.25, 1.5, 1.25}, 0.3), DSW_LEVEL_FACES);
   const std::string bits = bits_of(read(body));
@@ -202,11 +215,14 @@ TEST_F(DeformMemoryTest, AFailureLeavesWhatTheOneBeforeHasDone) {
   options.method = DSW_DEFORM_END_STATE;
   arrays[1] = arrays[0];
   const size_t refusals = until_it_succeeds(
-      [&] { return dsw_scene_deform(scene(), arrays[1].data(), arrays[1].size() / 3, &options, nullptr); },
+      [&] {
+        return dsw_environment_deform(dsw_scene_get_environment(scene()), arrays[1].data(), arrays[1].size() / 3,
+                                      &options, nullptr);
+      },
       [&] {
         double now[3];
-        return dsw_particle_get(scene(), particle, now, nullptr) == DSW_STATUS_OK && std::equal(now, now + 3, pushed) &&
-               bits_of(read(body)) == bits;
+        return dsw_particle_get_position(scene(), particle, now, nullptr) == DSW_STATUS_OK &&
+               std::equal(now, now + 3, pushed) && bits_of(read(body)) == bits;
       });
   EXPECT_GT(refusals, 0u);
   scene_.reset();

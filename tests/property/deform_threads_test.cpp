@@ -27,7 +27,9 @@ TEST(DeformThreads, FindOutTogetherWhichVolumesAreValid) {
     Rng folds(7);
     for (double& x : next) x += folds.chance(0.02) ? 0.9 : 0;
     ScenePtr scene = make_scene(place.get(), DSW_FEATURE_DEFORMING);
-    ASSERT_EQ(dsw_scene_deform(scene.get(), next.data(), next.size() / 3, nullptr, nullptr), DSW_STATUS_OK);
+    ASSERT_EQ(
+        dsw_environment_deform(dsw_scene_get_environment(scene.get()), next.data(), next.size() / 3, nullptr, nullptr),
+        DSW_STATUS_OK);
     flights[turn].resize(3000);
     ASSERT_EQ(dsw_environment_cast_segments(place.get(), 3000, nullptr, from.data(), to.data(), 0, nullptr,
                                             flights[turn].data()),
@@ -39,7 +41,7 @@ TEST(DeformThreads, FindOutTogetherWhichVolumesAreValid) {
     EXPECT_EQ(std::memcmp(flights[0].data(), flights[turn].data(), 3000 * sizeof(dsw_flight)), 0);
   }
   size_t stopped = 0;
-  for (const dsw_flight& f : flights[1]) stopped += f.obstacle == DSW_CELL_VOLUME ? 1 : 0;
+  for (const dsw_flight& f : flights[1]) stopped += f.contact.marked_kind == DSW_CELL_VOLUME ? 1 : 0;
   EXPECT_GT(stopped, 20u);
 }
 
@@ -71,7 +73,8 @@ TEST(DeformThreads, PushRigidBodiesTheSameWay) {
       dsw_deform_options options = defaults(dsw_deform_options_init);
       options.method = step == 0 ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE;
       dsw_deform_report report;
-      ASSERT_EQ(dsw_scene_deform(scene.get(), arrays[step].data(), arrays[step].size() / 3, &options, &report),
+      ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene.get()), arrays[step].data(),
+                                       arrays[step].size() / 3, &options, &report),
                 DSW_STATUS_OK);
       pushed += report.pushed_count;
     }

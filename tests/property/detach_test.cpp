@@ -105,11 +105,10 @@ class DetachTest : public SceneTest {
   }
 
   void check_space(const std::set<int>& piece, uint32_t cracks) {
-    EXPECT_EQ(report_.volume_count, piece.size());
-    EXPECT_EQ(report_.sewn_count, cracks);
-    const dsw_volume_id* volumes = nullptr;
-    size_t count = 0;
-    ASSERT_EQ(dsw_scene_get_detached_volumes(scene_.get(), &volumes, &count), DSW_STATUS_OK);
+    EXPECT_EQ(report_.detached_count, piece.size());
+    EXPECT_EQ(report_.faces_sewn, cracks);
+    const dsw_volume_id* volumes = change_of(dsw_scene_get_environment(scene_.get())).detached;
+    const size_t count = change_of(dsw_scene_get_environment(scene_.get())).detached_count;
     std::set<uint32_t> found, wanted;
     for (size_t i = 0; i < count; ++i) found.insert(volumes[i].index);
     for (const int c : piece) {
@@ -124,11 +123,13 @@ class DetachTest : public SceneTest {
   }
 
   void check_surface(const std::set<int>& piece, const BodyState& state) {
-    const dsw_detached_vertex* vertices = nullptr;
-    const dsw_detached_face* faces = nullptr;
+    const dsw_vertex_origin* vertices = nullptr;
+    const dsw_face_origin* faces = nullptr;
     size_t vertex_count = 0, face_count = 0;
-    ASSERT_EQ(dsw_scene_get_detached_vertices(scene_.get(), &vertices, &vertex_count), DSW_STATUS_OK);
-    ASSERT_EQ(dsw_scene_get_detached_faces(scene_.get(), &faces, &face_count), DSW_STATUS_OK);
+    vertices = change_of(dsw_scene_get_environment(scene_.get())).body_vertices;
+    vertex_count = change_of(dsw_scene_get_environment(scene_.get())).body_vertex_count;
+    faces = change_of(dsw_scene_get_environment(scene_.get())).body_faces;
+    face_count = change_of(dsw_scene_get_environment(scene_.get())).body_face_count;
     ASSERT_EQ(vertex_count, state.at.size());
     ASSERT_EQ(face_count, state.faces.size());
     EXPECT_EQ(2 * state.edges.size(), 3 * face_count);
@@ -220,7 +221,7 @@ class DetachTest : public SceneTest {
   Rng rng_{1};
   Place place_;
   ScenePtr scene_;
-  dsw_detach_report report_{};
+  dsw_change report_ = empty_change();
   dsw_status sound_ = DSW_STATUS_OK;  // what the check said of the mesh: its outer boundary can cross itself
 };
 DSW_FOR_ALL_SCENES(DetachTest);
@@ -255,7 +256,7 @@ TEST_P(DetachTest, ItsSurfaceIsAFreeBodyWhereItWas) {
     desc.level = static_cast<dsw_level>(1 + rng_.below(4));
     if (seed % 4 == 0) desc.flags = DSW_BODY_SELF_CONTACTS;
     dsw_body_id body = {0, 0};
-    const dsw_status status = dsw_scene_detach(scene_.get(), &desc, &body, &report_);
+    const dsw_status status = dsw_environment_detach(dsw_scene_get_environment(scene_.get()), &desc, &body, &report_);
     ++tried[kind];
     if (status == DSW_STATUS_OCCUPIED) {
       ++refused[kind];
@@ -295,7 +296,7 @@ std::unique_ptr<World> world_now(const dsw_environment* environment) {
   std::vector<char> marked;
   for (uint32_t i = 0; i < info.volume_index_count; ++i) {
     dsw_volume_id v;
-    if (dsw_environment_get_volume(environment, i, &v) != DSW_STATUS_OK) continue;
+    if (dsw_environment_get_volume_id(environment, i, &v) != DSW_STATUS_OK) continue;
     uint32_t faces = 0;
     EXPECT_EQ(dsw_environment_get_volume_counts(environment, v, nullptr, nullptr, nullptr, &faces), DSW_STATUS_OK);
     std::vector<Loop> loops;
@@ -354,11 +355,11 @@ TEST_P(DetachTest, WhatCutsPartComesOff) {
       dsw_detach_desc desc = defaults(dsw_detach_desc_init);
       desc.level = static_cast<dsw_level>(1 + rng_.below(4));
       int impassable = 0;
-      ASSERT_EQ(dsw_environment_get_volume(place_.get(), i, &desc.volume), DSW_STATUS_OK);
+      ASSERT_EQ(dsw_environment_get_volume_id(place_.get(), i, &desc.volume), DSW_STATUS_OK);
       ASSERT_EQ(dsw_environment_is_marked(place_.get(), cell_of(desc.volume), &impassable), DSW_STATUS_OK);
       if (impassable == 0) continue;
       dsw_body_id body;
-      const dsw_status status = dsw_scene_detach(scene_.get(), &desc, &body, &report_);
+      const dsw_status status = dsw_environment_detach(dsw_scene_get_environment(scene_.get()), &desc, &body, &report_);
       if (status == DSW_STATUS_OCCUPIED) {
         ++refused;
         if (text != nullptr) std::cout << "seed " << seed << ": " << dsw_last_error_message() << "\n";

@@ -13,7 +13,7 @@ struct Ground;
 template <>
 struct Ground<3> : Place {
   Ground(const std::string& scene, uint64_t seed, dsw_context* context)
-      : Place(make_place(scene, seed, seed % 2 * DSW_ENVIRONMENT_LOCATE_GRID, context)) {}
+      : Place(make_place(scene, seed, seed % 2 * DSW_ENVIRONMENT_LOCATE_TREE, context)) {}
   double size() const { return world->size; }
   Vec start(Rng& rng) const { return Motions(*world, rng).start(); }
 };

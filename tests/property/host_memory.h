@@ -39,7 +39,7 @@ class MemoryTest : public BodyTest {
     dsw_context* context = nullptr;
     ASSERT_EQ(dsw_context_create(&desc, &context), DSW_STATUS_OK);
     context_.reset(context);
-    place_ = place_of(hex_grid(axis(4, 1), axis(4, 1), axis(3, 1)), DSW_ENVIRONMENT_NO_LOCATE_GRID, context);
+    place_ = place_of(hex_grid(axis(4, 1), axis(4, 1), axis(3, 1)), DSW_ENVIRONMENT_NO_LOCATE_TREE, context);
     ASSERT_PLACE(place_);
     scene_ = make_scene(place_.get());
   }

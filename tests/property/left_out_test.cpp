@@ -75,7 +75,7 @@ TEST_F(LeftOutTest, NothingIsPaidForWhatAnotherSceneHasNamed) {
     EXPECT_EQ(bytes_of(0), nothing) << feature;
     bytes_of(DSW_FEATURE_STATISTICS, &after);
     EXPECT_EQ(after.orientation_tests, before.orientation_tests) << feature;
-    EXPECT_EQ(after.cells_visited, before.cells_visited) << feature;
+    EXPECT_EQ(after.volumes_visited, before.volumes_visited) << feature;
   }
 }
 

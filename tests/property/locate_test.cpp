@@ -10,7 +10,7 @@ class LocateTest : public SceneTest {};
 DSW_FOR_ALL_SCENES(LocateTest);
 
 TEST_P(LocateTest, AgreesWithBruteForceWithAndWithoutHintAndGrid) {
-  for (uint32_t flags : {0u, uint32_t{DSW_ENVIRONMENT_LOCATE_GRID}, uint32_t{DSW_ENVIRONMENT_NO_LOCATE_GRID}}) {
+  for (uint32_t flags : {0u, uint32_t{DSW_ENVIRONMENT_LOCATE_TREE}, uint32_t{DSW_ENVIRONMENT_NO_LOCATE_TREE}}) {
     for (uint64_t seed = 31; seed <= 33; ++seed) {
       const Place place = make_place(GetParam(), seed, flags);
       ASSERT_PLACE(place);
@@ -30,13 +30,13 @@ TEST_P(LocateTest, AgreesWithBruteForceWithAndWithoutHintAndGrid) {
 }
 
 TEST_P(LocateTest, BatchIsTheSameAsOneByOne) {
-  const Place place = make_place(GetParam(), 35, DSW_ENVIRONMENT_LOCATE_GRID);
+  const Place place = make_place(GetParam(), 35, DSW_ENVIRONMENT_LOCATE_TREE);
   ASSERT_PLACE(place);
   Rng rng(35);
   Motions motions(*place.world, rng);
   std::vector<double> points;
   std::vector<dsw_volume_id> hints, volumes(300);
-  std::vector<dsw_place> places(300);
+  std::vector<dsw_location> places(300);
   for (int i = 0; i < 300; ++i) {
     const Vec p = motions.site();
     points.insert(points.end(), {p[0], p[1], p[2], 0});
@@ -47,7 +47,7 @@ TEST_P(LocateTest, BatchIsTheSameAsOneByOne) {
       DSW_STATUS_OK);
   for (size_t i = 0; i < 300; ++i) {
     dsw_volume_id v;
-    dsw_place where;
+    dsw_location where;
     ASSERT_EQ(dsw_environment_locate(place.get(), points.data() + 4 * i, hints[i], &v, &where), DSW_STATUS_OK);
     EXPECT_TRUE(same(v, volumes[i]));
     EXPECT_EQ(where, places[i]);
@@ -85,7 +85,7 @@ std::vector<dsw_cell> exact_places(const World& world, const Edges& edges, const
     for (int v : loop) {
       if (point(v) != p) continue;
       dsw_vertex_id id;
-      EXPECT_EQ(dsw_environment_get_vertex(environment, static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
+      EXPECT_EQ(dsw_environment_get_vertex_id(environment, static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
       found.push_back(cell_of(id));
       return found;
     }

@@ -94,7 +94,7 @@ TEST_P(LongMoveTest, AParticleStopsNextToTheWall) {
       ASSERT_EQ(dsw_particle_create(scene_.get(), from.data(), {0, 0}, &particle), DSW_STATUS_OK);
       checker.move(scene_.get(), particle, to, 0, false);
       Vec position;
-      ASSERT_EQ(dsw_particle_get(scene_.get(), particle, position.data(), nullptr), DSW_STATUS_OK);
+      ASSERT_EQ(dsw_particle_get_position(scene_.get(), particle, position.data(), nullptr), DSW_STATUS_OK);
       ASSERT_EQ(dsw_particle_destroy(scene_.get(), particle), DSW_STATUS_OK);
       EXPECT_LE(gap(position), precision(to)) << "to " << hex(to);
       if (i > 0) {
@@ -172,7 +172,7 @@ TEST_P(LongMoveTest, AnEdgeStopsNextToAWire) {
     for (dsw_level level : {DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
       BodyAnswer answer;
       ASSERT_NO_FATAL_FAILURE(moves.move(segment(from, fixed), to, level, -1, answer));
-      EXPECT_EQ(answer.contacts[0].kind, DSW_CONTACT_EDGE);
+      EXPECT_EQ(answer.contacts[0].contact.kind, DSW_CONTACT_EDGE);
       // A way too long for a time has its contact at time 0, where it starts.
       if (answer.contacts[0].time < DBL_MIN) continue;
       const Vec position = {answer.contacts[0].position[0], answer.contacts[0].position[1],

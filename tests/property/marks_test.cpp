@@ -52,7 +52,7 @@ struct Marks {
       for (int f : world.cell_faces[c]) {
         for (int v : world.faces[static_cast<size_t>(f)].loop) {
           dsw_vertex_id id;
-          ASSERT_EQ(dsw_environment_get_vertex(place.get(), static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
+          ASSERT_EQ(dsw_environment_get_vertex_id(place.get(), static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
           EXPECT_EQ(asked(place.get(), cell_of(id), true), vertex[static_cast<size_t>(v)]) << "vertex " << v;
           EXPECT_EQ(asked(place.get(), cell_of(id), false), vertex_closed[static_cast<size_t>(v)]) << "vertex " << v;
         }
@@ -95,7 +95,7 @@ struct Marks {
         const int v = f.loop[rng.below(f.loop.size())];
         vertex[static_cast<size_t>(v)] = on;
         dsw_vertex_id id;
-        ASSERT_EQ(dsw_environment_get_vertex(place.get(), static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
+        ASSERT_EQ(dsw_environment_get_vertex_id(place.get(), static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
         status = dsw_environment_mark_vertices(place.get(), &id, 1, mark);
       }
       ASSERT_EQ(status, DSW_STATUS_OK) << dsw_last_error_message();
@@ -135,7 +135,7 @@ TEST_P(MarksTest, ClosureIsDerivedAndUnmarkingTakesOnlyWhatWasSet) {
   }
   for (size_t v = 0; v < marks.vertex.size(); ++v) {
     dsw_vertex_id id;
-    ASSERT_EQ(dsw_environment_get_vertex(place.get(), static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_environment_get_vertex_id(place.get(), static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
     ASSERT_EQ(dsw_environment_mark_vertices(place.get(), &id, 1, DSW_MARK_PASSABLE), DSW_STATUS_OK);
     marks.vertex[v] = false;
   }
@@ -243,7 +243,7 @@ TEST_P(MarksTest, OccupiedVolumesRefuseAndSkip) {
   for (int i = 0; i < 60; ++i) {
     const dsw_particle_id id = particles[rng.below(3u)];
     Vec from;
-    ASSERT_EQ(dsw_particle_get(scene.get(), id, from.data(), nullptr), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_particle_get_position(scene.get(), id, from.data(), nullptr), DSW_STATUS_OK);
     checker.move(scene.get(), id, motions.target(from), 0, false);
   }
   EXPECT_EQ(report.total.mismatches, 0u);

@@ -63,7 +63,7 @@ TEST_P(NearestTest, DistanceIsThatOfTheNearestOfAll) {
       if (!rng.chance(0.1)) continue;
       spike[v] = true;
       dsw_vertex_id id;
-      ASSERT_EQ(dsw_environment_get_vertex(place.get(), static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
+      ASSERT_EQ(dsw_environment_get_vertex_id(place.get(), static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
       ASSERT_EQ(dsw_environment_mark_vertices(place.get(), &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
     }
     for (size_t c = 0; c < world.ids.size(); ++c) {
@@ -122,7 +122,7 @@ TEST_P(NearestTest, DistanceIsThatOfTheNearestOfAll) {
           << hex(p) << " names " << near.cell;
       const Vec at = {near.point[0], near.point[1], near.point[2]};
       EXPECT_NEAR(static_cast<double>(length(sub(p, at))), near.distance, static_cast<double>(tolerance)) << hex(p);
-      EXPECT_GE(near.cells_visited, 1u);
+      EXPECT_GE(near.volumes_visited, 1u);
       const L3 n = {near.normal[0], near.normal[1], near.normal[2]};
       if (near.distance == 0) {
         EXPECT_EQ(length(n), 0);

@@ -67,9 +67,8 @@ class OpenTissueTest : public testing::Test {
     desc.points = blade;
     desc.rows = desc.columns = 2;
     EXPECT_EQ(dsw_environment_cut(place_.get(), &desc, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
-    const dsw_cut_face* faces = nullptr;
-    size_t count = 0;
-    EXPECT_EQ(dsw_environment_get_cut_faces(place_.get(), &faces, &count), DSW_STATUS_OK);
+    const dsw_cut_face* faces = change_of(place_.get()).faces;
+    const size_t count = change_of(place_.get()).face_count;
     std::vector<dsw_cut_face> inside;
     for (size_t i = 0; i < count; ++i) {
       const Map<3>& map = env().map;
@@ -80,9 +79,8 @@ class OpenTissueTest : public testing::Test {
     return inside;
   }
   std::vector<dsw::Cell> gap() const {
-    const dsw_volume_change* changes = nullptr;
-    size_t count = 0;
-    EXPECT_EQ(dsw_environment_get_volume_changes(place_.get(), &changes, &count), DSW_STATUS_OK);
+    const dsw_volume_change* changes = change_of(place_.get()).volumes;
+    const size_t count = change_of(place_.get()).volume_count;
     std::vector<dsw::Cell> cells;
     for (size_t i = 0; i < count; ++i) {
       if (changes[i].before.generation == 0) cells.push_back(env().map.cell(changes[i].after.index));
@@ -140,12 +138,12 @@ class OpenTissueTest : public testing::Test {
     mark_tissue(rng);
     const std::vector<dsw_cut_face> crack = cut_tissue(rng);
     const bool is_partition = dsw_environment_check(place_.get(), nullptr) == DSW_STATUS_OK;
-    dsw_open_desc desc = defaults(dsw_open_desc_init);
+    dsw_open_crack_desc desc = defaults(dsw_open_crack_desc_init);
     desc.faces = crack.data();
     desc.face_count = crack.size();
     desc.width = 0.02 * place_.world->size;
-    dsw_open_report report;
-    ASSERT_EQ(dsw_environment_open(place_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
+    dsw_change report = empty_change();
+    ASSERT_EQ(dsw_environment_open_crack(place_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
     ASSERT_EQ(check_integrity(env().map), nullptr);
     for_each_cell(env().map, [&](dsw::Cell c) {
       EXPECT_TRUE(check_cell(env(), c) == CellState::kValid || check_cell(env(), c) == CellState::kValidConvex);
@@ -154,7 +152,7 @@ class OpenTissueTest : public testing::Test {
       EXPECT_EQ(dsw_environment_check(place_.get(), nullptr), DSW_STATUS_OK);
     }
     const std::vector<dsw::Cell> cells = gap();
-    ASSERT_EQ(cells.size(), report.faces_opened);
+    ASSERT_EQ(cells.size(), report.face_count);
     for (const dsw::Cell c : cells) EXPECT_FALSE(env().map.marked(c));
     check_vertices(report, desc.width);
     faces_ += crack.size();
@@ -162,10 +160,11 @@ class OpenTissueTest : public testing::Test {
     entered_ += enter(cells);
   }
   /// Copies are as far from each other as the report says.
-  void check_vertices(const dsw_open_report& report, double width) const {
-    const dsw_cut_vertex* vertices = nullptr;
+  void check_vertices(const dsw_change& report, double width) const {
+    const dsw_vertex_origin* vertices = nullptr;
     size_t count = 0, shortened = 0;
-    ASSERT_EQ(dsw_environment_get_cut_vertices(place_.get(), &vertices, &count), DSW_STATUS_OK);
+    vertices = change_of(place_.get()).vertices;
+    count = change_of(place_.get()).vertex_count;
     ASSERT_EQ(count, 2 * report.vertices_parted);
     for (size_t i = 0; i < count; i += 2) {
       ASSERT_EQ(vertices[i].from[0].index, vertices[i + 1].from[1].index);

@@ -59,7 +59,7 @@ class Crowd {
                   DSW_STATUS_OK);
       }
       BodyAnswer answer;
-      const dsw_contact* found = nullptr;
+      const dsw_body_contact* found = nullptr;
       const dsw_contact_partner* partners = nullptr;
       size_t count = 0;
       EXPECT_EQ(dsw_body_get_contacts(scene_.get(), bodies_[i], &found, &count), DSW_STATUS_OK);

@@ -23,19 +23,20 @@ TEST_F(TwoBodiesTest, AVertexStopsAtAFaceAndSaysWhose) {
   const dsw_body_id wire = make(segment(kLow, {0.5, 1.5, 1.75}), DSW_LEVEL_EDGES_SWEPT);
   const BodyAnswer answer = move(wire, {{2.5, 1.5, 1.5}, {0.5, 1.5, 1.75}});
   ASSERT_EQ(answer.contacts.size(), 1u);
-  const dsw_contact& c = answer.contacts[0];
-  EXPECT_EQ(c.kind, DSW_CONTACT_PLANE);
+  const dsw_body_contact& c = answer.contacts[0];
+  EXPECT_EQ(c.contact.kind, DSW_CONTACT_PLANE);
   EXPECT_EQ(c.time, 0.75);
-  EXPECT_TRUE(c.normal[0] == -1 && c.normal[1] == 0 && c.normal[2] == 0);
+  EXPECT_TRUE(c.contact.normal[0] == -1 && c.contact.normal[1] == 0 && c.contact.normal[2] == 0);
   EXPECT_TRUE(c.point[0] == 2 && c.point[1] == 1.5);
-  EXPECT_TRUE(c.cause == DSW_CELL_NONE && c.obstacle.kind == DSW_CELL_NONE && c.wall.generation == 0);
+  EXPECT_TRUE(c.contact.marked_kind == DSW_CELL_NONE && c.contact.obstacle.kind == DSW_CELL_NONE &&
+              c.contact.wall.generation == 0);
   EXPECT_EQ(c.history, DSW_HISTORY_NEW);
   EXPECT_TRUE(partner(wire).body.index == square.index && partner(wire).face.generation == 1);
   EXPECT_LT(answer.after.at[0][0], 2);
   EXPECT_GT(answer.after.at[0][0], 1.999);
   EXPECT_EQ(move(wire, {{2.5, 1.5, 1.5}, {0.5, 1.5, 1.75}}).contacts[0].history, DSW_HISTORY_LASTING);
-  dsw_contact_opinion opinion;
-  EXPECT_EQ(dsw_contact_check(place_.get(), &c, &opinion), DSW_STATUS_UNSUPPORTED);
+  dsw_cross_check opinion;
+  EXPECT_EQ(dsw_environment_cross_check(place_.get(), &c, &opinion), DSW_STATUS_UNSUPPORTED);
 }
 
 TEST_F(TwoBodiesTest, WallsAndBodiesCompeteByTime) {
@@ -49,7 +50,7 @@ TEST_F(TwoBodiesTest, WallsAndBodiesCompeteByTime) {
     ASSERT_EQ(answer.contacts.size(), 1u);
     EXPECT_EQ(answer.contacts[0].point[0], body_first ? 1.75 : 2);
     EXPECT_EQ(partner(point).body.generation, body_first ? 1u : 0u);
-    EXPECT_EQ(answer.contacts[0].cause, body_first ? DSW_CELL_NONE : DSW_CELL_FACE);
+    EXPECT_EQ(answer.contacts[0].contact.marked_kind, body_first ? DSW_CELL_NONE : DSW_CELL_FACE);
     ASSERT_EQ(dsw_environment_mark_faces(place_.get(), &face, 1, DSW_MARK_PASSABLE), DSW_STATUS_OK);
   }
 }
@@ -67,7 +68,7 @@ TEST_F(TwoBodiesTest, ABodyThatMeetsItselfTouchesItselfAtNoLevel) {
   const BodyAnswer answer = move(wire, {{2.75, 1.5, 1.5}, {2.75, 1.5, 1.5}});
   ASSERT_EQ(answer.contacts.size(), 1u);
   EXPECT_EQ(answer.contacts[0].time, 1);
-  EXPECT_EQ(answer.contacts[0].normal[0], -1);
+  EXPECT_EQ(answer.contacts[0].contact.normal[0], -1);
   EXPECT_EQ(partner(wire).vertex.index, 1u);
   EXPECT_LT(answer.after.at[0][0], 2.75);
   EXPECT_EQ(create(segment({3.5, 1.5, 1.5}, {3.5, 1.5, 1.5}), DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS),
@@ -101,7 +102,8 @@ TEST_F(TwoBodiesTest, WallsThatMovePushNoBodyIntoAnother) {
       options.method = method;
       options.response = DSW_WALL_PUSH;
       dsw_deform_report report;
-      ASSERT_EQ(dsw_scene_deform(scene(), arrays.back().data(), arrays.back().size() / 3, &options, &report),
+      ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene()), arrays.back().data(),
+                                       arrays.back().size() / 3, &options, &report),
                 DSW_STATUS_OK);
       pushed += report.pushed_count;
       for (Meeting& body : bodies) body.state = read(body.id);
@@ -184,10 +186,10 @@ TEST_F(TwoBodiesTest, WhatIsNotNamedIsRefused) {
   const dsw_contact_partner* partners = nullptr;
   size_t count = 0;
   uint32_t bits = 0;
-  EXPECT_EQ(dsw_body_get_contact_partners(scene(), body, &partners, &count), DSW_STATUS_NOT_NAMED);
-  EXPECT_EQ(dsw_body_get_filter(scene(), body, &bits, &bits), DSW_STATUS_NOT_NAMED);
-  EXPECT_EQ(dsw_body_set_filter(scene(), body, 1, 1), DSW_STATUS_NOT_NAMED);
-  EXPECT_EQ(create(wall(2), DSW_LEVEL_FACES, DSW_BODY_SELF_CONTACTS), DSW_STATUS_NOT_NAMED);
+  EXPECT_EQ(dsw_body_get_contact_partners(scene(), body, &partners, &count), DSW_STATUS_NOT_ENABLED);
+  EXPECT_EQ(dsw_body_get_filter(scene(), body, &bits, &bits), DSW_STATUS_NOT_ENABLED);
+  EXPECT_EQ(dsw_body_set_filter(scene(), body, 1, 1), DSW_STATUS_NOT_ENABLED);
+  EXPECT_EQ(create(wall(2), DSW_LEVEL_FACES, DSW_BODY_SELF_CONTACTS), DSW_STATUS_NOT_ENABLED);
   EXPECT_EQ(create(wall(2)), DSW_STATUS_OK);  // one in the other
 }
 
@@ -212,7 +214,7 @@ TEST_F(TwoBodiesTest, ResponsesWorkOnBodies) {
   options.edge_response = DSW_RESPONSE_ADAPTIVE_ONE;
   answer = move(edge, {to, fixed}, &options);
   ASSERT_EQ(answer.contacts.size(), 1u);
-  EXPECT_EQ(answer.contacts[0].kind, DSW_CONTACT_EDGE);
+  EXPECT_EQ(answer.contacts[0].contact.kind, DSW_CONTACT_EDGE);
   EXPECT_EQ(answer.report.edit_count, 1u);
   EXPECT_EQ(answer.after.at[0], to);
 }
@@ -235,7 +237,7 @@ TEST_F(TwoBodiesTest, HalvingStopsBeforeAnotherBody) {
   const double late = exact.contacts[0].time - halved.contacts[0].time;
   EXPECT_TRUE(late >= 0 && late <= 0x1p-20) << late;
   EXPECT_EQ(partner(wire).body.index, square.index);
-  EXPECT_EQ(halved.contacts[0].obstacle.kind, DSW_CELL_NONE);
+  EXPECT_EQ(halved.contacts[0].contact.obstacle.kind, DSW_CELL_NONE);
   EXPECT_EQ(halved.after.at[0][0], halved.contacts[0].position[0]);
   EXPECT_EQ(halved.contacts[0].to[0], 2.5);
 }
@@ -298,7 +300,8 @@ TEST_F(TwoBodiesTest, AWallBendsABodyThatMeetsItselfUpToItself) {
     dsw_deform_options options = defaults(dsw_deform_options_init);
     options.response = DSW_WALL_INSERT;
     dsw_deform_report report;
-    ASSERT_EQ(dsw_scene_deform(scene(), arrays.back().data(), arrays.back().size() / 3, &options, &report),
+    ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene()), arrays.back().data(), arrays.back().size() / 3,
+                                     &options, &report),
               DSW_STATUS_OK);
     held += report.outcome == DSW_DEFORM_HELD ? 1 : 0;
     wire.state = read(wire.id);

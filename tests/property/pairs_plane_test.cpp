@@ -28,8 +28,8 @@ class PlanePairsTest : public TwoBodies {
   }
 };
 
-bool points_at(const dsw_contact& c, double x, double y) {
-  return std::fabs(c.normal[0] - x) < 1e-15 && std::fabs(c.normal[1] - y) < 1e-15 && c.normal[2] == 0;
+bool points_at(const dsw_body_contact& c, double x, double y) {
+  return std::fabs(c.contact.normal[0] - x) < 1e-15 && std::fabs(c.contact.normal[1] - y) < 1e-15 && c.contact.normal[2] == 0;
 }
 
 TEST_F(PlanePairsTest, AVertexStopsAtAnEdgeAndSaysWhose) {
@@ -37,13 +37,13 @@ TEST_F(PlanePairsTest, AVertexStopsAtAnEdgeAndSaysWhose) {
   const dsw_body_id wire = make(line(0.5, 1.5, 0.5, 1.75));
   const BodyAnswer answer = move(wire, {{2.5, 1.5, 0}, {0.5, 1.75, 0}});
   ASSERT_EQ(answer.contacts.size(), 1u);
-  const dsw_contact& c = answer.contacts[0];
-  EXPECT_EQ(c.kind, DSW_CONTACT_EDGE);
+  const dsw_body_contact& c = answer.contacts[0];
+  EXPECT_EQ(c.contact.kind, DSW_CONTACT_EDGE);
   EXPECT_EQ(c.time, 0.75);
   EXPECT_TRUE(points_at(c, -1, 0));
   EXPECT_TRUE(c.point[0] == 2 && c.point[1] == 1.5 && c.point[2] == 0);
   EXPECT_TRUE(c.vertex.index == 0 && c.edge.generation == 0 && c.face.generation == 0);
-  EXPECT_TRUE(c.cause == DSW_CELL_NONE && c.obstacle.kind == DSW_CELL_NONE && c.wall.generation == 0);
+  EXPECT_TRUE(c.contact.marked_kind == DSW_CELL_NONE && c.contact.obstacle.kind == DSW_CELL_NONE && c.contact.wall.generation == 0);
   EXPECT_TRUE(partner(wire).body.index == wall.index && partner(wire).edge.generation == 1);
   EXPECT_EQ(c.history, DSW_HISTORY_NEW);
   EXPECT_LT(answer.after.at[0][0], 2);
@@ -57,11 +57,11 @@ TEST_F(PlanePairsTest, AnEdgeStopsAtAVertexInsideOfWhatItSweeps) {
     const dsw_body_id wire = make(line(0.5, 1, 0.5, 2), DSW_LEVEL_EDGES);
     const BodyAnswer answer = move(wire, {{3.5, 1, 0}, {0.5, 2, 0}});
     ASSERT_EQ(answer.contacts.size(), 1u);
-    const dsw_contact& c = answer.contacts[0];
-    EXPECT_EQ(c.kind, DSW_CONTACT_VERTEX);
+    const dsw_body_contact& c = answer.contacts[0];
+    EXPECT_EQ(c.contact.kind, DSW_CONTACT_VERTEX);
     EXPECT_EQ(c.time, 1.0 / 3);
     EXPECT_TRUE(points_at(c, -kHalf, -kHalf));
-    EXPECT_TRUE(c.point[0] == 1 && c.point[1] == 1.5 && c.along == 0.5);
+    EXPECT_TRUE(c.point[0] == 1 && c.point[1] == 1.5 && c.edge_parameter == 0.5);
     EXPECT_TRUE(c.fixed[0][0] == 0.5 && c.fixed[0][1] == 2 && c.edge.generation == 1);
     EXPECT_TRUE(partner(wire).body.index == obstacle.index && partner(wire).vertex.generation == 1);
     ASSERT_EQ(dsw_body_destroy(scene(), obstacle), DSW_STATUS_OK);
@@ -72,14 +72,14 @@ TEST_F(PlanePairsTest, AnEdgeStopsAtAVertexInsideOfWhatItSweeps) {
 TEST_F(PlanePairsTest, AlongItsAxisAnEdgeMeetsAVertexWithItsEnd) {
   make(point(2.25, 1.5), DSW_LEVEL_POINTS);
   dsw_body_id wire = make(line(1, 1.5, 0.5, 1.5), DSW_LEVEL_EDGES);
-  dsw_contact c = move(wire, {{3.5, 1.5, 0}, {0.5, 1.5, 0}}).contacts.at(0);
-  EXPECT_TRUE(c.kind == DSW_CONTACT_VERTEX && c.edge.generation == 0 && c.time == 0.5);
+  dsw_body_contact c = move(wire, {{3.5, 1.5, 0}, {0.5, 1.5, 0}}).contacts.at(0);
+  EXPECT_TRUE(c.contact.kind == DSW_CONTACT_VERTEX && c.edge.generation == 0 && c.time == 0.5);
   EXPECT_TRUE(points_at(c, -1, 0));
   // The end of an edge in the same line is part of that edge.
   const dsw_body_id other = make(line(2.75, 2.5, 2.25, 2.5), DSW_LEVEL_EDGES);
   wire = make(line(1, 2.5, 0.5, 2.5), DSW_LEVEL_EDGES);
   c = move(wire, {{3.5, 2.5, 0}, {0.5, 2.5, 0}}).contacts.at(0);
-  EXPECT_TRUE(c.kind == DSW_CONTACT_EDGE && c.edge.generation == 0 && c.time == 0.5);
+  EXPECT_TRUE(c.contact.kind == DSW_CONTACT_EDGE && c.edge.generation == 0 && c.time == 0.5);
   EXPECT_TRUE(points_at(c, -1, 0) && partner(wire).body.index == other.index);
 }
 
@@ -176,7 +176,7 @@ TEST_F(PlanePairsTest, AnEdgeGetsAVertexWhereACornerIsInItsWay) {
   const dsw_body_id edge = make(segment({1.5, 0.5, 0}, fixed));
   BodyAnswer answer = move(edge, {to, fixed}, &options);
   ASSERT_GE(answer.contacts.size(), 1u);
-  EXPECT_EQ(answer.contacts[0].kind, DSW_CONTACT_VERTEX);
+  EXPECT_EQ(answer.contacts[0].contact.kind, DSW_CONTACT_VERTEX);
   EXPECT_EQ(answer.report.edit_count, 1u);
   EXPECT_EQ(answer.after.at[0], to);
 }

@@ -119,7 +119,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
     counts_.false_ones += !truth.touches && !answer.contacts.empty() ? 1 : 0;
     if (truth.touches && !answer.contacts.empty()) {
       ++counts_.contacts;
-      const dsw_contact& contact = answer.contacts[0];
+      const dsw_body_contact& contact = answer.contacts[0];
       counts_.late += is_time(contact.time, truth.time) ? 0 : 1;
       counts_.wrong_part += is_named_part(body, v, to, contact, partners[0]) ? 0 : 1;
       counts_.wrong_normal += !plane() || is_normal(contact, partners[0]) ? 0 : 1;
@@ -145,14 +145,14 @@ class PairsTest : public testing::TestWithParam<Kind> {
     const size_t e = any();
     const dsw_body_vertex_id gone = body.state.vertices[body.state.edges[e][rng_.below(2)]];
     status = dsw_body_collapse_edge(scene_.get(), body.id, body.state.edge_ids[e], gone, nullptr);
-    ASSERT_TRUE(status == DSW_STATUS_OK || status == DSW_STATUS_OCCUPIED || status == DSW_STATUS_BAD_CELL)
+    ASSERT_TRUE(status == DSW_STATUS_OK || status == DSW_STATUS_OCCUPIED || status == DSW_STATUS_NOT_MANIFOLD)
         << dsw_last_error_message();
     counts_.merged += status == DSW_STATUS_OK ? 1 : 0;
     ASSERT_EQ(read_body(scene_.get(), body.id, body.state), "");
   }
 
   /// Whether the parts that are named touch at that time.
-  bool is_named_part(const Meeting& body, uint32_t v, const Vec& to, const dsw_contact& contact,
+  bool is_named_part(const Meeting& body, uint32_t v, const Vec& to, const dsw_body_contact& contact,
                      const dsw_contact_partner& partner) {
     const Meeting* const other = find(partner.body);
     if (other == nullptr || contact.vertex.index != v) return false;
@@ -181,7 +181,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
 
   /// In the plane: across the edge, moving or not, and against the motion; where that is along the edge, or there is
   /// none, the motion turned round.
-  bool is_normal(const dsw_contact& contact, const dsw_contact_partner& partner) {
+  bool is_normal(const dsw_body_contact& contact, const dsw_contact_partner& partner) {
     const auto way = [this](const double* from, const double* to) {
       return std::array<mpq_class, 2>{(mpq_class(to[0]) - from[0]) / scale_, (mpq_class(to[1]) - from[1]) / scale_};
     };
@@ -196,8 +196,8 @@ class PairsTest : public testing::TestWithParam<Kind> {
     double x = -into * edge[1].get_d(), y = into * edge[0].get_d();
     if (into == 0) x = -move[0].get_d(), y = -move[1].get_d();
     const double length = std::hypot(x, y);
-    return std::fabs(contact.normal[0] - x / length) < 1e-14 && std::fabs(contact.normal[1] - y / length) < 1e-14 &&
-           contact.normal[2] == 0;
+    return std::fabs(contact.contact.normal[0] - x / length) < 1e-14 && std::fabs(contact.contact.normal[1] - y / length) < 1e-14 &&
+           contact.contact.normal[2] == 0;
   }
 
   double scale_ = 1;

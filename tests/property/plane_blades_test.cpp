@@ -151,12 +151,11 @@ TEST_F(BladeTest, WhatClosedLinesHold) {
     desc.point_count = points.size();
     desc.triangles = ends.data();
     desc.triangle_count = ends.size() / 2;
-    dsw_carve_report report;
+    dsw_change report = empty_change();
     ASSERT_EQ(dsw_environment_carve(environment_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
-    const dsw_volume_id* carved = nullptr;
-    size_t count = 0;
-    ASSERT_EQ(dsw_environment_get_carved_volumes(environment_.get(), &carved, &count), DSW_STATUS_OK);
-    ASSERT_EQ(count, report.volumes_carved);
+    const dsw_volume_id* carved = change_of(environment_.get()).carved;
+    const size_t count = change_of(environment_.get()).carved_count;
+    ASSERT_EQ(count, report.carved_count);
     std::set<uint32_t> was_carved;
     for (size_t i = 0; i < count; ++i) was_carved.insert(carved[i].index);
     carved_cells += count;

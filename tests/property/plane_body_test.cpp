@@ -46,7 +46,7 @@ dsw_environment_desc description(const std::vector<double>& points, const std::v
   desc.points = points.data();
   desc.point_count = points.size() / dimension;
   desc.uniform_cell_type = dimension == 2 ? DSW_CELL_TYPE_TRIANGLE : DSW_CELL_TYPE_WEDGE;
-  desc.cell_count = corners.size() / (dimension == 2 ? 3 : 6);
+  desc.volume_count = corners.size() / (dimension == 2 ? 3 : 6);
   desc.index_bytes = 4;
   desc.connectivity = corners.data();
   desc.connectivity_count = corners.size();
@@ -180,7 +180,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
     std::vector<double> flat;
     size_t count = 0;
     ASSERT_EQ(
-        dsw_body_get_edge_vertices(sides_[0].scene.get(), sides_[0].bodies[b], edges.data(), edges.size() / 2, &count),
+        dsw_body_get_edge_indices(sides_[0].scene.get(), sides_[0].bodies[b], edges.data(), edges.size() / 2, &count),
         DSW_STATUS_OK);
     for (size_t i = 0; i < at.size(); i += 3) {
       number[i / 3] = static_cast<uint32_t>(flat.size() / 2);
@@ -244,9 +244,9 @@ class PlaneBodies : public testing::TestWithParam<int> {
     std::vector<dsw_body_vertex_id> vertices(1 << 15);
     std::vector<dsw_body_edge_id> edges(1 << 15);
     const Side& flat = sides_[0];
-    ASSERT_EQ(dsw_body_get_vertices(flat.scene.get(), flat.bodies[b], vertices.data(), 1 << 15, &count), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_body_get_vertex_ids(flat.scene.get(), flat.bodies[b], vertices.data(), 1 << 15, &count), DSW_STATUS_OK);
     const dsw_body_vertex_id v = vertices[rng_.below(count)], w = vertices[rng_.below(count)];
-    ASSERT_EQ(dsw_body_get_edges(flat.scene.get(), flat.bodies[b], edges.data(), 1 << 15, &count), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_body_get_edge_ids(flat.scene.get(), flat.bodies[b], edges.data(), 1 << 15, &count), DSW_STATUS_OK);
     const dsw_body_edge_id e = edges[count == 0 ? 0 : rng_.below(count)];
     const uint32_t what = rng_.below(4u), end = rng_.below(2u);
     const double share = rng_.unit();
@@ -261,7 +261,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
       if (what == 1) *status = dsw_body_add_edge(scene, body, v, w, &made);
       if (what == 2) *status = count > 4 ? dsw_body_remove_edge(scene, body, e) : DSW_STATUS_OK;
       if (what == 3) {
-        *status = dsw_body_get_edge(scene, body, e, ends);
+        *status = dsw_body_get_edge_ends(scene, body, e, ends);
         if (*status == DSW_STATUS_OK) *status = dsw_body_collapse_edge(scene, body, e, ends[end], edit);
       }
     });
@@ -318,7 +318,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
     const dsw_move_report &flat = reports_[0], &tall = reports_[1];
     EXPECT_EQ(flat.fraction, tall.fraction);
     EXPECT_EQ(flat.vertices_moved, tall.vertices_moved);
-    const dsw_contact* contacts[2];
+    const dsw_body_contact* contacts[2];
     const dsw_body_edit* edits[2];
     size_t contact_counts[2], edit_counts[2];
     for (size_t k = 0; k < 2; ++k) {
@@ -338,18 +338,18 @@ class PlaneBodies : public testing::TestWithParam<int> {
     edits_ += edit_counts[0];
   }
 
-  void compare_contacts(const dsw_contact& flat, const dsw_contact& tall) {
+  void compare_contacts(const dsw_body_contact& flat, const dsw_body_contact& tall) {
     EXPECT_EQ(flat.time, tall.time);
-    EXPECT_EQ(flat.kind, flattened_contact(tall.kind));
+    EXPECT_EQ(flat.contact.kind, flattened_contact(tall.contact.kind));
     // At a vertex the plane names the lowest wall there, an edge in space one that the moving end looks at.
-    const bool chosen = flat.kind == DSW_CONTACT_VERTEX && flat.wall.generation != 0;
-    EXPECT_TRUE(chosen || flat.cause == flattened(tall.cause));
+    const bool chosen = flat.contact.kind == DSW_CONTACT_VERTEX && flat.contact.wall.generation != 0;
+    EXPECT_TRUE(chosen || flat.contact.marked_kind == flattened(tall.contact.marked_kind));
     EXPECT_EQ(flat.vertex.index, tall.vertex.index);
     EXPECT_EQ(flat.edge.index, tall.edge.index);
     EXPECT_EQ(flat.edge.generation, tall.edge.generation);
-    EXPECT_EQ(flat.obstacle.kind, flattened(tall.obstacle.kind));
-    EXPECT_EQ(foot(sides_[0], flat.obstacle, floor_.count()), foot(sides_[1], tall.obstacle, floor_.count()));
-    EXPECT_EQ(flat.wall.generation, tall.wall.generation);
+    EXPECT_EQ(flat.contact.obstacle.kind, flattened(tall.contact.obstacle.kind));
+    EXPECT_EQ(foot(sides_[0], flat.contact.obstacle, floor_.count()), foot(sides_[1], tall.contact.obstacle, floor_.count()));
+    EXPECT_EQ(flat.contact.wall.generation, tall.contact.wall.generation);
     EXPECT_EQ(flat.history, tall.history);
     EXPECT_EQ(flat.distance_left, tall.distance_left);
     for (size_t k = 0; k < 2; ++k) {
@@ -361,15 +361,15 @@ class PlaneBodies : public testing::TestWithParam<int> {
     }
     compare_normals(flat, tall);
     EXPECT_EQ(flat.point[2], 0);
-    EXPECT_EQ(flat.normal[2], 0);
+    EXPECT_EQ(flat.contact.normal[2], 0);
     EXPECT_EQ(flat.fixed[1][0], 0);
-    EXPECT_NEAR(flat.along, tall.along, 1e-9);
+    EXPECT_NEAR(flat.edge_parameter, tall.edge_parameter, 1e-9);
   }
 
   /// On which side of an edge that moves along itself, but for a little, an obstacle is, is what rounding makes of it,
   /// and so is the normal of an edge that is hardly there. Where they differ by a bit, what slides goes elsewhere.
-  void compare_normals(const dsw_contact& flat, const dsw_contact& tall) {
-    const double *const a = flat.normal, *const b = tall.normal;
+  void compare_normals(const dsw_body_contact& flat, const dsw_body_contact& tall) {
+    const double *const a = flat.contact.normal, *const b = tall.contact.normal;
     parted_ = uses_normals_ && std::memcmp(a, b, 2 * sizeof(double)) != 0;
     if (std::hypot(flat.fixed[0][0] - flat.point[0], flat.fixed[0][1] - flat.point[1]) < 1e-6) return;
     const double sign = a[0] * b[0] + a[1] * b[1] < 0 ? -1 : 1;

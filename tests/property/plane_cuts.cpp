@@ -8,9 +8,8 @@ namespace dsw::oracle {
 namespace {
 
 std::vector<dsw_volume_id> whole_volumes(const EnvironmentPtr& environment) {
-  const dsw_volume_id* volumes = nullptr;
-  size_t count = 0;
-  EXPECT_EQ(dsw_environment_get_whole_volumes(environment.get(), &volumes, &count), DSW_STATUS_OK);
+  const dsw_volume_id* volumes = change_of(environment.get()).whole;
+  const size_t count = change_of(environment.get()).whole_count;
   return {volumes, volumes + count};
 }
 }  // namespace
@@ -165,12 +164,12 @@ dsw_status PlaneCuts::cut(const Path& path, const dsw_cut_desc& given) {
   desc.columns = 1;
   const plane::World before = world_;
   const std::vector<uint32_t> numbers = numbers_;
-  dsw_cut_report report;
+  dsw_change report = empty_change();
   const dsw_status status = dsw_environment_cut(environment_.get(), &desc, &report);
   if (status != DSW_STATUS_OK) return status;
   read();
   split += report.volumes_split;
-  whole += report.volumes_whole;
+  whole += report.whole_count;
   const bool unsewn = (desc.flags & DSW_CUT_UNSEW) != 0;
   if (unsewn) {
     for (const dsw_cut_face& f : cut_faces(environment_)) unsewn_.push_back({f.front, f.back});
@@ -228,16 +227,16 @@ dsw_status PlaneCuts::open() {
     }
   }
   const double widths[] = {1e-9, 0.01, 0.1, 1};
-  dsw_open_desc desc = defaults(dsw_open_desc_init);
+  dsw_open_crack_desc desc = defaults(dsw_open_crack_desc_init);
   desc.faces = faces.data();
   desc.face_count = faces.size();
   desc.width = std::max(size_ * widths[rng_.below(4u)], 5e-324);
   desc.region = rng_.chance(0.5) ? 99 : 0;
-  dsw_open_report report;
-  const dsw_status status = dsw_environment_open(environment_.get(), &desc, &report);
+  dsw_change report = empty_change();
+  const dsw_status status = dsw_environment_open_crack(environment_.get(), &desc, &report);
   if (status != DSW_STATUS_OK) return status;
   read();
-  opened += report.faces_opened;
+  opened += report.face_count;
   parted += report.vertices_parted;
   wrong_ = check_opening(report, desc.width);
   return status;
@@ -261,9 +260,9 @@ dsw_status PlaneCuts::carve() {
   desc.triangle_count = segments.size() / 2;
   desc.flags = rng_.chance(0.2) ? uint32_t{DSW_CARVE_WHOLE} : 0;
   if (rng_.chance(0.5)) desc.start = volume_id(env().map, some_cell());
-  dsw_carve_report report;
+  dsw_change report = empty_change();
   const dsw_status status = dsw_environment_carve(environment_.get(), &desc, &report);
-  if (status == DSW_STATUS_OK) split += report.cut.volumes_split;
+  if (status == DSW_STATUS_OK) split += report.volumes_split;
   return status;
 }
 
@@ -273,9 +272,9 @@ dsw_status PlaneCuts::tie() {
   desc.points = path[0].data();
   desc.point_count = path.size();
   if (rng_.chance(0.5)) desc.start = volume_id(env().map, some_cell());
-  dsw_tie_report report;
+  dsw_change report = empty_change();
   const dsw_status status = dsw_environment_tie(environment_.get(), &desc, &report);
-  if (status == DSW_STATUS_OK) split += report.cut.volumes_split;
+  if (status == DSW_STATUS_OK) split += report.volumes_split;
   return status;
 }
 

@@ -17,9 +17,8 @@ inline plane::Vec mix(const plane::Vec& a, const plane::Vec& b, double t) {
 }
 
 inline std::vector<dsw_cut_face> cut_faces(const EnvironmentPtr& environment) {
-  const dsw_cut_face* faces = nullptr;
-  size_t count = 0;
-  EXPECT_EQ(dsw_environment_get_cut_faces(environment.get(), &faces, &count), DSW_STATUS_OK);
+  const dsw_cut_face* faces = change_of(environment.get()).faces;
+  const size_t count = change_of(environment.get()).face_count;
   return {faces, faces + count};
 }
 
@@ -83,9 +82,9 @@ class PlaneCuts {
   std::string check_folds(bool was_cut);
   std::string check_inhabitants();
   std::string check_cut(const Path& path, const plane::World& before, const std::vector<uint32_t>& numbers,
-                        const dsw_cut_report& report, bool unsewn);
+                        const dsw_change& report, bool unsewn);
   std::string check_sides(const Path& path) const;
-  std::string check_opening(const dsw_open_report& report, double width);
+  std::string check_opening(const dsw_change& report, double width);
   double distance(const plane::Vec& p, const plane::Vec& a, const plane::Vec& b) const;
   double rounding(const plane::Vec& p) const;
 

@@ -44,16 +44,14 @@ class Areas {
   int lowest_ = 0;
 };
 
-std::vector<dsw_cut_vertex> cut_vertices(const EnvironmentPtr& environment) {
-  const dsw_cut_vertex* vertices = nullptr;
-  size_t count = 0;
-  EXPECT_EQ(dsw_environment_get_cut_vertices(environment.get(), &vertices, &count), DSW_STATUS_OK);
+std::vector<dsw_vertex_origin> cut_vertices(const EnvironmentPtr& environment) {
+  const dsw_vertex_origin* vertices = change_of(environment.get()).vertices;
+  const size_t count = change_of(environment.get()).vertex_count;
   return {vertices, vertices + count};
 }
 std::vector<dsw_volume_change> changes(const EnvironmentPtr& environment) {
-  const dsw_volume_change* changes = nullptr;
-  size_t count = 0;
-  EXPECT_EQ(dsw_environment_get_volume_changes(environment.get(), &changes, &count), DSW_STATUS_OK);
+  const dsw_volume_change* changes = change_of(environment.get()).volumes;
+  const size_t count = change_of(environment.get()).volume_count;
   return {changes, changes + count};
 }
 
@@ -156,7 +154,7 @@ std::set<int> PlaneCuts::folded_vertices() const {
 std::string PlaneCuts::check_folds(bool was_cut) {
   std::set<int> folded = folded_vertices(), rounded;
   folded.swap(folded_);
-  for (const dsw_cut_vertex& v : cut_vertices(environment_)) rounded.insert(static_cast<int>(v.vertex.index));
+  for (const dsw_vertex_origin& v : cut_vertices(environment_)) rounded.insert(static_cast<int>(v.vertex.index));
   std::set<int> excused = folded;
   for (const plane::Side& side : world_.sides) {
     if (!was_cut || side.cell[1] >= 0 || rounded.count(side.a) + rounded.count(side.b) == 0) continue;
@@ -209,7 +207,7 @@ double PlaneCuts::rounding(const plane::Vec& p) const { return 1e-12 * (1 + std:
 /// Ends of the cut's sides are as near to the path as was reported, and the path to the cut, in the cells that were
 /// split; sides have before and behind of the path on their sides.
 std::string PlaneCuts::check_cut(const Path& path, const plane::World& before, const std::vector<uint32_t>& numbers,
-                                 const dsw_cut_report& report, bool unsewn) {
+                                 const dsw_change& report, bool unsewn) {
   const Map<2>& map = env().map;
   const double slack = report.distance / unit_ * (1 + 1e-9) + rounding(path[0]);
   std::vector<std::array<plane::Vec, 2>> sides;
@@ -236,7 +234,7 @@ std::string PlaneCuts::check_cut(const Path& path, const plane::World& before, c
   }
   const std::string mixed_up = check_sides(path);
   if (!mixed_up.empty()) return mixed_up;
-  for (const dsw_cut_vertex& v : cut_vertices(environment_)) {
+  for (const dsw_vertex_origin& v : cut_vertices(environment_)) {
     if (!(v.weights[0] > 0 && v.weights[1] > 0) || std::fabs(v.weights[0] + v.weights[1] - 1) > 1e-15) return "weights";
     const plane::Vec &a = world_.points[v.from[0].index], &b = world_.points[v.from[1].index];
     if (distance(world_.points[v.vertex.index], mix(a, b, v.weights[1]), mix(a, b, v.weights[1])) > rounding(a))
@@ -280,7 +278,7 @@ std::string PlaneCuts::check_sides(const Path& path) const {
   const Map<2>& map = env().map;
   const PathTruth truth(world_, path);
   std::map<uint32_t, std::array<int, 2>> edges;
-  for (const dsw_cut_vertex& v : cut_vertices(environment_)) {
+  for (const dsw_vertex_origin& v : cut_vertices(environment_)) {
     edges[v.vertex.index] = {static_cast<int>(v.from[0].index), static_cast<int>(v.from[1].index)};
   }
   for (const dsw_cut_face& f : cut_faces(environment_)) {
@@ -312,8 +310,8 @@ std::string PlaneCuts::check_sides(const Path& path) const {
   return "";
 }
 
-std::string PlaneCuts::check_opening(const dsw_open_report& report, double width) {
-  const std::vector<dsw_cut_vertex> vertices = cut_vertices(environment_);
+std::string PlaneCuts::check_opening(const dsw_change& report, double width) {
+  const std::vector<dsw_vertex_origin> vertices = cut_vertices(environment_);
   if (vertices.size() != 2 * report.vertices_parted) return "vertices that come apart are counted wrongly";
   for (size_t i = 0; i < vertices.size(); i += 2) {
     const plane::Vec &p = world_.points[vertices[i].vertex.index], &q = world_.points[vertices[i + 1].vertex.index];
@@ -324,7 +322,7 @@ std::string PlaneCuts::check_opening(const dsw_open_report& report, double width
   const double slack = unit_ * rounding({env().upper[0], env().upper[1]});
   if (!coarse_ && report.largest_width > width * (1 + 1e-9) + slack) return "a crack opens too far";
   const std::vector<dsw_cut_face> faces = cut_faces(environment_);
-  if (faces.size() != report.faces_opened) return "sides that open are counted wrongly";
+  if (faces.size() != report.face_count) return "sides that open are counted wrongly";
   const std::vector<dsw_volume_change> all = changes(environment_);
   std::set<uint32_t> gaps;
   for (size_t i = all.size() - faces.size(); i < all.size(); ++i) gaps.insert(all[i].after.index);

@@ -106,7 +106,7 @@ class PlaneFlags : public testing::TestWithParam<Case> {
                 DSW_STATUS_OK)
           << dsw_last_error_message();
       skipped_[i] += report.edges_skipped;
-      const dsw_contact* contacts = nullptr;
+      const dsw_body_contact* contacts = nullptr;
       size_t count = 0;
       dsw_body_get_contacts(scene, bodies_[i], &contacts, &count);
       std::vector<dsw_volume_id> volumes;
@@ -115,7 +115,7 @@ class PlaneFlags : public testing::TestWithParam<Case> {
       own.append(reinterpret_cast<const char*>(volumes.data()), volumes.size() * sizeof volumes[0]);
       for (size_t c = 0; c < count; ++c) {
         own.append(reinterpret_cast<const char*>(contacts + c),
-                   offsetof(dsw_contact, history) + sizeof contacts[c].history);
+                   offsetof(dsw_body_contact, history) + sizeof contacts[c].history);
       }
       if (i == 0) {
         bits = own;

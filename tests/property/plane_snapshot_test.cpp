@@ -18,18 +18,18 @@ EnvironmentPtr make_marked_wheel() {
   const Wheel wheel;
   EnvironmentPtr environment = make_wheel(wheel.describe());
   dsw_volume_id hub, volume;
-  EXPECT_EQ(dsw_environment_get_volume(environment.get(), 0, &hub), DSW_STATUS_OK);
-  EXPECT_EQ(dsw_environment_get_volume(environment.get(), 3, &volume), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_environment_get_volume_id(environment.get(), 0, &hub), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_environment_get_volume_id(environment.get(), 3, &volume), DSW_STATUS_OK);
   EXPECT_EQ(dsw_environment_mark_volumes(environment.get(), &volume, 1, DSW_MARK_IMPASSABLE, 0, nullptr),
             DSW_STATUS_OK);
   for (const uint32_t i : {0u, 7u}) {
     dsw_vertex_id vertex;
-    EXPECT_EQ(dsw_environment_get_vertex(environment.get(), i, &vertex), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_environment_get_vertex_id(environment.get(), i, &vertex), DSW_STATUS_OK);
     EXPECT_EQ(dsw_environment_mark_vertices(environment.get(), &vertex, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
   }
   for (const uint32_t i : {2u, 11u, 19u}) {
     dsw_face_id face;
-    EXPECT_EQ(dsw_environment_get_volume_face(environment.get(), hub, i, &face), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_environment_get_face_id(environment.get(), hub, i, &face), DSW_STATUS_OK);
     EXPECT_EQ(dsw_environment_mark_faces(environment.get(), &face, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
   }
   return environment;

@@ -34,7 +34,7 @@ struct Course {
 
   void step(double length) {
     std::vector<double> targets(2 * particles.size());
-    dsw_scene_get_particles(scene.get(), particles.data(), particles.size(), targets.data(), 0, nullptr);
+    dsw_scene_get_particle_positions(scene.get(), particles.data(), particles.size(), targets.data(), 0, nullptr);
     for (size_t i = 0; i < targets.size(); i += 2) {
       const double angle = rng.range(0, 6.28);
       targets[i] += length * std::cos(angle);
@@ -58,7 +58,7 @@ TEST(Plane, AShortMoveTakesFewTests) {
   for (int i = 0; i < 5; ++i) course.step(0.2);
   const dsw_statistics s = course.statistics();
   const double tests = static_cast<double>(s.orientation_tests) / static_cast<double>(s.casts);
-  const double cells = static_cast<double>(s.cells_visited) / static_cast<double>(s.casts);
+  const double cells = static_cast<double>(s.volumes_visited) / static_cast<double>(s.casts);
   RecordProperty("tests_per_cast", std::to_string(tests));
   RecordProperty("cells_per_cast", std::to_string(cells));
   EXPECT_LE(tests, 4) << "at " << cells << " cells";

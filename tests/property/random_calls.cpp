@@ -101,7 +101,7 @@ dsw_status RandomEdits<D>::add() {
   desc.points = points.data();
   desc.point_count = points.size() / D;
   desc.cell_types = &type;
-  desc.cell_count = 1;
+  desc.volume_count = 1;
   desc.offsets = offsets;
   desc.connectivity = stream.data();
   desc.connectivity_count = stream.size();
@@ -195,13 +195,12 @@ dsw_status RandomEdits<3>::remesh() {
   desc.next = next.data();
   desc.point_count = map.vertex_count;
   desc.radius = 1 + rng_.below(2);
-  dsw_remesh_report report{};
+  dsw_change report = empty_change();
   const dsw_status status = dsw_environment_remesh(place_.get(), &desc, &report);
   if (status != DSW_STATUS_OK) return status;
   if (report.volumes_removed == 0) return DSW_STATUS_NOT_FOUND;
-  const dsw_volume_change* changes = nullptr;
-  size_t count = 0;
-  dsw_environment_get_volume_changes(place_.get(), &changes, &count);
+  const dsw_volume_change* changes = change_of(place_.get()).volumes;
+  const size_t count = change_of(place_.get()).volume_count;
   for (size_t i = 0; i < count; ++i) {
     if (changes[i].after.generation == 0) continue;
     if (!is_valid_with(dsw::capi::space(*place_.get()), next.data(), map.cell(changes[i].after.index)))

@@ -63,9 +63,8 @@ dsw_status RandomEdits<3>::cut() {
   may_change_ = true;
   const dsw_status status = dsw_environment_cut(place_.get(), &desc, nullptr);
   if (status != DSW_STATUS_OK || desc.flags == 0) return status;
-  const dsw_cut_face *faces = nullptr;
-  size_t count = 0;
-  dsw_environment_get_cut_faces(place_.get(), &faces, &count);
+  const dsw_cut_face *faces = change_of(place_.get()).faces;
+  const size_t count = change_of(place_.get()).face_count;
   for (size_t i = 0; i < count; ++i) unsewn_.push_back({faces[i].front, faces[i].back});
   return status;
 }
@@ -118,7 +117,7 @@ dsw_status RandomEdits<3>::detach() {
   const double gaps[] = {0, 1e-9, 0.25, 0.05};
   desc.gap = gaps[rng_.below(4)];
   dsw_body_id body;
-  return dsw_scene_detach(scene_.get(), &desc, &body, nullptr);
+  return dsw_environment_detach(dsw_scene_get_environment(scene_.get()), &desc, &body, nullptr);
 }
 
 /// Else there would be more and more bodies.

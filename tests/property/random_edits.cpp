@@ -263,7 +263,9 @@ std::string RandomEdits<D>::bend_to(const double* from, uint32_t vertex, double 
   points[size_t{D} * vertex] += by;
   next = points;
   next.resize(D * options.point_room, 1);
-  if (dsw_scene_deform(scene_.get(), next.data(), count, &options, nullptr) == DSW_STATUS_OK) return "";
+  if (dsw_environment_deform(dsw_scene_get_environment(scene_.get()), next.data(), count, &options, nullptr) ==
+      DSW_STATUS_OK)
+    return "";
   return std::string("bending: ") + dsw_last_error_message();
 }
 

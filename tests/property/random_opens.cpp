@@ -59,13 +59,13 @@ dsw_status RandomEdits<3>::open() {
     faces.push_back({pair[0], pair[1]});
   }
   const double widths[] = {1e-9, 0.01, 0.1, 1, 10};
-  dsw_open_desc desc = defaults(dsw_open_desc_init);
+  dsw_open_crack_desc desc = defaults(dsw_open_crack_desc_init);
   desc.faces = faces.data();
   desc.face_count = faces.size();
   desc.width = place_.size() * widths[rng_.below(5)];
   desc.region = rng_.chance(0.5) ? 99 : 0;
   may_change_ = true;
-  return dsw_environment_open(place_.get(), &desc, nullptr);
+  return dsw_environment_open_crack(place_.get(), &desc, nullptr);
 }
 
 }  // namespace dsw::oracle

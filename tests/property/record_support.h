@@ -1,11 +1,13 @@
 // Recordings in memory, and what makes them again.
 #pragma once
 
+#include <cstring>
 #include <fstream>
 #include <set>
 
 #include "capi/recorded.h"
 #include "random_edits.h"
+#include "snapshot/bytes.h"
 
 namespace dsw::oracle {
 
@@ -65,5 +67,33 @@ inline size_t replay_all(const ReplayPtr& replay, std::set<std::string>* functio
     if (functions != nullptr && report.status == DSW_STATUS_OK) functions->insert(report.function);
   }
 }
+
+/// The words of a recording, entry by entry.
+class Entries {
+ public:
+  explicit Entries(const std::string& recording) : words_(recording.size() / 8) {
+    std::memcpy(words_.data(), recording.data(), 8 * words_.size());
+    for (size_t at = 2; at < words_.size(); at += words_[at + 1] / 8 + 3) entries_.push_back(at);
+  }
+  /// Of the call with a number: its result's words.
+  uint64_t* result(size_t call) {
+    for (const size_t at : entries_) {
+      if (static_cast<uint32_t>(words_[at]) == 4 && call-- == 0) return &words_[at + 2];
+    }
+    return nullptr;
+  }
+  /// With its checksums right.
+  std::string sealed() {
+    for (const size_t at : entries_) {
+      const size_t size = words_[at + 1] / 8 + 2;
+      words_[at + size] = checksum(0, reinterpret_cast<const uint8_t*>(&words_[at]), 8 * size);
+    }
+    return {reinterpret_cast<const char*>(words_.data()), 8 * words_.size()};
+  }
+
+ private:
+  std::vector<uint64_t> words_;
+  std::vector<size_t> entries_;
+};
 
 }  // namespace dsw::oracle

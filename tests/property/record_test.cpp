@@ -70,7 +70,7 @@ void call_the_others(dsw_scene* scene) {
   const auto ok = [](dsw_status status) { EXPECT_EQ(status, DSW_STATUS_OK) << dsw_last_error_message(); };
   const dsw_volume_id null_volume = {0, 0};
   dsw_volume_id first;
-  ok(dsw_environment_get_volume(environment, 0, &first));
+  ok(dsw_environment_get_volume_id(environment, 0, &first));
   double centre[3];
   ok(dsw_environment_get_centre(environment, first, centre));
   const auto point = [&](double x, double y, double z) { return Vec{centre[0] + x, centre[1] + y, centre[2] + z}; };
@@ -79,10 +79,10 @@ void call_the_others(dsw_scene* scene) {
   ok(dsw_environment_mark_region(environment, 12345, DSW_MARK_IMPASSABLE, 0, nullptr, nullptr));
   ok(dsw_environment_mark_between(environment, 12345, 54321, DSW_MARK_IMPASSABLE, nullptr));
   dsw_vertex_id vertex;
-  ok(dsw_environment_get_vertex(environment, 0, &vertex));
+  ok(dsw_environment_get_vertex_id(environment, 0, &vertex));
   ok(dsw_environment_mark_vertices(environment, &vertex, 1, DSW_MARK_IMPASSABLE));
   dsw_face_id face;
-  ok(dsw_environment_get_volume_face(environment, first, 0, &face));
+  ok(dsw_environment_get_face_id(environment, first, 0, &face));
   const double load = 0;
   ok(dsw_environment_tear_faces(environment, &face, &load, 1, 1, nullptr));
 
@@ -99,10 +99,10 @@ void call_the_others(dsw_scene* scene) {
     ok(dsw_environment_find_faces(environment, 1, ends, indices, &quad, nullptr));
     ok(dsw_environment_split_face(environment, quad, corner_ids[ring], corner_ids[ring + 2], nullptr, nullptr));
   }
-  ok(dsw_environment_get_volume(environment, first.index, &first));
+  ok(dsw_environment_get_volume_id(environment, first.index, &first));
   const dsw_vertex_id loop[] = {corner_ids[0], corner_ids[2], corner_ids[6], corner_ids[4]};
   ok(dsw_environment_split_volume(environment, first, loop, 4, nullptr, nullptr));
-  ok(dsw_environment_get_volume(environment, first.index, &first));
+  ok(dsw_environment_get_volume_id(environment, first.index, &first));
   ok(dsw_environment_get_centre(environment, first, centre));
 
   const std::vector<Vec> places = {point(0, 0, 0), point(kNear, 0, 0), point(0, kNear, 0)};
@@ -142,7 +142,7 @@ void call_the_others(dsw_scene* scene) {
   ok(dsw_scene_move_bodies(scene, &body, 1, corners[0].data(), corners.size(), 0, nullptr, nullptr));
   dsw_body_edge_id edges[3];
   size_t count = 0;
-  ok(dsw_body_get_edges(scene, body, edges, 3, &count));
+  ok(dsw_body_get_edge_ids(scene, body, edges, 3, &count));
   dsw_body_edit edit;
   ok(dsw_body_split_edge(scene, body, edges[0], 0.5, &edit));
   ok(dsw_body_collapse_edge(scene, body, edit.rest, edit.vertex, nullptr));
@@ -150,21 +150,21 @@ void call_the_others(dsw_scene* scene) {
   dsw_body_edge_id edge;
   dsw_body_face_id made;
   const Vec fourth = point(kNear, kNear, kNear);
-  ok(dsw_body_get_vertex(scene, body, 1, &corner));
+  ok(dsw_body_get_vertex_id(scene, body, 1, &corner));
   ok(dsw_body_add_vertex(scene, body, fourth.data(), null_volume, &added));
   ok(dsw_body_add_edge(scene, body, corner, added, &edge));
   dsw_body_vertex_id third;
-  ok(dsw_body_get_vertex(scene, body, 2, &third));
+  ok(dsw_body_get_vertex_id(scene, body, 2, &third));
   ok(dsw_body_add_face(scene, body, corner, added, third, &made));
   ok(dsw_body_remove_face(scene, body, made));
   ok(dsw_body_remove_edge(scene, body, edge));
-  ok(dsw_body_get_edges(scene, body, nullptr, 0, &count) == DSW_STATUS_BUFFER_TOO_SMALL ? DSW_STATUS_OK
+  ok(dsw_body_get_edge_ids(scene, body, nullptr, 0, &count) == DSW_STATUS_BUFFER_TOO_SMALL ? DSW_STATUS_OK
                                                                                         : DSW_STATUS_INTERNAL);
   std::vector<dsw_body_edge_id> rest(count);
-  ok(dsw_body_get_edges(scene, body, rest.data(), rest.size(), &count));
+  ok(dsw_body_get_edge_ids(scene, body, rest.data(), rest.size(), &count));
   for (const dsw_body_edge_id& each : rest) {
     dsw_body_vertex_id ends[2];
-    ok(dsw_body_get_edge(scene, body, each, ends));
+    ok(dsw_body_get_edge_ends(scene, body, each, ends));
     if (ends[0].index == added.index || ends[1].index == added.index) ok(dsw_body_remove_edge(scene, body, each));
   }
   ok(dsw_body_remove_vertex(scene, body, added));

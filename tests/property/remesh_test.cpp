@@ -108,11 +108,11 @@ class RemeshTest : public SceneTest {
     }
     ASSERT_TRUE(blocked.empty());
   }
-  dsw_remesh_report mend() {
+  dsw_change mend() {
     dsw_remesh_desc desc = defaults(dsw_remesh_desc_init);
     desc.next = next_.data();
     desc.point_count = next_.size() / 3;
-    dsw_remesh_report report{};
+    dsw_change report = empty_change();
     EXPECT_EQ(dsw_environment_remesh(place_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
     return report;
   }
@@ -121,7 +121,9 @@ class RemeshTest : public SceneTest {
     options.invalid = invalid;
     options.method = method;
     dsw_deform_report report{};
-    EXPECT_EQ(dsw_scene_deform(scene_.get(), next_.data(), next_.size() / 3, &options, &report), DSW_STATUS_OK)
+    EXPECT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene_.get()), next_.data(), next_.size() / 3, &options,
+                                     &report),
+              DSW_STATUS_OK)
         << dsw_last_error_message();
     return report;
   }
@@ -137,16 +139,14 @@ TEST_P(RemeshTest, WhatIsMendedIsValidBeforeAndAfter) {
     begin(seed);
     if (place_.environment == nullptr) continue;
     const size_t invalid = count_invalid(next_.data());
-    const dsw_remesh_report report = mend();
-    ASSERT_EQ(report.invalid_count, invalid);
-    ASSERT_EQ(report.mended_count + report.left_count, invalid);
+    const dsw_change report = mend();
+    ASSERT_EQ(report.volumes_invalid, invalid);
     ASSERT_LE(report.volumes_added, report.volumes_removed);
     ASSERT_EQ(count_invalid(env().points), 0u);
-    ASSERT_EQ(count_invalid(next_.data()), report.left_count);
-    const dsw_volume_id* left = nullptr;
-    size_t count = 0;
-    ASSERT_EQ(dsw_environment_get_unmended_volumes(place_.get(), &left, &count), DSW_STATUS_OK);
-    ASSERT_EQ(count, report.left_count);
+    ASSERT_EQ(count_invalid(next_.data()), report.unrepaired_count);
+    const dsw_volume_id* left = change_of(place_.get()).unrepaired;
+    const size_t count = change_of(place_.get()).unrepaired_count;
+    ASSERT_EQ(count, report.unrepaired_count);
     for (size_t i = 0; i < count; ++i) ASSERT_TRUE(env().map.is_alive(left[i].index, left[i].generation));
     check_all();
     ASSERT_EQ(dsw_environment_check(place_.get(), nullptr), DSW_STATUS_OK) << dsw_last_error_message();
@@ -166,9 +166,9 @@ TEST_P(RemeshTest, DeformationsGoFartherWithIt) {
         check_all();
         const dsw_wall_contact* contacts = nullptr;
         size_t count = 0;
-        dsw_scene_get_wall_contacts(scene_.get(), &contacts, &count);
+        dsw_environment_get_wall_contacts(dsw_scene_get_environment(scene_.get()), &contacts, &count);
         for (size_t i = 0; i < count; ++i) {
-          const dsw_face_id wall = contacts[i].wall;
+          const dsw_face_id wall = contacts[i].contact.wall;
           ASSERT_TRUE(wall.generation == 0 || env().map.is_alive(wall.volume, wall.generation));
         }
       }
@@ -220,11 +220,15 @@ TEST_F(RemeshMemoryTest, DeformingWithIt) {
   const std::string block = saved();
   dsw_deform_report report{};
   const size_t refusals = until_it_succeeds(
-      [&] { return dsw_scene_deform(scene(), next.data(), next.size() / 3, &options, &report); },
+      [&] {
+        return dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), next.size() / 3, &options,
+                                      &report);
+      },
       [&] {
         double now[3];
-        return dsw_particle_get(scene(), particle, now, nullptr) == DSW_STATUS_OK && std::equal(now, now + 3, at) &&
-               next == asked && points_of(place_.get()) == before && bits_of(read(body)) == bits && saved() == block;
+        return dsw_particle_get_position(scene(), particle, now, nullptr) == DSW_STATUS_OK &&
+               std::equal(now, now + 3, at) && next == asked && points_of(place_.get()) == before &&
+               bits_of(read(body)) == bits && saved() == block;
       });
   EXPECT_GE(refusals, 50u);
   EXPECT_GT(report.remeshed_count, 0u);

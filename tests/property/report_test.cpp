@@ -1,4 +1,4 @@
-// Bug reports in one call: what is in them, and whether the verdict sees what is wrong.
+// Bug reports in one call: what is in them, and whether the validation sees what is wrong.
 #include <cstdio>
 #include <cstring>
 
@@ -9,33 +9,33 @@
 namespace dsw::oracle {
 namespace {
 
-dsw_status write_bundle(dsw_scene* scene, std::string* report, dsw_verdict* verdict, const char* note = nullptr) {
-  dsw_bundle_desc desc = defaults(dsw_bundle_desc_init);
+dsw_status write_bug_report(dsw_scene* scene, std::string* report, dsw_validation* validation, const char* note = nullptr) {
+  dsw_bug_report_desc desc = defaults(dsw_bug_report_desc_init);
   desc.write = append_bytes;
   desc.user = report;
   desc.note = note;
-  *verdict = {};
-  verdict->struct_size = sizeof *verdict;
-  return dsw_scene_write_bundle(scene, &desc, verdict);
+  *validation = {};
+  validation->struct_size = sizeof *validation;
+  return dsw_scene_write_bug_report(scene, &desc, validation);
 }
 
-/// Opens a report; it must hold `calls` calls and come to the same verdict.
-void check_report(const std::string& report, size_t calls, const dsw_verdict& said, const char* note) {
+/// Opens a report; it must hold `calls` calls and come to the same validation.
+void check_report(const std::string& report, size_t calls, const dsw_validation& said, const char* note) {
   const ReplayPtr replay = open_replay(report);
   ASSERT_NE(replay, nullptr);
-  EXPECT_EQ(info_of(replay).flags, uint32_t{DSW_RECORDING_STATES} | DSW_RECORDING_BUNDLE);
-  dsw_verdict verdict = {};
-  verdict.struct_size = sizeof verdict;
+  EXPECT_EQ(info_of(replay).flags, uint32_t{DSW_RECORDING_STATES} | DSW_RECORDING_BUG_REPORT);
+  dsw_validation validation = {};
+  validation.struct_size = sizeof validation;
   dsw_replay_report step = {};
-  ASSERT_EQ(dsw_replay_step_judged(replay.get(), &step, &verdict), DSW_STATUS_OK) << dsw_last_error_message();
-  EXPECT_EQ(std::memcmp(&verdict, &said, sizeof verdict), 0) << verdict.text;
+  ASSERT_EQ(dsw_replay_step_validated(replay.get(), &step, &validation), DSW_STATUS_OK) << dsw_last_error_message();
+  EXPECT_EQ(std::memcmp(&validation, &said, sizeof validation), 0) << validation.text;
   EXPECT_EQ(step.outcome, calls == 0 ? DSW_REPLAY_END : DSW_REPLAY_SAME);
   ASSERT_EQ(dsw_replay_step(replay.get(), &step), DSW_STATUS_OK);
   EXPECT_EQ(step.outcome, DSW_REPLAY_END);
   EXPECT_EQ(step.call, calls);
   EXPECT_STREQ(info_of(replay).note, note);
-  ASSERT_NE(info_of(replay).verdict, nullptr);
-  EXPECT_EQ(std::memcmp(info_of(replay).verdict, &said, sizeof said), 0);
+  ASSERT_NE(info_of(replay).validation, nullptr);
+  EXPECT_EQ(std::memcmp(info_of(replay).validation, &said, sizeof said), 0);
 }
 
 class ReportTest : public SceneTest {};
@@ -55,28 +55,28 @@ TEST_P(ReportTest, TheLastCallIsJudged) {
       ASSERT_EQ(edits.move_all(), "");
       const std::string before = edits.saved();
       std::string report;
-      dsw_verdict verdict;
-      ASSERT_EQ(write_bundle(edits.handle(), &report, &verdict, "look"), DSW_STATUS_OK) << dsw_last_error_message();
-      EXPECT_EQ(verdict.is_right, 1u) << verdict.text;
+      dsw_validation validation;
+      ASSERT_EQ(write_bug_report(edits.handle(), &report, &validation, "look"), DSW_STATUS_OK) << dsw_last_error_message();
+      EXPECT_EQ(validation.is_right, 1u) << validation.text;
       EXPECT_EQ(edits.saved(), before);
-      check_report(report, 1, verdict, "look");
+      check_report(report, 1, validation, "look");
     }
     ASSERT_EQ(dsw_scene_stop_recording(edits.handle()), DSW_STATUS_OK);
   }
   std::remove(path.c_str());
 }
 
-TEST(BundleTest, OfASceneThatIsNotRecordedIsWhatIsThere) {
+TEST(BugReportTest, OfASceneThatIsNotRecordedIsWhatIsThere) {
   RandomEdits<3> edits("hex", 1);
   std::string report;
-  dsw_verdict verdict;
-  ASSERT_EQ(write_bundle(edits.handle(), &report, &verdict), DSW_STATUS_OK) << dsw_last_error_message();
-  EXPECT_GT(verdict.places, 0u);
-  check_report(report, 0, verdict, "");
+  dsw_validation validation;
+  ASSERT_EQ(write_bug_report(edits.handle(), &report, &validation), DSW_STATUS_OK) << dsw_last_error_message();
+  EXPECT_GT(validation.places, 0u);
+  check_report(report, 0, validation, "");
 }
 
 // A recording in memory begins anew before it gets long.
-TEST(BundleTest, OnlyTheLatestCallsAreKept) {
+TEST(BugReportTest, OnlyTheLatestCallsAreKept) {
   RandomEdits<3> edits("hex", 4);
   ASSERT_EQ(edits.step(), "");
   dsw_recording_desc desc = defaults(dsw_recording_desc_init);
@@ -95,13 +95,13 @@ TEST(BundleTest, OnlyTheLatestCallsAreKept) {
   EXPECT_TRUE(began_anew);
   EXPECT_LT(longest, most + 100000);
   std::string report;
-  dsw_verdict verdict;
-  ASSERT_EQ(write_bundle(edits.handle(), &report, &verdict), DSW_STATUS_OK) << dsw_last_error_message();
-  check_report(report, 1, verdict, "");
+  dsw_validation validation;
+  ASSERT_EQ(write_bug_report(edits.handle(), &report, &validation), DSW_STATUS_OK) << dsw_last_error_message();
+  check_report(report, 1, validation, "");
 }
 
-// A vertex that something has put behind a wall: the scene is not what its calls have made; the verdict names that.
-TEST(BundleTest, WhatIsWrongIsNamed) {
+// A vertex that something has put behind a wall: the scene is not what its calls have made; the validation names that.
+TEST(BugReportTest, WhatIsWrongIsNamed) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     RandomEdits<3> edits("hex", seed);
     dsw_scene& scene = *edits.handle();
@@ -119,14 +119,14 @@ TEST(BundleTest, WhatIsWrongIsNamed) {
     if (vertex == nullptr) continue;
     const BodyVertex<3> kept = *vertex;
     vertex->position[0] += 1e6;
-    dsw_verdict verdict = {};
-    verdict.struct_size = sizeof verdict;
+    dsw_validation validation = {};
+    validation.struct_size = sizeof validation;
     dsw_replay_report step = {};
-    ASSERT_EQ(dsw_replay_step_judged(replay.get(), &step, &verdict), DSW_STATUS_OK);
-    EXPECT_EQ(verdict.is_right, 0u);
-    EXPECT_EQ(verdict.lost, 1u);
-    EXPECT_GT(verdict.crossing, 0u);
-    EXPECT_NE(std::string(verdict.text).find("vertex " + std::to_string(v)), std::string::npos) << verdict.text;
+    ASSERT_EQ(dsw_replay_step_validated(replay.get(), &step, &validation), DSW_STATUS_OK);
+    EXPECT_EQ(validation.is_right, 0u);
+    EXPECT_EQ(validation.lost, 1u);
+    EXPECT_GT(validation.crossing, 0u);
+    EXPECT_NE(std::string(validation.text).find("vertex " + std::to_string(v)), std::string::npos) << validation.text;
     *vertex = kept;
     return;
   }

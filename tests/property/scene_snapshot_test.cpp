@@ -223,17 +223,19 @@ TEST_F(SceneInGridTest, ABentEnvironmentGoesOnBending) {
   std::vector<double> arrays[2][2];  // lent, of the one and of its copy
   const auto bend = [&](dsw_scene* scene, std::vector<double>& next, double by) {
     next = bent(points_of(dsw_scene_get_environment(scene)), by);
-    EXPECT_EQ(dsw_scene_deform(scene, next.data(), next.size() / 3, nullptr, nullptr), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene), next.data(), next.size() / 3, nullptr, nullptr),
+              DSW_STATUS_OK);
     const dsw_wall_contact* contacts = nullptr;
     size_t count = 0;
-    EXPECT_EQ(dsw_scene_get_wall_contacts(scene, &contacts, &count), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_environment_get_wall_contacts(dsw_scene_get_environment(scene), &contacts, &count), DSW_STATUS_OK);
     return std::string(reinterpret_cast<const char*>(contacts), count * sizeof *contacts);
   };
   for (int i = 0; i < 3; ++i) bend(scene(), arrays[0][i % 2], 0.03);
   // Invalid where nobody is.
   std::vector<double> next = points_of(place_.get());
   next[3 * point(0, 4, 3)] = std::nan("");
-  ASSERT_EQ(dsw_scene_deform(scene(), next.data(), next.size() / 3, nullptr, nullptr), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), next.size() / 3, nullptr, nullptr),
+            DSW_STATUS_OK);
   World3 copy = loaded(saved(place_.get()), saved(scene()));
   ASSERT_NE(copy.scene, nullptr);
   EXPECT_TRUE(saved(copy.environment.get()) == saved(place_.get()));

@@ -14,7 +14,7 @@ Place marked_place(const std::string& name, uint64_t seed) {
     mesh.regions.push_back(rng.between(-5, 5));
     mesh.tags.push_back(static_cast<uint32_t>(rng.next()));
   }
-  Place place = place_of(std::move(mesh), DSW_ENVIRONMENT_LOCATE_GRID);
+  Place place = place_of(std::move(mesh), DSW_ENVIRONMENT_LOCATE_TREE);
   if (place.world == nullptr) return place;
   World& world = *place.world;
   const Edges edges(world);
@@ -32,7 +32,7 @@ Place marked_place(const std::string& name, uint64_t seed) {
     const dsw_edge_id edge = edges.id(world, static_cast<int>(rng.below(edges.edges.size())));
     EXPECT_EQ(dsw_environment_mark_edges(place.get(), &edge, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
     dsw_vertex_id vertex;
-    EXPECT_EQ(dsw_environment_get_vertex(place.get(), rng.below(place.mesh.points.size()), &vertex), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_environment_get_vertex_id(place.get(), rng.below(place.mesh.points.size()), &vertex), DSW_STATUS_OK);
     EXPECT_EQ(dsw_environment_mark_vertices(place.get(), &vertex, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
   }
   return place;

@@ -175,26 +175,30 @@ inline std::vector<std::string> scene_names() {
   return names;
 }
 
+/// Every member of what was touched.
+inline std::string bits_of(const dsw_contact& c) {
+  char rest[400];
+  std::snprintf(rest, sizeof rest, " o %d %u.%u/%u w %u.%u/%u f %u.%u b %u.%u k %d m %d tag %u", c.obstacle.kind,
+                c.obstacle.index, c.obstacle.generation, c.obstacle.local, c.wall.volume, c.wall.generation,
+                c.wall.local, c.front.index, c.front.generation, c.behind.index, c.behind.generation, c.kind,
+                c.marked_kind, c.tag);
+  return hex(c.normal) + rest;
+}
+
 /// Every member of a flight, for comparisons bit by bit.
 inline std::string bits_of(const dsw_flight& f) {
-  std::string text = hex(f.position) + hex(f.normal);
-  char rest[400];
-  std::snprintf(rest, sizeof rest, " t %a v %u.%u f %u.%u/%u b %u.%u o %d k %d c %d tag %u n %u r %u", f.time,
-                f.volume.index, f.volume.generation, f.face.volume, f.face.generation, f.face.local, f.behind.index,
-                f.behind.generation, f.outcome, f.kind, f.obstacle, f.tag, f.cells_visited,
-                f.reserved[0] | f.reserved[1]);
-  return text + rest;
+  char rest[100];
+  std::snprintf(rest, sizeof rest, " t %a v %u.%u o %d n %u", f.time, f.volume.index, f.volume.generation, f.outcome,
+                f.volumes_visited);
+  return hex(f.position) + bits_of(f.contact) + rest;
 }
 
 /// Every member of a sweep's report.
 inline std::string bits_of(const dsw_sweep& s) {
-  std::string text = hex(s.position) + hex(s.point) + hex(s.normal);
-  char rest[400];
-  std::snprintf(rest, sizeof rest, " t %a a %a v %u.%u b %u.%u f %u.%u/%u e %u.%u/%u o %d k %d c %d tag %u n %u r %u",
-                s.time, s.along, s.volume.index, s.volume.generation, s.front.index, s.front.generation, s.face.volume,
-                s.face.generation, s.face.local, s.edge.volume, s.edge.generation, s.edge.local, s.outcome, s.kind,
-                s.obstacle, s.tag, s.cells_visited, s.reserved);
-  return text + rest;
+  char rest[120];
+  std::snprintf(rest, sizeof rest, " t %a a %a v %u.%u o %d n %u", s.time, s.edge_parameter, s.volume.index,
+                s.volume.generation, s.outcome, s.volumes_visited);
+  return hex(s.position) + hex(s.point) + bits_of(s.contact) + rest;
 }
 
 class SceneTest : public testing::TestWithParam<std::string> {};

@@ -38,7 +38,7 @@ inline std::unique_ptr<Environment<3>> environment_of(const oracle::Mesh& mesh) 
   input.point_stride_bytes = desc.point_stride_bytes == 0 ? 3 * sizeof(double) : desc.point_stride_bytes;
   input.cell_types = desc.cell_types;
   input.uniform_cell_type = desc.uniform_cell_type;
-  input.cell_count = desc.cell_count;
+  input.cell_count = desc.volume_count;
   input.index_bytes = desc.index_bytes;
   input.offsets = desc.offsets;
   input.connectivity = desc.connectivity;

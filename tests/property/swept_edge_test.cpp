@@ -31,7 +31,7 @@ void check_all(const Environment<3>& env, SweptTruth& truth, SweepFlood<3>& floo
   const SweepResult plain = flood.sweep(m, start, 0);
   const SweepResult result = flood.sweep(m, start, 0, true);
   ASSERT_EQ(result.end, plain.end);
-  ASSERT_EQ(result.cells_visited, plain.cells_visited);
+  ASSERT_EQ(result.volumes_visited, plain.volumes_visited);
   truth.load(at, 3);
   std::set<Line> met;
   for (const SweepContact& c : flood.all()) {

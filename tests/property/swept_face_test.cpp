@@ -214,7 +214,7 @@ TEST(SweptFaceTest, NothingIsMetInAFreeBox) {
           const FaceMotion face{x[k].data(), x[(k + 1) % 4].data(), x[(k + 2) % 4].data(), x[(k + 3) % 4].data()};
           const SweepResult of_edge = flood.sweep(EdgeMotion{face.p, face.to, face.q}, cells[k], 0);
           ASSERT_EQ(of_edge.end, SweepEnd::kFree);
-          of_many_cells += of_edge.cells_visited > 1 ? 1 : 0;
+          of_many_cells += of_edge.volumes_visited > 1 ? 1 : 0;
           ASSERT_EQ(flood.sweep(face, cells[k], 0).end, SweepEnd::kFree);
           for (size_t c = 0; c < flood.cells().size(); ++c) ASSERT_TRUE(probe.has_entered(flood.cells()[c]));
         }

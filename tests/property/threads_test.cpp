@@ -33,7 +33,7 @@ Answers answers(const std::string& name, dsw_context* context) {
     to.insert(to.end(), q.begin(), q.end());
   }
   std::vector<dsw_volume_id> volumes(kCount);
-  std::vector<dsw_place> places(kCount);
+  std::vector<dsw_location> places(kCount);
   EXPECT_EQ(dsw_environment_locate_points(place.get(), from.data(), kCount, 0, nullptr, volumes.data(), places.data()),
             DSW_STATUS_OK);
   for (size_t i = 0; i < kCount; ++i) {
@@ -68,7 +68,7 @@ Answers answers(const std::string& name, dsw_context* context) {
   const ScenePtr twin = make_scene(place.get(), DSW_FEATURE_STATISTICS);
   std::vector<double> inside;
   for (size_t i = 0; i < kCount; ++i) {
-    if (places[i] == DSW_PLACE_PASSABLE)
+    if (places[i] == DSW_LOCATION_PASSABLE)
       inside.insert(inside.end(), from.begin() + 3 * static_cast<long>(i), from.begin() + 3 * static_cast<long>(i) + 3);
   }
   const size_t n = inside.size() / 3;
@@ -80,7 +80,7 @@ Answers answers(const std::string& name, dsw_context* context) {
     std::vector<double> targets;
     for (size_t i = 0; i < n; ++i) {
       Vec p;
-      EXPECT_EQ(dsw_particle_get(scene.get(), particles[i], p.data(), nullptr), DSW_STATUS_OK);
+      EXPECT_EQ(dsw_particle_get_position(scene.get(), particles[i], p.data(), nullptr), DSW_STATUS_OK);
       const Vec q = motions.target(p);
       targets.insert(targets.end(), q.begin(), q.end());
     }
@@ -120,7 +120,7 @@ void expect_same(const Answers& a, const Answers& b) {
   ASSERT_EQ(a.lines.size(), b.lines.size());
   for (size_t i = 0; i < a.lines.size(); ++i) ASSERT_EQ(a.lines[i], b.lines[i]) << "line " << i;
   EXPECT_EQ(a.statistics.casts, b.statistics.casts);
-  EXPECT_EQ(a.statistics.cells_visited, b.statistics.cells_visited);
+  EXPECT_EQ(a.statistics.volumes_visited, b.statistics.volumes_visited);
   EXPECT_EQ(a.statistics.orientation_tests, b.statistics.orientation_tests);
   EXPECT_EQ(a.statistics.exact_fallbacks, b.statistics.exact_fallbacks);
   EXPECT_EQ(a.statistics.ties, b.statistics.ties);

@@ -31,7 +31,7 @@ EnvironmentPtr make_environment(const Sheet& sheet, uint32_t dimension) {
   desc.points = points.data();
   desc.point_count = points.size() / dimension;
   desc.uniform_cell_type = space ? DSW_CELL_TYPE_WEDGE : DSW_CELL_TYPE_TRIANGLE;
-  desc.cell_count = sheet.triangles.size();
+  desc.volume_count = sheet.triangles.size();
   desc.index_bytes = 4;
   desc.connectivity = corners.data();
   desc.connectivity_count = corners.size();
@@ -66,12 +66,12 @@ TEST_P(TieSidesOf, WhatIsNotMetStays) {
   desc.point_count = dimension == 2 ? 2 : 4;
   desc.snap = 0.25;
   EXPECT_EQ(outcome(environment, from, to), DSW_OUTCOME_REACHED);
-  dsw_tie_report report;
+  dsw_change report = empty_change();
   ASSERT_EQ(dsw_environment_tie(environment.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
   EXPECT_EQ(report.is_closed, 1u);
-  EXPECT_EQ(report.cut.volumes_crossed, 3u);
-  EXPECT_EQ(report.cut.volumes_split + report.cut.volumes_whole, 0u);
-  EXPECT_EQ(report.cut.face_count, 2u);
+  EXPECT_EQ(report.volumes_crossed, 3u);
+  EXPECT_EQ(report.volumes_split + report.whole_count, 0u);
+  EXPECT_EQ(report.face_count, 2u);
   EXPECT_EQ(outcome(environment, from, to), DSW_OUTCOME_CONTACT);
 }
 

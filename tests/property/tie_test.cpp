@@ -56,17 +56,15 @@ class TieTest : public SceneTest {
     return count;
   }
   void undo() {
-    const dsw_cut_face* faces = nullptr;
-    const dsw_volume_id* whole = nullptr;
-    size_t count = 0;
-    ASSERT_EQ(dsw_environment_get_whole_volumes(place_.get(), &whole, &count), DSW_STATUS_OK);
-    ASSERT_EQ(count, report_.cut.volumes_whole);
-    ASSERT_EQ(dsw_environment_mark_volumes(place_.get(), whole, count, DSW_MARK_PASSABLE, 0, nullptr), DSW_STATUS_OK);
-    ASSERT_EQ(dsw_environment_get_cut_faces(place_.get(), &faces, &count), DSW_STATUS_OK);
+    const dsw_change last = change_of(place_.get());
+    ASSERT_EQ(last.whole_count, report_.whole_count);
+    ASSERT_EQ(dsw_environment_mark_volumes(place_.get(), last.whole, last.whole_count, DSW_MARK_PASSABLE, 0, nullptr),
+              DSW_STATUS_OK);
+    const size_t count = last.face_count;
     std::vector<dsw_face_id> fronts, backs;
     for (size_t i = 0; i < count; ++i) {
-      fronts.push_back(faces[i].front);
-      backs.push_back(faces[i].back);
+      fronts.push_back(last.faces[i].front);
+      backs.push_back(last.faces[i].back);
     }
     ASSERT_EQ(dsw_environment_sew_faces(place_.get(), fronts.data(), backs.data(), count), DSW_STATUS_OK)
         << dsw_last_error_message();
@@ -74,7 +72,7 @@ class TieTest : public SceneTest {
 
   Place place_;
   std::vector<double> points_;
-  dsw_tie_report report_{};
+  dsw_change report_ = empty_change();
 };
 DSW_FOR_ALL_SCENES(TieTest);
 

@@ -80,7 +80,7 @@ TEST_P(TopologyTest, FaceIdsAgreeFromBothSides) {
       const int face = world.cell_faces[c][f];
       const Face& want = world.faces[static_cast<size_t>(face)];
       dsw_face_id id;
-      ASSERT_EQ(dsw_environment_get_volume_face(place.get(), world.ids[c], static_cast<uint32_t>(f), &id),
+      ASSERT_EQ(dsw_environment_get_face_id(place.get(), world.ids[c], static_cast<uint32_t>(f), &id),
                 DSW_STATUS_OK);
       EXPECT_TRUE(same(id, face_id(world, face))) << cell_of(id);
       // Either name is accepted, and each tells the volumes from its own side (beta3 is an involution).
@@ -126,7 +126,7 @@ TEST_P(TopologyTest, EdgeIdsAreThoseOfTheLowestVolumeRound) {
   for (size_t c = 0; c < place.mesh.cells.size(); ++c) {
     for (size_t e = 0; e < edges.of_cell[c].size(); ++e) {
       dsw_edge_id id;
-      ASSERT_EQ(dsw_environment_get_volume_edge(place.get(), place.world->ids[c], static_cast<uint32_t>(e), &id),
+      ASSERT_EQ(dsw_environment_get_edge_id(place.get(), place.world->ids[c], static_cast<uint32_t>(e), &id),
                 DSW_STATUS_OK);
       EXPECT_TRUE(same(id, edges.id(*place.world, edges.of_cell[c][e])))
           << "cell " << c << " edge " << e << ": " << cell_of(id);
@@ -155,12 +155,12 @@ TEST_P(TopologyTest, EulerCharacteristicIsThatOfABall) {
     ASSERT_EQ(dsw_environment_get_volume_counts(place.get(), id, nullptr, nullptr, &ne, &nf), DSW_STATUS_OK);
     for (uint32_t i = 0; i < nf; ++i) {
       dsw_face_id f;
-      ASSERT_EQ(dsw_environment_get_volume_face(place.get(), id, i, &f), DSW_STATUS_OK);
+      ASSERT_EQ(dsw_environment_get_face_id(place.get(), id, i, &f), DSW_STATUS_OK);
       faces.insert({f.volume, f.generation, f.local});
     }
     for (uint32_t i = 0; i < ne; ++i) {
       dsw_edge_id e;
-      ASSERT_EQ(dsw_environment_get_volume_edge(place.get(), id, i, &e), DSW_STATUS_OK);
+      ASSERT_EQ(dsw_environment_get_edge_id(place.get(), id, i, &e), DSW_STATUS_OK);
       edge_ids.insert({e.volume, e.generation, e.local});
     }
     for (dsw_vertex_id v : vertices_of(place.get(), cell_of(id))) vertices.insert(v.index);

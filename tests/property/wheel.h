@@ -51,13 +51,13 @@ struct Wheel {
     desc.points = points.data();
     desc.point_count = points.size() / 2;
     desc.cell_types = types.data();
-    desc.cell_count = types.size();
+    desc.volume_count = types.size();
     desc.offsets = offsets.data();
     desc.connectivity = corners.data();
     desc.connectivity_count = corners.size();
     desc.regions = regions.data();
     desc.tags = tags.data();
-    desc.flags = DSW_ENVIRONMENT_LOCATE_GRID;
+    desc.flags = DSW_ENVIRONMENT_LOCATE_TREE;
     return desc;
   }
 

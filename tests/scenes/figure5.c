@@ -45,7 +45,7 @@ static dsw_status make_ground(uint32_t dimension, dsw_environment **environment)
   d.point_stride_bytes = 24;
   d.connectivity = corners;
   d.connectivity_count = count * kCells;
-  d.cell_count = kCells;
+  d.volume_count = kCells;
   if (dimension == 2) d.uniform_cell_type = DSW_CELL_TYPE_QUAD;
   return dsw_environment_create(NULL, &d, environment, NULL);
 }
@@ -63,7 +63,7 @@ static dsw_status mark_pegs(uint32_t dimension, dsw_environment *environment) {
   }
   if (dimension == 2) {
     for (i = 0; i < FIGURE5_PEGS; ++i) {
-      status = dsw_environment_get_vertex(environment, indices[i], &pegs[i]);
+      status = dsw_environment_get_vertex_id(environment, indices[i], &pegs[i]);
       if (status != DSW_STATUS_OK) return status;
     }
     return dsw_environment_mark_vertices(environment, pegs, FIGURE5_PEGS, DSW_MARK_IMPASSABLE);
@@ -100,7 +100,7 @@ static dsw_status move_edge(dsw_scene *scene, dsw_body_id body, figure5_panel pa
   double targets[2][3], places[kMost][3];
   dsw_move_options o;
   dsw_move_report report;
-  const dsw_contact *contacts = NULL;
+  const dsw_body_contact *contacts = NULL;
   const dsw_body_edit *edits = NULL;
   size_t count = 0, i;
   dsw_status status;

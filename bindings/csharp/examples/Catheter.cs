@@ -26,7 +26,7 @@ static class Catheter
         MoveReport report = catheter.Move(targets, slide);
         Console.WriteLine("step " + step + ": " + report.ContactCount + " contacts");
       }
-      Contact contact = catheter.GetContacts()[0];
+      BodyContact contact = catheter.GetContacts()[0];
       Console.WriteLine("vertex {0} met the wall at x = {1:F3}, at {2:F3} of its way", contact.Vertex.Index, contact.Point.X, contact.Time);
       try
       {

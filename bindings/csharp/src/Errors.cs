@@ -51,13 +51,17 @@ namespace Dartsweep
         case Status.Truncated: return new TruncatedException(message);
         case Status.Corrupt: return new CorruptException(message);
         case Status.BadVersion: return new BadVersionException(message);
-        case Status.NotNamed: return new NotNamedException(message);
+        case Status.NotEnabled: return new NotEnabledException(message);
         case Status.NotBuilt: return new NotBuiltException(message);
         case Status.Internal: return new InternalException(message);
         case Status.BadTopology: return new BadTopologyException(message);
         case Status.Borrowed: return new BorrowedException(message);
         case Status.WriteFailed: return new WriteFailedException(message);
         case Status.NotClosed: return new NotClosedException(message);
+        case Status.RepeatedVertex: return new RepeatedVertexException(message);
+        case Status.DuplicatePart: return new DuplicatePartException(message);
+        case Status.NotManifold: return new NotManifoldException(message);
+        case Status.NotOriented: return new NotOrientedException(message);
         default: return new InternalException(message);
       }
     }
@@ -238,9 +242,9 @@ namespace Dartsweep
   }
 
   /// <summary>The scene has not enabled the feature that this call needs.</summary>
-  public sealed class NotNamedException : DartsweepException
+  public sealed class NotEnabledException : DartsweepException
   {
-    internal NotNamedException(string message) : base(Status.NotNamed, message) { }
+    internal NotEnabledException(string message) : base(Status.NotEnabled, message) { }
   }
 
   /// <summary>The library was built without this part.</summary>
@@ -277,5 +281,29 @@ namespace Dartsweep
   public sealed class NotClosedException : DartsweepException
   {
     internal NotClosedException(string message) : base(Status.NotClosed, message) { }
+  }
+
+  /// <summary>An edge or face of a body repeats a vertex.</summary>
+  public sealed class RepeatedVertexException : DartsweepException
+  {
+    internal RepeatedVertexException(string message) : base(Status.RepeatedVertex, message) { }
+  }
+
+  /// <summary>A body has an edge or face twice.</summary>
+  public sealed class DuplicatePartException : DartsweepException
+  {
+    internal DuplicatePartException(string message) : base(Status.DuplicatePart, message) { }
+  }
+
+  /// <summary>A body would not be a manifold.</summary>
+  public sealed class NotManifoldException : DartsweepException
+  {
+    internal NotManifoldException(string message) : base(Status.NotManifold, message) { }
+  }
+
+  /// <summary>Faces of a body are turned against each other.</summary>
+  public sealed class NotOrientedException : DartsweepException
+  {
+    internal NotOrientedException(string message) : base(Status.NotOriented, message) { }
   }
 }

@@ -132,7 +132,7 @@ sealed class Scenario
       {
         int[] regions = Regions();
         double[] centres = Enumerable.Range(0, regions.Length).Where(cell => regions[cell] == 1).Take(Particles)
-          .Select(cell => environment.GetCentre(environment.GetVolume((uint)cell)))
+          .Select(cell => environment.GetCentre(environment.GetVolumeId((uint)cell)))
           .SelectMany(point => new[] { point.X, point.Y, point.Z }).ToArray();
         ParticleId[] particles = scene.CreateParticles(centres);
         Stage("particles");
@@ -152,8 +152,8 @@ sealed class Scenario
       Say((long)flight.Outcome);
       Say(flight.Time);
       Say(flight.Position);
-      Say(flight.Normal);
-      Say(flight.Face.Volume, flight.Face.Local, flight.CellsVisited);
+      Say(flight.Contact.Normal);
+      Say(flight.Contact.Wall.Volume, flight.Contact.Wall.Local, flight.VolumesVisited);
     }
   }
 
@@ -164,7 +164,7 @@ sealed class Scenario
       Say((long)sweep.Outcome);
       Say(sweep.Time);
       Say(sweep.Point);
-      Say(sweep.Along);
+      Say(sweep.EdgeParameter);
     }
   }
 
@@ -179,9 +179,9 @@ sealed class Scenario
     Stage("locate");
     double[] from = Draw(64);
     VolumeId[] volumes = new VolumeId[64];
-    int[] places = new int[64];
-    environment.LocatePoints(from, null, volumes, places);
-    for (int i = 0; i < 64; ++i) Say(places[i], volumes[i].Index, volumes[i].Generation);
+    int[] locations = new int[64];
+    environment.LocatePoints(from, null, volumes, locations);
+    for (int i = 0; i < 64; ++i) Say(locations[i], volumes[i].Index, volumes[i].Generation);
 
     Stage("cast");
     double[] to = Draw(64);
@@ -193,7 +193,7 @@ sealed class Scenario
     Stage("nearest");
     for (int i = 0; i < 64; ++i)
     {
-      if (places[i] != (int)Place.Passable) continue;
+      if (locations[i] != (int)Location.Passable) continue;
       Say(environment.FindNearest(new Vec3(from[3 * i], from[3 * i + 1], from[3 * i + 2]), 20.0, volumes[i]));
     }
   }
@@ -228,17 +228,17 @@ sealed class Scenario
     }
   }
 
-  void SayContacts(string next, Contact[] contacts)
+  void SayContacts(string next, BodyContact[] contacts)
   {
     Stage(next);
     Say(contacts.Length);
-    foreach (Contact contact in contacts)
+    foreach (BodyContact contact in contacts)
     {
-      Say(contact.Vertex.Index, (long)contact.Kind);
+      Say(contact.Vertex.Index, (long)contact.Contact.Kind);
       Say(contact.Time);
       Say(contact.Point);
-      Say(contact.Normal);
-      Say(contact.Wall.Volume);
+      Say(contact.Contact.Normal);
+      Say(contact.Contact.Wall.Volume);
     }
   }
 
@@ -280,12 +280,12 @@ sealed class Scenario
     Stage("errors");
     Say(StatusOf(() => environment.Cast(new Vec3(0, double.NaN, 0), Inside)));
     Say(StatusOf(() => environment.Cast(Inside, Outside, new VolumeId(3, 7))));
-    Say(StatusOf(() => environment.GetVolume((uint)(NX * NY * NZ))));
+    Say(StatusOf(() => environment.GetVolumeId((uint)(NX * NY * NZ))));
     Say(StatusOf(() => scene.CreateParticle(Outside)));
     Say(StatusOf(() => scene.CreateParticle(new Vec3(4, 4, 4))));
     Say(StatusOf(() => scene.MoveParticles(new[] { particles[0], particles[0] }, new double[] { 24, 24, 48, 24, 24, 48 })));
     ParticleId particle = scene.CreateParticle(Inside);
-    Say(StatusOf(() => environment.MarkVolumes(new[] { scene.GetParticle(particle).Volume }, Mark.Impassable)));
+    Say(StatusOf(() => environment.MarkVolumes(new[] { scene.GetParticlePosition(particle).Volume }, Mark.Impassable)));
     scene.DestroyParticle(particle);
     Say(StatusOf(() => scene.DestroyParticle(particle)));
     Say(StatusOf(scene.ResetStatistics));
@@ -295,10 +295,10 @@ sealed class Scenario
   void Cut(string next, Environment environment, double[] blade, uint rows, uint columns)
   {
     Stage(next);
-    CutReport report = environment.Cut(blade, rows, columns);
-    Say(report.Distance);
-    Say((long)report.VolumesSplit, (long)report.FaceCount, (long)environment.Info().VolumeCount);
-    foreach (CutVertex vertex in environment.GetCutVertices())
+    Change change = environment.Cut(blade, rows, columns);
+    Say(change.Distance);
+    Say((long)change.VolumesSplit, change.GetFaces().Length, (long)environment.Info().VolumeCount);
+    foreach (VertexOrigin vertex in change.GetVertices())
     {
       Say(vertex.Vertex.Index);
       Say(vertex.Weights0);
@@ -316,7 +316,7 @@ sealed class Scenario
         Body body = CreateCatheter(scene);
         double[] next = environment.GetPoints();
         for (int i = 0; i < next.Length; i += 3) next[i] += (48 - next[i]) * 0.4375;
-        SayDeformed(scene.Deform(next), body);
+        SayDeformed(environment.Deform(next), body);
       }
     }
   }
@@ -360,7 +360,7 @@ sealed class Scenario
     {
       EnvironmentInfo info = environment.Info();
       Marked marked = environment.MarkRegion(2, Mark.Impassable);
-      environment.MarkVertices(new[] { environment.GetVertex((uint)(5 * (Side + 1) + 5)) }, Mark.Impassable);
+      environment.MarkVertices(new[] { environment.GetVertexId((uint)(5 * (Side + 1) + 5)) }, Mark.Impassable);
       Say((long)info.Dimension, (long)info.VertexCount, (long)info.VolumeCount, (long)info.FaceCount, (long)info.BoundaryFaceCount, marked.Count);
 
       Stage("plane locate");
@@ -372,7 +372,7 @@ sealed class Scenario
       for (int i = 0; i < 32; ++i)
       {
         Say(found[i], volumes[i].Index, volumes[i].Generation);
-        if (found[i] == (int)Place.Passable) Say(environment.FindNearest(new Vec3(from[2 * i], from[2 * i + 1]), 20.0, volumes[i]));
+        if (found[i] == (int)Location.Passable) Say(environment.FindNearest(new Vec3(from[2 * i], from[2 * i + 1]), 20.0, volumes[i]));
       }
 
       Stage("plane cast");
@@ -388,9 +388,9 @@ sealed class Scenario
         Stage("plane particles");
         ParticleId[] particles = scene.CreateParticles(from);
         scene.MoveParticles(particles, to);
-        double[] places = new double[from.Length];
-        scene.GetParticles(particles, places);
-        Say(places);
+        double[] locations = new double[from.Length];
+        scene.GetParticlePositions(particles, locations);
+        Say(locations);
         Body rope = scene.CreateBody(Enumerable.Range(0, Links).SelectMany(i => new[] { 20.25 + 3.0 * i, 40.5 }).ToArray(),
                                      Enumerable.Range(0, 2 * (Links - 1)).Select(i => (uint)(i / 2 + i % 2)).ToArray());
         Push("rope", rope, Enumerable.Range(0, Links).SelectMany(i => new[] { 1.5, 4.0 - 0.75 * (i % 3) }).ToArray());
@@ -401,7 +401,7 @@ sealed class Scenario
         Stage("plane deform");
         double[] points = environment.GetPoints();
         double[] bent = points.Select((x, i) => i % 2 == 1 ? x + (40 - x) * 0.125 : x).Concat(new double[2 * 64]).ToArray();
-        SayDeformed(scene.Deform(bent), rope);
+        SayDeformed(environment.Deform(bent), rope);
         Cut("plane cut", environment, new[] { 20, 20.5, 60.25, 41.25 }, 2, 1);
       }
     }

@@ -67,9 +67,9 @@ static class Tests
   public static void StructsAreThoseOfC()
   {
     Type[] types = { typeof(Vec3), typeof(Cell), typeof(VertexId), typeof(VolumeId), typeof(FaceId), typeof(EdgeId), typeof(ParticleId),
-      typeof(BodyId), typeof(BodyVertexId), typeof(BodyEdgeId), typeof(BodyFaceId), typeof(Flight), typeof(Crossing), typeof(Sweep),
-      typeof(Contact), typeof(ContactPartner), typeof(ContactPast), typeof(BodyEdit), typeof(MoveReport), typeof(WallContact), typeof(VolumeChange),
-      typeof(CutVertex), typeof(CutFace), typeof(DetachedVertex), typeof(DetachedFace) };
+      typeof(BodyId), typeof(BodyVertexId), typeof(BodyEdgeId), typeof(BodyFaceId), typeof(Contact), typeof(Flight),
+      typeof(Crossing), typeof(Sweep), typeof(BodyContact), typeof(ContactPartner), typeof(PreviousContact), typeof(BodyEdit),
+      typeof(MoveReport), typeof(WallContact), typeof(VolumeChange), typeof(VertexOrigin), typeof(CutFace), typeof(FaceOrigin) };
     MethodInfo size = typeof(Environment).Assembly.GetType("Dartsweep.Callbacks").GetMethod("dartsweep_size_of", BindingFlags.Static | BindingFlags.NonPublic);
     for (int i = 0; i < types.Length; ++i)
       True((UIntPtr)size.Invoke(null, new object[] { i }) == (UIntPtr)Marshal.SizeOf(types[i]), types[i].Name);
@@ -123,17 +123,17 @@ static class Tests
     {
       True(environment.Dimension() == 2 && environment.GetPoints().Length == 8);
       Flight flight = environment.Cast(new Vec3(0.5, 0.25), new Vec3(0.5, 2.25));
-      True(flight.Time == 0.375 && flight.Normal.Y == -1 && flight.Normal.Z == 0);
+      True(flight.Time == 0.375 && flight.Contact.Normal.Y == -1 && flight.Contact.Normal.Z == 0);
       FaceId side = environment.FindFaces(new ulong[] { 0, 2 }, new uint[] { 1, 2 })[0];
       VertexId vertex = environment.SplitEdge(new EdgeId(side.Volume, side.Generation, side.Local), 0.25).Vertex;
-      Same(new Vec3(1, 0.25), environment.GetPosition(vertex));
-      environment.MarkVertices(new[] { environment.GetVertex(2) }, Mark.Impassable);
+      Same(new Vec3(1, 0.25), environment.GetVertexPosition(vertex));
+      environment.MarkVertices(new[] { environment.GetVertexId(2) }, Mark.Impassable);
       using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
       {
         Body body = scene.CreateBody(new[] { 0.5, 0.25, 0.75, 0.25 }, new uint[] { 0, 1 });
         MoveReport report = body.Move(new[] { 0.5, 1.25, 0.75, 0.5 }, null);
         True(report.VerticesStopped == 1 && body.GetContacts()[0].Time == 0.75 && body.GetPositions().Length == 4);
-        True(scene.Deform(new double[] { 0, 0, 1, 0, 1, 2, 0, 2, 1, 0.5 }).Outcome == DeformOutcome.Done);
+        True(environment.Deform(new double[] { 0, 0, 1, 0, 1, 2, 0, 2, 1, 0.5 }).Outcome == DeformOutcome.Done);
       }
     }
   }
@@ -152,11 +152,12 @@ static class Tests
       WrongSize("2 coordinates, or a third that is 0", () => environment.Cast(new Vec3(40, 30, 1), new Vec3(40, 30)));
       WrongSize("2 coordinates; 3 numbers are no points", () => environment.CastSegments(new double[3], new double[3]));
       WrongSize("2 coordinates; 5 numbers are no points", () => scene.CreateParticles(new double[5]));
-      WrongSize("point_count is 3, the environment has 121", () => scene.Deform(new double[6]));
+      WrongSize("point_count is 3, the environment has 121", () => environment.Deform(new double[6]));
       Body body = scene.CreateBody(new double[] { 40, 30, 45, 30 }, new uint[] { 0, 1 });
       WrongSize("target_count is 3, there are 2", () => body.Move(new double[6]));
       WrongSize("positions has 3 entries, not 2", () => body.GetPositions(new double[6]));
-      WrongSize("positions has 3 entries, not 1", () => scene.GetParticles(scene.CreateParticles(new double[] { 40, 30 }), new double[6]));
+      ParticleId[] particle = scene.CreateParticles(new double[] { 40, 30 });
+      WrongSize("positions has 3 entries, not 1", () => scene.GetParticlePositions(particle, new double[6]));
       Throws<ArgumentException>(() => new RigidMotion().Translation = new double[2]);
     }
   }
@@ -171,8 +172,8 @@ static class Tests
       Throws<ArgumentException>(() => new Scene(null));
       using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
       {
-        Throws<ArgumentNullException>(() => scene.Deform(null));
-        Throws<WrongSizeException>(() => scene.Deform(new double[4]));
+        Throws<ArgumentNullException>(() => environment.Deform(null));
+        Throws<WrongSizeException>(() => environment.Deform(new double[4]));
       }
     }
   }
@@ -244,9 +245,9 @@ static class Tests
     {
       scene.StartRecording(null, Library.RECORDING_LATEST);
       scene.CreateParticle(inside);
-      Verdict verdict = scene.WriteBundle(path, "a note");
-      Same(1u, verdict.IsRight);
-      Same("", verdict.Text);
+      Validation validation = scene.WriteBugReport(path, "a note");
+      Same(1u, validation.IsRight);
+      Same("", validation.Text);
       scene.StopRecording();
     }
     True(File.ReadAllText(path).Contains("a note"));
@@ -286,10 +287,10 @@ static class Tests
       double[] first = environment.GetPoints(), second = environment.GetPoints();
       using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
       {
-        scene.Deform(first);
-        Throws<InUseException>(() => scene.Deform(first));
+        environment.Deform(first);
+        Throws<InUseException>(() => environment.Deform(first));
         for (int i = 2; i < second.Length; i += 3) second[i] += 0.25;
-        scene.Deform(second);
+        environment.Deform(second);
         Collect();
         second[0] = 1.5; // it is read, not copied
         Same(1.5, environment.GetPoints()[0]);
@@ -305,14 +306,19 @@ static class Tests
       WeakReference first = OnAnotherThread(() =>
       {
         double[] next = environment.GetPoints();
-        scene.Deform(next);
+        environment.Deform(next);
         return new WeakReference(next);
       });
       Collect();
-      True(first.IsAlive, "held while it is lent");
-      scene.Deform(environment.GetPoints());
-      Collect();
-      True(!first.IsAlive, "let go after the next");
+      True(OnAnotherThread(() => first.IsAlive), "held while it is lent");
+      environment.Deform(environment.GetPoints());
+      bool alive = true;
+      for (int i = 0; alive && i < 100; ++i)
+      {
+        Collect();
+        alive = OnAnotherThread(() => first.IsAlive);
+      }
+      True(!alive, "let go after the next");
     }
   }
 
@@ -342,7 +348,7 @@ static class Tests
               else
               {
                 environment.CastSegments(points, start);
-                scene.GetParticle(particles[i]);
+                scene.GetParticlePosition(particles[i]);
               }
             }
           }
@@ -361,6 +367,70 @@ static class Tests
       }
     }
     True(problems.IsEmpty, string.Join("\n", problems));
+  }
+
+  public static void AChangeOutlastsTheNext()
+  {
+    Environment environment = Scenario.Create();
+    Change first = environment.Cut(new[] { -5, 3, 20.5, 60, 3, 20.5, -5, 3, 60.25, 60, 3, 60.25 }, 2, 2);
+    True(first.VolumesCrossed == 36 && first.VolumesSplit == 24 && first.VolumesChanged == 36 && first.IsClosed == 0);
+    Same(first.Distance, environment.GetChange().Distance);
+    VolumeId volume = environment.GetVolumeId(3);
+    environment.RemoveVolumes(new[] { volume });
+    Change second = environment.GetChange();
+    True(second.VolumesSplit == 0 && second.GetVolumes().Length == 1 && second.GetFaces().Length == 0);
+    True(second.GetVolumes()[0].Before.Equals(volume) && second.GetVolumes()[0].After.IsNull);
+    environment.Dispose();
+    Collect();
+    True(first.GetVolumes().Length == 60 && first.GetVertices().Length == 35);
+    True(first.GetFaces().Length == 24 && first.GetWhole().Length == 12);
+    True(first.GetCarved().Length == 0 && first.GetUnrepaired().Length == 0 && first.GetDetached().Length == 0);
+    VertexOrigin origin = first.GetVertices()[0];
+    True(origin.Weights0 + origin.Weights1 == 1 && !origin.From0.Equals(origin.From1));
+  }
+
+  public static void APieceBecomesABody()
+  {
+    using (Environment environment = Scenario.Create())
+    using (Scene scene = new Scene(environment))
+    {
+      VolumeId volume = environment.GetVolumeId(237);
+      environment.MarkVolumes(new[] { volume }, Mark.Impassable);
+      Body body = scene.Body(environment.Detach(new DetachDesc { Volume = volume }));
+      Change change = environment.GetChange();
+      Same(8u, body.GetCounts().VertexSlots);
+      True(change.GetBodyVertices().Length == 8 && change.GetBodyFaces().Length == 12 && change.Distance > 0);
+      True(change.GetDetached().Single().Equals(volume) && change.GetBodyFaces()[0].Volume.Equals(volume));
+      VertexOrigin origin = change.GetBodyVertices()[7];
+      True(origin.Vertex.IsNull && !origin.From0.IsNull && origin.From0.Equals(origin.From1));
+      True(origin.Weights0 == 1 && origin.Weights1 == 0);
+    }
+  }
+
+  public static void EachReportSaysWhatWasTouched()
+  {
+    using (Environment environment = Scenario.Create())
+    using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
+    {
+      environment.MarkRegion(2, Mark.Impassable);
+      Contact contact = environment.Cast(inside, new Vec3(90, 24, 48)).Contact;
+      Same(ContactKind.Plane, contact.Kind);
+      Same(CellKind.Volume, contact.MarkedKind);
+      Same(Library.CellOf(contact.Wall), contact.Obstacle);
+      True(environment.IsImpassable(Library.CellOf(contact.Behind)));
+      Same(ContactKind.None, environment.Cast(inside, new Vec3(24, 24, 50)).Contact.Kind);
+      Body body = Scenario.CreateCatheter(scene);
+      BodyEdgeId edge = body.GetEdgeIds()[0];
+      Same(0.25, body.SplitEdge(edge, 0.25).EdgeParameter);
+      Same(2, body.GetEdgeEnds(edge).Length);
+      double[] next = environment.GetPoints();
+      for (int i = 0; i < next.Length; i += 3) next[i] += (48 - next[i]) * 0.4375;
+      Same(environment.Deform(next).ContactCount, (uint)environment.GetWallContacts().Length);
+      WallContact touched = environment.GetWallContacts()[0];
+      Same(body.Id(), touched.Body);
+      True(touched.Contact.Normal.X > 0.9 && touched.Contact.Obstacle.Kind != CellKind.None);
+      True(touched.Response == WallResponse.Push && environment.GetHeldVertices().Length == 0);
+    }
   }
 
   public static void TheLogIsADelegate()

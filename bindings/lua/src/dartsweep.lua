@@ -149,11 +149,11 @@ function Environment:coarsen(options)
 end
 
 local locate_points = Environment.locate_points
-function Environment:locate_points(points, hints, volumes, places)
+function Environment:locate_points(points, hints, volumes, locations)
   points = core.points(points, self:dimension())
-  volumes, places = volumes or core.VolumeIdArray(#points // self:dimension()), places or core.IntArray(#points // self:dimension())
-  locate_points(self, points, hints, volumes, places)
-  return volumes, places
+  volumes, locations = volumes or core.VolumeIdArray(#points // self:dimension()), locations or core.IntArray(#points // self:dimension())
+  locate_points(self, points, hints, volumes, locations)
+  return volumes, locations
 end
 
 local cast_segments = Environment.cast_segments
@@ -180,10 +180,10 @@ function Scene:create_particles(positions, hints, particles)
   return particles
 end
 
-local get_particles = Scene.get_particles
-function Scene:get_particles(particles, positions, volumes)
+local get_particle_positions = Scene.get_particle_positions
+function Scene:get_particle_positions(particles, positions, volumes)
   positions, volumes = positions or core.DoubleArray(self:dimension() * #particles), volumes or core.VolumeIdArray(#particles)
-  get_particles(self, particles, positions, volumes)
+  get_particle_positions(self, particles, positions, volumes)
   return positions, volumes
 end
 

@@ -82,15 +82,15 @@ end
 local function say_flights(result, flights)
   for _, flight in ipairs(flights) do
     result:integers(flight.outcome)
-    result:numbers(flight.time, flight.position, flight.normal)
-    result:integers(flight.face.volume, flight.face.local_index, flight.cells_visited)
+    result:numbers(flight.time, flight.position, flight.contact.normal)
+    result:integers(flight.contact.wall.volume, flight.contact.wall.local_index, flight.volumes_visited)
   end
 end
 
 local function say_sweeps(result, sweeps)
   for _, sweep in ipairs(sweeps) do
     result:integers(sweep.outcome)
-    result:numbers(sweep.time, sweep.point, sweep.along)
+    result:numbers(sweep.time, sweep.point, sweep.edge_parameter)
   end
 end
 
@@ -102,8 +102,8 @@ end
 local function queries(result, environment, draw)
   result:stage "locate"
   local from = draw(64)
-  local volumes, places = environment:locate_points(from)
-  for i, volume in ipairs(volumes) do result:integers(places[i], volume.index, volume.generation) end
+  local volumes, locations = environment:locate_points(from)
+  for i, volume in ipairs(volumes) do result:integers(locations[i], volume.index, volume.generation) end
 
   result:stage "cast"
   local to = draw(64)
@@ -115,7 +115,7 @@ local function queries(result, environment, draw)
 
   result:stage "nearest"
   for i, point in ipairs(from) do
-    if places[i] == dsw.PLACE_PASSABLE then
+    if locations[i] == dsw.LOCATION_PASSABLE then
       say_nearest(result, environment:find_nearest(point, 20, volumes[i]))
     end
   end
@@ -143,9 +143,9 @@ local function push(result, stage, contacts_stage, body, pull)
   local contacts = body:get_contacts()
   result:integers(#contacts)
   for _, contact in ipairs(contacts) do
-    result:integers(contact.vertex.index, contact.kind)
-    result:numbers(contact.time, contact.point, contact.normal)
-    result:integers(contact.wall.volume)
+    result:integers(contact.vertex.index, contact.contact.kind)
+    result:numbers(contact.time, contact.point, contact.contact.normal)
+    result:integers(contact.contact.wall.volume)
   end
 end
 
@@ -184,12 +184,12 @@ local function errors(result, scene, environment, particles)
   local first = particles[1]
   result:integers(status_of(environment.cast, environment, {0, 0 / 0, 0}, INSIDE))
   result:integers(status_of(environment.cast, environment, INSIDE, OUTSIDE, dsw.VolumeId(3, 7)))
-  result:integers(status_of(environment.get_volume, environment, NX * NY * NZ))
+  result:integers(status_of(environment.get_volume_id, environment, NX * NY * NZ))
   result:integers(status_of(scene.create_particle, scene, OUTSIDE))
   result:integers(status_of(scene.create_particle, scene, {4, 4, 4}))
   result:integers(status_of(scene.move_particles, scene, {first, first}, {INSIDE, INSIDE}))
   local particle = scene:create_particle(INSIDE)
-  local _, volume = scene:get_particle(particle)
+  local _, volume = scene:get_particle_position(particle)
   result:integers(status_of(environment.mark_volumes, environment, {volume}))
   scene:destroy_particle(particle)
   result:integers(status_of(scene.destroy_particle, scene, particle))
@@ -199,10 +199,10 @@ end
 
 local function cut(result, stage, environment, blade, rows, columns)
   result:stage(stage)
-  local report = environment:cut(blade, rows, columns)
-  result:numbers(report.distance)
-  result:integers(report.volumes_split, report.face_count, environment:info().volume_count)
-  for _, vertex in ipairs(environment:get_cut_vertices()) do
+  local change = environment:cut(blade, rows, columns)
+  result:numbers(change.distance)
+  result:integers(change.volumes_split, #change:get_faces(), environment:info().volume_count)
+  for _, vertex in ipairs(change:get_vertices()) do
     result:integers(vertex.vertex.index)
     result:numbers(vertex.weights[1])
   end
@@ -221,7 +221,7 @@ local function deform(result)
   local body = scenario.create_catheter(scene)
   local positions = environment:get_points()
   for i = 1, #positions, 3 do positions[i] = positions[i] + (48 - positions[i]) * 0.4375 end
-  say_deformed(result, scene:deform(positions), body)
+  say_deformed(result, environment:deform(positions), body)
 end
 
 -- Squares whose corners have moved, half of them cut into two triangles.
@@ -253,15 +253,15 @@ local function plane(result, draw)
   result:stage "plane"
   local environment <close> = scenario.create_plane()
   local info, marked = environment:info(), environment:mark_region(2)
-  environment:mark_vertices {environment:get_vertex(5 * (SIDE + 1) + 5)}
+  environment:mark_vertices {environment:get_vertex_id(5 * (SIDE + 1) + 5)}
   result:integers(info.dimension, info.vertex_count, info.volume_count, info.face_count, info.boundary_face_count, marked)
 
   result:stage "plane locate"
   local from = draw(32)
-  local volumes, places = environment:locate_points(from)
+  local volumes, locations = environment:locate_points(from)
   for i, volume in ipairs(volumes) do
-    result:integers(places[i], volume.index, volume.generation)
-    if places[i] == dsw.PLACE_PASSABLE then say_nearest(result, environment:find_nearest(from[i], 20, volume)) end
+    result:integers(locations[i], volume.index, volume.generation)
+    if locations[i] == dsw.LOCATION_PASSABLE then say_nearest(result, environment:find_nearest(from[i], 20, volume)) end
   end
 
   result:stage "plane cast"
@@ -277,7 +277,7 @@ local function plane(result, draw)
   local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
   local particles = scene:create_particles(from)
   scene:move_particles(particles, to)
-  result:numbers((scene:get_particles(particles)):totable())
+  result:numbers((scene:get_particle_positions(particles)):totable())
   local positions, edges = {}, {}
   for i = 1, LINKS do positions[i] = {20.25 + 3.0 * (i - 1), 40.5} end
   for i = 1, LINKS - 1 do edges[i] = {i - 1, i} end
@@ -293,7 +293,7 @@ local function plane(result, draw)
   local points = environment:get_points()
   local bent = dsw.DoubleArray(#points + 2 * 64)
   for i = 1, #points do bent[i] = points[i] + (i % 2 == 0 and (40 - points[i]) * 0.125 or 0) end
-  say_deformed(result, scene:deform(bent), rope)
+  say_deformed(result, environment:deform(bent), rope)
   cut(result, "plane cut", environment, {{20, 20.5}, {60.25, 41.25}}, 2, 1)
 end
 
@@ -326,7 +326,7 @@ function scenario.play()
   local centres = {}
   for cell, region in ipairs(regions) do
     if region == 1 and #centres < PARTICLES then
-      centres[#centres + 1] = environment:get_centre(environment:get_volume(cell - 1))
+      centres[#centres + 1] = environment:get_centre(environment:get_volume_id(cell - 1))
     end
   end
   local particles = scene:create_particles(centres)

@@ -63,7 +63,7 @@ end
 function TestErrors:test_arguments_of_other_types_are_refused()
   local environment <close> = scenario.create()
   local cast, cast_segments = environment.cast, environment.cast_segments
-  local face = environment:get_volume_face(environment:get_volume(0), 0)
+  local face = environment:get_face_id(environment:get_volume_id(0), 0)
   local function refused(text, ...) lu.assertErrorMsgContains(text, ...) end
   refused("'from' (a point, {x, y, z} or {x, y}, expected, got number)", cast, environment, 24, INSIDE)
   refused("'from' (a point, {x, y, z} or {x, y}, expected, got table)", cast, environment, {1}, INSIDE)
@@ -72,8 +72,8 @@ function TestErrors:test_arguments_of_other_types_are_refused()
   refused("'self' (Environment expected, got userdata)", cast, io.stdout, INSIDE, INSIDE)
   refused("'self' (Environment expected, got userdata)", cast, dsw.DoubleArray(4), INSIDE, INSIDE)
   refused("'environment' (Environment expected, got nil)", dsw.Scene, nil)
-  refused("'index' (an integer of 32 bits expected, got number)", environment.get_volume, environment, 0.5)
-  refused("'index' (an integer of 32 bits expected, got number)", environment.get_volume, environment, -1)
+  refused("'index' (an integer of 32 bits expected, got number)", environment.get_volume_id, environment, 0.5)
+  refused("'index' (an integer of 32 bits expected, got number)", environment.get_volume_id, environment, -1)
   refused("'points' (3 numbers for each point expected", cast_segments, environment, {{1, 2}, {3, 4}, {5, 6}}, INSIDE)
   refused("'points' (3 numbers for each point expected", cast_segments, environment, {1, 2, 3, 4}, INSIDE)
   refused("'flights' (FlightArray expected, got SweepArray)", cast_segments, environment, INSIDE, INSIDE, nil, nil, dsw.SweepArray(1))
@@ -90,19 +90,19 @@ TestPlane = {}
 function TestPlane:test_points_have_two_coordinates()
   local environment <close> = dsw.Environment {points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, cells = {{0, 1, 2}, {0, 2, 3}}}
   lu.assertEquals({environment:dimension(), #environment:get_points()}, {2, 8})
-  lu.assertEquals(environment:get_position(environment:get_vertex(2)), {1, 1})
+  lu.assertEquals(environment:get_vertex_position(environment:get_vertex_id(2)), {1, 1})
   local flight = environment:cast({0.5, 0.25}, {0.5, 2.25})
-  lu.assertEquals({flight.time, flight.normal}, {0.375, {0, -1, 0}})
+  lu.assertEquals({flight.time, flight.contact.normal}, {0.375, {0, -1, 0}})
   lu.assertEquals(environment:cast({0.5, 0.25, 0}, {0.5, 2.25, 0}).time, 0.375)
   local side = environment:find_faces({0, 2}, {1, 2})[1]
   local vertex = environment:split_edge(dsw.EdgeId(side.volume, side.generation, side.local_index), 0.25)
-  lu.assertEquals(environment:get_position(vertex), {1, 0.25})
-  environment:mark_vertices {environment:get_vertex(2)}
+  lu.assertEquals(environment:get_vertex_position(vertex), {1, 0.25})
+  environment:mark_vertices {environment:get_vertex_id(2)}
   local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
   local body = scene:create_body {positions = {{0.5, 0.25}, {0.75, 0.25}}, edges = {{0, 1}}}
   lu.assertEquals(body:move({{0.5, 1.25}, {0.75, 0.5}}).vertices_stopped, 1)
   lu.assertEquals({body:get_contacts()[1].time, #body:get_positions()}, {0.75, 4})
-  lu.assertEquals(scene:deform({{0, 0}, {1, 0}, {1, 2}, {0, 2}, {1, 0.5}}).outcome, dsw.DEFORM_DONE)
+  lu.assertEquals(environment:deform({{0, 0}, {1, 0}, {1, 2}, {0, 2}, {1, 0.5}}).outcome, dsw.DEFORM_DONE)
 end
 
 function TestPlane:test_wrong_lengths_are_told()
@@ -117,19 +117,19 @@ function TestPlane:test_wrong_lengths_are_told()
   end
   refused("2 coordinates, or a third that is 0", environment.cast, environment, {40, 30, 1}, {40, 30})
   refused("2 coordinates, not 3", environment.sweep_edges, environment, {{40, 30}}, {{1, 2, 3}, {1, 2, 3}}, {{40, 31}})
-  refused("2 coordinates, not 3", scene.deform, scene, {{1, 2, 3}})
+  refused("2 coordinates, not 3", environment.deform, environment, {{1, 2, 3}})
   refused("2 coordinates; 3 numbers are no points", body.move, body, {1, 2, 3})
-  refused("point_count is 3, the environment has 121", scene.deform, scene, dsw.DoubleArray(6))
+  refused("point_count is 3, the environment has 121", environment.deform, environment, dsw.DoubleArray(6))
   refused("target_count is 3, there are 2", body.move, body, dsw.DoubleArray(6))
   refused("positions has 3 entries, not 2", body.get_positions, body, dsw.DoubleArray(6))
-  refused("positions has 3 entries, not 1", scene.get_particles, scene, particles, dsw.DoubleArray(6))
+  refused("positions has 3 entries, not 1", scene.get_particle_positions, scene, particles, dsw.DoubleArray(6))
   lu.assertErrorMsgContains("2 numbers for each point", environment.cast_segments, environment, {{1, 2, 3}, {1, 2, 3}}, {1, 2})
   lu.assertErrorMsgContains("2 numbers for each point", scene.create_particles, scene, {1, 2, 3})
 end
 
 function TestPlane:test_polygons()
   local environment <close> = dsw.Environment {points = {{0, 0}, {2, 0}, {3, 1}, {2, 2}, {0, 2}}, cells = {{0, 1, 2, 3, 4}}}
-  lu.assertEquals((environment:get_volume_counts(environment:get_volume(0))), dsw.CELL_TYPE_POLYGON)
+  lu.assertEquals((environment:get_volume_counts(environment:get_volume_id(0))), dsw.CELL_TYPE_POLYGON)
 end
 
 TestOwnership = {}
@@ -213,10 +213,10 @@ function TestOwnership:test_lent_positions_are_read_in_place()
   local environment <close> = scenario.create()
   local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
   local first, second = environment:get_points(), environment:get_points()
-  scene:deform(first)
-  lu.assertEquals(problem_of(scene.deform, scene, first).name, "InUse")
+  environment:deform(first)
+  lu.assertEquals(problem_of(environment.deform, environment, first).name, "InUse")
   for i = 3, #second, 3 do second[i] = second[i] + 0.25 end
-  scene:deform(second)
+  environment:deform(second)
   second[1] = 1.5
   lu.assertEquals(environment:get_points()[1], 1.5)
 end
@@ -228,7 +228,7 @@ function TestOwnership:test_lent_positions_are_held_and_let_go()
   local function lend()
     local positions = environment:get_points()
     held[positions] = true
-    scene:deform(positions)
+    environment:deform(positions)
   end
   local function count()
     collect()
@@ -240,7 +240,7 @@ function TestOwnership:test_lent_positions_are_held_and_let_go()
   lu.assertEquals(count(), 1)
   lend()
   lu.assertEquals(count(), 1)
-  problem_of(scene.deform, scene, dsw.DoubleArray(6)) -- what is refused is not held
+  problem_of(environment.deform, environment, dsw.DoubleArray(6)) -- what is refused is not held
   lu.assertEquals(count(), 1)
   scene:close()
   environment:close()
@@ -294,7 +294,7 @@ function TestValues:test_empty_arrays_are_left_out()
     points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, cells = {0, 1, 2, 3}, uniform_cell_type = dsw.CELL_TYPE_TETRA,
     types = "", offsets = {}, regions = {}, tags = dsw.UIntArray(0),
   }
-  lu.assertEquals(environment:get_region(environment:get_volume(0)), 0)
+  lu.assertEquals(environment:get_region(environment:get_volume_id(0)), 0)
   local volumes = environment:locate_points({{0.25, 0.25, 0.25}}, {}, nil, dsw.IntArray(0))
   lu.assertFalse(volumes[1]:is_null())
   local scene <close> = dsw.Scene(environment)
@@ -338,15 +338,15 @@ function TestValues:test_surfaces_are_made_of_triangles()
   local scene <close> = dsw.Scene(environment)
   local positions = {{24, 24, 48}, {25, 24, 48}, {24, 25, 48}, {24, 24, 49}}
   local body = scene:create_body {positions = positions, triangles = {{0, 1, 2}, {0, 3, 1}}, level = dsw.LEVEL_FACES}
-  lu.assertEquals(#body:get_faces(), 2)
+  lu.assertEquals(#body:get_face_ids(), 2)
   lu.assertEquals(body:get_level(), dsw.LEVEL_FACES)
-  lu.assertEquals(scene:body(body:id()):get_face_vertices():totable(), {0, 1, 2, 0, 3, 1})
+  lu.assertEquals(scene:body(body:id()):get_face_indices():totable(), {0, 1, 2, 0, 3, 1})
 end
 
 function TestValues:test_calls_have_several_results()
   local environment <close> = scenario.create()
-  local volume, place = environment:locate(INSIDE)
-  lu.assertEquals({place, volume:is_null()}, {dsw.PLACE_PASSABLE, false})
+  local volume, location = environment:locate(INSIDE)
+  lu.assertEquals({location, volume:is_null()}, {dsw.LOCATION_PASSABLE, false})
   lu.assertEquals({environment:get_volume_counts(volume)}, {dsw.CELL_TYPE_HEXAHEDRON, 8, 12, 6})
   local other, volume_map = environment:coarsen()
   other:close()
@@ -369,8 +369,8 @@ function TestValues:test_a_bug_report_is_one_call()
   local path = os.tmpname()
   scene:start_recording(nil, dsw.RECORDING_LATEST)
   scene:create_particle(INSIDE)
-  local verdict = scene:write_bundle(path, "a note")
-  lu.assertEquals({verdict.is_right, verdict.places, verdict.text}, {1, 1, ""})
+  local validation = scene:write_bug_report(path, "a note")
+  lu.assertEquals({validation.is_right, validation.places, validation.text}, {1, 1, ""})
   local file <close> = assert(io.open(path, "rb"))
   lu.assertStrContains(file:read "a", "a note")
   os.remove(path)
@@ -380,6 +380,59 @@ function TestValues:test_versions_agree()
   lu.assertEquals(dsw.version(), 1000000 * dsw.VERSION_MAJOR + 1000 * dsw.VERSION_MINOR + dsw.VERSION_PATCH)
   lu.assertEquals(dsw._VERSION, ("Dartsweep %d.%d.%d"):format(dsw.VERSION_MAJOR, dsw.VERSION_MINOR, dsw.VERSION_PATCH))
   lu.assertNil(swig_type) -- nothing is left among the globals
+end
+
+TestReports = {}
+
+function TestReports:test_a_change_outlasts_the_next()
+  local environment = scenario.create()
+  local first = environment:cut({{-5, 3, 20.5}, {60, 3, 20.5}, {-5, 3, 60.25}, {60, 3, 60.25}}, 2, 2)
+  lu.assertEquals({first.volumes_crossed, first.volumes_split, first.volumes_changed, first.is_closed}, {36, 24, 36, 0})
+  lu.assertEquals({environment:get_change().distance, #environment:get_change():get_volumes()}, {first.distance, 60})
+  local volume = environment:get_volume_id(3)
+  environment:remove_volumes {volume}
+  local second = environment:get_change()
+  lu.assertEquals({second.volumes_split, #second:get_volumes(), #second:get_faces()}, {0, 1, 0})
+  lu.assertTrue(second:get_volumes()[1].before == volume and second:get_volumes()[1].after:is_null())
+  environment:close()
+  lu.assertEquals({#first:get_volumes(), #first:get_vertices(), #first:get_faces(), #first:get_whole()}, {60, 35, 24, 12})
+  lu.assertEquals({#first:get_carved(), #first:get_unrepaired(), #first:get_detached()}, {0, 0, 0})
+  local origin = first:get_vertices()[1]
+  lu.assertTrue(origin.weights[1] + origin.weights[2] == 1 and origin.from[1] ~= origin.from[2])
+end
+
+function TestReports:test_a_piece_becomes_a_body()
+  local environment <close> = scenario.create()
+  local scene <close> = dsw.Scene(environment)
+  local volume = environment:get_volume_id(237)
+  environment:mark_volumes {volume}
+  local body, change = scene:body(environment:detach {volume = volume}), environment:get_change()
+  lu.assertEquals(body:get_counts().vertex_slots, 8)
+  lu.assertEquals({#change:get_body_vertices(), #change:get_body_faces(), #change:get_detached()}, {8, 12, 1})
+  lu.assertTrue(change.distance > 0 and change:get_detached()[1] == volume and change:get_body_faces()[1].volume == volume)
+  local origin = change:get_body_vertices()[8]
+  lu.assertTrue(origin.vertex:is_null() and origin.from[1] == origin.from[2] and not origin.from[1]:is_null())
+  lu.assertEquals(origin.weights, {1, 0})
+end
+
+function TestReports:test_each_report_says_what_was_touched()
+  local environment <close> = scenario.create()
+  environment:mark_region(2)
+  local flight = environment:cast(INSIDE, {90, 24, 48})
+  lu.assertEquals({flight.contact.kind, flight.contact.marked_kind}, {dsw.CONTACT_PLANE, dsw.CELL_VOLUME})
+  lu.assertEquals(flight.contact.obstacle, dsw.cell_of(flight.contact.wall))
+  lu.assertTrue(environment:is_impassable(dsw.cell_of(flight.contact.behind)))
+  lu.assertEquals(environment:cast(INSIDE, {24, 24, 50}).contact.kind, dsw.CONTACT_NONE)
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
+  local body = scenario.create_catheter(scene)
+  lu.assertEquals(body:split_edge(body:get_edge_ids()[1], 0.25).edge_parameter, 0.25)
+  lu.assertEquals(#body:get_edge_ends(body:get_edge_ids()[1]), 2)
+  local positions = environment:get_points()
+  for i = 1, #positions, 3 do positions[i] = positions[i] + (48 - positions[i]) * 0.4375 end
+  lu.assertEquals(environment:deform(positions).contact_count, #environment:get_wall_contacts())
+  local touched = environment:get_wall_contacts()[1]
+  lu.assertTrue(touched.body == body:id() and touched.contact.normal[1] > 0.9 and touched.contact.obstacle.kind ~= dsw.CELL_NONE)
+  lu.assertEquals({touched.response, #environment:get_held_vertices()}, {dsw.WALL_PUSH, 0})
 end
 
 os.exit(lu.LuaUnit.run(), true)

@@ -31,9 +31,9 @@ class Environment extends native.Environment {
 
   locatePoints(points, hints) {
     const volumes = new arrays.VolumeIdArray(Math.trunc(points.length / this.dimension()));
-    const places = new Int32Array(volumes.length);
-    super.locatePoints(points, hints, volumes, places);
-    return { volumes, places };
+    const locations = new Int32Array(volumes.length);
+    super.locatePoints(points, hints, volumes, locations);
+    return { volumes, locations };
   }
 
   cast(from, to, { start = null, ...options } = {}) {

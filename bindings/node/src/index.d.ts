@@ -2,14 +2,15 @@
 // Types of the package dartsweep. What a call does and guarantees is told by the C headers; structs and enumerators, and their comments,
 // are in structs.d.ts.
 import type {
-  BodyCounts, BodyDesc, BodyEdgeId, BodyFaceId, BodyFilter, BodyId, BodyIdArray, BodyVertexId, BodyVertexIdArray, BodyEdit,
-  BodyEdgeIdArray, BodyEditArray, BodyFaceIdArray, BuildReport, CarveDesc, CarveReport, CastOptions, Cell, CellKind, CellType,
-  CoarsenOptions, Contact, ContactArray, ContactOpinion, ContactPartnerArray, ContactPastArray, CrossingArray, CutDesc, CutFace, CutFaceArray, CutReport,
-  CutVertexArray, DeformOptions, DeformReport, Detached, DetachDesc, DetachedFaceArray, DetachedVertexArray, EdgeId, EdgeIdArray,
-  EdgeSplit, EnvironmentDesc, EnvironmentInfo, FaceId, FaceIdArray, FaceSplit, FaceVolumes, Flight, FlightArray, Level, Location,
-  LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, Neighbour, OpenDesc, OpenReport, Particle, ParticleId,
-  ParticleIdArray, RemeshDesc, RemeshReport, RigidMotion, SceneDesc, Statistics, Status, SweepArray, SweepOptions, TieDesc, TieReport,
-  Vec3, Verdict, VertexId, VertexIdArray, VolumeChangeArray, VolumeCounts, VolumeId, VolumeIdArray, VolumeSplit, VolumesDesc, WallContactArray,
+  BodyContact, BodyContactArray, BodyCounts, BodyDesc, BodyEdgeId, BodyEdgeIdArray, BodyEdit, BodyEditArray,
+  BodyFaceId, BodyFaceIdArray, BodyFilter, BodyId, BodyIdArray, BodyVertexId, BodyVertexIdArray, BuildReport,
+  CarveDesc, CastOptions, Cell, CellKind, CellType, ChangeNumbers, CoarsenOptions, ContactPartnerArray, CrossCheck,
+  CrossingArray, CutDesc, CutFace, CutFaceArray, DeformOptions, DeformReport, DetachDesc, EdgeId, EdgeIdArray,
+  EdgeSplit, EnvironmentDesc, EnvironmentInfo, FaceId, FaceIdArray, FaceOriginArray, FaceSplit, FaceVolumes, Flight,
+  FlightArray, Level, Located, LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, Neighbour,
+  OpenCrackDesc, Particle, ParticleId, ParticleIdArray, PreviousContactArray, RemeshDesc, RigidMotion, SceneDesc,
+  Statistics, Status, SweepArray, SweepOptions, TieDesc, Validation, Vec3, VertexId, VertexIdArray, VertexOriginArray,
+  VolumeChangeArray, VolumeCounts, VolumeId, VolumeIdArray, VolumesDesc, VolumeSplit, WallContactArray,
 } from './structs.js';
 
 export * from './structs.js';
@@ -82,13 +83,13 @@ export class Environment {
   /** Throws BoundaryCrossesError where the boundary does. */
   checkAll(): void;
 
-  getVolume(index: number): VolumeId;
-  getVertex(index: number): VertexId;
-  getPosition(vertex: VertexId): Vec3;
+  getVolumeId(index: number): VolumeId;
+  getVertexId(index: number): VertexId;
+  getVertexPosition(vertex: VertexId): Vec3;
   getCentre(volume: VolumeId): Vec3;
   getVolumeCounts(volume: VolumeId): VolumeCounts;
-  getVolumeFace(volume: VolumeId, local: number): FaceId;
-  getVolumeEdge(volume: VolumeId, local: number): EdgeId;
+  getFaceId(volume: VolumeId, local: number): FaceId;
+  getEdgeId(volume: VolumeId, local: number): EdgeId;
   copyVertices(cell: Cell): VertexIdArray;
   getFaceVolumes(face: FaceId): FaceVolumes;
   getNeighbour(volume: VolumeId, local: number): Neighbour;
@@ -102,9 +103,9 @@ export class Environment {
   /** A copy. */
   getPoints(): Float64Array;
 
-  locate(point: Point, hint?: VolumeId | null): Location;
-  /** `places` are of type Place. */
-  locatePoints(points: Points, hints?: Structs<VolumeId>): { volumes: VolumeIdArray; places: Int32Array };
+  locate(point: Point, hint?: VolumeId | null): Located;
+  /** `locations` are of type Location. */
+  locatePoints(points: Points, hints?: Structs<VolumeId>): { volumes: VolumeIdArray; locations: Int32Array };
   classify(point: Point, volume: VolumeId): Cell;
   cast(from: Point, to: Point, options?: CastOptions & { start?: VolumeId | null }): Flight;
   castPath(from: Point, to: Point, options?: CastOptions & { start?: VolumeId | null }): CrossingArray;
@@ -114,7 +115,7 @@ export class Environment {
   /** One end of each edge moves, the other is `fixed`. */
   sweepEdges(from: Points, to: Points, fixed: Points,
     options?: SweepOptions & { starts?: Structs<VolumeId>; sweeps?: SweepArray }): SweepArray;
-  checkContact(contact: Contact): ContactOpinion;
+  crossCheck(contact: BodyContact): CrossCheck;
 
   /** How many were skipped. */
   markVolumes(volumes: Structs<VolumeId>, mark: Mark, flags?: number): number;
@@ -136,23 +137,50 @@ export class Environment {
   splitVolume(volume: VolumeId, loop: Structs<VertexId>): VolumeSplit;
   mergeFaces(edge: EdgeId): FaceId;
   splitFace(face: FaceId, a: VertexId, b: VertexId): FaceSplit;
-  splitEdge(edge: EdgeId, share: number): EdgeSplit;
+  splitEdge(edge: EdgeId, edgeParameter: number): EdgeSplit;
   mergeEdges(edge: EdgeId, vertex: VertexId): EdgeId;
   collapseEdge(edge: EdgeId, vertex: VertexId): void;
-  getVolumeChanges(): VolumeChangeArray;
 
   /** `blade` has rows * columns points, row by row. */
-  cut(blade: Points, rows: number, columns: number, options?: CutDesc): CutReport;
-  tearFaces(faces: Structs<FaceId>, loads: Points, threshold: number): number;
-  getCutVertices(): CutVertexArray;
-  getCutFaces(): CutFaceArray;
-  getWholeVolumes(): VolumeIdArray;
-  open(faces: Structs<CutFace>, options: OpenDesc): OpenReport;
-  carve(points: Points, triangles: Numbers, options?: CarveDesc): CarveReport;
-  getCarvedVolumes(): VolumeIdArray;
-  tie(loop: Points, options?: TieDesc): TieReport;
-  remesh(options?: RemeshDesc & { volumes?: Structs<VolumeId>; next?: Points }): RemeshReport;
-  getUnmendedVolumes(): VolumeIdArray;
+  cut(blade: Points, rows: number, columns: number, options?: CutDesc): Change;
+  tearFaces(faces: Structs<FaceId>, loads: Points, threshold: number): Change;
+  openCrack(faces: Structs<CutFace>, options: OpenCrackDesc): Change;
+  carve(points: Points, triangles: Numbers, options?: CarveDesc): Change;
+  tie(loop: Points, options?: TieDesc): Change;
+  remesh(options?: RemeshDesc & { volumes?: Structs<VolumeId>; next?: Points }): Change;
+  /** A piece becomes a body of the scene; getChange says more. */
+  detach(options: DetachDesc): BodyId;
+  /** Of the last change of the topology. */
+  getChange(): Change;
+
+  /** Takes the environment to positions of its vertices: a copy, which getPoints reads. */
+  deform(positions: Points, options?: DeformOptions): DeformReport;
+  getWallContacts(): WallContactArray;
+  getHeldVertices(): VertexIdArray;
+  getInvalidVolumes(): VolumeIdArray;
+}
+
+/** What a change of the topology did; its numbers are in structs.d.ts. */
+export interface Change extends Readonly<ChangeNumbers> {}
+export class Change {
+  private constructor();
+  /** What became of each volume. */
+  getVolumes(): VolumeChangeArray;
+  /** Vertices added by a cut or a crack. */
+  getVertices(): VertexOriginArray;
+  /** Faces of a cut or tear; lips of a crack. */
+  getFaces(): CutFaceArray;
+  /** Cut: volumes crossed, but not split. */
+  getWhole(): VolumeIdArray;
+  /** Carving: volumes made passable. */
+  getCarved(): VolumeIdArray;
+  /** Repair: volumes left invalid, by index. */
+  getUnrepaired(): VolumeIdArray;
+  /** Volumes of the detached piece. */
+  getDetached(): VolumeIdArray;
+  /** Of the detached body, by index. */
+  getBodyVertices(): VertexOriginArray;
+  getBodyFaces(): FaceOriginArray;
 }
 
 /** It keeps its environment. */
@@ -172,19 +200,19 @@ export class Scene {
   getParticleCount(): number;
   getBodyCount(): number;
   getParticleIds(): ParticleIdArray;
-  getBodies(): BodyIdArray;
-  /** Into a file; without a path the latest calls are kept for writeBundle, which needs RECORDING_LATEST among the flags. */
+  getBodyIds(): BodyIdArray;
+  /** Into a file; without a path the latest calls are kept for writeBugReport, which needs RECORDING_LATEST among the flags. */
   startRecording(path: string | null, flags?: number): void;
   stopRecording(): void;
   /** A bug report of the last recorded call. */
-  writeBundle(path: string, note?: string): Verdict;
+  writeBugReport(path: string, note?: string): Validation;
 
   createParticle(position: Point, hint?: VolumeId | null): ParticleId;
   /** All or none. */
   createParticles(positions: Points, options?: { hints?: Structs<VolumeId>; particles?: ParticleIdArray }): ParticleIdArray;
   destroyParticle(particle: ParticleId): void;
-  getParticle(particle: ParticleId): Particle;
-  getParticles(particles: Structs<ParticleId>): { positions: Float64Array; volumes: VolumeIdArray };
+  getParticlePosition(particle: ParticleId): Particle;
+  getParticlePositions(particles: Structs<ParticleId>): { positions: Float64Array; volumes: VolumeIdArray };
   moveParticle(particle: ParticleId, target: Point, options?: CastOptions): Flight;
   /** Each to the first wall in its way; `flights` is filled where it is given. */
   moveParticles(particles: Structs<ParticleId>, targets: Points, options?: CastOptions & { flights?: FlightArray }): FlightArray;
@@ -196,16 +224,6 @@ export class Scene {
   getOccupantBodies(): BodyIdArray;
   /** Two indices for each. */
   getOffendingEdges(): Uint32Array;
-
-  /** Takes the environment to positions of its vertices: a copy, which Environment.getPoints reads. */
-  deform(positions: Points, options?: DeformOptions): DeformReport;
-  getWallContacts(): WallContactArray;
-  getHeldVertices(): VertexIdArray;
-  getInvalidVolumes(): VolumeIdArray;
-  detach(options: DetachDesc): Detached;
-  getDetachedVolumes(): VolumeIdArray;
-  getDetachedVertices(): DetachedVertexArray;
-  getDetachedFaces(): DetachedFaceArray;
 
   /** `edges` are pairs of indices of vertices, `triangles` threes. */
   createBody(positions: Points, edges?: Numbers, options?: BodyDesc & { triangles?: Numbers; hints?: Structs<VolumeId> }): Body;
@@ -229,29 +247,30 @@ export class Body {
 
   /** Of all vertices by index; the arrays are filled where they are given. */
   getPositions(positions?: Float64Array, volumes?: VolumeIdArray): Float64Array;
-  getVertices(): BodyVertexIdArray;
-  getEdges(): BodyEdgeIdArray;
-  getFaces(): BodyFaceIdArray;
-  getEdge(edge: BodyEdgeId): BodyVertexIdArray;
-  getFace(face: BodyFaceId): BodyVertexIdArray;
-  getEdgeVertices(): Uint32Array;
-  getFaceVertices(): Uint32Array;
-  getVertex(index: number): BodyVertexId;
+  getVertexIds(): BodyVertexIdArray;
+  getEdgeIds(): BodyEdgeIdArray;
+  getFaceIds(): BodyFaceIdArray;
+  getEdgeEnds(edge: BodyEdgeId): BodyVertexIdArray;
+  getFaceCorners(face: BodyFaceId): BodyVertexIdArray;
+  /** Of all edges by index, two indices of vertices for each; of triangles three. */
+  getEdgeIndices(): Uint32Array;
+  getFaceIndices(): Uint32Array;
+  getVertexId(index: number): BodyVertexId;
   addVertex(position: Point, hint?: VolumeId | null): BodyVertexId;
   addEdge(a: BodyVertexId, b: BodyVertexId): BodyEdgeId;
   addFace(a: BodyVertexId, b: BodyVertexId, c: BodyVertexId): BodyFaceId;
   removeFace(face: BodyFaceId): void;
   removeEdge(edge: BodyEdgeId): void;
   removeVertex(vertex: BodyVertexId): void;
-  splitEdge(edge: BodyEdgeId, share: number): BodyEdit;
+  splitEdge(edge: BodyEdgeId, edgeParameter: number): BodyEdit;
   collapseEdge(edge: BodyEdgeId, vertex: BodyVertexId): BodyEdit;
 
   /** Vertices go to their targets, in `order` (all, by index, where that is left out), each as far as it goes. */
   move(targets: Points, options?: MoveOptions & { order?: Numbers }): MoveReport;
   moveRigid(motion: RigidMotion, options?: MoveOptions & { order?: Numbers }): MoveReport;
-  getContacts(): ContactArray;
+  getContacts(): BodyContactArray;
   getContactPartners(): ContactPartnerArray;
-  getContactPasts(): ContactPastArray;
+  getPreviousContacts(): PreviousContactArray;
   getEdits(): BodyEditArray;
 }
 

@@ -28,6 +28,7 @@ if (Symbol.dispose) {
 
 module.exports = {
   Body,
+  Change: native.Change,
   Context,
   Environment,
   Scene,

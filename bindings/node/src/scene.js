@@ -29,10 +29,10 @@ class Scene extends native.Scene {
     return particles;
   }
 
-  getParticles(particles) {
+  getParticlePositions(particles) {
     const positions = new Float64Array(this.dimension() * particles.length);
     const volumes = new arrays.VolumeIdArray(particles.length);
-    super.getParticles(particles, positions, volumes);
+    super.getParticlePositions(particles, positions, volumes);
     return { positions, volumes };
   }
 

@@ -85,7 +85,7 @@ test('results are plain objects, which go back in', () => {
   const body = createCatheter(scene);
   body.move(body.getPositions().map((x, i) => (i % 3 === 0 ? x + 30 : x)));
   const contact = body.getContacts().at(0);
-  assert.equal(contact.kind, dsw.ContactKind.Plane);
+  assert.equal(contact.contact.kind, dsw.ContactKind.Plane);
   assert.equal(contact.fixed.length, 2);
   assert.deepEqual(structuredClone(contact).point, contact.point);
   const flight = environment.cast(inside, [90, 24, 50]);
@@ -101,7 +101,7 @@ test('results are plain objects, which go back in', () => {
 
   const moved = body.moveRigid({ rotation: [0, 0, 0, 1], translation: [0, 0, 0.5] });
   assert.equal(typeof moved.fraction, 'number');
-  assert.deepEqual(dsw.cellOf(flight.face), { kind: dsw.CellKind.Face, index: flight.face.volume, generation: flight.face.generation, local: flight.face.local });
+  assert.deepEqual(dsw.cellOf(flight.contact.wall), { kind: dsw.CellKind.Face, index: flight.contact.wall.volume, generation: flight.contact.wall.generation, local: flight.contact.wall.local });
 });
 
 test('points of the plane have two coordinates', () => {
@@ -109,15 +109,15 @@ test('points of the plane have two coordinates', () => {
   const environment = new dsw.Environment(square, [0, 1, 2, 0, 2, 3], { type: dsw.CellType.Triangle });
   assert.equal(environment.dimension(), 2);
   assert.deepEqual([...environment.getPoints()], square);
-  assert.deepEqual(environment.getPosition(environment.getVertex(2)), [1, 1, 0]);
-  const { time, normal } = environment.cast([0.5, 0.25], [0.5, 2.25]);
+  assert.deepEqual(environment.getVertexPosition(environment.getVertexId(2)), [1, 1, 0]);
+  const { time, contact } = environment.cast([0.5, 0.25], [0.5, 2.25]);
   assert.equal(time, 0.375);
-  assert.deepEqual(normal, [0, -1, 0]);
+  assert.deepEqual(contact.normal, [0, -1, 0]);
   assert.equal(environment.cast([0.5, 0.25, 0], [0.5, 2.25, 0]).time, 0.375);
   const side = environment.findFaces([0, 2], [1, 2]).at(0);
   const { vertex } = environment.splitEdge(new dsw.EdgeId(side.volume, side.generation, side.local), 0.25);
-  assert.deepEqual(environment.getPosition(vertex), [1, 0.25, 0]);
-  environment.markVertices([environment.getVertex(2)], dsw.Mark.Impassable);
+  assert.deepEqual(environment.getVertexPosition(vertex), [1, 0.25, 0]);
+  environment.markVertices([environment.getVertexId(2)], dsw.Mark.Impassable);
   const scene = new dsw.Scene(environment, { features: dsw.FEATURE_DEFORMING });
   const body = scene.createBody([0.5, 0.25, 0.75, 0.25], [0, 1]);
   assert.equal(body.move([0.5, 1.25, 0.75, 0.5]).verticesStopped, 1);
@@ -125,7 +125,7 @@ test('points of the plane have two coordinates', () => {
   const memory = new Float64Array(6);
   body.getPositions(memory.subarray(1, 5));
   assert.deepEqual([...memory], [0, ...body.getPositions(), 0]);
-  assert.equal(scene.deform([0, 0, 1, 0, 1, 2, 0, 2, 1, 0.5]).outcome, dsw.DeformOutcome.Done);
+  assert.equal(environment.deform([0, 0, 1, 0, 1, 2, 0, 2, 1, 0.5]).outcome, dsw.DeformOutcome.Done);
 });
 
 test('cells of several types, of 8 bytes an index', () => {
@@ -137,7 +137,7 @@ test('cells of several types, of 8 bytes an index', () => {
     flags: dsw.ENVIRONMENT_REORIENT,
   });
   assert.equal(environment.info().volumeCount, 2);
-  assert.equal(environment.getTag(environment.getVolume(1)), 9);
+  assert.equal(environment.getTag(environment.getVolumeId(1)), 9);
   assert.equal(environment.buildReport().reorientedCount, 1);
   assert.ok(!environment.findFaces([0, 4], [0, 1, 2, 3]).at(0).isNull);
   assert.throws(() => environment.findFaces(new Uint32Array([0, 4]), [0, 1, 2, 3]), /BigUint64Array/);

@@ -56,7 +56,7 @@ test('arguments of other types and shapes are refused', () => {
     () => environment.markVolumes(new dsw.FaceIdArray(1), dsw.Mark.Impassable),
     () => environment.markVolumes(volume, dsw.Mark.Impassable),
     () => environment.castSegments([...inside], [...outside], { flights: [] }),
-    () => environment.getVolume('0'),
+    () => environment.getVolumeId('0'),
     () => environment.locate.call(scene, inside),
     () => dsw.Environment.prototype.locate.call({}, inside),
     () => body.move(body.getPositions(), { vertexResponse: 'slide' }),
@@ -73,20 +73,20 @@ test('arguments of other types and shapes are refused', () => {
   for (const call of [
     () => environment.castSegments(new Float64Array(4), new Float64Array(4)),
     () => environment.cast([1, 2], inside),
-    () => scene.deform(new Float64Array(4)),
+    () => environment.deform(new Float64Array(4)),
   ]) {
     assert.throws(call, dsw.WrongSizeError, String(call));
   }
   for (const call of [
-    () => environment.getVolume(-1),
-    () => environment.getVolume(2 ** 32),
-    () => environment.getVolume(0.5),
+    () => environment.getVolumeId(-1),
+    () => environment.getVolumeId(2 ** 32),
+    () => environment.getVolumeId(0.5),
     () => body.move(body.getPositions(), { search: 2 ** 40 }),
     () => new dsw.FlightArray(2).set(2, {}),
   ]) {
     assert.throws(call, RangeError, String(call));
   }
-  for (const call of [() => environment.castSegments(new Float64Array(3), new Float64Array(6)), () => scene.deform(null)])
+  for (const call of [() => environment.castSegments(new Float64Array(3), new Float64Array(6)), () => environment.deform(null)])
     assert.throws(call, dsw.WrongSizeError);
 });
 
@@ -98,7 +98,7 @@ test('wrong lengths in the plane are told', () => {
     ['2 coordinates, or a third that is 0', () => environment.cast([40, 30, 1], [40, 30])],
     ['2 coordinates; 3 numbers are no points', () => environment.castSegments([1, 2, 3], [1, 2, 3])],
     ['2 coordinates; 5 numbers are no points', () => scene.createParticles(new Float64Array(5))],
-    ['point_count is 3, the environment has 121', () => scene.deform(new Float64Array(6))],
+    ['point_count is 3, the environment has 121', () => environment.deform(new Float64Array(6))],
     ['target_count is 3, there are 2', () => body.move(new Float64Array(6))],
     ['positions has 3 entries, not 2', () => body.getPositions(new Float64Array(6))],
   ]) {

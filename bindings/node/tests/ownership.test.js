@@ -119,7 +119,7 @@ test('a bug report is one call', () => {
   scene.startRecording(null, dsw.RECORDING_LATEST);
   scene.createParticle(inside);
   const file = path.join(os.tmpdir(), `dartsweep-${process.pid}.dswrec`);
-  const { isRight, places, text } = scene.writeBundle(file, 'a note');
+  const { isRight, places, text } = scene.writeBugReport(file, 'a note');
   assert.deepEqual({ isRight, places, text }, { isRight: 1, places: 1, text: '' });
   assert.ok(fs.readFileSync(file).includes('a note'));
   fs.rmSync(file);

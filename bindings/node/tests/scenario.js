@@ -1,7 +1,7 @@
 // The scenario of bindings/tests/README.md, in JavaScript. Its result is text, as in scenario.json.
 'use strict';
 const {
-  CellType, Environment, Mark, Place, Response, Scene, DartsweepError, FEATURE_DEFORMING, Status, VolumeId,
+  CellType, Environment, Mark, Location, Response, Scene, DartsweepError, FEATURE_DEFORMING, Status, VolumeId,
 } = require('dartsweep');
 
 const LINKS = 12, PARTICLES = 50, SIDE = 10, NX = 6, NY = 6, NZ = 12;
@@ -116,7 +116,7 @@ class Scenario {
     this.queries(environment);
     const scene = new Scene(environment);
     const centres = [...regionsOfCells().keys()].filter((cell) => regionsOfCells()[cell] === 1).slice(0, PARTICLES)
-      .flatMap((cell) => environment.getCentre(environment.getVolume(cell)));
+      .flatMap((cell) => environment.getCentre(environment.getVolumeId(cell)));
     const particles = scene.createParticles(centres);
     this.stage('particles');
     for (let i = 0; i < 4; ++i) this.move(scene, particles);
@@ -132,25 +132,25 @@ class Scenario {
   }
 
   flights(flights) {
-    for (const { outcome, time, position, normal, face, cellsVisited } of flights) {
+    for (const { outcome, time, position, contact, volumesVisited } of flights) {
       this.integers(outcome);
-      this.doubles(time, ...position, ...normal);
-      this.integers(face.volume, face.local, cellsVisited);
+      this.doubles(time, ...position, ...contact.normal);
+      this.integers(contact.wall.volume, contact.wall.local, volumesVisited);
     }
   }
 
   sweeps(sweeps) {
-    for (const { outcome, time, point, along } of sweeps) {
+    for (const { outcome, time, point, edgeParameter } of sweeps) {
       this.integers(outcome);
-      this.doubles(time, ...point, along);
+      this.doubles(time, ...point, edgeParameter);
     }
   }
 
   queries(environment) {
     this.stage('locate');
     const from = this.draw(64);
-    const { volumes, places } = environment.locatePoints(from);
-    places.forEach((place, i) => this.integers(place, volumes.at(i).index, volumes.at(i).generation));
+    const { volumes, locations } = environment.locatePoints(from);
+    locations.forEach((location, i) => this.integers(location, volumes.at(i).index, volumes.at(i).generation));
 
     this.stage('cast');
     const to = this.draw(64);
@@ -160,8 +160,8 @@ class Scenario {
     this.sweeps(environment.sweepEdges(from.subarray(0, 48), to.subarray(0, 48), this.draw(16)));
 
     this.stage('nearest');
-    places.forEach((place, i) => {
-      if (place !== Place.Passable) return;
+    locations.forEach((location, i) => {
+      if (location !== Location.Passable) return;
       this.nearest(environment.findNearest(from.subarray(3 * i, 3 * i + 3), 20, volumes.at(i)));
     });
   }
@@ -196,10 +196,10 @@ class Scenario {
   contacts(stage, contacts) {
     this.stage(stage);
     this.integers(contacts.length);
-    for (const { vertex, kind, time, point, normal, wall } of contacts) {
-      this.integers(vertex.index, kind);
-      this.doubles(time, ...point, ...normal);
-      this.integers(wall.volume);
+    for (const { vertex, contact, time, point } of contacts) {
+      this.integers(vertex.index, contact.kind);
+      this.doubles(time, ...point, ...contact.normal);
+      this.integers(contact.wall.volume);
     }
   }
 
@@ -238,12 +238,12 @@ class Scenario {
     this.stage('errors');
     this.status(() => environment.cast([0, NaN, 0], inside));
     this.status(() => environment.cast(inside, outside, { start: new VolumeId(3, 7) }));
-    this.status(() => environment.getVolume(NX * NY * NZ));
+    this.status(() => environment.getVolumeId(NX * NY * NZ));
     this.status(() => scene.createParticle(outside));
     this.status(() => scene.createParticle([4, 4, 4]));
     this.status(() => scene.moveParticles([particles.at(0), particles.at(0)], [...inside, ...inside]));
     const particle = scene.createParticle(inside);
-    this.status(() => environment.markVolumes([scene.getParticle(particle).volume], Mark.Impassable));
+    this.status(() => environment.markVolumes([scene.getParticlePosition(particle).volume], Mark.Impassable));
     scene.destroyParticle(particle);
     this.status(() => scene.destroyParticle(particle));
     this.status(() => scene.resetStatistics());
@@ -252,10 +252,10 @@ class Scenario {
 
   cut(stage, environment, blade, rows, columns) {
     this.stage(stage);
-    const report = environment.cut(blade, rows, columns);
-    this.doubles(report.distance);
-    this.integers(report.volumesSplit, report.faceCount, environment.info().volumeCount);
-    for (const { vertex, weights } of environment.getCutVertices()) {
+    const change = environment.cut(blade, rows, columns);
+    this.doubles(change.distance);
+    this.integers(change.volumesSplit, change.getFaces().length, environment.info().volumeCount);
+    for (const { vertex, weights } of change.getVertices()) {
       this.integers(vertex.index);
       this.doubles(weights[0]);
     }
@@ -268,7 +268,7 @@ class Scenario {
     const scene = new Scene(environment, { features: FEATURE_DEFORMING });
     const body = createCatheter(scene);
     const next = environment.getPoints().map((x, i) => (i % 3 === 0 ? x + (48 - x) * 0.4375 : x));
-    this.deformed(scene.deform(next), body);
+    this.deformed(environment.deform(next), body);
     scene.close();
     environment.close();
   }
@@ -283,16 +283,16 @@ class Scenario {
     const environment = createPlane();
     const info = environment.info();
     const { marked } = environment.markRegion(2, Mark.Impassable);
-    environment.markVertices([environment.getVertex(5 * (SIDE + 1) + 5)], Mark.Impassable);
+    environment.markVertices([environment.getVertexId(5 * (SIDE + 1) + 5)], Mark.Impassable);
     this.integers(info.dimension, info.vertexCount, info.volumeCount, info.faceCount, info.boundaryFaceCount, marked);
 
     this.stage('plane locate');
     this.seed = 1;
     const from = this.drawInPlane(32);
-    const { volumes, places } = environment.locatePoints(from);
-    places.forEach((place, i) => {
-      this.integers(place, volumes.at(i).index, volumes.at(i).generation);
-      if (place === Place.Passable) this.nearest(environment.findNearest(from.subarray(2 * i, 2 * i + 2), 20, volumes.at(i)));
+    const { volumes, locations } = environment.locatePoints(from);
+    locations.forEach((location, i) => {
+      this.integers(location, volumes.at(i).index, volumes.at(i).generation);
+      if (location === Location.Passable) this.nearest(environment.findNearest(from.subarray(2 * i, 2 * i + 2), 20, volumes.at(i)));
     });
 
     this.stage('plane cast');
@@ -306,7 +306,7 @@ class Scenario {
     const scene = new Scene(environment, { features: FEATURE_DEFORMING });
     const particles = scene.createParticles(from);
     scene.moveParticles(particles, to);
-    this.doubles(...scene.getParticles(particles).positions);
+    this.doubles(...scene.getParticlePositions(particles).positions);
     const positions = Float64Array.from({ length: 2 * LINKS }, (_, i) => (i % 2 === 0 ? 20.25 + 1.5 * i : 40.5));
     const rope = scene.createBody(positions, Uint32Array.from({ length: 2 * (LINKS - 1) }, (_, i) => Math.trunc(i / 2) + (i % 2)));
     this.pushes('rope', rope, (i) => [1.5, 4 - 0.75 * (Math.trunc(i / 2) % 3)][i % 2]);
@@ -318,7 +318,7 @@ class Scenario {
     const points = environment.getPoints();
     const bent = new Float64Array(points.length + 2 * 64);
     bent.set(points.map((x, i) => (i % 2 === 1 ? x + (40 - x) * 0.125 : x)));
-    this.deformed(scene.deform(bent), rope);
+    this.deformed(environment.deform(bent), rope);
     this.cut('plane cut', environment, [20, 20.5, 60.25, 41.25], 2, 1);
     scene.close();
     environment.close();

@@ -29,7 +29,7 @@ def tube() -> ds.Environment:
 
 
 def centres(environment: ds.Environment) -> NDArray[np.float64]:
-    return np.array([environment.centre(environment.volume(i)) for i in range(environment.info.volume_count)])
+    return np.array([environment.centre(environment.volume_id(i)) for i in range(environment.info.volume_count)])
 
 
 def push(scene: ds.Scene, start: NDArray[np.float64], step: float) -> tuple[ds.Body, dict[int, int]]:
@@ -43,7 +43,7 @@ def push(scene: ds.Scene, start: NDArray[np.float64], step: float) -> tuple[ds.B
         forward = np.vstack([positions[1:], 2 * positions[-1] - positions[-2]]) - positions
         body.move(positions + 0.5 * step * forward / np.linalg.norm(forward, axis=1, keepdims=True), slide)
         for contact in body.contacts():
-            volume = int(contact["front"]["index"])
+            volume = int(contact["contact"]["front"]["index"])
             touched[volume] = touched.get(volume, 0) + 1
     return body, touched
 

@@ -16,7 +16,7 @@ with ds.Environment(corners, squares, regions=regions) as floor, ds.Scene(floor)
     floor.mark_region(PILLAR)
     flight = floor.cast((0.5, 4.5), (8.5, 4.5))
     print(f"pillar met at {flight.position[:2]} after {flight.time:g} of the way")  # (4, 4.5), 0.4375
-    assert flight.time == 0.4375 and flight.normal.tolist() == [-1.0, 0.0, 0.0]  # structs have three coordinates, the last one 0
+    assert flight.time == 0.4375 and flight.contact.normal.tolist() == [-1.0, 0.0, 0.0]  # structs have three coordinates, the last one 0
 
     rope = scene.create_body([(1.0, 2.0), (8.0, 2.0)], edges=[(0, 1)])
     bend = ds.options(ds.MoveOptions, edge_response=ds.Response.ADAPTIVE_ONE)

@@ -101,33 +101,35 @@ def say_moves(result: Result, flights: Iterable[Any]) -> None:
 
 
 def say_flight(result: Result, flight: Any) -> None:
-    result.say(flight["outcome"], flight["time"], flight["position"], flight["normal"])
-    result.say(flight["face"]["volume"], flight["face"]["local"], flight["cells_visited"])
+    result.say(flight["outcome"], flight["time"], flight["position"], flight["contact"]["normal"])
+    wall = flight["contact"]["wall"]
+    result.say(wall["volume"], wall["local"], flight["volumes_visited"])
 
 
 def say_sweep(result: Result, sweep: Any) -> None:
-    result.say(sweep["outcome"], sweep["time"], sweep["point"], sweep["along"])
+    result.say(sweep["outcome"], sweep["time"], sweep["point"], sweep["edge_parameter"])
 
 
 def say_contacts(result: Result, stage: str, contacts: NDArray[np.void]) -> None:
     result.stage(stage)
     result.say(len(contacts))
     for contact in contacts:
-        result.say(contact["vertex"]["index"], contact["kind"], contact["time"], contact["point"], contact["normal"])
-        result.say(contact["wall"]["volume"])
+        touched = contact["contact"]
+        result.say(contact["vertex"]["index"], touched["kind"], contact["time"], contact["point"], touched["normal"])
+        result.say(touched["wall"]["volume"])
 
 
 def say_nearest(result: Result, environment: ds.Environment, point: NDArray[np.float64], volume: Any) -> None:
-    nearest = environment.nearest(point, 20.0, volume)
+    nearest = environment.find_nearest(point, 20.0, volume)
     result.say(nearest.distance, nearest.cell.kind, nearest.cell.index)
 
 
 def queries(result: Result, environment: ds.Environment, draw: Draw) -> None:
     result.stage("locate")
     start = draw(64)
-    volumes, places = environment.locate_points(start)
-    for place, volume in zip(places, volumes):
-        result.say(place, volume["index"], volume["generation"])
+    volumes, locations = environment.locate_points(start)
+    for location, volume in zip(locations, volumes):
+        result.say(location, volume["index"], volume["generation"])
 
     result.stage("cast")
     end = draw(64)
@@ -139,8 +141,8 @@ def queries(result: Result, environment: ds.Environment, draw: Draw) -> None:
         say_sweep(result, sweep)
 
     result.stage("nearest")
-    for point, volume, place in zip(start, volumes, places):
-        if place == ds.Place.PASSABLE:
+    for point, volume, location in zip(start, volumes, locations):
+        if location == ds.Location.PASSABLE:
             say_nearest(result, environment, point, volume)
 
 
@@ -180,12 +182,12 @@ def errors(result: Result, scene: ds.Scene, particles: NDArray[np.void]) -> None
     result.stage("errors")
     result.say(status_of(lambda: environment.cast((0.0, float("nan"), 0.0), inside)))
     result.say(status_of(lambda: environment.cast(inside, outside, stale)))
-    result.say(status_of(lambda: environment.volume(NX * NY * NZ)))
+    result.say(status_of(lambda: environment.volume_id(NX * NY * NZ)))
     result.say(status_of(lambda: scene.create_particle(outside)))
     result.say(status_of(lambda: scene.create_particle((4.0, 4.0, 4.0))))
     result.say(status_of(lambda: scene.move_particles(particles[[0, 0]], [inside, inside])))
     particle = scene.create_particle(inside)
-    result.say(status_of(lambda: environment.mark_volumes([scene.particle(particle)[1]])))
+    result.say(status_of(lambda: environment.mark_volumes([scene.particle_position(particle)[1]])))
     scene.destroy_particle(particle)
     result.say(status_of(lambda: scene.destroy_particle(particle)))
     result.say(status_of(scene.reset_statistics))
@@ -194,9 +196,9 @@ def errors(result: Result, scene: ds.Scene, particles: NDArray[np.void]) -> None
 
 def cut(result: Result, stage: str, environment: ds.Environment, blade: ArrayLike) -> None:
     result.stage(stage)
-    report = environment.cut(blade)
-    result.say(report.distance, report.volumes_split, report.face_count, environment.info.volume_count)
-    for vertex in environment.cut_vertices():
+    change = environment.cut(blade)
+    result.say(change.distance, change.volumes_split, len(change.faces), environment.info.volume_count)
+    for vertex in change.vertices:
         result.say(vertex["vertex"]["index"], vertex["weights"][0])
 
 
@@ -208,7 +210,7 @@ def deform(result: Result) -> None:
             body = create_catheter(scene)
             positions = environment.points()
             positions[:, 0] += (48 - positions[:, 0]) * 0.4375
-            say_deformed(result, scene.deform(positions), body)
+            say_deformed(result, environment.deform(positions), body)
 
 
 def say_deformed(result: Result, report: Any, body: ds.Body) -> None:
@@ -235,16 +237,16 @@ def plane(result: Result, draw: Draw) -> None:
     with create_plane() as environment:
         info = environment.info
         marked, _ = environment.mark_region(2)
-        environment.mark_vertices([environment.vertex(5 * (SIDE + 1) + 5)])
+        environment.mark_vertices([environment.vertex_id(5 * (SIDE + 1) + 5)])
         result.say(info.dimension, info.vertex_count, info.volume_count, info.face_count, info.boundary_face_count, marked)
 
         result.stage("plane locate")
         draw.seed = 1
         start = draw.plane(32)
-        volumes, places = environment.locate_points(start)
-        for point, volume, place in zip(start, volumes, places):
-            result.say(place, volume["index"], volume["generation"])
-            if place == ds.Place.PASSABLE:
+        volumes, locations = environment.locate_points(start)
+        for point, volume, location in zip(start, volumes, locations):
+            result.say(location, volume["index"], volume["generation"])
+            if location == ds.Location.PASSABLE:
                 say_nearest(result, environment, point, volume)
 
         result.stage("plane cast")
@@ -261,7 +263,7 @@ def plane(result: Result, draw: Draw) -> None:
             result.stage("plane particles")
             particles = scene.create_particles(start)
             scene.move_particles(particles, end)
-            result.say(scene.positions(particles, np.empty((32, 2))))
+            result.say(scene.particle_positions(particles, np.empty((32, 2))))
             index = np.arange(LINKS)
             rope = scene.create_body([(20.25 + 3.0 * i, 40.5) for i in index], [(i, i + 1) for i in index[:-1]])
             pushes(result, "rope", rope, np.stack([np.full(LINKS, 1.5), 4.0 - 0.75 * (index % 3)], axis=1))
@@ -273,7 +275,7 @@ def plane(result: Result, draw: Draw) -> None:
             result.stage("plane deform")
             bent = np.vstack([environment.points(), np.zeros((64, 2))])
             bent[:-64, 1] += (40 - bent[:-64, 1]) * 0.125
-            say_deformed(result, scene.deform(bent), rope)
+            say_deformed(result, environment.deform(bent), rope)
             cut(result, "plane cut", environment, [(20, 20.5), (60.25, 41.25)])
 
 
@@ -287,7 +289,7 @@ def play() -> Result:
         queries(result, environment, draw)
         with ds.Scene(environment) as scene:
             lumen = np.flatnonzero(vessel()[2] == 1)[:50]
-            particles = scene.create_particles([environment.centre(environment.volume(int(i))) for i in lumen])
+            particles = scene.create_particles([environment.centre(environment.volume_id(int(i))) for i in lumen])
             result.stage("particles")
             for _ in range(4):
                 say_moves(result, scene.move_particles(particles, draw(len(particles))))

@@ -35,7 +35,7 @@ def test_input_and_output_are_not_copied(scene: ds.Scene) -> None:
     address = flights.__array_interface__["data"]
     assert scene.move_particles(particles, targets, out=flights) is flights
     assert flights.__array_interface__["data"] == address
-    assert np.array_equal(flights["position"], scene.positions(particles))
+    assert np.array_equal(flights["position"], scene.particle_positions(particles))
     assert peak(lambda: scene.move_particles(particles, targets, out=flights)) < 10000
     assert peak(lambda: scene.move_particles(particles, targets.astype(np.float32), out=flights)) > 24 * COUNT
     # A column of a wider array is lent with its stride, too.
@@ -105,13 +105,13 @@ def test_rows_have_as_many_entries_as_they_should(scene: ds.Scene) -> None:
 def test_ids_are_values(environment: ds.Environment, scene: ds.Scene) -> None:
     ids = scene.create_particles([(24.0, 24.0, 40.0), (24.0, 24.0, 44.0)])
     second = ds.ParticleId(1, 1)
-    assert scene.particle(ids[1])[0].tolist() == scene.particle(second)[0].tolist() == [24.0, 24.0, 44.0]
+    assert scene.particle_position(ids[1])[0].tolist() == scene.particle_position(second)[0].tolist() == [24.0, 24.0, 44.0]
     assert second == ds.ParticleId(1, 1) and second != ds.ParticleId(1, 2)
     assert len({second, ds.ParticleId(1, 1), ds.ParticleId(0, 1)}) == 2
     assert repr(second) == "ParticleId(generation=1, index=1)"
-    assert scene.positions([second, ds.ParticleId(0, 1)])[1].tolist() == [24.0, 24.0, 40.0]
+    assert scene.particle_positions([second, ds.ParticleId(0, 1)])[1].tolist() == [24.0, 24.0, 40.0]
     with pytest.raises(TypeError):
-        scene.move_particle(environment.volume(0), (24.0, 24.0, 40.0))
+        scene.move_particle(environment.volume_id(0), (24.0, 24.0, 40.0))
     assert environment.locate((-1.0, -1.0, -1.0))[0].is_null()
 
 

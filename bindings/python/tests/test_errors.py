@@ -48,6 +48,22 @@ def test_the_failing_call_changes_nothing(scene: ds.Scene) -> None:
     assert len(scene.occupants()) == 1
 
 
+def test_bodies_tell_what_is_wrong_with_a_part(scene: ds.Scene) -> None:
+    corners = [(24.0, 24.0, 40.0), (26.0, 24.0, 40.0), (24.0, 26.0, 40.0), (26.0, 26.0, 41.0), (26.0, 26.0, 39.0)]
+    body = scene.create_body(corners, triangles=[(0, 1, 2)])
+    a, b, c, d, e = body.vertex_ids()
+    with pytest.raises(ds.errors.RepeatedVertex):
+        body.add_edge(a, a)
+    with pytest.raises(ds.errors.DuplicatePart):
+        body.add_edge(b, a)
+    with pytest.raises(ds.errors.NotOriented):
+        body.add_face(b, c, d)
+    body.add_face(c, b, d)
+    with pytest.raises(ds.errors.NotManifold):
+        body.add_face(b, c, e)
+    assert body.counts.face_count == 2
+
+
 def test_options_know_their_members() -> None:
     assert ds.options(ds.MoveOptions, stand_off=-1.0).stand_off == -1.0
     with pytest.raises(TypeError, match="MoveOptions has no member 'standoff'"):

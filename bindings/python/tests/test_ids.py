@@ -20,7 +20,7 @@ def contact(scene: ds.Scene) -> Any:
     """The contact of a body that was moved into a wall."""
     body = scene.create_body([(24.0, 24.0, 40.0), (24.0, 24.0, 44.0)], [(0, 1)])
     body.move([(24.0, 24.0, 40.0), (90.0, 24.0, 44.0)])
-    return body.contacts()[0]
+    return body.contacts()[0]["contact"]
 
 
 def test_entries_of_results_name_cells(environment: ds.Environment, contact: Any) -> None:
@@ -40,14 +40,36 @@ def test_flights_hold_ids(environment: ds.Environment) -> None:
     one = environment.cast((24, 24, 40), (90, 24, 44))
     many = environment.cast_segments([(24, 24, 40)] * 2, [(90, 24, 44)] * 2)
     for flight in (many[0], many[1:2][0], many.copy()[0]):
-        assert np.array_equal(environment.vertices(flight["face"]), environment.vertices(one.face))
+        assert np.array_equal(environment.vertices(flight["contact"]["wall"]), environment.vertices(one.contact.wall))
         assert environment.region(flight["volume"]) == environment.region(one.volume)
-        assert environment.is_impassable(flight["behind"]) == environment.is_impassable(one.behind)
+        assert environment.is_impassable(flight["contact"]["behind"]) == environment.is_impassable(one.contact.behind)
     trace = ds.Trace()
     trace.add_contact(many[0], 1.0)
     other = ds.Trace()
     other.add_contact(one, 1.0)
     assert np.array_equal(trace.points, other.points) and len(trace.points)
+
+
+def test_ids_keep_their_kind_in_nested_structs() -> None:
+    for kind in (dtypes.FLIGHT, dtypes.SWEEP, dtypes.BODY_CONTACT, dtypes.WALL_CONTACT):
+        touched = np.zeros(1, kind)[0]["contact"]
+        told = {name: (touched[name].dtype.metadata or {}).get("id") for name in ("wall", "front", "behind")}
+        assert told == {"wall": "FaceId", "front": "VolumeId", "behind": "VolumeId"}
+        assert touched["obstacle"].dtype == dtypes.CELL
+
+
+def test_contacts_have_a_past_and_a_cross_check(environment: ds.Environment, scene: ds.Scene) -> None:
+    body = scene.create_body([(24.0, 24.0, 40.0), (24.0, 24.0, 44.0)], [(0, 1)])
+    for _ in range(2):
+        body.move([(24.0, 24.0, 40.0), (90.0, 24.0, 44.0)])
+    contact, past = body.contacts()[0], body.previous_contacts()[0]
+    assert contact["history"] == ds.ContactHistory.LASTING and past["since"] == 1 and past["moves"] == 2
+    assert environment.vertices(past["obstacle"]).tolist() == environment.vertices(contact["contact"]["obstacle"]).tolist()
+    try:
+        check = environment.cross_check(contact)
+    except ds.errors.NotBuilt:
+        return
+    assert isinstance(check.kind, ds.CrossCheckKind) and check.angle_rad < 1e-3
 
 
 def test_one_id_is_as_good_as_an_array(environment: ds.Environment) -> None:
@@ -58,8 +80,8 @@ def test_one_id_is_as_good_as_an_array(environment: ds.Environment) -> None:
         assert environment.is_impassable(inside)
         environment.mark_volumes([volume] if not isinstance(volume, np.ndarray) else volume, ds.Mark.PASSABLE)
         assert not environment.is_impassable(inside)
-    environment.mark_faces(flight["face"])
-    assert environment.is_marked(flight["face"])
+    environment.mark_faces(flight["contact"]["wall"])
+    assert environment.is_marked(flight["contact"]["wall"])
 
 
 def pair(volume: ds.VolumeId) -> tuple[int, int]:
@@ -88,8 +110,8 @@ def test_an_entry_without_a_kind_is_refused(environment: ds.Environment) -> None
 
 def test_wrong_arguments_are_told_in_words(environment: ds.Environment) -> None:
     calls: dict[str, Callable[[], object]] = {
-        r"get_volume\(\) takes an integer in its range": lambda: environment.volume("first"),  # type: ignore[arg-type]
-        r"find_nearest\(\) takes a number": lambda: environment.nearest((24, 24, 40), "near"),  # type: ignore[arg-type]
+        r"get_volume_id\(\) takes an integer in its range": lambda: environment.volume_id("first"),  # type: ignore[arg-type]
+        r"find_nearest\(\) takes a number": lambda: environment.find_nearest((24, 24, 40), "near"),  # type: ignore[arg-type]
         r"cast\(\) takes an object of type CastOptions": lambda: environment.cast((24, 24, 40), (90, 24, 44), None, 7),  # type: ignore[arg-type]
         "MoveOptions.edge_response takes a constant of Response": lambda: ds.options(ds.MoveOptions, edge_response="slide"),
         "VolumeId is needed": lambda: environment.region("first"),
@@ -98,7 +120,7 @@ def test_wrong_arguments_are_told_in_words(environment: ds.Environment) -> None:
         with pytest.raises(TypeError, match=words):
             call()
     with pytest.raises(OverflowError, match="an integer in its range"):
-        environment.volume(-1)
+        environment.volume_id(-1)
 
 
 def test_a_misspelt_option_is_an_error() -> None:
@@ -116,7 +138,7 @@ def test_constants_print_as_names(environment: ds.Environment) -> None:
     assert f"{flight.outcome:d}" == str(int(flight.outcome))
     assert "outcome=Outcome.CONTACT" in repr(flight)
     assert str(ds.BodyFlag.RIGID | ds.BodyFlag.SEQUENCES) == "BodyFlag.SEQUENCES|RIGID"
-    assert environment.locate((24, 24, 40))[1] is ds.Place.PASSABLE
+    assert environment.locate((24, 24, 40))[1] is ds.Location.PASSABLE
 
 
 def test_groups_of_meshes_have_names() -> None:

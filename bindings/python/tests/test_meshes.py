@@ -24,8 +24,8 @@ def test_meshes_of_meshio() -> None:
     )
     with ds.from_meshio(mesh) as environment:
         assert environment.info.volume_count == len(cells) + 1 and environment.info.part_count == 2
-        assert environment.region(environment.volume(len(cells))) == 3
-        assert environment.counts(environment.volume(len(cells))).type == ds.CellType.TETRA
+        assert environment.region(environment.volume_id(len(cells))) == 3
+        assert environment.volume_counts(environment.volume_id(len(cells))).type == ds.CellType.TETRA
         assert environment.mark_region(2)[0] == int(np.sum(regions == 2))
     with pytest.raises(ValueError, match="no volume cells"):
         ds.from_meshio(meshio.Mesh(points, [("triangle", [[0, 1, 2]])]))
@@ -39,7 +39,7 @@ def test_meshes_of_files(tmp_path: pathlib.Path) -> None:
     meshio.write(path, meshio.Mesh(points, [("hexahedron", cells)], cell_data={"layer": [regions]}))
     with ds.meshes.read(path, regions="layer") as environment:
         assert environment.info.volume_count == len(cells)
-        assert environment.region(environment.volume(0)) == regions[0]
+        assert environment.region(environment.volume_id(0)) == regions[0]
 
 
 def test_planar_meshes_of_files(tmp_path: pathlib.Path) -> None:
@@ -49,8 +49,8 @@ def test_planar_meshes_of_files(tmp_path: pathlib.Path) -> None:
     meshio.write(path, meshio.Mesh(points, cells, cell_data={"region": [[9], [1], [2], [3]]}))
     with ds.meshes.read(path) as environment:
         assert environment.dimension == 2 and np.array_equal(environment.points(), np.array(points)[:, :2])
-        volumes = [environment.volume(i) for i in range(environment.info.volume_count)]
-        assert [environment.counts(volume).vertices for volume in volumes] == [5, 4, 3]
+        volumes = [environment.volume_id(i) for i in range(environment.info.volume_count)]
+        assert [environment.volume_counts(volume).vertices for volume in volumes] == [5, 4, 3]
         assert [environment.region(volume) for volume in volumes] == [1, 2, 3]
         assert environment.cast((1, 1), (1, 9)).time == 0.125
 
@@ -64,7 +64,7 @@ def test_bodies_of_trimesh(scene: ds.Scene) -> None:
     moved = ds.meshes.to_trimesh(body)
     assert report.fraction == 1 and moved.is_watertight
     assert moved.volume == pytest.approx(ball.volume) and np.allclose(moved.vertices - ball.vertices, (0, 0, 4))
-    body.remove_face(body.faces()[3])
+    body.remove_face(body.face_ids()[3])
     assert len(ds.meshes.to_trimesh(body).faces) == len(ball.faces) - 1
 
 
@@ -77,8 +77,8 @@ def test_carving_with_trimesh(environment: ds.Environment) -> None:
     before = walls()
     drill = trimesh.creation.box((6.0, 6.0, 6.0))
     drill.apply_translation((4, 28, 52))  # in the wall, which is marked
-    report = ds.meshes.carve_trimesh(environment, drill)
-    assert report.volumes_carved == len(environment.carved_volumes()) > 0
+    change = ds.meshes.carve_trimesh(environment, drill)
+    assert len(change.carved) > 0 and not any(environment.is_impassable(volume) for volume in change.carved)
     assert walls().area > before.area
     with pytest.raises(ds.errors.BadTopology, match="closed"):
         ds.meshes.carve_trimesh(environment, trimesh.Trimesh(drill.vertices, drill.faces[1:]))

@@ -81,12 +81,12 @@ def test_lent_positions_are_held_until_the_next(environment: ds.Environment) -> 
     first, second = environment.points().copy(), environment.points().copy()
     before = sys.getrefcount(first)
     with ds.Scene(environment, ds.Feature.DEFORMING) as scene:
-        scene.deform(first)
+        environment.deform(first)
         assert sys.getrefcount(first) > before
         with pytest.raises(ds.errors.InUse):
-            scene.deform(first)
+            environment.deform(first)
         second[:, 2] += 0.25
-        scene.deform(second)
+        environment.deform(second)
         assert sys.getrefcount(first) == before
         # It is read, not copied: what is written into the array that is lent shows at once.
         second[0] = (1.0, 2.0, 3.0)
@@ -100,18 +100,18 @@ def test_room_for_points_is_what_the_array_has(environment: ds.Environment) -> N
     options = ds.options(ds.DeformOptions)
     points = environment.points()
     with ds.Scene(environment, ds.Feature.DEFORMING) as scene:
-        scene.deform(np.vstack([points, np.zeros((9, 3))]), options)
+        environment.deform(np.vstack([points, np.zeros((9, 3))]), options)
         assert options.point_room == 0
         options.point_room = len(points) + 1
         with pytest.raises(ds.errors.WrongSize):
-            scene.deform(points.copy(), options)
+            environment.deform(points.copy(), options)
 
 
 def test_positions_that_are_refused_are_not_held(environment: ds.Environment) -> None:
     array = environment.points().copy()
     before = sys.getrefcount(array)
-    with ds.Scene(environment) as scene, pytest.raises(ds.errors.NotNamed):
-        scene.deform(array)
+    with ds.Scene(environment) as scene, pytest.raises(ds.errors.NotEnabled):
+        environment.deform(array)
     assert sys.getrefcount(array) == before
 
 
@@ -128,7 +128,7 @@ def test_threads_may_call_and_close_as_they_like(environment: ds.Environment) ->
                     scene.move_particles(particles, points)
                 else:
                     environment.cast_segments(points, points[::-1])
-                    scene.particle(particles[i])
+                    scene.particle_position(particles[i])
         except ds.Closed:
             pass
         except BaseException as error:
@@ -222,8 +222,8 @@ def test_a_bug_report_is_one_call(environment: ds.Environment, tmp_path: pathlib
         with scene.recording():
             particle = scene.create_particle(INSIDE)
             scene.move_particle(particle, INSIDE)
-            verdict = scene.write_bundle(str(path), "it did not move")
-        assert verdict.is_right == 1 and verdict.places == 1 and verdict.lost == 0 and verdict.text == ""
+            validation = scene.write_bug_report(str(path), "it did not move")
+        assert validation.is_right == 1 and validation.places == 1 and validation.lost == 0 and validation.text == ""
         assert path.read_bytes().startswith(b"DSWREC") and b"it did not move" in path.read_bytes()
         with scene.recording(str(tmp_path / "calls.dswrec"), ds.RecordingFlag.STATES):
             scene.destroy_particle(particle)

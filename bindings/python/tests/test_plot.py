@@ -37,7 +37,7 @@ def test_grid_after_a_cut(environment: ds.Environment) -> None:
     assert grid.n_cells == environment.info.volume_count > len(vessel()[1])
     assert pyvista.CellType.POLYHEDRON in grid.celltypes and ds.CellType.POLYHEDRON == pyvista.CellType.POLYHEDRON
     assert grid.volume == pytest.approx(before, rel=1e-2)  # VTK cuts warped faces otherwise
-    environment.remove_volumes([environment.volume(int(grid.cell_data["volume"][0]))])
+    environment.remove_volumes([environment.volume_id(int(grid.cell_data["volume"][0]))])
     assert plot.grid(environment).n_cells == grid.n_cells - 1
 
 
@@ -49,7 +49,7 @@ def test_walls(environment: ds.Environment) -> None:
 def test_contacts_with_normals(catheter: ds.Body) -> None:
     told = catheter.contacts()
     points = plot.contacts(told)
-    assert np.array_equal(points.points, told["point"]) and np.array_equal(points.point_data["normal"], told["normal"])
+    assert np.array_equal(points.points, told["point"]) and np.array_equal(points.point_data["normal"], told["contact"]["normal"])
     assert np.all(points.point_data["time"] < 1)
     assert plot.contacts(told[:0]).n_points == 0
 
@@ -57,7 +57,7 @@ def test_contacts_with_normals(catheter: ds.Body) -> None:
 def test_bodies(scene: ds.Scene, catheter: ds.Body) -> None:
     lines = plot.body(catheter)
     assert lines.n_lines == 11 and np.array_equal(lines.points, catheter.positions())
-    catheter.remove_edge(catheter.edges()[0])
+    catheter.remove_edge(catheter.edge_ids()[0])
     assert plot.body(catheter).n_lines == 10
     triangle = scene.create_body([(24, 24, 60), (26, 24, 60), (24, 26, 60)], triangles=[(0, 1, 2)])
     assert plot.body(triangle).n_cells == 1 and plot.body(triangle).is_all_triangles

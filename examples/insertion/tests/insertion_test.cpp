@@ -24,7 +24,7 @@ TEST(Run, IsExactlyFreeAfterEveryStepAndTravels) {
   for (std::size_t i = 0; i < options.steps; ++i) {
     const Step step = run.step();
     ASSERT_TRUE(step.free) << "step " << i;
-    EXPECT_GT(step.cells_visited, 0u);
+    EXPECT_GT(step.volumes_visited, 0u);
     contacts += step.contacts;
   }
   EXPECT_TRUE(run.good());

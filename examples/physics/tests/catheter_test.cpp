@@ -35,8 +35,8 @@ TEST_F(InTheVessel, ACatheterIsExactlyFreeAtEveryStep) {
     std::size_t contacts = 0, inserted = 0, removed = 0;
     for (int step = 0; step < 250; ++step) {
       catheter.step(1e-3);
-      const Verdict verdict = verify(world.scene(), catheter.body().id());
-      ASSERT_TRUE(verdict.good()) << name_of(method) << " at step " << step;
+      const Validation validation = verify(world.scene(), catheter.body().id());
+      ASSERT_TRUE(validation.good()) << name_of(method) << " at step " << step;
       ASSERT_TRUE(is_finite(catheter.body().points));
       contacts += world.report(0).move.contact_count;
       inserted += world.report(0).inserted;

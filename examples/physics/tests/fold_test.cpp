@@ -32,7 +32,7 @@ TEST_P(FoldTest, FoldsUnfoldsAndIsWhatItWas) {
       off[i] = body.was_inserted(i) ? off_line(body, i) : -1;
     }
     last = fold.step();
-    ASSERT_TRUE(last.verdict.good()) << "step " << last.step;
+    ASSERT_TRUE(last.validation.good()) << "step " << last.step;
     EXPECT_EQ(last.vertices, vertices + inserted + last.inserted - removed - last.removed);
     inserted += last.inserted;
     removed += last.removed;

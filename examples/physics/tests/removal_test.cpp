@@ -43,7 +43,7 @@ struct Split {
   std::vector<std::vector<std::uint32_t>> faces() const {
     std::vector<std::uint32_t> corners(3000);
     std::size_t slots = 0;
-    check(dsw_body_get_face_vertices(world.scene(), body->id(), corners.data(), 1000, &slots), "reading faces");
+    check(dsw_body_get_face_indices(world.scene(), body->id(), corners.data(), 1000, &slots), "reading faces");
     std::vector<std::vector<std::uint32_t>> sorted;
     for (std::size_t f = 0; f < slots; ++f) {
       std::vector<std::uint32_t> face(corners.begin() + static_cast<std::ptrdiff_t>(3 * f),
@@ -86,7 +86,7 @@ TEST(Removal, OfManyVerticesInAnyOrderLeavesTheFacesOfTheBeginning) {
     for (int k = 0; k < 25; ++k) {
       std::vector<dsw_body_edge_id> edges(1000);
       std::size_t count = 0;
-      check(dsw_body_get_edges(split.world.scene(), split.body->id(), edges.data(), edges.size(), &count),
+      check(dsw_body_get_edge_ids(split.world.scene(), split.body->id(), edges.data(), edges.size(), &count),
             "reading edges");
       split.split(edges[bits() % count], 0.25 + 0.5 * static_cast<double>(bits()) / 4294967296.0);
     }
@@ -106,7 +106,7 @@ TEST(Removal, NeedsThatNothingCollidesAndThatPullsAreNegligible) {
   Split split(BodyMesh{{{1, 1, 1}, {2, 1, 1}, {3, 1, 1}, {4, 1, 1}}, {0, 1, 1, 2, 2, 3}, {}});
   std::vector<dsw_body_edge_id> edges(3);
   std::size_t count = 0;
-  check(dsw_body_get_edges(split.world.scene(), split.body->id(), edges.data(), 3, &count), "reading edges");
+  check(dsw_body_get_edge_ids(split.world.scene(), split.body->id(), edges.data(), 3, &count), "reading edges");
   split.split(edges[1], 0.5);  // vertex 4 between 1 and 2
   const std::vector<char> nobody(5, 0);
   EXPECT_FALSE(split.remove(std::vector<double>(5, 0), {0, 0, 0, 0, 1}));

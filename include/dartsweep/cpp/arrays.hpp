@@ -15,6 +15,11 @@
 
 namespace dartsweep {
 
+/** A point as a value. In the plane z is 0. */
+struct Vec3 {
+  double x, y, z;
+};
+
 #ifndef SWIG
 /** How many doubles a type of points holds, and nothing else; 0 for other types. Specialise
  * columns_of for vectors of your own: std::vector<Vector3d> is then an array of points. */
@@ -25,7 +30,7 @@ struct columns_of<const T> : columns_of<T> {};
 template <std::size_t N>
 struct columns_of<std::array<double, N>> : std::integral_constant<std::size_t, N> {};
 template <>
-struct columns_of<dsw_vec3> : std::integral_constant<std::size_t, 3> {};
+struct columns_of<Vec3> : std::integral_constant<std::size_t, 3> {};
 
 /** The type of the elements of a container with data() and size(). */
 template <class Container>
@@ -104,7 +109,7 @@ struct Point {
   Point(const std::array<double, N> &coordinates) : Point(coordinates.data(), N) {
     static_assert(N == 2 || N == 3, "a point has 2 or 3 coordinates");
   }
-  Point(const dsw_vec3 &v) : Point(v.x, v.y, v.z) {}
+  Point(const Vec3 &v) : Point(v.x, v.y, v.z) {}
 #endif
   Point(double x, double y) : at{x, y, 0}, size(2) {}
   Point(double x, double y, double z) : at{x, y, z} {}

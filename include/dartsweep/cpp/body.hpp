@@ -43,29 +43,33 @@ class Body {
                                  &count));
     same_count("positions", positions.count, count);
   }
-  Array<dsw_body_vertex_id> get_vertices() const {
-    return fill<dsw_body_vertex_id>(dsw_body_get_vertices);
+  Array<dsw_body_vertex_id> get_vertex_ids() const {
+    return fill<dsw_body_vertex_id>(dsw_body_get_vertex_ids);
   }
-  Array<dsw_body_edge_id> get_edges() const { return fill<dsw_body_edge_id>(dsw_body_get_edges); }
-  Array<dsw_body_face_id> get_faces() const { return fill<dsw_body_face_id>(dsw_body_get_faces); }
+  Array<dsw_body_edge_id> get_edge_ids() const {
+    return fill<dsw_body_edge_id>(dsw_body_get_edge_ids);
+  }
+  Array<dsw_body_face_id> get_face_ids() const {
+    return fill<dsw_body_face_id>(dsw_body_get_face_ids);
+  }
   // Ends of one edge, corners of one triangle.
-  Array<dsw_body_vertex_id> get_edge(dsw_body_edge_id edge) const {
-    return corners(2, dsw_body_get_edge, edge);
+  Array<dsw_body_vertex_id> get_edge_ends(dsw_body_edge_id edge) const {
+    return corners(2, dsw_body_get_edge_ends, edge);
   }
-  Array<dsw_body_vertex_id> get_face(dsw_body_face_id face) const {
-    return corners(3, dsw_body_get_face, face);
+  Array<dsw_body_vertex_id> get_face_corners(dsw_body_face_id face) const {
+    return corners(3, dsw_body_get_face_corners, face);
   }
   // Of all at once, by index: 2 or 3 indices of vertices for each slot.
-  Array<std::uint32_t> get_edge_vertices() const {
-    return all_corners(2, dsw_body_get_edge_vertices);
+  Array<std::uint32_t> get_edge_indices() const {
+    return all_corners(2, dsw_body_get_edge_indices);
   }
-  Array<std::uint32_t> get_face_vertices() const {
-    return all_corners(3, dsw_body_get_face_vertices);
+  Array<std::uint32_t> get_face_indices() const {
+    return all_corners(3, dsw_body_get_face_indices);
   }
-  dsw_body_vertex_id get_vertex(std::uint32_t index) const {
+  dsw_body_vertex_id get_vertex_id(std::uint32_t index) const {
     const SceneReading self(*state_);
     dsw_body_vertex_id out = {};
-    check(dsw_body_get_vertex(self.handle, id_, index, &out));
+    check(dsw_body_get_vertex_id(self.handle, id_, index, &out));
     return out;
   }
   dsw_body_vertex_id add_vertex(const Point &position, dsw_volume_id hint = {}) {
@@ -86,9 +90,9 @@ class Body {
   void remove_face(dsw_body_face_id face) { change(dsw_body_remove_face, face); }
   void remove_edge(dsw_body_edge_id edge) { change(dsw_body_remove_edge, edge); }
   void remove_vertex(dsw_body_vertex_id vertex) { change(dsw_body_remove_vertex, vertex); }
-  dsw_body_edit split_edge(dsw_body_edge_id edge, double share) {
+  dsw_body_edit split_edge(dsw_body_edge_id edge, double edge_parameter) {
     dsw_body_edit out = {};
-    change(dsw_body_split_edge, edge, share, &out);
+    change(dsw_body_split_edge, edge, edge_parameter, &out);
     return out;
   }
   dsw_body_edit collapse_edge(dsw_body_edge_id edge, dsw_body_vertex_id vertex) {
@@ -114,12 +118,14 @@ class Body {
     change(dsw_body_move_rigid, &motion, ordered.get(), &out);
     return out;
   }
-  Array<dsw_contact> get_contacts() const { return list<dsw_contact>(dsw_body_get_contacts); }
+  Array<dsw_body_contact> get_contacts() const {
+    return list<dsw_body_contact>(dsw_body_get_contacts);
+  }
   Array<dsw_contact_partner> get_contact_partners() const {
     return list<dsw_contact_partner>(dsw_body_get_contact_partners);
   }
-  Array<dsw_contact_past> get_contact_pasts() const {
-    return list<dsw_contact_past>(dsw_body_get_contact_pasts);
+  Array<dsw_previous_contact> get_previous_contacts() const {
+    return list<dsw_previous_contact>(dsw_body_get_previous_contacts);
   }
   Array<dsw_body_edit> get_edits() const { return list<dsw_body_edit>(dsw_body_get_edits); }
 

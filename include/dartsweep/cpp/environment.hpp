@@ -20,12 +20,12 @@ class Environment {
       : Environment() {
     dsw_environment_desc all = or_defaults(desc);
     if (all.flags & DSW_ENVIRONMENT_BORROW_POINTS)
-      throw Unsupported("points can be lent by Scene.deform only");
+      throw Unsupported("points can be lent by Environment.deform only");
     state_->dimension = all.dimension == 2 ? 2 : 3;
     same_width(connectivity, {&offsets, &faces, &face_locations});
     set_cells(all, points, connectivity, offsets, cell_types, regions, tags);
     leave_out_empty(faces, face_locations);
-    if (faces.count) same_count("face_locations", face_locations.count, all.cell_count);
+    if (faces.count) same_count("face_locations", face_locations.count, all.volume_count);
     all.faces = faces.data;
     all.faces_count = faces.count;
     all.face_locations = face_locations.data;
@@ -106,14 +106,14 @@ class Environment {
   }
 
   // --- cells
-  dsw_volume_id get_volume(std::uint32_t index) const {
-    return one<dsw_volume_id>(dsw_environment_get_volume, index);
+  dsw_volume_id get_volume_id(std::uint32_t index) const {
+    return one<dsw_volume_id>(dsw_environment_get_volume_id, index);
   }
-  dsw_vertex_id get_vertex(std::uint32_t index) const {
-    return one<dsw_vertex_id>(dsw_environment_get_vertex, index);
+  dsw_vertex_id get_vertex_id(std::uint32_t index) const {
+    return one<dsw_vertex_id>(dsw_environment_get_vertex_id, index);
   }
-  Point get_position(dsw_vertex_id vertex) const {
-    return point(dsw_environment_get_position, vertex);
+  Point get_vertex_position(dsw_vertex_id vertex) const {
+    return point(dsw_environment_get_vertex_position, vertex);
   }
   Point get_centre(dsw_volume_id volume) const { return point(dsw_environment_get_centre, volume); }
   VolumeCounts get_volume_counts(dsw_volume_id volume) const {
@@ -123,11 +123,11 @@ class Environment {
                                             &out.edges, &out.faces));
     return out;
   }
-  dsw_face_id get_volume_face(dsw_volume_id volume, std::uint32_t local) const {
-    return one<dsw_face_id>(dsw_environment_get_volume_face, volume, local);
+  dsw_face_id get_face_id(dsw_volume_id volume, std::uint32_t local) const {
+    return one<dsw_face_id>(dsw_environment_get_face_id, volume, local);
   }
-  dsw_edge_id get_volume_edge(dsw_volume_id volume, std::uint32_t local) const {
-    return one<dsw_edge_id>(dsw_environment_get_volume_edge, volume, local);
+  dsw_edge_id get_edge_id(dsw_volume_id volume, std::uint32_t local) const {
+    return one<dsw_edge_id>(dsw_environment_get_edge_id, volume, local);
   }
   Array<dsw_vertex_id> copy_vertices(dsw_cell cell) const {
     const EnvironmentReading self(*state_);
@@ -180,7 +180,7 @@ class Environment {
     for (std::uint32_t index = 0; index < counts.volume_index_count; ++index) {
       dsw_volume_id volume = {};
       std::int32_t label = 0;
-      if (dsw_environment_get_volume(self.handle, index, &volume) != DSW_STATUS_OK) continue;
+      if (dsw_environment_get_volume_id(self.handle, index, &volume) != DSW_STATUS_OK) continue;
       check(dsw_environment_get_region(self.handle, volume, &label));
       labels.insert(label);
     }
@@ -207,23 +207,24 @@ class Environment {
   }
 
   // --- queries
-  Location locate(const Point &point, dsw_volume_id hint = {}) const {
+  Located locate(const Point &point, dsw_volume_id hint = {}) const {
     const EnvironmentReading self(*state_);
-    Location out = {};
-    check(dsw_environment_locate(self.handle, in(point), hint, &out.volume, &out.place));
+    Located out = {};
+    check(dsw_environment_locate(self.handle, in(point), hint, &out.volume, &out.location));
     return out;
   }
   void locate_points(Points points, View<const dsw_volume_id> hints, View<dsw_volume_id> volumes,
-                     View<std::int32_t> places = {}) const {
-    static_assert(sizeof(dsw_place) == sizeof(std::int32_t), "places are written as integers");
+                     View<std::int32_t> locations = {}) const {
+    static_assert(sizeof(dsw_location) == sizeof(std::int32_t),
+                  "locations are written as integers");
     count_points(dimension(), points);
     optional_count("hints", hints, points.count);
     same_count("volumes", volumes.count, points.count);
-    optional_count("places", places, points.count);
+    optional_count("locations", locations, points.count);
     const EnvironmentReading self(*state_);
     check(dsw_environment_locate_points(self.handle, points.data, points.count, points.stride_bytes,
                                         hints.data, volumes.data,
-                                        reinterpret_cast<dsw_place *>(places.data)));
+                                        reinterpret_cast<dsw_location *>(locations.data)));
   }
   dsw_cell classify(const Point &point, dsw_volume_id volume) const {
     return one<dsw_cell>(dsw_environment_classify, in(point), volume);
@@ -267,8 +268,8 @@ class Environment {
     check(dsw_environment_sweep_edges(self.handle, from.count, starts.data, from.data, to.data,
                                       fixed.data, stride, options, sweeps.data));
   }
-  dsw_contact_opinion check_contact(const dsw_contact &contact) const {
-    return one<dsw_contact_opinion>(dsw_contact_check, &contact);
+  dsw_cross_check cross_check(const dsw_body_contact &contact) const {
+    return one<dsw_cross_check>(dsw_environment_cross_check, &contact);
   }
 
   // --- marks
@@ -326,7 +327,7 @@ class Environment {
     all.vertex_count = vertices.count;
     all.sew_to = sew_to.data;
     all.sew_count = sew_to.count;
-    Array<dsw_volume_id> volumes(all.cell_count);
+    Array<dsw_volume_id> volumes(all.volume_count);
     change(dsw_environment_add_volumes, &all, volumes.data(),
            static_cast<dsw_vertex_id *>(nullptr));
     return volumes;
@@ -360,10 +361,10 @@ class Environment {
     out.right = parts[1];
     return out;
   }
-  EdgeSplit split_edge(dsw_edge_id edge, double share) {
+  EdgeSplit split_edge(dsw_edge_id edge, double edge_parameter) {
     dsw_edge_id parts[2] = {};
     EdgeSplit out = {};
-    change(dsw_environment_split_edge, edge, share, &out.vertex, &parts[0]);
+    change(dsw_environment_split_edge, edge, edge_parameter, &out.vertex, &parts[0]);
     out.first = parts[0];
     out.second = parts[1];
     return out;
@@ -376,13 +377,10 @@ class Environment {
   void collapse_edge(dsw_edge_id edge, dsw_vertex_id vertex) {
     change(dsw_environment_collapse_edge, edge, vertex);
   }
-  Array<dsw_volume_change> get_volume_changes() const {
-    return list<dsw_volume_change>(dsw_environment_get_volume_changes);
-  }
 
   // `blade` has rows * columns points, row by row.
-  dsw_cut_report cut(Points blade, std::uint32_t rows, std::uint32_t columns,
-                     const dsw_cut_desc *desc = nullptr) {
+  Change cut(Points blade, std::uint32_t rows, std::uint32_t columns,
+             const dsw_cut_desc *desc = nullptr) {
     dsw_cut_desc all = or_defaults(desc);
     count_points(dimension(), blade);
     same_count("blade", blade.count, std::size_t{rows} * columns);
@@ -390,36 +388,20 @@ class Environment {
     all.point_stride_bytes = blade.stride_bytes;
     all.rows = rows;
     all.columns = columns;
-    dsw_cut_report report = {};
-    change(dsw_environment_cut, &all, &report);
-    return report;
+    return changed(dsw_environment_cut, &all);
   }
-  std::size_t tear_faces(View<const dsw_face_id> faces, View<const double> loads,
-                         double threshold) {
+  Change tear_faces(View<const dsw_face_id> faces, View<const double> loads, double threshold) {
     same_count("loads", loads.count, faces.count);
-    std::size_t torn = 0;
-    change(dsw_environment_tear_faces, faces.data, loads.data, faces.count, threshold, &torn);
-    return torn;
+    return changed(dsw_environment_tear_faces, faces.data, loads.data, faces.count, threshold);
   }
-  Array<dsw_cut_vertex> get_cut_vertices() const {
-    return list<dsw_cut_vertex>(dsw_environment_get_cut_vertices);
-  }
-  Array<dsw_cut_face> get_cut_faces() const {
-    return list<dsw_cut_face>(dsw_environment_get_cut_faces);
-  }
-  Array<dsw_volume_id> get_whole_volumes() const {
-    return list<dsw_volume_id>(dsw_environment_get_whole_volumes);
-  }
-  dsw_open_report open(View<const dsw_cut_face> faces, const dsw_open_desc &desc) {
-    dsw_open_desc all = desc;
+  Change open_crack(View<const dsw_cut_face> faces, const dsw_open_crack_desc &desc) {
+    dsw_open_crack_desc all = desc;
     all.faces = faces.data;
     all.face_count = faces.count;
-    dsw_open_report report = {};
-    change(dsw_environment_open, &all, &report);
-    return report;
+    return changed(dsw_environment_open_crack, &all);
   }
-  dsw_carve_report carve(Points points, View<const std::uint32_t> triangles,
-                         const dsw_carve_desc *desc = nullptr) {
+  Change carve(Points points, View<const std::uint32_t> triangles,
+               const dsw_carve_desc *desc = nullptr) {
     dsw_carve_desc all = or_defaults(desc);
     count_points(dimension(), points);
     same_count("corners of triangles", triangles.count,
@@ -429,38 +411,73 @@ class Environment {
     all.point_stride_bytes = points.stride_bytes;
     all.triangles = triangles.data;
     all.triangle_count = triangles.count / dimension();
-    dsw_carve_report report = {};
-    change(dsw_environment_carve, &all, &report);
-    return report;
+    return changed(dsw_environment_carve, &all);
   }
-  Array<dsw_volume_id> get_carved_volumes() const {
-    return list<dsw_volume_id>(dsw_environment_get_carved_volumes);
-  }
-  dsw_tie_report tie(Points loop, const dsw_tie_desc *desc = nullptr) {
+  Change tie(Points loop, const dsw_tie_desc *desc = nullptr) {
     dsw_tie_desc all = or_defaults(desc);
     count_points(dimension(), loop);
     all.points = loop.data;
     all.point_count = loop.count;
     all.point_stride_bytes = loop.stride_bytes;
-    dsw_tie_report report = {};
-    change(dsw_environment_tie, &all, &report);
-    return report;
+    return changed(dsw_environment_tie, &all);
   }
   // `volumes` and `next` may be left out.
-  dsw_remesh_report remesh(View<const dsw_volume_id> volumes, View<const double> next,
-                           const dsw_remesh_desc *desc = nullptr) {
+  Change remesh(View<const dsw_volume_id> volumes, View<const double> next,
+                const dsw_remesh_desc *desc = nullptr) {
     dsw_remesh_desc all = or_defaults(desc);
     all.volumes = volumes.data;
     all.volume_count = volumes.count;
     same_count("coordinates of next", next.count, next.count / dimension() * dimension());
     all.next = next.data;
     all.point_count = next.count / dimension();
-    dsw_remesh_report report = {};
-    change(dsw_environment_remesh, &all, &report);
+    return changed(dsw_environment_remesh, &all);
+  }
+
+  // --- deformation
+  /** The environment reads `next` until the next deformation that is not refused. Points beyond the
+   * number of vertices are room for vertices that operations add (options->point_room). */
+  dsw_deform_report deform(Lent next, const dsw_deform_options *options = nullptr) {
+    dsw_deform_options all = or_defaults(options);
+    count_points(dimension(), next);
+    if (all.point_room > next.count)
+      throw WrongSize("point_room is " + std::to_string(all.point_room) + ", there are " +
+                      std::to_string(next.count) + " points");
+    const EnvironmentWriting self(*state_);
+    const double *now = nullptr;
+    std::size_t count = 0;
+    check(dsw_environment_get_points(self.handle, &now, &count));
+    if (next.count > count) all.point_room = next.count;
+    dsw_deform_report report = {};
+    check(
+        dsw_environment_deform(self.handle, next.data, std::min(next.count, count), &all, &report));
+    if (report.outcome != DSW_DEFORM_REFUSED) state_->lent = std::move(next.owner);
     return report;
   }
-  Array<dsw_volume_id> get_unmended_volumes() const {
-    return list<dsw_volume_id>(dsw_environment_get_unmended_volumes);
+  Array<dsw_wall_contact> get_wall_contacts() const {
+    return list<dsw_wall_contact>(dsw_environment_get_wall_contacts);
+  }
+  Array<dsw_vertex_id> get_held_vertices() const {
+    return list<dsw_vertex_id>(dsw_environment_get_held_vertices);
+  }
+  Array<dsw_volume_id> get_invalid_volumes() const {
+    return list<dsw_volume_id>(dsw_environment_get_invalid_volumes);
+  }
+
+  // --- pieces that come off; get_change() says more
+  dsw_body_id detach(const dsw_detach_desc &desc) {
+    const EnvironmentWriting self(*state_);
+    dsw_body_id body = {};
+    check(dsw_environment_detach(self.handle, &desc, &body, nullptr));
+    return body;
+  }
+
+  /** The last change of the topology. */
+  Change get_change() const {
+    const EnvironmentReading self(*state_);
+    dsw_change out = {};
+    out.struct_size = sizeof out;
+    check(dsw_environment_get_change(self.handle, &out));
+    return Change(out);
   }
 
  private:
@@ -487,11 +504,12 @@ class Environment {
     all.connectivity = connectivity.data;
     all.connectivity_count = connectivity.count;
     all.cell_types = cell_types.data;
-    all.cell_count = cell_types.count ? cell_types.count
-                                      : uniform_count(all.uniform_cell_type, connectivity, offsets);
-    optional_count("offsets", offsets, all.cell_count + 1);
-    optional_count("regions", regions, all.cell_count);
-    optional_count("tags", tags, all.cell_count);
+    all.volume_count = cell_types.count
+                           ? cell_types.count
+                           : uniform_count(all.uniform_cell_type, connectivity, offsets);
+    optional_count("offsets", offsets, all.volume_count + 1);
+    optional_count("regions", regions, all.volume_count);
+    optional_count("tags", tags, all.volume_count);
     all.offsets = offsets.data;
     all.regions = regions.data;
     all.tags = tags.data;
@@ -536,6 +554,15 @@ class Environment {
     const EnvironmentReading self(*state_);
     return copied<T>(
         [&](const T **out, std::size_t *count) { return call(self.handle, out, count); });
+  }
+  // Changes of the topology: call(environment, arguments..., &change).
+  template <class Call, class... Arguments>
+  Change changed(Call call, Arguments... arguments) {
+    const EnvironmentWriting self(*state_);
+    dsw_change out = {};
+    out.struct_size = sizeof out;
+    check(call(self.handle, arguments..., &out));
+    return Change(out);
   }
   // call(environment, arguments...) for writers.
   template <class Call, class... Arguments>

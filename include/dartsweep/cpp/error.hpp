@@ -38,13 +38,17 @@
   X(TRUNCATED, Truncated)                \
   X(CORRUPT, Corrupt)                    \
   X(BAD_VERSION, BadVersion)             \
-  X(NOT_NAMED, NotNamed)                 \
+  X(NOT_ENABLED, NotEnabled)             \
   X(NOT_BUILT, NotBuilt)                 \
   X(INTERNAL, Internal)                  \
   X(BAD_TOPOLOGY, BadTopology)           \
   X(BORROWED, Borrowed)                  \
   X(WRITE_FAILED, WriteFailed)           \
-  X(NOT_CLOSED, NotClosed)
+  X(NOT_CLOSED, NotClosed)               \
+  X(REPEATED_VERTEX, RepeatedVertex)     \
+  X(DUPLICATE_PART, DuplicatePart)       \
+  X(NOT_MANIFOLD, NotManifold)           \
+  X(NOT_ORIENTED, NotOriented)
 
 namespace dartsweep {
 

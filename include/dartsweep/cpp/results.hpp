@@ -6,9 +6,9 @@
 
 namespace dartsweep {
 
-struct Location {
+struct Located {
   dsw_volume_id volume;  // null when outside
-  dsw_place place;
+  dsw_location location;
 };
 
 struct VolumeCounts {
@@ -45,13 +45,8 @@ struct EdgeSplit {
 };
 
 struct Particle {
-  dsw_vec3 position;  // in the plane z is 0
+  Vec3 position;  // in the plane z is 0
   dsw_volume_id volume;
-};
-
-struct Detached {
-  dsw_body_id body;
-  dsw_detach_report report;
 };
 
 struct BodyFilter {
@@ -107,7 +102,7 @@ DSW_DEFAULTS(dsw_scene_desc)
 DSW_DEFAULTS(dsw_body_desc)
 DSW_DEFAULTS(dsw_volumes_desc)
 DSW_DEFAULTS(dsw_cut_desc)
-DSW_DEFAULTS(dsw_open_desc)
+DSW_DEFAULTS(dsw_open_crack_desc)
 DSW_DEFAULTS(dsw_carve_desc)
 DSW_DEFAULTS(dsw_tie_desc)
 DSW_DEFAULTS(dsw_detach_desc)
@@ -145,5 +140,55 @@ Array<T> filled(Get get) {
   if (count) check(get(out.data(), count, &count));
   return out;
 }
+
+/** What a change of the topology did. Its arrays are copies, which the pointers of dsw_change lead
+ * to. */
+class Change : public dsw_change {
+ public:
+  explicit Change(const dsw_change &lent)
+      : dsw_change(lent),
+        volumes_(lent.volumes, lent.volume_count),
+        vertices_(lent.vertices, lent.vertex_count),
+        faces_(lent.faces, lent.face_count),
+        whole_(lent.whole, lent.whole_count),
+        carved_(lent.carved, lent.carved_count),
+        unrepaired_(lent.unrepaired, lent.unrepaired_count),
+        detached_(lent.detached, lent.detached_count),
+        body_vertices_(lent.body_vertices, lent.body_vertex_count),
+        body_faces_(lent.body_faces, lent.body_face_count) {
+    volumes = volumes_.data();
+    vertices = vertices_.data();
+    faces = faces_.data();
+    whole = whole_.data();
+    carved = carved_.data();
+    unrepaired = unrepaired_.data();
+    detached = detached_.data();
+    body_vertices = body_vertices_.data();
+    body_faces = body_faces_.data();
+  }
+
+  Array<dsw_volume_change> get_volumes() const { return copy(volumes_); }
+  Array<dsw_vertex_origin> get_vertices() const { return copy(vertices_); }
+  Array<dsw_cut_face> get_faces() const { return copy(faces_); }
+  Array<dsw_volume_id> get_whole() const { return copy(whole_); }
+  Array<dsw_volume_id> get_carved() const { return copy(carved_); }
+  Array<dsw_volume_id> get_unrepaired() const { return copy(unrepaired_); }
+  Array<dsw_volume_id> get_detached() const { return copy(detached_); }
+  Array<dsw_vertex_origin> get_body_vertices() const { return copy(body_vertices_); }
+  Array<dsw_face_origin> get_body_faces() const { return copy(body_faces_); }
+
+ private:
+  template <class T>
+  static Array<T> copy(const Array<T> &from) {
+    return Array<T>(from.data(), from.size());
+  }
+
+  Array<dsw_volume_change> volumes_;
+  Array<dsw_vertex_origin> vertices_;
+  Array<dsw_cut_face> faces_;
+  Array<dsw_volume_id> whole_, carved_, unrepaired_, detached_;
+  Array<dsw_vertex_origin> body_vertices_;
+  Array<dsw_face_origin> body_faces_;
+};
 
 }  // namespace dartsweep

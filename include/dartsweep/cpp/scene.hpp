@@ -60,9 +60,9 @@ class Scene {
   Array<dsw_particle_id> get_particle_ids() const {
     return ids<dsw_particle_id>(dsw_scene_get_particle_ids);
   }
-  Array<dsw_body_id> get_bodies() const { return ids<dsw_body_id>(dsw_scene_get_bodies); }
+  Array<dsw_body_id> get_body_ids() const { return ids<dsw_body_id>(dsw_scene_get_body_ids); }
 
-  /** Into a file. DSW_RECORDING_LATEST and a null path keep the recording for write_bundle. */
+  /** Into a file. DSW_RECORDING_LATEST and a null path keep the recording for write_bug_report. */
   void start_recording(const char *path, std::uint32_t flags = 0) {
     dsw_recording_desc desc;
     dsw_recording_desc_init(&desc, sizeof desc);
@@ -76,15 +76,15 @@ class Scene {
     check(dsw_scene_stop_recording(self.handle));
   }
   // A bug report of the last recorded call into a file.
-  dsw_verdict write_bundle(const char *path, const char *note = nullptr) {
-    dsw_bundle_desc desc;
-    dsw_bundle_desc_init(&desc, sizeof desc);
+  dsw_validation write_bug_report(const char *path, const char *note = nullptr) {
+    dsw_bug_report_desc desc;
+    dsw_bug_report_desc_init(&desc, sizeof desc);
     desc.path = path;
     desc.note = note;
-    dsw_verdict out = {};
+    dsw_validation out = {};
     out.struct_size = sizeof out;
     const WholeWriting self(*state_);
-    check(dsw_scene_write_bundle(self.handle, &desc, &out));
+    check(dsw_scene_write_bug_report(self.handle, &desc, &out));
     return out;
   }
 
@@ -108,22 +108,22 @@ class Scene {
     const SceneWriting self(*state_);
     check(dsw_particle_destroy(self.handle, particle));
   }
-  Particle get_particle(dsw_particle_id particle) const {
+  Particle get_particle_position(dsw_particle_id particle) const {
     const SceneReading self(*state_);
     double xyz[3] = {};
     Particle out = {};
-    check(dsw_particle_get(self.handle, particle, xyz, &out.volume));
+    check(dsw_particle_get_position(self.handle, particle, xyz, &out.volume));
     out.position = {xyz[0], xyz[1], xyz[2]};
     return out;
   }
-  void get_particles(View<const dsw_particle_id> particles, PointsOut positions,
-                     View<dsw_volume_id> volumes = {}) const {
+  void get_particle_positions(View<const dsw_particle_id> particles, PointsOut positions,
+                              View<dsw_volume_id> volumes = {}) const {
     count_points(dimension(), positions);
     optional_count("positions", positions, particles.count);
     optional_count("volumes", volumes, particles.count);
     const SceneReading self(*state_);
-    check(dsw_scene_get_particles(self.handle, particles.data, particles.count, positions.data, 0,
-                                  volumes.data));
+    check(dsw_scene_get_particle_positions(self.handle, particles.data, particles.count,
+                                           positions.data, 0, volumes.data));
   }
   dsw_flight move_particle(dsw_particle_id particle, const Point &target,
                            const dsw_cast_options *options = nullptr) {
@@ -185,52 +185,6 @@ class Scene {
       *count *= 2;
       return status;
     });
-  }
-
-  // --- deformation
-  /** The environment reads `next` until the next deformation that is not refused. Points beyond the
-   * number of vertices are room for vertices that operations add (options->point_room). */
-  dsw_deform_report deform(Lent next, const dsw_deform_options *options = nullptr) {
-    dsw_deform_options all = or_defaults(options);
-    count_points(dimension(), next);
-    if (all.point_room > next.count)
-      throw WrongSize("point_room is " + std::to_string(all.point_room) + ", there are " +
-                      std::to_string(next.count) + " points");
-    const WholeWriting self(*state_);
-    const double *now = nullptr;
-    std::size_t count = 0;
-    check(dsw_environment_get_points(dsw_scene_get_environment(self.handle), &now, &count));
-    if (next.count > count) all.point_room = next.count;
-    dsw_deform_report report = {};
-    check(dsw_scene_deform(self.handle, next.data, std::min(next.count, count), &all, &report));
-    if (report.outcome != DSW_DEFORM_REFUSED) state_->environment->lent = std::move(next.owner);
-    return report;
-  }
-  Array<dsw_wall_contact> get_wall_contacts() const {
-    return list<dsw_wall_contact>(dsw_scene_get_wall_contacts);
-  }
-  Array<dsw_vertex_id> get_held_vertices() const {
-    return list<dsw_vertex_id>(dsw_scene_get_held_vertices);
-  }
-  Array<dsw_volume_id> get_invalid_volumes() const {
-    return list<dsw_volume_id>(dsw_scene_get_invalid_volumes);
-  }
-
-  // --- pieces that come off
-  Detached detach(const dsw_detach_desc &desc) {
-    const WholeWriting self(*state_);
-    Detached out = {};
-    check(dsw_scene_detach(self.handle, &desc, &out.body, &out.report));
-    return out;
-  }
-  Array<dsw_volume_id> get_detached_volumes() const {
-    return list<dsw_volume_id>(dsw_scene_get_detached_volumes);
-  }
-  Array<dsw_detached_vertex> get_detached_vertices() const {
-    return list<dsw_detached_vertex>(dsw_scene_get_detached_vertices);
-  }
-  Array<dsw_detached_face> get_detached_faces() const {
-    return list<dsw_detached_face>(dsw_scene_get_detached_faces);
   }
 
   // --- bodies; class Body has the calls on one

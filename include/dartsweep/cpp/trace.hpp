@@ -74,7 +74,7 @@ class Trace {
     const Reading hold(mutex_);
     dsw_trace_data data = {};
     data.struct_size = sizeof data;
-    check(dsw_trace_get(handle_.get(), &data));
+    check(dsw_trace_get_data(handle_.get(), &data));
     return Array<T>(data.*array, width * data.*count);
   }
 

@@ -57,10 +57,10 @@ struct Lattice {
   }
 
   oracle::EnvironmentPtr make() const {
-    oracle::EnvironmentPtr environment = oracle::create_environment(mesh, {}, DSW_ENVIRONMENT_LOCATE_GRID);
+    oracle::EnvironmentPtr environment = oracle::create_environment(mesh, {}, DSW_ENVIRONMENT_LOCATE_TREE);
     for (const uint32_t cell : marked) {
       dsw_volume_id id;
-      if (environment == nullptr || dsw_environment_get_volume(environment.get(), cell, &id) != DSW_STATUS_OK ||
+      if (environment == nullptr || dsw_environment_get_volume_id(environment.get(), cell, &id) != DSW_STATUS_OK ||
           dsw_environment_mark_volumes(environment.get(), &id, 1, DSW_MARK_IMPASSABLE, 0, nullptr) != DSW_STATUS_OK) {
         throw std::runtime_error("no environment");
       }
@@ -128,7 +128,8 @@ class Bending {
       }
       dsw_status status = DSW_STATUS_OK;
       bent.seconds += 1e-9 * bench::cpu_time_ns([&] {
-                        status = dsw_scene_deform(scene(), next.data(), points.size(), &options, nullptr);
+                        status = dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), points.size(),
+                                                        &options, nullptr);
                       });
       if (status != DSW_STATUS_OK) throw std::runtime_error(dsw_last_error_message());
     }
@@ -179,12 +180,12 @@ Bent bend_particles(const Lattice& lattice, dsw_deform_method method, int steps)
     const Particle& p = lattice.particles[i];
     Vec at;
     dsw_volume_id volume, found;
-    dsw_place place = DSW_PLACE_NONE;
-    if (dsw_particle_get(bending.scene(), ids[i], at.data(), &volume) != DSW_STATUS_OK ||
+    dsw_location place = DSW_LOCATION_NONE;
+    if (dsw_particle_get_position(bending.scene(), ids[i], at.data(), &volume) != DSW_STATUS_OK ||
         dsw_environment_locate(bending.environment(), at.data(), {0, 0}, &found, &place) != DSW_STATUS_OK) {
       throw std::runtime_error("no particle");
     }
-    bent.lost += place == DSW_PLACE_PASSABLE && found.index == volume.index ? 0 : 1;
+    bent.lost += place == DSW_LOCATION_PASSABLE && found.index == volume.index ? 0 : 1;
     ++(p.met ? bent.met : bent.unmet);
     if (p.met && at == p.at) ++(bending.is_in_place(p.wall) ? bent.passed : bent.waiting);
     bent.pushed += !p.met && at != p.at ? 1 : 0;

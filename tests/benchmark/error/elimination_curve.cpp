@@ -94,7 +94,7 @@ class Ropes {
 
   /** Vertex after vertex, each from where the others are by then: whether something is met, and is a contact. */
   void judge_step(std::size_t i, std::vector<Vec> now, const std::vector<Vec>& targets, Judged& judged) {
-    const dsw_contact* contacts = nullptr;
+    const dsw_body_contact* contacts = nullptr;
     std::size_t count = 0;
     check(dsw_body_get_contacts(scene_.get(), bodies_[i], &contacts, &count));
     std::vector<char> told(kVertices, 0);

@@ -111,8 +111,8 @@ void Movers::run() {
                               &setting_.options, nullptr));
 }
 
-std::vector<dsw_contact> Movers::contacts(std::size_t i) const {
-  const dsw_contact* contacts = nullptr;
+std::vector<dsw_body_contact> Movers::contacts(std::size_t i) const {
+  const dsw_body_contact* contacts = nullptr;
   std::size_t count = 0;
   check(dsw_body_get_contacts(scene_.get(), bodies_[i], &contacts, &count));
   return {contacts, contacts + count};

@@ -58,7 +58,7 @@ class Movers {
   void prepare();
   void run();
   /** Contacts of body i in the last run. */
-  std::vector<dsw_contact> contacts(std::size_t i) const;
+  std::vector<dsw_body_contact> contacts(std::size_t i) const;
 
  private:
   void add(const Trip& trip);

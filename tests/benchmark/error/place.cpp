@@ -65,7 +65,7 @@ Place::Place(Kind kind, int side, std::uint64_t seed) : side_(side) {
   dsw_context* context = nullptr;
   check(dsw_context_create(&desc, &context));
   context_.reset(context);
-  environment_ = oracle::create_environment(mesh, {}, DSW_ENVIRONMENT_LOCATE_GRID, context);
+  environment_ = oracle::create_environment(mesh, {}, DSW_ENVIRONMENT_LOCATE_TREE, context);
   if (environment_ == nullptr) throw std::runtime_error("the lattice was refused");
   world_ = std::make_unique<oracle::World>(mesh, environment_.get());
   if (!world_->fault().empty()) throw std::runtime_error(world_->fault());

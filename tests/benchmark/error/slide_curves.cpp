@@ -85,7 +85,7 @@ class Slides {
 };
 
 /** Exact height of a point above the plane of a wall, on the side of its front, rounded. */
-double height(Place& place, const dsw_contact& contact, const Vec& p) {
+double height(Place& place, const dsw_body_contact& contact, const Vec& p) {
   dsw_vertex_id ids[3];
   std::size_t count = 0;
   check(dsw_environment_copy_vertices(place.environment(),
@@ -119,7 +119,7 @@ Gaps judge(Place& place, const std::vector<Sheet>& sheets, const Slides& slides)
   Gaps gaps;
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     const std::vector<Vec> at = positions_of(slides.scene(), slides.bodies()[i], kSide * kSide);
-    const dsw_contact* contacts = nullptr;
+    const dsw_body_contact* contacts = nullptr;
     std::size_t count = 0;
     check(dsw_body_get_contacts(slides.scene(), slides.bodies()[i], &contacts, &count));
     for (std::size_t c = 0; c < count; ++c) {

@@ -42,7 +42,7 @@ Answers judge(const std::vector<Move>& moves, const Movers& movers) {
       ++answers.missed;
       continue;
     }
-    const dsw_contact& contact = contacts.front();
+    const dsw_body_contact& contact = contacts.front();
     const mpq_class time = time_of(moves[i].truth);
     answers.time.values.push_back(difference(contact.time, time));
     answers.place.values.push_back(distance_at(moves[i].body.at[0], moves[i].targets[0], time, contact.position));

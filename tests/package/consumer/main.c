@@ -14,7 +14,7 @@ int main(void) {
   desc.points = points;
   desc.point_count = 8;
   desc.uniform_cell_type = DSW_CELL_TYPE_HEXAHEDRON;
-  desc.cell_count = 1;
+  desc.volume_count = 1;
   desc.connectivity = cube;
   desc.connectivity_count = 8;
   if (dsw_environment_create(NULL, &desc, &environment, NULL) != DSW_STATUS_OK ||

@@ -42,9 +42,9 @@ struct Moved {
   EdgeMotion edge(const Point& end) const { return {p.data(), to.data(), end.data()}; }
 };
 
-SweepResult sweep_face(const Environment<3>& env, const Moved& m, uint32_t max_cells = 0) {
+SweepResult sweep_face(const Environment<3>& env, const Moved& m, uint32_t max_volumes = 0) {
   SweepFlood<3> flood(env);
-  return flood.sweep(m.face(), locate(env, m.p.data(), Cell{}, nullptr).cell, max_cells);
+  return flood.sweep(m.face(), locate(env, m.p.data(), Cell{}, nullptr).cell, max_volumes);
 }
 SweepResult sweep_edge(const Environment<3>& env, const Moved& m, const Point& end) {
   SweepFlood<3> flood(env);
@@ -97,7 +97,7 @@ TEST(SweepFace, WhatLiesFlatOrBehindAWallIsLeft) {
   flat.to = {4, 4, 5};
   set_vertex_mark(env, lattice.at(2, 2, 5), true);
   EXPECT_EQ(sweep_face(env, flat).end, SweepEnd::kFree);
-  EXPECT_EQ(sweep_face(env, flat).cells_visited, 0u);
+  EXPECT_EQ(sweep_face(env, flat).volumes_visited, 0u);
   set_vertex_mark(env, lattice.at(2, 2, 5), false);
   set_vertex_mark(env, lattice.at(1, 1, 2), true);
   for (int y = 0; y < 6; ++y) {
@@ -113,11 +113,11 @@ TEST(SweepFace, TheWorkLimitTellsOfNoContact) {
   Lattice lattice(6);
   Environment<3>& env = *lattice.env;
   set_vertex_mark(env, lattice.at(1, 1, 4), true);
-  const uint32_t all = sweep_face(env, kTilt).cells_visited;
+  const uint32_t all = sweep_face(env, kTilt).volumes_visited;
   EXPECT_EQ(sweep_face(env, kTilt, all).end, SweepEnd::kContact);
   const SweepResult r = sweep_face(env, kTilt, all - 1);
   EXPECT_EQ(r.end, SweepEnd::kWorkLimit);
-  EXPECT_EQ(r.cells_visited, all - 1);
+  EXPECT_EQ(r.volumes_visited, all - 1);
   EXPECT_EQ(r.contact.vertex, kNoVertex);
 }
 

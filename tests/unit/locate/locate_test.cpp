@@ -69,7 +69,7 @@ TEST(Locate, ImpassableCellsAreWalkedThrough) {
   const double p[3] = {6.5, 0.5, 0.25};
   EXPECT_EQ(locate(*env, p, env->map.cell(0), &counters).cell, env->map.cell(6));
   EXPECT_EQ(counters.casts, 1u);
-  EXPECT_EQ(counters.cells_visited, 7u);
+  EXPECT_EQ(counters.volumes_visited, 7u);
 }
 
 TEST(Locate, EveryPointHasExactlyOneCell) {

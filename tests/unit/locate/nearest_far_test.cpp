@@ -293,7 +293,7 @@ uint64_t ask_until_there_is_a_tree(const Environment<3>& env, const double* p, i
   for (int i = 0; i < most && env.memory_bytes() == before; ++i) {
     NearestResult result;
     find_nearest_far(env, p, cell_of(env, p), kNoLimit, result);
-    cells += result.cells_visited;
+    cells += result.volumes_visited;
   }
   return cells;
 }
@@ -318,7 +318,7 @@ TEST(NearestFar, TheTreeIsMadeWhenFloodsHaveTakenAsLong) {
   EXPECT_LT(cells, env->map.cell_count * 2u);
   NearestResult result;
   ASSERT_TRUE(find_nearest_far(*env, deep, cell_of(*env, deep), kNoLimit, result));
-  EXPECT_LT(result.cells_visited, 400u);
+  EXPECT_LT(result.volumes_visited, 400u);
   EXPECT_EQ(result.distance, 11.5);
   for (int i = 0; i < 20000; ++i) set_cell_mark(*env, env->map.cell(static_cast<uint32_t>(i % 5000)), i % 2 == 0);
   EXPECT_EQ(env->obstacles.find(*env), nullptr) << "more is noted than a new tree has";

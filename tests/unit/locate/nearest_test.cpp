@@ -102,7 +102,7 @@ TEST(Nearest, OnlyWhatPassableCellsLeadTo) {
   set_vertex_mark(*env, 1, true);
   const NearestResult r = ask(*env, 4.5, 4.5, 4.5);
   EXPECT_EQ(r.distance, 1.5);
-  EXPECT_LE(r.cells_visited, 27u);
+  EXPECT_LE(r.volumes_visited, 27u);
 }
 
 TEST(Nearest, OnAWallTheDistanceIsZeroAndHasNoDirection) {

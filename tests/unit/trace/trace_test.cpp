@@ -181,7 +181,7 @@ TEST(Trace, ContactsOnly) {
   EXPECT_EQ(trace.point_count(), 0u);
   flight.outcome = DSW_OUTCOME_CONTACT;
   flight.position[2] = 5;
-  flight.normal[0] = -1;
+  flight.contact.normal[0] = -1;
   add_contact(trace, flight, 0.5, 77);
   EXPECT_EQ(trace.points, Array<double>({0, 0, 5, -0.5, 0, 5}));
   EXPECT_EQ(trace.vertices, Array<uint32_t>({0}));

@@ -105,8 +105,8 @@ void expect_to_stay(const SmallMesh& mesh, const uint32_t (&ends)[D]) {
       const bool sees = sees_all(env, c, points[i], nullptr);
       (sees ? seen : unseen) += 1;
       for (uint32_t j = 0; j < count && sees; ++j) {
-        EXPECT_EQ(cast(env, points[i], points[j], c).cells_visited, 1u);
-        EXPECT_EQ(cast(env, points[j], points[i], c).cells_visited, 1u);
+        EXPECT_EQ(cast(env, points[i], points[j], c).volumes_visited, 1u);
+        EXPECT_EQ(cast(env, points[j], points[i], c).volumes_visited, 1u);
       }
     }
   });

@@ -52,13 +52,13 @@ void expect_same(const CastResult& a, const CastResult& b) {
   EXPECT_EQ(a.facet, b.facet);
   EXPECT_EQ(a.simplex, b.simplex);
   EXPECT_EQ(a.previous, b.previous);
-  EXPECT_EQ(a.cells_visited, b.cells_visited);
+  EXPECT_EQ(a.volumes_visited, b.volumes_visited);
   EXPECT_EQ(a.first_facet, b.first_facet);
 }
 
 void expect_same(const CastCounters& a, const CastCounters& b) {
   EXPECT_EQ(a.casts, b.casts);
-  EXPECT_EQ(a.cells_visited, b.cells_visited);
+  EXPECT_EQ(a.volumes_visited, b.volumes_visited);
   EXPECT_EQ(a.orientation_tests, b.orientation_tests);
   EXPECT_EQ(a.exact_fallbacks, b.exact_fallbacks);
   EXPECT_EQ(a.ties, b.ties);
@@ -224,7 +224,7 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
       request.from = cast.from;
       request.to = cast.to;
       request.start = start;
-      request.max_cells = n % 7 == 0 ? 1 + points.below(6) : 0;
+      request.max_volumes = n % 7 == 0 ? 1 + points.below(6) : 0;
       request.forecast = n % 5 == 0 ? points.below(map.facets_of(start)) : kNoFacet;
       request.through_walls = n % 6 == 0;
       request.crossing = note;
@@ -251,7 +251,7 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
       group.counters = {};
     }
     EXPECT_GT(total.casts, kCasts * 4u / 5u);
-    EXPECT_GT(total.cells_visited, 2 * total.casts);
+    EXPECT_GT(total.volumes_visited, 2 * total.casts);
     EXPECT_GT(total.ties, total.casts / 5);
     EXPECT_GT(hits, kCasts / 10u);
   }

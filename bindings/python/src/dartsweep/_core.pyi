@@ -75,15 +75,10 @@ class BodyFaceId:
 class Flight:
     position: NDArray[np.float64]
     time: float
-    normal: NDArray[np.float64]
+    contact: Contact
     volume: VolumeId
-    face: FaceId
-    behind: VolumeId
     outcome: int
-    kind: int
-    obstacle: int
-    tag: int
-    cells_visited: int
+    volumes_visited: int
 
 class Crossing:
     volume: VolumeId
@@ -94,37 +89,25 @@ class Sweep:
     position: NDArray[np.float64]
     time: float
     point: NDArray[np.float64]
-    along: float
-    normal: NDArray[np.float64]
+    edge_parameter: float
+    contact: Contact
     volume: VolumeId
-    front: VolumeId
-    face: FaceId
-    edge: EdgeId
     outcome: int
-    kind: int
-    obstacle: int
-    tag: int
-    cells_visited: int
+    volumes_visited: int
 
-class Contact:
+class BodyContact:
     from_: NDArray[np.float64]
     to: NDArray[np.float64]
     fixed: NDArray[np.float64]
-    time: float
     position: NDArray[np.float64]
+    time: float
     point: NDArray[np.float64]
-    normal: NDArray[np.float64]
-    along: float
+    edge_parameter: float
     distance_left: float
+    contact: Contact
     vertex: BodyVertexId
     edge: BodyEdgeId
     face: BodyFaceId
-    obstacle: Cell
-    wall: FaceId
-    front: VolumeId
-    kind: int
-    cause: int
-    tag: int
     history: int
 
 class ContactPartner:
@@ -133,7 +116,7 @@ class ContactPartner:
     edge: BodyEdgeId
     face: BodyFaceId
 
-class ContactPast:
+class PreviousContact:
     point: NDArray[np.float64]
     normal: NDArray[np.float64]
     obstacle: Cell
@@ -147,7 +130,7 @@ class BodyEdit:
     ends: NDArray[np.void]
     edge: BodyEdgeId
     rest: BodyEdgeId
-    share: float
+    edge_parameter: float
     inserted: int
 
 class MoveReport:
@@ -165,24 +148,22 @@ class WallContact:
     to: NDArray[np.float64]
     time: float
     point: NDArray[np.float64]
-    normal: NDArray[np.float64]
-    along: float
+    edge_parameter: float
+    contact: Contact
     moving: VertexId
     others: NDArray[np.void]
-    wall: FaceId
     particle: ParticleId
     body: BodyId
     vertex: BodyVertexId
     edge: BodyEdgeId
     face: BodyFaceId
     response: int
-    tag: int
 
 class VolumeChange:
     before: VolumeId
     after: VolumeId
 
-class CutVertex:
+class VertexOrigin:
     vertex: VertexId
     from_: NDArray[np.void]
     weights: NDArray[np.float64]
@@ -191,11 +172,7 @@ class CutFace:
     front: FaceId
     back: FaceId
 
-class DetachedVertex:
-    from_: NDArray[np.void]
-    weights: NDArray[np.float64]
-
-class DetachedFace:
+class FaceOrigin:
     face: FaceId
     volume: VolumeId
 
@@ -210,20 +187,30 @@ class Cell:
     generation: int
     local: int
 
+class Contact:
+    normal: NDArray[np.float64]
+    obstacle: Cell
+    wall: FaceId
+    front: VolumeId
+    behind: VolumeId
+    kind: int
+    marked_kind: int
+    tag: int
+
 class Nearest:
     distance: float
     point: NDArray[np.float64]
     normal: NDArray[np.float64]
     cell: Cell
     tag: int
-    cells_visited: int
+    volumes_visited: int
 
-class ContactOpinion:
+class CrossCheck:
     normal: NDArray[np.float64]
     depth: float
     pushed_in: float
     angle_rad: float
-    opinion: int
+    kind: int
     reason: int
 
 class BuildReport:
@@ -234,7 +221,7 @@ class BuildReport:
     part_count: int
     unused_point_count: int
     boundary_face_count: int
-    convex_cell_count: int
+    convex_volume_count: int
 
 class EnvironmentInfo:
     dimension: int
@@ -252,7 +239,7 @@ class EnvironmentInfo:
 
 class Statistics:
     casts: int
-    cells_visited: int
+    volumes_visited: int
     orientation_tests: int
     exact_fallbacks: int
     ties: int
@@ -285,50 +272,35 @@ class DeformReport:
     pushed_count: int
     remeshed_count: int
 
-class DetachReport:
+class Change:
+    is_closed: int
     distance: float
-    volume_count: int
-    vertex_count: int
-    face_count: int
-    sewn_count: int
-    unsewn_count: int
-
-class RemeshReport:
-    invalid_count: int
-    mended_count: int
-    left_count: int
-    patch_count: int
-    volumes_removed: int
-    volumes_added: int
-    most_faces: int
-
-class CutReport:
-    distance: float
-    volumes_crossed: int
-    volumes_split: int
-    volumes_whole: int
-    volumes_changed: int
-    volumes_visited: int
-    vertex_count: int
-    face_count: int
-
-class OpenReport:
     smallest_width: float
     largest_width: float
+    volumes_visited: int
+    volumes_crossed: int
+    volumes_split: int
+    volumes_changed: int
     vertices_parted: int
     vertices_shortened: int
-    faces_opened: int
-    volumes_changed: int
+    faces_sewn: int
+    faces_unsewn: int
+    volumes_invalid: int
+    volumes_removed: int
+    volumes_added: int
+    patch_count: int
+    most_faces: int
+    volumes: NDArray[np.void]
+    vertices: NDArray[np.void]
+    faces: NDArray[np.void]
+    whole: NDArray[np.void]
+    carved: NDArray[np.void]
+    unrepaired: NDArray[np.void]
+    detached: NDArray[np.void]
+    body_vertices: NDArray[np.void]
+    body_faces: NDArray[np.void]
 
-class CarveReport:
-    cut: CutReport
-    volumes_carved: int
-
-class TieReport:
-    cut: CutReport
-    is_closed: int
-
-class Verdict:
+class Validation:
     is_right: int
     places: int
     lost: int
@@ -340,7 +312,7 @@ class Verdict:
     missed: int
     contacts: int
     wrong: int
-    not_judged: int
+    not_validated: int
     text: str
 
 class EnvironmentDesc:
@@ -366,7 +338,7 @@ class CutDesc:
     start: VolumeId
     snap: float
 
-class OpenDesc:
+class OpenCrackDesc:
     flags: int
     width: float
     region: int
@@ -400,12 +372,12 @@ class RemeshDesc:
 
 class CastOptions:
     flags: int
-    max_cells: int
+    max_volumes: int
 
 class SweepOptions:
     flags: int
     level: int
-    max_cells: int
+    max_volumes: int
 
 class MoveOptions:
     flags: int
@@ -413,7 +385,7 @@ class MoveOptions:
     edge_response: int
     search: int
     bisection_depth: int
-    max_cells: int
+    max_volumes: int
     min_part: float
     min_length: float
     stand_off: float
@@ -434,9 +406,9 @@ class CoarsenOptions:
     max_faces: int
     max_trials: int
 
-class Location:
+class Located:
     volume: VolumeId
-    place: int
+    location: int
 
 class VolumeCounts:
     type: int
@@ -474,10 +446,6 @@ class EdgeSplit:
 class Particle:
     position: NDArray[np.float64]
     volume: VolumeId
-
-class Detached:
-    body: BodyId
-    report: DetachReport
 
 class BodyFilter:
     category: int

@@ -80,48 +80,48 @@ class Body:
         self._core.get_positions(np.empty((slots, self._core.dimension())), volumes)
         return volumes
 
-    def vertices(self) -> Records:
-        """Ids of the living vertices."""
-        return self._core.get_vertices()  # type: ignore[no-any-return]
+    def vertex_ids(self) -> Records:
+        """Ids of the vertices."""
+        return self._core.get_vertex_ids()  # type: ignore[no-any-return]
 
-    def edges(self) -> Records:
-        """Ids of the living edges."""
-        return self._core.get_edges()  # type: ignore[no-any-return]
+    def edge_ids(self) -> Records:
+        """Ids of the edges."""
+        return self._core.get_edge_ids()  # type: ignore[no-any-return]
 
-    def faces(self) -> Records:
-        """Ids of the living triangles."""
-        return self._core.get_faces()  # type: ignore[no-any-return]
+    def face_ids(self) -> Records:
+        """Ids of the triangles."""
+        return self._core.get_face_ids()  # type: ignore[no-any-return]
 
-    def vertex(self, index: int) -> BodyVertexId:
+    def vertex_id(self, index: int) -> BodyVertexId:
         """Id of the vertex with an index."""
-        return self._core.get_vertex(index)  # type: ignore[no-any-return]
+        return self._core.get_vertex_id(index)  # type: ignore[no-any-return]
 
-    def edge(self, edge: Any) -> Records:
+    def edge_ends(self, edge: Any) -> Records:
         """Ids of the two ends of an edge."""
-        return self._core.get_edge(edge)  # type: ignore[no-any-return]
+        return self._core.get_edge_ends(edge)  # type: ignore[no-any-return]
 
-    def face(self, face: Any) -> Records:
+    def face_corners(self, face: Any) -> Records:
         """Ids of the three corners of a triangle."""
-        return self._core.get_face(face)  # type: ignore[no-any-return]
+        return self._core.get_face_corners(face)  # type: ignore[no-any-return]
 
-    def edge_vertices(self) -> NDArray[np.uint32]:
+    def edge_indices(self) -> NDArray[np.uint32]:
         """Indices of the ends of all edges, by index of the edge; 2**32 - 1 in free slots."""
-        return self._core.get_edge_vertices().reshape(-1, 2)  # type: ignore[no-any-return]
+        return self._core.get_edge_indices().reshape(-1, 2)  # type: ignore[no-any-return]
 
-    def face_vertices(self) -> NDArray[np.uint32]:
+    def face_indices(self) -> NDArray[np.uint32]:
         """Indices of the corners of all triangles, by index of the triangle; 2**32 - 1 in free slots."""
-        return self._core.get_face_vertices().reshape(-1, 3)  # type: ignore[no-any-return]
+        return self._core.get_face_indices().reshape(-1, 3)  # type: ignore[no-any-return]
 
     def add_vertex(self, position: ArrayLike, hint: Any = None) -> BodyVertexId:
         """Adds a vertex without edges; `hint` is a volume near the vertex."""
         return self._core.add_vertex(position, hint)  # type: ignore[no-any-return]
 
     def add_edge(self, a: Any, b: Any) -> BodyEdgeId:
-        """Adds an edge between two vertices; raises Occupied if the edge is not free."""
+        """Adds an edge between two vertices. Raises RepeatedVertex, DuplicatePart, or Occupied if the edge is not free."""
         return self._core.add_edge(a, b)  # type: ignore[no-any-return]
 
     def add_face(self, a: Any, b: Any, c: Any) -> BodyFaceId:
-        """Adds a triangle and its missing edges."""
+        """Adds a triangle and its missing edges. Raises NotManifold or NotOriented as well."""
         return self._core.add_face(a, b, c)  # type: ignore[no-any-return]
 
     def remove_vertex(self, vertex: Any) -> None:
@@ -136,9 +136,9 @@ class Body:
         """Removes a triangle; its edges stay."""
         self._core.remove_face(face)
 
-    def split_edge(self, edge: Any, share: float = 0.5) -> BodyEdit:
-        """Splits an edge and its triangles at a share of the edge's length; returns the new parts."""
-        return self._core.split_edge(edge, share)  # type: ignore[no-any-return]
+    def split_edge(self, edge: Any, edge_parameter: float = 0.5) -> BodyEdit:
+        """Splits an edge and its triangles at a place on the edge, 0 to 1 from its first end; returns the new parts."""
+        return self._core.split_edge(edge, edge_parameter)  # type: ignore[no-any-return]
 
     def collapse_edge(self, edge: Any, vertex: Any) -> BodyEdit:
         """Moves a vertex to the other end of an edge and merges it there; the way is swept."""
@@ -163,16 +163,16 @@ class Body:
         return self._core.move_rigid(motion, options, order)  # type: ignore[no-any-return]
 
     def contacts(self) -> Records:
-        """Contacts of the last move (dtypes.CONTACT), in order."""
+        """Contacts of the last move (dtypes.BODY_CONTACT), in order."""
         return self._core.get_contacts()  # type: ignore[no-any-return]
 
     def contact_partners(self) -> Records:
         """The other bodies of these contacts, with Feature.BODY_CONTACTS."""
         return self._core.get_contact_partners()  # type: ignore[no-any-return]
 
-    def contact_pasts(self) -> Records:
-        """The previous contacts of the vertices of these contacts (dtypes.CONTACT_PAST)."""
-        return self._core.get_contact_pasts()  # type: ignore[no-any-return]
+    def previous_contacts(self) -> Records:
+        """The previous contacts of the vertices of these contacts (dtypes.PREVIOUS_CONTACT)."""
+        return self._core.get_previous_contacts()  # type: ignore[no-any-return]
 
     def edits(self) -> Records:
         """Vertices that responses inserted and removed in the last move."""

@@ -30,61 +30,53 @@ BODY_VERTEX_ID = _id("BodyVertexId", "index", "generation")
 BODY_EDGE_ID = _id("BodyEdgeId", "index", "generation")
 BODY_FACE_ID = _id("BodyFaceId", "index", "generation")
 CELL = _struct(("kind", I4), ("index", U4), ("generation", U4), ("local", U4))
+CONTACT = _struct(
+    ("normal", F8, 3),
+    ("obstacle", CELL),
+    ("wall", FACE_ID),
+    ("front", VOLUME_ID),
+    ("behind", VOLUME_ID),
+    ("kind", I4),
+    ("marked_kind", I4),
+    ("tag", U4),
+)
 FLIGHT = _struct(
     ("position", F8, 3),
     ("time", F8),
-    ("normal", F8, 3),
+    ("contact", CONTACT),
     ("volume", VOLUME_ID),
-    ("face", FACE_ID),
-    ("behind", VOLUME_ID),
     ("outcome", I4),
-    ("kind", I4),
-    ("obstacle", I4),
-    ("tag", U4),
-    ("cells_visited", U4),
-    ("reserved", U4, 2),
+    ("volumes_visited", U4),
 )
 CROSSING = _struct(("volume", VOLUME_ID), ("face", FACE_ID), ("time", F8))
 SWEEP = _struct(
     ("position", F8, 3),
     ("time", F8),
     ("point", F8, 3),
-    ("along", F8),
-    ("normal", F8, 3),
+    ("edge_parameter", F8),
+    ("contact", CONTACT),
     ("volume", VOLUME_ID),
-    ("front", VOLUME_ID),
-    ("face", FACE_ID),
-    ("edge", EDGE_ID),
     ("outcome", I4),
-    ("kind", I4),
-    ("obstacle", I4),
-    ("tag", U4),
-    ("cells_visited", U4),
-    ("reserved", U4),
+    ("volumes_visited", U4),
 )
-CONTACT = _struct(
+BODY_CONTACT = _struct(
     ("from", F8, 3),
     ("to", F8, 3),
     ("fixed", F8, (2, 3)),
-    ("time", F8),
     ("position", F8, 3),
+    ("time", F8),
     ("point", F8, 3),
-    ("normal", F8, 3),
-    ("along", F8),
+    ("edge_parameter", F8),
     ("distance_left", F8),
+    ("contact", CONTACT),
     ("vertex", BODY_VERTEX_ID),
     ("edge", BODY_EDGE_ID),
     ("face", BODY_FACE_ID),
-    ("obstacle", CELL),
-    ("wall", FACE_ID),
-    ("front", VOLUME_ID),
-    ("kind", I4),
-    ("cause", I4),
-    ("tag", U4),
     ("history", I4),
+    ("reserved", U4),
 )
 CONTACT_PARTNER = _struct(("body", BODY_ID), ("vertex", BODY_VERTEX_ID), ("edge", BODY_EDGE_ID), ("face", BODY_FACE_ID))
-CONTACT_PAST = _struct(
+PREVIOUS_CONTACT = _struct(
     ("point", F8, 3),
     ("normal", F8, 3),
     ("obstacle", CELL),
@@ -99,7 +91,7 @@ BODY_EDIT = _struct(
     ("ends", BODY_VERTEX_ID, 2),
     ("edge", BODY_EDGE_ID),
     ("rest", BODY_EDGE_ID),
-    ("share", F8),
+    ("edge_parameter", F8),
     ("inserted", U4),
     ("reserved", U4),
 )
@@ -119,25 +111,22 @@ WALL_CONTACT = _struct(
     ("to", F8, 3),
     ("time", F8),
     ("point", F8, 3),
-    ("normal", F8, 3),
-    ("along", F8),
+    ("edge_parameter", F8),
+    ("contact", CONTACT),
     ("moving", VERTEX_ID),
     ("others", VERTEX_ID, 2),
-    ("wall", FACE_ID),
     ("particle", PARTICLE_ID),
     ("body", BODY_ID),
     ("vertex", BODY_VERTEX_ID),
     ("edge", BODY_EDGE_ID),
     ("face", BODY_FACE_ID),
     ("response", I4),
-    ("tag", U4),
     ("reserved", U4),
 )
 VOLUME_CHANGE = _struct(("before", VOLUME_ID), ("after", VOLUME_ID))
-CUT_VERTEX = _struct(("vertex", VERTEX_ID), ("from", VERTEX_ID, 2), ("weights", F8, 2))
+VERTEX_ORIGIN = _struct(("vertex", VERTEX_ID), ("from", VERTEX_ID, 2), ("weights", F8, 2))
 CUT_FACE = _struct(("front", FACE_ID), ("back", FACE_ID))
-DETACHED_VERTEX = _struct(("from", VERTEX_ID, 2), ("weights", F8, 2))
-DETACHED_FACE = _struct(("face", FACE_ID), ("volume", VOLUME_ID))
+FACE_ORIGIN = _struct(("face", FACE_ID), ("volume", VOLUME_ID))
 
 _core.set_dtype_Cell(CELL)
 _core.set_dtype_VertexId(VERTEX_ID)
@@ -152,14 +141,13 @@ _core.set_dtype_BodyFaceId(BODY_FACE_ID)
 _core.set_dtype_Flight(FLIGHT)
 _core.set_dtype_Crossing(CROSSING)
 _core.set_dtype_Sweep(SWEEP)
-_core.set_dtype_Contact(CONTACT)
+_core.set_dtype_BodyContact(BODY_CONTACT)
 _core.set_dtype_ContactPartner(CONTACT_PARTNER)
-_core.set_dtype_ContactPast(CONTACT_PAST)
+_core.set_dtype_PreviousContact(PREVIOUS_CONTACT)
 _core.set_dtype_BodyEdit(BODY_EDIT)
 _core.set_dtype_MoveReport(MOVE_REPORT)
 _core.set_dtype_WallContact(WALL_CONTACT)
 _core.set_dtype_VolumeChange(VOLUME_CHANGE)
-_core.set_dtype_CutVertex(CUT_VERTEX)
+_core.set_dtype_VertexOrigin(VERTEX_ORIGIN)
 _core.set_dtype_CutFace(CUT_FACE)
-_core.set_dtype_DetachedVertex(DETACHED_VERTEX)
-_core.set_dtype_DetachedFace(DETACHED_FACE)
+_core.set_dtype_FaceOrigin(FACE_ORIGIN)

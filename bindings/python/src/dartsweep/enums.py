@@ -64,13 +64,17 @@ class Status(Constant):
     TRUNCATED = _core.STATUS_TRUNCATED
     CORRUPT = _core.STATUS_CORRUPT
     BAD_VERSION = _core.STATUS_BAD_VERSION
-    NOT_NAMED = _core.STATUS_NOT_NAMED
+    NOT_ENABLED = _core.STATUS_NOT_ENABLED
     NOT_BUILT = _core.STATUS_NOT_BUILT
     INTERNAL = _core.STATUS_INTERNAL
     BAD_TOPOLOGY = _core.STATUS_BAD_TOPOLOGY
     BORROWED = _core.STATUS_BORROWED
     WRITE_FAILED = _core.STATUS_WRITE_FAILED
     NOT_CLOSED = _core.STATUS_NOT_CLOSED
+    REPEATED_VERTEX = _core.STATUS_REPEATED_VERTEX
+    DUPLICATE_PART = _core.STATUS_DUPLICATE_PART
+    NOT_MANIFOLD = _core.STATUS_NOT_MANIFOLD
+    NOT_ORIENTED = _core.STATUS_NOT_ORIENTED
 
 
 class LogLevel(Constant):
@@ -83,7 +87,7 @@ class LogLevel(Constant):
 
 
 class CellKind(Constant):
-    """Dimension of a cell."""
+    """Kind of a cell."""
 
     NONE = _core.CELL_NONE
     VERTEX = _core.CELL_VERTEX
@@ -143,33 +147,33 @@ class ContactHistory(Constant):
     LASTING = _core.HISTORY_LASTING
 
 
-class Opinion(Constant):
+class CrossCheckKind(Constant):
     """What libccd compared."""
 
-    NONE = _core.OPINION_NONE
-    PLANE = _core.OPINION_PLANE
-    EDGE = _core.OPINION_EDGE
-    VERTEX = _core.OPINION_VERTEX
+    NONE = _core.CROSS_CHECK_NONE
+    PLANE = _core.CROSS_CHECK_PLANE
+    EDGE = _core.CROSS_CHECK_EDGE
+    VERTEX = _core.CROSS_CHECK_VERTEX
 
 
-class NoOpinion(Constant):
+class NoCrossCheck(Constant):
     """Why there is no cross-check."""
 
-    NONE = _core.NO_OPINION_NONE
-    WIRE = _core.NO_OPINION_WIRE
-    PARALLEL = _core.NO_OPINION_PARALLEL
-    OUTSIDE_CONE = _core.NO_OPINION_OUTSIDE_CONE
-    NOT_CONVERGED = _core.NO_OPINION_NOT_CONVERGED
-    NOT_UNIQUE = _core.NO_OPINION_NOT_UNIQUE
+    NONE = _core.NO_CROSS_CHECK_NONE
+    MARKED = _core.NO_CROSS_CHECK_MARKED
+    PARALLEL = _core.NO_CROSS_CHECK_PARALLEL
+    OUTSIDE_CONE = _core.NO_CROSS_CHECK_OUTSIDE_CONE
+    NOT_CONVERGED = _core.NO_CROSS_CHECK_NOT_CONVERGED
+    NOT_UNIQUE = _core.NO_CROSS_CHECK_NOT_UNIQUE
 
 
-class Place(Constant):
+class Location(Constant):
     """Where a point is."""
 
-    NONE = _core.PLACE_NONE
-    PASSABLE = _core.PLACE_PASSABLE
-    IMPASSABLE = _core.PLACE_IMPASSABLE
-    OUTSIDE = _core.PLACE_OUTSIDE
+    NONE = _core.LOCATION_NONE
+    PASSABLE = _core.LOCATION_PASSABLE
+    IMPASSABLE = _core.LOCATION_IMPASSABLE
+    OUTSIDE = _core.LOCATION_OUTSIDE
 
 
 class Level(Constant):
@@ -192,7 +196,7 @@ class Search(Constant):
     """How a contact is found."""
 
     EXACT = _core.SEARCH_EXACT
-    ALL = _core.SEARCH_ALL
+    EXHAUSTIVE = _core.SEARCH_EXHAUSTIVE
     BISECTION = _core.SEARCH_BISECTION
 
 
@@ -244,9 +248,9 @@ class EnvironmentFlag(Flags):
     """How an environment is made."""
 
     REORIENT = _core.ENVIRONMENT_REORIENT
-    LOCATE_GRID = _core.ENVIRONMENT_LOCATE_GRID
+    LOCATE_TREE = _core.ENVIRONMENT_LOCATE_TREE
     CHECK_BOUNDARY = _core.ENVIRONMENT_CHECK_BOUNDARY
-    NO_LOCATE_GRID = _core.ENVIRONMENT_NO_LOCATE_GRID
+    NO_LOCATE_TREE = _core.ENVIRONMENT_NO_LOCATE_TREE
 
 
 class Feature(Flags):
@@ -286,7 +290,6 @@ class BodyFlag(Flags):
     SKIP_BY_ENVIRONMENT = _core.BODY_SKIP_BY_ENVIRONMENT
     SKIP_BY_CLEARANCE = _core.BODY_SKIP_BY_CLEARANCE
     SKIP_SIMILAR_MOTION = _core.BODY_SKIP_SIMILAR_MOTION
-    SKIP_BY_MOTION = _core.BODY_SKIP_BY_MOTION
     SELF_CONTACTS = _core.BODY_SELF_CONTACTS
     SKIP_BACK_EDGES = _core.BODY_SKIP_BACK_EDGES
     RIGID = _core.BODY_RIGID

@@ -11,26 +11,27 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core, dtypes
 from ._core import (
-    CarveReport,
+    BodyContact,
+    BodyId,
     CastOptions,
     Cell,
+    Change,
     CoarsenOptions,
-    CutReport,
+    CrossCheck,
+    DeformOptions,
+    DeformReport,
     EdgeId,
     EnvironmentInfo,
     FaceId,
     Flight,
     Nearest,
     Neighbour,
-    OpenReport,
-    RemeshReport,
     SweepOptions,
-    TieReport,
     VertexId,
     VolumeCounts,
     VolumeId,
 )
-from .enums import CellType, Mark, Place
+from .enums import CellType, Location, Mark
 from .options import options as described
 
 Records = NDArray[np.void]
@@ -157,17 +158,17 @@ class Environment:
 
     # --- cells
 
-    def volume(self, index: int) -> VolumeId:
+    def volume_id(self, index: int) -> VolumeId:
         """Id of the volume that was made from cell `index`, or that has this index now."""
-        return self._core.get_volume(index)  # type: ignore[no-any-return]
+        return self._core.get_volume_id(index)  # type: ignore[no-any-return]
 
-    def vertex(self, index: int) -> VertexId:
+    def vertex_id(self, index: int) -> VertexId:
         """Id of the vertex with an index."""
-        return self._core.get_vertex(index)  # type: ignore[no-any-return]
+        return self._core.get_vertex_id(index)  # type: ignore[no-any-return]
 
-    def position(self, vertex: Any) -> NDArray[np.float64]:
+    def vertex_position(self, vertex: Any) -> NDArray[np.float64]:
         """The position of a vertex."""
-        return self._core.get_position(vertex)  # type: ignore[no-any-return]
+        return self._core.get_vertex_position(vertex)  # type: ignore[no-any-return]
 
     def points(self) -> NDArray[np.float64]:
         """Positions of all vertices, by index: a copy."""
@@ -177,17 +178,17 @@ class Environment:
         """The mean of a volume's vertices, rounded."""
         return self._core.get_centre(volume)  # type: ignore[no-any-return]
 
-    def counts(self, volume: Any) -> VolumeCounts:
+    def volume_counts(self, volume: Any) -> VolumeCounts:
         """Type of a volume and numbers of its vertices, edges and faces."""
         return self._core.get_volume_counts(volume)  # type: ignore[no-any-return]
 
-    def face(self, volume: Any, local: int) -> FaceId:
+    def face_id(self, volume: Any, local: int) -> FaceId:
         """Canonical id of a face of a volume."""
-        return self._core.get_volume_face(volume, local)  # type: ignore[no-any-return]
+        return self._core.get_face_id(volume, local)  # type: ignore[no-any-return]
 
-    def edge(self, volume: Any, local: int) -> EdgeId:
+    def edge_id(self, volume: Any, local: int) -> EdgeId:
         """Canonical id of an edge of a volume; in the plane there are none."""
-        return self._core.get_volume_edge(volume, local)  # type: ignore[no-any-return]
+        return self._core.get_edge_id(volume, local)  # type: ignore[no-any-return]
 
     def vertices(self, cell: Any) -> Records:
         """Ids of the vertices of a cell: a Cell, or any id of vertex, edge, face or volume."""
@@ -228,18 +229,18 @@ class Environment:
 
     # --- queries
 
-    def locate(self, point: ArrayLike, hint: Any = None) -> tuple[VolumeId, Place]:
-        """The volume that contains a point, exactly; null outside."""
+    def locate(self, point: ArrayLike, hint: Any = None) -> tuple[VolumeId, Location]:
+        """The volume that contains a point, exactly (null outside), and where the point is."""
         found = self._core.locate(point, hint)
-        return found.volume, Place(found.place)
+        return found.volume, Location(found.location)
 
     def locate_points(self, points: ArrayLike, hints: Ids | None = None) -> tuple[Records, NDArray[np.int32]]:
-        """Ids of the volumes that contain points, and Place of each."""
+        """Ids of the volumes that contain points, and the Location of each."""
         points = np.asarray(points, np.float64)
         volumes = np.empty(len(points), dtypes.VOLUME_ID)
-        places = np.empty(len(points), np.int32)
-        self._core.locate_points(points, hints, volumes, places)
-        return volumes, places
+        locations = np.empty(len(points), np.int32)
+        self._core.locate_points(points, hints, volumes, locations)
+        return volumes, locations
 
     def classify(self, point: ArrayLike, volume: Any) -> Cell:
         """The cell of lowest dimension on which a point of a volume lies."""
@@ -269,7 +270,7 @@ class Environment:
         """Every volume that a segment enters (dtypes.CROSSING), in order."""
         return self._core.cast_path(start, end, volume, options)  # type: ignore[no-any-return]
 
-    def nearest(self, point: ArrayLike, radius: float = float("inf"), volume: Any = None) -> Nearest:
+    def find_nearest(self, point: ArrayLike, radius: float = float("inf"), volume: Any = None) -> Nearest:
         """The nearest impassable thing within a radius that can be seen from a point."""
         return self._core.find_nearest(point, radius, volume)  # type: ignore[no-any-return]
 
@@ -287,6 +288,10 @@ class Environment:
         sweeps = np.empty(len(starts), dtypes.SWEEP) if out is None else out
         self._core.sweep_edges(starts, ends, fixed, volumes, options, sweeps)
         return sweeps
+
+    def cross_check(self, contact: BodyContact | np.void) -> CrossCheck:
+        """The normal of a contact, computed a second time by libccd. Raises NotBuilt where the library has no libccd."""
+        return self._core.cross_check(contact)  # type: ignore[no-any-return]
 
     # --- marks
 
@@ -384,9 +389,10 @@ class Environment:
         parts = self._core.split_face(face, a, b)
         return parts.left, parts.right, parts.edge
 
-    def split_edge(self, edge: Any, share: float = 0.5) -> tuple[VertexId, EdgeId, EdgeId]:
-        """Splits an edge, in the plane a side by an EdgeId: the new vertex, and the parts at the first and the second of its vertices."""
-        parts = self._core.split_edge(edge, share)
+    def split_edge(self, edge: Any, edge_parameter: float = 0.5) -> tuple[VertexId, EdgeId, EdgeId]:
+        """Splits an edge, in the plane a side by an EdgeId: the new vertex, and the parts at the first and the second of its vertices.
+        The parameter is the place on the edge, 0 to 1 from its first vertex."""
+        parts = self._core.split_edge(edge, edge_parameter)
         return parts.vertex, parts.first, parts.second
 
     def merge_edges(self, edge: Any, vertex: Any) -> EdgeId:
@@ -407,11 +413,7 @@ class Environment:
         desc = described(_core.VolumesDesc, uniform_cell_type=int(kind))
         return self._core.add_volumes(vertices, points, cells, offsets, types, regions, tags, sew_to, desc)  # type: ignore[no-any-return]
 
-    def volume_changes(self) -> Records:
-        """How the last change replaced volumes (dtypes.VOLUME_CHANGE)."""
-        return self._core.get_volume_changes()  # type: ignore[no-any-return]
-
-    def cut(self, blade: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> CutReport:
+    def cut(self, blade: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> Change:
         """Cuts along the surface that a blade sweeps: points of shape (rows, columns, 3); in the plane along a line of points (n, 2)."""
         blade = np.ascontiguousarray(blade, np.float64)
         if self.dimension == 2 and blade.ndim == 2:
@@ -423,39 +425,23 @@ class Environment:
             desc.start = start
         return self._core.cut(blade.reshape(-1, blade.shape[2]), blade.shape[0], blade.shape[1], desc)  # type: ignore[no-any-return]
 
-    def tear_faces(self, faces: Ids, loads: ArrayLike, threshold: float) -> int:
-        """Tears faces with a load above the threshold; returns their number."""
+    def tear_faces(self, faces: Ids, loads: ArrayLike, threshold: float) -> Change:
+        """Unsews faces with a load above the threshold; the change has them in `faces`."""
         return self._core.tear_faces(faces, loads, threshold)  # type: ignore[no-any-return]
 
-    def cut_vertices(self) -> Records:
-        """Vertices that the last cut or opening added (dtypes.CUT_VERTEX), with the vertices that each comes from."""
-        return self._core.get_cut_vertices()  # type: ignore[no-any-return]
+    def open_crack(self, faces: Records, width: float, *, region: int = 0, tag: int = 0) -> Change:
+        """Opens a crack (faces as in `faces` of a change) by a width."""
+        desc = described(_core.OpenCrackDesc, width=width, region=region, tag=tag)
+        return self._core.open_crack(faces, desc)  # type: ignore[no-any-return]
 
-    def cut_faces(self) -> Records:
-        """Faces of the last cut or tear (dtypes.CUT_FACE), each named from both of its sides; after an opening its lips."""
-        return self._core.get_cut_faces()  # type: ignore[no-any-return]
-
-    def whole_volumes(self) -> Records:
-        """Volumes that the blade crossed in the last cut and that stayed whole."""
-        return self._core.get_whole_volumes()  # type: ignore[no-any-return]
-
-    def open(self, faces: Records, width: float, *, region: int = 0, tag: int = 0) -> OpenReport:
-        """Opens a crack (faces as `cut_faces` gives them) by a width."""
-        desc = described(_core.OpenDesc, width=width, region=region, tag=tag)
-        return self._core.open(faces, desc)  # type: ignore[no-any-return]
-
-    def carve(self, points: ArrayLike, triangles: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> CarveReport:
+    def carve(self, points: ArrayLike, triangles: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> Change:
         """Makes the inside of a closed surface passable; in the plane `triangles` are segments, (n, 2), of closed lines."""
         desc = described(_core.CarveDesc, flags=int(flags), snap=snap)
         if start is not None:
             desc.start = start
         return self._core.carve(points, rows_of(triangles, self.dimension, "triangles"), desc)  # type: ignore[no-any-return]
 
-    def carved_volumes(self) -> Records:
-        """Volumes that the last carving made passable."""
-        return self._core.get_carved_volumes()  # type: ignore[no-any-return]
-
-    def tie(self, loop: ArrayLike, *, start: Any = None, snap: float = 0.0) -> TieReport:
+    def tie(self, loop: ArrayLike, *, start: Any = None, snap: float = 0.0) -> Change:
         """Closes passable space along a closed loop of points, in the plane along a line of points."""
         desc = described(_core.TieDesc, snap=snap)
         if start is not None:
@@ -464,14 +450,43 @@ class Environment:
 
     def remesh(
         self, volumes: Ids | None = None, next: ArrayLike | None = None, *, radius: int = 0, max_faces: int = 0
-    ) -> RemeshReport:
-        """Mends volumes that are invalid, now or with the positions `next`; all of them by default."""
+    ) -> Change:
+        """Repairs volumes that are invalid, now or with the positions `next`; all of them by default."""
         desc = described(_core.RemeshDesc, radius=radius, max_faces=max_faces)
         return self._core.remesh(volumes, next, desc)  # type: ignore[no-any-return]
 
-    def unmended_volumes(self) -> Records:
-        """Volumes that the last mending left invalid."""
-        return self._core.get_unmended_volumes()  # type: ignore[no-any-return]
+    def detach(self, volume: Any, max_volumes: int = 0, **values: Any) -> tuple[BodyId, Change]:
+        """Makes a body of the piece of impassable volumes round one: `scene.body` gives the body of the id. `values` are members of
+        DetachDesc."""
+        body = self._core.detach(described(_core.DetachDesc, volume=volume, max_volumes=max_volumes, **values))
+        return body, self.change()
+
+    def change(self) -> Change:
+        """The last change of the topology: numbers, and arrays of volumes, vertices and faces."""
+        return self._core.get_change()  # type: ignore[no-any-return]
+
+    # --- deformation, with Feature.DEFORMING of a scene
+
+    def deform(self, positions: NDArray[np.float64], options: DeformOptions | None = None) -> DeformReport:
+        """Takes the environment to new positions of its vertices.
+
+        The array is lent, not copied: float64, C-contiguous, writable, of shape (n, 3), or (n, 2) in the plane, with n the environment's vertex indices. The
+        environment keeps it and reads it until the next deformation; the one before is free again. It is written where a
+        vertex could not go all of its way. More rows are room for vertices that cuts add.
+        """
+        return self._core.deform(positions, options)  # type: ignore[no-any-return]
+
+    def wall_contacts(self) -> Records:
+        """Contacts of walls in the last deformation (dtypes.WALL_CONTACT)."""
+        return self._core.get_wall_contacts()  # type: ignore[no-any-return]
+
+    def held_vertices(self) -> Records:
+        """Vertices that the last deformation did not take to their targets."""
+        return self._core.get_held_vertices()  # type: ignore[no-any-return]
+
+    def invalid_volumes(self) -> Records:
+        """Volumes that the last deformation kept from becoming invalid."""
+        return self._core.get_invalid_volumes()  # type: ignore[no-any-return]
 
 
 def rows_of(indices: ArrayLike, width: int, name: str) -> NDArray[Any]:

@@ -180,10 +180,10 @@ class BadVersion(Error):
     status = Status.BAD_VERSION
 
 
-class NotNamed(Error):
+class NotEnabled(Error):
     """The scene has not enabled the feature that this call needs."""
 
-    status = Status.NOT_NAMED
+    status = Status.NOT_ENABLED
 
 
 class NotBuilt(Error, NotImplementedError):
@@ -220,6 +220,30 @@ class NotClosed(Error):
     """The body is not a closed surface."""
 
     status = Status.NOT_CLOSED
+
+
+class RepeatedVertex(Error):
+    """An edge or face of a body repeats a vertex."""
+
+    status = Status.REPEATED_VERTEX
+
+
+class DuplicatePart(Error):
+    """A body has an edge or face twice."""
+
+    status = Status.DUPLICATE_PART
+
+
+class NotManifold(Error):
+    """A body would not be a manifold."""
+
+    status = Status.NOT_MANIFOLD
+
+
+class NotOriented(Error):
+    """Faces of a body are turned against each other."""
+
+    status = Status.NOT_ORIENTED
 
 
 class Closed(NullArgument):

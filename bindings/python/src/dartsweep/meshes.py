@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._core import CarveReport
+from ._core import Change
 from .body import Body
 from .enums import CellType
 from .environment import Environment
@@ -109,7 +109,7 @@ def body_from_trimesh(scene: Scene, mesh: Any, **options: Any) -> Body:
     return scene.create_body(mesh.vertices, triangles=mesh.faces, **options)
 
 
-def carve_trimesh(environment: Environment, mesh: Any, **options: Any) -> CarveReport:
+def carve_trimesh(environment: Environment, mesh: Any, **options: Any) -> Change:
     """Makes the inside of a closed surface passable, with `vertices` and `faces`; options: as of Environment.carve."""
     return environment.carve(mesh.vertices, mesh.faces, **options)
 
@@ -120,7 +120,7 @@ def to_trimesh(surface: Body | Trace) -> trimesh.Trimesh:
     import trimesh
 
     if isinstance(surface, Body):
-        points, triangles = surface.positions(), surface.face_vertices()
+        points, triangles = surface.positions(), surface.face_indices()
         if points.shape[1] == 2:
             raise ValueError("bodies in the plane have no triangles")
         triangles = triangles[triangles[:, 0] < len(points)]  # not those of free slots

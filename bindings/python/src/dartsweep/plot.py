@@ -28,12 +28,12 @@ def grid(environment: Environment) -> pyvista.UnstructuredGrid:
     cells, types, volumes = [], [], []
     for index in range(info.volume_index_count):
         try:
-            volume = environment.volume(index)
+            volume = environment.volume_id(index)
         except NotFound:  # removed
             continue
-        counts = environment.counts(volume)
+        counts = environment.volume_counts(volume)
         if counts.type == CellType.POLYHEDRON:
-            faces = [environment.vertices(environment.face(volume, i))["index"] for i in range(counts.faces)]
+            faces = [environment.vertices(environment.face_id(volume, i))["index"] for i in range(counts.faces)]
             cell = np.concatenate([[len(faces)], *(np.insert(face, 0, len(face)) for face in faces)])
         else:
             cell = environment.vertices(volume)["index"]
@@ -61,15 +61,15 @@ def body(body: Body) -> pyvista.PolyData:
     """A body where it is now: its triangles, or its edges where it has none. Points keep their indices."""
     points = _in_space(body.positions())
     if body.counts.face_count != 0:
-        return pyvista.PolyData(points, faces=_polygons(body.face_vertices()))
-    return pyvista.PolyData(points, lines=_polygons(body.edge_vertices()))
+        return pyvista.PolyData(points, faces=_polygons(body.face_indices()))
+    return pyvista.PolyData(points, lines=_polygons(body.edge_indices()))
 
 
 def contacts(contacts: Records) -> pyvista.PolyData:
-    """Points of contact (dtypes.CONTACT, SWEEP or WALL_CONTACT), with `normal` and `time` of each."""
+    """Points of contact (dtypes.BODY_CONTACT, SWEEP or WALL_CONTACT), with `normal` and `time` of each."""
     made = pyvista.PolyData(np.ascontiguousarray(contacts["point"]))
     if len(contacts) != 0:  # PyVista has no empty arrays
-        made.point_data["normal"] = contacts["normal"]
+        made.point_data["normal"] = contacts["contact"]["normal"]
         made.point_data["time"] = contacts["time"]
     return made
 
@@ -87,7 +87,7 @@ def draw(scene: Scene, plotter: pyvista.Plotter | None = None) -> pyvista.Plotte
         met = moved.contacts()
         if len(met) != 0:
             plotter.add_mesh(contacts(met), color="gold", point_size=10, render_points_as_spheres=True)
-            plotter.add_arrows(met["point"], met["normal"], mag=0.05 * size, color="gold")
+            plotter.add_arrows(met["point"], met["contact"]["normal"], mag=0.05 * size, color="gold")
     if is_planar:
         plotter.view_xy()
     return plotter

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, dtypes
-from ._core import CastOptions, DeformOptions, DeformReport, DetachReport, Flight, MoveOptions, ParticleId, Statistics, Verdict, VolumeId
+from ._core import CastOptions, Flight, MoveOptions, ParticleId, Statistics, Validation, VolumeId
 from .body import Body
 from .enums import Level, RecordingFlag
 from .environment import Environment, Ids, Records, rows_of
@@ -85,11 +85,11 @@ class Scene:
 
     def body_ids(self) -> Records:
         """Ids of all bodies, by index."""
-        return self._core.get_bodies()  # type: ignore[no-any-return]
+        return self._core.get_body_ids()  # type: ignore[no-any-return]
 
     def start_recording(self, path: str | None = None, flags: int = 0) -> None:
         """Writes every call that changes the scene into a file before the call is made: see record.h of the C interface. Without a path the latest
-        calls are kept in memory, for write_bundle. flags: RecordingFlag."""
+        calls are kept in memory, for write_bug_report. flags: RecordingFlag."""
         self._core.start_recording(path, int(flags) | (RecordingFlag.LATEST if path is None else 0))
 
     def stop_recording(self) -> None:
@@ -105,10 +105,10 @@ class Scene:
         finally:
             self.stop_recording()
 
-    def write_bundle(self, path: str, note: str = "") -> Verdict:
+    def write_bug_report(self, path: str, note: str = "") -> Validation:
         """A bug report in one call: the scene before its last recorded call, that call, and the exact validation of its answer.
         examples/replay of the C library prints and draws the report."""
-        return self._core.write_bundle(path, note)  # type: ignore[no-any-return]
+        return self._core.write_bug_report(path, note)  # type: ignore[no-any-return]
 
     @property
     def memory_bytes(self) -> int:
@@ -141,21 +141,21 @@ class Scene:
         """Removes a particle; its id becomes stale."""
         self._core.destroy_particle(particle)
 
-    def particle(self, particle: Any) -> tuple[NDArray[np.float64], VolumeId]:
+    def particle_position(self, particle: Any) -> tuple[NDArray[np.float64], VolumeId]:
         """Position and volume of a particle."""
-        both = self._core.get_particle(particle)
+        both = self._core.get_particle_position(particle)
         return both.position[: self._core.dimension()], both.volume
 
-    def positions(self, particles: Ids, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    def particle_positions(self, particles: Ids, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
         """Positions of particles."""
         positions = np.empty((len(particles), self._core.dimension())) if out is None else out
-        self._core.get_particles(particles, positions, None)
+        self._core.get_particle_positions(particles, positions, None)
         return positions
 
-    def volumes(self, particles: Ids) -> Records:
+    def particle_volumes(self, particles: Ids) -> Records:
         """Volumes of particles."""
         volumes = np.empty(len(particles), dtypes.VOLUME_ID)
-        self._core.get_particles(particles, None, volumes)
+        self._core.get_particle_positions(particles, None, volumes)
         return volumes
 
     def move_particle(self, particle: Any, target: ArrayLike, options: CastOptions | None = None) -> Flight:
@@ -230,43 +230,3 @@ class Scene:
     def offending_edges(self) -> NDArray[np.uint32]:
         """Pairs of vertices of the edges that were not free when a body was created, or changed its level or filter."""
         return self._core.get_offending_edges().reshape(-1, 2)  # type: ignore[no-any-return]
-
-    def detach(self, volume: Any, max_volumes: int, **values: Any) -> tuple[Body, DetachReport]:
-        """Makes a body of the piece of impassable volumes that are connected to one; `values` are members of DetachDesc."""
-        both = self._core.detach(described(_core.DetachDesc, volume=volume, max_volumes=max_volumes, **values))
-        return Body(self._core, both.body), both.report
-
-    def detached_volumes(self) -> Records:
-        """Volumes of the last piece that came off."""
-        return self._core.get_detached_volumes()  # type: ignore[no-any-return]
-
-    def detached_vertices(self) -> Records:
-        """The origins of the vertices of its body (dtypes.DETACHED_VERTEX)."""
-        return self._core.get_detached_vertices()  # type: ignore[no-any-return]
-
-    def detached_faces(self) -> Records:
-        """The origins of the faces of its body (dtypes.DETACHED_FACE)."""
-        return self._core.get_detached_faces()  # type: ignore[no-any-return]
-
-    # --- deformation, with Feature.DEFORMING
-
-    def deform(self, positions: NDArray[np.float64], options: DeformOptions | None = None) -> DeformReport:
-        """Takes the environment to new positions of its vertices.
-
-        The array is lent, not copied: float64, C-contiguous, writable, of shape (n, 3), or (n, 2) in the plane, with n the environment's vertex indices. The
-        environment keeps it and reads it until the next deformation; the one before is free again. It is written where a
-        vertex could not go all of its way. More rows are room for vertices that cuts add.
-        """
-        return self._core.deform(positions, options)  # type: ignore[no-any-return]
-
-    def wall_contacts(self) -> Records:
-        """Contacts of walls in the last deformation (dtypes.WALL_CONTACT)."""
-        return self._core.get_wall_contacts()  # type: ignore[no-any-return]
-
-    def held_vertices(self) -> Records:
-        """Vertices of the environment that the last deformation did not take to their targets."""
-        return self._core.get_held_vertices()  # type: ignore[no-any-return]
-
-    def invalid_volumes(self) -> Records:
-        """Volumes that the last deformation kept from becoming invalid."""
-        return self._core.get_invalid_volumes()  # type: ignore[no-any-return]

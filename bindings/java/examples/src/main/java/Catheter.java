@@ -1,6 +1,6 @@
 import dartsweep.Body;
+import dartsweep.BodyContact;
 import dartsweep.CellType;
-import dartsweep.Contact;
 import dartsweep.DartsweepException;
 import dartsweep.Environment;
 import dartsweep.Mark;
@@ -30,7 +30,7 @@ public class Catheter {
         MoveReport report = catheter.move(targets, slide);
         System.out.println("step " + step + ": " + report.getContactCount() + " contacts");
       }
-      Contact contact = catheter.getContacts().get(0);
+      BodyContact contact = catheter.getContacts().get(0);
       System.out.printf("vertex %d met the wall at x = %.3f, at %.3f of its way%n", contact.getVertex().index(),
           contact.getPoint()[0], contact.getTime());
       try {

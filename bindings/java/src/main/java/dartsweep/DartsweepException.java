@@ -45,13 +45,17 @@ public abstract sealed class DartsweepException extends RuntimeException {
       case TRUNCATED -> new Truncated(message);
       case CORRUPT -> new Corrupt(message);
       case BAD_VERSION -> new BadVersion(message);
-      case NOT_NAMED -> new NotNamed(message);
+      case NOT_ENABLED -> new NotEnabled(message);
       case NOT_BUILT -> new NotBuilt(message);
       case INTERNAL -> new Internal(message);
       case BAD_TOPOLOGY -> new BadTopology(message);
       case BORROWED -> new Borrowed(message);
       case WRITE_FAILED -> new WriteFailed(message);
       case NOT_CLOSED -> new NotClosed(message);
+      case REPEATED_VERTEX -> new RepeatedVertex(message);
+      case DUPLICATE_PART -> new DuplicatePart(message);
+      case NOT_MANIFOLD -> new NotManifold(message);
+      case NOT_ORIENTED -> new NotOriented(message);
       case OK -> throw new AssertionError(message);
     };
   }
@@ -260,9 +264,9 @@ public abstract sealed class DartsweepException extends RuntimeException {
   }
 
   /** The scene has not enabled the feature that this call needs. */
-  public static final class NotNamed extends DartsweepException {
-    private NotNamed(String message) {
-      super(Status.NOT_NAMED, message);
+  public static final class NotEnabled extends DartsweepException {
+    private NotEnabled(String message) {
+      super(Status.NOT_ENABLED, message);
     }
   }
 
@@ -305,6 +309,34 @@ public abstract sealed class DartsweepException extends RuntimeException {
   public static final class NotClosed extends DartsweepException {
     private NotClosed(String message) {
       super(Status.NOT_CLOSED, message);
+    }
+  }
+
+  /** An edge or face of a body repeats a vertex. */
+  public static final class RepeatedVertex extends DartsweepException {
+    private RepeatedVertex(String message) {
+      super(Status.REPEATED_VERTEX, message);
+    }
+  }
+
+  /** A body has an edge or face twice. */
+  public static final class DuplicatePart extends DartsweepException {
+    private DuplicatePart(String message) {
+      super(Status.DUPLICATE_PART, message);
+    }
+  }
+
+  /** A body would not be a manifold. */
+  public static final class NotManifold extends DartsweepException {
+    private NotManifold(String message) {
+      super(Status.NOT_MANIFOLD, message);
+    }
+  }
+
+  /** Faces of a body are turned against each other. */
+  public static final class NotOriented extends DartsweepException {
+    private NotOriented(String message) {
+      super(Status.NOT_ORIENTED, message);
     }
   }
 }

@@ -56,14 +56,14 @@ class ErrorsTest {
     try (Environment environment = new Environment(square, new int[] {0, 1, 2, 0, 2, 3}, CellType.TRIANGLE, null)) {
       assertEquals(2, environment.dimension());
       assertArrayEquals(square, environment.getPoints());
-      assertArrayEquals(new double[] {1, 1}, environment.getPosition(environment.getVertex(2)));
+      assertArrayEquals(new double[] {1, 1}, environment.getVertexPosition(environment.getVertexId(2)));
       Flight flight = environment.cast(new double[] {0.5, 0.25}, new double[] {0.5, 2.25});
       assertEquals(0.375, flight.getTime());
-      assertArrayEquals(new double[] {0, -1, 0}, flight.getNormal());
+      assertArrayEquals(new double[] {0, -1, 0}, flight.getContact().getNormal());
       FaceId side = environment.findFaces(new long[] {0, 2}, new int[] {1, 2}).get(0);
       VertexId vertex = environment.splitEdge(new EdgeId(side.volume(), side.generation(), side.local()), 0.25).getVertex();
-      assertArrayEquals(new double[] {1, 0.25}, environment.getPosition(vertex));
-      environment.markVertices(VertexIdArray.of(environment.getVertex(2)), Mark.IMPASSABLE);
+      assertArrayEquals(new double[] {1, 0.25}, environment.getVertexPosition(vertex));
+      environment.markVertices(VertexIdArray.of(environment.getVertexId(2)), Mark.IMPASSABLE);
       try (Scene scene = new Scene(environment, Dartsweep.FEATURE_DEFORMING)) {
         Body body = scene.createBody(new double[] {0.5, 0.25, 0.75, 0.25}, new int[] {0, 1});
         MoveReport report = body.move(new double[] {0.5, 1.25, 0.75, 0.5}, null);
@@ -74,7 +74,8 @@ class ErrorsTest {
         body.getPositions(memory.duplicate().position(1).limit(5));
         assertTrue(memory.get(1) == 0.5 && memory.get(4) == 0.5);
         assertTrue(memory.get(0) == 0 && memory.get(5) == 0);
-        assertEquals(DeformOutcome.DONE, scene.deform(new double[] {0, 0, 1, 0, 1, 2, 0, 2, 1, 0.5}).getOutcome());
+        DeformReport moved = environment.deform(new double[] {0, 0, 1, 0, 1, 2, 0, 2, 1, 0.5});
+        assertEquals(DeformOutcome.DONE, moved.getOutcome());
       }
     }
   }
@@ -95,12 +96,12 @@ class ErrorsTest {
       assertThrows(IllegalArgumentException.class, () -> environment.locate(null));
       assertWrongSize("2 coordinates; 3 numbers are no points", () -> environment.castSegments(new double[3], new double[3]));
       assertWrongSize("2 coordinates; 5 numbers are no points", () -> scene.createParticles(new double[5]));
-      assertWrongSize("point_count is 3, the environment has 121", () -> scene.deform(new double[6]));
+      assertWrongSize("point_count is 3, the environment has 121", () -> environment.deform(new double[6]));
       Body body = scene.createBody(new double[] {40, 30, 45, 30}, new int[] {0, 1});
       assertWrongSize("target_count is 3, there are 2", () -> body.move(new double[6], null));
       assertWrongSize("positions has 3 entries, not 2", () -> body.getPositions(DoubleBuffer.wrap(new double[6])));
       assertWrongSize("positions has 3 entries, not 1",
-          () -> scene.getParticles(scene.createParticles(point), DoubleBuffer.wrap(new double[6])));
+          () -> scene.getParticlePositions(scene.createParticles(point), DoubleBuffer.wrap(new double[6])));
     }
   }
 

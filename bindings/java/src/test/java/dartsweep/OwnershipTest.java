@@ -151,10 +151,10 @@ class OwnershipTest {
     Environment environment = Scenario.create();
     DoubleBuffer first = direct(environment.getPoints()), second = direct(environment.getPoints());
     try (Scene scene = new Scene(environment, Dartsweep.FEATURE_DEFORMING)) {
-      scene.deform(first);
-      assertThrows(DartsweepException.InUse.class, () -> scene.deform(first));
+      environment.deform(first);
+      assertThrows(DartsweepException.InUse.class, () -> environment.deform(first));
       for (int i = 2; i < second.limit(); i += 3) second.put(i, second.get(i) + 0.25);
-      scene.deform(second);
+      environment.deform(second);
       second.put(0, 1.5); // it is read, not copied
       assertEquals(1.5, environment.getPoints()[0]);
     }
@@ -183,7 +183,7 @@ class OwnershipTest {
                 if (mine % 2 == 1) scene.moveParticles(particles, points);
                 else {
                   environment.castSegments(points, inside);
-                  scene.getParticle(particles.get(i));
+                  scene.getParticlePosition(particles.get(i));
                 }
               }
             } catch (DartsweepException.Closed expected) {

@@ -121,7 +121,9 @@ final class Scenario {
         double[] centres = new double[3 * PARTICLES];
         int[] regions = regions();
         for (int i = 0, cell = 0; i < PARTICLES; ++cell) {
-          if (regions[cell] == 1) System.arraycopy(environment.getCentre(environment.getVolume(cell)), 0, centres, 3 * i++, 3);
+          if (regions[cell] != 1) continue;
+          double[] centre = environment.getCentre(environment.getVolumeId(cell));
+          System.arraycopy(centre, 0, centres, 3 * i++, 3);
         }
         ParticleIdArray particles = scene.createParticles(centres);
         stage("particles");
@@ -139,8 +141,9 @@ final class Scenario {
       say(flight.getOutcome().swigValue());
       say(flight.getTime());
       say(flight.getPosition());
-      say(flight.getNormal());
-      say(flight.getFace().volume(), flight.getFace().local(), flight.getCellsVisited());
+      say(flight.getContact().getNormal());
+      FaceId wall = flight.getContact().getWall();
+      say(wall.volume(), wall.local(), flight.getVolumesVisited());
     }
   }
 
@@ -149,7 +152,7 @@ final class Scenario {
       say(sweep.getOutcome().swigValue());
       say(sweep.getTime());
       say(sweep.getPoint());
-      say(sweep.getAlong());
+      say(sweep.getEdgeParameter());
     }
   }
 
@@ -162,9 +165,9 @@ final class Scenario {
     stage("locate");
     double[] from = draw(64);
     VolumeIdArray volumes = new VolumeIdArray(64);
-    int[] places = new int[64];
-    environment.locatePoints(java.nio.DoubleBuffer.wrap(from), null, volumes, places);
-    for (int i = 0; i < 64; ++i) say(places[i], volumes.get(i).index(), volumes.get(i).generation());
+    int[] locations = new int[64];
+    environment.locatePoints(java.nio.DoubleBuffer.wrap(from), null, volumes, locations);
+    for (int i = 0; i < 64; ++i) say(locations[i], volumes.get(i).index(), volumes.get(i).generation());
 
     stage("cast");
     double[] to = draw(64);
@@ -177,7 +180,7 @@ final class Scenario {
 
     stage("nearest");
     for (int i = 0; i < 64; ++i) {
-      if (places[i] != Place.PASSABLE.swigValue()) continue;
+      if (locations[i] != Location.PASSABLE.swigValue()) continue;
       double[] point = java.util.Arrays.copyOfRange(from, 3 * i, 3 * i + 3);
       say(environment.findNearest(point, 20.0, volumes.get(i)));
     }
@@ -217,15 +220,15 @@ final class Scenario {
 
   }
 
-  private void sayContacts(String name, ContactArray contacts) {
+  private void sayContacts(String name, BodyContactArray contacts) {
     stage(name);
     say(contacts.size());
-    for (Contact contact : contacts) {
-      say(contact.getVertex().index(), contact.getKind().swigValue());
+    for (BodyContact contact : contacts) {
+      say(contact.getVertex().index(), contact.getContact().getKind().swigValue());
       say(contact.getTime());
       say(contact.getPoint());
-      say(contact.getNormal());
-      say(contact.getWall().volume());
+      say(contact.getContact().getNormal());
+      say(contact.getContact().getWall().volume());
     }
   }
 
@@ -265,13 +268,13 @@ final class Scenario {
     stage("errors");
     say(statusOf(() -> environment.cast(new double[] {0, Double.NaN, 0}, INSIDE)));
     say(statusOf(() -> environment.cast(INSIDE, OUTSIDE, new VolumeId(3, 7))));
-    say(statusOf(() -> environment.getVolume(NX * NY * NZ)));
+    say(statusOf(() -> environment.getVolumeId(NX * NY * NZ)));
     say(statusOf(() -> scene.createParticle(OUTSIDE)));
     say(statusOf(() -> scene.createParticle(new double[] {4, 4, 4})));
     ParticleIdArray twice = ParticleIdArray.of(particles.get(0), particles.get(0));
     say(statusOf(() -> scene.moveParticles(twice, new double[] {24, 24, 48, 24, 24, 48})));
     ParticleId particle = scene.createParticle(INSIDE);
-    VolumeIdArray occupied = VolumeIdArray.of(scene.getParticle(particle).getVolume());
+    VolumeIdArray occupied = VolumeIdArray.of(scene.getParticlePosition(particle).getVolume());
     say(statusOf(() -> environment.markVolumes(occupied, Mark.IMPASSABLE)));
     scene.destroyParticle(particle);
     say(statusOf(() -> scene.destroyParticle(particle)));
@@ -281,10 +284,10 @@ final class Scenario {
 
   private void cut(String name, Environment environment, double[] blade, int rows, int columns) {
     stage(name);
-    CutReport report = environment.cut(blade, rows, columns);
-    say(report.getDistance());
-    say(report.getVolumesSplit(), report.getFaceCount(), environment.info().getVolumeCount());
-    for (CutVertex vertex : environment.getCutVertices()) {
+    Change change = environment.cut(blade, rows, columns);
+    say(change.getDistance());
+    say(change.getVolumesSplit(), change.getFaces().size(), environment.info().getVolumeCount());
+    for (VertexOrigin vertex : change.getVertices()) {
       say(vertex.getVertex().index());
       say(vertex.getWeights()[0]);
     }
@@ -298,7 +301,7 @@ final class Scenario {
         Body body = createCatheter(scene);
         double[] next = environment.getPoints();
         for (int i = 0; i < next.length; i += 3) next[i] += (48 - next[i]) * 0.4375;
-        say(scene.deform(next), body);
+        say(environment.deform(next), body);
       }
     }
   }
@@ -341,19 +344,19 @@ final class Scenario {
     try (Environment environment = createPlane()) {
       EnvironmentInfo info = environment.info();
       Marked marked = environment.markRegion(2, Mark.IMPASSABLE);
-      environment.markVertices(VertexIdArray.of(environment.getVertex(5 * (SIDE + 1) + 5)), Mark.IMPASSABLE);
+      environment.markVertices(VertexIdArray.of(environment.getVertexId(5 * (SIDE + 1) + 5)), Mark.IMPASSABLE);
       say(info.getDimension(), info.getVertexCount(), info.getVolumeCount(), info.getFaceCount(), info.getBoundaryFaceCount(), marked.getMarked());
 
       stage("plane locate");
       seed = 1;
       double[] from = drawInPlane(32);
       VolumeIdArray volumes = new VolumeIdArray(32);
-      int[] places = new int[32];
-      environment.locatePoints(java.nio.DoubleBuffer.wrap(from), null, volumes, places);
+      int[] locations = new int[32];
+      environment.locatePoints(java.nio.DoubleBuffer.wrap(from), null, volumes, locations);
       for (int i = 0; i < 32; ++i) {
-        say(places[i], volumes.get(i).index(), volumes.get(i).generation());
+        say(locations[i], volumes.get(i).index(), volumes.get(i).generation());
         double[] point = {from[2 * i], from[2 * i + 1]};
-        if (places[i] == Place.PASSABLE.swigValue()) say(environment.findNearest(point, 20.0, volumes.get(i)));
+        if (locations[i] == Location.PASSABLE.swigValue()) say(environment.findNearest(point, 20.0, volumes.get(i)));
       }
 
       stage("plane cast");
@@ -369,7 +372,7 @@ final class Scenario {
         ParticleIdArray particles = scene.createParticles(from);
         scene.moveParticles(particles, to);
         double[] reached = new double[from.length];
-        scene.getParticles(particles, java.nio.DoubleBuffer.wrap(reached));
+        scene.getParticlePositions(particles, java.nio.DoubleBuffer.wrap(reached));
         say(reached);
         double[] positions = new double[2 * LINKS], way = new double[2 * LINKS];
         int[] edges = new int[2 * (LINKS - 1)];
@@ -390,7 +393,7 @@ final class Scenario {
         stage("plane deform");
         double[] points = environment.getPoints(), bent = java.util.Arrays.copyOf(points, points.length + 2 * 64);
         for (int i = 1; i < points.length; i += 2) bent[i] += (40 - bent[i]) * 0.125;
-        say(scene.deform(bent), rope);
+        say(environment.deform(bent), rope);
         cut("plane cut", environment, new double[] {20, 20.5, 60.25, 41.25}, 2, 1);
       }
     }

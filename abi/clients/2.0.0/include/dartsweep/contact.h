@@ -1,0 +1,126 @@
+/** @file contact.h
+ * Reports of casts, sweeps and moves. The structs are frozen: new data comes with a new getter.
+ * More: bindings/docs/contacts.md.
+ */
+#ifndef DARTSWEEP_CONTACT_H
+#define DARTSWEEP_CONTACT_H
+
+#include "dartsweep/ids.h"
+
+/** How a flight ended. */
+typedef enum dsw_outcome {
+  DSW_OUTCOME_NONE = 0,       /**< There was no flight. */
+  DSW_OUTCOME_REACHED = 1,    /**< At the target. */
+  DSW_OUTCOME_CONTACT = 2,    /**< At the first contact. */
+  DSW_OUTCOME_WORK_LIMIT = 3, /**< Free, at the work limit. */
+  DSW_OUTCOME_OUTSIDE = 4,    /**< Not begun: the start lies in no volume. */
+  /** Not begun: the start, or the swept edge there, is not free. */
+  DSW_OUTCOME_IMPASSABLE = 5,
+  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
+} dsw_outcome;
+
+/** What part of the obstacle was touched. */
+typedef enum dsw_contact_kind {
+  DSW_CONTACT_NONE = 0,                     /**< None. */
+  DSW_CONTACT_PLANE = 1,                    /**< The inside of a face, also its diagonals. */
+  DSW_CONTACT_EDGE = 2,                     /**< An edge. */
+  DSW_CONTACT_VERTEX = 3,                   /**< A vertex. */
+  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff /**< Unused. */
+} dsw_contact_kind;
+
+/** What was touched. Every report below, and dsw_wall_contact, holds one. Without a contact all
+ * members are 0. Where a body was touched, only `normal`, `front` and `kind` are set. */
+typedef struct dsw_contact {
+  double normal[3];      /**< Unit normal, out of the obstacle. */
+  dsw_cell obstacle;     /**< Touched face, edge or vertex, canonical. */
+  dsw_face_id wall;      /**< Impassable face there, canonical; null for a marked edge or vertex. */
+  dsw_volume_id front;   /**< Passable volume at `obstacle`. At a body: volume of the vertex. */
+  dsw_volume_id behind;  /**< Volume on the other side of `wall`; null at the outer boundary. */
+  dsw_contact_kind kind; /**< What part of the obstacle was touched. */
+  /** Kind of the marked cell: VOLUME if only `behind` is marked; FACE also at the outer
+   * boundary. */
+  dsw_cell_kind marked_kind;
+  uint32_t tag; /**< Host tag of `behind`; at the outer boundary, of the volume at `wall`. */
+} dsw_contact;
+
+/** Report of a cast or a particle's move. */
+typedef struct dsw_flight {
+  /** End of the flight: for a particle verified to be free, for a cast rounded. */
+  double position[3];
+  /** Fraction of the move. At a contact: the largest double not later than the exact time. */
+  double time;
+  dsw_contact contact;      /**< What ended the flight. */
+  dsw_volume_id volume;     /**< Volume at the end of the flight. */
+  dsw_outcome outcome;      /**< How the flight ended. */
+  uint32_t volumes_visited; /**< Volumes entered. */
+} dsw_flight;
+
+/** One volume of a flight. */
+typedef struct dsw_crossing {
+  dsw_volume_id volume; /**< The volume. */
+  dsw_face_id face;     /**< Its face of entry, canonical; null for the first. */
+  double time;          /**< Time of entry, rounded down. */
+} dsw_crossing;
+
+/** Report of one swept edge. */
+typedef struct dsw_sweep {
+  double position[3]; /**< Moving end at `time`, rounded. */
+  /** As in dsw_flight; 0 if the edge could not start or met the work limit. */
+  double time;
+  double point[3];          /**< Where the edge touches, rounded. */
+  double edge_parameter;    /**< Place of `point` on the edge: 0 moving end, 1 fixed end. */
+  dsw_contact contact;      /**< What the edge touched. */
+  dsw_volume_id volume;     /**< Volume of the moving end; unless REACHED, at the start. */
+  dsw_outcome outcome;      /**< How the sweep ended. */
+  uint32_t volumes_visited; /**< Volumes looked at. */
+} dsw_sweep;
+
+/** Whether the same obstacle stopped the vertex in the body's previous move. */
+typedef enum dsw_contact_history {
+  DSW_HISTORY_NONE = 0,                /**< No contact. */
+  DSW_HISTORY_NEW = 1,                 /**< No. */
+  DSW_HISTORY_LASTING = 2,             /**< Yes. */
+  DSW_HISTORY_FORCE_INT32 = 0x7fffffff /**< Unused. */
+} dsw_contact_history;
+
+/** A contact of a body: a moving vertex, or one of its edges or faces, touched something. */
+typedef struct dsw_body_contact {
+  double from[3];              /**< Start of the moving vertex. */
+  double to[3];                /**< Its target. */
+  double fixed[2][3];          /**< Other ends of the touching edge or face; else 0. */
+  double position[3];          /**< Moving vertex at `time`, rounded. */
+  double time;                 /**< As in dsw_sweep. By bisection: a time when the body is free. */
+  double point[3];             /**< Where the body touches, rounded. */
+  double edge_parameter;       /**< As in dsw_sweep. */
+  double distance_left;        /**< Length of the way not made. */
+  dsw_contact contact;         /**< What the body touched. */
+  dsw_body_vertex_id vertex;   /**< The moving vertex. */
+  dsw_body_edge_id edge;       /**< The touching edge, or null. */
+  dsw_body_face_id face;       /**< The touching face, or null. */
+  dsw_contact_history history; /**< Whether the contact is new. */
+  uint32_t reserved;           /**< 0. */
+} dsw_body_contact;
+
+/** The previous contact of a vertex. If `since` is 1, the vertex rests or slides; above 1, it
+ * bounces. */
+typedef struct dsw_previous_contact {
+  /** Where this obstacle, or else anything, stopped the vertex before. */
+  double point[3];
+  double normal[3];  /**< Normal there. */
+  dsw_cell obstacle; /**< Cell touched there; null for a body. */
+  dsw_body_id body;  /**< Body touched there; null for the environment. */
+  uint32_t since;    /**< Moves ago: 1 the move before, 0 never. */
+  uint32_t moves;    /**< Moves in a row that this obstacle stopped. */
+  uint32_t touching; /**< Moves in a row that anything stopped. */
+  uint32_t reserved; /**< 0. */
+} dsw_previous_contact;
+
+/** The body that a contact touched; all null for a contact with the environment. */
+typedef struct dsw_contact_partner {
+  dsw_body_id body;          /**< The body; maybe the moving one. */
+  dsw_body_vertex_id vertex; /**< Its touched vertex, or null. */
+  dsw_body_edge_id edge;     /**< Its touched edge, or null. */
+  dsw_body_face_id face;     /**< Its touched face, or null. */
+} dsw_contact_partner;
+
+#endif

@@ -1,0 +1,75 @@
+/** @file context.h
+ * A context: memory, log and parallel-for of the host. The null context has all defaults. A context
+ * must outlive its objects. Callbacks must not call dsw functions.
+ */
+#ifndef DARTSWEEP_CONTEXT_H
+#define DARTSWEEP_CONTEXT_H
+
+#include "dartsweep/base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Opaque. */
+typedef struct dsw_context dsw_context;
+
+/** Returns `size_bytes` (never 0) of memory aligned to `alignment_bytes` (a power of two, at most
+ * 64), or null. Called on the thread of the dsw call or a worker of the parallel-for. */
+typedef void *(*dsw_allocate_fn)(void *user, size_t size_bytes, size_t alignment_bytes);
+
+/** Releases memory from dsw_allocate_fn, with the same sizes. `memory` is never null. */
+typedef void (*dsw_release_fn)(void *user, void *memory, size_t size_bytes, size_t alignment_bytes);
+
+/** Severity of a log line. */
+typedef enum dsw_log_level {
+  DSW_LOG_NONE = 0,                /**< No line. */
+  DSW_LOG_ERROR = 1,               /**< Something went wrong. */
+  DSW_LOG_WARNING = 2,             /**< A host may want to change something. */
+  DSW_LOG_INFO = 3,                /**< Progress. */
+  DSW_LOG_FORCE_INT32 = 0x7fffffff /**< Unused. */
+} dsw_log_level;
+
+/** Receives one line, valid during the call. Called on the thread of the dsw call; no lock is
+ * held. */
+typedef void (*dsw_log_fn)(void *user, dsw_log_level level, const char *text);
+
+/** Does task number `task`. It never throws. */
+typedef void (*dsw_task_fn)(void *task_data, size_t task);
+
+/** Runs task(task_data, i) once for every i in 0 .. task_count-1, and returns when all are done.
+ * Any order and threads will do. */
+typedef void (*dsw_parallel_for_fn)(void *user, dsw_task_fn task, void *task_data,
+                                    size_t task_count);
+
+/** Describes a context. */
+typedef struct dsw_context_desc {
+  uint32_t struct_size; /**< sizeof(dsw_context_desc). */
+  /** For the built-in parallel-for: 1 .. 256; 0: one per processor. */
+  uint32_t thread_count;
+  void *user;                       /**< First argument of every callback. */
+  dsw_allocate_fn allocate;         /**< Null: the C++ runtime's. Set it with release. */
+  dsw_release_fn release;           /**< See allocate. */
+  dsw_log_fn log;                   /**< Null: no log. */
+  dsw_parallel_for_fn parallel_for; /**< Null: built in. */
+} dsw_context_desc;
+
+/** Writes the defaults. @since 2.0 */
+DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
+
+/** Creates a context.
+ * @param desc null: all defaults; the callbacks are retained.
+ * @return DSW_STATUS_OUT_OF_RANGE: also if only one of allocate and release is set.
+ * @note Cost: O(1). Thread: any. @since 2.0 */
+DSW_API dsw_status dsw_context_create(const dsw_context_desc *desc, dsw_context **context);
+
+/** Destroys a context.
+ * @return DSW_STATUS_IN_USE: objects of the context exist.
+ * @note Cost: O(1). @since 2.0 */
+DSW_API dsw_status dsw_context_destroy(dsw_context *context);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,120 @@
+/** @file query.h
+ * Queries without a scene: where a point is, what a segment meets, what is near.
+ *
+ * By the shift (base.h) each point lies in one volume at most, and a segment pierces one triangle
+ * at a time.
+ */
+#ifndef DARTSWEEP_QUERY_H
+#define DARTSWEEP_QUERY_H
+
+#include "dartsweep/contact.h"
+#include "dartsweep/environment.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Where a point is. */
+typedef enum dsw_location {
+  DSW_LOCATION_NONE = 0,                /**< Not looked for. */
+  DSW_LOCATION_PASSABLE = 1,            /**< In a passable volume. */
+  DSW_LOCATION_IMPASSABLE = 2,          /**< In an impassable volume. */
+  DSW_LOCATION_OUTSIDE = 3,             /**< In no volume. */
+  DSW_LOCATION_FORCE_INT32 = 0x7fffffff /**< Unused. */
+} dsw_location;
+
+/** Flags of a cast. */
+enum {
+  /** `start` contains the first point. If not, the answer is meaningless, but the call is safe.
+   * Without the flag `start` is a hint. */
+  DSW_CAST_START_KNOWN = 0x1,
+  /** Only outcome, volume and volumes_visited are reported. */
+  DSW_CAST_NO_DETAIL = 0x2
+};
+
+/** Options of a cast. */
+typedef struct dsw_cast_options {
+  uint32_t struct_size; /**< sizeof(dsw_cast_options). */
+  uint32_t flags;       /**< DSW_CAST_... */
+  uint32_t max_volumes; /**< Volumes entered before DSW_OUTCOME_WORK_LIMIT; 0: no limit. */
+  uint32_t reserved;    /**< 0. */
+} dsw_cast_options;
+
+/** Writes the defaults. @since 2.0 */
+DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
+
+/** Finds the volume that contains a point.
+ * @param volume null if outside. @param location may be null.
+ * @note Cost: O(volumes from hint to point). Without hint, or if that way leaves the environment:
+ * O(log n) expected with the search structure (DSW_ENVIRONMENT_LOCATE_TREE); O(n) before it is
+ * built, and once after a deformation. @since 2.0 */
+DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, const double *point,
+                                          dsw_volume_id hint, dsw_volume_id *volume,
+                                          dsw_location *location);
+
+/** Locates many points.
+ * @param hints, locations may be null.
+ * @note Cost: as dsw_environment_locate. Batch. @since 2.0 */
+DSW_API dsw_status dsw_environment_locate_points(const dsw_environment *environment,
+                                                 const double *points, size_t count,
+                                                 size_t stride_bytes, const dsw_volume_id *hints,
+                                                 dsw_volume_id *volumes, dsw_location *locations);
+
+/** Gives the vertex, edge, face or volume on which a point lies exactly, without the shift.
+ * @param volume from dsw_environment_locate.
+ * @return DSW_STATUS_OUTSIDE: not in the closure of `volume`.
+ * @note Cost: O(faces of the volume). @since 2.0 */
+DSW_API dsw_status dsw_environment_classify(const dsw_environment *environment, const double *point,
+                                            dsw_volume_id volume, dsw_cell *cell);
+
+/** Casts a segment to its end or to the first impassable face.
+ * @param start a hint, see DSW_CAST_START_KNOWN.
+ * @note Cost: O(volumes crossed), and a locate. Source: [JCD10] 3.3. @since 2.0 */
+DSW_API dsw_status dsw_environment_cast(const dsw_environment *environment, dsw_volume_id start,
+                                        const double *from, const double *to,
+                                        const dsw_cast_options *options, dsw_flight *flight);
+
+/** Casts many segments.
+ * @param starts may be null.
+ * @note Cost: as dsw_environment_cast. Batch. @since 2.0 */
+DSW_API dsw_status dsw_environment_cast_segments(const dsw_environment *environment, size_t count,
+                                                 const dsw_volume_id *starts, const double *from,
+                                                 const double *to, size_t stride_bytes,
+                                                 const dsw_cast_options *options,
+                                                 dsw_flight *flights);
+
+/** Casts a segment and lists the volumes that it enters, in order.
+ * @param start as for dsw_environment_cast. @param flight may be null.
+ * @note Cost: as dsw_environment_cast. @since 2.0 */
+DSW_API dsw_status dsw_environment_cast_path(const dsw_environment *environment,
+                                             dsw_volume_id start, const double *from,
+                                             const double *to, const dsw_cast_options *options,
+                                             dsw_crossing *crossings, size_t capacity,
+                                             size_t *count, dsw_flight *flight);
+
+/** The nearest impassable cell. */
+typedef struct dsw_nearest {
+  double distance; /**< Rounded; infinity if nothing is within the radius. */
+  double point[3]; /**< Its nearest point, rounded. */
+  /** Unit, towards the given point; zero for distance 0 or infinity. */
+  double normal[3];
+  dsw_cell cell;            /**< The face, edge or vertex; DSW_CELL_NONE if nothing. */
+  uint32_t tag;             /**< As in dsw_contact, for a face. */
+  uint32_t volumes_visited; /**< Volumes looked at. */
+} dsw_nearest;
+
+/** Finds the nearest impassable face, marked edge or vertex that can be seen through passable
+ * volumes; if several, the lowest canonical one.
+ * @param volume that of the point, or null. @param radius at least 0; may be infinite.
+ * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
+ * @note Cost: O(volumes within the distance). Rounding: a few units in the last place.
+ * @since 2.0 */
+DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environment,
+                                                const double *point, dsw_volume_id volume,
+                                                double radius, dsw_nearest *nearest);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

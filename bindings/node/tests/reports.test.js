@@ -1,0 +1,63 @@
+'use strict';
+const assert = require('node:assert/strict');
+const { test } = require('node:test');
+const dsw = require('dartsweep');
+const { createCatheter, createEnvironment, inside } = require('./scenario.js');
+
+test('a change outlasts the next', () => {
+  const environment = createEnvironment();
+  const first = environment.cut([-5, 3, 20.5, 60, 3, 20.5, -5, 3, 60.25, 60, 3, 60.25], 2, 2);
+  assert.ok(first instanceof dsw.Change);
+  assert.deepEqual([first.volumesCrossed, first.volumesSplit, first.volumesChanged, first.isClosed], [36, 24, 36, 0]);
+  assert.equal(environment.getChange().distance, first.distance);
+  const volume = environment.getVolumeId(3);
+  environment.removeVolumes([volume]);
+  const second = environment.getChange();
+  assert.deepEqual([second.volumesSplit, second.getFaces().length], [0, 0]);
+  assert.deepEqual(second.getVolumes().toArray(), [{ before: volume, after: new dsw.VolumeId() }]);
+  environment.close();
+  const lists = [first.getVolumes(), first.getVertices(), first.getFaces(), first.getWhole()];
+  assert.deepEqual(lists.map((list) => list.length), [60, 35, 24, 12]);
+  for (const list of [first.getCarved(), first.getUnrepaired(), first.getDetached()]) assert.equal(list.length, 0);
+  const { weights, from } = first.getVertices().at(0);
+  assert.equal(weights[0] + weights[1], 1);
+  assert.ok(!from[0].equals(from[1]));
+});
+
+test('a piece becomes a body', () => {
+  const environment = createEnvironment();
+  const scene = new dsw.Scene(environment);
+  const volume = environment.getVolumeId(237);
+  environment.markVolumes([volume], dsw.Mark.Impassable);
+  const body = scene.body(environment.detach({ volume }));
+  const change = environment.getChange();
+  assert.equal(body.getCounts().vertexSlots, 8);
+  assert.deepEqual([change.getBodyVertices().length, change.getBodyFaces().length], [8, 12]);
+  assert.deepEqual([...change.getDetached()], [volume]);
+  assert.deepEqual(change.getBodyFaces().at(0).volume, volume);
+  assert.ok(change.distance > 0);
+  const { vertex, from, weights } = change.getBodyVertices().at(7);
+  assert.ok(vertex.isNull && !from[0].isNull && from[0].equals(from[1]));
+  assert.deepEqual(weights, [1, 0]);
+});
+
+test('each report says what was touched', () => {
+  const environment = createEnvironment();
+  environment.markRegion(2, dsw.Mark.Impassable);
+  const { contact } = environment.cast(inside, [90, 24, 48]);
+  assert.deepEqual([contact.kind, contact.markedKind], [dsw.ContactKind.Plane, dsw.CellKind.Volume]);
+  assert.deepEqual(contact.obstacle, dsw.cellOf(contact.wall));
+  assert.ok(environment.isImpassable(dsw.cellOf(contact.behind)));
+  assert.equal(environment.cast(inside, [24, 24, 50]).contact.kind, dsw.ContactKind.None);
+  const body = createCatheter(new dsw.Scene(environment, { features: dsw.FEATURE_DEFORMING }));
+  const edge = body.getEdgeIds().at(0);
+  assert.equal(body.splitEdge(edge, 0.25).edgeParameter, 0.25);
+  assert.equal(body.getEdgeEnds(edge).length, 2);
+  const next = environment.getPoints().map((x, i) => (i % 3 === 0 ? x + (48 - x) * 0.4375 : x));
+  assert.equal(environment.deform(next).contactCount, environment.getWallContacts().length);
+  const touched = environment.getWallContacts().at(0);
+  assert.deepEqual(touched.body, body.id());
+  assert.ok(touched.contact.normal[0] > 0.9 && touched.contact.obstacle.kind !== dsw.CellKind.None);
+  assert.equal(touched.response, dsw.WallResponse.Push);
+  assert.equal(environment.getHeldVertices().length, 0);
+});
