@@ -75,7 +75,7 @@ struct Tetrahedra {
     desc.points = points.data();
     desc.point_count = points.size() / 3;
     desc.uniform_cell_type = DSW_CELL_TYPE_TETRA;
-    desc.cell_count = corners.size() / 4;
+    desc.volume_count = corners.size() / 4;
     desc.index_bytes = 4;
     desc.connectivity = corners.data();
     desc.connectivity_count = corners.size();
