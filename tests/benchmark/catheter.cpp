@@ -220,7 +220,8 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
       std::map<std::size_t, Vector> ways;
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t v = contacts[i].vertex.index;
-        const Vector normal = {contacts[i].normal[0], contacts[i].normal[1], contacts[i].normal[2]};
+        const Vector normal = {contacts[i].contact.normal[0], contacts[i].contact.normal[1],
+                               contacts[i].contact.normal[2]};
         const std::size_t ahead = v == 0 ? 0 : v - 1, behind = v == 0 ? 1 : v;
         const Vector axis = unit(along(vertex(at, ahead), -1.0, vertex(at, behind)));
         const Vector on_wall = along(axis, -dot(axis, normal), normal);

@@ -110,7 +110,7 @@ void answer_contacts(const Flock& flock, scenes::SoftHexahedra& bodies) {
         q = ends[0].index == p ? ends[1].index : ends[0].index;
       }
       const std::size_t first = i * scenes::kBodyVertices;
-      bodies.bounce(first + p, first + q, contact->along, contact->normal);
+      bodies.bounce(first + p, first + q, contact->edge_parameter, contact->contact.normal);
     }
   }
 }

@@ -51,7 +51,7 @@ World::World(const scenes::VolumeMesh& mesh, std::uint32_t threads, bool count_m
   desc.index_bytes = 4;
   desc.points = mesh.points.data();
   desc.point_count = mesh.point_count();
-  desc.cell_count = mesh.cell_count();
+  desc.volume_count = mesh.cell_count();
   desc.connectivity = mesh.connectivity.data();
   desc.connectivity_count = mesh.connectivity.size();
   desc.regions = mesh.regions.empty() ? nullptr : mesh.regions.data();
@@ -221,7 +221,7 @@ void Ours::run(std::size_t first, std::size_t count) {
 
 Answer Ours::answer_of(const dsw_flight& flight) const {
   if (flight.outcome == DSW_OUTCOME_REACHED) return {};
-  const auto found = wall_of_face_.find(face_key(flight.face));
+  const auto found = wall_of_face_.find(face_key(flight.contact.wall));
   // An outcome or a face that cannot be is an index that no wall has: the exact check counts it as wrong.
   const bool sound = flight.outcome == DSW_OUTCOME_CONTACT && found != wall_of_face_.end();
   return {sound ? found->second : kNone - 1, flight.time};

@@ -53,7 +53,7 @@ struct Triangles {
     desc.points = points.data();
     desc.point_count = points.size() / 2;
     desc.uniform_cell_type = DSW_CELL_TYPE_TRIANGLE;
-    desc.cell_count = corners.size() / 3;
+    desc.volume_count = corners.size() / 3;
     desc.index_bytes = 4;
     desc.connectivity = corners.data();
     desc.connectivity_count = corners.size();

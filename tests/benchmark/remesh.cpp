@@ -92,20 +92,19 @@ std::vector<double> stirred(const scenes::VolumeMesh& mesh, const std::vector<ch
 }
 
 struct Result {
-  dsw_change report;
-  report.struct_size = sizeof report;
-  double ns;
+  dsw_change report{};
+  double ns = 0;
 };
 
-/** Mends what is invalid, after or before it is bent to `next`. */
-Result mend(const scenes::VolumeMesh& mesh, std::vector<double> next, std::uint32_t radius, bool before) {
+/** Repairs what is invalid, after or before it is bent to `next`. */
+Result repair(const scenes::VolumeMesh& mesh, std::vector<double> next, std::uint32_t radius, bool before) {
   World world(mesh, 1);
   std::vector<dsw_volume_id> invalid;
   {
     World bent(mesh, 1);
     std::vector<double> points = next;
-    check(
-        dsw_environment_deform(bent.scene(DSW_FEATURE_DEFORMING), points.data(), points.size() / 3, nullptr, nullptr));
+    check(dsw_environment_deform(dsw_scene_get_environment(bent.scene(DSW_FEATURE_DEFORMING)), points.data(),
+                                 points.size() / 3, nullptr, nullptr));
     for (std::uint32_t i = 0; i < mesh.cell_count(); ++i) {
       dsw_volume_id volume;
       int valid;
@@ -124,12 +123,14 @@ Result mend(const scenes::VolumeMesh& mesh, std::vector<double> next, std::uint3
     desc.next = next.data();
     desc.point_count = next.size() / 3;
   } else {
-    check(dsw_environment_deform(world.scene(DSW_FEATURE_DEFORMING), read.data(), read.size() / 3, nullptr, nullptr));
+    check(dsw_environment_deform(dsw_scene_get_environment(world.scene(DSW_FEATURE_DEFORMING)), read.data(),
+                                 read.size() / 3, nullptr, nullptr));
   }
   dsw_remesh_desc nothing = desc;
   nothing.volume_count = 0;
   check(dsw_environment_remesh(world.environment(), &nothing, nullptr));  // makes tables, once
   Result result;
+  result.report.struct_size = sizeof result.report;
   result.ns = time_ns([&] { check(dsw_environment_remesh(world.environment(), &desc, &result.report)); });
   return result;
 }
@@ -142,18 +143,18 @@ void run_remesh(const Options& options, Report& report) {
   const auto measure = [&](const std::string& kind, double by, const std::vector<double>& next) {
     for (const bool before : {true, false}) {
       for (const std::uint32_t radius : {1u, 2u}) {
-        const Result r = mend(mesh, next, radius, before);
-        const double wanted = std::max(1u, r.report.invalid_count),
-                     mended = std::max(1u, r.report.volumes_invalid - report.unrepaired_count);
+        const Result r = repair(mesh, next, radius, before);
+        const double repaired = static_cast<double>(r.report.volumes_invalid - r.report.unrepaired_count),
+                     share = repaired / std::max(1u, r.report.volumes_invalid),
+                     us = 1e-3 * r.ns / std::max(1.0, repaired);
         char name[64];
         std::snprintf(name, sizeof name, "%s%g.%s.r%u", kind.c_str(), by, before ? "before" : "after", radius);
-        report.set(std::string("remesh.share.") + name, r.report.volumes_invalid - report.unrepaired_count / wanted);
-        report.set(std::string("remesh.us.") + name, 1e-3 * r.ns / mended);
+        report.set(std::string("remesh.share.") + name, share);
+        report.set(std::string("remesh.us.") + name, us);
         std::printf(
-            "  %-24s %6u invalid, %5.1f %% mended in %u patches, %u -> %u volumes, most faces %u, %.1f us each\n", name,
-            r.report.invalid_count, 100 * r.report.volumes_invalid - report.unrepaired_count / wanted,
-            r.report.patch_count, r.report.volumes_removed, r.report.volumes_added, r.report.most_faces,
-            1e-3 * r.ns / mended);
+            "  %-24s %6u invalid, %5.1f %% repaired in %u patches, %u -> %u volumes, most faces %u, %.1f us each\n",
+            name, r.report.volumes_invalid, 100 * share, r.report.patch_count, r.report.volumes_removed,
+            r.report.volumes_added, r.report.most_faces, us);
       }
     }
   };
