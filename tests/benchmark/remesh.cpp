@@ -1,5 +1,5 @@
-// Tetrahedra of random points bend so far that some turn invalid: how many of these are mended, by how far it bends and
-// how far mending may reach, and what it costs.
+// Tetrahedra of random points bend so far that some turn invalid: how many are repaired, by how far it bends and
+// how far the repair may reach, and what it costs.
 #include "parts.h"
 
 #include "ours.h"
@@ -97,8 +97,8 @@ struct Result {
   double ns;
 };
 
-/** Mends what is invalid, after or before it is bent to `next`. */
-Result mend(const scenes::VolumeMesh& mesh, std::vector<double> next, std::uint32_t radius, bool before) {
+/** Repairs what is invalid, after or before it is bent to `next`. */
+Result repair(const scenes::VolumeMesh& mesh, std::vector<double> next, std::uint32_t radius, bool before) {
   World world(mesh, 1);
   std::vector<dsw_volume_id> invalid;
   {
@@ -142,18 +142,18 @@ void run_remesh(const Options& options, Report& report) {
   const auto measure = [&](const std::string& kind, double by, const std::vector<double>& next) {
     for (const bool before : {true, false}) {
       for (const std::uint32_t radius : {1u, 2u}) {
-        const Result r = mend(mesh, next, radius, before);
+        const Result r = repair(mesh, next, radius, before);
         const double wanted = std::max(1u, r.report.invalid_count),
-                     mended = std::max(1u, r.report.volumes_invalid - report.unrepaired_count);
+                     repaired = std::max(1u, r.report.volumes_invalid - report.unrepaired_count);
         char name[64];
         std::snprintf(name, sizeof name, "%s%g.%s.r%u", kind.c_str(), by, before ? "before" : "after", radius);
         report.set(std::string("remesh.share.") + name, r.report.volumes_invalid - report.unrepaired_count / wanted);
-        report.set(std::string("remesh.us.") + name, 1e-3 * r.ns / mended);
+        report.set(std::string("remesh.us.") + name, 1e-3 * r.ns / repaired);
         std::printf(
-            "  %-24s %6u invalid, %5.1f %% mended in %u patches, %u -> %u volumes, most faces %u, %.1f us each\n", name,
-            r.report.invalid_count, 100 * r.report.volumes_invalid - report.unrepaired_count / wanted,
+            "  %-24s %6u invalid, %5.1f %% repaired in %u patches, %u -> %u volumes, most faces %u, %.1f us each\n",
+            name, r.report.invalid_count, 100 * r.report.volumes_invalid - report.unrepaired_count / wanted,
             r.report.patch_count, r.report.volumes_removed, r.report.volumes_added, r.report.most_faces,
-            1e-3 * r.ns / mended);
+            1e-3 * r.ns / repaired);
       }
     }
   };
