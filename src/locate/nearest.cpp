@@ -121,7 +121,7 @@ class Flood {
       }
     }
     if constexpr (D == 3) {
-      if (env_.marked_edges != 0) visit_wires(c, shape);
+      if (env_.marked_edges != 0) visit_marked_edges(c, shape);
     }
     if (env_.marked_vertices != 0) visit_vertices(c, shape);
   }
@@ -143,7 +143,7 @@ class Flood {
     }
   }
 
-  void visit_wires(Cell c, const Shape& shape) {
+  void visit_marked_edges(Cell c, const Shape& shape) {
     for (uint32_t d = 0; d < shape.dart_count(); ++d) {
       const uint32_t from = shape.dart_vertex(d), to = shape.dart_vertex(shape.beta1(d));
       if (shape.dart_beta2(d) < d || !edge_marked(env_, map_.vertex(c, from), map_.vertex(c, to))) continue;

@@ -91,7 +91,7 @@ void Repair::find_ring(Cell seed) {
   }
 }
 
-/** Walls stay where they are, with all that is at a wire or marked vertex. */
+/** Walls stay where they are, with all that is at a marked edge or vertex. */
 bool Repair::is_kept(HalfFacet h) const {
   if (env_.map.facet_marked(h)) return true;
   if (env_.marked_edges == 0 && env_.marked_vertices == 0) return false;

@@ -161,11 +161,11 @@ void Judge<D>::run() {
     }
   });
   if constexpr (D == 3) {
-    Array<uint64_t> wires{Allocator<uint64_t>(env_.memory)};
-    env_.edge_marks.copy_sorted(wires);
-    for (const uint64_t wire : wires) {
-      const double* const ends[] = {env_.point(static_cast<uint32_t>(wire >> 32)),
-                                    env_.point(static_cast<uint32_t>(wire))};
+    Array<uint64_t> marked{Allocator<uint64_t>(env_.memory)};
+    env_.edge_marks.copy_sorted(marked);
+    for (const uint64_t edge : marked) {
+      const double* const ends[] = {env_.point(static_cast<uint32_t>(edge >> 32)),
+                                    env_.point(static_cast<uint32_t>(edge))};
       meet_ridge(ends);
     }
   } else {

@@ -12,8 +12,8 @@ template <int D>
 bool exactly_contains(const Environment<D>& env, Cell c, const double* point) noexcept;
 
 /** A segment or a triangle of body points and what of the environment it meets: a segment impassable faces, a triangle
- * edges of these and wires; in the plane a segment impassable sides, a triangle vertices of these and single ones. Two
- * points that are equal meet nothing. */
+ * edges of these and marked edges; in the plane a segment impassable sides, a triangle vertices of these and single
+ * ones. Two points that are equal meet nothing. */
 struct Claim {
   const double* points[3] = {};  // lent; the third is null for a segment
   uint32_t subject = 0;          // whom it is about

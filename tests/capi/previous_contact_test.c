@@ -180,19 +180,20 @@ static void all_kinds_of_moves_count(void) {
 /* Down on another body, then beside it down to the floor: what was touched before is told. */
 static void another_body_was_touched(void) {
   const double bar[4] = {1.75, 2, 2.25, 2};
-  dsw_body_id wire, ball;
+  dsw_body_id polyline, ball;
   begin(2, DSW_FEATURE_BODY_CONTACTS);
-  wire = make_edge_body(g_scene, bar, DSW_LEVEL_EDGES);
+  polyline = make_edge_body(g_scene, bar, DSW_LEVEL_EDGES);
   ball = make_ball(2.125, 2.5);
   CHECK(step(ball, 0, -1) == FIRST);
   CHECK(g_contact->contact.obstacle.kind == DSW_CELL_NONE);
   CHECK(step(ball, 0, -1) == RESTING);
-  CHECK(g_past.moves == 2 && g_past.body.index == wire.index && g_past.body.generation == wire.generation);
+  CHECK(g_past.moves == 2 && g_past.body.index == polyline.index && g_past.body.generation == polyline.generation);
   CHECK(g_past.obstacle.kind == DSW_CELL_NONE && g_past.point[1] == 2);
   CHECK(step(ball, 0.25, 0.5) == FREE);
   CHECK(step(ball, 0, -2) == BOUNCING);
-  CHECK(g_contact->contact.obstacle.kind != DSW_CELL_NONE && g_past.since == 2 && g_past.moves == 1 && g_past.point[1] == 2);
-  CHECK(g_past.body.index == wire.index && g_past.body.generation == wire.generation);
+  CHECK(g_contact->contact.obstacle.kind != DSW_CELL_NONE && g_past.since == 2 && g_past.moves == 1 &&
+        g_past.point[1] == 2);
+  CHECK(g_past.body.index == polyline.index && g_past.body.generation == polyline.generation);
   end();
 }
 

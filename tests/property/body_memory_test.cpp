@@ -19,7 +19,7 @@ TEST_F(BodyMemoryTest, CreatingABody) {
 
 TEST_F(BodyMemoryTest, MovingABody) {
   mark_wall(1, 1, 1);
-  mark_wire(2, 2, 1);
+  mark_edge(2, 2, 1);
   for (uint32_t flags : {0u, 7u}) {  // none, and all that are lossless
     for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
       const BodyPlan plan = tetrahedron({0.5, 1.5, 1.25}, 0.75);
