@@ -24,9 +24,9 @@ struct Claim {
 };
 
 template <int D>
-class Judge {
+class Validator {
  public:
-  explicit Judge(const Environment<D>& env)
+  explicit Validator(const Environment<D>& env)
       : env_(env), claims_(Allocator<Claim>(env.memory)), boxes_(Allocator<Box<D>>(env.memory)) {}
 
   void add(uint32_t subject, const double* p, const double* q, const double* r = nullptr);
