@@ -244,7 +244,7 @@ dsw_status Calls::ask() {
          });
 }
 
-/** A trace of everything, and second opinions on contacts. */
+/** A trace of everything, and cross-checks of contacts. */
 dsw_status Calls::draw() {
   double points[6];
   places(points);
@@ -269,9 +269,9 @@ dsw_status Calls::draw() {
   const dsw_body_contact* contacts = nullptr;
   size_t count = 0;
   dsw_body_get_contacts(scene_, body(), &contacts, &count);
-  dsw_cross_check opinion;
+  dsw_cross_check check;
   for (size_t i = 0; i < count && i < 4; ++i)
-    answers << dsw_environment_cross_check(environment_, contacts + i, &opinion);
+    answers << dsw_environment_cross_check(environment_, contacts + i, &check);
   return answers;
 }
 

@@ -59,7 +59,7 @@ void BodyReport::begin(const std::string& scene, const std::string& reproduce) {
 }
 
 uint64_t BodyReport::faults() const {
-  uint64_t sum = similar.total.faults() + (opinions.quantile(0.99) <= Opinions::kMostDegrees ? 0 : 1);
+  uint64_t sum = similar.total.faults() + (cross_checks.quantile(0.99) <= CrossChecks::kMostDegrees ? 0 : 1);
   for (const SweepReport& level : levels) sum += level.total.faults();
   return sum;
 }
@@ -135,8 +135,8 @@ std::string to_json(const BodyReport& report) {
   add("edges.similar_motion_not_free_after", static_cast<double>(report.similar.total.not_free_after));
   // These scenes have marked edges, and ends exactly on edges and corners. The figures of the benchmark are those of
   // cross_check_test.
-  add("body.oracle.normal_vs_libccd_deg_p99", report.opinions.quantile(0.99));
-  add("body.oracle.normal_qualified_share", report.opinions.share());
+  add("body.oracle.normal_vs_libccd_deg_p99", report.cross_checks.quantile(0.99));
+  add("body.oracle.normal_qualified_share", report.cross_checks.share());
   add("contact.time_error_exact", report.time_error);
   add("contact.bisection_slope", report.bisection_slope);
   return text + "\n}\n";

@@ -35,8 +35,8 @@ TEST_F(TwoBodiesTest, AVertexStopsAtAFaceAndSaysWhose) {
   EXPECT_LT(answer.after.at[0][0], 2);
   EXPECT_GT(answer.after.at[0][0], 1.999);
   EXPECT_EQ(move(polyline, {{2.5, 1.5, 1.5}, {0.5, 1.5, 1.75}}).contacts[0].history, DSW_HISTORY_LASTING);
-  dsw_cross_check opinion;
-  EXPECT_EQ(dsw_environment_cross_check(place_.get(), &c, &opinion), DSW_STATUS_UNSUPPORTED);
+  dsw_cross_check check;
+  EXPECT_EQ(dsw_environment_cross_check(place_.get(), &c, &check), DSW_STATUS_UNSUPPORTED);
 }
 
 TEST_F(TwoBodiesTest, WallsAndBodiesCompeteByTime) {
