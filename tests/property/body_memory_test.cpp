@@ -141,7 +141,7 @@ TEST_F(BodyMemoryTest, ARigidMove) {
                     [&] { return bits_of(read(body)) == before; });
 }
 
-// A move that fails while casts wait in its wave must not leave them to the next one, which has other targets and may
+// A move that fails while casts wait in its packet must not leave them to the next one, which has other targets and may
 // be smaller.
 TEST_F(BodyMemoryTest, AMoveThatFailedLeavesNoCastsBehind) {
   scene_ = make_scene(place_.get(), DSW_FEATURE_STATISTICS);
