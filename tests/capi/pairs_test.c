@@ -73,7 +73,7 @@ static void filters_are_read_and_changed(void) {
   end_scene(scene);
 }
 
-static void what_is_not_named_is_refused(void) {
+static void what_is_not_enabled_is_refused(void) {
   dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), 0);
   dsw_body_desc d = square_desc();
   dsw_body_id body;
@@ -150,7 +150,7 @@ static void a_shorter_description_still_works(void) {
 int main(void) {
   a_contact_names_the_other_body();
   filters_are_read_and_changed();
-  what_is_not_named_is_refused();
+  what_is_not_enabled_is_refused();
   bodies_of_the_plane_meet();
   a_shorter_description_still_works();
   return check_result();

@@ -180,7 +180,7 @@ TEST_F(TwoBodiesTest, FiltersKeepBodiesApart) {
   EXPECT_EQ(move(polyline, {{1, 1.5, 1.25}, {2.5, 1.5, 1.75}}).contacts.size(), 1u);
 }
 
-TEST_F(TwoBodiesTest, WhatIsNotNamedIsRefused) {
+TEST_F(TwoBodiesTest, WhatIsNotEnabledIsRefused) {
   scene_ = make_scene(place_.get());
   const dsw_body_id body = make(wall(2), DSW_LEVEL_FACES);
   const dsw_contact_partner* partners = nullptr;
