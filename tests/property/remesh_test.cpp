@@ -91,7 +91,7 @@ class RemeshTest : public SceneTest {
     for_each_cell(env().map, [&](dsw::Cell c) { count += is_valid_with(env(), points, c) ? 0 : 1; });
     return count;
   }
-  /// Links, seats, bodies.
+  /// Links, locations, bodies.
   void check_all() {
     ASSERT_STREQ(check_integrity(env().map), nullptr);
     const Scene<3>& s = dsw::capi::space(*scene_);
