@@ -199,7 +199,7 @@ void describe(dsw_environment_desc& d, uint32_t dimension) {
   d.points = mesh.points.data();
   d.point_count = mesh.points.size() / dimension;
   if (dimension == 2) d.uniform_cell_type = DSW_CELL_TYPE_QUAD;
-  d.cell_count = mesh.connectivity.size() / (dimension == 2 ? 4 : 8);
+  d.volume_count = mesh.connectivity.size() / (dimension == 2 ? 4 : 8);
   d.connectivity = mesh.connectivity.data();
   d.connectivity_count = mesh.connectivity.size();
 }
@@ -227,7 +227,7 @@ void describe(dsw_volumes_desc& d, uint32_t dimension) {
   d.points = dimension == 2 ? flat : points;
   d.point_count = dimension + 1;
   d.uniform_cell_type = dimension == 2 ? DSW_CELL_TYPE_TRIANGLE : DSW_CELL_TYPE_TETRA;
-  d.cell_count = 1;
+  d.volume_count = 1;
   d.connectivity = connectivity;
   d.connectivity_count = dimension + 1;
 }
