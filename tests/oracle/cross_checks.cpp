@@ -54,13 +54,13 @@ double CrossChecks::quantile(double part) const {
 std::string CrossChecks::text() const {
   const auto none = [this](dsw_no_cross_check why) { return static_cast<unsigned long long>(reasons[why]); };
   char line[320];
-  std::snprintf(line, sizeof line,
-                "%6llu contacts, cross-check of %8.4f %%, angle p50 %.1e p99 %.1e most %.1e degrees; none: marked edge "
-                "parallel %llu, outside cone %llu, not converged %llu, not unique %llu",
-                static_cast<unsigned long long>(contacts), 100 * share(), quantile(0.5), quantile(0.99), quantile(1),
-                none(DSW_NO_CROSS_CHECK_MARKED), none(DSW_NO_CROSS_CHECK_PARALLEL),
-                none(DSW_NO_CROSS_CHECK_OUTSIDE_CONE), none(DSW_NO_CROSS_CHECK_NOT_CONVERGED),
-                none(DSW_NO_CROSS_CHECK_NOT_UNIQUE));
+  std::snprintf(
+      line, sizeof line,
+      "%6llu contacts, cross-check of %8.4f %%, angle p50 %.1e p99 %.1e most %.1e degrees; none: marked %llu, "
+      "parallel %llu, outside cone %llu, not converged %llu, not unique %llu",
+      static_cast<unsigned long long>(contacts), 100 * share(), quantile(0.5), quantile(0.99), quantile(1),
+      none(DSW_NO_CROSS_CHECK_MARKED), none(DSW_NO_CROSS_CHECK_PARALLEL), none(DSW_NO_CROSS_CHECK_OUTSIDE_CONE),
+      none(DSW_NO_CROSS_CHECK_NOT_CONVERGED), none(DSW_NO_CROSS_CHECK_NOT_UNIQUE));
   return line;
 }
 
