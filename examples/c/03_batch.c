@@ -74,12 +74,12 @@ static size_t run(uint32_t threads, double *end) {
   check(dsw_scene_create(environment, &scene_desc, &scene), "creating the scene");
   for (int i = 0; i < kParticles;) { /* anywhere but in a pillar */
     dsw_volume_id volume;
-    dsw_location place;
+    dsw_location location;
     for (int k = 0; k < 3; ++k) {
       positions[3 * i + k] = (double)kSide * next_number(&state);
     }
-    check(dsw_environment_locate(environment, positions + 3 * i, no_hint, &volume, &place), "locating");
-    i += place == DSW_LOCATION_PASSABLE;
+    check(dsw_environment_locate(environment, positions + 3 * i, no_hint, &volume, &location), "locating");
+    i += location == DSW_LOCATION_PASSABLE;
   }
   check(dsw_scene_create_particles(scene, positions, kParticles, 0, NULL, particles, NULL), "creating particles");
   for (int step = 0; step < kSteps; ++step) {

@@ -41,7 +41,7 @@ int main(void) {
   dsw_scene *scene = NULL;
   dsw_particle_id particle, gone;
   dsw_volume_id volume;
-  dsw_location place;
+  dsw_location location;
   dsw_flight flight;
   dsw_cell cell;
   dsw_vertex_id corner[1];
@@ -73,8 +73,8 @@ int main(void) {
   /* Physics is no error: a wall in the way and a place outside are answers. */
   expect(DSW_STATUS_OK, dsw_particle_move(scene, particle, far_away, NULL, &flight), "a move far away");
   failures += flight.outcome != DSW_OUTCOME_CONTACT || flight.position[0] > 1;
-  expect(DSW_STATUS_OK, dsw_environment_locate(environment, outside, none, &volume, &place), "locating outside");
-  failures += place != DSW_LOCATION_OUTSIDE || volume.generation != 0;
+  expect(DSW_STATUS_OK, dsw_environment_locate(environment, outside, none, &volume, &location), "locating outside");
+  failures += location != DSW_LOCATION_OUTSIDE || volume.generation != 0;
 
   /* A buffer that is too small tells the size it should have. */
   cell.kind = DSW_CELL_VOLUME;

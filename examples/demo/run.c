@@ -122,21 +122,21 @@ static void prove_moves(demo_run *run) {
 /* Locates every particle anew, without a hint: in the lumen, in the volume that its particle says. */
 static void prove_places(demo_run *run) {
   dsw_volume_id *found = (dsw_volume_id *)demo_allocate(run->cloud, sizeof(dsw_volume_id));
-  dsw_location *places = (dsw_location *)demo_allocate(run->cloud, sizeof(dsw_location));
+  dsw_location *locations = (dsw_location *)demo_allocate(run->cloud, sizeof(dsw_location));
   for (size_t i = 0; i < run->cloud; ++i) {
     require(dsw_particle_get_position(run->scene, run->ids[i], run->position + 3 * i, run->volume + i),
             "reading a particle", kFailed);
     run->wrong_moves += memcmp(run->position + 3 * i, run->moved + 3 * i, 3 * sizeof(double)) != 0;
   }
-  require(dsw_environment_locate_points(run->environment, run->position, run->cloud, 0, NULL, found, places),
+  require(dsw_environment_locate_points(run->environment, run->position, run->cloud, 0, NULL, found, locations),
           "proving the places", kFailed);
   for (size_t i = 0; i < run->cloud; ++i) {
-    run->wrong_places += places[i] != DSW_LOCATION_PASSABLE || found[i].index != run->volume[i].index ||
+    run->wrong_places += locations[i] != DSW_LOCATION_PASSABLE || found[i].index != run->volume[i].index ||
                          found[i].generation != run->volume[i].generation ||
                          run->flow.slot_of[found[i].index] == kNoSlot;
   }
   free(found);
-  free(places);
+  free(locations);
 }
 
 void create_run(demo_run *run, dsw_environment *environment, const demo_mesh *mesh, size_t cloud) {

@@ -33,7 +33,7 @@ struct Touch {
   Vector3 normal = Vector3::Zero();  // unit, out of the wall
   Vector3 at = Vector3::Zero();
   double friction = 0;
-  dsw_face_id wall = {0, 0, 0};       // null: a wire or a marked vertex
+  dsw_face_id wall = {0, 0, 0};       // null: a marked edge or vertex
   std::size_t contact = 0;            // its number in dsw_body_get_contacts
   int age = 0;                        // steps since it was found
   Vector3 impulse = Vector3::Zero();  // found by `resolve`: what the body got; the wall got its opposite

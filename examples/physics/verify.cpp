@@ -9,9 +9,9 @@ namespace {
 // Whether that is where a search for a point ends, from `hint` or from anywhere, and passable.
 bool is_in(const dsw_environment* environment, const double* point, dsw_volume_id volume, dsw_volume_id hint) {
   dsw_volume_id found;
-  dsw_location place = DSW_LOCATION_NONE;
-  check(dsw_environment_locate(environment, point, hint, &found, &place), "finding a vertex");
-  return place == DSW_LOCATION_PASSABLE && found.index == volume.index;
+  dsw_location location = DSW_LOCATION_NONE;
+  check(dsw_environment_locate(environment, point, hint, &found, &location), "finding a vertex");
+  return location == DSW_LOCATION_PASSABLE && found.index == volume.index;
 }
 
 // Whether a body with the same faces can be created in the same place.

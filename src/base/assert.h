@@ -1,5 +1,5 @@
 #pragma once
-// DSW_ASSERT states our own invariants. It never judges input: bad input gets a status in every build.
+// DSW_ASSERT states our own invariants. It never checks input: bad input gets a status in every build.
 
 #include <cstdio>
 #include <cstdlib>

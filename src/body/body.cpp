@@ -387,7 +387,7 @@ template <int D>
 bool can_collapse(const Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
   const BodyEdge& e = body.edges[edge];
   const uint32_t kept = e.other(vertex);
-  // A wire between two surfaces would join them in a vertex alone.
+  // An edge without faces between two surfaces would join them in a vertex alone.
   const auto has_face = [&](uint32_t v) {
     bool any = false;
     for_each_face(body, v, [&](uint32_t) {

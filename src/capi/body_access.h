@@ -54,6 +54,6 @@ template <int D>
 uint32_t to_face(const Body<D>& body, dsw_body_face_id id, const char* name);
 
 /** Throws NOT_ENABLED unless the scene was made with a feature. */
-void check_enabled(bool named, const char* feature);
+void check_enabled(bool enabled, const char* feature);
 
 }  // namespace dsw::capi

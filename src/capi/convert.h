@@ -137,8 +137,8 @@ PointArray to_finite_points(const double* points, size_t count, size_t stride_by
   return all;
 }
 
-/** How cells are mended; 0 means the default. Throws OUT_OF_RANGE. */
-MendSettings to_mend_settings(uint32_t radius, uint32_t max_faces);
+/** How cells are repaired; 0 means the default. Throws OUT_OF_RANGE. */
+RepairSettings to_repair_settings(uint32_t radius, uint32_t max_faces);
 
 /** Options of a flight; null: defaults. */
 SegmentOptions to_options(const dsw_cast_options* options);

@@ -94,14 +94,14 @@ dsw::Touch to_touch(const dsw::Map<3>& map, const dsw_body_contact& contact) {
 }  // namespace
 
 dsw_status dsw_environment_cross_check(const dsw_environment* environment, const dsw_body_contact* contact,
-                                       dsw_cross_check* opinion) {
+                                       dsw_cross_check* result) {
   return capi::guard(__func__, [&] {
     const dsw::Environment<3>& env = capi::space(capi::check_handle(environment));
     capi::require(contact, "contact");
-    capi::require(opinion, "result");
+    capi::require(result, "result");
     check_numbers(*contact);
     const dsw::Touch touch = to_touch(env.map, *contact);
     dsw::require_libccd();
-    *opinion = cross_check_of(env, touch, has_wall(*contact));
+    *result = cross_check_of(env, touch, has_wall(*contact));
   });
 }

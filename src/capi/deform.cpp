@@ -82,7 +82,8 @@ dsw_status dsw_environment_deform(dsw_environment* environment, double* next, si
         fail(DSW_STATUS_WRONG_SIZE, "options->point_room is %zu, point_count is %zu", settings.point_room, point_count);
       }
       if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
-      [[maybe_unused]] const dsw::MendSettings mend = capi::to_mend_settings(o.remesh_radius, o.remesh_max_faces);
+      [[maybe_unused]] const dsw::RepairSettings repair_settings =
+          capi::to_repair_settings(o.remesh_radius, o.remesh_max_faces);
       if (D == 2 && o.invalid == DSW_INVALID_REMESH) {
         fail(DSW_STATUS_UNSUPPORTED, "options->invalid is DSW_INVALID_REMESH, must be HOLD or REFUSE in the plane");
       }
@@ -92,7 +93,7 @@ dsw_status dsw_environment_deform(dsw_environment* environment, double* next, si
       uint32_t remeshed = 0;
       if constexpr (D == 3) {
         if (o.invalid == DSW_INVALID_REMESH)
-          remeshed = mend_and_deform({of.env, &engine, environment->results}, next, settings, mend);
+          remeshed = repair_and_deform({of.env, &engine, environment->results}, next, settings, repair_settings);
       }
       if (o.invalid != DSW_INVALID_REMESH) deform(engine, next, settings);
       const dsw::WallRecord& record = of.record;

@@ -2,7 +2,7 @@
 
 #include "capi/convert.h"
 #include "locate/classify.h"
-#include "scene/places.h"
+#include "scene/locations.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -12,7 +12,7 @@ void dsw_cast_options_init(dsw_cast_options* options, size_t size) {
 }
 
 dsw_status dsw_environment_locate(const dsw_environment* environment, const double* point, dsw_volume_id hint,
-                                  dsw_volume_id* volume, dsw_location* place) {
+                                  dsw_volume_id* volume, dsw_location* location) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     capi::require(volume, "volume");
@@ -20,21 +20,21 @@ dsw_status dsw_environment_locate(const dsw_environment* environment, const doub
     capi::check_hint(env.map, hint, "hint");
     const dsw::Cell c = locate_point(env, point, hint);
     *volume = volume_id(env.map, c);
-    if (place != nullptr) *place = place_of(env, c);
+    if (location != nullptr) *location = location_of(env, c);
   });
 }
 
 dsw_status dsw_environment_locate_points(const dsw_environment* environment, const double* points, size_t count,
                                          size_t stride_bytes, const dsw_volume_id* hints, dsw_volume_id* volumes,
-                                         dsw_location* places) {
+                                         dsw_location* locations) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     const dsw::PointArray array = capi::to_finite_points<D>(points, count, stride_bytes, "points");
     capi::require_array(volumes, count, "volumes");
     capi::check_hints(env.map, hints, count, "hints");
     locate_points(env, environment->parallel, array, count, hints, volumes);
-    for (size_t i = 0; places != nullptr && i < count; ++i) {
-      places[i] = place_of(env, dsw::is_null(volumes[i]) ? dsw::Cell{} : env.map.cell(volumes[i].index));
+    for (size_t i = 0; locations != nullptr && i < count; ++i) {
+      locations[i] = location_of(env, dsw::is_null(volumes[i]) ? dsw::Cell{} : env.map.cell(volumes[i].index));
     }
   });
 }

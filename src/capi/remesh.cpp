@@ -6,8 +6,8 @@ using dsw::fail;
 
 namespace dsw::capi {
 
-MendSettings to_mend_settings(uint32_t radius, uint32_t max_faces) {
-  MendSettings s;
+RepairSettings to_repair_settings(uint32_t radius, uint32_t max_faces) {
+  RepairSettings s;
   if (radius > 8) fail(DSW_STATUS_OUT_OF_RANGE, "the radius is %u, must be 1 to 8, or 0", radius);
   if (max_faces != 0 && (max_faces < 4 || max_faces > kMostRim)) {
     fail(DSW_STATUS_OUT_OF_RANGE, "max_faces is %u, must be 4 to %u, or 0", max_faces, kMostRim);
@@ -32,14 +32,14 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
           fail(DSW_STATUS_WRONG_SIZE, "desc->point_count is %zu, must be %zu", d.point_count, points);
         }
         capi::require_array(d.volumes, d.volume_count, "desc->volumes");
-        const dsw::MendSettings settings = capi::to_mend_settings(d.radius, d.max_faces);
+        const dsw::RepairSettings settings = capi::to_repair_settings(d.radius, d.max_faces);
         change.record(capi::row_of<dsw_environment_remesh>, &d);
-        dsw::Mending mending(change.env, d.next, settings);
+        dsw::Repair repair(change.env, d.next, settings);
         for (size_t i = 0; i < d.volume_count; ++i) {
-          mending.want(capi::to_cell(change.map(), d.volumes[i], {"desc->volumes", true}, i));
+          repair.want(capi::to_cell(change.map(), d.volumes[i], {"desc->volumes", true}, i));
         }
-        if (d.volumes == nullptr) mending.want_all();
-        mend_cells(change, mending);
+        if (d.volumes == nullptr) repair.want_all();
+        repair_cells(change, repair);
         change.tell();
       },
       out);

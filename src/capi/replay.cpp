@@ -99,7 +99,7 @@ void load_beginning(dsw_replay& replay) {
   if (lending[0] != 0) lend_points(replay, lending[1]);
 }
 
-/** What the host has said, at the end of a bundle. */
+/** What the host has said, at the end of a bug report. */
 const char* read_note(const dsw::Entry& entry) {
   if (entry.size == 0 || entry.bytes[entry.size - 1] != 0)
     fail(DSW_STATUS_CORRUPT, "the recording is damaged: its note");

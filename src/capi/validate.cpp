@@ -23,16 +23,16 @@ bool are_equal(const double* a, const double* b) noexcept {
 }
 
 template <int D>
-class CallJudge {
+class CallValidator {
  public:
-  explicit CallJudge(const Scene<D>& scene)
+  explicit CallValidator(const Scene<D>& scene)
       : scene_(scene),
         before_(array_for<double>(scene_)),
         orders_(array_for<uint32_t>(scene_)),
         particles_(array_for<Mover>(scene_)),
         bodies_(array_for<Mover>(scene_)),
         subjects_(array_for<Subject>(scene_)),
-        judge_(scene_.env) {}
+        validator_(scene_.env) {}
 
   /** Before the call: where what it moves is. */
   void remember(dsw_replay& replay, const NextCall& next) {
@@ -59,7 +59,7 @@ class CallJudge {
   }
 
   /** After it. `was_done`: it did not fail. */
-  dsw_validation judge(bool was_done) {
+  dsw_validation validate(bool was_done) {
     look_at_places();
     for (const Mover& mover : particles_) {
       if (was_done) claim_flight(mover);
@@ -67,9 +67,9 @@ class CallJudge {
     for (const Mover& mover : bodies_) {
       if (was_done) claim_move(mover);
     }
-    judge_.run();
+    validator_.run();
     // Claims about one subject follow each other.
-    const Array<Claim>& claims = judge_.claims();
+    const Array<Claim>& claims = validator_.claims();
     for (size_t i = 0; i < claims.size();) {
       bool is_met = false, is_folded = false;
       double time = 2;
@@ -83,7 +83,7 @@ class CallJudge {
       const bool is_wrong = subject.said != Said::kContactAt ? is_met
                             : subject.part == kNone          ? !is_met
                                                              : !is_met || subject.time != time;
-      for (size_t k = first; is_wrong && k < i; ++k) is_folded = is_folded || judge_.is_folded(k);
+      for (size_t k = first; is_wrong && k < i; ++k) is_folded = is_folded || validator_.is_folded(k);
       if (is_folded) ++validation_.not_validated;
       if (is_wrong && !is_folded) count_wrong(subject);
     }
@@ -168,14 +168,14 @@ class CallJudge {
     for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
       if (!body.has_edge(e)) continue;
       const BodyEdge& edge = body.edges[e];
-      judge_.add(add_subject(Said::kEdgeIsFree, slot, e), body.position(edge.ends[0]), body.position(edge.ends[1]));
+      validator_.add(add_subject(Said::kEdgeIsFree, slot, e), body.position(edge.ends[0]), body.position(edge.ends[1]));
       ++validation_.edges;
     }
     for (uint32_t f = 0; body.level == SweepLevel::kFaces && f < body.faces.size(); ++f) {
       if (!body.has_face(f)) continue;
       const BodyFace& face = body.faces[f];
-      judge_.add(add_subject(Said::kFaceIsFree, slot, f), body.position(face.corners[0]),
-                 body.position(face.corners[1]), body.position(face.corners[2]));
+      validator_.add(add_subject(Said::kFaceIsFree, slot, f), body.position(face.corners[0]),
+                     body.position(face.corners[1]), body.position(face.corners[2]));
       ++validation_.faces;
     }
   }
@@ -183,14 +183,14 @@ class CallJudge {
   void claim_flight(const Mover& mover) {
     const double *const from = &before_[mover.first], *const target = from + D;
     const auto& now = scene_.particles[mover.slot].position;
-    judge_.add(add_subject(Said::kWayIsFree, mover.slot, kNone), from, now);
+    validator_.add(add_subject(Said::kWayIsFree, mover.slot, kNone), from, now);
     ++validation_.ways;
     if (are_equal<D>(now, target)) return;
     if (!mover.is_exact) {
       ++validation_.not_validated;
       return;
     }
-    judge_.add(add_subject(Said::kContactAt, mover.slot, kNone, -1), from, target);
+    validator_.add(add_subject(Said::kContactAt, mover.slot, kNone, -1), from, target);
     ++validation_.contacts;
   }
 
@@ -198,13 +198,13 @@ class CallJudge {
     const auto at = [&](uint32_t v) { return &before_[mover.first + D * size_t{v}]; };
     const uint32_t* const ranks = &orders_[mover.order_first];
     const uint32_t subject = add_subject(Said::kWayIsFree, mover.slot, vertex);
-    judge_.add(subject, at(vertex), body.position(vertex));
+    validator_.add(subject, at(vertex), body.position(vertex));
     ++validation_.ways;
     // Edges whose sweeps are left out by the share of motion are only free where they end.
     if (body.level < SweepLevel::kEdgesSwept || body.skipping.by_similar_motion) return;
     for_each_edge(body, vertex, [&](uint32_t e) {
       const uint32_t q = body.edges[e].other(vertex);
-      judge_.add(subject, at(vertex), body.position(vertex), ranks[q] < ranks[vertex] ? body.position(q) : at(q));
+      validator_.add(subject, at(vertex), body.position(vertex), ranks[q] < ranks[vertex] ? body.position(q) : at(q));
       return true;
     });
   }
@@ -216,8 +216,8 @@ class CallJudge {
       return;
     }
     const uint32_t subject = add_subject(Said::kContactAt, mover.slot, contact.vertex.index, contact.time);
-    judge_.add(subject, contact.from, contact.to);
-    if (contact.edge.generation != 0) judge_.add(subject, contact.from, contact.to, contact.fixed[0]);
+    validator_.add(subject, contact.from, contact.to);
+    if (contact.edge.generation != 0) validator_.add(subject, contact.from, contact.to, contact.fixed[0]);
     ++validation_.contacts;
   }
 
@@ -260,7 +260,7 @@ class CallJudge {
   Array<uint32_t> orders_;  // ranks of vertices
   Array<Mover> particles_, bodies_;
   Array<Subject> subjects_;
-  Judge<D> judge_;
+  Validator<D> validator_;
   dsw_validation validation_{};
 };
 
@@ -275,10 +275,10 @@ dsw_status dsw_replay_step_validated(dsw_replay* replay, dsw_replay_report* repo
     capi::require(validation, "validation");
     capi::check_size(validation, "validation");
     capi::visit(*handle.scene, [&](const auto& scene) {
-      capi::CallJudge<capi::kDimension<decltype(scene)>> judge(scene);
-      *report = capi::step(handle, [&](const capi::NextCall& next) { judge.remember(handle, next); });
+      capi::CallValidator<capi::kDimension<decltype(scene)>> validator(scene);
+      *report = capi::step(handle, [&](const capi::NextCall& next) { validator.remember(handle, next); });
       const bool was_done = report->function != nullptr && handle.watch.last.made && !handle.watch.last.failed;
-      capi::write_struct(validation, judge.judge(was_done));
+      capi::write_struct(validation, validator.validate(was_done));
     });
   });
 }

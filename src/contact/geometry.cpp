@@ -26,7 +26,7 @@ void piercing_point(const EdgeMotion& m, const double* a, const double* b, doubl
   point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
 }
 
-/** Out of the obstacle's triangle or side, which looks out of the cell in front; zero for a wire or a vertex. */
+/** Out of the obstacle's triangle or side, which looks out of the cell in front; zero for a marked edge or a vertex. */
 template <int D>
 Vec wall_normal(const Environment<D>& env, const SweepContact& contact) {
   if (!contact.facet.valid() || contact.vertex != kNoVertex) return {};

@@ -18,7 +18,7 @@ constexpr double kConeSlack = 1e-6;
 /** How far from the contact point a feature may pass, and how far it may reach, of the obstacle's size. */
 constexpr double kNearby = 0.1, kFarthest = 4;
 
-/** Length 1; NaN where there is none, which is no opinion in the end. */
+/** Length 1; NaN where there is none, which is no cross-check in the end. */
 Vec direction(const Vec& a) {
   const Vec b = (1 / largest(a)) * a;
   return (1 / std::sqrt(dot(b, b))) * b;

@@ -1,5 +1,5 @@
 #pragma once
-// The second opinion on a contact, as a host reads it.
+// The cross-check of a contact, as a host reads it.
 
 #include "cross_check/features.h"
 #include "dartsweep/cross_check.h"

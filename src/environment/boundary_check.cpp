@@ -4,7 +4,7 @@
 // do, walking along a connected sheet of the boundary never changes how often the space just inside of it is covered
 // (contacts in single points can be walked round), and one ray for every sheet tells whether that is once. In the plane
 // sides take the place of triangles, and solids are compared round common points, which cannot be walked round. No
-// tolerance, and no shift where contact is judged.
+// tolerance, and no shift where contact is tested.
 
 #include "environment/boundary_check.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The set of marked edges (wires), by their two vertices, so that a mark does not depend on which cell names the edge.
+// The set of marked edges, by their two vertices, so that a mark does not depend on which cell names the edge.
 
 #include <cstdint>
 

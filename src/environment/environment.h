@@ -26,7 +26,7 @@ struct Environment {
   size_t point_room = 0;
   Array<int32_t> regions{memory};        // by cell index; empty: none were given
   Array<uint32_t> tags{memory};          // by cell index; empty: none were given
-  EdgeMarks edge_marks{memory};          // wires, by their two vertices
+  EdgeMarks edge_marks{memory};          // marked edges, by their two vertices
   Array<uint64_t> vertex_marks{memory};  // bits; empty: none
   uint64_t marked_cells = 0, marked_facets = 0, marked_edges = 0, marked_vertices = 0;
   uint64_t obstacle_version = 0;  // another one when something becomes impassable, or points move

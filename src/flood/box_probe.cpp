@@ -16,7 +16,7 @@ const FacetsInBox kFacetsInBox = choose_facets_in_box();
 
 bool BoxProbe<3>::is_free(const Bounds<3>& box, Cell start) noexcept {
   count_ = 0;
-  // Wires and lone vertices are not seen on the facets there.
+  // Marked edges and vertices are not seen on the facets there.
   if ((env_.marked_edges | env_.marked_vertices) != 0 || !enter(start)) return false;
   for (uint32_t i = 0; i < count_; ++i) {
     if (!enter_neighbours(box, cells_[i])) return false;

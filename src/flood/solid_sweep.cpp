@@ -204,7 +204,7 @@ bool SolidSweep<D>::simplex_met(const Solid& solid, const uint16_t* local) {
   return solid.meets(simplex, codes);
 }
 
-/** Judges each vertex once; the lowest of the cells that see it is its front. */
+/** Tests each vertex once; the lowest of the cells that see it is its front. */
 template <int D>
 void SolidSweep<D>::look_at_inside_vertices(const Solid& solid, Cell c) {
   const auto lower_front = [&](SweepContact& contact, uint32_t vertex) {
@@ -219,7 +219,7 @@ void SolidSweep<D>::look_at_inside_vertices(const Solid& solid, Cell c) {
       return static_cast<uint32_t>(found_.size());
     });
     if (first_time) {
-      judge(solid, c, corner);
+      test_corner(solid, c, corner);
     } else if (place < found_.size()) {
       lower_front(found_[place], corner.vertex);
     }
@@ -228,10 +228,10 @@ void SolidSweep<D>::look_at_inside_vertices(const Solid& solid, Cell c) {
 
 /** Keeps an impassable vertex if it is the earliest. */
 template <int D>
-void SolidSweep<D>::judge(const Solid& solid, Cell c, const Corner& corner) {
+void SolidSweep<D>::test_corner(const Solid& solid, Cell c, const Corner& corner) {
   SweepContact& best = result_.contact;
   SweepContact found;
-  if (!judge_vertex(c, corner.vertex, found.facet)) return;
+  if (!test_vertex(c, corner.vertex, found.facet)) return;
   found.event = solid.event(corner.at);
   found.front = c;
   found.vertex = corner.vertex;
@@ -245,7 +245,7 @@ void SolidSweep<D>::judge(const Solid& solid, Cell c, const Corner& corner) {
  * round it are linked through facets at it, but for vertices of the outer boundary, where each part of them has facets
  * of that. */
 template <int D>
-bool SolidSweep<D>::judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet) {
+bool SolidSweep<D>::test_vertex(Cell c, uint32_t vertex, HalfFacet& facet) {
   bool impassable = vertex_marked(env_, vertex);
   HalfFacet lowest;
   around_.clear();

@@ -84,7 +84,7 @@ class SolidSweep {
   const Map<D>& map_;
   SweepResult result_;
   CellQueue cells_{env_.memory};        // met
-  LineTable lines_{env_.memory};        // where they pierce the swept plane; of a solid: vertices that have been judged
+  LineTable lines_{env_.memory};        // where they pierce the swept plane; of a solid: vertices that have been tested
   Array<Corner> corners_{env_.memory};  // of the cell that is looked at
   Array<SweepContact> found_{env_.memory};  // if they are collected
 
@@ -92,11 +92,11 @@ class SolidSweep {
   void enter_neighbours(const Solid& solid, Cell c);
   bool simplex_met(const Solid& solid, const uint16_t* local);
   void look_at_inside_vertices(const Solid& solid, Cell c);
-  void judge(const Solid& solid, Cell c, const Corner& corner);
-  bool judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet);
+  void test_corner(const Solid& solid, Cell c, const Corner& corner);
+  bool test_vertex(Cell c, uint32_t vertex, HalfFacet& facet);
 
   bool collect_ = false;
-  CellQueue around_{env_.memory};  // round the vertex that is judged
+  CellQueue around_{env_.memory};  // round the vertex that is tested
 };
 
 }  // namespace dsw

@@ -50,7 +50,7 @@ SweepResult SweepFlood<3>::sweep(const EdgeMotion& m, Cell start, uint32_t max_v
     if (!read_corners(c)) return;
     const Shape shape = map_.shape(c);
     look_at_facets(c, shape);
-    if (env_.marked_edges != 0) look_at_wires(c, shape);
+    if (env_.marked_edges != 0) look_at_marked_edges(c, shape);
   });
   if (collect_) sort_found();
   return result_;
@@ -165,7 +165,7 @@ void SweepFlood<3>::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet)
   }
 }
 
-void SweepFlood<3>::look_at_wires(Cell c, const Shape& shape) {
+void SweepFlood<3>::look_at_marked_edges(Cell c, const Shape& shape) {
   SweepContact found;
   found.front = c;
   for (uint32_t d = 0; d < shape.dart_count(); ++d) {

@@ -31,7 +31,7 @@ class SweepFlood<3> : public SolidSweep<3> {
   int side(Corner& corner) const;
   uint32_t outside(const Corner& a, const Corner& b);
   void look_at_facets(Cell c, const Shape& shape);
-  void look_at_wires(Cell c, const Shape& shape);
+  void look_at_marked_edges(Cell c, const Shape& shape);
   void look_at_obstacle(Cell c, const Shape& shape, uint32_t facet);
   bool facet_met(const Shape& shape, uint32_t facet);
   bool simplex_met(const uint16_t* local);

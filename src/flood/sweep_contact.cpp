@@ -9,8 +9,8 @@
 namespace dsw {
 namespace {
 
-/** Order of contacts at one time and of one kind: vertices by number; facets before wires; those that p sees; then by
- * the canonical name of the facet, the cell it is seen from, and inside that. */
+/** Order of contacts at one time and of one kind: vertices by number; facets before marked edges; those that p sees;
+ * then by the canonical name of the facet, the cell it is seen from, and inside that. */
 template <int D>
 auto order_of(const Map<D>& map, const SweepContact& c) {
   const HalfFacet h = c.facet.valid() ? canonical(map, c.facet) : HalfFacet{};

@@ -13,8 +13,8 @@ constexpr uint32_t kNoVertex = 0xffffffffu;
 struct SweepContact {
   SweepEvent event;
   Cell front;       // the cell from which it is met
-  HalfFacet facet;  // impassable, seen from `front`; invalid for a wire. Of a face: the lowest impassable facet
-      // at the vertex by its canonical name, from its passable side; invalid if only a mark or a wire makes it
+  HalfFacet facet;  // impassable, seen from `front`; invalid for a marked edge. Of a face: the lowest impassable facet
+      // at the vertex by its canonical name, from its passable side; invalid if only a marked vertex or edge makes it
       // impassable
   bool faces_start = false;     // p lies on this side of the plane
   uint32_t simplex = 0;         // of `front`, in `facet`; not of a face

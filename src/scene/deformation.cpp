@@ -71,7 +71,7 @@ void deform(Scene<D>& scene, double* next, const WallSettings& settings) {
   for (uint32_t slot = 0; scene.features.live && slot < scene.particles.size(); ++slot) note_particle(scene, slot);
 }
 
-void want_near(Scene<3>& scene, Mending& mending) {
+void want_near(Scene<3>& scene, Repair& repair) {
   gather(scene);
   const Map<3>& map = scene.deformation.get()->env.map;
   CellQueue near(scene.memory), around(scene.memory);
@@ -82,7 +82,7 @@ void want_near(Scene<3>& scene, Mending& mending) {
       for_each_cell_at_vertex(map, map.vertex(c, k), around, [&](Cell at) { near.insert(at); });
     }
   }
-  for (size_t i = 0; i < near.size(); ++i) mending.want(near[i]);
+  for (size_t i = 0; i < near.size(); ++i) repair.want(near[i]);
 }
 
 void renew_ids(Deformation<3>& deformation) noexcept {

@@ -1,7 +1,7 @@
 #pragma once
 // What a scene keeps to deform its environment.
 
-#include "remesh/mending.h"
+#include "remesh/repair.h"
 #include "walls/end_state.h"
 #include "walls/wall_motion.h"
 
@@ -28,8 +28,8 @@ struct Deformation {
 template <int D>
 void deform(Scene<D>& scene, double* next, const WallSettings& settings);
 
-/** Wants those cells mended that hold something, and those at their vertices. Throws std::bad_alloc. */
-void want_near(Scene<3>& scene, Mending& mending);
+/** Wants those cells repaired that hold something, and those at their vertices. Throws std::bad_alloc. */
+void want_near(Scene<3>& scene, Repair& repair);
 /** What the last deformation left names cells as they are called now; for a change of the topology. */
 void renew_ids(Deformation<3>& deformation) noexcept;
 

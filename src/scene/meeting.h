@@ -1,5 +1,5 @@
 #pragma once
-// Which bodies of a scene can meet each other, if it has named that [JCD10] 4.4.
+// Which bodies of a scene can meet each other, if that is enabled [JCD10] 4.4.
 
 #include "scene/bodies.h"
 

@@ -28,7 +28,7 @@ bool set_mark(Environment<D>& env, Dart d, bool marked) noexcept {
 
 Obstacle obstacle_of(Cell) { return Obstacle::kCells; }
 Obstacle obstacle_of(HalfFacet) { return Obstacle::kFacets; }
-Obstacle obstacle_of(Dart) { return Obstacle::kWires; }
+Obstacle obstacle_of(Dart) { return Obstacle::kMarkedEdges; }
 
 template <int D>
 Box<D> box_of(const Environment<D>& env, Cell c) noexcept {

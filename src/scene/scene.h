@@ -71,8 +71,8 @@ struct Scene {
   BoxGrid<D> body_boxes{memory};              // by slot, if bodies keep boxes
   Owned<BodyMove<D>> mover{memory};           // if one has moved: what moves of single bodies keep from call to call
   Array<uint32_t> offending{memory};          // pairs of vertices of edges that were found not free
-  Owned<Deformation<D>> deformation{memory};  // if named
-  Owned<LiveRegister<D>> live{memory};        // if named
+  Owned<Deformation<D>> deformation{memory};  // if enabled
+  Owned<LiveRegister<D>> live{memory};        // if enabled
 
   Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted)
       : env(environment), memory(source), parallel(sharing), features(wanted) {

@@ -119,10 +119,10 @@ void tear_facets(const Site<D>& site, const Array<HalfFacet>& facets) {
   site.change(edit, {{}, nullptr, &torn});
 }
 
-void mend_cells(const Site<3>& site, Mending& mending, const Meanwhile* meanwhile) {
+void repair_cells(const Site<3>& site, Repair& repair, const Meanwhile* meanwhile) {
   std::optional<Edit<3>> edit;
-  mending.prepare(edit);
-  const MendRecord& record = mending.record();
+  repair.prepare(edit);
+  const RepairRecord& record = repair.record();
   Array<dsw_volume_id> left(site.env.memory);
   for (const Cell c : record.left) left.push_back(volume_id(site.env.map, c));
   Told told;
@@ -142,17 +142,18 @@ void mend_cells(const Site<3>& site, Mending& mending, const Meanwhile* meanwhil
   site.results.unrepaired.swap(left);
 }
 
-uint32_t mend_and_deform(const Site<3>& site, double* next, const WallSettings& settings, MendSettings mend) {
+uint32_t repair_and_deform(const Site<3>& site, double* next, const WallSettings& settings,
+                           RepairSettings repair_settings) {
   Deformation<3>& of = *site.scene->deformation.get();
-  mend.only_valid = true;
-  Mending mending(site.env, next, mend);
-  want_near(*site.scene, mending);
+  repair_settings.only_valid = true;
+  Repair repair(site.env, next, repair_settings);
+  want_near(*site.scene, repair);
   auto bend = [&] {
     deform(*site.scene, next, settings);
     return of.record.outcome != DSW_DEFORM_REFUSED;
   };
   const Meanwhile meanwhile{[](void* user) { return (*static_cast<decltype(bend)*>(user))(); }, &bend};
-  mend_cells(site, mending, &meanwhile);
+  repair_cells(site, repair, &meanwhile);
   renew_ids(of);
   return site.results.numbers.volumes_removed;
 }

@@ -3,7 +3,7 @@
 // parts throw, before anything has changed. The results of the site say what was done.
 
 #include "cutting/opening.h"
-#include "remesh/mending.h"
+#include "remesh/repair.h"
 #include "scene/change.h"
 
 namespace dsw {
@@ -24,9 +24,9 @@ void open_crack(const Site<D>& site, Crack<D>& crack, const OpenSettings& settin
 template <int D>
 void tear_facets(const Site<D>& site, const Array<HalfFacet>& facets);
 /** Repairs what is wanted, and does something meanwhile unless that is null. */
-void mend_cells(const Site<3>& site, Mending& mending, const Meanwhile* meanwhile = nullptr);
-/** Mends what would become invalid near what the scene holds, and deforms the environment. Returns how many cells went.
- * */
-uint32_t mend_and_deform(const Site<3>& site, double* next, const WallSettings& settings, MendSettings mend);
+void repair_cells(const Site<3>& site, Repair& repair, const Meanwhile* meanwhile = nullptr);
+/** Repairs cells near occupants that would become invalid, and deforms the environment. Returns how many cells went. */
+uint32_t repair_and_deform(const Site<3>& site, double* next, const WallSettings& settings,
+                           RepairSettings repair_settings);
 
 }  // namespace dsw

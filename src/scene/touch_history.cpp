@@ -30,12 +30,12 @@ LastTouch touch_of(const MoveRecord& record, uint32_t i, uint64_t move) noexcept
   return touch;
 }
 
-void fill_in(const LastTouch& touch, uint64_t move, dsw_previous_contact& past) noexcept {
-  std::copy_n(touch.point, 3, past.point);
-  std::copy_n(touch.normal, 3, past.normal);
-  past.obstacle = touch.obstacle;
-  past.body = touch.body;
-  past.since = static_cast<uint32_t>(std::min<uint64_t>(move - touch.move, kMostMoves));
+void fill_in(const LastTouch& touch, uint64_t move, dsw_previous_contact& previous) noexcept {
+  std::copy_n(touch.point, 3, previous.point);
+  std::copy_n(touch.normal, 3, previous.normal);
+  previous.obstacle = touch.obstacle;
+  previous.body = touch.body;
+  previous.since = static_cast<uint32_t>(std::min<uint64_t>(move - touch.move, kMostMoves));
 }
 
 }  // namespace
@@ -84,18 +84,18 @@ void TouchHistory::follow(const MoveRecord& last, MoveRecord& next, const SlotPo
   const auto by_vertex = [](const LastTouch& a, dsw_body_vertex_id b) { return a.vertex.index < b.index; };
   const uint64_t now = moves + 1;  // number of the move that has been made; that of `last` is `moves`
   for (uint32_t i = 0; i < next.contacts.size(); ++i) {
-    dsw_previous_contact& past = next.previous[i];
+    dsw_previous_contact& previous = next.previous[i];
     const Stop stop = to_stop(next, i);
     const Stop *const same = find_last(stop, true), *const any = same != nullptr ? same : find_last(stop, false);
     next.contacts[i].history = same != nullptr ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW;
-    past.moves = same != nullptr ? one_more(last.previous[same->contact].moves) : 1;
-    past.touching = any != nullptr ? one_more(last.previous[any->contact].touching) : 1;
+    previous.moves = same != nullptr ? one_more(last.previous[same->contact].moves) : 1;
+    previous.touching = any != nullptr ? one_more(last.previous[any->contact].touching) : 1;
     if (any != nullptr) {
-      fill_in(touch_of(last, any->contact, moves), now, past);
+      fill_in(touch_of(last, any->contact, moves), now, previous);
       continue;
     }
     const auto before = std::lower_bound(earlier.begin(), earlier.end(), stop.vertex, by_vertex);
-    if (before != earlier.end() && is_same(before->vertex, stop.vertex)) fill_in(*before, now, past);
+    if (before != earlier.end() && is_same(before->vertex, stop.vertex)) fill_in(*before, now, previous);
   }
   moves = now;
   if (stops_.empty()) return;

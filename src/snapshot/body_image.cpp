@@ -98,9 +98,9 @@ constexpr size_t kContactWords = 19, kAtObstacleKind = 6, kAtKind = 15;  // then
 
 constexpr size_t kPartnerWords = 8;
 
-constexpr size_t kTouchPlaces = 6, kPastWords = 9, kTouchWords = 10;
+constexpr size_t kTouchPlaces = 6, kPreviousWords = 9, kTouchWords = 10;
 
-/** The parts that a past and a touch have in common. */
+/** The parts that a previous contact and a touch have in common. */
 template <class Touch>
 void append_touch(const Touch& t, Array<double>& places, Array<uint32_t>& words) {
   append(places, t.point, 3);
@@ -242,9 +242,9 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, bool with_history, S
     append(image.shapes, shape.moved.translation, D);
     if (has_rest) append(image.shapes, shape.rest.data(), shape.rest.size());
   }
-  for (const dsw_previous_contact& past : of.record.previous) {
-    append_touch(past, image.past_places, image.previous);
-    append(image.previous, {past.since, past.moves, past.touching});
+  for (const dsw_previous_contact& previous : of.record.previous) {
+    append_touch(previous, image.previous_places, image.previous);
+    append(image.previous, {previous.since, previous.moves, previous.touching});
   }
   for (const LastTouch& touch : of.touches.earlier) {
     append_touch(touch, image.touch_places, image.touches);
@@ -407,27 +407,28 @@ void BodyReader<D>::read_history(BodyRecord<D>& of, const uint64_t* n) {
   of.record.previous.resize(of.record.contacts.size());
   for (size_t i = 0; i < of.record.previous.size() && !has_history_; ++i) {
     const dsw_body_contact& contact = of.record.contacts[i];
-    dsw_previous_contact& past = of.record.previous[i];
-    past.moves = past.touching = 1;
+    dsw_previous_contact& previous = of.record.previous[i];
+    previous.moves = previous.touching = 1;
     if (contact.history != DSW_HISTORY_LASTING) continue;
-    std::copy_n(contact.point, 3, past.point);
-    std::copy_n(contact.contact.normal, 3, past.normal);
-    past.obstacle = contact.contact.obstacle;
-    if (!of.record.partners.empty()) past.body = of.record.partners[i].body;
-    past.since = 1;
-    past.moves = past.touching = 2;
+    std::copy_n(contact.point, 3, previous.point);
+    std::copy_n(contact.contact.normal, 3, previous.normal);
+    previous.obstacle = contact.contact.obstacle;
+    if (!of.record.partners.empty()) previous.body = of.record.partners[i].body;
+    previous.since = 1;
+    previous.moves = previous.touching = 2;
   }
   if (!has_history_) return;
-  const double* place = take(image_.past_places, past_place_, kTouchPlaces * of.record.previous.size());
-  const uint32_t* words = take(image_.previous, past_, kPastWords * of.record.previous.size());
-  for (dsw_previous_contact& past : of.record.previous) {
-    read_touch(place, words, past);
-    past.since = words[6];
-    past.moves = words[7];
-    past.touching = words[8];
-    if (past.moves == 0 || past.touching < past.moves) fail_corrupt("for how long a vertex has touched something");
+  const double* place = take(image_.previous_places, previous_place_, kTouchPlaces * of.record.previous.size());
+  const uint32_t* words = take(image_.previous, previous_, kPreviousWords * of.record.previous.size());
+  for (dsw_previous_contact& previous : of.record.previous) {
+    read_touch(place, words, previous);
+    previous.since = words[6];
+    previous.moves = words[7];
+    previous.touching = words[8];
+    if (previous.moves == 0 || previous.touching < previous.moves)
+      fail_corrupt("for how long a vertex has touched something");
     place += kTouchPlaces;
-    words += kPastWords;
+    words += kPreviousWords;
   }
   of.touches.moves = n[kMoves];
   if (n[kTouches] > of.body.vertices.size()) fail_corrupt("the number of touches");
@@ -538,8 +539,8 @@ void BodyReader<D>::finish() const {
       face_slot_ == i.face_slots.size() && free_face_ == i.free_faces.size() && inserted_ == i.inserted.size() &&
       sequence_ == i.sequences.size() && ball_ == i.balls.size() && ball_word_ == i.ball_words.size() &&
       contact_place_ == i.contact_places.size() && contact_ == i.contacts.size() && partner_ == i.partners.size() &&
-      past_place_ == i.past_places.size() && past_ == i.previous.size() && touch_place_ == i.touch_places.size() &&
-      touch_ == i.touches.size() && shape_ == i.shapes.size();
+      previous_place_ == i.previous_places.size() && previous_ == i.previous.size() &&
+      touch_place_ == i.touch_places.size() && touch_ == i.touches.size() && shape_ == i.shapes.size();
   if (!all) fail_corrupt("more of bodies than there are");
 }
 

@@ -33,8 +33,8 @@ struct SceneImage {
   Array<double> contact_places;
   Array<uint32_t> contacts;
   Array<uint32_t> partners;  // one for each contact, if bodies meet each other
-  // From version 3 on: what vertices touched before; previous one for each contact.
-  Array<double> past_places;
+  // From version 3 on: what vertices touched before; one of `previous` for each contact.
+  Array<double> previous_places;
   Array<uint32_t> previous;
   Array<double> touch_places;
   Array<uint32_t> touches;
@@ -58,7 +58,7 @@ struct SceneImage {
     visit(sequences);
     visit(balls), visit(ball_words);
     visit(contact_places), visit(contacts), visit(partners);
-    visit(past_places), visit(previous), visit(touch_places), visit(touches);
+    visit(previous_places), visit(previous), visit(touch_places), visit(touches);
     visit(shapes);
   }
 };
@@ -123,8 +123,8 @@ class BodyReader {
   // Where the next body begins in each array.
   size_t body_ = 0, vertex_place_ = 0, vertex_ = 0, vertex_slot_ = 0, free_vertex_ = 0, edge_ = 0, edge_slot_ = 0,
          free_edge_ = 0, face_ = 0, face_slot_ = 0, free_face_ = 0, inserted_ = 0, sequence_ = 0, ball_ = 0,
-         ball_word_ = 0, contact_place_ = 0, contact_ = 0, partner_ = 0, past_place_ = 0, past_ = 0, touch_place_ = 0,
-         touch_ = 0, shape_ = 0;
+         ball_word_ = 0, contact_place_ = 0, contact_ = 0, partner_ = 0, previous_place_ = 0, previous_ = 0,
+         touch_place_ = 0, touch_ = 0, shape_ = 0;
 };
 
 }  // namespace dsw

@@ -54,7 +54,7 @@ bool BodyProbe<D>::visit_vertices(const Body<D>& body, const Places<D>& changed,
 template <int D>
 template <class Visit>
 bool BodyProbe<D>::visit_edges(const Body<D>& body, const Places<D>& changed, SweepLevel level, Visit visit) {
-  if (kind_ == Obstacle::kWires || level == SweepLevel::kPoints) return true;
+  if (kind_ == Obstacle::kMarkedEdges || level == SweepLevel::kPoints) return true;
   uint32_t edges[kPacket];
   packet_.clear();
   const auto run = [&] {

@@ -12,11 +12,11 @@ namespace dsw {
 bool is_face_free(const Environment<3>& env, SweepFlood<3>& flood, const Body<3>& body, uint32_t face);
 
 /** What has become impassable. */
-enum class Obstacle { kCells, kFacets, kWires };
+enum class Obstacle { kCells, kFacets, kMarkedEdges };
 
 /** Looks for what of a body, which stands still, meets obstacles in some places. At every level vertices lie in cells;
- * edges are stopped by facets from EDGES on; at FACES facets and wires pierce faces. The shift lets neither an edge
- * meet a wire nor anything a single vertex. */
+ * edges are stopped by facets from EDGES on; at FACES facets and marked edges pierce faces. The shift lets neither an
+ * edge meet a marked edge nor anything a single vertex. */
 template <int D>
 class BodyProbe {
  public:

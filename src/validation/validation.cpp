@@ -86,7 +86,7 @@ bool exactly_contains(const Environment<D>& env, Cell c, const double* point) no
 }
 
 template <int D>
-void Judge<D>::add(uint32_t subject, const double* p, const double* q, const double* r) {
+void Validator<D>::add(uint32_t subject, const double* p, const double* q, const double* r) {
   Claim claim;
   claim.points[0] = p;
   claim.points[1] = q;
@@ -98,7 +98,7 @@ void Judge<D>::add(uint32_t subject, const double* p, const double* q, const dou
 }
 
 template <int D>
-void Judge<D>::meet_simplex(const double* const* simplex) noexcept {
+void Validator<D>::meet_simplex(const double* const* simplex) noexcept {
   const Box<D> box = box_of<D>(simplex, D);
   if (!box.overlaps(all_)) return;
   const double* seen[D];
@@ -119,7 +119,7 @@ void Judge<D>::meet_simplex(const double* const* simplex) noexcept {
 }
 
 template <int D>
-void Judge<D>::meet_ridge(const double* const* ridge) noexcept {
+void Validator<D>::meet_ridge(const double* const* ridge) noexcept {
   const Box<D> box = box_of<D>(ridge, D - 1);
   if (!box.overlaps(all_)) return;
   for (size_t i = 0; i < claims_.size(); ++i) {
@@ -133,7 +133,7 @@ void Judge<D>::meet_ridge(const double* const* ridge) noexcept {
 }
 
 template <int D>
-bool Judge<D>::is_folded(size_t claim) const noexcept {
+bool Validator<D>::is_folded(size_t claim) const noexcept {
   bool is_near = false;
   for_each_cell(env_.map, [&](Cell c) {
     if (is_near) return;
@@ -147,7 +147,7 @@ bool Judge<D>::is_folded(size_t claim) const noexcept {
 }
 
 template <int D>
-void Judge<D>::run() {
+void Validator<D>::run() {
   for_each_cell(env_.map, [&](Cell c) {
     const Shape shape = env_.map.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
@@ -161,11 +161,11 @@ void Judge<D>::run() {
     }
   });
   if constexpr (D == 3) {
-    Array<uint64_t> wires{Allocator<uint64_t>(env_.memory)};
-    env_.edge_marks.copy_sorted(wires);
-    for (const uint64_t wire : wires) {
-      const double* const ends[] = {env_.point(static_cast<uint32_t>(wire >> 32)),
-                                    env_.point(static_cast<uint32_t>(wire))};
+    Array<uint64_t> marked{Allocator<uint64_t>(env_.memory)};
+    env_.edge_marks.copy_sorted(marked);
+    for (const uint64_t edge : marked) {
+      const double* const ends[] = {env_.point(static_cast<uint32_t>(edge >> 32)),
+                                    env_.point(static_cast<uint32_t>(edge))};
       meet_ridge(ends);
     }
   } else {
@@ -176,11 +176,11 @@ void Judge<D>::run() {
   }
 }
 
-#define DSW_VERDICT(D)                                                                             \
+#define DSW_INSTANTIATE_VALIDATOR(D)                                                               \
   template bool exactly_contains(const Environment<D>& env, Cell c, const double* point) noexcept; \
-  template class Judge<D>
-DSW_VERDICT(2);
-DSW_VERDICT(3);
-#undef DSW_VERDICT
+  template class Validator<D>
+DSW_INSTANTIATE_VALIDATOR(2);
+DSW_INSTANTIATE_VALIDATOR(3);
+#undef DSW_INSTANTIATE_VALIDATOR
 
 }  // namespace dsw

@@ -12,8 +12,8 @@ template <int D>
 bool exactly_contains(const Environment<D>& env, Cell c, const double* point) noexcept;
 
 /** A segment or a triangle of body points and what of the environment it meets: a segment impassable faces, a triangle
- * edges of these and wires; in the plane a segment impassable sides, a triangle vertices of these and single ones. Two
- * points that are equal meet nothing. */
+ * edges of these and marked edges; in the plane a segment impassable sides, a triangle vertices of these and single
+ * ones. Two points that are equal meet nothing. */
 struct Claim {
   const double* points[3] = {};  // lent; the third is null for a segment
   uint32_t subject = 0;          // whom it is about
@@ -24,9 +24,9 @@ struct Claim {
 };
 
 template <int D>
-class Judge {
+class Validator {
  public:
-  explicit Judge(const Environment<D>& env)
+  explicit Validator(const Environment<D>& env)
       : env_(env), claims_(Allocator<Claim>(env.memory)), boxes_(Allocator<Box<D>>(env.memory)) {}
 
   void add(uint32_t subject, const double* p, const double* q, const double* r = nullptr);

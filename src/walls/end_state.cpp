@@ -30,7 +30,7 @@ void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& re
     if (way != 1 && targets.empty()) targets.assign(next, next + D * count);
     for (size_t v = 0; v < count && way != 1; ++v) point_on_way<D>(start + D * v, &targets[D * v], way, next + D * v);
     read_points(next);
-    const Went went = try_seats(settings, record);
+    const Went went = try_state(settings, record);
     if (went != Went::kInvalid) return went;
     return settings.refuses_invalid ? Went::kRefused : Went::kStopped;
   };
@@ -49,11 +49,11 @@ void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& re
 }
 
 template <int D>
-Went EndState<D>::try_seats(const WallSettings& settings, WallRecord& record) {
+Went EndState<D>::try_state(const WallSettings& settings, WallRecord& record) {
   Went went = Went::kThrough;
   const auto add = [&](const Feature& point) {
     points_.push_back(point);
-    if (points_.size() == kPacket) went = run_seats(settings, record);
+    if (points_.size() == kPacket) went = run_packet(settings, record);
     return went == Went::kThrough;
   };
   points_.clear();
@@ -68,7 +68,7 @@ Went EndState<D>::try_seats(const WallSettings& settings, WallRecord& record) {
       if (body.has_vertex(v) && !add({Feature::kVertex, owner, v})) return went;
     }
   }
-  went = run_seats(settings, record);
+  went = run_packet(settings, record);
   if (went != Went::kThrough) return went;
   return repair(settings, record) ? Went::kThrough : Went::kStopped;
 }
@@ -103,7 +103,7 @@ bool EndState<D>::repair(const WallSettings& settings, WallRecord& record) {
 
 /** Follows points from the centres of their cells, side by side. */
 template <int D>
-Went EndState<D>::run_seats(const WallSettings& settings, WallRecord& record) {
+Went EndState<D>::run_packet(const WallSettings& settings, WallRecord& record) {
   uint8_t place[kPacket];  // of their cells
   cells_.clear();
   for (size_t i = 0; i < points_.size(); ++i) {

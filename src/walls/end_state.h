@@ -50,8 +50,8 @@ class EndState {
   void run(double* next, const WallSettings& settings, WallRecord& record);
 
  private:
-  Went try_seats(const WallSettings& settings, WallRecord& record);
-  Went run_seats(const WallSettings& settings, WallRecord& record);
+  Went try_state(const WallSettings& settings, WallRecord& record);
+  Went run_packet(const WallSettings& settings, WallRecord& record);
   bool put_before(const CastRequest& request, const CastResult& flight, const Feature& point, dsw_wall_response done,
                   WallRecord& record);
   bool repair(const WallSettings& settings, WallRecord& record);

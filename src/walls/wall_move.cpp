@@ -45,7 +45,7 @@ typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, cons
       fine = is_star_valid();
       put(v, to);
     }
-    if (!fine) unseat();
+    if (!fine) restore_locations();
   }
   if (fine) return Moved::kYes;
   put(v, from);
@@ -192,12 +192,12 @@ bool WallMove<D>::locate_all() {
     fine = around_.trace(feature);
     if (fine) around_.note_traced(feature);
   }
-  if (!fine) unseat();
+  if (!fine) restore_locations();
   return fine;
 }
 
 template <int D>
-void WallMove<D>::unseat() noexcept {
+void WallMove<D>::restore_locations() noexcept {
   for (const Location& each : before_) set_location(all_, each.point, position(all_, each.point), each.cell);
   before_.clear();
 }

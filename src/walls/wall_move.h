@@ -40,7 +40,7 @@ class WallMove {
   uint32_t insert(const WallHit& hit, const double* from, const double* to, double min_part);
   void put(uint32_t v, const double* position);
   bool locate_all();
-  void unseat() noexcept;
+  void restore_locations() noexcept;
   bool is_star_valid() const noexcept;
   Cell find_cell(const Feature& point) const;
 

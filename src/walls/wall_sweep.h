@@ -40,7 +40,7 @@ class WallSweep {
   bool has_walls() const noexcept { return impassable_; }
 
   /** Whether a feature is touched when the vertex goes from `from` to `to`; fills *hit with the first touch. At EDGES a
-   * wire, in the plane a marked vertex, is not met; in space vertices are met by faces alone. */
+   * marked edge, in the plane a marked vertex, is not met; in space vertices are met by faces alone. */
   bool meets(const Occupants<D>& all, const Feature& feature, const double* from, const double* to, WallHit* hit) const;
 
  private:
@@ -56,7 +56,7 @@ class WallSweep {
   Cell front_;               // at the vertex, passable if there is one
   bool impassable_ = false;  // the vertex: by its mark, or by a ridge, as every wall has one at it
   Array<WallPart<D - 1>> simplices_{env_.memory};  // of facets: met by points
-  Array<WallPart<D - 2>> ridges_{env_.memory};     // of those, and wires; in the plane the vertex: met by edges
+  Array<WallPart<D - 2>> ridges_{env_.memory};     // of those, and marked edges; in the plane the vertex: met by edges
 };
 
 /** Where and how a hit touches. */

@@ -1,5 +1,5 @@
-// What a scene pays for what it names, and what it does not pay for the rest: bytes, orientation tests and time of one
-// scene, each level, feature and way to leave out work on and off. A program of its own: it needs no peer, and runs on
+// What a scene pays for what it enables, and what it does not pay for the rest: bytes, orientation tests and time of
+// one scene, each level, feature and way to leave out work on and off. A program of its own: it needs no peer, and runs on
 // two builds of the library.
 #include "fig11_case.h"
 #include "report.h"
@@ -74,7 +74,7 @@ Setting search(const char* name, dsw_search value) {
 constexpr std::uint32_t kAll = DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING |
                                DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_LIVE_CHANGES;
 
-/** The one at level EDGES_SWEPT names nothing else: it is the `off` of what is no flag, that at EDGES of flags. */
+/** The one at level EDGES_SWEPT enables nothing else: it is the `off` of what is no flag, that at EDGES of flags. */
 std::vector<Setting> all_settings() {
   return {level("points", DSW_LEVEL_POINTS),
           level("edges", DSW_LEVEL_EDGES),
@@ -226,9 +226,9 @@ class Run {
   std::vector<double> ns_;  // of each step
 };
 
-/** What a scene that names nothing pays for what another scene has named before it in its environment. Deforming is
+/** What a scene that enables nothing pays for what another scene has enabled before it in its environment. Deforming is
  * left out: it says that walks stay those for warped volumes. */
-void measure_unnamed(const Fig11Case& scene, const Script& script, Report& report) {
+void measure_not_enabled(const Fig11Case& scene, const Script& script, Report& report) {
   Run fresh(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
   Run after(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
   after.start(kAll ^ DSW_FEATURE_DEFORMING);
@@ -237,8 +237,8 @@ void measure_unnamed(const Fig11Case& scene, const Script& script, Report& repor
     run->start();
     for (std::size_t step = 0; step < script.steps; ++step) run->step(step);
   }
-  report.set("left_out.unnamed_bytes", after.bytes() - fresh.bytes());
-  report.set("left_out.unnamed_orientation_tests", after.count_tests() - fresh.count_tests());
+  report.set("left_out.not_enabled_bytes", after.bytes() - fresh.bytes());
+  report.set("left_out.not_enabled_orientation_tests", after.count_tests() - fresh.count_tests());
 }
 
 constexpr double kNothing = -1;  // an empty field
@@ -295,15 +295,15 @@ std::vector<Row> measure(const Fig11Case& scene, const Script& script, bool libc
     }
     rows.push_back(row);
   }
-  Row nothing_named = of_level.at("edges_swept");
+  Row nothing_enabled = of_level.at("edges_swept");
   if (libccd_only) {
-    nothing_named.feature = "libccd";
-    nothing_named.setting = kLibccd;
-    return {nothing_named};
+    nothing_enabled.feature = "libccd";
+    nothing_enabled.setting = kLibccd;
+    return {nothing_enabled};
   }
-  report.set("left_out.bytes_per_cell", nothing_named.bytes_per_cell);
-  report.set("left_out.bytes_per_vertex", nothing_named.bytes_per_vertex);
-  report.set("left_out.orientation_tests_per_step", nothing_named.tests);
+  report.set("left_out.bytes_per_cell", nothing_enabled.bytes_per_cell);
+  report.set("left_out.bytes_per_vertex", nothing_enabled.bytes_per_vertex);
+  report.set("left_out.orientation_tests_per_step", nothing_enabled.tests);
   measure_casts(runs.front()->world(), script.casts(0, script.steps), rows);
   return rows;
 }
@@ -332,7 +332,7 @@ int main(int argc, char** argv) {
   std::string csv = "left_out.csv", json = "left_out.json";
   std::size_t cells = 100000, steps = 100;
   bool libccd_only = false;
-  CLI::App app("What a scene pays for what it names.");
+  CLI::App app("What a scene pays for what it enables.");
   app.add_option("--csv", csv, "Table to write");
   app.add_option("--json", json, "Figures to write");
   app.add_option("--cells", cells, "Of the lattice");
@@ -343,7 +343,7 @@ int main(int argc, char** argv) {
     Fig11Case scene(cells);
     const Script script = scene.record(steps, false);
     Report report;
-    if (!libccd_only) measure_unnamed(scene, script, report);
+    if (!libccd_only) measure_not_enabled(scene, script, report);
     write_rows(measure(scene, script, libccd_only, report), csv);
     return report.write(json) ? 0 : 1;
   } catch (const std::exception& error) {

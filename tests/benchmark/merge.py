@@ -2,7 +2,7 @@
 """Puts the figures of all parts into one flat object: merge.py OUT LIBRARY EDITS NORMALS PART...
 
 Adds core.needed_libraries: what the dynamic section of LIBRARY names beyond the C and C++ runtimes, and
-topology.* and contact.normal_*: what the tests of random changes and those of libccd's second opinion say in EDITS and NORMALS, their
+topology.* and contact.normal_*: what the tests of random changes and those of libccd's cross-checks say in EDITS and NORMALS, their
 reports as GoogleTest writes them."""
 import json
 import re
@@ -32,11 +32,11 @@ def main():
     report, tests = read_report(edits)
     figures["topology.random_ops"] = sum(int(test.get("changes", 0)) for test in tests)
     figures["topology.violations"] = report["failures"] + report["errors"]
-    asked = [test for test in read_report(normals)[1] if "opinions" in test]
+    asked = [test for test in read_report(normals)[1] if "cross_checks" in test]
     if asked:
         figures["contact.normal_vs_libccd_deg_p99"] = max(float(test["deg_p99"]) for test in asked)
-        opinions = sum(int(test["opinions"]) for test in asked)
-        figures["contact.normal_qualified_share"] = opinions / sum(int(test["contacts"]) for test in asked)
+        cross_checks = sum(int(test["cross_checks"]) for test in asked)
+        figures["contact.normal_qualified_share"] = cross_checks / sum(int(test["contacts"]) for test in asked)
     dynamic = subprocess.run(["readelf", "-d", library], check=True, capture_output=True, text=True).stdout
     needed = re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic)
     figures["core.needed_libraries"] = sum(1 for name in needed if not RUNTIMES.match(name))

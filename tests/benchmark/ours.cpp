@@ -172,13 +172,13 @@ void adopt_triangulation(const World& world, const scenes::VolumeMesh& mesh, std
 std::size_t locate_starts(const World& world, const std::vector<std::uint32_t>& cells, Segments& segments) {
   const std::size_t count = segments.count();
   const auto hints = volume_ids(world, cells);
-  std::vector<dsw_location> places(count);
+  std::vector<dsw_location> locations(count);
   segments.starts.resize(count);
   check(dsw_environment_locate_points(world.environment(), segments.from.data(), count, 0, hints.data(),
-                                      segments.starts.data(), places.data()));
+                                      segments.starts.data(), locations.data()));
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (places[i] != DSW_LOCATION_PASSABLE) continue;
+    if (locations[i] != DSW_LOCATION_PASSABLE) continue;
     segments.starts[kept] = segments.starts[i];
     std::copy_n(&segments.from[3 * i], 3, &segments.from[3 * kept]);
     std::copy_n(&segments.to[3 * i], 3, &segments.to[3 * kept]);

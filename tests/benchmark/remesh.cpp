@@ -1,5 +1,5 @@
-// Tetrahedra of random points bend so far that some turn invalid: how many of these are mended, by how far it bends and
-// how far mending may reach, and what it costs.
+// Tetrahedra of random points bend so far that some turn invalid: how many are repaired, by how far it bends and
+// how far the repair may reach, and what it costs.
 #include "parts.h"
 
 #include "ours.h"

@@ -105,8 +105,8 @@ static void faces_come_and_go(void) {
   dsw_body_id body = make_square(DSW_LEVEL_FACES);
   dsw_body_face_id f = {55, 66};
   dsw_body_vertex_id v[3], sixth;
-  dsw_body_edge_id wire_edge;
-  dsw_edge_id wire;
+  dsw_body_edge_id lone_edge;
+  dsw_edge_id marked;
   uint32_t ends[2];
 #define ADD(a, b, c) dsw_body_add_face(g_scene, body, vertex_id(a), vertex_id(b), vertex_id(c), &f)
   CHECK_OK(dsw_body_add_vertex(g_scene, body, tip, no_volume, &sixth));
@@ -128,19 +128,19 @@ static void faces_come_and_go(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_remove_face(g_scene, body, f));
   CHECK_OK(dsw_body_remove_edge(g_scene, body, edge_id(5)));
   CHECK_OK(dsw_body_remove_edge(g_scene, body, edge_id(6)));
-  /* A wire along y at (1, y, 1) would go through the new triangle, but not through its edges. */
+  /* A marked edge along y at (1, y, 1) would go through the new triangle, but not through its edges. */
   ends[0] = 1 + (N + 1) * (0 + (N + 1));
   ends[1] = ends[0] + N + 1;
-  CHECK_OK(dsw_environment_find_edges(g_env, 1, ends, &wire, NULL));
-  CHECK_OK(dsw_environment_mark_edges(g_env, &wire, 1, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_environment_find_edges(g_env, 1, ends, &marked, NULL));
+  CHECK_OK(dsw_environment_mark_edges(g_env, &marked, 1, DSW_MARK_IMPASSABLE));
   f.index = 55;
   CHECK_FAILS(DSW_STATUS_OCCUPIED, ADD(1, 0, 5));
   CHECK_MESSAGE("triangle (1, 0, 5)");
   CHECK(f.index == 55 && has(body, 6, 5, 2));
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES_SWEPT));
   CHECK_OK(ADD(1, 0, 5));
-  CHECK_OK(dsw_environment_mark_edges(g_env, &wire, 1, DSW_MARK_PASSABLE));
-  CHECK_OK(dsw_body_add_edge(g_scene, body, vertex_id(4), sixth, &wire_edge)); /* an edge without a face */
+  CHECK_OK(dsw_environment_mark_edges(g_env, &marked, 1, DSW_MARK_PASSABLE));
+  CHECK_OK(dsw_body_add_edge(g_scene, body, vertex_id(4), sixth, &lone_edge)); /* an edge without a face */
 #undef ADD
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }

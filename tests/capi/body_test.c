@@ -19,7 +19,8 @@ static dsw_body_desc pyramid(void) {
 }
 
 /* Vertices and edges only. */
-static dsw_body_desc wires(const double *positions, size_t vertex_count, const uint32_t *edges, size_t edge_count) {
+static dsw_body_desc from_edges(const double *positions, size_t vertex_count, const uint32_t *edges,
+                                size_t edge_count) {
   return body_desc(positions, vertex_count, edges, edge_count, DSW_LEVEL_EDGES_SWEPT);
 }
 
@@ -78,7 +79,8 @@ static void a_body_has_what_was_given(void) {
     dsw_level now = (dsw_level)0;
     d.level = (dsw_level)level;
     d.hints = level % 2 != 0 ? hints : NULL;
-    d.flags = DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_SIMILAR_MOTION;
+    d.flags =
+        DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_SIMILAR_MOTION;
     body = make(&d);
     c = counts_of(body);
     CHECK(c.struct_size == sizeof c && c.vertex_count == 5 && c.edge_count == 9 && c.face_count == 6);
@@ -237,7 +239,7 @@ static void bad_topology_is_refused(void) {
   };
   size_t i;
   for (i = 0; i < sizeof kBad / sizeof kBad[0]; ++i) {
-    dsw_body_desc d = wires(g_pyramid, 5, kBad[i].edges, kBad[i].edge_count);
+    dsw_body_desc d = from_edges(g_pyramid, 5, kBad[i].edges, kBad[i].edge_count);
     d.face_offsets = kBad[i].offsets;
     d.face_corners = kBad[i].corners;
     d.face_count = kBad[i].face_count;
@@ -251,8 +253,8 @@ static void one_that_is_not_free_is_refused(void) {
   const uint32_t edges[4] = {0, 1, 2, 1}, triangle[3] = {0, 1, 2}, all[2] = {0, 3};
   const double wide[9] = {0.25, 1.5, 0.25, 3.75, 1.25, 0.25, 3.75, 1.75, 2.75};
   const uint32_t *offending = NULL;
-  dsw_body_desc d = wires(line, 3, edges, 2);
-  dsw_edge_id wire;
+  dsw_body_desc d = from_edges(line, 3, edges, 2);
+  dsw_edge_id marked;
   uint32_t ends[2];
   dsw_body_id body;
   dsw_level level;
@@ -280,16 +282,16 @@ static void one_that_is_not_free_is_refused(void) {
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_set_level(g_scene, body, (dsw_level)0));
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_set_level(g_scene, body, (dsw_level)5));
   CHECK_OK(dsw_body_destroy(g_scene, body));
-  /* A wire through the inside of a face is seen by faces only. */
-  d = wires(wide, 3, NULL, 0);
+  /* A marked edge through the inside of a face is seen by faces only. */
+  d = from_edges(wide, 3, NULL, 0);
   d.face_offsets = all;
   d.face_corners = triangle;
   d.face_count = 1;
   d.face_corner_count = 3;
   ends[0] = 2 + (N + 1) * (1 + (N + 1));
   ends[1] = ends[0] + N + 1;
-  CHECK_OK(dsw_environment_find_edges(g_env, 1, ends, &wire, NULL));
-  CHECK_OK(dsw_environment_mark_edges(g_env, &wire, 1, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_environment_find_edges(g_env, 1, ends, &marked, NULL));
+  CHECK_OK(dsw_environment_mark_edges(g_env, &marked, 1, DSW_MARK_IMPASSABLE));
   body = make(&d);
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
   CHECK_OK(dsw_scene_get_offending_edges(g_scene, &offending, &count));
@@ -297,7 +299,7 @@ static void one_that_is_not_free_is_refused(void) {
   CHECK_OK(dsw_body_destroy(g_scene, body));
   d.level = DSW_LEVEL_FACES;
   refuses(DSW_STATUS_OCCUPIED, &d, "edges meet something impassable");
-  CHECK_OK(dsw_environment_mark_edges(g_env, &wire, 1, DSW_MARK_PASSABLE));
+  CHECK_OK(dsw_environment_mark_edges(g_env, &marked, 1, DSW_MARK_PASSABLE));
 }
 
 static void capacities_are_asked_for(void) {

@@ -129,7 +129,7 @@ static void reasons_are_told(void) {
   c = corner_contact();
   set(c.contact.normal, 0, 0, 1);
   CHECK(has_none(&c, DSW_NO_CROSS_CHECK_OUTSIDE_CONE));
-  c = edge_contact(); /* a wire and a marked vertex belong to no wall */
+  c = edge_contact(); /* a marked edge and a marked vertex belong to no wall */
   memset(&c.contact.wall, 0, sizeof c.contact.wall);
   CHECK(has_none(&c, DSW_NO_CROSS_CHECK_MARKED));
   c = corner_contact();
@@ -150,9 +150,9 @@ static void bad_input_changes_nothing(void) {
   CHECK_MESSAGE("contact is null");
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_cross_check(g_env, &c, NULL));
   CHECK_MESSAGE("result is null");
-#define REFUSED(status, text)                              \
+#define REFUSED(status, text)                                        \
   CHECK_FAILS((status), dsw_environment_cross_check(g_env, &c, &o)); \
-  CHECK_MESSAGE(text);                                     \
+  CHECK_MESSAGE(text);                                               \
   c = good
   c.position[1] = NAN;
   REFUSED(DSW_STATUS_NON_FINITE, "contact->position[1] is nan");

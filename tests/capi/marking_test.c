@@ -73,7 +73,7 @@ static dsw_edge_id inner_edge(void) {
   return edge;
 }
 
-static void wires_are_marked_by_any_of_their_names(void) {
+static void edges_are_marked_by_any_of_their_names(void) {
   const dsw_edge_id edge = inner_edge();
   const dsw_cell cell = cell_at(DSW_CELL_EDGE, edge.volume, edge.local);
   uint32_t local;
@@ -95,15 +95,15 @@ static void an_edge_or_vertex_of_an_impassable_face_is_impassable(void) {
   const dsw_edge_id edge = inner_edge();
   const dsw_face_id face = {1, 1, FACE_Y1}; /* z 0..1: has the edge on its rim */
   const dsw_volume_id volume = {10, 1};
-  const dsw_cell wire = cell_at(DSW_CELL_EDGE, edge.volume, edge.local);
+  const dsw_cell cell = cell_at(DSW_CELL_EDGE, edge.volume, edge.local);
   CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, DSW_MARK_IMPASSABLE));
-  CHECK(impassable(wire) && !marked(wire));
+  CHECK(impassable(cell) && !marked(cell));
   CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, DSW_MARK_PASSABLE));
-  CHECK(!impassable(wire));
+  CHECK(!impassable(cell));
   CHECK_OK(dsw_environment_mark_volumes(g_env, &volume, 1, DSW_MARK_IMPASSABLE, 0, NULL));
-  CHECK(impassable(wire));
+  CHECK(impassable(cell));
   CHECK_OK(dsw_environment_mark_volumes(g_env, &volume, 1, DSW_MARK_PASSABLE, 0, NULL));
-  CHECK(!impassable(wire));
+  CHECK(!impassable(cell));
 }
 
 static void vertices_carry_marks(void) {
@@ -306,7 +306,7 @@ int main(void) {
   the_outer_boundary_is_impassable_and_not_marked();
   volumes_are_marked_and_their_closure_follows();
   a_face_has_one_mark_seen_from_both_sides();
-  wires_are_marked_by_any_of_their_names();
+  edges_are_marked_by_any_of_their_names();
   an_edge_or_vertex_of_an_impassable_face_is_impassable();
   vertices_carry_marks();
   regions_are_marked_as_a_whole();

@@ -64,7 +64,7 @@ static dsw_status mark_face(uint32_t volume, uint32_t local, dsw_mark mark) {
 }
 
 /* The edge along z at (x, y), from z = 1 to z = 2. */
-static dsw_status mark_wire(uint32_t x, uint32_t y, dsw_mark mark) {
+static dsw_status mark_edge(uint32_t x, uint32_t y, dsw_mark mark) {
   const uint32_t ends[2] = {x + 6 * (y + 6), x + 6 * (y + 12)};
   dsw_edge_id edge;
   size_t missing = 9;
@@ -105,7 +105,7 @@ static void an_edge_holds_what_it_crosses_from_its_level_on(void) {
   CHECK_OK(dsw_environment_mark_between(g_env, 2, 3, DSW_MARK_IMPASSABLE, &all));
   CHECK(all == 15 && named(nobody));
   CHECK_OK(mark_face(cube(1, 2, 1), FACE_Y0, DSW_MARK_IMPASSABLE)); /* along it */
-  CHECK_OK(mark_wire(1, 2, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_edge(1, 2, DSW_MARK_IMPASSABLE));
   CHECK(mark_count() == 17);
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_POINTS));
   CHECK_OK(mark_cube(cube(1, 2, 1), DSW_MARK_IMPASSABLE));
@@ -114,7 +114,7 @@ static void an_edge_holds_what_it_crosses_from_its_level_on(void) {
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES));
   CHECK_OK(dsw_environment_mark_between(g_env, 2, 3, DSW_MARK_PASSABLE, NULL));
   CHECK_OK(mark_face(cube(1, 2, 1), FACE_Y0, DSW_MARK_PASSABLE));
-  CHECK_OK(mark_wire(1, 2, DSW_MARK_PASSABLE));
+  CHECK_OK(mark_edge(1, 2, DSW_MARK_PASSABLE));
   CHECK_OK(dsw_body_destroy(g_scene, body));
   CHECK(mark_count() == 0);
 }
@@ -124,19 +124,19 @@ static void a_face_holds_what_pierces_it_at_its_level(void) {
   const dsw_vertex_id vertex = vertex_at(2 + 6 * (1 + 6));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_cube(cube(2, 1, 1), DSW_MARK_IMPASSABLE));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_face(cube(2, 1, 1), FACE_X0, DSW_MARK_IMPASSABLE));
-  CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_wire(2, 1, DSW_MARK_IMPASSABLE));
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_edge(2, 1, DSW_MARK_IMPASSABLE));
   CHECK(named(body) && mark_count() == 0);
   CHECK_OK(mark_cube(cube(2, 1, 2), DSW_MARK_IMPASSABLE)); /* above it */
   CHECK_OK(mark_face(cube(2, 1, 1), FACE_Z0, DSW_MARK_IMPASSABLE));
-  CHECK_OK(mark_wire(1, 4, DSW_MARK_IMPASSABLE)); /* outside of it */
+  CHECK_OK(mark_edge(1, 4, DSW_MARK_IMPASSABLE)); /* outside of it */
   CHECK_OK(dsw_environment_mark_vertices(g_env, &vertex, 1, DSW_MARK_IMPASSABLE));
   CHECK(named(nobody) && mark_count() == 4);
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES_SWEPT));
-  CHECK_OK(mark_wire(2, 1, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_edge(2, 1, DSW_MARK_IMPASSABLE));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
   CHECK_OK(mark_cube(cube(2, 1, 1), DSW_MARK_IMPASSABLE));
-  CHECK_OK(mark_wire(2, 1, DSW_MARK_PASSABLE));
-  CHECK_OK(mark_wire(1, 4, DSW_MARK_PASSABLE));
+  CHECK_OK(mark_edge(2, 1, DSW_MARK_PASSABLE));
+  CHECK_OK(mark_edge(1, 4, DSW_MARK_PASSABLE));
   CHECK_OK(mark_cube(cube(2, 1, 1), DSW_MARK_PASSABLE));
   CHECK_OK(mark_cube(cube(2, 1, 2), DSW_MARK_PASSABLE));
   CHECK_OK(mark_face(cube(2, 1, 1), FACE_Z0, DSW_MARK_PASSABLE));
@@ -232,7 +232,7 @@ static void every_marking_call_forgets_the_last_ones_occupants(void) {
     CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_cube(cube(2, 1, 1), DSW_MARK_IMPASSABLE));
     CHECK(named(body));
     if (call == 0) CHECK_OK(mark_face(0, FACE_X0, DSW_MARK_PASSABLE));
-    if (call == 1) CHECK_OK(mark_wire(1, 1, DSW_MARK_PASSABLE));
+    if (call == 1) CHECK_OK(mark_edge(1, 1, DSW_MARK_PASSABLE));
     if (call == 2) CHECK_OK(dsw_environment_mark_vertices(g_env, &vertex, 1, DSW_MARK_PASSABLE));
     if (call == 3) CHECK_OK(dsw_environment_mark_region(g_env, 0, DSW_MARK_PASSABLE, 0, NULL, NULL));
     if (call == 4) CHECK_OK(dsw_environment_mark_between(g_env, 0, 1, DSW_MARK_PASSABLE, NULL));

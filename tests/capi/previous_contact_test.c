@@ -33,17 +33,17 @@ static dsw_body_id make_ball(double x, double y) {
 
 /* What the host makes of it, with the distance that it chooses. */
 enum { FREE, FIRST, RESTING, SLIDING, BOUNCING };
-static int classify(const dsw_body_contact *contact, const dsw_previous_contact *past) {
+static int classify(const dsw_body_contact *contact, const dsw_previous_contact *previous) {
   double way = 0;
   int k;
-  if (past->since == 0) return FIRST;
-  if (past->since > 1) return BOUNCING;
-  for (k = 0; k < 3; ++k) way += fabs(contact->point[k] - past->point[k]);
+  if (previous->since == 0) return FIRST;
+  if (previous->since > 1) return BOUNCING;
+  for (k = 0; k < 3; ++k) way += fabs(contact->point[k] - previous->point[k]);
   return way < 1e-6 ? RESTING : SLIDING;
 }
 
 static const dsw_body_contact *g_contact; /* of the last move, the first of them */
-static dsw_previous_contact g_past;
+static dsw_previous_contact g_previous;
 
 /* Sends the ball by a step, and says how it touches. */
 static int step(dsw_body_id body, double dx, double dy) {
@@ -51,22 +51,22 @@ static int step(dsw_body_id body, double dx, double dy) {
   dsw_move_options o = move_options();
   dsw_move_report report;
   const dsw_body_contact *contacts = NULL;
-  const dsw_previous_contact *pasts = NULL;
-  size_t count = 0, past_count = 99;
+  const dsw_previous_contact *previous = NULL;
+  size_t count = 0, previous_count = 99;
   CHECK_OK(dsw_body_get_positions(g_scene, body, p, 1, 0, NULL, &count));
   p[0] += dx;
   p[1] += dy;
   o.vertex_response = DSW_RESPONSE_SLIDE;
   CHECK_OK(dsw_body_move(g_scene, body, p, 1, 0, &o, &report));
   CHECK_OK(dsw_body_get_contacts(g_scene, body, &contacts, &count));
-  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &pasts, &past_count));
-  CHECK(past_count == count && count == report.contact_count);
+  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &previous, &previous_count));
+  CHECK(previous_count == count && count == report.contact_count);
   if (count == 0) return FREE;
-  CHECK((pasts[0].moves > 1) == (contacts[0].history == DSW_HISTORY_LASTING) && pasts[0].reserved == 0);
-  CHECK(pasts[0].moves >= 1 && pasts[0].touching >= pasts[0].moves);
+  CHECK((previous[0].moves > 1) == (contacts[0].history == DSW_HISTORY_LASTING) && previous[0].reserved == 0);
+  CHECK(previous[0].moves >= 1 && previous[0].touching >= previous[0].moves);
   g_contact = contacts;
-  g_past = pasts[0];
-  return classify(g_contact, &g_past);
+  g_previous = previous[0];
+  return classify(g_contact, &g_previous);
 }
 
 static void a_ball_rests(unsigned dimension) {
@@ -76,14 +76,16 @@ static void a_ball_rests(unsigned dimension) {
   begin(dimension, 0);
   ball = make_ball(1.5, 1.25);
   CHECK(step(ball, 0, -1) == FIRST);
-  CHECK(g_past.since == 0 && g_past.moves == 1 && g_past.touching == 1 && g_past.obstacle.kind == DSW_CELL_NONE);
-  CHECK(g_past.point[0] == 0 && g_past.normal[1] == 0);
+  CHECK(g_previous.since == 0 && g_previous.moves == 1 && g_previous.touching == 1 &&
+        g_previous.obstacle.kind == DSW_CELL_NONE);
+  CHECK(g_previous.point[0] == 0 && g_previous.normal[1] == 0);
   for (i = 2; i < 6; ++i) {
     memcpy(point, g_contact->point, sizeof point);
     CHECK(step(ball, 0, -0.1) == RESTING);
-    CHECK(g_past.since == 1 && g_past.moves == i && g_past.touching == i && g_past.body.generation == 0);
-    CHECK(memcmp(g_past.point, point, sizeof point) == 0 && g_past.normal[1] == 1);
-    CHECK(memcmp(&g_past.obstacle, &g_contact->contact.obstacle, sizeof g_past.obstacle) == 0);
+    CHECK(g_previous.since == 1 && g_previous.moves == i && g_previous.touching == i &&
+          g_previous.body.generation == 0);
+    CHECK(memcmp(g_previous.point, point, sizeof point) == 0 && g_previous.normal[1] == 1);
+    CHECK(memcmp(&g_previous.obstacle, &g_contact->contact.obstacle, sizeof g_previous.obstacle) == 0);
   }
   end();
 }
@@ -103,9 +105,9 @@ static void a_ball_slides_over_tiles(unsigned dimension) {
     lasts = memcmp(&before.contact.obstacle, &g_contact->contact.obstacle, sizeof before.contact.obstacle) == 0;
     same = lasts ? same + 1 : 1;
     changes += lasts ? 0 : 1;
-    CHECK(g_past.since == 1 && g_past.moves == same && g_past.touching == i);
-    CHECK(memcmp(g_past.point, before.point, sizeof before.point) == 0);
-    CHECK(memcmp(&g_past.obstacle, &before.contact.obstacle, sizeof before.contact.obstacle) == 0);
+    CHECK(g_previous.since == 1 && g_previous.moves == same && g_previous.touching == i);
+    CHECK(memcmp(g_previous.point, before.point, sizeof before.point) == 0);
+    CHECK(memcmp(&g_previous.obstacle, &before.contact.obstacle, sizeof before.contact.obstacle) == 0);
   }
   CHECK(changes == 2);
   end();
@@ -120,11 +122,11 @@ static void a_ball_bounces(unsigned dimension) {
   before = *g_contact;
   CHECK(step(ball, 0.1, 0.5) == FREE);
   CHECK(step(ball, 0.1, -1) == BOUNCING);
-  CHECK(g_past.since == 2 && g_past.moves == 1 && g_past.touching == 1);
-  CHECK(memcmp(g_past.point, before.point, sizeof before.point) == 0 && g_past.normal[1] == 1);
+  CHECK(g_previous.since == 2 && g_previous.moves == 1 && g_previous.touching == 1);
+  CHECK(memcmp(g_previous.point, before.point, sizeof before.point) == 0 && g_previous.normal[1] == 1);
   CHECK(step(ball, 0.1, 0.2) == FREE && step(ball, 0.1, 0.2) == FREE && step(ball, 0.1, 0.2) == FREE);
-  CHECK(step(ball, 0, -2) == BOUNCING && g_past.since == 4);
-  CHECK(step(ball, 0, -1) == RESTING && g_past.since == 1 && g_past.touching == 2); /* and stays */
+  CHECK(step(ball, 0, -2) == BOUNCING && g_previous.since == 4);
+  CHECK(step(ball, 0, -1) == RESTING && g_previous.since == 1 && g_previous.touching == 2); /* and stays */
   end();
 }
 
@@ -136,7 +138,7 @@ static void all_kinds_of_moves_count(void) {
   const double third[3] = {2, 1.25, 0.5};
   dsw_rigid_motion down = {{0, 0, 0, 1}, {0, 0, 0}, {0, -1, 0}};
   const dsw_body_contact *contacts = NULL;
-  const dsw_previous_contact *pasts = NULL;
+  const dsw_previous_contact *previous = NULL;
   dsw_body_vertex_id vertex;
   dsw_move_options o = move_options();
   size_t count = 0, i;
@@ -148,13 +150,13 @@ static void all_kinds_of_moves_count(void) {
   o.order_count = 1;
   CHECK_OK(dsw_body_move(g_scene, body, to, 2, 0, &o, NULL));
   CHECK_OK(dsw_scene_move_bodies(g_scene, &body, 1, to, 2, 0, NULL, NULL));
-  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &pasts, &count));
+  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &previous, &count));
   CHECK_OK(dsw_body_get_contacts(g_scene, body, &contacts, &count));
   CHECK(count == 2 && contacts[0].vertex.index == 0 && contacts[1].vertex.index == 1);
-  CHECK(pasts[0].moves == 3 && pasts[0].since == 1 && pasts[1].moves == 1 && pasts[1].since == 2);
+  CHECK(previous[0].moves == 3 && previous[0].since == 1 && previous[1].moves == 1 && previous[1].since == 2);
   CHECK_OK(dsw_body_move_rigid(g_scene, body, &down, NULL, NULL)); /* its first contact stops all of it */
-  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &pasts, &count));
-  CHECK(count == 1 && pasts[0].moves == 4);
+  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &previous, &count));
+  CHECK(count == 1 && previous[0].moves == 4);
   /* An edit counts for nothing, and the vertex that takes a free slot does not take its past. */
   CHECK_OK(dsw_body_get_vertex_id(g_scene, body, 1, &vertex));
   CHECK_OK(dsw_body_remove_vertex(g_scene, body, vertex));
@@ -162,37 +164,39 @@ static void all_kinds_of_moves_count(void) {
   CHECK(vertex.index == 1 && vertex.generation == 2);
   memcpy(to + 3, to + 6, 3 * sizeof(double));
   CHECK_OK(dsw_body_move(g_scene, body, to, 2, 0, NULL, NULL));
-  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &pasts, &count));
+  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &previous, &count));
   CHECK_OK(dsw_body_get_contacts(g_scene, body, &contacts, &count));
   CHECK(count == 2);
   for (i = 0; i < count; ++i) {
-    CHECK(contacts[i].vertex.index == i && pasts[i].moves == (i == 0 ? 5u : 1u) &&
-          pasts[i].since == (i == 0 ? 1u : 0u));
+    CHECK(contacts[i].vertex.index == i && previous[i].moves == (i == 0 ? 5u : 1u) &&
+          previous[i].since == (i == 0 ? 1u : 0u));
   }
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_previous_contacts(NULL, body, &pasts, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_previous_contacts(NULL, body, &previous, &count));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_previous_contacts(g_scene, body, NULL, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_previous_contacts(g_scene, body, &pasts, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_previous_contacts(g_scene, body, &previous, NULL));
   CHECK_OK(dsw_body_destroy(g_scene, body));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_previous_contacts(g_scene, body, &pasts, &count));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_previous_contacts(g_scene, body, &previous, &count));
   end();
 }
 
 /* Down on another body, then beside it down to the floor: what was touched before is told. */
 static void another_body_was_touched(void) {
   const double bar[4] = {1.75, 2, 2.25, 2};
-  dsw_body_id wire, ball;
+  dsw_body_id polyline, ball;
   begin(2, DSW_FEATURE_BODY_CONTACTS);
-  wire = make_edge_body(g_scene, bar, DSW_LEVEL_EDGES);
+  polyline = make_edge_body(g_scene, bar, DSW_LEVEL_EDGES);
   ball = make_ball(2.125, 2.5);
   CHECK(step(ball, 0, -1) == FIRST);
   CHECK(g_contact->contact.obstacle.kind == DSW_CELL_NONE);
   CHECK(step(ball, 0, -1) == RESTING);
-  CHECK(g_past.moves == 2 && g_past.body.index == wire.index && g_past.body.generation == wire.generation);
-  CHECK(g_past.obstacle.kind == DSW_CELL_NONE && g_past.point[1] == 2);
+  CHECK(g_previous.moves == 2 && g_previous.body.index == polyline.index &&
+        g_previous.body.generation == polyline.generation);
+  CHECK(g_previous.obstacle.kind == DSW_CELL_NONE && g_previous.point[1] == 2);
   CHECK(step(ball, 0.25, 0.5) == FREE);
   CHECK(step(ball, 0, -2) == BOUNCING);
-  CHECK(g_contact->contact.obstacle.kind != DSW_CELL_NONE && g_past.since == 2 && g_past.moves == 1 && g_past.point[1] == 2);
-  CHECK(g_past.body.index == wire.index && g_past.body.generation == wire.generation);
+  CHECK(g_contact->contact.obstacle.kind != DSW_CELL_NONE && g_previous.since == 2 && g_previous.moves == 1 &&
+        g_previous.point[1] == 2);
+  CHECK(g_previous.body.index == polyline.index && g_previous.body.generation == polyline.generation);
   end();
 }
 
@@ -218,12 +222,13 @@ static void snapshots_keep_it(void) {
     CHECK_OK(dsw_scene_destroy(g_scene));
     g_scene = loaded;
     if (!in_air) {
-      const dsw_previous_contact *pasts = NULL;
+      const dsw_previous_contact *previous = NULL;
       size_t count = 0;
-      CHECK_OK(dsw_body_get_previous_contacts(g_scene, ball, &pasts, &count));
-      CHECK(count == 1 && pasts[0].moves == 2 && pasts[0].since == 1 && memcmp(&pasts[0], &g_past, sizeof g_past) == 0);
+      CHECK_OK(dsw_body_get_previous_contacts(g_scene, ball, &previous, &count));
+      CHECK(count == 1 && previous[0].moves == 2 && previous[0].since == 1 &&
+            memcmp(&previous[0], &g_previous, sizeof g_previous) == 0);
     }
-    CHECK(step(ball, 0, -1) == (in_air ? BOUNCING : RESTING) && g_past.touching == (in_air ? 1u : 3u));
+    CHECK(step(ball, 0, -1) == (in_air ? BOUNCING : RESTING) && g_previous.touching == (in_air ? 1u : 3u));
     free(block);
     free(again);
     end();

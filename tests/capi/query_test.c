@@ -18,30 +18,30 @@ static void init_writes_the_defaults(void) {
 static void a_point_is_located(void) {
   const double inside[3] = {2.5, 0.5, 0.5}, outside[3] = {4.5, 0.5, 0.5}, bad[3] = {0.5, -INFINITY, 0.5};
   dsw_volume_id volume = {9, 9};
-  dsw_location place = DSW_LOCATION_NONE;
-  CHECK_OK(dsw_environment_locate(g_env, inside, no_volume, &volume, &place));
-  CHECK(volume.index == 2 && volume.generation == 1 && place == DSW_LOCATION_PASSABLE);
+  dsw_location location = DSW_LOCATION_NONE;
+  CHECK_OK(dsw_environment_locate(g_env, inside, no_volume, &volume, &location));
+  CHECK(volume.index == 2 && volume.generation == 1 && location == DSW_LOCATION_PASSABLE);
   CHECK_OK(dsw_environment_locate(g_env, inside, volume_at(15), &volume, NULL));
   CHECK(volume.index == 2);
-  CHECK_OK(dsw_environment_locate(g_env, outside, volume_at(0), &volume, &place));
-  CHECK(volume.index == 0 && volume.generation == 0 && place == DSW_LOCATION_OUTSIDE);
-  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_locate(g_env, bad, no_volume, &volume, &place));
+  CHECK_OK(dsw_environment_locate(g_env, outside, volume_at(0), &volume, &location));
+  CHECK(volume.index == 0 && volume.generation == 0 && location == DSW_LOCATION_OUTSIDE);
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_locate(g_env, bad, no_volume, &volume, &location));
   CHECK_MESSAGE("dsw_environment_locate: point[1] is -inf, must be finite");
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_locate(g_env, inside, stale_volume, &volume, &place));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_locate(g_env, inside, stale_volume, &volume, &location));
   CHECK_MESSAGE("hint {index 0, generation 7}");
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_locate(NULL, inside, no_volume, &volume, &place));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_locate(g_env, NULL, no_volume, &volume, &place));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_locate(g_env, inside, no_volume, NULL, &place));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_locate(NULL, inside, no_volume, &volume, &location));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_locate(g_env, NULL, no_volume, &volume, &location));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_locate(g_env, inside, no_volume, NULL, &location));
 }
 
 static void a_point_in_an_impassable_volume_says_so(void) {
   const double point[3] = {2.5, 0.5, 0.5};
   const dsw_volume_id marked = volume_at(2);
   dsw_volume_id volume;
-  dsw_location place = DSW_LOCATION_NONE;
+  dsw_location location = DSW_LOCATION_NONE;
   CHECK_OK(dsw_environment_mark_volumes(g_env, &marked, 1, DSW_MARK_IMPASSABLE, 0, NULL));
-  CHECK_OK(dsw_environment_locate(g_env, point, no_volume, &volume, &place));
-  CHECK(volume.index == 2 && place == DSW_LOCATION_IMPASSABLE);
+  CHECK_OK(dsw_environment_locate(g_env, point, no_volume, &volume, &location));
+  CHECK(volume.index == 2 && location == DSW_LOCATION_IMPASSABLE);
   CHECK_OK(dsw_environment_mark_volumes(g_env, &marked, 1, DSW_MARK_PASSABLE, 0, NULL));
 }
 
@@ -50,14 +50,14 @@ static void many_points_are_located(void) {
   const dsw_volume_id hints[3] = {{0, 0}, {3, 1}, {0, 1}};
   const dsw_volume_id bad_hints[3] = {{0, 0}, {3, 1}, {16, 1}};
   dsw_volume_id volumes[3];
-  dsw_location places[3];
-  CHECK_OK(dsw_environment_locate_points(g_env, points, 3, 32, hints, volumes, places));
-  CHECK(volumes[0].index == 0 && volumes[0].generation == 1 && places[0] == DSW_LOCATION_PASSABLE);
-  CHECK(volumes[1].generation == 0 && places[1] == DSW_LOCATION_OUTSIDE);
-  CHECK(volumes[2].index == 15 && places[2] == DSW_LOCATION_PASSABLE);
+  dsw_location locations[3];
+  CHECK_OK(dsw_environment_locate_points(g_env, points, 3, 32, hints, volumes, locations));
+  CHECK(volumes[0].index == 0 && volumes[0].generation == 1 && locations[0] == DSW_LOCATION_PASSABLE);
+  CHECK(volumes[1].generation == 0 && locations[1] == DSW_LOCATION_OUTSIDE);
+  CHECK(volumes[2].index == 15 && locations[2] == DSW_LOCATION_PASSABLE);
   CHECK_OK(dsw_environment_locate_points(g_env, points, 1, 0, NULL, volumes, NULL));
   CHECK_OK(dsw_environment_locate_points(g_env, NULL, 0, 0, NULL, NULL, NULL));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_locate_points(g_env, points, 3, 32, bad_hints, volumes, places));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_locate_points(g_env, points, 3, 32, bad_hints, volumes, locations));
   CHECK_MESSAGE("hints[2] {index 16, generation 1}");
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_locate_points(g_env, points, 3, 16, NULL, volumes, NULL));
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_locate_points(g_env, points, 3, 33, NULL, volumes, NULL));

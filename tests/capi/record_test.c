@@ -387,7 +387,7 @@ static void recordings_may_be_spoilt(void) {
 
 /* Where an environment is folded a particle passes, in its own cell, through a face of others: nothing is wrong with
    that. */
-static void folds_are_not_judged(void) {
+static void folds_are_not_validated(void) {
   dsw_environment *const env = make_environment(NULL, 3, 1, 1);
   dsw_scene *const scene = make_scene(env, DSW_FEATURE_DEFORMING);
   const double from[3] = {0.2, 0.45, 0.55}, to[3] = {0.8, 0.45, 0.55};
@@ -513,7 +513,7 @@ int main(void) {
   bug_reports_take_bad_arguments_and_full_disks();
   reports_always_have_their_call();
   recordings_may_be_spoilt();
-  folds_are_not_judged();
+  folds_are_not_validated();
   memory_may_run_out();
   reports_may_run_out_of_memory();
   return check_result();

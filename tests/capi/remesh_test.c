@@ -1,5 +1,5 @@
 /* remesh.h: volumes that a deformation would turn inside out are merged before or after it; every way to be refused;
-   what can't be mended; and deformations that mend. */
+   what can't be repaired; and deformations that repair. */
 #include <string.h>
 
 #include "check.h"

@@ -100,7 +100,7 @@ static void statistics_count_what_was_done(void) {
   CHECK_OK(dsw_scene_destroy(scene));
 }
 
-static void statistics_must_be_named(void) {
+static void statistics_must_be_enabled(void) {
   dsw_scene *const scene = make_scene(g_env, 0), *const counting = make_scene(g_env, DSW_FEATURE_STATISTICS);
   dsw_statistics s;
   s.struct_size = sizeof s;
@@ -123,7 +123,7 @@ int main(void) {
   bad_descriptions_are_refused();
   scenes_come_and_go_in_any_order();
   statistics_count_what_was_done();
-  statistics_must_be_named();
+  statistics_must_be_enabled();
   CHECK_OK(dsw_environment_destroy(g_env));
   return check_result();
 }

@@ -240,7 +240,7 @@ static void running_out_of_memory(void) {
 }
 
 /* In space. */
-static void wires_are_cut_in_two(void) {
+static void marked_edges_are_cut_in_two(void) {
   dsw_cut_desc d = blade_at(1.25, 5);
   size_t before = 0, after = 0;
   uint32_t local;
@@ -379,7 +379,7 @@ static void in_both(void) {
 int main(void) {
   use_block(3);
   in_both();
-  wires_are_cut_in_two();
+  marked_edges_are_cut_in_two();
   use_block(2);
   in_both();
   a_bend();

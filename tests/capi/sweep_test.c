@@ -6,7 +6,7 @@
 #include "fixture.h"
 
 /* 4 x 4 x 3 cubes. Most edges here move in the plane z = 1.5: from (0.25, 0.5) to (3.25, 0.5), the fixed end at
-   (2.25, 3.5). The face and the wire below are met inside that triangle, halfway, at (2, 2, 1.5). */
+   (2.25, 3.5). The marked face and the marked edge below are met inside that triangle, halfway, at (2, 2, 1.5). */
 enum { NX = 4, NY = 4, NZ = 3, BEFORE = 1 + NX * (1 + NY), BEHIND = BEFORE + 1 };
 
 static dsw_environment *g_env;
@@ -144,11 +144,11 @@ static void a_free_standing_face_is_met_by_the_edge(void) {
   mark_face(BEHIND, FACE_X0, DSW_MARK_PASSABLE);
 }
 
-static void a_wire_is_met_by_the_edge(void) {
-  const dsw_edge_id wire = edge_along_z(2, 2, 1);
+static void a_marked_edge_is_met_by_the_edge(void) {
+  const dsw_edge_id marked = edge_along_z(2, 2, 1);
   const double length = sqrt(9.25);
   dsw_sweep s;
-  CHECK_OK(dsw_environment_mark_edges(g_env, &wire, 1, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_environment_mark_edges(g_env, &marked, 1, DSW_MARK_IMPASSABLE));
   s = sweep_at(DSW_LEVEL_POINTS, g_from, g_to, g_fixed);
   CHECK(reached(&s, g_to, 3 + NX * NY));
   s = sweep_at(DSW_LEVEL_EDGES, g_from, g_to, g_fixed);
@@ -158,10 +158,10 @@ static void a_wire_is_met_by_the_edge(void) {
         s.contact.marked_kind == DSW_CELL_EDGE);
   CHECK(s.time == 0.5 && same_point(s.position, g_half) && same_point(s.point, g_touched) && s.edge_parameter == 0.5);
   CHECK(is_near(s.contact.normal, -3 / length, 0.5 / length, 0));
-  CHECK(is_volume(s.volume, NX * NY) && s.contact.front.generation == 1 && is_edge(s.contact.obstacle, wire));
+  CHECK(is_volume(s.volume, NX * NY) && s.contact.front.generation == 1 && is_edge(s.contact.obstacle, marked));
   CHECK(s.contact.wall.volume == 0 && s.contact.wall.generation == 0 && s.contact.wall.local == 0 &&
         s.contact.tag == 0);
-  CHECK_OK(dsw_environment_mark_edges(g_env, &wire, 1, DSW_MARK_PASSABLE));
+  CHECK_OK(dsw_environment_mark_edges(g_env, &marked, 1, DSW_MARK_PASSABLE));
 }
 
 /* (0.5, 0.25) to (3.5, 0.25): the moving end is ahead of the rest of its edge. */
@@ -413,15 +413,15 @@ static double lattice_number(uint32_t *random, unsigned size) {
 
 static void mark_here_and_there(dsw_environment *environment) {
   dsw_face_id faces[8];
-  dsw_edge_id wires[8];
+  dsw_edge_id edges[8];
   const dsw_volume_id solid = volume_at(BEHIND);
   uint32_t i;
   for (i = 0; i < 8; ++i) {
     faces[i] = face_at(5 * i + 1, i % 6);
-    wires[i] = edge_at(4 * i + 2, (5 * i) % 12);
+    edges[i] = edge_at(4 * i + 2, (5 * i) % 12);
   }
   CHECK_OK(dsw_environment_mark_faces(environment, faces, 8, DSW_MARK_IMPASSABLE));
-  CHECK_OK(dsw_environment_mark_edges(environment, wires, 8, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_environment_mark_edges(environment, edges, 8, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_mark_volumes(environment, &solid, 1, DSW_MARK_IMPASSABLE, 0, NULL));
 }
 
@@ -435,7 +435,7 @@ static void batches_are_the_same_for_any_sharing(void) {
   const double *const from = points, *const to = points + 3 * COUNT, *const fixed = points + 6 * COUNT;
   dsw_sweep *const sweeps = (dsw_sweep *)malloc(2 * COUNT * sizeof(dsw_sweep)), *const again = sweeps + COUNT;
   dsw_volume_id *const starts = (dsw_volume_id *)malloc(COUNT * sizeof(dsw_volume_id));
-  size_t i, k, outcomes[8] = {0, 0, 0, 0, 0, 0, 0, 0}, kinds[4] = {0, 0, 0, 0}, wires = 0;
+  size_t i, k, outcomes[8] = {0, 0, 0, 0, 0, 0, 0, 0}, kinds[4] = {0, 0, 0, 0}, by_edges = 0;
   uint32_t random = 12345;
   host h;
   int level;
@@ -473,9 +473,9 @@ static void batches_are_the_same_for_any_sharing(void) {
   for (i = 0; i < COUNT; ++i) {
     ++outcomes[sweeps[i].outcome];
     ++kinds[sweeps[i].contact.kind];
-    wires += sweeps[i].contact.marked_kind == DSW_CELL_EDGE;
+    by_edges += sweeps[i].contact.marked_kind == DSW_CELL_EDGE;
   }
-  CHECK(outcomes[DSW_OUTCOME_REACHED] > 50 && outcomes[DSW_OUTCOME_OUTSIDE] > 50 && wires > 10);
+  CHECK(outcomes[DSW_OUTCOME_REACHED] > 50 && outcomes[DSW_OUTCOME_OUTSIDE] > 50 && by_edges > 10);
   CHECK(outcomes[DSW_OUTCOME_IMPASSABLE] > 50 && kinds[DSW_CONTACT_PLANE] > 50 && kinds[DSW_CONTACT_EDGE] > 50);
   for (k = 0; k < 3; ++k) {
     CHECK_OK(dsw_environment_destroy(env[k]));
@@ -492,7 +492,7 @@ int main(void) {
   init_writes_the_defaults();
   an_edge_comes_through();
   a_free_standing_face_is_met_by_the_edge();
-  a_wire_is_met_by_the_edge();
+  a_marked_edge_is_met_by_the_edge();
   the_moving_end_meets_a_face();
   a_time_is_rounded_down();
   the_outer_boundary_is_met();

@@ -226,14 +226,14 @@ dsw_status Calls::ask() {
   sweep.flags = bytes_.below(5);
   sweep.level = static_cast<dsw_level>(bytes_.below(5));
   dsw_volume_id volumes[2];
-  dsw_location places[2];
+  dsw_location locations[2];
   dsw_cell cell;
   dsw_flight flights[2];
   dsw_sweep sweeps[2];
   dsw_nearest nearest;
   Answers answers;
-  answers << dsw_environment_locate(e, from, starts[0], volumes, places)
-          << dsw_environment_locate_points(e, points, 2, 0, bytes_.below(2) == 0 ? starts : nullptr, volumes, places)
+  answers << dsw_environment_locate(e, from, starts[0], volumes, locations)
+          << dsw_environment_locate_points(e, points, 2, 0, bytes_.below(2) == 0 ? starts : nullptr, volumes, locations)
           << dsw_environment_classify(e, from, starts[0], &cell) << dsw_environment_classify(e, from, volumes[0], &cell)
           << dsw_environment_cast(e, starts[0], from, to, &cast, flights)
           << dsw_environment_cast_segments(e, 2, starts, from, to, 0, &cast, flights)
@@ -244,7 +244,7 @@ dsw_status Calls::ask() {
          });
 }
 
-/** A trace of everything, and second opinions on contacts. */
+/** A trace of everything, and cross-checks of contacts. */
 dsw_status Calls::draw() {
   double points[6];
   places(points);
@@ -269,9 +269,9 @@ dsw_status Calls::draw() {
   const dsw_body_contact* contacts = nullptr;
   size_t count = 0;
   dsw_body_get_contacts(scene_, body(), &contacts, &count);
-  dsw_cross_check opinion;
+  dsw_cross_check check;
   for (size_t i = 0; i < count && i < 4; ++i)
-    answers << dsw_environment_cross_check(environment_, contacts + i, &opinion);
+    answers << dsw_environment_cross_check(environment_, contacts + i, &check);
   return answers;
 }
 

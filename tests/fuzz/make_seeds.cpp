@@ -136,7 +136,7 @@ std::vector<uint8_t> encode(const Mesh& mesh, uint8_t layout, uint8_t flags) {
     seed.push_back(region++ % 2);
     seed.push_back(7);
   }
-  // What use_environment does afterwards: wires and sweeps; then casts, locates, particles, marks, in this order,
+  // What use_environment does next: marked edges and sweeps; then casts, locates, particles, marks, in this order,
   // twice.
   const uint8_t edges[] = {0,    0, 1, 3, 4,    0, 0, 1, 3,    5, 0, 0, 1,    3, 6, 0, 0,    1, 3,  7,
                            0xc0, 0, 0, 1, 1,    1, 3, 2, 3,    3, 3, 2, 0xc1, 0, 0, 1, 1,    2, 40, 3,

@@ -28,16 +28,16 @@ void locate_something(const dsw_environment* environment, bool is_partition, Byt
   read_point(environment, bytes, point);
   dsw_volume_id volume = {0, 0}, hinted = {0, 0};
   const dsw_volume_id hint = pick_volume(environment, bytes), none = {0, 0};
-  dsw_location place = DSW_LOCATION_NONE;
-  const dsw_status status = dsw_environment_locate(environment, point, none, &volume, &place);
+  dsw_location location = DSW_LOCATION_NONE;
+  const dsw_status status = dsw_environment_locate(environment, point, none, &volume, &location);
   require((status == DSW_STATUS_OK) == is_finite(point), "locate answers every finite point and no other");
   if (status != DSW_STATUS_OK) return;
-  require((place == DSW_LOCATION_OUTSIDE) == (volume.generation == 0), "outside is the null id");
+  require((location == DSW_LOCATION_OUTSIDE) == (volume.generation == 0), "outside is the null id");
   require(dsw_environment_locate(environment, point, hint, &hinted, nullptr) == DSW_STATUS_OK, "locate with a hint");
   if (is_partition) {
     require(hinted.index == volume.index && hinted.generation == volume.generation, "a hint changes no answer");
   }
-  if (place == DSW_LOCATION_OUTSIDE) return;
+  if (location == DSW_LOCATION_OUTSIDE) return;
   dsw_cell cell;
   require(dsw_environment_classify(environment, point, volume, &cell) == DSW_STATUS_OK, "a located point has a cell");
   dsw_nearest nearest;
@@ -111,14 +111,14 @@ void move_particle(dsw_scene* scene, bool is_partition, Bytes* bytes) {
     require((status == DSW_STATUS_OK) == is_finite(target), "a move to every finite target and no other");
     if (status != DSW_STATUS_OK) continue;
     dsw_volume_id volume, found;
-    dsw_location place;
+    dsw_location location;
     require(dsw_particle_get_position(scene, particle, position, &volume) == DSW_STATUS_OK, "a particle can be read");
     require(is_finite(position) && flight.time >= 0.0 && flight.time <= 1.0, "position and time are numbers");
-    require(dsw_environment_locate(environment, position, volume, &found, &place) == DSW_STATUS_OK,
+    require(dsw_environment_locate(environment, position, volume, &found, &location) == DSW_STATUS_OK,
             "locate a particle");
     if (!is_partition) continue;
     require(found.index == volume.index && found.generation == volume.generation, "a particle lies in its volume");
-    require(place == DSW_LOCATION_PASSABLE, "a particle is free");
+    require(location == DSW_LOCATION_PASSABLE, "a particle is free");
   }
 }
 

@@ -92,20 +92,25 @@ void check_body(Subject* s) {
   if (!s->is_partition) return;
   for (const dsw_body_vertex_id vertex : s->vertices) {
     dsw_volume_id found;
-    dsw_location place;
-    require(dsw_environment_locate(environment, s->at(vertex.index), s->volumes[vertex.index], &found, &place) ==
+    dsw_location location;
+    require(dsw_environment_locate(environment, s->at(vertex.index), s->volumes[vertex.index], &found, &location) ==
                 DSW_STATUS_OK,
             "locate a vertex");
-    require(place == DSW_LOCATION_PASSABLE && found.index == s->volumes[vertex.index].index, "a vertex is where it says");
+    require(location == DSW_LOCATION_PASSABLE && found.index == s->volumes[vertex.index].index,
+            "a vertex is where it says");
   }
   require(dsw_body_set_level(s->scene, s->id, DSW_LEVEL_POINTS) == DSW_STATUS_OK, "a level can be lowered");
   require(dsw_body_set_level(s->scene, s->id, level) == DSW_STATUS_OK, "a body is free at its level");
 }
 
 void check_contact(const Subject& s, const dsw_body_contact& c, dsw_search search) {
-  require(c.time >= 0 && c.time <= 1 && c.edge_parameter >= 0 && c.edge_parameter <= 1, "a contact has a time and a place on the edge");
-  require(is_unit(c.contact.normal) && all_finite(c.point, 3) && all_finite(c.position, 3), "normal, point and position");
-  require(c.contact.kind != DSW_CONTACT_NONE && c.contact.obstacle.kind != DSW_CELL_NONE && c.contact.marked_kind != DSW_CELL_NONE, "with something");
+  require(c.time >= 0 && c.time <= 1 && c.edge_parameter >= 0 && c.edge_parameter <= 1,
+          "a contact has a time and a place on the edge");
+  require(is_unit(c.contact.normal) && all_finite(c.point, 3) && all_finite(c.position, 3),
+          "normal, point and position");
+  require(c.contact.kind != DSW_CONTACT_NONE && c.contact.obstacle.kind != DSW_CELL_NONE &&
+              c.contact.marked_kind != DSW_CELL_NONE,
+          "with something");
   require(c.history == DSW_HISTORY_NEW || c.history == DSW_HISTORY_LASTING, "new or lasting");
   require(c.edge.generation == 0 || c.face.generation == 0, "an edge or a face");
   require(c.vertex.generation != 0 && c.contact.front.generation != 0 && c.distance_left >= 0, "a contact is whole");

@@ -123,7 +123,7 @@ void one_scene(const SweepTurn& turn, uint64_t seed, BackEdgeReport& report) {
                                            std::to_string(seed));
   const std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report.faults);
   if (stage == nullptr) return;
-  SpaceArena arena(stage->world, stage->wires);
+  SpaceArena arena(stage->world, stage->marked_edges);
   StagePlaces places(*stage, rng);
   dsw_scene* made = nullptr;
   dsw_scene_create(stage->environment.get(), nullptr, &made);

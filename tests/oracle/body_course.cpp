@@ -114,8 +114,8 @@ bool Course::moved(dsw_body_id body, const BodyMove& move, const dsw_move_option
   if (!fault.empty()) faults.fault(SweepReport::kWrong, fault);
   for (const dsw_body_contact& contact : answer.contacts) {
     if (arena_.dimension == 2) break;  // libccd knows space alone
-    if (report_.opinions.ask(environment_, contact)) continue;
-    faults.fault(SweepReport::kWrong, std::string("a question for a second opinion: ") + dsw_last_error_message());
+    if (report_.cross_checks.ask(environment_, contact)) continue;
+    faults.fault(SweepReport::kWrong, std::string("a question for a cross-check: ") + dsw_last_error_message());
   }
   return fault.empty();
 }

@@ -26,7 +26,7 @@ void one_scene(const SweepTurn& turn, uint64_t seed, uint64_t steps, const BodyR
   const std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report.levels[0]);
   if (stage == nullptr) return;
   stage->mark_vertices(rng, report.levels[0]);
-  SpaceArena arena(stage->world, stage->wires, stage->marked_vertices);
+  SpaceArena arena(stage->world, stage->marked_edges, stage->marked_vertices);
   const auto places_for = [&](Rng& own) { return std::make_unique<StagePlaces>(*stage, own); };
   bodies_in_arena(arena, places_for, stage->environment.get(), seed, steps, options, report);
 }
@@ -59,7 +59,7 @@ void BodyReport::begin(const std::string& scene, const std::string& reproduce) {
 }
 
 uint64_t BodyReport::faults() const {
-  uint64_t sum = similar.total.faults() + (opinions.quantile(0.99) <= Opinions::kMostDegrees ? 0 : 1);
+  uint64_t sum = similar.total.faults() + (cross_checks.quantile(0.99) <= CrossChecks::kMostDegrees ? 0 : 1);
   for (const SweepReport& level : levels) sum += level.total.faults();
   return sum;
 }
@@ -133,10 +133,10 @@ std::string to_json(const BodyReport& report) {
   add("edges.similar_motion_missed_share", share(report.similar_dropped, report.similar_contacts));
   add("edges.similar_motion_contacts", static_cast<double>(report.similar_contacts));
   add("edges.similar_motion_not_free_after", static_cast<double>(report.similar.total.not_free_after));
-  // Of these scenes: with wires, and ends exactly on edges and corners. The figures of the benchmark are those of
+  // These scenes have marked edges, and ends exactly on edges and corners. The figures of the benchmark are those of
   // cross_check_test.
-  add("body.oracle.normal_vs_libccd_deg_p99", report.opinions.quantile(0.99));
-  add("body.oracle.normal_qualified_share", report.opinions.share());
+  add("body.oracle.normal_vs_libccd_deg_p99", report.cross_checks.quantile(0.99));
+  add("body.oracle.normal_qualified_share", report.cross_checks.share());
   add("contact.time_error_exact", report.time_error);
   add("contact.bisection_slope", report.bisection_slope);
   return text + "\n}\n";

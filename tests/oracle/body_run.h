@@ -31,7 +31,7 @@ struct BodyReport {
   uint64_t bodies = 0, refused = 0, responses = 0, edits = 0, body_edits = 0, twins = 0;
   uint64_t similar_contacts = 0, similar_dropped = 0;
   double time_error = 0, bisection_slope = 0;
-  Opinions opinions;  // on contacts of all bodies
+  CrossChecks cross_checks;  // on contacts of all bodies
 };
 
 /// Bodies of some levels in one arena; `places_for` gives the places that a level's own sequence of numbers chooses.

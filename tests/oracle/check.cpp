@@ -217,9 +217,9 @@ void Checker::locate(const Vec& p, dsw_volume_id hint) {
   const BodyPoint body = world_.body(p.data());
   const int cell = world_.locate(body);
   dsw_volume_id volume;
-  dsw_location place;
+  dsw_location location;
   const std::string what = "locate " + hex(p) + " hint " + name(hint) + ":";
-  const dsw_status status = dsw_environment_locate(environment_, p.data(), hint, &volume, &place);
+  const dsw_status status = dsw_environment_locate(environment_, p.data(), hint, &volume, &location);
   if (status != DSW_STATUS_OK) {
     report_.mismatch(what + " " + dsw_status_string(status) + ": " + dsw_last_error_message());
     return;
@@ -227,9 +227,9 @@ void Checker::locate(const Vec& p, dsw_volume_id hint) {
   const dsw_location want = cell < 0                                             ? DSW_LOCATION_OUTSIDE
                             : world_.cell_marked[static_cast<size_t>(cell)] != 0 ? DSW_LOCATION_IMPASSABLE
                                                                                  : DSW_LOCATION_PASSABLE;
-  if (!same_volume(volume, cell) || place != want) {
-    report_.mismatch(what + " " + name(volume) + " place " + std::to_string(place) + " for " + std::to_string(cell) +
-                     " place " + std::to_string(want));
+  if (!same_volume(volume, cell) || location != want) {
+    report_.mismatch(what + " " + name(volume) + " location " + std::to_string(location) + " for " +
+                     std::to_string(cell) + " location " + std::to_string(want));
   }
 }
 

@@ -17,33 +17,33 @@ dsw_cross_check_kind cross_check_of(const dsw_body_contact& contact) {
 
 }  // namespace
 
-bool Opinions::ask(const dsw_environment* environment, const dsw_body_contact& contact) {
-  dsw_cross_check opinion{};
-  const dsw_status status = dsw_environment_cross_check(environment, &contact, &opinion);
+bool CrossChecks::ask(const dsw_environment* environment, const dsw_body_contact& contact) {
+  dsw_cross_check check{};
+  const dsw_status status = dsw_environment_cross_check(environment, &contact, &check);
   built = built && status != DSW_STATUS_NOT_BUILT;
   if (status != DSW_STATUS_OK) return status == DSW_STATUS_NOT_BUILT;
   ++contacts;
-  if (opinion.kind == DSW_CROSS_CHECK_NONE) {
-    ++reasons[opinion.reason & 7];
-    return opinion.reason != DSW_NO_CROSS_CHECK_NONE;
+  if (check.kind == DSW_CROSS_CHECK_NONE) {
+    ++reasons[check.reason & 7];
+    return check.reason != DSW_NO_CROSS_CHECK_NONE;
   }
-  degrees.push_back(opinion.angle_rad * kDegrees);
-  const double* const n = opinion.normal;
-  return opinion.kind == cross_check_of(contact) && std::fabs(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1) < kUnit;
+  degrees.push_back(check.angle_rad * kDegrees);
+  const double* const n = check.normal;
+  return check.kind == cross_check_of(contact) && std::fabs(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1) < kUnit;
 }
 
-void Opinions::add(const Opinions& other) {
+void CrossChecks::add(const CrossChecks& other) {
   contacts += other.contacts;
   for (size_t i = 0; i < 8; ++i) reasons[i] += other.reasons[i];
   degrees.insert(degrees.end(), other.degrees.begin(), other.degrees.end());
   built = built && other.built;
 }
 
-double Opinions::share() const {
+double CrossChecks::share() const {
   return contacts == 0 ? 1 : static_cast<double>(degrees.size()) / static_cast<double>(contacts);
 }
 
-double Opinions::quantile(double part) const {
+double CrossChecks::quantile(double part) const {
   if (degrees.empty()) return 0;
   std::vector<double> sorted = degrees;
   const auto at = sorted.begin() + static_cast<ptrdiff_t>(part * static_cast<double>(sorted.size() - 1));
@@ -51,16 +51,16 @@ double Opinions::quantile(double part) const {
   return *at;
 }
 
-std::string Opinions::text() const {
+std::string CrossChecks::text() const {
   const auto none = [this](dsw_no_cross_check why) { return static_cast<unsigned long long>(reasons[why]); };
   char line[320];
-  std::snprintf(line, sizeof line,
-                "%6llu contacts, opinion on %8.4f %%, angle p50 %.1e p99 %.1e most %.1e degrees; none: wire %llu, "
-                "parallel %llu, outside cone %llu, not converged %llu, not unique %llu",
-                static_cast<unsigned long long>(contacts), 100 * share(), quantile(0.5), quantile(0.99), quantile(1),
-                none(DSW_NO_CROSS_CHECK_MARKED), none(DSW_NO_CROSS_CHECK_PARALLEL),
-                none(DSW_NO_CROSS_CHECK_OUTSIDE_CONE), none(DSW_NO_CROSS_CHECK_NOT_CONVERGED),
-                none(DSW_NO_CROSS_CHECK_NOT_UNIQUE));
+  std::snprintf(
+      line, sizeof line,
+      "%6llu contacts, cross-check of %8.4f %%, angle p50 %.1e p99 %.1e most %.1e degrees; none: marked %llu, "
+      "parallel %llu, outside cone %llu, not converged %llu, not unique %llu",
+      static_cast<unsigned long long>(contacts), 100 * share(), quantile(0.5), quantile(0.99), quantile(1),
+      none(DSW_NO_CROSS_CHECK_MARKED), none(DSW_NO_CROSS_CHECK_PARALLEL), none(DSW_NO_CROSS_CHECK_OUTSIDE_CONE),
+      none(DSW_NO_CROSS_CHECK_NOT_CONVERGED), none(DSW_NO_CROSS_CHECK_NOT_UNIQUE));
   return line;
 }
 

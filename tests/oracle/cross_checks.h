@@ -1,4 +1,4 @@
-// libccd's second opinion on the normals of contacts: how many it has, and how far both normals are apart.
+// libccd's cross-checks of the normals of contacts: how many there are, and how far both normals are apart.
 #pragma once
 
 #include "mesh.h"
@@ -11,8 +11,8 @@
 
 namespace dsw::oracle {
 
-struct Opinions {
-  static constexpr double kLeastShare = 0.95;   // of all contacts that get an opinion
+struct CrossChecks {
+  static constexpr double kLeastShare = 0.95;   // of all contacts that get a cross-check
   static constexpr double kMostDegrees = 0.01;  // 99 of 100 angles are not above
 
   uint64_t contacts = 0, reasons[8] = {};  // by dsw_no_cross_check
@@ -21,10 +21,10 @@ struct Opinions {
 
   /// False where the answer cannot be right.
   bool ask(const dsw_environment* environment, const dsw_body_contact& contact);
-  void add(const Opinions& other);
+  void add(const CrossChecks& other);
   /// 1 without contacts.
   double share() const;
-  /// 0 without opinions.
+  /// 0 without cross-checks.
   double quantile(double part) const;
   std::string text() const;
 };

@@ -38,7 +38,7 @@ struct Part {
 
 struct Validation {
   std::vector<std::string> faults;
-  uint64_t parts = 0, contacts = 0;  // that were judged
+  uint64_t parts = 0, contacts = 0;  // that were validated
 };
 
 /// Where `fraction` of the way is, in the words of dsw_deform_report.
@@ -58,7 +58,7 @@ class Ground {
   virtual int corner(int cell, Rng& rng) const = 0;
   virtual std::unique_ptr<Picture> picture(const std::vector<Vec>& points) const = 0;
   /// Of what was passed, and of contacts that are none.
-  virtual Validation judge(const Deformed&, const std::vector<Part>&) { return {}; }
+  virtual Validation validate(const Deformed&, const std::vector<Part>&) { return {}; }
 };
 
 }  // namespace dsw::oracle

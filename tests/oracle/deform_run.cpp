@@ -336,9 +336,9 @@ void Deformer::check(Deformed& d, const std::string& how) {
     parts_.push_back(part);
     particle.at = at;
   }
-  const Validation validation = ground_.judge(d, parts_);
-  report_.judged_parts += validation.parts;
-  report_.judged_contacts += validation.contacts;
+  const Validation validation = ground_.validate(d, parts_);
+  report_.validated_parts += validation.parts;
+  report_.validated_contacts += validation.contacts;
   for (const std::string& fault : validation.faults) wrong(how + ": " + fault);
 }
 
@@ -457,8 +457,8 @@ std::string to_json(const DeformReport& r, const std::string& prefix) {
                                                       {"deform.oracle.rigid", r.rigid},
                                                       {"deform.oracle.rigid_moves", r.rigid_moves},
                                                       {"deform.oracle.bent", r.bent},
-                                                      {"deform.oracle.judged_parts", r.judged_parts},
-                                                      {"deform.oracle.judged_contacts", r.judged_contacts}};
+                                                      {"deform.oracle.validated_parts", r.validated_parts},
+                                                      {"deform.oracle.validated_contacts", r.validated_contacts}};
   std::string text = "{";
   for (const auto& [key, value] : figures) {
     text += std::string(text == "{" ? "\n" : ",\n") + "  \"" + prefix + key + "\": " + std::to_string(value);

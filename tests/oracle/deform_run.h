@@ -26,7 +26,7 @@ struct DeformReport {
   uint64_t wrong = 0;                   // answers that do not fit
   uint64_t whole = 0;                   // steps after which the whole environment was valid
   uint64_t outcomes[4] = {};            // by dsw_deform_outcome
-  uint64_t judged_parts = 0, judged_contacts = 0;
+  uint64_t validated_parts = 0, validated_contacts = 0;
   bool right() const { return wrong + lost + not_free + bent == 0 && bodies > 0; }
 };
 

@@ -55,16 +55,16 @@ class PlaneGround : public Ground {
     return std::make_unique<PlanePicture>(world_, marked_, points);
   }
 
-  Validation judge(const Deformed& d, const std::vector<Part>& parts) override {
+  Validation validate(const Deformed& d, const std::vector<Part>& parts) override {
     Validation validation;
-    const WallJudge judge(world_, marked_, d);
+    const WallValidator validator(world_, marked_, d);
     const auto note = [&](const std::string& fault) {
       if (!fault.empty()) validation.faults.push_back(fault);
     };
     for (const Part& part : parts) {
-      if (!judge.knows(part)) continue;
+      if (!validator.knows(part)) continue;
       ++validation.parts;
-      note(judge.passed(part));
+      note(validator.passed(part));
     }
     const bool pushes = d.options.response == DSW_WALL_PUSH || d.options.response == DSW_WALL_INSERT;
     for (size_t i = 0; i < d.contacts.size(); ++i) {
@@ -81,7 +81,7 @@ class PlaneGround : public Ground {
           edge = &*found;
         }
       }
-      const std::string fault = judge.wrong_contact(c, edge);
+      const std::string fault = validator.wrong_contact(c, edge);
       if (!fault.empty()) note("contact " + std::to_string(i) + ": " + fault);
       validation.contacts += c.edge.generation == 0 || edge != nullptr ? 1 : 0;
     }

@@ -61,37 +61,38 @@ int Obstacle::passed_by_side(const std::array<Vec, 2>& from, const std::array<Ve
   return passed;
 }
 
-WallJudge::WallJudge(const plane::World& world, const std::vector<int>& marked_vertices, const Deformed& deformed)
+WallValidator::WallValidator(const plane::World& world, const std::vector<int>& marked_vertices,
+                             const Deformed& deformed)
     : world_(world), marked_vertices_(marked_vertices), d_(deformed) {}
 
-Vec WallJudge::on_way(int vertex, double fraction) const {
+Vec WallValidator::on_way(int vertex, double fraction) const {
   const auto v = static_cast<size_t>(vertex);
   return point_on_way(d_.start[v], d_.target[v], fraction);
 }
 
 /// Where a vertex is from step to step.
-std::vector<Vec> WallJudge::places(int vertex, double way, uint32_t steps) const {
+std::vector<Vec> WallValidator::places(int vertex, double way, uint32_t steps) const {
   std::vector<Vec> list;
   for (uint32_t s = 0; s <= steps; ++s) list.push_back(on_way(vertex, way * s / steps));
   return list;
 }
 
 /// Whether edges of bodies meet it.
-bool WallJudge::is_impassable(int vertex, dsw_level level) const {
+bool WallValidator::is_impassable(int vertex, dsw_level level) const {
   const auto has = [&](const plane::Side& s) { return world_.impassable(s) && (s.a == vertex || s.b == vertex); };
   return std::any_of(world_.sides.begin(), world_.sides.end(), has) ||
          (level >= DSW_LEVEL_EDGES_SWEPT &&
           std::find(marked_vertices_.begin(), marked_vertices_.end(), vertex) != marked_vertices_.end());
 }
 
-bool WallJudge::knows(const Part& part) const {
+bool WallValidator::knows(const Part& part) const {
   // In one step a vertex goes where it is, or stays.
   const bool all_places = d_.report.steps == 1 || d_.report.contact_count + d_.report.invalid_count == 0;
   return part.at_rest && d_.whole && d_.options.method == DSW_DEFORM_SWEPT && d_.report.outcome != DSW_DEFORM_REFUSED &&
          all_places;
 }
 
-std::string WallJudge::passed(const Part& part) const {
+std::string WallValidator::passed(const Part& part) const {
   const bool one_step = d_.report.steps == 1;
   const auto way_of = [&](int v) {
     const auto i = static_cast<size_t>(v);
@@ -126,7 +127,7 @@ std::string WallJudge::passed(const Part& part) const {
 }
 
 /// Whether it is a side that has the vertices, by its canonical name, or none where there is none.
-std::string WallJudge::wrong_wall(const dsw_wall_contact& c) const {
+std::string WallValidator::wrong_wall(const dsw_wall_contact& c) const {
   const int moving = static_cast<int>(c.moving.index), other = static_cast<int>(c.others[0].index);
   const bool has_other = c.others[0].generation != 0, at_point = c.edge.generation == 0;
   if (c.moving.generation != 1 || has_other != at_point || c.others[1].generation != 0 || c.face.generation != 0) {
@@ -138,18 +139,20 @@ std::string WallJudge::wrong_wall(const dsw_wall_contact& c) const {
                : "";
   }
   for (const plane::Side& s : world_.sides) {
-    if (static_cast<uint32_t>(s.cell[0]) != c.contact.wall.volume || static_cast<uint32_t>(s.local[0]) != c.contact.wall.local)
+    if (static_cast<uint32_t>(s.cell[0]) != c.contact.wall.volume ||
+        static_cast<uint32_t>(s.local[0]) != c.contact.wall.local)
       continue;
     const bool at_ends =
         has_other ? (s.a == moving && s.b == other) || (s.a == other && s.b == moving) : s.a == moving || s.b == moving;
     const bool known = c.contact.tag == world_.tags[static_cast<size_t>(s.cell[0])] ||
                        (s.cell[1] >= 0 && c.contact.tag == world_.tags[static_cast<size_t>(s.cell[1])]);
-    return at_ends && known && world_.impassable(s) && c.contact.wall.generation == 1 ? "" : "wall " + name(c.contact.wall);
+    return at_ends && known && world_.impassable(s) && c.contact.wall.generation == 1 ? ""
+                                                                                      : "wall " + name(c.contact.wall);
   }
   return "no such wall " + name(c.contact.wall);
 }
 
-std::string WallJudge::wrong_contact(const dsw_wall_contact& c, const Part* part) const {
+std::string WallValidator::wrong_contact(const dsw_wall_contact& c, const Part* part) const {
   const double length = std::hypot(c.contact.normal[0], c.contact.normal[1]);
   if (!(std::fabs(length - 1) <= 1e-14) || c.contact.normal[2] != 0) return "normal " + hex(c.contact.normal);
   if (d_.options.method != DSW_DEFORM_SWEPT)

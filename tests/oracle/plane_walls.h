@@ -31,9 +31,9 @@ class Obstacle {
 };
 
 /// A deformation of a world.
-class WallJudge {
+class WallValidator {
  public:
-  WallJudge(const plane::World& world, const std::vector<int>& marked_vertices, const Deformed& deformed);
+  WallValidator(const plane::World& world, const std::vector<int>& marked_vertices, const Deformed& deformed);
 
   /// Whether it is known where all walls went, and the part was at rest. Only if all of the environment was valid
   /// before and after: walls far away, which nobody looks at, may pass over anything while it is not.

@@ -8,9 +8,9 @@
 
 namespace dsw::oracle {
 
-SpaceArena::SpaceArena(World& world, const std::vector<std::array<int, 2>>& wires,
+SpaceArena::SpaceArena(World& world, const std::vector<std::array<int, 2>>& marked_edges,
                        const std::vector<int>& marked_vertices)
-    : Arena(3, std::make_unique<SweepWorld>(world, wires, marked_vertices)), world_(world) {
+    : Arena(3, std::make_unique<SweepWorld>(world, marked_edges, marked_vertices)), world_(world) {
   for (size_t c = 0; c < world.mesh.cells.size(); ++c) {
     uint32_t local = 0;
     for (const auto& e : cell_edges(world.mesh.cells[c])) {

@@ -10,8 +10,8 @@ namespace dsw::oracle {
 
 class SpaceArena : public Arena {
  public:
-  /// Marks must be set; wires are pairs of vertices, `marked_vertices` are vertices. `world` must outlive this.
-  explicit SpaceArena(World& world, const std::vector<std::array<int, 2>>& wires = {},
+  /// Marks must be set; `marked_edges` are pairs of vertices. `world` must outlive this.
+  explicit SpaceArena(World& world, const std::vector<std::array<int, 2>>& marked_edges = {},
                       const std::vector<int>& marked_vertices = {});
 
   double size() const override { return world_.size; }

@@ -9,7 +9,7 @@ class SpacePicture : public Picture {
       : world_(moved(stage.world.mesh, points), stage.environment.get()) {
     world_.cell_marked = stage.world.cell_marked;
     for (size_t f = 0; f < world_.faces.size(); ++f) world_.faces[f].marked = stage.world.faces[f].marked;
-    arena_ = std::make_unique<SpaceArena>(world_, stage.wires, stage.marked_vertices);
+    arena_ = std::make_unique<SpaceArena>(world_, stage.marked_edges, stage.marked_vertices);
   }
   bool is_sound() const override { return world_.fault().empty(); }
   bool contains(int cell, const Vec& at) override { return world_.contains(cell, world_.body(at.data())); }
@@ -29,7 +29,7 @@ class SpaceGround : public Ground {
  public:
   SpaceGround(std::unique_ptr<Stage> stage, Rng& rng)
       : stage_(std::move(stage)),
-        arena_(stage_->world, stage_->wires, stage_->marked_vertices),
+        arena_(stage_->world, stage_->marked_edges, stage_->marked_vertices),
         places_(*stage_, rng) {}
 
   dsw_environment* environment() const override { return stage_->environment.get(); }

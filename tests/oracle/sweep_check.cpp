@@ -139,8 +139,8 @@ void SweepChecker::check_truth(const Sweep& s) {
   const auto wrong = [&](const std::string& text) { report_.fault(SweepReport::kWrong, what + text); };
   if (t.start == -2) return wrong(" several cells contain the start");
   if (!may_start(t)) return;
-  const std::string opinion = arena_.second_normal(s);
-  if (!opinion.empty()) wrong(opinion);
+  const std::string second = arena_.second_normal(s);
+  if (!second.empty()) wrong(second);
   if (t.new_edge_hit && t.swept.empty()) wrong(" the new edge meets something, the triangle nothing");
   if (!t.swept.empty() && t.path_hit && compare_times(t.swept[0], t.path[0]) > 0) wrong(" the path is met first");
   // With three free sides the corners may change places.

@@ -67,7 +67,7 @@ void one_scene(const SweepTurn& turn, uint64_t seed, uint64_t sweeps, SweepRepor
   Rng rng(seed);
   const std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report);
   if (stage == nullptr) return;
-  SpaceArena arena(stage->world, stage->wires);
+  SpaceArena arena(stage->world, stage->marked_edges);
   StagePlaces places(*stage, rng);
   sweep_arena(arena, places, stage->environment.get(), sweeps, rng, report);
 }

@@ -78,9 +78,9 @@ std::unique_ptr<Stage> make_stage(const SweepTurn& turn, uint64_t seed, Rng& rng
 
 void Stage::mark(Rng& rng, SweepReport& report) {
   static const double volume_shares[] = {0, 0, 0.05, 0.15}, face_shares[] = {0, 0.03, 0.1, 0.2},
-                      wire_shares[] = {0, 0.03, 0.1, 0.3};
+                      edge_shares[] = {0, 0.03, 0.1, 0.3};
   const double volumes = volume_shares[rng.below(4)], shares = face_shares[rng.below(4)];
-  const double wire_share = wire_shares[rng.below(4)];
+  const double edge_share = edge_shares[rng.below(4)];
   std::vector<dsw_volume_id> ids;
   std::vector<dsw_face_id> chosen;
   std::vector<dsw_edge_id> edges;
@@ -100,8 +100,8 @@ void Stage::mark(Rng& rng, SweepReport& report) {
   for (size_t c = 0; c < world.ids.size(); ++c) {
     uint32_t local = 0;
     for (const auto& e : cell_edges(world.mesh.cells[c])) {
-      if (rng.chance(wire_share)) {
-        wires.push_back(e);
+      if (rng.chance(edge_share)) {
+        marked_edges.push_back(e);
         edges.push_back({world.ids[c].index, world.ids[c].generation, local});
       }
       ++local;
@@ -139,7 +139,7 @@ void Stage::mark_vertices(Rng& rng, SweepReport& report) {
 
 StagePlaces::StagePlaces(const Stage& stage, Rng& rng) : Motions(stage.world, rng), stage_(stage) {
   std::set<int> ends(stage.marked_vertices.begin(), stage.marked_vertices.end());
-  for (const auto& wire : stage.wires) ends.insert({wire[0], wire[1]});
+  for (const auto& edge : stage.marked_edges) ends.insert({edge[0], edge[1]});
   for (int f : stage.free_standing) {
     for (int v : world_.faces[static_cast<size_t>(f)].loop) ends.insert(v);
   }
@@ -155,13 +155,13 @@ Vec StagePlaces::corner(const Loop& loop, size_t i) const {
   return world_.mesh.points[static_cast<size_t>(loop[i % loop.size()])];
 }
 
-/// A vertex with room around it, or a place on a wire or near the corner of a free-standing face.
+/// A vertex with room around it, or a place on a marked edge or near the corner of a free-standing face.
 Vec StagePlaces::obstacle(double exactly) {
   const auto point = [&](int v) { return world_.mesh.points[static_cast<size_t>(v)]; };
   if (!spikes_.empty() && rng_.chance(exactly)) return point(spikes_[rng_.below(spikes_.size())]);
-  if (!stage_.wires.empty() && (stage_.free_standing.empty() || rng_.chance(0.5))) {
-    const auto& wire = stage_.wires[rng_.below(stage_.wires.size())];
-    return between(point(wire[0]), point(wire[1]), rng_.chance(0.2) ? 0.5 : rng_.unit());
+  if (!stage_.marked_edges.empty() && (stage_.free_standing.empty() || rng_.chance(0.5))) {
+    const auto& edge = stage_.marked_edges[rng_.below(stage_.marked_edges.size())];
+    return between(point(edge[0]), point(edge[1]), rng_.chance(0.2) ? 0.5 : rng_.unit());
   }
   if (stage_.free_standing.empty()) return site();
   const auto f = static_cast<size_t>(stage_.free_standing[rng_.below(stage_.free_standing.size())]);
@@ -171,16 +171,16 @@ Vec StagePlaces::obstacle(double exactly) {
   return between(corner(loop, i), middle, rng_.chance(0.3) ? 0 : rng_.range(0.01, 0.3));
 }
 
-/// On a wire, or at the corner of a free-standing face, so that the triangle's sides may be free.
+/// On a marked edge, or at the corner of a free-standing face, so that the triangle's sides may be free.
 bool StagePlaces::round_obstacle(Vec& place, std::array<Vec, 2>& span) {
   const std::vector<int>& faces = stage_.free_standing;
-  if (stage_.wires.empty() && faces.empty()) return Motions::round_obstacle(place, span);
+  if (stage_.marked_edges.empty() && faces.empty()) return Motions::round_obstacle(place, span);
   const double reach = rng_.chance(0.5) ? 0.1 : 0.3;
   for (Vec& d : span) d = near({0, 0, 0}, reach);
-  const bool wire = !stage_.wires.empty() && (faces.empty() || rng_.chance(0.5));
+  const bool at_edge = !stage_.marked_edges.empty() && (faces.empty() || rng_.chance(0.5));
   const bool exactly = rng_.chance(0.2);
-  if (wire) {
-    const auto& e = stage_.wires[rng_.below(stage_.wires.size())];
+  if (at_edge) {
+    const auto& e = stage_.marked_edges[rng_.below(stage_.marked_edges.size())];
     const std::vector<Vec>& points = world_.mesh.points;
     place = between(points[static_cast<size_t>(e[0])], points[static_cast<size_t>(e[1])], exactly ? 0.5 : rng_.unit());
     return exactly;

@@ -27,7 +27,7 @@ struct Stage {
 
   EnvironmentPtr environment;
   World world;
-  std::vector<std::array<int, 2>> wires;
+  std::vector<std::array<int, 2>> marked_edges;
   std::vector<int> free_standing;  // marked faces
   std::vector<int> marked_vertices;
 };

@@ -33,7 +33,8 @@ void negate(Point& x) {
 
 }  // namespace
 
-SweepWorld::SweepWorld(World& world, const std::vector<std::array<int, 2>>& wires, const std::vector<int>& marked)
+SweepWorld::SweepWorld(World& world, const std::vector<std::array<int, 2>>& marked_edges,
+                       const std::vector<int>& marked)
     : world_(world) {
   const std::vector<Vec>& raw = world.mesh.points;
   std::set<std::pair<int, int>> edges;
@@ -44,7 +45,7 @@ SweepWorld::SweepWorld(World& world, const std::vector<std::array<int, 2>>& wire
     normals_.push_back({static_cast<int>(t), box_of(raw, {v[0], v[1], v[2]}), {}});
     for (size_t k = 0; k < 3; ++k) add_edge(v[k], v[(k + 1) % 3]);
   }
-  for (const auto& wire : wires) add_edge(wire[0], wire[1]);
+  for (const auto& edge : marked_edges) add_edge(edge[0], edge[1]);
   std::set<int> used(marked.begin(), marked.end());
   for (const auto& [a, b] : edges) {
     edges_.push_back({a, b, box_of(raw, {a, b})});

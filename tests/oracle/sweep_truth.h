@@ -8,8 +8,8 @@ namespace dsw::oracle {
 
 class SweepWorld : public ExactSweeps {
  public:
-  /// Marks must be set; wires are pairs of vertices, `marked` are vertices. `world` must outlive this.
-  SweepWorld(World& world, const std::vector<std::array<int, 2>>& wires, const std::vector<int>& marked = {});
+  /// Marks must be set; `marked_edges` are pairs of vertices, `marked` are vertices. `world` must outlive this.
+  SweepWorld(World& world, const std::vector<std::array<int, 2>>& marked_edges, const std::vector<int>& marked = {});
   int locate(const Vec& p) override { return world_.locate(world_.body(p.data())); }
   using ExactSweeps::blocked;
   bool blocked(const Vec& x, const Vec& y, const Vec& z) override;

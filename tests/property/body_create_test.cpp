@@ -179,8 +179,8 @@ TEST_F(BodyCreateTest, WhatIsNotFreeIsNamed) {
   make(plan, DSW_LEVEL_POINTS);
 }
 
-TEST_F(BodyCreateTest, AWireThroughAFaceIsSeenAtFacesOnly) {
-  mark_wire(1, 1, 1);
+TEST_F(BodyCreateTest, AMarkedEdgeThroughAFaceIsSeenAtFacesOnly) {
+  mark_edge(1, 1, 1);
   const BodyPlan plan = {{{0.5, 0.5, 1.5}, {2, 0.5, 1.5}, {0.5, 2, 1.5}}, {}, {{0, 1, 2}}};
   dsw_body_id body = make(plan);
   BodyState before = read(body);

@@ -195,13 +195,13 @@ TEST_F(BodyEditTest, CollapsesThatAreRefused) {
     return dsw_body_collapse_edge(scene(), surface, s.edge_ids[e], {0, 9}, nullptr);
   });
 
-  // A polyline round a wire: its middle vertex cannot go to an end.
-  mark_wire(2, 2, 1);
+  // A polyline round a marked edge: its middle vertex cannot go to an end.
+  mark_edge(2, 2, 1);
   const dsw_body_id line = make({{{1.5, 1.5, 1.5}, {2.5, 1.5, 1.5}, {2.5, 2.75, 1.5}}, {{0, 1}, {1, 2}}, {}});
   s = read(line);
   refuse(DSW_STATUS_OCCUPIED, line,
          [&] { return dsw_body_collapse_edge(scene(), line, s.edge_ids[0], s.vertices[1], nullptr); });
-  // At EDGES a wire is no obstacle.
+  // At EDGES a marked edge is no obstacle.
   ASSERT_EQ(dsw_body_set_level(scene(), line, DSW_LEVEL_EDGES), DSW_STATUS_OK);
   EXPECT_EQ(dsw_body_collapse_edge(scene(), line, s.edge_ids[0], s.vertices[1], nullptr), DSW_STATUS_OK)
       << dsw_last_error_message();
@@ -219,7 +219,7 @@ TEST_F(BodyEditTest, ATriangleMayBecomeAnEdge) {
   EXPECT_EQ(after.edges.size(), 1u);
 }
 
-TEST_F(BodyEditTest, AWireBetweenTwoSurfacesDoesNotCollapseToAVertexOfTwoFans) {
+TEST_F(BodyEditTest, AnEdgeBetweenTwoSurfacesDoesNotCollapseToAVertexOfTwoFans) {
   const dsw_body_id body = make({{kA, kB, kC, {1.5, 1.5, 0.5}, {1.75, 1.5, 0.5}, {1.5, 1.75, 0.5}, {1.25, 1.5, 0.75}},
                                  {{0, 3}, {3, 6}},
                                  {{0, 1, 2}, {3, 4, 5}}});

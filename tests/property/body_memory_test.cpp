@@ -19,7 +19,7 @@ TEST_F(BodyMemoryTest, CreatingABody) {
 
 TEST_F(BodyMemoryTest, MovingABody) {
   mark_wall(1, 1, 1);
-  mark_wire(2, 2, 1);
+  mark_edge(2, 2, 1);
   for (uint32_t flags : {0u, 7u}) {  // none, and all that are lossless
     for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
       const BodyPlan plan = tetrahedron({0.5, 1.5, 1.25}, 0.75);
@@ -141,7 +141,7 @@ TEST_F(BodyMemoryTest, ARigidMove) {
                     [&] { return bits_of(read(body)) == before; });
 }
 
-// A move that fails while casts wait in its wave must not leave them to the next one, which has other targets and may
+// A move that fails while casts wait in its packet must not leave them to the next one, which has other targets and may
 // be smaller.
 TEST_F(BodyMemoryTest, AMoveThatFailedLeavesNoCastsBehind) {
   scene_ = make_scene(place_.get(), DSW_FEATURE_STATISTICS);

@@ -85,8 +85,8 @@ TEST_F(BodyMoveTest, TargetsOfVerticesThatDoNotMoveAreNotRead) {
 }
 
 TEST_F(BodyMoveTest, EachLevelMeetsWhatItSays) {
-  // Across the wire at (2, 2), whose ends are far from the plane of the motion; and a marked vertex.
-  mark_wire(2, 2, 1);
+  // Across the marked edge at (2, 2), whose ends are far from the plane of the motion; and a marked vertex.
+  mark_edge(2, 2, 1);
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {2.75, 1.5, 1.5};
   for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
     const dsw_body_id body = make(segment(from, fixed), level);
@@ -183,8 +183,8 @@ TEST_F(BodyMoveTest, APushThatLastsSaysSo) {
 }
 
 TEST_F(BodyMoveTest, AStopLastsWhicheverObstaclesWereListedBesideIt) {
-  mark_wire(2, 2, 1);
-  mark_wire(3, 2, 1);
+  mark_edge(2, 2, 1);
+  mark_edge(3, 2, 1);
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {3.75, 1.5, 1.5};
   const dsw_body_id body = make(segment(from, fixed));
   dsw_move_options options = defaults(dsw_move_options_init);
@@ -196,8 +196,8 @@ TEST_F(BodyMoveTest, AStopLastsWhicheverObstaclesWereListedBesideIt) {
 }
 
 TEST_F(BodyMoveTest, AllObstaclesUnderTheEdgeComeInTheirOrder) {
-  mark_wire(2, 2, 1);
-  mark_wire(3, 2, 1);
+  mark_edge(2, 2, 1);
+  mark_edge(3, 2, 1);
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {3.75, 1.5, 1.5};
   const dsw_body_id body = make(segment(from, fixed)), twin = make(segment(from, fixed));
   dsw_move_options options = defaults(dsw_move_options_init);
@@ -216,7 +216,7 @@ TEST_F(BodyMoveTest, HalvingEndsBetweenAFreePlaceAndOneThatIsNot) {
   constexpr double kStep = 0x1p-12;
   mark_wall(2, 1, 1);
   mark_wall(1, 2, 2);
-  mark_wire(3, 3, 1);
+  mark_edge(3, 3, 1);
   Rng rng(17);
   dsw_move_options options = defaults(dsw_move_options_init), exact = options;
   options.search = DSW_SEARCH_BISECTION;
@@ -272,8 +272,8 @@ TEST_F(BodyMoveTest, HalvingEndsBetweenAFreePlaceAndOneThatIsNot) {
 }
 
 TEST_F(BodyMoveTest, AllObstaclesAtEdgesAreThoseOfTheEdgesThatWereHit) {
-  // The edge to vertex 1 passes a wire and ends free, so at EDGES it is not looked at; that to vertex 2 ends in a wall.
-  mark_wire(1, 1, 1);
+  // The edge to vertex 1 passes a marked edge and ends free, so EDGES ignores it. The edge to vertex 2 ends in a wall.
+  mark_edge(1, 1, 1);
   mark_wall(2, 1, 1);
   const BodyPlan plan = {{{0.5, 0.5, 1.5}, {1.25, 2.25, 1.5}, {2.75, 2.5, 1.5}}, {{0, 1}, {0, 2}}, {}};
   const std::vector<Vec> to = {{3.5, 0.5, 1.5}, plan.at[1], plan.at[2]};
@@ -289,7 +289,7 @@ TEST_F(BodyMoveTest, AllObstaclesAtEdgesAreThoseOfTheEdgesThatWereHit) {
 }
 
 TEST_F(BodyMoveTest, AnInsertedVertexIsReportedAndSplitsItsEdge) {
-  mark_wire(2, 2, 1);
+  mark_edge(2, 2, 1);
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {2.75, 1.5, 1.5};
   for (dsw_response response :
        {DSW_RESPONSE_ADAPTIVE_ONE, DSW_RESPONSE_ADAPTIVE_MANY, DSW_RESPONSE_HYBRID, DSW_RESPONSE_ADAPTIVE_SLIDE}) {
@@ -486,14 +486,14 @@ TEST_F(BodyMoveTest, TheWorkLimitStopsTheSameMovesWithAndWithoutWhatIsLossless) 
 }
 
 TEST_F(BodyMoveTest, AStandOffBeyondAllDoublesInsertsNoVertexThere) {
-  mark_wire(2, 2, 1);
+  mark_edge(2, 2, 1);
   dsw_move_options options = defaults(dsw_move_options_init);
   for (double stand_off : {1e300, 1e307, 1.7e308}) {
     for (int i = 0; i < 64; ++i) {
       const double d = 0.37 * i / 64;
       const dsw_body_id body = make({{{1.1 + d, 1.5, 1.4}, {1.3, 2.6 + d, 1.61}}, {{0, 1}}, {}});
       const std::vector<Vec> to = {{2.7, 1.2 + d, 1.45}, {1.3, 2.6 + d, 1.61}};
-      // Up to the wire, so near that a point on the edge may round to its other side.
+      // Up to the marked edge, so near that a point on the edge may round to its other side.
       options.stand_off = -1;
       options.edge_response = DSW_RESPONSE_STOP;
       move(body, to, &options);

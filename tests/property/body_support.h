@@ -30,7 +30,7 @@ class BodyTest : public testing::Test {
     ASSERT_EQ(dsw_environment_mark_faces(place_.get(), &face, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
   }
   /// The edge of the grid from a point along z.
-  void mark_wire(uint32_t x, uint32_t y, uint32_t z) {
+  void mark_edge(uint32_t x, uint32_t y, uint32_t z) {
     const uint32_t ends[2] = {point(x, y, z), point(x, y, z + 1)};
     dsw_edge_id edge;
     ASSERT_EQ(dsw_environment_find_edges(place_.get(), 1, ends, &edge, nullptr), DSW_STATUS_OK);

@@ -33,7 +33,7 @@ std::vector<std::string> answers(const std::string& name, dsw_context* context, 
   stage.mark(rng, faults);
   stage.mark_vertices(rng, faults);
   EXPECT_EQ(faults.total.faults(), 0u);
-  SpaceArena arena(stage.world, stage.wires, stage.marked_vertices);
+  SpaceArena arena(stage.world, stage.marked_edges, stage.marked_vertices);
   StagePlaces places(stage, rng);
   const ScenePtr scene = make_scene(stage.environment.get());
   std::vector<dsw_body_id> bodies;

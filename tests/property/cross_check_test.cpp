@@ -1,4 +1,4 @@
-// libccd's second opinion on the normals of swept edges and of bodies at every level, on made and on real meshes and at
+// libccd's cross-check of the normals of swept edges and of bodies at every level, on made and on real meshes and at
 // three scales: on how many contacts it has one, and how far the two normals are apart. Both figures are printed and
 // have a bar.
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <set>
 
 #include "body_state.h"
-#include "mesh_file.h"
 #include "cross_checks.h"
+#include "mesh_file.h"
 #include "support.h"
 
 namespace dsw::oracle {
@@ -19,20 +19,20 @@ namespace {
 constexpr double kScales[] = {1e-3, 1, 1e6};
 constexpr double kDegrees = 180 / 3.14159265358979323846;
 
-/// Cells thinner than libccd's numbers reach (a layer of 1e-12): opinions are few, but they have to fit.
+/// Cells thinner than libccd's numbers reach (a layer of 1e-12): cross-checks are few, but they have to fit.
 const std::set<std::string> kThin = {"hex_thin", "tet_slivers", "waist_slivers"};
 
 struct AllFigures {
-  Opinions vertex, edge, diagonal, face;  // by what touches; a diagonal is the wall's
+  CrossChecks vertex, edge, diagonal, face;  // by what touches; a diagonal is the wall's
 
-  Opinions& of(const dsw_body_contact& contact) {
+  CrossChecks& of(const dsw_body_contact& contact) {
     if (contact.face.generation != 0) return face;
     if (contact.edge.generation == 0) return vertex;
     return contact.contact.kind == DSW_CONTACT_PLANE ? diagonal : edge;
   }
-  Opinions sum() const {
-    Opinions all = vertex;
-    for (const Opinions* part : {&edge, &diagonal, &face}) all.add(*part);
+  CrossChecks sum() const {
+    CrossChecks all = vertex;
+    for (const CrossChecks* part : {&edge, &diagonal, &face}) all.add(*part);
     return all;
   }
   void add(const AllFigures& other) {
@@ -42,20 +42,20 @@ struct AllFigures {
     face.add(other.face);
   }
   void judge(const std::string& name, bool thin = false) const {
-    const Opinions all = sum();
+    const CrossChecks all = sum();
     std::printf("%-28s %s\n", name.c_str(), all.text().c_str());
     if (diagonal.contacts != 0) std::printf("  of them on diagonals       %s\n", diagonal.text().c_str());
     if (face.contacts != 0) std::printf("  of them of faces           %s\n", face.text().c_str());
-    EXPECT_GE(all.share(), thin ? 0 : Opinions::kLeastShare) << name;
-    EXPECT_LE(all.quantile(0.99), Opinions::kMostDegrees) << name;
+    EXPECT_GE(all.share(), thin ? 0 : CrossChecks::kLeastShare) << name;
+    EXPECT_LE(all.quantile(0.99), CrossChecks::kMostDegrees) << name;
   }
 };
 
 /// For the benchmark, which joins the figures of all tests.
 void record(const AllFigures& figures) {
-  const Opinions all = figures.sum();
+  const CrossChecks all = figures.sum();
   testing::Test::RecordProperty("contacts", std::to_string(all.contacts));
-  testing::Test::RecordProperty("opinions", std::to_string(all.degrees.size()));
+  testing::Test::RecordProperty("cross_checks", std::to_string(all.degrees.size()));
   char degrees[32];
   std::snprintf(degrees, sizeof degrees, "%.6g", all.quantile(0.99));
   testing::Test::RecordProperty("deg_p99", degrees);
@@ -102,9 +102,9 @@ class Bench {
   }
 
   dsw_cross_check ask(const dsw_body_contact& contact) const {
-    dsw_cross_check opinion{};
-    EXPECT_EQ(dsw_environment_cross_check(environment_, &contact, &opinion), DSW_STATUS_OK) << dsw_last_error_message();
-    return opinion;
+    dsw_cross_check check{};
+    EXPECT_EQ(dsw_environment_cross_check(environment_, &contact, &check), DSW_STATUS_OK) << dsw_last_error_message();
+    return check;
   }
 
   AllFigures run(size_t count) {
@@ -235,24 +235,24 @@ AllFigures judge_scenes(double size, uint64_t seeds, Run run) {
   return sum;
 }
 
-class ContactCheckTest : public testing::TestWithParam<double> {
+class CrossCheckTest : public testing::TestWithParam<double> {
  protected:
   void SetUp() override {
     if (DSW_TEST_WITH_LIBCCD == 0) GTEST_SKIP() << "built without libccd";
   }
 };
-INSTANTIATE_TEST_SUITE_P(Scale, ContactCheckTest, testing::ValuesIn(kScales),
+INSTANTIATE_TEST_SUITE_P(Scale, CrossCheckTest, testing::ValuesIn(kScales),
                          [](const testing::TestParamInfo<double>& i) {
                            return i.param < 1 ? "Milli" : i.param > 1 ? "Mega" : "One";
                          });
 
-TEST_P(ContactCheckTest, NormalsOfMadeScenes) {
+TEST_P(CrossCheckTest, NormalsOfMadeScenes) {
   const AllFigures sum = judge_scenes(GetParam(), 6, [](Bench& bench, AllFigures& all) { all.add(bench.run(1500)); });
   EXPECT_GT(sum.vertex.contacts, 2000u);
   EXPECT_GT(sum.edge.contacts, 500u);
 }
 
-TEST_P(ContactCheckTest, NormalsOfBodies) {
+TEST_P(CrossCheckTest, NormalsOfBodies) {
   const AllFigures sum = judge_scenes(GetParam(), 4, [](Bench& bench, AllFigures& all) {
     for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
       all.add(bench.run_bodies(level, 60));
@@ -263,7 +263,7 @@ TEST_P(ContactCheckTest, NormalsOfBodies) {
   EXPECT_GT(sum.face.contacts, 20u);
 }
 
-TEST_P(ContactCheckTest, NormalsInAVessel) {
+TEST_P(CrossCheckTest, NormalsInAVessel) {
   Mesh mesh = make_vessel();
   scale(mesh, GetParam());
   const EnvironmentPtr environment = create_environment(mesh);
@@ -274,8 +274,8 @@ TEST_P(ContactCheckTest, NormalsInAVessel) {
   EXPECT_GT(all.vertex.contacts, 500u);
 }
 
-/// Ours turned by a known angle: the opinion has to say so. The bars would mean nothing if it did not.
-TEST_P(ContactCheckTest, AWrongNormalIsNoticed) {
+/// Ours turned by a known angle: the cross-check has to say so. The bars would mean nothing if it did not.
+TEST_P(CrossCheckTest, AWrongNormalIsNoticed) {
   Rng rng(11);
   Mesh mesh = kind_named("hex_warped").make(rng);
   scale(mesh, GetParam());
@@ -287,7 +287,8 @@ TEST_P(ContactCheckTest, AWrongNormalIsNoticed) {
   for (const dsw_body_contact& contact : bench.contacts(6000)) {
     if (contact.contact.kind == DSW_CONTACT_PLANE && contact.edge_parameter > 0) continue;
     for (const double degrees : {0.02, 0.5, 10.0, 40.0}) {
-      dsw_body_contact turned = contact;  // towards the edge, which leaves an edge's normal above both faces of the wedge
+      dsw_body_contact turned =
+          contact;  // towards the edge, which leaves an edge's normal above both faces of the wedge
       const Vec along = {contact.fixed[0][0] - contact.position[0], contact.fixed[0][1] - contact.position[1],
                          contact.fixed[0][2] - contact.position[2]};
       const double part = dot(along.data(), contact.contact.normal);
@@ -297,10 +298,10 @@ TEST_P(ContactCheckTest, AWrongNormalIsNoticed) {
       for (size_t k = 0; k < 3; ++k) {
         turned.contact.normal[k] = std::cos(a) * contact.contact.normal[k] + std::sin(a) * aside[k] / length;
       }
-      const dsw_cross_check opinion = bench.ask(turned);
+      const dsw_cross_check check = bench.ask(turned);
       ++asked;
-      if (opinion.kind == DSW_CROSS_CHECK_NONE) continue;
-      if (std::fabs(opinion.angle_rad * kDegrees - degrees) < 1e-4) {
+      if (check.kind == DSW_CROSS_CHECK_NONE) continue;
+      if (std::fabs(check.angle_rad * kDegrees - degrees) < 1e-4) {
         ++noticed;
       } else {
         ++wrong;
@@ -314,8 +315,8 @@ TEST_P(ContactCheckTest, AWrongNormalIsNoticed) {
   EXPECT_LT(wrong * 100, asked);
 }
 
-/// Whatever the numbers: an answer, and soon; where there is an opinion, numbers in it.
-TEST_P(ContactCheckTest, AnyNumbersHaveAnAnswer) {
+/// Whatever the numbers: an answer, and soon; where there is a cross-check, numbers in it.
+TEST_P(CrossCheckTest, AnyNumbersHaveAnAnswer) {
   Rng rng(17);
   Mesh mesh = kind_named("polyhedra_warped").make(rng);
   scale(mesh, GetParam());
@@ -324,7 +325,7 @@ TEST_P(ContactCheckTest, AnyNumbersHaveAnAnswer) {
   Bench bench(mesh, environment.get(), 7);
   bench.mark(0.2, 0.1);
   const double odd[] = {0, -0.0, 1, 1e-300, 5e-324, 1e300, -1.7e308, 1e6, -1e-3};
-  uint64_t opinions = 0;
+  uint64_t cross_checks = 0;
   for (dsw_body_contact c : bench.contacts(4000)) {
     for (int i = 0; i < 20; ++i) {
       double* const members[] = {c.position, c.fixed[0], c.fixed[1], c.point};
@@ -335,24 +336,24 @@ TEST_P(ContactCheckTest, AnyNumbersHaveAnAnswer) {
         c.contact.kind = DSW_CONTACT_VERTEX;
         c.contact.obstacle = cell_of(vertices_of(environment.get(), cell_of(c.contact.wall))[0]);
       }
-      const dsw_cross_check opinion = bench.ask(c);
-      if (opinion.kind == DSW_CROSS_CHECK_NONE) continue;
-      ++opinions;
-      EXPECT_NEAR(dot(opinion.normal, opinion.normal), 1, 1e-9);
-      EXPECT_TRUE(std::isfinite(opinion.depth) && opinion.depth >= 0 && opinion.pushed_in >= 0);
-      EXPECT_TRUE(opinion.angle_rad >= 0 && opinion.angle_rad < 3.2);
+      const dsw_cross_check check = bench.ask(c);
+      if (check.kind == DSW_CROSS_CHECK_NONE) continue;
+      ++cross_checks;
+      EXPECT_NEAR(dot(check.normal, check.normal), 1, 1e-9);
+      EXPECT_TRUE(std::isfinite(check.depth) && check.depth >= 0 && check.pushed_in >= 0);
+      EXPECT_TRUE(check.angle_rad >= 0 && check.angle_rad < 3.2);
     }
   }
-  EXPECT_GT(opinions, 100u);
+  EXPECT_GT(cross_checks, 100u);
 }
 
-class ContactCheckMeshTest : public testing::TestWithParam<const char*> {
+class CrossCheckMeshTest : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     if (DSW_TEST_WITH_LIBCCD == 0) GTEST_SKIP() << "built without libccd";
   }
 };
-INSTANTIATE_TEST_SUITE_P(All, ContactCheckMeshTest,
+INSTANTIATE_TEST_SUITE_P(All, CrossCheckMeshTest,
                          testing::Values("cells/carotids_convex.vtk", "cells/cylinder_hex.msh", "cells/liver_mixed.msh",
                                          "cells/rockerarm_hex.msh", "organs/liver.msh", "organs/ossicles.msh",
                                          "vessels/abdominal_aneurysm_wall.msh", "vessels/aneurysm_fsi.msh",
@@ -365,7 +366,7 @@ INSTANTIATE_TEST_SUITE_P(All, ContactCheckMeshTest,
                            return name;
                          });
 
-TEST_P(ContactCheckMeshTest, NormalsOfRealMeshes) {
+TEST_P(CrossCheckMeshTest, NormalsOfRealMeshes) {
   const char* folder = std::getenv("DARTSWEEP_DATA");
   if (folder == nullptr) GTEST_SKIP() << "DARTSWEEP_DATA is not set";
   const std::string path = std::string(folder) + "/" + GetParam();

@@ -13,7 +13,7 @@ class DeformTest : public BodyTest {
     scene_ = make_scene(place_.get(), DSW_FEATURE_DEFORMING);
     mark_wall(1, 1, 1);
     mark_wall(1, 2, 1);
-    mark_wire(2, 2, 1);
+    mark_edge(2, 2, 1);
   }
   void TearDown() override {
     scene_.reset();
@@ -101,7 +101,7 @@ TEST_F(DeformMemoryTest, NamingTheFeature) {
 TEST_F(DeformMemoryTest, Deforming) {
   mark_wall(1, 1, 1);
   mark_wall(1, 2, 1);
-  mark_wire(2, 2, 1);
+  mark_edge(2, 2, 1);
   const double at[3] = {2.25, 1.5, 1.5};
   dsw_particle_id particle;
   ASSERT_EQ(dsw_particle_create(scene(), at, {0, 0}, &particle), DSW_STATUS_OK);

@@ -259,10 +259,11 @@ std::string RandomEdits<3>::check_exactly() {
   }
   Array<uint64_t> keys;
   e.edge_marks.copy_sorted(keys);
-  std::vector<std::array<int, 2>> wires;
-  for (const uint64_t key : keys) wires.push_back({static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffffu)});
+  std::vector<std::array<int, 2>> marked_edges;
+  for (const uint64_t key : keys)
+    marked_edges.push_back({static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffffu)});
   SweepReport report(0);
-  SpaceArena arena(world, wires);
+  SpaceArena arena(world, marked_edges);
   BodyChecker checker(arena, report);
   for (const ParticleState<3>& p : scene().particles) {
     if (p.cell.valid() && !world.contains(static_cast<int>(place.at(p.cell.unit)), world.body(p.position))) {

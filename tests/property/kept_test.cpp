@@ -257,7 +257,7 @@ TEST_P(KeptTest, ASnapshotIsWhereTheRecordingEnds) {
 TEST_P(KeptTest, ABugReportHasItsValidationAndComesToItAgain) {
   size_t files = 0;
   for (const char* const place : {"space", "plane"}) {
-    for (const std::string& path : kept_files(folder(place), ".bundle")) {
+    for (const std::string& path : kept_files(folder(place), ".bug_report")) {
       SCOPED_TRACE(path);
       ++files;
       const std::string report = read_all(path);

@@ -1,4 +1,4 @@
-// A scene that names nothing pays for nothing: not in bytes, not in orientation tests, not for what others name.
+// A scene that enables nothing pays for nothing: not in bytes, not in orientation tests, not for what others enable.
 #include "host_memory.h"
 
 namespace dsw::oracle {
@@ -52,7 +52,7 @@ TEST_F(LeftOutTest, ASceneThatNamesNothingIsOneBlock) {
   EXPECT_EQ(memory_.bytes - unused_, own);
 }
 
-TEST_F(LeftOutTest, WhatAFeatureKeepsIsHeldOnlyWhereItIsNamed) {
+TEST_F(LeftOutTest, WhatAFeatureKeepsIsHeldOnlyWhereItIsEnabled) {
   const size_t nothing = bytes_of(0);
   EXPECT_EQ(memory_.bytes, unused_);
   // Statistics are counters in the scene itself, crossings those of particles. Deforming goes last: it leaves walks for
@@ -62,7 +62,7 @@ TEST_F(LeftOutTest, WhatAFeatureKeepsIsHeldOnlyWhereItIsNamed) {
   }
 }
 
-TEST_F(LeftOutTest, NothingIsPaidForWhatAnotherSceneHasNamed) {
+TEST_F(LeftOutTest, NothingIsPaidForWhatAnotherSceneHasEnabled) {
   dsw_statistics before = {}, after = {};
   const size_t nothing = bytes_of(0);
   bytes_of(DSW_FEATURE_STATISTICS, &before);

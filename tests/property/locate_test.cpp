@@ -36,21 +36,21 @@ TEST_P(LocateTest, BatchIsTheSameAsOneByOne) {
   Motions motions(*place.world, rng);
   std::vector<double> points;
   std::vector<dsw_volume_id> hints, volumes(300);
-  std::vector<dsw_location> places(300);
+  std::vector<dsw_location> locations(300);
   for (int i = 0; i < 300; ++i) {
     const Vec p = motions.site();
     points.insert(points.end(), {p[0], p[1], p[2], 0});
     hints.push_back(rng.chance(0.5) ? dsw_volume_id{0, 0} : place.world->ids[rng.below(place.world->ids.size())]);
   }
-  ASSERT_EQ(
-      dsw_environment_locate_points(place.get(), points.data(), 300, 32, hints.data(), volumes.data(), places.data()),
-      DSW_STATUS_OK);
+  ASSERT_EQ(dsw_environment_locate_points(place.get(), points.data(), 300, 32, hints.data(), volumes.data(),
+                                          locations.data()),
+            DSW_STATUS_OK);
   for (size_t i = 0; i < 300; ++i) {
     dsw_volume_id v;
     dsw_location where;
     ASSERT_EQ(dsw_environment_locate(place.get(), points.data() + 4 * i, hints[i], &v, &where), DSW_STATUS_OK);
     EXPECT_TRUE(same(v, volumes[i]));
-    EXPECT_EQ(where, places[i]);
+    EXPECT_EQ(where, locations[i]);
   }
 }
 

@@ -109,8 +109,8 @@ TEST_P(LongMoveTest, AParticleStopsNextToTheWall) {
 /// Moves the first vertex of new bodies and has the oracle judge it.
 class LongBodyMoves {
  public:
-  LongBodyMoves(Place& place, dsw_scene* scene, const std::vector<std::array<int, 2>>& wires)
-      : scene_(scene), arena_(*place.world, wires), checker_(arena_, report_) {
+  LongBodyMoves(Place& place, dsw_scene* scene, const std::vector<std::array<int, 2>>& marked_edges)
+      : scene_(scene), arena_(*place.world, marked_edges), checker_(arena_, report_) {
     report_.begin("box", "box");
   }
 
@@ -160,12 +160,12 @@ TEST_P(LongMoveTest, ABodyStopsNextToTheWall) {
   });
 }
 
-TEST_P(LongMoveTest, AnEdgeStopsNextToAWire) {
+TEST_P(LongMoveTest, AnEdgeStopsNextToAMarkedEdge) {
   const int ends[2] = {2 + 5 * (2 + 5 * 1), 2 + 5 * (2 + 5 * 2)};  // from (2, 2, 1) to (2, 2, 2)
   const uint32_t named[2] = {static_cast<uint32_t>(ends[0]), static_cast<uint32_t>(ends[1])};
-  dsw_edge_id wire;
-  ASSERT_EQ(dsw_environment_find_edges(place_.get(), 1, named, &wire, nullptr), DSW_STATUS_OK);
-  ASSERT_EQ(dsw_environment_mark_edges(place_.get(), &wire, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  dsw_edge_id edge;
+  ASSERT_EQ(dsw_environment_find_edges(place_.get(), 1, named, &edge, nullptr), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_environment_mark_edges(place_.get(), &edge, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
   LongBodyMoves moves(place_, scene_.get(), {{ends[0], ends[1]}});
   const Vec from = moved({1.5, 1.25, 1.5}), fixed = moved({2.25, 2.75, 1.5});
   for_each_target(from, {1, -0.25, 0.01}, [&](const Vec& to) {

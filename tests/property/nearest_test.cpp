@@ -46,22 +46,22 @@ TEST_P(NearestTest, DistanceIsThatOfTheNearestOfAll) {
     const Edges edges(world);
     Rng rng(seed);
     Motions motions(world, rng);
-    std::vector<bool> wire(edges.edges.size()), spike(place.mesh.points.size());
+    std::vector<bool> edge_marked(edges.edges.size()), vertex_marked(place.mesh.points.size());
     for (Face& f : world.faces) {
       if (!rng.chance(0.1)) continue;
       f.marked = true;
       const dsw_face_id id = face_id(world, static_cast<int>(&f - world.faces.data()));
       ASSERT_EQ(dsw_environment_mark_faces(place.get(), &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
     }
-    for (size_t e = 0; e < wire.size(); ++e) {
+    for (size_t e = 0; e < edge_marked.size(); ++e) {
       if (!rng.chance(0.1)) continue;
-      wire[e] = true;
+      edge_marked[e] = true;
       const dsw_edge_id id = edges.id(world, static_cast<int>(e));
       ASSERT_EQ(dsw_environment_mark_edges(place.get(), &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
     }
-    for (size_t v = 0; v < spike.size(); ++v) {
+    for (size_t v = 0; v < vertex_marked.size(); ++v) {
       if (!rng.chance(0.1)) continue;
-      spike[v] = true;
+      vertex_marked[v] = true;
       dsw_vertex_id id;
       ASSERT_EQ(dsw_environment_get_vertex_id(place.get(), static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
       ASSERT_EQ(dsw_environment_mark_vertices(place.get(), &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
@@ -99,15 +99,15 @@ TEST_P(NearestTest, DistanceIsThatOfTheNearestOfAll) {
         best = std::min(best, d);
         if (same(near.cell, cell_of(face_id(world, t.face)))) named = std::min(named, d);
       }
-      for (size_t e = 0; e < wire.size(); ++e) {
-        if (!wire[e]) continue;
+      for (size_t e = 0; e < edge_marked.size(); ++e) {
+        if (!edge_marked[e]) continue;
         const long double d = to_segment(p, point(edges.edges[e].ends[0]), point(edges.edges[e].ends[1]));
         best = std::min(best, d);
         if (same(near.cell, cell_of(edges.id(world, static_cast<int>(e))))) named = std::min(named, d);
       }
       for (const Face& f : world.faces) {
         for (int v : f.loop) {
-          if (!spike[static_cast<size_t>(v)]) continue;
+          if (!vertex_marked[static_cast<size_t>(v)]) continue;
           const long double d = length(sub(p, point(v)));
           best = std::min(best, d);
           if (near.cell.kind == DSW_CELL_VERTEX && near.cell.index == static_cast<uint32_t>(v))

@@ -55,7 +55,7 @@ class Trial {
       : place_(place),
         world_(*place.world),
         edges_(world_),
-        wired_(edges_.edges.size()),
+        edge_marked_(edges_.edges.size()),
         points_marked_(place.mesh.points.size()),
         rng_(seed),
         motions_(world_, rng_),
@@ -87,7 +87,7 @@ class Trial {
   Marks wanted() const;
   Marks read() const;
   void restore(const Marks& marks);
-  std::vector<std::array<int, 2>> wires() const;
+  std::vector<std::array<int, 2>> marked_edges() const;
   std::vector<uint32_t> bodies_in_the_way();
   std::vector<uint32_t> particles_in_the_way();
   dsw_status ask(const Request& request, size_t* skipped);
@@ -98,7 +98,7 @@ class Trial {
   Place& place_;
   World& world_;
   Edges edges_;
-  std::vector<char> wired_, points_marked_;
+  std::vector<char> edge_marked_, points_marked_;
   std::vector<size_t> vertices_;  // that cells use
   Rng rng_;
   Motions motions_;
@@ -161,7 +161,7 @@ void Trial::add_body() {
   for (const auto& f : body.faces) {
     for (size_t k = 0; k < 3; ++k) body.edges.push_back({f[k], f[(k + 1) % 3]});
   }
-  SweepWorld exact(world_, wires());
+  SweepWorld exact(world_, marked_edges());
   EXPECT_EQ(status == DSW_STATUS_OK, is_free(body, exact)) << dsw_last_error_message();
   if (status == DSW_STATUS_OK) bodies_.push_back(body);
 }
@@ -181,7 +181,7 @@ void Trial::move_a_body() {
       dsw_body_get_positions(scene_.get(), body.id, body.points[0].data(), body.points.size(), 0, nullptr, &count),
       DSW_STATUS_OK);
   ASSERT_EQ(count, body.points.size());
-  SweepWorld exact(world_, wires());
+  SweepWorld exact(world_, marked_edges());
   EXPECT_TRUE(is_free(body, exact)) << "after a move at level " << body.level;
 }
 
@@ -223,7 +223,7 @@ void Trial::set(const Request& r) {
   for (const size_t i : r.items) {
     if (r.kind == Request::kVolumes) world_.cell_marked[i] = on;
     if (r.kind == Request::kFaces) world_.faces[i].marked = on;
-    if (r.kind == Request::kEdges) wired_[i] = on;
+    if (r.kind == Request::kEdges) edge_marked_[i] = on;
     if (r.kind == Request::kVertices) points_marked_[i] = on;
   }
   const auto region = [&](int cell) { return place_.mesh.regions[static_cast<size_t>(cell)]; };
@@ -241,7 +241,7 @@ void Trial::set(const Request& r) {
 Trial::Marks Trial::wanted() const {
   Marks marks(world_.cell_marked);
   for (const Face& f : world_.faces) marks.push_back(f.marked);
-  marks.insert(marks.end(), wired_.begin(), wired_.end());
+  marks.insert(marks.end(), edge_marked_.begin(), edge_marked_.end());
   for (const size_t v : vertices_) marks.push_back(points_marked_[v]);
   return marks;
 }
@@ -255,7 +255,7 @@ Trial::Marks Trial::read() const {
   };
   for (const dsw_volume_id id : world_.ids) ask_for(cell_of(id));
   for (size_t f = 0; f < world_.faces.size(); ++f) ask_for(cell_of(face_id(world_, static_cast<int>(f))));
-  for (size_t e = 0; e < wired_.size(); ++e) ask_for(cell_of(edges_.id(world_, static_cast<int>(e))));
+  for (size_t e = 0; e < edge_marked_.size(); ++e) ask_for(cell_of(edges_.id(world_, static_cast<int>(e))));
   for (const size_t v : vertices_) ask_for(cell_of(dsw_vertex_id{static_cast<uint32_t>(v), 1}));
   return marks;
 }
@@ -264,20 +264,20 @@ void Trial::restore(const Marks& marks) {
   size_t at = 0;
   for (char& c : world_.cell_marked) c = marks[at++];
   for (Face& f : world_.faces) f.marked = marks[at++] != 0;
-  for (char& w : wired_) w = marks[at++];
+  for (char& w : edge_marked_) w = marks[at++];
   for (const size_t v : vertices_) points_marked_[v] = marks[at++];
 }
 
-std::vector<std::array<int, 2>> Trial::wires() const {
+std::vector<std::array<int, 2>> Trial::marked_edges() const {
   std::vector<std::array<int, 2>> list;
-  for (size_t e = 0; e < wired_.size(); ++e) {
-    if (wired_[e] != 0) list.push_back(edges_.edges[e].ends);
+  for (size_t e = 0; e < edge_marked_.size(); ++e) {
+    if (edge_marked_[e] != 0) list.push_back(edges_.edges[e].ends);
   }
   return list;
 }
 
 std::vector<uint32_t> Trial::bodies_in_the_way() {
-  SweepWorld exact(world_, wires());
+  SweepWorld exact(world_, marked_edges());
   std::vector<uint32_t> list;
   for (const TestBody& body : bodies_) {
     if (!is_free(body, exact)) list.push_back(body.id.index);

@@ -152,7 +152,7 @@ class Loom {
     for (int k = 0; k < D; ++k) at[k] = std::ldexp(static_cast<double>(rng_.below(1u << case_.bits)), -case_.bits);
   }
 
-  /// Wires, what branches, rings, strips and closed surfaces, as many as fit.
+  /// Polylines, what branches, rings, strips and closed surfaces, as many as fit.
   void fill() {
     Body<D>& body = knit_.body;
     body = Knit<D>(case_.level).body;
@@ -167,7 +167,7 @@ class Loom {
         add_vertex(body, at, dsw::Cell{8});
       }
       const auto edge = [&](uint32_t a, uint32_t b) { add_edge(body, first + a, first + b); };
-      const uint32_t joined = kind == 1 ? count - 1 : count;  // a vertex alone beside a wire
+      const uint32_t joined = kind == 1 ? count - 1 : count;  // a vertex alone beside a polyline
       for (uint32_t i = 1; i < joined && kind < 3; ++i) edge(kind == 0 ? 0 : i - 1, i);
       if (kind == 2) edge(count - 1, 0);
       if constexpr (D == 3) {

@@ -20,8 +20,8 @@ class TwoBodiesTest : public TwoBodies {
 
 TEST_F(TwoBodiesTest, AVertexStopsAtAFaceAndSaysWhose) {
   const dsw_body_id square = make(wall(2), DSW_LEVEL_FACES);
-  const dsw_body_id wire = make(segment(kLow, {0.5, 1.5, 1.75}), DSW_LEVEL_EDGES_SWEPT);
-  const BodyAnswer answer = move(wire, {{2.5, 1.5, 1.5}, {0.5, 1.5, 1.75}});
+  const dsw_body_id polyline = make(segment(kLow, {0.5, 1.5, 1.75}), DSW_LEVEL_EDGES_SWEPT);
+  const BodyAnswer answer = move(polyline, {{2.5, 1.5, 1.5}, {0.5, 1.5, 1.75}});
   ASSERT_EQ(answer.contacts.size(), 1u);
   const dsw_body_contact& c = answer.contacts[0];
   EXPECT_EQ(c.contact.kind, DSW_CONTACT_PLANE);
@@ -31,12 +31,12 @@ TEST_F(TwoBodiesTest, AVertexStopsAtAFaceAndSaysWhose) {
   EXPECT_TRUE(c.contact.marked_kind == DSW_CELL_NONE && c.contact.obstacle.kind == DSW_CELL_NONE &&
               c.contact.wall.generation == 0);
   EXPECT_EQ(c.history, DSW_HISTORY_NEW);
-  EXPECT_TRUE(partner(wire).body.index == square.index && partner(wire).face.generation == 1);
+  EXPECT_TRUE(partner(polyline).body.index == square.index && partner(polyline).face.generation == 1);
   EXPECT_LT(answer.after.at[0][0], 2);
   EXPECT_GT(answer.after.at[0][0], 1.999);
-  EXPECT_EQ(move(wire, {{2.5, 1.5, 1.5}, {0.5, 1.5, 1.75}}).contacts[0].history, DSW_HISTORY_LASTING);
-  dsw_cross_check opinion;
-  EXPECT_EQ(dsw_environment_cross_check(place_.get(), &c, &opinion), DSW_STATUS_UNSUPPORTED);
+  EXPECT_EQ(move(polyline, {{2.5, 1.5, 1.5}, {0.5, 1.5, 1.75}}).contacts[0].history, DSW_HISTORY_LASTING);
+  dsw_cross_check check;
+  EXPECT_EQ(dsw_environment_cross_check(place_.get(), &c, &check), DSW_STATUS_UNSUPPORTED);
 }
 
 TEST_F(TwoBodiesTest, WallsAndBodiesCompeteByTime) {
@@ -64,17 +64,17 @@ TEST_F(TwoBodiesTest, ABodyThatMeetsItselfTouchesItselfAtNoLevel) {
   EXPECT_EQ(dsw_body_set_level(scene(), body, DSW_LEVEL_EDGES), DSW_STATUS_OCCUPIED);
   // The ends of an edge do not meet either, so it can go, or count no more.
   const BodyPlan edge = segment({2.25, 1.5, 1.5}, {2.75, 1.5, 1.5});
-  const dsw_body_id wire = make(edge, DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS);
-  const BodyAnswer answer = move(wire, {{2.75, 1.5, 1.5}, {2.75, 1.5, 1.5}});
+  const dsw_body_id polyline = make(edge, DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS);
+  const BodyAnswer answer = move(polyline, {{2.75, 1.5, 1.5}, {2.75, 1.5, 1.5}});
   ASSERT_EQ(answer.contacts.size(), 1u);
   EXPECT_EQ(answer.contacts[0].time, 1);
   EXPECT_EQ(answer.contacts[0].contact.normal[0], -1);
-  EXPECT_EQ(partner(wire).vertex.index, 1u);
+  EXPECT_EQ(partner(polyline).vertex.index, 1u);
   EXPECT_LT(answer.after.at[0][0], 2.75);
   EXPECT_EQ(create(segment({3.5, 1.5, 1.5}, {3.5, 1.5, 1.5}), DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS),
             DSW_STATUS_OCCUPIED);
-  EXPECT_EQ(dsw_body_set_level(scene(), wire, DSW_LEVEL_POINTS), DSW_STATUS_OK);
-  EXPECT_EQ(dsw_body_remove_edge(scene(), wire, {0, 1}), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_body_set_level(scene(), polyline, DSW_LEVEL_POINTS), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_body_remove_edge(scene(), polyline, {0, 1}), DSW_STATUS_OK);
 }
 
 TEST_F(TwoBodiesTest, WallsThatMovePushNoBodyIntoAnother) {
@@ -145,8 +145,8 @@ TEST_F(TwoBodiesTest, TouchingIsRefusedWhereABodyIsMade) {
 
 TEST_F(TwoBodiesTest, RaisingALevelAndJoiningLookAtOthers) {
   make(wall(2), DSW_LEVEL_FACES);
-  const dsw_body_id wire = make(segment({1, 1.5, 1.25}, {3, 1.5, 1.25}), DSW_LEVEL_POINTS);
-  EXPECT_EQ(dsw_body_set_level(scene(), wire, DSW_LEVEL_EDGES), DSW_STATUS_OCCUPIED);
+  const dsw_body_id polyline = make(segment({1, 1.5, 1.25}, {3, 1.5, 1.25}), DSW_LEVEL_POINTS);
+  EXPECT_EQ(dsw_body_set_level(scene(), polyline, DSW_LEVEL_EDGES), DSW_STATUS_OCCUPIED);
   const dsw_body_id two = make({{{1, 1.75, 1.25}, {3, 1.75, 1.25}}, {}, {}}, DSW_LEVEL_EDGES);
   const std::string before = bits_of(read(two));
   dsw_body_edge_id edge;
@@ -168,19 +168,19 @@ TEST_F(TwoBodiesTest, FiltersKeepBodiesApart) {
   desc.edges = ends;
   desc.edge_count = 1;
   desc.mask = 0x2;  // the square is in 0x1
-  dsw_body_id wire;
-  ASSERT_EQ(dsw_body_create(scene(), &desc, &wire), DSW_STATUS_OK);
-  EXPECT_EQ(move(wire, {{3, 1.5, 1.25}, {1, 1.5, 1.75}}).contacts.size(), 0u);
+  dsw_body_id polyline;
+  ASSERT_EQ(dsw_body_create(scene(), &desc, &polyline), DSW_STATUS_OK);
+  EXPECT_EQ(move(polyline, {{3, 1.5, 1.25}, {1, 1.5, 1.75}}).contacts.size(), 0u);
   EXPECT_EQ(dsw_body_set_filter(scene(), square, 0x2, 0), DSW_STATUS_OCCUPIED);
   uint32_t category = 0, mask = 0;
   ASSERT_EQ(dsw_body_get_filter(scene(), square, &category, &mask), DSW_STATUS_OK);
   EXPECT_TRUE(category == 1 && mask == 0xffffffffu);
-  EXPECT_EQ(move(wire, {{3, 1.5, 1.25}, {2.5, 1.5, 1.75}}).contacts.size(), 0u);
+  EXPECT_EQ(move(polyline, {{3, 1.5, 1.25}, {2.5, 1.5, 1.75}}).contacts.size(), 0u);
   EXPECT_EQ(dsw_body_set_filter(scene(), square, 0x2, 0), DSW_STATUS_OK);
-  EXPECT_EQ(move(wire, {{1, 1.5, 1.25}, {2.5, 1.5, 1.75}}).contacts.size(), 1u);
+  EXPECT_EQ(move(polyline, {{1, 1.5, 1.25}, {2.5, 1.5, 1.75}}).contacts.size(), 1u);
 }
 
-TEST_F(TwoBodiesTest, WhatIsNotNamedIsRefused) {
+TEST_F(TwoBodiesTest, WhatIsNotEnabledIsRefused) {
   scene_ = make_scene(place_.get());
   const dsw_body_id body = make(wall(2), DSW_LEVEL_FACES);
   const dsw_contact_partner* partners = nullptr;
@@ -199,10 +199,10 @@ TEST_F(TwoBodiesTest, ARigidMoveStopsBeforeTheOther) {
 
 TEST_F(TwoBodiesTest, ResponsesWorkOnBodies) {
   make(wall(2), DSW_LEVEL_FACES);
-  const dsw_body_id wire = make(segment({0.5, 1.25, 1.25}, {0.5, 1.25, 0.5}));
+  const dsw_body_id polyline = make(segment({0.5, 1.25, 1.25}, {0.5, 1.25, 0.5}));
   dsw_move_options options = defaults(dsw_move_options_init);
   options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
-  BodyAnswer answer = move(wire, {{2.5, 1.75, 1.25}, {0.5, 1.25, 0.5}}, &options);
+  BodyAnswer answer = move(polyline, {{2.5, 1.75, 1.25}, {0.5, 1.25, 0.5}}, &options);
   ASSERT_GE(answer.contacts.size(), 1u);
   EXPECT_LT(answer.after.at[0][0], 2);
   EXPECT_GT(answer.after.at[0][0], 1.99);
@@ -230,13 +230,13 @@ TEST_F(TwoBodiesTest, HalvingStopsBeforeAnotherBody) {
   ASSERT_EQ(dsw_body_destroy(scene(), twin), DSW_STATUS_OK);
   options.search = DSW_SEARCH_BISECTION;
   options.bisection_depth = 20;
-  const dsw_body_id wire = make(plan);
-  const BodyAnswer halved = move(wire, to, &options);
+  const dsw_body_id polyline = make(plan);
+  const BodyAnswer halved = move(polyline, to, &options);
   ASSERT_EQ(exact.contacts.size(), 1u);
   ASSERT_EQ(halved.contacts.size(), 1u);
   const double late = exact.contacts[0].time - halved.contacts[0].time;
   EXPECT_TRUE(late >= 0 && late <= 0x1p-20) << late;
-  EXPECT_EQ(partner(wire).body.index, square.index);
+  EXPECT_EQ(partner(polyline).body.index, square.index);
   EXPECT_EQ(halved.contacts[0].contact.obstacle.kind, DSW_CELL_NONE);
   EXPECT_EQ(halved.after.at[0][0], halved.contacts[0].position[0]);
   EXPECT_EQ(halved.contacts[0].to[0], 2.5);
@@ -286,12 +286,12 @@ TEST_F(TwoBodiesTest, AWallBendsABodyThatMeetsItselfUpToItself) {
     for (const uint32_t y : {1u, 2u}) mark_wall(1, y, z);
   }
   // A hairpin: its second leg crosses behind the first one, which a corner of the wall comes up to.
-  Meeting wire;
-  wire.level = DSW_LEVEL_EDGES_SWEPT;
-  wire.id = make({{{2.1, 1.2, 1.2}, {2.1, 2.8, 0.8}, {2.6, 3.2, 1}, {2.3, 2.8, 1.2}, {2.3, 1.2, 0.8}},
-                  {{0, 1}, {1, 2}, {2, 3}, {3, 4}},
-                  {}},
-                 wire.level, DSW_BODY_SELF_CONTACTS);
+  Meeting polyline;
+  polyline.level = DSW_LEVEL_EDGES_SWEPT;
+  polyline.id = make({{{2.1, 1.2, 1.2}, {2.1, 2.8, 0.8}, {2.6, 3.2, 1}, {2.3, 2.8, 1.2}, {2.3, 1.2, 0.8}},
+                      {{0, 1}, {1, 2}, {2, 3}, {3, 4}},
+                      {}},
+                     polyline.level, DSW_BODY_SELF_CONTACTS);
   std::vector<std::vector<double>> arrays;  // all lent
   size_t held = 0, inserted = 0;
   for (int step = 0; step < 12; ++step) {
@@ -304,12 +304,12 @@ TEST_F(TwoBodiesTest, AWallBendsABodyThatMeetsItselfUpToItself) {
                                      &options, &report),
               DSW_STATUS_OK);
     held += report.outcome == DSW_DEFORM_HELD ? 1 : 0;
-    wire.state = read(wire.id);
-    ASSERT_TRUE(are_apart(wire, wire)) << step;
-    inserted = wire.state.at.size() - 5;
+    polyline.state = read(polyline.id);
+    ASSERT_TRUE(are_apart(polyline, polyline)) << step;
+    inserted = polyline.state.at.size() - 5;
   }
   EXPECT_GE(inserted, 1u);
-  EXPECT_GT(wire.state.at[5][0], 2.2) << "pushed";
+  EXPECT_GT(polyline.state.at[5][0], 2.2) << "pushed";
   EXPECT_GT(held, 0u);
   scene_.reset();
   place_.environment.reset();  // before what it reads
@@ -317,12 +317,12 @@ TEST_F(TwoBodiesTest, AWallBendsABodyThatMeetsItselfUpToItself) {
 
 TEST_F(TwoBodiesTest, ABodyThatMeetsItselfBendsAndIsStraightAgain) {
   // One leg goes over the post that the other end of the body is, and back.
-  Meeting wire;
-  wire.level = DSW_LEVEL_EDGES_SWEPT;
-  wire.id = make({{{0.5, 0.5, 1.4}, {2.5, 0.5, 1.4}, {3.5, 0.7, 1.5}, {1.5, 2, 1.9}, {1.5, 2, 1.1}},
-                  {{0, 1}, {1, 2}, {2, 3}, {3, 4}},
-                  {}},
-                 wire.level, DSW_BODY_SELF_CONTACTS);
+  Meeting polyline;
+  polyline.level = DSW_LEVEL_EDGES_SWEPT;
+  polyline.id = make({{{0.5, 0.5, 1.4}, {2.5, 0.5, 1.4}, {3.5, 0.7, 1.5}, {1.5, 2, 1.9}, {1.5, 2, 1.1}},
+                      {{0, 1}, {1, 2}, {2, 3}, {3, 4}},
+                      {}},
+                     polyline.level, DSW_BODY_SELF_CONTACTS);
   dsw_move_options options = defaults(dsw_move_options_init);
   options.edge_response = DSW_RESPONSE_ADAPTIVE_ONE;
   options.noise_share = 1e-3;
@@ -330,22 +330,22 @@ TEST_F(TwoBodiesTest, ABodyThatMeetsItselfBendsAndIsStraightAgain) {
   size_t inserted = 0, removed = 0;
   for (int step = 0; step < 3; ++step) {
     const double y = step == 0 ? 3.5 : 0.5;
-    std::vector<Vec> targets = read(wire.id).at;
+    std::vector<Vec> targets = read(polyline.id).at;
     targets[0][1] = y;
     if (step == 2) targets[5] = {1.5, 0.5, 1.4};  // the new vertex, back in line
-    const std::string before = bits_of(read(wire.id));
+    const std::string before = bits_of(read(polyline.id));
     until_it_succeeds(
         [&] {
-          return dsw_body_move(scene(), wire.id, targets[0].data(), targets.size(), sizeof(Vec), &options, nullptr);
+          return dsw_body_move(scene(), polyline.id, targets[0].data(), targets.size(), sizeof(Vec), &options, nullptr);
         },
-        [&] { return bits_of(read(wire.id)) == before; });
+        [&] { return bits_of(read(polyline.id)) == before; });
     const dsw_body_edit* edits = nullptr;
     size_t count = 0;
-    ASSERT_EQ(dsw_body_get_edits(scene(), wire.id, &edits, &count), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_body_get_edits(scene(), polyline.id, &edits, &count), DSW_STATUS_OK);
     for (size_t i = 0; i < count; ++i) ++(edits[i].inserted != 0 ? inserted : removed);
-    wire.state = read(wire.id);
-    ASSERT_TRUE(are_apart(wire, wire)) << y;
-    EXPECT_EQ(wire.state.at[0][1], y);
+    polyline.state = read(polyline.id);
+    ASSERT_TRUE(are_apart(polyline, polyline)) << y;
+    EXPECT_EQ(polyline.state.at[0][1], y);
     EXPECT_EQ(removed, step == 2 ? 1u : 0u);
   }
   EXPECT_EQ(inserted, 1u);

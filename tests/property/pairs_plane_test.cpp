@@ -29,13 +29,14 @@ class PlanePairsTest : public TwoBodies {
 };
 
 bool points_at(const dsw_body_contact& c, double x, double y) {
-  return std::fabs(c.contact.normal[0] - x) < 1e-15 && std::fabs(c.contact.normal[1] - y) < 1e-15 && c.contact.normal[2] == 0;
+  return std::fabs(c.contact.normal[0] - x) < 1e-15 && std::fabs(c.contact.normal[1] - y) < 1e-15 &&
+         c.contact.normal[2] == 0;
 }
 
 TEST_F(PlanePairsTest, AVertexStopsAtAnEdgeAndSaysWhose) {
   const dsw_body_id wall = make(line(2, 1, 2, 2), DSW_LEVEL_EDGES);
-  const dsw_body_id wire = make(line(0.5, 1.5, 0.5, 1.75));
-  const BodyAnswer answer = move(wire, {{2.5, 1.5, 0}, {0.5, 1.75, 0}});
+  const dsw_body_id polyline = make(line(0.5, 1.5, 0.5, 1.75));
+  const BodyAnswer answer = move(polyline, {{2.5, 1.5, 0}, {0.5, 1.75, 0}});
   ASSERT_EQ(answer.contacts.size(), 1u);
   const dsw_body_contact& c = answer.contacts[0];
   EXPECT_EQ(c.contact.kind, DSW_CONTACT_EDGE);
@@ -43,19 +44,20 @@ TEST_F(PlanePairsTest, AVertexStopsAtAnEdgeAndSaysWhose) {
   EXPECT_TRUE(points_at(c, -1, 0));
   EXPECT_TRUE(c.point[0] == 2 && c.point[1] == 1.5 && c.point[2] == 0);
   EXPECT_TRUE(c.vertex.index == 0 && c.edge.generation == 0 && c.face.generation == 0);
-  EXPECT_TRUE(c.contact.marked_kind == DSW_CELL_NONE && c.contact.obstacle.kind == DSW_CELL_NONE && c.contact.wall.generation == 0);
-  EXPECT_TRUE(partner(wire).body.index == wall.index && partner(wire).edge.generation == 1);
+  EXPECT_TRUE(c.contact.marked_kind == DSW_CELL_NONE && c.contact.obstacle.kind == DSW_CELL_NONE &&
+              c.contact.wall.generation == 0);
+  EXPECT_TRUE(partner(polyline).body.index == wall.index && partner(polyline).edge.generation == 1);
   EXPECT_EQ(c.history, DSW_HISTORY_NEW);
   EXPECT_LT(answer.after.at[0][0], 2);
   EXPECT_GT(answer.after.at[0][0], 1.999);
-  EXPECT_EQ(move(wire, {{2.5, 1.5, 0}, {0.5, 1.75, 0}}).contacts[0].history, DSW_HISTORY_LASTING);
+  EXPECT_EQ(move(polyline, {{2.5, 1.5, 0}, {0.5, 1.75, 0}}).contacts[0].history, DSW_HISTORY_LASTING);
 }
 
 TEST_F(PlanePairsTest, AnEdgeStopsAtAVertexInsideOfWhatItSweeps) {
   for (const dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES_SWEPT}) {
     const dsw_body_id obstacle = make(point(1, 1.5), level);
-    const dsw_body_id wire = make(line(0.5, 1, 0.5, 2), DSW_LEVEL_EDGES);
-    const BodyAnswer answer = move(wire, {{3.5, 1, 0}, {0.5, 2, 0}});
+    const dsw_body_id polyline = make(line(0.5, 1, 0.5, 2), DSW_LEVEL_EDGES);
+    const BodyAnswer answer = move(polyline, {{3.5, 1, 0}, {0.5, 2, 0}});
     ASSERT_EQ(answer.contacts.size(), 1u);
     const dsw_body_contact& c = answer.contacts[0];
     EXPECT_EQ(c.contact.kind, DSW_CONTACT_VERTEX);
@@ -63,32 +65,32 @@ TEST_F(PlanePairsTest, AnEdgeStopsAtAVertexInsideOfWhatItSweeps) {
     EXPECT_TRUE(points_at(c, -kHalf, -kHalf));
     EXPECT_TRUE(c.point[0] == 1 && c.point[1] == 1.5 && c.edge_parameter == 0.5);
     EXPECT_TRUE(c.fixed[0][0] == 0.5 && c.fixed[0][1] == 2 && c.edge.generation == 1);
-    EXPECT_TRUE(partner(wire).body.index == obstacle.index && partner(wire).vertex.generation == 1);
+    EXPECT_TRUE(partner(polyline).body.index == obstacle.index && partner(polyline).vertex.generation == 1);
     ASSERT_EQ(dsw_body_destroy(scene(), obstacle), DSW_STATUS_OK);
-    ASSERT_EQ(dsw_body_destroy(scene(), wire), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_body_destroy(scene(), polyline), DSW_STATUS_OK);
   }
 }
 
 TEST_F(PlanePairsTest, AlongItsAxisAnEdgeMeetsAVertexWithItsEnd) {
   make(point(2.25, 1.5), DSW_LEVEL_POINTS);
-  dsw_body_id wire = make(line(1, 1.5, 0.5, 1.5), DSW_LEVEL_EDGES);
-  dsw_body_contact c = move(wire, {{3.5, 1.5, 0}, {0.5, 1.5, 0}}).contacts.at(0);
+  dsw_body_id polyline = make(line(1, 1.5, 0.5, 1.5), DSW_LEVEL_EDGES);
+  dsw_body_contact c = move(polyline, {{3.5, 1.5, 0}, {0.5, 1.5, 0}}).contacts.at(0);
   EXPECT_TRUE(c.contact.kind == DSW_CONTACT_VERTEX && c.edge.generation == 0 && c.time == 0.5);
   EXPECT_TRUE(points_at(c, -1, 0));
   // The end of an edge in the same line is part of that edge.
   const dsw_body_id other = make(line(2.75, 2.5, 2.25, 2.5), DSW_LEVEL_EDGES);
-  wire = make(line(1, 2.5, 0.5, 2.5), DSW_LEVEL_EDGES);
-  c = move(wire, {{3.5, 2.5, 0}, {0.5, 2.5, 0}}).contacts.at(0);
+  polyline = make(line(1, 2.5, 0.5, 2.5), DSW_LEVEL_EDGES);
+  c = move(polyline, {{3.5, 2.5, 0}, {0.5, 2.5, 0}}).contacts.at(0);
   EXPECT_TRUE(c.contact.kind == DSW_CONTACT_EDGE && c.edge.generation == 0 && c.time == 0.5);
-  EXPECT_TRUE(points_at(c, -1, 0) && partner(wire).body.index == other.index);
+  EXPECT_TRUE(points_at(c, -1, 0) && partner(polyline).body.index == other.index);
 }
 
 TEST_F(PlanePairsTest, ANormalIsExactWhereTheMotionGrazes) {
   // The way leaves the line of the edge by the smallest step there is.
   const double up = std::nextafter(1.5, 2);
   make(line(2, 1.5, 3, 1.5), DSW_LEVEL_EDGES);
-  const dsw_body_id wire = make(point(0.5, up), DSW_LEVEL_POINTS);
-  EXPECT_TRUE(points_at(move(wire, {{3.5, std::nextafter(1.5, 1), 0}}).contacts.at(0), 0, 1));
+  const dsw_body_id polyline = make(point(0.5, up), DSW_LEVEL_POINTS);
+  EXPECT_TRUE(points_at(move(polyline, {{3.5, std::nextafter(1.5, 1), 0}}).contacts.at(0), 0, 1));
   const dsw_body_id edge = make(line(1, 0.5, 0.5, 0.5), DSW_LEVEL_EDGES);
   make(point(2, 0.5), DSW_LEVEL_POINTS);
   EXPECT_EQ(move(edge, {{3.5, std::nextafter(0.5, 0), 0}, {0.5, 0.5, 0}}).contacts.size(), 0u);
@@ -100,10 +102,10 @@ TEST_F(PlanePairsTest, LevelsSayWhatMeets) {
     const size_t meets = level == DSW_LEVEL_POINTS ? 0 : 1;
     const dsw_body_id other = make(line(2, 1, 2, 2), level), vertex = make(point(0.5, 1.5), DSW_LEVEL_POINTS);
     EXPECT_EQ(move(vertex, {{2.5, 1.5, 0}}).contacts.size(), meets) << level;
-    const dsw_body_id wire = make(line(1, 0.5, 1, 3), level);
+    const dsw_body_id polyline = make(line(1, 0.5, 1, 3), level);
     // Its edge passes a vertex of the other one.
-    EXPECT_EQ(move(wire, {{3, 0.5, 0}, {1, 3, 0}}).contacts.size(), meets) << level;
-    for (dsw_body_id each : {other, vertex, wire}) ASSERT_EQ(dsw_body_destroy(scene(), each), DSW_STATUS_OK);
+    EXPECT_EQ(move(polyline, {{3, 0.5, 0}, {1, 3, 0}}).contacts.size(), meets) << level;
+    for (dsw_body_id each : {other, vertex, polyline}) ASSERT_EQ(dsw_body_destroy(scene(), each), DSW_STATUS_OK);
   }
   make(point(2, 1), DSW_LEVEL_POINTS);
   const dsw_body_id vertex = make(point(1, 1), DSW_LEVEL_POINTS);

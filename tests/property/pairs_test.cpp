@@ -53,7 +53,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
     return q;
   }
 
-  /// Points, a wire, a strip of triangles or the surface of a tetrahedron; in the plane also trees and polygons.
+  /// Points, a polyline, a strip of triangles or the surface of a tetrahedron; in the plane also trees and polygons.
   BodyPlan plan() {
     const Vec at = place();
     const uint64_t kind = rng_.below(5);
@@ -196,8 +196,8 @@ class PairsTest : public testing::TestWithParam<Kind> {
     double x = -into * edge[1].get_d(), y = into * edge[0].get_d();
     if (into == 0) x = -move[0].get_d(), y = -move[1].get_d();
     const double length = std::hypot(x, y);
-    return std::fabs(contact.contact.normal[0] - x / length) < 1e-14 && std::fabs(contact.contact.normal[1] - y / length) < 1e-14 &&
-           contact.contact.normal[2] == 0;
+    return std::fabs(contact.contact.normal[0] - x / length) < 1e-14 &&
+           std::fabs(contact.contact.normal[1] - y / length) < 1e-14 && contact.contact.normal[2] == 0;
   }
 
   double scale_ = 1;

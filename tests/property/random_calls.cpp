@@ -4,7 +4,7 @@
 #include <set>
 
 #include "random_edits.h"
-#include "remesh/mending.h"
+#include "remesh/repair.h"
 
 namespace dsw::oracle {
 

@@ -1,4 +1,4 @@
-// Large random deformations of environments of every kind, with particles and bodies inside: what is mended before is
+// Large random deformations of environments of every kind, with particles and bodies inside: what is repaired before is
 // valid before and after, nothing gets lost, and more of the way can be made.
 #include <cmath>
 #include <set>
@@ -8,7 +8,7 @@
 #include "host_memory.h"
 #include "map/dart.h"
 #include "map/integrity.h"
-#include "remesh/mending.h"
+#include "remesh/repair.h"
 #include "sweep/body_probe.h"
 #include "walk/cast.h"
 
@@ -91,7 +91,7 @@ class RemeshTest : public SceneTest {
     for_each_cell(env().map, [&](dsw::Cell c) { count += is_valid_with(env(), points, c) ? 0 : 1; });
     return count;
   }
-  /// Links, seats, bodies.
+  /// Links, locations, bodies.
   void check_all() {
     ASSERT_STREQ(check_integrity(env().map), nullptr);
     const Scene<3>& s = dsw::capi::space(*scene_);
@@ -108,7 +108,7 @@ class RemeshTest : public SceneTest {
     }
     ASSERT_TRUE(blocked.empty());
   }
-  dsw_change mend() {
+  dsw_change repair() {
     dsw_remesh_desc desc = defaults(dsw_remesh_desc_init);
     desc.next = next_.data();
     desc.point_count = next_.size() / 3;
@@ -134,12 +134,12 @@ class RemeshTest : public SceneTest {
 };
 DSW_FOR_ALL_SCENES(RemeshTest);
 
-TEST_P(RemeshTest, WhatIsMendedIsValidBeforeAndAfter) {
+TEST_P(RemeshTest, WhatIsRepairedIsValidBeforeAndAfter) {
   for (uint64_t seed = 1; seed <= 3; ++seed) {
     begin(seed);
     if (place_.environment == nullptr) continue;
     const size_t invalid = count_invalid(next_.data());
-    const dsw_change report = mend();
+    const dsw_change report = repair();
     ASSERT_EQ(report.volumes_invalid, invalid);
     ASSERT_LE(report.volumes_added, report.volumes_removed);
     ASSERT_EQ(count_invalid(env().points), 0u);

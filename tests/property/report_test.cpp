@@ -9,7 +9,8 @@
 namespace dsw::oracle {
 namespace {
 
-dsw_status write_bug_report(dsw_scene* scene, std::string* report, dsw_validation* validation, const char* note = nullptr) {
+dsw_status write_bug_report(dsw_scene* scene, std::string* report, dsw_validation* validation,
+                            const char* note = nullptr) {
   dsw_bug_report_desc desc = defaults(dsw_bug_report_desc_init);
   desc.write = append_bytes;
   desc.user = report;
@@ -41,7 +42,7 @@ void check_report(const std::string& report, size_t calls, const dsw_validation&
 class ReportTest : public SceneTest {};
 DSW_FOR_ALL_SCENES(ReportTest);
 
-TEST_P(ReportTest, TheLastCallIsJudged) {
+TEST_P(ReportTest, TheLastCallIsValidated) {
   const std::string path = ::testing::TempDir() + "dartsweep_report_" + std::to_string(getpid()) + ".dswrec";
   for (uint64_t seed = 1; seed <= 2; ++seed) {
     RandomEdits<3> edits(GetParam(), seed);
@@ -56,7 +57,8 @@ TEST_P(ReportTest, TheLastCallIsJudged) {
       const std::string before = edits.saved();
       std::string report;
       dsw_validation validation;
-      ASSERT_EQ(write_bug_report(edits.handle(), &report, &validation, "look"), DSW_STATUS_OK) << dsw_last_error_message();
+      ASSERT_EQ(write_bug_report(edits.handle(), &report, &validation, "look"), DSW_STATUS_OK)
+          << dsw_last_error_message();
       EXPECT_EQ(validation.is_right, 1u) << validation.text;
       EXPECT_EQ(edits.saved(), before);
       check_report(report, 1, validation, "look");

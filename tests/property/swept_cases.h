@@ -58,7 +58,7 @@ inline std::unique_ptr<Environment<3>> environment_of(const oracle::Mesh& mesh) 
 }
 
 struct Shares {
-  double cells, facets, wires, vertices;
+  double cells, facets, edges, vertices;
 };
 
 template <int D>
@@ -73,7 +73,7 @@ void mark(Environment<D>& env, Rng& rng, const Shares& shares) {
       if (rng.chance(shares.facets)) set_facet_mark(env, map.half_facet(c, f), true);
     }
     for (uint32_t d = 0; D == 3 && d < shape.dart_count(); ++d) {
-      if (!rng.chance(shares.wires)) continue;
+      if (!rng.chance(shares.edges)) continue;
       reserve_edge_marks(env, 1);
       set_edge_mark(env, map.vertex(c, shape.dart_vertex(d)), map.vertex(c, shape.dart_vertex(shape.beta1(d))), true);
     }

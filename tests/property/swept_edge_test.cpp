@@ -22,7 +22,7 @@ struct Count {
   int sweeps = 0, many = 0, most = 0, full = 0;
 };
 
-void check_all(const Environment<3>& env, SweptTruth& truth, SweepFlood<3>& flood, const Vec (&x)[4], bool only_wires,
+void check_all(const Environment<3>& env, SweptTruth& truth, SweepFlood<3>& flood, const Vec (&x)[4], bool only_edges,
                Count& count) {
   const EdgeMotion m{x[0].data(), x[1].data(), x[2].data()};
   const double* const at[3] = {m.p, m.to, m.q};
@@ -55,16 +55,16 @@ void check_all(const Environment<3>& env, SweptTruth& truth, SweepFlood<3>& floo
   ++count.sweeps;
   count.many += all.size() > 2 ? 1 : 0;
   count.most = std::max(count.most, static_cast<int>(all.size()));
-  // Where only wires and the outer boundary are impassable and that is not met, the flood sees every wire.
-  if (!only_wires || std::any_of(all.begin(), all.end(), [](const SweepContact& c) { return c.facet.valid(); })) return;
+  // Where only marked edges and the outer boundary are impassable and that is not met, the flood sees each of them.
+  if (!only_edges || std::any_of(all.begin(), all.end(), [](const SweepContact& c) { return c.facet.valid(); })) return;
   const double* const corners[3] = {m.p, m.to, m.q};
   for (const double* corner : corners) {
     if (!locate(env, corner, Cell{}, nullptr).cell.valid()) return;
   }
-  size_t wires = 0;
-  for (const Line& line : truth.lines) wires += truth.line_pierces(0, 1, 2, line) ? 1u : 0u;
-  ASSERT_EQ(met.size(), wires);
-  count.full += wires > 1 ? 1 : 0;
+  size_t pierced = 0;
+  for (const Line& line : truth.lines) pierced += truth.line_pierces(0, 1, 2, line) ? 1u : 0u;
+  ASSERT_EQ(met.size(), pierced);
+  count.full += pierced > 1 ? 1 : 0;
 }
 
 TEST(SweptEdgeTest, AllContactsInTheirOrder) {

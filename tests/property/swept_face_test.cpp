@@ -159,7 +159,7 @@ TEST(SweptFaceTest, TheFirstVertexIsFound) {
   EXPECT_GT(total.checked_before, share_of(5000));
 }
 
-/// Body points on the half-way points of a lattice of marked vertices, wires and faces.
+/// Body points on the half-way points of a lattice of marked vertices, edges and faces.
 TEST(SweptFaceTest, TiesOnALattice) {
   static const Shares shares[] = {{0, 0, 0, 0.2}, {0, 0, 0.1, 0.1}, {0, 0.05, 0.05, 0.05}};
   Count count;

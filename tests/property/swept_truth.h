@@ -53,7 +53,7 @@ class SweptTruth {
 
   std::set<uint32_t> vertices;                     // impassable ones
   std::vector<std::array<uint32_t, 3>> triangles;  // impassable ones, each once
-  std::set<Line> lines;                            // their sides, and wires
+  std::set<Line> lines;                            // their sides, and marked edges
 
  private:
   using Point = std::array<Big, 3>;

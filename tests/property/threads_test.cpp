@@ -33,12 +33,13 @@ Answers answers(const std::string& name, dsw_context* context) {
     to.insert(to.end(), q.begin(), q.end());
   }
   std::vector<dsw_volume_id> volumes(kCount);
-  std::vector<dsw_location> places(kCount);
-  EXPECT_EQ(dsw_environment_locate_points(place.get(), from.data(), kCount, 0, nullptr, volumes.data(), places.data()),
-            DSW_STATUS_OK);
+  std::vector<dsw_location> locations(kCount);
+  EXPECT_EQ(
+      dsw_environment_locate_points(place.get(), from.data(), kCount, 0, nullptr, volumes.data(), locations.data()),
+      DSW_STATUS_OK);
   for (size_t i = 0; i < kCount; ++i) {
     out.lines.push_back(std::to_string(volumes[i].index) + "." + std::to_string(volumes[i].generation) + " " +
-                        std::to_string(places[i]));
+                        std::to_string(locations[i]));
   }
   std::vector<dsw_flight> flights(kCount);
   EXPECT_EQ(
@@ -68,7 +69,7 @@ Answers answers(const std::string& name, dsw_context* context) {
   const ScenePtr twin = make_scene(place.get(), DSW_FEATURE_STATISTICS);
   std::vector<double> inside;
   for (size_t i = 0; i < kCount; ++i) {
-    if (places[i] == DSW_LOCATION_PASSABLE)
+    if (locations[i] == DSW_LOCATION_PASSABLE)
       inside.insert(inside.end(), from.begin() + 3 * static_cast<long>(i), from.begin() + 3 * static_cast<long>(i) + 3);
   }
   const size_t n = inside.size() / 3;

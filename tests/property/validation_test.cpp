@@ -27,16 +27,16 @@ struct Seen {
 void check(const Environment<3>& env, SweptTruth& truth, const Vec (&x)[4], Seen& seen) {
   const double* const at[3] = {x[0].data(), x[1].data(), x[2].data()};
   truth.load(at, 3);
-  Judge judge(env);
-  judge.add(0, at[0], at[1]);
-  judge.add(1, at[0], at[1], at[2]);
-  judge.run();
+  Validator validator(env);
+  validator.add(0, at[0], at[1]);
+  validator.add(1, at[0], at[1], at[2]);
+  validator.run();
   const bool is_blocked = std::any_of(truth.triangles.begin(), truth.triangles.end(),
                                       [&](const auto& triangle) { return truth.segment_pierces(0, 1, triangle); });
-  ASSERT_EQ(judge.claims()[0].is_met, x[0] != x[1] && is_blocked);
+  ASSERT_EQ(validator.claims()[0].is_met, x[0] != x[1] && is_blocked);
   const double time = first_time(env, truth, at);
-  ASSERT_EQ(judge.claims()[1].is_met, time <= 1);
-  ASSERT_EQ(judge.claims()[1].time, time);
+  ASSERT_EQ(validator.claims()[1].is_met, time <= 1);
+  ASSERT_EQ(validator.claims()[1].time, time);
   seen.segments += is_blocked ? 1 : 0;
   seen.triangles += time <= 1 ? 1 : 0;
   const Cell home = locate(env, at[0], Cell{}, nullptr).cell;

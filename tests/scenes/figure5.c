@@ -52,7 +52,7 @@ static dsw_status make_ground(uint32_t dimension, dsw_environment **environment)
 
 static dsw_status mark_pegs(uint32_t dimension, dsw_environment *environment) {
   dsw_vertex_id pegs[FIGURE5_PEGS];
-  dsw_edge_id wires[FIGURE5_PEGS];
+  dsw_edge_id marked_edges[FIGURE5_PEGS];
   uint32_t ends[2 * FIGURE5_PEGS], indices[FIGURE5_PEGS];
   size_t i;
   dsw_status status;
@@ -68,9 +68,10 @@ static dsw_status mark_pegs(uint32_t dimension, dsw_environment *environment) {
     }
     return dsw_environment_mark_vertices(environment, pegs, FIGURE5_PEGS, DSW_MARK_IMPASSABLE);
   }
-  status = dsw_environment_find_edges(environment, FIGURE5_PEGS, ends, wires, NULL);
-  return status != DSW_STATUS_OK ? status
-                                 : dsw_environment_mark_edges(environment, wires, FIGURE5_PEGS, DSW_MARK_IMPASSABLE);
+  status = dsw_environment_find_edges(environment, FIGURE5_PEGS, ends, marked_edges, NULL);
+  return status != DSW_STATUS_OK
+             ? status
+             : dsw_environment_mark_edges(environment, marked_edges, FIGURE5_PEGS, DSW_MARK_IMPASSABLE);
 }
 
 static dsw_status make_edge(dsw_scene *scene, dsw_body_id *body) {

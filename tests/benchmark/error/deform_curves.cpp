@@ -180,12 +180,12 @@ Bent bend_particles(const Lattice& lattice, dsw_deform_method method, int steps)
     const Particle& p = lattice.particles[i];
     Vec at;
     dsw_volume_id volume, found;
-    dsw_location place = DSW_LOCATION_NONE;
+    dsw_location location = DSW_LOCATION_NONE;
     if (dsw_particle_get_position(bending.scene(), ids[i], at.data(), &volume) != DSW_STATUS_OK ||
-        dsw_environment_locate(bending.environment(), at.data(), {0, 0}, &found, &place) != DSW_STATUS_OK) {
+        dsw_environment_locate(bending.environment(), at.data(), {0, 0}, &found, &location) != DSW_STATUS_OK) {
       throw std::runtime_error("no particle");
     }
-    bent.lost += place == DSW_LOCATION_PASSABLE && found.index == volume.index ? 0 : 1;
+    bent.lost += location == DSW_LOCATION_PASSABLE && found.index == volume.index ? 0 : 1;
     ++(p.met ? bent.met : bent.unmet);
     if (p.met && at == p.at) ++(bending.is_in_place(p.wall) ? bent.passed : bent.waiting);
     bent.pushed += !p.met && at != p.at ? 1 : 0;

@@ -206,7 +206,7 @@ TEST(Marking, AnEdgeIsImpassableThroughTheFacesRoundIt) {
   EXPECT_GT(impassable, 100u);
 }
 
-TEST(Marking, AWireIsOneMarkWhicheverWayItRuns) {
+TEST(Marking, AMarkedEdgeIsOneMarkWhicheverWayItRuns) {
   Lattice<3> lattice;
   Environment<3>& env = lattice.env;
   reserve_edge_marks(env, 1);

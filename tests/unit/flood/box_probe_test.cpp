@@ -62,7 +62,7 @@ TEST_F(BoxProbeTest, IsNotFreeWhereSomethingImpassableIsMet) {
   EXPECT_FALSE(probe.is_free(box(-0.1, 0.2, 0.2, 0.5, 0.8, 0.8), cell(0, 0, 0))) << "the boundary";
 }
 
-TEST_F(BoxProbeTest, WiresAndLoneVerticesAreNotLookedFor) {
+TEST_F(BoxProbeTest, MarkedEdgesAndVerticesAreNotLookedFor) {
   BoxProbe<3> probe(*env_);
   const Bounds inside = box(1.2, 1.2, 1.2, 1.8, 1.8, 1.8);
   set_vertex_mark(*env_, 0, true);

@@ -72,7 +72,7 @@ TEST(SweepFace, ASpikeThroughTheFaceIsFound) {
   EXPECT_NEAR(event_time<3>(kTilt.p.data(), kTilt.to.data(), r.contact.event), 2 / (4 * (1 - 1 / 4.5)), 1e-14);
 }
 
-TEST(SweepFace, LoneVerticesAndEndsOfWires) {
+TEST(SweepFace, MarkedVerticesAndEndsOfMarkedEdges) {
   Lattice lattice(6);
   Environment<3>& env = *lattice.env;
   set_vertex_mark(env, lattice.at(2, 1, 3), true);
@@ -121,7 +121,7 @@ TEST(SweepFace, TheWorkLimitTellsOfNoContact) {
   EXPECT_EQ(r.contact.vertex, kNoVertex);
 }
 
-/** A wire along q r: its end inside, and where it leaves the tetrahedron, are met at one time, shifted or not. */
+/** A marked edge along q r: its end inside, and where it leaves the cell, are met at one time, shifted or not. */
 TEST(SweepContact, AtOneTimeVerticesComeBeforeEdgesBeforePlanes) {
   Lattice lattice(6);
   Environment<3>& env = *lattice.env;

@@ -67,7 +67,7 @@ TEST(Nearest, FacesEdgesAndVerticesMarkedInside) {
   EXPECT_EQ(r.point[1], 5);
   EXPECT_EQ(r.normal[1], 1);
   r = ask(*env, 2, 5, 5);
-  EXPECT_EQ(r.distance, 1) << "an end of the wire";
+  EXPECT_EQ(r.distance, 1) << "an end of the marked edge";
   EXPECT_EQ(r.feature.dimension, 1);
   r = ask(*env, 7.25, 5, 5);
   EXPECT_EQ(r.distance, 0.25);

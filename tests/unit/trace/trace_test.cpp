@@ -114,7 +114,7 @@ TEST(Trace, ImpassableIsDrawnWhereSomethingPassableIsNear) {
   EXPECT_EQ(trace.point_count(), 0u);
 }
 
-TEST(Trace, WiresAndDotsOnce) {
+TEST(Trace, MarkedEdgesAndVerticesOnce) {
   Environment<3> env(nullptr);
   build_mesh(env, lattice(2, kHexahedron));
   reserve_edge_marks(env, 3);
@@ -134,7 +134,7 @@ TEST(Trace, WiresAndDotsOnce) {
   set_cell_mark(env, env.map.cell(0), true);
   clear(trace);
   add_impassable(trace, env, false, 9);
-  EXPECT_EQ(trace.segment_labels.size(), 1u) << "the other wire borders nothing passable";
+  EXPECT_EQ(trace.segment_labels.size(), 1u) << "the other marked edge borders nothing passable";
   EXPECT_EQ(trace.vertex_labels.size(), 1u);
 }
 

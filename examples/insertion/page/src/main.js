@@ -13,7 +13,7 @@ import {Pointing} from './pointing.js';
 import {Strip} from './strip.js';
 import {fillContactTable, fillSummary, FrameContacts} from './tables.js';
 import {onThemeChange} from './theme.js';
-import {writeVerdict} from './verdict.js';
+import {writeValidation} from './validation.js';
 import {View} from './view.js';
 
 const byId = id => document.getElementById(id);
@@ -192,7 +192,7 @@ byId('title').textContent = data.title;
 byId('about').textContent = [
   about.source, `${number(about.volumes)} volumes, ${number(about.passable)} of them passable`, `${number(about.points)} points`,
   `steps of ${number(data.dt * 1000)} ms`].filter(Boolean).join(' · ');
-writeVerdict(byId('verdict'), data, frame => player.seek(frame));
+writeValidation(byId('validation'), data, frame => player.seek(frame));
 fillContactTable(byId('contact-table'), data.contact_table);
 fillSummary(byId('summary'), data.summary);
 byId('series').append(...Object.entries(data.series_about).map(([name, about]) =>

@@ -77,8 +77,8 @@ describe('with WebGL', () => {
   test('any title is shown as it is', async () => {
     assert.equal(await page.title(), sample.title);
     assert.equal(await page.textContent('h1'), sample.title);
-    assert.match(await page.textContent('#verdict'), /Exactly free at every step: 600 of 600/);
-    assert.equal(await page.getAttribute('#verdict', 'class'), 'good');
+    assert.match(await page.textContent('#validation'), /Exactly free at every step: 600 of 600/);
+    assert.equal(await page.getAttribute('#validation', 'class'), 'good');
   });
 
   test('the slider moves the catheter', async () => {
@@ -222,9 +222,9 @@ describe('with WebGL', () => {
     const verified = series.verified.map((_, frame) => frame === 7 ? 0 : 1);
     assert.equal(build(changed({series: {...series, verified}, summary: {...summary, 'demo.exactly_free_steps': 599}})).status, 0);
     const other = await open(browser, {address: pathToFileURL(`${spoilt}.html`).href});
-    assert.match(await other.page.textContent('#verdict'), /599 of 600/);
-    assert.equal(await other.page.getAttribute('#verdict', 'class'), 'bad');
-    await other.page.click('#verdict button');
+    assert.match(await other.page.textContent('#validation'), /599 of 600/);
+    assert.equal(await other.page.getAttribute('#validation', 'class'), 'bad');
+    await other.page.click('#validation button');
     assert.equal((await state(other.page)).frame, 7);
     assert.deepEqual(other.wrong, []);
     fs.rmSync(`${spoilt}.html`);

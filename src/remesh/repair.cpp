@@ -2,7 +2,7 @@
 // wrong side. Where a vertex has gone too far that takes in the cells round it one after the other, until it is inside
 // and vanishes.
 
-#include "remesh/mending.h"
+#include "remesh/repair.h"
 
 #include "base/points.h"
 #include "environment/marking.h"
@@ -48,7 +48,7 @@ bool is_valid_with(Environment<3>& env, const double* points, Cell c) noexcept {
   return state == CellState::kValid || state == CellState::kValidConvex;
 }
 
-Mending::Mending(Environment<3>& env, const double* next, const MendSettings& settings)
+Repair::Repair(Environment<3>& env, const double* next, const RepairSettings& settings)
     : env_(env),
       geometry_{env.points, next},
       settings_(settings),
@@ -61,19 +61,19 @@ Mending::Mending(Environment<3>& env, const double* next, const MendSettings& se
   make_ready(env.map);
 }
 
-void Mending::want(Cell c) {
+void Repair::want(Cell c) {
   const bool valid_now = is_valid_with(env_, geometry_.now, c);
   if (settings_.only_valid && !valid_now) return;
   if (valid_now && (geometry_.next == nullptr || is_valid_with(env_, geometry_.next, c))) return;
   wanted_.push_back(c);
 }
 
-void Mending::want_all() {
+void Repair::want_all() {
   for_each_cell(env_.map, [&](Cell c) { want(c); });
 }
 
 /** The cells that a patch may grow over. */
-void Mending::find_ring(Cell seed) {
+void Repair::find_ring(Cell seed) {
   KeyTable seen(env_.memory);
   ring_.clear();
   ring_.insert(seed);
@@ -91,8 +91,8 @@ void Mending::find_ring(Cell seed) {
   }
 }
 
-/** Walls stay where they are, with all that is at a wire or marked vertex. */
-bool Mending::is_kept(HalfFacet h) const {
+/** Walls stay where they are, with all that is at a marked edge or vertex. */
+bool Repair::is_kept(HalfFacet h) const {
   if (env_.map.facet_marked(h)) return true;
   if (env_.marked_edges == 0 && env_.marked_vertices == 0) return false;
   const Cell c = env_.map.cell_of(h);
@@ -107,7 +107,7 @@ bool Mending::is_kept(HalfFacet h) const {
 }
 
 /** Its index has to last, so that none is needed that no cell has had. */
-bool Mending::may_go(Cell c, Cell seed) {
+bool Repair::may_go(Cell c, Cell seed) {
   const Map<3>& map = env_.map;
   if (!ring_.contains(c) || map.marked(c) != map.marked(seed) || env_.region(c) != env_.region(seed) ||
       env_.tag(c) != env_.tag(seed) || !map.cell_slots.can_renew(map.index(c))) {
@@ -118,13 +118,13 @@ bool Mending::may_go(Cell c, Cell seed) {
          (geometry_.next == nullptr || has_finite_points(env_, geometry_.next, c));
 }
 
-uint32_t Mending::patch_of(Cell c) const {
-  const uint32_t i = mended_.find(c.unit);
+uint32_t Repair::patch_of(Cell c) const {
+  const uint32_t i = repaired_.find(c.unit);
   return i == KeyTable::kNone || patches_[patch_[i]].filling == Patch::Filling::kNothing ? kNoPatch : patch_[i];
 }
 
 /** Puts into trial_ what grows out of a patch by a cell, with the whole patch that this is in; false if it may not. */
-bool Mending::extend(const Patch& patch, Cell seed, Cell by) {
+bool Repair::extend(const Patch& patch, Cell seed, Cell by) {
   const uint32_t other = patch_of(by);
   trial_.cells = patch.cells;
   if (other != kNoPatch) {
@@ -161,7 +161,7 @@ bool Mending::extend(const Patch& patch, Cell seed, Cell by) {
 }
 
 /** What can be put in place of a patch that the surface has been read of. */
-Patch::Filling Mending::find_filling(Patch& patch) {
+Patch::Filling Repair::find_filling(Patch& patch) {
   patch.apex = surface_.find_apex(geometry_, patch.cells.size());
   if (patch.apex != RimSurface::kNoVertex && surface_.is_sphere()) return Patch::Filling::kTetrahedra;
   if (surface_.is_valid_cell(geometry_) && surface_.is_sphere()) return Patch::Filling::kOneCell;
@@ -169,7 +169,7 @@ Patch::Filling Mending::find_filling(Patch& patch) {
 }
 
 /** Neither way is right always: all are tried. */
-bool Mending::mend(Cell seed) {
+bool Repair::repair(Cell seed) {
   find_ring(seed);
   if (!may_go(seed, seed)) return false;
   if (!grow(seed, 0) && !surround(seed)) {
@@ -182,7 +182,7 @@ bool Mending::mend(Cell seed) {
 }
 
 /** Makes grown_ a seed alone. */
-bool Mending::start(Cell seed) {
+bool Repair::start(Cell seed) {
   grown_.cells.assign(1, seed);
   grown_.rim.clear();
   add_facets(env_.map, seed, grown_.rim);
@@ -190,7 +190,7 @@ bool Mending::start(Cell seed) {
 }
 
 /** Makes grown_ all cells at one vertex of the seed, if that can be filled. */
-bool Mending::surround(Cell seed) {
+bool Repair::surround(Cell seed) {
   for (uint32_t k = 0, n = env_.map.vertices_of(seed); k < n; ++k) {
     around_.clear();
     around_.insert(seed);
@@ -208,13 +208,13 @@ bool Mending::surround(Cell seed) {
   return false;
 }
 
-bool Mending::grow(Cell seed, uint32_t first) {
+bool Repair::grow(Cell seed, uint32_t first) {
   return grow(seed, first, Aim::kTetrahedra) || grow(seed, first, Aim::kOneCell);
 }
 
 /** Makes grown_ a patch that can be filled. It grows by the neighbour that is best for an aim; `first`: across this
  * facet of the seed to begin with, counted from 1, or 0. */
-bool Mending::grow(Cell seed, uint32_t first, Aim aim) {
+bool Repair::grow(Cell seed, uint32_t first, Aim aim) {
   if (!start(seed)) return false;
   for (uint32_t least = kUnknown, since = 0;;) {
     grown_.filling = find_filling(grown_);
@@ -242,11 +242,11 @@ bool Mending::grow(Cell seed, uint32_t first, Aim aim) {
 }
 
 /** Patches that it has taken in are no more. */
-void Mending::keep_grown() {
+void Repair::keep_grown() {
   for (const Cell c : grown_.cells) {
     const uint32_t absorbed = patch_of(c);
     if (absorbed != kNoPatch) patches_[absorbed].filling = Patch::Filling::kNothing;
-    const uint32_t i = mended_.insert(c.unit);
+    const uint32_t i = repaired_.insert(c.unit);
     if (i == patch_.size()) patch_.push_back(0);
     patch_[i] = static_cast<uint32_t>(patches_.size());
   }
@@ -254,7 +254,7 @@ void Mending::keep_grown() {
 }
 
 /** False: some patches had to be given up, and it is to be written anew. */
-bool Mending::write(Edit<3>& edit) {
+bool Repair::write(Edit<3>& edit) {
   Array<uint32_t> patch_of_draft{env_.memory}, invalid(patch_of_draft);
   uint32_t pairs = 0;
   for (uint32_t p = 0; p < patches_.size(); ++p) {
@@ -277,11 +277,11 @@ bool Mending::write(Edit<3>& edit) {
   return true;
 }
 
-void Mending::prepare(std::optional<Edit<3>>& edit) {
+void Repair::prepare(std::optional<Edit<3>>& edit) {
   std::sort(wanted_.begin(), wanted_.end(), [&](Cell a, Cell b) { return env_.map.index(a) < env_.map.index(b); });
   wanted_.erase(std::unique(wanted_.begin(), wanted_.end()), wanted_.end());
   for (const Cell c : wanted_) {
-    if (patch_of(c) == kNoPatch) mend(c);
+    if (patch_of(c) == kNoPatch) repair(c);
   }
   const auto is_filled = [](const Patch& patch) { return patch.filling != Patch::Filling::kNothing; };
   const auto count = [&] { return std::count_if(patches_.begin(), patches_.end(), is_filled); };

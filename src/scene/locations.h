@@ -1,5 +1,5 @@
 #pragma once
-// Answers about a place in an environment, as a host reads them.
+// Answers about a point in an environment, as a host reads them.
 
 #include "dartsweep/query.h"
 #include "environment/environment.h"
@@ -9,7 +9,7 @@ namespace dsw {
 
 /** What a cell is that locate has found. */
 template <int D>
-dsw_location place_of(const Environment<D>& env, Cell c) noexcept {
+dsw_location location_of(const Environment<D>& env, Cell c) noexcept {
   return !c.valid() ? DSW_LOCATION_OUTSIDE : is_closed(env, c) ? DSW_LOCATION_IMPASSABLE : DSW_LOCATION_PASSABLE;
 }
 

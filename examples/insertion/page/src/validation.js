@@ -2,7 +2,7 @@
 import {element, number} from './format.js';
 
 /** Writes the sentence; a click on a failure calls `seek` with its first frame. */
-export function writeVerdict(host, {summary, series}, seek) {
+export function writeValidation(host, {summary, series}, seek) {
   const steps = summary['demo.steps'];
   const free = summary['demo.exactly_free_steps'];
   const wrong = (series.verified ?? []).indexOf(0);

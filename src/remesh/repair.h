@@ -7,38 +7,38 @@
 
 namespace dsw {
 
-struct MendSettings {
+struct RepairSettings {
   uint32_t radius = 1;       // a patch keeps to so many rings of cells round invalid ones, by vertices
   uint32_t most_faces = 48;  // round a patch, at most kMostRim
   bool only_valid = false;   // cells that are invalid now stay: what goes then fills the same space as what comes
 };
 
-/** What a mend did. */
-struct MendRecord {
-  uint32_t wanted = 0;  // cells that had to be mended
+/** What a repair did. */
+struct RepairRecord {
+  uint32_t wanted = 0;  // cells that had to be repaired
   uint32_t patches = 0, gone = 0, made = 0, most_faces = 0;
   Array<Cell> left;  // of those wanted, as they were; by index
 
-  explicit MendRecord(const Memory* memory) : left(memory) {}
+  explicit RepairRecord(const Memory* memory) : left(memory) {}
 };
 
 /** Whether a cell is valid with these positions, exactly. */
 bool is_valid_with(Environment<3>& env, const double* points, Cell c) noexcept;
 
-class Mending {
+class Repair {
  public:
   /** `next`: positions in which cells have to be valid besides the present ones, or null. Makes the map ready to
    * change. Throws std::bad_alloc, as all that follows. */
-  Mending(Environment<3>& env, const double* next, const MendSettings& settings);
+  Repair(Environment<3>& env, const double* next, const RepairSettings& settings);
 
-  /** Wants a cell mended, if it is invalid now or next. */
+  /** Wants a cell repaired, if it is invalid now or next. */
   void want(Cell c);
   /** Likewise all that are. O(cells). */
   void want_all();
-  /** Looks for what mends them, the lowest index first, and prepares an edit that does; none if nothing was found.
+  /** Looks for what repairs them, the lowest index first, and prepares an edit that does; none if nothing was found.
    * Throws as Edit::prepare, but for what is wrong with cells. */
   void prepare(std::optional<Edit<3>>& edit);
-  const MendRecord& record() const noexcept { return record_; }
+  const RepairRecord& record() const noexcept { return record_; }
 
  private:
   /** Into what a patch is to come near. */
@@ -49,7 +49,7 @@ class Mending {
   bool is_kept(HalfFacet h) const;
   void find_ring(Cell seed);
   uint32_t patch_of(Cell c) const;
-  bool mend(Cell seed);
+  bool repair(Cell seed);
   bool start(Cell seed);
   bool surround(Cell seed);
   bool grow(Cell seed, uint32_t first);
@@ -61,14 +61,14 @@ class Mending {
 
   Environment<3>& env_;
   Geometry geometry_;
-  MendSettings settings_;
-  MendRecord record_;
+  RepairSettings settings_;
+  RepairRecord record_;
   RimSurface surface_;
   CellQueue ring_{env_.memory}, around_;
   Patch grown_, trial_, best_;
   Array<Cell> wanted_{env_.memory};
   Array<Patch> patches_{env_.memory};   // those without a filling are no more
-  KeyTable mended_{env_.memory};        // cells of patches, by unit
+  KeyTable repaired_{env_.memory};      // cells of patches, by unit
   Array<uint32_t> patch_{env_.memory};  // of each
 };
 

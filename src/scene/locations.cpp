@@ -1,4 +1,4 @@
-#include "scene/places.h"
+#include "scene/locations.h"
 
 #include <algorithm>
 #include <limits>
