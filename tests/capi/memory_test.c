@@ -32,8 +32,8 @@ static dsw_context *g_context;
 static dsw_environment *g_env;
 static dsw_scene *g_scene;
 
-/* Cubes, or squares where nz is 0, and a scene of theirs, in memory of the host. The tree of cells is there: it would be
-   made by one of many calls that locate a point, and stay. */
+/* Cubes, or squares where nz is 0, and a scene of theirs, in memory of the host. The tree of cells is there: it would
+   be made by one of many calls that locate a point, and stay. */
 static void begin(unsigned nx, unsigned ny, unsigned nz, uint32_t features) {
   const double point[3] = {0.5, 0.5, 0.5};
   dsw_volume_id volume;

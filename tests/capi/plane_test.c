@@ -207,8 +207,10 @@ static void segments_are_cast(void) {
   size_t count;
   CHECK_OK(dsw_environment_cast_segments(environment, 2, NULL, from[0], to[0], 0, NULL, flights));
   CHECK(flights[0].outcome == DSW_OUTCOME_CONTACT && flights[0].contact.kind == DSW_CONTACT_PLANE);
-  CHECK(flights[0].contact.marked_kind == DSW_CELL_FACE && flights[0].volumes_visited == 3 && flights[0].contact.tag == 12);
-  CHECK(flights[0].contact.wall.volume == 2 && flights[0].contact.wall.local == 0 && flights[0].contact.behind.generation == 0);
+  CHECK(flights[0].contact.marked_kind == DSW_CELL_FACE && flights[0].volumes_visited == 3 &&
+        flights[0].contact.tag == 12);
+  CHECK(flights[0].contact.wall.volume == 2 && flights[0].contact.wall.local == 0 &&
+        flights[0].contact.behind.generation == 0);
   CHECK(fabs(flights[0].time - 1.75 / 3) < 1e-15 && fabs(flights[0].position[0] - 2) < 1e-12);
   CHECK(flights[0].contact.normal[0] == -1 && flights[0].contact.normal[1] == 0 && flights[0].contact.normal[2] == 0);
   CHECK(flights[1].outcome == DSW_OUTCOME_REACHED && flights[1].position[1] == 0.25 && is_volume(flights[1].volume, 0));
@@ -306,7 +308,8 @@ static void particles_move(void) {
   CHECK(count == 1);
   CHECK_OK(dsw_environment_mark_volumes(environment, &wanted, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_OK(dsw_particle_move(scene, ids[0], positions[0], NULL, flights));
-  CHECK(flights[0].outcome == DSW_OUTCOME_CONTACT && flights[0].contact.marked_kind == DSW_CELL_VOLUME && flights[0].contact.tag == 11);
+  CHECK(flights[0].outcome == DSW_OUTCOME_CONTACT && flights[0].contact.marked_kind == DSW_CELL_VOLUME &&
+        flights[0].contact.tag == 11);
   CHECK_OK(dsw_scene_get_statistics(scene, &statistics));
   CHECK(statistics.contacts == 3 && statistics.orientation_tests > 0);
   CHECK_OK(dsw_particle_destroy(scene, ids[0]));

@@ -220,6 +220,7 @@ static void the_dimension_is_kept(void) {
     scenes[i] = make_scene(env[i], 0);
     CHECK_OK(dsw_scene_save(scenes[i], block, sizeof block, &size));
     CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_load(env[1 - i], block, size, &loaded));
+    CHECK_MESSAGE("another dimension");
   }
   for (i = 0; i < 2; ++i) end_scene(scenes[i]);
 }

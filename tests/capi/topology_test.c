@@ -1,6 +1,6 @@
-/* topology.h: every operation once with what it returns, every way to be refused, and what bodies and particles say to
-   it. What is alike in space and in the plane runs in both: on 3 x 1 x 1 unit cubes or, in the plane, 3 x 1 unit squares
-   along x. */
+/* topology.h: every operation once with what it returns, every way to be refused, and what bodies and particles say
+   to it. What is alike in space and in the plane runs in both: on 3 x 1 x 1 unit cubes or, in the plane, 3 x 1 unit
+   squares along x. */
 #include <string.h>
 
 #include "check.h"
