@@ -1,4 +1,5 @@
-/* Bodies: creation, levels, what can be read. Edits are in body_edit_test.c, moves in move_test.c. */
+/* Bodies: creation, levels, what can be read. Edits are in body_edit_test.c, moves in
+   move_test.c. What is refused is refused in the plane, too. */
 #include <math.h>
 #include <string.h>
 
@@ -11,39 +12,28 @@ static const uint32_t g_offsets[6] = {0, 3, 6, 9, 12, 16};
 static const uint32_t g_corners[16] = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 3, 2, 1, 0};
 static const uint32_t g_edge[2] = {4, 2};
 
+/* In the plane its vertices, and one edge. */
 static dsw_body_desc pyramid(void) {
   dsw_body_desc d = surface_desc(g_pyramid, 5, g_offsets, g_corners, 5, DSW_LEVEL_EDGES_SWEPT);
   d.edges = g_edge;
   d.edge_count = 1;
+  if (g_dimension == 2) d.face_count = d.face_corner_count = 0, d.face_offsets = d.face_corners = NULL;
+  d.stride_bytes = g_stride;
   return d;
 }
 
 /* Vertices and edges only. */
 static dsw_body_desc from_edges(const double *positions, size_t vertex_count, const uint32_t *edges,
                                 size_t edge_count) {
-  return body_desc(positions, vertex_count, edges, edge_count, DSW_LEVEL_EDGES_SWEPT);
+  dsw_body_desc d = body_desc(positions, vertex_count, edges, edge_count, DSW_LEVEL_EDGES_SWEPT);
+  d.stride_bytes = g_stride;
+  return d;
 }
 
 static dsw_body_id make(const dsw_body_desc *d) {
   dsw_body_id body = {0, 0};
   CHECK_OK(dsw_body_create(g_scene, d, &body));
   return body;
-}
-
-static size_t body_count(void) {
-  size_t count = 99;
-  CHECK_OK(dsw_scene_get_body_count(g_scene, &count));
-  return count;
-}
-
-/* A description that is refused: the message has `text`, nothing is created. */
-static void refuses(dsw_status status, const dsw_body_desc *d, const char *text) {
-  dsw_body_id body = {77, 78};
-  const size_t before = body_count();
-  CHECK_FAILS(status, dsw_body_create(g_scene, d, &body));
-  CHECK_MESSAGE("dsw_body_create: ");
-  CHECK_MESSAGE(text);
-  CHECK(body.index == 77 && body.generation == 78 && body_count() == before);
 }
 
 static void init_writes_the_defaults(void) {
@@ -140,6 +130,21 @@ static void back_edges_are_those_of_closed_surfaces_turned_outwards(void) {
   }
 }
 
+static void bad_faces_in_the_plane(void) {
+  dsw_body_desc d = pyramid();
+  d.level = DSW_LEVEL_FACES;
+  refuses(DSW_STATUS_UNSUPPORTED, &d, "bodies in the plane have no faces");
+  d.level = DSW_LEVEL_EDGES;
+  d.flags = DSW_BODY_SKIP_BACK_EDGES;
+  refuses(DSW_STATUS_UNSUPPORTED, &d, "DSW_BODY_SKIP_BACK_EDGES");
+  d.flags = 0;
+  d.face_offsets = g_offsets;
+  d.face_corners = g_corners;
+  d.face_count = 1;
+  d.face_corner_count = 3;
+  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->face_count is 1");
+}
+
 static void bad_members_are_refused(void) {
   struct {
     dsw_body_desc known;
@@ -170,7 +175,7 @@ static void bad_members_are_refused(void) {
   for (i = 0; i < 2; ++i) {
     d.level = (dsw_level)(5 * i);
     refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->level is ");
-    CHECK_MESSAGE("must be 1 .. 4");
+    if (g_dimension == 3) CHECK_MESSAGE("must be 1 .. 4");
   }
   for (i = 0; i < 3; ++i) {
     d = pyramid();
@@ -180,8 +185,9 @@ static void bad_members_are_refused(void) {
   d = pyramid(), d.vertex_count = 0;
   refuses(DSW_STATUS_WRONG_SIZE, &d, "desc->vertex_count is 0");
   d.vertex_count = 5;
-  d.stride_bytes = 16;
-  refuses(DSW_STATUS_WRONG_SIZE, &d, "stride_bytes is 16");
+  d.stride_bytes = 8 * g_dimension - 8;
+  refuses(DSW_STATUS_WRONG_SIZE, &d, g_dimension == 3 ? "stride_bytes is 16" : "stride_bytes is 8");
+  CHECK_MESSAGE(g_dimension == 3 ? "from 24 on" : "from 16 on");
   d.stride_bytes = 28;
   refuses(DSW_STATUS_WRONG_SIZE, &d, "stride_bytes is 28");
   d.stride_bytes = 24;
@@ -191,10 +197,14 @@ static void bad_members_are_refused(void) {
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->positions is null");
   d = pyramid(), d.edges = NULL;
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->edges is null");
-  d = pyramid(), d.face_offsets = NULL;
-  refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->face_offsets is null");
-  d = pyramid(), d.face_corners = NULL;
-  refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->face_corners is null");
+  if (g_dimension == 3) {
+    d = pyramid(), d.face_offsets = NULL;
+    refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->face_offsets is null");
+    d = pyramid(), d.face_corners = NULL;
+    refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->face_corners is null");
+  } else {
+    bad_faces_in_the_plane();
+  }
   d = pyramid(), d.hints = stale;
   refuses(DSW_STATUS_STALE_ID, &d, "desc->hints[2] {index 0, generation 7}");
   d.hints = beyond;
@@ -210,9 +220,10 @@ static void bad_members_are_refused(void) {
   bad[7] = 1e300;
   refuses(DSW_STATUS_OUTSIDE, &d, "[2]");
   d = pyramid();
-  CHECK_OK(mark_cell(N * N + N + 1, DSW_MARK_IMPASSABLE));
-  refuses(DSW_STATUS_IMPASSABLE, &d, "[4]");
-  CHECK_OK(mark_cell(N * N + N + 1, DSW_MARK_PASSABLE));
+  CHECK_OK(mark_cell(g_pillar - 1, DSW_MARK_IMPASSABLE));
+  refuses(DSW_STATUS_IMPASSABLE, &d, g_dimension == 3 ? "[4]" : "[2]");
+  CHECK_MESSAGE("which is impassable");
+  CHECK_OK(mark_cell(g_pillar - 1, DSW_MARK_PASSABLE));
 }
 
 static void bad_topology_is_refused(void) {
@@ -240,6 +251,7 @@ static void bad_topology_is_refused(void) {
   size_t i;
   for (i = 0; i < sizeof kBad / sizeof kBad[0]; ++i) {
     dsw_body_desc d = from_edges(g_pyramid, 5, kBad[i].edges, kBad[i].edge_count);
+    if (g_dimension == 2 && kBad[i].face_count != 0) continue;
     d.face_offsets = kBad[i].offsets;
     d.face_corners = kBad[i].corners;
     d.face_count = kBad[i].face_count;
@@ -250,12 +262,9 @@ static void bad_topology_is_refused(void) {
 
 static void one_that_is_not_free_is_refused(void) {
   const double line[9] = {0.5, 0.5, 0.5, 1.5, 0.5, 0.5, 2.5, 0.5, 0.5};
-  const uint32_t edges[4] = {0, 1, 2, 1}, triangle[3] = {0, 1, 2}, all[2] = {0, 3};
-  const double wide[9] = {0.25, 1.5, 0.25, 3.75, 1.25, 0.25, 3.75, 1.75, 2.75};
+  const uint32_t edges[4] = {0, 1, 2, 1};
   const uint32_t *offending = NULL;
   dsw_body_desc d = from_edges(line, 3, edges, 2);
-  dsw_edge_id marked;
-  uint32_t ends[2];
   dsw_body_id body;
   dsw_level level;
   size_t count = 99;
@@ -274,16 +283,32 @@ static void one_that_is_not_free_is_refused(void) {
   CHECK_OK(dsw_scene_get_offending_edges(g_scene, &offending, &count));
   CHECK(count == 1);
   CHECK_OK(mark_face(1, FACE_X1, DSW_MARK_PASSABLE));
-  CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
-  CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
+  CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES_SWEPT));
+  CHECK_OK(dsw_body_set_level(g_scene, body, top_level()));
+  CHECK_OK(dsw_body_set_level(g_scene, body, top_level()));
+  if (g_dimension == 2) {
+    CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
+    CHECK_MESSAGE("level is DSW_LEVEL_FACES: bodies in the plane have no faces");
+  }
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_face(1, FACE_X1, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES));
   CHECK_OK(dsw_body_get_level(g_scene, body, &level));
   CHECK(level == DSW_LEVEL_EDGES);
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_set_level(g_scene, body, (dsw_level)0));
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_set_level(g_scene, body, (dsw_level)5));
   CHECK_OK(dsw_body_destroy(g_scene, body));
-  /* A marked edge through the inside of a face is seen by faces only. */
-  d = from_edges(wide, 3, NULL, 0);
+}
+
+/* In space: a marked edge through the inside of a face is seen by faces only. */
+static void a_face_is_not_free_of_a_marked_edge(void) {
+  const uint32_t triangle[3] = {0, 1, 2}, all[2] = {0, 3};
+  const double wide[9] = {0.25, 1.5, 0.25, 3.75, 1.25, 0.25, 3.75, 1.75, 2.75};
+  const uint32_t *offending = NULL;
+  dsw_body_desc d = from_edges(wide, 3, NULL, 0);
+  dsw_edge_id marked;
+  uint32_t ends[2];
+  dsw_body_id body;
+  size_t count = 99;
   d.face_offsets = all;
   d.face_corners = triangle;
   d.face_count = 1;
@@ -411,14 +436,22 @@ static void memory_is_told(void) {
   CHECK_OK(dsw_scene_destroy(scene));
 }
 
-int main(void) {
-  begin_stage(3);
-  init_writes_the_defaults();
-  a_body_has_what_was_given();
-  back_edges_are_those_of_closed_surfaces_turned_outwards();
+static void in_both(void) {
   bad_members_are_refused();
   bad_topology_is_refused();
   one_that_is_not_free_is_refused();
+}
+
+int main(void) {
+  begin_stage(2);
+  in_both();
+  end_stage();
+  begin_stage(3);
+  in_both();
+  init_writes_the_defaults();
+  a_body_has_what_was_given();
+  back_edges_are_those_of_closed_surfaces_turned_outwards();
+  a_face_is_not_free_of_a_marked_edge();
   capacities_are_asked_for();
   bad_handles_are_refused();
   memory_is_told();

@@ -391,58 +391,19 @@ static void a_point_between_two_cubes(void) {
   end_scene(scene);
 }
 
-/* In space: a cut in an environment that bends: its vertices are written to the array that was lent, if that has
-   room. */
-static void cut_while_bent(void) {
-  enum { POINTS = MOST_POINTS };
-  static const double blade[12] = {1.25, -1, -1, 1.25, 5, -1, 1.25, -1, 5, 1.25, 5, 5};
-  static const double other_blade[12] = {2.25, -1, -1, 2.25, 5, -1, 2.25, -1, 5, 2.25, 5, 5};
-  static double arrays[2][3 * 2 * POINTS];
-  dsw_deform_options o = deform_options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
-  const dsw_vertex_origin *added = NULL;
-  size_t i, count = 0, points = POINTS;
+/* The first volume invalid, and the blade's points outside: it is looked for from another volume. */
+static void cut_where_the_first_volume_is_invalid(dsw_cut_desc d, dsw_deform_options o,
+                                                  double (*arrays)[3 * 2 * MOST_POINTS], size_t points) {
+  static const double blade[12] = {2.25, -1, -1, 2.25, 5, -1, 2.25, -1, 5, 2.25, 5, 5};
   dsw_change report = empty_change();
-  dsw_cut_desc d;
-  int turn, valid = 1;
-  begin(DSW_FEATURE_DEFORMING);
-  dsw_cut_desc_init(&d, sizeof d);
-  d.points = blade;
-  d.rows = d.columns = 2;
-  for (turn = 0; turn < 2; ++turn) memcpy(arrays[turn], g_points[0], sizeof g_points[0]);
-
-  o.point_room = POINTS - 1;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
-  o.point_room = POINTS + 24;
-  CHECK_OK(dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
-  for (i = 3 * POINTS; i < 6 * POINTS; ++i) arrays[0][i] = -7;
-  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL)); /* needs 25 */
-  for (i = 3 * POINTS; i < 6 * POINTS; ++i) CHECK(arrays[0][i] == -7);
-  o.point_room = 0;
-  CHECK_OK(dsw_environment_deform(g_env, arrays[1], POINTS, &o, NULL));
-  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL));
-  o.point_room = POINTS + 25;
-  CHECK_OK(dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
-  CHECK_OK(dsw_environment_cut(g_env, &d, &report));
-  CHECK(report.volumes_split == 16 && report.vertex_count == 25);
-  added = change_of(g_env).vertices;
-  count = change_of(g_env).vertex_count;
-  CHECK(count == 25);
-  for (i = 0; i < count; ++i) {
-    CHECK(added[i].vertex.index >= POINTS && added[i].vertex.index < POINTS + 25);
-    CHECK(arrays[0][3 * added[i].vertex.index] == 1.25);
-    memcpy(arrays[1] + 3 * added[i].vertex.index, arrays[0] + 3 * added[i].vertex.index, 3 * sizeof(double));
-  }
-  CHECK(arrays[0][3 * (POINTS + 25)] == -7);
-  points += count;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_env, arrays[1], POINTS, &o, NULL));
-  /* The first volume invalid, and the blade's points outside: it is looked for from another volume. */
-  memcpy(arrays[1], arrays[0], sizeof arrays[0]);
+  size_t i;
+  int valid = 1;
   arrays[1][0] = arrays[1][1] = arrays[1][2] = 0.9;
-  o.point_room = 2 * POINTS;
+  o.point_room = 2 * MOST_POINTS;
   CHECK_OK(dsw_environment_deform(g_env, arrays[1], points, &o, NULL));
   CHECK_OK(dsw_environment_is_valid(g_env, volume_at(0), &valid));
   CHECK(!valid);
-  d.points = other_blade;
+  d.points = blade;
   CHECK_OK(dsw_environment_cut(g_env, &d, &report));
   CHECK(report.volumes_crossed == 16);
   points += report.vertex_count;
@@ -453,6 +414,67 @@ static void cut_while_bent(void) {
   for (i = 0; i < points; ++i) arrays[1][3 * i] *= 1.125;
   o.point_room = 0;
   CHECK_OK(dsw_environment_deform(g_env, arrays[1], points, &o, NULL));
+}
+
+/* A cut in an environment that bends: its vertices are written to the array that was lent, if that has room. */
+static void cut_while_bent(void) {
+  static const double in_space[12] = {1.25, -1, -1, 1.25, 5, -1, 1.25, -1, 5, 1.25, 5, 5};
+  static const double in_plane[4] = {1.25, -1, 1.25, 5}, at[2] = {1.5, 2.5};
+  static double arrays[2][3 * 2 * MOST_POINTS];
+  const int space = g_dimension == 3;
+  const size_t by = g_dimension, new_points = space ? 25 : 5;
+  dsw_deform_options o = deform_options_of(space ? DSW_DEFORM_END_STATE : DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+  const dsw_vertex_origin *added = NULL;
+  size_t i, count = 0, points;
+  dsw_change report = empty_change();
+  dsw_cut_desc d;
+  dsw_particle_id particle;
+  begin(DSW_FEATURE_DEFORMING);
+  points = g_point_count;
+  if (!space) CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
+  dsw_cut_desc_init(&d, sizeof d);
+  d.points = space ? in_space : in_plane;
+  d.rows = 2;
+  d.columns = space ? 2 : 1;
+  if (!space) d.start = volume_at(0), d.flags = DSW_CUT_UNSEW;
+  for (i = 0; i < 2; ++i) memcpy(arrays[i], g_points[0], by * points * sizeof(double));
+
+  o.point_room = points - 1;
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_env, arrays[0], points, &o, NULL));
+  o.point_room = points + new_points - 1;
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], points, &o, NULL));
+  for (i = by * points; i < 2 * by * points; ++i) arrays[0][i] = -7;
+  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL)); /* needs one more */
+  for (i = by * points; i < 2 * by * points; ++i) CHECK(arrays[0][i] == -7);
+  o.point_room = 0;
+  CHECK_OK(dsw_environment_deform(g_env, arrays[1], points, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL));
+  o.point_room = points + new_points;
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], points, &o, NULL));
+  CHECK_OK(dsw_environment_cut(g_env, &d, &report));
+  CHECK(report.volumes_split == (space ? 16 : 4) && report.vertex_count == new_points);
+  added = change_of(g_env).vertices;
+  count = change_of(g_env).vertex_count;
+  CHECK(count == new_points);
+  for (i = 0; i < count; ++i) {
+    CHECK(added[i].vertex.index >= points && added[i].vertex.index < points + new_points);
+    CHECK(arrays[0][by * added[i].vertex.index] == 1.25);
+  }
+  CHECK(arrays[0][by * (points + new_points)] == -7);
+  memcpy(arrays[1], arrays[0], sizeof arrays[0]);
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_env, arrays[1], points, &o, NULL));
+  points += count;
+  if (space) {
+    cut_where_the_first_volume_is_invalid(d, o, arrays, points);
+  } else { /* both sides of the crack are walls: that on the left pushes what lies there */
+    dsw_deform_report bent;
+    double now[2];
+    for (i = 0; i < points; ++i) arrays[1][2 * i] *= 1.25;
+    CHECK_OK(dsw_environment_deform(g_env, arrays[1], points, &o, &bent));
+    CHECK(bent.outcome == DSW_DEFORM_DONE && bent.contact_count > 0);
+    CHECK_OK(dsw_particle_get_position(g_scene, particle, now, NULL));
+    CHECK(now[0] > 1.5625 && now[1] == at[1]);
+  }
   CHECK_OK(dsw_environment_check(g_env, NULL));
   end();
 }
@@ -466,6 +488,7 @@ static void in_both(void) {
   end_state();
   bad_arguments();
   saved_and_loaded();
+  cut_while_bent();
 }
 
 int main(void) {
@@ -474,6 +497,5 @@ int main(void) {
   use_dimension(3);
   in_both();
   a_point_between_two_cubes();
-  cut_while_bent();
   return check_result();
 }

@@ -32,8 +32,8 @@ static dsw_context *g_context;
 static dsw_environment *g_env;
 static dsw_scene *g_scene;
 
-/* Cubes, or squares where nz is 0, and a scene of theirs, in memory of the host. The tree of cells is there: it would be
-   made by one of many calls that locate a point, and stay. */
+/* Cubes, or squares where nz is 0, and a scene of theirs, in memory of the host. The tree of cells is there: it would
+   be made by one of many calls that locate a point, and stay. */
 static void begin(unsigned nx, unsigned ny, unsigned nz, uint32_t features) {
   const double point[3] = {0.5, 0.5, 0.5};
   dsw_volume_id volume;
@@ -167,6 +167,61 @@ static void a_body(int plane) {
   CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 24, NULL, &count));
   CHECK(memcmp(now, to, sizeof now) == 0);
   end();
+}
+
+/* What the deformation of an environment by `points` would have changed. */
+static int nothing_is_bent(const double *points, dsw_particle_id particle, const double *at, dsw_body_id body,
+                           const double *line, size_t dimension) {
+  const double *read = NULL;
+  double now[3], of_body[9];
+  size_t count = 0;
+  CHECK_OK(dsw_particle_get_position(g_scene, particle, now, NULL));
+  CHECK_OK(dsw_body_get_positions(g_scene, body, of_body, 3, 0, NULL, &count));
+  CHECK(count == 2);
+  CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
+  /* As it was: the height of the first point of the row that rises. */
+  CHECK(read != points && read[dimension == 2 ? 21 : 152] == 2);
+  return memcmp(now, at, dimension * sizeof *at) == 0 && memcmp(of_body, line, 2 * dimension * sizeof *line) == 0;
+}
+
+/* A floor that rises under a particle and a body. */
+static void a_deformation(int plane) {
+  static const double at[2][3] = {{2.3, 1.5, 2.2}, {2.3, 2.2}};
+  static const double lines[2][6] = {{1.2, 1.5, 2.11, 2.8, 1.5, 2.11}, {1.2, 2.11, 2.8, 2.11}};
+  static double arrays[2][3 * 125];
+  const uint32_t row = plane ? 4 : 16, corners = plane ? 5 : 25, dimension = plane ? 2 : 3, up = dimension - 1;
+  const dsw_body_desc d = line_desc(lines[plane], 2, 0, DSW_LEVEL_EDGES_SWEPT);
+  int i;
+  for (i = 0; i < 2; ++i) {
+    dsw_deform_options o =
+        deform_options_of(i == 0 ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE, i == 0 ? DSW_WALL_INSERT : DSW_WALL_PUSH);
+    const double *read = NULL;
+    dsw_particle_id particle;
+    dsw_body_id body;
+    double now[3], of_body[9];
+    size_t refusals, points = 0, count = 0;
+    uint32_t k;
+    begin(4, 4, plane ? 0 : 4, DSW_FEATURE_DEFORMING);
+    for (k = row; k < 2 * row; ++k) {
+      CHECK_OK(set_face_mark(g_env, k, plane ? 2 : FACE_Z1, DSW_MARK_IMPASSABLE));
+    }
+    CHECK_OK(dsw_particle_create(g_scene, at[plane], no_volume, &particle));
+    CHECK_OK(dsw_body_create(g_scene, &d, &body));
+    CHECK_OK(dsw_environment_get_points(g_env, &read, &points));
+    memcpy(arrays[0], read, dimension * points * sizeof *read);
+    for (k = 2 * corners; k < 3 * corners; ++k) arrays[0][dimension * k + up] += 0.4;
+    memcpy(arrays[1], arrays[0], sizeof arrays[1]);
+    for (refusals = 0; RUNS_OUT(&g_host, refusals, dsw_environment_deform(g_env, arrays[0], points, &o, NULL));
+         ++refusals) {
+      CHECK(nothing_is_bent(arrays[0], particle, at[plane], body, lines[plane], dimension));
+      CHECK(memcmp(arrays[0], arrays[1], sizeof arrays[0]) == 0);
+    }
+    CHECK(refusals > 3 && memcmp(arrays[0], arrays[1], sizeof arrays[0]) == 0);
+    CHECK_OK(dsw_particle_get_position(g_scene, particle, now, NULL));
+    CHECK_OK(dsw_body_get_positions(g_scene, body, of_body, 3, 0, NULL, &count));
+    CHECK(now[up] > 2.4 && of_body[up] > 2.4);
+    end();
+  }
 }
 
 static size_t mark_count(dsw_environment *environment, dsw_cell_kind kind) {
@@ -333,6 +388,7 @@ int main(void) {
     creating_a_scene(plane);
     particles_of_a_scene(plane);
     a_body(plane);
+    a_deformation(plane);
   }
   check_in("");
   saving_and_loading_a_scene();

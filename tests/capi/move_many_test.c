@@ -71,7 +71,8 @@ static void a_rigid_body_keeps_its_shape(void) {
     CHECK_OK(dsw_body_move_rigid(scene, body, &motion, NULL, &r));
     CHECK(r.fraction > 0.2 && r.fraction <= 0.5 && frexp(r.fraction, &i) == 0.5 && r.vertices_stopped == 4);
     CHECK_OK(dsw_body_get_contacts(scene, body, &c, &count));
-    CHECK(count == 1 && r.contact_count == 1 && c->contact.normal[0] == -1 && c->contact.tag == 100 + PILLAR && c->point[0] == 2);
+    CHECK(count == 1 && r.contact_count == 1 && c->contact.normal[0] == -1 && c->contact.tag == 100 + PILLAR &&
+          c->point[0] == 2);
     CHECK(c->history == DSW_HISTORY_NEW);
     CHECK_OK(dsw_body_get_edits(scene, body, &e, &count));
     CHECK(count == 0 && r.edit_count == 0);

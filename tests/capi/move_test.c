@@ -82,13 +82,15 @@ static void a_contact_says_everything(void) {
   CHECK(fabs(c->position[0] - (1.25 + 2 * c->time)) < 1e-15 && c->position[1] == 0.25);
   CHECK(c->position[2] == (space ? 1.5 : 0));
   for (k = 0; k < (int)g_dimension; ++k) CHECK(fabs(c->point[k] - touched[k]) < 1e-14);
-  CHECK(is_unit(c->contact.normal) && c->contact.normal[0] < -0.9 && c->contact.normal[1] < 0 && c->contact.normal[2] == 0);
+  CHECK(is_unit(c->contact.normal) && c->contact.normal[0] < -0.9 && c->contact.normal[1] < 0 &&
+        c->contact.normal[2] == 0);
   CHECK(fabs(c->edge_parameter - 0.75 / 3.5) < 1e-14 && c->vertex.index == 0 && c->vertex.generation == 1);
   CHECK(c->edge.index == 0 && c->edge.generation == 1 && c->face.generation == 0);
   CHECK(c->contact.obstacle.generation == 1 && c->contact.obstacle.kind == (space ? DSW_CELL_EDGE : DSW_CELL_VERTEX));
   CHECK(c->contact.kind == (space ? DSW_CONTACT_EDGE : DSW_CONTACT_VERTEX));
   CHECK(space || (c->contact.obstacle.index == point_at(2, 1) && c->contact.obstacle.local == 0 && c->point[2] == 0));
-  CHECK(c->contact.marked_kind == DSW_CELL_VOLUME && c->contact.tag == 100 + g_pillar && c->contact.wall.generation == 1 && c->contact.front.generation == 1);
+  CHECK(c->contact.marked_kind == DSW_CELL_VOLUME && c->contact.tag == 100 + g_pillar &&
+        c->contact.wall.generation == 1 && c->contact.front.generation == 1);
   CHECK(c->history == DSW_HISTORY_NEW && c->distance_left > 1.04 && c->distance_left < 1.05);
   CHECK(p[0] <= c->position[0] && p[0] > c->position[0] - 1e-12 && p[1] == 0.25 && is_point(p + 3, g_left + 3));
   r = move(body, g_right, 2, &o);
@@ -150,10 +152,12 @@ static void a_vertex_stops_or_slides(void) {
     o.vertex_response = DSW_RESPONSE_STOP;
     r = move(body, to, 1, &o);
     CHECK(r.vertices_stopped == 1 && r.contact_count == 1 && contacts_of(body, &c) == 1);
-    CHECK(c->time == 0.5 && c->contact.kind == DSW_CONTACT_PLANE && c->contact.obstacle.kind == DSW_CELL_FACE && c->contact.normal[0] == -1);
+    CHECK(c->time == 0.5 && c->contact.kind == DSW_CONTACT_PLANE && c->contact.obstacle.kind == DSW_CELL_FACE &&
+          c->contact.normal[0] == -1);
     CHECK(c->edge.generation == 0 && c->face.generation == 0 && c->edge_parameter == 0 && c->point[0] == 2 &&
           c->point[1] == 1.5);
-    CHECK(c->contact.tag == 100 + g_pillar && c->contact.front.index == g_pillar - 1 && c->contact.obstacle.index == g_pillar - 1);
+    CHECK(c->contact.tag == 100 + g_pillar && c->contact.front.index == g_pillar - 1 &&
+          c->contact.obstacle.index == g_pillar - 1);
     CHECK(c->contact.obstacle.local == FACE_X1 && fabs(c->distance_left - sqrt(0.3125)) < 1e-8);
     positions_of(body, p, 1);
     CHECK(p[0] <= 2 && p[0] > 2 - 1e-8);
@@ -193,7 +197,8 @@ static void responses_insert_vertices(void) {
     CHECK(count == 2 + kInserted[i] && positions_of(body, targets, 4) == count);
     for (k = 0; k < r.edit_count; ++k) {
       CHECK(e[k].inserted == 1 && e[k].vertex.index == 2 + k && e[k].vertex.generation == 1 && e[k].reserved == 0);
-      CHECK(e[k].edge_parameter > 0.125 && e[k].edge_parameter < 0.875 && e[k].edge.generation == 1 && e[k].rest.generation == 1);
+      CHECK(e[k].edge_parameter > 0.125 && e[k].edge_parameter < 0.875 && e[k].edge.generation == 1 &&
+            e[k].rest.generation == 1);
       CHECK(targets[6 + 3 * k] <= 2 && targets[6 + 3 * k] > 2 - 1e-6); /* at the corners (2, 1) and (2, 2) */
       CHECK(fabs(targets[7 + 3 * k] - (double)(1 + k)) < 1e-6);
     }
@@ -230,8 +235,10 @@ static void searches_agree(void) {
     if (i == 0) exact = c->time;
     CHECK(i == 2 ? c->time <= exact && c->time >= exact - 1.0 / 1024 : c->time == exact);
     if (i == 2) { /* the pillar's lower face is what a cast along the edge meets first */
-      CHECK(c->contact.kind == DSW_CONTACT_PLANE && c->contact.obstacle.kind == DSW_CELL_FACE && c->contact.tag == 100 + g_pillar);
-      CHECK(c->contact.normal[0] == 0 && c->contact.normal[1] == -1 && fabs(c->point[0] - 2) < 1e-2 && fabs(c->point[1] - 1) < 1e-15);
+      CHECK(c->contact.kind == DSW_CONTACT_PLANE && c->contact.obstacle.kind == DSW_CELL_FACE &&
+            c->contact.tag == 100 + g_pillar);
+      CHECK(c->contact.normal[0] == 0 && c->contact.normal[1] == -1 && fabs(c->point[0] - 2) < 1e-2 &&
+            fabs(c->point[1] - 1) < 1e-15);
       CHECK(fabs(c->edge_parameter - 0.75 / 3.5) < 1e-2 && c->edge.generation == 1);
       CHECK(c->contact.front.index == g_pillar - N && c->contact.front.generation == 1);
     } else {
@@ -263,7 +270,8 @@ static void a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side(void) {
     p[0] = 4 - p[0];
     CHECK(move(body, p, 3, NULL).contact_count == 1 && contacts_of(body, &c) == 1);
     CHECK(c->contact.kind == DSW_CONTACT_VERTEX && c->point[0] == 2 && c->point[1] == 1 && c->point[2] == 2);
-    CHECK((left ? -c->contact.normal[0] : c->contact.normal[0]) > 0.9 && c->contact.tag == 100u + g_pillar - (left ? 0 : 1));
+    CHECK((left ? -c->contact.normal[0] : c->contact.normal[0]) > 0.9 &&
+          c->contact.tag == 100u + g_pillar - (left ? 0 : 1));
     CHECK_OK(dsw_body_destroy(g_scene, body));
   }
   CHECK_OK(mark_face(g_pillar - 1, FACE_X1, DSW_MARK_PASSABLE));

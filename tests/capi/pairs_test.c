@@ -1,4 +1,5 @@
 /* Bodies that meet each other: every function and every bad argument. */
+#include <math.h>
 #include <string.h>
 
 #include "check.h"
@@ -73,7 +74,7 @@ static void filters_are_read_and_changed(void) {
   end_scene(scene);
 }
 
-static void what_is_not_enabled_is_refused(void) {
+static void what_is_not_named_is_refused(void) {
   dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), 0);
   dsw_body_desc d = square_desc();
   dsw_body_id body;
@@ -103,14 +104,32 @@ static void bodies_of_the_plane_meet(void) {
   static const double corners[8] = {2, 1, 3, 1, 3, 2, 2, 2}, line[6] = {0.5, 0.5, 0.5, 1.5, 0.5, 2.5};
   static const double end_first[6] = {2.5, 1.5, 0.5, 1.5, 0.5, 2.5}, edge_first[6] = {3.5, 0.5, 0.5, 1.5, 0.5, 2.5};
   static const double folded[6] = {0.5, 3.5, 0.5, 1.5, 0.5, 2.5};
+  static const double hook[6] = {0.5, 0.5, 0.5, 1.5, 1.5, 1.5}, closed[6] = {0.5, 0.5, 0.5, 1.5, 0.25, 0.75};
+  static const double bar[4] = {0.5, 1.25, 1.5, 1.25}, onwards[4] = {2.75, 1.25, 3.75, 1.25};
   dsw_scene *scene = make_scene(make_squares(NULL, 4, 4), DSW_FEATURE_BODY_CONTACTS);
   dsw_body_desc d = line_desc(corners, 4, 1, DSW_LEVEL_EDGES);
   dsw_body_id block, polyline;
+  dsw_move_report report;
+  double now[4];
   const dsw_body_contact *contacts = NULL;
   const dsw_contact_partner *partners = NULL;
   size_t count = 0;
   CHECK_OK(dsw_body_create(scene, &d, &block));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_create(scene, &d, &polyline));
+  d = line_desc(bar, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_OK(dsw_body_create(scene, &d, &polyline));
+  CHECK_OK(dsw_body_move(scene, polyline, onwards, 2, 0, NULL, &report));
+  CHECK(report.vertices_stopped == 2 && report.contact_count == 2);
+  CHECK_OK(dsw_body_get_contacts(scene, polyline, &contacts, &count));
+  CHECK(count == 2 && contacts[0].vertex.index == 0 && contacts[0].contact.kind == DSW_CONTACT_EDGE);
+  CHECK(contacts[0].contact.normal[0] == -1 && fabs(contacts[0].point[0] - 2) < 1e-14);
+  CHECK(contacts[0].contact.obstacle.kind == DSW_CELL_NONE && contacts[0].contact.wall.generation == 0);
+  CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
+  CHECK(count == 2 && partners[0].body.index == block.index && partners[0].body.generation == block.generation);
+  CHECK(partners[0].edge.generation == 1 && partners[0].vertex.generation == 0 && partners[0].face.generation == 0);
+  CHECK_OK(dsw_body_get_positions(scene, polyline, now, 2, 0, NULL, &count));
+  CHECK(now[0] < 2 && now[2] < 2 && (now[0] > 1.9 || now[2] > 1.9));
+  CHECK_OK(dsw_body_destroy(scene, polyline));
   d = line_desc(line, 3, 0, DSW_LEVEL_EDGES), d.flags = DSW_BODY_SELF_CONTACTS;
   CHECK_OK(dsw_body_create(scene, &d, &polyline));
   CHECK_OK(dsw_body_move(scene, polyline, end_first, 3, 0, NULL, NULL));
@@ -127,9 +146,15 @@ static void bodies_of_the_plane_meet(void) {
   CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
   CHECK(count == 1 && partners[0].vertex.index == 0 && partners[0].vertex.generation == 1);
   CHECK_OK(dsw_body_move(scene, polyline, line, 3, 0, NULL, NULL));
-  CHECK_OK(dsw_body_move(scene, polyline, folded, 3, 0, NULL, NULL));
+  CHECK_OK(dsw_body_move(scene, polyline, folded, 3, 0, NULL, &report));
+  CHECK(report.vertices_stopped == 1 && report.contact_count == 1);
   CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
   CHECK(count == 1 && partners[0].body.index == polyline.index);
+  CHECK_OK(dsw_body_move(scene, polyline, hook, 3, 0, NULL, NULL));
+  CHECK_OK(dsw_body_move(scene, polyline, closed, 3, 0, NULL, &report));
+  CHECK(report.vertices_stopped == 1 && report.contact_count == 1);
+  CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
+  CHECK(count == 1 && partners[0].body.index == polyline.index && partners[0].edge.index == 0);
   end_scene(scene);
 }
 
@@ -150,7 +175,7 @@ static void a_shorter_description_still_works(void) {
 int main(void) {
   a_contact_names_the_other_body();
   filters_are_read_and_changed();
-  what_is_not_enabled_is_refused();
+  what_is_not_named_is_refused();
   bodies_of_the_plane_meet();
   a_shorter_description_still_works();
   return check_result();

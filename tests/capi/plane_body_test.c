@@ -1,4 +1,5 @@
-/* Bodies in the plane: creation, edits, marks around them, edges swept without one. Moves are in plane_move_test.c. */
+/* Bodies in the plane: creation, edits, marks around them, edges swept without one. Moves are in
+   plane_move_test.c, refusals of creation in body_test.c. */
 #include <math.h>
 #include <string.h>
 
@@ -38,78 +39,6 @@ static void a_body_has_what_was_given(void) {
   CHECK(count == 0);
   CHECK_OK(dsw_body_get_face_indices(g_scene, body, corners, 1, &count));
   CHECK(count == 0);
-  CHECK_OK(dsw_body_destroy(g_scene, body));
-}
-
-/* A description that is refused: the message has `text`, nothing is created. */
-static void refuses(dsw_status status, const dsw_body_desc *d, const char *text) {
-  dsw_body_id body = {77, 78};
-  size_t count = 99;
-  CHECK_FAILS(status, dsw_body_create(g_scene, d, &body));
-  CHECK_MESSAGE(text);
-  CHECK_OK(dsw_scene_get_body_count(g_scene, &count));
-  CHECK(body.index == 77 && body.generation == 78 && count == 0);
-}
-
-static void bad_bodies_are_refused(void) {
-  const uint32_t offsets[2] = {0, 3}, corners[3] = {0, 1, 2}, twice[4] = {0, 1, 1, 0}, beyond[2] = {0, 7};
-  const dsw_volume_id stale = {0, 2};
-  double points[6] = {0.5, 0.5, 2.5, 0.5, 1.5, 2.5};
-  dsw_body_desc d = line_desc(points, 3, 1, DSW_LEVEL_FACES);
-  refuses(DSW_STATUS_UNSUPPORTED, &d, "bodies in the plane have no faces");
-  d.level = (dsw_level)5;
-  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->level is 5");
-  d.level = DSW_LEVEL_EDGES;
-  d.flags = DSW_BODY_SKIP_BACK_EDGES;
-  refuses(DSW_STATUS_UNSUPPORTED, &d, "DSW_BODY_SKIP_BACK_EDGES");
-  d.flags = 0;
-  d.face_offsets = offsets;
-  d.face_corners = corners;
-  d.face_count = 1;
-  d.face_corner_count = 3;
-  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->face_count is 1");
-  d = line_desc(points, 3, 1, DSW_LEVEL_EDGES), d.stride_bytes = 8;
-  refuses(DSW_STATUS_WRONG_SIZE, &d, "from 16 on");
-  d.stride_bytes = 20;
-  refuses(DSW_STATUS_WRONG_SIZE, &d, "stride_bytes is 20");
-  d = line_desc(points, 3, 1, DSW_LEVEL_EDGES), d.hints = &stale;
-  d.vertex_count = 1;
-  d.edge_count = 0;
-  refuses(DSW_STATUS_STALE_ID, &d, "desc->hints[0]");
-  d = line_desc(points, 3, 0, DSW_LEVEL_EDGES), d.edges = twice;
-  refuses(DSW_STATUS_DUPLICATE_PART, &d, "edge 1");
-  d.edges = beyond;
-  d.edge_count = 1;
-  refuses(DSW_STATUS_INDEX_OUT_OF_RANGE, &d, "desc->edges[1] is 7");
-  d = line_desc(points, 3, 0, DSW_LEVEL_EDGES);
-  points[3] = NAN;
-  refuses(DSW_STATUS_NON_FINITE, &d, "positions[1][1] is nan");
-  points[3] = 9;
-  refuses(DSW_STATUS_OUTSIDE, &d, "(2.5, 9)");
-  points[3] = 1.5;
-  CHECK_OK(mark_cell(g_pillar, DSW_MARK_IMPASSABLE));
-  refuses(DSW_STATUS_IMPASSABLE, &d, "which is impassable");
-  CHECK_OK(mark_cell(g_pillar, DSW_MARK_PASSABLE));
-}
-
-static void one_that_is_not_free_is_refused(void) {
-  const double points[6] = {0.5, 0.5, 1.5, 0.5, 3.5, 0.75};
-  dsw_body_desc d = line_desc(points, 3, 0, DSW_LEVEL_EDGES);
-  const uint32_t *offending = NULL;
-  dsw_body_id body;
-  size_t count = 99;
-  CHECK_OK(mark_face(1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
-  refuses(DSW_STATUS_OCCUPIED, &d, "1 edges meet something impassable; the first joins vertices ");
-  CHECK_OK(dsw_scene_get_offending_edges(g_scene, &offending, &count));
-  CHECK(count == 1 && offending[0] + offending[1] == 3 && offending[0] * offending[1] == 2);
-  d.level = DSW_LEVEL_POINTS; /* points do not care */
-  CHECK_OK(dsw_body_create(g_scene, &d, &body));
-  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES_SWEPT));
-  CHECK_OK(mark_face(1, SIDE_RIGHT, DSW_MARK_PASSABLE));
-  CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES_SWEPT));
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
-  CHECK_MESSAGE("level is DSW_LEVEL_FACES: bodies in the plane have no faces");
-  CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_face(1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
@@ -315,8 +244,6 @@ static void what_a_scene_holds_is_told(void) {
 int main(void) {
   begin_stage(2);
   a_body_has_what_was_given();
-  bad_bodies_are_refused();
-  one_that_is_not_free_is_refused();
   edits_are_checked();
   a_merge_is_swept();
   marks_leave_bodies_free();

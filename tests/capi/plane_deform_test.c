@@ -5,8 +5,6 @@
 #include "bending.h"
 #include "check.h"
 
-enum { POINTS = 25 };
-
 /* A lone impassable point comes through an edge: it is seen from EDGES_SWEPT on. */
 static void a_lone_point_is_met_by_swept_edges(void) {
   static const double positions[4] = {1.2, 2.1, 2.8, 2.1};
@@ -137,111 +135,11 @@ static void points_of_the_boundary(void) {
   end_scene(scene);
 }
 
-/* A cut in an environment that bends: its vertices are written to the array that was lent, if that has room. */
-static void cut_while_bent(void) {
-  static const double blade[4] = {1.25, -1, 1.25, 5}, at[2] = {1.5, 2.5};
-  static double arrays[2][4 * POINTS];
-  dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
-  const dsw_vertex_origin *added = NULL;
-  dsw_change report = empty_change();
-  dsw_deform_report bent;
-  dsw_cut_desc d;
-  dsw_particle_id particle;
-  size_t i, count = 0;
-  double now[2];
-  begin(DSW_FEATURE_DEFORMING);
-  CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
-  dsw_cut_desc_init(&d, sizeof d);
-  d.points = blade;
-  d.rows = 2;
-  d.columns = 1;
-  d.start = volume_at(0);
-  d.flags = DSW_CUT_UNSEW;
-  for (i = 0; i < 2; ++i) memcpy(arrays[i], g_points[0], 2 * POINTS * sizeof(double));
-  o.point_room = POINTS + 4;
-  CHECK_OK(dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
-  for (i = 2 * POINTS; i < 4 * POINTS; ++i) arrays[0][i] = -7;
-  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL)); /* needs 5 */
-  for (i = 2 * POINTS; i < 4 * POINTS; ++i) CHECK(arrays[0][i] == -7);
-  o.point_room = POINTS + 5;
-  CHECK_OK(dsw_environment_deform(g_env, arrays[1], POINTS, &o, NULL));
-  for (i = 2 * POINTS; i < 4 * POINTS; ++i) arrays[1][i] = -7;
-  CHECK_OK(dsw_environment_cut(g_env, &d, &report));
-  CHECK(report.volumes_split == 4);
-  added = change_of(g_env).vertices;
-  count = change_of(g_env).vertex_count;
-  for (i = 0; i < count; ++i) CHECK(arrays[1][2 * added[i].vertex.index] == 1.25);
-  CHECK(arrays[1][2 * (POINTS + 5)] == -7);
-  /* Both sides of the crack are walls: that on the left pushes what lies there. */
-  memcpy(arrays[0], arrays[1], sizeof arrays[0]);
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
-  for (i = 0; i < (size_t)POINTS + 5; ++i) arrays[0][2 * i] *= 1.25;
-  CHECK_OK(dsw_environment_deform(g_env, arrays[0], POINTS + 5, &o, &bent));
-  CHECK(bent.outcome == DSW_DEFORM_DONE && bent.contact_count > 0);
-  CHECK_OK(dsw_particle_get_position(g_scene, particle, now, NULL));
-  CHECK(now[0] > 1.5625 && now[1] == at[1]);
-  CHECK_OK(dsw_environment_check(g_env, NULL));
-  end();
-}
-
-/* With the n-th allocation refused: nothing has changed, then it goes through. */
-static void refused_memory_changes_nothing(void) {
-  static const double at[2] = {2.3, 2.2}, line[4] = {1.2, 2.11, 2.8, 2.11};
-  static const dsw_wall_response responses[2] = {DSW_WALL_INSERT, DSW_WALL_PUSH};
-  int i;
-  for (i = 0; i < 2; ++i) {
-    dsw_deform_options o = deform_options_of(i == 0 ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE, responses[i]);
-    dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
-    size_t n;
-    for (n = 1; n < 300 && status != DSW_STATUS_OK; ++n) {
-      static double arrays[2][2 * POINTS];
-      host h = {0};
-      dsw_context *const context = make_context(&h);
-      const dsw_body_desc d = line_desc(line, 2, 0, DSW_LEVEL_EDGES_SWEPT);
-      const double *read = NULL;
-      dsw_particle_id particle;
-      dsw_body_id body;
-      double now[4], of_body[6];
-      size_t count = 0;
-      uint32_t x;
-      g_env = make_squares(context, N, N);
-      g_scene = make_scene(g_env, DSW_FEATURE_DEFORMING);
-      mark_floor(1);
-      CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
-      CHECK_OK(dsw_body_create(g_scene, &d, &body));
-      CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
-      memcpy(arrays[0], read, sizeof arrays[0]);
-      for (x = 0; x <= N; ++x) arrays[0][2 * vertex(x, 0, 2) + 1] += 0.4;
-      memcpy(arrays[1], arrays[0], sizeof arrays[1]);
-      h.calls = 0;
-      h.refuse = n;
-      status = dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL);
-      h.refuse = 0;
-      CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
-      CHECK(memcmp(arrays[0], arrays[1], sizeof arrays[0]) == 0);
-      CHECK_OK(dsw_particle_get_position(g_scene, particle, now, NULL));
-      CHECK_OK(dsw_body_get_positions(g_scene, body, of_body, 3, 0, NULL, &count));
-      if (status == DSW_STATUS_OK) {
-        CHECK(now[1] > 2.4 && of_body[1] > 2.4);
-      } else {
-        CHECK(memcmp(now, at, sizeof at) == 0 && count == 2 && memcmp(of_body, line, sizeof line) == 0);
-        CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
-        CHECK(read != arrays[0] && read[2 * vertex(1, 0, 2) + 1] == 2);
-      }
-      end_scene(g_scene);
-      end_context(context, &h);
-    }
-    CHECK(status == DSW_STATUS_OK && n > 5);
-  }
-}
-
 int main(void) {
   use_dimension(2);
   a_lone_point_is_met_by_swept_edges();
   a_body_in_the_way_holds_the_wall();
   refused_where_all_would_be_valid();
   points_of_the_boundary();
-  cut_while_bent();
-  refused_memory_changes_nothing();
   return check_result();
 }

@@ -112,52 +112,12 @@ static void rigid_motions_stay_in_the_plane(void) {
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
-/* Two lines, and one that folds onto itself. */
-static void bodies_meet(void) {
-  const double pole[4] = {2.5, 0.5, 2.5, 2.5}, bar[4] = {0.5, 1.25, 1.5, 1.25}, on[4] = {2.75, 1.25, 3.75, 1.25};
-  const double hook[6] = {0.5, 2.5, 0.5, 3.5, 1.5, 3.5}, closed[6] = {0.5, 2.5, 0.5, 3.5, 0.25, 2.75};
-  dsw_scene *const scene = make_scene(g_env, DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_STATISTICS);
-  const dsw_contact_partner *partners = NULL;
-  const dsw_body_contact *c = NULL;
-  const uint32_t tip = 2;
-  dsw_move_options o = move_options();
-  dsw_body_desc d = line_desc(pole, 2, 0, DSW_LEVEL_EDGES_SWEPT);
-  dsw_body_id still, moving;
-  dsw_move_report r;
-  double p[6];
-  size_t count = 0;
-  CHECK_OK(dsw_body_create(scene, &d, &still));
-  d.positions = bar;
-  CHECK_OK(dsw_body_create(scene, &d, &moving));
-  CHECK_OK(dsw_body_move(scene, moving, on, 2, 0, NULL, &r));
-  CHECK(r.vertices_stopped == 2 && r.contact_count == 2);
-  CHECK_OK(dsw_body_get_contacts(scene, moving, &c, &count));
-  CHECK_OK(dsw_body_get_contact_partners(scene, moving, &partners, &count));
-  CHECK(count == 2 && c[0].vertex.index == 0 && c[0].contact.kind == DSW_CONTACT_EDGE && c[0].contact.normal[0] == -1);
-  CHECK(c[0].contact.obstacle.kind == DSW_CELL_NONE && c[0].contact.wall.generation == 0 && fabs(c[0].point[0] - 2.5) < 1e-14);
-  CHECK(partners[0].body.index == still.index && partners[0].body.generation == still.generation);
-  CHECK(partners[0].edge.generation == 1 && partners[0].vertex.generation == 0 && partners[0].face.generation == 0);
-  CHECK_OK(dsw_body_get_positions(scene, moving, p, 3, 0, NULL, &count));
-  CHECK(p[0] < 2.5 && p[2] < 2.5 && (p[0] > 2.4 || p[2] > 2.4));
-  CHECK_OK(dsw_body_destroy(scene, moving));
-  d = line_desc(hook, 3, 0, DSW_LEVEL_EDGES), d.flags = DSW_BODY_SELF_CONTACTS;
-  CHECK_OK(dsw_body_create(scene, &d, &moving));
-  o.order = &tip;
-  o.order_count = 1;
-  CHECK_OK(dsw_body_move(scene, moving, closed, 3, 0, &o, &r));
-  CHECK(r.vertices_stopped == 1 && r.contact_count == 1);
-  CHECK_OK(dsw_body_get_contact_partners(scene, moving, &partners, &count));
-  CHECK(count == 1 && partners[0].body.index == moving.index && partners[0].edge.index == 0);
-  CHECK_OK(dsw_scene_destroy(scene));
-}
-
 int main(void) {
   begin_stage(2);
   small_obstacles_are_met_when_swept();
   strides_are_those_of_the_plane();
   many_bodies_move();
   rigid_motions_stay_in_the_plane();
-  bodies_meet();
   end_stage();
   return check_result();
 }

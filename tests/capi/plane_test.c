@@ -317,39 +317,6 @@ static void particles_move(void) {
   end_scene(scene);
 }
 
-static void snapshots_come_back(void) {
-  dsw_environment *const environment = make_plane();
-  dsw_environment *loaded = NULL, *space = make_environment(NULL, 1, 1, 1);
-  dsw_scene *const scene = make_scene(environment, DSW_FEATURE_STATISTICS);
-  dsw_scene *again = NULL, *other = make_scene(space, 0);
-  const double start[2] = {0.5, 0.5}, target[2] = {3, 2};
-  dsw_particle_id id;
-  dsw_flight flights[2];
-  char blocks[4][4096];
-  size_t sizes[4];
-  CHECK_OK(dsw_particle_create(scene, start, no_volume, &id));
-  CHECK_OK(dsw_environment_save(environment, blocks[0], sizeof blocks[0], &sizes[0]));
-  CHECK_OK(dsw_scene_save(scene, blocks[1], sizeof blocks[1], &sizes[1]));
-  CHECK_OK(dsw_environment_load(NULL, blocks[0], sizes[0], &loaded));
-  CHECK_OK(dsw_scene_load(loaded, blocks[1], sizes[1], &again));
-  CHECK_OK(dsw_particle_move(scene, id, target, NULL, &flights[0]));
-  CHECK_OK(dsw_particle_move(again, id, target, NULL, &flights[1]));
-  CHECK(memcmp(&flights[0], &flights[1], sizeof flights[0]) == 0);
-  CHECK_OK(dsw_environment_save(loaded, blocks[2], sizeof blocks[2], &sizes[2]));
-  CHECK(sizes[2] == sizes[0] && memcmp(blocks[2], blocks[0], sizes[0]) == 0);
-  CHECK_OK(dsw_scene_save(scene, blocks[1], sizeof blocks[1], &sizes[1]));
-  CHECK_OK(dsw_scene_save(again, blocks[2], sizeof blocks[2], &sizes[2]));
-  CHECK(sizes[2] == sizes[1] && memcmp(blocks[2], blocks[1], sizes[1]) == 0);
-  CHECK_OK(dsw_scene_destroy(again));
-  /* A scene goes into an environment of its own dimension. */
-  CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_load(space, blocks[1], sizes[1], &again));
-  CHECK_OK(dsw_scene_save(other, blocks[3], sizeof blocks[3], &sizes[3]));
-  CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_load(environment, blocks[3], sizes[3], &again));
-  end_scene(other);
-  CHECK_OK(dsw_environment_destroy(loaded));
-  end_scene(scene);
-}
-
 static void recordings_are_made_again(void) {
   static const double rope[3][2] = {{0.25, 0.25}, {0.5, 0.5}, {0.75, 0.25}};
   static const double pulled[3][2] = {{0.5, 0.25}, {2.5, 0.5}, {0.75, -3}};
@@ -401,7 +368,6 @@ int main(void) {
   the_nearest_wall_is_found();
   cells_are_marked();
   particles_move();
-  snapshots_come_back();
   recordings_are_made_again();
   return check_result();
 }

@@ -4,15 +4,21 @@
 #include "check.h"
 #include "fixture.h"
 
+static int g_plane;
+
+static dsw_environment *plain_environment(void) {
+  return g_plane ? make_squares(NULL, 3, 2) : make_environment(NULL, 3, 2, 2);
+}
+
 static dsw_environment *marked_environment(void) {
-  dsw_environment *const env = make_environment(NULL, 3, 2, 2);
+  dsw_environment *const env = plain_environment();
   const dsw_volume_id volume = volume_at(4);
   const dsw_face_id face = face_at(0, FACE_X1);
   const dsw_edge_id edge = edge_at(2, 3);
-  const dsw_vertex_id vertex = vertex_at(17);
+  const dsw_vertex_id vertex = vertex_at(g_plane ? 7 : 17);
   CHECK_OK(dsw_environment_mark_volumes(env, &volume, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_OK(dsw_environment_mark_faces(env, &face, 1, DSW_MARK_IMPASSABLE));
-  CHECK_OK(dsw_environment_mark_edges(env, &edge, 1, DSW_MARK_IMPASSABLE));
+  if (!g_plane) CHECK_OK(dsw_environment_mark_edges(env, &edge, 1, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_mark_vertices(env, &vertex, 1, DSW_MARK_IMPASSABLE));
   return env;
 }
@@ -37,6 +43,7 @@ static void what_was_saved_is_loaded(void) {
   size_t size = 0, again = 0, count = 0;
   unsigned char *const block = saved(env, &size);
   unsigned char *second;
+  const uint32_t vertex = g_plane ? 7 : 17;
   int32_t region = -1;
   uint32_t tag = 0;
   const double from[3] = {0.5, 0.5, 0.5}, to[3] = {2.5, 1.25, 1.75};
@@ -45,8 +52,10 @@ static void what_was_saved_is_loaded(void) {
   memset(&b, 0, sizeof b);
   CHECK_OK(dsw_environment_load(NULL, block, size, &loaded));
   CHECK(is_marked(loaded, cell_at(DSW_CELL_VOLUME, 4, 0)) && !is_marked(loaded, cell_at(DSW_CELL_VOLUME, 5, 0)));
-  CHECK(is_marked(loaded, cell_at(DSW_CELL_FACE, 1, FACE_X0)) && is_marked(loaded, cell_at(DSW_CELL_EDGE, 2, 3)));
-  CHECK(is_marked(loaded, cell_at(DSW_CELL_VERTEX, 17, 0)) && !is_marked(loaded, cell_at(DSW_CELL_VERTEX, 16, 0)));
+  CHECK(is_marked(loaded, cell_at(DSW_CELL_FACE, 1, g_plane ? 3 : FACE_X0)));
+  CHECK(g_plane || is_marked(loaded, cell_at(DSW_CELL_EDGE, 2, 3)));
+  CHECK(is_marked(loaded, cell_at(DSW_CELL_VERTEX, vertex, 0)));
+  CHECK(!is_marked(loaded, cell_at(DSW_CELL_VERTEX, vertex - 1, 0)));
   CHECK_OK(dsw_environment_get_mark_count(loaded, DSW_CELL_FACE, &count));
   CHECK(count == 1);
   CHECK_OK(dsw_environment_get_region(loaded, volume_at(5), &region));
@@ -126,12 +135,14 @@ static void a_context_is_used_and_kept(void) {
 }
 
 static void scenes_are_saved_and_loaded(void) {
-  dsw_environment *const env = make_environment(NULL, 3, 2, 2);
+  dsw_environment *const env = plain_environment();
   dsw_scene *const scene = make_scene(env, DSW_FEATURE_STATISTICS);
-  const double ends[6] = {0.5, 0.5, 0.5, 2.5, 0.5, 0.5}, place[3] = {1.5, 1.5, 1.5};
-  const double targets[6] = {0.25, 0.5, -0.5, 2.5, 1.5, 0.5};
-  const dsw_body_id body = make_edge_body(scene, ends, DSW_LEVEL_EDGES);
-  static unsigned char block[2][8192];
+  static const double ends[2][6] = {{0.5, 0.5, 0.5, 2.5, 0.5, 0.5}, {0.5, 0.5, 2.5, 0.5}};
+  static const double all_targets[2][6] = {{0.25, 0.5, -0.5, 2.5, 1.5, 0.5}, {0.25, -0.5, 2.5, 0.75}};
+  const double place[3] = {1.5, 1.5, 1.5}, there[3] = {3.25, 1.25, 0.5}, *const targets = all_targets[g_plane];
+  const dsw_body_id body = make_edge_body(scene, ends[g_plane], DSW_LEVEL_EDGES);
+  dsw_flight flights[2];
+  static unsigned char block[3][8192];
   unsigned char small[16];
   dsw_particle_id particle;
   dsw_scene *loaded = NULL;
@@ -158,8 +169,13 @@ static void scenes_are_saved_and_loaded(void) {
     CHECK_OK(dsw_body_move(each, body, targets, 2, 0, NULL, NULL));
     CHECK_OK(dsw_body_get_contacts(each, body, &contacts[i], &count[i]));
     CHECK(count[i] == 1 && contacts[i]->history == DSW_HISTORY_LASTING);
+    CHECK_OK(dsw_particle_move(each, particle, there, NULL, &flights[i]));
   }
   CHECK(memcmp(contacts[0], contacts[1], sizeof *contacts[0]) == 0);
+  CHECK(memcmp(&flights[0], &flights[1], sizeof flights[0]) == 0);
+  CHECK_OK(dsw_scene_save(scene, block[1], sizeof block[1], &now));
+  CHECK_OK(dsw_scene_save(loaded, block[2], sizeof block[2], &again));
+  CHECK(again == now && memcmp(block[1], block[2], now) == 0);
   /* Every way to be refused. */
   CHECK_OK(dsw_scene_save(scene, NULL, 0, &now));
   CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_scene_save(scene, small, sizeof small, &again));
@@ -183,7 +199,7 @@ static void scenes_are_saved_and_loaded(void) {
 }
 
 static void a_scene_that_bends_stays_alone(void) {
-  dsw_environment *const env = make_environment(NULL, 2, 2, 2);
+  dsw_environment *const env = plain_environment();
   dsw_scene *scene = make_scene(env, DSW_FEATURE_DEFORMING), *loaded = NULL;
   static unsigned char block[4096];
   size_t size = 0;
@@ -194,12 +210,32 @@ static void a_scene_that_bends_stays_alone(void) {
   end_scene(loaded);
 }
 
+/* A scene goes into an environment of its own dimension. */
+static void the_dimension_is_kept(void) {
+  dsw_environment *const env[2] = {make_environment(NULL, 1, 1, 1), make_squares(NULL, 1, 1)};
+  dsw_scene *scenes[2], *loaded = NULL;
+  static unsigned char block[4096];
+  size_t i, size = 0;
+  for (i = 0; i < 2; ++i) {
+    scenes[i] = make_scene(env[i], 0);
+    CHECK_OK(dsw_scene_save(scenes[i], block, sizeof block, &size));
+    CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_load(env[1 - i], block, size, &loaded));
+    CHECK_MESSAGE("another dimension");
+  }
+  for (i = 0; i < 2; ++i) end_scene(scenes[i]);
+}
+
 int main(void) {
-  what_was_saved_is_loaded();
-  a_small_buffer_gets_nothing();
-  a_damaged_block_is_refused();
-  a_context_is_used_and_kept();
-  scenes_are_saved_and_loaded();
-  a_scene_that_bends_stays_alone();
+  for (g_plane = 0; g_plane < 2; ++g_plane) {
+    check_in(g_plane ? "in the plane" : "in space");
+    what_was_saved_is_loaded();
+    a_small_buffer_gets_nothing();
+    a_damaged_block_is_refused();
+    a_context_is_used_and_kept();
+    scenes_are_saved_and_loaded();
+    a_scene_that_bends_stays_alone();
+  }
+  check_in("");
+  the_dimension_is_kept();
   return check_result();
 }

@@ -85,6 +85,21 @@ size_t edits_of(dsw_body_id body, const dsw_body_edit **edits) {
 
 dsw_body_counts counts_of(dsw_body_id body) { return body_counts(g_scene, body); }
 
+size_t body_count(void) {
+  size_t count = 99;
+  CHECK_OK(dsw_scene_get_body_count(g_scene, &count));
+  return count;
+}
+
+void refuses(dsw_status status, const dsw_body_desc *d, const char *text) {
+  dsw_body_id body = {77, 78};
+  const size_t before = body_count();
+  CHECK_FAILS(status, dsw_body_create(g_scene, d, &body));
+  CHECK_MESSAGE("dsw_body_create: ");
+  CHECK_MESSAGE(text);
+  CHECK(body.index == 77 && body.generation == 78 && body_count() == before);
+}
+
 int has(dsw_body_id body, uint32_t vertices, uint32_t edges, uint32_t faces) {
   const dsw_body_counts c = counts_of(body);
   return c.vertex_count == vertices && c.edge_count == edges && c.face_count == faces;

@@ -38,6 +38,9 @@ int is_point(const double *p, const double *wanted);
 int is_at(dsw_body_id body, const double *wanted, size_t count);
 size_t contacts_of(dsw_body_id body, const dsw_body_contact **contacts);
 size_t edits_of(dsw_body_id body, const dsw_body_edit **edits);
+size_t body_count(void);
+/* A description that is refused: the message has `text`, nothing is created. */
+void refuses(dsw_status status, const dsw_body_desc *d, const char *text);
 dsw_body_counts counts_of(dsw_body_id body);
 int has(dsw_body_id body, uint32_t vertices, uint32_t edges, uint32_t faces);
 

@@ -6,7 +6,7 @@
 #include "fixture.h"
 
 /* 4 x 4 x 3 cubes. Most edges here move in the plane z = 1.5: from (0.25, 0.5) to (3.25, 0.5), the fixed end at
-   (2.25, 3.5). The marked face and the marked edge below are met inside that triangle, halfway, at (2, 2, 1.5). */
+   (2.25, 3.5). The face and the marked below are met inside that triangle, halfway, at (2, 2, 1.5). */
 enum { NX = 4, NY = 4, NZ = 3, BEFORE = 1 + NX * (1 + NY), BEHIND = BEFORE + 1 };
 
 static dsw_environment *g_env;
@@ -113,23 +113,31 @@ static void an_edge_comes_through(void) {
   CHECK(same_but_work(s, sweep_with(NULL, no_volume, g_from, g_to, g_fixed)));
 }
 
-/* Also: what only the triangle holds is found at EDGES_SWEPT and missed below. */
+/* What only the triangle holds is found at EDGES_SWEPT and missed below. */
+static dsw_sweep met_half_way(dsw_cell_kind marked_kind, dsw_edge_id edge) {
+  const double length = sqrt(9.25);
+  dsw_sweep s;
+  int level;
+  for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES; ++level) {
+    s = sweep_at((dsw_level)level, g_from, g_to, g_fixed);
+    CHECK(reached(&s, g_to, 3 + NX * NY));
+  }
+  s = sweep_at(DSW_LEVEL_EDGES_SWEPT, g_from, g_to, g_fixed);
+  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_EDGE && s.contact.marked_kind == marked_kind);
+  CHECK(s.time == 0.5 && same_point(s.position, g_half) && same_point(s.point, g_touched) && s.edge_parameter == 0.5);
+  CHECK(is_near(s.contact.normal, -3 / length, 0.5 / length, 0));
+  CHECK(is_volume(s.volume, NX * NY) && s.contact.front.generation == 1 && is_edge(s.contact.obstacle, edge));
+  return s;
+}
+
 static void a_free_standing_face_is_met_by_the_edge(void) {
   const dsw_edge_id rim = edge_along_z(2, 2, 1);
   const double length = sqrt(9.25);
   dsw_sweep s;
   mark_face(BEHIND, FACE_X0, DSW_MARK_IMPASSABLE);
-  s = sweep_at(DSW_LEVEL_POINTS, g_from, g_to, g_fixed);
-  CHECK(reached(&s, g_to, 3 + NX * NY));
-  s = sweep_at(DSW_LEVEL_EDGES, g_from, g_to, g_fixed);
-  CHECK(reached(&s, g_to, 3 + NX * NY));
-  s = sweep_at(DSW_LEVEL_EDGES_SWEPT, g_from, g_to, g_fixed);
-  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_EDGE &&
-        s.contact.marked_kind == DSW_CELL_FACE);
-  CHECK(s.time == 0.5 && same_point(s.position, g_half) && same_point(s.point, g_touched) && s.edge_parameter == 0.5);
-  CHECK(is_near(s.contact.normal, -3 / length, 0.5 / length, 0));
-  CHECK(is_volume(s.volume, NX * NY) && is_volume(s.contact.front, BEFORE) && is_face(s.contact.wall, BEFORE, FACE_X1));
-  CHECK(is_edge(s.contact.obstacle, rim) && s.contact.tag == 100 + BEHIND && s.volumes_visited >= 4);
+  s = met_half_way(DSW_CELL_FACE, rim);
+  CHECK(is_volume(s.contact.front, BEFORE) && is_face(s.contact.wall, BEFORE, FACE_X1));
+  CHECK(s.contact.tag == 100 + BEHIND && s.volumes_visited >= 4);
   { /* from the other side: the mirror image, and the tag of what is behind then */
     const double from[3] = {3.75, 0.5, 1.5}, to[3] = {0.75, 0.5, 1.5}, fixed[3] = {1.75, 3.5, 1.5};
     s = sweep_at(DSW_LEVEL_EDGES_SWEPT, from, to, fixed);
@@ -146,43 +154,39 @@ static void a_free_standing_face_is_met_by_the_edge(void) {
 
 static void a_marked_edge_is_met_by_the_edge(void) {
   const dsw_edge_id marked = edge_along_z(2, 2, 1);
-  const double length = sqrt(9.25);
   dsw_sweep s;
   CHECK_OK(dsw_environment_mark_edges(g_env, &marked, 1, DSW_MARK_IMPASSABLE));
-  s = sweep_at(DSW_LEVEL_POINTS, g_from, g_to, g_fixed);
-  CHECK(reached(&s, g_to, 3 + NX * NY));
-  s = sweep_at(DSW_LEVEL_EDGES, g_from, g_to, g_fixed);
-  CHECK(reached(&s, g_to, 3 + NX * NY));
-  s = sweep_at(DSW_LEVEL_EDGES_SWEPT, g_from, g_to, g_fixed);
-  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_EDGE &&
-        s.contact.marked_kind == DSW_CELL_EDGE);
-  CHECK(s.time == 0.5 && same_point(s.position, g_half) && same_point(s.point, g_touched) && s.edge_parameter == 0.5);
-  CHECK(is_near(s.contact.normal, -3 / length, 0.5 / length, 0));
-  CHECK(is_volume(s.volume, NX * NY) && s.contact.front.generation == 1 && is_edge(s.contact.obstacle, marked));
+  s = met_half_way(DSW_CELL_EDGE, marked);
   CHECK(s.contact.wall.volume == 0 && s.contact.wall.generation == 0 && s.contact.wall.local == 0 &&
         s.contact.tag == 0);
   CHECK_OK(dsw_environment_mark_edges(g_env, &marked, 1, DSW_MARK_PASSABLE));
 }
 
-/* (0.5, 0.25) to (3.5, 0.25): the moving end is ahead of the rest of its edge. */
-static void the_moving_end_meets_a_face(void) {
-  const double from[3] = {0.5, 0.25, 1.5}, to[3] = {3.5, 0.25, 1.5}, fixed[3] = {0.5, 1.75, 1.5};
-  const double met[3] = {2, 0.25, 1.5};
+/* The moving end, ahead of the rest of its edge, meets a wall at x half-way. */
+static void the_end_meets(uint32_t x, dsw_cell_kind marked_kind, uint32_t tag) {
+  const double from[3] = {0.5, 0.25, 1.5}, fixed[3] = {0.5, 1.75, 1.5};
+  const double to[3] = {2 * x - 0.5, 0.25, 1.5}, met[3] = {x, 0.25, 1.5};
+  const uint32_t front = x - 1 + NX * NY;
   int level;
-  mark_volume(2 + NX * NY, DSW_MARK_IMPASSABLE);
   for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES_SWEPT; ++level) {
     const dsw_sweep s = sweep_at((dsw_level)level, from, to, fixed);
     CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_PLANE &&
-          s.contact.marked_kind == DSW_CELL_VOLUME);
+          s.contact.marked_kind == marked_kind);
     CHECK(s.time == 0.5 && same_point(s.position, met) && same_point(s.point, met) && s.edge_parameter == 0);
     CHECK(s.contact.normal[0] == -1 && s.contact.normal[1] == 0 && s.contact.normal[2] == 0 &&
           s.contact.obstacle.kind == DSW_CELL_FACE);
-    CHECK(is_volume(s.volume, NX * NY) && is_volume(s.contact.front, 1 + NX * NY) &&
-          is_face(s.contact.wall, 1 + NX * NY, FACE_X1));
-    CHECK(s.contact.tag == 100 + 2 + NX * NY);
+    CHECK(is_volume(s.contact.front, front) && is_face(s.contact.wall, front, FACE_X1) && s.contact.tag == tag);
+    CHECK(is_volume(s.volume, NX * NY));
   }
+}
+
+static void the_moving_end_meets_a_face(void) {
+  mark_volume(2 + NX * NY, DSW_MARK_IMPASSABLE);
+  the_end_meets(2, DSW_CELL_VOLUME, 100 + 2 + NX * NY);
   mark_volume(2 + NX * NY, DSW_MARK_PASSABLE);
 }
+
+static void the_outer_boundary_is_met(void) { the_end_meets(4, DSW_CELL_FACE, 100 + 3 + NX * NY); }
 
 /* A fifth of the way has no double: it is the largest one before, not the nearest. */
 static void a_time_is_rounded_down(void) {
@@ -192,21 +196,6 @@ static void a_time_is_rounded_down(void) {
   s = sweep_at(DSW_LEVEL_EDGES_SWEPT, from, to, fixed);
   CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.time == nextafter(0.2, 0) && s.point[0] == 2);
   mark_face(1 + NX * NY, FACE_X1, DSW_MARK_PASSABLE);
-}
-
-static void the_outer_boundary_is_met(void) {
-  const double from[3] = {0.5, 0.25, 1.5}, to[3] = {7.5, 0.25, 1.5}, fixed[3] = {0.5, 1.75, 1.5};
-  const double met[3] = {4, 0.25, 1.5};
-  int level;
-  for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES_SWEPT; ++level) {
-    const dsw_sweep s = sweep_at((dsw_level)level, from, to, fixed);
-    CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_PLANE &&
-          s.contact.marked_kind == DSW_CELL_FACE);
-    CHECK(s.time == 0.5 && same_point(s.position, met) && same_point(s.point, met) && s.edge_parameter == 0);
-    CHECK(s.contact.normal[0] == -1 && is_volume(s.contact.front, 3 + NX * NY) &&
-          is_face(s.contact.wall, 3 + NX * NY, FACE_X1));
-    CHECK(s.contact.tag == 100 + 3 + NX * NY);
-  }
 }
 
 /* The new place of the edge crosses the face, the path of its end does not. */
@@ -413,15 +402,15 @@ static double lattice_number(uint32_t *random, unsigned size) {
 
 static void mark_here_and_there(dsw_environment *environment) {
   dsw_face_id faces[8];
-  dsw_edge_id edges[8];
+  dsw_edge_id wires[8];
   const dsw_volume_id solid = volume_at(BEHIND);
   uint32_t i;
   for (i = 0; i < 8; ++i) {
     faces[i] = face_at(5 * i + 1, i % 6);
-    edges[i] = edge_at(4 * i + 2, (5 * i) % 12);
+    wires[i] = edge_at(4 * i + 2, (5 * i) % 12);
   }
   CHECK_OK(dsw_environment_mark_faces(environment, faces, 8, DSW_MARK_IMPASSABLE));
-  CHECK_OK(dsw_environment_mark_edges(environment, edges, 8, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_environment_mark_edges(environment, wires, 8, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_mark_volumes(environment, &solid, 1, DSW_MARK_IMPASSABLE, 0, NULL));
 }
 
@@ -435,7 +424,7 @@ static void batches_are_the_same_for_any_sharing(void) {
   const double *const from = points, *const to = points + 3 * COUNT, *const fixed = points + 6 * COUNT;
   dsw_sweep *const sweeps = (dsw_sweep *)malloc(2 * COUNT * sizeof(dsw_sweep)), *const again = sweeps + COUNT;
   dsw_volume_id *const starts = (dsw_volume_id *)malloc(COUNT * sizeof(dsw_volume_id));
-  size_t i, k, outcomes[8] = {0, 0, 0, 0, 0, 0, 0, 0}, kinds[4] = {0, 0, 0, 0}, by_edges = 0;
+  size_t i, k, outcomes[8] = {0, 0, 0, 0, 0, 0, 0, 0}, kinds[4] = {0, 0, 0, 0}, wires = 0;
   uint32_t random = 12345;
   host h;
   int level;
@@ -473,9 +462,9 @@ static void batches_are_the_same_for_any_sharing(void) {
   for (i = 0; i < COUNT; ++i) {
     ++outcomes[sweeps[i].outcome];
     ++kinds[sweeps[i].contact.kind];
-    by_edges += sweeps[i].contact.marked_kind == DSW_CELL_EDGE;
+    wires += sweeps[i].contact.marked_kind == DSW_CELL_EDGE;
   }
-  CHECK(outcomes[DSW_OUTCOME_REACHED] > 50 && outcomes[DSW_OUTCOME_OUTSIDE] > 50 && by_edges > 10);
+  CHECK(outcomes[DSW_OUTCOME_REACHED] > 50 && outcomes[DSW_OUTCOME_OUTSIDE] > 50 && wires > 10);
   CHECK(outcomes[DSW_OUTCOME_IMPASSABLE] > 50 && kinds[DSW_CONTACT_PLANE] > 50 && kinds[DSW_CONTACT_EDGE] > 50);
   for (k = 0; k < 3; ++k) {
     CHECK_OK(dsw_environment_destroy(env[k]));

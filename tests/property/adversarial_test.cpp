@@ -224,18 +224,10 @@ EnvironmentPtr row(bool wedges) {
       for (int32_t v : {a, a + 1, a + 2, a + 3, b, b + 1, b + 2, b + 3}) cells.push_back(v);
     }
   }
-  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
-  desc.index_bytes = 4;
-  desc.points = points.data();
-  desc.point_count = points.size() / 3;
-  desc.uniform_cell_type = wedges ? DSW_CELL_TYPE_WEDGE : DSW_CELL_TYPE_HEXAHEDRON;
-  desc.volume_count = wedges ? 2 * kLong : kLong;
-  desc.connectivity = cells.data();
-  desc.connectivity_count = cells.size();
+  dsw_environment_desc desc =
+      uniform_desc(3, wedges ? DSW_CELL_TYPE_WEDGE : DSW_CELL_TYPE_HEXAHEDRON, wedges ? 6 : 8, points, cells);
   desc.flags = DSW_ENVIRONMENT_LOCATE_TREE;
-  dsw_environment* environment = nullptr;
-  EXPECT_EQ(dsw_environment_create(nullptr, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
-  return EnvironmentPtr(environment);
+  return create_from(desc);
 }
 
 TEST(AdversarialLongTest, AMillionHexahedraInOneFlight) {

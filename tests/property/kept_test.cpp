@@ -6,6 +6,7 @@
 #include "snapshot/block.h"
 #include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"
+#include "snapshot_support.h"
 
 namespace dsw::oracle {
 namespace {
@@ -38,23 +39,6 @@ std::array<std::string, 2> saved_as(dsw_scene* scene, const std::array<std::stri
     save(engine, reinterpret_cast<uint8_t*>(&out[1][0]), format);
   });
   return out;
-}
-
-struct Loaded {
-  EnvironmentPtr environment;
-  ScenePtr scene;
-};
-Loaded load_both(const std::array<std::string, 2>& blocks) {
-  Loaded loaded;
-  dsw_environment* environment = nullptr;
-  dsw_scene* scene = nullptr;
-  EXPECT_EQ(dsw_environment_load(nullptr, blocks[0].data(), blocks[0].size(), &environment), DSW_STATUS_OK)
-      << dsw_last_error_message();
-  loaded.environment.reset(environment);
-  EXPECT_EQ(dsw_scene_load(environment, blocks[1].data(), blocks[1].size(), &scene), DSW_STATUS_OK)
-      << dsw_last_error_message();
-  loaded.scene.reset(scene);
-  return loaded;
 }
 
 std::vector<double> places_of(dsw_scene* scene, dsw_body_id body, size_t dimension) {
@@ -202,7 +186,7 @@ TEST_P(KeptTest, SnapshotsAreLoadedAndGoOn) {
       ++files;
       const std::string name = std::filesystem::path(path).stem().string();
       const auto blocks = kept_blocks(std::string(place) + "/" + name);
-      const Loaded loaded = load_both(blocks);
+      const Loaded loaded = load_both(blocks[0], blocks[1]);
       ASSERT_NE(loaded.scene, nullptr);
       const auto* content = std::find_if(is_space ? std::begin(kInSpace) : std::begin(kInPlane),
                                          is_space ? std::end(kInSpace) : std::end(kInPlane),
@@ -245,7 +229,7 @@ TEST_P(KeptTest, ASnapshotIsWhereTheRecordingEnds) {
       replay_all(replay);
       const auto blocks = kept_blocks(std::string(place) + "/" + beside.stem().string());
       EXPECT_TRUE(saved_as(scene_of(replay), blocks) == blocks);
-      const Loaded loaded = load_both(blocks);
+      const Loaded loaded = load_both(blocks[0], blocks[1]);
       const size_t dimension = std::string(place) == "space" ? 3 : 2;
       EXPECT_EQ(move_on(scene_of(replay), dimension), move_on(loaded.scene.get(), dimension));
       ++pairs;

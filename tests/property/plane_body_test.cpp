@@ -39,27 +39,9 @@ Floor make_floor(Rng& rng) {
   return floor;
 }
 
-dsw_environment_desc description(const std::vector<double>& points, const std::vector<int32_t>& corners,
-                                 uint32_t dimension) {
-  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
-  desc.dimension = dimension;
-  desc.points = points.data();
-  desc.point_count = points.size() / dimension;
-  desc.uniform_cell_type = dimension == 2 ? DSW_CELL_TYPE_TRIANGLE : DSW_CELL_TYPE_WEDGE;
-  desc.volume_count = corners.size() / (dimension == 2 ? 3 : 6);
-  desc.index_bytes = 4;
-  desc.connectivity = corners.data();
-  desc.connectivity_count = corners.size();
-  return desc;
+EnvironmentPtr make_plane(const Floor& floor) {
+  return create_from(uniform_desc(2, DSW_CELL_TYPE_TRIANGLE, 3, floor.points, floor.corners));
 }
-
-EnvironmentPtr create(const dsw_environment_desc& desc) {
-  dsw_environment* environment = nullptr;
-  EXPECT_EQ(dsw_environment_create(nullptr, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
-  return EnvironmentPtr(environment);
-}
-
-EnvironmentPtr make_plane(const Floor& floor) { return create(description(floor.points, floor.corners, 2)); }
 
 /// Cell i stands on triangle i, vertex i + count above vertex i.
 EnvironmentPtr make_layer(const Floor& floor) {
@@ -75,7 +57,7 @@ EnvironmentPtr make_layer(const Floor& floor) {
     const int32_t* const c = floor.corners.data() + i;
     corners.insert(corners.end(), {c[0] + up, c[1] + up, c[2] + up, c[0], c[1], c[2]});
   }
-  return create(description(points, corners, 3));
+  return create_from(uniform_desc(3, DSW_CELL_TYPE_WEDGE, 6, points, corners));
 }
 
 /// A scene in the plane, or in the layer over it.
@@ -244,7 +226,8 @@ class PlaneBodies : public testing::TestWithParam<int> {
     std::vector<dsw_body_vertex_id> vertices(1 << 15);
     std::vector<dsw_body_edge_id> edges(1 << 15);
     const Side& flat = sides_[0];
-    ASSERT_EQ(dsw_body_get_vertex_ids(flat.scene.get(), flat.bodies[b], vertices.data(), 1 << 15, &count), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_body_get_vertex_ids(flat.scene.get(), flat.bodies[b], vertices.data(), 1 << 15, &count),
+              DSW_STATUS_OK);
     const dsw_body_vertex_id v = vertices[rng_.below(count)], w = vertices[rng_.below(count)];
     ASSERT_EQ(dsw_body_get_edge_ids(flat.scene.get(), flat.bodies[b], edges.data(), 1 << 15, &count), DSW_STATUS_OK);
     const dsw_body_edge_id e = edges[count == 0 ? 0 : rng_.below(count)];
@@ -348,7 +331,8 @@ class PlaneBodies : public testing::TestWithParam<int> {
     EXPECT_EQ(flat.edge.index, tall.edge.index);
     EXPECT_EQ(flat.edge.generation, tall.edge.generation);
     EXPECT_EQ(flat.contact.obstacle.kind, flattened(tall.contact.obstacle.kind));
-    EXPECT_EQ(foot(sides_[0], flat.contact.obstacle, floor_.count()), foot(sides_[1], tall.contact.obstacle, floor_.count()));
+    EXPECT_EQ(foot(sides_[0], flat.contact.obstacle, floor_.count()),
+              foot(sides_[1], tall.contact.obstacle, floor_.count()));
     EXPECT_EQ(flat.contact.wall.generation, tall.contact.wall.generation);
     EXPECT_EQ(flat.history, tall.history);
     EXPECT_EQ(flat.distance_left, tall.distance_left);

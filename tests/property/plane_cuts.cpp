@@ -1,4 +1,5 @@
 #include "plane_cuts.h"
+#include "snapshot_support.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,15 +93,7 @@ void PlaneCuts::read() {
   });
 }
 
-std::string PlaneCuts::saved() const {
-  size_t sizes[2] = {};
-  dsw_environment_save(environment_.get(), nullptr, 0, &sizes[0]);
-  dsw_scene_save(scene_.get(), nullptr, 0, &sizes[1]);
-  std::string blocks(sizes[0] + sizes[1], '\0');
-  EXPECT_EQ(dsw_environment_save(environment_.get(), &blocks[0], sizes[0], &sizes[0]), DSW_STATUS_OK);
-  EXPECT_EQ(dsw_scene_save(scene_.get(), &blocks[sizes[0]], sizes[1], &sizes[1]), DSW_STATUS_OK);
-  return blocks;
-}
+std::string PlaneCuts::saved() const { return saved_both(scene_.get()); }
 
 dsw::Cell PlaneCuts::some_cell() { return env().map.cell(numbers_[rng_.below(numbers_.size())]); }
 

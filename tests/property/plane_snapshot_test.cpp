@@ -2,21 +2,16 @@
 #include "plane_support.h"
 #include "record_support.h"
 #include "snapshot/bytes.h"
+#include "snapshot_support.h"
 #include "wheel.h"
 
 namespace dsw::oracle {
 namespace {
 
-EnvironmentPtr make_wheel(const dsw_environment_desc& desc) {
-  dsw_environment* environment = nullptr;
-  EXPECT_EQ(dsw_environment_create(nullptr, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
-  return EnvironmentPtr(environment);
-}
-
 /// With a volume, vertices and sides of the hub that are impassable.
 EnvironmentPtr make_marked_wheel() {
   const Wheel wheel;
-  EnvironmentPtr environment = make_wheel(wheel.describe());
+  EnvironmentPtr environment = create_from(wheel.describe());
   dsw_volume_id hub, volume;
   EXPECT_EQ(dsw_environment_get_volume_id(environment.get(), 0, &hub), DSW_STATUS_OK);
   EXPECT_EQ(dsw_environment_get_volume_id(environment.get(), 3, &volume), DSW_STATUS_OK);
@@ -35,53 +30,26 @@ EnvironmentPtr make_marked_wheel() {
   return environment;
 }
 
-template <class Save>
-std::string saved(const Save& save) {
-  size_t size = 0;
-  EXPECT_EQ(save(nullptr, 0, &size), DSW_STATUS_OK);
-  std::string block(size, 0);
-  EXPECT_EQ(save(block.data(), size, &size), DSW_STATUS_OK);
-  return block;
-}
-std::string saved(const EnvironmentPtr& environment) {
-  return saved([&](void* block, size_t room, size_t* size) {
-    return dsw_environment_save(environment.get(), block, room, size);
-  });
-}
-std::string saved(const ScenePtr& scene) {
-  return saved([&](void* block, size_t room, size_t* size) { return dsw_scene_save(scene.get(), block, room, size); });
-}
-
-EnvironmentPtr load(const std::string& block) {
-  dsw_environment* environment = nullptr;
-  EXPECT_EQ(dsw_environment_load(nullptr, block.data(), block.size(), &environment), DSW_STATUS_OK)
-      << dsw_last_error_message();
-  return EnvironmentPtr(environment);
-}
-
-std::string kept(const char* name) {
+Bytes kept(const char* name) {
   const std::string block = read_all(std::string(DSW_RECORDINGS "/1.0.0/plane/") + name);
   EXPECT_FALSE(block.empty()) << name;
-  return block;
+  return {block.begin(), block.end()};
 }
 
 TEST(PlaneSnapshotTest, WhatVersion1HasSavedComesBack) {
-  const EnvironmentPtr environment = load(kept("environment.snapshot")), made = make_marked_wheel();
-  EXPECT_EQ(saved(environment), saved(made)) << "saved anew it is what is saved today";
-  EXPECT_EQ(saved(load(saved(made))), saved(made));
+  const EnvironmentPtr environment = load_environment(kept("environment.snapshot")), made = make_marked_wheel();
+  EXPECT_EQ(saved(environment.get()), saved(made.get())) << "saved anew it is what is saved today";
+  EXPECT_EQ(saved(load_environment(saved(made.get())).get()), saved(made.get()));
   // Particles go on in either.
-  const std::string block = kept("scene.snapshot");
+  const Bytes block = kept("scene.snapshot");
   std::vector<dsw_flight> flights[2];
   for (const dsw_environment* each : {environment.get(), made.get()}) {
-    dsw_scene* scene = nullptr;
-    ASSERT_EQ(dsw_scene_load(const_cast<dsw_environment*>(each), block.data(), block.size(), &scene), DSW_STATUS_OK)
-        << dsw_last_error_message();
-    const ScenePtr owner(scene);
+    const ScenePtr owner = load_scene(const_cast<dsw_environment*>(each), block);
+    dsw_scene* const scene = owner.get();
     // Saved anew it has today's version, and comes back to the bit.
-    const std::string again = saved(owner);
-    dsw_scene* copy = nullptr;
-    ASSERT_EQ(dsw_scene_load(const_cast<dsw_environment*>(each), again.data(), again.size(), &copy), DSW_STATUS_OK);
-    EXPECT_EQ(saved(ScenePtr(copy)), again);
+    const Bytes again = saved(owner.get());
+    const ScenePtr copy = load_scene(const_cast<dsw_environment*>(each), again);
+    EXPECT_EQ(saved(copy.get()), again);
     std::vector<dsw_particle_id> particles(3);
     size_t count = 0;
     ASSERT_EQ(dsw_scene_get_particle_ids(scene, particles.data(), 3, &count), DSW_STATUS_OK);
@@ -94,14 +62,14 @@ TEST(PlaneSnapshotTest, WhatVersion1HasSavedComesBack) {
   EXPECT_EQ(std::memcmp(flights[0].data(), flights[1].data(), 3 * sizeof(dsw_flight)), 0);
   // Cells of one kind need no tables of records.
   for (const char* name : {"triangles.snapshot", "quad.snapshot"}) {
-    const EnvironmentPtr uniform = load(kept(name));
-    EXPECT_EQ(saved(load(saved(uniform))), saved(uniform));
+    const EnvironmentPtr uniform = load_environment(kept(name));
+    EXPECT_EQ(saved(load_environment(saved(uniform.get())).get()), saved(uniform.get()));
     EXPECT_EQ(dsw_environment_check(uniform.get(), nullptr), DSW_STATUS_OK);
   }
 }
 
 /// With its checksum right.
-std::string sealed(std::string block) {
+Bytes sealed(Bytes block) {
   constexpr size_t kAt = 24;
   auto* const bytes = reinterpret_cast<uint8_t*>(&block[0]);
   const uint64_t sum = checksum(checksum(0, bytes, kAt), bytes + kAt + 8, block.size() - kAt - 8);
@@ -110,11 +78,11 @@ std::string sealed(std::string block) {
 }
 
 TEST(PlaneSnapshotTest, DamagedRecordsOfVersion1AreRefusedOrSound) {
-  const std::string block = kept("environment.snapshot");
+  const Bytes block = kept("environment.snapshot");
   Rng rng(3);
   size_t refused = 0, accepted = 0;
   for (int i = 0; i < 4000; ++i) {
-    std::string damaged = block;
+    Bytes damaged = block;
     const size_t at = 32 + 4 * rng.below((block.size() - 32) / 4);
     uint32_t word = 0;
     std::memcpy(&word, &block[at], 4);
@@ -130,7 +98,7 @@ TEST(PlaneSnapshotTest, DamagedRecordsOfVersion1AreRefusedOrSound) {
       continue;
     }
     const EnvironmentPtr owner(environment);
-    EXPECT_EQ(saved(load(saved(owner))), saved(owner));
+    EXPECT_EQ(saved(load_environment(saved(owner.get())).get()), saved(owner.get()));
     ++accepted;
   }
   RecordProperty("refused", std::to_string(refused));
@@ -152,13 +120,11 @@ TEST(PlaneSnapshotTest, EdgesAmongPolygonsThatMayMoveFromNowOn) {
   dsw_body_id body;
   ASSERT_EQ(dsw_body_create(scene.get(), &d, &body), DSW_STATUS_OK) << dsw_last_error_message();
   ASSERT_EQ(dsw_body_move(scene.get(), body, targets, 2, 0, nullptr, nullptr), DSW_STATUS_OK);
-  const std::string block = saved(scene);
+  const Bytes block = saved(scene.get());
   scene.reset();
   make_scene(environment.get(), DSW_FEATURE_DEFORMING);
-  dsw_scene* loaded = nullptr;
-  ASSERT_EQ(dsw_scene_load(environment.get(), block.data(), block.size(), &loaded), DSW_STATUS_OK)
-      << dsw_last_error_message();
-  scene.reset(loaded);
+  scene = load_scene(environment.get(), block);
+  dsw_scene* const loaded = scene.get();
   ASSERT_EQ(dsw_body_move(loaded, body, points, 2, 0, nullptr, nullptr), DSW_STATUS_OK);
   double at[4];
   size_t count = 0;
@@ -167,7 +133,7 @@ TEST(PlaneSnapshotTest, EdgesAmongPolygonsThatMayMoveFromNowOn) {
 }
 
 /// Section `number` of a block begins here.
-size_t section_at(const std::string& block, uint32_t number) {
+size_t section_at(const Bytes& block, uint32_t number) {
   uint32_t count = 0;
   std::memcpy(&count, &block[44], sizeof count);
   size_t at = 48 + size_t{count} * 8;
@@ -190,12 +156,12 @@ TEST(PlaneSnapshotTest, NoBodyIsAtTheLevelOfFaces) {
   d.level = DSW_LEVEL_EDGES;
   dsw_body_id body;
   ASSERT_EQ(dsw_body_create(scene.get(), &d, &body), DSW_STATUS_OK) << dsw_last_error_message();
-  const std::string block = saved(scene);
+  const Bytes block = saved(scene.get());
   const size_t at = section_at(block, kBodies);
   ASSERT_EQ(block[at], 1);
   for (const auto& [level, status] : {std::pair(0, DSW_STATUS_OK), std::pair(3, DSW_STATUS_CORRUPT)}) {
-    std::string changed = block;
-    changed[at] = static_cast<char>(level);
+    Bytes changed = block;
+    changed[at] = static_cast<unsigned char>(level);
     changed = sealed(changed);
     dsw_scene* loaded = nullptr;
     EXPECT_EQ(dsw_scene_load(environment.get(), changed.data(), changed.size(), &loaded), status) << level;

@@ -28,18 +28,8 @@ inline EnvironmentPtr make_squares(uint32_t n, bool cut, dsw_context* context = 
       }
     }
   }
-  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
-  desc.dimension = 2;
-  desc.points = points.data();
-  desc.point_count = points.size() / 2;
-  desc.uniform_cell_type = cut ? DSW_CELL_TYPE_TRIANGLE : DSW_CELL_TYPE_QUAD;
-  desc.volume_count = corners.size() / (cut ? 3 : 4);
-  desc.index_bytes = 4;
-  desc.connectivity = corners.data();
-  desc.connectivity_count = corners.size();
-  dsw_environment* environment = nullptr;
-  EXPECT_EQ(dsw_environment_create(context, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
-  return EnvironmentPtr(environment);
+  return create_from(uniform_desc(2, cut ? DSW_CELL_TYPE_TRIANGLE : DSW_CELL_TYPE_QUAD, cut ? 3 : 4, points, corners),
+                     context);
 }
 
 }  // namespace dsw::oracle

@@ -1,4 +1,5 @@
 #include "random_edits.h"
+#include "snapshot_support.h"
 
 #include <algorithm>
 #include <cmath>
@@ -225,13 +226,7 @@ std::string RandomEdits<D>::occupants() const {
 
 template <int D>
 std::string RandomEdits<D>::saved() const {
-  size_t sizes[2] = {};
-  dsw_environment_save(place_.get(), nullptr, 0, &sizes[0]);
-  dsw_scene_save(scene_.get(), nullptr, 0, &sizes[1]);
-  std::string blocks(sizes[0] + sizes[1], '\0');
-  EXPECT_EQ(dsw_environment_save(place_.get(), &blocks[0], sizes[0], &sizes[0]), DSW_STATUS_OK);
-  EXPECT_EQ(dsw_scene_save(scene_.get(), &blocks[sizes[0]], sizes[1], &sizes[1]), DSW_STATUS_OK);
-  return blocks;
+  return saved_both(scene_.get());
 }
 
 template <int D>

@@ -4,21 +4,10 @@
 #include <cstring>
 
 #include "record_support.h"
+#include "snapshot_support.h"
 
 namespace dsw::oracle {
 namespace {
-
-/// Environment and scene as their snapshots.
-std::string saved(const dsw_scene* scene) {
-  const dsw_environment* const environment = dsw_scene_get_environment(scene);
-  size_t sizes[2] = {};
-  dsw_environment_save(environment, nullptr, 0, &sizes[0]);
-  dsw_scene_save(scene, nullptr, 0, &sizes[1]);
-  std::string blocks(sizes[0] + sizes[1], '\0');
-  EXPECT_EQ(dsw_environment_save(environment, &blocks[0], sizes[0], &sizes[0]), DSW_STATUS_OK);
-  EXPECT_EQ(dsw_scene_save(scene, &blocks[sizes[0]], sizes[1], &sizes[1]), DSW_STATUS_OK);
-  return blocks;
-}
 
 class RecordTest : public SceneTest {};
 DSW_FOR_ALL_SCENES(RecordTest);
@@ -49,14 +38,14 @@ void is_made_again(const std::string& scene) {
     ASSERT_EQ(dsw_scene_stop_recording(edits.handle()), DSW_STATUS_OK);
     const ReplayPtr replay = open_replay(recording);
     calls += replay_all(replay);
-    ASSERT_TRUE(saved(scene_of(replay)) == edits.saved()) << "scene seed " << seed;
+    ASSERT_TRUE(saved_both(scene_of(replay)) == edits.saved()) << "scene seed " << seed;
     // Now that the points are the host's.
     ASSERT_EQ(start(edits.handle(), &later), DSW_STATUS_OK);
     change(20);
     ASSERT_EQ(dsw_scene_stop_recording(edits.handle()), DSW_STATUS_OK);
     const ReplayPtr second = open_replay(later);
     calls += replay_all(second);
-    ASSERT_TRUE(saved(scene_of(second)) == edits.saved()) << "scene seed " << seed << ", the second time";
+    ASSERT_TRUE(saved_both(scene_of(second)) == edits.saved()) << "scene seed " << seed << ", the second time";
   }
   EXPECT_GT(calls, 0u);
 }
@@ -159,7 +148,7 @@ void call_the_others(dsw_scene* scene) {
   ok(dsw_body_remove_face(scene, body, made));
   ok(dsw_body_remove_edge(scene, body, edge));
   ok(dsw_body_get_edge_ids(scene, body, nullptr, 0, &count) == DSW_STATUS_BUFFER_TOO_SMALL ? DSW_STATUS_OK
-                                                                                        : DSW_STATUS_INTERNAL);
+                                                                                           : DSW_STATUS_INTERNAL);
   std::vector<dsw_body_edge_id> rest(count);
   ok(dsw_body_get_edge_ids(scene, body, rest.data(), rest.size(), &count));
   for (const dsw_body_edge_id& each : rest) {
@@ -198,7 +187,7 @@ TEST(RecordedCallsTest, EveryCallIsMadeAgain) {
       if (seed == 1) keep_recording(kind, recording);
       const ReplayPtr replay = open_replay(recording);
       replay_all(replay, &functions);
-      ASSERT_TRUE(saved(scene_of(replay)) == edits.saved()) << kind << " " << seed;
+      ASSERT_TRUE(saved_both(scene_of(replay)) == edits.saved()) << kind << " " << seed;
     }
   }
   std::string names;

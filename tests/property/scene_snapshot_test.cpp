@@ -8,25 +8,6 @@
 namespace dsw::oracle {
 namespace {
 
-/// An environment and what is in it.
-struct World3 {
-  EnvironmentPtr environment;
-  ScenePtr scene;
-};
-
-World3 loaded(const Bytes& of_environment, const Bytes& of_scene) {
-  World3 world;
-  dsw_environment* environment = nullptr;
-  EXPECT_EQ(dsw_environment_load(nullptr, of_environment.data(), of_environment.size(), &environment), DSW_STATUS_OK)
-      << dsw_last_error_message();
-  world.environment.reset(environment);
-  dsw_scene* scene = nullptr;
-  EXPECT_EQ(dsw_scene_load(environment, of_scene.data(), of_scene.size(), &scene), DSW_STATUS_OK)
-      << dsw_last_error_message();
-  world.scene.reset(scene);
-  return world;
-}
-
 constexpr uint32_t kAllFlags = DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE;
 
 /// What a scene holds.
@@ -114,7 +95,7 @@ void check_going_on(const std::string& kind, uint32_t features, uint32_t flags) 
   fill(scene.get(), *place.world, rng, ids, flags);
   for (int i = 0; i < 8; ++i) move_all(scene.get(), *place.world, rng, ids);
   const Bytes of_environment = saved(place.get()), of_scene = saved(scene.get());
-  const World3 copy = loaded(of_environment, of_scene);
+  const Loaded copy = load_both(of_environment, of_scene);
   ASSERT_NE(copy.scene, nullptr);
   EXPECT_TRUE(saved(copy.environment.get()) == of_environment);
   EXPECT_TRUE(saved(copy.scene.get()) == of_scene);
@@ -236,7 +217,7 @@ TEST_F(SceneInGridTest, ABentEnvironmentGoesOnBending) {
   next[3 * point(0, 4, 3)] = std::nan("");
   ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), next.size() / 3, nullptr, nullptr),
             DSW_STATUS_OK);
-  World3 copy = loaded(saved(place_.get()), saved(scene()));
+  Loaded copy = load_both(saved(place_.get()), saved(scene()));
   ASSERT_NE(copy.scene, nullptr);
   EXPECT_TRUE(saved(copy.environment.get()) == saved(place_.get()));
   int valid = 1;

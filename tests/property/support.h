@@ -67,6 +67,27 @@ inline Place make_place(const std::string& name, uint64_t seed, uint32_t flags =
   ASSERT_NE((place).world, nullptr);       \
   ASSERT_EQ((place).world->fault(), std::string())
 
+inline EnvironmentPtr create_from(const dsw_environment_desc& desc, dsw_context* context = nullptr) {
+  dsw_environment* environment = nullptr;
+  EXPECT_EQ(dsw_environment_create(context, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+  return EnvironmentPtr(environment);
+}
+
+/// Volumes of one type, which has so many corners.
+inline dsw_environment_desc uniform_desc(uint32_t dimension, dsw_cell_type type, size_t corners_of_each,
+                                         const std::vector<double>& points, const std::vector<int32_t>& corners) {
+  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
+  desc.dimension = dimension;
+  desc.points = points.data();
+  desc.point_count = points.size() / dimension;
+  desc.uniform_cell_type = static_cast<uint8_t>(type);
+  desc.volume_count = corners.size() / corners_of_each;
+  desc.index_bytes = 4;
+  desc.connectivity = corners.data();
+  desc.connectivity_count = corners.size();
+  return desc;
+}
+
 inline ScenePtr make_scene(dsw_environment* environment, uint32_t features = 0) {
   dsw_scene_desc desc = defaults(dsw_scene_desc_init);
   desc.features = features;

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "environment/builder.h"
@@ -145,5 +147,45 @@ class Bodies {
   Rng& rng_;
   double size_[3];
 };
+
+/// An environment in which much is impassable.
+struct Ground {
+  Ground(const char* kind_name, uint64_t number, const Environment<3>& environment, Rng& random)
+      : kind(kind_name), seed(number), env(environment), truth(environment), rng(random), bodies(env, truth, rng) {}
+
+  /// Calls visit(points, generic) with so many draws of body points.
+  template <class Visit>
+  void draw(int count, const Visit& visit) {
+    for (int i = 0; i < share_of(count) && !testing::Test::HasFatalFailure(); ++i) {
+      Vec x[4];
+      const bool generic = bodies.draw(x);
+      SCOPED_TRACE(kind + " " + std::to_string(seed) + " " + std::to_string(i));
+      visit(x, generic);
+    }
+  }
+
+  std::string kind;
+  uint64_t seed;
+  const Environment<3>& env;
+  SweptTruth truth;
+  Rng& rng;
+  Bodies bodies;
+};
+
+/// Calls use(ground) for scenes of all kinds, each with all of these shares.
+template <class Use>
+void for_each_ground(const std::vector<Shares>& shares, const Use& use) {
+  for (const SceneKind& kind : oracle::sweep_scenes()) {
+    for (uint64_t seed = 1; seed <= shares.size(); ++seed) {
+      Rng rng(seed);
+      const auto env = environment_of(kind.make(rng));
+      if (env == nullptr) continue;
+      mark(*env, rng, shares[seed - 1]);
+      Ground ground(kind.name, seed, *env, rng);
+      use(ground);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
 
 }  // namespace dsw::swept

@@ -69,25 +69,11 @@ void check_all(const Environment<3>& env, SweptTruth& truth, SweepFlood<3>& floo
 
 TEST(SweptEdgeTest, AllContactsInTheirOrder) {
   Count count;
-  for (const SceneKind& kind : oracle::sweep_scenes()) {
-    for (uint64_t seed = 1; seed <= 3; ++seed) {
-      static const Shares shares[] = {{0, 0, 0.3, 0}, {0, 0.1, 0.1, 0}, {0.1, 0.1, 0, 0}};
-      Rng rng(seed);
-      const auto env = environment_of(kind.make(rng));
-      if (env == nullptr) continue;
-      mark(*env, rng, shares[seed - 1]);
-      SweptTruth truth(*env);
-      SweepFlood<3> flood(*env);
-      Bodies bodies(*env, truth, rng);
-      for (int i = 0; i < share_of(1000); ++i) {
-        Vec x[4];
-        bodies.draw(x);
-        SCOPED_TRACE(std::string(kind.name) + " " + std::to_string(seed) + " " + std::to_string(i));
-        check_all(*env, truth, flood, x, seed == 1, count);
-        if (HasFatalFailure()) return;
-      }
-    }
-  }
+  for_each_ground({{0, 0, 0.3, 0}, {0, 0.1, 0.1, 0}, {0.1, 0.1, 0, 0}}, [&](Ground& ground) {
+    SweepFlood<3> flood(ground.env);
+    ground.draw(
+        1000, [&](const Vec(&x)[4], bool) { check_all(ground.env, ground.truth, flood, x, ground.seed == 1, count); });
+  });
   EXPECT_GT(count.sweeps, share_of(10000));
   EXPECT_GT(count.many, share_of(2000));
   EXPECT_GT(count.most, 20);
@@ -129,78 +115,59 @@ Settled settled_by(const Environment<3>& env, const double* p, Cell start, const
 
 TEST(SweptEdgeTest, ALineBetweenNeighboursPassesOneFacet) {
   int passed = 0, of_neighbours = 0;
-  for (const SceneKind& kind : oracle::sweep_scenes()) {
-    for (uint64_t seed = 1; seed <= 3; ++seed) {
-      Rng rng(seed);
-      const auto env = environment_of(kind.make(rng));
-      if (env == nullptr) continue;
-      mark(*env, rng, {0.05, 0.1, 0, 0});
-      SweptTruth truth(*env);
-      Bodies bodies(*env, truth, rng);
-      for (int i = 0; i < share_of(3000); ++i) {
-        Vec x[4];
-        bodies.draw(x);
-        const Cell first = locate(*env, x[0].data(), Cell{}, nullptr).cell;
-        const Cell second = locate(*env, x[1].data(), Cell{}, nullptr).cell;
-        if (!first.valid() || !second.valid() || first == second || env->map.marked(first)) continue;
-        const CastResult path = cast(*env, x[0].data(), x[1].data(), first, 0, nullptr);
-        const bool one = path.end == CastEnd::kReached && path_facets(env->map, first, path).count == 1;
-        of_neighbours += one ? 1 : 0;
-        if (!passes_between(*env, first, second, x[0].data(), x[1].data())) continue;
-        ++passed;
-        ASSERT_TRUE(one && path.cell == second) << kind.name << " " << seed << " " << i;
-      }
-    }
-  }
+  for_each_ground(std::vector<Shares>(3, {0.05, 0.1, 0, 0}), [&](Ground& ground) {
+    const Environment<3>& env = ground.env;
+    ground.draw(3000, [&](const Vec(&x)[4], bool) {
+      const Cell first = locate(env, x[0].data(), Cell{}, nullptr).cell;
+      const Cell second = locate(env, x[1].data(), Cell{}, nullptr).cell;
+      if (!first.valid() || !second.valid() || first == second || env.map.marked(first)) return;
+      const CastResult path = cast(env, x[0].data(), x[1].data(), first, 0, nullptr);
+      const bool one = path.end == CastEnd::kReached && path_facets(env.map, first, path).count == 1;
+      of_neighbours += one ? 1 : 0;
+      if (!passes_between(env, first, second, x[0].data(), x[1].data())) return;
+      ++passed;
+      ASSERT_TRUE(one && path.cell == second);
+    });
+  });
   EXPECT_GT(passed, share_of(1000));
   EXPECT_GT(of_neighbours, passed) << "it knows of standard forms only";
 }
 
 TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
   int settled = 0, of_many_cells = 0, free_but_open = 0, kept = 0, turned = 0;
-  for (const SceneKind& kind : oracle::sweep_scenes()) {
-    for (uint64_t seed = 1; seed <= 3; ++seed) {
-      static const Shares shares[] = {{0.1, 0, 0.3, 0}, {0, 0.2, 0.1, 0}, {0, 0.05, 0.05, 0}};
-      Rng rng(seed);
-      const auto env = environment_of(kind.make(rng));
-      if (env == nullptr) continue;
-      mark(*env, rng, shares[seed - 1]);
-      SweptTruth truth(*env);
-      SweepFlood<3> flood(*env);
-      Bodies bodies(*env, truth, rng);
-      for (int i = 0; i < share_of(10000); ++i) {
-        Vec x[4];
-        bodies.draw(x);
-        const double by = rng.chance(0.5) ? 0.05 : 0.3;
-        for (size_t k = 0; k < 3; ++k) x[1][k] = x[0][k] + by * (x[1][k] - x[0][k]);
-        const Cell start = locate(*env, x[0].data(), Cell{}, nullptr).cell;
-        const Cell target = locate(*env, x[1].data(), Cell{}, nullptr).cell;
-        if (!start.valid() || !target.valid() || env->map.marked(start) || env->map.marked(target)) continue;
-        bool known[3];
-        const auto before = facets_passed(*env, x[0].data(), x[2].data(), start, &known[0]);
-        const auto path = facets_passed(*env, x[0].data(), x[1].data(), start, &known[1]);
-        const auto after = facets_passed(*env, x[1].data(), x[2].data(), target, &known[2]);
-        const SweepEnd end = flood.sweep(EdgeMotion{x[0].data(), x[1].data(), x[2].data()}, start, 0).end;
-        const bool strip =
-            known[0] && known[1] && known[2] &&
-            share_sleeve(env->map, {path.facets.data(), path.facets.size()}, {after.facets.data(), after.facets.size()},
-                         {before.facets.data(), before.facets.size(), true});
-        if (known[0] && known[1]) {
-          const auto how = settled_by(*env, x[0].data(), start, x[1].data(), target, x[2].data(), before, path);
-          kept += how == Settled::kSleeve ? 1 : 0;
-          turned += how == Settled::kTurned ? 1 : 0;
-          ASSERT_TRUE(how == Settled::kNo || end == SweepEnd::kFree) << kind.name << " " << seed << " " << i;
-        }
-        if (strip) {
-          ++settled;
-          of_many_cells += before.facets.size() > 1 ? 1 : 0;
-          ASSERT_EQ(end, SweepEnd::kFree) << kind.name << " " << seed << " " << i;
-        } else {
-          free_but_open += end == SweepEnd::kFree ? 1 : 0;
-        }
+  for_each_ground({{0.1, 0, 0.3, 0}, {0, 0.2, 0.1, 0}, {0, 0.05, 0.05, 0}}, [&](Ground& ground) {
+    const Environment<3>& env = ground.env;
+    SweepFlood<3> flood(env);
+    ground.draw(10000, [&](Vec(&x)[4], bool) {
+      const double by = ground.rng.chance(0.5) ? 0.05 : 0.3;
+      for (size_t k = 0; k < 3; ++k) x[1][k] = x[0][k] + by * (x[1][k] - x[0][k]);
+      const Cell start = locate(env, x[0].data(), Cell{}, nullptr).cell;
+      const Cell target = locate(env, x[1].data(), Cell{}, nullptr).cell;
+      if (!start.valid() || !target.valid() || env.map.marked(start) || env.map.marked(target)) return;
+      bool known[3];
+      const auto before = facets_passed(env, x[0].data(), x[2].data(), start, &known[0]);
+      const auto path = facets_passed(env, x[0].data(), x[1].data(), start, &known[1]);
+      const auto after = facets_passed(env, x[1].data(), x[2].data(), target, &known[2]);
+      const SweepEnd end = flood.sweep(EdgeMotion{x[0].data(), x[1].data(), x[2].data()}, start, 0).end;
+      const bool strip =
+          known[0] && known[1] && known[2] &&
+          share_sleeve(env.map, {path.facets.data(), path.facets.size()}, {after.facets.data(), after.facets.size()},
+                       {before.facets.data(), before.facets.size(), true});
+      if (known[0] && known[1]) {
+        const auto how = settled_by(env, x[0].data(), start, x[1].data(), target, x[2].data(), before, path);
+        kept += how == Settled::kSleeve ? 1 : 0;
+        turned += how == Settled::kTurned ? 1 : 0;
+        ASSERT_TRUE(how == Settled::kNo || end == SweepEnd::kFree);
       }
-    }
-  }
+      if (strip) {
+        ++settled;
+        of_many_cells += before.facets.size() > 1 ? 1 : 0;
+        ASSERT_EQ(end, SweepEnd::kFree);
+      } else {
+        free_but_open += end == SweepEnd::kFree ? 1 : 0;
+      }
+    });
+  });
   EXPECT_GT(settled, share_of(5000));
   EXPECT_GT(of_many_cells, share_of(500));
   EXPECT_GT(free_but_open, share_of(500));

@@ -2,6 +2,8 @@
 
 #include "swept_cases.h"
 
+#include <map>
+
 #include "flood/box_probe.h"
 #include "flood/sweep.h"
 #include "locate/locate.h"
@@ -117,41 +119,19 @@ void check_face(const Environment<3>& env, SweptTruth& truth, SweepFlood<3>& flo
   ++count.checked_before;
 }
 
-void check_scene(const SceneKind& kind, uint64_t seed, const Shares& shares, int faces, Count& count) {
-  Rng rng(seed);
-  const auto env = environment_of(kind.make(rng));
-  if (env == nullptr) return;
-  mark(*env, rng, shares);
-  SweptTruth truth(*env);
-  SweepFlood<3> flood(*env);
-  Bodies bodies(*env, truth, rng);
-  for (int i = 0; i < faces; ++i) {
-    Vec x[4];
-    const bool generic = bodies.draw(x);
-    SCOPED_TRACE(std::string(kind.name) + " " + std::to_string(seed) + " " + std::to_string(i));
-    check_face(*env, truth, flood, x, generic, count);
-    if (testing::Test::HasFatalFailure()) return;
-  }
-}
-
 TEST(SweptFaceTest, TheFirstVertexIsFound) {
-  static const Shares shares[] = {
-      {0, 0, 0, 0}, {0, 0, 0, 0.2}, {0, 0, 0.03, 0}, {0, 0.03, 0, 0}, {0.1, 0.02, 0.02, 0.05}};
   Count total;
-  for (const SceneKind& kind : oracle::sweep_scenes()) {
-    Count count;
-    for (uint64_t seed = 1; seed <= 5; ++seed) {
-      check_scene(kind, seed, shares[seed - 1], share_of(3000), count);
-      if (HasFatalFailure()) return;
-    }
-    EXPECT_GT(count.contacts, share_of(30)) << kind.name;
-    total.sweeps += count.sweeps;
-    total.contacts += count.contacts;
-    total.lone += count.lone;
-    total.ties += count.ties;
-    total.later += count.later;
-    total.checked_before += count.checked_before;
-  }
+  std::map<std::string, int> contacts;
+  for_each_ground({{0, 0, 0, 0}, {0, 0, 0, 0.2}, {0, 0, 0.03, 0}, {0, 0.03, 0, 0}, {0.1, 0.02, 0.02, 0.05}},
+                  [&](Ground& ground) {
+                    const int before = total.contacts;
+                    SweepFlood<3> flood(ground.env);
+                    ground.draw(3000, [&](const Vec(&x)[4], bool generic) {
+                      check_face(ground.env, ground.truth, flood, x, generic, total);
+                    });
+                    contacts[ground.kind] += total.contacts - before;
+                  });
+  for (const SceneKind& kind : oracle::sweep_scenes()) EXPECT_GT(contacts[kind.name], share_of(30)) << kind.name;
   EXPECT_GT(total.contacts, share_of(2000));
   EXPECT_GT(total.lone, share_of(500));
   EXPECT_GT(total.ties, share_of(20) == 20 ? 20 : 0) << "vertices met at once, but for the shift: too rare for shares";
@@ -187,40 +167,28 @@ TEST(SweptFaceTest, TiesOnALattice) {
 
 /// What is swept in a box that is free, from any of the cells that the probe has entered.
 TEST(SweptFaceTest, NothingIsMetInAFreeBox) {
-  static const Shares shares[] = {{0.1, 0, 0, 0}, {0, 0.05, 0, 0}, {0, 0, 0.01, 0}, {0, 0, 0, 0.01}};
   int free = 0, of_many_cells = 0, from_elsewhere = 0;
-  for (const SceneKind& kind : oracle::sweep_scenes()) {
-    for (uint64_t seed = 1; seed <= 4; ++seed) {
-      Rng rng(seed);
-      const auto env = environment_of(kind.make(rng));
-      if (env == nullptr) continue;
-      mark(*env, rng, shares[seed - 1]);
-      SweptTruth truth(*env);
-      SweepFlood<3> flood(*env);
-      BoxProbe<3> probe(*env);
-      Bodies bodies(*env, truth, rng);
-      for (int i = 0; i < share_of(3000); ++i) {
-        SCOPED_TRACE(std::string(kind.name) + " " + std::to_string(seed) + " " + std::to_string(i));
-        Vec x[4];
-        bodies.draw(x);
-        Cell cells[4];
-        for (int k = 0; k < 4; ++k) cells[k] = locate(*env, x[k].data(), Cell{}, nullptr).cell;
-        const Bounds<3> box = bounds<3>(x[0].data(), x[1].data(), x[2].data(), x[3].data());
-        if (!cells[0].valid() || is_closed(*env, cells[0]) || !probe.is_free(box, cells[0])) continue;
-        ++free;
-        for (int k = 0; k < 4; ++k) {
-          if (!probe.has_entered(cells[k])) continue;
-          from_elsewhere += cells[k] != cells[0] ? 1 : 0;
-          const FaceMotion face{x[k].data(), x[(k + 1) % 4].data(), x[(k + 2) % 4].data(), x[(k + 3) % 4].data()};
-          const SweepResult of_edge = flood.sweep(EdgeMotion{face.p, face.to, face.q}, cells[k], 0);
-          ASSERT_EQ(of_edge.end, SweepEnd::kFree);
-          of_many_cells += of_edge.volumes_visited > 1 ? 1 : 0;
-          ASSERT_EQ(flood.sweep(face, cells[k], 0).end, SweepEnd::kFree);
-          for (size_t c = 0; c < flood.cells().size(); ++c) ASSERT_TRUE(probe.has_entered(flood.cells()[c]));
-        }
+  for_each_ground({{0.1, 0, 0, 0}, {0, 0.05, 0, 0}, {0, 0, 0.01, 0}, {0, 0, 0, 0.01}}, [&](Ground& ground) {
+    SweepFlood<3> flood(ground.env);
+    BoxProbe<3> probe(ground.env);
+    ground.draw(3000, [&](const Vec(&x)[4], bool) {
+      Cell cells[4];
+      for (int k = 0; k < 4; ++k) cells[k] = locate(ground.env, x[k].data(), Cell{}, nullptr).cell;
+      const Bounds<3> box = bounds<3>(x[0].data(), x[1].data(), x[2].data(), x[3].data());
+      if (!cells[0].valid() || is_closed(ground.env, cells[0]) || !probe.is_free(box, cells[0])) return;
+      ++free;
+      for (int k = 0; k < 4; ++k) {
+        if (!probe.has_entered(cells[k])) continue;
+        from_elsewhere += cells[k] != cells[0] ? 1 : 0;
+        const FaceMotion face{x[k].data(), x[(k + 1) % 4].data(), x[(k + 2) % 4].data(), x[(k + 3) % 4].data()};
+        const SweepResult of_edge = flood.sweep(EdgeMotion{face.p, face.to, face.q}, cells[k], 0);
+        ASSERT_EQ(of_edge.end, SweepEnd::kFree);
+        of_many_cells += of_edge.volumes_visited > 1 ? 1 : 0;
+        ASSERT_EQ(flood.sweep(face, cells[k], 0).end, SweepEnd::kFree);
+        for (size_t c = 0; c < flood.cells().size(); ++c) ASSERT_TRUE(probe.has_entered(flood.cells()[c]));
       }
-    }
-  }
+    });
+  });
   EXPECT_GT(free, share_of(1000));
   EXPECT_GT(of_many_cells, share_of(1000));
   EXPECT_GT(from_elsewhere, share_of(500));

@@ -26,19 +26,10 @@ EnvironmentPtr make_environment(const Sheet& sheet, uint32_t dimension) {
       if (space) corners.push_back(v + static_cast<int32_t>(sheet.points.size()));
     }
   }
-  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
-  desc.dimension = dimension;
-  desc.points = points.data();
-  desc.point_count = points.size() / dimension;
-  desc.uniform_cell_type = space ? DSW_CELL_TYPE_WEDGE : DSW_CELL_TYPE_TRIANGLE;
-  desc.volume_count = sheet.triangles.size();
-  desc.index_bytes = 4;
-  desc.connectivity = corners.data();
-  desc.connectivity_count = corners.size();
+  dsw_environment_desc desc =
+      uniform_desc(dimension, space ? DSW_CELL_TYPE_WEDGE : DSW_CELL_TYPE_TRIANGLE, space ? 6 : 3, points, corners);
   desc.flags = DSW_ENVIRONMENT_REORIENT;
-  dsw_environment* environment = nullptr;
-  EXPECT_EQ(dsw_environment_create(nullptr, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
-  return EnvironmentPtr(environment);
+  return create_from(desc);
 }
 
 int32_t outcome(const EnvironmentPtr& environment, const double* from, const double* to) {

@@ -47,23 +47,10 @@ void check(const Environment<3>& env, SweptTruth& truth, const Vec (&x)[4], Seen
 
 TEST(ValidationTest, ClaimsAreTrueWhereExactArithmeticSaysSo) {
   Seen seen;
-  for (const SceneKind& kind : oracle::sweep_scenes()) {
-    for (uint64_t seed = 1; seed <= 2; ++seed) {
-      Rng rng(seed);
-      const auto env = environment_of(kind.make(rng));
-      if (env == nullptr || env->map.cell_count > 2000) continue;
-      mark(*env, rng, {0.05, 0.1, 0.05, 0});
-      SweptTruth truth(*env);
-      Bodies bodies(*env, truth, rng);
-      for (int i = 0; i < share_of(60); ++i) {
-        Vec x[4];
-        bodies.draw(x);
-        SCOPED_TRACE(std::string(kind.name) + " " + std::to_string(seed) + " " + std::to_string(i));
-        check(*env, truth, x, seen);
-        if (HasFatalFailure()) return;
-      }
-    }
-  }
+  for_each_ground(std::vector<Shares>(2, {0.05, 0.1, 0.05, 0}), [&](Ground& ground) {
+    if (ground.env.map.cell_count > 2000) return;
+    ground.draw(60, [&](const Vec(&x)[4], bool) { check(ground.env, ground.truth, x, seen); });
+  });
   EXPECT_GT(seen.segments, share_of(100));
   EXPECT_GT(seen.triangles, share_of(100));
   EXPECT_GT(seen.inside, share_of(400));
