@@ -1,7 +1,6 @@
 #include "dartsweep/coarsen.h"
 
 #include "capi/convert.h"
-#include "capi/environment_build.h"
 #include "coarsen/coarsen.h"
 
 namespace capi = dsw::capi;
@@ -41,19 +40,13 @@ dsw_coarsen_report to_report(const dsw_environment& source, const dsw_environmen
 
 }  // namespace
 
-void dsw_coarsen_options_init(dsw_coarsen_options* options, size_t size) {
-  dsw_coarsen_options defaults{};
-  defaults.max_faces = dsw::CoarsenOptions{}.max_facets;
-  capi::init_struct(options, size, defaults);
-}
-
 dsw_status dsw_environment_coarsen(const dsw_environment* source, const dsw_coarsen_options* options,
                                    dsw_environment** environment, uint32_t* volume_map, size_t capacity,
                                    dsw_coarsen_report* report) {
   return capi::guard(__func__, [&] {
     const dsw_environment& handle = capi::check_handle(source, "source");
     const dsw::Environment<3>& from = capi::space(handle);
-    capi::require(environment, "environment");
+    dsw::require(environment, "environment");
     const dsw::CoarsenOptions chosen = to_options(options);
     if (report != nullptr) capi::check_size(report, "report");
     if (volume_map != nullptr && capacity < from.map.index_count()) {

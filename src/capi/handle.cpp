@@ -76,6 +76,11 @@ dsw_scene* SceneOwner::enter() {
   return std::exchange(handle_, nullptr);
 }
 
+uint64_t memory_bytes(const dsw_environment& environment) {
+  const uint64_t of_engine = visit(environment, [](const auto& env) { return env.memory_bytes() - sizeof env; });
+  return of_engine + environment.results.memory_bytes() + sizeof environment;
+}
+
 uint32_t scene_count(const dsw_environment& environment) {
   const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
   return environment.scene_count;

@@ -167,6 +167,12 @@ class SceneOwner {
   dsw_scene* handle_;
 };
 
+/** Makes what was saved. Throws as the engine's load. */
+dsw_environment* load_environment(dsw_context* context, const uint8_t* block, size_t size);
+dsw_scene* load_scene(dsw_environment& home, const uint8_t* block, size_t size);
+
+/** All memory that an environment holds; borrowed points included. */
+uint64_t memory_bytes(const dsw_environment& environment);
 /** Scenes that use an environment now. */
 uint32_t scene_count(const dsw_environment& environment);
 /** The only scene; null if there is none. Throws if there are several. */
@@ -177,9 +183,9 @@ void for_each_scene(const dsw_environment& environment, const Use& use) {
   const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
   for (dsw_scene* scene = environment.first_scene; scene != nullptr; scene = scene->next) use(*scene);
 }
-/** Null for a null scene, which else has this dimension. */
+/** Of a scene of an environment; null for a null scene. */
 template <int D>
-Scene<D>* engine_of(dsw_scene* scene) {
+Scene<D>* engine_of(dsw_scene* scene, const Environment<D>&) {
   return scene == nullptr ? nullptr : &std::get<Scene<D>>(scene->engine);
 }
 inline SceneFeatures features_of(const dsw_scene& scene) {

@@ -47,6 +47,12 @@ class RecordWriter {
   void put(const void* bytes, size_t size) noexcept;
   /** Hands over all of it. */
   void end() noexcept;
+  /** A whole entry. */
+  void write(EntryKind kind, const void* bytes, size_t size) noexcept {
+    begin(kind, size);
+    put(bytes, size);
+    end();
+  }
 
   bool works() const noexcept { return works_; }
   /** The sink takes bytes again: what it has is whole. */
