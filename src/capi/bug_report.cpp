@@ -13,11 +13,6 @@ namespace {
 
 using Bytes = dsw::Array<uint8_t>;
 
-struct DestroyReplay {
-  void operator()(dsw_replay* replay) const { dsw_replay_destroy(replay); }
-};
-using Replay = std::unique_ptr<dsw_replay, DestroyReplay>;
-
 void read_file(std::FILE* file, Bytes& bytes) {
   const bool opened = std::fseek(file, 0, SEEK_END) == 0;
   const long size = opened ? std::ftell(file) : -1;
@@ -95,11 +90,11 @@ dsw_status dsw_scene_write_bug_report(dsw_scene* scene, const dsw_bug_report_des
     if (d.path == nullptr) dsw::require(reinterpret_cast<const void*>(d.write), "desc->write");
     if (validation != nullptr) capi::check_size(validation, "validation");
 
-    Bytes recording{dsw::Allocator<uint8_t>(capi::memory_of(*handle.environment))};
+    Bytes recording(capi::memory_of(*handle.environment));
     get_recording(handle, recording);
     dsw_replay* made = nullptr;
     check_done(dsw_replay_create(handle.environment->context, recording.data(), recording.size(), &made));
-    const Replay replay(made);
+    const capi::ReplayOwner replay(made);
     bool is_same = make_others(made, count_calls(recording));
 
     dsw_recording_desc to{};

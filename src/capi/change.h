@@ -22,7 +22,7 @@ class Change : public Site<D> {
   const Memory* memory() const { return this->env.memory; }
   template <class T>
   Array<T> array(size_t count) const {
-    return Array<T>(count, T{}, Allocator<T>(memory()));
+    return Array<T>(count, T{}, memory());
   }
 
   /** The arguments have been checked: the call is written if the scene is recorded. */

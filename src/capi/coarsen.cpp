@@ -53,11 +53,11 @@ dsw_status dsw_environment_coarsen(const dsw_environment* source, const dsw_coar
       fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity is %zu, must be at least %u", capacity, from.map.index_count());
     }
     if (from.checked.active()) fail(DSW_STATUS_UNSUPPORTED, "the points of source have moved, or may move");
-    capi::EnvironmentOwner owner(handle.context, 3);
-    dsw::Array<uint32_t> new_index{dsw::Allocator<uint32_t>(from.memory)};
+    capi::EnvironmentOwner owner = capi::make_environment(handle.context, 3);
+    dsw::Array<uint32_t> new_index(from.memory);
     dsw::CoarsenReport found;
     coarsen(from, chosen, capi::space(*owner), new_index, found);
-    *environment = owner.take();
+    *environment = owner.release();
     if (volume_map != nullptr) std::copy(new_index.begin(), new_index.end(), volume_map);
     if (report != nullptr) capi::write_struct(report, to_report(handle, **environment, found));
   });

@@ -63,7 +63,7 @@ class Converted {
  public:
   template <int D>
   Converted(const Environment<D>& env, const Id* ids, size_t count, const char* name)
-      : count_(count), many_(Allocator<T>(env.memory)) {
+      : count_(count), many_(env.memory) {
     require_array(ids, count, name);
     if (count > kFew) many_.resize(count);
     for (size_t i = 0; i < count; ++i) data()[i] = to_engine(env.map, ids[i], {name, true}, i);

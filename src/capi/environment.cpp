@@ -2,100 +2,80 @@
 
 #include <algorithm>
 #include <new>
-#include <optional>
 
 #include "capi/convert.h"
 #include "capi/recorded.h"
 #include "environment/builder.h"
 #include "environment/find_facets.h"
+#include "environment/mesh_reader.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
 
 namespace {
 
-/** Fills the caller's report, whatever ended the work. */
-class ReportWriter {
- public:
-  explicit ReportWriter(dsw_build_report* out) : out_(out) {}
-
-  /** Runs `body(report)`, which returns the environment; its failure goes into the report and on to the caller. */
-  template <class Body>
-  void run(Body body) {
-    try {
-      const auto& env = body(report_);
-      write(DSW_STATUS_OK, env.part_count, env.map.boundary_facet_count);
-    } catch (const dsw::Error& error) {
-      write(error.status(), 0, 0);
-      throw;
-    } catch (const std::bad_alloc&) {
-      write(DSW_STATUS_OUT_OF_MEMORY, 0, 0);
-      throw;
-    }
-  }
-
- private:
-  void write(dsw_status status, uint32_t part_count, uint32_t boundary_face_count) {
-    if (out_ == nullptr) return;
+/** Runs body(found), which returns the environment. Fills the caller's report, whatever ended the work. */
+template <class Body>
+void with_report(dsw_build_report* out, const Body& body) {
+  dsw::BuildReport found;
+  const auto write = [&](dsw_status status, uint32_t part_count, uint32_t boundary_face_count) {
+    if (out == nullptr) return;
     dsw_build_report r{};
     r.status = status;
-    r.offender_count = report_.offenders.count;
-    std::copy(report_.offenders.index, report_.offenders.index + r.offender_count, r.offenders);
-    r.reoriented_count = report_.reoriented_count;
-    r.unused_point_count = report_.unused_point_count;
-    r.convex_volume_count = report_.convex_volume_count;
+    r.offender_count = found.offenders.count;
+    std::copy_n(found.offenders.index, r.offender_count, r.offenders);
+    r.reoriented_count = found.reoriented_count;
+    r.unused_point_count = found.unused_point_count;
+    r.convex_volume_count = found.convex_volume_count;
     r.part_count = part_count;
     r.boundary_face_count = boundary_face_count;
-    capi::write_struct(out_, r);
+    capi::write_struct(out, r);
+  };
+  try {
+    const auto& env = body(found);
+    write(DSW_STATUS_OK, env.part_count, env.map.boundary_facet_count);
+  } catch (const dsw::Error& error) {
+    write(error.status(), 0, 0);
+    throw;
+  } catch (const std::bad_alloc&) {
+    write(DSW_STATUS_OUT_OF_MEMORY, 0, 0);
+    throw;
   }
-
-  dsw_build_report* out_;
-  dsw::BuildReport report_;
-};
+}
 
 /** Makes an environment; `report` may be null and is filled once the description was found sound. */
 template <int D>
-dsw_environment* make_environment(dsw_context* context, const dsw_environment_desc& desc, dsw_build_report* report) {
+dsw_environment* build_environment(dsw_context* context, const dsw_environment_desc& desc, dsw_build_report* report) {
   const dsw_environment_desc d = dsw::check_description<D>(desc);
-  std::optional<capi::EnvironmentOwner> owner;
-  ReportWriter(report).run([&](dsw::BuildReport & found) -> const auto& {
-    owner.emplace(context, D);
-    auto& env = std::get<dsw::Environment<D>>((*owner)->engine);
-    build(env, d, found);
-    if (found.reoriented_count != 0) {
-      capi::log_line(context, DSW_LOG_WARNING,
-                     "dsw_environment_create: %u cells were inside out and have been mirrored", found.reoriented_count);
-    }
-    capi::log_line(context, DSW_LOG_INFO,
-                   "dsw_environment_create: %u volumes, %u faces (%u on the boundary), %u parts, %llu bytes",
-                   env.map.cell_count, env.map.facet_count, env.map.boundary_facet_count, env.part_count,
-                   static_cast<unsigned long long>(env.memory_bytes()));
-    return env;
-  });
-  return owner->take();
+  capi::EnvironmentOwner owner;
+  with_report(
+      report, [&](dsw::BuildReport & found) -> const auto& {
+        owner = capi::make_environment(context, D);
+        auto& env = std::get<dsw::Environment<D>>(owner->engine);
+        build(env, d, found);
+        if (found.reoriented_count != 0) {
+          capi::log_line(context, DSW_LOG_WARNING,
+                         "dsw_environment_create: %u cells were inside out and have been mirrored",
+                         found.reoriented_count);
+        }
+        capi::log_line(context, DSW_LOG_INFO,
+                       "dsw_environment_create: %u volumes, %u faces (%u on the boundary), %u parts, %llu bytes",
+                       env.map.cell_count, env.map.facet_count, env.map.boundary_facet_count, env.part_count,
+                       static_cast<unsigned long long>(env.memory_bytes()));
+        return env;
+      });
+  return owner.release();
+}
+
+void check_below(uint32_t given, uint32_t count, const char* name) {
+  if (given >= count) fail(DSW_STATUS_OUT_OF_RANGE, "%s is %u, must be 0 .. %u", name, given, count - 1);
 }
 
 /** Facet `local` of a volume, or OUT_OF_RANGE. */
 template <int D>
 dsw::HalfFacet facet_of(const dsw::Map<D>& map, dsw::Cell c, uint32_t local) {
-  const uint32_t count = map.facets_of(c);
-  if (local >= count) dsw::fail(DSW_STATUS_OUT_OF_RANGE, "local is %u, must be 0 .. %u", local, count - 1);
+  check_below(local, map.facets_of(c), "local");
   return map.half_facet(c, local);
-}
-
-dsw_cell_type type_of(dsw::Form form, int dimension) {
-  switch (form) {
-    case dsw::Form::kSimplex:
-      return dimension == 2 ? DSW_CELL_TYPE_TRIANGLE : DSW_CELL_TYPE_TETRA;
-    case dsw::Form::kPyramid:
-      return DSW_CELL_TYPE_PYRAMID;
-    case dsw::Form::kPrism:
-      return DSW_CELL_TYPE_WEDGE;
-    case dsw::Form::kBox:
-      return dimension == 2 ? DSW_CELL_TYPE_QUAD : DSW_CELL_TYPE_HEXAHEDRON;
-    default:
-      return dimension == 2 ? DSW_CELL_TYPE_POLYGON : DSW_CELL_TYPE_POLYHEDRON;
-  }
 }
 
 /** Calls visit(vertex) for the vertices of a cell in their documented order. */
@@ -137,7 +117,7 @@ dsw_status dsw_environment_create(dsw_context* context, const dsw_environment_de
     if (d.dimension != 0 && d.dimension != 2 && d.dimension != 3) {
       fail(DSW_STATUS_OUT_OF_RANGE, "desc->dimension is %u, must be 2 or 3", d.dimension);
     }
-    *environment = (d.dimension == 2 ? make_environment<2> : make_environment<3>)(context, d, report);
+    *environment = (d.dimension == 2 ? build_environment<2> : build_environment<3>)(context, d, report);
   });
 }
 
@@ -176,19 +156,18 @@ dsw_status dsw_environment_get_info(const dsw_environment* environment, dsw_envi
 dsw_status dsw_environment_check(const dsw_environment* environment, dsw_build_report* report) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     if (report != nullptr) capi::check_size(report, "report");
-    ReportWriter(report).run([&](dsw::BuildReport & found) -> const auto& {
-      prove(env, found);
-      return env;
-    });
+    with_report(
+        report, [&](dsw::BuildReport & found) -> const auto& {
+          prove(env, found);
+          return env;
+        });
   });
 }
 
 dsw_status dsw_environment_get_volume_id(const dsw_environment* environment, uint32_t index, dsw_volume_id* volume) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    if (index >= map.index_count()) {
-      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.index_count() - 1);
-    }
+    check_below(index, map.index_count(), "index");
     if (!map.cell(index).valid()) fail(DSW_STATUS_NOT_FOUND, "volume %u has been removed", index);
     capi::give(volume, "volume", volume_id(map, map.cell(index)));
   });
@@ -197,9 +176,7 @@ dsw_status dsw_environment_get_volume_id(const dsw_environment* environment, uin
 dsw_status dsw_environment_get_vertex_id(const dsw_environment* environment, uint32_t index, dsw_vertex_id* vertex) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    if (index >= map.vertex_count) {
-      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.vertex_count - 1);
-    }
+    check_below(index, map.vertex_count, "index");
     const dsw_vertex_id id = capi::vertex_id(map, index);
     if (!map.is_vertex_alive(id.index, id.generation)) fail(DSW_STATUS_NOT_FOUND, "vertex %u has been removed", index);
     capi::give(vertex, "vertex", id);
@@ -210,7 +187,7 @@ dsw_status dsw_environment_get_vertex_position(const dsw_environment* environmen
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     dsw::require(xyz, "xyz");
     const double* const point = env.point(capi::to_engine(env.map, vertex, "vertex"));
-    std::copy(point, point + capi::kDimension<decltype(env)>, xyz);
+    std::copy_n(point, env.kDimension, xyz);
   });
 }
 
@@ -221,9 +198,9 @@ dsw_status dsw_environment_get_volume_counts(const dsw_environment* environment,
     const auto& map = env.map;
     const dsw::Cell c = capi::to_engine(map, volume, "volume");
     const dsw::Shape shape = map.shape(c);
-    if (type != nullptr) *type = type_of(map.form(c), capi::kDimension<decltype(env)>);
+    if (type != nullptr) *type = dsw::number_of(map.form(c), env.kDimension);
     if (vertices != nullptr) *vertices = shape.vertex_count();
-    if (edges != nullptr) *edges = capi::kDimension<decltype(env)> == 2 ? 0 : shape.edge_count();
+    if (edges != nullptr) *edges = env.kDimension == 2 ? 0 : shape.edge_count();
     if (faces != nullptr) *faces = shape.facet_count();
   });
 }
@@ -262,8 +239,7 @@ dsw_status dsw_environment_get_edge_id(const dsw_environment* environment, dsw_v
   return capi::guard(__func__, [&] {
     const dsw::Map<3>& map = capi::space(capi::check_handle(environment)).map;
     const dsw::Cell c = capi::to_engine(map, volume, "volume");
-    const uint32_t count = map.shape(c).edge_count();
-    if (local >= count) fail(DSW_STATUS_OUT_OF_RANGE, "local is %u, must be 0 .. %u", local, count - 1);
+    check_below(local, map.shape(c).edge_count(), "local");
     capi::give(edge, "edge", capi::edge_id(map, dart_of_edge(map, c, local)));
   });
 }
@@ -310,7 +286,7 @@ dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t
         }
       }
       dsw::require_array(indices, offsets[count] - offsets[0], "indices");
-      dsw::Array<dsw::HalfFacet> found(count, dsw::HalfFacet{}, dsw::Allocator<dsw::HalfFacet>(env.memory));
+      dsw::Array<dsw::HalfFacet> found(count, dsw::HalfFacet{}, env.memory);
       find_facets(env, count, offsets, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {
         faces[i] = found[i].valid() ? face_id(map, canonical(map, found[i])) : dsw_face_id{0, 0, 0};
@@ -329,7 +305,7 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
     if (count != 0) {
       dsw::require_array(indices, count, "indices");
       dsw::require(edges, "edges");
-      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, dsw::Allocator<dsw::Dart>(env.memory));
+      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, env.memory);
       find_edges(env, count, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {
         edges[i] = found[i].cell.valid() ? capi::edge_id(map, found[i]) : dsw_edge_id{0, 0, 0};

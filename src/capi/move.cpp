@@ -41,7 +41,7 @@ dsw::MoveOrder to_order(const dsw::Scene<D>& scene, const dsw::Body<D>& body, co
     if (o.order_count != 0) fail(DSW_STATUS_NULL_ARGUMENT, "options->order is null and order_count %zu", o.order_count);
     return {};
   }
-  dsw::Array<bool> seen(body.vertices.size(), false, dsw::Allocator<bool>(scene.memory));
+  dsw::Array<bool> seen(body.vertices.size(), false, scene.memory);
   for (size_t i = 0; i < o.order_count; ++i) {
     const uint32_t v = o.order[i];
     if (!body.has_vertex(v)) fail(DSW_STATUS_OUT_OF_RANGE, "options->order[%zu] is %u, which names no vertex", i, v);
@@ -156,8 +156,8 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
     const dsw::MoveSettings settings = to_settings(o);
     if (o.order != nullptr || o.order_count != 0)
       fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
-    dsw::Array<dsw::BodyRecord<D>*> records{dsw::Allocator<dsw::BodyRecord<D>*>(s.memory)};
-    dsw::Array<bool> seen(s.bodies.size(), false, dsw::Allocator<bool>(s.memory));
+    dsw::Array<dsw::BodyRecord<D>*> records(s.memory);
+    dsw::Array<bool> seen(s.bodies.size(), false, s.memory);
     records.reserve(count);
     size_t needed = 0;
     for (size_t i = 0; i < count; ++i) {

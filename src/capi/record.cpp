@@ -49,7 +49,7 @@ uint64_t room_of(const dsw_scene& scene) {
 /** `format`: of a scene, where it is not today's. */
 template <class Saved, class... Format>
 dsw::Array<uint8_t> saved_block(const Saved& saved, Format... format) {
-  dsw::Array<uint8_t> block(snapshot_bytes(saved, format...), 0, dsw::Allocator<uint8_t>(saved.memory));
+  dsw::Array<uint8_t> block(snapshot_bytes(saved, format...), 0, saved.memory);
   save(saved, block.data(), format...);
   return block;
 }
@@ -80,11 +80,7 @@ void write_beginning(const dsw_scene& scene, capi::Recording& recording) {
 namespace dsw::capi {
 
 Recording::Recording(const Memory* memory, const dsw_recording_desc& desc)
-    : writer({write_to_host, this}),
-      flags(desc.flags),
-      write(desc.write),
-      user(desc.user),
-      kept(Allocator<uint8_t>(memory)) {
+    : writer({write_to_host, this}), flags(desc.flags), write(desc.write), user(desc.user), kept(memory) {
   if ((flags & DSW_RECORDING_LATEST) != 0) {
     write = append;
     user = &kept;

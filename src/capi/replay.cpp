@@ -271,18 +271,16 @@ void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* rep
 dsw_replay::dsw_replay(dsw_context* owner, const uint8_t* bytes, size_t size)
     : context(owner),
       reader(bytes, size),
-      words(dsw::Allocator<uint64_t>(capi::memory_of(owner))),
-      kept(dsw::Allocator<dsw::Array<uint64_t>>(capi::memory_of(owner))),
-      points{dsw::Array<double>(dsw::Allocator<double>(capi::memory_of(owner))),
-             dsw::Array<double>(dsw::Allocator<double>(capi::memory_of(owner)))} {
+      words(capi::memory_of(owner)),
+      kept(capi::memory_of(owner)),
+      points{dsw::Array<double>(capi::memory_of(owner)), dsw::Array<double>(capi::memory_of(owner))} {
   capi::retain(owner);
 }
 
 dsw_replay::~dsw_replay() {
   if (scene != nullptr) {
-    const dsw::Memory* const memory = capi::memory_of(*environment);
     capi::detach(*scene);
-    capi::destroy_object(memory, scene);
+    capi::destroy_scene(scene);
   }
   if (environment != nullptr) capi::destroy_environment(environment);
   capi::release(context);
@@ -293,16 +291,10 @@ dsw_status dsw_replay_create(dsw_context* context, const void* recording, size_t
     capi::check_context(context);
     dsw::require(recording, "recording");
     dsw::require(replay, "replay");
-    const dsw::Memory* const memory = capi::memory_of(context);
-    dsw_replay* const made =
-        capi::create_object<dsw_replay>(memory, context, static_cast<const uint8_t*>(recording), size_bytes);
-    try {
-      load_beginning(*made);
-    } catch (...) {
-      capi::destroy_object(memory, made);
-      throw;
-    }
-    *replay = made;
+    capi::ReplayOwner made(capi::create_object<dsw_replay>(capi::memory_of(context), context,
+                                                           static_cast<const uint8_t*>(recording), size_bytes));
+    load_beginning(*made);
+    *replay = made.release();
   });
 }
 
@@ -312,7 +304,7 @@ dsw_status dsw_replay_destroy(dsw_replay* replay) {
     dsw_replay& handle = capi::check_handle(replay);
     const uint32_t scenes = capi::scene_count(*handle.environment);
     if (scenes != 1) fail(DSW_STATUS_IN_USE, "%u scenes use the environment of the replay", scenes);
-    capi::destroy_object(capi::memory_of(handle.context), replay);
+    capi::DestroyReplay()(replay);
   });
 }
 

@@ -19,18 +19,16 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
         (d.features & DSW_FEATURE_STATISTICS) != 0, (d.features & DSW_FEATURE_CROSSINGS) != 0,
         (d.features & DSW_FEATURE_DEFORMING) != 0, (d.features & DSW_FEATURE_BODY_CONTACTS) != 0,
         (d.features & DSW_FEATURE_LIVE_CHANGES) != 0};
-    capi::SceneOwner owner(home, features);
-    *scene = owner.enter();
+    *scene = enter(capi::make_scene(home, features));
   });
 }
 
 dsw_status dsw_scene_destroy(dsw_scene* scene) {
   return capi::guard(__func__, [&] {
     if (scene == nullptr) return;
-    const dsw::Memory* const memory = capi::memory_of(*capi::check_handle(scene).environment);
-    if (scene->watch != nullptr) fail(DSW_STATUS_IN_USE, "the scene belongs to a replay");
+    if (capi::check_handle(scene).watch != nullptr) fail(DSW_STATUS_IN_USE, "the scene belongs to a replay");
     capi::detach(*scene);
-    capi::destroy_object(memory, scene);
+    capi::destroy_scene(scene);
   });
 }
 

@@ -29,17 +29,17 @@ void save_to(const Saved& saved, void* block, size_t capacity_bytes, size_t* siz
 namespace dsw::capi {
 
 dsw_environment* load_environment(dsw_context* context, const uint8_t* block, size_t size) {
-  EnvironmentOwner owner(context, saved_dimension(block, size));
+  EnvironmentOwner owner = make_environment(context, saved_dimension(block, size));
   visit(*owner, [&](auto& env) { load(env, block, size); });
-  return owner.take();
+  return owner.release();
 }
 
 dsw_scene* load_scene(dsw_environment& home, const uint8_t* block, size_t size) {
   const SceneFeatures features =
       visit(home, [&](const auto& env) { return saved_features<kDimension<decltype(env)>>(block, size); });
-  SceneOwner owner(home, features);
+  SceneOwner owner = make_scene(home, features);
   visit(*owner, [&](auto& engine) { load(engine, block, size); });
-  return owner.enter();
+  return enter(std::move(owner));
 }
 
 }  // namespace dsw::capi

@@ -13,11 +13,6 @@ namespace {
 
 constexpr uint32_t kNoRank = UINT32_MAX;
 
-template <class T, int D>
-Array<T> array_for(const Scene<D>& scene) {
-  return Array<T>(Allocator<T>(scene.memory));
-}
-
 template <int D>
 bool are_equal(const double* a, const double* b) noexcept {
   return std::equal(a, a + D, b);
@@ -41,11 +36,11 @@ class CallJudge {
  public:
   explicit CallJudge(const Scene<D>& scene)
       : scene_(scene),
-        before_(array_for<double>(scene_)),
-        orders_(array_for<uint32_t>(scene_)),
-        particles_(array_for<Mover>(scene_)),
-        bodies_(array_for<Mover>(scene_)),
-        subjects_(array_for<Subject>(scene_)),
+        before_(scene_.memory),
+        orders_(scene_.memory),
+        particles_(scene_.memory),
+        bodies_(scene_.memory),
+        subjects_(scene_.memory),
         judge_(scene_.env) {}
 
   /** Before the call: where what it moves is. */

@@ -15,6 +15,19 @@ namespace {
 constexpr uint64_t kMaxUnits = uint64_t{1} << 28;  // a link is a word address below 2^31
 constexpr uint32_t kNoShape = 0xffffffffu;
 
+/** Each form of a dimension once. */
+struct KnownType {
+  int dimension;
+  dsw_cell_type number;
+  Form form;
+  uint32_t vertex_count;
+};
+constexpr KnownType kKnownTypes[] = {
+    {3, DSW_CELL_TYPE_TETRA, Form::kSimplex, 4},      {3, DSW_CELL_TYPE_HEXAHEDRON, Form::kBox, 8},
+    {3, DSW_CELL_TYPE_WEDGE, Form::kPrism, 6},        {3, DSW_CELL_TYPE_PYRAMID, Form::kPyramid, 5},
+    {3, DSW_CELL_TYPE_POLYHEDRON, Form::kGeneral, 0}, {2, DSW_CELL_TYPE_TRIANGLE, Form::kSimplex, 3},
+    {2, DSW_CELL_TYPE_QUAD, Form::kBox, 4},           {2, DSW_CELL_TYPE_POLYGON, Form::kGeneral, 0}};
+
 /** Every quad is cut from its lowest vertex, a rule that gives both sides the same diagonal. */
 uint32_t cuts_of(Form form, const uint32_t* vertices) {
   const Shape shape = standard_shape(form, 0);
@@ -298,32 +311,16 @@ class Reader {
 
 template <int D>
 CellType cell_type(uint32_t vtk) {
-  if (D == 3) {
-    switch (vtk) {
-      case 10:
-        return {Form::kSimplex, 4, true};
-      case 12:
-        return {Form::kBox, 8, true};
-      case 13:
-        return {Form::kPrism, 6, true};
-      case 14:
-        return {Form::kPyramid, 5, true};
-      case 42:
-        return {Form::kGeneral, 0, true};
-      default:
-        return {Form::kGeneral, 0, false};
-    }
+  for (const KnownType& known : kKnownTypes) {
+    if (known.dimension == D && known.number == vtk) return {known.form, known.vertex_count, true};
   }
-  switch (vtk) {
-    case 5:
-      return {Form::kSimplex, 3, true};
-    case 9:
-      return {Form::kBox, 4, true};
-    case 7:
-      return {Form::kGeneral, 0, true};
-    default:
-      return {Form::kGeneral, 0, false};
-  }
+  return {Form::kGeneral, 0, false};
+}
+
+dsw_cell_type number_of(Form form, int dimension) {
+  const KnownType* known = kKnownTypes;
+  while (known->dimension != dimension || known->form != form) ++known;
+  return known->number;
 }
 
 template <int D>

@@ -36,6 +36,8 @@ struct CellType {
 /** Of a VTK number. */
 template <int D>
 CellType cell_type(uint32_t vtk);
+/** The VTK number of a form that the dimension has. */
+dsw_cell_type number_of(Form form, int dimension);
 
 /** Copies or borrows the points. Throws NON_FINITE, with the first such points in the report. */
 template <int D>
