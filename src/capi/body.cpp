@@ -107,10 +107,7 @@ dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body
 
 dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t** vertices, size_t* count) {
   return capi::guarded_visit(__func__, scene, [&](const auto& s) {
-    dsw::require(vertices, "vertices");
-    dsw::require(count, "count");
-    *vertices = s.offending.data();
-    *count = s.offending.size() / 2;
+    capi::hand_out(s.offending.data(), s.offending.size() / 2, vertices, count, "vertices");
   });
 }
 

@@ -174,11 +174,15 @@ void check_edge_parameter(double given);
 
 /** An array that is kept for the host. */
 template <class T>
-void hand_out(const Array<T>& array, const T** items, size_t* count, const char* name) {
+void hand_out(const T* kept, size_t size, const T** items, size_t* count, const char* name) {
   require(items, name);
   require(count, "count");
-  *items = array.data();
-  *count = array.size();
+  *items = kept;
+  *count = size;
+}
+template <class T>
+void hand_out(const Array<T>& array, const T** items, size_t* count, const char* name) {
+  hand_out(array.data(), array.size(), items, count, name);
 }
 
 /** Gives a result to a host that has to take it. */

@@ -118,9 +118,6 @@ dsw_status dsw_environment_is_valid(const dsw_environment* environment, dsw_volu
 
 dsw_status dsw_environment_get_points(const dsw_environment* environment, const double** points, size_t* count) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    dsw::require(points, "points");
-    dsw::require(count, "count");
-    *points = env.points;
-    *count = env.map.vertex_count;
+    capi::hand_out(env.points, env.map.vertex_count, points, count, "points");
   });
 }

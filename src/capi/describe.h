@@ -79,12 +79,6 @@ T read_struct(const T* given, const char* name) {
   return own;
 }
 
-/** As read_struct; null is refused. */
-template <class T>
-T read_required(const T* given, const char* name) {
-  require(given, name);
-  return read_struct(given, name);
-}
 /** As read_struct; null: every member is 0. */
 template <class T>
 T read_optional(const T* given, const char* name) {
@@ -93,18 +87,18 @@ T read_optional(const T* given, const char* name) {
   own.struct_size = sizeof(T);
   return own;
 }
-// Likewise, and refuses flags that are not known.
-template <class T>
-T read_required(const T* given, const char* name, uint32_t known_flags) {
-  const T own = read_required(given, name);
-  check_flags(own.flags, known_flags, name, "->flags");
-  return own;
-}
+/** Likewise, and refuses flags that are not known. */
 template <class T>
 T read_optional(const T* given, const char* name, uint32_t known_flags) {
   const T own = read_optional(given, name);
   check_flags(own.flags, known_flags, name, "->flags");
   return own;
+}
+/** Likewise; null is refused. */
+template <class T, class... KnownFlags>
+T read_required(const T* given, const char* name, KnownFlags... known) {
+  require(given, name);
+  return read_optional(given, name, known...);
 }
 
 /** Writes into a struct whose size was checked: at most what it can hold, zeros into members unknown here. */

@@ -144,16 +144,7 @@ static void renew_kept(dsw_scene& scene) noexcept {
 void Recorded::begin(uint64_t number, size_t size) noexcept {
   renew_kept(*scene_);
   scene_->recording->writer.begin(EntryKind::kCall, size);
-  put(&number, sizeof number);
-}
-
-void Recorded::put(const void* bytes, size_t size) noexcept {
-  const size_t whole = size & ~size_t{7};
-  scene_->recording->writer.put(bytes, whole);
-  if (whole == size) return;
-  uint8_t rest[8] = {};
-  std::memcpy(rest, static_cast<const uint8_t*>(bytes) + whole, size - whole);
-  scene_->recording->writer.put(rest, sizeof rest);
+  scene_->recording->writer.put(&number, sizeof number);
 }
 
 void Recorded::finish(bool failed, uint64_t digest) noexcept {

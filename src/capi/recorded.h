@@ -74,7 +74,7 @@ class Recorded {
     for_each(row.kinds, [&](const auto& kind) { kind.write(given, place, measure); });
     begin(row.number, size);
     for_each(row.kinds, [&](const auto& kind) {
-      kind.write(given, place, [&](const void* bytes, size_t count) { put(bytes, count); });
+      kind.write(given, place, [&](const void* bytes, size_t count) { scene_->recording->writer.put(bytes, count); });
     });
     scene_->recording->writer.end();
   }
@@ -106,7 +106,6 @@ class Recorded {
   static void fill(Given&) noexcept {}
 
   void begin(uint64_t number, size_t size) noexcept;
-  void put(const void* bytes, size_t size) noexcept;
   void finish(bool failed, uint64_t digest) noexcept;
 
   dsw_scene* scene_;  // null: nobody wants to know
