@@ -73,4 +73,38 @@ void fail_non_finite(PointArray points, size_t index, int dimension, ArgumentNam
                         : "-inf");
 }
 
+void require_array(const void* array, size_t count, const char* name) {
+  if (count != 0) require(array, name);
+  // No array is so long: what a host gets that counts in signed numbers and ends below zero.
+  if (count > PTRDIFF_MAX) fail(DSW_STATUS_WRONG_SIZE, "%s cannot have %zu entries", name, count);
+}
+
+size_t to_step(int dimension, size_t count, size_t stride_bytes) {
+  const size_t point = static_cast<size_t>(dimension) * sizeof(double);
+  if (stride_bytes == 0) stride_bytes = point;
+  if (stride_bytes < point || stride_bytes % sizeof(double) != 0 || (count != 0 && stride_bytes > SIZE_MAX / count)) {
+    fail(DSW_STATUS_WRONG_SIZE, "stride_bytes is %zu, must be 0 or a multiple of %zu from %zu on", stride_bytes,
+         sizeof(double), point);
+  }
+  return stride_bytes / sizeof(double);
+}
+
+PointArray to_points(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name) {
+  const size_t step = to_step(dimension, count, stride_bytes);
+  require_array(points, count, name);
+  return {points, step};
+}
+
+PointArray to_finite_points(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name) {
+  const PointArray all = to_points(dimension, points, count, stride_bytes, name);
+  check_finite(all, count, dimension, {name, true});
+  return all;
+}
+
+PointArray to_finite_point(int dimension, const double* point, const char* name) {
+  const PointArray one = to_points(dimension, point, 1, 0, name);
+  check_finite(one, 1, dimension, name);
+  return one;
+}
+
 }  // namespace dsw

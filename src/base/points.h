@@ -1,8 +1,10 @@
 #pragma once
-// Arrays of points as a host lends them, and the checks of what is in them. Messages name argument, position, value.
+// Arguments as a host gives them, arrays of points first, and the checks of what is in them. Messages name argument,
+// position, value.
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "base/error.h"
 
@@ -19,6 +21,7 @@ struct PointArray {
 struct ArgumentName {
   const char* name;
   bool indexed;
+  ArgumentName(const char* text, bool is_array = false) : name(text), indexed(is_array) {}
 };
 
 /** Text of an argument's name. */
@@ -53,5 +56,28 @@ inline void check_finite(PointArray points, size_t count, int dimension, Argumen
   const size_t bad = find_non_finite(points, count, dimension);
   if (bad != count) fail_non_finite(points, bad, dimension, argument);
 }
+
+/** Refuses a null argument; `name` is the parameter's. */
+inline void require(const void* argument, const char* name) {
+  if (argument == nullptr) fail(DSW_STATUS_NULL_ARGUMENT, "%s is null", name);
+}
+
+/** Refuses flags that this version does not know. They are those of `name`, or of its `member`. */
+inline void check_flags(uint32_t flags, uint32_t known, const char* name, const char* member = "") {
+  if ((flags & ~known) == 0) return;
+  fail(DSW_STATUS_UNSUPPORTED, "%s%s is 0x%x, this version knows 0x%x", name, member, flags, known);
+}
+
+/** An array of `count` things; null is allowed when there are none. A count that no array can have is WRONG_SIZE. */
+void require_array(const void* array, size_t count, const char* name);
+
+/** The host's stride in doubles. */
+size_t to_step(int dimension, size_t count, size_t stride_bytes);
+/** An array of points with the host's stride, not yet checked to be finite. */
+PointArray to_points(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name);
+/** Likewise, and finite. */
+PointArray to_finite_points(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name);
+/** One point, which is finite. */
+PointArray to_finite_point(int dimension, const double* point, const char* name);
 
 }  // namespace dsw

@@ -26,6 +26,12 @@ T* keep(dsw_replay& replay, size_t count = 1) {
   return kept;
 }
 
+/** Calls use(each) for what is in a tuple. */
+template <class... All, class Use>
+void for_each(const std::tuple<All...>& all, const Use& use) {
+  std::apply([&](const All&... each) { (use(each), ...); }, all);
+}
+
 /** The argument at a position of the declaration. The handle is at 0. */
 template <size_t P>
 struct Argument {
@@ -164,30 +170,26 @@ struct Struct {
   At at;
   std::tuple<Arrays...> arrays;
 
-  template <class Use>
-  void for_each_array(const Use& use) const {
-    std::apply([&](const Arrays&... each) { (use(each), ...); }, arrays);
-  }
   template <class Given, class Use>
   void write(const Given& given, const CallPlace& place, const Use& use) const {
     using T = ElementAt<At, Given>;
     const T whole = read_optional(at(given), label);
     T bare = whole;
-    for_each_array([&](const auto& each) { each.at(bare) = nullptr; });
+    for_each(arrays, [&](const auto& each) { each.at(bare) = nullptr; });
     use(&bare, sizeof bare);
-    for_each_array([&](const auto& each) { each.write(whole, place, use); });
+    for_each(arrays, [&](const auto& each) { each.write(whole, place, use); });
   }
   template <class Given>
   void read(WordReader& from, Given& given, const CallPlace& place) const {
     auto* const kept = keep<ElementAt<At, Given>>(*place.replay);
     at(given) = kept;
     *kept = from.get_struct<ElementAt<At, Given>>();
-    for_each_array([&](const auto& each) { each.read(from, *kept, place); });
+    for_each(arrays, [&](const auto& each) { each.read(from, *kept, place); });
   }
   template <class Given>
   void print(WordReader& from, Text& text) const {
     text.print_words(from.get_sized());
-    for_each_array([&](const auto& each) {
+    for_each(arrays, [&](const auto& each) {
       text.label(each.label);
       each.template print<ElementAt<At, Given>>(from, text);
     });
@@ -247,30 +249,23 @@ struct MovedPoints {
   }
 };
 
-// What the rows of calls.h are written with: positions of arguments, names for people.
+// What the rows of calls.h are written with: positions of arguments, names for people. kSameCount: with the count of an
+// array before.
+constexpr bool kSameCount = false;
 template <size_t P>
 constexpr Value<Argument<P>> value(const char* label = "") {
   return {label, {}};
 }
-template <size_t P, size_t kCount>
-constexpr ArrayOf<Argument<P>, CountAt<kCount, true>> array(const char* label) {
-  return {label, {}, {}, {}};
-}
-/** With the count of an array before. */
-template <size_t P, size_t kCount>
-constexpr ArrayOf<Argument<P>, CountAt<kCount, false>> array_like(const char* label) {
+template <size_t P, size_t kCount, bool kSets = true>
+constexpr ArrayOf<Argument<P>, CountAt<kCount, kSets>> array(const char* label) {
   return {label, {}, {}, {}};
 }
 template <size_t P>
 constexpr auto point(const char* label) {
   return ArrayOf<Argument<P>, CountOf<decltype(one_point)>, Packed>{label, {}, {one_point}, {}};
 }
-template <size_t P, size_t kCount, size_t kStride>
-constexpr ArrayOf<Argument<P>, CountAt<kCount, true>, Argument<kStride>> points(const char* label) {
-  return {label, {}, {}, {}};
-}
-template <size_t P, size_t kCount, size_t kStride>
-constexpr ArrayOf<Argument<P>, CountAt<kCount, false>, Argument<kStride>> points_like(const char* label) {
+template <size_t P, size_t kCount, size_t kStride, bool kSets = true>
+constexpr ArrayOf<Argument<P>, CountAt<kCount, kSets>, Argument<kStride>> points(const char* label) {
   return {label, {}, {}, {}};
 }
 template <size_t P, class... Arrays>

@@ -10,28 +10,19 @@ using dsw::fail;
 
 namespace {
 
-dsw_body_desc default_body() noexcept {
-  dsw_body_desc d{};
-  d.level = DSW_LEVEL_EDGES_SWEPT;
-  return d;
-}
-
 dsw::Skipping to_skipping(uint32_t flags, double share) {
-  capi::check_flags(flags,
-                    DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE |
-                        DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_SELF_CONTACTS | DSW_BODY_SKIP_BACK_EDGES |
-                        DSW_BODY_RIGID,
-                    "desc->flags");
-  if (!(share >= 0) || !std::isfinite(share)) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->motion_share is %g, must be finite and not negative", share);
-  }
+  dsw::check_flags(flags,
+                   DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE |
+                       DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_SELF_CONTACTS | DSW_BODY_SKIP_BACK_EDGES |
+                       DSW_BODY_RIGID,
+                   "desc->flags");
   dsw::Skipping skipping;
   skipping.sequences = (flags & DSW_BODY_SEQUENCES) != 0;
   skipping.by_environment = (flags & DSW_BODY_SKIP_BY_ENVIRONMENT) != 0;
   skipping.by_clearance = (flags & DSW_BODY_SKIP_BY_CLEARANCE) != 0;
   skipping.by_similar_motion = (flags & DSW_BODY_SKIP_SIMILAR_MOTION) != 0;
   skipping.back_edges = (flags & DSW_BODY_SKIP_BACK_EDGES) != 0;
-  if (share != 0) skipping.motion_share = share;
+  if (capi::to_length(share, "desc->motion_share") != 0) skipping.motion_share = share;
   return skipping;
 }
 
@@ -49,18 +40,18 @@ dsw::BodyDescription to_description(const dsw::Scene<D>& scene, const dsw_body_d
   dsw::BodyDescription out = capi::to_description(scene, {level, d.flags, d.motion_share, d.category, d.mask});
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
   if (d.vertex_count == 0) fail(DSW_STATUS_WRONG_SIZE, "desc->vertex_count is 0, must be at least 1");
-  out.positions = capi::to_points<D>(d.positions, d.vertex_count, d.stride_bytes, "desc->positions");
+  out.positions = dsw::to_points(D, d.positions, d.vertex_count, d.stride_bytes, "desc->positions");
   out.vertex_count = d.vertex_count;
   capi::check_hints(scene.env.map, d.hints, d.vertex_count, "desc->hints");
   out.hints = d.hints;
-  capi::require_array(d.edges, d.edge_count, "desc->edges");
+  dsw::require_array(d.edges, d.edge_count, "desc->edges");
   out.edges = d.edges;
   out.edge_count = d.edge_count;
   if (D == 2 && d.face_count != 0) {
     fail(DSW_STATUS_UNSUPPORTED, "desc->face_count is %zu: bodies in the plane have no faces", d.face_count);
   }
-  capi::require_array(d.face_offsets, d.face_count, "desc->face_offsets");
-  capi::require_array(d.face_corners, d.face_corner_count, "desc->face_corners");
+  dsw::require_array(d.face_offsets, d.face_count, "desc->face_offsets");
+  dsw::require_array(d.face_corners, d.face_corner_count, "desc->face_corners");
   if (d.face_count != 0 && (d.face_offsets[0] != 0 || d.face_offsets[d.face_count] != d.face_corner_count)) {
     fail(DSW_STATUS_WRONG_SIZE, "desc->face_offsets go from %u to %u, must go from 0 to face_corner_count, %zu",
          d.face_offsets[0], d.face_offsets[d.face_count], d.face_corner_count);
@@ -93,44 +84,19 @@ BodyDescription to_description(const Scene<D>& scene, const BodyOptions& options
   return out;
 }
 
-template <int D>
-uint32_t to_vertex(const Body<D>& body, dsw_body_vertex_id id, const char* name) {
-  if (body.vertex_slots.alive(id.index, id.generation)) return id.index;
-  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no vertex of the body", name, id.index, id.generation);
-}
+template BodyDescription to_description(const Scene<2>&, const BodyOptions&);
+template BodyDescription to_description(const Scene<3>&, const BodyOptions&);
 
-template <int D>
-uint32_t to_edge(const Body<D>& body, dsw_body_edge_id id, const char* name) {
-  if (body.edge_slots.alive(id.index, id.generation)) return id.index;
-  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no edge of the body", name, id.index, id.generation);
+uint32_t to_slot(const SlotPool& slots, uint32_t index, uint32_t generation, const char* name, const char* part) {
+  if (slots.alive(index, generation)) return index;
+  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no %s of the body", name, index, generation, part);
 }
-
-template <int D>
-uint32_t to_face(const Body<D>& body, dsw_body_face_id id, const char* name) {
-  if (body.face_slots.alive(id.index, id.generation)) return id.index;
-  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no face of the body", name, id.index, id.generation);
-}
-
-void check_enabled(bool enabled, const char* feature) {
-  if (!enabled) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable %s", feature);
-}
-
-#define DSW_BODY_ACCESS(D)                                                      \
-  template BodyDescription to_description(const Scene<D>&, const BodyOptions&); \
-  template uint32_t to_vertex(const Body<D>&, dsw_body_vertex_id, const char*); \
-  template uint32_t to_edge(const Body<D>&, dsw_body_edge_id, const char*);     \
-  template uint32_t to_face(const Body<D>&, dsw_body_face_id, const char*)
-DSW_BODY_ACCESS(2);
-DSW_BODY_ACCESS(3);
-#undef DSW_BODY_ACCESS
 
 }  // namespace dsw::capi
 
-void dsw_body_desc_init(dsw_body_desc* desc, size_t size) { capi::init_struct(desc, size, default_body()); }
-
 dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body_id* body) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
-    capi::require(body, "body");
+    dsw::require(body, "body");
     const dsw_body_desc d = capi::read_required(desc, "desc");
     const dsw::BodyDescription description = to_description(s, d);
     capi::Recorded call(scene, capi::row_of<dsw_body_create>, &d);
@@ -141,10 +107,7 @@ dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body
 
 dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t** vertices, size_t* count) {
   return capi::guarded_visit(__func__, scene, [&](const auto& s) {
-    capi::require(vertices, "vertices");
-    capi::require(count, "count");
-    *vertices = s.offending.data();
-    *count = s.offending.size() / 2;
+    capi::hand_out(s.offending.data(), s.offending.size() / 2, vertices, count, "vertices");
   });
 }
 
@@ -167,15 +130,13 @@ dsw_status dsw_scene_get_body_count(const dsw_scene* scene, size_t* count) {
 }
 
 dsw_status dsw_scene_get_body_ids(const dsw_scene* scene, dsw_body_id* bodies, size_t capacity, size_t* count) {
-  return capi::guarded_visit(
-      __func__, scene, [&](const auto& s) { capi::copy_ids(s.bodies.size(), s.body_slots, bodies, capacity, count); });
+  return capi::guarded_visit(__func__, scene,
+                             [&](const auto& s) { capi::copy_ids(s.body_slots, bodies, capacity, count); });
 }
 
 dsw_status dsw_body_get_counts(const dsw_scene* scene, dsw_body_id body, dsw_body_counts* counts) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
-    capi::require(counts, "counts");
-    capi::check_size(counts, "counts");
     dsw_body_counts c{};
     c.vertex_count = static_cast<uint32_t>(b.vertex_slots.alive_count());
     c.edge_count = static_cast<uint32_t>(b.edge_slots.alive_count());
@@ -183,7 +144,7 @@ dsw_status dsw_body_get_counts(const dsw_scene* scene, dsw_body_id body, dsw_bod
     c.vertex_slots = static_cast<uint32_t>(b.vertices.size());
     c.edge_slots = static_cast<uint32_t>(b.edges.size());
     c.face_slots = static_cast<uint32_t>(b.faces.size());
-    capi::write_struct(counts, c);
+    capi::give_struct(counts, "counts", c);
   });
 }
 
@@ -203,8 +164,8 @@ dsw_status dsw_body_set_level(dsw_scene* scene, dsw_body_id body, dsw_level leve
 
 dsw_status dsw_body_get_filter(const dsw_scene* scene, dsw_body_id body, uint32_t* category, uint32_t* mask) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
-    capi::require(category, "category");
-    capi::require(mask, "mask");
+    dsw::require(category, "category");
+    dsw::require(mask, "mask");
     capi::check_enabled(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
     *category = of.body.filter.category;
     *mask = of.body.filter.mask;
@@ -225,7 +186,7 @@ dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, doub
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
     const auto& b = of.body;
-    const size_t step = capi::to_step<D>(b.vertices.size(), stride_bytes);
+    const size_t step = dsw::to_step(of.kDimension, b.vertices.size(), stride_bytes);
     capi::check_capacity(b.vertices.size(), capacity, positions, count);
     for (size_t i = 0; i < b.vertices.size(); ++i) {
       std::copy_n(b.vertices[i].position, D, positions + i * step);
@@ -236,23 +197,20 @@ dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, doub
 
 dsw_status dsw_body_get_vertex_ids(const dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id* vertices,
                                    size_t capacity, size_t* count) {
-  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
-    capi::copy_ids(of.body.vertices.size(), of.body.vertex_slots, vertices, capacity, count);
-  });
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { capi::copy_ids(of.body.vertex_slots, vertices, capacity, count); });
 }
 
 dsw_status dsw_body_get_edge_ids(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id* edges, size_t capacity,
                                  size_t* count) {
-  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
-    capi::copy_ids(of.body.edges.size(), of.body.edge_slots, edges, capacity, count);
-  });
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { capi::copy_ids(of.body.edge_slots, edges, capacity, count); });
 }
 
 dsw_status dsw_body_get_face_ids(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id* faces, size_t capacity,
                                  size_t* count) {
-  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
-    capi::copy_ids(of.body.faces.size(), of.body.face_slots, faces, capacity, count);
-  });
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { capi::copy_ids(of.body.face_slots, faces, capacity, count); });
 }
 
 dsw_status dsw_body_get_vertex_id(const dsw_scene* scene, dsw_body_id body, uint32_t index,
@@ -289,8 +247,8 @@ dsw_status dsw_body_get_edge_ends(const dsw_scene* scene, dsw_body_id body, dsw_
                                   dsw_body_vertex_id* vertices) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
-    capi::require(vertices, "vertices");
-    const uint32_t e = capi::to_edge(b, edge, "edge");
+    dsw::require(vertices, "vertices");
+    const uint32_t e = capi::to_engine(b, edge, "edge");
     for (int k = 0; k < 2; ++k) vertices[k] = vertex_id(b, b.edges[e].ends[k]);
   });
 }
@@ -299,8 +257,8 @@ dsw_status dsw_body_get_face_corners(const dsw_scene* scene, dsw_body_id body, d
                                      dsw_body_vertex_id* vertices) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
-    capi::require(vertices, "vertices");
-    const uint32_t f = capi::to_face(b, face, "face");
+    dsw::require(vertices, "vertices");
+    const uint32_t f = capi::to_engine(b, face, "face");
     for (int k = 0; k < 3; ++k) vertices[k] = vertex_id(b, b.faces[f].corners[k]);
   });
 }

@@ -21,7 +21,7 @@ struct BodyAccess {
 template <class Use>
 dsw_status guarded_body(const char* function, const dsw_scene* scene, dsw_body_id body, const Use& use) noexcept {
   return guarded_visit(function, const_cast<dsw_scene*>(scene), [&](auto& s) {
-    auto& record = check_body(s, body, {"body", false});
+    auto& record = check_body(s, body, "body");
     use(BodyAccess<kDimension<decltype(s)>>{s, record, record.body});
   });
 }
@@ -46,14 +46,19 @@ SweepLevel to_body_level(const dsw_level& given, const char* name) {
   return to_level(given, D == 2 ? DSW_LEVEL_EDGES_SWEPT : DSW_LEVEL_FACES, name);
 }
 
+/** The slot of a part of a body; `part` is its name. Throws STALE_ID. */
+uint32_t to_slot(const SlotPool& slots, uint32_t index, uint32_t generation, const char* name, const char* part);
 template <int D>
-uint32_t to_vertex(const Body<D>& body, dsw_body_vertex_id id, const char* name);
+uint32_t to_engine(const Body<D>& body, dsw_body_vertex_id id, const char* name) {
+  return to_slot(body.vertex_slots, id.index, id.generation, name, "vertex");
+}
 template <int D>
-uint32_t to_edge(const Body<D>& body, dsw_body_edge_id id, const char* name);
+uint32_t to_engine(const Body<D>& body, dsw_body_edge_id id, const char* name) {
+  return to_slot(body.edge_slots, id.index, id.generation, name, "edge");
+}
 template <int D>
-uint32_t to_face(const Body<D>& body, dsw_body_face_id id, const char* name);
-
-/** Throws NOT_ENABLED unless the scene was made with a feature. */
-void check_enabled(bool enabled, const char* feature);
+uint32_t to_engine(const Body<D>& body, dsw_body_face_id id, const char* name) {
+  return to_slot(body.face_slots, id.index, id.generation, name, "face");
+}
 
 }  // namespace dsw::capi

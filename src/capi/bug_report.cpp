@@ -13,11 +13,6 @@ namespace {
 
 using Bytes = dsw::Array<uint8_t>;
 
-struct DestroyReplay {
-  void operator()(dsw_replay* replay) const { dsw_replay_destroy(replay); }
-};
-using Replay = std::unique_ptr<dsw_replay, DestroyReplay>;
-
 void read_file(std::FILE* file, Bytes& bytes) {
   const bool opened = std::fseek(file, 0, SEEK_END) == 0;
   const long size = opened ? std::ftell(file) : -1;
@@ -85,26 +80,21 @@ bool make_others(dsw_replay* replay, size_t count) {
 
 }  // namespace
 
-void dsw_bug_report_desc_init(dsw_bug_report_desc* desc, size_t size) {
-  capi::init_struct(desc, size, dsw_bug_report_desc{});
-}
-
 dsw_status dsw_scene_write_bug_report(dsw_scene* scene, const dsw_bug_report_desc* desc, dsw_validation* validation) {
   return capi::guard(__func__, [&] {
     dsw_scene& handle = capi::check_handle(scene);
-    const dsw_bug_report_desc d = capi::read_required(desc, "desc");
-    capi::check_flags(d.flags, 0, "desc->flags");
+    const dsw_bug_report_desc d = capi::read_required(desc, "desc", 0);
     if (d.path != nullptr && d.write != nullptr) {
       fail(DSW_STATUS_UNSUPPORTED, "desc->path and desc->write are both set, one of them must be null");
     }
-    if (d.path == nullptr) capi::require(reinterpret_cast<const void*>(d.write), "desc->write");
+    if (d.path == nullptr) dsw::require(reinterpret_cast<const void*>(d.write), "desc->write");
     if (validation != nullptr) capi::check_size(validation, "validation");
 
-    Bytes recording{dsw::Allocator<uint8_t>(capi::memory_of(*handle.environment))};
+    Bytes recording(capi::memory_of(*handle.environment));
     get_recording(handle, recording);
     dsw_replay* made = nullptr;
     check_done(dsw_replay_create(handle.environment->context, recording.data(), recording.size(), &made));
-    const Replay replay(made);
+    const capi::ReplayOwner replay(made);
     bool is_same = make_others(made, count_calls(recording));
 
     dsw_recording_desc to{};
@@ -124,9 +114,7 @@ dsw_status dsw_scene_write_bug_report(dsw_scene* scene, const dsw_bug_report_des
     dsw::RecordWriter& writer = made->scene->recording->writer;
     write_note(writer, d.note == nullptr ? "" : d.note);
     answer.struct_size = sizeof answer;
-    writer.begin(dsw::EntryKind::kValidation, sizeof answer);
-    writer.put(&answer, sizeof answer);
-    writer.end();
+    writer.write(dsw::EntryKind::kValidation, &answer, sizeof answer);
     if (!capi::end_recording(*made->scene)) fail(DSW_STATUS_WRITE_FAILED, "the bug report was not written");
     if (validation != nullptr) capi::write_struct(validation, answer);
     if (!is_same || capi::state_of(handle, true) != capi::state_of(*made->scene, true)) {

@@ -24,18 +24,14 @@ struct Row {
   const char* name;
   std::tuple<Kinds...> kinds;
 
-  template <class Use>
-  void for_each_kind(const Use& use) const {
-    std::apply([&](const Kinds&... each) { (use(each), ...); }, kinds);
-  }
   /** The arguments of a recorded call; what they point at is kept by the replay. */
   Given read(WordReader from, dsw_replay& replay) const {
     Given given{};
-    for_each_kind([&](const auto& each) { each.read(from, given, {nullptr, &replay, from.dimension()}); });
+    for_each(kinds, [&](const auto& each) { each.read(from, given, {nullptr, &replay, from.dimension()}); });
     return given;
   }
   void describe(WordReader from, Text& text) const {
-    for_each_kind([&](const auto& each) {
+    for_each(kinds, [&](const auto& each) {
       text.label(each.label);
       each.template print<Given>(from, text);
     });
@@ -94,7 +90,7 @@ inline constexpr auto kTable = std::make_tuple(
         array("tags", &dsw_volumes_desc::tags, &dsw_volumes_desc::volume_count),
         array("sewn to", &dsw_volumes_desc::sew_to, &dsw_volumes_desc::sew_count))),
     DSW_ROW(9, dsw_environment_remove_volumes)(array<1, 2>("volumes")),
-    DSW_ROW(10, dsw_environment_sew_faces)(array<1, 3>("faces"), array_like<2, 3>("to")),
+    DSW_ROW(10, dsw_environment_sew_faces)(array<1, 3>("faces"), array<2, 3, kSameCount>("to")),
     DSW_ROW(11, dsw_environment_unsew_face)(value<1>("face")),
     DSW_ROW(12, dsw_environment_merge_volumes)(value<1>("face")),
     DSW_ROW(13, dsw_environment_split_volume)(value<1>("volume"), array<2, 3>("loop")),
@@ -105,7 +101,7 @@ inline constexpr auto kTable = std::make_tuple(
     DSW_ROW(18, dsw_environment_collapse_edge)(value<1>("edge"), value<2>("vertex")),
     DSW_ROW(19, dsw_environment_cut)(structure<1>("desc",
         points("points", &dsw_cut_desc::points, blade_points, &dsw_cut_desc::point_stride_bytes))),
-    DSW_ROW(20, dsw_environment_tear_faces)(array<1, 3>("faces"), array_like<2, 3>("loads"), value<4>("limit")),
+    DSW_ROW(20, dsw_environment_tear_faces)(array<1, 3>("faces"), array<2, 3, kSameCount>("loads"), value<4>("limit")),
     DSW_ROW(21, dsw_environment_open_crack)(structure<1>("desc",
         array("faces", &dsw_open_crack_desc::faces, &dsw_open_crack_desc::face_count))),
     DSW_ROW(22, dsw_environment_carve)(structure<1>("desc",
@@ -120,13 +116,13 @@ inline constexpr auto kTable = std::make_tuple(
     DSW_ROW(26, dsw_environment_deform)(structure<3>("options"), MovedPoints{"vertices"}),
     DSW_ROW(27, dsw_particle_create)(point<1>("position"), value<2>("hint"), result<3>()),
     DSW_ROW(28, dsw_scene_create_particles)(
-        points<1, 2, 3>("positions"), array_like<4, 2>("hints"), results<5, 2>()),
+        points<1, 2, 3>("positions"), array<4, 2, kSameCount>("hints"), results<5, 2>()),
     DSW_ROW(29, dsw_particle_destroy)(value<1>("particle")),
     DSW_ROW(30, dsw_particle_move)(value<1>("particle"), point<2>("target"), structure<3>("options")),
     DSW_ROW(31, dsw_scene_move_particles)(
-        array<1, 2>("particles"), points_like<3, 2, 4>("targets"), structure<5>("options")),
+        array<1, 2>("particles"), points<3, 2, 4, kSameCount>("targets"), structure<5>("options")),
     DSW_ROW(32, dsw_scene_cast_from_particles)(
-        array<1, 2>("particles"), points_like<3, 2, 4>("targets"), structure<5>("options"), results<6, 2>()),
+        array<1, 2>("particles"), points<3, 2, 4, kSameCount>("targets"), structure<5>("options"), results<6, 2>()),
     DSW_ROW(33, dsw_scene_reset_statistics)(),
     DSW_ROW(34, dsw_body_create)(structure<1>("desc",
         points("positions", &dsw_body_desc::positions, &dsw_body_desc::vertex_count, &dsw_body_desc::stride_bytes),

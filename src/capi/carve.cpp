@@ -18,8 +18,8 @@ dsw::Blade<D> read_shape(const dsw::Memory* memory, const dsw_carve_desc& d) {
   const char* const simplex = D == 3 ? "triangle" : "segment";
   check_count(d.point_count, 1, "point_count");
   check_count(d.triangle_count, 1, "triangle_count");
-  capi::require(d.triangles, "desc->triangles");
-  const auto points = capi::to_finite_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points");
+  dsw::require(d.triangles, "desc->triangles");
+  const auto points = dsw::to_finite_points(D, d.points, d.point_count, d.point_stride_bytes, "desc->points");
   for (size_t s = 0; s < d.triangle_count; ++s) {
     const uint32_t* const c = d.triangles + D * s;
     for (size_t k = 0; k < D; ++k) {
@@ -43,41 +43,30 @@ dsw::Blade<D> read_shape(const dsw::Memory* memory, const dsw_carve_desc& d) {
 
 }  // namespace
 
-void dsw_carve_desc_init(dsw_carve_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_carve_desc{}); }
-void dsw_tie_desc_init(dsw_tie_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_tie_desc{}); }
-
 dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_desc* desc, dsw_change* out) {
-  return capi::guarded_change(
-      __func__, environment,
-      [&](auto& change) {
-        const dsw_carve_desc d = capi::read_required(desc, "desc");
-        capi::check_flags(d.flags, DSW_CARVE_WHOLE, "desc->flags");
-        dsw::CutSettings settings;
-        settings.snap = capi::to_snap(d.snap);
-        settings.splits = (d.flags & DSW_CARVE_WHOLE) != 0 ? dsw::Splits::kNothing : dsw::Splits::kImpassable;
-        const auto shape = read_shape<capi::kDimension<decltype(change)>>(change.memory(), d);
-        const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
-        change.record(capi::row_of<dsw_environment_carve>, &d);
-        carve_out(change, shape, start, settings);
-        change.tell();
-      },
-      out);
+  return capi::guarded_change(__func__, environment, out, [&](auto& change) {
+    const dsw_carve_desc d = capi::read_required(desc, "desc", DSW_CARVE_WHOLE);
+    dsw::CutSettings settings;
+    settings.snap = capi::to_snap(d.snap);
+    settings.splits = (d.flags & DSW_CARVE_WHOLE) != 0 ? dsw::Splits::kNothing : dsw::Splits::kImpassable;
+    const auto shape = read_shape<capi::kDimension<decltype(change)>>(change.memory(), d);
+    const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
+    change.record(capi::row_of<dsw_environment_carve>, &d);
+    carve_out(change, shape, start, settings);
+    change.tell();
+  });
 }
 
 dsw_status dsw_environment_tie(dsw_environment* environment, const dsw_tie_desc* desc, dsw_change* out) {
-  return capi::guarded_change(
-      __func__, environment,
-      [&](auto& change) {
-        constexpr int D = capi::kDimension<decltype(change)>;
-        const dsw_tie_desc d = capi::read_required(desc, "desc");
-        capi::check_flags(d.flags, 0, "desc->flags");
-        const double snap = capi::to_snap(d.snap);
-        check_count(d.point_count, D, "point_count");
-        const auto points = capi::to_finite_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points");
-        const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
-        change.record(capi::row_of<dsw_environment_tie>, &d);
-        tie_off(change, points, static_cast<uint32_t>(d.point_count), start, snap);
-        change.tell();
-      },
-      out);
+  return capi::guarded_change(__func__, environment, out, [&](auto& change) {
+    constexpr int D = capi::kDimension<decltype(change)>;
+    const dsw_tie_desc d = capi::read_required(desc, "desc", 0);
+    const double snap = capi::to_snap(d.snap);
+    check_count(d.point_count, D, "point_count");
+    const auto points = dsw::to_finite_points(D, d.points, d.point_count, d.point_stride_bytes, "desc->points");
+    const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
+    change.record(capi::row_of<dsw_environment_tie>, &d);
+    tie_off(change, points, static_cast<uint32_t>(d.point_count), start, snap);
+    change.tell();
+  });
 }

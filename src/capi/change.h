@@ -22,7 +22,7 @@ class Change : public Site<D> {
   const Memory* memory() const { return this->env.memory; }
   template <class T>
   Array<T> array(size_t count) const {
-    return Array<T>(count, T{}, Allocator<T>(memory()));
+    return Array<T>(count, T{}, memory());
   }
 
   /** The arguments have been checked: the call is written if the scene is recorded. */
@@ -60,7 +60,7 @@ class Change : public Site<D> {
 
  private:
   Change(dsw_environment& handle, Environment<D>& engine, dsw_scene* host, dsw_change* out)
-      : Site<D>{engine, engine_of<D>(host), handle.results}, host_(host), out_(out) {
+      : Site<D>{engine, engine_of(host, engine), handle.results}, host_(host), out_(out) {
     if (out != nullptr) check_size(out, "change");
   }
 
@@ -72,30 +72,28 @@ class Change : public Site<D> {
 
 /** Runs the body of the entry point named `function` with the change that it is to make. `out` may be null. */
 template <class Body>
-dsw_status guarded_change(const char* function, dsw_environment* environment, const Body& body,
-                          dsw_change* out = nullptr) noexcept {
+dsw_status guarded_change(const char* function, dsw_environment* environment, dsw_change* out,
+                          const Body& body) noexcept {
   return guarded_visit(function, environment, [&](auto& env) {
     Change<kDimension<decltype(env)>> change(*environment, env, out);
     body(change);
   });
 }
-/** Likewise, for functions of space. */
+/** Likewise, for functions of space. `instead`: null, or the function for sides of the plane, which are faces without
+ * edges inside. */
 template <class Body>
-dsw_status guarded_change_of_space(const char* function, dsw_environment* environment, const Body& body,
-                                   dsw_change* out = nullptr) noexcept {
+dsw_status guarded_change_of_space(const char* function, dsw_environment* environment, const char* instead,
+                                   dsw_change* out, const Body& body) noexcept {
   return guard(function, [&] {
-    Environment<3>& env = space(check_handle(environment));
-    Change<3> change(*environment, env, out);
+    if (is_planar(check_handle(environment)) && instead != nullptr) {
+      fail(DSW_STATUS_UNSUPPORTED, "in the plane a face is a side, which has no edges inside: see %s", instead);
+    }
+    Change<3> change(*environment, space(*environment), out);
     body(change);
   });
 }
 
 /** The share of an edge's length within which a vertex stands for a crossing; throws unless it is allowed. */
-inline double to_snap(double given) {
-  if (!(given >= 0 && given <= 0.25)) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->snap is %g, must be above 0 and at most 0.25, or 0", given);
-  }
-  return given == 0 ? CutSettings().snap : given;
-}
+inline double to_snap(double given) { return to_quarter(given, CutSettings().snap, "desc->snap"); }
 
 }  // namespace dsw::capi

@@ -1,7 +1,6 @@
 #include "dartsweep/coarsen.h"
 
 #include "capi/convert.h"
-#include "capi/environment_build.h"
 #include "coarsen/coarsen.h"
 
 namespace capi = dsw::capi;
@@ -41,30 +40,24 @@ dsw_coarsen_report to_report(const dsw_environment& source, const dsw_environmen
 
 }  // namespace
 
-void dsw_coarsen_options_init(dsw_coarsen_options* options, size_t size) {
-  dsw_coarsen_options defaults{};
-  defaults.max_faces = dsw::CoarsenOptions{}.max_facets;
-  capi::init_struct(options, size, defaults);
-}
-
 dsw_status dsw_environment_coarsen(const dsw_environment* source, const dsw_coarsen_options* options,
                                    dsw_environment** environment, uint32_t* volume_map, size_t capacity,
                                    dsw_coarsen_report* report) {
   return capi::guard(__func__, [&] {
     const dsw_environment& handle = capi::check_handle(source, "source");
     const dsw::Environment<3>& from = capi::space(handle);
-    capi::require(environment, "environment");
+    dsw::require(environment, "environment");
     const dsw::CoarsenOptions chosen = to_options(options);
     if (report != nullptr) capi::check_size(report, "report");
     if (volume_map != nullptr && capacity < from.map.index_count()) {
       fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity is %zu, must be at least %u", capacity, from.map.index_count());
     }
     if (from.checked.active()) fail(DSW_STATUS_UNSUPPORTED, "the points of source have moved, or may move");
-    capi::EnvironmentOwner owner(handle.context, 3);
-    dsw::Array<uint32_t> new_index{dsw::Allocator<uint32_t>(from.memory)};
+    capi::EnvironmentOwner owner = capi::make_environment(handle.context, 3);
+    dsw::Array<uint32_t> new_index(from.memory);
     dsw::CoarsenReport found;
     coarsen(from, chosen, capi::space(*owner), new_index, found);
-    *environment = owner.take();
+    *environment = owner.release();
     if (volume_map != nullptr) std::copy(new_index.begin(), new_index.end(), volume_map);
     if (report != nullptr) capi::write_struct(report, to_report(handle, **environment, found));
   });

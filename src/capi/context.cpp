@@ -6,11 +6,9 @@
 
 namespace capi = dsw::capi;
 
-void dsw_context_desc_init(dsw_context_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_context_desc{}); }
-
 dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** context) {
   return capi::guard(__func__, [&] {
-    capi::require(context, "context");
+    dsw::require(context, "context");
     const dsw_context_desc d = capi::read_optional(desc, "desc");
     constexpr uint32_t kMostThreads = 256;
     if (d.thread_count > kMostThreads) {

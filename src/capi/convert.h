@@ -15,46 +15,55 @@
 
 namespace dsw::capi {
 
+/** Throws STALE_ID, with the id of a volume or a vertex; `kind` is its name, `count` how many are alive. */
+[[noreturn]] void fail_stale(uint32_t index, uint32_t generation, const char* kind, uint32_t count, ElementName name);
+/** Throws STALE_ID, with the id of a face or an edge. `count`: of volumes, or with `parts` of the volume's parts. */
+[[noreturn]] void fail_stale(dsw_face_id id, const char* parts, uint32_t count, ElementName name);
+
+/** The volume, vertex, face or edge that an id names. Throws STALE_ID. */
 template <int D>
-Cell to_cell(const Map<D>& map, dsw_volume_id id, ArgumentName argument, size_t index = 0);
+Cell to_engine(const Map<D>& map, dsw_volume_id id, ArgumentName argument, size_t index = 0) {
+  if (!is_alive(map, id)) fail_stale(id.index, id.generation, "volume", map.cell_count, {argument, index});
+  return map.cell(id.index);
+}
 template <int D>
-HalfFacet to_half_facet(const Map<D>& map, dsw_face_id id, ArgumentName argument, size_t index = 0);
+uint32_t to_engine(const Map<D>& map, dsw_vertex_id id, ArgumentName argument, size_t index = 0) {
+  if (map.is_vertex_alive(id.index, id.generation)) return id.index;
+  fail_stale(id.index, id.generation, "vertex", map.vertex_count, {argument, index});
+}
+/** The volume of a face or an edge, which has `count(volume)` of these `parts`. */
+template <int D, class Count>
+Cell to_owner(const Map<D>& map, dsw_face_id id, const char* parts, const Count& count, ArgumentName argument,
+              size_t index) {
+  if (!is_alive(map, dsw_volume_id{id.volume, id.generation})) {
+    fail_stale(id, nullptr, map.cell_count, {argument, index});
+  }
+  const Cell c = map.cell(id.volume);
+  if (id.local >= count(c)) fail_stale(id, parts, count(c), {argument, index});
+  return c;
+}
+template <int D>
+HalfFacet to_engine(const Map<D>& map, dsw_face_id id, ArgumentName argument, size_t index = 0) {
+  const auto count = [&](Cell c) { return map.facets_of(c); };
+  return map.half_facet(to_owner(map, id, "faces", count, argument, index), id.local);
+}
 /** One dart of the edge, in the plane of the side with the numbers of its face id. */
 template <int D>
-Dart to_dart(const Map<D>& map, dsw_edge_id id, ArgumentName argument, size_t index = 0);
-template <int D>
-uint32_t to_vertex(const Map<D>& map, dsw_vertex_id id, ArgumentName argument, size_t index = 0);
-
-/** An array of `count` things; null is allowed when there are none. A count that no array can have is WRONG_SIZE. */
-void require_array(const void* array, size_t count, const char* name);
-
-// By the type of the id.
-template <int D>
-Cell to_engine(const Map<D>& map, dsw_volume_id id, ArgumentName argument, size_t index) {
-  return to_cell(map, id, argument, index);
-}
-template <int D>
-HalfFacet to_engine(const Map<D>& map, dsw_face_id id, ArgumentName argument, size_t index) {
-  return to_half_facet(map, id, argument, index);
-}
-template <int D>
-Dart to_engine(const Map<D>& map, dsw_edge_id id, ArgumentName argument, size_t index) {
-  return to_dart(map, id, argument, index);
-}
-template <int D>
-uint32_t to_engine(const Map<D>& map, dsw_vertex_id id, ArgumentName argument, size_t index) {
-  return to_vertex(map, id, argument, index);
+Dart to_engine(const Map<D>& map, dsw_edge_id id, ArgumentName argument, size_t index = 0) {
+  const auto count = [&](Cell c) { return map.shape(c).edge_count(); };
+  const dsw_face_id numbers{id.volume, id.generation, id.local};
+  return dart_of_edge(map, to_owner(map, numbers, "edges", count, argument, index), id.local);
 }
 
 /** An array of ids in the engine's terms, on the stack if they are few. */
 template <class Id>
 class Converted {
-  using T = decltype(to_engine(std::declval<const Map<3>&>(), Id{}, ArgumentName{}, 0));
+  using T = decltype(to_engine(std::declval<const Map<3>&>(), Id{}, "", 0));
 
  public:
   template <int D>
   Converted(const Environment<D>& env, const Id* ids, size_t count, const char* name)
-      : count_(count), many_(Allocator<T>(env.memory)) {
+      : count_(count), many_(env.memory) {
     require_array(ids, count, name);
     if (count > kFew) many_.resize(count);
     for (size_t i = 0; i < count; ++i) data()[i] = to_engine(env.map, ids[i], {name, true}, i);
@@ -73,16 +82,30 @@ class Converted {
 
 /** A hint or start: alive or null. */
 template <int D>
-void check_hint(const Map<D>& map, dsw_volume_id id, const char* name);
+void check_hint(const Map<D>& map, dsw_volume_id id, ArgumentName argument, size_t index = 0) {
+  if (!is_null(id)) to_engine(map, id, argument, index);
+}
 /** Likewise; null gives a cell that is not valid. */
 template <int D>
 Cell to_hint(const Map<D>& map, dsw_volume_id id, const char* name) {
-  check_hint(map, id, name);
-  return is_null(id) ? Cell{} : map.cell(id.index);
+  return is_null(id) ? Cell{} : to_engine(map, id, name);
 }
 /** `ids` may be null. */
 template <int D>
-void check_hints(const Map<D>& map, const dsw_volume_id* ids, size_t count, const char* name);
+void check_hints(const Map<D>& map, const dsw_volume_id* ids, size_t count, const char* name) {
+  if (ids == nullptr) return;
+  if (!map.has_changed()) {
+    const uint32_t cell_count = map.cell_count;
+    uint32_t bad = 0;  // without branches: this runs over every cast of a batch
+    for (size_t i = 0; i < count; ++i) {
+      const uint32_t index = ids[i].index, generation = ids[i].generation;
+      const bool alive = (generation == 1) & (index < cell_count);
+      bad |= static_cast<uint32_t>(!alive & ((index | generation) != 0));
+    }
+    if (bad == 0) return;
+  }
+  for (size_t i = 0; i < count; ++i) check_hint(map, ids[i], {name, true}, i);
+}
 
 /** `dimension`: of the environment, which says what there is. */
 [[noreturn]] void fail_kind(const char* name, dsw_cell_kind kind, int dimension);
@@ -91,17 +114,17 @@ void check_hints(const Map<D>& map, const dsw_volume_id* ids, size_t count, cons
  * face(HalfFacet) or volume(Cell). */
 template <int D, class Visitor>
 auto visit_cell(const Map<D>& map, dsw_cell cell, const Visitor& visitor) {
-  const ArgumentName name{"cell", false};
-  switch (cell.kind) {
+  const auto [kind, index, generation, local] = cell;
+  switch (kind) {
     case DSW_CELL_VERTEX:
-      return visitor.vertex(to_vertex(map, {cell.index, cell.generation}, name));
+      return visitor.vertex(to_engine(map, dsw_vertex_id{index, generation}, "cell"));
     case DSW_CELL_EDGE:
-      if constexpr (D == 3) return visitor.edge(to_dart(map, {cell.index, cell.generation, cell.local}, name));
+      if constexpr (D == 3) return visitor.edge(to_engine(map, dsw_edge_id{index, generation, local}, "cell"));
       break;
     case DSW_CELL_FACE:
-      return visitor.face(to_half_facet(map, {cell.index, cell.generation, cell.local}, name));
+      return visitor.face(to_engine(map, dsw_face_id{index, generation, local}, "cell"));
     case DSW_CELL_VOLUME:
-      return visitor.volume(to_cell(map, {cell.index, cell.generation}, name));
+      return visitor.volume(to_engine(map, dsw_volume_id{index, generation}, "cell"));
     default:
       break;
   }
@@ -114,31 +137,11 @@ dsw_vertex_id vertex_id(const Map<D>& map, uint32_t vertex) noexcept {
   return {vertex, map.vertex_generation(vertex)};
 }
 
-/** As many finite coordinates as there are dimensions. */
-template <int D>
-void check_point(const double* point, const char* name) {
-  require(point, name);
-  check_finite({point, D}, 1, D, {name, false});
-}
-
-/** The host's stride in doubles. */
-template <int D>
-size_t to_step(size_t count, size_t stride_bytes);
-
-/** An array of points with the host's stride, not yet checked to be finite. */
-template <int D>
-PointArray to_points(const double* points, size_t count, size_t stride_bytes, const char* name);
-
-/** Likewise, and finite. */
-template <int D>
-PointArray to_finite_points(const double* points, size_t count, size_t stride_bytes, const char* name) {
-  const PointArray all = to_points<D>(points, count, stride_bytes, name);
-  check_finite(all, count, D, {name, true});
-  return all;
-}
-
 /** How cells are repaired; 0 means the default. Throws OUT_OF_RANGE. */
 RepairSettings to_repair_settings(uint32_t radius, uint32_t max_faces);
+
+/** Throws NOT_ENABLED unless the scene was made with a feature. */
+void check_enabled(bool enabled, const char* feature);
 
 /** Options of a flight; null: defaults. */
 SegmentOptions to_options(const dsw_cast_options* options);
@@ -154,17 +157,32 @@ uint32_t raw_value(const Enum& given) noexcept {
   std::memcpy(&value, &given, sizeof value);
   return value;
 }
+/** Likewise; refuses what is above `last`. */
+template <class Enum>
+uint32_t to_number(const Enum& given, uint32_t last, const char* name) {
+  const uint32_t value = raw_value(given);
+  if (value > last) fail(DSW_STATUS_UNSUPPORTED, "%s is %u, this version knows 0 .. %u", name, value, last);
+  return value;
+}
 
-/** Refuses flags that this version does not know. */
-void check_flags(uint32_t flags, uint32_t known, const char* name);
+// Options that are numbers, refused where they are out of range. Where there is an `instead`, 0 stands for that.
+uint32_t to_count(uint32_t given, uint32_t last, uint32_t instead, const char* name);
+double to_length(double given, const char* name);
+double to_quarter(double given, double instead, const char* name);
+double to_min_part(double given, double instead);
+void check_edge_parameter(double given);
 
 /** An array that is kept for the host. */
 template <class T>
-void hand_out(const Array<T>& array, const T** items, size_t* count, const char* name) {
+void hand_out(const T* kept, size_t size, const T** items, size_t* count, const char* name) {
   require(items, name);
   require(count, "count");
-  *items = array.data();
-  *count = array.size();
+  *items = kept;
+  *count = size;
+}
+template <class T>
+void hand_out(const Array<T>& array, const T** items, size_t* count, const char* name) {
+  hand_out(array.data(), array.size(), items, count, name);
 }
 
 /** Gives a result to a host that has to take it. */
@@ -179,9 +197,9 @@ void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* 
 
 /** Copies the ids of what lives in slots. */
 template <class Id>
-void copy_ids(size_t slot_count, const SlotPool& slots, Id* out, size_t capacity, size_t* count) {
+void copy_ids(const SlotPool& slots, Id* out, size_t capacity, size_t* count) {
   check_capacity(slots.alive_count(), capacity, out, count);
-  for (uint32_t i = 0; i < slot_count; ++i) {
+  for (uint32_t i = 0; i < slots.slot_count(); ++i) {
     if (slots.alive(i, slots.generation(i))) *out++ = {i, slots.generation(i)};
   }
 }

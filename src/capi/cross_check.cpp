@@ -14,11 +14,11 @@ namespace {
 constexpr double kUnit = 1e-9;  // of the square of a unit normal: more than rounding makes
 
 void check_numbers(const dsw_body_contact& contact) {
-  dsw::check_finite({contact.position, 3}, 1, 3, {"contact->position", false});
-  dsw::check_finite({contact.fixed[0], 3}, 1, 3, {"contact->fixed[0]", false});
-  dsw::check_finite({contact.fixed[1], 3}, 1, 3, {"contact->fixed[1]", false});
-  dsw::check_finite({contact.point, 3}, 1, 3, {"contact->point", false});
-  dsw::check_finite({contact.contact.normal, 3}, 1, 3, {"contact->contact.normal", false});
+  dsw::check_finite({contact.position, 3}, 1, 3, "contact->position");
+  dsw::check_finite({contact.fixed[0], 3}, 1, 3, "contact->fixed[0]");
+  dsw::check_finite({contact.fixed[1], 3}, 1, 3, "contact->fixed[1]");
+  dsw::check_finite({contact.point, 3}, 1, 3, "contact->point");
+  dsw::check_finite({contact.contact.normal, 3}, 1, 3, "contact->contact.normal");
   const double* const n = contact.contact.normal;
   const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
   if (!(square > 1 - kUnit && square < 1 + kUnit)) {
@@ -28,8 +28,8 @@ void check_numbers(const dsw_body_contact& contact) {
 
 /** The wall as it is seen from in front. */
 dsw::HalfFacet to_wall(const dsw::Map<3>& map, const dsw_body_contact& contact) {
-  const dsw::HalfFacet given = capi::to_half_facet(map, contact.contact.wall, {"contact->contact.wall", false});
-  const dsw::Cell front = capi::to_cell(map, contact.contact.front, {"contact->contact.front", false});
+  const dsw::HalfFacet given = capi::to_engine(map, contact.contact.wall, "contact->contact.wall");
+  const dsw::Cell front = capi::to_engine(map, contact.contact.front, "contact->contact.front");
   if (map.cell_of(given) == front) return given;
   const dsw::HalfFacet other = map.opposite(given);
   if (other.valid() && map.cell_of(other) == front) return other;
@@ -41,8 +41,8 @@ dsw::HalfFacet to_wall(const dsw::Map<3>& map, const dsw_body_contact& contact) 
 /** The wall of a touched vertex, which is one of several there: `front` may be at another. Seen from a passable side.
  * */
 dsw::HalfFacet to_wall_at_vertex(const dsw::Map<3>& map, const dsw_body_contact& contact) {
-  const dsw::HalfFacet given = capi::to_half_facet(map, contact.contact.wall, {"contact->contact.wall", false});
-  const dsw::Cell front = capi::to_cell(map, contact.contact.front, {"contact->contact.front", false});
+  const dsw::HalfFacet given = capi::to_engine(map, contact.contact.wall, "contact->contact.wall");
+  const dsw::Cell front = capi::to_engine(map, contact.contact.front, "contact->contact.front");
   const dsw::HalfFacet other = map.opposite(given);
   if (!other.valid() || map.cell_of(given) == front) return given;
   return map.cell_of(other) == front || map.marked(map.cell_of(given)) ? other : given;
@@ -76,12 +76,13 @@ dsw::Touch to_touch(const dsw::Map<3>& map, const dsw_body_contact& contact) {
     case DSW_CONTACT_EDGE:
       require_obstacle(contact, DSW_CELL_EDGE);
       touch.kind = dsw::TouchKind::kEdge;
-      touch.edge = capi::to_dart(map, {cell.index, cell.generation, cell.local}, {"contact->contact.obstacle", false});
+      touch.edge =
+          capi::to_engine(map, dsw_edge_id{cell.index, cell.generation, cell.local}, "contact->contact.obstacle");
       break;
     case DSW_CONTACT_VERTEX:
       require_obstacle(contact, DSW_CELL_VERTEX);
       touch.kind = dsw::TouchKind::kCorner;
-      touch.vertex = capi::to_vertex(map, {cell.index, cell.generation}, {"contact->contact.obstacle", false});
+      touch.vertex = capi::to_engine(map, dsw_vertex_id{cell.index, cell.generation}, "contact->contact.obstacle");
       if (has_wall(contact)) touch.wall = to_wall_at_vertex(map, contact);
       break;
     default:
@@ -97,8 +98,8 @@ dsw_status dsw_environment_cross_check(const dsw_environment* environment, const
                                        dsw_cross_check* result) {
   return capi::guard(__func__, [&] {
     const dsw::Environment<3>& env = capi::space(capi::check_handle(environment));
-    capi::require(contact, "contact");
-    capi::require(result, "result");
+    dsw::require(contact, "contact");
+    dsw::require(result, "result");
     check_numbers(*contact);
     const dsw::Touch touch = to_touch(env.map, *contact);
     dsw::require_libccd();

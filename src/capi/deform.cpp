@@ -12,9 +12,8 @@ namespace {
 /** Throws where a scene was not made to deform its environment. */
 template <int D>
 dsw::Deformation<D>& deformation_of(const dsw::Scene<D>& scene) {
-  dsw::Deformation<D>* const of = scene.deformation.get();
-  if (of == nullptr) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable DSW_FEATURE_DEFORMING");
-  return *of;
+  capi::check_enabled(scene.features.deforming, "DSW_FEATURE_DEFORMING");
+  return *scene.deformation.get();
 }
 
 /** The scene that deforms an environment. */
@@ -29,15 +28,10 @@ const dsw::WallRecord& record_of(const dsw_environment* environment) {
                      [](const auto& engine) -> const dsw::WallRecord& { return deformation_of(engine).record; });
 }
 
-void check_number(uint32_t value, uint32_t last, const char* name) {
-  if (value > last) fail(DSW_STATUS_UNSUPPORTED, "%s is %u, this version knows 0 .. %u", name, value, last);
-}
-
 dsw::WallSettings read_settings(const dsw_deform_options& o) {
-  capi::check_flags(o.flags, 0, "options->flags");
-  check_number(capi::raw_value(o.method), DSW_DEFORM_END_STATE, "options->method");
-  check_number(capi::raw_value(o.response), DSW_WALL_STOP, "options->response");
-  check_number(capi::raw_value(o.invalid), DSW_INVALID_REMESH, "options->invalid");
+  capi::to_number(o.method, DSW_DEFORM_END_STATE, "options->method");
+  capi::to_number(o.response, DSW_WALL_STOP, "options->response");
+  capi::to_number(o.invalid, DSW_INVALID_REMESH, "options->invalid");
   dsw::WallSettings s;
   s.end_state = o.method == DSW_DEFORM_END_STATE;
   s.response = o.response;
@@ -46,23 +40,13 @@ dsw::WallSettings read_settings(const dsw_deform_options& o) {
     fail(DSW_STATUS_UNSUPPORTED, "options->response is %u, must be PUSH, INSERT or STOP with END_STATE",
          capi::raw_value(o.response));
   }
-  if (o.most_halvings > 10) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "options->most_halvings is %u, must be 1 to 10, or 0", o.most_halvings);
-  }
-  if (o.most_halvings != 0) s.most_halvings = o.most_halvings;
-  if (!(o.min_part >= 0 && o.min_part <= 0.5)) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "options->min_part is %g, must be in (0, 0.5], or 0", o.min_part);
-  }
-  if (o.min_part != 0) s.min_part = o.min_part;
+  s.most_halvings = capi::to_count(o.most_halvings, 10, s.most_halvings, "options->most_halvings");
+  s.min_part = capi::to_min_part(o.min_part, s.min_part);
   s.point_room = o.point_room;
   return s;
 }
 
 }  // namespace
-
-void dsw_deform_options_init(dsw_deform_options* options, size_t size) {
-  capi::init_struct(options, size, dsw_deform_options{});
-}
 
 dsw_status dsw_environment_deform(dsw_environment* environment, double* next, size_t point_count,
                                   const dsw_deform_options* options, dsw_deform_report* report) {
@@ -71,12 +55,12 @@ dsw_status dsw_environment_deform(dsw_environment* environment, double* next, si
     capi::visit(scene, [&](auto& engine) {
       constexpr int D = capi::kDimension<decltype(engine)>;
       const dsw::Deformation<D>& of = deformation_of(engine);
-      capi::require(next, "next");
+      dsw::require(next, "next");
       if (point_count != of.env.map.vertex_count) {
         fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,
              of.env.map.vertex_count);
       }
-      const dsw_deform_options o = capi::read_optional(options, "options");
+      const dsw_deform_options o = capi::read_optional(options, "options", 0);
       const dsw::WallSettings settings = read_settings(o);
       if (settings.point_room != 0 && settings.point_room < point_count) {
         fail(DSW_STATUS_WRONG_SIZE, "options->point_room is %zu, point_count is %zu", settings.point_room, point_count);
@@ -129,15 +113,12 @@ dsw_status dsw_environment_get_invalid_volumes(const dsw_environment* environmen
 
 dsw_status dsw_environment_is_valid(const dsw_environment* environment, dsw_volume_id volume, int* valid) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    capi::give(valid, "valid", admits(env, capi::to_cell(env.map, volume, {"volume", false})) ? 1 : 0);
+    capi::give(valid, "valid", admits(env, capi::to_engine(env.map, volume, "volume")) ? 1 : 0);
   });
 }
 
 dsw_status dsw_environment_get_points(const dsw_environment* environment, const double** points, size_t* count) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    capi::require(points, "points");
-    capi::require(count, "count");
-    *points = env.points;
-    *count = env.map.vertex_count;
+    capi::hand_out(env.points, env.map.vertex_count, points, count, "points");
   });
 }

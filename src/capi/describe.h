@@ -79,19 +79,26 @@ T read_struct(const T* given, const char* name) {
   return own;
 }
 
-/** Likewise; null is refused. */
-template <class T>
-T read_required(const T* given, const char* name) {
-  require(given, name);
-  return read_struct(given, name);
-}
-/** Likewise; null: every member is 0. */
+/** As read_struct; null: every member is 0. */
 template <class T>
 T read_optional(const T* given, const char* name) {
   if (given != nullptr) return read_struct(given, name);
   T own{};
   own.struct_size = sizeof(T);
   return own;
+}
+/** Likewise, and refuses flags that are not known. */
+template <class T>
+T read_optional(const T* given, const char* name, uint32_t known_flags) {
+  const T own = read_optional(given, name);
+  check_flags(own.flags, known_flags, name, "->flags");
+  return own;
+}
+/** Likewise; null is refused. */
+template <class T, class... KnownFlags>
+T read_required(const T* given, const char* name, KnownFlags... known) {
+  require(given, name);
+  return read_optional(given, name, known...);
 }
 
 /** Writes into a struct whose size was checked: at most what it can hold, zeros into members unknown here. */
@@ -104,14 +111,12 @@ void write_struct(T* out, const T& value) {
   out->struct_size = size;
 }
 
-/** What the _init functions do: defaults into at most `size` bytes. */
+/** Gives a result in a caller's struct of any size. */
 template <class T>
-void init_struct(T* out, size_t size, T defaults) noexcept {
-  if (out == nullptr) return;
-  auto* bytes = reinterpret_cast<unsigned char*>(out);
-  defaults.struct_size = static_cast<uint32_t>(std::min<size_t>(size, UINT32_MAX));
-  std::memcpy(bytes, &defaults, std::min(size, sizeof(T)));
-  if (size > sizeof(T)) std::memset(bytes + sizeof(T), 0, size - sizeof(T));
+void give_struct(T* out, const char* name, const T& value) {
+  require(out, name);
+  check_size(out, name);
+  write_struct(out, value);
 }
 
 }  // namespace dsw::capi

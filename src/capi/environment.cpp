@@ -1,37 +1,81 @@
 #include "dartsweep/environment.h"
 
+#include <algorithm>
+#include <new>
+
 #include "capi/convert.h"
-#include "capi/environment_build.h"
 #include "capi/recorded.h"
 #include "environment/builder.h"
 #include "environment/find_facets.h"
+#include "environment/mesh_reader.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
 
 namespace {
 
+/** Runs body(found), which returns the environment. Fills the caller's report, whatever ended the work. */
+template <class Body>
+void with_report(dsw_build_report* out, const Body& body) {
+  dsw::BuildReport found;
+  const auto write = [&](dsw_status status, uint32_t part_count, uint32_t boundary_face_count) {
+    if (out == nullptr) return;
+    dsw_build_report r{};
+    r.status = status;
+    r.offender_count = found.offenders.count;
+    std::copy_n(found.offenders.index, r.offender_count, r.offenders);
+    r.reoriented_count = found.reoriented_count;
+    r.unused_point_count = found.unused_point_count;
+    r.convex_volume_count = found.convex_volume_count;
+    r.part_count = part_count;
+    r.boundary_face_count = boundary_face_count;
+    capi::write_struct(out, r);
+  };
+  try {
+    const auto& env = body(found);
+    write(DSW_STATUS_OK, env.part_count, env.map.boundary_facet_count);
+  } catch (const dsw::Error& error) {
+    write(error.status(), 0, 0);
+    throw;
+  } catch (const std::bad_alloc&) {
+    write(DSW_STATUS_OUT_OF_MEMORY, 0, 0);
+    throw;
+  }
+}
+
+/** Makes an environment; `report` may be null and is filled once the description was found sound. */
+template <int D>
+dsw_environment* build_environment(dsw_context* context, const dsw_environment_desc& desc, dsw_build_report* report) {
+  const dsw_environment_desc d = dsw::check_description<D>(desc);
+  capi::EnvironmentOwner owner;
+  with_report(
+      report, [&](dsw::BuildReport & found) -> const auto& {
+        owner = capi::make_environment(context, D);
+        auto& env = std::get<dsw::Environment<D>>(owner->engine);
+        build(env, d, found);
+        if (found.reoriented_count != 0) {
+          capi::log_line(context, DSW_LOG_WARNING,
+                         "dsw_environment_create: %u cells were inside out and have been mirrored",
+                         found.reoriented_count);
+        }
+        capi::log_line(context, DSW_LOG_INFO,
+                       "dsw_environment_create: %u volumes, %u faces (%u on the boundary), %u parts, %llu bytes",
+                       env.map.cell_count, env.map.facet_count, env.map.boundary_facet_count, env.part_count,
+                       static_cast<unsigned long long>(env.memory_bytes()));
+        return env;
+      });
+  return owner.release();
+}
+
+void check_below(uint32_t given, uint32_t count, const char* name) {
+  if (given >= count) fail(DSW_STATUS_OUT_OF_RANGE, "%s is %u, must be 0 .. %u", name, given, count - 1);
+}
+
 /** Facet `local` of a volume, or OUT_OF_RANGE. */
 template <int D>
 dsw::HalfFacet facet_of(const dsw::Map<D>& map, dsw::Cell c, uint32_t local) {
-  const uint32_t count = map.facets_of(c);
-  if (local >= count) dsw::fail(DSW_STATUS_OUT_OF_RANGE, "local is %u, must be 0 .. %u", local, count - 1);
+  check_below(local, map.facets_of(c), "local");
   return map.half_facet(c, local);
-}
-
-dsw_cell_type type_of(dsw::Form form, int dimension) {
-  switch (form) {
-    case dsw::Form::kSimplex:
-      return dimension == 2 ? DSW_CELL_TYPE_TRIANGLE : DSW_CELL_TYPE_TETRA;
-    case dsw::Form::kPyramid:
-      return DSW_CELL_TYPE_PYRAMID;
-    case dsw::Form::kPrism:
-      return DSW_CELL_TYPE_WEDGE;
-    case dsw::Form::kBox:
-      return dimension == 2 ? DSW_CELL_TYPE_QUAD : DSW_CELL_TYPE_HEXAHEDRON;
-    default:
-      return dimension == 2 ? DSW_CELL_TYPE_POLYGON : DSW_CELL_TYPE_POLYHEDRON;
-  }
 }
 
 /** Calls visit(vertex) for the vertices of a cell in their documented order. */
@@ -62,22 +106,18 @@ void for_each_vertex(const dsw::Map<D>& map, dsw_cell cell, const Visit& visit) 
 
 }  // namespace
 
-void dsw_environment_desc_init(dsw_environment_desc* desc, size_t size) {
-  dsw_environment_desc d{};
-  d.dimension = 3;
-  d.index_bytes = 8;
-  d.uniform_cell_type = DSW_CELL_TYPE_HEXAHEDRON;
-  capi::init_struct(desc, size, d);
-}
-
 dsw_status dsw_environment_create(dsw_context* context, const dsw_environment_desc* desc, dsw_environment** environment,
                                   dsw_build_report* report) {
   return capi::guard(__func__, [&] {
     capi::check_context(context);
-    capi::require(desc, "desc");
-    capi::require(environment, "environment");
+    dsw::require(desc, "desc");
+    dsw::require(environment, "environment");
     if (report != nullptr) capi::check_size(report, "report");
-    *environment = capi::build_environment(context, capi::read_struct(desc, "desc"), report);
+    const dsw_environment_desc d = capi::read_struct(desc, "desc");
+    if (d.dimension != 0 && d.dimension != 2 && d.dimension != 3) {
+      fail(DSW_STATUS_OUT_OF_RANGE, "desc->dimension is %u, must be 2 or 3", d.dimension);
+    }
+    *environment = (d.dimension == 2 ? build_environment<2> : build_environment<3>)(context, d, report);
   });
 }
 
@@ -93,8 +133,6 @@ dsw_status dsw_environment_destroy(dsw_environment* environment) {
 dsw_status dsw_environment_get_info(const dsw_environment* environment, dsw_environment_info* info) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    capi::require(info, "info");
-    capi::check_size(info, "info");
     dsw_environment_info i{};
     i.dimension = D;
     i.vertex_count =
@@ -111,24 +149,25 @@ dsw_status dsw_environment_get_info(const dsw_environment* environment, dsw_envi
     }
     i.volume_index_count = env.map.index_count();
     i.vertex_index_count = env.map.vertex_count;
-    capi::write_struct(info, i);
+    capi::give_struct(info, "info", i);
   });
 }
 
 dsw_status dsw_environment_check(const dsw_environment* environment, dsw_build_report* report) {
-  return capi::guard(__func__, [&] {
-    const dsw_environment& handle = capi::check_handle(environment);
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     if (report != nullptr) capi::check_size(report, "report");
-    capi::check_environment(handle, report);
+    with_report(
+        report, [&](dsw::BuildReport & found) -> const auto& {
+          prove(env, found);
+          return env;
+        });
   });
 }
 
 dsw_status dsw_environment_get_volume_id(const dsw_environment* environment, uint32_t index, dsw_volume_id* volume) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    if (index >= map.index_count()) {
-      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.index_count() - 1);
-    }
+    check_below(index, map.index_count(), "index");
     if (!map.cell(index).valid()) fail(DSW_STATUS_NOT_FOUND, "volume %u has been removed", index);
     capi::give(volume, "volume", volume_id(map, map.cell(index)));
   });
@@ -137,9 +176,7 @@ dsw_status dsw_environment_get_volume_id(const dsw_environment* environment, uin
 dsw_status dsw_environment_get_vertex_id(const dsw_environment* environment, uint32_t index, dsw_vertex_id* vertex) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    if (index >= map.vertex_count) {
-      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.vertex_count - 1);
-    }
+    check_below(index, map.vertex_count, "index");
     const dsw_vertex_id id = capi::vertex_id(map, index);
     if (!map.is_vertex_alive(id.index, id.generation)) fail(DSW_STATUS_NOT_FOUND, "vertex %u has been removed", index);
     capi::give(vertex, "vertex", id);
@@ -148,9 +185,9 @@ dsw_status dsw_environment_get_vertex_id(const dsw_environment* environment, uin
 
 dsw_status dsw_environment_get_vertex_position(const dsw_environment* environment, dsw_vertex_id vertex, double* xyz) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    capi::require(xyz, "xyz");
-    const double* const point = env.point(capi::to_vertex(env.map, vertex, {"vertex", false}));
-    std::copy(point, point + capi::kDimension<decltype(env)>, xyz);
+    dsw::require(xyz, "xyz");
+    const double* const point = env.point(capi::to_engine(env.map, vertex, "vertex"));
+    std::copy_n(point, env.kDimension, xyz);
   });
 }
 
@@ -159,11 +196,11 @@ dsw_status dsw_environment_get_volume_counts(const dsw_environment* environment,
                                              uint32_t* faces) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
+    const dsw::Cell c = capi::to_engine(map, volume, "volume");
     const dsw::Shape shape = map.shape(c);
-    if (type != nullptr) *type = type_of(map.form(c), capi::kDimension<decltype(env)>);
+    if (type != nullptr) *type = dsw::number_of(map.form(c), env.kDimension);
     if (vertices != nullptr) *vertices = shape.vertex_count();
-    if (edges != nullptr) *edges = capi::kDimension<decltype(env)> == 2 ? 0 : shape.edge_count();
+    if (edges != nullptr) *edges = env.kDimension == 2 ? 0 : shape.edge_count();
     if (faces != nullptr) *faces = shape.facet_count();
   });
 }
@@ -172,7 +209,7 @@ dsw_status dsw_environment_get_face_id(const dsw_environment* environment, dsw_v
                                        dsw_face_id* face) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
+    const dsw::Cell c = capi::to_engine(map, volume, "volume");
     capi::give(face, "face", face_id(map, canonical(map, facet_of(map, c, local))));
   });
 }
@@ -181,7 +218,7 @@ dsw_status dsw_environment_get_neighbour(const dsw_environment* environment, dsw
                                          dsw_volume_id* neighbour, int* impassable) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
+    const dsw::Cell c = capi::to_engine(map, volume, "volume");
     const dsw::HalfFacet h = facet_of(map, c, local);
     const dsw::HalfFacet o = map.opposite(h);
     if (neighbour != nullptr) *neighbour = volume_id(map, o.valid() ? map.cell_of(o) : dsw::Cell{});
@@ -191,8 +228,8 @@ dsw_status dsw_environment_get_neighbour(const dsw_environment* environment, dsw
 
 dsw_status dsw_environment_get_centre(const dsw_environment* environment, dsw_volume_id volume, double* xyz) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
-    capi::require(xyz, "xyz");
+    const dsw::Cell c = capi::to_engine(env.map, volume, "volume");
+    dsw::require(xyz, "xyz");
     centre(env, c, xyz);
   });
 }
@@ -201,9 +238,8 @@ dsw_status dsw_environment_get_edge_id(const dsw_environment* environment, dsw_v
                                        dsw_edge_id* edge) {
   return capi::guard(__func__, [&] {
     const dsw::Map<3>& map = capi::space(capi::check_handle(environment)).map;
-    const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
-    const uint32_t count = map.shape(c).edge_count();
-    if (local >= count) fail(DSW_STATUS_OUT_OF_RANGE, "local is %u, must be 0 .. %u", local, count - 1);
+    const dsw::Cell c = capi::to_engine(map, volume, "volume");
+    check_below(local, map.shape(c).edge_count(), "local");
     capi::give(edge, "edge", capi::edge_id(map, dart_of_edge(map, c, local)));
   });
 }
@@ -212,8 +248,8 @@ dsw_status dsw_environment_copy_vertices(const dsw_environment* environment, dsw
                                          size_t capacity, size_t* count) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    capi::require(count, "count");
-    if (capacity != 0) capi::require(vertices, "vertices");
+    dsw::require(count, "count");
+    if (capacity != 0) dsw::require(vertices, "vertices");
     size_t needed = 0;
     for_each_vertex(map, cell, [&](uint32_t) { ++needed; });
     *count = needed;
@@ -229,7 +265,7 @@ dsw_status dsw_environment_get_face_volumes(const dsw_environment* environment, 
                                             dsw_volume_id* near_side, dsw_volume_id* far_side) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    const dsw::HalfFacet h = capi::to_half_facet(map, face, {"face", false}), o = map.opposite(h);
+    const dsw::HalfFacet h = capi::to_engine(map, face, "face"), o = map.opposite(h);
     if (near_side != nullptr) *near_side = volume_id(map, map.cell_of(h));
     if (far_side != nullptr) *far_side = volume_id(map, o.valid() ? map.cell_of(o) : dsw::Cell{});
   });
@@ -241,16 +277,16 @@ dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t
     const auto& map = env.map;
     size_t absent = 0;
     if (count != 0) {
-      capi::require_array(offsets, count, "offsets");
-      capi::require(faces, "faces");
+      dsw::require_array(offsets, count, "offsets");
+      dsw::require(faces, "faces");
       for (size_t i = 0; i < count; ++i) {
         if (offsets[i] > offsets[i + 1]) {
           fail(DSW_STATUS_WRONG_SIZE, "offsets[%zu] is %zu, must be at least offsets[%zu], which is %zu", i + 1,
                offsets[i + 1], i, offsets[i]);
         }
       }
-      capi::require_array(indices, offsets[count] - offsets[0], "indices");
-      dsw::Array<dsw::HalfFacet> found(count, dsw::HalfFacet{}, dsw::Allocator<dsw::HalfFacet>(env.memory));
+      dsw::require_array(indices, offsets[count] - offsets[0], "indices");
+      dsw::Array<dsw::HalfFacet> found(count, dsw::HalfFacet{}, env.memory);
       find_facets(env, count, offsets, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {
         faces[i] = found[i].valid() ? face_id(map, canonical(map, found[i])) : dsw_face_id{0, 0, 0};
@@ -267,9 +303,9 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
     const dsw::Map<3>& map = env.map;
     size_t absent = 0;
     if (count != 0) {
-      capi::require_array(indices, count, "indices");
-      capi::require(edges, "edges");
-      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, dsw::Allocator<dsw::Dart>(env.memory));
+      dsw::require_array(indices, count, "indices");
+      dsw::require(edges, "edges");
+      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, env.memory);
       find_edges(env, count, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {
         edges[i] = found[i].cell.valid() ? capi::edge_id(map, found[i]) : dsw_edge_id{0, 0, 0};
@@ -281,19 +317,19 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
 
 dsw_status dsw_environment_get_region(const dsw_environment* environment, dsw_volume_id volume, int32_t* region) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    capi::give(region, "region", env.region(capi::to_cell(env.map, volume, {"volume", false})));
+    capi::give(region, "region", env.region(capi::to_engine(env.map, volume, "volume")));
   });
 }
 
 dsw_status dsw_environment_get_tag(const dsw_environment* environment, dsw_volume_id volume, uint32_t* tag) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    capi::give(tag, "tag", env.tag(capi::to_cell(env.map, volume, {"volume", false})));
+    capi::give(tag, "tag", env.tag(capi::to_engine(env.map, volume, "volume")));
   });
 }
 
 dsw_status dsw_environment_set_tag(dsw_environment* environment, dsw_volume_id volume, uint32_t tag) {
   return capi::guarded_visit(__func__, environment, [&](auto& env) {
-    const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
+    const dsw::Cell c = capi::to_engine(env.map, volume, "volume");
     if (env.tags.empty()) {
       if (tag == 0) return;
       env.tags.resize(env.map.index_count(), 0u);

@@ -2,7 +2,7 @@
 // The shape of every entry point: one try, one place that turns what was thrown into a status and a message. Checks of
 // null pointers and handles stand inside the try too.
 
-#include "base/error.h"
+#include "base/points.h"
 #include "dartsweep/base.h"
 
 namespace dsw::capi {
@@ -22,11 +22,6 @@ dsw_status guard(const char* function, Body&& body) noexcept {
   } catch (...) {
     return status_of_exception(function);
   }
-}
-
-/** Refuses a null argument; `name` is the parameter's. */
-inline void require(const void* argument, const char* name) {
-  if (argument == nullptr) fail(DSW_STATUS_NULL_ARGUMENT, "%s is null", name);
 }
 
 }  // namespace dsw::capi

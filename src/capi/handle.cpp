@@ -37,13 +37,10 @@ void release(dsw_context* context) noexcept {
   if (context != nullptr) context->users.fetch_sub(1, std::memory_order_release);
 }
 
-EnvironmentOwner::EnvironmentOwner(dsw_context* context, uint32_t dimension)
-    : handle_(create_object<dsw_environment>(memory_of(context), context, dimension)) {
+EnvironmentOwner make_environment(dsw_context* context, uint32_t dimension) {
+  EnvironmentOwner made(create_object<dsw_environment>(memory_of(context), context, dimension));
   retain(context);
-}
-
-EnvironmentOwner::~EnvironmentOwner() {
-  if (handle_ != nullptr) destroy_environment(handle_);
+  return made;
 }
 
 void destroy_environment(dsw_environment* environment) noexcept {
@@ -52,28 +49,32 @@ void destroy_environment(dsw_environment* environment) noexcept {
   release(context);
 }
 
-SceneOwner::SceneOwner(dsw_environment& home, SceneFeatures features)
-    : handle_(
-          visit(home, [&](const auto& env) { return create_object<dsw_scene>(env.memory, &home, env, features); })) {}
-
-SceneOwner::~SceneOwner() {
-  if (handle_ != nullptr) destroy_object(memory_of(*handle_->environment), handle_);
+SceneOwner make_scene(dsw_environment& home, SceneFeatures features) {
+  return SceneOwner(
+      visit(home, [&](const auto& env) { return create_object<dsw_scene>(env.memory, &home, env, features); }));
 }
 
-dsw_scene* SceneOwner::enter() {
-  visit(*handle_, [&](auto& scene) {
-    auto& env = std::get<Environment<kDimension<decltype(scene)>>>(handle_->environment->engine);
+void destroy_scene(dsw_scene* scene) noexcept { destroy_object(memory_of(*scene->environment), scene); }
+
+dsw_scene* enter(SceneOwner owner) {
+  visit(*owner, [&](auto& scene) {
+    auto& env = std::get<Environment<kDimension<decltype(scene)>>>(owner->environment->engine);
     if (scene.features.deforming) scene.deformation.make(env);
-    attach(*handle_);
+    attach(*owner);
     if (!scene.features.deforming) return;
     try {
       let_points_move(env);
     } catch (...) {
-      detach(*handle_);
+      detach(*owner);
       throw;
     }
   });
-  return std::exchange(handle_, nullptr);
+  return owner.release();
+}
+
+uint64_t memory_bytes(const dsw_environment& environment) {
+  const uint64_t of_engine = visit(environment, [](const auto& env) { return env.memory_bytes() - sizeof env; });
+  return of_engine + environment.results.memory_bytes() + sizeof environment;
 }
 
 uint32_t scene_count(const dsw_environment& environment) {

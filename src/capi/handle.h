@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <type_traits>
 #include <utility>
@@ -134,39 +135,29 @@ void destroy_object(const Memory* memory, T* object) noexcept {
 void retain(dsw_context* context) noexcept;
 void release(dsw_context* context) noexcept;
 
-/** An environment handle that is being made: gone again unless taken. */
-class EnvironmentOwner {
- public:
-  EnvironmentOwner(dsw_context* context, uint32_t dimension);
-  ~EnvironmentOwner();
-  EnvironmentOwner(const EnvironmentOwner&) = delete;
-  EnvironmentOwner& operator=(const EnvironmentOwner&) = delete;
-  dsw_environment* operator->() const { return handle_; }
-  dsw_environment& operator*() const { return *handle_; }
-  dsw_environment* take() noexcept { return std::exchange(handle_, nullptr); }
-
- private:
-  dsw_environment* handle_;
-};
-
 /** Gives back an environment handle that no scene uses. */
 void destroy_environment(dsw_environment* environment) noexcept;
+/** Gives back a scene handle that its environment does not know. */
+void destroy_scene(dsw_scene* scene) noexcept;
 
-/** A scene handle that is being made: gone again unless it enters its environment. */
-class SceneOwner {
- public:
-  SceneOwner(dsw_environment& home, SceneFeatures features);
-  ~SceneOwner();
-  SceneOwner(const SceneOwner&) = delete;
-  SceneOwner& operator=(const SceneOwner&) = delete;
-  dsw_scene& operator*() const { return *handle_; }
-  /** The environment knows of it from here on. Throws as `attach` and `let_points_move`. */
-  dsw_scene* enter();
-
- private:
-  dsw_scene* handle_;
+/** Handles that are being made: gone again unless they are released. */
+struct DestroyHandle {
+  void operator()(dsw_environment* environment) const noexcept { destroy_environment(environment); }
+  void operator()(dsw_scene* scene) const noexcept { destroy_scene(scene); }
 };
+using EnvironmentOwner = std::unique_ptr<dsw_environment, DestroyHandle>;
+using SceneOwner = std::unique_ptr<dsw_scene, DestroyHandle>;
+EnvironmentOwner make_environment(dsw_context* context, uint32_t dimension);
+SceneOwner make_scene(dsw_environment& home, SceneFeatures features);
+/** The environment knows of the scene from here on. Throws as `attach` and `let_points_move`. */
+dsw_scene* enter(SceneOwner scene);
 
+/** Makes what was saved. Throws as the engine's load. */
+dsw_environment* load_environment(dsw_context* context, const uint8_t* block, size_t size);
+dsw_scene* load_scene(dsw_environment& home, const uint8_t* block, size_t size);
+
+/** All memory that an environment holds; borrowed points included. */
+uint64_t memory_bytes(const dsw_environment& environment);
 /** Scenes that use an environment now. */
 uint32_t scene_count(const dsw_environment& environment);
 /** The only scene; null if there is none. Throws if there are several. */
@@ -177,9 +168,9 @@ void for_each_scene(const dsw_environment& environment, const Use& use) {
   const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
   for (dsw_scene* scene = environment.first_scene; scene != nullptr; scene = scene->next) use(*scene);
 }
-/** Null for a null scene, which else has this dimension. */
+/** Of a scene of an environment; null for a null scene. */
 template <int D>
-Scene<D>* engine_of(dsw_scene* scene) {
+Scene<D>* engine_of(dsw_scene* scene, const Environment<D>&) {
   return scene == nullptr ? nullptr : &std::get<Scene<D>>(scene->engine);
 }
 inline SceneFeatures features_of(const dsw_scene& scene) {

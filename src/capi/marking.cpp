@@ -47,14 +47,13 @@ struct CellImpassable {
 dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_volume_id* volumes, size_t count,
                                         dsw_mark mark, uint32_t flags, size_t* skipped) {
   return capi::guarded_visit(__func__, environment, [&](auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
     const bool marked = to_bool(mark);
-    capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
+    dsw::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
     capi::Converted cells(env, volumes, count, "volumes");
     dsw_scene* const scene = begin_marking(*environment);
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_volumes>, volumes, count, mark, flags);
-    const size_t left_out = mark_cells(env, capi::engine_of<D>(scene), cells.data(), count, marked, skip);
+    const size_t left_out = mark_cells(env, capi::engine_of(scene, env), cells.data(), count, marked, skip);
     call.done(left_out);
     if (skipped != nullptr) *skipped = left_out;
   });
@@ -63,12 +62,11 @@ dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_
 dsw_status dsw_environment_mark_faces(dsw_environment* environment, const dsw_face_id* faces, size_t count,
                                       dsw_mark mark) {
   return capi::guarded_visit(__func__, environment, [&](auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
     const bool marked = to_bool(mark);
     capi::Converted facets(env, faces, count, "faces");
     dsw_scene* const scene = begin_marking(*environment);
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_faces>, faces, count, mark);
-    mark_facets(env, capi::engine_of<D>(scene), facets.data(), count, marked);
+    mark_facets(env, capi::engine_of(scene, env), facets.data(), count, marked);
     call.done();
   });
 }
@@ -82,7 +80,7 @@ dsw_status dsw_environment_mark_edges(dsw_environment* environment, const dsw_ed
     capi::Converted darts(env, edges, count, "edges");
     dsw_scene* const scene = begin_marking(handle);
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_edges>, edges, count, mark);
-    mark_edges(env, capi::engine_of<3>(scene), darts.data(), count, marked);
+    mark_edges(env, capi::engine_of(scene, env), darts.data(), count, marked);
     call.done();
   });
 }
@@ -103,14 +101,13 @@ dsw_status dsw_environment_mark_vertices(dsw_environment* environment, const dsw
 dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t region, dsw_mark mark, uint32_t flags,
                                        size_t* marked, size_t* skipped) {
   return capi::guarded_visit(__func__, environment, [&](auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
     const bool impassable = to_bool(mark);
-    capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
+    dsw::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
     dsw_scene* const scene = begin_marking(*environment);
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
     size_t left_out = 0;
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_region>, region, mark, flags);
-    const size_t all = mark_region(env, capi::engine_of<D>(scene), region, impassable, skip, &left_out);
+    const size_t all = mark_region(env, capi::engine_of(scene, env), region, impassable, skip, &left_out);
     call.done(all, left_out);
     if (marked != nullptr) *marked = all - left_out;
     if (skipped != nullptr) *skipped = left_out;
@@ -120,11 +117,10 @@ dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t reg
 dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a, int32_t b, dsw_mark mark,
                                         size_t* marked) {
   return capi::guarded_visit(__func__, environment, [&](auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
     const bool impassable = to_bool(mark);
     dsw_scene* const scene = begin_marking(*environment);
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_between>, a, b, mark);
-    const size_t all = mark_between(env, capi::engine_of<D>(scene), a, b, impassable);
+    const size_t all = mark_between(env, capi::engine_of(scene, env), a, b, impassable);
     call.done(all);
     if (marked != nullptr) *marked = all;
   });
@@ -147,24 +143,10 @@ dsw_status dsw_environment_is_impassable(const dsw_environment* environment, dsw
 dsw_status dsw_environment_get_mark_count(const dsw_environment* environment, dsw_cell_kind kind, size_t* count) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    capi::require(count, "count");
-    switch (kind) {
-      case DSW_CELL_VERTEX:
-        *count = env.marked_vertices;
-        return;
-      case DSW_CELL_EDGE:
-        if (D == 2) break;
-        *count = env.marked_edges;
-        return;
-      case DSW_CELL_FACE:
-        *count = env.marked_facets;
-        return;
-      case DSW_CELL_VOLUME:
-        *count = env.marked_cells;
-        return;
-      default:
-        break;
-    }
-    capi::fail_kind("kind", kind, D);
+    dsw::require(count, "count");
+    const bool is_there = kind >= DSW_CELL_VERTEX && kind <= DSW_CELL_VOLUME && (D == 3 || kind != DSW_CELL_EDGE);
+    if (!is_there) capi::fail_kind("kind", kind, D);
+    const size_t counts[] = {env.marked_vertices, env.marked_edges, env.marked_facets, env.marked_cells};  // by kind
+    *count = counts[kind - DSW_CELL_VERTEX];
   });
 }

@@ -12,48 +12,26 @@ using dsw::fail;
 
 namespace {
 
-uint32_t to_number(uint32_t value, uint32_t last, const char* name) {
-  if (value > last) fail(DSW_STATUS_UNSUPPORTED, "%s is %u, this version knows 0 .. %u", name, value, last);
-  return value;
-}
-
-dsw_move_options read_options(const dsw_move_options* options) {
-  const dsw_move_options o = capi::read_optional(options, "options");
-  capi::check_flags(o.flags, 0, "options->flags");
-  return o;
-}
-
 dsw::MoveSettings to_settings(const dsw_move_options& o) {
   dsw::MoveSettings s;
-  s.vertex = static_cast<dsw::Response>(
-      to_number(capi::raw_value(o.vertex_response), DSW_RESPONSE_ADAPTIVE_SLIDE, "options->vertex_response"));
+  const auto to_response = [](const dsw_response& given, const char* name) {
+    return static_cast<dsw::Response>(capi::to_number(given, DSW_RESPONSE_ADAPTIVE_SLIDE, name));
+  };
+  s.vertex = to_response(o.vertex_response, "options->vertex_response");
   if (s.vertex != dsw::Response::kStop && s.vertex != dsw::Response::kSlide) {
     fail(DSW_STATUS_UNSUPPORTED, "options->vertex_response is %u, must be STOP or SLIDE",
          capi::raw_value(o.vertex_response));
   }
-  s.edge = static_cast<dsw::Response>(
-      to_number(capi::raw_value(o.edge_response), DSW_RESPONSE_ADAPTIVE_SLIDE, "options->edge_response"));
-  s.search = static_cast<dsw::Search>(to_number(capi::raw_value(o.search), DSW_SEARCH_BISECTION, "options->search"));
+  s.edge = to_response(o.edge_response, "options->edge_response");
+  s.search = static_cast<dsw::Search>(capi::to_number(o.search, DSW_SEARCH_BISECTION, "options->search"));
   if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
   s.max_volumes = o.max_volumes;
-  if (o.bisection_depth > 52) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "options->bisection_depth is %u, must be 1 to 52, or 0", o.bisection_depth);
-  }
-  if (o.bisection_depth != 0) s.bisection_depth = o.bisection_depth;
-  if (!(o.min_part >= 0 && o.min_part <= 0.5)) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "options->min_part is %g, must be in (0, 0.5], or 0", o.min_part);
-  }
-  if (o.min_part != 0) s.min_part = o.min_part;
-  if (!(o.min_length >= 0) || !std::isfinite(o.min_length)) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "options->min_length is %g, must be finite and not negative", o.min_length);
-  }
-  s.min_length = o.min_length;
+  s.bisection_depth = capi::to_count(o.bisection_depth, 52, s.bisection_depth, "options->bisection_depth");
+  s.min_part = capi::to_min_part(o.min_part, s.min_part);
+  s.min_length = capi::to_length(o.min_length, "options->min_length");
   if (!std::isfinite(o.stand_off)) fail(DSW_STATUS_NON_FINITE, "options->stand_off is %g", o.stand_off);
   s.stand_off = o.stand_off;
-  if (!(o.noise_share >= 0) || !std::isfinite(o.noise_share)) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "options->noise_share is %g, must be finite and not negative", o.noise_share);
-  }
-  s.noise_share = o.noise_share;
+  s.noise_share = capi::to_length(o.noise_share, "options->noise_share");
   return s;
 }
 
@@ -63,7 +41,7 @@ dsw::MoveOrder to_order(const dsw::Scene<D>& scene, const dsw::Body<D>& body, co
     if (o.order_count != 0) fail(DSW_STATUS_NULL_ARGUMENT, "options->order is null and order_count %zu", o.order_count);
     return {};
   }
-  dsw::Array<bool> seen(body.vertices.size(), false, dsw::Allocator<bool>(scene.memory));
+  dsw::Array<bool> seen(body.vertices.size(), false, scene.memory);
   for (size_t i = 0; i < o.order_count; ++i) {
     const uint32_t v = o.order[i];
     if (!body.has_vertex(v)) fail(DSW_STATUS_OUT_OF_RANGE, "options->order[%zu] is %u, which names no vertex", i, v);
@@ -150,18 +128,14 @@ dsw::RigidMove<D> to_motion(const dsw_rigid_motion& motion) {
 
 }  // namespace
 
-void dsw_move_options_init(dsw_move_options* options, size_t size) {
-  capi::init_struct(options, size, dsw_move_options{});
-}
-
 dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targets, size_t target_count,
                          size_t stride_bytes, const dsw_move_options* options, dsw_move_report* report) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
-    const dsw_move_options o = read_options(options);
+    const dsw_move_options o = capi::read_optional(options, "options", 0);
     const dsw::MoveSettings settings = to_settings(o);
     check_target_count(target_count, of.body.vertices.size());
-    const dsw::PointArray points = capi::to_points<D>(targets, target_count, stride_bytes, "targets");
+    const dsw::PointArray points = dsw::to_points(of.kDimension, targets, target_count, stride_bytes, "targets");
     const dsw::MoveOrder order = to_order(of.scene, of.body, o);
     check_targets(of.body, points, order, 0);
     capi::Recorded call(scene, capi::row_of<dsw_body_move>, body, targets, target_count, stride_bytes, &o);
@@ -177,13 +151,13 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
                                  dsw_move_report* reports) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
-    capi::require_array(bodies, count, "bodies");
-    const dsw_move_options o = read_options(options);
+    dsw::require_array(bodies, count, "bodies");
+    const dsw_move_options o = capi::read_optional(options, "options", 0);
     const dsw::MoveSettings settings = to_settings(o);
     if (o.order != nullptr || o.order_count != 0)
       fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
-    dsw::Array<dsw::BodyRecord<D>*> records{dsw::Allocator<dsw::BodyRecord<D>*>(s.memory)};
-    dsw::Array<bool> seen(s.bodies.size(), false, dsw::Allocator<bool>(s.memory));
+    dsw::Array<dsw::BodyRecord<D>*> records(s.memory);
+    dsw::Array<bool> seen(s.bodies.size(), false, s.memory);
     records.reserve(count);
     size_t needed = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -193,7 +167,7 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
       needed += records[i]->body.vertices.size();
     }
     check_target_count(target_count, needed);
-    const dsw::PointArray points = capi::to_points<D>(targets, target_count, stride_bytes, "targets");
+    const dsw::PointArray points = dsw::to_points(s.kDimension, targets, target_count, stride_bytes, "targets");
     size_t first = 0;
     for (const dsw::BodyRecord<D>* each : records) {
       check_targets(each->body, points, {}, first);
@@ -211,8 +185,8 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
                                const dsw_move_options* options, dsw_move_report* report) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
-    capi::require(motion, "motion");
-    const dsw_move_options o = read_options(options);
+    dsw::require(motion, "motion");
+    const dsw_move_options o = capi::read_optional(options, "options", 0);
     to_settings(o);
     const dsw::MoveOrder order = to_order(of.scene, of.body, o);
     if (order.vertices != nullptr && order.count != of.body.vertex_slots.alive_count()) {

@@ -38,8 +38,8 @@ dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_vol
                                dsw_particle_id* particle) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
-    capi::require(position, "position");
-    capi::require(particle, "particle");
+    dsw::require(position, "position");
+    dsw::require(particle, "particle");
     capi::Recorded call(scene, capi::row_of<dsw_particle_create>, position, hint);
     create_particles(s, {position, D}, 1, &hint, false, particle, nullptr);
     call.done(*particle);
@@ -49,9 +49,8 @@ dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_vol
 dsw_status dsw_scene_create_particles(dsw_scene* scene, const double* positions, size_t count, size_t stride_bytes,
                                       const dsw_volume_id* hints, dsw_particle_id* particles, size_t* offender) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
-    constexpr int D = capi::kDimension<decltype(s)>;
-    const dsw::PointArray points = capi::to_points<D>(positions, count, stride_bytes, "positions");
-    capi::require_array(particles, count, "particles");
+    const dsw::PointArray points = dsw::to_points(s.kDimension, positions, count, stride_bytes, "positions");
+    dsw::require_array(particles, count, "particles");
     capi::Recorded call(scene, capi::row_of<dsw_scene_create_particles>, positions, count, stride_bytes, hints);
     create_particles(s, points, count, hints, true, particles, offender);
     call.done(capi::Items<dsw_particle_id>{particles, count});
@@ -73,8 +72,7 @@ dsw_status dsw_scene_get_particle_count(const dsw_scene* scene, size_t* count) {
 
 dsw_status dsw_scene_get_particle_ids(const dsw_scene* scene, dsw_particle_id* particles, size_t capacity,
                                       size_t* count) {
-  return capi::guarded_visit(__func__, scene,
-                             [&](auto& s) { capi::copy_ids(s.particles.size(), s.slots, particles, capacity, count); });
+  return capi::guarded_visit(__func__, scene, [&](auto& s) { capi::copy_ids(s.slots, particles, capacity, count); });
 }
 
 dsw_status dsw_particle_get_position(const dsw_scene* scene, dsw_particle_id particle, double* position,
@@ -92,8 +90,8 @@ dsw_status dsw_scene_get_particle_positions(const dsw_scene* scene, const dsw_pa
                                             double* positions, size_t stride_bytes, dsw_volume_id* volumes) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
-    capi::require_array(particles, count, "particles");
-    const size_t step = capi::to_step<D>(count, stride_bytes);
+    dsw::require_array(particles, count, "particles");
+    const size_t step = dsw::to_step(s.kDimension, count, stride_bytes);
     check_particles(s, particles, count);
     for (size_t i = 0; i < count; ++i) {
       const auto& state = s.particles[particles[i].index];
@@ -106,7 +104,7 @@ dsw_status dsw_scene_get_particle_positions(const dsw_scene* scene, const dsw_pa
 dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const double* target,
                              const dsw_cast_options* options, dsw_flight* flight) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
-    capi::require(target, "target");
+    dsw::require(target, "target");
     const dsw::FlightOptions o = to_flight_options(options);
     check_particle(s, particle);
     capi::Recorded call(scene, capi::row_of<dsw_particle_move>, particle, target, options);
@@ -120,8 +118,8 @@ dsw_status dsw_scene_move_particles(dsw_scene* scene, const dsw_particle_id* par
                                     dsw_flight* flights) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
-    capi::require_array(particles, count, "particles");
-    const dsw::PointArray points = capi::to_points<D>(targets, count, stride_bytes, "targets");
+    dsw::require_array(particles, count, "particles");
+    const dsw::PointArray points = dsw::to_points(s.kDimension, targets, count, stride_bytes, "targets");
     const dsw::FlightOptions o = to_flight_options(options);
     capi::Recorded call(scene, capi::row_of<dsw_scene_move_particles>, particles, count, targets, stride_bytes,
                         options);
@@ -134,10 +132,9 @@ dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id
                                          const double* to, size_t stride_bytes, const dsw_cast_options* options,
                                          dsw_flight* flights) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
-    constexpr int D = capi::kDimension<decltype(s)>;
-    capi::require_array(particles, count, "particles");
-    const dsw::PointArray points = capi::to_points<D>(to, count, stride_bytes, "to");
-    capi::require_array(flights, count, "flights");
+    dsw::require_array(particles, count, "particles");
+    const dsw::PointArray points = dsw::to_points(s.kDimension, to, count, stride_bytes, "to");
+    dsw::require_array(flights, count, "flights");
     const dsw::FlightOptions o = to_flight_options(options);
     capi::Recorded call(scene, capi::row_of<dsw_scene_cast_from_particles>, particles, count, to, stride_bytes,
                         options);
@@ -149,10 +146,10 @@ dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id
 dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** crossings, const size_t** first,
                                    size_t* flight_count) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
-    capi::require(crossings, "crossings");
-    capi::require(first, "first");
-    capi::require(flight_count, "flight_count");
-    if (!s.features.crossings) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable DSW_FEATURE_CROSSINGS");
+    dsw::require(crossings, "crossings");
+    dsw::require(first, "first");
+    dsw::require(flight_count, "flight_count");
+    capi::check_enabled(s.features.crossings, "DSW_FEATURE_CROSSINGS");
     *crossings = s.crossings.data();
     *first = s.crossing_first.data();
     *flight_count = s.crossing_first.size() - 1;

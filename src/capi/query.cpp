@@ -7,16 +7,11 @@
 namespace capi = dsw::capi;
 using dsw::fail;
 
-void dsw_cast_options_init(dsw_cast_options* options, size_t size) {
-  capi::init_struct(options, size, dsw_cast_options{});
-}
-
 dsw_status dsw_environment_locate(const dsw_environment* environment, const double* point, dsw_volume_id hint,
                                   dsw_volume_id* volume, dsw_location* location) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
-    capi::require(volume, "volume");
-    capi::check_point<D>(point, "point");
+    dsw::require(volume, "volume");
+    dsw::to_finite_point(env.kDimension, point, "point");
     capi::check_hint(env.map, hint, "hint");
     const dsw::Cell c = locate_point(env, point, hint);
     *volume = volume_id(env.map, c);
@@ -28,9 +23,8 @@ dsw_status dsw_environment_locate_points(const dsw_environment* environment, con
                                          size_t stride_bytes, const dsw_volume_id* hints, dsw_volume_id* volumes,
                                          dsw_location* locations) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
-    const dsw::PointArray array = capi::to_finite_points<D>(points, count, stride_bytes, "points");
-    capi::require_array(volumes, count, "volumes");
+    const dsw::PointArray array = dsw::to_finite_points(env.kDimension, points, count, stride_bytes, "points");
+    dsw::require_array(volumes, count, "volumes");
     capi::check_hints(env.map, hints, count, "hints");
     locate_points(env, environment->parallel, array, count, hints, volumes);
     for (size_t i = 0; locations != nullptr && i < count; ++i) {
@@ -43,9 +37,9 @@ dsw_status dsw_environment_classify(const dsw_environment* environment, const do
                                     dsw_cell* cell) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    capi::check_point<D>(point, "point");
-    const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
-    capi::require(cell, "cell");
+    dsw::to_finite_point(env.kDimension, point, "point");
+    const dsw::Cell c = capi::to_engine(env.map, volume, "volume");
+    dsw::require(cell, "cell");
     bool inside = false;
     const dsw::FeatureRef feature = classify(env, point, c, &inside);
     if (!inside) {
@@ -60,9 +54,9 @@ dsw_status dsw_environment_cast(const dsw_environment* environment, dsw_volume_i
                                 const double* to, const dsw_cast_options* options, dsw_flight* flight) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    capi::check_point<D>(from, "from");
-    capi::check_point<D>(to, "to");
-    capi::require(flight, "flight");
+    dsw::to_finite_point(env.kDimension, from, "from");
+    dsw::to_finite_point(env.kDimension, to, "to");
+    dsw::require(flight, "flight");
     capi::check_hint(env.map, start, "start");
     cast_segments(env, environment->parallel, 1, &start, {from, D}, {to, D}, capi::to_options(options), flight);
   });
@@ -72,10 +66,9 @@ dsw_status dsw_environment_cast_segments(const dsw_environment* environment, siz
                                          const double* from, const double* to, size_t stride_bytes,
                                          const dsw_cast_options* options, dsw_flight* flights) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
-    const dsw::PointArray first = capi::to_finite_points<D>(from, count, stride_bytes, "from");
-    const dsw::PointArray last = capi::to_finite_points<D>(to, count, stride_bytes, "to");
-    capi::require_array(flights, count, "flights");
+    const dsw::PointArray first = dsw::to_finite_points(env.kDimension, from, count, stride_bytes, "from");
+    const dsw::PointArray last = dsw::to_finite_points(env.kDimension, to, count, stride_bytes, "to");
+    dsw::require_array(flights, count, "flights");
     const dsw::SegmentOptions settings = capi::to_options(options);
     capi::check_hints(env.map, starts, count, "starts");
     cast_segments(env, environment->parallel, count, starts, first, last, settings, flights);
@@ -86,11 +79,10 @@ dsw_status dsw_environment_cast_path(const dsw_environment* environment, dsw_vol
                                      const double* to, const dsw_cast_options* options, dsw_crossing* crossings,
                                      size_t capacity, size_t* count, dsw_flight* flight) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
-    capi::check_point<D>(from, "from");
-    capi::check_point<D>(to, "to");
-    if (capacity != 0) capi::require(crossings, "crossings");
-    capi::require(count, "count");
+    dsw::to_finite_point(env.kDimension, from, "from");
+    dsw::to_finite_point(env.kDimension, to, "to");
+    if (capacity != 0) dsw::require(crossings, "crossings");
+    dsw::require(count, "count");
     capi::check_hint(env.map, start, "start");
     dsw_flight report;
     cast_path(env, start, from, to, capi::to_options(options), crossings, capacity, count, &report);
@@ -105,8 +97,8 @@ dsw_status dsw_environment_find_nearest(const dsw_environment* environment, cons
                                         double radius, dsw_nearest* nearest) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    capi::check_point<D>(point, "point");
-    capi::require(nearest, "nearest");
+    dsw::to_finite_point(env.kDimension, point, "point");
+    dsw::require(nearest, "nearest");
     if (!(radius >= 0)) fail(DSW_STATUS_OUT_OF_RANGE, "radius is %g, must be at least 0", radius);
     capi::check_hint(env.map, volume, "volume");
     const dsw::Cell c = dsw::is_null(volume) ? locate_point(env, point, volume) : env.map.cell(volume.index);

@@ -49,7 +49,7 @@ uint64_t room_of(const dsw_scene& scene) {
 /** `format`: of a scene, where it is not today's. */
 template <class Saved, class... Format>
 dsw::Array<uint8_t> saved_block(const Saved& saved, Format... format) {
-  dsw::Array<uint8_t> block(snapshot_bytes(saved, format...), 0, dsw::Allocator<uint8_t>(saved.memory));
+  dsw::Array<uint8_t> block(snapshot_bytes(saved, format...), 0, saved.memory);
   save(saved, block.data(), format...);
   return block;
 }
@@ -66,9 +66,7 @@ void write_snapshot(const Saved& saved, dsw::EntryKind kind, const Lending* lend
 void write_beginning(const dsw_scene& scene, capi::Recording& recording) {
   const uint32_t maker[2] = {dsw_version(), recording.flags};
   recording.writer.write_header();
-  recording.writer.begin(dsw::EntryKind::kMaker, sizeof maker);
-  recording.writer.put(maker, sizeof maker);
-  recording.writer.end();
+  recording.writer.write(dsw::EntryKind::kMaker, maker, sizeof maker);
   capi::visit(scene, [&](const auto& engine) {
     const Lending lending{engine.env.owned_points.empty() ? 1u : 0u, room_of(scene)};
     write_snapshot(engine.env, dsw::EntryKind::kEnvironment, &lending, recording.writer);
@@ -82,11 +80,7 @@ void write_beginning(const dsw_scene& scene, capi::Recording& recording) {
 namespace dsw::capi {
 
 Recording::Recording(const Memory* memory, const dsw_recording_desc& desc)
-    : writer({write_to_host, this}),
-      flags(desc.flags),
-      write(desc.write),
-      user(desc.user),
-      kept(Allocator<uint8_t>(memory)) {
+    : writer({write_to_host, this}), flags(desc.flags), write(desc.write), user(desc.user), kept(memory) {
   if ((flags & DSW_RECORDING_LATEST) != 0) {
     write = append;
     user = &kept;
@@ -150,16 +144,7 @@ static void renew_kept(dsw_scene& scene) noexcept {
 void Recorded::begin(uint64_t number, size_t size) noexcept {
   renew_kept(*scene_);
   scene_->recording->writer.begin(EntryKind::kCall, size);
-  put(&number, sizeof number);
-}
-
-void Recorded::put(const void* bytes, size_t size) noexcept {
-  const size_t whole = size & ~size_t{7};
-  scene_->recording->writer.put(bytes, whole);
-  if (whole == size) return;
-  uint8_t rest[8] = {};
-  std::memcpy(rest, static_cast<const uint8_t*>(bytes) + whole, size - whole);
-  scene_->recording->writer.put(rest, sizeof rest);
+  scene_->recording->writer.put(&number, sizeof number);
 }
 
 void Recorded::finish(bool failed, uint64_t digest) noexcept {
@@ -182,30 +167,22 @@ void Recorded::finish(bool failed, uint64_t digest) noexcept {
   }
   if (!failed && wants_state) take_state(kSceneFormat, now);
   if (scene.recording == nullptr) return;
-  RecordWriter& writer = scene.recording->writer;
   const uint64_t result[kMostResultWords] = {failed ? 1u : 0u, digest, now.state};
   const size_t size = (wants_state && now.has_state ? kMostResultWords : kResultWords) * sizeof(uint64_t);
-  writer.begin(EntryKind::kResult, size);
-  writer.put(result, size);
-  writer.end();
+  scene.recording->writer.write(EntryKind::kResult, result, size);
 }
 
 }  // namespace dsw::capi
 
-void dsw_recording_desc_init(dsw_recording_desc* desc, size_t size) {
-  capi::init_struct(desc, size, dsw_recording_desc{});
-}
-
 dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc* desc) {
   return capi::guard(__func__, [&] {
     dsw_scene& handle = capi::check_handle(scene);
-    const dsw_recording_desc d = capi::read_required(desc, "desc");
-    capi::check_flags(d.flags, DSW_RECORDING_STATES | DSW_RECORDING_LATEST, "desc->flags");
+    const dsw_recording_desc d = capi::read_required(desc, "desc", DSW_RECORDING_STATES | DSW_RECORDING_LATEST);
     const bool is_kept = (d.flags & DSW_RECORDING_LATEST) != 0;
     if ((d.path != nullptr) + (d.write != nullptr) + is_kept > 1) {
       fail(DSW_STATUS_UNSUPPORTED, "only one of desc->path, desc->write and DSW_RECORDING_LATEST can be set");
     }
-    if (d.path == nullptr && !is_kept) capi::require(reinterpret_cast<const void*>(d.write), "desc->write");
+    if (d.path == nullptr && !is_kept) dsw::require(reinterpret_cast<const void*>(d.write), "desc->write");
     if (handle.recording != nullptr) fail(DSW_STATUS_IN_USE, "the scene is being recorded");
     dsw::Owned<capi::Recording> owner(capi::memory_of(*handle.environment));
     capi::begin_recording(handle, d, owner);

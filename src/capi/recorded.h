@@ -71,10 +71,10 @@ class Recorded {
     const CallPlace place{scene_, nullptr, is_planar(*scene_) ? 2u : 3u};
     size_t size = sizeof(uint64_t);
     const auto measure = [&](const void*, size_t bytes) { size += (bytes + 7) & ~size_t{7}; };
-    row.for_each_kind([&](const auto& kind) { kind.write(given, place, measure); });
+    for_each(row.kinds, [&](const auto& kind) { kind.write(given, place, measure); });
     begin(row.number, size);
-    row.for_each_kind([&](const auto& kind) {
-      kind.write(given, place, [&](const void* bytes, size_t count) { put(bytes, count); });
+    for_each(row.kinds, [&](const auto& kind) {
+      kind.write(given, place, [&](const void* bytes, size_t count) { scene_->recording->writer.put(bytes, count); });
     });
     scene_->recording->writer.end();
   }
@@ -106,7 +106,6 @@ class Recorded {
   static void fill(Given&) noexcept {}
 
   void begin(uint64_t number, size_t size) noexcept;
-  void put(const void* bytes, size_t size) noexcept;
   void finish(bool failed, uint64_t digest) noexcept;
 
   dsw_scene* scene_;  // null: nobody wants to know

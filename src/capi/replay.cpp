@@ -82,18 +82,10 @@ void load_beginning(dsw_replay& replay) {
   const dsw::Entry first = next_entry(replay, dsw::EntryKind::kEnvironment, "its environment");
   uint64_t lending[2];
   read_words(first, lending, "its environment");
-  const uint8_t* const block = first.bytes + sizeof lending;
-  const size_t size = first.size - sizeof lending;
-  capi::EnvironmentOwner environment(replay.context, dsw::saved_dimension(block, size));
-  capi::visit(*environment, [&](auto& env) { load(env, block, size); });
-  replay.environment = environment.take();
+  replay.environment =
+      capi::load_environment(replay.context, first.bytes + sizeof lending, first.size - sizeof lending);
   const dsw::Entry second = next_entry(replay, dsw::EntryKind::kScene, "its scene");
-  const dsw::SceneFeatures features = capi::visit(*replay.environment, [&](const auto& env) {
-    return dsw::saved_features<capi::kDimension<decltype(env)>>(second.bytes, second.size);
-  });
-  capi::SceneOwner scene(*replay.environment, features);
-  capi::visit(*scene, [&](auto& engine) { load(engine, second.bytes, second.size); });
-  replay.scene = scene.enter();
+  replay.scene = capi::load_scene(*replay.environment, second.bytes, second.size);
   replay.scene->watch = &replay.watch;
   replay.watch.format = dsw::saved_version(second.bytes);
   if (lending[0] != 0) lend_points(replay, lending[1]);
@@ -262,11 +254,8 @@ void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* rep
     const double* const points = visit(*replay.environment, [](const auto& env) { return env.points; });
     if (points == replay.next) replay.watch.room = replay.watch.offered;
     if (report->status != DSW_STATUS_BORROWED || !lacks_room(replay)) break;
-    if (replay.scene->recording != nullptr) {  // whoever makes that again is to pass over it
-      RecordWriter& writer = replay.scene->recording->writer;
-      writer.begin(EntryKind::kRepeated, 0);
-      writer.end();
-    }
+    // Whoever makes that again is to pass over it.
+    if (replay.scene->recording != nullptr) replay.scene->recording->writer.write(EntryKind::kRepeated, "", 0);
     make_room(replay);
   }
   const uint32_t differs = next.is_finished ? what_differs(next.result, replay.watch.last, replay.version) : 0;
@@ -282,18 +271,16 @@ void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* rep
 dsw_replay::dsw_replay(dsw_context* owner, const uint8_t* bytes, size_t size)
     : context(owner),
       reader(bytes, size),
-      words(dsw::Allocator<uint64_t>(capi::memory_of(owner))),
-      kept(dsw::Allocator<dsw::Array<uint64_t>>(capi::memory_of(owner))),
-      points{dsw::Array<double>(dsw::Allocator<double>(capi::memory_of(owner))),
-             dsw::Array<double>(dsw::Allocator<double>(capi::memory_of(owner)))} {
+      words(capi::memory_of(owner)),
+      kept(capi::memory_of(owner)),
+      points{dsw::Array<double>(capi::memory_of(owner)), dsw::Array<double>(capi::memory_of(owner))} {
   capi::retain(owner);
 }
 
 dsw_replay::~dsw_replay() {
   if (scene != nullptr) {
-    const dsw::Memory* const memory = capi::memory_of(*environment);
     capi::detach(*scene);
-    capi::destroy_object(memory, scene);
+    capi::destroy_scene(scene);
   }
   if (environment != nullptr) capi::destroy_environment(environment);
   capi::release(context);
@@ -302,18 +289,12 @@ dsw_replay::~dsw_replay() {
 dsw_status dsw_replay_create(dsw_context* context, const void* recording, size_t size_bytes, dsw_replay** replay) {
   return capi::guard(__func__, [&] {
     capi::check_context(context);
-    capi::require(recording, "recording");
-    capi::require(replay, "replay");
-    const dsw::Memory* const memory = capi::memory_of(context);
-    dsw_replay* const made =
-        capi::create_object<dsw_replay>(memory, context, static_cast<const uint8_t*>(recording), size_bytes);
-    try {
-      load_beginning(*made);
-    } catch (...) {
-      capi::destroy_object(memory, made);
-      throw;
-    }
-    *replay = made;
+    dsw::require(recording, "recording");
+    dsw::require(replay, "replay");
+    capi::ReplayOwner made(capi::create_object<dsw_replay>(capi::memory_of(context), context,
+                                                           static_cast<const uint8_t*>(recording), size_bytes));
+    load_beginning(*made);
+    *replay = made.release();
   });
 }
 
@@ -323,14 +304,14 @@ dsw_status dsw_replay_destroy(dsw_replay* replay) {
     dsw_replay& handle = capi::check_handle(replay);
     const uint32_t scenes = capi::scene_count(*handle.environment);
     if (scenes != 1) fail(DSW_STATUS_IN_USE, "%u scenes use the environment of the replay", scenes);
-    capi::destroy_object(capi::memory_of(handle.context), replay);
+    capi::DestroyReplay()(replay);
   });
 }
 
 dsw_status dsw_replay_get_scene(const dsw_replay* replay, dsw_scene** scene) {
   return capi::guard(__func__, [&] {
     const dsw_replay& handle = capi::check_handle(replay);
-    capi::require(scene, "scene");
+    dsw::require(scene, "scene");
     *scene = handle.scene;
   });
 }
@@ -338,17 +319,16 @@ dsw_status dsw_replay_get_scene(const dsw_replay* replay, dsw_scene** scene) {
 dsw_status dsw_replay_get_info(const dsw_replay* replay, dsw_replay_info* info) {
   return capi::guard(__func__, [&] {
     const dsw_replay& handle = capi::check_handle(replay);
-    capi::require(info, "info");
-    capi::check_size(info, "info");
-    capi::write_struct(info, dsw_replay_info{0, handle.flags, handle.version, 0, handle.calls, handle.reader.left(),
-                                             handle.note, handle.validation ? &*handle.validation : nullptr});
+    capi::give_struct(info, "info",
+                      dsw_replay_info{0, handle.flags, handle.version, 0, handle.calls, handle.reader.left(),
+                                      handle.note, handle.validation ? &*handle.validation : nullptr});
   });
 }
 
 dsw_status dsw_replay_step(dsw_replay* replay, dsw_replay_report* report) {
   return capi::guard(__func__, [&] {
     dsw_replay& handle = capi::check_handle(replay);
-    capi::require(report, "report");
+    dsw::require(report, "report");
     *report = capi::step(handle, [](const capi::NextCall&) {});
   });
 }
@@ -356,8 +336,8 @@ dsw_status dsw_replay_step(dsw_replay* replay, dsw_replay_report* report) {
 dsw_status dsw_replay_describe_next(dsw_replay* replay, char* text, size_t capacity, size_t* size) {
   return capi::guard(__func__, [&] {
     dsw_replay& handle = capi::check_handle(replay);
-    capi::require_array(text, capacity, "text");
-    capi::require(size, "size");
+    dsw::require_array(text, capacity, "text");
+    dsw::require(size, "size");
     std::optional<capi::NextCall> next;
     capi::Text all(text, capacity);
     if (read_next(handle, next)) {

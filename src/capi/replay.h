@@ -32,6 +32,11 @@ struct dsw_replay {
 
 namespace dsw::capi {
 
+struct DestroyReplay {
+  void operator()(dsw_replay* replay) const noexcept { destroy_object(memory_of(replay->context), replay); }
+};
+using ReplayOwner = std::unique_ptr<dsw_replay, DestroyReplay>;
+
 /** A call that is about to be made again. */
 struct NextCall {
   uint32_t number;  // of its row

@@ -13,8 +13,8 @@ namespace {
 /** Writes what is saved to the host's block, if that is large enough. */
 template <class Saved>
 void save_to(const Saved& saved, void* block, size_t capacity_bytes, size_t* size_bytes) {
-  capi::require(size_bytes, "size_bytes");
-  if (capacity_bytes != 0) capi::require(block, "block");
+  dsw::require(size_bytes, "size_bytes");
+  if (capacity_bytes != 0) dsw::require(block, "block");
   const size_t needed = snapshot_bytes(saved);
   if (capacity_bytes != 0 && capacity_bytes < needed) {
     *size_bytes = needed;
@@ -26,6 +26,24 @@ void save_to(const Saved& saved, void* block, size_t capacity_bytes, size_t* siz
 
 }  // namespace
 
+namespace dsw::capi {
+
+dsw_environment* load_environment(dsw_context* context, const uint8_t* block, size_t size) {
+  EnvironmentOwner owner = make_environment(context, saved_dimension(block, size));
+  visit(*owner, [&](auto& env) { load(env, block, size); });
+  return owner.release();
+}
+
+dsw_scene* load_scene(dsw_environment& home, const uint8_t* block, size_t size) {
+  const SceneFeatures features =
+      visit(home, [&](const auto& env) { return saved_features<kDimension<decltype(env)>>(block, size); });
+  SceneOwner owner = make_scene(home, features);
+  visit(*owner, [&](auto& engine) { load(engine, block, size); });
+  return enter(std::move(owner));
+}
+
+}  // namespace dsw::capi
+
 dsw_status dsw_environment_save(const dsw_environment* environment, void* block, size_t capacity_bytes,
                                 size_t* size_bytes) {
   return capi::guarded_visit(__func__, environment,
@@ -36,12 +54,9 @@ dsw_status dsw_environment_load(dsw_context* context, const void* block, size_t 
                                 dsw_environment** environment) {
   return capi::guard(__func__, [&] {
     capi::check_context(context);
-    capi::require(block, "block");
-    capi::require(environment, "environment");
-    const auto* const bytes = static_cast<const uint8_t*>(block);
-    capi::EnvironmentOwner owner(context, dsw::saved_dimension(bytes, size_bytes));
-    capi::visit(*owner, [&](auto& env) { load(env, bytes, size_bytes); });
-    *environment = owner.take();
+    dsw::require(block, "block");
+    dsw::require(environment, "environment");
+    *environment = capi::load_environment(context, static_cast<const uint8_t*>(block), size_bytes);
   });
 }
 
@@ -53,13 +68,8 @@ dsw_status dsw_scene_save(const dsw_scene* scene, void* block, size_t capacity_b
 dsw_status dsw_scene_load(dsw_environment* environment, const void* block, size_t size_bytes, dsw_scene** scene) {
   return capi::guard(__func__, [&] {
     dsw_environment& home = capi::check_handle(environment);
-    capi::require(block, "block");
-    capi::require(scene, "scene");
-    const auto* const bytes = static_cast<const uint8_t*>(block);
-    const dsw::SceneFeatures features = capi::visit(
-        home, [&](const auto& env) { return dsw::saved_features<capi::kDimension<decltype(env)>>(bytes, size_bytes); });
-    capi::SceneOwner owner(home, features);
-    capi::visit(*owner, [&](auto& engine) { load(engine, bytes, size_bytes); });
-    *scene = owner.enter();
+    dsw::require(block, "block");
+    dsw::require(scene, "scene");
+    *scene = capi::load_scene(home, static_cast<const uint8_t*>(block), size_bytes);
   });
 }

@@ -9,15 +9,6 @@ using dsw::fail;
 
 namespace {
 
-/** The engine for what is done to faces by edges; `instead`: the function for sides of the plane, which refuses this
- * one. */
-dsw::Environment<3>& with_edges(dsw_environment& handle, const char* instead) {
-  if (capi::is_planar(handle)) {
-    fail(DSW_STATUS_UNSUPPORTED, "in the plane a face is a side, which has no edges inside: see %s", instead);
-  }
-  return capi::space(handle);
-}
-
 template <int D>
 void check_arrays(const dsw_volumes_desc& d) {
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
@@ -29,7 +20,7 @@ void check_arrays(const dsw_volumes_desc& d) {
     fail(DSW_STATUS_TOO_LARGE, "desc->volume_count is %zu and desc->point_count is %zu, must be below 2^28",
          d.volume_count, d.point_count);
   }
-  capi::require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
+  dsw::require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
   const dsw::CellType type = dsw::cell_type<D>(d.uniform_cell_type);
   if (d.offsets == nullptr && (d.cell_types != nullptr || (type.known && type.vertex_count == 0))) {
     fail(DSW_STATUS_NULL_ARGUMENT, "desc->offsets is null, which needs one uniform type with a fixed number of points");
@@ -38,20 +29,13 @@ void check_arrays(const dsw_volumes_desc& d) {
 
 }  // namespace
 
-void dsw_volumes_desc_init(dsw_volumes_desc* desc, size_t size) {
-  dsw_volumes_desc d{};
-  d.index_bytes = 8;
-  d.uniform_cell_type = DSW_CELL_TYPE_HEXAHEDRON;
-  capi::init_struct(desc, size, d);
-}
-
 dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_volumes_desc* desc,
                                        dsw_volume_id* volumes, dsw_vertex_id* vertices) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, nullptr, [&](auto& change) {
     constexpr int D = std::decay_t<decltype(change)>::kDimension;
     const dsw_volumes_desc d = capi::read_required(desc, "desc");
     check_arrays<D>(d);
-    const auto points = capi::to_finite_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points");
+    const auto points = dsw::to_finite_points(D, d.points, d.point_count, d.point_stride_bytes, "desc->points");
     capi::Converted known(change.env, d.vertices, d.vertex_count, "desc->vertices");
     auto all = change.template array<uint32_t>(0);
     all.reserve(d.vertex_count + d.point_count);
@@ -74,7 +58,7 @@ dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_v
 
 dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_face_id* faces_a,
                                      const dsw_face_id* faces_b, size_t count) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, nullptr, [&](auto& change) {
     capi::Converted a(change.env, faces_a, count, "faces_a"), b(change.env, faces_b, count, "faces_b");
     auto pairs = change.template array<dsw::FacetPair>(count);
     for (size_t i = 0; i < count; ++i) pairs[i] = {a[i], b[i]};
@@ -85,15 +69,15 @@ dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_fac
 }
 
 dsw_status dsw_environment_unsew_face(dsw_environment* environment, dsw_face_id face) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
-    const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
+  return capi::guarded_change(__func__, environment, nullptr, [&](auto& change) {
+    const dsw::HalfFacet h = capi::to_engine(change.map(), face, "face");
     unsew(change.begin(capi::row_of<dsw_environment_unsew_face>, face), h);
     change.carry_out();
   });
 }
 
 dsw_status dsw_environment_remove_volumes(dsw_environment* environment, const dsw_volume_id* volumes, size_t count) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, nullptr, [&](auto& change) {
     capi::Converted cells(change.env, volumes, count, "volumes");
     remove_cells(change.begin(capi::row_of<dsw_environment_remove_volumes>, volumes, count), cells.data(), count);
     change.carry_out();
@@ -101,8 +85,8 @@ dsw_status dsw_environment_remove_volumes(dsw_environment* environment, const ds
 }
 
 dsw_status dsw_environment_merge_volumes(dsw_environment* environment, dsw_face_id face, dsw_volume_id* volume) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
-    const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
+  return capi::guarded_change(__func__, environment, nullptr, [&](auto& change) {
+    const dsw::HalfFacet h = capi::to_engine(change.map(), face, "face");
     const size_t merged = merge_cells(change.begin(capi::row_of<dsw_environment_merge_volumes>, face), h);
     change.carry_out();
     if (volume != nullptr) *volume = change.volume(merged);
@@ -111,8 +95,8 @@ dsw_status dsw_environment_merge_volumes(dsw_environment* environment, dsw_face_
 
 dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume_id volume, const dsw_vertex_id* loop,
                                         size_t count, dsw_volume_id* volumes, dsw_face_id* face) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
-    const dsw::Cell c = capi::to_cell(change.map(), volume, {"volume", false});
+  return capi::guarded_change(__func__, environment, nullptr, [&](auto& change) {
+    const dsw::Cell c = capi::to_engine(change.map(), volume, "volume");
     capi::Converted vertices(change.env, loop, count, "loop");
     auto& edit = change.begin(capi::row_of<dsw_environment_split_volume>, volume, loop, count);
     const dsw::SplitCell split = split_cell(edit, c, vertices.data(), count);
@@ -126,24 +110,21 @@ dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume
 }
 
 dsw_status dsw_environment_merge_faces(dsw_environment* environment, dsw_edge_id edge, dsw_face_id* face) {
-  return capi::guard(__func__, [&] {
-    dsw_environment& handle = capi::check_handle(environment);
-    capi::Change<3> change(handle, with_edges(handle, "dsw_environment_merge_edges"), nullptr);
-    const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
-    const dsw::MergedFacet merged = merge_facets(change.begin(capi::row_of<dsw_environment_merge_faces>, edge), d);
-    change.carry_out();
-    if (face != nullptr) *face = change.face(merged.draft, merged.facet);
-  });
+  return capi::guarded_change_of_space(
+      __func__, environment, "dsw_environment_merge_edges", nullptr, [&](auto& change) {
+        const dsw::Dart d = capi::to_engine(change.map(), edge, "edge");
+        const dsw::MergedFacet merged = merge_facets(change.begin(capi::row_of<dsw_environment_merge_faces>, edge), d);
+        change.carry_out();
+        if (face != nullptr) *face = change.face(merged.draft, merged.facet);
+      });
 }
 
 dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id face, dsw_vertex_id a, dsw_vertex_id b,
                                       dsw_face_id* faces, dsw_edge_id* edge) {
-  return capi::guard(__func__, [&] {
-    dsw_environment& handle = capi::check_handle(environment);
-    capi::Change<3> change(handle, with_edges(handle, "dsw_environment_split_edge"), nullptr);
-    const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
-    const uint32_t from = capi::to_vertex(change.map(), a, {"a", false});
-    const uint32_t to = capi::to_vertex(change.map(), b, {"b", false});
+  return capi::guarded_change_of_space(__func__, environment, "dsw_environment_split_edge", nullptr, [&](auto& change) {
+    const dsw::HalfFacet h = capi::to_engine(change.map(), face, "face");
+    const uint32_t from = capi::to_engine(change.map(), a, "a");
+    const uint32_t to = capi::to_engine(change.map(), b, "b");
     const dsw::SplitFacet split =
         split_facet(change.begin(capi::row_of<dsw_environment_split_face>, face, a, b), h, from, to);
     change.carry_out();
@@ -157,11 +138,10 @@ dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id 
 
 dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id edge, double share,
                                       dsw_vertex_id* vertex, dsw_edge_id* edges) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, nullptr, [&](auto& change) {
     const auto& map = change.map();
-    const dsw::Dart d = capi::to_dart(map, edge, {"edge", false});
-    if (!(share > 0 && share < 1))
-      fail(DSW_STATUS_OUT_OF_RANGE, "edge_parameter is %g, must be above 0 and below 1", share);
+    const dsw::Dart d = capi::to_engine(map, edge, "edge");
+    capi::check_edge_parameter(share);
     const uint32_t ends[2] = {dart_vertex(map, d), dart_target(map, d)};
     const uint32_t middle = split_edge(change.begin(capi::row_of<dsw_environment_split_edge>, edge, share), d, share);
     change.carry_out();
@@ -175,9 +155,9 @@ dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id 
 
 dsw_status dsw_environment_merge_edges(dsw_environment* environment, dsw_edge_id edge, dsw_vertex_id vertex,
                                        dsw_edge_id* merged) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
-    const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
-    const uint32_t middle = capi::to_vertex(change.map(), vertex, {"vertex", false});
+  return capi::guarded_change(__func__, environment, nullptr, [&](auto& change) {
+    const dsw::Dart d = capi::to_engine(change.map(), edge, "edge");
+    const uint32_t middle = capi::to_engine(change.map(), vertex, "vertex");
     const dsw::MergedEdge ends =
         merge_edges(change.begin(capi::row_of<dsw_environment_merge_edges>, edge, vertex), d, middle);
     change.carry_out();
@@ -186,19 +166,15 @@ dsw_status dsw_environment_merge_edges(dsw_environment* environment, dsw_edge_id
 }
 
 dsw_status dsw_environment_collapse_edge(dsw_environment* environment, dsw_edge_id edge, dsw_vertex_id vertex) {
-  return capi::guarded_change(__func__, environment, [&](auto& change) {
-    const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
-    const uint32_t v = capi::to_vertex(change.map(), vertex, {"vertex", false});
+  return capi::guarded_change(__func__, environment, nullptr, [&](auto& change) {
+    const dsw::Dart d = capi::to_engine(change.map(), edge, "edge");
+    const uint32_t v = capi::to_engine(change.map(), vertex, "vertex");
     collapse_edge(change.begin(capi::row_of<dsw_environment_collapse_edge>, edge, vertex), d, v);
     change.carry_out();
   });
 }
 
 dsw_status dsw_environment_get_change(const dsw_environment* environment, dsw_change* change) {
-  return capi::guard(__func__, [&] {
-    const dsw_change last = capi::check_handle(environment).results.change();
-    capi::require(change, "change");
-    capi::check_size(change, "change");
-    capi::write_struct(change, last);
-  });
+  return capi::guard(__func__,
+                     [&] { capi::give_struct(change, "change", capi::check_handle(environment).results.change()); });
 }

@@ -31,7 +31,7 @@ void check_length(double normal_length) {
 dsw_status dsw_trace_create(dsw_context* context, dsw_trace** trace) {
   return capi::guard(__func__, [&] {
     capi::check_context(context);
-    capi::require(trace, "trace");
+    dsw::require(trace, "trace");
     *trace = capi::create_object<dsw_trace>(capi::memory_of(context), context);
     capi::retain(context);
   });
@@ -76,9 +76,8 @@ dsw_status dsw_trace_add_walk(dsw_trace* trace, const dsw_environment* environme
   return capi::guard(__func__, [&] {
     dsw::Trace& engine = engine_of(trace);
     capi::visit(capi::check_handle(environment), [&](const auto& env) {
-      constexpr int D = capi::kDimension<decltype(env)>;
-      capi::check_point<D>(from, "from");
-      capi::check_point<D>(to, "to");
+      dsw::to_finite_point(env.kDimension, from, "from");
+      dsw::to_finite_point(env.kDimension, to, "to");
       check_length(normal_length);
       capi::check_hint(env.map, start, "start");
       add_walk(engine, env, start, from, to, capi::to_options(options), normal_length, label);
@@ -89,11 +88,11 @@ dsw_status dsw_trace_add_walk(dsw_trace* trace, const dsw_environment* environme
 dsw_status dsw_trace_add_contact(dsw_trace* trace, const dsw_flight* flight, double normal_length, uint32_t label) {
   return capi::guard(__func__, [&] {
     dsw::Trace& engine = engine_of(trace);
-    capi::require(flight, "flight");
+    dsw::require(flight, "flight");
     check_length(normal_length);
     if (flight->outcome == DSW_OUTCOME_CONTACT) {
-      capi::check_point<3>(flight->position, "flight->position");
-      capi::check_point<3>(flight->contact.normal, "flight->normal");
+      dsw::to_finite_point(3, flight->position, "flight->position");
+      dsw::to_finite_point(3, flight->contact.normal, "flight->normal");
     }
     add_contact(engine, *flight, normal_length, label);
   });
@@ -102,8 +101,6 @@ dsw_status dsw_trace_add_contact(dsw_trace* trace, const dsw_flight* flight, dou
 dsw_status dsw_trace_get_data(const dsw_trace* trace, dsw_trace_data* data) {
   return capi::guard(__func__, [&] {
     const dsw::Trace& engine = capi::check_handle(trace).engine;
-    capi::require(data, "data");
-    capi::check_size(data, "data");
     dsw_trace_data d{};
     d.points = engine.points.data();
     d.point_count = engine.point_count();
@@ -116,6 +113,6 @@ dsw_status dsw_trace_get_data(const dsw_trace* trace, dsw_trace_data* data) {
     d.triangles = engine.triangles.data();
     d.triangle_labels = engine.triangle_labels.data();
     d.triangle_count = engine.triangle_labels.size();
-    capi::write_struct(data, d);
+    capi::give_struct(data, "data", d);
   });
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "capi/replay.h"
+#include "scene/near_bodies.h"
 #include "validation/validation.h"
 
 namespace dsw::capi {
@@ -12,26 +13,34 @@ namespace {
 
 constexpr uint32_t kNoRank = UINT32_MAX;
 
-template <class T, int D>
-Array<T> array_for(const Scene<D>& scene) {
-  return Array<T>(Allocator<T>(scene.memory));
-}
-
 template <int D>
 bool are_equal(const double* a, const double* b) noexcept {
   return std::equal(a, a + D, b);
 }
+
+/** What can be said of a subject: where it is counted, and what is told of a body or a particle, if it is wrong. */
+struct Said {
+  uint64_t dsw_validation::*count;
+  const char *of_body, *of_particle;
+};
+constexpr Said kEdgeIsFree{&dsw_validation::crossing, "body %u: edge %u meets something impassable", ""};
+constexpr Said kFaceIsFree{&dsw_validation::pierced, "body %u: face %u meets something impassable", ""};
+constexpr Said kWayIsFree{&dsw_validation::missed,
+                          "body %u: vertex %u, or an edge of it, has passed something impassable",
+                          "particle %u has passed something impassable"};
+constexpr Said kContactAt{&dsw_validation::wrong, "body %u: a contact of vertex %u is at another time",
+                          "particle %u stopped, though there is nothing in its way"};
 
 template <int D>
 class CallValidator {
  public:
   explicit CallValidator(const Scene<D>& scene)
       : scene_(scene),
-        before_(array_for<double>(scene_)),
-        orders_(array_for<uint32_t>(scene_)),
-        particles_(array_for<Mover>(scene_)),
-        bodies_(array_for<Mover>(scene_)),
-        subjects_(array_for<Subject>(scene_)),
+        before_(scene_.memory),
+        orders_(scene_.memory),
+        particles_(scene_.memory),
+        bodies_(scene_.memory),
+        subjects_(scene_.memory),
         validator_(scene_.env) {}
 
   /** Before the call: where what it moves is. */
@@ -80,12 +89,14 @@ class CallValidator {
         time = std::min(time, claims[i].time);
       }
       // Of a particle's contact it is known that there was one, no more.
-      const bool is_wrong = subject.said != Said::kContactAt ? is_met
-                            : subject.part == kNone          ? !is_met
-                                                             : !is_met || subject.time != time;
+      const bool is_wrong = subject.said != &kContactAt ? is_met
+                            : subject.part == kNone     ? !is_met
+                                                        : !is_met || subject.time != time;
       for (size_t k = first; is_wrong && k < i; ++k) is_folded = is_folded || validator_.is_folded(k);
       if (is_folded) ++validation_.not_validated;
-      if (is_wrong && !is_folded) count_wrong(subject);
+      if (!is_wrong || is_folded) continue;
+      ++(validation_.*subject.said->count);
+      note(subject.part == kNone ? subject.said->of_particle : subject.said->of_body, subject.owner, subject.part);
     }
     const dsw_validation& v = validation_;
     validation_.is_right = v.lost + v.crossing + v.pierced + v.missed + v.wrong == 0 ? 1 : 0;
@@ -94,9 +105,8 @@ class CallValidator {
 
  private:
   /** What a claim is about, and what was said of it. */
-  enum class Said { kEdgeIsFree, kFaceIsFree, kWayIsFree, kContactAt };
   struct Subject {
-    Said said;
+    const Said* said;
     uint32_t owner, part;  // slots: of the body, and in it; of a particle
     double time;           // of a contact
   };
@@ -134,8 +144,8 @@ class CallValidator {
     if (validation_.text[0] == 0) std::snprintf(validation_.text, sizeof validation_.text, format, one, other);
   }
 
-  uint32_t add_subject(Said said, uint32_t owner, uint32_t part, double time = 0) {
-    subjects_.push_back({said, owner, part, time});
+  uint32_t add_subject(const Said& said, uint32_t owner, uint32_t part, double time = 0) {
+    subjects_.push_back({&said, owner, part, time});
     return static_cast<uint32_t>(subjects_.size() - 1);
   }
 
@@ -151,31 +161,29 @@ class CallValidator {
       if (!scene_.slots.alive(i, scene_.slots.generation(i))) continue;
       if (is_lost(state.cell, state.position)) note("particle %u is not where it is said to be", i, 0);
     }
-    for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
-      if (!scene_.body_slots.alive(slot, scene_.body_slots.generation(slot))) continue;
-      const Body<D>& body = scene_.bodies[slot].body;
+    for_each_body(scene_, [&](uint32_t slot, const BodyRecord<D>& of) {
+      const Body<D>& body = of.body;
       for (uint32_t v = 0; v < body.vertices.size(); ++v) {
         if (body.has_vertex(v) && is_lost(body.vertices[v].cell, body.position(v))) {
           note("body %u: vertex %u is not where it is said to be", slot, v);
         }
       }
-      look_at_body(slot);
-    }
+      look_at_body(slot, body);
+    });
   }
 
-  void look_at_body(uint32_t slot) {
-    const Body<D>& body = scene_.bodies[slot].body;
+  void look_at_body(uint32_t slot, const Body<D>& body) {
     for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
       if (!body.has_edge(e)) continue;
       const BodyEdge& edge = body.edges[e];
-      validator_.add(add_subject(Said::kEdgeIsFree, slot, e), body.position(edge.ends[0]), body.position(edge.ends[1]));
+      validator_.add(add_subject(kEdgeIsFree, slot, e), body.position(edge.ends[0]), body.position(edge.ends[1]));
       ++validation_.edges;
     }
     for (uint32_t f = 0; body.level == SweepLevel::kFaces && f < body.faces.size(); ++f) {
       if (!body.has_face(f)) continue;
       const BodyFace& face = body.faces[f];
-      validator_.add(add_subject(Said::kFaceIsFree, slot, f), body.position(face.corners[0]),
-                     body.position(face.corners[1]), body.position(face.corners[2]));
+      validator_.add(add_subject(kFaceIsFree, slot, f), body.position(face.corners[0]), body.position(face.corners[1]),
+                 body.position(face.corners[2]));
       ++validation_.faces;
     }
   }
@@ -183,21 +191,21 @@ class CallValidator {
   void claim_flight(const Mover& mover) {
     const double *const from = &before_[mover.first], *const target = from + D;
     const auto& now = scene_.particles[mover.slot].position;
-    validator_.add(add_subject(Said::kWayIsFree, mover.slot, kNone), from, now);
+    validator_.add(add_subject(kWayIsFree, mover.slot, kNone), from, now);
     ++validation_.ways;
     if (are_equal<D>(now, target)) return;
     if (!mover.is_exact) {
       ++validation_.not_validated;
       return;
     }
-    validator_.add(add_subject(Said::kContactAt, mover.slot, kNone, -1), from, target);
+    validator_.add(add_subject(kContactAt, mover.slot, kNone, -1), from, target);
     ++validation_.contacts;
   }
 
   void claim_way(const Mover& mover, const Body<D>& body, uint32_t vertex) {
     const auto at = [&](uint32_t v) { return &before_[mover.first + D * size_t{v}]; };
     const uint32_t* const ranks = &orders_[mover.order_first];
-    const uint32_t subject = add_subject(Said::kWayIsFree, mover.slot, vertex);
+    const uint32_t subject = add_subject(kWayIsFree, mover.slot, vertex);
     validator_.add(subject, at(vertex), body.position(vertex));
     ++validation_.ways;
     // Edges whose sweeps are left out by the share of motion are only free where they end.
@@ -215,7 +223,7 @@ class CallValidator {
       ++validation_.not_validated;
       return;
     }
-    const uint32_t subject = add_subject(Said::kContactAt, mover.slot, contact.vertex.index, contact.time);
+    const uint32_t subject = add_subject(kContactAt, mover.slot, contact.vertex.index, contact.time);
     validator_.add(subject, contact.from, contact.to);
     if (contact.edge.generation != 0) validator_.add(subject, contact.from, contact.to, contact.fixed[0]);
     ++validation_.contacts;
@@ -236,25 +244,6 @@ class CallValidator {
     }
   }
 
-  void count_wrong(const Subject& s) {
-    switch (s.said) {
-      case Said::kEdgeIsFree:
-        ++validation_.crossing;
-        return note("body %u: edge %u meets something impassable", s.owner, s.part);
-      case Said::kFaceIsFree:
-        ++validation_.pierced;
-        return note("body %u: face %u meets something impassable", s.owner, s.part);
-      case Said::kWayIsFree:
-        ++validation_.missed;
-        if (s.part == kNone) return note("particle %u has passed something impassable", s.owner, 0);
-        return note("body %u: vertex %u, or an edge of it, has passed something impassable", s.owner, s.part);
-      case Said::kContactAt:
-        ++validation_.wrong;
-        if (s.part == kNone) return note("particle %u stopped, though there is nothing in its way", s.owner, 0);
-        return note("body %u: a contact of vertex %u is at another time", s.owner, s.part);
-    }
-  }
-
   const Scene<D>& scene_;
   Array<double> before_;    // points
   Array<uint32_t> orders_;  // ranks of vertices
@@ -271,8 +260,8 @@ dsw_status dsw_replay_step_validated(dsw_replay* replay, dsw_replay_report* repo
   namespace capi = dsw::capi;
   return capi::guard(__func__, [&] {
     dsw_replay& handle = capi::check_handle(replay);
-    capi::require(report, "report");
-    capi::require(validation, "validation");
+    dsw::require(report, "report");
+    dsw::require(validation, "validation");
     capi::check_size(validation, "validation");
     capi::visit(*handle.scene, [&](const auto& scene) {
       capi::CallValidator<capi::kDimension<decltype(scene)>> validator(scene);

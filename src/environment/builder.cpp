@@ -5,10 +5,13 @@
 #include "base/dimensions.h"
 #include "base/disjoint_sets.h"
 #include "base/error.h"
+#include "base/points.h"
+#include "environment/boundary_check.h"
 #include "environment/facet_matcher.h"
 #include "environment/mesh_reader.h"
 #include "environment/recut.h"
 #include "environment/validity.h"
+#include "map/integrity.h"
 
 namespace dsw {
 namespace {
@@ -86,20 +89,101 @@ void validate(Environment<D>& env, BuildReport& report) {
   raise(invalid, DSW_STATUS_INVALID_CELL, "is flat, folded, or not seen whole from the mean of its vertices");
 }
 
+template <int D>
+void check_cells(const dsw_environment_desc& d) {
+  if (d.volume_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->volume_count is 0, must be at least 1");
+  if (d.volume_count > size_t{kVertexMask}) {
+    fail(DSW_STATUS_TOO_LARGE, "desc->volume_count is %zu, must be at most %zu", d.volume_count, size_t{kVertexMask});
+  }
+  if (d.index_bytes != 0 && d.index_bytes != 4 && d.index_bytes != 8) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->index_bytes is %u, must be 0, 4 or 8", d.index_bytes);
+  }
+  if (d.cell_types == nullptr) {
+    if (cell_type<D>(d.uniform_cell_type).vertex_count == 0) {
+      fail(DSW_STATUS_BAD_CELL_TYPE, "desc->uniform_cell_type is %u, must be %s without desc->cell_types",
+           d.uniform_cell_type, D == 2 ? "5 or 9" : "10, 12, 13 or 14");
+    }
+  } else if (d.offsets == nullptr) {
+    fail(DSW_STATUS_NULL_ARGUMENT, "desc->offsets is null, which needs a uniform cell type");
+  }
+  require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
+  require_array(d.faces, d.faces_count, "desc->faces");
+  if ((d.faces == nullptr) != (d.face_locations == nullptr)) {
+    fail(DSW_STATUS_WRONG_SIZE, "desc->faces and desc->face_locations must be set both or none");
+  }
+}
+
+template <int D>
+void check_points(const dsw_environment_desc& d) {
+  if (d.point_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->point_count is 0, must be at least 1");
+  if (d.point_count > size_t{kVertexMask}) {
+    fail(DSW_STATUS_TOO_LARGE, "desc->point_count is %zu, must be at most %zu", d.point_count, size_t{kVertexMask});
+  }
+  to_points(D, d.points, d.point_count, d.point_stride_bytes, "desc->points");
+  if ((d.flags & DSW_ENVIRONMENT_BORROW_POINTS) != 0 && d.point_stride_bytes > D * sizeof(double)) {
+    fail(DSW_STATUS_WRONG_SIZE, "desc->point_stride_bytes is %zu, must be 0 or %zu for borrowed points",
+         d.point_stride_bytes, D * sizeof(double));
+  }
+}
+
+TreeUse tree_use(uint32_t flags) {
+  if ((flags & DSW_ENVIRONMENT_NO_LOCATE_TREE) != 0) return TreeUse::kLeftOut;
+  return (flags & DSW_ENVIRONMENT_LOCATE_TREE) != 0 ? TreeUse::kAtOnce : TreeUse::kAtNeed;
+}
+
+template <int D>
+void check_boundary(const Environment<D>& env, Offenders& offenders) {
+  if (!boundary_crosses(env, &offenders)) return;
+  fail(DSW_STATUS_BOUNDARY_CROSSES, "the outer boundary passes through itself; first cell %u",
+       offenders.count == 0 ? 0 : offenders.index[0]);
+}
+
 }  // namespace
 
 template <int D>
-void build(Environment<D>& env, const MeshInput& input, BuildReport& report) {
+dsw_environment_desc check_description(dsw_environment_desc d) {
+  check_flags(d.flags,
+              DSW_ENVIRONMENT_BORROW_POINTS | DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_TREE |
+                  DSW_ENVIRONMENT_CHECK_BOUNDARY | DSW_ENVIRONMENT_NO_LOCATE_TREE,
+              "desc->flags");
+  if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
+  check_points<D>(d);
+  check_cells<D>(d);
+  if (d.point_stride_bytes == 0) d.point_stride_bytes = D * sizeof(double);
+  if (d.index_bytes == 0) d.index_bytes = 8;
+  return d;
+}
+
+template <int D>
+void build(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
   read_points(env, input, report);
   read_cells(env, input, report);
-  if (input.reorient) reorient(env, report);
+  if ((input.flags & DSW_ENVIRONMENT_REORIENT) != 0) reorient(env, report);
   Offenders offenders;
   const MatchDefect defect = match_facets(env, offenders);
   if (defect != MatchDefect::kNone) fail_match(env, defect, offenders, report);
   validate(env, report);
-  if (input.regions != nullptr) env.regions.assign(input.regions, input.regions + input.cell_count);
-  if (input.tags != nullptr) env.tags.assign(input.tags, input.tags + input.cell_count);
+  if (input.regions != nullptr) env.regions.assign(input.regions, input.regions + input.volume_count);
+  if (input.tags != nullptr) env.tags.assign(input.tags, input.tags + input.volume_count);
   finish_topology(env, &report);
+  env.index.set_use(tree_use(input.flags));
+  if (env.index.use() == TreeUse::kAtOnce) env.index.build(env);
+  if ((input.flags & DSW_ENVIRONMENT_CHECK_BOUNDARY) != 0) check_boundary(env, report.offenders);
+}
+
+template <int D>
+void prove(const Environment<D>& env, BuildReport& report) {
+  const Map<D>& map = env.map;
+  if (const char* const broken = check_integrity(map)) fail(DSW_STATUS_INTERNAL, "the map is broken: %s", broken);
+  for_each_cell(map, [&](Cell c) {
+    const CellState state = check_cell(env, c);
+    if (state == CellState::kInverted || state == CellState::kInvalid) report.offenders.add(map.index(c));
+    if (state == CellState::kValidConvex) ++report.convex_volume_count;
+  });
+  if (report.offenders.count != 0) {
+    fail(DSW_STATUS_INVALID_CELL, "cell %u is not valid", report.offenders.index[0]);
+  }
+  check_boundary(env, report.offenders);
 }
 
 template <int D>
@@ -148,6 +232,9 @@ void finish_topology(Environment<D>& env, BuildReport* report) {
 }
 
 DSW_INSTANTIATE(build);
+DSW_INSTANTIATE(prove);
+template dsw_environment_desc check_description<2>(dsw_environment_desc);
+template dsw_environment_desc check_description<3>(dsw_environment_desc);
 DSW_INSTANTIATE(count_parts);
 DSW_INSTANTIATE(finish_topology);
 

@@ -12,9 +12,21 @@
 namespace dsw {
 namespace {
 
-constexpr uint32_t kMaxVertices = kVertexMask;     // 28 bits
 constexpr uint64_t kMaxUnits = uint64_t{1} << 28;  // a link is a word address below 2^31
 constexpr uint32_t kNoShape = 0xffffffffu;
+
+/** Each form of a dimension once. */
+struct KnownType {
+  int dimension;
+  dsw_cell_type number;
+  Form form;
+  uint32_t vertex_count;
+};
+constexpr KnownType kKnownTypes[] = {
+    {3, DSW_CELL_TYPE_TETRA, Form::kSimplex, 4},      {3, DSW_CELL_TYPE_HEXAHEDRON, Form::kBox, 8},
+    {3, DSW_CELL_TYPE_WEDGE, Form::kPrism, 6},        {3, DSW_CELL_TYPE_PYRAMID, Form::kPyramid, 5},
+    {3, DSW_CELL_TYPE_POLYHEDRON, Form::kGeneral, 0}, {2, DSW_CELL_TYPE_TRIANGLE, Form::kSimplex, 3},
+    {2, DSW_CELL_TYPE_QUAD, Form::kBox, 4},           {2, DSW_CELL_TYPE_POLYGON, Form::kGeneral, 0}};
 
 /** Every quad is cut from its lowest vertex, a rule that gives both sides the same diagonal. */
 uint32_t cuts_of(Form form, const uint32_t* vertices) {
@@ -34,7 +46,7 @@ uint32_t cuts_of(Form form, const uint32_t* vertices) {
 template <int D>
 class Reader {
  public:
-  Reader(Environment<D>& env, const MeshInput& input, BuildReport& report)
+  Reader(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report)
       : env_(env),
         map_(env.map),
         in_(input),
@@ -75,7 +87,7 @@ class Reader {
   /** Cells that follow each other are more than connectivity holds: mostly they are of another type. */
   void raise_few_entries(const Offenders& offenders) {
     report_.offenders = offenders;
-    const size_t entries = in_.connectivity_count, cells = in_.cell_count;
+    const size_t entries = in_.connectivity_count, cells = in_.volume_count;
     char each[40] = "";
     if (entries % cells == 0) std::snprintf(each, sizeof each, ", %zu a cell", entries / cells);
     fail(DSW_STATUS_WRONG_SIZE,
@@ -86,9 +98,7 @@ class Reader {
 
   /** Types and extents of all entries: after this every access to connectivity is inside of it. */
   void scan_types() {
-    if (in_.cell_count >= kMaxUnits)
-      fail(DSW_STATUS_TOO_LARGE, "volume_count is %zu, must be below 2^28", in_.cell_count);
-    map_.cell_count = static_cast<uint32_t>(in_.cell_count);
+    map_.cell_count = static_cast<uint32_t>(in_.volume_count);
     Offenders bad_type, bad_size;
     if (in_.offsets == nullptr) uniform_vertices_ = type_of(0).vertex_count;
     for (uint32_t i = 0; i < map_.cell_count; ++i) {
@@ -286,7 +296,7 @@ class Reader {
 
   Environment<D>& env_;
   Map<D>& map_;
-  const MeshInput& in_;
+  const dsw_environment_desc& in_;
   BuildReport& report_;
   Integers offsets_, connectivity_;
   size_t uniform_vertices_ = 0;
@@ -301,58 +311,40 @@ class Reader {
 
 template <int D>
 CellType cell_type(uint32_t vtk) {
-  if (D == 3) {
-    switch (vtk) {
-      case 10:
-        return {Form::kSimplex, 4, true};
-      case 12:
-        return {Form::kBox, 8, true};
-      case 13:
-        return {Form::kPrism, 6, true};
-      case 14:
-        return {Form::kPyramid, 5, true};
-      case 42:
-        return {Form::kGeneral, 0, true};
-      default:
-        return {Form::kGeneral, 0, false};
-    }
+  for (const KnownType& known : kKnownTypes) {
+    if (known.dimension == D && known.number == vtk) return {known.form, known.vertex_count, true};
   }
-  switch (vtk) {
-    case 5:
-      return {Form::kSimplex, 3, true};
-    case 9:
-      return {Form::kBox, 4, true};
-    case 7:
-      return {Form::kGeneral, 0, true};
-    default:
-      return {Form::kGeneral, 0, false};
-  }
+  return {Form::kGeneral, 0, false};
+}
+
+dsw_cell_type number_of(Form form, int dimension) {
+  const KnownType* known = kKnownTypes;
+  while (known->dimension != dimension || known->form != form) ++known;
+  return known->number;
 }
 
 template <int D>
-void read_points(Environment<D>& env, const MeshInput& input, BuildReport& report) {
-  if (input.point_count > kMaxVertices) {
-    fail(DSW_STATUS_TOO_LARGE, "point_count is %zu, must be below 2^28", input.point_count);
-  }
+void read_points(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
+  const bool is_lent = (input.flags & DSW_ENVIRONMENT_BORROW_POINTS) != 0;
   env.map.vertex_count = static_cast<uint32_t>(input.point_count);
   const auto* from = reinterpret_cast<const unsigned char*>(input.points);
-  if (!input.borrow_points) env.owned_points.resize(input.point_count * D);
+  if (!is_lent) env.owned_points.resize(input.point_count * D);
   for (uint32_t i = 0; i < env.map.vertex_count; ++i) {
     double xyz[D];
     std::memcpy(xyz, from + size_t{i} * input.point_stride_bytes, sizeof xyz);
     bool finite = true;
     for (int k = 0; k < D; ++k) finite = finite && std::isfinite(xyz[k]);
     if (!finite) report.offenders.add(i);
-    if (!input.borrow_points) std::memcpy(&env.owned_points[size_t{i} * D], xyz, sizeof xyz);
+    if (!is_lent) std::memcpy(&env.owned_points[size_t{i} * D], xyz, sizeof xyz);
   }
   if (report.offenders.count != 0) {
     fail(DSW_STATUS_NON_FINITE, "point %u has a coordinate that is not finite", report.offenders.index[0]);
   }
-  env.points = input.borrow_points ? input.points : env.owned_points.data();
+  env.points = is_lent ? input.points : env.owned_points.data();
 }
 
 template <int D>
-void read_cells(Environment<D>& env, const MeshInput& input, BuildReport& report) {
+void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
   Reader<D>(env, input, report).read();
 }
 

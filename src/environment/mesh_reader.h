@@ -36,15 +36,17 @@ struct CellType {
 /** Of a VTK number. */
 template <int D>
 CellType cell_type(uint32_t vtk);
+/** The VTK number of a form that the dimension has. */
+dsw_cell_type number_of(Form form, int dimension);
 
 /** Copies or borrows the points. Throws NON_FINITE, with the first such points in the report. */
 template <int D>
-void read_points(Environment<D>& env, const MeshInput& input, BuildReport& report);
+void read_points(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
 
 /** Writes a record for every cell, links empty. Throws WRONG_SIZE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, BAD_CELL,
  * TOO_LARGE. */
 template <int D>
-void read_cells(Environment<D>& env, const MeshInput& input, BuildReport& report);
+void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
 
 /** Turns a cell inside out by renumbering its vertices; before its facets are matched. */
 template <int D>

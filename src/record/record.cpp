@@ -57,8 +57,14 @@ void RecordWriter::begin(EntryKind kind, uint64_t size) noexcept {
 }
 
 void RecordWriter::put(const void* bytes, size_t size) noexcept {
+  constexpr uint8_t kZeros[8] = {};
+  sum_.put(bytes, size);
+  buffer(bytes, size);
+  buffer(kZeros, (8 - size % 8) % 8);
+}
+
+void RecordWriter::buffer(const void* bytes, size_t size) noexcept {
   const auto* from = static_cast<const uint8_t*>(bytes);
-  sum_.put(from, size);
   while (size != 0) {
     const size_t part = std::min(size, sizeof buffer_ - filled_);
     std::memcpy(buffer_ + filled_, from, part);

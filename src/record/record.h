@@ -42,17 +42,25 @@ class RecordWriter {
   explicit RecordWriter(ByteSink sink) noexcept : sink_(sink) {}
 
   void write_header() noexcept;
-  /** An entry of exactly `size` bytes, a multiple of 8, which follow by `put`, in parts that are multiples of 8. */
+  /** An entry of exactly `size` bytes, a multiple of 8, which follow by `put`: each part is filled up with zeros to a
+   * multiple of 8. */
   void begin(EntryKind kind, uint64_t size) noexcept;
   void put(const void* bytes, size_t size) noexcept;
   /** Hands over all of it. */
   void end() noexcept;
+  /** A whole entry. */
+  void write(EntryKind kind, const void* bytes, size_t size) noexcept {
+    begin(kind, size);
+    put(bytes, size);
+    end();
+  }
 
   bool works() const noexcept { return works_; }
   /** The sink takes bytes again: what it has is whole. */
   void renew() noexcept { works_ = true; }
 
  private:
+  void buffer(const void* bytes, size_t size) noexcept;
   void flush() noexcept;
 
   ByteSink sink_;

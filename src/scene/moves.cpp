@@ -174,7 +174,7 @@ void move_checked(Scene<D>& scene, const dsw_particle_id* ids, size_t count, Poi
 
 template <int D>
 void check_particle(const Scene<D>& scene, dsw_particle_id id) {
-  if (!scene.slots.alive(id.index, id.generation)) fail_stale(id, {"particle", false}, 0);
+  if (!scene.slots.alive(id.index, id.generation)) fail_stale(id, "particle", 0);
 }
 
 template <int D>
@@ -187,7 +187,7 @@ void check_particles(const Scene<D>& scene, const dsw_particle_id* ids, size_t c
 template <int D>
 void move_particle(Scene<D>& scene, dsw_particle_id id, const double* target, const FlightOptions& options,
                    dsw_flight* flight) {
-  check_finite({target, D}, 1, D, {"target", false});
+  check_finite({target, D}, 1, D, "target");
   move_checked(scene, &id, 1, {target, D}, options, flight);
 }
 

@@ -7,19 +7,13 @@
 namespace dsw {
 namespace {
 
-template <int D, class Visit>
-void for_each_body(const Scene<D>& scene, Visit visit) {
-  for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
-    if (scene.body_slots.alive(slot, scene.body_slots.generation(slot))) visit(slot, scene.bodies[slot].body);
-  }
-}
-
 /** Whether looking at all bodies takes less than looking for each of so many boxes. O(count). */
 template <int D>
 bool has_fewer_parts(const Scene<D>& scene, size_t count) {
   if (scene.bodies.size() >= count) return false;
   size_t parts = 0;
-  for_each_body(scene, [&](uint32_t, const Body<D>& body) {
+  for_each_body(scene, [&](uint32_t, const BodyRecord<D>& of) {
+    const Body<D>& body = of.body;
     parts += body.vertices.size() + body.edges.size() + body.faces.size();
   });
   return parts < count;
@@ -31,7 +25,7 @@ template <int D>
 NearBodies<D>::NearBodies(const Scene<D>& scene, BoxGroups<D>& places) : boxes_(scene.memory), bodies_(scene.memory) {
   if (!scene.keeps_boxes()) {
     boxes_.assign(places.boxes().begin(), places.boxes().end());
-    for_each_body(scene, [&](uint32_t slot, const Body<D>&) {
+    for_each_body(scene, [&](uint32_t slot, const BodyRecord<D>&) {
       bodies_.push_back({slot, {boxes_.data(), boxes_.size()}});
     });
     return;

@@ -6,6 +6,14 @@
 
 namespace dsw {
 
+/** Calls visit(slot, record) for the bodies of a scene. */
+template <class AnyScene, class Visit>
+void for_each_body(AnyScene& scene, const Visit& visit) {
+  for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
+    if (scene.body_slots.alive(slot, scene.body_slots.generation(slot))) visit(slot, scene.bodies[slot]);
+  }
+}
+
 template <int D>
 class NearBodies {
  public:

@@ -8,6 +8,7 @@
 
 #include "base/dimensions.h"
 #include "scene/meeting.h"
+#include "scene/near_bodies.h"
 #include "snapshot/scene_image.h"
 
 namespace dsw {
@@ -110,20 +111,15 @@ void load_particles(Scene<D>& scene, SceneImage& image) {
 /** Gives loaded bodies what those of the scene keep, and lets them meet each other if they are apart. */
 template <int D>
 void join_bodies(Scene<D>& scene) {
-  const auto for_each_body = [&](auto visit) {
-    for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
-      if (scene.body_slots.alive(slot, scene.body_slots.generation(slot))) visit(slot, scene.bodies[slot]);
-    }
-  };
   if (scene.keeps_boxes()) scene.body_boxes.reserve(scene.bodies.size());
-  for_each_body([&](uint32_t slot, BodyRecord<D>& of) {
+  for_each_body(scene, [&](uint32_t slot, BodyRecord<D>& of) {
     const size_t partners = scene.features.contacts ? of.record.contacts.size() : 0;
     if (of.record.partners.size() != partners) fail_corrupt("the number of partners");
     prepare_body(scene, of);
     note_body(scene, slot);
   });
   if (!scene.features.contacts) return;
-  for_each_body([&](uint32_t, const BodyRecord<D>& of) {
+  for_each_body(scene, [&](uint32_t, const BodyRecord<D>& of) {
     Partners<D> partners(scene.memory);
     find_partners(scene, of.body, reach_of(of.body), partners);
     const auto stop = [](uint32_t, uint32_t) { return false; };

@@ -34,24 +34,10 @@ inline int share_of(int count) {
 inline std::unique_ptr<Environment<3>> environment_of(const oracle::Mesh& mesh) {
   const oracle::DescArrays arrays(mesh, {});
   const dsw_environment_desc& desc = arrays.desc;
-  MeshInput input;
-  input.points = desc.points;
-  input.point_count = desc.point_count;
-  input.point_stride_bytes = desc.point_stride_bytes == 0 ? 3 * sizeof(double) : desc.point_stride_bytes;
-  input.cell_types = desc.cell_types;
-  input.uniform_cell_type = desc.uniform_cell_type;
-  input.cell_count = desc.volume_count;
-  input.index_bytes = desc.index_bytes;
-  input.offsets = desc.offsets;
-  input.connectivity = desc.connectivity;
-  input.connectivity_count = desc.connectivity_count;
-  input.faces = desc.faces;
-  input.faces_count = desc.faces_count;
-  input.face_locations = desc.face_locations;
   auto env = std::make_unique<Environment<3>>(nullptr);
   BuildReport report;
   try {
-    build(*env, input, report);
+    build(*env, check_description<3>(desc), report);
   } catch (const Error&) {
     EXPECT_TRUE(oracle::may_be_refused(mesh));
     return nullptr;

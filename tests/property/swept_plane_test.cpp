@@ -36,19 +36,18 @@ std::unique_ptr<Environment<2>> environment_of(const World& world, bool may_be_r
     connectivity.insert(connectivity.end(), cell.begin(), cell.end());
     offsets.push_back(static_cast<int64_t>(connectivity.size()));
   }
-  MeshInput input;
+  dsw_environment_desc input{};
   input.points = points.data();
   input.point_count = world.points.size();
-  input.point_stride_bytes = 2 * sizeof(double);
   input.cell_types = types.data();
-  input.cell_count = types.size();
+  input.volume_count = types.size();
   input.offsets = offsets.data();
   input.connectivity = connectivity.data();
   input.connectivity_count = connectivity.size();
   auto env = std::make_unique<Environment<2>>(nullptr);
   BuildReport report;
   try {
-    build(*env, input, report);
+    build(*env, check_description<2>(input), report);
   } catch (const Error&) {
     EXPECT_TRUE(may_be_refused);
     return nullptr;

@@ -45,17 +45,16 @@ struct Lattice {
         }
       }
     }
-    MeshInput input;
+    dsw_environment_desc input{};
     input.points = points.data();
     input.point_count = points.size() / D;
-    input.point_stride_bytes = D * sizeof(double);
     input.uniform_cell_type = D == 3 ? 12 : 9;
-    input.cell_count = regions.size();
+    input.volume_count = regions.size();
     input.connectivity = cells.data();
     input.connectivity_count = cells.size();
     input.regions = regions.data();
     BuildReport report;
-    build(env, input, report);
+    build(env, check_description<D>(input), report);
   }
 };
 

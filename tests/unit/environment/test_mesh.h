@@ -50,18 +50,17 @@ struct MeshData {
   /** Throws what creation throws. */
   template <int D>
   void build_into(Environment<D>& env, BuildReport& report) const {
-    MeshInput input;
+    dsw_environment_desc input{};
     input.points = points.data();
     input.point_count = points.size() / D;
-    input.point_stride_bytes = D * sizeof(double);
     input.cell_types = types.data();
-    input.cell_count = types.size();
+    input.volume_count = types.size();
     input.offsets = offsets.data();
     input.connectivity = connectivity.data();
     input.connectivity_count = connectivity.size();
     input.regions = regions.empty() ? nullptr : regions.data();
     input.tags = tags.empty() ? nullptr : tags.data();
-    dsw::build(env, input, report);
+    dsw::build(env, check_description<D>(input), report);
   }
 };
 
