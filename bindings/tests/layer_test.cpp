@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstring>
 #include <functional>
 #include <optional>
 #include <string>
@@ -308,6 +309,23 @@ TEST(Layer, SnapshotsGoOn) {
   Environment other = Environment::load({block.data(), block.size()});
   Scene copy = Scene::load(other, {inside.data(), inside.size()});
   EXPECT_EQ(copy.move_particle(particle, kBeyond).time, scene.move_particle(particle, kBeyond).time);
+}
+
+TEST(Layer, SnapshotsHaveContactsAsTheyWere) {
+  Environment environment = square();
+  const dsw_volume_id wall = environment.get_volume_id(1);
+  environment.mark_volumes({&wall, 1}, DSW_MARK_IMPASSABLE);
+  Scene scene(environment);
+  const double point[] = {0.75, 0.25}, target[] = {0.25, 0.75};
+  Body body(scene, scene.create_body({point, 2}));
+  body.move({target, 2});
+  Array<std::uint8_t> block = environment.save(), inside = scene.save();
+  Environment other = Environment::load({block.data(), block.size()});
+  Scene copy = Scene::load(other, {inside.data(), inside.size()});
+  const Array<dsw_body_contact> was = body.get_contacts(), is = Body(copy, body.id()).get_contacts();
+  ASSERT_TRUE(was.size() == 1 && is.size() == 1);
+  EXPECT_TRUE(equal(was[0].contact.behind, wall));
+  EXPECT_EQ(std::memcmp(was.begin(), is.begin(), sizeof was[0]), 0);
 }
 
 TEST(Layer, ThreadsMayCallAndCloseAsTheyLike) {

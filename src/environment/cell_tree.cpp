@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "environment/environment.h"
+#include "environment/obstacles.h"
 
 namespace dsw {
 namespace {
@@ -16,8 +17,13 @@ struct Box {
     std::fill_n(lower, D, HUGE_VAL);
     std::fill_n(upper, D, -HUGE_VAL);
   }
-  Box(const Environment<D>& env, Cell c) : Box() {
-    for (uint32_t i = 0, n = env.map.vertices_of(c); i < n; ++i) add(env.point(c, i));
+  Box(const Environment<D>& env, Cell c, BoxOf content) : Box() {
+    const auto add_vertex = [&](uint32_t i) { add(env.point(c, i)); };
+    if (content == BoxOf::kObstacles) {
+      for_each_obstacle_vertex(env, c, add_vertex);
+    } else {
+      for (uint32_t i = 0, n = env.map.vertices_of(c); i < n; ++i) add_vertex(i);
+    }
   }
   /** Coordinates that are not finite are left out: what has them is invalid. */
   void add(const double* p) noexcept {
@@ -121,19 +127,32 @@ void CellTree<D>::set_frame(const Environment<D>& env) noexcept {
 
 template <int D>
 void CellTree<D>::build(const Environment<D>& env) {
-  set_frame(env);
   Array<uint64_t> keys{Allocator<uint64_t>(memory_)};
   keys.reserve(env.map.cell_count);
+  for_each_cell(env.map, [&](Cell c) { keys.push_back(env.map.index(c)); });
+  arrange(env, keys);
+}
+
+template <int D>
+void CellTree<D>::build(const Environment<D>& env, const Array<uint32_t>& cells) {
+  Array<uint64_t> keys(cells.begin(), cells.end(), Allocator<uint64_t>(memory_));
+  arrange(env, keys);
+}
+
+/** `keys` are indices of cells at first. */
+template <int D>
+void CellTree<D>::arrange(const Environment<D>& env, Array<uint64_t>& keys) {
+  set_frame(env);
   const SpreadBits<D> spread;
-  for_each_cell(env.map, [&](Cell c) {
-    const Box<D> box(env, c);
+  for (uint64_t& key : keys) {
+    const Box<D> box(env, env.map.cell(static_cast<uint32_t>(key)), content_);
     uint32_t middle[D];
     for (int k = 0; k < D; ++k) {
       const int twice = step(k, box.lower[k]) + step(k, box.upper[k]) - 2 * INT16_MIN;
       middle[k] = static_cast<uint32_t>(twice) >> (17 - kKeyBits);
     }
-    keys.push_back(place_on_curve<D>(middle, spread) << kIndexBits | env.map.index(c));
-  });
+    key |= place_on_curve<D>(middle, spread) << kIndexBits;
+  }
   sort_keys<D>(keys);
   cells_.resize(keys.size());
   for (size_t i = 0; i < keys.size(); ++i) cells_[i] = static_cast<uint32_t>(keys[i] & kVertexMask);
@@ -164,7 +183,7 @@ void CellTree<D>::fit(const Environment<D>& env) noexcept {
     if (i + kVerticesAhead < cells_.size()) prefetch_vertices(env, cells_[i + kVerticesAhead]);
     const Cell c = env.map.cell(cells_[i]);
     if (!c.valid()) continue;
-    const Box<D> box(env, c);
+    const Box<D> box(env, c, content_);
     Group& group = groups_[i / kWidth];
     for (int k = 0; k < D; ++k) {
       group.lower[k][i % kWidth] = step(k, box.lower[k]);

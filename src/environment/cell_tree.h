@@ -1,9 +1,11 @@
 #pragma once
-// A tree of boxes over the cells of an environment: which cells may contain a point. Cells are sorted along a
-// Hilbert curve, and eight boxes make a group. Boxes are rounded to 16 bits an axis. Rounding is monotone, so no
-// cell is lost by it.
+// A tree of boxes over the cells of an environment, or over the obstacles at its cells: which cells may contain a
+// point, and at which ones obstacles may be near it. Cells are sorted along a Hilbert curve, and eight boxes make a
+// group. Boxes are rounded to 16 bits an axis. Rounding is monotone, so no cell is lost by it.
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 
 #include "base/memory.h"
@@ -14,14 +16,19 @@ namespace dsw {
 template <int D>
 struct Environment;
 
+/** What a cell's box holds: the cell, or the obstacles at it (obstacles.h). */
+enum class BoxOf : uint32_t { kCell, kObstacles };
+
 template <int D>
 class CellTree {
  public:
-  explicit CellTree(const Memory* memory)
-      : cells_(Allocator<uint32_t>(memory)), groups_(Allocator<Group>(memory)), memory_(memory) {}
+  explicit CellTree(const Memory* memory, BoxOf content = BoxOf::kCell)
+      : cells_(Allocator<uint32_t>(memory)), groups_(Allocator<Group>(memory)), content_(content), memory_(memory) {}
 
   /** Sorts the cells that there are and fits their boxes. Throws std::bad_alloc. O(cells). */
   void build(const Environment<D>& env);
+  /** The same for some of the cells, by their indices. */
+  void build(const Environment<D>& env, const Array<uint32_t>& cells);
   /** Fits all boxes to the points as they are now. O(cells). */
   void fit(const Environment<D>& env) noexcept;
 
@@ -52,6 +59,63 @@ class CellTree {
       }
     }
   }
+  /** Calls look(index) for each cell of the tree whose box comes within `reach` of the point, and for some others.
+   * Near boxes come first as a rule. `look` returns the reach from then on. False, and nothing is called: the point is
+   * too far outside for these numbers. Distances to boxes are rounded down by more than the rounding errors of
+   * distances in doubles, which are below 2^-40 of the length of the tree. */
+  template <class Look>
+  bool visit_near(const double* point, double reach, Look&& look) const {
+    float at[D], weights[D];
+    double coarsest = HUGE_VAL;
+    for (int k = 0; k < D; ++k) {
+      if (steps_per_unit_[k] > 0) coarsest = std::min(coarsest, steps_per_unit_[k]);
+    }
+    for (int k = 0; k < D; ++k) {
+      const double place = (point[k] - lower_[k]) * steps_per_unit_[k] + INT16_MIN;
+      if (!(std::fabs(place) < kFarthest)) return false;
+      at[k] = static_cast<float>(place);
+      weights[k] = steps_per_unit_[k] > 0 ? static_cast<float>(coarsest / steps_per_unit_[k]) : 0;
+    }
+    if (cells_.empty()) return true;
+    const auto limit_of = [&](double distance) {  // in the longest steps; not less than 0 where that is no number
+      const double steps = distance * coarsest;
+      return steps > 0 ? static_cast<float>(std::min(1e9, 1.0001 * steps + 0.001)) : 0.001f;
+    };
+    struct Node {
+      float distance;
+      uint32_t level, place;  // a group, or below level 0 a cell
+    } nodes[kWidth * (kMostLevels + 1)];
+    uint32_t count = 0;
+    float limit = limit_of(reach);
+    nodes[count++] = {0, level_count_, 0};
+    while (count != 0) {
+      const Node node = nodes[--count];
+      if (node.distance > limit) continue;
+      if (node.level == 0) {
+        limit = limit_of(look(cells_[node.place]));
+        continue;
+      }
+      const uint32_t level = node.level - 1;
+      float distances[kWidth];
+      measure(groups_[level_first_[level] + node.place], at, weights, distances);
+      const uint32_t first = count;
+      for (uint32_t i = 0; i < kWidth; ++i) {
+        if (!(distances[i] <= limit)) continue;
+        const Node child{distances[i], level, node.place * kWidth + i};
+        uint32_t to = count++;
+        for (; to != first && nodes[to - 1].distance < child.distance; --to) nodes[to] = nodes[to - 1];
+        nodes[to] = child;
+      }
+    }
+    return true;
+  }
+  const Array<uint32_t>& cells() const noexcept { return cells_; }
+  /** The length of its diagonal. */
+  double length() const noexcept {
+    double square = 0;
+    for (int k = 0; k < D; ++k) square += (upper_[k] - lower_[k]) * (upper_[k] - lower_[k]);
+    return std::sqrt(square);
+  }
   size_t cell_count() const noexcept { return cells_.size(); }
   uint64_t memory_bytes() const noexcept { return sizeof *this + array_bytes(cells_) + array_bytes(groups_); }
 
@@ -63,6 +127,7 @@ class CellTree {
  private:
   static constexpr uint32_t kWidth = 8, kMostLevels = 12;
   static constexpr int kLastStep = 65535;
+  static constexpr double kFarthest = 1e6;  // steps, of which a float keeps a sixteenth
 
   /** A number for each of eight boxes: the processor compares them side by side. */
   using Lanes = int16_t __attribute__((vector_size(2 * kWidth)));
@@ -88,14 +153,31 @@ class CellTree {
     for (uint32_t i = 0; i < kWidth; ++i) held |= bits[i];
     return static_cast<uint32_t>(held);
   }
+  /** How far eight boxes are, in the longest steps. A step begins at its number and ends before the next one; half a
+   * step more is left for rounding. Boxes that are not used are infinitely far. */
+  static void measure(const Group& group, const float* at, const float* weights, float* distances) noexcept {
+    float squares[kWidth] = {};
+    for (int k = 0; k < D; ++k) {
+      for (uint32_t i = 0; i < kWidth; ++i) {
+        const float below = static_cast<float>(group.lower[k][i]) - 0.5f - at[k];
+        const float above = at[k] - static_cast<float>(group.upper[k][i]) - 1.5f;
+        const float gap = std::max(std::max(below, above), 0.0f) * weights[k];
+        squares[i] += gap * gap;
+      }
+    }
+    for (uint32_t i = 0; i < kWidth; ++i) {
+      distances[i] = group.lower[0][i] > group.upper[0][i] ? HUGE_VALF : std::sqrt(squares[i]);
+    }
+  }
   void set_frame(const Environment<D>& env) noexcept;
-  void sort_cells(const Environment<D>& env);
+  void arrange(const Environment<D>& env, Array<uint64_t>& keys);
 
   Array<uint32_t> cells_;  // indices
   Array<Group> groups_;    // of cells, of groups of cells, and so on; the last one is alone
   uint32_t level_first_[kMostLevels] = {};
   uint32_t level_count_ = 0;
   double lower_[D] = {}, upper_[D] = {}, steps_per_unit_[D] = {};  // box of all cells
+  BoxOf content_;
   const Memory* memory_;
 };
 

@@ -9,6 +9,7 @@
 #include "environment/cell_index.h"
 #include "environment/checked_cells.h"
 #include "environment/edge_marks.h"
+#include "environment/obstacle_index.h"
 #include "map/map.h"
 
 namespace dsw {
@@ -34,6 +35,7 @@ struct Environment {
   uint32_t part_count = 0;
   double lower[D] = {}, upper[D] = {};  // box of the vertices that cells use
   CellIndex<D> index{memory};           // which cells may contain a point
+  ObstacleIndex<D> obstacles{memory};   // at which cells there may be one, for who asks what is nearest
   CheckedCells checked{memory};         // of moving points: cells may be invalid
   Array<float> local_points{memory};    // of polyhedra that stay as they are, see local_points.h; empty: not kept
 
@@ -58,7 +60,7 @@ struct Environment {
     const uint64_t borrowed = owned_points.empty() ? uint64_t{map.vertex_count} * D * sizeof(double) : 0;
     return sizeof(*this) + map.memory_bytes() + array_bytes(owned_points) + borrowed + array_bytes(regions) +
            array_bytes(tags) + edge_marks.memory_bytes() + array_bytes(vertex_marks) + index.memory_bytes() +
-           checked.memory_bytes() + array_bytes(local_points);
+           obstacles.memory_bytes() + checked.memory_bytes() + array_bytes(local_points);
   }
 };
 

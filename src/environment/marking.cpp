@@ -19,6 +19,18 @@ bool note_change(Environment<D>& env, bool changed, bool marked) noexcept {
   return changed;
 }
 
+/** Notes the cells that have an obstacle now: at the facets of a cell that became impassable the cells beyond, else
+ * the cell. */
+template <int D>
+void note_obstacles(Environment<D>& env, Cell c, bool marked) noexcept {
+  if (!env.obstacles.exists()) return;
+  if (!marked) return env.obstacles.note_cell(env.map.index(c));
+  for (uint32_t f = 0, facets = env.map.facets_of(c); f < facets; ++f) {
+    const HalfFacet o = env.map.opposite(env.map.half_facet(c, f));
+    if (o.valid()) env.obstacles.note_cell(env.map.index(env.map.cell_of(o)));
+  }
+}
+
 void set_bit(uint32_t& word, bool marked) noexcept { word = marked ? word | kMarkBit : word & ~kMarkBit; }
 
 }  // namespace
@@ -38,6 +50,7 @@ bool set_cell_mark(Environment<D>& env, Cell c, bool marked) noexcept {
   uint32_t& word = env.map.record(c)[0];
   const bool changed = count_change(env.marked_cells, (word & kMarkBit) != 0, marked);
   set_bit(word, marked);
+  if (changed) note_obstacles(env, c, marked);
   return note_change(env, changed, marked);
 }
 
@@ -48,6 +61,10 @@ bool set_facet_mark(Environment<D>& env, HalfFacet h, bool marked) noexcept {
   const bool changed = count_change(env.marked_facets, (word & kMarkBit) != 0, marked);
   set_bit(word, marked);
   if (other.valid()) set_bit(env.map.words[other.word], marked);
+  if (changed && marked && other.valid() && env.obstacles.exists()) {
+    env.obstacles.note_cell(env.map.index(env.map.cell_of(h)));
+    env.obstacles.note_cell(env.map.index(env.map.cell_of(other)));
+  }
   return note_change(env, changed, marked);
 }
 
@@ -56,6 +73,7 @@ bool set_edge_mark(Environment<D>& env, uint32_t a, uint32_t b, bool marked) noe
   // Room was made by reserve_edge_marks, so insert does not allocate.
   const bool changed = marked ? env.edge_marks.insert(a, b) : env.edge_marks.erase(a, b);
   env.marked_edges = env.edge_marks.size();
+  if (changed && marked) env.obstacles.note_vertex(a);
   return note_change(env, changed, marked);
 }
 
@@ -66,6 +84,7 @@ bool set_vertex_mark(Environment<D>& env, uint32_t vertex, bool marked) noexcept
   const uint64_t bit = uint64_t{1} << (vertex % 64);
   uint64_t& word = env.vertex_marks[vertex / 64];
   word = marked ? word | bit : word & ~bit;
+  if (changed && marked) env.obstacles.note_vertex(vertex);
   return note_change(env, changed, marked);
 }
 

@@ -51,7 +51,7 @@ dsw_nearest report_nearest(const Environment<D>& env, const double* point, Cell 
   NearestResult found;
   dsw_nearest answer{};
   answer.distance = std::numeric_limits<double>::infinity();
-  if (find_nearest(env, point, c, radius, found)) {
+  if (find_nearest_far(env, point, c, radius, found)) {
     answer.distance = found.distance;
     std::copy(found.point, found.point + 3, answer.point);
     std::copy(found.normal, found.normal + 3, answer.normal);

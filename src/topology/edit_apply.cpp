@@ -119,6 +119,10 @@ void Edit<D>::finish() noexcept {
     changes_[at++].after = after;
     for (size_t k = 0; k < draft.also.size(); ++k) changes_[at++].after = after;
   }
+  if (env_.obstacles.exists()) {
+    for (const Made& made : made_) env_.obstacles.note_cell(made.index);
+    for (const Link& link : links_) env_.obstacles.note_cell(map_.index(map_.cell_of({link.word})));
+  }
   for (const Cell c : removed_) {
     if (map_.unit_of_cell[map_.index(c)] == kNoCell) map_.cell_slots.release(map_.index(c));
     give_back(map_, c);

@@ -1,5 +1,5 @@
 // Points located without a hint in a million tetrahedra, beside CGAL's triangulation hierarchy on the same
-// tetrahedra. The nearest obstacle without a limit.
+// tetrahedra. The nearest obstacle without a limit, beside CGAL's tree of boxes of the outer boundary.
 #include "parts.h"
 
 #include "timing.h"
@@ -7,12 +7,18 @@
 #include "dartsweep/dartsweep.h"
 #include "scenes/random.h"
 
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -69,7 +75,7 @@ struct Tetrahedra {
     desc.points = points.data();
     desc.point_count = points.size() / 3;
     desc.uniform_cell_type = DSW_CELL_TYPE_TETRA;
-    desc.cell_count = corners.size() / 4;
+    desc.volume_count = corners.size() / 4;
     desc.index_bytes = 4;
     desc.connectivity = corners.data();
     desc.connectivity_count = corners.size();
@@ -139,21 +145,106 @@ void run_moved(const Tetrahedra& tets, const std::vector<double>& points, Report
   report.set("locate.moved_us.n1e6", median(later));
 }
 
-void run_nearest(const dsw_environment* environment, const std::vector<double>& points, Report& report) {
+dsw_nearest nearest_of(const dsw_environment* environment, const double* point, dsw_volume_id volume) {
+  dsw_nearest nearest;
+  expect_ok(dsw_environment_find_nearest(environment, point, volume, HUGE_VAL, &nearest));
+  return nearest;
+}
+
+/** Times of dsw_environment_find_nearest without a limit, in microseconds a point, and the volumes looked at. */
+struct NearestTimes {
+  double mean = 0, median_of_all = 0, slowest = 0, cells = 0, differ = 0;
+};
+
+/** `without` has no tree: the first points are asked there, too, and must get the same bits. */
+NearestTimes time_nearest(const dsw_environment* environment, const dsw_environment* without,
+                          const std::vector<double>& points, std::size_t count, std::size_t compared) {
   std::vector<double> times;
-  double cells = 0;
-  for (std::size_t i = 0; i < 100; ++i) {
+  NearestTimes result;
+  for (std::size_t i = 0; i < count; ++i) {
     dsw_volume_id volume;
+    dsw_location place;
     dsw_nearest nearest;
-    expect_ok(dsw_environment_locate(environment, &points[3 * i], {0, 0}, &volume, nullptr));
-    times.push_back(1e-3 * cpu_time_ns([&] {
-                      expect_ok(dsw_environment_find_nearest(environment, &points[3 * i], volume, HUGE_VAL, &nearest));
-                    }));
-    cells += nearest.volumes_visited;
+    const double* const p = &points[3 * i];
+    expect_ok(dsw_environment_locate(environment, p, {0, 0}, &volume, &place));
+    if (place != DSW_LOCATION_PASSABLE) continue;
+    times.push_back(1e-3 * cpu_time_ns([&] { nearest = nearest_of(environment, p, volume); }));
+    result.cells += nearest.volumes_visited;
+    if (i >= compared) continue;
+    dsw_nearest other = nearest_of(without, p, volume);
+    other.volumes_visited = nearest.volumes_visited;
+    result.differ += std::memcmp(&other, &nearest, sizeof other) == 0 ? 0 : 1;
   }
-  report.set("nearest.unlimited_us.n1e6", std::accumulate(times.begin(), times.end(), 0.0) / 100);
-  report.set("nearest.unlimited_median_us.n1e6", median(times));
-  report.set("nearest.unlimited_cells.n1e6", cells / 100);
+  const auto asked = static_cast<double>(times.size());
+  result.mean = std::accumulate(times.begin(), times.end(), 0.0) / asked;
+  result.cells /= asked;
+  std::sort(times.begin(), times.end());
+  result.median_of_all = times[times.size() / 2];
+  result.slowest = times[times.size() - times.size() / 100 - 1];
+  return result;
+}
+
+/** The outer boundary of all tetrahedra in CGAL's tree of boxes. */
+class BoundaryTree {
+ public:
+  explicit BoundaryTree(const Delaunay& delaunay) {
+    std::vector<Delaunay::Cell_handle> outer;
+    delaunay.incident_cells(delaunay.infinite_vertex(), std::back_inserter(outer));
+    for (const auto& cell : outer)
+      triangles_.push_back(delaunay.triangle(cell, cell->index(delaunay.infinite_vertex())));
+    tree_.rebuild(triangles_.begin(), triangles_.end());
+    tree_.accelerate_distance_queries();
+  }
+  double distance(const double* p) const {
+    return std::sqrt(tree_.squared_distance(Kernel::Point_3(p[0], p[1], p[2])));
+  }
+
+ private:
+  using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Kernel::Triangle_3>::const_iterator>;
+  std::vector<Kernel::Triangle_3> triangles_;
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
+};
+
+/** Where only the outer boundary is impassable, and then with single tetrahedra impassable everywhere. */
+void run_nearest(const Tetrahedra& tets, dsw_environment* environment, dsw_environment* without,
+                 const std::vector<double>& points, Report& report) {
+  const std::uint64_t before = bytes_of(environment);
+  double first = 0;  // until the tree is there: floods, and to make it
+  for (std::size_t i = 0; bytes_of(environment) == before && i < 100; ++i) {
+    dsw_volume_id volume;
+    expect_ok(dsw_environment_locate(environment, &points[3 * i], {0, 0}, &volume, nullptr));
+    first += 1e-6 * cpu_time_ns([&] { nearest_of(environment, &points[3 * i], volume); });
+  }
+  const NearestTimes flood = time_nearest(without, without, points, 100, 0);
+  const NearestTimes tree = time_nearest(environment, without, points, kPoints / 4, 200);
+  const NearestTimes deep =
+      time_nearest(environment, without, random_points(kPoints / 4, 0.4, 0.6, 8), kPoints / 4, 20);
+  const BoundaryTree peer(tets.delaunay);
+  const Times cgal = time_points(points, [&](const double* p) { peer.distance(p); });
+  report.set("nearest.unlimited_us.n1e6", tree.mean);
+  report.set("nearest.unlimited_median_us.n1e6", tree.median_of_all);
+  report.set("nearest.unlimited_slowest_us.n1e6", tree.slowest);
+  report.set("nearest.unlimited_cells.n1e6", tree.cells);
+  report.set("nearest.deep_us.n1e6", deep.mean);
+  report.set("nearest.cgal_us.n1e6", cgal.mean);
+  report.set("nearest.flood_us.n1e6", flood.mean);
+  report.set("nearest.flood_cells.n1e6", flood.cells);
+  report.set("nearest.first_ms.n1e6", first);
+  report.set("nearest.bytes_per_cell.n1e6",
+             static_cast<double>(bytes_of(environment) - before) / static_cast<double>(tets.corners.size() / 4));
+
+  std::vector<dsw_volume_id> marked(300);
+  const std::vector<double> places = random_points(marked.size(), 0.02, 0.98, 9);
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    expect_ok(dsw_environment_locate(environment, &places[3 * i], {0, 0}, &marked[i], nullptr));
+  }
+  for (dsw_environment* const each : {environment, without}) {
+    expect_ok(dsw_environment_mark_volumes(each, marked.data(), marked.size(), DSW_MARK_IMPASSABLE, 0, nullptr));
+  }
+  const NearestTimes among = time_nearest(environment, without, points, kPoints / 4, 500);
+  report.set("nearest.among_us.n1e6", among.mean);
+  report.set("nearest.among_slowest_us.n1e6", among.slowest);
+  report.set("nearest.differ.n1e6", tree.differ + deep.differ + among.differ);
 }
 
 }  // namespace
@@ -195,7 +286,7 @@ void run_locate(const Options& options, Report& report) {
   report.set("locate.first_ms.n1e6", most);
   report.set("locate.bytes_per_cell.n1e6", static_cast<double>(bytes_of(environment.get()) - before) / cells);
   run_moved(tets, inside, report);
-  run_nearest(environment.get(), inside, report);
+  run_nearest(tets, environment.get(), without.get(), inside, report);
 }
 
 }  // namespace dsw::bench

@@ -1,14 +1,18 @@
 // What has to hold after every change: looked at inside of the engine, and from outside in exact integers.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "base/points.h"
 #include "body_check.h"
 #include "environment/marking.h"
 #include "environment/validity.h"
+#include "locate/locate.h"
+#include "locate/nearest_search.h"
 #include "map/integrity.h"
 #include "plane_truth.h"
 #include "random_edits.h"
+#include "scene/locations.h"
 #include "space_arena.h"
 #include "sweep/body_probe.h"
 
@@ -158,6 +162,43 @@ std::string wrong_locate(const dsw_environment* environment, const Environment<D
   return "";
 }
 
+/// Whether the tree of obstacles, made once and kept right since, finds the bits that a flood finds. Points are halfway
+/// between vertices and elsewhere on the way between them.
+template <int D>
+std::string wrong_nearest(Environment<D>& e) {
+  if (e.obstacles.find(e) == nullptr) e.obstacles.build(e);
+  const CellTree<D>* const tree = e.obstacles.find(e);
+  if (tree == nullptr) return "there is no tree of obstacles";
+  for (uint32_t v = 0; v < e.map.vertex_count; v += 1 + e.map.vertex_count / 12) {
+    const double *const a = e.point(v), *const b = e.point((v * 7 + 3) % e.map.vertex_count);
+    for (const double share : {0.5, 0.171875}) {
+      double p[D];
+      for (int k = 0; k < D; ++k) p[k] = a[k] + share * (b[k] - a[k]);
+      if (!is_finite<D>(p)) continue;
+      const dsw::Cell c = locate(e, p, dsw::Cell{}, nullptr).cell;
+      if (!c.valid() || is_closed(e, c)) continue;
+      for (const double radius : {HUGE_VAL, std::fabs(b[0] - a[0]) / 4}) {
+        NearestResult flooded, searched, either;
+        const bool found = find_nearest(e, p, c, radius, flooded);
+        const Distances<D> distances(e, p);
+        if (distances.scale() != 1) return "";
+        const auto differ = [&](const NearestResult& r) {
+          if (!found) return r.feature.cell.valid();
+          const dsw_cell here = name_feature(e, flooded.feature), there = name_feature(e, r.feature);
+          return std::memcmp(&r.distance, &flooded.distance, 7 * sizeof(double)) != 0 ||
+                 std::memcmp(&here, &there, sizeof here) != 0;
+        };
+        const SearchEnd end = NearestSearch<D>(distances, *tree, p, c, radius).run(searched);
+        if (end != SearchEnd::kUnknown && ((end == SearchEnd::kFound) != found || differ(searched))) {
+          return "the tree of obstacles does not find what the flood finds";
+        }
+        if (find_nearest_far(e, p, c, radius, either) != found || differ(either)) return "the nearest is another one";
+      }
+    }
+  }
+  return "";
+}
+
 template <int D>
 std::string RandomEdits<D>::check() const {
   const Environment<D>& e = env();
@@ -179,7 +220,8 @@ std::string RandomEdits<D>::check() const {
     }
     if (wrong.empty() && !probe.is_free(body, {})) wrong = "body " + std::to_string(b) + " is not free";
   }
-  return wrong.empty() ? wrong_locate(place_.get(), e) : wrong;
+  if (wrong.empty()) wrong = wrong_locate(place_.get(), e);
+  return wrong.empty() ? wrong_nearest(std::get<Environment<D>>(place_.get()->engine)) : wrong;
 }
 
 template <>

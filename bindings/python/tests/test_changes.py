@@ -48,6 +48,15 @@ def test_ids_of_changes_go_into_calls(environment: ds.Environment) -> None:
     assert opened.vertices_parted > 0 and opened.largest_width <= 0.125 * (1 + 1e-9) and len(opened.faces) == len(torn.faces)
 
 
+def test_a_cut_opens(environment: ds.Environment) -> None:
+    cut = environment.cut(BLADE, flags=ds.CutFlag.UNSEW)
+    before = environment.info.volume_count
+    opened = environment.open_crack(cut.faces, width=0.1)
+    assert environment.info.volume_count - before == len(opened.faces) > 0
+    added = opened.volumes[-len(opened.faces) :]
+    assert not added["before"]["generation"].any() and not environment.is_impassable(added[0]["after"])
+
+
 def test_a_name_that_no_change_has_is_an_error(environment: ds.Environment) -> None:
     cut = environment.cut(BLADE)
     with pytest.raises(AttributeError, match="did you mean 'volumes_split'"):

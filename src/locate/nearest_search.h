@@ -1,0 +1,88 @@
+#pragma once
+// What the flood of nearest.h finds, without the flood: the tree of obstacles says what is near, and a search back from
+// there says when the flood would come to it.
+//
+// The flood enters a cell through a passable facet if the facet's distance, its key, is within the best distance so
+// far. It takes the lowest key first, then the lowest cell. The level of a cell is the least number L for which
+// passable facets with keys up to L lead from the start to the cell; that of the start is 0. The flood enters all cells
+// of a level before any cell of a higher one, because a facet with a low enough key waits as long as one is left.
+//
+// A sight is an obstacle as one cell sees it. It is due at the larger one of its distance and its cell's level. Let all
+// sights within `reach` be known, and let `end` be the least number at which one of them is due. If `end` is within
+// `reach`, what the flood finds follows:
+//
+// - Cells of levels below `end` see nothing nearer than `end`. So the flood enters all of them.
+// - Sights at distance `end` from these cells follow. The first by name wins. Of two sights of one obstacle, which may
+//   differ in the last bits, the one of the lower level wins, because the flood keeps the first.
+// - If cells of level `end` see something within `end`, they are entered here as the flood enters them, and with them
+//   those of their level on the ways to them. Other cells of this level offer nothing within `end`, and the order of
+//   waiting cells depends on key and cell alone, so leaving them out changes nothing.
+// - By then the best distance is within `end`, so no cell of a higher level is entered.
+//
+// No distance has to be right for this: rounded numbers are compared as the flood compares them. Only the tree relies
+// on rounding errors being small (cell_tree.h).
+
+#include "base/key_table.h"
+#include "locate/distances.h"
+
+namespace dsw {
+
+enum class SearchEnd { kFound, kNothing, kUnknown };
+
+template <int D>
+class NearestSearch {
+ public:
+  /** Of distances whose scale is 1. */
+  NearestSearch(const Distances<D>& distances, const CellTree<D>& tree, const double* point, Cell start, double radius);
+
+  /** Unknown: two sights cannot be told apart, or it is too much work; then only the flood knows. */
+  SearchEnd run(NearestResult& result);
+
+ private:
+  /** An obstacle as a cell sees it. */
+  struct Sight {
+    double distance, level;
+    Vec at;
+    FeatureRef feature;
+    Cell cell;
+  };
+  /** A cell from which others are entered, on the way back from a sight. */
+  struct Step {
+    double key;
+    Cell cell;
+    uint32_t next;  // the step that is entered from it
+    bool operator<(const Step& o) const { return key > o.key; }
+  };
+  static constexpr size_t kMostSights = 256;
+  static constexpr uint32_t kMostSteps = 1u << 14, kMostLast = 512;
+
+  double reach() const;
+  bool gather();
+  void forget_far();
+  void look(Cell c);
+  bool set_levels();
+  double level_of(Cell c);
+  void note_way(uint32_t step);
+  bool take_lower(double end);
+  bool take_last(double end);
+  bool find_last(double end, Array<Waiting>& waiting);
+  void offer(const Sight& sight);
+  template <class Wanted, class Visit>
+  void for_each_way_in(Cell c, Wanted is_wanted, Visit visit) const;
+
+  const Distances<D>& distances_;
+  const Environment<D>& env_;
+  const Map<D>& map_;
+  const CellTree<D>& tree_;
+  const double* point_;
+  Cell start_;
+  double radius_, slack_, nearest_;
+  Array<Sight> sights_;
+  KeyTable looked_, known_, seen_, last_;  // units of cells
+  Array<double> levels_;                   // at most, of known cells
+  Array<Step> steps_, heap_;
+  uint32_t step_count_ = 0;
+  const Sight* best_ = nullptr;
+};
+
+}  // namespace dsw
