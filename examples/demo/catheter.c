@@ -52,7 +52,8 @@ static void create_body(demo_catheter *c, const demo_flow *flow) {
     status = dsw_body_create(c->scene, &desc, &c->body);
   }
   require(status, "creating the catheter", kFailed);
-  require(dsw_body_get_vertex_ids(c->scene, c->body, c->vertex, kMostLinks, &c->count), "reading the catheter", kFailed);
+  require(dsw_body_get_vertex_ids(c->scene, c->body, c->vertex, kMostLinks, &c->count), "reading the catheter",
+          kFailed);
   c->rest[0] = distance(points, points + 3);
 }
 

@@ -75,8 +75,8 @@ static void add_face(const dsw_environment *environment, dsw_face_id face, uint3
     uint32_t *at = place + vertices[k].index;
     if (*at == 0xffffffffu) {
       *at = (uint32_t)h->vertex_count;
-      require(dsw_environment_get_vertex_position(environment, vertices[k], h->points + 3 * h->vertex_count), "reading tissue",
-              kFailed);
+      require(dsw_environment_get_vertex_position(environment, vertices[k], h->points + 3 * h->vertex_count),
+              "reading tissue", kFailed);
       h->vertices[h->vertex_count++] = vertices[k];
     }
     corners[k] = *at;

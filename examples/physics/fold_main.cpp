@@ -43,7 +43,8 @@ physics::Row row_of(const FoldStep& step) {
   row.add("removed", static_cast<double>(step.removed)).add("contacts", static_cast<double>(step.contacts));
   row.add("largest_pull", step.largest_pull).add("removed_pull", step.removed_pull).add("bend", step.bend);
   row.add("turned", step.turned).add("unwanted", step.unwanted);
-  row.add("not_free", static_cast<double>(step.validation.not_free)).add("lost", static_cast<double>(step.validation.lost));
+  row.add("not_free", static_cast<double>(step.validation.not_free))
+      .add("lost", static_cast<double>(step.validation.lost));
   return row;
 }
 

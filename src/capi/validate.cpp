@@ -183,7 +183,7 @@ class CallValidator {
       if (!body.has_face(f)) continue;
       const BodyFace& face = body.faces[f];
       validator_.add(add_subject(kFaceIsFree, slot, f), body.position(face.corners[0]), body.position(face.corners[1]),
-                 body.position(face.corners[2]));
+                     body.position(face.corners[2]));
       ++validation_.faces;
     }
   }

@@ -36,7 +36,8 @@ void add_edges(Body<D>& body, const BodyDescription& d) {
 template <int D>
 void add_triangle(Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c) {
   if (a == b || b == c || c == a) {
-    fail(DSW_STATUS_REPEATED_VERTEX, "face %zu has the triangle (%u, %u, %u), which names a vertex twice", face, a, b, c);
+    fail(DSW_STATUS_REPEATED_VERTEX, "face %zu has the triangle (%u, %u, %u), which names a vertex twice", face, a, b,
+         c);
   }
   check_face(body, face, a, b, c);
   add_face(body, a, b, c);

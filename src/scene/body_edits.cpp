@@ -79,7 +79,8 @@ uint32_t add_body_edge(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b) {
 
 template <int D>
 uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, uint32_t c) {
-  if (a == b || b == c || c == a) fail(DSW_STATUS_REPEATED_VERTEX, "triangle (%u, %u, %u) names a vertex twice", a, b, c);
+  if (a == b || b == c || c == a)
+    fail(DSW_STATUS_REPEATED_VERTEX, "triangle (%u, %u, %u) names a vertex twice", a, b, c);
   check_face(body, body.faces.size(), a, b, c);
   if (starts_fan(body, a, b, c)) {
     fail(DSW_STATUS_NOT_MANIFOLD, "triangle (%u, %u, %u) shares only a vertex with the others", a, b, c);

@@ -75,8 +75,9 @@ void BodyChecker::placed(const BodyState& s, dsw_level level, const std::string&
 
 /// A reported contact against the true first events. Ids of edges and faces, by number, or null where they are not
 /// known.
-void BodyChecker::judge(const VertexMove& flight, const MoveTruth& truth, const dsw_body_contact& c, const std::string& what,
-                        const std::vector<dsw_body_edge_id>* edges, const std::vector<dsw_body_face_id>* faces) {
+void BodyChecker::judge(const VertexMove& flight, const MoveTruth& truth, const dsw_body_contact& c,
+                        const std::string& what, const std::vector<dsw_body_edge_id>* edges,
+                        const std::vector<dsw_body_face_id>* faces) {
   const double time = truth.events[0].time;
   if (!(c.time == time)) {
     char text[120];
@@ -109,7 +110,9 @@ void BodyChecker::judge(const VertexMove& flight, const MoveTruth& truth, const 
     if (wrong == " ") wrong = fault + ", for " + name(e) + (e.order == 0 ? "" : " by the shift");
     if (wrong.empty()) break;
   }
-  const double length = std::sqrt(c.contact.normal[0] * c.contact.normal[0] + c.contact.normal[1] * c.contact.normal[1] + c.contact.normal[2] * c.contact.normal[2]);
+  const double length =
+      std::sqrt(c.contact.normal[0] * c.contact.normal[0] + c.contact.normal[1] * c.contact.normal[1] +
+                c.contact.normal[2] * c.contact.normal[2]);
   if (!(std::fabs(length - 1) <= 1e-14)) wrong += " normal is not a unit: " + hex(c.contact.normal);
   if (!wrong.empty()) report_.fault(SweepReport::kWrong, what + wrong);
 }
@@ -139,7 +142,8 @@ void BodyChecker::history(const std::vector<dsw_body_contact>& before, const std
   for (const dsw_body_contact& c : now) {
     const bool lasting = std::any_of(before.begin(), before.end(), [&](const dsw_body_contact& b) {
       return same_id(b.vertex, c.vertex) && b.contact.obstacle.kind == c.contact.obstacle.kind &&
-             b.contact.obstacle.index == c.contact.obstacle.index && b.contact.obstacle.generation == c.contact.obstacle.generation &&
+             b.contact.obstacle.index == c.contact.obstacle.index &&
+             b.contact.obstacle.generation == c.contact.obstacle.generation &&
              b.contact.obstacle.local == c.contact.obstacle.local;
     });
     if (c.history == (lasting ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW)) continue;
@@ -212,8 +216,8 @@ void BodyChecker::replay(const BodyState& before, const BodyMove& move, dsw_leve
         const dsw_body_contact &one = answer.contacts[next - 1], &two = answer.contacts[next];
         if (one.time <= two.time) continue;
         char text[160];
-        std::snprintf(text, sizeof text, " obstacle kind %d at %a before kind %d at %a, flight ", one.contact.obstacle.kind,
-                      one.time, two.contact.obstacle.kind, two.time);
+        std::snprintf(text, sizeof text, " obstacle kind %d at %a before kind %d at %a, flight ",
+                      one.contact.obstacle.kind, one.time, two.contact.obstacle.kind, two.time);
         wrong(text + describe(now.flight(v, move.targets[v])));
       }
     }

@@ -30,7 +30,8 @@ class BodyChecker {
   void replay(const BodyState& before, const BodyMove& move, dsw_level level, const BodyAnswer& answer,
               const std::string& how);
   /// Whether contacts say rightly that their vertex was stopped by the same obstacle in the move before.
-  void history(const std::vector<dsw_body_contact>& before, const std::vector<dsw_body_contact>& now, const std::string& how);
+  void history(const std::vector<dsw_body_contact>& before, const std::vector<dsw_body_contact>& now,
+               const std::string& how);
   /// A contact against the sweep that it tells of, whatever came before.
   void alone(const dsw_body_contact& contact, const std::string& how);
 

@@ -125,7 +125,8 @@ std::string read_body(const dsw_scene* scene, dsw_body_id body, BodyState& s) {
   std::vector<std::array<uint32_t, 2>> sorted;
   for (const dsw_body_edge_id& e : s.edge_ids) {
     dsw_body_vertex_id v[2];
-    if (dsw_body_get_edge_ends(scene, body, e, v) != DSW_STATUS_OK || !alive(v[0]) || !alive(v[1])) return "ends of an edge";
+    if (dsw_body_get_edge_ends(scene, body, e, v) != DSW_STATUS_OK || !alive(v[0]) || !alive(v[1]))
+      return "ends of an edge";
     s.edges.push_back({v[0].index, v[1].index});
     sorted.push_back(ordered(v[0].index, v[1].index));
   }

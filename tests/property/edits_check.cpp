@@ -12,7 +12,7 @@
 #include "map/integrity.h"
 #include "plane_truth.h"
 #include "random_edits.h"
-#include "scene/places.h"
+#include "scene/locations.h"
 #include "space_arena.h"
 #include "sweep/body_probe.h"
 

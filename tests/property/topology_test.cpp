@@ -80,8 +80,7 @@ TEST_P(TopologyTest, FaceIdsAgreeFromBothSides) {
       const int face = world.cell_faces[c][f];
       const Face& want = world.faces[static_cast<size_t>(face)];
       dsw_face_id id;
-      ASSERT_EQ(dsw_environment_get_face_id(place.get(), world.ids[c], static_cast<uint32_t>(f), &id),
-                DSW_STATUS_OK);
+      ASSERT_EQ(dsw_environment_get_face_id(place.get(), world.ids[c], static_cast<uint32_t>(f), &id), DSW_STATUS_OK);
       EXPECT_TRUE(same(id, face_id(world, face))) << cell_of(id);
       // Either name is accepted, and each tells the volumes from its own side (beta3 is an involution).
       const size_t side = want.cell[0] == static_cast<int>(c) ? 0 : 1;
