@@ -5,8 +5,8 @@
  *  - Lengths are in scene units. A time of contact is a fraction in [0,1] of one move.
  *  - Exact arithmetic decides every sign, for all finite doubles. Simulation of Simplicity (H.
  *    Edelsbrunner, E. P. Muecke, ACM Transactions on Graphics 9, 1990) decides ties: "the shift"
- *    moves every point that is no vertex of the environment by (e, e^2, e^3), with an infinitesimal
- *    e > 0. More: bindings/docs/exactness.md.
+ *    moves every other point than the environment's vertices by (e, e^2, e^3), with an
+ *    infinitesimal e > 0. More: bindings/docs/exactness.md.
  *  - A thing is free if it meets nothing impassable. A wall is an impassable face.
  *  - A geometric outcome (no contact, stopped, outside) is never a status.
  *  - A call that fails changes nothing, unless its comment says otherwise.
@@ -30,9 +30,9 @@
  *    needed, also on DSW_STATUS_BUFFER_TOO_SMALL. Capacity 0 only asks, and the array may be null.
  *  - A `hint` or `start` is a volume near the point, or the null id. `flags` are bits of the
  *    header's enum.
- *  - A struct with struct_size, set by the caller or its `_init` function, may be of any version
- *    since its first release. Members that it lacks count as 0. Members unknown to the library must
- *    be 0 in a description, and are set to 0 in a report.
+ *  - A struct with struct_size, set by the caller or its `_init` function, may be of an older or a
+ *    newer version than the library. Members that the caller's struct lacks count as 0. Members
+ *    that the library does not know must be 0 in a description, and are set to 0 in a report.
  *  - An `_init` function writes the defaults into at most `size` bytes, the sizeof of the struct.
  *    Cost: O(1). Thread: any.
  *

@@ -31,11 +31,11 @@ typedef enum dsw_contact_kind {
 /** What was touched. Every report below, and dsw_wall_contact, holds one. Without a contact all
  * members are 0. Where a body was touched, only `normal`, `front` and `kind` are set. */
 typedef struct dsw_contact {
-  double normal[3];      /**< Unit normal, out of the obstacle. */
-  dsw_cell obstacle;     /**< Touched face, edge or vertex, canonical. */
-  dsw_face_id wall;      /**< Impassable face there, canonical; null for a marked edge or vertex. */
-  dsw_volume_id front;   /**< Passable volume at `obstacle`. At a body: volume of the vertex. */
-  dsw_volume_id behind;  /**< Volume on the other side of `wall`; null at the outer boundary. */
+  double normal[3];  /**< Unit normal, out of the obstacle. */
+  dsw_cell obstacle; /**< Touched face, edge or vertex, canonical. */
+  dsw_face_id wall;  /**< An impassable face there, canonical; null for a marked edge or vertex. */
+  dsw_volume_id front;  /**< Passable volume at `obstacle`. At a body: volume of the vertex. */
+  dsw_volume_id behind; /**< Volume beyond `wall`, away from `front`; null at the outer boundary. */
   dsw_contact_kind kind; /**< What part of the obstacle was touched. */
   /** Kind of the marked cell: VOLUME if only `behind` is marked; FACE also at the outer
    * boundary. */
@@ -75,7 +75,8 @@ typedef struct dsw_sweep {
   uint32_t volumes_visited; /**< Volumes looked at. */
 } dsw_sweep;
 
-/** Whether the same obstacle stopped the vertex in the body's previous move. */
+/** Whether the same cell stopped the vertex in the body's previous move. The next face of a wall is
+ * another cell; see `touching` of dsw_previous_contact. */
 typedef enum dsw_contact_history {
   DSW_HISTORY_NONE = 0,                /**< No contact. */
   DSW_HISTORY_NEW = 1,                 /**< No. */
@@ -85,15 +86,15 @@ typedef enum dsw_contact_history {
 
 /** A contact of a body: a moving vertex, or one of its edges or faces, touched something. */
 typedef struct dsw_body_contact {
-  double from[3];              /**< Start of the moving vertex. */
-  double to[3];                /**< Its target. */
-  double fixed[2][3];          /**< Other ends of the touching edge or face; else 0. */
-  double position[3];          /**< Moving vertex at `time`, rounded. */
-  double time;                 /**< As in dsw_sweep. By bisection: a time when the body is free. */
-  double point[3];             /**< Where the body touches, rounded. */
-  double edge_parameter;       /**< As in dsw_sweep. */
-  double distance_left;        /**< Length of the way not made. */
-  dsw_contact contact;         /**< What the body touched. */
+  double from[3];        /**< Start of the moving vertex, or of its way after a slide. */
+  double to[3];          /**< End of that way, if nothing were there. */
+  double fixed[2][3];    /**< Other ends of the touching edge or face; else 0. */
+  double position[3];    /**< Moving vertex at `time`, rounded. */
+  double time;           /**< Fraction of that way. By bisection: a time when the body is free. */
+  double point[3];       /**< Where the body touches, rounded. */
+  double edge_parameter; /**< As in dsw_sweep. */
+  double distance_left;  /**< From where the vertex stopped here to the target of the call. */
+  dsw_contact contact;   /**< What the body touched. */
   dsw_body_vertex_id vertex;   /**< The moving vertex. */
   dsw_body_edge_id edge;       /**< The touching edge, or null. */
   dsw_body_face_id face;       /**< The touching face, or null. */

@@ -47,7 +47,7 @@ typedef struct dsw_move_options {
   uint32_t struct_size;         /**< sizeof(dsw_move_options). */
   uint32_t flags;               /**< 0. */
   dsw_response vertex_response; /**< Of the moving vertex: STOP (default) or SLIDE. */
-  dsw_response edge_response;   /**< Of its edges and faces; default STOP. */
+  dsw_response edge_response;   /**< Of its edges and faces: any; default STOP. */
   dsw_search search;            /**< Default EXACT. */
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
   /** Work limit: volumes that one sweep may visit; 0: none. At the limit the vertex stops, free. */
@@ -70,7 +70,7 @@ typedef struct dsw_move_options {
 typedef struct dsw_move_report {
   double fraction;           /**< Part of the motion that dsw_body_move_rigid made; else 1. */
   uint32_t vertices_moved;   /**< Vertices that had to move. */
-  uint32_t vertices_stopped; /**< Of these, not at their targets. */
+  uint32_t vertices_stopped; /**< Of these, not at their targets, also by a slide. */
   uint32_t contact_count;    /**< See dsw_body_get_contacts. */
   uint32_t edit_count;       /**< See dsw_body_get_edits. */
   uint32_t edges_swept;      /**< Sweeps of edges, from both ends. */

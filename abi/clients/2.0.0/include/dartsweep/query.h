@@ -100,15 +100,16 @@ typedef struct dsw_nearest {
   double normal[3];
   dsw_cell cell;            /**< The face, edge or vertex; DSW_CELL_NONE if nothing. */
   uint32_t tag;             /**< As in dsw_contact, for a face. */
-  uint32_t volumes_visited; /**< Volumes looked at. */
+  uint32_t volumes_visited; /**< Volumes looked at; depends on earlier calls. */
 } dsw_nearest;
 
 /** Finds the nearest impassable face, marked edge or vertex that can be seen through passable
  * volumes; if several, the lowest canonical one.
  * @param volume that of the point, or null. @param radius at least 0; may be infinite.
  * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
- * @note Cost: O(volumes within the distance). Rounding: a few units in the last place.
- * @since 2.0 */
+ * @note Cost: O(volumes within the distance). Far calls build a search structure when they have
+ * taken as long, unless DSW_ENVIRONMENT_NO_LOCATE_TREE forbids; then O(log n) expected, and the
+ * volumes on the way. Rounding: a few units in the last place. @since 2.0 */
 DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environment,
                                                 const double *point, dsw_volume_id volume,
                                                 double radius, dsw_nearest *nearest);

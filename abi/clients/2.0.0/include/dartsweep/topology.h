@@ -62,36 +62,36 @@ typedef struct dsw_change {
   /** Cut: largest distance of a new vertex from the blade, and of the blade from the cut in split
    * volumes. Detached body: of a vertex from its origin. */
   double distance;
-  double smallest_width;                  /**< Crack: smallest opening; 0 if nothing came apart. */
-  double largest_width;                   /**< Crack: largest opening. */
-  uint32_t volumes_visited;               /**< Cut: also on the way from `start`. */
-  uint32_t volumes_crossed;               /**< Cut: met by the blade. */
-  uint32_t volumes_split;                 /**< Of these, split. */
-  uint32_t volumes_changed;               /**< Cut: with a new vertex or edge. Crack: at its rim. */
-  uint32_t vertices_parted;               /**< Crack: that came apart. */
-  uint32_t vertices_shortened;            /**< Of these, by less than `width`. */
-  uint32_t faces_sewn;                    /**< Piece: pairs of faces that became one. */
-  uint32_t faces_unsewn;                  /**< Piece: faces that stay on the outer boundary. */
-  uint32_t volumes_invalid;               /**< Repair: found invalid. */
-  uint32_t volumes_removed;               /**< Repair: replaced. */
-  uint32_t volumes_added;                 /**< Repair: their replacements. */
-  uint32_t patch_count;                   /**< Repair: patches. */
-  uint32_t most_faces;                    /**< Repair: of an added volume. */
-  uint32_t reserved;                      /**< 0. */
-  const dsw_volume_change *volumes;       /**< What became of each volume. */
-  size_t volume_count;                    /**< Entries. */
-  const dsw_vertex_origin *vertices;      /**< New vertices of a cut or crack. */
-  size_t vertex_count;                    /**< Entries. */
-  const dsw_cut_face *faces;              /**< Faces of a cut or tear; lips of a crack. */
-  size_t face_count;                      /**< Entries. */
-  const dsw_volume_id *whole;             /**< Cut: volumes crossed, but not split. */
-  size_t whole_count;                     /**< Entries. */
-  const dsw_volume_id *carved;            /**< Carving: volumes made passable. */
-  size_t carved_count;                    /**< Entries. */
-  const dsw_volume_id *unrepaired;        /**< Repair: volumes left invalid, by index. */
-  size_t unrepaired_count;                /**< Entries. */
-  const dsw_volume_id *detached;          /**< Volumes of the detached piece. */
-  size_t detached_count;                  /**< Entries. */
+  double smallest_width;       /**< Crack: smallest opening; 0 if nothing came apart. */
+  double largest_width;        /**< Crack: largest opening. */
+  uint32_t volumes_visited;    /**< Cut: also on the way from `start`. */
+  uint32_t volumes_crossed;    /**< Cut: met by the blade, also only along faces. */
+  uint32_t volumes_split;      /**< Of these, split. */
+  uint32_t volumes_changed;    /**< Cut: split, or with a new vertex or edge. Crack: at its rim. */
+  uint32_t vertices_parted;    /**< Crack: that came apart. */
+  uint32_t vertices_shortened; /**< Of these, by less than `width`. */
+  uint32_t faces_sewn;         /**< Piece: pairs of faces that became one. */
+  uint32_t faces_unsewn;       /**< Piece: faces that stay on the outer boundary. */
+  uint32_t volumes_invalid;    /**< Repair: found invalid. */
+  uint32_t volumes_removed;    /**< Repair: replaced. */
+  uint32_t volumes_added;      /**< Repair: their replacements. */
+  uint32_t patch_count;        /**< Repair: patches. */
+  uint32_t most_faces;         /**< Repair: of an added volume. */
+  uint32_t reserved;           /**< 0. */
+  const dsw_volume_change *volumes;  /**< What became of each volume. */
+  size_t volume_count;               /**< Entries. */
+  const dsw_vertex_origin *vertices; /**< New vertices of a cut or crack. */
+  size_t vertex_count;               /**< Entries. */
+  const dsw_cut_face *faces;         /**< Faces of a cut or tear; lips of a crack. */
+  size_t face_count;                 /**< Entries. */
+  const dsw_volume_id *whole;        /**< Cut: volumes that the blade enters but does not split. */
+  size_t whole_count;                /**< Entries. */
+  const dsw_volume_id *carved;       /**< Carving: volumes made passable. */
+  size_t carved_count;               /**< Entries. */
+  const dsw_volume_id *unrepaired;   /**< Repair: volumes left invalid, by index. */
+  size_t unrepaired_count;           /**< Entries. */
+  const dsw_volume_id *detached;     /**< Volumes of the detached piece. */
+  size_t detached_count;             /**< Entries. */
   const dsw_vertex_origin *body_vertices; /**< Of the detached body, by index. */
   size_t body_vertex_count;               /**< Entries. */
   const dsw_face_origin *body_faces;      /**< Of the detached body, by index. */
