@@ -25,9 +25,9 @@ struct BuildReport {
 template <int D>
 dsw_environment_desc check_description(dsw_environment_desc desc);
 
-/** Fills an empty environment from a description that was checked; throws Error (and leaves the environment useless) on the first kind of defect found,
- * with the first offenders of that kind in the report. Order of checks: sizes, points finite, cells well-formed, facets
- * matched, cells valid. */
+/** Fills an empty environment from a description that was checked; throws Error (and leaves the environment useless)
+ * on the first kind of defect found, with the first offenders of that kind in the report. Order of checks: sizes,
+ * points finite, cells well-formed, facets matched, cells valid. */
 template <int D>
 void build(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
 

@@ -21,8 +21,8 @@ struct WallHit {
   bool operator<(const WallHit& o) const { return time != o.time ? time < o.time : feature < o.feature; }
 };
 
-/** A part of a wall at the moving vertex: `Count` other vertices, the facet that makes it one (invalid for a marked edge
- * and a marked vertex), and a cell there, passable if there is one. */
+/** A part of a wall at the moving vertex: `Count` other vertices, the facet that makes it one (invalid for a marked
+ * edge and a marked vertex), and a cell there, passable if there is one. */
 template <size_t Count>
 struct WallPart {
   std::array<uint32_t, Count> others;

@@ -1,6 +1,6 @@
 // What a scene pays for what it enables, and what it does not pay for the rest: bytes, orientation tests and time of
-// one scene, each level, feature and way to leave out work on and off. A program of its own: it needs no peer, and runs on
-// two builds of the library.
+// one scene, each level, feature and way to leave out work on and off. A program of its own: it needs no peer, and
+// runs on two builds of the library.
 #include "fig11_case.h"
 #include "report.h"
 #include "timing.h"

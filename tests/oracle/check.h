@@ -72,8 +72,8 @@ class Checker {
       : world_(world), environment_(environment), report_(report) {}
 
   enum Way { kCast, kPath, kBatch, kNoDetail, kWays };
-  /// A free cast; `hint` is handed over as start, `known` says that it is right. max_volumes 0: no limit. `start` is the
-  /// cell that the oracle takes as start, or -1 to have it located.
+  /// A free cast; `hint` is handed over as start, `known` says that it is right. max_volumes 0: no limit. `start` is
+  /// the cell that the oracle takes as start, or -1 to have it located.
   void free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint, bool known, uint32_t max_volumes,
                  int start = -1);
   void locate(const Vec& p, dsw_volume_id hint);

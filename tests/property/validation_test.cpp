@@ -1,4 +1,5 @@
-// The exact validation's claims against brute force with GMP: who is met, and first where; and in which cell a point is.
+// The exact validation's claims against brute force with GMP: who is met, and first where; and in which cell a point
+// is.
 
 #include "swept_cases.h"
 
