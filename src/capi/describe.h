@@ -98,7 +98,7 @@ T read_optional(const T* given, const char* name, uint32_t known_flags) {
 template <class T, class... KnownFlags>
 T read_required(const T* given, const char* name, KnownFlags... known) {
   require(given, name);
-  return read_optional(given, name, known...);
+  return read_optional(given, name, static_cast<uint32_t>(known)...);
 }
 
 /** Writes into a struct whose size was checked: at most what it can hold, zeros into members unknown here. */
