@@ -147,7 +147,7 @@ class Bodies {
       std::size_t count = 0;
       check(dsw_body_get_edits(scene(), flock_.bodies()[body], &edits, &count));
       for (std::size_t i = 0; i < count; ++i) {  // none is removed: noise_share is 0, so indices follow each other
-        inserted_[body].push_back({{edits[i].ends[0].index, edits[i].ends[1].index}, edits[i].share});
+        inserted_[body].push_back({{edits[i].ends[0].index, edits[i].ends[1].index}, edits[i].edge_parameter});
       }
     }
     return ns;

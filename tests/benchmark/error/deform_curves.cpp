@@ -7,6 +7,7 @@
 #include "body_state.h"
 #include "check.h"
 #include "rng.h"
+#include "sweep_truth.h"
 
 #include <algorithm>
 #include <cmath>

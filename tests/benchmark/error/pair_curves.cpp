@@ -153,7 +153,7 @@ class SceneCasts {
     return {f.outcome == DSW_OUTCOME_CONTACT ? f.time : -1,
             true,
             {f.position[0], f.position[1], f.position[2]},
-            {f.normal[0], f.normal[1], f.normal[2]}};
+            {f.contact.normal[0], f.contact.normal[1], f.contact.normal[2]}};
   }
 
  private:

@@ -88,9 +88,10 @@ class Slides {
 double height(Place& place, const dsw_body_contact& contact, const Vec& p) {
   dsw_vertex_id ids[3];
   std::size_t count = 0;
-  check(dsw_environment_copy_vertices(place.environment(),
-                                      {DSW_CELL_FACE, contact.wall.volume, contact.wall.generation, contact.wall.local},
-                                      ids, 3, &count));
+  check(dsw_environment_copy_vertices(
+      place.environment(),
+      {DSW_CELL_FACE, contact.contact.wall.volume, contact.contact.wall.generation, contact.contact.wall.local}, ids, 3,
+      &count));
   std::array<std::array<mpq_class, 3>, 3> corner;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec& at = place.world().mesh.points[ids[i].index];
@@ -104,7 +105,7 @@ double height(Place& place, const dsw_body_contact& contact, const Vec& p) {
                         (corner[1][j] - corner[0][j]) * (corner[2][i] - corner[0][i]);
     sum += n * (mpq_class(p[k]) - corner[0][k]);
     square += n * n;
-    towards += n.get_d() * contact.normal[k];
+    towards += n.get_d() * contact.contact.normal[k];
   }
   return (towards < 0 ? -1 : 1) * sum.get_d() / std::sqrt(square.get_d());
 }
@@ -124,7 +125,7 @@ Gaps judge(Place& place, const std::vector<Sheet>& sheets, const Slides& slides)
     check(dsw_body_get_contacts(slides.scene(), slides.bodies()[i], &contacts, &count));
     for (std::size_t c = 0; c < count; ++c) {
       const bool last = c + 1 == count || contacts[c + 1].vertex.index != contacts[c].vertex.index;
-      if (!last || contacts[c].edge.generation != 0 || contacts[c].kind != DSW_CONTACT_PLANE) continue;
+      if (!last || contacts[c].edge.generation != 0 || contacts[c].contact.kind != DSW_CONTACT_PLANE) continue;
       const double h = height(place, contacts[c], at[contacts[c].vertex.index]);
       gaps.behind += h < 0 ? 1 : 0;
       gaps.gap.values.push_back(std::fabs(h));
