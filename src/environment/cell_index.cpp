@@ -56,7 +56,7 @@ void CellIndex<D>::build(const Environment<D>& env) {
 
 template <int D>
 void CellIndex<D>::set_use(TreeUse use) noexcept {
-  release(tree_.exchange(nullptr));
+  release_with_older(memory_, tree_.exchange(nullptr));
   made_.clear();
   use_ = use;
 }
@@ -67,7 +67,7 @@ template <int D>
 void CellIndex<D>::make_room(size_t cells) {
   CellTree<D>* const tree = tree_.load(std::memory_order_relaxed);
   if (tree == nullptr) return;
-  release(std::exchange(tree->older, nullptr));
+  release_with_older(memory_, std::exchange(tree->older, nullptr));
   if (tree->made_before == made_.size()) {
     tree->made_before = 0;
     made_.clear();
@@ -77,22 +77,8 @@ void CellIndex<D>::make_room(size_t cells) {
 }
 
 template <int D>
-void CellIndex<D>::release(CellTree<D>* tree) const noexcept {
-  while (tree != nullptr) {
-    CellTree<D>* const older = tree->older;
-    tree->~CellTree();
-    release_bytes(memory_, tree, sizeof *tree, alignof(CellTree<D>));
-    tree = older;
-  }
-}
-
-template <int D>
 uint64_t CellIndex<D>::memory_bytes() const noexcept {
-  uint64_t sum = array_bytes(made_);
-  for (const CellTree<D>* tree = tree_.load(std::memory_order_acquire); tree != nullptr; tree = tree->older) {
-    sum += tree->memory_bytes();
-  }
-  return sum;
+  return array_bytes(made_) + memory_bytes_with_older(tree_.load(std::memory_order_acquire));
 }
 
 template class CellIndex<2>;

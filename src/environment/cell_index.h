@@ -16,7 +16,7 @@ template <int D>
 class CellIndex {
  public:
   explicit CellIndex(const Memory* memory) : memory_(memory), made_(Allocator<uint32_t>(memory)) {}
-  ~CellIndex() { release(tree_.load(std::memory_order_relaxed)); }
+  ~CellIndex() { release_with_older(memory_, tree_.load(std::memory_order_relaxed)); }
   CellIndex(const CellIndex&) = delete;
   CellIndex& operator=(const CellIndex&) = delete;
 
@@ -54,7 +54,6 @@ class CellIndex {
   bool is_current(const Environment<D>& env, const CellTree<D>& tree) const noexcept;
   const CellTree<D>* renew(const Environment<D>& env) const noexcept;
   void replace(const Environment<D>& env) const;
-  void release(CellTree<D>* tree) const noexcept;
 
   const Memory* memory_;
   TreeUse use_ = TreeUse::kAtNeed;

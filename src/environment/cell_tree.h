@@ -181,4 +181,21 @@ class CellTree {
   const Memory* memory_;
 };
 
+/** A tree that readers may still have looked at keeps those that it replaced. All of them go; null is allowed. */
+template <int D>
+void release_with_older(const Memory* memory, CellTree<D>* tree) noexcept {
+  while (tree != nullptr) {
+    CellTree<D>* const older = tree->older;
+    tree->~CellTree();
+    release_bytes(memory, tree, sizeof *tree, alignof(CellTree<D>));
+    tree = older;
+  }
+}
+template <int D>
+uint64_t memory_bytes_with_older(const CellTree<D>* tree) noexcept {
+  uint64_t sum = 0;
+  for (; tree != nullptr; tree = tree->older) sum += tree->memory_bytes();
+  return sum;
+}
+
 }  // namespace dsw

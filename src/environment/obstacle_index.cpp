@@ -71,7 +71,7 @@ void ObstacleIndex<D>::gather(const Environment<D>& env) const {
   is_resolved_.store(true, std::memory_order_release);
   CellTree<D>* const tree = tree_.load(std::memory_order_relaxed);
   if (tree == nullptr) return put(env, cells, nullptr);
-  release(std::exchange(tree->older, nullptr));
+  release_with_older(memory_, std::exchange(tree->older, nullptr));
   tree->build(env, cells);
   tree->made_before = 0;
   tree->wear.store(0, std::memory_order_relaxed);
@@ -144,7 +144,7 @@ void ObstacleIndex<D>::build(const Environment<D>& env) {
 template <int D>
 void ObstacleIndex<D>::note(Array<uint32_t>& list, uint32_t item) noexcept {
   CellTree<D>* const tree = tree_.load(std::memory_order_relaxed);
-  release(std::exchange(tree->older, nullptr));
+  release_with_older(memory_, std::exchange(tree->older, nullptr));
   if (tree->made_before != 0 && tree->made_before == noted_.size()) {
     tree->made_before = 0;
     noted_.clear();
@@ -159,29 +159,15 @@ void ObstacleIndex<D>::note(Array<uint32_t>& list, uint32_t item) noexcept {
 
 template <int D>
 void ObstacleIndex<D>::drop() noexcept {
-  release(tree_.exchange(nullptr));
+  release_with_older(memory_, tree_.exchange(nullptr));
   noted_.clear();
   vertices_.clear();
   is_resolved_.store(true, std::memory_order_relaxed);
 }
 
 template <int D>
-void ObstacleIndex<D>::release(CellTree<D>* tree) const noexcept {
-  while (tree != nullptr) {
-    CellTree<D>* const older = tree->older;
-    tree->~CellTree();
-    release_bytes(memory_, tree, sizeof *tree, alignof(CellTree<D>));
-    tree = older;
-  }
-}
-
-template <int D>
 uint64_t ObstacleIndex<D>::memory_bytes() const noexcept {
-  uint64_t sum = array_bytes(noted_) + array_bytes(vertices_);
-  for (const CellTree<D>* tree = tree_.load(std::memory_order_acquire); tree != nullptr; tree = tree->older) {
-    sum += tree->memory_bytes();
-  }
-  return sum;
+  return array_bytes(noted_) + array_bytes(vertices_) + memory_bytes_with_older(tree_.load(std::memory_order_acquire));
 }
 
 template class ObstacleIndex<2>;

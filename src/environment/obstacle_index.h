@@ -15,7 +15,7 @@ class ObstacleIndex {
  public:
   explicit ObstacleIndex(const Memory* memory)
       : memory_(memory), noted_(Allocator<uint32_t>(memory)), vertices_(Allocator<uint32_t>(memory)) {}
-  ~ObstacleIndex() { release(tree_.load(std::memory_order_relaxed)); }
+  ~ObstacleIndex() { release_with_older(memory_, tree_.load(std::memory_order_relaxed)); }
   ObstacleIndex(const ObstacleIndex&) = delete;
   ObstacleIndex& operator=(const ObstacleIndex&) = delete;
 
@@ -64,7 +64,6 @@ class ObstacleIndex {
   void merge(const Environment<D>& env) const;
   void put(const Environment<D>& env, const Array<uint32_t>& cells, CellTree<D>* older) const;
   void note(Array<uint32_t>& list, uint32_t item) noexcept;
-  void release(CellTree<D>* tree) const noexcept;
 
   const Memory* memory_;
   mutable std::atomic<uint64_t> flooded_{0}, flooded_version_{0};  // cells; and where points were then
