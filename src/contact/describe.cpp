@@ -32,7 +32,7 @@ template <int D>
 dsw_contact contact_of(const Environment<D>& env, const SweepContact& met, const double* normal) noexcept {
   dsw_contact contact{};
   std::copy_n(normal, D, contact.normal);
-  if (met.facet.valid()) name_wall(env, seen_wall(env, met, normal), contact);
+  if (met.facet.valid()) name_wall(env, seen_wall(env, met.front, met.facet, normal), contact);
   contact.front = volume_id(env.map, met.front);
   const bool has_wall = met.facet.valid();
   switch (kind_of(met)) {

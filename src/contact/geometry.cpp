@@ -82,9 +82,9 @@ HalfFacet facing(const Environment<D>& env, HalfFacet wall, const double* normal
 }
 
 template <int D>
-HalfFacet seen_wall(const Environment<D>& env, const SweepContact& contact, const double* normal) noexcept {
-  const HalfFacet seen = seen_from(env.map, contact.front, contact.facet);
-  return env.map.cell_of(seen) == contact.front ? seen : facing(env, contact.facet, normal);
+HalfFacet seen_wall(const Environment<D>& env, Cell front, HalfFacet wall, const double* normal) noexcept {
+  const HalfFacet seen = seen_from(env.map, front, wall);
+  return env.map.cell_of(seen) == front ? seen : facing(env, wall, normal);
 }
 
 template <int D>

@@ -23,9 +23,9 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
 template <int D>
 HalfFacet facing(const Environment<D>& env, HalfFacet wall, const double* normal) noexcept;
 
-/** The facet of a contact from where it is met: from `front`; at a vertex that need not be at the facet: as above. */
+/** The wall of a contact from where it is met: from `front`; at a vertex that need not be at the facet: as above. */
 template <int D>
-HalfFacet seen_wall(const Environment<D>& env, const SweepContact& contact, const double* normal) noexcept;
+HalfFacet seen_wall(const Environment<D>& env, Cell front, HalfFacet wall, const double* normal) noexcept;
 
 /** How far along the edge, which runs from `end` to q, a point on it lies: by the axis it is longest on. */
 template <int D>

@@ -88,9 +88,15 @@ void want_near(Scene<3>& scene, Repair& repair) {
 void renew_ids(Deformation<3>& deformation) noexcept {
   const Map<3>& map = deformation.env.map;
   for (dsw_volume_id& id : deformation.record.invalid) id.generation = map.cell_slots.generation(id.index);
-  for (dsw_wall_contact& contact : deformation.record.contacts) {
-    dsw_face_id& wall = contact.contact.wall;
-    if (wall.generation != 0) wall.generation = map.cell_slots.generation(wall.volume);
+  const auto renew = [&](uint32_t volume, uint32_t& generation) {
+    if (generation != 0) generation = map.cell_slots.generation(volume);
+  };
+  for (dsw_wall_contact& of : deformation.record.contacts) {
+    dsw_contact& contact = of.contact;
+    renew(contact.wall.volume, contact.wall.generation);
+    renew(contact.front.index, contact.front.generation);
+    renew(contact.behind.index, contact.behind.generation);
+    if (contact.obstacle.kind != DSW_CELL_VERTEX) renew(contact.obstacle.index, contact.obstacle.generation);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/dimensions.h"
 #include "body/integrity.h"
+#include "contact/geometry.h"
 #include "contact/names.h"
 #include "locate/locate.h"
 #include "locate/nearest.h"
@@ -129,15 +130,17 @@ bool is_whole(const Map<D>& map, const Array<uint32_t>& facets) {
   return true;
 }
 
-/** The volume behind a wall, which the format leaves out; null if the wall has changed since. */
+/** The volume behind the wall of a contact, which the format leaves out; null if the wall has changed since. */
 template <int D>
-dsw_volume_id behind_wall(const Map<D>& map, dsw_face_id wall, dsw_volume_id front) {
-  if (!map.is_alive(wall.volume, wall.generation)) return {0, 0};
-  const Cell near_side = to_cell(map, wall.volume);
-  if (wall.local >= map.facets_of(near_side)) fail_corrupt("the wall of a contact");
-  const HalfFacet other = map.opposite(map.half_facet(near_side, wall.local));
-  if (!other.valid()) return {0, 0};
-  return volume_id(map, front.index == wall.volume ? map.cell_of(other) : near_side);
+dsw_volume_id behind_wall(const Environment<D>& env, const dsw_contact& contact) {
+  const Map<D>& map = env.map;
+  const dsw_face_id id = contact.wall;
+  if (!map.is_alive(id.volume, id.generation)) return {0, 0};
+  const Cell owner = to_cell(map, id.volume);
+  if (id.local >= map.facets_of(owner)) fail_corrupt("the wall of a contact");
+  const Cell front = is_alive(map, contact.front) ? to_cell(map, contact.front.index) : Cell{};
+  const HalfFacet beyond = map.opposite(seen_wall(env, front, map.half_facet(owner, id.local), contact.normal));
+  return volume_id(map, beyond.valid() ? map.cell_of(beyond) : Cell{});
 }
 
 constexpr uint32_t kUnknown = 0xffffffffu;  // instead of a sequence's count
@@ -385,7 +388,7 @@ void BodyReader<D>::read_contacts(BodyRecord<D>& of, uint64_t count) {
       place += n;
     });
     for_each_word(contact, [&](auto& word) { word = static_cast<std::decay_t<decltype(word)>>(*words++); });
-    contact.contact.behind = behind_wall(env_.map, contact.contact.wall, contact.contact.front);
+    contact.contact.behind = behind_wall(env_, contact.contact);
   }
 }
 

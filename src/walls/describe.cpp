@@ -28,7 +28,9 @@ dsw_contact contact_of(const Environment<D>& env, const WallHit& hit, uint32_t v
     if (hit.others[1] != kNone) return contact;
     for (Dart d{hit.cell, 0}; d.local < map.shape(d.cell).dart_count(); ++d.local) {
       const uint32_t from = dart_vertex(map, d), to = dart_target(map, d);
-      if (std::minmax(from, to) == std::minmax(vertex, other)) name_edge(map, d, contact);
+      if (std::minmax(from, to) != std::minmax(vertex, other)) continue;
+      name_edge(map, d, contact);
+      break;
     }
   }
   return contact;

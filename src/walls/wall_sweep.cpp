@@ -88,12 +88,12 @@ template <int D>
 void WallSweep<D>::start(uint32_t vertex, const Array<Cell>& star) {
   const Map<D>& map = env_.map;
   vertex_ = vertex;
-  front_ = star.front();
+  front_ = {};
   simplices_.clear();
   ridges_.clear();
   for (const Cell c : star) {
+    if (!front_.valid() || map.marked(front_)) front_ = c;
     if (map.marked(c)) continue;
-    if (map.marked(front_)) front_ = c;
     const Shape shape = map.shape(c);
     for (uint32_t facet = 0; facet < shape.facet_count(); ++facet) {
       bool is_at_vertex = false;

@@ -107,7 +107,7 @@ std::string Arena::wrong_wall(const dsw_sweep& got, const std::vector<int>& arou
   });
   if (!front_there || marked(static_cast<int>(got.contact.front.index))) return " front " + name(got.contact.front);
   if (lone) {
-    const bool right = none(got.contact.wall) && got.contact.tag == 0 &&
+    const bool right = none(got.contact.wall) && same_volume(got.contact.behind, -1) && got.contact.tag == 0 &&
                        std::count(alone.begin(), alone.end(), got.contact.marked_kind) != 0;
     return right ? "" : " a face, an obstacle or a tag where there is no wall";
   }
@@ -124,11 +124,12 @@ std::string Arena::wrong_wall(const dsw_sweep& got, const std::vector<int>& arou
   for (size_t side = 0; side < 2; ++side) {
     const int behind = w.cell[side], other = w.cell[1 - side];
     if (same_volume(got.contact.front, behind) && other >= 0) continue;
+    if (!same_volume(got.contact.behind, behind)) continue;
     if (got.contact.tag == tag(behind >= 0 ? behind : other)) return "";
     if (other < 0 && got.contact.tag == tag(static_cast<int>(got.contact.front.index))) return "";
   }
-  return " tag " + std::to_string(got.contact.tag) + " of face " + name(got.contact.wall) + " from " +
-         name(got.contact.front);
+  return " behind " + name(got.contact.behind) + " or tag " + std::to_string(got.contact.tag) + " of face " +
+         name(got.contact.wall) + " from " + name(got.contact.front);
 }
 
 /// The moving end on a face.
@@ -140,6 +141,8 @@ std::string Arena::wrong_at_path(const SweepEvent& event, const dsw_sweep& got) 
   if (face_named(got.contact.wall) != face_of(event)) return " face " + name(got.contact.wall);
   if (!same_volume(got.contact.front, front))
     return " front " + name(got.contact.front) + " for " + std::to_string(front);
+  if (!same_volume(got.contact.behind, behind))
+    return " behind " + name(got.contact.behind) + " for " + std::to_string(behind);
   if (got.edge_parameter != 0) return " along " + number(got.edge_parameter);
   if (got.contact.marked_kind != (met.marked || behind < 0 ? DSW_CELL_FACE : DSW_CELL_VOLUME)) {
     return " obstacle " + std::to_string(got.contact.marked_kind);

@@ -154,7 +154,7 @@ TEST_P(RemeshTest, WhatIsRepairedIsValidBeforeAndAfter) {
 }
 
 TEST_P(RemeshTest, DeformationsGoFartherWithIt) {
-  size_t held[2] = {};
+  size_t held[2] = {}, walls[2] = {};
   for (const dsw_deform_method method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {
     for (uint64_t seed = 1; seed <= 2; ++seed) {
       for (const dsw_invalid_response invalid : {DSW_INVALID_HOLD, DSW_INVALID_REMESH}) {
@@ -168,12 +168,18 @@ TEST_P(RemeshTest, DeformationsGoFartherWithIt) {
         size_t count = 0;
         dsw_environment_get_wall_contacts(dsw_scene_get_environment(scene_.get()), &contacts, &count);
         for (size_t i = 0; i < count; ++i) {
-          const dsw_face_id wall = contacts[i].contact.wall;
-          ASSERT_TRUE(wall.generation == 0 || env().map.is_alive(wall.volume, wall.generation));
+          const dsw_contact& c = contacts[i].contact;
+          ASSERT_TRUE(c.wall.generation == 0 || env().map.is_alive(c.wall.volume, c.wall.generation));
+          ASSERT_TRUE(env().map.is_alive(c.front.index, c.front.generation));
+          ASSERT_TRUE(c.behind.generation == 0 || env().map.is_alive(c.behind.index, c.behind.generation));
+          ASSERT_TRUE(c.obstacle.kind == DSW_CELL_VERTEX ||
+                      env().map.is_alive(c.obstacle.index, c.obstacle.generation));
+          ++walls[invalid == DSW_INVALID_REMESH ? 1 : 0];
         }
       }
     }
   }
+  RecordProperty("contacts of walls after a repair", static_cast<int>(walls[1]));
   RecordProperty("held without", static_cast<int>(held[0]));
   RecordProperty("held with", static_cast<int>(held[1]));
   EXPECT_LE(held[1], held[0]);
