@@ -32,7 +32,7 @@ class Change : public Site<D> {
   }
   /** The change has been made. */
   void tell() {
-    call_->done(this->results.numbers, items_of(this->results.volumes));
+    call_->done(this->results);
     if (out_ != nullptr) write_struct(out_, this->results.change());
   }
 

@@ -36,7 +36,7 @@ dsw_status dsw_environment_detach(dsw_environment* environment, const dsw_detach
     dsw::Detachment detachment(env, engine, start, d.max_volumes == 0 ? SIZE_MAX : d.max_volumes);
     const uint32_t halvings = d.halvings == 0 ? 32 : d.halvings;
     *body = detachment.carry_out(like, gap, 2 * (2 * halvings + 1), home.results);
-    call.done(*body, home.results.numbers);
+    call.done(*body, home.results);
     if (change != nullptr) capi::write_struct(change, home.results.change());
   });
 }

@@ -7,6 +7,7 @@
 #include "base/points.h"
 #include "body/body.h"
 #include "capi/describe.h"
+#include "scene/change.h"
 
 namespace dsw::capi {
 
@@ -55,6 +56,14 @@ void for_each_part(const Points& array, const Use& use) {
   for (size_t i = 0; count != kNullArray && i < array.count; ++i) {
     use(array.points[i], array.dimension * sizeof(double));
   }
+}
+/** What a change has done: its numbers, and its lists but not where they lie. */
+template <class Use>
+void for_each_part(const ChangeResults& change, const Use& use) {
+  use(&change.numbers, offsetof(dsw_change, volumes));
+  const auto add = [&](const auto& list) { for_each_part(as_result(items_of(list)), use); };
+  add(change.volumes), add(change.vertices), add(change.faces), add(change.whole), add(change.carved);
+  add(change.unrepaired), add(change.detached), add(change.body_vertices), add(change.body_faces);
 }
 /** Where a body is. */
 template <int D, class Use>

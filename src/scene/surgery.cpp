@@ -133,7 +133,7 @@ void repair_cells(const Site<3>& site, Repair& repair, const Meanwhile* meanwhil
   numbers.patch_count = record.patches;
   numbers.most_faces = record.most_faces;
   if (edit) {
-    site.change(*edit, told, meanwhile);
+    if (!site.change(*edit, told, meanwhile)) return;
   } else {
     if (meanwhile != nullptr) meanwhile->run(meanwhile->user);
     site.results = ChangeResults(site.env.memory);

@@ -114,11 +114,13 @@ dsw_status Calls::look_at_changes() {
   change.struct_size = sizeof change;
   Answers answers;
   answers << dsw_environment_get_change(environment_, &change);
-  const auto read = [](const auto* items, size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-      const auto copy = items[i];
-      static_cast<void>(copy);
-    }
+  const auto read = [&](const auto* items, size_t count) {
+    using T = std::remove_const_t<std::remove_pointer_t<decltype(items)>>;
+    answers << read_all<T>([&](const T** out, size_t* size) {
+      *out = items;
+      *size = count;
+      return DSW_STATUS_OK;
+    });
   };
   read(change.volumes, change.volume_count);
   read(change.vertices, change.vertex_count);
