@@ -7,6 +7,7 @@
 #include "base/slot_pool.h"
 #include "body/box_grid.h"
 #include "body/rigid_shape.h"
+#include "body/touched_line.h"
 #include "flood/sequence.h"
 
 namespace dsw {
@@ -87,6 +88,8 @@ struct Body {
   Array<uint32_t> inserted;  // vertices that a response has inserted
   // By edge, if they are kept: the facets passed from ends[0] to ends[1], see flood/sequence.h. A forecast.
   mutable Array<EdgeSequence<D>> sequences;
+  // By edge and end, once an edge has touched something: what it touched. A forecast.
+  mutable Array<TouchedLines> touched;
   Array<Clearance<D>> clearances;  // by vertex, if they are kept
   int64_t clearance_credit = 0;    // what measuring them may cost, see sweep/clearance.h
   Array<BodyBoxes<D>> boxes;       // one, if bodies meet each other; else none
@@ -104,6 +107,7 @@ struct Body {
         face_slots(memory),
         inserted(memory),
         sequences(memory),
+        touched(memory),
         clearances(memory),
         boxes(memory),
         shape(memory) {}
@@ -119,8 +123,9 @@ struct Body {
     for (const EdgeSequence<D>& each : sequences) of_parts += array_bytes(each.facets) + each.rows.memory_bytes();
     for (const BodyBoxes<D>& each : boxes) of_parts += sizeof each + each.memory_bytes();
     for (const RigidShape<D>& each : shape) of_parts += sizeof each + each.memory_bytes();
-    return of_parts + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) +
-           array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();
+    return of_parts + array_bytes(touched) + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) +
+           array_bytes(faces) + array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() +
+           face_slots.memory_bytes();
   }
 };
 

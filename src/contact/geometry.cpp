@@ -38,9 +38,10 @@ Vec wall_normal(const Environment<D>& env, const SweepContact& contact) {
 }
 
 /** `chosen` turned against the motion, or where it does not lean, as the wall looks. */
-Vec against(const Vec& chosen, const Vec& move, const Vec& wall) {
+template <class Wall>
+Vec against(const Vec& chosen, const Vec& move, Wall wall) {
   const double lean = dot(chosen, move);
-  const bool turn = lean != 0 ? lean > 0 : dot(chosen, wall) < 0;
+  const bool turn = lean != 0 ? lean > 0 : dot(chosen, wall()) < 0;
   return (turn ? -1.0 : 1.0) * chosen;
 }
 
@@ -105,14 +106,16 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
   g.time = event_time<D>(p, to, event);
   point_at<D>(p, to, g.time, g.position);
   std::copy_n(g.position, D, g.point);
-  const Vec move = unit(difference<D>(to, p)), wall = wall_normal(env, contact);
-  Vec normal = wall;
+  const Vec move = unit(difference<D>(to, p));
+  const auto wall = [&] { return wall_normal(env, contact); };
+  Vec normal;
   if (event.kind == EventKind::kEdge) {
     const EdgeMotion m{p, to, event.points[0]};
     if constexpr (D == 3) {
       piercing_point(m, event.points[1], event.points[2], g.point);
       const Vec across = across_edges(m, g.position, event);
-      normal = against(!is_zero(across) ? across : !is_zero(wall) ? wall : Vec(-1.0 * move), move, wall);
+      const Vec chosen = is_zero(across) ? wall() : across;
+      normal = against(is_zero(chosen) ? Vec(-1.0 * move) : chosen, move, wall);
     } else {
       std::copy_n(event.points[1], D, g.point);
       normal = swing_normal(m, g.position, g.point);
@@ -123,6 +126,8 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
     const Vec face =
         unit(unit(difference<D>(event.points[0], g.position)).cross(unit(difference<D>(event.points[1], g.position))));
     normal = against(!is_zero(face) ? face : Vec(-1.0 * move), move, wall);
+  } else {
+    normal = wall();
   }
   store<D>(normal + Vec::Zero(), g.normal);  // never -0
   return g;

@@ -29,7 +29,7 @@ class LineSides {
     return least > 0;
   }
   /** Passes sides until one is not passed; returns how many were. */
-  size_t pass(const FacetRows<2>& sides) noexcept {
+  size_t pass(const FacetSpan<2>& sides) noexcept {
     const double *const ax = sides.row(0, 0), *const ay = sides.row(0, 1), *const bx = sides.row(1, 0),
                         *const by = sides.row(1, 1);
     for (size_t n = 0; n < sides.size(); ++n) {

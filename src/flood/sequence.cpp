@@ -6,6 +6,8 @@
 #include "base/dimensions.h"
 #include "base/slot_pool.h"
 #include "flood/line_sides.h"
+#include "predicates/filtered.h"
+#include "predicates/tally.h"
 #include "walk/shear.h"
 #include "walk/standard_facets.h"
 
@@ -16,8 +18,8 @@ const PassTriangles kPassTriangles = choose_pass_triangles();
 
 template <int D>
 using LineTests = std::conditional_t<D == 3, Shear, LineSides>;
-size_t pass(Shear& line, const FacetRows<3>& triangles) noexcept { return kPassTriangles(line, triangles); }
-size_t pass(LineSides& line, const FacetRows<2>& sides) noexcept { return line.pass(sides); }
+size_t pass(Shear& line, const FacetSpan<3>& triangles) noexcept { return kPassTriangles(line, triangles); }
+size_t pass(LineSides& line, const FacetSpan<2>& sides) noexcept { return line.pass(sides); }
 
 /** Whether rows hold facets of a cell like this one: their corners are all that a line test needs. */
 bool is_for_rows(const Map<3>& map, Cell c) noexcept { return map.form(c) == Form::kSimplex; }
@@ -113,7 +115,8 @@ Pivot<2> missed(const Environment<2>& env, LineSides& line, const Corners<2>& co
   return {{corners.vertices[line.side(env.point(corners.vertices[0])) < 0 ? 1 : 0]}};
 }
 
-/** The other facet of a cell at a pivot of `entered`. */
+}  // namespace
+
 HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept {
   HalfFacet other;
   for (uint32_t f = 0; f < 4; ++f) {
@@ -128,8 +131,6 @@ HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const Pivot<2>&
   const bool begins_there = map.vertex(c, side) == vertex.vertices[0];
   return map.half_facet(c, (side + (begins_there ? count - 1 : 1)) % count);
 }
-
-}  // namespace
 
 template <int D>
 void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t end, const uint32_t* by, size_t count) {
@@ -173,17 +174,97 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
     sequence.placed = false;
   }
   if (sequence.placed && is_same_point<D>(from, sequence.from) && is_same_point<D>(to, sequence.to)) return true;
-  if (pass(line, sequence.rows) < facets.size() || !line.passed_all()) return false;
+  if (pass(line, sequence.rows.span(0, facets.size())) < facets.size() || !line.passed_all()) return false;
   std::copy_n(from, D, sequence.from);
   std::copy_n(to, D, sequence.to);
   sequence.placed = true;
   return true;
 }
 
+namespace {
+
+/** A ridge of a facet, in space an edge, in the plane a vertex (both points are the same), that a line passes on the
+ * facet's side if `side` is the sign of its line test. */
+struct FacetRidge {
+  const double *a, *b;
+  int side;
+};
+
+/** Calls visit(ridge) for those of a facet until it returns false. */
+template <class Visit>
+bool for_each_ridge(const Environment<3>& env, HalfFacet facet, Visit visit) {
+  const Cell c = env.map.cell_of(facet);
+  const Shape shape = env.map.shape(c);
+  const uint32_t f = env.map.local_of(facet, c);
+  for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+    const FacetRidge ridge{env.point(c, shape.dart_vertex(d)), env.point(c, shape.dart_vertex(shape.beta1(d))), 1};
+    if (!visit(ridge)) return false;
+  }
+  return true;
+}
+template <class Visit>
+bool for_each_ridge(const Environment<2>& env, HalfFacet side, Visit visit) {
+  const Corners<2> corners(env.map, side.word);
+  const double *const a = env.point(corners.vertices[0]), *const b = env.point(corners.vertices[1]);
+  return visit(FacetRidge{a, a, -1}) && visit(FacetRidge{b, b, 1});
+}
+
+/** Whether a ridge is that of an event of the moving edge itself. */
+template <int D>
+bool is_of_event(const EdgeMotion& m, const FacetRidge& ridge, const SweepEvent& event) noexcept {
+  const double* const* const at = event.points;
+  if (event.kind != EventKind::kEdge || at[0] != m.q) return false;
+  if (D == 2) return at[1] == ridge.a;
+  return (at[1] == ridge.a && at[2] == ridge.b) || (at[1] == ridge.b && at[2] == ridge.a);
+}
+
+/** Whether a ridge that the moving edge does not pass at the end of its way is met later than an event. */
+template <int D>
+bool is_met_later(const EdgeMotion& m, const FacetRidge& ridge, const SweepEvent& event) noexcept {
+  const SweepEvent met{{m.q, ridge.a, D == 3 ? ridge.b : nullptr}, EventKind::kEdge};
+  return compare_events<D>(m.p, m.to, met, event).sign > 0;
+}
+
+}  // namespace
+
+template <int D>
+bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeMotion& m, bool p_first,
+                   const SweepEvent& event, HalfFacet* at_event) noexcept {
+  const double *const from = p_first ? m.to : m.q, *const to = p_first ? m.q : m.to;
+  const size_t count = sequence.facets.size();
+  const bool in_rows = sequence.in_rows && sequence.version == env.obstacle_version;
+  if (D == 2 && !in_rows) return false;
+  for (size_t next = 0; next < count;) {
+    if (in_rows) {
+      LineTests<D> line(from, to);
+      const size_t passed = pass(line, sequence.rows.span(next, count - next));
+      // What was passed before one that was not is certain only where it is asked alone.
+      LineTests<D> again(from, to);
+      const bool all = next + passed == count;
+      const bool sure =
+          all ? line.passed_all()
+              : passed == 0 || (pass(again, sequence.rows.span(next, passed)) == passed && again.passed_all());
+      if (sure) next += passed;
+      if (next == count) break;
+    }
+    const HalfFacet facet{sequence.facets[next]};
+    const bool later = for_each_ridge(env, facet, [&](const FacetRidge& ridge) {
+      const double* const line[2] = {ridge.a, ridge.b};
+      if (line_side<D>(from, to, line, NoTally{}).sign == ridge.side) return true;
+      if (!is_of_event<D>(m, ridge, event)) return is_met_later<D>(m, ridge, event);
+      if (at_event != nullptr) *at_event = facet;
+      return true;
+    });
+    if (!later) return false;
+    ++next;
+  }
+  return true;
+}
+
 template <int D>
 PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept {
   PathFacets passed;
-  if (path.end != CastEnd::kReached || path.volumes_visited < 2 || path.volumes_visited > 3) return passed;
+  if (path.end == CastEnd::kWorkLimit || path.volumes_visited < 2 || path.volumes_visited > 3) return passed;
   passed.facets[0] = map.half_facet(start, path.first_facet);
   passed.count = 1;
   if (path.volumes_visited == 2) return passed;
@@ -206,7 +287,7 @@ bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* fr
   const Array<uint32_t>& old = sequence.facets;
   if (!sequence.in_rows || sequence.version != env.obstacle_version) return false;
   LineTests<D> line(from, to);
-  const size_t begin = pass(line, sequence.rows);
+  const size_t begin = pass(line, sequence.rows.span(0, old.size()));
   if (begin == old.size()) return false;
   pivot = missed(env, line, Corners<D>(map, old[begin]));
   size_t end = begin + 1;
@@ -270,6 +351,7 @@ template struct EdgeSequence<3>;
 template class SequenceWriter<2>;
 template class SequenceWriter<3>;
 DSW_INSTANTIATE(follows);
+DSW_INSTANTIATE(passes_before);
 DSW_INSTANTIATE(path_facets);
 DSW_INSTANTIATE(turn);
 

@@ -2,6 +2,7 @@
 // The sequence of facets that an edge passes through on its way: kept from move to move, it is the edge's own forecast.
 
 #include "environment/environment.h"
+#include "predicates/sweep_events.h"
 #include "walk/cast.h"
 #include "walk/facet_rows.h"
 
@@ -60,8 +61,17 @@ template <int D>
 bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept;
 
-/** The facets that a path passes, each seen from the cell that is left: none where it stays in its cell or passes more
- * than two. */
+/** Whether the edge p q, whose end p goes to `to`, passes the facets of a sequence up to an event of its own or of
+ * another edge at p. It is known to pass them where it stands, or from where p has passed them itself, and p is known to
+ * be where the sequence begins, or ends. Of a line through q the sides of a ridge change linearly on the way of p: so
+ * ridges that it passes at the end of the way, too, are never met, and of the others the time counts. That of the
+ * event itself does not: `at_event`, which may be null, is then a facet of the sequence that has this ridge. Exact; false also of sequences that are neither in rows nor of space. */
+template <int D>
+bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeMotion& m, bool p_first,
+                   const SweepEvent& event, HalfFacet* at_event) noexcept;
+
+/** The facets that a path passes up to its target or the wall that it meets, each seen from the cell that is left: none
+ * where it stays in its cell or passes more than two. */
 struct PathFacets {
   uint32_t count = 0;
   HalfFacet facets[2];
@@ -74,6 +84,10 @@ template <int D>
 struct Pivot {
   uint32_t vertices[D - 1] = {};
 };
+
+/** The other facet of a cell of rows at a pivot of `entered`. */
+HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept;
+HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const Pivot<2>& vertex) noexcept;
 
 /** Turns a sequence that is kept in rows round the first pivot that the segment passes on the wrong side: what it then
  * passes is the other half of the facets there. The sequence may still not be that of the segment. False, and nothing

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
+#include "map/dart.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
 #include "walk/standard_facets.h"
@@ -42,18 +44,34 @@ std::array<ptrdiff_t, 3> event_key(const Environment<3>& env, const SweepContact
 }  // namespace
 
 SweepResult SweepFlood<3>::sweep(const EdgeMotion& m, Cell start, uint32_t max_volumes, bool collect) {
-  const SweptTriangle triangle(m);
+  SweptTriangle triangle(m);
+  collect_ = collect;
+  ends_ = false;
+  flood_triangle(triangle, start, max_volumes);
+  if (collect_) sort_found();
+  return result_;
+}
+
+SweepResult SweepFlood<3>::sweep_until(const EdgeMotion& m, Cell start, double end) {
+  SweptTriangle triangle(m);
+  triangle.end_at(end);
+  collect_ = false;
+  ends_ = true;
+  flood_triangle(triangle, start, 0);
+  return result_;
+}
+
+void SweepFlood<3>::flood_triangle(SweptTriangle& triangle, Cell start, uint32_t max_volumes) {
   triangle_ = &triangle;
   clear();
-  collect_ = collect;
+  tied_.clear();
   flood(start, max_volumes, [&](Cell c) {
     if (!read_corners(c)) return;
     const Shape shape = map_.shape(c);
     look_at_facets(c, shape);
     if (env_.marked_edges != 0) look_at_marked_edges(c, shape);
   });
-  if (collect_) sort_found();
-  return result_;
+  if (tied_.size() > 2) settle_ties();
 }
 
 /** Reads the vertices of a cell. False for a hexahedron all of whose facets lie beside the triangle's box: the main
@@ -109,27 +127,31 @@ bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
   return false;
 }
 
-/** Whether the swept triangle meets a simplex. The simplex meets the swept plane in a segment between two of its sides:
- * that meets the triangle if one of its ends lies inside, and not if both lie outside of one side of it. Else it meets
- * the triangle where a side of that passes through the simplex; it ends outside and passes two sides then, so that two
- * of the three need be asked. */
+/** Whether the swept triangle meets a simplex before the end. The simplex meets the swept plane in a segment between two
+ * of its sides: that meets the triangle if one of its ends lies inside, and not if both lie outside of one side of it.
+ * Else it meets the triangle if its line does, so if the triangle's corners lie on both sides of the simplex's plane: the
+ * line enters the triangle and leaves it between both ends, as beyond the exit all is outside of one side. True also of
+ * some that are met later. */
 bool SweepFlood<3>::simplex_met(const uint16_t* local) {
   Corner* const corner[3] = {&corners_[local[0]], &corners_[local[1]], &corners_[local[2]]};
   if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) return false;
   const int sides[3] = {side(*corner[0]), side(*corner[1]), side(*corner[2])};
   if (sides[0] == sides[1] && sides[1] == sides[2]) return false;
   uint32_t common = ~0u;
+  bool inside = false;
   for (int k = 0; k < 3; ++k) {
     const int next = k == 2 ? 0 : k + 1;
     if (sides[k] == sides[next]) continue;
     const uint32_t bits = outside(*corner[k], *corner[next]);
     if (bits == 0) return true;
+    inside = inside || (bits & SweptTriangle::kSides) == 0;
     common &= bits;
   }
-  if (common != 0) return false;
+  if (common != 0 || inside) return common == 0;
   const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
   const EdgeMotion& m = triangle_->motion();
-  return passes_through(m.p, m.to, simplex) || passes_through(m.to, m.q, simplex);
+  const int first = side_of_plane(simplex, m.q);
+  return side_of_plane(simplex, m.p) != first || side_of_plane(simplex, m.to) != first;
 }
 
 /** All events of an impassable facet. */
@@ -182,11 +204,46 @@ void SweepFlood<3>::look_at_marked_edges(Cell c, const Shape& shape) {
 /** Keeps the earlier contact; one line seen from several cells is compared by names alone. */
 void SweepFlood<3>::consider(const SweepContact& found) {
   if (collect_) found_.push_back(found);
+  if (result_.end == SweepEnd::kContact && same_event(found, result_.contact)) tied_.push_back(found);
   if (result_.end == SweepEnd::kContact &&
       !comes_before(map_, triangle_->motion().p, triangle_->motion().to, found, result_.contact))
     return;
+  if (result_.end != SweepEnd::kContact || !same_event(found, result_.contact)) tied_.assign(1, found);
   result_.end = SweepEnd::kContact;
   result_.contact = found;
+  if (!ends_) return;
+  const EdgeMotion& m = triangle_->motion();
+  triangle_->end_at(time_after<3>(m.p, m.to, found.event));
+}
+
+/** Whether the passable cells from a wall at the line on, round that, are those from which the edge comes: just before it
+ * meets the line, it passes the half-plane from the line to p. */
+bool SweepFlood<3>::comes_from(const SweepContact& wall) const {
+  constexpr int kMostCells = 256;
+  const auto has_start = [&](Dart d) {
+    const double* simplex[3];
+    boundary_points(env_, d.cell, map_.shape(d.cell).simplex_first(map_.shape(d.cell).dart_facet(d.local)), simplex);
+    return side_of_plane(simplex, triangle_->motion().p) < 0;
+  };
+  Dart d{wall.front, wall.dart};
+  for (int cells = 0; cells < kMostCells && wall.dart != kNoFacet; ++cells) {
+    const Dart other = beta2(map_, d);
+    if (has_start(d) && has_start(other)) return true;
+    if (is_impassable(env_, half_facet(map_, other))) return false;
+    d = beta3(map_, other);
+  }
+  return false;
+}
+
+/** More walls than two at the line of the first contact: passable cells that are not linked there meet in it. */
+void SweepFlood<3>::settle_ties() {
+  const EdgeMotion& m = triangle_->motion();
+  const auto end =
+      std::remove_if(tied_.begin(), tied_.end(), [&](const SweepContact& each) { return !comes_from(each); });
+  const auto first = std::min_element(tied_.begin(), end, [&](const SweepContact& a, const SweepContact& b) {
+    return comes_before(map_, m.p, m.to, a, b);
+  });
+  if (first != end) result_.contact = *first;
 }
 
 /** Of each event the contact that counts, and these in their order. No two are equivalent in either, so no result

@@ -22,11 +22,16 @@ class SweepFlood<3> : public SolidSweep<3> {
   using SolidSweep<3>::SolidSweep;
   using SolidSweep<3>::sweep;
 
-  /** `start` contains m.p, and the edge p q is free. Nothing is found where p, p', q are collinear: the path of p is
+  /** `start` contains m.p, and the edge p q is free. Where it meets an edge of the environment, the walls count that are
+   * linked, by passable cells round that, with where it comes from. Nothing is found where p, p', q are collinear: the path of p is
    * the sweep then. With `collect`, all() has every contact afterwards. Throws std::bad_alloc. O(cells met). */
   SweepResult sweep(const EdgeMotion& m, Cell start, uint32_t max_volumes, bool collect = false);
+  /** The same contact, if it comes before `end`, a time in [0,1]; what comes later need not be found. O(cells met before
+   * the first contact, and a few more). */
+  SweepResult sweep_until(const EdgeMotion& m, Cell start, double end);
 
  private:
+  void flood_triangle(SweptTriangle& triangle, Cell start, uint32_t max_volumes);
   bool read_corners(Cell c);
   int side(Corner& corner) const;
   uint32_t outside(const Corner& a, const Corner& b);
@@ -36,10 +41,14 @@ class SweepFlood<3> : public SolidSweep<3> {
   bool facet_met(const Shape& shape, uint32_t facet);
   bool simplex_met(const uint16_t* local);
   void consider(const SweepContact& found);
+  bool comes_from(const SweepContact& wall) const;
+  void settle_ties();
   void sort_found();
 
-  const SweptTriangle* triangle_ = nullptr;  // during a sweep of an edge
+  SweptTriangle* triangle_ = nullptr;  // during a sweep of an edge
   bool collect_ = false;
+  bool ends_ = false;                      // at the first contact
+  Array<SweepContact> tied_{env_.memory};  // walls at the line of the first contact
 };
 
 }  // namespace dsw

@@ -1,6 +1,9 @@
 #pragma once
 // What the swept edges and faces of one moving vertex meet, and in which order.
 
+#include <algorithm>
+#include <cmath>
+
 #include "environment/environment.h"
 #include "predicates/sweep_events.h"
 #include "walk/cast.h"
@@ -32,6 +35,12 @@ enum class ContactKind : uint32_t { kVertex, kEdge, kPlane };
 inline ContactKind kind_of(const SweepContact& c) {
   if (c.vertex != kNoVertex) return ContactKind::kVertex;
   return c.dart != kNoFacet ? ContactKind::kEdge : ContactKind::kPlane;
+}
+
+/** A time in [0,1] that is not earlier than that of an event. */
+template <int D>
+double time_after(const double* p, const double* to, const SweepEvent& event) noexcept {
+  return std::min(1.0, std::nextafter(event_time<D>(p, to, event), 2.0));
 }
 
 /** Whether two contacts are the same thing of the body at the same thing of the environment, seen from any cell. */

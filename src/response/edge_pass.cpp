@@ -48,9 +48,12 @@ void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
   casts_.add_edge(e, w, {second.arrival, targets[w]}, {first.arrival, targets[v]});
 }
 
+/** In the order of the turns of both ends: what the edge is found to pass is then that of its last place. */
 template <int D>
 void EdgePass<D>::sweep_ways(uint32_t e) {
-  const uint32_t a = course_.body->edges[e].ends[0], b = course_.body->edges[e].ends[1];
+  const uint32_t(&ends)[2] = course_.body->edges[e].ends;
+  const bool turned = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank;
+  const uint32_t a = ends[turned ? 1 : 0], b = ends[turned ? 0 : 1];
   const bool boxed = course_.body->level != SweepLevel::kEdges && is_boxed(e);
   sweep_way(e, a, b, boxed);
   sweep_way(e, b, a, boxed);
@@ -80,7 +83,8 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
   if (settled != Settled::kNo) return;
   if (body.level != SweepLevel::kEdges) {
     const BodyVertex<D>& from = body.vertices[v];
-    moving.doubtful = !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
+    moving.doubtful = sweeps_.meets_touched_line(body, sweep) ||
+                      !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
     if (moving.doubtful) return;
   }
   // A sequence is noted in the direction of the edge.

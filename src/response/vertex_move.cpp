@@ -16,15 +16,17 @@ constexpr double kStandOffShare = 1e-9;
 
 template <int D>
 double extent(const Environment<D>& env, Cell c) {
-  double size = 0;
-  for (int k = 0; k < D; ++k) {
-    double low = env.point(c, 0)[k], high = low;
-    for (uint32_t i = 1; i < env.map.vertices_of(c); ++i) {
-      low = std::min(low, env.point(c, i)[k]);
-      high = std::max(high, env.point(c, i)[k]);
+  double low[D], high[D], size = 0;
+  std::copy_n(env.point(c, 0), D, low);
+  std::copy_n(low, D, high);
+  for (uint32_t i = 1, count = env.map.vertices_of(c); i < count; ++i) {
+    const double* const x = env.point(c, i);
+    for (int k = 0; k < D; ++k) {
+      low[k] = std::min(low[k], x[k]);
+      high[k] = std::max(high[k], x[k]);
     }
-    size = std::max(size, high - low);
   }
+  for (int k = 0; k < D; ++k) size = std::max(size, high[k] - low[k]);
   return size;
 }
 

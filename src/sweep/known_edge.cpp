@@ -69,6 +69,65 @@ bool turns(const Environment<D>& env, const Body<D>& body, const EdgeSweep& swee
   return false;
 }
 
+/** Whether the facets that the path of the moving end passes are known. */
+template <int D>
+bool knows_path(const Body<D>& body, const EdgeSweep& sweep) {
+  return sweep.crossed.count != 0 || body.vertices[sweep.v].cell == sweep.arrival;
+}
+
+/** An edge and its sequence, on its way. */
+template <int D>
+struct Follower {
+  const Environment<D>& env;
+  const EdgeSweep& sweep;
+  EdgeScratch<D>& scratch;
+  EdgeSequence<D>& sequence;
+  const BodyVertex<D>& from;
+  const bool first;  // the sequence begins at the moving end
+
+  Follower(const Environment<D>& environment, const Body<D>& body, const EdgeSweep& edge, EdgeScratch<D>& used)
+      : env(environment),
+        sweep(edge),
+        scratch(used),
+        sequence(body.sequences[edge.e]),
+        from(body.vertices[edge.v]),
+        first(body.edges[edge.e].ends[0] == edge.v) {}
+
+  /** With the moving end at p. */
+  bool keeps(const double* p, Cell cell) const {
+    return first ? follows(env, sequence, p, sweep.q, cell, sweep.fixed)
+                 : follows(env, sequence, sweep.q, p, sweep.fixed, cell);
+  }
+  /** Whether the sequence is that of the edge where it stands; if it was not, perhaps by a cast. */
+  bool keeps_start() const {
+    return keeps(from.position, from.cell) || (note_start() && keeps(from.position, from.cell));
+  }
+
+  bool note_start() const {
+    CastRequest request;
+    request.from = first ? from.position : sweep.q;
+    request.to = first ? sweep.q : from.position;
+    request.start = first ? from.cell : sweep.fixed;
+    request.end = first ? sweep.fixed : from.cell;
+    scratch.writer.attach(env, request);
+    const CastResult result = cast(env, request, scratch.counters);
+    if (result.end != CastEnd::kReached || result.cell != request.end) return false;
+    scratch.writer.finish(sequence);
+    return sequence.known();
+  }
+  /** What the sequence is once the path of the moving end has been passed. */
+  bool passes_on() const {
+    Cell cell = from.cell;
+    for (uint32_t i = 0; i < sweep.crossed.count; ++i) {
+      if (!pass_on(env, sequence, sweep.crossed.facets[i], cell, first)) return false;
+      cell = env.map.cell_of(env.map.opposite(sweep.crossed.facets[i]));
+    }
+    return cell == sweep.arrival;
+  }
+  void save() const { scratch.before = sequence.facets; }
+  void restore() const { sequence.assign(env, scratch.before); }
+};
+
 }  // namespace
 
 template <int D>
@@ -87,34 +146,35 @@ bool is_clear(const Environment<D>& env, const Body<D>& body, const EdgeSweep& s
 
 template <int D>
 Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
-                        Array<uint32_t>& before) {
-  EdgeSequence<D>& sequence = body.sequences[sweep.e];
-  const BodyVertex<D>& from = body.vertices[sweep.v];
-  const bool first = body.edges[sweep.e].ends[0] == sweep.v;
-  const auto keeps = [&](const double* p, Cell cell) {
-    return first ? follows(env, sequence, p, sweep.q, cell, sweep.fixed)
-                 : follows(env, sequence, sweep.q, p, sweep.fixed, cell);
-  };
-  const auto passes_on = [&] {
-    Cell cell = from.cell;
-    for (uint32_t i = 0; i < sweep.crossed.count; ++i) {
-      if (!pass_on(env, sequence, sweep.crossed.facets[i], cell, first)) return false;
-      cell = env.map.cell_of(env.map.opposite(sweep.crossed.facets[i]));
-    }
-    return cell == sweep.arrival;
-  };
-  if (!sequence.known()) return Settled::kNo;
-  if (from.cell != sweep.arrival && sweep.crossed.count == 0) return Settled::kNo;
-  if (body.level != SweepLevel::kEdges && !keeps(from.position, from.cell)) return Settled::kNo;
+                        EdgeScratch<D>& scratch) {
+  if (!knows_path(body, sweep)) return Settled::kNo;
+  Follower<D> edge(env, body, sweep, scratch);
+  if (body.level == SweepLevel::kEdges ? !edge.sequence.known() : !edge.keeps_start()) return Settled::kNo;
   const bool stays = sweep.crossed.count == 0;
-  if (stays && keeps(sweep.to, sweep.arrival)) return Settled::kSleeve;
-  before = sequence.facets;
-  if (passes_on()) {
-    if (!stays && keeps(sweep.to, sweep.arrival)) return Settled::kSleeve;
-    if (turns(env, body, sweep, first)) return Settled::kTurned;
+  if (stays && edge.keeps(sweep.to, sweep.arrival)) return Settled::kSleeve;
+  edge.save();
+  if (edge.passes_on()) {
+    if (!stays && edge.keeps(sweep.to, sweep.arrival)) return Settled::kSleeve;
+    if (turns(env, body, sweep, edge.first)) return Settled::kTurned;
   }
-  sequence.assign(env, before);
+  edge.restore();
   return Settled::kNo;
+}
+
+template <int D>
+bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, const SweepEvent& event,
+                    EdgeScratch<D>& scratch, HalfFacet* at_event) {
+  if (!body.keeps_sequences() || !knows_path(body, sweep)) return false;
+  Follower<D> edge(env, body, sweep, scratch);
+  if (!edge.keeps_start()) return false;
+  const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
+  const auto passes = [&] { return passes_before(env, edge.sequence, m, edge.first, event, at_event); };
+  if (sweep.crossed.count == 0) return passes();
+  edge.save();
+  // Facets of other cells than those in rows may not be those of convex cells.
+  const bool is_free = edge.passes_on() && edge.sequence.in_rows && passes();
+  edge.restore();
+  return is_free;
 }
 
 template <int D>
@@ -135,6 +195,7 @@ bool stays_before_wall(const Environment<D>& env, const BodyVertex<D>& at, const
 DSW_INSTANTIATE(is_seen);
 DSW_INSTANTIATE(is_clear);
 DSW_INSTANTIATE(follow_sequence);
+DSW_INSTANTIATE(is_free_before);
 DSW_INSTANTIATE(keeps_sequence);
 DSW_INSTANTIATE(stays_before_wall);
 

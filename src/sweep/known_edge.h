@@ -2,6 +2,7 @@
 // What is known of an edge that an end of it sweeps, without a look at the triangle.
 
 #include "body/body.h"
+#include "flood/sequence.h"
 #include "walk/cast.h"
 
 namespace dsw {
@@ -32,14 +33,33 @@ bool is_seen(const Environment<D>& env, SweepLevel level, const EdgeSweep& sweep
 template <int D>
 bool is_clear(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep);
 
+/** What is used again from edge to edge. */
+template <int D>
+struct EdgeScratch {
+  Array<uint32_t> before;    // facets of a sequence, to go back to
+  SequenceWriter<D> writer;  // of a cast along an edge where it stands
+  CastCounters* counters = nullptr;
+
+  explicit EdgeScratch(const Memory* memory) : before(memory), writer(memory) {}
+};
+
 /** Whether the edge keeps to the facets that it was last known to pass, but for those that its end passes itself, and
  * for those round a pivot to whose other side it goes: then it is free in its new place. If it kept to them before,
  * too, the triangle's sides share a sleeve of cells, or part at one pivot. A path of two facets may come from one cell
  * beside the sleeve and go to another: its facets cut off the triangle's corners in these, and what is left lies in the
- * cell between them and in the sleeve. kNo, kSleeve or kTurned; `before` is scratch. Throws std::bad_alloc. */
+ * cell between them and in the sleeve. kNo, kSleeve or kTurned. Where triangles count, a sequence that is not that of the
+ * edge's place is noted again, by a cast. Throws std::bad_alloc. */
 template <int D>
 Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
-                        Array<uint32_t>& before);
+                        EdgeScratch<D>& scratch);
+
+/** Whether the edge meets nothing before an event of its own, or of the path or another edge of its moving end: it keeps
+ * to its sequence until then, but for the facets that the path passes. The event itself is not asked. Where the path
+ * meets a wall, `arrival` is the cell in front of the wall. False at EDGES without sequences. `at_event`, which may be
+ * null: a facet of the sequence that holds the obstacle's edge of the event, if there is one. Throws std::bad_alloc. */
+template <int D>
+bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, const SweepEvent& event,
+                    EdgeScratch<D>& scratch, HalfFacet* at_event);
 
 /** Whether an edge is known to keep to its sequence in its present place. */
 template <int D>

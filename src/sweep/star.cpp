@@ -42,7 +42,8 @@ Settled StarSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSwee
   if (ask_balls && is_clear(env_, body, sweep)) {
     settled = Settled::kClear;
   } else if (body.keeps_sequences()) {
-    settled = follow_sequence(env_, body, sweep, before_);
+    scratch_.counters = counters;
+    settled = follow_sequence(env_, body, sweep, scratch_);
   }
   counts.skipped += settled != Settled::kNo && (skipping.by_clearance || skipping.sequences) ? 1 : 0;
   return settled;
@@ -177,14 +178,18 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
   if (!reached) consider(at.position, to, {path_contact(env_, path), kNone, kNone}, earliest);
   if (body.level == SweepLevel::kEdges && reached) {
     find_hit_edges(body, v, to, path.cell, false);
-    for (const uint32_t e : hit_edges_) consider_edge(body, v, to, e, earliest);
+    const PathFacets passed = body.keeps_sequences() ? path_facets(env_.map, at.cell, path) : PathFacets{};
+    for (const uint32_t e : hit_edges_) {
+      const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
+      consider_edge(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed}, earliest);
+    }
   } else if (body.level != SweepLevel::kPoints) {
     const PathFacets passed = path_facets(env_.map, at.cell, path);
     for_each_edge(body, v, [&](uint32_t e) {
       const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
-      const bool settled = reached ? settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed})
-                                   : stays_before_wall(env_, at, to, path.cell, fixed);
-      if (!settled) consider_edge(body, v, to, e, earliest);
+      const EdgeSweep sweep{e, v, to, path.cell, fixed.position, fixed.cell, passed};
+      const bool settled = reached ? settles(body, sweep) : stays_before_wall(env_, at, to, path.cell, fixed);
+      if (!settled) consider_edge(body, sweep, earliest);
       return true;
     });
   }
@@ -198,11 +203,25 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
 }
 
 template <int D>
-void StarSweep<D>::consider_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e, Earliest& earliest) {
-  const EdgeMotion m = motion_of_edge(body, v, to, e);
-  if (is_boxed(bounds<D>(m.p, m.to, m.q), body.vertices[v].cell)) return;
-  const SweepResult swept = flood(m, body.vertices[v].cell);
-  if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, e, kNone}, earliest);
+void StarSweep<D>::consider_edge(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest) {
+  const Cell start = body.vertices[sweep.v].cell;
+  const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
+  if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return;
+  scratch_.counters = counters;
+  if (earliest.any && max_volumes == 0 &&
+      is_free_before(env_, body, sweep, earliest.contact->contact.event, scratch_, nullptr)) {
+    return;
+  }
+  SweepContact known;
+  if (max_volumes == 0 && find_touched_line(env_, body, sweep, &known, scratch_)) {
+    consider(m.p, sweep.to, {known, sweep.e, kNone}, earliest);
+    return;
+  }
+  const double end = earliest.any ? time_after<D>(m.p, m.to, earliest.contact->contact.event) : 1;
+  const SweepResult swept = flood_until(m, start, end);
+  if (swept.end != SweepEnd::kContact) return;
+  keep_touched_line(env_, body, sweep.e, sweep.v, swept.contact);
+  consider(m.p, sweep.to, {swept.contact, sweep.e, kNone}, earliest);
 }
 
 template <int D>

@@ -7,6 +7,7 @@
 #include "flood/sweep.h"
 #include "pairs/pair_sweep.h"
 #include "sweep/known_edge.h"
+#include "sweep/touched_line.h"
 #include "walk/packet.h"
 
 namespace dsw {
@@ -110,9 +111,13 @@ class StarSweep {
     return max_volumes == 0 && probe_.is_free(box, start) && (probe_.has_entered(others) && ...);
   }
 
+  /** Whether what stopped an edge before stands in its way: then its sweep is most likely not free. */
+  bool meets_touched_line(const Body<D>& body, const EdgeSweep& sweep) const noexcept {
+    return max_volumes == 0 && pierces_touched_line(env_, body, sweep);
+  }
   bool is_triangle_free(const EdgeMotion& m, Cell start) {
     if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return true;
-    return flood(m, start).end == SweepEnd::kFree;
+    return flood_until(m, start, 1).end == SweepEnd::kFree;
   }
   bool is_tetrahedron_free(const FaceMotion& m, Cell start) {
     if (is_boxed(bounds<D>(m.p, m.to, m.q, m.r), start)) return true;
@@ -134,7 +139,16 @@ class StarSweep {
   void consider(const double* p, const double* to, StarContact found, Earliest& earliest) const;
   template <class Motion, class... Collect>
   SweepResult flood(const Motion& m, Cell start, Collect... collect) {
-    const SweepResult swept = flood_.sweep(m, start, max_volumes, collect...);
+    return count(flood_.sweep(m, start, max_volumes, collect...));
+  }
+  /** For an edge: what is met after `end` is not needed. With a work limit, which is that of all cells, it may be found. */
+  SweepResult flood_until(const EdgeMotion& m, Cell start, double end) {
+    if constexpr (D == 3) {
+      if (max_volumes == 0) return count(flood_.sweep_until(m, start, end));
+    }
+    return flood(m, start);
+  }
+  SweepResult count(const SweepResult& swept) {
     if (counters != nullptr) counters->volumes_visited += swept.volumes_visited;
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     return swept;
@@ -146,7 +160,7 @@ class StarSweep {
   uint32_t find_swept_edge(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
   uint32_t find_swept_face(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
   bool find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
-  void consider_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e, Earliest& earliest);
+  void consider_edge(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest);
   void consider_face(const Body<D>& body, uint32_t v, const double* to, uint32_t f, Earliest& earliest);
   void collect_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e, const StarContact& first,
                     Array<StarContact>& all);
@@ -155,7 +169,7 @@ class StarSweep {
   bool limited_ = false;  // the work limit was met
   BoxProbe<D> probe_;
   SweepFlood<D> flood_;
-  Array<uint32_t> before_{env_.memory};  // facets of a sequence, to go back to
+  EdgeScratch<D> scratch_{env_.memory};
   Packet<D> packet_;
   uint32_t packet_edges_[kPacket] = {};
   Array<uint32_t> hit_edges_{env_.memory};  // at EDGES: those whose new place is not free

@@ -9,6 +9,23 @@
 
 namespace dsw {
 
+/** Some facets of rows, one after the other. */
+template <int D>
+class FacetSpan {
+ public:
+  FacetSpan(const double* values, size_t room, size_t count) noexcept : values_(values), room_(room), count_(count) {}
+
+  size_t size() const noexcept { return count_; }
+  /** Coordinate `axis` of corner `corner` of all facets. */
+  const double* row(int corner, int axis) const noexcept {
+    return values_ + static_cast<size_t>(D * corner + axis) * room_;
+  }
+
+ private:
+  const double* values_;
+  size_t room_, count_;
+};
+
 template <int D>
 class FacetRows {
  public:
@@ -16,8 +33,9 @@ class FacetRows {
 
   size_t size() const noexcept { return size_; }
   uint64_t memory_bytes() const noexcept { return array_bytes(values_); }
-  /** Coordinate `axis` of corner `corner` of all facets. */
-  const double* row(int corner, int axis) const noexcept { return values_.data() + start(corner, axis); }
+  FacetSpan<D> span(size_t first, size_t count) const noexcept {
+    return {values_.data() + begin_ + first, room_, count};
+  }
 
   /** Makes room. Throws std::bad_alloc, and then nothing has changed. */
   void reserve(size_t count) {

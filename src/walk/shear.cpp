@@ -2,7 +2,7 @@
 
 namespace dsw {
 
-size_t pass_triangles(Shear& shear, const FacetRows<3>& triangles) noexcept {
+size_t pass_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept {
   for (size_t n = 0; n < triangles.size(); ++n) {
     Shear::Point corners[3];
     for (int i = 0; i < 3; ++i) {

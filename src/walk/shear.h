@@ -84,11 +84,11 @@ class Shear {
 
 /** Passes triangles until one is not passed; returns how many were, all or up to that one. As far as rounded tests
  * tell: ask `passed_all` too. Several instruction sets, the same number, and the same bits if all were passed. */
-using PassTriangles = size_t (*)(Shear& shear, const FacetRows<3>& triangles) noexcept;
-size_t pass_triangles(Shear& shear, const FacetRows<3>& triangles) noexcept;
+using PassTriangles = size_t (*)(Shear& shear, const FacetSpan<3>& triangles) noexcept;
+size_t pass_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 #if defined(__x86_64__)
-size_t pass_triangles_avx2(Shear& shear, const FacetRows<3>& triangles) noexcept;
-size_t pass_triangles_avx512(Shear& shear, const FacetRows<3>& triangles) noexcept;
+size_t pass_triangles_avx2(Shear& shear, const FacetSpan<3>& triangles) noexcept;
+size_t pass_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 #endif
 PassTriangles choose_pass_triangles() noexcept;
 

@@ -20,6 +20,13 @@ struct Four {
   static constexpr size_t kCount = 4;
   static Vector all(double x) noexcept { return _mm256_set1_pd(x); }
   static Vector load(const double* x) noexcept { return _mm256_loadu_pd(x); }
+  static __m256i first(size_t count) noexcept {
+    return _mm256_cmpgt_epi64(_mm256_set1_epi64x(static_cast<long long>(count)), _mm256_set_epi64x(3, 2, 1, 0));
+  }
+  static Vector load(const double* x, __m256i these) noexcept { return _mm256_maskload_pd(x, these); }
+  static Vector choose(__m256i these, Vector a, Vector b) noexcept {
+    return _mm256_blendv_pd(b, a, _mm256_castsi256_pd(these));
+  }
   static Vector min(Vector a, Vector b) noexcept { return _mm256_min_pd(a, b); }
   static Vector max(Vector a, Vector b) noexcept { return _mm256_max_pd(a, b); }
   static Vector absolute(Vector a) noexcept { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
@@ -38,8 +45,8 @@ struct Four {
 
 }  // namespace
 
-size_t pass_triangles_avx2(Shear& shear, const FacetRows<3>& triangles) noexcept {
-  return triangles.size() < Four::kCount ? pass_triangles(shear, triangles) : ShearLanes<Four>(shear).pass(triangles);
+size_t pass_triangles_avx2(Shear& shear, const FacetSpan<3>& triangles) noexcept {
+  return ShearLanes<Four>(shear).pass(triangles);
 }
 
 }  // namespace dsw

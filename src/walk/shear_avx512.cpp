@@ -24,6 +24,9 @@ struct Eight {
   static constexpr size_t kCount = 8;
   static Vector all(double x) noexcept { return _mm512_set1_pd(x); }
   static Vector load(const double* x) noexcept { return _mm512_loadu_pd(x); }
+  static __mmask8 first(size_t count) noexcept { return static_cast<__mmask8>((1u << count) - 1); }
+  static Vector load(const double* x, __mmask8 these) noexcept { return _mm512_maskz_loadu_pd(these, x); }
+  static Vector choose(__mmask8 these, Vector a, Vector b) noexcept { return _mm512_mask_blend_pd(these, b, a); }
   static Vector min(Vector a, Vector b) noexcept { return _mm512_min_pd(a, b); }
   static Vector max(Vector a, Vector b) noexcept { return _mm512_max_pd(a, b); }
   static Vector absolute(Vector a) noexcept { return _mm512_abs_pd(a); }
@@ -32,11 +35,12 @@ struct Eight {
   static double largest(Vector a) noexcept { return _mm512_reduce_max_pd(a); }
 };
 
+constexpr size_t kFew = 4;  // then half a register does
+
 }  // namespace
 
-size_t pass_triangles_avx512(Shear& shear, const FacetRows<3>& triangles) noexcept {
-  return triangles.size() < Eight::kCount ? pass_triangles_avx2(shear, triangles)
-                                          : ShearLanes<Eight>(shear).pass(triangles);
+size_t pass_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) noexcept {
+  return triangles.size() <= kFew ? pass_triangles_avx2(shear, triangles) : ShearLanes<Eight>(shear).pass(triangles);
 }
 
 }  // namespace dsw

@@ -9,10 +9,10 @@ class ShearLanes {
   explicit ShearLanes(Shear& shear) noexcept
       : shear_(shear), slope_i_(Lanes::all(shear.slopes_[0])), slope_j_(Lanes::all(shear.slopes_[1])) {}
 
-  /** No fewer triangles than lanes. */
-  size_t pass(const FacetRows<3>& triangles) noexcept {
+  size_t pass(const FacetSpan<3>& triangles) noexcept {
     const size_t count = triangles.size();
     const Corner corners[3] = {corner(triangles, 0), corner(triangles, 1), corner(triangles, 2)};
+    if (count < Lanes::kCount) return pass_some(corners, count);
     Vector largest = Lanes::all(shear_.largest_), lowest = Lanes::all(shear_.lowest_);
     for (size_t next = 0; next < count; next += Lanes::kCount) {
       const size_t n = std::min(next, count - Lanes::kCount);  // the last ones may have been passed in part
@@ -39,7 +39,7 @@ class ShearLanes {
     Vector i, j, most;  // most: the largest component before the shear
   };
 
-  Corner corner(const FacetRows<3>& triangles, int n) const noexcept {
+  Corner corner(const FacetSpan<3>& triangles, int n) const noexcept {
     return {triangles.row(n, shear_.i_), triangles.row(n, shear_.j_), triangles.row(n, shear_.k_)};
   }
   Points read(const Corner& corner, size_t n) const noexcept {
@@ -48,6 +48,27 @@ class ShearLanes {
                  c = Lanes::load(corner.k + n) - Lanes::all(shear_.p_[shear_.k_]);
     return {a - slope_i_ * c, b - slope_j_ * c,
             Lanes::max(Lanes::max(Lanes::absolute(a), Lanes::absolute(b)), Lanes::absolute(c))};
+  }
+  /** Of fewer triangles than lanes: the others count as passed, by nothing. */
+  size_t pass_some(const Corner (&corners)[3], size_t count) noexcept {
+    const auto these = Lanes::first(count);
+    const auto read = [&](const Corner& corner) {
+      const Vector a = Lanes::load(corner.i, these) - Lanes::all(shear_.p_[shear_.i_]),
+                   b = Lanes::load(corner.j, these) - Lanes::all(shear_.p_[shear_.j_]),
+                   c = Lanes::load(corner.k, these) - Lanes::all(shear_.p_[shear_.k_]);
+      return Points{a - slope_i_ * c, b - slope_j_ * c,
+                    Lanes::max(Lanes::max(Lanes::absolute(a), Lanes::absolute(b)), Lanes::absolute(c))};
+    };
+    const Points a = read(corners[0]), b = read(corners[1]), c = read(corners[2]);
+    const Vector sides =
+        Lanes::choose(these, Lanes::min(Lanes::min(side(a, b), side(b, c)), side(c, a)), Lanes::all(shear_.lowest_));
+    const unsigned missed = Lanes::not_positive(sides);
+    if (missed != 0) return std::min(static_cast<size_t>(__builtin_ctz(missed)), count);
+    const Vector none = Lanes::all(shear_.largest_);
+    const Vector most = Lanes::choose(these, Lanes::max(Lanes::max(a.most, b.most), c.most), none);
+    shear_.largest_ = Lanes::largest(Lanes::max(most, none));
+    shear_.lowest_ = Lanes::lowest(Lanes::min(sides, Lanes::all(shear_.lowest_)));
+    return count;
   }
   static Vector side(const Points& a, const Points& b) noexcept { return a.i * b.j - a.j * b.i; }
 

@@ -294,11 +294,11 @@ TEST(InstructionSets, TrianglesArePassedWithTheSameBits) {
       }
     }
     Shear portable(line[0], line[1]);
-    const size_t by_one = pass_triangles(portable, triangles);
+    const size_t by_one = pass_triangles(portable, triangles.span(0, count));
     ++(by_one == count ? passed : missed);
     for (const PassTriangles pass : sets) {
       Shear shear(line[0], line[1]);
-      ASSERT_EQ(by_one, pass(shear, triangles));
+      ASSERT_EQ(by_one, pass(shear, triangles.span(0, count)));
       if (by_one != count) continue;
       ASSERT_EQ(portable.lowest(), shear.lowest());
       ASSERT_EQ(portable.largest(), shear.largest());

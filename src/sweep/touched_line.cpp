@@ -1,0 +1,128 @@
+// Why the contact is that of a flood. Let an edge of the environment, the line, pierce the swept triangle, and let the
+// body's edge keep to its sequence until it comes to the line. So nothing is met before. Just before, the edge passes
+// facets at the line: these and the cells between them are the fan from which the edge comes. Of the walls at the line
+// the two that end this fan count (flood/sweep.h), and of these the first in the order of contacts.
+
+#include "sweep/touched_line.h"
+
+#include <algorithm>
+
+#include "environment/marking.h"
+#include "flood/sequence.h"
+#include "predicates/filtered.h"
+#include "predicates/swept_triangle.h"
+#include "predicates/tally.h"
+#include "walk/standard_facets.h"
+
+namespace dsw {
+namespace {
+
+constexpr int kMostCells = 64;  // of a fan
+
+TouchedLines* lines_of(const Body<3>& body, const EdgeSweep& sweep) noexcept {
+  const size_t slot = 2 * size_t{sweep.e} + body.edges[sweep.e].side_of(sweep.v);
+  return slot < body.touched.size() ? &body.touched[slot] : nullptr;
+}
+
+bool pierces(const Environment<3>& env, const SweptTriangle& triangle, const TouchedLine& line) noexcept {
+  if (std::max(line.vertices[0], line.vertices[1]) >= env.map.vertex_count) return false;
+  const double *const a = env.point(line.vertices[0]), *const b = env.point(line.vertices[1]);
+  if ((triangle.beyond_box(a) & triangle.beyond_box(b)) != 0) return false;
+  const int side_a = triangle.side(a), side_b = triangle.side(b);
+  return side_a != side_b && triangle.outside(a, b, side_b) == 0;
+}
+
+/** From a facet at the line on through passable tetrahedra to a wall, seen from its cell. Invalid: there are other
+ * cells, or too many. */
+HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const TouchedLine& line) noexcept {
+  const Map<3>& map = env.map;
+  const Pivot<3> edge{{line.vertices[0], line.vertices[1]}};
+  for (int cells = 0; cells < kMostCells; ++cells) {
+    const Cell c = map.cell_of(entered);
+    if (map.form(c) != Form::kSimplex) return {};
+    const HalfFacet next = other_at(map, c, entered, edge);
+    if (is_impassable(env, next)) return next;
+    entered = map.opposite(next);
+  }
+  return {};
+}
+
+/** The contact with the line at a wall. */
+SweepContact contact_at(const Environment<3>& env, const EdgeMotion& m, HalfFacet wall,
+                        const TouchedLine& line) noexcept {
+  const Map<3>& map = env.map;
+  SweepContact contact;
+  contact.front = map.cell_of(wall);
+  contact.facet = wall;
+  contact.simplex = map.local_of(wall, contact.front);
+  const uint8_t(&local)[3] = kTetrahedronFacets[contact.simplex];
+  uint32_t corners[3], k = 0;
+  const double* at[3];
+  for (int i = 0; i < 3; ++i) {
+    corners[i] = map.vertex(contact.front, local[i]);
+    at[i] = env.point(corners[i]);
+  }
+  const auto is_of_line = [&](uint32_t vertex) { return vertex == line.vertices[0] || vertex == line.vertices[1]; };
+  while (!is_of_line(corners[k]) || !is_of_line(corners[(k + 1) % 3])) ++k;
+  contact.dart = 3 * contact.simplex + k;
+  contact.faces_start = plane_side<3>(at, m.p, NoTally{}).sign < 0;
+  contact.event = {{m.q, at[k], at[(k + 1) % 3]}, EventKind::kEdge};
+  return contact;
+}
+
+}  // namespace
+
+void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t e, uint32_t v,
+                       const SweepContact& contact) {
+  if (contact.event.kind != EventKind::kEdge || !contact.facet.valid() || contact.dart == kNoFacet) return;
+  const auto vertex = [&](int i) { return static_cast<uint32_t>((contact.event.points[i] - env.points) / 3); };
+  if (body.touched.size() < 2 * body.edges.size()) body.touched.resize(2 * body.edges.size());
+  TouchedLine* const lines = body.touched[2 * size_t{e} + body.edges[e].side_of(v)].lines;
+  const TouchedLine line{{std::min(vertex(1), vertex(2)), std::max(vertex(1), vertex(2))}};
+  // In front of the others: the last one goes, or where it has been.
+  const auto is_same = [&](const TouchedLine& each) {
+    return std::equal(line.vertices, line.vertices + 2, each.vertices);
+  };
+  TouchedLine* const last = std::find_if(lines, lines + TouchedLines::kCount - 1, is_same);
+  std::copy_backward(lines, last, last + 1);
+  lines[0] = line;
+}
+
+bool find_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, SweepContact* found,
+                       EdgeScratch<3>& scratch) {
+  TouchedLines* const kept = lines_of(body, sweep);
+  if (kept == nullptr || !kept->lines[0].is_known()) return false;
+  const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
+  const SweptTriangle triangle(m);
+  SweepEvent first;
+  uint32_t best = TouchedLines::kCount;
+  for (uint32_t i = 0; i < TouchedLines::kCount && kept->lines[i].is_known(); ++i) {
+    const uint32_t(&ends)[2] = kept->lines[i].vertices;
+    if (!pierces(env, triangle, kept->lines[i]) || edge_marked(env, ends[0], ends[1])) continue;
+    const SweepEvent event{{m.q, env.point(ends[0]), env.point(ends[1])}, EventKind::kEdge};
+    if (best != TouchedLines::kCount && compare_events<3>(m.p, m.to, event, first).sign >= 0) continue;
+    first = event;
+    best = i;
+  }
+  if (best == TouchedLines::kCount) return false;
+  std::swap(kept->lines[0], kept->lines[best]);
+  const TouchedLine& line = kept->lines[0];
+  HalfFacet passed;
+  if (!is_free_before(env, body, sweep, first, scratch, &passed) || !passed.valid()) return false;
+  const HalfFacet walls[2] = {find_wall(env, passed, line), find_wall(env, env.map.opposite(passed), line)};
+  if (!walls[0].valid() || !walls[1].valid()) return false;
+  *found = contact_at(env, m, walls[0], line);
+  const SweepContact second = contact_at(env, m, walls[1], line);
+  if (comes_before(env.map, m.p, m.to, second, *found)) *found = second;
+  return true;
+}
+
+bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept {
+  const TouchedLines* const kept = lines_of(body, sweep);
+  if (kept == nullptr || !kept->lines[0].is_known()) return false;
+  const SweptTriangle triangle({body.position(sweep.v), sweep.to, sweep.q});
+  return std::any_of(kept->lines, kept->lines + TouchedLines::kCount,
+                     [&](const TouchedLine& line) { return line.is_known() && pierces(env, triangle, line); });
+}
+
+}  // namespace dsw
