@@ -357,18 +357,50 @@ void Cut<D>::keep_whole(Cell c) {
     section_->keep_whole(cell);
     return;
   }
-  Array<uint8_t> near(section_->node_count(), 0, env_.memory);
-  const Shape shape = map_.shape(c);
-  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-    const uint32_t a = dart_vertex(map_, {c, d}), on_edge = section_->node_on(a, dart_target(map_, {c, d}));
-    if (on_edge != KeyTable::kNone) near[on_edge] = 2;
-    if (section_->node_at(a) != KeyTable::kNone) near[section_->node_at(a)] = 1;
+  if (first_at_node_.empty()) list_cells_at_nodes();
+  keep_whole_round(c);
+}
+
+/** Those that share with a cell a new vertex, or both ends of a line. */
+template <int D>
+void Cut<D>::keep_whole_round(Cell c) {
+  KeyTable near(env_.memory);  // nodes of the cell
+  Array<uint8_t> weights{env_.memory};
+  const auto add = [&](uint32_t node, uint8_t weight) {
+    if (node != KeyTable::kNone && near.insert(node) == weights.size()) weights.push_back(weight);
+  };
+  for (uint32_t d = 0, n = map_.shape(c).dart_count(); d < n; ++d) {
+    const uint32_t a = dart_vertex(map_, {c, d});
+    add(section_->node_on(a, dart_target(map_, {c, d})), 2);
+    add(section_->node_at(a), 1);
   }
-  for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
-    uint32_t shared = 0;
-    for (const uint32_t n : section_->loop(i)) shared += near[n];
-    if (shared >= 2) section_->keep_whole(i);
+  for (uint32_t k = 0; k < near.size(); ++k) {
+    const auto node = static_cast<uint32_t>(near[k]);
+    for (uint32_t at = first_at_node_[node]; at < first_at_node_[node + 1]; ++at) {
+      const uint32_t cell = cells_at_nodes_[at];
+      uint32_t shared = 0;
+      for (const uint32_t n : section_->loop(cell)) {
+        const uint32_t place = near.find(n);
+        shared += place == KeyTable::kNone ? 0 : weights[place];
+      }
+      if (shared >= 2) section_->keep_whole(cell);
+    }
   }
+}
+
+template <int D>
+void Cut<D>::list_cells_at_nodes() {
+  first_at_node_.assign(section_->node_count() + 1, 0);
+  const auto for_each = [&](auto visit) {
+    for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
+      for (const uint32_t n : section_->loop(i)) visit(i, n);
+    }
+  };
+  for_each([&](uint32_t, uint32_t node) { ++first_at_node_[node]; });
+  uint32_t sum = 0;
+  for (uint32_t& first : first_at_node_) first = sum += first;  // the ends, from where each list is filled backwards
+  cells_at_nodes_.resize(sum);
+  for_each([&](uint32_t cell, uint32_t node) { cells_at_nodes_[--first_at_node_[node]] = cell; });
 }
 
 template <int D>
