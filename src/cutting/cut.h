@@ -78,7 +78,7 @@ class Cut {
   void choose_nodes(Edit<D>& edit);
   void choose_lines();
   void choose_cells();
-  bool has_new_vertex(Dart d) const;
+  bool has_new_vertex(uint32_t a, uint32_t b) const;
   bool write_cell(Edit<D>& edit, Cell c);
   bool write_lines(CellDraft& draft);
   void insert_vertices(CellDraft& draft) const;
