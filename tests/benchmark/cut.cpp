@@ -152,7 +152,7 @@ double cut_slab(std::uint32_t width, std::uint32_t rounds) {
 }
 
 void cut_slabs(Report& report) {
-  const std::uint32_t widths[] = {10, 32, 100, 316}, rounds[] = {31, 11, 5, 1};
+  const std::uint32_t widths[] = {10, 32, 100, 316}, rounds[] = {31, 11, 5, 3};
   double x = 0, y = 0, xx = 0, xy = 0;
   for (int i = 0; i < 4; ++i) {
     const double time = cut_slab(widths[i], rounds[i]), log = 2 * std::log10(widths[i]),
