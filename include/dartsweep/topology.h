@@ -64,7 +64,7 @@ typedef struct dsw_change {
   double distance;
   double smallest_width;       /**< Crack: smallest opening; 0 if nothing came apart. */
   double largest_width;        /**< Crack: largest opening. */
-  uint32_t volumes_visited;    /**< Cut: also on the way from `start`. */
+  uint32_t volumes_visited;    /**< Cut: also on the way from `start`, if it leads to the blade. */
   uint32_t volumes_crossed;    /**< Cut: met by the blade, also only along faces. */
   uint32_t volumes_split;      /**< Of these, split. */
   uint32_t volumes_changed;    /**< Cut: split, or with a new vertex or edge. Crack: at its rim. */

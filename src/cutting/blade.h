@@ -71,6 +71,8 @@ class Blade {
   void corners(uint32_t simplex, const double* out[D]) const {
     for (int k = 0; k < D; ++k) out[k] = points_[simplices_[simplex].corners[k]];
   }
+  /** Number of a corner's point. */
+  uint32_t corner(uint32_t simplex, int k) const { return simplices_[simplex].corners[k]; }
   /** The simplex across side `side` of a simplex, in which the blade goes on; kNone: it ends. In space the side joins
    * the corners `side` and the next, the other triangle runs the other way there; in the plane it is corner `side`. */
   uint32_t neighbour(uint32_t simplex, int side) const { return simplices_[simplex].neighbours[side]; }

@@ -32,7 +32,7 @@ void Crossings<D>::flood(Cell start) {
 
 template <int D>
 bool Crossings<D>::seed(Cell c, uint32_t simplex) {
-  if (!meet(c, simplex, blade_.simplex(simplex)).simplex) return false;
+  if (!is_met(c, simplex)) return false;
   insert(c, simplex);
   return true;
 }
@@ -45,7 +45,7 @@ void Crossings<D>::run() {
 template <int D>
 bool Crossings<D>::is_met(Cell c) {
   for (uint32_t s = 0; s < blade_.simplex_count(); ++s) {
-    if (meet(c, s, blade_.simplex(s)).simplex) return true;
+    if (is_met(c, s)) return true;
   }
   return false;
 }

@@ -44,6 +44,8 @@ class Crossings {
   void run();
   /** Whether a cell is met by any simplex. O(simplices). */
   bool is_met(Cell c);
+  /** Whether a simplex meets a cell. */
+  bool is_met(Cell c, uint32_t simplex) { return meet(c, simplex, blade_.simplex(simplex)).simplex; }
 
   uint32_t cell_count() const { return static_cast<uint32_t>(cells_.size()); }
   const MetCell& cell(uint32_t i) const { return cells_[i]; }

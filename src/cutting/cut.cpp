@@ -136,16 +136,18 @@ void Cut<D>::choose_cells() {
   }
   for (uint32_t i = 0; i < changed_.size(); ++i) {
     const Cell c{static_cast<uint32_t>(changed_[i])};
-    for (uint32_t d = 0, n = map_.shape(c).dart_count(); d < n; ++d) {
-      const HalfFacet o = map_.opposite(half_facet(map_, {c, d}));
-      if (o.valid() && has_new_vertex({c, d})) changed_.insert(map_.cell_of(o).unit);
+    const Shape shape = map_.shape(c);
+    const DartEnds<D> darts(map_, c);
+    for (uint32_t d = 0; d < darts.count(); ++d) {
+      const HalfFacet o = map_.opposite(map_.half_facet(c, shape.dart_facet(d)));
+      if (o.valid() && has_new_vertex(darts.start(d), darts.end(d))) changed_.insert(map_.cell_of(o).unit);
     }
   }
 }
 
 template <int D>
-bool Cut<D>::has_new_vertex(Dart d) const {
-  const uint32_t n = section_->node_on(dart_vertex(map_, d), dart_target(map_, d));
+bool Cut<D>::has_new_vertex(uint32_t a, uint32_t b) const {
+  const uint32_t n = section_->node_on(a, b);
   return n != KeyTable::kNone && vertices_[n] != kNoCell;
 }
 
@@ -187,9 +189,10 @@ template <int D>
 void Cut<D>::insert_vertices(CellDraft& draft) const {
   Array<uint32_t> nodes{env_.memory};
   const Shape shape = map_.shape(draft.from);
-  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+  const DartEnds<D> darts(map_, draft.from);
+  for (uint32_t d = 0; d < darts.count(); ++d) {
     if (shape.dart_beta2(d) < d) continue;
-    const uint32_t n = section_->node_on(dart_vertex(map_, {draft.from, d}), dart_target(map_, {draft.from, d}));
+    const uint32_t n = section_->node_on(darts.start(d), darts.end(d));
     if (n != KeyTable::kNone && vertices_[n] != kNoCell) nodes.push_back(n);
   }
   std::sort(nodes.begin(), nodes.end());
@@ -357,18 +360,50 @@ void Cut<D>::keep_whole(Cell c) {
     section_->keep_whole(cell);
     return;
   }
-  Array<uint8_t> near(section_->node_count(), 0, env_.memory);
-  const Shape shape = map_.shape(c);
-  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-    const uint32_t a = dart_vertex(map_, {c, d}), on_edge = section_->node_on(a, dart_target(map_, {c, d}));
-    if (on_edge != KeyTable::kNone) near[on_edge] = 2;
-    if (section_->node_at(a) != KeyTable::kNone) near[section_->node_at(a)] = 1;
+  if (first_at_node_.empty()) list_cells_at_nodes();
+  keep_whole_round(c);
+}
+
+/** Those that share with a cell a new vertex, or both ends of a line. */
+template <int D>
+void Cut<D>::keep_whole_round(Cell c) {
+  KeyTable near(env_.memory);  // nodes of the cell
+  Array<uint8_t> weights{env_.memory};
+  const auto add = [&](uint32_t node, uint8_t weight) {
+    if (node != KeyTable::kNone && near.insert(node) == weights.size()) weights.push_back(weight);
+  };
+  const DartEnds<D> darts(map_, c);
+  for (uint32_t d = 0; d < darts.count(); ++d) {
+    add(section_->node_on(darts.start(d), darts.end(d)), 2);
+    add(section_->node_at(darts.start(d)), 1);
   }
-  for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
-    uint32_t shared = 0;
-    for (const uint32_t n : section_->loop(i)) shared += near[n];
-    if (shared >= 2) section_->keep_whole(i);
+  for (uint32_t k = 0; k < near.size(); ++k) {
+    const auto node = static_cast<uint32_t>(near[k]);
+    for (uint32_t at = first_at_node_[node]; at < first_at_node_[node + 1]; ++at) {
+      const uint32_t cell = cells_at_nodes_[at];
+      uint32_t shared = 0;
+      for (const uint32_t n : section_->loop(cell)) {
+        const uint32_t place = near.find(n);
+        shared += place == KeyTable::kNone ? 0 : weights[place];
+      }
+      if (shared >= 2) section_->keep_whole(cell);
+    }
   }
+}
+
+template <int D>
+void Cut<D>::list_cells_at_nodes() {
+  first_at_node_.assign(section_->node_count() + 1, 0);
+  const auto for_each = [&](auto visit) {
+    for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
+      for (const uint32_t n : section_->loop(i)) visit(i, n);
+    }
+  };
+  for_each([&](uint32_t, uint32_t node) { ++first_at_node_[node]; });
+  uint32_t sum = 0;
+  for (uint32_t& first : first_at_node_) first = sum += first;  // the ends, from where each list is filled backwards
+  cells_at_nodes_.resize(sum);
+  for_each([&](uint32_t cell, uint32_t node) { cells_at_nodes_[--first_at_node_[node]] = cell; });
 }
 
 template <int D>

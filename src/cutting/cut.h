@@ -78,7 +78,7 @@ class Cut {
   void choose_nodes(Edit<D>& edit);
   void choose_lines();
   void choose_cells();
-  bool has_new_vertex(Dart d) const;
+  bool has_new_vertex(uint32_t a, uint32_t b) const;
   bool write_cell(Edit<D>& edit, Cell c);
   bool write_lines(CellDraft& draft);
   void insert_vertices(CellDraft& draft) const;
@@ -91,6 +91,8 @@ class Cut {
   int side_of(Cell c) const;
   void unsew_old_faces(Edit<D>& edit) const;
   void keep_whole(Cell c);
+  void keep_whole_round(Cell c);
+  void list_cells_at_nodes();
   /** The draft of a cell that changes and is not split, or that of a part; kNoDraft: it does not change. */
   size_t draft_of_cell(Cell c) const;
   void write_record(Edit<D>& edit);
@@ -103,8 +105,10 @@ class Cut {
   const Crossings<D>& crossings_;
   const Inside<D>* inside_;
   std::optional<Section<D>> section_;
-  Array<uint32_t> vertices_{env_.memory};  // by node; kNoCell: it is not needed
-  KeyTable line_numbers_{env_.memory};     // by the lower address of the facet
+  Array<uint32_t> vertices_{env_.memory};        // by node; kNoCell: it is not needed
+  Array<uint32_t> first_at_node_{env_.memory};   // of cells_at_nodes_, by node, and one more; empty: not listed yet
+  Array<uint32_t> cells_at_nodes_{env_.memory};  // numbers of met cells whose loops have a node, some of them no longer
+  KeyTable line_numbers_{env_.memory};           // by the lower address of the facet
   Array<Line> lines_{env_.memory};
   KeyTable changed_{env_.memory};      // cells, by unit
   Array<size_t> drafts_{env_.memory};  // of these, the first of each

@@ -8,18 +8,11 @@
 namespace dsw {
 namespace {
 
-template <int D>
-typename BladeTree<D>::Box box_of(const Environment<D>& env, Cell c) {
-  typename BladeTree<D>::Box box;
-  for (uint32_t k = 0, n = env.map.vertices_of(c); k < n; ++k) box.add(env.point(c, k));
-  return box;
-}
-
 /** Seeds a flood with the simplices that meet a cell; whether there are any. */
 template <int D>
-bool seed_all(Crossings<D>& crossings, const BladeTree<D>& tree, Cell c, const typename BladeTree<D>::Box& box) {
+bool seed_all(const Environment<D>& env, Crossings<D>& crossings, const BladeTree<D>& tree, Cell c) {
   bool any = false;
-  tree.for_each_in(box, [&](uint32_t simplex) { any = crossings.seed(c, simplex) || any; });
+  tree.for_each_in({env, c}, [&](uint32_t simplex) { any = crossings.seed(c, simplex) || any; });
   return any;
 }
 
@@ -32,7 +25,7 @@ Inside<D>::Inside(const Environment<D>& env, const Blade<D>& blade, Crossings<D>
 template <int D>
 void Inside<D>::flood_from(Cell start, uint32_t* visited) {
   if (flood(start)) return;
-  const Cell first = find_start(env_, blade_, start, visited);
+  const Cell first = find_start(env_, blade_, tree_, start, visited);
   if (first.valid()) flood(first);
 }
 
@@ -54,9 +47,21 @@ bool Inside<D>::flood(Cell start) {
 
 template <int D>
 void Inside<D>::flood_all() {
-  for_each_cell(map_, [&](Cell c) {
-    if (box_of(env_, c).overlaps(tree_.box())) flood(c);
-  });
+  Array<uint32_t> near{env_.memory};  // indices of cells that overlap the box of all, and of some others
+  const auto add = [&](uint32_t index) {
+    near.push_back(index);
+    return true;
+  };
+  const typename BladeTree<D>::Box& box = tree_.box();
+  if (!env_.index.ask(
+          env_, [&](const CellTree<D>& cells) { cells.visit_box(box.lower, box.upper, add); }, add)) {
+    for (uint32_t i = 0; i < map_.index_count(); ++i) add(i);
+  }
+  std::sort(near.begin(), near.end());
+  for (const uint32_t index : near) {
+    const Cell c = map_.cell(index);
+    if (c.valid() && typename BladeTree<D>::Box(env_, c).overlaps(box)) flood(c);
+  }
 }
 
 template <int D>
@@ -85,7 +90,7 @@ void Inside<D>::look_beyond(const Known& known, HalfFacet h) {
 
 template <int D>
 bool Inside<D>::seed(Cell c) {
-  return seed_all(crossings_, tree_, c, box_of(env_, c));
+  return seed_all(env_, crossings_, tree_, c);
 }
 
 /** All of a cell can be seen from its centre, but the rounded one of a flat tetrahedron can lie beside it. */
@@ -156,11 +161,16 @@ int Inside<D>::turns_round(const double* point) const {
 }
 
 template <int D>
-void find_all(const Environment<D>& env, const Blade<D>& blade, Crossings<D>& crossings) {
-  const BladeTree<D> tree(env.memory, blade);
-  for_each_cell(env.map, [&](Cell c) {
-    if (admits(env, c)) seed_all(crossings, tree, c, box_of(env, c));
+void find_all(const Environment<D>& env, const BladeTree<D>& tree, Crossings<D>& crossings) {
+  KeyTable near(env.memory);
+  for_each_near(env, tree, [&](Cell c, uint32_t) {
+    near.insert(env.map.index(c));
+    return true;
   });
+  Array<uint32_t> indices{env.memory};
+  for (uint32_t i = 0; i < near.size(); ++i) indices.push_back(static_cast<uint32_t>(near[i]));
+  std::sort(indices.begin(), indices.end());
+  for (const uint32_t index : indices) seed_all(env, crossings, tree, env.map.cell(index));
   crossings.run();
 }
 

@@ -18,7 +18,7 @@ class Inside {
   /** Floods through cells that are inside or crossed, from a cell that is; else from the first that is crossed, see
    * start.h. O(facets of cells that are, with a search in a tree of simplices for each cell beside one). */
   void flood_from(Cell start, uint32_t* visited);
-  /** The same from all cells that are. O(cells). */
+  /** The same from all cells that are, which the tree of cells finds, or a scan where there is none yet. */
   void flood_all();
 
   /** Cells that were looked at, and whether their centres are inside. */
@@ -58,9 +58,9 @@ class Inside {
   uint32_t done_ = 0;  // cells whose neighbours have been looked at
 };
 
-/** Finds all that a blade crosses, anywhere. O(cells). */
+/** Finds all that a blade crosses, anywhere. Takes what for_each_near() does. */
 template <int D>
-void find_all(const Environment<D>& env, const Blade<D>& blade, Crossings<D>& crossings);
+void find_all(const Environment<D>& env, const BladeTree<D>& tree, Crossings<D>& crossings);
 
 /** Whether a blade crosses passable cells, and ends in none of them. O(cells crossed). */
 template <int D>

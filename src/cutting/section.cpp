@@ -42,9 +42,9 @@ Section<D>::Section(const Environment<D>& env, const Crossings<D>& crossings, do
 
 template <int D>
 bool Section<D>::has_double_crossing(Cell c) const {
-  const Shape shape = map_.shape(c);
-  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-    const uint32_t i = crossings_.find(dart_vertex(map_, {c, d}), dart_target(map_, {c, d}));
+  const DartEnds<D> darts(map_, c);
+  for (uint32_t d = 0; d < darts.count(); ++d) {
+    const uint32_t i = crossings_.find(darts.start(d), darts.end(d));
     if (i != KeyTable::kNone && !crossings_[i].once) return true;
   }
   return false;
@@ -53,11 +53,11 @@ bool Section<D>::has_double_crossing(Cell c) const {
 template <int D>
 bool Section<D>::is_crossed(uint32_t cell) const {
   if (is_barred(cell)) return true;
-  const Cell c = crossings_.cell(cell).cell;
+  const DartEnds<D> darts(map_, crossings_.cell(cell).cell);
   bool touches = false;
-  for (uint32_t d = 0, n = map_.shape(c).dart_count(); d < n; ++d) {
-    if (node_on(dart_vertex(map_, {c, d}), dart_target(map_, {c, d})) != KeyTable::kNone) return true;
-    touches = touches || node_at(dart_vertex(map_, {c, d})) != KeyTable::kNone;
+  for (uint32_t d = 0; d < darts.count(); ++d) {
+    if (node_on(darts.start(d), darts.end(d)) != KeyTable::kNone) return true;
+    touches = touches || node_at(darts.start(d)) != KeyTable::kNone;
   }
   return !touches;  // else a fold of the blade enters through one facet
 }
@@ -76,8 +76,9 @@ bool Section<D>::find_chord(Cell c, const Shape& shape, uint32_t facet, Chord& c
   };
   const uint32_t first = D == 3 ? shape.facet_first(facet) : 0,
                  size = D == 3 ? shape.facet_size(facet) : shape.dart_count();
+  const DartEnds<D> darts(map_, c);
   for (uint32_t k = 0; k < size; ++k) {
-    const uint32_t vertex = dart_vertex(map_, {c, first + k}), next = dart_target(map_, {c, first + k});
+    const uint32_t vertex = darts.start(first + k), next = darts.end(first + k);
     add(node_at(vertex), 2 * k);
     add(node_on(vertex, next), 2 * k + 1);
   }
@@ -136,9 +137,10 @@ void Section<D>::find_loop(uint32_t cell) {
       Chord chord;
       if (find_chord(c, shape, f, chord)) arcs.push_back({chord.from, chord.to, true});
     }
-    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    const DartEnds<D> darts(map_, c);
+    for (uint32_t d = 0; d < darts.count(); ++d) {
       if (shape.dart_beta2(d) < d) continue;
-      const uint32_t from = node_at(dart_vertex(map_, {c, d})), to = node_at(dart_target(map_, {c, d}));
+      const uint32_t from = node_at(darts.start(d)), to = node_at(darts.end(d));
       if (from != KeyTable::kNone && to != KeyTable::kNone) arcs.push_back({from, to, false});
     }
     if (arcs.size() > kMostTriangulated || !prune(arcs)) return;

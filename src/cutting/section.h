@@ -20,6 +20,22 @@ struct Node {
   bool is_old() const { return a == b; }
 };
 
+/** The vertices of a cell's darts, of one shape that is looked up once. */
+template <int D>
+class DartEnds {
+ public:
+  DartEnds(const Map<D>& map, Cell c) : map_(map), cell_(c), shape_(map.shape(c)) {}
+
+  uint32_t count() const { return shape_.dart_count(); }
+  uint32_t start(uint32_t d) const { return map_.vertex(cell_, shape_.dart_vertex(d)); }
+  uint32_t end(uint32_t d) const { return start(D == 3 ? shape_.beta1(d) : d + 1 == count() ? 0 : d + 1); }
+
+ private:
+  const Map<D>& map_;
+  Cell cell_;
+  Shape shape_;
+};
+
 /** A line across a facet that a loop takes; in the plane across a cell. */
 struct Chord {
   uint32_t facet;  // of the cell, in space

@@ -25,12 +25,24 @@ class CellIndex {
    * as to make it. */
   template <class Look>
   bool visit(const Environment<D>& env, const double* point, Look&& look) const noexcept {
+    return ask(
+        env, [&](const CellTree<D>& tree) { tree.visit(point, look); }, look);
+  }
+  /** Likewise, with ask(tree) for what is wanted of the tree; look(index) is called for the cells that are not in
+   * it. */
+  template <class Ask, class Look>
+  bool ask(const Environment<D>& env, Ask&& ask, Look&& look) const {
     const CellTree<D>* tree = tree_.load(std::memory_order_acquire);
     if (tree == nullptr || !is_current(env, *tree)) tree = renew(env);
     if (tree == nullptr) return false;
-    tree->visit(point, look);
+    ask(*tree);
     for (size_t i = tree->made_before; i < made_.size(); ++i) look(made_[i]);
     return true;
+  }
+  /** Whether there is a tree that fits the points as they are. */
+  bool is_ready(const Environment<D>& env) const noexcept {
+    const CellTree<D>* const tree = tree_.load(std::memory_order_acquire);
+    return tree != nullptr && tree->version.load(std::memory_order_acquire) == env.points_version;
   }
 
   /** For writers. The tree is made now. Throws std::bad_alloc. */

@@ -40,24 +40,22 @@ class CellTree {
       if (!(point[k] >= lower_[k] && point[k] <= upper_[k])) return;
       at[k] = step(k, point[k]);
     }
-    struct Node {
-      uint32_t level, group;
-    } nodes[kWidth * kMostLevels];
-    uint32_t count = 0;
-    nodes[count++] = {level_count_ - 1, 0};
-    while (count != 0) {
-      const Node node = nodes[--count];
-      uint32_t held = boxes_that_hold(groups_[level_first_[node.level] + node.group], at);
-      for (; held != 0; held &= held - 1) {
-        const uint32_t child = node.group * kWidth + static_cast<uint32_t>(__builtin_ctz(held));
-        if (node.level != 0) {
-          __builtin_prefetch(&groups_[level_first_[node.level - 1] + child]);
-          nodes[count++] = {node.level - 1, child};
-        } else {
-          look(cells_[child]);
-        }
-      }
+    descend(at, at, [&](uint32_t cell) {
+      look(cell);
+      return true;
+    });
+  }
+  /** Calls look(index) for each cell of the tree whose box overlaps a closed box, and for some others, until it returns
+   * false; whether it never did. */
+  template <class Look>
+  bool visit_box(const double* lower, const double* upper, Look&& look) const {
+    int16_t from[D], to[D];
+    for (int k = 0; k < D; ++k) {
+      if (!(upper[k] >= lower_[k] && lower[k] <= upper_[k])) return true;
+      from[k] = step(k, lower[k]);
+      to[k] = step(k, upper[k]);
     }
+    return descend(from, to, look);
   }
   /** Calls look(index) for each cell of the tree whose box comes within `reach` of the point, and for some others.
    * Near boxes come first as a rule. `look` returns the reach from then on. False, and nothing is called: the point is
@@ -141,13 +139,33 @@ class CellTree {
     const double at = (x - lower_[k]) * steps_per_unit_[k];
     return static_cast<int16_t>(at >= kLastStep ? INT16_MAX : at > 0 ? static_cast<int>(at) + INT16_MIN : INT16_MIN);
   }
-  /** A bit for each of the boxes that hold a place. */
-  static uint32_t boxes_that_hold(const Group& group, const int16_t* at) noexcept {
-    Lanes beyond = {};
-    for (int k = 0; k < D; ++k) {
-      const Lanes place = at[k] - Lanes{};
-      beyond |= (group.lower[k] > place) | (group.upper[k] < place);
+  /** Calls look(index) for the cells whose boxes overlap that of these steps, until it returns false. */
+  template <class Look>
+  bool descend(const int16_t* from, const int16_t* to, Look&& look) const {
+    struct Node {
+      uint32_t level, group;
+    } nodes[kWidth * kMostLevels];
+    uint32_t count = 0;
+    nodes[count++] = {level_count_ - 1, 0};
+    while (count != 0) {
+      const Node node = nodes[--count];
+      uint32_t held = boxes_that_overlap(groups_[level_first_[node.level] + node.group], from, to);
+      for (; held != 0; held &= held - 1) {
+        const uint32_t child = node.group * kWidth + static_cast<uint32_t>(__builtin_ctz(held));
+        if (node.level != 0) {
+          __builtin_prefetch(&groups_[level_first_[node.level - 1] + child]);
+          nodes[count++] = {node.level - 1, child};
+        } else if (!look(cells_[child])) {
+          return false;
+        }
+      }
     }
+    return true;
+  }
+  /** A bit for each of the boxes that are used and overlap a box. */
+  static uint32_t boxes_that_overlap(const Group& group, const int16_t* from, const int16_t* to) noexcept {
+    Lanes beyond = group.lower[0] > group.upper[0];
+    for (int k = 0; k < D; ++k) beyond |= (group.lower[k] > to[k] - Lanes{}) | (group.upper[k] < from[k] - Lanes{});
     const Lanes bits = ~beyond & Lanes{1, 2, 4, 8, 16, 32, 64, 128};
     int held = 0;
     for (uint32_t i = 0; i < kWidth; ++i) held |= bits[i];

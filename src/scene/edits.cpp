@@ -155,7 +155,7 @@ class Followers {
       if (contains(env_, edit_.cell(i), point)) found = edit_.cell(i);
       return !found.valid();
     });
-    if (found.valid()) return found;
+    if (found.valid() || came_to_nothing_.contains(old)) return found;
     CellQueue around(scene_.memory);
     const auto add_heirs = [&](Cell c) {
       edit_.for_each_heir(c, [&](size_t i) {
@@ -171,6 +171,7 @@ class Followers {
         if (edit_.is_removed(c)) gone.insert(c);
       });
     }
+    for (size_t i = 0; i < gone.size() && around.size() == 0; ++i) came_to_nothing_.insert(gone[i]);
     for (size_t i = 0; i < around.size(); ++i) {
       if (contains(env_, around[i], point)) return around[i];
       for_each_beyond(around[i], [&](Cell c) {
@@ -219,7 +220,8 @@ class Followers {
   Array<Location> particles_{scene_.memory}, vertices_;
   Array<KeptSequence> sequences_{scene_.memory};
   bool keeps_sequences_ = false;
-  CellQueue new_cells_{scene_.memory};  // once they are asked for
+  CellQueue new_cells_{scene_.memory};        // once they are asked for
+  CellQueue came_to_nothing_{scene_.memory};  // cells that go, from which no way leads to one that comes
   uint64_t looked_at_ = 0;
 };
 

@@ -41,7 +41,8 @@ Blade<D> span_loop(const Memory* memory, PointArray loop, uint32_t count, Array<
 template <int D>
 void cut_along(const Site<D>& site, const Blade<D>& blade, Cell hint, const CutSettings& settings) {
   uint32_t visited = 0;
-  const Cell start = find_start(site.env, blade, hint, &visited);
+  const BladeTree<D> tree(site.env.memory, blade);
+  const Cell start = find_start(site.env, blade, tree, hint, &visited);
   Crossings<D> crossings(site.env, blade);
   if (start.valid()) crossings.flood(start);
   Cut<D> cut(site.env, blade, settings, crossings);
@@ -72,13 +73,14 @@ template <int D>
 void tie_off(const Site<D>& site, PointArray loop, uint32_t count, Cell start, double snap) {
   Array<double> points{Allocator<double>(site.env.memory)};
   const Blade<D> disc = span_loop<D>(site.env.memory, loop, count, points);
+  const BladeTree<D> tree(site.env.memory, disc);
   Crossings<D> crossings(site.env, disc);
   uint32_t visited = 0;
   if (start.valid()) {
-    const Cell first = find_start(site.env, disc, start, &visited);
+    const Cell first = find_start(site.env, disc, tree, start, &visited);
     if (first.valid()) crossings.flood(first);
   } else {
-    find_all(site.env, disc, crossings);
+    find_all(site.env, tree, crossings);
   }
   Cut<D> cut(site.env, disc, {snap, true, Splits::kPassable, true}, crossings);
   std::optional<Edit<D>> edit;

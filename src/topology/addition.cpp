@@ -145,12 +145,11 @@ class Addition {
     }
   }
 
-  bool keys_less(const Place& a, const Place& b) {
-    Array<uint32_t> x = loop(a), y = loop(b);
-    std::sort(x.begin(), x.end());
-    std::sort(y.begin(), y.end());
-    return x < y;
+  static Array<uint32_t> key_of(Array<uint32_t> loop) {
+    std::sort(loop.begin(), loop.end());
+    return loop;
   }
+  bool keys_less(const Place& a, const Place& b) { return key_of(loop(a)) < key_of(loop(b)); }
 
   void sew_to(HalfFacet h, size_t i) {
     const Map<D>& map = env_.map;
@@ -159,8 +158,11 @@ class Addition {
            map.local_of(h, map.cell_of(h)), map.index(map.cell_of(h)));
     }
     const FacetDraft there = draft_of(env_, h);
-    for (const Place& place : places_) {
-      FacetDraft& here = facet(place);
+    const Array<uint32_t> key = key_of(there.loop);
+    const auto less = [&](const Place& place, const Array<uint32_t>& of) { return key_of(loop(place)) < of; };
+    for (auto at = std::lower_bound(places_.begin(), places_.end(), key, less);
+         at != places_.end() && key_of(loop(*at)) == key; ++at) {
+      FacetDraft& here = facet(*at);
       if (here.pair != kNoPair || here.far.valid() || !face_each_other(here, there)) continue;
       here.far = h;
       here.marked = there.marked;

@@ -49,6 +49,8 @@ FacetDraft draft_of(const Environment<D>& env, HalfFacet h) {
   const Shape shape = map.shape(c);
   const uint32_t f = map.local_of(h, c);
   FacetDraft facet(env.memory);
+  facet.loop.reserve(D == 3 ? shape.facet_size(f) : 2);
+  if (D == 3) facet.triangles.reserve(size_t{3} * (shape.simplex_first(f + 1) - shape.simplex_first(f)));
   for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { facet.loop.push_back(map.vertex(c, local)); });
   const uint16_t* const local = shape.simplices();
   for (uint32_t k = 3 * shape.simplex_first(f); D == 3 && k < 3 * shape.simplex_first(f + 1); ++k) {
@@ -121,6 +123,7 @@ bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t
 
 void list_vertices(const CellDraft& draft, Array<uint32_t>& out) {
   out.clear();
+  out.reserve(2 * draft.facets.size());  // of a convex cell with triangles or quads for facets
   for (const FacetDraft& facet : draft.facets) {
     for (const uint32_t v : facet.loop) {
       if (std::find(out.begin(), out.end(), v) == out.end()) out.push_back(v);
@@ -140,9 +143,13 @@ void centre(const Environment<D>& env, const CellDraft& draft, double* out) {
 }
 
 FacetDraft part_of(const FacetDraft& whole, uint32_t from, uint32_t to) {
-  FacetDraft part = whole;
-  part.loop.clear();
-  part.triangles.clear();
+  FacetDraft part(whole.loop.get_allocator().memory);
+  part.near = whole.near;
+  part.far = whole.far;
+  part.pair = whole.pair;
+  part.marked = whole.marked;
+  part.loop.reserve(whole.loop.size());
+  part.triangles.reserve(whole.triangles.size());
   for (uint32_t at = whole.place_of(from);; ++at) {
     part.loop.push_back(whole.after(at, 0));
     if (part.loop.back() == to) return part;
@@ -230,6 +237,7 @@ bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& 
   };
   Array<Side> sides(loop.get_allocator());
   const auto facets = static_cast<uint32_t>(whole.facets.size());
+  sides.reserve(4 * whole.facets.size());
   for (uint32_t f = 0; f < facets; ++f) {
     const FacetDraft& facet = whole.facets[f];
     for (uint32_t k = 0; k < facet.loop.size(); ++k) sides.push_back({facet.loop[k], facet.after(k), f});
@@ -259,6 +267,9 @@ bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& 
       if (!is_crossed(a, b)) visit(facet_along(b, a));
     }
   }
+  const auto lefts = static_cast<size_t>(std::count(is_left.begin(), is_left.end(), 1));
+  left.facets.reserve(lefts + 1);  // and the new one
+  right.facets.reserve(facets - lefts + 1);
   for (uint32_t f = 0; f < facets; ++f) (is_left[f] != 0 ? left : right).facets.push_back(whole.facets[f]);
   return !right.facets.empty();
 }

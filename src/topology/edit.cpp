@@ -75,11 +75,14 @@ template <int D>
 void Edit<D>::note_heir(Cell c, uint32_t draft) {
   if (!c.valid()) return;
   const uint32_t cell = ancestors_.insert(c.unit);
-  if (cell == first_heir_.size()) first_heir_.push_back(kNoHeir);
+  const auto heir = static_cast<uint32_t>(heirs_.size());
   heirs_.push_back({draft, kNoHeir});
-  uint32_t* end = &first_heir_[cell];
-  while (*end != kNoHeir) end = &heirs_[*end].next;
-  *end = static_cast<uint32_t>(heirs_.size() - 1);
+  if (cell == heirs_of_.size()) {
+    heirs_of_.push_back({heir, heir});
+  } else {
+    heirs_[heirs_of_[cell].last].next = heir;
+    heirs_of_[cell].last = heir;
+  }
 }
 
 template <int D>
@@ -335,16 +338,11 @@ void Edit<D>::check_cells(Array<uint32_t>* invalid) {
   }
 }
 
-/** Whether an edge of a cell that goes is still that of a new cell, or of one that stays and is joined to it. */
+/** Whether an edge of a cell that goes is still that of a new cell, or of one that stays and is joined to it. `drafted`
+ * has the marked edges of new cells. */
 template <int D>
-bool Edit<D>::is_edge_left(Dart d) const {
-  const uint32_t a = dart_vertex(map_, d), b = dart_target(map_, d);
-  for (const CellDraft& draft : drafts_) {
-    for (const FacetDraft& facet : draft.facets) {
-      const uint32_t at = facet.place_of(a);
-      if (at != facet.loop.size() && (facet.after(at) == b || facet.after(at, facet.loop.size() - 1) == b)) return true;
-    }
-  }
+bool Edit<D>::is_edge_left(Dart d, const KeyTable& drafted) const {
+  if (drafted.find(pair_key(dart_vertex(map_, d), dart_target(map_, d))) != KeyTable::kNone) return true;
   bool left = false;
   for_each_volume_round_edge(map_, d, [&](Dart e) {
     left = !is_removed(e.cell);
@@ -357,11 +355,20 @@ bool Edit<D>::is_edge_left(Dart d) const {
 template <int D>
 void Edit<D>::drop_marks() {
   if (env_.edge_marks.size() == 0) return;
+  KeyTable drafted(env_.memory);
+  for (const CellDraft& draft : drafts_) {
+    for (const FacetDraft& facet : draft.facets) {
+      for (uint32_t k = 0; k < facet.loop.size(); ++k) {
+        const uint32_t a = facet.loop[k], b = facet.after(k);
+        if (edge_marked(env_, a, b)) drafted.insert(pair_key(a, b));
+      }
+    }
+  }
   for (const Cell c : removed_) {
     const Shape shape = map_.shape(c);
     for (uint32_t d = 0; d < shape.dart_count(); ++d) {
       const uint32_t a = map_.vertex(c, shape.dart_vertex(d)), b = dart_target(map_, {c, d});
-      if (a < b && edge_marked(env_, a, b) && !is_edge_left({c, d})) set_mark(a, b, false);
+      if (a < b && edge_marked(env_, a, b) && !is_edge_left({c, d}, drafted)) set_mark(a, b, false);
     }
   }
 }

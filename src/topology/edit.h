@@ -61,7 +61,7 @@ class Edit {
   template <class Visit>
   void for_each_heir(Cell c, Visit visit) const {
     const uint32_t cell = ancestors_.find(c.unit);
-    for (uint32_t i = cell == KeyTable::kNone ? kNoHeir : first_heir_[cell]; i != kNoHeir; i = heirs_[i].next) {
+    for (uint32_t i = cell == KeyTable::kNone ? kNoHeir : heirs_of_[cell].first; i != kNoHeir; i = heirs_[i].next) {
       if (!visit(size_t{heirs_[i].draft})) return;
     }
   }
@@ -120,6 +120,10 @@ class Edit {
   struct Heir {
     uint32_t draft, next;
   };
+  /** Ends of that list. */
+  struct Heirs {
+    uint32_t first, last;
+  };
   static constexpr uint32_t kNoHeir = 0xffffffffu;
 
   double* room_for(uint32_t v);
@@ -132,7 +136,7 @@ class Edit {
   void check_cells(Array<uint32_t>* invalid);
   void choose_indices();
   void drop_marks();
-  bool is_edge_left(Dart d) const;
+  bool is_edge_left(Dart d, const KeyTable& drafted) const;
   void reserve();
   void reserve_labels();
   void count(uint32_t link, int sign) noexcept;
@@ -153,8 +157,8 @@ class Edit {
   KeyTable gone_{env_.memory};              // units of removed_, in the order in which they were named
   Array<Cell> removed_{env_.memory};
   Array<CellDraft> drafts_{env_.memory};
-  KeyTable ancestors_{env_.memory};  // units of the cells that drafts come of
-  Array<uint32_t> first_heir_{env_.memory};
+  KeyTable ancestors_{env_.memory};     // units of the cells that drafts come of
+  Array<Heirs> heirs_of_{env_.memory};  // by number in ancestors_
   Array<Heir> heirs_{env_.memory};
   Array<Made> made_{env_.memory};
   Array<Link> links_{env_.memory};

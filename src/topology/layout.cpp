@@ -18,6 +18,8 @@ bool lay_out<3>(const CellDraft& draft, Layout& out) {
   size_t corners = 0;
   for (const FacetDraft& facet : draft.facets) corners += facet.loop.size();
   if (corners >= UINT16_MAX) fail(DSW_STATUS_TOO_LARGE, "a volume would have %zu corners of faces", corners);
+  loops.reserve(corners);
+  first.reserve(draft.facets.size() + 1);
   first.push_back(0);
   for (const FacetDraft& facet : draft.facets) {
     for (const uint32_t v : facet.loop) loops.push_back(local(v));
@@ -26,8 +28,9 @@ bool lay_out<3>(const CellDraft& draft, Layout& out) {
   const auto facets = static_cast<uint32_t>(draft.facets.size());
   const FacetLoops faces{loops.data(), first.data(), facets, static_cast<uint32_t>(vertices.size())};
   if (append_polyhedron(faces, nullptr, out.table) != ShapeDefect::kNone) return false;
+  Array<uint16_t> triangles(out.table.get_allocator());
   for (uint32_t f = 0; f < facets; ++f) {
-    Array<uint16_t> triangles(out.table.get_allocator());
+    triangles.clear();
     for (const uint32_t v : draft.facets[f].triangles) triangles.push_back(local(v));
     set_triangles(out.table.data(), f, triangles.data());
   }
@@ -40,6 +43,7 @@ bool lay_out<3>(const CellDraft& draft, Layout& out) {
     out.vertices = std::move(vertices);
     return true;
   }
+  out.vertices.reserve(vertices.size());
   for (uint32_t f = 0; f < facets; ++f) out.facets[match.facet[f]] = f;
   for (size_t k = 0; k < vertices.size(); ++k) out.vertices.push_back(vertices[match.vertex[k]]);
   return true;

@@ -9,7 +9,7 @@ namespace dsw::oracle {
 
 /// Refuses the call number `refuse`, counted from 1; 0: none.
 struct Memory {
-  size_t calls = 0, refuse = 0, alive = 0, bytes = 0;
+  size_t calls = 0, refuse = 0, alive = 0, bytes = 0, most = 0;  // most bytes so far
 };
 
 inline void* allocate(void* user, size_t size, size_t alignment) {
@@ -17,6 +17,7 @@ inline void* allocate(void* user, size_t size, size_t alignment) {
   if (++memory.calls == memory.refuse) return nullptr;
   ++memory.alive;
   memory.bytes += size;
+  memory.most = std::max(memory.most, memory.bytes);
   return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
 inline void release(void* user, void* block, size_t size, size_t) {
