@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   ContactOptions options;
   std::string json = "contact.json";
-  std::vector<std::string> parts = {"contact"};
+  std::vector<std::string> parts = {"contact", "response"};
   CLI::App app("What contacts cost.");
   app.add_flag("--quick", options.quick, "Fewer moves");
   app.add_option("--json", json, "File to write");
@@ -19,14 +19,15 @@ int main(int argc, char** argv) {
   app.add_option("--moves", options.moves, "Folder that keeps recorded moves: made again, not recorded again");
   app.add_option("--counted", options.counted, "Only the moves that valgrind is to count")
       ->check(CLI::IsMember({"catheter", "self"}));
-  app.add_option("--part", parts, "Parts to run; all if not given")->check(CLI::IsMember({"contact"}));
+  app.add_option("--part", parts, "Parts to run; all if not given")->check(CLI::IsMember({"contact", "response"}));
   CLI11_PARSE(app, argc, argv);
 
   Report report;
   try {
     for (const std::string& part : parts) {
       std::printf("%s\n", part.c_str());
-      run_contact(options, report);
+      if (part == "contact") run_contact(options, report);
+      if (part == "response" && options.counted.empty()) run_response(report);
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

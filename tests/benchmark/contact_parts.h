@@ -16,6 +16,7 @@ struct ContactOptions {
 };
 
 void run_contact(const ContactOptions& options, Report& report);
+void run_response(Report& report);
 
 }  // namespace dsw::bench
 
