@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Instructions that a contact costs: tests/benchmark/contact_instructions.sh PROGRAM [--mesh FILE] [--moves FOLDER] [--json FILE]
+# Instructions that a contact costs:
+# tests/benchmark/contact_instructions.sh PROGRAM [--mesh FILE] [--moves FOLDER] [--json FILE]
 #
 # PROGRAM is dartsweep_bench_contact of a build that is not stripped: release will do. Valgrind counts the same moves as
 # the part `contact` makes; --mesh and --moves are those of PROGRAM. Takes a minute or two.
@@ -7,8 +8,9 @@ set -euo pipefail
 
 case ${1:-} in
   '' | -h | --help)
-    sed -n '2,5s/^# \{0,1\}//p' "$0"
-    exit 2
+    sed -n '2,6s/^# \{0,1\}//p' "$0"
+    [ -n "${1:-}" ] || exit 2
+    exit 0
     ;;
 esac
 program=$1
@@ -30,8 +32,9 @@ done
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-if [ ${#given[@]} = 0 ] || [[ " ${given[*]} " != *" --moves "* ]]; then given+=(--moves "$folder"); fi
-"$program" --counted catheter "${given[@]}" --json "$folder/catheter.json" > /dev/null # records moves, if there are none
+[[ " ${given[*]} " == *" --moves "* ]] || given+=(--moves "$folder")
+# Records moves, if there are none.
+"$program" --counted catheter "${given[@]}" --json "$folder/catheter.json" > /dev/null
 for scene in catheter self; do
   valgrind --tool=callgrind --callgrind-out-file="$folder/$scene.out" --toggle-collect='dsw_bench_counted*' \
     "$program" --counted "$scene" "${given[@]}" --json "$folder/$scene.json" > "$folder/$scene.log" 2>&1 ||

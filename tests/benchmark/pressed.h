@@ -1,4 +1,4 @@
-// Bodies pressed into corners, wedges, channels and bends, where the motion that a frictionless contact leaves is known.
+// Bodies pressed into corners, wedges, channels and bends, where what a frictionless contact leaves is known.
 #ifndef DARTSWEEP_TESTS_BENCHMARK_PRESSED_H
 #define DARTSWEEP_TESTS_BENCHMARK_PRESSED_H
 
