@@ -92,7 +92,7 @@ echo "replay.bit_identical 1"
 echo
 echo "200 edges at haptic rate; of these figures:"
 "$insert" --preset haptic "${input[@]}" > "$out/haptic.txt"
-grep -E '^demo\.(steps|exactly_free_steps|lost|realtime_factor|detection_ms|edges|contacts_per_step) ' "$out/haptic.txt"
+grep -E '^demo\.(steps|exactly_free_steps|lost|realtime_factor|detection_ms|detection_ms_p999|detection_ms_max|edges|contacts_per_step) ' "$out/haptic.txt"
 "$venv/bin/python" "$insertion/draw.py" "$out/insertion/insertion.json" "$out/insertion.png"
 quietly "making the page" \
   "$venv/bin/python" "$insertion/build_page.py" "$out/insertion/insertion.json" "$out/insertion.html"

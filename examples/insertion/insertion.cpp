@@ -117,7 +117,7 @@ void Run::add(const Step& step, std::size_t edges) {
   Totals& t = totals_;
   if (step.all_in && t.whole_edges == 0) {
     t.whole_steps = t.whole_contacts = 0;
-    t.whole_detection = t.whole_longest = 0;
+    t.whole_detection.clear();
   }
   ++t.steps;
   t.exactly_free += step.free ? 1 : 0;
@@ -135,8 +135,7 @@ void Run::add(const Step& step, std::size_t edges) {
   ++t.whole_steps;
   t.whole_contacts += step.contacts;
   t.whole_edges += step.all_in ? edges : 0;
-  t.whole_detection += step.detection_seconds;
-  t.whole_longest = std::max(t.whole_longest, step.detection_seconds);
+  t.whole_detection.push_back(step.detection_seconds);
 }
 
 const dsw_body_contact* Run::contacts(std::size_t* count) const {

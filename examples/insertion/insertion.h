@@ -26,7 +26,7 @@ struct Totals {
   double detection_seconds = 0, step_seconds = 0, reached = 0, largest_stretch = 0;
   // Of the steps with all links in; of all steps if that never came.
   std::size_t whole_steps = 0, whole_contacts = 0, whole_edges = 0;
-  double whole_detection = 0, whole_longest = 0;
+  std::vector<double> whole_detection;  // seconds, step by step
 };
 
 class Run {

@@ -118,6 +118,7 @@ StepReport SoftBody::step(double dt) {
       dsw_body_move(scene_, id_, next.position.front().data(), next.size(), sizeof(Vector3), &move, &report.move);
   report.library_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.was_finite = is_finite(next);
+  targets.swap(next.position);
   if (report.status == DSW_STATUS_NON_FINITE) {
     report.message = dsw_last_error_message();
     report.move = dsw_move_report{};

@@ -89,6 +89,7 @@ class SoftBody {
 
   Points points;
   std::vector<dsw_volume_id> volumes;  // that the points lie in
+  Positions targets;                   // of the last move, before anything stopped it
   Springs springs;
   std::optional<ShapeMatching> shape;
   Load load;

@@ -88,7 +88,7 @@ void cut_lattice(std::size_t cells, const std::string& label, std::size_t bodies
     crossed += cut.volumes_crossed;
     touched += cut.volumes_visited + cut.volumes_changed;  // what is both counts twice
     split += cut.volumes_split;
-    whole += cut.whole_count;
+    whole += static_cast<double>(cut.whole_count);
     distance = std::max(distance, cut.distance);
   }
   double sum = 0;

@@ -42,7 +42,7 @@ install() {
 
 missing=()
 command -v c++ > /dev/null || missing+=(g++)
-for tool in cmake:cmake make:make pkg-config:pkg-config readelf:binutils python3:python3; do
+for tool in cmake:cmake make:make pkg-config:pkg-config readelf:binutils python3:python3 valgrind:valgrind; do
   command -v "${tool%%:*}" > /dev/null || missing+=("${tool##*:}")
 done
 for header in embree3/rtcore.h:libembree-dev bullet/btBulletCollisionCommon.h:libbullet-dev \
@@ -56,7 +56,7 @@ for header in embree3/rtcore.h:libembree-dev bullet/btBulletCollisionCommon.h:li
 done
 [ ${#missing[@]} = 0 ] || install "${missing[@]}"
 
-vessel=() folder=() fig9=()
+vessel=() folder=() mesh=()
 data=${DARTSWEEP_DATA:-}/vessels/vascular_phantom.msh.gz
 if [ -n "${DARTSWEEP_DATA:-}" ] && [ -e "$data" ]; then
   mkdir -p "$tree"
@@ -69,8 +69,8 @@ if [ -n "${DARTSWEEP_DATA:-}" ] && [ -e "$data" ]; then
     python=/usr/bin/python3
   fi
   "$python" "$here/read_mesh.py" "$data" "$tree/vessel.bin"
-  "$python" "$root/examples/demo/read_mesh.py" "$data" "$tree/fig9.bin"
-  fig9=(--mesh "$tree/fig9.bin")
+  "$python" "$root/examples/demo/read_mesh.py" "$data" "$tree/mesh.bin"
+  mesh=(--mesh "$tree/mesh.bin")
   vessel=(--vessel "$tree/vessel.bin") folder=(--data "$DARTSWEEP_DATA")
 else
   echo "benchmark: DARTSWEEP_DATA names no folder with vessels/vascular_phantom.msh.gz: no walk.vessel.* figures, and a generated vessel and surface for edges.*"
@@ -80,13 +80,17 @@ mkdir -p "$tree"
 cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
   -DDSW_BUILD_EXAMPLES=ON -DDSW_WITH_LIBCCD=ON > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
 cmake --build "$tree" -j "$(nproc)" \
-  --target dartsweep_bench dartsweep_bench_predicates dartsweep_oracle dartsweep_core edits_tests cross_check_tests paper_catheter_length
+  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_predicates dartsweep_oracle dartsweep_core edits_tests cross_check_tests paper_catheter_length
 
 bench=$tree/tests/benchmark
 if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 edits=5000 cases=110000
 else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 edits=100000 cases=500000; fi
 "$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}" "${folder[@]}"
-"$tree/examples/paper/catheter_length" "${fig9[@]}" --csv "$tree/fig9.csv" --json "$tree/fig9.json"
+rm -rf "$tree/moves" # of an older run
+mkdir -p "$tree/moves"
+"$bench/dartsweep_bench_contact" $quick --json "$tree/contact.json" "${mesh[@]}" --moves "$tree/moves"
+"$here/contact_instructions.sh" "$bench/dartsweep_bench_contact" "${mesh[@]}" --moves "$tree/moves" --json "$tree/contact_instructions.json"
+"$tree/examples/paper/catheter_length" "${mesh[@]}" --csv "$tree/fig9.csv" --json "$tree/fig9.json"
 # The exact parts report what they find and fail on a single difference; their figures are wanted either way.
 failed=0
 "$bench/dartsweep_bench_predicates" --cases "$cases" --json "$tree/predicates.json" || failed=1
@@ -95,6 +99,6 @@ failed=0
 DSW_EDITS=$edits "$tree/tests/property/edits_tests" --gtest_output="json:$tree/edits.json" > "$tree/edits.log" || failed=1
 
 "$tree/tests/property/cross_check_tests" --gtest_output="json:$tree/normals.json" > "$tree/normals.log" || failed=1
-python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/normals.json" "$tree/walk.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/oracle.json"
+python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/normals.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/oracle.json"
 echo "wrote $json"
 exit $failed

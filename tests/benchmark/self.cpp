@@ -4,11 +4,10 @@
 #include "parts.h"
 
 #include "bullet_casts.h"
-#include "hex_case.h"
+#include "rope.h"
 #include "timing.h"
 
 #include "predicates/touch.h"
-#include "scenes/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,86 +16,6 @@
 namespace dsw::bench {
 
 namespace {
-
-constexpr double kSize = 10;  // of the lattice, which has no obstacles
-
-/** The rope's vertices at every step, 3 doubles each. */
-std::vector<std::vector<double>> make_targets(std::size_t edges, std::size_t steps) {
-  const double turns = 0.8 * std::sqrt(static_cast<double>(edges)), gap = 7 / turns, radius = 3;
-  const double per_turn = static_cast<double>(edges) / turns, two_pi = 8 * std::atan(1.0);
-  scenes::Random random(31);
-  std::vector<std::array<double, 3>> phases(edges + 1);
-  for (auto& phase : phases) {
-    for (double& each : phase) each = random.uniform(0, two_pi);
-  }
-  std::vector<std::vector<double>> targets;
-  for (std::size_t step = 0; step <= steps; ++step) {
-    const double time = static_cast<double>(step), height = gap * std::min(1.0, time / 20);
-    std::vector<double> at;
-    for (std::size_t i = 0; i <= edges; ++i) {
-      const auto wobble = [&](std::size_t k) { return 0.7 * height * std::sin(0.1 * time + phases[i][k]); };
-      const double angle = two_pi * static_cast<double>(i) / per_turn;
-      at.push_back(kSize / 2 + (radius + wobble(0)) * std::cos(angle) + 0.1 * wobble(1));
-      at.push_back(kSize / 2 + (radius + wobble(0)) * std::sin(angle));
-      at.push_back(1.5 + gap * static_cast<double>(i) / per_turn + wobble(2));
-    }
-    targets.push_back(std::move(at));
-  }
-  return targets;
-}
-
-/** What our body did in one step. */
-struct Step {
-  std::vector<double> before, after;
-  std::vector<std::uint8_t> stopped;  // by itself, a vertex
-  std::size_t contacts = 0;
-};
-
-/** A rope in a scene of its own; nothing else is there. */
-class Rope {
- public:
-  Rope(dsw_environment* environment, const std::vector<double>& at, bool meets_itself) : at_(at) {
-    dsw_scene_desc scene_desc;
-    dsw_scene_desc_init(&scene_desc, sizeof scene_desc);
-    scene_desc.features = meets_itself ? DSW_FEATURE_BODY_CONTACTS : 0;
-    check(dsw_scene_create(environment, &scene_desc, &scene_));
-    std::vector<std::uint32_t> edges;
-    for (std::uint32_t i = 0; i + 1 < at.size() / 3; ++i) edges.insert(edges.end(), {i, i + 1});
-    dsw_body_desc desc;
-    dsw_body_desc_init(&desc, sizeof desc);
-    desc.positions = at.data();
-    desc.vertex_count = at.size() / 3;
-    desc.edges = edges.data();
-    desc.edge_count = edges.size() / 2;
-    desc.level = DSW_LEVEL_EDGES;
-    desc.flags = meets_itself ? DSW_BODY_SELF_CONTACTS : 0;
-    check(dsw_body_create(scene_, &desc, &body_));
-  }
-  ~Rope() { dsw_scene_destroy(scene_); }
-  Rope(const Rope&) = delete;
-  Rope& operator=(const Rope&) = delete;
-
-  /** Of the move alone. */
-  double move(const std::vector<double>& targets, Step& step) {
-    step.before = at_;
-    const double ns = cpu_time_ns(
-        [&] { check(dsw_body_move(scene_, body_, targets.data(), targets.size() / 3, 0, nullptr, nullptr)); });
-    std::size_t count = 0;
-    check(dsw_body_get_positions(scene_, body_, at_.data(), at_.size() / 3, 0, nullptr, &count));
-    step.after = at_;
-    step.stopped.assign(at_.size() / 3, 0);
-    const dsw_body_contact* contacts = nullptr;
-    check(dsw_body_get_contacts(scene_, body_, &contacts, &count));
-    for (std::size_t i = 0; i < count; ++i) step.stopped[contacts[i].vertex.index] = 1;
-    step.contacts = count;
-    return ns;
-  }
-
- private:
-  std::vector<double> at_;
-  dsw_scene* scene_ = nullptr;
-  dsw_body_id body_{};
-};
 
 /** Bullet's tree over what each edge can sweep in a step, then exact times in the order in which vertices move. Where a
  * vertex stops it is told: finding that out is not part of its time. */
@@ -109,7 +28,7 @@ class Peer {
     tree_.optimizeTopDown();
   }
 
-  double step(const std::vector<double>& targets, const Step& truth) {
+  double step(const std::vector<double>& targets, const RopeStep& truth) {
     at_ = truth.before;
     return cpu_time_ns([&] {
       find_pairs(targets);
@@ -195,7 +114,7 @@ class Peer {
     return at_v ? time : std::min(time, touch({m.p, m.to, m.p}, at(f), at(f + 1)));
   }
 
-  void meet(const std::vector<double>& targets, const Step& truth) {
+  void meet(const std::vector<double>& targets, const RopeStep& truth) {
     for (std::size_t v = 0; v <= leaves_.size(); ++v) {
       double time = kNever;
       for (std::size_t e = v == 0 ? 0 : v - 1; e < std::min(v + 1, leaves_.size()); ++e) {
@@ -222,13 +141,13 @@ void run_rope(dsw_environment* environment, std::size_t edges, const Options& op
   const std::string label = edges == 1000 ? "e1e3" : "e1e4";
   const std::size_t steps = options.quick ? 60 : 300, first_measured = 20;
   std::printf("  self.%s\n", label.c_str());
-  const std::vector<std::vector<double>> targets = make_targets(edges, steps);
-  std::vector<Step> script(steps);
+  const std::vector<std::vector<double>> targets = rope_targets(edges, steps);
+  std::vector<RopeStep> script(steps);
   std::vector<double> ours_ns, free_ns;
   double contacts = 0;
   {
     Rope rope(environment, targets[0], true), free_rope(environment, targets[0], false);
-    Step ignored;
+    RopeStep ignored;
     for (std::size_t step = 0; step < steps; ++step) {
       ours_ns.push_back(rope.move(targets[step + 1], script[step]));
       free_ns.push_back(free_rope.move(targets[step + 1], ignored));
@@ -264,13 +183,9 @@ void run_rope(dsw_environment* environment, std::size_t edges, const Options& op
 }  // namespace
 
 void run_self(const Options& options, Report& report) {
-  scenes::HexGridOptions grid_options;
-  grid_options.size = scenes::hex_grid_size(1000);
-  grid_options.obstacle_share = 0;
-  const scenes::HexGrid grid = scenes::make_hex_grid(grid_options);
-  const World world(grid.mesh, 1);
+  const RopeSpace space;
   for (const std::size_t edges : {std::size_t{1000}, std::size_t{10000}}) {
-    run_rope(world.environment(), edges, options, report);
+    run_rope(space.environment(), edges, options, report);
   }
 }
 

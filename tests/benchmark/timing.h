@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <ctime>
 #include <vector>
@@ -38,6 +39,15 @@ inline double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+/** The least value that a share of all values do not exceed. */
+inline double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const auto count = static_cast<double>(values.size());
+  const auto rank = static_cast<std::size_t>(std::ceil(share * count));
+  return values[std::min(std::max<std::size_t>(rank, 1), values.size()) - 1];
 }
 
 /** Median of a[i] / b[i]. */

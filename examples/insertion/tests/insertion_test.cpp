@@ -31,6 +31,7 @@ TEST(Run, IsExactlyFreeAfterEveryStepAndTravels) {
   EXPECT_EQ(run.table().total(), contacts);
   EXPECT_GT(contacts, 0u);
   EXPECT_GT(run.totals().whole_edges, 0u) << "all links came in";
+  EXPECT_EQ(run.totals().whole_detection.size(), run.totals().whole_steps);
   EXPECT_GT(run.totals().reached, 0.5 * vessel.route().length());
   EXPECT_LT(static_cast<double>(run.totals().most_cells) / vessel.info().volume_count, 0.1);
 }
