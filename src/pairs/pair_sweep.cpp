@@ -5,6 +5,7 @@
 #include "pairs/pair_sweep.h"
 
 #include "base/dimensions.h"
+#include "predicates/swept_plane.h"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +18,12 @@ namespace {
 template <int D, class Visit>
 class StarTouches {
  public:
-  StarTouches(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to, Visit visit)
-      : partners_(partners), body_(body), v_(v), p_(body.position(v)), to_(to), visit_(visit) {}
+  StarTouches(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to, const NearEdges* near,
+              Visit visit)
+      : partners_(partners), body_(body), v_(v), p_(body.position(v)), to_(to), near_(near), visit_(visit) {}
   /** With a vertex that is merged into another. */
   StarTouches(const Partners<D>& partners, const Body<D>& body, uint32_t v, uint32_t into, Visit visit)
-      : StarTouches(partners, body, v, body.position(into), visit) {
+      : StarTouches(partners, body, v, body.position(into), nullptr, visit) {
     into_ = into;
   }
 
@@ -56,7 +58,7 @@ class StarTouches {
   // apart from it. Faces sweep tetrahedra.
   bool merge() {
     if (!covers_edges(body_.level)) {
-      return body_.boxes[0].vertices.visit(path_box(), [&](uint32_t w) {
+      return fresh_boxes(body_).vertices.visit(path_box(), [&](uint32_t w) {
         return w == v_ || w == into_ || report_path(body_, PartKind::kVertex, w, w, w);
       });
     }
@@ -92,7 +94,7 @@ class StarTouches {
         if (is_own(a) || is_own(b)) return (is_own(a) && is_own(b)) || vertex(is_own(a) ? b : a);
         return report_edge(touch, m, body_, PartKind::kEdge, x, a, b);
       };
-      return body_.boxes[0].loners.visit(box, vertex) && body_.boxes[0].edges.visit(box, edge);
+      return fresh_boxes(body_).loners.visit(box, vertex) && fresh_boxes(body_).edges.visit(box, edge);
     }
   }
 
@@ -105,11 +107,10 @@ class StarTouches {
 
   bool meet_with_vertex(const Body<D>& other) {
     const Box<D> box = path_box();
-    const BodyBoxes<D>& boxes = other.boxes[0];
-    if (!boxes.bounds.overlaps(box)) return true;
+    if (!other.boxes[0].bounds.overlaps(box)) return true;
     if constexpr (D == 3) {
-      if (covers_faces(other.level) && !boxes.faces.visit(box, [&](uint32_t f) { return meet_face(other, f); }))
-        return false;
+      const auto face = [&](uint32_t f) { return meet_face(other, f); };
+      if (covers_faces(other.level) && !fresh_boxes(other).faces.visit(box, face)) return false;
       // Its edges stand for it, which in the plane are no more than vertices meet.
       if (covers_edges(body_.level) && body_.vertices[v_].first_edge != kNone) return true;
     }
@@ -123,7 +124,7 @@ class StarTouches {
       const uint32_t far = a == v_ ? b : a;  // of an edge of its own
       return report_path(other, PartKind::kVertex, far, far, far);
     };
-    return !covers_edges(other.level) || boxes.edges.visit(box, edge);
+    return !covers_edges(other.level) || fresh_boxes(other).edges.visit(box, edge);
   }
 
   bool meet_face(const Body<D>& other, uint32_t f) {
@@ -150,12 +151,6 @@ class StarTouches {
     const EdgeMotion m{p_, to_, body_.position(q)};
     Box<D> box;
     for (const double* each : {m.p, m.to, m.q}) box.add(each);
-    const BodyBoxes<D>& boxes = other.boxes[0];
-    if (!boxes.bounds.overlaps(box)) return true;
-    const auto vertex = [&](uint32_t w) {
-      return (self_ && (w == v_ || w == q)) || report_edge(touch, m, other, PartKind::kVertex, w, w, w);
-    };
-    if (!single_vertices(other, other.level).visit(box, vertex)) return false;
     const auto edge = [&](uint32_t x) {
       const uint32_t a = other.edges[x].ends[0], b = other.edges[x].ends[1];
       const bool at_v = self_ && (a == v_ || b == v_), at_q = self_ && (a == q || b == q);
@@ -166,7 +161,37 @@ class StarTouches {
       if (!report_edge(touch, m, other, PartKind::kVertex, far, far, far)) return false;
       return at_v || report_path(other, PartKind::kEdge, x, a, b);
     };
-    return !covers_edges(other.level) || boxes.edges.visit(box, edge);
+    if (self_ && near_ != nullptr && near_->keeps(touch.edge, m)) return meet_near(touch.edge, m, box, edge);
+    if (!other.boxes[0].bounds.overlaps(box)) return true;
+    const auto vertex = [&](uint32_t w) {
+      return (self_ && (w == v_ || w == q)) || report_edge(touch, m, other, PartKind::kVertex, w, w, w);
+    };
+    if (!single_vertices(other, other.level).visit(box, vertex)) return false;
+    return !covers_edges(other.level) || fresh_boxes(other).edges.visit(box, edge);
+  }
+
+  /** Of its own edges those that have a vertex in common with edge e, and those that may come near; most are seen to
+   * stay on one side of what is swept. */
+  template <class Meet>
+  bool meet_near(uint32_t e, const EdgeMotion& m, const Box<D>& box, Meet meet) {
+    const SweptPlane plane(m);
+    bool go_on = true, in_line = true;  // p, p' and q
+    for (const uint32_t u : body_.edges[e].ends) {
+      for_each_edge(body_, u, [&](uint32_t x) {
+        if (x == e) return true;
+        if (plane.side(body_.position(body_.edges[x].other(u))) == 0) return go_on = meet(x);
+        in_line = false;
+        return true;
+      });
+      if (!go_on) return false;
+    }
+    if (in_line && !meet(e)) return false;
+    return near_->visit(e, [&](uint32_t x) {
+      const double* const ends[2] = {body_.position(body_.edges[x].ends[0]), body_.position(body_.edges[x].ends[1])};
+      if (!box.overlaps(ends, 2)) return true;
+      const int side = plane.side(ends[0]);
+      return (side != 0 && side == plane.side(ends[1])) || meet(x);
+    });
   }
 
   bool meet_with_face(const Body<D>& other, uint32_t f) {
@@ -181,13 +206,12 @@ class StarTouches {
     Box<D> box;
     box.add(to_);
     for (const uint32_t each : own) box.add(body_.position(each));
-    const BodyBoxes<D>& boxes = other.boxes[0];
     const auto vertex = [&](uint32_t w) {
       if (self_ && (w == into_ || std::find(own.begin(), own.end(), w) != own.end())) return true;
       touch.time = solid_touch<D>(m, other.position(w));
       return report(touch, PartKind::kVertex, w);
     };
-    return !boxes.bounds.overlaps(box) || boxes.vertices.visit(box, vertex);
+    return !other.boxes[0].bounds.overlaps(box) || fresh_boxes(other).vertices.visit(box, vertex);
   }
 
   bool report_path(const Body<D>& other, PartKind part, uint32_t index, uint32_t a, uint32_t b) {
@@ -216,6 +240,7 @@ class StarTouches {
   uint32_t v_;
   const double* p_;
   const double* to_;
+  const NearEdges* near_;
   Visit visit_;
   const Partner<D>* other_ = nullptr;
   bool self_ = false;
@@ -223,8 +248,9 @@ class StarTouches {
 };
 
 template <int D, class Visit>
-bool for_each_touch(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to, Visit visit) {
-  return StarTouches<D, Visit>(partners, body, v, to, visit).run();
+bool for_each_touch(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
+                    const NearEdges* near, Visit visit) {
+  return StarTouches<D, Visit>(partners, body, v, to, near, visit).run();
 }
 
 /** The vertex, then edges, then faces. */
@@ -245,9 +271,10 @@ bool comes_before(const PairContact<D>& a, const PairContact<D>& b) noexcept {
 }  // namespace
 
 template <int D>
-bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept {
+bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
+                  const NearEdges* near) noexcept {
   if (!partners.reach.contains(to)) return false;
-  return for_each_touch(partners, body, v, to, [](const PairContact<D>&) { return false; });
+  return for_each_touch(partners, body, v, to, near, [](const PairContact<D>&) { return false; });
 }
 
 template <int D>
@@ -259,9 +286,9 @@ bool is_merge_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v
 
 template <int D>
 bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
-                     PairContact<D>* first) noexcept {
+                     PairContact<D>* first, const NearEdges* near) noexcept {
   *first = PairContact<D>();
-  for_each_touch(partners, body, v, to, [&](const PairContact<D>& touch) {
+  for_each_touch(partners, body, v, to, near, [&](const PairContact<D>& touch) {
     if (comes_before(touch, *first)) *first = touch;
     return true;
   });

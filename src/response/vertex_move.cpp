@@ -70,7 +70,7 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
   const SweepEnd end = sweeps_.find_first(body_, v, to, &first, &cell);
   if (end == SweepEnd::kWorkLimit) return false;
   PairContact<D> pair;
-  if (sweeps_.partners != nullptr) find_first_pair(*sweeps_.partners, body_, v, to, &pair);
+  sweeps_.find_first_of_partners(body_, v, to, &pair);
   if (end == SweepEnd::kFree && pair.time == kNever) {
     put_vertex(body_, v, to, cell);
     return true;
@@ -175,7 +175,7 @@ dsw_body_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const
   dsw_body_contact contact;
   if (tried.of_partner) {
     PairContact<D> pair;
-    find_first_pair(*sweeps_.partners, body_, v, met, &pair);
+    sweeps_.find_first_of_partners(body_, v, met, &pair);
     contact = describe(env_, body_, v, met, pair);
     *partner = partner_of(pair);
   } else {
@@ -274,6 +274,12 @@ uint32_t VertexMove<D>::put_on(const Part& part, double size, const dsw_body_con
     const uint32_t middle = insert_vertex(body_, e, point, cell, share, &edit);
     record_.edits.push_back(edit);
     body_.inserted.push_back(middle);
+    if (sweeps_.near != nullptr) {
+      for_each_edge(body_, middle, [&](uint32_t each) {
+        sweeps_.near->let_go(each);
+        return true;
+      });
+    }
     return middle;
   }
   return kNone;
