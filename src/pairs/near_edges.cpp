@@ -1,4 +1,4 @@
-// Boxes are sorted into hashed cells about as large as they are on average. What is near what depends on the boxes
+// Boxes are sorted into hashed cells somewhat larger than they are on average. What is near what depends on the boxes
 // alone, so cells may be anything that keeps the order of coordinates.
 
 #include "pairs/near_edges.h"
@@ -8,6 +8,7 @@
 namespace dsw {
 namespace {
 
+constexpr double kCellSize = 1.5;            // as a share of the average box
 constexpr int64_t kMostCells = 64;           // of a box
 constexpr double kMostCellsAlong = 1 << 20;  // of the lattice, along one axis
 constexpr size_t kMostEach = 64;             // on average: boxes in the same cells, and near edges
@@ -52,7 +53,7 @@ bool NearEdges::find_cells() {
     ++count;
   }
   for (int k = 0; k < 3; ++k) extent = std::max(extent, all.upper[k] - all.lower[k]);
-  const double cell = std::max(size / count, extent / kMostCellsAlong), inverse = 1 / cell;
+  const double cell = std::max(kCellSize * size / count, extent / kMostCellsAlong), inverse = 1 / cell;
   if (!(extent < 0x1p1000) || !(inverse < 0x1p1000)) return false;
   cells_.resize(ways_.size());
   for (size_t e = 0; e < ways_.size(); ++e) {

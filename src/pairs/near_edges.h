@@ -40,13 +40,20 @@ class NearEdges {
   }
   bool active() const noexcept { return active_; }
 
-  /** Whether an edge that starts to sweep keeps to its box. */
-  bool keeps(uint32_t e, const EdgeMotion& m) const noexcept {
-    return active_ && holds(e, m.p) && holds(e, m.to) && holds(e, m.q);
+  /** Whether an edge keeps to its box when one of its ends goes to `to`. */
+  bool keeps(uint32_t e, const double* to) const noexcept {
+    return active_ && e < ways_.size() && ways_[e].contains(to);
   }
-  bool holds(uint32_t e, const double* place) const noexcept { return e < ways_.size() && ways_[e].contains(place); }
+  /** Notes that a vertex was put in another place: makes strays of edges that leave their boxes. */
+  void follow(const Body<3>& body, uint32_t v) noexcept {
+    for_each_edge(body, v, [&](uint32_t e) {
+      if (!keeps(e, body.position(v))) let_go(e);
+      return true;
+    });
+  }
   /** Makes an edge a stray. */
   void let_go(uint32_t e) noexcept;
+  bool is_alone(uint32_t e) const noexcept { return first_[e] == first_[e + 1] && stray_count_ == 0; }
   /** Calls visit(edge) for those that one which keeps to its box can touch and that had no vertex in common with it when
    * the move started, and for strays, until it returns false; whether it never did. */
   template <class Visit>

@@ -189,7 +189,6 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     if (may_skip && !casts_.is_star_free(v)) return false;
     const size_t edits = record.edits.size();
     const bool reached = alone.move(v, course_.targets[v]);
-    keep_up(v);
     record.stopped += reached ? 0 : 1;
     if (!reached || record.edits.size() != edits) disturb(v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(record.edits[i].vertex.index);
@@ -211,18 +210,6 @@ void BodyMove<D>::look_ahead([[maybe_unused]] bool slides) {
     near_.start(body, slides, [&](uint32_t v) { return course_.moves(v) ? course_.targets[v] : body.position(v); });
     if (near_.active()) sweeps_.near = &near_;
   }
-}
-
-/** After a vertex that moved alone, and perhaps not straight. */
-template <int D>
-void BodyMove<D>::keep_up(uint32_t v) {
-  if (sweeps_.near == nullptr) return;
-  const Body<D>& body = *course_.body;
-  for_each_edge(body, v, [&](uint32_t e) {
-    if (!near_.holds(e, body.position(v))) near_.let_go(e);
-    return true;
-  });
-  if (!near_.active()) sweeps_.near = nullptr;
 }
 
 /** The neighbours of a vertex that is not where they took it to be. */

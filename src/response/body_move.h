@@ -46,7 +46,6 @@ class BodyMove {
   bool finish(const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void disturb(uint32_t v);
   void look_ahead(bool slides);
-  void keep_up(uint32_t v);
   void remove_noise(Body<D>& body, double share, MoveRecord& record);
 
   const Environment<D>& env_;

@@ -16,15 +16,10 @@ constexpr double kStandOffShare = 1e-9;
 
 template <int D>
 double extent(const Environment<D>& env, Cell c) {
+  Box<D> box;
+  for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) box.add(env.point(c, i));
   double size = 0;
-  for (int k = 0; k < D; ++k) {
-    double low = env.point(c, 0)[k], high = low;
-    for (uint32_t i = 1; i < env.map.vertices_of(c); ++i) {
-      low = std::min(low, env.point(c, i)[k]);
-      high = std::max(high, env.point(c, i)[k]);
-    }
-    size = std::max(size, high - low);
-  }
+  for (int k = 0; k < D; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
   return size;
 }
 
@@ -59,6 +54,14 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
   }
 }
 
+template <int D>
+void VertexMove<D>::put(uint32_t v, const double* position, Cell cell) {
+  put_vertex(body_, v, position, cell);
+  if constexpr (D == 3) {
+    if (sweeps_.near != nullptr) sweeps_.near->follow(body_, v);
+  }
+}
+
 /** To `to`, or as far as it is free: then the contacts are in the record, the first of them first. */
 template <int D>
 bool VertexMove<D>::advance(uint32_t v, const double* to) {
@@ -72,7 +75,7 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
   PairContact<D> pair;
   sweeps_.find_first_of_partners(body_, v, to, &pair);
   if (end == SweepEnd::kFree && pair.time == kNever) {
-    put_vertex(body_, v, to, cell);
+    put(v, to, cell);
     return true;
   }
   const dsw_body_contact contact = record_contacts(v, to, end == SweepEnd::kContact ? &first : nullptr, pair);
@@ -86,7 +89,7 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
     time = std::max(0.0, time - back);  // not a number: the way is longer than doubles go, and nothing is kept off
   double position[D];
   if (!retreat<D>(at.position, target, time, position, is_free)) return false;
-  put_vertex(body_, v, position, cell);
+  put(v, position, cell);
   return false;
 }
 
@@ -129,7 +132,7 @@ bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
   Cell cell, free_cell = at.cell;
   StarTry met = sweeps_.try_way(body_, v, to, &cell);
   if (met.end == SweepEnd::kFree) {
-    put_vertex(body_, v, to, cell);
+    put(v, to, cell);
     return true;
   }
   if (met.end == SweepEnd::kWorkLimit) return false;
@@ -164,7 +167,7 @@ bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
       free_cell = cell;
     }
   }
-  put_vertex(body_, v, free_at, free_cell);
+  put(v, free_at, free_cell);
   return false;
 }
 
