@@ -1,5 +1,6 @@
 // A body that meets itself and moves as a whole finds once what can come near what; one vertex alone asks the grids of
 // boxes. Both ways must give the same bits, with all responses that a vertex has on its own.
+#include "pairs/near_edges.h"
 #include "two_bodies.h"
 
 #include <set>
@@ -139,8 +140,12 @@ TEST_P(WholeTest, AMoveOfAllVerticesHasTheBitsOfOneAfterTheOther) {
                                  {DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_SLIDE},
                                  {DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_MANY}};
   size_t contacts = 0, inserted = 0, bodies = 0;
-  for (int round = 0; round < 40 && bodies < 15; ++round) {
-    const BodyPlan made = GetParam().shape == 2 ? strip() : plan();
+  for (int round = 0; round < 60 && bodies < 25; ++round) {
+    BodyPlan made = GetParam().shape == 2 ? strip() : plan();
+    // Two edges that stay in corners, so that one vertex may slide as far as all of them.
+    const uint32_t corners = static_cast<uint32_t>(made.at.size());
+    for (const double x : {0.02, 0.03, 3.97, 3.98}) made.at.push_back({x * scale_, x * scale_, x * scale_});
+    made.edges.insert(made.edges.end(), {{corners, corners + 1}, {corners + 2, corners + 3}});
     ScenePtr scenes[2] = {make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS),
                           make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS)};
     dsw_body_id body = {0, 0};
@@ -161,8 +166,12 @@ TEST_P(WholeTest, AMoveOfAllVerticesHasTheBitsOfOneAfterTheOther) {
     for (int step = 0; step < 4; ++step) {
       BodyState before;
       ASSERT_EQ(read_body(scenes[0].get(), body, before), "");
+      options.stand_off = step % 2 == 0 || GetParam().reach > 0.5 ? 0 : 0.3 * scale_;  // slides then leave their ways
       std::vector<Vec> targets;
-      for (const Vec& p : before.at) targets.push_back(beside(p, GetParam().reach));
+      for (size_t v = 0; v < before.at.size(); ++v) {
+        const bool stays = corners <= v && v < corners + 4;
+        targets.push_back(stays ? before.at[v] : beside(before.at[v], GetParam().reach));
+      }
       Told told[2];
       std::string after[2];
       for (int k = 0; k < 2; ++k) {
@@ -198,6 +207,93 @@ INSTANTIATE_TEST_SUITE_P(Bodies, WholeTest,
                                          Tangle{"TinyRope", DSW_LEVEL_EDGES, 0, 0.1, false, -300},
                                          Tangle{"LargeRope", DSW_LEVEL_EDGES, 0, 0.1, false, 300}),
                          testing::PrintToStringParamName());
+
+/// Random edges, of which some have a vertex in common.
+class NearEdgesTest : public testing::Test {
+ protected:
+  NearEdgesTest() {
+    constexpr size_t kEdges = 150;
+    keep_boxes(body_);
+    reserve(body_, 2 * kEdges, 2 * kEdges, 0);
+    for (size_t e = 0; e < kEdges; ++e) {
+      const bool joined = e > 0 && rng_.below(2) == 0;
+      const uint32_t from = joined ? rng_.below(body_.vertices.size()) : add(random());
+      add_edge(body_, from, add(near(body_.position(from), 0.6)));
+    }
+    for (uint32_t v = 0; v < body_.vertices.size(); ++v) targets_.push_back(near(body_.position(v), 0.2));
+  }
+
+  Vec random() { return {rng_.range(0, 3), rng_.range(0, 3), rng_.range(0, 3)}; }
+  Vec near(const double* p, double reach) {
+    return {p[0] + rng_.range(-reach, reach), p[1] + rng_.range(-reach, reach), p[2] + rng_.range(-reach, reach)};
+  }
+  uint32_t add(const Vec& at) { return add_vertex(body_, at.data(), dsw::Cell{8}); }
+  void put(uint32_t v, const Vec& at) {
+    put_vertex(body_, v, at.data(), dsw::Cell{8});
+    near_.follow(body_, v);
+  }
+
+  /// Whether every edge that keeps to its box when an end moves on to its target visits all edges whose boxes overlap
+  /// what it sweeps.
+  bool visits_all(int& kept) {
+    kept = 0;
+    for (uint32_t e = 0; e < body_.edges.size(); ++e) {
+      for (const uint32_t v : body_.edges[e].ends) {
+        const double* const to = v < targets_.size() ? targets_[v].data() : body_.position(v);
+        if (!near_.keeps(e, to)) continue;
+        ++kept;
+        dsw::Box<3> swept = box(e);
+        swept.add(to);
+        std::set<uint32_t> visited;
+        near_.visit(e, [&](uint32_t x) { return visited.insert(x), true; });
+        for (uint32_t x = 0; x < body_.edges.size(); ++x) {
+          if (!share_vertex(e, x) && swept.overlaps(box(x)) && visited.count(x) == 0) return false;
+        }
+      }
+    }
+    return true;
+  }
+  dsw::Box<3> box(uint32_t e) const {
+    dsw::Box<3> box;
+    for (const uint32_t v : body_.edges[e].ends) box.add(body_.position(v));
+    return box;
+  }
+  bool share_vertex(uint32_t e, uint32_t x) const {
+    const uint32_t(&a)[2] = body_.edges[e].ends, (&b)[2] = body_.edges[x].ends;
+    return a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];
+  }
+
+  Rng rng_{3};
+  dsw::Body<3> body_{nullptr};
+  std::vector<Vec> targets_;
+  dsw::NearEdges near_{nullptr};
+};
+
+TEST_F(NearEdgesTest, VisitsAllThatCanComeNearWhereverVerticesGo) {
+  int kept = 0, kept_at_first = 0;
+  near_.start(body_, false, [&](uint32_t v) { return targets_[v].data(); });
+  ASSERT_TRUE(near_.active());
+  EXPECT_TRUE(visits_all(kept_at_first));
+  EXPECT_EQ(kept_at_first, 300);
+  for (uint32_t v = 0; v < 100; ++v) put(v, v % 20 == 0 ? random() : targets_[v]);  // the others leave their ways
+  EXPECT_TRUE(visits_all(kept));
+  EXPECT_TRUE(150 < kept && kept < 300) << kept;
+  const uint32_t middle = add(near(body_.position(body_.edges[40].ends[0]), 0.1));
+  split_edge(body_, 40, middle);
+  for_each_edge(body_, middle, [&](uint32_t e) { return near_.let_go(e), true; });
+  EXPECT_TRUE(visits_all(kept));
+  for (uint32_t v = 100; v < 200 && near_.active(); ++v) put(v, random());
+  EXPECT_FALSE(near_.active());  // too many have left
+  EXPECT_FALSE(near_.keeps(0, body_.position(body_.edges[0].ends[0])));
+}
+
+TEST_F(NearEdgesTest, LeavesToTheGridsWhatDoesNotFitIntoCells) {
+  const uint32_t far = add({1e6, 1e6, 1e6});
+  add_edge(body_, far, 0);
+  targets_.push_back({1e6, 1e6, 1e6});
+  near_.start(body_, false, [&](uint32_t v) { return targets_[v].data(); });
+  EXPECT_FALSE(near_.active());
+}
 
 class WholeMemoryTest : public TwoBodies {
  protected:
