@@ -11,7 +11,7 @@ namespace {
 constexpr double kCellSize = 1.5;            // as a share of the average box
 constexpr int64_t kMostCells = 64;           // of a box
 constexpr double kMostCellsAlong = 1 << 20;  // of the lattice, along one axis
-constexpr size_t kMostEach = 64;             // on average: boxes in the same cells, and near edges
+constexpr size_t kMostEach = 512;            // on average: boxes in the same cells, and near edges
 
 uint32_t hash_of(int32_t x, int32_t y, int32_t z) noexcept {
   return static_cast<uint32_t>(x) * 0x9e3779b1u + static_cast<uint32_t>(y) * 0x85ebca77u +
