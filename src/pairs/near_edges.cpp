@@ -57,6 +57,7 @@ bool NearEdges::find_cells() {
   if (!(extent < 0x1p1000) || !(inverse < 0x1p1000)) return false;
   cells_.resize(ways_.size());
   for (size_t e = 0; e < ways_.size(); ++e) {
+    cells_[e].count = 0;
     if (ways_[e].empty()) continue;
     int64_t cells = 1;
     for (int k = 0; k < 3; ++k) {
@@ -66,6 +67,7 @@ bool NearEdges::find_cells() {
       cells *= int64_t{cells_[e].high[k]} - cells_[e].low[k] + 1;
       if (cells > kMostCells) return false;
     }
+    cells_[e].count = static_cast<uint32_t>(cells);
   }
   return true;
 }
@@ -76,13 +78,17 @@ bool NearEdges::sort_into_cells() {
   while ((size_t{1} << bits) < 2 * ways_.size() && bits < 30) ++bits;
   shift_ = 32 - bits;
   starts_.assign((size_t{1} << bits) + 1, 0);
-  const auto for_each_entry = [&](auto visit) {
-    for (uint32_t e = 0; e < ways_.size(); ++e) {
-      if (ways_[e].empty()) continue;
-      for_each_cell(cells_[e].low, cells_[e].high, [&](uint32_t hash) { visit(e, hash >> shift_); });
-    }
-  };
-  for_each_entry([&](uint32_t, uint32_t place) { ++starts_[place]; });
+  size_t count = 0;
+  for (const Cells& each : cells_) count += each.count;
+  places_.resize(count);
+  uint32_t* next = places_.data();
+  for (const Cells& each : cells_) {
+    if (each.count == 0) continue;
+    for_each_cell(each.low, each.high, [&](uint32_t hash) {
+      *next = hash >> shift_;
+      ++starts_[*next++];
+    });
+  }
   uint64_t tests = 0;
   uint32_t sum = 0;
   for (uint32_t& start : starts_) {
@@ -91,7 +97,10 @@ bool NearEdges::sort_into_cells() {
   }
   if (tests > kMostEach * ways_.size()) return false;
   entries_.resize(sum);
-  for_each_entry([&](uint32_t e, uint32_t place) { entries_[--starts_[place]] = e; });
+  next = places_.data();
+  for (uint32_t e = 0; e < cells_.size(); ++e) {
+    for (uint32_t i = 0; i < cells_[e].count; ++i) entries_[--starts_[*next++]] = e;
+  }
   return true;
 }
 

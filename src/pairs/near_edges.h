@@ -14,8 +14,10 @@ namespace dsw {
 class NearEdges {
  public:
   explicit NearEdges(const Memory* memory)
-      : ways_(memory),
+      : of_vertices_(memory),
+        ways_(memory),
         cells_(memory),
+        places_(memory),
         starts_(memory),
         entries_(memory),
         pairs_(memory),
@@ -27,10 +29,15 @@ class NearEdges {
   template <class Target>
   void start(const Body<3>& body, bool slides, Target target) {
     stop();
+    of_vertices_.assign(body.vertices.size(), Box<3>());
+    for (uint32_t v = 0; v < of_vertices_.size(); ++v) {
+      if (body.has_vertex(v)) add_way(of_vertices_[v], body.position(v), target(v), slides);
+    }
     ways_.assign(body.edges.size(), Box<3>());
     for (uint32_t e = 0; e < ways_.size(); ++e) {
       if (!body.has_edge(e)) continue;
-      for (const uint32_t v : body.edges[e].ends) add_way(ways_[e], body.position(v), target(v), slides);
+      ways_[e] = of_vertices_[body.edges[e].ends[0]];
+      ways_[e].add(of_vertices_[body.edges[e].ends[1]]);
     }
     active_ = find_pairs(body);
   }
@@ -72,6 +79,7 @@ class NearEdges {
   /** Cells of a lattice that a box meets. */
   struct Cells {
     int32_t low[3], high[3];
+    uint32_t count;  // 0: there is no box
   };
 
   static void add_way(Box<3>& box, const double* from, const double* to, bool slides) noexcept {
@@ -89,12 +97,13 @@ class NearEdges {
   void note_pair(const Body<3>& body, uint32_t a, uint32_t b);
 
   bool active_ = false;
-  Array<Box<3>> ways_;                // by edge; empty for strays
-  Array<Cells> cells_;                // by edge
-  uint32_t shift_ = 0;                // of hashes
-  Array<uint32_t> starts_, entries_;  // edges by hashed cell
-  Array<uint32_t> pairs_;             // two edges each
-  Array<uint32_t> first_, near_;      // by edge
+  Array<Box<3>> of_vertices_;                  // their ways
+  Array<Box<3>> ways_;                         // by edge; empty for strays
+  Array<Cells> cells_;                         // by edge
+  uint32_t shift_ = 0;                         // of hashes
+  Array<uint32_t> places_, starts_, entries_;  // hashed cells by edge, and edges by hashed cell
+  Array<uint32_t> pairs_;                      // two edges each
+  Array<uint32_t> first_, near_;               // by edge
   uint32_t strays_[kMostStrays] = {}, stray_count_ = 0;
 };
 
