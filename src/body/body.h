@@ -72,10 +72,16 @@ template <int D>
 struct BodyBoxes {
   BoxGrid<D> vertices, loners, edges, faces;  // loners: vertices without edges
   Box<D> bounds;                              // of all; may be too large
+  // Vertices that have moved since they were noted, and by vertex whether it is one of them; see fresh_boxes.
+  Array<uint32_t> late;  // the first late_count
+  Array<bool> is_late;
+  size_t late_count = 0;
 
-  explicit BodyBoxes(const Memory* memory) : vertices(memory), loners(memory), edges(memory), faces(memory) {}
+  explicit BodyBoxes(const Memory* memory)
+      : vertices(memory), loners(memory), edges(memory), faces(memory), late(memory), is_late(memory) {}
   uint64_t memory_bytes() const {
-    return vertices.memory_bytes() + loners.memory_bytes() + edges.memory_bytes() + faces.memory_bytes();
+    return vertices.memory_bytes() + loners.memory_bytes() + edges.memory_bytes() + faces.memory_bytes() +
+           array_bytes(late) + array_bytes(is_late);
   }
 };
 
@@ -92,8 +98,9 @@ struct Body {
   mutable Array<TouchedLines> touched;
   Array<Clearance<D>> clearances;  // by vertex, if they are kept
   int64_t clearance_credit = 0;    // what measuring them may cost, see sweep/clearance.h
-  Array<BodyBoxes<D>> boxes;       // one, if bodies meet each other; else none
-  Array<RigidShape<D>> shape;      // one, if walls move the body as a whole; else none
+  // One, if bodies meet each other; else none. Moves note in it when it is asked: read it through fresh_boxes.
+  mutable Array<BodyBoxes<D>> boxes;
+  Array<RigidShape<D>> shape;  // one, if walls move the body as a whole; else none
   ContactFilter filter;
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
@@ -185,6 +192,16 @@ void keep_sequences(Body<D>& body, size_t edges);
 /** Starts to keep boxes. Throws std::bad_alloc before it changes anything. */
 template <int D>
 void keep_boxes(Body<D>& body);
+
+template <int D>
+void note_late_ones(const Body<D>& body) noexcept;
+/** The boxes, which are kept, with all vertices noted where they are. Writes if some have moved since then: before a
+ * body is read by several threads, one calls it. */
+template <int D>
+const BodyBoxes<D>& fresh_boxes(const Body<D>& body) noexcept {
+  if (body.boxes[0].late_count != 0) note_late_ones(body);
+  return body.boxes[0];
+}
 
 /** Lets the bounds of kept boxes fit again. */
 template <int D>

@@ -12,14 +12,6 @@ Box<D> Box<D>::everything() noexcept {
 }
 
 template <int D>
-bool Box<D>::contains(const double* point) const noexcept {
-  for (int k = 0; k < D; ++k) {
-    if (!(lower[k] <= point[k] && point[k] <= upper[k])) return false;
-  }
-  return true;
-}
-
-template <int D>
 bool Box<D>::overlaps(const double* const* points, int count) const noexcept {
   Box<D> box;
   for (int i = 0; i < count; ++i) box.add(points[i]);

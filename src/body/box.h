@@ -28,7 +28,12 @@ struct Box {
     add(other.upper);
   }
   bool empty() const noexcept { return !(lower[0] <= upper[0]); }
-  bool contains(const double* point) const noexcept;
+  bool contains(const double* point) const noexcept {
+    for (int k = 0; k < D; ++k) {
+      if (!(lower[k] <= point[k] && point[k] <= upper[k])) return false;
+    }
+    return true;
+  }
   bool overlaps(const Box<D>& other) const noexcept {
     for (int k = 0; k < D; ++k) {
       if (!(lower[k] <= other.upper[k] && other.lower[k] <= upper[k])) return false;

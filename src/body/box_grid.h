@@ -53,6 +53,7 @@ class BoxGrid {
     return true;
   }
 
+  bool empty() const noexcept { return level_count_ == 0; }
   uint64_t memory_bytes() const noexcept { return array_bytes(items_) + array_bytes(heads_) + array_bytes(levels_); }
 
  private:

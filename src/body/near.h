@@ -54,7 +54,7 @@ bool visit_near(const Body<D>& body, const BoxGrid<D> BodyBoxes<D>::*grid, size_
     }
     return true;
   }
-  find_overlapping(body.boxes[0].*grid, places, near);
+  find_overlapping(fresh_boxes(body).*grid, places, near);
   looked_at += near.size();
   return std::all_of(near.begin(), near.end(), visit);
 }

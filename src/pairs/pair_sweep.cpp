@@ -5,6 +5,7 @@
 #include "pairs/pair_sweep.h"
 
 #include "base/dimensions.h"
+#include "predicates/swept_plane.h"
 
 #include <algorithm>
 #include <array>
@@ -13,15 +14,65 @@
 namespace dsw {
 namespace {
 
+/** A vertex between two edges, or at the end of one, and the vertices next to it on a chain. */
+class Chain {
+ public:
+  Chain(const Body<3>& body, uint32_t v) : body_(body) {
+    count_ = find_edges(v, edges_);
+    for (uint32_t k = 0; k < count_; ++k) {
+      next_[k] = body.edges[edges_[k]].other(v);
+      uint32_t beyond[2] = {};
+      const uint32_t count = find_edges(next_[k], beyond);
+      if (count == 0) count_ = 0;
+      if (count_ == 0) break;
+      const uint32_t edge = beyond[0] == edges_[k] ? beyond[1] : beyond[0];
+      far_[k] = count == 2 ? body.edges[edge].other(next_[k]) : kNone;
+    }
+  }
+
+  /** Whether its edges are seen to touch none of the edges at their ends, nor the vertex itself what it leaves: of p, p',
+   * one end and the far end of an edge at either end no four lie in one plane. */
+  bool passes(const double* p, const double* to) const noexcept {
+    if (count_ == 0) return false;
+    const SwingPlane first(p, to, body_.position(next_[0]));
+    if (count_ == 1) return far_[0] != kNone && first.is_off(p, body_.position(far_[0]));
+    const SwingPlane second(p, to, body_.position(next_[1]));
+    return first.is_off(second) && (far_[0] == kNone || first.is_off(p, body_.position(far_[0]))) &&
+           (far_[1] == kNone || second.is_off(p, body_.position(far_[1])));
+  }
+  /** Whether no other edges come near. */
+  bool is_alone(const NearEdges& near, const double* to) const noexcept {
+    for (uint32_t k = 0; k < count_; ++k) {
+      if (!near.keeps(edges_[k], to) || !near.is_alone(edges_[k])) return false;
+    }
+    return true;
+  }
+
+ private:
+  /** One or two edges at a vertex; 0: there are none, or more. */
+  uint32_t find_edges(uint32_t v, uint32_t* found) const noexcept {
+    uint32_t count = 0;
+    for (uint32_t e = body_.vertices[v].first_edge; e != kNone; e = body_.edges[e].next[body_.edges[e].side_of(v)]) {
+      if (count == 2) return 0;
+      found[count++] = e;
+    }
+    return count;
+  }
+
+  const Body<3>& body_;
+  uint32_t count_ = 0, edges_[2] = {}, next_[2] = {}, far_[2] = {};
+};
+
 /** Calls visit(touch) for all that is touched, until it returns false. */
 template <int D, class Visit>
 class StarTouches {
  public:
-  StarTouches(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to, Visit visit)
-      : partners_(partners), body_(body), v_(v), p_(body.position(v)), to_(to), visit_(visit) {}
+  StarTouches(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to, const NearEdges* near,
+              Visit visit)
+      : partners_(partners), body_(body), v_(v), p_(body.position(v)), to_(to), near_(near), visit_(visit) {}
   /** With a vertex that is merged into another. */
   StarTouches(const Partners<D>& partners, const Body<D>& body, uint32_t v, uint32_t into, Visit visit)
-      : StarTouches(partners, body, v, body.position(into), visit) {
+      : StarTouches(partners, body, v, body.position(into), nullptr, visit) {
     into_ = into;
   }
 
@@ -41,6 +92,14 @@ class StarTouches {
   bool meet(const Body<D>& other) {
     if (!meet_with_vertex(other)) return false;
     if (!covers_edges(body_.level)) return true;
+    if constexpr (D == 3) {
+      passes_neighbours_ = false;
+      if (self_ && near_ != nullptr && near_->active()) {
+        const Chain chain(body_, v_);
+        passes_neighbours_ = chain.passes(p_, to_);
+        if (passes_neighbours_ && chain.is_alone(*near_, to_) && !covers_faces(body_.level)) return true;
+      }
+    }
     bool go_on = true;
     for_each_edge(body_, v_, [&](uint32_t e) { return go_on = meet_with_edge(other, e); });
     if constexpr (D == 3) {
@@ -56,7 +115,7 @@ class StarTouches {
   // apart from it. Faces sweep tetrahedra.
   bool merge() {
     if (!covers_edges(body_.level)) {
-      return body_.boxes[0].vertices.visit(path_box(), [&](uint32_t w) {
+      return fresh_boxes(body_).vertices.visit(path_box(), [&](uint32_t w) {
         return w == v_ || w == into_ || report_path(body_, PartKind::kVertex, w, w, w);
       });
     }
@@ -92,7 +151,7 @@ class StarTouches {
         if (is_own(a) || is_own(b)) return (is_own(a) && is_own(b)) || vertex(is_own(a) ? b : a);
         return report_edge(touch, m, body_, PartKind::kEdge, x, a, b);
       };
-      return body_.boxes[0].loners.visit(box, vertex) && body_.boxes[0].edges.visit(box, edge);
+      return fresh_boxes(body_).loners.visit(box, vertex) && fresh_boxes(body_).edges.visit(box, edge);
     }
   }
 
@@ -104,15 +163,18 @@ class StarTouches {
   }
 
   bool meet_with_vertex(const Body<D>& other) {
-    const Box<D> box = path_box();
-    const BodyBoxes<D>& boxes = other.boxes[0];
-    if (!boxes.bounds.overlaps(box)) return true;
     if constexpr (D == 3) {
-      if (covers_faces(other.level) && !boxes.faces.visit(box, [&](uint32_t f) { return meet_face(other, f); }))
-        return false;
       // Its edges stand for it, which in the plane are no more than vertices meet.
-      if (covers_edges(body_.level) && body_.vertices[v_].first_edge != kNone) return true;
+      const bool stands = covers_edges(body_.level) && body_.vertices[v_].first_edge != kNone;
+      if (covers_faces(other.level)) {
+        const Box<D> box = path_box();
+        const auto face = [&](uint32_t f) { return meet_face(other, f); };
+        if (other.boxes[0].bounds.overlaps(box) && !fresh_boxes(other).faces.visit(box, face)) return false;
+      }
+      if (stands) return true;
     }
+    const Box<D> box = path_box();
+    if (!other.boxes[0].bounds.overlaps(box)) return true;
     const auto vertex = [&](uint32_t w) {
       return (self_ && w == v_) || report_path(other, PartKind::kVertex, w, w, w);
     };
@@ -123,7 +185,7 @@ class StarTouches {
       const uint32_t far = a == v_ ? b : a;  // of an edge of its own
       return report_path(other, PartKind::kVertex, far, far, far);
     };
-    return !covers_edges(other.level) || boxes.edges.visit(box, edge);
+    return !covers_edges(other.level) || fresh_boxes(other).edges.visit(box, edge);
   }
 
   bool meet_face(const Body<D>& other, uint32_t f) {
@@ -148,14 +210,6 @@ class StarTouches {
 
   bool meet_segments(const Body<D>& other, uint32_t q, PairContact<D>& touch) {
     const EdgeMotion m{p_, to_, body_.position(q)};
-    Box<D> box;
-    for (const double* each : {m.p, m.to, m.q}) box.add(each);
-    const BodyBoxes<D>& boxes = other.boxes[0];
-    if (!boxes.bounds.overlaps(box)) return true;
-    const auto vertex = [&](uint32_t w) {
-      return (self_ && (w == v_ || w == q)) || report_edge(touch, m, other, PartKind::kVertex, w, w, w);
-    };
-    if (!single_vertices(other, other.level).visit(box, vertex)) return false;
     const auto edge = [&](uint32_t x) {
       const uint32_t a = other.edges[x].ends[0], b = other.edges[x].ends[1];
       const bool at_v = self_ && (a == v_ || b == v_), at_q = self_ && (a == q || b == q);
@@ -166,7 +220,51 @@ class StarTouches {
       if (!report_edge(touch, m, other, PartKind::kVertex, far, far, far)) return false;
       return at_v || report_path(other, PartKind::kEdge, x, a, b);
     };
-    return !covers_edges(other.level) || boxes.edges.visit(box, edge);
+    if (self_ && near_ != nullptr && near_->keeps(touch.edge, to_)) return meet_near(touch.edge, m, edge);
+    Box<D> box;
+    for (const double* each : {m.p, m.to, m.q}) box.add(each);
+    if (!other.boxes[0].bounds.overlaps(box)) return true;
+    const auto vertex = [&](uint32_t w) {
+      return (self_ && (w == v_ || w == q)) || report_edge(touch, m, other, PartKind::kVertex, w, w, w);
+    };
+    if (!single_vertices(other, other.level).visit(box, vertex)) return false;
+    if (!covers_edges(other.level)) return true;
+    const SweptEdge swept(m);
+    return fresh_boxes(other).edges.visit(box, [&](uint32_t x) {
+      const uint32_t a = other.edges[x].ends[0], b = other.edges[x].ends[1];
+      return swept.stays_beside(other.position(a), other.position(b)) || edge(x);
+    });
+  }
+
+  /** Of its own edges those that have a vertex in common with edge e, and those that may come near; most are seen to
+   * stay beside what is swept. */
+  template <class Meet>
+  bool meet_near(uint32_t e, const EdgeMotion& m, Meet meet) {
+    if (!passes_neighbours_ && !meet_neighbours(e, SweptPlane(m), meet)) return false;
+    if (near_->is_alone(e)) return true;
+    const SweptEdge swept(m);
+    return near_->visit(e, [&](uint32_t x) {
+      const double *const a = body_.position(body_.edges[x].ends[0]), *const b = body_.position(body_.edges[x].ends[1]);
+      if (swept.stays_beside(a, b)) return true;
+      const SweptPlane plane(m);
+      const int side = plane.side(a);
+      return (side != 0 && side == plane.side(b)) || meet(x);
+    });
+  }
+
+  template <class Meet>
+  bool meet_neighbours(uint32_t e, const SweptPlane& plane, Meet meet) {
+    bool go_on = true, in_line = true;  // p, p' and q
+    for (const uint32_t u : body_.edges[e].ends) {
+      for_each_edge(body_, u, [&](uint32_t x) {
+        if (x == e) return true;
+        if (plane.side(body_.position(body_.edges[x].other(u))) == 0) return go_on = meet(x);
+        in_line = false;
+        return true;
+      });
+      if (!go_on) return false;
+    }
+    return !in_line || meet(e);
   }
 
   bool meet_with_face(const Body<D>& other, uint32_t f) {
@@ -181,13 +279,12 @@ class StarTouches {
     Box<D> box;
     box.add(to_);
     for (const uint32_t each : own) box.add(body_.position(each));
-    const BodyBoxes<D>& boxes = other.boxes[0];
     const auto vertex = [&](uint32_t w) {
       if (self_ && (w == into_ || std::find(own.begin(), own.end(), w) != own.end())) return true;
       touch.time = solid_touch<D>(m, other.position(w));
       return report(touch, PartKind::kVertex, w);
     };
-    return !boxes.bounds.overlaps(box) || boxes.vertices.visit(box, vertex);
+    return !other.boxes[0].bounds.overlaps(box) || fresh_boxes(other).vertices.visit(box, vertex);
   }
 
   bool report_path(const Body<D>& other, PartKind part, uint32_t index, uint32_t a, uint32_t b) {
@@ -216,15 +313,18 @@ class StarTouches {
   uint32_t v_;
   const double* p_;
   const double* to_;
+  const NearEdges* near_;
   Visit visit_;
   const Partner<D>* other_ = nullptr;
   bool self_ = false;
+  bool passes_neighbours_ = false;  // its edges touch none of those that have a vertex in common with them
   uint32_t into_ = kNone;
 };
 
 template <int D, class Visit>
-bool for_each_touch(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to, Visit visit) {
-  return StarTouches<D, Visit>(partners, body, v, to, visit).run();
+bool for_each_touch(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
+                    const NearEdges* near, Visit visit) {
+  return StarTouches<D, Visit>(partners, body, v, to, near, visit).run();
 }
 
 /** The vertex, then edges, then faces. */
@@ -245,9 +345,10 @@ bool comes_before(const PairContact<D>& a, const PairContact<D>& b) noexcept {
 }  // namespace
 
 template <int D>
-bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept {
+bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
+                  const NearEdges* near) noexcept {
   if (!partners.reach.contains(to)) return false;
-  return for_each_touch(partners, body, v, to, [](const PairContact<D>&) { return false; });
+  return for_each_touch(partners, body, v, to, near, [](const PairContact<D>&) { return false; });
 }
 
 template <int D>
@@ -259,9 +360,9 @@ bool is_merge_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v
 
 template <int D>
 bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
-                     PairContact<D>* first) noexcept {
+                     PairContact<D>* first, const NearEdges* near) noexcept {
   *first = PairContact<D>();
-  for_each_touch(partners, body, v, to, [&](const PairContact<D>& touch) {
+  for_each_touch(partners, body, v, to, near, [&](const PairContact<D>& touch) {
     if (comes_before(touch, *first)) *first = touch;
     return true;
   });

@@ -2,6 +2,7 @@
 // What of other bodies, or of its own, a body touches when one of its vertices moves and everything else stands still
 // [JCD10] 4.4.
 
+#include "pairs/near_edges.h"
 #include "pairs/partners.h"
 #include "predicates/touch.h"
 
@@ -20,9 +21,11 @@ struct PairContact {
   uint32_t index = kNone;
 };
 
-/** Whether vertex v can go to `to`, within reach, without touching anything. noexcept: looks at boxes alone. */
+/** Whether vertex v can go to `to`, within reach, without touching anything. noexcept: looks at boxes alone.
+ * @param near of the body's move, if that has a list that is active; else null. */
 template <int D>
-bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept;
+bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
+                  const NearEdges* near = nullptr) noexcept;
 
 /** Whether vertex v can go to `into`, the other end of one of its edges, and become one with it. */
 template <int D>
@@ -32,6 +35,6 @@ bool is_merge_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v
  * the other body with the lowest index and of its parts vertices before edges before faces, all by index. */
 template <int D>
 bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
-                     PairContact<D>* first) noexcept;
+                     PairContact<D>* first, const NearEdges* near = nullptr) noexcept;
 
 }  // namespace dsw

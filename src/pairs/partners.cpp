@@ -27,10 +27,10 @@ class Segment {
     const auto past_vertex = [&](uint32_t v) { return is_own(v) || !touches(other_.position(v), other_.position(v)); };
     if (!single_vertices(other_, other_.level).visit(box_, past_vertex)) return false;
     const auto past_edge = [&](uint32_t e) { return e == replaced_ || is_past_edge(other_.edges[e]); };
-    if (covers_edges(other_.level) && !other_.boxes[0].edges.visit(box_, past_edge)) return false;
+    if (covers_edges(other_.level) && !fresh_boxes(other_).edges.visit(box_, past_edge)) return false;
     if constexpr (D == 3) {
       const auto past_face = [&](uint32_t f) { return is_replaced_face(f) || is_past_face(other_.faces[f]); };
-      if (covers_faces(other_.level) && !other_.boxes[0].faces.visit(box_, past_face)) return false;
+      if (covers_faces(other_.level) && !fresh_boxes(other_).faces.visit(box_, past_face)) return false;
     }
     return true;
   }
@@ -108,7 +108,7 @@ bool is_triangle_apart(const Partners<3>& partners, const Body<3>& body, const C
     const auto past_vertex = [&](uint32_t v) { return past(v, v); };
     if (!single_vertices(other, other.level).visit(box, past_vertex)) return false;
     const auto past_edge = [&](uint32_t e) { return past(other.edges[e].ends[0], other.edges[e].ends[1]); };
-    return !covers_edges(other.level) || other.boxes[0].edges.visit(box, past_edge);
+    return !covers_edges(other.level) || fresh_boxes(other).edges.visit(box, past_edge);
   });
 }
 
@@ -119,7 +119,7 @@ bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const Soli
   for (const double* each : {swept.p, swept.to, swept.q}) box.add(each);
   if constexpr (D == 3) box.add(swept.r);
   return for_each_seen(partners, body, [&](const Body<D>& other, bool self) {
-    return other.boxes[0].vertices.visit(box, [&](uint32_t v) {
+    return fresh_boxes(other).vertices.visit(box, [&](uint32_t v) {
       return (self && std::find(own, own + D, v) != own + D) || solid_touch<D>(swept, other.position(v)) == kNever;
     });
   });

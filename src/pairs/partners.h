@@ -27,7 +27,7 @@ inline bool covers_faces(SweepLevel level) { return level == SweepLevel::kFaces;
 /** Vertices that no edge stands for. */
 template <int D>
 inline const BoxGrid<D>& single_vertices(const Body<D>& body, SweepLevel level) {
-  return covers_edges(level) ? body.boxes[0].loners : body.boxes[0].vertices;
+  return covers_edges(level) ? fresh_boxes(body).loners : fresh_boxes(body).vertices;
 }
 
 /** A place between vertices of a body, or beside them: kNone. */

@@ -7,6 +7,7 @@
 
 #include "base/dimensions.h"
 #include "predicates/filtered.h"
+#include "predicates/swept_plane.h"
 
 namespace dsw {
 namespace {
@@ -37,6 +38,24 @@ int side(const double* a, const double* b, const double* x, int axis) noexcept {
 bool same_side(int a, int b) noexcept { return a * b > 0; }
 // All on one side, or on the boundary.
 bool agree(int a, int b, int c) noexcept { return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0); }
+
+// Whether a line a b, which is not in the plane of a triangle t, meets it. The three determinants have their vectors in
+// common; see swept_plane.h on their bounds. Where these do not know, each is asked for its own.
+bool line_meets(const double* a, const double* b, const double* const* t) noexcept {
+  using namespace filter;
+  const Vec<3> way = difference<3>(b, a);
+  const Vec<3> x = difference<3>(t[0], a), y = difference<3>(t[1], a), z = difference<3>(t[2], a);
+  const Vec<3> n = cross(way, x), o = cross(way, y);
+  const double xy = dot(n, y), xz = dot(n, z), yz = dot(o, z);
+  const double size = largest(way), size_x = largest(x), size_y = largest(y), size_z = largest(z);
+  const double bound = kPlaneFilter3 * size;
+  const bool certain = in_range(size) && in_range(size_x) && in_range(size_y) && in_range(size_z) &&
+                       std::fabs(xy) > bound * size_x * size_y && std::fabs(xz) > bound * size_x * size_z &&
+                       std::fabs(yz) > bound * size_y * size_z;
+  if (certain) return (xy > 0) == (yz > 0) && (xy > 0) == (xz < 0);
+  const int first = side(a, b, t[0], t[1]), second = side(a, b, t[1], t[2]);
+  return !(first * second < 0) && agree(first, second, side(a, b, t[2], t[0]));
+}
 
 bool is_between(double x, double a, double b) noexcept { return std::min(a, b) <= x && x <= std::max(a, b); }
 
@@ -146,7 +165,7 @@ EdgeTouch path_touch(const double* p, const double* to, const double* a, const d
 bool triangle_touches(const double* const* t, const double* a, const double* b) noexcept {
   const int at_a = orient<3>(t, a), at_b = orient<3>(t, b);
   if (same_side(at_a, at_b)) return false;
-  if (at_a != 0 || at_b != 0) return agree(side(a, b, t[0], t[1]), side(a, b, t[1], t[2]), side(a, b, t[2], t[0]));
+  if (at_a != 0 || at_b != 0) return line_meets(a, b, t);
   for (int k = 0; k < 3; ++k) {
     if (segments_touch<3>(t[k], t[(k + 1) % 3], a, b)) return true;
   }
@@ -165,9 +184,15 @@ double vertex_touch(const double* p, const double* to, const double* const* t) n
 
 EdgeTouch edge_touch(const EdgeMotion& m, const double* a, const double* b) noexcept {
   const double* const swept[3] = {m.p, m.to, m.q};
-  if (!triangle_touches(swept, a, b)) return {};
-  const int at_a = orient<3>(swept, a), at_b = orient<3>(swept, b);
-  if (at_a == 0 && at_b == 0) return edge_touch_in_plane(m, a, b);
+  const SweptPlane plane(m);
+  const auto side_of = [&](const double* x) {
+    const int known = plane.side(x);
+    return known != 0 ? known : orient<3>(swept, x);
+  };
+  const int at_a = side_of(a), at_b = a == b ? at_a : side_of(b);
+  if (same_side(at_a, at_b)) return {};
+  if (at_a == 0 && at_b == 0) return triangle_touches(swept, a, b) ? edge_touch_in_plane(m, a, b) : EdgeTouch{};
+  if (!line_meets(a, b, swept)) return {};
   SweepEvent event;
   event.kind = EventKind::kEdge;
   event.points[0] = m.q;

@@ -110,6 +110,7 @@ bool BodyMove<D>::try_together(Body<D>& body, PlaceFn where, const void* user, d
   }
   start(body, targets, order);
   sweep_all(false);
+  look_ahead(false);
   for (const uint32_t v : course_.order) {
     if (!course_.moves(v)) continue;
     if (arrives(v)) {
@@ -130,7 +131,7 @@ void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to
   PairContact<D> pair;
   Cell cell;
   const bool any = sweeps_.find_first(body, v, to, &first, &cell) == SweepEnd::kContact;
-  const bool any_pair = sweeps_.partners != nullptr && find_first_pair(*sweeps_.partners, body, v, to, &pair);
+  const bool any_pair = sweeps_.find_first_of_partners(body, v, to, &pair);
   const dsw_body_contact contact = any ? describe(env_, body, v, to, first) : dsw_body_contact{};
   if (any_pair && !(any && contact.time <= pair.time)) {
     record.add(describe(env_, body, v, to, pair), partner_of(pair));
@@ -141,6 +142,7 @@ void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to
 
 template <int D>
 void BodyMove<D>::start(Body<D>& body, PointArray targets, MoveOrder order) {
+  sweeps_.near = nullptr;
   sweeps_.counts = {};
   strays_.clear();
   course_.start(body, targets, order);
@@ -177,6 +179,7 @@ bool BodyMove<D>::arrives(uint32_t v) const {
 template <int D>
 bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool may_skip) {
   VertexMove<D> alone(env_, *course_.body, settings, sweeps_, record);
+  look_ahead(settings.may_slide());
   for (const uint32_t v : course_.order) {
     if (!course_.moves(v)) continue;
     if (arrives(v)) {
@@ -190,7 +193,23 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     if (!reached || record.edits.size() != edits) disturb(v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(record.edits[i].vertex.index);
   }
+  sweeps_.near = nullptr;
   return true;
+}
+
+/** Finds what of a body that meets itself can come near what, where many of its vertices move. */
+template <int D>
+void BodyMove<D>::look_ahead([[maybe_unused]] bool slides) {
+  sweeps_.near = nullptr;
+  if constexpr (D == 3) {
+    constexpr size_t kLeastEdges = 16, kLeastShare = 4;
+    const Body<D>& body = *course_.body;
+    if (sweeps_.partners == nullptr || !body.filter.self || body.level == SweepLevel::kPoints) return;
+    if (body.edges.size() < kLeastEdges || course_.order.size() * kLeastShare < body.vertices.size()) return;
+    if (!body.boxes[0].loners.empty()) return;
+    near_.start(body, slides, [&](uint32_t v) { return course_.moves(v) ? course_.targets[v] : body.position(v); });
+    if (near_.active()) sweeps_.near = &near_;
+  }
 }
 
 /** The neighbours of a vertex that is not where they took it to be. */

@@ -19,7 +19,8 @@ class BodyMove {
         course_(env.memory),
         casts_(env, sweeps_, course_),
         edges_(env, sweeps_, course_, casts_),
-        faces_(env, sweeps_, course_) {}
+        faces_(env, sweeps_, course_),
+        near_(env.memory) {}
   BodyMove(const BodyMove&) = delete;
   BodyMove& operator=(const BodyMove&) = delete;
 
@@ -44,6 +45,7 @@ class BodyMove {
   bool arrives(uint32_t v) const;
   bool finish(const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void disturb(uint32_t v);
+  void look_ahead(bool slides);
   void remove_noise(Body<D>& body, double share, MoveRecord& record);
 
   const Environment<D>& env_;
@@ -52,6 +54,7 @@ class BodyMove {
   CourseCasts<D> casts_;
   EdgePass<D> edges_;
   FacePass<D> faces_;
+  NearEdges near_;
   Array<uint32_t> strays_{env_.memory};       // vertices that are not where their neighbours took them to be
   Array<BodyVertex<D>> before_{env_.memory};  // to go back to
   Array<double> places_{env_.memory};         // of all vertices, when they move together

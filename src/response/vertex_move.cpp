@@ -16,17 +16,10 @@ constexpr double kStandOffShare = 1e-9;
 
 template <int D>
 double extent(const Environment<D>& env, Cell c) {
-  double low[D], high[D], size = 0;
-  std::copy_n(env.point(c, 0), D, low);
-  std::copy_n(low, D, high);
-  for (uint32_t i = 1, count = env.map.vertices_of(c); i < count; ++i) {
-    const double* const x = env.point(c, i);
-    for (int k = 0; k < D; ++k) {
-      low[k] = std::min(low[k], x[k]);
-      high[k] = std::max(high[k], x[k]);
-    }
-  }
-  for (int k = 0; k < D; ++k) size = std::max(size, high[k] - low[k]);
+  Box<D> box;
+  for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) box.add(env.point(c, i));
+  double size = 0;
+  for (int k = 0; k < D; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
   return size;
 }
 
@@ -61,6 +54,14 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
   }
 }
 
+template <int D>
+void VertexMove<D>::put(uint32_t v, const double* position, Cell cell) {
+  put_vertex(body_, v, position, cell);
+  if constexpr (D == 3) {
+    if (sweeps_.near != nullptr) sweeps_.near->follow(body_, v);
+  }
+}
+
 /** To `to`, or as far as it is free: then the contacts are in the record, the first of them first. */
 template <int D>
 bool VertexMove<D>::advance(uint32_t v, const double* to) {
@@ -72,9 +73,9 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
   const SweepEnd end = sweeps_.find_first(body_, v, to, &first, &cell);
   if (end == SweepEnd::kWorkLimit) return false;
   PairContact<D> pair;
-  if (sweeps_.partners != nullptr) find_first_pair(*sweeps_.partners, body_, v, to, &pair);
+  sweeps_.find_first_of_partners(body_, v, to, &pair);
   if (end == SweepEnd::kFree && pair.time == kNever) {
-    put_vertex(body_, v, to, cell);
+    put(v, to, cell);
     return true;
   }
   const dsw_body_contact contact = record_contacts(v, to, end == SweepEnd::kContact ? &first : nullptr, pair);
@@ -88,7 +89,7 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
     time = std::max(0.0, time - back);  // not a number: the way is longer than doubles go, and nothing is kept off
   double position[D];
   if (!retreat<D>(at.position, target, time, position, is_free)) return false;
-  put_vertex(body_, v, position, cell);
+  put(v, position, cell);
   return false;
 }
 
@@ -131,7 +132,7 @@ bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
   Cell cell, free_cell = at.cell;
   StarTry met = sweeps_.try_way(body_, v, to, &cell);
   if (met.end == SweepEnd::kFree) {
-    put_vertex(body_, v, to, cell);
+    put(v, to, cell);
     return true;
   }
   if (met.end == SweepEnd::kWorkLimit) return false;
@@ -166,7 +167,7 @@ bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
       free_cell = cell;
     }
   }
-  put_vertex(body_, v, free_at, free_cell);
+  put(v, free_at, free_cell);
   return false;
 }
 
@@ -177,7 +178,7 @@ dsw_body_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const
   dsw_body_contact contact;
   if (tried.of_partner) {
     PairContact<D> pair;
-    find_first_pair(*sweeps_.partners, body_, v, met, &pair);
+    sweeps_.find_first_of_partners(body_, v, met, &pair);
     contact = describe(env_, body_, v, met, pair);
     *partner = partner_of(pair);
   } else {
@@ -276,6 +277,12 @@ uint32_t VertexMove<D>::put_on(const Part& part, double size, const dsw_body_con
     const uint32_t middle = insert_vertex(body_, e, point, cell, share, &edit);
     record_.edits.push_back(edit);
     body_.inserted.push_back(middle);
+    if (sweeps_.near != nullptr) {
+      for_each_edge(body_, middle, [&](uint32_t each) {
+        sweeps_.near->let_go(each);
+        return true;
+      });
+    }
     return middle;
   }
   return kNone;

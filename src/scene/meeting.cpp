@@ -82,7 +82,9 @@ void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& rea
   partners.reach = reach;
   scene.body_boxes.visit(reach, [&](uint32_t slot) {
     const Body<D>& other = scene.bodies[slot].body;
-    if (&other == &body ? body.filter.self : body.filter.sees(other.filter)) partners.all.push_back(name(scene, slot));
+    if (&other == &body ? !body.filter.self : !body.filter.sees(other.filter)) return true;
+    partners.all.push_back(name(scene, slot));
+    if (&other != &body) fresh_boxes(other);  // several threads may read it then
     return true;
   });
 }

@@ -62,7 +62,12 @@ class StarSweep {
   }
   /** Whether it touches no partner on that way. */
   bool is_apart(const Body<D>& body, uint32_t v, const double* to) const {
-    return partners == nullptr || is_way_apart(*partners, body, v, to);
+    return partners == nullptr || is_way_apart(*partners, body, v, to, near);
+  }
+  /** What of its partners it touches first. */
+  bool find_first_of_partners(const Body<D>& body, uint32_t v, const double* to, PairContact<D>* first) const {
+    *first = PairContact<D>();
+    return partners != nullptr && find_first_pair(*partners, body, v, to, first, near);
   }
 
   /** The first contact with the environment on that way, whose event borrows the body's points and `to`. Without one
@@ -129,6 +134,7 @@ class StarSweep {
   CastCounters* counters = nullptr;       // of casts, and cells of floods; may stay null
   uint32_t max_volumes = 0;               // work limit of each cast and flood; 0: none
   const Partners<D>* partners = nullptr;  // other bodies that the body can meet; null: none
+  NearEdges* near = nullptr;              // of the body, while it moves; null: its boxes are asked
 
  private:
   /** The first of the contacts on one way. */

@@ -8,6 +8,7 @@
 
 #include "cases.h"
 #include "oracle.h"
+#include "predicates/swept_plane.h"
 
 namespace dsw {
 namespace {
@@ -33,6 +34,58 @@ TEST(Filter, SettlesGenericInput) {
   EXPECT_LT(plane.exacts, 150u);
   EXPECT_LT(space.exacts, 150u);
   EXPECT_EQ(space.ties, 0u);
+}
+
+struct SweptCounts {
+  int sides = 0, beside = 0, off = 0;
+};
+
+/** What is known of a swept triangle is true, whatever the points. */
+void check_swept(const PointSet<3>& s, SweptCounts& counts) {
+  const double *const p = s.at[0], *const to = s.at[1], *const q = s.at[2], *const a = s.at[3], *const b = s.at[4];
+  const auto turn = [](const double* w, const double* x, const double* y, const double* z) {
+    const double* const triangle[] = {w, x, y};
+    return exact::orient<3>(triangle, z);
+  };
+  const EdgeMotion m{p, to, q};
+  const int side = SweptPlane(m).side(a);
+  ASSERT_TRUE(side == 0 || side == turn(p, to, q, a));
+  const bool beside = SweptEdge(m).stays_beside(a, b);
+  ASSERT_TRUE(!beside || turn(p, q, a, b) * turn(to, q, a, b) == 1);
+  const SwingPlane first(p, to, q), second(p, to, a);
+  ASSERT_TRUE(!first.is_off(p, b) || turn(p, to, q, b) != 0);
+  ASSERT_TRUE(!first.is_off(second) || turn(p, to, q, a) != 0);
+  counts.sides += side != 0 ? 1 : 0;
+  counts.beside += beside ? 1 : 0;
+  counts.off += first.is_off(second) && first.is_off(p, b) ? 1 : 0;
+}
+
+TEST(Filter, KnowsOfASweptTriangleOnlyWhatIsTrue) {
+  Random random(17);
+  PointSet<3> s;
+  SweptCounts counts;
+  for (std::uint64_t i = 0; i < case_count(); ++i) {
+    draw(random, 5, s);
+    if (random.below(4) == 0) {  // a short move
+      for (int k = 0; k < 3; ++k) s.x[1][k] = s.x[0][k] + (s.x[1][k] - s.x[0][k]) * 0x1p-40;
+    }
+    ASSERT_NO_FATAL_FAILURE(check_swept(s, counts)) << i;
+  }
+  EXPECT_GT(counts.sides, 0);
+}
+
+TEST(Filter, KnowsMostOfShortMoves) {
+  Random random(19);
+  PointSet<3> s;
+  SweptCounts counts;
+  for (int i = 0; i < 10000; ++i) {
+    draw(random, Shape::kUniform, Scale::kOne, 5, s);
+    for (int k = 0; k < 3; ++k) s.x[1][k] = s.x[0][k] + 0x1p-30 * s.x[1][k];
+    ASSERT_NO_FATAL_FAILURE(check_swept(s, counts)) << i;
+  }
+  EXPECT_GT(counts.sides, 9990);
+  EXPECT_GT(counts.beside, 9900);
+  EXPECT_GT(counts.off, 9990);
 }
 
 TEST(Filter, LeavesWhatMayOverflowToIntegers) {
