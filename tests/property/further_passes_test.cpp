@@ -32,7 +32,8 @@ class FurtherPassesTest : public BodyTest {
   }
 
   /// Moves a body; @return what is left of all ways.
-  double press(const BodyPlan& plan, dsw_level level, const std::vector<Vec>& targets, const dsw_move_options& options) {
+  double press(const BodyPlan& plan, dsw_level level, const std::vector<Vec>& targets,
+               const dsw_move_options& options) {
     const dsw_body_id body = make(plan, level);
     BodyAnswer answer;
     EXPECT_EQ(move_body(scene(), body, targets, &options, answer), "");
@@ -90,8 +91,7 @@ TEST_F(FurtherPassesTest, BodiesAreFreeAndComeFarther) {
     ++moves;
   }
   EXPECT_GT(moves, 100);
-  std::printf("moves %d left %g with %g\n", moves, left, left_with_passes);
-  EXPECT_LT(left_with_passes, 0.98 * left);
+  EXPECT_LT(left_with_passes, 0.95 * left);
 }
 
 }  // namespace
