@@ -44,8 +44,8 @@ typedef enum dsw_response {
 
 /** Flags of a move. */
 enum {
-  /** Slides stay before all walls that the vertex has touched in this move, and end in a corner. Up
-   * to 16 slides. Without the flag a slide knows the last two walls, and there are up to 8. */
+  /** Slides stay before all walls that the vertex has touched in this move, and end in a corner.
+   * Without the flag a slide knows the last two walls. There are up to 8 slides. */
   DSW_MOVE_KEEP_WALLS = 0x1
 };
 
@@ -97,7 +97,7 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
  * are read.
  * @return DSW_STATUS_DUPLICATE_ID: in `order`.
  * @note Cost: O(volumes met + bodies near the way). A vertex that touches looks for contacts once
- * more for each of its slides, at most 16, and inserted vertices, at most 64, in each pass.
+ * more for each of its slides, at most 8, and inserted vertices, at most 64, in each pass.
  * Source: [JCD10] 4. @since 2.0 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,

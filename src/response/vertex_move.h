@@ -42,6 +42,7 @@ class VertexMove {
   bool slide(uint32_t v, const double* target, const dsw_body_contact& contact, Walls& walls, double* to) const;
   bool slide_before(uint32_t v, const double* target, const dsw_body_contact& contact, TouchedWalls<D>& walls,
                     double* to) const;
+  void cut_off(uint32_t v, double off, double* to) const;
 
   const Environment<D>& env_;
   Body<D>& body_;
