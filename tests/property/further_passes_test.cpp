@@ -34,7 +34,7 @@ class FurtherPassesTest : public BodyTest {
   /// Moves a body; @return what is left of all ways.
   double press(const BodyPlan& plan, dsw_level level, const std::vector<Vec>& targets,
                const dsw_move_options& options) {
-    const dsw_body_id body = make(plan, level);
+    const dsw_body_id body = make(plan, level, flags_);
     BodyAnswer answer;
     EXPECT_EQ(move_body(scene(), body, targets, &options, answer), "");
     double left = 0;
@@ -51,7 +51,7 @@ class FurtherPassesTest : public BodyTest {
     BodyPlan now = plan;
     now.at = answer.after.at;
     EXPECT_EQ(dsw_body_destroy(scene(), body), DSW_STATUS_OK);
-    EXPECT_EQ(dsw_body_destroy(scene(), make(now, level)), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_body_destroy(scene(), make(now, level, flags_)), DSW_STATUS_OK);
     return left;
   }
 
@@ -60,14 +60,19 @@ class FurtherPassesTest : public BodyTest {
     for (const dsw_body_contact& c : contacts) {
       const dsw_cell& met = c.contact.obstacle;
       const uint32_t kind = met.kind;
+      if (met.kind == DSW_CELL_NONE) continue;  // with a body
       EXPECT_TRUE(seen.insert({c.vertex.index, c.edge.index, c.edge.generation, met.index, met.local, kind}).second);
     }
   }
 
+  /// Moves random bodies with and without further passes, which leave at most `share` of what is left without.
+  void press_all(double share);
+
   std::mt19937 random_{20};
+  uint32_t flags_ = 0;  // of bodies
 };
 
-TEST_F(FurtherPassesTest, BodiesAreFreeAndComeFarther) {
+void FurtherPassesTest::press_all(double share) {
   dsw_move_options usual = defaults(dsw_move_options_init);
   usual.vertex_response = usual.edge_response = DSW_RESPONSE_SLIDE;
   dsw_move_options more = usual;
@@ -79,7 +84,7 @@ TEST_F(FurtherPassesTest, BodiesAreFreeAndComeFarther) {
     const dsw_level level = i % 2 == 0 ? DSW_LEVEL_EDGES : DSW_LEVEL_EDGES_SWEPT;
     const BodyPlan plan = line();
     dsw_body_id probe = {0, 0};
-    if (create_body(scene(), plan, level, 0, {}, &probe) != DSW_STATUS_OK) continue;
+    if (create_body(scene(), plan, level, flags_, {}, &probe) != DSW_STATUS_OK) continue;
     ASSERT_EQ(dsw_body_destroy(scene(), probe), DSW_STATUS_OK);
     const Vec way = {number(-2, 3), number(-3, 3), number(-2, 2)};
     std::vector<Vec> targets = plan.at;
@@ -91,7 +96,15 @@ TEST_F(FurtherPassesTest, BodiesAreFreeAndComeFarther) {
     ++moves;
   }
   EXPECT_GT(moves, 100);
-  EXPECT_LT(left_with_passes, 0.95 * left);
+  EXPECT_LT(left_with_passes, share * left);
+}
+
+TEST_F(FurtherPassesTest, BodiesAreFreeAndComeFarther) { press_all(0.95); }
+
+TEST_F(FurtherPassesTest, BodiesThatMeetThemselvesToo) {
+  scene_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS);
+  flags_ = DSW_BODY_SELF_CONTACTS;
+  press_all(0.95);
 }
 
 }  // namespace
