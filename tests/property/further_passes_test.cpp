@@ -11,7 +11,7 @@ class FurtherPassesTest : public BodyTest {
  protected:
   void SetUp() override {
     BodyTest::SetUp();
-    for (const auto& [x, y] : {std::pair{1, 1}, {2, 1}, {1, 3}, {3, 2}}) {
+    for (const auto& [x, y] : {std::pair{1u, 1u}, {2u, 1u}, {1u, 3u}, {3u, 2u}}) {
       for (uint32_t z = 0; z < 3; ++z) mark_volume(cube(x, y, z));
     }
     mark_edge(2, 3, 1);
@@ -26,7 +26,7 @@ class FurtherPassesTest : public BodyTest {
     for (uint32_t v = 0; v < 8; ++v) {
       plan.at.push_back(at);
       if (v > 0) plan.edges.push_back({v - 1, v});
-      for (int k = 0; k < 3; ++k) at[k] = std::min(std::max(at[k] + number(-0.4, 0.4), 0.01), k == 2 ? 2.99 : 3.99);
+      for (size_t k = 0; k < 3; ++k) at[k] = std::min(std::max(at[k] + number(-0.4, 0.4), 0.01), k == 2 ? 2.99 : 3.99);
     }
     return plan;
   }
@@ -41,7 +41,7 @@ class FurtherPassesTest : public BodyTest {
     uint32_t stopped = 0;
     for (size_t v = 0; v < targets.size(); ++v) {
       double square = 0;
-      for (int k = 0; k < 3; ++k) square += std::pow(targets[v][k] - answer.after.at[v][k], 2);
+      for (size_t k = 0; k < 3; ++k) square += std::pow(targets[v][k] - answer.after.at[v][k], 2);
       left += std::sqrt(square);
       stopped += square > 0 ? 1 : 0;
     }
@@ -89,7 +89,7 @@ void FurtherPassesTest::press_all(double share) {
     const Vec way = {number(-2, 3), number(-3, 3), number(-2, 2)};
     std::vector<Vec> targets = plan.at;
     for (Vec& target : targets) {
-      for (int k = 0; k < 3; ++k) target[k] += way[k];
+      for (size_t k = 0; k < 3; ++k) target[k] += way[k];
     }
     left += press(plan, level, targets, usual);
     left_with_passes += press(plan, level, targets, more);
