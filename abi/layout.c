@@ -339,7 +339,7 @@ AT(dsw_move_options, edge_response, 12);
 AT(dsw_move_options, search, 16);
 AT(dsw_move_options, bisection_depth, 20);
 AT(dsw_move_options, max_volumes, 24);
-AT(dsw_move_options, reserved, 28);
+AT(dsw_move_options, passes, 28);
 AT(dsw_move_options, min_part, 32);
 AT(dsw_move_options, min_length, 40);
 AT(dsw_move_options, stand_off, 48);

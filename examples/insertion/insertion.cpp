@@ -35,6 +35,7 @@ physics::CatheterOptions fit_catheter(const Options& options, double radius, dou
   if (!options.inserts) {
     usual.body.move.edge_response = DSW_RESPONSE_SLIDE;
     usual.body.move.noise_share = 0;
+    usual.body.move.flags = DSW_MOVE_KEEP_WALLS;
   }
   return scaled(usual, scale);
 }

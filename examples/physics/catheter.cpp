@@ -1,6 +1,7 @@
 #include "catheter.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace physics {
 namespace {
@@ -36,11 +37,16 @@ void Catheter::step(double dt) {
   Points& points = body_->points;
   const bool feeds = options_.feeding > 0 && links_ < options_.links;
   speed_ = feeds ? options_.feeding : options_.speed;
-  pushed_ += speed_ * dt;
+  const double reached_now = reached();
+  const bool is_there =
+      options_.links > 0 && links_ >= options_.links && reached_now + options_.link >= route_->length();
+  if (!is_there && !(strain_before_hand() > options_.most_strain)) {
+    pushed_ += speed_ * dt;
+  }
   lead(tail_, pushed_, dt);
   lead(second_, pushed_ + options_.link, dt);
   body_->load.force.assign(points.size(), Vector3::Zero());
-  const Vector3 ahead = route_->at(reached() + options_.look_ahead) - points.position[tip_];
+  const Vector3 ahead = route_->at(reached_now + options_.look_ahead) - points.position[tip_];
   body_->load.force[tip_] = options_.steering * ahead / std::max(ahead.norm(), options_.look_ahead);
   world_->step(dt);
 }
@@ -49,6 +55,18 @@ void Catheter::step(double dt) {
 void Catheter::lead(std::size_t vertex, double way, double dt) {
   const Vector3 left = route_->at(way) - body_->points.position[vertex];
   body_->points.velocity[vertex] = left / std::max(dt, left.norm() / (kFastest * speed_));
+}
+
+// How much the first spring that is not in the hand is shorter or longer than at rest, as a share of that.
+double Catheter::strain_before_hand() const {
+  for (const DistanceSpring& spring : body_->springs.distances) {
+    const bool starts = spring.a == second_ && spring.b != tail_, ends = spring.b == second_ && spring.a != tail_;
+    if (starts || ends) {
+      const Positions& at = body_->points.position;
+      return std::abs((at[spring.b] - at[spring.a]).norm() / spring.rest - 1);
+    }
+  }
+  return 0;
 }
 
 // Where the new edge would not be free the tail goes on for now.

@@ -18,7 +18,10 @@ struct CatheterOptions {
   double bending = 1e7;     // uN mm^2
   double steering = 1e5;    // force on the tip towards the route ahead of it, uN
   double look_ahead = 4;    // how far ahead that is, mm
-  double drag = 20;         // of blood, 1/s
+  // The hand feels the force: it waits while the link before it is shorter or longer than at rest by this share. When all
+  // links are in and the tip is at the end of the route, it rests.
+  double most_strain = 0.2;
+  double drag = 20;  // of blood, 1/s
   SoftBodyOptions body;
 };
 
@@ -45,6 +48,7 @@ class Catheter {
  private:
   void feed();
   void lead(std::size_t vertex, double way, double dt);
+  double strain_before_hand() const;
 
   World* world_;
   const Route* route_;

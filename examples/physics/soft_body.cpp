@@ -248,7 +248,8 @@ bool SoftBody::add_vertex(const Vector3& at, std::size_t next, double mass, doub
   for (const DistanceSpring& spring : springs.distances) {
     if (spring.a == next || spring.b == next) {
       const std::size_t far = spring.a == next ? spring.b : spring.a;
-      springs.angles.push_back({vertex.index, next, far, 2 * bending / (length + spring.rest)});
+      springs.angles.push_back({vertex.index, next, far, 2 * bending / (length + spring.rest),
+                                kPressedShare * std::min(length, spring.rest)});
       break;
     }
   }

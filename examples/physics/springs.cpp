@@ -9,10 +9,24 @@ namespace {
 
 using Matrix3 = Eigen::Matrix3d;
 
-// Derivative of the direction of an edge by its end: how it turns.
-Matrix3 turning(const Vector3& direction, double length) {
-  return (Matrix3::Identity() - direction * direction.transpose()) / length;
-}
+// The direction of a leg of an angular spring, and its derivative by the leg's end: how it turns.
+struct Leg {
+  Vector3 direction = Vector3::Zero();
+  Matrix3 turning = Matrix3::Zero();
+  bool is_null;
+
+  Leg(const Vector3& way, double least) : is_null(!(std::max(way.norm(), least) > 0)) {
+    if (is_null) {
+      return;
+    }
+    const double length = way.norm();
+    direction = way / std::max(length, least);
+    turning = Matrix3::Identity() / std::max(length, least);
+    if (length >= least) {
+      turning = (Matrix3::Identity() - direction * direction.transpose()) / length;
+    }
+  }
+};
 
 void add_block(std::size_t i, std::size_t j, const Matrix3& block, std::vector<Eigen::Triplet<double>>* entries) {
   for (int row = 0; row < 3; ++row) {
@@ -47,8 +61,7 @@ Deformation deformation_of(const DistanceSpring& spring, const Positions& at) {
 
 Deformation deformation_of(const AngularSpring& spring, const Positions& at) {
   Deformation d;
-  const Vector3 first = at[spring.b] - at[spring.a], second = at[spring.c] - at[spring.b];
-  const double l = first.norm(), m = second.norm();
+  const Leg first(at[spring.b] - at[spring.a], spring.least), second(at[spring.c] - at[spring.b], spring.least);
   d.count = 3;
   d.point[0] = spring.a;
   d.point[1] = spring.b;
@@ -57,15 +70,15 @@ Deformation deformation_of(const AngularSpring& spring, const Positions& at) {
     gradient.setZero();
   }
   d.stiffness = spring.stiffness;
-  if (!(l > 0 && m > 0)) {
+  if (first.is_null || second.is_null) {
     return d;
   }
-  const Vector3 u = first / l, v = second / m;
-  d.value = (v - u).norm();
+  const Vector3 turn = second.direction - first.direction;
+  d.value = turn.norm();
   if (d.value > 0) {
-    const Vector3 n = (v - u) / d.value;
-    d.gradient[0] = turning(u, l) * n;
-    d.gradient[2] = turning(v, m) * n;
+    const Vector3 n = turn / d.value;
+    d.gradient[0] = first.turning * n;
+    d.gradient[2] = second.turning * n;
     d.gradient[1] = -d.gradient[0] - d.gradient[2];
   }
   return d;
@@ -105,15 +118,14 @@ void Springs::add_stiffness(const Positions& at, double scale, std::vector<Eigen
     add_block(s.b, s.a, -block, entries);
   }
   for (const AngularSpring& s : angles) {
-    const Vector3 first = at[s.b] - at[s.a], second = at[s.c] - at[s.b];
-    const double l = first.norm(), m = second.norm();
-    if (!(l > 0 && m > 0)) {
+    const Leg first(at[s.b] - at[s.a], s.least), second(at[s.c] - at[s.b], s.least);
+    if (first.is_null || second.is_null) {
       continue;
     }
     // k |v - u|^2 / 2 is a square: k J^T J with J the derivative of v - u.
     Matrix3 j[3];
-    j[0] = turning(first / l, l);
-    j[2] = turning(second / m, m);
+    j[0] = first.turning;
+    j[2] = second.turning;
     j[1] = -j[0] - j[2];
     const std::size_t point[3] = {s.a, s.b, s.c};
     for (int p = 0; p < 3; ++p) {
@@ -144,17 +156,18 @@ void Springs::split(std::size_t a, std::size_t b, std::size_t added, double shar
   *old = {a, added, share * whole.rest, whole.stiffness / share};
   distances.push_back({added, b, (1 - share) * whole.rest, whole.stiffness / (1 - share)});
   // Legs that ran from a to b end at the new vertex; its own angle is as stiff as the stiffest of those.
-  double stiffness = 0;
+  double stiffness = 0, least = 0;
   for (AngularSpring& s : angles) {
     const bool first = (s.a == a && s.b == b) || (s.a == b && s.b == a);
     const bool second = (s.b == a && s.c == b) || (s.b == b && s.c == a);
     if (first || second) {
       (first ? s.a : s.c) = added;
       stiffness = std::max(stiffness, s.stiffness);
+      least = std::max(least, s.least);
     }
   }
   if (stiffness > 0) {
-    angles.push_back({a, added, b, stiffness});
+    angles.push_back({a, added, b, stiffness, least});
   }
 }
 
@@ -189,7 +202,9 @@ Springs make_rod(const Positions& line, double stretching, double bending) {
     const double length = (line[i + 1] - line[i]).norm();
     springs.distances.push_back({i, i + 1, length, stretching / length});
     if (i > 0) {
-      springs.angles.push_back({i - 1, i, i + 1, 2 * bending / (length + springs.distances[i - 1].rest)});
+      const double before = springs.distances[i - 1].rest;
+      springs.angles.push_back(
+          {i - 1, i, i + 1, 2 * bending / (length + before), kPressedShare * std::min(before, length)});
     }
   }
   return springs;

@@ -10,6 +10,9 @@
 
 namespace physics {
 
+// A leg of a rod that is pressed together to less than this share of its length has lost its direction.
+constexpr double kPressedShare = 0.1;
+
 // C = |b - a| - rest.
 struct DistanceSpring {
   std::size_t a, b;
@@ -18,9 +21,11 @@ struct DistanceSpring {
 };
 
 // C = |v - u| = 2 sin(angle / 2), where u and v are the directions from a to b and from b to c. No angle is singular but that of a fold.
+// The direction of a leg that is pressed together, to less than `least`, is that leg over `least`: its torque stays finite.
 struct AngularSpring {
   std::size_t a, b, c;
   double stiffness;  // torque per radian, for small angles
+  double least = 0;  // length of a leg
 };
 
 // One spring as it stands: value and gradient, in up to three points.

@@ -42,17 +42,26 @@ typedef enum dsw_response {
   DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_response;
 
+/** Flags of a move. */
+enum {
+  /** Slides stay before all walls that the vertex has touched in this move, and end in a corner.
+   * Without the flag a slide knows the last two walls. There are up to 8 slides. */
+  DSW_MOVE_KEEP_WALLS = 0x1
+};
+
 /** Options of a move. */
 typedef struct dsw_move_options {
   uint32_t struct_size;         /**< sizeof(dsw_move_options). */
-  uint32_t flags;               /**< 0. */
+  uint32_t flags;               /**< DSW_MOVE_... */
   dsw_response vertex_response; /**< Of the moving vertex: STOP (default) or SLIDE. */
   dsw_response edge_response;   /**< Of its edges and faces: any; default STOP. */
   dsw_search search;            /**< Default EXACT. */
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
   /** Work limit: volumes that one sweep may visit; 0: none. At the limit the vertex stops, free. */
   uint32_t max_volumes;
-  uint32_t reserved; /**< 0. */
+  /** Further passes over the vertices that have stopped, up to 64: a vertex tries what is left of
+   * its way again if it has moved, or one that its edges join, since it stopped. 0: none. */
+  uint32_t passes;
   double min_part;   /**< Least share of an edge in a part; up to 0.5, 0 means 0.25. */
   double min_length; /**< Least length of a part; 0: none. */
   /** Distance to keep from a touched wall, not guaranteed; 0 means 1e-9 of the size of the volume
@@ -61,7 +70,8 @@ typedef struct dsw_move_options {
   /** An inserted vertex is removed if its distance from the line between its neighbours is at most
    * this share of the line. 0: never. */
   double noise_share;
-  /** Distinct indices of the vertices that move, in order; null: all. */
+  /** Distinct indices of the vertices that move, in order; null: all, by index. Of a string that is
+   * pulled the pulled end goes first. */
   const uint32_t *order;
   size_t order_count; /**< Its entries. */
 } dsw_move_options;
@@ -86,7 +96,9 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
  * @param targets `target_count` points, one for each vertex slot; only those of moving vertices
  * are read.
  * @return DSW_STATUS_DUPLICATE_ID: in `order`.
- * @note Cost: O(volumes met + bodies near the way). Source: [JCD10] 4. @since 2.0 */
+ * @note Cost: O(volumes met + bodies near the way). A vertex that touches looks for contacts once
+ * more for each of its slides, at most 8, and inserted vertices, at most 64, in each pass.
+ * Source: [JCD10] 4. @since 2.0 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,
                                  const dsw_move_options *options, dsw_move_report *report);

@@ -12,6 +12,8 @@ using dsw::fail;
 
 namespace {
 
+constexpr uint32_t kFlags = DSW_MOVE_KEEP_WALLS, kMostPasses = 64;
+
 dsw::MoveSettings to_settings(const dsw_move_options& o) {
   dsw::MoveSettings s;
   const auto to_response = [](const dsw_response& given, const char* name) {
@@ -24,7 +26,8 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
   }
   s.edge = to_response(o.edge_response, "options->edge_response");
   s.search = static_cast<dsw::Search>(capi::to_number(o.search, DSW_SEARCH_BISECTION, "options->search"));
-  if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
+  s.keeps_walls = (o.flags & DSW_MOVE_KEEP_WALLS) != 0;
+  s.passes = capi::to_count(o.passes, kMostPasses, 0, "options->passes");
   s.max_volumes = o.max_volumes;
   s.bisection_depth = capi::to_count(o.bisection_depth, 52, s.bisection_depth, "options->bisection_depth");
   s.min_part = capi::to_min_part(o.min_part, s.min_part);
@@ -132,7 +135,7 @@ dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targe
                          size_t stride_bytes, const dsw_move_options* options, dsw_move_report* report) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
-    const dsw_move_options o = capi::read_optional(options, "options", 0);
+    const dsw_move_options o = capi::read_optional(options, "options", kFlags);
     const dsw::MoveSettings settings = to_settings(o);
     check_target_count(target_count, of.body.vertices.size());
     const dsw::PointArray points = dsw::to_points(of.kDimension, targets, target_count, stride_bytes, "targets");
@@ -152,7 +155,7 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     dsw::require_array(bodies, count, "bodies");
-    const dsw_move_options o = capi::read_optional(options, "options", 0);
+    const dsw_move_options o = capi::read_optional(options, "options", kFlags);
     const dsw::MoveSettings settings = to_settings(o);
     if (o.order != nullptr || o.order_count != 0)
       fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
@@ -186,7 +189,7 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
     dsw::require(motion, "motion");
-    const dsw_move_options o = capi::read_optional(options, "options", 0);
+    const dsw_move_options o = capi::read_optional(options, "options", kFlags);
     to_settings(o);
     const dsw::MoveOrder order = to_order(of.scene, of.body, o);
     if (order.vertices != nullptr && order.count != of.body.vertex_slots.alive_count()) {

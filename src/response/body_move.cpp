@@ -156,7 +156,10 @@ bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may
   if (!finish(settings, record, may_skip)) return false;
   // Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are
   // cast where their ends arrive, or by the later of these, which moves alone.
-  return !may_skip || std::all_of(strays_.begin(), strays_.end(), [&](uint32_t v) { return casts_.is_star_free(v); });
+  const auto is_free = [&](uint32_t v) { return casts_.is_star_free(v); };
+  if (may_skip && !std::all_of(strays_.begin(), strays_.end(), is_free)) return false;
+  if (settings.passes != 0) go_on(settings, record);
+  return true;
 }
 
 /** What is met if nobody else meets anything. */
@@ -180,16 +183,23 @@ template <int D>
 bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool may_skip) {
   VertexMove<D> alone(env_, *course_.body, settings, sweeps_, record);
   look_ahead(settings.may_slide());
+  const bool notes = settings.passes != 0;
+  if (notes) turns_.start(*course_.body);
+  double before[D];
   for (const uint32_t v : course_.order) {
     if (!course_.moves(v)) continue;
+    std::copy_n(course_.body->position(v), D, before);
     if (arrives(v)) {
       course_.arrive(v);
+      if (notes) turns_.note(*course_.body, v, before, false);
       continue;
     }
     if (may_skip && !casts_.is_star_free(v)) return false;
     const size_t edits = record.edits.size();
+    const uint32_t limited = record.limited;
     const bool reached = alone.move(v, course_.targets[v]);
     record.stopped += reached ? 0 : 1;
+    if (notes) turns_.note(*course_.body, v, before, !reached && record.limited == limited);
     if (!reached || record.edits.size() != edits) disturb(v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(record.edits[i].vertex.index);
   }
@@ -210,6 +220,30 @@ void BodyMove<D>::look_ahead([[maybe_unused]] bool slides) {
     near_.start(body, slides, [&](uint32_t v) { return course_.moves(v) ? course_.targets[v] : body.position(v); });
     if (near_.active()) sweeps_.near = &near_;
   }
+}
+
+/** Further passes over the vertices that have stopped, of a body that is exactly free. Ends when nobody may go on. */
+template <int D>
+void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
+  const Body<D>& body = *course_.body;
+  const bool meets_bodies = sweeps_.partners != nullptr;
+  VertexMove<D> alone(env_, *course_.body, settings, sweeps_, record);
+  const size_t contacts = record.contacts.size();
+  for (uint32_t pass = 0; pass < settings.passes && turns_.start_pass(body, meets_bodies); ++pass) {
+    for (const uint32_t v : turns_.waiting()) {
+      if (!turns_.may_go_on(body, v, meets_bodies)) {
+        turns_.leave(v);
+        continue;
+      }
+      double before[D];
+      std::copy_n(body.position(v), D, before);
+      const uint32_t limited = record.limited;
+      const bool reached = alone.move(v, course_.targets[v]);
+      record.stopped -= reached ? 1 : 0;
+      turns_.note(body, v, before, !reached && record.limited == limited);
+    }
+  }
+  if (record.contacts.size() != contacts) drop_repeated(record);
 }
 
 /** The neighbours of a vertex that is not where they took it to be. */

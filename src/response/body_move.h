@@ -3,6 +3,7 @@
 
 #include "response/edge_pass.h"
 #include "response/settings.h"
+#include "response/turns.h"
 
 namespace dsw {
 
@@ -44,6 +45,7 @@ class BodyMove {
   void sweep_all(bool may_skip);
   bool arrives(uint32_t v) const;
   bool finish(const MoveSettings& settings, MoveRecord& record, bool may_skip);
+  void go_on(const MoveSettings& settings, MoveRecord& record);
   void disturb(uint32_t v);
   void look_ahead(bool slides);
   void remove_noise(Body<D>& body, double share, MoveRecord& record);
@@ -56,6 +58,7 @@ class BodyMove {
   FacePass<D> faces_;
   NearEdges near_;
   Array<uint32_t> strays_{env_.memory};       // vertices that are not where their neighbours took them to be
+  Turns<D> turns_{env_.memory};               // if there are further passes
   Array<BodyVertex<D>> before_{env_.memory};  // to go back to
   Array<double> places_{env_.memory};         // of all vertices, when they move together
 };

@@ -20,6 +20,8 @@ struct MoveSettings {
   double min_part = 0.25, min_length = 0;
   double stand_off = 0;  // 0: 1e-9 of the cell in front; negative: none
   double noise_share = 0;
+  bool keeps_walls = false;  // slides stay before all walls that the vertex has touched
+  uint32_t passes = 0;       // further ones, over the vertices that have stopped
 
   bool may_slide() const { return slides(vertex) || slides(edge); }
   static bool slides(Response response) { return response == Response::kSlide || response == Response::kAdaptiveSlide; }

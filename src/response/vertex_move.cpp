@@ -12,6 +12,8 @@ namespace dsw {
 namespace {
 
 constexpr uint32_t kMostSlides = 8, kMostInsertions = 64;
+// Slides in a row that lead nowhere are a corner.
+constexpr uint32_t kMostInVain = 3;
 constexpr double kStandOffShare = 1e-9;
 
 template <int D>
@@ -28,12 +30,15 @@ double extent(const Environment<D>& env, Cell c) {
 template <int D>
 bool VertexMove<D>::move(uint32_t v, const double* target) {
   Walls walls;
-  uint32_t slides = 0;
+  TouchedWalls<D> touched;
+  uint32_t slides = 0, in_vain = 0;
   first_edit_ = record_.edits.size();
   double to[D];
   std::copy_n(target, D, to);
   for (;;) {
     const size_t first_contact = record_.contacts.size();
+    double before[D];
+    std::copy_n(body_.position(v), D, before);
     if (advance(v, to)) return std::equal(to, to + D, target);
     if (record_.contacts.size() == first_contact) {
       ++record_.limited;
@@ -46,11 +51,17 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
     const Response response = of_vertex ? settings_.vertex : settings_.edge;
     if (!of_vertex && settings_.may_insert() && insert(v, contact)) {
       walls.count = 0;
+      touched.clear();
       std::copy_n(target, D, to);
       continue;
     }
-    if (!MoveSettings::slides(response)) return false;
-    if (++slides > kMostSlides || !slide(v, target, contact, walls, to)) return false;
+    if (!MoveSettings::slides(response) || ++slides > kMostSlides) return false;
+    if (settings_.keeps_walls) {
+      in_vain = std::equal(before, before + D, body_.position(v)) ? in_vain + 1 : 0;
+      if (in_vain > kMostInVain || !slide_before(v, target, contact, touched, to)) return false;
+    } else if (!slide(v, target, contact, walls, to)) {
+      return false;
+    }
   }
 }
 
@@ -317,6 +328,39 @@ bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_body_conta
   if (sweeps_.partners != nullptr && !sweeps_.partners->reach.contains(to)) return false;
   // Where the rest is longer than doubles go, the move ends here.
   return is_finite<D>(to) && !std::equal(to, to + D, at);
+}
+
+/** The nearest place to the target before the walls that were touched; false if the vertex is in a corner. */
+template <int D>
+bool VertexMove<D>::slide_before(uint32_t v, const double* target, const dsw_body_contact& contact,
+                                 TouchedWalls<D>& walls, double* to) const {
+  const double* const at = body_.position(v);
+  walls.add(to_vec<D>(contact.contact.normal), to_vec<D>(contact.position), stand_off(contact));
+  Vec nearest;
+  if (!walls.find_nearest(to_vec<D>(at), to_vec<D>(target), &nearest)) return false;
+  store<D>(nearest, to);
+  if (!is_finite<D>(to)) return false;
+  cut_off(v, stand_off(contact), to);
+  if (sweeps_.partners != nullptr && !sweeps_.partners->reach.contains(to)) return false;
+  return !std::equal(to, to + D, at);
+}
+
+/** Brings the end of a slide nearer, to where it is a little behind the wall that the vertex runs into. What the edges
+ * sweep beyond is nothing to be searched. */
+template <int D>
+void VertexMove<D>::cut_off(uint32_t v, double off, double* to) const {
+  constexpr double kBehind = 1.0 / 16, kLeast = 1e-6;  // of the way to the wall, of the whole way
+  if (body_.level == SweepLevel::kPoints) return;
+  const BodyVertex<D>& at = body_.vertices[v];
+  const CastResult path = cast(env_, at.position, to, at.cell, settings_.max_volumes, sweeps_.counters);
+  if (path.end != CastEnd::kHit) return;
+  const double time = crossing_time(env_, path.cell, path.simplex, at.position, to);
+  const double all = length(difference<D>(to, at.position));
+  const double end = time + std::max({kBehind * time, kLeast, 8 * off / all});
+  if (!(end < 1)) return;
+  double whole[D];
+  std::copy_n(to, D, whole);
+  point_at<D>(at.position, whole, end, to);
 }
 
 template class VertexMove<2>;

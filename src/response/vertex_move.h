@@ -3,6 +3,7 @@
 
 #include "base/vec.h"
 #include "response/settings.h"
+#include "response/touched_walls.h"
 
 namespace dsw {
 
@@ -40,6 +41,9 @@ class VertexMove {
   };
   uint32_t put_on(const Part& part, double length, const dsw_body_contact& contact, bool on_edge);
   bool slide(uint32_t v, const double* target, const dsw_body_contact& contact, Walls& walls, double* to) const;
+  bool slide_before(uint32_t v, const double* target, const dsw_body_contact& contact, TouchedWalls<D>& walls,
+                    double* to) const;
+  void cut_off(uint32_t v, double off, double* to) const;
 
   const Environment<D>& env_;
   Body<D>& body_;

@@ -293,7 +293,7 @@ static void bad_options_are_refused(void) {
 #define BAD(which, member, value) (bad[n].member = (value), status[n++] = DSW_STATUS_##which)
   BAD(BAD_STRUCT_SIZE, struct_size, 16);
   BAD(UNSUPPORTED, struct_size, 4097);
-  BAD(UNSUPPORTED, flags, 1);
+  BAD(UNSUPPORTED, flags, 2);
   BAD(UNSUPPORTED, vertex_response, DSW_RESPONSE_ADAPTIVE_ONE);
   BAD(UNSUPPORTED, vertex_response, DSW_RESPONSE_HYBRID);
   BAD(UNSUPPORTED, vertex_response, DSW_RESPONSE_ADAPTIVE_SLIDE);
@@ -310,7 +310,7 @@ static void bad_options_are_refused(void) {
   BAD(OUT_OF_RANGE, min_length, -1);
   BAD(OUT_OF_RANGE, min_length, NAN);
   BAD(OUT_OF_RANGE, min_length, INFINITY);
-  BAD(UNSUPPORTED, reserved, 1);
+  BAD(OUT_OF_RANGE, passes, 65);
   BAD(OUT_OF_RANGE, noise_share, -1);
   BAD(OUT_OF_RANGE, noise_share, NAN);
   BAD(NULL_ARGUMENT, order_count, 2);
@@ -424,6 +424,105 @@ static void far_targets_are_values(void) {
   }
 }
 
+/* In a corner the slide of DSW_MOVE_KEEP_WALLS ends: each of its walls is met once. */
+static void slides_end_in_a_corner(void) {
+  const double from[3] = {0.5, 0.625, 0.75}, to[3] = {-1, -1.25, -1.5}, corner[3] = {0, 0, 0};
+  const uint32_t walls = g_dimension;
+  int level, k;
+  for (level = DSW_LEVEL_POINTS; level <= (int)top_level(); ++level) {
+    const dsw_body_id body = make_line(from, 1, (dsw_level)level);
+    dsw_move_options o = move_options();
+    dsw_move_report r;
+    double p[3];
+    o.vertex_response = DSW_RESPONSE_SLIDE;
+    o.flags = DSW_MOVE_KEEP_WALLS;
+    r = move(body, to, 1, &o);
+    CHECK(r.vertices_stopped == 1 && r.contact_count == walls);
+    positions_of(body, p, 1);
+    for (k = 0; k < 3; ++k) CHECK(p[k] >= corner[k] && p[k] < 1e-8);
+    r = move(body, from, 1, &o);
+    CHECK(r.contact_count == 0 && is_at(body, from, 1));
+    o.flags = 0;
+    r = move(body, to, 1, &o);
+    CHECK(r.vertices_stopped == 1 && r.contact_count >= walls + (g_dimension == 3 ? 1u : 0u));
+    CHECK_OK(dsw_body_destroy(g_scene, body));
+  }
+}
+
+/* Along the pillar, and behind it: only a further pass tries the target itself again. */
+static void a_further_pass_goes_round_an_edge(void) {
+  const double from[3] = {1.25, 1.25, 1.5}, to[3] = {3.5, 2.625, 1.5};
+  int level;
+  mark_pillar(DSW_MARK_IMPASSABLE);
+  for (level = DSW_LEVEL_POINTS; level <= (int)top_level(); ++level) {
+    const dsw_body_id body = make_line(from, 1, (dsw_level)level);
+    dsw_move_options o = move_options();
+    dsw_move_report r;
+    double p[3];
+    o.vertex_response = DSW_RESPONSE_SLIDE;
+    r = move(body, to, 1, &o);
+    positions_of(body, p, 1);
+    CHECK(r.vertices_stopped == 1 && r.contact_count == 1 && p[0] < 2 && p[1] == 2.625);
+    move(body, from, 1, NULL);
+    o.passes = 1;
+    r = move(body, to, 1, &o);
+    CHECK(r.vertices_stopped == 0 && r.contact_count == 1 && is_at(body, to, 1));
+    CHECK_OK(dsw_body_destroy(g_scene, body));
+  }
+  mark_pillar(DSW_MARK_PASSABLE);
+}
+
+/* An edge between two vertices hangs on the pillar until the second has moved; then the first goes on. */
+static void a_held_vertex_goes_on(void) {
+  const double from[6] = {1.25, 0.25, 1.5, 1.25, 1.75, 1.5}, to[6] = {3.5, 0.5, 1.5, 1.75, 0.25, 1.5};
+  static const uint32_t pulled_end_first[2] = {1, 0};
+  const dsw_body_contact *c = NULL;
+  int level;
+  mark_pillar(DSW_MARK_IMPASSABLE);
+  for (level = DSW_LEVEL_EDGES_SWEPT; level <= (int)top_level(); ++level) {
+    const dsw_body_id body = make_line(from, 2, (dsw_level)level);
+    dsw_move_options o = move_options();
+    dsw_move_report r = move(body, to, 2, &o);
+    CHECK(r.vertices_stopped == 1 && r.contact_count == 1 && is_at(body, to, 2) == 0);
+    CHECK_OK(dsw_body_destroy(g_scene, body));
+  }
+  for (level = DSW_LEVEL_EDGES_SWEPT; level <= (int)top_level(); ++level) {
+    const dsw_body_id body = make_line(from, 2, (dsw_level)level);
+    dsw_move_options o = move_options();
+    dsw_move_report r;
+    o.passes = 64; /* as many as are needed */
+    r = move(body, to, 2, &o);
+    CHECK(r.vertices_moved == 2 && r.vertices_stopped == 0 && is_at(body, to, 2));
+    CHECK(r.contact_count == 1 && contacts_of(body, &c) == 1 && c->edge.generation == 1 && c->distance_left > 0.5);
+    CHECK_OK(dsw_body_destroy(g_scene, body));
+  }
+  for (level = DSW_LEVEL_EDGES_SWEPT; level <= (int)top_level(); ++level) {
+    const dsw_body_id body = make_line(from, 2, (dsw_level)level);
+    dsw_move_options o = move_options();
+    dsw_move_report r;
+    o.order = pulled_end_first;
+    o.order_count = 2;
+    r = move(body, to, 2, &o);
+    CHECK(r.vertices_stopped == 0 && r.contact_count == 0 && is_at(body, to, 2));
+    CHECK_OK(dsw_body_destroy(g_scene, body));
+  }
+  mark_pillar(DSW_MARK_PASSABLE);
+}
+
+/* A vertex that is stopped again by what had stopped it reports that once, from where it was in the last pass. */
+static void passes_report_a_contact_once(void) {
+  const double from[6] = {0.5, 0.5, 1.5, 0.5, 3.5, 1.5}, to[6] = {0.75, -1, 1.5, 0.75, 5, 1.5};
+  const dsw_body_id body = make_line(from, 2, top_level());
+  const dsw_body_contact *c = NULL;
+  dsw_move_options o = move_options();
+  dsw_move_report r;
+  o.passes = 3;
+  r = move(body, to, 2, &o);
+  CHECK(r.vertices_stopped == 2 && r.contact_count == 2 && contacts_of(body, &c) == 2);
+  CHECK(c[0].vertex.index + c[1].vertex.index == 1 && c[0].from[1] != 0.5 && c[1].from[1] != 3.5);
+  CHECK_OK(dsw_body_destroy(g_scene, body));
+}
+
 static void in_both(void) {
   init_writes_the_defaults();
   a_free_move_arrives();
@@ -438,6 +537,10 @@ static void in_both(void) {
   bad_arguments_change_nothing();
   free_slots_are_left_out();
   far_targets_are_values();
+  slides_end_in_a_corner();
+  a_further_pass_goes_round_an_edge();
+  a_held_vertex_goes_on();
+  passes_report_a_contact_once();
 }
 
 int main(void) {

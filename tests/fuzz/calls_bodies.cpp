@@ -110,6 +110,8 @@ dsw_move_options Calls::options() {
   o.edge_response = static_cast<dsw_response>(bytes_.below(7));
   o.search = static_cast<dsw_search>(bytes_.below(4));
   o.bisection_depth = bytes_.below(12);
+  o.flags = o.bisection_depth % 2 != 0 ? DSW_MOVE_KEEP_WALLS : 0;
+  o.passes = o.bisection_depth % 3;
   o.max_volumes = bytes_.below(8) == 0 ? bytes_.below(20) : 0;
   o.min_length = 0.01;  // or edges are split for ever
   o.noise_share = bytes_.below(2) * 0.02;

@@ -162,7 +162,10 @@ void move_body(Subject* s, Bytes* bytes) {
   options.stand_off = (choice & 32) != 0 ? -1 : (choice & 64) != 0 ? 0.125 : 0;
   options.noise_share = (choice & 128) != 0 ? 0.25 : 0;
   std::vector<uint32_t> order;
-  if (bytes->below(4) == 3) {  // from the last to the first, one left out
+  const uint32_t course = bytes->below(16);
+  options.flags = (course & 4) != 0 ? DSW_MOVE_KEEP_WALLS : 0;
+  options.passes = (course & 8) != 0 ? 3 : 0;
+  if (course % 4 == 3) {  // from the last to the first, one left out
     for (size_t i = s->vertices.size(); i-- > 1;) order.push_back(s->vertices[i].index);
     options.order = order.data();
     options.order_count = order.size();

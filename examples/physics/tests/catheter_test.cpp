@@ -88,5 +88,46 @@ TEST_F(InTheVessel, AHandGoesOnOnceAllLinksAreIn) {
   EXPECT_GT(catheter.reached(), 0.1 * (300 - fed) + 4 * options.link);
 }
 
+TEST_F(InTheVessel, AHandRestsWhenTheTipIsAtTheEnd) {
+  const Route route(environment_.get(), flow_);
+  World world(environment_.get());
+  CatheterOptions options;
+  options.links = 5;
+  options.speed = 200;
+  options.feeding = 400;
+  Catheter catheter(&world, &route, options);
+  const double seconds = 1.5 * route.length() / options.speed;
+  double stretch = 0;
+  for (int step = 0; step < 1000 * seconds; ++step) {
+    catheter.step(1e-3);
+    const SoftBody& body = catheter.body();
+    stretch = std::max(stretch, body.springs.largest_stretch(body.points.position));
+  }
+  EXPECT_GT(catheter.reached(), route.length() - 2 * options.link);
+  const std::vector<std::size_t> line = catheter.line();
+  EXPECT_LT(route.nearest(catheter.body().points.position[line.front()]), route.length() - 3 * options.link);
+  EXPECT_LT(stretch, 0.5);
+}
+
+TEST_F(InTheVessel, AHandWaitsWhileTheWireIsHeldBack) {
+  const Route route(environment_.get(), flow_);
+  World world(environment_.get());
+  CatheterOptions options;
+  options.links = 3;
+  options.speed = 100;
+  Catheter catheter(&world, &route, options);
+  while (catheter.links() < options.links) {
+    catheter.step(1e-3);
+  }
+  SoftBody& body = catheter.body();
+  const std::size_t tip = catheter.line().back();
+  body.points.held[tip] = 1;
+  body.points.velocity[tip].setZero();
+  for (int step = 0; step < 300; ++step) {
+    catheter.step(1e-3);
+    EXPECT_LT(body.springs.largest_stretch(body.points.position), 0.3) << step;
+  }
+}
+
 }  // namespace
 }  // namespace physics

@@ -28,6 +28,27 @@ TEST(Springs, ForcesAreTheSlopeOfTheEnergy) {
   }
 }
 
+// A leg of no length has no direction, but its torque is finite, and still the slope of the energy.
+TEST(Springs, ALegThatIsPressedTogetherTurnsSoftly) {
+  Positions at = {{0, 0, 0}, {1e-9, 2e-9, 0}, {0, 1, 0}};
+  Springs springs = make_rod({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 3, 0.7);
+  springs.distances.clear();
+  Positions force(at.size(), Vector3::Zero());
+  springs.add_forces(at, &force);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    EXPECT_LT(force[i].norm(), 20);
+    for (int k = 0; k < 3; ++k) {
+      const double here = at[i][k], h = 1e-6;
+      at[i][k] = here + h;
+      const double above = springs.energy(at);
+      at[i][k] = here - h;
+      const double below = springs.energy(at);
+      at[i][k] = here;
+      EXPECT_NEAR(force[i][k], (below - above) / (2 * h), 1e-6);
+    }
+  }
+}
+
 TEST(Springs, InternalForcesHaveNeitherSumNorTorque) {
   const Positions at = random_line(9, 3);
   Positions force(at.size(), Vector3::Zero());

@@ -386,6 +386,7 @@ class MoveOptions:
     search: int
     bisection_depth: int
     max_volumes: int
+    passes: int
     min_part: float
     min_length: float
     stand_off: float

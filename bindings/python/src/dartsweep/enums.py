@@ -295,6 +295,12 @@ class BodyFlag(Flags):
     RIGID = _core.BODY_RIGID
 
 
+class MoveFlag(Flags):
+    """Flags of MoveOptions."""
+
+    KEEP_WALLS = _core.MOVE_KEEP_WALLS
+
+
 class CutFlag(Flags):
     """Flags of CutDesc."""
 
