@@ -118,11 +118,13 @@ Pivot<2> missed(const Environment<2>& env, LineSides& line, const Corners<2>& co
 }  // namespace
 
 HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept {
+  const uint32_t* const w = map.record(c);
   HalfFacet other;
   for (uint32_t f = 0; f < 4; ++f) {
-    const HalfFacet h = map.half_facet(c, f);
-    const uint32_t tip = map.vertex(c, kTetrahedronTips[f]);
-    if (h != entered && tip != edge.vertices[0] && tip != edge.vertices[1]) other = h;
+    const HalfFacet h{c.unit * kUnitWords<3> + kUnitWords<3> - 4 + f};
+    const uint32_t tip = w[kTetrahedronTips[f]] & kVertexMask;
+    const bool has_edge = (tip != edge.vertices[0]) & (tip != edge.vertices[1]);
+    if (has_edge & (h.word != entered.word)) other = h;
   }
   return other;
 }
@@ -162,9 +164,11 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
   if (!sequence.known() || map.cell_of({facets.front()}) != first) return false;
   if (map.cell_of(map.opposite({facets.back()})) != last) return false;
   if (!map.convex(last) || is_closed(env, last)) return false;
-  LineTests<D> line(from, to);
   if (!sequence.in_rows) {
-    if constexpr (D == 3) return pass(env, line, facets) && line.passed_all();
+    if constexpr (D == 3) {
+      Shear line(from, to);
+      return pass(env, line, facets) && line.passed_all();
+    }
     return false;
   }
   if (sequence.version != env.obstacle_version) {
@@ -174,6 +178,7 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
     sequence.placed = false;
   }
   if (sequence.placed && is_same_point<D>(from, sequence.from) && is_same_point<D>(to, sequence.to)) return true;
+  LineTests<D> line(from, to);
   if (pass(line, sequence.rows.span(0, facets.size())) < facets.size() || !line.passed_all()) return false;
   std::copy_n(from, D, sequence.from);
   std::copy_n(to, D, sequence.to);
@@ -192,7 +197,14 @@ struct FacetRidge {
 
 /** Calls visit(ridge) for those of a facet until it returns false. */
 template <class Visit>
-bool for_each_ridge(const Environment<3>& env, HalfFacet facet, Visit visit) {
+bool for_each_ridge(const Environment<3>& env, HalfFacet facet, bool in_rows, Visit visit) {
+  if (in_rows) {
+    const Corners<3> corners(env.map, facet.word);
+    const double* at[3];
+    for (int i = 0; i < 3; ++i) at[i] = env.point(corners.vertices[i]);
+    return visit(FacetRidge{at[0], at[1], 1}) && visit(FacetRidge{at[1], at[2], 1}) &&
+           visit(FacetRidge{at[2], at[0], 1});
+  }
   const Cell c = env.map.cell_of(facet);
   const Shape shape = env.map.shape(c);
   const uint32_t f = env.map.local_of(facet, c);
@@ -203,7 +215,7 @@ bool for_each_ridge(const Environment<3>& env, HalfFacet facet, Visit visit) {
   return true;
 }
 template <class Visit>
-bool for_each_ridge(const Environment<2>& env, HalfFacet side, Visit visit) {
+bool for_each_ridge(const Environment<2>& env, HalfFacet side, bool, Visit visit) {
   const Corners<2> corners(env.map, side.word);
   const double *const a = env.point(corners.vertices[0]), *const b = env.point(corners.vertices[1]);
   return visit(FacetRidge{a, a, -1}) && visit(FacetRidge{b, b, 1});
@@ -248,7 +260,7 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
       if (next == count) break;
     }
     const HalfFacet facet{sequence.facets[next]};
-    const bool later = for_each_ridge(env, facet, [&](const FacetRidge& ridge) {
+    const bool later = for_each_ridge(env, facet, sequence.in_rows, [&](const FacetRidge& ridge) {
       const double* const line[2] = {ridge.a, ridge.b};
       if (line_side<D>(from, to, line, NoTally{}).sign == ridge.side) return true;
       if (!is_of_event<D>(m, ridge, event)) return is_met_later<D>(m, ridge, event);

@@ -24,6 +24,7 @@ struct Course {
     bool doubtful = false;  // something is, or may be, met on the way
     Sight sight = Sight::kUnknown;
     bool inwards = false;  // against the normals of all faces at it
+    bool meets = false;    // one of its own edges meets something on its way
   };
   static_assert(sizeof(Vertex) == 16);
 

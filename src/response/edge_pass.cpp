@@ -67,7 +67,8 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
   if (moving.rank == kNone) return;
   const Cell fixed = course_.cell_at(other, moving.rank);
   // Where the other one will be is not known if there is something on its way.
-  moving.doubtful = moving.doubtful || !fixed.valid();
+  const bool other_meets = course_.vertices[other].meets && course_.vertices[other].rank < moving.rank;
+  moving.doubtful = moving.doubtful || other_meets || !fixed.valid();
   if (moving.doubtful) {
     if (!course_.keeps.empty()) course_.keeps[e] = false;
     return;
@@ -85,6 +86,7 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
     const BodyVertex<D>& from = body.vertices[v];
     moving.doubtful = sweeps_.meets_touched_line(body, sweep) ||
                       !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
+    moving.meets = moving.doubtful;
     if (moving.doubtful) return;
   }
   // A sequence is noted in the direction of the edge.
