@@ -46,11 +46,10 @@ uint64_t room_of(const dsw_scene& scene) {
                      [](const auto& env) -> uint64_t { return env.lent == nullptr ? 0 : env.point_room; });
 }
 
-/** `format`: of a scene, where it is not today's. */
-template <class Saved, class... Format>
-dsw::Array<uint8_t> saved_block(const Saved& saved, Format... format) {
-  dsw::Array<uint8_t> block(snapshot_bytes(saved, format...), 0, saved.memory);
-  save(saved, block.data(), format...);
+template <class Saved>
+dsw::Array<uint8_t> saved_block(const Saved& saved) {
+  dsw::Array<uint8_t> block(snapshot_bytes(saved), 0, saved.memory);
+  save(saved, block.data());
   return block;
 }
 
@@ -114,10 +113,9 @@ bool end_recording(dsw_scene& scene) noexcept {
   return works;
 }
 
-uint64_t state_of(const dsw_scene& scene, bool with_environment, uint32_t format) {
+uint64_t state_of(const dsw_scene& scene, bool with_environment) {
   return visit(scene, [&](const auto& engine) {
-    const Array<uint8_t> block = saved_block(engine, format);
-    const uint64_t sum = checksum(0, block.data(), block.size());
+    const uint64_t sum = state_checksum(engine);
     if (!with_environment) return sum;
     const Array<uint8_t> whole = saved_block(engine.env);
     return checksum(sum, whole.data(), whole.size());
@@ -154,18 +152,18 @@ void Recorded::finish(bool failed, uint64_t digest) noexcept {
   now.made = true;
   now.failed = failed;
   now.digest = digest;
-  const auto take_state = [&](uint32_t format, CallResult& to) {
+  const auto take_state = [&](CallResult& to) {
     try {
-      to.state = state_of(scene, with_environment_, format);
+      to.state = state_of(scene, with_environment_);
       to.has_state = true;
     } catch (...) {  // no memory: a call that is recorded without
     }
   };
   if (scene.watch != nullptr) {
     scene.watch->last = now;
-    if (!failed && scene.watch->wants_state) take_state(scene.watch->format, scene.watch->last);
+    if (!failed && scene.watch->wants_state) take_state(scene.watch->last);
   }
-  if (!failed && wants_state) take_state(kSceneFormat, now);
+  if (!failed && wants_state) take_state(now);
   if (scene.recording == nullptr) return;
   const uint64_t result[kMostResultWords] = {failed ? 1u : 0u, digest, now.state};
   const size_t size = (wants_state && now.has_state ? kMostResultWords : kResultWords) * sizeof(uint64_t);

@@ -36,7 +36,7 @@ void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Own
 bool end_recording(dsw_scene& scene) noexcept;
 /** Checksum of what is in a scene, and of its environment if asked for, as saved in a format of scenes. Throws
  * std::bad_alloc. */
-uint64_t state_of(const dsw_scene& scene, bool with_environment, uint32_t format = kSceneFormat);
+uint64_t state_of(const dsw_scene& scene, bool with_environment);
 
 /** What is told of the last call that changed a scene, to whom replays it. */
 struct CallResult {
@@ -46,7 +46,7 @@ struct CallResult {
 /** What a replay and its scene tell each other. */
 struct CallWatch {
   bool wants_state = false;
-  uint32_t format = kSceneFormat;  // of the recorded scene, so of the recorded states
+  bool knows_states = true;  // states of older recordings have forecasts in them, which are made anew
   /** For how many vertices the recorded host's points had room, and those of the deformation that is being made; there
    * is memory for as many as have been needed. */
   uint64_t room = 0, offered = 0;

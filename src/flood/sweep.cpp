@@ -31,6 +31,10 @@ bool passes_through(const double* p, const double* q, const double* const* trian
   return true;
 }
 
+bool is_same_wall(const SweepContact& a, const SweepContact& b) noexcept {
+  return a.front == b.front && a.facet == b.facet && a.simplex == b.simplex && a.dart == b.dart;
+}
+
 /** The numbers of an event's environment vertices; those of a line in ascending order. */
 std::array<ptrdiff_t, 3> event_key(const Environment<3>& env, const SweepContact& c) {
   // The first point of an edge event is the body's.
@@ -249,6 +253,13 @@ void SweepFlood<3>::settle_ties() {
 /** Of each event the contact that counts, and these in their order. No two are equivalent in either, so no result
  * depends on how they are sorted. */
 void SweepFlood<3>::sort_found() {
+  // Of the first event what has been chosen.
+  const auto is_other = [this](const SweepContact& each) {
+    return same_event(each, result_.contact) && !is_same_wall(each, result_.contact);
+  };
+  if (result_.end == SweepEnd::kContact) {
+    found_.erase(std::remove_if(found_.begin(), found_.end(), is_other), found_.end());
+  }
   const auto before = [this](const SweepContact& a, const SweepContact& b) {
     return comes_before(map_, triangle_->motion().p, triangle_->motion().to, a, b);
   };

@@ -84,7 +84,7 @@ BlockReader::BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_
          kind.oldest, kind.version);
   }
   BlockKind of = kind;
-  if (version_ != kind.version) of.sections = kind.sections_before;
+  of.sections = kind.sections_of(version_);
   if (size < total || size < header_bytes(of)) {
     fail(DSW_STATUS_TRUNCATED, "the snapshot has %zu of %llu bytes", size,
          static_cast<unsigned long long>(std::max<uint64_t>(total, header_bytes(of))));

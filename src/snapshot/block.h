@@ -10,11 +10,15 @@ namespace dsw {
 
 /** What tells one kind of block from another. */
 struct BlockKind {
-  char magic[9];             // 8 bytes
-  uint32_t version;          // of the format that is written
-  uint32_t oldest;           // of those that are read
-  uint32_t sections;         // how many there are
-  uint32_t sections_before;  // in the versions before that which are read
+  char magic[9];       // 8 bytes
+  uint32_t version;    // of the format that is written
+  uint32_t oldest;     // of those that are read
+  uint32_t sections;   // how many there are
+  uint32_t before[2];  // in the oldest version and the next one, if that is not the last
+
+  constexpr uint32_t sections_of(uint32_t format) const noexcept {
+    return format == version ? sections : before[format - oldest];
+  }
 };
 
 constexpr uint32_t kMostSections = 40;

@@ -41,9 +41,12 @@ enum Number {
   kMoves,    // from version 3 on: that have been followed,
   kTouches,  // and touches before the last one;
   kRest,     // numbers of its rest places
+  kTouched,  // from version 4 on: ends of edges for which there is what they have touched
   kNumbers
 };
-constexpr size_t kNumbersBefore = kMoves;
+constexpr size_t numbers_of(uint32_t format) {
+  return format < kHistoryFormat ? kMoves : format < kTouchedFormat ? kTouched : kNumbers;
+}
 
 constexpr uint64_t kSequencesFlag = 1, kEnvironmentFlag = 2, kClearanceFlag = 4, kSimilarMotionFlag = 8, kSelfFlag = 16,
                    kBackEdgesFlag = 32, kRigidFlag = 64, kAllFlags = 127;
@@ -164,19 +167,20 @@ bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexce
 }
 
 template <int D>
-void append(const Scene<D>& scene, const BodyRecord<D>& of, bool with_history, SceneImage& image) {
+void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& content, SceneImage& image) {
   const Environment<D>& env = scene.env;
   const Map<D>& map = env.map;
   const Body<D>& body = of.body;
   const size_t edges = body.edges.size(), vertices = body.vertices.size();
-  const size_t sequences =
-      std::min(body.sequences.size(), edges);  // there can be room for more, or they are no longer kept
-  const size_t balls = body.skipping.by_clearance ? vertices : 0;
+  // There can be room for more, or they are no longer kept.
+  const size_t sequences = content.forecasts ? std::min(body.sequences.size(), edges) : 0;
+  const size_t touched = content.forecasts ? std::min(body.touched.size(), 2 * edges) : 0;
+  const size_t balls = content.forecasts && body.skipping.by_clearance ? vertices : 0;
   uint64_t numbers[kNumbers] = {};
   numbers[kLevel] = static_cast<uint64_t>(body.level);
   numbers[kFlags] = flags_of(body);
   numbers[kMotionShare] = bits_as<uint64_t>(body.skipping.motion_share);
-  numbers[kCredit] = bits_as<uint64_t>(body.clearance_credit);
+  numbers[kCredit] = content.forecasts ? bits_as<uint64_t>(body.clearance_credit) : 0;
   numbers[kVertices] = vertices;
   numbers[kFreeVertices] = body.vertex_slots.free_slots().size();
   numbers[kEdges] = edges;
@@ -195,7 +199,8 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, bool with_history, S
   // A vertex that was added since the shape was taken makes the shape worthless: the next move takes it anew.
   const bool has_rest = body.is_rigid() && body.shape[0].rest.size() == D * vertices;
   numbers[kRest] = has_rest ? D * vertices : 0;
-  append(image.bodies, numbers, with_history ? size_t{kNumbers} : kNumbersBefore);
+  numbers[kTouched] = touched;
+  append(image.bodies, numbers, numbers_of(content.format));
   const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
     append(to, from.data(), from.size());
   };
@@ -238,7 +243,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, bool with_history, S
     append(image.partners, {p.body.index, p.body.generation, p.vertex.index, p.vertex.generation, p.edge.index,
                             p.edge.generation, p.face.index, p.face.generation});
   }
-  if (!with_history) return;
+  if (content.format < kHistoryFormat) return;
   for (const RigidShape<D>& shape : body.shape) {
     append(image.shapes, shape.moved.rotation, 4);
     append(image.shapes, shape.moved.centre, D);
@@ -253,6 +258,10 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, bool with_history, S
     append_touch(touch, image.touch_places, image.touches);
     append(image.touches, {static_cast<uint32_t>(touch.move), static_cast<uint32_t>(touch.move >> 32),
                            touch.vertex.index, touch.vertex.generation});
+  }
+  if (content.format < kTouchedFormat) return;
+  for (size_t i = 0; i < touched; ++i) {
+    for (const TouchedLine& line : body.touched[i].lines) append(image.touched, line.vertices, 2);
   }
 }
 
@@ -346,6 +355,16 @@ void BodyReader<D>::read_sequences(Body<D>& body, uint64_t count) {
 }
 
 /** A ball that is said to be free has to be. */
+/** Any vertices will do: they are forecasts. */
+template <int D>
+void BodyReader<D>::read_touched(Body<D>& body, uint64_t count) {
+  if (count > 2 * body.edges.size()) fail_corrupt("the number of what edges have touched");
+  body.touched.resize(static_cast<size_t>(count));
+  for (TouchedLines& each : body.touched) {
+    for (TouchedLine& line : each.lines) std::copy_n(take(image_.touched, touched_, 2), 2, line.vertices);
+  }
+}
+
 template <int D>
 void BodyReader<D>::read_balls(Body<D>& body, uint64_t count) {
   if (count != (body.skipping.by_clearance ? body.vertices.size() : 0)) fail_corrupt("the number of clearances");
@@ -408,7 +427,7 @@ void BodyReader<D>::read_partners(BodyRecord<D>& of, uint64_t count) {
 template <int D>
 void BodyReader<D>::read_history(BodyRecord<D>& of, const uint64_t* n) {
   of.record.previous.resize(of.record.contacts.size());
-  for (size_t i = 0; i < of.record.previous.size() && !has_history_; ++i) {
+  for (size_t i = 0; i < of.record.previous.size() && format_ < kHistoryFormat; ++i) {
     const dsw_body_contact& contact = of.record.contacts[i];
     dsw_previous_contact& previous = of.record.previous[i];
     previous.moves = previous.touching = 1;
@@ -420,7 +439,7 @@ void BodyReader<D>::read_history(BodyRecord<D>& of, const uint64_t* n) {
     previous.since = 1;
     previous.moves = previous.touching = 2;
   }
-  if (!has_history_) return;
+  if (format_ < kHistoryFormat) return;
   const double* place = take(image_.previous_places, previous_place_, kTouchPlaces * of.record.previous.size());
   const uint32_t* words = take(image_.previous, previous_, kPreviousWords * of.record.previous.size());
   for (dsw_previous_contact& previous : of.record.previous) {
@@ -471,7 +490,7 @@ void BodyReader<D>::read_shape(Body<D>& body, uint64_t rest) {
 
 template <int D>
 void BodyReader<D>::take_numbers(uint64_t* numbers) {
-  const size_t count = has_history_ ? size_t{kNumbers} : kNumbersBefore;
+  const size_t count = numbers_of(format_);
   std::fill_n(std::copy_n(take(image_.bodies, body_, count), count, numbers), kNumbers - count, uint64_t{0});
 }
 
@@ -509,6 +528,7 @@ void BodyReader<D>::read(BodyRecord<D>& of) {
   if (const char* const broken = check_integrity(body)) fail_corrupt(broken);
   check(body);
   read_sequences(body, n[kSequences]);
+  read_touched(body, n[kTouched]);
   read_balls(body, n[kBalls]);
   read_contacts(of, n[kContacts]);
   read_partners(of, n[kPartners]);
@@ -543,7 +563,8 @@ void BodyReader<D>::finish() const {
       sequence_ == i.sequences.size() && ball_ == i.balls.size() && ball_word_ == i.ball_words.size() &&
       contact_place_ == i.contact_places.size() && contact_ == i.contacts.size() && partner_ == i.partners.size() &&
       previous_place_ == i.previous_places.size() && previous_ == i.previous.size() &&
-      touch_place_ == i.touch_places.size() && touch_ == i.touches.size() && shape_ == i.shapes.size();
+      touch_place_ == i.touch_places.size() && touch_ == i.touches.size() && shape_ == i.shapes.size() &&
+      touched_ == i.touched.size();
   if (!all) fail_corrupt("more of bodies than there are");
 }
 

@@ -7,6 +7,9 @@
 
 namespace dsw {
 
+/** In format 3 the history of contacts came, in format 4 what edges have touched. */
+constexpr uint32_t kHistoryFormat = 3, kTouchedFormat = 4;
+
 struct SceneImage {
   // Of the scene. The numbers are the counters of its statistics, then what its environment had of cells, indices and
   // vertices.
@@ -39,10 +42,12 @@ struct SceneImage {
   Array<double> touch_places;
   Array<uint32_t> touches;
   Array<double> shapes;  // of rigid bodies: rotation, centre, translation, rest places
+  // From version 4 on: the vertices of what edges have touched, for each edge and end.
+  Array<uint32_t> touched;
 
   explicit SceneImage(const Memory* memory);
 
-  static constexpr uint32_t kSections = 30, kSectionsBefore = 25;
+  static constexpr uint32_t kSections = 31, kSectionsBefore[2] = {25, 30};  // of versions 2 and 3
 
   /** Calls visit(array) for all arrays in the order of their sections. */
   template <class Visit>
@@ -60,6 +65,7 @@ struct SceneImage {
     visit(contact_places), visit(contacts), visit(partners);
     visit(previous_places), visit(previous), visit(touch_places), visit(touches);
     visit(shapes);
+    visit(touched);
   }
 };
 
@@ -80,18 +86,23 @@ Cell to_cell(const Map<D>& map, uint32_t index) {
 template <int D>
 bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept;
 
-/** Appends a body, or a slot without one, with what vertices touched before their last move or without that. Throws
- * std::bad_alloc. */
+/** What is taken of a scene: what a format has, and forecasts or the state alone. */
+struct SceneContent {
+  uint32_t format;
+  bool forecasts;
+};
+
+/** Appends a body, or a slot without one. Throws std::bad_alloc. */
 template <int D>
-void append(const Scene<D>& scene, const BodyRecord<D>& of, bool with_history, SceneImage& image);
+void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& content, SceneImage& image);
 
 /** Takes bodies from an image, which is not trusted: Error with CORRUPT, or std::bad_alloc. */
 template <int D>
 class BodyReader {
  public:
-  /** `has_history`: the image has what vertices touched before their last move. */
-  BodyReader(const Environment<D>& env, const SceneImage& image, bool has_history)
-      : env_(env), image_(image), has_history_(has_history) {}
+  /** Of an image in this format. */
+  BodyReader(const Environment<D>& env, const SceneImage& image, uint32_t format)
+      : env_(env), image_(image), format_(format) {}
 
   /** The next one, into an empty record; it is sound, in its cells and free at its level. Whether it is apart from
    * other bodies is not looked at. */
@@ -109,6 +120,7 @@ class BodyReader {
                       size_t& free_at, uint64_t free_count);
   void read_parts(Body<D>& body, const uint64_t* numbers);
   void read_sequences(Body<D>& body, uint64_t count);
+  void read_touched(Body<D>& body, uint64_t count);
   void read_balls(Body<D>& body, uint64_t count);
   void read_contacts(BodyRecord<D>& of, uint64_t count);
   void read_partners(BodyRecord<D>& of, uint64_t count);
@@ -119,12 +131,12 @@ class BodyReader {
 
   const Environment<D>& env_;
   const SceneImage& image_;
-  bool has_history_;
+  uint32_t format_;
   // Where the next body begins in each array.
   size_t body_ = 0, vertex_place_ = 0, vertex_ = 0, vertex_slot_ = 0, free_vertex_ = 0, edge_ = 0, edge_slot_ = 0,
          free_edge_ = 0, face_ = 0, face_slot_ = 0, free_face_ = 0, inserted_ = 0, sequence_ = 0, ball_ = 0,
          ball_word_ = 0, contact_place_ = 0, contact_ = 0, partner_ = 0, previous_place_ = 0, previous_ = 0,
-         touch_place_ = 0, touch_ = 0, shape_ = 0;
+         touch_place_ = 0, touch_ = 0, shape_ = 0, touched_ = 0;
 };
 
 }  // namespace dsw

@@ -14,13 +14,16 @@
 namespace dsw {
 namespace {
 
-constexpr BlockKind kKind = {"DSWSCN\x1a\n", kSceneFormat, kOldestSceneFormat, SceneImage::kSections,
-                             SceneImage::kSectionsBefore};
+constexpr BlockKind kKind = {"DSWSCN\x1a\n",
+                             kSceneFormat,
+                             kOldestSceneFormat,
+                             SceneImage::kSections,
+                             {SceneImage::kSectionsBefore[0], SceneImage::kSectionsBefore[1]}};
 /** What is written in a format. */
 constexpr BlockKind kind_of(uint32_t format) {
   BlockKind kind = kKind;
+  kind.sections = kind.sections_of(format);
   kind.version = format;
-  if (format != kSceneFormat) kind.sections = kind.sections_before;
   return kind;
 }
 constexpr uint32_t kStatistics = 1, kCrossings = 2, kDeforming = 4, kContacts = 8, kLive = 16, kAllFeatures = 31;
@@ -51,7 +54,7 @@ void get_extents(const Map<D>& map, uint64_t* out) {
 }
 
 template <int D>
-SceneImage image_of(const Scene<D>& scene, uint32_t format) {
+SceneImage image_of(const Scene<D>& scene, const SceneContent& content) {
   SceneImage image(scene.memory);
   image.numbers.resize(kCounters + kExtents);
   get_counters(scene.statistics, image.numbers.data());
@@ -67,7 +70,7 @@ SceneImage image_of(const Scene<D>& scene, uint32_t format) {
   image.free_particles = scene.slots.free_slots();
   image.body_slots = scene.body_slots.words();
   image.free_bodies = scene.body_slots.free_slots();
-  for (const BodyRecord<D>& each : scene.bodies) append(scene, each, format == kSceneFormat, image);
+  for (const BodyRecord<D>& each : scene.bodies) append(scene, each, content, image);
   return image;
 }
 
@@ -128,9 +131,9 @@ void join_bodies(Scene<D>& scene) {
 }
 
 template <int D>
-void load_bodies(Scene<D>& scene, SceneImage& image, bool has_history) {
+void load_bodies(Scene<D>& scene, SceneImage& image, uint32_t format) {
   restore(scene.body_slots, image.body_slots, image.free_bodies);
-  BodyReader<D> reader(scene.env, image, has_history);
+  BodyReader<D> reader(scene.env, image, format);
   const size_t count = scene.body_slots.slot_count();
   if (count > image.bodies.size()) fail_corrupt("bodies: size");
   scene.bodies.reserve(count);
@@ -157,19 +160,38 @@ SceneImage::SceneImage(const Memory* memory) {
 
 template <int D>
 size_t snapshot_bytes(const Scene<D>& scene, uint32_t format) {
-  SceneImage image = image_of(scene, format);
+  SceneImage image = image_of(scene, {format, true});
   return block_bytes(kind_of(format), header_of(scene, image));
 }
 
+namespace {
+
 template <int D>
-void save(const Scene<D>& scene, uint8_t* out, uint32_t format) {
-  SceneImage image = image_of(scene, format);
+void write(const Scene<D>& scene, SceneImage& image, uint32_t format, uint8_t* out) {
   BlockWriter writer(kind_of(format), header_of(scene, image), D, out);
   image.for_each([&](const auto& array) {  // those that an older format lacks are empty
     writer.write(array);
     writer.end_section();
   });
   writer.finish();
+}
+
+}  // namespace
+
+template <int D>
+void save(const Scene<D>& scene, uint8_t* out, uint32_t format) {
+  SceneImage image = image_of(scene, {format, true});
+  write(scene, image, format, out);
+}
+
+template <int D>
+uint64_t state_checksum(const Scene<D>& scene) {
+  SceneImage image = image_of(scene, {kSceneFormat, false});
+  std::fill(image.numbers.begin(), image.numbers.begin() + kCounters, uint64_t{0});
+  for (size_t i = 1; i < image.particles.size(); i += 2) image.particles[i] = 0;
+  Array<uint8_t> block(block_bytes(kKind, header_of(scene, image)), 0, scene.memory);
+  write(scene, image, kSceneFormat, block.data());
+  return checksum(0, block.data(), block.size());
 }
 
 template <int D>
@@ -200,11 +222,12 @@ void load(Scene<D>& scene, const uint8_t* block, size_t size) {
   }
   scene.statistics = to_statistics(image.numbers.data());
   load_particles(scene, image);
-  load_bodies(scene, image, reader.version() == kKind.version);
+  load_bodies(scene, image, reader.version());
 }
 
 DSW_INSTANTIATE(snapshot_bytes);
 DSW_INSTANTIATE(save);
+DSW_INSTANTIATE(state_checksum);
 DSW_INSTANTIATE(saved_features);
 DSW_INSTANTIATE(load);
 

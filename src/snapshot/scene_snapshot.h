@@ -5,8 +5,8 @@
 
 namespace dsw {
 
-/** The version of the format, and the oldest one that is read and, for replays, still written. */
-constexpr uint32_t kSceneFormat = 3, kOldestSceneFormat = 2;
+/** The version of the format, and the oldest one that is read. */
+constexpr uint32_t kSceneFormat = 4, kOldestSceneFormat = 2;
 
 /** Size of the block that `save` writes in a format. Throws std::bad_alloc. */
 template <int D>
@@ -15,6 +15,11 @@ size_t snapshot_bytes(const Scene<D>& scene, uint32_t format = kSceneFormat);
 /** Writes snapshot_bytes(scene, format) bytes, of any alignment. Throws std::bad_alloc before the first is written. */
 template <int D>
 void save(const Scene<D>& scene, uint8_t* out, uint32_t format = kSceneFormat);
+
+/** A checksum of all that results depend on: not of counters, and not of forecasts, which only save work. Throws
+ * std::bad_alloc. */
+template <int D>
+uint64_t state_checksum(const Scene<D>& scene);
 
 /** The features of a saved scene. Throws as `load`. */
 template <int D>

@@ -41,7 +41,7 @@ enum Section {
 
 /** Those of the plane have been narrow since version 3; space has no reason to leave version 2. */
 template <int D>
-constexpr BlockKind kKind = {"DSWENV\x1a\n", D == 2 ? 3 : 2, 2, kSectionCount, kSectionCount};
+constexpr BlockKind kKind = {"DSWENV\x1a\n", D == 2 ? 3 : 2, 2, kSectionCount, {kSectionCount, kSectionCount}};
 constexpr uint32_t kLastWideVersion = 2;
 constexpr uint32_t kHasTree = 1, kHasChanged = 2, kPointsMove = 4;
 constexpr uint64_t kMostUnits = uint64_t{1} << 28;

@@ -130,9 +130,21 @@ TEST_P(KeptTest, EveryFunctionIsCalledAgainAndLeavesTheSameState) {
   }
 }
 
-// A recording that has no state, or whose states are not looked at, would be the same whatever is done.
-TEST_P(KeptTest, AnotherStateIsNoticedInTheFormatOfTheRelease) {
-  const std::string recording = kept("space/bodies.dswrec");
+/// A recording made again, as it is recorded today.
+std::string recorded_again(const std::string& recording, size_t* calls) {
+  const ReplayPtr replay = open_replay(recording);
+  std::string taken;
+  EXPECT_EQ(start(scene_of(replay), &taken, DSW_RECORDING_STATES), DSW_STATUS_OK);
+  *calls = replay_all(replay);
+  EXPECT_EQ(dsw_scene_stop_recording(scene_of(replay)), DSW_STATUS_OK);
+  return taken;
+}
+
+// A recording that has no state, or whose states are not looked at, would be the same whatever is done. States of earlier
+// formats are not looked at: they have forecasts in them.
+TEST_P(KeptTest, AnotherStateIsNoticed) {
+  size_t calls = 0;
+  const std::string recording = recorded_again(kept("space/bodies.dswrec"), &calls);
   for (const size_t call : {0u, 12u, 50u}) {
     Entries entries(recording);
     entries.result(call)[2] ^= 1;
@@ -149,12 +161,8 @@ TEST_P(KeptTest, AnotherStateIsNoticedInTheFormatOfTheRelease) {
 
 // What is recorded while an old recording is made again is a recording of today.
 TEST_P(KeptTest, AReplayIsRecordedInTheFormatOfToday) {
-  const std::string recording = kept("space/bodies.dswrec");
-  const ReplayPtr replay = open_replay(recording);
-  std::string taken;
-  ASSERT_EQ(start(scene_of(replay), &taken, DSW_RECORDING_STATES), DSW_STATUS_OK);
-  const size_t calls = replay_all(replay);
-  ASSERT_EQ(dsw_scene_stop_recording(scene_of(replay)), DSW_STATUS_OK);
+  size_t calls = 0;
+  const std::string taken = recorded_again(kept("space/bodies.dswrec"), &calls);
   const ReplayPtr again = open_replay(taken);
   EXPECT_EQ(info_of(again).version, dsw_version());
   EXPECT_EQ(replay_all(again), calls);
@@ -216,7 +224,11 @@ TEST_P(KeptTest, SnapshotsAreLoadedAndGoOn) {
   EXPECT_GE(files, 6u);
 }
 
-// These were saved right after the last recorded call: two ways to the same bytes, and on from there.
+uint64_t state_of(dsw_scene* scene) {
+  return capi::visit(*scene, [](const auto& engine) { return state_checksum(engine); });
+}
+
+// These were saved right after the last recorded call: two ways to the same state, and on from there.
 TEST_P(KeptTest, ASnapshotIsWhereTheRecordingEnds) {
   size_t pairs = 0;
   for (const char* const place : {"space", "plane"}) {
@@ -228,8 +240,9 @@ TEST_P(KeptTest, ASnapshotIsWhereTheRecordingEnds) {
       const ReplayPtr replay = open_replay(recording);
       replay_all(replay);
       const auto blocks = kept_blocks(std::string(place) + "/" + beside.stem().string());
-      EXPECT_TRUE(saved_as(scene_of(replay), blocks) == blocks);
+      EXPECT_TRUE(saved_as(scene_of(replay), blocks)[0] == blocks[0]);
       const Loaded loaded = load_both(blocks[0], blocks[1]);
+      EXPECT_EQ(state_of(scene_of(replay)), state_of(loaded.scene.get()));
       const size_t dimension = std::string(place) == "space" ? 3 : 2;
       EXPECT_EQ(move_on(scene_of(replay), dimension), move_on(loaded.scene.get(), dimension));
       ++pairs;
