@@ -185,12 +185,12 @@ void save(const Scene<D>& scene, uint8_t* out, uint32_t format) {
 }
 
 template <int D>
-uint64_t state_checksum(const Scene<D>& scene) {
-  SceneImage image = image_of(scene, {kSceneFormat, false});
+uint64_t state_checksum(const Scene<D>& scene, uint32_t format) {
+  SceneImage image = image_of(scene, {format, false});
   std::fill(image.numbers.begin(), image.numbers.begin() + kCounters, uint64_t{0});
   for (size_t i = 1; i < image.particles.size(); i += 2) image.particles[i] = 0;
-  Array<uint8_t> block(block_bytes(kKind, header_of(scene, image)), 0, scene.memory);
-  write(scene, image, kSceneFormat, block.data());
+  Array<uint8_t> block(block_bytes(kind_of(format), header_of(scene, image)), 0, scene.memory);
+  write(scene, image, format, block.data());
   return checksum(0, block.data(), block.size());
 }
 
