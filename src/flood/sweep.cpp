@@ -207,19 +207,24 @@ void SweepFlood<3>::look_at_marked_edges(Cell c, const Shape& shape) {
   }
 }
 
-/** Keeps the earlier contact; one line seen from several cells is compared by names alone. */
+/** Keeps the earlier contact; one line seen from several cells, or another in its place, is compared by names alone. */
 void SweepFlood<3>::consider(const SweepContact& found) {
   if (collect_) found_.push_back(found);
-  if (result_.end == SweepEnd::kContact && same_event(found, result_.contact)) tied_.push_back(found);
-  if (result_.end == SweepEnd::kContact &&
-      !comes_before(map_, triangle_->motion().p, triangle_->motion().to, found, result_.contact))
-    return;
-  if (result_.end != SweepEnd::kContact || !same_event(found, result_.contact)) tied_.assign(1, found);
+  const EdgeMotion& m = triangle_->motion();
+  const SweepContact& first = result_.contact;
+  bool tied = false;
+  if (result_.end == SweepEnd::kContact) {
+    const bool of_lines = found.event.kind == EventKind::kEdge && first.event.kind == EventKind::kEdge;
+    const int order =
+        !of_lines || same_event(found, first) ? 0 : compare_events<3>(m.p, m.to, found.event, first.event).sign;
+    tied = of_lines && order == 0;
+    if (tied) tied_.push_back(found);
+    if (order > 0 || (order == 0 && !comes_before(map_, m.p, m.to, found, first))) return;
+  }
+  if (!tied) tied_.assign(1, found);
   result_.end = SweepEnd::kContact;
   result_.contact = found;
-  if (!ends_) return;
-  const EdgeMotion& m = triangle_->motion();
-  triangle_->end_at(time_after<3>(m.p, m.to, found.event));
+  if (ends_) triangle_->end_at(time_after<3>(m.p, m.to, found.event));
 }
 
 /** Whether the passable cells from a wall at the line on, round that, are those from which the edge comes: just before it
