@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "map/dart.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
 #include "walk/standard_facets.h"
@@ -33,6 +32,13 @@ bool passes_through(const double* p, const double* q, const double* const* trian
 
 bool is_same_wall(const SweepContact& a, const SweepContact& b) noexcept {
   return a.front == b.front && a.facet == b.facet && a.simplex == b.simplex && a.dart == b.dart;
+}
+
+/** Which point of a triangle that has a line does not lie on that. */
+int third_point(const double* const* triangle, const double* const* line) noexcept {
+  int i = 0;
+  while (i < 2 && (triangle[i] == line[0] || triangle[i] == line[1])) ++i;
+  return i;
 }
 
 /** The numbers of an event's environment vertices; those of a line in ascending order. */
@@ -205,38 +211,68 @@ void SweepFlood<3>::look_at_marked_edges(Cell c, const Shape& shape) {
   }
 }
 
-/** Keeps the earlier contact; one line seen from several cells is compared by names alone. */
+/** Keeps the earlier contact; one line seen from several cells, or another in its place, is compared by names alone. */
 void SweepFlood<3>::consider(const SweepContact& found) {
   if (collect_) found_.push_back(found);
-  if (result_.end == SweepEnd::kContact && same_event(found, result_.contact)) tied_.push_back(found);
-  if (result_.end == SweepEnd::kContact &&
-      !comes_before(map_, triangle_->motion().p, triangle_->motion().to, found, result_.contact))
-    return;
-  if (result_.end != SweepEnd::kContact || !same_event(found, result_.contact)) tied_.assign(1, found);
+  const EdgeMotion& m = triangle_->motion();
+  const SweepContact& first = result_.contact;
+  bool tied = false;
+  if (result_.end == SweepEnd::kContact) {
+    const bool of_lines = found.event.kind == EventKind::kEdge && first.event.kind == EventKind::kEdge;
+    const int order =
+        !of_lines || same_event(found, first) ? 0 : compare_events<3>(m.p, m.to, found.event, first.event).sign;
+    tied = of_lines && order == 0;
+    if (tied) tied_.push_back(found);
+    if (order > 0 || (order == 0 && !comes_before(map_, m.p, m.to, found, first))) return;
+  }
+  if (!tied) tied_.assign(1, found);
   result_.end = SweepEnd::kContact;
   result_.contact = found;
-  if (!ends_) return;
-  const EdgeMotion& m = triangle_->motion();
-  triangle_->end_at(time_after<3>(m.p, m.to, found.event));
+  if (ends_) triangle_->end_at(time_after<3>(m.p, m.to, found.event));
 }
 
 /** Whether the passable cells from a wall at the line on, round that, are those from which the edge comes: just before it
- * meets the line, it passes the half-plane from the line to p. */
+ * meets the line, it passes the half-plane from the line to p. Each cell is a wedge there between two of its triangles,
+ * which may be those of one facet with the line as its diagonal. */
 bool SweepFlood<3>::comes_from(const SweepContact& wall) const {
   constexpr int kMostCells = 256;
-  const auto has_start = [&](Dart d) {
-    const double* simplex[3];
-    boundary_points(env_, d.cell, map_.shape(d.cell).simplex_first(map_.shape(d.cell).dart_facet(d.local)), simplex);
-    return side_of_plane(simplex, triangle_->motion().p) < 0;
-  };
-  Dart d{wall.front, wall.dart};
-  for (int cells = 0; cells < kMostCells && wall.dart != kNoFacet; ++cells) {
-    const Dart other = beta2(map_, d);
-    if (has_start(d) && has_start(other)) return true;
-    if (is_impassable(env_, half_facet(map_, other))) return false;
-    d = beta3(map_, other);
+  const double* const* const line = wall.event.points + 1;
+  if (!wall.facet.valid()) return false;  // a marked edge has no side
+  HalfFacet entered = wall.facet;
+  const double* from[3];
+  boundary_points(env_, wall.front, wall.simplex, from);
+  for (int cells = 0; cells < kMostCells; ++cells) {
+    const Cell c = map_.cell_of(entered);
+    const Shape shape = map_.shape(c);
+    const uint32_t other = other_at_line(c, from, line);
+    if (other == kNoFacet) return false;
+    const double* to[3];
+    boundary_points(env_, c, other, to);
+    const double* const tip = to[third_point(to, line)];
+    const bool sees_first = side_of_plane(from, triangle_->motion().p) < 0,
+               sees_second = side_of_plane(to, triangle_->motion().p) < 0;
+    const bool narrow = side_of_plane(from, tip) < 0;
+    if (narrow ? sees_first && sees_second : sees_first || sees_second) return true;
+    const HalfFacet left = map_.half_facet(c, shape.simplex_facets(3)[other]);
+    if (left == entered || is_impassable(env_, left)) return false;
+    entered = map_.opposite(left);
+    std::copy_n(to, 3, from);
+    std::swap(from[1], from[2]);  // as the next cell has it
   }
   return false;
+}
+
+/** The other triangle of a cell at a line. */
+uint32_t SweepFlood<3>::other_at_line(Cell c, const double* const* triangle, const double* const* line) const {
+  const uint32_t count = map_.shape(c).simplex_count();
+  const double* const tip = triangle[third_point(triangle, line)];
+  for (uint32_t s = 0; s < count; ++s) {
+    const double* at[3];
+    boundary_points(env_, c, s, at);
+    const auto is_of = [&](const double* point) { return std::find(at, at + 3, point) != at + 3; };
+    if (is_of(line[0]) && is_of(line[1]) && at[third_point(at, line)] != tip) return s;
+  }
+  return kNoFacet;
 }
 
 /** More walls than two at the line of the first contact: passable cells that are not linked there meet in it. */

@@ -42,6 +42,7 @@ class SweepFlood<3> : public SolidSweep<3> {
   bool simplex_met(const uint16_t* local);
   void consider(const SweepContact& found);
   bool comes_from(const SweepContact& wall) const;
+  uint32_t other_at_line(Cell c, const double* const* triangle, const double* const* line) const;
   void settle_ties();
   void sort_found();
 
