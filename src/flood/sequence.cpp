@@ -246,18 +246,18 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
   const size_t count = sequence.facets.size();
   const bool in_rows = sequence.in_rows && sequence.version == env.obstacle_version;
   if (D == 2 && !in_rows) return false;
-  for (size_t next = 0; next < count;) {
-    if (in_rows) {
+  size_t exact = 0;  // facets to ask one by one before rows are asked again
+  for (size_t next = 0; next < count; ++next, exact -= exact != 0 ? 1 : 0) {
+    if (in_rows && exact == 0) {
       LineTests<D> line(from, to);
       const size_t passed = pass(line, sequence.rows.span(next, count - next));
+      if (next + passed == count && line.passed_all()) break;
       // What was passed before one that was not is certain only where it is asked alone.
       LineTests<D> again(from, to);
-      const bool all = next + passed == count;
-      const bool sure =
-          all ? line.passed_all()
-              : passed == 0 || (pass(again, sequence.rows.span(next, passed)) == passed && again.passed_all());
+      const bool sure = passed == 0 || (next + passed < count &&
+                                        pass(again, sequence.rows.span(next, passed)) == passed && again.passed_all());
+      exact = sure ? 1 : passed + 1;
       if (sure) next += passed;
-      if (next == count) break;
     }
     const HalfFacet facet{sequence.facets[next]};
     const bool later = for_each_ridge(env, facet, sequence.in_rows, [&](const FacetRidge& ridge) {
@@ -268,7 +268,6 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
       return true;
     });
     if (!later) return false;
-    ++next;
   }
   return true;
 }

@@ -81,7 +81,7 @@ void SweepFlood<3>::flood_triangle(SweptTriangle& triangle, Cell start, uint32_t
     look_at_facets(c, shape);
     if (env_.marked_edges != 0) look_at_marked_edges(c, shape);
   });
-  if (tied_.size() > 2) settle_ties();
+  if (result_.end == SweepEnd::kContact && tied_.size() > 2) settle_ties();
 }
 
 /** Reads the vertices of a cell. False for a hexahedron all of whose facets lie beside the triangle's box: the main
@@ -228,7 +228,7 @@ void SweepFlood<3>::consider(const SweepContact& found) {
   if (!tied) tied_.assign(1, found);
   result_.end = SweepEnd::kContact;
   result_.contact = found;
-  if (ends_) triangle_->end_at(time_after<3>(m.p, m.to, found.event));
+  if (ends_) triangle_->end_at(std::min(triangle_->end(), time_after<3>(m.p, m.to, found.event)));
 }
 
 /** Whether the passable cells from a wall at the line on, round that, are those from which the edge comes: just before it

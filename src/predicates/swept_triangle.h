@@ -39,6 +39,7 @@ class SweptTriangle {
 
   // Events after a time need not be seen any more. It lies in [0,1].
   void end_at(double time) noexcept { end_ = time; }
+  double end() const noexcept { return end_; }
 
   // Where line a b, with b on side `side_of_b` and a on the other, pierces the plane: a bit for each side of the
   // triangle, p p', p' q and q p, that has it outside, and kLater where it is certainly met after the end. 0: inside of

@@ -5,6 +5,7 @@
 #include "response/body_move.h"
 
 #include <algorithm>
+#include <new>
 
 #include "base/vec.h"
 #include "contact/describe.h"
@@ -109,7 +110,7 @@ bool BodyMove<D>::try_together(Body<D>& body, PlaceFn where, const void* user, d
     if (!is_finite<D>(to)) return false;  // a part of a motion can lead further than the whole
   }
   start(body, targets, order);
-  sweep_all(false);
+  sweep_all(false, false);
   look_ahead(false);
   for (const uint32_t v : course_.order) {
     if (!course_.moves(v)) continue;
@@ -120,8 +121,10 @@ bool BodyMove<D>::try_together(Body<D>& body, PlaceFn where, const void* user, d
     // The first in doubt has met something: all before it have arrived.
     if (record.contacts.empty()) record_first(body, v, targets[v], record);
     put_vertices(body, before_.data());
+    sweeps_.near = nullptr;
     return false;
   }
+  sweeps_.near = nullptr;
   return true;
 }
 
@@ -152,7 +155,7 @@ void BodyMove<D>::start(Body<D>& body, PointArray targets, MoveOrder order) {
 /** False: the body was not free at an edge that was left out. */
 template <int D>
 bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may_skip) {
-  sweep_all(may_skip);
+  sweep_all(may_skip, true);
   if (!finish(settings, record, may_skip)) return false;
   // Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are
   // cast where their ends arrive, or by the later of these, which moves alone.
@@ -164,9 +167,9 @@ bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may
 
 /** What is met if nobody else meets anything. */
 template <int D>
-void BodyMove<D>::sweep_all(bool may_skip) {
+void BodyMove<D>::sweep_all(bool may_skip, bool may_guess) {
   casts_.cast_paths();
-  if (course_.body->level != SweepLevel::kPoints) edges_.sweep(may_skip);
+  if (course_.body->level != SweepLevel::kPoints) edges_.sweep(may_skip, may_guess);
   if constexpr (D == 3) {
     if (course_.body->level == SweepLevel::kFaces) faces_.sweep();
   }
@@ -199,7 +202,10 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     const uint32_t limited = record.limited;
     const bool reached = alone.move(v, course_.targets[v]);
     record.stopped += reached ? 0 : 1;
-    if (notes) turns_.note(*course_.body, v, before, !reached && record.limited == limited);
+    if (notes) {
+      turns_.note(*course_.body, v, before, !reached && record.limited == limited, record.edits.data() + edits,
+                  record.edits.size() - edits);
+    }
     if (!reached || record.edits.size() != edits) disturb(v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(record.edits[i].vertex.index);
   }
@@ -217,8 +223,11 @@ void BodyMove<D>::look_ahead([[maybe_unused]] bool slides) {
     if (sweeps_.partners == nullptr || !body.filter.self || body.level == SweepLevel::kPoints) return;
     if (body.edges.size() < kLeastEdges || course_.order.size() * kLeastShare < body.vertices.size()) return;
     if (!body.boxes[0].loners.empty()) return;
-    near_.start(body, slides, [&](uint32_t v) { return course_.moves(v) ? course_.targets[v] : body.position(v); });
-    if (near_.active()) sweeps_.near = &near_;
+    try {
+      near_.start(body, slides, [&](uint32_t v) { return course_.moves(v) ? course_.targets[v] : body.position(v); });
+      if (near_.active()) sweeps_.near = &near_;
+    } catch (const std::bad_alloc&) {  // without the list boxes are asked
+    }
   }
 }
 
@@ -238,9 +247,11 @@ void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
       double before[D];
       std::copy_n(body.position(v), D, before);
       const uint32_t limited = record.limited;
+      const size_t edits = record.edits.size();
       const bool reached = alone.move(v, course_.targets[v]);
       record.stopped -= reached ? 1 : 0;
-      turns_.note(body, v, before, !reached && record.limited == limited);
+      turns_.note(body, v, before, !reached && record.limited == limited, record.edits.data() + edits,
+                  record.edits.size() - edits);
     }
   }
   if (record.contacts.size() != contacts) drop_repeated(record);

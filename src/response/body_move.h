@@ -42,7 +42,7 @@ class BodyMove {
   void record_first(const Body<D>& body, uint32_t v, const double* to, MoveRecord& record);
   void start(Body<D>& body, PointArray targets, MoveOrder order);
   bool run(const MoveSettings& settings, MoveRecord& record, bool may_skip);
-  void sweep_all(bool may_skip);
+  void sweep_all(bool may_skip, bool may_guess);
   bool arrives(uint32_t v) const;
   bool finish(const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void go_on(const MoveSettings& settings, MoveRecord& record);

@@ -5,7 +5,8 @@
 namespace dsw {
 
 template <int D>
-void EdgePass<D>::sweep(bool may_skip) {
+void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
+  may_guess_ = may_guess;
   const Body<D>& body = *course_.body;
   const bool only_places = body.level == SweepLevel::kEdges && !body.keeps_sequences();
   const bool skips_back = may_skip && body.skipping.back_edges;
@@ -67,7 +68,7 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
   if (moving.rank == kNone) return;
   const Cell fixed = course_.cell_at(other, moving.rank);
   // Where the other one will be is not known if there is something on its way.
-  const bool other_meets = course_.vertices[other].meets && course_.vertices[other].rank < moving.rank;
+  const bool other_meets = may_guess_ && course_.vertices[other].meets && course_.vertices[other].rank < moving.rank;
   moving.doubtful = moving.doubtful || other_meets || !fixed.valid();
   if (moving.doubtful) {
     if (!course_.keeps.empty()) course_.keeps[e] = false;
@@ -84,7 +85,7 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
   if (settled != Settled::kNo) return;
   if (body.level != SweepLevel::kEdges) {
     const BodyVertex<D>& from = body.vertices[v];
-    moving.doubtful = sweeps_.meets_touched_line(body, sweep) ||
+    moving.doubtful = (may_guess_ && sweeps_.meets_touched_line(body, sweep)) ||
                       !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
     moving.meets = moving.doubtful;
     if (moving.doubtful) return;

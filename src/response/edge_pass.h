@@ -11,8 +11,10 @@ class EdgePass {
   EdgePass(const Environment<D>& env, StarSweep<D>& sweeps, Course<D>& course, CourseCasts<D>& casts)
       : env_(env), sweeps_(sweeps), course_(course), casts_(casts), sieve_(env, sweeps, course, casts) {}
 
-  /** @param may_skip whether edges may be left out on their way that are free where they end. Throws std::bad_alloc. */
-  void sweep(bool may_skip);
+  /** @param may_skip whether edges may be left out on their way that are free where they end.
+   * @param may_guess whether vertices may be in doubt by what is forecast alone: each of them is then moved alone. Throws
+   * std::bad_alloc. */
+  void sweep(bool may_skip, bool may_guess);
 
  private:
   void cast_places(uint32_t e, bool skips_back);
@@ -25,6 +27,7 @@ class EdgePass {
   Course<D>& course_;
   CourseCasts<D>& casts_;
   EdgeSieve<D> sieve_;
+  bool may_guess_ = false;
 };
 
 /** Its edges have been swept. */

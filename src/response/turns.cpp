@@ -16,12 +16,13 @@ void Turns<D>::start(const Body<D>& body) {
 }
 
 template <int D>
-void Turns<D>::note(const Body<D>& body, uint32_t v, const double* before, bool may_go_on) {
+void Turns<D>::note(const Body<D>& body, uint32_t v, const double* before, bool may_go_on, const dsw_body_edit* edits,
+                    size_t edit_count) {
   ++now_;
-  const bool inserted = last_.size() < body.vertices.size();
-  if (inserted) last_.resize(body.vertices.size(), {now_, now_});
+  last_.resize(std::max(last_.size(), body.vertices.size()));
+  for (size_t i = 0; i < edit_count; ++i) last_[edits[i].vertex.index] = {now_, now_};
   last_[v].tried = now_;
-  if (inserted || !std::equal(before, before + D, body.position(v))) last_[v].moved = last_move_ = now_;
+  if (edit_count != 0 || !std::equal(before, before + D, body.position(v))) last_[v].moved = last_move_ = now_;
   if (may_go_on) stopped_.push_back(v);
 }
 
@@ -57,7 +58,10 @@ void drop_repeated(MoveRecord& record) {
   const auto count = static_cast<uint32_t>(record.contacts.size());
   Array<uint32_t> latest_first(count, memory);
   for (uint32_t i = 0; i < count; ++i) latest_first[i] = count - 1 - i;
-  std::stable_sort(latest_first.begin(), latest_first.end(), [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
+  std::sort(latest_first.begin(), latest_first.end(), [&](uint32_t a, uint32_t b) {
+    const auto key_a = key(a), key_b = key(b);
+    return key_a != key_b ? key_a < key_b : a > b;
+  });
   Array<bool> stays(count, true, memory);
   for (uint32_t i = 1; i < count; ++i) {
     stays[latest_first[i]] = key(latest_first[i]) != key(latest_first[i - 1]);

@@ -15,9 +15,10 @@ class Turns {
 
   /** Throws std::bad_alloc. */
   void start(const Body<D>& body);
-  /** The turn of a vertex that was at `before`. Vertices that the turn inserted have moved in it. Throws std::bad_alloc.
+  /** The turn of a vertex that was at `before`. Vertices that its edits inserted have moved in it. Throws std::bad_alloc.
    * @param may_go_on it has stopped, and not at a work limit. */
-  void note(const Body<D>& body, uint32_t v, const double* before, bool may_go_on);
+  void note(const Body<D>& body, uint32_t v, const double* before, bool may_go_on, const dsw_body_edit* edits = nullptr,
+            size_t edit_count = 0);
 
   /** Starts a pass over the vertices that have stopped, in the opposite order of the pass before. False: none of them
    * may go on. */
