@@ -306,6 +306,12 @@ void SweepFlood<3>::sort_found() {
   std::sort(found_.begin(), found_.end(), by_event);
   found_.erase(std::unique(found_.begin(), found_.end(), same_event), found_.end());
   std::sort(found_.begin(), found_.end(), before);
+  // Ties have been settled for the first.
+  const auto first = std::find_if(found_.begin(), found_.end(),
+                                  [&](const SweepContact& each) { return same_event(each, result_.contact); });
+  if (first == found_.end()) return;
+  *first = result_.contact;
+  std::rotate(found_.begin(), first, first + 1);
 }
 
 }  // namespace dsw
