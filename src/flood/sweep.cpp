@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "map/dart.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
 #include "walk/standard_facets.h"
@@ -28,10 +29,6 @@ bool passes_through(const double* p, const double* q, const double* const* trian
     if (side_of_line(p, q, triangle[k], triangle[(k + 1) % 3]) != after) return false;
   }
   return true;
-}
-
-bool is_same_wall(const SweepContact& a, const SweepContact& b) noexcept {
-  return a.front == b.front && a.facet == b.facet && a.simplex == b.simplex && a.dart == b.dart;
 }
 
 /** Which point of a triangle that has a line does not lie on that. */
@@ -68,7 +65,10 @@ SweepResult SweepFlood<3>::sweep_until(const EdgeMotion& m, Cell start, double e
   collect_ = false;
   ends_ = true;
   flood_triangle(triangle, start, 0);
-  return result_;
+  const SweepContact& first = result_.contact;
+  // Where other passable cells meet the line, too, whether they are reached counts: then no end can be made.
+  const bool is_whole = result_.end != SweepEnd::kContact || first.event.kind != EventKind::kEdge || is_one_fan(first);
+  return is_whole ? result_ : sweep(m, start, 0);
 }
 
 void SweepFlood<3>::flood_triangle(SweptTriangle& triangle, Cell start, uint32_t max_volumes) {
@@ -275,27 +275,65 @@ uint32_t SweepFlood<3>::other_at_line(Cell c, const double* const* triangle, con
   return kNoFacet;
 }
 
-/** More walls than two at the line of the first contact: passable cells that are not linked there meet in it. */
+/** Calls visit(cell) for the cells that are linked round the line of a wall, passable or not. */
+template <class Visit>
+void SweepFlood<3>::for_each_cell_round(const SweepContact& wall, Visit visit) const {
+  if (wall.dart != kNoFacet) {
+    for_each_volume_round_edge(map_, {wall.front, wall.dart}, [&](Dart d) {
+      visit(d.cell);
+      return true;
+    });
+    return;
+  }
+  visit(wall.front);  // a diagonal has the cells on both sides of its facet
+  const HalfFacet beyond = map_.opposite(wall.facet);
+  if (beyond.valid()) visit(map_.cell_of(beyond));
+}
+
+/** More walls than two at the line of the first contact. Those count that are linked round it with the side from which the
+ * edge comes: parts of the environment that only touch each other there do not. */
 void SweepFlood<3>::settle_ties() {
   const EdgeMotion& m = triangle_->motion();
-  const auto end =
-      std::remove_if(tied_.begin(), tied_.end(), [&](const SweepContact& each) { return !comes_from(each); });
-  const auto first = std::min_element(tied_.begin(), end, [&](const SweepContact& a, const SweepContact& b) {
+  const auto near =
+      std::find_if(tied_.begin(), tied_.end(), [&](const SweepContact& each) { return comes_from(each); });
+  if (near == tied_.end()) return;
+  const SweepContact from = *near;
+  const auto is_apart = [&](const SweepContact& each) {
+    bool linked = false;
+    for_each_cell_round(from, [&](Cell c) { linked = linked || c == each.front; });
+    return !linked || !same_event(each, from);
+  };
+  const auto end = std::remove_if(tied_.begin(), tied_.end(), is_apart);
+  result_.contact = *std::min_element(tied_.begin(), end, [&](const SweepContact& a, const SweepContact& b) {
     return comes_before(map_, m.p, m.to, a, b);
   });
-  if (first != end) result_.contact = *first;
+}
+
+/** Whether all passable cells round the line of a contact are linked there by passable facets: then a flood that ends at
+ * the contact has seen all walls that count. */
+bool SweepFlood<3>::is_one_fan(const SweepContact& contact) const {
+  int passable = 0;
+  for_each_cell_round(contact, [&](Cell c) { passable += is_closed(env_, c) ? 0 : 1; });
+  if (passable == 1) return true;
+  if (contact.dart == kNoFacet) return false;
+  const auto go_on = [&](Dart d) {  // from the cell of d across d's facet
+    while (!is_impassable(env_, half_facet(map_, d))) {
+      const Dart e = beta3(map_, d);
+      if (e.cell == contact.front) return;
+      --passable;
+      d = beta2(map_, e);
+    }
+  };
+  const Dart d{contact.front, contact.dart};
+  --passable;
+  go_on(d);
+  if (passable > 0) go_on(beta2(map_, d));
+  return passable <= 0;
 }
 
 /** Of each event the contact that counts, and these in their order. No two are equivalent in either, so no result
  * depends on how they are sorted. */
 void SweepFlood<3>::sort_found() {
-  // Of the first event what has been chosen.
-  const auto is_other = [this](const SweepContact& each) {
-    return same_event(each, result_.contact) && !is_same_wall(each, result_.contact);
-  };
-  if (result_.end == SweepEnd::kContact) {
-    found_.erase(std::remove_if(found_.begin(), found_.end(), is_other), found_.end());
-  }
   const auto before = [this](const SweepContact& a, const SweepContact& b) {
     return comes_before(map_, triangle_->motion().p, triangle_->motion().to, a, b);
   };

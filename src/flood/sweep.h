@@ -43,7 +43,10 @@ class SweepFlood<3> : public SolidSweep<3> {
   void consider(const SweepContact& found);
   bool comes_from(const SweepContact& wall) const;
   uint32_t other_at_line(Cell c, const double* const* triangle, const double* const* line) const;
+  template <class Visit>
+  void for_each_cell_round(const SweepContact& wall, Visit visit) const;
   void settle_ties();
+  bool is_one_fan(const SweepContact& contact) const;
   void sort_found();
 
   SweptTriangle* triangle_ = nullptr;  // during a sweep of an edge

@@ -1,7 +1,8 @@
 // Why the contact is that of a flood. Let an edge of the environment, the line, pierce the swept triangle, and let the
 // body's edge keep to its sequence until it comes to the line. So nothing is met before. Just before, the edge passes
-// facets at the line: these and the cells between them are the fan from which the edge comes. Of the walls at the line
-// the two that end this fan count (flood/sweep.h), and of these the first in the order of contacts.
+// facets at the line: these and the cells between them are the fan from which the edge comes. A flood sees the two walls
+// that end this fan. If no other passable cell is linked with them round the line, no other wall counts (flood/sweep.h),
+// and of the two the first in the order of contacts.
 
 #include "sweep/touched_line.h"
 
@@ -45,6 +46,19 @@ HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const TouchedL
     entered = map.opposite(next);
   }
   return {};
+}
+
+/** Whether no passable cell is linked, round the line, with the far side of a wall, up to the far side of another one. */
+bool is_last(const Environment<3>& env, HalfFacet wall, HalfFacet other, const TouchedLine& line) noexcept {
+  const Map<3>& map = env.map;
+  const Pivot<3> edge{{line.vertices[0], line.vertices[1]}};
+  HalfFacet entered = map.opposite(wall);
+  for (int cells = 0; entered.valid() && entered != other; ++cells) {
+    const Cell c = map.cell_of(entered);
+    if (map.form(c) != Form::kSimplex || !is_closed(env, c) || cells == kMostCells) return false;
+    entered = map.opposite(other_at(map, c, entered, edge));
+  }
+  return true;
 }
 
 /** The contact with the line at a wall. */
@@ -111,6 +125,7 @@ bool find_touched_line(const Environment<3>& env, const Body<3>& body, const Edg
   if (!is_free_before(env, body, sweep, first, scratch, &passed) || !passed.valid()) return false;
   const HalfFacet walls[2] = {find_wall(env, passed, line), find_wall(env, env.map.opposite(passed), line)};
   if (!walls[0].valid() || !walls[1].valid()) return false;
+  if (!is_last(env, walls[0], walls[1], line) || !is_last(env, walls[1], walls[0], line)) return false;
   *found = contact_at(env, m, walls[0], line);
   const SweepContact second = contact_at(env, m, walls[1], line);
   if (comes_before(env.map, m.p, m.to, second, *found)) *found = second;
