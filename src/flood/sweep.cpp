@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "flood/fan.h"
 #include "map/dart.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
@@ -309,9 +310,15 @@ void SweepFlood<3>::settle_ties() {
   });
 }
 
-/** Whether all passable cells round the line of a contact are linked there by passable facets: then a flood that ends at
- * the contact has seen all walls that count. */
+/** Whether a flood that ends at a contact with an edge of the environment has seen all walls that count there: other
+ * passable cells round that cannot be reached, or there are none. */
 bool SweepFlood<3>::is_one_fan(const SweepContact& contact) const {
+  if (contact.facet.valid() && contact.dart != kNoFacet && map_.form(contact.front) == Form::kSimplex) {
+    const Dart d{contact.front, contact.dart};
+    const uint32_t edge[2] = {dart_vertex(map_, d), dart_target(map_, d)};
+    const HalfFacet walls[2] = {contact.facet, find_wall(env_, contact.facet, edge)};
+    if (walls[1].valid() && comes_from(contact) && sees_only_fan(env_, *triangle_, walls, edge)) return true;
+  }
   int passable = 0;
   for_each_cell_round(contact, [&](Cell c) { passable += is_closed(env_, c) ? 0 : 1; });
   if (passable == 1) return true;

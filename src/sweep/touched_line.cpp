@@ -1,15 +1,15 @@
 // Why the contact is that of a flood. Let an edge of the environment, the line, pierce the swept triangle, and let the
 // body's edge keep to its sequence until it comes to the line. So nothing is met before. Just before, the edge passes
 // facets at the line: these and the cells between them are the fan from which the edge comes. A flood sees the two walls
-// that end this fan. If no other passable cell is linked with them round the line, no other wall counts (flood/sweep.h),
-// and of the two the first in the order of contacts.
+// that end this fan, and no other wall at the line if flood/fan.h says so. Of the two the first in the order of contacts
+// counts.
 
 #include "sweep/touched_line.h"
 
 #include <algorithm>
 
 #include "environment/marking.h"
-#include "flood/sequence.h"
+#include "flood/fan.h"
 #include "predicates/filtered.h"
 #include "predicates/swept_triangle.h"
 #include "predicates/tally.h"
@@ -17,8 +17,6 @@
 
 namespace dsw {
 namespace {
-
-constexpr int kMostCells = 64;  // of a fan
 
 TouchedLines* lines_of(const Body<3>& body, const EdgeSweep& sweep) noexcept {
   const size_t slot = 2 * size_t{sweep.e} + body.edges[sweep.e].side_of(sweep.v);
@@ -31,34 +29,6 @@ bool pierces(const Environment<3>& env, const SweptTriangle& triangle, const Tou
   if ((triangle.beyond_box(a) & triangle.beyond_box(b)) != 0) return false;
   const int side_a = triangle.side(a), side_b = triangle.side(b);
   return side_a != side_b && triangle.outside(a, b, side_b) == 0;
-}
-
-/** From a facet at the line on through passable tetrahedra to a wall, seen from its cell. Invalid: there are other
- * cells, or too many. */
-HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const TouchedLine& line) noexcept {
-  const Map<3>& map = env.map;
-  const Pivot<3> edge{{line.vertices[0], line.vertices[1]}};
-  for (int cells = 0; cells < kMostCells; ++cells) {
-    const Cell c = map.cell_of(entered);
-    if (map.form(c) != Form::kSimplex) return {};
-    const HalfFacet next = other_at(map, c, entered, edge);
-    if (is_impassable(env, next)) return next;
-    entered = map.opposite(next);
-  }
-  return {};
-}
-
-/** Whether no passable cell is linked, round the line, with the far side of a wall, up to the far side of another one. */
-bool is_last(const Environment<3>& env, HalfFacet wall, HalfFacet other, const TouchedLine& line) noexcept {
-  const Map<3>& map = env.map;
-  const Pivot<3> edge{{line.vertices[0], line.vertices[1]}};
-  HalfFacet entered = map.opposite(wall);
-  for (int cells = 0; entered.valid() && entered != other; ++cells) {
-    const Cell c = map.cell_of(entered);
-    if (map.form(c) != Form::kSimplex || !is_closed(env, c) || cells == kMostCells) return false;
-    entered = map.opposite(other_at(map, c, entered, edge));
-  }
-  return true;
 }
 
 /** The contact with the line at a wall. */
@@ -123,9 +93,10 @@ bool find_touched_line(const Environment<3>& env, const Body<3>& body, const Edg
   const TouchedLine& line = kept->lines[0];
   HalfFacet passed;
   if (!is_free_before(env, body, sweep, first, scratch, &passed) || !passed.valid()) return false;
-  const HalfFacet walls[2] = {find_wall(env, passed, line), find_wall(env, env.map.opposite(passed), line)};
+  const HalfFacet walls[2] = {find_wall(env, passed, line.vertices),
+                              find_wall(env, env.map.opposite(passed), line.vertices)};
   if (!walls[0].valid() || !walls[1].valid()) return false;
-  if (!is_last(env, walls[0], walls[1], line) || !is_last(env, walls[1], walls[0], line)) return false;
+  if (!sees_only_fan(env, triangle, walls, line.vertices)) return false;
   *found = contact_at(env, m, walls[0], line);
   const SweepContact second = contact_at(env, m, walls[1], line);
   if (comes_before(env.map, m.p, m.to, second, *found)) *found = second;

@@ -1,0 +1,24 @@
+#pragma once
+// Passable tetrahedra round an edge of the environment, from wall to wall.
+
+#include "environment/environment.h"
+#include "predicates/swept_triangle.h"
+
+namespace dsw {
+
+/** From a facet at an edge of the environment on, round the edge, through passable tetrahedra to a wall, seen from its
+ * cell. Invalid: there are other cells, or too many. */
+HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const uint32_t (&edge)[2]) noexcept;
+
+/** Whether a flood of a swept triangle T sees no other walls at an edge of the environment than the two that end a fan
+ * there; the edge pierces T in y, and a body's edge comes to y through the fan. False also where that is not known.
+ *
+ * Let the flood see another wall at y, from other passable cells. Then a path in T leads through passable cells from the
+ * fan to these, and with y it is a closed curve in T. There is a gap between both on either side of y, and one of them
+ * begins inside of the curve. So does the wall of the fan at this gap. The curve passes no wall: so all that continues this
+ * wall through T, but for y, stays inside of the curve, and in T. Hence there are no other cells if both walls can be followed from y,
+ * from facet to facet, until they leave T. */
+bool sees_only_fan(const Environment<3>& env, const SweptTriangle& triangle, const HalfFacet (&walls)[2],
+                   const uint32_t (&edge)[2]) noexcept;
+
+}  // namespace dsw
