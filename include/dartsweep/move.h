@@ -44,8 +44,8 @@ typedef enum dsw_response {
 
 /** Flags of a move. */
 enum {
-  /** Slides stay before all walls that the vertex has touched in this move, and end in a corner.
-   * Without the flag a slide knows the last two walls. There are up to 8 slides. */
+  /** Slides stay before the last six walls that the vertex has touched in this move, and end in a
+   * corner. Without the flag a slide knows the last two walls. There are up to 8 slides. */
   DSW_MOVE_KEEP_WALLS = 0x1
 };
 
@@ -59,8 +59,9 @@ typedef struct dsw_move_options {
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
   /** Work limit: volumes that one sweep may visit; 0: none. At the limit the vertex stops, free. */
   uint32_t max_volumes;
-  /** Further passes over the vertices that have stopped, up to 64: a vertex tries what is left of
-   * its way again if it has moved, or one that its edges join, since it stopped. 0: none. */
+  /** Further passes over the vertices that have stopped, up to 64. A vertex gets another turn if it
+   * moved in its last turn, or if a neighbour has moved since; for bodies that meet bodies, if any
+   * vertex has. 0: none. */
   uint32_t passes;
   double min_part;   /**< Least share of an edge in a part; up to 0.5, 0 means 0.25. */
   double min_length; /**< Least length of a part; 0: none. */
@@ -83,7 +84,7 @@ typedef struct dsw_move_report {
   uint32_t vertices_stopped; /**< Of these, not at their targets, also by a slide. */
   uint32_t contact_count;    /**< See dsw_body_get_contacts. */
   uint32_t edit_count;       /**< See dsw_body_get_edits. */
-  uint32_t edges_swept;      /**< Sweeps of edges, from both ends. */
+  uint32_t edges_swept;      /**< Sweeps of edges, from both ends; depends on earlier moves. */
   uint32_t edges_skipped;    /**< Those saved by flags. */
   uint32_t vertices_limited; /**< Stopped by the work limit. */
   uint32_t reserved;         /**< 0. */
@@ -96,8 +97,8 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
  * @param targets `target_count` points, one for each vertex slot; only those of moving vertices
  * are read.
  * @return DSW_STATUS_DUPLICATE_ID: in `order`.
- * @note Cost: O(volumes met + bodies near the way). A vertex that touches looks for contacts once
- * more for each of its slides, at most 8, and inserted vertices, at most 64, in each pass.
+ * @note Cost: O(volumes met + bodies near the way). In each pass a vertex searches
+ * at most 73 times: once, once for each slide and once for each new vertex.
  * Source: [JCD10] 4. @since 2.0 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,

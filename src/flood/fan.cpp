@@ -6,14 +6,14 @@
 namespace dsw {
 namespace {
 
-constexpr int kMostCells = 64, kMostFacets = 32;
+constexpr int kMostFanCells = 64, kMostWallFacets = 32;
 
 /** Whether a wall that begins where its edge pierces a triangle can be followed until it leaves the triangle. */
 bool leaves(const Environment<3>& env, const SweptTriangle& triangle, HalfFacet wall,
             const uint32_t (&begin)[2]) noexcept {
   const Map<3>& map = env.map;
   uint32_t edge[2] = {begin[0], begin[1]};
-  for (int facets = 0; facets < kMostFacets; ++facets) {
+  for (int facets = 0; facets < kMostWallFacets; ++facets) {
     const Cell c = map.cell_of(wall);
     uint32_t tip = 0;
     for (const uint8_t local : kTetrahedronFacets[map.local_of(wall, c)]) {
@@ -39,7 +39,7 @@ bool leaves(const Environment<3>& env, const SweptTriangle& triangle, HalfFacet 
 HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const uint32_t (&edge)[2]) noexcept {
   const Map<3>& map = env.map;
   const Pivot<3> pivot{{edge[0], edge[1]}};
-  for (int cells = 0; cells < kMostCells; ++cells) {
+  for (int cells = 0; cells < kMostFanCells; ++cells) {
     const Cell c = map.cell_of(entered);
     if (map.form(c) != Form::kSimplex) return {};
     const HalfFacet next = other_at(map, c, entered, pivot);

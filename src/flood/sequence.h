@@ -61,11 +61,12 @@ template <int D>
 bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept;
 
-/** Whether the edge p q, whose end p goes to `to`, passes the facets of a sequence up to an event of its own or of
- * another edge at p. It is known to pass them where it stands, or from where p has passed them itself, and p is known to
- * be where the sequence begins, or ends. Of a line through q the sides of a ridge change linearly on the way of p: so
- * ridges that it passes at the end of the way, too, are never met, and of the others the time counts. That of the
- * event itself does not: `at_event`, which may be null, is then a facet of the sequence that has this ridge. Exact; false also of sequences that are neither in rows nor of space. */
+/** Whether edge p q meets no ridge of its sequence before `event` while p goes to `to`. The sequence is that of the edge at
+ * the start; facets that the path of p passes have been added or removed. On which side the line through p and q passes a
+ * ridge is linear in time. So a ridge that has the right side at the end is never met; of the others the time is compared.
+ * The ridge of `event` itself is left out: *at_event, if not null, becomes a facet that has it. Exact. False in the plane
+ * where the sequence is not kept in rows.
+ * @param p_first whether the sequence begins at p. */
 template <int D>
 bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeMotion& m, bool p_first,
                    const SweepEvent& event, HalfFacet* at_event) noexcept;

@@ -138,11 +138,10 @@ bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
   return false;
 }
 
-/** Whether the swept triangle meets a simplex before the end. The simplex meets the swept plane in a segment between two
- * of its sides: that meets the triangle if one of its ends lies inside, and not if both lie outside of one side of it.
- * Else it meets the triangle if its line does, so if the triangle's corners lie on both sides of the simplex's plane: the
- * line enters the triangle and leaves it between both ends, as beyond the exit all is outside of one side. True also of
- * some that are met later. */
+/** Whether the swept triangle meets a simplex before the end; may be true of simplices that are met later. The swept plane
+ * cuts the simplex in a segment. If an end of the segment is inside of the triangle, they meet. If both ends are outside
+ * of the same side, they do not. Otherwise they meet if the segment's line meets the triangle, that is if the triangle's
+ * corners are on both sides of the simplex's plane: beyond its exit the line is outside of one side. */
 bool SweepFlood<3>::simplex_met(const uint16_t* local) {
   Corner* const corner[3] = {&corners_[local[0]], &corners_[local[1]], &corners_[local[2]]};
   if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) return false;
@@ -232,9 +231,9 @@ void SweepFlood<3>::consider(const SweepContact& found) {
   if (ends_) triangle_->end_at(std::min(triangle_->end(), time_after<3>(m.p, m.to, found.event)));
 }
 
-/** Whether the passable cells from a wall at the line on, round that, are those from which the edge comes: just before it
- * meets the line, it passes the half-plane from the line to p. Each cell is a wedge there between two of its triangles,
- * which may be those of one facet with the line as its diagonal. */
+/** Whether p lies in one of the passable cells between this wall and the next one round the line: just before the contact
+ * the edge passes there. Each cell is a wedge between two of its triangles, which may be those of one facet with the line
+ * as its diagonal. */
 bool SweepFlood<3>::comes_from(const SweepContact& wall) const {
   constexpr int kMostCells = 256;
   const double* const* const line = wall.event.points + 1;
@@ -291,23 +290,21 @@ void SweepFlood<3>::for_each_cell_round(const SweepContact& wall, Visit visit) c
   if (beyond.valid()) visit(map_.cell_of(beyond));
 }
 
-/** More walls than two at the line of the first contact. Those count that are linked round it with the side from which the
- * edge comes: parts of the environment that only touch each other there do not. */
+/** More walls than two at the line of the first contact. Only walls count that are linked, round the line, with the side
+ * from which the edge comes. Parts of the environment that touch each other in the line alone are not. */
 void SweepFlood<3>::settle_ties() {
   const EdgeMotion& m = triangle_->motion();
+  const auto before = [&](const SweepContact& a, const SweepContact& b) { return comes_before(map_, m.p, m.to, a, b); };
+  std::sort(tied_.begin(), tied_.end(), before);  // the order in which cells were entered does not count
   const auto near =
       std::find_if(tied_.begin(), tied_.end(), [&](const SweepContact& each) { return comes_from(each); });
   if (near == tied_.end()) return;
-  const SweepContact from = *near;
-  const auto is_apart = [&](const SweepContact& each) {
+  const auto is_linked = [&](const SweepContact& each) {
     bool linked = false;
-    for_each_cell_round(from, [&](Cell c) { linked = linked || c == each.front; });
-    return !linked || !same_event(each, from);
+    for_each_cell_round(*near, [&](Cell c) { linked = linked || c == each.front; });
+    return linked && same_event(each, *near);
   };
-  const auto end = std::remove_if(tied_.begin(), tied_.end(), is_apart);
-  result_.contact = *std::min_element(tied_.begin(), end, [&](const SweepContact& a, const SweepContact& b) {
-    return comes_before(map_, m.p, m.to, a, b);
-  });
+  result_.contact = *std::find_if(tied_.begin(), tied_.end(), is_linked);
 }
 
 /** Whether a flood that ends at a contact with an edge of the environment has seen all walls that count there: other

@@ -22,12 +22,13 @@ class SweepFlood<3> : public SolidSweep<3> {
   using SolidSweep<3>::SolidSweep;
   using SolidSweep<3>::sweep;
 
-  /** `start` contains m.p, and the edge p q is free. Where it meets an edge of the environment, the walls count that are
-   * linked, by passable cells round that, with where it comes from. Nothing is found where p, p', q are collinear: the path of p is
-   * the sweep then. With `collect`, all() has every contact afterwards. Throws std::bad_alloc. O(cells met). */
+  /** `start` contains m.p, and the edge p q is free. Where several parts of the environment touch each other in an edge
+   * alone, the contact with that edge names a wall of the part from which p q comes. Nothing is found where p, p', q are
+   * collinear: the path of p is the sweep then. With `collect`, all() has every contact afterwards. Throws std::bad_alloc.
+   * O(cells met). */
   SweepResult sweep(const EdgeMotion& m, Cell start, uint32_t max_volumes, bool collect = false);
-  /** The same contact, if it comes before `end`, a time in [0,1]; what comes later need not be found. O(cells met before
-   * the first contact, and a few more). */
+  /** As sweep(), but only a contact before `end`, a time in [0,1], is certain to be found. O(cells met before the first
+   * contact, and a few more). */
   SweepResult sweep_until(const EdgeMotion& m, Cell start, double end);
 
  private:

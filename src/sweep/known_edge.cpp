@@ -171,7 +171,7 @@ bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSw
   const auto passes = [&] { return passes_before(env, edge.sequence, m, edge.first, event, at_event); };
   if (sweep.crossed.count == 0) return passes();
   edge.save();
-  // Facets of other cells than those in rows may not be those of convex cells.
+  // Only cells of facets in rows are known to be convex.
   const bool is_free = edge.passes_on() && edge.sequence.in_rows && passes();
   edge.restore();
   return is_free;

@@ -53,9 +53,9 @@ template <int D>
 Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
                         EdgeScratch<D>& scratch);
 
-/** Whether the edge meets nothing before an event of its own, or of the path or another edge of its moving end: it keeps
- * to its sequence until then, but for the facets that the path passes. The event itself is not asked. Where the path
- * meets a wall, `arrival` is the cell in front of the wall. False at EDGES without sequences. `at_event`, which may be
+/** Whether the edge meets nothing before an event, which is its own, or of the path or another edge of its moving end. The
+ * edge keeps to its sequence until then, but for the facets that the path passes. If the path meets a wall, `arrival` is
+ * the cell in front of the wall. False at EDGES without sequences. `at_event`, which may be
  * null: a facet of the sequence that holds the obstacle's edge of the event, if there is one. Throws std::bad_alloc. */
 template <int D>
 bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, const SweepEvent& event,

@@ -1,8 +1,8 @@
 // Why the contact is that of a flood. Let an edge of the environment, the line, pierce the swept triangle, and let the
 // body's edge keep to its sequence until it comes to the line. So nothing is met before. Just before, the edge passes
 // facets at the line: these and the cells between them are the fan from which the edge comes. A flood sees the two walls
-// that end this fan, and no other wall at the line if flood/fan.h says so. Of the two the first in the order of contacts
-// counts.
+// that end this fan, and no other wall at the line if flood/fan.h says so. Of the two the first in the order of
+// contacts counts.
 
 #include "sweep/touched_line.h"
 
@@ -63,7 +63,7 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
   if (body.touched.size() < 2 * body.edges.size()) body.touched.resize(2 * body.edges.size());
   TouchedLine* const lines = body.touched[2 * size_t{e} + body.edges[e].side_of(v)].lines;
   const TouchedLine line{{std::min(vertex(1), vertex(2)), std::max(vertex(1), vertex(2))}};
-  // In front of the others: the last one goes, or where it has been.
+  // Moves to the front; if it is new, the last one is dropped.
   const auto is_same = [&](const TouchedLine& each) {
     return std::equal(line.vertices, line.vertices + 2, each.vertices);
   };

@@ -1,5 +1,5 @@
 #pragma once
-// What stopped an edge before is asked first: the edge of the environment that it touched, kept with the body.
+// Edges of the environment that an edge of a body has touched. They are asked first, since it often touches them again.
 
 #include "body/body.h"
 #include "flood/sweep_contact.h"
@@ -11,12 +11,12 @@ namespace dsw {
 void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t e, uint32_t v,
                        const SweepContact& contact);
 
-/** Finds the first contact of a sweep if that is with a kept edge of the environment, as a flood would find it. False:
- * it may be another one, or none. Asked among tetrahedra alone. Throws std::bad_alloc. */
+/** Finds the first contact without a flood, if it is with a kept edge, and all cells round that are tetrahedra. The same
+ * contact as that of a flood. False: not known. Throws std::bad_alloc. */
 bool find_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, SweepContact* found,
                        EdgeScratch<3>& scratch);
 
-/** Whether a kept edge of the environment pierces what an edge sweeps. If it still has a wall, the sweep is not free. */
+/** Whether a kept edge pierces what an edge sweeps. A forecast: the kept edge may have no wall any more. */
 bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept;
 
 // In the plane there are no such edges.
