@@ -42,16 +42,17 @@ bool agree(int a, int b, int c) noexcept { return (a >= 0 && b >= 0 && c >= 0) |
 // Whether a line a b, which is not in the plane of a triangle t, meets it. The three determinants have their vectors in
 // common; see swept_plane.h on their bounds. Where these do not know, each is asked for its own.
 bool line_meets(const double* a, const double* b, const double* const* t) noexcept {
-  using namespace filter;
-  const Vec<3> way = difference<3>(b, a);
-  const Vec<3> x = difference<3>(t[0], a), y = difference<3>(t[1], a), z = difference<3>(t[2], a);
-  const Vec<3> n = cross(way, x), o = cross(way, y);
-  const double xy = dot(n, y), xz = dot(n, z), yz = dot(o, z);
-  const double size = largest(way), size_x = largest(x), size_y = largest(y), size_z = largest(z);
+  const filter::Vec<3> way = filter::difference<3>(b, a);
+  const filter::Vec<3> x = filter::difference<3>(t[0], a), y = filter::difference<3>(t[1], a),
+                       z = filter::difference<3>(t[2], a);
+  const filter::Vec<3> n = filter::cross(way, x), o = filter::cross(way, y);
+  const double xy = filter::dot(n, y), xz = filter::dot(n, z), yz = filter::dot(o, z);
+  const double size = filter::largest(way), size_x = filter::largest(x), size_y = filter::largest(y),
+               size_z = filter::largest(z);
   const double bound = kPlaneFilter3 * size;
-  const bool certain = in_range(size) && in_range(size_x) && in_range(size_y) && in_range(size_z) &&
-                       std::fabs(xy) > bound * size_x * size_y && std::fabs(xz) > bound * size_x * size_z &&
-                       std::fabs(yz) > bound * size_y * size_z;
+  const bool certain = filter::in_range(size) && filter::in_range(size_x) && filter::in_range(size_y) &&
+                       filter::in_range(size_z) && std::fabs(xy) > bound * size_x * size_y &&
+                       std::fabs(xz) > bound * size_x * size_z && std::fabs(yz) > bound * size_y * size_z;
   if (certain) return (xy > 0) == (yz > 0) && (xy > 0) == (xz < 0);
   const int first = side(a, b, t[0], t[1]), second = side(a, b, t[1], t[2]);
   return !(first * second < 0) && agree(first, second, side(a, b, t[2], t[0]));

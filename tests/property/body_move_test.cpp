@@ -384,6 +384,24 @@ TEST_F(BodyRigidTest, AWallLeavesAFractionThatIsFree) {
   EXPECT_GE(report.contact_count, 1u);
 }
 
+// An edge keeps what it has touched. That says nothing once the wall is gone.
+TEST_F(BodyRigidTest, WhatIsNoLongerThereStopsNothing) {
+  mark_wall(0, 1, 0);
+  const dsw_body_id body = make(segment({0.5, 1.5, 1.375}, {1.5, 1.5, 1.375}));
+  BodyState state = read(body);
+  for (Vec& at : state.at) at[2] -= 0.5;
+  const BodyAnswer touched = move(body, state.at);
+  ASSERT_GE(touched.contacts.size(), 1u);
+  EXPECT_EQ(touched.contacts[0].contact.kind, DSW_CONTACT_EDGE);
+  const dsw_face_id wall = face_between(0, 1, 0);
+  ASSERT_EQ(dsw_environment_mark_faces(place_.get(), &wall, 1, DSW_MARK_PASSABLE), DSW_STATUS_OK);
+  dsw_move_report report;
+  const dsw_rigid_motion m = shift({0, 0, -0.5});
+  ASSERT_EQ(dsw_body_move_rigid(scene(), body, &m, nullptr, &report), DSW_STATUS_OK);
+  EXPECT_EQ(report.fraction, 1);
+  EXPECT_EQ(report.contact_count, 0u);
+}
+
 TEST_F(BodyRigidTest, MotionsThatAreNone) {
   const dsw_body_id body = make(segment(kA, kB));
   const std::string before = everything(body);
