@@ -141,7 +141,7 @@ TEST_P(SweepUntil, FindsTheContactOfASweepThatComesBeforeTheEnd) {
 INSTANTIATE_TEST_SUITE_P(Kinds, SweepUntil,
                          testing::Values(Kind::kBoxes, Kind::kWarped, Kind::kTetrahedra, Kind::kUneven));
 
-/** 4 x 4 boxes round an edge in their middle; one of the inner ones is cut off from the others at the edge. */
+/** 4 x 4 boxes round an edge in their middle; one of the inner ones is cut off from the others. */
 class Pinched : public testing::Test {
  protected:
   /** By marked faces, or by a copy of the edge: then the faces are of the outer boundary. */
@@ -175,7 +175,7 @@ class Pinched : public testing::Test {
 };
 
 TEST_F(Pinched, TheWallsCountThatAreLinkedWithWhereTheEdgeComesFrom) {
-  int found = 0;
+  int behind = 0;
   for (int i = 0; i < 32; ++i) {
     const bool copy = (i & 1) != 0, swap = (i & 2) != 0, long_way = (i & 4) != 0;
     const int corner = i >> 3;
@@ -196,8 +196,10 @@ TEST_F(Pinched, TheWallsCountThatAreLinkedWithWhereTheEdgeComesFrom) {
     ASSERT_EQ(whole.end, SweepEnd::kContact);
     EXPECT_EQ(whole.contact.event.points[1][0], 2);
     EXPECT_EQ(whole.contact.event.points[1][1], 2);
-    EXPECT_NE(env_->map.index(whole.contact.front), cut_off_);
-    found += env_->map.index(whole.contact.front) != cut_off_ ? 1 : 0;
+    // Behind marked faces the box is still linked round the edge: then the lowest name counts.
+    const bool is_behind = env_->map.index(whole.contact.front) == cut_off_;
+    EXPECT_FALSE(copy && is_behind);
+    behind += is_behind ? 1 : 0;
     for (const double end : {1.0, time_after<3>(m.p, m.to, whole.contact.event)}) {
       const SweepResult until = flood.sweep_until(m, start, end);
       ASSERT_EQ(until.end, SweepEnd::kContact);
@@ -206,7 +208,7 @@ TEST_F(Pinched, TheWallsCountThatAreLinkedWithWhereTheEdgeComesFrom) {
     flood.sweep(m, start, 0, true);
     EXPECT_FALSE(flood.all().empty());
   }
-  EXPECT_EQ(found, 32);
+  EXPECT_GT(behind, 0);
 }
 
 /** Whether a ridge is that of an event of the edge itself. */
