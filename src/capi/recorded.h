@@ -34,7 +34,7 @@ struct Recording {
 void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Owned<Recording>& made);
 /** Ends the recording of a scene, if it has one. False: not all of it was written. */
 bool end_recording(dsw_scene& scene) noexcept;
-/** Checksum of what is in a scene, and of its environment if asked for, as saved in a format of scenes. Throws
+/** Checksum of the state of a scene, without counters and forecasts, and of its environment if asked for. Throws
  * std::bad_alloc. */
 uint64_t state_of(const dsw_scene& scene, bool with_environment);
 

@@ -260,7 +260,7 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
       if (sure) next += passed;
     }
     const HalfFacet facet{sequence.facets[next]};
-    const bool later = for_each_ridge(env, facet, sequence.in_rows, [&](const FacetRidge& ridge) {
+    const bool later = for_each_ridge(env, facet, in_rows, [&](const FacetRidge& ridge) {
       const double* const line[2] = {ridge.a, ridge.b};
       if (line_side<D>(from, to, line, NoTally{}).sign == ridge.side) return true;
       if (!is_of_event<D>(m, ridge, event)) return is_met_later<D>(m, ridge, event);

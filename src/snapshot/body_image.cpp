@@ -354,7 +354,6 @@ void BodyReader<D>::read_sequences(Body<D>& body, uint64_t count) {
   }
 }
 
-/** A ball that is said to be free has to be. */
 /** Any vertices will do: they are forecasts. */
 template <int D>
 void BodyReader<D>::read_touched(Body<D>& body, uint64_t count) {
@@ -365,6 +364,7 @@ void BodyReader<D>::read_touched(Body<D>& body, uint64_t count) {
   }
 }
 
+/** A ball that is said to be free has to be. */
 template <int D>
 void BodyReader<D>::read_balls(Body<D>& body, uint64_t count) {
   if (count != (body.skipping.by_clearance ? body.vertices.size() : 0)) fail_corrupt("the number of clearances");
