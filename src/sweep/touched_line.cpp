@@ -7,6 +7,7 @@
 #include "sweep/touched_line.h"
 
 #include <algorithm>
+#include <new>
 
 #include "environment/marking.h"
 #include "flood/fan.h"
@@ -57,10 +58,14 @@ SweepContact contact_at(const Environment<3>& env, const EdgeMotion& m, HalfFace
 }  // namespace
 
 void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t e, uint32_t v,
-                       const SweepContact& contact) {
+                       const SweepContact& contact) noexcept {
   if (contact.event.kind != EventKind::kEdge || !contact.facet.valid() || contact.dart == kNoFacet) return;
   const auto vertex = [&](int i) { return static_cast<uint32_t>((contact.event.points[i] - env.points) / 3); };
-  if (body.touched.size() < 2 * body.edges.size()) body.touched.resize(2 * body.edges.size());
+  try {
+    if (body.touched.size() < 2 * body.edges.size()) body.touched.resize(2 * body.edges.size());
+  } catch (const std::bad_alloc&) {  // nothing is kept
+    return;
+  }
   TouchedLine* const lines = body.touched[2 * size_t{e} + body.edges[e].side_of(v)].lines;
   const TouchedLine line{{std::min(vertex(1), vertex(2)), std::max(vertex(1), vertex(2))}};
   // Moves to the front; if it is new, the last one is dropped.

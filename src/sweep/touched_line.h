@@ -7,9 +7,10 @@
 
 namespace dsw {
 
-/** Keeps the edge of the environment that a contact of edge e names, when its end v moves. Throws std::bad_alloc. */
+/** Keeps the edge of the environment that a contact of edge e names, when its end v moves; not where there is no memory
+ * for it. */
 void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t e, uint32_t v,
-                       const SweepContact& contact);
+                       const SweepContact& contact) noexcept;
 
 /** Finds the first contact without a flood, if it is with a kept edge, and all cells round that are tetrahedra. The same
  * contact as that of a flood. False: not known. Throws std::bad_alloc. */
