@@ -41,7 +41,10 @@ dsw_contact contact_of(const Environment<D>& env, const SweepContact& met, const
       if (!has_wall) contact.marked_kind = vertex_marked(env, met.vertex) ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
       break;
     case ContactKind::kEdge:
-      if constexpr (D == 3) name_edge(env.map, {met.front, met.dart}, contact);
+      if constexpr (D == 3) {
+        const bool is_named = met.lowest.cell.valid();
+        name_edge(is_named ? id_of_lowest(env.map, met.lowest) : edge_id(env.map, {met.front, met.dart}), contact);
+      }
       if (!has_wall) contact.marked_kind = DSW_CELL_EDGE;
       break;
     case ContactKind::kPlane:

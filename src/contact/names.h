@@ -23,6 +23,13 @@ dsw_face_id face_id(const Map<D>& map, HalfFacet h) noexcept {
 template <int D>
 dsw_edge_id edge_id(const Map<D>& map, Dart d) noexcept;
 
+/** The same; `lowest` is the dart of that volume. */
+template <int D>
+dsw_edge_id id_of_lowest(const Map<D>& map, Dart lowest) noexcept {
+  const Cell c = lowest.cell;
+  return {map.index(c), map.generation(c), map.shape(c).dart_edge(lowest.local)};
+}
+
 inline bool is_null(dsw_volume_id id) noexcept { return (id.index | id.generation) == 0; }
 
 template <int D>
@@ -65,8 +72,7 @@ void name_wall(const Environment<D>& env, HalfFacet wall, dsw_contact& contact) 
   contact.tag = obstacle_tag(env, wall, map.cell_of(wall));
 }
 
-inline void name_edge(const Map<3>& map, Dart dart, dsw_contact& contact) noexcept {
-  const dsw_edge_id edge = edge_id(map, dart);
+inline void name_edge(const dsw_edge_id& edge, dsw_contact& contact) noexcept {
   contact.kind = DSW_CONTACT_EDGE;
   contact.obstacle = {DSW_CELL_EDGE, edge.volume, edge.generation, edge.local};
 }

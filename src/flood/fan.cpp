@@ -23,7 +23,7 @@ bool leaves(const Environment<3>& env, const SweptTriangle& triangle, HalfFacet 
     // It leaves this facet through the edge from the tip to the vertex on the other side of the triangle's plane.
     const int side = triangle.side(env.point(tip));
     const uint32_t other = triangle.side(env.point(edge[0])) == side ? edge[1] : edge[0];
-    if ((triangle.outside(env.point(other), env.point(tip), side) & SweptTriangle::kSides) != 0) return true;
+    if (triangle.leaves(env.point(other), env.point(tip), side)) return true;
     edge[0] = other;
     edge[1] = tip;
     // Round its rim a sheet leads back to where it begins.
@@ -32,6 +32,29 @@ bool leaves(const Environment<3>& env, const SweptTriangle& triangle, HalfFacet 
     if (!wall.valid()) return false;
   }
   return false;
+}
+
+/** The cell of the lowest index round the edge of a dart, if all are tetrahedra: links and corners are words of their
+ * records. Invalid: they are not. */
+Cell lowest_tetrahedron_round(const Map<3>& map, Dart d, const Pivot<3>& edge) noexcept {
+  Cell lowest = d.cell;
+  if (map.form(lowest) != Form::kSimplex) return {};
+  const HalfFacet start = half_facet(map, d);
+  bool all = true;
+  // From a half-facet of the cell that has been seen, round the edge until all are seen or the boundary comes.
+  const auto go_round = [&](HalfFacet left) {
+    for (HalfFacet entered = map.opposite(left); entered.valid();) {
+      const Cell c = map.cell_of(entered);
+      if (c == d.cell) return true;
+      all = all && map.form(c) == Form::kSimplex;
+      if (!all) return true;
+      if (map.index(c) < map.index(lowest)) lowest = c;
+      entered = map.opposite(other_at(map, c, entered, edge));
+    }
+    return false;
+  };
+  if (!go_round(other_at(map, d.cell, start, edge))) go_round(start);
+  return all ? lowest : Cell{};
 }
 
 }  // namespace
@@ -52,6 +75,23 @@ HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const uint32_t
 bool sees_only_fan(const Environment<3>& env, const SweptTriangle& triangle, const HalfFacet (&walls)[2],
                    const uint32_t (&edge)[2]) noexcept {
   return leaves(env, triangle, walls[0], edge) && leaves(env, triangle, walls[1], edge);
+}
+
+Dart lowest_dart_round(const Map<3>& map, Dart d) noexcept {
+  const Pivot<3> edge{{dart_vertex(map, d), dart_target(map, d)}};
+  const Cell c = lowest_tetrahedron_round(map, d, edge);
+  if (!c.valid()) return {};
+  const auto is_of_edge = [&](uint32_t local) {
+    const uint32_t vertex = map.vertex(c, local);
+    return vertex == edge.vertices[0] || vertex == edge.vertices[1];
+  };
+  Dart lowest{c, 0};
+  for (uint32_t f = 0; f < 4; ++f) {
+    for (uint32_t k = 0; k < 3; ++k) {
+      if (is_of_edge(kTetrahedronFacets[f][k]) && is_of_edge(kTetrahedronFacets[f][(k + 1) % 3])) lowest.local = 3 * f + k;
+    }
+  }
+  return lowest;
 }
 
 }  // namespace dsw

@@ -2,6 +2,7 @@
 // Passable tetrahedra round an edge of the environment, from wall to wall.
 
 #include "environment/environment.h"
+#include "map/dart.h"
 #include "predicates/swept_triangle.h"
 
 namespace dsw {
@@ -20,5 +21,8 @@ HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const uint32_t
  * walls can be followed from y, from facet to facet and not through y, until they leave T. */
 bool sees_only_fan(const Environment<3>& env, const SweptTriangle& triangle, const HalfFacet (&walls)[2],
                    const uint32_t (&edge)[2]) noexcept;
+
+/** The dart of an edge in the cell of the lowest index round it, if all of these are tetrahedra. Invalid: they are not. */
+Dart lowest_dart_round(const Map<3>& map, Dart d) noexcept;
 
 }  // namespace dsw

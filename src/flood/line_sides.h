@@ -28,15 +28,18 @@ class LineSides {
     lowest_ = filter::smaller(lowest_, least);
     return least > 0;
   }
-  /** Passes sides until one is not passed; returns how many were. */
-  size_t pass(const FacetSpan<2>& sides) noexcept {
+  /** At most 64 sides: a bit for each that is not passed, and counts for nothing then, the lowest for the first. */
+  uint64_t missed(const FacetSpan<2>& sides) noexcept {
     const double *const ax = sides.row(0, 0), *const ay = sides.row(0, 1), *const bx = sides.row(1, 0),
                         *const by = sides.row(1, 1);
+    uint64_t missed = 0;
     for (size_t n = 0; n < sides.size(); ++n) {
-      const double a[2] = {ax[n], ay[n]}, b[2] = {bx[n], by[n]};
-      if (!pass(a, b)) return n;
+      const double a[2] = {ax[n], ay[n]}, b[2] = {bx[n], by[n]}, lowest = lowest_;
+      if (pass(a, b)) continue;
+      missed |= uint64_t{1} << n;
+      lowest_ = lowest;
     }
-    return sides.size();
+    return missed;
   }
   /** Whether the line certainly leaves through every side that was asked. */
   bool passed_all() const noexcept { return lowest_ > 0 && filter::certain(lowest_, extent_); }

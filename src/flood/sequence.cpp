@@ -14,12 +14,23 @@
 namespace dsw {
 namespace {
 
-const PassTriangles kPassTriangles = choose_pass_triangles();
+const MissedTriangles kMissedTriangles = choose_missed_triangles();
+constexpr size_t kMostAtOnce = 64;  // facets for which bits say what is missed
 
 template <int D>
 using LineTests = std::conditional_t<D == 3, Shear, LineSides>;
-size_t pass(Shear& line, const FacetSpan<3>& triangles) noexcept { return kPassTriangles(line, triangles); }
-size_t pass(LineSides& line, const FacetSpan<2>& sides) noexcept { return line.pass(sides); }
+uint64_t missed(Shear& line, const FacetSpan<3>& triangles) noexcept { return kMissedTriangles(line, triangles); }
+uint64_t missed(LineSides& line, const FacetSpan<2>& sides) noexcept { return line.missed(sides); }
+
+/** The first facet that a line does not pass, or how many there are. */
+template <int D>
+size_t first_missed(LineTests<D>& line, const FacetSpan<D>& facets) noexcept {
+  for (size_t begin = 0; begin < facets.size(); begin += kMostAtOnce) {
+    const uint64_t bits = missed(line, facets.part(begin, std::min(kMostAtOnce, facets.size() - begin)));
+    if (bits != 0) return begin + static_cast<size_t>(__builtin_ctzll(bits));
+  }
+  return facets.size();
+}
 
 /** Whether rows hold facets of a cell like this one: their corners are all that a line test needs. */
 bool is_for_rows(const Map<3>& map, Cell c) noexcept { return map.form(c) == Form::kSimplex; }
@@ -98,20 +109,15 @@ bool pass(const Environment<3>& env, Shear& shear, const Array<uint32_t>& facets
   return (marks & kMarkBit) == 0;
 }
 
-template <int D>
-bool is_same_point(const double* a, const double* b) noexcept {
-  return std::equal(a, a + D, b);
-}
-
 /** What a line passes on the wrong side of a facet that it does not pass. */
-Pivot<3> missed(const Environment<3>& env, Shear& line, const Corners<3>& corners) noexcept {
+Pivot<3> missed_ridge(const Environment<3>& env, Shear& line, const Corners<3>& corners) noexcept {
   Shear::Point points[3];
   for (int i = 0; i < 3; ++i) points[i] = line(env.point(corners.vertices[i]));
   int side = 0;
   while (side < 2 && Shear::side(points[side], points[side + 1]) > 0) ++side;
   return {{corners.vertices[side], corners.vertices[(side + 1) % 3]}};
 }
-Pivot<2> missed(const Environment<2>& env, LineSides& line, const Corners<2>& corners) noexcept {
+Pivot<2> missed_ridge(const Environment<2>& env, LineSides& line, const Corners<2>& corners) noexcept {
   return {{corners.vertices[line.side(env.point(corners.vertices[0])) < 0 ? 1 : 0]}};
 }
 
@@ -144,7 +150,7 @@ void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t en
   const auto at = facets.erase(facets.begin() + static_cast<std::ptrdiff_t>(begin),
                                facets.begin() + static_cast<std::ptrdiff_t>(end));
   facets.insert(at, by, by + count);
-  placed = false;
+  place_count = 0;
   if (all) {
     rows.replace(begin, in_rows ? removed : 0, count);
     in_rows = true;
@@ -156,8 +162,8 @@ void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t en
 }
 
 template <int D>
-bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
-             Cell last) noexcept {
+bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
+                   Cell first, Cell last) noexcept {
   const Map<D>& map = env.map;
   const Array<uint32_t>& facets = sequence.facets;
   if (facets.empty()) return first == last && map.convex(first);
@@ -175,14 +181,12 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
     if (!are_passable(env, facets)) return false;
     read_rows(env, sequence, 0, facets.size());
     sequence.version = env.obstacle_version;
-    sequence.placed = false;
+    sequence.place_count = 0;
   }
-  if (sequence.placed && is_same_point<D>(from, sequence.from) && is_same_point<D>(to, sequence.to)) return true;
   LineTests<D> line(from, to);
-  if (pass(line, sequence.rows.span(0, facets.size())) < facets.size() || !line.passed_all()) return false;
-  std::copy_n(from, D, sequence.from);
-  std::copy_n(to, D, sequence.to);
-  sequence.placed = true;
+  const FacetSpan<D> span = sequence.rows.span(0, facets.size());
+  if (first_missed<D>(line, span) < facets.size() || !line.passed_all()) return false;
+  sequence.note_place(from, to);
   return true;
 }
 
@@ -221,6 +225,10 @@ bool for_each_ridge(const Environment<2>& env, HalfFacet side, bool, Visit visit
   return visit(FacetRidge{a, a, -1}) && visit(FacetRidge{b, b, 1});
 }
 
+bool is_same_ridge(const FacetRidge& a, const FacetRidge& b) noexcept {
+  return (a.a == b.a && a.b == b.b) || (a.a == b.b && a.b == b.a);
+}
+
 /** Whether a ridge is that of an event of the moving edge itself. */
 template <int D>
 bool is_of_event(const EdgeMotion& m, const FacetRidge& ridge, const SweepEvent& event) noexcept {
@@ -246,28 +254,31 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
   const size_t count = sequence.facets.size();
   const bool in_rows = sequence.in_rows && sequence.version == env.obstacle_version;
   if (D == 2 && !in_rows) return false;
-  size_t exact = 0;  // facets to ask one by one before rows are asked again
-  for (size_t next = 0; next < count; ++next, exact -= exact != 0 ? 1 : 0) {
-    if (in_rows && exact == 0) {
+  FacetRidge later{nullptr, nullptr, 0};  // the last that was found to be met later: the next facet may have it, too
+  // Of facets in rows those are asked exactly that are not passed for certain; of others all.
+  for (size_t begin = 0; begin < count; begin += kMostAtOnce) {
+    const size_t some = std::min(kMostAtOnce, count - begin);
+    uint64_t ask = ~uint64_t{0} >> (kMostAtOnce - some);
+    if (in_rows) {
       LineTests<D> line(from, to);
-      const size_t passed = pass(line, sequence.rows.span(next, count - next));
-      if (next + passed == count && line.passed_all()) break;
-      // What was passed before one that was not is certain only where it is asked alone.
-      LineTests<D> again(from, to);
-      const bool sure = passed == 0 || (next + passed < count &&
-                                        pass(again, sequence.rows.span(next, passed)) == passed && again.passed_all());
-      exact = sure ? 1 : passed + 1;
-      if (sure) next += passed;
+      const uint64_t bits = missed(line, sequence.rows.span(begin, some));
+      if (line.passed_all()) ask = bits;
     }
-    const HalfFacet facet{sequence.facets[next]};
-    const bool later = for_each_ridge(env, facet, in_rows, [&](const FacetRidge& ridge) {
-      const double* const line[2] = {ridge.a, ridge.b};
-      if (line_side<D>(from, to, line, NoTally{}).sign == ridge.side) return true;
-      if (!is_of_event<D>(m, ridge, event)) return is_met_later<D>(m, ridge, event);
-      if (at_event != nullptr) *at_event = facet;
-      return true;
-    });
-    if (!later) return false;
+    for (; ask != 0; ask &= ask - 1) {
+      const HalfFacet facet{sequence.facets[begin + static_cast<size_t>(__builtin_ctzll(ask))]};
+      const bool is_passed = for_each_ridge(env, facet, in_rows, [&](const FacetRidge& ridge) {
+        if (is_of_event<D>(m, ridge, event)) {
+          if (at_event != nullptr) *at_event = facet;
+          return true;
+        }
+        const double* const line[2] = {ridge.a, ridge.b};
+        if (is_same_ridge(ridge, later) || line_side<D>(from, to, line, NoTally{}).sign == ridge.side) return true;
+        if (!is_met_later<D>(m, ridge, event)) return false;
+        later = ridge;
+        return true;
+      });
+      if (!is_passed) return false;
+    }
   }
   return true;
 }
@@ -298,9 +309,9 @@ bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* fr
   const Array<uint32_t>& old = sequence.facets;
   if (!sequence.in_rows || sequence.version != env.obstacle_version) return false;
   LineTests<D> line(from, to);
-  const size_t begin = pass(line, sequence.rows.span(0, old.size()));
+  const size_t begin = first_missed<D>(line, sequence.rows.span(0, old.size()));
   if (begin == old.size()) return false;
-  pivot = missed(env, line, Corners<D>(map, old[begin]));
+  pivot = missed_ridge(env, line, Corners<D>(map, old[begin]));
   size_t end = begin + 1;
   while (end < old.size() && Corners<D>(map, old[end]).has(pivot)) ++end;
 
@@ -361,7 +372,7 @@ template struct EdgeSequence<2>;
 template struct EdgeSequence<3>;
 template class SequenceWriter<2>;
 template class SequenceWriter<3>;
-DSW_INSTANTIATE(follows);
+DSW_INSTANTIATE(passes_facets);
 DSW_INSTANTIATE(passes_before);
 DSW_INSTANTIATE(path_facets);
 DSW_INSTANTIATE(turn);

@@ -1,6 +1,8 @@
 #pragma once
 // The sequence of facets that an edge passes through on its way: kept from move to move, it is the edge's own forecast.
 
+#include <algorithm>
+
 #include "environment/environment.h"
 #include "predicates/sweep_events.h"
 #include "walk/cast.h"
@@ -15,10 +17,30 @@ struct EdgeSequence {
 
   Array<uint32_t> facets;
   bool in_rows = true;        // they are of tetrahedra, in the plane of convex polygons; if so, and only then:
-  bool placed = false;        // whether they are known to be passed from `from` to `to`
   uint64_t version = kNever;  // of the environment when they were passable
   FacetRows<D> rows;          // the facets, of that version
-  double from[D] = {}, to[D] = {};
+
+  /** A segment that is known to pass them. The last two are kept: where an edge stood, and where it goes. */
+  struct Place {
+    double from[D] = {}, to[D] = {};
+
+    bool is(const double* a, const double* b) const noexcept {
+      return std::equal(a, a + D, from) && std::equal(b, b + D, to);
+    }
+  };
+  Place places[2];
+  uint32_t place_count = 0, last_place = 0;
+
+  bool has_place(uint64_t of_version, const double* from, const double* to) const noexcept {
+    if (place_count == 0 || version != of_version) return false;
+    return places[last_place].is(from, to) || (place_count == 2 && places[1 - last_place].is(from, to));
+  }
+  void note_place(const double* from, const double* to) noexcept {
+    last_place = 1 - last_place;
+    place_count = std::min(place_count + 1, 2u);
+    std::copy_n(from, D, places[last_place].from);
+    std::copy_n(to, D, places[last_place].to);
+  }
 
   explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), rows(allocator) {}
 
@@ -26,7 +48,7 @@ struct EdgeSequence {
     facets.clear();
     rows.clear();
     in_rows = true;
-    placed = false;
+    place_count = 0;
   }
   /** Makes what is known unknown. There is room for one facet. */
   void forget() noexcept {
@@ -34,7 +56,7 @@ struct EdgeSequence {
     facets[0] = kNoFacet;
     rows.clear();
     in_rows = false;
-    placed = false;
+    place_count = 0;
   }
   bool known() const noexcept { return facets.empty() || facets[0] != kNoFacet; }
   /** Puts `count` facets where those from `begin` to before `end` are. Throws std::bad_alloc, and then what was known
@@ -58,8 +80,14 @@ struct EdgeSequence {
  * passable. Cells are exactly convex with flat facets. False also where a filter cannot tell: then the segment must be
  * cast. Much cheaper than a cast: nothing waits for a decision. Notes the place. O(facets). */
 template <int D>
+bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
+                   Cell first, Cell last) noexcept;
+/** The same; does not ask where the answer is known. */
+template <int D>
 bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
-             Cell last) noexcept;
+             Cell last) noexcept {
+  return sequence.has_place(env.obstacle_version, from, to) || passes_facets(env, sequence, from, to, first, last);
+}
 
 /** Whether edge p q meets no ridge of its sequence before `event` while p goes to `to`. The sequence is that of the edge at
  * the start; facets that the path of p passes have been added or removed. On which side the line through p and q passes a

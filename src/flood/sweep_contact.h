@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "environment/environment.h"
+#include "map/dart.h"
 #include "predicates/sweep_events.h"
 #include "walk/cast.h"
 
@@ -22,6 +23,7 @@ struct SweepContact {
   bool faces_start = false;     // p lies on this side of the plane
   uint32_t simplex = 0;         // of `front`, in `facet`; not of a face
   uint32_t dart = kNoFacet;     // of `front`, along the obstacle's edge; kNoFacet for other events and on a diagonal
+  Dart lowest;  // of the obstacle's edge, in the cell of the lowest index round it, if that is known
   uint32_t vertex = kNoVertex;  // of a face, in the plane of an edge: the environment vertex it meets
 };
 

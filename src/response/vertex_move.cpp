@@ -95,7 +95,8 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
   std::copy_n(to, D, target);
   shorten<D>(at.position, target, &time, is_free);
   const double lean = std::fabs(dot(to_vec<D>(contact.contact.normal), difference<D>(target, at.position)));
-  const double back = stand_off(contact) / lean;
+  off_ = stand_off(contact);
+  const double back = off_ / lean;
   if (back > 0)
     time = std::max(0.0, time - back);  // not a number: the way is longer than doubles go, and nothing is kept off
   double position[D];
@@ -109,18 +110,17 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
 template <int D>
 dsw_body_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const StarContact* first,
                                                 const PairContact<D>& pair) {
-  dsw_body_contact contact{}, of_pair{};
-  if (first != nullptr) contact = describe(env_, body_, v, to, *first);
+  dsw_body_contact contact = first != nullptr ? describe(env_, body_, v, to, *first) : dsw_body_contact{};
   const bool pair_first = first == nullptr || pair.time < contact.time;
   if (pair_first) {
-    of_pair = describe(env_, body_, v, to, pair);
-    record_.add(of_pair, partner_of(pair));
+    contact = describe(env_, body_, v, to, pair);
+    record_.add(contact, partner_of(pair));
   } else {
     record_.add(contact);
   }
   const bool records = settings_.search == Search::kAll;
   bool inserts = settings_.edge == Response::kAdaptiveMany && !pair_first && first->edge != kNone;
-  if (first == nullptr || !(records || inserts)) return pair_first ? of_pair : contact;
+  if (first == nullptr || !(records || inserts)) return contact;
   Array<StarContact> all{env_.memory};
   sweeps_.find_all(body_, v, to, *first, all);
   for (size_t i = pair_first ? 0 : 1; i < all.size(); ++i) {
@@ -131,7 +131,7 @@ dsw_body_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, co
     if (records) record_.add(each);
     if (is_under) under_.push_back(each);
   }
-  return pair_first ? of_pair : contact;
+  return contact;
 }
 
 /** The dichotomic search [JCD10] 4.2: tries of parts of the way, each by the tests that the level asks for, halve what
@@ -170,7 +170,8 @@ bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
   std::copy_n(free_at, D, contact.position);
   record_.add(contact, partner);
   // Off the wall by as much of the way: which way the wall looks is known too badly.
-  const double back = stand_off(contact) / length(difference<D>(to, at.position));
+  off_ = stand_off(contact);
+  const double back = off_ / length(difference<D>(to, at.position));
   if (back > 0 && free > 0) {
     point_at<D>(at.position, to, std::max(0.0, free - back), place);
     if (sweeps_.is_free(body_, v, place, &cell)) {
@@ -322,8 +323,8 @@ bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_body_conta
   walls.normals[walls.count++] = normal;
   if (is_zero(rest)) return false;
   // The gap is restored only where it has fallen below half.
-  const double off = stand_off(contact), gap = dot(difference<D>(at, contact.position), normal);
-  if (gap < off / 2) rest += (off - gap) * normal;
+  const double gap = dot(difference<D>(at, contact.position), normal);
+  if (gap < off_ / 2) rest += (off_ - gap) * normal;
   store<D>(to_vec<D>(at) + rest, to);
   if (sweeps_.partners != nullptr && !sweeps_.partners->reach.contains(to)) return false;
   // Where the rest is longer than doubles go, the move ends here.
@@ -335,12 +336,12 @@ template <int D>
 bool VertexMove<D>::slide_before(uint32_t v, const double* target, const dsw_body_contact& contact,
                                  TouchedWalls<D>& walls, double* to) const {
   const double* const at = body_.position(v);
-  walls.add(to_vec<D>(contact.contact.normal), to_vec<D>(contact.position), stand_off(contact));
+  walls.add(to_vec<D>(contact.contact.normal), to_vec<D>(contact.position), off_);
   Vec nearest;
   if (!walls.find_nearest(to_vec<D>(at), to_vec<D>(target), &nearest)) return false;
   store<D>(nearest, to);
   if (!is_finite<D>(to)) return false;
-  cut_off(v, stand_off(contact), to);
+  cut_off(v, to);
   if (sweeps_.partners != nullptr && !sweeps_.partners->reach.contains(to)) return false;
   return !std::equal(to, to + D, at);
 }
@@ -348,7 +349,7 @@ bool VertexMove<D>::slide_before(uint32_t v, const double* target, const dsw_bod
 /** Brings the end of a slide nearer, to where it is a little behind the wall that the vertex runs into. What the edges
  * sweep beyond is nothing to be searched. */
 template <int D>
-void VertexMove<D>::cut_off(uint32_t v, double off, double* to) const {
+void VertexMove<D>::cut_off(uint32_t v, double* to) const {
   constexpr double kBehind = 1.0 / 16, kLeast = 1e-6;  // of the way to the wall, of the whole way
   if (body_.level == SweepLevel::kPoints) return;
   const BodyVertex<D>& at = body_.vertices[v];
@@ -356,7 +357,7 @@ void VertexMove<D>::cut_off(uint32_t v, double off, double* to) const {
   if (path.end != CastEnd::kHit) return;
   const double time = crossing_time(env_, path.cell, path.simplex, at.position, to);
   const double all = length(difference<D>(to, at.position));
-  const double end = time + std::max({kBehind * time, kLeast, 8 * off / all});
+  const double end = time + std::max({kBehind * time, kLeast, 8 * off_ / all});
   if (!(end < 1)) return;
   double whole[D];
   std::copy_n(to, D, whole);

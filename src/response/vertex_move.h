@@ -43,7 +43,7 @@ class VertexMove {
   bool slide(uint32_t v, const double* target, const dsw_body_contact& contact, Walls& walls, double* to) const;
   bool slide_before(uint32_t v, const double* target, const dsw_body_contact& contact, TouchedWalls<D>& walls,
                     double* to) const;
-  void cut_off(uint32_t v, double off, double* to) const;
+  void cut_off(uint32_t v, double* to) const;
 
   const Environment<D>& env_;
   Body<D>& body_;
@@ -51,6 +51,7 @@ class VertexMove {
   StarSweep<D>& sweeps_;
   MoveRecord& record_;
   size_t first_edit_ = 0;  // of this vertex
+  double off_ = 0;         // kept from the wall that was touched last
   Array<dsw_body_contact> under_{
       env_.memory};  // the touching edge, behind the first contact; if vertices are put there
 };

@@ -125,7 +125,9 @@ struct Follower {
     return cell == sweep.arrival;
   }
   void save() const { scratch.before = sequence.facets; }
-  void restore() const { sequence.assign(env, scratch.before); }
+  void restore() const {
+    if (sequence.facets != scratch.before) sequence.assign(env, scratch.before);
+  }
 };
 
 }  // namespace

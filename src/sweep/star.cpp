@@ -181,13 +181,18 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
     const PathFacets passed = body.keeps_sequences() ? path_facets(env_.map, at.cell, path) : PathFacets{};
     for (const uint32_t e : hit_edges_) {
       const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
-      consider_edge(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed}, earliest);
+      const EdgeSweep sweep{e, v, to, path.cell, fixed.position, fixed.cell, passed};
+      if (!consider_touched(body, sweep, earliest)) consider_edge(body, sweep, earliest);
     }
   } else if (body.level != SweepLevel::kPoints) {
     const PathFacets passed = path_facets(env_.map, at.cell, path);
     for_each_edge(body, v, [&](uint32_t e) {
       const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
       const EdgeSweep sweep{e, v, to, path.cell, fixed.position, fixed.cell, passed};
+      if (consider_touched(body, sweep, earliest)) {
+        counts.swept += reached ? 1 : 0;
+        return true;
+      }
       const bool settled = reached ? settles(body, sweep) : stays_before_wall(env_, at, to, path.cell, fixed);
       if (!settled) consider_edge(body, sweep, earliest);
       return true;
@@ -202,6 +207,27 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
   return limited_ ? SweepEnd::kWorkLimit : earliest.any ? SweepEnd::kContact : SweepEnd::kFree;
 }
 
+/** Whether an edge of the environment that the edge has touched before says what counts: it is met first, or nothing is
+ * met before what is known. */
+template <int D>
+bool StarSweep<D>::consider_touched(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest) {
+  if (max_volumes != 0 || !body.keeps_sequences()) return false;
+  const PiercedLine pierced = find_pierced_line(env_, body, sweep);
+  if (!pierced) return false;
+  scratch_.counters = counters;
+  const double* const p = body.position(sweep.v);
+  if (earliest.any) {
+    const SweepEvent& first = earliest.contact->contact.event;
+    if (compare_events<D>(p, sweep.to, first, pierced.event).sign < 0) {
+      return is_free_before(env_, body, sweep, first, scratch_, nullptr);
+    }
+  }
+  SweepContact found;
+  if (!meets_first(env_, body, sweep, pierced, &found, scratch_)) return false;
+  consider(p, sweep.to, {found, sweep.e, kNone}, earliest);
+  return true;
+}
+
 template <int D>
 void StarSweep<D>::consider_edge(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest) {
   const Cell start = body.vertices[sweep.v].cell;
@@ -210,11 +236,6 @@ void StarSweep<D>::consider_edge(const Body<D>& body, const EdgeSweep& sweep, Ea
   scratch_.counters = counters;
   if (earliest.any && max_volumes == 0 &&
       is_free_before(env_, body, sweep, earliest.contact->contact.event, scratch_, nullptr)) {
-    return;
-  }
-  SweepContact known;
-  if (max_volumes == 0 && find_touched_line(env_, body, sweep, &known, scratch_)) {
-    consider(m.p, sweep.to, {known, sweep.e, kNone}, earliest);
     return;
   }
   const double end = earliest.any ? time_after<D>(m.p, m.to, earliest.contact->contact.event) : 1;

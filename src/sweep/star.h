@@ -118,7 +118,7 @@ class StarSweep {
 
   /** Whether what stopped an edge before stands in its way: then its sweep is most likely not free. */
   bool meets_touched_line(const Body<D>& body, const EdgeSweep& sweep) const noexcept {
-    return max_volumes == 0 && pierces_touched_line(env_, body, sweep);
+    return max_volumes == 0 && find_pierced_line(env_, body, sweep);
   }
   bool is_triangle_free(const EdgeMotion& m, Cell start) {
     if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return true;
@@ -167,6 +167,7 @@ class StarSweep {
   uint32_t find_swept_face(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
   bool find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider_edge(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest);
+  bool consider_touched(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest);
   void consider_face(const Body<D>& body, uint32_t v, const double* to, uint32_t f, Earliest& earliest);
   void collect_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e, const StarContact& first,
                     Array<StarContact>& all);

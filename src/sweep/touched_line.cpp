@@ -12,6 +12,7 @@
 #include "environment/marking.h"
 #include "flood/fan.h"
 #include "predicates/filtered.h"
+#include "predicates/point_box.h"
 #include "predicates/swept_triangle.h"
 #include "predicates/tally.h"
 #include "walk/standard_facets.h"
@@ -25,11 +26,9 @@ TouchedLines* lines_of(const Body<3>& body, const EdgeSweep& sweep) noexcept {
 }
 
 bool pierces(const Environment<3>& env, const SweptTriangle& triangle, const TouchedLine& line) noexcept {
-  if (std::max(line.vertices[0], line.vertices[1]) >= env.map.vertex_count) return false;
   const double *const a = env.point(line.vertices[0]), *const b = env.point(line.vertices[1]);
-  if ((triangle.beyond_box(a) & triangle.beyond_box(b)) != 0) return false;
   const int side_a = triangle.side(a), side_b = triangle.side(b);
-  return side_a != side_b && triangle.outside(a, b, side_b) == 0;
+  return side_a != side_b && !triangle.leaves(a, b, side_b);
 }
 
 /** The contact with the line at a wall. */
@@ -67,7 +66,9 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
     return;
   }
   TouchedLine* const lines = body.touched[2 * size_t{e} + body.edges[e].side_of(v)].lines;
-  const TouchedLine line{{std::min(vertex(1), vertex(2)), std::max(vertex(1), vertex(2))}};
+  TouchedLine line;
+  line.vertices[0] = std::min(vertex(1), vertex(2));
+  line.vertices[1] = std::max(vertex(1), vertex(2));
   // Moves to the front; if it is new, the last one is dropped.
   const auto is_same = [&](const TouchedLine& each) {
     return std::equal(line.vertices, line.vertices + 2, each.vertices);
@@ -77,43 +78,54 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
   lines[0] = line;
 }
 
-bool find_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, SweepContact* found,
-                       EdgeScratch<3>& scratch) {
+PiercedLine find_pierced_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept {
+  PiercedLine pierced;
   TouchedLines* const kept = lines_of(body, sweep);
-  if (kept == nullptr || !kept->lines[0].is_known()) return false;
+  if (kept == nullptr || !kept->lines[0].is_known()) return pierced;
   const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
-  const SweptTriangle triangle(m);
-  SweepEvent first;
-  uint32_t best = TouchedLines::kCount;
+  const PointBox<3> box(m.p, m.to, m.q);
+  uint32_t near = 0;
   for (uint32_t i = 0; i < TouchedLines::kCount && kept->lines[i].is_known(); ++i) {
     const uint32_t(&ends)[2] = kept->lines[i].vertices;
-    if (!pierces(env, triangle, kept->lines[i]) || edge_marked(env, ends[0], ends[1])) continue;
-    const SweepEvent event{{m.q, env.point(ends[0]), env.point(ends[1])}, EventKind::kEdge};
-    if (best != TouchedLines::kCount && compare_events<3>(m.p, m.to, event, first).sign >= 0) continue;
-    first = event;
-    best = i;
+    if (std::max(ends[0], ends[1]) >= env.map.vertex_count) continue;
+    if ((box.beyond(env.point(ends[0])) & box.beyond(env.point(ends[1]))) == 0) near |= 1u << i;
   }
-  if (best == TouchedLines::kCount) return false;
-  std::swap(kept->lines[0], kept->lines[best]);
-  const TouchedLine& line = kept->lines[0];
+  if (near == 0) return pierced;
+  const SweptTriangle triangle(m);
+  for (; near != 0; near &= near - 1) {
+    TouchedLine& line = kept->lines[__builtin_ctz(near)];
+    const uint32_t(&ends)[2] = line.vertices;
+    if (!pierces(env, triangle, line) || edge_marked(env, ends[0], ends[1])) continue;
+    const SweepEvent event{{m.q, env.point(ends[0]), env.point(ends[1])}, EventKind::kEdge};
+    if (pierced && compare_events<3>(m.p, m.to, event, pierced.event).sign >= 0) continue;
+    pierced = {&line, event};
+  }
+  if (pierced) {
+    std::swap(kept->lines[0], *pierced.line);
+    pierced.line = kept->lines;
+  }
+  return pierced;
+}
+
+bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const PiercedLine& pierced,
+                 SweepContact* found, EdgeScratch<3>& scratch) {
+  TouchedLine& line = *pierced.line;
   HalfFacet passed;
-  if (!is_free_before(env, body, sweep, first, scratch, &passed) || !passed.valid()) return false;
+  if (!is_free_before(env, body, sweep, pierced.event, scratch, &passed) || !passed.valid()) return false;
   const HalfFacet walls[2] = {find_wall(env, passed, line.vertices),
                               find_wall(env, env.map.opposite(passed), line.vertices)};
   if (!walls[0].valid() || !walls[1].valid()) return false;
-  if (!sees_only_fan(env, triangle, walls, line.vertices)) return false;
+  const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
+  if (!sees_only_fan(env, SweptTriangle(m), walls, line.vertices)) return false;
   *found = contact_at(env, m, walls[0], line);
   const SweepContact second = contact_at(env, m, walls[1], line);
   if (comes_before(env.map, m.p, m.to, second, *found)) *found = second;
+  if (line.version != env.obstacle_version) {
+    line.lowest = lowest_dart_round(env.map, {found->front, found->dart});
+    line.version = env.obstacle_version;
+  }
+  found->lowest = line.lowest;
   return true;
-}
-
-bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept {
-  const TouchedLines* const kept = lines_of(body, sweep);
-  if (kept == nullptr || !kept->lines[0].is_known()) return false;
-  const SweptTriangle triangle({body.position(sweep.v), sweep.to, sweep.q});
-  return std::any_of(kept->lines, kept->lines + TouchedLines::kCount,
-                     [&](const TouchedLine& line) { return line.is_known() && pierces(env, triangle, line); });
 }
 
 }  // namespace dsw

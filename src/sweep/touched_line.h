@@ -12,21 +12,29 @@ namespace dsw {
 void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t e, uint32_t v,
                        const SweepContact& contact) noexcept;
 
-/** Finds the first contact without a flood, if it is with a kept edge, and all cells round that are tetrahedra. The same
- * contact as that of a flood. False: not known. Throws std::bad_alloc. */
-bool find_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, SweepContact* found,
-                       EdgeScratch<3>& scratch);
+/** A kept edge that pierces what an edge sweeps: of those the one that is met first. */
+struct PiercedLine {
+  TouchedLine* line = nullptr;  // none
+  SweepEvent event;
 
-/** Whether a kept edge pierces what an edge sweeps. A forecast: the kept edge may have no wall any more. */
-bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept;
+  explicit operator bool() const noexcept { return line != nullptr; }
+};
+
+/** It may have no wall any more, and something else may be met before. Becomes the first of those that are kept. */
+PiercedLine find_pierced_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept;
+
+/** Whether the first contact is that with a kept edge, round which all cells are tetrahedra. The same contact as that of
+ * a flood. False: not known. Throws std::bad_alloc. */
+bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const PiercedLine& pierced,
+                 SweepContact* found, EdgeScratch<3>& scratch);
 
 // In the plane there are no such edges.
 inline void keep_touched_line(const Environment<2>&, const Body<2>&, uint32_t, uint32_t, const SweepContact&) noexcept {
 }
-inline bool find_touched_line(const Environment<2>&, const Body<2>&, const EdgeSweep&, SweepContact*,
-                              EdgeScratch<2>&) noexcept {
+inline PiercedLine find_pierced_line(const Environment<2>&, const Body<2>&, const EdgeSweep&) noexcept { return {}; }
+inline bool meets_first(const Environment<2>&, const Body<2>&, const EdgeSweep&, const PiercedLine&, SweepContact*,
+                        EdgeScratch<2>&) noexcept {
   return false;
 }
-inline bool pierces_touched_line(const Environment<2>&, const Body<2>&, const EdgeSweep&) noexcept { return false; }
 
 }  // namespace dsw

@@ -16,6 +16,7 @@ class FacetSpan {
   FacetSpan(const double* values, size_t room, size_t count) noexcept : values_(values), room_(room), count_(count) {}
 
   size_t size() const noexcept { return count_; }
+  FacetSpan part(size_t first, size_t count) const noexcept { return {values_ + first, room_, count}; }
   /** Coordinate `axis` of corner `corner` of all facets. */
   const double* row(int corner, int axis) const noexcept {
     return values_ + static_cast<size_t>(D * corner + axis) * room_;

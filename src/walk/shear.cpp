@@ -2,31 +2,32 @@
 
 namespace dsw {
 
-size_t pass_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept {
+uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept {
+  uint64_t missed = 0;
   for (size_t n = 0; n < triangles.size(); ++n) {
-    Shear::Point corners[3];
+    Shear::Point at[3];
     for (int i = 0; i < 3; ++i) {
       const double x[3] = {triangles.row(i, 0)[n], triangles.row(i, 1)[n], triangles.row(i, 2)[n]};
-      corners[i] = shear(x);
+      at[i] = shear(x);
     }
-    for (int i = 0; i < 3; ++i) {
-      const Shear::Point &a = corners[i], &b = corners[(i + 1) % 3];
-      if (!(Shear::side(a, b) > 0)) return n;
-      shear.pass(a, b);
+    if (Shear::side(at[0], at[1]) > 0 && Shear::side(at[1], at[2]) > 0 && Shear::side(at[2], at[0]) > 0) {
+      for (int i = 0; i < 3; ++i) shear.pass(at[i], at[(i + 1) % 3]);
+    } else {
+      missed |= uint64_t{1} << n;
     }
   }
-  return triangles.size();
+  return missed;
 }
 
-PassTriangles choose_pass_triangles() noexcept {
+MissedTriangles choose_missed_triangles() noexcept {
 #if defined(__x86_64__)
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-    return pass_triangles_avx512;
+    return missed_triangles_avx512;
   }
-  if (__builtin_cpu_supports("avx2")) return pass_triangles_avx2;
+  if (__builtin_cpu_supports("avx2")) return missed_triangles_avx2;
 #endif
-  return pass_triangles;
+  return missed_triangles;
 }
 
 }  // namespace dsw

@@ -82,14 +82,14 @@ class Shear {
   double slopes_[2], largest_, lowest_ = 1e300;
 };
 
-/** Passes triangles until one is not passed; returns how many were, all or up to that one. As far as rounded tests
- * tell: ask `passed_all` too. Several instruction sets, the same number, and the same bits if all were passed. */
-using PassTriangles = size_t (*)(Shear& shear, const FacetSpan<3>& triangles) noexcept;
-size_t pass_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept;
+/** At most 64 triangles: a bit for each that is not passed, the lowest for the first. `lowest` is that of the others, and
+ * says if they are passed for certain: ask `passed_all`. Several instruction sets, the same bits. */
+using MissedTriangles = uint64_t (*)(Shear& shear, const FacetSpan<3>& triangles) noexcept;
+uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 #if defined(__x86_64__)
-size_t pass_triangles_avx2(Shear& shear, const FacetSpan<3>& triangles) noexcept;
-size_t pass_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) noexcept;
+uint64_t missed_triangles_avx2(Shear& shear, const FacetSpan<3>& triangles) noexcept;
+uint64_t missed_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 #endif
-PassTriangles choose_pass_triangles() noexcept;
+MissedTriangles choose_missed_triangles() noexcept;
 
 }  // namespace dsw

@@ -30,6 +30,10 @@ struct Four {
   static Vector min(Vector a, Vector b) noexcept { return _mm256_min_pd(a, b); }
   static Vector max(Vector a, Vector b) noexcept { return _mm256_max_pd(a, b); }
   static Vector absolute(Vector a) noexcept { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
+  /** `other` where a is not positive. */
+  static Vector positive_or(Vector a, Vector other) noexcept {
+    return _mm256_blendv_pd(a, other, _mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_NGT_UQ));
+  }
   static unsigned not_positive(Vector a) noexcept {
     return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_NGT_UQ)));
   }
@@ -45,8 +49,8 @@ struct Four {
 
 }  // namespace
 
-size_t pass_triangles_avx2(Shear& shear, const FacetSpan<3>& triangles) noexcept {
-  return ShearLanes<Four>(shear).pass(triangles);
+uint64_t missed_triangles_avx2(Shear& shear, const FacetSpan<3>& triangles) noexcept {
+  return ShearLanes<Four>(shear).missed(triangles);
 }
 
 }  // namespace dsw

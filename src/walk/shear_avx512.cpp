@@ -30,6 +30,10 @@ struct Eight {
   static Vector min(Vector a, Vector b) noexcept { return _mm512_min_pd(a, b); }
   static Vector max(Vector a, Vector b) noexcept { return _mm512_max_pd(a, b); }
   static Vector absolute(Vector a) noexcept { return _mm512_abs_pd(a); }
+  /** `other` where a is not positive. */
+  static Vector positive_or(Vector a, Vector other) noexcept {
+    return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, _mm512_setzero_pd(), _CMP_NGT_UQ), a, other);
+  }
   static unsigned not_positive(Vector a) noexcept { return _mm512_cmp_pd_mask(a, _mm512_setzero_pd(), _CMP_NGT_UQ); }
   static double lowest(Vector a) noexcept { return _mm512_reduce_min_pd(a); }
   static double largest(Vector a) noexcept { return _mm512_reduce_max_pd(a); }
@@ -39,8 +43,8 @@ constexpr size_t kFew = 4;  // then half a register does
 
 }  // namespace
 
-size_t pass_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) noexcept {
-  return triangles.size() <= kFew ? pass_triangles_avx2(shear, triangles) : ShearLanes<Eight>(shear).pass(triangles);
+uint64_t missed_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) noexcept {
+  return triangles.size() <= kFew ? missed_triangles_avx2(shear, triangles) : ShearLanes<Eight>(shear).missed(triangles);
 }
 
 }  // namespace dsw

@@ -1,4 +1,4 @@
-// Triangles side by side, one in each lane: the operations of `pass_triangles` in the same order, so the same bits.
+// Triangles side by side, one in each lane: the operations of `missed_triangles` in the same order, so the same bits.
 // Included once for each instruction set, whose `Lanes` is a type of its own.
 
 namespace dsw {
@@ -9,23 +9,23 @@ class ShearLanes {
   explicit ShearLanes(Shear& shear) noexcept
       : shear_(shear), slope_i_(Lanes::all(shear.slopes_[0])), slope_j_(Lanes::all(shear.slopes_[1])) {}
 
-  size_t pass(const FacetSpan<3>& triangles) noexcept {
+  uint64_t missed(const FacetSpan<3>& triangles) noexcept {
     const size_t count = triangles.size();
     const Corner corners[3] = {corner(triangles, 0), corner(triangles, 1), corner(triangles, 2)};
-    if (count < Lanes::kCount) return pass_some(corners, count);
+    if (count < Lanes::kCount) return some_missed(corners, count);
     Vector largest = Lanes::all(shear_.largest_), lowest = Lanes::all(shear_.lowest_);
+    uint64_t missed = 0;
     for (size_t next = 0; next < count; next += Lanes::kCount) {
       const size_t n = std::min(next, count - Lanes::kCount);  // the last ones may have been passed in part
       const Points a = read(corners[0], n), b = read(corners[1], n), c = read(corners[2], n);
       const Vector sides = Lanes::min(Lanes::min(side(a, b), side(b, c)), side(c, a));
-      const unsigned missed = Lanes::not_positive(sides);
-      if (missed != 0) return n + static_cast<size_t>(__builtin_ctz(missed));
+      missed |= uint64_t{Lanes::not_positive(sides)} << n;
       largest = Lanes::max(largest, Lanes::max(Lanes::max(a.most, b.most), c.most));
-      lowest = Lanes::min(lowest, sides);
+      lowest = Lanes::min(lowest, Lanes::positive_or(sides, lowest));
     }
     shear_.largest_ = Lanes::largest(largest);
     shear_.lowest_ = Lanes::lowest(lowest);
-    return count;
+    return missed;
   }
 
  private:
@@ -50,7 +50,7 @@ class ShearLanes {
             Lanes::max(Lanes::max(Lanes::absolute(a), Lanes::absolute(b)), Lanes::absolute(c))};
   }
   /** Of fewer triangles than lanes: the others count as passed, by nothing. */
-  size_t pass_some(const Corner (&corners)[3], size_t count) noexcept {
+  uint64_t some_missed(const Corner (&corners)[3], size_t count) noexcept {
     const auto these = Lanes::first(count);
     const auto read = [&](const Corner& corner) {
       const Vector a = Lanes::load(corner.i, these) - Lanes::all(shear_.p_[shear_.i_]),
@@ -60,15 +60,12 @@ class ShearLanes {
                     Lanes::max(Lanes::max(Lanes::absolute(a), Lanes::absolute(b)), Lanes::absolute(c))};
     };
     const Points a = read(corners[0]), b = read(corners[1]), c = read(corners[2]);
-    const Vector sides =
-        Lanes::choose(these, Lanes::min(Lanes::min(side(a, b), side(b, c)), side(c, a)), Lanes::all(shear_.lowest_));
-    const unsigned missed = Lanes::not_positive(sides);
-    if (missed != 0) return std::min(static_cast<size_t>(__builtin_ctz(missed)), count);
-    const Vector none = Lanes::all(shear_.largest_);
+    const Vector none = Lanes::all(shear_.largest_), lowest = Lanes::all(shear_.lowest_);
+    const Vector sides = Lanes::choose(these, Lanes::min(Lanes::min(side(a, b), side(b, c)), side(c, a)), lowest);
     const Vector most = Lanes::choose(these, Lanes::max(Lanes::max(a.most, b.most), c.most), none);
     shear_.largest_ = Lanes::largest(Lanes::max(most, none));
-    shear_.lowest_ = Lanes::lowest(Lanes::min(sides, Lanes::all(shear_.lowest_)));
-    return count;
+    shear_.lowest_ = Lanes::lowest(Lanes::min(lowest, Lanes::positive_or(sides, lowest)));
+    return Lanes::not_positive(sides) & ((1u << count) - 1);
   }
   static Vector side(const Points& a, const Points& b) noexcept { return a.i * b.j - a.j * b.i; }
 

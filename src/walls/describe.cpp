@@ -29,7 +29,7 @@ dsw_contact contact_of(const Environment<D>& env, const WallHit& hit, uint32_t v
     for (Dart d{hit.cell, 0}; d.local < map.shape(d.cell).dart_count(); ++d.local) {
       const uint32_t from = dart_vertex(map, d), to = dart_target(map, d);
       if (std::minmax(from, to) != std::minmax(vertex, other)) continue;
-      name_edge(map, d, contact);
+      name_edge(edge_id(map, d), contact);
       break;
     }
   }
