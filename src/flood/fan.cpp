@@ -8,9 +8,10 @@ namespace {
 
 constexpr int kMostFanCells = 64, kMostWallFacets = 32;
 
-/** Whether a wall that begins where its edge pierces a triangle can be followed until it leaves the triangle. */
-bool leaves(const Environment<3>& env, const SweptTriangle& triangle, HalfFacet wall,
-            const uint32_t (&begin)[2]) noexcept {
+/** Whether a wall that begins where its edge pierces a triangle can be followed until it leaves the triangle. `side` is
+ * that of begin[0]. */
+bool leaves(const Environment<3>& env, const SweptTriangle& triangle, HalfFacet wall, const uint32_t (&begin)[2],
+            int side) noexcept {
   const Map<3>& map = env.map;
   uint32_t edge[2] = {begin[0], begin[1]};
   for (int facets = 0; facets < kMostWallFacets; ++facets) {
@@ -21,11 +22,12 @@ bool leaves(const Environment<3>& env, const SweptTriangle& triangle, HalfFacet 
       if (vertex != edge[0] && vertex != edge[1]) tip = vertex;
     }
     // It leaves this facet through the edge from the tip to the vertex on the other side of the triangle's plane.
-    const int side = triangle.side(env.point(tip));
-    const uint32_t other = triangle.side(env.point(edge[0])) == side ? edge[1] : edge[0];
-    if (triangle.leaves(env.point(other), env.point(tip), side)) return true;
+    const int side_of_tip = triangle.side(env.point(tip));
+    const uint32_t other = side == side_of_tip ? edge[1] : edge[0];
+    if (triangle.leaves(env.point(other), env.point(tip), side_of_tip)) return true;
     edge[0] = other;
     edge[1] = tip;
+    side = -side_of_tip;
     // Round its rim a sheet leads back to where it begins.
     if ((other == begin[0] || other == begin[1]) && (tip == begin[0] || tip == begin[1])) return false;
     wall = find_wall(env, wall, edge);
@@ -74,7 +76,8 @@ HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const uint32_t
 
 bool sees_only_fan(const Environment<3>& env, const SweptTriangle& triangle, const HalfFacet (&walls)[2],
                    const uint32_t (&edge)[2]) noexcept {
-  return leaves(env, triangle, walls[0], edge) && leaves(env, triangle, walls[1], edge);
+  const int side = triangle.side(env.point(edge[0]));
+  return leaves(env, triangle, walls[0], edge, side) && leaves(env, triangle, walls[1], edge, side);
 }
 
 Dart lowest_dart_round(const Map<3>& map, Dart d) noexcept {

@@ -1,6 +1,7 @@
 #include "flood/sequence.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include "base/dimensions.h"
@@ -245,6 +246,20 @@ bool is_met_later(const EdgeMotion& m, const FacetRidge& ridge, const SweepEvent
   return compare_events<D>(m.p, m.to, met, event).sign > 0;
 }
 
+/** On which side a line passes the ridges of a facet in rows, in their order; 0: a filter cannot tell, ask exactly. */
+void ridge_sides(const Environment<3>& env, Shear& line, HalfFacet facet, int (&sides)[3]) noexcept {
+  const Corners<3> corners(env.map, facet.word);
+  Shear::Point points[3];
+  for (int i = 0; i < 3; ++i) points[i] = line(env.point(corners.vertices[i]));
+  const bool in_range = line.is_in_range(line.largest());
+  const double bound = Shear::bound(line.largest());
+  for (int i = 0; i < 3; ++i) {
+    const double side = Shear::side(points[i], points[(i + 1) % 3]);
+    sides[i] = in_range && std::fabs(side) > bound ? (side > 0 ? 1 : -1) : 0;
+  }
+}
+void ridge_sides(const Environment<2>&, LineSides&, HalfFacet, int (&)[3]) noexcept {}  // exact tests cost no more
+
 }  // namespace
 
 template <int D>
@@ -255,24 +270,29 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
   const bool in_rows = sequence.in_rows && sequence.version == env.obstacle_version;
   if (D == 2 && !in_rows) return false;
   FacetRidge later{nullptr, nullptr, 0};  // the last that was found to be met later: the next facet may have it, too
-  // Of facets in rows those are asked exactly that are not passed for certain; of others all.
+  // Of facets in rows those are asked one by one that are not passed for certain; of others all.
   for (size_t begin = 0; begin < count; begin += kMostAtOnce) {
     const size_t some = std::min(kMostAtOnce, count - begin);
     uint64_t ask = ~uint64_t{0} >> (kMostAtOnce - some);
+    LineTests<D> line(from, to);
     if (in_rows) {
-      LineTests<D> line(from, to);
       const uint64_t bits = missed(line, sequence.rows.span(begin, some));
       if (line.passed_all()) ask = bits;
     }
     for (; ask != 0; ask &= ask - 1) {
       const HalfFacet facet{sequence.facets[begin + static_cast<size_t>(__builtin_ctzll(ask))]};
+      int sides[3] = {0, 0, 0}, next = 0;
+      if (in_rows) ridge_sides(env, line, facet, sides);
       const bool is_passed = for_each_ridge(env, facet, in_rows, [&](const FacetRidge& ridge) {
+        const int known = in_rows ? sides[next++] : 0;
+        if (known != 0 && known == ridge.side) return true;
         if (is_of_event<D>(m, ridge, event)) {
           if (at_event != nullptr) *at_event = facet;
           return true;
         }
-        const double* const line[2] = {ridge.a, ridge.b};
-        if (is_same_ridge(ridge, later) || line_side<D>(from, to, line, NoTally{}).sign == ridge.side) return true;
+        if (is_same_ridge(ridge, later)) return true;
+        const double* const ends[2] = {ridge.a, ridge.b};
+        if (known == 0 && line_side<D>(from, to, ends, NoTally{}).sign == ridge.side) return true;
         if (!is_met_later<D>(m, ridge, event)) return false;
         later = ridge;
         return true;

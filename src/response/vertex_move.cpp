@@ -39,7 +39,7 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
     const size_t first_contact = record_.contacts.size();
     double before[D];
     std::copy_n(body_.position(v), D, before);
-    if (advance(v, to)) return std::equal(to, to + D, target);
+    if (advance(v, to, slides == 0)) return std::equal(to, to + D, target);
     if (record_.contacts.size() == first_contact) {
       ++record_.limited;
       return false;
@@ -73,15 +73,16 @@ void VertexMove<D>::put(uint32_t v, const double* position, Cell cell) {
   }
 }
 
-/** To `to`, or as far as it is free: then the contacts are in the record, the first of them first. */
+/** To `to`, or as far as it is free: then the contacts are in the record, the first of them first.
+ * @param likely whether there is one, most likely. */
 template <int D>
-bool VertexMove<D>::advance(uint32_t v, const double* to) {
+bool VertexMove<D>::advance(uint32_t v, const double* to, bool likely) {
   under_.clear();
   if (settings_.search == Search::kBisection) return advance_by_halving(v, to);
   const BodyVertex<D>& at = body_.vertices[v];
   StarContact first;
   Cell cell;
-  const SweepEnd end = sweeps_.find_first(body_, v, to, &first, &cell);
+  const SweepEnd end = sweeps_.find_first(body_, v, to, &first, &cell, likely);
   if (end == SweepEnd::kWorkLimit) return false;
   PairContact<D> pair;
   sweeps_.find_first_of_partners(body_, v, to, &pair);

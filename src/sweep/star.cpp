@@ -164,7 +164,8 @@ bool StarSweep<D>::find_obstacle(const Body<D>& body, uint32_t v, const double* 
 }
 
 template <int D>
-SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
+SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell,
+                                  bool likely) {
   const BodyVertex<D>& at = body.vertices[v];
   if (std::equal(to, to + D, at.position)) {
     *cell = at.cell;
@@ -189,12 +190,12 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
     for_each_edge(body, v, [&](uint32_t e) {
       const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
       const EdgeSweep sweep{e, v, to, path.cell, fixed.position, fixed.cell, passed};
-      if (consider_touched(body, sweep, earliest)) {
+      if (likely && consider_touched(body, sweep, earliest)) {
         counts.swept += reached ? 1 : 0;
         return true;
       }
       const bool settled = reached ? settles(body, sweep) : stays_before_wall(env_, at, to, path.cell, fixed);
-      if (!settled) consider_edge(body, sweep, earliest);
+      if (!settled && (likely || !consider_touched(body, sweep, earliest))) consider_edge(body, sweep, earliest);
       return true;
     });
   }
