@@ -1,12 +1,14 @@
 #include "flood/hop.h"
 
 #include "base/dimensions.h"
+#include "flood/facet_pass.h"
 #include "flood/line_sides.h"
-#include "predicates/filtered.h"
 #include "walk/standard_facets.h"
 
 namespace dsw {
 namespace {
+
+const PassesFacet kPassesFacet = choose_passes_facet();
 
 /** The corners of a facet, counter-clockwise seen from outside; a triangle repeats the last. */
 template <int D>
@@ -55,15 +57,7 @@ bool passes(const Facet<2>& side, const double* from, const double* to) noexcept
   return line.pass(side.corners[0], side.corners[1]) && line.passed_all();
 }
 bool passes(const Facet<3>& facet, const double* from, const double* to) noexcept {
-  const filter::Vec<3> way = filter::difference<3>(to, from);
-  for (int k = 0; k < 4; ++k) {
-    const double *const x = facet.corners[k], *const y = facet.corners[(k + 1) % 4];
-    if (x == y) continue;
-    const filter::Vec<3> a = filter::difference<3>(x, from), b = filter::difference<3>(y, from);
-    const double det = filter::dot(filter::cross(a, b), way);
-    if (!(det > 0 && filter::certain(det, filter::extent(way, a, b)))) return false;
-  }
-  return true;
+  return kPassesFacet(facet.corners, from, to);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "base/dimensions.h"
 #include "base/slot_pool.h"
+#include "flood/facet_pass.h"
 #include "flood/line_sides.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
@@ -15,6 +16,7 @@ namespace dsw {
 namespace {
 
 const PassTriangles kPassTriangles = choose_pass_triangles();
+const PassesFacet kPassesFacet = choose_passes_facet();
 
 template <int D>
 using LineTests = std::conditional_t<D == 3, Shear, LineSides>;
@@ -73,35 +75,57 @@ bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noex
          std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
 }
 
-/** Facets that are not in rows. Whether all are passable, and their cells exactly convex. */
-bool pass(const Environment<3>& env, Shear& shear, const Array<uint32_t>& facets) noexcept {
+/** Facets that are not in rows: whether all are passable, their cells exactly convex, and a line certainly passes them. */
+bool pass(const Environment<3>& env, const double* from, const double* to, const Array<uint32_t>& facets) noexcept {
   const Map<3>& map = env.map;
-  uint32_t marks = 0;
   for (const uint32_t f : facets) {
     const Cell c = map.cell_of({f});
-    if (!map.convex(c) || !admits(env, c)) return false;
     const uint32_t* const w = map.record(c);
+    if (!map.convex(c) || ((w[0] | map.words[f]) & kMarkBit) != 0 || !admits(env, c)) return false;
     const uint32_t facet = map.local_of({f}, c);
-    marks |= w[0] | map.words[f];
-    if (form_of(w[0]) == Form::kBox) {
-      const uint8_t(&local)[4] = kBoxFacets[facet];
-      Shear::Point corners[4];
-      for (int i = 0; i < 4; ++i) corners[i] = shear(env.point(w[kUnitWords<3> + local[i]]));
-      for (int i = 0; i < 4; ++i) shear.pass(corners[i], corners[(i + 1) % 4]);
+    const Form form = form_of(w[0]);
+    if (form != Form::kGeneral) {
+      const double* corners[4];
+      for (uint32_t i = 0; i < 4; ++i) {
+        corners[i] = env.point(form == Form::kSimplex   ? w[kTetrahedronFacets[facet][i < 3 ? i : 2]] & kVertexMask
+                               : form == Form::kPyramid ? w[kUnitWords<3> + kPyramidFacets[facet][i]]
+                                                        : w[kUnitWords<3> + kBoxFacets[facet][i]]);
+      }
+      if (!kPassesFacet(corners, from, to)) return false;
       continue;
     }
+    const filter::Vec<3> way = filter::difference<3>(to, from);
     const Shape shape = map.shape(c);
     for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
-      shear.pass(shear(env.point(c, shape.dart_vertex(d))), shear(env.point(c, shape.dart_vertex(shape.beta1(d)))));
+      const double *const x = env.point(c, shape.dart_vertex(d)),
+                   *const y = env.point(c, shape.dart_vertex(shape.beta1(d)));
+      if (!passes_ridge(x, y, from, way)) return false;
     }
   }
-  return (marks & kMarkBit) == 0;
+  return true;
 }
 
 template <int D>
 bool is_same_point(const double* a, const double* b) noexcept {
   return std::equal(a, a + D, b);
 }
+
+template <int D>
+void note_place(EdgeSequence<D>& sequence, const double* from, const double* to) noexcept {
+  std::copy_n(from, D, sequence.from);
+  std::copy_n(to, D, sequence.to);
+  sequence.placed = true;
+}
+
+/** As `follows`, of facets that are not in rows. */
+bool follows_alone(const Environment<3>& env, EdgeSequence<3>& sequence, const double* from,
+                   const double* to) noexcept {
+  if (!pass(env, from, to, sequence.facets)) return false;
+  sequence.version = env.obstacle_version;
+  note_place(sequence, from, to);
+  return true;
+}
+bool follows_alone(const Environment<2>&, EdgeSequence<2>&, const double*, const double*) noexcept { return false; }
 
 /** What a line passes on the wrong side of a facet that it does not pass. */
 Pivot<3> missed(const Environment<3>& env, Shear& line, const Corners<3>& corners) noexcept {
@@ -164,25 +188,20 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
   if (!sequence.known() || map.cell_of({facets.front()}) != first) return false;
   if (map.cell_of(map.opposite({facets.back()})) != last) return false;
   if (!map.convex(last) || is_closed(env, last)) return false;
-  if (!sequence.in_rows) {
-    if constexpr (D == 3) {
-      Shear line(from, to);
-      return pass(env, line, facets) && line.passed_all();
-    }
-    return false;
+  if (sequence.placed && sequence.version == env.obstacle_version && is_same_point<D>(from, sequence.from) &&
+      is_same_point<D>(to, sequence.to)) {
+    return true;
   }
+  if (!sequence.in_rows) return follows_alone(env, sequence, from, to);
   if (sequence.version != env.obstacle_version) {
     if (!are_passable(env, facets)) return false;
     read_rows(env, sequence, 0, facets.size());
     sequence.version = env.obstacle_version;
     sequence.placed = false;
   }
-  if (sequence.placed && is_same_point<D>(from, sequence.from) && is_same_point<D>(to, sequence.to)) return true;
   LineTests<D> line(from, to);
   if (pass(line, sequence.rows.span(0, facets.size())) < facets.size() || !line.passed_all()) return false;
-  std::copy_n(from, D, sequence.from);
-  std::copy_n(to, D, sequence.to);
-  sequence.placed = true;
+  note_place(sequence, from, to);
   return true;
 }
 
