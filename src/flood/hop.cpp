@@ -29,13 +29,10 @@ bool find_facet(const Environment<3>& env, Cell first, Cell second, Facet<3>& fa
   for (uint32_t i = 0; i < kUnitWords<3>; ++i) shared |= (w[i] / kUnitWords<3> == second.unit ? 1u : 0u) << i;
   shared &= link_words(form);
   if (shared == 0) return false;
-  const uint32_t slot = static_cast<uint32_t>(__builtin_ctz(shared));
-  for (uint32_t i = 0; i < 4; ++i) {
-    const uint32_t vertex = form == Form::kSimplex   ? w[kTetrahedronFacets[slot - 4][i < 3 ? i : 2]] & kVertexMask
-                            : form == Form::kPyramid ? w[kUnitWords<3> + kPyramidFacets[slot - 3][i]]
-                                                     : w[kUnitWords<3> + kBoxFacets[slot - 2][i]];
-    facet.corners[i] = env.point(vertex);
-  }
+  const uint32_t first_link = kUnitWords<3> - env.map.facets_of(first);
+  uint32_t vertices[4];
+  standard_corners(w, static_cast<uint32_t>(__builtin_ctz(shared)) - first_link, vertices);
+  for (int i = 0; i < 4; ++i) facet.corners[i] = env.point(vertices[i]);
   return true;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/dimensions.h"
 #include "base/slot_pool.h"
+#include "flood/edge_turn.h"
 #include "flood/facet_pass.h"
 #include "flood/line_sides.h"
 #include "predicates/filtered.h"
@@ -83,14 +84,11 @@ bool pass(const Environment<3>& env, const double* from, const double* to, const
     const uint32_t* const w = map.record(c);
     if (!map.convex(c) || ((w[0] | map.words[f]) & kMarkBit) != 0 || !admits(env, c)) return false;
     const uint32_t facet = map.local_of({f}, c);
-    const Form form = form_of(w[0]);
-    if (form != Form::kGeneral) {
-      const double* corners[4];
-      for (uint32_t i = 0; i < 4; ++i) {
-        corners[i] = env.point(form == Form::kSimplex   ? w[kTetrahedronFacets[facet][i < 3 ? i : 2]] & kVertexMask
-                               : form == Form::kPyramid ? w[kUnitWords<3> + kPyramidFacets[facet][i]]
-                                                        : w[kUnitWords<3> + kBoxFacets[facet][i]]);
-      }
+    if (has_standard_facets(form_of(w[0]))) {
+      uint32_t vertices[4];
+      standard_corners(w, facet, vertices);
+      const double* const corners[4] = {env.point(vertices[0]), env.point(vertices[1]), env.point(vertices[2]),
+                                        env.point(vertices[3])};
       if (!kPassesFacet(corners, from, to)) return false;
       continue;
     }
@@ -315,6 +313,9 @@ bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* fr
   constexpr size_t kMost = 64;  // facets at a pivot
   const Map<D>& map = env.map;
   const Array<uint32_t>& old = sequence.facets;
+  if constexpr (D == 3) {
+    if (!sequence.in_rows) return turn_round_edge(env, sequence, from, to, pivot);
+  }
   if (!sequence.in_rows || sequence.version != env.obstacle_version) return false;
   LineTests<D> line(from, to);
   const size_t begin = pass(line, sequence.rows.span(0, old.size()));
