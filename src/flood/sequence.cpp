@@ -95,8 +95,8 @@ bool pass(const Environment<3>& env, const double* from, const double* to, const
     const filter::Vec<3> way = filter::difference<3>(to, from);
     const Shape shape = map.shape(c);
     for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
-      const double *const x = env.point(c, shape.dart_vertex(d)),
-                   *const y = env.point(c, shape.dart_vertex(shape.beta1(d)));
+      const double *const x = env.point(c, shape.dart_vertex(d)), *const y =
+                                                                      env.point(c, shape.dart_vertex(shape.beta1(d)));
       if (!passes_ridge(x, y, from, way)) return false;
     }
   }
@@ -105,13 +105,19 @@ bool pass(const Environment<3>& env, const double* from, const double* to, const
 
 template <int D>
 bool is_same_point(const double* a, const double* b) noexcept {
-  return std::equal(a, a + D, b);
+  bool same = true;
+  for (int k = 0; k < D; ++k) same &= a[k] == b[k];
+  return same;
 }
 
 template <int D>
-void note_place(EdgeSequence<D>& sequence, const double* from, const double* to) noexcept {
-  std::copy_n(from, D, sequence.from);
-  std::copy_n(to, D, sequence.to);
+void note_place(EdgeSequence<D>& sequence, const double* from, const double* to, Cell first, Cell last) noexcept {
+  for (int k = 0; k < D; ++k) {
+    sequence.from[k] = from[k];
+    sequence.to[k] = to[k];
+  }
+  sequence.from_cell = first;
+  sequence.to_cell = last;
   sequence.placed = true;
 }
 
@@ -120,7 +126,6 @@ bool follows_alone(const Environment<3>& env, EdgeSequence<3>& sequence, const d
                    const double* to) noexcept {
   if (!pass(env, from, to, sequence.facets)) return false;
   sequence.version = env.obstacle_version;
-  note_place(sequence, from, to);
   return true;
 }
 bool follows_alone(const Environment<2>&, EdgeSequence<2>&, const double*, const double*) noexcept { return false; }
@@ -183,14 +188,18 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
   const Map<D>& map = env.map;
   const Array<uint32_t>& facets = sequence.facets;
   if (facets.empty()) return first == last && map.convex(first);
+  if (sequence.placed && sequence.version == env.obstacle_version && sequence.from_cell == first &&
+      sequence.to_cell == last && is_same_point<D>(from, sequence.from) && is_same_point<D>(to, sequence.to)) {
+    return true;
+  }
   if (!sequence.known() || map.cell_of({facets.front()}) != first) return false;
   if (map.cell_of(map.opposite({facets.back()})) != last) return false;
   if (!map.convex(last) || is_closed(env, last)) return false;
-  if (sequence.placed && sequence.version == env.obstacle_version && is_same_point<D>(from, sequence.from) &&
-      is_same_point<D>(to, sequence.to)) {
+  if (!sequence.in_rows) {
+    if (!follows_alone(env, sequence, from, to)) return false;
+    note_place(sequence, from, to, first, last);
     return true;
   }
-  if (!sequence.in_rows) return follows_alone(env, sequence, from, to);
   if (sequence.version != env.obstacle_version) {
     if (!are_passable(env, facets)) return false;
     read_rows(env, sequence, 0, facets.size());
@@ -199,7 +208,7 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
   }
   LineTests<D> line(from, to);
   if (pass(line, sequence.rows.span(0, facets.size())) < facets.size() || !line.passed_all()) return false;
-  note_place(sequence, from, to);
+  note_place(sequence, from, to, first, last);
   return true;
 }
 

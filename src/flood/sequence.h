@@ -14,11 +14,12 @@ struct EdgeSequence {
   static constexpr uint64_t kNever = ~uint64_t{0};
 
   Array<uint32_t> facets;
-  bool in_rows = true;        // they are of tetrahedra, in the plane of convex polygons; if so, and only then:
-  bool placed = false;        // whether they are known to be passed from `from` to `to`
+  bool in_rows = true;  // they are of tetrahedra, in the plane of convex polygons; if so, and only then:
+  bool placed = false;  // whether they are known to be passed in that version, from `from` to `to` and cell to cell
   uint64_t version = kNever;  // of the environment when they were passable
   FacetRows<D> rows;          // the facets, of that version
   double from[D] = {}, to[D] = {};
+  Cell from_cell, to_cell;
 
   explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), rows(allocator) {}
 
