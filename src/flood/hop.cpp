@@ -1,12 +1,14 @@
 #include "flood/hop.h"
 
 #include "base/dimensions.h"
+#include "flood/facet_pass.h"
 #include "flood/line_sides.h"
-#include "predicates/filtered.h"
 #include "walk/standard_facets.h"
 
 namespace dsw {
 namespace {
+
+const PassesFacet kPassesFacet = choose_passes_facet();
 
 /** The corners of a facet, counter-clockwise seen from outside; a triangle repeats the last. */
 template <int D>
@@ -27,13 +29,10 @@ bool find_facet(const Environment<3>& env, Cell first, Cell second, Facet<3>& fa
   for (uint32_t i = 0; i < kUnitWords<3>; ++i) shared |= (w[i] / kUnitWords<3> == second.unit ? 1u : 0u) << i;
   shared &= link_words(form);
   if (shared == 0) return false;
-  const uint32_t slot = static_cast<uint32_t>(__builtin_ctz(shared));
-  for (uint32_t i = 0; i < 4; ++i) {
-    const uint32_t vertex = form == Form::kSimplex   ? w[kTetrahedronFacets[slot - 4][i < 3 ? i : 2]] & kVertexMask
-                            : form == Form::kPyramid ? w[kUnitWords<3> + kPyramidFacets[slot - 3][i]]
-                                                     : w[kUnitWords<3> + kBoxFacets[slot - 2][i]];
-    facet.corners[i] = env.point(vertex);
-  }
+  const uint32_t first_link = kUnitWords<3> - env.map.facets_of(first);
+  uint32_t vertices[4];
+  standard_corners(w, static_cast<uint32_t>(__builtin_ctz(shared)) - first_link, vertices);
+  for (int i = 0; i < 4; ++i) facet.corners[i] = env.point(vertices[i]);
   return true;
 }
 
@@ -55,15 +54,7 @@ bool passes(const Facet<2>& side, const double* from, const double* to) noexcept
   return line.pass(side.corners[0], side.corners[1]) && line.passed_all();
 }
 bool passes(const Facet<3>& facet, const double* from, const double* to) noexcept {
-  const filter::Vec<3> way = filter::difference<3>(to, from);
-  for (int k = 0; k < 4; ++k) {
-    const double *const x = facet.corners[k], *const y = facet.corners[(k + 1) % 4];
-    if (x == y) continue;
-    const filter::Vec<3> a = filter::difference<3>(x, from), b = filter::difference<3>(y, from);
-    const double det = filter::dot(filter::cross(a, b), way);
-    if (!(det > 0 && filter::certain(det, filter::extent(way, a, b)))) return false;
-  }
-  return true;
+  return kPassesFacet(facet.corners, from, to);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include "base/dimensions.h"
 #include "base/slot_pool.h"
+#include "flood/edge_turn.h"
+#include "flood/facet_pass.h"
 #include "flood/line_sides.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
@@ -17,6 +19,7 @@ namespace {
 
 const MissedTriangles kMissedTriangles = choose_missed_triangles();
 constexpr size_t kMostAtOnce = 64;  // facets for which bits say what is missed
+const PassesFacet kPassesFacet = choose_passes_facet();
 
 template <int D>
 using LineTests = std::conditional_t<D == 3, Shear, LineSides>;
@@ -85,30 +88,41 @@ bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noex
          std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
 }
 
-/** Facets that are not in rows. Whether all are passable, and their cells exactly convex. */
-bool pass(const Environment<3>& env, Shear& shear, const Array<uint32_t>& facets) noexcept {
+/** Facets that are not in rows: whether all are passable, their cells exactly convex, and a line certainly passes them. */
+bool pass(const Environment<3>& env, const double* from, const double* to, const Array<uint32_t>& facets) noexcept {
   const Map<3>& map = env.map;
-  uint32_t marks = 0;
   for (const uint32_t f : facets) {
     const Cell c = map.cell_of({f});
-    if (!map.convex(c) || !admits(env, c)) return false;
     const uint32_t* const w = map.record(c);
+    if (!map.convex(c) || ((w[0] | map.words[f]) & kMarkBit) != 0 || !admits(env, c)) return false;
     const uint32_t facet = map.local_of({f}, c);
-    marks |= w[0] | map.words[f];
-    if (form_of(w[0]) == Form::kBox) {
-      const uint8_t(&local)[4] = kBoxFacets[facet];
-      Shear::Point corners[4];
-      for (int i = 0; i < 4; ++i) corners[i] = shear(env.point(w[kUnitWords<3> + local[i]]));
-      for (int i = 0; i < 4; ++i) shear.pass(corners[i], corners[(i + 1) % 4]);
+    if (has_standard_facets(form_of(w[0]))) {
+      uint32_t vertices[4];
+      standard_corners(w, facet, vertices);
+      const double* const corners[4] = {env.point(vertices[0]), env.point(vertices[1]), env.point(vertices[2]),
+                                        env.point(vertices[3])};
+      if (!kPassesFacet(corners, from, to)) return false;
       continue;
     }
+    const filter::Vec<3> way = filter::difference<3>(to, from);
     const Shape shape = map.shape(c);
     for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
-      shear.pass(shear(env.point(c, shape.dart_vertex(d))), shear(env.point(c, shape.dart_vertex(shape.beta1(d)))));
+      const double *const x = env.point(c, shape.dart_vertex(d)), *const y =
+                                                                      env.point(c, shape.dart_vertex(shape.beta1(d)));
+      if (!passes_ridge(x, y, from, way)) return false;
     }
   }
-  return (marks & kMarkBit) == 0;
+  return true;
 }
+
+/** As `follows`, of facets that are not in rows. */
+bool follows_alone(const Environment<3>& env, EdgeSequence<3>& sequence, const double* from,
+                   const double* to) noexcept {
+  if (!pass(env, from, to, sequence.facets)) return false;
+  sequence.version = env.obstacle_version;
+  return true;
+}
+bool follows_alone(const Environment<2>&, EdgeSequence<2>&, const double*, const double*) noexcept { return false; }
 
 /** What a line passes on the wrong side of a facet that it does not pass. */
 Pivot<3> missed_ridge(const Environment<3>& env, Shear& line, const Corners<3>& corners) noexcept {
@@ -172,11 +186,9 @@ bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const d
   if (map.cell_of(map.opposite({facets.back()})) != last) return false;
   if (!map.convex(last) || is_closed(env, last)) return false;
   if (!sequence.in_rows) {
-    if constexpr (D == 3) {
-      Shear line(from, to);
-      return pass(env, line, facets) && line.passed_all();
-    }
-    return false;
+    if (!follows_alone(env, sequence, from, to)) return false;
+    sequence.note_place(from, to, first, last);
+    return true;
   }
   if (sequence.version != env.obstacle_version) {
     if (!are_passable(env, facets)) return false;
@@ -187,7 +199,7 @@ bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const d
   LineTests<D> line(from, to);
   const FacetSpan<D> span = sequence.rows.span(0, facets.size());
   if (first_missed<D>(line, span) < facets.size() || !line.passed_all()) return false;
-  sequence.note_place(from, to);
+  sequence.note_place(from, to, first, last);
   return true;
 }
 
@@ -327,6 +339,9 @@ bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* fr
   constexpr size_t kMost = 64;  // facets at a pivot
   const Map<D>& map = env.map;
   const Array<uint32_t>& old = sequence.facets;
+  if constexpr (D == 3) {
+    if (!sequence.in_rows) return turn_round_edge(env, sequence, from, to, pivot);
+  }
   if (!sequence.in_rows || sequence.version != env.obstacle_version) return false;
   LineTests<D> line(from, to);
   const size_t begin = first_missed<D>(line, sequence.rows.span(0, old.size()));

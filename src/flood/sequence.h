@@ -20,26 +20,35 @@ struct EdgeSequence {
   uint64_t version = kNever;  // of the environment when they were passable
   FacetRows<D> rows;          // the facets, of that version
 
-  /** A segment that is known to pass them. The last two are kept: where an edge stood, and where it goes. */
+  /** A segment that is known to pass them in that version, from cell to cell. */
   struct Place {
     double from[D] = {}, to[D] = {};
+    Cell first, last;
 
-    bool is(const double* a, const double* b) const noexcept {
-      return std::equal(a, a + D, from) && std::equal(b, b + D, to);
+    bool is(const double* a, const double* b, Cell of_a, Cell of_b) const noexcept {
+      bool same = (first == of_a) & (last == of_b);
+      for (int k = 0; k < D; ++k) same &= (a[k] == from[k]) & (b[k] == to[k]);
+      return same;
     }
   };
-  Place places[2];
+  Place places[2];  // the last two: where an edge stands, and where it goes
   uint32_t place_count = 0, last_place = 0;
 
-  bool has_place(uint64_t of_version, const double* from, const double* to) const noexcept {
+  bool has_place(uint64_t of_version, const double* from, const double* to, Cell first, Cell last) const noexcept {
     if (place_count == 0 || version != of_version) return false;
-    return places[last_place].is(from, to) || (place_count == 2 && places[1 - last_place].is(from, to));
+    return places[last_place].is(from, to, first, last) ||
+           (place_count == 2 && places[1 - last_place].is(from, to, first, last));
   }
-  void note_place(const double* from, const double* to) noexcept {
+  void note_place(const double* from, const double* to, Cell first, Cell last) noexcept {
     last_place = 1 - last_place;
     place_count = std::min(place_count + 1, 2u);
-    std::copy_n(from, D, places[last_place].from);
-    std::copy_n(to, D, places[last_place].to);
+    Place& place = places[last_place];
+    for (int k = 0; k < D; ++k) {
+      place.from[k] = from[k];
+      place.to[k] = to[k];
+    }
+    place.first = first;
+    place.last = last;
   }
 
   explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), rows(allocator) {}
@@ -86,7 +95,8 @@ bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const d
 template <int D>
 bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept {
-  return sequence.has_place(env.obstacle_version, from, to) || passes_facets(env, sequence, from, to, first, last);
+  return sequence.has_place(env.obstacle_version, from, to, first, last) ||
+         passes_facets(env, sequence, from, to, first, last);
 }
 
 /** Whether edge p q meets no ridge of its sequence before `event` while p goes to `to`. The sequence is that of the edge at

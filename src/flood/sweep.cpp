@@ -14,6 +14,8 @@
 namespace dsw {
 namespace {
 
+const FindTetrahedronSigns kFindTetrahedronSigns = choose_find_tetrahedron_signs();
+
 int side_of_plane(const double* const* triangle, const double* x) noexcept {
   return plane_side<3>(triangle, x, NoTally{}).sign;
 }
@@ -30,6 +32,26 @@ bool passes_through(const double* p, const double* q, const double* const* trian
     if (side_of_line(p, q, triangle[k], triangle[(k + 1) % 3]) != after) return false;
   }
   return true;
+}
+
+/** Whether the corners of the swept triangle are on both sides of a simplex's plane. */
+bool is_divided(const EdgeMotion& m, const std::array<const double*, 3>& simplex) noexcept {
+  const int first = side_of_plane(simplex.data(), m.q);
+  return side_of_plane(simplex.data(), m.p) != first || side_of_plane(simplex.data(), m.to) != first;
+}
+
+/** As SweepFlood::simplex_met, of a facet of a tetrahedron. */
+bool is_met(const EdgeMotion& m, const TetrahedronSigns& signs, const uint8_t (&facet)[3],
+            const std::array<const double*, 3>& simplex) noexcept {
+  const int sides[3] = {signs.side[facet[0]], signs.side[facet[1]], signs.side[facet[2]]};
+  if (sides[0] == sides[1] && sides[1] == sides[2]) return false;
+  const int alone = sides[0] == sides[1] ? 2 : sides[1] == sides[2] ? 0 : 1;
+  const auto& lines = signs.lines[facet[alone]];
+  const uint32_t a = lines[facet[(alone + 1) % 3]], b = lines[facet[(alone + 2) % 3]];
+  if (a == 0 || b == 0) return true;
+  if ((a & b) != 0) return false;
+  if ((a & SweptTriangle::kSides) == 0 || (b & SweptTriangle::kSides) == 0) return true;
+  return is_divided(m, simplex);
 }
 
 /** Which point of a triangle that has a line does not lie on that. */
@@ -77,7 +99,8 @@ void SweepFlood<3>::flood_triangle(SweptTriangle& triangle, Cell start, uint32_t
   clear();
   tied_.clear();
   flood(start, max_volumes, [&](Cell c) {
-    if (!read_corners(c)) return;
+    is_signed_ = map_.form(c) == Form::kSimplex;
+    if (!(is_signed_ ? read_tetrahedron(c) : read_corners(c))) return;
     const Shape shape = map_.shape(c);
     look_at_facets(c, shape);
     if (env_.marked_edges != 0) look_at_marked_edges(c, shape);
@@ -98,6 +121,17 @@ bool SweepFlood<3>::read_corners(Cell c) {
   return false;
 }
 
+/** Reads a tetrahedron and finds its signs. False: nothing of it is met, as it lies beside the swept plane. */
+bool SweepFlood<3>::read_tetrahedron(Cell c) {
+  const uint32_t* const w = map_.record(c);
+  const double* at[4];
+  corners_.resize(4);
+  for (uint32_t i = 0; i < 4; ++i) at[i] = env_.point(w[i] & kVertexMask);
+  kFindTetrahedronSigns(*triangle_, at, signs_);
+  for (uint32_t i = 0; i < 4; ++i) corners_[i] = {at[i], w[i] & kVertexMask, 0, signs_.side[i]};
+  return signs_.passes_plane();
+}
+
 int SweepFlood<3>::side(Corner& corner) const {
   if (corner.side == kUnknown) corner.side = triangle_->side(corner.at);
   return corner.side;
@@ -105,6 +139,7 @@ int SweepFlood<3>::side(Corner& corner) const {
 
 /** See SweptTriangle; the sides of both are known, and differ. */
 uint32_t SweepFlood<3>::outside(const Corner& a, const Corner& b) {
+  if (is_signed_) return signs_.lines[&a - corners_.data()][&b - corners_.data()];
   return lines_.value(a.vertex, b.vertex, [&] { return triangle_->outside(a.at, b.at, b.side); });
 }
 
@@ -124,6 +159,10 @@ void SweepFlood<3>::look_at_facets(Cell c, const Shape& shape) {
 }
 
 bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
+  if (is_signed_) {
+    const uint8_t(&f)[3] = kTetrahedronFacets[facet];
+    return is_met(triangle_->motion(), signs_, f, {corners_[f[0]].at, corners_[f[1]].at, corners_[f[2]].at});
+  }
   const uint32_t first = shape.simplex_first(facet), last = shape.simplex_first(facet + 1);
   if (last > first + 1) {
     uint32_t beyond = ~0u;
@@ -158,10 +197,7 @@ bool SweepFlood<3>::simplex_met(const uint16_t* local) {
     common &= bits;
   }
   if (common != 0 || inside) return common == 0;
-  const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
-  const EdgeMotion& m = triangle_->motion();
-  const int first = side_of_plane(simplex, m.q);
-  return side_of_plane(simplex, m.p) != first || side_of_plane(simplex, m.to) != first;
+  return is_divided(triangle_->motion(), {corner[0]->at, corner[1]->at, corner[2]->at});
 }
 
 /** All events of an impassable facet. */

@@ -4,6 +4,7 @@
 
 #include "flood/solid_sweep.h"
 #include "predicates/swept_triangle.h"
+#include "predicates/tetrahedron_signs.h"
 
 namespace dsw {
 
@@ -34,6 +35,7 @@ class SweepFlood<3> : public SolidSweep<3> {
  private:
   void flood_triangle(SweptTriangle& triangle, Cell start, uint32_t max_volumes);
   bool read_corners(Cell c);
+  bool read_tetrahedron(Cell c);
   int side(Corner& corner) const;
   uint32_t outside(const Corner& a, const Corner& b);
   void look_at_facets(Cell c, const Shape& shape);
@@ -51,6 +53,8 @@ class SweepFlood<3> : public SolidSweep<3> {
   void sort_found();
 
   SweptTriangle* triangle_ = nullptr;  // during a sweep of an edge
+  bool is_signed_ = false;             // the cell that is looked at is a tetrahedron; its signs are known:
+  TetrahedronSigns signs_;
   bool collect_ = false;
   bool ends_ = false;                      // at the first contact
   Array<SweepContact> tied_{env_.memory};  // walls at the line of the first contact

@@ -24,6 +24,13 @@ class SweptTriangle {
 
   const EdgeMotion& motion() const noexcept { return m_; }
 
+  // Rounded: p' - p, q - p and q - p', the product of the first two, and what these reach along each axis.
+  const filter::Vec<3>& move() const noexcept { return move_; }
+  const filter::Vec<3>& old_edge() const noexcept { return old_; }
+  const filter::Vec<3>& new_edge() const noexcept { return new_; }
+  const filter::Vec<3>& normal() const noexcept { return normal_; }
+  const filter::Vec<3>& reach() const noexcept { return reach_; }
+
   // Bits of the sides of its box that v lies beyond, see PointBox.
   std::uint32_t beyond_box(const double* v) const noexcept { return box_.beyond(v); }
 

@@ -88,7 +88,7 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
     moving.doubtful = (may_guess_ && sweeps_.meets_touched_line(body, sweep)) ||
                       !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
     moving.meets = moving.doubtful;
-    if (moving.doubtful) return;
+    return;  // its sequence is noted when it is asked for again
   }
   // A sequence is noted in the direction of the edge.
   const typename CourseCasts<D>::End moved{sweep.arrival, sweep.to}, still{sweep.fixed, sweep.q};

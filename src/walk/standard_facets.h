@@ -13,6 +13,22 @@ constexpr uint8_t kTetrahedronTips[4] = {2, 0, 1, 3};
 /** A triangle repeats its last vertex. */
 constexpr uint8_t kPyramidFacets[5][4] = {{0, 3, 2, 1}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}};
 
+/** Whether cells of a form have facets of these. */
+constexpr bool has_standard_facets(Form form) noexcept {
+  return form == Form::kSimplex || form == Form::kPyramid || form == Form::kBox;
+}
+
+/** The vertices of a facet of such a cell, with its record w, counter-clockwise seen from outside; a triangle repeats
+ * the last. */
+inline void standard_corners(const uint32_t* w, uint32_t facet, uint32_t (&vertices)[4]) noexcept {
+  const Form form = form_of(w[0]);
+  for (uint32_t i = 0; i < 4; ++i) {
+    vertices[i] = form == Form::kSimplex   ? w[kTetrahedronFacets[facet][i < 3 ? i : 2]] & kVertexMask
+                  : form == Form::kPyramid ? w[kUnitWords<3> + kPyramidFacets[facet][i]]
+                                           : w[kUnitWords<3> + kBoxFacets[facet][i]];
+  }
+}
+
 /** Three vertices give the plane of a flat facet, so that vertices 0 and 6 of a box need not be read: what remains of a
  * facet are three neighbours on the ring 1 2 3 7 4 5. They may lie in a row; then no filter settles the facet. */
 constexpr uint8_t kFlatFacets[3][6] = {{3, 2, 4, 7, 1, 5}, {4, 5, 1, 2, 3, 7}, {7, 1, 5, 3, 2, 4}};

@@ -1,12 +1,14 @@
 // What the swept triangle says of lines against exact integers.
 
 #include "predicates/swept_triangle.h"
+#include "predicates/tetrahedron_signs.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "cases.h"
 #include "oracle.h"
@@ -80,6 +82,68 @@ TEST(SweptTriangle, SaysLaterOnlyOfLinesThatAreMetLater) {
   EXPECT_GT(later, cases / 50);
   EXPECT_GT(close, cases / 2000);
   EXPECT_GT(inside_later, cases / 500);
+}
+
+/** What the processor has. */
+std::vector<FindTetrahedronSigns> kernels() {
+  std::vector<FindTetrahedronSigns> all = {find_tetrahedron_signs};
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2")) all.push_back(find_tetrahedron_signs_avx2);
+#endif
+  return all;
+}
+
+int exact_line(const double* x, const double* y, const double* a, const double* b) {
+  const double* const ridge[2] = {a, b};
+  return exact::line_side<3>(x, y, ridge).sign;
+}
+
+TEST(TetrahedronSigns, AreExactAndTheSameForEveryKernel) {
+  Random random(62);
+  PointSet<3> s;
+  const int cases = static_cast<int>(case_count() / 2);
+  int passing = 0, with_three = 0, later = 0, inside = 0, flat = 0;
+  for (int i = 0; i < cases; ++i) {
+    draw(random, 7, s);
+    const double *const p = s.at[0], *const to = s.at[1], *const q = s.at[2], *const *const corners = s.at + 3;
+    SweptTriangle triangle({p, to, q});
+    if (random.below(3) != 0) triangle.end_at(0.5 * (random.uniform() + 1));
+    for (const FindTetrahedronSigns find : kernels()) {
+      TetrahedronSigns signs;
+      find(triangle, corners, signs);
+      int above = 0, below = 0;
+      for (int k = 0; k < 4; ++k) {
+        ASSERT_EQ(signs.side[k], swept_side({p, to, q}, corners[k]).sign) << "case " << i;
+        above += signs.side[k] > 0 ? 1 : 0;
+        below += signs.side[k] < 0 ? 1 : 0;
+      }
+      ASSERT_EQ(signs.passes_plane(), above != 0 && below != 0) << "case " << i;
+      flat += above + below == 0 ? 1 : 0;
+      if (!signs.passes_plane()) continue;
+      ++passing;
+      with_three += above != 2 ? 1 : 0;
+      for (int a = 0; a < 4; ++a) {
+        for (int b = 0; b < 4; ++b) {
+          if (signs.side[a] == signs.side[b]) continue;
+          const int side = signs.side[b];
+          const uint32_t bits = signs.lines[a][b];
+          ASSERT_EQ(bits, triangle.outside(corners[a], corners[b], side)) << "case " << i;
+          const int exact_signs[3] = {exact_line(p, to, corners[a], corners[b]),
+                                      exact_line(to, q, corners[a], corners[b]),
+                                      -exact_line(p, q, corners[a], corners[b])};
+          for (uint32_t k = 0; k < 3; ++k) ASSERT_EQ((bits >> k & 1u) != 0, exact_signs[k] != side) << "case " << i;
+          later += (bits & SweptTriangle::kLater) != 0 ? 1 : 0;
+          inside += bits == 0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(passing, cases / 10);
+  EXPECT_GT(with_three, cases / 20);
+  EXPECT_GT(later, cases / 50);
+  EXPECT_GT(inside, cases / 50);
+  EXPECT_GT(flat, 0);
 }
 
 }  // namespace

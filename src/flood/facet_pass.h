@@ -1,0 +1,25 @@
+#pragma once
+// A line against the ridges of one facet, side by side.
+
+#include "predicates/filtered.h"
+
+namespace dsw {
+
+/** Whether the line from one point to another certainly leaves through a facet: it passes all ridges on the facet's side.
+ * Corners are counter-clockwise seen from outside; a triangle repeats the last. */
+using PassesFacet = bool (*)(const double* const* corners, const double* from, const double* to) noexcept;
+bool passes_facet(const double* const* corners, const double* from, const double* to) noexcept;
+#if defined(__x86_64__)
+/** The same arithmetic, a ridge in each lane: the same answers. */
+bool passes_facet_avx2(const double* const* corners, const double* from, const double* to) noexcept;
+#endif
+PassesFacet choose_passes_facet() noexcept;
+
+/** The same of one ridge, from x to y; `way` is the rounded difference of the line's points. */
+inline bool passes_ridge(const double* x, const double* y, const double* from, const filter::Vec<3>& way) noexcept {
+  const filter::Vec<3> a = filter::difference<3>(x, from), b = filter::difference<3>(y, from);
+  const double det = filter::dot(filter::cross(a, b), way);
+  return det > 0 && filter::certain(det, filter::extent(way, a, b));
+}
+
+}  // namespace dsw

@@ -1,0 +1,47 @@
+// A tetrahedron against the triangle that an edge sweeps: all that SweptTriangle says of its corners and of the edges
+// that pass the plane, side by side. In lanes the arithmetic is that of SweptTriangle, operation by operation, so the
+// bounds and their proof are the same; what a filter leaves open is asked of SweptTriangle itself.
+#pragma once
+
+#include "predicates/swept_triangle.h"
+
+namespace dsw {
+
+struct TetrahedronSigns {
+  std::int8_t side[4];       // of each corner, as SweptTriangle::side
+  std::uint8_t lines[4][4];  // of the edge between two corners on different sides, as SweptTriangle::outside
+  bool passes_plane() const noexcept { return side[0] != side[1] || side[0] != side[2] || side[0] != side[3]; }
+};
+
+using FindTetrahedronSigns = void (*)(const SweptTriangle& triangle, const double* const* corners,
+                                      TetrahedronSigns& signs) noexcept;
+void find_tetrahedron_signs(const SweptTriangle& triangle, const double* const* corners,
+                            TetrahedronSigns& signs) noexcept;
+#if defined(__x86_64__)
+void find_tetrahedron_signs_avx2(const SweptTriangle& triangle, const double* const* corners,
+                                 TetrahedronSigns& signs) noexcept;
+#endif
+FindTetrahedronSigns choose_find_tetrahedron_signs() noexcept;
+
+// The edges that pass the plane, by the corners on its positive side: `count` of them, from a negative corner a to a
+// positive one b. Those left over repeat the first.
+struct PassingEdges {
+  std::uint8_t count = 0, a[4] = {}, b[4] = {};
+};
+constexpr PassingEdges passing_edges(unsigned positive) noexcept {
+  PassingEdges edges;
+  for (std::uint8_t i = 0; i < 4; ++i) {
+    for (std::uint8_t j = 0; j < 4; ++j) {
+      if ((positive >> i & 1u) != 0 || (positive >> j & 1u) == 0) continue;
+      edges.a[edges.count] = i;
+      edges.b[edges.count++] = j;
+    }
+  }
+  for (int k = edges.count; k < 4; ++k) {
+    edges.a[k] = edges.a[0];
+    edges.b[k] = edges.b[0];
+  }
+  return edges;
+}
+
+}  // namespace dsw

@@ -1,0 +1,62 @@
+// Lines against facets: what is certain is exact, and the same for every instruction set.
+
+#include "flood/facet_pass.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+using namespace dsw;
+
+TEST(FacetPass, IsExactAndTheSameForAllInstructionSets) {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  const bool has_lanes = __builtin_cpu_supports("avx2") != 0;
+#endif
+  std::mt19937 random(11);
+  int passed = 0, tied = 0;
+  for (int i = 0; i < 200000; ++i) {
+    // Few places, so that lines meet ridges; many; or coordinates that no filter knows.
+    const int kind = static_cast<int>(random() % 4), exponent = kind == 3 ? static_cast<int>(random() % 1400) - 700 : 0;
+    const auto coordinate = [&] {
+      const double x = kind == 0 ? static_cast<double>(random() % 3) - 1 : static_cast<double>(random()) * 0x1p-31 - 1;
+      return std::ldexp(x, exponent);
+    };
+    double at[4][3], line[2][3];
+    for (int k = 0; k < 4; ++k) {
+      at[k][0] = coordinate() + std::ldexp(k == 1 || k == 2 ? 1 : -1, exponent);
+      at[k][1] = coordinate() + std::ldexp(k < 2 ? -1 : 1, exponent);
+      at[k][2] = coordinate();
+    }
+    for (int k = 0; k < 2; ++k) {
+      for (int axis = 0; axis < 2; ++axis) line[k][axis] = coordinate();
+      line[k][2] = coordinate() + std::ldexp(k == 0 ? -2 : 2, exponent);
+    }
+    const bool triangle = random() % 2 == 0;
+    const double* const corners[4] = {at[0], at[1], at[2], triangle ? at[2] : at[3]};
+    const bool passes = passes_facet(corners, line[0], line[1]);
+#if defined(__x86_64__)
+    if (has_lanes) {
+      ASSERT_EQ(passes_facet_avx2(corners, line[0], line[1]), passes) << i;
+    }
+#endif
+    bool all = true, tie = false;
+    for (int k = 0; k < (triangle ? 3 : 4); ++k) {
+      const double* const ridge[2] = {corners[k], corners[triangle ? (k + 1) % 3 : (k + 1) % 4]};
+      const ShiftedSign sign = exact::line_side<3>(line[0], line[1], ridge);
+      all = all && sign.sign > 0;
+      tie = tie || sign.tie;
+    }
+    ASSERT_TRUE(!passes || (all && !tie)) << i;
+    passed += passes ? 1 : 0;
+    tied += all && tie ? 1 : 0;
+    ASSERT_TRUE(kind != 1 || passes == all) << i << " is far from a tie";
+  }
+  EXPECT_GT(passed, 10000);
+  EXPECT_GT(tied, 100);
+}
+
+}  // namespace
