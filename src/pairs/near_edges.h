@@ -16,7 +16,7 @@ class NearEdges {
   explicit NearEdges(const Memory* memory)
       : of_vertices_(memory),
         ways_(memory),
-        cells_(memory),
+        steps_(memory),
         places_(memory),
         starts_(memory),
         entries_(memory),
@@ -76,10 +76,14 @@ class NearEdges {
 
  private:
   static constexpr uint32_t kMostStrays = 32;
-  /** Cells of a lattice that a box meets. */
-  struct Cells {
-    int32_t low[3], high[3];
-    uint32_t count;  // 0: there is no box
+  /** A box in steps of a lattice, three numbers in a word; those of `high` have a bit set above each. */
+  struct Steps {
+    uint64_t low, high;
+    uint32_t cells;  // that it meets; 0: there is no box
+  };
+  struct Entry {
+    uint64_t low, high;
+    uint32_t edge, at_low;
   };
 
   static void add_way(Box<3>& box, const double* from, const double* to, bool slides) noexcept {
@@ -92,18 +96,23 @@ class NearEdges {
     box.add(high);
   }
   bool find_pairs(const Body<3>& body);
-  bool find_cells();
+  bool find_steps();
+  template <class Visit>
+  void for_each_cell(const Steps& steps, Visit visit) const;
   bool sort_into_cells();
   void note_pair(const Body<3>& body, uint32_t a, uint32_t b);
 
   bool active_ = false;
-  Array<Box<3>> of_vertices_;                  // their ways
-  Array<Box<3>> ways_;                         // by edge; empty for strays
-  Array<Cells> cells_;                         // by edge
-  uint32_t shift_ = 0;                         // of hashes
-  Array<uint32_t> places_, starts_, entries_;  // hashed cells by edge, and edges by hashed cell
-  Array<uint32_t> pairs_;                      // two edges each
-  Array<uint32_t> first_, near_;               // by edge
+  Array<Box<3>> of_vertices_;     // their ways
+  Array<Box<3>> ways_;            // by edge; empty for strays
+  Box<3> all_;                    // of these
+  Array<Steps> steps_;            // by edge
+  int halvings_ = 0;              // from a cell to a step
+  Array<uint32_t> places_;        // by edge, those of its cells, as `place << 3 | at_low`
+  Array<uint32_t> starts_;        // by place
+  Array<Entry> entries_;          // of boxes by place
+  Array<uint32_t> pairs_;         // two edges each
+  Array<uint32_t> first_, near_;  // by edge
   uint32_t strays_[kMostStrays] = {}, stray_count_ = 0;
 };
 
