@@ -47,6 +47,7 @@ bool NearEdges::find_steps() {
     size += std::max({way.upper[0] - way.lower[0], way.upper[1] - way.lower[1], way.upper[2] - way.lower[2]});
     ++count;
   }
+  bound_ = filter::bound_in_box(all_.lower, all_.upper);
   for (int k = 0; k < 3; ++k) extent = std::max(extent, all_.upper[k] - all_.lower[k]);
   double scale = 1 / std::max(kCellSize * size / count, extent / kMostCellsAlong);
   if (!(extent < 0x1p1000) || !(scale < 0x1p1000)) return false;

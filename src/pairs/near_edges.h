@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "body/body.h"
-#include "predicates/sweep_events.h"
+#include "predicates/swept_plane.h"
 
 namespace dsw {
 
@@ -51,6 +51,12 @@ class NearEdges {
   bool keeps(uint32_t e, const double* to) const noexcept {
     return active_ && e < ways_.size() && ways_[e].contains(to);
   }
+  /** Whether all edges at v keep to theirs then, and nothing has left its box. */
+  bool all_keep(uint32_t v, const double* to) const noexcept {
+    return active_ && stray_count_ == 0 && v < of_vertices_.size() && of_vertices_[v].contains(to);
+  }
+  /** While all keep: bound of determinants of the body's points and such a target, see swept_plane.h. */
+  double bound() const noexcept { return bound_; }
   /** Notes that a vertex was put in another place: makes strays of edges that leave their boxes. */
   void follow(const Body<3>& body, uint32_t v) noexcept {
     for_each_edge(body, v, [&](uint32_t e) {
@@ -103,8 +109,9 @@ class NearEdges {
   void note_pair(const Body<3>& body, uint32_t a, uint32_t b);
 
   bool active_ = false;
-  Array<Box<3>> of_vertices_;     // their ways
-  Array<Box<3>> ways_;            // by edge; empty for strays
+  Array<Box<3>> of_vertices_;  // their ways
+  Array<Box<3>> ways_;         // by edge; empty for strays
+  double bound_ = kNoBound;
   Box<3> all_;                    // of these
   Array<Steps> steps_;            // by edge
   int halvings_ = 0;              // from a cell to a step
