@@ -73,7 +73,7 @@ double size_of(const Box<D>& box) noexcept {
   return size;
 }
 
-/** Notes where a vertex is and all that hangs on it, but for what hangs on one that is late: that is noted with it. */
+/** Notes where a vertex is and all that hangs on it, but for what hangs on one that is stale: that is noted with it. */
 template <int D>
 void note(const Body<D>& body, uint32_t vertex) noexcept {
   if (body.boxes.empty()) return;
@@ -81,13 +81,13 @@ void note(const Body<D>& body, uint32_t vertex) noexcept {
   double size = 0;
   for_each_edge(body, vertex, [&](uint32_t e) {
     const Box<D> box = box_of(body, body.edges[e].ends, 2);
-    if (!boxes.is_late[body.edges[e].other(vertex)]) boxes.edges.put(e, box);
+    if (!boxes.is_stale[body.edges[e].other(vertex)]) boxes.edges.put(e, box);
     size = std::max(size, size_of(box));
     return true;
   });
   for_each_face(body, vertex, [&](uint32_t f) {
     const BodyFace& face = body.faces[f];
-    if (boxes.is_late[face.after(vertex)] || boxes.is_late[face.before(vertex)]) return true;
+    if (boxes.is_stale[face.after(vertex)] || boxes.is_stale[face.before(vertex)]) return true;
     boxes.faces.put(f, box_of(body, face.corners, 3));
     return true;
   });
@@ -103,13 +103,13 @@ void note(const Body<D>& body, uint32_t vertex) noexcept {
 
 /** Notes later where a vertex has gone. */
 template <int D>
-void note_late(Body<D>& body, uint32_t vertex) noexcept {
+void mark_stale(Body<D>& body, uint32_t vertex) noexcept {
   if (body.boxes.empty()) return;
   BodyBoxes<D>& boxes = body.boxes[0];
   boxes.bounds.add(body.position(vertex));
-  if (boxes.is_late[vertex]) return;
-  boxes.is_late[vertex] = true;
-  boxes.late[boxes.late_count++] = vertex;
+  if (boxes.is_stale[vertex]) return;
+  boxes.is_stale[vertex] = true;
+  boxes.stale[boxes.stale_count++] = vertex;
 }
 
 template <int D>
@@ -117,7 +117,7 @@ void note_all(Body<D>& body) noexcept {
   if (body.boxes.empty()) return;
   body.boxes[0].bounds = Box<D>();
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    if (body.has_vertex(v)) note_late(body, v);
+    if (body.has_vertex(v)) mark_stale(body, v);
   }
 }
 
@@ -127,9 +127,9 @@ void reserve_boxes(Body<D>& body, BodyBoxes<D>& boxes, size_t more_vertices, siz
   boxes.loners.reserve(body.vertices.size() + more_vertices);
   boxes.edges.reserve(body.edges.size() + more_edges);
   boxes.faces.reserve(body.faces.size() + more_faces);
-  const size_t vertices = std::max(boxes.is_late.size(), body.vertices.size() + more_vertices);
-  boxes.late.resize(vertices);
-  boxes.is_late.resize(vertices);
+  const size_t vertices = std::max(boxes.is_stale.size(), body.vertices.size() + more_vertices);
+  boxes.stale.resize(vertices);
+  boxes.is_stale.resize(vertices);
 }
 
 template <int D>
@@ -246,18 +246,18 @@ void keep_boxes(Body<D>& body) {
   body.boxes.reserve(1);
   body.boxes.push_back(std::move(boxes));
   note_all(body);
-  note_late_ones(body);
+  note_stale_ones(body);
 }
 
 template <int D>
-void note_late_ones(const Body<D>& body) noexcept {
+void note_stale_ones(const Body<D>& body) noexcept {
   BodyBoxes<D>& boxes = body.boxes[0];
-  for (size_t i = 0; i < boxes.late_count; ++i) {
-    const uint32_t v = boxes.late[i];
-    boxes.is_late[v] = false;
+  for (size_t i = 0; i < boxes.stale_count; ++i) {
+    const uint32_t v = boxes.stale[i];
+    boxes.is_stale[v] = false;
     if (body.has_vertex(v)) note(body, v);
   }
-  boxes.late_count = 0;
+  boxes.stale_count = 0;
 }
 
 bool is_closed_surface(const Body<3>& body) noexcept {
@@ -304,7 +304,7 @@ template <int D>
 void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept {
   std::copy_n(position, D, body.vertices[vertex].position);
   body.vertices[vertex].cell = cell;
-  note_late(body, vertex);
+  mark_stale(body, vertex);
 }
 
 template <int D>
@@ -484,7 +484,7 @@ DSW_INSTANTIATE(find_edge);
 DSW_INSTANTIATE(reserve);
 DSW_INSTANTIATE(keep_sequences);
 DSW_INSTANTIATE(keep_boxes);
-DSW_INSTANTIATE(note_late_ones);
+DSW_INSTANTIATE(note_stale_ones);
 DSW_INSTANTIATE(tighten_bounds);
 DSW_INSTANTIATE(put_vertex);
 DSW_INSTANTIATE(put_vertices);

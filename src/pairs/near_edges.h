@@ -60,12 +60,12 @@ class NearEdges {
   /** Notes that a vertex was put in another place: makes strays of edges that leave their boxes. */
   void follow(const Body<3>& body, uint32_t v) noexcept {
     for_each_edge(body, v, [&](uint32_t e) {
-      if (!keeps(e, body.position(v))) let_go(e);
+      if (!keeps(e, body.position(v))) make_stray(e);
       return true;
     });
   }
   /** Makes an edge a stray. */
-  void let_go(uint32_t e) noexcept;
+  void make_stray(uint32_t e) noexcept;
   bool is_alone(uint32_t e) const noexcept { return first_[e] == first_[e + 1] && stray_count_ == 0; }
   /** Calls visit(edge) for those that one which keeps to its box can touch and that had no vertex in common with it when
    * the move started, and for strays, until it returns false; whether it never did. */

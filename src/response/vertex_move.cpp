@@ -290,7 +290,7 @@ uint32_t VertexMove<D>::put_on(const Part& part, double size, const dsw_body_con
     body_.inserted.push_back(middle);
     if (sweeps_.near != nullptr) {
       for_each_edge(body_, middle, [&](uint32_t each) {
-        sweeps_.near->let_go(each);
+        sweeps_.near->make_stray(each);
         return true;
       });
     }
