@@ -72,7 +72,7 @@ bool NearEdges::find_steps() {
   return true;
 }
 
-/** Calls visit(hash, at_low) for each cell that a box meets; at_low: along which axes it is the lowest, one bit each. */
+/** Calls visit(hash, at_low) for each cell that a box meets; at_low has a bit for each axis where it is lowest. */
 template <class Visit>
 void NearEdges::for_each_cell(const Steps& steps, Visit visit) const {
   uint32_t low[3], high[3];

@@ -24,8 +24,8 @@ class NearEdges {
         first_(memory),
         near_(memory) {}
 
-  /** Starts a move of a body whose vertices all have edges; target(v) is where vertex v goes, or stays. Those that slide
-   * have room about their targets. Does nothing where the grids serve better. Throws std::bad_alloc. */
+  /** Starts a move of a body whose vertices all have edges; target(v) is where vertex v goes, or stays. Those that
+   * slide have room about their targets. Does nothing where the grids serve better. Throws std::bad_alloc. */
   template <class Target>
   void start(const Body<3>& body, bool slides, Target target) {
     stop();
@@ -67,8 +67,8 @@ class NearEdges {
   /** Makes an edge a stray. */
   void make_stray(uint32_t e) noexcept;
   bool is_alone(uint32_t e) const noexcept { return first_[e] == first_[e + 1] && stray_count_ == 0; }
-  /** Calls visit(edge) for those that one which keeps to its box can touch and that had no vertex in common with it when
-   * the move started, and for strays, until it returns false; whether it never did. */
+  /** Calls visit(edge) for those that one which keeps to its box can touch and that had no vertex in common with it
+   * when the move started, and for strays, until it returns false; whether it never did. */
   template <class Visit>
   bool visit(uint32_t e, Visit visit) const {
     for (uint32_t i = first_[e]; i < first_[e + 1]; ++i) {

@@ -30,8 +30,8 @@ class Chain {
     }
   }
 
-  /** Whether its edges are seen to touch none of the edges at their ends, nor the vertex itself what it leaves: of p, p',
-   * one end and the far end of an edge at either end no four lie in one plane. */
+  /** Whether its edges are seen to touch none of the edges at their ends, nor the vertex itself what it leaves: of p,
+   * p', one end and the far end of an edge at either end no four lie in one plane. */
   bool passes(const double* p, const double* to, double bound) const noexcept {
     if (count_ == 0) return false;
     const auto is_off = [&](const SweptPlane& plane, uint32_t k) { return plane.side(body_.position(far_[k])) != 0; };
