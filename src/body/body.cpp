@@ -1,10 +1,9 @@
 #include "body/body.h"
 
-#include "base/dimensions.h"
-
 #include <algorithm>
-#include <cmath>
-#include <utility>
+
+#include "base/dimensions.h"
+#include "body/body_boxes.h"
 
 namespace dsw {
 namespace {
@@ -60,79 +59,6 @@ void move_end(Body<D>& body, uint32_t e, uint32_t from, uint32_t to) noexcept {
 }
 
 template <int D>
-Box<D> box_of(const Body<D>& body, const uint32_t* vertices, int count) noexcept {
-  Box<D> box;
-  for (int i = 0; i < count; ++i) box.add(body.position(vertices[i]));
-  return box;
-}
-
-template <int D>
-double size_of(const Box<D>& box) noexcept {
-  double size = 0;
-  for (int k = 0; k < D; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
-  return size;
-}
-
-/** Notes where a vertex is and all that hangs on it, but for what hangs on one that is late: that is noted with it. */
-template <int D>
-void note(const Body<D>& body, uint32_t vertex) noexcept {
-  if (body.boxes.empty()) return;
-  BodyBoxes<D>& boxes = body.boxes[0];
-  double size = 0;
-  for_each_edge(body, vertex, [&](uint32_t e) {
-    const Box<D> box = box_of(body, body.edges[e].ends, 2);
-    if (!boxes.is_late[body.edges[e].other(vertex)]) boxes.edges.put(e, box);
-    size = std::max(size, size_of(box));
-    return true;
-  });
-  for_each_face(body, vertex, [&](uint32_t f) {
-    const BodyFace& face = body.faces[f];
-    if (boxes.is_late[face.after(vertex)] || boxes.is_late[face.before(vertex)]) return true;
-    boxes.faces.put(f, box_of(body, face.corners, 3));
-    return true;
-  });
-  const Box<D> box = box_of(body, &vertex, 1);
-  boxes.vertices.put(vertex, box, size);
-  if (body.vertices[vertex].first_edge == kNone) {
-    boxes.loners.put(vertex, box);
-  } else {
-    boxes.loners.remove(vertex);
-  }
-  boxes.bounds.add(box);
-}
-
-/** Notes later where a vertex has gone. */
-template <int D>
-void note_late(Body<D>& body, uint32_t vertex) noexcept {
-  if (body.boxes.empty()) return;
-  BodyBoxes<D>& boxes = body.boxes[0];
-  boxes.bounds.add(body.position(vertex));
-  if (boxes.is_late[vertex]) return;
-  boxes.is_late[vertex] = true;
-  boxes.late[boxes.late_count++] = vertex;
-}
-
-template <int D>
-void note_all(Body<D>& body) noexcept {
-  if (body.boxes.empty()) return;
-  body.boxes[0].bounds = Box<D>();
-  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    if (body.has_vertex(v)) note_late(body, v);
-  }
-}
-
-template <int D>
-void reserve_boxes(Body<D>& body, BodyBoxes<D>& boxes, size_t more_vertices, size_t more_edges, size_t more_faces) {
-  boxes.vertices.reserve(body.vertices.size() + more_vertices);
-  boxes.loners.reserve(body.vertices.size() + more_vertices);
-  boxes.edges.reserve(body.edges.size() + more_edges);
-  boxes.faces.reserve(body.faces.size() + more_faces);
-  const size_t vertices = std::max(boxes.is_late.size(), body.vertices.size() + more_vertices);
-  boxes.late.resize(vertices);
-  boxes.is_late.resize(vertices);
-}
-
-template <int D>
 void release_vertex(Body<D>& body, uint32_t vertex) noexcept {
   if (!body.boxes.empty()) {
     body.boxes[0].vertices.remove(vertex);
@@ -157,79 +83,6 @@ void join_edge(Body<D>& body, uint32_t gone, uint32_t kept) noexcept {
 }  // namespace
 
 template <int D>
-uint32_t find_edge(const Body<D>& body, uint32_t a, uint32_t b) noexcept {
-  uint32_t found = kNone;
-  for_each_edge(body, a, [&](uint32_t e) {
-    if (body.edges[e].other(a) == b) found = e;
-    return found == kNone;
-  });
-  return found;
-}
-
-template <int D>
-uint32_t find_face(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
-  const uint32_t e = find_edge(body, a, b);
-  if (e == kNone) return kNone;
-  for (const uint32_t f : body.edges[e].faces) {
-    if (f == kNone) continue;
-    const BodyFace& face = body.faces[f];
-    if (std::find(face.corners, face.corners + 3, c) != face.corners + 3) return f;
-  }
-  return kNone;
-}
-
-template <int D>
-FaceDefect face_defect(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
-  if (find_face(body, a, b, c) != kNone) return FaceDefect::kRepeated;
-  const uint32_t corners[3] = {a, b, c};
-  for (int k = 0; k < 3; ++k) {
-    const uint32_t from = corners[k], to = corners[(k + 1) % 3], e = find_edge(body, from, to);
-    if (e == kNone) continue;
-    const BodyEdge& edge = body.edges[e];
-    if (edge.faces[0] != kNone && edge.faces[1] != kNone) return FaceDefect::kThirdFace;
-    const uint32_t neighbour = edge.faces[0] != kNone ? edge.faces[0] : edge.faces[1];
-    if (neighbour != kNone && body.faces[neighbour].after(from) == to) return FaceDefect::kTurned;
-  }
-  return FaceDefect::kFine;
-}
-
-template <int D>
-bool starts_fan(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
-  const uint32_t corners[3] = {a, b, c};
-  const auto has_face = [&](uint32_t from, uint32_t to) {
-    const uint32_t e = find_edge(body, from, to);
-    return e != kNone && (body.edges[e].faces[0] != kNone || body.edges[e].faces[1] != kNone);
-  };
-  for (int k = 0; k < 3; ++k) {
-    const uint32_t v = corners[k];
-    bool bare = true;
-    for_each_face(body, v, [&](uint32_t) { return bare = false; });
-    if (!bare && !has_face(v, corners[(k + 1) % 3]) && !has_face(v, corners[(k + 2) % 3])) return true;
-  }
-  return false;
-}
-
-template <int D>
-bool is_one_fan(const Body<D>& body, uint32_t vertex) noexcept {
-  uint32_t count = 0, start = kNone;
-  for_each_face(body, vertex, [&](uint32_t f) {
-    // A fan that is open begins at the face whose first edge has no other face.
-    const BodyEdge& edge = body.edges[find_edge(body, vertex, body.faces[f].after(vertex))];
-    if (count++ == 0 || edge.faces[0] == kNone || edge.faces[1] == kNone) start = f;
-    return true;
-  });
-  if (count == 0) return true;
-  uint32_t reached = 0;
-  for (uint32_t f = start; f != kNone;) {
-    ++reached;
-    const BodyEdge& edge = body.edges[find_edge(body, vertex, body.faces[f].before(vertex))];
-    f = edge.faces[0] == f ? edge.faces[1] : edge.faces[0];
-    if (f == start) break;
-  }
-  return reached == count;
-}
-
-template <int D>
 void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more_faces) {
   reserve_slots(body.vertex_slots, body.vertices, more_vertices);
   reserve_slots(body.edge_slots, body.edges, more_edges);
@@ -240,77 +93,16 @@ void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more
 }
 
 template <int D>
-void keep_boxes(Body<D>& body) {
-  BodyBoxes<D> boxes(body.vertices.get_allocator().memory);
-  reserve_boxes(body, boxes, 0, 0, 0);
-  body.boxes.reserve(1);
-  body.boxes.push_back(std::move(boxes));
-  note_all(body);
-  note_late_ones(body);
-}
-
-template <int D>
-void note_late_ones(const Body<D>& body) noexcept {
-  BodyBoxes<D>& boxes = body.boxes[0];
-  for (size_t i = 0; i < boxes.late_count; ++i) {
-    const uint32_t v = boxes.late[i];
-    boxes.is_late[v] = false;
-    if (body.has_vertex(v)) note(body, v);
-  }
-  boxes.late_count = 0;
-}
-
-bool is_closed_surface(const Body<3>& body) noexcept {
-  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    if (body.has_vertex(v) && body.vertices[v].first_edge == kNone) return false;
-  }
-  return std::none_of(body.edges.begin(), body.edges.end(), [](const BodyEdge& e) {
-    return e.ends[0] != kNone && (e.faces[0] == kNone || e.faces[1] == kNone);
-  });
-}
-
-bool is_turned_outwards(const Body<3>& body) noexcept {
-  // Relative to one of the vertices, halved so that no difference overflows, in units in which no product does.
-  const auto place = [&](uint32_t v, int k) {
-    return body.vertices[v].position[k] / 2 - body.vertices[0].position[k] / 2;
-  };
-  double largest = 0, volume = 0;
-  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(place(v, k)));
-  }
-  for (const BodyFace& f : body.faces) {
-    if (f.corners[0] == kNone) continue;
-    double at[3][3];
-    for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k < 3; ++k) at[i][k] = place(f.corners[i], k) / largest;
-    }
-    volume += at[0][0] * (at[1][1] * at[2][2] - at[1][2] * at[2][1]) +
-              at[0][1] * (at[1][2] * at[2][0] - at[1][0] * at[2][2]) +
-              at[0][2] * (at[1][0] * at[2][1] - at[1][1] * at[2][0]);
-  }
-  return volume > 0;
-}
-
-template <int D>
-void tighten_bounds(Body<D>& body) noexcept {
-  Box<D> bounds;
-  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    if (body.has_vertex(v)) bounds.add(body.position(v));
-  }
-  body.boxes[0].bounds = bounds;
-}
-
-template <int D>
 void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept {
   std::copy_n(position, D, body.vertices[vertex].position);
   body.vertices[vertex].cell = cell;
-  note_late(body, vertex);
+  mark_stale(body, vertex);
 }
 
 template <int D>
 void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept {
   std::copy_n(from, body.vertices.size(), body.vertices.begin());
-  note_all(body);
+  mark_all_stale(body);
 }
 
 template <int D>
@@ -324,7 +116,7 @@ uint32_t add_vertex(Body<D>& body, const double* position, Cell cell) noexcept {
   std::copy_n(position, D, vertex.position);
   vertex.cell = cell;
   const uint32_t v = acquire(body.vertex_slots, body.vertices, vertex);
-  note(body, v);
+  note_vertex(body, v);
   return v;
 }
 
@@ -336,8 +128,8 @@ uint32_t add_edge(Body<D>& body, uint32_t a, uint32_t b) noexcept {
   const uint32_t e = acquire(body.edge_slots, body.edges, edge);
   link_edge(body, e, 0);
   link_edge(body, e, 1);
-  note(body, a);
-  note(body, b);
+  note_vertex(body, a);
+  note_vertex(body, b);
   return e;
 }
 
@@ -352,7 +144,7 @@ uint32_t add_face(Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
     const uint32_t from = face.corners[k], to = face.corners[(k + 1) % 3], e = find_edge(body, from, to);
     attach_face(body.edges[e != kNone ? e : add_edge(body, from, to)], f);
   }
-  note(body, a);
+  note_vertex(body, a);
   return f;
 }
 
@@ -375,7 +167,7 @@ void remove_edge(Body<D>& body, uint32_t edge) noexcept {
   unlink_edge(body, edge, 0);
   unlink_edge(body, edge, 1);
   if (!body.boxes.empty()) body.boxes[0].edges.remove(edge);
-  for (const uint32_t v : body.edges[edge].ends) note(body, v);
+  for (const uint32_t v : body.edges[edge].ends) note_vertex(body, v);
   body.edges[edge] = BodyEdge{};
   body.edge_slots.release(edge);
 }
@@ -407,54 +199,8 @@ uint32_t split_edge(Body<D>& body, uint32_t edge, uint32_t middle) noexcept {
     attach_face(body.edges[between], f);
     attach_face(body.edges[between], g);
   }
-  note(body, middle);
+  note_vertex(body, middle);
   return rest;
-}
-
-template <int D>
-bool can_collapse(const Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
-  const BodyEdge& e = body.edges[edge];
-  const uint32_t kept = e.other(vertex);
-  // An edge without faces between two surfaces would join them in a vertex alone.
-  const auto has_face = [&](uint32_t v) {
-    bool any = false;
-    for_each_face(body, v, [&](uint32_t) {
-      any = true;
-      return false;
-    });
-    return any;
-  };
-  if (e.faces[0] == kNone && e.faces[1] == kNone && has_face(vertex) && has_face(kept)) return false;
-  bool fits = true;
-  // A neighbour of both ends must be the far corner of a face at the edge: its two other edges become one.
-  for_each_edge(body, vertex, [&](uint32_t other) {
-    const uint32_t far = body.edges[other].other(vertex);
-    const uint32_t twin = far == kept ? kNone : find_edge(body, kept, far);
-    if (twin == kNone) return true;
-    fits = find_face(body, vertex, kept, far) != kNone;
-    return fits;
-  });
-  if (!fits) return false;
-  // A closed surface must keep more than the two triangles it would fold onto.
-  bool folds = false;
-  for_each_face(body, vertex, [&](uint32_t f) {
-    const BodyFace& face = body.faces[f];
-    if (face.after(vertex) == kept || face.before(vertex) == kept) return true;
-    folds = find_face(body, kept, face.after(vertex), face.before(vertex)) != kNone;
-    return !folds;
-  });
-  if (folds) return false;
-  // Two boundary vertices joined by an inner edge would pinch the surface.
-  const auto on_rim = [&](uint32_t v) {
-    bool rim = false;
-    for_each_edge(body, v, [&](uint32_t x) {
-      rim = (body.edges[x].faces[0] == kNone) != (body.edges[x].faces[1] == kNone);
-      return !rim;
-    });
-    return rim;
-  };
-  const bool inner = e.faces[0] != kNone && e.faces[1] != kNone;
-  return !(inner && on_rim(vertex) && on_rim(kept));
 }
 
 template <int D>
@@ -477,15 +223,11 @@ void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
     }
   }
   release_vertex(body, vertex);
-  note(body, kept);
+  note_vertex(body, kept);
 }
 
-DSW_INSTANTIATE(find_edge);
 DSW_INSTANTIATE(reserve);
 DSW_INSTANTIATE(keep_sequences);
-DSW_INSTANTIATE(keep_boxes);
-DSW_INSTANTIATE(note_late_ones);
-DSW_INSTANTIATE(tighten_bounds);
 DSW_INSTANTIATE(put_vertex);
 DSW_INSTANTIATE(put_vertices);
 DSW_INSTANTIATE(add_vertex);
@@ -494,13 +236,8 @@ DSW_INSTANTIATE(remove_face);
 DSW_INSTANTIATE(remove_edge);
 DSW_INSTANTIATE(remove_vertex);
 DSW_INSTANTIATE(split_edge);
-DSW_INSTANTIATE(can_collapse);
 DSW_INSTANTIATE(collapse_edge);
 // Nothing of the plane gets faces.
-template uint32_t find_face(const Body<3>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
-template FaceDefect face_defect(const Body<3>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
-template bool starts_fan(const Body<3>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
-template bool is_one_fan(const Body<3>& body, uint32_t vertex) noexcept;
 template uint32_t add_face(Body<3>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 
 }  // namespace dsw

@@ -73,15 +73,15 @@ struct BodyBoxes {
   BoxGrid<D> vertices, loners, edges, faces;  // loners: vertices without edges
   Box<D> bounds;                              // of all; may be too large
   // Vertices that have moved since they were noted, and by vertex whether it is one of them; see fresh_boxes.
-  Array<uint32_t> late;  // the first late_count
-  Array<bool> is_late;
-  size_t late_count = 0;
+  Array<uint32_t> stale;  // the first stale_count
+  Array<bool> is_stale;
+  size_t stale_count = 0;
 
   explicit BodyBoxes(const Memory* memory)
-      : vertices(memory), loners(memory), edges(memory), faces(memory), late(memory), is_late(memory) {}
+      : vertices(memory), loners(memory), edges(memory), faces(memory), stale(memory), is_stale(memory) {}
   uint64_t memory_bytes() const {
     return vertices.memory_bytes() + loners.memory_bytes() + edges.memory_bytes() + faces.memory_bytes() +
-           array_bytes(late) + array_bytes(is_late);
+           array_bytes(stale) + array_bytes(is_stale);
   }
 };
 
@@ -194,12 +194,12 @@ template <int D>
 void keep_boxes(Body<D>& body);
 
 template <int D>
-void note_late_ones(const Body<D>& body) noexcept;
+void note_stale_ones(const Body<D>& body) noexcept;
 /** The boxes, which are kept, with all vertices noted where they are. Writes if some have moved since then: before a
  * body is read by several threads, one calls it. */
 template <int D>
 const BodyBoxes<D>& fresh_boxes(const Body<D>& body) noexcept {
-  if (body.boxes[0].late_count != 0) note_late_ones(body);
+  if (body.boxes[0].stale_count != 0) note_stale_ones(body);
   return body.boxes[0];
 }
 

@@ -8,10 +8,10 @@ namespace dsw {
 namespace {
 
 /** How well distance_to_simplex() is known: it falls short of the true distance by less than m * m / (2^40 * trust),
- * where m is the largest coordinate of a corner seen from the point. Only the foot of a perpendicular can be far off: by
- * rounding errors over the size of the simplex, and over its height, relative to its size, three times (the direction of
- * the perpendicular, the shortest side, the sharpest corner). With two equal corners there is no such foot. 0: nothing
- * is known. */
+ * where m is the largest coordinate of a corner seen from the point. Only the foot of a perpendicular can be far off:
+ * by rounding errors over the size of the simplex, and over its height, relative to its size, three times (the
+ * direction of the perpendicular, the shortest side, the sharpest corner). With two equal corners there is no such
+ * foot. 0: nothing is known. */
 template <int D>
 double trust_of(const double* const* corners) {
   Vec sides[D];

@@ -26,9 +26,8 @@ struct EdgeSequence {
     Cell first, last;
 
     bool is(const double* a, const double* b, Cell of_a, Cell of_b) const noexcept {
-      bool same = (first == of_a) & (last == of_b);
-      for (int k = 0; k < D; ++k) same &= (a[k] == from[k]) & (b[k] == to[k]);
-      return same;
+      return a[0] == from[0] && b[0] == to[0] && std::equal(a, a + D, from) && std::equal(b, b + D, to) &&
+             first == of_a && last == of_b;
     }
   };
   Place places[2];  // the last two: where an edge stands, and where it goes

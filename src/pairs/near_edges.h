@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "body/body.h"
-#include "predicates/sweep_events.h"
+#include "predicates/swept_plane.h"
 
 namespace dsw {
 
@@ -16,7 +16,7 @@ class NearEdges {
   explicit NearEdges(const Memory* memory)
       : of_vertices_(memory),
         ways_(memory),
-        cells_(memory),
+        steps_(memory),
         places_(memory),
         starts_(memory),
         entries_(memory),
@@ -24,8 +24,8 @@ class NearEdges {
         first_(memory),
         near_(memory) {}
 
-  /** Starts a move of a body whose vertices all have edges; target(v) is where vertex v goes, or stays. Those that slide
-   * have room about their targets. Does nothing where the grids serve better. Throws std::bad_alloc. */
+  /** Starts a move of a body whose vertices all have edges; target(v) is where vertex v goes, or stays. Those that
+   * slide have room about their targets. Does nothing where the grids serve better. Throws std::bad_alloc. */
   template <class Target>
   void start(const Body<3>& body, bool slides, Target target) {
     stop();
@@ -51,18 +51,24 @@ class NearEdges {
   bool keeps(uint32_t e, const double* to) const noexcept {
     return active_ && e < ways_.size() && ways_[e].contains(to);
   }
+  /** Whether all edges at v keep to theirs then, and nothing has left its box. */
+  bool all_keep(uint32_t v, const double* to) const noexcept {
+    return active_ && stray_count_ == 0 && v < of_vertices_.size() && of_vertices_[v].contains(to);
+  }
+  /** While all keep: bound of determinants of the body's points and such a target, see swept_plane.h. */
+  double bound() const noexcept { return bound_; }
   /** Notes that a vertex was put in another place: makes strays of edges that leave their boxes. */
   void follow(const Body<3>& body, uint32_t v) noexcept {
     for_each_edge(body, v, [&](uint32_t e) {
-      if (!keeps(e, body.position(v))) let_go(e);
+      if (!keeps(e, body.position(v))) make_stray(e);
       return true;
     });
   }
   /** Makes an edge a stray. */
-  void let_go(uint32_t e) noexcept;
+  void make_stray(uint32_t e) noexcept;
   bool is_alone(uint32_t e) const noexcept { return first_[e] == first_[e + 1] && stray_count_ == 0; }
-  /** Calls visit(edge) for those that one which keeps to its box can touch and that had no vertex in common with it when
-   * the move started, and for strays, until it returns false; whether it never did. */
+  /** Calls visit(edge) for those that one which keeps to its box can touch and that had no vertex in common with it
+   * when the move started, and for strays, until it returns false; whether it never did. */
   template <class Visit>
   bool visit(uint32_t e, Visit visit) const {
     for (uint32_t i = first_[e]; i < first_[e + 1]; ++i) {
@@ -76,10 +82,14 @@ class NearEdges {
 
  private:
   static constexpr uint32_t kMostStrays = 32;
-  /** Cells of a lattice that a box meets. */
-  struct Cells {
-    int32_t low[3], high[3];
-    uint32_t count;  // 0: there is no box
+  /** A box in steps of a lattice, three numbers in a word; those of `high` have a bit set above each. */
+  struct Steps {
+    uint64_t low, high;
+    uint32_t cells;  // that it meets; 0: there is no box
+  };
+  struct Entry {
+    uint64_t low, high;
+    uint32_t edge, at_low;
   };
 
   static void add_way(Box<3>& box, const double* from, const double* to, bool slides) noexcept {
@@ -92,18 +102,24 @@ class NearEdges {
     box.add(high);
   }
   bool find_pairs(const Body<3>& body);
-  bool find_cells();
+  bool find_steps();
+  template <class Visit>
+  void for_each_cell(const Steps& steps, Visit visit) const;
   bool sort_into_cells();
   void note_pair(const Body<3>& body, uint32_t a, uint32_t b);
 
   bool active_ = false;
-  Array<Box<3>> of_vertices_;                  // their ways
-  Array<Box<3>> ways_;                         // by edge; empty for strays
-  Array<Cells> cells_;                         // by edge
-  uint32_t shift_ = 0;                         // of hashes
-  Array<uint32_t> places_, starts_, entries_;  // hashed cells by edge, and edges by hashed cell
-  Array<uint32_t> pairs_;                      // two edges each
-  Array<uint32_t> first_, near_;               // by edge
+  Array<Box<3>> of_vertices_;  // their ways
+  Array<Box<3>> ways_;         // by edge; empty for strays
+  double bound_ = kNoBound;
+  Box<3> all_;                    // of these
+  Array<Steps> steps_;            // by edge
+  int halvings_ = 0;              // from a cell to a step
+  Array<uint32_t> places_;        // by edge, those of its cells, as `place << 3 | at_low`
+  Array<uint32_t> starts_;        // by place
+  Array<Entry> entries_;          // of boxes by place
+  Array<uint32_t> pairs_;         // two edges each
+  Array<uint32_t> first_, near_;  // by edge
   uint32_t strays_[kMostStrays] = {}, stray_count_ = 0;
 };
 

@@ -30,20 +30,20 @@ class Chain {
     }
   }
 
-  /** Whether its edges are seen to touch none of the edges at their ends, nor the vertex itself what it leaves: of p, p',
-   * one end and the far end of an edge at either end no four lie in one plane. */
-  bool passes(const double* p, const double* to) const noexcept {
+  /** Whether its edges are seen to touch none of the edges at their ends, nor the vertex itself what it leaves: of p,
+   * p', one end and the far end of an edge at either end no four lie in one plane. */
+  bool passes(const double* p, const double* to, double bound) const noexcept {
     if (count_ == 0) return false;
-    const SwingPlane first(p, to, body_.position(next_[0]));
-    if (count_ == 1) return far_[0] != kNone && first.is_off(p, body_.position(far_[0]));
-    const SwingPlane second(p, to, body_.position(next_[1]));
-    return first.is_off(second) && (far_[0] == kNone || first.is_off(p, body_.position(far_[0]))) &&
-           (far_[1] == kNone || second.is_off(p, body_.position(far_[1])));
+    const auto is_off = [&](const SweptPlane& plane, uint32_t k) { return plane.side(body_.position(far_[k])) != 0; };
+    const SweptPlane first({p, to, body_.position(next_[0])}, bound);
+    if (count_ == 1) return far_[0] != kNone && is_off(first, 0);
+    const SweptPlane second({p, to, body_.position(next_[1])}, bound);
+    return first.side(second) != 0 && (far_[0] == kNone || is_off(first, 0)) && (far_[1] == kNone || is_off(second, 1));
   }
-  /** Whether no other edges come near. */
-  bool is_alone(const NearEdges& near, const double* to) const noexcept {
+  /** Whether its edges keep to their boxes, which `all_keep` says, and no other edges come near. */
+  bool is_alone(const NearEdges& near, const double* to, bool all_keep) const noexcept {
     for (uint32_t k = 0; k < count_; ++k) {
-      if (!near.keeps(edges_[k], to) || !near.is_alone(edges_[k])) return false;
+      if (!(all_keep || near.keeps(edges_[k], to)) || !near.is_alone(edges_[k])) return false;
     }
     return true;
   }
@@ -93,12 +93,7 @@ class StarTouches {
     if (!meet_with_vertex(other)) return false;
     if (!covers_edges(body_.level)) return true;
     if constexpr (D == 3) {
-      passes_neighbours_ = false;
-      if (self_ && near_ != nullptr && near_->active()) {
-        const Chain chain(body_, v_);
-        passes_neighbours_ = chain.passes(p_, to_);
-        if (passes_neighbours_ && chain.is_alone(*near_, to_) && !covers_faces(body_.level)) return true;
-      }
+      if (self_ && near_ != nullptr && near_->active() && look_near()) return true;
     }
     bool go_on = true;
     for_each_edge(body_, v_, [&](uint32_t e) { return go_on = meet_with_edge(other, e); });
@@ -107,6 +102,15 @@ class StarTouches {
       for_each_face(body_, v_, [&](uint32_t f) { return go_on = meet_with_face(other, f); });
     }
     return go_on;
+  }
+
+  /** Sets what is known of its own edges near it; whether that is all. */
+  bool look_near() {
+    all_keep_ = near_->all_keep(v_, to_);
+    bound_ = all_keep_ ? near_->bound() : kNoBound;
+    const Chain chain(body_, v_);
+    passes_neighbours_ = chain.passes(p_, to_, bound_);
+    return passes_neighbours_ && chain.is_alone(*near_, to_, all_keep_) && !covers_faces(body_.level);
   }
 
   // Of its own parts, on the way into another vertex k. The path lies on edge v k, which was apart from all that has no
@@ -220,7 +224,8 @@ class StarTouches {
       if (!report_edge(touch, m, other, PartKind::kVertex, far, far, far)) return false;
       return at_v || report_path(other, PartKind::kEdge, x, a, b);
     };
-    if (self_ && near_ != nullptr && near_->keeps(touch.edge, to_)) return meet_near(touch.edge, m, edge);
+    if (self_ && near_ != nullptr && (all_keep_ || near_->keeps(touch.edge, to_)))
+      return meet_near(touch.edge, m, edge);
     Box<D> box;
     for (const double* each : {m.p, m.to, m.q}) box.add(each);
     if (!other.boxes[0].bounds.overlaps(box)) return true;
@@ -240,13 +245,13 @@ class StarTouches {
    * stay beside what is swept. */
   template <class Meet>
   bool meet_near(uint32_t e, const EdgeMotion& m, Meet meet) {
-    if (!passes_neighbours_ && !meet_neighbours(e, SweptPlane(m), meet)) return false;
+    if (!passes_neighbours_ && !meet_neighbours(e, SweptPlane(m, bound_), meet)) return false;
     if (near_->is_alone(e)) return true;
-    const SweptEdge swept(m);
+    const SweptEdge swept(m, bound_);
     return near_->visit(e, [&](uint32_t x) {
       const double *const a = body_.position(body_.edges[x].ends[0]), *const b = body_.position(body_.edges[x].ends[1]);
       if (swept.stays_beside(a, b)) return true;
-      const SweptPlane plane(m);
+      const SweptPlane plane(m, bound_);
       const int side = plane.side(a);
       return (side != 0 && side == plane.side(b)) || meet(x);
     });
@@ -317,6 +322,9 @@ class StarTouches {
   Visit visit_;
   const Partner<D>* other_ = nullptr;
   bool self_ = false;
+  // Of its own edges, while a list of near ones is active.
+  bool all_keep_ = false;
+  double bound_ = kNoBound;
   bool passes_neighbours_ = false;  // its edges touch none of those that have a vertex in common with them
   uint32_t into_ = kNone;
 };
@@ -348,6 +356,7 @@ template <int D>
 bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
                   const NearEdges* near) noexcept {
   if (!partners.reach.contains(to)) return false;
+  if (std::equal(to, to + D, body.position(v))) return true;  // what stands touches nothing
   return for_each_touch(partners, body, v, to, near, [](const PairContact<D>&) { return false; });
 }
 
@@ -362,6 +371,7 @@ template <int D>
 bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
                      PairContact<D>* first, const NearEdges* near) noexcept {
   *first = PairContact<D>();
+  if (std::equal(to, to + D, body.position(v))) return false;
   for_each_touch(partners, body, v, to, near, [&](const PairContact<D>& touch) {
     if (comes_before(touch, *first)) *first = touch;
     return true;

@@ -200,7 +200,9 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     if (may_skip && !casts_.is_star_free(v)) return false;
     const size_t edits = record.edits.size();
     const uint32_t limited = record.limited;
-    const bool reached = alone.move(v, course_.targets[v]);
+    // Without doubt it is a partner alone that stops it.
+    const bool past_walls = !course_.vertices[v].doubtful && settings.max_volumes == 0;
+    const bool reached = alone.move(v, course_.targets[v], past_walls ? &course_.vertices[v].arrival : nullptr);
     record.stopped += reached ? 0 : 1;
     if (notes) {
       turns_.note(*course_.body, v, before, !reached && record.limited == limited, record.edits.data() + edits,

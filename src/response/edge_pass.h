@@ -12,8 +12,8 @@ class EdgePass {
       : env_(env), sweeps_(sweeps), course_(course), casts_(casts), sieve_(env, sweeps, course, casts) {}
 
   /** @param may_skip whether edges may be left out on their way that are free where they end.
-   * @param may_guess whether vertices may be in doubt by what is forecast alone: each of them is then moved alone. Throws
-   * std::bad_alloc. */
+   * @param may_guess whether vertices may be in doubt by what is forecast alone: each of them is then moved alone.
+   * Throws std::bad_alloc. */
   void sweep(bool may_skip, bool may_guess);
 
  private:

@@ -1,5 +1,5 @@
-// The nearest point of an intersection of half-spaces lies on the planes of at most D of them. There are few walls, so all
-// sets of up to D planes are tried.
+// The nearest point of an intersection of half-spaces lies on the planes of at most D of them. There are few walls, so
+// all sets of up to D planes are tried.
 
 #include "response/touched_walls.h"
 

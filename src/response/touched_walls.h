@@ -17,8 +17,8 @@ class TouchedWalls {
    * @param off distance to keep from the wall. */
   void add(const Vec& normal, const Vec& touching, double off);
 
-  /** The point nearest to `target` that lies before all of the walls, for a vertex that stands at `at`. False: that point
-   * is no way off, so the vertex is in a corner. */
+  /** The point nearest to `target` that lies before all of the walls, for a vertex that stands at `at`. False: that
+   * point is no way off, so the vertex is in a corner. */
   bool find_nearest(const Vec& at, const Vec& target, Vec* nearest) const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace dsw {
 
-/** The turns of vertices in one move, counted from 1. A vertex has stopped where it was pressed against something; it may
- * go on if it has moved since, or a vertex that its edges join, or, of bodies that meet bodies, any vertex. */
+/** The turns of vertices in one move, counted from 1. A vertex has stopped where it was pressed against something; it
+ * may go on if it has moved since, or a vertex that its edges join, or, of bodies that meet bodies, any vertex. */
 template <int D>
 class Turns {
  public:
@@ -15,7 +15,8 @@ class Turns {
 
   /** Throws std::bad_alloc. */
   void start(const Body<D>& body);
-  /** The turn of a vertex that was at `before`. Vertices that its edits inserted have moved in it. Throws std::bad_alloc.
+  /** The turn of a vertex that was at `before`. Vertices that its edits inserted have moved in it. Throws
+   * std::bad_alloc.
    * @param may_go_on it has stopped, and not at a work limit. */
   void note(const Body<D>& body, uint32_t v, const double* before, bool may_go_on, const dsw_body_edit* edits = nullptr,
             size_t edit_count = 0);

@@ -28,7 +28,7 @@ double extent(const Environment<D>& env, Cell c) {
 }  // namespace
 
 template <int D>
-bool VertexMove<D>::move(uint32_t v, const double* target) {
+bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival) {
   Walls walls;
   TouchedWalls<D> touched;
   uint32_t slides = 0, in_vain = 0;
@@ -39,7 +39,8 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
     const size_t first_contact = record_.contacts.size();
     double before[D];
     std::copy_n(body_.position(v), D, before);
-    if (advance(v, to, slides == 0)) return std::equal(to, to + D, target);
+    if (advance(v, to, arrival, slides == 0)) return std::equal(to, to + D, target);
+    arrival = nullptr;
     if (record_.contacts.size() == first_contact) {
       ++record_.limited;
       return false;
@@ -74,15 +75,16 @@ void VertexMove<D>::put(uint32_t v, const double* position, Cell cell) {
 }
 
 /** To `to`, or as far as it is free: then the contacts are in the record, the first of them first.
- * @param likely whether there is one, most likely. */
+ * @param arrival if not null, the cell there: no wall is in the way.
+ * @param likely whether there is a contact, most likely. */
 template <int D>
-bool VertexMove<D>::advance(uint32_t v, const double* to, bool likely) {
+bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival, bool likely) {
   under_.clear();
   if (settings_.search == Search::kBisection) return advance_by_halving(v, to);
   const BodyVertex<D>& at = body_.vertices[v];
   StarContact first;
-  Cell cell;
-  const SweepEnd end = sweeps_.find_first(body_, v, to, &first, &cell, likely);
+  Cell cell = arrival != nullptr ? *arrival : Cell{};
+  const SweepEnd end = arrival != nullptr ? SweepEnd::kFree : sweeps_.find_first(body_, v, to, &first, &cell, likely);
   if (end == SweepEnd::kWorkLimit) return false;
   PairContact<D> pair;
   sweeps_.find_first_of_partners(body_, v, to, &pair);
@@ -292,7 +294,7 @@ uint32_t VertexMove<D>::put_on(const Part& part, double size, const dsw_body_con
     body_.inserted.push_back(middle);
     if (sweeps_.near != nullptr) {
       for_each_edge(body_, middle, [&](uint32_t each) {
-        sweeps_.near->let_go(each);
+        sweeps_.near->make_stray(each);
         return true;
       });
     }

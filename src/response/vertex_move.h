@@ -15,8 +15,9 @@ class VertexMove {
       : env_(env), body_(body), settings_(settings), sweeps_(sweeps), record_(record) {}
 
   /** Moves vertex v, exactly free at the body's level; whether it got to the target. Contacts and edits go to the
-   * record. The recorded cells and positions are valid whenever it throws std::bad_alloc. */
-  bool move(uint32_t v, const double* target);
+   * record. The recorded cells and positions are valid whenever it throws std::bad_alloc.
+   * @param arrival the cell of the target where no wall is known to be in the way; null: that is not known. */
+  bool move(uint32_t v, const double* target, const Cell* arrival = nullptr);
 
  private:
   /** Directions that the rest of a move must not go against. */
@@ -26,7 +27,7 @@ class VertexMove {
   };
 
   void put(uint32_t v, const double* position, Cell cell);
-  bool advance(uint32_t v, const double* to, bool likely);
+  bool advance(uint32_t v, const double* to, const Cell* arrival, bool likely);
   bool advance_by_halving(uint32_t v, const double* to);
   dsw_body_contact describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
                                 dsw_contact_partner* partner);

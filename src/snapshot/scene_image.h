@@ -19,7 +19,7 @@ struct SceneImage {
   Array<uint32_t> particle_slots, free_particles;
   Array<uint32_t> body_slots, free_bodies;
   // Of its bodies, one after the other.
-  Array<uint64_t> bodies;  // see body_image.cpp
+  Array<uint64_t> bodies;  // see body_format.h
   Array<double> vertex_places;
   Array<uint32_t> vertices;  // cell and first edge
   Array<uint32_t> vertex_slots, free_vertices;

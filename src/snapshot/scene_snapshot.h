@@ -16,8 +16,8 @@ size_t snapshot_bytes(const Scene<D>& scene, uint32_t format = kSceneFormat);
 template <int D>
 void save(const Scene<D>& scene, uint8_t* out, uint32_t format = kSceneFormat);
 
-/** A checksum of all that results depend on, as far as a format has it: not of counters, and not of forecasts, which only
- * save work. Throws std::bad_alloc. */
+/** A checksum of all that results depend on, as far as a format has it: not of counters, and not of forecasts, which
+ * only save work. Throws std::bad_alloc. */
 template <int D>
 uint64_t state_checksum(const Scene<D>& scene, uint32_t format = kSceneFormat);
 

@@ -1,6 +1,6 @@
 // A small blade is swept through the lattice at one place after the other, with particles and bodies inside: what a cut
-// looks at and changes, beside what the blade crosses, and what it costs. Then cuts of ever more volumes, and blades that
-// meet nothing.
+// looks at and changes, beside what the blade crosses, and what it costs. Then cuts of ever more volumes, and blades
+// that meet nothing.
 #include "parts.h"
 
 #include "hex_case.h"

@@ -140,8 +140,8 @@ std::string recorded_again(const std::string& recording, size_t* calls) {
   return taken;
 }
 
-// A recording that has no state, or whose states are not looked at, would be the same whatever is done. States of earlier
-// formats are not looked at: they have forecasts in them.
+// A recording that has no state, or whose states are not looked at, would be the same whatever is done. States of
+// earlier formats are not looked at: they have forecasts in them.
 TEST_P(KeptTest, AnotherStateIsNoticed) {
   size_t calls = 0;
   const std::string recording = recorded_again(kept("space/bodies.dswrec"), &calls);

@@ -280,7 +280,7 @@ TEST_F(NearEdgesTest, VisitsAllThatCanComeNearWhereverVerticesGo) {
   EXPECT_TRUE(150 < kept && kept < 300) << kept;
   const uint32_t middle = add(near(body_.position(body_.edges[40].ends[0]), 0.1));
   split_edge(body_, 40, middle);
-  for_each_edge(body_, middle, [&](uint32_t e) { return near_.let_go(e), true; });
+  for_each_edge(body_, middle, [&](uint32_t e) { return near_.make_stray(e), true; });
   EXPECT_TRUE(visits_all(kept));
   for (uint32_t v = 100; v < 200 && near_.active(); ++v) put(v, random());
   EXPECT_FALSE(near_.active());  // too many have left

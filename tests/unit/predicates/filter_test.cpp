@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -48,16 +49,24 @@ void check_swept(const PointSet<3>& s, SweptCounts& counts) {
     return exact::orient<3>(triangle, z);
   };
   const EdgeMotion m{p, to, q};
-  const int side = SweptPlane(m).side(a);
-  ASSERT_TRUE(side == 0 || side == turn(p, to, q, a));
-  const bool beside = SweptEdge(m).stays_beside(a, b);
-  ASSERT_TRUE(!beside || turn(p, q, a, b) * turn(to, q, a, b) == 1);
-  const SwingPlane first(p, to, q), second(p, to, a);
-  ASSERT_TRUE(!first.is_off(p, b) || turn(p, to, q, b) != 0);
-  ASSERT_TRUE(!first.is_off(second) || turn(p, to, q, a) != 0);
-  counts.sides += side != 0 ? 1 : 0;
-  counts.beside += beside ? 1 : 0;
-  counts.off += first.is_off(second) && first.is_off(p, b) ? 1 : 0;
+  double lower[3], upper[3];
+  for (int k = 0; k < 3; ++k) {
+    lower[k] = std::min({p[k], to[k], q[k], a[k], b[k]});
+    upper[k] = std::max({p[k], to[k], q[k], a[k], b[k]});
+  }
+  for (const double bound : {filter::bound_in_box(lower, upper), kNoBound}) {
+    const SweptPlane plane(m, bound), other({p, to, a}, bound);
+    const int side = plane.side(a), side_of_b = plane.side(b);
+    ASSERT_TRUE(side == 0 || side == turn(p, to, q, a));
+    ASSERT_TRUE(side_of_b == 0 || side_of_b == turn(p, to, q, b));
+    ASSERT_EQ(plane.side(other), side);
+    const bool beside = SweptEdge(m, bound).stays_beside(a, b);
+    ASSERT_TRUE(!beside || turn(p, q, a, b) * turn(to, q, a, b) == 1);
+    if (bound != kNoBound) continue;
+    counts.sides += side != 0 ? 1 : 0;
+    counts.beside += beside ? 1 : 0;
+    counts.off += side != 0 && side_of_b != 0 ? 1 : 0;
+  }
 }
 
 TEST(Filter, KnowsOfASweptTriangleOnlyWhatIsTrue) {
@@ -86,6 +95,17 @@ TEST(Filter, KnowsMostOfShortMoves) {
   EXPECT_GT(counts.sides, 9990);
   EXPECT_GT(counts.beside, 9900);
   EXPECT_GT(counts.off, 9990);
+}
+
+TEST(Filter, KnowsByABoxWhatIsNotSmallInIt) {
+  const double p[] = {0, 0, 0}, to[] = {0.5, 0, 0}, q[] = {0, 1, 0}, a[] = {0.25, 0.25, 0.5}, b[] = {0.25, 0.5, 1};
+  const double lower[] = {0, 0, 0}, upper[] = {1, 1, 1}, huge[] = {1e200, 1, 1};
+  const double bound = filter::bound_in_box(lower, upper);
+  EXPECT_EQ(bound, kPlaneFilter3);
+  EXPECT_EQ(filter::bound_in_box(lower, huge), kNoBound);
+  EXPECT_EQ(filter::bound_in_box(lower, lower), kNoBound);
+  EXPECT_EQ(SweptPlane({p, to, q}, bound).side(a), SweptPlane({p, to, q}).side(a));
+  EXPECT_EQ(SweptEdge({p, to, q}, bound).stays_beside(a, b), SweptEdge({p, to, q}).stays_beside(a, b));
 }
 
 TEST(Filter, LeavesWhatMayOverflowToIntegers) {

@@ -49,6 +49,7 @@ TEST(SweptTriangle, SaysLaterOnlyOfLinesThatAreMetLater) {
     if (side_a == side_b || side_a == 0 || side_b == 0) continue;
     const uint32_t sides = triangle.outside(a, b, side_b);
     ASSERT_EQ(sides & SweptTriangle::kLater, 0u) << "no end was set";
+    ASSERT_EQ(triangle.leaves(a, b, side_b), sides != 0);
     const mpz_class first = volume(p, q, a, b), last = volume(to, q, a, b);
     if (sides == 0) ++inside;
     // About the exact time, if there is one, and anywhere.
