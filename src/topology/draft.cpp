@@ -48,7 +48,7 @@ FacetDraft draft_of(const Environment<D>& env, HalfFacet h) {
   const Cell c = map.cell_of(h);
   const Shape shape = map.shape(c);
   const uint32_t f = map.local_of(h, c);
-  FacetDraft facet(env.memory);
+  FacetDraft facet(env.scratch.memory());
   facet.loop.reserve(D == 3 ? shape.facet_size(f) : 2);
   if (D == 3) facet.triangles.reserve(size_t{3} * (shape.simplex_first(f + 1) - shape.simplex_first(f)));
   for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { facet.loop.push_back(map.vertex(c, local)); });
@@ -64,7 +64,7 @@ FacetDraft draft_of(const Environment<D>& env, HalfFacet h) {
 
 template <int D>
 CellDraft draft_of(const Environment<D>& env, Cell c) {
-  CellDraft draft(env.memory);
+  CellDraft draft(env.scratch.memory());
   const uint32_t facets = env.map.facets_of(c);
   draft.facets.reserve(facets);
   for (uint32_t f = 0; f < facets; ++f) draft.facets.push_back(draft_of(env, env.map.half_facet(c, f)));
@@ -114,7 +114,7 @@ bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t
     fail(DSW_STATUS_TOO_LARGE, "a face of %zu vertices has to be cut anew, more than %u", hole.size(),
          kMostTriangulated);
   }
-  Array<const double*> points{env.memory};
+  Array<const double*> points{env.scratch.memory()};
   for (const uint32_t v : hole) points.push_back(env.point(v));
   const Array<size_t> triangles = triangulate(points, apex, beyond);
   for (const size_t place : triangles) facet.triangles.push_back(hole[place]);
@@ -133,7 +133,7 @@ void list_vertices(const CellDraft& draft, Array<uint32_t>& out) {
 
 template <int D>
 void centre(const Environment<D>& env, const CellDraft& draft, double* out) {
-  Array<uint32_t> vertices{env.memory};
+  Array<uint32_t> vertices{env.scratch.memory()};
   list_vertices(draft, vertices);
   const double count = static_cast<double>(vertices.size());
   for (int k = 0; k < D; ++k) {

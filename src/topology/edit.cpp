@@ -199,9 +199,9 @@ void Edit<D>::prepare(Array<uint32_t>* invalid) {
 /** False: its facets would not close a sphere, in the plane a loop. */
 template <int D>
 bool Edit<D>::write_record(size_t i) {
-  Layout layout(env_.memory);
+  Layout layout(env_.scratch.memory());
   if (!lay_out<D>(drafts_[i], layout)) return false;
-  made_.emplace_back(env_.memory);
+  made_.emplace_back(env_.scratch.memory());
   Made& made = made_.back();
   made.words.resize(layout.facets.size());
   if (layout.form == Form::kGeneral) {

@@ -183,7 +183,7 @@ SplitCell split_cell(Edit<D>& edit, Cell c, const uint32_t* loop, size_t count) 
   left.facets.clear();
   right.facets.clear();
   right.keeps_index = false;
-  FacetDraft inserted(env.memory);
+  FacetDraft inserted(env.scratch.memory());
   inserted.pair = 0;
   inserted.loop.assign(loop, loop + count);
   if (!part_along(whole, inserted.loop, left, right)) {
