@@ -95,8 +95,7 @@ class Edit {
   struct Made {
     Cell cell;
     uint32_t units = 0, shape = kNoCell, index = 0;
-    Array<uint32_t> words;  // of the draft's facets
-    explicit Made(const Memory* memory) : words(memory) {}
+    size_t first_word = 0;  // of the draft's facets, in words_
   };
   struct Link {
     uint32_t word, before, after;
@@ -146,6 +145,7 @@ class Edit {
   void move_uses() noexcept;
   void log_changes() noexcept;
   Link* find_link(uint32_t word);
+  uint32_t word_of(size_t i, uint32_t facet) const { return words_[made_[i].first_word + facet]; }
 
   Environment<D>& env_;
   Map<D>& map_;
@@ -161,6 +161,8 @@ class Edit {
   Array<Heirs> heirs_of_{env_.memory};  // by number in ancestors_
   Array<Heir> heirs_{env_.memory};
   Array<Made> made_{env_.memory};
+  Array<uint32_t> words_{env_.memory};  // half-facets of all drafts
+  Layout layout_{env_.scratch.memory()};
   Array<Link> links_{env_.memory};
   Array<MarkChange> marks_{env_.memory};
   Array<CellMark> cell_marks_{env_.memory};
