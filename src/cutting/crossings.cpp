@@ -10,15 +10,6 @@ namespace {
 
 constexpr int kUnknown = 2;
 
-/** Whether segment p q, with its ends on both sides of a triangle, q on side `side_of_q`, passes through it. */
-bool pierces(const double* p, const double* q, const double* const* triangle, int side_of_q) {
-  for (int k = 0; k < 3; ++k) {
-    const double* const ridge[2] = {triangle[k], triangle[(k + 1) % 3]};
-    if (line_side<3>(p, q, ridge, NoTally{}).sign != side_of_q) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 template <int D>
@@ -91,6 +82,23 @@ void Crossings<D>::read_corners(Cell c, const BladeSimplex<D>& blade) {
     const uint32_t vertex = map_.vertex(c, k);
     const double* const at = env_.point(vertex);
     corners_[k] = {at, vertex, blade.beyond_box(at), kUnknown};
+  }
+  if (D == 3) outside_.assign(corners_.size() <= kMostKept ? 2 * corners_.size() * corners_.size() : 0, kUnasked);
+}
+
+/** As BladeSimplex::outside(), asked once for both facets of an edge. Seen from its other end a line passes on the other
+ * side. */
+template <int D>
+uint32_t Crossings<D>::outside(uint32_t a, uint32_t b, int side_of_b, const BladeSimplex<D>& blade) {
+  if constexpr (D == 3) {
+    const auto ask = [&] { return blade.outside(corners_[a].at, corners_[b].at, side_of_b); };
+    if (outside_.empty() || side_of_b == 0) return ask();
+    const uint32_t row = (a < b) == (side_of_b > 0) ? 0 : 1;
+    uint8_t& known = outside_[(row * corners_.size() + std::min(a, b)) * corners_.size() + std::max(a, b)];
+    if (known == kUnasked) known = static_cast<uint8_t>(ask());
+    return known;
+  } else {
+    return blade.is_passed(corners_[a].at, corners_[b].at, side_of_b) ? 0 : 1;
   }
 }
 
@@ -172,14 +180,18 @@ bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& b
   for (int k = 0; k < (D == 3 ? 3 : 1); ++k) {
     const int next = (k + 1) % D;
     if (sides[k] == sides[next]) continue;
-    passes = passes || blade.is_passed(simplex[k], simplex[next], sides[next]);
+    passes = passes || outside(local[k], local[next], sides[next], blade) == 0;
   }
   if constexpr (D == 3) {
     int of_blade[3];
     for (int k = 0; k < 3; ++k) of_blade[k] = plane_side<3>(simplex, at[k], NoTally{}).sign;
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
-      if (of_blade[k] == of_blade[next] || !pierces(at[k], at[next], simplex, of_blade[next])) continue;
+      if (of_blade[k] == of_blade[next]) continue;
+      const auto is_inside = [&](int ridge) {
+        return (outside(local[ridge], local[(ridge + 1) % 3], of_blade[next], blade) >> k & 1) == 0;
+      };
+      if (!is_inside(0) || !is_inside(1) || !is_inside(2)) continue;
       passes = met.sides[k] = true;
       const bool outwards = of_blade[next] > 0;
       const double *const inner = at[outwards ? k : next], *const outer = at[outwards ? next : k];
@@ -199,10 +211,11 @@ void Crossings<D>::note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D
   const Shape shape = map_.shape(c);
   for (uint32_t d = 0; d < shape.dart_count(); ++d) {
     if (shape.dart_beta2(d) < d) continue;
-    Corner *inner = &corners_[shape.dart_vertex(d)],
-           *outer = &corners_[shape.dart_vertex(beta1(map_, Dart{c, d}).local)];
+    const uint32_t next = D == 3 ? shape.beta1(d) : d + 1 == shape.dart_count() ? 0 : d + 1;
+    const uint32_t from = shape.dart_vertex(d), to = shape.dart_vertex(next);
+    Corner *inner = &corners_[from], *outer = &corners_[to];
     if ((inner->beyond & outer->beyond) != 0 || side(*inner, blade) == side(*outer, blade)) continue;
-    if (!blade.is_passed(inner->at, outer->at, outer->side)) continue;
+    if (outside(from, to, outer->side, blade) != 0) continue;
     if (inner->side > 0) std::swap(inner, outer);
     const uint32_t i = edges_.insert(pair_key(inner->vertex, outer->vertex));
     if (i == crossings_.size()) {

@@ -26,6 +26,11 @@ class CellPoints {
     }
   }
   const double* operator[](uint32_t local) const { return is_kept_ ? at_[local] : env_.point(cell_, local); }
+  /** As centre() of the cell. */
+  void centre(const Shape& shape, double* out) const {
+    mean_point<D>(
+        shape.vertex_count(), [&](uint32_t i) { return (*this)[i]; }, out);
+  }
   void read(const Shape& shape, uint32_t simplex, const double* (&out)[D]) const {
     const uint16_t* const local = shape.simplices() + simplex * static_cast<uint32_t>(D);
     for (int k = 0; k < D; ++k) out[k] = (*this)[local[k]];
@@ -178,7 +183,8 @@ bool is_plainly_valid(const Environment<2>&, Cell) noexcept { return false; }
 
 /** As check_cell, but does not look whether a valid cell is convex. */
 template <int D>
-CellState check_star(const Environment<D>& env, Cell c, const Shape& shape, const CellPoints<D>& at) noexcept {
+CellState check_star(const Environment<D>& env, Cell c, const Shape& shape, const CellPoints<D>& at,
+                     const double* apex) noexcept {
   if (env.map.form(c) == Form::kSimplex) {
     const double* points[D];
     at.read(shape, 0, points);
@@ -186,8 +192,6 @@ CellState check_star(const Environment<D>& env, Cell c, const Shape& shape, cons
     return side < 0 ? CellState::kValidConvex : side > 0 ? CellState::kInverted : CellState::kInvalid;
   }
   if (is_plainly_valid(env, c)) return CellState::kValid;
-  double apex[D];
-  centre(env, c, apex);
   return check_simplices<D>(
       shape.simplex_count(), [&](uint32_t s, const double*(&points)[D]) { at.read(shape, s, points); }, apex);
 }
@@ -201,7 +205,10 @@ bool is_valid(const Environment<D>& env, Cell c) noexcept {
     }
   }
   const Shape shape = env.map.shape(c);
-  const CellState state = check_star(env, c, shape, CellPoints<D>(env, c, shape));
+  const CellPoints<D> at(env, c, shape);
+  double apex[D];
+  at.centre(shape, apex);
+  const CellState state = check_star(env, c, shape, at, apex);
   return state == CellState::kValid || state == CellState::kValidConvex;
 }
 
@@ -211,10 +218,10 @@ template <int D>
 CellState check_cell(const Environment<D>& env, Cell c) noexcept {
   const Shape shape = env.map.shape(c);
   const CellPoints<D> at(env, c, shape);
-  const CellState state = check_star(env, c, shape, at);
-  if (state != CellState::kValid) return state;
   double apex[D];
-  centre(env, c, apex);
+  at.centre(shape, apex);
+  const CellState state = check_star(env, c, shape, at, apex);
+  if (state != CellState::kValid) return state;
   return is_flat_and_convex(shape, at, apex) ? CellState::kValidConvex : state;
 }
 

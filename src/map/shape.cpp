@@ -10,23 +10,29 @@ namespace {
 
 constexpr uint32_t kLimit = 0xffff;
 
-/** Scratch words for one polyhedron: on the stack unless it is large. */
+/** Scratch for one polyhedron: on the stack unless it is large. */
+template <class T>
 class Scratch {
  public:
-  Scratch(size_t words, const Memory* memory) : large_(words > kFew ? words : 0, memory) {}
-  /** The next `count` of these words, all with one value. */
-  uint32_t* take(size_t count, uint32_t value) {
-    uint32_t* const words = (large_.empty() ? few_ : large_.data()) + taken_;
+  Scratch(size_t count, const Memory* memory) : large_(count > kFew ? count : 0, memory) {}
+  /** The next `count` of these. */
+  T* take(size_t count) {
+    T* const words = (large_.empty() ? few_ : large_.data()) + taken_;
     taken_ += count;
+    return words;
+  }
+  /** Likewise, all with one value. */
+  T* take(size_t count, T value) {
+    T* const words = take(count);
     std::fill_n(words, count, value);
     return words;
   }
 
  private:
-  static constexpr size_t kFew = 1024;
+  static constexpr size_t kFew = 512;
 
-  Array<uint32_t> large_;
-  uint32_t few_[kFew];
+  Array<T> large_;
+  T few_[kFew];
   size_t taken_ = 0;
 };
 
@@ -37,36 +43,37 @@ struct Darts {
   uint16_t *beta2, *edge;
   const uint16_t* first;  // of the facets
   uint32_t facet_count;
-
-  uint32_t next(uint32_t d) const { return d + 1 == first[facet[d] + 1] ? first[facet[d]] : d + 1; }
-  uint32_t target(uint32_t d) const { return origin[next(d)]; }
+  const uint32_t* next;  // in its facet
 };
 
-/** Sorts darts by `key`, which is less than `keys`; darts with one key stay in their order. */
+/** Sorts pairs of vertices by one of the two; pairs that have the same stay in their order. */
 template <class Key>
-void sort_darts(const uint32_t* darts, uint32_t count, uint32_t keys, Key key, uint32_t* places, uint32_t* sorted) {
-  std::fill_n(places, keys + 1, 0u);
-  for (uint32_t i = 0; i < count; ++i) ++places[key(darts[i]) + 1];
-  for (uint32_t k = 0; k < keys; ++k) places[k + 1] += places[k];
-  for (uint32_t i = 0; i < count; ++i) sorted[places[key(darts[i])]++] = darts[i];
+void sort_pairs(const uint64_t* pairs, uint32_t count, uint32_t vertices, Key key, uint32_t* places, uint64_t* sorted) {
+  std::fill_n(places, vertices + 1, 0u);
+  for (uint32_t i = 0; i < count; ++i) ++places[key(pairs[i]) + 1];
+  for (uint32_t k = 0; k < vertices; ++k) places[k + 1] += places[k];
+  for (uint32_t i = 0; i < count; ++i) sorted[places[key(pairs[i])]++] = pairs[i];
 }
 
-/** Links darts to their opposites inside the cell by sorting the undirected edges. */
-ShapeDefect link_darts(const Darts& darts, Scratch& scratch, uint32_t& edge_count) {
+/** Links darts to their opposites inside the cell by sorting the undirected edges, in `pairs`: two for each dart. */
+ShapeDefect link_darts(const Darts& darts, uint64_t* pairs, Scratch<uint32_t>& scratch, uint32_t& edge_count) {
   const uint32_t n = darts.count;
   if (n % 2 != 0) return ShapeDefect::kOpen;
-  uint32_t *const all = scratch.take(n, 0), *const by_higher = scratch.take(n, 0);
-  uint32_t* const places = scratch.take(size_t{darts.vertex_count} + 1, 0);
-  for (uint32_t d = 0; d < n; ++d) all[d] = d;
-  const auto lower = [&](uint32_t d) { return std::min<uint32_t>(darts.origin[d], darts.target(d)); };
-  const auto higher = [&](uint32_t d) { return std::max<uint32_t>(darts.origin[d], darts.target(d)); };
-  sort_darts(all, n, darts.vertex_count, higher, places, by_higher);
-  sort_darts(by_higher, n, darts.vertex_count, lower, places, all);
-  const auto same = [&](uint32_t a, uint32_t b) { return lower(a) == lower(b) && higher(a) == higher(b); };
+  // The lower vertex of each edge, the higher one, and the dart: 16 bits each.
+  uint64_t *const edges = pairs, *const by_higher = pairs + n;
+  uint32_t* const places = scratch.take(size_t{darts.vertex_count} + 1);
+  for (uint32_t d = 0; d < n; ++d) {
+    const uint64_t a = darts.origin[d], b = darts.origin[darts.next[d]];
+    edges[d] = (a < b ? a << 32 | b << 16 : b << 32 | a << 16) | d;
+  }
+  const auto higher = [](uint64_t edge) { return static_cast<uint32_t>(edge >> 16 & 0xffff); };
+  const auto lower = [](uint64_t edge) { return static_cast<uint32_t>(edge >> 32); };
+  sort_pairs(edges, n, darts.vertex_count, higher, places, by_higher);
+  sort_pairs(by_higher, n, darts.vertex_count, lower, places, edges);
   for (uint32_t i = 0; i < n; i += 2) {
-    const uint32_t a = all[i], b = all[i + 1];
-    const bool third = i + 2 < n && same(a, all[i + 2]);
-    if (!same(a, b) || third || darts.origin[a] == darts.origin[b]) return ShapeDefect::kOpen;
+    const auto a = static_cast<uint32_t>(edges[i] & 0xffff), b = static_cast<uint32_t>(edges[i + 1] & 0xffff);
+    const bool pair = edges[i] >> 16 == edges[i + 1] >> 16, third = i + 2 < n && edges[i] >> 16 == edges[i + 2] >> 16;
+    if (!pair || third || darts.origin[a] == darts.origin[b]) return ShapeDefect::kOpen;
     darts.beta2[a] = static_cast<uint16_t>(b);
     darts.beta2[b] = static_cast<uint16_t>(a);
   }
@@ -79,10 +86,11 @@ ShapeDefect link_darts(const Darts& darts, Scratch& scratch, uint32_t& edge_coun
 }
 
 /** Connected, one disc round every vertex, and V - E + F = 2: then the loops close a sphere. */
-bool is_sphere(const Darts& darts, Scratch& scratch, uint32_t edge_count) {
+bool is_sphere(const Darts& darts, Scratch<uint32_t>& scratch, uint32_t edge_count) {
   const uint32_t n = darts.count;
-  uint32_t *const reached = scratch.take(darts.facet_count, 0), *const stack = scratch.take(darts.facet_count, 0);
+  uint32_t *const reached = scratch.take(darts.facet_count, 0), *const stack = scratch.take(darts.facet_count);
   uint32_t height = 1, count = 1;  // from facet 0
+  stack[0] = 0;
   reached[0] = 1;
   while (height != 0) {
     const uint32_t f = stack[--height];
@@ -101,7 +109,7 @@ bool is_sphere(const Darts& darts, Scratch& scratch, uint32_t edge_count) {
     if (has_disc[darts.origin[d]] != 0) return false;
     has_disc[darts.origin[d]] = 1;
     ++discs;
-    for (uint32_t e = d; seen[e] == 0; e = darts.next(darts.beta2[e])) seen[e] = 1;
+    for (uint32_t e = d; seen[e] == 0; e = darts.next[darts.beta2[e]]) seen[e] = 1;
   }
   return discs == darts.vertex_count && darts.vertex_count + darts.facet_count == edge_count + 2;
 }
@@ -158,8 +166,10 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
   const uint32_t facets = loops.facet_count, n = loops.first[facets], vertices = loops.vertex_count;
   if (facets >= kLimit || n >= kLimit || vertices >= kLimit) return ShapeDefect::kTooLarge;
   if (facets < 4) return ShapeDefect::kOpen;
-  Scratch scratch(3 * size_t{n} + 3 * size_t{vertices} + 2 * size_t{facets} + 1, tables.get_allocator().memory);
-  uint32_t* const last_facet = scratch.take(vertices, facets);
+  const Memory* const memory = tables.get_allocator().memory;
+  Scratch<uint32_t> scratch(2 * size_t{n} + 3 * size_t{vertices} + 2 * size_t{facets} + 1, memory);
+  Scratch<uint64_t> pairs(2 * size_t{n}, memory);
+  uint32_t *const next = scratch.take(n), *const last_facet = scratch.take(vertices, facets);
   uint32_t simplices = 0;
   for (uint32_t f = 0; f < facets; ++f) {
     const uint32_t begin = loops.first[f], end = loops.first[f + 1];
@@ -170,6 +180,7 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
       if (origin >= vertices) return ShapeDefect::kOpen;
       if (last_facet[origin] == f) return ShapeDefect::kRepeatedVertex;
       last_facet[origin] = f;
+      next[d] = d + 1 == end ? begin : d + 1;
     }
   }
   const size_t at = tables.size();
@@ -180,9 +191,9 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
   for (uint32_t f = 0; f < facets; ++f) {
     std::fill(facet + loops.first[f], facet + loops.first[f + 1], static_cast<uint16_t>(f));
   }
-  const Darts darts{n, vertices, origin, facet, facet + n, facet + 2 * n, loops.first, facets};
+  const Darts darts{n, vertices, origin, facet, facet + n, facet + 2 * n, loops.first, facets, next};
   uint32_t edge_count = 0;
-  ShapeDefect defect = link_darts(darts, scratch, edge_count);
+  ShapeDefect defect = link_darts(darts, pairs.take(2 * size_t{n}), scratch, edge_count);
   if (defect == ShapeDefect::kNone && !is_sphere(darts, scratch, edge_count)) defect = ShapeDefect::kNotSphere;
   if (defect != ShapeDefect::kNone) {
     tables.resize(at);
