@@ -22,9 +22,7 @@ class BladeSimplex<3> {
   /** On which side a point is: 1 before the blade, -1 behind it; 0 only if the simplex is flat. */
   int side(const double* v) const { return swept_.side(v); }
   /** Whether a segment, with b on side `side_of_b` and a on the other, passes through the simplex. */
-  bool is_passed(const double* a, const double* b, int side_of_b) const { return outside(a, b, side_of_b) == 0; }
-  /** A bit for each of its sides, from one corner to the next, unless line a b passes it on side `side_of_b`. */
-  uint32_t outside(const double* a, const double* b, int side_of_b) const { return swept_.outside(a, b, side_of_b); }
+  bool is_passed(const double* a, const double* b, int side_of_b) const { return swept_.outside(a, b, side_of_b) == 0; }
 
  private:
   SweptTriangle swept_;

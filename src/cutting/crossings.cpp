@@ -10,6 +10,15 @@ namespace {
 
 constexpr int kUnknown = 2;
 
+/** Whether segment p q, with its ends on both sides of a triangle, q on side `side_of_q`, passes through it. */
+bool pierces(const double* p, const double* q, const double* const* triangle, int side_of_q) {
+  for (int k = 0; k < 3; ++k) {
+    const double* const ridge[2] = {triangle[k], triangle[(k + 1) % 3]};
+    if (line_side<3>(p, q, ridge, NoTally{}).sign != side_of_q) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 template <int D>
@@ -83,23 +92,18 @@ void Crossings<D>::read_corners(Cell c, const BladeSimplex<D>& blade) {
     const double* const at = env_.point(vertex);
     corners_[k] = {at, vertex, blade.beyond_box(at), kUnknown};
   }
-  if (D == 3) outside_.assign(corners_.size() <= kMostKept ? 2 * corners_.size() * corners_.size() : 0, kUnasked);
+  if (D == 3) passed_.assign(corners_.size() <= kMostKept ? corners_.size() * corners_.size() : 0, kUnasked);
 }
 
-/** As BladeSimplex::outside(), asked once for both facets of an edge. Seen from its other end a line passes on the other
- * side. */
+/** Whether an edge of the cell, or of a facet's triangles, with its ends on two sides of the simplex, passes through
+ * it: asked once for all who have that edge. */
 template <int D>
-uint32_t Crossings<D>::outside(uint32_t a, uint32_t b, int side_of_b, const BladeSimplex<D>& blade) {
-  if constexpr (D == 3) {
-    const auto ask = [&] { return blade.outside(corners_[a].at, corners_[b].at, side_of_b); };
-    if (outside_.empty() || side_of_b == 0) return ask();
-    const uint32_t row = (a < b) == (side_of_b > 0) ? 0 : 1;
-    uint8_t& known = outside_[(row * corners_.size() + std::min(a, b)) * corners_.size() + std::max(a, b)];
-    if (known == kUnasked) known = static_cast<uint8_t>(ask());
-    return known;
-  } else {
-    return blade.is_passed(corners_[a].at, corners_[b].at, side_of_b) ? 0 : 1;
-  }
+bool Crossings<D>::is_passed(uint32_t a, uint32_t b, const BladeSimplex<D>& blade) {
+  const auto ask = [&] { return blade.is_passed(corners_[a].at, corners_[b].at, corners_[b].side); };
+  if (D == 2 || passed_.empty()) return ask();
+  uint8_t& known = passed_[std::min(a, b) * corners_.size() + std::max(a, b)];
+  if (known == kUnasked) known = ask() ? 1 : 0;
+  return known != 0;
 }
 
 template <int D>
@@ -176,22 +180,19 @@ bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& b
     apart = apart && sides[k] != 0 && sides[k] == sides[0];  // 0: the blade is flat here
   }
   if (apart) return false;
-  bool passes = false;
+  uint32_t passed = 0;
   for (int k = 0; k < (D == 3 ? 3 : 1); ++k) {
     const int next = (k + 1) % D;
-    if (sides[k] == sides[next]) continue;
-    passes = passes || outside(local[k], local[next], sides[next], blade) == 0;
+    if (sides[k] != sides[next] && is_passed(local[k], local[next], blade)) ++passed;
   }
+  bool passes = passed != 0;
   if constexpr (D == 3) {
+    if (passed == 2) return true;  // what two triangles share is one segment, and these are its ends
     int of_blade[3];
     for (int k = 0; k < 3; ++k) of_blade[k] = plane_side<3>(simplex, at[k], NoTally{}).sign;
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
-      if (of_blade[k] == of_blade[next]) continue;
-      const auto is_inside = [&](int ridge) {
-        return (outside(local[ridge], local[(ridge + 1) % 3], of_blade[next], blade) >> k & 1) == 0;
-      };
-      if (!is_inside(0) || !is_inside(1) || !is_inside(2)) continue;
+      if (of_blade[k] == of_blade[next] || !pierces(at[k], at[next], simplex, of_blade[next])) continue;
       passes = met.sides[k] = true;
       const bool outwards = of_blade[next] > 0;
       const double *const inner = at[outwards ? k : next], *const outer = at[outwards ? next : k];
@@ -215,7 +216,7 @@ void Crossings<D>::note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D
     const uint32_t from = shape.dart_vertex(d), to = shape.dart_vertex(next);
     Corner *inner = &corners_[from], *outer = &corners_[to];
     if ((inner->beyond & outer->beyond) != 0 || side(*inner, blade) == side(*outer, blade)) continue;
-    if (outside(from, to, outer->side, blade) != 0) continue;
+    if (!is_passed(from, to, blade)) continue;
     if (inner->side > 0) std::swap(inner, outer);
     const uint32_t i = edges_.insert(pair_key(inner->vertex, outer->vertex));
     if (i == crossings_.size()) {

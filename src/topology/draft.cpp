@@ -128,8 +128,10 @@ bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t
          kMostTriangulated);
   }
   Array<const double*> points{env.scratch.memory()};
+  points.reserve(hole.size());
   for (const uint32_t v : hole) points.push_back(env.point(v));
   const Array<size_t> triangles = triangulate(points, apex, beyond);
+  facet.triangles.reserve(facet.triangles.size() + triangles.size());
   for (const size_t place : triangles) facet.triangles.push_back(hole[place]);
   return !triangles.empty();
 }

@@ -161,11 +161,6 @@ void Edit<D>::set_draft_mark(size_t i, bool marked) noexcept {
 }
 
 template <int D>
-bool Edit<D>::is_removed(Cell c) const {
-  return gone_.find(c.unit) != KeyTable::kNone;
-}
-
-template <int D>
 HalfFacet Edit<D>::half_facet(size_t i, uint32_t facet) const {
   return {word_of(i, facet)};
 }
@@ -173,6 +168,10 @@ HalfFacet Edit<D>::half_facet(size_t i, uint32_t facet) const {
 template <int D>
 void Edit<D>::prepare(Array<uint32_t>* invalid) {
   std::sort(removed_.begin(), removed_.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
+  if (!removed_.empty()) {
+    lowest_gone_ = removed_.front().unit;
+    gone_span_ = removed_.back().unit - lowest_gone_;
+  }
   for (const Cell c : removed_) reserve_return(map_, c);
   made_.reserve(drafts_.size());
   for (uint32_t i = 0; i < drafts_.size(); ++i) {

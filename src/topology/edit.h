@@ -68,7 +68,7 @@ class Edit {
 
   /** After prepare(): the cells that go, by unit, and those that come. */
   const Array<Cell>& removed() const { return removed_; }
-  bool is_removed(Cell c) const;
+  bool is_removed(Cell c) const { return c.unit - lowest_gone_ <= gone_span_ && gone_.find(c.unit) != KeyTable::kNone; }
   size_t cell_count() const { return made_.size(); }
   Cell cell(size_t i) const { return made_[i].cell; }
   /** Half-facet of a draft's facet. */
@@ -156,6 +156,8 @@ class Edit {
   Array<float> local_points_{env_.memory};  // of the environment, to be put back
   KeyTable gone_{env_.memory};              // units of removed_, in the order in which they were named
   Array<Cell> removed_{env_.memory};
+  uint32_t lowest_gone_ = 0,
+           gone_span_ = 0xffffffffu;  // units of these once they are sorted: most others are not between
   Array<CellDraft> drafts_{env_.memory};
   KeyTable ancestors_{env_.memory};     // units of the cells that drafts come of
   Array<Heirs> heirs_of_{env_.memory};  // by number in ancestors_
