@@ -36,9 +36,9 @@ class CellPoints {
     for (int k = 0; k < D; ++k) out[k] = (*this)[local[k]];
   }
 
- private:
-  static constexpr uint32_t kMost = 64;
+  static constexpr uint32_t kMost = 64;  // vertices that are kept
 
+ private:
   const Environment<D>& env_;
   Cell cell_;
   bool is_kept_;
@@ -123,6 +123,16 @@ uint32_t count_pierced(uint32_t simplex_count, Read read, const double* from, co
   return count;
 }
 
+/** Where a ray goes that counts simplices. Any direction will do, since the shift makes it generic; one off the edges
+ * needs no exact arithmetic. */
+template <int D>
+void some_direction(const double* const (&points)[D], double* through) noexcept {
+  for (int k = 0; k < D; ++k) {
+    through[k] = (D == 3 ? 0.41 : 0.54) * points[0][k] + (D == 3 ? 0.34 : 0.46) * points[1][k];
+    if (D == 3) through[k] += 0.25 * points[D - 1][k];
+  }
+}
+
 /** Whether these simplices make a star with this apex: all positive, and no direction covered twice. */
 template <int D, class Read>
 CellState check_simplices(uint32_t simplex_count, Read read, const double* apex) noexcept {
@@ -137,13 +147,9 @@ CellState check_simplices(uint32_t simplex_count, Read read, const double* apex)
   if (outside == simplex_count) return CellState::kInverted;
   if (inside != simplex_count) return CellState::kInvalid;
 
-  // Any direction will do, since the shift makes it generic; one off the edges needs no exact arithmetic.
   read(0, points);
   double through[D];
-  for (int k = 0; k < D; ++k) {
-    through[k] = (D == 3 ? 0.41 : 0.54) * points[0][k] + (D == 3 ? 0.34 : 0.46) * points[1][k];
-    if (D == 3) through[k] += 0.25 * points[D - 1][k];
-  }
+  some_direction<D>(points, through);
   if (count_pierced<D>(simplex_count, read, apex, through) != 1 &&
       count_pierced<D>(simplex_count, read, apex, points[0]) != 1) {
     return CellState::kInvalid;
@@ -181,6 +187,39 @@ bool is_plainly_valid(const Environment<3>& env, Cell c) noexcept {
 
 bool is_plainly_valid(const Environment<2>&, Cell) noexcept { return false; }
 
+/** Whether the filter sees of a polyhedron what check_simplices() looks at, with one bound for all of it. */
+bool is_plainly_star(const Shape& shape, const CellPoints<3>& at, const double* apex) noexcept {
+  const uint32_t count = shape.vertex_count();
+  if (count > CellPoints<3>::kMost) return false;
+  const uint16_t* local = shape.simplices();
+  const double* const first[3] = {at[local[0]], at[local[1]], at[local[2]]};
+  double through[3];
+  some_direction<3>(first, through);
+  const filter::Vec<3> ray = filter::difference<3>(through, apex);
+  filter::Vec<3> of[CellPoints<3>::kMost], across[CellPoints<3>::kMost], m = filter::extent(ray);
+  for (uint32_t i = 0; i < count; ++i) {
+    of[i] = filter::difference<3>(at[i], apex);
+    across[i] = filter::cross(ray, of[i]);
+    m = filter::extent(m, of[i]);
+  }
+  if (!(filter::lowest(m) >= kFilterMin && filter::highest(m) <= kFilterMax)) return false;
+  const double bound = filter::bound(m);
+  uint32_t pierced = 0;
+  bool sure = true;
+  for (const uint16_t* const end = local + 3 * shape.simplex_count(); local != end; local += 3) {
+    const filter::Vec<3>&p = of[local[0]], &q = of[local[1]], &r = of[local[2]];
+    sure &= filter::dot(filter::cross(p, q), r) > bound;
+    const double sides[3] = {filter::dot(across[local[0]], q), filter::dot(across[local[1]], r),
+                             filter::dot(across[local[2]], p)};
+    if (sides[0] < -bound || sides[1] < -bound || sides[2] < -bound) continue;
+    sure &= sides[0] > bound && sides[1] > bound && sides[2] > bound;
+    ++pierced;
+  }
+  return sure && pierced == 1;
+}
+
+bool is_plainly_star(const Shape&, const CellPoints<2>&, const double*) noexcept { return false; }
+
 /** As check_cell, but does not look whether a valid cell is convex. */
 template <int D>
 CellState check_star(const Environment<D>& env, Cell c, const Shape& shape, const CellPoints<D>& at,
@@ -191,7 +230,7 @@ CellState check_star(const Environment<D>& env, Cell c, const Shape& shape, cons
     const int side = orient<D>(points, at[2]);  // facet 0 joins vertices 0 1 (3): vertex 2 is the apex
     return side < 0 ? CellState::kValidConvex : side > 0 ? CellState::kInverted : CellState::kInvalid;
   }
-  if (is_plainly_valid(env, c)) return CellState::kValid;
+  if (is_plainly_valid(env, c) || is_plainly_star(shape, at, apex)) return CellState::kValid;
   return check_simplices<D>(
       shape.simplex_count(), [&](uint32_t s, const double*(&points)[D]) { at.read(shape, s, points); }, apex);
 }
