@@ -92,6 +92,18 @@ void Crossings<D>::read_corners(Cell c, const BladeSimplex<D>& blade) {
     const double* const at = env_.point(vertex);
     corners_[k] = {at, vertex, blade.beyond_box(at), kUnknown};
   }
+  if (D == 3) passed_.assign(corners_.size() <= kMostKept ? corners_.size() * corners_.size() : 0, kUnasked);
+}
+
+/** Whether an edge of the cell, or of a facet's triangles, with its ends on two sides of the simplex, passes through
+ * it: asked once for all who have that edge. */
+template <int D>
+bool Crossings<D>::is_passed(uint32_t a, uint32_t b, const BladeSimplex<D>& blade) {
+  const auto ask = [&] { return blade.is_passed(corners_[a].at, corners_[b].at, corners_[b].side); };
+  if (D == 2 || passed_.empty()) return ask();
+  uint8_t& known = passed_[std::min(a, b) * corners_.size() + std::max(a, b)];
+  if (known == kUnasked) known = ask() ? 1 : 0;
+  return known != 0;
 }
 
 template <int D>
@@ -168,13 +180,14 @@ bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& b
     apart = apart && sides[k] != 0 && sides[k] == sides[0];  // 0: the blade is flat here
   }
   if (apart) return false;
-  bool passes = false;
+  uint32_t passed = 0;
   for (int k = 0; k < (D == 3 ? 3 : 1); ++k) {
     const int next = (k + 1) % D;
-    if (sides[k] == sides[next]) continue;
-    passes = passes || blade.is_passed(simplex[k], simplex[next], sides[next]);
+    if (sides[k] != sides[next] && is_passed(local[k], local[next], blade)) ++passed;
   }
+  bool passes = passed != 0;
   if constexpr (D == 3) {
+    if (passed == 2) return true;  // what two triangles share is one segment, and these are its ends
     int of_blade[3];
     for (int k = 0; k < 3; ++k) of_blade[k] = plane_side<3>(simplex, at[k], NoTally{}).sign;
     for (int k = 0; k < 3; ++k) {
@@ -199,10 +212,11 @@ void Crossings<D>::note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D
   const Shape shape = map_.shape(c);
   for (uint32_t d = 0; d < shape.dart_count(); ++d) {
     if (shape.dart_beta2(d) < d) continue;
-    Corner *inner = &corners_[shape.dart_vertex(d)],
-           *outer = &corners_[shape.dart_vertex(beta1(map_, Dart{c, d}).local)];
+    const uint32_t next = D == 3 ? shape.beta1(d) : d + 1 == shape.dart_count() ? 0 : d + 1;
+    const uint32_t from = shape.dart_vertex(d), to = shape.dart_vertex(next);
+    Corner *inner = &corners_[from], *outer = &corners_[to];
     if ((inner->beyond & outer->beyond) != 0 || side(*inner, blade) == side(*outer, blade)) continue;
-    if (!blade.is_passed(inner->at, outer->at, outer->side)) continue;
+    if (!is_passed(from, to, blade)) continue;
     if (inner->side > 0) std::swap(inner, outer);
     const uint32_t i = edges_.insert(pair_key(inner->vertex, outer->vertex));
     if (i == crossings_.size()) {

@@ -85,8 +85,12 @@ class Crossings {
   Met meet(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
   bool meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade, const double* const (&at)[D], Met& met);
   int side(Corner& corner, const BladeSimplex<D>& blade) const;
+  bool is_passed(uint32_t a, uint32_t b, const BladeSimplex<D>& blade);
   bool holds(Cell c, const double* point) const;
   void note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
+
+  static constexpr size_t kMostKept = 64;  // corners
+  static constexpr uint8_t kUnasked = 0xff;
 
   const Environment<D>& env_;
   const Map<D>& map_;
@@ -100,6 +104,7 @@ class Crossings {
   KeyTable edges_{env_.memory};
   Array<BladePoint<D>> points_{env_.memory};
   Array<Corner> corners_{env_.memory};
+  Array<uint8_t> passed_{env_.memory};       // by both corners of an edge: see is_passed(); empty: too many corners
   Array<Cell> beyond_{env_.memory};          // behind the facets that the simplex passes
   Array<BladePoint<D>> found_{env_.memory};  // points of the simplex in the cell that is looked at
 };

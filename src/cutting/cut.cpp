@@ -114,7 +114,7 @@ void Cut<D>::choose_lines() {
     for (const Chord& chord : chords) {
       const HalfFacet h = map_.half_facet(crossings_.cell(i).cell, chord.facet), o = map_.opposite(h);
       if (line_numbers_.insert(std::min(h.word, o.word)) != lines_.size()) continue;
-      lines_.emplace_back(env_.memory);
+      lines_.emplace_back(env_.scratch.memory());
       lines_.back().facet = h;
       lines_.back().from = vertices_[chord.from];
       lines_.back().to = vertices_[chord.to];
@@ -187,7 +187,7 @@ bool Cut<D>::write_lines(CellDraft& draft) {
 /** In the order of nodes, so that facets are cut alike on both sides. */
 template <int D>
 void Cut<D>::insert_vertices(CellDraft& draft) const {
-  Array<uint32_t> nodes{env_.memory};
+  Array<uint32_t> nodes{env_.scratch.memory()};
   const Shape shape = map_.shape(draft.from);
   const DartEnds<D> darts(map_, draft.from);
   for (uint32_t d = 0; d < darts.count(); ++d) {
@@ -223,9 +223,9 @@ bool Cut<D>::draw_line(const FacetDraft& whole, Line& line) const {
 template <int D>
 bool Cut<D>::split_cell(Edit<D>& edit, uint32_t cell, CellDraft& whole) {
   const Array<uint32_t>& nodes = section_->loop(cell);
-  FacetDraft face(env_.memory);
+  FacetDraft face(env_.scratch.memory());
   for (const uint32_t n : nodes) face.loop.push_back(vertices_[n]);
-  CellDraft left(env_.memory);
+  CellDraft left(env_.scratch.memory());
   left.from = whole.from;
   left.marked = whole.marked;
   left.region = whole.region;

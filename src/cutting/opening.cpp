@@ -229,7 +229,7 @@ void Opening<D>::add_mouths(Edit<D>& edit) {
     const Dart d = mouth.dart, e = across_ridge(map_, d);
     const uint32_t number = changed_.find(d.cell.unit);
     if (number == KeyTable::kNone) continue;
-    FacetDraft facet(env_.memory);
+    FacetDraft facet(env_.scratch.memory());
     if constexpr (D == 2) {
       facet.loop.assign({at_end(e), at_start(d)});
     } else {
@@ -263,7 +263,7 @@ void Opening<D>::add_gap(Edit<D>& edit, const FacetPair& pair) {
   Array<uint32_t> front = lip(0).loop, back(front);
   for (uint32_t k = 0; k < n; ++k) back[k] = lip(1).loop[before[1].place_of(before[0].loop[k])];
   if (front == back) return;
-  CellDraft cell(env_.memory);
+  CellDraft cell(env_.scratch.memory());
   cell.region = settings_.region;
   cell.tag = settings_.tag;
   for (int k = 0; k < 2; ++k) {
@@ -275,7 +275,7 @@ void Opening<D>::add_gap(Edit<D>& edit, const FacetPair& pair) {
   const size_t number = edit.add(std::move(cell));
   for (uint32_t k = 0; k < n; ++k) {
     const uint32_t next = (k + 1) % n;
-    FacetDraft side(env_.memory);
+    FacetDraft side(env_.scratch.memory());
     if constexpr (D == 2) {
       side.loop.assign({(k == 0 ? front : back)[k], (k == 0 ? back : front)[k]});
     } else {

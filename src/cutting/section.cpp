@@ -10,7 +10,7 @@ Section<D>::Section(const Environment<D>& env, const Crossings<D>& crossings, do
     : env_(env),
       map_(env.map),
       crossings_(crossings),
-      loops_(crossings.cell_count(), Array<uint32_t>(env.memory), env.memory),
+      loops_(crossings.cell_count(), Array<uint32_t>(env.scratch.memory()), env.memory),
       barred_(crossings.cell_count(), 0, env.memory) {
   for (uint32_t i = 0; i < crossings.count(); ++i) {
     const Crossing& at = crossings[i];
@@ -130,9 +130,9 @@ void Section<D>::find_loop(uint32_t cell) {
   const Shape shape = map_.shape(c);
   if constexpr (D == 2) {
     Chord chord;
-    if (find_chord(c, shape, 0, chord)) loops_[cell] = {{chord.from, chord.to}, env_.memory};
+    if (find_chord(c, shape, 0, chord)) loops_[cell] = {{chord.from, chord.to}, env_.scratch.memory()};
   } else {
-    Array<Arc> arcs{env_.memory};
+    Array<Arc> arcs{env_.scratch.memory()};
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       Chord chord;
       if (find_chord(c, shape, f, chord)) arcs.push_back({chord.from, chord.to, true});
@@ -144,7 +144,7 @@ void Section<D>::find_loop(uint32_t cell) {
       if (from != KeyTable::kNone && to != KeyTable::kNone) arcs.push_back({from, to, false});
     }
     if (arcs.size() > kMostTriangulated || !prune(arcs)) return;
-    Array<uint32_t> loop{env_.memory};
+    Array<uint32_t> loop{env_.scratch.memory()};
     uint32_t at = arcs[0].from;
     while (!arcs.empty()) {
       const auto next =

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "base/parallel.h"
+#include "base/pool.h"
 #include "environment/cell_index.h"
 #include "environment/checked_cells.h"
 #include "environment/edge_marks.h"
@@ -38,6 +39,7 @@ struct Environment {
   ObstacleIndex<D> obstacles{memory};   // at which cells there may be one, for who asks what is nearest
   CheckedCells checked{memory};         // of moving points: cells may be invalid
   Array<float> local_points{memory};    // of polyhedra that stay as they are, see local_points.h; empty: not kept
+  Pool scratch{memory};                 // drafts of a change, while it is made
 
   explicit Environment(const Memory* source) : memory(source) {}
   Environment(const Environment&) = delete;

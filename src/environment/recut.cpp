@@ -85,7 +85,12 @@ Array<size_t> triangulate(const Array<const double*>& loop, const double* apex, 
     const double* points[3] = {loop[i], loop[j], loop[k]};
     return orient<3>(points, apex) < 0 && (beyond == nullptr || orient<3>(points, beyond) > 0);
   };
-  Array<size_t> third(n * n, n, loop.get_allocator()), triangles(third.get_allocator());
+  Array<size_t> triangles(loop.get_allocator());
+  if (n == 3) {
+    if (is_positive(0, 1, 2)) triangles = {{0, 1, 2}, loop.get_allocator()};
+    return triangles;
+  }
+  Array<size_t> third(n * n, n, loop.get_allocator());
   const auto possible = [&](size_t i, size_t j) { return j == i + 1 || third[i * n + j] != n; };
   for (size_t span = 2; span < n; ++span) {
     for (size_t i = 0; i + span < n; ++i) {
@@ -96,6 +101,7 @@ Array<size_t> triangulate(const Array<const double*>& loop, const double* apex, 
     }
   }
   if (!possible(0, n - 1)) return triangles;
+  triangles.reserve(3 * (n - 2));
   struct Part {
     size_t i, j;
   };

@@ -8,31 +8,101 @@
 namespace dsw {
 namespace {
 
+/** Where the vertices of one cell are; of a large cell they are looked up each time. */
+template <int D>
+class CellPoints {
+ public:
+  CellPoints(const Environment<D>& env, Cell c, const Shape& shape) : env_(env), cell_(c) {
+    is_kept_ = shape.vertex_count() <= kMost;
+    if (!is_kept_) return;
+    const uint32_t* const w = env.map.record(c);
+    const Form form = form_of(w[0]);
+    const uint32_t count = shape.vertex_count();
+    if (form == Form::kGeneral) {
+      const uint32_t first = first_vertex_item<D>(shape.facet_count());
+      for (uint32_t k = 0; k < count; ++k) at_[k] = env.point(w[item_word<D>(first + k)]);
+    } else {
+      for (uint32_t k = 0; k < count; ++k) at_[k] = env.point(c, k);
+    }
+  }
+  const double* operator[](uint32_t local) const { return is_kept_ ? at_[local] : env_.point(cell_, local); }
+  /** As centre() of the cell. */
+  void centre(const Shape& shape, double* out) const {
+    mean_point<D>(
+        shape.vertex_count(), [&](uint32_t i) { return (*this)[i]; }, out);
+  }
+  void read(const Shape& shape, uint32_t simplex, const double* (&out)[D]) const {
+    const uint16_t* const local = shape.simplices() + simplex * static_cast<uint32_t>(D);
+    for (int k = 0; k < D; ++k) out[k] = (*this)[local[k]];
+  }
+
+  static constexpr uint32_t kMost = 64;  // vertices that are kept
+
+ private:
+  const Environment<D>& env_;
+  Cell cell_;
+  bool is_kept_;
+  const double* at_[kMost];
+};
+
+/** On which side of the plane of three points others are, as orient<3>: what does not depend on these is kept. */
+class FacetPlane {
+ public:
+  explicit FacetPlane(const double* const (&triangle)[3]) noexcept : triangle_{triangle[0], triangle[1], triangle[2]} {
+    const filter::Vec<3> e1 = filter::difference<3>(triangle[1], triangle[0]),
+                         e2 = filter::difference<3>(triangle[2], triangle[0]);
+    normal_ = filter::cross(e1, e2);
+    reach_ = filter::extent(e1, e2);
+  }
+  int side(const double* q) const noexcept {
+    const filter::Vec<3> w = filter::difference<3>(q, triangle_[0]);
+    const double det = filter::dot(normal_, w);
+    const filter::Vec<3> m{filter::larger(std::fabs(w.x), reach_.x), filter::larger(std::fabs(w.y), reach_.y),
+                           filter::larger(std::fabs(w.z), reach_.z)};
+    if (filter::certain(det, m)) return filter::sign_of(det);
+    return filter::lowest(m) == 0 ? 0 : exact::orient<3>(triangle_, q);
+  }
+
+ private:
+  const double* triangle_[3];
+  filter::Vec<3> normal_, reach_;
+};
+
 /** Exactly flat facets, and no vertex beyond a facet across any of its edges: with positive stars that cover every
- * direction once, locally convex is convex. Facets have to be convex too, which says more if two lie in one plane. */
-bool is_flat_and_convex(const Environment<3>& env, Cell c, const Shape& shape, const double* apex) noexcept {
+ * direction once, locally convex is convex. Facets have to be convex too, which says more if two lie in one plane. The
+ * last facets are looked at first: where a cell was split, the new one is last, and it is seldom flat. */
+bool is_flat_and_convex(const Shape& shape, const CellPoints<3>& at, const double* apex) noexcept {
   const double* triangle[3];
-  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-    simplex_points(env, c, shape, shape.simplex_first(f), triangle);
+  for (uint32_t f = shape.facet_count(); f-- != 0;) {
+    if (shape.facet_size(f) == 3) continue;
+    at.read(shape, shape.simplex_first(f), triangle);
+    const FacetPlane plane(triangle);
     for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-      if (shape.facet_size(f) > 3 && orient<3>(triangle, env.point(c, shape.dart_vertex(d))) != 0) return false;
+      const double* const corner = at[shape.dart_vertex(d)];
+      const bool is_of_plane = corner == triangle[0] || corner == triangle[1] || corner == triangle[2];
+      if (!is_of_plane && plane.side(corner) != 0) return false;
+    }
+  }
+  for (uint32_t f = shape.facet_count(); f-- != 0;) {
+    at.read(shape, shape.simplex_first(f), triangle);
+    const FacetPlane plane(triangle);
+    for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
       const uint32_t beyond = shape.beta0(shape.dart_beta2(d));
-      if (orient<3>(triangle, env.point(c, shape.dart_vertex(beyond))) > 0) return false;
+      if (plane.side(at[shape.dart_vertex(beyond)]) > 0) return false;
       if (shape.facet_size(f) == 3) continue;
-      const uint32_t corner[3] = {shape.beta0(d), d, shape.beta1(d)};
-      const double* turn[3];
-      for (int k = 0; k < 3; ++k) turn[k] = env.point(c, shape.dart_vertex(corner[k]));
+      const double* const turn[3] = {at[shape.dart_vertex(shape.beta0(d))], at[shape.dart_vertex(d)],
+                                     at[shape.dart_vertex(shape.beta1(d))]};
       if (orient<3>(turn, apex) > 0) return false;
     }
   }
   return true;
 }
 
-bool is_flat_and_convex(const Environment<2>& env, Cell c, const Shape& shape, const double*) noexcept {
+bool is_flat_and_convex(const Shape& shape, const CellPoints<2>& at, const double*) noexcept {
   const uint32_t n = shape.vertex_count();
   for (uint32_t i = 0; i < n; ++i) {
-    const double* edge[2] = {env.point(c, i), env.point(c, (i + 1) % n)};
-    if (orient<2>(edge, env.point(c, (i + 2) % n)) > 0) return false;
+    const double* const edge[2] = {at[i], at[(i + 1) % n]};
+    if (orient<2>(edge, at[(i + 2) % n]) > 0) return false;
   }
   return true;
 }
@@ -53,6 +123,16 @@ uint32_t count_pierced(uint32_t simplex_count, Read read, const double* from, co
   return count;
 }
 
+/** Where a ray goes that counts simplices. Any direction will do, since the shift makes it generic; one off the edges
+ * needs no exact arithmetic. */
+template <int D>
+void some_direction(const double* const (&points)[D], double* through) noexcept {
+  for (int k = 0; k < D; ++k) {
+    through[k] = (D == 3 ? 0.41 : 0.54) * points[0][k] + (D == 3 ? 0.34 : 0.46) * points[1][k];
+    if (D == 3) through[k] += 0.25 * points[D - 1][k];
+  }
+}
+
 /** Whether these simplices make a star with this apex: all positive, and no direction covered twice. */
 template <int D, class Read>
 CellState check_simplices(uint32_t simplex_count, Read read, const double* apex) noexcept {
@@ -67,13 +147,9 @@ CellState check_simplices(uint32_t simplex_count, Read read, const double* apex)
   if (outside == simplex_count) return CellState::kInverted;
   if (inside != simplex_count) return CellState::kInvalid;
 
-  // Any direction will do, since the shift makes it generic; one off the edges needs no exact arithmetic.
   read(0, points);
   double through[D];
-  for (int k = 0; k < D; ++k) {
-    through[k] = (D == 3 ? 0.41 : 0.54) * points[0][k] + (D == 3 ? 0.34 : 0.46) * points[1][k];
-    if (D == 3) through[k] += 0.25 * points[D - 1][k];
-  }
+  some_direction<D>(points, through);
   if (count_pierced<D>(simplex_count, read, apex, through) != 1 &&
       count_pierced<D>(simplex_count, read, apex, points[0]) != 1) {
     return CellState::kInvalid;
@@ -111,20 +187,52 @@ bool is_plainly_valid(const Environment<3>& env, Cell c) noexcept {
 
 bool is_plainly_valid(const Environment<2>&, Cell) noexcept { return false; }
 
+/** Whether the filter sees of a polyhedron what check_simplices() looks at, with one bound for all of it. */
+bool is_plainly_star(const Shape& shape, const CellPoints<3>& at, const double* apex) noexcept {
+  const uint32_t count = shape.vertex_count();
+  if (count > CellPoints<3>::kMost) return false;
+  const uint16_t* local = shape.simplices();
+  const double* const first[3] = {at[local[0]], at[local[1]], at[local[2]]};
+  double through[3];
+  some_direction<3>(first, through);
+  const filter::Vec<3> ray = filter::difference<3>(through, apex);
+  filter::Vec<3> of[CellPoints<3>::kMost], across[CellPoints<3>::kMost], m = filter::extent(ray);
+  for (uint32_t i = 0; i < count; ++i) {
+    of[i] = filter::difference<3>(at[i], apex);
+    across[i] = filter::cross(ray, of[i]);
+    m = filter::extent(m, of[i]);
+  }
+  if (!(filter::lowest(m) >= kFilterMin && filter::highest(m) <= kFilterMax)) return false;
+  const double bound = filter::bound(m);
+  uint32_t pierced = 0;
+  bool sure = true;
+  for (const uint16_t* const end = local + 3 * shape.simplex_count(); local != end; local += 3) {
+    const filter::Vec<3>&p = of[local[0]], &q = of[local[1]], &r = of[local[2]];
+    sure &= filter::dot(filter::cross(p, q), r) > bound;
+    const double sides[3] = {filter::dot(across[local[0]], q), filter::dot(across[local[1]], r),
+                             filter::dot(across[local[2]], p)};
+    if (sides[0] < -bound || sides[1] < -bound || sides[2] < -bound) continue;
+    sure &= sides[0] > bound && sides[1] > bound && sides[2] > bound;
+    ++pierced;
+  }
+  return sure && pierced == 1;
+}
+
+bool is_plainly_star(const Shape&, const CellPoints<2>&, const double*) noexcept { return false; }
+
 /** As check_cell, but does not look whether a valid cell is convex. */
 template <int D>
-CellState check_star(const Environment<D>& env, Cell c, const Shape& shape) noexcept {
+CellState check_star(const Environment<D>& env, Cell c, const Shape& shape, const CellPoints<D>& at,
+                     const double* apex) noexcept {
   if (env.map.form(c) == Form::kSimplex) {
     const double* points[D];
-    simplex_points(env, c, shape, 0, points);
-    const int side = orient<D>(points, env.point(c, 2));  // facet 0 joins vertices 0 1 (3): vertex 2 is the apex
+    at.read(shape, 0, points);
+    const int side = orient<D>(points, at[2]);  // facet 0 joins vertices 0 1 (3): vertex 2 is the apex
     return side < 0 ? CellState::kValidConvex : side > 0 ? CellState::kInverted : CellState::kInvalid;
   }
-  if (is_plainly_valid(env, c)) return CellState::kValid;
-  double apex[D];
-  centre(env, c, apex);
-  const auto read = [&](uint32_t s, const double*(&points)[D]) { simplex_points(env, c, shape, s, points); };
-  return check_simplices<D>(shape.simplex_count(), read, apex);
+  if (is_plainly_valid(env, c) || is_plainly_star(shape, at, apex)) return CellState::kValid;
+  return check_simplices<D>(
+      shape.simplex_count(), [&](uint32_t s, const double*(&points)[D]) { at.read(shape, s, points); }, apex);
 }
 
 /** Nobody has looked at the host's numbers. */
@@ -135,7 +243,11 @@ bool is_valid(const Environment<D>& env, Cell c) noexcept {
       if (!std::isfinite(env.point(c, i)[k])) return false;
     }
   }
-  const CellState state = check_star(env, c, env.map.shape(c));
+  const Shape shape = env.map.shape(c);
+  const CellPoints<D> at(env, c, shape);
+  double apex[D];
+  at.centre(shape, apex);
+  const CellState state = check_star(env, c, shape, at, apex);
   return state == CellState::kValid || state == CellState::kValidConvex;
 }
 
@@ -144,11 +256,12 @@ bool is_valid(const Environment<D>& env, Cell c) noexcept {
 template <int D>
 CellState check_cell(const Environment<D>& env, Cell c) noexcept {
   const Shape shape = env.map.shape(c);
-  const CellState state = check_star(env, c, shape);
-  if (state != CellState::kValid) return state;
+  const CellPoints<D> at(env, c, shape);
   double apex[D];
-  centre(env, c, apex);
-  return is_flat_and_convex(env, c, shape, apex) ? CellState::kValidConvex : state;
+  at.centre(shape, apex);
+  const CellState state = check_star(env, c, shape, at, apex);
+  if (state != CellState::kValid) return state;
+  return is_flat_and_convex(shape, at, apex) ? CellState::kValidConvex : state;
 }
 
 bool is_valid_star(const double* const* vertices, uint32_t vertex_count, const uint8_t* triangles,

@@ -10,59 +10,108 @@ namespace {
 
 constexpr uint32_t kLimit = 0xffff;
 
-/** Links darts to their opposites inside the cell by sorting the undirected edges. */
-ShapeDefect link_darts(const std::vector<uint32_t>& origin, const std::vector<uint32_t>& target,
-                       std::vector<uint32_t>& beta2, std::vector<uint32_t>& edge, uint32_t& edge_count) {
-  const uint32_t n = static_cast<uint32_t>(origin.size());
-  std::vector<std::array<uint32_t, 3>> keys(n);
-  for (uint32_t d = 0; d < n; ++d) keys[d] = {std::min(origin[d], target[d]), std::max(origin[d], target[d]), d};
-  std::sort(keys.begin(), keys.end());
+/** Scratch for one polyhedron: on the stack unless it is large. */
+template <class T>
+class Scratch {
+ public:
+  Scratch(size_t count, const Memory* memory) : large_(count > kFew ? count : 0, memory) {}
+  /** The next `count` of these. */
+  T* take(size_t count) {
+    T* const words = (large_.empty() ? few_ : large_.data()) + taken_;
+    taken_ += count;
+    return words;
+  }
+  /** Likewise, all with one value. */
+  T* take(size_t count, T value) {
+    T* const words = take(count);
+    std::fill_n(words, count, value);
+    return words;
+  }
+
+ private:
+  static constexpr size_t kFew = 512;
+
+  Array<T> large_;
+  T few_[kFew];
+  size_t taken_ = 0;
+};
+
+/** Darts of a polyhedron: where each starts, its facet, and, to be found, its opposite and its edge. */
+struct Darts {
+  uint32_t count, vertex_count;
+  const uint16_t *origin, *facet;
+  uint16_t *beta2, *edge;
+  const uint16_t* first;  // of the facets
+  uint32_t facet_count;
+  const uint32_t* next;  // in its facet
+};
+
+/** Sorts pairs of vertices by one of the two; pairs that have the same stay in their order. */
+template <class Key>
+void sort_pairs(const uint64_t* pairs, uint32_t count, uint32_t vertices, Key key, uint32_t* places, uint64_t* sorted) {
+  std::fill_n(places, vertices + 1, 0u);
+  for (uint32_t i = 0; i < count; ++i) ++places[key(pairs[i]) + 1];
+  for (uint32_t k = 0; k < vertices; ++k) places[k + 1] += places[k];
+  for (uint32_t i = 0; i < count; ++i) sorted[places[key(pairs[i])]++] = pairs[i];
+}
+
+/** Links darts to their opposites inside the cell by sorting the undirected edges, in `pairs`: two for each dart. */
+ShapeDefect link_darts(const Darts& darts, uint64_t* pairs, Scratch<uint32_t>& scratch, uint32_t& edge_count) {
+  const uint32_t n = darts.count;
   if (n % 2 != 0) return ShapeDefect::kOpen;
+  // The lower vertex of each edge, the higher one, and the dart: 16 bits each.
+  uint64_t *const edges = pairs, *const by_higher = pairs + n;
+  uint32_t* const places = scratch.take(size_t{darts.vertex_count} + 1);
+  for (uint32_t d = 0; d < n; ++d) {
+    const uint64_t a = darts.origin[d], b = darts.origin[darts.next[d]];
+    edges[d] = (a < b ? a << 32 | b << 16 : b << 32 | a << 16) | d;
+  }
+  const auto higher = [](uint64_t edge) { return static_cast<uint32_t>(edge >> 16 & 0xffff); };
+  const auto lower = [](uint64_t edge) { return static_cast<uint32_t>(edge >> 32); };
+  sort_pairs(edges, n, darts.vertex_count, higher, places, by_higher);
+  sort_pairs(by_higher, n, darts.vertex_count, lower, places, edges);
   for (uint32_t i = 0; i < n; i += 2) {
-    const uint32_t a = keys[i][2], b = keys[i + 1][2];
-    const bool pair = keys[i][0] == keys[i + 1][0] && keys[i][1] == keys[i + 1][1];
-    const bool third = i + 2 < n && keys[i][0] == keys[i + 2][0] && keys[i][1] == keys[i + 2][1];
-    if (!pair || third || origin[a] != target[b] || origin[a] == target[a]) return ShapeDefect::kOpen;
-    beta2[a] = b;
-    beta2[b] = a;
+    const auto a = static_cast<uint32_t>(edges[i] & 0xffff), b = static_cast<uint32_t>(edges[i + 1] & 0xffff);
+    const bool pair = edges[i] >> 16 == edges[i + 1] >> 16, third = i + 2 < n && edges[i] >> 16 == edges[i + 2] >> 16;
+    if (!pair || third || darts.origin[a] == darts.origin[b]) return ShapeDefect::kOpen;
+    darts.beta2[a] = static_cast<uint16_t>(b);
+    darts.beta2[b] = static_cast<uint16_t>(a);
   }
   edge_count = 0;
-  for (uint32_t d = 0; d < n; ++d) edge[d] = beta2[d] > d ? edge_count++ : edge[beta2[d]];
+  for (uint32_t d = 0; d < n; ++d) {
+    const uint32_t other = darts.beta2[d];
+    darts.edge[d] = other > d ? static_cast<uint16_t>(edge_count++) : darts.edge[other];
+  }
   return ShapeDefect::kNone;
 }
 
 /** Connected, one disc round every vertex, and V - E + F = 2: then the loops close a sphere. */
-bool is_sphere(const std::vector<uint32_t>& origin, const std::vector<uint32_t>& facet,
-               const std::vector<uint32_t>& next, const std::vector<uint32_t>& beta2, uint32_t facet_count,
-               uint32_t vertex_count, uint32_t edge_count) {
-  const uint32_t n = static_cast<uint32_t>(facet.size());
-  std::vector<char> seen(n, 0);
-  std::vector<uint32_t> stack{0};
-  uint32_t reached = 0;
-  seen[0] = 1;
-  while (!stack.empty()) {
-    const uint32_t d = stack.back();
-    stack.pop_back();
-    ++reached;
-    for (const uint32_t e : {next[d], beta2[d]}) {
-      if (!seen[e]) {
-        seen[e] = 1;
-        stack.push_back(e);
-      }
+bool is_sphere(const Darts& darts, Scratch<uint32_t>& scratch, uint32_t edge_count) {
+  const uint32_t n = darts.count;
+  uint32_t *const reached = scratch.take(darts.facet_count, 0), *const stack = scratch.take(darts.facet_count);
+  uint32_t height = 1, count = 1;  // from facet 0
+  stack[0] = 0;
+  reached[0] = 1;
+  while (height != 0) {
+    const uint32_t f = stack[--height];
+    for (uint32_t d = darts.first[f]; d < darts.first[f + 1]; ++d) {
+      const uint32_t beyond = darts.facet[darts.beta2[d]];
+      if (reached[beyond] != 0) continue;
+      reached[beyond] = 1;
+      stack[height++] = beyond;
+      ++count;
     }
   }
-  if (reached != n) return false;
-  uint32_t discs = 0;
-  std::vector<char> has_disc(vertex_count, 0);
-  std::fill(seen.begin(), seen.end(), static_cast<char>(0));
+  if (count != darts.facet_count) return false;
+  uint32_t *const seen = scratch.take(n, 0), *const has_disc = scratch.take(darts.vertex_count, 0), discs = 0;
   for (uint32_t d = 0; d < n; ++d) {
-    if (seen[d]) continue;
-    if (has_disc[origin[d]]) return false;
-    has_disc[origin[d]] = 1;
+    if (seen[d] != 0) continue;
+    if (has_disc[darts.origin[d]] != 0) return false;
+    has_disc[darts.origin[d]] = 1;
     ++discs;
-    for (uint32_t e = d; !seen[e]; e = next[beta2[e]]) seen[e] = 1;
+    for (uint32_t e = d; seen[e] == 0; e = darts.next[darts.beta2[e]]) seen[e] = 1;
   }
-  return discs == vertex_count && vertex_count + facet_count == edge_count + 2;
+  return discs == darts.vertex_count && darts.vertex_count + darts.facet_count == edge_count + 2;
 }
 
 struct StandardTables {
@@ -114,50 +163,52 @@ void write_fan(uint16_t* table, uint32_t facet, uint32_t base) {
 }  // namespace
 
 ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Array<uint16_t>& tables) {
-  const uint32_t facets = loops.facet_count, n = loops.first[facets];
-  if (facets >= kLimit || n >= kLimit || loops.vertex_count >= kLimit) return ShapeDefect::kTooLarge;
+  const uint32_t facets = loops.facet_count, n = loops.first[facets], vertices = loops.vertex_count;
+  if (facets >= kLimit || n >= kLimit || vertices >= kLimit) return ShapeDefect::kTooLarge;
   if (facets < 4) return ShapeDefect::kOpen;
-  std::vector<uint32_t> origin(n), target(n), facet(n), next(n), beta2(n), edge(n);
-  std::vector<uint32_t> last_facet(loops.vertex_count, facets);
+  const Memory* const memory = tables.get_allocator().memory;
+  Scratch<uint32_t> scratch(2 * size_t{n} + 3 * size_t{vertices} + 2 * size_t{facets} + 1, memory);
+  Scratch<uint64_t> pairs(2 * size_t{n}, memory);
+  uint32_t *const next = scratch.take(n), *const last_facet = scratch.take(vertices, facets);
   uint32_t simplices = 0;
   for (uint32_t f = 0; f < facets; ++f) {
     const uint32_t begin = loops.first[f], end = loops.first[f + 1];
     if (end < begin + 3) return ShapeDefect::kShortFacet;
     simplices += end - begin - 2;
     for (uint32_t d = begin; d < end; ++d) {
-      origin[d] = loops.vertices[d];
+      const uint32_t origin = loops.vertices[d];
+      if (origin >= vertices) return ShapeDefect::kOpen;
+      if (last_facet[origin] == f) return ShapeDefect::kRepeatedVertex;
+      last_facet[origin] = f;
       next[d] = d + 1 == end ? begin : d + 1;
-      target[d] = loops.vertices[next[d]];
-      facet[d] = f;
-      if (origin[d] >= loops.vertex_count) return ShapeDefect::kOpen;
-      if (last_facet[origin[d]] == f) return ShapeDefect::kRepeatedVertex;
-      last_facet[origin[d]] = f;
     }
   }
-  uint32_t edge_count = 0;
-  const ShapeDefect defect = link_darts(origin, target, beta2, edge, edge_count);
-  if (defect != ShapeDefect::kNone) return defect;
-  if (!is_sphere(origin, facet, next, beta2, facets, loops.vertex_count, edge_count)) return ShapeDefect::kNotSphere;
-
   const size_t at = tables.size();
   tables.resize(at + Shape::kHeader + 2 * (facets + 1) + 4 * n + 4 * simplices);
-  uint16_t* out = tables.data() + at;
+  uint16_t* const table = tables.data() + at;
+  uint16_t *const origin = table + Shape::kHeader + 2 * (facets + 1), *const facet = origin + n;
+  std::copy_n(loops.vertices, n, origin);
+  for (uint32_t f = 0; f < facets; ++f) {
+    std::fill(facet + loops.first[f], facet + loops.first[f + 1], static_cast<uint16_t>(f));
+  }
+  const Darts darts{n, vertices, origin, facet, facet + n, facet + 2 * n, loops.first, facets, next};
+  uint32_t edge_count = 0;
+  ShapeDefect defect = link_darts(darts, pairs.take(2 * size_t{n}), scratch, edge_count);
+  if (defect == ShapeDefect::kNone && !is_sphere(darts, scratch, edge_count)) defect = ShapeDefect::kNotSphere;
+  if (defect != ShapeDefect::kNone) {
+    tables.resize(at);
+    return defect;
+  }
+  uint16_t* out = table;
   const auto put = [&](uint32_t value) { *out++ = static_cast<uint16_t>(value); };
-  put(loops.vertex_count);
-  put(facets);
-  put(edge_count);
-  put(n);
-  put(simplices);
+  for (const uint32_t value : {vertices, facets, edge_count, n, simplices}) put(value);
   for (uint32_t f = 0; f <= facets; ++f) put(loops.first[f]);
   for (uint32_t f = 0; f <= facets; ++f) put(loops.first[f] - 2 * f);
-  for (const auto* column : {&origin, &facet, &beta2, &edge}) {
-    for (const uint32_t value : *column) put(value);
-  }
-  out += 3 * simplices;
+  out = origin + 4 * n + 3 * simplices;
   for (uint32_t f = 0; f < facets; ++f) {
     for (uint32_t i = loops.first[f] + 2; i < loops.first[f + 1]; ++i) put(f);
   }
-  for (uint32_t f = 0; f < facets; ++f) write_fan(tables.data() + at, f, base == nullptr ? 0 : base[f]);
+  for (uint32_t f = 0; f < facets; ++f) write_fan(table, f, base == nullptr ? 0 : base[f]);
   return ShapeDefect::kNone;
 }
 

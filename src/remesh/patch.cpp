@@ -176,7 +176,7 @@ uint32_t RimSurface::find_apex(const Geometry& geometry, size_t most_tetrahedra)
 namespace {
 
 CellDraft like(const Environment<3>& env, Cell c) {
-  CellDraft draft(env.memory);
+  CellDraft draft(env.scratch.memory());
   draft.from = c;
   draft.marked = env.map.marked(c);
   draft.region = env.region(c);
@@ -214,7 +214,7 @@ uint32_t fill_with_tetrahedra(Edit<3>& edit, const Patch& patch, uint32_t& pairs
         draft.facets.push_back(*beyond);
         continue;
       }
-      FacetDraft side(env.memory);
+      FacetDraft side(env.scratch.memory());
       side.loop.assign({b, a, patch.apex});
       side.triangles = side.loop;
       side.pair = pairs + edges.insert(pair_key(a, b));

@@ -205,8 +205,10 @@ class Followers {
     edit_.for_each_marked(add);
     for (size_t i = 0; i < edit_.link_count(); ++i) {
       Box<D> box;
-      const FacetDraft facet = draft_of(env_, edit_.link(i));
-      for (const uint32_t v : facet.loop) box.add(env_.point(v));
+      const HalfFacet h = edit_.link(i);
+      const Cell c = env_.map.cell_of(h);
+      for_each_facet_vertex<D>(env_.map.shape(c), env_.map.local_of(h, c),
+                               [&](uint32_t local) { box.add(env_.point(c, local)); });
       places_.add(box);
     }
     return places_;

@@ -54,7 +54,7 @@ class Addition {
       fail(DSW_STATUS_WRONG_SIZE,
            "new volume %u has offsets outside of connectivity, or not as many points as its type", i);
     }
-    CellDraft draft(env_.memory);
+    CellDraft draft(env_.scratch.memory());
     draft.region = in_.regions == nullptr ? 0 : in_.regions[i];
     draft.tag = in_.tags == nullptr ? 0 : in_.tags[i];
     if constexpr (D == 2) {
@@ -86,7 +86,7 @@ class Addition {
   void read_standard(uint32_t i, size_t begin, Form form, CellDraft& draft) {
     const Shape shape = standard_shape(form, 0);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-      FacetDraft facet(env_.memory);
+      FacetDraft facet(env_.scratch.memory());
       for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
         facet.loop.push_back(vertex(i, begin + shape.dart_vertex(d)));
       }
@@ -96,7 +96,7 @@ class Addition {
 
   void read_polygon(uint32_t i, size_t begin, size_t end, CellDraft& draft) {
     for (size_t at = begin; at < end; ++at) {
-      FacetDraft side(env_.memory);
+      FacetDraft side(env_.scratch.memory());
       for (const size_t corner : {at, at + 1 == end ? begin : at + 1}) side.loop.push_back(vertex(i, corner));
       draft.facets.push_back(std::move(side));
     }
@@ -113,7 +113,7 @@ class Addition {
       if (corners < 3 || static_cast<uint64_t>(corners) > end - at) {
         fail(DSW_STATUS_BAD_CELL, "the face stream of new volume %u is malformed", i);
       }
-      FacetDraft facet(env_.memory);
+      FacetDraft facet(env_.scratch.memory());
       for (int64_t k = 0; k < corners; ++k) facet.loop.push_back(vertex(i, at++));
       add_facet(i, draft, std::move(facet));
     }

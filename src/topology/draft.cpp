@@ -25,7 +25,7 @@ void sort_triangles(const FacetDraft& facet, Array<uint32_t>& out) {
 }
 
 /** The sides of a polygon on the way from the second of two corners to the first, and the rest. */
-bool part_between(const CellDraft& whole, const Array<uint32_t>& ends, CellDraft& left, CellDraft& right) {
+bool part_between(CellDraft& whole, const Array<uint32_t>& ends, CellDraft& left, CellDraft& right) {
   Array<uint32_t> sides(ends.get_allocator());
   const auto starts = [&](const FacetDraft& side) { return side.loop[0] == ends[1]; };
   const auto first = std::find_if(whole.facets.begin(), whole.facets.end(), starts);
@@ -35,39 +35,52 @@ bool part_between(const CellDraft& whole, const Array<uint32_t>& ends, CellDraft
   bool is_left = true;
   for (const uint32_t side : sides) {
     is_left = is_left && whole.facets[side].loop[0] != ends[0];
-    (is_left ? left : right).facets.push_back(whole.facets[side]);
+    (is_left ? left : right).facets.push_back(std::move(whole.facets[side]));
   }
   return !right.facets.empty();
 }
 
 }  // namespace
 
+namespace {
+
+/** Facet `f` of a cell, whose vertices are at(local). */
+template <int D, class VertexAt>
+FacetDraft read_facet(const Environment<D>& env, HalfFacet h, const Shape& shape, uint32_t f, VertexAt at) {
+  FacetDraft facet(env.scratch.memory());
+  const uint32_t first = 3 * shape.simplex_first(f), end = 3 * shape.simplex_first(f + 1);
+  facet.loop.reserve(D == 3 ? shape.facet_size(f) + 2 : 2);  // edges of it may be split
+  if (D == 3) facet.triangles.reserve(end - first + 6);
+  for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { facet.loop.push_back(at(local)); });
+  const uint16_t* const local = shape.simplices();
+  for (uint32_t k = first; D == 3 && k < end; ++k) facet.triangles.push_back(at(local[k]));
+  facet.near = h;
+  facet.far = env.map.opposite(h);
+  facet.marked = env.map.facet_marked(h);
+  return facet;
+}
+
+}  // namespace
+
 template <int D>
 FacetDraft draft_of(const Environment<D>& env, HalfFacet h) {
-  const Map<D>& map = env.map;
-  const Cell c = map.cell_of(h);
-  const Shape shape = map.shape(c);
-  const uint32_t f = map.local_of(h, c);
-  FacetDraft facet(env.memory);
-  facet.loop.reserve(D == 3 ? shape.facet_size(f) : 2);
-  if (D == 3) facet.triangles.reserve(size_t{3} * (shape.simplex_first(f + 1) - shape.simplex_first(f)));
-  for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { facet.loop.push_back(map.vertex(c, local)); });
-  const uint16_t* const local = shape.simplices();
-  for (uint32_t k = 3 * shape.simplex_first(f); D == 3 && k < 3 * shape.simplex_first(f + 1); ++k) {
-    facet.triangles.push_back(map.vertex(c, local[k]));
-  }
-  facet.near = h;
-  facet.far = map.opposite(h);
-  facet.marked = map.facet_marked(h);
-  return facet;
+  const Cell c = env.map.cell_of(h);
+  const auto at = [&](uint32_t local) { return env.map.vertex(c, local); };
+  return read_facet(env, h, env.map.shape(c), env.map.local_of(h, c), at);
 }
 
 template <int D>
 CellDraft draft_of(const Environment<D>& env, Cell c) {
-  CellDraft draft(env.memory);
-  const uint32_t facets = env.map.facets_of(c);
-  draft.facets.reserve(facets);
-  for (uint32_t f = 0; f < facets; ++f) draft.facets.push_back(draft_of(env, env.map.half_facet(c, f)));
+  CellDraft draft(env.scratch.memory());
+  const Shape shape = env.map.shape(c);
+  Array<uint32_t> vertices(shape.vertex_count(), 0, env.scratch.memory());
+  for (uint32_t k = 0; k < vertices.size(); ++k) vertices[k] = env.map.vertex(c, k);
+  const uint32_t facets = shape.facet_count();
+  draft.facets.reserve(facets + 2);
+  for (uint32_t f = 0; f < facets; ++f) {
+    draft.facets.push_back(
+        read_facet(env, env.map.half_facet(c, f), shape, f, [&](uint32_t local) { return vertices[local]; }));
+  }
   draft.from = c;
   draft.marked = env.map.marked(c);
   draft.region = env.region(c);
@@ -114,9 +127,11 @@ bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t
     fail(DSW_STATUS_TOO_LARGE, "a face of %zu vertices has to be cut anew, more than %u", hole.size(),
          kMostTriangulated);
   }
-  Array<const double*> points{env.memory};
+  Array<const double*> points{env.scratch.memory()};
+  points.reserve(hole.size());
   for (const uint32_t v : hole) points.push_back(env.point(v));
   const Array<size_t> triangles = triangulate(points, apex, beyond);
+  facet.triangles.reserve(facet.triangles.size() + triangles.size());
   for (const size_t place : triangles) facet.triangles.push_back(hole[place]);
   return !triangles.empty();
 }
@@ -133,7 +148,7 @@ void list_vertices(const CellDraft& draft, Array<uint32_t>& out) {
 
 template <int D>
 void centre(const Environment<D>& env, const CellDraft& draft, double* out) {
-  Array<uint32_t> vertices{env.memory};
+  Array<uint32_t> vertices{env.scratch.memory()};
   list_vertices(draft, vertices);
   const double count = static_cast<double>(vertices.size());
   for (int k = 0; k < D; ++k) {
@@ -228,23 +243,31 @@ bool order_sides(const CellDraft& draft, uint32_t first, Array<uint32_t>& out) {
   return side == first && out.size() == sides.size();
 }
 
-bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& left, CellDraft& right) {
+bool part_along(CellDraft& whole, const Array<uint32_t>& loop, CellDraft& left, CellDraft& right) {
   if (loop.size() == 2) return part_between(whole, loop, left, right);
   // Every edge with the facet that runs along it from `a` to `b`.
   struct Side {
-    uint32_t a, b, facet;
-    bool operator<(const Side& o) const { return a != o.a ? a < o.a : b < o.b; }
+    uint64_t edge;
+    uint32_t facet;
+    bool operator<(const Side& o) const { return edge < o.edge; }
   };
+  const auto edge = [](uint32_t a, uint32_t b) { return uint64_t{a} << 32 | b; };
   Array<Side> sides(loop.get_allocator());
   const auto facets = static_cast<uint32_t>(whole.facets.size());
-  sides.reserve(4 * whole.facets.size());
+  size_t corners = 0;
+  for (const FacetDraft& facet : whole.facets) corners += facet.loop.size();
+  sides.reserve(corners);
   for (uint32_t f = 0; f < facets; ++f) {
     const FacetDraft& facet = whole.facets[f];
-    for (uint32_t k = 0; k < facet.loop.size(); ++k) sides.push_back({facet.loop[k], facet.after(k), f});
+    uint32_t before = facet.loop.back();
+    for (const uint32_t v : facet.loop) {
+      sides.push_back({edge(before, v), f});
+      before = v;
+    }
   }
   std::sort(sides.begin(), sides.end());
   const auto facet_along = [&](uint32_t a, uint32_t b) {
-    return std::lower_bound(sides.begin(), sides.end(), Side{a, b, 0})->facet;
+    return std::lower_bound(sides.begin(), sides.end(), Side{edge(a, b), 0})->facet;
   };
   const auto is_crossed = [&](uint32_t a, uint32_t b) {
     const auto at = static_cast<size_t>(std::find(loop.begin(), loop.end(), a) - loop.begin());
@@ -270,7 +293,7 @@ bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& 
   const auto lefts = static_cast<size_t>(std::count(is_left.begin(), is_left.end(), 1));
   left.facets.reserve(lefts + 1);  // and the new one
   right.facets.reserve(facets - lefts + 1);
-  for (uint32_t f = 0; f < facets; ++f) (is_left[f] != 0 ? left : right).facets.push_back(whole.facets[f]);
+  for (uint32_t f = 0; f < facets; ++f) (is_left[f] != 0 ? left : right).facets.push_back(std::move(whole.facets[f]));
   return !right.facets.empty();
 }
 

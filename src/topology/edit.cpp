@@ -161,18 +161,17 @@ void Edit<D>::set_draft_mark(size_t i, bool marked) noexcept {
 }
 
 template <int D>
-bool Edit<D>::is_removed(Cell c) const {
-  return std::binary_search(removed_.begin(), removed_.end(), c, [](Cell a, Cell b) { return a.unit < b.unit; });
-}
-
-template <int D>
 HalfFacet Edit<D>::half_facet(size_t i, uint32_t facet) const {
-  return {made_[i].words[facet]};
+  return {word_of(i, facet)};
 }
 
 template <int D>
 void Edit<D>::prepare(Array<uint32_t>* invalid) {
   std::sort(removed_.begin(), removed_.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
+  if (!removed_.empty()) {
+    lowest_gone_ = removed_.front().unit;
+    gone_span_ = removed_.back().unit - lowest_gone_;
+  }
   for (const Cell c : removed_) reserve_return(map_, c);
   made_.reserve(drafts_.size());
   for (uint32_t i = 0; i < drafts_.size(); ++i) {
@@ -199,11 +198,13 @@ void Edit<D>::prepare(Array<uint32_t>* invalid) {
 /** False: its facets would not close a sphere, in the plane a loop. */
 template <int D>
 bool Edit<D>::write_record(size_t i) {
-  Layout layout(env_.memory);
+  Layout& layout = layout_;
   if (!lay_out<D>(drafts_[i], layout)) return false;
-  made_.emplace_back(env_.memory);
+  const size_t first = words_.size();
+  words_.resize(first + layout.facets.size());
+  made_.emplace_back();
   Made& made = made_.back();
-  made.words.resize(layout.facets.size());
+  made.first_word = first;
   if (layout.form == Form::kGeneral) {
     write_general(layout, made);
   } else {
@@ -215,7 +216,7 @@ bool Edit<D>::write_record(size_t i) {
     if (!is_simplex) w[0] = static_cast<uint32_t>(layout.form) << kFormShift | layout.cuts;
   }
   for (size_t f = 0; f < layout.facets.size(); ++f) {
-    made.words[f] = map_.half_facet(made.cell, layout.facets[f]).word;
+    words_[first + f] = map_.half_facet(made.cell, layout.facets[f]).word;
   }
   return true;
 }
@@ -295,12 +296,12 @@ template <int D>
 void Edit<D>::connect(size_t i, uint32_t f, const Array<Origin>& origins) {
   const FacetDraft& facet = drafts_[i].facets[f];
   const uint32_t mark = facet.marked ? kMarkBit : 0;
-  uint32_t& word = map_.words[made_[i].words[f]];
+  uint32_t& word = map_.words[word_of(i, f)];
   word = kNoFacet | mark;
   if (facet.pair == kNoPair && !facet.far.valid()) return;
   if (facet.pair == kNoPair && !is_removed(map_.cell_of(facet.far))) {
     word = facet.far.word | mark;
-    find_link(facet.far.word)->after = made_[i].words[f] | mark;
+    find_link(facet.far.word)->after = word_of(i, f) | mark;
     return;
   }
   const uint32_t key = facet.pair != kNoPair ? kNoPair - 1 - facet.pair : facet.far.word;
@@ -310,7 +311,7 @@ void Edit<D>::connect(size_t i, uint32_t f, const Array<Origin>& origins) {
     if (&other == &facet || !face_each_other(facet, other)) continue;
     if (at->draft == i) fail(DSW_STATUS_BAD_TOPOLOGY, "a volume would lie on both sides of one of its faces");
     DSW_ASSERT(cut_alike(facet, other) && facet.marked == other.marked);
-    word = made_[at->draft].words[at->facet] | mark;
+    word = word_of(at->draft, at->facet) | mark;
     return;
   }
 }
@@ -386,9 +387,7 @@ void Edit<D>::count_all() noexcept {
   for (const Cell c : removed_) {
     for (uint32_t f = 0, facets = map_.facets_of(c); f < facets; ++f) count(map_.words[map_.half_facet(c, f).word], -1);
   }
-  for (const Made& made : made_) {
-    for (const uint32_t word : made.words) count(map_.words[word], 1);
-  }
+  for (const uint32_t word : words_) count(map_.words[word], 1);
   for (const Link& link : links_) {
     count(link.before, -1);
     count(link.after, 1);

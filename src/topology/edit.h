@@ -68,7 +68,7 @@ class Edit {
 
   /** After prepare(): the cells that go, by unit, and those that come. */
   const Array<Cell>& removed() const { return removed_; }
-  bool is_removed(Cell c) const;
+  bool is_removed(Cell c) const { return c.unit - lowest_gone_ <= gone_span_ && gone_.find(c.unit) != KeyTable::kNone; }
   size_t cell_count() const { return made_.size(); }
   Cell cell(size_t i) const { return made_[i].cell; }
   /** Half-facet of a draft's facet. */
@@ -95,8 +95,7 @@ class Edit {
   struct Made {
     Cell cell;
     uint32_t units = 0, shape = kNoCell, index = 0;
-    Array<uint32_t> words;  // of the draft's facets
-    explicit Made(const Memory* memory) : words(memory) {}
+    size_t first_word = 0;  // of the draft's facets, in words_
   };
   struct Link {
     uint32_t word, before, after;
@@ -146,6 +145,7 @@ class Edit {
   void move_uses() noexcept;
   void log_changes() noexcept;
   Link* find_link(uint32_t word);
+  uint32_t word_of(size_t i, uint32_t facet) const { return words_[made_[i].first_word + facet]; }
 
   Environment<D>& env_;
   Map<D>& map_;
@@ -156,11 +156,15 @@ class Edit {
   Array<float> local_points_{env_.memory};  // of the environment, to be put back
   KeyTable gone_{env_.memory};              // units of removed_, in the order in which they were named
   Array<Cell> removed_{env_.memory};
+  uint32_t lowest_gone_ = 0,
+           gone_span_ = 0xffffffffu;  // units of these once they are sorted: most others are not between
   Array<CellDraft> drafts_{env_.memory};
   KeyTable ancestors_{env_.memory};     // units of the cells that drafts come of
   Array<Heirs> heirs_of_{env_.memory};  // by number in ancestors_
   Array<Heir> heirs_{env_.memory};
   Array<Made> made_{env_.memory};
+  Array<uint32_t> words_{env_.memory};  // half-facets of all drafts
+  Layout layout_{env_.scratch.memory()};
   Array<Link> links_{env_.memory};
   Array<MarkChange> marks_{env_.memory};
   Array<CellMark> cell_marks_{env_.memory};

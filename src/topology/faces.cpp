@@ -59,7 +59,7 @@ MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Array<uint32_t>
   // Both sides have to name the merged face after the same one of the two.
   const bool after_first =
       !two || std::min(first.near.word, first.far.word) < std::min(second.near.word, second.far.word);
-  FacetDraft merged(env.memory);
+  FacetDraft merged(env.scratch.memory());
   merged.loop = loop;
   merged.triangles = first.triangles;
   merged.triangles.insert(merged.triangles.end(), second.triangles.begin(), second.triangles.end());

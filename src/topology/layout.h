@@ -5,6 +5,7 @@
 
 namespace dsw {
 
+/** Can be used for one cell after the other. */
 struct Layout {
   Form form = Form::kGeneral;
   uint32_t cuts = 0;         // of a standard form
@@ -12,7 +13,17 @@ struct Layout {
   Array<uint32_t> facets;    // numbers in the record of the draft's
   Array<uint16_t> table;     // of a general form: its shape
 
-  explicit Layout(const Memory* memory) : vertices(memory), facets(memory), table(memory) {}
+  Array<uint32_t> listed;  // scratch: the draft's vertices, its loops, where these begin, triangles of one facet
+  Array<uint16_t> loops, first, triangles;
+
+  explicit Layout(const Memory* memory)
+      : vertices(memory),
+        facets(memory),
+        table(memory),
+        listed(memory),
+        loops(memory),
+        first(memory),
+        triangles(memory) {}
 };
 
 /** False: the facets would not close a sphere, the sides of a polygon no loop. Throws TOO_LARGE, std::bad_alloc. */

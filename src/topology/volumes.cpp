@@ -178,12 +178,14 @@ template <int D>
 SplitCell split_cell(Edit<D>& edit, Cell c, const uint32_t* loop, size_t count) {
   const Environment<D>& env = edit.environment();
   check_loop(env.map, c, loop, count);
-  const CellDraft whole = draft_of(env, c);
-  CellDraft left = whole, right = whole;
-  left.facets.clear();
-  right.facets.clear();
+  CellDraft whole = draft_of(env, c), left(env.scratch.memory());
+  left.from = c;
+  left.marked = whole.marked;
+  left.region = whole.region;
+  left.tag = whole.tag;
+  CellDraft right = left;
   right.keeps_index = false;
-  FacetDraft inserted(env.memory);
+  FacetDraft inserted(env.scratch.memory());
   inserted.pair = 0;
   inserted.loop.assign(loop, loop + count);
   if (!part_along(whole, inserted.loop, left, right)) {
