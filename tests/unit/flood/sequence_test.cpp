@@ -86,6 +86,32 @@ TEST_P(PlaneSequence, IsNotFollowedThroughWhatIsImpassable) {
   EXPECT_TRUE(follows(p, q));
 }
 
+TEST_P(PlaneSequence, KnowsTheLastTwoPlacesUntilSomethingChanges) {
+  const double p[2] = {0.3, 1.5}, q[2] = {5.8, 1.4}, next[2] = {0.1, 1.6}, third[2] = {0.2, 1.6};
+  const Cell first = at(p[0], p[1]), last = at(q[0], q[1]);
+  const auto knows = [&](const double(&from)[2]) {
+    return sequence_.has_place(env_->obstacle_version, from, q, first, last);
+  };
+  assign(p, q);
+  EXPECT_FALSE(knows(p));
+  ASSERT_TRUE(follows(p, q) && follows(next, q));
+  EXPECT_TRUE(knows(p) && knows(next));
+  EXPECT_FALSE(sequence_.has_place(env_->obstacle_version, q, p, last, first)) << "the other way round";
+  EXPECT_FALSE(sequence_.has_place(env_->obstacle_version, p, q, first, first)) << "another cell";
+  ASSERT_TRUE(follows(third, q));
+  EXPECT_TRUE(knows(next) && knows(third));
+  EXPECT_FALSE(knows(p)) << "two are kept";
+  const HalfFacet side = between(at(2.9, 1.45), at(3.1, 1.5));
+  set_facet_mark(*env_, side, true);
+  EXPECT_FALSE(knows(next) || knows(third));
+  set_facet_mark(*env_, side, false);
+  ASSERT_TRUE(follows(p, q));
+  EXPECT_TRUE(knows(p));
+  EXPECT_FALSE(knows(third)) << "of another version";
+  sequence_.remove(*env_, true);
+  EXPECT_FALSE(knows(p));
+}
+
 TEST_P(PlaneSequence, IsNotFollowedThroughAVertex) {
   assign({0.25, 0.5}, {1.75, 1.75});
   EXPECT_TRUE(follows({0.25, 0.5}, {1.75, 1.75}));
