@@ -93,6 +93,17 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
       if (locate(*env, to.data(), Cell{}, nullptr).cell != start) continue;
       if (!follows(*env, noted.sequence, from, end, noted.first, noted.last)) continue;
       ASSERT_TRUE(follows(*env, noted.sequence, from, end, noted.first, noted.last)) << "the place is known";
+      if (!noted.sequence.facets.empty() && random.below(8) == 0) {
+        const HalfFacet passed{noted.sequence.facets.front()};
+        set_facet_mark(*env, passed, true);
+        ASSERT_FALSE(follows(*env, noted.sequence, from, end, noted.first, noted.last)) << "a passed facet is marked";
+        set_facet_mark(*env, passed, false);
+        set_cell_mark(*env, noted.last, true);
+        ASSERT_FALSE(follows(*env, noted.sequence, from, end, noted.first, noted.last)) << "the last cell is marked";
+        set_cell_mark(*env, noted.last, false);
+        ASSERT_TRUE(follows(*env, noted.sequence, from, end, noted.first, noted.last));
+        ASSERT_FALSE(follows(*env, noted.sequence, from, end, noted.last, noted.first)) << "not between these cells";
+      }
       if (noted.sequence.in_rows || follows(*env, noted.sequence, new_from, new_end, noted.first, noted.last)) continue;
       Pivot<3> pivot;
       if (!turn(*env, noted.sequence, new_from, new_end, pivot) ||
