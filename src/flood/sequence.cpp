@@ -120,6 +120,7 @@ bool pass(const Environment<3>& env, const double* from, const double* to, const
 bool follows_alone(const Environment<3>& env, EdgeSequence<3>& sequence, const double* from,
                    const double* to) noexcept {
   if (!pass(env, from, to, sequence.facets)) return false;
+  if (sequence.version != env.obstacle_version) sequence.place_count = 0;  // those were of another version
   sequence.version = env.obstacle_version;
   return true;
 }

@@ -130,4 +130,23 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
   EXPECT_GT(refused, 100);
 }
 
+TEST(EdgeTurn, PlacesOfBeforePointsMovedAreForgotten) {
+  Mesh3 mesh;
+  add_boxes(mesh, 2, 1, 1);
+  const auto env = mesh.build();
+  const double below[2][3] = {{0.5, 0.05, 0.5}, {1.5, 0.05, 0.5}}, middle[2][3] = {{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}};
+  Noted noted;
+  ASSERT_TRUE(noted.note(*env, middle[0], middle[1]));
+  ASSERT_EQ(noted.sequence.facets.size(), 1u);
+  const auto follows_line = [&](const double(&line)[2][3]) {
+    return follows(*env, noted.sequence, line[0], line[1], noted.first, noted.last);
+  };
+  EXPECT_TRUE(follows_line(below));
+  EXPECT_TRUE(follows_line(middle));
+  for (uint32_t v = 0; v < 12; ++v) env->writable_points()[3 * v + 1] += 0.1;
+  env->note_move();
+  EXPECT_TRUE(follows_line(middle));
+  EXPECT_FALSE(follows_line(below)) << "beside the facet now";
+}
+
 }  // namespace
