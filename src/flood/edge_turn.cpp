@@ -30,8 +30,8 @@ Ring ring_of(const Map<3>& map, HalfFacet h) noexcept {
   return {map, c, map.local_of(h, c)};
 }
 
-/** Finds what the line misses of a facet: the first ridge that it passes on the wrong side, as far as rounded tests tell.
- * False: it certainly misses none. */
+/** Finds what the line misses of a facet: the first ridge that it passes on the wrong side, as far as rounded tests
+ * tell. False: it certainly misses none. */
 bool find_missed(const Environment<3>& env, const Ring& ring, const double* from, const double* to,
                  Pivot<3>& pivot) noexcept {
   const double* corners[4];

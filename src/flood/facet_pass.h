@@ -5,8 +5,9 @@
 
 namespace dsw {
 
-/** Whether the line from one point to another certainly leaves through a facet: it passes all ridges on the facet's side.
- * Corners are counter-clockwise seen from outside; a triangle repeats the last. */
+/** Whether the line from one point to another certainly leaves through a facet: it passes all ridges on the facet's
+ * side. Corners are counter-clockwise seen from outside; a triangle repeats the last. The bounds are those of
+ * predicates/filter_bounds.h. */
 using PassesFacet = bool (*)(const double* const* corners, const double* from, const double* to) noexcept;
 bool passes_facet(const double* const* corners, const double* from, const double* to) noexcept;
 #if defined(__x86_64__)

@@ -88,7 +88,8 @@ bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noex
          std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
 }
 
-/** Facets that are not in rows: whether all are passable, their cells exactly convex, and a line certainly passes them. */
+/** Facets that are not in rows: whether all are passable, their cells exactly convex, and a line certainly passes
+ * them. */
 bool pass(const Environment<3>& env, const double* from, const double* to, const Array<uint32_t>& facets) noexcept {
   const Map<3>& map = env.map;
   for (const uint32_t f : facets) {
@@ -119,6 +120,7 @@ bool pass(const Environment<3>& env, const double* from, const double* to, const
 bool follows_alone(const Environment<3>& env, EdgeSequence<3>& sequence, const double* from,
                    const double* to) noexcept {
   if (!pass(env, from, to, sequence.facets)) return false;
+  if (sequence.version != env.obstacle_version) sequence.place_count = 0;  // those were of another version
   sequence.version = env.obstacle_version;
   return true;
 }

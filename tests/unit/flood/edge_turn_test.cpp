@@ -93,6 +93,17 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
       if (locate(*env, to.data(), Cell{}, nullptr).cell != start) continue;
       if (!follows(*env, noted.sequence, from, end, noted.first, noted.last)) continue;
       ASSERT_TRUE(follows(*env, noted.sequence, from, end, noted.first, noted.last)) << "the place is known";
+      if (!noted.sequence.facets.empty() && random.below(8) == 0) {
+        const HalfFacet passed{noted.sequence.facets.front()};
+        set_facet_mark(*env, passed, true);
+        ASSERT_FALSE(follows(*env, noted.sequence, from, end, noted.first, noted.last)) << "a passed facet is marked";
+        set_facet_mark(*env, passed, false);
+        set_cell_mark(*env, noted.last, true);
+        ASSERT_FALSE(follows(*env, noted.sequence, from, end, noted.first, noted.last)) << "the last cell is marked";
+        set_cell_mark(*env, noted.last, false);
+        ASSERT_TRUE(follows(*env, noted.sequence, from, end, noted.first, noted.last));
+        ASSERT_FALSE(follows(*env, noted.sequence, from, end, noted.last, noted.first)) << "not between these cells";
+      }
       if (noted.sequence.in_rows || follows(*env, noted.sequence, new_from, new_end, noted.first, noted.last)) continue;
       Pivot<3> pivot;
       if (!turn(*env, noted.sequence, new_from, new_end, pivot) ||
@@ -117,6 +128,25 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
   EXPECT_GT(turned, 300);
   EXPECT_GT(of_several, 50);
   EXPECT_GT(refused, 100);
+}
+
+TEST(EdgeTurn, PlacesOfBeforePointsMovedAreForgotten) {
+  Mesh3 mesh;
+  add_boxes(mesh, 2, 1, 1);
+  const auto env = mesh.build();
+  const double below[2][3] = {{0.5, 0.05, 0.5}, {1.5, 0.05, 0.5}}, middle[2][3] = {{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}};
+  Noted noted;
+  ASSERT_TRUE(noted.note(*env, middle[0], middle[1]));
+  ASSERT_EQ(noted.sequence.facets.size(), 1u);
+  const auto follows_line = [&](const double(&line)[2][3]) {
+    return follows(*env, noted.sequence, line[0], line[1], noted.first, noted.last);
+  };
+  EXPECT_TRUE(follows_line(below));
+  EXPECT_TRUE(follows_line(middle));
+  for (uint32_t v = 0; v < 12; ++v) env->writable_points()[3 * v + 1] += 0.1;
+  env->note_move();
+  EXPECT_TRUE(follows_line(middle));
+  EXPECT_FALSE(follows_line(below)) << "beside the facet now";
 }
 
 }  // namespace
