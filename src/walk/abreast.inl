@@ -102,12 +102,12 @@ struct FacetSets {
 
 #endif
 
-/** Whether there is a look for such cells, flat and convex or not. */
-constexpr bool can_be_abreast(Form form, bool flat) {
+/** Whether it pays to look at so many such cells, flat and convex or not, side by side: lanes without one do nothing. */
+constexpr bool pays_abreast(Form form, bool flat, uint32_t count) {
 #if defined(DSW_ISA_AVX512)
-  if (form == Form::kBox) return true;
+  if (form == Form::kBox) return count == kAbreast;  // a look at one fills six lanes
 #endif
-  return flat && (form == Form::kSimplex || form == Form::kPyramid || form == Form::kBox);
+  return flat && count >= 3 && (form == Form::kSimplex || form == Form::kPyramid || form == Form::kBox);
 }
 
 /** Extent lane by lane. */

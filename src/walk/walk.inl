@@ -20,9 +20,6 @@ constexpr uint32_t kAbreast = 4;
 #else
 constexpr uint32_t kAbreast = 1;
 #endif
-#if defined(DSW_ABREAST)
-constexpr uint32_t kLeastAbreast = 3;  // fewer cost less one by one
-#endif
 #include "walk/polyhedron.inl"
 #include "walk/polygon.inl"
 #include "walk/exit.inl"
@@ -165,11 +162,11 @@ class Walkers {
   template <bool First>
   DSW_HOT bool look_abreast(uint32_t first, uint32_t end) noexcept {
 #if defined(DSW_ABREAST)
-    if (D != 3 || end - first < kLeastAbreast) return false;
+    if (D != 3) return false;
     const uint32_t word = map_.record(results_[active_[first]].cell)[0];
     const Form form = form_of(word);
     const bool flat = form == Form::kSimplex || (word & kConvexBit) != 0;
-    if (!can_be_abreast(form, flat)) return false;
+    if (!pays_abreast(form, flat, end - first)) return false;
     const uint32_t kind = form == Form::kSimplex ? 7u << kFormShift : 7u << kFormShift | kConvexBit;
     Abreast cells;
     uint32_t different = 0;
