@@ -29,6 +29,13 @@ class CourseCasts {
   /** To see whether edge e is free in a new place, and which cells it crosses there.
    * @param v whose way is in doubt if it is not; kNone: that of both ends. */
   void add_edge(uint32_t e, uint32_t v, const End& from, const End& to);
+  /** The same where no sequences are kept. */
+  void add_place(uint32_t e, uint32_t v, const End& from, const End& to) {
+    vertices_[packet_.count()] = v;
+    edges_[packet_.count()] = e;
+    packet_.add_between(env_, from.cell, from.position, to.cell, to.position, sweeps_.max_volumes);
+    if (packet_.full()) run_edges();
+  }
   /** Casts the edges that have been added. */
   void run_edges();
   /** Whether all edges of a vertex are free where they are. */

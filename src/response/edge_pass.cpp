@@ -40,13 +40,13 @@ void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
     const bool skips = skips_back && both && first.inwards && !second.inwards && body.edges[e].faces[1] != kNone;
     ++sweeps_.counts.swept;
     sweeps_.counts.skipped += skips ? 1 : 0;
-    if (!skips) casts_.add_edge(e, v, {first.arrival, targets[v]}, {second.from, body.position(w)});
+    if (!skips) casts_.add_place(e, v, {first.arrival, targets[v]}, {second.from, body.position(w)});
   }
   if (!both) return;
   second.doubtful = second.doubtful || !first.arrival.valid();
   if (second.doubtful) return;
   ++sweeps_.counts.swept;
-  casts_.add_edge(e, w, {second.arrival, targets[w]}, {first.arrival, targets[v]});
+  casts_.add_place(e, w, {second.arrival, targets[w]}, {first.arrival, targets[v]});
 }
 
 /** In the order of the turns of both ends: what the edge is found to pass is then that of its last place. */

@@ -4,15 +4,21 @@
 //   line test of p -> q against edge a -> b = -(p - q) . (a x b)
 // and the two triangles of a facet share the cross product of its diagonal.
 
-/** Three coordinates of six points. */
-struct Points {
-  Lanes x, y, z;
+/** Three coordinates of several points. */
+template <class Values>
+struct PointsOf {
+  Values x, y, z;
 };
+using Points = PointsOf<Lanes>;
 
-inline Points cross(const Points& a, const Points& b) noexcept {
+template <class Values>
+inline PointsOf<Values> cross(const PointsOf<Values>& a, const PointsOf<Values>& b) noexcept {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline Lanes dot(const Points& a, const Points& b) noexcept { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+template <class Values>
+inline Values dot(const PointsOf<Values>& a, const PointsOf<Values>& b) noexcept {
+  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
 inline Points select(Lanes::Mask m, const Points& yes, const Points& no) noexcept {
   return {Lanes::select(m, yes.x, no.x), Lanes::select(m, yes.y, no.y), Lanes::select(m, yes.z, no.z)};
 }

@@ -36,13 +36,28 @@ struct CastLine {
 /** What the planes of a cell say about the target, or its triangles about the line. */
 struct Look {
   uint8_t facets;  // kPlanes: with the target outside. kBox: pierced outwards, or kNotKnown
-  uint8_t second;  // kBox, of these: through the second triangle
+  uint8_t second;  // kBox, of these: through the second triangle. kPlanes: how many facets the cell has
   LookKind kind;
   bool settled;  // kBox: at most one facet is pierced, for certain. kLines: the filter settled all triangles
 
   bool may_leave() const { return facets != 0; }
+  /** Planes have decided: the target is outside of one facet. */
+  bool has_one_exit() const { return kind == LookKind::kPlanes && facets != 0 && (facets & (facets - 1)) == 0; }
+  Exit only_exit() const { return exit_by(static_cast<uint32_t>(__builtin_ctz(uint32_t{facets}))); }
+  /** For kPlanes: a facet and its first simplex. */
+  Exit exit_by(uint32_t facet) const {
+    return {facet, second == 4 ? facet : second == 5 ? facet + (facet != 0 ? 1 : 0) : 2 * facet};
+  }
+  template <int D>
+  HalfFacet half_facet(const Map<D>& map, Cell c, uint32_t facet) const {
+    if (D == 2 || kind != LookKind::kPlanes) return map.half_facet(c, facet);
+    return {(c.unit + 1) * kUnitWords<D> - second + facet};  // links end the first unit
+  }
 
-  static Look of_planes(uint32_t outside) { return {static_cast<uint8_t>(outside), 0, LookKind::kPlanes, true}; }
+  /** Of a tetrahedron, a pyramid or a box. */
+  static Look of_planes(uint32_t outside, uint32_t facet_count) {
+    return {static_cast<uint8_t>(outside), static_cast<uint8_t>(facet_count), LookKind::kPlanes, true};
+  }
   template <class Tally>
   static Look of_box(const BoxExits& exits, Tally& tally) {
     tally.tests(12 + 4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
@@ -81,18 +96,18 @@ class ExitFinder {
       if (form == Form::kSimplex) {
         const uint32_t known = entry.known_inside(4);
         tally_.tests(known == 0 ? 4 : 3);
-        return Look::of_planes(outside_tetrahedron(env_, w, q_, known, uncounted_));
+        return Look::of_planes(outside_tetrahedron(env_, w, q_, known, uncounted_), 4);
       }
       if (form == Form::kBox) {
         if ((w[0] & kConvexBit) == 0) return Look::of_box(box_exits(env_, w, p_, q_), tally_);
         const uint32_t known = entry.known_inside(6);
         tally_.tests(known == 0 ? 6 : 5);
-        return Look::of_planes(outside_flat_box(env_, w, q_, known, uncounted_));
+        return Look::of_planes(outside_flat_box(env_, w, q_, known, uncounted_), 6);
       }
       if (form == Form::kPyramid && (w[0] & kConvexBit) != 0) {
         const uint32_t known = entry.known_inside(5);
         tally_.tests(known == 0 ? 5 : 4);
-        return Look::of_planes(outside_flat_pyramid(env_, w, q_, known, uncounted_));
+        return Look::of_planes(outside_flat_pyramid(env_, w, q_, known, uncounted_), 5);
       }
       if (form == Form::kGeneral) {
         const Shape shape = map_.general_shape(w[0]);
@@ -111,7 +126,7 @@ class ExitFinder {
    * the others. */
   DSW_HOT Exit choose(Cell c, const Look& look, const CastLine& line, const Entry& entry, uint32_t forecast) noexcept {
     if constexpr (D == 3) {
-      if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
+      if (look.kind == LookKind::kPlanes) return exit_flat(c, look);
       if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
       if (look.kind == LookKind::kLines && look.settled && line.pierced != 0) return exit_along(c, line, entry);
       if (map_.convex(c)) return apart().exit_many_flat(c, forecast);
@@ -178,12 +193,6 @@ class ExitFinder {
 
   // Cells that are convex with flat facets: one plane a facet, and p is inside all of them.
 
-  /** The first simplex of a facet. Tetrahedra, pyramids and boxes only. */
-  uint32_t simplex_of(Cell c, uint32_t f) const noexcept {
-    const Form form = map_.form(c);
-    return form == Form::kSimplex ? f : form == Form::kPyramid ? f + (f != 0 ? 1 : 0) : 2 * f;
-  }
-
   /** Of two facets that share a ridge and both have q outside: whether the segment passes it on the side of f. 0: they
    * share none. For the same forms. */
   DSW_HOT int keeps(Cell c, uint32_t f, uint32_t g) noexcept {
@@ -206,14 +215,13 @@ class ExitFinder {
     return true;
   }
 
-  DSW_HOT Exit exit_flat(Cell c, uint32_t outside) noexcept {
-    if (outside == 0) return {};
-    if ((outside & (outside - 1)) != 0) return exit_of_several(c, outside);
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
-    return {f, simplex_of(c, f)};
+  DSW_HOT Exit exit_flat(Cell c, const Look& look) noexcept {
+    if (look.facets == 0) return {};
+    return look.has_one_exit() ? look.only_exit() : exit_of_several(c, look);
   }
 
-  DSW_HOT Exit exit_of_several(Cell c, uint32_t outside) noexcept {
+  DSW_HOT Exit exit_of_several(Cell c, const Look& look) noexcept {
+    const uint32_t outside = look.facets;
     uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
     for (uint32_t rest = outside & (outside - 1); rest != 0; rest &= rest - 1) {
       const uint32_t g = static_cast<uint32_t>(__builtin_ctz(rest));
@@ -221,7 +229,7 @@ class ExitFinder {
       if (__builtin_expect(side == 0, 0)) return apart().first_pierced(c, outside);
       f = side < 0 ? g : f;
     }
-    return {f, simplex_of(c, f)};
+    return look.exit_by(f);
   }
 
   /** Facets without a common ridge can both have q outside (a cell that narrows): then each is asked in full. */

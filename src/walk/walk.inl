@@ -8,9 +8,17 @@
 #include "walk/box.inl"
 #include "walk/simplex.inl"
 #include "walk/pyramid.inl"
-constexpr uint32_t kAbreast = 8;  // casts that are looked at together
 #if defined(DSW_ISA_AVX512)
+#define DSW_ABREAST 1
+constexpr uint32_t kAbreast = 8;  // casts that are looked at together
+#include "walk/abreast.inl"
 #include "walk/boxes.inl"
+#elif defined(DSW_ISA_AVX2)
+#define DSW_ABREAST 1
+constexpr uint32_t kAbreast = 4;
+#include "walk/abreast.inl"
+#else
+constexpr uint32_t kAbreast = 1;
 #endif
 #include "walk/polyhedron.inl"
 #include "walk/polygon.inl"
@@ -77,7 +85,7 @@ class Walkers {
       count = keep(count, [&](uint32_t i) { return enter(i); });
       if (count == 0) return;
       count = look_all<false>(count);
-      count = keep(count, [&](uint32_t i) { return leave(i, flight(i).entry, kNoFacet); });
+      count = keep(count, [&](uint32_t i) { return leave(i); });
     }
   }
 
@@ -130,14 +138,19 @@ class Walkers {
   /** Keeps the casts that may leave their cells. */
   template <bool First>
   DSW_HOT uint32_t look_all(uint32_t count) noexcept {
+    uint32_t kept = 0;
     for (uint32_t k = 0; k < count;) {
       const uint32_t end = std::min(k + kAbreast, count);
       if (!look_abreast<First>(k, end)) {
         for (uint32_t j = k; j < end; ++j) look<First>(active_[j]);
       }
-      k = end;
+      for (; k < end; ++k) {
+        const uint32_t i = active_[k];
+        active_[kept] = static_cast<uint8_t>(i);
+        kept += looks_[i].may_leave() ? 1 : 0;
+      }
     }
-    return keep(count, [&](uint32_t i) { return looks_[i].may_leave(); });
+    return kept;
   }
 
   template <bool First>
@@ -145,29 +158,39 @@ class Walkers {
     looks_[i] = finder(i).look(results_[i].cell, entry<First>(i), lines_[i]);
   }
 
-  /** Looks at kAbreast casts at once, if there are so many and all are in hexahedra that are flat, or all in others. */
+  /** Looks at some casts together, if there are enough and the cells of all are of one form that can be. */
   template <bool First>
   DSW_HOT bool look_abreast(uint32_t first, uint32_t end) noexcept {
-#if defined(DSW_ISA_AVX512)
-    if (D != 3 || end - first != kAbreast) return false;
-    constexpr uint32_t kFormMask = 7u << kFormShift | kConvexBit;
-    const uint32_t kind = map_.record(results_[active_[first]].cell)[0] & kFormMask;
-    if (kind >> kFormShift != static_cast<uint32_t>(Form::kBox)) return false;
-    Boxes boxes;
+#if defined(DSW_ABREAST)
+    if (D != 3) return false;
+    const uint32_t word = map_.record(results_[active_[first]].cell)[0];
+    const Form form = form_of(word);
+    const bool flat = form == Form::kSimplex || (word & kConvexBit) != 0;
+    if (!pays_abreast(form, flat, end - first)) return false;
+    const uint32_t kind = form == Form::kSimplex ? 7u << kFormShift : 7u << kFormShift | kConvexBit;
+    Abreast cells;
     uint32_t different = 0;
 #pragma GCC unroll 1
     for (uint32_t j = 0; j < kAbreast; ++j) {
-      const uint32_t i = active_[first + j];
-      boxes.records[j] = map_.record(results_[i].cell);
-      boxes.p[j] = requests_[i].from;
-      boxes.q[j] = requests_[i].to;
-      different |= boxes.records[j][0] ^ kind;
+      const uint32_t i = active_[first + j < end ? first + j : first];  // lanes without a cast repeat the first
+      cells.records[j] = map_.record(results_[i].cell);
+      cells.p[j] = requests_[i].from;
+      cells.q[j] = requests_[i].to;
+      different |= cells.records[j][0] ^ word;
     }
-    if ((different & kFormMask) != 0) return false;
-    if ((kind & kConvexBit) != 0) {
-      look_flat<First>(first, boxes);
+    if ((different & kind) != 0) return false;
+    Sides sides;
+    if (form == Form::kSimplex) {
+      sides.look_at_tetrahedra(env_.points, cells);
+      note_sides<First, 4>(first, end, sides);
+    } else if (form == Form::kPyramid) {
+      sides.look_at_pyramids(env_.points, cells);
+      note_sides<First, 5>(first, end, sides);
+    } else if (flat) {
+      sides.look_at_boxes(env_.points, cells);
+      note_sides<First, 6>(first, end, sides);
     } else {
-      look_warped<First>(first, boxes);
+      look_warped<First>(first, end, cells);
     }
     return true;
 #else
@@ -176,30 +199,29 @@ class Walkers {
 #endif
   }
 
-#if defined(DSW_ISA_AVX512)
-  template <bool First>
-  DSW_HOT void look_flat(uint32_t first, const Boxes& boxes) noexcept {
-    FlatBoxSides sides;
-    sides.look(env_.points, boxes);
+#if defined(DSW_ABREAST)
+  template <bool First, uint32_t Facets>
+  DSW_HOT void note_sides(uint32_t first, uint32_t end, const Sides& sides) noexcept {
 #pragma GCC unroll 1
-    for (uint32_t j = 0; j < kAbreast; ++j) {
+    for (uint32_t j = 0; j < end - first; ++j) {
       const uint32_t i = active_[first + j];
       if (__builtin_expect((sides.settled >> j & 1u) == 0, 0)) {
         look<First>(i);
         continue;
       }
-      const uint32_t known = entry<First>(i).known_inside(6);
-      tally_.tests(known == 0 ? 6 : 5);
-      looks_[i] = Look::of_planes(sides.outside[j] & ~known);
+      const uint32_t known = entry<First>(i).known_inside(Facets);
+      tally_.tests(known == 0 ? Facets : Facets - 1);
+      looks_[i] = Look::of_planes(static_cast<uint32_t>(sides.outside[j]) & ~known, Facets);
     }
   }
 
   template <bool First>
-  DSW_HOT void look_warped(uint32_t first, const Boxes& boxes) noexcept {
+  DSW_HOT void look_warped(uint32_t first, uint32_t end, const Abreast& cells) noexcept {
+#if defined(DSW_ISA_AVX512)
     WarpedBoxExits exits;
-    exits.look(env_.points, boxes);
+    exits.look(env_.points, cells);
 #pragma GCC unroll 1
-    for (uint32_t j = 0; j < kAbreast; ++j) {
+    for (uint32_t j = 0; j < end - first; ++j) {
       const uint32_t i = active_[first + j];
       if (__builtin_expect((exits.sure >> j & 1u) == 0, 0)) {
         look<First>(i);
@@ -207,32 +229,45 @@ class Walkers {
       }
       looks_[i] = Look::of_box({exits.pierced[j], exits.second[j], exits.candidates[j], true}, tally_);
     }
+#else
+    static_cast<void>(first), static_cast<void>(end), static_cast<void>(cells);
+#endif
   }
 #endif
 
   DSW_HOT bool leave_first(uint32_t i) noexcept {
-    new (flights_ + i) Flight{{}, {}, {}, {}, visit_bit(results_[i].cell)};
-    const bool leaves = leave(i, flight(i).entry, requests_[i].forecast);
-    results_[i].first_facet = flight(i).exit.facet;
-    return leaves;
+    const Exit exit = choose(i, {}, requests_[i].forecast);
+    results_[i].first_facet = exit.facet;
+    if (exit.facet == kStays) return false;
+    new (flights_ + i) Flight{exit, {}, {}, {}, visit_bit(results_[i].cell)};
+    aim(i);
+    return true;
   }
 
   /** Whether it does, and where to. */
-  DSW_HOT bool leave(uint32_t i, const Entry& entry, uint32_t forecast) noexcept {
-    const Cell cell = results_[i].cell;
-    const Exit exit = finder(i).choose(cell, looks_[i], lines_[i], entry, forecast);
-    flight(i).exit = exit;
-    if (exit.facet == kStays) return false;
-    const HalfFacet at = map_.half_facet(cell, exit.facet);
+  DSW_HOT bool leave(uint32_t i) noexcept {
+    flight(i).exit = choose(i, flight(i).entry, kNoFacet);
+    if (flight(i).exit.facet == kStays) return false;
+    aim(i);
+    return true;
+  }
+
+  DSW_HOT Exit choose(uint32_t i, const Entry& entry, uint32_t forecast) noexcept {
+    const Look& look = looks_[i];
+    if (look.has_one_exit()) return look.only_exit();
+    return finder(i).choose(results_[i].cell, look, lines_[i], entry, forecast);
+  }
+
+  /** Asks for what is beyond the exit. */
+  DSW_HOT void aim(uint32_t i) noexcept {
+    const HalfFacet at = looks_[i].half_facet(map_, results_[i].cell, flight(i).exit.facet);
     const uint32_t link = map_.words[at.word], beyond = link & ~kMarkBit;
     flight(i).at = at;
     flight(i).link = link;
-    if (beyond != kNoFacet) {
-      __builtin_prefetch(&map_.words[beyond - beyond % kUnitWords<D>]);
-      if (D == 2) __builtin_prefetch(&map_.words[beyond]);  // its record may lie in two lines
-      if (looks_[i].kind == LookKind::kLines) prefetch_round(env_, {beyond});
-    }
-    return true;
+    if (beyond == kNoFacet) return;
+    __builtin_prefetch(&map_.words[beyond - beyond % kUnitWords<D>]);
+    if (D == 2) __builtin_prefetch(&map_.words[beyond]);  // its record may lie in two lines
+    if (looks_[i].kind == LookKind::kLines) prefetch_round(env_, {beyond});
   }
 
   /** As admits, where points move. */
@@ -271,15 +306,17 @@ class Walkers {
       result.simplex = f.entry.simplex;
       return false;
     }
-    prefetch_vertices(env_, next);
-    if (D == 3 && has_polyhedra_) prefetch_polyhedron(env_, next);
     if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, f.exit.simplex, next);
-    f.entry = {(f.visited & visit_bit(next)) != 0, result.cell, f.exit.simplex, o};
-    f.visited |= visit_bit(next);
-    result.previous = result.cell;
+    const Cell before = result.cell;
+    result.previous = before;
     result.cell = next;
     ++result.volumes_visited;
-    return !ends_in(i, next);
+    if (ends_in(i, next)) return false;
+    prefetch_vertices(env_, next);
+    if (D == 3 && has_polyhedra_) prefetch_polyhedron(env_, next);
+    f.entry = {(f.visited & visit_bit(next)) != 0, before, f.exit.simplex, o};
+    f.visited |= visit_bit(next);
+    return true;
   }
 
   const Environment<D>& env_;

@@ -118,6 +118,25 @@ SmallMesh mixed_lattice() {
   return mixed;
 }
 
+/** Six to a cell of a lattice. */
+SmallMesh pyramid_lattice() {
+  const SmallMesh mesh = lattice(kSize, kHexahedron);
+  SmallMesh pyramids = mesh;
+  pyramids.name = "pyramids";
+  pyramids.types.clear();
+  pyramids.offsets = {0};
+  pyramids.connectivity.clear();
+  for (size_t i = 0; i < mesh.types.size(); ++i) {
+    const auto first = mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(8 * i);
+    const std::vector<int64_t> c(first, first + 8);
+    const int64_t apex = static_cast<int64_t>(pyramids.points.size() / 3);
+    const double* const low = mesh.points.data() + 3 * c[0];
+    pyramids.point(low[0] + 0.5, low[1] + 0.5, low[2] + 0.5);
+    for (const auto& face : box_faces(c)) pyramids.cell(kPyramid, {face[3], face[2], face[1], face[0], apex});
+  }
+  return pyramids;
+}
+
 /** Columns of wedges: every cell of a lattice cut along a vertical diagonal. */
 SmallMesh wedge_lattice() {
   const SmallMesh mesh = lattice(kSize, kHexahedron);
@@ -190,7 +209,8 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
                                          lattice(kSize, kPolyhedron),
                                          lattice(kSize, kPolyhedron, 0.12),
                                          wedge_lattice(),
-                                         mixed_lattice()};
+                                         mixed_lattice(),
+                                         pyramid_lattice()};
   uint32_t seed = 17;
   for (size_t m = 0; m < meshes.size() + 2; ++m) {  // two more: tetrahedra that are merged
     SmallMesh mesh = meshes[m % meshes.size() + (m < meshes.size() ? 0 : 2)];

@@ -1,0 +1,228 @@
+// Cells of one form, one of each of kAbreast casts, a lane for each: the planes of simplex.inl, pyramid.inl and box.inl
+// bit for bit, but of the work for one cast only its loads are left. No gathers: points are loaded as they lie and
+// turned in registers.
+
+/** The cells, and the casts in them. */
+struct Abreast {
+  const uint32_t* records[kAbreast];
+  const double* p[kAbreast];
+  const double* q[kAbreast];
+};
+
+#if defined(DSW_ISA_AVX512)
+
+using Row = Lanes;
+using FacetSet = uint8_t;
+
+inline Row least(Row a, Row b) noexcept { return {_mm512_min_pd(a.v, b.v)}; }
+inline Row largest(Row a, Row b) noexcept { return {_mm512_max_pd(a.v, b.v)}; }
+
+/** Two points in the halves of a register. Masked, so that the last point of the host's array is not read past. */
+DSW_HOT __m512d load_two(const double* a, const double* b) noexcept {
+  return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_maskz_loadu_pd(7, a)), _mm256_maskz_loadu_pd(7, b), 1);
+}
+
+constexpr uint32_t kLanePairs[4][2] = {{0, 2}, {1, 3}, {4, 6}, {5, 7}};  // makes the order below that of the lanes
+
+/** Eight points out of registers with two each. */
+DSW_HOT PointsOf<Row> turn(__m512d v02, __m512d v13, __m512d v46, __m512d v57) noexcept {
+  const __m512d xz0 = _mm512_unpacklo_pd(v02, v13), y0 = _mm512_unpackhi_pd(v02, v13);
+  const __m512d xz4 = _mm512_unpacklo_pd(v46, v57), y4 = _mm512_unpackhi_pd(v46, v57);
+  return {{_mm512_shuffle_f64x2(xz0, xz4, 0x88)},
+          {_mm512_shuffle_f64x2(y0, y4, 0x88)},
+          {_mm512_shuffle_f64x2(xz0, xz4, 0xdd)}};
+}
+
+/** `at(lane)`: where the lane's point lies. */
+template <class At>
+DSW_HOT PointsOf<Row> load_points(At at) noexcept {
+  return turn(load_two(at(0), at(2)), load_two(at(1), at(3)), load_two(at(4), at(6)), load_two(at(5), at(7)));
+}
+
+/** A set of facets for each lane. */
+struct FacetSets {
+  __m256i sets;
+
+  DSW_HOT FacetSets() noexcept : sets(_mm256_setzero_si256()) {}
+  DSW_HOT void add(uint32_t facet, Row::Mask lanes) noexcept {
+    sets = _mm256_mask_or_epi32(sets, static_cast<__mmask8>(lanes), sets, _mm256_set1_epi32(1 << facet));
+  }
+  DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm256_cvtepi32_epi8(sets));
+  }
+};
+
+#else
+
+struct Row {
+  using Mask = __m256d;
+  __m256d v;
+
+  static Row all(double x) noexcept { return {_mm256_set1_pd(x)}; }
+  static Row absolute(Row a) noexcept { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)}; }
+  static Mask greater(Row a, Row b) noexcept { return _mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ); }
+  static uint32_t bits(Mask m) noexcept { return static_cast<uint32_t>(_mm256_movemask_pd(m)); }
+};
+using FacetSet = uint64_t;
+
+inline Row operator+(Row a, Row b) noexcept { return {_mm256_add_pd(a.v, b.v)}; }
+inline Row operator-(Row a, Row b) noexcept { return {_mm256_sub_pd(a.v, b.v)}; }
+inline Row operator*(Row a, Row b) noexcept { return {_mm256_mul_pd(a.v, b.v)}; }
+inline Row least(Row a, Row b) noexcept { return {_mm256_min_pd(a.v, b.v)}; }
+inline Row largest(Row a, Row b) noexcept { return {_mm256_max_pd(a.v, b.v)}; }
+
+/** Two coordinates of one point, and two of another. */
+DSW_HOT __m256d load_two(const double* a, const double* b) noexcept {
+  return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
+}
+
+/** `at(lane)`: where the lane's point lies. */
+template <class At>
+DSW_HOT PointsOf<Row> load_points(At at) noexcept {
+  const double *const p0 = at(0), *const p1 = at(1), *const p2 = at(2), *const p3 = at(3);
+  const __m256d xy02 = load_two(p0, p2), xy13 = load_two(p1, p3);
+  const __m128d z01 = _mm_loadh_pd(_mm_load_sd(p0 + 2), p1 + 2), z23 = _mm_loadh_pd(_mm_load_sd(p2 + 2), p3 + 2);
+  return {{_mm256_unpacklo_pd(xy02, xy13)},
+          {_mm256_unpackhi_pd(xy02, xy13)},
+          {_mm256_insertf128_pd(_mm256_castpd128_pd256(z01), z23, 1)}};
+}
+
+/** A set of facets for each lane. */
+struct FacetSets {
+  __m256d sets;
+
+  DSW_HOT FacetSets() noexcept : sets(_mm256_setzero_pd()) {}
+  DSW_HOT void add(uint32_t facet, Row::Mask lanes) noexcept {
+    sets = _mm256_or_pd(sets, _mm256_and_pd(lanes, _mm256_castsi256_pd(_mm256_set1_epi64x(1 << facet))));
+  }
+  DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_castpd_si256(sets));
+  }
+};
+
+#endif
+
+/** Whether it pays to look at so many such cells, flat and convex or not, side by side: lanes without one do nothing. */
+constexpr bool pays_abreast(Form form, bool flat, uint32_t count) {
+#if defined(DSW_ISA_AVX512)
+  if (form == Form::kBox) return count == kAbreast;  // a look at one fills six lanes
+#endif
+  return flat && count >= 3 && (form == Form::kSimplex || form == Form::kPyramid || form == Form::kBox);
+}
+
+/** Extent lane by lane. */
+struct Extents {
+  Row x, y, z;
+
+  DSW_HOT Extents() noexcept : x(Row::all(0)), y(x), z(x) {}
+  DSW_HOT void include(const PointsOf<Row>& v) noexcept {
+    x = largest(x, Row::absolute(v.x));
+    y = largest(y, Row::absolute(v.y));
+    z = largest(z, Row::absolute(v.z));
+  }
+  /** Lanes for which bound() holds. */
+  DSW_HOT uint32_t in_range() const noexcept {
+    const uint32_t too_small = Row::bits(Row::greater(Row::all(kFilterMin), least(least(x, y), z)));
+    const uint32_t too_large = Row::bits(Row::greater(largest(largest(x, y), z), Row::all(kFilterMax)));
+    return ~(too_small | too_large);
+  }
+  DSW_HOT Row bound() const noexcept { return Row::all(kPlaneFilter3) * x * y * z; }
+};
+
+/** Some vertices of the cells, relative to q. `words`: which words of the records name them, in bits of `mask`. */
+template <uint32_t Count>
+struct VerticesAbreast {
+  PointsOf<Row> at[Count];
+  Extents extents;
+
+  DSW_HOT VerticesAbreast(const double* points, const Abreast& cells, const uint32_t (&words)[Count],
+                          uint32_t mask) noexcept {
+    const PointsOf<Row> q = load_points([&](uint32_t lane) { return cells.q[lane]; });
+#pragma GCC unroll 8
+    for (uint32_t i = 0; i < Count; ++i) {
+      const PointsOf<Row> v =
+          load_points([&](uint32_t lane) { return points + size_t{cells.records[lane][words[i]] & mask} * 3; });
+      at[i] = {v.x - q.x, v.y - q.y, v.z - q.z};
+      extents.include(at[i]);
+    }
+  }
+};
+
+/** Of cells that are convex with flat facets: the facets with q outside. */
+struct Sides {
+  FacetSet outside[kAbreast];
+  uint32_t settled;  // lanes for which the filter settled all facets
+
+  void look_at_tetrahedra(const double* points, const Abreast& cells) noexcept;
+  void look_at_pyramids(const double* points, const Abreast& cells) noexcept;
+  void look_at_boxes(const double* points, const Abreast& cells) noexcept;
+};
+
+/** Planes of facets, as they are tested. */
+template <uint32_t Count>
+struct PlanesAbreast {
+  VerticesAbreast<Count> v;
+  Row bound, minus_bound, smallest;
+  FacetSets outside;
+
+  DSW_HOT PlanesAbreast(const double* points, const Abreast& cells, const uint32_t (&words)[Count],
+                        uint32_t mask = ~0u) noexcept
+      : v(points, cells, words, mask),
+        bound(v.extents.bound()),
+        minus_bound(Row::all(0) - bound),
+        smallest(Row::all(HUGE_VAL)) {}
+
+  DSW_HOT PointsOf<Row> across(uint32_t a, uint32_t b) const noexcept { return cross(v.at[a], v.at[b]); }
+  /** q is outside of a facet where the determinant of two vectors, crossed, and a vertex is positive. */
+  DSW_HOT void positive(uint32_t facet, const PointsOf<Row>& crossed, uint32_t vertex) noexcept {
+    const Row det = dot(crossed, v.at[vertex]);
+    outside.add(facet, Row::greater(det, bound));
+    smallest = least(smallest, Row::absolute(det));
+  }
+  /** Or negative. */
+  DSW_HOT void negative(uint32_t facet, const PointsOf<Row>& crossed, uint32_t vertex) noexcept {
+    const Row det = dot(crossed, v.at[vertex]);
+    outside.add(facet, Row::greater(minus_bound, det));
+    smallest = least(smallest, Row::absolute(det));
+  }
+  DSW_HOT void store(Sides& sides) const noexcept {
+    sides.settled = v.extents.in_range() & Row::bits(Row::greater(smallest, bound));
+    outside.store(sides.outside);
+  }
+};
+
+__attribute__((noinline)) inline void Sides::look_at_tetrahedra(const double* points, const Abreast& cells) noexcept {
+  PlanesAbreast<4> planes(points, cells, {0, 1, 2, 3}, kVertexMask);
+  const PointsOf<Row> c01 = planes.across(0, 1), c23 = planes.across(2, 3);
+  planes.negative(0, c01, 3);
+  planes.negative(1, c23, 1);
+  planes.positive(2, c23, 0);
+  planes.positive(3, c01, 2);
+  planes.store(*this);
+}
+
+__attribute__((noinline)) inline void Sides::look_at_pyramids(const double* points, const Abreast& cells) noexcept {
+  PlanesAbreast<5> planes(points, cells, {8, 9, 10, 11, 12});
+  planes.positive(0, planes.across(2, 3), 0);
+  const PointsOf<Row> first = planes.across(0, 4), second = planes.across(4, 2);
+  planes.positive(1, first, 1);
+  planes.positive(2, second, 1);
+  planes.negative(3, second, 3);
+  planes.negative(4, first, 3);
+  planes.store(*this);
+}
+
+/** The vertices 1 2 3 7 4 5: three in a row, the ring closed, span a facet. Each cross product serves both facets at
+ * its edge: with the vertex after, an even one; before, an odd one. */
+__attribute__((noinline)) inline void Sides::look_at_boxes(const double* points, const Abreast& cells) noexcept {
+  PlanesAbreast<6> planes(points, cells, {9, 10, 11, 15, 12, 13});
+  const auto test_beside = [&](uint32_t a, uint32_t even, uint32_t odd) {
+    const PointsOf<Row> crossed = planes.across(a, a + 1);
+    planes.positive(even, crossed, (a + 2) % 6);
+    planes.negative(odd, crossed, (a + 5) % 6);
+  };
+  test_beside(0, 4, 1);
+  test_beside(2, 0, 3);
+  test_beside(4, 2, 5);
+  planes.store(*this);
+}
