@@ -64,7 +64,7 @@ bool Section<D>::is_crossed(uint32_t cell) const {
 
 /** Whether a facet, in the plane the cell, has two nodes that no edge of it joins. */
 template <int D>
-bool Section<D>::find_chord(Cell c, const Shape& shape, uint32_t facet, Chord& chord) const {
+bool Section<D>::find_chord(const DartEnds<D>& darts, const Shape& shape, uint32_t facet, Chord& chord) const {
   uint32_t count = 0, place[2] = {}, found[2] = {};
   const auto add = [&](uint32_t node, uint32_t at) {
     if (node == KeyTable::kNone) return;
@@ -76,7 +76,6 @@ bool Section<D>::find_chord(Cell c, const Shape& shape, uint32_t facet, Chord& c
   };
   const uint32_t first = D == 3 ? shape.facet_first(facet) : 0,
                  size = D == 3 ? shape.facet_size(facet) : shape.dart_count();
-  const DartEnds<D> darts(map_, c);
   for (uint32_t k = 0; k < size; ++k) {
     const uint32_t vertex = darts.start(first + k), next = darts.end(first + k);
     add(node_at(vertex), 2 * k);
@@ -94,10 +93,11 @@ void Section<D>::list_chords(uint32_t cell, Array<Chord>& out) const {
   out.clear();
   const Cell c = crossings_.cell(cell).cell;
   const Shape shape = map_.shape(c);
+  const DartEnds<D> darts(map_, c);
   const Array<uint32_t>& loop = loops_[cell];
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     Chord chord;
-    if (!find_chord(c, shape, f, chord)) continue;
+    if (!find_chord(darts, shape, f, chord)) continue;
     const auto at = static_cast<size_t>(std::find(loop.begin(), loop.end(), chord.from) - loop.begin());
     if (at == loop.size()) continue;
     const bool taken =
@@ -128,16 +128,17 @@ template <int D>
 void Section<D>::find_loop(uint32_t cell) {
   const Cell c = crossings_.cell(cell).cell;
   const Shape shape = map_.shape(c);
+  const DartEnds<D> darts(map_, c);
   if constexpr (D == 2) {
     Chord chord;
-    if (find_chord(c, shape, 0, chord)) loops_[cell] = {{chord.from, chord.to}, env_.scratch.memory()};
+    if (find_chord(darts, shape, 0, chord)) loops_[cell] = {{chord.from, chord.to}, env_.scratch.memory()};
   } else {
     Array<Arc> arcs{env_.scratch.memory()};
+    arcs.reserve(shape.facet_count());
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       Chord chord;
-      if (find_chord(c, shape, f, chord)) arcs.push_back({chord.from, chord.to, true});
+      if (find_chord(darts, shape, f, chord)) arcs.push_back({chord.from, chord.to, true});
     }
-    const DartEnds<D> darts(map_, c);
     for (uint32_t d = 0; d < darts.count(); ++d) {
       if (shape.dart_beta2(d) < d) continue;
       const uint32_t from = node_at(darts.start(d)), to = node_at(darts.end(d));

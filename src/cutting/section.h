@@ -20,20 +20,30 @@ struct Node {
   bool is_old() const { return a == b; }
 };
 
-/** The vertices of a cell's darts, of one shape that is looked up once. */
+/** The vertices of a cell's darts. Those of cells that are not large are looked up once. */
 template <int D>
 class DartEnds {
  public:
-  DartEnds(const Map<D>& map, Cell c) : map_(map), cell_(c), shape_(map.shape(c)) {}
+  DartEnds(const Map<D>& map, Cell c) : map_(map), cell_(c), shape_(map.shape(c)) {
+    is_kept_ = shape_.vertex_count() <= kMost;
+    for (uint32_t k = 0, n = shape_.vertex_count(); is_kept_ && k < n; ++k) vertices_[k] = map.vertex(c, k);
+  }
 
   uint32_t count() const { return shape_.dart_count(); }
-  uint32_t start(uint32_t d) const { return map_.vertex(cell_, shape_.dart_vertex(d)); }
+  uint32_t start(uint32_t d) const {
+    const uint32_t local = shape_.dart_vertex(d);
+    return is_kept_ ? vertices_[local] : map_.vertex(cell_, local);
+  }
   uint32_t end(uint32_t d) const { return start(D == 3 ? shape_.beta1(d) : d + 1 == count() ? 0 : d + 1); }
 
  private:
+  static constexpr uint32_t kMost = 32;
+
   const Map<D>& map_;
   Cell cell_;
   Shape shape_;
+  bool is_kept_;
+  uint32_t vertices_[kMost];
 };
 
 /** A line across a facet that a loop takes; in the plane across a cell. */
@@ -73,7 +83,7 @@ class Section {
   };
 
   bool has_double_crossing(Cell c) const;
-  bool find_chord(Cell c, const Shape& shape, uint32_t facet, Chord& chord) const;
+  bool find_chord(const DartEnds<D>& darts, const Shape& shape, uint32_t facet, Chord& chord) const;
   void find_loop(uint32_t cell);
   bool prune(Array<Arc>& arcs) const;
   bool is_facet(Cell c, const Shape& shape, const Array<uint32_t>& loop) const;
