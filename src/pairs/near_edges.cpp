@@ -12,7 +12,7 @@ constexpr double kCellSize = 1.5;               // as a share of the average box
 constexpr int64_t kMostCells = 64;              // of a box
 constexpr int kStepBits = 20, kFieldBits = 21;  // of a step's number; three of these, with a guard bit each, in a word
 constexpr double kMostCellsAlong = 1 << 19;     // of the lattice, along one axis: steps are as large or smaller
-constexpr int kMostHalvings = 10;               // steps to a cell, as a power of two
+constexpr int kFinestSteps = 10;                // steps to a cell, as a power of two
 // On average: boxes in the same cells, and near edges. Random chains in a ball move by the list in a fifth of the time
 // that they take by the grids where there are 670 boxes, in a third where there are 1,400. A near edge takes 8 bytes.
 constexpr size_t kMostTests = 2048, kMostNear = 512;
@@ -53,7 +53,7 @@ bool NearEdges::find_steps() {
   for (int k = 0; k < 3; ++k) extent = std::max(extent, all_.upper[k] - all_.lower[k]);
   double scale = 1 / std::max(kCellSize * size / count, extent / kMostCellsAlong);
   if (!(extent < 0x1p1000) || !(scale < 0x1p1000)) return false;
-  for (halvings_ = 0; halvings_ < kMostHalvings && 2 * scale * extent < kMostCellsAlong; ++halvings_) scale *= 2;
+  for (halvings_ = 0; halvings_ < kFinestSteps && 2 * scale * extent < kMostCellsAlong; ++halvings_) scale *= 2;
   steps_.resize(ways_.size());
   for (size_t e = 0; e < ways_.size(); ++e) {
     Steps& steps = steps_[e];
