@@ -91,7 +91,8 @@ Dart lowest_dart_round(const Map<3>& map, Dart d) noexcept {
   Dart lowest{c, 0};
   for (uint32_t f = 0; f < 4; ++f) {
     for (uint32_t k = 0; k < 3; ++k) {
-      if (is_of_edge(kTetrahedronFacets[f][k]) && is_of_edge(kTetrahedronFacets[f][(k + 1) % 3])) lowest.local = 3 * f + k;
+      if (is_of_edge(kTetrahedronFacets[f][k]) && is_of_edge(kTetrahedronFacets[f][(k + 1) % 3]))
+        lowest.local = 3 * f + k;
     }
   }
   return lowest;

@@ -14,15 +14,15 @@ HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const uint32_t
 /** Whether a flood of a swept triangle T sees no other walls at an edge of the environment than the two that end a fan
  * there. The edge pierces T in y, and a body's edge comes to y through the fan. False also where that is not known.
  *
- * Let the flood see another wall at y, from other passable cells. Then a path in T leads through passable cells from the
- * fan to these cells, and with y it is a closed curve in T. There is a gap between both on either side of y, and one of
- * the gaps begins inside of the curve. So does the wall of the fan at this gap. The curve passes no wall. So all that
- * continues this wall through T, but for y, stays inside of the curve, and in T. Hence there are no other cells if both
- * walls can be followed from y, from facet to facet and not through y, until they leave T. */
+ * Let the flood see another wall at y, from other passable cells. Then a path in T leads through passable cells from
+ * the fan to these cells, and with y it is a closed curve in T. There is a gap between both on either side of y, and
+ * one of the gaps begins inside of the curve. So does the wall of the fan at this gap. The curve passes no wall. So all
+ * that continues this wall through T, but for y, stays inside of the curve, and in T. Hence there are no other cells if
+ * both walls can be followed from y, from facet to facet and not through y, until they leave T. */
 bool sees_only_fan(const Environment<3>& env, const SweptTriangle& triangle, const HalfFacet (&walls)[2],
                    const uint32_t (&edge)[2]) noexcept;
 
-/** The dart of an edge in the cell of the lowest index round it, if all of these are tetrahedra. Invalid: they are not. */
+/** The dart of an edge in the cell of the lowest index round it. Invalid if one of these cells is no tetrahedron. */
 Dart lowest_dart_round(const Map<3>& map, Dart d) noexcept;
 
 }  // namespace dsw

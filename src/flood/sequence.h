@@ -98,11 +98,11 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
          passes_facets(env, sequence, from, to, first, last);
 }
 
-/** Whether edge p q meets no ridge of its sequence before `event` while p goes to `to`. The sequence is that of the edge at
- * the start; facets that the path of p passes have been added or removed. On which side the line through p and q passes a
- * ridge is linear in time. So a ridge that has the right side at the end is never met; of the others the time is compared.
- * The ridge of `event` itself is left out: *at_event, if not null, becomes a facet that has it. Exact. False in the plane
- * where the sequence is not kept in rows.
+/** Whether edge p q meets no ridge of its sequence before `event` while p goes to `to`. The sequence is that of the
+ * edge at the start; facets that the path of p passes have been added or removed. On which side the line through p and
+ * q passes a ridge is linear in time. So a ridge that has the right side at the end is never met; of the others the
+ * time is compared. The ridge of `event` itself is left out: *at_event, if not null, becomes a facet that has it.
+ * Exact. False in the plane where the sequence is not kept in rows.
  * @param p_first whether the sequence begins at p. */
 template <int D>
 bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeMotion& m, bool p_first,

@@ -177,10 +177,10 @@ bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
   return false;
 }
 
-/** Whether the swept triangle meets a simplex before the end; may be true of simplices that are met later. The swept plane
- * cuts the simplex in a segment. If an end of the segment is inside of the triangle, they meet. If both ends are outside
- * of the same side, they do not. Otherwise they meet if the segment's line meets the triangle, that is if the triangle's
- * corners are on both sides of the simplex's plane: beyond its exit the line is outside of one side. */
+/** Whether the swept triangle meets a simplex before the end; may be true of simplices that are met later. The swept
+ * plane cuts the simplex in a segment. If an end of the segment is inside of the triangle, they meet. If both ends are
+ * outside of the same side, they do not. Otherwise they meet if the segment's line meets the triangle, that is if the
+ * triangle's corners are on both sides of the simplex's plane: beyond its exit the line is outside of one side. */
 bool SweepFlood<3>::simplex_met(const uint16_t* local) {
   Corner* const corner[3] = {&corners_[local[0]], &corners_[local[1]], &corners_[local[2]]};
   if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) return false;
@@ -267,9 +267,9 @@ void SweepFlood<3>::consider(const SweepContact& found) {
   if (ends_) triangle_->end_at(std::min(triangle_->end(), time_after<3>(m.p, m.to, found.event)));
 }
 
-/** Whether p lies in one of the passable cells between this wall and the next one round the line: just before the contact
- * the edge passes there. Each cell is a wedge between two of its triangles, which may be those of one facet with the line
- * as its diagonal. */
+/** Whether p lies in one of the passable cells between this wall and the next one round the line: just before the
+ * contact the edge passes there. Each cell is a wedge between two of its triangles, which may be those of one facet
+ * with the line as its diagonal. */
 bool SweepFlood<3>::comes_from(const SweepContact& wall) const {
   constexpr int kMostCells = 256;
   const double* const* const line = wall.event.points + 1;
@@ -326,8 +326,8 @@ void SweepFlood<3>::for_each_cell_round(const SweepContact& wall, Visit visit) c
   if (beyond.valid()) visit(map_.cell_of(beyond));
 }
 
-/** More walls than two at the line of the first contact. Only walls count that are linked, round the line, with the side
- * from which the edge comes. Parts of the environment that touch each other in the line alone are not. */
+/** More walls than two at the line of the first contact. Only walls count that are linked, round the line, with the
+ * side from which the edge comes. Parts of the environment that touch each other in the line alone are not. */
 void SweepFlood<3>::settle_ties() {
   const EdgeMotion& m = triangle_->motion();
   const auto before = [&](const SweepContact& a, const SweepContact& b) { return comes_before(map_, m.p, m.to, a, b); };

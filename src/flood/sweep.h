@@ -24,9 +24,9 @@ class SweepFlood<3> : public SolidSweep<3> {
   using SolidSweep<3>::sweep;
 
   /** `start` contains m.p, and the edge p q is free. Where several parts of the environment touch each other in an edge
-   * alone, the contact with that edge names a wall of the part from which p q comes. Nothing is found where p, p', q are
-   * collinear: the path of p is the sweep then. With `collect`, all() has every contact afterwards. Throws std::bad_alloc.
-   * O(cells met). */
+   * alone, the contact with that edge names a wall of the part from which p q comes. Nothing is found where p, p', q
+   * are collinear: the path of p is the sweep then. With `collect`, all() has every contact afterwards. Throws
+   * std::bad_alloc. O(cells met). */
   SweepResult sweep(const EdgeMotion& m, Cell start, uint32_t max_volumes, bool collect = false);
   /** As sweep(), but only a contact before `end`, a time in [0,1], is certain to be found. O(cells met before the first
    * contact, and a few more). */

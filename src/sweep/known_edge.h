@@ -47,16 +47,16 @@ struct EdgeScratch {
  * for those round a pivot to whose other side it goes: then it is free in its new place. If it kept to them before,
  * too, the triangle's sides share a sleeve of cells, or part at one pivot. A path of two facets may come from one cell
  * beside the sleeve and go to another: its facets cut off the triangle's corners in these, and what is left lies in the
- * cell between them and in the sleeve. kNo, kSleeve or kTurned. Where triangles count, a sequence that is not that of the
- * edge's place is noted again, by a cast. Throws std::bad_alloc. */
+ * cell between them and in the sleeve. kNo, kSleeve or kTurned. Where triangles count, a sequence that is not that of
+ * the edge's place is noted again, by a cast. Throws std::bad_alloc. */
 template <int D>
 Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
                         EdgeScratch<D>& scratch);
 
-/** Whether the edge meets nothing before an event, which is its own, or of the path or another edge of its moving end. The
- * edge keeps to its sequence until then, but for the facets that the path passes. If the path meets a wall, `arrival` is
- * the cell in front of the wall. False at EDGES without sequences. `at_event`, which may be
- * null: a facet of the sequence that holds the obstacle's edge of the event, if there is one. Throws std::bad_alloc. */
+/** Whether the edge meets nothing before an event, which is its own, or of the path or another edge of its moving end.
+ * The edge keeps to its sequence until then, but for the facets that the path passes. If the path meets a wall,
+ * `arrival` is the cell in front of the wall. False at EDGES without sequences. `at_event`, which may be null: a facet
+ * of the sequence that holds the obstacle's edge of the event, if there is one. Throws std::bad_alloc. */
 template <int D>
 bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, const SweepEvent& event,
                     EdgeScratch<D>& scratch, HalfFacet* at_event);

@@ -149,7 +149,8 @@ class StarSweep {
   SweepResult flood(const Motion& m, Cell start, Collect... collect) {
     return count(flood_.sweep(m, start, max_volumes, collect...));
   }
-  /** For an edge: what is met after `end` is not needed. With a work limit, which is that of all cells, it may be found. */
+  /** For an edge: what is met after `end` is not needed. With a work limit, which is that of all cells, it may be
+   * found. */
   SweepResult flood_until(const EdgeMotion& m, Cell start, double end) {
     if constexpr (D == 3) {
       if (max_volumes == 0) return count(flood_.sweep_until(m, start, end));

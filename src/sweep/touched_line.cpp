@@ -1,7 +1,7 @@
 // Why the contact is that of a flood. Let an edge of the environment, the line, pierce the swept triangle, and let the
 // body's edge keep to its sequence until it comes to the line. So nothing is met before. Just before, the edge passes
-// facets at the line: these and the cells between them are the fan from which the edge comes. A flood sees the two walls
-// that end this fan, and no other wall at the line if flood/fan.h says so. Of the two the first in the order of
+// facets at the line: these and the cells between them are the fan from which the edge comes. A flood sees the two
+// walls that end this fan, and no other wall at the line if flood/fan.h says so. Of the two the first in the order of
 // contacts counts.
 
 #include "sweep/touched_line.h"

@@ -23,8 +23,8 @@ struct PiercedLine {
 /** It may have no wall any more, and something else may be met before. Becomes the first of those that are kept. */
 PiercedLine find_pierced_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept;
 
-/** Whether the first contact is that with a kept edge, round which all cells are tetrahedra. The same contact as that of
- * a flood. False: not known. Throws std::bad_alloc. */
+/** Whether the first contact is that with a kept edge, round which all cells are tetrahedra. The same contact as that
+ * of a flood. False: not known. Throws std::bad_alloc. */
 bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const PiercedLine& pierced,
                  SweepContact* found, EdgeScratch<3>& scratch);
 

@@ -72,8 +72,8 @@ bool share_triangles(const FacetDraft& whole, FacetDraft& a, FacetDraft& b);
 bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle);
 /** Puts a vertex on the edge that joins two vertices, if the cell has it; in the plane a side, which becomes two. */
 void insert_vertex(CellDraft& draft, uint32_t a, uint32_t b, uint32_t middle);
-/** Shares a cell's facets out, which it loses: to `left` those on the left of a closed loop of its edges, seen from outside; in the
- * plane those on the left of the way from one vertex to another. False if that is all. */
+/** Shares a cell's facets out, which it loses: to `left` those on the left of a closed loop of its edges, seen from
+ * outside; in the plane those on the left of the way from one vertex to another. False if that is all. */
 bool part_along(CellDraft& whole, const Array<uint32_t>& loop, CellDraft& left, CellDraft& right);
 
 /** Numbers of a polygon's sides, each after the one before it, from side `first` on. False where they do not close one

@@ -102,7 +102,8 @@ struct FacetSets {
 
 #endif
 
-/** Whether it pays to look at so many such cells, flat and convex or not, side by side: lanes without one do nothing. */
+/** Whether it pays to look at so many such cells, flat and convex or not, side by side. Lanes without one do
+ * nothing. */
 constexpr bool pays_abreast(Form form, bool flat, uint32_t count) {
 #if defined(DSW_ISA_AVX512)
   if (form == Form::kBox) return count == kAbreast;  // a look at one fills six lanes

@@ -44,7 +44,8 @@ constexpr size_t kFew = 4;  // then half a register does
 }  // namespace
 
 uint64_t missed_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) noexcept {
-  return triangles.size() <= kFew ? missed_triangles_avx2(shear, triangles) : ShearLanes<Eight>(shear).missed(triangles);
+  return triangles.size() <= kFew ? missed_triangles_avx2(shear, triangles)
+                                  : ShearLanes<Eight>(shear).missed(triangles);
 }
 
 }  // namespace dsw
