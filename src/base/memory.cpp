@@ -3,7 +3,7 @@
 namespace dsw {
 namespace {
 
-/** What blocks have anyway: asking for it costs more. */
+/** Whether plain operator new aligns so, too: the aligned form is slower. */
 constexpr bool is_usual(size_t alignment_bytes) { return alignment_bytes <= __STDCPP_DEFAULT_NEW_ALIGNMENT__; }
 
 }  // namespace

@@ -1,13 +1,15 @@
 #include "base/pool.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace dsw {
 
 void* Pool::allocate(void* user, size_t bytes, size_t alignment) {
   Pool& pool = *static_cast<Pool*>(user);
   if (bytes > kLargest) return allocate_bytes(pool.source_, bytes, alignment);
-  const size_t steps = (bytes + kStep - 1) / kStep;
+  static_assert(alignof(std::max_align_t) <= kStep, "small blocks are not aligned better");
+  const size_t steps = steps_of(bytes);
   Free*& first = pool.free_[steps];
   if (first != nullptr) {
     Free* const block = first;
@@ -29,7 +31,7 @@ void Pool::release(void* user, void* block, size_t bytes, size_t alignment) {
     release_bytes(pool.source_, block, bytes, alignment);
     return;
   }
-  Free*& first = pool.free_[(bytes + kStep - 1) / kStep];
+  Free*& first = pool.free_[steps_of(bytes)];
   first = new (block) Free{first};
   if (--pool.in_use_ == 0) pool.give_back();
 }

@@ -28,6 +28,8 @@ class Pool {
   };
   static constexpr size_t kStep = 16, kLargest = 1024, kFirstChunk = 4096, kLastChunk = 65536;
 
+  /** A free block has room for what links it. */
+  static constexpr size_t steps_of(size_t bytes) { return bytes == 0 ? 1 : (bytes + kStep - 1) / kStep; }
   static void* allocate(void* user, size_t bytes, size_t alignment);
   static void release(void* user, void* block, size_t bytes, size_t alignment);
   void add_chunk(size_t bytes);

@@ -5,7 +5,7 @@
 
 namespace dsw {
 
-/** Notes where a vertex is and all that hangs on it, but for what hangs on one that is stale: that is noted with it. */
+/** Updates the boxes of a vertex, its edges and its faces. Those with a stale vertex are updated with that vertex. */
 template <int D>
 void note_vertex(const Body<D>& body, uint32_t vertex) noexcept;
 /** Leaves a vertex that has moved to note_stale_ones. */

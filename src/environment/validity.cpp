@@ -187,7 +187,7 @@ bool is_plainly_valid(const Environment<3>& env, Cell c) noexcept {
 
 bool is_plainly_valid(const Environment<2>&, Cell) noexcept { return false; }
 
-/** Whether the filter sees of a polyhedron what check_simplices() looks at, with one bound for all of it. */
+/** Whether the filter alone proves what check_simplices() proves. One bound serves all determinants of the star. */
 bool is_plainly_star(const Shape& shape, const CellPoints<3>& at, const double* apex) noexcept {
   const uint32_t count = shape.vertex_count();
   if (count > CellPoints<3>::kMost) return false;

@@ -8,9 +8,7 @@
 namespace dsw {
 namespace {
 
-constexpr size_t kMost = 64;  // facets at a pivot
-
-const PassesFacet kPassesFacet = choose_passes_facet();
+constexpr size_t kMostAtPivot = 64;  // facets
 
 /** The vertices of a facet, in its order; a triangle repeats the last. */
 struct Ring {
@@ -74,11 +72,11 @@ bool turn_round_edge(const Environment<3>& env, EdgeSequence<3>& sequence, const
   while (end < old.size() && ring_of(map, {old[end]}).has(pivot)) ++end;
 
   const Cell last = map.cell_of(map.opposite({old[end - 1]}));
-  uint32_t turned[kMost];
+  uint32_t turned[kMostAtPivot];
   size_t count = 0;
   HalfFacet entered{old[begin]};
   for (Cell c = map.cell_of(entered); c != last; c = map.cell_of(entered)) {
-    if (!suits(map, c) || is_closed(env, c) || count == kMost) return false;
+    if (!suits(map, c) || is_closed(env, c) || count == kMostAtPivot) return false;
     const HalfFacet next = other_at_edge(map, c, entered, pivot);
     if (!next.valid() || map.facet_marked(next)) return false;
     turned[count++] = next.word;

@@ -11,6 +11,8 @@ bool passes_facet(const double* const* corners, const double* from, const double
   return true;
 }
 
+namespace {
+
 PassesFacet choose_passes_facet() noexcept {
 #if defined(__x86_64__)
   __builtin_cpu_init();
@@ -18,5 +20,9 @@ PassesFacet choose_passes_facet() noexcept {
 #endif
   return passes_facet;
 }
+
+}  // namespace
+
+const PassesFacet kPassesFacet = choose_passes_facet();
 
 }  // namespace dsw

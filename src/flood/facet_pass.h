@@ -14,7 +14,7 @@ bool passes_facet(const double* const* corners, const double* from, const double
 /** The same arithmetic, a ridge in each lane: the same answers. */
 bool passes_facet_avx2(const double* const* corners, const double* from, const double* to) noexcept;
 #endif
-PassesFacet choose_passes_facet() noexcept;
+extern const PassesFacet kPassesFacet;  // the fastest of this processor
 
 /** The same of one ridge, from x to y; `way` is the rounded difference of the line's points. */
 inline bool passes_ridge(const double* x, const double* y, const double* from, const filter::Vec<3>& way) noexcept {

@@ -8,8 +8,6 @@
 namespace dsw {
 namespace {
 
-const PassesFacet kPassesFacet = choose_passes_facet();
-
 /** The corners of a facet, counter-clockwise seen from outside; a triangle repeats the last. */
 template <int D>
 struct Facet {

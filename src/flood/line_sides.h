@@ -28,7 +28,7 @@ class LineSides {
     lowest_ = filter::smaller(lowest_, least);
     return least > 0;
   }
-  /** At most 64 sides: a bit for each that is not passed, and counts for nothing then, the lowest for the first. */
+  /** Tests at most 64 sides. Bit n is set if side n is not passed; such a side does not count in `passed_all`. */
   uint64_t missed(const FacetSpan<2>& sides) noexcept {
     const double *const ax = sides.row(0, 0), *const ay = sides.row(0, 1), *const bx = sides.row(1, 0),
                         *const by = sides.row(1, 1);

@@ -19,7 +19,6 @@ namespace {
 
 const MissedTriangles kMissedTriangles = choose_missed_triangles();
 constexpr size_t kMostAtOnce = 64;  // facets for which bits say what is missed
-const PassesFacet kPassesFacet = choose_passes_facet();
 
 template <int D>
 using LineTests = std::conditional_t<D == 3, Shear, LineSides>;
@@ -88,14 +87,22 @@ bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noex
          std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
 }
 
-/** Facets that are not in rows: whether all are passable, their cells exactly convex, and a line certainly passes
- * them. */
+/** Of facets that are not in rows: whether all are passable, and their cells valid and exactly convex. */
+bool are_open(const Environment<3>& env, const Array<uint32_t>& facets) noexcept {
+  const Map<3>& map = env.map;
+  return std::all_of(facets.begin(), facets.end(), [&](uint32_t f) {
+    const Cell c = map.cell_of({f});
+    return map.convex(c) && ((map.record(c)[0] | map.words[f]) & kMarkBit) == 0 && admits(env, c);
+  });
+}
+bool are_open(const Environment<2>&, const Array<uint32_t>&) noexcept { return false; }
+
+/** Whether a line certainly passes facets that are not in rows. */
 bool pass(const Environment<3>& env, const double* from, const double* to, const Array<uint32_t>& facets) noexcept {
   const Map<3>& map = env.map;
   for (const uint32_t f : facets) {
     const Cell c = map.cell_of({f});
     const uint32_t* const w = map.record(c);
-    if (!map.convex(c) || ((w[0] | map.words[f]) & kMarkBit) != 0 || !admits(env, c)) return false;
     const uint32_t facet = map.local_of({f}, c);
     if (has_standard_facets(form_of(w[0]))) {
       uint32_t vertices[4];
@@ -116,15 +123,7 @@ bool pass(const Environment<3>& env, const double* from, const double* to, const
   return true;
 }
 
-/** As `follows`, of facets that are not in rows. */
-bool follows_alone(const Environment<3>& env, EdgeSequence<3>& sequence, const double* from,
-                   const double* to) noexcept {
-  if (!pass(env, from, to, sequence.facets)) return false;
-  if (sequence.version != env.obstacle_version) sequence.place_count = 0;  // those were of another version
-  sequence.version = env.obstacle_version;
-  return true;
-}
-bool follows_alone(const Environment<2>&, EdgeSequence<2>&, const double*, const double*) noexcept { return false; }
+bool pass(const Environment<2>&, const double*, const double*, const Array<uint32_t>&) noexcept { return false; }
 
 /** What a line passes on the wrong side of a facet that it does not pass. */
 Pivot<3> missed_ridge(const Environment<3>& env, Shear& line, const Corners<3>& corners) noexcept {
@@ -187,20 +186,18 @@ bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const d
   if (!sequence.known() || map.cell_of({facets.front()}) != first) return false;
   if (map.cell_of(map.opposite({facets.back()})) != last) return false;
   if (!map.convex(last) || is_closed(env, last)) return false;
-  if (!sequence.in_rows) {
-    if (!follows_alone(env, sequence, from, to)) return false;
-    sequence.note_place(from, to, first, last);
-    return true;
-  }
   if (sequence.version != env.obstacle_version) {
-    if (!are_passable(env, facets)) return false;
-    read_rows(env, sequence, 0, facets.size());
+    if (sequence.in_rows ? !are_passable(env, facets) : !are_open(env, facets)) return false;
+    if (sequence.in_rows) read_rows(env, sequence, 0, facets.size());
     sequence.version = env.obstacle_version;
     sequence.place_count = 0;
   }
-  LineTests<D> line(from, to);
-  const FacetSpan<D> span = sequence.rows.span(0, facets.size());
-  if (first_missed<D>(line, span) < facets.size() || !line.passed_all()) return false;
+  if (sequence.in_rows) {
+    LineTests<D> line(from, to);
+    if (first_missed<D>(line, sequence.rows.span(0, facets.size())) < facets.size() || !line.passed_all()) return false;
+  } else if (!pass(env, from, to, facets)) {
+    return false;
+  }
   sequence.note_place(from, to, first, last);
   return true;
 }
@@ -348,6 +345,9 @@ bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* fr
   LineTests<D> line(from, to);
   const size_t begin = first_missed<D>(line, sequence.rows.span(0, old.size()));
   if (begin == old.size()) return false;
+  if constexpr (D == 3) {
+    if (!line.is_in_range(line.largest())) return false;  // instruction sets differ in what overflows
+  }
   pivot = missed_ridge(env, line, Corners<D>(map, old[begin]));
   size_t end = begin + 1;
   while (end < old.size() && Corners<D>(map, old[end]).has(pivot)) ++end;

@@ -16,9 +16,9 @@ struct EdgeSequence {
   static constexpr uint64_t kNever = ~uint64_t{0};
 
   Array<uint32_t> facets;
-  bool in_rows = true;        // they are of tetrahedra, in the plane of convex polygons; if so, and only then:
+  bool in_rows = true;        // they are of tetrahedra, in the plane of convex polygons
   uint64_t version = kNever;  // of the environment when they were passable
-  FacetRows<D> rows;          // the facets, of that version
+  FacetRows<D> rows;          // the facets, of that version; only if they are in rows
 
   /** A segment that is known to pass them in that version, from cell to cell. */
   struct Place {
@@ -90,7 +90,7 @@ struct EdgeSequence {
 template <int D>
 bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
                    Cell first, Cell last) noexcept;
-/** The same; does not ask where the answer is known. */
+/** As passes_facets, but true at once for the last two places that have passed. */
 template <int D>
 bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept {

@@ -23,7 +23,7 @@ struct SweepContact {
   bool faces_start = false;     // p lies on this side of the plane
   uint32_t simplex = 0;         // of `front`, in `facet`; not of a face
   uint32_t dart = kNoFacet;     // of `front`, along the obstacle's edge; kNoFacet for other events and on a diagonal
-  Dart lowest;  // of the obstacle's edge, in the cell of the lowest index round it, if that is known
+  Dart lowest;                  // of the obstacle's edge, in the cell of the lowest index round it, if that is known
   uint32_t vertex = kNoVertex;  // of a face, in the plane of an edge: the environment vertex it meets
 };
 

@@ -1,5 +1,5 @@
-// Boxes are sorted into hashed cells somewhat larger than they are on average. They are compared as whole steps of a
-// lattice: rounding down keeps the order of coordinates, so boxes that overlap do so there as well.
+// Boxes are sorted into hashed cells, which are 1.5 times as long as an average box. They are compared as whole steps of
+// a lattice. Rounding down keeps the order of coordinates, so boxes that overlap do so there as well.
 
 #include "pairs/near_edges.h"
 
@@ -13,8 +13,9 @@ constexpr int64_t kMostCells = 64;              // of a box
 constexpr int kStepBits = 20, kFieldBits = 21;  // of a step's number; three of these, with a guard bit each, in a word
 constexpr double kMostCellsAlong = 1 << 19;     // of the lattice, along one axis: steps are as large or smaller
 constexpr int kFinestSteps = 10;                // steps to a cell, as a power of two
-// On average: boxes in the same cells, and near edges. Random chains in a ball move by the list in a fifth of the time
-// that they take by the grids where there are 670 boxes, in a third where there are 1,400. A near edge takes 8 bytes.
+// Limits for an edge, on average: boxes in the same cells, and near edges of 8 bytes each. A random chain in a ball moves
+// with the list in a fifth of the time that it takes with the grids if an edge has 670 such boxes, in a third if it has
+// 1,400.
 constexpr size_t kMostTests = 2048, kMostNear = 512;
 constexpr uint64_t kGuards = (uint64_t{1} | uint64_t{1} << kFieldBits | uint64_t{1} << 2 * kFieldBits) << kStepBits;
 
@@ -147,7 +148,8 @@ bool NearEdges::find_pairs(const Body<3>& body) {
       for (const Entry* b = a + 1; b != end; ++b) {
         // A guard bit stays where the difference below it is not negative.
         if (((a->high - b->low) & (b->high - a->low) & kGuards) != kGuards) continue;
-        // Once: in the lowest cell that both meet. Twice at most where several cells share a place, which does no harm.
+        // A pair is noted in the lowest cell that both boxes meet. Where cells share a place, it may be noted again,
+        // which does no harm.
         if ((a->at_low | b->at_low) == 7 && a->edge != b->edge) note_pair(body, a->edge, b->edge);
       }
     }

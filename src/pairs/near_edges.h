@@ -51,11 +51,11 @@ class NearEdges {
   bool keeps(uint32_t e, const double* to) const noexcept {
     return active_ && e < ways_.size() && ways_[e].contains(to);
   }
-  /** Whether all edges at v keep to theirs then, and nothing has left its box. */
+  /** Whether no edge has left its box, and all edges at v keep to theirs when v goes to `to`. */
   bool all_keep(uint32_t v, const double* to) const noexcept {
     return active_ && stray_count_ == 0 && v < of_vertices_.size() && of_vertices_[v].contains(to);
   }
-  /** While all keep: bound of determinants of the body's points and such a target, see swept_plane.h. */
+  /** Of determinants of the body's points and `to` if all_keep(v, to), see swept_plane.h. */
   double bound() const noexcept { return bound_; }
   /** Notes that a vertex was put in another place: makes strays of edges that leave their boxes. */
   void follow(const Body<3>& body, uint32_t v) noexcept {

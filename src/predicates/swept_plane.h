@@ -7,8 +7,8 @@
 // product, since each of them takes one component of each vector; what underflows is bounded alike, since each factor
 // is in [kFilterMin, kFilterMax]. Unlike M it shrinks with a short vector, and moves are short.
 //
-// For points that lie in one box M itself may be taken of the box: rounding keeps the order of differences, so none of
-// them exceeds those of its corners. This bound is found once, and costs nothing then. It is asked first.
+// If all points lie in one box, M may be taken of the lengths of the box: rounding keeps the order of differences, so no
+// rounded difference exceeds them. This bound is computed once for all determinants, and is tried first.
 
 #include <limits>
 

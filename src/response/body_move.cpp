@@ -200,8 +200,8 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     if (may_skip && !casts_.is_star_free(v)) return false;
     const size_t edits = record.edits.size();
     const uint32_t limited = record.limited;
-    // Without doubt it is a partner alone that stops it.
-    const bool past_walls = !course_.vertices[v].doubtful && settings.max_volumes == 0;
+    // If nobody doubts it, and no edge was left out, only another body or this one can stop it.
+    const bool past_walls = !course_.vertices[v].doubtful && !may_skip && settings.max_volumes == 0;
     const bool reached = alone.move(v, course_.targets[v], past_walls ? &course_.vertices[v].arrival : nullptr);
     record.stopped += reached ? 0 : 1;
     if (notes) {

@@ -75,8 +75,8 @@ void VertexMove<D>::put(uint32_t v, const double* position, Cell cell) {
 }
 
 /** To `to`, or as far as it is free: then the contacts are in the record, the first of them first.
- * @param arrival if not null, the cell there: no wall is in the way.
- * @param likely whether there is a contact, most likely. */
+ * @param arrival the cell of `to`, if the way is known to meet no wall; else null.
+ * @param likely whether a contact is expected: what edges touched before is then asked first. */
 template <int D>
 bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival, bool likely) {
   under_.clear();

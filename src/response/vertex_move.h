@@ -16,7 +16,7 @@ class VertexMove {
 
   /** Moves vertex v, exactly free at the body's level; whether it got to the target. Contacts and edits go to the
    * record. The recorded cells and positions are valid whenever it throws std::bad_alloc.
-   * @param arrival the cell of the target where no wall is known to be in the way; null: that is not known. */
+   * @param arrival the cell of the target, if the way is known to meet no wall; else null. */
   bool move(uint32_t v, const double* target, const Cell* arrival = nullptr);
 
  private:

@@ -208,8 +208,8 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
   return limited_ ? SweepEnd::kWorkLimit : earliest.any ? SweepEnd::kContact : SweepEnd::kFree;
 }
 
-/** Whether an edge of the environment that the edge has touched before says what counts: it is met first, or nothing is
- * met before what is known. */
+/** Whether an edge of the environment that the edge has touched before settles this sweep: it is the first contact, or
+ * nothing comes before the earliest contact that is known. */
 template <int D>
 bool StarSweep<D>::consider_touched(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest) {
   if (max_volumes != 0 || !body.keeps_sequences()) return false;

@@ -65,7 +65,9 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
   } catch (const std::bad_alloc&) {  // nothing is kept
     return;
   }
-  TouchedLine* const lines = body.touched[2 * size_t{e} + body.edges[e].side_of(v)].lines;
+  TouchedLines& kept = body.touched[2 * size_t{e} + body.edges[e].side_of(v)];
+  kept.version = ~uint64_t{0};
+  TouchedLine* const lines = kept.lines;
   TouchedLine line;
   line.vertices[0] = std::min(vertex(1), vertex(2));
   line.vertices[1] = std::max(vertex(1), vertex(2));
@@ -92,24 +94,25 @@ PiercedLine find_pierced_line(const Environment<3>& env, const Body<3>& body, co
   }
   if (near == 0) return pierced;
   const SweptTriangle triangle(m);
+  uint32_t first = 0;
   for (; near != 0; near &= near - 1) {
-    TouchedLine& line = kept->lines[__builtin_ctz(near)];
+    const uint32_t i = static_cast<uint32_t>(__builtin_ctz(near));
+    const TouchedLine& line = kept->lines[i];
     const uint32_t(&ends)[2] = line.vertices;
     if (!pierces(env, triangle, line) || edge_marked(env, ends[0], ends[1])) continue;
     const SweepEvent event{{m.q, env.point(ends[0]), env.point(ends[1])}, EventKind::kEdge};
     if (pierced && compare_events<3>(m.p, m.to, event, pierced.event).sign >= 0) continue;
-    pierced = {&line, event};
+    pierced = {kept, event};
+    first = i;
   }
-  if (pierced) {
-    std::swap(kept->lines[0], *pierced.line);
-    pierced.line = kept->lines;
-  }
+  if (pierced) kept->come_first(first);
   return pierced;
 }
 
 bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const PiercedLine& pierced,
                  SweepContact* found, EdgeScratch<3>& scratch) {
-  TouchedLine& line = *pierced.line;
+  TouchedLines& kept = *pierced.kept;
+  const TouchedLine& line = kept.lines[0];
   HalfFacet passed;
   if (!is_free_before(env, body, sweep, pierced.event, scratch, &passed) || !passed.valid()) return false;
   const HalfFacet walls[2] = {find_wall(env, passed, line.vertices),
@@ -120,11 +123,14 @@ bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep
   *found = contact_at(env, m, walls[0], line);
   const SweepContact second = contact_at(env, m, walls[1], line);
   if (comes_before(env.map, m.p, m.to, second, *found)) *found = second;
-  if (line.version != env.obstacle_version) {
-    line.lowest = lowest_dart_round(env.map, {found->front, found->dart});
-    line.version = env.obstacle_version;
+  // Parts of the environment that touch each other in the line alone have names of their own for it.
+  const uint32_t wall = std::min(walls[0].word, walls[1].word);
+  if (kept.version != env.obstacle_version || kept.wall != wall) {
+    kept.lowest = lowest_dart_round(env.map, {found->front, found->dart});
+    kept.wall = wall;
+    kept.version = env.obstacle_version;
   }
-  found->lowest = line.lowest;
+  found->lowest = kept.lowest;
   return true;
 }
 

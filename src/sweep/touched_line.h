@@ -14,13 +14,13 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
 
 /** A kept edge that pierces what an edge sweeps: of those the one that is met first. */
 struct PiercedLine {
-  TouchedLine* line = nullptr;  // none
+  TouchedLines* kept = nullptr;  // the first of these; null: none
   SweepEvent event;
 
-  explicit operator bool() const noexcept { return line != nullptr; }
+  explicit operator bool() const noexcept { return kept != nullptr; }
 };
 
-/** It may have no wall any more, and something else may be met before. Becomes the first of those that are kept. */
+/** A forecast: the line may have lost its walls, and another contact may come first. Brings the line to the front. */
 PiercedLine find_pierced_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept;
 
 /** Whether the first contact is that with a kept edge, round which all cells are tetrahedra. The same contact as that

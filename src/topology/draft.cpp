@@ -40,10 +40,6 @@ bool part_between(CellDraft& whole, const Array<uint32_t>& ends, CellDraft& left
   return !right.facets.empty();
 }
 
-}  // namespace
-
-namespace {
-
 /** Facet `f` of a cell, whose vertices are at(local). */
 template <int D, class VertexAt>
 FacetDraft read_facet(const Environment<D>& env, HalfFacet h, const Shape& shape, uint32_t f, VertexAt at) {

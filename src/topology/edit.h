@@ -156,8 +156,8 @@ class Edit {
   Array<float> local_points_{env_.memory};  // of the environment, to be put back
   KeyTable gone_{env_.memory};              // units of removed_, in the order in which they were named
   Array<Cell> removed_{env_.memory};
-  uint32_t lowest_gone_ = 0,
-           gone_span_ = 0xffffffffu;  // units of these once they are sorted: most others are not between
+  // Lowest unit of these, and from there to the highest, once they are sorted: most other cells lie outside.
+  uint32_t lowest_gone_ = 0, gone_span_ = 0xffffffffu;
   Array<CellDraft> drafts_{env_.memory};
   KeyTable ancestors_{env_.memory};     // units of the cells that drafts come of
   Array<Heirs> heirs_of_{env_.memory};  // by number in ancestors_

@@ -82,8 +82,8 @@ class Shear {
   double slopes_[2], largest_, lowest_ = 1e300;
 };
 
-/** At most 64 triangles: a bit for each that is not passed, the lowest for the first. `lowest` is that of the others,
- * and says if they are passed for certain: ask `passed_all`. Several instruction sets, the same bits. */
+/** Tests at most 64 triangles. Bit n is set if triangle n is not passed. `passed_all` then says whether the others are
+ * passed for certain. Several instruction sets, the same bits where the line is in range. */
 using MissedTriangles = uint64_t (*)(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 #if defined(__x86_64__)
