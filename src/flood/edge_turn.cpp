@@ -62,9 +62,8 @@ bool turn_round_edge(const Environment<3>& env, EdgeSequence<3>& sequence, const
                      Pivot<3>& pivot) {
   const Map<3>& map = env.map;
   const Array<uint32_t>& old = sequence.facets;
-  if (sequence.version != env.obstacle_version) return false;
   const auto suit = [&](uint32_t f) { return suits(map, map.cell_of({f})); };
-  if (!sequence.known() || !std::all_of(old.begin(), old.end(), suit)) return false;
+  if (!std::all_of(old.begin(), old.end(), suit)) return false;
   size_t begin = 0;
   while (begin < old.size() && !find_missed(env, ring_of(map, {old[begin]}), from, to, pivot)) ++begin;
   if (begin == old.size()) return false;

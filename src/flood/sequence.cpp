@@ -87,21 +87,34 @@ bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noex
          std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
 }
 
-/** Of facets that are not in rows: whether all are passable, and their cells valid and exactly convex. */
+/** Of facets that are not in rows: whether all are passable, and the cells valid. */
 bool are_open(const Environment<3>& env, const Array<uint32_t>& facets) noexcept {
   const Map<3>& map = env.map;
   return std::all_of(facets.begin(), facets.end(), [&](uint32_t f) {
     const Cell c = map.cell_of({f});
-    return map.convex(c) && ((map.record(c)[0] | map.words[f]) & kMarkBit) == 0 && admits(env, c);
+    return ((map.record(c)[0] | map.words[f]) & kMarkBit) == 0 && admits(env, c);
   });
 }
 bool are_open(const Environment<2>&, const Array<uint32_t>&) noexcept { return false; }
 
-/** Whether a line certainly passes facets that are not in rows. */
+/** Whether the facets are passable in the present version; where it is another one than before, reads them anew. */
+template <int D>
+bool renew(const Environment<D>& env, EdgeSequence<D>& sequence) noexcept {
+  if (sequence.version == env.obstacle_version) return true;
+  const Array<uint32_t>& facets = sequence.facets;
+  if (sequence.in_rows ? !are_passable(env, facets) : !are_open(env, facets)) return false;
+  if (sequence.in_rows) read_rows(env, sequence, 0, facets.size());
+  sequence.version = env.obstacle_version;
+  sequence.place_count = 0;
+  return true;
+}
+
+/** Whether a line certainly passes facets that are not in rows, of cells that are exactly convex. */
 bool pass(const Environment<3>& env, const double* from, const double* to, const Array<uint32_t>& facets) noexcept {
   const Map<3>& map = env.map;
   for (const uint32_t f : facets) {
     const Cell c = map.cell_of({f});
+    if (!map.convex(c)) return false;
     const uint32_t* const w = map.record(c);
     const uint32_t facet = map.local_of({f}, c);
     if (has_standard_facets(form_of(w[0]))) {
@@ -186,12 +199,7 @@ bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const d
   if (!sequence.known() || map.cell_of({facets.front()}) != first) return false;
   if (map.cell_of(map.opposite({facets.back()})) != last) return false;
   if (!map.convex(last) || is_closed(env, last)) return false;
-  if (sequence.version != env.obstacle_version) {
-    if (sequence.in_rows ? !are_passable(env, facets) : !are_open(env, facets)) return false;
-    if (sequence.in_rows) read_rows(env, sequence, 0, facets.size());
-    sequence.version = env.obstacle_version;
-    sequence.place_count = 0;
-  }
+  if (!renew(env, sequence)) return false;
   if (sequence.in_rows) {
     LineTests<D> line(from, to);
     if (first_missed<D>(line, sequence.rows.span(0, facets.size())) < facets.size() || !line.passed_all()) return false;
@@ -338,10 +346,11 @@ bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* fr
   constexpr size_t kMost = 64;  // facets at a pivot
   const Map<D>& map = env.map;
   const Array<uint32_t>& old = sequence.facets;
+  if (!sequence.known() || !renew(env, sequence)) return false;
   if constexpr (D == 3) {
     if (!sequence.in_rows) return turn_round_edge(env, sequence, from, to, pivot);
   }
-  if (!sequence.in_rows || sequence.version != env.obstacle_version) return false;
+  if (!sequence.in_rows) return false;
   LineTests<D> line(from, to);
   const size_t begin = first_missed<D>(line, sequence.rows.span(0, old.size()));
   if (begin == old.size()) return false;

@@ -88,7 +88,8 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
       const double *const from = p_first ? p.data() : q.data(), *const end = p_first ? q.data() : p.data();
       const double *const new_from = p_first ? to.data() : q.data(), *const new_end = p_first ? q.data() : to.data();
       Noted noted;
-      if (!locate(*env, from, Cell{}, nullptr).cell.valid() || !noted.note(*env, from, end)) continue;
+      const Cell begin = locate(*env, from, Cell{}, nullptr).cell;
+      if (!begin.valid() || is_closed(*env, begin) || !noted.note(*env, from, end)) continue;
       const Cell start = p_first ? noted.first : noted.last;
       if (locate(*env, to.data(), Cell{}, nullptr).cell != start) continue;
       if (!follows(*env, noted.sequence, from, end, noted.first, noted.last)) continue;
