@@ -5,6 +5,7 @@
 
 #include "flood/box_probe.h"
 
+#include "base/processor.h"
 #include "walk/standard_facets.h"
 
 namespace dsw {
@@ -64,8 +65,7 @@ uint32_t facets_in_box(const double* points, const uint32_t* vertices, const Bou
 
 FacetsInBox choose_facets_in_box() noexcept {
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) return facets_in_box_avx2;
+  if (has_avx2()) return facets_in_box_avx2;
 #endif
   return facets_in_box;
 }

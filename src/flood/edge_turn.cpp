@@ -8,8 +8,6 @@
 namespace dsw {
 namespace {
 
-constexpr size_t kMostAtPivot = 64;  // facets
-
 /** The vertices of a facet, in its order; a triangle repeats the last. */
 struct Ring {
   uint32_t vertices[4];
@@ -20,13 +18,6 @@ struct Ring {
   bool has(uint32_t vertex) const noexcept { return std::find(vertices, vertices + 4, vertex) != vertices + 4; }
   bool has(const Pivot<3>& pivot) const noexcept { return has(pivot.vertices[0]) && has(pivot.vertices[1]); }
 };
-
-bool suits(const Map<3>& map, Cell c) noexcept { return has_standard_facets(map.form(c)) && map.convex(c); }
-
-Ring ring_of(const Map<3>& map, HalfFacet h) noexcept {
-  const Cell c = map.cell_of(h);
-  return {map, c, map.local_of(h, c)};
-}
 
 /** Finds what the line misses of a facet: the first ridge that it passes on the wrong side, as far as rounded tests
  * tell. False: it certainly misses none. */
@@ -46,44 +37,38 @@ bool find_missed(const Environment<3>& env, const Ring& ring, const double* from
   return true;
 }
 
-/** The other facet of a cell at an edge of `entered`. */
-HalfFacet other_at_edge(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept {
-  const uint32_t count = map.facets_of(c);
-  for (uint32_t f = 0; f < count; ++f) {
-    const HalfFacet h = map.half_facet(c, f);
-    if (h != entered && Ring(map, c, f).has(edge)) return h;
+/** Cells of several forms, for turn_at. */
+struct StandardCells {
+  const Map<3>& map;
+
+  Ring ring(uint32_t facet) const noexcept {
+    const Cell c = map.cell_of({facet});
+    return {map, c, map.local_of({facet}, c)};
   }
-  return {};
-}
+  bool suits(Cell c) const noexcept { return has_standard_facets(map.form(c)) && map.convex(c); }
+  bool has(uint32_t facet, const Pivot<3>& pivot) const noexcept { return ring(facet).has(pivot); }
+  HalfFacet other(Cell c, HalfFacet entered, const Pivot<3>& pivot) const noexcept {
+    for (uint32_t f = 0, count = map.facets_of(c); f < count; ++f) {
+      const HalfFacet h = map.half_facet(c, f);
+      if (h != entered && Ring(map, c, f).has(pivot)) return h;
+    }
+    return {};
+  }
+};
 
 }  // namespace
 
 bool turn_round_edge(const Environment<3>& env, EdgeSequence<3>& sequence, const double* from, const double* to,
                      Pivot<3>& pivot) {
   const Map<3>& map = env.map;
-  const Array<uint32_t>& old = sequence.facets;
-  const auto suit = [&](uint32_t f) { return suits(map, map.cell_of({f})); };
-  if (!std::all_of(old.begin(), old.end(), suit)) return false;
-  size_t begin = 0;
-  while (begin < old.size() && !find_missed(env, ring_of(map, {old[begin]}), from, to, pivot)) ++begin;
-  if (begin == old.size()) return false;
-  size_t end = begin + 1;
-  while (end < old.size() && ring_of(map, {old[end]}).has(pivot)) ++end;
-
-  const Cell last = map.cell_of(map.opposite({old[end - 1]}));
-  uint32_t turned[kMostAtPivot];
-  size_t count = 0;
-  HalfFacet entered{old[begin]};
-  for (Cell c = map.cell_of(entered); c != last; c = map.cell_of(entered)) {
-    if (!suits(map, c) || is_closed(env, c) || count == kMostAtPivot) return false;
-    const HalfFacet next = other_at_edge(map, c, entered, pivot);
-    if (!next.valid() || map.facet_marked(next)) return false;
-    turned[count++] = next.word;
-    entered = map.opposite(next);
-    if (!entered.valid()) return false;
+  const Array<uint32_t>& facets = sequence.facets;
+  const StandardCells cells{map};
+  if (!std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return cells.suits(map.cell_of({f})); })) {
+    return false;
   }
-  sequence.replace(env, begin, end, turned, count);
-  return true;
+  const auto is_missed = [&](uint32_t f) { return find_missed(env, cells.ring(f), from, to, pivot); };
+  const auto missed = std::find_if(facets.begin(), facets.end(), is_missed);
+  return missed != facets.end() && turn_at(env, sequence, static_cast<size_t>(missed - facets.begin()), pivot, cells);
 }
 
 }  // namespace dsw

@@ -1,5 +1,7 @@
 #include "flood/facet_pass.h"
 
+#include "base/processor.h"
+
 namespace dsw {
 
 bool passes_facet(const double* const* corners, const double* from, const double* to) noexcept {
@@ -15,8 +17,7 @@ namespace {
 
 PassesFacet choose_passes_facet() noexcept {
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) return passes_facet_avx2;
+  if (has_avx2()) return passes_facet_avx2;
 #endif
   return passes_facet;
 }

@@ -63,6 +63,18 @@ struct Corners {
   }
 };
 
+/** Cells whose facets may be in rows, for turn_at. */
+template <int D>
+struct CellsOfRows {
+  const Map<D>& map;
+
+  bool suits(Cell c) const noexcept { return is_for_rows(map, c); }
+  bool has(uint32_t facet, const Pivot<D>& pivot) const noexcept { return Corners<D>(map, facet).has(pivot); }
+  HalfFacet other(Cell c, HalfFacet entered, const Pivot<D>& pivot) const noexcept {
+    return other_at(map, c, entered, pivot);
+  }
+};
+
 /** What is known of facets in rows from `begin` to before `end`. */
 template <int D>
 void read_rows(const Environment<D>& env, EdgeSequence<D>& sequence, size_t begin, size_t end) noexcept {
@@ -343,37 +355,20 @@ PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) no
 
 template <int D>
 bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Pivot<D>& pivot) {
-  constexpr size_t kMost = 64;  // facets at a pivot
-  const Map<D>& map = env.map;
-  const Array<uint32_t>& old = sequence.facets;
   if (!sequence.known() || !renew(env, sequence)) return false;
   if constexpr (D == 3) {
     if (!sequence.in_rows) return turn_round_edge(env, sequence, from, to, pivot);
   }
   if (!sequence.in_rows) return false;
+  const Array<uint32_t>& facets = sequence.facets;
   LineTests<D> line(from, to);
-  const size_t begin = first_missed<D>(line, sequence.rows.span(0, old.size()));
-  if (begin == old.size()) return false;
+  const size_t begin = first_missed<D>(line, sequence.rows.span(0, facets.size()));
+  if (begin == facets.size()) return false;
   if constexpr (D == 3) {
     if (!line.is_in_range(line.largest())) return false;  // instruction sets differ in what overflows
   }
-  pivot = missed_ridge(env, line, Corners<D>(map, old[begin]));
-  size_t end = begin + 1;
-  while (end < old.size() && Corners<D>(map, old[end]).has(pivot)) ++end;
-
-  const Cell last = map.cell_of(map.opposite({old[end - 1]}));
-  uint32_t turned[kMost];
-  size_t count = 0;
-  HalfFacet entered{old[begin]};
-  for (Cell c = map.cell_of(entered); c != last; c = map.cell_of(entered)) {
-    if (!is_for_rows(map, c) || is_closed(env, c) || count == kMost) return false;
-    const HalfFacet next = other_at(map, c, entered, pivot);
-    turned[count++] = next.word;
-    entered = map.opposite(next);
-    if (!entered.valid() || map.facet_marked(next)) return false;
-  }
-  sequence.replace(env, begin, end, turned, count);
-  return true;
+  pivot = missed_ridge(env, line, Corners<D>(env.map, facets[begin]));
+  return turn_at(env, sequence, begin, pivot, CellsOfRows<D>{env.map});
 }
 
 bool share_sleeve(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {

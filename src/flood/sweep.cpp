@@ -34,26 +34,6 @@ bool passes_through(const double* p, const double* q, const double* const* trian
   return true;
 }
 
-/** Whether the corners of the swept triangle are on both sides of a simplex's plane. */
-bool is_divided(const EdgeMotion& m, const std::array<const double*, 3>& simplex) noexcept {
-  const int first = side_of_plane(simplex.data(), m.q);
-  return side_of_plane(simplex.data(), m.p) != first || side_of_plane(simplex.data(), m.to) != first;
-}
-
-/** As SweepFlood::simplex_met, of a facet of a tetrahedron. */
-bool is_met(const EdgeMotion& m, const TetrahedronSigns& signs, const uint8_t (&facet)[3],
-            const std::array<const double*, 3>& simplex) noexcept {
-  const int sides[3] = {signs.side[facet[0]], signs.side[facet[1]], signs.side[facet[2]]};
-  if (sides[0] == sides[1] && sides[1] == sides[2]) return false;
-  const int alone = sides[0] == sides[1] ? 2 : sides[1] == sides[2] ? 0 : 1;
-  const auto& lines = signs.lines[facet[alone]];
-  const uint32_t a = lines[facet[(alone + 1) % 3]], b = lines[facet[(alone + 2) % 3]];
-  if (a == 0 || b == 0) return true;
-  if ((a & b) != 0) return false;
-  if ((a & SweptTriangle::kSides) == 0 || (b & SweptTriangle::kSides) == 0) return true;
-  return is_divided(m, simplex);
-}
-
 /** Which point of a triangle that has a line does not lie on that. */
 int third_point(const double* const* triangle, const double* const* line) noexcept {
   int i = 0;
@@ -159,10 +139,6 @@ void SweepFlood<3>::look_at_facets(Cell c, const Shape& shape) {
 }
 
 bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
-  if (is_signed_) {
-    const uint8_t(&f)[3] = kTetrahedronFacets[facet];
-    return is_met(triangle_->motion(), signs_, f, {corners_[f[0]].at, corners_[f[1]].at, corners_[f[2]].at});
-  }
   const uint32_t first = shape.simplex_first(facet), last = shape.simplex_first(facet + 1);
   if (last > first + 1) {
     uint32_t beyond = ~0u;
@@ -186,18 +162,16 @@ bool SweepFlood<3>::simplex_met(const uint16_t* local) {
   if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) return false;
   const int sides[3] = {side(*corner[0]), side(*corner[1]), side(*corner[2])};
   if (sides[0] == sides[1] && sides[1] == sides[2]) return false;
-  uint32_t common = ~0u;
-  bool inside = false;
-  for (int k = 0; k < 3; ++k) {
-    const int next = k == 2 ? 0 : k + 1;
-    if (sides[k] == sides[next]) continue;
-    const uint32_t bits = outside(*corner[k], *corner[next]);
-    if (bits == 0) return true;
-    inside = inside || (bits & SweptTriangle::kSides) == 0;
-    common &= bits;
-  }
-  if (common != 0 || inside) return common == 0;
-  return is_divided(triangle_->motion(), {corner[0]->at, corner[1]->at, corner[2]->at});
+  const int alone = sides[0] == sides[1] ? 2 : sides[1] == sides[2] ? 0 : 1;
+  const Corner& tip = *corner[alone];
+  const uint32_t a = outside(tip, *corner[(alone + 1) % 3]), b = outside(tip, *corner[(alone + 2) % 3]);
+  if (a == 0 || b == 0) return true;
+  if ((a & b) != 0) return false;
+  if ((a & SweptTriangle::kSides) == 0 || (b & SweptTriangle::kSides) == 0) return true;
+  const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
+  const EdgeMotion& m = triangle_->motion();
+  const int first = side_of_plane(simplex, m.q);
+  return side_of_plane(simplex, m.p) != first || side_of_plane(simplex, m.to) != first;
 }
 
 /** All events of an impassable facet. */

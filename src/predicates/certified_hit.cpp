@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/processor.h"
 #include "predicates/certified_hit_bounds.h"
 
 namespace dsw {
@@ -58,8 +59,7 @@ struct Choice {
 Choice choose() noexcept {
   Choice choice;
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+  if (has_avx2_and_fma()) {
     choice = {certified_hit_with_fma, certified_hits_with_fma};
   }
 #endif

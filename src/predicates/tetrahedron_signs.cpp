@@ -1,5 +1,7 @@
 #include "predicates/tetrahedron_signs.h"
 
+#include "base/processor.h"
+
 namespace dsw {
 
 void find_tetrahedron_signs(const SweptTriangle& triangle, const double* const* corners,
@@ -19,8 +21,7 @@ void find_tetrahedron_signs(const SweptTriangle& triangle, const double* const* 
 
 FindTetrahedronSigns choose_find_tetrahedron_signs() noexcept {
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) return find_tetrahedron_signs_avx2;
+  if (has_avx2()) return find_tetrahedron_signs_avx2;
 #endif
   return find_tetrahedron_signs;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/dimensions.h"
+#include "base/processor.h"
 #include "predicates/plane_hit.h"
 #include "walk/walk.h"
 
@@ -13,11 +14,8 @@ template <int D>
 Walk<D> choose_walk() noexcept {
 #if defined(__x86_64__)
   if constexpr (D == 3) {
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-      return avx512_walk();
-    }
-    if (__builtin_cpu_supports("avx2")) return avx2_walk();
+    if (has_avx512()) return avx512_walk();
+    if (has_avx2()) return avx2_walk();
   }
 #endif
   return portable_walk<D>();

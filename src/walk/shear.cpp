@@ -1,5 +1,7 @@
 #include "walk/shear.h"
 
+#include "base/processor.h"
+
 namespace dsw {
 
 uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept {
@@ -21,11 +23,8 @@ uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept 
 
 MissedTriangles choose_missed_triangles() noexcept {
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-    return missed_triangles_avx512;
-  }
-  if (__builtin_cpu_supports("avx2")) return missed_triangles_avx2;
+  if (has_avx512()) return missed_triangles_avx512;
+  if (has_avx2()) return missed_triangles_avx2;
 #endif
   return missed_triangles;
 }

@@ -190,7 +190,9 @@ class Walkers {
       sides.look_at_boxes(env_.points, cells);
       note_sides<First, 6>(first, end, sides);
     } else {
+#if defined(DSW_ISA_AVX512)
       look_warped<First>(first, end, cells);
+#endif
     }
     return true;
 #else
@@ -215,9 +217,11 @@ class Walkers {
     }
   }
 
+#endif
+
+#if defined(DSW_ISA_AVX512)
   template <bool First>
   DSW_HOT void look_warped(uint32_t first, uint32_t end, const Abreast& cells) noexcept {
-#if defined(DSW_ISA_AVX512)
     WarpedBoxExits exits;
     exits.look(env_.points, cells);
 #pragma GCC unroll 1
@@ -229,9 +233,6 @@ class Walkers {
       }
       looks_[i] = Look::of_box({exits.pierced[j], exits.second[j], exits.candidates[j], true}, tally_);
     }
-#else
-    static_cast<void>(first), static_cast<void>(end), static_cast<void>(cells);
-#endif
   }
 #endif
 

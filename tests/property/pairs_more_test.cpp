@@ -55,6 +55,22 @@ TEST_F(TwoBodiesTest, WallsAndBodiesCompeteByTime) {
   }
 }
 
+// Both ends move alike, so the edge is left out. With one end gone ahead it meets a wall before that end meets the body.
+TEST_F(TwoBodiesTest, AWallComesFirstWhereItsEdgeWasLeftOut) {
+  const dsw_face_id face = face_between(1, 1, 1);
+  ASSERT_EQ(dsw_environment_mark_faces(place_.get(), &face, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  make({{{2.6, 1.935, 1.2}, {3.3, 1.935, 1.2}, {2.95, 1.935, 1.9}}, {}, {{0, 1, 2}}}, DSW_LEVEL_FACES);
+  for (const uint32_t flags : {0u, static_cast<uint32_t>(DSW_BODY_SKIP_SIMILAR_MOTION)}) {
+    const dsw_body_id body = make(segment({2.95, 0.9, 1.5}, {1.05, 0.9, 1.5}), DSW_LEVEL_EDGES, flags);
+    const BodyAnswer answer = move(body, {{2.95, 2.05, 1.5}, {1.05, 2.05, 1.5}});
+    ASSERT_GE(answer.contacts.size(), 1u);
+    EXPECT_EQ(answer.contacts[0].contact.marked_kind, DSW_CELL_FACE) << flags;
+    EXPECT_EQ(partner(body).body.generation, 0u) << flags;
+    EXPECT_NEAR(answer.contacts[0].time, 0.1 / 0.575, 1e-12);
+    ASSERT_EQ(dsw_body_destroy(scene(), body), DSW_STATUS_OK);
+  }
+}
+
 TEST_F(TwoBodiesTest, ABodyThatMeetsItselfTouchesItselfAtNoLevel) {
   BodyPlan cross;
   cross.at = {{1.25, 1.5, 1.5}, {1.75, 1.5, 1.5}, {1.5, 1.25, 1.5}, {1.5, 1.75, 1.5}};

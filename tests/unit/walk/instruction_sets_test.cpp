@@ -64,6 +64,15 @@ void expect_same(const CastCounters& a, const CastCounters& b) {
   EXPECT_EQ(a.ties, b.ties);
 }
 
+/** Six round the middle of a cube, one for each of its faces. */
+void add_pyramids(SmallMesh& mesh, const std::vector<int64_t>& cube) {
+  const size_t low = 3 * static_cast<size_t>(cube[0]);
+  const double middle[3] = {mesh.points[low] + 0.5, mesh.points[low + 1] + 0.5, mesh.points[low + 2] + 0.5};
+  const int64_t apex = static_cast<int64_t>(mesh.points.size() / 3);
+  mesh.point(middle[0], middle[1], middle[2]);
+  for (const auto& face : box_faces(cube)) mesh.cell(kPyramid, {face[3], face[2], face[1], face[0], apex});
+}
+
 /** Random points; where ties are wanted, on the lattice of half cells or on a vertex. */
 class Points {
  public:
@@ -105,14 +114,9 @@ SmallMesh mixed_lattice() {
       case 1:
         mixed.polyhedron(box_faces(c));
         break;
-      default: {
-        const int64_t apex = static_cast<int64_t>(mixed.points.size() / 3);
-        const auto corner = [&](size_t k, size_t axis) { return mixed.points[3 * static_cast<size_t>(c[k]) + axis]; };
-        const double middle[3] = {corner(0, 0) + 0.5, corner(0, 1) + 0.5, corner(0, 2) + 0.5};
-        mixed.point(middle[0], middle[1], middle[2]);
-        for (const auto& face : box_faces(c)) mixed.cell(kPyramid, {face[3], face[2], face[1], face[0], apex});
+      default:
+        add_pyramids(mixed, c);
         break;
-      }
     }
   }
   return mixed;
@@ -129,10 +133,7 @@ SmallMesh pyramid_lattice() {
   for (size_t i = 0; i < mesh.types.size(); ++i) {
     const auto first = mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(8 * i);
     const std::vector<int64_t> c(first, first + 8);
-    const int64_t apex = static_cast<int64_t>(pyramids.points.size() / 3);
-    const double* const low = mesh.points.data() + 3 * c[0];
-    pyramids.point(low[0] + 0.5, low[1] + 0.5, low[2] + 0.5);
-    for (const auto& face : box_faces(c)) pyramids.cell(kPyramid, {face[3], face[2], face[1], face[0], apex});
+    add_pyramids(pyramids, c);
   }
   return pyramids;
 }
