@@ -14,7 +14,11 @@ namespace dsw {
 
 constexpr uint32_t kNone = 0xffffffffu;
 
+/** What of a body is free [JCD10] 4.1; vertices always are, where they are and on their way. */
 enum class SweepLevel : uint32_t { kPoints, kEdges, kEdgesSwept, kFaces };
+inline bool covers_edges(SweepLevel level) { return level >= SweepLevel::kEdges; }
+inline bool sweeps_edges(SweepLevel level) { return level >= SweepLevel::kEdgesSwept; }  // on their way, too
+inline bool covers_faces(SweepLevel level) { return level == SweepLevel::kFaces; }
 
 /** Two to a cache line in space. */
 template <int D>
@@ -120,7 +124,7 @@ struct Body {
         shape(memory) {}
 
   bool is_rigid() const { return !shape.empty(); }
-  bool keeps_sequences() const { return skipping.sequences || level >= SweepLevel::kEdgesSwept; }
+  bool keeps_sequences() const { return skipping.sequences || sweeps_edges(level); }
   bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
   bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
   bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }

@@ -21,9 +21,8 @@ struct Partners {
   explicit Partners(const Memory* memory) : all(memory) {}
 };
 
-/** Parts of a body meet those of another that its level covers; of its own those with no vertex in common. */
-inline bool covers_edges(SweepLevel level) { return level >= SweepLevel::kEdges; }
-inline bool covers_faces(SweepLevel level) { return level == SweepLevel::kFaces; }
+// Parts of a body meet those of another that its level covers; of its own those with no vertex in common.
+
 /** Vertices that no edge stands for. */
 template <int D>
 inline const BoxGrid<D>& single_vertices(const Body<D>& body, SweepLevel level) {

@@ -101,8 +101,8 @@ class Sweeper {
 
   /** Whether the triangle has to be looked at; the outcome is set if the work limit leaves that open. */
   bool needs_flood(const EdgeMotion& m, const CastResult& path, dsw_sweep& sweep) const {
-    if (options_.level == SweepLevel::kPoints) return false;
-    if (options_.level == SweepLevel::kEdgesSwept || path.end == CastEnd::kHit) return true;
+    if (!covers_edges(options_.level)) return false;
+    if (sweeps_edges(options_.level) || path.end == CastEnd::kHit) return true;
     return fly(m.to, m.q, path.cell, sweep).end == CastEnd::kHit;
   }
 

@@ -31,7 +31,7 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     settings.edge = MoveSettings::slides(settings.edge) ? Response::kSlide : Response::kStop;
   }
   record.clear();
-  sweeps_.max_volumes = settings.max_volumes;
+  star_.simplices.max_volumes = settings.max_volumes;
   start(body, targets, order);
   const bool edits = settings.may_edit();
   before_.assign(body.vertices.begin(), body.vertices.end());
@@ -46,7 +46,8 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
   };
   try {
     const Skipping& skipping = body.skipping;
-    const bool may_skip = (skipping.back_edges || skipping.by_similar_motion) && body.level == SweepLevel::kEdges;
+    const bool may_skip =
+        (skipping.back_edges || skipping.by_similar_motion) && covers_edges(body.level) && !sweeps_edges(body.level);
     if (!run(settings, record, may_skip)) {
       // An edge that was left out is not free where it ends: once more, and nothing is left out.
       if (edits) {
@@ -65,13 +66,13 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     throw;
   }
   record.moved = static_cast<uint32_t>(course_.order.size());
-  record.sweeps = sweeps_.counts;
+  record.sweeps = star_.simplices.counts;
 }
 
 template <int D>
 void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
   record.clear();
-  sweeps_.max_volumes = 0;
+  star_.simplices.max_volumes = 0;
   before_.assign(body.vertices.begin(), body.vertices.end());
   places_.resize(D * body.vertices.size());
   double fraction = 1;
@@ -91,7 +92,7 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
   record.fraction = halvings == 52 && stays ? 0 : fraction;
   record.moved = static_cast<uint32_t>(course_.order.size());
   record.stopped = record.fraction == 1 ? 0 : record.moved;
-  record.sweeps = sweeps_.counts;
+  record.sweeps = star_.simplices.counts;
   for (dsw_body_contact& contact : record.contacts) {
     contact.distance_left = length(difference<D>(contact.to, body.position(contact.vertex.index)));
   }
@@ -121,10 +122,10 @@ bool BodyMove<D>::try_together(Body<D>& body, PlaceFn where, const void* user, d
     // The first in doubt has met something: all before it have arrived.
     if (record.contacts.empty()) record_first(body, v, targets[v], record);
     put_vertices(body, before_.data());
-    sweeps_.near = nullptr;
+    star_.near = nullptr;
     return false;
   }
-  sweeps_.near = nullptr;
+  star_.near = nullptr;
   return true;
 }
 
@@ -133,8 +134,8 @@ void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to
   StarContact first;
   PairContact<D> pair;
   Cell cell;
-  const bool any = sweeps_.find_first(body, v, to, &first, &cell) == SweepEnd::kContact;
-  const bool any_pair = sweeps_.find_first_of_partners(body, v, to, &pair);
+  const bool any = star_.find_first(body, v, to, &first, &cell) == SweepEnd::kContact;
+  const bool any_pair = star_.find_first_of_partners(body, v, to, &pair);
   const dsw_body_contact contact = any ? describe(env_, body, v, to, first) : dsw_body_contact{};
   if (any_pair && !(any && contact.time <= pair.time)) {
     record.add(describe(env_, body, v, to, pair), partner_of(pair));
@@ -145,8 +146,8 @@ void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to
 
 template <int D>
 void BodyMove<D>::start(Body<D>& body, PointArray targets, MoveOrder order) {
-  sweeps_.near = nullptr;
-  sweeps_.counts = {};
+  star_.near = nullptr;
+  star_.simplices.counts = {};
   strays_.clear();
   course_.start(body, targets, order);
   casts_.start();
@@ -169,22 +170,22 @@ bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may
 template <int D>
 void BodyMove<D>::sweep_all(bool may_skip, bool may_guess) {
   casts_.cast_paths();
-  if (course_.body->level != SweepLevel::kPoints) edges_.sweep(may_skip, may_guess);
+  if (covers_edges(course_.body->level)) edges_.sweep(may_skip, may_guess);
   if constexpr (D == 3) {
-    if (course_.body->level == SweepLevel::kFaces) faces_.sweep();
+    if (covers_faces(course_.body->level)) faces_.sweep();
   }
 }
 
 template <int D>
 bool BodyMove<D>::arrives(uint32_t v) const {
-  return !course_.vertices[v].doubtful && sweeps_.is_apart(*course_.body, v, course_.targets[v]);
+  return !course_.vertices[v].doubtful && star_.is_apart(*course_.body, v, course_.targets[v]);
 }
 
 /** The vertices in their order: those without doubt arrive, the others move alone. Returns false if a vertex that has
  * to move alone has an edge that is not free: vertices before it have left that edge out. */
 template <int D>
 bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool may_skip) {
-  VertexMove<D> alone(env_, *course_.body, settings, sweeps_, record);
+  VertexMove<D> alone(env_, *course_.body, settings, star_, record);
   look_ahead(settings.may_slide());
   const bool notes = settings.passes != 0;
   if (notes) turns_.start(*course_.body);
@@ -211,23 +212,23 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     if (!reached || record.edits.size() != edits) disturb(v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(record.edits[i].vertex.index);
   }
-  sweeps_.near = nullptr;
+  star_.near = nullptr;
   return true;
 }
 
 /** Finds what of a body that meets itself can come near what, where many of its vertices move. */
 template <int D>
 void BodyMove<D>::look_ahead([[maybe_unused]] bool slides) {
-  sweeps_.near = nullptr;
+  star_.near = nullptr;
   if constexpr (D == 3) {
     constexpr size_t kLeastEdges = 16, kLeastShare = 4;
     const Body<D>& body = *course_.body;
-    if (sweeps_.partners == nullptr || !body.filter.self || body.level == SweepLevel::kPoints) return;
+    if (star_.partners == nullptr || !body.filter.self || !covers_edges(body.level)) return;
     if (body.edges.size() < kLeastEdges || course_.order.size() * kLeastShare < body.vertices.size()) return;
     if (!body.boxes[0].loners.empty()) return;
     try {
       near_.start(body, slides, [&](uint32_t v) { return course_.moves(v) ? course_.targets[v] : body.position(v); });
-      if (near_.active()) sweeps_.near = &near_;
+      if (near_.active()) star_.near = &near_;
     } catch (const std::bad_alloc&) {  // without the list boxes are asked
     }
   }
@@ -237,8 +238,8 @@ void BodyMove<D>::look_ahead([[maybe_unused]] bool slides) {
 template <int D>
 void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
   const Body<D>& body = *course_.body;
-  const bool meets_bodies = sweeps_.partners != nullptr;
-  VertexMove<D> alone(env_, *course_.body, settings, sweeps_, record);
+  const bool meets_bodies = star_.partners != nullptr;
+  VertexMove<D> alone(env_, *course_.body, settings, star_, record);
   const size_t contacts = record.contacts.size();
   for (uint32_t pass = 0; pass < settings.passes && turns_.start_pass(body, meets_bodies); ++pass) {
     for (const uint32_t v : turns_.waiting()) {
@@ -290,7 +291,7 @@ void BodyMove<D>::remove_noise(Body<D>& body, double share, MoveRecord& record) 
     if (!(beside <= share * size) || !(dot(off, line) > 0) || !(dot(off, line) < dot(line, line))) continue;
     dsw_body_edit edit;
     reserve_more(record.edits, 1);
-    if (merge_vertex(sweeps_, body, edges[0], v, &edit)) record.edits.push_back(edit);
+    if (merge_vertex(star_, body, edges[0], v, &edit)) record.edits.push_back(edit);
   }
 }
 

@@ -16,11 +16,11 @@ class BodyMove {
  public:
   explicit BodyMove(const Environment<D>& env)
       : env_(env),
-        sweeps_(env),
+        star_(env),
         course_(env.memory),
-        casts_(env, sweeps_, course_),
-        edges_(env, sweeps_, course_, casts_),
-        faces_(env, sweeps_, course_),
+        casts_(env, star_.simplices, course_),
+        edges_(env, star_.simplices, course_, casts_),
+        faces_(env, star_.simplices, course_),
         near_(env.memory) {}
   BodyMove(const BodyMove&) = delete;
   BodyMove& operator=(const BodyMove&) = delete;
@@ -32,9 +32,9 @@ class BodyMove {
    * the body is put back and the fraction halved, up to 52 times. Throws as move does. */
   void move_together(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record);
 
-  void set_counters(CastCounters* counters) { sweeps_.counters = counters; }
+  void set_counters(CastCounters* counters) { star_.simplices.counters = counters; }
   /** What a body can meet besides the environment; null: nothing. */
-  void set_partners(const Partners<D>* partners) { sweeps_.partners = partners; }
+  void set_partners(const Partners<D>* partners) { star_.partners = partners; }
 
  private:
   bool try_together(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
@@ -51,7 +51,7 @@ class BodyMove {
   void remove_noise(Body<D>& body, double share, MoveRecord& record);
 
   const Environment<D>& env_;
-  StarSweep<D> sweeps_;
+  StarSweep<D> star_;
   Course<D> course_;
   CourseCasts<D> casts_;
   EdgePass<D> edges_;

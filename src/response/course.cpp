@@ -10,7 +10,7 @@ void Course<D>::start(Body<D>& moved, PointArray to, MoveOrder wanted) {
   targets = to;
   order.clear();
   vertices.assign(body->vertices.size(), Vertex{});
-  keeps.assign(body->level == SweepLevel::kFaces ? body->edges.size() : 0, true);
+  keeps.assign(covers_faces(body->level) ? body->edges.size() : 0, true);
   for (size_t v = 0; v < vertices.size(); ++v) vertices[v].from = vertices[v].arrival = body->vertices[v].cell;
   const size_t count = wanted.vertices != nullptr ? wanted.count : body->vertices.size();
   for (size_t i = 0; i < count; ++i) {

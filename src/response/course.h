@@ -2,7 +2,7 @@
 // One move of a body: where its vertices go, in which order, and what is known of their ways if nobody meets anything.
 
 #include "base/points.h"
-#include "sweep/star.h"
+#include "sweep/simplex_sweep.h"
 
 namespace dsw {
 

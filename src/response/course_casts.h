@@ -16,7 +16,7 @@ class CourseCasts {
     const double* position;
   };
 
-  CourseCasts(const Environment<D>& env, const StarSweep<D>& sweeps, Course<D>& course)
+  CourseCasts(const Environment<D>& env, const SimplexSweep<D>& sweeps, Course<D>& course)
       : env_(env), sweeps_(sweeps), course_(course) {}
 
   /** For a course that has just started. Throws std::bad_alloc, as add_edge and run_edges do. */
@@ -45,7 +45,7 @@ class CourseCasts {
   void run();
 
   const Environment<D>& env_;
-  const StarSweep<D>& sweeps_;
+  const SimplexSweep<D>& sweeps_;
   Course<D>& course_;
   Packet<D> packet_;
   uint32_t vertices_[kPacket] = {};  // kNone: of both ends of the edge

@@ -8,7 +8,7 @@ template <int D>
 void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
   may_guess_ = may_guess;
   const Body<D>& body = *course_.body;
-  const bool only_places = body.level == SweepLevel::kEdges && !body.keeps_sequences();
+  const bool only_places = !body.keeps_sequences();
   const bool skips_back = may_skip && body.skipping.back_edges;
   sieve_.start(may_skip);
   while (sieve_.next()) {
@@ -55,7 +55,7 @@ void EdgePass<D>::sweep_ways(uint32_t e) {
   const uint32_t(&ends)[2] = course_.body->edges[e].ends;
   const bool turned = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank;
   const uint32_t a = ends[turned ? 1 : 0], b = ends[turned ? 0 : 1];
-  const bool boxed = course_.body->level != SweepLevel::kEdges && is_boxed(e);
+  const bool boxed = sweeps_edges(course_.body->level) && is_boxed(e);
   sweep_way(e, a, b, boxed);
   sweep_way(e, b, a, boxed);
 }
@@ -83,10 +83,8 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
     course_.keeps[e] = course_.keeps[e] && same;
   }
   if (settled != Settled::kNo) return;
-  if (body.level != SweepLevel::kEdges) {
-    const BodyVertex<D>& from = body.vertices[v];
-    moving.doubtful = (may_guess_ && sweeps_.meets_touched_line(body, sweep)) ||
-                      !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
+  if (sweeps_edges(body.level)) {
+    moving.doubtful = (may_guess_ && sweeps_.meets_touched_line(body, sweep)) || !sweeps_.is_free(body, sweep);
     moving.meets = moving.doubtful;
     return;  // its sequence is noted when it is asked for again
   }
@@ -145,10 +143,15 @@ void FacePass<D>::sweep_face(uint32_t f) {
     typename Course<D>::Vertex& moving = course_.vertices[v];
     if (moving.rank == kNone || moving.doubtful) continue;
     const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v), rank = moving.rank;
-    const Cell from = body.vertices[v].cell;
-    const FaceMotion m{body.position(v), course_.targets[v], course_.place(q, rank), course_.place(r, rank)};
-    if (sweeps_.stays_inside(m, from, moving.arrival, course_.cell_at(q, rank), course_.cell_at(r, rank))) continue;
-    moving.doubtful = !sweeps_.is_tetrahedron_free(m, from);
+    const FaceSweep sweep{f,
+                          v,
+                          course_.targets[v],
+                          moving.arrival,
+                          course_.place(q, rank),
+                          course_.place(r, rank),
+                          course_.cell_at(q, rank),
+                          course_.cell_at(r, rank)};
+    moving.doubtful = sweeps_.settle(body, sweep) == Settled::kNo && !sweeps_.is_free(body, sweep);
   }
 }
 

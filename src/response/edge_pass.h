@@ -8,7 +8,7 @@ namespace dsw {
 template <int D>
 class EdgePass {
  public:
-  EdgePass(const Environment<D>& env, StarSweep<D>& sweeps, Course<D>& course, CourseCasts<D>& casts)
+  EdgePass(const Environment<D>& env, SimplexSweep<D>& sweeps, Course<D>& course, CourseCasts<D>& casts)
       : env_(env), sweeps_(sweeps), course_(course), casts_(casts), sieve_(env, sweeps, course, casts) {}
 
   /** @param may_skip whether edges may be left out on their way that are free where they end.
@@ -23,7 +23,7 @@ class EdgePass {
   bool is_boxed(uint32_t e);
 
   const Environment<D>& env_;
-  StarSweep<D>& sweeps_;
+  SimplexSweep<D>& sweeps_;
   Course<D>& course_;
   CourseCasts<D>& casts_;
   EdgeSieve<D> sieve_;
@@ -34,7 +34,7 @@ class EdgePass {
 template <int D>
 class FacePass {
  public:
-  FacePass(const Environment<D>& env, StarSweep<D>& sweeps, Course<D>& course)
+  FacePass(const Environment<D>& env, SimplexSweep<D>& sweeps, Course<D>& course)
       : env_(env), sweeps_(sweeps), course_(course) {}
 
   /** Throws std::bad_alloc. */
@@ -47,7 +47,7 @@ class FacePass {
   bool shares_sleeve(uint32_t f) const;
 
   const Environment<D>& env_;
-  StarSweep<D>& sweeps_;
+  SimplexSweep<D>& sweeps_;
   Course<D>& course_;
   Array<uint32_t> sides_{env_.memory};  // by face: its edges, that opposite of corner k in place k
 };

@@ -60,7 +60,7 @@ bool EdgeSieve<D>::next() {
   const Skipping& skipping = course_.body->skipping;
   if (next_ >= course_.body->edges.size()) return false;
   gather();
-  if (skipping.by_environment && course_.body->level == SweepLevel::kEdges && !course_.body->keeps_sequences()) {
+  if (skipping.by_environment && !course_.body->keeps_sequences()) {
     drop_inside();
   }
   if (skipping.by_clearance && sweeps_.max_volumes == 0) drop_clear();

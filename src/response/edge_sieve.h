@@ -9,7 +9,7 @@ namespace dsw {
 template <int D>
 class EdgeSieve {
  public:
-  EdgeSieve(const Environment<D>& env, StarSweep<D>& sweeps, Course<D>& course, CourseCasts<D>& casts)
+  EdgeSieve(const Environment<D>& env, SimplexSweep<D>& sweeps, Course<D>& course, CourseCasts<D>& casts)
       : env_(env), sweeps_(sweeps), course_(course), casts_(casts) {}
 
   /** @param may_skip whether edges may be left out on their way that are free where they end. Throws std::bad_alloc. */
@@ -37,7 +37,7 @@ class EdgeSieve {
   void drop_back();
 
   const Environment<D>& env_;
-  StarSweep<D>& sweeps_;
+  SimplexSweep<D>& sweeps_;
   Course<D>& course_;
   CourseCasts<D>& casts_;
   bool may_skip_ = false;

@@ -16,29 +16,29 @@ bool is_reached(const Environment<D>& env, const double* from, Cell start, const
 }  // namespace
 
 template <int D>
-bool can_bend(const Environment<D>& env, StarSweep<D>& sweeps, const Body<D>& body, uint32_t edge, const double* point,
+bool can_bend(const Environment<D>& env, StarSweep<D>& star, const Body<D>& body, uint32_t edge, const double* point,
               Cell* cell) {
   const BodyEdge& e = body.edges[edge];
   const BodyVertex<D>&p = body.vertices[e.ends[0]], &q = body.vertices[e.ends[1]];
-  if (sweeps.partners != nullptr && !is_bend_apart(*sweeps.partners, body, edge, point)) return false;
-  if (body.level == SweepLevel::kPoints) {
+  if (star.partners != nullptr && !is_bend_apart(*star.partners, body, edge, point)) return false;
+  if (!covers_edges(body.level)) {
     *cell = locate(env, point, p.cell, nullptr).cell;
     return cell->valid() && !is_closed(env, *cell);
   }
   const CastResult to_point = cast(env, p.position, point, p.cell);
   *cell = to_point.cell;
   if (to_point.end != CastEnd::kReached || !is_reached(env, point, *cell, q)) return false;
-  const bool swept = body.level >= SweepLevel::kEdgesSwept;
-  if (swept && !sweeps.is_triangle_free({p.position, point, q.position}, p.cell)) return false;
+  const bool swept = sweeps_edges(body.level);
+  if (swept && !star.simplices.is_triangle_free({p.position, point, q.position}, p.cell)) return false;
   for (const uint32_t f : e.faces) {
     if (f == kNone) continue;
     const BodyFace& face = body.faces[f];
     const uint32_t far = face.after(e.ends[0]) == e.ends[1] ? face.before(e.ends[0]) : face.after(e.ends[0]);
     const double* const r = body.position(far);
     if (!is_reached(env, point, *cell, body.vertices[far])) return false;
-    if (body.level != SweepLevel::kFaces) continue;
-    if (!sweeps.is_triangle_free({p.position, point, r}, p.cell) ||
-        !sweeps.is_tetrahedron_free({p.position, point, q.position, r}, p.cell)) {
+    if (!covers_faces(body.level)) continue;
+    if (!star.simplices.is_triangle_free({p.position, point, r}, p.cell) ||
+        !star.simplices.is_tetrahedron_free({p.position, point, q.position, r}, p.cell)) {
       return false;
     }
   }
@@ -66,10 +66,10 @@ uint32_t insert_vertex(Body<D>& body, uint32_t edge, const double* point, Cell c
 }
 
 template <int D>
-bool merge_vertex(StarSweep<D>& sweeps, Body<D>& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
+bool merge_vertex(StarSweep<D>& star, Body<D>& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
   const uint32_t kept = body.edges[edge].other(vertex);
   Cell cell;
-  if (!can_collapse(body, edge, vertex) || !sweeps.can_merge(body, vertex, kept, &cell)) return false;
+  if (!can_collapse(body, edge, vertex) || !star.can_merge(body, vertex, kept, &cell)) return false;
   if (edit != nullptr) {
     *edit = {};
     edit->vertex = vertex_id(body, vertex);

@@ -200,7 +200,7 @@ void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level) {
   const SweepLevel before = std::exchange(body.level, level);
   try {
     if (level > before) check_free(scene, body, level);
-    if (level >= SweepLevel::kEdgesSwept) keep_sequences(body, body.edges.size());
+    if (sweeps_edges(level)) keep_sequences(body, body.edges.size());
   } catch (...) {
     body.level = before;
     throw;

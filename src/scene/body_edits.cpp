@@ -12,7 +12,7 @@ namespace {
 
 template <int D>
 void check_edge_free(const Environment<D>& env, const Body<D>& body, uint32_t a, uint32_t b) {
-  if (body.level == SweepLevel::kPoints) return;
+  if (!covers_edges(body.level)) return;
   if (cast(env, body.position(a), body.position(b), body.vertices[a].cell).end == CastEnd::kReached) return;
   fail(DSW_STATUS_OCCUPIED, "the edge between vertices %u and %u meets something impassable", a, b);
 }
@@ -94,8 +94,8 @@ uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, u
     neighbours.check_edge(from, to);
   }
   neighbours.check_triangle(corners);
-  if (body.level == SweepLevel::kFaces) {
-    StarSweep<D> sweeps(scene.env);
+  if (covers_faces(body.level)) {
+    SimplexSweep<D> sweeps(scene.env);
     if (!sweeps.is_triangle_free({body.position(a), body.position(b), body.position(c)}, body.vertices[a].cell)) {
       fail(DSW_STATUS_OCCUPIED, "triangle (%u, %u, %u) meets something impassable", a, b, c);
     }

@@ -54,7 +54,7 @@ bool BodyProbe<D>::visit_vertices(const Body<D>& body, const Places<D>& changed,
 template <int D>
 template <class Visit>
 bool BodyProbe<D>::visit_edges(const Body<D>& body, const Places<D>& changed, SweepLevel level, Visit visit) {
-  if (kind_ == Obstacle::kMarkedEdges || level == SweepLevel::kPoints) return true;
+  if (kind_ == Obstacle::kMarkedEdges || !covers_edges(level)) return true;
   uint32_t edges[kPacket];
   packet_.clear();
   const auto run = [&] {
@@ -83,7 +83,7 @@ template <int D>
 template <class Visit>
 bool BodyProbe<D>::visit_faces(const Body<D>& body, const Places<D>& changed, SweepLevel level, Visit visit) {
   if constexpr (D == 3) {
-    if (level != SweepLevel::kFaces) return true;
+    if (!covers_faces(level)) return true;
     const auto look = [&](uint32_t f) {
       if (!body.has_face(f)) return true;
       const uint32_t* const c = body.faces[f].corners;

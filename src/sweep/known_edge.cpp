@@ -60,7 +60,7 @@ bool turns(const Environment<D>& env, const Body<D>& body, const EdgeSweep& swee
   EdgeSequence<D>& sequence = body.sequences[sweep.e];
   const double *const from = first ? sweep.to : sweep.q, *const to = first ? sweep.q : sweep.to;
   const Cell start = first ? sweep.arrival : sweep.fixed, end = first ? sweep.fixed : sweep.arrival;
-  const bool swept = body.level != SweepLevel::kEdges;
+  const bool swept = sweeps_edges(body.level);
   Pivot<D> pivot;
   for (int rest = swept && D == 3 ? 1 : kMostTurns; rest != 0; --rest) {
     if (!turn(env, sequence, from, to, pivot) || (swept && !turns_freely(env, body, sweep, pivot))) break;
@@ -135,7 +135,7 @@ struct Follower {
 template <int D>
 bool is_seen(const Environment<D>& env, SweepLevel level, const EdgeSweep& sweep, CastCounters* counters) {
   const bool from_target = sees_all(env, sweep.arrival, sweep.to, counters);
-  if (from_target == (level == SweepLevel::kEdges)) return from_target;
+  if (from_target != sweeps_edges(level)) return from_target;
   return sees_all(env, sweep.fixed, sweep.q, counters);
 }
 
@@ -151,7 +151,7 @@ Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const Ed
                         EdgeScratch<D>& scratch) {
   if (!knows_path(body, sweep)) return Settled::kNo;
   Follower<D> edge(env, body, sweep, scratch);
-  if (body.level == SweepLevel::kEdges ? !edge.sequence.known() : !edge.keeps_start()) return Settled::kNo;
+  if (!(sweeps_edges(body.level) ? edge.keeps_start() : edge.sequence.known())) return Settled::kNo;
   const bool stays = sweep.crossed.count == 0;
   if (stays && edge.keeps(sweep.to, sweep.arrival)) return Settled::kSleeve;
   edge.save();

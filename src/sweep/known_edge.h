@@ -7,21 +7,22 @@
 
 namespace dsw {
 
-/** The sweep of edge e when its end v goes to `to`, in `arrival`, and the other end is at q, in `fixed`. The path of v
- * is free. */
+/** The sweep of edge e when its end v goes to `to`, in `arrival`, and the other end is at q, in `fixed`. */
 struct EdgeSweep {
   uint32_t e, v;
   const double* to;
   Cell arrival;
   const double* q;
   Cell fixed;
-  PathFacets crossed;  // on the path of v
+  PathFacets crossed;   // on the path of v
+  bool reached = true;  // false: the path of v meets a wall of `arrival`
 };
 
 /** What is known: nothing, or that nothing is met because the triangle lies inside of one convex cell, of one that is
  * not convex, of a box or a ball that is free, of the sleeve of cells that the edge is known to cross, or of these and
- * the others at one edge that it turns round, in the plane at a few vertices. */
-enum class Settled : uint32_t { kNo, kInside, kSeen, kBoxed, kClear, kSleeve, kTurned };
+ * the others at one edge that it turns round, in the plane at a few vertices. kStopped: nothing is met before the
+ * moving end meets a wall. */
+enum class Settled : uint32_t { kNo, kInside, kSeen, kBoxed, kClear, kSleeve, kTurned, kStopped };
 
 /** Whether the triangle lies in the cell that its corners are in, which need not be convex. From one end in its new
  * place all of the cell is seen, hence the edge lies in it; where the triangle counts, from both: so the moving end's

@@ -2,8 +2,15 @@
 
 #include <algorithm>
 
+#include "body/simplices.h"
+
 namespace dsw {
 namespace {
+
+uint32_t edge_of(const EdgeSweep& sweep) { return sweep.e; }
+uint32_t edge_of(const FaceSweep&) { return kNone; }
+uint32_t face_of(const EdgeSweep&) { return kNone; }
+uint32_t face_of(const FaceSweep& sweep) { return sweep.f; }
 
 /** The vertex before its edges before its faces. */
 uint64_t feature(const StarContact& c) noexcept {
@@ -11,78 +18,37 @@ uint64_t feature(const StarContact& c) noexcept {
   return c.face != kNone ? (uint64_t{1} << 33) + c.face : 0;
 }
 
-template <int D>
-EdgeMotion motion_of_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e) {
-  return {body.position(v), to, body.position(body.edges[e].other(v))};
-}
-
-template <int D>
-FaceMotion motion_of_face(const Body<D>& body, uint32_t v, const double* to, uint32_t f) {
-  const BodyFace& face = body.faces[f];
-  return {body.position(v), to, body.position(face.after(v)), body.position(face.before(v))};
-}
-
 }  // namespace
 
 template <int D>
-StarSweep<D>::StarSweep(const Environment<D>& env) : env_(env), probe_(env), flood_(env) {}
-
-template <int D>
-bool StarSweep<D>::is_face_seen(const FaceMotion& m, Cell cell) const {
-  return sees_all(env_, cell, m.to, counters) && sees_all(env_, cell, m.q, counters) &&
-         sees_all(env_, cell, m.r, counters);
+typename StarSweep<D>::Way StarSweep<D>::go(const Body<D>& body, uint32_t v, const double* to) {
+  const CastResult path = simplices.cast_path(body, v, to);
+  const PathFacets crossed = body.keeps_sequences() ? path_facets(env_.map, body.vertices[v].cell, path) : PathFacets{};
+  return {v, to, path, crossed, path.end == CastEnd::kReached};
 }
 
 template <int D>
-Settled StarSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls) {
-  // What is known must not carry an edge past the work limit that it meets without.
-  if (max_volumes != 0) return Settled::kNo;
-  const Skipping& skipping = body.skipping;
-  Settled settled = Settled::kNo;
-  if (ask_balls && is_clear(env_, body, sweep)) {
-    settled = Settled::kClear;
-  } else if (body.keeps_sequences()) {
-    scratch_.counters = counters;
-    settled = follow_sequence(env_, body, sweep, scratch_);
-  }
-  counts.skipped += settled != Settled::kNo && (skipping.by_clearance || skipping.sequences) ? 1 : 0;
-  return settled;
+EdgeSweep StarSweep<D>::edge_sweep(const Body<D>& body, const Way& way, uint32_t e) const {
+  const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(way.v)];
+  return {e, way.v, way.to, way.path.cell, fixed.position, fixed.cell, way.crossed, way.reached};
 }
 
-/** Whether an edge is not known to be free in its new place; fills hit_edges_ with all, or some if one is enough. */
 template <int D>
-bool StarSweep<D>::find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough) {
-  hit_edges_.clear();
-  packet_.clear();  // of casts that ran out of memory
-  const auto run = [&] {
-    packet_.run(env_, counters);
-    for (uint32_t i = 0; i < packet_.count(); ++i) {
-      const CastEnd end = packet_.result(i).end;
-      if (!packet_.reached(i)) hit_edges_.push_back(packet_edges_[i]);
-      limited_ = limited_ || end == CastEnd::kWorkLimit;
-    }
-    packet_.clear();
-  };
-  for_each_edge(body, v, [&](uint32_t e) {
-    const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
-    if (settles(body, {e, v, to, cell, fixed.position, fixed.cell, {}})) return true;
-    packet_edges_[packet_.count()] = e;
-    CastRequest& request = packet_.add(env_, cell, to, fixed.position);
-    request.end = fixed.cell;
-    request.max_volumes = max_volumes;
-    if (packet_.full()) run();
-    return !(one_is_enough && !hit_edges_.empty());
+FaceSweep StarSweep<D>::face_sweep(const Body<D>& body, const Way& way, uint32_t f) const {
+  const BodyFace& face = body.faces[f];
+  const BodyVertex<D>&q = body.vertices[face.after(way.v)], &r = body.vertices[face.before(way.v)];
+  return {f, way.v, way.to, way.path.cell, q.position, r.position, q.cell, r.cell, way.reached};
+}
+
+/** Calls visit(sweep) for the edges and faces at the vertex until it returns false; whether it never did. */
+template <int D>
+template <class Visit>
+bool StarSweep<D>::visit_sweeps(const Body<D>& body, const Way& way, Visit visit) const {
+  return for_each_simplex_at(body, way.v, [&](const Simplex& each) {
+    if (each.kind == Simplex::kEdge) return visit(edge_sweep(body, way, each.index));
+    if (each.kind == Simplex::kFace) return visit(face_sweep(body, way, each.index));
+    return true;
   });
-  run();
-  return !hit_edges_.empty();
-}
-
-/** Also notes whether it met the work limit. */
-template <int D>
-CastResult StarSweep<D>::cast_path(const Body<D>& body, uint32_t v, const double* to) {
-  const CastResult path = cast(env_, body.position(v), to, body.vertices[v].cell, max_volumes, counters);
-  limited_ = path.end == CastEnd::kWorkLimit;
-  return path;
 }
 
 template <int D>
@@ -93,73 +59,37 @@ StarTry StarSweep<D>::try_walls(const Body<D>& body, uint32_t v, const double* t
     *cell = at.cell;
     return tried;
   }
-  const CastResult path = cast_path(body, v, to);
-  *cell = path.cell;
-  bool free = path.end == CastEnd::kReached;
-  if (free && body.level == SweepLevel::kEdges) {
-    free = !find_hit_edges(body, v, to, path.cell, true);
-    if (!free) tried.edge = hit_edges_[0];
-  } else if (free && body.level != SweepLevel::kPoints) {
-    tried.edge = find_swept_edge(body, v, to, path);
-    if (D == 3 && tried.edge == kNone && body.level == SweepLevel::kFaces) {
-      tried.face = find_swept_face(body, v, to, path);
-    }
-    free = tried.edge == kNone && tried.face == kNone;
-  }
-  if (!free) tried.end = limited_ ? SweepEnd::kWorkLimit : SweepEnd::kContact;
+  const Way way = go(body, v, to);
+  *cell = way.path.cell;
+  const auto passes = [&](const auto& sweep) {
+    if (simplices.settle(body, sweep) != Settled::kNo || simplices.is_free(body, sweep)) return true;
+    tried.edge = edge_of(sweep);
+    tried.face = face_of(sweep);
+    return false;
+  };
+  const bool free = way.reached && visit_sweeps(body, way, passes);
+  if (!free) tried.end = simplices.is_limited() ? SweepEnd::kWorkLimit : SweepEnd::kContact;
   return tried;
-}
-
-/** An edge that is not free on its way, or kNone. */
-template <int D>
-uint32_t StarSweep<D>::find_swept_edge(const Body<D>& body, uint32_t v, const double* to, const CastResult& path) {
-  const BodyVertex<D>& at = body.vertices[v];
-  const PathFacets passed = path_facets(env_.map, at.cell, path);
-  uint32_t met = kNone;
-  for_each_edge(body, v, [&](uint32_t e) {
-    const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
-    if (!settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed}) &&
-        !is_triangle_free({at.position, to, fixed.position}, at.cell)) {
-      met = e;
-    }
-    return met == kNone;
-  });
-  return met;
-}
-
-/** A face that is not free on its way, or kNone. */
-template <int D>
-uint32_t StarSweep<D>::find_swept_face(const Body<D>& body, uint32_t v, const double* to, const CastResult& path) {
-  const Cell from = body.vertices[v].cell;
-  uint32_t met = kNone;
-  for_each_face(body, v, [&](uint32_t f) {
-    const BodyFace& face = body.faces[f];
-    const FaceMotion m = motion_of_face(body, v, to, f);
-    const Cell q = body.vertices[face.after(v)].cell, r = body.vertices[face.before(v)].cell;
-    if (!stays_inside(m, from, path.cell, q, r) && !is_tetrahedron_free(m, from)) met = f;
-    return met == kNone;
-  });
-  return met;
 }
 
 template <int D>
 bool StarSweep<D>::find_obstacle(const Body<D>& body, uint32_t v, const double* to, const StarTry& tried,
                                  CastResult* hit, StarContact* inside) {
   const BodyVertex<D>& at = body.vertices[v];
-  *inside = {{}, tried.edge, tried.face};
-  const CastResult path = cast(env_, at.position, to, at.cell, 0, counters);
+  const CastResult path = cast(env_, at.position, to, at.cell, 0, simplices.counters);
+  const Way way{v, to, path, {}, path.end == CastEnd::kReached};
   if constexpr (D == 3) {
     if (tried.face != kNone) {
-      inside->contact = flood(motion_of_face(body, v, to, tried.face), at.cell).contact;
+      *inside = {simplices.first_of(body, face_sweep(body, way, tried.face)), kNone, tried.face};
       return false;
     }
   }
   *hit = path;
   if (tried.edge == kNone) return true;
-  const EdgeMotion m = motion_of_edge(body, v, to, tried.edge);
-  *hit = cast(env_, to, m.q, path.cell, 0, counters);
+  const EdgeSweep sweep = edge_sweep(body, way, tried.edge);
+  *hit = cast(env_, to, sweep.q, path.cell, 0, simplices.counters);
   if (hit->end == CastEnd::kHit) return true;
-  inside->contact = flood(m, at.cell).contact;
+  *inside = {simplices.first_of(body, sweep), tried.edge, kNone};
   return false;
 }
 
@@ -171,139 +101,57 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
     *cell = at.cell;
     return SweepEnd::kFree;
   }
-  const CastResult path = cast_path(body, v, to);
-  *cell = path.cell;
-  if (limited_) return SweepEnd::kWorkLimit;
-  Earliest earliest{first};
-  const bool reached = path.end != CastEnd::kHit;
-  if (!reached) consider(at.position, to, {path_contact(env_, path), kNone, kNone}, earliest);
-  if (body.level == SweepLevel::kEdges && reached) {
-    find_hit_edges(body, v, to, path.cell, false);
-    const PathFacets passed = body.keeps_sequences() ? path_facets(env_.map, at.cell, path) : PathFacets{};
-    for (const uint32_t e : hit_edges_) {
-      const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
-      const EdgeSweep sweep{e, v, to, path.cell, fixed.position, fixed.cell, passed};
-      if (!consider_touched(body, sweep, earliest)) consider_edge(body, sweep, earliest);
-    }
-  } else if (body.level != SweepLevel::kPoints) {
-    const PathFacets passed = path_facets(env_.map, at.cell, path);
-    for_each_edge(body, v, [&](uint32_t e) {
-      const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
-      const EdgeSweep sweep{e, v, to, path.cell, fixed.position, fixed.cell, passed};
-      if (likely && consider_touched(body, sweep, earliest)) {
-        counts.swept += reached ? 1 : 0;
-        return true;
-      }
-      const bool settled = reached ? settles(body, sweep) : stays_before_wall(env_, at, to, path.cell, fixed);
-      if (!settled && (likely || !consider_touched(body, sweep, earliest))) consider_edge(body, sweep, earliest);
-      return true;
-    });
-  }
-  if (D == 3 && body.level == SweepLevel::kFaces) {
-    for_each_face(body, v, [&](uint32_t f) {
-      consider_face(body, v, to, f, earliest);
-      return true;
-    });
-  }
-  return limited_ ? SweepEnd::kWorkLimit : earliest.any ? SweepEnd::kContact : SweepEnd::kFree;
+  const Way way = go(body, v, to);
+  *cell = way.path.cell;
+  if (simplices.is_limited()) return SweepEnd::kWorkLimit;
+  bool any = !way.reached;
+  if (any) *first = {path_contact(env_, way.path), kNone, kNone};
+  visit_sweeps(body, way, [&](const auto& sweep) {
+    StarContact met{{}, edge_of(sweep), face_of(sweep)};
+    const SweepEvent* const before = any ? &first->contact.event : nullptr;
+    if (!simplices.find_first(body, sweep, likely, before, &met.contact)) return true;
+    if (met.contact.event.kind == EventKind::kVertex) met.edge = met.face = kNone;
+    if (!any || comes_first(body, way, met, *first)) *first = met;
+    return any = true;
+  });
+  return simplices.is_limited() ? SweepEnd::kWorkLimit : any ? SweepEnd::kContact : SweepEnd::kFree;
 }
 
-/** Whether an edge of the environment that the edge has touched before settles this sweep: it is the first contact, or
- * nothing comes before the earliest contact that is known. */
+/** Whether a is met before b. Of what is met at the same time the vertex comes first, then the lowest edge, then the
+ * lowest face. */
 template <int D>
-bool StarSweep<D>::consider_touched(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest) {
-  if (max_volumes != 0 || !body.keeps_sequences()) return false;
-  const PiercedLine pierced = find_pierced_line(env_, body, sweep);
-  if (!pierced) return false;
-  scratch_.counters = counters;
-  const double* const p = body.position(sweep.v);
-  if (earliest.any) {
-    const SweepEvent& first = earliest.contact->contact.event;
-    if (compare_events<D>(p, sweep.to, first, pierced.event).sign < 0) {
-      return is_free_before(env_, body, sweep, first, scratch_, nullptr);
-    }
-  }
-  SweepContact found;
-  if (!meets_first(env_, body, sweep, pierced, &found, scratch_)) return false;
-  consider(p, sweep.to, {found, sweep.e, kNone}, earliest);
-  return true;
-}
-
-template <int D>
-void StarSweep<D>::consider_edge(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest) {
-  const Cell start = body.vertices[sweep.v].cell;
-  const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
-  if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return;
-  scratch_.counters = counters;
-  if (earliest.any && max_volumes == 0 &&
-      is_free_before(env_, body, sweep, earliest.contact->contact.event, scratch_, nullptr)) {
-    return;
-  }
-  const double end = earliest.any ? time_after<D>(m.p, m.to, earliest.contact->contact.event) : 1;
-  const SweepResult swept = flood_until(m, start, end);
-  if (swept.end != SweepEnd::kContact) return;
-  keep_touched_line(env_, body, sweep.e, sweep.v, swept.contact);
-  consider(m.p, sweep.to, {swept.contact, sweep.e, kNone}, earliest);
-}
-
-template <int D>
-void StarSweep<D>::consider_face(const Body<D>& body, uint32_t v, const double* to, uint32_t f, Earliest& earliest) {
-  if constexpr (D == 3) {
-    const FaceMotion m = motion_of_face(body, v, to, f);
-    if (is_boxed(bounds<D>(m.p, m.to, m.q, m.r), body.vertices[v].cell)) return;
-    const SweepResult swept = flood(m, body.vertices[v].cell);
-    if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, kNone, f}, earliest);
-  }
-}
-
-/** Keeps the earlier one; of equal ones the vertex, then the lowest edge, then the lowest face. */
-template <int D>
-void StarSweep<D>::consider(const double* p, const double* to, StarContact found, Earliest& earliest) const {
-  if (found.contact.event.kind == EventKind::kVertex) found.edge = found.face = kNone;
-  const StarContact& first = *earliest.contact;
-  const bool later =
-      earliest.any &&
-      (comes_before(env_.map, p, to, first.contact, found.contact) ||
-       (!comes_before(env_.map, p, to, found.contact, first.contact) && feature(first) <= feature(found)));
-  if (later) return;
-  *earliest.contact = found;
-  earliest.any = true;
+bool StarSweep<D>::comes_first(const Body<D>& body, const Way& way, const StarContact& a, const StarContact& b) const {
+  const double* const p = body.position(way.v);
+  if (comes_before(env_.map, p, way.to, a.contact, b.contact)) return true;
+  return feature(a) < feature(b) && !comes_before(env_.map, p, way.to, b.contact, a.contact);
 }
 
 template <int D>
 void StarSweep<D>::find_all(const Body<D>& body, uint32_t v, const double* to, const StarContact& first,
                             Array<StarContact>& all) {
   all.clear();
-  const CastResult path = cast(env_, body.position(v), to, body.vertices[v].cell, max_volumes, counters);
-  if (path.end == CastEnd::kHit) all.push_back({path_contact(env_, path), kNone, kNone});
-  if (body.level == SweepLevel::kPoints) return;
-  if (body.level == SweepLevel::kEdges && path.end == CastEnd::kReached) {
-    find_hit_edges(body, v, to, path.cell, false);
-    for (const uint32_t e : hit_edges_) collect_edge(body, v, to, e, first, all);
-  } else {
-    for_each_edge(body, v, [&](uint32_t e) {
-      collect_edge(body, v, to, e, first, all);
-      return true;
-    });
-  }
-  if (first.face != kNone) all.push_back(first);
-  std::sort(all.begin(), all.end(), [&](const StarContact& a, const StarContact& b) {
-    if (comes_before(env_.map, body.position(v), to, a.contact, b.contact)) return true;
-    return !comes_before(env_.map, body.position(v), to, b.contact, a.contact) && feature(a) < feature(b);
+  const Way way = go(body, v, to);
+  if (way.path.end == CastEnd::kHit) all.push_back({path_contact(env_, way.path), kNone, kNone});
+  const auto collect = [&](const EdgeSweep& sweep) {
+    for (const SweepContact& each : simplices.find_all(body, sweep)) {
+      // The diagonal of a flat face is nothing to be met, but where the shift meets it first.
+      const bool flat = kind_of(each) == ContactKind::kPlane && env_.map.convex(each.front) &&
+                        !(sweep.e == first.edge && same_event(each, first.contact));
+      if (each.event.kind != EventKind::kVertex && !flat) all.push_back({each, sweep.e, kNone});
+    }
+  };
+  for_each_simplex_at(body, v, [&](const Simplex& each) {
+    if (each.kind != Simplex::kEdge) return true;
+    const EdgeSweep sweep = edge_sweep(body, way, each.index);
+    // At EDGES an edge that is free in its new place meets nothing.
+    const bool free = way.reached && !sweeps_edges(body.level) &&
+                      (simplices.settle(body, sweep) != Settled::kNo || simplices.is_free(body, sweep));
+    if (!free) collect(sweep);
+    return true;
   });
-}
-
-/** Appends what an edge meets. */
-template <int D>
-void StarSweep<D>::collect_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e, const StarContact& first,
-                                Array<StarContact>& all) {
-  flood(motion_of_edge(body, v, to, e), body.vertices[v].cell, true);
-  for (const SweepContact& each : flood_.all()) {
-    // The diagonal of a flat face is nothing to be met, but where the shift meets it first.
-    const bool flat = kind_of(each) == ContactKind::kPlane && env_.map.convex(each.front) &&
-                      !(e == first.edge && same_event(each, first.contact));
-    if (each.event.kind != EventKind::kVertex && !flat) all.push_back({each, e, kNone});
-  }
+  if (first.face != kNone) all.push_back(first);
+  const auto before = [&](const StarContact& a, const StarContact& b) { return comes_first(body, way, a, b); };
+  std::sort(all.begin(), all.end(), before);
 }
 
 template class StarSweep<2>;

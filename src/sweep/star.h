@@ -1,14 +1,9 @@
 #pragma once
-// What a body sweeps when one of its vertices moves: the path of the vertex, at EDGES its edges in their new places, at
-// EDGES_SWEPT the triangles that they sweep, at FACES also the tetrahedra that its faces sweep [JCD10] 4.1.
+// What a body meets when one of its vertices moves: on the path of the vertex, with the simplices at it that the body's
+// level covers, and of its partners.
 
-#include "body/body.h"
-#include "flood/box_probe.h"
-#include "flood/sweep.h"
 #include "pairs/pair_sweep.h"
-#include "sweep/known_edge.h"
-#include "sweep/touched_line.h"
-#include "walk/packet.h"
+#include "sweep/simplex_sweep.h"
 
 namespace dsw {
 
@@ -25,16 +20,11 @@ struct StarTry {
   uint32_t edge = kNone, face = kNone;  // else kContact of these; both kNone: the path of the vertex
 };
 
-/** How many sweeps of edges were asked for, and how many of those were left out. */
-struct SweepCounts {
-  uint32_t swept = 0, skipped = 0;
-};
-
 /** Sweeps stars; one for each thread. Throws std::bad_alloc. */
 template <int D>
 class StarSweep {
  public:
-  explicit StarSweep(const Environment<D>& env);
+  explicit StarSweep(const Environment<D>& env) : simplices(env), env_(env) {}
 
   /** Whether vertex v can go to `to` without meeting anything that the body's level sees, partners included; *cell then
    * contains `to`. */
@@ -80,109 +70,28 @@ class StarSweep {
    * that. */
   void find_all(const Body<D>& body, uint32_t v, const double* to, const StarContact& first, Array<StarContact>& all);
 
-  /** What is known of the sweep of an edge; counts what is settled.
-   * @param ask_balls whether the balls of its ends have not been asked. */
-  Settled settle(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true) {
-    ++counts.swept;
-    const Skipping& skipping = body.skipping;
-    const bool keeps = body.keeps_sequences();
-    const Cell from = body.vertices[sweep.v].cell;
-    if ((skipping.by_environment || keeps) && from == sweep.arrival && from == sweep.fixed) {
-      const bool convex = env_.map.convex(from);
-      if (convex || is_seen(env_, body.level, sweep, counters)) {
-        if (keeps) body.sequences[sweep.e].clear();
-        counts.skipped += skipping.by_environment ? 1 : 0;
-        return convex ? Settled::kInside : Settled::kSeen;
-      }
-    }
-    ask_balls = ask_balls && skipping.by_clearance;
-    return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls) : Settled::kNo;
-  }
-  /** The same for an edge that is known to lie, with what it sweeps, in a free box. */
-  Settled settle_boxed(const Body<D>& body) {
-    ++counts.swept;
-    counts.skipped += body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
-    return Settled::kBoxed;
-  }
-  bool settles(const Body<D>& body, const EdgeSweep& sweep) { return settle(body, sweep) != Settled::kNo; }
-
-  /** Whether what a face sweeps lies inside of one cell and meets nothing. The cells contain p, to, q and r of `m`. */
-  bool stays_inside(const FaceMotion& m, Cell from, Cell arrival, Cell q, Cell r) const {
-    return from == arrival && from == q && from == r && (env_.map.convex(from) || is_face_seen(m, from));
-  }
-
-  /** Whether a box is seen to be free from all of these cells: then nothing that is swept inside of it from one of them
-   * meets anything. Not asked with a work limit, which is that of the cells that a sweep itself meets. */
-  template <class... Cells>
-  bool is_boxed(const Bounds<D>& box, Cell start, Cells... others) noexcept {
-    return max_volumes == 0 && probe_.is_free(box, start) && (probe_.has_entered(others) && ...);
-  }
-
-  /** Whether what stopped an edge before stands in its way: then its sweep is most likely not free. */
-  bool meets_touched_line(const Body<D>& body, const EdgeSweep& sweep) const noexcept {
-    return max_volumes == 0 && find_pierced_line(env_, body, sweep);
-  }
-  bool is_triangle_free(const EdgeMotion& m, Cell start) {
-    if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return true;
-    return flood_until(m, start, 1).end == SweepEnd::kFree;
-  }
-  bool is_tetrahedron_free(const FaceMotion& m, Cell start) {
-    if (is_boxed(bounds<D>(m.p, m.to, m.q, m.r), start)) return true;
-    if constexpr (D == 3) return flood(m, start).end == SweepEnd::kFree;
-    return true;  // no body of the plane has faces
-  }
-
-  SweepCounts counts;
-  CastCounters* counters = nullptr;       // of casts, and cells of floods; may stay null
-  uint32_t max_volumes = 0;               // work limit of each cast and flood; 0: none
+  SimplexSweep<D> simplices;
   const Partners<D>* partners = nullptr;  // other bodies that the body can meet; null: none
   NearEdges* near = nullptr;              // of the body, while it moves; null: its boxes are asked
 
  private:
-  /** The first of the contacts on one way. */
-  struct Earliest {
-    StarContact* contact;
-    bool any = false;
+  /** A vertex on its way. */
+  struct Way {
+    uint32_t v;
+    const double* to;
+    CastResult path;
+    PathFacets crossed;
+    bool reached;
   };
-  void consider(const double* p, const double* to, StarContact found, Earliest& earliest) const;
-  template <class Motion, class... Collect>
-  SweepResult flood(const Motion& m, Cell start, Collect... collect) {
-    return count(flood_.sweep(m, start, max_volumes, collect...));
-  }
-  /** For an edge: what is met after `end` is not needed. With a work limit, which is that of all cells, it may be
-   * found. */
-  SweepResult flood_until(const EdgeMotion& m, Cell start, double end) {
-    if constexpr (D == 3) {
-      if (max_volumes == 0) return count(flood_.sweep_until(m, start, end));
-    }
-    return flood(m, start);
-  }
-  SweepResult count(const SweepResult& swept) {
-    if (counters != nullptr) counters->volumes_visited += swept.volumes_visited;
-    limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
-    return swept;
-  }
-  bool is_face_seen(const FaceMotion& m, Cell cell) const;
-  Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls);
-  CastResult cast_path(const Body<D>& body, uint32_t v, const double* to);
+  Way go(const Body<D>& body, uint32_t v, const double* to);
+  EdgeSweep edge_sweep(const Body<D>& body, const Way& way, uint32_t e) const;
+  FaceSweep face_sweep(const Body<D>& body, const Way& way, uint32_t f) const;
+  template <class Visit>
+  bool visit_sweeps(const Body<D>& body, const Way& way, Visit visit) const;
   StarTry try_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell);
-  uint32_t find_swept_edge(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
-  uint32_t find_swept_face(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
-  bool find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
-  void consider_edge(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest);
-  bool consider_touched(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest);
-  void consider_face(const Body<D>& body, uint32_t v, const double* to, uint32_t f, Earliest& earliest);
-  void collect_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e, const StarContact& first,
-                    Array<StarContact>& all);
+  bool comes_first(const Body<D>& body, const Way& way, const StarContact& a, const StarContact& b) const;
 
   const Environment<D>& env_;
-  bool limited_ = false;  // the work limit was met
-  BoxProbe<D> probe_;
-  SweepFlood<D> flood_;
-  EdgeScratch<D> scratch_{env_.memory};
-  Packet<D> packet_;
-  uint32_t packet_edges_[kPacket] = {};
-  Array<uint32_t> hit_edges_{env_.memory};  // at EDGES: those whose new place is not free
 };
 
 }  // namespace dsw

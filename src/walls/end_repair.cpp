@@ -109,7 +109,7 @@ typename EndRepair<D>::Look EndRepair<D>::look(uint32_t owner, Way* way) {
     if (is_zero(normal)) way->normal = unit(back), way->way = back;
   }
   if (farthest >= 0) return Look::kStruck;
-  for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
+  for (uint32_t e = 0; covers_edges(body.level) && e < body.edges.size(); ++e) {
     if (!body.has_edge(e) || !find_way(body, e, way)) continue;
     edge_ = e;
     return way->wall.valid() ? Look::kStruck : Look::kStuck;
@@ -189,7 +189,7 @@ bool EndRepair<D>::find_way(const Body<D>& body, uint32_t edge, Way* way) const 
 template <int D>
 void EndRepair<D>::bend(uint32_t owner, double min_part, WallRecord& record) {
   Body<D>& body = *all_.bodies[owner].body;
-  if (body.level < SweepLevel::kEdges) return;
+  if (!covers_edges(body.level)) return;
   uint32_t bends = 0, before = 0;
   // The new edges may have numbers that were looked at already: once more then.
   for (uint32_t e = 0; e < body.edges.size() || bends != before; ++e) {

@@ -18,23 +18,10 @@ void Neighbourhood<D>::find_occupants() {
   }
   for (uint32_t owner = 0; owner < all_.bodies.size(); ++owner) {
     if (all_.bodies[owner].body == nullptr) continue;
-    const Body<D>& body = *all_.bodies[owner].body;
-    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-      if (body.has_vertex(v)) note_point({Feature::kVertex, owner, v});
-    }
-    const auto note_all = [&](Feature::Kind kind, size_t count, auto exists) {
-      for (uint32_t i = 0; i < count; ++i) {
-        if (!exists(i)) continue;
-        trace({kind, owner, i});
-        note_traced({kind, owner, i});
-      }
-    };
-    if (body.level >= SweepLevel::kEdges) {
-      note_all(Feature::kEdge, body.edges.size(), [&](uint32_t e) { return body.has_edge(e); });
-    }
-    if (body.level == SweepLevel::kFaces) {
-      note_all(Feature::kFace, body.faces.size(), [&](uint32_t f) { return body.has_face(f); });
-    }
+    for_each_simplex(*all_.bodies[owner].body, [&](const Simplex& each) {
+      follow({owner, each});
+      return true;
+    });
   }
 }
 
@@ -144,41 +131,33 @@ void Neighbourhood<D>::note_traced(const Feature& feature) {
 }
 
 template <int D>
-bool Neighbourhood<D>::note_vertex(uint32_t owner, uint32_t v) {
-  const Body<D>& body = *all_.bodies[owner].body;
-  note_point({Feature::kVertex, owner, v});
-  bool free = true;
-  const auto follow = [&](const Feature& feature) {
-    free = trace(feature) && free;
+bool Neighbourhood<D>::follow(const Feature& feature) {
+  const bool free = feature.is_point() || trace(feature);
+  if (feature.is_point()) {
+    note_point(feature);
+  } else {
     note_traced(feature);
-    return true;
-  };
-  if (body.level >= SweepLevel::kEdges) {
-    for_each_edge(body, v, [&](uint32_t e) { return follow({Feature::kEdge, owner, e}); });
-  }
-  if (body.level == SweepLevel::kFaces) {
-    for_each_face(body, v, [&](uint32_t f) { return follow({Feature::kFace, owner, f}); });
   }
   return free;
 }
 
 template <int D>
-bool Neighbourhood<D>::note_body(uint32_t owner) {
-  const Body<D>& body = *all_.bodies[owner].body;
+bool Neighbourhood<D>::note_vertex(uint32_t owner, uint32_t v) {
   bool free = true;
-  const auto follow = [&](const Feature& feature) {
-    free = trace(feature) && free;
-    note_traced(feature);
-  };
-  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    if (body.has_vertex(v)) note_point({Feature::kVertex, owner, v});
-  }
-  for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
-    if (body.has_edge(e)) follow({Feature::kEdge, owner, e});
-  }
-  for (uint32_t f = 0; body.level == SweepLevel::kFaces && f < body.faces.size(); ++f) {
-    if (body.has_face(f)) follow({Feature::kFace, owner, f});
-  }
+  for_each_simplex_at(*all_.bodies[owner].body, v, [&](const Simplex& each) {
+    free = follow({owner, each}) && free;
+    return true;
+  });
+  return free;
+}
+
+template <int D>
+bool Neighbourhood<D>::note_body(uint32_t owner) {
+  bool free = true;
+  for_each_simplex(*all_.bodies[owner].body, [&](const Simplex& each) {
+    free = follow({owner, each}) && free;
+    return true;
+  });
   features_.tidy();
   return free;
 }

@@ -68,6 +68,7 @@ class Neighbourhood {
   };
   static void enter(void* user, Cell from, uint32_t simplex, Cell to) noexcept;
 
+  bool follow(const Feature& feature);
   void note(Cell c, const Feature& feature);
   void add_cell(Cell c);
   bool open(Cell c);

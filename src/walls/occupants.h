@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "body/simplices.h"
 #include "response/settings.h"
 #include "walk/particle_state.h"
 
@@ -52,6 +53,10 @@ struct Feature {
   uint32_t owner = 0;  // place in Occupants::bodies
   uint32_t index = 0;
 
+  Feature() = default;
+  Feature(Kind k, uint32_t of, uint32_t i) : kind(k), owner(of), index(i) {}
+  Feature(uint32_t of, const Simplex& simplex)
+      : kind(static_cast<Kind>(kVertex + simplex.kind)), owner(of), index(simplex.index) {}
   bool operator==(const Feature& o) const { return kind == o.kind && owner == o.owner && index == o.index; }
   bool operator<(const Feature& o) const {
     return kind != o.kind ? kind < o.kind : owner != o.owner ? owner < o.owner : index < o.index;

@@ -126,21 +126,10 @@ bool RigidPush<D>::go(uint32_t owner, StarSweep<D>& sweeps) {
 
 template <int D>
 bool RigidPush<D>::is_clear(uint32_t owner, const WallSweep<D>& walls, const double* from, const double* to) const {
-  const Body<D>& body = *all_.bodies[owner].body;
   WallHit hit;
-  const auto misses = [&](Feature::Kind kind, uint32_t i) {
-    return !walls.meets(all_, {kind, owner, i}, from, to, &hit);
-  };
-  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    if (body.has_vertex(v) && !misses(Feature::kVertex, v)) return false;
-  }
-  for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
-    if (body.has_edge(e) && !misses(Feature::kEdge, e)) return false;
-  }
-  for (uint32_t f = 0; body.level == SweepLevel::kFaces && f < body.faces.size(); ++f) {
-    if (body.has_face(f) && !misses(Feature::kFace, f)) return false;
-  }
-  return true;
+  return for_each_simplex(*all_.bodies[owner].body, [&](const Simplex& each) {
+    return !walls.meets(all_, {owner, each}, from, to, &hit);
+  });
 }
 
 /** Lets the cells be entered that the body can meet on its way to the targets; whether there are any that could not. */
@@ -148,23 +137,15 @@ template <int D>
 bool RigidPush<D>::open_ways(uint32_t owner) {
   const Body<D>& body = *all_.bodies[owner].body;
   bool any = false;
-  const auto open = [&](const Feature& feature, const uint32_t* vertices, int count) {
+  for_each_simplex(body, [&](const Simplex& each) {
     Box<D> box;
-    for (int k = 0; k < count; ++k) {
-      box.add(body.position(vertices[k]));
-      box.add(&targets_[D * size_t{vertices[k]}]);
+    for (const uint32_t v : Corners<D>(body, each)) {
+      box.add(body.position(v));
+      box.add(&targets_[D * size_t{v}]);
     }
-    any = around_.open_reach(feature, box) || any;
-  };
-  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    if (body.has_vertex(v)) open({Feature::kVertex, owner, v}, &v, 1);
-  }
-  for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
-    if (body.has_edge(e)) open({Feature::kEdge, owner, e}, body.edges[e].ends, 2);
-  }
-  for (uint32_t f = 0; body.level == SweepLevel::kFaces && f < body.faces.size(); ++f) {
-    if (body.has_face(f)) open({Feature::kFace, owner, f}, body.faces[f].corners, 3);
-  }
+    any = around_.open_reach({owner, each}, box) || any;
+    return true;
+  });
   return any;
 }
 

@@ -187,7 +187,7 @@ bool WallSweep<D>::meets_edge(const Body<D>& body, uint32_t e, const double* fro
   bool any = false;
   const double* const ends[2] = {body.position(body.edges[e].ends[0]), body.position(body.edges[e].ends[1])};
   for (const WallPart<D - 2>& ridge : ridges_) {
-    if (!ridge.facet.valid() && body.level < SweepLevel::kEdgesSwept) continue;
+    if (!ridge.facet.valid() && !sweeps_edges(body.level)) continue;
     const double* swept[D];
     read_swept(env_, ridge, from, to, swept);
     if (are_apart<D>(swept, D, ends, 2) || !pierces<D>(ends[0], ends[1], swept)) continue;

@@ -6,7 +6,7 @@
 #include "flood/sequence.h"
 #include "flood/sweep.h"
 #include "locate/locate.h"
-#include "sweep/star.h"
+#include "sweep/simplex_sweep.h"
 #include "walk/cast.h"
 
 namespace dsw::swept {
@@ -105,7 +105,7 @@ Settled settled_by(const Environment<3>& env, const double* p, Cell start, const
   add_vertex(body, q, locate(env, q, Cell{}, nullptr).cell);
   add_edge(body, 0, 1);
   body.sequences[0] = before;
-  StarSweep<3> star(env);
+  SimplexSweep<3> star(env);
   PathFacets crossed;
   if (path.facets.size() <= 2) {
     for (const uint32_t facet : path.facets) crossed.facets[crossed.count++] = {facet};

@@ -13,7 +13,7 @@
 #include "flood/sequence.h"
 #include "locate/locate.h"
 #include "plane_scenes.h"
-#include "sweep/star.h"
+#include "sweep/simplex_sweep.h"
 #include "swept_cases.h"
 #include "walk/cast.h"
 
@@ -136,7 +136,7 @@ class Edge {
             flood.sweep(EdgeMotion{x_.p.data(), x_.to.data(), x_.q.data()}, start_, 0).end == SweepEnd::kFree);
   }
   size_t facets() const { return body_.sequences[0].facets.size(); }
-  Settled settle(StarSweep<2>& star) {
+  Settled settle(SimplexSweep<2>& star) {
     return star.settle(body_,
                        {0, 0, x_.to.data(), path_.cell, x_.q.data(), fixed_, path_facets(env_.map, start_, path_)});
   }
@@ -181,12 +181,12 @@ void for_each_draw(int rounds, int draws, Visit visit) {
 TEST(SweptPlane, WhatIsSettledMeetsNothing) {
   for (const SweepLevel level : {SweepLevel::kEdges, SweepLevel::kEdgesSwept}) {
     int of[8] = {}, open = 0, hit = 0, long_ones = 0;
-    std::unique_ptr<StarSweep<2>> star;
+    std::unique_ptr<SimplexSweep<2>> star;
     std::unique_ptr<SweepFlood<2>> flood;
     const Environment<2>* last = nullptr;
     for_each_draw(5, share_of(400), [&](const Environment<2>& env, const Draw& x) {
       if (last != &env || star == nullptr) {
-        star = std::make_unique<StarSweep<2>>(env);
+        star = std::make_unique<SimplexSweep<2>>(env);
         flood = std::make_unique<SweepFlood<2>>(env);
         last = &env;
       }

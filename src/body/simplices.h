@@ -1,0 +1,58 @@
+#pragma once
+// The simplices of a body that its level covers: vertices, edges, faces. Who asks for them asks for no level.
+
+#include "body/body.h"
+
+namespace dsw {
+
+/** A vertex, an edge or a face of a body. */
+struct Simplex {
+  enum Kind : uint32_t { kVertex, kEdge, kFace };
+  Kind kind;
+  uint32_t index;
+};
+
+/** Its corners. */
+template <int D>
+struct Corners {
+  uint32_t vertices[3];
+  uint32_t count;
+
+  Corners(const Body<D>& body, const Simplex& simplex) : vertices{simplex.index}, count(simplex.kind + 1) {
+    if (simplex.kind == Simplex::kEdge) std::copy_n(body.edges[simplex.index].ends, 2, vertices);
+    if (simplex.kind == Simplex::kFace) std::copy_n(body.faces[simplex.index].corners, 3, vertices);
+  }
+  const uint32_t* begin() const { return vertices; }
+  const uint32_t* end() const { return vertices + count; }
+};
+
+/** Calls visit(simplex) for all that the level of a body covers: vertices, then edges, then faces. Stops when it
+ * returns false; whether it never did. */
+template <int D, class Visit>
+bool for_each_simplex(const Body<D>& body, Visit visit) {
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v) && !visit(Simplex{Simplex::kVertex, v})) return false;
+  }
+  for (uint32_t e = 0; covers_edges(body.level) && e < body.edges.size(); ++e) {
+    if (body.has_edge(e) && !visit(Simplex{Simplex::kEdge, e})) return false;
+  }
+  for (uint32_t f = 0; covers_faces(body.level) && f < body.faces.size(); ++f) {
+    if (body.has_face(f) && !visit(Simplex{Simplex::kFace, f})) return false;
+  }
+  return true;
+}
+
+/** The same for those at one vertex. */
+template <int D, class Visit>
+bool for_each_simplex_at(const Body<D>& body, uint32_t v, Visit visit) {
+  bool go_on = visit(Simplex{Simplex::kVertex, v});
+  if (go_on && covers_edges(body.level)) {
+    for_each_edge(body, v, [&](uint32_t e) { return go_on = visit(Simplex{Simplex::kEdge, e}); });
+  }
+  if (go_on && covers_faces(body.level)) {
+    for_each_face(body, v, [&](uint32_t f) { return go_on = visit(Simplex{Simplex::kFace, f}); });
+  }
+  return go_on;
+}
+
+}  // namespace dsw

@@ -1,0 +1,134 @@
+#include "sweep/simplex_sweep.h"
+
+namespace dsw {
+
+template <int D>
+CastResult SimplexSweep<D>::cast_path(const Body<D>& body, uint32_t v, const double* to) {
+  const CastResult path = cast(env_, body.position(v), to, body.vertices[v].cell, max_volumes, counters);
+  limited_ = path.end == CastEnd::kWorkLimit;
+  return path;
+}
+
+/** Of an edge whose moving end meets a wall: that it meets nothing before. */
+template <int D>
+Settled SimplexSweep<D>::settle_before_wall(const Body<D>& body, const EdgeSweep& sweep) const {
+  const BodyVertex<D>& fixed = body.vertices[body.edges[sweep.e].other(sweep.v)];
+  const bool stays = stays_before_wall(env_, body.vertices[sweep.v], sweep.to, sweep.arrival, fixed);
+  return stays ? Settled::kStopped : Settled::kNo;
+}
+
+template <int D>
+Settled SimplexSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls) {
+  // What is known must not carry an edge past the work limit that it meets without.
+  if (max_volumes != 0) return Settled::kNo;
+  const Skipping& skipping = body.skipping;
+  Settled settled = Settled::kNo;
+  if (ask_balls && is_clear(env_, body, sweep)) {
+    settled = Settled::kClear;
+  } else if (body.keeps_sequences()) {
+    scratch_.counters = counters;
+    settled = follow_sequence(env_, body, sweep, scratch_);
+  }
+  counts.skipped += settled != Settled::kNo && (skipping.by_clearance || skipping.sequences) ? 1 : 0;
+  return settled;
+}
+
+/** Whether what the face sweeps lies inside of one cell. */
+template <int D>
+Settled SimplexSweep<D>::settle(const Body<D>& body, const FaceSweep& sweep) const {
+  const Cell cell = sweep.arrival;
+  const bool inside =
+      sweep.reached && body.vertices[sweep.v].cell == cell && sweep.q_cell == cell && sweep.r_cell == cell;
+  if (!inside) return Settled::kNo;
+  if (env_.map.convex(cell)) return Settled::kInside;
+  const auto sees = [&](const double* point) { return sees_all(env_, cell, point, counters); };
+  return sees(sweep.to) && sees(sweep.q) && sees(sweep.r) ? Settled::kSeen : Settled::kNo;
+}
+
+/** For an edge: what is met after `end` is not needed. With a work limit, which is that of all cells, it may be
+ * found. */
+template <int D>
+SweepResult SimplexSweep<D>::flood_until(const EdgeMotion& m, Cell start, double end) {
+  if constexpr (D == 3) {
+    if (max_volumes == 0) return count(flood_.sweep_until(m, start, end));
+  }
+  return flood(m, start);
+}
+
+template <int D>
+bool SimplexSweep<D>::is_free(const Body<D>& body, const EdgeSweep& sweep) {
+  if (sweeps_edges(body.level)) return is_triangle_free(motion(body, sweep), body.vertices[sweep.v].cell);
+  if (sweep.arrival == sweep.fixed && env_.map.convex(sweep.arrival)) {
+    if (counters != nullptr) counters->add({1, 1});
+    return true;
+  }
+  const CastResult place = cast(env_, sweep.to, sweep.q, sweep.arrival, max_volumes, counters);
+  limited_ = limited_ || place.end == CastEnd::kWorkLimit;
+  return place.end == CastEnd::kReached && place.cell == sweep.fixed;
+}
+
+template <int D>
+bool SimplexSweep<D>::is_free(const Body<D>& body, const FaceSweep& sweep) {
+  return is_tetrahedron_free(motion(body, sweep), body.vertices[sweep.v].cell);
+}
+
+/** Whether an edge of the environment that the edge has touched before settles this sweep: it is the first contact, or
+ * nothing comes before the event that is known. */
+template <int D>
+typename SimplexSweep<D>::Answer SimplexSweep<D>::ask_touched(const Body<D>& body, const EdgeSweep& sweep,
+                                                              const SweepEvent* before, SweepContact* found) {
+  if (max_volumes != 0 || !body.keeps_sequences()) return Answer::kUnknown;
+  const PiercedLine pierced = find_pierced_line(env_, body, sweep);
+  if (!pierced) return Answer::kUnknown;
+  scratch_.counters = counters;
+  if (before != nullptr && compare_events<D>(body.position(sweep.v), sweep.to, *before, pierced.event).sign < 0) {
+    return is_free_before(env_, body, sweep, *before, scratch_, nullptr) ? Answer::kFree : Answer::kUnknown;
+  }
+  return meets_first(env_, body, sweep, pierced, found, scratch_) ? Answer::kMet : Answer::kUnknown;
+}
+
+template <int D>
+bool SimplexSweep<D>::find_first(const Body<D>& body, const EdgeSweep& sweep, bool likely, const SweepEvent* before,
+                                 SweepContact* found) {
+  // At EDGES what stands in its way counts only where the edge has no new place that is free.
+  const bool swept = sweeps_edges(body.level) || !sweep.reached;
+  Answer touched = likely && swept ? ask_touched(body, sweep, before, found) : Answer::kUnknown;
+  if (touched != Answer::kUnknown) {
+    counts.swept += sweep.reached ? 1 : 0;
+    return touched == Answer::kMet;
+  }
+  if (settle(body, sweep) != Settled::kNo || (!swept && is_free(body, sweep))) return false;
+  if (!likely || !swept) touched = ask_touched(body, sweep, before, found);
+  if (touched != Answer::kUnknown) return touched == Answer::kMet;
+
+  const Cell start = body.vertices[sweep.v].cell;
+  const EdgeMotion m = motion(body, sweep);
+  if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return false;
+  scratch_.counters = counters;
+  const bool asks = before != nullptr && max_volumes == 0;
+  if (asks && is_free_before(env_, body, sweep, *before, scratch_, nullptr)) return false;
+  const SweepResult met = flood_until(m, start, before != nullptr ? time_after<D>(m.p, m.to, *before) : 1);
+  if (met.end != SweepEnd::kContact) return false;
+  keep_touched_line(env_, body, sweep.e, sweep.v, met.contact);
+  *found = met.contact;
+  return true;
+}
+
+template <int D>
+bool SimplexSweep<D>::find_first(const Body<D>& body, const FaceSweep& sweep, bool, const SweepEvent*,
+                                 SweepContact* found) {
+  if constexpr (D == 3) {
+    const FaceMotion m = motion(body, sweep);
+    const Cell start = body.vertices[sweep.v].cell;
+    if (settle(body, sweep) != Settled::kNo || is_boxed(bounds<D>(m.p, m.to, m.q, m.r), start)) return false;
+    const SweepResult met = flood(m, start);
+    if (met.end == SweepEnd::kContact) *found = met.contact;
+    return met.end == SweepEnd::kContact;
+  }
+  return false;
+}
+
+template class SimplexSweep<2>;
+template class SimplexSweep<3>;
+
+}  // namespace dsw

@@ -1,0 +1,145 @@
+#pragma once
+// What one simplex of a body sweeps when one of its vertices moves [JCD10] 4.1: an edge a triangle, a face a
+// tetrahedron. A sweep is settled without a look at what is swept, or that is flooded. Those who ask want to know
+// whether anything is met, what is met first, or all that is met.
+
+#include "body/body.h"
+#include "flood/box_probe.h"
+#include "flood/sweep.h"
+#include "sweep/known_edge.h"
+#include "sweep/touched_line.h"
+
+namespace dsw {
+
+/** The sweep of face f when its corner v goes to `to`, in `arrival`, and the other corners are at q and r. */
+struct FaceSweep {
+  uint32_t f, v;
+  const double* to;
+  Cell arrival;
+  const double *q, *r;
+  Cell q_cell, r_cell;
+  bool reached = true;  // false: the path of v meets a wall
+};
+
+/** How many sweeps of edges were asked for, and how many of those were left out. */
+struct SweepCounts {
+  uint32_t swept = 0, skipped = 0;
+};
+
+/** Sweeps simplices; one for each thread. Throws std::bad_alloc. */
+template <int D>
+class SimplexSweep {
+ public:
+  explicit SimplexSweep(const Environment<D>& env) : env_(env), probe_(env), flood_(env) {}
+
+  /** The path of a vertex, with which its sweeps begin. */
+  CastResult cast_path(const Body<D>& body, uint32_t v, const double* to);
+  /** Whether a cast or a flood has met the work limit since the last path. */
+  bool is_limited() const noexcept { return limited_; }
+
+  /** What is known of a sweep without a look at what is swept; counts edges.
+   * @param ask_balls whether the balls of its ends have not been asked. */
+  Settled settle(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true) {
+    if (!sweep.reached) return settle_before_wall(body, sweep);
+    ++counts.swept;
+    const Skipping& skipping = body.skipping;
+    const bool keeps = body.keeps_sequences();
+    const Cell from = body.vertices[sweep.v].cell;
+    if ((skipping.by_environment || keeps) && from == sweep.arrival && from == sweep.fixed) {
+      const bool convex = env_.map.convex(from);
+      if (convex || is_seen(env_, body.level, sweep, counters)) {
+        if (keeps) body.sequences[sweep.e].clear();
+        counts.skipped += skipping.by_environment ? 1 : 0;
+        return convex ? Settled::kInside : Settled::kSeen;
+      }
+    }
+    ask_balls = ask_balls && skipping.by_clearance;
+    return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls) : Settled::kNo;
+  }
+  Settled settle(const Body<D>& body, const FaceSweep& sweep) const;
+  /** The same for an edge that is known to lie, with what it sweeps, in a free box. */
+  Settled settle_boxed(const Body<D>& body) {
+    ++counts.swept;
+    counts.skipped += body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
+    return Settled::kBoxed;
+  }
+
+  /** Whether a sweep that is not settled meets nothing. At EDGES its new place is all that counts: the
+   * path of v is free. */
+  bool is_free(const Body<D>& body, const EdgeSweep& sweep);
+  bool is_free(const Body<D>& body, const FaceSweep& sweep);
+
+  /** What a sweep meets first, whether it is settled or not. What comes after the event `before`, which may be null,
+   * need not be found; nor anything at the work limit. The event borrows the body's points and `to`.
+   * @param likely whether a contact is likely: what was touched before is then asked first. */
+  bool find_first(const Body<D>& body, const EdgeSweep& sweep, bool likely, const SweepEvent* before,
+                  SweepContact* found);
+  bool find_first(const Body<D>& body, const FaceSweep& sweep, bool likely, const SweepEvent* before,
+                  SweepContact* found);
+
+  /** What a sweep meets first that is not free. */
+  template <class Sweep>
+  SweepContact first_of(const Body<D>& body, const Sweep& sweep) {
+    return flood(motion(body, sweep), body.vertices[sweep.v].cell).contact;
+  }
+  /** All that a sweep meets, in any order. Valid until the next call. */
+  const Array<SweepContact>& find_all(const Body<D>& body, const EdgeSweep& sweep) {
+    flood(motion(body, sweep), body.vertices[sweep.v].cell, true);
+    return flood_.all();
+  }
+
+  /** Whether a box is seen to be free from all of these cells: then nothing that is swept inside of it from one of them
+   * meets anything. Not asked with a work limit, which is that of the cells that a sweep itself meets. */
+  template <class... Cells>
+  bool is_boxed(const Bounds<D>& box, Cell start, Cells... others) noexcept {
+    return max_volumes == 0 && probe_.is_free(box, start) && (probe_.has_entered(others) && ...);
+  }
+  /** Whether what stopped an edge before stands in its way: then its sweep is most likely not free. */
+  bool meets_touched_line(const Body<D>& body, const EdgeSweep& sweep) const noexcept {
+    return max_volumes == 0 && find_pierced_line(env_, body, sweep);
+  }
+  bool is_triangle_free(const EdgeMotion& m, Cell start) {
+    return is_boxed(bounds<D>(m.p, m.to, m.q), start) || flood_until(m, start, 1).end == SweepEnd::kFree;
+  }
+  bool is_tetrahedron_free(const FaceMotion& m, Cell start) {
+    if constexpr (D == 3) {
+      return is_boxed(bounds<D>(m.p, m.to, m.q, m.r), start) || flood(m, start).end == SweepEnd::kFree;
+    }
+    return true;  // no body of the plane has faces
+  }
+
+  SweepCounts counts;
+  CastCounters* counters = nullptr;  // of casts, and cells of floods; may stay null
+  uint32_t max_volumes = 0;          // work limit of each cast and flood; 0: none
+
+ private:
+  enum class Answer { kUnknown, kFree, kMet };
+
+  static EdgeMotion motion(const Body<D>& body, const EdgeSweep& sweep) {
+    return {body.position(sweep.v), sweep.to, sweep.q};
+  }
+  static FaceMotion motion(const Body<D>& body, const FaceSweep& sweep) {
+    return {body.position(sweep.v), sweep.to, sweep.q, sweep.r};
+  }
+  template <class Motion, class... Collect>
+  SweepResult flood(const Motion& m, Cell start, Collect... collect) {
+    return count(flood_.sweep(m, start, max_volumes, collect...));
+  }
+  SweepResult flood_until(const EdgeMotion& m, Cell start, double end);
+  SweepResult count(const SweepResult& swept) {
+    if (counters != nullptr) counters->volumes_visited += swept.volumes_visited;
+    limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
+    return swept;
+  }
+  Settled settle_before_wall(const Body<D>& body, const EdgeSweep& sweep) const;
+  Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls);
+  Answer ask_touched(const Body<D>& body, const EdgeSweep& sweep, const SweepEvent* before, SweepContact* found);
+
+  const Environment<D>& env_;
+  bool limited_ = false;  // the work limit was met
+  BoxProbe<D> probe_;
+  SweepFlood<D> flood_;
+  EdgeScratch<D> scratch_{env_.memory};
+};
+
+}  // namespace dsw
