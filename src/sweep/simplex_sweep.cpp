@@ -58,11 +58,13 @@ SweepResult SimplexSweep<D>::flood_until(const EdgeMotion& m, Cell start, double
 template <int D>
 bool SimplexSweep<D>::is_free(const Body<D>& body, const EdgeSweep& sweep) {
   if (sweeps_edges(body.level)) return is_triangle_free(motion(body, sweep), body.vertices[sweep.v].cell);
-  if (sweep.arrival == sweep.fixed && env_.map.convex(sweep.arrival)) {
-    if (counters != nullptr) counters->add({1, 1});
-    return true;
-  }
-  const CastResult place = cast(env_, sweep.to, sweep.q, sweep.arrival, max_volumes, counters);
+  CastRequest request;
+  request.from = sweep.to;
+  request.to = sweep.q;
+  request.start = sweep.arrival;
+  request.end = sweep.fixed;
+  request.max_volumes = max_volumes;
+  const CastResult place = cast(env_, request, counters);
   limited_ = limited_ || place.end == CastEnd::kWorkLimit;
   return place.end == CastEnd::kReached && place.cell == sweep.fixed;
 }
