@@ -73,6 +73,7 @@ class Crossings {
     const double* at;
     uint32_t vertex, beyond;  // sides of the simplex's box
     int side;
+    typename BladeSimplex<D>::View view;
   };
   /** Which sides of the simplex meet the cell that is looked at, and whether the simplex does. */
   struct Met {
@@ -85,7 +86,7 @@ class Crossings {
   Met meet(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
   bool meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade, const double* const (&at)[D], Met& met);
   int side(Corner& corner, const BladeSimplex<D>& blade) const;
-  bool is_passed(uint32_t a, uint32_t b, const BladeSimplex<D>& blade);
+  uint32_t outside(uint32_t a, uint32_t b, const BladeSimplex<D>& blade);
   bool holds(Cell c, const double* point) const;
   void note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
 
@@ -104,7 +105,9 @@ class Crossings {
   KeyTable edges_{env_.memory};
   Array<BladePoint<D>> points_{env_.memory};
   Array<Corner> corners_{env_.memory};
-  Array<uint8_t> passed_{env_.memory};       // by both corners of an edge: see is_passed(); empty: too many corners
+  double lower_[D], upper_[D];  // box of the cell that is looked at
+  double bound_ = 0;            // see BladeSimplex
+  Array<uint8_t> outside_{env_.memory};      // by both corners of an edge: see outside(); empty: too many corners
   Array<Cell> beyond_{env_.memory};          // behind the facets that the simplex passes
   Array<BladePoint<D>> found_{env_.memory};  // points of the simplex in the cell that is looked at
 };
