@@ -19,25 +19,27 @@ bool lay_out<3>(const CellDraft& draft, Layout& out) {
   out.first.clear();
   out.first.reserve(draft.facets.size() + 1);
   out.first.push_back(0);
-  uint16_t* loop = out.loops.data();
-  for (const FacetDraft& facet : draft.facets) {
-    for (const uint32_t v : facet.loop) {
-      const auto at = std::find(vertices.begin(), vertices.end(), v);
-      *loop++ = static_cast<uint16_t>(at - vertices.begin());
-      if (at == vertices.end()) vertices.push_back(v);
+  uint16_t places[64] = {};  // where a vertex with these last bits is, as a rule
+  const auto place_of = [&](uint32_t v) {
+    uint16_t& place = places[v % 64];
+    if (place >= vertices.size() || vertices[place] != v) {
+      place = static_cast<uint16_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
+      if (place == vertices.size()) vertices.push_back(v);
     }
+    return place;
+  };
+  uint16_t* loop = out.loops.data();
+  out.triangles.clear();
+  out.triangles.reserve(3 * corners);
+  for (const FacetDraft& facet : draft.facets) {
+    for (const uint32_t v : facet.loop) *loop++ = place_of(v);
     out.first.push_back(static_cast<uint16_t>(loop - out.loops.data()));
+    for (const uint32_t v : facet.triangles) out.triangles.push_back(place_of(v));
   }
   const auto facets = static_cast<uint32_t>(draft.facets.size());
   const FacetLoops faces{out.loops.data(), out.first.data(), facets, static_cast<uint32_t>(vertices.size())};
   out.table.clear();
-  if (append_polyhedron(faces, nullptr, out.table) != ShapeDefect::kNone) return false;
-  for (uint32_t f = 0; f < facets; ++f) {
-    const FacetDraft& facet = draft.facets[f];
-    out.triangles.clear();
-    for (const uint32_t v : facet.triangles) out.triangles.push_back(out.loops[out.first[f] + facet.place_of(v)]);
-    set_triangles(out.table.data(), f, out.triangles.data());
-  }
+  if (append_polyhedron(faces, nullptr, out.table, out.triangles.data()) != ShapeDefect::kNone) return false;
   const StandardMatch match = match_standard_form(Shape(out.table.data()));
   out.form = match.form;
   out.cuts = match.cuts;
