@@ -28,12 +28,13 @@ class BladeSimplex<3> {
     const EdgeMotion& m = swept_.motion();
     return {filter::difference<3>(v, m.p), filter::difference<3>(v, m.to)};
   }
-  /** Of all determinants below, for these points: one extent serves all of them, see filter_bounds.h. Infinite if the
-   * filter is not to be used. `view(i)` gives one of `count` views. */
-  template <class ViewAt>
-  double bound(uint32_t count, ViewAt view) const {
-    filter::Vec<3> m = filter::extent(swept_.reach(), swept_.new_edge());
-    for (uint32_t i = 0; i < count; ++i) m = filter::extent(m, view(i).from_first, view(i).from_second);
+  /** Of all determinants below, for the points in a box: one extent serves all of them, see filter_bounds.h. No view of
+   * such a point reaches farther than those of the box's ends, since rounding is monotone. Infinite if the filter is not
+   * to be used. */
+  double bound(const double* lower, const double* upper) const {
+    const View low = view(lower), high = view(upper);
+    const filter::Vec<3> m = filter::extent(swept_.reach(), swept_.new_edge(), low.from_first, low.from_second,
+                                            high.from_first, high.from_second);
     return filter::lowest(m) >= kFilterMin && filter::highest(m) <= kFilterMax ? filter::bound(m) : HUGE_VAL;
   }
 
@@ -77,10 +78,7 @@ class BladeSimplex<2> {
 
   struct View {};
   View view(const double*) const { return {}; }
-  template <class ViewAt>
-  double bound(uint32_t, ViewAt) const {
-    return 0;
-  }
+  double bound(const double*, const double*) const { return 0; }
 
   uint32_t beyond_box(const double* v) const { return box_.beyond(v); }
   int side(const double* v) const { return -line_side<2>(from_, to_, &v, NoTally{}).sign; }

@@ -138,8 +138,8 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
   uint32_t common = ~0u;
   for (const Corner& corner : corners_) common &= corner.beyond;
   if (common != 0) return met;
-  const auto count = static_cast<uint32_t>(corners_.size());
-  bound_ = blade.bound(count, [&](uint32_t i) { return corners_[i].view; });
+  const size_t count = corners_.size();
+  bound_ = blade.bound(lower_, upper_);
   if (D == 3) outside_.assign(count <= kMostKept ? count * count : 0, kUnasked);
   const double* at[D];
   blade_.corners(simplex, at);

@@ -40,7 +40,7 @@ Facet read_facet(const Environment<3>& env, Cell c, uint32_t f) {
 }
 
 /** Writes triangles, given by loop positions, into one cell; the other side sees them turned round. */
-void write_triangles(Map<3>& map, Cell c, uint32_t f, const std::vector<uint16_t>& loop, const Places& triangles,
+void write_triangles(Map<3>& map, Cell c, uint32_t f, const std::vector<uint16_t>& loop, const LoopPlaces& triangles,
                      bool turned) {
   uint32_t* w = map.record(c);
   if (map.form(c) == Form::kGeneral) {
@@ -79,11 +79,16 @@ bool is_cut_well(const Environment<3>& env, Cell c, uint32_t f, const double* ap
 
 /** The part between positions i and j has such triangles if some k between them makes a positive triangle and both
  * remaining parts have them. Fans are among what is tried. */
-bool triangulate(const double* const* loop, uint32_t size, const double* apex, const double* beyond, Places& out) {
+bool triangulate(const double* const* loop, uint32_t size, const double* apex, const double* beyond, LoopPlaces& out) {
   const auto is_positive = [&](uint32_t i, uint32_t j, uint32_t k) {
     const double* points[3] = {loop[i], loop[j], loop[k]};
     return orient<3>(points, apex) < 0 && (beyond == nullptr || orient<3>(points, beyond) > 0);
   };
+  if (size == 3) {
+    if (!is_positive(0, 1, 2)) return false;
+    out.assign({0, 1, 2});
+    return true;
+  }
   ShortArray<uint32_t, 64> third(out.get_allocator());  // by i and j; `size`: none
   third.assign(size * size, size);
   const auto possible = [&](uint32_t i, uint32_t j) { return j == i + 1 || third[i * size + j] != size; };
@@ -100,7 +105,8 @@ bool triangulate(const double* const* loop, uint32_t size, const double* apex, c
   parts.assign({0, size - 1});
   while (!parts.empty()) {
     const uint32_t j = parts.back(), i = parts[parts.size() - 2];
-    parts.resize(parts.size() - 2);
+    parts.pop_back();
+    parts.pop_back();
     if (j == i + 1) continue;
     const uint32_t k = third[i * size + j];
     for (const uint32_t place : {i, k, j}) out.push_back(place);
@@ -118,7 +124,7 @@ void recut_cell(Environment<3>& env, Cell c, Array<Cell>& changed) {
     const Facet facet = read_facet(env, c, f);
     Array<const double*> loop{env.memory};
     for (const uint16_t v : facet.loop) loop.push_back(env.point(c, v));
-    Places triangles{env.memory};
+    LoopPlaces triangles{env.memory};
     const double* const beyond = facet.other.valid() ? facet.other_apex : nullptr;
     if (!triangulate(loop.data(), size, facet.apex, beyond, triangles)) continue;
     write_triangles(env.map, c, f, facet.loop, triangles, false);

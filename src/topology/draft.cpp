@@ -76,20 +76,19 @@ class SideTable {
   ShortArray<Side, 64> slots_;
 };
 
-/** Facet `f` of a cell, whose vertices are at(local). */
+/** Writes down facet `f` of a cell, whose vertices are at(local). */
 template <int D, class VertexAt>
-FacetDraft read_facet(const Environment<D>& env, HalfFacet h, const Shape& shape, uint32_t f, VertexAt at) {
-  FacetDraft facet(env.scratch.memory());
-  const uint32_t first = 3 * shape.simplex_first(f), end = 3 * shape.simplex_first(f + 1);
-  facet.loop.reserve(D == 3 ? shape.facet_size(f) + 2 : 2);  // edges of it may be split
-  if (D == 3) facet.triangles.reserve(end - first + 6);
+void read_facet(const Environment<D>& env, HalfFacet h, const Shape& shape, uint32_t f, VertexAt at,
+                FacetDraft& facet) {
   for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { facet.loop.push_back(at(local)); });
-  const uint16_t* const local = shape.simplices();
-  for (uint32_t k = first; D == 3 && k < end; ++k) facet.triangles.push_back(at(local[k]));
+  if constexpr (D == 3) {
+    const uint16_t *local = shape.simplices() + 3 * shape.simplex_first(f),
+                   *const end = shape.simplices() + 3 * shape.simplex_first(f + 1);
+    for (; local != end; ++local) facet.triangles.push_back(at(*local));
+  }
   facet.near = h;
   facet.far = env.map.opposite(h);
   facet.marked = env.map.facet_marked(h);
-  return facet;
 }
 
 }  // namespace
@@ -98,7 +97,9 @@ template <int D>
 FacetDraft draft_of(const Environment<D>& env, HalfFacet h) {
   const Cell c = env.map.cell_of(h);
   const auto at = [&](uint32_t local) { return env.map.vertex(c, local); };
-  return read_facet(env, h, env.map.shape(c), env.map.local_of(h, c), at);
+  FacetDraft facet(env.scratch.memory());
+  read_facet(env, h, env.map.shape(c), env.map.local_of(h, c), at, facet);
+  return facet;
 }
 
 template <int D>
@@ -108,10 +109,11 @@ CellDraft draft_of(const Environment<D>& env, Cell c) {
   ShortArray<uint32_t, 32> vertices(env.scratch.memory());
   env.map.for_each_vertex(c, [&](uint32_t vertex) { vertices.push_back(vertex); });
   const uint32_t facets = shape.facet_count();
-  draft.facets.reserve(facets + 2);
+  draft.facets.reserve(2 * facets);  // each may be cut in two
   for (uint32_t f = 0; f < facets; ++f) {
-    draft.facets.push_back(
-        read_facet(env, env.map.half_facet(c, f), shape, f, [&](uint32_t local) { return vertices[local]; }));
+    draft.facets.emplace_back(env.scratch.memory());
+    read_facet(env, env.map.half_facet(c, f), shape, f, [&](uint32_t local) { return vertices[local]; },
+               draft.facets.back());
   }
   draft.from = c;
   draft.marked = env.map.marked(c);
@@ -161,7 +163,7 @@ bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Vertices& hole
   }
   ShortArray<const double*, 12> points{env.scratch.memory()};
   for (const uint32_t v : hole) points.push_back(env.point(v));
-  Places triangles{env.scratch.memory()};
+  LoopPlaces triangles{env.scratch.memory()};
   if (!triangulate(points.data(), static_cast<uint32_t>(points.size()), apex, beyond, triangles)) return false;
   for (const uint32_t place : triangles) facet.triangles.push_back(hole[place]);
   return true;
@@ -170,10 +172,9 @@ bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Vertices& hole
 void list_vertices(const CellDraft& draft, Array<uint32_t>& out) {
   out.clear();
   out.reserve(2 * draft.facets.size());  // of a convex cell with triangles or quads for facets
+  Numbering number(out);
   for (const FacetDraft& facet : draft.facets) {
-    for (const uint32_t v : facet.loop) {
-      if (std::find(out.begin(), out.end(), v) == out.end()) out.push_back(v);
-    }
+    for (const uint32_t v : facet.loop) number(v);
   }
 }
 
@@ -182,9 +183,9 @@ void centre(const Environment<D>& env, const CellDraft& draft, double* out) {
   Array<uint32_t> vertices{env.scratch.memory()};
   list_vertices(draft, vertices);
   const double count = static_cast<double>(vertices.size());
-  for (int k = 0; k < D; ++k) {
-    out[k] = 0;
-    for (const uint32_t v : vertices) out[k] += env.point(v)[k] / count;
+  std::fill_n(out, D, 0.0);
+  for (const uint32_t v : vertices) {
+    for (int k = 0; k < D; ++k) out[k] += env.point(v)[k] / count;
   }
 }
 

@@ -93,6 +93,29 @@ bool is_cut_well(const Environment<3>& env, const FacetDraft& facet, const doubl
 bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Vertices& hole, const double* apex,
               const double* beyond);
 
+/** Numbers vertices in the order of first use, in which they are listed. Most are found where the last one was that
+ * has the same last bits. */
+class Numbering {
+ public:
+  explicit Numbering(Array<uint32_t>& listed) : listed_(listed) {}
+  uint32_t operator()(uint32_t vertex) {
+    uint32_t& place = places_[vertex % kPlaces];
+    if (place < count_ && listed_[place] == vertex) return place;
+    place = static_cast<uint32_t>(std::find(listed_.begin(), listed_.end(), vertex) - listed_.begin());
+    if (place == count_) {
+      listed_.push_back(vertex);
+      ++count_;
+    }
+    return place;
+  }
+
+ private:
+  static constexpr uint32_t kPlaces = 64;
+
+  Array<uint32_t>& listed_;  // empty at first
+  uint32_t count_ = 0, places_[kPlaces] = {};
+};
+
 /** Vertices of a draft, each once, in the order of first use. */
 void list_vertices(const CellDraft& draft, Array<uint32_t>& out);
 /** The mean of a draft's vertices in that order. */

@@ -19,22 +19,14 @@ bool lay_out<3>(const CellDraft& draft, Layout& out) {
   out.first.clear();
   out.first.reserve(draft.facets.size() + 1);
   out.first.push_back(0);
-  uint16_t places[64] = {};  // where a vertex with these last bits is, as a rule
-  const auto place_of = [&](uint32_t v) {
-    uint16_t& place = places[v % 64];
-    if (place >= vertices.size() || vertices[place] != v) {
-      place = static_cast<uint16_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
-      if (place == vertices.size()) vertices.push_back(v);
-    }
-    return place;
-  };
+  Numbering number(vertices);
   uint16_t* loop = out.loops.data();
-  out.triangles.clear();
-  out.triangles.reserve(3 * corners);
+  out.triangles.resize(3 * corners);
+  uint16_t* corner = out.triangles.data();
   for (const FacetDraft& facet : draft.facets) {
-    for (const uint32_t v : facet.loop) *loop++ = place_of(v);
+    for (const uint32_t v : facet.loop) *loop++ = static_cast<uint16_t>(number(v));
     out.first.push_back(static_cast<uint16_t>(loop - out.loops.data()));
-    for (const uint32_t v : facet.triangles) out.triangles.push_back(place_of(v));
+    for (const uint32_t v : facet.triangles) *corner++ = static_cast<uint16_t>(number(v));
   }
   const auto facets = static_cast<uint32_t>(draft.facets.size());
   const FacetLoops faces{out.loops.data(), out.first.data(), facets, static_cast<uint32_t>(vertices.size())};
