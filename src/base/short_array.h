@@ -80,10 +80,13 @@ class ShortArray {
   }
   void assign(std::initializer_list<T> values) { assign(values.begin(), values.end()); }
   /** Adds what is not of this array. */
-  void append(const T* first, const T* last) {
-    reserve(size_ + static_cast<size_t>(last - first));
-    std::copy(first, last, end());
-    size_ += static_cast<uint32_t>(last - first);
+  void append(const T* first, const T* last) { std::copy(first, last, extend(static_cast<size_t>(last - first))); }
+  /** Adds elements, which have to be written. */
+  T* extend(size_t count) {
+    reserve(size_ + count);
+    T* const added = end();
+    size_ += static_cast<uint32_t>(count);
+    return added;
   }
   void insert(const T* before, T value) {
     const auto at = before - data_;

@@ -24,7 +24,8 @@ bool pierces(const double* p, const double* q, const double* const* triangle, in
 }  // namespace
 
 template <int D>
-Crossings<D>::Crossings(const Environment<D>& env, const Blade<D>& blade) : env_(env), map_(env.map), blade_(blade) {}
+Crossings<D>::Crossings(const Environment<D>& env, const Blade<D>& blade) 
+    : env_(env), map_(env.map), blade_(blade), holders_(blade.point_count(), Cell{}, env.memory) {}
 
 template <int D>
 void Crossings<D>::flood(Cell start) {
@@ -88,12 +89,13 @@ void Crossings<D>::look_at(uint32_t meeting) {
 
 template <int D>
 void Crossings<D>::read_corners(Cell c, const BladeSimplex<D>& blade) {
-  corners_.clear();
+  corners_.resize(map_.vertices_of(c));
   std::fill_n(lower_, D, HUGE_VAL);
   std::fill_n(upper_, D, -HUGE_VAL);
+  Corner* corner = corners_.data();
   map_.for_each_vertex(c, [&](uint32_t vertex) {
     const double* const at = env_.point(vertex);
-    corners_.push_back({at, vertex, blade.beyond_box(at), kUnknown, blade.view(at)});
+    *corner++ = {at, vertex, blade.beyond_box(at), kUnknown, blade.view(at)};
     for (int axis = 0; axis < D; ++axis) {
       lower_[axis] = std::min(lower_[axis], at[axis]);
       upper_[axis] = std::max(upper_[axis], at[axis]);
@@ -119,13 +121,17 @@ int Crossings<D>::side(Corner& corner, const BladeSimplex<D>& blade) const {
   return corner.side;
 }
 
-/** Whether the cell that is looked at contains a point. */
+/** Whether the cell that is looked at contains a point of the blade. Where it was found before is noted. */
 template <int D>
-bool Crossings<D>::holds(Cell c, const double* point) const {
+bool Crossings<D>::holds(Cell c, uint32_t number) {
+  if (holders_[number] == c) return true;
+  const double* const point = blade_.point(number);
   for (int axis = 0; axis < D; ++axis) {
     if (!(lower_[axis] <= point[axis] && point[axis] <= upper_[axis])) return false;
   }
-  return contains(env_, c, point);
+  if (!contains(env_, c, point)) return false;
+  holders_[number] = c;
+  return true;
 }
 
 /** Leaves in beyond_ and found_ what there is to be known of a simplex in a cell. */
@@ -155,7 +161,7 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
     if (o.valid()) beyond_.push_back(map_.cell_of(o));
   }
   for (int k = 0; k < D; ++k) {
-    if (!holds(c, at[k])) continue;
+    if (!holds(c, blade_.corner(simplex, k))) continue;
     met.simplex = met.sides[k] = true;
     if constexpr (D == 3) met.sides[(k + 2) % 3] = true;
     found_.emplace_back();
@@ -217,10 +223,13 @@ void Crossings<D>::note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D
   const double* at[D];
   blade_.corners(simplex, at);
   const Shape shape = map_.shape(c);
-  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-    if (shape.dart_beta2(d) < d) continue;
-    const uint32_t next = D == 3 ? shape.beta1(d) : d + 1 == shape.dart_count() ? 0 : d + 1;
-    const uint32_t from = shape.dart_vertex(d), to = shape.dart_vertex(next);
+  const uint32_t count = shape.dart_count();
+  const uint16_t *const vertices = shape.dart_vertices(), *const facets = vertices + count,
+                       *const beta2 = facets + count;
+  for (uint32_t d = 0; d < count; ++d) {
+    if (beta2[d] < d) continue;
+    const uint32_t end = D == 3 ? shape.facet_first(facets[d] + 1u) : count;  // of the facet, or of the polygon
+    const uint32_t from = vertices[d], to = vertices[d + 1 < end ? d + 1 : D == 3 ? shape.facet_first(facets[d]) : 0];
     Corner *inner = &corners_[from], *outer = &corners_[to];
     if ((inner->beyond & outer->beyond) != 0 || side(*inner, blade) == side(*outer, blade)) continue;
     if (outside(from, to, blade) != 0) continue;

@@ -87,7 +87,7 @@ class Crossings {
   bool meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade, const double* const (&at)[D], Met& met);
   int side(Corner& corner, const BladeSimplex<D>& blade) const;
   uint32_t outside(uint32_t a, uint32_t b, const BladeSimplex<D>& blade);
-  bool holds(Cell c, const double* point) const;
+  bool holds(Cell c, uint32_t number);
   void note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
 
   static constexpr size_t kMostKept = 64;  // corners
@@ -104,6 +104,7 @@ class Crossings {
   Array<Crossing> crossings_{env_.memory};
   KeyTable edges_{env_.memory};
   Array<BladePoint<D>> points_{env_.memory};
+  Array<Cell> holders_;  // of the blade's points: a cell that contains it, if one was found
   Array<Corner> corners_{env_.memory};
   double lower_[D], upper_[D];  // box of the cell that is looked at
   double bound_ = 0;            // see BladeSimplex

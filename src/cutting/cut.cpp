@@ -142,12 +142,13 @@ void Cut<D>::choose_cells() {
     const size_t first = on_edges_.size();
     first_on_edges_.push_back(static_cast<uint32_t>(first));
     on.clear();
+    const uint16_t *const facets = shape.dart_vertices() + darts.count(), *const beta2 = facets + darts.count();
     for (uint32_t d = 0; d < darts.count(); ++d) {
-      const uint32_t other = shape.dart_beta2(d);
+      const uint32_t other = beta2[d];
       on.push_back(other < d ? on[other] : new_vertex_on(darts.start(d), darts.end(d)));
       if (on[d] == KeyTable::kNone) continue;
       if (other >= d) on_edges_.push_back({on[d], d});
-      const HalfFacet o = map_.opposite(map_.half_facet(c, shape.dart_facet(d)));
+      const HalfFacet o = map_.opposite(map_.half_facet(c, facets[d]));
       if (o.valid()) changed_.insert(map_.cell_of(o).unit);
     }
     std::sort(on_edges_.begin() + static_cast<ptrdiff_t>(first), on_edges_.end(),

@@ -27,7 +27,8 @@ class DartEnds {
  public:
   DartEnds(const Map<D>& map, Cell c) : map_(map), cell_(c), shape_(map.shape(c)) {
     is_kept_ = shape_.vertex_count() <= kMost;
-    for (uint32_t k = 0, n = shape_.vertex_count(); is_kept_ && k < n; ++k) vertices_[k] = map.vertex(c, k);
+    uint32_t* next = vertices_;
+    if (is_kept_) map.for_each_vertex(c, [&](uint32_t vertex) { *next++ = vertex; });
   }
 
   uint32_t count() const { return shape_.dart_count(); }

@@ -81,8 +81,15 @@ bool is_cut_well(const Environment<3>& env, Cell c, uint32_t f, const double* ap
  * remaining parts have them. Fans are among what is tried. */
 bool triangulate(const double* const* loop, uint32_t size, const double* apex, const double* beyond, LoopPlaces& out) {
   const auto is_positive = [&](uint32_t i, uint32_t j, uint32_t k) {
-    const double* points[3] = {loop[i], loop[j], loop[k]};
-    return orient<3>(points, apex) < 0 && (beyond == nullptr || orient<3>(points, beyond) > 0);
+    const double* const points[3] = {loop[i], loop[j], loop[k]};
+    const filter::Vec<3> e1 = filter::difference<3>(points[1], points[0]),
+                         e2 = filter::difference<3>(points[2], points[0]), normal = filter::cross(e1, e2);
+    const auto side = [&](const double* q) {
+      const filter::Vec<3> w = filter::difference<3>(q, points[0]);
+      const double det = filter::dot(normal, w);
+      return filter::certain(det, filter::extent(w, e1, e2)) ? filter::sign_of(det) : orient<3>(points, q);
+    };
+    return side(apex) < 0 && (beyond == nullptr || side(beyond) > 0);
   };
   if (size == 3) {
     if (!is_positive(0, 1, 2)) return false;

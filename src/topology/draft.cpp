@@ -80,11 +80,13 @@ class SideTable {
 template <int D, class VertexAt>
 void read_facet(const Environment<D>& env, HalfFacet h, const Shape& shape, uint32_t f, VertexAt at,
                 FacetDraft& facet) {
-  for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { facet.loop.push_back(at(local)); });
+  uint32_t* corner = facet.loop.extend(D == 3 ? shape.facet_size(f) : 2);
+  for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { *corner++ = at(local); });
   if constexpr (D == 3) {
     const uint16_t *local = shape.simplices() + 3 * shape.simplex_first(f),
                    *const end = shape.simplices() + 3 * shape.simplex_first(f + 1);
-    for (; local != end; ++local) facet.triangles.push_back(at(*local));
+    corner = facet.triangles.extend(static_cast<size_t>(end - local));
+    for (; local != end; ++local) *corner++ = at(*local);
   }
   facet.near = h;
   facet.far = env.map.opposite(h);

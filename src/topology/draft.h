@@ -28,8 +28,11 @@ struct FacetDraft {
     return static_cast<uint32_t>(std::find(loop.begin(), loop.end(), vertex) - loop.begin());
   }
   bool has(uint32_t vertex) const { return place_of(vertex) != loop.size(); }
-  /** The vertex `steps` after the one in a place of the loop. */
-  uint32_t after(uint32_t place, size_t steps = 1) const { return loop[(place + steps) % loop.size()]; }
+  /** The vertex `steps` after the one in a place of the loop; both together less than twice round it. */
+  uint32_t after(uint32_t place, size_t steps = 1) const {
+    const size_t at = place + steps;
+    return loop[at < loop.size() ? at : at - loop.size()];
+  }
 };
 
 struct CellDraft {
