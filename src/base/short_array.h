@@ -50,9 +50,7 @@ class ShortArray {
   const T& operator[](size_t i) const { return data_[i]; }
   const T& back() const { return data_[size_ - 1]; }
   bool operator==(const ShortArray& o) const { return std::equal(begin(), end(), o.begin(), o.end()); }
-  bool operator<(const ShortArray& o) const {
-    return std::lexicographical_compare(begin(), end(), o.begin(), o.end());
-  }
+  bool operator<(const ShortArray& o) const { return std::lexicographical_compare(begin(), end(), o.begin(), o.end()); }
 
   void reserve(size_t count) {
     if (count > room_) grow(count);

@@ -24,7 +24,7 @@ bool pierces(const double* p, const double* q, const double* const* triangle, in
 }  // namespace
 
 template <int D>
-Crossings<D>::Crossings(const Environment<D>& env, const Blade<D>& blade) 
+Crossings<D>::Crossings(const Environment<D>& env, const Blade<D>& blade)
     : env_(env), map_(env.map), blade_(blade), holders_(blade.point_count(), Cell{}, env.memory) {}
 
 template <int D>
@@ -103,8 +103,8 @@ void Crossings<D>::read_corners(Cell c, const BladeSimplex<D>& blade) {
   });
 }
 
-/** See BladeSimplex: of an edge of the cell, or of a facet's triangles, with its ends on two sides of the simplex. Asked
- * once for all who have that edge. */
+/** See BladeSimplex: of an edge of the cell, or of a facet's triangles, with its ends on two sides of the simplex. It is
+ * asked once for all who have that edge. */
 template <int D>
 uint32_t Crossings<D>::outside(uint32_t a, uint32_t b, const BladeSimplex<D>& blade) {
   const Corner &from = corners_[std::min(a, b)], &to = corners_[std::max(a, b)];
@@ -225,7 +225,7 @@ void Crossings<D>::note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D
   const Shape shape = map_.shape(c);
   const uint32_t count = shape.dart_count();
   const uint16_t *const vertices = shape.dart_vertices(), *const facets = vertices + count,
-                       *const beta2 = facets + count;
+                        *const beta2 = facets + count;
   for (uint32_t d = 0; d < count; ++d) {
     if (beta2[d] < d) continue;
     const uint32_t end = D == 3 ? shape.facet_first(facets[d] + 1u) : count;  // of the facet, or of the polygon

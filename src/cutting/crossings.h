@@ -106,8 +106,8 @@ class Crossings {
   Array<BladePoint<D>> points_{env_.memory};
   Array<Cell> holders_;  // of the blade's points: a cell that contains it, if one was found
   Array<Corner> corners_{env_.memory};
-  double lower_[D], upper_[D];  // box of the cell that is looked at
-  double bound_ = 0;            // see BladeSimplex
+  double lower_[D], upper_[D];               // box of the cell that is looked at
+  double bound_ = 0;                         // see BladeSimplex
   Array<uint8_t> outside_{env_.memory};      // by both corners of an edge: see outside(); empty: too many corners
   Array<Cell> beyond_{env_.memory};          // behind the facets that the simplex passes
   Array<BladePoint<D>> found_{env_.memory};  // points of the simplex in the cell that is looked at

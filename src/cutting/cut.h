@@ -114,11 +114,11 @@ class Cut {
   Array<uint32_t> cells_at_nodes_{env_.memory};  // numbers of met cells whose loops have a node, some of them no longer
   KeyTable line_numbers_{env_.memory};           // by the lower address of the facet
   Array<Line> lines_{env_.memory};
-  KeyTable changed_{env_.memory};      // cells, by unit
-  Array<OnEdge> on_edges_{env_.memory};  // of these, in the order of the cells and then of the nodes
+  KeyTable changed_{env_.memory};                // cells, by unit
+  Array<OnEdge> on_edges_{env_.memory};          // of these, in the order of the cells and then of the nodes
   Array<uint32_t> first_on_edges_{env_.memory};  // by number of the cell, and one more
-  Array<size_t> drafts_{env_.memory};  // of these, the first of each
-  Array<Cell> origins_{env_.memory};   // of drafts
+  Array<size_t> drafts_{env_.memory};            // of these, the first of each
+  Array<Cell> origins_{env_.memory};             // of drafts
   Array<Split> splits_{env_.memory};
   Array<CutFace> old_faces_{env_.memory};
   CutRecord record_;

@@ -114,7 +114,7 @@ class Section {
   KeyTable places_{env_.memory};  // of nodes: both vertices of an edge, or twice the old one
   Array<NodeLoop> loops_;
   Array<uint8_t> barred_, crossed_;
-  Array<Chord> chords_{env_.memory};  // of all loops
+  Array<Chord> chords_{env_.memory};           // of all loops
   Array<uint32_t> first_chords_{env_.memory};  // by cell, and one more
 };
 

@@ -83,8 +83,8 @@ void read_facet(const Environment<D>& env, HalfFacet h, const Shape& shape, uint
   uint32_t* corner = facet.loop.extend(D == 3 ? shape.facet_size(f) : 2);
   for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { *corner++ = at(local); });
   if constexpr (D == 3) {
-    const uint16_t *local = shape.simplices() + 3 * shape.simplex_first(f),
-                   *const end = shape.simplices() + 3 * shape.simplex_first(f + 1);
+    const uint16_t *local = shape.simplices() + 3 * shape.simplex_first(f), *const end = shape.simplices() +
+                                                                                         3 * shape.simplex_first(f + 1);
     corner = facet.triangles.extend(static_cast<size_t>(end - local));
     for (; local != end; ++local) *corner++ = at(*local);
   }
@@ -114,8 +114,8 @@ CellDraft draft_of(const Environment<D>& env, Cell c) {
   draft.facets.reserve(2 * facets);  // each may be cut in two
   for (uint32_t f = 0; f < facets; ++f) {
     draft.facets.emplace_back(env.scratch.memory());
-    read_facet(env, env.map.half_facet(c, f), shape, f, [&](uint32_t local) { return vertices[local]; },
-               draft.facets.back());
+    read_facet(
+        env, env.map.half_facet(c, f), shape, f, [&](uint32_t local) { return vertices[local]; }, draft.facets.back());
   }
   draft.from = c;
   draft.marked = env.map.marked(c);

@@ -16,8 +16,8 @@ using Vertices = ShortArray<uint32_t, 12>;
 /** One facet. Vertices are those of the environment. A side of the plane's polygons has its two ends for a loop, in the
  * polygon's order, and no triangles. */
 struct FacetDraft {
-  Vertices loop;       // counter-clockwise seen from outside
-  Vertices triangles;  // three vertices each, oriented likewise, that fill the loop
+  Vertices loop;        // counter-clockwise seen from outside
+  Vertices triangles;   // three vertices each, oriented likewise, that fill the loop
   HalfFacet near, far;  // what it comes from, and what is behind it: as before the edit, where both may be about to go
   uint32_t pair = kNoPair;  // of a new facet between two new cells: a number that both sides have
   bool marked = false;
