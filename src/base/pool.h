@@ -26,7 +26,7 @@ class Pool {
     Chunk* next;
     size_t bytes;
   };
-  static constexpr size_t kStep = 16, kLargest = 1024, kFirstChunk = 4096, kLastChunk = 65536;
+  static constexpr size_t kStep = 64, kLargest = 4096, kFirstChunk = 16384, kLastChunk = 65536;
 
   /** A free block has room for what links it. */
   static constexpr size_t steps_of(size_t bytes) { return bytes == 0 ? 1 : (bytes + kStep - 1) / kStep; }

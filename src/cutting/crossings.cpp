@@ -1,5 +1,7 @@
 #include "cutting/crossings.h"
 
+#include <cmath>
+
 #include "base/position.h"
 #include "map/dart.h"
 #include "predicates/plane_hit.h"
@@ -22,7 +24,8 @@ bool pierces(const double* p, const double* q, const double* const* triangle, in
 }  // namespace
 
 template <int D>
-Crossings<D>::Crossings(const Environment<D>& env, const Blade<D>& blade) : env_(env), map_(env.map), blade_(blade) {}
+Crossings<D>::Crossings(const Environment<D>& env, const Blade<D>& blade)
+    : env_(env), map_(env.map), blade_(blade), holders_(blade.point_count(), Cell{}, env.memory) {}
 
 template <int D>
 void Crossings<D>::flood(Cell start) {
@@ -87,43 +90,48 @@ void Crossings<D>::look_at(uint32_t meeting) {
 template <int D>
 void Crossings<D>::read_corners(Cell c, const BladeSimplex<D>& blade) {
   corners_.resize(map_.vertices_of(c));
-  for (uint32_t k = 0; k < corners_.size(); ++k) {
-    const uint32_t vertex = map_.vertex(c, k);
+  std::fill_n(lower_, D, HUGE_VAL);
+  std::fill_n(upper_, D, -HUGE_VAL);
+  Corner* corner = corners_.data();
+  map_.for_each_vertex(c, [&](uint32_t vertex) {
     const double* const at = env_.point(vertex);
-    corners_[k] = {at, vertex, blade.beyond_box(at), kUnknown};
-  }
-  if (D == 3) passed_.assign(corners_.size() <= kMostKept ? corners_.size() * corners_.size() : 0, kUnasked);
+    *corner++ = {at, vertex, blade.beyond_box(at), kUnknown, blade.view(at)};
+    for (int axis = 0; axis < D; ++axis) {
+      lower_[axis] = std::min(lower_[axis], at[axis]);
+      upper_[axis] = std::max(upper_[axis], at[axis]);
+    }
+  });
 }
 
-/** Whether an edge of the cell, or of a facet's triangles, with its ends on two sides of the simplex, passes through
- * it: asked once for all who have that edge. */
+/** See BladeSimplex: of an edge of the cell, or of a facet's triangles, with its ends on two sides of the simplex. It is
+ * asked once for all who have that edge. */
 template <int D>
-bool Crossings<D>::is_passed(uint32_t a, uint32_t b, const BladeSimplex<D>& blade) {
-  const auto ask = [&] { return blade.is_passed(corners_[a].at, corners_[b].at, corners_[b].side); };
-  if (D == 2 || passed_.empty()) return ask();
-  uint8_t& known = passed_[std::min(a, b) * corners_.size() + std::max(a, b)];
-  if (known == kUnasked) known = ask() ? 1 : 0;
-  return known != 0;
+uint32_t Crossings<D>::outside(uint32_t a, uint32_t b, const BladeSimplex<D>& blade) {
+  const Corner &from = corners_[std::min(a, b)], &to = corners_[std::max(a, b)];
+  const auto ask = [&] { return blade.outside(from.at, to.at, from.view, to.view, to.side, bound_); };
+  if (D == 2 || outside_.empty()) return ask();
+  uint8_t& known = outside_[std::min(a, b) * corners_.size() + std::max(a, b)];
+  if (known == kUnasked) known = static_cast<uint8_t>(ask());
+  return known;
 }
 
 template <int D>
 int Crossings<D>::side(Corner& corner, const BladeSimplex<D>& blade) const {
-  if (corner.side == kUnknown) corner.side = blade.side(corner.at);
+  if (corner.side == kUnknown) corner.side = blade.side(corner.at, corner.view, bound_);
   return corner.side;
 }
 
-/** Whether the cell that is looked at contains a point. */
+/** Whether the cell that is looked at contains a point of the blade. Where it was found before is noted. */
 template <int D>
-bool Crossings<D>::holds(Cell c, const double* point) const {
+bool Crossings<D>::holds(Cell c, uint32_t number) {
+  if (holders_[number] == c) return true;
+  const double* const point = blade_.point(number);
   for (int axis = 0; axis < D; ++axis) {
-    bool above = false, below = false;
-    for (const Corner& corner : corners_) {
-      above = above || corner.at[axis] >= point[axis];
-      below = below || corner.at[axis] <= point[axis];
-    }
-    if (!above || !below) return false;
+    if (!(lower_[axis] <= point[axis] && point[axis] <= upper_[axis])) return false;
   }
-  return contains(env_, c, point);
+  if (!contains(env_, c, point)) return false;
+  holders_[number] = c;
+  return true;
 }
 
 /** Leaves in beyond_ and found_ what there is to be known of a simplex in a cell. */
@@ -136,6 +144,9 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
   uint32_t common = ~0u;
   for (const Corner& corner : corners_) common &= corner.beyond;
   if (common != 0) return met;
+  const size_t count = corners_.size();
+  bound_ = blade.bound(lower_, upper_);
+  if (D == 3) outside_.assign(count <= kMostKept ? count * count : 0, kUnasked);
   const double* at[D];
   blade_.corners(simplex, at);
   const Shape shape = map_.shape(c);
@@ -150,7 +161,7 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
     if (o.valid()) beyond_.push_back(map_.cell_of(o));
   }
   for (int k = 0; k < D; ++k) {
-    if (!holds(c, at[k])) continue;
+    if (!holds(c, blade_.corner(simplex, k))) continue;
     met.simplex = met.sides[k] = true;
     if constexpr (D == 3) met.sides[(k + 2) % 3] = true;
     found_.emplace_back();
@@ -164,35 +175,37 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
 template <int D>
 bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade,
                                  [[maybe_unused]] const double* const (&at)[D], [[maybe_unused]] Met& met) {
-  Corner* corner[D];
-  const double* simplex[D];
-  int sides[D];
   uint32_t beyond = ~0u;
-  for (int k = 0; k < D; ++k) {
-    corner[k] = &corners_[local[k]];
-    simplex[k] = corner[k]->at;
-    beyond &= corner[k]->beyond;
-  }
+  for (int k = 0; k < D; ++k) beyond &= corners_[local[k]].beyond;
   if (beyond != 0) return false;
-  bool apart = true;
-  for (int k = 0; k < D; ++k) {
-    sides[k] = side(*corner[k], blade);
-    apart = apart && sides[k] != 0 && sides[k] == sides[0];  // 0: the blade is flat here
-  }
-  if (apart) return false;
-  uint32_t passed = 0;
-  for (int k = 0; k < (D == 3 ? 3 : 1); ++k) {
-    const int next = (k + 1) % D;
-    if (sides[k] != sides[next] && is_passed(local[k], local[next], blade)) ++passed;
-  }
-  bool passes = passed != 0;
-  if constexpr (D == 3) {
-    if (passed == 2) return true;  // what two triangles share is one segment, and these are its ends
-    int of_blade[3];
-    for (int k = 0; k < 3; ++k) of_blade[k] = plane_side<3>(simplex, at[k], NoTally{}).sign;
+  int sides[D];
+  for (int k = 0; k < D; ++k) sides[k] = side(corners_[local[k]], blade);
+  if constexpr (D == 2) {
+    return sides[0] != sides[1] && outside(local[0], local[1], blade) == 0;
+  } else {
+    const bool flat = sides[0] == 0;  // of the blade: then all are
+    if (!flat && sides[0] == sides[1] && sides[1] == sides[2]) return false;
+    // Where two edges of the boundary pass through the blade's plane are the ends of a segment. It is what lies in both
+    // planes, and the blade's sides that have one end outside and the other inside are those whose lines cross it.
+    uint32_t ends[2] = {}, count = 0;
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
-      if (of_blade[k] == of_blade[next] || !pierces(at[k], at[next], simplex, of_blade[next])) continue;
+      if (sides[k] != sides[next]) ends[count++] = outside(local[k], local[next], blade);
+    }
+    if ((ends[0] & ends[1]) != 0) return false;  // all of it is on the outside of one line
+    bool passes = !flat && (ends[0] == 0 || ends[1] == 0);
+    const uint32_t crossed = flat ? BladeSimplex<3>::kSides : ends[0] | ends[1];
+    if (crossed == 0) return true;
+    const double* const simplex[3] = {corners_[local[0]].at, corners_[local[1]].at, corners_[local[2]].at};
+    int of_blade[3] = {kUnknown, kUnknown, kUnknown};
+    const auto side_of_blade = [&](int k) {
+      if (of_blade[k] == kUnknown) of_blade[k] = plane_side<3>(simplex, at[k], NoTally{}).sign;
+      return of_blade[k];
+    };
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      if ((crossed >> k & 1u) == 0 || side_of_blade(k) == side_of_blade(next)) continue;
+      if (flat && !pierces(at[k], at[next], simplex, of_blade[next])) continue;
       passes = met.sides[k] = true;
       const bool outwards = of_blade[next] > 0;
       const double *const inner = at[outwards ? k : next], *const outer = at[outwards ? next : k];
@@ -200,8 +213,8 @@ bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& b
       point_at<3>(inner, outer, crossing_time<3>(inner, outer, simplex), point.at);
       found_.push_back(point);
     }
+    return passes;
   }
-  return passes;
 }
 
 /** Edges of the cell that the simplex crosses. */
@@ -210,13 +223,16 @@ void Crossings<D>::note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D
   const double* at[D];
   blade_.corners(simplex, at);
   const Shape shape = map_.shape(c);
-  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-    if (shape.dart_beta2(d) < d) continue;
-    const uint32_t next = D == 3 ? shape.beta1(d) : d + 1 == shape.dart_count() ? 0 : d + 1;
-    const uint32_t from = shape.dart_vertex(d), to = shape.dart_vertex(next);
+  const uint32_t count = shape.dart_count();
+  const uint16_t *const vertices = shape.dart_vertices(), *const facets = vertices + count,
+                        *const beta2 = facets + count;
+  for (uint32_t d = 0; d < count; ++d) {
+    if (beta2[d] < d) continue;
+    const uint32_t end = D == 3 ? shape.facet_first(facets[d] + 1u) : count;  // of the facet, or of the polygon
+    const uint32_t from = vertices[d], to = vertices[d + 1 < end ? d + 1 : D == 3 ? shape.facet_first(facets[d]) : 0];
     Corner *inner = &corners_[from], *outer = &corners_[to];
     if ((inner->beyond & outer->beyond) != 0 || side(*inner, blade) == side(*outer, blade)) continue;
-    if (!is_passed(from, to, blade)) continue;
+    if (outside(from, to, blade) != 0) continue;
     if (inner->side > 0) std::swap(inner, outer);
     const uint32_t i = edges_.insert(pair_key(inner->vertex, outer->vertex));
     if (i == crossings_.size()) {

@@ -73,6 +73,7 @@ class Crossings {
     const double* at;
     uint32_t vertex, beyond;  // sides of the simplex's box
     int side;
+    typename BladeSimplex<D>::View view;
   };
   /** Which sides of the simplex meet the cell that is looked at, and whether the simplex does. */
   struct Met {
@@ -85,8 +86,8 @@ class Crossings {
   Met meet(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
   bool meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade, const double* const (&at)[D], Met& met);
   int side(Corner& corner, const BladeSimplex<D>& blade) const;
-  bool is_passed(uint32_t a, uint32_t b, const BladeSimplex<D>& blade);
-  bool holds(Cell c, const double* point) const;
+  uint32_t outside(uint32_t a, uint32_t b, const BladeSimplex<D>& blade);
+  bool holds(Cell c, uint32_t number);
   void note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
 
   static constexpr size_t kMostKept = 64;  // corners
@@ -103,8 +104,11 @@ class Crossings {
   Array<Crossing> crossings_{env_.memory};
   KeyTable edges_{env_.memory};
   Array<BladePoint<D>> points_{env_.memory};
+  Array<Cell> holders_;  // of the blade's points: a cell that contains it, if one was found
   Array<Corner> corners_{env_.memory};
-  Array<uint8_t> passed_{env_.memory};       // by both corners of an edge: see is_passed(); empty: too many corners
+  double lower_[D], upper_[D];               // box of the cell that is looked at
+  double bound_ = 0;                         // see BladeSimplex
+  Array<uint8_t> outside_{env_.memory};      // by both corners of an edge: see outside(); empty: too many corners
   Array<Cell> beyond_{env_.memory};          // behind the facets that the simplex passes
   Array<BladePoint<D>> found_{env_.memory};  // points of the simplex in the cell that is looked at
 };

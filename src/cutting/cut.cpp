@@ -78,10 +78,9 @@ bool Cut<D>::write(Edit<D>& edit) {
   choose_cells();
   bool all = true;
   for (uint32_t i = 0; i < changed_.size(); ++i) {
-    const Cell c{static_cast<uint32_t>(changed_[i])};
     drafts_.push_back(origins_.size());
-    if (write_cell(edit, c)) continue;
-    keep_whole(c);
+    if (write_cell(edit, i)) continue;
+    keep_whole({static_cast<uint32_t>(changed_[i])});
     all = false;
   }
   if (!all) return false;
@@ -107,18 +106,17 @@ template <int D>
 void Cut<D>::choose_lines() {
   line_numbers_ = KeyTable(env_.memory);
   lines_.clear();
-  Array<Chord> chords{env_.memory};
+  lines_.reserve(section_->chord_count());
   for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
     if (section_->loop(i).empty()) continue;
-    section_->list_chords(i, chords);
-    for (const Chord& chord : chords) {
+    section_->for_each_chord(i, [&](const Chord& chord) {
       const HalfFacet h = map_.half_facet(crossings_.cell(i).cell, chord.facet), o = map_.opposite(h);
-      if (line_numbers_.insert(std::min(h.word, o.word)) != lines_.size()) continue;
+      if (line_numbers_.insert(std::min(h.word, o.word)) != lines_.size()) return;
       lines_.emplace_back(env_.scratch.memory());
       lines_.back().facet = h;
       lines_.back().from = vertices_[chord.from];
       lines_.back().to = vertices_[chord.to];
-    }
+    });
   }
 }
 
@@ -134,29 +132,45 @@ void Cut<D>::choose_cells() {
     const HalfFacet o = map_.opposite(line.facet);
     if (o.valid()) changed_.insert(map_.cell_of(o).unit);
   }
+  on_edges_.clear();
+  first_on_edges_.clear();
+  ShortArray<uint32_t, 64> on(env_.scratch.memory());  // new vertex on the edge of a dart, as a node
   for (uint32_t i = 0; i < changed_.size(); ++i) {
     const Cell c{static_cast<uint32_t>(changed_[i])};
     const Shape shape = map_.shape(c);
     const DartEnds<D> darts(map_, c);
+    const size_t first = on_edges_.size();
+    first_on_edges_.push_back(static_cast<uint32_t>(first));
+    on.clear();
+    const uint16_t *const facets = shape.dart_vertices() + darts.count(), *const beta2 = facets + darts.count();
     for (uint32_t d = 0; d < darts.count(); ++d) {
-      const HalfFacet o = map_.opposite(map_.half_facet(c, shape.dart_facet(d)));
-      if (o.valid() && has_new_vertex(darts.start(d), darts.end(d))) changed_.insert(map_.cell_of(o).unit);
+      const uint32_t other = beta2[d];
+      on.push_back(other < d ? on[other] : new_vertex_on(darts.start(d), darts.end(d)));
+      if (on[d] == KeyTable::kNone) continue;
+      if (other >= d) on_edges_.push_back({on[d], d});
+      const HalfFacet o = map_.opposite(map_.half_facet(c, facets[d]));
+      if (o.valid()) changed_.insert(map_.cell_of(o).unit);
     }
+    std::sort(on_edges_.begin() + static_cast<ptrdiff_t>(first), on_edges_.end(),
+              [](const OnEdge& a, const OnEdge& b) { return a.node < b.node; });
   }
+  first_on_edges_.push_back(static_cast<uint32_t>(on_edges_.size()));
 }
 
+/** As a node, or KeyTable::kNone. */
 template <int D>
-bool Cut<D>::has_new_vertex(uint32_t a, uint32_t b) const {
+uint32_t Cut<D>::new_vertex_on(uint32_t a, uint32_t b) const {
   const uint32_t n = section_->node_on(a, b);
-  return n != KeyTable::kNone && vertices_[n] != kNoCell;
+  return n == KeyTable::kNone || vertices_[n] == kNoCell ? KeyTable::kNone : n;
 }
 
 /** False: it can't be written. */
 template <int D>
-bool Cut<D>::write_cell(Edit<D>& edit, Cell c) {
+bool Cut<D>::write_cell(Edit<D>& edit, uint32_t number) {
+  const Cell c{static_cast<uint32_t>(changed_[number])};
   CellDraft draft = draft_of(env_, c);
   edit.remove(c);
-  insert_vertices(draft);
+  insert_vertices(draft, number);
   if constexpr (D == 3) {
     if (!write_lines(draft)) return false;
   }
@@ -186,19 +200,16 @@ bool Cut<D>::write_lines(CellDraft& draft) {
 
 /** In the order of nodes, so that facets are cut alike on both sides. */
 template <int D>
-void Cut<D>::insert_vertices(CellDraft& draft) const {
-  Array<uint32_t> nodes{env_.scratch.memory()};
+void Cut<D>::insert_vertices(CellDraft& draft, uint32_t number) const {
   const Shape shape = map_.shape(draft.from);
-  const DartEnds<D> darts(map_, draft.from);
-  for (uint32_t d = 0; d < darts.count(); ++d) {
-    if (shape.dart_beta2(d) < d) continue;
-    const uint32_t n = section_->node_on(darts.start(d), darts.end(d));
-    if (n != KeyTable::kNone && vertices_[n] != kNoCell) nodes.push_back(n);
-  }
-  std::sort(nodes.begin(), nodes.end());
-  for (const uint32_t n : nodes) {
-    const Node& node = section_->node(n);
-    insert_vertex(draft, node.a, node.b, vertices_[n]);
+  for (uint32_t k = first_on_edges_[number]; k < first_on_edges_[number + 1]; ++k) {
+    const Node& node = section_->node(on_edges_[k].node);
+    const uint32_t middle = vertices_[on_edges_[k].node];
+    if constexpr (D == 3) {
+      insert_vertex(draft, shape, on_edges_[k].dart, node.a, node.b, middle);
+    } else {
+      insert_vertex(draft, node.a, node.b, middle);
+    }
   }
 }
 
@@ -222,7 +233,7 @@ bool Cut<D>::draw_line(const FacetDraft& whole, Line& line) const {
 
 template <int D>
 bool Cut<D>::split_cell(Edit<D>& edit, uint32_t cell, CellDraft& whole) {
-  const Array<uint32_t>& nodes = section_->loop(cell);
+  const NodeLoop& nodes = section_->loop(cell);
   FacetDraft face(env_.scratch.memory());
   for (const uint32_t n : nodes) face.loop.push_back(vertices_[n]);
   CellDraft left(env_.scratch.memory());
@@ -260,7 +271,7 @@ bool Cut<D>::split_cell(Edit<D>& edit, uint32_t cell, CellDraft& whole) {
 
 /** Of one part of a cell that was split. */
 template <int D>
-bool Cut<D>::is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) const {
+bool Cut<D>::is_before_blade(const CellDraft& part, const NodeLoop& nodes) const {
   const auto has = [&](uint32_t vertex) {
     return std::any_of(part.facets.begin(), part.facets.end(), [&](const FacetDraft& f) { return f.has(vertex); });
   };
@@ -468,9 +479,9 @@ void Cut<D>::measure(Edit<D>& edit) {
     if (split_of[point.cell] == kNoCell) continue;
     const Split& split = splits_[split_of[point.cell]];
     const FacetDraft& face = edit.draft(split.front).facets[split.front_facet];
-    const Array<uint32_t>& simplices = D == 3 ? face.triangles : face.loop;
+    const Vertices& simplices = D == 3 ? face.triangles : face.loop;
     double least = HUGE_VAL;
-    for (size_t s = 0; s < simplices.size(); s += D) {
+    for (size_t s = 0; s < simplices.size() && least > record_.distance; s += D) {  // else no more to be learnt
       const double* corners[D];
       for (size_t k = 0; k < D; ++k) corners[k] = env_.point(simplices[s + k]);
       least = std::min(least, distance_to_simplex<D>(point.at, corners));

@@ -70,6 +70,10 @@ class Cut {
     size_t front, back;
     uint32_t front_facet, back_facet;
   };
+  /** A new vertex on an edge of a cell that changes, and one of the edge's darts. */
+  struct OnEdge {
+    uint32_t node, dart;
+  };
   static constexpr size_t kNoDraft = static_cast<size_t>(-1);
 
   bool can_split(Cell c) const;
@@ -78,13 +82,13 @@ class Cut {
   void choose_nodes(Edit<D>& edit);
   void choose_lines();
   void choose_cells();
-  bool has_new_vertex(uint32_t a, uint32_t b) const;
-  bool write_cell(Edit<D>& edit, Cell c);
+  uint32_t new_vertex_on(uint32_t a, uint32_t b) const;
+  bool write_cell(Edit<D>& edit, uint32_t number);
   bool write_lines(CellDraft& draft);
-  void insert_vertices(CellDraft& draft) const;
+  void insert_vertices(CellDraft& draft, uint32_t number) const;
   bool draw_line(const FacetDraft& whole, Line& line) const;
   bool split_cell(Edit<D>& edit, uint32_t cell, CellDraft& whole);
-  bool is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) const;
+  bool is_before_blade(const CellDraft& part, const NodeLoop& nodes) const;
   void find_old_faces();
   bool is_on_blade(Cell c, const Shape& shape, uint32_t facet) const;
   int side_of(uint32_t on, uint32_t off) const;
@@ -110,9 +114,11 @@ class Cut {
   Array<uint32_t> cells_at_nodes_{env_.memory};  // numbers of met cells whose loops have a node, some of them no longer
   KeyTable line_numbers_{env_.memory};           // by the lower address of the facet
   Array<Line> lines_{env_.memory};
-  KeyTable changed_{env_.memory};      // cells, by unit
-  Array<size_t> drafts_{env_.memory};  // of these, the first of each
-  Array<Cell> origins_{env_.memory};   // of drafts
+  KeyTable changed_{env_.memory};                // cells, by unit
+  Array<OnEdge> on_edges_{env_.memory};          // of these, in the order of the cells and then of the nodes
+  Array<uint32_t> first_on_edges_{env_.memory};  // by number of the cell, and one more
+  Array<size_t> drafts_{env_.memory};            // of these, the first of each
+  Array<Cell> origins_{env_.memory};             // of drafts
   Array<Split> splits_{env_.memory};
   Array<CutFace> old_faces_{env_.memory};
   CutRecord record_;

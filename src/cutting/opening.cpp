@@ -260,7 +260,7 @@ void Opening<D>::add_gap(Edit<D>& edit, const FacetPair& pair) {
   }
   const auto lip = [&](int k) -> FacetDraft& { return edit.draft(gap.lips[k].draft).facets[gap.lips[k].facet]; };
   const auto n = static_cast<uint32_t>(before[0].loop.size());
-  Array<uint32_t> front = lip(0).loop, back(front);
+  Vertices front = lip(0).loop, back(front);
   for (uint32_t k = 0; k < n; ++k) back[k] = lip(1).loop[before[1].place_of(before[0].loop[k])];
   if (front == back) return;
   CellDraft cell(env_.scratch.memory());

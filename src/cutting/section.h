@@ -7,6 +7,7 @@
 //
 // A cell stays whole where the blade ends inside or crosses an edge twice, or where lines do not say how to split it.
 
+#include "base/short_array.h"
 #include "cutting/crossings.h"
 
 namespace dsw {
@@ -26,7 +27,8 @@ class DartEnds {
  public:
   DartEnds(const Map<D>& map, Cell c) : map_(map), cell_(c), shape_(map.shape(c)) {
     is_kept_ = shape_.vertex_count() <= kMost;
-    for (uint32_t k = 0, n = shape_.vertex_count(); is_kept_ && k < n; ++k) vertices_[k] = map.vertex(c, k);
+    uint32_t* next = vertices_;
+    if (is_kept_) map.for_each_vertex(c, [&](uint32_t vertex) { *next++ = vertex; });
   }
 
   uint32_t count() const { return shape_.dart_count(); }
@@ -45,6 +47,9 @@ class DartEnds {
   bool is_kept_;
   uint32_t vertices_[kMost];
 };
+
+/** Of one loop, in its order. */
+using NodeLoop = ShortArray<uint32_t, 8>;
 
 /** A line across a facet that a loop takes; in the plane across a cell. */
 struct Chord {
@@ -65,15 +70,19 @@ class Section {
   uint32_t node_at(uint32_t vertex) const { return places_.find(pair_key(vertex, vertex)); }
 
   /** The nodes along which a met cell is split, two in the plane; empty: it stays whole. */
-  const Array<uint32_t>& loop(uint32_t cell) const { return loops_[cell]; }
+  const NodeLoop& loop(uint32_t cell) const { return loops_[cell]; }
   void keep_whole(uint32_t cell) { loops_[cell].clear(); }
   /** Whether the blade ends in a met cell, or crosses one of its edges twice, or nothing is known of its points. */
   bool is_barred(uint32_t cell) const { return barred_[cell]; }
   /** Whether the blade passes through a cell, not only along its boundary. */
-  bool is_crossed(uint32_t cell) const;
+  bool is_crossed(uint32_t cell) const { return crossed_[cell]; }
 
-  /** The chords of a cell's loop, in space. */
-  void list_chords(uint32_t cell, Array<Chord>& out) const;
+  /** Calls visit(chord) for those of a cell's loop, in space. */
+  template <class Visit>
+  void for_each_chord(uint32_t cell, Visit visit) const {
+    for (uint32_t k = first_chords_[cell]; k < first_chords_[cell + 1]; ++k) visit(chords_[k]);
+  }
+  size_t chord_count() const { return chords_.size(); }
 
  private:
   /** A piece of a loop: a chord, or an edge between two old vertices. */
@@ -82,19 +91,31 @@ class Section {
     bool chord;
   };
 
-  bool has_double_crossing(Cell c) const;
-  bool find_chord(const DartEnds<D>& darts, const Shape& shape, uint32_t facet, Chord& chord) const;
-  void find_loop(uint32_t cell);
-  bool prune(Array<Arc>& arcs) const;
-  bool is_facet(Cell c, const Shape& shape, const Array<uint32_t>& loop) const;
+  using Arcs = ShortArray<Arc, 24>;
+  /** The nodes at a cell's vertices, and on the edges of its darts; KeyTable::kNone where there is none. */
+  struct CellNodes {
+    ShortArray<uint32_t, 32> at;
+    ShortArray<uint32_t, 64> on;
+    explicit CellNodes(const Memory* memory) : at(memory), on(memory) {}
+  };
+
+  bool read_nodes(Cell c, const Shape& shape, const Array<uint32_t>& of_crossings, CellNodes& out) const;
+  bool is_crossed(const CellNodes& nodes) const;
+  bool find_chord(const CellNodes& nodes, const Shape& shape, uint32_t facet, Chord& chord) const;
+  void find_loop(uint32_t cell, const Shape& shape, const CellNodes& nodes);
+  bool take_arcs(Arcs& arcs, NodeLoop& loop) const;
+  bool prune(Arcs& arcs) const;
+  bool is_facet(const CellNodes& nodes, const Shape& shape, const NodeLoop& loop) const;
 
   const Environment<D>& env_;
   const Map<D>& map_;
   const Crossings<D>& crossings_;
   Array<Node> nodes_{env_.memory};
   KeyTable places_{env_.memory};  // of nodes: both vertices of an edge, or twice the old one
-  Array<Array<uint32_t>> loops_;
-  Array<uint8_t> barred_;
+  Array<NodeLoop> loops_;
+  Array<uint8_t> barred_, crossed_;
+  Array<Chord> chords_{env_.memory};           // of all loops
+  Array<uint32_t> first_chords_{env_.memory};  // by cell, and one more
 };
 
 }  // namespace dsw

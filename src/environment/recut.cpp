@@ -40,7 +40,7 @@ Facet read_facet(const Environment<3>& env, Cell c, uint32_t f) {
 }
 
 /** Writes triangles, given by loop positions, into one cell; the other side sees them turned round. */
-void write_triangles(Map<3>& map, Cell c, uint32_t f, const std::vector<uint16_t>& loop, const Array<size_t>& triangles,
+void write_triangles(Map<3>& map, Cell c, uint32_t f, const std::vector<uint16_t>& loop, const LoopPlaces& triangles,
                      bool turned) {
   uint32_t* w = map.record(c);
   if (map.form(c) == Form::kGeneral) {
@@ -58,7 +58,7 @@ void write_triangles(Map<3>& map, Cell c, uint32_t f, const std::vector<uint16_t
   const Shape shape = map.shape(c);
   uint32_t quad = 0, uses[4] = {};
   for (uint32_t g = 0; g < f; ++g) quad += shape.facet_size(g) == 4 ? 1u : 0u;
-  for (const size_t position : triangles) ++uses[position];
+  for (const uint32_t position : triangles) ++uses[position];
   const uint32_t on_diagonal = uses[0] == 2 ? loop[0] : loop[1];
   const bool from_first = on_diagonal == shape.dart_vertex(shape.facet_first(f)) ||
                           on_diagonal == shape.dart_vertex(shape.facet_first(f) + 2);
@@ -79,44 +79,47 @@ bool is_cut_well(const Environment<3>& env, Cell c, uint32_t f, const double* ap
 
 /** The part between positions i and j has such triangles if some k between them makes a positive triangle and both
  * remaining parts have them. Fans are among what is tried. */
-Array<size_t> triangulate(const Array<const double*>& loop, const double* apex, const double* beyond) {
-  const size_t n = loop.size();
-  const auto is_positive = [&](size_t i, size_t j, size_t k) {
-    const double* points[3] = {loop[i], loop[j], loop[k]};
-    return orient<3>(points, apex) < 0 && (beyond == nullptr || orient<3>(points, beyond) > 0);
+bool triangulate(const double* const* loop, uint32_t size, const double* apex, const double* beyond, LoopPlaces& out) {
+  const auto is_positive = [&](uint32_t i, uint32_t j, uint32_t k) {
+    const double* const points[3] = {loop[i], loop[j], loop[k]};
+    const filter::Vec<3> e1 = filter::difference<3>(points[1], points[0]),
+                         e2 = filter::difference<3>(points[2], points[0]), normal = filter::cross(e1, e2);
+    const auto side = [&](const double* q) {
+      const filter::Vec<3> w = filter::difference<3>(q, points[0]);
+      const double det = filter::dot(normal, w);
+      return filter::certain(det, filter::extent(w, e1, e2)) ? filter::sign_of(det) : orient<3>(points, q);
+    };
+    return side(apex) < 0 && (beyond == nullptr || side(beyond) > 0);
   };
-  Array<size_t> triangles(loop.get_allocator());
-  if (n == 3) {
-    if (is_positive(0, 1, 2)) triangles = {{0, 1, 2}, loop.get_allocator()};
-    return triangles;
+  if (size == 3) {
+    if (!is_positive(0, 1, 2)) return false;
+    out.assign({0, 1, 2});
+    return true;
   }
-  Array<size_t> third(n * n, n, loop.get_allocator());
-  const auto possible = [&](size_t i, size_t j) { return j == i + 1 || third[i * n + j] != n; };
-  for (size_t span = 2; span < n; ++span) {
-    for (size_t i = 0; i + span < n; ++i) {
-      const size_t j = i + span;
-      for (size_t k = i + 1; k < j && third[i * n + j] == n; ++k) {
-        if (possible(i, k) && possible(k, j) && is_positive(i, k, j)) third[i * n + j] = k;
+  ShortArray<uint32_t, 64> third(out.get_allocator());  // by i and j; `size`: none
+  third.assign(size * size, size);
+  const auto possible = [&](uint32_t i, uint32_t j) { return j == i + 1 || third[i * size + j] != size; };
+  for (uint32_t span = 2; span < size; ++span) {
+    for (uint32_t i = 0; i + span < size; ++i) {
+      const uint32_t j = i + span;
+      for (uint32_t k = i + 1; k < j && third[i * size + j] == size; ++k) {
+        if (possible(i, k) && possible(k, j) && is_positive(i, k, j)) third[i * size + j] = k;
       }
     }
   }
-  if (!possible(0, n - 1)) return triangles;
-  triangles.reserve(3 * (n - 2));
-  struct Part {
-    size_t i, j;
-  };
-  Array<Part> parts{third.get_allocator()};
-  parts.push_back({0, n - 1});
+  if (!possible(0, size - 1)) return false;
+  ShortArray<uint32_t, 32> parts(third.get_allocator());  // i and j of each
+  parts.assign({0, size - 1});
   while (!parts.empty()) {
-    const auto [i, j] = parts.back();
+    const uint32_t j = parts.back(), i = parts[parts.size() - 2];
+    parts.pop_back();
     parts.pop_back();
     if (j == i + 1) continue;
-    const size_t k = third[i * n + j];
-    triangles.insert(triangles.end(), {i, k, j});
-    parts.push_back({i, k});
-    parts.push_back({k, j});
+    const uint32_t k = third[i * size + j];
+    for (const uint32_t place : {i, k, j}) out.push_back(place);
+    for (const uint32_t end : {i, k, k, j}) parts.push_back(end);
   }
-  return triangles;
+  return true;
 }
 
 void recut_cell(Environment<3>& env, Cell c, Array<Cell>& changed) {
@@ -128,8 +131,9 @@ void recut_cell(Environment<3>& env, Cell c, Array<Cell>& changed) {
     const Facet facet = read_facet(env, c, f);
     Array<const double*> loop{env.memory};
     for (const uint16_t v : facet.loop) loop.push_back(env.point(c, v));
-    const Array<size_t> triangles = triangulate(loop, facet.apex, facet.other.valid() ? facet.other_apex : nullptr);
-    if (triangles.empty()) continue;
+    LoopPlaces triangles{env.memory};
+    const double* const beyond = facet.other.valid() ? facet.other_apex : nullptr;
+    if (!triangulate(loop.data(), size, facet.apex, beyond, triangles)) continue;
     write_triangles(env.map, c, f, facet.loop, triangles, false);
     if (!facet.other.valid()) continue;
     write_triangles(env.map, facet.other, facet.other_local, facet.other_loop, triangles, true);

@@ -15,15 +15,8 @@ class CellPoints {
   CellPoints(const Environment<D>& env, Cell c, const Shape& shape) : env_(env), cell_(c) {
     is_kept_ = shape.vertex_count() <= kMost;
     if (!is_kept_) return;
-    const uint32_t* const w = env.map.record(c);
-    const Form form = form_of(w[0]);
-    const uint32_t count = shape.vertex_count();
-    if (form == Form::kGeneral) {
-      const uint32_t first = first_vertex_item<D>(shape.facet_count());
-      for (uint32_t k = 0; k < count; ++k) at_[k] = env.point(w[item_word<D>(first + k)]);
-    } else {
-      for (uint32_t k = 0; k < count; ++k) at_[k] = env.point(c, k);
-    }
+    const double** at = at_;
+    env.map.for_each_vertex(c, [&](uint32_t vertex) { *at++ = env.point(vertex); });
   }
   const double* operator[](uint32_t local) const { return is_kept_ ? at_[local] : env_.point(cell_, local); }
   /** As centre() of the cell. */
@@ -45,54 +38,77 @@ class CellPoints {
   const double* at_[kMost];
 };
 
-/** On which side of the plane of three points others are, as orient<3>: what does not depend on these is kept. */
+/** A bound for the determinants of any three differences between vertices of a cell and its centre; infinite if the
+ * filter is not to be used. No rounded difference is longer than that of the ends of a box round all of them. */
+double bound_of_cell(const Shape& shape, const CellPoints<3>& at, const double* apex) noexcept {
+  double lower[3], upper[3];
+  for (int k = 0; k < 3; ++k) lower[k] = upper[k] = apex[k];
+  for (uint32_t i = 0, count = shape.vertex_count(); i < count; ++i) {
+    const double* const p = at[i];
+    for (int k = 0; k < 3; ++k) {
+      lower[k] = filter::smaller(lower[k], p[k]);
+      upper[k] = filter::larger(upper[k], p[k]);
+    }
+  }
+  const filter::Vec<3> m = filter::difference<3>(upper, lower);
+  return filter::lowest(m) >= kFilterMin && filter::highest(m) <= kFilterMax ? filter::bound(m) : HUGE_VAL;
+}
+
+/** On which side of the plane of three points of a cell others are, as orient<3>. */
 class FacetPlane {
  public:
-  explicit FacetPlane(const double* const (&triangle)[3]) noexcept : triangle_{triangle[0], triangle[1], triangle[2]} {
-    const filter::Vec<3> e1 = filter::difference<3>(triangle[1], triangle[0]),
-                         e2 = filter::difference<3>(triangle[2], triangle[0]);
-    normal_ = filter::cross(e1, e2);
-    reach_ = filter::extent(e1, e2);
-  }
+  FacetPlane(const double* const (&triangle)[3], double bound) noexcept
+      : triangle_{triangle[0], triangle[1], triangle[2]},
+        normal_(filter::cross(filter::difference<3>(triangle[1], triangle[0]),
+                              filter::difference<3>(triangle[2], triangle[0]))),
+        bound_(bound) {}
   int side(const double* q) const noexcept {
-    const filter::Vec<3> w = filter::difference<3>(q, triangle_[0]);
-    const double det = filter::dot(normal_, w);
-    const filter::Vec<3> m{filter::larger(std::fabs(w.x), reach_.x), filter::larger(std::fabs(w.y), reach_.y),
-                           filter::larger(std::fabs(w.z), reach_.z)};
-    if (filter::certain(det, m)) return filter::sign_of(det);
-    return filter::lowest(m) == 0 ? 0 : exact::orient<3>(triangle_, q);
+    const double det = filter::dot(normal_, filter::difference<3>(q, triangle_[0]));
+    return std::fabs(det) > bound_ ? filter::sign_of(det) : orient<3>(triangle_, q);
   }
 
  private:
   const double* triangle_[3];
-  filter::Vec<3> normal_, reach_;
+  filter::Vec<3> normal_;
+  double bound_;
 };
 
 /** Exactly flat facets, and no vertex beyond a facet across any of its edges: with positive stars that cover every
- * direction once, locally convex is convex. Facets have to be convex too, which says more if two lie in one plane. The
- * last facets are looked at first: where a cell was split, the new one is last, and it is seldom flat. */
+ * direction once, locally convex is convex. Facets have to be convex too, which says more if two lie in one plane. If
+ * both are flat and convex, and the neighbour's vertex is below the facet, then the facet's vertex is not above the
+ * neighbour: that is asked only of vertices in one plane. The last facets are looked at first: where a cell was split,
+ * the new one is last, and it is seldom flat. */
 bool is_flat_and_convex(const Shape& shape, const CellPoints<3>& at, const double* apex) noexcept {
-  const double* triangle[3];
+  const double bound = bound_of_cell(shape, at, apex);
+  const auto plane_of = [&](uint32_t f) {
+    const double* triangle[3];
+    at.read(shape, shape.simplex_first(f), triangle);
+    return FacetPlane(triangle, bound);
+  };
   for (uint32_t f = shape.facet_count(); f-- != 0;) {
     if (shape.facet_size(f) == 3) continue;
-    at.read(shape, shape.simplex_first(f), triangle);
-    const FacetPlane plane(triangle);
+    const uint16_t* const triangle = shape.simplices() + 3 * shape.simplex_first(f);
+    const FacetPlane plane = plane_of(f);
     for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-      const double* const corner = at[shape.dart_vertex(d)];
+      const uint32_t corner = shape.dart_vertex(d);
       const bool is_of_plane = corner == triangle[0] || corner == triangle[1] || corner == triangle[2];
-      if (!is_of_plane && plane.side(corner) != 0) return false;
+      if (!is_of_plane && plane.side(at[corner]) != 0) return false;
     }
   }
   for (uint32_t f = shape.facet_count(); f-- != 0;) {
-    at.read(shape, shape.simplex_first(f), triangle);
-    const FacetPlane plane(triangle);
-    for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-      const uint32_t beyond = shape.beta0(shape.dart_beta2(d));
-      if (plane.side(at[shape.dart_vertex(beyond)]) > 0) return false;
-      if (shape.facet_size(f) == 3) continue;
-      const double* const turn[3] = {at[shape.dart_vertex(shape.beta0(d))], at[shape.dart_vertex(d)],
-                                     at[shape.dart_vertex(shape.beta1(d))]};
-      if (orient<3>(turn, apex) > 0) return false;
+    const uint32_t first = shape.facet_first(f), end = shape.facet_first(f + 1);
+    const FacetPlane plane = plane_of(f);
+    for (uint32_t d = first; d < end; ++d) {
+      const uint32_t other = shape.dart_beta2(d), before = d == first ? end - 1 : d - 1;
+      if (other < d) {
+        const int side = plane.side(at[shape.dart_vertex(shape.beta0(other))]);
+        if (side > 0) return false;
+        if (side == 0 && plane_of(shape.dart_facet(other)).side(at[shape.dart_vertex(before)]) > 0) return false;
+      }
+      if (end - first == 3) continue;
+      const double* const turn[3] = {at[shape.dart_vertex(before)], at[shape.dart_vertex(d)],
+                                     at[shape.dart_vertex(d + 1 == end ? first : d + 1)]};
+      if (FacetPlane(turn, bound).side(apex) > 0) return false;
     }
   }
   return true;

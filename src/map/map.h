@@ -190,6 +190,29 @@ struct Map {
     if (f != Form::kGeneral) return w[kUnitWords<D> + local];
     return w[item_word<D>(first_vertex_item<D>(shape(c).facet_count()) + local)];
   }
+  /** Calls visit(vertex) for those of a cell, in their order. */
+  template <class Visit>
+  void for_each_vertex(Cell c, Visit visit) const {
+    const uint32_t* w = record(c);
+    const Form f = form_of(w[0]);
+    if (f == Form::kSimplex) {
+      for (uint32_t k = 0; k <= D; ++k) visit(w[k] & kVertexMask);
+    } else if (f != Form::kGeneral) {
+      for (uint32_t k = 0; k < standard_vertex_count(f); ++k) visit(w[kUnitWords<D> + k]);
+    } else {
+      const Shape of = general_shape(w[0]);
+      const uint32_t first = first_vertex_item<D>(of.facet_count());
+      w += item_word<D>(first);
+      uint32_t left = kUnitItems<D> - first % kUnitItems<D>;  // in the unit
+      for (uint32_t k = of.vertex_count(); k != 0; --k, ++w, --left) {
+        if (left == 0) {
+          ++w;  // word 0 of a unit
+          left = kUnitItems<D>;
+        }
+        visit(*w);
+      }
+    }
+  }
   uint64_t memory_bytes() const {
     return array_bytes(words) + array_bytes(shape_tables) + array_bytes(shape_offsets) + array_bytes(unit_of_cell) +
            array_bytes(cell_of_unit) + cell_slots.memory_bytes() + vertex_slots.memory_bytes() +

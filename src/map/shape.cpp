@@ -8,7 +8,7 @@
 namespace dsw {
 namespace {
 
-constexpr uint32_t kLimit = 0xffff;
+constexpr uint32_t kLimit = 0xffff, kFewVertices = 32;
 
 /** Scratch for one polyhedron: on the stack unless it is large. */
 template <class T>
@@ -55,10 +55,28 @@ void sort_pairs(const uint64_t* pairs, uint32_t count, uint32_t vertices, Key ke
   for (uint32_t i = 0; i < count; ++i) sorted[places[key(pairs[i])]++] = pairs[i];
 }
 
-/** Links darts to their opposites inside the cell by sorting the undirected edges, in `pairs`: two for each dart. */
-ShapeDefect link_darts(const Darts& darts, uint64_t* pairs, Scratch<uint32_t>& scratch, uint32_t& edge_count) {
+/** Links darts to their opposites inside the cell: of few vertices, by a table of the ways from one to another. */
+bool link_few(const Darts& darts) {
+  constexpr uint16_t kNone = 0xffff;
+  uint16_t ways[kFewVertices * kFewVertices];  // the dart that takes it
+  std::fill_n(ways, darts.vertex_count * darts.vertex_count, kNone);
+  const auto way = [&](uint32_t from, uint32_t to) -> uint16_t& { return ways[from * darts.vertex_count + to]; };
+  for (uint32_t d = 0; d < darts.count; ++d) {
+    uint16_t& taken = way(darts.origin[d], darts.origin[darts.next[d]]);
+    if (taken != kNone) return false;
+    taken = static_cast<uint16_t>(d);
+  }
+  for (uint32_t d = 0; d < darts.count; ++d) {
+    darts.beta2[d] = way(darts.origin[darts.next[d]], darts.origin[d]);
+    if (darts.beta2[d] == kNone) return false;
+  }
+  return true;
+}
+
+/** Likewise, by sorting the undirected edges, in `pairs`: two for each dart. */
+bool link_many(const Darts& darts, uint64_t* pairs, Scratch<uint32_t>& scratch) {
   const uint32_t n = darts.count;
-  if (n % 2 != 0) return ShapeDefect::kOpen;
+  if (n % 2 != 0) return false;
   // The lower vertex of each edge, the higher one, and the dart: 16 bits each.
   uint64_t *const edges = pairs, *const by_higher = pairs + n;
   uint32_t* const places = scratch.take(size_t{darts.vertex_count} + 1);
@@ -73,16 +91,21 @@ ShapeDefect link_darts(const Darts& darts, uint64_t* pairs, Scratch<uint32_t>& s
   for (uint32_t i = 0; i < n; i += 2) {
     const auto a = static_cast<uint32_t>(edges[i] & 0xffff), b = static_cast<uint32_t>(edges[i + 1] & 0xffff);
     const bool pair = edges[i] >> 16 == edges[i + 1] >> 16, third = i + 2 < n && edges[i] >> 16 == edges[i + 2] >> 16;
-    if (!pair || third || darts.origin[a] == darts.origin[b]) return ShapeDefect::kOpen;
+    if (!pair || third || darts.origin[a] == darts.origin[b]) return false;
     darts.beta2[a] = static_cast<uint16_t>(b);
     darts.beta2[b] = static_cast<uint16_t>(a);
   }
-  edge_count = 0;
-  for (uint32_t d = 0; d < n; ++d) {
+  return true;
+}
+
+/** Numbers edges in the order of their first darts; how many there are. */
+uint32_t number_edges(const Darts& darts) {
+  uint32_t count = 0;
+  for (uint32_t d = 0; d < darts.count; ++d) {
     const uint32_t other = darts.beta2[d];
-    darts.edge[d] = other > d ? static_cast<uint16_t>(edge_count++) : darts.edge[other];
+    darts.edge[d] = other > d ? static_cast<uint16_t>(count++) : darts.edge[other];
   }
-  return ShapeDefect::kNone;
+  return count;
 }
 
 /** Connected, one disc round every vertex, and V - E + F = 2: then the loops close a sphere. */
@@ -162,13 +185,14 @@ void write_fan(uint16_t* table, uint32_t facet, uint32_t base) {
 
 }  // namespace
 
-ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Array<uint16_t>& tables) {
+ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Array<uint16_t>& tables,
+                              const uint16_t* triangles) {
   const uint32_t facets = loops.facet_count, n = loops.first[facets], vertices = loops.vertex_count;
   if (facets >= kLimit || n >= kLimit || vertices >= kLimit) return ShapeDefect::kTooLarge;
   if (facets < 4) return ShapeDefect::kOpen;
   const Memory* const memory = tables.get_allocator().memory;
   Scratch<uint32_t> scratch(2 * size_t{n} + 3 * size_t{vertices} + 2 * size_t{facets} + 1, memory);
-  Scratch<uint64_t> pairs(2 * size_t{n}, memory);
+  Scratch<uint64_t> pairs(vertices <= kFewVertices ? 0 : 2 * size_t{n}, memory);
   uint32_t *const next = scratch.take(n), *const last_facet = scratch.take(vertices, facets);
   uint32_t simplices = 0;
   for (uint32_t f = 0; f < facets; ++f) {
@@ -192,12 +216,12 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
     std::fill(facet + loops.first[f], facet + loops.first[f + 1], static_cast<uint16_t>(f));
   }
   const Darts darts{n, vertices, origin, facet, facet + n, facet + 2 * n, loops.first, facets, next};
-  uint32_t edge_count = 0;
-  ShapeDefect defect = link_darts(darts, pairs.take(2 * size_t{n}), scratch, edge_count);
-  if (defect == ShapeDefect::kNone && !is_sphere(darts, scratch, edge_count)) defect = ShapeDefect::kNotSphere;
-  if (defect != ShapeDefect::kNone) {
+  const bool is_linked =
+      vertices <= kFewVertices ? link_few(darts) : link_many(darts, pairs.take(2 * size_t{n}), scratch);
+  const uint32_t edge_count = is_linked ? number_edges(darts) : 0;
+  if (!is_linked || !is_sphere(darts, scratch, edge_count)) {
     tables.resize(at);
-    return defect;
+    return is_linked ? ShapeDefect::kNotSphere : ShapeDefect::kOpen;
   }
   uint16_t* out = table;
   const auto put = [&](uint32_t value) { *out++ = static_cast<uint16_t>(value); };
@@ -208,7 +232,11 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
   for (uint32_t f = 0; f < facets; ++f) {
     for (uint32_t i = loops.first[f] + 2; i < loops.first[f + 1]; ++i) put(f);
   }
-  for (uint32_t f = 0; f < facets; ++f) write_fan(table, f, base == nullptr ? 0 : base[f]);
+  if (triangles != nullptr) {
+    std::copy_n(triangles, 3 * simplices, origin + 4 * n);
+  } else {
+    for (uint32_t f = 0; f < facets; ++f) write_fan(table, f, base == nullptr ? 0 : base[f]);
+  }
   return ShapeDefect::kNone;
 }
 

@@ -92,9 +92,11 @@ constexpr uint16_t kFreeShape = 0xffff;
 /** Why loops do not make a shape. */
 enum class ShapeDefect { kNone, kTooLarge, kShortFacet, kRepeatedVertex, kOpen, kNotSphere };
 
-/** Appends the table of a polyhedron to `tables`; facet f is cut into a fan from the loop position base[f]. On a defect
- * `tables` is as before. */
-ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Array<uint16_t>& tables);
+/** Appends the table of a polyhedron to `tables`; facet f is cut into a fan from the loop position base[f], or, without
+ * `base`, from its first. With `triangles`, facets are cut into these instead: facet after facet, three local vertices
+ * each, oriented as the facet. On a defect `tables` is as before. */
+ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Array<uint16_t>& tables,
+                              const uint16_t* triangles = nullptr);
 
 /** Cuts a facet of a polyhedron table into the given triangles: three local vertices each, oriented as the facet. */
 void set_triangles(uint16_t* table, uint32_t facet, const uint16_t* triangles);

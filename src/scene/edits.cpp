@@ -197,7 +197,7 @@ class Followers {
     if (scene_.body_slots.alive_count() == 0) return places_;
     const auto add = [&](Cell c) {
       Box<D> box;
-      for (uint32_t k = 0, n = env_.map.vertices_of(c); k < n; ++k) box.add(env_.point(c, k));
+      env_.map.for_each_vertex(c, [&](uint32_t vertex) { box.add(env_.point(vertex)); });
       places_.add(box);
     };
     for (const Cell c : edit_.removed()) add(c);

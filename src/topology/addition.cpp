@@ -31,7 +31,7 @@ class Addition {
   }
 
  private:
-  const Array<uint32_t>& loop(const Place& at) { return facet(at).loop; }
+  const Vertices& loop(const Place& at) { return facet(at).loop; }
   FacetDraft& facet(const Place& at) { return edit_.draft(at.cell).facets[at.facet]; }
 
   uint32_t vertex(uint32_t i, size_t at) const {
@@ -68,7 +68,7 @@ class Addition {
   }
 
   void add_facet(uint32_t i, CellDraft& draft, FacetDraft&& facet) {
-    Array<uint32_t> sorted = facet.loop;
+    Vertices sorted = facet.loop;
     std::sort(sorted.begin(), sorted.end());
     if (sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
       fail(DSW_STATUS_BAD_CELL, "a face of new volume %u has fewer than three vertices, or one vertex twice", i);
@@ -145,7 +145,7 @@ class Addition {
     }
   }
 
-  static Array<uint32_t> key_of(Array<uint32_t> loop) {
+  static Vertices key_of(Vertices loop) {
     std::sort(loop.begin(), loop.end());
     return loop;
   }
@@ -158,8 +158,8 @@ class Addition {
            map.local_of(h, map.cell_of(h)), map.index(map.cell_of(h)));
     }
     const FacetDraft there = draft_of(env_, h);
-    const Array<uint32_t> key = key_of(there.loop);
-    const auto less = [&](const Place& place, const Array<uint32_t>& of) { return key_of(loop(place)) < of; };
+    const Vertices key = key_of(there.loop);
+    const auto less = [&](const Place& place, const Vertices& of) { return key_of(loop(place)) < of; };
     for (auto at = std::lower_bound(places_.begin(), places_.end(), key, less);
          at != places_.end() && key_of(loop(*at)) == key; ++at) {
       FacetDraft& here = facet(*at);

@@ -10,14 +10,13 @@ namespace dsw {
 namespace {
 
 /** Triangles as sorted triples in ascending order. */
-void sort_triangles(const FacetDraft& facet, Array<uint32_t>& out) {
+void sort_triangles(const FacetDraft& facet, Vertices& out) {
   out = facet.triangles;
-  for (size_t t = 0; t < out.size(); t += 3)
-    std::sort(out.begin() + static_cast<ptrdiff_t>(t), out.begin() + static_cast<ptrdiff_t>(t) + 3);
+  for (size_t t = 0; t < out.size(); t += 3) std::sort(out.begin() + t, out.begin() + t + 3);
   // Few and short: insertion by whole triples.
   for (size_t t = 3; t < out.size(); t += 3) {
     for (size_t u = t; u >= 3; u -= 3) {
-      const auto at = out.begin() + static_cast<ptrdiff_t>(u);
+      uint32_t* const at = out.begin() + u;
       if (!std::lexicographical_compare(at, at + 3, at - 3, at)) break;
       std::swap_ranges(at, at + 3, at - 3);
     }
@@ -25,7 +24,7 @@ void sort_triangles(const FacetDraft& facet, Array<uint32_t>& out) {
 }
 
 /** The sides of a polygon on the way from the second of two corners to the first, and the rest. */
-bool part_between(CellDraft& whole, const Array<uint32_t>& ends, CellDraft& left, CellDraft& right) {
+bool part_between(CellDraft& whole, const Vertices& ends, CellDraft& left, CellDraft& right) {
   Array<uint32_t> sides(ends.get_allocator());
   const auto starts = [&](const FacetDraft& side) { return side.loop[0] == ends[1]; };
   const auto first = std::find_if(whole.facets.begin(), whole.facets.end(), starts);
@@ -40,20 +39,58 @@ bool part_between(CellDraft& whole, const Array<uint32_t>& ends, CellDraft& left
   return !right.facets.empty();
 }
 
-/** Facet `f` of a cell, whose vertices are at(local). */
+/** Which facet of a cell runs along an edge from `a` to `b`, by hash. */
+class SideTable {
+ public:
+  SideTable(const CellDraft& cell, Allocator<uint32_t> allocator) : slots_(allocator) {
+    size_t corners = 0, slots = 64;
+    for (const FacetDraft& facet : cell.facets) corners += facet.loop.size();
+    while (slots < 2 * corners) slots *= 2;
+    slots_.assign(slots, {0, 0, kNone});
+    for (uint32_t f = 0; f < cell.facets.size(); ++f) {
+      uint32_t before = cell.facets[f].loop.back();
+      for (const uint32_t v : cell.facets[f].loop) {
+        slots_[slot_of(before, v)] = {before, v, f};
+        before = v;
+      }
+    }
+  }
+  /** Every edge has a facet on each side. */
+  uint32_t facet_along(uint32_t a, uint32_t b) const { return slots_[slot_of(a, b)].facet; }
+
+ private:
+  struct Side {
+    uint32_t a, b, facet;
+  };
+  static constexpr uint32_t kNone = 0xffffffffu;
+
+  size_t slot_of(uint32_t a, uint32_t b) const {
+    const uint64_t mixed = (uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
+    size_t slot = (mixed >> 40) & (slots_.size() - 1);
+    while (slots_[slot].facet != kNone && (slots_[slot].a != a || slots_[slot].b != b)) {
+      slot = (slot + 1) & (slots_.size() - 1);
+    }
+    return slot;
+  }
+
+  ShortArray<Side, 64> slots_;
+};
+
+/** Writes down facet `f` of a cell, whose vertices are at(local). */
 template <int D, class VertexAt>
-FacetDraft read_facet(const Environment<D>& env, HalfFacet h, const Shape& shape, uint32_t f, VertexAt at) {
-  FacetDraft facet(env.scratch.memory());
-  const uint32_t first = 3 * shape.simplex_first(f), end = 3 * shape.simplex_first(f + 1);
-  facet.loop.reserve(D == 3 ? shape.facet_size(f) + 2 : 2);  // edges of it may be split
-  if (D == 3) facet.triangles.reserve(end - first + 6);
-  for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { facet.loop.push_back(at(local)); });
-  const uint16_t* const local = shape.simplices();
-  for (uint32_t k = first; D == 3 && k < end; ++k) facet.triangles.push_back(at(local[k]));
+void read_facet(const Environment<D>& env, HalfFacet h, const Shape& shape, uint32_t f, VertexAt at,
+                FacetDraft& facet) {
+  uint32_t* corner = facet.loop.extend(D == 3 ? shape.facet_size(f) : 2);
+  for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { *corner++ = at(local); });
+  if constexpr (D == 3) {
+    const uint16_t *local = shape.simplices() + 3 * shape.simplex_first(f), *const end = shape.simplices() +
+                                                                                         3 * shape.simplex_first(f + 1);
+    corner = facet.triangles.extend(static_cast<size_t>(end - local));
+    for (; local != end; ++local) *corner++ = at(*local);
+  }
   facet.near = h;
   facet.far = env.map.opposite(h);
   facet.marked = env.map.facet_marked(h);
-  return facet;
 }
 
 }  // namespace
@@ -62,20 +99,23 @@ template <int D>
 FacetDraft draft_of(const Environment<D>& env, HalfFacet h) {
   const Cell c = env.map.cell_of(h);
   const auto at = [&](uint32_t local) { return env.map.vertex(c, local); };
-  return read_facet(env, h, env.map.shape(c), env.map.local_of(h, c), at);
+  FacetDraft facet(env.scratch.memory());
+  read_facet(env, h, env.map.shape(c), env.map.local_of(h, c), at, facet);
+  return facet;
 }
 
 template <int D>
 CellDraft draft_of(const Environment<D>& env, Cell c) {
   CellDraft draft(env.scratch.memory());
   const Shape shape = env.map.shape(c);
-  Array<uint32_t> vertices(shape.vertex_count(), 0, env.scratch.memory());
-  for (uint32_t k = 0; k < vertices.size(); ++k) vertices[k] = env.map.vertex(c, k);
+  ShortArray<uint32_t, 32> vertices(env.scratch.memory());
+  env.map.for_each_vertex(c, [&](uint32_t vertex) { vertices.push_back(vertex); });
   const uint32_t facets = shape.facet_count();
-  draft.facets.reserve(facets + 2);
+  draft.facets.reserve(2 * facets);  // each may be cut in two
   for (uint32_t f = 0; f < facets; ++f) {
-    draft.facets.push_back(
-        read_facet(env, env.map.half_facet(c, f), shape, f, [&](uint32_t local) { return vertices[local]; }));
+    draft.facets.emplace_back(env.scratch.memory());
+    read_facet(
+        env, env.map.half_facet(c, f), shape, f, [&](uint32_t local) { return vertices[local]; }, draft.facets.back());
   }
   draft.from = c;
   draft.marked = env.map.marked(c);
@@ -97,7 +137,7 @@ bool face_each_other(const FacetDraft& a, const FacetDraft& b) {
 }
 
 bool cut_alike(const FacetDraft& a, const FacetDraft& b) {
-  Array<uint32_t> of_a(a.triangles.get_allocator()), of_b(of_a);
+  Vertices of_a(a.triangles.get_allocator()), of_b(of_a);
   sort_triangles(a, of_a);
   sort_triangles(b, of_b);
   return of_a == of_b;
@@ -117,28 +157,26 @@ bool is_cut_well(const Environment<3>& env, const FacetDraft& facet, const doubl
   return true;
 }
 
-bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t>& hole, const double* apex,
+bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Vertices& hole, const double* apex,
               const double* beyond) {
   if (hole.size() > kMostTriangulated) {
     fail(DSW_STATUS_TOO_LARGE, "a face of %zu vertices has to be cut anew, more than %u", hole.size(),
          kMostTriangulated);
   }
-  Array<const double*> points{env.scratch.memory()};
-  points.reserve(hole.size());
+  ShortArray<const double*, 12> points{env.scratch.memory()};
   for (const uint32_t v : hole) points.push_back(env.point(v));
-  const Array<size_t> triangles = triangulate(points, apex, beyond);
-  facet.triangles.reserve(facet.triangles.size() + triangles.size());
-  for (const size_t place : triangles) facet.triangles.push_back(hole[place]);
-  return !triangles.empty();
+  LoopPlaces triangles{env.scratch.memory()};
+  if (!triangulate(points.data(), static_cast<uint32_t>(points.size()), apex, beyond, triangles)) return false;
+  for (const uint32_t place : triangles) facet.triangles.push_back(hole[place]);
+  return true;
 }
 
 void list_vertices(const CellDraft& draft, Array<uint32_t>& out) {
   out.clear();
   out.reserve(2 * draft.facets.size());  // of a convex cell with triangles or quads for facets
+  Numbering number(out);
   for (const FacetDraft& facet : draft.facets) {
-    for (const uint32_t v : facet.loop) {
-      if (std::find(out.begin(), out.end(), v) == out.end()) out.push_back(v);
-    }
+    for (const uint32_t v : facet.loop) number(v);
   }
 }
 
@@ -147,9 +185,9 @@ void centre(const Environment<D>& env, const CellDraft& draft, double* out) {
   Array<uint32_t> vertices{env.scratch.memory()};
   list_vertices(draft, vertices);
   const double count = static_cast<double>(vertices.size());
-  for (int k = 0; k < D; ++k) {
-    out[k] = 0;
-    for (const uint32_t v : vertices) out[k] += env.point(v)[k] / count;
+  std::fill_n(out, D, 0.0);
+  for (const uint32_t v : vertices) {
+    for (int k = 0; k < D; ++k) out[k] += env.point(v)[k] / count;
   }
 }
 
@@ -169,13 +207,13 @@ FacetDraft part_of(const FacetDraft& whole, uint32_t from, uint32_t to) {
 
 bool share_triangles(const FacetDraft& whole, FacetDraft& a, FacetDraft& b) {
   for (size_t t = 0; t < whole.triangles.size(); t += 3) {
-    const auto first = whole.triangles.begin() + static_cast<ptrdiff_t>(t);
+    const uint32_t* const first = whole.triangles.begin() + t;
     const auto is_in = [&](const FacetDraft& part) {
       return std::all_of(first, first + 3, [&](uint32_t v) { return part.has(v); });
     };
-    if (!is_in(a) && !is_in(b)) return false;
-    FacetDraft& part = is_in(a) ? a : b;
-    part.triangles.insert(part.triangles.end(), first, first + 3);
+    const bool in_a = is_in(a);
+    if (!in_a && !is_in(b)) return false;
+    (in_a ? a : b).triangles.append(first, first + 3);
   }
   return true;
 }
@@ -204,6 +242,12 @@ bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle) 
     return true;
   }
   return true;
+}
+
+void insert_vertex(CellDraft& draft, const Shape& shape, uint32_t dart, uint32_t a, uint32_t b, uint32_t middle) {
+  for (const uint32_t d : {dart, shape.dart_beta2(dart)}) {
+    insert_between(draft.facets[shape.dart_facet(d)], a, b, middle);
+  }
 }
 
 void insert_vertex(CellDraft& draft, uint32_t a, uint32_t b, uint32_t middle) {
@@ -239,51 +283,31 @@ bool order_sides(const CellDraft& draft, uint32_t first, Array<uint32_t>& out) {
   return side == first && out.size() == sides.size();
 }
 
-bool part_along(CellDraft& whole, const Array<uint32_t>& loop, CellDraft& left, CellDraft& right) {
+bool part_along(CellDraft& whole, const Vertices& loop, CellDraft& left, CellDraft& right) {
   if (loop.size() == 2) return part_between(whole, loop, left, right);
-  // Every edge with the facet that runs along it from `a` to `b`.
-  struct Side {
-    uint64_t edge;
-    uint32_t facet;
-    bool operator<(const Side& o) const { return edge < o.edge; }
-  };
-  const auto edge = [](uint32_t a, uint32_t b) { return uint64_t{a} << 32 | b; };
-  Array<Side> sides(loop.get_allocator());
+  const SideTable sides(whole, loop.get_allocator());
   const auto facets = static_cast<uint32_t>(whole.facets.size());
-  size_t corners = 0;
-  for (const FacetDraft& facet : whole.facets) corners += facet.loop.size();
-  sides.reserve(corners);
-  for (uint32_t f = 0; f < facets; ++f) {
-    const FacetDraft& facet = whole.facets[f];
-    uint32_t before = facet.loop.back();
-    for (const uint32_t v : facet.loop) {
-      sides.push_back({edge(before, v), f});
-      before = v;
-    }
-  }
-  std::sort(sides.begin(), sides.end());
-  const auto facet_along = [&](uint32_t a, uint32_t b) {
-    return std::lower_bound(sides.begin(), sides.end(), Side{edge(a, b), 0})->facet;
-  };
   const auto is_crossed = [&](uint32_t a, uint32_t b) {
     const auto at = static_cast<size_t>(std::find(loop.begin(), loop.end(), a) - loop.begin());
     if (at == loop.size()) return false;
-    return loop[(at + 1) % loop.size()] == b || loop[(at + loop.size() - 1) % loop.size()] == b;
+    return loop[at + 1 == loop.size() ? 0 : at + 1] == b || loop[at == 0 ? loop.size() - 1 : at - 1] == b;
   };
-  Array<uint8_t> is_left(facets, 0, loop.get_allocator());
-  Array<uint32_t> stack(loop.get_allocator());
+  ShortArray<uint8_t, 32> is_left(loop.get_allocator());
+  is_left.assign(facets, 0);
+  ShortArray<uint32_t, 32> stack(loop.get_allocator());
   const auto visit = [&](uint32_t facet) {
     if (is_left[facet] != 0) return;
     is_left[facet] = 1;
     stack.push_back(facet);
   };
-  for (size_t i = 0; i < loop.size(); ++i) visit(facet_along(loop[i], loop[(i + 1) % loop.size()]));
+  for (uint32_t i = 0; i < loop.size(); ++i) visit(sides.facet_along(loop[i], loop[i + 1 == loop.size() ? 0 : i + 1]));
   while (!stack.empty()) {
     const FacetDraft& facet = whole.facets[stack.back()];
     stack.pop_back();
-    for (uint32_t k = 0; k < facet.loop.size(); ++k) {
-      const uint32_t a = facet.loop[k], b = facet.after(k);
-      if (!is_crossed(a, b)) visit(facet_along(b, a));
+    uint32_t before = facet.loop.back();
+    for (const uint32_t v : facet.loop) {
+      if (!is_crossed(before, v)) visit(sides.facet_along(v, before));
+      before = v;
     }
   }
   const auto lefts = static_cast<size_t>(std::count(is_left.begin(), is_left.end(), 1));

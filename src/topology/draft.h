@@ -3,17 +3,21 @@
 
 #include <algorithm>
 
+#include "base/short_array.h"
 #include "environment/environment.h"
 
 namespace dsw {
 
 constexpr uint32_t kNoPair = 0xffffffffu;
 
+/** Of one facet: seldom more than a dozen. */
+using Vertices = ShortArray<uint32_t, 12>;
+
 /** One facet. Vertices are those of the environment. A side of the plane's polygons has its two ends for a loop, in the
  * polygon's order, and no triangles. */
 struct FacetDraft {
-  Array<uint32_t> loop;       // counter-clockwise seen from outside
-  Array<uint32_t> triangles;  // three vertices each, oriented likewise, that fill the loop
+  Vertices loop;        // counter-clockwise seen from outside
+  Vertices triangles;   // three vertices each, oriented likewise, that fill the loop
   HalfFacet near, far;  // what it comes from, and what is behind it: as before the edit, where both may be about to go
   uint32_t pair = kNoPair;  // of a new facet between two new cells: a number that both sides have
   bool marked = false;
@@ -24,8 +28,11 @@ struct FacetDraft {
     return static_cast<uint32_t>(std::find(loop.begin(), loop.end(), vertex) - loop.begin());
   }
   bool has(uint32_t vertex) const { return place_of(vertex) != loop.size(); }
-  /** The vertex `steps` after the one in a place of the loop. */
-  uint32_t after(uint32_t place, size_t steps = 1) const { return loop[(place + steps) % loop.size()]; }
+  /** The vertex `steps` after the one in a place of the loop; both together less than twice round it. */
+  uint32_t after(uint32_t place, size_t steps = 1) const {
+    const size_t at = place + steps;
+    return loop[at < loop.size() ? at : at - loop.size()];
+  }
 };
 
 struct CellDraft {
@@ -70,11 +77,13 @@ FacetDraft part_of(const FacetDraft& whole, uint32_t from, uint32_t to);
 bool share_triangles(const FacetDraft& whole, FacetDraft& a, FacetDraft& b);
 /** Puts a vertex between two neighbours of a facet's loop, into the triangle there; whether they are neighbours. */
 bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle);
+/** Likewise, for the two facets at a dart of the cell that was drafted, if the draft has its facets in their order. */
+void insert_vertex(CellDraft& draft, const Shape& shape, uint32_t dart, uint32_t a, uint32_t b, uint32_t middle);
 /** Puts a vertex on the edge that joins two vertices, if the cell has it; in the plane a side, which becomes two. */
 void insert_vertex(CellDraft& draft, uint32_t a, uint32_t b, uint32_t middle);
 /** Shares a cell's facets out, which it loses: to `left` those on the left of a closed loop of its edges, seen from
  * outside; in the plane those on the left of the way from one vertex to another. False if that is all. */
-bool part_along(CellDraft& whole, const Array<uint32_t>& loop, CellDraft& left, CellDraft& right);
+bool part_along(CellDraft& whole, const Vertices& loop, CellDraft& left, CellDraft& right);
 
 /** Numbers of a polygon's sides, each after the one before it, from side `first` on. False where they do not close one
  * loop. */
@@ -84,8 +93,31 @@ bool order_sides(const CellDraft& draft, uint32_t first, Array<uint32_t>& out);
 bool is_cut_well(const Environment<3>& env, const FacetDraft& facet, const double* apex, const double* beyond);
 /** Adds triangles to a facet that fill `hole` and are such; false if there are none. Throws TOO_LARGE where it is not
  * worth the search. */
-bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t>& hole, const double* apex,
+bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Vertices& hole, const double* apex,
               const double* beyond);
+
+/** Numbers vertices in the order of first use, in which they are listed. Most are found where the last one was that
+ * has the same last bits. */
+class Numbering {
+ public:
+  explicit Numbering(Array<uint32_t>& listed) : listed_(listed) {}
+  uint32_t operator()(uint32_t vertex) {
+    uint32_t& place = places_[vertex % kPlaces];
+    if (place < count_ && listed_[place] == vertex) return place;
+    place = static_cast<uint32_t>(std::find(listed_.begin(), listed_.end(), vertex) - listed_.begin());
+    if (place == count_) {
+      listed_.push_back(vertex);
+      ++count_;
+    }
+    return place;
+  }
+
+ private:
+  static constexpr uint32_t kPlaces = 64;
+
+  Array<uint32_t>& listed_;  // empty at first
+  uint32_t count_ = 0, places_[kPlaces] = {};
+};
 
 /** Vertices of a draft, each once, in the order of first use. */
 void list_vertices(const CellDraft& draft, Array<uint32_t>& out);

@@ -13,10 +13,10 @@ namespace dsw {
 namespace {
 
 /** Takes a vertex out of a facet; the loop that its triangles leave, from the vertex after it to the one before. */
-Array<uint32_t> take_out(FacetDraft& facet, uint32_t vertex) {
+Vertices take_out(FacetDraft& facet, uint32_t vertex) {
   const uint32_t at = facet.place_of(vertex);
   const uint32_t last = facet.after(at, facet.loop.size() - 1);
-  Array<uint32_t> hole(facet.loop.get_allocator());
+  Vertices hole(facet.loop.get_allocator());
   hole.push_back(facet.after(at));
   while (hole.back() != last) {
     for (size_t t = 0; t < facet.triangles.size(); t += 3) {
@@ -214,7 +214,7 @@ MergedEdge merge_edges(Edit<3>& edit, Dart d, uint32_t vertex) {
   struct Hole {
     Cell cell;
     uint32_t facet;
-    Array<uint32_t> loop;
+    Vertices loop;
   };
   Array<Hole> holes{env.memory};
   for (size_t i = 0; i < count; ++i) {
@@ -262,7 +262,7 @@ MergedEdge merge_edges(Edit<2>& edit, Dart d, uint32_t vertex) {
     if (!c.valid() || map.facets_of(c) > 3) continue;
     fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u at vertex %u is a triangle and would vanish", map.index(c), vertex);
   }
-  Array<uint32_t> ends{env.memory};
+  Vertices ends{env.memory};
   for (const uint32_t corner : {before, after}) ends.push_back(map.vertex(d.cell, corner));
   edit.replace(d.cell);
   unite(edit, h, g, ends);

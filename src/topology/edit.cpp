@@ -275,17 +275,29 @@ void Edit<D>::collect_links() {
   std::sort(links_.begin(), links_.end());
 }
 
+/** What a facet comes from: the half-facet's address, or of a pair its number from the end of the same range; kNoFacet:
+ * from nothing. */
+template <int D>
+uint32_t Edit<D>::origin_of(const FacetDraft& facet) {
+  return facet.pair != kNoPair ? kNoPair - 1 - facet.pair : facet.near.word;
+}
+
 template <int D>
 void Edit<D>::connect() {
-  Array<Origin> origins{env_.memory};
-  for (uint32_t i = 0; i < drafts_.size(); ++i) {
-    for (uint32_t f = 0; f < drafts_[i].facets.size(); ++f) {
-      const FacetDraft& facet = drafts_[i].facets[f];
-      // Numbers of pairs and addresses share one range; pairs come from its end.
-      origins.push_back({facet.pair != kNoPair ? kNoPair - 1 - facet.pair : facet.near.word, i, f});
+  Origins origins(env_.memory);
+  origins.keys.reserve(words_.size());
+  origins.first.reserve(words_.size());
+  origins.list.reserve(words_.size());
+  for (auto i = static_cast<uint32_t>(drafts_.size()); i-- != 0;) {
+    for (auto f = static_cast<uint32_t>(drafts_[i].facets.size()); f-- != 0;) {
+      const uint32_t key = origin_of(drafts_[i].facets[f]);
+      if (key == kNoFacet) continue;
+      const uint32_t number = origins.keys.insert(key);
+      if (number == origins.first.size()) origins.first.push_back(kNoOrigin);
+      origins.list.push_back({i, f, origins.first[number]});
+      origins.first[number] = static_cast<uint32_t>(origins.list.size() - 1);
     }
   }
-  std::sort(origins.begin(), origins.end());
   for (size_t i = 0; i < drafts_.size(); ++i) {
     for (uint32_t f = 0; f < drafts_[i].facets.size(); ++f) connect(i, f, origins);
   }
@@ -293,7 +305,7 @@ void Edit<D>::connect() {
 
 /** Writes the link of a new facet, and that which leads back if it belongs to a cell that stays. */
 template <int D>
-void Edit<D>::connect(size_t i, uint32_t f, const Array<Origin>& origins) {
+void Edit<D>::connect(size_t i, uint32_t f, const Origins& origins) {
   const FacetDraft& facet = drafts_[i].facets[f];
   const uint32_t mark = facet.marked ? kMarkBit : 0;
   uint32_t& word = map_.words[word_of(i, f)];
@@ -304,14 +316,15 @@ void Edit<D>::connect(size_t i, uint32_t f, const Array<Origin>& origins) {
     find_link(facet.far.word)->after = word_of(i, f) | mark;
     return;
   }
-  const uint32_t key = facet.pair != kNoPair ? kNoPair - 1 - facet.pair : facet.far.word;
-  auto at = std::lower_bound(origins.begin(), origins.end(), Origin{key, 0, 0});
-  for (; at != origins.end() && at->word == key; ++at) {
-    const FacetDraft& other = drafts_[at->draft].facets[at->facet];
+  const uint32_t number = origins.keys.find(facet.pair != kNoPair ? origin_of(facet) : facet.far.word);
+  for (uint32_t k = number == KeyTable::kNone ? kNoOrigin : origins.first[number]; k != kNoOrigin;
+       k = origins.list[k].next) {
+    const Origin& at = origins.list[k];
+    const FacetDraft& other = drafts_[at.draft].facets[at.facet];
     if (&other == &facet || !face_each_other(facet, other)) continue;
-    if (at->draft == i) fail(DSW_STATUS_BAD_TOPOLOGY, "a volume would lie on both sides of one of its faces");
+    if (at.draft == i) fail(DSW_STATUS_BAD_TOPOLOGY, "a volume would lie on both sides of one of its faces");
     DSW_ASSERT(cut_alike(facet, other) && facet.marked == other.marked);
-    word = word_of(at->draft, at->facet) | mark;
+    word = word_of(at.draft, at.facet) | mark;
     return;
   }
 }

@@ -76,7 +76,10 @@ class Edit {
   /** Half-facets of cells that stay whose links change, by address. */
   size_t link_count() const { return links_.size(); }
   HalfFacet link(size_t i) const { return {links_[i].word}; }
-  bool is_relinked(HalfFacet h) const { return std::binary_search(links_.begin(), links_.end(), Link{h.word, 0, 0}); }
+  bool is_relinked(HalfFacet h) const {
+    return !links_.empty() && h.word >= links_.front().word && h.word <= links_.back().word &&
+           std::binary_search(links_.begin(), links_.end(), Link{h.word, 0, 0});
+  }
   /** Calls visit(cell) for those that stay and become impassable. */
   template <class Visit>
   void for_each_marked(Visit visit) const {
@@ -109,10 +112,16 @@ class Edit {
     Cell cell;
     bool marked, done;
   };
-  /** Which draft's facet comes from a half-facet. */
+  /** A draft's facet, and the next one that comes from the same half-facet. */
   struct Origin {
-    uint32_t word, draft, facet;
-    bool operator<(const Origin& o) const { return word < o.word; }
+    uint32_t draft, facet, next;
+  };
+  /** All of them, by what they come from: a half-facet, or a pair. */
+  struct Origins {
+    KeyTable keys;
+    Array<uint32_t> first;  // by key
+    Array<Origin> list;
+    explicit Origins(const Memory* memory) : keys(memory), first(memory), list(memory) {}
   };
 
   /** A draft in the list of those that come of one cell. */
@@ -123,15 +132,16 @@ class Edit {
   struct Heirs {
     uint32_t first, last;
   };
-  static constexpr uint32_t kNoHeir = 0xffffffffu;
+  static constexpr uint32_t kNoHeir = 0xffffffffu, kNoOrigin = 0xffffffffu;
 
   double* room_for(uint32_t v);
   void note_heir(Cell c, uint32_t draft);
   bool write_record(size_t i);
   void write_general(const Layout& layout, Made& made);
   void collect_links();
+  static uint32_t origin_of(const FacetDraft& facet);
   void connect();
-  void connect(size_t i, uint32_t facet, const Array<Origin>& origins);
+  void connect(size_t i, uint32_t facet, const Origins& origins);
   void check_cells(Array<uint32_t>* invalid);
   void choose_indices();
   void drop_marks();

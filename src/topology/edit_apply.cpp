@@ -71,24 +71,23 @@ void Edit<D>::move_uses() noexcept {
     if (v == map_.vertex_uses.size()) map_.vertex_uses.push_back(0);
   }
   map_.vertex_count = static_cast<uint32_t>(map_.vertex_slots.slot_count());
+  const bool move = env_.checked.active();  // else all vertices that are in use are in the box
   for (const Made& made : made_) {
-    for (uint32_t k = 0, n = map_.vertices_of(made.cell); k < n; ++k) {
-      const uint32_t v = map_.vertex(made.cell, k);
-      ++map_.vertex_uses[v];
+    map_.for_each_vertex(made.cell, [&](uint32_t v) {
+      if (map_.vertex_uses[v]++ != 0 && !move) return;
       for (int axis = 0; axis < D; ++axis) {
         env_.lower[axis] = std::min(env_.lower[axis], env_.point(v)[axis]);
         env_.upper[axis] = std::max(env_.upper[axis], env_.point(v)[axis]);
       }
-    }
+    });
   }
   for (const Cell c : removed_) {
-    for (uint32_t k = 0, n = map_.vertices_of(c); k < n; ++k) {
-      const uint32_t v = map_.vertex(c, k);
-      if (--map_.vertex_uses[v] != 0 || points == nullptr) continue;
+    map_.for_each_vertex(c, [&](uint32_t v) {
+      if (--map_.vertex_uses[v] != 0 || points == nullptr) return;
       set_vertex_mark(env_, v, false);
       map_.vertex_slots.release(v);
       std::fill_n(points + size_t{v} * D, D, 0.0);
-    }
+    });
   }
 }
 

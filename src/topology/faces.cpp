@@ -48,7 +48,7 @@ SplitFacet split_facet(Edit<3>& edit, HalfFacet h, uint32_t a, uint32_t b) {
 }
 
 template <int D>
-MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Array<uint32_t>& loop) {
+MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Vertices& loop) {
   const Environment<D>& env = edit.environment();
   const Map<D>& map = env.map;
   if (map.facet_marked(h) != map.facet_marked(g)) {
@@ -62,7 +62,7 @@ MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Array<uint32_t>
   FacetDraft merged(env.scratch.memory());
   merged.loop = loop;
   merged.triangles = first.triangles;
-  merged.triangles.insert(merged.triangles.end(), second.triangles.begin(), second.triangles.end());
+  merged.triangles.append(second.triangles.begin(), second.triangles.end());
   merged.near = after_first ? first.near : second.near;
   merged.far = after_first ? first.far : second.far;
   merged.marked = first.marked;
@@ -88,12 +88,12 @@ MergedFacet merge_facets(Edit<3>& edit, Dart d) {
     fail(DSW_STATUS_BAD_TOPOLOGY, "the edge between vertices %u and %u has more than two faces", a, b);
   }
   const HalfFacet h = half_facet(map, d), g = half_facet(map, e);
-  Array<uint32_t> loop = part_of(draft_of(env, h), b, a).loop;
-  const Array<uint32_t> rest = part_of(draft_of(env, g), a, b).loop;
-  loop.insert(loop.end(), rest.begin() + 1, rest.end() - 1);
+  Vertices loop = part_of(draft_of(env, h), b, a).loop;
+  const Vertices rest = part_of(draft_of(env, g), a, b).loop;
+  loop.append(rest.begin() + 1, rest.end() - 1);
   return unite(edit, h, g, loop);
 }
 
-template MergedFacet unite(Edit<2>& edit, HalfFacet h, HalfFacet g, const Array<uint32_t>& loop);
+template MergedFacet unite(Edit<2>& edit, HalfFacet h, HalfFacet g, const Vertices& loop);
 
 }  // namespace dsw

@@ -19,25 +19,19 @@ bool lay_out<3>(const CellDraft& draft, Layout& out) {
   out.first.clear();
   out.first.reserve(draft.facets.size() + 1);
   out.first.push_back(0);
+  Numbering number(vertices);
   uint16_t* loop = out.loops.data();
+  out.triangles.resize(3 * corners);
+  uint16_t* corner = out.triangles.data();
   for (const FacetDraft& facet : draft.facets) {
-    for (const uint32_t v : facet.loop) {
-      const auto at = std::find(vertices.begin(), vertices.end(), v);
-      *loop++ = static_cast<uint16_t>(at - vertices.begin());
-      if (at == vertices.end()) vertices.push_back(v);
-    }
+    for (const uint32_t v : facet.loop) *loop++ = static_cast<uint16_t>(number(v));
     out.first.push_back(static_cast<uint16_t>(loop - out.loops.data()));
+    for (const uint32_t v : facet.triangles) *corner++ = static_cast<uint16_t>(number(v));
   }
   const auto facets = static_cast<uint32_t>(draft.facets.size());
   const FacetLoops faces{out.loops.data(), out.first.data(), facets, static_cast<uint32_t>(vertices.size())};
   out.table.clear();
-  if (append_polyhedron(faces, nullptr, out.table) != ShapeDefect::kNone) return false;
-  for (uint32_t f = 0; f < facets; ++f) {
-    const FacetDraft& facet = draft.facets[f];
-    out.triangles.clear();
-    for (const uint32_t v : facet.triangles) out.triangles.push_back(out.loops[out.first[f] + facet.place_of(v)]);
-    set_triangles(out.table.data(), f, out.triangles.data());
-  }
+  if (append_polyhedron(faces, nullptr, out.table, out.triangles.data()) != ShapeDefect::kNone) return false;
   const StandardMatch match = match_standard_form(Shape(out.table.data()));
   out.form = match.form;
   out.cuts = match.cuts;

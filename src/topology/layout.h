@@ -13,7 +13,7 @@ struct Layout {
   Array<uint32_t> facets;    // numbers in the record of the draft's
   Array<uint16_t> table;     // of a general form: its shape
 
-  Array<uint32_t> listed;  // scratch: the draft's vertices, its loops, where these begin, triangles of one facet
+  Array<uint32_t> listed;  // scratch: the draft's vertices, its loops, where these begin, its triangles
   Array<uint16_t> loops, first, triangles;
 
   explicit Layout(const Memory* memory)

@@ -72,7 +72,7 @@ MergedFacet merge_facets(Edit<3>& edit, Dart d);
 /** Puts one facet with this loop in the place of two of a cell that lie beside each other and have the same cell behind
  * them, or none: on both of their sides. Returns it on this side. */
 template <int D>
-MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Array<uint32_t>& loop);
+MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Vertices& loop);
 
 /** Inserts a vertex at a share of the way along an edge, in the plane a side, rounded. Returns it. Draft 0 is that of
  * the dart's cell. */

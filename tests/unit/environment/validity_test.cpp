@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "environment/moving.h"
+#include "predicates/filtered.h"
 #include "test_mesh.h"
 
 namespace dsw::test {
@@ -58,6 +59,59 @@ TEST(Validity, FewQuestionsAndAllOfThemGiveOneAnswer) {
   }
   EXPECT_GT(valid, 4000);
   EXPECT_GT(invalid, 4000);
+}
+
+/** Whether no vertex lies beyond a facet, and all of a facet lie in its plane. */
+bool is_plainly_convex(const Environment<3>& env, Cell c) {
+  const Shape shape = env.map.shape(c);
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    const double* plane[3];
+    simplex_points(env, c, shape, shape.simplex_first(f), plane);
+    for (uint32_t k = 0; k < shape.vertex_count(); ++k) {
+      if (orient<3>(plane, env.point(c, k)) > 0) return false;
+    }
+    for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+      if (orient<3>(plane, env.point(c, shape.dart_vertex(d))) != 0) return false;
+    }
+  }
+  return true;
+}
+
+// Boxes of the lattice with vertices on edges and facets cut in two, as cuts leave them: flat facets in one plane,
+// vertices in a line.
+TEST(Validity, ConvexIfNoVertexIsBeyondAFacet) {
+  const std::vector<std::vector<int64_t>> faces = {{0, 4, 7, 3},    {1, 8, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2},
+                                                   {0, 3, 9, 8, 1}, {9, 2, 8},       {4, 5, 6, 7}, {3, 2, 9}};
+  Mesh3 mesh;
+  for (int i = 0; i < 8; ++i) {
+    const bool x = (i & 3) == 1 || (i & 3) == 2, y = (i & 3) >= 2;
+    mesh.point({x ? 4.0 : 0.0, y ? 4.0 : 0.0, i >= 4 ? 4.0 : 0.0});
+  }
+  mesh.point({4, 2, 0});
+  mesh.point({3, 3, 0});
+  mesh.polyhedron(faces);
+  const auto env = mesh.build();
+  let_points_move(*env);
+  std::vector<double> points(env->points, env->points + 30);
+  const std::vector<double> rest = points;
+  env->points = points.data();
+  const Cell c = env->map.cell(0);
+  ASSERT_EQ(check_cell(*env, c), CellState::kValidConvex);
+  Random random(8);
+  int convex = 0, others = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double scale = i % 3 == 0 ? 0x1p-330 : i % 3 == 1 ? 0x1p+350 : 1;
+    for (size_t k = 0; k < 30; ++k) {
+      const int shift = random.below(8) == 0 ? random.below(3) - 1 : 0;
+      points[k] = scale * (rest[k] + (i % 2 == 0 && k < 24 ? 0 : shift));
+    }
+    const CellState state = check_cell(*env, c);
+    if (!is_valid(state)) continue;
+    ASSERT_EQ(state == CellState::kValidConvex, is_plainly_convex(*env, c)) << i;
+    (state == CellState::kValidConvex ? convex : others) += 1;
+  }
+  EXPECT_GT(convex, 500);
+  EXPECT_GT(others, 500);
 }
 
 TEST(Validity, PointsThatAreNoNumbers) {

@@ -124,6 +124,45 @@ TEST(Shape, PolyhedraCutFromEveryBase) {
   }
 }
 
+TEST(Shape, FewVerticesAndManyAreLinkedAlike) {
+  for (int n = 3; n <= 40; ++n) {  // a table of ways up to 32 vertices, sorted edges beyond
+    const Loops prism = prism_over(n);
+    Array<uint16_t> table;
+    ASSERT_EQ(append(prism, table), ShapeDefect::kNone) << n;
+    expect_laws(Shape(table.data()));
+    const auto expect_open = [&](const Loops& loops) {
+      Array<uint16_t> none;
+      EXPECT_EQ(append(loops, none), ShapeDefect::kOpen) << n;
+      EXPECT_TRUE(none.empty());
+    };
+    Loops turned = prism, missing = prism, twice = prism;
+    std::reverse(turned[2].begin(), turned[2].end());  // two darts take one way
+    missing.pop_back();                                // a dart without an opposite
+    twice.push_back(prism[0]);
+    expect_open(turned);
+    expect_open(missing);
+    expect_open(twice);
+  }
+}
+
+TEST(Shape, TrianglesAreTakenAsTheyAreGiven) {
+  const Loops loops = prism_over(6);
+  Array<uint16_t> given, set;
+  ASSERT_EQ(append(loops, set), ShapeDefect::kNone);
+  const uint16_t three_ears[] = {6, 7, 8, 8, 9, 10, 10, 11, 6, 6, 8, 10};
+  set_triangles(set.data(), 1, three_ears);
+  const Shape shape(set.data());
+  const std::vector<uint16_t> triangles(shape.simplices(), shape.simplices() + 3 * shape.simplex_count());
+  std::vector<uint16_t> vertices, first{0};
+  for (const auto& loop : loops) {
+    vertices.insert(vertices.end(), loop.begin(), loop.end());
+    first.push_back(static_cast<uint16_t>(vertices.size()));
+  }
+  ASSERT_EQ(append_polyhedron({vertices.data(), first.data(), 8, 12}, nullptr, given, triangles.data()),
+            ShapeDefect::kNone);
+  EXPECT_EQ(given, set);
+}
+
 TEST(Shape, AFacetIsCutAnewAloneAndSoundnessFollows) {
   Array<uint16_t> table, scratch;
   ASSERT_EQ(append(prism_over(6), table), ShapeDefect::kNone);
