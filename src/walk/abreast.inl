@@ -2,10 +2,9 @@
 // bit for bit, but of the work for one cast only its loads are left. No gathers: points are loaded as they lie and
 // turned in registers.
 
-/** The cells, and the casts in them. */
+/** The cells, and the targets of the casts in them. */
 struct Abreast {
   const uint32_t* records[kAbreast];
-  const double* p[kAbreast];
   const double* q[kAbreast];
 };
 
@@ -39,13 +38,16 @@ DSW_HOT PointsOf<Row> load_points(At at) noexcept {
   return turn(load_two(at(0), at(2)), load_two(at(1), at(3)), load_two(at(4), at(6)), load_two(at(5), at(7)));
 }
 
+inline Row::Mask either(Row::Mask a, Row::Mask b) noexcept { return a | b; }
+inline Row::Mask not_greater(Row a, Row b) noexcept { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_NGT_UQ); }
+
 /** A set of facets for each lane. */
 struct FacetSets {
   __m256i sets;
 
   DSW_HOT FacetSets() noexcept : sets(_mm256_setzero_si256()) {}
-  DSW_HOT void add(uint32_t facet, Row::Mask lanes) noexcept {
-    sets = _mm256_mask_or_epi32(sets, static_cast<__mmask8>(lanes), sets, _mm256_set1_epi32(1 << facet));
+  DSW_HOT void add(int facets, Row::Mask lanes) noexcept {
+    sets = _mm256_mask_or_epi32(sets, static_cast<__mmask8>(lanes), sets, _mm256_set1_epi32(facets));
   }
   DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
     _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm256_cvtepi32_epi8(sets));
@@ -87,13 +89,16 @@ DSW_HOT PointsOf<Row> load_points(At at) noexcept {
           {_mm256_insertf128_pd(_mm256_castpd128_pd256(z01), z23, 1)}};
 }
 
+inline Row::Mask either(Row::Mask a, Row::Mask b) noexcept { return _mm256_or_pd(a, b); }
+inline Row::Mask not_greater(Row a, Row b) noexcept { return _mm256_cmp_pd(a.v, b.v, _CMP_NGT_UQ); }
+
 /** A set of facets for each lane. */
 struct FacetSets {
   __m256d sets;
 
   DSW_HOT FacetSets() noexcept : sets(_mm256_setzero_pd()) {}
-  DSW_HOT void add(uint32_t facet, Row::Mask lanes) noexcept {
-    sets = _mm256_or_pd(sets, _mm256_and_pd(lanes, _mm256_castsi256_pd(_mm256_set1_epi64x(1 << facet))));
+  DSW_HOT void add(int facets, Row::Mask lanes) noexcept {
+    sets = _mm256_or_pd(sets, _mm256_and_pd(lanes, _mm256_castsi256_pd(_mm256_set1_epi64x(facets))));
   }
   DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_castpd_si256(sets));
@@ -105,10 +110,9 @@ struct FacetSets {
 /** Whether it pays to look at so many such cells, flat and convex or not, side by side. Lanes without one do
  * nothing. */
 constexpr bool pays_abreast(Form form, bool flat, uint32_t count) {
-#if defined(DSW_ISA_AVX512)
-  if (form == Form::kBox) return count == kAbreast;  // a look at one fills six lanes
-#endif
-  return flat && count >= 3 && (form == Form::kSimplex || form == Form::kPyramid || form == Form::kBox);
+  if (form == Form::kBox && !flat) return kAbreast == 8 && count == kAbreast;
+  if (form == Form::kBox) return count >= (kAbreast == 8 ? 3 : 2);
+  return flat && count >= 3 && (form == Form::kSimplex || form == Form::kPyramid);
 }
 
 /** Extent lane by lane. */
@@ -121,11 +125,10 @@ struct Extents {
     y = largest(y, Row::absolute(v.y));
     z = largest(z, Row::absolute(v.z));
   }
-  /** Lanes for which bound() holds. */
-  DSW_HOT uint32_t in_range() const noexcept {
-    const uint32_t too_small = Row::bits(Row::greater(Row::all(kFilterMin), least(least(x, y), z)));
-    const uint32_t too_large = Row::bits(Row::greater(largest(largest(x, y), z), Row::all(kFilterMax)));
-    return ~(too_small | too_large);
+  /** Lanes for which bound() need not hold. */
+  DSW_HOT Row::Mask out_of_range() const noexcept {
+    return either(Row::greater(Row::all(kFilterMin), least(least(x, y), z)),
+                  Row::greater(largest(largest(x, y), z), Row::all(kFilterMax)));
   }
   DSW_HOT Row bound() const noexcept { return Row::all(kPlaneFilter3) * x * y * z; }
 };
@@ -149,15 +152,24 @@ struct VerticesAbreast {
   }
 };
 
-/** Of cells that are convex with flat facets: the facets with q outside. */
+/** Of cells that are convex with flat facets: the facets with q outside; where the filter left some open, kNotSettled
+ * or more. */
 struct Sides {
   FacetSet outside[kAbreast];
-  uint32_t settled;  // lanes for which the filter settled all facets
 
   void look_at_tetrahedra(const double* points, const Abreast& cells) noexcept;
   void look_at_pyramids(const double* points, const Abreast& cells) noexcept;
   void look_at_boxes(const double* points, const Abreast& cells) noexcept;
 };
+
+/** Of a set of facets, as Sides has it: 0 if it is empty, 1 if it has one, 2 if it has several. */
+struct ExitTable {
+  uint8_t of[256]{};
+  constexpr ExitTable() {
+    for (uint32_t set = 1; set < 256; ++set) of[set] = (set & (set - 1)) == 0 ? 1 : 2;
+  }
+};
+constexpr ExitTable kExits;
 
 /** Planes of facets, as they are tested. */
 template <uint32_t Count>
@@ -177,17 +189,17 @@ struct PlanesAbreast {
   /** q is outside of a facet where the determinant of two vectors, crossed, and a vertex is positive. */
   DSW_HOT void positive(uint32_t facet, const PointsOf<Row>& crossed, uint32_t vertex) noexcept {
     const Row det = dot(crossed, v.at[vertex]);
-    outside.add(facet, Row::greater(det, bound));
+    outside.add(1 << facet, Row::greater(det, bound));
     smallest = least(smallest, Row::absolute(det));
   }
   /** Or negative. */
   DSW_HOT void negative(uint32_t facet, const PointsOf<Row>& crossed, uint32_t vertex) noexcept {
     const Row det = dot(crossed, v.at[vertex]);
-    outside.add(facet, Row::greater(minus_bound, det));
+    outside.add(1 << facet, Row::greater(minus_bound, det));
     smallest = least(smallest, Row::absolute(det));
   }
-  DSW_HOT void store(Sides& sides) const noexcept {
-    sides.settled = v.extents.in_range() & Row::bits(Row::greater(smallest, bound));
+  DSW_HOT void store(Sides& sides) noexcept {
+    outside.add(kNotSettled, either(v.extents.out_of_range(), not_greater(smallest, bound)));
     outside.store(sides.outside);
   }
 };

@@ -29,6 +29,7 @@ inline Points corner(const Vertices& v) noexcept {
 }
 
 constexpr uint32_t kAllFacets = 0x3f;
+constexpr uint8_t kNotSettled = 0xc0;  // in the place of a set of facets: it is not known. No single bit
 
 /** Asks exactly about the facets that the filter left open. */
 template <class Tally>

@@ -5,12 +5,14 @@ struct WarpedBoxExits {
   uint8_t pierced[kAbreast], second[kAbreast], candidates[kAbreast];
   uint32_t sure;  // boxes for which the filter settled all that matters
 
-  void look(const double* points, const Abreast& boxes) noexcept;
+  /** `from`: where the casts start. */
+  void look(const double* points, const Abreast& boxes, const double* const (&from)[kAbreast]) noexcept;
 };
 
-__attribute__((noinline)) inline void WarpedBoxExits::look(const double* points, const Abreast& boxes) noexcept {
+__attribute__((noinline)) inline void WarpedBoxExits::look(const double* points, const Abreast& boxes,
+                                                           const double* const (&from)[kAbreast]) noexcept {
   const VerticesAbreast<8> v(points, boxes, {8, 9, 10, 11, 12, 13, 14, 15}, ~0u);
-  const Points p = load_points([&](uint32_t lane) { return boxes.p[lane]; });
+  const Points p = load_points([&](uint32_t lane) { return from[lane]; });
   const Points q = load_points([&](uint32_t lane) { return boxes.q[lane]; });
   const Points back = {q.x - p.x, q.y - p.y, q.z - p.z};
   Extents reach = v.extents;
@@ -32,13 +34,13 @@ __attribute__((noinline)) inline void WarpedBoxExits::look(const double* points,
     const uint32_t out1 = Lanes::greater(quads.first, bound), out2 = Lanes::greater(quads.second, bound);
     if ((out1 | out2) == 0) continue;  // a wrong guess costs less than line tests that nobody needs
     const Piercings lines = pierce(quads, out1, out2, back, line_bound);
-    pierced_sets.add(f, lines.pierced);
-    second_sets.add(f, lines.second);
-    candidate_sets.add(f, out1 | out2);
+    pierced_sets.add(1 << f, lines.pierced);
+    second_sets.add(1 << f, lines.second);
+    candidate_sets.add(1 << f, out1 | out2);
     open |= (out1 | out2) & ~lines.settled;
     any |= out1 | out2;
   }
-  sure = v.extents.in_range() & Lanes::greater(least, bound) & (~any | (reach.in_range() & ~open));
+  sure = ~(v.extents.out_of_range() | not_greater(least, bound) | (any & (reach.out_of_range() | open)));
   pierced_sets.store(pierced);
   second_sets.store(second);
   candidate_sets.store(candidates);

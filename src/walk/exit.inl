@@ -33,21 +33,23 @@ struct CastLine {
   uint32_t pierced = 0, passed = 0;  // after a look of kLines, see LineExits
 };
 
+/** Of a tetrahedron, a pyramid and a box, by facet. */
+constexpr uint8_t kFirstSimplices[3][6] = {{0, 1, 2, 3}, {0, 2, 3, 4, 5}, {0, 2, 4, 6, 8, 10}};
+
 /** What the planes of a cell say about the target, or its triangles about the line. */
 struct Look {
-  uint8_t facets;  // kPlanes: with the target outside. kBox: pierced outwards, or kNotKnown
+  uint8_t facets;  // kPlanes: with the target outside, or kNotSettled. kBox: pierced outwards, or kNotKnown
   uint8_t second;  // kBox, of these: through the second triangle. kPlanes: how many facets the cell has
   LookKind kind;
   bool settled;  // kBox: at most one facet is pierced, for certain. kLines: the filter settled all triangles
 
   bool may_leave() const { return facets != 0; }
-  /** Planes have decided: the target is outside of one facet. */
-  bool has_one_exit() const { return kind == LookKind::kPlanes && facets != 0 && (facets & (facets - 1)) == 0; }
+  /** For kPlanes with the target outside of one facet. */
   Exit only_exit() const { return exit_by(static_cast<uint32_t>(__builtin_ctz(uint32_t{facets}))); }
   /** For kPlanes: a facet and its first simplex. */
-  Exit exit_by(uint32_t facet) const {
-    return {facet, second == 4 ? facet : second == 5 ? facet + (facet != 0 ? 1 : 0) : 2 * facet};
-  }
+  Exit exit_by(uint32_t facet) const { return {facet, kFirstSimplices[second - 4][facet]}; }
+  /** False for planes side by side of which the filter left some open: ask again. */
+  bool is_settled() const { return kind != LookKind::kPlanes || facets < kNotSettled; }
   template <int D>
   HalfFacet half_facet(const Map<D>& map, Cell c, uint32_t facet) const {
     if (D == 2 || kind != LookKind::kPlanes) return map.half_facet(c, facet);
@@ -216,8 +218,7 @@ class ExitFinder {
   }
 
   DSW_HOT Exit exit_flat(Cell c, const Look& look) noexcept {
-    if (look.facets == 0) return {};
-    return look.has_one_exit() ? look.only_exit() : exit_of_several(c, look);
+    return look.facets == 0 ? Exit{} : exit_of_several(c, look);
   }
 
   DSW_HOT Exit exit_of_several(Cell c, const Look& look) noexcept {

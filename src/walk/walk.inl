@@ -26,8 +26,12 @@ constexpr uint32_t kAbreast = 1;
 // clang-format on
 
 /** One bit of 64 for a cell. All visited cells' bits together say "never entered before" for certain; the opposite is
- * only a suspicion, which costs a comparison of times and nothing else. */
+ * only a suspicion, which costs a comparison of times and nothing else. A line comes into a convex cell once, so those
+ * are not noted. */
 inline uint64_t visit_bit(Cell c) { return uint64_t{1} << ((c.unit * 0x9e3779b1u) >> 26); }
+
+/** As Map::convex, by word 0 of a record. */
+inline bool is_convex(uint32_t word) { return form_of(word) == Form::kSimplex || (word & kConvexBit) != 0; }
 
 /** As find_out_validity, with the cell's centre. */
 template <int D>
@@ -52,13 +56,13 @@ bool admits_with_centre(const Environment<D>& env, Cell c, double* apex) noexcep
                                                 : known == CheckedCells::Known::kValid;
 }
 
-/** A cast that has left its first cell, or is about to. */
+/** Where a cast is on its way. */
 struct Flight {
-  Exit exit;
-  HalfFacet at;   // the facet of `exit`
-  uint32_t link;  // its link: the facet seen from beyond, with its mark
-  Entry entry;
-  uint64_t visited;
+  HalfFacet at;                     // the facet it leaves its cell through
+  uint32_t simplex = 0;             // of that
+  HalfFacet through;                // the facet crossed last, seen from the cell entered; invalid in the first cell
+  bool may_have_been_here = false;  // in its cell, before it came through that facet
+  uint64_t visited = 0;             // bits of the cells it has been in that need not be convex
 };
 
 /** Casts side by side. One step of a cast is three waits (for a cell's record, for its vertices, for the sign of a
@@ -78,36 +82,21 @@ class Walkers {
 
   void run(uint32_t count) noexcept {
     count = begin_all(count);
-    count = look_all<true>(count);
-    count = keep(count, [&](uint32_t i) { return leave_first(i); });
-    for (;;) {
+    count = leave_all<true>(count);
+    while (count != 0) {
       if (moving_) prefetch_beyond(count);
-      count = keep(count, [&](uint32_t i) { return enter(i); });
-      if (count == 0) return;
-      count = look_all<false>(count);
-      count = keep(count, [&](uint32_t i) { return leave(i); });
+      count = enter_all(count);
+      count = leave_all<false>(count);
     }
   }
 
  private:
-  /** Of the first `count` active casts keeps those for which a step says so. */
-  template <class Step>
-  DSW_HOT uint32_t keep(uint32_t count, Step step) noexcept {
-    uint32_t kept = 0;
-    for (uint32_t k = 0; k < count; ++k) {
-      const uint32_t i = active_[k];
-      active_[kept] = static_cast<uint8_t>(i);
-      kept += step(i) ? 1 : 0;
-    }
-    return kept;
-  }
-
-  Flight& flight(uint32_t i) noexcept { return flights_[i]; }
   ExitFinder<D, Tally> finder(uint32_t i) noexcept { return {env_, requests_[i].from, requests_[i].to, tally_}; }
-
   template <bool First>
-  DSW_HOT Entry entry(uint32_t i) noexcept {
-    return First ? Entry{} : flight(i).entry;
+  DSW_HOT Entry entry(uint32_t i) const noexcept {
+    if (First) return {};
+    const Flight& f = flights_[i];
+    return {f.may_have_been_here, results_[i].previous, results_[i].simplex, f.through};
   }
 
   /** Copied whole: member by member GCC 12 makes a loop of each. */
@@ -135,27 +124,32 @@ class Walkers {
     return static_cast<uint32_t>(cell == requests_[i].end) & static_cast<uint32_t>(map_.convex(cell));
   }
 
-  /** Keeps the casts that may leave their cells. */
+  /** Finds out where casts leave their cells, and keeps those that do. First all cells are looked at, without a branch
+   * on what is seen. What does not tell the exit by that is open, and decided at the end. */
   template <bool First>
-  DSW_HOT uint32_t look_all(uint32_t count) noexcept {
-    uint32_t kept = 0;
-    for (uint32_t k = 0; k < count;) {
+  DSW_HOT uint32_t leave_all(uint32_t count) noexcept {
+    if (count == 0) return 0;
+    std::fill_n(active_ + count, kAbreast - 1, active_[count - 1]);  // lanes without a cast repeat the last
+    kept_ = open_count_ = 0;
+    for (uint32_t k = 0; k < count; k += kAbreast) {
       const uint32_t end = std::min(k + kAbreast, count);
-      if (!look_abreast<First>(k, end)) {
-        for (uint32_t j = k; j < end; ++j) look<First>(active_[j]);
-      }
-      for (; k < end; ++k) {
-        const uint32_t i = active_[k];
-        active_[kept] = static_cast<uint8_t>(i);
-        kept += looks_[i].may_leave() ? 1 : 0;
-      }
+      if (look_abreast<First>(k, end)) continue;
+      for (uint32_t j = k; j < end; ++j) look<First>(active_[j]);
     }
-    return kept;
+    for (uint32_t k = 0; k < kept_; ++k) leave<First>(active_[k], looks_[active_[k]].only_exit());
+    for (uint32_t k = 0; k < open_count_; ++k) {
+      active_[kept_] = open_[k];
+      kept_ += decide<First>(open_[k]) ? 1 : 0;
+    }
+    return kept_;
   }
 
+  /** Looks at the cell of one cast. */
   template <bool First>
   DSW_HOT void look(uint32_t i) noexcept {
     looks_[i] = finder(i).look(results_[i].cell, entry<First>(i), lines_[i]);
+    open_[open_count_] = static_cast<uint8_t>(i);
+    open_count_ += looks_[i].may_leave() ? 1 : 0;
   }
 
   /** Looks at some casts together, if there are enough and the cells of all are of one form that can be. */
@@ -165,16 +159,15 @@ class Walkers {
     if (D != 3) return false;
     const uint32_t word = map_.record(results_[active_[first]].cell)[0];
     const Form form = form_of(word);
-    const bool flat = form == Form::kSimplex || (word & kConvexBit) != 0;
+    const bool flat = is_convex(word);
     if (!pays_abreast(form, flat, end - first)) return false;
     const uint32_t kind = form == Form::kSimplex ? 7u << kFormShift : 7u << kFormShift | kConvexBit;
     Abreast cells;
     uint32_t different = 0;
-#pragma GCC unroll 1
+#pragma GCC unroll 8
     for (uint32_t j = 0; j < kAbreast; ++j) {
-      const uint32_t i = active_[first + j < end ? first + j : first];  // lanes without a cast repeat the first
+      const uint32_t i = active_[first + j];
       cells.records[j] = map_.record(results_[i].cell);
-      cells.p[j] = requests_[i].from;
       cells.q[j] = requests_[i].to;
       different |= cells.records[j][0] ^ word;
     }
@@ -202,28 +195,33 @@ class Walkers {
   }
 
 #if defined(DSW_ABREAST)
+  /** Keeps the casts with the target outside of one facet. The facet crossed last is not left out: it is settled that
+   * the target is inside of that. */
   template <bool First, uint32_t Facets>
   DSW_HOT void note_sides(uint32_t first, uint32_t end, const Sides& sides) noexcept {
+    uint32_t kept = kept_, open = open_count_;
 #pragma GCC unroll 1
-    for (uint32_t j = 0; j < end - first; ++j) {
-      const uint32_t i = active_[first + j];
-      if (__builtin_expect((sides.settled >> j & 1u) == 0, 0)) {
-        look<First>(i);
-        continue;
-      }
-      const uint32_t known = entry<First>(i).known_inside(Facets);
-      tally_.tests(known == 0 ? Facets : Facets - 1);
-      looks_[i] = Look::of_planes(static_cast<uint32_t>(sides.outside[j]) & ~known, Facets);
+    for (uint32_t j = first; j < end; ++j) {
+      const uint32_t i = active_[j], outside = static_cast<uint32_t>(sides.outside[j - first]);
+      const uint8_t exits = kExits.of[outside];
+      looks_[i] = Look::of_planes(outside, Facets);
+      if (looks_[i].is_settled()) tally_.tests(First ? Facets : Facets - 1);
+      active_[kept] = open_[open] = static_cast<uint8_t>(i);
+      kept += exits & 1u;
+      open += exits >> 1;
     }
+    kept_ = kept;
+    open_count_ = open;
   }
-
 #endif
 
 #if defined(DSW_ISA_AVX512)
   template <bool First>
   DSW_HOT void look_warped(uint32_t first, uint32_t end, const Abreast& cells) noexcept {
+    const double* from[kAbreast];
+    for (uint32_t j = 0; j < kAbreast; ++j) from[j] = requests_[active_[first + j]].from;
     WarpedBoxExits exits;
-    exits.look(env_.points, cells);
+    exits.look(env_.points, cells, from);
 #pragma GCC unroll 1
     for (uint32_t j = 0; j < end - first; ++j) {
       const uint32_t i = active_[first + j];
@@ -232,39 +230,37 @@ class Walkers {
         continue;
       }
       looks_[i] = Look::of_box({exits.pierced[j], exits.second[j], exits.candidates[j], true}, tally_);
+      open_[open_count_] = static_cast<uint8_t>(i);
+      open_count_ += looks_[i].may_leave() ? 1 : 0;
     }
   }
 #endif
 
-  DSW_HOT bool leave_first(uint32_t i) noexcept {
-    const Exit exit = choose(i, {}, requests_[i].forecast);
-    results_[i].first_facet = exit.facet;
+  /** Whether an open cast leaves its cell. */
+  template <bool First>
+  DSW_HOT bool decide(uint32_t i) noexcept {
+    const Cell cell = results_[i].cell;
+    if (__builtin_expect(!looks_[i].is_settled(), 0)) looks_[i] = finder(i).look(cell, entry<First>(i), lines_[i]);
+    const uint32_t forecast = First ? requests_[i].forecast : kNoFacet;
+    const Exit exit = finder(i).choose(cell, looks_[i], lines_[i], entry<First>(i), forecast);
     if (exit.facet == kStays) return false;
-    new (flights_ + i) Flight{exit, {}, {}, {}, visit_bit(results_[i].cell)};
-    aim(i);
+    leave<First>(i, exit);
     return true;
   }
 
-  /** Whether it does, and where to. */
-  DSW_HOT bool leave(uint32_t i) noexcept {
-    flight(i).exit = choose(i, flight(i).entry, kNoFacet);
-    if (flight(i).exit.facet == kStays) return false;
-    aim(i);
-    return true;
-  }
-
-  DSW_HOT Exit choose(uint32_t i, const Entry& entry, uint32_t forecast) noexcept {
-    const Look& look = looks_[i];
-    if (look.has_one_exit()) return look.only_exit();
-    return finder(i).choose(results_[i].cell, look, lines_[i], entry, forecast);
-  }
-
-  /** Asks for what is beyond the exit. */
-  DSW_HOT void aim(uint32_t i) noexcept {
-    const HalfFacet at = looks_[i].half_facet(map_, results_[i].cell, flight(i).exit.facet);
-    const uint32_t link = map_.words[at.word], beyond = link & ~kMarkBit;
-    flight(i).at = at;
-    flight(i).link = link;
+  /** Notes where a cast leaves its cell, and asks for what is beyond. */
+  template <bool First>
+  DSW_HOT void leave(uint32_t i, const Exit& exit) noexcept {
+    const Cell cell = results_[i].cell;
+    const HalfFacet at = looks_[i].half_facet(map_, cell, exit.facet);
+    if (First) {
+      new (flights_ + i) Flight;
+      if (!map_.convex(cell)) flights_[i].visited = visit_bit(cell);
+      results_[i].first_facet = exit.facet;
+    }
+    flights_[i].at = at;
+    flights_[i].simplex = exit.simplex;
+    const uint32_t beyond = map_.opposite(at).word;
     if (beyond == kNoFacet) return;
     __builtin_prefetch(&map_.words[beyond - beyond % kUnitWords<D>]);
     if (D == 2) __builtin_prefetch(&map_.words[beyond]);  // its record may lie in two lines
@@ -283,40 +279,56 @@ class Walkers {
   /** Asks for what is beyond the facets that casts leave through, where points move: nobody may have looked at it. */
   void prefetch_beyond(uint32_t count) noexcept {
     for (uint32_t k = 0; k < count; ++k) {
-      const HalfFacet o = {flight(active_[k]).link & ~kMarkBit};
+      const HalfFacet o = map_.opposite(flights_[active_[k]].at);
       if (o.valid()) prefetch_moving(env_, map_.cell_of(o));
     }
   }
 
-  /** Whether it may come in there. */
+  /** Keeps the casts that go on from the cells that they enter. */
+  DSW_HOT uint32_t enter_all(uint32_t count) noexcept {
+    uint32_t kept = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      const uint32_t i = active_[k];
+      active_[kept] = static_cast<uint8_t>(i);
+      kept += enter(i) ? 1 : 0;
+    }
+    return kept;
+  }
+
+  /** Whether a cast may come in beyond its facet, and does not end there. */
   DSW_HOT bool enter(uint32_t i) noexcept {
     const CastRequest& request = requests_[i];
-    Flight& f = flight(i);
+    Flight& f = flights_[i];
     CastResult& result = results_[i];
-    const HalfFacet o = {f.link & ~kMarkBit};
+    const uint32_t link = map_.words[f.at.word];
+    const HalfFacet o = {link & ~kMarkBit};
     const Cell next = o.valid() ? map_.cell_of(o) : Cell{};
-    if (!o.valid() || (!request.through_walls && ((f.link & kMarkBit) != 0 || map_.marked(next))) ||
+    const uint32_t word = o.valid() ? map_.record(next)[0] : 0;
+    if (!o.valid() || (((link | word) & kMarkBit) != 0 && !request.through_walls) ||
         __builtin_expect(moving_ && !admits_moving(next), 0)) {
       result.end = CastEnd::kHit;
       result.facet = f.at;
-      result.simplex = f.exit.simplex;
+      result.simplex = f.simplex;
       return false;
     }
     if (result.volumes_visited == request.max_volumes) {  // volumes_visited is never 0, so 0 is no limit
       result.end = CastEnd::kWorkLimit;
-      result.simplex = f.entry.simplex;
       return false;
     }
-    if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, f.exit.simplex, next);
-    const Cell before = result.cell;
-    result.previous = before;
+    if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, f.simplex, next);
+    result.previous = result.cell;
     result.cell = next;
+    result.simplex = f.simplex;
     ++result.volumes_visited;
-    if (ends_in(i, next)) return false;
+    f.through = o;
+    if (!is_convex(word)) {
+      f.may_have_been_here = (f.visited & visit_bit(next)) != 0;
+      f.visited |= visit_bit(next);
+    } else if (next == request.end) {
+      return false;
+    }
     prefetch_vertices(env_, next);
     if (D == 3 && has_polyhedra_) prefetch_polyhedron(env_, next);
-    f.entry = {(f.visited & visit_bit(next)) != 0, before, f.exit.simplex, o};
-    f.visited |= visit_bit(next);
     return true;
   }
 
@@ -334,7 +346,9 @@ class Walkers {
     CastLine lines_[kPacket];  // where there are polyhedra
   };
   Look looks_[kPacket];
-  uint8_t active_[kPacket];
+  uint8_t active_[kPacket + kAbreast - 1];
+  uint8_t open_[kPacket];
+  uint32_t kept_ = 0, open_count_ = 0;
 };
 
 template <int D>
