@@ -13,7 +13,33 @@ bool passes_facet(const double* const* corners, const double* from, const double
   return true;
 }
 
+bool keeps_to_facet(const double* const* corners, const EdgeWay& edge) noexcept {
+  const auto way = [&](const double* first, const double* other) {
+    return edge.from_first ? filter::difference<3>(other, first) : filter::difference<3>(first, other);
+  };
+  const filter::Vec<3> before = way(edge.first, edge.other), between = way(edge.first_to, edge.other),
+                       after = way(edge.first_to, edge.other_to), ways = filter::extent(before, between, after);
+  for (int k = 0; k < 4; ++k) {
+    const double *const x = corners[k], *const y = corners[k == 3 ? 0 : k + 1];
+    if (x == y) continue;
+    const filter::Vec<3> a = filter::difference<3>(x, edge.other), b = filter::difference<3>(y, edge.other),
+                         a_to = filter::difference<3>(x, edge.other_to),
+                         b_to = filter::difference<3>(y, edge.other_to), normal = filter::cross(a, b);
+    const double least = filter::smaller(filter::smaller(filter::dot(normal, before), filter::dot(normal, between)),
+                                         filter::dot(filter::cross(a_to, b_to), after));
+    if (!(least > 0) || !filter::certain(least, filter::extent(ways, a, b, a_to, b_to))) return false;
+  }
+  return true;
+}
+
 namespace {
+
+KeepsToFacet choose_keeps_to_facet() noexcept {
+#if defined(__x86_64__)
+  if (has_avx2()) return keeps_to_facet_avx2;
+#endif
+  return keeps_to_facet;
+}
 
 PassesFacet choose_passes_facet() noexcept {
 #if defined(__x86_64__)
@@ -25,5 +51,6 @@ PassesFacet choose_passes_facet() noexcept {
 }  // namespace
 
 const PassesFacet kPassesFacet = choose_passes_facet();
+const KeepsToFacet kKeepsToFacet = choose_keeps_to_facet();
 
 }  // namespace dsw

@@ -116,6 +116,7 @@ bool renew(const Environment<D>& env, EdgeSequence<D>& sequence) noexcept {
   const Array<uint32_t>& facets = sequence.facets;
   if (sequence.in_rows ? !are_passable(env, facets) : !are_open(env, facets)) return false;
   if (sequence.in_rows) read_rows(env, sequence, 0, facets.size());
+  sequence.note_lone(env);
   sequence.version = env.obstacle_version;
   sequence.place_count = 0;
   return true;
@@ -200,6 +201,27 @@ void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t en
     rows.clear();
     in_rows = false;
   }
+  note_lone(env);
+}
+
+template <int D>
+void EdgeSequence<D>::note_lone(const Environment<D>& env) noexcept {
+  lone.first = {};
+  if (facets.size() != 1 || !known()) return;
+  const Map<D>& map = env.map;
+  const HalfFacet facet{facets[0]}, beyond = map.opposite(facet);
+  if (!beyond.valid()) return;
+  const Cell c = map.cell_of(facet);
+  if constexpr (D == 3) {
+    if (!has_standard_facets(map.form(c))) return;
+    standard_corners(map.record(c), map.local_of(facet, c), lone.corners);
+  } else {
+    if (!in_rows) return;
+    const Corners<2> corners(map, facet.word);
+    std::copy_n(corners.vertices, 2, lone.corners);
+  }
+  lone.first = c;
+  lone.last = map.cell_of(beyond);
 }
 
 template <int D>
@@ -220,6 +242,22 @@ bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const d
   }
   sequence.note_place(from, to, first, last);
   return true;
+}
+
+template <int D>
+bool keeps_to_lone(const Environment<D>& env, const typename EdgeSequence<D>::Lone& lone,
+                   const EdgeWay& edge) noexcept {
+  if constexpr (D == 3) {
+    const double* const corners[4] = {env.point(lone.corners[0]), env.point(lone.corners[1]),
+                                      env.point(lone.corners[2]), env.point(lone.corners[3])};
+    return kKeepsToFacet(corners, edge);
+  } else {
+    const auto passes = [&](const double* first, const double* other) {
+      LineSides line(edge.from_first ? first : other, edge.from_first ? other : first);
+      return line.pass(env.point(lone.corners[0]), env.point(lone.corners[1])) && line.passed_all();
+    };
+    return passes(edge.first, edge.other) && passes(edge.first_to, edge.other) && passes(edge.first_to, edge.other_to);
+  }
 }
 
 namespace {
@@ -414,6 +452,7 @@ template struct EdgeSequence<3>;
 template class SequenceWriter<2>;
 template class SequenceWriter<3>;
 DSW_INSTANTIATE(passes_facets);
+DSW_INSTANTIATE(keeps_to_lone);
 DSW_INSTANTIATE(passes_before);
 DSW_INSTANTIATE(path_facets);
 DSW_INSTANTIATE(turn);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "environment/environment.h"
+#include "flood/facet_pass.h"
 #include "predicates/sweep_events.h"
 #include "walk/cast.h"
 #include "walk/facet_rows.h"
@@ -15,9 +16,17 @@ template <int D>
 struct EdgeSequence {
   static constexpr uint64_t kNever = ~uint64_t{0};
 
-  Array<uint32_t> facets;
-  bool in_rows = true;        // they are of tetrahedra, in the plane of convex polygons
+  /** What most edges ask, if they are shorter than a cell: a sequence of one facet, from cell to cell. Not of polyhedra
+   * in space. */
+  struct Lone {
+    Cell first, last;  // invalid: it is not of one facet
+    uint32_t corners[D == 3 ? 4 : 2] = {};  // in the order of the facet; a triangle repeats the last
+  };
+
   uint64_t version = kNever;  // of the environment when they were passable
+  Lone lone;
+  Array<uint32_t> facets;
+  bool in_rows = true;  // they are of tetrahedra, in the plane of convex polygons
   FacetRows<D> rows;          // the facets, of that version; only if they are in rows
 
   /** A segment that is known to pass them in that version, from cell to cell. */
@@ -56,14 +65,17 @@ struct EdgeSequence {
     facets.clear();
     rows.clear();
     in_rows = true;
+    lone.first = {};
     place_count = 0;
   }
+  bool is_clear() const noexcept { return facets.empty() && in_rows; }
   /** Makes what is known unknown. There is room for one facet. */
   void forget() noexcept {
     facets.resize(1);
     facets[0] = kNoFacet;
     rows.clear();
     in_rows = false;
+    lone.first = {};
     place_count = 0;
   }
   bool known() const noexcept { return facets.empty() || facets[0] != kNoFacet; }
@@ -82,6 +94,12 @@ struct EdgeSequence {
     const size_t at = first ? 0 : facets.size() - 1;
     replace(env, at, at + 1, nullptr, 0);
   }
+  void note_lone(const Environment<D>& env) noexcept;
+  /** Whether it is of one facet, passable, between these cells, which are exactly convex. */
+  bool is_lone(const Environment<D>& env, Cell first, Cell last) const noexcept {
+    return ((lone.first == first) & (lone.last == last) & (version == env.obstacle_version)) != 0 &&
+           env.map.convex(first) && env.map.convex(last) && !is_closed(env, last);
+  }
 };
 
 /** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all
@@ -97,6 +115,10 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
   return sequence.has_place(env.obstacle_version, from, to, first, last) ||
          passes_facets(env, sequence, from, to, first, last);
 }
+
+/** Whether an edge is known to pass the facet of a lone one before, between and after the moves of its ends. */
+template <int D>
+bool keeps_to_lone(const Environment<D>& env, const typename EdgeSequence<D>::Lone& lone, const EdgeWay& edge) noexcept;
 
 /** Whether edge p q meets no ridge of its sequence before `event` while p goes to `to`. The sequence is that of the
  * edge at the start; facets that the path of p passes have been added or removed. On which side the line through p and

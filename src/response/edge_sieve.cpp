@@ -83,7 +83,7 @@ void EdgeSieve<D>::gather() {
     chunk_[count_++] = next_;
   }
   if (!body.keeps_sequences()) return;
-  for (uint32_t i = 0; i < count_; ++i) __builtin_prefetch(body.sequences[chunk_[i]].facets.data());
+  for (uint32_t i = 0; i < count_; ++i) __builtin_prefetch(&body.sequences[chunk_[i]]);
 }
 
 /** Drops the edges that do not move, and those without doubt for which drops(a, b, e) holds, counted as skipped. */
