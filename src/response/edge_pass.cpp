@@ -58,36 +58,44 @@ void EdgePass<D>::settle_side_by_side() {
   uint64_t between = 0, bit = 1;
   for (const uint32_t e : sieve_) {
     const typename Course<D>::Vertex &a = vertices[body.edges[e].ends[0]], &b = vertices[body.edges[e].ends[1]];
-    const typename EdgeSequence<D>::Lone& lone = body.sequences[e].lone;
+    const Passage<D>& passage = body.passages[e];
     const bool stays = (a.from == a.arrival) & (b.from == b.arrival), same = a.from == b.from;
     inside_ |= stays & same & env_.map.convex(a.from) ? bit : 0;
-    between |= stays & !same & (lone.first == a.from) & (lone.last == b.from) ? bit : 0;
+    between |= stays & !same & (passage.front == a.from) & (passage.back == b.from) ? bit : 0;
     bit <<= 1;
   }
   if (sweeps_.max_volumes != 0) return;  // what is kept must not carry an edge past it
   for (; between != 0; between &= between - 1) {
-    const uint32_t i = static_cast<uint32_t>(__builtin_ctzll(between)), e = sieve_.begin()[i];
-    const uint32_t(&ends)[2] = body.edges[e].ends;
-    const bool turned = vertices[ends[1]].rank < vertices[ends[0]].rank;
-    const uint32_t v = ends[turned ? 1 : 0], w = ends[turned ? 0 : 1];
-    const EdgeSequence<D>& sequence = body.sequences[e];
-    if (sequence.is_lone(env_, vertices[ends[0]].from, vertices[ends[1]].from) &&
-        keeps_to_lone<D>(env_, sequence.lone,
-                         {body.position(v), course_.place(v, kNone), body.position(w), course_.place(w, kNone),
-                          !turned})) {
-      keeping_ |= uint64_t{1} << i;
-    }
+    const auto i = static_cast<uint32_t>(__builtin_ctzll(between));
+    if (keeps_between(sieve_.begin()[i])) keeping_ |= uint64_t{1} << i;
   }
+}
+
+/** Whether an edge keeps to the way between the cells of its ends, where they stay. */
+template <int D>
+bool EdgePass<D>::keeps_between(uint32_t e) const {
+  const Body<D>& body = *course_.body;
+  const EdgeSequence<D>& sequence = body.sequences[e];
+  const auto is_only = [](const Passage<D>& p) { return p.corners[0] != Passage<D>::kNoCorner; };
+  // Faces ask the sequence, which may be another one since.
+  const Passage<D>& passage = is_only(body.passages[e]) && course_.keeps.empty() ? body.passages[e] : sequence.passage;
+  const uint32_t(&ends)[2] = body.edges[e].ends;
+  const typename Course<D>::Vertex &a = course_.vertices[ends[0]], &b = course_.vertices[ends[1]];
+  if (passage.version != env_.obstacle_version || !passage.leads(env_, a.from, b.from)) return false;
+  const bool turned = b.rank < a.rank;
+  const uint32_t v = ends[turned ? 1 : 0], w = ends[turned ? 0 : 1];
+  const EdgeWay way{body.position(v), course_.place(v, kNone), body.position(w), course_.place(w, kNone), !turned};
+  return is_only(passage) ? keeps_to_passage(env_, passage, way) : keeps_to_facets(env_, sequence, way);
 }
 
 /** Edges in their order: what one of them meets lets others wait. */
 template <int D>
 void EdgePass<D>::sweep_chunk() {
-  const Body<D>& body = *course_.body;
-  const Skipping& skipping = body.skipping;
+  Body<D>& body = *course_.body;
   settle_side_by_side();
-  const uint32_t inside_counts = skipping.by_environment ? 1 : 0,
-                 keeping_counts = skipping.by_clearance || skipping.sequences ? 1 : 0;
+  const uint32_t inside_counts = body.skipping.by_environment ? 1 : 0,
+                 keeping_counts = body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
+  sieve_.prefetch_sequences(~(inside_ | keeping_));
   uint64_t bit = 1;
   for (const uint32_t e : sieve_) {
     const typename Course<D>::Vertex &a = course_.vertices[body.edges[e].ends[0]],
@@ -96,12 +104,16 @@ void EdgePass<D>::sweep_chunk() {
     bit <<= 1;
     if (!settled | a.doubtful | b.doubtful) {
       sweep_ways(e);
+      body.passages[e] = body.sequences[e].passage;
       continue;
     }
     const uint32_t moves = (a.rank != kNone ? 1u : 0u) + (b.rank != kNone ? 1u : 0u);
     sweeps_.counts.swept += moves;
     sweeps_.counts.skipped += moves * (inside ? inside_counts : keeping_counts);
-    if (inside && !body.sequences[e].is_clear()) body.sequences[e].clear();
+    if (inside && (body.passages[e].front.valid() || !course_.keeps.empty())) {
+      body.passages[e].forget();
+      body.sequences[e].clear();
+    }
   }
 }
 

@@ -19,6 +19,7 @@ class EdgePass {
  private:
   void cast_places(uint32_t e, bool skips_back);
   void settle_side_by_side();
+  bool keeps_between(uint32_t e) const;
   void sweep_chunk();
   void sweep_ways(uint32_t e);
   void sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed);
