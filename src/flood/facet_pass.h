@@ -23,7 +23,8 @@ struct EdgeWay {
 };
 
 /** Whether the line through both ends certainly leaves through a facet before, between and after their moves. Corners
- * as above. The bound is that of the largest differences of all three lines, so it holds for each of them. */
+ * as above. One bound holds for all: no rounded difference exceeds that of the ends of the box of all points, since
+ * rounding keeps the order. */
 using KeepsToFacet = bool (*)(const double* const* corners, const EdgeWay& edge) noexcept;
 bool keeps_to_facet(const double* const* corners, const EdgeWay& edge) noexcept;
 #if defined(__x86_64__)

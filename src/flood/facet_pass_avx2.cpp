@@ -21,13 +21,11 @@ struct Lanes {
 
 Lanes all(const double* p) noexcept { return {_mm256_set1_pd(p[0]), _mm256_set1_pd(p[1]), _mm256_set1_pd(p[2])}; }
 
-/** Four points. */
-Lanes read(const double* const* points) noexcept {
-  // Masked, so that the last point of the host's array is not read past.
-  const __m256i mask = _mm256_setr_epi64x(-1, -1, -1, 0);
-  __m256d c[4];
-#pragma GCC unroll 4
-  for (int i = 0; i < 4; ++i) c[i] = _mm256_maskload_pd(points[i], mask);
+// Masked, so that the last point of the host's array is not read past.
+__m256d read(const double* point) noexcept { return _mm256_maskload_pd(point, _mm256_setr_epi64x(-1, -1, -1, 0)); }
+
+/** Four points as they are read. */
+Lanes transposed(const __m256d (&c)[4]) noexcept {
   const __m256d xy01 = _mm256_unpacklo_pd(c[0], c[1]), xy23 = _mm256_unpacklo_pd(c[2], c[3]),
                 y01 = _mm256_unpackhi_pd(c[0], c[1]), y23 = _mm256_unpackhi_pd(c[2], c[3]);
   return {_mm256_permute2f128_pd(xy01, xy23, 0x20), _mm256_permute2f128_pd(y01, y23, 0x20),
@@ -68,21 +66,33 @@ bool all_positive(__m256d det, const Lanes& most, bool triangle) noexcept {
 }  // namespace
 
 bool passes_facet_avx2(const double* const* corners, const double* from, const double* to) noexcept {
-  const Lanes start = all(from), a = read(corners) - start, b = next(a), way = all(to) - start;
+  const __m256d c[4] = {read(corners[0]), read(corners[1]), read(corners[2]), read(corners[3])};
+  const Lanes start = all(from), a = transposed(c) - start, b = next(a), way = all(to) - start;
   return all_positive(dot(cross(a, b), way), extent(a, b, way), corners[2] == corners[3]);
 }
 
 bool keeps_to_facet_avx2(const double* const* corners, const EdgeWay& edge) noexcept {
-  const Lanes points = read(corners), first_to = all(edge.first_to), other = all(edge.other),
+  const __m256d c[4] = {read(corners[0]), read(corners[1]), read(corners[2]), read(corners[3])};
+  const __m256d ends[4] = {read(edge.first), read(edge.first_to), read(edge.other), read(edge.other_to)};
+  __m256d low = ends[0], high = ends[0];
+#pragma GCC unroll 4
+  for (int i = 0; i < 4; ++i) {
+    low = _mm256_min_pd(_mm256_min_pd(low, ends[i]), c[i]);
+    high = _mm256_max_pd(_mm256_max_pd(high, ends[i]), c[i]);
+  }
+  const __m256d reach = high - low;
+  const Lanes reaches{_mm256_permute4x64_pd(reach, 0x00), _mm256_permute4x64_pd(reach, 0x55),
+                      _mm256_permute4x64_pd(reach, 0xaa)};
+
+  const Lanes points = transposed(c), first_to = all(edge.first_to), other = all(edge.other),
               other_to = all(edge.other_to);
-  const Lanes a = points - other, b = next(a), a_to = points - other_to, b_to = next(a_to);
-  const Lanes before = other - all(edge.first), between = other - first_to, after = other_to - first_to;
-  const Lanes normal = cross(a, b);
+  const Lanes a = points - other, a_to = points - other_to, normal = cross(a, next(a)),
+              normal_to = cross(a_to, next(a_to));
   const __m256d turned = _mm256_set1_pd(edge.from_first ? 0.0 : -0.0);
-  const __m256d least = _mm256_min_pd(_mm256_min_pd(_mm256_xor_pd(dot(normal, before), turned),
-                                                    _mm256_xor_pd(dot(normal, between), turned)),
-                                      _mm256_xor_pd(dot(cross(a_to, b_to), after), turned));
-  return all_positive(least, extent(a, b, a_to, b_to, before, between, after), corners[2] == corners[3]);
+  const __m256d least = _mm256_min_pd(_mm256_min_pd(_mm256_xor_pd(dot(normal, other - all(edge.first)), turned),
+                                                    _mm256_xor_pd(dot(normal, other - first_to), turned)),
+                                      _mm256_xor_pd(dot(normal_to, other_to - first_to), turned));
+  return all_positive(least, reaches, corners[2] == corners[3]);
 }
 
 }  // namespace dsw

@@ -254,9 +254,9 @@ bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const d
   if (facets.empty()) return first == last && env.map.convex(first);
   if (sequence.passage.version != env.obstacle_version && !(sequence.known() && renew(env, sequence))) return false;
   if (!sequence.passage.leads(env, first, last)) return false;
-  if (sequence.passage.corners[0] != Passage<D>::kNoCorner) {
-    if (!pass_only(env, sequence.passage.corners, from, to)) return false;
-  } else if (sequence.in_rows) {
+  // Asking one facet again costs no more than its last places.
+  if (sequence.passage.is_only()) return pass_only(env, sequence.passage.corners, from, to);
+  if (sequence.in_rows) {
     LineTests<D> line(from, to);
     if (first_missed<D>(line, sequence.rows.span(0, facets.size())) < facets.size() || !line.passed_all()) return false;
   } else if (!pass(env, from, to, facets)) {

@@ -29,6 +29,7 @@ struct Passage {
     front = back = {};
     corners[0] = kNoCorner;
   }
+  bool is_only() const noexcept { return corners[0] != kNoCorner; }
   /** Whether it leads from one cell to another, both of them exactly convex. */
   bool leads(const Environment<D>& env, Cell first, Cell last) const noexcept {
     return front == first && back == last && env.map.convex(first) && env.map.convex(last) && !is_closed(env, last);
@@ -41,7 +42,7 @@ struct EdgeSequence {
   Passage<D> passage;  // through the facets
   Array<uint32_t> facets;
   bool in_rows = true;  // they are of tetrahedra, in the plane of convex polygons
-  FacetRows<D> rows;          // the facets, of that version; only if they are in rows
+  FacetRows<D> rows;    // the facets, of that version; only if they are in rows
 
   /** A segment that is known to pass them in that version, from cell to cell. */
   struct Place {
@@ -117,11 +118,11 @@ struct EdgeSequence {
 template <int D>
 bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
                    Cell first, Cell last) noexcept;
-/** As passes_facets, but true at once for the last two places that have passed. */
+/** As passes_facets, but true at once for the last two places that have passed several facets. */
 template <int D>
 bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept {
-  return sequence.has_place(env.obstacle_version, from, to, first, last) ||
+  return (!sequence.passage.is_only() && sequence.has_place(env.obstacle_version, from, to, first, last)) ||
          passes_facets(env, sequence, from, to, first, last);
 }
 

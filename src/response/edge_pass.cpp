@@ -76,16 +76,15 @@ template <int D>
 bool EdgePass<D>::keeps_between(uint32_t e) const {
   const Body<D>& body = *course_.body;
   const EdgeSequence<D>& sequence = body.sequences[e];
-  const auto is_only = [](const Passage<D>& p) { return p.corners[0] != Passage<D>::kNoCorner; };
   // Faces ask the sequence, which may be another one since.
-  const Passage<D>& passage = is_only(body.passages[e]) && course_.keeps.empty() ? body.passages[e] : sequence.passage;
+  const Passage<D>& passage = body.passages[e].is_only() && course_.keeps.empty() ? body.passages[e] : sequence.passage;
   const uint32_t(&ends)[2] = body.edges[e].ends;
   const typename Course<D>::Vertex &a = course_.vertices[ends[0]], &b = course_.vertices[ends[1]];
   if (passage.version != env_.obstacle_version || !passage.leads(env_, a.from, b.from)) return false;
   const bool turned = b.rank < a.rank;
   const uint32_t v = ends[turned ? 1 : 0], w = ends[turned ? 0 : 1];
   const EdgeWay way{body.position(v), course_.place(v, kNone), body.position(w), course_.place(w, kNone), !turned};
-  return is_only(passage) ? keeps_to_passage(env_, passage, way) : keeps_to_facets(env_, sequence, way);
+  return passage.is_only() ? keeps_to_passage(env_, passage, way) : keeps_to_facets(env_, sequence, way);
 }
 
 /** Edges in their order: what one of them meets lets others wait. */

@@ -87,7 +87,8 @@ void EdgeSieve<D>::gather() {
 template <int D>
 void EdgeSieve<D>::prefetch_sequences(uint64_t which) const {
   constexpr size_t kLine = 64;
-  for (which &= ~uint64_t{0} >> (kChunk - count_); which != 0; which &= which - 1) {
+  if (count_ < kChunk) which &= (uint64_t{1} << count_) - 1;
+  for (; which != 0; which &= which - 1) {
     const auto* const sequence = &course_.body->sequences[chunk_[static_cast<size_t>(__builtin_ctzll(which))]];
     for (size_t at = 0; at < sizeof *sequence; at += kLine) {
       __builtin_prefetch(reinterpret_cast<const char*>(sequence) + at);
