@@ -16,7 +16,23 @@ bool passes_facet_avx2(const double* const* corners, const double* from, const d
 #endif
 extern const PassesFacet kPassesFacet;  // the fastest of this processor
 
-/** The same of one ridge, from x to y; `way` is the rounded difference of the line's points. */
+/** An edge whose ends move one after the other: `first` goes to `first_to`, then `other` goes to `other_to`. */
+struct EdgeWay {
+  const double *first, *first_to, *other, *other_to;
+  bool from_first;  // lines go from the end that moves first to the other one
+};
+
+/** Whether the line through both ends certainly leaves through a facet before, between and after their moves. Corners
+ * as above. One bound holds for all: no rounded difference exceeds that of the ends of the box of all points, since
+ * rounding keeps the order. */
+using KeepsToFacet = bool (*)(const double* const* corners, const EdgeWay& edge) noexcept;
+bool keeps_to_facet(const double* const* corners, const EdgeWay& edge) noexcept;
+#if defined(__x86_64__)
+bool keeps_to_facet_avx2(const double* const* corners, const EdgeWay& edge) noexcept;
+#endif
+extern const KeepsToFacet kKeepsToFacet;
+
+/** As passes_facet, of one ridge from x to y; `way` is the rounded difference of the line's points. */
 inline bool passes_ridge(const double* x, const double* y, const double* from, const filter::Vec<3>& way) noexcept {
   const filter::Vec<3> a = filter::difference<3>(x, from), b = filter::difference<3>(y, from);
   const double det = filter::dot(filter::cross(a, b), way);

@@ -112,11 +112,12 @@ bool are_open(const Environment<2>&, const Array<uint32_t>&) noexcept { return f
 /** Whether the facets are passable in the present version; where it is another one than before, reads them anew. */
 template <int D>
 bool renew(const Environment<D>& env, EdgeSequence<D>& sequence) noexcept {
-  if (sequence.version == env.obstacle_version) return true;
+  if (sequence.passage.version == env.obstacle_version) return true;
   const Array<uint32_t>& facets = sequence.facets;
   if (sequence.in_rows ? !are_passable(env, facets) : !are_open(env, facets)) return false;
   if (sequence.in_rows) read_rows(env, sequence, 0, facets.size());
-  sequence.version = env.obstacle_version;
+  sequence.note_passage(env);
+  sequence.passage.version = env.obstacle_version;
   sequence.place_count = 0;
   return true;
 }
@@ -200,18 +201,61 @@ void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t en
     rows.clear();
     in_rows = false;
   }
+  note_passage(env);
 }
+
+template <int D>
+void EdgeSequence<D>::note_passage(const Environment<D>& env) noexcept {
+  passage.forget();
+  if (facets.empty() || !known()) return;
+  const Map<D>& map = env.map;
+  const HalfFacet facet{facets.front()}, beyond = map.opposite({facets.back()});
+  if (!beyond.valid()) return;
+  const Cell c = map.cell_of(facet);
+  passage.front = c;
+  passage.back = map.cell_of(beyond);
+  if (facets.size() != 1) return;
+  if constexpr (D == 3) {
+    if (has_standard_facets(map.form(c))) standard_corners(map.record(c), map.local_of(facet, c), passage.corners);
+  } else {
+    if (in_rows) std::copy_n(Corners<2>(map, facet.word).vertices, 2, passage.corners);
+  }
+}
+
+namespace {
+
+/** Whether a line certainly passes a facet that is the only one. */
+bool pass_only(const Environment<3>& env, const uint32_t (&v)[4], const double* from, const double* to) noexcept {
+  const double* const corners[4] = {env.point(v[0]), env.point(v[1]), env.point(v[2]), env.point(v[3])};
+  return kPassesFacet(corners, from, to);
+}
+bool pass_only(const Environment<2>& env, const uint32_t (&v)[2], const double* from, const double* to) noexcept {
+  LineSides line(from, to);
+  return line.pass(env.point(v[0]), env.point(v[1])) && line.passed_all();
+}
+
+bool keeps_to(const Environment<3>& env, const uint32_t (&v)[4], const EdgeWay& edge) noexcept {
+  const double* const corners[4] = {env.point(v[0]), env.point(v[1]), env.point(v[2]), env.point(v[3])};
+  return kKeepsToFacet(corners, edge);
+}
+bool keeps_to(const Environment<2>& env, const uint32_t (&v)[2], const EdgeWay& edge) noexcept {
+  const auto passes = [&](const double* a, const double* b) {
+    return pass_only(env, v, edge.from_first ? a : b, edge.from_first ? b : a);
+  };
+  return passes(edge.first, edge.other) && passes(edge.first_to, edge.other) && passes(edge.first_to, edge.other_to);
+}
+
+}  // namespace
 
 template <int D>
 bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
                    Cell first, Cell last) noexcept {
-  const Map<D>& map = env.map;
   const Array<uint32_t>& facets = sequence.facets;
-  if (facets.empty()) return first == last && map.convex(first);
-  if (!sequence.known() || map.cell_of({facets.front()}) != first) return false;
-  if (map.cell_of(map.opposite({facets.back()})) != last) return false;
-  if (!map.convex(last) || is_closed(env, last)) return false;
-  if (!renew(env, sequence)) return false;
+  if (facets.empty()) return first == last && env.map.convex(first);
+  if (sequence.passage.version != env.obstacle_version && !(sequence.known() && renew(env, sequence))) return false;
+  if (!sequence.passage.leads(env, first, last)) return false;
+  // Asking one facet again costs no more than its last places.
+  if (sequence.passage.is_only()) return pass_only(env, sequence.passage.corners, from, to);
   if (sequence.in_rows) {
     LineTests<D> line(from, to);
     if (first_missed<D>(line, sequence.rows.span(0, facets.size())) < facets.size() || !line.passed_all()) return false;
@@ -220,6 +264,26 @@ bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const d
   }
   sequence.note_place(from, to, first, last);
   return true;
+}
+
+template <int D>
+bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, const EdgeWay& edge) noexcept {
+  return keeps_to(env, passage.corners, edge);
+}
+
+template <int D>
+bool keeps_to_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept {
+  if constexpr (D == 3) {
+    const Map<3>& map = env.map;
+    return !sequence.in_rows && std::all_of(sequence.facets.begin(), sequence.facets.end(), [&](uint32_t f) {
+      const Cell c = map.cell_of({f});
+      if (!map.convex(c) || !has_standard_facets(map.form(c))) return false;
+      uint32_t corners[4];
+      standard_corners(map.record(c), map.local_of({f}, c), corners);
+      return keeps_to(env, corners, edge);
+    });
+  }
+  return false;
 }
 
 namespace {
@@ -298,7 +362,7 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
                    const SweepEvent& event, HalfFacet* at_event) noexcept {
   const double *const from = p_first ? m.to : m.q, *const to = p_first ? m.q : m.to;
   const size_t count = sequence.facets.size();
-  const bool in_rows = sequence.in_rows && sequence.version == env.obstacle_version;
+  const bool in_rows = sequence.in_rows && sequence.passage.version == env.obstacle_version;
   if (D == 2 && !in_rows) return false;
   FacetRidge later{nullptr, nullptr, 0};  // the last that was found to be met later: the next facet may have it, too
   // Of facets in rows those are asked one by one that are not passed for certain; of others all.
@@ -391,7 +455,7 @@ template <int D>
 void SequenceWriter<D>::finish(EdgeSequence<D>& sequence) {
   if (passed_ == facets_.size()) {
     sequence.assign(*env_, facets_);
-    sequence.version = env_->obstacle_version;
+    sequence.passage.version = env_->obstacle_version;
     return;
   }
   sequence.facets.reserve(1);
@@ -414,6 +478,8 @@ template struct EdgeSequence<3>;
 template class SequenceWriter<2>;
 template class SequenceWriter<3>;
 DSW_INSTANTIATE(passes_facets);
+DSW_INSTANTIATE(keeps_to_passage);
+DSW_INSTANTIATE(keeps_to_facets);
 DSW_INSTANTIATE(passes_before);
 DSW_INSTANTIATE(path_facets);
 DSW_INSTANTIATE(turn);

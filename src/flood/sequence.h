@@ -4,21 +4,45 @@
 #include <algorithm>
 
 #include "environment/environment.h"
+#include "flood/facet_pass.h"
 #include "predicates/sweep_events.h"
 #include "walk/cast.h"
 #include "walk/facet_rows.h"
 
 namespace dsw {
 
+/** A way from one cell to another through facets that are passable, in some version of an environment: true of that
+ * whatever an edge does. */
+template <int D>
+struct Passage {
+  static constexpr uint64_t kNever = ~uint64_t{0};
+  static constexpr uint32_t kNoCorner = ~uint32_t{0};
+
+  uint64_t version = kNever;
+  Cell front, back;  // invalid: no way is known, or it passes no facet
+  /** Of a facet that is the only one: in its order, a triangle repeats the last. kNoCorner: there are several, or it is
+   * one of a polyhedron. */
+  uint32_t corners[D == 3 ? 4 : 2];
+
+  Passage() noexcept { forget(); }
+  void forget() noexcept {
+    front = back = {};
+    corners[0] = kNoCorner;
+  }
+  bool is_only() const noexcept { return corners[0] != kNoCorner; }
+  /** Whether it leads from one cell to another, both of them exactly convex. */
+  bool leads(const Environment<D>& env, Cell first, Cell last) const noexcept {
+    return front == first && back == last && env.map.convex(first) && env.map.convex(last) && !is_closed(env, last);
+  }
+};
+
 /** The half-facets that an edge was last known to pass, each seen from the cell that is left; one kNoFacet: unknown. */
 template <int D>
 struct EdgeSequence {
-  static constexpr uint64_t kNever = ~uint64_t{0};
-
+  Passage<D> passage;  // through the facets
   Array<uint32_t> facets;
-  bool in_rows = true;        // they are of tetrahedra, in the plane of convex polygons
-  uint64_t version = kNever;  // of the environment when they were passable
-  FacetRows<D> rows;          // the facets, of that version; only if they are in rows
+  bool in_rows = true;  // they are of tetrahedra, in the plane of convex polygons
+  FacetRows<D> rows;    // the facets, of that version; only if they are in rows
 
   /** A segment that is known to pass them in that version, from cell to cell. */
   struct Place {
@@ -34,7 +58,7 @@ struct EdgeSequence {
   uint32_t place_count = 0, last_place = 0;
 
   bool has_place(uint64_t of_version, const double* from, const double* to, Cell first, Cell last) const noexcept {
-    if (place_count == 0 || version != of_version) return false;
+    if (place_count == 0 || passage.version != of_version) return false;
     return places[last_place].is(from, to, first, last) ||
            (place_count == 2 && places[1 - last_place].is(from, to, first, last));
   }
@@ -56,6 +80,7 @@ struct EdgeSequence {
     facets.clear();
     rows.clear();
     in_rows = true;
+    passage.forget();
     place_count = 0;
   }
   /** Makes what is known unknown. There is room for one facet. */
@@ -64,6 +89,7 @@ struct EdgeSequence {
     facets[0] = kNoFacet;
     rows.clear();
     in_rows = false;
+    passage.forget();
     place_count = 0;
   }
   bool known() const noexcept { return facets.empty() || facets[0] != kNoFacet; }
@@ -82,6 +108,8 @@ struct EdgeSequence {
     const size_t at = first ? 0 : facets.size() - 1;
     replace(env, at, at + 1, nullptr, 0);
   }
+  /** To be called when facets have changed, or been read anew. */
+  void note_passage(const Environment<D>& env) noexcept;
 };
 
 /** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all
@@ -90,13 +118,21 @@ struct EdgeSequence {
 template <int D>
 bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
                    Cell first, Cell last) noexcept;
-/** As passes_facets, but true at once for the last two places that have passed. */
+/** As passes_facets, but true at once for the last two places that have passed several facets. */
 template <int D>
 bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept {
-  return sequence.has_place(env.obstacle_version, from, to, first, last) ||
+  return (!sequence.passage.is_only() && sequence.has_place(env.obstacle_version, from, to, first, last)) ||
          passes_facets(env, sequence, from, to, first, last);
 }
+
+/** Whether an edge passes the facet of a passage before, between and after the moves of its ends, which stay in the
+ * cells at it. As passes_facets for each of the three lines. */
+template <int D>
+bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, const EdgeWay& edge) noexcept;
+/** The same of facets that are not in rows, which are passable in the present version. */
+template <int D>
+bool keeps_to_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept;
 
 /** Whether edge p q meets no ridge of its sequence before `event` while p goes to `to`. The sequence is that of the
  * edge at the start; facets that the path of p passes have been added or removed. On which side the line through p and

@@ -12,12 +12,10 @@ void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
   const bool skips_back = may_skip && body.skipping.back_edges;
   sieve_.start(may_skip);
   while (sieve_.next()) {
-    for (const uint32_t e : sieve_) {
-      if (only_places) {
-        cast_places(e, skips_back);
-      } else {
-        sweep_ways(e);
-      }
+    if (only_places) {
+      for (const uint32_t e : sieve_) cast_places(e, skips_back);
+    } else {
+      sweep_chunk();
     }
   }
   casts_.run_edges();
@@ -47,6 +45,75 @@ void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
   if (second.doubtful) return;
   ++sweeps_.counts.swept;
   casts_.add_place(e, w, {second.arrival, targets[w]}, {first.arrival, targets[v]});
+}
+
+/** Finds the edges of a chunk whose ends stay in their cells: in one convex cell, or in two between which the edge is
+ * known to pass the facet all the way. What StarSweep::settle finds out of one move of one end, for both, and without
+ * branches on what is found of each edge. */
+template <int D>
+void EdgePass<D>::settle_side_by_side() {
+  const Body<D>& body = *course_.body;
+  const typename Course<D>::Vertex* const vertices = course_.vertices.data();
+  inside_ = keeping_ = 0;
+  uint64_t between = 0, bit = 1;
+  for (const uint32_t e : sieve_) {
+    const typename Course<D>::Vertex &a = vertices[body.edges[e].ends[0]], &b = vertices[body.edges[e].ends[1]];
+    const Passage<D>& passage = body.passages[e];
+    const bool stays = (a.from == a.arrival) & (b.from == b.arrival), same = a.from == b.from;
+    inside_ |= stays & same & env_.map.convex(a.from) ? bit : 0;
+    between |= stays & !same & (passage.front == a.from) & (passage.back == b.from) ? bit : 0;
+    bit <<= 1;
+  }
+  if (sweeps_.max_volumes != 0) return;  // what is kept must not carry an edge past it
+  for (; between != 0; between &= between - 1) {
+    const auto i = static_cast<uint32_t>(__builtin_ctzll(between));
+    if (keeps_between(sieve_.begin()[i])) keeping_ |= uint64_t{1} << i;
+  }
+}
+
+/** Whether an edge keeps to the way between the cells of its ends, where they stay. */
+template <int D>
+bool EdgePass<D>::keeps_between(uint32_t e) const {
+  const Body<D>& body = *course_.body;
+  const EdgeSequence<D>& sequence = body.sequences[e];
+  // Faces ask the sequence, which may be another one since.
+  const Passage<D>& passage = body.passages[e].is_only() && course_.keeps.empty() ? body.passages[e] : sequence.passage;
+  const uint32_t(&ends)[2] = body.edges[e].ends;
+  const typename Course<D>::Vertex &a = course_.vertices[ends[0]], &b = course_.vertices[ends[1]];
+  if (passage.version != env_.obstacle_version || !passage.leads(env_, a.from, b.from)) return false;
+  const bool turned = b.rank < a.rank;
+  const uint32_t v = ends[turned ? 1 : 0], w = ends[turned ? 0 : 1];
+  const EdgeWay way{body.position(v), course_.place(v, kNone), body.position(w), course_.place(w, kNone), !turned};
+  return passage.is_only() ? keeps_to_passage(env_, passage, way) : keeps_to_facets(env_, sequence, way);
+}
+
+/** Edges in their order: what one of them meets lets others wait. */
+template <int D>
+void EdgePass<D>::sweep_chunk() {
+  Body<D>& body = *course_.body;
+  settle_side_by_side();
+  const uint32_t inside_counts = body.skipping.by_environment ? 1 : 0,
+                 keeping_counts = body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
+  sieve_.prefetch_sequences(~(inside_ | keeping_));
+  uint64_t bit = 1;
+  for (const uint32_t e : sieve_) {
+    const typename Course<D>::Vertex &a = course_.vertices[body.edges[e].ends[0]],
+                                     &b = course_.vertices[body.edges[e].ends[1]];
+    const bool inside = (inside_ & bit) != 0, settled = ((inside_ | keeping_) & bit) != 0;
+    bit <<= 1;
+    if (!settled | a.doubtful | b.doubtful) {
+      sweep_ways(e);
+      body.passages[e] = body.sequences[e].passage;
+      continue;
+    }
+    const uint32_t moves = (a.rank != kNone ? 1u : 0u) + (b.rank != kNone ? 1u : 0u);
+    sweeps_.counts.swept += moves;
+    sweeps_.counts.skipped += moves * (inside ? inside_counts : keeping_counts);
+    if (inside && (body.passages[e].front.valid() || !course_.keeps.empty())) {
+      body.passages[e].forget();
+      body.sequences[e].clear();
+    }
+  }
 }
 
 /** In the order of the turns of both ends: what the edge is found to pass is then that of its last place. */

@@ -18,6 +18,9 @@ class EdgePass {
 
  private:
   void cast_places(uint32_t e, bool skips_back);
+  void settle_side_by_side();
+  bool keeps_between(uint32_t e) const;
+  void sweep_chunk();
   void sweep_ways(uint32_t e);
   void sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed);
   bool is_boxed(uint32_t e);
@@ -28,6 +31,7 @@ class EdgePass {
   CourseCasts<D>& casts_;
   EdgeSieve<D> sieve_;
   bool may_guess_ = false;
+  uint64_t inside_ = 0, keeping_ = 0;  // of the edges of a chunk: those that settle_side_by_side has settled
 };
 
 /** Its edges have been swept. */

@@ -82,8 +82,18 @@ void EdgeSieve<D>::gather() {
     }
     chunk_[count_++] = next_;
   }
-  if (!body.keeps_sequences()) return;
-  for (uint32_t i = 0; i < count_; ++i) __builtin_prefetch(body.sequences[chunk_[i]].facets.data());
+}
+
+template <int D>
+void EdgeSieve<D>::prefetch_sequences(uint64_t which) const {
+  constexpr size_t kLine = 64;
+  if (count_ < kChunk) which &= (uint64_t{1} << count_) - 1;
+  for (; which != 0; which &= which - 1) {
+    const auto* const sequence = &course_.body->sequences[chunk_[static_cast<size_t>(__builtin_ctzll(which))]];
+    for (size_t at = 0; at < sizeof *sequence; at += kLine) {
+      __builtin_prefetch(reinterpret_cast<const char*>(sequence) + at);
+    }
+  }
 }
 
 /** Drops the edges that do not move, and those without doubt for which drops(a, b, e) holds, counted as skipped. */

@@ -161,7 +161,7 @@ void BodyReader<D>::read_balls(Body<D>& body, uint64_t count) {
     ball.wanted = place[D + 1];
     ball.wait = words[0];
     ball.patience = words[1];
-    ball.version = words[2] == 1 ? env_.obstacle_version : EdgeSequence<D>::kNever;
+    ball.version = words[2] == 1 ? env_.obstacle_version : Passage<D>::kNever;
     const bool finite = std::all_of(place, place + D + 1, [](double x) { return std::isfinite(x); });
     if (!finite || std::isnan(ball.wanted) || words[2] > 1 || !(ball.radius > 0 || (ball.radius == 0 && words[2] == 0)))
       fail_corrupt("a clearance");

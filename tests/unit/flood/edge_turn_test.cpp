@@ -131,6 +131,58 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
   EXPECT_GT(refused, 100);
 }
 
+TEST(Passage, WhoKeepsToItFollowsTheFacetsAndSweepsNothing) {
+  int kept[2] = {0, 0}, left = 0;
+  for (int round = 0; round < 40; ++round) {
+    Random random(static_cast<uint64_t>(round + 101));
+    const auto env = make_ground(random, round % 2 == 0);
+    SweepFlood<3> flood(*env);
+    for (int i = 0; i < 600; ++i) {
+      Point p, q, p_to, q_to;
+      for (size_t k = 0; k < 3; ++k) {
+        p[k] = kSize * random.unit();
+        q[k] = p[k] + 2 * random.unit() - 1;
+        p_to[k] = p[k] + 0.2 * (2 * random.unit() - 1);
+        q_to[k] = q[k] + 0.2 * (2 * random.unit() - 1);
+      }
+      Noted noted;
+      if (!locate(*env, p.data(), Cell{}, nullptr).cell.valid() || !noted.note(*env, p.data(), q.data())) continue;
+      const Cell first = noted.first, last = noted.last;
+      const auto is_in = [&](const Point& x, Cell c) { return locate(*env, x.data(), Cell{}, nullptr).cell == c; };
+      if (noted.sequence.facets.empty() || !is_in(p_to, first) || !is_in(q_to, last)) continue;
+      const Passage<3>& passage = noted.sequence.passage;
+      ASSERT_EQ(passage.version, env->obstacle_version);
+      ASSERT_EQ(passage.is_only(), noted.sequence.facets.size() == 1);
+      ASSERT_TRUE(passage.leads(*env, first, last));
+      ASSERT_FALSE(passage.leads(*env, last, first));
+      const bool p_moves_first = random.below(2) == 0;
+      const EdgeWay way = p_moves_first ? EdgeWay{p.data(), p_to.data(), q.data(), q_to.data(), true}
+                                        : EdgeWay{q.data(), q_to.data(), p.data(), p_to.data(), false};
+      if (!(passage.is_only() ? keeps_to_passage(*env, passage, way) : keeps_to_facets(*env, noted.sequence, way))) {
+        ++left;
+        continue;
+      }
+      const Point &middle_p = p_moves_first ? p_to : p, &middle_q = p_moves_first ? q : q_to;
+      ASSERT_TRUE(follows(*env, noted.sequence, p.data(), q.data(), first, last)) << round << "/" << i;
+      ASSERT_TRUE(follows(*env, noted.sequence, middle_p.data(), middle_q.data(), first, last)) << round << "/" << i;
+      ASSERT_TRUE(follows(*env, noted.sequence, p_to.data(), q_to.data(), first, last)) << round << "/" << i;
+      const HalfFacet facet{noted.sequence.facets.front()};
+      set_facet_mark(*env, facet, true);
+      ASSERT_NE(passage.version, env->obstacle_version) << "what is known is of another version";
+      set_facet_mark(*env, facet, false);
+      ASSERT_EQ(flood.sweep(EdgeMotion{p.data(), p_to.data(), middle_q.data()}, first, 0).end, SweepEnd::kFree);
+      ASSERT_EQ(flood.sweep(EdgeMotion{q.data(), q_to.data(), middle_p.data()}, last, 0).end, SweepEnd::kFree);
+      ++kept[passage.is_only() ? 0 : 1];
+      set_cell_mark(*env, last, true);
+      ASSERT_FALSE(passage.leads(*env, first, last)) << "the last cell is marked";
+      set_cell_mark(*env, last, false);
+    }
+  }
+  EXPECT_GT(kept[0], 500);
+  EXPECT_GT(kept[1], 100);
+  EXPECT_GT(left, 300);
+}
+
 TEST(EdgeTurn, PlacesOfBeforePointsMovedAreForgotten) {
   Mesh3 mesh;
   add_boxes(mesh, 2, 1, 1);
