@@ -64,14 +64,31 @@ Cell lowest_tetrahedron_round(const Map<3>& map, Dart d, const Pivot<3>& edge) n
 HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const uint32_t (&edge)[2]) noexcept {
   const Map<3>& map = env.map;
   const Pivot<3> pivot{{edge[0], edge[1]}};
+  const HalfFacet start = entered;
   for (int cells = 0; cells < kMostFanCells; ++cells) {
     const Cell c = map.cell_of(entered);
     if (map.form(c) != Form::kSimplex) return {};
     const HalfFacet next = other_at(map, c, entered, pivot);
     if (is_impassable(env, next)) return next;
     entered = map.opposite(next);
+    if (entered == start) return {};
   }
   return {};
+}
+
+bool is_alone(const Environment<3>& env, const HalfFacet (&walls)[2], const uint32_t (&edge)[2]) noexcept {
+  const Map<3>& map = env.map;
+  const Pivot<3> pivot{{edge[0], edge[1]}};
+  int cells = 0;
+  for (int side = 0; side < 2; ++side) {
+    for (HalfFacet entered = map.opposite(walls[side]); entered.valid(); ++cells) {
+      if (entered == walls[1 - side]) return true;
+      const Cell c = map.cell_of(entered);
+      if (cells == kMostFanCells || map.form(c) != Form::kSimplex || !is_closed(env, c)) return false;
+      entered = map.opposite(other_at(map, c, entered, pivot));
+    }
+  }
+  return true;
 }
 
 bool sees_only_fan(const Environment<3>& env, const SweptTriangle& triangle, const HalfFacet (&walls)[2],

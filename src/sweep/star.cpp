@@ -34,7 +34,8 @@ bool StarSweep<D>::is_face_seen(const FaceMotion& m, Cell cell) const {
 }
 
 template <int D>
-Settled StarSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls) {
+Settled StarSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls,
+                                             FirstRidge* ridge) {
   // What is known must not carry an edge past the work limit that it meets without.
   if (max_volumes != 0) return Settled::kNo;
   const Skipping& skipping = body.skipping;
@@ -43,7 +44,8 @@ Settled StarSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSwee
     settled = Settled::kClear;
   } else if (body.keeps_sequences()) {
     scratch_.counters = counters;
-    settled = follow_sequence(env_, body, sweep, scratch_);
+    settled = ridge != nullptr ? follow_to_ridge(env_, body, sweep, true, scratch_, ridge)
+                               : follow_sequence(env_, body, sweep, scratch_);
   }
   counts.skipped += settled != Settled::kNo && (skipping.by_clearance || skipping.sequences) ? 1 : 0;
   return settled;
@@ -164,8 +166,7 @@ bool StarSweep<D>::find_obstacle(const Body<D>& body, uint32_t v, const double* 
 }
 
 template <int D>
-SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell,
-                                  bool likely) {
+SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
   const BodyVertex<D>& at = body.vertices[v];
   if (std::equal(to, to + D, at.position)) {
     *cell = at.cell;
@@ -183,19 +184,24 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
     for (const uint32_t e : hit_edges_) {
       const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
       const EdgeSweep sweep{e, v, to, path.cell, fixed.position, fixed.cell, passed};
-      if (!consider_touched(body, sweep, earliest)) consider_edge(body, sweep, earliest);
+      FirstRidge ridge;
+      if (!stays_free(body, sweep, &ridge) && !consider_ridge(body, sweep, ridge, earliest)) {
+        consider_edge(body, sweep, earliest);
+      }
     }
   } else if (body.level != SweepLevel::kPoints) {
     const PathFacets passed = path_facets(env_.map, at.cell, path);
     for_each_edge(body, v, [&](uint32_t e) {
       const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
       const EdgeSweep sweep{e, v, to, path.cell, fixed.position, fixed.cell, passed};
-      if (likely && consider_touched(body, sweep, earliest)) {
-        counts.swept += reached ? 1 : 0;
-        return true;
-      }
-      const bool settled = reached ? settles(body, sweep) : stays_before_wall(env_, at, to, path.cell, fixed);
-      if (!settled && (likely || !consider_touched(body, sweep, earliest))) consider_edge(body, sweep, earliest);
+      FirstRidge ridge;
+      const bool settled = reached
+                               ? settle(body, sweep, true, &ridge) != Settled::kNo
+                               : stays_before_wall(env_, at, to, path.cell, fixed) || stays_free(body, sweep, &ridge);
+      if (settled || consider_ridge(body, sweep, ridge, earliest)) return true;
+      // The edge may turn round what it meets.
+      const bool turns = reached && ridge.facet.valid() && follow_sequence(env_, body, sweep, scratch_) != Settled::kNo;
+      if (!turns) consider_edge(body, sweep, earliest);
       return true;
     });
   }
@@ -208,23 +214,26 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
   return limited_ ? SweepEnd::kWorkLimit : earliest.any ? SweepEnd::kContact : SweepEnd::kFree;
 }
 
-/** Whether an edge of the environment that the edge has touched before settles this sweep: it is the first contact, or
- * nothing comes before the earliest contact that is known. */
+/** Whether an edge is known to meet nothing up to a wall that its moving end meets, or up to its new place, which is
+ * not free. If not, `ridge` is what it meets first, if that is known. */
 template <int D>
-bool StarSweep<D>::consider_touched(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest) {
+bool StarSweep<D>::stays_free(const Body<D>& body, const EdgeSweep& sweep, FirstRidge* ridge) {
   if (max_volumes != 0 || !body.keeps_sequences()) return false;
-  const PiercedLine pierced = find_pierced_line(env_, body, sweep);
-  if (!pierced) return false;
   scratch_.counters = counters;
+  return follow_to_ridge(env_, body, sweep, false, scratch_, ridge) != Settled::kNo;
+}
+
+/** Whether the ridge that an edge meets first, if it is known, settles its sweep: it is the first contact, or comes
+ * after the earliest contact that is known. */
+template <int D>
+bool StarSweep<D>::consider_ridge(const Body<D>& body, const EdgeSweep& sweep, const FirstRidge& ridge,
+                                  Earliest& earliest) {
+  if (!ridge.facet.valid()) return false;
   const double* const p = body.position(sweep.v);
-  if (earliest.any) {
-    const SweepEvent& first = earliest.contact->contact.event;
-    if (compare_events<D>(p, sweep.to, first, pierced.event).sign < 0) {
-      return is_free_before(env_, body, sweep, first, scratch_, nullptr);
-    }
-  }
+  if (earliest.any && compare_events<D>(p, sweep.to, earliest.contact->contact.event, ridge.event).sign < 0)
+    return true;
   SweepContact found;
-  if (!meets_first(env_, body, sweep, pierced, &found, scratch_)) return false;
+  if (!meets_first(env_, body, sweep, ridge, &found)) return false;
   consider(p, sweep.to, {found, sweep.e, kNone}, earliest);
   return true;
 }
@@ -236,7 +245,7 @@ void StarSweep<D>::consider_edge(const Body<D>& body, const EdgeSweep& sweep, Ea
   if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return;
   scratch_.counters = counters;
   if (earliest.any && max_volumes == 0 &&
-      is_free_before(env_, body, sweep, earliest.contact->contact.event, scratch_, nullptr)) {
+      is_free_before(env_, body, sweep, earliest.contact->contact.event, scratch_)) {
     return;
   }
   const double end = earliest.any ? time_after<D>(m.p, m.to, earliest.contact->contact.event) : 1;

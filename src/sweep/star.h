@@ -71,18 +71,17 @@ class StarSweep {
   }
 
   /** The first contact with the environment on that way, whose event borrows the body's points and `to`. Without one
-   * *cell is set. At the work limit neither.
-   * @param likely whether a contact is likely: what was touched before is then asked first. */
-  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell,
-                      bool likely = true);
+   * *cell is set. At the work limit neither. */
+  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
 
   /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only
    * that. */
   void find_all(const Body<D>& body, uint32_t v, const double* to, const StarContact& first, Array<StarContact>& all);
 
   /** What is known of the sweep of an edge; counts what is settled.
-   * @param ask_balls whether the balls of its ends have not been asked. */
-  Settled settle(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true) {
+   * @param ask_balls whether the balls of its ends have not been asked.
+   * @param ridge null, or what is met first if it is not settled; see follow_to_ridge. */
+  Settled settle(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true, FirstRidge* ridge = nullptr) {
     ++counts.swept;
     const Skipping& skipping = body.skipping;
     const bool keeps = body.keeps_sequences();
@@ -96,7 +95,7 @@ class StarSweep {
       }
     }
     ask_balls = ask_balls && skipping.by_clearance;
-    return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls) : Settled::kNo;
+    return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls, ridge) : Settled::kNo;
   }
   /** The same for an edge that is known to lie, with what it sweeps, in a free box. */
   Settled settle_boxed(const Body<D>& body) {
@@ -120,7 +119,7 @@ class StarSweep {
 
   /** Whether what stopped an edge before stands in its way: then its sweep is most likely not free. */
   bool meets_touched_line(const Body<D>& body, const EdgeSweep& sweep) const noexcept {
-    return max_volumes == 0 && find_pierced_line(env_, body, sweep);
+    return max_volumes == 0 && pierces_touched_line(env_, body, sweep);
   }
   bool is_triangle_free(const EdgeMotion& m, Cell start) {
     if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return true;
@@ -163,14 +162,15 @@ class StarSweep {
     return swept;
   }
   bool is_face_seen(const FaceMotion& m, Cell cell) const;
-  Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls);
+  Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls, FirstRidge* ridge);
   CastResult cast_path(const Body<D>& body, uint32_t v, const double* to);
   StarTry try_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell);
   uint32_t find_swept_edge(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
   uint32_t find_swept_face(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
   bool find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider_edge(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest);
-  bool consider_touched(const Body<D>& body, const EdgeSweep& sweep, Earliest& earliest);
+  bool stays_free(const Body<D>& body, const EdgeSweep& sweep, FirstRidge* ridge);
+  bool consider_ridge(const Body<D>& body, const EdgeSweep& sweep, const FirstRidge& ridge, Earliest& earliest);
   void consider_face(const Body<D>& body, uint32_t v, const double* to, uint32_t f, Earliest& earliest);
   void collect_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e, const StarContact& first,
                     Array<StarContact>& all);
