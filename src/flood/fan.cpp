@@ -15,12 +15,9 @@ bool leaves(const Environment<3>& env, const SweptTriangle& triangle, HalfFacet 
   const Map<3>& map = env.map;
   uint32_t edge[2] = {begin[0], begin[1]};
   for (int facets = 0; facets < kMostWallFacets; ++facets) {
-    const Cell c = map.cell_of(wall);
-    uint32_t tip = 0;
-    for (const uint8_t local : kTetrahedronFacets[map.local_of(wall, c)]) {
-      const uint32_t vertex = map.vertex(c, local);
-      if (vertex != edge[0] && vertex != edge[1]) tip = vertex;
-    }
+    const uint32_t* const w = map.record(tetrahedron_of(wall));
+    uint32_t tip = 0u - edge[0] - edge[1];  // modulo 2^32: of three vertices that which is not on the edge remains
+    for (const uint8_t local : kTetrahedronFacets[local_in_tetrahedron(wall)]) tip += w[local] & kVertexMask;
     // It leaves this facet through the edge from the tip to the vertex on the other side of the triangle's plane.
     const int side_of_tip = triangle.side(env.point(tip));
     const uint32_t other = side == side_of_tip ? edge[1] : edge[0];

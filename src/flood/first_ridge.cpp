@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "environment/marking.h"
+#include "flood/edge_turn.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
 #include "walk/shear.h"
@@ -14,6 +16,25 @@ namespace {
 
 const MissedTriangles kFindMissed = choose_missed_triangles();
 constexpr size_t kMostTested = 64;  // facets at once
+
+/** Cells of facets in rows, for turn_at. */
+struct Tetrahedra {
+  const Map<3>& map;
+
+  bool suits(Cell c) const noexcept { return map.form(c) == Form::kSimplex; }
+  bool has(uint32_t facet, const Pivot<3>& edge) const noexcept {
+    const uint32_t* const w = map.record(tetrahedron_of({facet}));
+    int shared = 0;
+    for (const uint8_t local : kTetrahedronFacets[local_in_tetrahedron({facet})]) {
+      const uint32_t vertex = w[local] & kVertexMask;
+      shared += vertex == edge.vertices[0] || vertex == edge.vertices[1] ? 1 : 0;
+    }
+    return shared == 2;
+  }
+  HalfFacet other(Cell c, HalfFacet entered, const Pivot<3>& edge) const noexcept {
+    return other_at(map, c, entered, edge);
+  }
+};
 
 /** Finds the earliest of the ridges that an edge meets. */
 class RidgeSearch {
@@ -52,8 +73,8 @@ class RidgeSearch {
   /** One that the path of p adds: the edge passes it from then on, if it has met nothing before. */
   bool look_at_added(HalfFacet facet) noexcept {
     if (first_.facet.valid()) {
-      const Cell c{facet.word / kUnitWords<3>};
-      const uint8_t(&local)[3] = kTetrahedronFacets[env_.map.local_of(facet, c)];
+      const Cell c = tetrahedron_of(facet);
+      const uint8_t(&local)[3] = kTetrahedronFacets[local_in_tetrahedron(facet)];
       const SweepEvent passed{{env_.point(c, local[0]), env_.point(c, local[1]), env_.point(c, local[2])}};
       const int order = compare_events<3>(m_.p, m_.to, first_.event, passed).sign;
       if (order <= 0) return order < 0;
@@ -63,8 +84,8 @@ class RidgeSearch {
   }
 
   bool look_at(Shear& line, HalfFacet facet) noexcept {
-    const uint32_t* const w = env_.map.record(Cell{facet.word / kUnitWords<3>});
-    const uint8_t(&local)[3] = kTetrahedronFacets[facet.word % kUnitWords<3> - (kUnitWords<3> - 4)];
+    const uint32_t* const w = env_.map.record(tetrahedron_of(facet));
+    const uint8_t(&local)[3] = kTetrahedronFacets[local_in_tetrahedron(facet)];
     uint32_t vertices[3];
     const double* at[3];
     Shear::Point points[3];
@@ -111,6 +132,15 @@ class RidgeSearch {
 };
 
 }  // namespace
+
+bool turn_round(const Environment<3>& env, EdgeSequence<3>& sequence, const FirstRidge& ridge) {
+  const Pivot<3> pivot{{ridge.vertices[0], ridge.vertices[1]}};
+  if (env.marked_edges != 0 && edge_marked(env, pivot.vertices[0], pivot.vertices[1])) return false;
+  const Array<uint32_t>& facets = sequence.facets;
+  const auto at = std::find(facets.begin(), facets.end(), ridge.facet.word);
+  if (at == facets.end()) return false;
+  return turn_at(env, sequence, static_cast<size_t>(at - facets.begin()), pivot, Tetrahedra{env.map});
+}
 
 bool find_first_ridge(const Environment<3>& env, const EdgeSequence<3>& sequence, const EdgeMotion& m, bool p_first,
                       size_t added, FirstRidge* first) noexcept {

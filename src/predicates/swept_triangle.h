@@ -71,8 +71,8 @@ class SweptTriangle {
     if (sign(line(new_, filter::cross(a_end, b_end), a_end, b_end), m_.to, m_.q, a, b) != side_of_b) return true;
     const filter::Vec<3> a_start = filter::difference<3>(a, m_.p), b_start = filter::difference<3>(b, m_.p);
     const filter::Vec<3> start = filter::cross(a_start, b_start);
-    if (-sign(line(old_, start, a_start, b_start), m_.p, m_.q, a, b) != side_of_b) return true;
-    return sign(line(move_, start, a_start, b_start), m_.p, m_.to, a, b) != side_of_b;
+    if (sign(line(move_, start, a_start, b_start), m_.p, m_.to, a, b) != side_of_b) return true;
+    return -sign(line(old_, start, a_start, b_start), m_.p, m_.q, a, b) != side_of_b;
   }
 
  private:

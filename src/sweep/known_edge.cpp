@@ -6,6 +6,7 @@
 #include "flood/sequence.h"
 #include "predicates/filtered.h"
 #include "sweep/clearance.h"
+#include "sweep/touched_line.h"
 
 namespace dsw {
 namespace {
@@ -190,14 +191,21 @@ Settled follow_to_ridge(const Environment<3>& env, const Body<3>& body, const Ed
   // Only cells of facets in rows are known to be convex.
   const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
   const size_t added = (sequence.facets.size() + crossed - count) / 2;  // the others have been removed
-  const bool knows =
-      in_rows && env.map.convex(sweep.arrival) && find_first_ridge(env, sequence, m, edge.first, added, ridge);
+  bool knows = in_rows && env.map.convex(sweep.arrival) && find_first_ridge(env, sequence, m, edge.first, added, ridge);
+  bool turned = false;
+  for (int turns = 0; stays && arrives && knows && ridge->facet.valid() && turns < kMostTurns; ++turns) {
+    if (has_walls(env, body, sweep, *ridge)) break;
+    if (!turned) edge.save();
+    if (!turn_round(env, edge.sequence, *ridge)) break;
+    turned = true;
+    knows = sequence.in_rows && find_first_ridge(env, sequence, m, edge.first, 0, ridge);
+  }
   const bool free = knows && !ridge->facet.valid();
   if (free && arrives) {
     edge.note(sweep.to, sweep.arrival);
-    return Settled::kSleeve;
+    return turned ? Settled::kTurned : Settled::kSleeve;
   }
-  if (!stays) edge.restore();
+  if (!stays || turned) edge.restore();
   if (free) return Settled::kSleeve;
   if (!knows) *ridge = {};
   return !in_rows && arrives ? follow_sequence(env, body, sweep, scratch) : Settled::kNo;

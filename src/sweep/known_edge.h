@@ -53,8 +53,9 @@ template <int D>
 Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
                         EdgeScratch<D>& scratch);
 
-/** As follow_sequence, and where an edge in space does not keep to facets in rows: `ridge` is what it meets first, if
- * that is known, with the facet of its sequence that has it. It does not turn round that. Triangles count.
+/** As follow_sequence, where triangles count, and where an edge in space does not keep to facets in rows: `ridge` is
+ * what it meets first and cannot turn round, if that is known, with the facet of its sequence that has it then. Where
+ * the end that moves arrives in its own cell, the edge may turn round several ridges, one after the other.
  * @param arrives whether the path of the moving end is free; if not, what is met counts up to the wall that the path
  * meets, and the sequence stays that of the edge's place. */
 Settled follow_to_ridge(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, bool arrives,

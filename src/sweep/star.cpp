@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "predicates/inside_tetrahedron.h"
+
 namespace dsw {
 namespace {
 
@@ -15,6 +17,16 @@ template <int D>
 EdgeMotion motion_of_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e) {
   return {body.position(v), to, body.position(body.edges[e].other(v))};
 }
+
+/** Whether a point is seen to lie in a tetrahedron. */
+bool is_seen_inside(const Environment<3>& env, Cell cell, const double* point) noexcept {
+  const uint32_t* const w = env.map.record(cell);
+  if (form_of(w[0]) != Form::kSimplex) return false;
+  const double* corners[4];
+  for (int i = 0; i < 4; ++i) corners[i] = env.point(w[i] & kVertexMask);
+  return is_inside_tetrahedron(corners, point);
+}
+bool is_seen_inside(const Environment<2>&, Cell, const double*) noexcept { return false; }
 
 template <int D>
 FaceMotion motion_of_face(const Body<D>& body, uint32_t v, const double* to, uint32_t f) {
@@ -79,10 +91,15 @@ bool StarSweep<D>::find_hit_edges(const Body<D>& body, uint32_t v, const double*
   return !hit_edges_.empty();
 }
 
-/** Also notes whether it met the work limit. */
+/** Also notes whether it met the work limit. Most paths stay in a tetrahedron, which takes no cast to see. */
 template <int D>
 CastResult StarSweep<D>::cast_path(const Body<D>& body, uint32_t v, const double* to) {
-  const CastResult path = cast(env_, body.position(v), to, body.vertices[v].cell, max_volumes, counters);
+  const BodyVertex<D>& at = body.vertices[v];
+  CastResult path;
+  path.cell = at.cell;
+  limited_ = false;
+  if (is_seen_inside(env_, at.cell, to)) return path;
+  path = cast(env_, at.position, to, at.cell, max_volumes, counters);
   limited_ = path.end == CastEnd::kWorkLimit;
   return path;
 }
@@ -199,9 +216,7 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
                                ? settle(body, sweep, true, &ridge) != Settled::kNo
                                : stays_before_wall(env_, at, to, path.cell, fixed) || stays_free(body, sweep, &ridge);
       if (settled || consider_ridge(body, sweep, ridge, earliest)) return true;
-      // The edge may turn round what it meets.
-      const bool turns = reached && ridge.facet.valid() && follow_sequence(env_, body, sweep, scratch_) != Settled::kNo;
-      if (!turns) consider_edge(body, sweep, earliest);
+      consider_edge(body, sweep, earliest);
       return true;
     });
   }

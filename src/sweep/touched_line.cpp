@@ -47,14 +47,15 @@ SweepContact contact_at(const Environment<3>& env, const EdgeMotion& m, HalfFace
                         const TouchedLine& line) noexcept {
   const Map<3>& map = env.map;
   SweepContact contact;
-  contact.front = map.cell_of(wall);
+  contact.front = tetrahedron_of(wall);
   contact.facet = wall;
-  contact.simplex = map.local_of(wall, contact.front);
+  contact.simplex = local_in_tetrahedron(wall);
   const uint8_t(&local)[3] = kTetrahedronFacets[contact.simplex];
+  const uint32_t* const w = map.record(contact.front);
   uint32_t corners[3], k = 0;
   const double* at[3];
   for (int i = 0; i < 3; ++i) {
-    corners[i] = map.vertex(contact.front, local[i]);
+    corners[i] = w[local[i]] & kVertexMask;
     at[i] = env.point(corners[i]);
   }
   const auto is_of_line = [&](uint32_t vertex) { return vertex == line.vertices[0] || vertex == line.vertices[1]; };
@@ -109,6 +110,13 @@ bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const 
   return std::any_of(near, near + count, [&](const TouchedLine& line) {
     return pierces(env, triangle, line) && !edge_marked(env, line.vertices[0], line.vertices[1]);
   });
+}
+
+bool has_walls(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep,
+               const FirstRidge& ridge) noexcept {
+  const TouchedLines* const kept = lines_of(body, sweep.e, sweep.v);
+  const TouchedLine line{{ridge.vertices[0], ridge.vertices[1]}};
+  return kept != nullptr && kept->knows_fan(line, ridge.facet, env.obstacle_version);
 }
 
 bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const FirstRidge& ridge,
