@@ -8,27 +8,42 @@
 
 namespace dsw {
 
-/** An edge of the environment by its vertices; both are the same where none is known. */
+/** An edge of the environment by its vertices, the lower one first; both are the same where none is known. */
 struct TouchedLine {
   uint32_t vertices[2] = {};
 
+  bool operator==(const TouchedLine& o) const noexcept {
+    return vertices[0] == o.vertices[0] && vertices[1] == o.vertices[1];
+  }
   bool is_known() const noexcept { return vertices[0] != vertices[1]; }
+};
+
+/** The passable cells round an edge of the environment from wall to wall, in a version of the environment. */
+struct TouchedFan {
+  HalfFacet passed;       // a facet inside
+  HalfFacet walls[2];     // seen from the cells at the ends; the first comes first where p is on the same side of both
+  Dart lowest;            // the edge's name, as SweepContact has it
+  bool is_alone = false;  // no other passable cells are linked round the edge
+  uint64_t version = ~uint64_t{0};
 };
 
 /** The last few that an edge has touched while one of its ends moved, the last one first. */
 struct TouchedLines {
   static constexpr uint32_t kCount = 4;
   TouchedLine lines[kCount];
-  // The name of the first as SweepContact has it, where its fan ends at this wall, in this version of the environment.
-  Dart lowest;
-  uint32_t wall = kNoFacet;
-  uint64_t version = ~uint64_t{0};
+  TouchedFan fan;  // of the first, if it is known
 
-  /** Brings one of them to the front. */
-  void come_first(uint32_t i) noexcept {
-    if (i == 0) return;
-    std::swap(lines[0], lines[i]);
-    version = ~uint64_t{0};
+  /** Whether the fan of the first line is known, as one that has a facet. */
+  bool knows_fan(const TouchedLine& line, HalfFacet passed, uint64_t version) const noexcept {
+    return fan.passed == passed && fan.version == version && lines[0] == line;
+  }
+  /** Brings a line to the front; if it is new, the last one is dropped. */
+  void note(const TouchedLine& line) noexcept {
+    if (lines[0] == line) return;
+    TouchedLine* const last = std::find(lines, lines + kCount - 1, line);
+    std::copy_backward(lines, last, last + 1);
+    lines[0] = line;
+    fan.version = ~uint64_t{0};
   }
 };
 

@@ -15,12 +15,9 @@ bool leaves(const Environment<3>& env, const SweptTriangle& triangle, HalfFacet 
   const Map<3>& map = env.map;
   uint32_t edge[2] = {begin[0], begin[1]};
   for (int facets = 0; facets < kMostWallFacets; ++facets) {
-    const Cell c = map.cell_of(wall);
-    uint32_t tip = 0;
-    for (const uint8_t local : kTetrahedronFacets[map.local_of(wall, c)]) {
-      const uint32_t vertex = map.vertex(c, local);
-      if (vertex != edge[0] && vertex != edge[1]) tip = vertex;
-    }
+    const uint32_t* const w = map.record(tetrahedron_of(wall));
+    uint32_t tip = 0u - edge[0] - edge[1];  // modulo 2^32: of three vertices that which is not on the edge remains
+    for (const uint8_t local : kTetrahedronFacets[local_in_tetrahedron(wall)]) tip += w[local] & kVertexMask;
     // It leaves this facet through the edge from the tip to the vertex on the other side of the triangle's plane.
     const int side_of_tip = triangle.side(env.point(tip));
     const uint32_t other = side == side_of_tip ? edge[1] : edge[0];
@@ -64,14 +61,31 @@ Cell lowest_tetrahedron_round(const Map<3>& map, Dart d, const Pivot<3>& edge) n
 HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const uint32_t (&edge)[2]) noexcept {
   const Map<3>& map = env.map;
   const Pivot<3> pivot{{edge[0], edge[1]}};
+  const HalfFacet start = entered;
   for (int cells = 0; cells < kMostFanCells; ++cells) {
     const Cell c = map.cell_of(entered);
     if (map.form(c) != Form::kSimplex) return {};
     const HalfFacet next = other_at(map, c, entered, pivot);
     if (is_impassable(env, next)) return next;
     entered = map.opposite(next);
+    if (entered == start) return {};
   }
   return {};
+}
+
+bool is_alone(const Environment<3>& env, const HalfFacet (&walls)[2], const uint32_t (&edge)[2]) noexcept {
+  const Map<3>& map = env.map;
+  const Pivot<3> pivot{{edge[0], edge[1]}};
+  int cells = 0;
+  for (int side = 0; side < 2; ++side) {
+    for (HalfFacet entered = map.opposite(walls[side]); entered.valid(); ++cells) {
+      if (entered == walls[1 - side]) return true;
+      const Cell c = map.cell_of(entered);
+      if (cells == kMostFanCells || map.form(c) != Form::kSimplex || !is_closed(env, c)) return false;
+      entered = map.opposite(other_at(map, c, entered, pivot));
+    }
+  }
+  return true;
 }
 
 bool sees_only_fan(const Environment<3>& env, const SweptTriangle& triangle, const HalfFacet (&walls)[2],

@@ -67,12 +67,12 @@ class SweptTriangle {
   static constexpr std::uint32_t kSides = 7, kLater = 8;
   // Whether it pierces the plane outside of the triangle: whether `outside` has one of kSides.
   bool leaves(const double* a, const double* b, int side_of_b) const noexcept {
+    const filter::Vec<3> a_end = filter::difference<3>(a, m_.to), b_end = filter::difference<3>(b, m_.to);
+    if (sign(line(new_, filter::cross(a_end, b_end), a_end, b_end), m_.to, m_.q, a, b) != side_of_b) return true;
     const filter::Vec<3> a_start = filter::difference<3>(a, m_.p), b_start = filter::difference<3>(b, m_.p);
     const filter::Vec<3> start = filter::cross(a_start, b_start);
-    if (-sign(line(old_, start, a_start, b_start), m_.p, m_.q, a, b) != side_of_b) return true;
     if (sign(line(move_, start, a_start, b_start), m_.p, m_.to, a, b) != side_of_b) return true;
-    const filter::Vec<3> a_end = filter::difference<3>(a, m_.to), b_end = filter::difference<3>(b, m_.to);
-    return sign(line(new_, filter::cross(a_end, b_end), a_end, b_end), m_.to, m_.q, a, b) != side_of_b;
+    return -sign(line(old_, start, a_start, b_start), m_.p, m_.q, a, b) != side_of_b;
   }
 
  private:

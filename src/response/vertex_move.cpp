@@ -39,7 +39,7 @@ bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival) 
     const size_t first_contact = record_.contacts.size();
     double before[D];
     std::copy_n(body_.position(v), D, before);
-    if (advance(v, to, arrival, slides == 0)) return std::equal(to, to + D, target);
+    if (advance(v, to, arrival)) return std::equal(to, to + D, target);
     arrival = nullptr;
     if (record_.contacts.size() == first_contact) {
       ++record_.limited;
@@ -75,16 +75,15 @@ void VertexMove<D>::put(uint32_t v, const double* position, Cell cell) {
 }
 
 /** To `to`, or as far as it is free: then the contacts are in the record, the first of them first.
- * @param arrival the cell of `to`, if the way is known to meet no wall; else null.
- * @param likely whether a contact is expected: what edges touched before is then asked first. */
+ * @param arrival the cell of `to`, if the way is known to meet no wall; else null. */
 template <int D>
-bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival, bool likely) {
+bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival) {
   under_.clear();
   if (settings_.search == Search::kBisection) return advance_by_halving(v, to);
   const BodyVertex<D>& at = body_.vertices[v];
   StarContact first;
   Cell cell = arrival != nullptr ? *arrival : Cell{};
-  const SweepEnd end = arrival != nullptr ? SweepEnd::kFree : sweeps_.find_first(body_, v, to, &first, &cell, likely);
+  const SweepEnd end = arrival != nullptr ? SweepEnd::kFree : sweeps_.find_first(body_, v, to, &first, &cell);
   if (end == SweepEnd::kWorkLimit) return false;
   PairContact<D> pair;
   sweeps_.find_first_of_partners(body_, v, to, &pair);

@@ -27,7 +27,7 @@ class VertexMove {
   };
 
   void put(uint32_t v, const double* position, Cell cell);
-  bool advance(uint32_t v, const double* to, const Cell* arrival, bool likely);
+  bool advance(uint32_t v, const double* to, const Cell* arrival);
   bool advance_by_halving(uint32_t v, const double* to);
   dsw_body_contact describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
                                 dsw_contact_partner* partner);

@@ -6,6 +6,7 @@
 #include "flood/sequence.h"
 #include "predicates/filtered.h"
 #include "sweep/clearance.h"
+#include "sweep/touched_line.h"
 
 namespace dsw {
 namespace {
@@ -98,6 +99,18 @@ struct Follower {
     return first ? follows(env, sequence, p, sweep.q, cell, sweep.fixed)
                  : follows(env, sequence, sweep.q, p, sweep.fixed, cell);
   }
+  /** Whether that has been found before. */
+  bool has_kept(const double* p, Cell cell) const {
+    return first ? sequence.has_place(env.obstacle_version, p, sweep.q, cell, sweep.fixed)
+                 : sequence.has_place(env.obstacle_version, sweep.q, p, sweep.fixed, cell);
+  }
+  void note(const double* p, Cell cell) const {
+    if (first) {
+      sequence.note_place(p, sweep.q, cell, sweep.fixed);
+    } else {
+      sequence.note_place(sweep.q, p, sweep.fixed, cell);
+    }
+  }
   /** Whether the sequence is that of the edge where it stands; if it was not, perhaps by a cast. */
   bool keeps_start() const {
     return keeps(from.position, from.cell) || (note_start() && keeps(from.position, from.cell));
@@ -163,14 +176,50 @@ Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const Ed
   return Settled::kNo;
 }
 
+Settled follow_to_ridge(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, bool arrives,
+                        EdgeScratch<3>& scratch, FirstRidge* ridge) {
+  *ridge = {};
+  if (!knows_path(body, sweep)) return Settled::kNo;
+  Follower<3> edge(env, body, sweep, scratch);
+  if (!edge.keeps_start()) return Settled::kNo;
+  const EdgeSequence<3>& sequence = edge.sequence;
+  const size_t crossed = sweep.crossed.count, count = sequence.facets.size();
+  const bool stays = crossed == 0;
+  if (stays && arrives && edge.has_kept(sweep.to, sweep.arrival)) return Settled::kSleeve;
+  if (!stays) edge.save();
+  const bool in_rows =
+      (stays || edge.passes_on()) && sequence.in_rows && sequence.passage.version == env.obstacle_version;
+  // Only cells of facets in rows are known to be convex.
+  const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
+  const size_t added = (sequence.facets.size() + crossed - count) / 2;  // the others have been removed
+  bool knows = in_rows && env.map.convex(sweep.arrival) && find_first_ridge(env, sequence, m, edge.first, added, ridge);
+  bool turned = false;
+  for (int turns = 0; stays && arrives && knows && ridge->facet.valid() && turns < kMostTurns; ++turns) {
+    if (has_walls(env, body, sweep, *ridge)) break;
+    if (!turned) edge.save();
+    if (!turn_round(env, edge.sequence, *ridge)) break;
+    turned = true;
+    knows = sequence.in_rows && find_first_ridge(env, sequence, m, edge.first, 0, ridge);
+  }
+  const bool free = knows && !ridge->facet.valid();
+  if (free && arrives) {
+    edge.note(sweep.to, sweep.arrival);
+    return turned ? Settled::kTurned : Settled::kSleeve;
+  }
+  if (!stays || turned) edge.restore();
+  if (free) return Settled::kSleeve;
+  if (!knows) *ridge = {};
+  return !in_rows && arrives ? follow_sequence(env, body, sweep, scratch) : Settled::kNo;
+}
+
 template <int D>
 bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, const SweepEvent& event,
-                    EdgeScratch<D>& scratch, HalfFacet* at_event) {
+                    EdgeScratch<D>& scratch) {
   if (!body.keeps_sequences() || !knows_path(body, sweep)) return false;
   Follower<D> edge(env, body, sweep, scratch);
   if (!edge.keeps_start()) return false;
   const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
-  const auto passes = [&] { return passes_before(env, edge.sequence, m, edge.first, event, at_event); };
+  const auto passes = [&] { return passes_before(env, edge.sequence, m, edge.first, event, nullptr); };
   if (sweep.crossed.count == 0) return passes();
   edge.save();
   // Only cells of facets in rows are known to be convex.

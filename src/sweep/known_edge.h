@@ -2,7 +2,7 @@
 // What is known of an edge that an end of it sweeps, without a look at the triangle.
 
 #include "body/body.h"
-#include "flood/sequence.h"
+#include "flood/first_ridge.h"
 #include "walk/cast.h"
 
 namespace dsw {
@@ -54,13 +54,24 @@ template <int D>
 Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
                         EdgeScratch<D>& scratch);
 
+/** As follow_sequence, where triangles count, and where an edge in space does not keep to facets in rows: `ridge` is
+ * what it meets first and cannot turn round, if that is known, with the facet of its sequence that has it then. Where
+ * the end that moves arrives in its own cell, the edge may turn round several ridges, one after the other.
+ * @param arrives whether the path of the moving end is free; if not, what is met counts up to the wall that the path
+ * meets, and the sequence stays that of the edge's place. */
+Settled follow_to_ridge(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, bool arrives,
+                        EdgeScratch<3>& scratch, FirstRidge* ridge);
+inline Settled follow_to_ridge(const Environment<2>& env, const Body<2>& body, const EdgeSweep& sweep, bool arrives,
+                               EdgeScratch<2>& scratch, FirstRidge*) {
+  return arrives ? follow_sequence(env, body, sweep, scratch) : Settled::kNo;
+}
+
 /** Whether the edge meets nothing before an event, which is its own, or of the path or another edge of its moving end.
  * The edge keeps to its sequence until then, but for the facets that the path passes. If the path meets a wall,
- * `arrival` is the cell in front of the wall. False at EDGES without sequences. `at_event`, which may be null: a facet
- * of the sequence that holds the obstacle's edge of the event, if there is one. Throws std::bad_alloc. */
+ * `arrival` is the cell in front of the wall. False at EDGES without sequences. Throws std::bad_alloc. */
 template <int D>
 bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, const SweepEvent& event,
-                    EdgeScratch<D>& scratch, HalfFacet* at_event);
+                    EdgeScratch<D>& scratch);
 
 /** Whether an edge is known to keep to its sequence in its present place. */
 template <int D>

@@ -1,10 +1,31 @@
 #include "sweep/simplex_sweep.h"
 
-namespace dsw {
+#include "predicates/inside_tetrahedron.h"
 
+namespace dsw {
+namespace {
+
+/** Whether a point is seen to lie in a tetrahedron. */
+bool is_seen_inside(const Environment<3>& env, Cell cell, const double* point) noexcept {
+  const uint32_t* const w = env.map.record(cell);
+  if (form_of(w[0]) != Form::kSimplex) return false;
+  const double* corners[4];
+  for (int i = 0; i < 4; ++i) corners[i] = env.point(w[i] & kVertexMask);
+  return is_inside_tetrahedron(corners, point);
+}
+bool is_seen_inside(const Environment<2>&, Cell, const double*) noexcept { return false; }
+
+}  // namespace
+
+/** Most paths stay in a tetrahedron, which takes no cast to see. */
 template <int D>
 CastResult SimplexSweep<D>::cast_path(const Body<D>& body, uint32_t v, const double* to) {
-  const CastResult path = cast(env_, body.position(v), to, body.vertices[v].cell, max_volumes, counters);
+  const BodyVertex<D>& at = body.vertices[v];
+  CastResult path;
+  path.cell = at.cell;
+  limited_ = false;
+  if (is_seen_inside(env_, at.cell, to)) return path;
+  path = cast(env_, at.position, to, at.cell, max_volumes, counters);
   limited_ = path.end == CastEnd::kWorkLimit;
   return path;
 }
@@ -18,7 +39,8 @@ Settled SimplexSweep<D>::settle_before_wall(const Body<D>& body, const EdgeSweep
 }
 
 template <int D>
-Settled SimplexSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls) {
+Settled SimplexSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls,
+                                                FirstRidge* ridge) {
   // What is known must not carry an edge past the work limit that it meets without.
   if (max_volumes != 0) return Settled::kNo;
   const Skipping& skipping = body.skipping;
@@ -27,7 +49,8 @@ Settled SimplexSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeS
     settled = Settled::kClear;
   } else if (body.keeps_sequences()) {
     scratch_.counters = counters;
-    settled = follow_sequence(env_, body, sweep, scratch_);
+    settled = ridge != nullptr ? follow_to_ridge(env_, body, sweep, true, scratch_, ridge)
+                               : follow_sequence(env_, body, sweep, scratch_);
   }
   counts.skipped += settled != Settled::kNo && (skipping.by_clearance || skipping.sequences) ? 1 : 0;
   return settled;
@@ -74,41 +97,35 @@ bool SimplexSweep<D>::is_free(const Body<D>& body, const FaceSweep& sweep) {
   return is_tetrahedron_free(motion(body, sweep), body.vertices[sweep.v].cell);
 }
 
-/** Whether an edge of the environment that the edge has touched before settles this sweep: it is the first contact, or
- * nothing comes before the event that is known. */
+/** Whether an edge meets nothing that counts, as far as that is known without a flood. If not, `ridge` is what it meets
+ * first, if that is known. */
 template <int D>
-typename SimplexSweep<D>::Answer SimplexSweep<D>::ask_touched(const Body<D>& body, const EdgeSweep& sweep,
-                                                              const SweepEvent* before, SweepContact* found) {
-  if (max_volumes != 0 || !body.keeps_sequences()) return Answer::kUnknown;
-  const PiercedLine pierced = find_pierced_line(env_, body, sweep);
-  if (!pierced) return Answer::kUnknown;
+bool SimplexSweep<D>::settles(const Body<D>& body, const EdgeSweep& sweep, FirstRidge* ridge) {
+  const bool swept = sweep.reached && sweeps_edges(body.level);
+  if (settle(body, sweep, true, swept ? ridge : nullptr) != Settled::kNo) return true;
+  if (swept) return false;
+  // At EDGES what is in its way counts only if the edge is not free in its new place.
+  if (sweep.reached && is_free(body, sweep)) return true;
+  if (max_volumes != 0 || !body.keeps_sequences()) return false;
   scratch_.counters = counters;
-  if (before != nullptr && compare_events<D>(body.position(sweep.v), sweep.to, *before, pierced.event).sign < 0) {
-    return is_free_before(env_, body, sweep, *before, scratch_, nullptr) ? Answer::kFree : Answer::kUnknown;
-  }
-  return meets_first(env_, body, sweep, pierced, found, scratch_) ? Answer::kMet : Answer::kUnknown;
+  return follow_to_ridge(env_, body, sweep, false, scratch_, ridge) != Settled::kNo;
 }
 
 template <int D>
-bool SimplexSweep<D>::find_first(const Body<D>& body, const EdgeSweep& sweep, bool likely, const SweepEvent* before,
+bool SimplexSweep<D>::find_first(const Body<D>& body, const EdgeSweep& sweep, const SweepEvent* before,
                                  SweepContact* found) {
-  // At EDGES what stands in its way counts only where the edge has no new place that is free.
-  const bool swept = sweeps_edges(body.level) || !sweep.reached;
-  Answer touched = likely && swept ? ask_touched(body, sweep, before, found) : Answer::kUnknown;
-  if (touched != Answer::kUnknown) {
-    counts.swept += sweep.reached ? 1 : 0;
-    return touched == Answer::kMet;
-  }
-  if (settle(body, sweep) != Settled::kNo || (!swept && is_free(body, sweep))) return false;
-  if (!likely || !swept) touched = ask_touched(body, sweep, before, found);
-  if (touched != Answer::kUnknown) return touched == Answer::kMet;
-
-  const Cell start = body.vertices[sweep.v].cell;
+  FirstRidge ridge;
+  if (settles(body, sweep, &ridge)) return false;
   const EdgeMotion m = motion(body, sweep);
+  if (ridge.facet.valid()) {
+    if (before != nullptr && compare_events<D>(m.p, m.to, *before, ridge.event).sign < 0) return false;
+    if (meets_first(env_, body, sweep, ridge, found)) return true;
+  }
+  const Cell start = body.vertices[sweep.v].cell;
   if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return false;
   scratch_.counters = counters;
   const bool asks = before != nullptr && max_volumes == 0;
-  if (asks && is_free_before(env_, body, sweep, *before, scratch_, nullptr)) return false;
+  if (asks && is_free_before(env_, body, sweep, *before, scratch_)) return false;
   const SweepResult met = flood_until(m, start, before != nullptr ? time_after<D>(m.p, m.to, *before) : 1);
   if (met.end != SweepEnd::kContact) return false;
   keep_touched_line(env_, body, sweep.e, sweep.v, met.contact);
@@ -117,8 +134,7 @@ bool SimplexSweep<D>::find_first(const Body<D>& body, const EdgeSweep& sweep, bo
 }
 
 template <int D>
-bool SimplexSweep<D>::find_first(const Body<D>& body, const FaceSweep& sweep, bool, const SweepEvent*,
-                                 SweepContact* found) {
+bool SimplexSweep<D>::find_first(const Body<D>& body, const FaceSweep& sweep, const SweepEvent*, SweepContact* found) {
   if constexpr (D == 3) {
     const FaceMotion m = motion(body, sweep);
     const Cell start = body.vertices[sweep.v].cell;

@@ -38,8 +38,9 @@ class SimplexSweep {
   bool is_limited() const noexcept { return limited_; }
 
   /** What is known of a sweep without a look at what is swept; counts edges.
-   * @param ask_balls whether the balls of its ends have not been asked. */
-  Settled settle(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true) {
+   * @param ask_balls whether the balls of its ends have not been asked.
+   * @param ridge null, or what is met first if it is not settled; see follow_to_ridge. */
+  Settled settle(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true, FirstRidge* ridge = nullptr) {
     if (!sweep.reached) return settle_before_wall(body, sweep);
     ++counts.swept;
     const Skipping& skipping = body.skipping;
@@ -54,7 +55,7 @@ class SimplexSweep {
       }
     }
     ask_balls = ask_balls && skipping.by_clearance;
-    return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls) : Settled::kNo;
+    return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls, ridge) : Settled::kNo;
   }
   Settled settle(const Body<D>& body, const FaceSweep& sweep) const;
   /** The same for an edge that is known to lie, with what it sweeps, in a free box. */
@@ -70,12 +71,9 @@ class SimplexSweep {
   bool is_free(const Body<D>& body, const FaceSweep& sweep);
 
   /** What a sweep meets first, whether it is settled or not. What comes after the event `before`, which may be null,
-   * need not be found; nor anything at the work limit. The event borrows the body's points and `to`.
-   * @param likely whether a contact is likely: what was touched before is then asked first. */
-  bool find_first(const Body<D>& body, const EdgeSweep& sweep, bool likely, const SweepEvent* before,
-                  SweepContact* found);
-  bool find_first(const Body<D>& body, const FaceSweep& sweep, bool likely, const SweepEvent* before,
-                  SweepContact* found);
+   * need not be found; nor anything at the work limit. The event borrows the body's points and `to`. */
+  bool find_first(const Body<D>& body, const EdgeSweep& sweep, const SweepEvent* before, SweepContact* found);
+  bool find_first(const Body<D>& body, const FaceSweep& sweep, const SweepEvent* before, SweepContact* found);
 
   /** What a sweep meets first that is not free. */
   template <class Sweep>
@@ -96,7 +94,7 @@ class SimplexSweep {
   }
   /** Whether what stopped an edge before stands in its way: then its sweep is most likely not free. */
   bool meets_touched_line(const Body<D>& body, const EdgeSweep& sweep) const noexcept {
-    return max_volumes == 0 && find_pierced_line(env_, body, sweep);
+    return max_volumes == 0 && pierces_touched_line(env_, body, sweep);
   }
   bool is_triangle_free(const EdgeMotion& m, Cell start) {
     return is_boxed(bounds<D>(m.p, m.to, m.q), start) || flood_until(m, start, 1).end == SweepEnd::kFree;
@@ -113,8 +111,6 @@ class SimplexSweep {
   uint32_t max_volumes = 0;          // work limit of each cast and flood; 0: none
 
  private:
-  enum class Answer { kUnknown, kFree, kMet };
-
   static EdgeMotion motion(const Body<D>& body, const EdgeSweep& sweep) {
     return {body.position(sweep.v), sweep.to, sweep.q};
   }
@@ -132,8 +128,8 @@ class SimplexSweep {
     return swept;
   }
   Settled settle_before_wall(const Body<D>& body, const EdgeSweep& sweep) const;
-  Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls);
-  Answer ask_touched(const Body<D>& body, const EdgeSweep& sweep, const SweepEvent* before, SweepContact* found);
+  Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls, FirstRidge* ridge);
+  bool settles(const Body<D>& body, const EdgeSweep& sweep, FirstRidge* ridge);
 
   const Environment<D>& env_;
   bool limited_ = false;  // the work limit was met

@@ -94,8 +94,7 @@ bool StarSweep<D>::find_obstacle(const Body<D>& body, uint32_t v, const double* 
 }
 
 template <int D>
-SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell,
-                                  bool likely) {
+SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
   const BodyVertex<D>& at = body.vertices[v];
   if (std::equal(to, to + D, at.position)) {
     *cell = at.cell;
@@ -109,7 +108,7 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
   visit_sweeps(body, way, [&](const auto& sweep) {
     StarContact met{{}, edge_of(sweep), face_of(sweep)};
     const SweepEvent* const before = any ? &first->contact.event : nullptr;
-    if (!simplices.find_first(body, sweep, likely, before, &met.contact)) return true;
+    if (!simplices.find_first(body, sweep, before, &met.contact)) return true;
     if (met.contact.event.kind == EventKind::kVertex) met.edge = met.face = kNone;
     if (!any || comes_first(body, way, met, *first)) *first = met;
     return any = true;

@@ -61,10 +61,8 @@ class StarSweep {
   }
 
   /** The first contact with the environment on that way, whose event borrows the body's points and `to`. Without one
-   * *cell is set. At the work limit neither.
-   * @param likely whether a contact is likely: what was touched before is then asked first. */
-  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell,
-                      bool likely = true);
+   * *cell is set. At the work limit neither. */
+  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
 
   /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only
    * that. */

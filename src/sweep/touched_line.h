@@ -1,7 +1,9 @@
 #pragma once
-// Edges of the environment that an edge of a body has touched. They are asked first, since it often touches them again.
+// Edges of the environment that an edge of a body touches. Those that it has touched are a forecast, since it often
+// touches them again.
 
 #include "body/body.h"
+#include "flood/first_ridge.h"
 #include "flood/sweep_contact.h"
 #include "sweep/known_edge.h"
 
@@ -12,28 +14,24 @@ namespace dsw {
 void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t e, uint32_t v,
                        const SweepContact& contact) noexcept;
 
-/** A kept edge that pierces what an edge sweeps: of those the one that is met first. */
-struct PiercedLine {
-  TouchedLines* kept = nullptr;  // the first of these; null: none
-  SweepEvent event;
+/** Whether an edge that was touched pierces what an edge sweeps: then it is most likely touched again. */
+bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept;
 
-  explicit operator bool() const noexcept { return kept != nullptr; }
-};
+/** Whether the cells round a ridge are known to have walls. */
+bool has_walls(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep,
+               const FirstRidge& ridge) noexcept;
 
-/** A forecast: the line may have lost its walls, and another contact may come first. Brings the line to the front. */
-PiercedLine find_pierced_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept;
-
-/** Whether the first contact is that with a kept edge, round which all cells are tetrahedra. The same contact as that
- * of a flood. False: not known. Throws std::bad_alloc. */
-bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const PiercedLine& pierced,
-                 SweepContact* found, EdgeScratch<3>& scratch);
+/** Whether the first contact is that with the ridge that an edge meets first: walls end the passable cells round it,
+ * all of them tetrahedra. The same contact as that of a flood. False: not known. */
+bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const FirstRidge& ridge,
+                 SweepContact* found) noexcept;
 
 // In the plane there are no such edges.
 inline void keep_touched_line(const Environment<2>&, const Body<2>&, uint32_t, uint32_t, const SweepContact&) noexcept {
 }
-inline PiercedLine find_pierced_line(const Environment<2>&, const Body<2>&, const EdgeSweep&) noexcept { return {}; }
-inline bool meets_first(const Environment<2>&, const Body<2>&, const EdgeSweep&, const PiercedLine&, SweepContact*,
-                        EdgeScratch<2>&) noexcept {
+inline bool pierces_touched_line(const Environment<2>&, const Body<2>&, const EdgeSweep&) noexcept { return false; }
+inline bool meets_first(const Environment<2>&, const Body<2>&, const EdgeSweep&, const FirstRidge&,
+                        SweepContact*) noexcept {
   return false;
 }
 

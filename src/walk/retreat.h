@@ -74,7 +74,7 @@ void shorten(const double* p, double* q, double* time, IsFree is_free) {
  * which is_free, or p. Returns whether one was. */
 template <int D, class IsFree>
 bool retreat(const double* p, const double* q, double time, double* position, IsFree is_free) {
-  double step = first_step<D>(p, q, time);
+  double step = time > 0 ? first_step<D>(p, q, time) : 1;
   double last[D];
   for (int tries = 0; tries < 60; ++tries, step *= 2) {
     const double t = time - step;

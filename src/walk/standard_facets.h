@@ -10,6 +10,12 @@ constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {
 /** The vertex that each of them has not. */
 constexpr uint8_t kTetrahedronTips[4] = {2, 0, 1, 3};
 
+/** The cell of a facet of a tetrahedron, and its place in the tables above. */
+inline Cell tetrahedron_of(HalfFacet facet) noexcept { return {facet.word / kUnitWords<3>}; }
+inline uint32_t local_in_tetrahedron(HalfFacet facet) noexcept {
+  return facet.word % kUnitWords<3> - (kUnitWords<3> - 4);
+}
+
 /** A triangle repeats its last vertex. */
 constexpr uint8_t kPyramidFacets[5][4] = {{0, 3, 2, 1}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}};
 

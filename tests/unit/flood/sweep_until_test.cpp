@@ -8,11 +8,12 @@
 
 #include "environment/marking.h"
 #include "environment/test_mesh.h"
-#include "flood/sequence.h"
+#include "flood/first_ridge.h"
 #include "flood/sweep.h"
 #include "locate/locate.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
+#include "walk/standard_facets.h"
 
 namespace {
 
@@ -235,6 +236,100 @@ bool passes_all(const Environment<3>& env, const Array<uint32_t>& facets, const 
     }
   }
   return true;
+}
+
+/** Which ridge is met first, one by one: those of facets from `low` to before `high`, of which all that are met count.
+ * False: two are met at one time. */
+bool find_first_of_all(const Environment<3>& env, const Array<uint32_t>& facets, size_t low, size_t high,
+                       const EdgeMotion& m, bool p_first, SweepEvent* first) {
+  const double *const from = p_first ? m.to : m.q, *const to = p_first ? m.q : m.to;
+  for (size_t i = low; i < high; ++i) {
+    const Cell c = env.map.cell_of({facets[i]});
+    const Shape shape = env.map.shape(c);
+    const uint32_t f = env.map.local_of({facets[i]}, c);
+    for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+      const double *const a = env.point(c, shape.dart_vertex(d)), *const b =
+                                                                      env.point(c, shape.dart_vertex(shape.beta1(d)));
+      const double* const ridge[2] = {a, b};
+      if (line_side<3>(from, to, ridge, NoTally{}).sign == 1) continue;
+      const SweepEvent met{{m.q, a, b}, EventKind::kEdge};
+      const bool any = first->points[0] != nullptr;
+      if (any && is_ridge_of(*first, m, a, b)) continue;
+      const int order = any ? compare_events<3>(m.p, m.to, met, *first).sign : -1;
+      if (order == 0) return false;
+      if (order < 0) *first = met;
+    }
+  }
+  return true;
+}
+
+TEST(FirstRidge, IsThatOfAll) {
+  constexpr int kSize = 4;
+  int met = 0, none = 0, added_counts = 0, left_before = 0;
+  for (int round = 0; round < 240; ++round) {
+    Random random(static_cast<uint64_t>(round + 77));
+    const auto env = make_ground(round % 2 == 0 ? Kind::kTetrahedra : Kind::kUneven, kSize, random);
+    const Map<3>& map = env->map;
+    for (int i = 0; i < 600; ++i) {
+      Try t;
+      if (!t.draw(*env, random, kSize, random.below(2) == 0)) continue;
+      const EdgeMotion m = t.motion();
+      const bool p_first = random.below(2) == 0;
+      EdgeSequence<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
+      SequenceWriter<3> writer(nullptr);
+      CastRequest request;
+      request.from = p_first ? m.p : m.q;
+      request.to = p_first ? m.q : m.p;
+      request.start = p_first ? t.start : locate(*env, m.q, Cell{}, nullptr).cell;
+      writer.attach(*env, request);
+      ASSERT_EQ(dsw::cast(*env, request, nullptr).end, CastEnd::kReached);
+      writer.finish(sequence);
+      const CastResult path = dsw::cast(*env, m.p, m.to, t.start, 0, nullptr);
+      const PathFacets crossed = path_facets(map, t.start, path);
+      if (!sequence.known() || !sequence.in_rows || path.end != CastEnd::kReached) continue;
+      if (crossed.count > 1 || (crossed.count == 0 && path.cell != t.start)) continue;
+      // A facet that the path passes is the end of the sequence, or one more.
+      size_t added = 0;
+      if (crossed.count == 1) {
+        const HalfFacet beyond = map.opposite(crossed.facets[0]);
+        const HalfFacet left = p_first ? crossed.facets[0] : beyond, more = p_first ? beyond : crossed.facets[0];
+        const bool leaves =
+            !sequence.facets.empty() && (p_first ? sequence.facets.front() : sequence.facets.back()) == left.word;
+        if (leaves) sequence.remove(*env, p_first);
+        if (!leaves) sequence.add(*env, more, p_first);
+        added = leaves ? 0 : 1;
+        sequence.version = env->obstacle_version;
+      }
+      const size_t count = sequence.facets.size(), low = p_first ? added : 0;
+      SweepEvent expected;
+      bool is_known = find_first_of_all(*env, sequence.facets, low, low + count - added, m, p_first, &expected);
+      if (is_known && added == 1) {
+        const size_t at = p_first ? 0 : count - 1;
+        const Cell c = map.cell_of({sequence.facets[at]});
+        const double* corners[3];
+        boundary_points(*env, c, map.local_of({sequence.facets[at]}, c), corners);
+        const SweepEvent passed{{corners[0], corners[1], corners[2]}, EventKind::kVertex};
+        const int order = expected.points[0] != nullptr ? compare_events<3>(m.p, m.to, expected, passed).sign : 1;
+        if (order == 0) continue;
+        left_before += order < 0 ? 1 : 0;
+        const SweepEvent of_others = expected;
+        if (order > 0) is_known = find_first_of_all(*env, sequence.facets, at, at + 1, m, p_first, &expected);
+        added_counts += std::equal(expected.points, expected.points + 3, of_others.points) ? 0 : 1;
+      }
+      FirstRidge first;
+      ASSERT_EQ(find_first_ridge(*env, sequence, m, p_first, added, &first), is_known) << round << "/" << i;
+      if (!is_known) continue;
+      ASSERT_EQ(first.facet.valid(), expected.points[0] != nullptr) << round << "/" << i;
+      ++(first.facet.valid() ? met : none);
+      if (!first.facet.valid()) continue;
+      EXPECT_TRUE(is_ridge_of(expected, m, first.event.points[1], first.event.points[2]));
+      EXPECT_NE(std::find(sequence.facets.begin(), sequence.facets.end(), first.facet.word), sequence.facets.end());
+    }
+  }
+  EXPECT_GT(met, 1000);
+  EXPECT_GT(none, 300);
+  EXPECT_GT(added_counts, 1);
+  EXPECT_GT(left_before, 10);
 }
 
 class PassesBefore : public testing::TestWithParam<Kind> {};

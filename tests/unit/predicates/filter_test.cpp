@@ -9,6 +9,7 @@
 
 #include "cases.h"
 #include "oracle.h"
+#include "predicates/inside_tetrahedron.h"
 #include "predicates/swept_plane.h"
 
 namespace dsw {
@@ -35,6 +36,30 @@ TEST(Filter, SettlesGenericInput) {
   EXPECT_LT(plane.exacts, 150u);
   EXPECT_LT(space.exacts, 150u);
   EXPECT_EQ(space.ties, 0u);
+}
+
+TEST(Filter, SeesWhatIsInsideOfATetrahedron) {
+  constexpr int kFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
+  Random random(12);
+  PointSet<3> s;
+  int seen = 0, inside = 0;
+  for (int i = 0; i < 40000; ++i) {
+    draw(random, i % 2 == 0 ? Shape::kUniform : Shape::kLattice, Scale::kOne, 5, s);
+    const double* corners[4] = {s.at[0], s.at[1], s.at[2], s.at[3]};
+    const double* const last[3] = {corners[0], corners[1], corners[3]};
+    if (exact::orient<3>(last, corners[2]) > 0) std::swap(corners[0], corners[1]);
+    bool is_inside = true;
+    for (const auto& f : kFacets) {
+      const double* const facet[3] = {corners[f[0]], corners[f[1]], corners[f[2]]};
+      is_inside = is_inside && exact::orient<3>(facet, s.at[4]) < 0;
+    }
+    const bool is_seen = is_inside_tetrahedron(corners, s.at[4]);
+    ASSERT_TRUE(is_inside || !is_seen);
+    seen += is_seen ? 1 : 0;
+    inside += is_inside ? 1 : 0;
+  }
+  EXPECT_GT(seen, 200);
+  EXPECT_GT(10 * seen, 9 * inside);
 }
 
 struct SweptCounts {
