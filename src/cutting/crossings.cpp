@@ -115,12 +115,6 @@ uint32_t Crossings<D>::outside(uint32_t a, uint32_t b, const BladeSimplex<D>& bl
   return known;
 }
 
-template <int D>
-int Crossings<D>::side(Corner& corner, const BladeSimplex<D>& blade) const {
-  if (corner.side == kUnknown) corner.side = blade.side(corner.at, corner.view, bound_);
-  return corner.side;
-}
-
 /** Whether the cell that is looked at contains a point of the blade. Where it was found before is noted. */
 template <int D>
 bool Crossings<D>::holds(Cell c, uint32_t number) {
@@ -147,13 +141,15 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
   const size_t count = corners_.size();
   bound_ = blade.bound(lower_, upper_);
   if (D == 3) outside_.assign(count <= kMostKept ? count * count : 0, kUnasked);
+  for (Corner& corner : corners_) corner.side = blade.side(corner.at, corner.view, bound_);
   const double* at[D];
   blade_.corners(simplex, at);
   const Shape shape = map_.shape(c);
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     bool passes = false;
     for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-      passes = meet_boundary(shape.simplices() + D * s, blade, at, met) || passes;
+      const uint16_t* const local = shape.simplices() + D * s;
+      if (!are_apart(local)) passes = meet_boundary(local, blade, at, met) || passes;
     }
     if (!passes) continue;
     met.simplex = true;
@@ -170,21 +166,31 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
   return met;
 }
 
-/** Whether the blade's simplex meets one of the cell's boundary: an edge of one passes through the other. In the plane
- * both are edges, so asking once is enough. */
+/** Whether a simplex of the cell's boundary lies beyond one side of the simplex's box, or on one side of its plane. */
+template <int D>
+bool Crossings<D>::are_apart(const uint16_t* local) const {
+  const Corner& first = corners_[local[0]];
+  uint32_t beyond = first.beyond;
+  bool one_side = first.side != 0;  // 0: the blade is flat here
+  for (int k = 1; k < D; ++k) {
+    const Corner& corner = corners_[local[k]];
+    beyond &= corner.beyond;
+    one_side = one_side && corner.side == first.side;
+  }
+  return beyond != 0 || one_side;
+}
+
+/** Whether the blade's simplex meets one of the cell's boundary that is not apart from it: an edge of one passes through
+ * the other. In the plane both are edges, so asking once is enough. */
 template <int D>
 bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade,
                                  [[maybe_unused]] const double* const (&at)[D], [[maybe_unused]] Met& met) {
-  uint32_t beyond = ~0u;
-  for (int k = 0; k < D; ++k) beyond &= corners_[local[k]].beyond;
-  if (beyond != 0) return false;
   int sides[D];
-  for (int k = 0; k < D; ++k) sides[k] = side(corners_[local[k]], blade);
+  for (int k = 0; k < D; ++k) sides[k] = corners_[local[k]].side;
   if constexpr (D == 2) {
     return sides[0] != sides[1] && outside(local[0], local[1], blade) == 0;
   } else {
     const bool flat = sides[0] == 0;  // of the blade: then all are
-    if (!flat && sides[0] == sides[1] && sides[1] == sides[2]) return false;
     // Where two edges of the boundary pass through the blade's plane are the ends of a segment. It is what lies in both
     // planes, and the blade's sides that have one end outside and the other inside are those whose lines cross it.
     uint32_t ends[2] = {}, count = 0;
@@ -231,7 +237,7 @@ void Crossings<D>::note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D
     const uint32_t end = D == 3 ? shape.facet_first(facets[d] + 1u) : count;  // of the facet, or of the polygon
     const uint32_t from = vertices[d], to = vertices[d + 1 < end ? d + 1 : D == 3 ? shape.facet_first(facets[d]) : 0];
     Corner *inner = &corners_[from], *outer = &corners_[to];
-    if ((inner->beyond & outer->beyond) != 0 || side(*inner, blade) == side(*outer, blade)) continue;
+    if ((inner->beyond & outer->beyond) != 0 || inner->side == outer->side) continue;
     if (outside(from, to, blade) != 0) continue;
     if (inner->side > 0) std::swap(inner, outer);
     const uint32_t i = edges_.insert(pair_key(inner->vertex, outer->vertex));

@@ -85,7 +85,7 @@ class Crossings {
   void look_at(uint32_t meeting);
   Met meet(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
   bool meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade, const double* const (&at)[D], Met& met);
-  int side(Corner& corner, const BladeSimplex<D>& blade) const;
+  bool are_apart(const uint16_t* local) const;
   uint32_t outside(uint32_t a, uint32_t b, const BladeSimplex<D>& blade);
   bool holds(Cell c, uint32_t number);
   void note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);

@@ -106,8 +106,9 @@ class Followers {
   };
 
   void find_cells_of_particles() {
+    uint64_t count = 0;
     const auto look = [&](uint32_t slot) {
-      ++looked_at_;
+      ++count;
       const ParticleState<D>& particle = scene_.particles[slot];
       if (has_to_move(particle.cell)) particles_.push_back({0, slot, particle.cell, {}, particle.forecast});
     };
@@ -116,8 +117,9 @@ class Followers {
       std::sort(particles_.begin(), particles_.end(),
                 [](const Location& a, const Location& b) { return a.place < b.place; });
     } else {
-      for (uint32_t slot = 0; slot < scene_.particles.size(); ++slot) look(slot);
+      for (uint32_t slot = 0, slots = static_cast<uint32_t>(scene_.particles.size()); slot < slots; ++slot) look(slot);
     }
+    looked_at_ += count;
     for (Location& each : particles_) {
       each.after = find(scene_.particles[each.place].position, each.before);
       if (!is_passable(each.after)) scene_.occupants.push_back({each.place, scene_.slots.generation(each.place)});

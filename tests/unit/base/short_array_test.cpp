@@ -23,7 +23,7 @@ TEST(ShortArray, HoldsWhatAVectorHolds) {
   Short array(memory), other(memory);
   std::vector<uint32_t> expected, of_other;
   for (int i = 0; i < 20000; ++i) {
-    const uint32_t value = random() % 9;
+    const auto value = static_cast<uint32_t>(random() % 9);
     const size_t at = expected.empty() ? 0 : random() % (expected.size() + 1);
     switch (random() % 12) {
       case 0:

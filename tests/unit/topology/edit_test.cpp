@@ -159,10 +159,11 @@ TEST(Edit, FacesCutDifferentlyAreSewnByCuttingOneAnew) {
     Edit<3> edit(*env);
     CellDraft& draft = edit.draft(edit.replace(env->map.cell_of(o)));
     FacetDraft& facet = draft.facets[facet_from(draft, o)];
-    const Array<uint32_t> loop = facet.loop;
+    const Vertices loop = facet.loop;
     const bool first = std::count(facet.triangles.begin(), facet.triangles.end(), loop[0]) == 2;
     const size_t base = first ? 1 : 0;
-    facet.triangles = {loop[base], loop[base + 1], loop[base + 2], loop[base], loop[base + 2], loop[(base + 3) % 4]};
+    facet.triangles.assign(
+        {loop[base], loop[base + 1], loop[base + 2], loop[base], loop[base + 2], loop[(base + 3) % 4]});
     const uint32_t place = facet_from(draft, o);
     carry_out(edit);
     pair.b = edit.half_facet(0, place);
