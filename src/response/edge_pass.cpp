@@ -55,19 +55,19 @@ void EdgePass<D>::settle_side_by_side() {
   const Body<D>& body = *course_.body;
   const typename Course<D>::Vertex* const vertices = course_.vertices.data();
   inside_ = keeping_ = 0;
-  uint64_t between = 0, bit = 1;
+  uint64_t between = 0, at = 0;
   for (const uint32_t e : sieve_) {
     const typename Course<D>::Vertex &a = vertices[body.edges[e].ends[0]], &b = vertices[body.edges[e].ends[1]];
     const Passage<D>& passage = body.passages[e];
-    const bool stays = (a.from == a.arrival) & (b.from == b.arrival), same = a.from == b.from;
-    inside_ |= stays & same & env_.map.convex(a.from) ? bit : 0;
-    between |= stays & !same & (passage.front == a.from) & (passage.back == b.from) ? bit : 0;
-    bit <<= 1;
+    const uint64_t stay = uint64_t{a.from == a.arrival} & uint64_t{b.from == b.arrival}, same = a.from == b.from;
+    inside_ |= (stay & same & uint64_t{env_.map.convex(a.from)}) << at;
+    between |= (stay & ~same & uint64_t{passage.front == a.from} & uint64_t{passage.back == b.from}) << at;
+    ++at;
   }
   if (sweeps_.max_volumes != 0) return;  // what is kept must not carry an edge past it
   for (; between != 0; between &= between - 1) {
-    const auto i = static_cast<uint32_t>(__builtin_ctzll(between));
-    if (keeps_between(sieve_.begin()[i])) keeping_ |= uint64_t{1} << i;
+    const int i = __builtin_ctzll(between);
+    keeping_ |= uint64_t{keeps_between(sieve_.begin()[i])} << i;
   }
 }
 
@@ -101,7 +101,7 @@ void EdgePass<D>::sweep_chunk() {
                                      &b = course_.vertices[body.edges[e].ends[1]];
     const bool inside = (inside_ & bit) != 0, settled = ((inside_ | keeping_) & bit) != 0;
     bit <<= 1;
-    if (!settled | a.doubtful | b.doubtful) {
+    if ((uint32_t{!settled} | uint32_t{a.doubtful} | uint32_t{b.doubtful}) != 0) {
       sweep_ways(e);
       body.passages[e] = body.sequences[e].passage;
       continue;
