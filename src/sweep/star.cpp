@@ -93,12 +93,12 @@ bool StarSweep<D>::find_hit_edges(const Body<D>& body, uint32_t v, const double*
 
 /** Also notes whether it met the work limit. Most paths stay in a tetrahedron, which takes no cast to see. */
 template <int D>
-CastResult StarSweep<D>::cast_path(const Body<D>& body, uint32_t v, const double* to) {
+CastResult StarSweep<D>::cast_path(const Body<D>& body, uint32_t v, const double* to, bool stays) {
   const BodyVertex<D>& at = body.vertices[v];
   CastResult path;
   path.cell = at.cell;
   limited_ = false;
-  if (is_seen_inside(env_, at.cell, to)) return path;
+  if (stays || is_seen_inside(env_, at.cell, to)) return path;
   path = cast(env_, at.position, to, at.cell, max_volumes, counters);
   limited_ = path.end == CastEnd::kWorkLimit;
   return path;
@@ -183,13 +183,14 @@ bool StarSweep<D>::find_obstacle(const Body<D>& body, uint32_t v, const double* 
 }
 
 template <int D>
-SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
+SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell,
+                                  bool stays) {
   const BodyVertex<D>& at = body.vertices[v];
   if (std::equal(to, to + D, at.position)) {
     *cell = at.cell;
     return SweepEnd::kFree;
   }
-  const CastResult path = cast_path(body, v, to);
+  const CastResult path = cast_path(body, v, to, stays);
   *cell = path.cell;
   if (limited_) return SweepEnd::kWorkLimit;
   Earliest earliest{first};
@@ -245,11 +246,17 @@ bool StarSweep<D>::consider_ridge(const Body<D>& body, const EdgeSweep& sweep, c
                                   Earliest& earliest) {
   if (!ridge.facet.valid()) return false;
   const double* const p = body.position(sweep.v);
-  if (earliest.any && compare_events<D>(p, sweep.to, earliest.contact->contact.event, ridge.event).sign < 0)
-    return true;
+  const int order =
+      earliest.any ? compare_events<D>(p, sweep.to, earliest.contact->contact.event, ridge.event).sign : 1;
+  if (order < 0) return true;
   SweepContact found;
   if (!meets_first(env_, body, sweep, ridge, &found)) return false;
-  consider(p, sweep.to, {found, sweep.e, kNone}, earliest);
+  if (order == 0) {
+    consider(p, sweep.to, {found, sweep.e, kNone}, earliest);
+  } else {
+    *earliest.contact = {found, sweep.e, kNone};
+    earliest.any = true;
+  }
   return true;
 }
 

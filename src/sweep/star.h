@@ -71,8 +71,10 @@ class StarSweep {
   }
 
   /** The first contact with the environment on that way, whose event borrows the body's points and `to`. Without one
-   * *cell is set. At the work limit neither. */
-  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
+   * *cell is set. At the work limit neither.
+   * @param stays whether the path is known to stay in its cell. */
+  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell,
+                      bool stays = false);
 
   /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only
    * that. */
@@ -163,7 +165,7 @@ class StarSweep {
   }
   bool is_face_seen(const FaceMotion& m, Cell cell) const;
   Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls, FirstRidge* ridge);
-  CastResult cast_path(const Body<D>& body, uint32_t v, const double* to);
+  CastResult cast_path(const Body<D>& body, uint32_t v, const double* to, bool stays = false);
   StarTry try_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell);
   uint32_t find_swept_edge(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
   uint32_t find_swept_face(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
