@@ -32,8 +32,9 @@ class SimplexSweep {
  public:
   explicit SimplexSweep(const Environment<D>& env) : env_(env), probe_(env), flood_(env) {}
 
-  /** The path of a vertex, with which its sweeps begin. */
-  CastResult cast_path(const Body<D>& body, uint32_t v, const double* to);
+  /** The path of a vertex, with which its sweeps begin.
+   * @param stays whether it is known to stay in its cell. */
+  CastResult cast_path(const Body<D>& body, uint32_t v, const double* to, bool stays);
   /** Whether a cast or a flood has met the work limit since the last path. */
   bool is_limited() const noexcept { return limited_; }
 

@@ -21,8 +21,8 @@ uint64_t feature(const StarContact& c) noexcept {
 }  // namespace
 
 template <int D>
-typename StarSweep<D>::Way StarSweep<D>::go(const Body<D>& body, uint32_t v, const double* to) {
-  const CastResult path = simplices.cast_path(body, v, to);
+typename StarSweep<D>::Way StarSweep<D>::go(const Body<D>& body, uint32_t v, const double* to, bool stays) {
+  const CastResult path = simplices.cast_path(body, v, to, stays);
   const PathFacets crossed = body.keeps_sequences() ? path_facets(env_.map, body.vertices[v].cell, path) : PathFacets{};
   return {v, to, path, crossed, path.end == CastEnd::kReached};
 }
@@ -94,13 +94,14 @@ bool StarSweep<D>::find_obstacle(const Body<D>& body, uint32_t v, const double* 
 }
 
 template <int D>
-SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
+SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell,
+                                  bool stays) {
   const BodyVertex<D>& at = body.vertices[v];
   if (std::equal(to, to + D, at.position)) {
     *cell = at.cell;
     return SweepEnd::kFree;
   }
-  const Way way = go(body, v, to);
+  const Way way = go(body, v, to, stays);
   *cell = way.path.cell;
   if (simplices.is_limited()) return SweepEnd::kWorkLimit;
   bool any = !way.reached;
