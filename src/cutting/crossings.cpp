@@ -103,8 +103,8 @@ void Crossings<D>::read_corners(Cell c, const BladeSimplex<D>& blade) {
   });
 }
 
-/** See BladeSimplex: of an edge of the cell, or of a facet's triangles, with its ends on two sides of the simplex. It is
- * asked once for all who have that edge. */
+/** See BladeSimplex: of an edge of the cell, or of a facet's triangles, with its ends on two sides of the simplex. That
+ * is asked once for all who have the edge. */
 template <int D>
 uint32_t Crossings<D>::outside(uint32_t a, uint32_t b, const BladeSimplex<D>& blade) {
   const Corner &from = corners_[std::min(a, b)], &to = corners_[std::max(a, b)];
@@ -180,8 +180,8 @@ bool Crossings<D>::are_apart(const uint16_t* local) const {
   return beyond != 0 || one_side;
 }
 
-/** Whether the blade's simplex meets one of the cell's boundary that is not apart from it: an edge of one passes through
- * the other. In the plane both are edges, so asking once is enough. */
+/** Whether the blade's simplex meets one of the cell's boundary that is not apart from it: an edge of one passes
+ * through the other. In the plane both are edges, so asking once is enough. */
 template <int D>
 bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade,
                                  [[maybe_unused]] const double* const (&at)[D], [[maybe_unused]] Met& met) {

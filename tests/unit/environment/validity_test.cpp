@@ -61,9 +61,11 @@ TEST(Validity, FewQuestionsAndAllOfThemGiveOneAnswer) {
   EXPECT_GT(invalid, 4000);
 }
 
-/** Whether no vertex lies beyond a facet, and all of a facet lie in its plane. */
+/** Whether no vertex lies beyond a facet, all of a facet lie in its plane, and no facet has a corner that turns in. */
 bool is_plainly_convex(const Environment<3>& env, Cell c) {
   const Shape shape = env.map.shape(c);
+  double apex[3];
+  centre(env, c, apex);
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     const double* plane[3];
     simplex_points(env, c, shape, shape.simplex_first(f), plane);
@@ -72,6 +74,10 @@ bool is_plainly_convex(const Environment<3>& env, Cell c) {
     }
     for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
       if (orient<3>(plane, env.point(c, shape.dart_vertex(d))) != 0) return false;
+      const double* const turn[3] = {env.point(c, shape.dart_vertex(shape.beta0(d))),
+                                     env.point(c, shape.dart_vertex(d)),
+                                     env.point(c, shape.dart_vertex(shape.beta1(d)))};
+      if (orient<3>(turn, apex) > 0) return false;
     }
   }
   return true;
