@@ -28,10 +28,10 @@ struct FirstRidge {
 bool find_first_ridge(const Environment<3>& env, const EdgeSequence<3>& sequence, const EdgeMotion& m, bool p_first,
                       size_t added, FirstRidge* first) noexcept;
 
-/** Turns the sequence round a ridge that was found, if that is not marked and the way round it is passable. Then what
- * the edge meets first from there on is again what find_first_ridge says, while p stays in its cell. When the edge meets
- * the ridge, it passes all other facets of the old sequence inside. Just after, it passes the other facets at the ridge
- * beside it, so inside: all of their ridges have the right side then. Throws std::bad_alloc. */
+/** Turns the sequence round a ridge that was found, if that is not marked and the way round it is passable. While p
+ * stays in its cell, find_first_ridge then tells what is met next: when the edge meets the ridge, it passes all other
+ * facets of the old sequence inside. Just after, it passes the other facets at the ridge beside it, so inside: all of
+ * their ridges have the right side then. Throws std::bad_alloc. */
 bool turn_round(const Environment<3>& env, EdgeSequence<3>& sequence, const FirstRidge& ridge);
 
 }  // namespace dsw
