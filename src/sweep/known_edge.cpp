@@ -222,8 +222,8 @@ bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSw
   const auto passes = [&] { return passes_before(env, edge.sequence, m, edge.first, event, nullptr); };
   if (sweep.crossed.count == 0) return passes();
   edge.save();
-  // Only cells of facets in rows are known to be convex.
-  const bool is_free = edge.passes_on() && edge.sequence.in_rows && passes();
+  // Only cells of facets in rows are known to be convex; the path may have gone on into another one.
+  const bool is_free = edge.passes_on() && edge.sequence.in_rows && env.map.convex(sweep.arrival) && passes();
   edge.restore();
   return is_free;
 }
