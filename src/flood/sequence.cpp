@@ -214,7 +214,10 @@ void EdgeSequence<D>::note_passage(const Environment<D>& env) noexcept {
   const Cell c = map.cell_of(facet);
   passage.front = c;
   passage.back = map.cell_of(beyond);
-  if (facets.size() != 1) return;
+  if (facets.size() != 1) {
+    if (in_rows) passage.corners[0] = Passage<D>::kInRows;
+    return;
+  }
   if constexpr (D == 3) {
     if (has_standard_facets(map.form(c))) standard_corners(map.record(c), map.local_of(facet, c), passage.corners);
   } else {

@@ -16,12 +16,12 @@ namespace dsw {
 template <int D>
 struct Passage {
   static constexpr uint64_t kNever = ~uint64_t{0};
-  static constexpr uint32_t kNoCorner = ~uint32_t{0};
+  static constexpr uint32_t kInRows = ~uint32_t{0} - 1, kNoCorner = ~uint32_t{0};
 
   uint64_t version = kNever;
   Cell front, back;  // invalid: no way is known, or it passes no facet
-  /** Of a facet that is the only one: in its order, a triangle repeats the last. kNoCorner: there are several, or it is
-   * one of a polyhedron. */
+  /** Of a facet that is the only one: in its order, a triangle repeats the last. kInRows: there are several
+   * in rows. kNoCorner: there are others. */
   uint32_t corners[D == 3 ? 4 : 2];
 
   Passage() noexcept { forget(); }
@@ -29,7 +29,7 @@ struct Passage {
     front = back = {};
     corners[0] = kNoCorner;
   }
-  bool is_only() const noexcept { return corners[0] != kNoCorner; }
+  bool is_only() const noexcept { return corners[0] < kInRows; }
   /** Whether it leads from one cell to another, both of them exactly convex. */
   bool leads(const Environment<D>& env, Cell first, Cell last) const noexcept {
     return front == first && back == last && env.map.convex(first) && env.map.convex(last) && !is_closed(env, last);

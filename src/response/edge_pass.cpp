@@ -48,7 +48,7 @@ void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
 }
 
 /** Finds the edges of a chunk whose ends stay in their cells: in one convex cell, or in two between which the edge is
- * known to pass the facet all the way. What StarSweep::settle finds out of one move of one end, for both, and without
+ * known to pass facets all the way. Those of several facets in rows follow them as fast. What StarSweep::settle finds out of one move of one end, for both, and without
  * branches on what is found of each edge. */
 template <int D>
 void EdgePass<D>::settle_side_by_side() {
@@ -61,7 +61,9 @@ void EdgePass<D>::settle_side_by_side() {
     const Passage<D>& passage = body.passages[e];
     const uint64_t stay = uint64_t{a.from == a.arrival} & uint64_t{b.from == b.arrival}, same = a.from == b.from;
     inside_ |= (stay & same & uint64_t{env_.map.convex(a.from)}) << at;
-    between |= (stay & ~same & uint64_t{passage.front == a.from} & uint64_t{passage.back == b.from}) << at;
+    between |= (stay & ~same & uint64_t{passage.front == a.from} & uint64_t{passage.back == b.from} &
+                uint64_t{passage.corners[0] != Passage<D>::kInRows})
+               << at;
     ++at;
   }
   if (sweeps_.max_volumes != 0) return;  // what is kept must not carry an edge past it
