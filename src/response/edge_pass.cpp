@@ -48,8 +48,9 @@ void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
 }
 
 /** Finds the edges of a chunk whose ends stay in their cells: in one convex cell, or in two between which the edge is
- * known to pass facets all the way. Those of several facets in rows follow them as fast. What StarSweep::settle finds out of one move of one end, for both, and without
- * branches on what is found of each edge. */
+ * known to pass facets all the way. What SimplexSweep::settle finds out of one move of one end, for both, and without
+ * branches on what is found of each edge. Edges that pass several facets in rows are left out: to follow these one by
+ * one takes no longer. */
 template <int D>
 void EdgePass<D>::settle_side_by_side() {
   const Body<D>& body = *course_.body;
