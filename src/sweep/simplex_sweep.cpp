@@ -81,6 +81,10 @@ SweepResult SimplexSweep<D>::flood_until(const EdgeMotion& m, Cell start, double
 template <int D>
 bool SimplexSweep<D>::is_free(const Body<D>& body, const EdgeSweep& sweep) {
   if (sweeps_edges(body.level)) return is_triangle_free(motion(body, sweep), body.vertices[sweep.v].cell);
+  if (sweep.arrival == sweep.fixed && env_.map.convex(sweep.arrival)) {  // counted, not cast
+    if (counters != nullptr) counters->add({1, 1});
+    return true;
+  }
   CastRequest request;
   request.from = sweep.to;
   request.to = sweep.q;
