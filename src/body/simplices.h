@@ -1,5 +1,7 @@
 #pragma once
-// The simplices of a body that its level covers: vertices, edges, faces. Who asks for them asks for no level.
+// The simplices of a body that its level covers: vertices, edges, faces. A caller need not ask for the level.
+
+#include <algorithm>
 
 #include "body/body.h"
 
@@ -12,13 +14,13 @@ struct Simplex {
   uint32_t index;
 };
 
-/** Its corners. */
+/** The vertices of a simplex. */
 template <int D>
-struct Corners {
+struct SimplexCorners {
   uint32_t vertices[3];
   uint32_t count;
 
-  Corners(const Body<D>& body, const Simplex& simplex) : vertices{simplex.index}, count(simplex.kind + 1) {
+  SimplexCorners(const Body<D>& body, const Simplex& simplex) : vertices{simplex.index}, count(simplex.kind + 1) {
     if (simplex.kind == Simplex::kEdge) std::copy_n(body.edges[simplex.index].ends, 2, vertices);
     if (simplex.kind == Simplex::kFace) std::copy_n(body.faces[simplex.index].corners, 3, vertices);
   }

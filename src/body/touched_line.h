@@ -18,13 +18,13 @@ struct TouchedLine {
   bool is_known() const noexcept { return vertices[0] != vertices[1]; }
 };
 
-/** The passable cells round an edge of the environment from wall to wall, in a version of the environment. */
+/** The passable cells round an edge of the environment from wall to wall. */
 struct TouchedFan {
   HalfFacet passed;       // a facet inside
   HalfFacet walls[2];     // seen from the cells at the ends; the first comes first where p is on the same side of both
   Dart lowest;            // the edge's name, as SweepContact has it
   bool is_alone = false;  // no other passable cells are linked round the edge
-  uint64_t version = ~uint64_t{0};
+  uint64_t version = ~uint64_t{0};  // Environment::change_version of when this was so
 };
 
 /** The last few that an edge has touched while one of its ends moved, the last one first. */
@@ -33,7 +33,7 @@ struct TouchedLines {
   TouchedLine lines[kCount];
   TouchedFan fan;  // of the first, if it is known
 
-  /** Whether the fan of the first line is known, as one that has a facet. */
+  /** Whether `line` is the first one and its fan is known in this version, with `passed` as a facet inside. */
   bool knows_fan(const TouchedLine& line, HalfFacet passed, uint64_t version) const noexcept {
     return fan.passed == passed && fan.version == version && lines[0] == line;
   }

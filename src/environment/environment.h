@@ -30,9 +30,12 @@ struct Environment {
   EdgeMarks edge_marks{memory};          // marked edges, by their two vertices
   Array<uint64_t> vertex_marks{memory};  // bits; empty: none
   uint64_t marked_cells = 0, marked_facets = 0, marked_edges = 0, marked_vertices = 0;
-  uint64_t obstacle_version = 0;  // another one when something becomes impassable, or points move
-  uint64_t last_version = 0;      // that was given
-  uint64_t points_version = 0;    // another one when points move
+  // Another one when something becomes impassable, or points move; not when something becomes passable. So what is kept
+  // under it may only say that something is free.
+  uint64_t obstacle_version = 0;
+  uint64_t change_version = 0;  // another one with every change of marks, cells or points
+  uint64_t last_version = 0;    // that was given
+  uint64_t points_version = 0;  // another one when points move
   uint32_t part_count = 0;
   double lower[D] = {}, upper[D] = {};  // box of the vertices that cells use
   CellIndex<D> index{memory};           // which cells may contain a point
@@ -46,7 +49,14 @@ struct Environment {
   Environment& operator=(const Environment&) = delete;
 
   /** What was known of obstacles is not any more. Who takes back what was done gives back the version from before. */
-  void renew_version() noexcept { obstacle_version = ++last_version; }
+  void renew_version() noexcept {
+    obstacle_version = ++last_version;
+    ++change_version;
+  }
+  void give_back_version(uint64_t version) noexcept {
+    obstacle_version = version;
+    ++change_version;
+  }
   /** Points are elsewhere than they were. */
   void note_move() noexcept {
     ++points_version;

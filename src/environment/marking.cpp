@@ -12,9 +12,10 @@ bool count_change(uint64_t& count, bool was, bool marked) noexcept {
   return true;
 }
 
-/** Passes on whether a mark changed, and notes it if something became impassable. */
+/** Passes on whether a mark changed, and notes it. */
 template <int D>
 bool note_change(Environment<D>& env, bool changed, bool marked) noexcept {
+  if (changed) ++env.change_version;
   if (changed && marked) env.renew_version();
   return changed;
 }

@@ -7,7 +7,7 @@ namespace dsw {
 
 /** A ridge of a facet of a sequence. */
 struct FirstRidge {
-  HalfFacet facet;  // which has it; invalid: there is none
+  HalfFacet facet;  // of the sequence, with this ridge; invalid: no ridge is met
   uint32_t vertices[2] = {};
   SweepEvent event;
 };

@@ -362,7 +362,7 @@ void ridge_sides(const Environment<2>&, LineSides&, HalfFacet, int (&)[3]) noexc
 
 template <int D>
 bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeMotion& m, bool p_first,
-                   const SweepEvent& event, HalfFacet* at_event) noexcept {
+                   const SweepEvent& event) noexcept {
   const double *const from = p_first ? m.to : m.q, *const to = p_first ? m.q : m.to;
   const size_t count = sequence.facets.size();
   const bool in_rows = sequence.in_rows && sequence.passage.version == env.obstacle_version;
@@ -384,11 +384,7 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
       const bool is_passed = for_each_ridge(env, facet, in_rows, [&](const FacetRidge& ridge) {
         const int known = in_rows ? sides[next++] : 0;
         if (known != 0 && known == ridge.side) return true;
-        if (is_of_event<D>(m, ridge, event)) {
-          if (at_event != nullptr) *at_event = facet;
-          return true;
-        }
-        if (is_same_ridge(ridge, later)) return true;
+        if (is_of_event<D>(m, ridge, event) || is_same_ridge(ridge, later)) return true;
         const double* const ends[2] = {ridge.a, ridge.b};
         if (known == 0 && line_side<D>(from, to, ends, NoTally{}).sign == ridge.side) return true;
         if (!is_met_later<D>(m, ridge, event)) return false;

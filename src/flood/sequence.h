@@ -21,7 +21,7 @@ struct Passage {
   uint64_t version = kNever;
   Cell front, back;  // invalid: no way is known, or it passes no facet
   /** Of a facet that is the only one: in its order, a triangle repeats the last. kInRows: there are several
-   * in rows. kNoCorner: there are others. */
+   * in rows. kNoCorner: there is no facet, or they are of other cells. */
   uint32_t corners[D == 3 ? 4 : 2];
 
   Passage() noexcept { forget(); }
@@ -137,12 +137,11 @@ bool keeps_to_facets(const Environment<D>& env, const EdgeSequence<D>& sequence,
 /** Whether edge p q meets no ridge of its sequence before `event` while p goes to `to`. The sequence is that of the
  * edge at the start; facets that the path of p passes have been added or removed. On which side the line through p and
  * q passes a ridge is linear in time. So a ridge that has the right side at the end is never met; of the others the
- * time is compared. The ridge of `event` itself is left out: *at_event, if not null, becomes a facet that has it.
- * Exact. False in the plane where the sequence is not kept in rows.
+ * time is compared. The ridge of `event` itself is left out. Exact. False in the plane where the sequence is not kept in rows.
  * @param p_first whether the sequence begins at p. */
 template <int D>
 bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeMotion& m, bool p_first,
-                   const SweepEvent& event, HalfFacet* at_event) noexcept;
+                   const SweepEvent& event) noexcept;
 
 /** The facets that a path passes up to its target or the wall that it meets, each seen from the cell that is left: none
  * where it stays in its cell or passes more than two. */

@@ -88,7 +88,7 @@ bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival, b
   const SweepEnd end = arrival != nullptr ? SweepEnd::kFree : sweeps_.find_first(body_, v, to, &first, &cell, stays);
   if (end == SweepEnd::kWorkLimit) return false;
   PairContact<D> pair;
-  if (sweeps_.partners != nullptr) sweeps_.find_first_of_partners(body_, v, to, &pair);
+  sweeps_.find_first_of_partners(body_, v, to, &pair);
   if (end == SweepEnd::kFree && pair.time == kNever) {
     put(v, to, cell);
     return true;

@@ -59,7 +59,7 @@ class Trial {
       : env_(env), version_(env.obstacle_version), changed_(scene.memory), places_(scene.memory, scene.keeps_boxes()) {}
   ~Trial() {
     for (const Item item : changed_) set_mark(env_, item, false);
-    if (!changed_.empty()) env_.obstacle_version = version_;
+    if (!changed_.empty()) env_.give_back_version(version_);
   }
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;

@@ -195,7 +195,7 @@ Settled follow_to_ridge(const Environment<3>& env, const Body<3>& body, const Ed
   bool knows = in_rows && env.map.convex(sweep.arrival) && find_first_ridge(env, sequence, m, edge.first, added, ridge);
   bool turned = false;
   for (int turns = 0; stays && arrives && knows && ridge->facet.valid() && turns < kMostTurns; ++turns) {
-    if (has_walls(env, body, sweep, *ridge)) break;
+    if (knows_walls(env, body, sweep, *ridge)) break;
     if (!turned) edge.save();
     if (!turn_round(env, edge.sequence, *ridge)) break;
     turned = true;
@@ -219,7 +219,7 @@ bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSw
   Follower<D> edge(env, body, sweep, scratch);
   if (!edge.keeps_start()) return false;
   const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
-  const auto passes = [&] { return passes_before(env, edge.sequence, m, edge.first, event, nullptr); };
+  const auto passes = [&] { return passes_before(env, edge.sequence, m, edge.first, event); };
   if (sweep.crossed.count == 0) return passes();
   edge.save();
   // Only cells of facets in rows are known to be convex; the path may have gone on into another one.

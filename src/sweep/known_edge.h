@@ -54,11 +54,11 @@ template <int D>
 Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
                         EdgeScratch<D>& scratch);
 
-/** As follow_sequence, where triangles count, and where an edge in space does not keep to facets in rows: `ridge` is
- * what it meets first and cannot turn round, if that is known, with the facet of its sequence that has it then. Where
- * the end that moves arrives in its own cell, the edge may turn round several ridges, one after the other.
- * @param arrives whether the path of the moving end is free; if not, what is met counts up to the wall that the path
- * meets, and the sequence stays that of the edge's place. */
+/** In space, where triangles count: as follow_sequence. If the edge leaves its facets, `ridge` is the first ridge that
+ * it meets and cannot turn round, if that is known. Where the moving end stays in its cell, the edge may turn round
+ * several ridges, one after the other.
+ * @param arrives whether the edge will stand at the target: then the sequence becomes that of its new place. If not,
+ * the sequence stays that of the start, and what is met counts up to the wall that the path meets. */
 Settled follow_to_ridge(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, bool arrives,
                         EdgeScratch<3>& scratch, FirstRidge* ridge);
 inline Settled follow_to_ridge(const Environment<2>& env, const Body<2>& body, const EdgeSweep& sweep, bool arrives,

@@ -1,6 +1,6 @@
 #pragma once
 // What one simplex of a body sweeps when one of its vertices moves [JCD10] 4.1: an edge a triangle, a face a
-// tetrahedron. A sweep is settled without a look at what is swept, or that is flooded. Those who ask want to know
+// tetrahedron. A sweep is settled without a look at the swept solid, or the solid is flooded. Those who ask want to know
 // whether anything is met, what is met first, or all that is met.
 
 #include "body/body.h"

@@ -80,7 +80,7 @@ bool find_fan(const Environment<3>& env, const EdgeMotion& m, HalfFacet passed, 
   fan.lowest = lowest_dart_round(env.map, {first.front, first.dart});
   fan.is_alone = is_alone(env, fan.walls, line.vertices);
   fan.passed = passed;
-  fan.version = env.obstacle_version;
+  fan.version = env.change_version;
   return true;
 }
 
@@ -112,11 +112,11 @@ bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const 
   });
 }
 
-bool has_walls(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep,
-               const FirstRidge& ridge) noexcept {
+bool knows_walls(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep,
+                 const FirstRidge& ridge) noexcept {
   const TouchedLines* const kept = lines_of(body, sweep.e, sweep.v);
   const TouchedLine line{{ridge.vertices[0], ridge.vertices[1]}};
-  return kept != nullptr && kept->knows_fan(line, ridge.facet, env.obstacle_version);
+  return kept != nullptr && kept->knows_fan(line, ridge.facet, env.change_version);
 }
 
 bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const FirstRidge& ridge,
@@ -126,7 +126,7 @@ bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep
   const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
   TouchedLines* kept = lines_of(body, sweep.e, sweep.v);
   TouchedFan fan;
-  if (kept != nullptr && kept->knows_fan(line, ridge.facet, env.obstacle_version)) {
+  if (kept != nullptr && kept->knows_fan(line, ridge.facet, env.change_version)) {
     fan = kept->fan;
   } else {
     if (!find_fan(env, m, ridge.facet, line, fan)) return false;

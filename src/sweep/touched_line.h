@@ -17,9 +17,9 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
 /** Whether an edge that was touched pierces what an edge sweeps: then it is most likely touched again. */
 bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept;
 
-/** Whether the cells round a ridge are known to have walls. */
-bool has_walls(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep,
-               const FirstRidge& ridge) noexcept;
+/** Whether walls are known to end the passable cells round a ridge. */
+bool knows_walls(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep,
+                 const FirstRidge& ridge) noexcept;
 
 /** Whether the first contact is that with the ridge that an edge meets first: walls end the passable cells round it,
  * all of them tetrahedra. The same contact as that of a flood. False: not known. */

@@ -39,7 +39,7 @@ void Edit<D>::revert() noexcept {
   for (const Link& link : links_) map_.words[link.word] = link.before;
   set_marks(true);
   forget_cells();
-  env_.obstacle_version = version_;
+  env_.give_back_version(version_);
   applied_ = false;
 }
 

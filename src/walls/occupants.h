@@ -56,7 +56,11 @@ struct Feature {
   Feature() = default;
   Feature(Kind k, uint32_t of, uint32_t i) : kind(k), owner(of), index(i) {}
   Feature(uint32_t of, const Simplex& simplex)
-      : kind(static_cast<Kind>(kVertex + simplex.kind)), owner(of), index(simplex.index) {}
+      : kind(static_cast<Kind>(static_cast<uint32_t>(kVertex) + static_cast<uint32_t>(simplex.kind))),
+        owner(of),
+        index(simplex.index) {
+    static_assert(kEdge - kVertex == 1 && kFace - kVertex == 2, "the kinds of simplices, in their order");
+  }
   bool operator==(const Feature& o) const { return kind == o.kind && owner == o.owner && index == o.index; }
   bool operator<(const Feature& o) const {
     return kind != o.kind ? kind < o.kind : owner != o.owner ? owner < o.owner : index < o.index;

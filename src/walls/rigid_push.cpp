@@ -139,7 +139,7 @@ bool RigidPush<D>::open_ways(uint32_t owner) {
   bool any = false;
   for_each_simplex(body, [&](const Simplex& each) {
     Box<D> box;
-    for (const uint32_t v : Corners<D>(body, each)) {
+    for (const uint32_t v : SimplexCorners<D>(body, each)) {
       box.add(body.position(v));
       box.add(&targets_[D * size_t{v}]);
     }

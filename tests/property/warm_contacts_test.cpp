@@ -149,6 +149,16 @@ void Course::change_marks(const dsw_body_contact& near) {
   const dsw_contact& c = near.contact;
   const dsw_mark mark = rng_.chance(0.5) ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE;
   dsw_status status = DSW_STATUS_OK;
+  if (rng_.chance(0.4)) {  // what was touched is gone, or what stands behind it is
+    if (c.wall.generation != 0 && rng_.chance(0.8)) {
+      status = dsw_environment_mark_faces(environment_, &c.wall, 1, DSW_MARK_PASSABLE);
+    }
+    if (status == DSW_STATUS_OK && c.behind.generation != 0) {
+      status = dsw_environment_mark_volumes(environment_, &c.behind, 1, DSW_MARK_PASSABLE, 0, nullptr);
+    }
+    changed += status == DSW_STATUS_OK ? 1 : 0;
+    return;
+  }
   switch (rng_.below(arena_.dimension == 3 ? 5u : 4u)) {
     case 0:
       status = dsw_environment_mark_volumes(environment_, &c.front, 1, DSW_MARK_IMPASSABLE, 0, nullptr);

@@ -298,7 +298,7 @@ TEST(FirstRidge, IsThatOfAll) {
         if (leaves) sequence.remove(*env, p_first);
         if (!leaves) sequence.add(*env, more, p_first);
         added = leaves ? 0 : 1;
-        sequence.version = env->obstacle_version;
+        sequence.passage.version = env->obstacle_version;
       }
       const size_t count = sequence.facets.size(), low = p_first ? added : 0;
       SweepEvent expected;
@@ -336,7 +336,7 @@ class PassesBefore : public testing::TestWithParam<Kind> {};
 
 TEST_P(PassesBefore, AsEveryRidgeSays) {
   constexpr int kSize = 4;
-  int asked = 0, passed = 0, passed_by_time = 0, named = 0;
+  int asked = 0, passed = 0, passed_by_time = 0;
   for (int round = 0; round < 20; ++round) {
     Random random(static_cast<uint64_t>(round + 31));
     const auto env = make_ground(GetParam(), kSize, random);
@@ -377,8 +377,7 @@ TEST_P(PassesBefore, AsEveryRidgeSays) {
           const double* const q = event.points[0];
           if (line_side<3>(m.p, q, at, NoTally{}).sign == line_side<3>(m.to, q, at, NoTally{}).sign) continue;
         }
-        HalfFacet at_event;
-        const bool passes = passes_before<3>(*env, sequence, m, p_first, event, &at_event);
+        const bool passes = passes_before<3>(*env, sequence, m, p_first, event);
         ASSERT_EQ(passes, passes_all(*env, sequence.facets, m, p_first, event)) << round << "/" << i;
         ++asked;
         passed += passes ? 1 : 0;
@@ -389,10 +388,6 @@ TEST_P(PassesBefore, AsEveryRidgeSays) {
                                map.cell_of({again.facets.front()}), map.cell_of(map.opposite({again.facets.back()})))
                 ? 1
                 : 0;
-        if (!passes || !at_event.valid()) continue;
-        ++named;
-        EXPECT_TRUE(event.points[0] == m.q && event.kind == EventKind::kEdge);
-        EXPECT_NE(std::find(sequence.facets.begin(), sequence.facets.end(), at_event.word), sequence.facets.end());
       }
     }
   }
@@ -400,7 +395,6 @@ TEST_P(PassesBefore, AsEveryRidgeSays) {
   EXPECT_GT(passed, 300);
   EXPECT_LT(passed, asked - 300);
   EXPECT_GT(passed_by_time, 100);
-  EXPECT_GT(named, 50);
 }
 INSTANTIATE_TEST_SUITE_P(Kinds, PassesBefore, testing::Values(Kind::kBoxes, Kind::kTetrahedra, Kind::kUneven));
 
