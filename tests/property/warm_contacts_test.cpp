@@ -383,6 +383,66 @@ INSTANTIATE_TEST_SUITE_P(Scenes, WarmContactsTest,
                                          Ways{"Others", {"pyramids", "prisms", "polyhedra", "voronoi", "mixed"}}),
                          [](const auto& each) { return std::string(each.param.name); });
 
+/// An edge touches the rim of a column of marked tetrahedra; then some of these are opened, and it goes on.
+TEST(WarmContactsOfTetrahedraTest, WhatWasOpenedStopsNobody) {
+  static const int paths[6][4] = {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
+  const Mesh cubes = hex_grid(axis(4, 1), axis(4, 1), axis(3, 1));
+  size_t touched = 0, freed = 0;
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    Rng rng(seed);
+    Mesh mesh;
+    mesh.points = cubes.points;
+    for (const Cell& c : cubes.cells) {
+      for (const auto& path : paths) {
+        std::vector<int> v;
+        for (const int i : path) v.push_back(c.vertices[static_cast<size_t>(i)]);
+        mesh.add_standard(DSW_CELL_TYPE_TETRA, v);
+      }
+    }
+    const Place place = place_of(std::move(mesh));
+    ASSERT_PLACE(place);
+    std::vector<dsw_volume_id> column, opened;
+    for (size_t z = 0; z < 3; ++z) {
+      const auto first = place.world->ids.begin() + static_cast<std::ptrdiff_t>(6 * (2 + 4 * (2 + 4 * z)));
+      column.insert(column.end(), first, first + 6);
+    }
+    const auto mark = [&](const std::vector<dsw_volume_id>& ids, dsw_mark as) {
+      return dsw_environment_mark_volumes(place.get(), ids.data(), ids.size(), as, 0, nullptr);
+    };
+    ASSERT_EQ(mark(column, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+    const auto near = [&](double x, double y, double z) {
+      return Vec{x + rng.range(-0.05, 0.05), y + rng.range(-0.05, 0.05), z + rng.range(-0.3, 0.3)};
+    };
+    const BodyPlan plan = segment(near(1.2, 2.5, 1.5), near(2.6, 1.15, 1.5));
+    const std::vector<Vec> targets = {near(1.75, 2.9, 1.5), plan.at[1]};
+    const ScenePtr scene = make_scene(place.get());
+    dsw_body_id body = {0, 0};
+    ASSERT_EQ(create_body(scene.get(), plan, DSW_LEVEL_EDGES_SWEPT, 0, {}, &body), DSW_STATUS_OK);
+    const dsw_move_options options = defaults(dsw_move_options_init);
+    BodyAnswer answer;
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_EQ(move_body(scene.get(), body, targets, &options, answer), "");
+      touched += answer.contacts.empty() ? 0 : 1;
+    }
+    for (const dsw_volume_id id : column) {
+      if (seed % 3 == 0 || rng.chance(0.7)) opened.push_back(id);
+    }
+    ASSERT_EQ(mark(opened, DSW_MARK_PASSABLE), DSW_STATUS_OK);
+    const ScenePtr other = make_scene(place.get());
+    dsw_body_id fresh = {0, 0};
+    BodyPlan now = plan;
+    now.at = answer.after.at;
+    ASSERT_EQ(create_body(other.get(), now, DSW_LEVEL_EDGES_SWEPT, 0, answer.after.volumes, &fresh), DSW_STATUS_OK);
+    BodyAnswer expected;
+    ASSERT_EQ(move_body(other.get(), fresh, targets, &options, expected), "");
+    ASSERT_EQ(move_body(scene.get(), body, targets, &options, answer), "");
+    EXPECT_EQ(bits_of_answer(answer), bits_of_answer(expected)) << "seed " << seed;
+    freed += answer.contacts.empty() ? 1 : 0;
+  }
+  EXPECT_EQ(touched, 180u);
+  EXPECT_GT(freed, 15u);
+}
+
 TEST(WarmContactsInThePlaneTest, HaveTheBitsOfFloods) {
   const uint64_t rounds = from_environment("DSW_WARM_ROUNDS", 30), first = from_environment("DSW_WARM_SEED", 1);
   const std::vector<plane::Turn> turns = plane::turns("");
