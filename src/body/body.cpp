@@ -108,7 +108,6 @@ void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept {
 template <int D>
 void keep_sequences(Body<D>& body, size_t edges) {
   if (body.sequences.size() < edges) body.sequences.resize(edges, EdgeSequence<D>(body.edges.get_allocator()));
-  if (body.passages.size() < edges) body.passages.resize(edges);
 }
 
 template <int D>

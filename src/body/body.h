@@ -98,9 +98,6 @@ struct Body {
   Array<uint32_t> inserted;  // vertices that a response has inserted
   // By edge, if they are kept: the facets passed from ends[0] to ends[1], see flood/sequence.h. A forecast.
   mutable Array<EdgeSequence<D>> sequences;
-  // By edge, likewise: what its sequence leads through, as it was when the edge was swept last. Apart, since most edges
-  // ask no more.
-  Array<Passage<D>> passages;
   // By edge and end, once an edge has touched something: what it touched. A forecast.
   mutable Array<TouchedLines> touched;
   Array<Clearance<D>> clearances;  // by vertex, if they are kept
@@ -121,7 +118,6 @@ struct Body {
         face_slots(memory),
         inserted(memory),
         sequences(memory),
-        passages(memory),
         touched(memory),
         clearances(memory),
         boxes(memory),
@@ -134,7 +130,7 @@ struct Body {
   bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
-    uint64_t of_parts = array_bytes(sequences) + array_bytes(passages);
+    uint64_t of_parts = array_bytes(sequences);
     for (const EdgeSequence<D>& each : sequences) of_parts += array_bytes(each.facets) + each.rows.memory_bytes();
     for (const BodyBoxes<D>& each : boxes) of_parts += sizeof each + each.memory_bytes();
     for (const RigidShape<D>& each : shape) of_parts += sizeof each + each.memory_bytes();

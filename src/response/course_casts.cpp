@@ -64,10 +64,7 @@ void CourseCasts<D>::run_edges() {
   run();
   if (course_.body->keeps_sequences()) {
     for (uint32_t i = 0; i < packet_.count(); ++i) {
-      if (!packet_.reached(i)) continue;
-      EdgeSequence<D>& sequence = course_.body->sequences[edges_[i]];
-      writers_[i].finish(sequence);
-      course_.body->passages[edges_[i]] = sequence.passage;
+      if (packet_.reached(i)) writers_[i].finish(course_.body->sequences[edges_[i]]);
     }
   }
   packet_.clear();

@@ -59,7 +59,7 @@ void EdgePass<D>::settle_side_by_side() {
   uint64_t between = 0, at = 0;
   for (const uint32_t e : sieve_) {
     const typename Course<D>::Vertex &a = vertices[body.edges[e].ends[0]], &b = vertices[body.edges[e].ends[1]];
-    const Passage<D>& passage = body.passages[e];
+    const Passage<D>& passage = body.sequences[e].passage;
     const uint64_t stay = uint64_t{a.from == a.arrival} & uint64_t{b.from == b.arrival}, same = a.from == b.from;
     inside_ |= (stay & same & uint64_t{env_.map.convex(a.from)}) << at;
     between |= (stay & ~same & uint64_t{passage.front == a.from} & uint64_t{passage.back == b.from} &
@@ -79,8 +79,7 @@ template <int D>
 bool EdgePass<D>::keeps_between(uint32_t e) const {
   const Body<D>& body = *course_.body;
   const EdgeSequence<D>& sequence = body.sequences[e];
-  // Faces ask the sequence, which may be another one since.
-  const Passage<D>& passage = body.passages[e].is_only() && course_.keeps.empty() ? body.passages[e] : sequence.passage;
+  const Passage<D>& passage = sequence.passage;
   const uint32_t(&ends)[2] = body.edges[e].ends;
   const typename Course<D>::Vertex &a = course_.vertices[ends[0]], &b = course_.vertices[ends[1]];
   if (passage.version != env_.obstacle_version || !passage.leads(env_, a.from, b.from)) return false;
@@ -93,7 +92,7 @@ bool EdgePass<D>::keeps_between(uint32_t e) const {
 /** Edges in their order: what one of them meets lets others wait. */
 template <int D>
 void EdgePass<D>::sweep_chunk() {
-  Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.body;
   settle_side_by_side();
   const uint32_t inside_counts = body.skipping.by_environment ? 1 : 0,
                  keeping_counts = body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
@@ -106,16 +105,12 @@ void EdgePass<D>::sweep_chunk() {
     bit <<= 1;
     if ((uint32_t{!settled} | uint32_t{a.doubtful} | uint32_t{b.doubtful}) != 0) {
       sweep_ways(e);
-      body.passages[e] = body.sequences[e].passage;
       continue;
     }
     const uint32_t moves = (a.rank != kNone ? 1u : 0u) + (b.rank != kNone ? 1u : 0u);
     sweeps_.counts.swept += moves;
     sweeps_.counts.skipped += moves * (inside ? inside_counts : keeping_counts);
-    if (inside && (body.passages[e].front.valid() || !course_.keeps.empty())) {
-      body.passages[e].forget();
-      body.sequences[e].clear();
-    }
+    if (inside && !body.sequences[e].facets.empty()) body.sequences[e].clear();
   }
 }
 

@@ -80,6 +80,7 @@ void EdgeSieve<D>::gather() {
       __builtin_prefetch(&body.vertices[v]);
       __builtin_prefetch(course_.targets[v]);
     }
+    if (body.keeps_sequences()) __builtin_prefetch(&body.sequences[next_]);
     chunk_[count_++] = next_;
   }
 }

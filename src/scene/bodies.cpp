@@ -147,8 +147,6 @@ BodyRecord<D> make_body(const Scene<D>& scene, const BodyDescription& d, const C
   if (body.keeps_sequences()) {
     body.sequences.erase(body.sequences.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.sequences.end());
     body.sequences.shrink_to_fit();
-    body.passages.resize(body.edges.size());
-    body.passages.shrink_to_fit();
   }
   prepare_body(scene, made);
   return made;

@@ -143,11 +143,7 @@ void BodyReader<D>::read_touched(Body<D>& body, uint64_t count) {
   if (count > 2 * body.edges.size()) fail_corrupt("the number of what edges have touched");
   body.touched.resize(static_cast<size_t>(count));
   for (TouchedLines& each : body.touched) {
-    for (TouchedLine& line : each.lines) {
-      const uint32_t* const ends = take(image_.touched, touched_, 2);
-      line.vertices[0] = std::min(ends[0], ends[1]);
-      line.vertices[1] = std::max(ends[0], ends[1]);
-    }
+    for (TouchedLine& line : each.lines) std::copy_n(take(image_.touched, touched_, 2), 2, line.vertices);
   }
 }
 

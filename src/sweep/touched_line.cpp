@@ -102,7 +102,8 @@ bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const 
   TouchedLine near[TouchedLines::kCount];
   uint32_t count = 0;
   for (const TouchedLine& line : kept->lines) {
-    if (!line.is_known() || line.vertices[1] >= env.map.vertex_count) continue;
+    // One of a snapshot may hold any numbers.
+    if (!line.is_known() || std::max(line.vertices[0], line.vertices[1]) >= env.map.vertex_count) continue;
     if ((box.beyond(env.point(line.vertices[0])) & box.beyond(env.point(line.vertices[1]))) == 0) near[count++] = line;
   }
   if (count == 0) return false;
