@@ -15,8 +15,8 @@ bool count_change(uint64_t& count, bool was, bool marked) noexcept {
 /** Passes on whether a mark changed, and notes it. */
 template <int D>
 bool note_change(Environment<D>& env, bool changed, bool marked) noexcept {
-  if (changed) ++env.change_version;
   if (changed && marked) env.renew_version();
+  if (changed && !marked) ++env.change_version;
   return changed;
 }
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "environment/marking.h"
-#include "flood/edge_turn.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
 #include "walk/shear.h"
@@ -13,28 +12,6 @@
 
 namespace dsw {
 namespace {
-
-const MissedTriangles kFindMissed = choose_missed_triangles();
-constexpr size_t kMostTested = 64;  // facets at once
-
-/** Cells of facets in rows, for turn_at. */
-struct Tetrahedra {
-  const Map<3>& map;
-
-  bool suits(Cell c) const noexcept { return map.form(c) == Form::kSimplex; }
-  bool has(uint32_t facet, const Pivot<3>& edge) const noexcept {
-    const uint32_t* const w = map.record(tetrahedron_of({facet}));
-    int shared = 0;
-    for (const uint8_t local : kTetrahedronFacets[local_in_tetrahedron({facet})]) {
-      const uint32_t vertex = w[local] & kVertexMask;
-      shared += vertex == edge.vertices[0] || vertex == edge.vertices[1] ? 1 : 0;
-    }
-    return shared == 2;
-  }
-  HalfFacet other(Cell c, HalfFacet entered, const Pivot<3>& edge) const noexcept {
-    return other_at(map, c, entered, edge);
-  }
-};
 
 /** Finds the earliest of the ridges that an edge meets. */
 class RidgeSearch {
@@ -47,11 +24,11 @@ class RidgeSearch {
     const size_t count = sequence.facets.size(), low = p_first_ ? added : 0, high = low + (count - added);
     HalfFacet last[2];
     int last_count = 0;
-    for (size_t begin = 0; begin < count; begin += kMostTested) {
-      const size_t some = std::min(kMostTested, count - begin);
+    for (size_t begin = 0; begin < count; begin += kMostMissed) {
+      const size_t some = std::min(kMostMissed, count - begin);
       Shear line(from_, to_);
-      uint64_t ask = kFindMissed(line, sequence.rows.span(begin, some));
-      if (!line.passed_all()) ask = ~uint64_t{0} >> (kMostTested - some);  // a filter cannot tell: all are asked
+      uint64_t ask = kMissedTriangles(line, sequence.rows.span(begin, some));
+      if (!line.passed_all()) ask = ~uint64_t{0} >> (kMostMissed - some);  // a filter cannot tell: all are asked
       for (; ask != 0; ask &= ask - 1) {
         const size_t i = begin + static_cast<size_t>(__builtin_ctzll(ask));
         const HalfFacet facet{sequence.facets[i]};
@@ -139,7 +116,7 @@ bool turn_round(const Environment<3>& env, EdgeSequence<3>& sequence, const Firs
   const Array<uint32_t>& facets = sequence.facets;
   const auto at = std::find(facets.begin(), facets.end(), ridge.facet.word);
   if (at == facets.end()) return false;
-  return turn_at(env, sequence, static_cast<size_t>(at - facets.begin()), pivot, Tetrahedra{env.map});
+  return turn_in_rows(env, sequence, static_cast<size_t>(at - facets.begin()), pivot);
 }
 
 bool find_first_ridge(const Environment<3>& env, const EdgeSequence<3>& sequence, const EdgeMotion& m, bool p_first,

@@ -17,9 +17,6 @@
 namespace dsw {
 namespace {
 
-const MissedTriangles kMissedTriangles = choose_missed_triangles();
-constexpr size_t kMostAtOnce = 64;  // facets for which bits say what is missed
-
 template <int D>
 using LineTests = std::conditional_t<D == 3, Shear, LineSides>;
 uint64_t missed(Shear& line, const FacetSpan<3>& triangles) noexcept { return kMissedTriangles(line, triangles); }
@@ -28,8 +25,8 @@ uint64_t missed(LineSides& line, const FacetSpan<2>& sides) noexcept { return li
 /** The first facet that a line does not pass, or how many there are. */
 template <int D>
 size_t first_missed(LineTests<D>& line, const FacetSpan<D>& facets) noexcept {
-  for (size_t begin = 0; begin < facets.size(); begin += kMostAtOnce) {
-    const uint64_t bits = missed(line, facets.part(begin, std::min(kMostAtOnce, facets.size() - begin)));
+  for (size_t begin = 0; begin < facets.size(); begin += kMostMissed) {
+    const uint64_t bits = missed(line, facets.part(begin, std::min(kMostMissed, facets.size() - begin)));
     if (bits != 0) return begin + static_cast<size_t>(__builtin_ctzll(bits));
   }
   return facets.size();
@@ -369,9 +366,9 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
   if (D == 2 && !in_rows) return false;
   FacetRidge later{nullptr, nullptr, 0};  // the last that was found to be met later: the next facet may have it, too
   // Of facets in rows those are asked one by one that are not passed for certain; of others all.
-  for (size_t begin = 0; begin < count; begin += kMostAtOnce) {
-    const size_t some = std::min(kMostAtOnce, count - begin);
-    uint64_t ask = ~uint64_t{0} >> (kMostAtOnce - some);
+  for (size_t begin = 0; begin < count; begin += kMostMissed) {
+    const size_t some = std::min(kMostMissed, count - begin);
+    uint64_t ask = ~uint64_t{0} >> (kMostMissed - some);
     LineTests<D> line(from, to);
     if (in_rows) {
       const uint64_t bits = missed(line, sequence.rows.span(begin, some));
@@ -414,6 +411,10 @@ PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) no
     passed.count = 2;
   }
   return passed;
+}
+
+bool turn_in_rows(const Environment<3>& env, EdgeSequence<3>& sequence, size_t begin, const Pivot<3>& edge) {
+  return turn_at(env, sequence, begin, edge, CellsOfRows<3>{env.map});
 }
 
 template <int D>

@@ -167,6 +167,8 @@ HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const Pivot<2>&
  * is changed: there is no such pivot, or no passable way round it. Throws std::bad_alloc. */
 template <int D>
 bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Pivot<D>& pivot);
+/** Turns one that is kept in rows round an edge of its facet `begin`, the first that has it. */
+bool turn_in_rows(const Environment<3>& env, EdgeSequence<3>& sequence, size_t begin, const Pivot<3>& edge);
 
 /** A sequence as it was noted, or passed the other way round. */
 struct SequenceView {

@@ -203,9 +203,7 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     const uint32_t limited = record.limited;
     // If nobody doubts it, and no edge was left out, only another body or this one can stop it.
     const bool past_walls = !course_.vertices[v].doubtful && !may_skip && settings.max_volumes == 0;
-    const Cell from = course_.vertices[v].from, &arrival = course_.vertices[v].arrival;
-    const bool stays = arrival == from && D == 3 && env_.map.form(from) == Form::kSimplex;
-    const bool reached = alone.move(v, course_.targets[v], past_walls ? &arrival : nullptr, stays);
+    const bool reached = alone.move(v, course_.targets[v], past_walls ? &course_.vertices[v].arrival : nullptr);
     record.stopped += reached ? 0 : 1;
     if (notes) {
       turns_.note(*course_.body, v, before, !reached && record.limited == limited, record.edits.data() + edits,

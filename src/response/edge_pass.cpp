@@ -216,7 +216,7 @@ void FacePass<D>::sweep_face(uint32_t f) {
                           course_.place(r, rank),
                           course_.cell_at(q, rank),
                           course_.cell_at(r, rank)};
-    moving.doubtful = sweeps_.settle(body, sweep) == Settled::kNo && !sweeps_.is_free(body, sweep);
+    moving.doubtful = !sweeps_.passes(body, sweep);
   }
 }
 

@@ -60,9 +60,7 @@ bool EdgeSieve<D>::next() {
   const Skipping& skipping = course_.body->skipping;
   if (next_ >= course_.body->edges.size()) return false;
   gather();
-  if (skipping.by_environment && !course_.body->keeps_sequences()) {
-    drop_inside();
-  }
+  if (skipping.by_environment && !course_.body->keeps_sequences()) drop_inside();
   if (skipping.by_clearance && sweeps_.max_volumes == 0) drop_clear();
   if (may_skip_ && skipping.by_similar_motion) drop_similar();
   if (may_skip_ && skipping.back_edges) drop_back();

@@ -28,7 +28,7 @@ double extent(const Environment<D>& env, Cell c) {
 }  // namespace
 
 template <int D>
-bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival, bool stays) {
+bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival) {
   Walls walls;
   TouchedWalls<D> touched;
   uint32_t slides = 0, in_vain = 0;
@@ -39,9 +39,8 @@ bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival, 
     const size_t first_contact = record_.contacts.size();
     double before[D];
     std::copy_n(body_.position(v), D, before);
-    if (advance(v, to, arrival, stays)) return std::equal(to, to + D, target);
+    if (advance(v, to, arrival)) return std::equal(to, to + D, target);
     arrival = nullptr;
-    stays = false;
     if (record_.contacts.size() == first_contact) {
       ++record_.limited;
       return false;
@@ -76,16 +75,15 @@ void VertexMove<D>::put(uint32_t v, const double* position, Cell cell) {
 }
 
 /** To `to`, or as far as it is free: then the contacts are in the record, the first of them first.
- * @param arrival the cell of `to`, if the way is known to meet no wall; else null.
- * @param stays whether the path is known to stay in its cell. */
+ * @param arrival the cell of `to`, if the way is known to meet no wall; else null. */
 template <int D>
-bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival, bool stays) {
+bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival) {
   under_.clear();
   if (settings_.search == Search::kBisection) return advance_by_halving(v, to);
   const BodyVertex<D>& at = body_.vertices[v];
   StarContact first;
   Cell cell = arrival != nullptr ? *arrival : Cell{};
-  const SweepEnd end = arrival != nullptr ? SweepEnd::kFree : sweeps_.find_first(body_, v, to, &first, &cell, stays);
+  const SweepEnd end = arrival != nullptr ? SweepEnd::kFree : sweeps_.find_first(body_, v, to, &first, &cell);
   if (end == SweepEnd::kWorkLimit) return false;
   PairContact<D> pair;
   sweeps_.find_first_of_partners(body_, v, to, &pair);

@@ -16,9 +16,8 @@ class VertexMove {
 
   /** Moves vertex v, exactly free at the body's level; whether it got to the target. Contacts and edits go to the
    * record. The recorded cells and positions are valid whenever it throws std::bad_alloc.
-   * @param arrival the cell of the target, if the way is known to meet no wall; else null.
-   * @param stays whether the path of the vertex is known to stay in its cell. */
-  bool move(uint32_t v, const double* target, const Cell* arrival = nullptr, bool stays = false);
+   * @param arrival the cell of the target, if the way is known to meet no wall; else null. */
+  bool move(uint32_t v, const double* target, const Cell* arrival = nullptr);
 
  private:
   /** Directions that the rest of a move must not go against. */
@@ -28,7 +27,7 @@ class VertexMove {
   };
 
   void put(uint32_t v, const double* position, Cell cell);
-  bool advance(uint32_t v, const double* to, const Cell* arrival, bool stays);
+  bool advance(uint32_t v, const double* to, const Cell* arrival);
   bool advance_by_halving(uint32_t v, const double* to);
   dsw_body_contact describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
                                 dsw_contact_partner* partner);

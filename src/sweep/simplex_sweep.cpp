@@ -19,12 +19,12 @@ bool is_seen_inside(const Environment<2>&, Cell, const double*) noexcept { retur
 
 /** Most paths stay in a tetrahedron, which takes no cast to see. */
 template <int D>
-CastResult SimplexSweep<D>::cast_path(const Body<D>& body, uint32_t v, const double* to, bool stays) {
+CastResult SimplexSweep<D>::cast_path(const Body<D>& body, uint32_t v, const double* to) {
   const BodyVertex<D>& at = body.vertices[v];
   CastResult path;
   path.cell = at.cell;
   limited_ = false;
-  if (stays || is_seen_inside(env_, at.cell, to)) return path;
+  if (is_seen_inside(env_, at.cell, to)) return path;
   path = cast(env_, at.position, to, at.cell, max_volumes, counters);
   limited_ = path.end == CastEnd::kWorkLimit;
   return path;

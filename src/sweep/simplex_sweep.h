@@ -32,9 +32,8 @@ class SimplexSweep {
  public:
   explicit SimplexSweep(const Environment<D>& env) : env_(env), probe_(env), flood_(env) {}
 
-  /** The path of a vertex, with which its sweeps begin.
-   * @param stays whether it is known to stay in its cell. */
-  CastResult cast_path(const Body<D>& body, uint32_t v, const double* to, bool stays);
+  /** The path of a vertex, with which its sweeps begin. */
+  CastResult cast_path(const Body<D>& body, uint32_t v, const double* to);
   /** Whether a cast or a flood has met the work limit since the last path. */
   bool is_limited() const noexcept { return limited_; }
 
@@ -66,7 +65,12 @@ class SimplexSweep {
     return Settled::kBoxed;
   }
 
-  /** Whether a sweep that is not settled meets nothing. At EDGES its new place is all that counts: the
+  /** Whether a sweep meets nothing. */
+  template <class Sweep>
+  bool passes(const Body<D>& body, const Sweep& sweep) {
+    return settle(body, sweep) != Settled::kNo || is_free(body, sweep);
+  }
+  /** The same of one that is not settled. At EDGES its new place is all that counts: the
    * path of v is free. */
   bool is_free(const Body<D>& body, const EdgeSweep& sweep);
   bool is_free(const Body<D>& body, const FaceSweep& sweep);

@@ -21,8 +21,8 @@ uint64_t feature(const StarContact& c) noexcept {
 }  // namespace
 
 template <int D>
-typename StarSweep<D>::Way StarSweep<D>::go(const Body<D>& body, uint32_t v, const double* to, bool stays) {
-  const CastResult path = simplices.cast_path(body, v, to, stays);
+typename StarSweep<D>::Way StarSweep<D>::go(const Body<D>& body, uint32_t v, const double* to) {
+  const CastResult path = simplices.cast_path(body, v, to);
   const PathFacets crossed = body.keeps_sequences() ? path_facets(env_.map, body.vertices[v].cell, path) : PathFacets{};
   return {v, to, path, crossed, path.end == CastEnd::kReached};
 }
@@ -62,7 +62,7 @@ StarTry StarSweep<D>::try_walls(const Body<D>& body, uint32_t v, const double* t
   const Way way = go(body, v, to);
   *cell = way.path.cell;
   const auto passes = [&](const auto& sweep) {
-    if (simplices.settle(body, sweep) != Settled::kNo || simplices.is_free(body, sweep)) return true;
+    if (simplices.passes(body, sweep)) return true;
     tried.edge = edge_of(sweep);
     tried.face = face_of(sweep);
     return false;
@@ -94,14 +94,13 @@ bool StarSweep<D>::find_obstacle(const Body<D>& body, uint32_t v, const double* 
 }
 
 template <int D>
-SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell,
-                                  bool stays) {
+SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
   const BodyVertex<D>& at = body.vertices[v];
   if (std::equal(to, to + D, at.position)) {
     *cell = at.cell;
     return SweepEnd::kFree;
   }
-  const Way way = go(body, v, to, stays);
+  const Way way = go(body, v, to);
   *cell = way.path.cell;
   if (simplices.is_limited()) return SweepEnd::kWorkLimit;
   bool any = !way.reached;
@@ -144,8 +143,7 @@ void StarSweep<D>::find_all(const Body<D>& body, uint32_t v, const double* to, c
     if (each.kind != Simplex::kEdge) return true;
     const EdgeSweep sweep = edge_sweep(body, way, each.index);
     // At EDGES an edge that is free in its new place meets nothing.
-    const bool free = way.reached && !sweeps_edges(body.level) &&
-                      (simplices.settle(body, sweep) != Settled::kNo || simplices.is_free(body, sweep));
+    const bool free = way.reached && !sweeps_edges(body.level) && simplices.passes(body, sweep);
     if (!free) collect(sweep);
     return true;
   });

@@ -61,10 +61,8 @@ class StarSweep {
   }
 
   /** The first contact with the environment on that way, whose event borrows the body's points and `to`. Without one
-   * *cell is set. At the work limit neither.
-   * @param stays whether the path is known to stay in its cell. */
-  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell,
-                      bool stays = false);
+   * *cell is set. At the work limit neither. */
+  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
 
   /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only
    * that. */
@@ -83,7 +81,7 @@ class StarSweep {
     PathFacets crossed;
     bool reached;
   };
-  Way go(const Body<D>& body, uint32_t v, const double* to, bool stays = false);
+  Way go(const Body<D>& body, uint32_t v, const double* to);
   EdgeSweep edge_sweep(const Body<D>& body, const Way& way, uint32_t e) const;
   FaceSweep face_sweep(const Body<D>& body, const Way& way, uint32_t f) const;
   template <class Visit>

@@ -21,6 +21,8 @@ uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept 
   return missed;
 }
 
+namespace {
+
 MissedTriangles choose_missed_triangles() noexcept {
 #if defined(__x86_64__)
   if (has_avx512()) return missed_triangles_avx512;
@@ -28,5 +30,9 @@ MissedTriangles choose_missed_triangles() noexcept {
 #endif
   return missed_triangles;
 }
+
+}  // namespace
+
+const MissedTriangles kMissedTriangles = choose_missed_triangles();
 
 }  // namespace dsw

@@ -82,7 +82,7 @@ class Shear {
   double slopes_[2], largest_, lowest_ = 1e300;
 };
 
-/** Tests at most 64 triangles. Bit n is set if triangle n is not passed. `passed_all` then says whether the others are
+/** Tests at most kMostMissed triangles. Bit n is set if triangle n is not passed. `passed_all` then says whether the others are
  * passed for certain. Several instruction sets, the same bits where the line is in range. */
 using MissedTriangles = uint64_t (*)(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept;
@@ -90,6 +90,7 @@ uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 uint64_t missed_triangles_avx2(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 uint64_t missed_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 #endif
-MissedTriangles choose_missed_triangles() noexcept;
+extern const MissedTriangles kMissedTriangles;  // the fastest of this processor
+constexpr size_t kMostMissed = 64;
 
 }  // namespace dsw

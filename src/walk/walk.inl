@@ -324,8 +324,9 @@ class Walkers {
     if (!is_convex(word)) {
       f.may_have_been_here = (f.visited & visit_bit(next)) != 0;
       f.visited |= visit_bit(next);
-    } else if (next == request.end) {
-      return false;
+    } else {
+      f.may_have_been_here = false;  // a line enters a convex cell once
+      if (next == request.end) return false;
     }
     prefetch_vertices(env_, next);
     if (D == 3 && has_polyhedra_) prefetch_polyhedron(env_, next);

@@ -263,6 +263,18 @@ bool find_first_of_all(const Environment<3>& env, const Array<uint32_t>& facets,
   return true;
 }
 
+/// What an edge passes where it starts.
+void note_start(const Environment<3>& env, const EdgeMotion& m, Cell start, bool p_first, EdgeSequence<3>& sequence) {
+  SequenceWriter<3> writer(nullptr);
+  CastRequest request;
+  request.from = p_first ? m.p : m.q;
+  request.to = p_first ? m.q : m.p;
+  request.start = p_first ? start : locate(env, m.q, Cell{}, nullptr).cell;
+  writer.attach(env, request);
+  ASSERT_EQ(dsw::cast(env, request, nullptr).end, CastEnd::kReached);
+  writer.finish(sequence);
+}
+
 TEST(FirstRidge, IsThatOfAll) {
   constexpr int kSize = 4;
   int met = 0, none = 0, added_counts = 0, left_before = 0;
@@ -276,14 +288,7 @@ TEST(FirstRidge, IsThatOfAll) {
       const EdgeMotion m = t.motion();
       const bool p_first = random.below(2) == 0;
       EdgeSequence<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
-      SequenceWriter<3> writer(nullptr);
-      CastRequest request;
-      request.from = p_first ? m.p : m.q;
-      request.to = p_first ? m.q : m.p;
-      request.start = p_first ? t.start : locate(*env, m.q, Cell{}, nullptr).cell;
-      writer.attach(*env, request);
-      ASSERT_EQ(dsw::cast(*env, request, nullptr).end, CastEnd::kReached);
-      writer.finish(sequence);
+      ASSERT_NO_FATAL_FAILURE(note_start(*env, m, t.start, p_first, sequence));
       const CastResult path = dsw::cast(*env, m.p, m.to, t.start, 0, nullptr);
       const PathFacets crossed = path_facets(map, t.start, path);
       if (!sequence.known() || !sequence.in_rows || path.end != CastEnd::kReached) continue;
@@ -348,14 +353,7 @@ TEST_P(PassesBefore, AsEveryRidgeSays) {
       const EdgeMotion m = t.motion();
       const bool p_first = random.below(2) == 0;
       EdgeSequence<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
-      SequenceWriter<3> writer(nullptr);
-      CastRequest request;
-      request.from = p_first ? m.p : m.q;
-      request.to = p_first ? m.q : m.p;
-      request.start = p_first ? t.start : locate(*env, m.q, Cell{}, nullptr).cell;
-      writer.attach(*env, request);
-      ASSERT_EQ(dsw::cast(*env, request, nullptr).end, CastEnd::kReached);
-      writer.finish(sequence);
+      ASSERT_NO_FATAL_FAILURE(note_start(*env, m, t.start, p_first, sequence));
       if (!sequence.known() || sequence.facets.empty()) continue;
       for (int events = 0; events < 6; ++events) {
         // One of its own ridges, any line, one of another edge, or a plane.
