@@ -133,6 +133,28 @@ TEST(SweptEdgeTest, ALineBetweenNeighboursPassesOneFacet) {
   EXPECT_GT(of_neighbours, passed) << "it knows of standard forms only";
 }
 
+/// What a snapshot says that an edge has touched may be any two numbers.
+TEST(SweptEdgeTest, NumbersOfNoVertexAreNotTouched) {
+  for_each_ground({{0.1, 0, 0, 0}}, [](Ground& ground) {
+    const Environment<3>& env = ground.env;
+    ground.draw(3, [&](const Vec(&x)[4], bool) {
+      const Cell start = locate(env, x[0].data(), Cell{}, nullptr).cell;
+      const Cell fixed = locate(env, x[2].data(), Cell{}, nullptr).cell;
+      if (!start.valid() || !fixed.valid()) return;
+      Body<3> body(nullptr);
+      reserve(body, 2, 1, 0);
+      add_vertex(body, x[0].data(), start);
+      add_vertex(body, x[2].data(), fixed);
+      add_edge(body, 0, 1);
+      body.touched.resize(2);
+      const uint32_t none = env.map.vertex_count, far = 4000000000u;
+      const TouchedLine lines[] = {{{far, 0}}, {{0, far}}, {{none, 0}}, {{0, none}}};
+      std::copy(std::begin(lines), std::end(lines), body.touched[0].lines);
+      EXPECT_FALSE(pierces_touched_line(env, body, {0, 0, x[1].data(), start, x[2].data(), fixed, {}}));
+    });
+  });
+}
+
 TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
   int settled = 0, of_many_cells = 0, free_but_open = 0, kept = 0, turned = 0;
   for_each_ground({{0.1, 0, 0.3, 0}, {0, 0.2, 0.1, 0}, {0, 0.05, 0.05, 0}}, [&](Ground& ground) {
