@@ -247,6 +247,20 @@ bool keeps_to(const Environment<2>& env, const uint32_t (&v)[2], const EdgeWay& 
 
 }  // namespace
 
+namespace {
+
+/** Whether a line certainly passes all facets of a sequence in rows. */
+bool pass_rows(const EdgeSequence<3>& sequence, const double* from, const double* to) noexcept {
+  return kPassesTriangles(from, to, sequence.rows.span(0, sequence.facets.size()));
+}
+bool pass_rows(const EdgeSequence<2>& sequence, const double* from, const double* to) noexcept {
+  LineSides line(from, to);
+  const FacetSpan<2> facets = sequence.rows.span(0, sequence.facets.size());
+  return first_missed<2>(line, facets) == facets.size() && line.passed_all();
+}
+
+}  // namespace
+
 template <int D>
 bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
                    Cell first, Cell last) noexcept {
@@ -256,12 +270,7 @@ bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const d
   if (!sequence.passage.leads(env, first, last)) return false;
   // Asking one facet again costs no more than its last places.
   if (sequence.passage.is_only()) return pass_only(env, sequence.passage.corners, from, to);
-  if (sequence.in_rows) {
-    LineTests<D> line(from, to);
-    if (first_missed<D>(line, sequence.rows.span(0, facets.size())) < facets.size() || !line.passed_all()) return false;
-  } else if (!pass(env, from, to, facets)) {
-    return false;
-  }
+  if (!(sequence.in_rows ? pass_rows(sequence, from, to) : pass(env, from, to, facets))) return false;
   sequence.note_place(from, to, first, last);
   return true;
 }
@@ -269,6 +278,29 @@ bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const d
 template <int D>
 bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, const EdgeWay& edge) noexcept {
   return keeps_to(env, passage.corners, edge);
+}
+
+template <int D>
+bool keeps_to_rows(const Environment<D>& env, EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) noexcept {
+  const Cell front = sequence.passage.front, back = sequence.passage.back;
+  const auto passes = [&](const double* a, const double* b) {
+    return pass_rows(sequence, edge.from_first ? a : b, edge.from_first ? b : a);
+  };
+  const auto has_passed = [&](const double* from, const double* to) {
+    return sequence.has_place(env.obstacle_version, from, to, front, back);
+  };
+  if (swept && !(edge.from_first ? has_passed(edge.first, edge.other) : has_passed(edge.other, edge.first)) &&
+      !passes(edge.first, edge.other)) {
+    return false;
+  }
+  if (!passes(edge.first_to, edge.other)) return false;
+  if (edge.other_to != edge.other && !passes(edge.first_to, edge.other_to)) return false;
+  if (edge.from_first) {
+    sequence.note_place(edge.first_to, edge.other_to, front, back);
+  } else {
+    sequence.note_place(edge.other_to, edge.first_to, front, back);
+  }
+  return true;
 }
 
 template <int D>
@@ -479,6 +511,7 @@ template class SequenceWriter<2>;
 template class SequenceWriter<3>;
 DSW_INSTANTIATE(passes_facets);
 DSW_INSTANTIATE(keeps_to_passage);
+DSW_INSTANTIATE(keeps_to_rows);
 DSW_INSTANTIATE(keeps_to_facets);
 DSW_INSTANTIATE(passes_before);
 DSW_INSTANTIATE(path_facets);

@@ -130,6 +130,10 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
  * cells at it. As passes_facets for each of the three lines. */
 template <int D>
 bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, const EdgeWay& edge) noexcept;
+/** The same of several facets in rows, from the first cell of the passage to the last. Notes where the edge arrives.
+ * @param swept whether the line before counts. */
+template <int D>
+bool keeps_to_rows(const Environment<D>& env, EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) noexcept;
 /** The same of facets that are not in rows, which are passable in the present version. */
 template <int D>
 bool keeps_to_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept;

@@ -21,6 +21,14 @@ uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept 
   return missed;
 }
 
+bool passes_triangles(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept {
+  Shear line(from, to);
+  for (size_t n = 0; n < triangles.size(); n += kMostMissed) {
+    if (missed_triangles(line, triangles.part(n, std::min(kMostMissed, triangles.size() - n))) != 0) return false;
+  }
+  return line.passed_all();
+}
+
 namespace {
 
 MissedTriangles choose_missed_triangles() noexcept {
@@ -31,8 +39,17 @@ MissedTriangles choose_missed_triangles() noexcept {
   return missed_triangles;
 }
 
+PassesTriangles choose_passes_triangles() noexcept {
+#if defined(__x86_64__)
+  if (has_avx512()) return passes_triangles_avx512;
+  if (has_avx2()) return passes_triangles_avx2;
+#endif
+  return passes_triangles;
+}
+
 }  // namespace
 
 const MissedTriangles kMissedTriangles = choose_missed_triangles();
+const PassesTriangles kPassesTriangles = choose_passes_triangles();
 
 }  // namespace dsw

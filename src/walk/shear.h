@@ -21,7 +21,6 @@ class Shear {
     double d[3];
     for (int k = 0; k < 3; ++k) d[k] = q[k] - p[k];
     // Without a branch: nobody can predict directions.
-    constexpr int kTurn[5] = {0, 1, 2, 0, 1};
     const double x = std::fabs(d[0]), y = std::fabs(d[1]), z = std::fabs(d[2]);
     const int y_longer = y > x, z_longest = z > (y > x ? y : x);
     k_ = 2 * z_longest + (1 - z_longest) * y_longer;
@@ -71,6 +70,7 @@ class Shear {
   const double* slopes() const noexcept { return slopes_; }
 
  private:
+  static constexpr int kTurn[5] = {0, 1, 2, 0, 1};
   static constexpr double kBound = 128 * 1.1102230246251565e-16;
   static constexpr double kLeast = 1e-120, kMost = 1e120;  // of M: squares stay normal
   template <class Lanes>
@@ -92,5 +92,15 @@ uint64_t missed_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) no
 #endif
 extern const MissedTriangles kMissedTriangles;  // the fastest of this processor
 constexpr size_t kMostMissed = 64;
+
+/** Whether the line from one point to another passes any number of triangles for certain. Several instruction sets, the
+ * same answers. */
+using PassesTriangles = bool (*)(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept;
+bool passes_triangles(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept;
+#if defined(__x86_64__)
+bool passes_triangles_avx2(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept;
+bool passes_triangles_avx512(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept;
+#endif
+extern const PassesTriangles kPassesTriangles;  // the fastest of this processor
 
 }  // namespace dsw

@@ -53,6 +53,11 @@ uint64_t missed_triangles_avx2(Shear& shear, const FacetSpan<3>& triangles) noex
   return ShearLanes<Four>(shear).missed(triangles);
 }
 
+bool passes_triangles_avx2(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept {
+  Shear line(from, to);
+  return ShearLanes<Four>(line).pass_all(triangles);
+}
+
 }  // namespace dsw
 
 DSW_END_TARGET

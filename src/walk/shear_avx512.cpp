@@ -48,6 +48,12 @@ uint64_t missed_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) no
                                   : ShearLanes<Eight>(shear).missed(triangles);
 }
 
+bool passes_triangles_avx512(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept {
+  if (triangles.size() <= kFew) return passes_triangles_avx2(from, to, triangles);
+  Shear line(from, to);
+  return ShearLanes<Eight>(line).pass_all(triangles);
+}
+
 }  // namespace dsw
 
 DSW_END_TARGET
