@@ -112,6 +112,25 @@ TEST_P(PlaneSequence, KnowsTheLastTwoPlacesUntilSomethingChanges) {
   EXPECT_FALSE(knows(p));
 }
 
+TEST_P(PlaneSequence, IsKeptBeforeBetweenAndAfterTheMovesOfBothEnds) {
+  const double p[2] = {0.3, 1.5}, q[2] = {5.8, 1.4}, p_to[2] = {0.1, 1.6}, q_to[2] = {5.9, 1.3};
+  assign(p, q);
+  ASSERT_TRUE(follows(p, q));
+  const auto keeps = [&](const EdgeWay& way, bool swept = true) { return keeps_to_rows(*env_, sequence_, way, swept); };
+  EXPECT_TRUE(keeps({p, p_to, q, q_to, true}));
+  EXPECT_TRUE(keeps({q, q_to, p, p_to, false}));
+  EXPECT_TRUE(keeps({p, p_to, q, q, true})) << "one end stays";
+  const Cell first = at(p[0], p[1]), last = at(q[0], q[1]);
+  EXPECT_TRUE(sequence_.has_place(env_->obstacle_version, p_to, q, first, last)) << "where it arrives";
+  // Each of the three lines counts, that before only where what is swept does.
+  const double low[2] = {0.5, 1.01}, far[2] = {5.5, 0.01}, near_far[2] = {5.5, 1.01};
+  EXPECT_FALSE(keeps({p, p_to, q, far, true}));
+  EXPECT_FALSE(keeps({q, far, p, p_to, false}));
+  EXPECT_FALSE(keeps({p, p_to, far, near_far, true}));
+  EXPECT_FALSE(keeps({far, q, low, p, false}));
+  EXPECT_TRUE(keeps({far, q, p, p_to, false}, false));
+}
+
 TEST_P(PlaneSequence, IsNotFollowedThroughAVertex) {
   assign({0.25, 0.5}, {1.75, 1.75});
   EXPECT_TRUE(follows({0.25, 0.5}, {1.75, 1.75}));

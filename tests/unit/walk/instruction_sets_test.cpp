@@ -284,8 +284,10 @@ TEST(InstructionSets, TrianglesAreMissedWithTheSameBits) {
 #if defined(__x86_64__)
   if (!__builtin_cpu_supports("avx2")) GTEST_SKIP();
   std::vector<MissedTriangles> sets{missed_triangles_avx2};
+  std::vector<PassesTriangles> pass_sets{passes_triangles_avx2};
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
     sets.push_back(missed_triangles_avx512);
+    pass_sets.push_back(passes_triangles_avx512);
   }
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> coordinate(-1, 1), distance(0.5, 1);
@@ -317,6 +319,11 @@ TEST(InstructionSets, TrianglesAreMissedWithTheSameBits) {
     Shear portable(line[0], line[1]);
     const uint64_t by_one = missed_triangles(portable, triangles.span(0, count));
     ++(by_one == 0 ? passed : missed);
+    const bool passes = by_one == 0 && portable.passed_all();
+    ASSERT_EQ(passes_triangles(line[0], line[1], triangles.span(0, count)), passes);
+    for (const PassesTriangles passes_by : pass_sets) {
+      ASSERT_EQ(passes_by(line[0], line[1], triangles.span(0, count)), passes) << count;
+    }
     for (const MissedTriangles missed_by : sets) {
       Shear shear(line[0], line[1]);
       ASSERT_EQ(by_one, missed_by(shear, triangles.span(0, count)));
