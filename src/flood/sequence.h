@@ -8,6 +8,7 @@
 #include "predicates/sweep_events.h"
 #include "walk/cast.h"
 #include "walk/facet_rows.h"
+#include "walk/prefetch.h"
 
 namespace dsw {
 
@@ -124,6 +125,21 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
              Cell last) noexcept {
   return (!sequence.passage.is_only() && sequence.has_place(env.obstacle_version, from, to, first, last)) ||
          passes_facets(env, sequence, from, to, first, last);
+}
+
+/** What keeps_to_rows will read of a sequence whose passage is known. */
+template <int D>
+DSW_PREFETCH void prefetch_way(const Environment<D>& env, const EdgeSequence<D>& sequence) noexcept {
+  prefetch_record(env, sequence.passage.front);
+  prefetch_record(env, sequence.passage.back);
+  if (sequence.passage.is_only() || !sequence.in_rows) return;
+  const FacetSpan<D> rows = sequence.rows.span(0, sequence.facets.size());
+  for (int corner = 0; corner < D; ++corner) {
+    for (int axis = 0; axis < D; ++axis) {
+      __builtin_prefetch(rows.row(corner, axis));
+      __builtin_prefetch(rows.row(corner, axis) + rows.size());
+    }
+  }
 }
 
 /** Whether an edge passes the facet of a passage before, between and after the moves of its ends, which stay in the

@@ -56,6 +56,7 @@ void EdgePass<D>::settle_side_by_side() {
   const typename Course<D>::Vertex* const vertices = course_.vertices.data();
   inside_ = keeping_ = 0;
   uint64_t between = 0, at = 0;
+  sieve_.prefetch_sequences();
   for (const uint32_t e : sieve_) {
     const typename Course<D>::Vertex &a = vertices[body.edges[e].ends[0]], &b = vertices[body.edges[e].ends[1]];
     const Passage<D>& passage = body.sequences[e].passage;
@@ -65,6 +66,9 @@ void EdgePass<D>::settle_side_by_side() {
     ++at;
   }
   if (sweeps_.max_volumes != 0) return;  // what is kept must not carry an edge past it
+  for (uint64_t rest = between; rest != 0; rest &= rest - 1) {
+    prefetch_way(env_, body.sequences[sieve_.begin()[__builtin_ctzll(rest)]]);
+  }
   for (; between != 0; between &= between - 1) {
     const int i = __builtin_ctzll(between);
     keeping_ |= uint64_t{keeps_between(sieve_.begin()[i])} << i;
@@ -95,7 +99,6 @@ void EdgePass<D>::sweep_chunk() {
   settle_side_by_side();
   const uint32_t inside_counts = body.skipping.by_environment ? 1 : 0,
                  keeping_counts = body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
-  sieve_.prefetch_sequences(~(inside_ | keeping_));
   uint64_t bit = 1;
   for (const uint32_t e : sieve_) {
     const typename Course<D>::Vertex &a = course_.vertices[body.edges[e].ends[0]],

@@ -84,14 +84,11 @@ void EdgeSieve<D>::gather() {
 }
 
 template <int D>
-void EdgeSieve<D>::prefetch_sequences(uint64_t which) const {
+void EdgeSieve<D>::prefetch_sequences() const {
   constexpr size_t kLine = 64;
-  if (count_ < kChunk) which &= (uint64_t{1} << count_) - 1;
-  for (; which != 0; which &= which - 1) {
-    const auto* const sequence = &course_.body->sequences[chunk_[static_cast<size_t>(__builtin_ctzll(which))]];
-    for (size_t at = 0; at < sizeof *sequence; at += kLine) {
-      __builtin_prefetch(reinterpret_cast<const char*>(sequence) + at);
-    }
+  for (const uint32_t e : *this) {
+    const auto* const sequence = reinterpret_cast<const char*>(&course_.body->sequences[e]);
+    for (size_t at = 0; at < sizeof(EdgeSequence<D>); at += kLine) __builtin_prefetch(sequence + at);
   }
 }
 

@@ -16,8 +16,8 @@ class EdgeSieve {
   void start(bool may_skip);
   /** The next chunk; false: there is none. Throws std::bad_alloc. */
   bool next();
-  /** Lets what is known of some of them come near, a bit each. */
-  void prefetch_sequences(uint64_t which) const;
+  /** Lets what is known of them come near. */
+  void prefetch_sequences() const;
   const uint32_t* begin() const { return chunk_; }
   const uint32_t* end() const { return chunk_ + count_; }
 

@@ -6,16 +6,19 @@
 
 namespace dsw {
 
+// GCC drops the call of a function that does nothing else, so these are not called.
+#define DSW_PREFETCH inline __attribute__((always_inline))
+
 constexpr size_t kRecordAhead = 16;  // casts ahead at which a cell's record is asked for
 
 template <int D>
-inline void prefetch_record(const Environment<D>& env, Cell c) noexcept {
+DSW_PREFETCH void prefetch_record(const Environment<D>& env, Cell c) noexcept {
   __builtin_prefetch(env.map.record(c));
 }
 
 /** The record of a polyhedron, as large as most are, of which one link is known. */
 template <int D>
-inline void prefetch_round(const Environment<D>& env, HalfFacet h) noexcept {
+DSW_PREFETCH void prefetch_round(const Environment<D>& env, HalfFacet h) noexcept {
   constexpr intptr_t kLine = 64;
   const uintptr_t line =
       reinterpret_cast<uintptr_t>(env.map.words.data() + h.word);  // may lie before or behind the array
@@ -26,7 +29,7 @@ inline void prefetch_round(const Environment<D>& env, HalfFacet h) noexcept {
 
 /** Vertices of a simplex, whose planes are computed sooner than they come. The record is read. */
 template <int D>
-inline void prefetch_vertices(const Environment<D>& env, Cell c) noexcept {
+DSW_PREFETCH void prefetch_vertices(const Environment<D>& env, Cell c) noexcept {
   const uint32_t* w = env.map.record(c);
   if (form_of(w[0]) != Form::kSimplex) return;
   for (int i = 0; i <= D; ++i) __builtin_prefetch(env.point(w[i] & kVertexMask));
@@ -35,7 +38,7 @@ inline void prefetch_vertices(const Environment<D>& env, Cell c) noexcept {
 /** What a look at a polyhedron reads, as far as most have it: local points, and of the shape counts and triangles. The
  * record is read. */
 template <int D>
-inline void prefetch_polyhedron(const Environment<D>& env, Cell c) noexcept {
+DSW_PREFETCH void prefetch_polyhedron(const Environment<D>& env, Cell c) noexcept {
   const uint32_t word = env.map.record(c)[0];
   if (form_of(word) != Form::kGeneral) return;
   constexpr uint32_t kLine = 64, kTriangles = 462;  // where those of a sphere of 16 triangles begin, in bytes
@@ -48,7 +51,7 @@ inline void prefetch_polyhedron(const Environment<D>& env, Cell c) noexcept {
 
 /** What is known of a cell of moving points, and its vertices. The record is read. */
 template <int D>
-inline void prefetch_moving(const Environment<D>& env, Cell c) noexcept {
+DSW_PREFETCH void prefetch_moving(const Environment<D>& env, Cell c) noexcept {
   env.checked.prefetch(env.map.index(c));
   for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) __builtin_prefetch(env.point(c, i));
 }
