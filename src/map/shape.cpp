@@ -36,14 +36,26 @@ class Scratch {
   size_t taken_ = 0;
 };
 
-/** Darts of a polyhedron: where each starts, its facet, and, to be found, its opposite and its edge. */
+/** Darts of a polyhedron, facet by facet: where each starts, its facet, and, to be found, its opposite and its edge. */
 struct Darts {
   uint32_t count, vertex_count;
   const uint16_t *origin, *facet;
   uint16_t *beta2, *edge;
   const uint16_t* first;  // of the facets
   uint32_t facet_count;
-  const uint32_t* next;  // in its facet
+
+  /** Calls visit(dart, from, to), with its vertices, until it returns false; whether it never did. */
+  template <class Visit>
+  bool for_each(Visit visit) const {
+    for (uint32_t f = 0; f < facet_count; ++f) {
+      const uint32_t last = first[f + 1] - 1u;
+      for (uint32_t d = first[f]; d < last; ++d) {
+        if (!visit(d, origin[d], origin[d + 1])) return false;
+      }
+      if (!visit(last, origin[last], origin[first[f]])) return false;
+    }
+    return true;
+  }
 };
 
 /** Sorts pairs of vertices by one of the two; pairs that have the same stay in their order. */
@@ -61,16 +73,13 @@ bool link_few(const Darts& darts) {
   uint16_t ways[kFewVertices * kFewVertices];  // the dart that takes it
   std::fill_n(ways, darts.vertex_count * darts.vertex_count, kNone);
   const auto way = [&](uint32_t from, uint32_t to) -> uint16_t& { return ways[from * darts.vertex_count + to]; };
-  for (uint32_t d = 0; d < darts.count; ++d) {
-    uint16_t& taken = way(darts.origin[d], darts.origin[darts.next[d]]);
-    if (taken != kNone) return false;
-    taken = static_cast<uint16_t>(d);
-  }
-  for (uint32_t d = 0; d < darts.count; ++d) {
-    darts.beta2[d] = way(darts.origin[darts.next[d]], darts.origin[d]);
-    if (darts.beta2[d] == kNone) return false;
-  }
-  return true;
+  const auto take = [&](uint32_t d, uint32_t from, uint32_t to) {
+    const bool is_free = way(from, to) == kNone;
+    way(from, to) = static_cast<uint16_t>(d);
+    return is_free;
+  };
+  const auto link = [&](uint32_t d, uint32_t from, uint32_t to) { return (darts.beta2[d] = way(to, from)) != kNone; };
+  return darts.for_each(take) && darts.for_each(link);
 }
 
 /** Likewise, by sorting the undirected edges, in `pairs`: two for each dart. */
@@ -80,10 +89,10 @@ bool link_many(const Darts& darts, uint64_t* pairs, Scratch<uint32_t>& scratch) 
   // The lower vertex of each edge, the higher one, and the dart: 16 bits each.
   uint64_t *const edges = pairs, *const by_higher = pairs + n;
   uint32_t* const places = scratch.take(size_t{darts.vertex_count} + 1);
-  for (uint32_t d = 0; d < n; ++d) {
-    const uint64_t a = darts.origin[d], b = darts.origin[darts.next[d]];
+  darts.for_each([&](uint32_t d, uint64_t a, uint64_t b) {
     edges[d] = (a < b ? a << 32 | b << 16 : b << 32 | a << 16) | d;
-  }
+    return true;
+  });
   const auto higher = [](uint64_t edge) { return static_cast<uint32_t>(edge >> 16 & 0xffff); };
   const auto lower = [](uint64_t edge) { return static_cast<uint32_t>(edge >> 32); };
   sort_pairs(edges, n, darts.vertex_count, higher, places, by_higher);
@@ -108,14 +117,15 @@ uint32_t number_edges(const Darts& darts) {
   return count;
 }
 
-/** Connected, one disc round every vertex, and V - E + F = 2: then the loops close a sphere. */
+/** Connected, and V - E + F = 2: then the loops close a sphere if every vertex has a dart. For a connected surface
+ * without a rim, on which each disc round a vertex counts as a vertex, has V' - E + F <= 2, with 2 for a sphere alone.
+ * No vertex has less than one disc, so V' >= V, and V - E + F = 2 leaves only V' = V and a sphere. */
 bool is_sphere(const Darts& darts, Scratch<uint32_t>& scratch, uint32_t edge_count) {
-  const uint32_t n = darts.count;
   uint32_t *const reached = scratch.take(darts.facet_count, 0), *const stack = scratch.take(darts.facet_count);
   uint32_t height = 1, count = 1;  // from facet 0
   stack[0] = 0;
   reached[0] = 1;
-  while (height != 0) {
+  while (height != 0 && count != darts.facet_count) {
     const uint32_t f = stack[--height];
     for (uint32_t d = darts.first[f]; d < darts.first[f + 1]; ++d) {
       const uint32_t beyond = darts.facet[darts.beta2[d]];
@@ -125,16 +135,7 @@ bool is_sphere(const Darts& darts, Scratch<uint32_t>& scratch, uint32_t edge_cou
       ++count;
     }
   }
-  if (count != darts.facet_count) return false;
-  uint32_t *const seen = scratch.take(n, 0), *const has_disc = scratch.take(darts.vertex_count, 0), discs = 0;
-  for (uint32_t d = 0; d < n; ++d) {
-    if (seen[d] != 0) continue;
-    if (has_disc[darts.origin[d]] != 0) return false;
-    has_disc[darts.origin[d]] = 1;
-    ++discs;
-    for (uint32_t e = d; seen[e] == 0; e = darts.next[darts.beta2[e]]) seen[e] = 1;
-  }
-  return discs == darts.vertex_count && darts.vertex_count + darts.facet_count == edge_count + 2;
+  return count == darts.facet_count && darts.vertex_count + darts.facet_count == edge_count + 2;
 }
 
 struct StandardTables {
@@ -191,10 +192,10 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
   if (facets >= kLimit || n >= kLimit || vertices >= kLimit) return ShapeDefect::kTooLarge;
   if (facets < 4) return ShapeDefect::kOpen;
   const Memory* const memory = tables.get_allocator().memory;
-  Scratch<uint32_t> scratch(2 * size_t{n} + 3 * size_t{vertices} + 2 * size_t{facets} + 1, memory);
+  Scratch<uint32_t> scratch(2 * size_t{vertices} + 2 * size_t{facets} + 1, memory);
   Scratch<uint64_t> pairs(vertices <= kFewVertices ? 0 : 2 * size_t{n}, memory);
-  uint32_t *const next = scratch.take(n), *const last_facet = scratch.take(vertices, facets);
-  uint32_t simplices = 0;
+  uint32_t* const last_facet = scratch.take(vertices, facets);
+  uint32_t simplices = 0, used = 0;  // vertices that have a dart
   for (uint32_t f = 0; f < facets; ++f) {
     const uint32_t begin = loops.first[f], end = loops.first[f + 1];
     if (end < begin + 3) return ShapeDefect::kShortFacet;
@@ -203,8 +204,8 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
       const uint32_t origin = loops.vertices[d];
       if (origin >= vertices) return ShapeDefect::kOpen;
       if (last_facet[origin] == f) return ShapeDefect::kRepeatedVertex;
+      used += last_facet[origin] == facets ? 1u : 0u;
       last_facet[origin] = f;
-      next[d] = d + 1 == end ? begin : d + 1;
     }
   }
   const size_t at = tables.size();
@@ -215,11 +216,11 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
   for (uint32_t f = 0; f < facets; ++f) {
     std::fill(facet + loops.first[f], facet + loops.first[f + 1], static_cast<uint16_t>(f));
   }
-  const Darts darts{n, vertices, origin, facet, facet + n, facet + 2 * n, loops.first, facets, next};
+  const Darts darts{n, vertices, origin, facet, facet + n, facet + 2 * n, loops.first, facets};
   const bool is_linked =
       vertices <= kFewVertices ? link_few(darts) : link_many(darts, pairs.take(2 * size_t{n}), scratch);
   const uint32_t edge_count = is_linked ? number_edges(darts) : 0;
-  if (!is_linked || !is_sphere(darts, scratch, edge_count)) {
+  if (!is_linked || used != vertices || !is_sphere(darts, scratch, edge_count)) {
     tables.resize(at);
     return is_linked ? ShapeDefect::kNotSphere : ShapeDefect::kOpen;
   }
