@@ -39,29 +39,29 @@ bool part_between(CellDraft& whole, const Vertices& ends, CellDraft& left, CellD
   return !right.facets.empty();
 }
 
-/** Which facet of a cell runs along an edge from `a` to `b`, by hash. */
+/** Which facet of a cell runs along an edge from `a` to `b`, by hash. Every edge has a facet on each side. */
 class SideTable {
  public:
   SideTable(const CellDraft& cell, Allocator<uint32_t> allocator) : slots_(allocator) {
     size_t corners = 0, slots = 64;
     for (const FacetDraft& facet : cell.facets) corners += facet.loop.size();
     while (slots < 2 * corners) slots *= 2;
-    slots_.assign(slots, {0, 0, kNone});
+    slots_.assign(slots, {0, 0, kNone, false});
     for (uint32_t f = 0; f < cell.facets.size(); ++f) {
       uint32_t before = cell.facets[f].loop.back();
       for (const uint32_t v : cell.facets[f].loop) {
-        slots_[slot_of(before, v)] = {before, v, f};
+        slots_[slot_of(before, v)] = {before, v, f, false};
         before = v;
       }
     }
   }
-  /** Every edge has a facet on each side. */
-  uint32_t facet_along(uint32_t a, uint32_t b) const { return slots_[slot_of(a, b)].facet; }
-
- private:
   struct Side {
     uint32_t a, b, facet;
+    bool is_cut;  // the edge is on a loop along which the cell is parted
   };
+  Side& along(uint32_t a, uint32_t b) { return slots_[slot_of(a, b)]; }
+
+ private:
   static constexpr uint32_t kNone = 0xffffffffu;
 
   size_t slot_of(uint32_t a, uint32_t b) const {
@@ -233,11 +233,14 @@ bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle) 
   if (!ahead && facet.after(at, size - 1) != b) return false;
   facet.loop.insert(facet.loop.begin() + (ahead ? at + 1 : at), middle);
   for (size_t t = 0; t < facet.triangles.size(); t += 3) {
-    const auto first = facet.triangles.begin() + static_cast<ptrdiff_t>(t);
-    const auto of_a = std::find(first, first + 3, a), of_b = std::find(first, first + 3, b);
-    if (of_a == first + 3 || of_b == first + 3) continue;
-    const uint32_t rest[3] = {first[0], first[1], first[2]};
-    *of_a = middle;  // the triangle keeps b; one with a in place of b comes on top
+    uint32_t* const corner = facet.triangles.begin() + t;
+    const auto find = [&](uint32_t vertex) {
+      return vertex == corner[0] ? 0 : vertex == corner[1] ? 1 : vertex == corner[2] ? 2 : 3;
+    };
+    const int of_a = find(a), of_b = find(b);
+    if (of_a == 3 || of_b == 3) continue;
+    const uint32_t rest[3] = {corner[0], corner[1], corner[2]};
+    corner[of_a] = middle;  // the triangle keeps b; one with a in place of b comes on top
     for (const uint32_t v : rest) facet.triangles.push_back(v == b ? middle : v);
     return true;
   }
@@ -285,13 +288,8 @@ bool order_sides(const CellDraft& draft, uint32_t first, Array<uint32_t>& out) {
 
 bool part_along(CellDraft& whole, const Vertices& loop, CellDraft& left, CellDraft& right) {
   if (loop.size() == 2) return part_between(whole, loop, left, right);
-  const SideTable sides(whole, loop.get_allocator());
+  SideTable sides(whole, loop.get_allocator());
   const auto facets = static_cast<uint32_t>(whole.facets.size());
-  const auto is_crossed = [&](uint32_t a, uint32_t b) {
-    const auto at = static_cast<size_t>(std::find(loop.begin(), loop.end(), a) - loop.begin());
-    if (at == loop.size()) return false;
-    return loop[at + 1 == loop.size() ? 0 : at + 1] == b || loop[at == 0 ? loop.size() - 1 : at - 1] == b;
-  };
   ShortArray<uint8_t, 32> is_left(loop.get_allocator());
   is_left.assign(facets, 0);
   ShortArray<uint32_t, 32> stack(loop.get_allocator());
@@ -300,13 +298,18 @@ bool part_along(CellDraft& whole, const Vertices& loop, CellDraft& left, CellDra
     is_left[facet] = 1;
     stack.push_back(facet);
   };
-  for (uint32_t i = 0; i < loop.size(); ++i) visit(sides.facet_along(loop[i], loop[i + 1 == loop.size() ? 0 : i + 1]));
+  for (uint32_t i = 0; i < loop.size(); ++i) {
+    const uint32_t from = loop[i], to = loop[i + 1 == loop.size() ? 0 : i + 1];
+    sides.along(from, to).is_cut = sides.along(to, from).is_cut = true;
+    visit(sides.along(from, to).facet);
+  }
   while (!stack.empty()) {
     const FacetDraft& facet = whole.facets[stack.back()];
     stack.pop_back();
     uint32_t before = facet.loop.back();
     for (const uint32_t v : facet.loop) {
-      if (!is_crossed(before, v)) visit(sides.facet_along(v, before));
+      const SideTable::Side& beyond = sides.along(v, before);
+      if (!beyond.is_cut) visit(beyond.facet);
       before = v;
     }
   }

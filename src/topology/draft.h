@@ -25,7 +25,10 @@ struct FacetDraft {
   explicit FacetDraft(const Memory* memory) : loop(memory), triangles(memory) {}
 
   uint32_t place_of(uint32_t vertex) const {
-    return static_cast<uint32_t>(std::find(loop.begin(), loop.end(), vertex) - loop.begin());
+    const auto size = static_cast<uint32_t>(loop.size());
+    uint32_t place = 0;  // most loops are short: no call of a function
+    while (place < size && loop[place] != vertex) ++place;
+    return place;
   }
   bool has(uint32_t vertex) const { return place_of(vertex) != loop.size(); }
   /** The vertex `steps` after the one in a place of the loop; both together less than twice round it. */
@@ -100,23 +103,29 @@ bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Vertices& hole
  * has the same last bits. */
 class Numbering {
  public:
-  explicit Numbering(Array<uint32_t>& listed) : listed_(listed) {}
+  explicit Numbering(Array<uint32_t>& listed) : listed_(listed) { std::fill_n(last_, kPlaces, Last{kNoCell, 0}); }
   uint32_t operator()(uint32_t vertex) {
-    uint32_t& place = places_[vertex % kPlaces];
-    if (place < count_ && listed_[place] == vertex) return place;
-    place = static_cast<uint32_t>(std::find(listed_.begin(), listed_.end(), vertex) - listed_.begin());
-    if (place == count_) {
-      listed_.push_back(vertex);
-      ++count_;
-    }
-    return place;
+    Last& last = last_[vertex % kPlaces];
+    if (last.vertex != vertex) last = {vertex, find(vertex)};
+    return last.number;
   }
 
  private:
   static constexpr uint32_t kPlaces = 64;
 
+  struct Last {
+    uint32_t vertex, number;
+  };
+
+  uint32_t find(uint32_t vertex) {
+    const auto at = std::find(listed_.begin(), listed_.end(), vertex);
+    const auto number = static_cast<uint32_t>(at - listed_.begin());
+    if (at == listed_.end()) listed_.push_back(vertex);
+    return number;
+  }
+
   Array<uint32_t>& listed_;  // empty at first
-  uint32_t count_ = 0, places_[kPlaces] = {};
+  Last last_[kPlaces];
 };
 
 /** Vertices of a draft, each once, in the order of first use. */
