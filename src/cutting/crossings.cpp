@@ -87,20 +87,29 @@ void Crossings<D>::look_at(uint32_t meeting) {
   }
 }
 
+/** Returns the bits of the sides of the simplex's box that all of them lie beyond. */
 template <int D>
-void Crossings<D>::read_corners(Cell c, const BladeSimplex<D>& blade) {
-  corners_.resize(map_.vertices_of(c));
+uint32_t Crossings<D>::read_corners(Cell c, const BladeSimplex<D>& blade) {
+  const uint32_t count = map_.vertices_of(c);
+  corners_.resize(count);
+  sides_.resize(count);
   std::fill_n(lower_, D, HUGE_VAL);
   std::fill_n(upper_, D, -HUGE_VAL);
   Corner* corner = corners_.data();
+  uint8_t* side = sides_.data();
+  uint32_t common = ~0u;
   map_.for_each_vertex(c, [&](uint32_t vertex) {
     const double* const at = env_.point(vertex);
-    *corner++ = {at, vertex, blade.beyond_box(at), kUnknown, blade.view(at)};
+    *corner++ = {at, vertex, kUnknown, blade.view(at)};
+    const uint32_t beyond = blade.beyond_box(at);
+    common &= beyond;
+    *side++ = static_cast<uint8_t>(beyond);
     for (int axis = 0; axis < D; ++axis) {
       lower_[axis] = std::min(lower_[axis], at[axis]);
       upper_[axis] = std::max(upper_[axis], at[axis]);
     }
   });
+  return common;
 }
 
 /** See BladeSimplex: of an edge of the cell, or of a facet's triangles, with its ends on two sides of the simplex. That
@@ -134,14 +143,15 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
   Met met;
   beyond_.clear();
   found_.clear();
-  read_corners(c, blade);
-  uint32_t common = ~0u;
-  for (const Corner& corner : corners_) common &= corner.beyond;
-  if (common != 0) return met;
+  if (read_corners(c, blade) != 0) return met;
   const size_t count = corners_.size();
   bound_ = blade.bound(lower_, upper_);
   if (D == 3) outside_.assign(count <= kMostKept ? count * count : 0, kUnasked);
-  for (Corner& corner : corners_) corner.side = blade.side(corner.at, corner.view, bound_);
+  for (size_t i = 0; i < count; ++i) {
+    Corner& corner = corners_[i];
+    corner.side = blade.side(corner.at, corner.view, bound_);
+    sides_[i] = static_cast<uint8_t>(sides_[i] | (corner.side > 0 ? kBefore : 0u) | (corner.side < 0 ? kBehind : 0u));
+  }
   const double* at[D];
   blade_.corners(simplex, at);
   const Shape shape = map_.shape(c);
@@ -149,7 +159,7 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
     bool passes = false;
     for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
       const uint16_t* const local = shape.simplices() + D * s;
-      if (!are_apart(local)) passes = meet_boundary(local, blade, at, met) || passes;
+      if (!are_apart(local)) passes = meet_boundary(local, simplex, blade, at, met) || passes;
     }
     if (!passes) continue;
     met.simplex = true;
@@ -166,24 +176,19 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
   return met;
 }
 
-/** Whether a simplex of the cell's boundary lies beyond one side of the simplex's box, or on one side of its plane. */
+/** Whether a simplex of the cell's boundary lies beyond one side of the simplex's box, or on one side of its plane. Where
+ * the blade is flat its points are on no side. */
 template <int D>
 bool Crossings<D>::are_apart(const uint16_t* local) const {
-  const Corner& first = corners_[local[0]];
-  uint32_t beyond = first.beyond;
-  bool one_side = first.side != 0;  // 0: the blade is flat here
-  for (int k = 1; k < D; ++k) {
-    const Corner& corner = corners_[local[k]];
-    beyond &= corner.beyond;
-    one_side = one_side && corner.side == first.side;
-  }
-  return beyond != 0 || one_side;
+  uint32_t common = sides_[local[0]];
+  for (int k = 1; k < D; ++k) common &= sides_[local[k]];
+  return common != 0;
 }
 
 /** Whether the blade's simplex meets one of the cell's boundary that is not apart from it: an edge of one passes
  * through the other. In the plane both are edges, so asking once is enough. */
 template <int D>
-bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade,
+bool Crossings<D>::meet_boundary(const uint16_t* local, [[maybe_unused]] uint32_t simplex, const BladeSimplex<D>& blade,
                                  [[maybe_unused]] const double* const (&at)[D], [[maybe_unused]] Met& met) {
   int sides[D];
   for (int k = 0; k < D; ++k) sides[k] = corners_[local[k]].side;
@@ -202,24 +207,41 @@ bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& b
     bool passes = !flat && (ends[0] == 0 || ends[1] == 0);
     const uint32_t crossed = flat ? BladeSimplex<3>::kSides : ends[0] | ends[1];
     if (crossed == 0) return true;
-    const double* const simplex[3] = {corners_[local[0]].at, corners_[local[1]].at, corners_[local[2]].at};
+    const double* const facet[3] = {corners_[local[0]].at, corners_[local[1]].at, corners_[local[2]].at};
     int of_blade[3] = {kUnknown, kUnknown, kUnknown};
     const auto side_of_blade = [&](int k) {
-      if (of_blade[k] == kUnknown) of_blade[k] = plane_side<3>(simplex, at[k], NoTally{}).sign;
+      if (of_blade[k] == kUnknown) of_blade[k] = plane_side<3>(facet, at[k], NoTally{}).sign;
       return of_blade[k];
     };
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
       if ((crossed >> k & 1u) == 0 || side_of_blade(k) == side_of_blade(next)) continue;
-      if (flat && !pierces(at[k], at[next], simplex, of_blade[next])) continue;
+      if (flat && !pierces(at[k], at[next], facet, of_blade[next])) continue;
       passes = met.sides[k] = true;
+      if (blade_.neighbour(simplex, k) < simplex) continue;  // the neighbour finds the same point
       const bool outwards = of_blade[next] > 0;
-      const double *const inner = at[outwards ? k : next], *const outer = at[outwards ? next : k];
-      BladePoint<3> point{};
-      point_at<3>(inner, outer, crossing_time<3>(inner, outer, simplex), point.at);
-      found_.push_back(point);
+      const uint32_t ends_of_side[2] = {blade_.corner(simplex, k), blade_.corner(simplex, next)};
+      found_.push_back({0,
+                        ends_of_side[outwards ? 0 : 1],
+                        ends_of_side[outwards ? 1 : 0],
+                        {corners_[local[0]].vertex, corners_[local[1]].vertex, corners_[local[2]].vertex},
+                        {}});
     }
     return passes;
+  }
+}
+
+template <int D>
+void Crossings<D>::place(const BladePoint<D>& point, double* out) const {
+  if (D == 2 || point.inner == point.outer) {
+    std::copy_n(point.at, D, out);
+    return;
+  }
+  if constexpr (D == 3) {
+    const double *const inner = blade_.point(point.inner), *const outer = blade_.point(point.outer);
+    const double* const facet[3] = {env_.point(point.corners[0]), env_.point(point.corners[1]),
+                                    env_.point(point.corners[2])};
+    point_at<3>(inner, outer, crossing_time<3>(inner, outer, facet), out);
   }
 }
 
@@ -237,7 +259,7 @@ void Crossings<D>::note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D
     const uint32_t end = D == 3 ? shape.facet_first(facets[d] + 1u) : count;  // of the facet, or of the polygon
     const uint32_t from = vertices[d], to = vertices[d + 1 < end ? d + 1 : D == 3 ? shape.facet_first(facets[d]) : 0];
     Corner *inner = &corners_[from], *outer = &corners_[to];
-    if ((inner->beyond & outer->beyond) != 0 || inner->side == outer->side) continue;
+    if ((sides_[from] & sides_[to]) != 0 || inner->side == outer->side) continue;
     if (outside(from, to, blade) != 0) continue;
     if (inner->side > 0) std::swap(inner, outer);
     const uint32_t i = edges_.insert(pair_key(inner->vertex, outer->vertex));

@@ -24,10 +24,13 @@ struct MetCell {
   bool invalid;           // of moving points; nobody goes on from here
 };
 
-/** A point of the blade in a cell: a vertex, or where a side of a triangle, in the plane a segment, leaves the cell. */
+/** A point of the blade in a cell: a vertex, or where a side of a triangle, in the plane a segment, leaves the cell. In
+ * space most of these are never asked for: where a side leaves is computed then. */
 template <int D>
 struct BladePoint {
-  uint32_t cell;  // number of the met cell
+  uint32_t cell;          // number of the met cell
+  uint32_t inner, outer;  // points of the blade that the side joins, the first on the cell's side; the same: see `at`
+  uint32_t corners[3];    // vertices of the triangle through which it leaves
   double at[D];
 };
 
@@ -58,6 +61,8 @@ class Crossings {
   uint32_t find(uint32_t a, uint32_t b) const { return edges_.find(pair_key(a, b)); }
 
   const Array<BladePoint<D>>& points() const { return points_; }
+  /** Where one of these is. */
+  void place(const BladePoint<D>& point, double* out) const;
 
   /** Calls visit(simplex) for those that meet a cell. */
   template <class Visit>
@@ -71,7 +76,7 @@ class Crossings {
   /** A vertex of the cell that is looked at. */
   struct Corner {
     const double* at;
-    uint32_t vertex, beyond;  // sides of the simplex's box
+    uint32_t vertex;
     int side;
     typename BladeSimplex<D>::View view;
   };
@@ -81,10 +86,11 @@ class Crossings {
   };
 
   void insert(Cell c, uint32_t simplex);
-  void read_corners(Cell c, const BladeSimplex<D>& blade);
+  uint32_t read_corners(Cell c, const BladeSimplex<D>& blade);
   void look_at(uint32_t meeting);
   Met meet(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
-  bool meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade, const double* const (&at)[D], Met& met);
+  bool meet_boundary(const uint16_t* local, uint32_t simplex, const BladeSimplex<D>& blade,
+                     const double* const (&at)[D], Met& met);
   bool are_apart(const uint16_t* local) const;
   uint32_t outside(uint32_t a, uint32_t b, const BladeSimplex<D>& blade);
   bool holds(Cell c, uint32_t number);
@@ -92,6 +98,7 @@ class Crossings {
 
   static constexpr size_t kMostKept = 64;  // corners
   static constexpr uint8_t kUnasked = 0xff;
+  static constexpr uint32_t kBefore = 1u << 2 * D, kBehind = 2 * kBefore;  // above the bits of a box
 
   const Environment<D>& env_;
   const Map<D>& map_;
@@ -106,6 +113,7 @@ class Crossings {
   Array<BladePoint<D>> points_{env_.memory};
   Array<Cell> holders_;  // of the blade's points: a cell that contains it, if one was found
   Array<Corner> corners_{env_.memory};
+  Array<uint8_t> sides_{env_.memory};        // of corners: bits of the simplex's box, kBefore, kBehind; see are_apart()
   double lower_[D], upper_[D];               // box of the cell that is looked at
   double bound_ = 0;                         // see BladeSimplex
   Array<uint8_t> outside_{env_.memory};      // by both corners of an edge: see outside(); empty: too many corners

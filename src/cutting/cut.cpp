@@ -134,20 +134,22 @@ void Cut<D>::choose_cells() {
   }
   on_edges_.clear();
   first_on_edges_.clear();
-  ShortArray<uint32_t, 64> on(env_.scratch.memory());  // new vertex on the edge of a dart, as a node
+  ShortArray<uint32_t, 64> looked_up(env_.scratch.memory());
   for (uint32_t i = 0; i < changed_.size(); ++i) {
     const Cell c{static_cast<uint32_t>(changed_[i])};
     const Shape shape = map_.shape(c);
-    const DartEnds<D> darts(map_, c);
+    const uint32_t count = shape.dart_count(), met = crossings_.number(c);
     const size_t first = on_edges_.size();
     first_on_edges_.push_back(static_cast<uint32_t>(first));
-    on.clear();
-    const uint16_t *const facets = shape.dart_vertices() + darts.count(), *const beta2 = facets + darts.count();
-    for (uint32_t d = 0; d < darts.count(); ++d) {
-      const uint32_t other = beta2[d];
-      on.push_back(other < d ? on[other] : new_vertex_on(darts.start(d), darts.end(d)));
-      if (on[d] == KeyTable::kNone) continue;
-      if (other >= d) on_edges_.push_back({on[d], d});
+    const uint32_t* on = met == KeyTable::kNone ? nullptr : section_->nodes_on(met);
+    if (on == nullptr) {
+      look_up_nodes(c, shape, looked_up);
+      on = looked_up.data();
+    }
+    const uint16_t *const facets = shape.dart_vertices() + count, *const beta2 = facets + count;
+    for (uint32_t d = 0; d < count; ++d) {
+      if (on[d] == KeyTable::kNone || vertices_[on[d]] == kNoCell) continue;
+      if (beta2[d] >= d) on_edges_.push_back({on[d], d});
       const HalfFacet o = map_.opposite(map_.half_facet(c, facets[d]));
       if (o.valid()) changed_.insert(map_.cell_of(o).unit);
     }
@@ -157,11 +159,15 @@ void Cut<D>::choose_cells() {
   first_on_edges_.push_back(static_cast<uint32_t>(on_edges_.size()));
 }
 
-/** As a node, or KeyTable::kNone. */
+/** As Section::nodes_on(), of any cell. */
 template <int D>
-uint32_t Cut<D>::new_vertex_on(uint32_t a, uint32_t b) const {
-  const uint32_t n = section_->node_on(a, b);
-  return n == KeyTable::kNone || vertices_[n] == kNoCell ? KeyTable::kNone : n;
+void Cut<D>::look_up_nodes(Cell c, const Shape& shape, ShortArray<uint32_t, 64>& out) const {
+  const DartEnds<D> darts(map_, c);
+  out.clear();
+  for (uint32_t d = 0; d < darts.count(); ++d) {
+    const uint32_t other = shape.dart_beta2(d);
+    out.push_back(other < d ? out[other] : section_->node_on(darts.start(d), darts.end(d)));
+  }
 }
 
 /** False: it can't be written. */
@@ -480,11 +486,12 @@ void Cut<D>::measure(Edit<D>& edit) {
     const Split& split = splits_[split_of[point.cell]];
     const FacetDraft& face = edit.draft(split.front).facets[split.front_facet];
     const Vertices& simplices = D == 3 ? face.triangles : face.loop;
-    double least = HUGE_VAL;
+    double at[D], least = HUGE_VAL;
+    crossings_.place(point, at);
     for (size_t s = 0; s < simplices.size() && least > record_.distance; s += D) {  // else no more to be learnt
       const double* corners[D];
       for (size_t k = 0; k < D; ++k) corners[k] = env_.point(simplices[s + k]);
-      least = std::min(least, distance_to_simplex<D>(point.at, corners));
+      least = std::min(least, distance_to_simplex<D>(at, corners));
     }
     add(least);
   }

@@ -82,7 +82,7 @@ class Cut {
   void choose_nodes(Edit<D>& edit);
   void choose_lines();
   void choose_cells();
-  uint32_t new_vertex_on(uint32_t a, uint32_t b) const;
+  void look_up_nodes(Cell c, const Shape& shape, ShortArray<uint32_t, 64>& out) const;
   bool write_cell(Edit<D>& edit, uint32_t number);
   bool write_lines(CellDraft& draft);
   void insert_vertices(CellDraft& draft, uint32_t number) const;

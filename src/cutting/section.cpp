@@ -37,13 +37,17 @@ Section<D>::Section(const Environment<D>& env, const Crossings<D>& crossings, do
   }
   CellNodes nodes(env.scratch.memory());
   first_chords_.reserve(crossings.cell_count() + size_t{1});
+  first_nodes_on_.reserve(crossings.cell_count());
   for (uint32_t i = 0; i < crossings.cell_count(); ++i) {
     first_chords_.push_back(static_cast<uint32_t>(chords_.size()));
+    first_nodes_on_.push_back(static_cast<uint32_t>(nodes_on_.size()));
     const MetCell& met = crossings.cell(i);
     const Shape shape = map_.shape(met.cell);
     barred_[i] = met.holds_rim || met.invalid || !read_nodes(met.cell, shape, of_crossings, nodes);
     crossed_[i] = barred_[i] || is_crossed(nodes);
-    if (!barred_[i]) find_loop(i, shape, nodes);
+    if (barred_[i]) continue;
+    nodes_on_.insert(nodes_on_.end(), nodes.on.begin(), nodes.on.end());
+    find_loop(i, shape, nodes);
   }
   first_chords_.push_back(static_cast<uint32_t>(chords_.size()));
 }

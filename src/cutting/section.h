@@ -84,6 +84,9 @@ class Section {
   }
   size_t chord_count() const { return chords_.size(); }
 
+  /** Of a met cell: the node on the edge of each of its darts, or KeyTable::kNone. Null if it is barred. */
+  const uint32_t* nodes_on(uint32_t cell) const { return barred_[cell] ? nullptr : &nodes_on_[first_nodes_on_[cell]]; }
+
  private:
   /** A piece of a loop: a chord, or an edge between two old vertices. */
   struct Arc {
@@ -114,8 +117,10 @@ class Section {
   KeyTable places_{env_.memory};  // of nodes: both vertices of an edge, or twice the old one
   Array<NodeLoop> loops_;
   Array<uint8_t> barred_, crossed_;
-  Array<Chord> chords_{env_.memory};           // of all loops
-  Array<uint32_t> first_chords_{env_.memory};  // by cell, and one more
+  Array<uint32_t> nodes_on_{env_.memory};        // of the darts of all cells that are not barred
+  Array<uint32_t> first_nodes_on_{env_.memory};  // by cell
+  Array<Chord> chords_{env_.memory};             // of all loops
+  Array<uint32_t> first_chords_{env_.memory};    // by cell, and one more
 };
 
 }  // namespace dsw
