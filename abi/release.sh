@@ -36,9 +36,9 @@ sed -i "s/^## \[$version\] - unreleased/## [$version] - $(date +%Y-%m-%d)/" CHAN
 python3 -B abi/check_abi.py next-version "$version" ${2:+"$2"}
 
 # The baseline. Where a type is defined tells public from private, so file names stay, without this machine's folders.
-cmake --preset abi
-cmake --build --preset abi --target dartsweep
-library=build/abi/src/libdartsweep.so
+cmake --preset release
+cmake --build --preset release --target dartsweep_described
+library=build/release/abi/described/libdartsweep.so
 python3 -B abi/check_abi.py write-symbols "$library"
 baseline=abi/baseline/$version
 {
@@ -46,8 +46,8 @@ baseline=abi/baseline/$version
   grep -v '^#' abi/symbols.txt
 } >"$baseline.symbols"
 abidw --headers-dir include --exported-interfaces-only --drop-private-types --no-corpus-path --no-comp-dir-path \
-  --no-parameter-names --out-file build/abi/libdartsweep.abi "$library"
-sed "s#$PWD/##g" build/abi/libdartsweep.abi >"$baseline.abi"
+  --no-parameter-names --out-file build/release/abi/libdartsweep.abi "$library"
+sed "s#$PWD/##g" build/release/abi/libdartsweep.abi >"$baseline.abi"
 
 # Hosts of this release: those of the last one, with the headers of today.
 client=abi/clients/$version
@@ -60,12 +60,12 @@ rm -rf "$client/include"
 mkdir -p "$client/include/dartsweep"
 cp include/dartsweep/*.h "$client/include/dartsweep"
 
-cmake --preset abi
-cmake --build --preset abi --target abi_programs
+cmake --preset release
+cmake --build --preset release --target abi_programs
 mkdir -p "$client/kept"
-"build/abi/abi/abi_client_$version" write "$client/kept" >/dev/null
-cmake --preset abi
-ctest --preset abi
+"build/release/abi/abi_client_$version" write "$client/kept" >/dev/null
+cmake --preset release
+ctest --preset release -L abi -LE source
 echo
 echo "$version is ready: README.md has what is left. Still $old, perhaps rightly:"
 git grep -nwF "$old" -- . ":!abi/clients" ":!abi/baseline" ":!CHANGELOG.md" || echo "no text"

@@ -7,9 +7,9 @@ if [ $# -ne 1 ] || [ -z "$1" ]; then
   sed -n 2,3p abi/renew.sh
   exit 1
 fi
-cmake --preset abi
-cmake --build --preset abi --target dartsweep
-python3 -B abi/check_abi.py write-symbols build/abi/src/libdartsweep.so
+cmake --preset release
+cmake --build --preset release --target dartsweep
+python3 -B abi/check_abi.py write-symbols build/release/src/libdartsweep.so
 python3 - "$1" <<'PY'
 import datetime, pathlib, sys
 path = pathlib.Path("CHANGELOG.md")
@@ -19,4 +19,4 @@ if not mark or "] - unreleased" not in head:
     sys.exit("CHANGELOG.md has no section '### ABI baseline' in the version in work")
 path.write_text(head + mark + line + tail)
 PY
-echo "renewed; layout.c and tests/capi/struct_size_test.c are edited by hand: ctest --preset abi says what they lack"
+echo "renewed; layout.c and tests/capi/struct_size_test.c are edited by hand: ctest --preset release -L abi says what they lack"

@@ -9,7 +9,7 @@ packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-con
   libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv
   openjdk-17-jdk-headless maven mono-mcs mono-runtime doxygen libosmesa6
   lua5.4 liblua5.4-dev lua-unit luarocks)
-all_steps=(release clang dev tsan abi fuzz python docs java csharp lua node page report format)
+all_steps=(release clang dev tsan page python node java csharp lua docs report format)
 steps=("$@")
 [ ${#steps[@]} -gt 0 ] || steps=("${all_steps[@]}")
 jobs=$(nproc)
@@ -57,7 +57,7 @@ run_step() {
 }
 
 # Steps that keep one processor busy go side by side, as many as there are processors; before any other all have ended.
-single=" docs java csharp lua node "
+single=" python node java csharp lua docs report format "
 running=0
 wait_until_running() {
   while [ $running -gt "$1" ]; do
@@ -92,19 +92,20 @@ make_static_library() {
     CC=cc CXX=c++ tests/package/package_test.sh static "$PWD/build/release" "$PWD/build/dartsweep-static"
 }
 
-# The wheel, once for all steps.
+# The wheel, once for all steps: who comes second waits for it.
 install_python() {
-  [ -z "${python_is_installed:-}" ] || return 0
-  install_library && bindings/python/install.sh build/dartsweep && python_is_installed=1
+  install_library && (flock 8 && make_python) 8>build/python.lock
+}
+make_python() {
+  [ ! -e build/python.made ] || return 0
+  bindings/python/install.sh build/dartsweep && touch build/python.made
 }
 
 # step_NAME: all of a step.
-step_release() { preset release all; }
+step_release() { preset release all && python3 -B abi/check_abi.py symbols build/release/src/libdartsweep.so; }
 step_clang() { preset clang all; }
 step_dev() { preset dev all; }
 step_tsan() { preset tsan threads_tests; }
-step_abi() { preset abi dartsweep abi_programs && python3 -B abi/check_abi.py symbols build/abi/src/libdartsweep.so; }
-step_fuzz() { preset fuzz all; }
 step_python() { install_python && bindings/python/test.sh; }
 step_docs() { install_python && bindings/docs/build.sh build/python/venv/bin/python; }
 step_java() { install_library && bindings/java/test.sh build/dartsweep; }
@@ -120,6 +121,7 @@ step_format() {
 }
 
 mkdir -p build
+rm -f build/python.made # by another run
 for step in "${steps[@]}"; do
   declare -F "step_$step" >/dev/null || {
     echo "no step '$step'"
