@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
+
 namespace dsw {
 
 Vec nearest_on(const Vec& a, const Vec& b) {
@@ -11,13 +13,12 @@ Vec nearest_on(const Vec& a, const Vec& b) {
   return t >= length ? b : Vec(a + t / length * d);
 }
 
-namespace {
-
-/** `v` without its part along `d`. Done twice, because the first time leaves a rounding error of the size of v. */
 Vec without(const Vec& v, const Vec& d, double length) {
   const Vec once = v - dot(v, d) / length * d;
   return once - dot(once, d) / length * d;
 }
+
+namespace {
 
 /** Nearest point of triangle abc to the origin, ab its longest edge. In coordinates x along ab and y along the height
  * over it the foot of the origin is found to a rounding error over the height, where barycentric coordinates lose it
@@ -48,28 +49,17 @@ Vec nearest_on(const Vec& a, const Vec& b, const Vec& c) {
 }
 
 template <int D>
-Distances<D>::Distances(const Environment<D>& env, const double* point) : env_(env), point_(point) {
+double fitting_scale(const Environment<D>& env, std::initializer_list<const double*> points) {
   double largest = 0;
   for (int k = 0; k < D; ++k) {
-    largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k]), std::fabs(point[k])});
+    largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
+    for (const double* point : points) largest = std::max(largest, std::fabs(point[k]));
   }
   int exponent = 0;
   std::frexp(largest, &exponent);
-  scale_ = exponent > 300 || exponent < -300 ? std::ldexp(1.0, std::clamp(-exponent, -1000, 1000)) : 1;
+  return exponent > 300 || exponent < -300 ? std::ldexp(1.0, std::clamp(-exponent, -1000, 1000)) : 1;
 }
 
-template <int D>
-void Distances<D>::report(double distance, const Vec& from_point, NearestResult& result) const {
-  result.distance = distance / scale_;
-  double at[D];
-  store<D>(from_point, at);
-  for (int k = 0; k < D; ++k) {
-    result.point[k] = point_[k] + at[k] / scale_;
-    result.normal[k] = distance > 0 ? -at[k] / distance : 0;
-  }
-}
-
-template class Distances<2>;
-template class Distances<3>;
+DSW_INSTANTIATE(fitting_scale);
 
 }  // namespace dsw
