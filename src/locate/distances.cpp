@@ -20,32 +20,46 @@ Vec without(const Vec& v, const Vec& d, double length) {
 
 namespace {
 
-/** Nearest point of triangle abc to the origin, ab its longest edge. In coordinates x along ab and y along the height
- * over it the foot of the origin is found to a rounding error over the height, where barycentric coordinates lose it
- * twice. */
-Vec nearest_over_longest(const Vec& a, const Vec& b, const Vec& c) {
+/** The same, ab the longest edge. In coordinates x along ab and y along the height over it the foot of the origin is
+ * found to a rounding error over the height, where barycentric coordinates lose it twice. */
+bool foot_over_longest(const Vec& a, const Vec& b, const Vec& c, Vec& foot) {
   const Vec ab = b - a, ac = c - a;
   const double length = dot(ab, ab);
   const Vec height = without(ac, ab, length);
   const double square = dot(height, height);
-  if (length > 0 && square > 0) {
-    const double apex = dot(ac, ab) / length, y = -dot(a, height) / square, x = -dot(a, ab) / length;
-    if (y > 0 && y < 1 && x > apex * y && x < apex * y + (1 - y)) return a + x * ab + y * height;
-  }
-  Vec best = nearest_on(a, b);
-  for (const Vec& other : {nearest_on(b, c), nearest_on(c, a)}) {
-    if (dot(other, other) < dot(best, best)) best = other;
-  }
-  return best;
+  if (!(length > 0 && square > 0)) return false;
+  const double apex = dot(ac, ab) / length, y = -dot(a, height) / square, x = -dot(a, ab) / length;
+  if (!(y > 0 && y < 1 && x > apex * y && x < apex * y + (1 - y))) return false;
+  foot = a + x * ab + y * height;
+  return true;
+}
+
+/** Calls visit with the corners turned so that the first two are those of the longest edge. */
+template <class Visit>
+auto with_longest_first(const Vec& a, const Vec& b, const Vec& c, Visit visit) {
+  const Vec ab = b - a, bc = c - b, ca = a - c;
+  const double lab = dot(ab, ab), lbc = dot(bc, bc), lca = dot(ca, ca);
+  if (lab >= lbc && lab >= lca) return visit(a, b, c);
+  return lbc >= lca ? visit(b, c, a) : visit(c, a, b);
 }
 
 }  // namespace
 
+bool foot_inside(const Vec& a, const Vec& b, const Vec& c, Vec& foot) {
+  return with_longest_first(a, b, c,
+                            [&](const Vec& d, const Vec& e, const Vec& f) { return foot_over_longest(d, e, f, foot); });
+}
+
 Vec nearest_on(const Vec& a, const Vec& b, const Vec& c) {
-  const Vec ab = b - a, bc = c - b, ca = a - c;
-  const double lab = dot(ab, ab), lbc = dot(bc, bc), lca = dot(ca, ca);
-  if (lab >= lbc && lab >= lca) return nearest_over_longest(a, b, c);
-  return lbc >= lca ? nearest_over_longest(b, c, a) : nearest_over_longest(c, a, b);
+  return with_longest_first(a, b, c, [](const Vec& d, const Vec& e, const Vec& f) {
+    Vec best;
+    if (foot_over_longest(d, e, f, best)) return best;
+    best = nearest_on(d, e);
+    for (const Vec& other : {nearest_on(e, f), nearest_on(f, d)}) {
+      if (dot(other, other) < dot(best, best)) best = other;
+    }
+    return best;
+  });
 }
 
 template <int D>

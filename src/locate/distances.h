@@ -20,6 +20,9 @@ Vec nearest_on(const Vec& a, const Vec& b, const Vec& c);
  * error of the size of v. */
 Vec without(const Vec& v, const Vec& d, double square);
 
+/** The foot of the origin on the plane of triangle abc, if it lies in the triangle, up to rounding. */
+bool foot_inside(const Vec& a, const Vec& b, const Vec& c, Vec& foot);
+
 /** The power of two that brings the environment and these points to where squares neither over- nor underflow. */
 template <int D>
 double fitting_scale(const Environment<D>& env, std::initializer_list<const double*> points);
@@ -74,7 +77,6 @@ class Distances {
   /** Distances are multiplied by this power of two, which brings squares of coordinates to where they neither over-
    * nor underflow. Nearly always 1. */
   double scale() const { return from_.scale; }
-  const From& from() const { return from_; }
 
   /** To the nearest point of a facet. */
   Way to_facet(Cell c, const Shape& shape, uint32_t f) const {

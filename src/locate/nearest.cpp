@@ -1,6 +1,7 @@
 #include "locate/nearest.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "locate/nearest_search.h"
@@ -94,7 +95,9 @@ class Flood {
   bool found_ = false;
 };
 
-constexpr uint32_t kFewCells = 8;  // are visited in the time that the tree of obstacles takes
+// So many cells are visited before the tree of obstacles is asked. Without a radius: in the time that the tree takes.
+// With one, the flood mostly ends by itself.
+constexpr uint32_t kFewCells = 8, kFewCellsWithin = 64;
 
 }  // namespace
 
@@ -116,7 +119,7 @@ bool find_nearest_far(const Environment<D>& env, const double* point, Cell start
   const Distances<D> distances(env, point);
   Flood<D, FromPoint<D>> flood(distances, radius, notes, result);
   flood.begin_in(start);
-  if (flood.run(kFewCells)) return flood.finish();
+  if (flood.run(std::isfinite(radius) ? kFewCellsWithin : kFewCells)) return flood.finish();
   if (distances.scale() == 1) {
     const CellTree<D>* tree = env.obstacles.find(env);
     if (tree == nullptr) {

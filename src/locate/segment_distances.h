@@ -2,8 +2,7 @@
 // How far something is from a segment, and where on the segment.
 //
 // The segment passes nothing impassable, and no facet on the way to the cells that it enters, so nothing here looks
-// for a segment that pierces a triangle. Then one end of a shortest way is an end of the segment, or a corner or an
-// edge of the triangle.
+// for a segment that pierces a triangle.
 
 #include "locate/distances.h"
 
@@ -27,12 +26,29 @@ struct SegmentCorner {
   Vec first, last;
 };
 
-/** From segment 0 .. `along`. */
-SegmentWay way_from_segment(const Vec& along, const SegmentCorner& a);
-/** From the segment to an edge; `inner`: also where the insides of both are nearest. */
-SegmentWay way_from_segment(const Vec& along, const SegmentCorner& a, const SegmentCorner& b, bool inner);
-/** From the segment to a triangle that it does not pierce. */
-SegmentWay way_from_segment(const Vec& along, const SegmentCorner& a, const SegmentCorner& b, const SegmentCorner& c);
+/** A segment from the origin to `along`. */
+struct SegmentLine {
+  Vec along;
+  double square = dot(along, along), inverse = 1 / square;
+  bool has_length = square >= 0x1p-1000;  // what is shorter is a point: its square is not
+
+  SegmentWay way(const SegmentCorner& a) const;
+  /** To an edge.
+   *
+   * The nearest points of the lines are found by the part of the edge that is normal to the segment, `across`, and are
+   * then drawn back to the ends. `across` has a rounding error of the size of the edge. Where the lines have a small
+   * angle, the place on the edge is uncertain by that error over the angle. In the direction of `across` the gap then
+   * misses the shortest one by a rounding error of the edge; in the direction of the gap the miss counts in second
+   * order only. Where that is still too much, the angle is so small that any place is as near, up to a rounding error
+   * of the lengths. */
+  SegmentWay way(const SegmentCorner& a, const SegmentCorner& b) const;
+  /** To a triangle that the segment does not pierce.
+   *
+   * Then the nearest point of the triangle lies on an edge, or is the foot of the end of the segment that is nearer to
+   * the plane. If the ends are on two sides, the segment comes nearer to the plane until it is over an edge. Which end
+   * rounding chooses of two that are as near to the plane, or in it, does not matter for the same reason. */
+  SegmentWay way(const SegmentCorner& a, const SegmentCorner& b, const SegmentCorner& c) const;
+};
 
 /** What Distances measures from: the segment from one point to another. */
 template <int D>
@@ -44,15 +60,15 @@ struct FromSegment {
   const double* from;
   const double* to;
   double scale;
-  Vec along = relative<D>(to, from, scale);
+  SegmentLine line{relative<D>(to, from, scale)};
 
   Corner corner(const double* position) const {
     return {relative<D>(position, from, scale), relative<D>(position, to, scale)};
   }
-  Way way(const Corner& a) const { return way_from_segment(along, a); }
-  // In the plane segments that do not cross are nearest at an end.
-  Way way(const Corner& a, const Corner& b) const { return way_from_segment(along, a, b, D == 3); }
-  Way way(const Corner& a, const Corner& b, const Corner& c) const { return way_from_segment(along, a, b, c); }
+  template <class... Corners>
+  Way way(const Corners&... corners) const {
+    return line.way(corners...);
+  }
   static double squared(const Way& way) { return way.squared; }
   void report(const Way& way, Result& result) const {
     result.parameter = way.parameter;
