@@ -1,5 +1,5 @@
-// What is nearest to the edges of wires, and to their vertices, in tetrahedra some of whose faces are impassable; beside
-// Embree's point query and, where it is installed, FCL's distance on the same edges and walls.
+// What is nearest to the edges of wires, and to their vertices, in tetrahedra; beside Embree's point query and, where it
+// is installed, FCL's distance on the same edges and walls.
 #include "parts.h"
 
 #include "near_peers.h"
