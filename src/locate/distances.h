@@ -58,7 +58,7 @@ struct FromPoint {
   Corner corner(const double* position) const { return relative<D>(position, point, scale); }
   Way way(const Corner& a) const { return a; }
   Way way(const Corner& a, const Corner& b) const { return nearest_on(a, b); }
-  Way way(const Corner& a, const Corner& b, const Corner& c) const { return nearest_on(a, b, c); }
+  Way way(const Corner& a, const Corner& b, const Corner& c, double /*limit*/) const { return nearest_on(a, b, c); }
   static double squared(const Way& way) { return dot(way, way); }
   void report(const Way& way, Result& result) const { report_obstacle<D>(way, point, scale, result); }
 };
@@ -78,11 +78,11 @@ class Distances {
    * nor underflow. Nearly always 1. */
   double scale() const { return from_.scale; }
 
-  /** To the nearest point of a facet. */
-  Way to_facet(Cell c, const Shape& shape, uint32_t f) const {
+  /** To the nearest point of a facet. Beyond `limit` any way that is longer will do. */
+  Way to_facet(Cell c, const Shape& shape, uint32_t f, double limit = HUGE_VAL) const {
     Way best{};
     for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-      const Way at = to_simplex(c, shape.simplices() + static_cast<uint32_t>(D) * s);
+      const Way at = to_simplex(c, shape.simplices() + static_cast<uint32_t>(D) * s, limit);
       if (s == shape.simplex_first(f) || From::squared(at) < From::squared(best)) best = at;
     }
     return best;
@@ -131,11 +131,11 @@ class Distances {
 
  private:
   auto corner(Cell c, uint32_t local) const { return from_.corner(env_.point(c, local)); }
-  Way to_simplex(Cell c, const uint16_t* local) const {
+  Way to_simplex(Cell c, const uint16_t* local, [[maybe_unused]] double limit) const {
     if constexpr (D == 2) {
       return from_.way(corner(c, local[0]), corner(c, local[1]));
     } else {
-      return from_.way(corner(c, local[0]), corner(c, local[1]), corner(c, local[2]));
+      return from_.way(corner(c, local[0]), corner(c, local[1]), corner(c, local[2]), limit);
     }
   }
 

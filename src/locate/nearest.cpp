@@ -56,7 +56,7 @@ class Flood {
       const HalfFacet h = map_.half_facet(c, f);
       const bool impassable = is_impassable(env_, h);
       if (!impassable && notes_.is_seen(map_.cell_of(map_.opposite(h)))) continue;
-      const Way at = distances_.to_facet(c, shape, f);
+      const Way at = distances_.to_facet(c, shape, f, best_);
       const double distance = distances_.length(at);
       if (!(distance <= best_)) continue;
       if (impassable) {

@@ -11,6 +11,21 @@ Vec without_line(const Vec& v, const Vec& along, double inverse) {
   return once - dot(once, along) * inverse * along;
 }
 
+double sum(const Vec& a) { return std::fabs(a.x()) + std::fabs(a.y()) + std::fabs(a.z()); }
+
+/** Whether a triangle is sure to be farther than a limit, since its plane is. `height` is the product of the normal and
+ * of a corner as seen from the segment; `reach` is the sum of that corner's coordinates.
+ *
+ * With u = 2^-53 and s = sum(ab) sum(ac): the normal's components have errors below 4 u s, so `height` has one below
+ * 16 u s reach, and the normal's square one below 2^-47 s^2. Distances have errors of some u times the coordinates;
+ * 2^-46 is allowed. Where squares underflow, nothing is sure. */
+bool is_beyond(const Vec& ab, const Vec& ac, const Vec& normal, double height, double reach, double limit) {
+  const double sides = sum(ab) * sum(ac), square = dot(normal, normal) + 0x1p-47 * sides * sides;
+  const double least = std::fabs(height) - 0x1p-48 * sides * reach;
+  const double most = limit + 0x1p-46 * (limit + reach + sum(ab) + sum(ac));
+  return least > 0 && square > 0x1p-900 && least * least > most * most * square;
+}
+
 }  // namespace
 
 SegmentWay SegmentLine::way(const SegmentCorner& a) const {
@@ -41,13 +56,18 @@ SegmentWay SegmentLine::way(const SegmentCorner& a, const SegmentCorner& b) cons
   return {at - on_segment * along, on_segment};
 }
 
-SegmentWay SegmentLine::way(const SegmentCorner& a, const SegmentCorner& b, const SegmentCorner& c) const {
+SegmentWay SegmentLine::way(const SegmentCorner& a, const SegmentCorner& b, const SegmentCorner& c,
+                            double limit) const {
   if (!has_length) return {nearest_on(a.first, b.first, c.first), 0};
-  const Vec normal = (b.first - a.first).cross(c.first - a.first);
-  const bool is_last = std::fabs(dot(normal, a.last)) < std::fabs(dot(normal, a.first));
+  const Vec ab = b.first - a.first, ac = c.first - a.first, normal = ab.cross(ac);
+  const double first = dot(normal, a.first), last = dot(normal, a.last);
+  const bool is_beside = (first > 0) == (last > 0), is_last = std::fabs(last) < std::fabs(first);
+  if (is_beside && is_beyond(ab, ac, normal, is_last ? last : first, sum(a.first) + sum(a.last), limit)) return {};
   SegmentWay best;
-  if (Vec foot; is_last ? foot_inside(a.last, b.last, c.last, foot) : foot_inside(a.first, b.first, c.first, foot))
+  if (Vec foot; is_last ? foot_inside(a.last, b.last, c.last, foot) : foot_inside(a.first, b.first, c.first, foot)) {
     best = {foot, is_last ? 1.0 : 0.0};
+    if (is_beside) return best;
+  }
   best.take_nearer(way(a, b));
   best.take_nearer(way(b, c));
   best.take_nearer(way(c, a));

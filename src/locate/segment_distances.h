@@ -46,8 +46,10 @@ struct SegmentLine {
    *
    * Then the nearest point of the triangle lies on an edge, or is the foot of the end of the segment that is nearer to
    * the plane. If the ends are on two sides, the segment comes nearer to the plane until it is over an edge. Which end
-   * rounding chooses of two that are as near to the plane, or in it, does not matter for the same reason. */
-  SegmentWay way(const SegmentCorner& a, const SegmentCorner& b, const SegmentCorner& c) const;
+   * rounding chooses of two that are as near to the plane, or in it, does not matter for the same reason. If the ends
+   * are on one side and the foot lies in the triangle, nothing is nearer. Where all is farther than `limit`, the way
+   * may be infinite. */
+  SegmentWay way(const SegmentCorner& a, const SegmentCorner& b, const SegmentCorner& c, double limit) const;
 };
 
 /** What Distances measures from: the segment from one point to another. */
@@ -61,14 +63,15 @@ struct FromSegment {
   const double* to;
   double scale;
   SegmentLine line{relative<D>(to, from, scale)};
+  Vec first = to_vec<D>(from) * scale, last = to_vec<D>(to) * scale;
 
   Corner corner(const double* position) const {
-    return {relative<D>(position, from, scale), relative<D>(position, to, scale)};
+    const Vec at = to_vec<D>(position) * scale;
+    return {at - first, at - last};
   }
-  template <class... Corners>
-  Way way(const Corners&... corners) const {
-    return line.way(corners...);
-  }
+  Way way(const Corner& a) const { return line.way(a); }
+  Way way(const Corner& a, const Corner& b) const { return line.way(a, b); }
+  Way way(const Corner& a, const Corner& b, const Corner& c, double limit) const { return line.way(a, b, c, limit); }
   static double squared(const Way& way) { return way.squared; }
   void report(const Way& way, Result& result) const {
     result.parameter = way.parameter;
