@@ -1,6 +1,7 @@
 // What is nearest to a segment, against all impassable features in exact rational arithmetic; and batches of points
 // and segments against one at a time.
 #include "obstacles.h"
+#include "plane_support.h"
 
 #include <gmpxx.h>
 
@@ -308,6 +309,100 @@ TEST_P(NearestSegmentTest, BatchesAreTheSameAsOneByOne) {
     point.volumes_visited = points[i].volumes_visited;  // depends on earlier calls
     EXPECT_EQ(std::memcmp(&point, &points[i], sizeof point), 0) << i;
   }
+}
+
+/// Impassable sides and marked vertices of a grid of the plane.
+struct PlaneObstacle {
+  dsw_cell cell;
+  Q3 a, b;
+};
+std::vector<PlaneObstacle> mark_plane(dsw_environment* environment, uint32_t sides_of_each, Rng& rng) {
+  const double* points = nullptr;
+  size_t count = 0;
+  EXPECT_EQ(dsw_environment_get_points(environment, &points, &count), DSW_STATUS_OK);
+  dsw_environment_info info = {};
+  info.struct_size = sizeof info;
+  EXPECT_EQ(dsw_environment_get_info(environment, &info), DSW_STATUS_OK);
+  const auto at = [&](dsw_vertex_id v) { return Q3{Q(points[2 * v.index]), Q(points[2 * v.index + 1]), 0}; };
+  std::vector<dsw_face_id> sides;
+  for (uint32_t i = 0; i < info.volume_index_count; ++i) {
+    dsw_volume_id volume;
+    EXPECT_EQ(dsw_environment_get_volume_id(environment, i, &volume), DSW_STATUS_OK);
+    for (uint32_t local = 0; local < sides_of_each; ++local) {
+      sides.push_back({volume.index, volume.generation, local});
+      if (!rng.chance(0.05)) continue;
+      EXPECT_EQ(dsw_environment_mark_faces(environment, &sides.back(), 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+    }
+    if (rng.chance(0.1)) {
+      EXPECT_EQ(dsw_environment_mark_volumes(environment, &volume, 1, DSW_MARK_IMPASSABLE, 0, nullptr), DSW_STATUS_OK);
+    }
+  }
+  std::vector<PlaneObstacle> obstacles;
+  for (const dsw_face_id& side : sides) {
+    int impassable = 0;
+    EXPECT_EQ(dsw_environment_is_impassable(environment, cell_of(side), &impassable), DSW_STATUS_OK);
+    const std::vector<dsw_vertex_id> ends = vertices_of(environment, cell_of(side));
+    if (impassable != 0) obstacles.push_back({cell_of(side), at(ends[0]), at(ends[1])});
+  }
+  for (uint32_t v = 0; v < count; ++v) {
+    dsw_vertex_id id;
+    EXPECT_EQ(dsw_environment_get_vertex_id(environment, v, &id), DSW_STATUS_OK);
+    if (!rng.chance(0.1)) continue;
+    EXPECT_EQ(dsw_environment_mark_vertices(environment, &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+    obstacles.push_back({cell_of(id), at(id), at(id)});
+  }
+  return obstacles;
+}
+
+TEST(NearestSegmentPlaneTest, IsTheNearestOfAll) {
+  int passing = 0, free = 0;
+  for (const bool cut : {false, true}) {
+    constexpr uint32_t kSquares = 9;
+    const EnvironmentPtr environment = make_squares(kSquares, cut);
+    Rng rng(81);
+    const std::vector<PlaneObstacle> obstacles = mark_plane(environment.get(), cut ? 3 : 4, rng);
+    for (int i = 0; i < 600; ++i) {
+      double from[2], to[2];
+      for (double& x : from) x = rng.chance(0.1) ? rng.between(0, kSquares) : rng.range(0, kSquares);
+      const double length = rng.chance(0.5) ? 0.2 : rng.chance(0.1) ? 0 : 4;
+      for (int k = 0; k < 2; ++k) to[k] = from[k] + (rng.chance(0.2) ? 0 : rng.range(-length, length));
+      SCOPED_TRACE("from " + number(from[0]) + " " + number(from[1]) + " to " + number(to[0]) + " " + number(to[1]));
+      dsw_segment_nearest near;
+      dsw_location location;
+      ASSERT_EQ(dsw_environment_find_nearest_to_segments(environment.get(), 1, from, to, 0, nullptr, kNoLimit, &near,
+                                                         nullptr, &location),
+                DSW_STATUS_OK);
+      dsw_flight flight;
+      ASSERT_EQ(dsw_environment_cast(environment.get(), {0, 0}, from, to, nullptr, &flight), DSW_STATUS_OK);
+      if (location != DSW_LOCATION_PASSABLE) {
+        EXPECT_EQ(near.nearest.distance, kNoLimit);
+        continue;
+      }
+      if (flight.outcome == DSW_OUTCOME_CONTACT) {
+        ++passing;
+        EXPECT_EQ(near.nearest.distance, 0);
+        EXPECT_EQ(near.segment_parameter, flight.time);
+        EXPECT_TRUE(same(near.nearest.cell, cell_of(flight.contact.wall)));
+        continue;
+      }
+      ++free;
+      const Q3 p = {Q(from[0]), Q(from[1]), 0}, q = {Q(to[0]), Q(to[1]), 0};
+      Q best = -1, named = -1;
+      for (const PlaneObstacle& each : obstacles) {
+        const Q squared =
+            square(each.b - each.a) == 0 ? to_segment(each.a, p, q) : between_segments(p, q, each.a, each.b);
+        if (best < 0 || squared < best) best = squared;
+        if (same(each.cell, near.nearest.cell)) named = squared;
+      }
+      const double bound = 0x1p-49 * 2 * kSquares;
+      EXPECT_TRUE(is_root(near.nearest.distance, best, bound)) << near.nearest.distance << " for " << best.get_d();
+      ASSERT_GE(named, 0) << near.nearest.cell;
+      EXPECT_TRUE(is_root(near.nearest.distance, named, bound));
+      EXPECT_EQ(near.segment_point[2], 0);
+    }
+  }
+  EXPECT_GT(passing, 50);
+  EXPECT_GT(free, 50);
 }
 
 }  // namespace
