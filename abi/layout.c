@@ -148,6 +148,11 @@ AT(dsw_nearest, cell, 56);
 AT(dsw_nearest, tag, 72);
 AT(dsw_nearest, volumes_visited, 76);
 
+SIZE(dsw_segment_nearest, 112);
+AT(dsw_segment_nearest, nearest, 0);
+AT(dsw_segment_nearest, segment_parameter, 80);
+AT(dsw_segment_nearest, segment_point, 88);
+
 SIZE(dsw_scene_desc, 8);
 AT(dsw_scene_desc, struct_size, 0);
 AT(dsw_scene_desc, features, 4);

@@ -32,6 +32,20 @@
     return flights;
   }
 
+  /** What is nearest to each point (x, y, z) within a radius. */
+  public NearestArray findNearestToPoints(double[] points, double radius) {
+    NearestArray nearest = new NearestArray(points.length / dimension());
+    findNearestToPoints(DoubleBuffer.wrap(points), radius, null, nearest);
+    return nearest;
+  }
+
+  /** What is nearest to each segment, from points to points (x, y, z), within a radius. */
+  public SegmentNearestArray findNearestToSegments(double[] from, double[] to, double radius) {
+    SegmentNearestArray nearest = new SegmentNearestArray(from.length / dimension());
+    findNearestToSegments(DoubleBuffer.wrap(from), DoubleBuffer.wrap(to), radius, null, nearest);
+    return nearest;
+  }
+
   /** Sweeps of edges: one end of each moves from a point to another, the other end is fixed. */
   public SweepArray sweepEdges(double[] from, double[] to, double[] fixed) {
     SweepArray sweeps = new SweepArray(from.length / dimension());

@@ -68,7 +68,7 @@
 #endif
 
 #define DSW_VERSION_MAJOR 2 /**< Of this header. dsw_version() tells the library's. */
-#define DSW_VERSION_MINOR 0 /**< Grows with additions. */
+#define DSW_VERSION_MINOR 1 /**< Grows with additions. */
 #define DSW_VERSION_PATCH 0 /**< Grows with corrections. */
 
 #ifdef __cplusplus

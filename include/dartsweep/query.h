@@ -114,6 +114,45 @@ DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environme
                                                 const double *point, dsw_volume_id volume,
                                                 double radius, dsw_nearest *nearest);
 
+/** Finds what is nearest to each of many points, as dsw_environment_find_nearest.
+ * @param hints null, or for each point a volume near it, or null. Without a hint the search begins
+ * where the point before lies.
+ * @param nearest if a point lies outside, or in an impassable volume: infinite distance, no cell.
+ * @param volumes those of the points, null outside; may be null, and may be `hints`.
+ * @param locations may be null.
+ * @note Cost, rounding: as dsw_environment_find_nearest. Batch. @since 2.1 */
+DSW_API dsw_status dsw_environment_find_nearest_to_points(
+    const dsw_environment *environment, size_t count, const double *points, size_t stride_bytes,
+    const dsw_volume_id *hints, double radius, dsw_nearest *nearest, dsw_volume_id *volumes,
+    dsw_location *locations);
+
+/** The impassable cell that is nearest to a segment. */
+typedef struct dsw_segment_nearest {
+  dsw_nearest nearest;      /**< Its normal points towards segment_point. */
+  double segment_parameter; /**< Of the segment's nearest point: 0 at `from`, 1 at `to`. */
+  double segment_point[3];  /**< This point, rounded. Zero, as the parameter, if nothing is near. */
+} dsw_segment_nearest;
+
+/** Finds for each of many segments the nearest impassable face, marked edge or vertex that can be
+ * reached through passable faces within its distance of the segment; if several, the lowest
+ * canonical one.
+ *
+ * If the segment passes an impassable face, the first one on its way is the answer, exactly as for
+ * dsw_environment_cast: the distance and the normal are 0, and segment_parameter is the time of the
+ * contact. What lies behind that face is not looked at.
+ *
+ * The distance is that of the nearest of all impassable cells, with an error of at most 2^-49 times
+ * the largest coordinate, as a difference from `from`, of what is compared.
+ * @param hints as for dsw_environment_find_nearest_to_points, for `from`. A segment that begins
+ * where the one before ends needs none.
+ * @param nearest, volumes, locations as there, for `from`.
+ * @note Cost: O(volumes that the segment enters, and volumes within the distance), independent of
+ * the size of the environment. Batch. @since 2.1 */
+DSW_API dsw_status dsw_environment_find_nearest_to_segments(
+    const dsw_environment *environment, size_t count, const double *from, const double *to,
+    size_t stride_bytes, const dsw_volume_id *hints, double radius, dsw_segment_nearest *nearest,
+    dsw_volume_id *volumes, dsw_location *locations);
+
 #ifdef __cplusplus
 }
 #endif

@@ -3,9 +3,18 @@
 #include "capi/convert.h"
 #include "locate/classify.h"
 #include "scene/locations.h"
+#include "scene/nearest.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
+
+namespace {
+
+void check_radius(double radius) {
+  if (!(radius >= 0)) fail(DSW_STATUS_OUT_OF_RANGE, "radius is %g, must be at least 0", radius);
+}
+
+}  // namespace
 
 dsw_status dsw_environment_locate(const dsw_environment* environment, const double* point, dsw_volume_id hint,
                                   dsw_volume_id* volume, dsw_location* location) {
@@ -99,7 +108,7 @@ dsw_status dsw_environment_find_nearest(const dsw_environment* environment, cons
     constexpr int D = capi::kDimension<decltype(env)>;
     dsw::to_finite_point(env.kDimension, point, "point");
     dsw::require(nearest, "nearest");
-    if (!(radius >= 0)) fail(DSW_STATUS_OUT_OF_RANGE, "radius is %g, must be at least 0", radius);
+    check_radius(radius);
     capi::check_hint(env.map, volume, "volume");
     const dsw::Cell c = dsw::is_null(volume) ? locate_point(env, point, volume) : env.map.cell(volume.index);
     if (!c.valid()) fail(DSW_STATUS_OUTSIDE, "point %s lies in no volume", dsw::PointText(point, D).text);
@@ -107,6 +116,34 @@ dsw_status dsw_environment_find_nearest(const dsw_environment* environment, cons
       fail(DSW_STATUS_IMPASSABLE, "point %s lies in volume %u, which is impassable", dsw::PointText(point, D).text,
            env.map.index(c));
     }
-    *nearest = report_nearest(env, point, c, radius);
+    *nearest = nearest_to_point(env, point, c, radius);
+  });
+}
+
+dsw_status dsw_environment_find_nearest_to_points(const dsw_environment* environment, size_t count,
+                                                  const double* points, size_t stride_bytes, const dsw_volume_id* hints,
+                                                  double radius, dsw_nearest* nearest, dsw_volume_id* volumes,
+                                                  dsw_location* locations) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
+    const dsw::PointArray array = dsw::to_finite_points(env.kDimension, points, count, stride_bytes, "points");
+    dsw::require_array(nearest, count, "nearest");
+    check_radius(radius);
+    capi::check_hints(env.map, hints, count, "hints");
+    nearest_to_points(env, environment->parallel, count, array, hints, radius, {nearest, volumes, locations});
+  });
+}
+
+dsw_status dsw_environment_find_nearest_to_segments(const dsw_environment* environment, size_t count,
+                                                    const double* from, const double* to, size_t stride_bytes,
+                                                    const dsw_volume_id* hints, double radius,
+                                                    dsw_segment_nearest* nearest, dsw_volume_id* volumes,
+                                                    dsw_location* locations) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
+    const dsw::PointArray first = dsw::to_finite_points(env.kDimension, from, count, stride_bytes, "from");
+    const dsw::PointArray last = dsw::to_finite_points(env.kDimension, to, count, stride_bytes, "to");
+    dsw::require_array(nearest, count, "nearest");
+    check_radius(radius);
+    capi::check_hints(env.map, hints, count, "hints");
+    nearest_to_segments(env, environment->parallel, count, first, last, hints, radius, {nearest, volumes, locations});
   });
 }

@@ -1,34 +1,42 @@
 #include "locate/nearest.h"
 
 #include <algorithm>
+#include <cmath>
+#include <new>
 
 #include "locate/nearest_search.h"
+#include "locate/segment_distances.h"
+#include "walk/cast.h"
 
 namespace dsw {
 namespace {
 
-template <int D>
+template <int D, class From>
 class Flood {
  public:
-  Flood(const Distances<D>& distances, Cell start, double radius, NearestResult& result)
+  using Way = typename From::Way;
+
+  Flood(const Distances<D, From>& distances, double radius, FloodNotes& notes, typename From::Result& result)
       : distances_(distances),
         env_(distances.environment()),
         map_(env_.map),
         result_(result),
-        heap_(Allocator<Waiting>(env_.memory)),
-        seen_(64, kNoCell, Allocator<uint32_t>(env_.memory)),
+        notes_(notes),
         best_(radius * distances.scale()) {
-    heap_.push_back({0, map_.index(start)});
+    notes_.clear();
   }
 
+  /** Notes a cell that holds part of what is asked from. */
+  void begin_in(Cell c) { wait({0, map_.index(c)}); }
   /** Visits at most so many cells. Whether it is done. */
   bool run(uint32_t most) {
-    while (!heap_.empty() && heap_.front().distance <= best_) {
+    Array<Waiting>& heap = notes_.waiting;
+    while (!heap.empty() && heap.front().distance <= best_) {
       if (most == 0) return false;
-      std::pop_heap(heap_.begin(), heap_.end());
-      const Cell c = map_.cell(heap_.back().index);
-      heap_.pop_back();
-      if (!see(c)) continue;
+      std::pop_heap(heap.begin(), heap.end());
+      const Cell c = map_.cell(heap.back().index);
+      heap.pop_back();
+      if (!notes_.see(c)) continue;
       --most;
       ++result_.volumes_visited;
       visit(c);
@@ -47,24 +55,23 @@ class Flood {
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const HalfFacet h = map_.half_facet(c, f);
       const bool impassable = is_impassable(env_, h);
-      if (!impassable && is_seen(map_.cell_of(map_.opposite(h)))) continue;
-      const Vec at = distances_.to_facet(c, shape, f);
-      const double distance = Distances<D>::length(at);
+      if (!impassable && notes_.is_seen(map_.cell_of(map_.opposite(h)))) continue;
+      const Way at = distances_.to_facet(c, shape, f, best_);
+      const double distance = distances_.length(at);
       if (!(distance <= best_)) continue;
       if (impassable) {
         offer(distance, at, distances_.name(h));
       } else {
         // A cell can stand in the heap once for each of its facets: a nearer way in must not be lost to a farther one.
-        heap_.push_back({distance, map_.index(map_.cell_of(map_.opposite(h)))});
-        std::push_heap(heap_.begin(), heap_.end());
+        wait({distance, map_.index(map_.cell_of(map_.opposite(h)))});
       }
     }
-    distances_.for_each_thin(c, shape, [&](double distance, const Vec& at, const FeatureRef& feature) {  //
+    distances_.for_each_thin(c, shape, [&](double distance, const Way& at, const FeatureRef& feature) {  //
       offer(distance, at, feature);
     });
   }
 
-  void offer(double distance, const Vec& at, const FeatureRef& feature) {
+  void offer(double distance, const Way& at, const FeatureRef& feature) {
     if (!(distance <= best_)) return;
     if (found_ && distance == best_ && !distances_.precedes(feature, result_.feature)) return;
     found_ = true;
@@ -73,42 +80,24 @@ class Flood {
     result_.feature = feature;
   }
 
-  /** Enters a cell into the set of seen ones; whether it is new. Open addressing, at most half full. */
-  bool see(Cell c) {
-    if (2 * (seen_count_ + 1) > seen_.size()) {
-      Array<uint32_t> old(2 * seen_.size(), kNoCell, seen_.get_allocator());
-      old.swap(seen_);
-      for (const uint32_t unit : old) {
-        if (unit != kNoCell) seen_[slot_of(unit)] = unit;
-      }
-    }
-    uint32_t& slot = seen_[slot_of(c.unit)];
-    if (slot == c.unit) return false;
-    slot = c.unit;
-    ++seen_count_;
-    return true;
-  }
-  bool is_seen(Cell c) const { return seen_[slot_of(c.unit)] == c.unit; }
-  size_t slot_of(uint32_t unit) const {
-    const size_t mask = seen_.size() - 1;
-    size_t slot = (unit * 0x9e3779b1u) & mask;
-    while (seen_[slot] != kNoCell && seen_[slot] != unit) slot = (slot + 1) & mask;
-    return slot;
+  void wait(const Waiting& next) {
+    notes_.waiting.push_back(next);
+    std::push_heap(notes_.waiting.begin(), notes_.waiting.end());
   }
 
-  const Distances<D>& distances_;
+  const Distances<D, From>& distances_;
   const Environment<D>& env_;
   const Map<D>& map_;
-  NearestResult& result_;
-  Array<Waiting> heap_;
-  Array<uint32_t> seen_;
-  size_t seen_count_ = 0;
+  typename From::Result& result_;
+  FloodNotes& notes_;
   double best_;
-  Vec at_{};
+  Way at_{};
   bool found_ = false;
 };
 
-constexpr uint32_t kFewCells = 8;  // are visited in the time that the tree of obstacles takes
+// So many cells are visited before the tree of obstacles is asked. Without a radius: in the time that the tree takes.
+// With one, the flood mostly ends by itself.
+constexpr uint32_t kFewCells = 8, kFewCellsWithin = 64;
 
 }  // namespace
 
@@ -116,18 +105,21 @@ template <int D>
 bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result) {
   result = {};
   const Distances<D> distances(env, point);
-  Flood<D> flood(distances, start, radius, result);
+  FloodNotes notes(env.memory);
+  Flood<D, FromPoint<D>> flood(distances, radius, notes, result);
+  flood.begin_in(start);
   flood.run(kNoCell);
   return flood.finish();
 }
 
 template <int D>
-bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius,
+bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
                       NearestResult& result) {
   result = {};
   const Distances<D> distances(env, point);
-  Flood<D> flood(distances, start, radius, result);
-  if (flood.run(kFewCells)) return flood.finish();
+  Flood<D, FromPoint<D>> flood(distances, radius, notes, result);
+  flood.begin_in(start);
+  if (flood.run(std::isfinite(radius) ? kFewCellsWithin : kFewCells)) return flood.finish();
   if (distances.scale() == 1) {
     const CellTree<D>* tree = env.obstacles.find(env);
     if (tree == nullptr) {
@@ -149,9 +141,88 @@ bool find_nearest_far(const Environment<D>& env, const double* point, Cell start
   return flood.finish();
 }
 
-#define DSW_NEAREST(D)                                                                            \
-  template bool find_nearest(const Environment<D>&, const double*, Cell, double, NearestResult&); \
-  template bool find_nearest_far(const Environment<D>&, const double*, Cell, double, NearestResult&)
+namespace {
+
+/** The facet that ends a cast, at distance 0. */
+template <int D>
+void report_crossed(const Environment<D>& env, const double* from, const double* to, const CastResult& hit,
+                    SegmentNearest& result) {
+  const HalfFacet first = canonical(env.map, hit.facet);
+  const Cell owner = env.map.cell_of(first);
+  result.feature = {D - 1, owner, env.map.local_of(first, owner)};
+  result.crossed = hit.facet;
+  result.parameter = crossing_time(env, hit.cell, hit.simplex, from, to);
+  point_at<D>(from, to, result.parameter, result.segment_point);
+  std::copy_n(result.segment_point, D, result.point);
+  result.volumes_visited = hit.volumes_visited;
+}
+
+}  // namespace
+
+template <int D>
+bool find_nearest_to_segment(const Environment<D>& env, const double* from, const double* to, Cell start, double radius,
+                             FloodNotes& notes, SegmentNearest& result) {
+  result = {};
+  const Distances<D, FromSegment<D>> distances(env, from, to);
+  Flood<D, FromSegment<D>> flood(distances, radius, notes, result);
+  flood.begin_in(start);
+  // A cast does not throw.
+  struct Entered {
+    Flood<D, FromSegment<D>>* flood;
+    bool is_lost;
+  } entered{&flood, false};
+  CastRequest request;
+  request.from = from;
+  request.to = to;
+  request.start = start;
+  request.crossing_user = &entered;
+  request.crossing = [](void* user, Cell, uint32_t, Cell cell) {
+    Entered& all = *static_cast<Entered*>(user);
+    try {
+      all.flood->begin_in(cell);
+    } catch (const std::bad_alloc&) {
+      all.is_lost = true;
+    }
+  };
+  const CastResult path = cast(env, request, nullptr);
+  if (entered.is_lost) throw std::bad_alloc();
+  result.last = path.cell;
+  if (path.end == CastEnd::kHit) {
+    report_crossed(env, from, to, path, result);
+    return true;
+  }
+  flood.run(kNoCell);
+  return flood.finish();
+}
+
+void FloodNotes::clear() noexcept {
+  waiting.clear();
+  seen_count_ = 0;
+  if (++round_ != 0) return;
+  std::fill(slots_.begin(), slots_.end(), 0);
+  round_ = 1;
+}
+
+bool FloodNotes::see(Cell c) {
+  if (2 * (seen_count_ + 1) > slots_.size()) {
+    Array<uint64_t> old(2 * slots_.size(), 0, slots_.get_allocator());
+    old.swap(slots_);
+    for (const uint64_t each : old) {
+      if (each >> 32 == round_) slots_[slot_of(each)] = each;
+    }
+  }
+  uint64_t& slot = slots_[slot_of(entry(c.unit))];
+  if (slot == entry(c.unit)) return false;
+  slot = entry(c.unit);
+  ++seen_count_;
+  return true;
+}
+
+#define DSW_NEAREST(D)                                                                                             \
+  template bool find_nearest(const Environment<D>&, const double*, Cell, double, NearestResult&);                  \
+  template bool find_nearest_far(const Environment<D>&, const double*, Cell, double, FloodNotes&, NearestResult&); \
+  template bool find_nearest_to_segment(const Environment<D>&, const double*, const double*, Cell, double,         \
+                                        FloodNotes&, SegmentNearest&)
 DSW_NEAREST(2);
 DSW_NEAREST(3);
 #undef DSW_NEAREST

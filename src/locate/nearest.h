@@ -1,7 +1,8 @@
 #pragma once
-// The nearest impassable thing round a point, found by a flood through passable cells, or by a tree of obstacles: what
-// haptics ask for.
+// The nearest impassable thing round a point or a segment, found by a flood through passable cells, or by a tree of
+// obstacles: what haptics ask for.
 
+#include "base/memory.h"
 #include "locate/classify.h"
 
 namespace dsw {
@@ -14,6 +15,49 @@ struct NearestResult {
   uint32_t volumes_visited = 0;  // how many cells were looked at; the tree looks at other ones than the flood
 };
 
+/** What is nearest to a segment. */
+struct SegmentNearest : NearestResult {
+  double parameter = 0;          // of the nearest point of the segment: 0 .. 1
+  double segment_point[3] = {};  // this point
+  HalfFacet crossed;             // the impassable facet that the segment passes, from its first side; else invalid
+  Cell last;                     // contains the segment's last point, unless it passes something impassable
+};
+
+/** A cell to visit, and how near it may hold something. The nearest is first in a heap. */
+struct Waiting {
+  double distance;
+  uint32_t index;  // of the cell: the order of ties must not depend on where records lie
+  bool operator<(const Waiting& o) const { return distance != o.distance ? distance > o.distance : index > o.index; }
+};
+
+/** What a flood writes down. It is kept from one question to the next, so that most need no memory. */
+class FloodNotes {
+ public:
+  explicit FloodNotes(const Memory* memory) : waiting(memory), slots_(kFirstSlots, 0, memory) {}
+
+  Array<Waiting> waiting;  // a heap
+
+  void clear() noexcept;
+  /** Notes that a cell was seen; whether it is new. Open addressing, at most half full. Throws std::bad_alloc. */
+  bool see(Cell c);
+  bool is_seen(Cell c) const noexcept { return slots_[slot_of(entry(c.unit))] == entry(c.unit); }
+
+ private:
+  static constexpr size_t kFirstSlots = 64;
+
+  uint64_t entry(uint32_t unit) const noexcept { return uint64_t{round_} << 32 | unit; }
+  size_t slot_of(uint64_t entry) const noexcept {
+    const size_t mask = slots_.size() - 1;
+    size_t slot = (static_cast<uint32_t>(entry) * 0x9e3779b1u) & mask;
+    while (slots_[slot] >> 32 == round_ && slots_[slot] != entry) slot = (slot + 1) & mask;
+    return slot;
+  }
+
+  Array<uint64_t> slots_;  // the round in which a cell was seen, and its unit; other rounds are empty slots
+  size_t seen_count_ = 0;
+  uint32_t round_ = 1;
+};
+
 /** Whether something impassable that can be seen from `point`, in `start`, lies within `radius`. Cells are visited in
  * the order of their distance, so the work is that of the cells nearer than the answer. Equal distances: the lower
  * dimension, then the lower canonical cell. May throw std::bad_alloc. */
@@ -23,6 +67,14 @@ bool find_nearest(const Environment<D>& env, const double* point, Cell start, do
 /** The same answer for points that may be far from everything: after a few cells the environment's tree of obstacles is
  * asked, if there is one (nearest_search.h). */
 template <int D>
-bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result);
+bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
+                      NearestResult& result);
+
+/** Likewise for a segment whose first point is in `start`, by the flood alone. It begins in all cells that the segment
+ * enters under the shift. If the segment passes an impassable facet, that is the answer, at distance 0: the first one.
+ */
+template <int D>
+bool find_nearest_to_segment(const Environment<D>& env, const double* from, const double* to, Cell start, double radius,
+                             FloodNotes& notes, SegmentNearest& result);
 
 }  // namespace dsw

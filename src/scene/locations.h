@@ -1,5 +1,5 @@
 #pragma once
-// Answers about a point in an environment, as a host reads them.
+// What contains a point, and what it lies on, as a host reads it.
 
 #include "dartsweep/query.h"
 #include "environment/environment.h"
@@ -16,9 +16,5 @@ dsw_location location_of(const Environment<D>& env, Cell c) noexcept {
 /** The public id of what classify and find_nearest name. */
 template <int D>
 dsw_cell name_feature(const Environment<D>& env, const FeatureRef& feature) noexcept;
-
-/** The nearest obstacle within `radius` of a point in a passable cell. Throws std::bad_alloc. */
-template <int D>
-dsw_nearest report_nearest(const Environment<D>& env, const double* point, Cell c, double radius);
 
 }  // namespace dsw

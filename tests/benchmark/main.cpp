@@ -12,9 +12,9 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   Options options;
   std::string json = "benchmark.json";
-  const std::vector<std::string> known = {"hex",       "threads", "tet",      "vessel", "change",  "create",
-                                          "fig11",     "fig12",   "catheter", "deform", "coarsen", "cut",
-                                          "obstacles", "remesh",  "self",     "plane",  "figure5", "locate"};
+  const std::vector<std::string> known = {"hex",   "threads",  "tet",     "vessel",  "change", "create",    "fig11",
+                                          "fig12", "catheter", "deform",  "coarsen", "cut",    "obstacles", "remesh",
+                                          "self",  "plane",    "figure5", "locate",  "near"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");
@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   try {
     if (wanted("create")) run_create(options, report);
     if (wanted("locate")) run_locate(options, report);
+    if (wanted("near")) run_near(options, report);
     if (wanted("change")) run_change(options, report);
     if (wanted("cut")) run_cut(options, report);
     if (wanted("obstacles")) run_obstacles(options, report);

@@ -31,6 +31,7 @@ void run_remesh(const Options& options, Report& report);
 void run_plane(const Options& options, Report& report);
 void run_plane_rays(const Options& options, Report& report);
 void run_locate(const Options& options, Report& report);
+void run_near(const Options& options, Report& report);
 void run_create(const Options& options, Report& report);
 void run_fig12(const Options& options, Report& report);
 void run_catheter(const Options& options, Report& report);

@@ -1,6 +1,7 @@
 /* Memory that runs out, at every single point: a host refuses the first allocation of a call, then the second, and so
    on until the call succeeds. Whatever was refused, nothing has changed and nothing is lost. In space, and what says so
    in the plane, too. */
+#include <math.h>
 #include <string.h>
 
 #include "check.h"
@@ -335,6 +336,29 @@ static void queries(void) {
   end();
 }
 
+/* Segments so long that they need memory, in a batch of two chunks. */
+static void nearest_of_batches(void) {
+  enum { COUNT = 300 };
+  static double from[3 * COUNT], to[3 * COUNT];
+  static dsw_nearest points[COUNT];
+  static dsw_segment_nearest segments[COUNT];
+  size_t refusals, before, i;
+  begin(6, 6, 6, 0);
+  for (i = 0; i < 3 * COUNT; ++i) {
+    from[i] = 2.5 + (double)(i % 3) / 4;
+    to[i] = 3.75 - (double)(i % 7) / 8;
+  }
+  before = g_host.alive;
+  UNTIL_IT_SUCCEEDS(dsw_environment_find_nearest_to_segments(g_env, COUNT, from, to, 0, NULL, 9, segments, NULL, NULL),
+                    g_host.alive == before, refusals);
+  CHECK(refusals >= 3 && g_host.alive == before);
+  UNTIL_IT_SUCCEEDS(dsw_environment_find_nearest_to_points(g_env, COUNT, from, 0, NULL, 0.75, points, NULL, NULL),
+                    g_host.alive == before, refusals);
+  CHECK(refusals >= 2 && g_host.alive == before);
+  for (i = 0; i < COUNT; ++i) CHECK(isinf(points[i].distance) && segments[i].nearest.distance <= 3);
+  end();
+}
+
 /* Large triangles in a batch of two chunks. */
 static void sweeps(void) {
   enum { COUNT = 300 };
@@ -395,6 +419,7 @@ int main(void) {
   marks_and_tags();
   marks_with_bodies();
   queries();
+  nearest_of_batches();
   sweeps();
   return check_result();
 }

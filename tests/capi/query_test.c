@@ -378,6 +378,101 @@ static void the_nearest_impassable_thing_is_found(void) {
   CHECK_OK(dsw_environment_mark_volumes(g_env, &solid, 1, DSW_MARK_PASSABLE, 0, NULL));
 }
 
+static void what_is_nearest_to_many_points_is_found(void) {
+  const double points[16] = {1.25, 0.5, 0.625, 9, 9, 9, 9, 9, 2.5, 0.5, 0.5, 9, 1.25, 0.75, 0.625, 9};
+  const dsw_volume_id solid = volume_at(2);
+  dsw_volume_id volumes[4] = {{0, 0}, {3, 1}, {0, 1}, {0, 0}};
+  dsw_location locations[4];
+  dsw_nearest n[4], one;
+  CHECK_OK(dsw_environment_mark_volumes(g_env, &solid, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  CHECK_OK(dsw_environment_find_nearest_to_points(g_env, 4, points, 32, volumes, INFINITY, n, volumes, locations));
+  CHECK(n[0].distance == 0.5 && n[0].cell.index == 1 && n[0].cell.local == FACE_Y0 && n[0].tag == 101);
+  CHECK(volumes[0].index == 1 && locations[0] == DSW_LOCATION_PASSABLE);
+  CHECK(isinf(n[1].distance) && n[1].cell.kind == DSW_CELL_NONE && n[1].volumes_visited == 0);
+  CHECK(volumes[1].generation == 0 && locations[1] == DSW_LOCATION_OUTSIDE);
+  CHECK(isinf(n[2].distance) && n[2].cell.kind == DSW_CELL_NONE && n[2].normal[0] == 0);
+  CHECK(volumes[2].index == 2 && locations[2] == DSW_LOCATION_IMPASSABLE);
+  CHECK_OK(dsw_environment_find_nearest(g_env, points + 12, volumes[3], INFINITY, &one));
+  CHECK(memcmp(&one, &n[3], sizeof one) == 0);
+  CHECK_OK(dsw_environment_find_nearest_to_points(g_env, 1, points, 0, NULL, 0.25, n, NULL, NULL));
+  CHECK(isinf(n[0].distance));
+  CHECK_OK(dsw_environment_mark_volumes(g_env, &solid, 1, DSW_MARK_PASSABLE, 0, NULL));
+}
+
+/* Between the walls y = 0 and y = 2 and along them, through a wall and behind it. */
+static void what_is_nearest_to_segments_is_found(void) {
+  const double from[12] = {1.25, 0.25, 0.75, 0.5, 0.75, 1, 0.5, 0.75, 1, 9, 9, 9};
+  const double to[12] = {1.75, 0.5, 0.75, 0.75, 0.75, 1, 1.5, 0.75, 1, 0.5, 0.5, 0.5};
+  const dsw_face_id wall = face_at(0, FACE_X1);
+  dsw_volume_id volumes[4];
+  dsw_location locations[4];
+  dsw_segment_nearest n[4];
+  size_t i;
+  CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 4, from, to, 0, NULL, INFINITY, n, volumes, locations));
+  CHECK(n[0].nearest.distance == 0.25 && n[0].nearest.cell.index == 1 && n[0].nearest.cell.local == FACE_Y0);
+  CHECK(n[0].segment_parameter == 0 && n[0].segment_point[0] == 1.25 && n[0].segment_point[1] == 0.25);
+  CHECK(n[0].nearest.point[0] == 1.25 && n[0].nearest.point[1] == 0 && n[0].nearest.normal[1] == 1);
+  CHECK(n[0].nearest.tag == 101 && volumes[0].index == 1 && locations[0] == DSW_LOCATION_PASSABLE);
+  CHECK(n[1].nearest.distance == 0.5 && n[1].nearest.cell.local == FACE_X0 && n[1].segment_parameter == 0);
+  CHECK(n[2].nearest.distance == 0.5);
+  CHECK(isinf(n[3].nearest.distance) && n[3].nearest.cell.kind == DSW_CELL_NONE && n[3].segment_parameter == 0);
+  CHECK(n[3].segment_point[0] == 0 && volumes[3].generation == 0 && locations[3] == DSW_LOCATION_OUTSIDE);
+  CHECK_OK(dsw_environment_mark_faces(g_env, &wall, 1, DSW_MARK_IMPASSABLE));
+  for (i = 0; i < 2; ++i) { /* a radius of 0 finds what is passed, too */
+    CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 2, from + 3, to + 3, 0, NULL, i == 0 ? INFINITY : 0.25, n,
+                                                      NULL, NULL));
+    CHECK(n[0].nearest.distance == 0.25 && n[0].nearest.cell.local == FACE_X1 && n[0].segment_parameter == 1);
+    CHECK(n[0].nearest.normal[0] == -1 && n[0].segment_point[0] == 0.75 && n[0].nearest.point[0] == 1);
+  }
+  CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 1, from + 6, to + 6, 0, NULL, 0, n, NULL, NULL));
+  CHECK(n[0].nearest.distance == 0 && n[0].segment_parameter == 0.5 && n[0].segment_point[0] == 1);
+  CHECK(n[0].nearest.normal[0] == 0 && n[0].nearest.point[0] == 1 && n[0].nearest.cell.kind == DSW_CELL_FACE);
+  CHECK_OK(dsw_environment_mark_faces(g_env, &wall, 1, DSW_MARK_PASSABLE));
+}
+
+static void bad_questions_for_what_is_nearest_change_nothing(void) {
+  const double points[6] = {0.5, 0.5, 0.5, 1.5, 0.5, 0.5}, bad[6] = {0.5, 0.5, 0.5, 1.5, 0.5, NAN};
+  const dsw_volume_id hints[2] = {{0, 1}, {16, 1}};
+  dsw_nearest p[2], before_p[2];
+  dsw_segment_nearest s[2], before_s[2];
+  memset(p, 0x55, sizeof p);
+  memset(s, 0x55, sizeof s);
+  memcpy(before_p, p, sizeof p);
+  memcpy(before_s, s, sizeof s);
+#define POINTS(env, array, stride, ids, radius, out) \
+  dsw_environment_find_nearest_to_points(env, 2, array, stride, ids, radius, out, NULL, NULL)
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, POINTS(g_env, bad, 0, NULL, 1, p));
+  CHECK_MESSAGE("points[1][2] is nan");
+  CHECK_FAILS(DSW_STATUS_STALE_ID, POINTS(g_env, points, 0, hints, 1, p));
+  CHECK_MESSAGE("hints[1] {index 16, generation 1}");
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, POINTS(g_env, points, 0, NULL, -1, p));
+  CHECK_MESSAGE("radius is -1, must be at least 0");
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, POINTS(g_env, points, 0, NULL, NAN, p));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, POINTS(g_env, points, 8, NULL, 1, p));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, POINTS(NULL, points, 0, NULL, 1, p));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, POINTS(g_env, NULL, 0, NULL, 1, p));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, POINTS(g_env, points, 0, NULL, 1, NULL));
+#undef POINTS
+#define SEGMENTS(env, from, to, stride, ids, radius, out) \
+  dsw_environment_find_nearest_to_segments(env, 2, from, to, stride, ids, radius, out, NULL, NULL)
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, SEGMENTS(g_env, bad, points, 0, NULL, 1, s));
+  CHECK_MESSAGE("from[1][2] is nan");
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, SEGMENTS(g_env, points, bad, 0, NULL, 1, s));
+  CHECK_MESSAGE("to[1][2] is nan");
+  CHECK_FAILS(DSW_STATUS_STALE_ID, SEGMENTS(g_env, points, points, 0, hints, 1, s));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, SEGMENTS(g_env, points, points, 0, NULL, -1, s));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, SEGMENTS(g_env, points, points, 0, NULL, NAN, s));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, SEGMENTS(g_env, points, points, 8, NULL, 1, s));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SEGMENTS(NULL, points, points, 0, NULL, 1, s));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SEGMENTS(g_env, NULL, points, 0, NULL, 1, s));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SEGMENTS(g_env, points, NULL, 0, NULL, 1, s));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SEGMENTS(g_env, points, points, 0, NULL, 1, NULL));
+#undef SEGMENTS
+  CHECK(memcmp(p, before_p, sizeof p) == 0 && memcmp(s, before_s, sizeof s) == 0);
+  CHECK_OK(dsw_environment_find_nearest_to_points(g_env, 0, NULL, 0, NULL, 1, NULL, NULL, NULL));
+  CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 0, NULL, NULL, 0, NULL, 1, NULL, NULL, NULL));
+}
+
 int main(void) {
   g_env = make_environment(NULL, 4, 2, 2);
   init_writes_the_defaults();
@@ -399,6 +494,9 @@ int main(void) {
   a_path_lists_the_volumes_in_order();
   a_path_without_a_start_is_empty();
   the_nearest_impassable_thing_is_found();
+  what_is_nearest_to_many_points_is_found();
+  what_is_nearest_to_segments_is_found();
+  bad_questions_for_what_is_nearest_change_nothing();
   CHECK_OK(dsw_environment_destroy(g_env));
   return check_result();
 }

@@ -106,6 +106,23 @@ TEST(Cpp, PointsComeAsNumbersRowsOrVectorsOfAProgram) {
   EXPECT_THROW(environment.locate_points(std::vector<std::array<double, 2>>(2), {}, volumes), WrongSize);
 }
 
+TEST(Cpp, WhatIsNearestIsFoundInBatches) {
+  const Environment environment = cube();
+  const std::vector<double> from = {0.5, 0.5, 0.25, 0.25, 0.5, 3}, to = {0.5, 0.5, 0.375, 0.25, 0.5, 4};
+  std::vector<dsw_nearest> points(2);
+  std::vector<dsw_segment_nearest> segments(2);
+  std::vector<dsw_volume_id> volumes(2);
+  std::vector<std::int32_t> locations(2);
+  environment.find_nearest_to_points(from, 1, {}, points, volumes, locations);
+  EXPECT_EQ(points[0].distance, 0.25);
+  EXPECT_EQ(locations[1], DSW_LOCATION_OUTSIDE);
+  environment.find_nearest_to_segments(from, to, 1, volumes, segments);
+  EXPECT_EQ(segments[0].nearest.distance, 0.25);
+  EXPECT_EQ(segments[1].nearest.cell.kind, DSW_CELL_NONE);
+  EXPECT_THROW(environment.find_nearest_to_segments(from, to, 1, {}, std::vector<dsw_segment_nearest>(1)), WrongSize);
+  EXPECT_THROW(environment.find_nearest_to_points(from, -1, {}, points), OutOfRange);
+}
+
 TEST(Cpp, IndicesHaveAnyWidth) {
   const std::vector<std::int64_t> wide(kCube.begin(), kCube.end());
   const std::array<std::uint32_t, 8> narrow = {0, 1, 2, 3, 4, 5, 6, 7};

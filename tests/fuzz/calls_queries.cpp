@@ -232,7 +232,9 @@ dsw_status Calls::ask() {
   dsw_cell cell;
   dsw_flight flights[2];
   dsw_sweep sweeps[2];
-  dsw_nearest nearest;
+  dsw_nearest nearest[2];
+  dsw_segment_nearest segments[2];
+  const double radius = std::fabs(bytes_.number());
   Answers answers;
   answers << dsw_environment_locate(e, from, starts[0], volumes, locations)
           << dsw_environment_locate_points(e, points, 2, 0, bytes_.below(2) == 0 ? starts : nullptr, volumes, locations)
@@ -240,7 +242,9 @@ dsw_status Calls::ask() {
           << dsw_environment_cast(e, starts[0], from, to, &cast, flights)
           << dsw_environment_cast_segments(e, 2, starts, from, to, 0, &cast, flights)
           << dsw_environment_sweep_edges(e, 2, starts, from, to, fixed, 0, &sweep, sweeps)
-          << dsw_environment_find_nearest(e, from, starts[0], std::fabs(bytes_.number()), &nearest);
+          << dsw_environment_find_nearest(e, from, starts[0], radius, nearest)
+          << dsw_environment_find_nearest_to_points(e, 2, points, 0, starts, radius, nearest, volumes, locations)
+          << dsw_environment_find_nearest_to_segments(e, 2, from, to, 0, starts, radius, segments, nullptr, locations);
   return answers << copy_all<dsw_crossing>([&](dsw_crossing* out, size_t capacity, size_t* count) {
            return dsw_environment_cast_path(e, starts[0], from, to, &cast, out, capacity, count, flights);
          });

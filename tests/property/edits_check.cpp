@@ -179,6 +179,7 @@ std::string wrong_nearest(Environment<D>& e) {
       if (!c.valid() || is_closed(e, c)) continue;
       for (const double radius : {HUGE_VAL, std::fabs(b[0] - a[0]) / 4}) {
         NearestResult flooded, searched, either;
+        FloodNotes notes(e.memory);
         const bool found = find_nearest(e, p, c, radius, flooded);
         const Distances<D> distances(e, p);
         if (distances.scale() != 1) return "";
@@ -192,7 +193,8 @@ std::string wrong_nearest(Environment<D>& e) {
         if (end != SearchEnd::kUnknown && ((end == SearchEnd::kFound) != found || differ(searched))) {
           return "the tree of obstacles does not find what the flood finds";
         }
-        if (find_nearest_far(e, p, c, radius, either) != found || differ(either)) return "the nearest is another one";
+        if (find_nearest_far(e, p, c, radius, notes, either) != found || differ(either))
+          return "the nearest is another one";
       }
     }
   }

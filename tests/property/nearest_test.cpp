@@ -1,6 +1,6 @@
 // The nearest impassable feature against a scan over all of them. The straight way to the nearest obstacle meets no
 // other one, so whatever is nearest of all is also seen.
-#include "support.h"
+#include "obstacles.h"
 
 #include <cmath>
 #include <limits>
@@ -43,35 +43,9 @@ TEST_P(NearestTest, DistanceIsThatOfTheNearestOfAll) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     World& world = *place.world;
-    const Edges edges(world);
     Rng rng(seed);
     Motions motions(world, rng);
-    std::vector<bool> edge_marked(edges.edges.size()), vertex_marked(place.mesh.points.size());
-    for (Face& f : world.faces) {
-      if (!rng.chance(0.1)) continue;
-      f.marked = true;
-      const dsw_face_id id = face_id(world, static_cast<int>(&f - world.faces.data()));
-      ASSERT_EQ(dsw_environment_mark_faces(place.get(), &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
-    }
-    for (size_t e = 0; e < edge_marked.size(); ++e) {
-      if (!rng.chance(0.1)) continue;
-      edge_marked[e] = true;
-      const dsw_edge_id id = edges.id(world, static_cast<int>(e));
-      ASSERT_EQ(dsw_environment_mark_edges(place.get(), &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
-    }
-    for (size_t v = 0; v < vertex_marked.size(); ++v) {
-      if (!rng.chance(0.1)) continue;
-      vertex_marked[v] = true;
-      dsw_vertex_id id;
-      ASSERT_EQ(dsw_environment_get_vertex_id(place.get(), static_cast<uint32_t>(v), &id), DSW_STATUS_OK);
-      ASSERT_EQ(dsw_environment_mark_vertices(place.get(), &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
-    }
-    for (size_t c = 0; c < world.ids.size(); ++c) {
-      if (!rng.chance(0.1)) continue;
-      world.cell_marked[c] = 1;
-      ASSERT_EQ(dsw_environment_mark_volumes(place.get(), &world.ids[c], 1, DSW_MARK_IMPASSABLE, 0, nullptr),
-                DSW_STATUS_OK);
-    }
+    const Obstacles obstacles(place, rng);
     for (int i = 0; i < 60; ++i) {
       const Vec p = rng.chance(0.8) ? motions.start() : motions.site();
       const int cell = world.locate(world.body(p.data()));
@@ -91,29 +65,14 @@ TEST_P(NearestTest, DistanceIsThatOfTheNearestOfAll) {
       ASSERT_EQ(status, DSW_STATUS_OK) << dsw_last_error_message();
       SCOPED_TRACE("seed " + std::to_string(seed) + " point " + hex(p) + " start " + std::to_string(start.index) + "." +
                    std::to_string(start.generation) + ", in " + std::to_string(cell));
-      const auto point = [&](int v) -> const Vec& { return world.mesh.points[static_cast<size_t>(v)]; };
-      long double best = HUGE_VALL, named = HUGE_VALL;
-      for (const Triangle& t : world.triangles) {
-        if (!world.impassable(t.face)) continue;
-        const long double d = to_triangle(p, point(t.v[0]), point(t.v[1]), point(t.v[2]));
+      long double best = HUGE_VAL, named = HUGE_VAL;
+      obstacles.for_each([&](const dsw_cell& cell_name, const std::vector<Vec>& at) {
+        const long double d = at.size() == 3   ? to_triangle(p, at[0], at[1], at[2])
+                              : at.size() == 2 ? to_segment(p, at[0], at[1])
+                                               : length(sub(p, at[0]));
         best = std::min(best, d);
-        if (same(near.cell, cell_of(face_id(world, t.face)))) named = std::min(named, d);
-      }
-      for (size_t e = 0; e < edge_marked.size(); ++e) {
-        if (!edge_marked[e]) continue;
-        const long double d = to_segment(p, point(edges.edges[e].ends[0]), point(edges.edges[e].ends[1]));
-        best = std::min(best, d);
-        if (same(near.cell, cell_of(edges.id(world, static_cast<int>(e))))) named = std::min(named, d);
-      }
-      for (const Face& f : world.faces) {
-        for (int v : f.loop) {
-          if (!vertex_marked[static_cast<size_t>(v)]) continue;
-          const long double d = length(sub(p, point(v)));
-          best = std::min(best, d);
-          if (near.cell.kind == DSW_CELL_VERTEX && near.cell.index == static_cast<uint32_t>(v))
-            named = std::min(named, d);
-        }
-      }
+        if (same(near.cell, cell_name)) named = std::min(named, d);
+      });
       // Rounding: a few units in the last place of the coordinates; thin triangles have no better plane.
       const long double tolerance = (thin ? 1e-11L : 1e-13L) * world.size;
       EXPECT_NEAR(static_cast<double>(near.distance), static_cast<double>(best), static_cast<double>(tolerance))

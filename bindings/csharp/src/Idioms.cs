@@ -25,6 +25,22 @@ namespace Dartsweep
       return flights;
     }
 
+    /// <summary>What is nearest to each point within a radius.</summary>
+    public Nearest[] FindNearestToPoints(double[] points, double radius)
+    {
+      Nearest[] nearest = new Nearest[points.Length / Dimension()];
+      FindNearestToPoints(points, radius, null, nearest);
+      return nearest;
+    }
+
+    /// <summary>What is nearest to each segment, from a point to a point, within a radius.</summary>
+    public SegmentNearest[] FindNearestToSegments(double[] from, double[] to, double radius)
+    {
+      SegmentNearest[] nearest = new SegmentNearest[from.Length / Dimension()];
+      FindNearestToSegments(from, to, radius, null, nearest);
+      return nearest;
+    }
+
     /// <summary>Sweeps of edges: one end of each moves from a point to another, the other end is fixed.</summary>
     public Sweep[] SweepEdges(double[] from, double[] to, double[] fixedEnds)
     {

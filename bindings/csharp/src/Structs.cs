@@ -176,6 +176,36 @@ namespace Dartsweep
     public uint VolumesVisited;
   }
 
+  /// <summary>The nearest impassable cell.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public partial struct Nearest
+  {
+    /// <summary>Rounded; infinity if nothing is within the radius.</summary>
+    public double Distance;
+    /// <summary>Its nearest point, rounded.</summary>
+    public Vec3 Point;
+    /// <summary>Unit, towards the given point; zero for distance 0 or infinity.</summary>
+    public Vec3 Normal;
+    /// <summary>The face, edge or vertex; of kind None if nothing.</summary>
+    public Cell Cell;
+    /// <summary>As in Contact, for a face.</summary>
+    public uint Tag;
+    /// <summary>Volumes looked at; depends on earlier calls.</summary>
+    public uint VolumesVisited;
+  }
+
+  /// <summary>The impassable cell that is nearest to a segment.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public partial struct SegmentNearest
+  {
+    /// <summary>Its normal points towards SegmentPoint.</summary>
+    public Nearest Nearest;
+    /// <summary>Of the segment's nearest point: 0 at the first point, 1 at the last.</summary>
+    public double SegmentParameter;
+    /// <summary>This point, rounded. Zero, as the parameter, if nothing is near.</summary>
+    public Vec3 SegmentPoint;
+  }
+
   /// <summary>A contact of a body: a moving vertex, or one of its edges or faces, touched something.</summary>
   [StructLayout(LayoutKind.Sequential)]
   public partial struct BodyContact

@@ -68,7 +68,7 @@ static class Tests
   {
     Type[] types = { typeof(Vec3), typeof(Cell), typeof(VertexId), typeof(VolumeId), typeof(FaceId), typeof(EdgeId), typeof(ParticleId),
       typeof(BodyId), typeof(BodyVertexId), typeof(BodyEdgeId), typeof(BodyFaceId), typeof(Contact), typeof(Flight),
-      typeof(Crossing), typeof(Sweep), typeof(BodyContact), typeof(ContactPartner), typeof(PreviousContact), typeof(BodyEdit),
+      typeof(Crossing), typeof(Sweep), typeof(Nearest), typeof(SegmentNearest), typeof(BodyContact), typeof(ContactPartner), typeof(PreviousContact), typeof(BodyEdit),
       typeof(MoveReport), typeof(WallContact), typeof(VolumeChange), typeof(VertexOrigin), typeof(CutFace), typeof(FaceOrigin) };
     MethodInfo size = typeof(Environment).Assembly.GetType("Dartsweep.Callbacks").GetMethod("dartsweep_size_of", BindingFlags.Static | BindingFlags.NonPublic);
     for (int i = 0; i < types.Length; ++i)
@@ -159,6 +159,26 @@ static class Tests
       ParticleId[] particle = scene.CreateParticles(new double[] { 40, 30 });
       WrongSize("positions has 3 entries, not 1", () => scene.GetParticlePositions(particle, new double[6]));
       Throws<ArgumentException>(() => new RigidMotion().Translation = new double[2]);
+    }
+  }
+
+  public static void WhatIsNearestToPointsAndSegmentsIsFound()
+  {
+    using (Environment environment = Scenario.Create())
+    {
+      double[] from = { 24, 24, 48, 25, 25, 50 }, to = { 24, 24, 50, 25, 27, 50 };
+      Nearest[] points = environment.FindNearestToPoints(from, 20);
+      SegmentNearest[] segments = environment.FindNearestToSegments(from, to, 20);
+      VolumeId[] volumes = new VolumeId[2];
+      SegmentNearest[] again = new SegmentNearest[2];
+      environment.FindNearestToSegments(from, to, 20, null, again, volumes);
+      for (int i = 0; i < 2; ++i)
+      {
+        True(segments[i].Nearest.Distance <= points[i].Distance);
+        True(segments[i].SegmentParameter >= 0 && segments[i].SegmentParameter <= 1);
+        Same(segments[i].Nearest.Distance, again[i].Nearest.Distance);
+        True(environment.IsValid(volumes[i]));
+      }
     }
   }
 

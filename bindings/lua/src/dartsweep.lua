@@ -164,6 +164,22 @@ function Environment:cast_segments(from, to, starts, options, flights)
   return flights
 end
 
+local find_nearest_to_points = Environment.find_nearest_to_points
+function Environment:find_nearest_to_points(points, radius, hints, nearest, volumes, locations)
+  points = core.points(points, self:dimension())
+  nearest = nearest or core.NearestArray(#points // self:dimension())
+  find_nearest_to_points(self, points, radius or math.huge, hints, nearest, volumes, locations)
+  return nearest
+end
+
+local find_nearest_to_segments = Environment.find_nearest_to_segments
+function Environment:find_nearest_to_segments(from, to, radius, hints, nearest, volumes, locations)
+  from = core.points(from, self:dimension())
+  nearest = nearest or core.SegmentNearestArray(#from // self:dimension())
+  find_nearest_to_segments(self, from, to, radius or math.huge, hints, nearest, volumes, locations)
+  return nearest
+end
+
 local sweep_edges = Environment.sweep_edges
 function Environment:sweep_edges(from, to, fixed, starts, options, sweeps)
   from = core.points(from, self:dimension())

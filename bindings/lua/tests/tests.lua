@@ -289,6 +289,19 @@ function TestValues:test_arrays_are_filled_again()
   lu.assertEquals(flights[1].outcome, dsw.OUTCOME_CONTACT)
 end
 
+function TestValues:test_nearest_of_points_and_segments()
+  local environment <close> = scenario.create()
+  local from, to = {INSIDE, INSIDE}, {{24, 24, 50}, {25, 24, 48}}
+  local volumes, locations = dsw.VolumeIdArray(2), dsw.IntArray(2)
+  local points = environment:find_nearest_to_points(from, 20, nil, nil, volumes, locations)
+  lu.assertEquals(points[1].distance, environment:find_nearest(INSIDE, 20).distance)
+  lu.assertEquals(locations[2], dsw.LOCATION_PASSABLE)
+  local segments = environment:find_nearest_to_segments(from, to, 20, volumes)
+  lu.assertTrue(segments[1].nearest.distance <= points[1].distance)
+  lu.assertTrue(segments[1].segment_parameter >= 0 and segments[1].segment_parameter <= 1)
+  lu.assertEquals(#segments[1].segment_point, 3)
+end
+
 function TestValues:test_empty_arrays_are_left_out()
   local environment <close> = dsw.Environment {
     points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, cells = {0, 1, 2, 3}, uniform_cell_type = dsw.CELL_TYPE_TETRA,

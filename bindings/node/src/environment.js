@@ -49,6 +49,21 @@ class Environment extends native.Environment {
     return flights;
   }
 
+  findNearestToPoints(points, radius, { hints, volumes, locations, nearest = new arrays.NearestArray(Math.trunc(points.length / this.dimension())) } = {}) {
+    super.findNearestToPoints(points, radius, hints, nearest, volumes, locations);
+    return nearest;
+  }
+
+  findNearestToSegments(
+    from,
+    to,
+    radius,
+    { hints, volumes, locations, nearest = new arrays.SegmentNearestArray(Math.trunc(from.length / this.dimension())) } = {},
+  ) {
+    super.findNearestToSegments(from, to, radius, hints, nearest, volumes, locations);
+    return nearest;
+  }
+
   sweepEdges(from, to, fixed, { starts, sweeps = new arrays.SweepArray(Math.trunc(from.length / this.dimension())), ...options } = {}) {
     super.sweepEdges(from, to, fixed, starts, options, sweeps);
     return sweeps;

@@ -7,8 +7,9 @@ import type {
   CarveDesc, CastOptions, Cell, CellKind, CellType, ChangeNumbers, CoarsenOptions, ContactPartnerArray, CrossCheck,
   CrossingArray, CutDesc, CutFace, CutFaceArray, DeformOptions, DeformReport, DetachDesc, EdgeId, EdgeIdArray,
   EdgeSplit, EnvironmentDesc, EnvironmentInfo, FaceId, FaceIdArray, FaceOriginArray, FaceSplit, FaceVolumes, Flight,
-  FlightArray, Level, Located, LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, Neighbour,
+  FlightArray, Level, Located, LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, NearestArray, Neighbour,
   OpenCrackDesc, Particle, ParticleId, ParticleIdArray, PreviousContactArray, RemeshDesc, RigidMotion, SceneDesc,
+  SegmentNearestArray,
   Statistics, Status, SweepArray, SweepOptions, TieDesc, Validation, Vec3, VertexId, VertexIdArray, VertexOriginArray,
   VolumeChangeArray, VolumeCounts, VolumeId, VolumeIdArray, VolumesDesc, VolumeSplit, WallContactArray,
 } from './structs.js';
@@ -112,6 +113,12 @@ export class Environment {
   /** `flights` is filled where it is given. */
   castSegments(from: Points, to: Points, options?: CastOptions & { starts?: Structs<VolumeId>; flights?: FlightArray }): FlightArray;
   findNearest(point: Point, radius: number, volume?: VolumeId | null): Nearest;
+  /** `volumes`, of the points, `locations`, of type Location, and `nearest` are filled where they are given. */
+  findNearestToPoints(points: Points, radius: number,
+    options?: { hints?: Structs<VolumeId>; volumes?: VolumeIdArray; locations?: Int32Array; nearest?: NearestArray }): NearestArray;
+  /** Likewise; `volumes` and `locations` are those of the first points. */
+  findNearestToSegments(from: Points, to: Points, radius: number,
+    options?: { hints?: Structs<VolumeId>; volumes?: VolumeIdArray; locations?: Int32Array; nearest?: SegmentNearestArray }): SegmentNearestArray;
   /** One end of each edge moves, the other is `fixed`. */
   sweepEdges(from: Points, to: Points, fixed: Points,
     options?: SweepOptions & { starts?: Structs<VolumeId>; sweeps?: SweepArray }): SweepArray;

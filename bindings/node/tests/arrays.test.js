@@ -23,6 +23,21 @@ test('arrays that are given are filled in place', () => {
   assert.deepEqual(flights.at(0).position, target);
 });
 
+test('what is nearest to points and segments is found', () => {
+  const environment = createEnvironment();
+  const from = new Float64Array([...inside, ...target]), to = new Float64Array([...target, ...inside]);
+  const volumes = new dsw.VolumeIdArray(2), locations = new Int32Array(2);
+  const points = environment.findNearestToPoints(from, 20, { volumes, locations });
+  const segments = environment.findNearestToSegments(from, to, 20, { hints: volumes });
+  for (let i = 0; i < 2; ++i) {
+    assert.equal(locations[i], dsw.Location.Passable);
+    assert.ok(segments.at(i).nearest.distance <= points.at(i).distance);
+    assert.ok(segments.at(i).segmentParameter >= 0 && segments.at(i).segmentParameter <= 1);
+  }
+  const nearest = new dsw.SegmentNearestArray(2);
+  assert.equal(environment.findNearestToSegments(from, to, 20, { nearest }), nearest);
+});
+
 test('memory that is shared between threads is read in place', async () => {
   const environment = createEnvironment();
   const points = new Float64Array(new SharedArrayBuffer(48));

@@ -53,6 +53,29 @@ def test_results_are_owned_by_numpy_alone(scene: ds.Scene) -> None:
     assert len(contacts) == 1 and np.array_equal(contacts, first)
 
 
+def test_nearest_of_points_and_segments(environment: ds.Environment) -> None:
+    rng = np.random.default_rng(6)
+    starts = rng.uniform(0, 48, (200, 3))
+    ends = starts + rng.uniform(-3, 3, (200, 3))
+    volumes, locations = np.empty(200, dtypes.VOLUME_ID), np.empty(200, np.int32)
+    points = environment.find_nearest_to_points(starts, 20.0, volumes=volumes, locations=locations)
+    out = np.empty(200, dtypes.SEGMENT_NEAREST)
+    assert environment.find_nearest_to_segments(starts, ends, 20.0, hints=volumes, out=out) is out
+    near = out["nearest"]
+    passable = locations == ds.Location.PASSABLE
+    assert passable.any() and not passable.all()
+    assert np.isinf(near["distance"][~passable]).all() and (near["distance"] <= points["distance"]).all()
+    found = np.isfinite(near["distance"])
+    assert np.allclose(
+        np.linalg.norm(out["segment_point"] - near["point"], axis=1)[found], near["distance"][found], atol=1e-12
+    )
+    one = environment.find_nearest(starts[passable][0], 20.0)
+    assert one.distance == points["distance"][passable][0]
+    assert len(environment.find_nearest_to_points(starts)) == 200
+    with pytest.raises(ds.errors.WrongSize):
+        environment.find_nearest_to_segments(starts, ends[:5])
+
+
 def test_any_layout_gives_the_same(environment: ds.Environment) -> None:
     a = np.random.default_rng(4).uniform(10, 38, (50, 3))
     b = a[::-1].copy()
@@ -133,4 +156,4 @@ def test_structs_are_laid_out_as_in_c() -> None:
         members = dict(re.findall(rf"AT\({struct}, (\w+), (\d+)\);", layout))
         assert {field: str(dtype.fields[field][1]) for field in dtype.names if dtype.fields} == members
         seen += 1
-    assert seen == 24
+    assert seen == 26

@@ -255,6 +255,29 @@ class Environment {
   dsw_nearest find_nearest(const Point &point, double radius, dsw_volume_id volume = {}) const {
     return one<dsw_nearest>(dsw_environment_find_nearest, in(point), volume, radius);
   }
+  void find_nearest_to_points(Points points, double radius, View<const dsw_volume_id> hints,
+                              View<dsw_nearest> nearest, View<dsw_volume_id> volumes = {},
+                              View<std::int32_t> locations = {}) const {
+    count_points(dimension(), points);
+    check_nearest(points.count, hints, nearest.count, volumes, locations);
+    const EnvironmentReading self(*state_);
+    check(dsw_environment_find_nearest_to_points(
+        self.handle, points.count, points.data, points.stride_bytes, hints.data, radius,
+        nearest.data, volumes.data, reinterpret_cast<dsw_location *>(locations.data)));
+  }
+  void find_nearest_to_segments(Points from, Points to, double radius,
+                                View<const dsw_volume_id> hints, View<dsw_segment_nearest> nearest,
+                                View<dsw_volume_id> volumes = {},
+                                View<std::int32_t> locations = {}) const {
+    count_points(dimension(), from, to);
+    same_count("to", to.count, from.count);
+    check_nearest(from.count, hints, nearest.count, volumes, locations);
+    const std::size_t stride = common_stride(from, to);
+    const EnvironmentReading self(*state_);
+    check(dsw_environment_find_nearest_to_segments(
+        self.handle, from.count, from.data, to.data, stride, hints.data, radius, nearest.data,
+        volumes.data, reinterpret_cast<dsw_location *>(locations.data)));
+  }
   void sweep_edges(Points from, Points to, Points fixed, View<const dsw_volume_id> starts,
                    const dsw_sweep_options *options, View<dsw_sweep> sweeps) const {
     count_points(dimension(), from, to, fixed);
@@ -482,6 +505,16 @@ class Environment {
 
  private:
   Environment() : state_(std::make_shared<EnvironmentState>()) {}
+
+  /** Of `count` points or segments. */
+  static void check_nearest(std::size_t count, View<const dsw_volume_id> &hints,
+                            std::size_t nearest_count, View<dsw_volume_id> &volumes,
+                            View<std::int32_t> &locations) {
+    optional_count("hints", hints, count);
+    same_count("nearest", nearest_count, count);
+    optional_count("volumes", volumes, count);
+    optional_count("locations", locations, count);
+  }
 
   static void same_width(const Indices &connectivity,
                          std::initializer_list<const Indices *> others) {

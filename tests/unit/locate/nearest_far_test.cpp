@@ -41,6 +41,12 @@ void expect_same(const Environment<D>& env, const NearestResult& a, const Neares
   }
 }
 
+template <int D>
+bool find_far(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result) {
+  FloodNotes notes(env.memory);
+  return find_nearest_far(env, point, start, radius, notes, result);
+}
+
 /** The search by the tree alone, and what a host gets, against the flood. `start`: the cell of the point, or, as a host
  * may name it wrongly, another one. */
 template <int D>
@@ -48,7 +54,7 @@ void expect_agreement(const Environment<D>& env, const double* point, Cell start
   if (!start.valid() || is_closed(env, start)) return;
   NearestResult flooded, searched, either;
   const bool found = find_nearest(env, point, start, radius, flooded);
-  ASSERT_EQ(find_nearest_far(env, point, start, radius, either), found);
+  ASSERT_EQ(find_far(env, point, start, radius, either), found);
   ASSERT_NO_FATAL_FAILURE(expect_same(env, flooded, either));
   const CellTree<D>* const tree = env.obstacles.find(env);
   ASSERT_NE(tree, nullptr);
@@ -252,7 +258,7 @@ TEST(NearestFar, AtAnyScale) {
       for (double& x : p) x = std::ldexp(5 * random.unit(), exponent);
       const Cell start = cell_of(*env, p);
       NearestResult flooded, either;
-      ASSERT_EQ(find_nearest_far(*env, p, start, kNoLimit, either), find_nearest(*env, p, start, kNoLimit, flooded));
+      ASSERT_EQ(find_far(*env, p, start, kNoLimit, either), find_nearest(*env, p, start, kNoLimit, flooded));
       ASSERT_NO_FATAL_FAILURE(expect_same(*env, flooded, either)) << exponent;
     }
   }
@@ -292,7 +298,7 @@ uint64_t ask_until_there_is_a_tree(const Environment<3>& env, const double* p, i
   const uint64_t before = env.memory_bytes();
   for (int i = 0; i < most && env.memory_bytes() == before; ++i) {
     NearestResult result;
-    find_nearest_far(env, p, cell_of(env, p), kNoLimit, result);
+    find_far(env, p, cell_of(env, p), kNoLimit, result);
     cells += result.volumes_visited;
   }
   return cells;
@@ -317,7 +323,7 @@ TEST(NearestFar, TheTreeIsMadeWhenFloodsHaveTakenAsLong) {
   EXPECT_GT(cells, env->map.cell_count / 16u);
   EXPECT_LT(cells, env->map.cell_count * 2u);
   NearestResult result;
-  ASSERT_TRUE(find_nearest_far(*env, deep, cell_of(*env, deep), kNoLimit, result));
+  ASSERT_TRUE(find_far(*env, deep, cell_of(*env, deep), kNoLimit, result));
   EXPECT_LT(result.volumes_visited, 400u);
   EXPECT_EQ(result.distance, 11.5);
   for (int i = 0; i < 20000; ++i) set_cell_mark(*env, env->map.cell(static_cast<uint32_t>(i % 5000)), i % 2 == 0);
@@ -338,7 +344,7 @@ TEST(NearestFar, ManyThreadsAskWhileOneMakesTheTree) {
       const double* const p = &points[3 * i];
       const Cell start = cell_of(*env, p);
       if (is_closed(*env, start)) return -1.0;
-      (far ? find_nearest_far<3> : find_nearest<3>)(*env, p, start, kNoLimit, result);
+      (far ? find_far<3> : find_nearest<3>)(*env, p, start, kNoLimit, result);
       return result.distance;
     };
     for (size_t i = 0; i < 64; ++i) expected.push_back(ask(i, false));
@@ -386,7 +392,7 @@ TEST(NearestFar, WithoutMemoryItFloodsOrFails) {
       try {
         mark(true);
         mark(false);
-        ASSERT_TRUE(find_nearest_far(*env, p, start, kNoLimit, found));
+        ASSERT_TRUE(find_far(*env, p, start, kNoLimit, found));
         host.left = -1;
         ASSERT_NO_FATAL_FAILURE(expect_same(*env, flooded, found)) << n;
       } catch (const std::bad_alloc&) {

@@ -205,6 +205,11 @@ class Nearest:
     tag: int
     volumes_visited: int
 
+class SegmentNearest:
+    nearest: Nearest
+    segment_parameter: float
+    segment_point: NDArray[np.float64]
+
 class CrossCheck:
     normal: NDArray[np.float64]
     depth: float

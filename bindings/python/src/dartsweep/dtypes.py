@@ -59,6 +59,15 @@ SWEEP = _struct(
     ("outcome", I4),
     ("volumes_visited", U4),
 )
+NEAREST = _struct(
+    ("distance", F8),
+    ("point", F8, 3),
+    ("normal", F8, 3),
+    ("cell", CELL),
+    ("tag", U4),
+    ("volumes_visited", U4),
+)
+SEGMENT_NEAREST = _struct(("nearest", NEAREST), ("segment_parameter", F8), ("segment_point", F8, 3))
 BODY_CONTACT = _struct(
     ("from", F8, 3),
     ("to", F8, 3),
@@ -141,6 +150,8 @@ _core.set_dtype_BodyFaceId(BODY_FACE_ID)
 _core.set_dtype_Flight(FLIGHT)
 _core.set_dtype_Crossing(CROSSING)
 _core.set_dtype_Sweep(SWEEP)
+_core.set_dtype_Nearest(NEAREST)
+_core.set_dtype_SegmentNearest(SEGMENT_NEAREST)
 _core.set_dtype_BodyContact(BODY_CONTACT)
 _core.set_dtype_ContactPartner(CONTACT_PARTNER)
 _core.set_dtype_PreviousContact(PREVIOUS_CONTACT)

@@ -274,6 +274,38 @@ class Environment:
         """The nearest impassable thing within a radius that can be seen from a point."""
         return self._core.find_nearest(point, radius, volume)  # type: ignore[no-any-return]
 
+    def find_nearest_to_points(
+        self,
+        points: ArrayLike,
+        radius: float = float("inf"),
+        hints: Ids | None = None,
+        out: Records | None = None,
+        volumes: Records | None = None,
+        locations: NDArray[np.int32] | None = None,
+    ) -> Records:
+        """What is nearest to each point (dtypes.NEAREST), written to `out` where it is given. Filled, too, where they are given: the
+        `volumes` of the points, which may be the hints of the next call, and the Location of each."""
+        points = np.asarray(points, np.float64)
+        nearest = np.empty(len(points), dtypes.NEAREST) if out is None else out
+        self._core.find_nearest_to_points(points, radius, hints, nearest, volumes, locations)
+        return nearest
+
+    def find_nearest_to_segments(
+        self,
+        starts: ArrayLike,
+        ends: ArrayLike,
+        radius: float = float("inf"),
+        hints: Ids | None = None,
+        out: Records | None = None,
+        volumes: Records | None = None,
+        locations: NDArray[np.int32] | None = None,
+    ) -> Records:
+        """What is nearest to each segment (dtypes.SEGMENT_NEAREST); `hints`, `volumes` and `locations` are of the starts."""
+        starts, ends = _contiguous(starts), _contiguous(ends)
+        nearest = np.empty(len(starts), dtypes.SEGMENT_NEAREST) if out is None else out
+        self._core.find_nearest_to_segments(starts, ends, radius, hints, nearest, volumes, locations)
+        return nearest
+
     def sweep_edges(
         self,
         starts: ArrayLike,

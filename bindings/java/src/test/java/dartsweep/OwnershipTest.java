@@ -122,6 +122,25 @@ class OwnershipTest {
   }
 
   @Test
+  void whatIsNearestToPointsAndSegmentsIsFound() {
+    try (Environment environment = Scenario.create()) {
+      double[] from = {24, 24, 48, 25, 25, 50}, to = {24, 24, 50, 25, 27, 50};
+      NearestArray points = environment.findNearestToPoints(from, 20);
+      SegmentNearestArray segments = environment.findNearestToSegments(from, to, 20);
+      VolumeIdArray volumes = new VolumeIdArray(2);
+      SegmentNearestArray again = new SegmentNearestArray(2);
+      environment.findNearestToSegments(direct(from), direct(to), 20, null, again, volumes);
+      for (int i = 0; i < 2; ++i) {
+        SegmentNearest segment = segments.get(i);
+        assertTrue(segment.getNearest().getDistance() <= points.get(i).getDistance());
+        assertTrue(segment.getSegmentParameter() >= 0 && segment.getSegmentParameter() <= 1);
+        assertEquals(segment.getNearest().getDistance(), again.get(i).getNearest().getDistance());
+        assertTrue(!volumes.get(i).isNull());
+      }
+    }
+  }
+
+  @Test
   void directBuffersArraysAndPartsOfThemAreAlike() {
     try (Environment environment = Scenario.create()) {
       double[] from = {24, 24, 48, 25, 25, 50}, to = {-9, 0, 0, 0, -9, 0};

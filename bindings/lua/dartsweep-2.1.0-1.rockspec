@@ -1,6 +1,6 @@
 rockspec_format = "3.0"
 package = "dartsweep"
-version = "2.0.0-1"
+version = "2.1.0-1"
 source = {
   url = "file://.", -- made in a clone of the project, by luarocks make
 }

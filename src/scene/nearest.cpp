@@ -1,0 +1,170 @@
+#include "scene/nearest.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <limits>
+#include <new>
+
+#include "base/batch.h"
+#include "base/dimensions.h"
+#include "contact/names.h"
+#include "locate/locate.h"
+#include "locate/nearest.h"
+#include "predicates/plane_hit.h"
+#include "scene/locations.h"
+
+namespace dsw {
+namespace {
+
+/** The side of a facet that a viewer in the direction of `normal` sees. Behind a marked cell there is no viewer. */
+template <int D>
+HalfFacet seen_side(const Environment<D>& env, const FeatureRef& facet, const double* normal) noexcept {
+  const HalfFacet h = env.map.half_facet(facet.cell, facet.local), o = env.map.opposite(h);
+  if (!o.valid() || is_closed(env, env.map.cell_of(o))) return h;
+  if (is_closed(env, facet.cell)) return o;
+  const Shape shape = env.map.shape(facet.cell);
+  const double* simplex[D];
+  simplex_points(env, facet.cell, shape, shape.simplex_first(facet.local), simplex);
+  double outward[3] = {};
+  unit_normal<D>(simplex, outward);
+  return outward[0] * normal[0] + outward[1] * normal[1] + outward[2] * normal[2] > 0 ? o : h;
+}
+
+dsw_nearest nothing_near() noexcept {
+  dsw_nearest answer{};
+  answer.distance = std::numeric_limits<double>::infinity();
+  return answer;
+}
+
+/** @param seen the side of a facet that was met, if that is known. */
+template <int D>
+dsw_nearest report_nearest(const Environment<D>& env, const NearestResult& found, HalfFacet seen) {
+  dsw_nearest answer{};
+  answer.distance = found.distance;
+  std::copy(found.point, found.point + 3, answer.point);
+  std::copy(found.normal, found.normal + 3, answer.normal);
+  answer.cell = name_feature(env, found.feature);
+  if (found.feature.dimension == D - 1) {
+    if (!seen.valid()) seen = seen_side(env, found.feature, found.normal);
+    answer.tag = obstacle_tag(env, seen, env.map.cell_of(seen));
+  }
+  return answer;
+}
+
+/** Asks for points or segments of a batch one after the other. */
+template <int D>
+class NearestOfBatch {
+ public:
+  NearestOfBatch(const Environment<D>& env, double radius) : env_(env), radius_(radius), notes_(env.memory) {}
+
+  /** Forgets where the last question was asked, so that answers do not depend on how a batch is shared out. */
+  void forget() noexcept {
+    last_ = {};
+    is_end_known_ = false;
+  }
+
+  /** Where a first point lies. `is_same`: the segment before was to go there. */
+  Cell find_start(const double* point, const dsw_volume_id* hint, bool is_same) noexcept {
+    if (is_same && is_end_known_) return last_;
+    const bool has_hint = hint != nullptr && !is_null(*hint);
+    return locate(env_, point, has_hint ? env_.map.cell(hint->index) : last_, nullptr).cell;
+  }
+  void ask(const double* point, Cell start, dsw_nearest& answer) {
+    last_ = start;
+    NearestResult found;
+    answer =
+        find_nearest_far(env_, point, start, radius_, notes_, found) ? report_nearest(env_, found, {}) : nothing_near();
+    answer.volumes_visited = found.volumes_visited;
+  }
+  void ask(const double* from, const double* to, Cell start, dsw_segment_nearest& answer) {
+    SegmentNearest found;
+    answer = {};
+    answer.nearest = find_nearest_to_segment(env_, from, to, start, radius_, notes_, found)
+                         ? report_nearest(env_, found, found.crossed)
+                         : nothing_near();
+    answer.nearest.volumes_visited = found.volumes_visited;
+    answer.segment_parameter = found.parameter;
+    std::copy_n(found.segment_point, 3, answer.segment_point);
+    last_ = found.last;
+    is_end_known_ = !found.crossed.valid();
+  }
+
+ private:
+  const Environment<D>& env_;
+  double radius_;
+  FloodNotes notes_;
+  Cell last_;                  // where the last question was asked, or where its segment ended
+  bool is_end_known_ = false;  // the segment's last point lies in last_
+};
+
+dsw_nearest& nearest_of(dsw_nearest& answer) { return answer; }
+dsw_nearest& nearest_of(dsw_segment_nearest& answer) { return answer.nearest; }
+
+/** Calls ask(batch, index, start) for what starts in a passable cell. */
+template <int D, class Nearest, class IsSame, class Ask>
+void for_each_nearest(const Environment<D>& env, const Parallel& parallel, size_t count, PointArray from,
+                      const dsw_volume_id* hints, double radius, const NearestAnswers<Nearest>& answers, IsSame is_same,
+                      Ask ask) {
+  std::atomic<bool> out_of_memory{false};
+  auto body = [&](size_t begin, size_t end) noexcept {
+    try {
+      NearestOfBatch<D> batch(env, radius);
+      for (size_t i = begin; i < end; ++i) {
+        const bool is_first = i % kChunk == 0;
+        if (is_first) batch.forget();
+        const Cell start = batch.find_start(from[i], hints == nullptr ? nullptr : hints + i, !is_first && is_same(i));
+        const dsw_location location = location_of(env, start);
+        if (location == DSW_LOCATION_PASSABLE) {
+          ask(batch, i, start);
+        } else {
+          answers.nearest[i] = {};
+          nearest_of(answers.nearest[i]) = nothing_near();
+          batch.forget();
+        }
+        if (answers.volumes != nullptr) answers.volumes[i] = volume_id(env.map, start);
+        if (answers.locations != nullptr) answers.locations[i] = location;
+      }
+    } catch (const std::bad_alloc&) {
+      out_of_memory = true;
+    }
+  };
+  share_out(parallel, count, body);
+  if (out_of_memory) throw std::bad_alloc();
+}
+
+}  // namespace
+
+template <int D>
+dsw_nearest nearest_to_point(const Environment<D>& env, const double* point, Cell c, double radius) {
+  dsw_nearest answer;
+  NearestOfBatch<D>(env, radius).ask(point, c, answer);
+  return answer;
+}
+
+template <int D>
+void nearest_to_points(const Environment<D>& env, const Parallel& parallel, size_t count, PointArray points,
+                       const dsw_volume_id* hints, double radius, const NearestAnswers<dsw_nearest>& answers) {
+  const auto is_same = [](size_t) { return false; };
+  for_each_nearest(env, parallel, count, points, hints, radius, answers, is_same,
+                   [&](NearestOfBatch<D>& batch, size_t i, Cell start) {  //
+                     batch.ask(points[i], start, answers.nearest[i]);
+                   });
+}
+
+template <int D>
+void nearest_to_segments(const Environment<D>& env, const Parallel& parallel, size_t count, PointArray from,
+                         PointArray to, const dsw_volume_id* hints, double radius,
+                         const NearestAnswers<dsw_segment_nearest>& answers) {
+  const auto is_same = [&](size_t i) { return std::memcmp(to[i - 1], from[i], D * sizeof(double)) == 0; };
+  for_each_nearest(env, parallel, count, from, hints, radius, answers, is_same,
+                   [&](NearestOfBatch<D>& batch, size_t i, Cell start) {  //
+                     batch.ask(from[i], to[i], start, answers.nearest[i]);
+                   });
+}
+
+DSW_INSTANTIATE(nearest_to_point);
+DSW_INSTANTIATE(nearest_to_points);
+DSW_INSTANTIATE(nearest_to_segments);
+
+}  // namespace dsw
