@@ -36,6 +36,9 @@ fi
 plain_addresses=()
 if setarch "$(uname -m)" -R true 2>/dev/null; then plain_addresses=(setarch "$(uname -m)" -R); fi
 
+# Some steps copy folders while others run Python in them.
+export PYTHONDONTWRITEBYTECODE=1
+
 # Of where memory came from one frame is kept: GMP's frames can't be unwound, and storing what comes of that took most of the time.
 # With a leak to find, run ctest --preset dev without it.
 export ASAN_OPTIONS=malloc_context_size=1

@@ -115,14 +115,15 @@ DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environme
                                                 double radius, dsw_nearest *nearest);
 
 /** Finds what is nearest to each of many points, as dsw_environment_find_nearest.
- * @param hints null, or for each point a volume near it, or null. Without a hint the search begins
- * where the point before lies.
+ * @param hints may be null. Each entry is a volume near its point, or the null id.
  * @param nearest if a point lies outside, or in an impassable volume: infinite distance, no cell.
+ * `volumes_visited` also depends on threads.
  * @param volumes those of the points, null outside; may be null, and may be `hints`.
  * @param locations may be null.
+ * @return DSW_STATUS_OUT_OF_MEMORY: some answers may be written.
  * @note Cost, rounding: as dsw_environment_find_nearest. Batch. @since 2.1 */
 DSW_API dsw_status dsw_environment_find_nearest_to_points(
-    const dsw_environment *environment, size_t count, const double *points, size_t stride_bytes,
+    const dsw_environment *environment, const double *points, size_t count, size_t stride_bytes,
     const dsw_volume_id *hints, double radius, dsw_nearest *nearest, dsw_volume_id *volumes,
     dsw_location *locations);
 
@@ -133,25 +134,28 @@ typedef struct dsw_segment_nearest {
   double segment_point[3];  /**< This point, rounded. Zero, as the parameter, if nothing is near. */
 } dsw_segment_nearest;
 
-/** Finds for each of many segments the nearest impassable face, marked edge or vertex that can be
- * reached through passable faces within its distance of the segment; if several, the lowest
- * canonical one.
+/** Finds for each of many segments the nearest impassable face, marked edge or vertex within the
+ * radius. Only volumes count that can be reached from the segment through passable ones that are
+ * no farther away. If several have the same rounded distance, the answer is the one of the lowest
+ * dimension, then the lowest canonical one.
  *
  * If the segment passes an impassable face, the first one on its way is the answer, exactly as for
  * dsw_environment_cast: the distance and the normal are 0, and segment_parameter is the time of the
  * contact. What lies behind that face is not looked at.
  *
- * The distance is that of the nearest of all impassable cells, with an error of at most 2^-49 times
- * the largest coordinate, as a difference from `from`, of what is compared.
- * @param hints as for dsw_environment_find_nearest_to_points, for `from`. A segment that begins
- * where the one before ends needs none.
+ * Where cells do not overlap, the distance is that of the nearest of these cells, up to rounding.
+ * Take the largest difference of a coordinate between `from` and `to`, the cell that is named, or
+ * the cell that is nearest: in tests against exact arithmetic no error exceeded 2^-49 of it.
+ * @param hints as for dsw_environment_find_nearest_to_points, for `from`. Without a hint, a segment
+ * that begins where the one before ends is not searched for.
  * @param nearest, volumes, locations as there, for `from`.
+ * @return DSW_STATUS_OUT_OF_MEMORY: some answers may be written.
  * @note Cost: O(volumes that the segment enters, and volumes within the distance), independent of
  * the size of the environment. Batch. @since 2.1 */
 DSW_API dsw_status dsw_environment_find_nearest_to_segments(
-    const dsw_environment *environment, size_t count, const double *from, const double *to,
-    size_t stride_bytes, const dsw_volume_id *hints, double radius, dsw_segment_nearest *nearest,
-    dsw_volume_id *volumes, dsw_location *locations);
+    const dsw_environment *environment, size_t count, const dsw_volume_id *hints,
+    const double *from, const double *to, size_t stride_bytes, double radius,
+    dsw_segment_nearest *nearest, dsw_volume_id *volumes, dsw_location *locations);
 
 #ifdef __cplusplus
 }

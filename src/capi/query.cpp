@@ -120,8 +120,8 @@ dsw_status dsw_environment_find_nearest(const dsw_environment* environment, cons
   });
 }
 
-dsw_status dsw_environment_find_nearest_to_points(const dsw_environment* environment, size_t count,
-                                                  const double* points, size_t stride_bytes, const dsw_volume_id* hints,
+dsw_status dsw_environment_find_nearest_to_points(const dsw_environment* environment, const double* points,
+                                                  size_t count, size_t stride_bytes, const dsw_volume_id* hints,
                                                   double radius, dsw_nearest* nearest, dsw_volume_id* volumes,
                                                   dsw_location* locations) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
@@ -134,10 +134,9 @@ dsw_status dsw_environment_find_nearest_to_points(const dsw_environment* environ
 }
 
 dsw_status dsw_environment_find_nearest_to_segments(const dsw_environment* environment, size_t count,
-                                                    const double* from, const double* to, size_t stride_bytes,
-                                                    const dsw_volume_id* hints, double radius,
-                                                    dsw_segment_nearest* nearest, dsw_volume_id* volumes,
-                                                    dsw_location* locations) {
+                                                    const dsw_volume_id* hints, const double* from, const double* to,
+                                                    size_t stride_bytes, double radius, dsw_segment_nearest* nearest,
+                                                    dsw_volume_id* volumes, dsw_location* locations) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const dsw::PointArray first = dsw::to_finite_points(env.kDimension, from, count, stride_bytes, "from");
     const dsw::PointArray last = dsw::to_finite_points(env.kDimension, to, count, stride_bytes, "to");

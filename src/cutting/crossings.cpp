@@ -176,8 +176,8 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
   return met;
 }
 
-/** Whether a simplex of the cell's boundary lies beyond one side of the simplex's box, or on one side of its plane. Where
- * the blade is flat its points are on no side. */
+/** Whether a simplex of the cell's boundary lies beyond one side of the simplex's box, or on one side of its plane.
+ * Where the blade is flat its points are on no side. */
 template <int D>
 bool Crossings<D>::are_apart(const uint16_t* local) const {
   uint32_t common = sides_[local[0]];

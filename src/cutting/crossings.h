@@ -28,9 +28,11 @@ struct MetCell {
  * space most of these are never asked for: where a side leaves is computed then. */
 template <int D>
 struct BladePoint {
-  uint32_t cell;          // number of the met cell
-  uint32_t inner, outer;  // points of the blade that the side joins, the first on the cell's side; the same: see `at`
-  uint32_t corners[3];    // vertices of the triangle through which it leaves
+  uint32_t cell;  // number of the met cell
+  /** Points of the blade that the side joins, the first on the cell's side. If both are the same, the point is a vertex
+   * of the blade, and `at` has it. */
+  uint32_t inner = 0, outer = 0;
+  uint32_t corners[3];  // vertices of the triangle through which it leaves
   double at[D];
 };
 

@@ -245,10 +245,6 @@ bool keeps_to(const Environment<2>& env, const uint32_t (&v)[2], const EdgeWay& 
   return passes(edge.first, edge.other) && passes(edge.first_to, edge.other) && passes(edge.first_to, edge.other_to);
 }
 
-}  // namespace
-
-namespace {
-
 /** Whether a line certainly passes all facets of a sequence in rows. */
 bool pass_rows(const EdgeSequence<3>& sequence, const double* from, const double* to) noexcept {
   return kPassesTriangles(from, to, sequence.rows.span(0, sequence.facets.size()));
@@ -281,13 +277,13 @@ bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, cons
 }
 
 template <int D>
-bool keeps_to_rows(const Environment<D>& env, EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) noexcept {
+bool keeps_to_rows(EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) noexcept {
   const Cell front = sequence.passage.front, back = sequence.passage.back;
   const auto passes = [&](const double* a, const double* b) {
     return pass_rows(sequence, edge.from_first ? a : b, edge.from_first ? b : a);
   };
   const auto has_passed = [&](const double* from, const double* to) {
-    return sequence.has_place(env.obstacle_version, from, to, front, back);
+    return sequence.has_place(sequence.passage.version, from, to, front, back);
   };
   if (swept && !(edge.from_first ? has_passed(edge.first, edge.other) : has_passed(edge.other, edge.first)) &&
       !passes(edge.first, edge.other)) {

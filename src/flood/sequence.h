@@ -146,10 +146,11 @@ DSW_PREFETCH void prefetch_way(const Environment<D>& env, const EdgeSequence<D>&
  * cells at it. As passes_facets for each of the three lines. */
 template <int D>
 bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, const EdgeWay& edge) noexcept;
-/** The same of several facets in rows, from the first cell of the passage to the last. Notes where the edge arrives.
- * @param swept whether the line before counts. */
+/** Whether an edge passes all facets of a sequence in rows, of the present version, between and after the moves of its
+ * ends. The ends stay in the first and the last cell of the passage. Notes where the edge arrives.
+ * @param swept whether the edge must pass the facets where it starts, too. */
 template <int D>
-bool keeps_to_rows(const Environment<D>& env, EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) noexcept;
+bool keeps_to_rows(EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) noexcept;
 /** The same of facets that are not in rows, which are passable in the present version. */
 template <int D>
 bool keeps_to_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept;

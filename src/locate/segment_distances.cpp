@@ -1,5 +1,7 @@
 #include "locate/segment_distances.h"
 
+#include <algorithm>
+
 namespace dsw {
 namespace {
 
@@ -13,16 +15,25 @@ Vec without_line(const Vec& v, const Vec& along, double inverse) {
 
 double sum(const Vec& a) { return std::fabs(a.x()) + std::fabs(a.y()) + std::fabs(a.z()); }
 
-/** Whether a triangle is sure to be farther than a limit, since its plane is. `height` is the product of the normal and
- * of a corner as seen from the segment; `reach` is the sum of that corner's coordinates.
+/** Heights of both ends of a segment over the plane of a triangle, times the length of the computed normal.
  *
- * With u = 2^-53 and s = sum(ab) sum(ac): the normal's components have errors below 4 u s, so `height` has one below
- * 16 u s reach, and the normal's square one below 2^-47 s^2. Distances have errors of some u times the coordinates;
- * 2^-46 is allowed. Where squares underflow, nothing is sure. */
-bool is_beyond(const Vec& ab, const Vec& ac, const Vec& normal, double height, double reach, double limit) {
+ * With u = 2^-53 and s = sum(ab) sum(ac): the normal's components have errors below 4 u s, so a height has one below
+ * 16 u s reach, where `reach` is the sum of a corner's coordinates as seen from both ends. Of a thin triangle that can
+ * be more than the height. */
+struct Heights {
+  double first, last, reach, doubt;
+  bool is_sure_of_side() const { return (first > doubt && last > doubt) || (first < -doubt && last < -doubt); }
+  bool is_sure_of_nearer() const { return std::fabs(std::fabs(first) - std::fabs(last)) > 2 * doubt; }
+  bool is_last_nearer() const { return std::fabs(last) < std::fabs(first); }
+  double least() const { return std::min(std::fabs(first), std::fabs(last)) - doubt; }
+};
+
+/** Whether a triangle is sure to be farther than a limit, since its plane is, and both ends are on one side of it. The
+ * normal's square has an error below 2^-47 s^2. Distances have errors of some u times the coordinates; 2^-46 is
+ * allowed. Where squares underflow, nothing is sure. */
+bool is_beyond(const Vec& ab, const Vec& ac, const Vec& normal, const Heights& heights, double limit) {
   const double sides = sum(ab) * sum(ac), square = dot(normal, normal) + 0x1p-47 * sides * sides;
-  const double least = std::fabs(height) - 0x1p-48 * sides * reach;
-  const double most = limit + 0x1p-46 * (limit + reach + sum(ab) + sum(ac));
+  const double least = heights.least(), most = limit + 0x1p-46 * (limit + heights.reach + sum(ab) + sum(ac));
   return least > 0 && square > 0x1p-900 && least * least > most * most * square;
 }
 
@@ -60,14 +71,17 @@ SegmentWay SegmentLine::way(const SegmentCorner& a, const SegmentCorner& b, cons
                             double limit) const {
   if (!has_length) return {nearest_on(a.first, b.first, c.first), 0};
   const Vec ab = b.first - a.first, ac = c.first - a.first, normal = ab.cross(ac);
-  const double first = dot(normal, a.first), last = dot(normal, a.last);
-  const bool is_beside = (first > 0) == (last > 0), is_last = std::fabs(last) < std::fabs(first);
-  if (is_beside && is_beyond(ab, ac, normal, is_last ? last : first, sum(a.first) + sum(a.last), limit)) return {};
+  const double reach = sum(a.first) + sum(a.last);
+  const Heights heights{dot(normal, a.first), dot(normal, a.last), reach, 0x1p-48 * sum(ab) * sum(ac) * reach};
+  const bool is_beside = heights.is_sure_of_side(), is_sure = heights.is_sure_of_nearer();
+  if (is_beside && is_beyond(ab, ac, normal, heights, limit)) return {};
   SegmentWay best;
-  if (Vec foot; is_last ? foot_inside(a.last, b.last, c.last, foot) : foot_inside(a.first, b.first, c.first, foot)) {
-    best = {foot, is_last ? 1.0 : 0.0};
-    if (is_beside) return best;
+  Vec foot;
+  if (!(is_sure && heights.is_last_nearer()) && foot_inside(a.first, b.first, c.first, foot)) best = {foot, 0};
+  if (!(is_sure && !heights.is_last_nearer()) && foot_inside(a.last, b.last, c.last, foot)) {
+    best.take_nearer({foot, 1});
   }
+  if (is_beside && is_sure && best.squared < HUGE_VAL) return best;
   best.take_nearer(way(a, b));
   best.take_nearer(way(b, c));
   best.take_nearer(way(c, a));

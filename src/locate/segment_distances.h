@@ -45,10 +45,10 @@ struct SegmentLine {
   /** To a triangle that the segment does not pierce.
    *
    * Then the nearest point of the triangle lies on an edge, or is the foot of the end of the segment that is nearer to
-   * the plane. If the ends are on two sides, the segment comes nearer to the plane until it is over an edge. Which end
-   * rounding chooses of two that are as near to the plane, or in it, does not matter for the same reason. If the ends
-   * are on one side and the foot lies in the triangle, nothing is nearer. Where all is farther than `limit`, the way
-   * may be infinite. */
+   * the plane. If the ends are on one side and this foot lies in the triangle, nothing is nearer. If rounding hides
+   * which end is nearer, both feet are tried. If rounding hides the side of an end, the edges are tried, too: a segment
+   * whose ends are on two sides comes nearer to the plane until it is over an edge. Where all is farther than `limit`,
+   * the way may be infinite. */
   SegmentWay way(const SegmentCorner& a, const SegmentCorner& b, const SegmentCorner& c, double limit) const;
 };
 

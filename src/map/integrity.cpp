@@ -51,16 +51,6 @@ bool remake(const Shape& shape, Array<uint16_t>& out) {
     end = first;
   }
   if (end != n || shape.simplex_count() != n - 2 * facets) return false;
-  // append_polyhedron takes every number below vertex_count for a vertex in use.
-  Array<uint8_t> used(vertices, 0, out.get_allocator());
-  uint32_t used_count = 0;
-  for (uint32_t d = 0; d < n; ++d) {
-    const uint32_t v = shape.dart_vertex(d);
-    if (v >= vertices) return false;
-    used_count += used[v] == 0 ? 1u : 0u;
-    used[v] = 1;
-  }
-  if (used_count != vertices) return false;
   const FacetLoops loops{shape.dart_vertices(), shape.table() + Shape::kHeader, facets, vertices};
   if (append_polyhedron(loops, nullptr, out) != ShapeDefect::kNone) return false;
   Array<uint32_t> sides(out.get_allocator()), darts(out.get_allocator());

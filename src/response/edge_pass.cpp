@@ -48,8 +48,7 @@ void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
 }
 
 /** Finds the edges of a chunk whose ends stay in their cells: in one convex cell, or in two between which the edge is
- * known to pass facets all the way. What SimplexSweep::settle finds out of one move of one end, for both, and without
- * branches on what is found of each edge. */
+ * known to pass facets all the way. What SimplexSweep::settle finds out of one move of one end, for both. */
 template <int D>
 void EdgePass<D>::settle_side_by_side() {
   const Body<D>& body = *course_.body;
@@ -62,7 +61,8 @@ void EdgePass<D>::settle_side_by_side() {
     const Passage<D>& passage = body.sequences[e].passage;
     const uint64_t stay = uint64_t{a.from == a.arrival} & uint64_t{b.from == b.arrival}, same = a.from == b.from;
     inside_ |= (stay & same & uint64_t{env_.map.convex(a.from)}) << at;
-    between |= (stay & ~same & uint64_t{passage.front == a.from} & uint64_t{passage.back == b.from}) << at;
+    const uint64_t moves = uint64_t{a.rank != kNone} | uint64_t{b.rank != kNone};
+    between |= (moves & stay & ~same & uint64_t{passage.front == a.from} & uint64_t{passage.back == b.from}) << at;
     ++at;
   }
   if (sweeps_.max_volumes != 0) return;  // what is kept must not carry an edge past it
@@ -88,7 +88,7 @@ bool EdgePass<D>::keeps_between(uint32_t e) const {
   const uint32_t v = ends[turned ? 1 : 0], w = ends[turned ? 0 : 1];
   const EdgeWay way{body.position(v), course_.place(v, kNone), body.position(w), course_.place(w, kNone), !turned};
   if (passage.is_only()) return keeps_to_passage(env_, passage, way);
-  if (sequence.in_rows) return keeps_to_rows(env_, sequence, way, sweeps_edges(body.level));
+  if (sequence.in_rows) return keeps_to_rows(sequence, way, sweeps_edges(body.level));
   return keeps_to_facets(env_, sequence, way);
 }
 

@@ -83,15 +83,6 @@ void EdgeSieve<D>::gather() {
   }
 }
 
-template <int D>
-void EdgeSieve<D>::prefetch_sequences() const {
-  constexpr size_t kLine = 64;
-  for (const uint32_t e : *this) {
-    const auto* const sequence = reinterpret_cast<const char*>(&course_.body->sequences[e]);
-    for (size_t at = 0; at < sizeof(EdgeSequence<D>); at += kLine) __builtin_prefetch(sequence + at);
-  }
-}
-
 /** Drops the edges that do not move, and those without doubt for which drops(a, b, e) holds, counted as skipped. */
 template <int D>
 template <class Drops>

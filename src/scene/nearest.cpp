@@ -66,8 +66,8 @@ class NearestOfBatch {
 
   /** Where a first point lies. `is_same`: the segment before was to go there. */
   Cell find_start(const double* point, const dsw_volume_id* hint, bool is_same) noexcept {
-    if (is_same && is_end_known_) return last_;
     const bool has_hint = hint != nullptr && !is_null(*hint);
+    if (!has_hint && is_same && is_end_known_) return last_;
     return locate(env_, point, has_hint ? env_.map.cell(hint->index) : last_, nullptr).cell;
   }
   void ask(const double* point, Cell start, dsw_nearest& answer) {

@@ -70,11 +70,11 @@ void run_size(std::size_t cells, const std::string& suffix, const Options& optio
                                       nullptr));
   std::vector<std::pair<std::string, std::function<void()>>> runs;
   runs.emplace_back("us_per_segment", [&] {
-    check(dsw_environment_find_nearest_to_segments(world.environment(), count, segments.from.data(), segments.to.data(),
-                                                   0, hints.data(), radius, ours.data(), nullptr, nullptr));
+    check(dsw_environment_find_nearest_to_segments(world.environment(), count, hints.data(), segments.from.data(),
+                                                   segments.to.data(), 0, radius, ours.data(), nullptr, nullptr));
   });
   runs.emplace_back("us_per_point", [&] {
-    check(dsw_environment_find_nearest_to_points(world.environment(), count, segments.from.data(), 0, hints.data(),
+    check(dsw_environment_find_nearest_to_points(world.environment(), segments.from.data(), count, 0, hints.data(),
                                                  radius, ours_points.data(), nullptr, nullptr));
   });
   std::vector<std::unique_ptr<NearPeer>> peers;

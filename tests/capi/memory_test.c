@@ -349,10 +349,10 @@ static void nearest_of_batches(void) {
     to[i] = 3.75 - (double)(i % 7) / 8;
   }
   before = g_host.alive;
-  UNTIL_IT_SUCCEEDS(dsw_environment_find_nearest_to_segments(g_env, COUNT, from, to, 0, NULL, 9, segments, NULL, NULL),
+  UNTIL_IT_SUCCEEDS(dsw_environment_find_nearest_to_segments(g_env, COUNT, NULL, from, to, 0, 9, segments, NULL, NULL),
                     g_host.alive == before, refusals);
   CHECK(refusals >= 3 && g_host.alive == before);
-  UNTIL_IT_SUCCEEDS(dsw_environment_find_nearest_to_points(g_env, COUNT, from, 0, NULL, 0.75, points, NULL, NULL),
+  UNTIL_IT_SUCCEEDS(dsw_environment_find_nearest_to_points(g_env, from, COUNT, 0, NULL, 0.75, points, NULL, NULL),
                     g_host.alive == before, refusals);
   CHECK(refusals >= 2 && g_host.alive == before);
   for (i = 0; i < COUNT; ++i) CHECK(isinf(points[i].distance) && segments[i].nearest.distance <= 3);

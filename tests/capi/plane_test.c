@@ -240,12 +240,12 @@ static void the_nearest_wall_is_found(void) {
   {
     const double from[4] = {0.25, 0.5, 0.5, 0.25}, to[4] = {0.625, 0.5, 1.5, 0.25};
     dsw_segment_nearest n[2];
-    CHECK_OK(dsw_environment_find_nearest_to_segments(environment, 2, from, to, 0, NULL, 10, n, NULL, NULL));
+    CHECK_OK(dsw_environment_find_nearest_to_segments(environment, 2, NULL, from, to, 0, 10, n, NULL, NULL));
     CHECK(n[0].nearest.distance == 0.25 && n[0].nearest.cell.local == 3 && n[0].nearest.point[0] == 0);
     CHECK(n[0].nearest.normal[0] == 1 && n[0].segment_parameter == 0 && n[0].segment_point[2] == 0);
     CHECK(n[1].nearest.distance == 0 && n[1].nearest.cell.local == 1 && n[1].segment_parameter == 0.5);
     CHECK(n[1].segment_point[0] == 1 && n[1].segment_point[1] == 0.25 && n[1].nearest.tag == 11);
-    CHECK_OK(dsw_environment_find_nearest_to_points(environment, 1, from, 0, NULL, 10, &nearest, NULL, NULL));
+    CHECK_OK(dsw_environment_find_nearest_to_points(environment, from, 1, 0, NULL, 10, &nearest, NULL, NULL));
     CHECK(nearest.distance == 0.25 && nearest.cell.local == 3);
   }
   CHECK_OK(dsw_environment_destroy(environment));

@@ -385,7 +385,7 @@ static void what_is_nearest_to_many_points_is_found(void) {
   dsw_location locations[4];
   dsw_nearest n[4], one;
   CHECK_OK(dsw_environment_mark_volumes(g_env, &solid, 1, DSW_MARK_IMPASSABLE, 0, NULL));
-  CHECK_OK(dsw_environment_find_nearest_to_points(g_env, 4, points, 32, volumes, INFINITY, n, volumes, locations));
+  CHECK_OK(dsw_environment_find_nearest_to_points(g_env, points, 4, 32, volumes, INFINITY, n, volumes, locations));
   CHECK(n[0].distance == 0.5 && n[0].cell.index == 1 && n[0].cell.local == FACE_Y0 && n[0].tag == 101);
   CHECK(volumes[0].index == 1 && locations[0] == DSW_LOCATION_PASSABLE);
   CHECK(isinf(n[1].distance) && n[1].cell.kind == DSW_CELL_NONE && n[1].volumes_visited == 0);
@@ -394,7 +394,7 @@ static void what_is_nearest_to_many_points_is_found(void) {
   CHECK(volumes[2].index == 2 && locations[2] == DSW_LOCATION_IMPASSABLE);
   CHECK_OK(dsw_environment_find_nearest(g_env, points + 12, volumes[3], INFINITY, &one));
   CHECK(memcmp(&one, &n[3], sizeof one) == 0);
-  CHECK_OK(dsw_environment_find_nearest_to_points(g_env, 1, points, 0, NULL, 0.25, n, NULL, NULL));
+  CHECK_OK(dsw_environment_find_nearest_to_points(g_env, points, 1, 0, NULL, 0.25, n, NULL, NULL));
   CHECK(isinf(n[0].distance));
   CHECK_OK(dsw_environment_mark_volumes(g_env, &solid, 1, DSW_MARK_PASSABLE, 0, NULL));
 }
@@ -408,7 +408,7 @@ static void what_is_nearest_to_segments_is_found(void) {
   dsw_location locations[4];
   dsw_segment_nearest n[4];
   size_t i;
-  CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 4, from, to, 0, NULL, INFINITY, n, volumes, locations));
+  CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 4, NULL, from, to, 0, INFINITY, n, volumes, locations));
   CHECK(n[0].nearest.distance == 0.25 && n[0].nearest.cell.index == 1 && n[0].nearest.cell.local == FACE_Y0);
   CHECK(n[0].segment_parameter == 0 && n[0].segment_point[0] == 1.25 && n[0].segment_point[1] == 0.25);
   CHECK(n[0].nearest.point[0] == 1.25 && n[0].nearest.point[1] == 0 && n[0].nearest.normal[1] == 1);
@@ -419,12 +419,12 @@ static void what_is_nearest_to_segments_is_found(void) {
   CHECK(n[3].segment_point[0] == 0 && volumes[3].generation == 0 && locations[3] == DSW_LOCATION_OUTSIDE);
   CHECK_OK(dsw_environment_mark_faces(g_env, &wall, 1, DSW_MARK_IMPASSABLE));
   for (i = 0; i < 2; ++i) { /* a radius of 0 finds what is passed, too */
-    CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 2, from + 3, to + 3, 0, NULL, i == 0 ? INFINITY : 0.25, n,
+    CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 2, NULL, from + 3, to + 3, 0, i == 0 ? INFINITY : 0.25, n,
                                                       NULL, NULL));
     CHECK(n[0].nearest.distance == 0.25 && n[0].nearest.cell.local == FACE_X1 && n[0].segment_parameter == 1);
     CHECK(n[0].nearest.normal[0] == -1 && n[0].segment_point[0] == 0.75 && n[0].nearest.point[0] == 1);
   }
-  CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 1, from + 6, to + 6, 0, NULL, 0, n, NULL, NULL));
+  CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 1, NULL, from + 6, to + 6, 0, 0, n, NULL, NULL));
   CHECK(n[0].nearest.distance == 0 && n[0].segment_parameter == 0.5 && n[0].segment_point[0] == 1);
   CHECK(n[0].nearest.normal[0] == 0 && n[0].nearest.point[0] == 1 && n[0].nearest.cell.kind == DSW_CELL_FACE);
   CHECK_OK(dsw_environment_mark_faces(g_env, &wall, 1, DSW_MARK_PASSABLE));
@@ -440,7 +440,7 @@ static void bad_questions_for_what_is_nearest_change_nothing(void) {
   memcpy(before_p, p, sizeof p);
   memcpy(before_s, s, sizeof s);
 #define POINTS(env, array, stride, ids, radius, out) \
-  dsw_environment_find_nearest_to_points(env, 2, array, stride, ids, radius, out, NULL, NULL)
+  dsw_environment_find_nearest_to_points(env, array, 2, stride, ids, radius, out, NULL, NULL)
   CHECK_FAILS(DSW_STATUS_NON_FINITE, POINTS(g_env, bad, 0, NULL, 1, p));
   CHECK_MESSAGE("points[1][2] is nan");
   CHECK_FAILS(DSW_STATUS_STALE_ID, POINTS(g_env, points, 0, hints, 1, p));
@@ -454,7 +454,7 @@ static void bad_questions_for_what_is_nearest_change_nothing(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, POINTS(g_env, points, 0, NULL, 1, NULL));
 #undef POINTS
 #define SEGMENTS(env, from, to, stride, ids, radius, out) \
-  dsw_environment_find_nearest_to_segments(env, 2, from, to, stride, ids, radius, out, NULL, NULL)
+  dsw_environment_find_nearest_to_segments(env, 2, ids, from, to, stride, radius, out, NULL, NULL)
   CHECK_FAILS(DSW_STATUS_NON_FINITE, SEGMENTS(g_env, bad, points, 0, NULL, 1, s));
   CHECK_MESSAGE("from[1][2] is nan");
   CHECK_FAILS(DSW_STATUS_NON_FINITE, SEGMENTS(g_env, points, bad, 0, NULL, 1, s));
@@ -469,8 +469,8 @@ static void bad_questions_for_what_is_nearest_change_nothing(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SEGMENTS(g_env, points, points, 0, NULL, 1, NULL));
 #undef SEGMENTS
   CHECK(memcmp(p, before_p, sizeof p) == 0 && memcmp(s, before_s, sizeof s) == 0);
-  CHECK_OK(dsw_environment_find_nearest_to_points(g_env, 0, NULL, 0, NULL, 1, NULL, NULL, NULL));
-  CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 0, NULL, NULL, 0, NULL, 1, NULL, NULL, NULL));
+  CHECK_OK(dsw_environment_find_nearest_to_points(g_env, NULL, 0, 0, NULL, 1, NULL, NULL, NULL));
+  CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 0, NULL, NULL, NULL, 0, 1, NULL, NULL, NULL));
 }
 
 int main(void) {

@@ -243,8 +243,8 @@ dsw_status Calls::ask() {
           << dsw_environment_cast_segments(e, 2, starts, from, to, 0, &cast, flights)
           << dsw_environment_sweep_edges(e, 2, starts, from, to, fixed, 0, &sweep, sweeps)
           << dsw_environment_find_nearest(e, from, starts[0], radius, nearest)
-          << dsw_environment_find_nearest_to_points(e, 2, points, 0, starts, radius, nearest, volumes, locations)
-          << dsw_environment_find_nearest_to_segments(e, 2, from, to, 0, starts, radius, segments, nullptr, locations);
+          << dsw_environment_find_nearest_to_points(e, points, 2, 0, starts, radius, nearest, volumes, locations)
+          << dsw_environment_find_nearest_to_segments(e, 2, starts, from, to, 0, radius, segments, nullptr, locations);
   return answers << copy_all<dsw_crossing>([&](dsw_crossing* out, size_t capacity, size_t* count) {
            return dsw_environment_cast_path(e, starts[0], from, to, &cast, out, capacity, count, flights);
          });

@@ -157,7 +157,7 @@ TEST_P(NearestSegmentTest, IsTheNearestOfAll) {
       dsw_volume_id volume;
       dsw_location location;
       const auto ask = [&](const Vec& from, const Vec& to, double radius) {
-        return dsw_environment_find_nearest_to_segments(place.get(), 1, from.data(), to.data(), 0, nullptr, radius,
+        return dsw_environment_find_nearest_to_segments(place.get(), 1, nullptr, from.data(), to.data(), 0, radius,
                                                         &near, &volume, &location);
       };
       ASSERT_EQ(ask(p, q, kNoLimit), DSW_STATUS_OK) << dsw_last_error_message();
@@ -273,14 +273,14 @@ TEST_P(NearestSegmentTest, BatchesAreTheSameAsOneByOne) {
   std::memset(segments.data(), 0, kCount * sizeof segments[0]);
   std::memset(again.data(), 0, kCount * sizeof again[0]);
   const double radius = 0.3 * place.world->size;
-  ASSERT_EQ(dsw_environment_find_nearest_to_points(place.get(), kCount, from.data(), 32, hints.data(), radius,
+  ASSERT_EQ(dsw_environment_find_nearest_to_points(place.get(), from.data(), kCount, 32, hints.data(), radius,
                                                    points.data(), volumes.data(), locations.data()),
             DSW_STATUS_OK);
-  ASSERT_EQ(dsw_environment_find_nearest_to_segments(place.get(), kCount, from.data(), to.data(), 32, nullptr, radius,
+  ASSERT_EQ(dsw_environment_find_nearest_to_segments(place.get(), kCount, nullptr, from.data(), to.data(), 32, radius,
                                                      again.data(), nullptr, nullptr),
             DSW_STATUS_OK);
   // The volumes may take the place of the hints.
-  ASSERT_EQ(dsw_environment_find_nearest_to_segments(place.get(), kCount, from.data(), to.data(), 32, hints.data(),
+  ASSERT_EQ(dsw_environment_find_nearest_to_segments(place.get(), kCount, hints.data(), from.data(), to.data(), 32,
                                                      radius, segments.data(), hints.data(), nullptr),
             DSW_STATUS_OK);
   EXPECT_EQ(std::memcmp(segments.data(), again.data(), kCount * sizeof again[0]), 0) << "hints do not matter";
@@ -294,7 +294,7 @@ TEST_P(NearestSegmentTest, BatchesAreTheSameAsOneByOne) {
     EXPECT_EQ(location, locations[i]);
     dsw_segment_nearest one;
     std::memset(&one, 0, sizeof one);
-    ASSERT_EQ(dsw_environment_find_nearest_to_segments(place.get(), 1, p, to.data() + 4 * i, 0, nullptr, radius, &one,
+    ASSERT_EQ(dsw_environment_find_nearest_to_segments(place.get(), 1, nullptr, p, to.data() + 4 * i, 0, radius, &one,
                                                        nullptr, nullptr),
               DSW_STATUS_OK);
     EXPECT_EQ(std::memcmp(&one, &segments[i], sizeof one), 0) << i;
@@ -309,6 +309,57 @@ TEST_P(NearestSegmentTest, BatchesAreTheSameAsOneByOne) {
     point.volumes_visited = points[i].volumes_visited;  // depends on earlier calls
     EXPECT_EQ(std::memcmp(&point, &points[i], sizeof point), 0) << i;
   }
+}
+
+/// Wires that rest on a sliver: rounding moves the normal of a thin triangle by more than their height.
+TEST(NearestSegmentSliverTest, OverAThinTriangle) {
+  Rng rng(91);
+  int asked = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double height = std::ldexp(1.0, -static_cast<int>(rng.between(10, 20)));
+    const auto any = [&] { return Vec{rng.range(-1, 1), rng.range(-1, 1), rng.range(-1, 1)}; };
+    const auto sum = [](const Vec& a, double s, const Vec& u) {
+      return Vec{a[0] + s * u[0], a[1] + s * u[1], a[2] + s * u[2]};
+    };
+    const auto product = [](const Vec& u, const Vec& v) {
+      Vec n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+      const double length = std::hypot(n[0], n[1], n[2]);
+      for (double& x : n) x /= length;
+      return n;
+    };
+    // A long side, a corner beside it, and one far above: a tetrahedron that holds all points just over the sliver.
+    const Vec a = any(), b = any(), along = sum(b, -1, a), beside = product(along, any()), up = product(beside, along);
+    const Vec c = sum(sum(a, rng.range(0.3, 0.7), along), height, beside);
+    const Vec top = sum(sum(a, 0.5, along), 1, up);
+    const auto over = [&] {
+      const double s = rng.range(0.2, 0.6), t = rng.range(0.2, 0.7 - s / 2);
+      const double rise = 0x1p-53 / height * rng.range(0.5, 8);
+      return sum(sum(sum(a, s, sum(b, -1, a)), t, sum(c, -1, a)), rise, up);
+    };
+    const Vec p = over(), q = over();
+    const std::vector<double> points = {a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], top[0], top[1], top[2]};
+    const EnvironmentPtr environment =
+        create_from(uniform_desc(3, DSW_CELL_TYPE_TETRA, 4, points, std::vector<int32_t>{0, 1, 2, 3}), nullptr);
+    if (environment == nullptr) continue;
+    dsw_segment_nearest near;
+    dsw_location location;
+    ASSERT_EQ(dsw_environment_find_nearest_to_segments(environment.get(), 1, nullptr, p.data(), q.data(), 0, kNoLimit,
+                                                       &near, nullptr, &location),
+              DSW_STATUS_OK);
+    if (location != DSW_LOCATION_PASSABLE || near.nearest.distance == 0) continue;  // rounding has put it beside
+    ++asked;
+    const Q3 corners[4] = {exact(a), exact(b), exact(c), exact(top)};
+    Q best = to_triangle(exact(p), exact(q), corners[0], corners[1], corners[2]);
+    for (int k = 0; k < 3; ++k) {
+      best = std::min(best, to_triangle(exact(p), exact(q), corners[k], corners[(k + 1) % 3], corners[3]));
+    }
+    double extent = 0;
+    for (size_t k = 0; k < points.size(); ++k) extent = std::max(extent, std::fabs(points[k] - p[k % 3]));
+    const double bound = 0x1p-49 * extent;
+    ASSERT_TRUE(is_root(near.nearest.distance, best, bound))
+        << i << ": off by " << (near.nearest.distance - std::sqrt(best.get_d())) / bound << " bounds";
+  }
+  EXPECT_GT(asked, 1000);
 }
 
 /// Impassable sides and marked vertices of a grid of the plane.
@@ -369,7 +420,7 @@ TEST(NearestSegmentPlaneTest, IsTheNearestOfAll) {
       SCOPED_TRACE("from " + number(from[0]) + " " + number(from[1]) + " to " + number(to[0]) + " " + number(to[1]));
       dsw_segment_nearest near;
       dsw_location location;
-      ASSERT_EQ(dsw_environment_find_nearest_to_segments(environment.get(), 1, from, to, 0, nullptr, kNoLimit, &near,
+      ASSERT_EQ(dsw_environment_find_nearest_to_segments(environment.get(), 1, nullptr, from, to, 0, kNoLimit, &near,
                                                          nullptr, &location),
                 DSW_STATUS_OK);
       dsw_flight flight;

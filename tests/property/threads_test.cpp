@@ -11,6 +11,11 @@ struct Answers {
 
 constexpr size_t kCount = 1500;
 
+template <class Answer>
+std::string bytes_of(const Answer& answer) {
+  return {reinterpret_cast<const char*>(&answer), sizeof answer};
+}
+
 /// Everything that goes through the parallel-for, on one environment made with `context`. Its tree of cells is made at
 /// need.
 Answers answers(const std::string& name, dsw_context* context) {
@@ -64,6 +69,19 @@ Answers answers(const std::string& name, dsw_context* context) {
                                           from.data() + 3 * i + 3, 0, nullptr, &one),
               DSW_STATUS_OK);
     EXPECT_EQ(bits_of(one), out.lines.back());
+  }
+  std::vector<dsw_nearest> points(kCount);
+  std::vector<dsw_segment_nearest> segments(kCount);
+  EXPECT_EQ(dsw_environment_find_nearest_to_points(place.get(), from.data(), kCount, 0, nullptr, HUGE_VAL,
+                                                   points.data(), nullptr, nullptr),
+            DSW_STATUS_OK);
+  EXPECT_EQ(dsw_environment_find_nearest_to_segments(place.get(), kCount, nullptr, from.data(), to.data(), 0, HUGE_VAL,
+                                                     segments.data(), nullptr, nullptr),
+            DSW_STATUS_OK);
+  for (size_t i = 0; i < kCount; ++i) {
+    points[i].volumes_visited = 0;  // depends on when the tree of obstacles is built
+    out.lines.push_back(bytes_of(points[i]));
+    out.lines.push_back(bytes_of(segments[i]));
   }
   const ScenePtr scene = make_scene(place.get(), DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS);
   const ScenePtr twin = make_scene(place.get(), DSW_FEATURE_STATISTICS);

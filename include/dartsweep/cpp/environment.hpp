@@ -262,7 +262,7 @@ class Environment {
     check_nearest(points.count, hints, nearest.count, volumes, locations);
     const EnvironmentReading self(*state_);
     check(dsw_environment_find_nearest_to_points(
-        self.handle, points.count, points.data, points.stride_bytes, hints.data, radius,
+        self.handle, points.data, points.count, points.stride_bytes, hints.data, radius,
         nearest.data, volumes.data, reinterpret_cast<dsw_location *>(locations.data)));
   }
   void find_nearest_to_segments(Points from, Points to, double radius,
@@ -275,7 +275,7 @@ class Environment {
     const std::size_t stride = common_stride(from, to);
     const EnvironmentReading self(*state_);
     check(dsw_environment_find_nearest_to_segments(
-        self.handle, from.count, from.data, to.data, stride, hints.data, radius, nearest.data,
+        self.handle, from.count, hints.data, from.data, to.data, stride, radius, nearest.data,
         volumes.data, reinterpret_cast<dsw_location *>(locations.data)));
   }
   void sweep_edges(Points from, Points to, Points fixed, View<const dsw_volume_id> starts,

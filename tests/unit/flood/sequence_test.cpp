@@ -116,7 +116,7 @@ TEST_P(PlaneSequence, IsKeptBeforeBetweenAndAfterTheMovesOfBothEnds) {
   const double p[2] = {0.3, 1.5}, q[2] = {5.8, 1.4}, p_to[2] = {0.1, 1.6}, q_to[2] = {5.9, 1.3};
   assign(p, q);
   ASSERT_TRUE(follows(p, q));
-  const auto keeps = [&](const EdgeWay& way, bool swept = true) { return keeps_to_rows(*env_, sequence_, way, swept); };
+  const auto keeps = [&](const EdgeWay& way, bool swept = true) { return keeps_to_rows(sequence_, way, swept); };
   EXPECT_TRUE(keeps({p, p_to, q, q_to, true}));
   EXPECT_TRUE(keeps({q, q_to, p, p_to, false}));
   EXPECT_TRUE(keeps({p, p_to, q, q, true})) << "one end stays";

@@ -128,11 +128,9 @@ TEST(LinkedCuts, LinkedToAFacetWithOtherVertices) {
 TEST(LinkedCuts, AVertexInTwoDiscsIsSeenThoughTheNumbersFit) {
   const uint16_t loops[] = {0, 4, 6, 3, 1, 2, 0, 5, 0, 1, 5, 4, 3, 6, 0, 2, 0, 3, 2, 1, 4, 5, 0, 6};
   const uint16_t first[] = {0, 4, 8, 12, 16, 20, 24};
-  Array<uint16_t> table, scratch;
+  Array<uint16_t> table;
   EXPECT_EQ(append_polyhedron({loops, first, 6, 7}, nullptr, table), ShapeDefect::kNotSphere);
-  if (append_polyhedron({loops, first, 6, 8}, nullptr, table) != ShapeDefect::kNone)
-    return;  // refused earlier: as good
-  EXPECT_EQ(sound_table_length<3>(table.data(), table.size(), scratch), 0u);
+  EXPECT_EQ(append_polyhedron({loops, first, 6, 8}, nullptr, table), ShapeDefect::kNotSphere);
 }
 
 }  // namespace

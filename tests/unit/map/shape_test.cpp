@@ -219,6 +219,14 @@ TEST(Shape, DefectsAreNamedAndLeaveTheTablesAlone) {
   reject({{0, 1, 2}, {0, 2, 1}}, ShapeDefect::kOpen);  // flat: too few facets
   reject(torus(), ShapeDefect::kNotSphere);
   reject(two_spheres(), ShapeDefect::kNotSphere);
+  loops = torus();  // with a sphere beside it the numbers fit
+  uint32_t unused = 0;
+  for (const auto& loop : loops) unused = std::max<uint32_t>(unused, 1u + *std::max_element(loop.begin(), loop.end()));
+  for (auto loop : tetrahedron()) {
+    for (auto& vertex : loop) vertex = static_cast<uint16_t>(vertex + unused);
+    loops.push_back(loop);
+  }
+  reject(loops, ShapeDefect::kNotSphere);
   reject(pinched(), ShapeDefect::kNotSphere);
 }
 
