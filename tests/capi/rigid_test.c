@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../share.h"
 #include "check.h"
 #include "fixture.h"
 
@@ -223,6 +224,7 @@ static double random_share(void) {
 /* Thousands of pushes, and rigid motions of the host's between them: distances keep to 8 units in the last place of the
    largest coordinate, once for all. */
 static void ten_thousand_pushes_do_not_bend_it(unsigned dimension) {
+  const uint32_t wanted = (uint32_t)share_of(10000);
   static const double tool[10] = {1.1, 1.5, 1.7, 1.3, 2.0, 1.9, 2.4, 1.4, 2.9, 1.6};
   double first[MOST_VERTICES][3], before[MOST_VERTICES][3], now[MOST_VERTICES][3], worst = 0, turned = 0;
   double heights[NX + 1] = {0};
@@ -231,7 +233,7 @@ static void ten_thousand_pushes_do_not_bend_it(unsigned dimension) {
   begin(dimension, 0);
   body = make(tool, 5, DSW_LEVEL_EDGES_SWEPT, DSW_BODY_RIGID);
   read(body, first);
-  while (pushes < 10000 && steps < 100000) {
+  while (pushes < wanted && steps < 10 * wanted) {
     const uint32_t x = (uint32_t)(random_share() * (NX + 1));
     const double to = 0.7 * random_share();
     dsw_rigid_motion fall = {{0, 0, 0, 1}, {0, 0, 0}, {0, -0.3, 0}};
@@ -252,7 +254,7 @@ static void ten_thousand_pushes_do_not_bend_it(unsigned dimension) {
     read(body, now);
     worst = fmax(worst, change(first, now, 5));
   }
-  CHECK(pushes >= 10000 && turned > 0.05);
+  CHECK(pushes >= wanted && turned > 0.05);
   CHECK(held < steps / 2);
   CHECK(worst > 0 && worst <= 8 * 4 * kUnit);
   end();

@@ -35,7 +35,7 @@ std::vector<double> some_blade(uint32_t rows, uint32_t columns, int dimension, d
 template <int D>
 void check_distances() {
   Rng rng(11);
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < share_of(400); ++round) {
     const uint32_t rows = 2 + rng.below(30u), columns = D == 3 ? 2 + rng.below(6u) : 1;
     const std::vector<double> points = some_blade(rows, columns, D, 1, rng);
     const auto blade = Blade<D>::of_grid(nullptr, {points.data(), D}, rows, columns);

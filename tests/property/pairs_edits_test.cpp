@@ -144,7 +144,7 @@ class Loom {
     EXPECT_GT(bent_, rounds / 4);
     EXPECT_GT(merged_, rounds / 10);
     EXPECT_GT(not_bent_, rounds / 4);
-    EXPECT_GT(not_merged_, rounds / 60);
+    EXPECT_GE(not_merged_, rounds / 40);
   }
 
  private:
@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(PairEditsTest, AnEdgeIsBentAndAVertexMergedIfNothingIsTouched) {
   // Rationals are slow: DSW_PAIR_EDITS and DSW_PAIR_SEED ask for more and for others.
-  const int rounds = static_cast<int>(from_environment("DSW_PAIR_EDITS", 120));
+  const int rounds = static_cast<int>(from_environment("DSW_PAIR_EDITS", static_cast<uint64_t>(share_of(120))));
   if (GetParam().dimension == 2) {
     Loom<2>(GetParam()).run(rounds);
   } else {

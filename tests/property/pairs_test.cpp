@@ -222,7 +222,8 @@ TEST_P(PairsTest, EveryMoveEndsAsAllPartsAgainstAllPartsSay) {
   ASSERT_GT(bodies_.size(), 4u);
   EXPECT_GT(refused_, 0);
   // Rationals are slow: DSW_PAIR_MOVES and DSW_PAIR_SEED ask for more and for others.
-  const int moves = static_cast<int>(from_environment("DSW_PAIR_MOVES", plane() ? 400 : 80));
+  const int moves =
+      static_cast<int>(from_environment("DSW_PAIR_MOVES", static_cast<uint64_t>(share_of(plane() ? 400 : 80))));
   for (int i = 0; i < moves && !HasFatalFailure(); ++i) {
     SCOPED_TRACE(i);
     const size_t b = rng_.below(bodies_.size());

@@ -139,8 +139,9 @@ TEST_P(WholeTest, AMoveOfAllVerticesHasTheBitsOfOneAfterTheOther) {
                                  {DSW_RESPONSE_STOP, DSW_RESPONSE_ADAPTIVE_ONE},
                                  {DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_SLIDE},
                                  {DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_MANY}};
+  const auto wanted = static_cast<size_t>(std::max(10, share_of(25)));  // twice each answer
   size_t contacts = 0, inserted = 0, bodies = 0;
-  for (int round = 0; round < 60 && bodies < 25; ++round) {
+  for (int round = 0; round < 60 && bodies < wanted; ++round) {
     BodyPlan made = GetParam().shape == 2 ? strip() : plan();
     // Two edges that stay in corners, so that one vertex may slide as far as all of them.
     const uint32_t corners = static_cast<uint32_t>(made.at.size());
@@ -188,8 +189,8 @@ TEST_P(WholeTest, AMoveOfAllVerticesHasTheBitsOfOneAfterTheOther) {
     }
   }
   EXPECT_GT(bodies, 9u);
-  EXPECT_GT(contacts, 30u);
-  EXPECT_GT(inserted, 3u);
+  EXPECT_GT(contacts, wanted * 6 / 5);
+  EXPECT_GT(inserted, wanted / 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, WholeTest,

@@ -1,6 +1,7 @@
 // Environments for the property tests and what topology says of them, worked out from the mesh alone.
 #pragma once
 
+#include "../share.h"
 #include "check.h"
 #include "run.h"
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "../share.h"
 #include "base/error.h"
 #include "environment/builder.h"
 #include "environment/marking.h"
@@ -22,13 +23,6 @@ namespace dsw::swept {
 using oracle::Rng;
 using oracle::SceneKind;
 using oracle::Vec;
-
-/// Exact truth is slow under sanitizers: DSW_SWEPT_SHARE asks for one in so many moves, and for as much less that must
-/// be seen on them.
-inline int share_of(int count) {
-  const char* const text = std::getenv("DSW_SWEPT_SHARE");
-  return text == nullptr ? count : count / std::max(1, std::atoi(text));
-}
 
 /// Null where creation may refuse the mesh, and does.
 inline std::unique_ptr<Environment<3>> environment_of(const oracle::Mesh& mesh) {

@@ -339,7 +339,9 @@ constexpr dsw_level kLevels[] = {DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEV
                                  DSW_LEVEL_FACES};
 
 TEST_P(WarmContactsTest, HaveTheBitsOfFloods) {
-  const uint64_t rounds = from_environment("DSW_WARM_ROUNDS", 5), first = from_environment("DSW_WARM_SEED", 1);
+  const auto some = static_cast<uint64_t>(std::max(2, share_of(5)));
+  const int steps = std::max(8, share_of(12));
+  const uint64_t rounds = from_environment("DSW_WARM_ROUNDS", some), first = from_environment("DSW_WARM_SEED", 1);
   size_t contacts = 0, at_edges = 0, repeated = 0, changed = 0, bodies = 0;
   for (const char* const scene : GetParam().scenes) {
     const std::vector<SweepTurn> turns = sweep_turns(scene);
@@ -358,7 +360,7 @@ TEST_P(WarmContactsTest, HaveTheBitsOfFloods) {
       const Change last = rng.chance(0.5) ? Change::kShape : Change::kTopology;
       for (const Change change : {Change::kNone, Change::kNone, Change::kMarks, last}) {
         for (const dsw_level level : kLevels) {
-          ASSERT_NO_FATAL_FAILURE(course.run(level, change, 12));
+          ASSERT_NO_FATAL_FAILURE(course.run(level, change, steps));
         }
       }
       contacts += course.contacts;
@@ -369,9 +371,10 @@ TEST_P(WarmContactsTest, HaveTheBitsOfFloods) {
     }
   }
   EXPECT_GT(bodies, 10 * rounds);
-  EXPECT_GT(at_edges, 100 * rounds);
-  EXPECT_GT(repeated, 20 * rounds) << "of " << contacts << " contacts";
-  EXPECT_GT(changed, 10 * rounds);
+  const uint64_t dozens = rounds * static_cast<uint64_t>(steps) / 12;
+  EXPECT_GT(at_edges, 100 * dozens);
+  EXPECT_GT(repeated, 20 * dozens) << "of " << contacts << " contacts";
+  EXPECT_GT(changed, 10 * dozens);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, WarmContactsTest,

@@ -180,7 +180,7 @@ double expanded(const double (&m)[3][3], int row) {
 TEST(Filter, BoundHoldsForEveryRowAndIsNotFarTooLarge) {
   Random random(5);
   double worst = 0;
-  for (int i = 0; i < 200000; ++i) {
+  for (std::uint64_t i = 0; i < 2 * case_count(); ++i) {
     double x[4][3];
     for (auto& point : x) {
       for (double& c : point) {
