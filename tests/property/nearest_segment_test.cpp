@@ -328,7 +328,7 @@ TEST(NearestSegmentSliverTest, OverAThinTriangle) {
       return n;
     };
     // A long side, a corner beside it, and one far above: a tetrahedron that holds all points just over the sliver.
-    const Vec a = any(), b = any(), along = sum(b, -1, a), beside = product(along, any()), up = product(beside, along);
+    const Vec a = any(), b = any(), along = sum(b, -1, a), beside = product(along, any()), up = product(along, beside);
     const Vec c = sum(sum(a, rng.range(0.3, 0.7), along), height, beside);
     const Vec top = sum(sum(a, 0.5, along), 1, up);
     const auto over = [&] {
