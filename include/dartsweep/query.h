@@ -116,6 +116,7 @@ DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environme
 
 /** Finds what is nearest to each of many points, as dsw_environment_find_nearest.
  * @param hints may be null. Each entry is a volume near its point, or the null id.
+ * @param radius at least 0; may be infinite.
  * @param nearest if a point lies outside, or in an impassable volume: infinite distance, no cell.
  * `volumes_visited` also depends on threads.
  * @param volumes those of the points, null outside; may be null, and may be `hints`.
@@ -148,7 +149,7 @@ typedef struct dsw_segment_nearest {
  * the cell that is nearest: in tests against exact arithmetic no error exceeded 2^-49 of it.
  * @param hints as for dsw_environment_find_nearest_to_points, for `from`. Without a hint, a segment
  * that begins where the one before ends is not searched for.
- * @param nearest, volumes, locations as there, for `from`.
+ * @param radius, nearest, volumes, locations as there, for `from`.
  * @return DSW_STATUS_OUT_OF_MEMORY: some answers may be written.
  * @note Cost: O(volumes that the segment enters, and volumes within the distance), independent of
  * the size of the environment. Batch. @since 2.1 */
