@@ -47,7 +47,8 @@ for tool in cmake:cmake make:make pkg-config:pkg-config readelf:binutils python3
 done
 for header in embree3/rtcore.h:libembree-dev bullet/btBulletCollisionCommon.h:libbullet-dev \
   CGAL/version.h:libcgal-dev gmpxx.h:libgmp-dev nlohmann/json.hpp:nlohmann-json3-dev CLI/CLI.hpp:libcli11-dev \
-  gtest/gtest.h:libgtest-dev eigen3/Eigen/Core:libeigen3-dev ccd/ccd.h:libccd-dev box2d/box2d.h:libbox2d-dev; do
+  gtest/gtest.h:libgtest-dev eigen3/Eigen/Core:libeigen3-dev ccd/ccd.h:libccd-dev box2d/box2d.h:libbox2d-dev \
+  fcl/fcl.h:libfcl-dev; do
   found=
   for folder in /usr/include /usr/local/include /usr/include/*-linux-gnu; do
     if [ -e "$folder/${header%%:*}" ]; then found=1; fi
