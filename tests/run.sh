@@ -95,7 +95,7 @@ make_static_library() {
     CC=cc CXX=c++ tests/package/package_test.sh static "$PWD/build/release" "$PWD/build/dartsweep-static"
 }
 
-# The wheel, once for all steps: who comes second waits for it.
+# The wheel, once for all steps: the second step that wants the wheel waits for the first.
 install_python() {
   install_library && (flock 8 && make_python) 8>build/python.lock
 }
@@ -124,7 +124,7 @@ step_format() {
 }
 
 mkdir -p build
-rm -f build/python.made # by another run
+rm -f build/python.made # left by an earlier run
 for step in "${steps[@]}"; do
   declare -F "step_$step" >/dev/null || {
     echo "no step '$step'"

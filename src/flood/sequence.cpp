@@ -276,26 +276,23 @@ bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, cons
   return keeps_to(env, passage.corners, edge);
 }
 
+/** The passage is known to lead from cell to cell, so this asks less than `follows` would. */
 template <int D>
 bool keeps_to_rows(EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) noexcept {
-  const Cell front = sequence.passage.front, back = sequence.passage.back;
-  const auto passes = [&](const double* a, const double* b) {
-    return pass_rows(sequence, edge.from_first ? a : b, edge.from_first ? b : a);
+  struct Line {
+    const double *from, *to;
   };
-  const auto has_passed = [&](const double* from, const double* to) {
-    return sequence.has_place(sequence.passage.version, from, to, front, back);
-  };
-  if (swept && !(edge.from_first ? has_passed(edge.first, edge.other) : has_passed(edge.other, edge.first)) &&
-      !passes(edge.first, edge.other)) {
+  const auto line = [&](const double* a, const double* b) { return edge.from_first ? Line{a, b} : Line{b, a}; };
+  const auto passes = [&](const Line& each) { return pass_rows(sequence, each.from, each.to); };
+  const Passage<D>& passage = sequence.passage;
+  const Line before = line(edge.first, edge.other), between = line(edge.first_to, edge.other),
+             after = line(edge.first_to, edge.other_to);
+  if (swept && !sequence.has_place(passage.version, before.from, before.to, passage.front, passage.back) &&
+      !passes(before)) {
     return false;
   }
-  if (!passes(edge.first_to, edge.other)) return false;
-  if (edge.other_to != edge.other && !passes(edge.first_to, edge.other_to)) return false;
-  if (edge.from_first) {
-    sequence.note_place(edge.first_to, edge.other_to, front, back);
-  } else {
-    sequence.note_place(edge.other_to, edge.first_to, front, back);
-  }
+  if (!passes(between) || (edge.other_to != edge.other && !passes(after))) return false;
+  sequence.note_place(after.from, after.to, passage.front, passage.back);
   return true;
 }
 

@@ -145,13 +145,11 @@ namespace {
 
 /** The facet that ends a cast, at distance 0. */
 template <int D>
-void report_crossed(const Environment<D>& env, const double* from, const double* to, const CastResult& hit,
-                    SegmentNearest& result) {
-  const HalfFacet first = canonical(env.map, hit.facet);
-  const Cell owner = env.map.cell_of(first);
-  result.feature = {D - 1, owner, env.map.local_of(first, owner)};
+void report_crossed(const Distances<D, FromSegment<D>>& distances, const double* from, const double* to,
+                    const CastResult& hit, SegmentNearest& result) {
+  result.feature = distances.name(hit.facet);
   result.crossed = hit.facet;
-  result.parameter = crossing_time(env, hit.cell, hit.simplex, from, to);
+  result.parameter = crossing_time(distances.environment(), hit.cell, hit.simplex, from, to);
   point_at<D>(from, to, result.parameter, result.segment_point);
   std::copy_n(result.segment_point, D, result.point);
   result.volumes_visited = hit.volumes_visited;
@@ -188,7 +186,7 @@ bool find_nearest_to_segment(const Environment<D>& env, const double* from, cons
   if (entered.is_lost) throw std::bad_alloc();
   result.last = path.cell;
   if (path.end == CastEnd::kHit) {
-    report_crossed(env, from, to, path, result);
+    report_crossed(distances, from, to, path, result);
     return true;
   }
   flood.run(kNoCell);

@@ -70,7 +70,7 @@ template <int D>
 bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
                       NearestResult& result);
 
-/** Likewise for a segment whose first point is in `start`, by the flood alone. It begins in all cells that the segment
+/** The same for a segment whose first point is in `start`, by the flood alone. It begins in all cells that the segment
  * enters under the shift. If the segment passes an impassable facet, that is the answer, at distance 0: the first one.
  */
 template <int D>

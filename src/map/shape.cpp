@@ -117,9 +117,9 @@ uint32_t number_edges(const Darts& darts) {
   return count;
 }
 
-/** Connected, and V - E + F = 2: then the loops close a sphere if every vertex has a dart. Let V' be the number of discs
- * round vertices. A connected surface without a rim has V' - E + F <= 2, and 2 only if it is a sphere. Every vertex has
- * a disc, so V <= V'. Hence V - E + F = 2 means V = V' and a sphere. */
+/** Connected, and V - E + F = 2: then the loops close a sphere if every vertex has a dart. Let V' be the number of
+ * discs round vertices. A connected surface without a rim has V' - E + F <= 2, and 2 only if it is a sphere. Every
+ * vertex has a disc, so V <= V'. Hence V - E + F = 2 means V = V' and a sphere. */
 bool is_sphere(const Darts& darts, Scratch<uint32_t>& scratch, uint32_t edge_count) {
   uint32_t *const reached = scratch.take(darts.facet_count, 0), *const stack = scratch.take(darts.facet_count);
   uint32_t height = 1, count = 1;  // from facet 0

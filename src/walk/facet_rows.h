@@ -19,7 +19,7 @@ class FacetSpan {
   FacetSpan part(size_t first, size_t count) const noexcept { return {values_ + first, room_, count}; }
   /** Coordinate `axis` of corner `corner` of all facets. */
   const double* row(int corner, int axis) const noexcept {
-    return values_ + static_cast<size_t>(axis) * room_ + static_cast<size_t>(D * corner) * room_;
+    return values_ + static_cast<size_t>(D * corner + axis) * room_;
   }
 
  private:

@@ -82,8 +82,8 @@ class Shear {
   double slopes_[2], largest_, lowest_ = 1e300;
 };
 
-/** Tests at most kMostMissed triangles. Bit n is set if triangle n is not passed. `passed_all` then says whether the others are
- * passed for certain. Several instruction sets, the same bits where the line is in range. */
+/** Tests at most kMostMissed triangles. Bit n is set if triangle n is not passed. `passed_all` then says whether the
+ * others are passed for certain. Several instruction sets, the same bits where the line is in range. */
 using MissedTriangles = uint64_t (*)(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 #if defined(__x86_64__)

@@ -337,6 +337,56 @@ TEST(FirstRidge, IsThatOfAll) {
   EXPECT_GT(left_before, 10);
 }
 
+/// What a cast passes; unknown if it does not arrive.
+EdgeSequence<3> passed_by(const Environment<3>& env, const double* from, const double* to) {
+  EdgeSequence<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
+  sequence.forget();
+  const Cell start = locate(env, from, Cell{}, nullptr).cell;
+  if (dsw::cast(env, from, to, start, 0, nullptr).end == CastEnd::kReached) {
+    note_start(env, {from, to, to}, start, true, sequence);
+  }
+  return sequence;
+}
+
+TEST(KeepsToRows, WhereCastsPassTheSameFacetsBeforeBetweenAndAfter) {
+  constexpr int kSize = 4;
+  int kept = 0, before = 0, between = 0, after = 0;
+  for (int round = 0; round < 40; ++round) {
+    Random random(static_cast<uint64_t>(round + 13));
+    const auto env = make_ground(Kind::kUneven, kSize, random);
+    for (int i = 0; i < 600; ++i) {
+      const Point p = some_point(random, kSize, false), q = near(p, random, 2, false),
+                  p_to = near(p, random, 0.2, false), q_to = near(q, random, 0.2, false);
+      const auto cell = [&](const Point& x) { return locate(*env, x.data(), Cell{}, nullptr).cell; };
+      if (!cell(p).valid() || !cell(q).valid() || cell(p) != cell(p_to) || cell(q) != cell(q_to)) continue;
+      const bool from_first = random.below(2) == 0, stays = random.below(8) == 0;
+      const double *const first = p.data(), *const first_to = p_to.data(), *const other = q.data(),
+                          *const other_to = stays ? other : q_to.data();
+      const auto passed = [&](const double* x, const double* y) {
+        return from_first ? passed_by(*env, x, y) : passed_by(*env, y, x);
+      };
+      // What one of the three lines passes, and the others mostly do.
+      const int noted = random.below(3);
+      const double *const a = noted == 0 ? first : first_to, *const b = noted == 2 ? other_to : other;
+      EdgeSequence<3> sequence = passed(a, b);
+      if (!sequence.known() || !sequence.in_rows || sequence.facets.size() < 2) continue;
+      const bool is_before = passed(first, other).facets == sequence.facets,
+                 is_between = passed(first_to, other).facets == sequence.facets,
+                 is_after = passed(first_to, other_to).facets == sequence.facets;
+      const EdgeWay way{first, first_to, other, other_to, from_first};
+      EdgeSequence<3> again = sequence;
+      ASSERT_EQ(keeps_to_rows(sequence, way, true), is_before && is_between && is_after) << round << "/" << i;
+      ASSERT_EQ(keeps_to_rows(again, way, false), is_between && is_after) << round << "/" << i;
+      kept += is_before && is_between && is_after ? 1 : 0;
+      before += !is_before && is_between && is_after ? 1 : 0;
+      between += is_before && !is_between && is_after ? 1 : 0;
+      after += is_before && is_between && !is_after ? 1 : 0;
+    }
+  }
+  EXPECT_GT(kept, 1000);
+  EXPECT_GT(std::min({before, between, after}), 20);
+}
+
 class PassesBefore : public testing::TestWithParam<Kind> {};
 
 TEST_P(PassesBefore, AsEveryRidgeSays) {
