@@ -353,6 +353,31 @@ AT(dsw_move_options, order, 64);
 AT(dsw_move_options, order_count, 72);
 GROWS(dsw_move_options, order_count);
 
+SIZE(dsw_near_options, 24);
+AT(dsw_near_options, struct_size, 0);
+AT(dsw_near_options, flags, 4);
+AT(dsw_near_options, margin, 8);
+AT(dsw_near_options, radius, 16);
+GROWS(dsw_near_options, radius);
+
+SIZE(dsw_near_row, 224);
+AT(dsw_near_row, point, 0);
+AT(dsw_near_row, obstacle_point, 24);
+AT(dsw_near_row, normal, 48);
+AT(dsw_near_row, distance, 72);
+AT(dsw_near_row, gap, 80);
+AT(dsw_near_row, weights, 88);
+AT(dsw_near_row, obstacle_weights, 112);
+AT(dsw_near_row, vertices, 136);
+AT(dsw_near_row, obstacle_vertices, 148);
+AT(dsw_near_row, obstacle, 160);
+AT(dsw_near_row, wall, 176);
+AT(dsw_near_row, tag, 188);
+AT(dsw_near_row, body, 192);
+AT(dsw_near_row, key, 200);
+AT(dsw_near_row, previous, 216);
+AT(dsw_near_row, reserved, 220);
+
 SIZE(dsw_move_report, 40);
 AT(dsw_move_report, fraction, 0);
 AT(dsw_move_report, vertices_moved, 8);

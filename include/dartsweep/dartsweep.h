@@ -18,6 +18,7 @@
 #include "dartsweep/ids.h"
 #include "dartsweep/marking.h"
 #include "dartsweep/move.h"
+#include "dartsweep/near.h"
 #include "dartsweep/particle.h"
 #include "dartsweep/query.h"
 #include "dartsweep/record.h"

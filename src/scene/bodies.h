@@ -3,6 +3,7 @@
 
 #include "base/points.h"
 #include "response/body_move.h"
+#include "scene/near_rows.h"
 #include "scene/touch_history.h"
 
 namespace dsw {
@@ -18,12 +19,15 @@ struct BodyRecord {
   MoveRecord next;              // of a move under way
   Array<BodyVertex<D>> before;  // to go back to, if another body's move fails
   TouchHistory touches;
+  Array<NearRecord<D>> near;  // one, if near rows have been asked for; else none
   uint64_t followed = 0;  // up to which change of the topology its sequences are true, see gone_facets.h
 
   explicit BodyRecord(const Memory* memory)
-      : body(memory), record(memory), next(memory), before(memory), touches(memory) {}
+      : body(memory), record(memory), next(memory), before(memory), touches(memory), near(memory) {}
   uint64_t memory_bytes() const {
-    return body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.partners) +
+    uint64_t of_near = 0;
+    for (const NearRecord<D>& each : near) of_near += each.memory_bytes();
+    return of_near + body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.partners) +
            array_bytes(record.previous) + array_bytes(record.edits) + array_bytes(next.contacts) +
            array_bytes(next.partners) + array_bytes(next.previous) + array_bytes(next.edits) + array_bytes(before) +
            touches.memory_bytes();

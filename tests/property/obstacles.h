@@ -48,23 +48,31 @@ class Obstacles {
     for (size_t v = 0; v < used.size(); ++v) vertex_marked_[v] = vertex_marked_[v] && used[v];
   }
 
-  /// Calls visit(cell, corners) for impassable triangles, which have the cell of their face, edges and vertices.
+  /// Calls visit(cell, vertices) for impassable triangles, which have the cell of their face, edges and vertices.
   template <class Visit>
-  void for_each(Visit visit) const {
+  void for_each_simplex(Visit visit) const {
     const World& world = *place_.world;
-    const auto point = [&](int v) -> const Vec& { return world.mesh.points[static_cast<size_t>(v)]; };
     for (const Triangle& t : world.triangles) {
       if (!world.impassable(t.face)) continue;
-      visit(cell_of(face_id(world, t.face)), std::vector<Vec>{point(t.v[0]), point(t.v[1]), point(t.v[2])});
+      visit(cell_of(face_id(world, t.face)), std::vector<int>{t.v[0], t.v[1], t.v[2]});
     }
     for (size_t e = 0; e < edge_marked_.size(); ++e) {
       if (!edge_marked_[e]) continue;
       const auto& ends = edges_.edges[e].ends;
-      visit(cell_of(edges_.id(world, static_cast<int>(e))), std::vector<Vec>{point(ends[0]), point(ends[1])});
+      visit(cell_of(edges_.id(world, static_cast<int>(e))), std::vector<int>{ends[0], ends[1]});
     }
     for (size_t v = 0; v < vertex_marked_.size(); ++v) {
-      if (vertex_marked_[v]) visit(cell_of(vertex_id(v)), std::vector<Vec>{point(static_cast<int>(v))});
+      if (vertex_marked_[v]) visit(cell_of(vertex_id(v)), std::vector<int>{static_cast<int>(v)});
     }
+  }
+  /// The same with points.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for_each_simplex([&](const dsw_cell& cell, const std::vector<int>& vertices) {
+      std::vector<Vec> corners;
+      for (const int v : vertices) corners.push_back(place_.world->mesh.points[static_cast<size_t>(v)]);
+      visit(cell, corners);
+    });
   }
 
  private:

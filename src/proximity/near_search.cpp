@@ -1,0 +1,229 @@
+#include "proximity/near_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "predicates/near_signs.h"
+#include "walk/cast.h"
+
+namespace dsw {
+namespace {
+
+/** Positions of a body's vertices. */
+template <int D>
+PointArray points_of(const Body<D>& body) noexcept {
+  static_assert(sizeof(BodyVertex<D>) % sizeof(double) == 0);
+  if (body.vertices.empty()) return {};
+  return {body.vertices[0].position, sizeof(BodyVertex<D>) / sizeof(double)};
+}
+
+/** At least how far a point has moved. */
+template <int D>
+double way_between(const double* a, const double* b) noexcept {
+  double largest = 0;
+  for (int k = 0; k < D; ++k) largest = std::max(largest, std::fabs(a[k] - b[k]));
+  return 1.8 * largest;  // more than the square root of 3
+}
+
+// How far beyond the reach obstacles are noted, as shares of it. What moves far is given more room. Where nothing is
+// near, room costs little.
+constexpr double kLeastRoom = 0.25, kMostRoom = 2, kWaysOfRoom = 8;
+
+}  // namespace
+
+template <int D>
+uint64_t NearNotes<D>::memory_bytes() const {
+  uint64_t bytes = array_bytes(of_vertices) + array_bytes(of_edges) + array_bytes(of_faces);
+  for (const auto* notes : {&of_vertices, &of_edges, &of_faces}) {
+    for (const NearNote<D>& each : *notes) bytes += array_bytes(each.obstacles);
+  }
+  return bytes;
+}
+
+template <int D>
+NearSearch<D>::NearSearch(const Environment<D>& env, const Body<D>& body, NearNotes<D>& notes)
+    : env_(env), body_(body), notes_(notes), flood_(env), others_(env.memory) {}
+
+template <int D>
+template <class Visit>
+void NearSearch<D>::for_each_cover(Visit visit) const {
+  for_each_simplex(body_, [&](const Simplex& s) {
+    const bool has_edge =
+        s.kind == Simplex::kVertex && covers_edges(body_.level) && body_.vertices[s.index].first_edge != kNone;
+    const bool has_face =
+        s.kind == Simplex::kEdge && covers_faces(body_.level) && body_.edges[s.index].faces[0] != kNone;
+    if (!has_edge && !has_face) visit(s);
+    return true;
+  });
+}
+
+/** A vertex is covered by the first edge of its list, an edge by its first face. */
+template <int D>
+template <class Visit>
+void NearSearch<D>::for_each_covered(const Simplex& cover, Visit visit) const {
+  const auto visit_edge = [&](uint32_t e) {
+    visit(Simplex{Simplex::kEdge, e});
+    for (const uint32_t v : body_.edges[e].ends) {
+      if (body_.vertices[v].first_edge == e) visit(Simplex{Simplex::kVertex, v});
+    }
+  };
+  if (cover.kind == Simplex::kEdge) {
+    visit_edge(cover.index);
+    return;
+  }
+  visit(cover);
+  if (cover.kind == Simplex::kVertex) return;
+  const BodyFace& face = body_.faces[cover.index];
+  for (const uint32_t v : face.corners) {
+    const uint32_t e = find_edge(body_, v, face.after(v));
+    if (body_.edges[e].faces[0] == cover.index) visit_edge(e);
+  }
+}
+
+template <int D>
+NearNote<D>& NearSearch<D>::note_of(const Simplex& cover) {
+  Array<NearNote<D>>& notes = cover.kind == Simplex::kVertex ? notes_.of_vertices
+                              : cover.kind == Simplex::kEdge ? notes_.of_edges
+                                                             : notes_.of_faces;
+  while (notes.size() <= cover.index) notes.emplace_back(env_.memory);
+  return notes[cover.index];
+}
+
+template <int D>
+void NearSearch<D>::refresh(const Part<D>& cover, double reach, NearNote<D>& note) {
+  double way = 0;
+  for (uint32_t i = 0; i < cover.corners.count; ++i) {
+    way = std::max(way, way_between<D>(cover.points[i], note.anchors[i]));
+  }
+  const bool is_known = note.room >= 0 && note.version == env_.change_version;
+  if (is_known && (reach + way) * (1 + 0x1p-40) <= note.room) return;
+  double share = is_known && note.obstacles.empty() ? 1 : kLeastRoom;
+  if (is_known && reach > 0) share = std::max(share, kWaysOfRoom * way / reach);
+  note.room = -1;  // until the list is whole
+  note.obstacles.clear();
+  const double room = reach + std::min(share, kMostRoom) * reach;
+  flood_.find(body_.vertices[cover.corners.vertices[0]].cell, NearRegion<D>(cover.points, cover.corners.count, room),
+              note.obstacles);
+  for (uint32_t i = 0; i < cover.corners.count; ++i) std::copy_n(cover.points[i], D, note.anchors[i]);
+  note.version = env_.change_version;
+  note.room = room;
+}
+
+/** Where a rounded point of a part meets something at once, the pair counts as seen. */
+template <int D>
+bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) const noexcept {
+  Cell start = body_.vertices[part.corners.vertices[0]].cell;
+  if (part.corners.count > 1) {
+    const CastResult in_part = cast(env_, part.points[0], pair.point, start);
+    if (in_part.end == CastEnd::kHit) return true;
+    start = in_part.cell;
+  }
+  const CastResult way = cast(env_, pair.point, pair.obstacle_point, start);
+  if (way.end != CastEnd::kHit) return true;
+  const Shape shape = env_.map.shape(way.cell);
+  const uint16_t* const local = shape.simplices() + size_t{way.simplex} * D;
+  uint32_t shared = 0;
+  double size = 0;
+  for (int i = 0; i < D; ++i) {
+    const uint32_t v = env_.map.vertex(way.cell, local[i]);
+    for (uint32_t k = 0; pair.wall.valid() && k < pair.obstacle.count; ++k) shared += pair.obstacle.vertices[k] == v;
+  }
+  if (shared != 0 && shared == pair.obstacle.count) return true;
+  for (int k = 0; k < D; ++k) size = std::max({size, std::fabs(pair.point[k]), std::fabs(pair.obstacle_point[k])});
+  const double left = 1 - crossing_time(env_, way.cell, way.simplex, pair.point, pair.obstacle_point);
+  return left * pair.distance <= 0x1p-42 * size;
+}
+
+template <int D>
+void NearSearch<D>::find_walls(double reach, Array<FoundPair<D>>& found) {
+  for_each_cover([&](const Simplex& simplex) {
+    NearNote<D>& note = note_of(simplex);
+    refresh(Part<D>(body_, simplex), reach, note);
+    if (note.obstacles.empty()) return;
+    const PairSearch<D> search(env_, {env_.points, D}, note.obstacles, reach);
+    for_each_covered(simplex, [&](const Simplex& s) {
+      const Part<D> part(body_, s);
+      search.find(
+          part, [](const NearFeature&) { return true; },
+          [&](const NearPair<D>& pair) {
+            if (is_in_sight(part, pair)) found.push_back({pair, kNone});
+          });
+    });
+  });
+}
+
+/** The parts of a partner that its level covers and that may be within reach. */
+template <int D>
+void NearSearch<D>::collect(const Body<D>& other, const Part<D>& cover, double reach) {
+  Box<D> box;
+  for (uint32_t i = 0; i < cover.corners.count; ++i) box.add(cover.points[i]);
+  for (int k = 0; k < D; ++k) {
+    box.lower[k] -= reach + 0x1p-50 * std::fabs(box.lower[k]);
+    box.upper[k] += reach + 0x1p-50 * std::fabs(box.upper[k]);
+  }
+  others_.clear();
+  const auto add = [&](const Simplex& s) {
+    const SimplexCorners<D> corners(other, s);
+    NearObstacle<D> o{{}, corners.count, {}, {}};
+    std::copy_n(corners.vertices, std::min<uint32_t>(corners.count, D), o.vertices);
+    others_.push_back(o);
+    return true;
+  };
+  single_vertices(other, other.level).visit(box, [&](uint32_t v) { return add({Simplex::kVertex, v}); });
+  if (covers_edges(other.level)) {
+    fresh_boxes(other).edges.visit(box, [&](uint32_t e) { return add({Simplex::kEdge, e}); });
+  }
+  if (covers_faces(other.level)) {
+    fresh_boxes(other).faces.visit(box, [&](uint32_t f) { return add({Simplex::kFace, f}); });
+  }
+}
+
+/** Of a body with itself each pair counts once, and neighbours do not. */
+template <int D>
+bool NearSearch<D>::is_accepted(const Body<D>& other, const Part<D>& part, const NearFeature& f) const noexcept {
+  if (&other != &body_) return true;
+  const uint32_t m = part.corners.count;
+  for (const uint32_t v : part.corners) {
+    if (v == f.vertices[0] || v == f.vertices[1] || v == f.vertices[2]) return false;
+  }
+  if (m != f.count) return m < f.count;
+  if (m == 2) {
+    return std::min(part.corners.vertices[0], part.corners.vertices[1]) < f.vertices[0];
+  }
+  const uint32_t a = part.corners.vertices[0], b = f.vertices[0];
+  if (a < b) return true;
+  // The vertex b has a row with a, unless an edge of a comes closer to b.
+  bool is_minimum = true;
+  for_each_edge(body_, a, [&](uint32_t e) {
+    const double* const z = body_.position(body_.edges[e].other(a));
+    return is_minimum = !covers_edges(body_.level) ||
+                        dot_sign<D>({body_.position(a), z}, {body_.position(a), body_.position(b)}) <= 0;
+  });
+  return !is_minimum;
+}
+
+template <int D>
+void NearSearch<D>::find_partner(const Partners<D>& partners, uint32_t number, double reach,
+                                 Array<FoundPair<D>>& found) {
+  const Body<D>& other = *partners.all[number].body;
+  for_each_cover([&](const Simplex& simplex) {
+    collect(other, Part<D>(body_, simplex), reach);
+    if (others_.empty()) return;
+    const PairSearch<D> search(env_, points_of(other), others_, reach);
+    for_each_covered(simplex, [&](const Simplex& s) {
+      const Part<D> part(body_, s);
+      search.find(
+          part, [&](const NearFeature& f) { return is_accepted(other, part, f); },
+          [&](const NearPair<D>& pair) {
+            if (is_in_sight(part, pair)) found.push_back({pair, number});
+          });
+    });
+  });
+}
+
+template struct NearNotes<2>;
+template struct NearNotes<3>;
+template class NearSearch<2>;
+template class NearSearch<3>;
+
+}  // namespace dsw

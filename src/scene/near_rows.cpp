@@ -1,0 +1,251 @@
+#include "scene/near_rows.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/dimensions.h"
+#include "base/vec.h"
+#include "contact/geometry.h"
+#include "contact/names.h"
+#include "scene/meeting.h"
+#include "scene/scene.h"
+
+namespace dsw {
+namespace {
+
+constexpr uint32_t kKindShift = 30, kObstacleShift = 28, kLocalShift = 16, kDiagonal = 0x8000;
+
+/** Which obstacle of the environment it is, and the last two numbers of its key. */
+struct ObstacleName {
+  dsw_cell cell;
+  uint32_t key[2];
+};
+
+ObstacleName name_cell(const dsw_cell& cell, uint32_t place) noexcept {
+  return {cell, {cell.kind << kObstacleShift | cell.index, cell.local << kLocalShift | place}};
+}
+
+/** Whether a dart runs between two vertices, either way. */
+template <int D>
+bool joins(const Map<D>& map, Dart d, const NearFeature& f) noexcept {
+  const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
+  return (a == f.vertices[0] && b == f.vertices[1]) || (a == f.vertices[1] && b == f.vertices[0]);
+}
+
+/** The edge of a cell between two vertices; invalid if there is none. */
+template <int D>
+Dart dart_between(const Map<D>& map, Cell c, const NearFeature& f) noexcept {
+  for (uint32_t d = 0, darts = map.shape(c).dart_count(); d < darts; ++d) {
+    if (joins(map, Dart{c, d}, f)) return {c, d};
+  }
+  return {};
+}
+
+/** The number of a simplex of a facet, or of a diagonal between simplices: of the first that has all vertices. */
+template <int D>
+uint32_t place_in_facet(const Map<D>& map, HalfFacet facet, const NearFeature& f) noexcept {
+  const Cell c = map.cell_of(facet);
+  const Shape shape = map.shape(c);
+  const uint32_t local = map.local_of(facet, c), first = shape.simplex_first(local);
+  for (uint32_t s = first; s < shape.simplex_first(local + 1); ++s) {
+    uint32_t shared = 0, others = 0;
+    for (uint32_t i = 0; i < D; ++i) {
+      const uint32_t v = map.vertex(c, shape.simplices()[size_t{s} * D + i]);
+      const bool is_one = v == f.vertices[0] || v == f.vertices[1] || v == f.vertices[2];
+      shared += is_one;
+      if (!is_one) others = i;
+    }
+    if (shared == f.count) return f.count == D ? s - first : kDiagonal | (D * (s - first) + others);
+  }
+  return 0;
+}
+
+template <int D>
+ObstacleName name_obstacle(const Environment<D>& env, const NearPair<D>& pair) noexcept {
+  const Map<D>& map = env.map;
+  const NearFeature& f = pair.obstacle;
+  if (f.count == 1) {
+    const uint32_t v = f.vertices[0];
+    return name_cell({DSW_CELL_VERTEX, v, map.vertex_generation(v), 0}, 0);
+  }
+  if constexpr (D == 3) {
+    const Cell c = pair.wall.valid() ? map.cell_of(pair.wall) : pair.cell;
+    const Dart d = f.count == 2 ? dart_between(map, c, f) : Dart{};
+    if (d.cell.valid()) {
+      const dsw_edge_id id = edge_id(map, d);
+      return name_cell({DSW_CELL_EDGE, id.volume, id.generation, id.local}, 0);
+    }
+  }
+  const HalfFacet facet = canonical(map, pair.wall);
+  const dsw_face_id id = face_id(map, facet);
+  return name_cell({DSW_CELL_FACE, id.volume, id.generation, id.local}, place_in_facet(map, facet, f));
+}
+
+/** The number of a part of a body, with its kind. */
+template <int D>
+uint32_t number_of(const Body<D>& body, const NearFeature& f) noexcept {
+  const uint32_t index = f.count == 1   ? f.vertices[0]
+                         : f.count == 2 ? find_edge(body, f.vertices[0], f.vertices[1])
+                                        : find_face(body, f.vertices[0], f.vertices[1], f.vertices[2]);
+  return (f.count - 1) << kKindShift | index;
+}
+
+template <int D>
+dsw_near_row to_row(const Environment<D>& env, const Partners<D>& partners, const FoundPair<D>& pair) noexcept {
+  dsw_near_row row{};
+  std::copy_n(pair.point, 3, row.point);
+  std::copy_n(pair.obstacle_point, 3, row.obstacle_point);
+  std::copy_n(pair.normal, 3, row.normal);
+  row.distance = pair.distance;
+  std::copy_n(pair.weights, pair.body.count, row.weights);
+  std::copy_n(pair.obstacle_weights, pair.obstacle.count, row.obstacle_weights);
+  std::copy_n(pair.body.vertices, 3, row.vertices);
+  std::copy_n(pair.obstacle.vertices, 3, row.obstacle_vertices);
+  row.key[0] = pair.part.kind << kKindShift | pair.part.index;
+  row.previous = kNone;
+  if (pair.partner != kNone) {
+    const Partner<D>& partner = partners.all[pair.partner];
+    row.body = {partner.index, partner.generation};
+    row.key[1] = partner.index + 1;
+    row.key[2] = number_of(*partner.body, pair.obstacle);
+    return row;
+  }
+  const ObstacleName name = name_obstacle(env, pair);
+  row.obstacle = name.cell;
+  std::copy_n(name.key, 2, row.key + 2);
+  if (pair.wall.valid()) {
+    const HalfFacet seen = facing(env, pair.wall, row.normal);
+    row.wall = face_id(env.map, canonical(env.map, pair.wall));
+    row.tag = obstacle_tag(env, seen, env.map.cell_of(seen));
+  }
+  return row;
+}
+
+bool precedes(const dsw_near_row& a, const dsw_near_row& b) noexcept {
+  return std::lexicographical_compare(a.key, a.key + 4, b.key, b.key + 4);
+}
+bool has_same_key(const dsw_near_row& a, const dsw_near_row& b) noexcept { return std::equal(a.key, a.key + 4, b.key); }
+
+double squared_way(const dsw_near_row& a, const dsw_near_row& b) noexcept {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+    sum += (a.obstacle_point[k] - b.obstacle_point[k]) * (a.obstacle_point[k] - b.obstacle_point[k]);
+  return sum;
+}
+double cosine(const dsw_near_row& a, const dsw_near_row& b) noexcept {
+  return a.normal[0] * b.normal[0] + a.normal[1] * b.normal[1] + a.normal[2] * b.normal[2];
+}
+
+/** Finds for the rows of one part those of the call before. Both are sorted. */
+void follow_part(dsw_near_row* row, dsw_near_row* end, const dsw_near_row* last, const dsw_near_row* last_end,
+                 uint32_t first) noexcept {
+  const auto find_by_key = [](const dsw_near_row& wanted, const dsw_near_row* from, const dsw_near_row* to) {
+    const dsw_near_row* const at = std::lower_bound(from, to, wanted, precedes);
+    return at != to && has_same_key(*at, wanted) ? at : to;
+  };
+  dsw_near_row* const begin = row;
+  for (; row != end; ++row) {
+    const dsw_near_row* at = find_by_key(*row, last, last_end);
+    if (at == last_end) {
+      double least = HUGE_VAL;
+      for (const dsw_near_row* each = last; each != last_end; ++each) {
+        const bool is_gone = find_by_key(*each, begin, end) == end;
+        const double way = squared_way(*each, *row);
+        if (!is_gone || each->key[1] != row->key[1] || cosine(*each, *row) < 0.5 || !(way < least)) continue;
+        least = way;
+        at = each;
+      }
+    }
+    if (at != last_end) row->previous = first + static_cast<uint32_t>(at - last);
+  }
+}
+
+void follow(Array<dsw_near_row>& rows, const Array<dsw_near_row>& last) noexcept {
+  size_t from = 0;
+  for (size_t i = 0; i < rows.size();) {
+    size_t end = i;
+    while (end < rows.size() && rows[end].key[0] == rows[i].key[0]) ++end;
+    while (from < last.size() && last[from].key[0] < rows[i].key[0]) ++from;
+    size_t to = from;
+    while (to < last.size() && last[to].key[0] == rows[i].key[0]) ++to;
+    follow_part(rows.data() + i, rows.data() + end, last.data() + from, last.data() + to, static_cast<uint32_t>(from));
+    i = end;
+  }
+}
+
+/** @param own_key of the body itself in keys. */
+template <int D>
+void make_jacobian(const Array<dsw_near_row>& rows, uint32_t own_key, NearJacobian& j) {
+  j.offsets.push_back(0);
+  for (const dsw_near_row& row : rows) {
+    struct Entry {
+      uint32_t vertex;
+      double weight;
+    } entries[6];
+    int count = 0;
+    for (int i = 0; i < 3 && row.vertices[i] != kNone; ++i) entries[count++] = {row.vertices[i], row.weights[i]};
+    for (int i = 0; row.key[1] == own_key && i < 3 && row.obstacle_vertices[i] != kNone; ++i) {
+      entries[count++] = {row.obstacle_vertices[i], -row.obstacle_weights[i]};
+    }
+    std::sort(entries, entries + count, [](const Entry& a, const Entry& b) { return a.vertex < b.vertex; });
+    for (int i = 0; i < count; ++i) {
+      for (uint32_t k = 0; k < D; ++k) {
+        j.columns.push_back(D * entries[i].vertex + k);
+        j.values.push_back(entries[i].weight * row.normal[k]);
+      }
+    }
+    j.offsets.push_back(static_cast<uint32_t>(j.columns.size()));
+  }
+}
+
+template <int D>
+void find_rows(Scene<D>& scene, BodyRecord<D>& of, const NearSettings& settings, NearRecord<D>& near) {
+  const double margin = settings.margin, radius = settings.radius, own_reach = margin + 2 * radius;
+  Array<FoundPair<D>> pairs(scene.memory);
+  Partners<D> partners(scene.memory);
+  NearSearch<D> search(scene.env, of.body, near.notes);
+  search.find_walls(margin + radius, pairs);
+  if (scene.features.contacts) {
+    Box<D> reach = reach_of(of.body);
+    for (int k = 0; k < D; ++k) {
+      reach.lower[k] -= own_reach;
+      reach.upper[k] += own_reach;
+    }
+    find_partners(scene, of.body, reach, partners);
+    for (uint32_t i = 0; i < partners.all.size(); ++i) {
+      search.find_partner(partners, i, partners.all[i].body == &of.body ? own_reach : margin + radius, pairs);
+    }
+  }
+  near.rows.reserve(pairs.size());
+  const uint32_t own_key = static_cast<uint32_t>(&of - scene.bodies.data()) + 1;
+  for (const FoundPair<D>& pair : pairs) {
+    near.rows.push_back(to_row(scene.env, partners, pair));
+    dsw_near_row& row = near.rows.back();
+    row.gap = row.distance - (row.key[1] == own_key ? 2 * radius : radius);
+  }
+  std::sort(near.rows.begin(), near.rows.end(), precedes);
+  follow(near.rows, near.last);
+  if (settings.jacobian) make_jacobian<D>(near.rows, own_key, near.jacobian);
+}
+
+}  // namespace
+
+template <int D>
+void find_near_rows(Scene<D>& scene, BodyRecord<D>& of, const NearSettings& settings) {
+  if (of.near.empty()) of.near.emplace_back(scene.memory);
+  NearRecord<D>& near = of.near[0];
+  std::swap(near.rows, near.last);
+  near.rows.clear();
+  near.jacobian.clear();
+  try {
+    find_rows(scene, of, settings, near);
+  } catch (...) {
+    near.rows.clear();
+    near.jacobian.clear();
+    throw;
+  }
+}
+
+DSW_INSTANTIATE(find_near_rows);
+
+}  // namespace dsw
