@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
     if (wanted("create")) run_create(options, report);
     if (wanted("locate")) run_locate(options, report);
     if (wanted("near")) run_near(options, report);
+    if (wanted("near")) run_near_rows(options, report);
     if (wanted("change")) run_change(options, report);
     if (wanted("cut")) run_cut(options, report);
     if (wanted("obstacles")) run_obstacles(options, report);

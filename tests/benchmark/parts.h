@@ -32,6 +32,7 @@ void run_plane(const Options& options, Report& report);
 void run_plane_rays(const Options& options, Report& report);
 void run_locate(const Options& options, Report& report);
 void run_near(const Options& options, Report& report);
+void run_near_rows(const Options& options, Report& report);
 void run_create(const Options& options, Report& report);
 void run_fig12(const Options& options, Report& report);
 void run_catheter(const Options& options, Report& report);

@@ -2,8 +2,8 @@
 #include "body_state.h"
 #include "near_truth.h"
 #include "obstacles.h"
+#include "plane_support.h"
 
-#include <cstring>
 #include <set>
 
 namespace dsw::oracle {
@@ -62,29 +62,52 @@ void check_numbers(const dsw_near_row& row, const NearTruth::Row& truth, double 
   EXPECT_NEAR(obstacle_sum, 1, 1e-14);
 }
 
-/// Rows with the environment, part by part.
-void check_walls(const std::vector<dsw_near_row>& rows, const BodyState& state, const NearTruth& truth, double limit,
-                 dsw_level level, double size, Tally& tally) {
-  std::map<std::pair<std::vector<int>, std::vector<int>>, const dsw_near_row*> by_ids;
+using RowsByIds = std::map<std::pair<std::vector<int>, std::vector<int>>, const dsw_near_row*>;
+
+/// The rows with a body, or with the environment: body 0.0.
+RowsByIds rows_with(const std::vector<dsw_near_row>& rows, dsw_body_id body) {
+  RowsByIds by_ids;
   for (const dsw_near_row& row : rows) {
-    if (row.body.generation != 0) continue;
+    if (row.body.index != body.index || row.body.generation != body.generation) continue;
     EXPECT_TRUE(by_ids.emplace(std::pair(used(row.vertices), used(row.obstacle_vertices)), &row).second) << "twice";
   }
-  const double tolerance = 0x1p-40 * size;
-  const auto check = [&](std::vector<int> ids) {
+  return by_ids;
+}
+
+/// Calls visit(vertices, points) for the parts that a level covers.
+template <class Visit>
+void for_each_part(const BodyState& state, dsw_level level, Visit visit) {
+  const auto give = [&](std::vector<int> ids) {
     std::sort(ids.begin(), ids.end());
-    std::vector<Vec> part;
-    for (const int v : ids) part.push_back(state.at[static_cast<size_t>(v)]);
-    NearTruth::Rows known = truth.rows_of(part, limit + tolerance);
-    for (const auto& [obstacle, expected] : known) {
+    std::vector<Vec> points;
+    for (const int v : ids) points.push_back(state.at[static_cast<size_t>(v)]);
+    visit(ids, points);
+  };
+  for (size_t v = 0; v < state.at.size(); ++v) give({static_cast<int>(v)});
+  for (const auto& e : state.edges) {
+    if (level >= DSW_LEVEL_EDGES) give({static_cast<int>(e[0]), static_cast<int>(e[1])});
+  }
+  for (const auto& f : state.faces) {
+    if (level == DSW_LEVEL_FACES) give({static_cast<int>(f[0]), static_cast<int>(f[1]), static_cast<int>(f[2])});
+  }
+}
+
+/// Rows with what a truth knows, part by part. `counts(part, obstacle)`: whether the pair is one for the body.
+template <class Counts>
+void check_rows(RowsByIds by_ids, const BodyState& state, const NearTruth& truth, double limit, dsw_level level,
+                double size, Counts counts, Tally& tally) {
+  const double tolerance = 0x1p-40 * size;
+  for_each_part(state, level, [&](const std::vector<int>& ids, const std::vector<Vec>& part) {
+    for (const auto& [obstacle, expected] : truth.rows_of(part, limit + tolerance)) {
+      if (!counts(ids, obstacle)) continue;
       const auto at = by_ids.find({ids, obstacle});
-      const bool is_there = at != by_ids.end(), is_near = expected.distance <= limit;
-      const bool is_sure = std::fabs(expected.distance - limit) > tolerance;
-      if (is_there) {
+      const bool is_near = expected.distance <= limit, is_sure = std::fabs(expected.distance - limit) > tolerance;
+      if (at != by_ids.end()) {
         ++tally.rows;
         check_numbers(*at->second, expected, size);
-        tally.phantom += expected.sight == NearTruth::Sight::kHidden || (is_sure && !is_near);
+        EXPECT_TRUE(is_near || !is_sure);
         EXPECT_NE(expected.sight, NearTruth::Sight::kHidden);
+        tally.phantom += expected.sight == NearTruth::Sight::kHidden || (is_sure && !is_near);
         by_ids.erase(at);
         continue;
       }
@@ -94,14 +117,7 @@ void check_walls(const std::vector<dsw_near_row>& rows, const BodyState& state, 
       ADD_FAILURE() << "missing: part of " << ids.size() << " with " << ids[0] << ", obstacle of " << obstacle.size()
                     << " with " << obstacle[0] << " at " << expected.distance << " of " << limit;
     }
-  };
-  for (size_t v = 0; v < state.at.size(); ++v) check({static_cast<int>(v)});
-  for (const auto& e : state.edges) {
-    if (level >= DSW_LEVEL_EDGES) check({static_cast<int>(e[0]), static_cast<int>(e[1])});
-  }
-  for (const auto& f : state.faces) {
-    if (level == DSW_LEVEL_FACES) check({static_cast<int>(f[0]), static_cast<int>(f[1]), static_cast<int>(f[2])});
-  }
+  });
   for (const auto& [ids, row] : by_ids) {
     ++tally.phantom;
     ADD_FAILURE() << "phantom: part of " << ids.first.size() << " with " << ids.first[0] << ", obstacle of "
@@ -109,6 +125,7 @@ void check_walls(const std::vector<dsw_near_row>& rows, const BodyState& state, 
                   << row->obstacle << " point " << hex({row->point[0], row->point[1], row->point[2]});
   }
 }
+bool any_pair(const std::vector<int>&, const std::vector<int>&) { return true; }
 
 BodyPlan any_plan(Motions& motions, Rng& rng) {
   const double share = std::pow(10, rng.range(-3, -0.3));
@@ -131,7 +148,8 @@ BodyPlan any_plan(Motions& motions, Rng& rng) {
 
 TEST_P(NearRowsTest, AreAllThatAreNear) {
   Tally tally;
-  for (uint64_t seed = 41; seed <= 42; ++seed) {
+  const uint64_t rounds = from_environment("DSW_NEAR_ROUNDS", 1);
+  for (uint64_t seed = 41; seed < 41 + 2 * rounds; ++seed) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     World& world = *place.world;
@@ -166,7 +184,8 @@ TEST_P(NearRowsTest, AreAllThatAreNear) {
         BodyState state;
         ASSERT_EQ(read_body(scene.get(), body, state), "");
         SCOPED_TRACE("seed " + std::to_string(seed) + " body " + std::to_string(i) + " round " + std::to_string(round));
-        check_walls(find_rows(scene.get(), body, limit - radius, radius), state, truth, limit, level, size, tally);
+        check_rows(rows_with(find_rows(scene.get(), body, limit - radius, radius), {0, 0}), state, truth, limit, level,
+                   size, any_pair, tally);
         if (HasFailure()) return;
         std::vector<Vec> targets = state.at;
         for (Vec& t : targets) t = motions.near(t, round == 0 ? 1e-3 : 0.05);
@@ -177,12 +196,173 @@ TEST_P(NearRowsTest, AreAllThatAreNear) {
       dsw_body_destroy(scene.get(), body);
     }
   }
-  RecordProperty("rows", std::to_string(tally.rows));
-  std::printf("%s: %llu rows, %llu hidden\n", GetParam().c_str(), static_cast<unsigned long long>(tally.rows),
-              static_cast<unsigned long long>(tally.hidden));
   EXPECT_EQ(tally.missed, 0u);
   EXPECT_EQ(tally.phantom, 0u);
   EXPECT_GT(tally.rows, 100u);
+}
+
+/// Bodies near each other and near themselves, in a box.
+TEST(NearBodiesTest, AreAllThatAreNear) {
+  Tally tally;
+  uint64_t own = 0;
+  for (uint64_t seed = 1; seed <= 120; ++seed) {
+    Place place = place_of(hex_grid(axis(4, 1), axis(4, 1), axis(3, 1)));
+    ASSERT_PLACE(place);
+    Rng rng(seed);
+    const ScenePtr scene = make_scene(place.get(), DSW_FEATURE_BODY_CONTACTS);
+    struct Made {
+      dsw_body_id id;
+      dsw_level level;
+      BodyState state;
+      bool self;
+    };
+    std::vector<Made> bodies;
+    for (int i = 0; i < 200 && bodies.size() < 6; ++i) {
+      // On a lattice half of the time, for parallels and right angles.
+      const bool lattice = rng.chance(0.5);
+      const auto any = [&](double low, double high) {
+        return lattice ? low + (high - low) * 0.125 * static_cast<double>(rng.below(9)) : rng.range(low, high);
+      };
+      BodyPlan plan;
+      plan.at.push_back({any(1, 2), any(1, 2), any(1, 2)});
+      const size_t more = 1 + rng.below(6);
+      for (size_t k = 0; k < more; ++k) {
+        const Vec& last = plan.at.back();
+        plan.at.push_back({last[0] + any(-0.5, 0.5), last[1] + any(-0.5, 0.5), last[2] + any(-0.5, 0.5)});
+      }
+      const bool surface = more >= 2 && rng.chance(0.4);
+      for (uint32_t k = 0; !surface && k < more; ++k) plan.edges.push_back({k, k + 1});
+      for (uint32_t k = 0; surface && k + 1 < more; ++k) {
+        plan.faces.push_back(k % 2 == 0 ? std::vector<uint32_t>{k, k + 1, k + 2}
+                                        : std::vector<uint32_t>{k + 1, k, k + 2});
+      }
+      const dsw_level level =
+          std::array{DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}[rng.below(4)];
+      Made made{{0, 0}, level, {}, rng.chance(0.6)};
+      const uint32_t flags = made.self ? DSW_BODY_SELF_CONTACTS : 0;
+      if (create_body(scene.get(), plan, level, flags, {}, &made.id) != DSW_STATUS_OK) continue;
+      ASSERT_EQ(read_body(scene.get(), made.id, made.state), "");
+      bodies.push_back(made);
+    }
+    const auto is_joined = [](const std::vector<int>& a, const std::vector<int>& b) {
+      return std::any_of(a.begin(), a.end(), [&](int v) { return std::find(b.begin(), b.end(), v) != b.end(); });
+    };
+    for (const Made& body : bodies) {
+      const double radius = rng.chance(0.5) ? 0 : 0.05, margin = rng.range(0.02, 0.5);
+      const std::vector<dsw_near_row> rows = find_rows(scene.get(), body.id, margin, radius);
+      for (const Made& other : bodies) {
+        const bool is_own = &other == &body;
+        SCOPED_TRACE("seed " + std::to_string(seed) + " bodies " + std::to_string(body.id.index) + " " +
+                     std::to_string(other.id.index));
+        NearTruth::Scene known;
+        known.points = other.state.at;
+        known.tolerance = 0x1p-38;
+        if (!is_own || body.self) {
+          for_each_part(other.state, other.level,
+                        [&](const std::vector<int>& ids, const std::vector<Vec>&) { known.obstacles.push_back(ids); });
+        }
+        const NearTruth truth(known);
+        const double limit = margin + (is_own ? 2 : 1) * radius;
+        for (const dsw_near_row& row : rows) {
+          if (row.body.generation == other.id.generation && row.body.index == other.id.index) {
+            EXPECT_EQ(row.gap, row.distance - (is_own ? 2 : 1) * radius);
+          }
+        }
+        // Two vertices of one body make one row, if one of them sees the other.
+        const auto sees = [&](const std::vector<int>& a, const std::vector<int>& b) {
+          return truth.rows_of({body.state.at[static_cast<size_t>(a[0])]}, limit + 1).count(b) != 0;
+        };
+        const auto counts = [&](const std::vector<int>& a, const std::vector<int>& b) {
+          if (!is_own) return true;
+          if (is_joined(a, b)) return false;
+          if (a.size() != b.size()) return a.size() < b.size();
+          return a < b || (a.size() == 1 && !sees(b, a));
+        };
+        const uint64_t before = tally.rows;
+        check_rows(rows_with(rows, other.id), body.state, truth, limit, body.level, 4, counts, tally);
+        own += is_own ? tally.rows - before : 0;
+        if (testing::Test::HasFailure()) return;
+      }
+    }
+  }
+  EXPECT_GT(tally.rows, 1000u);
+  EXPECT_GT(own, 100u);
+}
+
+/// Chains of the plane among impassable triangles, sides and marked vertices.
+TEST(NearPlaneTest, AreAllThatAreNear) {
+  constexpr uint32_t kSquares = 9;
+  const EnvironmentPtr environment = make_squares(kSquares, true);
+  Rng rng(5);
+  const double* points = nullptr;
+  size_t count = 0;
+  ASSERT_EQ(dsw_environment_get_points(environment.get(), &points, &count), DSW_STATUS_OK);
+  NearTruth::Scene known;
+  known.dimension = 2;
+  known.tolerance = 0x1p-38;
+  for (size_t v = 0; v < count; ++v) known.points.push_back({points[2 * v], points[2 * v + 1], 0});
+  known.wall_points = known.points;
+  std::vector<dsw_face_id> sides;
+  for (uint32_t i = 0; i < 2 * kSquares * kSquares; ++i) {
+    dsw_volume_id volume;
+    ASSERT_EQ(dsw_environment_get_volume_id(environment.get(), i, &volume), DSW_STATUS_OK);
+    for (uint32_t local = 0; local < 3; ++local) sides.push_back({volume.index, volume.generation, local});
+    if (rng.chance(0.1)) {
+      ASSERT_EQ(dsw_environment_mark_volumes(environment.get(), &volume, 1, DSW_MARK_IMPASSABLE, 0, nullptr),
+                DSW_STATUS_OK);
+    }
+    if (rng.chance(0.1)) {
+      ASSERT_EQ(dsw_environment_mark_faces(environment.get(), &sides.back(), 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+    }
+  }
+  std::set<std::vector<int>> walls;
+  for (const dsw_face_id& side : sides) {
+    int impassable = 0;
+    ASSERT_EQ(dsw_environment_is_impassable(environment.get(), cell_of(side), &impassable), DSW_STATUS_OK);
+    std::vector<int> ids;
+    for (const dsw_vertex_id& v : vertices_of(environment.get(), cell_of(side)))
+      ids.push_back(static_cast<int>(v.index));
+    std::sort(ids.begin(), ids.end());
+    if (impassable != 0) walls.insert(ids);
+  }
+  known.walls.assign(walls.begin(), walls.end());
+  known.obstacles = known.walls;
+  for (uint32_t v = 0; v < count; ++v) {
+    dsw_vertex_id id;
+    ASSERT_EQ(dsw_environment_get_vertex_id(environment.get(), v, &id), DSW_STATUS_OK);
+    if (!rng.chance(0.1)) continue;
+    ASSERT_EQ(dsw_environment_mark_vertices(environment.get(), &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+    known.obstacles.push_back({static_cast<int>(v)});
+  }
+  const NearTruth truth(known);
+  const ScenePtr scene = make_scene(environment.get());
+  Tally tally;
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<double> at;
+    const size_t vertices = 1 + rng.below(4);
+    for (size_t k = 0; k < 2 * vertices; ++k) {
+      at.push_back(k < 2 ? rng.range(0, kSquares) : at[k - 2] + rng.range(-0.4, 0.4));
+    }
+    std::vector<uint32_t> edges;
+    for (uint32_t k = 0; k + 1 < vertices; ++k) edges.insert(edges.end(), {k, k + 1});
+    dsw_body_desc desc = defaults(dsw_body_desc_init);
+    desc.positions = at.data();
+    desc.vertex_count = vertices;
+    desc.edges = edges.data();
+    desc.edge_count = edges.size() / 2;
+    dsw_body_id body;
+    if (dsw_body_create(scene.get(), &desc, &body) != DSW_STATUS_OK) continue;
+    const double limit = rng.range(0.05, 0.6);
+    BodyState state;
+    for (size_t k = 0; k < vertices; ++k) state.at.push_back({at[2 * k], at[2 * k + 1], 0});
+    for (uint32_t k = 0; k + 1 < vertices; ++k) state.edges.push_back({k, k + 1});
+    SCOPED_TRACE("chain " + std::to_string(i));
+    check_rows(rows_with(find_rows(scene.get(), body, limit, 0), {0, 0}), state, truth, limit, DSW_LEVEL_EDGES,
+               kSquares, any_pair, tally);
+    if (testing::Test::HasFailure()) return;
+    ASSERT_EQ(dsw_body_destroy(scene.get(), body), DSW_STATUS_OK);
+  }
+  EXPECT_GT(tally.rows, 300u);
 }
 
 }  // namespace
