@@ -177,150 +177,169 @@ Measured edge_to_edge(const double* const* p, const double* const* a) {
 
 }  // namespace
 
-template <int D>
-void PairSearch<D>::bound(const Part<D>& part, double* lower, double* upper) const noexcept {
-  for (int k = 0; k < D; ++k) {
-    lower[k] = upper[k] = part.points[0][k];
-    for (uint32_t i = 1; i < part.corners.count; ++i) {
-      lower[k] = std::min(lower[k], part.points[i][k]);
-      upper[k] = std::max(upper[k], part.points[i][k]);
-    }
-    lower[k] -= reach_;
-    upper[k] += reach_;
-  }
-}
-
-template <int D>
-bool PairSearch<D>::is_apart(const NearObstacle<D>& o, const double* lower, const double* upper) const noexcept {
-  bool apart = false;
-  for (int k = 0; k < D; ++k) {
-    double low = points_[o.vertices[0]][k], high = low;
-    for (uint32_t i = 1; i < o.count; ++i) {
-      const double x = points_[o.vertices[i]][k];
-      low = x < low ? x : low;
-      high = high < x ? x : high;
-    }
-    apart |= (low > upper[k]) | (high < lower[k]);
-  }
-  return apart;
-}
-
-template <int D>
-NearFeature PairSearch<D>::choose(const NearObstacle<D>& o, uint32_t bits) noexcept {
-  NearFeature f;
-  for (uint32_t i = 0; i < o.count; ++i) {
-    if ((bits >> i & 1) != 0) f.vertices[f.count++] = o.vertices[i];
-  }
-  if (f.count > 1 && f.vertices[0] > f.vertices[1]) std::swap(f.vertices[0], f.vertices[1]);
-  if (f.count > 2 && f.vertices[1] > f.vertices[2]) std::swap(f.vertices[1], f.vertices[2]);
-  if (f.count > 2 && f.vertices[0] > f.vertices[1]) std::swap(f.vertices[0], f.vertices[1]);
-  return f;
-}
+// Doubles sort out most pairs. All products below are compared with room of 2^-40 of the largest terms in them, which is
+// thousands of their rounding errors. Where squares are so small or large that products might under- or overflow,
+// nothing is sorted out.
 
 namespace {
 
-template <int D>
-bool has_all(const NearObstacle<D>& o, const NearFeature& f) noexcept {
-  bool all = f.count <= o.count;
-  for (uint32_t i = 0; all && i < f.count; ++i) all = o.has(f.vertices[i]);
-  return all;
+constexpr double kRoom = 0x1p-40;
+bool is_usual(double square) noexcept { return square >= 0x1p-300 && square <= 0x1p+200; }
+
+/** A triangle from its first corner, in doubles. */
+struct RoughTriangle {
+  Vec u, v, normal;
+  double uu, uv, vv, size, length;  // size: not less than any of the squares; length: of the normal
+
+  RoughTriangle(const Vec& to_second, const Vec& to_third) noexcept
+      : u(to_second),
+        v(to_third),
+        normal(u.cross(v)),
+        uu(dot(u, u)),
+        uv(dot(u, v)),
+        vv(dot(v, v)),
+        size(uu + vv),
+        length(std::sqrt(dot(normal, normal))) {}
+
+  /** Whether the foot of w lies outside, or w is farther away than `beyond`. */
+  bool is_far(const Vec& w, double beyond) const noexcept {
+    const double ww = dot(w, w);
+    if (!is_usual(size) || !is_usual(ww)) return false;
+    const double uw = dot(u, w), vw = dot(v, w), reach = std::sqrt(ww), room = kRoom * size;
+    const double s = vv * uw - uv * vw, t = uu * vw - uv * uw, slack = room * std::sqrt(size) * reach;
+    if ((s < -slack) | (t < -slack) | (s + t > uu * vv - uv * uv + 2 * slack + room * size)) return true;
+    return std::fabs(dot(normal, w)) - room * reach > beyond * (length + room);
+  }
+};
+
+/** Whether the foot of w on edge u lies outside, or w is farther away than `beyond`. */
+bool is_far_from_edge(const Vec& u, const Vec& w, double beyond) noexcept {
+  const double uu = dot(u, u), uw = dot(u, w), ww = dot(w, w), room = kRoom * (uu + ww);
+  if (!is_usual(uu) || !is_usual(ww)) return false;
+  return (uw < -room) | (uw > uu + room) | (ww - uw * (uw / uu) - room > beyond * beyond);
+}
+
+/** The same for the nearest points of edges d and u; w leads from the start of u to that of d. */
+bool are_far_edges(const Vec& d, const Vec& u, const Vec& w, double beyond) noexcept {
+  const double dd = dot(d, d), uu = dot(u, u), ww = dot(w, w);
+  if (!is_usual(dd) || !is_usual(uu) || !is_usual(ww)) return false;
+  const double du = dot(d, u), dw = dot(d, w), uw = dot(u, w);
+  const double s = uw * du - dw * uu, t = uw * dd - dw * du, all = dd * uu - du * du, room = kRoom * dd * uu;
+  const double reach = std::sqrt(ww), ld = std::sqrt(dd), lu = std::sqrt(uu);
+  const double slack_s = kRoom * ld * uu * reach, slack_t = kRoom * dd * lu * reach;
+  if ((s < -slack_s) | (s > all + room + slack_s) | (t < -slack_t) | (t > all + room + slack_t)) return true;
+  const Vec n = d.cross(u);
+  const double room_n = kRoom * ld * lu;
+  return std::fabs(dot(n, w)) - room_n * reach > beyond * (std::sqrt(dot(n, n)) + room_n);
 }
 
 }  // namespace
 
 template <int D>
-bool PairSearch<D>::is_first_with(const NearFeature& f, size_t number) const noexcept {
-  for (size_t i = 0; i < number; ++i) {
-    if (has_all(obstacles_[i], f)) return false;
+PairSearch<D>::PairSearch(const Environment<D>& env, const NearList<D>& list, double reach) noexcept
+    : env_(env), list_(list), reach_(reach), beyond_(reach * (1 + 0x1p-20)) {}
+
+template <int D>
+bool PairSearch<D>::is_far(const Part<D>& part, const NearFeature& f) const noexcept {
+  const Vec p = to_vec<D>(part.points[0]), a = to_vec<D>(list_.point(f.corners[0])), w = p - a;
+  const auto edge_of_part = [&] { return Vec(to_vec<D>(part.points[1]) - p); };
+  const auto edge_of_feature = [&] { return Vec(to_vec<D>(list_.point(f.corners[1])) - a); };
+  switch (part.corners.count * 4 + f.count) {
+    case 5: {
+      const double ww = dot(w, w);
+      return is_usual(ww) && ww * (1 - kRoom) > beyond_ * beyond_;
+    }
+    case 6:
+      return is_far_from_edge(edge_of_feature(), w, beyond_);
+    case 7:
+      return RoughTriangle(edge_of_feature(), to_vec<D>(list_.point(f.corners[2])) - a).is_far(w, beyond_);
+    case 9:
+      return is_far_from_edge(edge_of_part(), -w, beyond_);
+    case 10:
+      return are_far_edges(edge_of_part(), edge_of_feature(), w, beyond_);
+    default:
+      return RoughTriangle(edge_of_part(), to_vec<D>(part.points[2]) - p).is_far(-w, beyond_);
   }
-  return true;
 }
 
 template <int D>
 bool PairSearch<D>::are_inside(const Part<D>& part, const NearFeature& f) const noexcept {
-  const uint32_t m = part.corners.count;
-  if (m + f.count > D + 1) return false;
   const double* a[3] = {};
-  for (uint32_t i = 0; i < f.count; ++i) a[i] = points_[f.vertices[i]];
-  if (m == 1) return foot_is_inside<D>(part.points[0], a, f.count);
-  if (f.count == 1) return foot_is_inside<D>(a[0], part.points, m);
+  corners_of(f, a);
+  if (part.corners.count == 1) return foot_is_inside<D>(part.points[0], a, f.count);
+  if (f.count == 1) return foot_is_inside<D>(a[0], part.points, part.corners.count);
   return feet_are_inside<D>(part.points, a);
 }
 
 // With x the point of the part and y that of the feature, a vertex z of an obstacle comes closer if (z - y).(x - y) > 0.
-// Here y may be replaced by any vertex of the feature, since the feature is perpendicular to x - y.
+// Here y may be replaced by any corner of the feature, since the feature is perpendicular to x - y.
 template <int D>
 bool PairSearch<D>::is_local_minimum(const Part<D>& part, const NearFeature& f) const noexcept {
+  if (f.around == f.around_end) return true;
   const uint32_t m = part.corners.count;
   const double* const* const p = part.points;
-  const double* const a = points_[f.vertices[0]];
+  const double* a[3] = {};
+  corners_of(f, a);
   int side = 0;
   if constexpr (D == 3) {
-    if (m == 2 && f.count == 2) side = volume_sign({p[0], p[1]}, {a, points_[f.vertices[1]]}, {a, p[0]});
-    if (m == 3) side = volume_sign({p[0], p[1]}, {p[0], p[2]}, {p[0], a});
+    if (m == 2 && f.count == 2) side = volume_sign({p[0], p[1]}, {a[0], a[1]}, {a[0], p[0]});
+    if (m == 3) side = volume_sign({p[0], p[1]}, {p[0], p[2]}, {p[0], a[0]});
   }
-  const auto comes_closer = [&](const double* z) {
-    if (m == 1 && f.count == 1) return dot_sign<D>({a, z}, {a, p[0]}) > 0;
-    if (m == 1) return lean_sign<D>({a, points_[f.vertices[1]]}, {a, z}, {a, p[0]}) > 0;
-    if (m == 2 && f.count == 1) return lean_sign<D>({p[0], p[1]}, {a, z}, {p[0], a}) < 0;
+  const auto comes_closer = [&](uint32_t vertex) {
+    const Arrow z{a[0], list_.point(vertex)};
+    if (m == 1 && f.count == 1) return dot_sign<D>(z, {a[0], p[0]}) > 0;
+    if (m == 1) return lean_sign<D>({a[0], a[1]}, z, {a[0], p[0]}) > 0;
+    if (m == 2 && f.count == 1) return lean_sign<D>({p[0], p[1]}, z, {p[0], a[0]}) < 0;
     if constexpr (D == 3) {
-      if (m == 2) return side * volume_sign({p[0], p[1]}, {a, points_[f.vertices[1]]}, {a, z}) > 0;
-      return side * volume_sign({p[0], p[1]}, {p[0], p[2]}, {a, z}) < 0;
+      if (m == 2) return side * volume_sign({p[0], p[1]}, {a[0], a[1]}, z) > 0;
+      return side * volume_sign({p[0], p[1]}, {p[0], p[2]}, z) < 0;
     }
     return false;
   };
-  for (const NearObstacle<D>& o : obstacles_) {
-    if (o.count == f.count || !has_all(o, f)) continue;
-    for (uint32_t i = 0; i < o.count; ++i) {
-      const uint32_t v = o.vertices[i];
-      const bool is_own = v == f.vertices[0] || v == f.vertices[1] || v == f.vertices[2];
-      if (!is_own && comes_closer(points_[v])) return false;
-    }
-  }
-  return true;
+  return std::none_of(list_.around(f), list_.around_end(f), comes_closer);
 }
 
 template <int D>
-HalfFacet PairSearch<D>::find_wall(const NearFeature& f, const double* point, size_t& number) const noexcept {
+uint32_t PairSearch<D>::find_wall(const NearFeature& f, const double* point) const noexcept {
   const Map<D>& map = env_.map;
-  HalfFacet wall, lowest;
-  bool is_seen = false;
-  for (size_t i = 0; i < obstacles_.size(); ++i) {
-    const NearObstacle<D>& o = obstacles_[i];
+  uint32_t found = f.obstacle;
+  bool is_seen = false, is_first = true;
+  const auto key = [&](HalfFacet h) {
+    const Cell c = map.cell_of(h);
+    return std::pair(map.index(c), map.local_of(h, c));
+  };
+  for (uint32_t i = 0; i < list_.obstacles().size(); ++i) {
+    const NearObstacle<D>& o = list_.obstacles()[i];
     if (!o.facet.valid() || !has_all(o, f)) continue;
     const double* corners[D];
-    for (int k = 0; k < D; ++k) corners[k] = points_[o.vertices[k]];
+    for (int k = 0; k < D; ++k) corners[k] = list_.point(o.vertices[k]);
     const bool sees = orient<D>(corners, point) <= 0;
-    const HalfFacet name = canonical(map, o.facet);
-    const auto key = [&](HalfFacet h) {
-      const Cell c = map.cell_of(h);
-      return std::pair(map.index(c), map.local_of(h, c));
-    };
-    const bool is_lower = !wall.valid() || key(name) < key(lowest) || (name == lowest && key(o.facet) < key(wall));
-    if (wall.valid() && (is_seen != sees ? is_seen : !is_lower)) continue;
-    wall = o.facet;
-    lowest = name;
+    const HalfFacet before = list_.obstacles()[found].facet;
+    const bool is_better = is_first || (sees != is_seen ? sees
+                                                        : std::pair(key(canonical(map, o.facet)), key(o.facet)) <
+                                                              std::pair(key(canonical(map, before)), key(before)));
+    if (!is_better) continue;
+    found = i;
     is_seen = sees;
-    number = i;
+    is_first = false;
   }
-  return wall;
+  return found;
 }
 
 template <int D>
-Vec PairSearch<D>::normal_of(size_t number) const noexcept {
+Vec PairSearch<D>::normal_of(uint32_t obstacle) const noexcept {
   const double* corners[D];
-  for (int k = 0; k < D; ++k) corners[k] = points_[obstacles_[number].vertices[k]];
+  for (int k = 0; k < D; ++k) corners[k] = list_.point(list_.obstacles()[obstacle].vertices[k]);
   double outward[3] = {};
   unit_normal<D>(corners, outward);
   return -to_vec<3>(outward);
 }
 
 template <int D>
-bool PairSearch<D>::measure(const Part<D>& part, const NearFeature& f, size_t number,
-                            NearPair<D>& pair) const noexcept {
+bool PairSearch<D>::measure(const Part<D>& part, const NearFeature& f, NearPair<D>& pair) const noexcept {
   const uint32_t m = part.corners.count;
   const double* a[3] = {};
-  for (uint32_t i = 0; i < f.count; ++i) a[i] = points_[f.vertices[i]];
+  corners_of(f, a);
   Measured n;
   if (m == 1) {
     n = point_to_simplex<D>(part.points[0], a, f.count);
@@ -332,15 +351,16 @@ bool PairSearch<D>::measure(const Part<D>& part, const NearFeature& f, size_t nu
   }
   if (!(n.distance <= reach_)) return false;
   pair.part = part.simplex;
-  pair.body.count = m;
-  std::copy_n(part.corners.vertices, m, pair.body.vertices);
-  pair.obstacle = f;
+  std::copy_n(part.corners.vertices, m, pair.vertices);
+  pair.obstacle_count = f.count;
+  for (uint32_t i = 0; i < f.count; ++i) pair.obstacle_vertices[i] = list_.name(f.corners[i]);
   std::copy_n(n.weights, 3, pair.weights);
   std::copy_n(n.obstacle_weights, 3, pair.obstacle_weights);
   store<3>(n.point, pair.point);
   store<3>(n.obstacle_point, pair.obstacle_point);
-  pair.wall = find_wall(f, pair.point, number);
-  pair.cell = obstacles_[number].cell;
+  const uint32_t number = find_wall(f, pair.point);
+  pair.wall = list_.obstacles()[number].facet;
+  pair.cell = list_.obstacles()[number].cell;
   if (!n.has_normal) n.normal = pair.wall.valid() ? normal_of(number) : is_zero(n.normal) ? Vec(1, 0, 0) : n.normal;
   store<3>(n.normal, pair.normal);
   pair.distance = n.distance;

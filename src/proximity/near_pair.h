@@ -3,8 +3,9 @@
 // doubles say where.
 
 #include "base/points.h"
+#include "base/vec.h"
 #include "body/simplices.h"
-#include "proximity/obstacles_near.h"
+#include "proximity/near_list.h"
 
 namespace dsw {
 
@@ -20,19 +21,14 @@ struct Part {
   }
 };
 
-/** Up to three points, by number. */
-struct NearFeature {
-  uint32_t vertices[3] = {kNone, kNone, kNone};
-  uint32_t count = 0;
-};
-
 template <int D>
 struct NearPair {
   Simplex part;
-  NearFeature body, obstacle;  // vertices of the part, of the obstacle in ascending order
-  double weights[3] = {};      // of the part's vertices
-  double obstacle_weights[3] = {};
-  double point[3] = {};  // on the part
+  uint32_t vertices[3] = {kNone, kNone, kNone};           // of the part
+  uint32_t obstacle_vertices[3] = {kNone, kNone, kNone};  // of the obstacle, ascending
+  uint32_t obstacle_count = 0;
+  double weights[3] = {}, obstacle_weights[3] = {};
+  double point[3] = {};  // of the part
   double obstacle_point[3] = {};
   double normal[3] = {};  // unit, from the obstacle to the part
   double distance = 0;
@@ -44,52 +40,41 @@ struct NearPair {
 template <int D>
 class PairSearch {
  public:
-  /** @param points of the obstacles' vertices. @param reach largest distance. */
-  PairSearch(const Environment<D>& env, PointArray points, const Array<NearObstacle<D>>& obstacles,
-             double reach) noexcept
-      : env_(env), points_(points), obstacles_(obstacles), reach_(reach) {}
+  /** @param reach largest distance. */
+  PairSearch(const Environment<D>& env, const NearList<D>& list, double reach) noexcept;
 
-  /** Calls accept(feature) for features of obstacles that may be near the part, and visit(pair) for the pairs with
-   * those that are accepted. */
+  /** Calls visit(pair) for the pairs with features for which accept(feature) is true. */
   template <class Accept, class Visit>
   void find(const Part<D>& part, Accept accept, Visit visit) const {
-    double lower[D], upper[D];
-    bound(part, lower, upper);
-    for (size_t i = 0; i < obstacles_.size(); ++i) {
-      const NearObstacle<D>& o = obstacles_[i];
-      if (is_apart(o, lower, upper)) continue;
-      const uint32_t all = 1u << o.count;
-      for (uint32_t chosen = 1; chosen < all; ++chosen) {
-        const NearFeature f = choose(o, chosen);
-        if (!are_inside(part, f) || !is_first_with(f, i) || !accept(f) || !is_local_minimum(part, f)) continue;
-        NearPair<D> pair;
-        if (measure(part, f, i, pair)) visit(pair);
-      }
+    for (const NearFeature& f : list_.features()) {
+      if (part.corners.count + f.count > D + 1 || is_far(part, f) || !accept(f)) continue;
+      if (!are_inside(part, f) || !is_local_minimum(part, f)) continue;
+      NearPair<D> pair;
+      if (measure(part, f, pair)) visit(pair);
     }
   }
 
-  /** Whether the nearest points of a part and a feature are unique and lie inside of both. */
-  bool are_inside(const Part<D>& part, const NearFeature& feature) const noexcept;
-  /** Then, whether no obstacle that holds the feature comes closer to the point of the part. */
-  bool is_local_minimum(const Part<D>& part, const NearFeature& feature) const noexcept;
-
  private:
-  void bound(const Part<D>& part, double* lower, double* upper) const noexcept;
-  bool is_apart(const NearObstacle<D>& o, const double* lower, const double* upper) const noexcept;
-  /** Some of the vertices of an obstacle. */
-  static NearFeature choose(const NearObstacle<D>& o, uint32_t bits) noexcept;
-  bool is_first_with(const NearFeature& f, size_t number) const noexcept;
-  /** Where the two are nearest; whether that is within reach. `number`: the first obstacle with the feature. */
-  bool measure(const Part<D>& part, const NearFeature& feature, size_t number, NearPair<D>& pair) const noexcept;
-  /** Of the facets with a feature the lowest one from whose passable side a point is seen, else the lowest one. */
-  HalfFacet find_wall(const NearFeature& feature, const double* point, size_t& number) const noexcept;
+  /** Whether doubles tell that a pair is beyond reach, or that its nearest points lie outside. */
+  bool is_far(const Part<D>& part, const NearFeature& f) const noexcept;
+  /** Whether the nearest points of a part and a feature are unique and lie inside of both. Exactly. */
+  bool are_inside(const Part<D>& part, const NearFeature& f) const noexcept;
+  /** Then, whether no obstacle that has the feature comes closer to the point of the part. Exactly. */
+  bool is_local_minimum(const Part<D>& part, const NearFeature& f) const noexcept;
+  /** Where the two are nearest; whether that is within reach. */
+  bool measure(const Part<D>& part, const NearFeature& f, NearPair<D>& pair) const noexcept;
+  /** Of the facets with a feature the lowest one from whose passable side a point is seen, else the lowest one. The
+   * number of its obstacle, or that of the feature. */
+  uint32_t find_wall(const NearFeature& f, const double* point) const noexcept;
   /** Of an obstacle with a facet, into the passable cell. */
-  Vec normal_of(size_t number) const noexcept;
+  Vec normal_of(uint32_t obstacle) const noexcept;
+  void corners_of(const NearFeature& f, const double** out) const noexcept {
+    for (uint32_t i = 0; i < f.count; ++i) out[i] = list_.point(f.corners[i]);
+  }
 
   const Environment<D>& env_;
-  PointArray points_;
-  const Array<NearObstacle<D>>& obstacles_;
-  double reach_;
+  const NearList<D>& list_;
+  double reach_, beyond_;  // beyond_: a little more
 };
 
 }  // namespace dsw

@@ -35,7 +35,7 @@ template <int D>
 uint64_t NearNotes<D>::memory_bytes() const {
   uint64_t bytes = array_bytes(of_vertices) + array_bytes(of_edges) + array_bytes(of_faces);
   for (const auto* notes : {&of_vertices, &of_edges, &of_faces}) {
-    for (const NearNote<D>& each : *notes) bytes += array_bytes(each.obstacles);
+    for (const NearNote<D>& each : *notes) bytes += each.list.memory_bytes();
   }
   return bytes;
 }
@@ -97,13 +97,14 @@ void NearSearch<D>::refresh(const Part<D>& cover, double reach, NearNote<D>& not
   }
   const bool is_known = note.room >= 0 && note.version == env_.change_version;
   if (is_known && (reach + way) * (1 + 0x1p-40) <= note.room) return;
-  double share = is_known && note.obstacles.empty() ? 1 : kLeastRoom;
+  double share = is_known && note.list.empty() ? 1 : kLeastRoom;
   if (is_known && reach > 0) share = std::max(share, kWaysOfRoom * way / reach);
   note.room = -1;  // until the list is whole
-  note.obstacles.clear();
+  note.list.clear();
   const double room = reach + std::min(share, kMostRoom) * reach;
   flood_.find(body_.vertices[cover.corners.vertices[0]].cell, NearRegion<D>(cover.points, cover.corners.count, room),
-              note.obstacles);
+              note.list);
+  note.list.finish({env_.points, D});
   for (uint32_t i = 0; i < cover.corners.count; ++i) std::copy_n(cover.points[i], D, note.anchors[i]);
   note.version = env_.change_version;
   note.room = room;
@@ -126,9 +127,9 @@ bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) co
   double size = 0;
   for (int i = 0; i < D; ++i) {
     const uint32_t v = env_.map.vertex(way.cell, local[i]);
-    for (uint32_t k = 0; pair.wall.valid() && k < pair.obstacle.count; ++k) shared += pair.obstacle.vertices[k] == v;
+    for (uint32_t k = 0; pair.wall.valid() && k < pair.obstacle_count; ++k) shared += pair.obstacle_vertices[k] == v;
   }
-  if (shared != 0 && shared == pair.obstacle.count) return true;
+  if (shared != 0 && shared == pair.obstacle_count) return true;
   for (int k = 0; k < D; ++k) size = std::max({size, std::fabs(pair.point[k]), std::fabs(pair.obstacle_point[k])});
   const double left = 1 - crossing_time(env_, way.cell, way.simplex, pair.point, pair.obstacle_point);
   return left * pair.distance <= 0x1p-42 * size;
@@ -139,8 +140,8 @@ void NearSearch<D>::find_walls(double reach, Array<FoundPair<D>>& found) {
   for_each_cover([&](const Simplex& simplex) {
     NearNote<D>& note = note_of(simplex);
     refresh(Part<D>(body_, simplex), reach, note);
-    if (note.obstacles.empty()) return;
-    const PairSearch<D> search(env_, {env_.points, D}, note.obstacles, reach);
+    if (note.list.empty()) return;
+    const PairSearch<D> search(env_, note.list, reach);
     for_each_covered(simplex, [&](const Simplex& s) {
       const Part<D> part(body_, s);
       search.find(
@@ -166,7 +167,7 @@ void NearSearch<D>::collect(const Body<D>& other, const Part<D>& cover, double r
     const SimplexCorners<D> corners(other, s);
     NearObstacle<D> o{{}, corners.count, {}, {}};
     std::copy_n(corners.vertices, std::min<uint32_t>(corners.count, D), o.vertices);
-    others_.push_back(o);
+    others_.add(o);
     return true;
   };
   single_vertices(other, other.level).visit(box, [&](uint32_t v) { return add({Simplex::kVertex, v}); });
@@ -176,21 +177,21 @@ void NearSearch<D>::collect(const Body<D>& other, const Part<D>& cover, double r
   if (covers_faces(other.level)) {
     fresh_boxes(other).faces.visit(box, [&](uint32_t f) { return add({Simplex::kFace, f}); });
   }
+  if (!others_.empty()) others_.finish(points_of(other));
 }
 
-/** Of a body with itself each pair counts once, and neighbours do not. */
+/** Of a body with itself each pair counts once, and neighbours do not. `corners` are vertices of the other body. */
 template <int D>
-bool NearSearch<D>::is_accepted(const Body<D>& other, const Part<D>& part, const NearFeature& f) const noexcept {
+bool NearSearch<D>::is_accepted(const Body<D>& other, const Part<D>& part, const uint32_t* corners,
+                                uint32_t count) const noexcept {
   if (&other != &body_) return true;
   const uint32_t m = part.corners.count;
   for (const uint32_t v : part.corners) {
-    if (v == f.vertices[0] || v == f.vertices[1] || v == f.vertices[2]) return false;
+    if (std::find(corners, corners + count, v) != corners + count) return false;
   }
-  if (m != f.count) return m < f.count;
-  if (m == 2) {
-    return std::min(part.corners.vertices[0], part.corners.vertices[1]) < f.vertices[0];
-  }
-  const uint32_t a = part.corners.vertices[0], b = f.vertices[0];
+  if (m != count) return m < count;
+  if (m == 2) return std::min(part.corners.vertices[0], part.corners.vertices[1]) < corners[0];
+  const uint32_t a = part.corners.vertices[0], b = corners[0];
   if (a < b) return true;
   // The vertex b has a row with a, unless an edge of a comes closer to b.
   bool is_minimum = true;
@@ -209,11 +210,16 @@ void NearSearch<D>::find_partner(const Partners<D>& partners, uint32_t number, d
   for_each_cover([&](const Simplex& simplex) {
     collect(other, Part<D>(body_, simplex), reach);
     if (others_.empty()) return;
-    const PairSearch<D> search(env_, points_of(other), others_, reach);
+    const PairSearch<D> search(env_, others_, reach);
     for_each_covered(simplex, [&](const Simplex& s) {
       const Part<D> part(body_, s);
       search.find(
-          part, [&](const NearFeature& f) { return is_accepted(other, part, f); },
+          part,
+          [&](const NearFeature& f) {
+            uint32_t names[3];
+            for (uint32_t i = 0; i < f.count; ++i) names[i] = others_.name(f.corners[i]);
+            return is_accepted(other, part, names, f.count);
+          },
           [&](const NearPair<D>& pair) {
             if (is_in_sight(part, pair)) found.push_back({pair, number});
           });

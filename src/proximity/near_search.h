@@ -3,6 +3,7 @@
 
 #include "pairs/partners.h"
 #include "proximity/near_pair.h"
+#include "proximity/obstacles_near.h"
 
 namespace dsw {
 
@@ -12,9 +13,9 @@ struct NearNote {
   double anchors[3][D] = {};  // where the corners were
   double room = -1;           // all obstacles within this distance of the anchors are listed; negative: none are known
   uint64_t version = 0;       // of the environment then
-  Array<NearObstacle<D>> obstacles;
+  NearList<D> list;
 
-  explicit NearNote(const Memory* memory) : obstacles(memory) {}
+  explicit NearNote(const Memory* memory) : list(memory) {}
 };
 
 /** Notes by slot. A part is asked for with the simplex that covers it: a face itself, an edge one of its faces, a vertex
@@ -52,14 +53,14 @@ class NearSearch {
   NearNote<D>& note_of(const Simplex& cover);
   void refresh(const Part<D>& cover, double reach, NearNote<D>& note);
   bool is_in_sight(const Part<D>& part, const NearPair<D>& pair) const noexcept;
-  bool is_accepted(const Body<D>& other, const Part<D>& part, const NearFeature& feature) const noexcept;
+  bool is_accepted(const Body<D>& other, const Part<D>& part, const uint32_t* corners, uint32_t count) const noexcept;
   void collect(const Body<D>& other, const Part<D>& cover, double reach);
 
   const Environment<D>& env_;
   const Body<D>& body_;
   NearNotes<D>& notes_;
   ObstacleFlood<D> flood_;
-  Array<NearObstacle<D>> others_;  // of a partner
+  NearList<D> others_;  // of a partner
 };
 
 }  // namespace dsw

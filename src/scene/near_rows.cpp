@@ -27,23 +27,24 @@ ObstacleName name_cell(const dsw_cell& cell, uint32_t place) noexcept {
 
 /** Whether a dart runs between two vertices, either way. */
 template <int D>
-bool joins(const Map<D>& map, Dart d, const NearFeature& f) noexcept {
+bool joins(const Map<D>& map, Dart d, const uint32_t* ends) noexcept {
   const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
-  return (a == f.vertices[0] && b == f.vertices[1]) || (a == f.vertices[1] && b == f.vertices[0]);
+  return (a == ends[0] && b == ends[1]) || (a == ends[1] && b == ends[0]);
 }
 
 /** The edge of a cell between two vertices; invalid if there is none. */
 template <int D>
-Dart dart_between(const Map<D>& map, Cell c, const NearFeature& f) noexcept {
+Dart dart_between(const Map<D>& map, Cell c, const uint32_t* ends) noexcept {
   for (uint32_t d = 0, darts = map.shape(c).dart_count(); d < darts; ++d) {
-    if (joins(map, Dart{c, d}, f)) return {c, d};
+    if (joins(map, Dart{c, d}, ends)) return {c, d};
   }
   return {};
 }
 
 /** The number of a simplex of a facet, or of a diagonal between simplices: of the first that has all vertices. */
 template <int D>
-uint32_t place_in_facet(const Map<D>& map, HalfFacet facet, const NearFeature& f) noexcept {
+uint32_t place_in_facet(const Map<D>& map, HalfFacet facet, const NearPair<D>& pair) noexcept {
+  const uint32_t* const vertices = pair.obstacle_vertices;
   const Cell c = map.cell_of(facet);
   const Shape shape = map.shape(c);
   const uint32_t local = map.local_of(facet, c), first = shape.simplex_first(local);
@@ -51,11 +52,11 @@ uint32_t place_in_facet(const Map<D>& map, HalfFacet facet, const NearFeature& f
     uint32_t shared = 0, others = 0;
     for (uint32_t i = 0; i < D; ++i) {
       const uint32_t v = map.vertex(c, shape.simplices()[size_t{s} * D + i]);
-      const bool is_one = v == f.vertices[0] || v == f.vertices[1] || v == f.vertices[2];
+      const bool is_one = v == vertices[0] || v == vertices[1] || v == vertices[2];
       shared += is_one;
       if (!is_one) others = i;
     }
-    if (shared == f.count) return f.count == D ? s - first : kDiagonal | (D * (s - first) + others);
+    if (shared == pair.obstacle_count) return shared == D ? s - first : kDiagonal | (D * (s - first) + others);
   }
   return 0;
 }
@@ -63,14 +64,14 @@ uint32_t place_in_facet(const Map<D>& map, HalfFacet facet, const NearFeature& f
 template <int D>
 ObstacleName name_obstacle(const Environment<D>& env, const NearPair<D>& pair) noexcept {
   const Map<D>& map = env.map;
-  const NearFeature& f = pair.obstacle;
-  if (f.count == 1) {
-    const uint32_t v = f.vertices[0];
+  const uint32_t count = pair.obstacle_count;
+  if (count == 1) {
+    const uint32_t v = pair.obstacle_vertices[0];
     return name_cell({DSW_CELL_VERTEX, v, map.vertex_generation(v), 0}, 0);
   }
   if constexpr (D == 3) {
     const Cell c = pair.wall.valid() ? map.cell_of(pair.wall) : pair.cell;
-    const Dart d = f.count == 2 ? dart_between(map, c, f) : Dart{};
+    const Dart d = count == 2 ? dart_between(map, c, pair.obstacle_vertices) : Dart{};
     if (d.cell.valid()) {
       const dsw_edge_id id = edge_id(map, d);
       return name_cell({DSW_CELL_EDGE, id.volume, id.generation, id.local}, 0);
@@ -78,16 +79,16 @@ ObstacleName name_obstacle(const Environment<D>& env, const NearPair<D>& pair) n
   }
   const HalfFacet facet = canonical(map, pair.wall);
   const dsw_face_id id = face_id(map, facet);
-  return name_cell({DSW_CELL_FACE, id.volume, id.generation, id.local}, place_in_facet(map, facet, f));
+  return name_cell({DSW_CELL_FACE, id.volume, id.generation, id.local}, place_in_facet(map, facet, pair));
 }
 
 /** The number of a part of a body, with its kind. */
 template <int D>
-uint32_t number_of(const Body<D>& body, const NearFeature& f) noexcept {
-  const uint32_t index = f.count == 1   ? f.vertices[0]
-                         : f.count == 2 ? find_edge(body, f.vertices[0], f.vertices[1])
-                                        : find_face(body, f.vertices[0], f.vertices[1], f.vertices[2]);
-  return (f.count - 1) << kKindShift | index;
+uint32_t number_of(const Body<D>& body, const uint32_t* vertices, uint32_t count) noexcept {
+  const uint32_t index = count == 1   ? vertices[0]
+                         : count == 2 ? find_edge(body, vertices[0], vertices[1])
+                                      : find_face(body, vertices[0], vertices[1], vertices[2]);
+  return (count - 1) << kKindShift | index;
 }
 
 template <int D>
@@ -97,17 +98,17 @@ dsw_near_row to_row(const Environment<D>& env, const Partners<D>& partners, cons
   std::copy_n(pair.obstacle_point, 3, row.obstacle_point);
   std::copy_n(pair.normal, 3, row.normal);
   row.distance = pair.distance;
-  std::copy_n(pair.weights, pair.body.count, row.weights);
-  std::copy_n(pair.obstacle_weights, pair.obstacle.count, row.obstacle_weights);
-  std::copy_n(pair.body.vertices, 3, row.vertices);
-  std::copy_n(pair.obstacle.vertices, 3, row.obstacle_vertices);
+  std::copy_n(pair.weights, pair.part.kind + 1, row.weights);
+  std::copy_n(pair.obstacle_weights, pair.obstacle_count, row.obstacle_weights);
+  std::copy_n(pair.vertices, 3, row.vertices);
+  std::copy_n(pair.obstacle_vertices, 3, row.obstacle_vertices);
   row.key[0] = pair.part.kind << kKindShift | pair.part.index;
   row.previous = kNone;
   if (pair.partner != kNone) {
     const Partner<D>& partner = partners.all[pair.partner];
     row.body = {partner.index, partner.generation};
     row.key[1] = partner.index + 1;
-    row.key[2] = number_of(*partner.body, pair.obstacle);
+    row.key[2] = number_of(*partner.body, pair.obstacle_vertices, pair.obstacle_count);
     return row;
   }
   const ObstacleName name = name_obstacle(env, pair);

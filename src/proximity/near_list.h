@@ -1,0 +1,73 @@
+#pragma once
+// Obstacles near a simplex of a body, and their faces, edges and vertices, each once.
+
+#include "base/points.h"
+#include "environment/environment.h"
+
+namespace dsw {
+
+/** A triangle of an impassable facet (in the plane its segment), a marked edge, or a marked vertex. Or a face, an edge
+ * or a vertex of a body. */
+template <int D>
+struct NearObstacle {
+  uint32_t vertices[D];  // the first `count`; numbers in the list once that is finished
+  uint32_t count;
+  HalfFacet facet;  // seen from a passable cell; invalid if it is none, and of a body
+  Cell cell;        // of a marked edge or vertex: a cell at it
+};
+
+/** A triangle, an edge or a vertex of obstacles. Vertices are numbered as in the list. */
+struct NearFeature {
+  uint32_t corners[3];  // the first `count`, ascending
+  uint32_t count;
+  uint32_t around, around_end;  // in NearList::around: the other vertices of obstacles that have all corners
+  uint32_t obstacle;            // one of these
+};
+
+/** Whether an obstacle has all corners of a feature. */
+template <int D>
+bool has_all(const NearObstacle<D>& obstacle, const NearFeature& f) noexcept {
+  uint32_t shared = 0;
+  for (uint32_t i = 0; i < obstacle.count; ++i) {
+    for (uint32_t k = 0; k < f.count; ++k) shared += obstacle.vertices[i] == f.corners[k];
+  }
+  return shared == f.count;
+}
+
+template <int D>
+class NearList {
+ public:
+  explicit NearList(const Memory* memory)
+      : obstacles_(memory), vertices_(memory), points_(memory), features_(memory), around_(memory) {}
+
+  bool empty() const noexcept { return obstacles_.empty(); }
+  void clear() noexcept;
+  void add(const NearObstacle<D>& obstacle) { obstacles_.push_back(obstacle); }
+  /** Once all are added. `points` of their vertices are copied. Throws std::bad_alloc. */
+  void finish(PointArray points);
+
+  const Array<NearFeature>& features() const noexcept { return features_; }
+  const Array<NearObstacle<D>>& obstacles() const noexcept { return obstacles_; }
+  size_t vertex_count() const noexcept { return vertices_.size(); }
+  /** What the environment, or the body, calls a vertex of the list. Ascending. */
+  uint32_t name(uint32_t vertex) const noexcept { return vertices_[vertex]; }
+  const double* point(uint32_t vertex) const noexcept { return points_.data() + size_t{vertex} * D; }
+  const uint32_t* around(const NearFeature& f) const noexcept { return around_.data() + f.around; }
+  const uint32_t* around_end(const NearFeature& f) const noexcept { return around_.data() + f.around_end; }
+  uint64_t memory_bytes() const {
+    return array_bytes(obstacles_) + array_bytes(vertices_) + array_bytes(points_) + array_bytes(features_) +
+           array_bytes(around_);
+  }
+
+ private:
+  void add_features_at(uint32_t vertex, const uint32_t* obstacles, const uint32_t* end);
+  void add_around(uint32_t first, uint32_t vertex);
+
+  Array<NearObstacle<D>> obstacles_;
+  Array<uint32_t> vertices_;
+  Array<double> points_;
+  Array<NearFeature> features_;
+  Array<uint32_t> around_;
+};
+
+}  // namespace dsw
