@@ -1,6 +1,9 @@
 #include "proximity/near_list.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "body/body.h"
 
 namespace dsw {
 
@@ -8,6 +11,8 @@ template <int D>
 void NearList<D>::clear() noexcept {
   obstacles_.clear();
   vertices_.clear();
+  first_at_.clear();
+  at_.clear();
   points_.clear();
   features_.clear();
   around_.clear();
@@ -15,70 +20,73 @@ void NearList<D>::clear() noexcept {
 
 template <int D>
 void NearList<D>::finish(PointArray points) {
+  if (empty()) return;
+  number_vertices(points);
+  for (uint32_t v = 0; v < vertex_count(); ++v) add_features_at(v);
+}
+
+template <int D>
+void NearList<D>::number_vertices(PointArray points) {
   for (const NearObstacle<D>& o : obstacles_) vertices_.insert(vertices_.end(), o.vertices, o.vertices + o.count);
   std::sort(vertices_.begin(), vertices_.end());
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   for (const uint32_t v : vertices_) points_.insert(points_.end(), points[v], points[v] + D);
-  // The obstacles at each vertex, one after the other.
-  Array<uint32_t> ends(vertices_.size() + 1, 0, points_.get_allocator()), at(points_.get_allocator());
+  // Obstacles are counted at each vertex, and then put in their places from behind.
+  first_at_.assign(vertices_.size() + 1, 0);
   for (NearObstacle<D>& o : obstacles_) {
     for (uint32_t i = 0; i < o.count; ++i) {
-      o.vertices[i] = static_cast<uint32_t>(std::lower_bound(vertices_.begin(), vertices_.end(), o.vertices[i]) -
-                                            vertices_.begin());
-      ++ends[o.vertices[i] + 1];
+      const auto at = std::lower_bound(vertices_.begin(), vertices_.end(), o.vertices[i]);
+      o.vertices[i] = static_cast<uint32_t>(at - vertices_.begin());
+      ++first_at_[o.vertices[i]];
     }
   }
-  for (size_t v = 1; v < ends.size(); ++v) ends[v] += ends[v - 1];
-  at.resize(ends.back());
-  for (uint32_t o = 0; o < obstacles_.size(); ++o) {
-    for (uint32_t i = 0; i < obstacles_[o].count; ++i) at[ends[obstacles_[o].vertices[i]]++] = o;
+  for (size_t v = 1; v < first_at_.size(); ++v) first_at_[v] += first_at_[v - 1];
+  at_.resize(first_at_.back());
+  for (auto o = static_cast<uint32_t>(obstacles_.size()); o-- > 0;) {
+    for (uint32_t i = 0; i < obstacles_[o].count; ++i) at_[--first_at_[obstacles_[o].vertices[i]]] = o;
   }
-  for (uint32_t v = 0; v < vertices_.size(); ++v) {
-    add_features_at(v, at.data() + (v == 0 ? 0 : ends[v - 1]), at.data() + ends[v]);
-  }
-}
-
-/** Adds one of the vertices that stand from `first` on, unless it does already. */
-template <int D>
-void NearList<D>::add_around(uint32_t first, uint32_t vertex) {
-  if (std::find(around_.begin() + first, around_.end(), vertex) == around_.end()) around_.push_back(vertex);
 }
 
 /** A vertex, and the edges and triangles of which it is the lowest corner. */
 template <int D>
-void NearList<D>::add_features_at(uint32_t vertex, const uint32_t* obstacles, const uint32_t* end) {
-  const auto begin_feature = [&] { return static_cast<uint32_t>(around_.size()); };
-  const uint32_t neighbours = begin_feature();
-  for (const uint32_t* o = obstacles; o != end; ++o) {
-    for (uint32_t i = 0; i < obstacles_[*o].count; ++i) {
-      const uint32_t other = obstacles_[*o].vertices[i];
-      if (other != vertex) add_around(neighbours, other);
+void NearList<D>::add_features_at(uint32_t vertex) {
+  // Each obstacle at the vertex gives its other vertices, each with the third one, if there is one.
+  const auto first = static_cast<uint32_t>(around_.size());
+  std::pair<uint32_t, uint32_t> few[32];
+  Array<std::pair<uint32_t, uint32_t>> many(around_.get_allocator());
+  std::pair<uint32_t, uint32_t>* others = few;
+  size_t count = 0;
+  const size_t most = size_t{2} * (first_at_[vertex + 1] - first_at_[vertex]);
+  if (most > std::size(few)) {
+    many.resize(most);
+    others = many.data();
+  }
+  for (uint32_t i = first_at_[vertex]; i < first_at_[vertex + 1]; ++i) {
+    const NearObstacle<D>& o = obstacles_[at_[i]];
+    for (uint32_t k = 0; k < o.count; ++k) {
+      if (o.vertices[k] == vertex) continue;
+      uint32_t third = kNone;
+      for (uint32_t l = 0; l < o.count; ++l) {
+        if (o.vertices[l] != vertex && l != k) third = o.vertices[l];
+      }
+      others[count++] = {o.vertices[k], third};
     }
   }
-  const uint32_t neighbours_end = begin_feature();
-  features_.push_back({{vertex, 0, 0}, 1, neighbours, neighbours_end, *obstacles});
-  for (uint32_t n = neighbours; n < neighbours_end; ++n) {
-    const uint32_t other = around_[n];
+  std::sort(others, others + count);
+  count = static_cast<size_t>(std::unique(others, others + count) - others);
+  for (size_t i = 0; i < count; ++i) {
+    if (i == 0 || others[i].first != others[i - 1].first) around_.push_back(others[i].first);
+  }
+  features_.push_back({{vertex, kNone, kNone}, 1, first, static_cast<uint32_t>(around_.size())});
+  for (size_t i = 0, end = 0; i < count; i = end) {
+    const uint32_t other = others[i].first;
+    for (end = i; end < count && others[end].first == other;) ++end;
     if (other < vertex) continue;
-    NearFeature edge{{vertex, other, 0}, 2, begin_feature(), 0, 0};
-    bool is_first = true;
-    for (const uint32_t* o = obstacles; o != end; ++o) {
-      const NearObstacle<D>& obstacle = obstacles_[*o];
-      if (!has_all(obstacle, edge)) continue;
-      if (is_first) edge.obstacle = *o;
-      is_first = false;
-      for (uint32_t i = 0; i < obstacle.count; ++i) {
-        const uint32_t third = obstacle.vertices[i];
-        if (third != vertex && third != other) add_around(edge.around, third);
-      }
-    }
-    edge.around_end = begin_feature();
-    features_.push_back(edge);
-    for (uint32_t k = edge.around; D == 3 && k < edge.around_end; ++k) {
-      if (around_[k] < other) continue;
-      NearFeature triangle{{vertex, other, around_[k]}, 3, 0, 0, 0};
-      for (const uint32_t* o = obstacles; o != end && !has_all(obstacles_[triangle.obstacle = *o], triangle);) ++o;
-      features_.push_back(triangle);
+    const auto begin = static_cast<uint32_t>(around_.size());
+    for (size_t k = i; k < end && others[k].second != kNone; ++k) around_.push_back(others[k].second);
+    features_.push_back({{vertex, other, kNone}, 2, begin, static_cast<uint32_t>(around_.size())});
+    for (size_t k = i; k < end && others[k].second != kNone; ++k) {
+      if (others[k].second > other) features_.push_back({{vertex, other, others[k].second}, 3, begin, begin});
     }
   }
 }

@@ -20,8 +20,7 @@ struct NearObstacle {
 struct NearFeature {
   uint32_t corners[3];  // the first `count`, ascending
   uint32_t count;
-  uint32_t around, around_end;  // in NearList::around: the other vertices of obstacles that have all corners
-  uint32_t obstacle;            // one of these
+  uint32_t around, around_end;  // see NearList::around
 };
 
 /** Whether an obstacle has all corners of a feature. */
@@ -38,7 +37,13 @@ template <int D>
 class NearList {
  public:
   explicit NearList(const Memory* memory)
-      : obstacles_(memory), vertices_(memory), points_(memory), features_(memory), around_(memory) {}
+      : obstacles_(memory),
+        vertices_(memory),
+        first_at_(memory),
+        at_(memory),
+        points_(memory),
+        features_(memory),
+        around_(memory) {}
 
   bool empty() const noexcept { return obstacles_.empty(); }
   void clear() noexcept;
@@ -48,23 +53,32 @@ class NearList {
 
   const Array<NearFeature>& features() const noexcept { return features_; }
   const Array<NearObstacle<D>>& obstacles() const noexcept { return obstacles_; }
-  size_t vertex_count() const noexcept { return vertices_.size(); }
+  uint32_t vertex_count() const noexcept { return static_cast<uint32_t>(vertices_.size()); }
   /** What the environment, or the body, calls a vertex of the list. Ascending. */
   uint32_t name(uint32_t vertex) const noexcept { return vertices_[vertex]; }
   const double* point(uint32_t vertex) const noexcept { return points_.data() + size_t{vertex} * D; }
+  /** The other vertices of obstacles that have all corners of a feature. */
   const uint32_t* around(const NearFeature& f) const noexcept { return around_.data() + f.around; }
   const uint32_t* around_end(const NearFeature& f) const noexcept { return around_.data() + f.around_end; }
+  /** Calls visit(number) for the obstacles that have all corners of a feature. There is at least one. */
+  template <class Visit>
+  void for_each_obstacle(const NearFeature& f, Visit visit) const {
+    for (uint32_t i = first_at_[f.corners[0]]; i < first_at_[f.corners[0] + 1]; ++i) {
+      if (has_all(obstacles_[at_[i]], f)) visit(at_[i]);
+    }
+  }
   uint64_t memory_bytes() const {
-    return array_bytes(obstacles_) + array_bytes(vertices_) + array_bytes(points_) + array_bytes(features_) +
-           array_bytes(around_);
+    return array_bytes(obstacles_) + array_bytes(vertices_) + array_bytes(first_at_) + array_bytes(at_) +
+           array_bytes(points_) + array_bytes(features_) + array_bytes(around_);
   }
 
  private:
-  void add_features_at(uint32_t vertex, const uint32_t* obstacles, const uint32_t* end);
-  void add_around(uint32_t first, uint32_t vertex);
+  void number_vertices(PointArray points);
+  void add_features_at(uint32_t vertex);
 
   Array<NearObstacle<D>> obstacles_;
   Array<uint32_t> vertices_;
+  Array<uint32_t> first_at_, at_;  // the obstacles at each vertex: at_[first_at_[v] .. first_at_[v + 1] - 1]
   Array<double> points_;
   Array<NearFeature> features_;
   Array<uint32_t> around_;

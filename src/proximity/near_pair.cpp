@@ -236,8 +236,35 @@ bool are_far_edges(const Vec& d, const Vec& u, const Vec& w, double beyond) noex
 }  // namespace
 
 template <int D>
-PairSearch<D>::PairSearch(const Environment<D>& env, const NearList<D>& list, double reach) noexcept
-    : env_(env), list_(list), reach_(reach), beyond_(reach * (1 + 0x1p-20)) {}
+PairSearch<D>::PairSearch(const Environment<D>& env, const NearList<D>& list, double reach, PairScratch& scratch)
+    : env_(env), list_(list), reach_(reach), far_(reach * (1 + 0x1p-20)), scratch_(scratch) {
+  scratch.of_part.resize(list.vertex_count());
+  scratch.of_way.resize(list.vertex_count());
+}
+
+template <int D>
+void PairSearch<D>::note_beyond(const Box<D>& box, Array<uint8_t>& beyond) const noexcept {
+  for (uint32_t v = 0; v < list_.vertex_count(); ++v) {
+    const double* const x = list_.point(v);
+    uint32_t bits = 0;
+    for (int k = 0; k < D; ++k) {
+      bits |= static_cast<uint32_t>(x[k] > box.upper[k]) << 2 * k | static_cast<uint32_t>(x[k] < box.lower[k])
+                                                                        << (2 * k + 1);
+    }
+    beyond[v] = static_cast<uint8_t>(bits);
+  }
+}
+
+template <int D>
+void PairSearch<D>::note_part(const Part<D>& part) const noexcept {
+  Box<D> box;
+  for (uint32_t i = 0; i < part.corners.count; ++i) box.add(part.points[i]);
+  for (int k = 0; k < D; ++k) {
+    box.lower[k] -= far_;
+    box.upper[k] += far_;
+  }
+  note_beyond(box, scratch_.of_part);
+}
 
 template <int D>
 bool PairSearch<D>::is_far(const Part<D>& part, const NearFeature& f) const noexcept {
@@ -247,18 +274,18 @@ bool PairSearch<D>::is_far(const Part<D>& part, const NearFeature& f) const noex
   switch (part.corners.count * 4 + f.count) {
     case 5: {
       const double ww = dot(w, w);
-      return is_usual(ww) && ww * (1 - kRoom) > beyond_ * beyond_;
+      return is_usual(ww) && ww * (1 - kRoom) > far_ * far_;
     }
     case 6:
-      return is_far_from_edge(edge_of_feature(), w, beyond_);
+      return is_far_from_edge(edge_of_feature(), w, far_);
     case 7:
-      return RoughTriangle(edge_of_feature(), to_vec<D>(list_.point(f.corners[2])) - a).is_far(w, beyond_);
+      return RoughTriangle(edge_of_feature(), to_vec<D>(list_.point(f.corners[2])) - a).is_far(w, far_);
     case 9:
-      return is_far_from_edge(edge_of_part(), -w, beyond_);
+      return is_far_from_edge(edge_of_part(), -w, far_);
     case 10:
-      return are_far_edges(edge_of_part(), edge_of_feature(), w, beyond_);
+      return are_far_edges(edge_of_part(), edge_of_feature(), w, far_);
     default:
-      return RoughTriangle(edge_of_part(), to_vec<D>(part.points[2]) - p).is_far(-w, beyond_);
+      return RoughTriangle(edge_of_part(), to_vec<D>(part.points[2]) - p).is_far(-w, far_);
   }
 }
 
@@ -300,30 +327,92 @@ bool PairSearch<D>::is_local_minimum(const Part<D>& part, const NearFeature& f) 
 }
 
 template <int D>
-uint32_t PairSearch<D>::find_wall(const NearFeature& f, const double* point) const noexcept {
+uint32_t PairSearch<D>::find_wall(const NearFeature& f, NearPair<D>& pair) const noexcept {
   const Map<D>& map = env_.map;
-  uint32_t found = f.obstacle;
-  bool is_seen = false, is_first = true;
   const auto key = [&](HalfFacet h) {
-    const Cell c = map.cell_of(h);
-    return std::pair(map.index(c), map.local_of(h, c));
+    const HalfFacet first = canonical(map, h);
+    return std::pair(map.index(map.cell_of(first)), first != h);
   };
-  for (uint32_t i = 0; i < list_.obstacles().size(); ++i) {
-    const NearObstacle<D>& o = list_.obstacles()[i];
-    if (!o.facet.valid() || !has_all(o, f)) continue;
+  uint32_t found = kNone;
+  list_.for_each_obstacle(f, [&](uint32_t i) {
+    const HalfFacet facet = list_.obstacles()[i].facet;
+    if (!facet.valid()) {
+      if (found == kNone) found = i;
+      return;
+    }
     const double* corners[D];
-    for (int k = 0; k < D; ++k) corners[k] = list_.point(o.vertices[k]);
-    const bool sees = orient<D>(corners, point) <= 0;
-    const HalfFacet before = list_.obstacles()[found].facet;
-    const bool is_better = is_first || (sees != is_seen ? sees
-                                                        : std::pair(key(canonical(map, o.facet)), key(o.facet)) <
-                                                              std::pair(key(canonical(map, before)), key(before)));
-    if (!is_better) continue;
+    for (int k = 0; k < D; ++k) corners[k] = list_.point(list_.obstacles()[i].vertices[k]);
+    const bool is_seen = orient<D>(corners, pair.point) <= 0;
+    if (pair.wall.valid()) {
+      if (is_seen != pair.is_wall_seen ? !is_seen : key(pair.wall) < key(facet)) return;
+      if (key(pair.wall) == key(facet) && pair.wall.word < facet.word) return;
+    }
     found = i;
-    is_seen = sees;
-    is_first = false;
-  }
+    pair.wall = facet;
+    pair.is_wall_seen = is_seen;
+  });
   return found;
+}
+
+namespace {
+
+/** Whether doubles tell that a segment does not meet a triangle, which is given by ways from the segment's start. In the
+ * plane a segment, whose third corner is none. */
+template <int D>
+bool misses(const Vec& way, const Vec* corners, const Vec& normal, double size) noexcept {
+  const double from = -dot(normal, corners[0]), to = from + dot(normal, way),
+               reach = largest(corners[0]) + largest(way);
+  const double room = 8 * kRoom * size * reach;
+  if (!is_usual(size) || !is_usual(reach)) return false;
+  if (((from < -room) & (to < -room)) | ((from > room) & (to > room))) return true;
+  // On which sides of the line the sides of the triangle pass, or the ends of the segment.
+  int left = 0, right = 0;
+  for (int i = 0; i < D; ++i) {
+    const Vec &a = corners[i], &b = corners[(i + 1) % D];
+    const double side = D == 3 ? dot(way, a.cross(b)) : way.x() * a.y() - way.y() * a.x();
+    const double slack = 8 * kRoom * largest(way) * largest(a) * (D == 3 ? largest(b) : 1);
+    left += side > slack;
+    right += side < -slack;
+  }
+  return D == 3 ? left != 0 && right != 0 : left == 2 || right == 2;
+}
+
+}  // namespace
+
+// A triangle that has the obstacle meets the line through both points at the obstacle alone, or the line lies in its
+// plane and leaves it there.
+template <int D>
+bool PairSearch<D>::is_clear(const NearPair<D>& pair) const noexcept {
+  const Vec x = to_vec<3>(pair.point), way = to_vec<3>(pair.obstacle_point) - x;
+  const auto is_own = [&](const NearObstacle<D>& o) {
+    uint32_t shared = 0;
+    for (uint32_t i = 0; i < o.count; ++i) {
+      for (const uint32_t name : pair.obstacle_vertices) shared += list_.name(o.vertices[i]) == name;
+    }
+    return shared == pair.obstacle_count;
+  };
+  Box<D> box;
+  box.add(pair.point);
+  box.add(pair.obstacle_point);
+  note_beyond(box, scratch_.of_way);
+  for (const NearObstacle<D>& o : list_.obstacles()) {
+    if (!o.facet.valid()) continue;
+    uint32_t beyond = scratch_.of_way[o.vertices[0]];
+    for (int i = 1; i < D; ++i) beyond &= scratch_.of_way[o.vertices[i]];
+    if (beyond != 0) continue;
+    Vec corners[D];
+    for (int i = 0; i < D; ++i) corners[i] = to_vec<D>(list_.point(o.vertices[i])) - x;
+    const Vec u = corners[1] - corners[0];
+    bool is_missed;
+    if constexpr (D == 3) {
+      const Vec v = corners[2] - corners[0];
+      is_missed = misses<D>(way, corners, u.cross(v), largest(u) * largest(v));
+    } else {
+      is_missed = misses<D>(way, corners, turned(u), largest(u));
+    }
+    if (!is_missed && !is_own(o)) return false;
+  }
+  return true;
 }
 
 template <int D>
@@ -358,8 +447,7 @@ bool PairSearch<D>::measure(const Part<D>& part, const NearFeature& f, NearPair<
   std::copy_n(n.obstacle_weights, 3, pair.obstacle_weights);
   store<3>(n.point, pair.point);
   store<3>(n.obstacle_point, pair.obstacle_point);
-  const uint32_t number = find_wall(f, pair.point);
-  pair.wall = list_.obstacles()[number].facet;
+  const uint32_t number = find_wall(f, pair);
   pair.cell = list_.obstacles()[number].cell;
   if (!n.has_normal) n.normal = pair.wall.valid() ? normal_of(number) : is_zero(n.normal) ? Vec(1, 0, 0) : n.normal;
   store<3>(n.normal, pair.normal);

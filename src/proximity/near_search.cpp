@@ -29,6 +29,9 @@ double way_between(const double* a, const double* b) noexcept {
 // near, room costs little.
 constexpr double kLeastRoom = 0.25, kMostRoom = 2, kWaysOfRoom = 8;
 
+// What is closer to an obstacle than this share of the coordinates does not hide it.
+constexpr double kSightRoom = 0x1p-42;
+
 }  // namespace
 
 template <int D>
@@ -42,7 +45,7 @@ uint64_t NearNotes<D>::memory_bytes() const {
 
 template <int D>
 NearSearch<D>::NearSearch(const Environment<D>& env, const Body<D>& body, NearNotes<D>& notes)
-    : env_(env), body_(body), notes_(notes), flood_(env), others_(env.memory) {}
+    : env_(env), body_(body), notes_(notes), flood_(env), others_(env.memory), scratch_(env.memory) {}
 
 template <int D>
 template <class Visit>
@@ -110,29 +113,22 @@ void NearSearch<D>::refresh(const Part<D>& cover, double reach, NearNote<D>& not
   note.room = room;
 }
 
-/** Where a rounded point of a part meets something at once, the pair counts as seen. */
+/** A cast goes a little less than all the way, so that it does not end on the obstacle itself. Where a rounded point of
+ * a part meets something at once, the pair counts as seen. */
 template <int D>
 bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) const noexcept {
+  double size = 0, end[3];
+  for (int k = 0; k < D; ++k) size = std::max({size, std::fabs(pair.point[k]), std::fabs(pair.obstacle_point[k])});
+  const double left = kSightRoom * size / pair.distance;
+  if (!(left < 1)) return true;
+  for (int k = 0; k < D; ++k) end[k] = pair.obstacle_point[k] + left * (pair.point[k] - pair.obstacle_point[k]);
   Cell start = body_.vertices[part.corners.vertices[0]].cell;
   if (part.corners.count > 1) {
     const CastResult in_part = cast(env_, part.points[0], pair.point, start);
     if (in_part.end == CastEnd::kHit) return true;
     start = in_part.cell;
   }
-  const CastResult way = cast(env_, pair.point, pair.obstacle_point, start);
-  if (way.end != CastEnd::kHit) return true;
-  const Shape shape = env_.map.shape(way.cell);
-  const uint16_t* const local = shape.simplices() + size_t{way.simplex} * D;
-  uint32_t shared = 0;
-  double size = 0;
-  for (int i = 0; i < D; ++i) {
-    const uint32_t v = env_.map.vertex(way.cell, local[i]);
-    for (uint32_t k = 0; pair.wall.valid() && k < pair.obstacle_count; ++k) shared += pair.obstacle_vertices[k] == v;
-  }
-  if (shared != 0 && shared == pair.obstacle_count) return true;
-  for (int k = 0; k < D; ++k) size = std::max({size, std::fabs(pair.point[k]), std::fabs(pair.obstacle_point[k])});
-  const double left = 1 - crossing_time(env_, way.cell, way.simplex, pair.point, pair.obstacle_point);
-  return left * pair.distance <= 0x1p-42 * size;
+  return cast(env_, pair.point, end, start).end != CastEnd::kHit;
 }
 
 template <int D>
@@ -141,13 +137,13 @@ void NearSearch<D>::find_walls(double reach, Array<FoundPair<D>>& found) {
     NearNote<D>& note = note_of(simplex);
     refresh(Part<D>(body_, simplex), reach, note);
     if (note.list.empty()) return;
-    const PairSearch<D> search(env_, note.list, reach);
+    const PairSearch<D> search(env_, note.list, reach, scratch_);
     for_each_covered(simplex, [&](const Simplex& s) {
       const Part<D> part(body_, s);
       search.find(
           part, [](const NearFeature&) { return true; },
           [&](const NearPair<D>& pair) {
-            if (is_in_sight(part, pair)) found.push_back({pair, kNone});
+            if (search.is_clear(pair) || is_in_sight(part, pair)) found.push_back({pair, kNone});
           });
     });
   });
@@ -210,7 +206,7 @@ void NearSearch<D>::find_partner(const Partners<D>& partners, uint32_t number, d
   for_each_cover([&](const Simplex& simplex) {
     collect(other, Part<D>(body_, simplex), reach);
     if (others_.empty()) return;
-    const PairSearch<D> search(env_, others_, reach);
+    const PairSearch<D> search(env_, others_, reach, scratch_);
     for_each_covered(simplex, [&](const Simplex& s) {
       const Part<D> part(body_, s);
       search.find(

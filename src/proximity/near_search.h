@@ -52,6 +52,7 @@ class NearSearch {
   void for_each_covered(const Simplex& cover, Visit visit) const;
   NearNote<D>& note_of(const Simplex& cover);
   void refresh(const Part<D>& cover, double reach, NearNote<D>& note);
+  /** By casts. */
   bool is_in_sight(const Part<D>& part, const NearPair<D>& pair) const noexcept;
   bool is_accepted(const Body<D>& other, const Part<D>& part, const uint32_t* corners, uint32_t count) const noexcept;
   void collect(const Body<D>& other, const Part<D>& cover, double reach);
@@ -61,6 +62,7 @@ class NearSearch {
   NearNotes<D>& notes_;
   ObstacleFlood<D> flood_;
   NearList<D> others_;  // of a partner
+  PairScratch scratch_;
 };
 
 }  // namespace dsw

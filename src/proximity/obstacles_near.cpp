@@ -1,33 +1,55 @@
 #include "proximity/obstacles_near.h"
 
+#include <algorithm>
+
+#include "walk/standard_facets.h"
+
 namespace dsw {
 
 template <int D>
 void ObstacleFlood<D>::find(Cell start, const NearRegion<D>& region, NearList<D>& found) {
   cells_.clear();
   cells_.insert(start);
-  for (size_t i = 0; i < cells_.size(); ++i) visit(i, region, found);
+  std::fill_n(known_, kKnown, Known{kNoCell, 0});
+  for (size_t i = 0; i < cells_.size(); ++i) visit(cells_[i], region, found);
 }
 
 template <int D>
-void ObstacleFlood<D>::visit(size_t number, const NearRegion<D>& region, NearList<D>& found) {
+uint32_t ObstacleFlood<D>::outside(uint32_t vertex, const NearRegion<D>& region) noexcept {
+  Known& known = known_[vertex % kKnown];
+  if (known.vertex != vertex) known = {vertex, region.outside(env_.point(vertex))};
+  return known.bits;
+}
+
+template <int D>
+void ObstacleFlood<D>::follow(Cell c, const Shape& shape, uint32_t facet, NearList<D>& found) {
+  const HalfFacet h = env_.map.half_facet(c, facet);
+  if (is_impassable(env_, h)) {
+    add_triangles(c, shape, facet, found);
+  } else {
+    cells_.insert(env_.map.cell_of(env_.map.opposite(h)));
+  }
+}
+
+template <int D>
+void ObstacleFlood<D>::visit(Cell c, const NearRegion<D>& region, NearList<D>& found) {
   const Map<D>& map = env_.map;
-  const Cell c = cells_[number];
-  const Shape shape = map.shape(c);
   outside_.clear();
-  map.for_each_vertex(c, [&](uint32_t v) { outside_.push_back(region.outside(env_.point(v))); });
-  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-    uint32_t all = ~0u;
-    for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { all &= outside_[local]; });
-    if (all != 0) continue;
-    const HalfFacet h = map.half_facet(c, f);
-    if (is_impassable(env_, h)) {
-      add_triangles(c, shape, f, found);
-    } else {
-      cells_.insert(map.cell_of(map.opposite(h)));
+  map.for_each_vertex(c, [&](uint32_t v) { outside_.push_back(outside(v, region)); });
+  const Shape shape = map.shape(c);
+  if (D == 3 && map.form(c) == Form::kSimplex) {
+    for (uint32_t f = 0; f < 4; ++f) {
+      const uint8_t* const v = kTetrahedronFacets[f];
+      if ((outside_[v[0]] & outside_[v[1]] & outside_[v[2]]) == 0) follow(c, shape, f, found);
+    }
+  } else {
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      uint32_t all = ~0u;
+      for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { all &= outside_[local]; });
+      if (all == 0) follow(c, shape, f, found);
     }
   }
-  add_thin(c, shape, found);
+  if (env_.marked_edges != 0 || env_.marked_vertices != 0) add_thin(c, shape, found);
 }
 
 template <int D>

@@ -19,13 +19,24 @@ class ObstacleFlood {
   void find(Cell start, const NearRegion<D>& region, NearList<D>& found);
 
  private:
-  void visit(size_t number, const NearRegion<D>& region, NearList<D>& found);
+  /** What is known of a vertex that stands in its place. */
+  struct Known {
+    uint32_t vertex, bits;
+  };
+  static constexpr uint32_t kKnown = 256;
+
+  /** See NearRegion. */
+  uint32_t outside(uint32_t vertex, const NearRegion<D>& region) noexcept;
+  void visit(Cell c, const NearRegion<D>& region, NearList<D>& found);
+  /** Through a facet, if it is passable. */
+  void follow(Cell c, const Shape& shape, uint32_t facet, NearList<D>& found);
   void add_triangles(Cell c, const Shape& shape, uint32_t facet, NearList<D>& found) const;
   void add_thin(Cell c, const Shape& shape, NearList<D>& found) const;
 
   const Environment<D>& env_;
   CellQueue cells_;
-  Array<uint32_t> outside_;  // see NearRegion, of the vertices of the cell that is visited
+  Array<uint32_t> outside_;  // of the vertices of the cell that is visited
+  Known known_[kKnown];
 };
 
 }  // namespace dsw

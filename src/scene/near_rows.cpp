@@ -115,7 +115,7 @@ dsw_near_row to_row(const Environment<D>& env, const Partners<D>& partners, cons
   row.obstacle = name.cell;
   std::copy_n(name.key, 2, row.key + 2);
   if (pair.wall.valid()) {
-    const HalfFacet seen = facing(env, pair.wall, row.normal);
+    const HalfFacet seen = pair.is_wall_seen ? pair.wall : facing(env, pair.wall, row.normal);
     row.wall = face_id(env.map, canonical(env.map, pair.wall));
     row.tag = obstacle_tag(env, seen, env.map.cell_of(seen));
   }

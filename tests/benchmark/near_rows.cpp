@@ -21,15 +21,17 @@ namespace {
 constexpr std::size_t kWires = 40, kEdges = 50;
 constexpr double kStep = 0.01;  // of a mean edge, in one step
 
-/** A free wire of straight edges as long as a mean edge of the mesh: it turns where something is in its way. */
-std::vector<double> make_wire(const dsw_environment* environment, double length, scenes::Random& random) {
+/** A free wire in a cube. Its straight edges are as long as a mean edge of the mesh. It turns where something is in its
+ * way. */
+std::vector<double> make_wire(const dsw_environment* environment, double length, double lower, double upper,
+                              scenes::Random& random) {
   std::vector<double> at;
   double way[3];
   const auto any = [&](double* v, double least, double most) {
     for (int k = 0; k < 3; ++k) v[k] = random.uniform(least, most);
   };
   at.resize(3);
-  any(at.data(), 0.1, 0.9);
+  any(at.data(), lower, upper);
   any(way, -1, 1);
   for (int tries = 0; tries < 2000 && at.size() < 3 * (kEdges + 1); ++tries) {
     const double* const p = at.data() + at.size() - 3;
@@ -42,6 +44,8 @@ std::vector<double> make_wire(const dsw_environment* environment, double length,
       q[k] = p[k] + length * way[k];
     }
     dsw_flight flight;
+    const auto is_inside = [&](double x) { return x >= lower && x <= upper; };
+    if (!std::all_of(q, q + 3, is_inside)) continue;
     check(dsw_environment_cast(environment, {0, 0}, p, q, nullptr, &flight));
     if (flight.outcome == DSW_OUTCOME_REACHED) at.insert(at.end(), q, q + 3);
   }
@@ -55,9 +59,10 @@ struct Wire {
 
 class Wires {
  public:
-  Wires(World& world, double length) : scene_(world.scene()), step_(kStep * length), random_(31) {
+  Wires(World& world, double length, double lower = 0.05, double upper = 0.95)
+      : scene_(world.scene()), step_(kStep * length), random_(31) {
     for (std::size_t w = 0; w < kWires; ++w) {
-      Wire wire{{0, 0}, make_wire(world.environment(), length, random_)};
+      Wire wire{{0, 0}, make_wire(world.environment(), length, lower, upper, random_)};
       std::vector<std::uint32_t> edges;
       const std::size_t vertices = wire.at.size() / 3;
       for (std::uint32_t i = 0; i + 1 < vertices; ++i) edges.insert(edges.end(), {i, i + 1});
@@ -168,12 +173,12 @@ Figures run_size(std::size_t cells, const std::string& suffix, const Options& op
   return figures;
 }
 
-/** Wires among no walls but the outer boundary, which is far from most edges. */
+/** Wires in the middle of an environment without walls but its outer boundary. */
 void run_far(const Options& options, Report& report) {
   const scenes::VolumeMesh mesh = scenes::make_delaunay(100000, 3);
   World world(mesh, 1);
   const double edge = scenes::mean_edge(mesh), margin = 0.25 * edge;
-  Wires wires(world, edge);
+  Wires wires(world, edge, 0.2, 0.8);
   std::vector<double> rounds;
   wires.find(margin);
   std::size_t rows = 0;
