@@ -39,7 +39,7 @@ def main():
     if filled.part_count > 1:
         print(f"the surface has {filled.part_count} parts; the largest is taken")
     if filled.hole_count > 0:
-        print(f"{filled.hole_count} open ends were capped")
+        print(f"open ends capped: {filled.hole_count}")
     meshio.write_points_cells(out, filled.points, [("tetra", filled.cells)])
     print(f"filled {pathlib.Path(surface).name} with {len(filled.cells)} tetrahedra")
     return 0

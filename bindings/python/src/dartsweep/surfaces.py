@@ -81,14 +81,14 @@ def fill(
     parts: str = "one",
     scale: float = 1.0,
 ) -> FilledSurface:
-    """Fills a surface with tetrahedra. Triangles of the surface stay as they are: they are the wall.
+    """Fills a surface with tetrahedra. Triangles of the surface stay as they are: they are the wall. Lengths are those after `scale`.
 
     surface: path of an STL, OBJ or PLY file; or a pair of points (n, 3) and triangles (m, 3); or an object with `vertices` and `faces`,
     such as one of trimesh. Triangles may be turned either way. Points at the same place become one.
     outside: "nothing", or "tissue": a box round the surface, filled as well.
-    size: length of edges within the lumen, in units of the points after `scale`; by default half to all of the lumen's width. The
-    triangles of the surface are not divided, so near them cells are as small as they. Cells of tissue grow with the distance.
-    thickness: least distance from the surface to the sides of the box; by default twice the width of the lumen.
+    size: length of edges within the lumen, about; by default 0.8 of its width, which is 4 volumes over the area. The triangles of the surface
+    are not divided, so cells beside them are about as large as they. Cells of tissue grow with their distance.
+    thickness: least distance from the surface to the sides of the box of tissue; by default twice the width of the lumen.
     largest_hole: open ends that are wider are an error; 0 allows none. Smaller ones get a cap, which is wall, too.
     parts: what to do with a surface of several connected parts. "one": it is an error. "largest": the part of largest area is filled.
     "all": all are; what lies within two of them is outside, so the two surfaces of a thick wall give the wall.
@@ -98,7 +98,8 @@ def fill(
     three triangles, triangles that cross, one side only, no volume, or an open end or parts that are not allowed. Raises OSError if there
     is no such file, and ImportError without the extra `surfaces`.
 
-    The time is that of TetGen: some seconds for 100,000 tetrahedra.
+    TetGen takes most of the time: some seconds for 100,000 tetrahedra. MeshFix and TetGen run in a process of their own, a Python that
+    `sys.executable` starts: their crash is a SurfaceError.
     """
     if outside not in ("nothing", "tissue"):
         raise ValueError(f"outside is 'nothing' or 'tissue', not {outside!r}")
@@ -282,10 +283,9 @@ def _turned(points: Points, triangles: Indices) -> tuple[Indices, Indices, Indic
     uses = np.diff(np.append(first, len(key)))
     crowded = order[first[uses > 2]]
     if len(crowded) > 0:
-        raise SurfaceError(
-            f"{len(crowded)} of its edges have more than two triangles, the first from {_at(points[starts[crowded[0]]])} to "
-            f"{_at(points[ends[crowded[0]]])}: it has no inside"
-        )
+        which = "1 edge has" if len(crowded) == 1 else f"{len(crowded)} edges have"
+        start, end = points[starts[crowded[0]]], points[ends[crowded[0]]]
+        raise SurfaceError(f"{which} more than two triangles, the first from {_at(start)} to {_at(end)}: it has no inside")
     shared, rim = first[uses == 2], order[first[uses == 1]]
     a, b = order[shared], order[shared + 1]
     # Each triangle is two nodes, for its two sides. Neighbours that run along their edge the same way have unlike sides.
@@ -435,7 +435,7 @@ def _filled(
     label = _components(2 * part_count, crossings[:, 0], crossings[:, 1] + part_count)
     is_lumen = label[part_count:] == label[0]
     if np.any(is_lumen[beside[:, 0]] == is_lumen[beside[:, 1]]):
-        raise SurfaceError("TetGen has changed its triangles")
+        raise SurfaceError("TetGen can't keep its triangles: some of them nearly touch")
     wall = np.where(is_lumen[beside[:, 0]][:, np.newaxis], wall, wall[:, ::-1])
     cells, parts = cells[is_lumen[parts]], parts[is_lumen[parts]]
     used, index = np.unique(np.append(np.arange(count), cells), return_inverse=True)
@@ -450,7 +450,7 @@ def _filled(
     around, tissue, _ = _tetrahedra(np.vstack([points, box]), np.concatenate([wall, sides + count]), math.inf, seeds)
     beside = _sides(tissue, wall, count)
     if np.any(beside[:, 0] >= 0) or np.any(beside[:, 1] < 0):
-        raise SurfaceError("TetGen has changed its triangles")
+        raise SurfaceError("TetGen can't keep its triangles: some of them nearly touch")
     tissue = np.where(tissue < count, tissue, tissue + len(places) - count)
     regions = np.repeat(np.array([LUMEN, TISSUE], np.int32), [len(cells), len(tissue)])
     return np.vstack([places, around[count:]]), np.concatenate([cells, tissue]), regions, wall
@@ -474,7 +474,7 @@ def _tetrahedra(points: Points, triangles: Indices, size: float, holes: Points |
         raise SurfaceError(f"TetGen can't fill it ({error})") from error
     places = mesher.node * unit
     if not np.array_equal(places[: len(points)], points):
-        raise SurfaceError("TetGen has changed its points")
+        raise SurfaceError("TetGen can't keep its points: some of them nearly touch")
     return places, np.array(mesher.elem, np.int64), np.array(mesher.attributes, np.int64).ravel()
 
 
