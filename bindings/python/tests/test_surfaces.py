@@ -52,6 +52,25 @@ def opened_box() -> Surface:
     return np.array(mesh.vertices)[used], triangles.reshape(-1, 3)
 
 
+def pierced_ball() -> Surface:
+    """A ball without triangles that share points, but no edges: each opening has three edges, and openings meet."""
+    points, triangles = ball()
+    is_free = np.ones(len(triangles), bool)
+    removed = np.zeros(len(triangles), bool)
+    for i, triangle in enumerate(triangles):
+        if is_free[i]:
+            removed[i] = True
+            is_free[[len(set(triangle) & set(other)) > 1 for other in triangles]] = False
+    return points, triangles[~removed]
+
+
+def jagged_bowl() -> Surface:
+    """Half a ball whose rim goes up and down."""
+    points, triangles = ball()
+    used, kept = np.unique(triangles[points[triangles].mean(axis=1)[:, 2] < 0.04], return_inverse=True)
+    return points[used], kept.reshape(-1, 3)
+
+
 def moebius_strip() -> Surface:
     angles = 2 * np.pi * np.arange(20) / 20
     middle = np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=1)
@@ -109,6 +128,8 @@ SOLIDS = {
     "box": (of(trimesh.creation.box((1.0, 2.0, 3.0))), 1, 0),
     "tube": (tube(), 1, 2),
     "opened box": (opened_box(), 1, 1),
+    "pierced ball": (pierced_ball(), 1, len(ball()[1]) - len(pierced_ball()[1])),
+    "bowl": (jagged_bowl(), 1, 1),
     "two balls": (together(ball(), ball(0.5, 3.0)), 2, 0),
     "thick wall": (together(ball(), ball(0.5)), 2, 0),
     "nested": (together(ball(), ball(0.7), ball(0.3)), 3, 0),
@@ -117,6 +138,7 @@ EXACT = {
     "box": 6.0,
     "tube": TUBE_VOLUME,
     "opened box": 1.0,
+    "pierced ball": inside(*ball()),
     "two balls": inside(*ball()) * (1 + 0.5**3),
     "thick wall": inside(*ball()) * (1 - 0.5**3),
     "nested": inside(*ball()) * (1 - 0.7**3 + 0.3**3),

@@ -326,53 +326,91 @@ def _inside_volumes(points: Points, triangles: Indices) -> Points:
 def _closed(points: Points, triangles: Indices, largest_hole: float) -> tuple[Points, Indices, int]:
     """Points and triangles with caps on the open ends, normals out of the inside of each sheet; and how many open ends there were."""
     count = len(triangles)
+    triangles, _, rim = _turned(points, triangles)
+    holes = _loops(points, triangles, rim)
+    for hole in holes:
+        middle = points[hole].mean(axis=0)
+        width = 2 * np.linalg.norm(points[hole] - middle, axis=1).max()
+        if width > largest_hole:
+            raise SurfaceError(f"its open end at {_at(middle)} is {width:g} wide, and largest_hole is {largest_hole:g}")
+    try:
+        return *_outward(*_capped(points, triangles, holes), count), len(holes)
+    except SurfaceError:
+        try:  # a fan can cross the surface where a cap of MeshFix does not
+            return *_outward(*_capped_by_meshfix(points, triangles), count), len(holes)
+        except SurfaceError:
+            pass
+        raise
+
+
+def _outward(points: Points, triangles: Indices, surface_count: int) -> tuple[Points, Indices]:
+    """The closed surface, checked, with normals out of the inside of each sheet. Triangles from `surface_count` on are caps."""
     triangles, sheet, rim = _turned(points, triangles)
-    holes = _holes(points, rim, largest_hole)
-    if len(holes) > 0:
-        points, triangles = _capped(points, triangles, holes)
-        triangles, sheet, rim = _turned(points, triangles)
-        if len(rim) > 0:
-            raise SurfaceError(f"its open end at {_at(points[rim].mean(axis=(0, 1)))} can't be closed")
+    if len(rim) > 0:
+        raise SurfaceError(f"its open end at {_at(points[rim].mean(axis=(0, 1)))} can't be closed")
     volumes, areas = np.bincount(sheet, _inside_volumes(points, triangles)), np.bincount(sheet, _areas(points, triangles))
     flat = np.flatnonzero((areas > 0) & (np.abs(volumes) <= _FLAT * areas**1.5))
     if len(flat) > 0:
         raise SurfaceError(f"it is flat near {_at(points[triangles[flat[0]]].mean(axis=0))}: it encloses no volume")
-    triangles = np.where((volumes[sheet] < 0)[:, np.newaxis], triangles[:, ::-1], triangles)
-    _check_crossings(points, triangles, count)
-    return points, triangles, len(holes)
+    _check_crossings(points, triangles, surface_count)
+    return points, np.where((volumes[sheet] < 0)[:, np.newaxis], triangles[:, ::-1], triangles)
 
 
-def _holes(points: Points, rim: Indices, largest: float) -> list[Indices]:
-    """The edges (k, 2) round each open end; none is wider than allowed."""
-    if len(rim) == 0:
-        return []
-    hole = _components(len(points), rim[:, 0], rim[:, 1])[rim[:, 0]]
-    order = np.argsort(hole, kind="stable")
-    holes: list[Indices] = np.split(rim[order], np.flatnonzero(np.diff(hole[order])) + 1)
-    for edges in holes:
-        middle = points[edges[:, 0]].mean(axis=0)
-        width = 2 * np.linalg.norm(points[edges[:, 0]] - middle, axis=1).max()
-        if width > largest:
-            raise SurfaceError(f"its open end at {_at(middle)} is {width:g} wide, and largest_hole is {largest:g}")
-    return holes
+def _loops(points: Points, triangles: Indices, rim: Indices) -> list[Indices]:
+    """The points round each open end, in the order of the edges. Loops that meet in a point are cut there, so none has a point twice."""
+    normals = np.zeros_like(points)
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    np.add.at(normals, triangles, np.cross(b - a, c - a)[:, np.newaxis])
+
+    def turn(start: int, middle: int, end: int) -> float:
+        """The angle from `start` to `end` at a point, counterclockwise seen from outside: an open end is on this side of its edges."""
+        u, v = points[start] - points[middle], points[end] - points[middle]
+        normal = normals[middle] / (np.linalg.norm(normals[middle]) or 1)
+        return math.atan2(np.cross(u, v) @ normal, u @ v - (u @ normal) * (v @ normal)) % (2 * math.pi)
+
+    following: dict[int, list[int]] = {}
+    for start, end in rim.tolist():
+        following.setdefault(start, []).append(end)
+    loops = []
+    while following:
+        path = [next(iter(following))]
+        place = {path[0]: 0}
+        while path[-1] in following:  # as many edges lead to a point as lead away, so a walk ends where it began
+            ends = following[path[-1]]
+            end = min(ends, key=lambda end: turn(path[-2], path[-1], end)) if len(ends) > 1 and len(path) > 1 else ends[0]
+            ends.remove(end)
+            if not ends:
+                del following[path[-1]]
+            if end in place:
+                loops.append(np.array(path[place[end] :]))
+                for point in path[place[end] :]:
+                    del place[point]
+                del path[-len(loops[-1]) :]
+            place[end] = len(path)
+            path.append(end)
+    return loops
 
 
 def _capped(points: Points, triangles: Indices, holes: list[Indices]) -> tuple[Points, Indices]:
-    """With caps behind the triangles: a fan round the middle where no triangles of the fan fold over others, seen along the axis of the hole;
-    else what MeshFix makes."""
+    """With caps behind the triangles: one triangle, or a fan round the middle where none of its triangles fold over others, seen along the
+    axis of the hole; else what MeshFix makes."""
     added: list[Points] = []
     caps: list[Indices] = []
-    for edges in holes:
-        middle = points[edges[:, 0]].mean(axis=0)
-        normals = np.cross(points[edges[:, 1]] - middle, points[edges[:, 0]] - middle)
+    for hole in holes:
+        after = np.roll(hole, -1)
+        middle = points[hole].mean(axis=0)
+        normals = np.cross(points[after] - middle, points[hole] - middle)
         heights = normals @ normals.sum(axis=0)
-        if heights.min() > 1e-6 * heights.max() and len(np.unique(edges[:, 0])) == len(edges):
-            caps.append(np.insert(edges[:, ::-1], 2, len(points) + len(added), axis=1))
+        if len(hole) == 3:
+            caps.append(hole[np.newaxis, ::-1])
+        elif heights.min() > 1e-6 * heights.max():
+            caps.append(np.stack([after, hole, np.full(len(hole), len(points) + len(added))], axis=1))
             added.append(middle)
-    if caps:
-        points, triangles = np.vstack([points, *added]), np.concatenate([triangles, *caps])
-    if len(caps) == len(holes):
-        return points, triangles
+    points, triangles = np.vstack([points, *added]), np.concatenate([triangles, *caps])
+    return (points, triangles) if len(caps) == len(holes) else _capped_by_meshfix(points, triangles)
+
+
+def _capped_by_meshfix(points: Points, triangles: Indices) -> tuple[Points, Indices]:
     tool = _meshfix(points, triangles)
     tool.fill_small_boundaries(0, True)
     points, made = _of_meshfix(points, tool)
