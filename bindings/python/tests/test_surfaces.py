@@ -257,10 +257,10 @@ def test_files(tmp_path: pathlib.Path, kind: str) -> None:
     options: dict[str, Any] = {"stl": {"file_type": f"stl{'_ascii' * (encoding == 'ascii')}"}, "ply": {"encoding": encoding}}.get(ending, {})
     path = tmp_path / kind
     mesh.export(path, **options)
-    read_points, read_triangles = ds.surfaces.read(path)
-    assert len(read_points) == len(points) and len(read_triangles) == len(triangles)
-    corners, expected = read_points[read_triangles], points[triangles]
-    assert np.allclose(corners, expected, rtol=0, atol=0 if encoding == "binary" else 1e-7)
+    filled = ds.surfaces.fill(path)
+    corners = filled.points[filled.wall[~filled.is_cap]]
+    assert len(corners) == len(triangles) and not filled.is_cap[: len(triangles)].any()
+    assert np.allclose(corners, points[triangles], rtol=0, atol=0 if encoding == "binary" else 1e-7)
     with ds.from_surface(str(path)) as environment:
         flight = environment.cast((0, 0, 3), (0, 0, 9))
         assert flight.position.tolist() == [0, 0, 6]
@@ -272,9 +272,8 @@ def test_polygons_and_textures_in_files(tmp_path: pathlib.Path) -> None:
     sides = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
     lines = [*("v {} {} {}".format(*corner) for corner in corners), "vt 0 0", "vt 1 0", "vt 1 1"]
     path.write_text("\n".join([*lines, *("f " + " ".join(f"{i}/{1 + k % 3}" for k, i in enumerate(side)) for side in sides)]))
-    points, triangles = ds.surfaces.read(path)
-    assert (len(points), len(triangles)) == (8, 12)
     filled = ds.surfaces.fill(path)
+    assert len(filled.wall) == 12
     assert volumes(filled.points, filled.cells).sum() == pytest.approx(1.0, rel=1e-12)
 
 
