@@ -28,7 +28,7 @@ LUMEN = 1
 TISSUE = 2
 """The region of cells outside the surface."""
 
-ENDINGS = (".obj", ".ply", ".stl")
+_ENDINGS = (".obj", ".ply", ".stl")
 
 _START = "import runpy, sys; sys.path[:] = sys.argv[2:]; runpy.run_path(sys.argv[1], run_name='__main__')"
 
@@ -78,7 +78,7 @@ def fill(
     thickness: least distance from the surface to the sides of the box of tissue; by default twice the width of the lumen.
     largest_hole: open ends that are wider are an error; 0 allows none. Smaller ones get a cap, which is wall, too.
     parts: what to do with a surface of several connected parts. "one": it is an error. "largest": the part of largest area is filled.
-    "all": all are; what lies within two of them is outside, so the two surfaces of a thick wall give the wall.
+    "all": all are; what two of them enclose is outside, so the two surfaces of a thick wall give the wall.
     scale: all points are multiplied by it, such as 0.001 for a file in millimetres and an environment in metres.
 
     Raises SurfaceError with the name of the surface if it has no triangles, indices out of range, points that are not finite, an edge of
@@ -149,8 +149,8 @@ def _read(path: str | os.PathLike[str]) -> tuple[Any, Any]:
     with open(path, "rb"):  # an OSError names the path
         pass
     ending = os.path.splitext(path)[1].lower()
-    if ending not in ENDINGS:
-        raise SurfaceError(f"files ending in '{ending}' are not read, {', '.join(ENDINGS)} are; dartsweep.meshes.read reads volume meshes")
+    if ending not in _ENDINGS:
+        raise SurfaceError(f"files ending in '{ending}' are not read, {', '.join(_ENDINGS)} are; dartsweep.meshes.read reads volume meshes")
     try:
         import trimesh
     except ImportError as error:
