@@ -38,7 +38,7 @@ def test_stubs_are_those_of_the_module() -> None:
 def test_everything_has_words() -> None:
     classes = [item for item in vars(ds).values() if inspect.isclass(item) and item.__module__.startswith("dartsweep")]
     named: dict[str, Any] = {item.__name__: item for item in classes}
-    owners: list[Any] = [*classes, ds, ds.meshes, plot]
+    owners: list[Any] = [*classes, ds, ds.meshes, ds.surfaces, plot]
     for owner in owners:
         for name, value in vars(owner).items():
             if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, (property, classmethod))):

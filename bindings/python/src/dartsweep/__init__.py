@@ -7,7 +7,7 @@ fails raises an exception of dartsweep.errors and changes nothing.
 
 from __future__ import annotations
 
-from . import dtypes, errors, meshes
+from . import dtypes, errors, meshes, surfaces
 from ._core import (
     BodyContact,
     BodyEdgeId,
@@ -65,7 +65,7 @@ from .enums import (
 )
 from .environment import Environment
 from .errors import Closed, Error
-from .meshes import from_meshio
+from .meshes import from_meshio, from_surface
 from .options import options, version
 from .scene import Scene
 from .trace import Trace
@@ -132,7 +132,9 @@ __all__ = [
     "dtypes",
     "errors",
     "from_meshio",
+    "from_surface",
     "meshes",
     "options",
+    "surfaces",
     "version",
 ]

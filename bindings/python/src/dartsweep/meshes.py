@@ -1,14 +1,17 @@
-"""Meshes of other libraries: volumes by meshio (the extra `mesh`), surfaces by trimesh (the extra `trimesh`).
+"""Meshes of other libraries: volumes by meshio (the extra `mesh`), surfaces by trimesh (the extra `trimesh`), and closed surfaces that are
+filled with volumes (the extra `surfaces`).
 
 Meshes are taken by their attributes, so that nothing is imported but where a library has to read or to make one.
 """
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import surfaces
 from ._core import Change
 from .body import Body
 from .enums import CellType
@@ -30,10 +33,14 @@ _REGION_NAMES = ("gmsh:physical", "region", "medit:ref", "cell_tags")
 
 
 def read(path: str, *, regions: str | None = None, **options: Any) -> Environment:
-    """An environment of a file in any format that meshio knows; see from_meshio."""
+    """An environment of a file in any format that meshio knows; see from_meshio. from_surface reads files of surfaces."""
     import meshio
 
-    return from_meshio(meshio.read(path), regions=regions, **options)
+    try:
+        mesh = meshio.read(path)
+    except SystemExit as error:  # so meshio ends; it has printed why
+        raise ValueError(f"meshio can't read mesh '{path}'") from error
+    return _environment(mesh, f"mesh '{path}'", regions, options)
 
 
 def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Environment:
@@ -43,6 +50,38 @@ def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Env
     regions: name of the cell data that labels cells; by default the usual names are looked for, then groups of cells that do not overlap.
     Names of groups can be used in place of labels. options: as of Environment.
     """
+    return _environment(mesh, "the mesh", regions, options)
+
+
+def from_surface(
+    surface: Any,
+    outside: str = "nothing",
+    *,
+    size: float | None = None,
+    thickness: float | None = None,
+    largest_hole: float = math.inf,
+    parts: str = "one",
+    scale: float = 1.0,
+    **options: Any,
+) -> Environment:
+    """An environment of a surface, filled with tetrahedra: the path of an STL, OBJ or PLY file, or points (n, 3) and triangles (m, 3) as a pair
+    or as `vertices` and `faces` of an object. Open ends are closed. The triangles of the surface are the wall of the lumen.
+
+    outside: "nothing", or "tissue", with which a box round the surface is filled, too. Tissue is impassable. Regions are "lumen" (1) and
+    "tissue" (2), and tags the same numbers, so the tag of a contact tells what is behind the wall. size, thickness, largest_hole, parts,
+    scale, errors and cost: as of dartsweep.surfaces.fill. options: as of Environment.
+    """
+    filled = surfaces.fill(
+        surface, outside, size=size, thickness=thickness, largest_hole=largest_hole, parts=parts, scale=scale
+    )
+    names = {"lumen": surfaces.LUMEN, "tissue": surfaces.TISSUE}
+    made = Environment(filled.points, filled.cells, regions=filled.regions, tags=filled.regions, region_names=names, **options)
+    if outside == "tissue":
+        made.mark_region("tissue")
+    return made
+
+
+def _environment(mesh: Any, title: str, regions: str | None, options: dict[str, Any]) -> Environment:
     name = regions or next((known for known in _REGION_NAMES if known in mesh.cell_data), None)
     groups = {} if name is not None else _disjoint_groups(mesh)
     types, sizes, connectivity, labels = [], [], [], []
@@ -53,7 +92,7 @@ def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Env
         if block.type not in known:
             if getattr(block, "dim", 3) == (2 if is_planar else 3):
                 kinds = "triangles, quads and polygons" if is_planar else "linear volumes"
-                raise ValueError(f"cells of type '{block.type}' are not supported: {kinds} only")
+                raise ValueError(f"{title} has cells of type '{block.type}': {kinds} are supported")
             continue
         data = np.asarray(block.data, np.int64)
         types.append(np.full(len(data), known[block.type], np.uint8))
@@ -64,7 +103,8 @@ def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Env
         elif groups:
             labels.append(_labels_of(groups, i, len(data)))
     if not types:
-        raise ValueError("the mesh has no volume cells, and no triangles, quads or polygons with z = 0")
+        hint = "; dartsweep.from_surface fills a surface of triangles" if any(block.type == "triangle" for block in mesh.cells) else ""
+        raise ValueError(f"{title} has no volume cells, and no triangles, quads or polygons with z = 0{hint}")
     return Environment(
         np.ascontiguousarray(points[:, :2]) if is_planar else points,
         np.concatenate(connectivity),

@@ -1,0 +1,164 @@
+"""Closed surfaces, filled with tetrahedra (the extra `surfaces`): trimesh reads files, MeshFix closes open ends and finds triangles that
+cross, TetGen fills.
+
+The inside of the surface is the lumen; outside there is nothing, or a box of tissue. dartsweep.from_surface makes an environment of
+what `fill` makes. This module needs nothing of the compiled library, so tools can use it without the package.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib.util
+import math
+import os
+import pickle
+import subprocess
+import sys
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Points = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+LUMEN = 1
+"""The region of cells inside the surface."""
+
+TISSUE = 2
+"""The region of cells outside the surface."""
+
+_ENDINGS = (".obj", ".ply", ".stl")
+
+_START = "import runpy, sys; sys.path[:] = sys.argv[2:]; runpy.run_path(sys.argv[1], run_name='__main__')"
+
+
+class SurfaceError(ValueError):
+    """A surface can't be read or filled. The text names the surface and tells what is wrong and where."""
+
+
+@dataclasses.dataclass(frozen=True)
+class FilledSurface:
+    """Tetrahedra that fill a surface, as Environment takes them."""
+
+    points: Points
+    """(n, 3): those of the surface in their order, then those of caps, then those within the lumen and the tissue."""
+    cells: Indices
+    """(m, 4) indices of points: those of the lumen, then those of the tissue, numbered as in VTK."""
+    regions: NDArray[np.int32]
+    """(m,) LUMEN or TISSUE."""
+    wall: Indices
+    """(k, 3) indices of points: the triangles of the surface in their order, then those of caps. They are faces of cells, and their
+    normals point out of the lumen."""
+    is_cap: NDArray[np.bool_]
+    """(k,) whether a triangle of the wall closes an open end."""
+    hole_count: int
+    """How many open ends were closed."""
+    part_count: int
+    """How many connected parts the surface has, also those that were left out."""
+
+
+def fill(
+    surface: Any,
+    outside: str = "nothing",
+    *,
+    size: float | None = None,
+    thickness: float | None = None,
+    largest_hole: float = math.inf,
+    parts: str = "one",
+    scale: float = 1.0,
+) -> FilledSurface:
+    """Fills a surface with tetrahedra. Triangles of the surface stay as they are: they are the wall. Lengths are those after `scale`.
+
+    surface: path of an STL, OBJ or PLY file; or a pair of points (n, 3) and triangles (m, 3); or an object with `vertices` and `faces`,
+    such as one of trimesh. Triangles may be turned either way. Points at the same place become one.
+    outside: "nothing", or "tissue": a box round the surface, filled as well.
+    size: length of edges within the lumen, about; by default 0.8 of its width, which is 4 volumes over the area. The triangles of the surface
+    are not divided, so cells beside them are about as large as they. Cells of tissue grow with their distance.
+    thickness: least distance from the surface to the sides of the box of tissue; by default twice the width of the lumen.
+    largest_hole: open ends that are wider are an error; 0 allows none. Smaller ones get a cap, which is wall, too.
+    parts: what to do with a surface of several connected parts. "one": it is an error. "largest": the part of largest area is filled.
+    "all": all are; what two of them enclose is outside, so the two surfaces of a thick wall give the wall.
+    scale: all points are multiplied by it, such as 0.001 for a file in millimetres and an environment in metres.
+
+    Raises SurfaceError with the name of the surface if it has no triangles, indices out of range, points that are not finite, an edge of
+    three triangles, triangles that cross, one side only, no volume, or an open end or parts that are not allowed. Raises OSError if there
+    is no such file, and ImportError without the extra `surfaces`.
+
+    TetGen takes most of the time: some seconds for 100,000 tetrahedra. MeshFix and TetGen run in a process of their own, a Python that
+    `sys.executable` starts: their crash is a SurfaceError.
+    """
+    if outside not in ("nothing", "tissue"):
+        raise ValueError(f"outside is 'nothing' or 'tissue', not {outside!r}")
+    if parts not in ("one", "largest", "all"):
+        raise ValueError(f"parts is 'one', 'largest' or 'all', not {parts!r}")
+    for name, value in (("size", size), ("thickness", thickness), ("scale", scale)):
+        if value is not None and not 0 < value < math.inf:
+            raise ValueError(f"{name} is positive and finite, not {value}")
+    if not largest_hole >= 0:
+        raise ValueError(f"largest_hole is not negative, not {largest_hole}")
+    try:
+        points, triangles = _arrays(surface)
+        return FilledSurface(*_in_own_process(points, triangles, scale, parts, largest_hole, outside, size, thickness))
+    except SurfaceError as error:
+        raise _named(error, surface) from error.__cause__
+
+
+def _named(error: SurfaceError, surface: Any) -> SurfaceError:
+    is_path = isinstance(surface, (str, os.PathLike))
+    return SurfaceError(f"surface '{os.fspath(surface)}': {error}" if is_path else f"surface: {error}")
+
+
+def _missing(name: str) -> ImportError:
+    return ImportError(f"surfaces need the package {name}, which is in the extra `surfaces`: pip install dartsweep[surfaces]", name=name)
+
+
+def _in_own_process(*arguments: Any) -> tuple[Any, ...]:
+    """What _filling.py makes of arguments. MeshFix and TetGen can crash on surfaces in which no check finds a fault; the caller shall live."""
+    for name in ("pymeshfix", "tetgen"):
+        if importlib.util.find_spec(name) is None:
+            raise _missing(name)
+    program = os.path.join(os.path.dirname(__file__), "_filling.py")
+    command = [sys.executable, "-c", _START, program, *map(str, sys.path)]
+    done = subprocess.run(command, input=pickle.dumps(arguments), capture_output=True, check=False)
+    if done.returncode != 0:
+        reason = done.stderr.decode(errors="replace").strip().rpartition("\n")[2] or "no message"
+        raise SurfaceError(f"MeshFix or TetGen has crashed ({reason}, exit code {done.returncode}); a tool that repairs surfaces may help")
+    answer = pickle.loads(done.stdout)
+    if isinstance(answer, str):
+        raise SurfaceError(answer)
+    return answer  # type: ignore[no-any-return]
+
+
+def _arrays(surface: Any) -> tuple[Points, NDArray[Any]]:
+    if isinstance(surface, (str, os.PathLike)):
+        points, triangles = _read(surface)
+    elif hasattr(surface, "vertices") and hasattr(surface, "faces"):
+        points, triangles = surface.vertices, surface.faces
+    elif isinstance(surface, (tuple, list)) and len(surface) == 2:
+        points, triangles = surface
+    else:
+        raise TypeError(f"a surface is a path, a pair of points and triangles, or has `vertices` and `faces`; not {type(surface).__name__}")
+    try:
+        return np.array(points, np.float64), np.array(triangles)
+    except (TypeError, ValueError) as error:
+        raise SurfaceError(f"its points or triangles make no array ({error})") from error
+
+
+def _read(path: str | os.PathLike[str]) -> tuple[Any, Any]:
+    with open(path, "rb"):  # an OSError names the path
+        pass
+    ending = os.path.splitext(path)[1].lower()
+    if ending not in _ENDINGS:
+        raise SurfaceError(f"files ending in '{ending}' are not read, {', '.join(_ENDINGS)} are; dartsweep.meshes.read reads volume meshes")
+    try:
+        import trimesh
+    except ImportError as error:
+        raise _missing("trimesh") from error
+    try:
+        mesh = trimesh.load_mesh(os.fspath(path), process=False, skip_materials=True)
+    except Exception as error:  # of many kinds: the reader does not check what it reads
+        raise SurfaceError(f"trimesh can't read it ({error})") from error
+    if len(getattr(mesh, "faces", ())) == 0:
+        raise SurfaceError("trimesh finds no triangles in it")
+    return mesh.vertices, mesh.faces
