@@ -126,7 +126,7 @@ class ReportsTest {
       }
       assertEquals(0.265625, next.get(0).getDistance());
       assertEquals(0, wire.getNearOffsets().length);
-      assertThrows(OutOfRangeException.class, () -> wire.findNearRows(-1, 0, 0));
+      assertThrows(DartsweepException.OutOfRange.class, () -> wire.findNearRows(-1, 0, 0));
     }
   }
 }
