@@ -342,7 +342,7 @@ bool PairSearch<D>::measure(const Part<D>& part, const NearFeature& f, size_t nu
   pair.wall = find_wall(f, pair.point, number);
   pair.cell = obstacles_[number].cell;
   if (!n.has_normal) n.normal = pair.wall.valid() ? normal_of(number) : is_zero(n.normal) ? Vec(1, 0, 0) : n.normal;
-  store<3>(n.normal, pair.normal);
+  store<3>(n.normal + Vec::Zero(), pair.normal);  // never -0
   pair.distance = n.distance;
   return true;
 }

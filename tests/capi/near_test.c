@@ -40,6 +40,9 @@ static int is_vector(const double *v, double x, double y, double z) {
   return fabs(v[0] - x) <= bound && fabs(v[1] - y) <= bound && fabs(v[2] - z) <= bound;
 }
 
+/* A zero without a sign, as normals of contacts have it. */
+static int is_plain(double x) { return x != 0 || !signbit(x); }
+
 static double weighted(const double *weights, const uint32_t *vertices, const double *positions, uint32_t axis) {
   double sum = 0;
   int i;
@@ -83,6 +86,7 @@ static void a_wire_near_walls_and_an_edge(unsigned dimension) {
   for (k = 0; k < 3; ++k) {
     const double sum = r[k].weights[0] + r[k].weights[1] + r[k].weights[2];
     CHECK(fabs(sum - 1) < 1e-15 && r[k].reserved == 0 && r[k].previous == NONE && r[k].key[1] == 0);
+    CHECK(is_plain(r[k].normal[0]) && is_plain(r[k].normal[1]) && is_plain(r[k].normal[2]));
     CHECK(fabs(weighted(r[k].weights, r[k].vertices, g_wire, 0) - r[k].point[0]) < 1e-15);
     CHECK(fabs(r[k].obstacle_weights[0] + r[k].obstacle_weights[1] + r[k].obstacle_weights[2] - 1) < 1e-15);
   }
@@ -341,6 +345,7 @@ static void other_bodies_are_near(void) {
   CHECK_OK(dsw_body_get_near_values(g_scene, own, &values, &count));
   CHECK(count == 9 && offsets[1] == 9);
   for (i = 0; i < count; ++i) {
+    CHECK(is_plain(values[i]));
     sum += values[i]; /* moved as a whole the body keeps its gaps */
     CHECK(i == 0 || columns[i - 1] < columns[i]);
   }
