@@ -75,6 +75,47 @@ def test_the_jacobian_is_what_scipy_takes(wire: ds.Body) -> None:
     assert wire.near_jacobian().shape == (0, 6) and len(wire.near_jacobian().data) == 0
 
 
+def test_the_jacobian_foretells_gaps() -> None:
+    """Wires and surfaces near walls, each other and themselves: a small move changes each gap by its row."""
+    rng = np.random.default_rng(5)
+    points = np.array([(x, y, z) for z in range(5) for y in range(5) for x in range(5)], float)
+    inner = ((points > 0) & (points < 4)).all(axis=1)
+    points[inner] += rng.uniform(-0.15, 0.15, (inner.sum(), 3))
+    first = [(k * 5 + j) * 5 + i for k in range(4) for j in range(4) for i in range(4)]
+    cells = np.add.outer(first, [(z * 5 + y) * 5 + x for x, y, z in CORNERS])
+    seen = set()
+    with ds.Environment(points, cells) as environment, ds.Scene(environment, features=ds.Feature.BODY_CONTACTS) as scene:
+        environment.mark_volumes([environment.volume_id(int(i)) for i in rng.choice(64, 14, replace=False)])
+        bodies: list[ds.Body] = []
+        while len(bodies) < 10:
+            at = rng.uniform(0.05, 3.95, 3) + np.cumsum(rng.normal(0, 0.25, (6, 3)), axis=0)
+            try:
+                if len(bodies) % 2:
+                    bodies.append(scene.create_body(at, edges=[(i, i + 1) for i in range(5)], flags=ds.BodyFlag.SELF_CONTACTS))
+                else:
+                    surface = [(0, 1, 2), (1, 3, 2)]
+                    bodies.append(scene.create_body(at[:4], triangles=surface, level=ds.Level.FACES, flags=ds.BodyFlag.SELF_CONTACTS))
+            except ds.Error:  # not all inside, or not free
+                continue
+        for body in bodies:
+            for _ in range(5):
+                rows = body.near_rows(0.4, radius=0.05, jacobian=True)
+                values, columns, offsets = body.near_jacobian()
+                before = body.positions()
+                body.move(before + rng.normal(0, 1e-6, before.shape))
+                step = (body.positions() - before).ravel()
+                after = body.near_rows(0.4, radius=0.05)
+                for row in after[after["previous"] < len(rows)]:
+                    i = row["previous"]
+                    entries = slice(offsets[i], offsets[i + 1])
+                    change = row["gap"] - rows["gap"][i]
+                    assert change == pytest.approx(values[entries] @ step[columns[entries]], abs=1e-8)
+                    where = "walls" if row["body"]["generation"] == 0 else "itself" if row["body"]["index"] == body.id.index else "bodies"
+                    seen.add((where, int((row["vertices"] < 2**32 - 1).sum()), int((row["obstacle_vertices"] < 2**32 - 1).sum())))
+                body.move(before + rng.normal(0, 0.03, before.shape))
+    assert {where for where, _, _ in seen} == {"walls", "bodies", "itself"} and len(seen) >= 9
+
+
 def test_rows_in_the_plane() -> None:
     with ds.Environment([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2, 3)]) as square, ds.Scene(square) as scene:
         rope = scene.create_body([(0.25, 0.5), (0.75, 0.25)], edges=[(0, 1)])
