@@ -237,7 +237,7 @@ dsw_status Calls::ask() {
   dsw_sweep_options_init(&sweep, sizeof sweep);
   sweep.flags = bytes_.below(5);
   sweep.level = static_cast<dsw_level>(bytes_.below(5));
-  dsw_volume_id volumes[2];
+  dsw_volume_id volumes[2] = {};
   dsw_location locations[2];
   dsw_cell cell;
   dsw_flight flights[2];
