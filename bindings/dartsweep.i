@@ -33,6 +33,7 @@
 %include "dartsweep/particle.h"
 %include "dartsweep/body.h"
 %include "dartsweep/move.h"
+%include "dartsweep/near.h"
 %include "dartsweep/deform.h"
 %include "dartsweep/detach.h"
 %include "dartsweep/snapshot.h"

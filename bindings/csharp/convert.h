@@ -78,12 +78,12 @@ DSW_CSHARP_API void dartsweep_set_callbacks(dartsweep_csharp::ErrorCallback erro
 // Sizes of structs of C, in the order of elements.i, for tests.
 DSW_CSHARP_API std::size_t dartsweep_size_of(int index) {
   static const std::size_t sizes[] = {
-      sizeof(dartsweep::Vec3),     sizeof(dsw_cell),         sizeof(dsw_vertex_id),       sizeof(dsw_volume_id),
-      sizeof(dsw_face_id),         sizeof(dsw_edge_id),      sizeof(dsw_particle_id),     sizeof(dsw_body_id),
-      sizeof(dsw_body_vertex_id),  sizeof(dsw_body_edge_id), sizeof(dsw_body_face_id),    sizeof(dsw_contact),
-      sizeof(dsw_flight),          sizeof(dsw_crossing),     sizeof(dsw_sweep),           sizeof(dsw_nearest),
-      sizeof(dsw_segment_nearest), sizeof(dsw_body_contact), sizeof(dsw_contact_partner), sizeof(dsw_previous_contact),
-      sizeof(dsw_body_edit),       sizeof(dsw_move_report),  sizeof(dsw_wall_contact),    sizeof(dsw_volume_change),
-      sizeof(dsw_vertex_origin),   sizeof(dsw_cut_face),     sizeof(dsw_face_origin)};
+      sizeof(dartsweep::Vec3),     sizeof(dsw_cell),          sizeof(dsw_vertex_id),       sizeof(dsw_volume_id),
+      sizeof(dsw_face_id),         sizeof(dsw_edge_id),       sizeof(dsw_particle_id),     sizeof(dsw_body_id),
+      sizeof(dsw_body_vertex_id),  sizeof(dsw_body_edge_id),  sizeof(dsw_body_face_id),    sizeof(dsw_contact),
+      sizeof(dsw_flight),          sizeof(dsw_crossing),      sizeof(dsw_sweep),           sizeof(dsw_nearest),
+      sizeof(dsw_segment_nearest), sizeof(dsw_body_contact),  sizeof(dsw_contact_partner), sizeof(dsw_previous_contact),
+      sizeof(dsw_body_edit),       sizeof(dsw_move_report),   sizeof(dsw_near_row),        sizeof(dsw_wall_contact),
+      sizeof(dsw_volume_change),   sizeof(dsw_vertex_origin), sizeof(dsw_cut_face),        sizeof(dsw_face_origin)};
   return sizes[index];
 }

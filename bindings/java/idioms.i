@@ -130,4 +130,14 @@
   public MoveReport move(double[] targets, MoveOptions options) {
     return move(DoubleBuffer.wrap(targets), options);
   }
+
+  /** The rows whose gap is at most a margin, in order of their keys; `flags` is the sum of NEAR_ constants. */
+  public NearRowArray findNearRows(double margin, double radius, int flags) {
+    NearOptions options = new NearOptions();
+    options.setMargin(margin);
+    options.setRadius(radius);
+    options.setFlags(flags);
+    findNearRows(options);
+    return getNearRows();
+  }
 %}

@@ -191,6 +191,9 @@ DSW_NUMBERS(std::size_t, long, jlongArray)
 
 %immutable dsw_build_report::offenders;
 %immutable dsw_body_contact::fixed;
+%immutable dsw_near_row::vertices;
+%immutable dsw_near_row::obstacle_vertices;
+%immutable dsw_near_row::key;
 
 // --- arrays of structs: lists in C's memory
 %define DSW_LISTS(type, name)

@@ -11,10 +11,13 @@
  *   bring it closer to the point on the part,
  * - the segment between the two points passes nothing impassable,
  * - the gap is at most the margin.
- * Only obstacles count to which passable volumes within the distance lead from the part.
- * So a vertex near a flat wall has one row, a vertex in a corner has one for each wall, and a long
- * edge near a corner has one row at the corner. Of an edge that is parallel to a wall the ends have
- * rows. What lies behind a wall has none.
+ *
+ * The search passes from the part through passable volumes within the limit. An obstacle that is
+ * not reached in this way makes no row. So nothing behind a wall has a row.
+ *
+ * A vertex near a flat wall has one row. A vertex in a corner of a room has one for each wall. An
+ * edge that passes a corner that sticks out has one row at this corner. If an edge is parallel to a
+ * wall, its ends have the rows.
  *
  * The first two conditions are decided exactly. Points, distances and normals are rounded.
  *
@@ -59,8 +62,8 @@ typedef struct dsw_near_row {
   uint32_t vertices[3];       /**< The part's vertices: 1 to 3, then UINT32_MAX. */
   /** The obstacle's: indices of vertices of the environment, or of the other body. */
   uint32_t obstacle_vertices[3];
-  dsw_cell
-      obstacle; /**< The face, edge or vertex, canonical. A diagonal: its face. At a body: none. */
+  /** The face, edge or vertex, canonical. A diagonal of a face has the face. At a body: none. */
+  dsw_cell obstacle;
   /** An impassable face at the obstacle, canonical: the lowest one that looks towards the part.
    * Null for a marked edge or vertex, and at a body. */
   dsw_face_id wall;
@@ -69,9 +72,9 @@ typedef struct dsw_near_row {
   /** Names the row among those of its body. The same part and obstacle have the same key in later
    * calls, as long as neither is cut or renumbered. Rows are sorted by their keys. */
   uint32_t key[4];
-  /** Number of the row with this key in the call before; else of the nearest one of the same part
-   * whose key is gone and whose normal is at most 60 degrees away; else UINT32_MAX. So impulses can
-   * be taken over. */
+  /** For a warm start: number of the row in the call before that this row continues. That is the
+   * row with the same key. Otherwise it is the nearest row of the same part whose key is gone and
+   * whose normal is at most 60 degrees away. UINT32_MAX if there is none. */
   uint32_t previous;
   uint32_t reserved; /**< 0. */
 } dsw_near_row;
@@ -84,14 +87,14 @@ DSW_API void dsw_near_options_init(dsw_near_options *options, size_t size);
  * No row is left out. A row may be present or absent, because of rounding, if its distance differs
  * from its limit, or the segment between its points passes an impassable cell, by at most 2^-40 of
  * the largest coordinate of the points that are involved.
- * @param options may be null.
+ * @param options null means the defaults.
  * @param row_count may be null.
- * @return DSW_STATUS_NON_FINITE, OUT_OF_RANGE: margin or radius. DSW_STATUS_OUT_OF_MEMORY: there
- * are no rows then.
- * @note Cost: O(volumes within the limit of the body). The call remembers what is near each edge,
- * with some room to move. Until an end has used up that room, an edge costs its obstacles alone,
- * and nothing but a comparison where there are none. A change of the environment empties this
- * memory. Independent of the size of the environment. Threads: writes the scene. @since 2.1 */
+ * @return DSW_STATUS_OUT_OF_RANGE: margin or radius. DSW_STATUS_OUT_OF_MEMORY: there are no rows
+ * then. Any other failure keeps the rows of before.
+ * @note Cost: O(volumes within the limit of the body), independent of the size of the environment.
+ * The call remembers the obstacles near each edge, with some room to move. While the ends of an edge
+ * stay in this room, the edge costs its obstacles alone, or one comparison if there are none. A
+ * change of the environment empties this memory. Threads: writes the scene. @since 2.1 */
 DSW_API dsw_status dsw_body_find_near_rows(dsw_scene *scene, dsw_body_id body,
                                            const dsw_near_options *options, size_t *row_count);
 
@@ -102,9 +105,9 @@ DSW_API dsw_status dsw_body_get_near_rows(const dsw_scene *scene, dsw_body_id bo
                                           const dsw_near_row **rows, size_t *count);
 
 /** Gives where the rows of the Jacobian begin. The Jacobian has the derivatives of the gaps by the
- * coordinates of the body's vertices, as compressed sparse rows: the entries of row i have the
- * numbers offsets[i] .. offsets[i+1]-1. In a row of a body with itself the obstacle's vertices have
- * entries, too.
+ * coordinates of the body's vertices. It is stored as compressed sparse rows: the entries of row i
+ * have the numbers offsets[i] .. offsets[i+1]-1. If the row is of a body with itself, the vertices
+ * of the obstacle have entries, too. Vertices of another body have none: its own rows have them.
  * @param offsets belong to the scene, as the rows.
  * @param count one more than there are rows; 0 without DSW_NEAR_JACOBIAN.
  * @note Cost: O(1). @since 2.1 */

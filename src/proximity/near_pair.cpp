@@ -450,7 +450,7 @@ bool PairSearch<D>::measure(const Part<D>& part, const NearFeature& f, NearPair<
   const uint32_t number = find_wall(f, pair);
   pair.cell = list_.obstacles()[number].cell;
   if (!n.has_normal) n.normal = pair.wall.valid() ? normal_of(number) : is_zero(n.normal) ? Vec(1, 0, 0) : n.normal;
-  store<3>(n.normal, pair.normal);
+  store<3>(n.normal + Vec::Zero(), pair.normal);  // never -0
   pair.distance = n.distance;
   return true;
 }

@@ -192,7 +192,7 @@ void make_jacobian(const Array<dsw_near_row>& rows, uint32_t own_key, NearJacobi
     for (int i = 0; i < count; ++i) {
       for (uint32_t k = 0; k < D; ++k) {
         j.columns.push_back(D * entries[i].vertex + k);
-        j.values.push_back(entries[i].weight * row.normal[k]);
+        j.values.push_back(entries[i].weight * row.normal[k] + 0.0);  // never -0
       }
     }
     j.offsets.push_back(static_cast<uint32_t>(j.columns.size()));

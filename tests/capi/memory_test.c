@@ -170,6 +170,41 @@ static void a_body(int plane) {
   end();
 }
 
+/* Rows of an edge near another one and near a wall. A refusal leaves none. */
+static void near_rows(int plane) {
+  static const double at[12] = {0.25, 0.25, 0.375, 3.5, 0.25, 0.375, 0.5, 0.5, 0.375, 3.75, 0.625, 0.375};
+  const dsw_near_row *rows = NULL;
+  const uint32_t *offsets = NULL;
+  dsw_near_options o;
+  dsw_body_id bodies[2];
+  size_t refusals, rows_before, count = 9, found = 9, number_of_offsets = 9;
+  int i;
+  dsw_near_options_init(&o, sizeof o);
+  o.margin = 0.5;
+  o.flags = DSW_NEAR_JACOBIAN;
+  begin(4, 4, plane ? 0 : 3, DSW_FEATURE_BODY_CONTACTS);
+  for (i = 0; i < 2; ++i) {
+    dsw_body_desc d = line_desc(at + 6 * i, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+    d.stride_bytes = 24;
+    CHECK_OK(dsw_body_create(g_scene, &d, &bodies[i]));
+  }
+  CHECK_OK(dsw_body_find_near_rows(g_scene, bodies[1], &o, &rows_before));
+  for (refusals = 0; RUNS_OUT(&g_host, refusals, dsw_body_find_near_rows(g_scene, bodies[0], &o, &found)); ++refusals) {
+    CHECK(found == 9);
+    CHECK_OK(dsw_body_get_near_rows(g_scene, bodies[0], &rows, &count));
+    CHECK(count == 0);
+    CHECK_OK(dsw_body_get_near_offsets(g_scene, bodies[0], &offsets, &count));
+    CHECK(count == 0);
+    CHECK_OK(dsw_body_get_near_rows(g_scene, bodies[1], &rows, &count));
+    CHECK(count == rows_before);
+  }
+  CHECK(refusals >= 4 && found >= 4);
+  CHECK_OK(dsw_body_get_near_rows(g_scene, bodies[0], &rows, &count));
+  CHECK_OK(dsw_body_get_near_offsets(g_scene, bodies[0], &offsets, &number_of_offsets));
+  CHECK(count == found && number_of_offsets == found + 1);
+  end();
+}
+
 /* What the deformation of an environment by `points` would have changed. */
 static int nothing_is_bent(const double *points, dsw_particle_id particle, const double *at, dsw_body_id body,
                            const double *line, size_t dimension) {
@@ -412,6 +447,7 @@ int main(void) {
     creating_a_scene(plane);
     particles_of_a_scene(plane);
     a_body(plane);
+    near_rows(plane);
     a_deformation(plane);
   }
   check_in("");

@@ -26,6 +26,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_environment_desc reserved
 #define LAST_dsw_environment_info upper
 #define LAST_dsw_move_options order_count
+#define LAST_dsw_near_options radius
 #define LAST_dsw_open_crack_desc tag
 #define LAST_dsw_recording_desc user
 #define LAST_dsw_remesh_desc max_faces
@@ -169,6 +170,7 @@ RUN(dsw_body_create, dsw_body_desc) {
 }
 RUN(dsw_body_get_counts, dsw_body_counts) { return dsw_body_get_counts(g_scene, body(), s); }
 RUN(dsw_body_move, dsw_move_options) { return dsw_body_move(g_scene, body(), g_target, 2, 0, s, NULL); }
+RUN(dsw_body_find_near_rows, dsw_near_options) { return dsw_body_find_near_rows(g_scene, body(), s, NULL); }
 RUN(dsw_scene_move_bodies, dsw_move_options) {
   const dsw_body_id id = body();
   return dsw_scene_move_bodies(g_scene, &id, 1, g_target, 2, 0, s, NULL);
@@ -261,6 +263,7 @@ FILL(dsw_body_desc) {
   s->vertex_count = 2;
 }
 FILL(dsw_move_options) { s->max_volumes = 99; }
+FILL(dsw_near_options) { s->margin = 0.75; }
 FILL(dsw_deform_options) { s->most_halvings = 3; }
 FILL(dsw_remesh_desc) { s->radius = 1; }
 FILL(dsw_volumes_desc) {
@@ -357,6 +360,7 @@ typedef struct init_row {
 #define LAST(type) LAST_##type
 #define EACH_INPUT(X)                                \
   X(dsw_body_create, dsw_body_desc)                  \
+  X(dsw_body_find_near_rows, dsw_near_options)       \
   X(dsw_body_move, dsw_move_options)                 \
   X(dsw_body_move_rigid, dsw_move_options)           \
   X(dsw_context_create, dsw_context_desc)            \
@@ -413,6 +417,7 @@ typedef struct init_row {
   X(dsw_detach_desc_init, dsw_detach_desc)           \
   X(dsw_environment_desc_init, dsw_environment_desc) \
   X(dsw_move_options_init, dsw_move_options)         \
+  X(dsw_near_options_init, dsw_near_options)         \
   X(dsw_open_crack_desc_init, dsw_open_crack_desc)   \
   X(dsw_recording_desc_init, dsw_recording_desc)     \
   X(dsw_remesh_desc_init, dsw_remesh_desc)           \

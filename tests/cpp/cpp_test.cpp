@@ -153,6 +153,35 @@ TEST(Cpp, ABodyMovesAndItsContactsAreRead) {
   EXPECT_EQ(count, contacts.size());
 }
 
+TEST(Cpp, NearRowsAndTheirJacobianAreRead) {
+  Environment environment = cube();
+  Scene scene(environment);
+  const std::vector<Row> rod = {{0.25, 0.5, 0.375}, {0.5, 0.75, 0.4375}};
+  Body body(scene, scene.create_body(rod, std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(body.get_near_rows().size(), 0u);
+  dsw_near_options options;
+  dsw_near_options_init(&options, sizeof options);
+  options.margin = 0.25;
+  options.flags = DSW_NEAR_JACOBIAN;
+  ASSERT_EQ(body.find_near_rows(&options), 2u);
+  const Array<dsw_near_row> rows = body.get_near_rows();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].distance, 0.25);
+  EXPECT_EQ(rows[0].normal[0], 1);
+  EXPECT_EQ(rows[1].normal[1], -1);
+  EXPECT_EQ(rows[1].vertices[0], 1u);
+  const Array<std::uint32_t> offsets = body.get_near_offsets(), columns = body.get_near_columns();
+  const Array<double> values = body.get_near_values();
+  ASSERT_EQ(offsets.size(), 3u);
+  EXPECT_EQ(offsets[2], 6u);
+  ASSERT_EQ(columns.size(), 6u);
+  EXPECT_EQ(columns[4], 4u);
+  EXPECT_EQ(values[4], -1);
+  EXPECT_EQ(body.find_near_rows(), 0u);
+  options.margin = -1;
+  EXPECT_THROW(body.find_near_rows(&options), OutOfRange);
+}
+
 TEST(Cpp, LentPointsLiveAsLongAsTheyAreRead) {
   Environment environment = cube();
   const Scene scene = deforming_scene(environment);

@@ -198,6 +198,11 @@ dsw_status Calls::look_at_body() {
   dsw_level level;
   uint32_t category, mask;
   dsw_body_vertex_id corners[3];
+  dsw_near_options near;
+  dsw_near_options_init(&near, sizeof near);
+  near.flags = bytes_.below(3);
+  near.margin = std::fabs(bytes_.number());
+  near.radius = bytes_.below(2) == 0 ? 0 : bytes_.number();
   return Answers() << dsw_body_get_level(scene_, id, &level) << dsw_body_get_filter(scene_, id, &category, &mask)
                    << dsw_body_get_edge_ends(scene_, id, body_edge(id), corners)
                    << dsw_body_get_face_corners(scene_, id, body_face(id), corners)
@@ -209,7 +214,12 @@ dsw_status Calls::look_at_body() {
                    << read_all<dsw_body_contact>(of_body(dsw_body_get_contacts))
                    << read_all<dsw_contact_partner>(of_body(dsw_body_get_contact_partners))
                    << read_all<dsw_previous_contact>(of_body(dsw_body_get_previous_contacts))
-                   << read_all<dsw_body_edit>(of_body(dsw_body_get_edits));
+                   << read_all<dsw_body_edit>(of_body(dsw_body_get_edits))
+                   << dsw_body_find_near_rows(scene_, id, &near, nullptr)
+                   << read_all<dsw_near_row>(of_body(dsw_body_get_near_rows))
+                   << read_all<uint32_t>(of_body(dsw_body_get_near_offsets))
+                   << read_all<uint32_t>(of_body(dsw_body_get_near_columns))
+                   << read_all<double>(of_body(dsw_body_get_near_values));
 }
 
 /** Casts, sweeps and searches, without a particle or a body. */
@@ -227,7 +237,7 @@ dsw_status Calls::ask() {
   dsw_sweep_options_init(&sweep, sizeof sweep);
   sweep.flags = bytes_.below(5);
   sweep.level = static_cast<dsw_level>(bytes_.below(5));
-  dsw_volume_id volumes[2];
+  dsw_volume_id volumes[2] = {};
   dsw_location locations[2];
   dsw_cell cell;
   dsw_flight flights[2];

@@ -102,5 +102,12 @@ namespace Dartsweep
       GetPositions(positions);
       return positions;
     }
+
+    /// <summary>The rows whose gap is at most a margin, in order of their keys; flags are NEAR_ constants.</summary>
+    public NearRow[] FindNearRows(double margin, double radius = 0, uint flags = 0)
+    {
+      FindNearRows(new NearOptions { Margin = margin, Radius = radius, Flags = flags });
+      return GetNearRows();
+    }
   }
 }

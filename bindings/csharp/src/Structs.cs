@@ -317,6 +317,44 @@ namespace Dartsweep
     internal uint Reserved;
   }
 
+  /// <summary>A part of a body and what it is near to.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public partial struct NearRow
+  {
+    /// <summary>Nearest point of the part.</summary>
+    public Vec3 Point;
+    /// <summary>Nearest point of the obstacle.</summary>
+    public Vec3 ObstaclePoint;
+    /// <summary>Unit, from the obstacle towards the part.</summary>
+    public Vec3 Normal;
+    /// <summary>Between the two points.</summary>
+    public double Distance;
+    /// <summary>Distance less the radius; of the same body, less it twice.</summary>
+    public double Gap;
+    /// <summary>Of Vertices0 to Vertices2: sum to 1; `Point` is the weighted sum. 0 unused.</summary>
+    public Vec3 Weights;
+    /// <summary>Of ObstacleVertices0 to ObstacleVertices2, likewise.</summary>
+    public Vec3 ObstacleWeights;
+    /// <summary>The part's vertices: 1 to 3, then uint.MaxValue.</summary>
+    public uint Vertices0, Vertices1, Vertices2;
+    /// <summary>The obstacle's: indices of vertices of the environment, or of the other body.</summary>
+    public uint ObstacleVertices0, ObstacleVertices1, ObstacleVertices2;
+    /// <summary>The face, edge or vertex, canonical. A diagonal: its face. At a body: none.</summary>
+    public Cell Obstacle;
+    /// <summary>The lowest impassable face at the obstacle that looks towards the part, canonical; null for a marked
+    /// edge or vertex, and at a body.</summary>
+    public FaceId Wall;
+    /// <summary>As in Contact, of `Wall`.</summary>
+    public uint Tag;
+    /// <summary>The other body; null for the environment.</summary>
+    public BodyId Body;
+    /// <summary>Names the row among those of its body, from call to call.</summary>
+    public uint Key0, Key1, Key2, Key3;
+    /// <summary>Number of this row in the call before, or uint.MaxValue.</summary>
+    public uint Previous;
+    internal uint Reserved;
+  }
+
   /// <summary>A vertex of the environment moved, and a wall at this vertex touched something.</summary>
   [StructLayout(LayoutKind.Sequential)]
   public partial struct WallContact

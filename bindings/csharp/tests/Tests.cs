@@ -69,7 +69,7 @@ static class Tests
     Type[] types = { typeof(Vec3), typeof(Cell), typeof(VertexId), typeof(VolumeId), typeof(FaceId), typeof(EdgeId), typeof(ParticleId),
       typeof(BodyId), typeof(BodyVertexId), typeof(BodyEdgeId), typeof(BodyFaceId), typeof(Contact), typeof(Flight),
       typeof(Crossing), typeof(Sweep), typeof(Nearest), typeof(SegmentNearest), typeof(BodyContact), typeof(ContactPartner), typeof(PreviousContact), typeof(BodyEdit),
-      typeof(MoveReport), typeof(WallContact), typeof(VolumeChange), typeof(VertexOrigin), typeof(CutFace), typeof(FaceOrigin) };
+      typeof(MoveReport), typeof(NearRow), typeof(WallContact), typeof(VolumeChange), typeof(VertexOrigin), typeof(CutFace), typeof(FaceOrigin) };
     MethodInfo size = typeof(Environment).Assembly.GetType("Dartsweep.Callbacks").GetMethod("dartsweep_size_of", BindingFlags.Static | BindingFlags.NonPublic);
     for (int i = 0; i < types.Length; ++i)
       True((UIntPtr)size.Invoke(null, new object[] { i }) == (UIntPtr)Marshal.SizeOf(types[i]), types[i].Name);
@@ -179,6 +179,50 @@ static class Tests
         Same(segments[i].Nearest.Distance, again[i].Nearest.Distance);
         True(environment.IsValid(volumes[i]));
       }
+    }
+  }
+
+  public static void NearRowsSayWhereABodyIsClose()
+  {
+    double[] points = new double[54];
+    for (int i = 0; i < 18; ++i)
+    {
+      points[3 * i] = i % 3;
+      points[3 * i + 1] = i / 3 % 3;
+      points[3 * i + 2] = i / 9;
+    }
+    int[] cells = new int[32], corners = { 0, 1, 4, 3, 9, 10, 13, 12 };
+    for (int i = 0; i < 32; ++i) cells[i] = corners[i % 8] + i / 8 % 2 + 3 * (i / 16);
+    double[] from = { 0.25, 1.5, 0.375, 1.5, 0.25, 0.375 }, to = { 0.265625, 1.5, 0.375, 1.515625, 0.25, 0.375 };
+    double half = Math.Sqrt(0.5);
+    using (Environment environment = new Environment(points, cells, CellType.Hexahedron, new[] { 1, 1, 1, 2 }))
+    using (Scene scene = new Scene(environment, 0))
+    {
+      environment.MarkRegion(2, Mark.Impassable); // a pillar, whose edge is at x = y = 1
+      Body wire = scene.CreateBody(from, new uint[] { 0, 1 });
+      Same(0, wire.GetNearRows().Length);
+      NearRow[] rows = wire.FindNearRows(0.25, 0.0625, Library.NEAR_JACOBIAN);
+      Same(3, rows.Length);
+      Same(0.25, rows[0].Distance);
+      Same(0.1875, rows[0].Gap);
+      Same(1.0, rows[0].Normal.X);
+      True(rows[1].Vertices0 == 1 && rows[1].Vertices1 == uint.MaxValue);
+      Same(CellKind.Edge, rows[2].Obstacle.Kind);
+      True(Math.Abs(rows[2].Distance - half / 4) < 1e-15);
+      True(Math.Abs(rows[2].Normal.X + half) < 1e-15 && Math.Abs(rows[2].Normal.Y + half) < 1e-15);
+      True(rows[2].Weights.X == 0.5 && rows[2].Weights.Y == 0.5 && rows[2].ObstaclePoint.Z == 0.375);
+      True(rows[2].Body.IsNull && !rows[2].Wall.IsNull);
+      True(wire.GetNearOffsets().SequenceEqual(new uint[] { 0, 3, 6, 12 }));
+      True(wire.GetNearColumns().SequenceEqual(new uint[] { 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5 }));
+      True(wire.GetNearValues().Take(6).SequenceEqual(new double[] { 1, 0, 0, 0, 1, 0 }));
+      wire.Move(to);
+      NearRow[] next = wire.FindNearRows(0.25, 0.0625);
+      Same(3, next.Length);
+      for (int i = 0; i < 3; ++i)
+        True(rows[i].Key0 == next[i].Key0 && rows[i].Key2 == next[i].Key2 && rows[i].Key3 == next[i].Key3 && next[i].Previous == i);
+      Same(0.265625, next[0].Distance);
+      Same(0, wire.GetNearOffsets().Length);
+      Throws<OutOfRangeException>(() => wire.FindNearRows(-1));
     }
   }
 

@@ -302,6 +302,42 @@ function TestValues:test_nearest_of_points_and_segments()
   lu.assertEquals(#segments[1].segment_point, 3)
 end
 
+function TestValues:test_near_rows()
+  local points, cells = {}, {}
+  for i = 0, 17 do points[i + 1] = {i % 3, i // 3 % 3, i // 9} end
+  for _, at in ipairs {0, 1, 3, 4} do
+    local cell = {}
+    for k, corner in ipairs {0, 1, 4, 3, 9, 10, 13, 12} do cell[k] = at + corner end
+    cells[#cells + 1] = cell
+  end
+  local environment <close> = dsw.Environment {points = points, cells = cells, regions = {1, 1, 1, 2}}
+  environment:mark_region(2) -- a pillar, whose edge is at x = y = 1
+  local scene <close> = dsw.Scene(environment)
+  local wire = scene:create_body {positions = {{0.25, 1.5, 0.375}, {1.5, 0.25, 0.375}}, edges = {0, 1}}
+  local half, none = math.sqrt(0.5), 2 ^ 32 - 1
+  lu.assertEquals(#wire:get_near_rows(), 0)
+  lu.assertEquals(wire:find_near_rows {margin = 0.25, radius = 0.0625, flags = dsw.NEAR_JACOBIAN}, 3)
+  local rows = wire:get_near_rows()
+  lu.assertEquals({rows[1].distance, rows[1].gap, rows[2].vertices}, {0.25, 0.1875, {1, none, none}})
+  lu.assertEquals(rows[1].normal, {1, 0, 0})
+  lu.assertEquals(rows[3].obstacle.kind, dsw.CELL_EDGE)
+  lu.assertAlmostEquals(rows[3].distance, half / 4, 1e-15)
+  lu.assertAlmostEquals(rows[3].normal[1], -half, 1e-15)
+  lu.assertEquals({rows[3].weights, rows[3].obstacle_point}, {{0.5, 0.5, 0}, {1, 1, 0.375}})
+  lu.assertTrue(rows[3].body:is_null() and not rows[3].wall:is_null())
+  local offsets, columns, values = wire:get_near_offsets(), wire:get_near_columns(), wire:get_near_values()
+  lu.assertEquals({#offsets, offsets[4], #columns, columns[12], values[1], values[5]}, {4, 12, 12, 5, 1, 1})
+  wire:move {{0.265625, 1.5, 0.375}, {1.515625, 0.25, 0.375}}
+  lu.assertEquals(wire:find_near_rows {margin = 0.25, radius = 0.0625}, 3)
+  for i = 1, 3 do
+    local row = wire:get_near_rows()[i]
+    lu.assertEquals({row.key, row.previous}, {rows[i].key, i - 1})
+  end
+  lu.assertEquals(wire:get_near_rows()[1].distance, 0.265625)
+  lu.assertEquals(#wire:get_near_offsets(), 0)
+  lu.assertEquals(problem_of(wire.find_near_rows, wire, {margin = -1}).name, "OutOfRange")
+end
+
 function TestValues:test_empty_arrays_are_left_out()
   local environment <close> = dsw.Environment {
     points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, cells = {0, 1, 2, 3}, uniform_cell_type = dsw.CELL_TYPE_TETRA,

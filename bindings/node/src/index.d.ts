@@ -7,7 +7,7 @@ import type {
   CarveDesc, CastOptions, Cell, CellKind, CellType, ChangeNumbers, CoarsenOptions, ContactPartnerArray, CrossCheck,
   CrossingArray, CutDesc, CutFace, CutFaceArray, DeformOptions, DeformReport, DetachDesc, EdgeId, EdgeIdArray,
   EdgeSplit, EnvironmentDesc, EnvironmentInfo, FaceId, FaceIdArray, FaceOriginArray, FaceSplit, FaceVolumes, Flight,
-  FlightArray, Level, Located, LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, NearestArray, Neighbour,
+  FlightArray, Level, Located, LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, NearestArray, NearOptions, NearRowArray, Neighbour,
   OpenCrackDesc, Particle, ParticleId, ParticleIdArray, PreviousContactArray, RemeshDesc, RigidMotion, SceneDesc,
   SegmentNearestArray,
   Statistics, Status, SweepArray, SweepOptions, TieDesc, Validation, Vec3, VertexId, VertexIdArray, VertexOriginArray,
@@ -279,6 +279,14 @@ export class Body {
   getContactPartners(): ContactPartnerArray;
   getPreviousContacts(): PreviousContactArray;
   getEdits(): BodyEditArray;
+
+  /** Finds the parts that are near to something, and returns how many rows there are. */
+  findNearRows(options?: NearOptions): number;
+  getNearRows(): NearRowArray;
+  /** Of the Jacobian of the gaps, with NEAR_JACOBIAN: compressed sparse rows. */
+  getNearOffsets(): Uint32Array;
+  getNearColumns(): Uint32Array;
+  getNearValues(): Float64Array;
 }
 
 /** Geometry for viewers. */

@@ -61,3 +61,34 @@ test('each report says what was touched', () => {
   assert.equal(touched.response, dsw.WallResponse.Push);
   assert.equal(environment.getHeldVertices().length, 0);
 });
+
+test('near rows say where a body is close', () => {
+  const points = Float64Array.from({ length: 54 }, (_, i) => [i / 3 % 3, i / 9 % 3, i / 27].map(Math.floor)[i % 3]);
+  const cells = [0, 1, 3, 4].flatMap((at) => [0, 1, 4, 3, 9, 10, 13, 12].map((corner) => at + corner));
+  const environment = new dsw.Environment(points, cells, { type: dsw.CellType.Hexahedron, regions: [1, 1, 1, 2] });
+  environment.markRegion(2, dsw.Mark.Impassable); // a pillar, whose edge is at x = y = 1
+  const wire = new dsw.Scene(environment).createBody([0.25, 1.5, 0.375, 1.5, 0.25, 0.375], [0, 1]);
+  const none = 2 ** 32 - 1;
+  const close = (a, b) => assert.ok(Math.abs(a - b) < 1e-15, `${a} is not ${b}`);
+  assert.equal(wire.getNearRows().length, 0);
+  assert.equal(wire.findNearRows({ margin: 0.25, radius: 0.0625, flags: dsw.NEAR_JACOBIAN }), 3);
+  const rows = wire.getNearRows();
+  const [first, second, atEdge] = rows;
+  assert.deepEqual([first.distance, first.gap, first.normal, second.vertices], [0.25, 0.1875, [1, 0, 0], [1, none, none]]);
+  assert.equal(atEdge.obstacle.kind, dsw.CellKind.Edge);
+  close(atEdge.distance, Math.SQRT1_2 / 4);
+  close(atEdge.normal[0], -Math.SQRT1_2);
+  assert.deepEqual([atEdge.weights, atEdge.obstaclePoint], [[0.5, 0.5, 0], [1, 1, 0.375]]);
+  assert.ok(atEdge.body.isNull && !atEdge.wall.isNull);
+  assert.deepEqual([...wire.getNearOffsets()], [0, 3, 6, 12]);
+  assert.deepEqual([...wire.getNearColumns()], [0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5]);
+  assert.deepEqual([...wire.getNearValues()].slice(0, 6), [1, 0, 0, 0, 1, 0]);
+  wire.move([0.265625, 1.5, 0.375, 1.515625, 0.25, 0.375]);
+  assert.equal(wire.findNearRows({ margin: 0.25, radius: 0.0625 }), 3);
+  const next = wire.getNearRows();
+  assert.deepEqual([...next].map((row) => row.previous), [0, 1, 2]);
+  assert.deepEqual([...next].map((row) => row.key), [...rows].map((row) => row.key));
+  assert.equal(next.at(0).distance, 0.265625);
+  assert.equal(wire.getNearOffsets().length, 0);
+  assert.throws(() => wire.findNearRows({ margin: -1 }), dsw.OutOfRangeError);
+});

@@ -129,6 +129,22 @@ class Body {
   }
   Array<dsw_body_edit> get_edits() const { return list<dsw_body_edit>(dsw_body_get_edits); }
 
+  // --- near rows: finds them, and returns how many there are
+  std::size_t find_near_rows(const dsw_near_options *options = nullptr) {
+    std::size_t count = 0;
+    change(dsw_body_find_near_rows, options, &count);
+    return count;
+  }
+  Array<dsw_near_row> get_near_rows() const { return list<dsw_near_row>(dsw_body_get_near_rows); }
+  // Their Jacobian as compressed sparse rows.
+  Array<std::uint32_t> get_near_offsets() const {
+    return list<std::uint32_t>(dsw_body_get_near_offsets);
+  }
+  Array<std::uint32_t> get_near_columns() const {
+    return list<std::uint32_t>(dsw_body_get_near_columns);
+  }
+  Array<double> get_near_values() const { return list<double>(dsw_body_get_near_values); }
+
  private:
   // Options with the order of vertices, or as they came where there is none.
   class Ordered {

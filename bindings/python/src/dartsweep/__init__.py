@@ -32,7 +32,7 @@ from ._core import (
     VolumeId,
     cell_of,
 )
-from .body import Body
+from .body import Body, NearJacobian
 from .enums import (
     BodyFlag,
     CarveFlag,
@@ -54,6 +54,7 @@ from .enums import (
     Mark,
     MarkFlag,
     MoveFlag,
+    NearFlag,
     NoCrossCheck,
     Outcome,
     RecordingFlag,
@@ -112,6 +113,8 @@ __all__ = [
     "MarkFlag",
     "MoveFlag",
     "MoveOptions",
+    "NearFlag",
+    "NearJacobian",
     "NoCrossCheck",
     "Outcome",
     "ParticleId",

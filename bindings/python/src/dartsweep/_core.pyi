@@ -143,6 +143,23 @@ class MoveReport:
     edges_skipped: int
     vertices_limited: int
 
+class NearRow:
+    point: NDArray[np.float64]
+    obstacle_point: NDArray[np.float64]
+    normal: NDArray[np.float64]
+    distance: float
+    gap: float
+    weights: NDArray[np.float64]
+    obstacle_weights: NDArray[np.float64]
+    vertices: NDArray[np.uint32]
+    obstacle_vertices: NDArray[np.uint32]
+    obstacle: Cell
+    wall: FaceId
+    tag: int
+    body: BodyId
+    key: NDArray[np.uint32]
+    previous: int
+
 class WallContact:
     from_: NDArray[np.float64]
     to: NDArray[np.float64]
@@ -396,6 +413,11 @@ class MoveOptions:
     min_length: float
     stand_off: float
     noise_share: float
+
+class NearOptions:
+    flags: int
+    margin: float
+    radius: float
 
 class DeformOptions:
     flags: int

@@ -2,19 +2,32 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, dtypes
-from ._core import BodyCounts, BodyEdgeId, BodyEdit, BodyFaceId, BodyId, BodyVertexId, MoveOptions, MoveReport, RigidMotion
-from .enums import Level
+from ._core import BodyCounts, BodyEdgeId, BodyEdit, BodyFaceId, BodyId, BodyVertexId, MoveOptions, MoveReport, NearOptions, RigidMotion
+from .enums import Level, NearFlag
 from .errors import Error
 from .options import options as described
 
 if TYPE_CHECKING:
     from .environment import Records
+
+
+class _SparseRows(NamedTuple):
+    data: NDArray[np.float64]
+    indices: NDArray[np.int32]
+    indptr: NDArray[np.int32]
+
+
+class NearJacobian(_SparseRows):
+    """Compressed sparse rows as SciPy takes them: csr_matrix(jacobian, shape=jacobian.shape). Row i has the entries
+    indptr[i] to indptr[i + 1] - 1; a column is dimension * vertex + axis."""
+
+    shape: tuple[int, int] = (0, 0)
 
 
 class Body:
@@ -177,6 +190,22 @@ class Body:
     def edits(self) -> Records:
         """Vertices that responses inserted and removed in the last move."""
         return self._core.get_edits()  # type: ignore[no-any-return]
+
+    # --- near rows
+
+    def near_rows(self, margin: float, radius: float = 0.0, jacobian: bool = False) -> Records:
+        """Parts of the body, of a radius, whose gap to something is at most the margin (dtypes.NEAR_ROW), in order of their keys."""
+        flags = NearFlag.JACOBIAN if jacobian else 0
+        self._core.find_near_rows(described(NearOptions, margin=margin, radius=radius, flags=flags))
+        return self._core.get_near_rows()  # type: ignore[no-any-return]
+
+    def near_jacobian(self) -> NearJacobian:
+        """Derivatives of the gaps of the last near_rows(..., jacobian=True) by the coordinates of the vertices."""
+        offsets = self._core.get_near_offsets().view(np.int32)
+        columns = self._core.get_near_columns().view(np.int32)
+        jacobian = NearJacobian(self._core.get_near_values(), columns, offsets)
+        jacobian.shape = max(len(offsets) - 1, 0), self._core.dimension() * self.counts.vertex_slots
+        return jacobian
 
 
 def _in_space(vector: ArrayLike) -> NDArray[np.float64]:

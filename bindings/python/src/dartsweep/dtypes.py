@@ -115,6 +115,24 @@ MOVE_REPORT = _struct(
     ("vertices_limited", U4),
     ("reserved", U4),
 )
+NEAR_ROW = _struct(
+    ("point", F8, 3),
+    ("obstacle_point", F8, 3),
+    ("normal", F8, 3),
+    ("distance", F8),
+    ("gap", F8),
+    ("weights", F8, 3),
+    ("obstacle_weights", F8, 3),
+    ("vertices", U4, 3),
+    ("obstacle_vertices", U4, 3),
+    ("obstacle", CELL),
+    ("wall", FACE_ID),
+    ("tag", U4),
+    ("body", BODY_ID),
+    ("key", U4, 4),
+    ("previous", U4),
+    ("reserved", U4),
+)
 WALL_CONTACT = _struct(
     ("from", F8, 3),
     ("to", F8, 3),
@@ -157,6 +175,7 @@ _core.set_dtype_ContactPartner(CONTACT_PARTNER)
 _core.set_dtype_PreviousContact(PREVIOUS_CONTACT)
 _core.set_dtype_BodyEdit(BODY_EDIT)
 _core.set_dtype_MoveReport(MOVE_REPORT)
+_core.set_dtype_NearRow(NEAR_ROW)
 _core.set_dtype_WallContact(WALL_CONTACT)
 _core.set_dtype_VolumeChange(VOLUME_CHANGE)
 _core.set_dtype_VertexOrigin(VERTEX_ORIGIN)

@@ -301,6 +301,12 @@ class MoveFlag(Flags):
     KEEP_WALLS = _core.MOVE_KEEP_WALLS
 
 
+class NearFlag(Flags):
+    """Flags of NearOptions."""
+
+    JACOBIAN = _core.NEAR_JACOBIAN
+
+
 class CutFlag(Flags):
     """Flags of CutDesc."""
 

@@ -2,8 +2,10 @@ package dartsweep;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -78,6 +80,53 @@ class ReportsTest {
       assertTrue(touched.getContact().getObstacle().getKind() != CellKind.NONE);
       assertEquals(WallResponse.PUSH, touched.getResponse());
       assertEquals(List.of(), environment.getHeldVertices());
+    }
+  }
+
+  @Test
+  void nearRowsSayWhereABodyIsClose() {
+    double[] points = new double[54];
+    for (int i = 0; i < 18; ++i) {
+      points[3 * i] = i % 3;
+      points[3 * i + 1] = i / 3 % 3;
+      points[3 * i + 2] = i / 9;
+    }
+    int[] cells = new int[32], corners = {0, 1, 4, 3, 9, 10, 13, 12};
+    for (int i = 0; i < 32; ++i) cells[i] = corners[i % 8] + i / 8 % 2 + 3 * (i / 16);
+    double[] from = {0.25, 1.5, 0.375, 1.5, 0.25, 0.375}, to = {0.265625, 1.5, 0.375, 1.515625, 0.25, 0.375};
+    double half = Math.sqrt(0.5);
+    try (Environment environment = new Environment(points, cells, CellType.HEXAHEDRON, new int[] {1, 1, 1, 2});
+        Scene scene = new Scene(environment, 0)) {
+      environment.markRegion(2, Mark.IMPASSABLE); // a pillar, whose edge is at x = y = 1
+      Body wire = scene.createBody(from, new int[] {0, 1});
+      assertEquals(List.of(), wire.getNearRows());
+      NearRowArray rows = wire.findNearRows(0.25, 0.0625, Dartsweep.NEAR_JACOBIAN);
+      assertEquals(3, rows.size());
+      assertEquals(0.25, rows.get(0).getDistance());
+      assertEquals(0.1875, rows.get(0).getGap());
+      assertArrayEquals(new double[] {1, 0, 0}, rows.get(0).getNormal());
+      assertArrayEquals(new int[] {1, -1, -1}, rows.get(1).getVertices());
+      NearRow atEdge = rows.get(2);
+      assertEquals(CellKind.EDGE, atEdge.getObstacle().getKind());
+      assertEquals(half / 4, atEdge.getDistance(), 1e-15);
+      assertArrayEquals(new double[] {-half, -half, 0}, atEdge.getNormal(), 1e-15);
+      assertArrayEquals(new double[] {0.5, 0.5, 0}, atEdge.getWeights());
+      assertArrayEquals(new double[] {1, 1, 0.375}, atEdge.getObstaclePoint());
+      assertTrue(atEdge.getBody().isNull() && !atEdge.getWall().isNull());
+      assertArrayEquals(new int[] {0, 3, 6, 12}, wire.getNearOffsets());
+      assertArrayEquals(new int[] {0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5}, wire.getNearColumns());
+      assertArrayEquals(new double[] {1, 0, 0, 0, 1, 0}, Arrays.copyOf(wire.getNearValues(), 6));
+      assertEquals(-half / 2, wire.getNearValues()[6], 1e-15);
+      wire.move(to, null);
+      NearRowArray next = wire.findNearRows(0.25, 0.0625, 0);
+      assertEquals(3, next.size());
+      for (int i = 0; i < 3; ++i) {
+        assertArrayEquals(rows.get(i).getKey(), next.get(i).getKey());
+        assertEquals(i, next.get(i).getPrevious());
+      }
+      assertEquals(0.265625, next.get(0).getDistance());
+      assertEquals(0, wire.getNearOffsets().length);
+      assertThrows(DartsweepException.OutOfRange.class, () -> wire.findNearRows(-1, 0, 0));
     }
   }
 }
