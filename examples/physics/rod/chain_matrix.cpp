@@ -124,6 +124,8 @@ void ChainFactor::invert(ChainMatrix* inverse) const {
       }
       z[i].diagonal.noalias() -= t.near * z[i].next;
     }
+    // Rounding that is not symmetric would double with each block.
+    z[i].diagonal = (0.5 * (z[i].diagonal + z[i].diagonal.transpose())).eval();
   }
 }
 
