@@ -212,6 +212,11 @@ void Rod::accept(const Positions& actual, double dt) {
   shape.advance(actual, turn);
 }
 
+void Rod::rest() {
+  std::fill(velocity.begin(), velocity.end(), Vector3::Zero());
+  std::fill(spin.begin(), spin.end(), 0);
+}
+
 double Rod::elastic_energy() const {
   double energy = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -44,6 +44,9 @@ class Rod {
   // faster than it was.
   void accept(const Positions& actual, double dt);
 
+  // Ends all motion.
+  void rest();
+
   double elastic_energy() const;
   double kinetic_energy() const;
   // Minus the gradient of the elastic energy, by vertex; the last entry of a block is the torque about the edge behind the vertex.

@@ -16,8 +16,7 @@ constexpr double kPi = 3.14159265358979323846;
 // A step so long that inertia does nothing: what is left is a descent to the shape at rest.
 void settle(Rod* rod, int steps, double dt = 1e3) {
   for (int i = 0; i < steps; ++i) {
-    std::fill(rod->velocity.begin(), rod->velocity.end(), Vector3::Zero());
-    std::fill(rod->spin.begin(), rod->spin.end(), 0);
+    rod->rest();
     rod->step(dt, {});
     rod->accept(rod->targets(), dt);
   }
