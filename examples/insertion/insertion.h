@@ -16,7 +16,7 @@ struct Step {
   double detection_seconds = 0, step_seconds = 0;  // the library's move; all of the step, without the verification
   double reached = 0;                              // along the route
   Wire::RodPart rod;
-  bool free = false, all_in = false;               // verified; no link is still to come
+  bool free = false, all_in = false;  // verified; no link is still to come
 };
 
 // Sums over all steps.
@@ -28,7 +28,7 @@ struct Totals {
   double detection_seconds = 0, step_seconds = 0, reached = 0, largest_stretch = 0;
   // Of the steps with all links in; of all steps if that never came.
   std::size_t whole_steps = 0, whole_contacts = 0, whole_edges = 0;
-  Wire::RodPart rod;                     // sums
+  Wire::RodPart rod;                    // sums
   std::vector<double> whole_detection;  // seconds, step by step
 };
 

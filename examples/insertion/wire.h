@@ -21,10 +21,10 @@ class Wire {
     std::size_t rows = 0, pressing = 0;
   };
   virtual RodPart rod_part() const { return {}; }
-  virtual double reached() const = 0;       // how far along the route the tip is
-  virtual std::size_t links() const = 0;    // that are in
+  virtual double reached() const = 0;     // how far along the route the tip is
+  virtual std::size_t links() const = 0;  // that are in
   virtual double largest_stretch() const = 0;
-  virtual std::vector<std::size_t> line() const = 0;  // vertices in order, the tail first
+  virtual std::vector<std::size_t> line() const = 0;        // vertices in order, the tail first
   virtual const physics::Positions& positions() const = 0;  // by vertex
   virtual bool was_inserted(std::size_t vertex) const = 0;  // by a response
   // What each contact of the last move did, by its number.

@@ -6,7 +6,8 @@
 namespace physics {
 namespace {
 
-constexpr double kStopped = 1e-9;  // share of a move by which a vertex may be short of its target and still counts as there
+constexpr double kStopped =
+    1e-9;  // share of a move by which a vertex may be short of its target and still counts as there
 
 // Masses below this share of the stiffness times dt^2 would drown in rounding; they count as so much.
 constexpr double kLeastMass = 1e-14;
@@ -52,7 +53,9 @@ double Rod::mass_of(std::size_t vertex) const {
   return 0.5 * ((vertex > 0 ? edges[vertex - 1].mass : 0) + (vertex < edges.size() ? edges[vertex].mass : 0));
 }
 
-double Rod::inertia_of(std::size_t edge) const { return 0.5 * edges[edge].mass * edges[edge].radius * edges[edge].radius; }
+double Rod::inertia_of(std::size_t edge) const {
+  return 0.5 * edges[edge].mass * edges[edge].radius * edges[edge].radius;
+}
 
 double Rod::half_length_at(std::size_t vertex) const { return 0.5 * (edges[vertex - 1].length + edges[vertex].length); }
 
@@ -184,7 +187,8 @@ RodContactReport Rod::step(double dt, const NearRows& rows) {
     }
     if (k + 1 < options.linearisations) {
       std::vector<double> turn(edges.size());
-      std::transform(guess.begin(), guess.end() - 1, turn.begin(), [dt](const Eigen::Vector4d& v) { return dt * v[3]; });
+      std::transform(guess.begin(), guess.end() - 1, turn.begin(),
+                     [dt](const Eigen::Vector4d& v) { return dt * v[3]; });
       trial = shape;
       trial.advance(targets_, turn);
     }

@@ -61,13 +61,13 @@ class Rod {
   const RodContacts& contacts() const { return contacts_; }
 
   RodShape shape;
-  Positions velocity;                  // by vertex
-  std::vector<double> spin;            // by edge: how fast it turns about itself
-  std::vector<RodEdge> edges;          // at rest
-  std::vector<Vector2> rest_curvature; // by vertex, as RodBend
-  std::vector<double> rest_twist;      // by vertex
-  Positions load;                      // by vertex: forces from outside
-  std::vector<char> held, held_turn;   // by vertex, by edge: it moves as its velocity says, whatever the forces are
+  Positions velocity;                   // by vertex
+  std::vector<double> spin;             // by edge: how fast it turns about itself
+  std::vector<RodEdge> edges;           // at rest
+  std::vector<Vector2> rest_curvature;  // by vertex, as RodBend
+  std::vector<double> rest_twist;       // by vertex
+  Positions load;                       // by vertex: forces from outside
+  std::vector<char> held, held_turn;    // by vertex, by edge: it moves as its velocity says, whatever the forces are
   RodOptions options;
 
  private:

@@ -8,7 +8,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kFastest = 3;  // times the hand's own speed
+constexpr double kFastest = 3;      // times the hand's own speed
+constexpr double kReaction = 0.02;  // s, in which the hand changes its speed
 
 // The point at the distance `length` from `from` towards `to`.
 Vector3 towards(const Vector3& from, const Vector3& to, double length) {
@@ -18,10 +19,9 @@ Vector3 towards(const Vector3& from, const Vector3& to, double length) {
 }  // namespace
 
 RodCatheterOptions scaled(RodCatheterOptions options, double scale) {
-  for (double* length_or_force :
-       {&options.link, &options.speed, &options.feeding, &options.stretching, &options.tip_length, &options.steering,
-        &options.look_ahead, &options.most_force, &options.near.radius, &options.near.margin,
-        &options.rod.contact.tolerance}) {
+  for (double* length_or_force : {&options.link, &options.speed, &options.feeding, &options.stretching,
+                                  &options.tip_length, &options.steering, &options.look_ahead, &options.most_force,
+                                  &options.near.radius, &options.near.margin, &options.rod.contact.tolerance}) {
     *length_or_force *= scale;
   }
   options.mass /= scale;
@@ -77,8 +77,7 @@ void RodCatheter::feed() {
     return;
   }
   const std::size_t last = rod_->size() - 1;
-  const Vector3 at =
-      towards(rod_->shape.position[last], route_->at(pushed_ - options_.link), options_.link);
+  const Vector3 at = towards(rod_->shape.position[last], route_->at(pushed_ - options_.link), options_.link);
   dsw_body_vertex_id vertex, end;
   dsw_body_edge_id edge;
   check(dsw_body_get_vertex_id(scene_, id_, static_cast<std::uint32_t>(last), &end), "reading a vertex");
@@ -111,13 +110,13 @@ void RodCatheter::lead(double dt) {
   const bool is_there = all_in && reached() + options_.link >= route_->length();
   const std::size_t tail = rod_->size() - 1, before = tail - 1;
   const double force = links() > 1 ? std::abs(rod_->tension(before - 1)) : 0;
-  if (!is_there && force <= options_.most_force) {
-    pushed_ += speed * dt;
-  }
+  const double wanted = is_there || force > options_.most_force ? 0 : speed;
+  speed_ += std::min(1.0, dt / kReaction) * (wanted - speed_);
+  pushed_ += speed_ * dt;
   const Vector3 at = route_->at(pushed_);
-  const Vector3 ways[] = {towards(at, route_->at(pushed_ + options_.link), options_.link) -
-                              rod_->shape.position[before],
-                          at - rod_->shape.position[tail]};
+  const Vector3 ways[] = {
+      towards(at, route_->at(pushed_ + options_.link), options_.link) - rod_->shape.position[before],
+      at - rod_->shape.position[tail]};
   const double slowest = std::max(dt, std::max(ways[0].norm(), ways[1].norm()) / (kFastest * speed));
   rod_->velocity[before] = ways[0] / slowest;
   rod_->velocity[tail] = ways[1] / slowest;
@@ -150,8 +149,8 @@ void RodCatheter::move(double dt) {
   Positions positions = rod_->targets();
   report_ = StepReport();
   const auto start = Clock::now();
-  report_.status = dsw_body_move(scene_, id_, positions.front().data(), positions.size(), sizeof(Vector3), &options,
-                                 &report_.move);
+  report_.status =
+      dsw_body_move(scene_, id_, positions.front().data(), positions.size(), sizeof(Vector3), &options, &report_.move);
   report_.library_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (report_.status == DSW_STATUS_NON_FINITE) {
     report_.message = dsw_last_error_message();

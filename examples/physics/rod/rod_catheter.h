@@ -17,15 +17,15 @@ struct RodCatheterOptions {
   double feeding = 0;     // of the hand until all links are in, mm/s; 0: the same
   double turning = 0;     // of the hand, about the wire, rad/s
   double mass = 1.6;      // mg/mm
-  double stretching = 2e9;     // uN
-  double bending = 1e7;        // uN mm^2
-  double twisting = 8e6;       // uN mm^2
-  double tip_length = 0;       // mm, over which the wire gets as soft as `tip_softness`, and is bent at rest by `tip_angle`
-  double tip_softness = 1;     // share of the stiffness
-  double tip_angle = 0;        // rad
-  double steering = 1e5;       // force on the tip towards the route ahead of it, uN
-  double look_ahead = 4;       // how far ahead that is, mm
-  double most_force = 4e6;     // uN; the hand waits while the wire pushes or pulls more
+  double stretching = 2e9;  // uN
+  double bending = 1e7;     // uN mm^2
+  double twisting = 8e6;    // uN mm^2
+  double tip_length = 0;  // mm, over which the wire gets as soft as `tip_softness`, and is bent at rest by `tip_angle`
+  double tip_softness = 1;  // share of the stiffness
+  double tip_angle = 0;     // rad
+  double steering = 1e5;    // force on the tip towards the route ahead of it, uN
+  double look_ahead = 4;    // how far ahead that is, mm
+  double most_force = 1e6;  // uN; the hand waits while the wire pushes or pulls more
   dsw_level level = DSW_LEVEL_EDGES_SWEPT;
   NearRowOptions near;
   RodOptions rod;
@@ -78,7 +78,7 @@ class RodCatheter {
   StepReport report_;
   RodContactReport contact_report_;
   double rows_seconds_ = 0, rod_seconds_ = 0;
-  double pushed_ = 0;  // where on the route the hand is
+  double pushed_ = 0, speed_ = 0;  // where on the route the hand is, and how fast
 };
 
 }  // namespace physics

@@ -84,12 +84,10 @@ void RodContacts::prepare(const NearRows& rows, const std::vector<char>& held, d
     }
     const ChainMatrix::Column& z = inverse_.columns[pair];
     Eigen::Matrix<double, 8, 3> response;
-    response.topRows<4>() =
-        row.push[0] * z.diagonal.leftCols<3>() + row.push[1] * z.next.transpose().leftCols<3>();
+    response.topRows<4>() = row.push[0] * z.diagonal.leftCols<3>() + row.push[1] * z.next.transpose().leftCols<3>();
     response.bottomRows<4>() =
         row.push[0] * z.next.leftCols<3>() + row.push[1] * inverse_.columns[pair + 1].diagonal.leftCols<3>();
-    const Eigen::Matrix3d compliance =
-        row.push[0] * response.topRows<3>() + row.push[1] * response.middleRows<3>(4);
+    const Eigen::Matrix3d compliance = row.push[0] * response.topRows<3>() + row.push[1] * response.middleRows<3>(4);
     row.frame = frame_of(from.normal, compliance);
     row.compliance = row.frame.transpose() * compliance * row.frame;
     row.response = response * row.frame;
@@ -109,8 +107,7 @@ double RodContacts::update(double friction, const Vector3& velocity, Row* row) c
   const Vector3 before = row->impulse;
   row->impulse[0] = std::max(0.0, before[0] - (velocity[0] - row->wanted[0]) / c(0, 0));
   const Eigen::Vector2d diagonal(c(1, 1), c(2, 2));
-  const Eigen::Vector2d slip =
-      (velocity - row->wanted + c.col(0) * (row->impulse[0] - before[0])).tail<2>();
+  const Eigen::Vector2d slip = (velocity - row->wanted + c.col(0) * (row->impulse[0] - before[0])).tail<2>();
   row->impulse.tail<2>() =
       nearest_in_disc(before.tail<2>() - slip.cwiseQuotient(diagonal), diagonal, friction * row->impulse[0]);
   return (c * (row->impulse - before)).norm();
@@ -131,8 +128,7 @@ double RodContacts::visit_pair(std::size_t pair, const BlockVector& velocity, do
       own.noalias() += row.response * row.impulse;
       continue;
     }
-    const Vector3 now =
-        row.weight[0] * (first + own.head<3>()) + row.weight[1] * (second + own.segment<3>(4));
+    const Vector3 now = row.weight[0] * (first + own.head<3>()) + row.weight[1] * (second + own.segment<3>(4));
     const Vector3 before = row.impulse;
     change = std::max(change, update(friction, row.frame.transpose() * now, &row));
     own.noalias() += row.response * (row.impulse - before);
@@ -173,8 +169,8 @@ double RodContacts::sweep_to_first(const BlockVector& velocity, double friction,
 }
 
 RodContactReport RodContacts::solve(const NearRows& rows, const ChainMatrix& matrix, const ChainFactor& factor,
-                                    const std::vector<char>& held, const BlockVector& velocity, double dt,
-                                    bool again, const RodContactOptions& options) {
+                                    const std::vector<char>& held, const BlockVector& velocity, double dt, bool again,
+                                    const RodContactOptions& options) {
   RodContactReport report;
   start(rows, again);
   rows_.clear();
@@ -192,8 +188,8 @@ RodContactReport RodContacts::solve(const NearRows& rows, const ChainMatrix& mat
   sweep_to_first(velocity, options.friction, false);
   do {
     const bool to_last = report.sweeps % 2 == 0;
-    report.last_change = dt * (to_last ? sweep_to_last(velocity, options.friction)
-                                       : sweep_to_first(velocity, options.friction, true));
+    report.last_change =
+        dt * (to_last ? sweep_to_last(velocity, options.friction) : sweep_to_first(velocity, options.friction, true));
     ++report.sweeps;
   } while (report.last_change > options.tolerance && report.sweeps < options.most_sweeps);
   for (const Row& row : rows_) {

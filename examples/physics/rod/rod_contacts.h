@@ -57,7 +57,7 @@ class RodContacts {
   double sweep_to_last(const BlockVector& velocity, double friction);
   double sweep_to_first(const BlockVector& velocity, double friction, bool changes);
 
-  std::vector<Row> rows_;            // by pair
+  std::vector<Row> rows_;             // by pair
   std::vector<std::uint32_t> first_;  // of each pair
   Positions impulses_, last_impulses_;
   ChainMatrix inverse_, scratch_;

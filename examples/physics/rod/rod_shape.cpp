@@ -6,8 +6,8 @@
 namespace physics {
 namespace {
 
-constexpr double kFold = 0.06;         // least 1 + cos of the angle between edges
-constexpr double kOpposite = 1e-9;     // of the same, for transport
+constexpr double kFold = 0.06;      // least 1 + cos of the angle between edges
+constexpr double kOpposite = 1e-9;  // of the same, for transport
 constexpr double kTurn = 2 * 3.14159265358979323846;
 constexpr double kLeastLength = 1e-100;
 

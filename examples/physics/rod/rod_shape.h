@@ -30,7 +30,8 @@ Vector3 transported(const Vector3& vector, const Vector3& from, const Vector3& t
 
 // Bending at an inner vertex, and the gradient of its three numbers.
 struct RodBend {
-  Vector2 curvature = Vector2::Zero();  // about the two material axes, integrated over the vertex: 2 tan(angle / 2) for an angle
+  Vector2 curvature =
+      Vector2::Zero();  // about the two material axes, integrated over the vertex: 2 tan(angle / 2) for an angle
   double twist = 0;
   // By the blocks of the vertex before, this one and the next: rows are the position and the angle of the edge behind it.
   // Columns are the two curvatures and the twist.

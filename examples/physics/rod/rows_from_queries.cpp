@@ -24,8 +24,8 @@ bool is_near(const dsw_nearest& nearest) { return nearest.cell.kind != DSW_CELL_
 
 }  // namespace
 
-void find_near_rows(const dsw_environment* environment, const Positions& line, const std::vector<dsw_volume_id>& volumes,
-                    const NearRowOptions& options, KeyedRows* found) {
+void find_near_rows(const dsw_environment* environment, const Positions& line,
+                    const std::vector<dsw_volume_id>& volumes, const NearRowOptions& options, KeyedRows* found) {
   const KeyedRows before = std::move(*found);
   *found = KeyedRows();
   const std::size_t edges = line.size() - 1;

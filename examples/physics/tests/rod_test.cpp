@@ -53,11 +53,11 @@ TEST(Rod, ForcesAreTheGradientOfTheEnergy) {
       if (is_turn_of_no_edge(rod, i, d)) {
         continue;
       }
-      constexpr double kStep = 1e-6;
+      constexpr double kNudge = 1e-6;
       Rod plus = rod, minus = rod;
-      nudge(&plus, i, d, kStep);
-      nudge(&minus, i, d, -kStep);
-      EXPECT_NEAR(-(plus.elastic_energy() - minus.elastic_energy()) / (2 * kStep), force[i][d], 1e-6 * largest)
+      nudge(&plus, i, d, kNudge);
+      nudge(&minus, i, d, -kNudge);
+      EXPECT_NEAR(-(plus.elastic_energy() - minus.elastic_energy()) / (2 * kNudge), force[i][d], 1e-6 * largest)
           << i << ' ' << d;
     }
   }
@@ -75,16 +75,17 @@ TEST(Rod, StiffnessIsTheSecondDerivativeAtRest) {
       if (is_turn_of_no_edge(rod, i, d)) {
         continue;
       }
-      constexpr double kStep = 1e-6;
+      constexpr double kNudge = 1e-6;
       BlockVector unit(rod.size(), Eigen::Vector4d::Zero());
       unit[i][d] = 1;
       const BlockVector column = stiffness.times(unit);
       Rod plus = rod, minus = rod;
-      nudge(&plus, i, d, kStep);
-      nudge(&minus, i, d, -kStep);
+      nudge(&plus, i, d, kNudge);
+      nudge(&minus, i, d, -kNudge);
       const BlockVector after = plus.forces(), before = minus.forces();
       for (std::size_t k = 0; k < rod.size(); ++k) {
-        EXPECT_LT((column[k] + (after[k] - before[k]) / (2 * kStep)).norm(), 1e-6 * largest) << i << ' ' << d << ' ' << k;
+        EXPECT_LT((column[k] + (after[k] - before[k]) / (2 * kNudge)).norm(), 1e-6 * largest)
+            << i << ' ' << d << ' ' << k;
       }
     }
   }
@@ -114,7 +115,8 @@ TEST(Rod, ACantileverBendsAsTheElastica) {
   struct Case {
     double load, sinks, closer, tolerance;
   };
-  for (const Case& c : {Case{1e-3, 1e-3 / 3, 0, 0.01}, Case{1, 0.30172, 0.05643, 0.01}, Case{5, 0.71379, 0.38763, 0.01}}) {
+  for (const Case& c :
+       {Case{1e-3, 1e-3 / 3, 0, 0.01}, Case{1, 0.30172, 0.05643, 0.01}, Case{5, 0.71379, 0.38763, 0.01}}) {
     constexpr std::size_t kEdges = 100;
     Rod rod = straight_rod(kEdges + 1, 1);
     clamp_last(&rod);
