@@ -1,7 +1,8 @@
 // Symmetric positive definite matrices of a chain: blocks of 4 x 4, each block coupled with the next two.
 //
-// All costs are O(blocks). The inverse of such a matrix is full, but what a force does far away passes through two neighbouring blocks:
-// `towards_first` and `towards_last` carry it on, block by block. Contacts are solved with these (rod_contacts.h).
+// All costs are O(blocks). The inverse of such a matrix is full, but what a force does far away passes through two
+// neighbouring blocks: `towards_first` and `towards_last` carry it on, block by block. Contacts are solved with these
+// (rod_contacts.h).
 #ifndef DARTSWEEP_PHYSICS_ROD_CHAIN_MATRIX_H
 #define DARTSWEEP_PHYSICS_ROD_CHAIN_MATRIX_H
 
@@ -39,7 +40,8 @@ class ChainFactor {
 
   // Forces on later blocks only.
   const std::vector<Transfer>& towards_first() const { return towards_first_; }
-  // The blocks of the inverse next to its diagonal: Takahashi, Fagan and Chen 1973. A column of the result is Z(i, i), Z(i + 1, i), Z(i + 2, i).
+  // The blocks of the inverse next to its diagonal: Takahashi, Fagan and Chen 1973. A column of the result is Z(i,
+  // i), Z(i + 1, i), Z(i + 2, i).
   void invert(ChainMatrix* inverse) const;
 
  private:
@@ -48,7 +50,8 @@ class ChainFactor {
   std::vector<ChainMatrix::Column> work_;
 };
 
-// Forces on earlier blocks only: the transfers of the matrix with its blocks in reverse order. `scratch` keeps its memory.
+// Forces on earlier blocks only: the transfers of the matrix with its blocks in reverse order. `scratch` keeps its
+// memory.
 void find_transfers_towards_last(const ChainMatrix& matrix, ChainMatrix* scratch, ChainFactor* factor,
                                  std::vector<Transfer>* towards_last);
 

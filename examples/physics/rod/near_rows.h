@@ -18,7 +18,8 @@ struct KeyedRows {
   std::vector<std::uint32_t> keys;
 };
 
-// Replaces `found`, the rows of the step before. `volumes` are those that the vertices of the line lie in. Throws LibraryError.
+// Replaces `found`, the rows of the step before. `volumes` are those that the vertices of the line lie in. Throws
+// LibraryError.
 void find_near_rows(const dsw_environment* environment, const Positions& line,
                     const std::vector<dsw_volume_id>& volumes, const NearRowOptions& options, KeyedRows* found);
 

@@ -1,8 +1,9 @@
-// A thin elastic rod that stretches, bends and twists, with contacts: one implicit time step, solved directly along the chain.
+// A thin elastic rod that stretches, bends and twists, with contacts: one implicit time step, solved directly along
+// the chain.
 //
-// A step has a fixed cost, O(vertices + rows * sweeps). Forces are those of implicit Euler, linearised once or twice. The stiffness matrix is
-// the second derivative of the energy without what could make it indefinite: of a bend the Gauss-Newton part, of a stretched edge all but
-// the part of pressure.
+// A step has a fixed cost, O(vertices + rows * sweeps). Forces are those of implicit Euler, linearised once or twice.
+// The stiffness matrix is the second derivative of the energy without what could make it indefinite: of a bend the
+// Gauss-Newton part, of a stretched edge all but the part of pressure.
 #ifndef DARTSWEEP_PHYSICS_ROD_ROD_H
 #define DARTSWEEP_PHYSICS_ROD_ROD_H
 
@@ -40,8 +41,8 @@ class Rod {
   RodContactReport step(double dt, const NearRows& rows);
   // Where the vertices want to be at the end of the step.
   const Positions& targets() const { return targets_; }
-  // The rod is at `actual`, which may be short of the targets. A vertex that was stopped is as fast as the way that it made, and never
-  // faster than it was.
+  // The rod is at `actual`, which may be short of the targets. A vertex that was stopped is as fast as the way that
+  // it made, and never faster than it was.
   void accept(const Positions& actual, double dt);
 
   // Ends all motion.
@@ -49,7 +50,8 @@ class Rod {
 
   double elastic_energy() const;
   double kinetic_energy() const;
-  // Minus the gradient of the elastic energy, by vertex; the last entry of a block is the torque about the edge behind the vertex.
+  // Minus the gradient of the elastic energy, by vertex; the last entry of a block is the torque about the edge
+  // behind the vertex.
   BlockVector forces() const;
   // The matrix that steps use for the second derivative of the energy.
   ChainMatrix stiffness() const;

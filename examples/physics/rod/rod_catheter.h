@@ -32,7 +32,7 @@ struct RodCatheterOptions {
 
   RodCatheterOptions() {
     rod.drag = 20;
-    rod.contact.tolerance = 1e-5;
+    rod.contact.tolerance = 1e-4;
   }
 };
 

@@ -18,7 +18,8 @@ Eigen::Matrix3d frame_of(const Vector3& normal, const Eigen::Matrix3d& complianc
   return frame;
 }
 
-// The point of a disc that is nearest to q in the norm with the weights c: Newton for the multiplier (More and Sorensen 1983).
+// The point of a disc that is nearest to q in the norm with the weights c: Newton for the multiplier (More and
+// Sorensen 1983).
 Eigen::Vector2d nearest_in_disc(const Eigen::Vector2d& q, const Eigen::Vector2d& c, double radius) {
   if (q.squaredNorm() <= radius * radius || !(radius > 0)) {
     return radius > 0 ? q : Eigen::Vector2d::Zero();
@@ -98,7 +99,8 @@ void RodContacts::prepare(const NearRows& rows, const std::vector<char>& held, d
   }
 }
 
-// Block Gauss-Seidel: the normal first, then friction as the point of the disc that dissipates most. Returns the row's change of velocity.
+// Block Gauss-Seidel: the normal first, then friction as the point of the disc that dissipates most. Returns the
+// row's change of velocity.
 double RodContacts::update(double friction, const Vector3& velocity, Row* row) const {
   const Eigen::Matrix3d& c = row->compliance;
   if (!(c(0, 0) > 0 && c(1, 1) > 0 && c(2, 2) > 0)) {
@@ -129,6 +131,9 @@ double RodContacts::visit_pair(std::size_t pair, const BlockVector& velocity, do
       continue;
     }
     const Vector3 now = row.weight[0] * (first + own.head<3>()) + row.weight[1] * (second + own.segment<3>(4));
+    if (row.impulse[0] == 0 && row.frame.col(0).dot(now) >= row.wanted[0]) {
+      continue;  // most rows do not press
+    }
     const Vector3 before = row.impulse;
     change = std::max(change, update(friction, row.frame.transpose() * now, &row));
     own.noalias() += row.response * (row.impulse - before);

@@ -1,7 +1,8 @@
 // Unilateral constraints with Coulomb friction on the compliance of a rod: Lenoir, Cotin, Duriez and Neumann 2006.
 //
-// The rows see the exact compliance J A^-1 J^T, but nobody forms this full matrix. Block Gauss-Seidel sweeps run along the chain and back.
-// A sweep carries the motion that the impulses behind it cause to the next block, so a sweep is O(blocks + rows).
+// The rows see the exact compliance J A^-1 J^T, but nobody forms this full matrix. Block Gauss-Seidel sweeps run
+// along the chain and back. A sweep carries the motion that the impulses behind it cause to the next block, so a
+// sweep is O(blocks + rows).
 #ifndef DARTSWEEP_PHYSICS_ROD_ROD_CONTACTS_H
 #define DARTSWEEP_PHYSICS_ROD_ROD_CONTACTS_H
 
@@ -25,9 +26,9 @@ struct RodContactReport {
 
 class RodContacts {
  public:
-  // Finds impulses for which `velocity` + A^-1 J^T impulses keeps every row: no gap becomes negative in a time step, and friction stays
-  // in its cone and brakes as much as it can. `held` vertices take no impulse. The rows start from the impulses of their `previous`, or, if
-  // they are solved `again` in one step, from their own.
+  // Finds impulses for which `velocity` + A^-1 J^T impulses keeps every row: no gap becomes negative in a time step,
+  // and friction stays in its cone and brakes as much as it can. `held` vertices take no impulse. The rows start from
+  // the impulses of their `previous`, or, if they are solved `again` in one step, from their own.
   RodContactReport solve(const NearRows& rows, const ChainMatrix& matrix, const ChainFactor& factor,
                          const std::vector<char>& held, const BlockVector& velocity, double dt, bool again,
                          const RodContactOptions& options);

@@ -1,5 +1,5 @@
-// Near rows by two queries of the environment: what is nearest to each vertex and to each edge. A vertex or edge that is near two walls has a
-// row for the nearer one only.
+// Near rows by two queries of the environment: what is nearest to each vertex and to each edge. A vertex or edge that
+// is near two walls has a row for the nearer one only.
 #include <algorithm>
 
 #include "near_rows.h"

@@ -110,7 +110,8 @@ TEST(Rod, StiffnessIsPositiveSemidefinite) {
   }
 }
 
-// Bisshopp and Drucker 1945: share of the length by which the tip of a cantilever sinks and comes closer. The load is P L^2 / EI.
+// Bisshopp and Drucker 1945: share of the length by which the tip of a cantilever sinks and comes closer. The load is
+// P L^2 / EI.
 TEST(Rod, ACantileverBendsAsTheElastica) {
   struct Case {
     double load, sinks, closer, tolerance;
