@@ -35,6 +35,7 @@ RodCatheter::RodCatheter(dsw_scene* scene, const dsw_environment* environment, c
     : scene_(scene), environment_(environment), route_(route), options_(options) {
   const Vector3 inlet = route->at(0);
   const Positions line = {towards(inlet, route->at(options.link), options.link), inlet};
+  direction_ = (line[0] - line[1]) / options.link;
   create(line);
   rod_.emplace(line, std::vector<RodEdge>{edge_at(0)});
   rod_->options = options.rod;
@@ -103,20 +104,23 @@ void RodCatheter::feed() {
   pushed_ -= options_.link;
 }
 
-// The hand takes its two vertices to where they should be, but not faster than so many times its own speed.
+// The hand feels how hard it pushes. From half of its force on it goes slower, then back. It takes its two vertices to
+// where they should be, but not faster than so many times its own speed.
 void RodCatheter::lead(double dt) {
   const bool all_in = options_.links > 0 && links() >= options_.links;
   const double speed = options_.feeding > 0 && !all_in ? options_.feeding : options_.speed;
   const bool is_there = all_in && reached() + options_.link >= route_->length();
   const std::size_t tail = rod_->size() - 1, before = tail - 1;
-  const double force = links() > 1 ? std::abs(rod_->tension(before - 1)) : 0;
-  const double wanted = is_there || force > options_.most_force ? 0 : speed;
+  const double push = links() > 1 ? -rod_->tension(before - 1) : 0;
+  const double wanted = is_there ? 0 : speed * std::clamp(2 - 2 * push / options_.most_force, -1.0, 1.0);
   speed_ += std::min(1.0, dt / kReaction) * (wanted - speed_);
-  pushed_ += speed_ * dt;
+  pushed_ = std::max(0.0, pushed_ + speed_ * dt);
+  // A route is a polyline. The hand turns into its direction while it goes on by a link, not at once.
   const Vector3 at = route_->at(pushed_);
-  const Vector3 ways[] = {
-      towards(at, route_->at(pushed_ + options_.link), options_.link) - rod_->shape.position[before],
-      at - rod_->shape.position[tail]};
+  const Vector3 ahead = (route_->at(pushed_ + options_.link) - at).normalized();
+  direction_ = (direction_ + std::min(1.0, std::abs(speed_) * dt / options_.link) * (ahead - direction_)).normalized();
+  const Vector3 ways[] = {at + options_.link * direction_ - rod_->shape.position[before],
+                          at - rod_->shape.position[tail]};
   const double slowest = std::max(dt, std::max(ways[0].norm(), ways[1].norm()) / (kFastest * speed));
   rod_->velocity[before] = ways[0] / slowest;
   rod_->velocity[tail] = ways[1] / slowest;

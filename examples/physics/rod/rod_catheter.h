@@ -25,7 +25,7 @@ struct RodCatheterOptions {
   double tip_angle = 0;     // rad
   double steering = 1e5;    // force on the tip towards the route ahead of it, uN
   double look_ahead = 4;    // how far ahead that is, mm
-  double most_force = 1e6;  // uN; the hand waits while the wire pushes or pulls more
+  double most_force = 1e6;  // uN, with which the hand pushes
   dsw_level level = DSW_LEVEL_EDGES_SWEPT;
   NearRowOptions near;
   RodOptions rod;
@@ -78,7 +78,8 @@ class RodCatheter {
   StepReport report_;
   RodContactReport contact_report_;
   double rows_seconds_ = 0, rod_seconds_ = 0;
-  double pushed_ = 0, speed_ = 0;  // where on the route the hand is, and how fast
+  Vector3 direction_ = Vector3::UnitX();  // of the hand
+  double pushed_ = 0, speed_ = 0;         // where on the route the hand is, and how fast
 };
 
 }  // namespace physics
