@@ -13,7 +13,7 @@ constexpr double kStopped =
 constexpr double kLeastMass = 1e-14;
 
 // A unit vector across another.
-Vector3 across(const Vector3& tangent) {
+Vector3 unit_across(const Vector3& tangent) {
   const Vector3 any = std::abs(tangent.x()) < 0.6 ? Vector3::UnitX() : Vector3::UnitY();
   return tangent.cross(any).normalized();
 }
@@ -36,7 +36,7 @@ void Rod::add_vertex(const Vector3& at, const RodEdge& edge) {
   shape.find_edges();
   const std::size_t last = edges.size();
   const Vector3& tangent = shape.tangent[last];
-  shape.director.push_back(last == 0 ? across(tangent)
+  shape.director.push_back(last == 0 ? unit_across(tangent)
                                      : transported(shape.director[last - 1], shape.tangent[last - 1], tangent));
   edges.push_back(edge);
   velocity.push_back(Vector3::Zero());

@@ -8,7 +8,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kFastest = 3;      // times the hand's own speed
+constexpr double kFastestHand = 3;  // times the hand's own speed
 constexpr double kReaction = 0.02;  // s, in which the hand changes its speed
 
 // The point at the distance `length` from `from` towards `to`.
@@ -121,7 +121,7 @@ void RodCatheter::lead(double dt) {
   direction_ = (direction_ + std::min(1.0, std::abs(speed_) * dt / options_.link) * (ahead - direction_)).normalized();
   const Vector3 ways[] = {at + options_.link * direction_ - rod_->shape.position[before],
                           at - rod_->shape.position[tail]};
-  const double slowest = std::max(dt, std::max(ways[0].norm(), ways[1].norm()) / (kFastest * speed));
+  const double slowest = std::max(dt, std::max(ways[0].norm(), ways[1].norm()) / (kFastestHand * speed));
   rod_->velocity[before] = ways[0] / slowest;
   rod_->velocity[tail] = ways[1] / slowest;
   rod_->spin.back() = options_.turning;

@@ -10,7 +10,7 @@ namespace {
 // A point of an edge that is so close to an end, as a share of the edge, belongs to the row of that end.
 constexpr double kEnd = 0.02;
 
-void add(const dsw_nearest& nearest, std::uint32_t key, const NearRowOptions& options, KeyedRows* found) {
+void add_row(const dsw_nearest& nearest, std::uint32_t key, const NearRowOptions& options, KeyedRows* found) {
   NearRow row;
   row.vertices[0] = key / 2;
   row.vertices[1] = row.vertices[0] + 1;
@@ -40,12 +40,12 @@ void find_near_rows(const dsw_environment* environment, const Positions& line,
         "finding what is near edges");
   for (std::uint32_t i = 0; i < line.size(); ++i) {
     if (is_near(at_vertex[i])) {
-      add(at_vertex[i], 2 * i, options, found);
+      add_row(at_vertex[i], 2 * i, options, found);
     }
     if (i < edges && is_near(on_edge[i].nearest)) {
       const double along = on_edge[i].segment_parameter;
       if (along > kEnd && along < 1 - kEnd) {
-        add(on_edge[i].nearest, 2 * i + 1, options, found);
+        add_row(on_edge[i].nearest, 2 * i + 1, options, found);
         NearRow& row = found->rows.back();
         row.count = 2;
         row.weights[0] = 1 - along;

@@ -8,7 +8,7 @@
 namespace physics {
 namespace {
 
-constexpr double kStep = 1e-3, kGravity = 9810;
+constexpr double kContactStep = 1e-3, kEarthGravity = 9810;
 
 // A plane through the origin under every vertex.
 NearRows rows_on_plane(const Rod& rod, const Vector3& normal, const NearRows& before) {
@@ -46,8 +46,8 @@ Vector3 slide(Rod* rod, const Vector3& normal, double friction, int steps, NearR
   rod->options.contact.most_sweeps = 200;
   for (int step = 0; step < steps; ++step) {
     *rows = rows_on_plane(*rod, normal, *rows);
-    rod->step(kStep, *rows);
-    rod->accept(rod->targets(), kStep);
+    rod->step(kContactStep, *rows);
+    rod->accept(rod->targets(), kContactStep);
   }
   return rod->velocity[rod->size() / 2];
 }
@@ -57,11 +57,11 @@ TEST(RodContacts, APlaneCarriesTheWeight) {
   for (Vector3& at : rod.shape.position) {
     at.z() = 0.5;
   }
-  load_with_weight(&rod, Vector3(0, 0, -kGravity));
+  load_with_weight(&rod, Vector3(0, 0, -kEarthGravity));
   NearRows rows;
   const Vector3 velocity = slide(&rod, Vector3::UnitZ(), 0.1, 300, &rows);
   EXPECT_LT(velocity.norm(), 1e-6);
-  const double weight = 20 * kGravity * kStep;
+  const double weight = 20 * kEarthGravity * kContactStep;
   const Vector3 impulse = total(rod.contacts().impulses());
   EXPECT_NEAR(impulse.z(), weight, 1e-6 * weight);
   EXPECT_LT(impulse.head<2>().norm(), 1e-6 * weight);
@@ -77,7 +77,7 @@ TEST(RodContacts, FrictionHoldsBelowItsAngleAndBrakesAboveIt) {
   const double angle = 0.4;
   const Vector3 normal(-std::sin(angle), 0, std::cos(angle));
   const Vector3 down(-std::cos(angle), 0, -std::sin(angle)), level = Vector3::UnitY();
-  const Vector3 gravity(0, 0, -kGravity);
+  const Vector3 gravity(0, 0, -kEarthGravity);
   for (const double turn : {0.0, 0.7, 1.5708}) {
     Rod rod = straight_rod(12, 1);
     const Vector3 along = std::cos(turn) * down + std::sin(turn) * level;
@@ -93,7 +93,7 @@ TEST(RodContacts, FrictionHoldsBelowItsAngleAndBrakesAboveIt) {
     EXPECT_LT((stuck.shape.position[6] - line[6]).norm(), 1e-5);
     rows.clear();
     const Vector3 velocity = slide(&rod, normal, kFriction, 100, &rows);
-    const double expected = kGravity * (std::sin(angle) - kFriction * std::cos(angle)) * 0.1;
+    const double expected = kEarthGravity * (std::sin(angle) - kFriction * std::cos(angle)) * 0.1;
     EXPECT_LT((velocity - expected * down).norm(), 1e-3 * expected) << turn;
   }
 }
@@ -101,15 +101,15 @@ TEST(RodContacts, FrictionHoldsBelowItsAngleAndBrakesAboveIt) {
 TEST(RodContacts, ASlidingRodStopsWhereCoulombSays) {
   for (const double turn : {0.0, 0.5, 1.0}) {
     Rod rod = straight_rod(12, 1);
-    load_with_weight(&rod, Vector3(0, 0, -kGravity));
+    load_with_weight(&rod, Vector3(0, 0, -kEarthGravity));
     const double speed = 500, friction = 0.2;
     std::fill(rod.velocity.begin(), rod.velocity.end(), speed * Vector3(std::cos(turn), std::sin(turn), 0));
     const Vector3 start = rod.shape.position[6];
     NearRows rows;
     EXPECT_LT(slide(&rod, Vector3::UnitZ(), friction, 400, &rows).norm(), 1e-6);
-    const double way = speed * speed / (2 * friction * kGravity);
+    const double way = speed * speed / (2 * friction * kEarthGravity);
     // Implicit Euler makes half a step less.
-    EXPECT_NEAR((rod.shape.position[6] - start).norm(), way, speed * kStep) << turn;
+    EXPECT_NEAR((rod.shape.position[6] - start).norm(), way, speed * kContactStep) << turn;
   }
 }
 
@@ -135,7 +135,7 @@ TEST(RodContacts, ImpulsesAndVelocitiesComplementEachOther) {
   }
   std::fill(rod.load.begin(), rod.load.end(), Vector3(3e6, 0, -3e6));
   rod.options.contact = {0.4, 0.2, 4000, 1e-12};
-  const RodContactReport report = rod.step(kStep, rows);
+  const RodContactReport report = rod.step(kContactStep, rows);
   EXPECT_LT(report.last_change, 1e-8);
   EXPECT_GT(report.pressing, 2u);
   EXPECT_LT(report.pressing, rows.size());
@@ -148,7 +148,7 @@ TEST(RodContacts, ImpulsesAndVelocitiesComplementEachOther) {
       continue;
     }
     const Vector3 impulse = rod.contacts().impulses()[i];
-    const double push = impulse.dot(rows[i].normal), gap = rows[i].gap + kStep * velocity.dot(rows[i].normal);
+    const double push = impulse.dot(rows[i].normal), gap = rows[i].gap + kContactStep * velocity.dot(rows[i].normal);
     EXPECT_GE(push, 0);
     EXPECT_GT(gap, -1e-7);
     EXPECT_TRUE(push == 0 || gap < 1e-7) << push << ' ' << gap;
@@ -164,12 +164,12 @@ TEST(RodContacts, ImpulsesAndVelocitiesComplementEachOther) {
 TEST(RodContacts, AStoppedRodGainsNoSpeed) {
   Rod rod = straight_rod(10, 1);
   std::fill(rod.velocity.begin(), rod.velocity.end(), Vector3(0, 0, -100));
-  rod.step(kStep, {});
+  rod.step(kContactStep, {});
   Positions stopped = rod.targets();
   const double before = rod.kinetic_energy();
   stopped[3] = 0.5 * (stopped[3] + rod.shape.position[3]);
   stopped[4] += Vector3(10, 0, 0);  // no response does that
-  rod.accept(stopped, kStep);
+  rod.accept(stopped, kContactStep);
   EXPECT_NEAR(rod.velocity[3].z(), -50, 1e-6);
   EXPECT_NEAR(rod.velocity[4].norm(), 100, 1e-6);
   EXPECT_NEAR(rod.velocity[5].z(), -100, 1e-6);
