@@ -46,7 +46,7 @@ Run::Run(const Options& options, const Vessel* vessel)
       world_(vessel->environment(), features_of(options)) {
   start_recording();
   try {
-    catheter_.emplace(&world_, &vessel->route(), made_of_);
+    wire_ = make_wire(options_, made_of_, &world_, vessel->environment(), &vessel->route());
   } catch (const physics::LibraryError& error) {
     throw BadInput("a link of " + std::to_string(made_of_.link) +
                    " does not fit into the inlet; try a smaller --link (" + error.what() + ")");
@@ -87,22 +87,23 @@ void Run::count_cells(Step* step) {
 Step Run::step() {
   Step step;
   const auto start = Clock::now();
-  catheter_->step(options_.dt);
+  wire_->step(options_.dt);
   step.step_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   count_cells(&step);
 
-  const physics::StepReport& report = world_.report(0);
+  const physics::StepReport& report = wire_->report();
   step.detection_seconds = report.library_seconds;
   step.contacts = report.move.contact_count;
   step.inserted = report.inserted;
   step.removed = report.removed;
-  step.reached = catheter_->reached();
-  step.all_in = catheter_->links() >= made_of_.links;
+  step.reached = wire_->reached();
+  step.rod = wire_->rod_part();
+  step.all_in = wire_->links() >= made_of_.links;
   std::size_t count = 0;
   const dsw_body_contact* all = contacts(&count);
   std::for_each(all, all + count, [this](const dsw_body_contact& contact) { table_.add(contact); });
 
-  const physics::Validation validation = physics::verify(world_.scene(), catheter_->body().id());
+  const physics::Validation validation = physics::verify(world_.scene(), wire_->id());
   step.free = validation.good() && validation.from_own == 0;  // nothing bends: no volume lies over another
   step.vertices = validation.vertices;
   totals_.not_free += validation.not_free;
@@ -118,6 +119,7 @@ void Run::add(const Step& step, std::size_t edges) {
   Totals& t = totals_;
   if (step.all_in && t.whole_edges == 0) {
     t.whole_steps = t.whole_contacts = 0;
+    t.rod = Wire::RodPart();
     t.whole_detection.clear();
   }
   ++t.steps;
@@ -131,8 +133,11 @@ void Run::add(const Step& step, std::size_t edges) {
   t.detection_seconds += step.detection_seconds;
   t.step_seconds += step.step_seconds;
   t.reached = std::max(t.reached, step.reached);
-  const physics::SoftBody& body = catheter_->body();
-  t.largest_stretch = std::max(t.largest_stretch, body.springs.largest_stretch(body.points.position));
+  t.largest_stretch = std::max(t.largest_stretch, wire_->largest_stretch());
+  t.rod.rows_seconds += step.rod.rows_seconds;
+  t.rod.rod_seconds += step.rod.rod_seconds;
+  t.rod.rows += step.rod.rows;
+  t.rod.pressing += step.rod.pressing;
   ++t.whole_steps;
   t.whole_contacts += step.contacts;
   t.whole_edges += step.all_in ? edges : 0;
@@ -141,7 +146,7 @@ void Run::add(const Step& step, std::size_t edges) {
 
 const dsw_body_contact* Run::contacts(std::size_t* count) const {
   const dsw_body_contact* contacts = nullptr;
-  check(dsw_body_get_contacts(world_.scene(), catheter_->body().id(), &contacts, count), "reading contacts");
+  check(dsw_body_get_contacts(world_.scene(), wire_->id(), &contacts, count), "reading contacts");
   return contacts;
 }
 

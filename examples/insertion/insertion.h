@@ -5,6 +5,7 @@
 #include "contact_table.h"
 #include "verify.h"
 #include "vessel.h"
+#include "wire.h"
 
 namespace insertion {
 
@@ -14,7 +15,8 @@ struct Step {
   std::uint64_t volumes_visited = 0, orientation_tests = 0;  // 0 without statistics
   double detection_seconds = 0, step_seconds = 0;  // the library's move; all of the step, without the verification
   double reached = 0;                              // along the route
-  bool free = false, all_in = false;               // verified; no link is still to come
+  Wire::RodPart rod;
+  bool free = false, all_in = false;  // verified; no link is still to come
 };
 
 // Sums over all steps.
@@ -26,6 +28,7 @@ struct Totals {
   double detection_seconds = 0, step_seconds = 0, reached = 0, largest_stretch = 0;
   // Of the steps with all links in; of all steps if that never came.
   std::size_t whole_steps = 0, whole_contacts = 0, whole_edges = 0;
+  Wire::RodPart rod;                    // sums
   std::vector<double> whole_detection;  // seconds, step by step
 };
 
@@ -37,7 +40,7 @@ class Run {
   Step step();
   const Totals& totals() const { return totals_; }
   const ContactTable& table() const { return table_; }
-  const physics::Catheter& catheter() const { return *catheter_; }
+  const Wire& wire() const { return *wire_; }
   const physics::CatheterOptions& made_of() const { return made_of_; }
   // Throws BadInput where not all of it could be written.
   void stop_recording();
@@ -53,7 +56,7 @@ class Run {
   const Options options_;
   physics::CatheterOptions made_of_;
   physics::World world_;
-  std::optional<physics::Catheter> catheter_;
+  std::unique_ptr<Wire> wire_;
   ContactTable table_;
   Totals totals_;
 };

@@ -31,6 +31,7 @@ int read_options(int argc, char** argv, Options* options) {
                                                          {"implicit_euler", Integrator::kImplicitEuler},
                                                          {"xpbd", Integrator::kXpbd}};
   const std::map<std::string, dsw_level> levels = {{"edges", DSW_LEVEL_EDGES}, {"edges_swept", DSW_LEVEL_EDGES_SWEPT}};
+  const std::map<std::string, bool> kinds = {{"springs", false}, {"rod", true}};
   const std::map<std::string, bool> responses = {{"insert", true}, {"slide", false}};
   const CLI::Validator number(  // ranges let NaN pass
       [](std::string& text) {
@@ -62,6 +63,8 @@ int read_options(int argc, char** argv, Options* options) {
       ->check(number)
       ->check(CLI::Range(0.0, kMost));
   app.add_option("--friction", options->friction, "coefficient")->check(number)->check(CLI::Range(0.0, 100.0));
+  app.add_option("--physics", options->rod, "springs or rod; the rod has its own integrator, and slides")
+      ->transform(CLI::CheckedTransformer(kinds));
   app.add_option("--integrator", options->integrator, "symplectic_euler, implicit_euler or xpbd")
       ->transform(CLI::CheckedTransformer(integrators));
   app.add_option("--level", options->level, "edges or edges_swept")->transform(CLI::CheckedTransformer(levels));

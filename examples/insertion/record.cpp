@@ -40,10 +40,7 @@ Json rounded(const double* values, std::size_t count) {
 Json contacts_of(const Run& run, const std::vector<std::size_t>& line) {
   std::size_t count = 0;
   const dsw_body_contact* contacts = run.contacts(&count);
-  std::vector<double> impulse(count, 0);
-  for (const physics::Touch& touch : run.catheter().body().touches()) {
-    impulse[touch.contact] = touch.impulse.norm();
-  }
+  const std::vector<double> impulse = run.wire().impulses(count);
   Json list = Json::array();
   for (std::size_t i = 0; i < count; ++i) {
     const dsw_body_contact& contact = contacts[i];
@@ -122,9 +119,17 @@ Json summary_of(const Options& options, const Vessel& vessel, const Run& run) {
   s["demo.speed"] = rounded(run.made_of().speed);
   s["demo.dt"] = options.dt;
   s["demo.friction"] = options.friction;
-  s["demo.integrator"] = physics::name_of(options.integrator);
-  s["demo.response"] = options.inserts ? "insert" : "slide";
-  s["demo.contact_memory"] = options.contact_memory;
+  s["demo.physics"] = options.rod ? "rod" : "springs";
+  if (options.rod) {
+    s["demo.rows_ms"] = share(1e3 * t.rod.rows_seconds, whole);
+    s["demo.rod_ms"] = share(1e3 * t.rod.rod_seconds, whole);
+    s["demo.rows_per_step"] = share(static_cast<double>(t.rod.rows), whole);
+    s["demo.rows_pressing_per_step"] = share(static_cast<double>(t.rod.pressing), whole);
+  } else {
+    s["demo.integrator"] = physics::name_of(options.integrator);
+    s["demo.response"] = options.inserts ? "insert" : "slide";
+    s["demo.contact_memory"] = options.contact_memory;
+  }
   s["demo.level"] = options.level == DSW_LEVEL_EDGES ? "edges" : "edges_swept";
   return s;
 }
@@ -200,14 +205,14 @@ void Record::add_to_series() {
 }
 
 void Record::add_frame() {
-  const physics::SoftBody& body = run_->catheter().body();
-  const std::vector<std::size_t> line = run_->catheter().line();
+  const Wire& wire = run_->wire();
+  const std::vector<std::size_t> line = wire.line();
   Json positions = Json::array(), inserted = Json::array();
   for (std::size_t i = 0; i < line.size(); ++i) {
-    for (const double x : body.points.position[line[i]]) {
+    for (const double x : wire.positions()[line[i]]) {
       positions.push_back(rounded(x));
     }
-    if (body.was_inserted(line[i])) {
+    if (wire.was_inserted(line[i])) {
       inserted.push_back(i);
     }
   }
@@ -219,14 +224,14 @@ void Record::add_frame() {
 }
 
 void Record::write_vtu() const {
-  const physics::SoftBody& body = run_->catheter().body();
-  const std::vector<std::size_t> line = run_->catheter().line();
+  const Wire& wire = run_->wire();
+  const std::vector<std::size_t> line = wire.line();
   std::vector<double> points, inserted, touches, normals;
   std::vector<std::uint32_t> edges;
   for (std::uint32_t i = 0; i < line.size(); ++i) {
-    const physics::Vector3& at = body.points.position[line[i]];
+    const physics::Vector3& at = wire.positions()[line[i]];
     points.insert(points.end(), at.begin(), at.end());
-    inserted.push_back(body.was_inserted(line[i]) ? 1 : 0);
+    inserted.push_back(wire.was_inserted(line[i]) ? 1 : 0);
     if (i > 0) {
       edges.insert(edges.end(), {i - 1, i});
     }
