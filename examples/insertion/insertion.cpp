@@ -46,7 +46,7 @@ Run::Run(const Options& options, const Vessel* vessel)
       world_(vessel->environment(), features_of(options)) {
   start_recording();
   try {
-    wire_ = make_wire(options_, made_of_, &world_, vessel->environment(), &vessel->route());
+    wire_ = make_wire(options_, made_of_, &world_, &vessel->route());
   } catch (const physics::LibraryError& error) {
     throw BadInput("a link of " + std::to_string(made_of_.link) +
                    " does not fit into the inlet; try a smaller --link (" + error.what() + ")");

@@ -32,15 +32,14 @@ class SpringWire : public Wire {
 
 class RodWire : public Wire {
  public:
-  RodWire(dsw_scene* scene, dsw_environment* environment, const physics::Route* route,
-          const physics::RodCatheterOptions& options)
-      : catheter_(scene, environment, route, options) {}
+  RodWire(dsw_scene* scene, const physics::Route* route, const physics::RodCatheterOptions& options)
+      : catheter_(scene, route, options) {}
 
   void step(double dt) override { catheter_.step(dt); }
   dsw_body_id id() const override { return catheter_.id(); }
   const physics::StepReport& report() const override { return catheter_.report(); }
   RodPart rod_part() const override {
-    return {catheter_.rows_seconds(), catheter_.rod_seconds(), catheter_.rows().rows.size(),
+    return {catheter_.rows_seconds(), catheter_.rod_seconds(), catheter_.rows().size(),
             catheter_.contact_report().pressing};
   }
   double reached() const override { return catheter_.reached(); }
@@ -77,10 +76,10 @@ physics::RodCatheterOptions rod_of(const Options& options, const physics::Cathet
 }  // namespace
 
 std::unique_ptr<Wire> make_wire(const Options& options, const physics::CatheterOptions& made_of, physics::World* world,
-                                dsw_environment* environment, const physics::Route* route) {
+                                const physics::Route* route) {
   if (options.rod) {
     const double scale = made_of.look_ahead / physics::CatheterOptions().look_ahead;
-    return std::make_unique<RodWire>(world->scene(), environment, route, rod_of(options, made_of, scale));
+    return std::make_unique<RodWire>(world->scene(), route, rod_of(options, made_of, scale));
   }
   return std::make_unique<SpringWire>(world, route, made_of);
 }

@@ -34,7 +34,7 @@ class Wire {
 
 // `world` and `route` have to outlive the wire. Throws LibraryError.
 std::unique_ptr<Wire> make_wire(const Options& options, const physics::CatheterOptions& made_of, physics::World* world,
-                                dsw_environment* environment, const physics::Route* route);
+                                const physics::Route* route);
 
 }  // namespace insertion
 

@@ -1,4 +1,4 @@
-// Finds what is near a line in an environment.
+// Finds what is near a body of the library.
 #ifndef DARTSWEEP_PHYSICS_ROD_NEAR_ROWS_H
 #define DARTSWEEP_PHYSICS_ROD_NEAR_ROWS_H
 
@@ -12,16 +12,8 @@ struct NearRowOptions {
   double margin = 0.2;  // rows have a smaller gap than this
 };
 
-// The rows of one step, and the key of each: the vertex or edge of the body that is near something.
-struct KeyedRows {
-  NearRows rows;
-  std::vector<std::uint32_t> keys;
-};
-
-// Replaces `found`, the rows of the step before. `volumes` are those that the vertices of the line lie in. Throws
-// LibraryError.
-void find_near_rows(const dsw_environment* environment, const Positions& line,
-                    const std::vector<dsw_volume_id>& volumes, const NearRowOptions& options, KeyedRows* found);
+// Replaces `rows` by those of the body, whose vertices are numbered along the rod. Throws LibraryError.
+void find_near_rows(dsw_scene* scene, dsw_body_id body, const NearRowOptions& options, NearRows* rows);
 
 }  // namespace physics
 

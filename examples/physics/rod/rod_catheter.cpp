@@ -30,9 +30,8 @@ RodCatheterOptions scaled(RodCatheterOptions options, double scale) {
   return options;
 }
 
-RodCatheter::RodCatheter(dsw_scene* scene, const dsw_environment* environment, const Route* route,
-                         const RodCatheterOptions& options)
-    : scene_(scene), environment_(environment), route_(route), options_(options) {
+RodCatheter::RodCatheter(dsw_scene* scene, const Route* route, const RodCatheterOptions& options)
+    : scene_(scene), route_(route), options_(options) {
   const Vector3 inlet = route->at(0);
   const Positions line = {towards(inlet, route->at(options.link), options.link), inlet};
   direction_ = (line[0] - line[1]) / options.link;
@@ -135,9 +134,9 @@ void RodCatheter::step(double dt) {
   std::fill(rod_->load.begin(), rod_->load.end(), Vector3::Zero());
   rod_->load.front() = options_.steering * ahead / std::max(ahead.norm(), options_.look_ahead);
   const auto start = Clock::now();
-  find_near_rows(environment_, rod_->shape.position, volumes_, options_.near, &rows_);
+  find_near_rows(scene_, id_, options_.near, &rows_);
   const auto found = Clock::now();
-  contact_report_ = rod_->step(dt, rows_.rows);
+  contact_report_ = rod_->step(dt, rows_);
   rows_seconds_ = std::chrono::duration<double>(found - start).count();
   rod_seconds_ = std::chrono::duration<double>(Clock::now() - found).count();
   move(dt);

@@ -41,9 +41,8 @@ RodCatheterOptions scaled(RodCatheterOptions options, double scale);
 
 class RodCatheter {
  public:
-  // `scene`, its `environment` and `route` have to outlive the catheter. Throws LibraryError.
-  RodCatheter(dsw_scene* scene, const dsw_environment* environment, const Route* route,
-              const RodCatheterOptions& options);
+  // `scene` and `route` have to outlive the catheter. Throws LibraryError.
+  RodCatheter(dsw_scene* scene, const Route* route, const RodCatheterOptions& options);
 
   // One time step: a link more comes in when the hand has gone so far, the hand goes on, and the tip is steered.
   void step(double dt);
@@ -52,7 +51,7 @@ class RodCatheter {
   dsw_body_id id() const { return id_; }
   const StepReport& report() const { return report_; }
   const RodContactReport& contact_report() const { return contact_report_; }
-  const KeyedRows& rows() const { return rows_; }
+  const NearRows& rows() const { return rows_; }
   // Of the last step, on the wall clock: finding the rows, and the rod's own step.
   double rows_seconds() const { return rows_seconds_; }
   double rod_seconds() const { return rod_seconds_; }
@@ -68,13 +67,12 @@ class RodCatheter {
   void move(double dt);
 
   dsw_scene* scene_;
-  const dsw_environment* environment_;
   const Route* route_;
   RodCatheterOptions options_;
   dsw_body_id id_ = {0, 0};
   std::optional<Rod> rod_;
   std::vector<dsw_volume_id> volumes_;  // that the vertices lie in
-  KeyedRows rows_;
+  NearRows rows_;
   StepReport report_;
   RodContactReport contact_report_;
   double rows_seconds_ = 0, rod_seconds_ = 0;

@@ -34,7 +34,7 @@ TEST_F(RodInTheVessel, ReachesTheEndWithoutStretchAndIsFree) {
   options.links = 40;
   options.link = 1.5;
   options.speed = 100;
-  RodCatheter catheter(world.scene(), environment_.get(), &route, options);
+  RodCatheter catheter(world.scene(), &route, options);
   std::size_t pressing = 0;
   for (int step = 0; step < 1500 && catheter.reached() + 2 * options.link < route.length(); ++step) {
     catheter.step(1e-3);
@@ -56,7 +56,7 @@ TEST_F(RodInTheVessel, TheHandWaitsWhileTheWireIsHeldBack) {
   options.links = 8;
   options.speed = 50;
   options.steering = -5e5;
-  RodCatheter catheter(world.scene(), environment_.get(), &route, options);
+  RodCatheter catheter(world.scene(), &route, options);
   for (int step = 0; step < 1000; ++step) {
     catheter.step(1e-3);
     ASSERT_LT(catheter.rod().largest_stretch(), 0.01) << step;
@@ -75,7 +75,7 @@ TEST_F(RodInTheVessel, ATipCanBeBentAndSoft) {
   options.tip_length = 5;
   options.tip_softness = 0.2;
   options.tip_angle = 0.5;
-  RodCatheter catheter(world.scene(), environment_.get(), &route, options);
+  RodCatheter catheter(world.scene(), &route, options);
   while (catheter.links() < options.links) {
     catheter.step(1e-3);
   }
@@ -86,29 +86,6 @@ TEST_F(RodInTheVessel, ATipCanBeBentAndSoft) {
     angle += std::acos(std::min(1.0, rod.shape.tangent[i - 1].dot(rod.shape.tangent[i])));
   }
   EXPECT_NEAR(angle, options.tip_angle, 0.15);
-}
-
-// Rows of a line over the floor of a box: the nearest point of each vertex, and their names from one call to the next.
-TEST(NearRows, KnowTheirPredecessors) {
-  Channel channel;
-  channel.cubes = {4, 2, 2};
-  channel.obstacles = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
-  const Environment environment = make_channel(channel);
-  const Positions line = {Vector3(0.5, 0.3, 1.15), Vector3(1.5, 0.4, 1.25), Vector3(2.5, 0.5, 1.5)};
-  const std::vector<dsw_volume_id> anywhere(line.size(), dsw_volume_id{0, 0});
-  KeyedRows found;
-  for (int call = 0; call < 2; ++call) {
-    find_near_rows(environment.get(), line, anywhere, {0.1, 0.2}, &found);
-    ASSERT_EQ(found.rows.size(), 2u);
-    for (std::uint32_t i = 0; i < 2; ++i) {
-      const NearRow& row = found.rows[i];
-      EXPECT_EQ(row.count, 1u);
-      EXPECT_EQ(row.vertices[0], i);
-      EXPECT_NEAR(row.gap, 0.05 + 0.1 * i, 1e-12);
-      EXPECT_LT((row.normal - Vector3::UnitZ()).norm(), 1e-12);
-      EXPECT_EQ(row.previous, call == 0 ? kNoRow : i);
-    }
-  }
 }
 
 }  // namespace
