@@ -20,7 +20,7 @@ struct BodyRecord {
   Array<BodyVertex<D>> before;  // to go back to, if another body's move fails
   TouchHistory touches;
   Array<NearRecord<D>> near;  // one, if near rows have been asked for; else none
-  uint64_t followed = 0;  // up to which change of the topology its sequences are true, see gone_facets.h
+  uint64_t followed = 0;      // up to which change of the topology its sequences are true, see gone_facets.h
 
   explicit BodyRecord(const Memory* memory)
       : body(memory), record(memory), next(memory), before(memory), touches(memory), near(memory) {}
