@@ -7,57 +7,68 @@ namespace dsw {
 namespace facet_bounds_portable {
 namespace {
 
-struct Four {
-  double x[4];
+struct Lanes {
+  float x[8];
 
   template <class Of>
-  static Four each(Of of) noexcept {
-    return {{of(0), of(1), of(2), of(3)}};
+  static Lanes each(Of of) noexcept {
+    Lanes all;
+    for (int i = 0; i < 8; ++i) all.x[i] = of(i);
+    return all;
   }
-  static Four all(double a) noexcept { return {{a, a, a, a}}; }
+  static Lanes all(float a) noexcept {
+    return each([&](int) { return a; });
+  }
   // As the processors' instructions: the second if they are not ordered.
-  static Four min(const Four& a, const Four& b) noexcept {
+  static Lanes min(const Lanes& a, const Lanes& b) noexcept {
     return each([&](int i) { return a.x[i] < b.x[i] ? a.x[i] : b.x[i]; });
   }
-  static Four max(const Four& a, const Four& b) noexcept {
+  static Lanes max(const Lanes& a, const Lanes& b) noexcept {
     return each([&](int i) { return a.x[i] > b.x[i] ? a.x[i] : b.x[i]; });
   }
-  static Four if_positive(const Four& a, const Four& yes, const Four& no) noexcept {
-    return each([&](int i) { return a.x[i] > 0 ? yes.x[i] : no.x[i]; });
-  }
+  /** Lanes in another order, within each four. */
   template <int A, int B, int C, int D>
-  Four turned() const noexcept {
-    return {{x[A], x[B], x[C], x[D]}};
+  Lanes turned() const noexcept {
+    return {{x[A], x[B], x[C], x[D], x[4 + A], x[4 + B], x[4 + C], x[4 + D]}};
   }
 };
 
-inline Four operator+(const Four& a, const Four& b) noexcept {
-  return Four::each([&](int i) { return a.x[i] + b.x[i]; });
+inline Lanes operator+(const Lanes& a, const Lanes& b) noexcept {
+  return Lanes::each([&](int i) { return a.x[i] + b.x[i]; });
 }
-inline Four operator-(const Four& a, const Four& b) noexcept {
-  return Four::each([&](int i) { return a.x[i] - b.x[i]; });
+inline Lanes operator-(const Lanes& a, const Lanes& b) noexcept {
+  return Lanes::each([&](int i) { return a.x[i] - b.x[i]; });
 }
-inline Four operator*(const Four& a, const Four& b) noexcept {
-  return Four::each([&](int i) { return a.x[i] * b.x[i]; });
+inline Lanes operator*(const Lanes& a, const Lanes& b) noexcept {
+  return Lanes::each([&](int i) { return a.x[i] * b.x[i]; });
 }
-inline Four operator/(const Four& a, const Four& b) noexcept {
-  return Four::each([&](int i) { return a.x[i] / b.x[i]; });
+inline Lanes operator/(const Lanes& a, const Lanes& b) noexcept {
+  return Lanes::each([&](int i) { return a.x[i] / b.x[i]; });
 }
-inline Four absolute(const Four& a) noexcept {
-  return Four::each([&](int i) { return std::fabs(a.x[i]); });
+inline Lanes absolute(const Lanes& a) noexcept {
+  return Lanes::each([&](int i) { return std::fabs(a.x[i]); });
 }
-inline Four root(const Four& a) noexcept {
-  return Four::each([&](int i) { return std::sqrt(a.x[i]); });
+/** Zero elsewhere. */
+inline Lanes where_above(const Lanes& a, float limit, const Lanes& yes) noexcept {
+  return Lanes::each([&](int i) { return a.x[i] > limit ? yes.x[i] : 0; });
 }
-inline void store(const Four& a, double* out) noexcept { std::copy_n(a.x, 4, out); }
+inline Lanes where_not_above(const Lanes& a, float limit, const Lanes& yes) noexcept {
+  return Lanes::each([&](int i) { return a.x[i] > limit ? 0 : yes.x[i]; });
+}
+inline Lanes root(const Lanes& a) noexcept {
+  return Lanes::each([&](int i) { return std::sqrt(a.x[i]); });
+}
+inline void store(const Lanes& a, float* out) noexcept { std::copy_n(a.x, 8, out); }
 
+/** Eight points: scaled differences from the segment's first one. */
 template <int D>
-void read(const double* const* points, Four& x, Four& y, Four& z) noexcept {
-  for (int i = 0; i < 4; ++i) {
-    x.x[i] = points[i][0];
-    y.x[i] = points[i][1];
-    z.x[i] = D == 3 ? points[i][D - 1] : 0;
-  }
+void read(const SegmentFrame<D>& frame, const double* const* points, Lanes& x, Lanes& y, Lanes& z) noexcept {
+  const auto coordinate = [&](int k) {
+    return Lanes::each([&](int i) { return static_cast<float>((points[i][k] - frame.first[k]) * frame.scale); });
+  };
+  x = coordinate(0);
+  y = coordinate(1);
+  z = D == 3 ? coordinate(D - 1) : Lanes::all(0);
 }
 
 #include "locate/facet_bounds.inl"
@@ -67,7 +78,7 @@ void read(const double* const* points, Four& x, Four& y, Four& z) noexcept {
 
 template <int D>
 BoundsKernel<D> portable_bounds() noexcept {
-  return facet_bounds_portable::this_kernel<D>();
+  return {facet_bounds_portable::triangle_bounds<D>, facet_bounds_portable::tetrahedra_bounds};
 }
 
 template <int D>
@@ -80,22 +91,29 @@ const BoundsKernel<D>& bounds_kernel() noexcept {
   return kernel;
 }
 
-SegmentFrame::SegmentFrame(const Vec& from, const Vec& along, double point_scale) : scale(point_scale) {
+template <int D>
+SegmentFrame<D>::SegmentFrame(const double* from, const Vec& along, double largest) {
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  scale = std::ldexp(1.0, -exponent);
+  std::copy_n(from, D, first);
   const Vec ahead = unit(along);
-  const bool is_point = is_zero(ahead);
-  const Vec t = is_point ? Vec::UnitX() : ahead;
+  const Vec t = is_zero(ahead) ? Vec(Vec::UnitX()) : ahead;
   int least = 0;
   for (int k = 1; k < 3; ++k) {
     if (std::fabs(t[k]) < std::fabs(t[least])) least = k;
   }
   const Vec u = unit(t.cross(Vec::Unit(least))), v = t.cross(u);
-  store<3>(from, first);
-  store<3>(t, axes[0]);
-  store<3>(u, axes[1]);
-  store<3>(v, axes[2]);
-  length = is_point ? 0 : dsw::length(along);
+  for (int k = 0; k < 3; ++k) {
+    axes[0][k] = static_cast<float>(t[k]);
+    axes[1][k] = static_cast<float>(u[k]);
+    axes[2][k] = static_cast<float>(v[k]);
+  }
+  half = static_cast<float>(length(along) * scale / 2);
 }
 
+template struct SegmentFrame<2>;
+template struct SegmentFrame<3>;
 DSW_INSTANTIATE(portable_bounds);
 DSW_INSTANTIATE(bounds_kernel);
 

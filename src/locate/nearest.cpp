@@ -212,19 +212,12 @@ void FloodNotes::clear() noexcept {
   round_ = 1;
 }
 
-bool FloodNotes::see(Cell c, uint32_t number) {
-  if (2 * (seen_count_ + 1) > slots_.size()) {
-    Array<Slot> old(2 * slots_.size(), Slot{}, slots_.get_allocator());
-    old.swap(slots_);
-    for (const Slot& each : old) {
-      if (each.entry >> 32 == round_) slots_[slot_of(each.entry)] = each;
-    }
+void FloodNotes::grow() {
+  Array<Slot> old(2 * slots_.size(), Slot{}, slots_.get_allocator());
+  old.swap(slots_);
+  for (const Slot& each : old) {
+    if (each.entry >> 32 == round_) slots_[slot_of(each.entry)] = each;
   }
-  Slot& slot = slots_[slot_of(entry(c.unit))];
-  if (slot.entry == entry(c.unit)) return false;
-  slot = {entry(c.unit), number};
-  ++seen_count_;
-  return true;
 }
 
 #define DSW_NEAREST(D)                                                                                             \

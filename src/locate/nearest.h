@@ -40,7 +40,14 @@ class FloodNotes {
   void clear() noexcept;
   /** Notes that a cell was seen, and a number; whether it is new. Open addressing, at most half full. Throws
    * std::bad_alloc. */
-  bool see(Cell c, uint32_t number = 0);
+  bool see(Cell c, uint32_t number = 0) {
+    if (2 * (seen_count_ + 1) > slots_.size()) grow();
+    Slot& slot = slots_[slot_of(entry(c.unit))];
+    if (slot.entry == entry(c.unit)) return false;
+    slot = {entry(c.unit), number};
+    ++seen_count_;
+    return true;
+  }
   bool is_seen(Cell c) const noexcept { return slots_[slot_of(entry(c.unit))].entry == entry(c.unit); }
   /** The number of a cell that was seen. */
   uint32_t number_of(Cell c) const noexcept { return slots_[slot_of(entry(c.unit))].number; }
@@ -52,6 +59,7 @@ class FloodNotes {
     uint32_t number = 0;
   };
 
+  void grow();
   uint64_t entry(uint32_t unit) const noexcept { return uint64_t{round_} << 32 | unit; }
   size_t slot_of(uint64_t entry) const noexcept {
     const size_t mask = slots_.size() - 1;

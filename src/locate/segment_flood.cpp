@@ -1,12 +1,25 @@
 #include "locate/segment_flood.h"
 
 #include <algorithm>
-#include <cstring>
-#include <functional>
 
 #include "walk/standard_facets.h"
 
 namespace dsw {
+namespace {
+
+constexpr uint32_t kMostTogether = 8;  // cells that are visited together
+constexpr uint32_t kLanes = 8;         // of bounds
+
+template <int D>
+double largest_coordinate(const Environment<D>& env, const FromSegment<D>& segment) {
+  double most = 0;
+  for (const double* p : {env.lower, env.upper, segment.from, segment.to}) {
+    for (int k = 0; k < D; ++k) most = std::max(most, std::fabs(p[k]));
+  }
+  return most;
+}
+
+}  // namespace
 
 template <int D>
 SegmentFlood<D>::SegmentFlood(const Distances<D, FromSegment<D>>& distances, double radius, SegmentNotes& notes,
@@ -17,106 +30,114 @@ SegmentFlood<D>::SegmentFlood(const Distances<D, FromSegment<D>>& distances, dou
       kernel_(bounds_kernel<D>()),
       notes_(notes),
       result_(result),
-      frame_(distances.from().first, distances.from().line.along, distances.scale()),
-      radius_(radius * distances.scale()),
-      limit_(radius_) {
-  for (int k = 0; k < D; ++k) {
-    for (const double* p : {env_.lower, env_.upper, distances.from().from, distances.from().to})
-      largest_ = std::max(largest_, std::fabs(p[k] * distances.scale()));
-  }
+      radius_(radius),
+      largest_(largest_coordinate(env_, distances.from())),
+      frame_(distances.from().from, distances.from().line.along, largest_) {
+  set_limit(radius);
   notes_.clear();
-  notes_.queue.clear();
+  notes_.now.clear();
+  notes_.later.clear();
   notes_.steps.clear();
   notes_.sights.clear();
   notes_.views.clear();
 }
 
 template <int D>
+void SegmentFlood<D>::set_limit(double limit) {
+  limit_ = limit;
+  bound_ = static_cast<float>(std::min(limit * frame_.scale, 0x1p100) * (1 + 0x1p-22));
+}
+
+template <int D>
 SearchEnd SegmentFlood<D>::run() {
-  if (!(largest_ >= kLeastBounded && largest_ <= kMostBounded)) return SearchEnd::kUnknown;
-  for (const Cell c : notes_.starts) push({0, 0, {}, Notes::kNone, c});
-  Array<uint64_t>& queue = notes_.queue;
-  while (!queue.empty() && queue.front() >> 32 <= key(limit_) >> 32) {
-    const auto number = static_cast<uint32_t>(queue.front());
-    std::pop_heap(queue.begin(), queue.end(), std::greater<uint64_t>());
-    queue.pop_back();
-    const Cell c = notes_.steps[number].cell;
-    if (!c.valid()) {
-      measure(notes_.steps[number]);
-    } else if (notes_.see(c, number)) {
-      ++result_.volumes_visited;
-      visit(number);
+  if (distances_.scale() != 1) return SearchEnd::kUnknown;
+  for (const Cell c : notes_.starts) enter({c, {}, 0, Notes::kNone, 0});
+  visit_from(0);
+  do {
+    for (size_t next = 0; next < notes_.now.size();) {
+      const auto first = static_cast<uint32_t>(notes_.steps.size());
+      while (next < notes_.now.size() && notes_.steps.size() < first + kMostTogether) {
+        const Entry each = notes_.now[next++];
+        if (!(each.lower <= bound_)) continue;
+        const HalfFacet h{each.facet & ~kMarkBit};
+        if (h.word != each.facet) {
+          measure(h, each.from);
+        } else {
+          enter({map_.cell_of(h), h, each.upper, each.from, 0});
+        }
+      }
+      visit_from(first);
     }
-  }
+    notes_.now.clear();
+  } while (go_on());
   return decide();
 }
 
 template <int D>
-void SegmentFlood<D>::visit(uint32_t step) {
-  const Cell c = notes_.steps[step].cell;
-  if (D == 3 && map_.form(c) == Form::kSimplex && !env_.checked.active()) {
-    visit_tetrahedron(step);
-  } else {
-    visit_any(step);
-  }
-  if (env_.marked_edges == 0 && env_.marked_vertices == 0) return;
-  distances_.for_each_thin(c, map_.shape(c), [&](double distance, const SegmentWay& at, const FeatureRef& feature) {
-    note_sight(distance, at, feature, step);
-  });
+void SegmentFlood<D>::enter(const Step& step) {
+  if (notes_.see(step.cell, static_cast<uint32_t>(notes_.steps.size()))) notes_.steps.push_back(step);
 }
 
-/** The cell that is entered through a facet of an entered cell; invalid if it is impassable. */
+/** Visits the cells that were entered from a step on. The bounds of tetrahedra are found together. */
 template <int D>
-Cell SegmentFlood<D>::beyond(HalfFacet h) const {
-  return is_impassable(env_, h) ? Cell{} : map_.cell_of(map_.opposite(h));
-}
-
-template <int D>
-void SegmentFlood<D>::visit_tetrahedron(uint32_t step) {
-  if constexpr (D == 3) {
+void SegmentFlood<D>::visit_from(uint32_t first) {
+  const auto last = static_cast<uint32_t>(notes_.steps.size());
+  result_.volumes_visited += last - first;
+  const double* vertices[4 * kMostTogether];
+  uint32_t steps[kMostTogether], count = 0;
+  FacetBounds bounds[kMostTogether / 2];
+  const auto visit_tetrahedra = [&] {
+    if constexpr (D == 3) {
+      if (count % 2 != 0) std::copy_n(vertices + 4 * (count - 1), 4, vertices + 4 * count);
+      for (uint32_t i = 0; i < count; i += 2) kernel_.of_tetrahedra(frame_, vertices + 4 * i, bounds[i / 2]);
+    }
+    for (uint32_t i = 0; i < count; ++i) visit_tetrahedron(steps[i], bounds[i / 2], i % 2 * 4);
+    count = 0;
+  };
+  for (uint32_t step = first; step < last; ++step) {
     const Cell c = notes_.steps[step].cell;
+    if (D == 2 || map_.form(c) != Form::kSimplex) {
+      visit_any(step);
+      continue;
+    }
     const uint32_t* w = map_.record(c);
-    const uint32_t first = c.unit * kUnitWords<D> + 4;
-    Cell next[4];
-    uint32_t wanted = 0;
-    for (uint32_t f = 0; f < 4; ++f) {
-      const uint32_t o = w[4 + f];
-      if (o < kNoFacet) {
-        const Cell to = map_.cell_of(HalfFacet{o});
-        if (!map_.marked(to)) {
-          if (notes_.is_seen(to)) continue;
-          next[f] = to;
-        }
-      }
-      wanted |= 1u << f;
+    for (uint32_t i = 0; i < 4; ++i) {
+      vertices[4 * count + i] = env_.point(w[i] & kVertexMask);
+      if (w[4 + i] < kNoFacet) __builtin_prefetch(&map_.words[w[4 + i]]);
     }
-    if (wanted == 0) return;
-    const double* points[4];
-    for (uint32_t i = 0; i < 4; ++i) points[i] = env_.point(w[i] & kVertexMask);
-    FacetBounds bounds;
-    kernel_.of_tetrahedron(frame_, points, bounds);
-    for (uint32_t f = 0; f < 4; ++f) {
-      if ((wanted >> f & 1u) != 0) take(step, HalfFacet{first + f}, next[f], bounds.lower[f], bounds.upper[f]);
-    }
+    steps[count] = step;
+    if (++count == kMostTogether) visit_tetrahedra();
+  }
+  if (count != 0) visit_tetrahedra();
+  if (env_.marked_edges == 0 && env_.marked_vertices == 0) return;
+  for (uint32_t step = first; step < last; ++step) look_for_thin(step);
+}
+
+template <int D>
+void SegmentFlood<D>::visit_tetrahedron(uint32_t step, const FacetBounds& bounds, uint32_t lane) {
+  const Step& here = notes_.steps[step];
+  const uint32_t first = here.cell.unit * kUnitWords<D> + 4, entry = here.facet.word - first;
+  for (uint32_t f = 0; f < 4; ++f) {
+    const float lower = bounds.lower[lane + f];
+    if (lower <= bound_ && f != entry) take(step, {first + f}, lower, bounds.upper[lane + f]);
   }
 }
 
 template <int D>
 void SegmentFlood<D>::visit_any(uint32_t step) {
   const Cell c = notes_.steps[step].cell;
+  const HalfFacet entry = notes_.steps[step].facet;
   const Shape shape = map_.shape(c);
-  const double* corners[4 * D];
-  uint32_t facets[4], count = 0, current = 0;
-  double lower = HUGE_VAL, upper = HUGE_VAL;  // of the current facet
+  const double* corners[kLanes * D];
+  uint32_t facets[kLanes], count = 0, current = 0;
+  float lower = HUGE_VALF, upper = HUGE_VALF;  // of the current facet
   const auto end_facet = [&] {
-    if (lower == HUGE_VAL) return;
-    const HalfFacet h = map_.half_facet(c, current);
-    take(step, h, beyond(h), lower, upper);
-    lower = upper = HUGE_VAL;
+    if (lower <= bound_) take(step, map_.half_facet(c, current), lower, upper);
+    lower = upper = HUGE_VALF;
   };
   const auto bound = [&] {
-    for (uint32_t i = count; i < 4; ++i) {
-      for (uint32_t k = 0; k < uint32_t{D}; ++k) corners[4 * k + i] = corners[4 * k];
+    for (uint32_t i = count; i < kLanes; ++i) {
+      for (uint32_t k = 0; k < uint32_t{D}; ++k) corners[kLanes * k + i] = corners[kLanes * k];
     }
     FacetBounds bounds;
     kernel_.of_triangles(frame_, corners, bounds);
@@ -129,61 +150,90 @@ void SegmentFlood<D>::visit_any(uint32_t step) {
     count = 0;
   };
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-    const Cell next = beyond(map_.half_facet(c, f));
-    if (next.valid() && notes_.is_seen(next)) continue;
+    if (map_.half_facet(c, f) == entry) continue;
     for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
       const uint16_t* local = shape.simplices() + uint32_t{D} * s;
-      for (uint32_t k = 0; k < uint32_t{D}; ++k) corners[4 * k + count] = env_.point(c, local[k]);
+      for (uint32_t k = 0; k < uint32_t{D}; ++k) corners[kLanes * k + count] = env_.point(c, local[k]);
       facets[count] = f;
-      if (++count == 4) bound();
+      if (++count == kLanes) bound();
     }
   }
   if (count != 0) bound();
   end_facet();
 }
 
+/** Notes a facet within the limit of a cell that was entered. */
 template <int D>
-void SegmentFlood<D>::take(uint32_t step, HalfFacet h, Cell beyond, double lower, double upper) {
-  if (!(lower <= limit_)) return;
-  if (!beyond.valid()) limit_ = std::min(limit_, upper);
-  push({std::max(lower, 0.0), upper, h, step, beyond});
+void SegmentFlood<D>::take(uint32_t step, HalfFacet h, float lower, float upper) {
+  Entry next{lower, upper, h.word | kMarkBit, step};
+  const HalfFacet o{map_.words[h.word]};  // no mark, or it is no facet
+  const Cell to = o.word < kNoFacet ? map_.cell_of(o) : Cell{};
+  if (!to.valid() || is_closed(env_, to)) {
+    set_limit(std::min(limit_, upper / frame_.scale));
+  } else {
+    next.facet = o.word;
+    if (D == 3 && map_.form(to) == Form::kSimplex) {
+      __builtin_prefetch(env_.point(map_.record(to)[kTetrahedronTips[local_in_tetrahedron(o)]] & kVertexMask));
+    }
+  }
+  (next.lower <= soon_ ? notes_.now : notes_.later).push_back(next);
 }
 
-/** Keys of numbers that are not negative are in their order. Their lower halves are left out. */
 template <int D>
-uint64_t SegmentFlood<D>::key(double lower) noexcept {
-  uint64_t bits = 0;
-  std::memcpy(&bits, &lower, sizeof bits);
-  return bits & 0xffffffff00000000u;
+void SegmentFlood<D>::look_for_thin(uint32_t step) {
+  const Cell c = notes_.steps[step].cell;
+  distances_.for_each_thin(c, map_.shape(c), [&](double distance, const SegmentWay& at, const FeatureRef& feature) {
+    note_sight(distance, at, feature, step);
+  });
 }
 
+/** Chooses what comes next among what was left for later: the lower part. An exact order would take more time than it
+ * saves, because an obstacle's upper bound sets the limit as soon as it is seen. Whether there is anything. */
 template <int D>
-void SegmentFlood<D>::push(const Step& next) {
-  notes_.queue.push_back(key(next.lower) | notes_.steps.size());
-  std::push_heap(notes_.queue.begin(), notes_.queue.end(), std::greater<uint64_t>());
-  notes_.steps.push_back(next);
+bool SegmentFlood<D>::go_on() {
+  float least = HUGE_VALF, sum = 0;
+  size_t left = 0;
+  for (const Entry& each : notes_.later) {
+    if (!(each.lower <= bound_)) continue;
+    least = std::min(least, each.lower);
+    sum += each.lower;
+    notes_.later[left++] = each;
+  }
+  notes_.later.resize(left);
+  if (left == 0) return false;
+  soon_ = least + std::max(0.0f, sum / static_cast<float>(left) - least) / 4;
+  left = 0;
+  for (const Entry& each : notes_.later) {
+    if (each.lower <= soon_) {
+      notes_.now.push_back(each);
+    } else {
+      notes_.later[left++] = each;
+    }
+  }
+  notes_.later.resize(left);
+  return true;
 }
 
-/** An obstacle, unless another cell has seen it. */
+/** An obstacle that a cell sees, unless another one has seen it. */
 template <int D>
-void SegmentFlood<D>::measure(const Step& step) {
-  const FeatureRef name = distances_.name(step.facet);
+void SegmentFlood<D>::measure(HalfFacet h, uint32_t step) {
+  const FeatureRef name = distances_.name(h);
   for (Sight& sight : notes_.sights) {
     if (sight.feature.dimension != D - 1 || sight.feature.cell != name.cell || sight.feature.local != name.local)
       continue;
-    notes_.views.push_back({step.from, sight.view});
+    notes_.views.push_back({step, sight.view});
     sight.view = static_cast<uint32_t>(notes_.views.size() - 1);
     return;
   }
   const SegmentWay at = distances_.to_facet(name.cell, map_.shape(name.cell), name.local, limit_);
-  note_sight(distances_.length(at), at, name, step.from);
+  note_sight(distances_.length(at), at, name, step);
 }
 
 template <int D>
 void SegmentFlood<D>::note_sight(double distance, const SegmentWay& at, const FeatureRef& feature, uint32_t step) {
   if (!(distance <= limit_)) return;
   // What is as near up to rounding is wanted, too.
-  limit_ = std::min(limit_, distance + 0x1p-48 * largest_);
+  set_limit(std::min(limit_, distance + 0x1p-48 * largest_));
   const auto is_same = [&](const Sight& sight) {
     return !distances_.precedes(sight.feature, feature) && !distances_.precedes(feature, sight.feature);
   };
@@ -233,7 +283,7 @@ template <int D>
 bool SegmentFlood<D>::is_reached(uint32_t step, double limit) {
   for (uint32_t s = step; notes_.steps[s].from != Notes::kNone; s = notes_.steps[s].from) {
     const Step& each = notes_.steps[s];
-    if (!(each.upper <= limit || (each.lower <= limit && is_within(each.facet, limit))))
+    if (!(each.upper / frame_.scale <= limit) && !is_within(map_.opposite(each.facet), limit))
       return is_reached_otherwise(step, limit);
   }
   return true;

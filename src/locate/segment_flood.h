@@ -24,12 +24,18 @@ class SegmentNotes : public FloodNotes {
  public:
   static constexpr uint32_t kNone = 0xffffffffu;
   /** A facet of an entered cell within the limit: a way into the next cell, or an obstacle. */
+  struct Entry {
+    float lower, upper;  // bounds of its distance
+    uint32_t facet;      // a half-facet of the next cell; of an obstacle that of the entered cell, with kMarkBit
+    uint32_t from;       // the step to the entered cell
+  };
+  /** A cell that was entered. */
   struct Step {
-    double lower, upper;  // of its distance
-    HalfFacet facet;      // seen from the cell of step `from`
-    uint32_t from;        // kNone: the segment enters `cell`
-    Cell cell;            // to enter; invalid behind an obstacle
-    uint32_t search = 0;  // the last one that came to the cell
+    Cell cell;
+    HalfFacet facet;  // of this cell, by which it was entered
+    float upper;      // as above, of this facet
+    uint32_t from;    // the step to the cell on the other side; kNone: the segment enters this one
+    uint32_t search;  // the last one that came here
   };
   struct Sight {
     double distance;
@@ -39,15 +45,22 @@ class SegmentNotes : public FloodNotes {
   };
   /** A cell that sees an obstacle. */
   struct View {
-    uint32_t step;    // by which the cell was entered
+    uint32_t step;    // to the cell
     uint32_t before;  // of the same obstacle, or kNone
   };
 
   explicit SegmentNotes(const Memory* memory)
-      : FloodNotes(memory), starts(memory), queue(memory), steps(memory), sights(memory), views(memory), back(memory) {}
+      : FloodNotes(memory),
+        starts(memory),
+        now(memory),
+        later(memory),
+        steps(memory),
+        sights(memory),
+        views(memory),
+        back(memory) {}
 
-  Array<Cell> starts;     // which the segment enters
-  Array<uint64_t> queue;  // a heap: the upper half of a lower bound, and a step
+  Array<Cell> starts;  // which the segment enters
+  Array<Entry> now, later;
   Array<Step> steps;
   Array<Sight> sights;
   Array<View> views;
@@ -65,17 +78,19 @@ class SegmentFlood {
 
  private:
   using Notes = SegmentNotes;
+  using Entry = Notes::Entry;
   using Step = Notes::Step;
   using Sight = Notes::Sight;
 
-  void visit(uint32_t step);
-  void visit_tetrahedron(uint32_t step);
+  void set_limit(double limit);
+  void enter(const Step& step);
+  void visit_from(uint32_t first);
+  void visit_tetrahedron(uint32_t step, const FacetBounds& bounds, uint32_t lane);
   void visit_any(uint32_t step);
-  Cell beyond(HalfFacet h) const;
-  void take(uint32_t step, HalfFacet h, Cell beyond, double lower, double upper);
-  void push(const Step& next);
-  static uint64_t key(double lower) noexcept;
-  void measure(const Step& step);
+  void take(uint32_t step, HalfFacet h, float lower, float upper);
+  void look_for_thin(uint32_t step);
+  bool go_on();
+  void measure(HalfFacet h, uint32_t step);
   void note_sight(double distance, const SegmentWay& at, const FeatureRef& feature, uint32_t step);
   SearchEnd decide();
   bool is_reached(const Sight& sight, double limit);
@@ -89,8 +104,10 @@ class SegmentFlood {
   const BoundsKernel<D>& kernel_;
   Notes& notes_;
   SegmentNearest& result_;
-  SegmentFrame frame_;
-  double radius_, limit_, largest_ = 0;
+  double radius_, largest_, limit_;
+  SegmentFrame<D> frame_;
+  float bound_ = 0;  // the limit, scaled and rounded up
+  float soon_ = 0;   // lower bounds up to here come next
   uint32_t search_ = 0;
 };
 
