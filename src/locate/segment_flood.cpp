@@ -201,7 +201,7 @@ bool SegmentFlood<D>::go_on() {
   }
   notes_.later.resize(left);
   if (left == 0) return false;
-  soon_ = least + std::max(0.0f, sum / static_cast<float>(left) - least) / 4;
+  soon_ = least + std::max(0.0f, sum / static_cast<float>(left) - least) / 2;
   left = 0;
   for (const Entry& each : notes_.later) {
     if (each.lower <= soon_) {

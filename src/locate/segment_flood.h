@@ -1,18 +1,26 @@
 #pragma once
 // What a segment's flood finds (nearest.h), with bounds in place of most distances.
 //
-// The key of a passable facet is its rounded distance. The level of a cell is the least number L for which facets with
-// keys up to L lead to it from a cell that the segment enters. Let `end` be the least number for which a cell of a level
-// up to `end` sees an obstacle at a distance up to `end`. The answer is the nearest obstacle that cells of levels up to
-// `end` see, ties by name. The flood finds it: it enters these cells, and no others.
+// The key of a passable facet is its rounded distance, as the cell sees it that is left through it. The level of a cell
+// is the least number L for which facets with keys up to L lead to it from a cell that the segment enters. Let `end` be
+// the least number for which a cell of a level up to `end` sees an obstacle at a distance up to `end`. The answer is the
+// nearest obstacle that cells of levels up to `end` see, ties by name. The flood finds it, because it enters these cells
+// and no others.
 //
-// Here cells are entered by lower bounds of keys, the lowest first, within `limit`, which is an upper bound of the
-// nearest obstacle's distance, reached or not. So all cells of levels up to `limit` are entered, and some more. All
-// obstacles are measured that they see within `limit`. Then obstacles are asked in the order of their distances d
-// whether facets with keys up to d lead to them or to a nearer one. The first d for which that is so is `end`, or it is
-// between the d before and this one; then exactly one nearer obstacle is reached, or nobody knows.
+// Here a cell is entered if the lower bound of a facet's distance is within `limit`. The limit goes down to upper bounds
+// of the distances of obstacles that are seen, reached or not. At the end it is still at least as large as each
+// distance d for which it is used below. So all cells of levels up to d have been entered, and some more, in whatever
+// order, and all obstacles have been measured that these cells see within d.
 //
-// A facet's upper bound mostly tells that its key is small enough. Where it does not, the key is computed.
+// Obstacles are taken in the order of their distances d, and for each d it is asked which of them, up to d, cells of
+// levels up to d see. Let d be the first for which there are any.
+// - If they are at distance d, then `end` is d: no smaller number will do. The lowest name among them is the answer.
+// - If exactly one is nearer, then `end` is the level of the cell that sees it, at most d. That one is the answer.
+// - If several are nearer, their levels decide, which are not known here: the flood is asked.
+//
+// A facet's upper bound mostly tells that its key is small enough. Where it does not, the key is computed. Both are
+// distances of the same facet, so this relies on rounding errors of distances being below 2^-17 of the facet's
+// coordinates as the segment sees them; they are some 2^-49.
 
 #include "locate/facet_bounds.h"
 #include "locate/nearest_search.h"

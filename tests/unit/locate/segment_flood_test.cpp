@@ -149,6 +149,42 @@ TEST(SegmentFlood, InPartsThatOverlap) {
   EXPECT_GT(tally.found, share_of(500));
 }
 
+/** Prisms round an axis that turn more than once. The last face stands beside points of the second prism, but the way
+ * there leads round the axis, which is farther: only the flood by distances knows what is reached first. */
+TEST(SegmentFlood, AsksTheOtherFloodWhereTheNearestIsNotReached) {
+  constexpr int kPrisms = 8;
+  Mesh3 mesh;
+  std::vector<int64_t> above, below;
+  const auto add = [&](double x, double y) {
+    above.push_back(mesh.point({x, y, 2}));
+    below.push_back(mesh.point({x, y, -2}));
+  };
+  add(0, 0);
+  for (int k = 0; k <= kPrisms; ++k) add(2 * std::cos(k * M_PI / 3), 2 * std::sin(k * M_PI / 3));
+  for (size_t k = 1; k <= kPrisms; ++k)
+    mesh.cell(kWedge, {above[0], above[k], above[k + 1], below[0], below[k], below[k + 1]});
+  const auto env = mesh.build();
+  Random random(5);
+  SegmentNotes notes(env->memory);
+  int unknown = 0, reached = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double angle = 1.1 + random.unit() * 0.98, radius = 0.2 + 1.5 * random.unit(), size = i % 2 * 0.1;
+    const double p[3] = {radius * std::cos(angle), radius * std::sin(angle), random.unit()};
+    const double q[3] = {p[0] * (1 - size), p[1] * (1 - size), p[2] + size};
+    const Cell start = env->map.cell(1);
+    SegmentNearest fast, slow;
+    ASSERT_TRUE(find_nearest_to_segment(*env, p, q, start, kNoLimit, notes, fast));
+    ASSERT_TRUE(find_nearest_to_segment(*env, p, q, start, kNoLimit, notes, slow, true));
+    ASSERT_NO_FATAL_FAILURE(expect_same_nearest(*env, fast, slow)) << i;
+    const Distances<3, FromSegment<3>> distances(*env, p, q);
+    notes.starts.assign(1, start);
+    const SearchEnd end = SegmentFlood<3>(distances, kNoLimit, notes, fast).run();
+    ++(end == SearchEnd::kUnknown ? unknown : reached);
+  }
+  EXPECT_GT(unknown, 20);
+  EXPECT_GT(reached, 20);
+}
+
 TEST(SegmentFlood, WherePointsMoveAndCellsTurnInsideOut) {
   Tally tally;
   Mesh3 mesh;
