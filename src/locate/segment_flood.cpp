@@ -54,9 +54,10 @@ SearchEnd SegmentFlood<D>::run() {
   for (const Cell c : notes_.starts) enter({c, {}, 0, Notes::kNone, 0});
   visit_from(0);
   do {
-    for (size_t next = 0; next < notes_.now.size();) {
+    for (size_t next = 0, seen = 0; next < notes_.now.size();) {
       const auto first = static_cast<uint32_t>(notes_.steps.size());
-      while (next < notes_.now.size() && notes_.steps.size() < first + kMostTogether) {
+      look_ahead(seen, next);
+      while (next < seen && notes_.steps.size() < first + kMostTogether) {
         const Entry each = notes_.now[next++];
         if (!(each.lower <= bound_)) continue;
         const HalfFacet h{each.facet & ~kMarkBit};
@@ -66,11 +67,29 @@ SearchEnd SegmentFlood<D>::run() {
           enter({map_.cell_of(h), h, each.upper, each.from, 0});
         }
       }
+      look_ahead(seen, next);
       visit_from(first);
     }
     notes_.now.clear();
   } while (go_on());
   return decide();
+}
+
+/** Looks which of the next entries lead into impassable cells, and asks the memory for vertices of the others. */
+template <int D>
+void SegmentFlood<D>::look_ahead(size_t& seen, size_t next) {
+  for (; seen < notes_.now.size() && seen < next + kMostTogether; ++seen) {
+    Entry& each = notes_.now[seen];
+    if ((each.facet & kMarkBit) != 0) continue;
+    const HalfFacet h{each.facet};
+    const Cell to = map_.cell_of(h);
+    if (is_closed(env_, to)) {
+      set_limit(std::min(limit_, each.upper / frame_.scale));
+      each.facet = map_.opposite(h).word | kMarkBit;
+    } else if (D == 3 && map_.form(to) == Form::kSimplex) {
+      __builtin_prefetch(env_.point(map_.record(to)[kTetrahedronTips[local_in_tetrahedron(h)]] & kVertexMask));
+    }
+  }
 }
 
 template <int D>
@@ -103,7 +122,6 @@ void SegmentFlood<D>::visit_from(uint32_t first) {
     const uint32_t* w = map_.record(c);
     for (uint32_t i = 0; i < 4; ++i) {
       vertices[4 * count + i] = env_.point(w[i] & kVertexMask);
-      if (w[4 + i] < kNoFacet) __builtin_prefetch(&map_.words[w[4 + i]]);
     }
     steps[count] = step;
     if (++count == kMostTogether) visit_tetrahedra();
@@ -166,15 +184,12 @@ void SegmentFlood<D>::visit_any(uint32_t step) {
 template <int D>
 void SegmentFlood<D>::take(uint32_t step, HalfFacet h, float lower, float upper) {
   Entry next{lower, upper, h.word | kMarkBit, step};
-  const HalfFacet o{map_.words[h.word]};  // no mark, or it is no facet
-  const Cell to = o.word < kNoFacet ? map_.cell_of(o) : Cell{};
-  if (!to.valid() || is_closed(env_, to)) {
-    set_limit(std::min(limit_, upper / frame_.scale));
+  const uint32_t other = map_.words[h.word];  // no mark, or it is no facet
+  if (other < kNoFacet) {
+    next.facet = other;
+    __builtin_prefetch(&map_.words[other]);
   } else {
-    next.facet = o.word;
-    if (D == 3 && map_.form(to) == Form::kSimplex) {
-      __builtin_prefetch(env_.point(map_.record(to)[kTetrahedronTips[local_in_tetrahedron(o)]] & kVertexMask));
-    }
+    set_limit(std::min(limit_, upper / frame_.scale));
   }
   (next.lower <= soon_ ? notes_.now : notes_.later).push_back(next);
 }

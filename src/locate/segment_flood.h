@@ -91,6 +91,7 @@ class SegmentFlood {
   using Sight = Notes::Sight;
 
   void set_limit(double limit);
+  void look_ahead(size_t& seen, size_t next);
   void enter(const Step& step);
   void visit_from(uint32_t first);
   void visit_tetrahedron(uint32_t step, const FacetBounds& bounds, uint32_t lane);
