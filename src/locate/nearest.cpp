@@ -109,9 +109,15 @@ constexpr uint32_t kFewCells = 8, kFewCellsWithin = 64;
 
 template <int D>
 bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result) {
+  FloodNotes notes(env.memory);
+  return find_nearest(env, point, start, radius, notes, result);
+}
+
+template <int D>
+bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
+                  NearestResult& result) {
   result = {};
   const Distances<D> distances(env, point);
-  FloodNotes notes(env.memory);
   Flood<D, FromPoint<D>> flood(distances, radius, notes, result);
   flood.begin_in(start);
   flood.run(kNoCell);
@@ -167,6 +173,12 @@ template <int D>
 bool find_nearest_to_segment(const Environment<D>& env, const double* from, const double* to, Cell start, double radius,
                              SegmentNotes& notes, SegmentNearest& result, bool by_flood) {
   result = {};
+  if (std::equal(from, from + D, to)) {  // a point
+    result.last = start;
+    const bool found = find_nearest(env, from, start, radius, notes, result);
+    if (found) std::copy_n(from, D, result.segment_point);
+    return found;
+  }
   const Distances<D, FromSegment<D>> distances(env, from, to);
   // A cast does not throw.
   struct Entered {
@@ -222,6 +234,7 @@ void FloodNotes::grow() {
 
 #define DSW_NEAREST(D)                                                                                             \
   template bool find_nearest(const Environment<D>&, const double*, Cell, double, NearestResult&);                  \
+  template bool find_nearest(const Environment<D>&, const double*, Cell, double, FloodNotes&, NearestResult&);     \
   template bool find_nearest_far(const Environment<D>&, const double*, Cell, double, FloodNotes&, NearestResult&); \
   template bool find_nearest_to_segment(const Environment<D>&, const double*, const double*, Cell, double,         \
                                         SegmentNotes&, SegmentNearest&, bool)

@@ -78,6 +78,9 @@ class FloodNotes {
  * dimension, then the lower canonical cell. May throw std::bad_alloc. */
 template <int D>
 bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result);
+template <int D>
+bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
+                  NearestResult& result);
 
 /** The same answer for points that may be far from everything: after a few cells the environment's tree of obstacles is
  * asked, if there is one (nearest_search.h). */
@@ -89,7 +92,7 @@ class SegmentNotes;
 
 /** The same for a segment whose first point is in `start`. If it passes an impassable facet, that is the answer, at
  * distance 0: the first one. Else the answer is what the flood finds that begins in all cells which the segment enters
- * under the shift; segment_flood.h finds it faster in most cases.
+ * under the shift; segment_flood.h finds it faster in most cases. A segment without a length is asked as a point.
  * @param by_flood asks the flood alone. */
 template <int D>
 bool find_nearest_to_segment(const Environment<D>& env, const double* from, const double* to, Cell start, double radius,
