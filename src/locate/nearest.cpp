@@ -110,12 +110,12 @@ constexpr uint32_t kFewCells = 8, kFewCellsWithin = 64;
 template <int D>
 bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result) {
   FloodNotes notes(env.memory);
-  return find_nearest(env, point, start, radius, notes, result);
+  return find_nearest_by_flood(env, point, start, radius, notes, result);
 }
 
 template <int D>
-bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
-                  NearestResult& result) {
+bool find_nearest_by_flood(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
+                           NearestResult& result) {
   result = {};
   const Distances<D> distances(env, point);
   Flood<D, FromPoint<D>> flood(distances, radius, notes, result);
@@ -175,7 +175,7 @@ bool find_nearest_to_segment(const Environment<D>& env, const double* from, cons
   result = {};
   if (std::equal(from, from + D, to)) {  // a point
     result.last = start;
-    const bool found = find_nearest(env, from, start, radius, notes, result);
+    const bool found = find_nearest_by_flood(env, from, start, radius, notes, result);
     if (found) std::copy_n(from, D, result.segment_point);
     return found;
   }
@@ -234,7 +234,8 @@ void FloodNotes::grow() {
 
 #define DSW_NEAREST(D)                                                                                             \
   template bool find_nearest(const Environment<D>&, const double*, Cell, double, NearestResult&);                  \
-  template bool find_nearest(const Environment<D>&, const double*, Cell, double, FloodNotes&, NearestResult&);     \
+  template bool find_nearest_by_flood(const Environment<D>&, const double*, Cell, double, FloodNotes&,             \
+                                      NearestResult&);                                                             \
   template bool find_nearest_far(const Environment<D>&, const double*, Cell, double, FloodNotes&, NearestResult&); \
   template bool find_nearest_to_segment(const Environment<D>&, const double*, const double*, Cell, double,         \
                                         SegmentNotes&, SegmentNearest&, bool)

@@ -79,8 +79,8 @@ class FloodNotes {
 template <int D>
 bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result);
 template <int D>
-bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
-                  NearestResult& result);
+bool find_nearest_by_flood(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
+                           NearestResult& result);
 
 /** The same answer for points that may be far from everything: after a few cells the environment's tree of obstacles is
  * asked, if there is one (nearest_search.h). */
