@@ -4,16 +4,16 @@
 //
 // Coordinates are turned into a frame of the segment: t along it from its middle, u and v across, scaled by a power of
 // two so that they are at most 4. Let r be the distance of the segment's line from a triangle, and g the gap in t
-// between the segment and the triangle. No point of the triangle is nearer than sqrt(r^2 + g^2), nor than the triangle's
-// plane, if both ends of the segment are on one side of it. Points of the triangle's sides show that it is not farther
-// than a second number.
+// between the segment and the triangle. No point of the triangle is nearer than sqrt(r^2 + g^2), nor than the
+// triangle's plane, if both ends of the segment are on one side of it. Points of the triangle's sides show that it is
+// not farther than a second number.
 //
 // Rounding. Let `size` be the largest sum of a corner's coordinates and of half the segment. Differences from the
-// segment's first point are those of exact distances, up to 2^-24. The frame, the turned points and points of sides have
-// errors of some 2^-21 size. So has the place on a side that is nearest to the line, times the length of the side: it
-// comes from a product of a point and the side. If rounding takes the line to be beside a triangle that it passes, the
-// line passes it that near to a side. The bounds allow 2^-17 size, and 2^-44 for what underflows and for sides that are
-// shorter than 2^-50. The plane's normal may be short against the sides; its errors are counted as in
+// segment's first point are those of exact distances, up to 2^-24. The frame, the turned points and points of sides
+// have errors of some 2^-21 size. So has the place on a side that is nearest to the line, times the length of the side:
+// it comes from a product of a point and the side. If rounding takes the line to be beside a triangle that it passes,
+// the line passes it that near to a side. The bounds allow 2^-17 size, and 2^-44 for what underflows and for sides that
+// are shorter than 2^-50. The plane's normal may be short against the sides; its errors are counted as in
 // segment_distances.cpp, with 2^-24 in place of 2^-53.
 
 #include "base/vec.h"

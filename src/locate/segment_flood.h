@@ -3,12 +3,12 @@
 //
 // The key of a passable facet is its rounded distance, as the cell sees it that is left through it. The level of a cell
 // is the least number L for which facets with keys up to L lead to it from a cell that the segment enters. Let `end` be
-// the least number for which a cell of a level up to `end` sees an obstacle at a distance up to `end`. The answer is the
-// nearest obstacle that cells of levels up to `end` see, ties by name. The flood finds it, because it enters these cells
-// and no others.
+// the least number for which a cell of a level up to `end` sees an obstacle at a distance up to `end`. The answer is
+// the nearest obstacle that cells of levels up to `end` see, ties by name. The flood finds it, because it enters these
+// cells and no others.
 //
-// Here a cell is entered if the lower bound of a facet's distance is within `limit`. The limit goes down to upper bounds
-// of the distances of obstacles that are seen, reached or not. At the end it is still at least as large as each
+// Here a cell is entered if the lower bound of a facet's distance is within `limit`. The limit goes down to upper
+// bounds of the distances of obstacles that are seen, reached or not. At the end it is still at least as large as each
 // distance d for which it is used below. So all cells of levels up to d have been entered, and some more, in whatever
 // order, and all obstacles have been measured that these cells see within d.
 //
