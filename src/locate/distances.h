@@ -51,6 +51,8 @@ struct FromPoint {
   using Corner = Vec;
   using Way = Vec;  // from the point to the nearest one
   using Result = NearestResult;
+  // Distances of facets and edges are rounded as the cell numbers their vertices that looks at them.
+  static constexpr bool kIsByName = false;
 
   const double* point;
   double scale;
@@ -74,6 +76,7 @@ class Distances {
       : env_(env), from_{points..., fitting_scale(env, {points...})} {}
 
   const Environment<D>& environment() const { return env_; }
+  const From& from() const { return from_; }
   /** Distances are multiplied by this power of two, which brings squares of coordinates to where they neither over-
    * nor underflow. Nearly always 1. */
   double scale() const { return from_.scale; }
@@ -86,6 +89,12 @@ class Distances {
       if (s == shape.simplex_first(f) || From::squared(at) < From::squared(best)) best = at;
     }
     return best;
+  }
+  /** To an impassable facet that a cell sees. */
+  Way to_obstacle(Cell c, const Shape& shape, uint32_t f, double limit = HUGE_VAL) const {
+    if constexpr (!From::kIsByName) return to_facet(c, shape, f, limit);
+    const FeatureRef as = name(env_.map.half_facet(c, f));
+    return to_facet(as.cell, env_.map.shape(as.cell), as.local, limit);
   }
   static double length(const Way& at) { return std::sqrt(From::squared(at)); }
 
@@ -100,7 +109,9 @@ class Distances {
   void for_each_thin(Cell c, const Shape& shape, Offer offer) const {
     if constexpr (D == 3) {
       for_each_marked_edge(env_, c, shape, [&](uint32_t d) {
-        const Way at = from_.way(corner(c, shape.dart_vertex(d)), corner(c, shape.dart_vertex(shape.beta1(d))));
+        uint32_t a = shape.dart_vertex(d), b = shape.dart_vertex(shape.beta1(d));
+        if (From::kIsByName && env_.map.vertex(c, b) < env_.map.vertex(c, a)) std::swap(a, b);
+        const Way at = from_.way(corner(c, a), corner(c, b));
         Dart lowest{c, d};
         for_each_volume_round_edge(env_.map, {c, d}, [&](Dart e) {
           if (env_.map.index(e.cell) < env_.map.index(lowest.cell)) lowest = e;

@@ -5,7 +5,7 @@
 #include <new>
 
 #include "locate/nearest_search.h"
-#include "locate/segment_distances.h"
+#include "locate/segment_flood.h"
 #include "walk/cast.h"
 
 namespace dsw {
@@ -31,8 +31,9 @@ class Flood {
   /** Visits at most so many cells. Whether it is done. */
   bool run(uint32_t most) {
     Array<Waiting>& heap = notes_.waiting;
-    while (!heap.empty() && heap.front().distance <= best_) {
+    while (!heap.empty() && heap.front().distance <= limit()) {
       if (most == 0) return false;
+      level_ = std::max(level_, heap.front().distance);
       std::pop_heap(heap.begin(), heap.end());
       const Cell c = map_.cell(heap.back().index);
       heap.pop_back();
@@ -50,15 +51,20 @@ class Flood {
   }
 
  private:
+  /** What is farther does not count. For a segment, all cells of a level do: then the order in which they are visited
+   * does not decide. */
+  double limit() const { return From::kIsByName ? std::max(best_, level_) : best_; }
+
   void visit(Cell c) {
     const Shape shape = map_.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const HalfFacet h = map_.half_facet(c, f);
       const bool impassable = is_impassable(env_, h);
       if (!impassable && notes_.is_seen(map_.cell_of(map_.opposite(h)))) continue;
-      const Way at = distances_.to_facet(c, shape, f, best_);
+      const Way at =
+          impassable ? distances_.to_obstacle(c, shape, f, best_) : distances_.to_facet(c, shape, f, limit());
       const double distance = distances_.length(at);
-      if (!(distance <= best_)) continue;
+      if (!(distance <= limit())) continue;
       if (impassable) {
         offer(distance, at, distances_.name(h));
       } else {
@@ -90,7 +96,7 @@ class Flood {
   const Map<D>& map_;
   typename From::Result& result_;
   FloodNotes& notes_;
-  double best_;
+  double best_, level_ = 0;  // the largest distance at which a cell was entered
   Way at_{};
   bool found_ = false;
 };
@@ -103,9 +109,15 @@ constexpr uint32_t kFewCells = 8, kFewCellsWithin = 64;
 
 template <int D>
 bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result) {
+  FloodNotes notes(env.memory);
+  return find_nearest_by_flood(env, point, start, radius, notes, result);
+}
+
+template <int D>
+bool find_nearest_by_flood(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
+                           NearestResult& result) {
   result = {};
   const Distances<D> distances(env, point);
-  FloodNotes notes(env.memory);
   Flood<D, FromPoint<D>> flood(distances, radius, notes, result);
   flood.begin_in(start);
   flood.run(kNoCell);
@@ -159,16 +171,21 @@ void report_crossed(const Distances<D, FromSegment<D>>& distances, const double*
 
 template <int D>
 bool find_nearest_to_segment(const Environment<D>& env, const double* from, const double* to, Cell start, double radius,
-                             FloodNotes& notes, SegmentNearest& result) {
+                             SegmentNotes& notes, SegmentNearest& result, bool by_flood) {
   result = {};
+  if (std::equal(from, from + D, to)) {  // a point
+    result.last = start;
+    const bool found = find_nearest_by_flood(env, from, start, radius, notes, result);
+    if (found) std::copy_n(from, D, result.segment_point);
+    return found;
+  }
   const Distances<D, FromSegment<D>> distances(env, from, to);
-  Flood<D, FromSegment<D>> flood(distances, radius, notes, result);
-  flood.begin_in(start);
   // A cast does not throw.
   struct Entered {
-    Flood<D, FromSegment<D>>* flood;
+    Array<Cell>* cells;
     bool is_lost;
-  } entered{&flood, false};
+  } entered{&notes.starts, false};
+  notes.starts.assign(1, start);
   CastRequest request;
   request.from = from;
   request.to = to;
@@ -177,7 +194,7 @@ bool find_nearest_to_segment(const Environment<D>& env, const double* from, cons
   request.crossing = [](void* user, Cell, uint32_t, Cell cell) {
     Entered& all = *static_cast<Entered*>(user);
     try {
-      all.flood->begin_in(cell);
+      all.cells->push_back(cell);
     } catch (const std::bad_alloc&) {
       all.is_lost = true;
     }
@@ -189,6 +206,12 @@ bool find_nearest_to_segment(const Environment<D>& env, const double* from, cons
     report_crossed(distances, from, to, path, result);
     return true;
   }
+  if (!by_flood) {
+    const SearchEnd end = SegmentFlood<D>(distances, radius, notes, result).run();
+    if (end != SearchEnd::kUnknown) return end == SearchEnd::kFound;
+  }
+  Flood<D, FromSegment<D>> flood(distances, radius, notes, result);
+  for (const Cell c : notes.starts) flood.begin_in(c);
   flood.run(kNoCell);
   return flood.finish();
 }
@@ -197,30 +220,25 @@ void FloodNotes::clear() noexcept {
   waiting.clear();
   seen_count_ = 0;
   if (++round_ != 0) return;
-  std::fill(slots_.begin(), slots_.end(), 0);
+  std::fill(slots_.begin(), slots_.end(), Slot{});
   round_ = 1;
 }
 
-bool FloodNotes::see(Cell c) {
-  if (2 * (seen_count_ + 1) > slots_.size()) {
-    Array<uint64_t> old(2 * slots_.size(), 0, slots_.get_allocator());
-    old.swap(slots_);
-    for (const uint64_t each : old) {
-      if (each >> 32 == round_) slots_[slot_of(each)] = each;
-    }
+void FloodNotes::grow() {
+  Array<Slot> old(2 * slots_.size(), Slot{}, slots_.get_allocator());
+  old.swap(slots_);
+  for (const Slot& each : old) {
+    if (each.entry >> 32 == round_) slots_[slot_of(each.entry)] = each;
   }
-  uint64_t& slot = slots_[slot_of(entry(c.unit))];
-  if (slot == entry(c.unit)) return false;
-  slot = entry(c.unit);
-  ++seen_count_;
-  return true;
 }
 
 #define DSW_NEAREST(D)                                                                                             \
   template bool find_nearest(const Environment<D>&, const double*, Cell, double, NearestResult&);                  \
+  template bool find_nearest_by_flood(const Environment<D>&, const double*, Cell, double, FloodNotes&,             \
+                                      NearestResult&);                                                             \
   template bool find_nearest_far(const Environment<D>&, const double*, Cell, double, FloodNotes&, NearestResult&); \
   template bool find_nearest_to_segment(const Environment<D>&, const double*, const double*, Cell, double,         \
-                                        FloodNotes&, SegmentNearest&)
+                                        SegmentNotes&, SegmentNearest&, bool)
 DSW_NEAREST(2);
 DSW_NEAREST(3);
 #undef DSW_NEAREST

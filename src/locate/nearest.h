@@ -33,27 +33,42 @@ struct Waiting {
 /** What a flood writes down. It is kept from one question to the next, so that most need no memory. */
 class FloodNotes {
  public:
-  explicit FloodNotes(const Memory* memory) : waiting(memory), slots_(kFirstSlots, 0, memory) {}
+  explicit FloodNotes(const Memory* memory) : waiting(memory), slots_(kFirstSlots, Slot{}, memory) {}
 
   Array<Waiting> waiting;  // a heap
 
   void clear() noexcept;
-  /** Notes that a cell was seen; whether it is new. Open addressing, at most half full. Throws std::bad_alloc. */
-  bool see(Cell c);
-  bool is_seen(Cell c) const noexcept { return slots_[slot_of(entry(c.unit))] == entry(c.unit); }
+  /** Notes that a cell was seen, and a number; whether it is new. Open addressing, at most half full. Throws
+   * std::bad_alloc. */
+  bool see(Cell c, uint32_t number = 0) {
+    if (2 * (seen_count_ + 1) > slots_.size()) grow();
+    Slot& slot = slots_[slot_of(entry(c.unit))];
+    if (slot.entry == entry(c.unit)) return false;
+    slot = {entry(c.unit), number};
+    ++seen_count_;
+    return true;
+  }
+  bool is_seen(Cell c) const noexcept { return slots_[slot_of(entry(c.unit))].entry == entry(c.unit); }
+  /** The number of a cell that was seen. */
+  uint32_t number_of(Cell c) const noexcept { return slots_[slot_of(entry(c.unit))].number; }
 
  private:
   static constexpr size_t kFirstSlots = 64;
+  struct Slot {
+    uint64_t entry = 0;  // the round in which a cell was seen, and its unit; other rounds are empty slots
+    uint32_t number = 0;
+  };
 
+  void grow();
   uint64_t entry(uint32_t unit) const noexcept { return uint64_t{round_} << 32 | unit; }
   size_t slot_of(uint64_t entry) const noexcept {
     const size_t mask = slots_.size() - 1;
     size_t slot = (static_cast<uint32_t>(entry) * 0x9e3779b1u) & mask;
-    while (slots_[slot] >> 32 == round_ && slots_[slot] != entry) slot = (slot + 1) & mask;
+    while (slots_[slot].entry >> 32 == round_ && slots_[slot].entry != entry) slot = (slot + 1) & mask;
     return slot;
   }
 
-  Array<uint64_t> slots_;  // the round in which a cell was seen, and its unit; other rounds are empty slots
+  Array<Slot> slots_;
   size_t seen_count_ = 0;
   uint32_t round_ = 1;
 };
@@ -63,6 +78,9 @@ class FloodNotes {
  * dimension, then the lower canonical cell. May throw std::bad_alloc. */
 template <int D>
 bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result);
+template <int D>
+bool find_nearest_by_flood(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
+                           NearestResult& result);
 
 /** The same answer for points that may be far from everything: after a few cells the environment's tree of obstacles is
  * asked, if there is one (nearest_search.h). */
@@ -70,11 +88,14 @@ template <int D>
 bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
                       NearestResult& result);
 
-/** The same for a segment whose first point is in `start`, by the flood alone. It begins in all cells that the segment
- * enters under the shift. If the segment passes an impassable facet, that is the answer, at distance 0: the first one.
- */
+class SegmentNotes;
+
+/** The same for a segment whose first point is in `start`. If it passes an impassable facet, that is the answer, at
+ * distance 0: the first one. Else the answer is what the flood finds that begins in all cells which the segment enters
+ * under the shift; segment_flood.h finds it faster in most cases. A segment without a length is asked as a point.
+ * @param by_flood asks the flood alone. */
 template <int D>
 bool find_nearest_to_segment(const Environment<D>& env, const double* from, const double* to, Cell start, double radius,
-                             FloodNotes& notes, SegmentNearest& result);
+                             SegmentNotes& notes, SegmentNearest& result, bool by_flood = false);
 
 }  // namespace dsw

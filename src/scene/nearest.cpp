@@ -10,7 +10,7 @@
 #include "base/dimensions.h"
 #include "contact/names.h"
 #include "locate/locate.h"
-#include "locate/nearest.h"
+#include "locate/segment_flood.h"
 #include "predicates/plane_hit.h"
 #include "scene/locations.h"
 
@@ -93,7 +93,7 @@ class NearestOfBatch {
  private:
   const Environment<D>& env_;
   double radius_;
-  FloodNotes notes_;
+  SegmentNotes notes_;
   Cell last_;                  // where the last question was asked, or where its segment ended
   bool is_end_known_ = false;  // the segment's last point lies in last_
 };
