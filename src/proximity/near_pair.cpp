@@ -177,7 +177,7 @@ Measured edge_to_edge(const double* const* p, const double* const* a) {
 
 }  // namespace
 
-// Doubles sort out most pairs. All products below are compared with room of 2^-40 of the largest terms in them, which is
+// Doubles sort out most pairs. All products below are compared with room of 2^-40 of the largest terms in them. That is
 // thousands of their rounding errors. Where squares are so small or large that products might under- or overflow,
 // nothing is sorted out.
 
@@ -298,8 +298,8 @@ bool PairSearch<D>::are_inside(const Part<D>& part, const NearFeature& f) const 
   return feet_are_inside<D>(part.points, a);
 }
 
-// With x the point of the part and y that of the feature, a vertex z of an obstacle comes closer if (z - y).(x - y) > 0.
-// Here y may be replaced by any corner of the feature, since the feature is perpendicular to x - y.
+// Let x be the point of the part and y that of the feature. A vertex z of an obstacle comes closer if
+// (z - y).(x - y) > 0. Any corner of the feature may stand for y, since the feature is perpendicular to x - y.
 template <int D>
 bool PairSearch<D>::is_local_minimum(const Part<D>& part, const NearFeature& f) const noexcept {
   if (f.around == f.around_end) return true;
@@ -356,8 +356,8 @@ uint32_t PairSearch<D>::find_wall(const NearFeature& f, NearPair<D>& pair) const
 
 namespace {
 
-/** Whether doubles tell that a segment does not meet a triangle, which is given by ways from the segment's start. In the
- * plane a segment, whose third corner is none. */
+/** Whether doubles tell that a segment does not meet a triangle, in the plane a segment. The corners are given from the
+ * start of the segment. */
 template <int D>
 bool misses(const Vec& way, const Vec* corners, const Vec& normal, double size) noexcept {
   const double from = -dot(normal, corners[0]), to = from + dot(normal, way),

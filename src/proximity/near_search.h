@@ -7,7 +7,7 @@
 
 namespace dsw {
 
-/** What was found near a simplex of a body. While no corner has moved farther than the room that is left, it is true. */
+/** What was found near a simplex of a body. It is true while no corner has moved farther than the room that is left. */
 template <int D>
 struct NearNote {
   double anchors[3][D] = {};  // where the corners were
@@ -18,8 +18,8 @@ struct NearNote {
   explicit NearNote(const Memory* memory) : list(memory) {}
 };
 
-/** Notes by slot. A part is asked for with the simplex that covers it: a face itself, an edge one of its faces, a vertex
- * one of its edges. So most vertices, and edges of surfaces, need no note. */
+/** Notes by slot. A part is asked for with the simplex that covers it: a face itself, an edge one of its faces, a
+ * vertex one of its edges. So most vertices, and edges of surfaces, need no note. */
 template <int D>
 struct NearNotes {
   Array<NearNote<D>> of_vertices, of_edges, of_faces;

@@ -22,7 +22,7 @@ struct ObstacleName {
 };
 
 ObstacleName name_cell(const dsw_cell& cell, uint32_t place) noexcept {
-  return {cell, {cell.kind << kObstacleShift | cell.index, cell.local << kLocalShift | place}};
+  return {cell, {static_cast<uint32_t>(cell.kind) << kObstacleShift | cell.index, cell.local << kLocalShift | place}};
 }
 
 /** Whether a dart runs between two vertices, either way. */
