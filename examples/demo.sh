@@ -64,7 +64,7 @@ quietly "configuring" \
   cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON
 quietly "building" cmake --build "$tree" --target dartsweep_insertion example_demo example_plane example_replay
 
-rm -rf "$out"/*.png "$out"/*.svg "$out"/*.vtu "$out"/*.csv "$out"/*.html "$out"/summary.txt "$out/insertion" "$out/haptic.txt"
+rm -rf "$out"/*.png "$out"/*.svg "$out"/*.vtu "$out"/*.csv "$out"/*.html "$out"/summary.txt "$out/insertion" "$out/haptic.txt" "$out/rod.txt"
 mkdir "$out/insertion"
 if [ -n "$mesh" ]; then
   title=$(basename "$mesh")
@@ -90,9 +90,13 @@ insert=$tree/examples/insertion/dartsweep_insertion
 quietly "making the recording again" "$tree/examples/dartsweep_replay" "$out/insertion/calls.dswrec" --quiet
 echo "replay.bit_identical 1"
 echo
-echo "200 edges at haptic rate; of these figures:"
+echo "a rod of 200 edges with a radius, at haptic rate; of these figures:"
 "$insert" --preset haptic "${input[@]}" > "$out/haptic.txt"
-grep -E '^demo\.(steps|exactly_free_steps|lost|realtime_factor|detection_ms|detection_ms_p999|detection_ms_max|edges|contacts_per_step) ' "$out/haptic.txt"
+grep -E '^demo\.(steps|exactly_free_steps|lost|realtime_factor|realtime_factor.whole_step|detection_ms|detection_ms_p999|detection_ms_max|edges|rows_per_step|largest_stretch) ' "$out/haptic.txt"
+echo
+echo "the same rod to the end of its way:"
+"$insert" --physics rod --vertices 201 --no-statistics "${input[@]}" > "$out/rod.txt"
+grep -E '^demo\.(steps|exactly_free_steps|lost|reached_share|largest_stretch) ' "$out/rod.txt"
 "$venv/bin/python" "$insertion/draw.py" "$out/insertion/insertion.json" "$out/insertion.png"
 quietly "making the page" \
   "$venv/bin/python" "$insertion/build_page.py" "$out/insertion/insertion.json" "$out/insertion.html"
@@ -117,7 +121,7 @@ echo
 echo "the main job, a catheter:"
 echo "  page     $out/insertion.html (any browser, without a network)"
 echo "  picture  $out/insertion.png"
-echo "  tables   $out/insertion/summary.txt, steps.csv (every step), insertion.json (every figure); $out/haptic.txt"
+echo "  tables   $out/insertion/summary.txt, steps.csv (every step), insertion.json (every figure); $out/haptic.txt, rod.txt"
 echo "  replay   $out/insertion/calls.dswrec (every call, for dartsweep_replay)"
 echo "  ParaView $out/insertion/catheter.vtu, contacts.vtu, wall.vtu"
 echo "the other scenes:"

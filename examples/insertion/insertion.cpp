@@ -92,12 +92,12 @@ Step Run::step() {
   count_cells(&step);
 
   const physics::StepReport& report = wire_->report();
-  step.detection_seconds = report.library_seconds;
   step.contacts = report.move.contact_count;
   step.inserted = report.inserted;
   step.removed = report.removed;
   step.reached = wire_->reached();
   step.rod = wire_->rod_part();
+  step.detection_seconds = report.library_seconds + step.rod.rows_seconds;
   step.all_in = wire_->links() >= made_of_.links;
   std::size_t count = 0;
   const dsw_body_contact* all = contacts(&count);

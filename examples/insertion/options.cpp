@@ -20,6 +20,9 @@ void apply_preset(const CLI::App& app, Options* options) {
     options->statistics = app.count("--statistics") > 0 ? options->statistics : false;
     options->contact_memory = app.count("--contact-memory") > 0 ? options->contact_memory : 8;
     options->inserts = app.count("--response") > 0 ? options->inserts : false;
+    const auto is_given = [&](const char* option) { return app.count(option) > 0; };
+    const bool for_springs = is_given("--integrator") || is_given("--contact-memory") || is_given("--response");
+    options->rod = is_given("--physics") ? options->rod : !for_springs;
   }
 }
 
@@ -42,7 +45,8 @@ int read_options(int argc, char** argv, Options* options) {
                "dartsweep_insertion");
   app.add_option(
          "--preset", options->preset,
-         "figure8: 20 vertices, edges get new ones where they touch; haptic: 201 vertices, edges slide, no statistics")
+         "figure8: 20 vertices of springs, edges get new ones where they touch; haptic: a rod of 201 vertices, no "
+         "statistics")
       ->check(CLI::IsMember({"figure8", "haptic"}));
   app.add_option("--mesh", options->mesh, "arrays that examples/demo/read_mesh.py made of a mesh")
       ->check(CLI::ExistingFile);

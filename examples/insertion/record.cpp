@@ -18,7 +18,7 @@ const char* const kAbout[][2] = {
     {"contacts", "sum over the steps since the frame before"},
     {"cells_tested_share", "largest of one step: cells tested over all cells of the mesh"},
     {"orientation_tests", "of casts, those of floods not counted; sum over the steps since the frame before"},
-    {"detection_ms", "mean of a step: the library's move"},
+    {"detection_ms", "mean of a step: the library's near rows and move"},
     {"step_ms", "mean of a step: physics and the library's move, verification left out"},
     {"verified", "1: exactly free after every step since the frame before"}};
 
