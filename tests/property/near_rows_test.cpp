@@ -196,6 +196,7 @@ TEST_P(NearRowsTest, AreAllThatAreNear) {
       dsw_body_destroy(scene.get(), body);
     }
   }
+  RecordProperty("rows", std::to_string(tally.rows));
   EXPECT_EQ(tally.missed, 0u);
   EXPECT_EQ(tally.phantom, 0u);
   EXPECT_GT(tally.rows, 100u);
