@@ -7,8 +7,9 @@
  * impassable face, an edge or a vertex of one, or a marked edge or vertex. Faces count as the
  * triangles into which they are cut. A part and an obstacle make a row if
  * - their nearest points are unique and lie in the inside of both (a vertex is its own inside),
- * - the point on the obstacle is a local minimum: moving it a little on any obstacle at it does not
- *   bring it closer to the point on the part,
+ * - the point on the obstacle is a local minimum: if it is moved a little on any obstacle there, it
+ *   does not come closer to the point on the part,
+ * - an edge does not run parallel to both faces at an edge that it passes,
  * - the segment between the two points passes nothing impassable,
  * - the gap is at most the margin.
  *
@@ -19,7 +20,8 @@
  * edge that passes a corner that sticks out has one row at this corner. If an edge is parallel to a
  * wall, its ends have the rows.
  *
- * The first two conditions are decided exactly. Points, distances and normals are rounded.
+ * The first three conditions are decided exactly. A vertex is shifted for them (base.h), so that a
+ * vertex that touches a wall sees the other walls there. Points, distances and normals are rounded.
  *
  * With DSW_FEATURE_BODY_CONTACTS the same holds for obstacles that are parts of other bodies, if
  * the filters match, and of the same body with DSW_BODY_SELF_CONTACTS. Nothing but the environment
@@ -84,7 +86,7 @@ DSW_API void dsw_near_options_init(dsw_near_options *options, size_t size);
 
 /** Finds the near rows of a body, and keeps them with the body until the next call for it.
  *
- * No row is left out. A row may be present or absent, because of rounding, if its distance differs
+ * All rows are given, apart from rounding: a row may be present or absent if its distance differs
  * from its limit, or the segment between its points passes an impassable cell, by at most 2^-40 of
  * the largest coordinate of the points that are involved.
  * @param options null means the defaults.

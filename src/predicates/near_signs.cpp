@@ -1,12 +1,12 @@
 // A filter by doubles, then WideInt.
 //
 // The filter. Let m_u be the largest |component| of the rounded difference u, and so on. A true dot product u.v and its
-// rounded value differ by at most 3 m_u m_v ((1+u)^5 - 1) < 16u m_u m_v, with u = 2^-53: each of the D <= 3 products
+// rounded value differ by at most 3 m_u m_v ((1+e)^5 - 1) < 16e m_u m_v, with e = 2^-53: each of the D <= 3 products
 // sees two roundings of differences, one of the product and at most two of sums. For (u.u)(v.w) - (u.v)(u.w), each of
 // the two terms is at most 9 m_u^2 m_v m_w and sees 2 * 5 + 2 roundings: together below
-// 18 * 12.1u m_u^2 m_v m_w < 218u m_u^2 m_v m_w. The constants below are larger, which pays for the roundings of the
+// 18 * 12.1e m_u^2 m_v m_w < 218e m_u^2 m_v m_w. The constants below are larger, which pays for the roundings of the
 // bounds. With every m in [2^-120, 2^120] nothing overflows, and a product that underflows errs by 2^-1075, which is
-// less than u^2 times any bound. A difference that rounds to zero is zero.
+// less than e^2 times any bound. A difference that rounds to zero is zero.
 //
 // The integers. All axes are scaled by the same power of two, since dot products add axes.
 
@@ -128,6 +128,43 @@ int volume_sign(Arrow u, Arrow v, Arrow w) noexcept {
   return exact_volume_sign(u, v, w);
 }
 
+// A value that is 0 has the sign of its first coefficient in the shift (e, e^2, e^3) that is not 0. The coefficient of a
+// component is the value for the axis.
+namespace {
+constexpr double kOrigin[3] = {0, 0, 0}, kAxes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+}
+
+template <int D>
+int shifted_dot_sign(Arrow u, Arrow to_body) noexcept {
+  int sign = dot_sign<D>(u, to_body);
+  for (int k = 0; k < D && sign == 0; ++k) sign = dot_sign<D>(u, {kOrigin, kAxes[k]});
+  return sign;
+}
+
+template <int D>
+int shifted_lean_sign(Arrow u, Arrow v, Arrow to_body) noexcept {
+  int sign = lean_sign<D>(u, v, to_body);
+  for (int k = 0; k < D && sign == 0; ++k) sign = lean_sign<D>(u, v, {kOrigin, kAxes[k]});
+  return sign;
+}
+
+double exact_share(Arrow u, Arrow v, Arrow w) noexcept {
+  constexpr int kBits = 59;
+  const int low = lowest_bit<3>({u, v, w});
+  const WideArrow<3> a(u, low), b(v, low), c(w, low);
+  const auto uu = wide_dot(a, a), uv = wide_dot(a, b);
+  const auto part = uu * wide_dot(b, c) - uv * wide_dot(a, c);
+  const auto whole = uu * wide_dot(b, b) - uv * uv;
+  if (part.sign() <= 0 || whole.sign() <= 0) return 0;
+  if (compare(part, whole) >= 0) return 1;
+  const std::uint64_t share = limbs::scaled_quotient(part.limb(), part.size(), kBits, whole.limb(), whole.size());
+  return static_cast<double>(share) * 0x1p-59;
+}
+
+template int shifted_dot_sign<2>(Arrow, Arrow) noexcept;
+template int shifted_dot_sign<3>(Arrow, Arrow) noexcept;
+template int shifted_lean_sign<2>(Arrow, Arrow, Arrow) noexcept;
+template int shifted_lean_sign<3>(Arrow, Arrow, Arrow) noexcept;
 template int dot_sign<2>(Arrow, Arrow) noexcept;
 template int dot_sign<3>(Arrow, Arrow) noexcept;
 template int lean_sign<2>(Arrow, Arrow, Arrow) noexcept;

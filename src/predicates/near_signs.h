@@ -1,5 +1,5 @@
-// Which pairs of simplices are nearest to each other: signs of dot products of differences of points. No Simulation of
-// Simplicity: zeros stay zeros. Right for any finite doubles.
+// Which pairs of simplices are nearest to each other: signs of dot products of differences of points. Right for any finite
+// doubles. Zeros stay zeros, but for the functions with Simulation of Simplicity.
 #pragma once
 
 namespace dsw {
@@ -21,5 +21,16 @@ int lean_sign(Arrow u, Arrow v, Arrow w) noexcept;
 
 /** Sign of (u x v).w. */
 int volume_sign(Arrow u, Arrow v, Arrow w) noexcept;
+
+/** dot_sign and lean_sign, if the last argument ends in a point of a body, which is shifted (README.md). 0 only if u is
+ * zero, or u and v are parallel. */
+template <int D>
+int shifted_dot_sign(Arrow u, Arrow to_body) noexcept;
+template <int D>
+int shifted_lean_sign(Arrow u, Arrow v, Arrow to_body) noexcept;
+
+/** ((u.u)(v.w) - (u.v)(u.w)) / ((u.u)(v.v) - (u.v)(u.v)), which is known to lie between 0 and 1, up to 2^-53: how far on
+ * v the point lies that is nearest to a line along u. w leads from the start of v to the line. */
+double exact_share(Arrow u, Arrow v, Arrow w) noexcept;
 
 }  // namespace dsw

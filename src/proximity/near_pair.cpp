@@ -1,7 +1,7 @@
 #include "proximity/near_pair.h"
 
 #include <algorithm>
-#include <utility>
+#include <tuple>
 
 #include "predicates/filtered.h"
 #include "predicates/near_signs.h"
@@ -12,15 +12,25 @@ namespace {
 
 // Points of simplices below: one, two or three. D == 2 has no three.
 
-/** Whether the foot of x lies inside of a simplex. */
-template <int D>
+/** Whether the foot of x lies inside of a simplex. `Signs` says whether x is shifted. */
+template <int D, class Signs>
 bool foot_is_inside(const double* x, const double* const* a, uint32_t count) noexcept {
   if (count == 1) return true;
-  if (count == 2) return dot_sign<D>({a[0], x}, {a[0], a[1]}) > 0 && dot_sign<D>({a[1], x}, {a[1], a[0]}) > 0;
-  return lean_sign<D>({a[0], a[1]}, {a[0], a[2]}, {a[0], x}) > 0 &&
-         lean_sign<D>({a[1], a[2]}, {a[1], a[0]}, {a[1], x}) > 0 &&
-         lean_sign<D>({a[2], a[0]}, {a[2], a[1]}, {a[2], x}) > 0;
+  if (count == 2) return Signs::dot({a[0], a[1]}, {a[0], x}) > 0 && Signs::dot({a[1], a[0]}, {a[1], x}) > 0;
+  return Signs::lean({a[0], a[1]}, {a[0], a[2]}, {a[0], x}) > 0 &&
+         Signs::lean({a[1], a[2]}, {a[1], a[0]}, {a[1], x}) > 0 &&
+         Signs::lean({a[2], a[0]}, {a[2], a[1]}, {a[2], x}) > 0;
 }
+template <int D>
+struct Shifted {
+  static int dot(Arrow u, Arrow w) noexcept { return shifted_dot_sign<D>(u, w); }
+  static int lean(Arrow u, Arrow v, Arrow w) noexcept { return shifted_lean_sign<D>(u, v, w); }
+};
+template <int D>
+struct Plain {
+  static int dot(Arrow u, Arrow w) noexcept { return dot_sign<D>(u, w); }
+  static int lean(Arrow u, Arrow v, Arrow w) noexcept { return lean_sign<D>(u, v, w); }
+};
 
 /** Whether the nearest points of two lines, which are not parallel, lie inside of edges on them. */
 template <int D>
@@ -41,6 +51,8 @@ struct Measured {
 
 // Two points that are closer than this share of what is compared do not tell the direction between them.
 constexpr double kTellingShare = 0x1p-45;
+// Edges are nearly parallel up to this sine of their angle.
+constexpr double kSlanted = 0x1p-10;
 
 void set_normal(const Vec& way, double size, Measured& n) {
   n.distance = length(way);
@@ -134,8 +146,7 @@ void turn_round(Measured& n) {
   n.normal = -n.normal;
 }
 
-/** Two edges of space. Shares are found twice, the second time from the points found first: then what nearly parallel
- * edges lose is a share of their distance. */
+/** Two edges of space. */
 Measured edge_to_edge(const double* const* p, const double* const* a) {
   Measured n;
   const Vec d = difference<3>(p[1], p[0]), u = difference<3>(a[1], a[0]);
@@ -145,33 +156,38 @@ Measured edge_to_edge(const double* const* p, const double* const* a) {
   double s = 0, t = 0;
   n.point = p0;
   n.obstacle_point = a0;
-  for (int round = 0; round < 2; ++round) {
-    const Vec way = n.obstacle_point - n.point;
-    const Vec straight = along - dot(along, other) * other;  // of length `sine`, across the obstacle
-    s = std::clamp(s + dot(straight, way) / (sine * sine) / length(d), 0.0, 1.0);
+  if (sine > kSlanted) {
+    // Twice, the second time from the points found first: so what is lost is a share of the distance.
+    for (int round = 0; round < 2; ++round) {
+      const Vec way = n.obstacle_point - n.point;
+      const Vec straight = along - dot(along, other) * other;  // of length `sine`, across the obstacle
+      s = std::clamp(s + dot(straight, way) / (sine * sine) / length(d), 0.0, 1.0);
+      n.point = between(p0, p1, s);
+      t = share_of(u, n.point - a0);
+      n.obstacle_point = between(a0, a1, t);
+    }
+  } else {
+    s = exact_share({a[0], a[1]}, {p[0], p[1]}, {p[0], a[0]});
+    t = exact_share({p[0], p[1]}, {a[0], a[1]}, {a[0], p[0]});
     n.point = between(p0, p1, s);
-    t = share_of(u, n.point - a0);
     n.obstacle_point = between(a0, a1, t);
   }
   n.weights[1] = s;
   n.weights[0] = 1 - s;
   n.obstacle_weights[1] = t;
   n.obstacle_weights[0] = 1 - t;
-  // The direction by whichever of both ways loses less.
+  // The direction between the points loses `size` over their distance, the direction across both edges 1 over the sine.
   const Vec way = n.point - n.obstacle_point;
   const double apart = length(way);
-  if (apart * sine > size * 0x1p-8) {
+  if (apart > kTellingShare * size && apart >= sine * size) {
     n.distance = apart;
     n.normal = way / apart;
     return n;
   }
   const int side = volume_sign({p[0], p[1]}, {a[0], a[1]}, {a[0], p[0]});
-  n.normal = across / sine;
-  n.distance = std::fabs(dot(n.normal, difference<3>(p[0], a[0])));
-  if (sine < 0x1p-20) n.distance = apart;
-  if (side < 0) n.normal = -n.normal;
-  if (side == 0) n.distance = 0;
-  n.has_normal = side != 0;
+  n.has_normal = side != 0 && sine > kTellingShare;
+  n.normal = n.has_normal ? Vec(across / (side < 0 ? -sine : sine)) : Vec::Zero();
+  n.distance = side == 0 ? 0 : sine > kSlanted ? std::fabs(dot(n.normal, difference<3>(p[0], a[0]))) : apart;
   return n;
 }
 
@@ -293,8 +309,8 @@ template <int D>
 bool PairSearch<D>::are_inside(const Part<D>& part, const NearFeature& f) const noexcept {
   const double* a[3] = {};
   corners_of(f, a);
-  if (part.corners.count == 1) return foot_is_inside<D>(part.points[0], a, f.count);
-  if (f.count == 1) return foot_is_inside<D>(a[0], part.points, part.corners.count);
+  if (part.corners.count == 1) return foot_is_inside<D, Shifted<D>>(part.points[0], a, f.count);
+  if (f.count == 1) return foot_is_inside<D, Plain<D>>(a[0], part.points, part.corners.count);
   return feet_are_inside<D>(part.points, a);
 }
 
@@ -312,43 +328,70 @@ bool PairSearch<D>::is_local_minimum(const Part<D>& part, const NearFeature& f) 
     if (m == 2 && f.count == 2) side = volume_sign({p[0], p[1]}, {a[0], a[1]}, {a[0], p[0]});
     if (m == 3) side = volume_sign({p[0], p[1]}, {p[0], p[2]}, {p[0], a[0]});
   }
+  bool is_flat_before = false, is_flat_behind = false;
   const auto comes_closer = [&](uint32_t vertex) {
     const Arrow z{a[0], list_.point(vertex)};
-    if (m == 1 && f.count == 1) return dot_sign<D>(z, {a[0], p[0]}) > 0;
-    if (m == 1) return lean_sign<D>({a[0], a[1]}, z, {a[0], p[0]}) > 0;
+    if (m == 1 && f.count == 1) return shifted_dot_sign<D>(z, {a[0], p[0]}) > 0;
+    if (m == 1) return shifted_lean_sign<D>({a[0], a[1]}, z, {a[0], p[0]}) > 0;
     if (m == 2 && f.count == 1) return lean_sign<D>({p[0], p[1]}, z, {p[0], a[0]}) < 0;
     if constexpr (D == 3) {
-      if (m == 2) return side * volume_sign({p[0], p[1]}, {a[0], a[1]}, z) > 0;
+      if (m == 2) {
+        const int closer = side * volume_sign({p[0], p[1]}, {a[0], a[1]}, z);
+        // The part runs parallel to the triangle of z, before or behind the edge.
+        if (closer == 0 && side != 0) {
+          (lean_sign<D>({a[0], a[1]}, z, {p[0], p[1]}) > 0 ? is_flat_before : is_flat_behind) = true;
+        }
+        return closer > 0;
+      }
       return side * volume_sign({p[0], p[1]}, {p[0], p[2]}, z) < 0;
     }
     return false;
   };
-  return std::none_of(list_.around(f), list_.around_end(f), comes_closer);
+  return std::none_of(list_.around(f), list_.around_end(f), comes_closer) && !(is_flat_before && is_flat_behind);
 }
 
 template <int D>
 uint32_t PairSearch<D>::find_wall(const NearFeature& f, NearPair<D>& pair) const noexcept {
   const Map<D>& map = env_.map;
+  // The lowest one: by its canonical name, then the canonical side.
   const auto key = [&](HalfFacet h) {
     const HalfFacet first = canonical(map, h);
-    return std::pair(map.index(map.cell_of(first)), first != h);
+    const Cell c = map.cell_of(first);
+    return std::tuple(map.index(c), map.local_of(first, c), first != h);
+  };
+  const Vec y = to_vec<3>(pair.obstacle_point), way = to_vec<3>(pair.point) - y;
+  const Vec along =
+      f.count == 2 ? unit(to_vec<D>(list_.point(f.corners[1])) - to_vec<D>(list_.point(f.corners[0]))) : Vec::Zero();
+  /** The cosine of the least angle between the way and a side of a triangle at the feature. */
+  const auto closeness = [&](const NearObstacle<D>& o) {
+    double most = -2;
+    for (uint32_t i = 0; i < o.count; ++i) {
+      if (std::find(f.corners, f.corners + f.count, o.vertices[i]) != f.corners + f.count) continue;
+      const Vec to = to_vec<D>(list_.point(o.vertices[i])) - to_vec<D>(list_.point(f.corners[0]));
+      most = std::max(most, dot(unit(to - dot(to, along) * along), way));
+    }
+    return most;
   };
   uint32_t found = kNone;
+  double most = 0;
   list_.for_each_obstacle(f, [&](uint32_t i) {
-    const HalfFacet facet = list_.obstacles()[i].facet;
-    if (!facet.valid()) {
+    const NearObstacle<D>& o = list_.obstacles()[i];
+    if (!o.facet.valid()) {
       if (found == kNone) found = i;
       return;
     }
     const double* corners[D];
-    for (int k = 0; k < D; ++k) corners[k] = list_.point(list_.obstacles()[i].vertices[k]);
-    const bool is_seen = orient<D>(corners, pair.point) <= 0;
+    for (int k = 0; k < D; ++k) corners[k] = list_.point(o.vertices[k]);
+    const int side = orient<D>(corners, pair.point);
+    const bool is_seen = (side != 0 ? side : exact::plane_side<D>(corners, pair.point).sign) <= 0;
+    const double close = closeness(o);
     if (pair.wall.valid()) {
-      if (is_seen != pair.is_wall_seen ? !is_seen : key(pair.wall) < key(facet)) return;
-      if (key(pair.wall) == key(facet) && pair.wall.word < facet.word) return;
+      if (close != most ? close < most : is_seen != pair.is_wall_seen ? !is_seen : key(pair.wall) < key(o.facet))
+        return;
     }
     found = i;
-    pair.wall = facet;
+    most = close;
+    pair.wall = o.facet;
     pair.is_wall_seen = is_seen;
   });
   return found;

@@ -92,6 +92,20 @@ NearNote<D>& NearSearch<D>::note_of(const Simplex& cover) {
   return notes[cover.index];
 }
 
+// All that a flood from here would enter lies within the room of the anchors. The flood from there has entered it, too, if
+// it has come to the cell where this one would start. It has if that cell is the same, or if a straight way from the
+// anchor leads there through passable cells, since that way lies within the room.
+template <int D>
+bool NearSearch<D>::holds(const Part<D>& cover, double reach, double way, NearNote<D>& note) const noexcept {
+  if (!((reach + way) * (1 + 0x1p-40) <= note.room)) return false;
+  const Cell now = body_.vertices[cover.corners.vertices[0]].cell;
+  if (now == note.connected || now == note.start) return true;
+  const CastResult there = cast(env_, note.anchors[0], cover.points[0], note.start);
+  if (there.end == CastEnd::kHit || there.cell != now) return false;
+  note.connected = now;
+  return true;
+}
+
 template <int D>
 void NearSearch<D>::refresh(const Part<D>& cover, double reach, NearNote<D>& note) {
   double way = 0;
@@ -99,14 +113,14 @@ void NearSearch<D>::refresh(const Part<D>& cover, double reach, NearNote<D>& not
     way = std::max(way, way_between<D>(cover.points[i], note.anchors[i]));
   }
   const bool is_known = note.room >= 0 && note.version == env_.change_version;
-  if (is_known && (reach + way) * (1 + 0x1p-40) <= note.room) return;
+  if (is_known && holds(cover, reach, way, note)) return;
   double share = is_known && note.list.empty() ? 1 : kLeastRoom;
   if (is_known && reach > 0) share = std::max(share, kWaysOfRoom * way / reach);
   note.room = -1;  // until the list is whole
   note.list.clear();
   const double room = reach + std::min(share, kMostRoom) * reach;
-  flood_.find(body_.vertices[cover.corners.vertices[0]].cell, NearRegion<D>(cover.points, cover.corners.count, room),
-              note.list);
+  note.start = note.connected = body_.vertices[cover.corners.vertices[0]].cell;
+  flood_.find(note.start, NearRegion<D>(cover.points, cover.corners.count, room), note.list);
   note.list.finish({env_.points, D});
   for (uint32_t i = 0; i < cover.corners.count; ++i) std::copy_n(cover.points[i], D, note.anchors[i]);
   note.version = env_.change_version;
@@ -128,7 +142,16 @@ bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) co
     if (in_part.end == CastEnd::kHit) return true;
     start = in_part.cell;
   }
-  return cast(env_, pair.point, end, start).end != CastEnd::kHit;
+  const CastResult there = cast(env_, pair.point, end, start);
+  if (there.end != CastEnd::kHit) return true;
+  // Among denormal numbers the cast may go all the way.
+  const Shape shape = env_.map.shape(there.cell);
+  uint32_t shared = 0;
+  for (uint32_t i = 0; pair.wall.valid() && i < D; ++i) {
+    const uint32_t v = env_.map.vertex(there.cell, shape.simplices()[size_t{there.simplex} * D + i]);
+    shared += std::find(pair.obstacle_vertices, pair.obstacle_vertices + 3, v) != pair.obstacle_vertices + 3;
+  }
+  return shared != 0 && shared == pair.obstacle_count;
 }
 
 template <int D>

@@ -7,12 +7,14 @@
 
 namespace dsw {
 
-/** What was found near a simplex of a body. It is true while no corner has moved farther than the room that is left. */
+/** What was found near a simplex of a body. It is true while no corner has moved farther than the room that is left, and
+ * the first corner is where the flood has come. */
 template <int D>
 struct NearNote {
   double anchors[3][D] = {};  // where the corners were
   double room = -1;           // all obstacles within this distance of the anchors are listed; negative: none are known
   uint64_t version = 0;       // of the environment then
+  Cell start, connected;      // that held the first corner then, and when it was asked for last
   NearList<D> list;
 
   explicit NearNote(const Memory* memory) : list(memory) {}
@@ -51,6 +53,8 @@ class NearSearch {
   template <class Visit>
   void for_each_covered(const Simplex& cover, Visit visit) const;
   NearNote<D>& note_of(const Simplex& cover);
+  /** Whether a list that is known holds all that is within reach now. Notes where the first corner is. */
+  bool holds(const Part<D>& cover, double reach, double way, NearNote<D>& note) const noexcept;
   void refresh(const Part<D>& cover, double reach, NearNote<D>& note);
   /** By casts. */
   bool is_in_sight(const Part<D>& part, const NearPair<D>& pair) const noexcept;

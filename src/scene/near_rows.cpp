@@ -125,7 +125,10 @@ dsw_near_row to_row(const Environment<D>& env, const Partners<D>& partners, cons
 bool precedes(const dsw_near_row& a, const dsw_near_row& b) noexcept {
   return std::lexicographical_compare(a.key, a.key + 4, b.key, b.key + 4);
 }
-bool has_same_key(const dsw_near_row& a, const dsw_near_row& b) noexcept { return std::equal(a.key, a.key + 4, b.key); }
+bool has_same_key(const dsw_near_row& a, const dsw_near_row& b) noexcept {
+  return std::equal(a.key, a.key + 4, b.key) && a.body.generation == b.body.generation &&
+         a.obstacle.generation == b.obstacle.generation;
+}
 
 double squared_way(const dsw_near_row& a, const dsw_near_row& b) noexcept {
   double sum = 0;
@@ -137,31 +140,31 @@ double cosine(const dsw_near_row& a, const dsw_near_row& b) noexcept {
   return a.normal[0] * b.normal[0] + a.normal[1] * b.normal[1] + a.normal[2] * b.normal[2];
 }
 
-/** Finds for the rows of one part those of the call before. Both are sorted. */
-void follow_part(dsw_near_row* row, dsw_near_row* end, const dsw_near_row* last, const dsw_near_row* last_end,
+/** Finds for the rows of one part those of the call before. Both are sorted. Each row of before is given once. */
+void follow_part(dsw_near_row* begin, dsw_near_row* end, dsw_near_row* last, dsw_near_row* last_end,
                  uint32_t first) noexcept {
-  const auto find_by_key = [](const dsw_near_row& wanted, const dsw_near_row* from, const dsw_near_row* to) {
-    const dsw_near_row* const at = std::lower_bound(from, to, wanted, precedes);
-    return at != to && has_same_key(*at, wanted) ? at : to;
+  constexpr uint32_t kTaken = 1;
+  const auto take = [&](dsw_near_row& row, dsw_near_row* at) {
+    at->reserved = kTaken;
+    row.previous = first + static_cast<uint32_t>(at - last);
   };
-  dsw_near_row* const begin = row;
-  for (; row != end; ++row) {
-    const dsw_near_row* at = find_by_key(*row, last, last_end);
-    if (at == last_end) {
-      double least = HUGE_VAL;
-      for (const dsw_near_row* each = last; each != last_end; ++each) {
-        const bool is_gone = find_by_key(*each, begin, end) == end;
-        const double way = squared_way(*each, *row);
-        if (!is_gone || each->key[1] != row->key[1] || cosine(*each, *row) < 0.5 || !(way < least)) continue;
-        least = way;
-        at = each;
-      }
+  for (dsw_near_row* row = begin; row != end; ++row) {
+    dsw_near_row* const at = std::lower_bound(last, last_end, *row, precedes);
+    if (at != last_end && has_same_key(*at, *row)) take(*row, at);
+  }
+  for (dsw_near_row* row = begin; row != end; ++row) {
+    if (row->previous != kNone) continue;
+    dsw_near_row* nearest = nullptr;
+    for (dsw_near_row* each = last; each != last_end; ++each) {
+      const bool is_same_body = each->key[1] == row->key[1] && each->body.generation == row->body.generation;
+      if (each->reserved == kTaken || !is_same_body || cosine(*each, *row) < 0.5) continue;
+      if (nearest == nullptr || squared_way(*each, *row) < squared_way(*nearest, *row)) nearest = each;
     }
-    if (at != last_end) row->previous = first + static_cast<uint32_t>(at - last);
+    if (nearest != nullptr) take(*row, nearest);
   }
 }
 
-void follow(Array<dsw_near_row>& rows, const Array<dsw_near_row>& last) noexcept {
+void follow(Array<dsw_near_row>& rows, Array<dsw_near_row>& last) noexcept {
   size_t from = 0;
   for (size_t i = 0; i < rows.size();) {
     size_t end = i;

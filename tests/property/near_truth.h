@@ -130,13 +130,34 @@ class NearTruth {
   bool measure(const std::vector<Vec>& part, const std::vector<Vec>& corners, const Ids& neighbours, Row& row) const {
     std::vector<Q3> p, a;
     for (const Vec& v : part) p.push_back(exact(v));
+    // Simulation of Simplicity: a vertex is shifted, by less than any sign needs.
+    const Q3 unshifted = p[0];
+    for (size_t k = 0; k < static_cast<size_t>(scene_.dimension) && part.size() == 1; ++k) {
+      p[0][k] += Q(mpz_class(1), mpz_class(1) << static_cast<unsigned>(600 * (k + 1)));
+    }
     for (const Vec& v : corners) a.push_back(exact(v));
     std::vector<Q> s, t;
     if (!solve(p, a, s, t)) return false;
-    const Q3 x = sum(p, s), y = sum(a, t), way = minus(x, y);
-    const bool is_minimum = std::all_of(neighbours.begin(), neighbours.end(), [&](int v) {
-      return dot(minus(exact(scene_.points[static_cast<size_t>(v)]), y), way) <= 0;
+    Q3 x = sum(p, s), y = sum(a, t), way = minus(x, y);
+    bool before = false, behind = false;
+    bool is_minimum = std::all_of(neighbours.begin(), neighbours.end(), [&](int v) {
+      const Q3 z = minus(exact(scene_.points[static_cast<size_t>(v)]), y);
+      const Q closer = dot(z, way);
+      if (closer == 0 && part.size() == 2 && corners.size() == 2 && dot(way, way) != 0) {
+        const Q3 u = minus(a[1], a[0]);
+        const Q share = dot(z, u) / dot(u, u);
+        Q3 across = z;
+        for (size_t k = 0; k < 3; ++k) across[k] -= share * u[k];
+        (dot(across, minus(p[1], p[0])) > 0 ? before : behind) = true;
+      }
+      return closer <= 0;
     });
+    is_minimum = is_minimum && !(before && behind);  // it runs along two faces there
+    if (part.size() == 1) {
+      x = unshifted;
+      y = sum(a, t);
+      way = minus(x, y);
+    }
     row.distance = root(dot(way, way));
     for (size_t k = 0; k < 3; ++k) {
       row.point[k] = x[k].get_d();
@@ -146,7 +167,7 @@ class NearTruth {
     for (const Q& w : t) row.obstacle_weights.push_back(w.get_d());
     const Walls walls = walls_at(row);
     row.sight = sight(x, y, row.distance, walls);
-    if (is_minimum) return true;
+    if (is_minimum || part.size() == 1) return is_minimum;
     // What lies exactly on a wall is shifted to one side of it. It does not see what comes closer on the other side.
     row.sight = std::max(row.sight, Sight::kDoubtful);
     return std::any_of(walls.begin(), walls.end(), [&](const std::vector<Vec>& wall) { return is_on(x, wall); });
