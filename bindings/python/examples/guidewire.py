@@ -15,18 +15,16 @@ if len(sys.argv) == 1:  # rings of 16 points, radius 2.5 mm, along a helix
     a = np.arange(49 * 16).reshape(49, 16)
     b = np.roll(a, -1, axis=1)
     vessel = ds.from_surface((points, np.moveaxis([[a, b, b + 16], [a, b + 16, a + 16]], 1, -1).reshape(-1, 3)))
-elif sys.argv[1].endswith((".stl", ".obj", ".ply")):
-    vessel = ds.from_surface(sys.argv[1])
 else:
-    vessel = ds.meshes.read(sys.argv[1])
+    is_surface = sys.argv[1].endswith((".stl", ".obj", ".ply"))
+    vessel = (ds.from_surface if is_surface else ds.meshes.read)(sys.argv[1])
 way = rod.centreline(vessel)
 length = rod.length_of(way)
 with ds.Scene(vessel) as scene:
-    direction = rod.place_on(way, 4) - way[0]
-    wire = rod.Rod(scene, way[0], direction, length=length + 20, segment=2, radius=0.45, bending=1e6)
+    wire = rod.Rod(scene, way[0], rod.place_on(way, 4) - way[0], length=length + 40, segment=2, radius=0.45, bending=1e6)
     wire.way, stretch, gap = way, 0.0, wire.radius  # the tip is pulled along the way
     while wire.reached(way) < length - 1 and wire.push(1) > 0.5:
         stretch, gap = max(stretch, wire.largest_stretch()), min(gap, wire.smallest_gap())
-    print(f"the tip came to {wire.reached(way):.1f} of {length:.1f} mm; largest stretch {stretch:.2%}, smallest gap {gap:.4f} mm")
-    print("the middle line is free" if wire.is_free() else "the middle line is not free")
+    print(f"the tip came to {wire.reached(way):.1f} of {length:.1f} mm; the middle line is {'' if wire.is_free() else 'not '}free")
+    print(f"largest stretch {stretch:.2%}, smallest gap {gap:.4f} mm")
     plot.draw(scene, pyvista.Plotter(off_screen=True)).screenshot(sys.argv[2] if len(sys.argv) > 2 else "guidewire.png")

@@ -37,7 +37,8 @@ __all__ = ["Rod", "StepReport", "centreline", "length_of", "place_on"]
 
 _LEAST_MASS = 1e-13  # share of the stiffness times dt^2; smaller masses would drown in rounding, and count as so much
 _REACTION = 0.02  # s, in which the hand changes its speed
-_MOST_TURN = 0.1  # of an edge in a step, rad: a turn by an angle a makes the edge longer by a^2 / 2
+_MOST_TURN = 0.1  # of an edge in a step, rad: a turn by an angle a makes the edge longer by a^2 / 2. What turns faster gets more drag
+_ATTEMPTS = 4  # with more and more drag
 
 
 class StepReport(NamedTuple):
@@ -49,8 +50,8 @@ class StepReport(NamedTuple):
     """Rows with an impulse."""
     sweeps: int
     """Of Gauss-Seidel."""
-    last_change: float
-    """The largest motion of a row in the last sweep, a length."""
+    off: float
+    """By how much a row is off, or has moved in the last sweep, at most: a length."""
     contacts: int
     """Contacts of the middle line, which the library met. Without them the rows alone have kept the rod free."""
 
@@ -121,8 +122,8 @@ class Rod:
         """Share of a negative gap that a step takes back."""
         self.most_sweeps = 60
         """Of Gauss-Seidel in a step."""
-        self.tolerance = 1e-6 * radius
-        """Sweeps end when no row moves by more in a sweep."""
+        self.tolerance = 1e-7 * radius
+        """Sweeps end when no row is off, or moves in a sweep, by more."""
         self.report = StepReport(0, 0, 0, 0.0, 0)
         """What the last step did."""
         self.way: Array | None = None
@@ -198,21 +199,29 @@ class Rod:
         if self.way is not None:
             self._steer(self.way)
         used, entered = self._used, self._entered
-        factor, free = self._predict(dt)
+        drag = self.drag
+        tangent, length = self._edges()
+        factor, free = self._predict(dt, drag)
         most = 2 * dt * float(np.linalg.norm(free[:entered], axis=1).max()) + 0.5 * self.radius
         rows = self._rows(most)
-        velocity, sweeps, change = self._keep_gaps(rows, factor, free, dt)
+        for attempt in range(_ATTEMPTS):
+            velocity, sweeps, off = self._keep_gaps(rows, factor, free, dt)
+            spin = np.diff(velocity, axis=0)
+            spin -= tangent * (tangent * spin).sum(axis=1)[:, None]
+            turn = dt * float((np.linalg.norm(spin, axis=1) / length).max())
+            if turn <= _MOST_TURN or attempt == _ATTEMPTS - 1:
+                break
+            drag = 2 * (drag + 1 / dt) * turn / _MOST_TURN
+            factor, free = self._predict(dt, drag)
         way = dt * velocity[:entered]
-        too_far = float(np.linalg.norm(way, axis=1).max()) / most  # no row has told what is there
-        too_round = float(np.linalg.norm(np.diff(way, axis=0), axis=1).max()) / (_MOST_TURN * self.segment)
-        way /= max(1.0, too_far, too_round)
+        way /= max(1.0, float(np.linalg.norm(way, axis=1).max()) / most)  # no row has told what is farther away
         before = self.positions[:used].copy()
         contacts = int(self.body.move(before[:entered] + way, self._slide).contact_count)
         self.positions[:entered] = self.body.positions()[:entered]
         self.positions[entered:] = self._on_axis(np.arange(entered, len(self.positions)))
         moving = ~self.held[:used]
         self.velocity[:used][moving] = (self.positions[:used] - before)[moving] / dt
-        self.report = StepReport(len(rows), int((self._impulses[:, 0] > 0).sum()), sweeps, change, contacts)
+        self.report = StepReport(len(rows), int((self._impulses[:, 0] > 0).sum()), sweeps, off, contacts)
         return self.report
 
     # --- the introducer
@@ -256,14 +265,17 @@ class Rod:
 
     # --- elasticity
 
-    def _predict(self, dt: float) -> tuple[Any, Array]:
+    def _edges(self) -> tuple[Array, Array]:
+        edge = np.diff(self.positions[: self._used], axis=0)
+        length = np.maximum(np.linalg.norm(edge, axis=1), 1e-100)
+        return edge / length[:, None], length
+
+    def _predict(self, dt: float, drag: float) -> tuple[Any, Array]:
         """The factor of A = M (1 + dt drag) + dt^2 K, and the velocities without contacts: A v' = M v + dt (forces)."""
         used = self._used
         force = self.load[:used].copy()
         matrix = np.zeros((BAND, 3 * used))  # [i - j, j] is A(i, j)
-        edge = np.diff(self.positions[:used], axis=0)
-        length = np.maximum(np.linalg.norm(edge, axis=1), 1e-100)
-        tangent = edge / length[:, None]
+        tangent, length = self._edges()
         self._across -= tangent[-1] * (tangent[-1] @ self._across)
         self._across /= np.linalg.norm(self._across)
         across = math.cos(self.turned) * self._across + math.sin(self.turned) * np.cross(tangent[-1], self._across)
@@ -272,7 +284,7 @@ class Rod:
         add_bending(force, matrix, tangent, length, carried(across, tangent), bending, self.rest_curvature[1 : used - 1])
         matrix *= dt * dt
         mass = np.maximum(np.repeat(self.mass[:used], 3), _LEAST_MASS * matrix[0].max())
-        matrix[0] += (1 + dt * self.drag) * mass
+        matrix[0] += (1 + dt * drag) * mass
         now = self.velocity[:used].ravel()
         right = mass * now + dt * force.ravel()
         held = np.repeat(self.held[:used], 3)
@@ -315,8 +327,8 @@ class Rod:
         flat = jacobian.reshape(3 * count, -1)
         response = cho_solve_banded(factor, flat.T, check_finite=False)
         compliance = flat @ response
-        sweeps, change = gauss_seidel(
+        sweeps, off = gauss_seidel(
             compliance, slip.ravel(), self._impulses, self.friction, self.tolerance / dt, self.most_sweeps
         )
         velocity = free + (response @ self._impulses.ravel()).reshape(-1, 3)
-        return velocity, sweeps, dt * change
+        return velocity, sweeps, dt * off
