@@ -14,7 +14,7 @@ if len(sys.argv) == 1:  # rings of 16 points, radius 2.5 mm, along a helix
     points = np.stack([out * np.cos(turn), out * np.sin(turn), 6 * turn + 2.5 * np.sin(around)], axis=-1).reshape(-1, 3)
     a = np.arange(49 * 16).reshape(49, 16)
     b = np.roll(a, -1, axis=1)
-    vessel = ds.from_surface((points, np.moveaxis([[a, b, b + 16], [a, b + 16, a + 16]], 1, -1).reshape(-1, 3)))
+    vessel = ds.from_surface((points, np.array([[a, b, b + 16], [a, b + 16, a + 16]]).transpose(0, 2, 3, 1).reshape(-1, 3)))
 else:
     is_surface = sys.argv[1].endswith((".stl", ".obj", ".ply"))
     vessel = (ds.from_surface if is_surface else ds.meshes.read)(sys.argv[1])

@@ -54,20 +54,20 @@ def test_a_cantilever_sags_as_a_beam(box: ds.Scene, stiffer: float) -> None:
 
 def test_a_bent_tip_is_a_circle_and_turns_with_the_hand(box: ds.Scene) -> None:
     wire = rod.Rod(
-        box, (0, 0, 0), (1, 0, 0), length=40, segment=1, radius=0.5, tip_curvature=0.1, tip_length=10, introducer=False, drag=1000
+        box, (0, 0, 0), (1, 0, 0), length=40, segment=1, radius=0.5, tip_curvature=0.1, tip_length=10, introducer=False, drag=100
     )
     wire.held[-2:] = True
     for _ in range(200):
         wire.step(0.05)
     edges = np.diff(wire.positions, axis=0)
     angles = np.arccos((edges[1:] * edges[:-1]).sum(axis=1).clip(-1, 1))
-    assert angles[:10] == pytest.approx(0.1, rel=1e-2) and angles[10:].max() < 1e-3
+    assert angles[:10] == pytest.approx(0.1, rel=1e-2) and angles[10:].max() < 2e-3
     aside = wire.tip[1:]
     wire.turned = np.pi / 2
-    for _ in range(200):
+    for _ in range(400):
         wire.step(0.05)
     assert np.linalg.norm(wire.tip[1:]) == pytest.approx(np.linalg.norm(aside), rel=0.02)
-    assert wire.tip[1:] @ aside == pytest.approx(0, abs=0.02 * (aside @ aside))
+    assert wire.tip[1:] @ aside == pytest.approx(0, abs=0.05 * (aside @ aside))
     assert wire.largest_stretch() < 1e-2
 
 
@@ -154,7 +154,7 @@ def test_the_introducer_feeds_it(tube: ds.Environment) -> None:
 def test_the_hand_stops_where_it_gets_too_hard(tube: ds.Environment) -> None:
     with ds.Scene(tube) as scene:
         wire = rod.Rod(scene, (57, 3, 3), (0, 1, 0), length=80, segment=2, radius=0.45, bending=1e8, most_force=1e4)
-        pushed = wire.push(60)
+        pushed = wire.push(60, most_steps=200)
         assert 29 < pushed < 33 and wire.is_free() and wire.largest_stretch() < 0.01
 
 

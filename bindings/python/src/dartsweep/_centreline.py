@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -21,7 +23,9 @@ def centreline(environment: Environment, start: ArrayLike | None = None, end: Ar
     from scipy.sparse import csr_matrix
     from scipy.sparse.csgraph import connected_components, dijkstra
 
-    ids, numbers, pairs = [], {}, []
+    ids: list[Any] = []
+    numbers: dict[int, int] = {}
+    pairs = []
     for index in range(environment.info.volume_index_count):
         try:
             volume = environment.volume_id(index)

@@ -54,9 +54,10 @@ def carried(across: Array, tangent: Array) -> Array:
     while reach < len(turned):  # products of neighbours: of 2, 4, 8 ...
         turned[reach:] = turned[reach:] @ turned[:-reach]
         reach *= 2
-    first = np.vstack([(turned @ across)[::-1], across])
+    first: Array = np.vstack([(turned @ across)[::-1], across])
     first -= tangent * (tangent * first).sum(axis=1)[:, None]
-    return first / np.linalg.norm(first, axis=1)[:, None]
+    first /= np.linalg.norm(first, axis=1)[:, None]
+    return first
 
 
 def _turns(start: Array, end: Array) -> Array:
@@ -66,7 +67,7 @@ def _turns(start: Array, end: Array) -> Array:
     skew = np.zeros((len(axis), 3, 3))
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         skew[:, k, j], skew[:, j, k] = axis[:, i], -axis[:, i]
-    turned = np.eye(3) + skew + skew @ skew / np.maximum(scale, 1e-9)[:, None, None]
+    turned: Array = np.eye(3) + skew + skew @ skew / np.maximum(scale, 1e-9)[:, None, None]
     turned[scale < 1e-9] = np.eye(3)
     return turned
 
@@ -120,7 +121,7 @@ def gauss_seidel(compliance: Array, slip: Array, impulses: Array, friction: floa
             impulses[i] = new, p, q
             moved = columns[i] @ step
             now += moved
-            off = max(off, abs(moved[3 * i]), abs(moved[3 * i + 1]), abs(moved[3 * i + 2]))
+            off = max(off, *np.abs(moved[3 * i : 3 * i + 3]).tolist())
         gaps = np.where(impulses[:, 0] > 0, np.abs(now[::3]), -now[::3])[taking]
         off = max(off, float(gaps.max(initial=0)))
         if off <= tolerance:

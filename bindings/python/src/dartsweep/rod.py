@@ -67,7 +67,7 @@ class Rod:
     bending: force times area, E I; a number or one for each edge, the tip first. stretching: force, E A; a number or one for each edge.
     density: mass of a length.
     tip_curvature, tip_length: how much the tip is bent at rest, 1 / radius of the bend, and how much of it.
-    friction: Coulomb's coefficient. drag: share of the velocity that is lost in a second.
+    friction: Coulomb's coefficient. drag: of the velocity, 1/s.
     most_force: the hand goes slower from half of this force on, and stops at it.
     Raises an Error if the line is not free, as Scene.create_body.
     """
@@ -154,7 +154,7 @@ class Rod:
     @property
     def tip(self) -> Array:
         """Where the tip is."""
-        return self.positions[0].copy()
+        return np.array(self.positions[0])
 
     def largest_stretch(self) -> float:
         """The largest | length / rest - 1 | of an edge in the vessel."""
@@ -227,7 +227,8 @@ class Rod:
     # --- the introducer
 
     def _on_axis(self, vertices: NDArray[Any]) -> Array:
-        return self._at + np.multiply.outer(self.pushed - self.segment * vertices, self._axis)
+        depth: Array = self.pushed - self.segment * vertices
+        return self._at + depth[:, None] * self._axis
 
     def _most_pushed(self) -> float:
         return (len(self.positions) - 1.5) * self.segment
@@ -268,7 +269,8 @@ class Rod:
     def _edges(self) -> tuple[Array, Array]:
         edge = np.diff(self.positions[: self._used], axis=0)
         length = np.maximum(np.linalg.norm(edge, axis=1), 1e-100)
-        return edge / length[:, None], length
+        tangent: Array = edge / length[:, None]
+        return tangent, length
 
     def _predict(self, dt: float, drag: float) -> tuple[Any, Array]:
         """The factor of A = M (1 + dt drag) + dt^2 K, and the velocities without contacts: A v' = M v + dt (forces)."""
