@@ -12,14 +12,13 @@ if len(sys.argv) == 1:  # rings of 16 points, radius 2.5 mm, along a helix
     turn, around = np.meshgrid(np.linspace(0, 2, 50), np.arange(16) * np.pi / 8, indexing="ij")
     out = 30 + 2.5 * np.cos(around)
     points = np.stack([out * np.cos(turn), out * np.sin(turn), 6 * turn + 2.5 * np.sin(around)], axis=-1).reshape(-1, 3)
-    a = np.arange(49 * 16).reshape(49, 16)
-    b = np.roll(a, -1, axis=1)
+    b = np.roll(a := np.arange(49 * 16).reshape(49, 16), -1, axis=1)
     vessel = ds.from_surface((points, np.array([[a, b, b + 16], [a, b + 16, a + 16]]).transpose(0, 2, 3, 1).reshape(-1, 3)))
 else:
-    is_surface = sys.argv[1].endswith((".stl", ".obj", ".ply"))
-    vessel = (ds.from_surface if is_surface else ds.meshes.read)(sys.argv[1])
-way = rod.centreline(vessel)
-length = rod.length_of(way)
+    vessel = (ds.from_surface if sys.argv[1][-4:] in (".stl", ".obj", ".ply") else ds.meshes.read)(sys.argv[1])
+if vessel.region_names.get("tissue") in vessel.regions():
+    vessel.mark_region("tissue")  # impassable
+length = rod.length_of(way := rod.centreline(vessel))
 with ds.Scene(vessel) as scene:
     wire = rod.Rod(scene, way[0], rod.place_on(way, 4) - way[0], length=length + 40, segment=2, radius=0.45, bending=1e6)
     wire.way, stretch, gap = way, 0.0, wire.radius  # the tip is pulled along the way
@@ -27,4 +26,5 @@ with ds.Scene(vessel) as scene:
         stretch, gap = max(stretch, wire.largest_stretch()), min(gap, wire.smallest_gap())
     print(f"the tip came to {wire.reached(way):.1f} of {length:.1f} mm; the middle line is {'' if wire.is_free() else 'not '}free")
     print(f"largest stretch {stretch:.2%}, smallest gap {gap:.4f} mm")
-    plot.draw(scene, pyvista.Plotter(off_screen=True)).screenshot(sys.argv[2] if len(sys.argv) > 2 else "guidewire.png")
+    if pyvista.system_supports_plotting():
+        plot.draw(scene, pyvista.Plotter(off_screen=True)).screenshot(sys.argv[2] if len(sys.argv) > 2 else "guidewire.png")

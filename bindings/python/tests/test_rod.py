@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+import pyvista
 
 import dartsweep as ds
 from dartsweep import rod
@@ -54,7 +55,7 @@ def test_a_cantilever_sags_as_a_beam(box: ds.Scene, stiffer: float) -> None:
 
 def test_a_bent_tip_is_a_circle_and_turns_with_the_hand(box: ds.Scene) -> None:
     wire = rod.Rod(
-        box, (0, 0, 0), (1, 0, 0), length=40, segment=1, radius=0.5, tip_curvature=0.1, tip_length=10, introducer=False, drag=100
+        box, (0, 0, 0), (1, 0, 0), length=20, segment=1, radius=0.5, tip_curvature=0.1, tip_length=10, introducer=False
     )
     wire.held[-2:] = True
     for _ in range(200):
@@ -177,7 +178,7 @@ def test_the_example(tmp_path: pathlib.Path) -> None:
     assert len((EXAMPLES / "guidewire.py").read_text().splitlines()) <= 30
     done = subprocess.run([sys.executable, EXAMPLES / "guidewire.py"], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    assert (tmp_path / "guidewire.png").stat().st_size > 1000
+    assert not pyvista.system_supports_plotting() or (tmp_path / "guidewire.png").stat().st_size > 1000
     told = re.search(r"came to ([\d.]+) of ([\d.]+) mm; the middle line is free\nlargest stretch ([\d.]+)%, smallest gap (\S+) mm", done.stdout)
     assert told is not None
     reached, length, stretch, gap = map(float, told.groups())

@@ -123,7 +123,7 @@ def gauss_seidel(compliance: Array, slip: Array, impulses: Array, friction: floa
             now += moved
             off = max(off, *np.abs(moved[3 * i : 3 * i + 3]).tolist())
         gaps = np.where(impulses[:, 0] > 0, np.abs(now[::3]), -now[::3])[taking]
-        off = max(off, float(gaps.max(initial=0)))
+        off = float(max(off, gaps.max(initial=0)))
         if off <= tolerance:
             break
         if sweep % _TOGETHER == 0:
