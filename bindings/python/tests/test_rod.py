@@ -154,7 +154,7 @@ def test_the_introducer_feeds_it(tube: ds.Environment) -> None:
 
 def test_the_hand_stops_where_it_gets_too_hard(tube: ds.Environment) -> None:
     with ds.Scene(tube) as scene:
-        wire = rod.Rod(scene, (57, 3, 3), (0, 1, 0), length=80, segment=2, radius=0.45, bending=1e8, most_force=1e4)
+        wire = rod.Rod(scene, (57, 3, 3), (0, 1, 0), length=80, segment=2, radius=0.45, bending=1e8)
         pushed = wire.push(60, most_steps=200)
         assert 29 < pushed < 33 and wire.is_free() and wire.largest_stretch() < 0.01
 

@@ -68,7 +68,7 @@ class Rod:
     density: mass of a length.
     tip_curvature, tip_length: how much the tip is bent at rest, 1 / radius of the bend, and how much of it.
     friction: Coulomb's coefficient. drag: of the velocity, 1/s.
-    most_force: the hand goes slower from half of this force on, and stops at it.
+    most_force: the hand goes slower from half of this force on, and stops at it. It gives way, but by less than a segment.
     Raises an Error if the line is not free, as Scene.create_body.
     """
 
@@ -92,7 +92,7 @@ class Rod:
         introducer: bool = True,
     ) -> None:
         count = round(length / segment) + 1
-        if not (count >= 4 and radius >= 0 and density > 0):
+        if not (count >= 4 and radius > 0 and density > 0):
             raise ValueError(f"a rod has 3 segments at least, a radius and a density: {length}, {segment}, {radius}, {density}")
         self._at = np.asarray(at, np.float64)
         self._axis = np.asarray(direction, np.float64) / np.linalg.norm(direction)
@@ -221,6 +221,8 @@ class Rod:
         self.positions[entered:] = self._on_axis(np.arange(entered, len(self.positions)))
         moving = ~self.held[:used]
         self.velocity[:used][moving] = (self.positions[:used] - before)[moving] / dt
+        if self._has_introducer and self.pushed >= self.segment * self._entered:  # the next vertex has left the introducer
+            self._enter()
         self.report = StepReport(len(rows), int((self._impulses[:, 0] > 0).sum()), sweeps, off, contacts)
         return self.report
 
@@ -240,9 +242,11 @@ class Rod:
         push = self.stretching[last - 1] * (1 - edge / self.segment)
         wanted = speed * min(max(2 - 2 * push / self.most_force, 0), 1)
         self._speed = min(self._speed + min(1, dt / _REACTION) * (wanted - self._speed), speed)
+        if push > self.most_force:  # the hand gives way: so far a straight rod would relax
+            self._speed = 0.0
+            relaxed = self.pushed * (1 - (push - self.most_force) / self.stretching[last - 1])
+            self.pushed = max(float(relaxed), self.segment * last)
         self.pushed = min(self.pushed + dt * self._speed, self._most_pushed())
-        if self.pushed >= self.segment * self._entered:  # the next vertex is at the end of the introducer
-            self._enter()
         self._used = self._entered + 1
         self.held[:] = np.arange(len(self.held)) >= self._entered - 1
         hand = np.arange(self._entered - 1, self._used)
@@ -250,14 +254,16 @@ class Rod:
 
     def _enter(self) -> None:
         """The edge to the next vertex lies within the introducer's line. Where it is not free, the hand waits."""
-        added = self.body.add_vertex(self._at)
+        added = None
         try:
+            added = self.body.add_vertex(self.positions[self._entered])
             self.body.add_edge(added, self.body.vertex_id(self._entered - 1))
         except errors.Occupied:
-            self.body.remove_vertex(added)
+            if added is not None:
+                self.body.remove_vertex(added)
             self.pushed, self._speed = self.segment * self._entered, 0.0
+            self.positions[self._entered :] = self._on_axis(np.arange(self._entered, len(self.positions)))
             return
-        self.positions[self._entered] = self._at
         self._entered += 1
 
     def _steer(self, way: Array) -> None:
