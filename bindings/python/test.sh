@@ -6,6 +6,6 @@ python=$PWD/build/python/venv/bin/python
 tests=$PWD/build/python/tests.xml
 
 "$python" -m pytest bindings/python --junitxml="$tests"
-for example in bindings/python/examples/*.py; do "$python" "$example"; done
+for example in "$PWD"/bindings/python/examples/*.py; do (cd build/python && "$python" "$example"); done # one leaves a picture
 "$python" -m pytest examples/planning examples/insertion
 echo "python: $(grep -o 'tests="[0-9]*"' "$tests" | tr -dc 0-9) tests passed, and the examples"

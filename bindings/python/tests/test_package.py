@@ -9,7 +9,7 @@ import numpy as np
 from mypy import api
 
 import dartsweep as ds
-from dartsweep import _core, plot
+from dartsweep import _core, plot, rod
 
 ROOT = pathlib.Path(__file__).parents[3]
 PYTHON = ROOT / "bindings" / "python"
@@ -38,7 +38,7 @@ def test_stubs_are_those_of_the_module() -> None:
 def test_everything_has_words() -> None:
     classes = [item for item in vars(ds).values() if inspect.isclass(item) and item.__module__.startswith("dartsweep")]
     named: dict[str, Any] = {item.__name__: item for item in classes}
-    owners: list[Any] = [*classes, ds, ds.meshes, ds.surfaces, plot]
+    owners: list[Any] = [*classes, ds, ds.meshes, ds.surfaces, plot, rod, rod.Rod]
     for owner in owners:
         for name, value in vars(owner).items():
             if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, (property, classmethod))):
