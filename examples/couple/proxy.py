@@ -1,7 +1,6 @@
 """The part of a coupling that is the same for every simulator: a body that follows the points of a cable, and forces for them.
 
-Friction and contact are penalties, whose stiffness follows from the mass of a link and the time step. Replace them by the constraints of your solver
-if it takes rows.
+Contact and friction are penalties. Their stiffness follows from the mass of a link and the time step. A solver that takes rows needs none.
 """
 
 from __future__ import annotations
@@ -74,10 +73,9 @@ class Proxy:
 
 
 def wrenches(points: Points, centres: Points, force: Points) -> Points:
-    """Forces on the joints and the tip of a chain as force and torque at the centre of each link. The last link takes the tip's, too."""
-    both, arm, force = np.empty((len(centres), 6)), points[:-1] - centres, force.copy()
-    both[:, :3] = force[:-1]
-    both[-1, :3] += force[-1]
-    force[-2] -= force[-1]  # the tip's arm is the opposite of that of the joint
-    both[:, 3:] = arm[:, [1, 2, 0]] * force[:-1, [2, 0, 1]] - arm[:, [2, 0, 1]] * force[:-1, [1, 2, 0]]
-    return both
+    """Forces on the points of a chain as force and torque at the centre of each link. Two links that meet share the force on their joint."""
+    part = force.copy()
+    part[1:-1] /= 2
+    arm, turn = points[:-1] - centres, part[:-1] - part[1:]  # the arm of the other end of a link is the opposite
+    torque = arm[:, [1, 2, 0]] * turn[:, [2, 0, 1]] - arm[:, [2, 0, 1]] * turn[:, [1, 2, 0]]
+    return np.hstack([part[:-1] + part[1:], torque])
