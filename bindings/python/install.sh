@@ -8,7 +8,7 @@ out=$PWD/build/python
 venv=$out/venv
 mkdir -p "$out"
 
-cat bindings/{python/tests,docs}/requirements.txt examples/planning/requirements.txt >"$out/requirements.txt"
+cat bindings/{python/tests,docs}/requirements.txt examples/{planning,couple}/requirements.txt >"$out/requirements.txt"
 if ! cmp -s "$out/requirements.txt" "$venv/installed.txt"; then
   /usr/bin/python3 -m venv --clear "$venv" # not that of a version manager: python3-dev belongs to this one
   "$venv/bin/pip" install -q --no-compile -r "$out/requirements.txt"

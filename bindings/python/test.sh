@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The tests of the wheel that install.sh has installed, the examples, the planning that stands on it, and the demo's surfaces.
+# The tests of the wheel that install.sh has installed, the examples, the planning and the coupling that stand on it, and the demo's surfaces.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 python=$PWD/build/python/venv/bin/python
@@ -7,5 +7,5 @@ tests=$PWD/build/python/tests.xml
 
 "$python" -m pytest bindings/python --junitxml="$tests"
 for example in "$PWD"/bindings/python/examples/*.py; do (cd build/python && "$python" "$example"); done # one leaves a picture
-"$python" -m pytest examples/planning examples/insertion
+"$python" -m pytest examples/planning examples/couple examples/insertion
 echo "python: $(grep -o 'tests="[0-9]*"' "$tests" | tr -dc 0-9) tests passed, and the examples"

@@ -133,7 +133,7 @@ class NearTruth {
     // Simulation of Simplicity: a vertex is shifted, by less than any sign needs.
     const Q3 unshifted = p[0];
     for (size_t k = 0; k < static_cast<size_t>(scene_.dimension) && part.size() == 1; ++k) {
-      p[0][k] += Q(mpz_class(1), mpz_class(1) << static_cast<unsigned>(600 * (k + 1)));
+      p[0][k] += Q(mpz_class(1), mpz_class(1) << static_cast<unsigned>(2400 * (k + 1)));
     }
     for (const Vec& v : corners) a.push_back(exact(v));
     std::vector<Q> s, t;
