@@ -128,8 +128,8 @@ int volume_sign(Arrow u, Arrow v, Arrow w) noexcept {
   return exact_volume_sign(u, v, w);
 }
 
-// A value that is 0 has the sign of its first coefficient in the shift (e, e^2, e^3) that is not 0. The coefficient of a
-// component is the value for the axis.
+// A value that is 0 has the sign of its first coefficient in the shift (e, e^2, e^3) that is not 0. The coefficient of
+// a component is the value for the axis.
 namespace {
 constexpr double kOrigin[3] = {0, 0, 0}, kAxes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 }

@@ -1,5 +1,5 @@
-// Which pairs of simplices are nearest to each other: signs of dot products of differences of points. Right for any finite
-// doubles. Zeros stay zeros, but for the functions with Simulation of Simplicity.
+// Which pairs of simplices are nearest to each other: signs of dot products of differences of points. Right for any
+// finite doubles. Zeros stay zeros, but for the functions with Simulation of Simplicity.
 #pragma once
 
 namespace dsw {
@@ -29,8 +29,8 @@ int shifted_dot_sign(Arrow u, Arrow to_body) noexcept;
 template <int D>
 int shifted_lean_sign(Arrow u, Arrow v, Arrow to_body) noexcept;
 
-/** ((u.u)(v.w) - (u.v)(u.w)) / ((u.u)(v.v) - (u.v)(u.v)), which is known to lie between 0 and 1, up to 2^-53: how far on
- * v the point lies that is nearest to a line along u. w leads from the start of v to the line. */
+/** How far on v the point lies that is nearest to a line along u: 0 to 1, up to 2^-53. w leads from the start of v to
+ * the line. The quotient of (u.u)(v.w) - (u.v)(u.w) and (u.u)(v.v) - (u.v)(u.v), which are not 0. */
 double exact_share(Arrow u, Arrow v, Arrow w) noexcept;
 
 }  // namespace dsw

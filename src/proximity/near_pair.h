@@ -83,9 +83,9 @@ class PairSearch {
   bool is_local_minimum(const Part<D>& part, const NearFeature& f) const noexcept;
   /** Where the two are nearest; whether that is within reach. */
   bool measure(const Part<D>& part, const NearFeature& f, NearPair<D>& pair) const noexcept;
-  /** Of the facets with a feature that which makes the least angle with the way to the point. Of several the lowest one
-   * from whose passable side the point is seen, else the lowest one. So it can be seen from the point, and what else is in
-   * the list does not matter. Returns the number of the obstacle. */
+  /** The facet with a feature that makes the least angle with the way to the point. Of several, the lowest one from
+   * whose passable side the point is seen, else the lowest one. What else is in the list does not matter. Returns the
+   * number of the obstacle. */
   uint32_t find_wall(const NearFeature& f, NearPair<D>& pair) const noexcept;
   /** Of an obstacle with a facet, into the passable cell. */
   Vec normal_of(uint32_t obstacle) const noexcept;

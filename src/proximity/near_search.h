@@ -7,8 +7,8 @@
 
 namespace dsw {
 
-/** What was found near a simplex of a body. It is true while no corner has moved farther than the room that is left, and
- * the first corner is where the flood has come. */
+/** What was found near a simplex of a body. It is true while no corner has moved farther than the room that is left,
+ * and the first corner is where the flood has come. */
 template <int D>
 struct NearNote {
   double anchors[3][D] = {};  // where the corners were
