@@ -92,9 +92,9 @@ NearNote<D>& NearSearch<D>::note_of(const Simplex& cover) {
   return notes[cover.index];
 }
 
-// All that a new flood would enter lies within the room of the anchors. The flood that made the list has entered it, too,
-// if that flood has come to the cell where the new one would start. It has if both start in the same cell. It also has if
-// a straight way leads there from the anchor through passable cells, since that way lies within the room.
+// All that a new flood would enter lies within the room of the anchors. The flood that made the list has entered it,
+// too, if that flood has come to the cell where the new one would start. It has if both start in the same cell. It also
+// has if a straight way leads there from the anchor through passable cells, since that way lies within the room.
 template <int D>
 bool NearSearch<D>::holds(const Part<D>& cover, double reach, double way, NearNote<D>& note) const noexcept {
   if (!((reach + way) * (1 + 0x1p-40) <= note.room)) return false;
