@@ -48,7 +48,9 @@ class NearTruth {
         features_[chosen];
       }
     }
-    for (auto& [ids, neighbours] : features_) {
+    for (auto& feature : features_) {
+      const Ids& ids = feature.first;
+      Ids& neighbours = feature.second;
       for (const Ids& each : scene.obstacles) {
         if (!std::all_of(ids.begin(), ids.end(), [&](int v) { return has(each, v); })) continue;
         std::copy_if(each.begin(), each.end(), std::back_inserter(neighbours), [&](int v) { return !has(ids, v); });
