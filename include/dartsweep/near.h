@@ -20,8 +20,9 @@
  * edge that passes a corner that sticks out has one row at this corner. If an edge is parallel to a
  * wall, its ends have the rows.
  *
- * The first three conditions are decided exactly. A vertex is shifted for them (base.h), so that a
- * vertex that touches a wall sees the other walls there. Points, distances and normals are rounded.
+ * The first three conditions are decided exactly. With respect to the environment a vertex is
+ * shifted (base.h), so that a vertex that touches a wall sees the other walls there. Points,
+ * distances and normals are rounded.
  *
  * With DSW_FEATURE_BODY_CONTACTS the same holds for obstacles that are parts of other bodies, if
  * the filters match, and of the same body with DSW_BODY_SELF_CONTACTS. Nothing but the environment

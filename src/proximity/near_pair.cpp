@@ -6,30 +6,30 @@
 #include "predicates/filtered.h"
 #include "predicates/near_signs.h"
 #include "predicates/plane_hit.h"
+#include "proximity/near_points.h"
 
 namespace dsw {
 namespace {
 
 // Points of simplices below: one, two or three. D == 2 has no three.
 
-/** Whether the foot of x lies inside of a simplex. `Signs` says whether x is shifted. */
-template <int D, class Signs>
-bool foot_is_inside(const double* x, const double* const* a, uint32_t count) noexcept {
-  if (count == 1) return true;
-  if (count == 2) return Signs::dot({a[0], a[1]}, {a[0], x}) > 0 && Signs::dot({a[1], a[0]}, {a[1], x}) > 0;
-  return Signs::lean({a[0], a[1]}, {a[0], a[2]}, {a[0], x}) > 0 &&
-         Signs::lean({a[1], a[2]}, {a[1], a[0]}, {a[1], x}) > 0 &&
-         Signs::lean({a[2], a[0]}, {a[2], a[1]}, {a[2], x}) > 0;
-}
+/** Signs with a point of a body at the end of w. The shift counts where the other points are the environment's. Between
+ * bodies it cancels. */
 template <int D>
-struct Shifted {
-  static int dot(Arrow u, Arrow w) noexcept { return shifted_dot_sign<D>(u, w); }
-  static int lean(Arrow u, Arrow v, Arrow w) noexcept { return shifted_lean_sign<D>(u, v, w); }
-};
-template <int D>
-struct Plain {
-  static int dot(Arrow u, Arrow w) noexcept { return dot_sign<D>(u, w); }
-  static int lean(Arrow u, Arrow v, Arrow w) noexcept { return lean_sign<D>(u, v, w); }
+struct Signs {
+  bool is_shifted;
+
+  int dot(Arrow u, Arrow w) const noexcept { return is_shifted ? shifted_dot_sign<D>(u, w) : dot_sign<D>(u, w); }
+  int lean(Arrow u, Arrow v, Arrow w) const noexcept {
+    return is_shifted ? shifted_lean_sign<D>(u, v, w) : lean_sign<D>(u, v, w);
+  }
+  /** Whether the foot of x lies inside of a simplex. */
+  bool is_foot_inside(const double* x, const double* const* a, uint32_t count) const noexcept {
+    if (count == 1) return true;
+    if (count == 2) return dot({a[0], a[1]}, {a[0], x}) > 0 && dot({a[1], a[0]}, {a[1], x}) > 0;
+    return lean({a[0], a[1]}, {a[0], a[2]}, {a[0], x}) > 0 && lean({a[1], a[2]}, {a[1], a[0]}, {a[1], x}) > 0 &&
+           lean({a[2], a[0]}, {a[2], a[1]}, {a[2], x}) > 0;
+  }
 };
 
 /** Whether the nearest points of two lines, which are not parallel, lie inside of edges on them. */
@@ -41,163 +41,9 @@ bool feet_are_inside(const double* const* p, const double* const* a) noexcept {
          lean_sign<D>({p[0], p[1]}, {a[1], a[0]}, {a[1], p[0]}) > 0;
 }
 
-/** Where two simplices are nearest, and in which direction. */
-struct Measured {
-  double weights[3] = {1, 0, 0}, obstacle_weights[3] = {1, 0, 0};
-  Vec point, obstacle_point, normal;
-  double distance = 0;
-  bool has_normal = true;  // else the points are too close to tell it
-};
-
-// Two points that are closer than this share of what is compared do not tell the direction between them.
-constexpr double kTellingShare = 0x1p-45;
-// Edges are nearly parallel up to this sine of their angle.
-constexpr double kSlanted = 0x1p-10;
-
-void set_normal(const Vec& way, double size, Measured& n) {
-  n.distance = length(way);
-  n.has_normal = n.distance > kTellingShare * size;
-  n.normal = n.has_normal ? Vec(way / n.distance) : Vec::Zero();
-}
-
-/** The share of b in the foot on edge ab of what lies at `x`, as seen from a. */
-double share_of(const Vec& ab, const Vec& x) {
-  const double size = largest(ab);
-  if (!(size > 0)) return 0;
-  const Vec u = ab / size;
-  return std::clamp(dot(u, x) / size / dot(u, u), 0.0, 1.0);
-}
-
-Vec between(const Vec& a, const Vec& b, double share) {
-  return share < 0.5 ? Vec(a + share * (b - a)) : Vec(b - (1 - share) * (b - a));
-}
-
-/** A point and an edge: the weight of b, the foot. `x` to foot is the way. */
-template <int D>
-double foot_on_edge(const double* x, const double* const* a, Vec& foot, Vec& way) {
-  const Vec ab = difference<D>(a[1], a[0]), to = difference<D>(x, a[0]);
-  const double share = share_of(ab, to);
-  foot = between(to_vec<D>(a[0]), to_vec<D>(a[1]), share);
-  // What is across is told from the nearer end.
-  const Vec from_end = share < 0.5 ? to : difference<D>(x, a[1]);
-  const Vec u = unit(ab);
-  way = from_end - dot(from_end, u) * u;
-  way -= dot(way, u) * u;
-  return share;
-}
-
-/** Weights of a triangle's corners at the foot of x. In coordinates along the longest edge and across it, as
- * nearest_on of locate/distances.h. */
-void foot_on_triangle(const double* x, const double* const* a, double* weights) {
-  uint32_t first = 0;
-  double longest = -1;
-  for (uint32_t i = 0; i < 3; ++i) {
-    const double l = length(difference<3>(a[(i + 1) % 3], a[i]));
-    if (l > longest) longest = l, first = i;
-  }
-  const uint32_t i = first, j = (first + 1) % 3, k = (first + 2) % 3;
-  const Vec u = unit(difference<3>(a[j], a[i])), ac = difference<3>(a[k], a[i]), at = difference<3>(x, a[i]);
-  Vec height = ac - dot(ac, u) * u;
-  height -= dot(height, u) * u;
-  const double h = length(height), y = h > 0 ? std::clamp(dot(height / h, at) / h, 0.0, 1.0) : 0;
-  const double along = (dot(at, u) - y * dot(ac, u)) / longest;
-  weights[k] = y;
-  weights[j] = std::clamp(along, 0.0, 1 - y);
-  weights[i] = std::max(0.0, 1 - weights[j] - y);
-}
-
-/** A point x and a simplex of `count` points: weights of the simplex, foot, and the way from the foot to x. */
-template <int D>
-Measured point_to_simplex(const double* x, const double* const* a, uint32_t count) {
-  Measured n;
-  n.point = to_vec<D>(x);
-  if (count == 1) {
-    n.obstacle_point = to_vec<D>(a[0]);
-    set_normal(difference<D>(x, a[0]), 0, n);
-  } else if (count == 2 && D == 3) {
-    Vec way;
-    n.obstacle_weights[1] = foot_on_edge<D>(x, a, n.obstacle_point, way);
-    n.obstacle_weights[0] = 1 - n.obstacle_weights[1];
-    set_normal(way, length(difference<D>(x, a[0])), n);
-  } else {
-    double normal[3] = {};
-    unit_normal<D>(a, normal);
-    n.normal = to_vec<D>(normal);
-    const double height = dot(n.normal, difference<D>(x, a[0]));
-    const int side = orient<D>(a, x);
-    if (side < 0) n.normal = -n.normal;
-    n.has_normal = side != 0;
-    n.distance = side == 0 ? 0 : std::fabs(height);
-    if (D == 3) {
-      foot_on_triangle(x, a, n.obstacle_weights);
-    } else {
-      n.obstacle_weights[1] = share_of(difference<D>(a[1], a[0]), difference<D>(x, a[0]));
-      n.obstacle_weights[0] = 1 - n.obstacle_weights[1];
-    }
-    n.obstacle_point = n.point - n.distance * n.normal;
-  }
-  return n;
-}
-
-/** The same the other way round. */
-void turn_round(Measured& n) {
-  std::swap(n.weights, n.obstacle_weights);
-  std::swap(n.point, n.obstacle_point);
-  n.normal = -n.normal;
-}
-
-/** Two edges of space. */
-Measured edge_to_edge(const double* const* p, const double* const* a) {
-  Measured n;
-  const Vec d = difference<3>(p[1], p[0]), u = difference<3>(a[1], a[0]);
-  const Vec along = unit(d), other = unit(u), across = along.cross(other);
-  const double sine = length(across), size = std::max(length(d), length(difference<3>(p[0], a[0])));
-  const Vec p0 = to_vec<3>(p[0]), p1 = to_vec<3>(p[1]), a0 = to_vec<3>(a[0]), a1 = to_vec<3>(a[1]);
-  double s = 0, t = 0;
-  n.point = p0;
-  n.obstacle_point = a0;
-  if (sine > kSlanted) {
-    // Twice, the second time from the points found first: so what is lost is a share of the distance.
-    for (int round = 0; round < 2; ++round) {
-      const Vec way = n.obstacle_point - n.point;
-      const Vec straight = along - dot(along, other) * other;  // of length `sine`, across the obstacle
-      s = std::clamp(s + dot(straight, way) / (sine * sine) / length(d), 0.0, 1.0);
-      n.point = between(p0, p1, s);
-      t = share_of(u, n.point - a0);
-      n.obstacle_point = between(a0, a1, t);
-    }
-  } else {
-    s = exact_share({a[0], a[1]}, {p[0], p[1]}, {p[0], a[0]});
-    t = exact_share({p[0], p[1]}, {a[0], a[1]}, {a[0], p[0]});
-    n.point = between(p0, p1, s);
-    n.obstacle_point = between(a0, a1, t);
-  }
-  n.weights[1] = s;
-  n.weights[0] = 1 - s;
-  n.obstacle_weights[1] = t;
-  n.obstacle_weights[0] = 1 - t;
-  // The direction between the points loses `size` over their distance, the direction across both edges 1 over the sine.
-  const Vec way = n.point - n.obstacle_point;
-  const double apart = length(way);
-  if (apart > kTellingShare * size && apart >= sine * size) {
-    n.distance = apart;
-    n.normal = way / apart;
-    return n;
-  }
-  const int side = volume_sign({p[0], p[1]}, {a[0], a[1]}, {a[0], p[0]});
-  n.has_normal = side != 0 && sine > kTellingShare;
-  n.normal = n.has_normal ? Vec(across / (side < 0 ? -sine : sine)) : Vec::Zero();
-  n.distance = side == 0 ? 0 : sine > kSlanted ? std::fabs(dot(n.normal, difference<3>(p[0], a[0]))) : apart;
-  return n;
-}
-
-}  // namespace
-
 // Doubles sort out most pairs. All products below are compared with room of 2^-40 of the largest terms in them. That is
 // thousands of their rounding errors. Where squares are so small or large that products might under- or overflow,
 // nothing is sorted out.
-
-namespace {
 
 constexpr double kRoom = 0x1p-40;
 bool is_usual(double square) noexcept { return square >= 0x1p-300 && square <= 0x1p+200; }
@@ -252,8 +98,9 @@ bool are_far_edges(const Vec& d, const Vec& u, const Vec& w, double beyond) noex
 }  // namespace
 
 template <int D>
-PairSearch<D>::PairSearch(const Environment<D>& env, const NearList<D>& list, double reach, PairScratch& scratch)
-    : env_(env), list_(list), reach_(reach), far_(reach * (1 + 0x1p-20)), scratch_(scratch) {
+PairSearch<D>::PairSearch(const Environment<D>& env, const NearList<D>& list, bool is_shifted, double reach,
+                          PairScratch& scratch)
+    : env_(env), list_(list), is_shifted_(is_shifted), reach_(reach), far_(reach * (1 + 0x1p-20)), scratch_(scratch) {
   scratch.of_part.resize(list.vertex_count());
   scratch.of_way.resize(list.vertex_count());
 }
@@ -309,8 +156,8 @@ template <int D>
 bool PairSearch<D>::are_inside(const Part<D>& part, const NearFeature& f) const noexcept {
   const double* a[3] = {};
   corners_of(f, a);
-  if (part.corners.count == 1) return foot_is_inside<D, Shifted<D>>(part.points[0], a, f.count);
-  if (f.count == 1) return foot_is_inside<D, Plain<D>>(a[0], part.points, part.corners.count);
+  if (part.corners.count == 1) return Signs<D>{is_shifted_}.is_foot_inside(part.points[0], a, f.count);
+  if (f.count == 1) return Signs<D>{false}.is_foot_inside(a[0], part.points, part.corners.count);
   return feet_are_inside<D>(part.points, a);
 }
 
@@ -323,6 +170,7 @@ bool PairSearch<D>::is_local_minimum(const Part<D>& part, const NearFeature& f) 
   const double* const* const p = part.points;
   const double* a[3] = {};
   corners_of(f, a);
+  const Signs<D> signs{is_shifted_};
   int side = 0;
   if constexpr (D == 3) {
     if (m == 2 && f.count == 2) side = volume_sign({p[0], p[1]}, {a[0], a[1]}, {a[0], p[0]});
@@ -331,8 +179,8 @@ bool PairSearch<D>::is_local_minimum(const Part<D>& part, const NearFeature& f) 
   bool is_flat_before = false, is_flat_behind = false;
   const auto comes_closer = [&](uint32_t vertex) {
     const Arrow z{a[0], list_.point(vertex)};
-    if (m == 1 && f.count == 1) return shifted_dot_sign<D>(z, {a[0], p[0]}) > 0;
-    if (m == 1) return shifted_lean_sign<D>({a[0], a[1]}, z, {a[0], p[0]}) > 0;
+    if (m == 1 && f.count == 1) return signs.dot(z, {a[0], p[0]}) > 0;
+    if (m == 1) return signs.lean({a[0], a[1]}, z, {a[0], p[0]}) > 0;
     if (m == 2 && f.count == 1) return lean_sign<D>({p[0], p[1]}, z, {p[0], a[0]}) < 0;
     if constexpr (D == 3) {
       if (m == 2) {
@@ -427,13 +275,6 @@ bool misses(const Vec& way, const Vec* corners, const Vec& normal, double size) 
 template <int D>
 bool PairSearch<D>::is_clear(const NearPair<D>& pair) const noexcept {
   const Vec x = to_vec<3>(pair.point), way = to_vec<3>(pair.obstacle_point) - x;
-  const auto is_own = [&](const NearObstacle<D>& o) {
-    uint32_t shared = 0;
-    for (uint32_t i = 0; i < o.count; ++i) {
-      for (const uint32_t name : pair.obstacle_vertices) shared += list_.name(o.vertices[i]) == name;
-    }
-    return shared == pair.obstacle_count;
-  };
   Box<D> box;
   box.add(pair.point);
   box.add(pair.obstacle_point);
@@ -453,7 +294,7 @@ bool PairSearch<D>::is_clear(const NearPair<D>& pair) const noexcept {
     } else {
       is_missed = misses<D>(way, corners, turned(u), largest(u));
     }
-    if (!is_missed && !is_own(o)) return false;
+    if (!is_missed && !has_all(o, pair.feature)) return false;
   }
   return true;
 }
@@ -472,19 +313,11 @@ bool PairSearch<D>::measure(const Part<D>& part, const NearFeature& f, NearPair<
   const uint32_t m = part.corners.count;
   const double* a[3] = {};
   corners_of(f, a);
-  Measured n;
-  if (m == 1) {
-    n = point_to_simplex<D>(part.points[0], a, f.count);
-  } else if (f.count == 1) {
-    n = point_to_simplex<D>(a[0], part.points, m);
-    turn_round(n);
-  } else {
-    n = edge_to_edge(part.points, a);
-  }
+  NearPoints n = find_near_points<D>(part.points, m, a, f.count);
   if (!(n.distance <= reach_)) return false;
   pair.part = part.simplex;
   std::copy_n(part.corners.vertices, m, pair.vertices);
-  pair.obstacle_count = f.count;
+  pair.feature = f;
   for (uint32_t i = 0; i < f.count; ++i) pair.obstacle_vertices[i] = list_.name(f.corners[i]);
   std::copy_n(n.weights, 3, pair.weights);
   std::copy_n(n.obstacle_weights, 3, pair.obstacle_weights);

@@ -26,7 +26,7 @@ struct NearPair {
   Simplex part;
   uint32_t vertices[3] = {kNone, kNone, kNone};           // of the part
   uint32_t obstacle_vertices[3] = {kNone, kNone, kNone};  // of the obstacle, ascending
-  uint32_t obstacle_count = 0;
+  NearFeature feature{};                                  // the obstacle in its list
   double weights[3] = {}, obstacle_weights[3] = {};
   double point[3] = {};  // of the part
   double obstacle_point[3] = {};
@@ -49,8 +49,8 @@ struct PairScratch {
 template <int D>
 class PairSearch {
  public:
-  /** @param reach largest distance. Throws std::bad_alloc. */
-  PairSearch(const Environment<D>& env, const NearList<D>& list, double reach, PairScratch& scratch);
+  /** @param is_shifted the list is of the environment. @param reach largest distance. Throws std::bad_alloc. */
+  PairSearch(const Environment<D>& env, const NearList<D>& list, bool is_shifted, double reach, PairScratch& scratch);
 
   /** Calls visit(pair) for the pairs with features for which accept(feature) is true. */
   template <class Accept, class Visit>
@@ -95,6 +95,7 @@ class PairSearch {
 
   const Environment<D>& env_;
   const NearList<D>& list_;
+  bool is_shifted_;
   double reach_, far_;  // far_: a little more
   PairScratch& scratch_;
 };

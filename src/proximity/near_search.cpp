@@ -17,7 +17,7 @@ PointArray points_of(const Body<D>& body) noexcept {
   return {body.vertices[0].position, sizeof(BodyVertex<D>) / sizeof(double)};
 }
 
-/** At least how far a point has moved. */
+/** Not less than how far a point has moved. */
 template <int D>
 double way_between(const double* a, const double* b) noexcept {
   double largest = 0;
@@ -25,9 +25,9 @@ double way_between(const double* a, const double* b) noexcept {
   return 1.8 * largest;  // more than the square root of 3
 }
 
-// How far beyond the reach obstacles are noted, as shares of it. What moves far is given more room. Where nothing is
-// near, room costs little.
-constexpr double kLeastRoom = 0.25, kMostRoom = 2, kWaysOfRoom = 8;
+// How far obstacles are noted, times the reach. Between 2 and 4 it makes no difference to a wire that is pushed: longer
+// lists are made less often.
+constexpr double kRoom = 2;
 
 // What is closer to an obstacle than this share of the coordinates does not hide it.
 constexpr double kSightRoom = 0x1p-42;
@@ -114,11 +114,9 @@ void NearSearch<D>::refresh(const Part<D>& cover, double reach, NearNote<D>& not
   }
   const bool is_known = note.room >= 0 && note.version == env_.change_version;
   if (is_known && holds(cover, reach, way, note)) return;
-  double share = is_known && note.list.empty() ? 1 : kLeastRoom;
-  if (is_known && reach > 0) share = std::max(share, kWaysOfRoom * way / reach);
   note.room = -1;  // until the list is whole
   note.list.clear();
-  const double room = reach + std::min(share, kMostRoom) * reach;
+  const double room = kRoom * reach;
   note.start = note.connected = body_.vertices[cover.corners.vertices[0]].cell;
   flood_.find(note.start, NearRegion<D>(cover.points, cover.corners.count, room), note.list);
   note.list.finish({env_.points, D});
@@ -144,14 +142,14 @@ bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) co
   }
   const CastResult there = cast(env_, pair.point, end, start);
   if (there.end != CastEnd::kHit) return true;
-  // Among denormal numbers the cast may go all the way.
+  // Among denormal numbers the cast may go all the way, to the obstacle itself.
   const Shape shape = env_.map.shape(there.cell);
   uint32_t shared = 0;
   for (uint32_t i = 0; pair.wall.valid() && i < D; ++i) {
     const uint32_t v = env_.map.vertex(there.cell, shape.simplices()[size_t{there.simplex} * D + i]);
     shared += std::find(pair.obstacle_vertices, pair.obstacle_vertices + 3, v) != pair.obstacle_vertices + 3;
   }
-  return shared != 0 && shared == pair.obstacle_count;
+  return shared == pair.feature.count;
 }
 
 template <int D>
@@ -160,7 +158,7 @@ void NearSearch<D>::find_walls(double reach, Array<FoundPair<D>>& found) {
     NearNote<D>& note = note_of(simplex);
     refresh(Part<D>(body_, simplex), reach, note);
     if (note.list.empty()) return;
-    const PairSearch<D> search(env_, note.list, reach, scratch_);
+    const PairSearch<D> search(env_, note.list, true, reach, scratch_);
     for_each_covered(simplex, [&](const Simplex& s) {
       const Part<D> part(body_, s);
       search.find(
@@ -229,7 +227,7 @@ void NearSearch<D>::find_partner(const Partners<D>& partners, uint32_t number, d
   for_each_cover([&](const Simplex& simplex) {
     collect(other, Part<D>(body_, simplex), reach);
     if (others_.empty()) return;
-    const PairSearch<D> search(env_, others_, reach, scratch_);
+    const PairSearch<D> search(env_, others_, false, reach, scratch_);
     for_each_covered(simplex, [&](const Simplex& s) {
       const Part<D> part(body_, s);
       search.find(

@@ -56,7 +56,7 @@ uint32_t place_in_facet(const Map<D>& map, HalfFacet facet, const NearPair<D>& p
       shared += is_one;
       if (!is_one) others = i;
     }
-    if (shared == pair.obstacle_count) return shared == D ? s - first : kDiagonal | (D * (s - first) + others);
+    if (shared == pair.feature.count) return shared == D ? s - first : kDiagonal | (D * (s - first) + others);
   }
   return 0;
 }
@@ -64,7 +64,7 @@ uint32_t place_in_facet(const Map<D>& map, HalfFacet facet, const NearPair<D>& p
 template <int D>
 ObstacleName name_obstacle(const Environment<D>& env, const NearPair<D>& pair) noexcept {
   const Map<D>& map = env.map;
-  const uint32_t count = pair.obstacle_count;
+  const uint32_t count = pair.feature.count;
   if (count == 1) {
     const uint32_t v = pair.obstacle_vertices[0];
     return name_cell({DSW_CELL_VERTEX, v, map.vertex_generation(v), 0}, 0);
@@ -99,7 +99,7 @@ dsw_near_row to_row(const Environment<D>& env, const Partners<D>& partners, cons
   std::copy_n(pair.normal, 3, row.normal);
   row.distance = pair.distance;
   std::copy_n(pair.weights, pair.part.kind + 1, row.weights);
-  std::copy_n(pair.obstacle_weights, pair.obstacle_count, row.obstacle_weights);
+  std::copy_n(pair.obstacle_weights, pair.feature.count, row.obstacle_weights);
   std::copy_n(pair.vertices, 3, row.vertices);
   std::copy_n(pair.obstacle_vertices, 3, row.obstacle_vertices);
   row.key[0] = pair.part.kind << kKindShift | pair.part.index;
@@ -108,7 +108,7 @@ dsw_near_row to_row(const Environment<D>& env, const Partners<D>& partners, cons
     const Partner<D>& partner = partners.all[pair.partner];
     row.body = {partner.index, partner.generation};
     row.key[1] = partner.index + 1;
-    row.key[2] = number_of(*partner.body, pair.obstacle_vertices, pair.obstacle_count);
+    row.key[2] = number_of(*partner.body, pair.obstacle_vertices, pair.feature.count);
     return row;
   }
   const ObstacleName name = name_obstacle(env, pair);

@@ -260,6 +260,7 @@ TEST(NearBodiesTest, AreAllThatAreNear) {
         NearTruth::Scene known;
         known.points = other.state.at;
         known.tolerance = 0x1p-38;
+        known.is_shifted = false;
         if (!is_own || body.self) {
           for_each_part(other.state, other.level,
                         [&](const std::vector<int>& ids, const std::vector<Vec>&) { known.obstacles.push_back(ids); });
@@ -406,6 +407,9 @@ TEST_F(NearPlateTest, WhatWasSeenFromOneSideIsNotUsedOnTheOther) {
     return rows.empty() ? 0 : rows[0].normal[2];
   };
   EXPECT_EQ(normal_of(), 1);
+  for (const dsw_near_row& row : find_rows(scene_.get(), body, 1.2, 0)) {
+    EXPECT_GE(row.obstacle_point[2], 1) << "the plate hides the floor";
+  }
   for (const Vec& to : {Vec{2.5, 1.5, 1.005}, Vec{2.5, 1.5, 0.995}, Vec{1.5, 1.5, 0.995}}) move(body, {to});
   EXPECT_EQ(normal_of(), -1);
 }

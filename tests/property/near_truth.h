@@ -25,7 +25,8 @@ class NearTruth {
     std::vector<Ids> obstacles;
     std::vector<Vec> wall_points;
     std::vector<Ids> walls;
-    double tolerance = 0;  // of what hides what
+    double tolerance = 0;    // of what hides what
+    bool is_shifted = true;  // by Simulation of Simplicity: of the environment
   };
   enum class Sight { kClear, kDoubtful, kHidden };
   struct Row {
@@ -134,7 +135,8 @@ class NearTruth {
     for (const Vec& v : part) p.push_back(exact(v));
     // Simulation of Simplicity: a vertex is shifted, by less than any sign needs.
     const Q3 unshifted = p[0];
-    for (size_t k = 0; k < static_cast<size_t>(scene_.dimension) && part.size() == 1; ++k) {
+    const size_t axes = scene_.is_shifted && part.size() == 1 ? static_cast<size_t>(scene_.dimension) : 0;
+    for (size_t k = 0; k < axes; ++k) {
       p[0][k] += Q(mpz_class(1), mpz_class(1) << static_cast<unsigned>(2400 * (k + 1)));
     }
     for (const Vec& v : corners) a.push_back(exact(v));

@@ -3,29 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "channel.h"
-#include "lumen.h"
+#include "in_the_vessel.h"
 #include "verify.h"
 #include "world.h"
 
 namespace physics {
 namespace {
 
-class RodInTheVessel : public testing::Test {
- protected:
-  void SetUp() override {
-    demo_mesh mesh;
-    ASSERT_EQ(mesh_make_vessel(2.0, &mesh), 0);
-    environment_.reset(create_environment(nullptr, &mesh));
-    mark_wall(environment_.get(), &mesh);
-    ASSERT_EQ(flow_create(environment_.get(), &mesh, 0, &flow_), DSW_STATUS_OK);
-    mesh_free(&mesh);
-  }
-  void TearDown() override { flow_destroy(&flow_); }
-
-  Environment environment_;
-  demo_flow flow_;
-};
+class RodInTheVessel : public InTheVessel {};
 
 TEST_F(RodInTheVessel, ReachesTheEndWithoutStretchAndIsFree) {
   const Route route(environment_.get(), flow_);
