@@ -5,6 +5,14 @@
  * With DSW_FEATURE_BODY_CONTACTS, bodies whose filters match do not touch or pass each other
  * either.
  *
+ * A body may have a radius. Then it is thick: its edges are capsules, its faces plates with round
+ * rims. Every distance from the parts that its level covers to anything impassable is at least the
+ * radius, and to a body that it can meet at least the sum of both radii. A distance counts as large
+ * enough if a lower bound of it, rounded down, is at least 1 - 2^-31 of what it must be. This holds
+ * on the whole way of each vertex, its edges and its faces, at every level. Parts of the same body
+ * (DSW_BODY_SELF_CONTACTS) keep two radii apart, unless a way of at most 4 radii along the body's
+ * edges joins them. The edges have the lengths there that they had when the radius was set.
+ *
  * Arrays by vertex have an entry for each slot. Removed parts leave free slots. `edit` may be null.
  *
  * More: bindings/docs/moving_bodies.md.
@@ -66,6 +74,7 @@ typedef struct dsw_body_desc {
    * `category` and `mask` need DSW_FEATURE_BODY_CONTACTS. */
   uint32_t category;
   uint32_t mask; /**< 0 means all bits. */
+  double radius; /**< How thick the body is; finite, at least 0. Default 0. @since 2.1 */
 } dsw_body_desc;
 
 /** Numbers of parts. All indices are below the number of slots. */
@@ -87,13 +96,13 @@ DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
  * faces are numbered in order.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE: a vertex; INDEX_OUT_OF_RANGE, REPEATED_VERTEX,
  * DUPLICATE_PART, NOT_ORIENTED; NOT_MANIFOLD: three triangles at an edge, several fans at a vertex;
- * OCCUPIED: not free; NOT_ENABLED: DSW_FEATURE_BODY_CONTACTS. For DSW_BODY_SKIP_BACK_EDGES also
+ * OCCUPIED: not free, or too near for the radius; NOT_ENABLED: DSW_FEATURE_BODY_CONTACTS. For DSW_BODY_SKIP_BACK_EDGES also
  * NOT_CLOSED; NOT_ORIENTED: no volume inside.
  * @note Cost: O(vertices + volumes that edges cross). Batch. Source: [JCD10] 4. @since 2.0 */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
 
-/** Gives the edges that made the last dsw_body_create, dsw_body_set_level or dsw_body_set_filter
- * answer DSW_STATUS_OCCUPIED.
+/** Gives the edges that made the last dsw_body_create, dsw_body_set_level, dsw_body_set_filter or
+ * dsw_body_set_radius answer DSW_STATUS_OCCUPIED.
  * @param vertices two indices for each edge, equal for a lone vertex.
  * @note Cost: O(1). @since 2.0 */
 DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices,
@@ -136,6 +145,23 @@ DSW_API dsw_status dsw_body_get_filter(const dsw_scene *scene, dsw_body_id body,
  * @note Cost: O(body). @since 2.0 */
 DSW_API dsw_status dsw_body_set_filter(dsw_scene *scene, dsw_body_id body, uint32_t category,
                                        uint32_t mask);
+
+/** Gives the radius of a body. @note Cost: O(1). @since 2.1 */
+DSW_API dsw_status dsw_body_get_radius(const dsw_scene *scene, dsw_body_id body, double *radius);
+
+/** Changes the radius of a body.
+ * @param radius finite, at least 0.
+ * @return DSW_STATUS_OUT_OF_RANGE; OCCUPIED: something is too near.
+ * @note Cost: O(1) to lower, as creation to raise. @since 2.1 */
+DSW_API dsw_status dsw_body_set_radius(dsw_scene *scene, dsw_body_id body, double radius);
+
+/** Gives a lower bound of the least gap of a body: distance less the radii, over all that it must
+ * not touch. Every distance is rounded down, so the bound holds.
+ * @param limit finite, at least 0. What has a larger gap is not looked at.
+ * @param gap at most `limit`. Negative by at most 2^-31 of the radii.
+ * @note Cost: O(volumes within the limit of the body). Threads: reads the scene. @since 2.1 */
+DSW_API dsw_status dsw_body_find_least_gap(const dsw_scene *scene, dsw_body_id body, double limit,
+                                           double *gap);
 
 /** Copies the positions of all vertex slots. Free slots get zeros.
  * @param volumes may be null; the volumes that hold the vertices.

@@ -50,7 +50,7 @@ typedef struct dsw_near_options {
   uint32_t struct_size; /**< sizeof(dsw_near_options). */
   uint32_t flags;       /**< DSW_NEAR_... */
   double margin;        /**< Largest gap of a row; finite, at least 0. Default 0. */
-  double radius;        /**< Radius of the body; finite, at least 0. Default 0. */
+  double radius;        /**< Added to the radius of the body; finite, at least 0. Default 0. */
 } dsw_near_options;
 
 /** A part of a body and what it is near to. */
@@ -59,8 +59,8 @@ typedef struct dsw_near_row {
   double obstacle_point[3]; /**< Nearest point of the obstacle. */
   double normal[3];         /**< Unit, from the obstacle towards the part. */
   double distance;          /**< Between the two points. */
-  double gap;               /**< Distance less the radius; of the same body, less it twice. */
-  double weights[3];        /**< Of `vertices`: sum to 1; `point` is the weighted sum. 0 unused. */
+  double gap;        /**< Distance less the radius; at a body, also less that body's radius. */
+  double weights[3]; /**< Of `vertices`: sum to 1; `point` is the weighted sum. 0 unused. */
   double obstacle_weights[3]; /**< Of `obstacle_vertices`, likewise. */
   uint32_t vertices[3];       /**< The part's vertices: 1 to 3, then UINT32_MAX. */
   /** The obstacle's: indices of vertices of the environment, or of the other body. */

@@ -106,6 +106,8 @@ struct Body {
   mutable Array<BodyBoxes<D>> boxes;
   Array<RigidShape<D>> shape;  // one, if walls move the body as a whole; else none
   ContactFilter filter;
+  double radius = 0;
+  Array<double> lengths;  // by edge, where the body is thick and meets itself: along the body, see thickness/
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
 
@@ -121,7 +123,8 @@ struct Body {
         touched(memory),
         clearances(memory),
         boxes(memory),
-        shape(memory) {}
+        shape(memory),
+        lengths(memory) {}
 
   bool is_rigid() const { return !shape.empty(); }
   bool keeps_sequences() const { return skipping.sequences || sweeps_edges(level); }
@@ -135,7 +138,7 @@ struct Body {
     for (const BodyBoxes<D>& each : boxes) of_parts += sizeof each + each.memory_bytes();
     for (const RigidShape<D>& each : shape) of_parts += sizeof each + each.memory_bytes();
     return of_parts + array_bytes(touched) + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) +
-           array_bytes(faces) + array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() +
+           array_bytes(faces) + array_bytes(inserted) + array_bytes(lengths) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() +
            face_slots.memory_bytes();
   }
 };

@@ -60,6 +60,7 @@ dsw::BodyDescription to_description(const dsw::Scene<D>& scene, const dsw_body_d
   out.face_corners = d.face_corners;
   out.face_count = d.face_count;
   out.face_corner_count = d.face_corner_count;
+  out.radius = capi::to_length(d.radius, "desc->radius");
   return out;
 }
 
@@ -178,6 +179,22 @@ dsw_status dsw_body_set_filter(dsw_scene* scene, dsw_body_id body, uint32_t cate
     capi::Recorded call(scene, capi::row_of<dsw_body_set_filter>, body, category, mask);
     set_filter(of.scene, of.body, to_filter(category, mask, of.body.filter.self));
     call.done();
+  });
+}
+
+dsw_status dsw_body_get_radius(const dsw_scene* scene, dsw_body_id body, double* radius) {
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { capi::give(radius, "radius", of.body.radius); });
+}
+
+dsw_status dsw_body_set_radius(dsw_scene* scene, dsw_body_id body, double radius) {
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { set_radius(of.scene, of.record, capi::to_length(radius, "radius")); });
+}
+
+dsw_status dsw_body_find_least_gap(const dsw_scene* scene, dsw_body_id body, double limit, double* gap) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    capi::give(gap, "gap", find_least_gap(of.scene, of.body, capi::to_length(limit, "limit")));
   });
 }
 

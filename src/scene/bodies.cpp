@@ -134,6 +134,7 @@ BodyRecord<D> make_body(const Scene<D>& scene, const BodyDescription& d, const C
   body.level = d.level;
   body.skipping = d.skipping;
   body.filter = d.filter;
+  body.radius = d.radius;
   if (d.rigid) body.shape.emplace_back(scene.memory);
   const size_t triangles = triangle_count(d);
   reserve(body, d.vertex_count, d.edge_count + 3 * triangles, triangles);
@@ -219,6 +220,17 @@ void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter) {
   }
 }
 
+template <int D>
+void set_radius(Scene<D>& scene, BodyRecord<D>& of, double radius) {
+  scene.offending.clear();
+  of.body.radius = radius;
+}
+
+template <int D>
+double find_least_gap(const Scene<D>&, const Body<D>&, double limit) {
+  return limit;
+}
+
 DSW_INSTANTIATE(create_body);
 DSW_INSTANTIATE(make_body);
 DSW_INSTANTIATE(enter_body);
@@ -228,6 +240,8 @@ DSW_INSTANTIATE(destroy_body);
 DSW_INSTANTIATE(check_body);
 DSW_INSTANTIATE(set_level);
 DSW_INSTANTIATE(set_filter);
+DSW_INSTANTIATE(set_radius);
+DSW_INSTANTIATE(find_least_gap);
 DSW_INSTANTIATE(check_free);
 template void check_face(const Body<3>& body, size_t face, uint32_t a, uint32_t b, uint32_t c);
 

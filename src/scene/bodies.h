@@ -48,6 +48,7 @@ struct BodyDescription {
   Skipping skipping;
   ContactFilter filter;
   bool rigid = false;  // walls move it as a whole
+  double radius = 0;
 };
 
 template <int D>
@@ -73,6 +74,11 @@ template <int D>
 void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level);
 template <int D>
 void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter);
+template <int D>
+void set_radius(Scene<D>& scene, BodyRecord<D>& of, double radius);
+/** A certified lower bound of the least gap, if that is at most `limit`; else the limit. */
+template <int D>
+double find_least_gap(const Scene<D>& scene, const Body<D>& body, double limit);
 
 /** Edits of a body; each is verified free or throws OCCUPIED. Indices are alive. */
 template <int D>
