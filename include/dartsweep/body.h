@@ -8,7 +8,7 @@
  * A body may have a radius. Then it is thick: its edges are capsules, its faces plates with round
  * rims. Every distance from the parts that its level covers to anything impassable is at least the
  * radius, and to a body that it can meet at least the sum of both radii. A distance counts as large
- * enough if a lower bound of it, rounded down, is at least 1 - 2^-31 of what it must be. This holds
+ * enough if a lower bound of it, rounded down, is at least 1 - 2^-34 of what it must be. This holds
  * on the whole way of each vertex, its edges and its faces, at every level. Parts of the same body
  * (DSW_BODY_SELF_CONTACTS) keep two radii apart, unless a way of at most 4 radii along the body's
  * edges joins them. The edges have the lengths there that they had when the radius was set.
@@ -158,9 +158,9 @@ DSW_API dsw_status dsw_body_set_radius(dsw_scene *scene, dsw_body_id body, doubl
 /** Gives a lower bound of the least gap of a body: distance less the radii, over all that it must
  * not touch. Every distance is rounded down, so the bound holds.
  * @param limit finite, at least 0. What has a larger gap is not looked at.
- * @param gap at most `limit`. Negative by at most 2^-31 of the radii.
- * @note Cost: O(volumes within the limit of the body). Threads: reads the scene. @since 2.1 */
-DSW_API dsw_status dsw_body_find_least_gap(const dsw_scene *scene, dsw_body_id body, double limit,
+ * @param gap at most `limit`. Negative by at most 2^-34 of the radii.
+ * @note Cost: O(volumes within the limit of the body). Threads: writes the scene. @since 2.1 */
+DSW_API dsw_status dsw_body_find_least_gap(dsw_scene *scene, dsw_body_id body, double limit,
                                            double *gap);
 
 /** Copies the positions of all vertex slots. Free slots get zeros.
@@ -229,10 +229,14 @@ DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_bod
 /** Removes a face. @note Cost: O(parts there). @since 2.0 */
 DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
 
-/** Removes an edge and its faces. @note Cost: O(parts there). @since 2.0 */
+/** Removes an edge and its faces.
+ * @return DSW_STATUS_OCCUPIED: parts of a thick body that meets itself would be too near to each other.
+ * @note Cost: O(parts there). @since 2.0 */
 DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);
 
-/** Removes a vertex, its edges and its faces. @note Cost: O(parts there). @since 2.0 */
+/** Removes a vertex, its edges and its faces.
+ * @return as dsw_body_remove_edge.
+ * @note Cost: O(parts there). @since 2.0 */
 DSW_API dsw_status dsw_body_remove_vertex(dsw_scene *scene, dsw_body_id body,
                                           dsw_body_vertex_id vertex);
 

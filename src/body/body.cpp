@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/vec.h"
 #include "body/body_boxes.h"
 
 namespace dsw {
@@ -70,6 +71,25 @@ void release_vertex(Body<D>& body, uint32_t vertex) noexcept {
   if (found != body.inserted.end()) body.inserted.erase(found);
 }
 
+/** The length of an edge along the body is that which it has now. */
+template <int D>
+void measure(Body<D>& body, uint32_t e) noexcept {
+  if (!body.keeps_lengths()) return;
+  if (body.lengths.size() <= e) body.lengths.resize(e + 1);
+  body.lengths[e] = length(difference<D>(body.position(body.edges[e].ends[1]), body.position(body.edges[e].ends[0])));
+}
+
+/** Divides the length of an edge between it and a second one, that goes on where it ends now. */
+template <int D>
+void divide_length(Body<D>& body, uint32_t e, uint32_t rest) noexcept {
+  if (!body.keeps_lengths()) return;
+  const double whole = body.lengths[e];
+  measure(body, e);
+  const double first = body.lengths[e], both = first + body.lengths[rest];
+  body.lengths[e] = both > 0 ? whole * (first / both) : whole / 2;
+  body.lengths[rest] = whole - body.lengths[e];
+}
+
 /** Drops an edge that has been joined with another: its face goes there. */
 template <int D>
 void join_edge(Body<D>& body, uint32_t gone, uint32_t kept) noexcept {
@@ -77,6 +97,7 @@ void join_edge(Body<D>& body, uint32_t gone, uint32_t kept) noexcept {
     if (f != kNone) attach_face(body.edges[kept], f);
   }
   body.edges[gone].faces[0] = body.edges[gone].faces[1] = kNone;
+  if (body.keeps_lengths()) body.lengths[kept] = std::min(body.lengths[kept], body.lengths[gone]);
   remove_edge(body, gone);
 }
 
@@ -89,6 +110,7 @@ void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more
   reserve_slots(body.face_slots, body.faces, more_faces);
   if (body.skipping.by_clearance) body.clearances.resize(body.vertices.size() + more_vertices);
   if (body.keeps_sequences()) keep_sequences(body, body.edges.size() + more_edges);
+  if (body.keeps_lengths()) body.lengths.reserve(body.edges.size() + more_edges);
   if (!body.boxes.empty()) reserve_boxes(body, body.boxes[0], more_vertices, more_edges, more_faces);
 }
 
@@ -111,6 +133,16 @@ void keep_sequences(Body<D>& body, size_t edges) {
 }
 
 template <int D>
+void measure_lengths(Body<D>& body) {
+  body.lengths.clear();
+  if (!body.keeps_lengths()) return;
+  body.lengths.resize(body.edges.size());
+  for (uint32_t e = 0; e < body.edges.size(); ++e) {
+    if (body.has_edge(e)) measure(body, e);
+  }
+}
+
+template <int D>
 uint32_t add_vertex(Body<D>& body, const double* position, Cell cell) noexcept {
   BodyVertex<D> vertex;
   std::copy_n(position, D, vertex.position);
@@ -128,6 +160,7 @@ uint32_t add_edge(Body<D>& body, uint32_t a, uint32_t b) noexcept {
   const uint32_t e = acquire(body.edge_slots, body.edges, edge);
   link_edge(body, e, 0);
   link_edge(body, e, 1);
+  measure(body, e);
   note_vertex(body, a);
   note_vertex(body, b);
   return e;
@@ -186,6 +219,7 @@ uint32_t split_edge(Body<D>& body, uint32_t edge, uint32_t middle) noexcept {
   body.edges[edge].ends[1] = middle;
   link_edge(body, edge, 1);
   const uint32_t rest = add_edge(body, middle, to);
+  divide_length(body, edge, rest);
   for (const uint32_t f : faces) {
     if (f == kNone) continue;
     BodyFace& face = body.faces[f];
@@ -228,6 +262,7 @@ void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
 
 DSW_INSTANTIATE(reserve);
 DSW_INSTANTIATE(keep_sequences);
+DSW_INSTANTIATE(measure_lengths);
 DSW_INSTANTIATE(put_vertex);
 DSW_INSTANTIATE(put_vertices);
 DSW_INSTANTIATE(add_vertex);

@@ -107,7 +107,7 @@ struct Body {
   Array<RigidShape<D>> shape;  // one, if walls move the body as a whole; else none
   ContactFilter filter;
   double radius = 0;
-  Array<double> lengths;  // by edge, where the body is thick and meets itself: along the body, see thickness/
+  Array<double> lengths;  // by edge, if they are kept: when the radius was set; see thickness/joined.h
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
 
@@ -127,6 +127,7 @@ struct Body {
         lengths(memory) {}
 
   bool is_rigid() const { return !shape.empty(); }
+  bool keeps_lengths() const { return radius > 0 && filter.self; }
   bool keeps_sequences() const { return skipping.sequences || sweeps_edges(level); }
   bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
   bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
@@ -138,8 +139,8 @@ struct Body {
     for (const BodyBoxes<D>& each : boxes) of_parts += sizeof each + each.memory_bytes();
     for (const RigidShape<D>& each : shape) of_parts += sizeof each + each.memory_bytes();
     return of_parts + array_bytes(touched) + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) +
-           array_bytes(faces) + array_bytes(inserted) + array_bytes(lengths) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() +
-           face_slots.memory_bytes();
+           array_bytes(faces) + array_bytes(inserted) + array_bytes(lengths) + vertex_slots.memory_bytes() +
+           edge_slots.memory_bytes() + face_slots.memory_bytes();
   }
 };
 
@@ -196,6 +197,9 @@ void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more
 /** Gives every edge room for its sequence, after the level has been raised. */
 template <int D>
 void keep_sequences(Body<D>& body, size_t edges);
+/** Lets edges have the lengths that they have now, if lengths are kept. */
+template <int D>
+void measure_lengths(Body<D>& body);
 /** Starts to keep boxes. Throws std::bad_alloc before it changes anything. */
 template <int D>
 void keep_boxes(Body<D>& body);

@@ -4,6 +4,7 @@
 
 #include "capi/body_access.h"
 #include "capi/recorded.h"
+#include "scene/distances.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -192,7 +193,7 @@ dsw_status dsw_body_set_radius(dsw_scene* scene, dsw_body_id body, double radius
                             [&](const auto& of) { set_radius(of.scene, of.record, capi::to_length(radius, "radius")); });
 }
 
-dsw_status dsw_body_find_least_gap(const dsw_scene* scene, dsw_body_id body, double limit, double* gap) {
+dsw_status dsw_body_find_least_gap(dsw_scene* scene, dsw_body_id body, double limit, double* gap) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::give(gap, "gap", find_least_gap(of.scene, of.body, capi::to_length(limit, "limit")));
   });

@@ -59,7 +59,7 @@ dsw_status dsw_body_remove_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edg
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t e = capi::to_engine(of.body, edge, "edge");
     capi::Recorded call(scene, capi::row_of<dsw_body_remove_edge>, body, edge);
-    remove_edge(of.body, e);
+    remove_body_edge(of.scene, of.body, e);
     call.done();
   });
 }
@@ -68,7 +68,7 @@ dsw_status dsw_body_remove_vertex(dsw_scene* scene, dsw_body_id body, dsw_body_v
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t v = capi::to_engine(of.body, vertex, "vertex");
     capi::Recorded call(scene, capi::row_of<dsw_body_remove_vertex>, body, vertex);
-    remove_vertex(of.body, v);
+    remove_body_vertex(of.scene, of.body, v);
     call.done();
   });
 }

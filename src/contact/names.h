@@ -30,6 +30,10 @@ dsw_edge_id id_of_lowest(const Map<D>& map, Dart lowest) noexcept {
   return {map.index(c), map.generation(c), map.shape(c).dart_edge(lowest.local)};
 }
 
+/** The edge of a cell between two vertices; invalid if there is none. */
+template <int D>
+Dart dart_between(const Map<D>& map, Cell c, const uint32_t* ends) noexcept;
+
 inline bool is_null(dsw_volume_id id) noexcept { return (id.index | id.generation) == 0; }
 
 template <int D>

@@ -19,10 +19,10 @@ void NearList<D>::clear() noexcept {
 }
 
 template <int D>
-void NearList<D>::finish(PointArray points) {
+void NearList<D>::finish(PointArray points, bool has_features) {
   if (empty()) return;
   number_vertices(points);
-  for (uint32_t v = 0; v < vertex_count(); ++v) add_features_at(v);
+  for (uint32_t v = 0; has_features && v < vertex_count(); ++v) add_features_at(v);
 }
 
 template <int D>

@@ -48,8 +48,9 @@ class NearList {
   bool empty() const noexcept { return obstacles_.empty(); }
   void clear() noexcept;
   void add(const NearObstacle<D>& obstacle) { obstacles_.push_back(obstacle); }
-  /** Once all are added. `points` of their vertices are copied. Throws std::bad_alloc. */
-  void finish(PointArray points);
+  /** Once all are added. `points` of their vertices are copied. Throws std::bad_alloc.
+   * @param has_features false: the list has obstacles and their points alone. */
+  void finish(PointArray points, bool has_features = true);
 
   const Array<NearFeature>& features() const noexcept { return features_; }
   const Array<NearObstacle<D>>& obstacles() const noexcept { return obstacles_; }

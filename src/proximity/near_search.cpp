@@ -17,35 +17,14 @@ PointArray points_of(const Body<D>& body) noexcept {
   return {body.vertices[0].position, sizeof(BodyVertex<D>) / sizeof(double)};
 }
 
-/** Not less than how far a point has moved. */
-template <int D>
-double way_between(const double* a, const double* b) noexcept {
-  double largest = 0;
-  for (int k = 0; k < D; ++k) largest = std::max(largest, std::fabs(a[k] - b[k]));
-  return 1.8 * largest;  // more than the square root of 3
-}
-
-// How far obstacles are noted, times the reach. Between 2 and 4 it makes no difference to a wire that is pushed: longer
-// lists are made less often.
-constexpr double kRoom = 2;
-
 // What is closer to an obstacle than this share of the coordinates does not hide it.
 constexpr double kSightRoom = 0x1p-42;
 
 }  // namespace
 
 template <int D>
-uint64_t NearNotes<D>::memory_bytes() const {
-  uint64_t bytes = array_bytes(of_vertices) + array_bytes(of_edges) + array_bytes(of_faces);
-  for (const auto* notes : {&of_vertices, &of_edges, &of_faces}) {
-    for (const NearNote<D>& each : *notes) bytes += each.list.memory_bytes();
-  }
-  return bytes;
-}
-
-template <int D>
 NearSearch<D>::NearSearch(const Environment<D>& env, const Body<D>& body, NearNotes<D>& notes)
-    : env_(env), body_(body), notes_(notes), flood_(env), others_(env.memory), scratch_(env.memory) {}
+    : env_(env), body_(body), notes_(notes), lists_(env), others_(env.memory), scratch_(env.memory) {}
 
 template <int D>
 template <class Visit>
@@ -83,48 +62,6 @@ void NearSearch<D>::for_each_covered(const Simplex& cover, Visit visit) const {
   }
 }
 
-template <int D>
-NearNote<D>& NearSearch<D>::note_of(const Simplex& cover) {
-  Array<NearNote<D>>& notes = cover.kind == Simplex::kVertex ? notes_.of_vertices
-                              : cover.kind == Simplex::kEdge ? notes_.of_edges
-                                                             : notes_.of_faces;
-  while (notes.size() <= cover.index) notes.emplace_back(env_.memory);
-  return notes[cover.index];
-}
-
-// All that a new flood would enter lies within the room of the anchors. The flood that made the list has entered it,
-// too, if that flood has come to the cell where the new one would start. It has if both start in the same cell. It also
-// has if a straight way leads there from the anchor through passable cells, since that way lies within the room.
-template <int D>
-bool NearSearch<D>::holds(const Part<D>& cover, double reach, double way, NearNote<D>& note) const noexcept {
-  if (!((reach + way) * (1 + 0x1p-40) <= note.room)) return false;
-  const Cell now = body_.vertices[cover.corners.vertices[0]].cell;
-  if (now == note.connected || now == note.start) return true;
-  const CastResult there = cast(env_, note.anchors[0], cover.points[0], note.start);
-  if (there.end == CastEnd::kHit || there.cell != now) return false;
-  note.connected = now;
-  return true;
-}
-
-template <int D>
-void NearSearch<D>::refresh(const Part<D>& cover, double reach, NearNote<D>& note) {
-  double way = 0;
-  for (uint32_t i = 0; i < cover.corners.count; ++i) {
-    way = std::max(way, way_between<D>(cover.points[i], note.anchors[i]));
-  }
-  const bool is_known = note.room >= 0 && note.version == env_.change_version;
-  if (is_known && holds(cover, reach, way, note)) return;
-  note.room = -1;  // until the list is whole
-  note.list.clear();
-  const double room = kRoom * reach;
-  note.start = note.connected = body_.vertices[cover.corners.vertices[0]].cell;
-  flood_.find(note.start, NearRegion<D>(cover.points, cover.corners.count, room), note.list);
-  note.list.finish({env_.points, D});
-  for (uint32_t i = 0; i < cover.corners.count; ++i) std::copy_n(cover.points[i], D, note.anchors[i]);
-  note.version = env_.change_version;
-  note.room = room;
-}
-
 /** A cast goes a little less than all the way, so that it does not end on the obstacle itself. Where a rounded point of
  * a part meets something at once, the pair counts as seen. */
 template <int D>
@@ -155,10 +92,9 @@ bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) co
 template <int D>
 void NearSearch<D>::find_walls(double reach, Array<FoundPair<D>>& found) {
   for_each_cover([&](const Simplex& simplex) {
-    NearNote<D>& note = note_of(simplex);
-    refresh(Part<D>(body_, simplex), reach, note);
-    if (note.list.empty()) return;
-    const PairSearch<D> search(env_, note.list, true, reach, scratch_);
+    const NearList<D>& list = lists_.near(body_, Part<D>(body_, simplex), reach, notes_);
+    if (list.empty()) return;
+    const PairSearch<D> search(env_, list, true, reach, scratch_);
     for_each_covered(simplex, [&](const Simplex& s) {
       const Part<D> part(body_, s);
       search.find(
@@ -244,8 +180,6 @@ void NearSearch<D>::find_partner(const Partners<D>& partners, uint32_t number, d
   });
 }
 
-template struct NearNotes<2>;
-template struct NearNotes<3>;
 template class NearSearch<2>;
 template class NearSearch<3>;
 

@@ -10,6 +10,7 @@
 #include "base/vec.h"
 #include "contact/describe.h"
 #include "contact/describe_pair.h"
+#include "contact/describe_thick.h"
 #include "response/insertion.h"
 #include "response/vertex_move.h"
 
@@ -131,6 +132,11 @@ bool BodyMove<D>::try_together(Body<D>& body, PlaceFn where, const void* user, d
 
 template <int D>
 void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to, MoveRecord& record) {
+  TooNear<D> near;
+  if (star_.thick.find_first(star_.partners, body, v, to, &near)) {
+    record.add(describe(env_, star_.partners, body, v, to, near), partner_of(star_.partners, near));
+    return;
+  }
   StarContact first;
   PairContact<D> pair;
   Cell cell;
@@ -177,8 +183,10 @@ void BodyMove<D>::sweep_all(bool may_skip, bool may_guess) {
 }
 
 template <int D>
-bool BodyMove<D>::arrives(uint32_t v) const {
-  return !course_.vertices[v].doubtful && star_.is_apart(*course_.body, v, course_.targets[v]);
+bool BodyMove<D>::arrives(uint32_t v) {
+  const double* const to = course_.targets[v];
+  return !course_.vertices[v].doubtful && star_.is_apart(*course_.body, v, to) &&
+         star_.keeps_distance(*course_.body, v, to);
 }
 
 /** The vertices in their order: those without doubt arrive, the others move alone. Returns false if a vertex that has

@@ -35,6 +35,8 @@ class BodyMove {
   void set_counters(CastCounters* counters) { star_.simplices.counters = counters; }
   /** What a body can meet besides the environment; null: nothing. */
   void set_partners(const Partners<D>* partners) { star_.partners = partners; }
+  /** What is remembered of what is near the body; null: nothing. */
+  void set_notes(NearNotes<D>* notes) { star_.thick.notes = notes; }
 
  private:
   bool try_together(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
@@ -43,7 +45,7 @@ class BodyMove {
   void start(Body<D>& body, PointArray targets, MoveOrder order);
   bool run(const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void sweep_all(bool may_skip, bool may_guess);
-  bool arrives(uint32_t v) const;
+  bool arrives(uint32_t v);
   bool finish(const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void go_on(const MoveSettings& settings, MoveRecord& record);
   void disturb(uint32_t v);

@@ -21,6 +21,7 @@ bool can_bend(const Environment<D>& env, StarSweep<D>& star, const Body<D>& body
   const BodyEdge& e = body.edges[edge];
   const BodyVertex<D>&p = body.vertices[e.ends[0]], &q = body.vertices[e.ends[1]];
   if (star.partners != nullptr && !is_bend_apart(*star.partners, body, edge, point)) return false;
+  if (!star.thick.keeps_bend(star.partners, body, edge, point)) return false;
   if (!covers_edges(body.level)) {
     *cell = locate(env, point, p.cell, nullptr).cell;
     return cell->valid() && !is_closed(env, *cell);

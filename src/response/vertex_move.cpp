@@ -5,6 +5,7 @@
 #include "base/points.h"
 #include "contact/describe.h"
 #include "contact/describe_pair.h"
+#include "contact/describe_thick.h"
 #include "response/insertion.h"
 #include "walk/retreat.h"
 
@@ -80,7 +81,11 @@ template <int D>
 bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival) {
   under_.clear();
   if (settings_.search == Search::kBisection) return advance_by_halving(v, to);
-  const BodyVertex<D>& at = body_.vertices[v];
+  TooNear<D> near;
+  if (sweeps_.thick.find_first(sweeps_.partners, body_, v, to, &near)) {
+    stop_before(v, to, record_too_near(v, to, near));
+    return false;
+  }
   StarContact first;
   Cell cell = arrival != nullptr ? *arrival : Cell{};
   const SweepEnd end = arrival != nullptr ? SweepEnd::kFree : sweeps_.find_first(body_, v, to, &first, &cell);
@@ -91,7 +96,15 @@ bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival) {
     put(v, to, cell);
     return true;
   }
-  const dsw_body_contact contact = record_contacts(v, to, end == SweepEnd::kContact ? &first : nullptr, pair);
+  stop_before(v, to, record_contacts(v, to, end == SweepEnd::kContact ? &first : nullptr, pair));
+  return false;
+}
+
+/** Goes to the last place on the way before a contact that is verified free. */
+template <int D>
+void VertexMove<D>::stop_before(uint32_t v, const double* to, const dsw_body_contact& contact) {
+  const BodyVertex<D>& at = body_.vertices[v];
+  Cell cell;
   const auto is_free = [&](const double* candidate) { return sweeps_.is_free(body_, v, candidate, &cell); };
   double target[D], time = contact.time;
   std::copy_n(to, D, target);
@@ -102,9 +115,27 @@ bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival) {
   if (back > 0)
     time = std::max(0.0, time - back);  // not a number: the way is longer than doubles go, and nothing is kept off
   double position[D];
-  if (!retreat<D>(at.position, target, time, position, is_free)) return false;
-  put(v, position, cell);
-  return false;
+  if (retreat<D>(at.position, target, time, position, is_free)) put(v, position, cell);
+}
+
+/** What comes too near to a thick body first, and as record_contacts. */
+template <int D>
+dsw_body_contact VertexMove<D>::record_too_near(uint32_t v, const double* to, const TooNear<D>& first) {
+  const dsw_body_contact contact = describe(env_, sweeps_.partners, body_, v, to, first);
+  record_.add(contact, partner_of(sweeps_.partners, first));
+  const bool records = settings_.search == Search::kAll;
+  const bool inserts = settings_.edge == Response::kAdaptiveMany && contact.edge.generation != 0;
+  if (!records && !inserts) return contact;
+  Array<TooNear<D>> all{env_.memory};
+  sweeps_.thick.find_all(sweeps_.partners, body_, v, to, all);
+  for (size_t i = 1; i < all.size(); ++i) {
+    const dsw_body_contact each = describe(env_, sweeps_.partners, body_, v, to, all[i]);
+    if (records) record_.add(each, partner_of(sweeps_.partners, all[i]));
+    if (inserts && all[i].partner == kNone && each.edge.index == contact.edge.index && each.edge.generation != 0) {
+      under_.push_back(each);
+    }
+  }
+  return contact;
 }
 
 /** Of what is met of the environment, which may be null, and of other bodies. Returns the first. Notes what is under
@@ -190,7 +221,12 @@ template <int D>
 dsw_body_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
                                              dsw_contact_partner* partner) {
   dsw_body_contact contact;
-  if (tried.of_partner) {
+  if (tried.is_too_near) {
+    TooNear<D> near;
+    sweeps_.thick.find_first(sweeps_.partners, body_, v, met, &near);
+    contact = describe(env_, sweeps_.partners, body_, v, met, near);
+    *partner = partner_of(sweeps_.partners, near);
+  } else if (tried.of_partner) {
     PairContact<D> pair;
     sweeps_.find_first_of_partners(body_, v, met, &pair);
     contact = describe(env_, body_, v, met, pair);

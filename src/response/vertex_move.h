@@ -28,6 +28,8 @@ class VertexMove {
 
   void put(uint32_t v, const double* position, Cell cell);
   bool advance(uint32_t v, const double* to, const Cell* arrival);
+  void stop_before(uint32_t v, const double* to, const dsw_body_contact& contact);
+  dsw_body_contact record_too_near(uint32_t v, const double* to, const TooNear<D>& first);
   bool advance_by_halving(uint32_t v, const double* to);
   dsw_body_contact describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
                                 dsw_contact_partner* partner);

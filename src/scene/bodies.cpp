@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/dimensions.h"
+#include "scene/distances.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
 #include "sweep/body_probe.h"
@@ -104,7 +105,10 @@ template <int D>
 void check_free(Scene<D>& scene, const Body<D>& body, SweepLevel level) {
   scene.offending.clear();
   BodyProbe<D>(scene.env, Obstacle::kCells).find_blocked(body, level, scene.offending);
-  if (scene.offending.empty()) return check_apart(scene, body, level);
+  if (scene.offending.empty()) {
+    check_apart(scene, body, level);
+    return check_distances(scene, body);
+  }
   fail(DSW_STATUS_OCCUPIED, "%zu edges meet something impassable; the first joins vertices %u and %u",
        scene.offending.size() / 2, scene.offending[0], scene.offending[1]);
 }
@@ -214,21 +218,11 @@ void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter) {
   const ContactFilter before = std::exchange(body.filter, filter);
   try {
     check_apart(scene, body, body.level);
+    check_distances(scene, body);
   } catch (...) {
     body.filter = before;
     throw;
   }
-}
-
-template <int D>
-void set_radius(Scene<D>& scene, BodyRecord<D>& of, double radius) {
-  scene.offending.clear();
-  of.body.radius = radius;
-}
-
-template <int D>
-double find_least_gap(const Scene<D>&, const Body<D>&, double limit) {
-  return limit;
 }
 
 DSW_INSTANTIATE(create_body);
@@ -240,8 +234,6 @@ DSW_INSTANTIATE(destroy_body);
 DSW_INSTANTIATE(check_body);
 DSW_INSTANTIATE(set_level);
 DSW_INSTANTIATE(set_filter);
-DSW_INSTANTIATE(set_radius);
-DSW_INSTANTIATE(find_least_gap);
 DSW_INSTANTIATE(check_free);
 template void check_face(const Body<3>& body, size_t face, uint32_t a, uint32_t b, uint32_t c);
 

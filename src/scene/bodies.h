@@ -20,17 +20,18 @@ struct BodyRecord {
   Array<BodyVertex<D>> before;  // to go back to, if another body's move fails
   TouchHistory touches;
   Array<NearRecord<D>> near;  // one, if near rows have been asked for; else none
+  NearNotes<D> kept_near;     // of a thick one: what it must keep a distance from
   uint64_t followed = 0;      // up to which change of the topology its sequences are true, see gone_facets.h
 
   explicit BodyRecord(const Memory* memory)
-      : body(memory), record(memory), next(memory), before(memory), touches(memory), near(memory) {}
+      : body(memory), record(memory), next(memory), before(memory), touches(memory), near(memory), kept_near(memory) {}
   uint64_t memory_bytes() const {
     uint64_t of_near = 0;
     for (const NearRecord<D>& each : near) of_near += each.memory_bytes();
-    return of_near + body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.partners) +
-           array_bytes(record.previous) + array_bytes(record.edits) + array_bytes(next.contacts) +
-           array_bytes(next.partners) + array_bytes(next.previous) + array_bytes(next.edits) + array_bytes(before) +
-           touches.memory_bytes();
+    return of_near + kept_near.memory_bytes() + body.memory_bytes() + array_bytes(record.contacts) +
+           array_bytes(record.partners) + array_bytes(record.previous) + array_bytes(record.edits) +
+           array_bytes(next.contacts) + array_bytes(next.partners) + array_bytes(next.previous) +
+           array_bytes(next.edits) + array_bytes(before) + touches.memory_bytes();
   }
 };
 
@@ -75,18 +76,15 @@ void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level);
 template <int D>
 void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter);
 template <int D>
-void set_radius(Scene<D>& scene, BodyRecord<D>& of, double radius);
-/** A certified lower bound of the least gap, if that is at most `limit`; else the limit. */
-template <int D>
-double find_least_gap(const Scene<D>& scene, const Body<D>& body, double limit);
-
-/** Edits of a body; each is verified free or throws OCCUPIED. Indices are alive. */
-template <int D>
 uint32_t add_body_vertex(Scene<D>& scene, BodyRecord<D>& of, const double* position, dsw_volume_id hint);
 template <int D>
 uint32_t add_body_edge(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b);
 template <int D>
 uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, uint32_t c);
+template <int D>
+void remove_body_edge(Scene<D>& scene, Body<D>& body, uint32_t edge);
+template <int D>
+void remove_body_vertex(Scene<D>& scene, Body<D>& body, uint32_t vertex);
 template <int D>
 void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double share, dsw_body_edit* edit);
 template <int D>

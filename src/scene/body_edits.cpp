@@ -1,8 +1,11 @@
 // Changes of a body while it lives, each verified free at its level.
 
+#include <utility>
+
 #include "base/dimensions.h"
 #include "contact/describe.h"
 #include "response/insertion.h"
+#include "scene/distances.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
 #include "walk/move.h"
@@ -22,7 +25,7 @@ template <int D>
 class Neighbours {
  public:
   Neighbours(const Scene<D>& scene, const Body<D>& body, const Box<D>& box)
-      : meet_(scene.features.contacts), body_(body), partners_(scene.memory) {
+      : meet_(scene.features.contacts), body_(body), partners_(scene.memory), thick_(scene.env) {
     if (meet_) find_partners(scene, body, box, partners_);
   }
   Neighbours(const Scene<D>& scene, const Body<D>& body)
@@ -41,12 +44,30 @@ class Neighbours {
     if (!meet_ || !covers_faces(body_.level) || is_triangle_apart(partners_, body_, corners)) return;
     fail(DSW_STATUS_OCCUPIED, "triangle (%u, %u, %u) touches a body", c[0], c[1], c[2]);
   }
+  /** Of a part with these corners. */
+  void check_distances(std::initializer_list<uint32_t> corners) {
+    ConvexHull hull;
+    WayAlong from[3];
+    for (const uint32_t v : corners) {
+      from[hull.count] = {v, 0};
+      hull.points[hull.count++] = body_.position(v);
+    }
+    check_distances(hull, body_.vertices[*corners.begin()].cell, from);
+  }
+  void check_distances(const ConvexHull& hull, Cell start, const WayAlong* from) {
+    if (thick_.keeps_at_rest(partners(), body_, hull, start, from, from != nullptr ? hull.count : 0)) return;
+    fail(DSW_STATUS_OCCUPIED, "the new %s is too near to something",
+         hull.count == 1   ? "vertex"
+         : hull.count == 2 ? "edge"
+                           : "triangle");
+  }
   const Partners<D>* partners() const { return meet_ ? &partners_ : nullptr; }
 
  private:
   bool meet_;
   const Body<D>& body_;
   Partners<D> partners_;
+  ThickSweep<D> thick_;
 };
 
 }  // namespace
@@ -58,7 +79,9 @@ uint32_t add_body_vertex(Scene<D>& scene, BodyRecord<D>& of, const double* posit
   place_points(scene, PointArray{position, D}, 1, &hint, false, &cell, nullptr);
   Box<D> box;
   box.add(position);
-  Neighbours<D>(scene, body, box).check_segment({position, kNone}, {position, kNone});
+  Neighbours<D> neighbours(scene, body, box);
+  neighbours.check_segment({position, kNone}, {position, kNone});
+  neighbours.check_distances({{position}, 1}, cell, nullptr);
   reserve(body, 1, 0, 0);
   const uint32_t v = add_vertex(body, position, cell);
   settle_body(scene, of);
@@ -72,7 +95,9 @@ uint32_t add_body_edge(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b) {
     fail(DSW_STATUS_DUPLICATE_PART, "vertices %u and %u are joined already", a, b);
   }
   check_edge_free(scene.env, body, a, b);
-  Neighbours<D>(scene, body).check_edge(a, b);
+  Neighbours<D> neighbours(scene, body);
+  neighbours.check_edge(a, b);
+  if (covers_edges(body.level)) neighbours.check_distances({a, b});
   reserve(body, 0, 1, 0);
   return add_edge(body, a, b);
 }
@@ -86,14 +111,16 @@ uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, u
     fail(DSW_STATUS_NOT_MANIFOLD, "triangle (%u, %u, %u) shares only a vertex with the others", a, b, c);
   }
   const uint32_t corners[3] = {a, b, c};
-  const Neighbours<D> neighbours(scene, body);
+  Neighbours<D> neighbours(scene, body);
   for (int k = 0; k < 3; ++k) {
     const uint32_t from = corners[k], to = corners[(k + 1) % 3];
     if (find_edge(body, from, to) != kNone) continue;
     check_edge_free(scene.env, body, from, to);
     neighbours.check_edge(from, to);
+    if (covers_edges(body.level)) neighbours.check_distances({from, to});
   }
   neighbours.check_triangle(corners);
+  if (covers_faces(body.level)) neighbours.check_distances({a, b, c});
   if (covers_faces(body.level)) {
     SimplexSweep<D> sweeps(scene.env);
     if (!sweeps.is_triangle_free({body.position(a), body.position(b), body.position(c)}, body.vertices[a].cell)) {
@@ -102,6 +129,35 @@ uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, u
   }
   reserve(body, 0, 3, 1);
   return add_face(body, a, b, c);
+}
+
+namespace {
+
+/** Removes a part. What it joined may then be too near to each other. */
+template <int D, class Remove>
+void remove_part(Scene<D>& scene, Body<D>& body, Remove remove) {
+  if (!body.keeps_lengths()) return remove();
+  scene.offending.clear();
+  Body<D> before = body;
+  remove();
+  try {
+    check_distances(scene, body);
+  } catch (...) {
+    std::swap(body, before);
+    throw;
+  }
+}
+
+}  // namespace
+
+template <int D>
+void remove_body_edge(Scene<D>& scene, Body<D>& body, uint32_t edge) {
+  remove_part(scene, body, [&] { remove_edge(body, edge); });
+}
+
+template <int D>
+void remove_body_vertex(Scene<D>& scene, Body<D>& body, uint32_t vertex) {
+  remove_part(scene, body, [&] { remove_vertex(body, vertex); });
 }
 
 template <int D>
@@ -142,6 +198,8 @@ void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint3
 
 DSW_INSTANTIATE(add_body_vertex);
 DSW_INSTANTIATE(add_body_edge);
+DSW_INSTANTIATE(remove_body_edge);
+DSW_INSTANTIATE(remove_body_vertex);
 DSW_INSTANTIATE(split_body_edge);
 DSW_INSTANTIATE(collapse_body_edge);
 template uint32_t add_body_face(Scene<3>& scene, Body<3>& body, uint32_t a, uint32_t b, uint32_t c);

@@ -45,6 +45,7 @@ void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrd
     find_partners(scene, body.body, reach_of(body.body, targets, order, settings.may_slide()), partners);
   }
   move.set_partners(scene.features.contacts ? &partners : nullptr);
+  move.set_notes(&body.kept_near);
   body.touches.prepare(body.record);
   move.move(body.body, targets, order, settings, body.next);
   publish(body);
@@ -62,6 +63,7 @@ void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, con
   follow_changes(scene, body);
   if (scene.features.contacts) find_partners(scene, body.body, reach, partners);
   move.set_partners(scene.features.contacts ? &partners : nullptr);
+  move.set_notes(&body.kept_near);
   body.touches.prepare(body.record);
   move.move_together(body.body, place, user, order, body.next);
   publish(body);
@@ -101,6 +103,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count_of_
         const uint32_t i = islands.bodies[k];
         move.set_counters(scene.features.statistics ? &casts[i] : nullptr);
         move.set_partners(scene.features.contacts ? &islands.partners[i] : nullptr);
+        move.set_notes(&bodies[i]->kept_near);
         move.move(bodies[i]->body, {targets.data + first[i] * targets.step, targets.step}, {}, settings,
                   bodies[i]->next);
       }

@@ -37,8 +37,20 @@ uint32_t slot_of(const Scene<D>& scene, const BodyRecord<D>& record) {
 }  // namespace
 
 template <int D>
+Box<D> widened(const Box<D>& box, double room) noexcept {
+  Box<D> wide = box;
+  for (int k = 0; room > 0 && k < D; ++k) {
+    const double all = room + 0x1p-40 * (room + std::fabs(box.lower[k]) + std::fabs(box.upper[k]));
+    wide.lower[k] -= all;
+    wide.upper[k] += all;
+  }
+  return wide;
+}
+
+template <int D>
 void note_body(Scene<D>& scene, uint32_t slot) noexcept {
-  if (scene.keeps_boxes()) scene.body_boxes.put(slot, scene.bodies[slot].body.boxes[0].bounds);
+  const Body<D>& body = scene.bodies[slot].body;
+  if (scene.keeps_boxes()) scene.body_boxes.put(slot, widened(body.boxes[0].bounds, body.radius));
 }
 
 template <int D>
@@ -80,7 +92,7 @@ template <int D>
 void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners) {
   partners.all.clear();
   partners.reach = reach;
-  scene.body_boxes.visit(reach, [&](uint32_t slot) {
+  scene.body_boxes.visit(widened(reach, body.radius), [&](uint32_t slot) {
     const Body<D>& other = scene.bodies[slot].body;
     if (&other == &body ? !body.filter.self : !body.filter.sees(other.filter)) return true;
     partners.all.push_back(name(scene, slot));
@@ -121,7 +133,7 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
     for (uint32_t i = 0; i < count; ++i) {
       const PointArray own{targets.data + first_target[i] * targets.step, targets.step};
       islands.partners[i].reach = reach_of(moving[i]->body, own, {}, slides);
-      reaches.put(i, islands.partners[i].reach);
+      reaches.put(i, widened(islands.partners[i].reach, moving[i]->body.radius));
       moves[slot_of(scene, *moving[i])] = true;
     }
     for (uint32_t i = 0; i < count; ++i) {
@@ -131,7 +143,7 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
       const auto gone = std::remove_if(partners.all.begin(), partners.all.end(),
                                        [&](const Partner<D>& each) { return moves[each.index]; });
       partners.all.erase(gone, partners.all.end());
-      reaches.visit(partners.reach, [&](uint32_t j) {
+      reaches.visit(widened(partners.reach, moving[i]->body.radius), [&](uint32_t j) {
         if (i == j ? !filter.self : !filter.sees(moving[j]->body.filter)) return true;
         partners.all.push_back(name(scene, slot_of(scene, *moving[j])));
         sets.join(i, j);
@@ -151,6 +163,7 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
   islands.first.push_back(static_cast<uint32_t>(count));
 }
 
+DSW_INSTANTIATE(widened);
 DSW_INSTANTIATE(note_body);
 DSW_INSTANTIATE(settle_body);
 template Box<2> reach_of(const Body<2>& body, PointArray targets, MoveOrder order, bool slides) noexcept;

@@ -25,22 +25,6 @@ ObstacleName name_cell(const dsw_cell& cell, uint32_t place) noexcept {
   return {cell, {static_cast<uint32_t>(cell.kind) << kObstacleShift | cell.index, cell.local << kLocalShift | place}};
 }
 
-/** Whether a dart runs between two vertices, either way. */
-template <int D>
-bool joins(const Map<D>& map, Dart d, const uint32_t* ends) noexcept {
-  const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
-  return (a == ends[0] && b == ends[1]) || (a == ends[1] && b == ends[0]);
-}
-
-/** The edge of a cell between two vertices; invalid if there is none. */
-template <int D>
-Dart dart_between(const Map<D>& map, Cell c, const uint32_t* ends) noexcept {
-  for (uint32_t d = 0, darts = map.shape(c).dart_count(); d < darts; ++d) {
-    if (joins(map, Dart{c, d}, ends)) return {c, d};
-  }
-  return {};
-}
-
 /** The number of a simplex of a facet, or of a diagonal between simplices: of the first that has all vertices. */
 template <int D>
 uint32_t place_in_facet(const Map<D>& map, HalfFacet facet, const NearPair<D>& pair) noexcept {

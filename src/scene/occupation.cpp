@@ -7,6 +7,7 @@
 
 #include "base/dimensions.h"
 #include "base/error.h"
+#include "scene/distances.h"
 #include "scene/near_bodies.h"
 #include "sweep/body_probe.h"
 
@@ -107,7 +108,8 @@ size_t try_marks(Environment<D>& env, Scene<D>& scene, bool skip_occupied, ForEa
   if (occupied && !skip_occupied) refuse(scene);
   size_t left_out = leave_out_particles(env, scene);
   for (const dsw_body_id id : scene.occupant_bodies) {
-    left_out += probe.leave_out(env, scene.bodies[id.index].body, near.places_of(id.index));
+    const Body<D>& body = scene.bodies[id.index].body;
+    left_out += probe.leave_out(env, body, near.places_of(id.index)) + leave_out_near(env, body);
   }
   trial.keep();
   count_looked_at(scene, probe.looked_at);
@@ -170,7 +172,8 @@ void refuse(const Scene<D>& scene) {
 template <int D>
 void find_occupant_bodies(Scene<D>& scene, const NearBodies<D>& near, BodyProbe<D>& probe) {
   for (const typename NearBodies<D>::Near& each : near) {
-    if (probe.is_free(scene.bodies[each.slot].body, each.places)) continue;
+    const Body<D>& body = scene.bodies[each.slot].body;
+    if (probe.is_free(body, each.places) && keeps_distances(scene, body, each.places)) continue;
     scene.occupant_bodies.push_back({each.slot, scene.body_slots.generation(each.slot)});
   }
 }

@@ -4,6 +4,7 @@
 
 #include "pairs/pair_sweep.h"
 #include "sweep/simplex_sweep.h"
+#include "thickness/thick_sweep.h"
 
 namespace dsw {
 
@@ -17,6 +18,7 @@ struct StarContact {
 struct StarTry {
   SweepEnd end = SweepEnd::kFree;
   bool of_partner = false;              // kContact with another body, or of the body with itself
+  bool is_too_near = false;             // kContact of a thick body
   uint32_t edge = kNone, face = kNone;  // else kContact of these; both kNone: the path of the vertex
 };
 
@@ -24,19 +26,23 @@ struct StarTry {
 template <int D>
 class StarSweep {
  public:
-  explicit StarSweep(const Environment<D>& env) : simplices(env), env_(env) {}
+  explicit StarSweep(const Environment<D>& env) : simplices(env), thick(env), env_(env) {}
 
   /** Whether vertex v can go to `to` without meeting anything that the body's level sees, partners included; *cell then
    * contains `to`. */
   bool is_free(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
     return try_way(body, v, to, cell).end == SweepEnd::kFree;
   }
-  /** The same; says what was found first in the order path, edges, faces, partners, which need not be met first. */
+  /** The same; says what was found first in the order path, edges, faces, partners, distances, which need not be met first. */
   StarTry try_way(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
     StarTry tried = try_walls(body, v, to, cell);
     if (tried.end == SweepEnd::kFree && !is_apart(body, v, to)) {
       tried.end = SweepEnd::kContact;
       tried.of_partner = true;
+    }
+    if (tried.end == SweepEnd::kFree && !keeps_distance(body, v, to)) {
+      tried.end = SweepEnd::kContact;
+      tried.is_too_near = true;
     }
     return tried;
   }
@@ -48,8 +54,10 @@ class StarSweep {
   bool can_merge(const Body<D>& body, uint32_t v, uint32_t into, Cell* cell) {
     const double* const to = body.position(into);
     return try_walls(body, v, to, cell).end == SweepEnd::kFree &&
-           (partners == nullptr || is_merge_apart(*partners, body, v, into));
+           (partners == nullptr || is_merge_apart(*partners, body, v, into)) && keeps_distance(body, v, to);
   }
+  /** Whether it keeps all distances of a thick body on that way. */
+  bool keeps_distance(const Body<D>& body, uint32_t v, const double* to) { return thick.keeps(partners, body, v, to); }
   /** Whether it touches no partner on that way. */
   bool is_apart(const Body<D>& body, uint32_t v, const double* to) const {
     return partners == nullptr || is_way_apart(*partners, body, v, to, near);
@@ -69,6 +77,7 @@ class StarSweep {
   void find_all(const Body<D>& body, uint32_t v, const double* to, const StarContact& first, Array<StarContact>& all);
 
   SimplexSweep<D> simplices;
+  ThickSweep<D> thick;
   const Partners<D>* partners = nullptr;  // other bodies that the body can meet; null: none
   NearEdges* near = nullptr;              // of the body, while it moves; null: its boxes are asked
 

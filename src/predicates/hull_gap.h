@@ -1,0 +1,40 @@
+#pragma once
+// Lower bounds of distances between convex hulls of a few points. A bound is certified: it follows from one direction,
+// and every rounding goes against it. So it holds however the direction was found.
+
+#include "base/vec.h"
+
+namespace dsw {
+
+/** The convex hull of one to four points. */
+struct ConvexHull {
+  const double* points[4] = {};
+  uint32_t count = 0;
+};
+
+/** How far two hulls are apart. */
+struct HullGap {
+  double bound = 0;     // not more than the distance; 0 if nothing is certain
+  double distance = 0;  // rounded, between the points below
+  Vec normal;           // unit, rounded, from the second hull to the first: shows the bound. Zero if there is none
+  double weights[4] = {}, other_weights[4] = {};  // of the points that are nearest to each other, rounded
+};
+
+/** @param enough the search ends as soon as it is certain that the distance is at least that, or nearly certain that it
+ * is not. Infinity: the search ends when nothing more is found. */
+template <int D>
+HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough) noexcept;
+
+/** Whether it is certain that two hulls are that far apart. */
+template <int D>
+bool are_apart(const ConvexHull& a, const ConvexHull& b, double distance) noexcept {
+  return find_gap<D>(a, b, distance).bound >= distance;
+}
+
+/** How far the first point of a hull can go to `to`, as a share of the way, while the hull with all that this point has
+ * passed keeps that distance. Rounded; 0 if it is too near from the start, 1 if it can go all the way.
+ * @param at what holds at that time. */
+template <int D>
+double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, double distance, HullGap* at) noexcept;
+
+}  // namespace dsw
