@@ -94,6 +94,32 @@ TEST_F(SavedRadiusTest, IsZeroInEarlierFormats) {
   }
 }
 
+// A thick body stops before a thin one would: the exact times are those of thin ones.
+TEST_F(SavedRadiusTest, ContactsOfThickBodiesAreNotValidated) {
+  std::string recording;
+  ASSERT_EQ(start(scene(), &recording), DSW_STATUS_OK);
+  for (const double radius : {kRadius, 0.0}) {
+    ASSERT_EQ(dsw_body_set_radius(scene(), body_, radius), DSW_STATUS_OK);
+    const std::vector<Vec> down = {{0.5, 0.5, -1}, {1.5, 0.5, -1}, {1.5, 1.25, -1}};
+    dsw_move_report report;
+    ASSERT_EQ(dsw_body_move(scene(), body_, down[0].data(), down.size(), 0, nullptr, &report), DSW_STATUS_OK);
+    EXPECT_NE(report.contact_count, 0u);
+  }
+  ASSERT_EQ(dsw_scene_stop_recording(scene()), DSW_STATUS_OK);
+  const ReplayPtr replay = open_replay(recording);
+  for (int i = 0; i < 4; ++i) {
+    dsw_replay_report report = {};
+    dsw_validation validation;
+    validation.struct_size = sizeof validation;
+    ASSERT_EQ(dsw_replay_step_validated(replay.get(), &report, &validation), DSW_STATUS_OK);
+    EXPECT_EQ(validation.is_right, 1u) << validation.text;
+    if (i % 2 == 0) continue;  // the radius
+    EXPECT_STREQ(report.function, "dsw_body_move");
+    EXPECT_EQ(validation.contacts == 0, i == 1) << i;
+    EXPECT_EQ(validation.not_validated != 0, i == 1) << i;
+  }
+}
+
 /// Whether a recorded call leaves a state that is also of the environment.
 bool has_environment(const Entry& call) {
   uint64_t number = 0;
