@@ -146,7 +146,7 @@ DSW_API dsw_status dsw_body_get_filter(const dsw_scene *scene, dsw_body_id body,
 DSW_API dsw_status dsw_body_set_filter(dsw_scene *scene, dsw_body_id body, uint32_t category,
                                        uint32_t mask);
 
-/** Gives the radius of a body. @note Cost: O(1). @since 2.1 */
+/** Gives the `radius` of a body. @note Cost: O(1). @since 2.1 */
 DSW_API dsw_status dsw_body_get_radius(const dsw_scene *scene, dsw_body_id body, double *radius);
 
 /** Changes the radius of a body.
