@@ -159,8 +159,8 @@ DSW_API dsw_status dsw_body_set_radius(dsw_scene *scene, dsw_body_id body, doubl
  * not touch. Every distance is rounded down, so the bound holds.
  * @param limit finite, at least 0. What has a larger gap is not looked at.
  * @param gap at most `limit`. Negative by at most 2^-31 of the radii.
- * @note Cost: O(volumes within the limit of the body). Threads: reads the scene. @since 2.1 */
-DSW_API dsw_status dsw_body_find_least_gap(const dsw_scene *scene, dsw_body_id body, double limit,
+ * @note Cost: O(volumes within the limit of the body). Threads: writes the scene. @since 2.1 */
+DSW_API dsw_status dsw_body_find_least_gap(dsw_scene *scene, dsw_body_id body, double limit,
                                            double *gap);
 
 /** Copies the positions of all vertex slots. Free slots get zeros.

@@ -196,10 +196,9 @@ dsw_status dsw_body_set_radius(dsw_scene* scene, dsw_body_id body, double radius
   });
 }
 
-dsw_status dsw_body_find_least_gap(const dsw_scene* scene, dsw_body_id body, double limit, double* gap) {
+dsw_status dsw_body_find_least_gap(dsw_scene* scene, dsw_body_id body, double limit, double* gap) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
-    dsw::require(gap, "gap");
-    *gap = find_least_gap(of.scene, of.body, capi::to_length(limit, "limit"));
+    capi::give(gap, "gap", find_least_gap(of.scene, of.body, capi::to_length(limit, "limit")));
   });
 }
 

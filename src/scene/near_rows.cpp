@@ -8,7 +8,6 @@
 #include "contact/geometry.h"
 #include "contact/names.h"
 #include "scene/meeting.h"
-#include "scene/near_bodies.h"
 #include "scene/scene.h"
 
 namespace dsw {
@@ -203,17 +202,6 @@ void make_jacobian(const Array<dsw_near_row>& rows, uint32_t own_key, NearJacobi
   }
 }
 
-/** Radius of the thickest body that a body meets. A body that meets itself is as thick as `radius`. O(bodies). */
-template <int D>
-double thickest_partner(const Scene<D>& scene, const Body<D>& body, double radius) noexcept {
-  double thickest = body.filter.self ? radius : 0;
-  for_each_body(scene, [&](uint32_t, const BodyRecord<D>& each) {
-    const Body<D>& other = each.body;
-    if (&other != &body && body.filter.sees(other.filter)) thickest = std::max(thickest, other.radius);
-  });
-  return thickest;
-}
-
 template <int D>
 void find_rows(Scene<D>& scene, BodyRecord<D>& of, const NearSettings& settings, NearRecord<D>& near) {
   const double margin = settings.margin, radius = settings.radius + of.body.radius;
@@ -226,7 +214,7 @@ void find_rows(Scene<D>& scene, BodyRecord<D>& of, const NearSettings& settings,
   };
   if (scene.features.contacts) {
     Box<D> reach = reach_of(of.body);
-    const double farthest = margin + (radius + thickest_partner(scene, of.body, radius));
+    const double farthest = margin + 2 * settings.radius;  // the bodies' radii are added where partners are found
     for (int k = 0; k < D; ++k) {
       reach.lower[k] -= farthest;
       reach.upper[k] += farthest;

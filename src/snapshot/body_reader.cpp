@@ -276,7 +276,8 @@ void BodyReader<D>::read_radius(Body<D>& body, const uint64_t* n) {
   const auto is_length = [](double x) { return x >= 0 && std::isfinite(x); };
   body.radius = bits_as<double>(n[kRadius]);
   if (!is_length(body.radius)) fail_corrupt("a radius");
-  if (n[kLengths] != 0 && n[kLengths] != body.edges.size()) fail_corrupt("the number of lengths");
+  const bool keeps_lengths = body.radius > 0 && body.filter.self;
+  if (n[kLengths] != (keeps_lengths ? body.edges.size() : 0)) fail_corrupt("the number of lengths");
   const double* const lengths = take(image_.lengths, length_, n[kLengths]);
   if (!std::all_of(lengths, lengths + n[kLengths], is_length)) fail_corrupt("the length of an edge");
   body.lengths.assign(lengths, lengths + n[kLengths]);

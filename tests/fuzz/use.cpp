@@ -254,7 +254,7 @@ double radius_of(const dsw_scene* scene, dsw_body_id body) {
 
 }  // namespace
 
-double check_radius(const dsw_scene* scene, dsw_body_id body) {
+double check_radius(dsw_scene* scene, dsw_body_id body) {
   const double radius = radius_of(scene, body);
   if (radius == 0) return radius;
   double gap = 0, thickest = 0;
@@ -265,7 +265,7 @@ double check_radius(const dsw_scene* scene, dsw_body_id body) {
   return radius;
 }
 
-void check_radii(const dsw_scene* scene) {
+void check_radii(dsw_scene* scene) {
   for (const dsw_body_id each : bodies_of(scene)) check_radius(scene, each);
 }
 

@@ -35,10 +35,9 @@ class Body {
   double get_radius() const { return one<double>(dsw_body_get_radius); }
   void set_radius(double radius) { change(dsw_body_set_radius, radius); }
   // A lower bound of the least gap, at most `limit`.
-  double find_least_gap(double limit) const {
-    const SceneReading self(*state_);
+  double find_least_gap(double limit) {
     double out = 0;
-    check(dsw_body_find_least_gap(self.handle, id_, limit, &out));
+    change(dsw_body_find_least_gap, limit, &out);
     return out;
   }
 
