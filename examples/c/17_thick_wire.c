@@ -1,5 +1,5 @@
-/* A thick wire is pushed along the floor of a box. Its radius is a distance that the library keeps: the wire slides, and
- * its middle line stays one radius above the floor.
+/* A thick wire is pushed along the floor of a box. Its radius is a distance that the library keeps. So the wire slides,
+ * and its middle line stays one radius above the floor.
  *
  *    o---o---o---o---o         each step wants (0.05, 0, -0.05)
  *       \
