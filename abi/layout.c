@@ -246,7 +246,7 @@ AT(dsw_trace_data, triangle_labels, 80);
 AT(dsw_trace_data, triangle_count, 88);
 GROWS(dsw_trace_data, triangle_count);
 
-SIZE(dsw_body_desc, 112);
+SIZE(dsw_body_desc, 120);
 AT(dsw_body_desc, struct_size, 0);
 AT(dsw_body_desc, flags, 4);
 AT(dsw_body_desc, level, 8);
@@ -264,7 +264,8 @@ AT(dsw_body_desc, face_corner_count, 88);
 AT(dsw_body_desc, motion_share, 96);
 AT(dsw_body_desc, category, 104);
 AT(dsw_body_desc, mask, 108);
-GROWS(dsw_body_desc, mask);
+AT(dsw_body_desc, radius, 112);
+GROWS(dsw_body_desc, radius);
 
 SIZE(dsw_body_counts, 32);
 AT(dsw_body_counts, struct_size, 0);

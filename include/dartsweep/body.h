@@ -96,8 +96,8 @@ DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
  * faces are numbered in order.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE: a vertex; INDEX_OUT_OF_RANGE, REPEATED_VERTEX,
  * DUPLICATE_PART, NOT_ORIENTED; NOT_MANIFOLD: three triangles at an edge, several fans at a vertex;
- * OCCUPIED: not free, or too near for the radius; NOT_ENABLED: DSW_FEATURE_BODY_CONTACTS. For DSW_BODY_SKIP_BACK_EDGES also
- * NOT_CLOSED; NOT_ORIENTED: no volume inside.
+ * OCCUPIED: not free, or too near for the radius; NOT_ENABLED: DSW_FEATURE_BODY_CONTACTS. For
+ * DSW_BODY_SKIP_BACK_EDGES also NOT_CLOSED; NOT_ORIENTED: no volume inside.
  * @note Cost: O(vertices + volumes that edges cross). Batch. Source: [JCD10] 4. @since 2.0 */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
 
@@ -146,13 +146,13 @@ DSW_API dsw_status dsw_body_get_filter(const dsw_scene *scene, dsw_body_id body,
 DSW_API dsw_status dsw_body_set_filter(dsw_scene *scene, dsw_body_id body, uint32_t category,
                                        uint32_t mask);
 
-/** Gives the radius of a body. @note Cost: O(1). @since 2.1 */
+/** Gives the `radius` of a body. @note Cost: O(1). @since 2.1 */
 DSW_API dsw_status dsw_body_get_radius(const dsw_scene *scene, dsw_body_id body, double *radius);
 
 /** Changes the radius of a body.
  * @param radius finite, at least 0.
  * @return DSW_STATUS_OUT_OF_RANGE; OCCUPIED: something is too near.
- * @note Cost: O(1) to lower, as creation to raise. @since 2.1 */
+ * @note Cost: as creation. @since 2.1 */
 DSW_API dsw_status dsw_body_set_radius(dsw_scene *scene, dsw_body_id body, double radius);
 
 /** Gives a lower bound of the least gap of a body: distance less the radii, over all that it must

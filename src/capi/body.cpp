@@ -189,8 +189,12 @@ dsw_status dsw_body_get_radius(const dsw_scene* scene, dsw_body_id body, double*
 }
 
 dsw_status dsw_body_set_radius(dsw_scene* scene, dsw_body_id body, double radius) {
-  return capi::guarded_body(__func__, scene, body,
-                            [&](const auto& of) { set_radius(of.scene, of.record, capi::to_length(radius, "radius")); });
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    const double wanted = capi::to_length(radius, "radius");
+    capi::Recorded call(scene, capi::row_of<dsw_body_set_radius>, body, radius);
+    set_radius(of.scene, of.record, wanted);
+    call.done();
+  });
 }
 
 dsw_status dsw_body_find_least_gap(dsw_scene* scene, dsw_body_id body, double limit, double* gap) {

@@ -9,12 +9,12 @@ using dsw::fail;
 
 namespace {
 
-dsw::NearSettings to_settings(const dsw_near_options* options) {
+dsw::NearSettings to_settings(const dsw_near_options* options, double own_radius) {
   const dsw_near_options o = capi::read_optional(options, "options", DSW_NEAR_JACOBIAN);
   dsw::NearSettings s;
   s.margin = capi::to_length(o.margin, "options->margin");
   s.radius = capi::to_length(o.radius, "options->radius");
-  if (!std::isfinite(s.margin + 2 * s.radius)) {
+  if (!std::isfinite(s.margin + 2 * (s.radius + own_radius))) {
     fail(DSW_STATUS_OUT_OF_RANGE, "options->margin is %g and options->radius %g, which is too much", o.margin,
          o.radius);
   }
@@ -40,7 +40,7 @@ dsw_status hand_out_near(const char* function, const dsw_scene* scene, dsw_body_
 dsw_status dsw_body_find_near_rows(dsw_scene* scene, dsw_body_id body, const dsw_near_options* options,
                                    size_t* row_count) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
-    find_near_rows(of.scene, of.record, to_settings(options));
+    find_near_rows(of.scene, of.record, to_settings(options, of.body.radius));
     if (row_count != nullptr) *row_count = of.record.near[0].rows.size();
   });
 }

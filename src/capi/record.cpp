@@ -113,9 +113,9 @@ bool end_recording(dsw_scene& scene) noexcept {
   return works;
 }
 
-uint64_t state_of(const dsw_scene& scene, bool with_environment) {
+uint64_t state_of(const dsw_scene& scene, bool with_environment, uint32_t format) {
   return visit(scene, [&](const auto& engine) {
-    const uint64_t sum = state_checksum(engine);
+    const uint64_t sum = state_checksum(engine, format);
     if (!with_environment) return sum;
     const Array<uint8_t> whole = saved_block(engine.env);
     return checksum(sum, whole.data(), whole.size());
@@ -152,18 +152,18 @@ void Recorded::finish(bool failed, uint64_t digest) noexcept {
   now.made = true;
   now.failed = failed;
   now.digest = digest;
-  const auto take_state = [&](CallResult& to) {
+  const auto take_state = [&](CallResult& to, uint32_t format) {
     try {
-      to.state = state_of(scene, with_environment_);
+      to.state = state_of(scene, with_environment_, format);
       to.has_state = true;
     } catch (...) {  // no memory: a call that is recorded without
     }
   };
   if (scene.watch != nullptr) {
     scene.watch->last = now;
-    if (!failed && scene.watch->wants_state) take_state(scene.watch->last);
+    if (!failed && scene.watch->wants_state) take_state(scene.watch->last, scene.watch->state_format);
   }
-  if (!failed && wants_state) take_state(now);
+  if (!failed && wants_state) take_state(now, kSceneFormat);
   if (scene.recording == nullptr) return;
   const uint64_t result[kMostResultWords] = {failed ? 1u : 0u, digest, now.state};
   const size_t size = (wants_state && now.has_state ? kMostResultWords : kResultWords) * sizeof(uint64_t);

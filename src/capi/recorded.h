@@ -36,7 +36,7 @@ void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Own
 bool end_recording(dsw_scene& scene) noexcept;
 /** Checksum of the state of a scene, without counters and forecasts, and of its environment if asked for. Throws
  * std::bad_alloc. */
-uint64_t state_of(const dsw_scene& scene, bool with_environment);
+uint64_t state_of(const dsw_scene& scene, bool with_environment, uint32_t format = kSceneFormat);
 
 /** What is told of the last call that changed a scene, to whom replays it. */
 struct CallResult {
@@ -46,7 +46,9 @@ struct CallResult {
 /** What a replay and its scene tell each other. */
 struct CallWatch {
   bool wants_state = false;
-  bool knows_states = true;  // states of older recordings have forecasts in them, which are made anew
+  /** Of the snapshots whose checksums are the states. Those before kOldestStateFormat have forecasts, which are made
+   * anew. */
+  uint32_t state_format = kSceneFormat;
   /** For how many vertices the recorded host's points had room, and those of the deformation that is being made; there
    * is memory for as many as have been needed. */
   uint64_t room = 0, offered = 0;

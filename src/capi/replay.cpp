@@ -87,7 +87,7 @@ void load_beginning(dsw_replay& replay) {
   const dsw::Entry second = next_entry(replay, dsw::EntryKind::kScene, "its scene");
   replay.scene = capi::load_scene(*replay.environment, second.bytes, second.size);
   replay.scene->watch = &replay.watch;
-  replay.watch.knows_states = dsw::saved_version(second.bytes) == dsw::kSceneFormat;
+  replay.watch.state_format = dsw::saved_version(second.bytes);
   if (lending[0] != 0) lend_points(replay, lending[1]);
 }
 
@@ -245,7 +245,7 @@ static dsw_status make(dsw_replay& replay, const Row& row, const WordReader& arg
 }
 
 void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* report) {
-  replay.watch.wants_state = next.result.has_state && replay.watch.knows_states;
+  replay.watch.wants_state = next.result.has_state && replay.watch.state_format >= kOldestStateFormat;
   for (;;) {
     replay.watch.last = CallResult{};
     replay.watch.offered = 0;

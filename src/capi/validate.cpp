@@ -219,8 +219,9 @@ class CallValidator {
   }
 
   void claim_contact(const Mover& mover, const dsw_body_contact& contact) {
-    const bool is_wall = contact.contact.obstacle.kind != DSW_CELL_NONE, is_of_face = contact.face.generation != 0;
-    if (!is_wall || is_of_face || !mover.is_exact) {
+    const bool is_wall = contact.contact.obstacle.kind != DSW_CELL_NONE, is_of_face = contact.face.generation != 0,
+               is_thin = scene_.bodies[mover.slot].body.radius == 0;
+    if (!is_wall || is_of_face || !is_thin || !mover.is_exact) {
       ++validation_.not_validated;
       return;
     }

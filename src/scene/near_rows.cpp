@@ -188,20 +188,24 @@ void make_jacobian(const Array<dsw_near_row>& rows, uint32_t own_key, NearJacobi
 
 template <int D>
 void find_rows(Scene<D>& scene, BodyRecord<D>& of, const NearSettings& settings, NearRecord<D>& near) {
-  const double margin = settings.margin, radius = settings.radius, own_reach = margin + 2 * radius;
+  const double margin = settings.margin, radius = settings.radius + of.body.radius;
   Array<FoundPair<D>> pairs(scene.memory);
   Partners<D> partners(scene.memory);
   NearSearch<D> search(scene.env, of.body, near.notes);
   search.find_walls(margin + radius, pairs);
+  const auto radii_with = [&](const Partner<D>& each) {
+    return radius + (each.body == &of.body ? radius : each.body->radius);
+  };
   if (scene.features.contacts) {
     Box<D> reach = reach_of(of.body);
+    const double farthest = margin + 2 * settings.radius;  // the bodies' radii are added where partners are found
     for (int k = 0; k < D; ++k) {
-      reach.lower[k] -= own_reach;
-      reach.upper[k] += own_reach;
+      reach.lower[k] -= farthest;
+      reach.upper[k] += farthest;
     }
     find_partners(scene, of.body, reach, partners);
     for (uint32_t i = 0; i < partners.all.size(); ++i) {
-      search.find_partner(partners, i, partners.all[i].body == &of.body ? own_reach : margin + radius, pairs);
+      search.find_partner(partners, i, margin + radii_with(partners.all[i]), pairs);
     }
   }
   near.rows.reserve(pairs.size());
@@ -209,7 +213,7 @@ void find_rows(Scene<D>& scene, BodyRecord<D>& of, const NearSettings& settings,
   for (const FoundPair<D>& pair : pairs) {
     near.rows.push_back(to_row(scene.env, partners, pair));
     dsw_near_row& row = near.rows.back();
-    row.gap = row.distance - (row.key[1] == own_key ? 2 * radius : radius);
+    row.gap = row.distance - (pair.partner == kNone ? radius : radii_with(partners.all[pair.partner]));
   }
   std::sort(near.rows.begin(), near.rows.end(), precedes);
   follow(near.rows, near.last);

@@ -38,7 +38,8 @@ struct NearRecord {
 };
 
 struct NearSettings {
-  double margin = 0, radius = 0;
+  double margin = 0;
+  double radius = 0;  // added to the body's
   bool jacobian = false;
 };
 

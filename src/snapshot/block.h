@@ -14,7 +14,7 @@ struct BlockKind {
   uint32_t version;    // of the format that is written
   uint32_t oldest;     // of those that are read
   uint32_t sections;   // how many there are
-  uint32_t before[2];  // in the oldest version and the next one, if that is not the last
+  uint32_t before[3];  // in the oldest version and the next ones, up to the last
 
   constexpr uint32_t sections_of(uint32_t format) const noexcept {
     return format == version ? sections : before[format - oldest];

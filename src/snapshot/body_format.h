@@ -30,10 +30,15 @@ enum BodyNumber {
   kTouches,  // and touches before the last one;
   kRest,     // numbers of its rest places
   kTouched,  // from version 4 on: ends of edges for which there is what they have touched
+  kRadius,   // from version 5 on: the bits of the double,
+  kLengths,  // and edges for which there is their length
   kNumbers
 };
 constexpr size_t numbers_of(uint32_t format) {
-  return format < kHistoryFormat ? kMoves : format < kTouchedFormat ? kTouched : kNumbers;
+  return format < kHistoryFormat   ? kMoves
+         : format < kTouchedFormat ? kTouched
+         : format < kRadiusFormat  ? kRadius
+                                   : kNumbers;
 }
 
 constexpr uint64_t kSequencesFlag = 1, kEnvironmentFlag = 2, kClearanceFlag = 4, kSimilarMotionFlag = 8, kSelfFlag = 16,

@@ -83,6 +83,8 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& 
   const bool has_rest = body.is_rigid() && body.shape[0].rest.size() == D * vertices;
   numbers[kRest] = has_rest ? D * vertices : 0;
   numbers[kTouched] = touched;
+  numbers[kRadius] = bits_as<uint64_t>(body.radius);
+  numbers[kLengths] = body.lengths.size();
   append(image.bodies, numbers, numbers_of(content.format));
   const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
     append(to, from.data(), from.size());
@@ -146,6 +148,8 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& 
   for (size_t i = 0; i < touched; ++i) {
     for (const TouchedLine& line : body.touched[i].lines) append(image.touched, line.vertices, 2);
   }
+  if (content.format < kRadiusFormat) return;
+  append(image.lengths, body.lengths.data(), body.lengths.size());
 }
 
 DSW_INSTANTIATE(append);

@@ -272,6 +272,18 @@ void BodyReader<D>::read_shape(Body<D>& body, uint64_t rest) {
 }
 
 template <int D>
+void BodyReader<D>::read_radius(Body<D>& body, const uint64_t* n) {
+  const auto is_length = [](double x) { return x >= 0 && std::isfinite(x); };
+  body.radius = bits_as<double>(n[kRadius]);
+  if (!is_length(body.radius)) fail_corrupt("a radius");
+  const bool keeps_lengths = body.keeps_lengths();
+  if (n[kLengths] != (keeps_lengths ? body.edges.size() : 0)) fail_corrupt("the number of lengths");
+  const double* const lengths = take(image_.lengths, length_, n[kLengths]);
+  if (!std::all_of(lengths, lengths + n[kLengths], is_length)) fail_corrupt("the length of an edge");
+  body.lengths.assign(lengths, lengths + n[kLengths]);
+}
+
+template <int D>
 void BodyReader<D>::take_numbers(uint64_t* numbers) {
   const size_t count = numbers_of(format_);
   std::fill_n(std::copy_n(take(image_.bodies, body_, count), count, numbers), kNumbers - count, uint64_t{0});
@@ -309,6 +321,7 @@ void BodyReader<D>::read(BodyRecord<D>& of) {
   if (!(body.skipping.motion_share >= 0) || !std::isfinite(body.skipping.motion_share)) fail_corrupt("a motion share");
   read_parts(body, n);
   if (const char* const broken = check_integrity(body)) fail_corrupt(broken);
+  read_radius(body, n);
   check(body);
   read_sequences(body, n[kSequences]);
   read_touched(body, n[kTouched]);
@@ -347,7 +360,7 @@ void BodyReader<D>::finish() const {
       contact_place_ == i.contact_places.size() && contact_ == i.contacts.size() && partner_ == i.partners.size() &&
       previous_place_ == i.previous_places.size() && previous_ == i.previous.size() &&
       touch_place_ == i.touch_places.size() && touch_ == i.touches.size() && shape_ == i.shapes.size() &&
-      touched_ == i.touched.size();
+      touched_ == i.touched.size() && length_ == i.lengths.size();
   if (!all) fail_corrupt("more of bodies than there are");
 }
 

@@ -7,8 +7,8 @@
 
 namespace dsw {
 
-/** In format 3 the history of contacts came, in format 4 what edges have touched. */
-constexpr uint32_t kHistoryFormat = 3, kTouchedFormat = 4;
+/** In format 3 the history of contacts came, in format 4 what edges have touched, in format 5 the radius. */
+constexpr uint32_t kHistoryFormat = 3, kTouchedFormat = 4, kRadiusFormat = 5;
 
 struct SceneImage {
   // Of the scene. The numbers are the counters of its statistics, then what its environment had of cells, indices and
@@ -44,10 +44,12 @@ struct SceneImage {
   Array<double> shapes;  // of rigid bodies: rotation, centre, translation, rest places
   // From version 4 on: the vertices of what edges have touched, for each edge and end.
   Array<uint32_t> touched;
+  // From version 5 on: lengths of edges along thick bodies.
+  Array<double> lengths;
 
   explicit SceneImage(const Memory* memory);
 
-  static constexpr uint32_t kSections = 31, kSectionsBefore[2] = {25, 30};  // of versions 2 and 3
+  static constexpr uint32_t kSections = 32, kSectionsBefore[3] = {25, 30, 31};  // of versions 2, 3 and 4
 
   /** Calls visit(array) for all arrays in the order of their sections. */
   template <class Visit>
@@ -66,6 +68,7 @@ struct SceneImage {
     visit(previous_places), visit(previous), visit(touch_places), visit(touches);
     visit(shapes);
     visit(touched);
+    visit(lengths);
   }
 };
 
@@ -125,6 +128,7 @@ class BodyReader {
   void read_contacts(BodyRecord<D>& of, uint64_t count);
   void read_partners(BodyRecord<D>& of, uint64_t count);
   void read_shape(Body<D>& body, uint64_t rest);
+  void read_radius(Body<D>& body, const uint64_t* numbers);
   void take_numbers(uint64_t* numbers);
   void read_history(BodyRecord<D>& of, const uint64_t* numbers);
   void check(const Body<D>& body);
@@ -136,7 +140,7 @@ class BodyReader {
   size_t body_ = 0, vertex_place_ = 0, vertex_ = 0, vertex_slot_ = 0, free_vertex_ = 0, edge_ = 0, edge_slot_ = 0,
          free_edge_ = 0, face_ = 0, face_slot_ = 0, free_face_ = 0, inserted_ = 0, sequence_ = 0, ball_ = 0,
          ball_word_ = 0, contact_place_ = 0, contact_ = 0, partner_ = 0, previous_place_ = 0, previous_ = 0,
-         touch_place_ = 0, touch_ = 0, shape_ = 0, touched_ = 0;
+         touch_place_ = 0, touch_ = 0, shape_ = 0, touched_ = 0, length_ = 0;
 };
 
 }  // namespace dsw

@@ -14,11 +14,12 @@
 namespace dsw {
 namespace {
 
-constexpr BlockKind kKind = {"DSWSCN\x1a\n",
-                             kSceneFormat,
-                             kOldestSceneFormat,
-                             SceneImage::kSections,
-                             {SceneImage::kSectionsBefore[0], SceneImage::kSectionsBefore[1]}};
+constexpr BlockKind kKind = {
+    "DSWSCN\x1a\n",
+    kSceneFormat,
+    kOldestSceneFormat,
+    SceneImage::kSections,
+    {SceneImage::kSectionsBefore[0], SceneImage::kSectionsBefore[1], SceneImage::kSectionsBefore[2]}};
 /** What is written in a format. */
 constexpr BlockKind kind_of(uint32_t format) {
   BlockKind kind = kKind;

@@ -5,8 +5,9 @@
 
 namespace dsw {
 
-/** The version of the format, and the oldest one that is read. */
-constexpr uint32_t kSceneFormat = 4, kOldestSceneFormat = 2;
+/** The version of the format, the oldest one that is read, and the oldest one whose states are as state_checksum makes
+ * them. */
+constexpr uint32_t kSceneFormat = 5, kOldestSceneFormat = 2, kOldestStateFormat = 4;
 
 /** Size of the block that `save` writes in a format. Throws std::bad_alloc. */
 template <int D>

@@ -182,6 +182,34 @@ TEST(Cpp, NearRowsAndTheirJacobianAreRead) {
   EXPECT_THROW(body.find_near_rows(&options), OutOfRange);
 }
 
+TEST(Cpp, AThickBodyKeepsItsRadius) {
+  Environment environment = cube();
+  Scene scene(environment);
+  const std::vector<Row> rod = {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}}, down = {{0.25, 0.5, -0.5}, {0.75, 0.5, -0.5}};
+  const std::vector<std::uint32_t> edge = {0, 1};
+  auto desc = defaults<dsw_body_desc>();
+  desc.radius = 0.1;
+  Body body(scene, scene.create_body(rod, edge, {}, {}, {}, &desc));
+  EXPECT_EQ(body.get_radius(), 0.1);
+  EXPECT_THROW(body.set_radius(-1), OutOfRange);
+  EXPECT_THROW(body.find_least_gap(-1), OutOfRange);
+  body.set_radius(0.125);
+  EXPECT_EQ(body.get_radius(), 0.125);
+  EXPECT_EQ(body.find_least_gap(0.0625), 0.0625);
+  EXPECT_NEAR(body.find_least_gap(1), 0.125, 1e-8);
+  EXPECT_THROW(body.set_radius(0.5), Occupied);
+  EXPECT_EQ(scene.get_offending_edges().size(), 2u);
+  body.set_radius(0.1);
+  EXPECT_NEAR(body.find_least_gap(1), 0.15, 1e-8);
+  body.move(down);
+  std::vector<Row> now(2);
+  body.get_positions(now);
+  EXPECT_NEAR(now[0][2], 0.1, 1e-3);
+  EXPECT_GE(body.find_least_gap(0.1), -1e-9);
+  desc.radius = 0.3;
+  EXPECT_THROW(scene.create_body(rod, edge, {}, {}, {}, &desc), Occupied);
+}
+
 TEST(Cpp, LentPointsLiveAsLongAsTheyAreRead) {
   Environment environment = cube();
   const Scene scene = deforming_scene(environment);

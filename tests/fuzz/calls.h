@@ -52,6 +52,8 @@ class Calls {
   dsw_mark mark() { return bytes_.below(4) == 0 ? DSW_MARK_PASSABLE : DSW_MARK_IMPASSABLE; }
   bool wild() { return bytes_.below(16) == 15; }
   dsw_move_options options();
+  /** Mostly some hundredths of a box. */
+  double radius() { return wild() ? bytes_.number() : bytes_.byte() / 2048.0; }
 
   dsw_scene* scene_;
   dsw_environment* environment_;

@@ -57,7 +57,9 @@ dsw_status Calls::make_bodies(uint32_t which) {
       d.positions = positions;
       d.vertex_count = 4;
       d.edges = edges;
-      d.edge_count = bytes_.below(4);
+      const uint8_t choice = bytes_.byte();
+      d.edge_count = choice % 4;
+      d.radius = choice < 192 ? 0 : radius();
       d.face_offsets = offsets;
       d.face_corners = corners;
       d.face_count = with_faces ? 2 : 0;
@@ -67,9 +69,12 @@ dsw_status Calls::make_bodies(uint32_t which) {
     }
     case 3:
       return dsw_body_set_level(scene_, body(), static_cast<dsw_level>(bytes_.below(5)));
-    default:
-      return bytes_.below(2) == 0 ? dsw_body_set_filter(scene_, body(), bytes_.byte(), bytes_.byte())
-                                  : dsw_body_destroy(scene_, body());
+    default: {
+      const uint8_t choice = bytes_.byte();
+      if (choice >= 192) return dsw_body_set_radius(scene_, body(), radius());
+      return choice % 2 == 0 ? dsw_body_set_filter(scene_, body(), bytes_.byte(), bytes_.byte())
+                             : dsw_body_destroy(scene_, body());
+    }
   }
 }
 

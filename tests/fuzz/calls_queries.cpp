@@ -196,6 +196,7 @@ dsw_status Calls::look_at_body() {
     };
   };
   dsw_level level;
+  double radius, gap;
   uint32_t category, mask;
   dsw_body_vertex_id corners[3];
   dsw_near_options near;
@@ -204,6 +205,7 @@ dsw_status Calls::look_at_body() {
   near.margin = std::fabs(bytes_.number());
   near.radius = bytes_.below(2) == 0 ? 0 : bytes_.number();
   return Answers() << dsw_body_get_level(scene_, id, &level) << dsw_body_get_filter(scene_, id, &category, &mask)
+                   << dsw_body_get_radius(scene_, id, &radius) << dsw_body_find_least_gap(scene_, id, near.radius, &gap)
                    << dsw_body_get_edge_ends(scene_, id, body_edge(id), corners)
                    << dsw_body_get_face_corners(scene_, id, body_face(id), corners)
                    << copy_all<dsw_body_vertex_id>(copied(dsw_body_get_vertex_ids))

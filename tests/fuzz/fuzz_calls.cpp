@@ -62,7 +62,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     dsw_fuzz::Calls calls(scene, world, &bytes);
     for (int i = 0; i < kMostCalls && !bytes.empty(); ++i) {
       if (i == first_recorded) dsw_fuzz::record(scene, append, &recording);
-      dsw_fuzz::require(calls.make() != DSW_STATUS_INTERNAL, dsw_last_error_message());
+      const dsw_status status = calls.make();
+      dsw_fuzz::require(status != DSW_STATUS_INTERNAL, dsw_last_error_message());
+      if (status == DSW_STATUS_OK) dsw_fuzz::check_radii(scene);
     }
     dsw_fuzz::require(dsw_scene_stop_recording(scene) == DSW_STATUS_OK, "its end");
     const std::vector<uint8_t> environment_block = dsw_fuzz::save(home), scene_block = dsw_fuzz::save(scene);

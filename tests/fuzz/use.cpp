@@ -1,5 +1,6 @@
 #include "use.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dsw_fuzz {
@@ -232,6 +233,40 @@ std::vector<uint8_t> save(const dsw_scene* scene) {
   require(dsw_scene_save(scene, block.data(), block.size(), &size) == DSW_STATUS_OK, "save a scene");
   require(size == block.size(), "a snapshot has the size it said");
   return block;
+}
+
+namespace {
+
+std::vector<dsw_body_id> bodies_of(const dsw_scene* scene) {
+  size_t count = 0;
+  require(dsw_scene_get_body_count(scene, &count) == DSW_STATUS_OK, "bodies are counted");
+  std::vector<dsw_body_id> ids(count);
+  if (count != 0) require(dsw_scene_get_body_ids(scene, ids.data(), count, &count) == DSW_STATUS_OK, "bodies have ids");
+  return ids;
+}
+
+double radius_of(const dsw_scene* scene, dsw_body_id body) {
+  double radius = -1;
+  require(dsw_body_get_radius(scene, body, &radius) == DSW_STATUS_OK, "a body has a radius");
+  require(radius >= 0 && std::isfinite(radius), "which is a length");
+  return radius;
+}
+
+}  // namespace
+
+double check_radius(dsw_scene* scene, dsw_body_id body) {
+  const double radius = radius_of(scene, body);
+  if (radius == 0) return radius;
+  double gap = 0, thickest = 0;
+  for (const dsw_body_id each : bodies_of(scene)) thickest = std::max(thickest, radius_of(scene, each));
+  require(dsw_body_find_least_gap(scene, body, radius, &gap) == DSW_STATUS_OK, "a body has a gap");
+  require(gap <= radius, "up to the limit");
+  require(gap >= -0x1p-30 * (radius + thickest), "a body keeps its radius");
+  return radius;
+}
+
+void check_radii(dsw_scene* scene) {
+  for (const dsw_body_id each : bodies_of(scene)) check_radius(scene, each);
 }
 
 std::vector<uint8_t> repaired(const uint8_t* data, size_t size) {

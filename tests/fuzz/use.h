@@ -17,6 +17,11 @@ void mark_something(dsw_environment* environment, Bytes* bytes);
 /** Creates a body, moves and edits it, marks cells round it, and checks it after each. */
 void use_body(dsw_scene* scene, bool is_partition, Bytes* bytes);
 
+/** The radius of a body, which lives. It keeps its radius from everything, and the sum of both from other bodies. */
+double check_radius(dsw_scene* scene, dsw_body_id body);
+/** The same of all bodies. */
+void check_radii(dsw_scene* scene);
+
 /** Casts one segment and checks what a report always promises. */
 dsw_flight cast(const dsw_environment* environment, dsw_volume_id start, const double* from, const double* to,
                 dsw_status* status);

@@ -27,6 +27,7 @@ struct Subject {
   std::vector<dsw_body_vertex_id> vertices;
   std::vector<dsw_body_edge_id> edges;
   std::vector<dsw_body_face_id> faces;
+  double radius;
 
   void read() {
     dsw_body_counts counts = {};
@@ -44,6 +45,7 @@ struct Subject {
     require(dsw_body_get_vertex_ids(scene, id, vertices.data(), vertices.size(), &n) == DSW_STATUS_OK, "vertices");
     require(dsw_body_get_edge_ids(scene, id, edges.data(), edges.size(), &n) == DSW_STATUS_OK, "edges");
     require(dsw_body_get_face_ids(scene, id, faces.data(), faces.size(), &n) == DSW_STATUS_OK, "faces");
+    require(dsw_body_get_radius(scene, id, &radius) == DSW_STATUS_OK, "a radius");
   }
   const double* at(uint32_t vertex) const { return positions.data() + dimension * vertex; }
 
@@ -90,6 +92,7 @@ void check_body(Subject* s) {
             "three of them");
   }
   if (!s->is_partition) return;
+  require(check_radius(s->scene, s->id) == s->radius, "a radius is what it is");
   for (const dsw_body_vertex_id vertex : s->vertices) {
     dsw_volume_id found;
     dsw_location location;
@@ -114,7 +117,8 @@ void check_contact(const Subject& s, const dsw_body_contact& c, dsw_search searc
   require(c.history == DSW_HISTORY_NEW || c.history == DSW_HISTORY_LASTING, "new or lasting");
   require(c.edge.generation == 0 || c.face.generation == 0, "an edge or a face");
   require(c.vertex.generation != 0 && c.contact.front.generation != 0 && c.distance_left >= 0, "a contact is whole");
-  if (!s.is_partition || search == DSW_SEARCH_BISECTION || c.face.generation != 0) return;
+  // Casts and sweeps are of thin ones.
+  if (!s.is_partition || s.radius != 0 || search == DSW_SEARCH_BISECTION || c.face.generation != 0) return;
   const bool all = search == DSW_SEARCH_EXHAUSTIVE;  // obstacles behind the first come with their own times
   const dsw_environment* environment = dsw_scene_get_environment(s.scene);
   const dsw_volume_id none = {0, 0};
@@ -244,14 +248,18 @@ void edit_body(Subject* s, Bytes* bytes) {
     case 8:  // what a body occupies stays passable
       mark_something(dsw_scene_get_environment(s->scene), bytes);
       break;
-    default:
-      status = dsw_body_set_level(s->scene, s->id, static_cast<dsw_level>(bytes->below(6)));
+    default: {
+      const uint8_t choice = bytes->byte();
+      status = choice < 198 ? dsw_body_set_level(s->scene, s->id, static_cast<dsw_level>(choice % 6))
+                            : dsw_body_set_radius(s->scene, s->id, bytes->number() / 64);
+    }
   }
   require(status != DSW_STATUS_INTERNAL, "no defect shows");
   if (status == DSW_STATUS_OK) return;
   s->read();
   require(s->positions == before.positions && s->vertices.size() == before.vertices.size() &&
-              s->edges.size() == before.edges.size() && s->faces.size() == before.faces.size(),
+              s->edges.size() == before.edges.size() && s->faces.size() == before.faces.size() &&
+              s->radius == before.radius,
           "what fails changes nothing");
 }
 
@@ -268,7 +276,9 @@ bool create_body(dsw_scene* scene, size_t dimension, Bytes* bytes, dsw_body_id* 
   }
   dsw_body_desc desc;
   dsw_body_desc_init(&desc, sizeof desc);
-  desc.flags = bytes->below(17);
+  const uint8_t flags = bytes->byte();
+  desc.flags = flags % 17;
+  desc.radius = flags < 204 ? 0 : bytes->number() / 64;
   desc.level = static_cast<dsw_level>(1 + bytes->below(dimension == 3 ? 4 : 3));
   desc.positions = positions.data();
   desc.vertex_count = vertex_count;
@@ -291,7 +301,7 @@ bool create_body(dsw_scene* scene, size_t dimension, Bytes* bytes, dsw_body_id* 
 
 void use_body(dsw_scene* scene, bool is_partition, Bytes* bytes) {
   const size_t dimension = dimension_of(dsw_scene_get_environment(scene));
-  Subject subject = {scene, {0, 0}, is_partition, dimension, {}, {}, {}, {}, {}};
+  Subject subject = {scene, {0, 0}, is_partition, dimension, {}, {}, {}, {}, {}, 0};
   if (!create_body(scene, dimension, bytes, &subject.id)) return;
   check_body(&subject);
   for (int step = 0; step < 8 && !bytes->empty(); ++step) {

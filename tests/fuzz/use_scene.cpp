@@ -60,6 +60,7 @@ dsw_scene* make_inhabited(dsw_environment* home) {
   for (int i = 0; i < count; ++i) {
     const double at[3] = {0.25 + 0.5 * i, 0.25, 0.4};
     add_body(scene, at, levels[i], i == 1 ? DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_CLEARANCE : 0);
+    if (levels[i] == DSW_LEVEL_EDGES_SWEPT) dsw_body_set_radius(scene, {static_cast<uint32_t>(i), 1}, 1.0 / 64);
     dsw_particle_id particle;
     require(dsw_particle_create(scene, at, {0, 0}, &particle) == DSW_STATUS_OK, "a particle");
     if (i == 2) dsw_particle_destroy(scene, particle);
@@ -80,6 +81,7 @@ void use_scene(dsw_scene* scene) {
         require(status == DSW_STATUS_OK || status == DSW_STATUS_STALE_ID, "a particle moves");
       }
     }
+    check_radii(scene);
   }
 }
 

@@ -117,10 +117,12 @@ void call_the_others(dsw_scene* scene) {
   desc.face_count = 1;
   desc.face_corner_count = 3;
   desc.flags = DSW_BODY_SELF_CONTACTS;
+  desc.radius = kNear / 256;
   dsw_body_id body;
   ok(dsw_body_create(scene, &desc, &body));
   ok(dsw_body_set_level(scene, body, DSW_LEVEL_FACES));
   ok(dsw_body_set_filter(scene, body, 2, 4));
+  ok(dsw_body_set_radius(scene, body, kNear / 128));
   const dsw_rigid_motion motion = {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, kNear}};
   ok(dsw_body_move_rigid(scene, body, &motion, nullptr, nullptr));
   ok(dsw_body_move(scene, body, corners[0].data(), corners.size(), 0, nullptr, nullptr));

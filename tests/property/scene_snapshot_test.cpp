@@ -38,6 +38,8 @@ void fill(dsw_scene* scene, const World& world, Rng& rng, Ids& ids, uint32_t mor
     if (create_body(scene, plan, level, (i % 3 == 0 ? kAllFlags : 0) | (i % 4 < 2 ? more_flags : 0), {}, &body) ==
         DSW_STATUS_OK) {
       ids.bodies.push_back(body);
+      // Where something is too near it stays thin.
+      if (i % 4 == 1) dsw_body_set_radius(scene, body, world.size * 0x1p-10);
     }
     const Vec p = motions.start();
     dsw_particle_id particle;

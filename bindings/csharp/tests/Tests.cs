@@ -226,6 +226,32 @@ static class Tests
     }
   }
 
+  public static void AThickBodyKeepsItsRadius()
+  {
+    double[] points = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1 };
+    double[] from = { 0.25, 0.5, 0.5, 0.75, 0.5, 0.5 };
+    using (Environment environment = new Environment(points, new[] { 0, 1, 2, 3, 4, 5, 6, 7 }, CellType.Hexahedron))
+    using (Scene scene = new Scene(environment, 0))
+    {
+      Body wire = scene.CreateBody(from, new uint[] { 0, 1 }, null, new BodyDesc { Radius = 0.1 });
+      Same(0.1, wire.GetRadius());
+      Throws<OutOfRangeException>(() => wire.SetRadius(-1));
+      Throws<OutOfRangeException>(() => wire.FindLeastGap(double.NaN));
+      wire.SetRadius(0.125);
+      Same(0.125, wire.GetRadius());
+      Same(0.0625, wire.FindLeastGap(0.0625));
+      True(Math.Abs(wire.FindLeastGap(1) - 0.125) < 1e-8, "the gap of a thicker wire");
+      Throws<OccupiedException>(() => wire.SetRadius(0.5));
+      True(scene.GetOffendingEdges().SequenceEqual(new uint[] { 0, 1 }));
+      wire.SetRadius(0.1);
+      True(Math.Abs(wire.FindLeastGap(1) - 0.15) < 1e-8, "the gap");
+      wire.Move(new[] { 0.25, 0.5, -0.5, 0.75, 0.5, -0.5 });
+      True(Math.Abs(wire.GetPositions()[2] - 0.1) < 1e-3, "the place");
+      True(wire.FindLeastGap(0.1) >= -1e-9, "the gap after a move");
+      Throws<OccupiedException>(() => scene.CreateBody(from, new uint[] { 0, 1 }, null, new BodyDesc { Radius = 0.3 }));
+    }
+  }
+
   public static void ArgumentsOfTheWrongShapeAreRefused()
   {
     using (Environment environment = Scenario.Create())

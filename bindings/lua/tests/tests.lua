@@ -338,6 +338,32 @@ function TestValues:test_near_rows()
   lu.assertEquals(problem_of(wire.find_near_rows, wire, {margin = -1}).name, "OutOfRange")
 end
 
+function TestValues:test_a_thick_body_keeps_its_radius()
+  local environment <close> = dsw.Environment {
+    points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+    cells = {{0, 1, 2, 3, 4, 5, 6, 7}},
+  }
+  local scene <close> = dsw.Scene(environment)
+  local described = {positions = {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}}, edges = {0, 1}, radius = 0.1}
+  local wire = scene:create_body(described)
+  lu.assertEquals(wire:get_radius(), 0.1)
+  lu.assertEquals(problem_of(wire.set_radius, wire, -1).name, "OutOfRange")
+  lu.assertEquals(problem_of(wire.find_least_gap, wire, 0 / 0).name, "OutOfRange")
+  wire:set_radius(0.125)
+  lu.assertEquals({wire:get_radius(), wire:find_least_gap(0.0625)}, {0.125, 0.0625})
+  lu.assertAlmostEquals(wire:find_least_gap(1), 0.125, 1e-8)
+  lu.assertEquals(problem_of(wire.set_radius, wire, 0.5).name, "Occupied")
+  local edges = scene:get_offending_edges()
+  lu.assertEquals({#edges, edges[1], edges[2]}, {2, 0, 1})
+  wire:set_radius(0.1)
+  lu.assertAlmostEquals(wire:find_least_gap(1), 0.15, 1e-8)
+  wire:move {{0.25, 0.5, -0.5}, {0.75, 0.5, -0.5}}
+  lu.assertTrue(wire:find_least_gap(0.1) >= -1e-9)
+  lu.assertAlmostEquals(wire:get_positions()[3], 0.1, 1e-3)
+  described.radius = 0.3
+  lu.assertEquals(problem_of(scene.create_body, scene, described).name, "Occupied")
+end
+
 function TestValues:test_empty_arrays_are_left_out()
   local environment <close> = dsw.Environment {
     points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, cells = {0, 1, 2, 3}, uniform_cell_type = dsw.CELL_TYPE_TETRA,

@@ -251,6 +251,11 @@ export class Body {
   setLevel(level: Level): void;
   getFilter(): BodyFilter;
   setFilter(category: number, mask: number): void;
+  /** The distance that the body keeps from everything. */
+  getRadius(): number;
+  setRadius(radius: number): void;
+  /** A lower bound of the least gap: distance less the radii; at most `limit`. */
+  findLeastGap(limit: number): number;
 
   /** Of all vertices by index; the arrays are filled where they are given. */
   getPositions(positions?: Float64Array, volumes?: VolumeIdArray): Float64Array;

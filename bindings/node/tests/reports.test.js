@@ -92,3 +92,29 @@ test('near rows say where a body is close', () => {
   assert.equal(wire.getNearOffsets().length, 0);
   assert.throws(() => wire.findNearRows({ margin: -1 }), dsw.OutOfRangeError);
 });
+
+test('a thick body keeps its radius', () => {
+  const environment = new dsw.Environment(
+    [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1],
+    [0, 1, 2, 3, 4, 5, 6, 7],
+    { type: dsw.CellType.Hexahedron },
+  );
+  const scene = new dsw.Scene(environment);
+  const create = (radius) => scene.createBody([0.25, 0.5, 0.5, 0.75, 0.5, 0.5], [0, 1], { radius });
+  const close = (a, b, by) => assert.ok(Math.abs(a - b) < by, `${a} is not ${b}`);
+  const wire = create(0.1);
+  assert.equal(wire.getRadius(), 0.1);
+  assert.throws(() => wire.setRadius(-1), dsw.OutOfRangeError);
+  assert.throws(() => wire.findLeastGap(NaN), dsw.OutOfRangeError);
+  wire.setRadius(0.125);
+  assert.deepEqual([wire.getRadius(), wire.findLeastGap(0.0625)], [0.125, 0.0625]);
+  close(wire.findLeastGap(1), 0.125, 1e-8);
+  assert.throws(() => wire.setRadius(0.5), dsw.OccupiedError);
+  assert.deepEqual([...scene.getOffendingEdges()], [0, 1]);
+  wire.setRadius(0.1);
+  close(wire.findLeastGap(1), 0.15, 1e-8);
+  wire.move([0.25, 0.5, -0.5, 0.75, 0.5, -0.5]);
+  close(wire.getPositions()[2], 0.1, 1e-3);
+  assert.ok(wire.findLeastGap(0.1) >= -1e-9);
+  assert.throws(() => create(0.3), dsw.OccupiedError);
+});

@@ -32,6 +32,14 @@ class Body {
   void set_filter(std::uint32_t category, std::uint32_t mask) {
     change(dsw_body_set_filter, category, mask);
   }
+  double get_radius() const { return one<double>(dsw_body_get_radius); }
+  void set_radius(double radius) { change(dsw_body_set_radius, radius); }
+  // A lower bound of the least gap, at most `limit`.
+  double find_least_gap(double limit) {
+    double out = 0;
+    change(dsw_body_find_least_gap, limit, &out);
+    return out;
+  }
 
   // --- parts
   void get_positions(PointsOut positions, View<dsw_volume_id> volumes = {}) const {

@@ -351,6 +351,7 @@ class BodyDesc:
     motion_share: float
     category: int
     mask: int
+    radius: float
 
 class VolumesDesc:
     uniform_cell_type: int

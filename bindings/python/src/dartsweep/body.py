@@ -78,6 +78,19 @@ class Body:
     def filter(self, values: tuple[int, int]) -> None:
         self._core.set_filter(*values)
 
+    @property
+    def radius(self) -> float:
+        """The distance that the body keeps from everything. A larger radius raises Occupied if something is too near."""
+        return self._core.get_radius()  # type: ignore[no-any-return]
+
+    @radius.setter
+    def radius(self, radius: float) -> None:
+        self._core.set_radius(radius)
+
+    def least_gap(self, limit: float) -> float:
+        """A lower bound of the least gap: distance less the radii, over all that the body must not touch; at most `limit`."""
+        return self._core.find_least_gap(limit)  # type: ignore[no-any-return]
+
     # --- parts
 
     def positions(self, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
@@ -194,7 +207,8 @@ class Body:
     # --- near rows
 
     def near_rows(self, margin: float, radius: float = 0.0, jacobian: bool = False) -> Records:
-        """Parts of the body, of a radius, whose gap to something is at most the margin (dtypes.NEAR_ROW), in order of their keys."""
+        """Parts of the body whose gap to something is at most the margin (dtypes.NEAR_ROW), in order of their keys. `radius` is added
+        to the body's own."""
         flags = NearFlag.JACOBIAN if jacobian else 0
         self._core.find_near_rows(described(NearOptions, margin=margin, radius=radius, flags=flags))
         return self._core.get_near_rows()  # type: ignore[no-any-return]

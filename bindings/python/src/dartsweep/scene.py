@@ -204,10 +204,18 @@ class Scene:
         motion_share: float = 0.0,
         category: int = 0,
         mask: int = 0,
+        radius: float = 0.0,
     ) -> Body:
-        """A body: edges of shape (n, 2), triangles of shape (n, 3), indices of positions. flags: BodyFlag."""
+        """A body: edges of shape (n, 2), triangles of shape (n, 3), indices of positions. flags: BodyFlag. With a radius it keeps
+        this distance from everything."""
         desc = described(
-            _core.BodyDesc, level=int(level), flags=int(flags), motion_share=motion_share, category=category, mask=mask
+            _core.BodyDesc,
+            level=int(level),
+            flags=int(flags),
+            motion_share=motion_share,
+            category=category,
+            mask=mask,
+            radius=radius,
         )
         offsets = None
         if edges is not None:
@@ -228,5 +236,5 @@ class Scene:
         return reports
 
     def offending_edges(self) -> NDArray[np.uint32]:
-        """Pairs of vertices of the edges that were not free when a body was created, or changed its level or filter."""
+        """Pairs of vertices of the edges that were not free when a body was created, or changed its level, filter or radius."""
         return self._core.get_offending_edges().reshape(-1, 2)  # type: ignore[no-any-return]

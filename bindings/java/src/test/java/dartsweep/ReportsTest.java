@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.DoubleBuffer;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -127,6 +128,35 @@ class ReportsTest {
       assertEquals(0.265625, next.get(0).getDistance());
       assertEquals(0, wire.getNearOffsets().length);
       assertThrows(DartsweepException.OutOfRange.class, () -> wire.findNearRows(-1, 0, 0));
+    }
+  }
+
+  @Test
+  void aThickBodyKeepsItsRadius() {
+    double[] points = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};
+    double[] from = {0.25, 0.5, 0.5, 0.75, 0.5, 0.5}, down = {0.25, 0.5, -0.5, 0.75, 0.5, -0.5};
+    BodyDesc desc = new BodyDesc();
+    desc.setRadius(0.1);
+    try (Environment environment = new Environment(points, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, CellType.HEXAHEDRON, null);
+        Scene scene = new Scene(environment, 0)) {
+      Body wire = scene.createBody(DoubleBuffer.wrap(from), new int[] {0, 1}, null, desc);
+      assertEquals(0.1, wire.getRadius());
+      assertThrows(DartsweepException.OutOfRange.class, () -> wire.setRadius(-1));
+      assertThrows(DartsweepException.OutOfRange.class, () -> wire.findLeastGap(Double.NaN));
+      wire.setRadius(0.125);
+      assertEquals(0.125, wire.getRadius());
+      assertEquals(0.0625, wire.findLeastGap(0.0625));
+      assertEquals(0.125, wire.findLeastGap(1), 1e-8);
+      assertThrows(DartsweepException.Occupied.class, () -> wire.setRadius(0.5));
+      assertArrayEquals(new int[] {0, 1}, scene.getOffendingEdges());
+      wire.setRadius(0.1);
+      assertEquals(0.15, wire.findLeastGap(1), 1e-8);
+      wire.move(down, null);
+      assertEquals(0.1, wire.getPositions()[2], 1e-3);
+      assertTrue(wire.findLeastGap(0.1) >= -1e-9);
+      desc.setRadius(0.3);
+      assertThrows(
+          DartsweepException.Occupied.class, () -> scene.createBody(DoubleBuffer.wrap(from), new int[] {0, 1}, null, desc));
     }
   }
 }
