@@ -1,5 +1,9 @@
 #include "body/box.h"
 
+#include <cmath>
+
+#include "base/dimensions.h"
+
 #include <algorithm>
 
 namespace dsw {
@@ -18,7 +22,19 @@ bool Box<D>::overlaps(const double* const* points, int count) const noexcept {
   return overlaps(box);
 }
 
+template <int D>
+Box<D> widened(const Box<D>& box, double room) noexcept {
+  Box<D> wide = box;
+  for (int k = 0; room > 0 && k < D; ++k) {
+    const double all = room + 0x1p-40 * (room + std::fabs(box.lower[k]) + std::fabs(box.upper[k]));
+    wide.lower[k] -= all;
+    wide.upper[k] += all;
+  }
+  return wide;
+}
+
 template struct Box<2>;
 template struct Box<3>;
+DSW_INSTANTIATE(widened);
 
 }  // namespace dsw

@@ -44,4 +44,8 @@ struct Box {
   bool overlaps(const double* const* points, int count) const noexcept;
 };
 
+/** With some more room on all sides, and for rounding. No room: the box as it is. */
+template <int D>
+Box<D> widened(const Box<D>& box, double room) noexcept;
+
 }  // namespace dsw

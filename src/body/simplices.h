@@ -57,4 +57,24 @@ bool for_each_simplex_at(const Body<D>& body, uint32_t v, Visit visit) {
   return go_on;
 }
 
+/** Whether a simplex of higher dimension covers this one. */
+template <int D>
+bool is_covered(const Body<D>& body, const Simplex& simplex) {
+  switch (simplex.kind) {
+    case Simplex::kVertex:
+      return covers_edges(body.level) && body.vertices[simplex.index].first_edge != kNone;
+    case Simplex::kEdge:
+      return covers_faces(body.level) && body.edges[simplex.index].faces[0] != kNone;
+    case Simplex::kFace:
+      break;
+  }
+  return false;
+}
+
+/** As for_each_simplex, for those that no other one covers. */
+template <int D, class Visit>
+bool for_each_outer(const Body<D>& body, Visit visit) {
+  return for_each_simplex(body, [&](const Simplex& each) { return is_covered(body, each) || visit(each); });
+}
+
 }  // namespace dsw

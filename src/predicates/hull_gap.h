@@ -27,7 +27,7 @@ HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough) noexce
 
 /** Whether it is certain that two hulls are that far apart. */
 template <int D>
-bool are_apart(const ConvexHull& a, const ConvexHull& b, double distance) noexcept {
+bool are_far_apart(const ConvexHull& a, const ConvexHull& b, double distance) noexcept {
   return find_gap<D>(a, b, distance).bound >= distance;
 }
 

@@ -10,18 +10,6 @@
 namespace dsw {
 namespace {
 
-/** Calls visit(part) for the parts that no part of higher dimension covers, until it returns false; whether it never
- * did. */
-template <int D, class Visit>
-bool for_each_outer(const Body<D>& body, Visit visit) {
-  return for_each_simplex(body, [&](const Simplex& part) {
-    const bool is_covered =
-        (part.kind == Simplex::kVertex && covers_edges(body.level) && body.vertices[part.index].first_edge != kNone) ||
-        (part.kind == Simplex::kEdge && covers_faces(body.level) && body.edges[part.index].faces[0] != kNone);
-    return is_covered || visit(part);
-  });
-}
-
 /** What a body may come too near to, where it stands and within a limit. */
 template <int D>
 class Near {

@@ -37,17 +37,6 @@ uint32_t slot_of(const Scene<D>& scene, const BodyRecord<D>& record) {
 }  // namespace
 
 template <int D>
-Box<D> widened(const Box<D>& box, double room) noexcept {
-  Box<D> wide = box;
-  for (int k = 0; room > 0 && k < D; ++k) {
-    const double all = room + 0x1p-40 * (room + std::fabs(box.lower[k]) + std::fabs(box.upper[k]));
-    wide.lower[k] -= all;
-    wide.upper[k] += all;
-  }
-  return wide;
-}
-
-template <int D>
 void note_body(Scene<D>& scene, uint32_t slot) noexcept {
   const Body<D>& body = scene.bodies[slot].body;
   if (scene.keeps_boxes()) scene.body_boxes.put(slot, widened(body.boxes[0].bounds, body.radius));
@@ -163,7 +152,6 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
   islands.first.push_back(static_cast<uint32_t>(count));
 }
 
-DSW_INSTANTIATE(widened);
 DSW_INSTANTIATE(note_body);
 DSW_INSTANTIATE(settle_body);
 template Box<2> reach_of(const Body<2>& body, PointArray targets, MoveOrder order, bool slides) noexcept;

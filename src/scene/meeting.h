@@ -19,10 +19,6 @@ Box<D> reach_of(const Body<D>& body, PointArray targets, MoveOrder order, bool s
 template <int D>
 Box<D> reach_of(const Body<D>& body) noexcept;
 
-/** With some more room on all sides, and for rounding. */
-template <int D>
-Box<D> widened(const Box<D>& box, double room) noexcept;
-
 /** Bodies that may be met by one that stays within reach, or come too near, itself included if it sees itself. Throws std::bad_alloc. */
 template <int D>
 void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners);

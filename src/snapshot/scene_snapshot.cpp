@@ -122,12 +122,13 @@ void join_bodies(Scene<D>& scene) {
     prepare_body(scene, of);
     note_body(scene, slot);
   });
-  if (!scene.features.contacts) return;
+  ThickSweep<D> thick(scene.env);
   for_each_body(scene, [&](uint32_t, const BodyRecord<D>& of) {
     Partners<D> partners(scene.memory);
-    find_partners(scene, of.body, reach_of(of.body), partners);
+    if (scene.features.contacts) find_partners(scene, of.body, reach_of(of.body), partners);
     const auto stop = [](uint32_t, uint32_t) { return false; };
     if (!is_body_apart(partners, of.body, of.body.level, stop)) fail_corrupt("bodies touch");
+    if (!thick.keep_at_rest(&partners, of.body)) fail_corrupt("a body is too near to something");
   });
 }
 

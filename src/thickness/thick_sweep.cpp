@@ -9,17 +9,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/** The box of all that is within a distance of a hull, a little too large. */
+/** The box of all that is within a distance of a hull. */
 template <int D>
 Box<D> box_round(const ConvexHull& hull, double reach) noexcept {
   Box<D> box;
   for (uint32_t i = 0; i < hull.count; ++i) box.add(hull.points[i]);
-  for (int k = 0; k < D; ++k) {
-    const double room = reach + 0x1p-40 * (reach + std::fabs(box.lower[k]) + std::fabs(box.upper[k]));
-    box.lower[k] -= room;
-    box.upper[k] += room;
-  }
-  return box;
+  return widened(box, reach);
 }
 
 template <int D>
@@ -146,7 +141,7 @@ bool ThickSweep<D>::visit_near(const Partners<D>* partners, const Body<D>& body,
 template <int D>
 bool ThickSweep<D>::keeps_swept(const Partners<D>* partners, const Body<D>& body, const Swept& swept) {
   return visit_near(partners, body, swept, 0,
-                    [&](const Thing& thing) { return are_apart<D>(swept.hull, thing.hull, thing.wanted); });
+                    [&](const Thing& thing) { return are_far_apart<D>(swept.hull, thing.hull, thing.wanted); });
 }
 
 template <int D>
@@ -162,7 +157,7 @@ void ThickSweep<D>::visit_too_near(const Partners<D>* partners, const Body<D>& b
   if (!is_thick(partners, body)) return;
   for_each_swept(body, v, to, [&](const Swept& swept) {
     return visit_near(partners, body, swept, 0, [&](const Thing& thing) {
-      if (are_apart<D>(swept.hull, thing.hull, thing.wanted)) return true;
+      if (are_far_apart<D>(swept.hull, thing.hull, thing.wanted)) return true;
       ConvexHull start = swept.hull;
       --start.count;
       HullGap gap;
@@ -225,10 +220,16 @@ bool ThickSweep<D>::keeps_at_rest(const Partners<D>* partners, const Body<D>& bo
 }
 
 template <int D>
+bool ThickSweep<D>::keep_at_rest(const Partners<D>* partners, const Body<D>& body) {
+  return !is_thick(partners, body) ||
+         for_each_outer(body, [&](const Simplex& part) { return keeps_at_rest(partners, body, part); });
+}
+
+template <int D>
 void ThickSweep<D>::find_walls(const Body<D>& body, const Simplex& part, Array<HalfFacet>& walls) {
   const Swept swept = sweep_of(body, part, SimplexCorners<D>(body, part).vertices[0], nullptr);
   visit_near(nullptr, body, swept, 0, [&](const Thing& thing) {
-    if (thing.obstacle->facet.valid() && !are_apart<D>(swept.hull, thing.hull, thing.wanted)) {
+    if (thing.obstacle->facet.valid() && !are_far_apart<D>(swept.hull, thing.hull, thing.wanted)) {
       walls.push_back(thing.obstacle->facet);
     }
     return true;

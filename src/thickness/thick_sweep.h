@@ -49,6 +49,8 @@ class ThickSweep {
   bool keeps_bend(const Partners<D>* partners, const Body<D>& body, uint32_t edge, const double* point);
   /** Whether a part that stands still keeps its distances. */
   bool keeps_at_rest(const Partners<D>* partners, const Body<D>& body, const Simplex& part);
+  /** Whether all parts do. */
+  bool keep_at_rest(const Partners<D>* partners, const Body<D>& body);
   /** The same of a part that the body does not have yet; `start` contains a point of it. `from`: what is joined to it,
    * and how far along the body. */
   bool keeps_at_rest(const Partners<D>* partners, const Body<D>& body, const ConvexHull& part, Cell start,

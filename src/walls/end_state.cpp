@@ -12,7 +12,7 @@ namespace dsw {
 
 template <int D>
 EndState<D>::EndState(Environment<D>& env, Occupants<D>& all)
-    : env_(env), all_(all), probe_(env, Obstacle::kCells), repair_(env, all) {}
+    : env_(env), all_(all), probe_(env, Obstacle::kCells), thick_(env), repair_(env, all) {}
 
 template <int D>
 void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& record) {
@@ -96,7 +96,8 @@ bool EndState<D>::repair(const WallSettings& settings, WallRecord& record) {
     }
   }
   const auto is_free = [&](const typename Occupants<D>::Owner& owner) {
-    return owner.body == nullptr || (probe_.is_free(*owner.body, {}) && is_apart(*owner.body));
+    return owner.body == nullptr || (probe_.is_free(*owner.body, {}) && is_apart(*owner.body) &&
+                                     thick_.keep_at_rest(all_.partners, *owner.body));
   };
   return std::all_of(all_.bodies.begin(), all_.bodies.end(), is_free);
 }

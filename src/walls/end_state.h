@@ -3,6 +3,7 @@
 // tells rightly on which side of a wall they are when walls move less than a cell is thick.
 
 #include "sweep/body_probe.h"
+#include "thickness/thick_sweep.h"
 #include "walk/packet.h"
 #include "walls/end_repair.h"
 #include "walls/find_way.h"
@@ -63,6 +64,7 @@ class EndState {
   PacketCells<D> cells_;
   double centres_[kPacket][D];  // of these
   BodyProbe<D> probe_;
+  ThickSweep<D> thick_;
   EndRepair<D> repair_;
   Array<Feature> struck_{env_.memory};  // vertices of rigid bodies that lie beyond walls
 };

@@ -40,6 +40,11 @@ class MovingPoints {
   uint32_t place(uint32_t v) const noexcept { return place_[v]; }
   /** Where a touched vertex is at a fraction of the way. */
   void at(uint32_t v, double fraction, double* out) const noexcept;
+  /** Where the way of a vertex begins, and where it ends. */
+  const double* start(uint32_t v) const noexcept { return start_ + size_t{D} * v; }
+  const double* target(uint32_t v) const noexcept {
+    return is_touched(v) ? &targets_[size_t{D} * place_[v]] : next_ + size_t{D} * v;
+  }
   void put(uint32_t v, const double* position) noexcept;
   /** Puts all that are not touched to where they are at a fraction of the way. O(points). */
   void shorten(double fraction) noexcept;

@@ -1,5 +1,7 @@
 #include "walls/neighbourhood.h"
 
+#include <cmath>
+
 #include "sweep/body_probe.h"
 
 namespace dsw {
@@ -36,6 +38,14 @@ void Neighbourhood<D>::begin(double* next) {
   points_.begin(next);
   begun_ = true;
   for (const Cell c : occupied_) add_cell(c);
+  for (uint32_t owner = 0; owner < all_.bodies.size(); ++owner) {
+    const Body<D>* const body = all_.bodies[owner].body;
+    if (body == nullptr || !(body->radius > 0)) continue;
+    for_each_outer(*body, [&](const Simplex& each) {
+      note_reach({owner, each});
+      return true;
+    });
+  }
 }
 
 template <int D>
@@ -138,7 +148,69 @@ bool Neighbourhood<D>::follow(const Feature& feature) {
   } else {
     note_traced(feature);
   }
+  if (begun_ && is_thick(feature)) note_reach(feature);
   return free;
+}
+
+/** The cells that a feature lies in. */
+template <int D>
+void Neighbourhood<D>::start_reach(const Feature& feature) {
+  reach_.clear();
+  if (feature.is_point()) {
+    reach_.insert(cell_of(all_, feature));
+  } else {
+    trace(feature);
+    for (const Cell c : traced_) reach_.insert(c);
+  }
+}
+
+/** The box of all that is within the radius of a body's feature. */
+template <int D>
+Box<D> Neighbourhood<D>::box_round(const Feature& feature) const noexcept {
+  const Body<D>& body = *all_.bodies[feature.owner].body;
+  Box<D> box;
+  for (const uint32_t v : SimplexCorners<D>(body, simplex_of(feature))) box.add(body.position(v));
+  return widened(box, body.radius);
+}
+
+template <int D>
+void Neighbourhood<D>::open_ways(uint32_t owner, uint32_t v, const double* target) {
+  const Body<D>& body = *all_.bodies[owner].body;
+  Box<D> end;
+  end.add(target);
+  end = widened(end, body.radius);
+  for_each_simplex_at(body, v, [&](const Simplex& each) {
+    Box<D> box = box_round({owner, each});
+    box.add(end);
+    open_reach({owner, each}, box);
+    return true;
+  });
+}
+
+/** Notes a thick feature in all cells that can come within its radius. When a wall comes so near, the cells between it
+ * and the feature are there, too. So it is enough to go from cell to cell where what a cell sweeps on its whole way is
+ * near enough. */
+template <int D>
+void Neighbourhood<D>::note_reach(const Feature& feature) {
+  const Map<D>& map = env_.map;
+  const Box<D> box = box_round(feature);
+  start_reach(feature);
+  for (size_t i = 0; i < reach_.size(); ++i) {
+    const Cell at = reach_[i];
+    note(at, feature);
+    for (uint32_t facet = 0, count = map.facets_of(at); facet < count; ++facet) {
+      const HalfFacet h = map.half_facet(at, facet);
+      if (is_impassable(map, h)) continue;
+      const Cell next = map.cell_of(map.opposite(h));
+      if (reach_.contains(next)) continue;
+      Box<D> swept;
+      map.for_each_vertex(next, [&](uint32_t v) {
+        swept.add(points_.start(v));
+        swept.add(points_.target(v));
+      });
+      if (swept.overlaps(box)) reach_.insert(next);
+    }
+  }
 }
 
 template <int D>
@@ -166,13 +238,7 @@ template <int D>
 bool Neighbourhood<D>::open_reach(const Feature& feature, const Box<D>& box) {
   const Map<D>& map = env_.map;
   bool any = false;
-  reach_.clear();
-  if (feature.is_point()) {
-    reach_.insert(cell_of(all_, feature));
-  } else {
-    trace(feature);
-    for (const Cell c : traced_) reach_.insert(c);
-  }
+  start_reach(feature);
   for (size_t i = 0; i < reach_.size(); ++i) {
     const Cell at = reach_[i];
     for (uint32_t facet = 0, count = map.facets_of(at); facet < count; ++facet) {

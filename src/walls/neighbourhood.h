@@ -51,6 +51,8 @@ class Neighbourhood {
   /** Lets the cells be entered that can be reached from those of a feature through passable
    * facets without leaving a box; whether there are any that could not. */
   bool open_reach(const Feature& feature, const Box<D>& box);
+  /** The same for all parts of a thick body at a vertex, and what comes near them when the vertex goes to a target. */
+  void open_ways(uint32_t owner, uint32_t v, const double* target);
 
   uint64_t memory_bytes() const noexcept;
 
@@ -69,6 +71,12 @@ class Neighbourhood {
   static void enter(void* user, Cell from, uint32_t simplex, Cell to) noexcept;
 
   bool follow(const Feature& feature);
+  bool is_thick(const Feature& feature) const noexcept {
+    return feature.kind != Feature::kParticle && all_.bodies[feature.owner].body->radius > 0;
+  }
+  void note_reach(const Feature& feature);
+  void start_reach(const Feature& feature);
+  Box<D> box_round(const Feature& feature) const noexcept;
   void note(Cell c, const Feature& feature);
   void add_cell(Cell c);
   bool open(Cell c);

@@ -68,6 +68,11 @@ struct Feature {
   bool is_point() const { return kind <= kVertex; }
 };
 
+/** Of a body. */
+inline Simplex simplex_of(const Feature& feature) {
+  return {static_cast<Simplex::Kind>(feature.kind - Feature::kVertex), feature.index};
+}
+
 template <int D>
 inline const double* position(const Occupants<D>& all, const Feature& point) {
   return point.kind == Feature::kParticle ? all.particles[point.index].position

@@ -88,7 +88,8 @@ bool RigidPush<D>::push(const WallHit& hit, const WallSweep<D>& walls, StarSweep
   keep_shape(body);
   before_.assign(body.vertices.begin(), body.vertices.end());
   const WallTouch touch = describe_touch(env_, all_, hit, from, to);
-  const RigidPushes<D> pushes(body, touch.point, to_vec<D>(touch.normal), difference<D>(to, from));
+  const RigidPushes<D> pushes(body, touch.point, to_vec<D>(touch.normal),
+                              push_way(difference<D>(to, from), body.radius));
   for (int k = 0; k < RigidPushes<D>::kCount; ++k) {
     RigidMotion<D> moved;
     if (!pushes.get(k, moved) || !find_places(body, moved, targets_)) continue;
@@ -143,7 +144,7 @@ bool RigidPush<D>::open_ways(uint32_t owner) {
       box.add(body.position(v));
       box.add(&targets_[D * size_t{v}]);
     }
-    any = around_.open_reach({owner, each}, box) || any;
+    any = around_.open_reach({owner, each}, widened(box, body.radius)) || any;
     return true;
   });
   return any;

@@ -9,6 +9,12 @@
 
 namespace dsw {
 
+/** How far a wall that goes a way pushes what it touches. A thick body goes a little farther, so that rounding does not
+ * bring it too near. */
+inline Vec push_way(const Vec& way, double radius) {
+  return radius > 0 ? Vec(way + 0x1p-30 * radius * unit(way)) : way;
+}
+
 /** Rigid motions that take a point of a body, whose shape is kept, at least as far along a normal
  * as `way` leads. The first is the least one: a push along the normal of a free body, whose
  * vertices have equal masses, turns it as well. Then half of that turn and for the rest the way

@@ -36,7 +36,8 @@ typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, cons
     look_round(v);  // what was pushed can have opened cells
   }
   put(v, to);
-  bool fine = locate_all();
+  // An invalid cell counts as impassable: near a thick body none may become so.
+  bool fine = (!has_thick() || is_star_valid()) && locate_all();
   // What goes from cell to cell is followed only where the cells fill the same space before and after.
   if (fine && !before_.empty()) {
     fine = is_star_valid();
@@ -64,6 +65,13 @@ void WallMove<D>::look_round(uint32_t v) {
 template <int D>
 bool WallMove<D>::is_star_valid() const noexcept {
   return std::all_of(star_->begin(), star_->end(), [&](Cell c) { return admits(env_, c); });
+}
+
+template <int D>
+bool WallMove<D>::has_thick() const noexcept {
+  return std::any_of(features_.begin(), features_.end(), [&](const Feature& each) {
+    return each.kind != Feature::kParticle && all_.bodies[each.owner].body->radius > 0;
+  });
 }
 
 template <int D>
@@ -134,8 +142,9 @@ bool WallMove<D>::push_rigid(const double* from, const double* to, WallRecord& r
 template <int D>
 bool WallMove<D>::push(const Feature& point, const double* from, const double* to) {
   const double* const at = position(all_, point);
+  const double radius = point.kind == Feature::kParticle ? 0 : all_.bodies[point.owner].body->radius;
   double target[D];
-  store<D>(to_vec<D>(at) + difference<D>(to, from), target);
+  store<D>(to_vec<D>(at) + push_way(difference<D>(to, from), radius), target);
   if (!is_finite<D>(target)) return false;
   if (point.kind == Feature::kParticle) {
     const CastResult way = cast(env_, at, target, cell_of(all_, point));
@@ -146,6 +155,7 @@ bool WallMove<D>::push(const Feature& point, const double* from, const double* t
   }
   Body<D>& body = *all_.bodies[point.owner].body;
   Cell cell;
+  if (radius > 0) around_.open_ways(point.owner, point.index, target);
   if (!sweeps_.is_free(body, point.index, target, &cell)) return false;
   set_location(all_, point, target, cell);
   return around_.note_vertex(point.owner, point.index);

@@ -42,6 +42,7 @@ class WallMove {
   bool locate_all();
   void restore_locations() noexcept;
   bool is_star_valid() const noexcept;
+  bool has_thick() const noexcept;
   Cell find_cell(const Feature& point) const;
 
   Environment<D>& env_;

@@ -5,6 +5,7 @@
 #include "contact/normals.h"
 #include "environment/marking.h"
 #include "predicates/swept_triangle.h"
+#include "thickness/thick_sweep.h"
 
 namespace dsw {
 namespace {
@@ -161,11 +162,45 @@ void WallSweep<D>::add_ridge(const std::array<uint32_t, D - 2>& others, HalfFace
 template <int D>
 bool WallSweep<D>::meets(const Occupants<D>& all, const Feature& feature, const double* from, const double* to,
                          WallHit* hit) const {
-  const bool any = feature.is_point() ? meets_point(position(all, feature), from, to, hit)
-                   : feature.kind == Feature::kEdge
-                       ? meets_edge(*all.bodies[feature.owner].body, feature.index, from, to, hit)
-                       : meets_face(*all.bodies[feature.owner].body, feature.index, from, to, hit);
+  const Body<D>* const body = feature.kind == Feature::kParticle ? nullptr : all.bodies[feature.owner].body;
+  const bool is_thick = body != nullptr && body->radius > 0;
+  const bool any = is_thick                         ? comes_near(*body, feature, from, to, hit)
+                   : feature.is_point()             ? meets_point(position(all, feature), from, to, hit)
+                   : feature.kind == Feature::kEdge ? meets_edge(*body, feature.index, from, to, hit)
+                                                    : meets_face(*body, feature.index, from, to, hit);
   hit->feature = feature;
+  return any;
+}
+
+/** All that the walls at the vertex sweep, against a part of a thick body. */
+template <int D>
+bool WallSweep<D>::comes_near(const Body<D>& body, const Feature& feature, const double* from, const double* to,
+                              WallHit* hit) const {
+  ConvexHull part;
+  for (const uint32_t v : SimplexCorners<D>(body, simplex_of(feature))) part.points[part.count++] = body.position(v);
+  const double wanted = least_kept(body.radius);
+  bool any = false;
+  const auto look = [&](const uint32_t* others, size_t count, HalfFacet facet, Cell cell) {
+    ConvexHull wall{{from}, 1};
+    for (size_t k = 0; k < count; ++k) wall.points[wall.count++] = env_.point(others[k]);
+    ConvexHull swept = wall;
+    swept.points[swept.count++] = to;
+    if (are_far_apart<D>(swept, part, wanted)) return;
+    WallHit found;
+    HullGap gap;
+    found.time = time_apart<D>(wall, to, part, wanted, &gap);
+    found.wall = facet;
+    found.cell = cell;
+    std::copy_n(others, count, found.others);
+    std::copy_n(gap.other_weights, 3, found.shares);
+    store<3>(is_zero(gap.normal) ? unit(difference<D>(to, from)) : Vec(Vec::Zero() - gap.normal), found.normal);
+    keep_first(found, hit, &any);
+  };
+  for (const WallPart<D - 1>& each : simplices_) look(each.others.data(), D - 1, each.facet, each.cell);
+  for (const WallPart<D - 2>& each : ridges_) {
+    if (!each.facet.valid()) look(each.others.data(), D - 2, {}, each.cell);
+  }
+  if (simplices_.empty() && ridges_.empty() && impassable_) look(nullptr, 0, {}, front_);
   return any;
 }
 
@@ -220,6 +255,17 @@ template <int D>
 WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
                          const double* to) {
   WallTouch touch;
+  if (hit.shares[0] + hit.shares[1] + hit.shares[2] > 0) {
+    const Body<D>& body = *all.bodies[hit.feature.owner].body;
+    Vec point = Vec::Zero();
+    int k = 0;
+    for (const uint32_t v : SimplexCorners<D>(body, simplex_of(hit.feature)))
+      point += hit.shares[k++] * to_vec<D>(body.position(v));
+    store<D>(point, touch.point);
+    std::copy_n(hit.normal, D, touch.normal);
+    if (hit.feature.kind == Feature::kEdge) touch.along = hit.shares[1];
+    return touch;
+  }
   double at[D];
   point_at<D>(from, to, hit.time, at);
   const Vec way = difference<D>(to, from);

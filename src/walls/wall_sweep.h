@@ -17,6 +17,10 @@ struct WallHit {
   HalfFacet wall;                       // impassable; invalid for a marked edge and a marked vertex
   Cell cell;                            // at the wall, the edge or the vertex
   uint32_t others[2] = {kNone, kNone};  // with the vertex the part of the wall that touches; kNone beyond that
+  // Of a thick body that the wall comes too near to: weights of the feature's corners, and the direction out of the
+  // wall. Else no weights.
+  double shares[3] = {};
+  double normal[3] = {};
 
   bool operator<(const WallHit& o) const { return time != o.time ? time < o.time : feature < o.feature; }
 };
@@ -40,7 +44,8 @@ class WallSweep {
   bool has_walls() const noexcept { return impassable_; }
 
   /** Whether a feature is touched when the vertex goes from `from` to `to`; fills *hit with the first touch. At EDGES a
-   * marked edge, in the plane a marked vertex, is not met; in space vertices are met by faces alone. */
+   * marked edge, in the plane a marked vertex, is not met; in space vertices are met by faces alone. A thick body is met
+   * by what comes too near to it. */
   bool meets(const Occupants<D>& all, const Feature& feature, const double* from, const double* to, WallHit* hit) const;
 
  private:
@@ -49,6 +54,8 @@ class WallSweep {
   void add_ridge(const std::array<uint32_t, D - 2>& others, HalfFacet facet, Cell cell);
   bool meets_point(const double* x, const double* from, const double* to, WallHit* hit) const;
   bool meets_edge(const Body<D>& body, uint32_t e, const double* from, const double* to, WallHit* hit) const;
+  bool comes_near(const Body<D>& body, const Feature& feature, const double* from, const double* to,
+                  WallHit* hit) const;
   bool meets_face(const Body<D>& body, uint32_t f, const double* from, const double* to, WallHit* hit) const;
 
   const Environment<D>& env_;
