@@ -1,10 +1,9 @@
 #include "body/box.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/dimensions.h"
-
-#include <algorithm>
 
 namespace dsw {
 
