@@ -5,7 +5,7 @@ usage: check_abi.py symbols LIBRARY        exported names = symbols.txt = names 
                                            release among them
        check_abi.py needed LIBRARY [NAME]  nothing beyond the C and C++ runtimes, and NAME if the build asked for it,
                                            is needed; SONAME and symbol version follow VERSION
-       check_abi.py abidiff LIBRARY        types and signatures (debug information) against the last release
+       check_abi.py abidiff C++_COMPILER   types and signatures that the headers declare against the last release
        check_abi.py source                 the headers declare what those of the last release do, word for word
        check_abi.py layout                 every public struct and member stands in layout.c
        check_abi.py structs                every struct that grows, and function that takes it, is in struct_size_test.c
@@ -13,6 +13,8 @@ usage: check_abi.py symbols LIBRARY        exported names = symbols.txt = names 
        check_abi.py refused PROGRAM LIBRARY FOLDER
                                            the loader refuses the library to a program of an older SONAME, which starts
                                            with what is in the folder
+       check_abi.py describe C++_COMPILER LIBRARY
+                                           makes a library with debug information of what the headers declare
        check_abi.py write-symbols LIBRARY  renews symbols.txt
        check_abi.py next-version RELEASE [break]   renews VERSION and dartsweep.map for a release
 """
@@ -119,6 +121,19 @@ def growing(text):
     return [name for name, members in structs(text).items() if members[0] == "uint32_t struct_size"]
 
 
+def describe(compiler, library, code="", link=()):
+    """A library with debug information: each function that the headers declare, with an empty body.
+
+    A function of src/capi whose type is not the declared one does not compile, or is another one that is not exported
+    (`symbols` finds that). So this library tells as much as one of src/capi, which takes a minute to compile.
+    """
+    bodies = [f"{text} {{{'' if text.startswith('void dsw') else ' return {}; '}}}" for text in functions(header_text()).values()]
+    subprocess.run([compiler, "-x", "c++", "-", "-g", "-shared", "-fPIC", f"-I{HEADERS.parent}", "-o", library,
+                    f"-Wl,-soname,libdartsweep.so.{major()}", f"-Wl,--version-script={ABI}/dartsweep.map", *link],
+                   input="\n".join(['#include "dartsweep/dartsweep.h"', code, *bodies]), text=True, check=True)
+    return []
+
+
 # ---- checks: each answers a list of problems --------------------------------------------------------------------------
 
 
@@ -154,7 +169,13 @@ def check_needed(library, optional=None):
     return problems
 
 
-def check_abidiff(library):
+def check_abidiff(compiler):
+    with tempfile.TemporaryDirectory() as folder:
+        describe(compiler, f"{folder}/libdartsweep.so")
+        return abidiff(f"{folder}/libdartsweep.so")
+
+
+def abidiff(library):
     old, new = structs(header_text(headers_of(releases()[-1]))), structs(header_text())
     with tempfile.NamedTemporaryFile("w", suffix=".ini") as allowed:
         # Members at the end are what struct_size is for. abidiff then no longer looks at those before: `source` does.
@@ -204,10 +225,12 @@ def source_changes(release):
 
 def check_layout():
     layout = "".join(path.read_text() for path in sorted(ABI.glob("layout*.[ch]")))
-    wanted = [f"SIZE({name}, 4)" for name in re.findall(r"typedef enum (\w+)", header_text())]
-    for name, members in structs(header_text()).items():
+    text = header_text()
+    wanted = [f"SIZE({name}, 4)" for name in re.findall(r"typedef enum (\w+)", text)]
+    growable = set(growing(text))
+    for name, members in structs(text).items():
         wanted += [f"SIZE({name}, "] + [f"AT({name}, {member_name(member)}, " for member in members]
-        if name in growing(header_text()):
+        if name in growable:
             wanted.append(f"GROWS({name}, {member_name(members[-1])})")
     return [f"layout.c lacks {text}" for text in wanted if text not in layout]
 
@@ -303,7 +326,7 @@ def next_version(version, kind=None):
 
 COMMANDS = {"symbols": check_symbols, "needed": check_needed, "abidiff": check_abidiff, "source": check_source,
             "layout": check_layout, "structs": check_structs, "versions": check_versions, "refused": check_refused,
-            "write-symbols": write_symbols, "next-version": next_version}
+            "describe": describe, "write-symbols": write_symbols, "next-version": next_version}
 
 
 def main():

@@ -130,19 +130,12 @@ class Copy:
 
     def build(self, case):
         """A library with the functions that the headers declare."""
-        functions = self.checks.functions(self.checks.header_text())
-        lines = ['#include "dartsweep/dartsweep.h"', case.code]
-        lines += [f"{text} {{{'' if text.startswith('void dsw') else ' return {}; '}}}" for text in functions.values()]
         if case.link:
-            self.compile("libstranger.so", "", "-Wl,-soname,libstranger.so")
-        return self.compile("libdartsweep.so", "\n".join(lines), f"-Wl,-soname,libdartsweep.so.{self.checks.major()}",
-                            f"-Wl,--version-script={self.folder}/abi/dartsweep.map", *case.link)
-
-    def compile(self, name, source, *options):
-        path = self.folder / name
-        subprocess.run([self.compiler, "-x", "c++", "-", "-g", "-shared", "-fPIC", f"-I{self.folder}/include", f"-L{self.folder}", "-o", path,
-                        *options], input=source, text=True, check=True)
-        return path
+            subprocess.run([self.compiler, "-x", "c++", "-", "-shared", "-fPIC", "-Wl,-soname,libstranger.so", "-o", self.folder / "libstranger.so"],
+                           input="", text=True, check=True)
+        library = self.folder / "libdartsweep.so"
+        self.checks.describe(self.compiler, library, case.code, (f"-L{self.folder}", *case.link))
+        return library
 
     def refused_by(self, case):
         for edit in case.edits:
@@ -151,7 +144,7 @@ class Copy:
         found = {name: getattr(self.checks, f"check_{name}")() for name in ("source", "layout", "structs", "versions")}
         found.update((name, getattr(self.checks, f"check_{name}")(library)) for name in ("symbols", "needed"))
         if shutil.which("abidiff"):
-            found["abidiff"] = self.checks.check_abidiff(library)
+            found["abidiff"] = self.checks.abidiff(library)
         offsets = subprocess.run([self.compiler, "-fsyntax-only", "-x", "c++", "-std=c++11", "-Wno-invalid-offsetof",
                                   "-D_Static_assert=static_assert", f"-I{self.folder}/include", self.folder / "abi/layout.c"], capture_output=True)
         found["offsets"] = offsets.returncode != 0
