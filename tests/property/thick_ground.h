@@ -1,8 +1,8 @@
 // Places for thick bodies in every scene of the oracle, in space and in the plane, and the bodies.
 #pragma once
 
+#include "edit_ground.h"
 #include "plane_arena.h"
-#include "plane_scenes.h"
 #include "sweep_scenes.h"
 #include "thick_scene.h"
 
@@ -14,6 +14,8 @@ class ThickGround {
   virtual ~ThickGround() = default;
   virtual dsw_environment* environment() const = 0;
   virtual Places& places() = 0;
+  /// Before points that the environment borrows are gone.
+  virtual void destroy() = 0;
   double size = 0;           // of the environment
   double largest = 0;        // coordinate
   size_t dimension = 3;
@@ -42,7 +44,7 @@ class SpaceThickGround : public ThickGround {
   }
   dsw_environment* environment() const override { return stage_->environment.get(); }
   Places& places() override { return places_; }
-  const World& world() const { return stage_->world; }
+  void destroy() override { stage_->environment.reset(); }
 
  private:
   std::unique_ptr<Stage> stage_;
@@ -64,6 +66,7 @@ class PlaneThickGround : public ThickGround {
   }
   dsw_environment* environment() const override { return environment_.get(); }
   Places& places() override { return places_; }
+  void destroy() override { environment_.reset(); }
 
  private:
   plane::World world_;
@@ -71,6 +74,23 @@ class PlaneThickGround : public ThickGround {
   EnvironmentPtr environment_;
   PlaneArena arena_;
   PlanePlaces places_;
+};
+
+inline std::vector<std::string> sweep_scene_names() {
+  std::vector<std::string> names;
+  for (const SceneKind& kind : sweep_scenes()) names.emplace_back(kind.name);
+  return names;
+}
+#define DSW_FOR_ALL_SWEEP_SCENES(name)                                                     \
+  INSTANTIATE_TEST_SUITE_P(All, name, testing::ValuesIn(dsw::oracle::sweep_scene_names()), \
+                           [](const testing::TestParamInfo<std::string>& i) { return i.param; })
+
+/// The seeds that a test goes through: `count` of them, or those that the environment variables ask for.
+struct ThickSeeds {
+  explicit ThickSeeds(int count)
+      : first(from_environment("DSW_THICK_SEED", 1)),
+        end(first + from_environment("DSW_THICK_SEEDS", static_cast<uint64_t>(std::max(2, share_of(count))))) {}
+  uint64_t first, end;
 };
 
 /// Null where creation may refuse the mesh.

@@ -19,7 +19,7 @@ inline const mpq_class kKept = less_by(30);
 struct ThickBody {
   dsw_body_id id{0, 0};
   dsw_level level = DSW_LEVEL_EDGES;
-  bool self = false;
+  bool self = false, rigid = false;
   double radius = 0;
   BodyState state;
   std::map<std::pair<uint32_t, uint32_t>, double> lengths;  // of edges, by id, when the radius was set
@@ -86,6 +86,7 @@ class ThickScene {
     ThickBody body;
     body.level = level;
     body.self = (flags & DSW_BODY_SELF_CONTACTS) != 0;
+    body.rigid = (flags & DSW_BODY_RIGID) != 0;
     body.radius = radius;
     const dsw_status status = create_body(scene_, plan, level, flags, {}, &body.id, radius);
     if (status != DSW_STATUS_OK) return status;

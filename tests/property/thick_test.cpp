@@ -110,19 +110,12 @@ void check_ground(ThickGround& ground, Rng& rng, ThickTally& tally) {
 }
 
 class ThickSceneTest : public testing::TestWithParam<std::string> {};
-std::vector<std::string> all_scenes() {
-  std::vector<std::string> names;
-  for (const SceneKind& kind : sweep_scenes()) names.emplace_back(kind.name);
-  return names;
-}
-INSTANTIATE_TEST_SUITE_P(All, ThickSceneTest, testing::ValuesIn(all_scenes()),
-                         [](const testing::TestParamInfo<std::string>& i) { return i.param; });
+DSW_FOR_ALL_SWEEP_SCENES(ThickSceneTest);
 
 TEST_P(ThickSceneTest, BodiesKeepTheirRadius) {
   ThickTally tally;
-  const auto first = from_environment("DSW_THICK_SEED", 1);
-  const uint64_t seeds = from_environment("DSW_THICK_SEEDS", static_cast<uint64_t>(std::max(2, share_of(8))));
-  for (uint64_t seed = first; seed < first + seeds && !HasFailure(); ++seed) {
+  const ThickSeeds seeds(8);
+  for (uint64_t seed = seeds.first; seed < seeds.end && !HasFailure(); ++seed) {
     constexpr Transform transforms[] = {Transform::kNone, Transform::kNone,  Transform::kFar,
                                         Transform::kNone, Transform::kLarge, Transform::kSmall,
                                         Transform::kPower};
@@ -135,30 +128,23 @@ TEST_P(ThickSceneTest, BodiesKeepTheirRadius) {
     if (ground != nullptr) check_ground(*ground, rng, tally);
   }
   tally.record();
-  EXPECT_GT(tally.moves, seeds * 10);
+  EXPECT_GT(tally.moves, 20u);
 }
 
 class ThickPlaneTest : public testing::TestWithParam<std::string> {};
-std::vector<std::string> all_plane_scenes() {
-  std::vector<std::string> names;
-  for (const plane::Kind& kind : plane::kinds()) names.emplace_back(kind.name);
-  return names;
-}
-INSTANTIATE_TEST_SUITE_P(All, ThickPlaneTest, testing::ValuesIn(all_plane_scenes()),
-                         [](const testing::TestParamInfo<std::string>& i) { return i.param; });
+DSW_FOR_ALL_PLANE_SCENES(ThickPlaneTest);
 
 TEST_P(ThickPlaneTest, BodiesKeepTheirRadius) {
   ThickTally tally;
-  const auto first = from_environment("DSW_THICK_SEED", 1);
-  const uint64_t seeds = from_environment("DSW_THICK_SEEDS", static_cast<uint64_t>(std::max(2, share_of(8))));
-  for (uint64_t seed = first; seed < first + seeds && !HasFailure(); ++seed) {
+  const ThickSeeds seeds(8);
+  for (uint64_t seed = seeds.first; seed < seeds.end && !HasFailure(); ++seed) {
     Rng rng(seed);
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto ground = plane_ground(GetParam(), seed, rng);
     if (ground != nullptr) check_ground(*ground, rng, tally);
   }
   tally.record();
-  EXPECT_GT(tally.moves, seeds * 10);
+  EXPECT_GT(tally.moves, 20u);
 }
 
 }  // namespace
