@@ -10,7 +10,10 @@ namespace dsw::oracle {
 class Crowd {
  public:
   Crowd(dsw_environment* environment, size_t dimension, dsw_level level, double radius = 0)
-      : dimension_(dimension), level_(level), radius_(radius), scene_(make_scene(environment, DSW_FEATURE_BODY_CONTACTS)) {}
+      : dimension_(dimension),
+        level_(level),
+        radius_(radius),
+        scene_(make_scene(environment, DSW_FEATURE_BODY_CONTACTS)) {}
 
   /// What they answer to some rounds of moves, made together or one after the other. plan(rng, try) makes a body, free
   /// or not.
@@ -19,7 +22,8 @@ class Crowd {
     for (size_t i = 0; i < 400 && bodies_.size() < least * 3 / 2; ++i) {
       dsw_body_id body;
       const uint32_t flags = i % 2 == 0 ? DSW_BODY_SELF_CONTACTS : 0;
-      if (create_body(scene_.get(), plan(rng_, i), level_, flags, {}, &body, radius_) == DSW_STATUS_OK) bodies_.push_back(body);
+      if (create_body(scene_.get(), plan(rng_, i), level_, flags, {}, &body, radius_) == DSW_STATUS_OK)
+        bodies_.push_back(body);
     }
     EXPECT_GT(bodies_.size(), least);
     std::string text;

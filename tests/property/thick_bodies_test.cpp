@@ -54,6 +54,7 @@ TEST_F(ThickBodyTest, ABallStopsAtEverythingThatIsMarked) {
   // The rim of a wall, a marked edge and a marked vertex, at any level.
   const Vec to = {3.5, 1.5, 1.625};
   for (int kind = 0; kind < 3; ++kind) {
+    scene_.reset();
     place_ = place_of(hex_grid(axis(4, 1), axis(4, 1), axis(3, 1)), 0, context_.get());
     features(0);
     if (kind == 0) mark_wall(1, 2, 1);
@@ -96,9 +97,11 @@ TEST_F(ThickBodyTest, ACapsuleAndAPlatePassAMarkedEdgeAtTheirRadius) {
   EXPECT_EQ(answer.contacts[0].contact.obstacle.kind, DSW_CELL_EDGE);
   // The wire turns round its fixed end, and stops where it is 0.2 from the marked edge.
   const Vec p = answer.after.at[0], q = {0.5, 3, 1.5};
-  const double away = std::fabs((p[0] - q[0]) * (2 - q[1]) - (p[1] - q[1]) * (2 - q[0])) / std::hypot(p[0] - q[0], p[1] - q[1]);
+  const double away =
+      std::fabs((p[0] - q[0]) * (2 - q[1]) - (p[1] - q[1]) * (2 - q[0])) / std::hypot(p[0] - q[0], p[1] - q[1]);
   EXPECT_NEAR(away, 0.2, 1e-6);
-  const dsw_body_id plate = make({{{1.2, 1.2, 2.3}, {2.9, 1.2, 2.3}, {2, 2.9, 2.3}}, {}, {{0, 1, 2}}}, 0.2, DSW_LEVEL_FACES);
+  const dsw_body_id plate =
+      make({{{1.2, 1.2, 2.3}, {2.9, 1.2, 2.3}, {2, 2.9, 2.3}}, {}, {{0, 1, 2}}}, 0.2, DSW_LEVEL_FACES);
   EXPECT_NEAR(gap(plate, 1), 0.1, 1e-9);
   const BodyAnswer sunk = move(plate, {{1.2, 1.2, 1.9}, {2.9, 1.2, 1.9}, {2, 2.9, 1.9}});
   EXPECT_GT(sunk.contacts.size(), 0u);
@@ -155,15 +158,31 @@ TEST_F(ThickBodyTest, TwoBallsStopAtTheSumOfTheirRadii) {
   dsw_body_id refused;
   EXPECT_EQ(create_body(scene(), ball(2.7, 1.5, 1.5), DSW_LEVEL_POINTS, 0, {}, &refused, 0.0625), DSW_STATUS_OCCUPIED);
   EXPECT_EQ(create_body(scene(), ball(2.8, 1.5, 1.5), DSW_LEVEL_POINTS, 0, {}, &refused, 0), DSW_STATUS_OCCUPIED);
+  // Those that cannot meet do not keep apart.
+  ASSERT_EQ(dsw_body_set_filter(scene(), still, 2, 2), DSW_STATUS_OK);
+  const dsw_body_id other = make(ball(2.9, 1.5, 1.5), 0.25);
+  EXPECT_NEAR(gap(other, 3), 0.85, 1e-9);
+  EXPECT_EQ(dsw_body_set_filter(scene(), still, 1, 1), DSW_STATUS_OCCUPIED);
+  ASSERT_EQ(dsw_body_set_radius(scene(), other, 0.01), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_body_set_radius(scene(), still, 0.08), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_body_set_filter(scene(), still, 1, 1), DSW_STATUS_OK);
+  EXPECT_NEAR(gap(other, 3), 0.01, 1e-9);
+  EXPECT_EQ(dsw_body_set_radius(scene(), other, 0.03), DSW_STATUS_OCCUPIED);
 }
 
 TEST_F(ThickBodyTest, OwnPartsKeepApartUnlessAShortWayJoinsThem) {
   features(DSW_FEATURE_BODY_CONTACTS);
   // A hairpin: two strands that are joined at one end by an edge.
   const auto hairpin = [](double apart, double link) {
-    return BodyPlan{{{0.5, 1, 1.5}, {1.5, 1, 1.5}, {2.5, 1, 1.5}, {2.5 + link, 1 + apart / 2, 1.5},
-                     {2.5, 1 + apart, 1.5}, {1.5, 1 + apart, 1.5}, {0.5, 1 + apart, 1.5}},
-                    {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}}, {}};
+    return BodyPlan{{{0.5, 1, 1.5},
+                     {1.5, 1, 1.5},
+                     {2.5, 1, 1.5},
+                     {2.5 + link, 1 + apart / 2, 1.5},
+                     {2.5, 1 + apart, 1.5},
+                     {1.5, 1 + apart, 1.5},
+                     {0.5, 1 + apart, 1.5}},
+                    {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}},
+                    {}};
   };
   dsw_body_id body;
   // The strands are 0.4 apart, their far ends 2.4 along the edges.
@@ -179,8 +198,8 @@ TEST_F(ThickBodyTest, OwnPartsKeepApartUnlessAShortWayJoinsThem) {
   EXPECT_GE(answer.after.at[6][1], 1.398 - 1e-9);
   ASSERT_EQ(dsw_body_destroy(scene(), body), DSW_STATUS_OK);
   // Short edges alone are joined, however thick.
-  const BodyPlan bow = {{{1, 1, 1}, {1.1, 1, 1}, {1.2, 1, 1}, {1.2, 1.1, 1}, {1.1, 1.1, 1}},
-                        {{0, 1}, {1, 2}, {2, 3}, {3, 4}}, {}};
+  const BodyPlan bow = {
+      {{1, 1, 1}, {1.1, 1, 1}, {1.2, 1, 1}, {1.2, 1.1, 1}, {1.1, 1.1, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 4}}, {}};
   EXPECT_EQ(create_body(scene(), bow, DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SELF_CONTACTS, {}, &body, 0.2), DSW_STATUS_OK);
 }
 
@@ -264,9 +283,11 @@ TEST_F(ThickBodyTest, RunningOutOfMemoryChangesNothing) {
   mark_edge(2, 2, 1);
   features(DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_DEFORMING);
   dsw_body_id bodies[3];
-  const BodyPlan plans[3] = {tetrahedron({0.4, 1.4, 1.4}, 0.4), segment({1.5, 2.5, 1.2}, {1.5, 3.4, 1.8}),
+  const BodyPlan plans[3] = {tetrahedron({0.4, 1.4, 1.4}, 0.4),
+                             segment({1.5, 2.5, 1.2}, {1.5, 3.4, 1.8}),
                              {{{3.2, 0.5, 0.5}, {3.2, 1, 0.5}, {3.2, 1.5, 0.5}, {3.5, 1.5, 0.5}, {3.5, 0.7, 0.5}},
-                              {{0, 1}, {1, 2}, {2, 3}, {3, 4}}, {}}};
+                              {{0, 1}, {1, 2}, {2, 3}, {3, 4}},
+                              {}}};
   const auto state = [&](size_t count) {
     std::string text;
     for (size_t i = 0; i < count; ++i) {
@@ -348,7 +369,7 @@ TEST_F(ThickBodyTest, RunningOutOfMemoryChangesNothing) {
 std::string thick_answers(dsw_context* context, bool together) {
   const Place place = place_of(hex_grid(axis(8, 1), axis(8, 1), axis(8, 1)), 0, context);
   Crowd crowd(place.get(), 3, DSW_LEVEL_FACES, 0.0625);
-  return crowd.answers(40, 4, together, [](Rng& rng, size_t i) {
+  return crowd.answers(60, 6, together, [](Rng& rng, size_t i) {
     const Vec at = {rng.range(0.1, 7), rng.range(0.1, 7), rng.range(0.1, 7)};
     return i % 3 == 0 ? segment(at, {at[0] + 0.7, at[1] + 0.3, at[2] + 0.5}) : tetrahedron(at, 0.6);
   });

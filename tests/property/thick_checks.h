@@ -108,7 +108,8 @@ inline void ThickChecks::move_one(size_t i) {
 }
 
 /// Where there is room on the whole way, nothing stops a vertex.
-inline void ThickChecks::check_arrival(size_t i, uint32_t vertex, const Vec& from, const Vec& to, size_t contact_count) {
+inline void ThickChecks::check_arrival(size_t i, uint32_t vertex, const Vec& from, const Vec& to,
+                                       size_t contact_count) {
   const ThickBody& body = scene_.bodies[i];
   if (body.radius == 0 || body.self) return;
   if (!scene_.too_near_on_way(i, vertex, from, to, more_by(40)).empty()) return;
@@ -184,7 +185,8 @@ inline void ThickChecks::check_contact(size_t i, const dsw_body_contact& c, cons
   if (radius == 0) return;
   const Vec later = between(from, to, std::min(1.0, c.time + std::max(1e-6, 1e-6 * c.time)));
   if (radius > rounding && finite(later)) {
-    const mpq_class share = mpq_class(1 + 1e-9) + 4 * mpq_class(rounding) / mpq_class(body.radius > 0 ? body.radius : radius);
+    const mpq_class share =
+        mpq_class(1 + 1e-9) + 4 * mpq_class(rounding) / mpq_class(body.radius > 0 ? body.radius : radius);
     EXPECT_NE(scene_.too_near_on_way(i, v, from, later, share), "") << "nothing is touched at " << c.time;
   }
   // The part that touches, at that time.
@@ -199,7 +201,8 @@ inline void ThickChecks::check_contact(size_t i, const dsw_body_contact& c, cons
   if (touched == i) return;  // its own parts may be joined, and touch without a radius
   const BodyState& s = scene_.bodies[touched].state;
   const auto index = [](const auto& ids, auto id) {
-    return static_cast<size_t>(std::find_if(ids.begin(), ids.end(), [&](auto x) { return same_id(x, id); }) - ids.begin());
+    return static_cast<size_t>(std::find_if(ids.begin(), ids.end(), [&](auto x) { return same_id(x, id); }) -
+                               ids.begin());
   };
   Hull still;
   if (partner.face.generation != 0) {

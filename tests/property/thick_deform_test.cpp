@@ -94,9 +94,12 @@ void deform(ThickGround& ground, Rng& rng, DeformTally& tally) {
 }
 
 void record(const DeformTally& tally) {
-  const std::pair<const char*, uint64_t> all[] = {{"deformations", tally.deformations}, {"whole", tally.whole},
-                                                  {"contacts", tally.contacts},         {"pushed", tally.pushed},
-                                                  {"held", tally.held},                 {"moved", tally.moved}};
+  const std::pair<const char*, uint64_t> all[] = {{"deformations", tally.deformations},
+                                                  {"whole", tally.whole},
+                                                  {"contacts", tally.contacts},
+                                                  {"pushed", tally.pushed},
+                                                  {"held", tally.held},
+                                                  {"moved", tally.moved}};
   for (const auto& [name, value] : all) testing::Test::RecordProperty(name, std::to_string(value));
 }
 

@@ -212,8 +212,8 @@ class ThickMarks {
         break;
       }
       default:
-        status = dsw_environment_mark_volumes(environment, &volume, 1, mark, kind == 3 ? uint32_t{DSW_MARK_SKIP_OCCUPIED} : 0,
-                                              nullptr);
+        status = dsw_environment_mark_volumes(environment, &volume, 1, mark,
+                                              kind == 3 ? uint32_t{DSW_MARK_SKIP_OCCUPIED} : 0, nullptr);
     }
     ASSERT_TRUE(status == DSW_STATUS_OK || (status == DSW_STATUS_OCCUPIED && mark == DSW_MARK_IMPASSABLE && kind != 3))
         << dsw_last_error_message();

@@ -95,6 +95,16 @@ class ThickScene {
     measure(bodies.back());
     return status;
   }
+  /// Follows a body that is there already.
+  void adopt(dsw_body_id id) {
+    ThickBody body;
+    body.id = id;
+    EXPECT_EQ(dsw_body_get_level(scene_, id, &body.level), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_body_get_radius(scene_, id, &body.radius), DSW_STATUS_OK);
+    bodies.push_back(body);
+    read(bodies.size() - 1);
+    measure(bodies.back());
+  }
   /// Sets a radius, and measures the edges if that is allowed.
   dsw_status set_radius(size_t i, double radius) {
     const dsw_status status = dsw_body_set_radius(scene_, bodies[i].id, radius);
@@ -248,6 +258,19 @@ class ThickScene {
     return is_found;
   }
 
+  /// The largest share of a distance that is missing between a body and anything, exactly but for the last of 256 bits.
+  double missing(size_t i) const {
+    double most = 0;
+    for (const ThickPart& part : parts_of(bodies[i])) {
+      for_each_foe(i, part, 1, [&](const mpq_class& keep, const Hull& foe, int) {
+        if (apart(part.hull, foe).low >= keep) return;
+        const mpf_class share = root(square_of_distance(part.hull, foe)) / mpf_class(keep, 256);
+        most = std::max(most, mpf_class(1 - share).get_d());
+      });
+    }
+    return most;
+  }
+
   /// A radius for which there is room round a body that has none, up to `most` and to rounding.
   double room(size_t i, double most) const {
     double least = most;
@@ -301,9 +324,6 @@ class ThickScene {
     }
   }
 
-  /// Largest share of what was to be kept that was missing, over all that was found too near.
-  mutable double worst = 0;
-
  private:
   struct Obstacle {
     Hull hull;
@@ -323,11 +343,12 @@ class ThickScene {
         kept = keep;
       }
       if (!is_nearer(part.hull, foe, *limit)) return;
-      const double missing = mpf_class(1 - root(square_of_distance(part.hull, foe)) / mpf_class(keep, 256)).get_d();
-      worst = std::max(worst, missing);
+      const double share_missing =
+          mpf_class(1 - root(square_of_distance(part.hull, foe)) / mpf_class(keep, 256)).get_d();
       text = "a part of " + std::to_string(part.vertices.size()) + " vertices with " +
-             std::to_string(part.vertices[0]) + " is too near by " + number(missing) + " of " + number(keep.get_d()) +
-             " to " + (other < 0 ? "an obstacle" : "body " + name(bodies[static_cast<size_t>(other)].id)) + " of";
+             std::to_string(part.vertices[0]) + " is too near by " + number(share_missing) + " of " +
+             number(keep.get_d()) + " to " +
+             (other < 0 ? "an obstacle" : "body " + name(bodies[static_cast<size_t>(other)].id)) + " of";
       for (const Vec& p : foe) text += " " + hex(p);
       text += "; it spans";
       for (const Vec& p : part.hull) text += " " + hex(p);

@@ -69,9 +69,9 @@ struct ThickTally {
     named += checks.named;
   }
   void record() const {
-    const std::pair<const char*, uint64_t> all[] = {{"moves", moves},       {"contacts", contacts}, {"arrivals", arrivals},
-                                                    {"refused", refused},   {"accepted", accepted}, {"named", named},
-                                                    {"bodies", bodies}};
+    const std::pair<const char*, uint64_t> all[] = {
+        {"moves", moves},       {"contacts", contacts}, {"arrivals", arrivals}, {"refused", refused},
+        {"accepted", accepted}, {"named", named},       {"bodies", bodies}};
     for (const auto& [name, value] : all) testing::Test::RecordProperty(name, std::to_string(value));
   }
 };
@@ -116,9 +116,8 @@ TEST_P(ThickSceneTest, BodiesKeepTheirRadius) {
   ThickTally tally;
   const ThickSeeds seeds(8);
   for (uint64_t seed = seeds.first; seed < seeds.end && !HasFailure(); ++seed) {
-    constexpr Transform transforms[] = {Transform::kNone, Transform::kNone,  Transform::kFar,
-                                        Transform::kNone, Transform::kLarge, Transform::kSmall,
-                                        Transform::kPower};
+    constexpr Transform transforms[] = {Transform::kNone,  Transform::kNone,  Transform::kFar,  Transform::kNone,
+                                        Transform::kLarge, Transform::kSmall, Transform::kPower};
     Rng rng(seed);
     const Transform transform = transforms[seed % 7];
     const bool fine = GetParam() == "hex_thin" || GetParam().find("slivers") != std::string::npos;
