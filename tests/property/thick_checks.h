@@ -348,7 +348,9 @@ inline void ThickChecks::try_radii(size_t i) {
     scene_.read(i);
     EXPECT_EQ(scene_.bodies[i].state.at, at);
   }
-  ASSERT_EQ(scene_.set_radius(i, before), DSW_STATUS_OK) << "it has had this radius";
+  if (scene_.set_radius(i, before) != DSW_STATUS_OK) {
+    EXPECT_LE(verdict(i, before), 0) << "it has had this radius " << number(before);
+  }
 }
 
 inline void ThickChecks::try_creation(size_t i, const BodyPlan& plan) {

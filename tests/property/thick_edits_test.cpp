@@ -4,23 +4,6 @@
 namespace dsw::oracle {
 namespace {
 
-class ThickEditsTest : public testing::TestWithParam<std::string> {
- protected:
-  /// Calls visit(ground, rng) for some grounds of the scene.
-  template <class Visit>
-  void for_each_ground(Visit visit) {
-    const ThickSeeds seeds(5);
-    for (uint64_t seed = seeds.first; seed < seeds.end && !HasFailure(); ++seed) {
-      Rng rng(seed + 1000);
-      SCOPED_TRACE("seed " + std::to_string(seed));
-      const Transform transform = seed % 4 == 3 ? Transform::kLarge : Transform::kNone;
-      const auto ground = space_ground(GetParam(), transform, rng);
-      if (ground != nullptr) visit(*ground, rng);
-    }
-  }
-};
-DSW_FOR_ALL_SWEEP_SCENES(ThickEditsTest);
-
 /// One edit of a body, chosen at random.
 class BodyEdits {
  public:
@@ -127,40 +110,43 @@ class BodyEdits {
   Rng& rng_;
 };
 
-TEST_P(ThickEditsTest, EditsOfBodiesKeepEveryDistance) {
+struct EditCounts {
   uint64_t done = 0, refused = 0;
-  for_each_ground([&](ThickGround& ground, Rng& rng) {
-    const bool meets = rng.chance(0.5);
-    const ScenePtr handle = make_scene(ground.environment(), meets ? DSW_FEATURE_BODY_CONTACTS : 0);
-    ThickScene scene(handle.get(), meets);
-    settle(scene, ground, rng, 4, meets && rng.chance(0.5) ? DSW_BODY_SELF_CONTACTS : 0);
-    ThickChecks checks(scene, ground, rng);
-    BodyEdits edits(scene, checks, rng);
-    for (int round = 0; round < 40 && !HasFailure(); ++round) {
-      for (size_t i = 0; i < scene.bodies.size() && !HasFailure(); ++i) {
-        SCOPED_TRACE("body " + std::to_string(i) + " round " + std::to_string(round) + " level " +
-                     std::to_string(scene.bodies[i].level) + " radius " + number(scene.bodies[i].radius));
-        edits.edit(i);
-        const auto& vertices = scene.bodies[i].state.vertices;
-        if (std::none_of(vertices.begin(), vertices.end(), [](auto v) { return v.generation != 0; })) {
-          scene.destroy(i--);
-          continue;
-        }
-        if (round % 4 == 0) checks.move_one(i);
+  void record() const {
+    testing::Test::RecordProperty("done", std::to_string(done));
+    testing::Test::RecordProperty("refused", std::to_string(refused));
+    EXPECT_GT(done, 20u);
+  }
+};
+
+void edit_bodies(ThickGround& ground, Rng& rng, EditCounts& counts) {
+  const bool meets = rng.chance(0.5);
+  const ScenePtr handle = make_scene(ground.environment(), meets ? DSW_FEATURE_BODY_CONTACTS : 0);
+  ThickScene scene(handle.get(), meets);
+  settle(scene, ground, rng, 4, meets && rng.chance(0.5) ? DSW_BODY_SELF_CONTACTS : 0);
+  ThickChecks checks(scene, ground, rng);
+  BodyEdits edits(scene, checks, rng);
+  for (int round = 0; round < 40 && !testing::Test::HasFailure(); ++round) {
+    for (size_t i = 0; i < scene.bodies.size() && !testing::Test::HasFailure(); ++i) {
+      SCOPED_TRACE("body " + std::to_string(i) + " round " + std::to_string(round) + " level " +
+                   std::to_string(scene.bodies[i].level) + " radius " + number(scene.bodies[i].radius));
+      edits.edit(i);
+      const auto& vertices = scene.bodies[i].state.vertices;
+      if (std::none_of(vertices.begin(), vertices.end(), [](auto v) { return v.generation != 0; })) {
+        scene.destroy(i--);
+        continue;
       }
+      if (round % 4 == 0) checks.move_one(i);
     }
-    done += edits.done;
-    refused += edits.refused;
-  });
-  RecordProperty("done", std::to_string(done));
-  RecordProperty("refused", std::to_string(refused));
-  EXPECT_GT(done, 20u);
+  }
+  counts.done += edits.done;
+  counts.refused += edits.refused;
 }
 
 /// Marks of single cells, near thick bodies above all.
 class ThickMarks {
  public:
-  ThickMarks(ThickScene& scene, Rng& rng) : scene_(scene), rng_(rng) {}
+  ThickMarks(ThickScene& scene, Rng& rng, size_t dimension) : scene_(scene), rng_(rng), dimension_(dimension) {}
 
   void mark() {
     dsw_environment_info info{};
@@ -188,7 +174,7 @@ class ThickMarks {
     const dsw_mark mark = rng_.chance(0.7) ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE;
     dsw_status status = DSW_STATUS_OK;
     dsw_cell cell{};
-    const uint32_t kind = rng_.below(5u);
+    const uint32_t kind = dimension_ == 3 ? rng_.below(5u) : 2 * rng_.below(3u);  // no edges in the plane
     switch (kind) {
       case 0: {
         dsw_face_id face;
@@ -250,29 +236,59 @@ class ThickMarks {
 
   ThickScene& scene_;
   Rng& rng_;
+  size_t dimension_;
 };
 
-TEST_P(ThickEditsTest, MarksKeepEveryDistance) {
-  uint64_t done = 0, refused = 0;
-  for_each_ground([&](ThickGround& ground, Rng& rng) {
-    const uint32_t features = rng.chance(0.5) ? DSW_FEATURE_LIVE_CHANGES : 0;
-    const ScenePtr handle = make_scene(ground.environment(), features);
-    ThickScene scene(handle.get(), false);
-    settle(scene, ground, rng, 4);
-    ThickChecks checks(scene, ground, rng);
-    ThickMarks marks(scene, rng);
-    for (int round = 0; round < 80 && !HasFailure() && !scene.bodies.empty(); ++round) {
-      SCOPED_TRACE("round " + std::to_string(round));
-      marks.mark();
-      if (round % 4 == 0) checks.move_all(rng.below(scene.bodies.size()));
-    }
-    done += marks.done;
-    refused += marks.refused;
-  });
-  RecordProperty("done", std::to_string(done));
-  RecordProperty("refused", std::to_string(refused));
-  EXPECT_GT(done, 20u);
+void mark_cells(ThickGround& ground, Rng& rng, EditCounts& counts) {
+  const ScenePtr handle = make_scene(ground.environment(), rng.chance(0.5) ? DSW_FEATURE_LIVE_CHANGES : 0);
+  ThickScene scene(handle.get(), false);
+  settle(scene, ground, rng, 4);
+  ThickChecks checks(scene, ground, rng);
+  ThickMarks marks(scene, rng, ground.dimension);
+  for (int round = 0; round < 80 && !testing::Test::HasFailure() && !scene.bodies.empty(); ++round) {
+    SCOPED_TRACE("round " + std::to_string(round));
+    marks.mark();
+    if (round % 4 == 0) checks.move_all(rng.below(scene.bodies.size()));
+  }
+  counts.done += marks.done;
+  counts.refused += marks.refused;
 }
+
+/// Calls visit(ground, rng, counts) for some grounds of a scene in space.
+template <class Visit>
+void in_space(const std::string& scene, Visit visit) {
+  EditCounts counts;
+  const ThickSeeds seeds(5);
+  for (uint64_t seed = seeds.first; seed < seeds.end && !testing::Test::HasFailure(); ++seed) {
+    Rng rng(seed + 1000);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto ground = space_ground(scene, seed % 4 == 3 ? Transform::kLarge : Transform::kNone, rng);
+    if (ground != nullptr) visit(*ground, rng, counts);
+  }
+  counts.record();
+}
+template <class Visit>
+void in_plane(const std::string& scene, Visit visit) {
+  EditCounts counts;
+  const ThickSeeds seeds(5);
+  for (uint64_t seed = seeds.first; seed < seeds.end && !testing::Test::HasFailure(); ++seed) {
+    Rng rng(seed + 1000);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto ground = plane_ground(scene, seed, rng);
+    if (ground != nullptr) visit(*ground, rng, counts);
+  }
+  counts.record();
+}
+
+class ThickEditsTest : public testing::TestWithParam<std::string> {};
+DSW_FOR_ALL_SWEEP_SCENES(ThickEditsTest);
+TEST_P(ThickEditsTest, EditsOfBodiesKeepEveryDistance) { in_space(GetParam(), edit_bodies); }
+TEST_P(ThickEditsTest, MarksKeepEveryDistance) { in_space(GetParam(), mark_cells); }
+
+class ThickPlaneEditsTest : public testing::TestWithParam<std::string> {};
+DSW_FOR_ALL_PLANE_SCENES(ThickPlaneEditsTest);
+TEST_P(ThickPlaneEditsTest, EditsOfBodiesKeepEveryDistance) { in_plane(GetParam(), edit_bodies); }
+TEST_P(ThickPlaneEditsTest, MarksKeepEveryDistance) { in_plane(GetParam(), mark_cells); }
 
 }  // namespace
 }  // namespace dsw::oracle

@@ -167,9 +167,15 @@ inline void settle(ThickScene& scene, ThickGround& ground, Rng& rng, size_t coun
     if (scene.create(plan, level, 0, flags | savers[rng.below(5u)]) != DSW_STATUS_OK) continue;
     const size_t i = scene.bodies.size() - 1;
     const double room = scene.room(i, 2 * ground.cell());
-    const double radius =
-        rng.chance(0.15) ? 0 : room * (rng.chance(0.3) ? std::pow(10, rng.range(-6, -1)) : rng.range(0.1, 0.99));
-    if (!(room > 0) || !(radius >= 0) || scene.set_radius(i, radius) != DSW_STATUS_OK) scene.destroy(i);
+    const double share = rng.chance(0.3) ? std::pow(10, rng.range(-6, -1)) : rng.range(0.1, 0.99);
+    const double radius = rng.chance(0.15) ? 0 : room * share;
+    if (!(room > 0) || !(radius >= 0)) {
+      scene.destroy(i);
+      continue;
+    }
+    const dsw_status status = scene.set_radius(i, radius);
+    EXPECT_EQ(status, DSW_STATUS_OK) << "radius " << number(radius) << " where there is room for " << number(room);
+    if (status != DSW_STATUS_OK) scene.destroy(i);
   }
 }
 
