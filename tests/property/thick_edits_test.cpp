@@ -51,7 +51,7 @@ class BodyEdits {
         const size_t e = rng_.below(s.edges.size());
         const uint32_t k = rng_.below(2u), from = s.edges[e][k], to = s.edges[e][1 - k];
         status = dsw_body_collapse_edge(scene_.handle(), id(i), s.edge_ids[e], s.vertices[from], &edit);
-        if (status == DSW_STATUS_OK) {
+        if (status == DSW_STATUS_OK && !scene_.bodies[i].self) {  // its own parts there become its neighbours
           EXPECT_EQ(scene_.too_near_on_way(i, from, s.at[from], s.at[to], kKept), "") << "the vertex that is merged";
         }
         break;
@@ -63,12 +63,15 @@ class BodyEdits {
         break;
       default: {
         const auto level = static_cast<dsw_level>(1 + rng_.below(4u));
+        // At a lower level vertices stand for themselves, and are joined to less than their edges.
+        if (scene_.bodies[i].self && level < scene_.bodies[i].level) return;
         status = dsw_body_set_level(scene_.handle(), id(i), level);
         if (status == DSW_STATUS_OK) scene_.bodies[i].level = level;
       }
     }
     (status == DSW_STATUS_OK ? done : refused) += 1;
-    if (!part.hull.empty() && (status == DSW_STATUS_OK || status == DSW_STATUS_OCCUPIED)) {
+    if (!part.hull.empty() && scene_.bodies[i].radius > 0 &&
+        (status == DSW_STATUS_OK || status == DSW_STATUS_OCCUPIED)) {
       const int said = verdict(i, part);
       if (status == DSW_STATUS_OK) {
         EXPECT_GE(said, 0) << "a part was added that is too near";
@@ -94,8 +97,8 @@ class BodyEdits {
   dsw_body_id id(size_t i) const { return scene_.bodies[i].id; }
   int verdict(size_t i, const ThickPart& part) const {
     int said = 1;
-    scene_.for_each_foe(i, part, 1, [&](const mpq_class& keep, const Hull& foe, int) {
-      if (is_nearer(part.hull, foe, Limit(keep, less_by(31)))) said = -1;
+    scene_.for_each_foe(i, part, 1, false, [&](const mpq_class& keep, const Hull& foe, int) {
+      if (is_nearer(part.hull, foe, Limit(keep, kCounts))) said = -1;
       if (said > 0 && is_nearer(part.hull, foe, Limit(keep))) said = 0;
     });
     return said;
@@ -217,13 +220,19 @@ class ThickMarks {
       hull.push_back(at);
     }
     if (hull.size() > 3) return;
+    double least = HUGE_VAL;
     bool is_near = false;
-    for (const ThickBody& body : scene_.bodies) {
-      if (body.radius == 0) return;
+    for (size_t i = 0; i < scene_.bodies.size(); ++i) {
+      const ThickBody& body = scene_.bodies[i];
+      if (body.radius == 0 || scene_.is_tight(i)) return;
       const Limit limit{mpq_class(body.radius)};
-      for (const ThickPart& part : scene_.parts_of(body)) is_near = is_near || is_nearer(part.hull, hull, limit);
+      for (const ThickPart& part : scene_.parts_of(body)) {
+        is_near = is_near || is_nearer(part.hull, hull, limit);
+        least = std::min(least, apart(part.hull, hull).low / body.radius);
+      }
     }
-    EXPECT_TRUE(is_near) << "a mark is refused that no body is near to";
+    EXPECT_TRUE(is_near) << "a mark is refused that no body is near to: kind " << cell.kind << ", the nearest one is "
+                         << least << " of its radius away";
     const dsw_body_id* occupants = nullptr;
     size_t count = 0;
     EXPECT_EQ(dsw_scene_get_occupant_bodies(scene_.handle(), &occupants, &count), DSW_STATUS_OK);

@@ -13,8 +13,8 @@
 
 namespace dsw::oracle {
 
-/// What the library may let pass, and by how much the tests let it pass more: a share of the distance to be kept.
-inline const mpq_class kKept = less_by(30);
+/// What counts as kept, as a share of the distance to be kept (dartsweep/body.h), and what the tests ask for.
+inline const mpq_class kCounts = less_by(31), kKept = less_by(30);
 
 struct ThickBody {
   dsw_body_id id{0, 0};
@@ -79,6 +79,15 @@ class ThickScene {
       if (std::all_of(each.hull.begin(), each.hull.end(), is_among)) found.push_back(each.hull);
     }
     return found;
+  }
+
+  /// Whether these points are corners of a marked edge or vertex, in the plane also of a wall.
+  bool is_of_marked(const Hull& points) const {
+    return std::any_of(obstacles_.begin(), obstacles_.end(), [&](const Obstacle& each) {
+      return each.hull.size() <= 2 && std::all_of(points.begin(), points.end(), [&](const Vec& p) {
+               return std::find(each.hull.begin(), each.hull.end(), p) != each.hull.end();
+             });
+    });
   }
 
   /// Creates a body and follows it. @return what the library answers.
@@ -163,6 +172,12 @@ class ThickScene {
     }
     return "";
   }
+  /// Whether anything is so near to a body that rounding decides whether it may be there.
+  bool is_tight(size_t i) const {
+    const std::vector<ThickPart> parts = parts_of(bodies[i]);
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const ThickPart& part) { return !nearer_than(i, part, more_by(30)).empty(); });
+  }
   /// What comes nearer than `share` of what is to be kept to any part of a vertex, while it alone moves.
   std::string too_near_on_way(size_t i, uint32_t vertex, const Vec& from, const Vec& to, const mpq_class& share) const {
     for (ThickPart part : parts_at(bodies[i], vertex)) {
@@ -174,11 +189,11 @@ class ThickScene {
     return "";
   }
 
-  /// Calls visit(distance to keep, hull, text) for all that a part must keep away from and that is not farther than
-  /// `reach` times that, in a rough sense. Nothing is visited that needs no distance at all, unless it is the body's
-  /// own.
+  /// Calls visit(distance to keep, hull, body) for all that a part must keep away from and that is not farther than
+  /// `reach` times that, in a rough sense. The body is -1 for an obstacle. Of the same body, parts of larger parts that
+  /// the level covers only count if `all_own`: a larger part may be joined to what its corner alone is not joined to.
   template <class Visit>
-  void for_each_foe(size_t i, const ThickPart& part, double reach, Visit visit) const {
+  void for_each_foe(size_t i, const ThickPart& part, double reach, bool all_own, Visit visit) const {
     const HullBox box(part.hull);
     const ThickBody& body = bodies[i];
     if (body.radius > 0) {
@@ -193,10 +208,25 @@ class ThickScene {
       const mpq_class keep = mpq_class(body.radius) + mpq_class(other.radius);
       for (const ThickPart& still : parts_of(other)) {
         if (HullBox(still.hull).is_beyond(box, reach * (body.radius + other.radius))) continue;
-        if (i == j && are_joined(body, part, still)) continue;
+        if (i == j &&
+            (are_joined(body, part, still) || !(all_own || (is_whole(body, part) && is_whole(body, still))))) {
+          continue;
+        }
         visit(keep, still.hull, static_cast<int>(j));
       }
     }
+  }
+
+  /// Whether no larger part that the level covers has this one.
+  static bool is_whole(const ThickBody& body, const ThickPart& part) {
+    const auto covers = [&](const auto& larger) {
+      return larger.size() > part.vertices.size() &&
+             std::all_of(part.vertices.begin(), part.vertices.end(),
+                         [&](uint32_t v) { return std::find(larger.begin(), larger.end(), v) != larger.end(); });
+    };
+    const BodyState& s = body.state;
+    if (body.level >= DSW_LEVEL_EDGES && std::any_of(s.edges.begin(), s.edges.end(), covers)) return false;
+    return body.level != DSW_LEVEL_FACES || std::none_of(s.faces.begin(), s.faces.end(), covers);
   }
 
   std::vector<ThickPart> parts_of(const ThickBody& body) const {
@@ -241,7 +271,7 @@ class ThickScene {
     std::vector<Pair> pairs;
     double least = HUGE_VAL;
     for (const ThickPart& part : parts_of(bodies[i])) {
-      for_each_foe(i, part, reach, [&](const mpq_class& keep, const Hull& foe, int) {
+      for_each_foe(i, part, reach, false, [&](const mpq_class& keep, const Hull& foe, int) {
         const Apart about = apart(part.hull, foe);
         const double length = keep.get_d(), slack = 0x1p-50 * (about.high + length);
         pairs.push_back({keep, part.hull, foe, about.low - length - slack});
@@ -262,7 +292,7 @@ class ThickScene {
   double missing(size_t i) const {
     double most = 0;
     for (const ThickPart& part : parts_of(bodies[i])) {
-      for_each_foe(i, part, 1, [&](const mpq_class& keep, const Hull& foe, int) {
+      for_each_foe(i, part, 1, false, [&](const mpq_class& keep, const Hull& foe, int) {
         if (apart(part.hull, foe).low >= keep) return;
         const mpf_class share = root(square_of_distance(part.hull, foe)) / mpf_class(keep, 256);
         most = std::max(most, mpf_class(1 - share).get_d());
@@ -336,7 +366,7 @@ class ThickScene {
     std::string text;
     mpq_class kept;
     std::unique_ptr<Limit> limit;
-    for_each_foe(i, part, 1, [&](const mpq_class& keep, const Hull& foe, int other) {
+    for_each_foe(i, part, 1, false, [&](const mpq_class& keep, const Hull& foe, int other) {
       if (!text.empty()) return;
       if (limit == nullptr || kept != keep) {
         limit = std::make_unique<Limit>(keep, share);
