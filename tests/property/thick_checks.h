@@ -398,7 +398,6 @@ inline void ThickChecks::try_creation(size_t i, const BodyPlan& plan) {
 
 /// The bound holds, and is close to what is exact.
 inline void ThickChecks::check_gap(size_t i) {
-  if (std::getenv("DSW_NO_GAP") != nullptr) return;
   const ThickBody& body = scene_.bodies[i];
   if (body.radius == 0) return;
   const double limit = rng_.chance(0.2) ? 0 : body.radius * std::pow(10, rng_.range(-3, 1));

@@ -156,7 +156,6 @@ class ThickCourse {
     scene_->read_obstacles();
   }
   void ask(size_t i) {
-    if (std::getenv("DSW_NO_GAP") != nullptr) return;
     double gap = 0;
     const double radius = scene_->bodies[i].radius;
     ASSERT_EQ(dsw_body_find_least_gap(handle_.get(), scene_->bodies[i].id, 0.1, &gap), DSW_STATUS_OK);
