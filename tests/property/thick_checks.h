@@ -29,7 +29,7 @@ class ThickChecks {
   void check_contact(size_t i, const dsw_body_contact& contact, const dsw_contact_partner& partner);
   void check_obstacle(const dsw_body_contact& contact, const Hull& part, double radius, double slack);
   void check_offending(size_t i, double radius);
-  /// -1: too near for a radius, 1: not too near, 0: either may be said.
+  /// -1: too near for a radius, 1: not too near, 0: either may be said, for the sake of rounding.
   int verdict(size_t i, double radius) const;
   std::vector<Hull> hulls_of(const dsw_cell& cell) const;
   double slack() const { return 0x1p-46 * ground_.largest; }
@@ -112,6 +112,9 @@ inline void ThickChecks::check_arrival(size_t i, uint32_t vertex, const Vec& fro
                                        size_t contact_count) {
   const ThickBody& body = scene_.bodies[i];
   if (body.radius == 0 || body.self) return;
+  for (size_t k = 0; k < 3; ++k) {
+    if (std::fabs(to[k] - from[k]) > ground_.size) return;  // that leads out of it
+  }
   if (!scene_.too_near_on_way(i, vertex, from, to, more_by(40)).empty()) return;
   // Rounding could be seen here.
   if (body.radius < 0x1p-8 * slack()) return;
@@ -271,7 +274,7 @@ inline int ThickChecks::verdict(size_t i, double radius) const {
         if (said < 0) return;
         if (!all_own && is_nearer(part.hull, foe, Limit(keep, kCounts))) {
           said = -1;
-        } else if (is_nearer(part.hull, foe, Limit(keep))) {
+        } else if (is_nearer(part.hull, foe, Limit(keep + mpq_class(slack())))) {
           said = 0;
         }
       });
@@ -299,10 +302,10 @@ inline void ThickChecks::check_offending(size_t i, double radius) {
   for (const bool only_walls : {true, false}) {
     for (ThickPart part : scene_.parts_of(body)) {
       bool is_certain = false, is_possible = false;
-      scene_.for_each_foe(i, part, 1, false, [&](const mpq_class& keep, const Hull& foe, int other) {
+      scene_.for_each_foe(i, part, 1, true, [&](const mpq_class& keep, const Hull& foe, int other) {
         if (only_walls != (other < 0) || is_certain) return;
-        is_certain = is_nearer(part.hull, foe, Limit(keep, kCounts));
-        is_possible = is_possible || is_certain || is_nearer(part.hull, foe, Limit(keep));
+        is_certain = other != static_cast<int>(i) && is_nearer(part.hull, foe, Limit(keep, kCounts));
+        is_possible = is_possible || is_certain || is_nearer(part.hull, foe, Limit(keep + mpq_class(slack())));
       });
       std::sort(part.vertices.begin(), part.vertices.end());
       // What is too near to a wall may be all that is looked at.
