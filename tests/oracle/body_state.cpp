@@ -68,7 +68,7 @@ BodyState state_of(const BodyPlan& plan) {
 }
 
 dsw_status create_body(dsw_scene* scene, const BodyPlan& plan, dsw_level level, uint32_t flags,
-                       const std::vector<dsw_volume_id>& hints, dsw_body_id* body) {
+                       const std::vector<dsw_volume_id>& hints, dsw_body_id* body, double radius) {
   dsw_body_desc desc = defaults(dsw_body_desc_init);
   std::vector<uint32_t> offsets = {0}, corners;
   for (const auto& f : plan.faces) {
@@ -77,6 +77,7 @@ dsw_status create_body(dsw_scene* scene, const BodyPlan& plan, dsw_level level, 
   }
   desc.flags = flags;
   desc.level = level;
+  desc.radius = radius;
   desc.positions = plan.at[0].data();
   desc.stride_bytes = sizeof(Vec);
   desc.vertex_count = plan.at.size();

@@ -34,7 +34,7 @@ struct BodyState {
 BodyState state_of(const BodyPlan& plan);
 
 dsw_status create_body(dsw_scene* scene, const BodyPlan& plan, dsw_level level, uint32_t flags,
-                       const std::vector<dsw_volume_id>& hints, dsw_body_id* body);
+                       const std::vector<dsw_volume_id>& hints, dsw_body_id* body, double radius = 0);
 
 /// What is wrong: a call that failed, parts that do not fit; empty if nothing is.
 std::string read_body(const dsw_scene* scene, dsw_body_id body, BodyState& state);

@@ -9,8 +9,11 @@ namespace dsw::oracle {
 /// Bodies of which every other one meets itself, in an environment eight units wide.
 class Crowd {
  public:
-  Crowd(dsw_environment* environment, size_t dimension, dsw_level level)
-      : dimension_(dimension), level_(level), scene_(make_scene(environment, DSW_FEATURE_BODY_CONTACTS)) {}
+  Crowd(dsw_environment* environment, size_t dimension, dsw_level level, double radius = 0)
+      : dimension_(dimension),
+        level_(level),
+        radius_(radius),
+        scene_(make_scene(environment, DSW_FEATURE_BODY_CONTACTS)) {}
 
   /// What they answer to some rounds of moves, made together or one after the other. plan(rng, try) makes a body, free
   /// or not.
@@ -19,7 +22,8 @@ class Crowd {
     for (size_t i = 0; i < 400 && bodies_.size() < least * 3 / 2; ++i) {
       dsw_body_id body;
       const uint32_t flags = i % 2 == 0 ? DSW_BODY_SELF_CONTACTS : 0;
-      if (create_body(scene_.get(), plan(rng_, i), level_, flags, {}, &body) == DSW_STATUS_OK) bodies_.push_back(body);
+      if (create_body(scene_.get(), plan(rng_, i), level_, flags, {}, &body, radius_) == DSW_STATUS_OK)
+        bodies_.push_back(body);
     }
     EXPECT_GT(bodies_.size(), least);
     std::string text;
@@ -75,6 +79,7 @@ class Crowd {
 
   size_t dimension_;
   dsw_level level_;
+  double radius_;
   ScenePtr scene_;
   Rng rng_{5};
   std::vector<dsw_body_id> bodies_;
