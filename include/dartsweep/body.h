@@ -8,10 +8,14 @@
  * A body may have a radius. Then it is thick: its edges are capsules, its faces plates with round
  * rims. Every distance from the parts that its level covers to anything impassable is at least the
  * radius, and to a body that it can meet at least the sum of both radii. A distance counts as large
- * enough if a lower bound of it, rounded down, is at least 1 - 2^-34 of what it must be. This holds
- * on the whole way of each vertex, its edges and its faces, at every level. Parts of the same body
- * (DSW_BODY_SELF_CONTACTS) keep two radii apart, unless a way of at most 4 radii along the body's
- * edges joins them. The edges have the lengths there that they had when the radius was set.
+ * enough if a lower bound of it, rounded down, is at least 1 - 2^-34 of what it must be. The bound
+ * loses about 2^-44 of the size of both parts, and more if the radius is below 2^-18 of that. This
+ * holds on the whole way of each vertex, its edges and its faces, at every level.
+ *
+ * Parts of the same body (DSW_BODY_SELF_CONTACTS) keep two radii apart, unless a way of at most 4
+ * radii along the body's edges joins them; then they must only not touch. The edges have the lengths
+ * there that they had when the radius was set, or the edge was added. Halves of an edge share its
+ * length. Parts count if no larger part covers them: faces, edges without faces, lone vertices.
  *
  * Arrays by vertex have an entry for each slot. Removed parts leave free slots. `edit` may be null.
  *

@@ -49,8 +49,9 @@ DSW_API dsw_status dsw_environment_mark_edges(dsw_environment *environment,
                                               const dsw_edge_id *edges, size_t count,
                                               dsw_mark mark);
 
-/** Sets the mark of vertices; never OCCUPIED. The first mark takes a bit for every vertex.
- * @note Cost: O(count). @since 2.0 */
+/** Sets the mark of vertices. Only thick bodies can be in the way. The first mark takes a bit for
+ * every vertex.
+ * @note Cost: O(count + thick bodies). @since 2.0 */
 DSW_API dsw_status dsw_environment_mark_vertices(dsw_environment *environment,
                                                  const dsw_vertex_id *vertices, size_t count,
                                                  dsw_mark mark);

@@ -92,8 +92,7 @@ dsw_status dsw_environment_mark_vertices(dsw_environment* environment, const dsw
     capi::Converted all(env, vertices, count, "vertices");
     dsw_scene* const scene = begin_marking(*environment);
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_vertices>, vertices, count, mark);
-    if (marked && count != 0) reserve_vertex_marks(env);
-    for (const uint32_t v : all) set_vertex_mark(env, v, marked);
+    mark_vertices(env, capi::engine_of(scene, env), all.data(), count, marked);
     call.done();
   });
 }

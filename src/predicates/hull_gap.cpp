@@ -230,10 +230,18 @@ void look_everywhere(const Pair<D>& pair, Best& best) noexcept {
       }
     }
   };
+  // In the plane edges have normals of their own.
+  const auto edge_normals = [&](uint32_t count, const auto& point) {
+    for (uint32_t i = 0; D == 2 && i < count; ++i) {
+      for (uint32_t k = i + 1; k < count; ++k) look_along(pair, turned(Vec(point(k) - point(i))), best);
+    }
+  };
   const auto of_a = [&](uint32_t i) -> const Vec& { return pair.a(i); };
   const auto of_b = [&](uint32_t k) -> const Vec& { return pair.b(k); };
   normals(m, of_a);
   normals(n, of_b);
+  edge_normals(m, of_a);
+  edge_normals(n, of_b);
   for (uint32_t i = 0; i < m; ++i) {
     for (uint32_t k = 0; k < n; ++k) look(pair, Vec(pair.a(i) - pair.b(k)), best);
     for (uint32_t k = 0; k < n; ++k) {
@@ -304,29 +312,46 @@ HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough) noexce
 template <int D>
 double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, double distance, HullGap* at) noexcept {
   constexpr int kMostSteps = 100;
-  constexpr double kSettled = 1 - 0x1p-44;
-  const double* const from = a.points[0];
-  double place[D], time = 0;
+  constexpr double kSettled = 0x1p-44;
+  double place[D];
   ConvexHull moved = a;
   moved.points[moved.count++] = place;
-  std::copy_n(from, D, place);
-  // Newton's steps. The direction that shows the distance now shows it until the moving point has come too near in
-  // this direction. The distance falls ever faster, so no step goes too far.
-  for (int step = 0; step < kMostSteps; ++step) {
-    const HullGap gap = find_gap<D>(moved, b, kInfinity);
-    if (step == 0) *at = gap;
-    if (!(gap.bound >= distance)) break;
-    *at = gap;
-    if (time == 1) return 1;
-    double beyond = kInfinity;
-    for (uint32_t k = 0; k < b.count; ++k) beyond = std::min(beyond, dot(gap.normal, difference<D>(from, b.points[k])));
-    const double closing = -dot(gap.normal, difference<D>(to, from));
-    const double next = closing > 0 ? std::min((beyond - distance) / closing, 1.0) : 1;
-    if (!(next * kSettled > time)) break;
-    time = next;
-    point_at<D>(from, to, time, place);
+  const auto look = [&](double time) {
+    point_at<D>(a.points[0], to, time, place);
+    return find_gap<D>(moved, b, kInfinity);
+  };
+  *at = look(0);
+  if (!(at->bound >= distance)) return 0;
+  const HullGap whole = look(1);
+  if (whole.bound >= distance) {
+    *at = whole;
+    return 1;
   }
-  return time;
+  // The hull grows, so its distance falls. The next time is where a line between the distances at both ends has the
+  // wanted one. If that moves the same end twice, the next time is a little beyond: the other end gets near, too.
+  double low = 0, high = 1, over = at->bound - distance, under = distance - whole.bound, moved_by = 0;
+  int last = 0, repeated = 0;
+  for (int step = 1; step < kMostSteps && high - low > kSettled * high; ++step) {
+    const double between = high - low, beyond = 8 * moved_by + kSettled / 4 * high;
+    double time = low + over / (over + under) * between;
+    if (repeated == 1) time = last > 0 ? low + beyond : high - beyond;
+    if (repeated > 1 || !(time > low && time < high)) time = low + between / 2;
+    if (!(time > low && time < high)) break;
+    const HullGap gap = look(time);
+    const int side = gap.bound >= distance ? 1 : -1;
+    repeated = side == last && repeated < 2 ? repeated + 1 : 0;
+    last = side;
+    moved_by = side > 0 ? time - low : high - time;
+    if (side > 0) {
+      low = time;
+      over = gap.bound - distance;
+      *at = gap;
+    } else {
+      high = time;
+      under = distance - gap.bound;
+    }
+  }
+  return low;
 }
 
 DSW_INSTANTIATE(find_gap);

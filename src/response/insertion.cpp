@@ -21,10 +21,10 @@ bool can_bend(const Environment<D>& env, StarSweep<D>& star, const Body<D>& body
   const BodyEdge& e = body.edges[edge];
   const BodyVertex<D>&p = body.vertices[e.ends[0]], &q = body.vertices[e.ends[1]];
   if (star.partners != nullptr && !is_bend_apart(*star.partners, body, edge, point)) return false;
-  if (!star.thick.keeps_bend(star.partners, body, edge, point)) return false;
+  const auto keeps_distance = [&] { return star.thick.keeps_bend(star.partners, body, edge, point, *cell); };
   if (!covers_edges(body.level)) {
     *cell = locate(env, point, p.cell, nullptr).cell;
-    return cell->valid() && !is_closed(env, *cell);
+    return cell->valid() && !is_closed(env, *cell) && keeps_distance();
   }
   const CastResult to_point = cast(env, p.position, point, p.cell);
   *cell = to_point.cell;
@@ -43,7 +43,7 @@ bool can_bend(const Environment<D>& env, StarSweep<D>& star, const Body<D>& body
       return false;
     }
   }
-  return true;
+  return keeps_distance();
 }
 
 template <int D>

@@ -91,7 +91,8 @@ void set_radius(Scene<D>& scene, BodyRecord<D>& of, double radius) {
   body.radius = radius;
   try {
     measure_lengths(body);
-    check_distances(scene, body);
+    // With a smaller radius fewer of its own parts are joined, and else nothing new is too near.
+    if (radius > before || body.keeps_lengths()) check_distances(scene, body);
   } catch (...) {
     body.radius = before;
     std::swap(body.lengths, lengths);

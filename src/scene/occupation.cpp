@@ -208,6 +208,40 @@ void mark_edges(Environment<D>& env, Scene<D>* scene, const Dart* edges, size_t 
   set_marks<Dart>(env, scene, marked, false, kNoParticles, each_of(edges, count));
 }
 
+/** Thin bodies never meet a marked vertex; thick ones may be too near. */
+template <int D>
+void mark_vertices(Environment<D>& env, Scene<D>* scene, const uint32_t* vertices, size_t count, bool marked) {
+  if (marked && count != 0) reserve_vertex_marks(env);
+  Array<uint32_t> changed{env.memory};
+  changed.reserve(scene != nullptr && marked ? count : 0);
+  for (size_t i = 0; i < count; ++i) {
+    if (set_vertex_mark(env, vertices[i], marked) && scene != nullptr && marked) changed.push_back(vertices[i]);
+  }
+  if (changed.empty()) return;
+  Array<Box<D>> boxes{env.memory};
+  const auto take_back = [&] {
+    for (const uint32_t v : changed) set_vertex_mark(env, v, false);
+  };
+  try {
+    for (const uint32_t v : changed) {
+      boxes.emplace_back();
+      boxes.back().add(env.point(v));
+    }
+    for_each_body(*scene, [&](uint32_t slot, const BodyRecord<D>& of) {
+      if (keeps_distances(*scene, of.body, {boxes.data(), boxes.size()})) return;
+      scene->occupant_bodies.push_back({slot, scene->body_slots.generation(slot)});
+    });
+    if (!scene->occupant_bodies.empty()) refuse(*scene);
+  } catch (const std::bad_alloc&) {
+    take_back();
+    clear_occupants(scene);
+    throw;
+  } catch (...) {
+    take_back();
+    throw;
+  }
+}
+
 template <int D>
 size_t mark_region(Environment<D>& env, Scene<D>* scene, int32_t region, bool marked, bool skip_occupied,
                    size_t* left_out) {
@@ -242,6 +276,7 @@ DSW_INSTANTIATE(count_looked_at);
 DSW_INSTANTIATE(clear_occupants);
 DSW_INSTANTIATE(mark_cells);
 DSW_INSTANTIATE(mark_facets);
+DSW_INSTANTIATE(mark_vertices);
 DSW_INSTANTIATE(mark_region);
 DSW_INSTANTIATE(mark_between);
 

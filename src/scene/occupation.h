@@ -39,6 +39,9 @@ void mark_facets(Environment<D>& env, Scene<D>* scene, const HalfFacet* facets, 
 template <int D>
 void mark_edges(Environment<D>& env, Scene<D>* scene, const Dart* edges, size_t count, bool marked);
 
+template <int D>
+void mark_vertices(Environment<D>& env, Scene<D>* scene, const uint32_t* vertices, size_t count, bool marked);
+
 /** Marks every cell with a region label; returns how many have it, those left out included. */
 template <int D>
 size_t mark_region(Environment<D>& env, Scene<D>* scene, int32_t region, bool marked, bool skip_occupied,

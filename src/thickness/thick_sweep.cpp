@@ -62,7 +62,13 @@ typename ThickSweep<D>::Swept ThickSweep<D>::sweep_of(const Body<D>& body, const
   double way = 0;
   for (int k = 0; k < D; ++k) way = std::max(way, std::fabs(to[k] - body.position(v)[k]));
   swept.way = 1.8 * way;  // more than the square root of 3
+  swept.is_at_rest = false;
   return swept;
+}
+
+template <int D>
+double ThickSweep<D>::least_of(const Swept& swept, double wanted) noexcept {
+  return swept.is_at_rest ? least_at_rest(wanted) : least_kept(wanted);
 }
 
 /** Of the parts at a vertex, those that no other one covers. */
@@ -81,14 +87,14 @@ bool ThickSweep<D>::for_each_swept(const Body<D>& body, uint32_t v, const double
 template <int D>
 template <class Visit>
 bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, const Box<D>& box, double limit, Visit visit) {
-  const double reach = body.radius + limit;
+  const double reach = body.radius + limit, wanted = least_of(swept, body.radius);
   // Floods that are remembered go round the part, others only round what it sweeps.
   const bool remembers = notes != nullptr && swept.way <= reach;
   const NearList<D>& list = remembers
                                 ? lists_.near(body, Part<D>(body, swept.part), reach + swept.way, *notes)
                                 : lists_.in(swept.start, NearRegion<D>(swept.hull.points, swept.hull.count, reach));
   for (const NearObstacle<D>& obstacle : list.obstacles()) {
-    Thing thing{{{}, obstacle.count}, least_kept(body.radius), kNone, {}, &obstacle, &list};
+    Thing thing{{{}, obstacle.count}, wanted, kNone, {}, &obstacle, &list};
     for (uint32_t i = 0; i < obstacle.count; ++i) thing.hull.points[i] = list.point(obstacle.vertices[i]);
     if (is_in(box, thing.hull) && !visit(thing)) return false;
   }
@@ -103,6 +109,7 @@ bool ThickSweep<D>::visit_partner(const Partners<D>& partners, uint32_t number, 
   const auto look = [&](const Simplex& part) {
     const SimplexCorners<D> corners(other, part);
     const auto is_joined = [&](uint32_t v) { return joined_.has(v); };
+    if (is_covered(other, part)) return true;
     if (&other == &body && std::any_of(corners.begin(), corners.end(), is_joined)) return true;
     Thing thing{{{}, corners.count}, wanted, number, part, nullptr, nullptr};
     for (uint32_t i = 0; i < corners.count; ++i) thing.hull.points[i] = other.position(corners.vertices[i]);
@@ -133,7 +140,7 @@ bool ThickSweep<D>::visit_near(const Partners<D>* partners, const Body<D>& body,
     if (!(wanted + limit > 0)) continue;
     if (&other == &body) joined_.find(body, swept.from, swept.from_count);
     const Box<D> box = box_round<D>(swept.hull, wanted + limit);
-    if (!visit_partner(*partners, i, body, box, least_kept(wanted), visit)) return false;
+    if (!visit_partner(*partners, i, body, box, least_of(swept, wanted), visit)) return false;
   }
   return true;
 }
@@ -208,6 +215,7 @@ bool ThickSweep<D>::keeps_at_rest(const Partners<D>* partners, const Body<D>& bo
   swept.hull = part;
   swept.start = start;
   swept.way = kInfinity;
+  swept.is_at_rest = false;
   swept.from_count = from_count;
   std::copy_n(from, from_count, swept.from);
   return keeps_swept(partners, body, swept);
@@ -250,13 +258,13 @@ double ThickSweep<D>::least_gap(const Partners<D>* partners, const Body<D>& body
 }
 
 template <int D>
-bool ThickSweep<D>::keeps_bend(const Partners<D>* partners, const Body<D>& body, uint32_t edge, const double* point) {
+bool ThickSweep<D>::keeps_bend(const Partners<D>* partners, const Body<D>& body, uint32_t edge, const double* point,
+                               Cell cell) {
   if (!is_thick(partners, body)) return true;
   const uint32_t a = body.edges[edge].ends[0], b = body.edges[edge].ends[1];
   const double *const at_a = body.position(a), *const at_b = body.position(b);
-  const Cell start = body.vertices[a].cell;
   const auto keeps = [&](const ConvexHull& hull, std::initializer_list<WayAlong> from) {
-    return keeps_at_rest(partners, body, hull, start, from.begin(), static_cast<uint32_t>(from.size()));
+    return keeps_at_rest(partners, body, hull, cell, from.begin(), static_cast<uint32_t>(from.size()));
   };
   // What the new vertex is joined to.
   double to_a = 0, to_b = 0;

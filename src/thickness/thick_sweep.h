@@ -9,8 +9,10 @@
 
 namespace dsw {
 
-/** The distance that counts as kept, if so much is wanted. */
-inline double least_kept(double wanted) noexcept { return wanted * (1 - 0x1p-34); }
+/** The distance that counts as kept, if so much is wanted: by what stands still, and by what moves. A way that leads
+ * along something may lose a little more by rounding than the place where it began. So what has moved is well kept. */
+inline double least_at_rest(double wanted) noexcept { return wanted * (1 - 0x1p-34); }
+inline double least_kept(double wanted) noexcept { return wanted * (1 - 0x1p-35); }
 
 /** What comes too near to a part of a body, and when. */
 template <int D>
@@ -45,8 +47,8 @@ class ThickSweep {
   bool find_first(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to, TooNear<D>* first);
   /** All that come too near on that way, by time. */
   void find_all(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to, Array<TooNear<D>>& all);
-  /** Whether an edge, with its faces, can be bent to pass through `point`. */
-  bool keeps_bend(const Partners<D>* partners, const Body<D>& body, uint32_t edge, const double* point);
+  /** Whether an edge, with its faces, can be bent to pass through `point`, which a cell contains. */
+  bool keeps_bend(const Partners<D>* partners, const Body<D>& body, uint32_t edge, const double* point, Cell cell);
   /** Whether a part that stands still keeps its distances. */
   bool keeps_at_rest(const Partners<D>* partners, const Body<D>& body, const Simplex& part);
   /** Whether all parts do. */
@@ -67,6 +69,7 @@ class ThickSweep {
     Simplex part{};
     Cell start;      // that contains a point of the hull
     double way = 0;  // all of the hull is within this distance of the part. Infinity: the part is not there
+    bool is_at_rest = true;
     WayAlong from[4];
     uint32_t from_count = 0;
   };
@@ -80,6 +83,7 @@ class ThickSweep {
     const NearList<D>* list;
   };
   Swept sweep_of(const Body<D>& body, const Simplex& part, uint32_t v, const double* to) const noexcept;
+  static double least_of(const Swept& swept, double wanted) noexcept;
   template <class Visit>
   bool for_each_swept(const Body<D>& body, uint32_t v, const double* to, Visit visit) const;
   /** Calls visit(thing) for all that may be nearer than wanted and a limit more, until it returns false; whether it

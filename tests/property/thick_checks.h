@@ -107,6 +107,13 @@ inline void ThickChecks::move_one(size_t i) {
   EXPECT_EQ(scene_.too_near(i), "");
 }
 
+/// On a way that is so much longer than the radius, rounding can decide what is near.
+inline bool is_hidden_by(const Vec& from, const Vec& to, double radius) {
+  double way = 0;
+  for (size_t k = 0; k < 3; ++k) way = std::max(way, std::fabs(to[k] - from[k]));
+  return radius < 0x1p-11 * way;
+}
+
 /// Where there is room on the whole way, nothing stops a vertex.
 inline void ThickChecks::check_arrival(size_t i, uint32_t vertex, const Vec& from, const Vec& to,
                                        size_t contact_count) {
@@ -117,7 +124,7 @@ inline void ThickChecks::check_arrival(size_t i, uint32_t vertex, const Vec& fro
   }
   if (!scene_.too_near_on_way(i, vertex, from, to, more_by(40)).empty()) return;
   // Rounding could be seen here.
-  if (body.radius < 0x1p-8 * slack()) return;
+  if (body.radius < 0x1p-8 * slack() || is_hidden_by(from, to, body.radius)) return;
   ++arrivals;
   BodyState after;
   ASSERT_EQ(read_body(scene_.handle(), body.id, after), "");
@@ -186,7 +193,9 @@ inline void ThickChecks::check_contact(size_t i, const dsw_body_contact& c, cons
   }
   const double radius = body.radius + other;
   const double rounding = slack();
-  if (radius == 0) return;
+  if (radius == 0 || touched == i) return;  // its own parts may be joined, and touch without a radius
+  // Rounding decides.
+  if (radius < 0x1p-18 * ground_.largest || is_hidden_by(from, to, radius)) return;
   // What touches at the start may be what stops it, at any time.
   const mpq_class touching = mpq_class(1 + 1e-8) + 4 * mpq_class(rounding) / mpq_class(radius);
   if (!scene_.too_near_on_way(i, v, from, from, touching).empty()) return;
@@ -208,7 +217,6 @@ inline void ThickChecks::check_contact(size_t i, const dsw_body_contact& c, cons
   SCOPED_TRACE(spans + " at " + number(c.time));
   if (!at_body) return check_obstacle(c, part, radius, rounding);
   ASSERT_LT(touched, scene_.bodies.size());
-  if (touched == i) return;  // its own parts may be joined, and touch without a radius
   const BodyState& s = scene_.bodies[touched].state;
   const auto index = [](const auto& ids, auto id) {
     return static_cast<size_t>(std::find_if(ids.begin(), ids.end(), [&](auto x) { return same_id(x, id); }) -

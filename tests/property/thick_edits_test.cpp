@@ -220,11 +220,13 @@ class ThickMarks {
       hull.push_back(at);
     }
     if (hull.size() > 3) return;
-    double least = HUGE_VAL;
+    double least = HUGE_VAL, largest = 0;
+    for (const Vec& p : hull) largest = std::max({largest, std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
     bool is_near = false;
     for (size_t i = 0; i < scene_.bodies.size(); ++i) {
       const ThickBody& body = scene_.bodies[i];
-      if (body.radius == 0 || scene_.is_tight(i)) return;
+      // Of a very thin one rounding decides.
+      if (body.radius <= 0x1p-18 * largest || scene_.is_tight(i)) return;
       const Limit limit{mpq_class(body.radius)};
       for (const ThickPart& part : scene_.parts_of(body)) {
         is_near = is_near || is_nearer(part.hull, hull, limit);

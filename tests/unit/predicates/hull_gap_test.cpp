@@ -1,0 +1,130 @@
+// Bounds of distances of hulls against exact rational arithmetic: never above the distance, and hardly below.
+#include "predicates/hull_gap.h"
+
+#include "thick_truth.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace dsw {
+namespace {
+
+using oracle::square_of_distance;
+using Points = oracle::Hull;
+
+ConvexHull hull_of(const Points& points) {
+  ConvexHull hull;
+  for (const oracle::Vec& p : points) hull.points[hull.count++] = p.data();
+  return hull;
+}
+
+/** How pairs of hulls are made: at random, on a lattice where much is flat or touches, long and thin, or far away. */
+struct Family {
+  const char* name;
+  double scale = 1, stretch = 1, offset = 0;
+  bool is_lattice = false;
+};
+
+class HullGapTest : public testing::TestWithParam<Family> {
+ protected:
+  double coordinate() {
+    if (GetParam().is_lattice) return static_cast<double>(random_() % 5) - 2;
+    return std::uniform_real_distribution<double>(-1, 1)(random_);
+  }
+  oracle::Vec point() {
+    const Family& f = GetParam();
+    return {f.scale * (f.offset + f.stretch * coordinate()), f.scale * coordinate(), f.scale * coordinate()};
+  }
+  Points points(size_t most) {
+    Points made(1 + random_() % most);
+    for (oracle::Vec& p : made) p = point();
+    return made;
+  }
+  /** The second hull from the first one's side, so that small distances occur. */
+  void draw(size_t most_a, Points& a, Points& b) {
+    a = points(most_a);
+    b = points(3);
+    if (GetParam().is_lattice || random_() % 2 == 0) return;
+    const double share = std::uniform_real_distribution<double>(0, 1.02)(random_);
+    for (oracle::Vec& p : b) {
+      for (size_t k = 0; k < 3; ++k) p[k] += share * (a[0][k] - b[0][k]);
+    }
+  }
+  double size_of(const Points& a, const Points& b) {
+    double size = 0;
+    for (const Points* each : {&a, &b}) {
+      for (const oracle::Vec& p : *each) {
+        for (size_t k = 0; k < 3; ++k) size = std::max(size, std::fabs(p[k] - b[0][k]));
+      }
+    }
+    return size;
+  }
+  double exact(const Points& a, const Points& b) { return oracle::root(square_of_distance(a, b)).get_d(); }
+
+  std::mt19937_64 random_{7};
+};
+
+TEST_P(HullGapTest, BoundsTheDistanceFromBelowAndClosely) {
+  for (int i = 0; i < 400; ++i) {
+    Points a, b;
+    draw(4, a, b);
+    const HullGap gap = find_gap<3>(hull_of(a), hull_of(b), HUGE_VAL);
+    const mpq_class square = square_of_distance(a, b), bound = gap.bound;
+    ASSERT_LE(bound * bound, square) << i;
+    ASSERT_GE(gap.bound, exact(a, b) - 0x1p-42 * size_of(a, b)) << i;
+    // Whether it is far enough apart is told as well when the search may end early.
+    const double wanted = exact(a, b) * std::uniform_real_distribution<double>(0.5, 1.5)(random_);
+    const bool is_far = are_far_apart<3>(hull_of(a), hull_of(b), wanted);
+    const mpq_class limit = wanted;
+    if (is_far) ASSERT_LE(limit * limit, square) << i;
+    if (gap.bound > wanted) ASSERT_TRUE(is_far) << i;
+  }
+}
+
+TEST_P(HullGapTest, AHullGrowsUntilItComesTooNear) {
+  for (int i = 0; i < 400; ++i) {
+    Points a, b;
+    draw(3, a, b);
+    const oracle::Vec to = point();
+    const double wanted = exact(a, b) * std::uniform_real_distribution<double>(0.01, 1)(random_);
+    if (wanted == 0 || !are_far_apart<3>(hull_of(a), hull_of(b), wanted)) continue;
+    HullGap at;
+    const double time = time_apart<3>(hull_of(a), to.data(), hull_of(b), wanted, &at);
+    const auto grown = [&](double t) {
+      Points hull = a;
+      hull.push_back(a[0]);
+      point_at<3>(a[0].data(), to.data(), t, hull.back().data());
+      return hull;
+    };
+    ASSERT_TRUE(time >= 0 && time <= 1) << i;
+    ASSERT_TRUE(are_far_apart<3>(hull_of(grown(time)), hull_of(b), wanted)) << i;
+    ASSERT_GE(at.bound, wanted) << i;
+    ASSERT_NEAR(length(at.normal), 1, 1e-12) << i;
+    if (time + 0x1p-20 < 1) ASSERT_LT(exact(grown(time + 0x1p-20), b), wanted * (1 + 0x1p-20)) << i << " " << time;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, HullGapTest,
+                         testing::Values(Family{"random"}, Family{"lattice", 1, 1, 0, true}, Family{"thin", 1, 1e4},
+                                         Family{"flat", 1, 1e-6}, Family{"far", 1, 1, 1e9}, Family{"huge", 1e300},
+                                         Family{"tiny", 1e-300}),
+                         [](const auto& made) { return std::string(made.param.name); });
+
+TEST(HullGap, InThePlaneAHullIsFlat) {
+  const double a[2] = {0, 2}, b[2] = {-1, 0}, c[2] = {1, 0}, to[2] = {0, -2};
+  const ConvexHull point{{a}, 1}, wall{{b, c}, 2};
+  EXPECT_TRUE(are_far_apart<2>(point, wall, 1.999));
+  EXPECT_FALSE(are_far_apart<2>(point, wall, 2.001));
+  HullGap at;
+  EXPECT_NEAR(time_apart<2>(point, to, wall, 0.5, &at), 0.375, 1e-12);
+  EXPECT_NEAR(at.normal.y(), 1, 1e-12);
+}
+
+TEST(HullGap, OfWhatIsTooFarAwayForDoublesNothingIsKnown) {
+  const double a[3] = {1e308, 0, 0}, b[3] = {-1e308, 0, 0};
+  EXPECT_EQ(find_gap<3>({{a}, 1}, {{b}, 1}, 1).bound, 0);
+}
+
+}  // namespace
+}  // namespace dsw
