@@ -29,7 +29,7 @@ void report(std::string_view function, const std::string& what) {
 class Caller {
  public:
   Caller(Host* host, std::shared_mutex* mutex)
-      : host_(*host), mutex_(mutex), scratch_(kMostParameters * kScratchBytes) {}
+      : host_(*host), mutex_(mutex), scratch_(kMostParameters * kScratchBytes), before_(scratch_) {}
 
   /** Everything as it should be, then each parameter wrong in each way. */
   template <class R, class... A>
@@ -68,7 +68,7 @@ class Caller {
     int wanted = wrong == SIZE_MAX ? static_cast<int>(kAnything) : static_cast<int>(kRefused);
     if (wrong != SIZE_MAX && !spoil_at(about, wrong, k, &arguments, &wanted, std::index_sequence_for<A...>()))
       return false;
-    const Block scratch = scratch_;
+    std::memcpy(before_.data(), scratch_.data(), sizeof...(A) * kScratchBytes);
     ++calls;
     if constexpr (!std::is_same_v<R, dsw_status>) {
       std::apply(function, arguments);  // of these only that they return
@@ -80,8 +80,7 @@ class Caller {
       const std::string what =
           wrong == SIZE_MAX ? "as it should be" : std::string(about[wrong].name) + ", way " + std::to_string(k);
       check_status(name, what, status, wanted, *before);
-      if (status != DSW_STATUS_OK)
-        check_untouched(about, arguments, scratch, what, status, std::index_sequence_for<A...>());
+      if (status != DSW_STATUS_OK) check_untouched(about, arguments, what, status, std::index_sequence_for<A...>());
       if (status == DSW_STATUS_OK) dispose(about, arguments, std::index_sequence_for<A...>());
       if (mutex_ != nullptr && !writes) return true;
       if (status == DSW_STATUS_OK && writes) {
@@ -131,11 +130,11 @@ class Caller {
 
   /** Out-arguments after a failure. Some answer what was wrong, as the headers say. */
   template <class Tuple, size_t... I>
-  void check_untouched(const std::array<Argument, kMostParameters>& about, const Tuple& arguments, const Block& before,
+  void check_untouched(const std::array<Argument, kMostParameters>& about, const Tuple& arguments,
                        const std::string& what, dsw_status status, std::index_sequence<I...>) {
     const auto check = [&](const Argument& a, bool out) {
       const size_t at = static_cast<size_t>(a.scratch - scratch_.data());
-      if (!out || std::memcmp(a.scratch, before.data() + at, kScratchBytes) == 0) return;
+      if (!out || std::memcmp(a.scratch, before_.data() + at, kScratchBytes) == 0) return;
       const bool says_size = status == DSW_STATUS_BUFFER_TOO_SMALL && (a.called("count") || a.called("size_bytes"));
       const bool says_what = a.called("offender") || a.called("report") || a.called("sweeps");
       if (!says_size && !says_what) report(a.function, what + ": writes " + std::string(a.name) + " and fails");
@@ -172,7 +171,8 @@ class Caller {
 
   Host& host_;
   std::shared_mutex* mutex_;
-  Block scratch_;
+  Block scratch_;  // of the arguments, one after the other
+  Block before_;   // the same before the call
 };
 
 using Test = void (*)(Caller&);
