@@ -28,7 +28,7 @@ NearNote<D>& note_of(NearNotes<D>& all, const Simplex& simplex, const Memory* me
 
 // How far obstacles are noted, times the reach. Between 2 and 4 it makes no difference to a wire that is pushed: longer
 // lists are made less often.
-constexpr double kRoom = 2;
+constexpr double kNotedRoom = 2;
 
 }  // namespace
 
@@ -66,7 +66,7 @@ const NearList<D>& NearLists<D>::near(const Body<D>& body, const Part<D>& part, 
   if (holds(body, part, reach, note)) return note.list;
   note.room = -1;  // until the list is whole
   note.list.clear();
-  const double room = kRoom * reach;
+  const double room = kNotedRoom * reach;
   note.start = note.connected = body.vertices[part.corners.vertices[0]].cell;
   flood_.find(note.start, NearRegion<D>(part.points, part.corners.count, room), note.list);
   note.list.finish({env_.points, D}, has_features_);
