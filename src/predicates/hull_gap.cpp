@@ -11,6 +11,10 @@
 namespace dsw {
 namespace {
 
+// Not those of exact numbers.
+using dsw::difference;
+using dsw::dot;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /** The difference of a point of each hull. */

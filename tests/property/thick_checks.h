@@ -420,7 +420,7 @@ inline void ThickChecks::check_gap(size_t i) {
   const mpf_class expected = is_near ? exact : mpf_class(limit, 256);
   const double tolerance = 1e-9 * body.radius + 1e-12 * std::max(ground_.size, ground_.largest);
   EXPECT_LE(gap, expected) << "of radius " << number(body.radius);
-  if (body.self) return;  // own parts that need not keep apart may count as well
+  if (body.self) return;                                // own parts that need not keep apart may count as well
   if (body.radius < 0x1p-18 * ground_.largest) return;  // rounding may cost more
   EXPECT_GE(gap, expected - tolerance) << "of radius " << number(body.radius);
 }
