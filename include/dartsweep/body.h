@@ -7,10 +7,11 @@
  *
  * A body may have a radius. Then it is thick: its edges are capsules, its faces plates with round
  * rims. Every distance from the parts that its level covers to anything impassable is at least the
- * radius, and to a body that it can meet at least the sum of both radii. A distance counts as large
- * enough if a lower bound of it, rounded down, is at least 1 - 2^-34 of what it must be. The bound
- * loses about 2^-44 of the size of both parts, and more if the radius is below 2^-18 of that. This
- * holds on the whole way of each vertex, its edges and its faces, at every level.
+ * radius, and to a body that it can meet at least the sum of both radii. This holds on the whole
+ * way of each vertex, its edges and its faces, at every level. A distance counts as large enough if
+ * a lower bound of it, rounded down, is at least 1 - 2^-34 of what it must be. The bound loses 2^-36
+ * of the distance and 2^-70 of the size of both parts. What is below 2^-1022 counts as 0. The time
+ * of a touch is at most 2^-48 of itself early.
  *
  * Parts of the same body (DSW_BODY_SELF_CONTACTS) keep two radii apart, unless a way of at most 4
  * radii along the body's edges joins them; then they must only not touch. The edges have the lengths

@@ -9,7 +9,7 @@
 namespace dsw {
 namespace {
 
-constexpr double kLeastWeight = 0x1p-30;
+constexpr double kLeastWeight = 0x1p-46;
 
 /** The corners of what came too near that its nearest point lies between. Returns how many. */
 template <int D>

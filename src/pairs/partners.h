@@ -17,7 +17,16 @@ template <int D>
 struct Partners {
   Array<Partner<D>> all;
   Box<D> reach = Box<D>::everything();  // the body does not leave it: all that is met there is in the list
+  bool has_thick = false;               // one of them has a radius
 
+  void add(const Partner<D>& partner) {
+    all.push_back(partner);
+    has_thick = has_thick || partner.body->radius > 0;
+  }
+  void clear() noexcept {
+    all.clear();
+    has_thick = false;
+  }
   explicit Partners(const Memory* memory) : all(memory) {}
 };
 

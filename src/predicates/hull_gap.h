@@ -20,20 +20,20 @@ struct HullGap {
   double weights[4] = {}, other_weights[4] = {};  // of the points that are nearest to each other, rounded
 };
 
-/** @param enough the search ends as soon as it is certain that the distance is at least that, or nearly certain that it
- * is not. Infinity: the search ends when nothing more is found. */
+/** The search ends as soon as it is certain that the distance is `enough`, or nearly certain that it is less than
+ * `least`; else when the bound is within 2^-31 of the distance. What decides about `least` has all digits. */
 template <int D>
-HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough) noexcept;
+HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double least) noexcept;
 
 /** Whether it is certain that two hulls are that far apart. */
 template <int D>
 bool are_far_apart(const ConvexHull& a, const ConvexHull& b, double distance) noexcept {
-  return find_gap<D>(a, b, distance).bound >= distance;
+  return find_gap<D>(a, b, distance, distance).bound >= distance;
 }
 
 /** How far the first point of a hull can go to `to`, as a share of the way, while the hull with all that this point has
  * passed keeps that distance. Rounded; 0 if it is too near from the start, 1 if it can go all the way.
- * @param at what holds at that time. */
+ * @param at what holds at that time, if it is not 1. */
 template <int D>
 double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, double distance, HullGap* at) noexcept;
 

@@ -111,10 +111,7 @@ template <int D>
 void NearSearch<D>::collect(const Body<D>& other, const Part<D>& cover, double reach) {
   Box<D> box;
   for (uint32_t i = 0; i < cover.corners.count; ++i) box.add(cover.points[i]);
-  for (int k = 0; k < D; ++k) {
-    box.lower[k] -= reach + 0x1p-50 * std::fabs(box.lower[k]);
-    box.upper[k] += reach + 0x1p-50 * std::fabs(box.upper[k]);
-  }
+  box = widened(box, reach);
   others_.clear();
   const auto add = [&](const Simplex& s) {
     const SimplexCorners<D> corners(other, s);

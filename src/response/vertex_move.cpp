@@ -82,7 +82,8 @@ bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival) {
   under_.clear();
   if (settings_.search == Search::kBisection) return advance_by_halving(v, to);
   TooNear<D> near;
-  if (sweeps_.thick.find_first(sweeps_.partners, body_, v, to, &near)) {
+  const bool is_too_near = sweeps_.thick.find_first(sweeps_.partners, body_, v, to, &near);
+  if (is_too_near && body_.radius > 0) {  // before it meets anything
     stop_before(v, to, record_too_near(v, to, near));
     return false;
   }
@@ -92,9 +93,17 @@ bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival) {
   if (end == SweepEnd::kWorkLimit) return false;
   PairContact<D> pair;
   sweeps_.find_first_of_partners(body_, v, to, &pair);
-  if (end == SweepEnd::kFree && pair.time == kNever) {
+  const bool is_met = end == SweepEnd::kContact || pair.time != kNever;
+  if (!is_met && !is_too_near) {
     put(v, to, cell);
     return true;
+  }
+  const auto met_at = [&] {
+    return end == SweepEnd::kContact ? std::min(describe(env_, body_, v, to, first).time, pair.time) : pair.time;
+  };
+  if (is_too_near && !(is_met && met_at() < near.time)) {
+    stop_before(v, to, record_too_near(v, to, near));
+    return false;
   }
   stop_before(v, to, record_contacts(v, to, end == SweepEnd::kContact ? &first : nullptr, pair));
   return false;

@@ -33,7 +33,7 @@ void gather(Scene<D>& scene) {
   d.all.particle_slots = &scene.slots;
   d.all.forget_saved();
   d.all.bodies.assign(scene.bodies.size(), typename Occupants<D>::Owner{});
-  d.partners.all.clear();
+  d.partners.clear();
   d.all.partners = scene.features.contacts ? &d.partners : nullptr;
   for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
     const uint32_t generation = scene.body_slots.generation(slot);
@@ -42,7 +42,7 @@ void gather(Scene<D>& scene) {
     follow_changes(scene, body);
     d.all.bodies[slot] = {&body.body, &body.next, {slot, generation}};
     body.next.edits.clear();
-    if (scene.features.contacts) d.partners.all.push_back({&body.body, slot, generation});
+    if (scene.features.contacts) d.partners.add({&body.body, slot, generation});
   }
 }
 

@@ -15,12 +15,7 @@ template <int D>
 class Near {
  public:
   Near(const Scene<D>& scene, const Body<D>& body, double limit) : meets_(scene.features.contacts), all_(scene.memory) {
-    if (!meets_) return;
-    find_partners(scene, body, widened(reach_of(body), limit), all_);
-    // One that is being made is not in the scene yet.
-    const auto is_itself = [&](const Partner<D>& each) { return each.body == &body; };
-    const bool is_listed = std::any_of(all_.all.begin(), all_.all.end(), is_itself);
-    if (body.filter.self && !is_listed) all_.all.push_back({&body, kNone, 0});
+    if (meets_) find_partners_at_rest(scene, body, limit, all_);
   }
   const Partners<D>* partners() const { return meets_ ? &all_ : nullptr; }
 

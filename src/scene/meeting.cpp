@@ -79,26 +79,30 @@ Box<D> reach_of(const Body<D>& body, PointArray targets, MoveOrder order, bool s
 
 template <int D>
 void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners) {
-  partners.all.clear();
+  partners.clear();
   partners.reach = reach;
   scene.body_boxes.visit(widened(reach, body.radius), [&](uint32_t slot) {
     const Body<D>& other = scene.bodies[slot].body;
     if (&other == &body ? !body.filter.self : !body.filter.sees(other.filter)) return true;
-    partners.all.push_back(name(scene, slot));
+    partners.add(name(scene, slot));
     if (&other != &body) fresh_boxes(other);  // several threads may read it then
     return true;
   });
 }
 
 template <int D>
+void find_partners_at_rest(const Scene<D>& scene, const Body<D>& body, double limit, Partners<D>& partners) {
+  find_partners(scene, body, widened(reach_of(body), limit), partners);
+  const auto is_itself = [&](const Partner<D>& each) { return each.body == &body; };
+  const bool is_listed = std::any_of(partners.all.begin(), partners.all.end(), is_itself);
+  if (body.filter.self && !is_listed) partners.add({&body, kNone, 0});
+}
+
+template <int D>
 void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level) {
   if (!scene.features.contacts) return;
   Partners<D> partners(scene.memory);
-  find_partners(scene, body, reach_of(body), partners);
-  // One that is being made is not in the scene yet.
-  const auto is_itself = [&](const Partner<D>& each) { return each.body == &body; };
-  const bool listed = std::any_of(partners.all.begin(), partners.all.end(), is_itself);
-  if (body.filter.self && !listed) partners.all.push_back({&body, kNone, 0});
+  find_partners_at_rest(scene, body, 0, partners);
   is_body_apart(partners, body, level, [&](uint32_t a, uint32_t b) {
     scene.offending.push_back(a);
     scene.offending.push_back(b);
@@ -134,7 +138,7 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
       partners.all.erase(gone, partners.all.end());
       reaches.visit(widened(partners.reach, moving[i]->body.radius), [&](uint32_t j) {
         if (i == j ? !filter.self : !filter.sees(moving[j]->body.filter)) return true;
-        partners.all.push_back(name(scene, slot_of(scene, *moving[j])));
+        partners.add(name(scene, slot_of(scene, *moving[j])));
         sets.join(i, j);
         return true;
       });
@@ -159,6 +163,7 @@ template Box<3> reach_of(const Body<3>& body, PointArray targets, MoveOrder orde
 template Box<2> reach_of(const Body<2>& body) noexcept;
 template Box<3> reach_of(const Body<3>& body) noexcept;
 DSW_INSTANTIATE(find_partners);
+DSW_INSTANTIATE(find_partners_at_rest);
 DSW_INSTANTIATE(check_apart);
 DSW_INSTANTIATE(find_islands);
 

@@ -23,6 +23,10 @@ Box<D> reach_of(const Body<D>& body) noexcept;
 template <int D>
 void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners);
 
+/** Those of a body that stands still, within a limit. The body may not be in the scene yet. */
+template <int D>
+void find_partners_at_rest(const Scene<D>& scene, const Body<D>& body, double limit, Partners<D>& partners);
+
 /** Throws OCCUPIED, and fills scene.offending, unless a body is apart from others, and from itself if it sees that. */
 template <int D>
 void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level);

@@ -197,12 +197,8 @@ void find_rows(Scene<D>& scene, BodyRecord<D>& of, const NearSettings& settings,
     return radius + (each.body == &of.body ? radius : each.body->radius);
   };
   if (scene.features.contacts) {
-    Box<D> reach = reach_of(of.body);
-    const double farthest = margin + 2 * settings.radius;  // the bodies' radii are added where partners are found
-    for (int k = 0; k < D; ++k) {
-      reach.lower[k] -= farthest;
-      reach.upper[k] += farthest;
-    }
+    // The bodies' own radii are added where partners are found.
+    const Box<D> reach = widened(reach_of(of.body), margin + 2 * settings.radius);
     find_partners(scene, of.body, reach, partners);
     for (uint32_t i = 0; i < partners.all.size(); ++i) {
       search.find_partner(partners, i, margin + radii_with(partners.all[i]), pairs);

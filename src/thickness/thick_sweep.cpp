@@ -37,9 +37,7 @@ bool precedes(const TooNear<D>& a, const TooNear<D>& b) noexcept {
 
 template <int D>
 bool ThickSweep<D>::is_thick(const Partners<D>* partners, const Body<D>& body) noexcept {
-  if (body.radius > 0) return true;
-  const auto is_thick = [](const Partner<D>& each) { return each.body->radius > 0; };
-  return partners != nullptr && std::any_of(partners->all.begin(), partners->all.end(), is_thick);
+  return body.radius > 0 || (partners != nullptr && partners->has_thick);
 }
 
 /** The corners of a part with v first, and `to` if that is not null. */
@@ -75,13 +73,8 @@ double ThickSweep<D>::least_of(const Swept& swept, double wanted) noexcept {
 template <int D>
 template <class Visit>
 bool ThickSweep<D>::for_each_swept(const Body<D>& body, uint32_t v, const double* to, Visit visit) const {
-  const bool has_edges = covers_edges(body.level) && body.vertices[v].first_edge != kNone;
-  return for_each_simplex_at(body, v, [&](const Simplex& part) {
-    if (part.kind == Simplex::kVertex && has_edges) return true;
-    if (part.kind == Simplex::kEdge && covers_faces(body.level) && body.edges[part.index].faces[0] != kNone)
-      return true;
-    return visit(sweep_of(body, part, v, to));
-  });
+  return for_each_simplex_at(
+      body, v, [&](const Simplex& part) { return is_covered(body, part) || visit(sweep_of(body, part, v, to)); });
 }
 
 template <int D>
@@ -157,19 +150,32 @@ bool ThickSweep<D>::keeps(const Partners<D>* partners, const Body<D>& body, uint
   return for_each_swept(body, v, to, [&](const Swept& swept) { return keeps_swept(partners, body, swept); });
 }
 
+/** Whether something surely comes too near later than at some time: with room, so that it does not matter what is asked
+ * first. */
+template <int D>
+bool ThickSweep<D>::keeps_until(ConvexHull start, const double* to, double time, const Thing& thing) noexcept {
+  constexpr double kRoom = 0x1p-20;
+  if (!(time + kRoom < 1)) return false;
+  double place[D];
+  point_at<D>(start.points[0], to, time + kRoom, place);
+  start.points[start.count++] = place;
+  return are_far_apart<D>(start, thing.hull, thing.wanted);
+}
+
 template <int D>
 template <class Visit>
 void ThickSweep<D>::visit_too_near(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to,
-                                   Visit visit) {
+                                   const TooNear<D>* first, Visit visit) {
   if (!is_thick(partners, body)) return;
   for_each_swept(body, v, to, [&](const Swept& swept) {
     return visit_near(partners, body, swept, 0, [&](const Thing& thing) {
-      if (are_far_apart<D>(swept.hull, thing.hull, thing.wanted)) return true;
       ConvexHull start = swept.hull;
       --start.count;
+      if (first != nullptr && keeps_until(start, to, first->time, thing)) return true;
       HullGap gap;
       TooNear<D> found;
       found.time = time_apart<D>(start, to, thing.hull, thing.wanted, &gap);
+      if (found.time == 1) return true;
       found.part = swept.part;
       std::copy_n(gap.weights, start.count, found.shares);
       found.shares[0] += gap.weights[start.count];
@@ -191,19 +197,18 @@ void ThickSweep<D>::visit_too_near(const Partners<D>* partners, const Body<D>& b
 template <int D>
 bool ThickSweep<D>::find_first(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to,
                                TooNear<D>* first) {
-  bool any = false;
-  visit_too_near(partners, body, v, to, [&](const TooNear<D>& found) {
-    if (!any || precedes(found, *first)) *first = found;
-    any = true;
+  first->time = 1;
+  visit_too_near(partners, body, v, to, first, [&](const TooNear<D>& found) {
+    if (precedes(found, *first)) *first = found;
   });
-  return any;
+  return first->time < 1;
 }
 
 template <int D>
 void ThickSweep<D>::find_all(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to,
                              Array<TooNear<D>>& all) {
   all.clear();
-  visit_too_near(partners, body, v, to, [&](const TooNear<D>& found) { all.push_back(found); });
+  visit_too_near(partners, body, v, to, nullptr, [&](const TooNear<D>& found) { all.push_back(found); });
   std::sort(all.begin(), all.end(), precedes<D>);
 }
 
@@ -250,7 +255,7 @@ double ThickSweep<D>::least_gap(const Partners<D>* partners, const Body<D>& body
   const Swept swept = sweep_of(body, part, SimplexCorners<D>(body, part).vertices[0], nullptr);
   visit_near(partners, body, swept, limit, [&](const Thing& thing) {
     const double wanted = body.radius + (thing.partner == kNone ? 0 : partners->all[thing.partner].body->radius);
-    const double gap = find_gap<D>(swept.hull, thing.hull, kInfinity).bound - wanted;
+    const double gap = find_gap<D>(swept.hull, thing.hull, kInfinity, thing.wanted).bound - wanted;
     least = std::min(least, std::nextafter(gap, -kInfinity));
     return true;
   });

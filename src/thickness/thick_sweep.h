@@ -96,8 +96,11 @@ class ThickSweep {
   bool visit_partner(const Partners<D>& partners, uint32_t number, const Body<D>& body, const Box<D>& box,
                      double wanted, Visit visit) const;
   bool keeps_swept(const Partners<D>* partners, const Body<D>& body, const Swept& swept);
+  static bool keeps_until(ConvexHull start, const double* to, double time, const Thing& thing) noexcept;
+  /** Calls visit(found). `first`, which may be null: what comes surely later is left out. */
   template <class Visit>
-  void visit_too_near(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to, Visit visit);
+  void visit_too_near(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to,
+                      const TooNear<D>* first, Visit visit);
 
   const Environment<D>& env_;
   NearLists<D> lists_;

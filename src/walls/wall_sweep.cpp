@@ -183,12 +183,10 @@ bool WallSweep<D>::comes_near(const Body<D>& body, const Feature& feature, const
   const auto look = [&](const uint32_t* others, size_t count, HalfFacet facet, Cell cell) {
     ConvexHull wall{{from}, 1};
     for (size_t k = 0; k < count; ++k) wall.points[wall.count++] = env_.point(others[k]);
-    ConvexHull swept = wall;
-    swept.points[swept.count++] = to;
-    if (are_far_apart<D>(swept, part, wanted)) return;
     WallHit found;
     HullGap gap;
     found.time = time_apart<D>(wall, to, part, wanted, &gap);
+    if (found.time == 1) return;
     found.wall = facet;
     found.cell = cell;
     std::copy_n(others, count, found.others);

@@ -170,6 +170,21 @@ TEST_F(ThickBodyTest, TwoBallsStopAtTheSumOfTheirRadii) {
   EXPECT_EQ(dsw_body_set_radius(scene(), other, 0.03), DSW_STATUS_OCCUPIED);
 }
 
+TEST_F(ThickBodyTest, AThinBodyMeetsTheWallInFrontOfAThickBody) {
+  features(DSW_FEATURE_BODY_CONTACTS);
+  mark_wall(1, 1, 1);  // at x = 2
+  make(ball(3, 1.5, 1.5), 0.25);
+  const dsw_body_id body = make(ball(0.5, 1.5, 1.5), 0);
+  for (const dsw_search search : {DSW_SEARCH_EXACT, DSW_SEARCH_BISECTION}) {
+    dsw_move_options options = defaults(dsw_move_options_init);
+    options.search = search;
+    const BodyAnswer answer = move(body, {{3.5, 1.5, 1.5}}, &options);
+    ASSERT_EQ(answer.contacts.size(), 1u);
+    EXPECT_NEAR(answer.contacts[0].position[0], 2, 1e-6);
+    EXPECT_EQ(answer.contacts[0].contact.obstacle.kind, DSW_CELL_FACE);
+  }
+}
+
 TEST_F(ThickBodyTest, OwnPartsKeepApartUnlessAShortWayJoinsThem) {
   features(DSW_FEATURE_BODY_CONTACTS);
   // A hairpin: two strands that are joined at one end by an edge.

@@ -86,7 +86,9 @@ inline std::vector<std::string> sweep_scene_names() {
                            [](const testing::TestParamInfo<std::string>& i) { return i.param; })
 
 /// How much must be seen in a scene. Slivers are so thin that rounding leaves no room for a radius.
-inline uint64_t least_of(const std::string& scene, uint64_t count) { return scene == "tet_slivers" ? 0 : count; }
+inline uint64_t least_of(const std::string& scene, int count) {
+  return scene == "tet_slivers" ? 0 : static_cast<uint64_t>(count);
+}
 
 /// The seeds that a test goes through: `count` of them, or those that the environment variables ask for.
 struct ThickSeeds {

@@ -127,7 +127,7 @@ TEST_P(ThickSceneTest, BodiesKeepTheirRadius) {
     if (ground != nullptr) check_ground(*ground, rng, tally);
   }
   tally.record();
-  EXPECT_GE(tally.moves, least_of(GetParam(), 5));
+  EXPECT_GE(tally.moves, least_of(GetParam(), share_of(20)));
 }
 
 class ThickPlaneTest : public testing::TestWithParam<std::string> {};
@@ -143,7 +143,7 @@ TEST_P(ThickPlaneTest, BodiesKeepTheirRadius) {
     if (ground != nullptr) check_ground(*ground, rng, tally);
   }
   tally.record();
-  EXPECT_GE(tally.moves, least_of(GetParam(), 5));
+  EXPECT_GE(tally.moves, least_of(GetParam(), share_of(20)));
 }
 
 }  // namespace

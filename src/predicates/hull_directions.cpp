@@ -1,0 +1,161 @@
+// Where hulls are close to each other for their size, a double does not tell the direction between them. Here
+// differences of points are exact, and what is reckoned from them has twice the digits.
+
+#include "base/dimensions.h"
+#include "predicates/double_double.h"
+#include "predicates/hull_pair.h"
+
+namespace dsw {
+namespace {
+
+/** A sum that loses 3 u^2 of the magnitudes. */
+dd::Number add(const dd::Number& a, const dd::Number& b) noexcept {
+  const dd::Number s = dd::sum(a.high, b.high), t = dd::sum(a.low, b.low);
+  const dd::Number v = dd::fast_sum(s.high, s.low + t.high);
+  return dd::fast_sum(v.high, t.low + v.low);
+}
+
+/** A product that loses 8 u^2 of itself. */
+dd::Number multiply(const dd::Number& a, const dd::Number& b) noexcept {
+  const dd::Number p = dd::product(a, b);
+  return dd::fast_sum(p.high, p.low);
+}
+
+dd::Number negative(const dd::Number& a) noexcept { return {-a.high, -a.low}; }
+bool is_less(const dd::Number& a, const dd::Number& b) noexcept {
+  return a.high != b.high ? a.high < b.high : a.low < b.low;
+}
+
+struct Long {
+  dd::Number x, y, z;
+};
+
+Long minus(const Long& a, const Long& b) noexcept {
+  return {add(a.x, negative(b.x)), add(a.y, negative(b.y)), add(a.z, negative(b.z))};
+}
+Long times(const Long& a, const dd::Number& s) noexcept {
+  return {multiply(a.x, s), multiply(a.y, s), multiply(a.z, s)};
+}
+dd::Number dot(const Long& a, const Long& b) noexcept {
+  return add(add(multiply(a.x, b.x), multiply(a.y, b.y)), multiply(a.z, b.z));
+}
+Long cross(const Long& a, const Long& b) noexcept {
+  const auto minor = [](const dd::Number& p, const dd::Number& q, const dd::Number& r, const dd::Number& s) {
+    return add(multiply(p, q), negative(multiply(r, s)));
+  };
+  return {minor(a.y, b.z, a.z, b.y), minor(a.z, b.x, a.x, b.z), minor(a.x, b.y, a.y, b.x)};
+}
+Vec rounded(const Long& a) noexcept { return {a.x.high, a.y.high, a.z.high}; }
+
+/** In a power of two in which the largest coordinate is about 1. Zero and what is not finite stay so. */
+Long scaled(const Long& a) noexcept {
+  const double size = largest(rounded(a));
+  if (!(size > 0) || !std::isfinite(size)) return a;
+  int exponent;
+  std::frexp(size, &exponent);
+  const auto scale = [&](const dd::Number& n) {
+    return dd::Number{std::ldexp(n.high, -exponent), std::ldexp(n.low, -exponent)};
+  };
+  return {scale(a.x), scale(a.y), scale(a.z)};
+}
+
+template <int D>
+class Search {
+ public:
+  explicit Search(const HullPair<D>& pair) noexcept : most_(pair.most()) {
+    const double* const origin = pair.hull_b().points[0];
+    read(pair.hull_a(), origin, 1 / pair.unit(), a_, count_a_);
+    read(pair.hull_b(), origin, 1 / pair.unit(), b_, count_b_);
+  }
+
+  HullDirection run() noexcept {
+    look_at_own(a_, count_a_);
+    look_at_own(b_, count_b_);
+    for (uint32_t i = 0; i < count_a_; ++i) {
+      for (uint32_t k = 0; k < count_b_; ++k) {
+        look(minus(a_[i], b_[k]));
+        for (uint32_t l = k + 1; l < count_b_; ++l) look(across(b_[k], b_[l], a_[i]));
+        for (uint32_t j = i + 1; j < count_a_; ++j) {
+          const Long way = across(a_[i], a_[j], b_[k]);
+          look({negative(way.x), negative(way.y), negative(way.z)});
+          for (uint32_t l = k + 1; D == 3 && l < count_b_; ++l) {
+            look_along(cross(minus(a_[j], a_[i]), minus(b_[l], b_[k])));
+          }
+        }
+      }
+    }
+    return best_;
+  }
+
+ private:
+  static void read(const ConvexHull& hull, const double* origin, double scale, Long* out, uint32_t& count) noexcept {
+    count = hull.count;
+    const auto difference = [&](const double* p, int k) {
+      const dd::Number d = dd::sum(p[k], -origin[k]);
+      return dd::Number{d.high * scale, d.low * scale};
+    };
+    for (uint32_t i = 0; i < count; ++i) {
+      const double* const p = hull.points[i];
+      out[i] = {difference(p, 0), difference(p, 1), D == 3 ? difference(p, D - 1) : dd::Number{0, 0}};
+    }
+  }
+  /** Normals of the faces of one hull; in the plane of its edges. */
+  void look_at_own(const Long* points, uint32_t count) noexcept {
+    for (uint32_t i = 0; i < count; ++i) {
+      for (uint32_t k = i + 1; k < count; ++k) {
+        const Long edge = minus(points[k], points[i]);
+        if (D == 2) look_along({edge.y, negative(edge.x), {0, 0}});
+        for (uint32_t l = k + 1; D == 3 && l < count; ++l) look_along(cross(edge, minus(points[l], points[i])));
+      }
+    }
+  }
+  /** From an edge to a point, across the edge. */
+  static Long across(const Long& from, const Long& to, const Long& point) noexcept {
+    const Long edge = scaled(minus(to, from)), way = minus(point, from);
+    return minus(times(way, dot(edge, edge)), times(edge, dot(way, edge)));
+  }
+  void look_along(const Long& direction) noexcept {
+    look(direction);
+    look({negative(direction.x), negative(direction.y), negative(direction.z)});
+  }
+
+  /** Products and sums of a dot product lose less than 16 u^2 of the sum of magnitudes, u^2 being 2^-106, and among
+   * denormal numbers less than 2^-900. What both hulls lose is less than 2^-100 of that sum. The length, the quotient
+   * and the difference of high and low part lose less than 2^-49 of the result. */
+  void look(const Long& any) noexcept {
+    const Long d = scaled(any);
+    const Vec rough = rounded(d);
+    const double size = largest(rough);
+    if (!(size > 0) || !std::isfinite(size)) return;
+    dd::Number least = dot(d, a_[0]), most = dot(d, b_[0]);
+    for (uint32_t i = 1; i < count_a_; ++i) {
+      const dd::Number x = dot(d, a_[i]);
+      if (is_less(x, least)) least = x;
+    }
+    for (uint32_t k = 1; k < count_b_; ++k) {
+      const dd::Number x = dot(d, b_[k]);
+      if (is_less(most, x)) most = x;
+    }
+    const dd::Number beyond = add(least, negative(most));
+    const double lost = 0x1p-100 * dsw::dot(rough.cwiseAbs(), most_) + 0x1p-900;
+    const double left = (beyond.high + beyond.low) - lost;
+    const double bound = left * (1 - 0x1p-50) / (std::sqrt(dsw::dot(rough, rough)) * (1 + 0x1p-50));
+    if (bound > best_.bound) best_ = {bound, rough};
+  }
+
+  Vec most_;
+  Long a_[4], b_[4];
+  uint32_t count_a_ = 0, count_b_ = 0;
+  HullDirection best_;
+};
+
+}  // namespace
+
+template <int D>
+HullDirection look_everywhere(const HullPair<D>& pair) noexcept {
+  return Search<D>(pair).run();
+}
+
+DSW_INSTANTIATE(look_everywhere);
+
+}  // namespace dsw
