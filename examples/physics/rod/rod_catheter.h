@@ -18,12 +18,12 @@ struct RodCatheterOptions {
   double turning = 0;     // of the hand, about the wire, rad/s
   double mass = 1.6;      // mg/mm
   double stretching = 2e9;  // uN
-  double bending = 1e7;     // uN mm^2
-  double twisting = 8e6;    // uN mm^2
+  double bending = 5e6;     // uN mm^2
+  double twisting = 4e6;    // uN mm^2
   double tip_length = 0;  // mm, over which the wire gets as soft as `tip_softness`, and is bent at rest by `tip_angle`
   double tip_softness = 1;  // share of the stiffness
   double tip_angle = 0;     // rad
-  double steering = 1e5;    // force on the tip towards the route ahead of it, uN
+  double steering = 3e5;    // force on the tip towards the route ahead of it, uN
   double look_ahead = 4;    // how far ahead that is, mm
   double most_force = 1e6;  // uN, with which the hand pushes
   dsw_level level = DSW_LEVEL_EDGES_SWEPT;
