@@ -45,7 +45,7 @@ CASES = [
     Case("a parameter is added", "abidiff source", [(*STRING, "DSW_API const char *dsw_status_string(dsw_status status, int language);")]),
     Case("a callback gets another parameter", "abidiff source",
          [(header("context"), r"\(\*dsw_log_fn\)\(void \*user,", "(*dsw_log_fn)(void *user, int line,")]),
-    Case("members of one type change places", "abidiff source layout offsets",
+    Case("members of one type change places", "abidiff source offsets",
          [(header("move"), r"\n  uint32_t max_volumes;", "\n  uint32_t passes;"),
           (header("move"), r"\n  uint32_t passes;(?=\n  double)", "\n  uint32_t max_volumes;")]),
     Case("members of two types change places", "abidiff source offsets",
