@@ -1,6 +1,8 @@
 #pragma once
 // The bodies that one may meet, and whether something that stands still is apart from them.
 
+#include <algorithm>
+
 #include "body/body.h"
 #include "predicates/sweep_events.h"
 
@@ -26,6 +28,11 @@ struct Partners {
   void clear() noexcept {
     all.clear();
     has_thick = false;
+  }
+  template <class IsGone>
+  void remove(IsGone is_gone) {
+    all.erase(std::remove_if(all.begin(), all.end(), is_gone), all.end());
+    has_thick = std::any_of(all.begin(), all.end(), [](const Partner<D>& each) { return each.body->radius > 0; });
   }
   explicit Partners(const Memory* memory) : all(memory) {}
 };

@@ -133,9 +133,7 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
       Partners<D>& partners = islands.partners[i];
       const ContactFilter& filter = moving[i]->body.filter;
       find_partners(scene, moving[i]->body, partners.reach, partners);
-      const auto gone = std::remove_if(partners.all.begin(), partners.all.end(),
-                                       [&](const Partner<D>& each) { return moves[each.index]; });
-      partners.all.erase(gone, partners.all.end());
+      partners.remove([&](const Partner<D>& each) { return moves[each.index]; });
       reaches.visit(widened(partners.reach, moving[i]->body.radius), [&](uint32_t j) {
         if (i == j ? !filter.self : !filter.sees(moving[j]->body.filter)) return true;
         partners.add(name(scene, slot_of(scene, *moving[j])));

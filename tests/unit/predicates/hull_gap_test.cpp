@@ -67,7 +67,7 @@ class HullGapTest : public testing::TestWithParam<Family> {
 };
 
 TEST_P(HullGapTest, BoundsTheDistanceFromBelowAndClosely) {
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 400; ++i) {
     Points a, b;
     draw(4, a, b);
     const HullGap gap = find_gap<3>(hull_of(a), hull_of(b), HUGE_VAL, 0);
@@ -87,7 +87,7 @@ TEST_P(HullGapTest, BoundsTheDistanceFromBelowAndClosely) {
 }
 
 TEST_P(HullGapTest, AHullGrowsUntilItComesTooNear) {
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 400; ++i) {
     Points a, b;
     draw(3, a, b);
     const oracle::Vec to = point();
