@@ -1,6 +1,9 @@
 // Where hulls are close to each other for their size, a double does not tell the direction between them. Here
 // differences of points are exact, and what is reckoned from them has twice the digits.
 
+#include <initializer_list>
+#include <limits>
+
 #include "base/dimensions.h"
 #include "predicates/double_double.h"
 #include "predicates/hull_pair.h"
@@ -39,11 +42,12 @@ Long times(const Long& a, const dd::Number& s) noexcept {
 dd::Number dot(const Long& a, const Long& b) noexcept {
   return add(add(multiply(a.x, b.x), multiply(a.y, b.y)), multiply(a.z, b.z));
 }
+/** p q - r s. */
+dd::Number minor_of(const dd::Number& p, const dd::Number& q, const dd::Number& r, const dd::Number& s) noexcept {
+  return add(multiply(p, q), negative(multiply(r, s)));
+}
 Long cross(const Long& a, const Long& b) noexcept {
-  const auto minor = [](const dd::Number& p, const dd::Number& q, const dd::Number& r, const dd::Number& s) {
-    return add(multiply(p, q), negative(multiply(r, s)));
-  };
-  return {minor(a.y, b.z, a.z, b.y), minor(a.z, b.x, a.x, b.z), minor(a.x, b.y, a.y, b.x)};
+  return {minor_of(a.y, b.z, a.z, b.y), minor_of(a.z, b.x, a.x, b.z), minor_of(a.x, b.y, a.y, b.x)};
 }
 Vec rounded(const Long& a) noexcept { return {a.x.high, a.y.high, a.z.high}; }
 
@@ -66,6 +70,36 @@ class Search {
     const double* const origin = pair.hull_b().points[0];
     read(pair.hull_a(), origin, 1 / pair.unit(), a_, count_a_);
     read(pair.hull_b(), origin, 1 / pair.unit(), b_, count_b_);
+  }
+
+  /** The nearest points: of all pairs of features whose lines or planes are nearest to each other inside of both. */
+  void find_points(HullGap& gap) noexcept {
+    gap_ = &gap;
+    const auto step_a = [&](uint32_t from, uint32_t to) {
+      return Step{minus(a_[to], a_[from]), &trial_.weights[from], &trial_.weights[to]};
+    };
+    const auto step_b = [&](uint32_t from, uint32_t to) {
+      return Step{minus(b_[from], b_[to]), &trial_.other_weights[from], &trial_.other_weights[to]};
+    };
+    for (uint32_t i = 0; i < count_a_; ++i) {
+      for (uint32_t k = 0; k < count_b_; ++k) {
+        const auto from_here = [&](std::initializer_list<Step> steps) {
+          trial_ = HullGap();
+          trial_.weights[i] = trial_.other_weights[k] = 1;
+          consider(minus(a_[i], b_[k]), steps);
+        };
+        from_here({});
+        for (uint32_t j = i + 1; j < count_a_; ++j) {
+          from_here({step_a(i, j)});
+          for (uint32_t l = k + 1; l < count_b_; ++l) from_here({step_a(i, j), step_b(k, l)});
+          for (uint32_t m = j + 1; m < count_a_; ++m) from_here({step_a(i, j), step_a(i, m)});
+        }
+        for (uint32_t l = k + 1; l < count_b_; ++l) {
+          from_here({step_b(k, l)});
+          for (uint32_t m = l + 1; m < count_b_; ++m) from_here({step_b(k, l), step_b(k, m)});
+        }
+      }
+    }
   }
 
   HullDirection run() noexcept {
@@ -114,6 +148,15 @@ class Search {
     const Long edge = scaled(minus(to, from)), way = minus(point, from);
     return minus(times(way, dot(edge, edge)), times(edge, dot(way, edge)));
   }
+  /** From a point of a hull along an edge to another one. As part of the difference of both hulls, so the second hull's
+   * steps lead backwards. */
+  struct Step {
+    Long way;
+    double* from;
+    double* to;  // weights of the ends
+  };
+  void consider(const Long& start, std::initializer_list<Step> steps) noexcept;
+
   void look_along(const Long& direction) noexcept {
     look(direction);
     look({negative(direction.x), negative(direction.y), negative(direction.z)});
@@ -147,7 +190,38 @@ class Search {
   Long a_[4], b_[4];
   uint32_t count_a_ = 0, count_b_ = 0;
   HullDirection best_;
+  HullGap trial_, *gap_ = nullptr;  // weights that are tried, and the best ones
+  double least_ = std::numeric_limits<double>::infinity();
 };
+
+template <int D>
+void Search<D>::consider(const Long& start, std::initializer_list<Step> steps) noexcept {
+  const auto quotient = [](const dd::Number& p, const dd::Number& q) { return (p.high + p.low) / (q.high + q.low); };
+  const Step* const s = steps.begin();
+  Long way = start;
+  for (size_t n = 0; n < steps.size(); ++n) {
+    const Long& u = s[n].way;
+    double share = 0;
+    if (n + 1 == steps.size()) {
+      share = quotient(negative(dot(way, u)), dot(u, u));
+    } else {  // with the next step to come
+      const Long& v = s[n + 1].way;
+      const dd::Number uu = dot(u, u), uv = dot(u, v), vv = dot(v, v);
+      share = quotient(minor_of(dot(way, v), uv, dot(way, u), vv), minor_of(uu, vv, uv, uv));
+    }
+    if (!(share > 0 && share < 1)) return;
+    const Long part = times(u, {share, 0});
+    way = {add(way.x, part.x), add(way.y, part.y), add(way.z, part.z)};
+    *s[n].from -= share;
+    *s[n].to += share;
+    if (!(*s[n].from > 0)) return;
+  }
+  const double square = dsw::dot(rounded(way), rounded(way));
+  if (!(square < least_)) return;
+  least_ = square;
+  std::copy_n(trial_.weights, 4, gap_->weights);
+  std::copy_n(trial_.other_weights, 4, gap_->other_weights);
+}
 
 }  // namespace
 
@@ -156,6 +230,12 @@ HullDirection look_everywhere(const HullPair<D>& pair) noexcept {
   return Search<D>(pair).run();
 }
 
+template <int D>
+void find_points(const HullPair<D>& pair, HullGap& gap) noexcept {
+  Search<D>(pair).find_points(gap);
+}
+
 DSW_INSTANTIATE(look_everywhere);
+DSW_INSTANTIATE(find_points);
 
 }  // namespace dsw

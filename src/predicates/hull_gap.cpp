@@ -19,6 +19,7 @@ using dsw::difference;
 using dsw::dot;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSmall = 0x1p-16;  // of the size: of hulls that are nearer to each other doubles tell too little
 
 /** Corners whose hull has a point that is nearest to the origin, with its weights. */
 struct Simplex {
@@ -188,10 +189,9 @@ double HullPair<D>::bound_in(const Vec& direction) const noexcept {
 template <int D>
 HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double least) noexcept {
   constexpr int kMostSteps = 32;
-  constexpr double kSettled = 0x1p-47;  // of the size; coordinates are at most 1
-  constexpr double kHidden = 0x1p-31;   // of the distance
-  constexpr double kSmall = 0x1p-16;    // what is nearer may lose more than that by rounding
-  constexpr double kRough = 0x1p-11;    // of what is farther, doubles tell all but 2^-36
+  constexpr double kSettled = 0x1p-47;    // of the size; coordinates are at most 1
+  constexpr double kHidden = 0x1p-31;     // of the distance
+  constexpr double kUndecided = 0x1p-36;  // of the distance, if the bound is below `least`
   const HullPair<D> pair(a, b);
   HullGap gap;
   if (!pair.is_finite()) return gap;
@@ -218,8 +218,9 @@ HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double
     distance = nearer;
     if (distance > 0) simplex = more;
   }
-  const bool is_hidden =
-      (best.bound < least && least < kRough) || distance < kSmall || distance - best.bound > kHidden * distance;
+  // The distance lies between the bound and what is reached. From kSmall on the rounding of the latter does not matter.
+  const double reached = simplex.reached(), open = reached - best.bound;
+  const bool is_hidden = distance < kSmall || open > (best.bound < least ? kUndecided : kHidden) * reached;
   if (!is_settled && is_hidden) {
     const HullDirection better = look_everywhere(pair);
     if (better.bound > best.bound) best = better;
@@ -278,6 +279,9 @@ double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, do
       under = distance - std::min(gap.distance, distance);
     }
   }
+  point_at<D>(a.points[0], to, low, place);
+  const HullPair<D> pair(moved, b);
+  if (at->distance < kSmall * pair.unit()) find_points(pair, *at);
   return low;
 }
 

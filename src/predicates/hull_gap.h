@@ -21,7 +21,7 @@ struct HullGap {
 };
 
 /** The search ends as soon as it is certain that the distance is `enough`, or nearly certain that it is less than
- * `least`; else when the bound is within 2^-31 of the distance. What decides about `least` has all digits. */
+ * `least`; else when the bound is within 2^-31 of the distance, or within 2^-36 if the bound is below `least`. */
 template <int D>
 HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double least) noexcept;
 

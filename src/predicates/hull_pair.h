@@ -50,4 +50,8 @@ class HullPair {
 template <int D>
 HullDirection look_everywhere(const HullPair<D>& pair) noexcept;
 
+/** The weights of the points that are nearest to each other, found with the same digits. */
+template <int D>
+void find_points(const HullPair<D>& pair, HullGap& gap) noexcept;
+
 }  // namespace dsw

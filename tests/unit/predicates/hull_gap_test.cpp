@@ -66,6 +66,19 @@ class HullGapTest : public testing::TestWithParam<Family> {
   std::mt19937_64 random_{7};
 };
 
+/// The distance of two points with these weights.
+double between(const Points& a, const double* weights, const Points& b, const double* other_weights) {
+  mpq_class square = 0;
+  for (size_t k = 0; k < 3; ++k) {
+    mpq_class way = 0;
+    for (size_t i = 0; i < a.size(); ++i) way += mpq_class(weights[i]) * (mpq_class(a[i][k]) - mpq_class(b[0][k]));
+    for (size_t i = 0; i < b.size(); ++i)
+      way -= mpq_class(other_weights[i]) * (mpq_class(b[i][k]) - mpq_class(b[0][k]));
+    square += way * way;
+  }
+  return oracle::root(square).get_d();
+}
+
 TEST_P(HullGapTest, BoundsTheDistanceFromBelowAndClosely) {
   for (int i = 0; i < 400; ++i) {
     Points a, b;
@@ -108,6 +121,8 @@ TEST_P(HullGapTest, AHullGrowsUntilItComesTooNear) {
     if (time == 1) continue;
     ASSERT_GE(at.bound, wanted) << i;
     ASSERT_NEAR(length(at.normal), 1, 1e-12) << i;
+    const double reached = between(grown(time), at.weights, b, at.other_weights);
+    ASSERT_LE(reached, exact(grown(time), b) * (1 + 0x1p-20) + 0x1p-46 * size_of(a, b)) << i;
     double largest = 0, way = 0;
     for (size_t k = 0; k < 3; ++k) {
       largest = std::max({largest, std::fabs(a[0][k]), std::fabs(to[k])});
