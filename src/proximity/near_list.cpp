@@ -15,14 +15,31 @@ void NearList<D>::clear() noexcept {
   at_.clear();
   points_.clear();
   features_.clear();
+  edges_.clear();
+  triangles_.clear();
   around_.clear();
+  obstacle_spheres_.clear();
+  feature_spheres_.clear();
+}
+
+template <int D>
+Sphere<D> NearList<D>::sphere_round(const uint32_t* vertices, uint32_t count) const noexcept {
+  const double* corners[3];
+  for (uint32_t i = 0; i < count; ++i) corners[i] = point(vertices[i]);
+  return {corners, count};
 }
 
 template <int D>
 void NearList<D>::finish(PointArray points, bool has_features) {
   if (empty()) return;
   number_vertices(points);
+  for (const NearObstacle<D>& o : obstacles_) obstacle_spheres_.push_back(sphere_round(o.vertices, o.count));
   for (uint32_t v = 0; has_features && v < vertex_count(); ++v) add_features_at(v);
+  for (Array<NearFeature>* more : {&edges_, &triangles_}) {
+    features_.insert(features_.end(), more->begin(), more->end());
+    more->clear();
+  }
+  for (const NearFeature& f : features_) feature_spheres_.push_back(sphere_round(f.corners, f.count));
 }
 
 template <int D>
@@ -84,9 +101,9 @@ void NearList<D>::add_features_at(uint32_t vertex) {
     if (other < vertex) continue;
     const auto begin = static_cast<uint32_t>(around_.size());
     for (size_t k = i; k < end && others[k].second != kNone; ++k) around_.push_back(others[k].second);
-    features_.push_back({{vertex, other, kNone}, 2, begin, static_cast<uint32_t>(around_.size())});
+    edges_.push_back({{vertex, other, kNone}, 2, begin, static_cast<uint32_t>(around_.size())});
     for (size_t k = i; k < end && others[k].second != kNone; ++k) {
-      if (others[k].second > other) features_.push_back({{vertex, other, others[k].second}, 3, begin, begin});
+      if (others[k].second > other) triangles_.push_back({{vertex, other, others[k].second}, 3, begin, begin});
     }
   }
 }

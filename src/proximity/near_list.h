@@ -3,6 +3,7 @@
 
 #include "base/points.h"
 #include "environment/environment.h"
+#include "proximity/sphere.h"
 
 namespace dsw {
 
@@ -43,7 +44,11 @@ class NearList {
         at_(memory),
         points_(memory),
         features_(memory),
-        around_(memory) {}
+        edges_(memory),
+        triangles_(memory),
+        around_(memory),
+        obstacle_spheres_(memory),
+        feature_spheres_(memory) {}
 
   bool empty() const noexcept { return obstacles_.empty(); }
   void clear() noexcept;
@@ -52,8 +57,12 @@ class NearList {
    * @param has_features false: the list has obstacles and their points alone. */
   void finish(PointArray points, bool has_features = true);
 
+  /** Vertices, then edges, then triangles. */
   const Array<NearFeature>& features() const noexcept { return features_; }
   const Array<NearObstacle<D>>& obstacles() const noexcept { return obstacles_; }
+  /** Of each obstacle, and of each feature. */
+  const Array<Sphere<D>>& obstacle_spheres() const noexcept { return obstacle_spheres_; }
+  const Array<Sphere<D>>& feature_spheres() const noexcept { return feature_spheres_; }
   uint32_t vertex_count() const noexcept { return static_cast<uint32_t>(vertices_.size()); }
   /** What the environment, or the body, calls a vertex of the list. Ascending. */
   uint32_t name(uint32_t vertex) const noexcept { return vertices_[vertex]; }
@@ -70,19 +79,23 @@ class NearList {
   }
   uint64_t memory_bytes() const {
     return array_bytes(obstacles_) + array_bytes(vertices_) + array_bytes(first_at_) + array_bytes(at_) +
-           array_bytes(points_) + array_bytes(features_) + array_bytes(around_);
+           array_bytes(points_) + array_bytes(features_) + array_bytes(edges_) + array_bytes(triangles_) +
+           array_bytes(around_) + array_bytes(obstacle_spheres_) + array_bytes(feature_spheres_);
   }
 
  private:
   void number_vertices(PointArray points);
   void add_features_at(uint32_t vertex);
+  Sphere<D> sphere_round(const uint32_t* vertices, uint32_t count) const noexcept;
 
   Array<NearObstacle<D>> obstacles_;
   Array<uint32_t> vertices_;
   Array<uint32_t> first_at_, at_;  // the obstacles at each vertex: at_[first_at_[v] .. first_at_[v + 1] - 1]
   Array<double> points_;
   Array<NearFeature> features_;
+  Array<NearFeature> edges_, triangles_;  // until the list is finished
   Array<uint32_t> around_;
+  Array<Sphere<D>> obstacle_spheres_, feature_spheres_;
 };
 
 }  // namespace dsw

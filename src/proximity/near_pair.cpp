@@ -7,6 +7,7 @@
 #include "predicates/near_signs.h"
 #include "predicates/plane_hit.h"
 #include "proximity/near_points.h"
+#include "proximity/rough.h"
 
 namespace dsw {
 namespace {
@@ -41,93 +42,7 @@ bool feet_are_inside(const double* const* p, const double* const* a) noexcept {
          lean_sign<D>({p[0], p[1]}, {a[1], a[0]}, {a[1], p[0]}) > 0;
 }
 
-// Doubles sort out most pairs. All products below are compared with room of 2^-40 of the largest terms in them. That is
-// thousands of their rounding errors. Where squares are so small or large that products might under- or overflow,
-// nothing is sorted out.
-
-constexpr double kRoom = 0x1p-40;
-bool is_usual(double square) noexcept { return square >= 0x1p-300 && square <= 0x1p+200; }
-
-/** A triangle from its first corner, in doubles. */
-struct RoughTriangle {
-  Vec u, v, normal;
-  double uu, uv, vv, size, length;  // size: not less than any of the squares; length: of the normal
-
-  RoughTriangle(const Vec& to_second, const Vec& to_third) noexcept
-      : u(to_second),
-        v(to_third),
-        normal(u.cross(v)),
-        uu(dot(u, u)),
-        uv(dot(u, v)),
-        vv(dot(v, v)),
-        size(uu + vv),
-        length(std::sqrt(dot(normal, normal))) {}
-
-  /** Whether the foot of w lies outside, or w is farther away than `beyond`. */
-  bool is_far(const Vec& w, double beyond) const noexcept {
-    const double ww = dot(w, w);
-    if (!is_usual(size) || !is_usual(ww)) return false;
-    const double uw = dot(u, w), vw = dot(v, w), reach = std::sqrt(ww), room = kRoom * size;
-    const double s = vv * uw - uv * vw, t = uu * vw - uv * uw, slack = room * std::sqrt(size) * reach;
-    if ((s < -slack) | (t < -slack) | (s + t > uu * vv - uv * uv + 2 * slack + room * size)) return true;
-    return std::fabs(dot(normal, w)) - room * reach > beyond * (length + room);
-  }
-};
-
-/** Whether the foot of w on edge u lies outside, or w is farther away than `beyond`. */
-bool is_far_from_edge(const Vec& u, const Vec& w, double beyond) noexcept {
-  const double uu = dot(u, u), uw = dot(u, w), ww = dot(w, w), room = kRoom * (uu + ww);
-  if (!is_usual(uu) || !is_usual(ww)) return false;
-  return (uw < -room) | (uw > uu + room) | (ww - uw * (uw / uu) - room > beyond * beyond);
-}
-
-/** The same for the nearest points of edges d and u; w leads from the start of u to that of d. */
-bool are_far_edges(const Vec& d, const Vec& u, const Vec& w, double beyond) noexcept {
-  const double dd = dot(d, d), uu = dot(u, u), ww = dot(w, w);
-  if (!is_usual(dd) || !is_usual(uu) || !is_usual(ww)) return false;
-  const double du = dot(d, u), dw = dot(d, w), uw = dot(u, w);
-  const double s = uw * du - dw * uu, t = uw * dd - dw * du, all = dd * uu - du * du, room = kRoom * dd * uu;
-  const double reach = std::sqrt(ww), ld = std::sqrt(dd), lu = std::sqrt(uu);
-  const double slack_s = kRoom * ld * uu * reach, slack_t = kRoom * dd * lu * reach;
-  if ((s < -slack_s) | (s > all + room + slack_s) | (t < -slack_t) | (t > all + room + slack_t)) return true;
-  const Vec n = d.cross(u);
-  const double room_n = kRoom * ld * lu;
-  return std::fabs(dot(n, w)) - room_n * reach > beyond * (std::sqrt(dot(n, n)) + room_n);
-}
-
 }  // namespace
-
-template <int D>
-PairSearch<D>::PairSearch(const Environment<D>& env, const NearList<D>& list, bool is_shifted, double reach,
-                          PairScratch& scratch)
-    : env_(env), list_(list), is_shifted_(is_shifted), reach_(reach), far_(reach * (1 + 0x1p-20)), scratch_(scratch) {
-  scratch.of_part.resize(list.vertex_count());
-  scratch.of_way.resize(list.vertex_count());
-}
-
-template <int D>
-void PairSearch<D>::note_beyond(const Box<D>& box, Array<uint8_t>& beyond) const noexcept {
-  for (uint32_t v = 0; v < list_.vertex_count(); ++v) {
-    const double* const x = list_.point(v);
-    uint32_t bits = 0;
-    for (int k = 0; k < D; ++k) {
-      bits |= static_cast<uint32_t>(x[k] > box.upper[k]) << 2 * k | static_cast<uint32_t>(x[k] < box.lower[k])
-                                                                        << (2 * k + 1);
-    }
-    beyond[v] = static_cast<uint8_t>(bits);
-  }
-}
-
-template <int D>
-void PairSearch<D>::note_part(const Part<D>& part) const noexcept {
-  Box<D> box;
-  for (uint32_t i = 0; i < part.corners.count; ++i) box.add(part.points[i]);
-  for (int k = 0; k < D; ++k) {
-    box.lower[k] -= far_;
-    box.upper[k] += far_;
-  }
-  note_beyond(box, scratch_.of_part);
-}
 
 template <int D>
 bool PairSearch<D>::is_far(const Part<D>& part, const NearFeature& f) const noexcept {
@@ -135,20 +50,18 @@ bool PairSearch<D>::is_far(const Part<D>& part, const NearFeature& f) const noex
   const auto edge_of_part = [&] { return Vec(to_vec<D>(part.points[1]) - p); };
   const auto edge_of_feature = [&] { return Vec(to_vec<D>(list_.point(f.corners[1])) - a); };
   switch (part.corners.count * 4 + f.count) {
-    case 5: {
-      const double ww = dot(w, w);
-      return is_usual(ww) && ww * (1 - kRoom) > far_ * far_;
-    }
+    case 5:
+      return rough::is_far_from_point(w, far_);
     case 6:
-      return is_far_from_edge(edge_of_feature(), w, far_);
+      return rough::is_far_from_edge(edge_of_feature(), w, far_, 0);
     case 7:
-      return RoughTriangle(edge_of_feature(), to_vec<D>(list_.point(f.corners[2])) - a).is_far(w, far_);
+      return rough::Triangle(edge_of_feature(), to_vec<D>(list_.point(f.corners[2])) - a).is_far(w, far_, 0);
     case 9:
-      return is_far_from_edge(edge_of_part(), -w, far_);
+      return rough::is_far_from_edge(edge_of_part(), -w, far_, 0);
     case 10:
-      return are_far_edges(edge_of_part(), edge_of_feature(), w, far_);
+      return rough::are_far_lines(edge_of_part(), edge_of_feature(), w, far_);
     default:
-      return RoughTriangle(edge_of_part(), to_vec<D>(part.points[2]) - p).is_far(-w, far_);
+      return rough::Triangle(edge_of_part(), to_vec<D>(part.points[2]) - p).is_far(-w, far_, 0);
   }
 }
 
@@ -243,60 +156,6 @@ uint32_t PairSearch<D>::find_wall(const NearFeature& f, NearPair<D>& pair) const
     pair.is_wall_seen = is_seen;
   });
   return found;
-}
-
-namespace {
-
-/** Whether doubles tell that a segment does not meet a triangle, in the plane a segment. The corners are given from the
- * start of the segment. */
-template <int D>
-bool misses(const Vec& way, const Vec* corners, const Vec& normal, double size) noexcept {
-  const double from = -dot(normal, corners[0]), to = from + dot(normal, way),
-               reach = largest(corners[0]) + largest(way);
-  const double room = 8 * kRoom * size * reach;
-  if (!is_usual(size) || !is_usual(reach)) return false;
-  if (((from < -room) & (to < -room)) | ((from > room) & (to > room))) return true;
-  // On which sides of the line the sides of the triangle pass, or the ends of the segment.
-  int left = 0, right = 0;
-  for (int i = 0; i < D; ++i) {
-    const Vec &a = corners[i], &b = corners[(i + 1) % D];
-    const double side = D == 3 ? dot(way, a.cross(b)) : way.x() * a.y() - way.y() * a.x();
-    const double slack = 8 * kRoom * largest(way) * largest(a) * (D == 3 ? largest(b) : 1);
-    left += side > slack;
-    right += side < -slack;
-  }
-  return D == 3 ? left != 0 && right != 0 : left == 2 || right == 2;
-}
-
-}  // namespace
-
-// A triangle that has the obstacle meets the line through both points at the obstacle alone, or the line lies in its
-// plane and leaves it there.
-template <int D>
-bool PairSearch<D>::is_clear(const NearPair<D>& pair) const noexcept {
-  const Vec x = to_vec<3>(pair.point), way = to_vec<3>(pair.obstacle_point) - x;
-  Box<D> box;
-  box.add(pair.point);
-  box.add(pair.obstacle_point);
-  note_beyond(box, scratch_.of_way);
-  for (const NearObstacle<D>& o : list_.obstacles()) {
-    if (!o.facet.valid()) continue;
-    uint32_t beyond = scratch_.of_way[o.vertices[0]];
-    for (int i = 1; i < D; ++i) beyond &= scratch_.of_way[o.vertices[i]];
-    if (beyond != 0) continue;
-    Vec corners[D];
-    for (int i = 0; i < D; ++i) corners[i] = to_vec<D>(list_.point(o.vertices[i])) - x;
-    const Vec u = corners[1] - corners[0];
-    bool is_missed;
-    if constexpr (D == 3) {
-      const Vec v = corners[2] - corners[0];
-      is_missed = misses<D>(way, corners, u.cross(v), largest(u) * largest(v));
-    } else {
-      is_missed = misses<D>(way, corners, turned(u), largest(u));
-    }
-    if (!is_missed && !has_all(o, pair.feature)) return false;
-  }
-  return true;
 }
 
 template <int D>

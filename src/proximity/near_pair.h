@@ -3,23 +3,9 @@
 // doubles say where.
 
 #include "base/vec.h"
-#include "body/box.h"
-#include "body/simplices.h"
-#include "proximity/near_list.h"
+#include "proximity/near_selection.h"
 
 namespace dsw {
-
-/** A vertex, an edge or a face of a body. */
-template <int D>
-struct Part {
-  Simplex simplex;
-  SimplexCorners<D> corners;
-  const double* points[3];
-
-  Part(const Body<D>& body, const Simplex& which) noexcept : simplex(which), corners(body, which), points{} {
-    for (uint32_t i = 0; i < corners.count; ++i) points[i] = body.position(corners.vertices[i]);
-  }
-};
 
 template <int D>
 struct NearPair {
@@ -37,44 +23,30 @@ struct NearPair {
   Cell cell;                  // of a marked edge or vertex: a cell at it
 };
 
-/** Of each vertex of a list: beyond which sides of a box it is. One box is that of a part, enlarged by the reach, the
- * other that of the way between two points. */
-struct PairScratch {
-  Array<uint8_t> of_part, of_way;
-
-  explicit PairScratch(const Memory* memory) : of_part(memory), of_way(memory) {}
-};
-
 /** Finds the pairs of parts with obstacles of one list. What is found does not depend on the order of the list. */
 template <int D>
 class PairSearch {
  public:
-  /** @param is_shifted the list is of the environment. @param reach largest distance. Throws std::bad_alloc. */
-  PairSearch(const Environment<D>& env, const NearList<D>& list, bool is_shifted, double reach, PairScratch& scratch);
+  /** @param near of the list: all within reach of the parts. @param is_shifted the list is of the environment.
+   * @param reach largest distance. */
+  PairSearch(const Environment<D>& env, const NearList<D>& list, const NearSelection<D>& near, bool is_shifted,
+             double reach) noexcept
+      : env_(env), list_(list), near_(near), is_shifted_(is_shifted), reach_(reach), far_(reach * (1 + 0x1p-20)) {}
 
-  /** Calls visit(pair) for the pairs with features for which accept(feature) is true. */
+  /** Calls visit(pair) for the pairs with features for which accept(feature) is true. `place` of the part in the simplex
+   * that was selected for. */
   template <class Accept, class Visit>
-  void find(const Part<D>& part, Accept accept, Visit visit) const {
-    note_part(part);
-    const uint32_t most = D + 1 - part.corners.count;
-    for (const NearFeature& f : list_.features()) {
-      if (f.count > most || is_beyond(f) || is_far(part, f) || !accept(f)) continue;
+  void find(const Part<D>& part, uint32_t place, Accept accept, Visit visit) const {
+    for (const uint32_t* i = near_.features(place); i != near_.features_end(place); ++i) {
+      const NearFeature& f = list_.features()[*i];
+      if (is_far(part, f) || !accept(f)) continue;
       if (!are_inside(part, f) || !is_local_minimum(part, f)) continue;
       NearPair<D> pair;
       if (measure(part, f, pair)) visit(pair);
     }
   }
-  /** Whether doubles tell that no triangle of the list lies between the points of a pair. */
-  bool is_clear(const NearPair<D>& pair) const noexcept;
 
  private:
-  void note_part(const Part<D>& part) const noexcept;
-  void note_beyond(const Box<D>& box, Array<uint8_t>& beyond) const noexcept;
-  bool is_beyond(const NearFeature& f) const noexcept {
-    uint32_t all = scratch_.of_part[f.corners[0]];
-    for (uint32_t i = 1; i < f.count; ++i) all &= scratch_.of_part[f.corners[i]];
-    return all != 0;
-  }
   /** Whether doubles tell that a pair is beyond reach, or that its nearest points lie outside. */
   bool is_far(const Part<D>& part, const NearFeature& f) const noexcept;
   /** Whether the nearest points of a part and a feature are unique and lie inside of both. Exactly. */
@@ -95,9 +67,9 @@ class PairSearch {
 
   const Environment<D>& env_;
   const NearList<D>& list_;
+  const NearSelection<D>& near_;
   bool is_shifted_;
   double reach_, far_;  // far_: a little more
-  PairScratch& scratch_;
 };
 
 }  // namespace dsw

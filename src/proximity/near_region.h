@@ -1,5 +1,5 @@
 #pragma once
-// What can be within a distance of a vertex, an edge or a face: a box along the simplex, which is a little too large.
+// What can be within a distance of simplices of a body: a box along the first one, which is a little too large.
 
 #include <algorithm>
 
@@ -18,15 +18,25 @@ class NearRegion {
       lower_[k] = -reach;
       upper_[k] = reach;
     }
-    for (uint32_t i = 1; i < count; ++i) {
-      const Vec at = to_vec<D>(points[i]) - origin_;
-      const double error = error_of(at);
-      for (int k = 0; k < D; ++k) {
-        const double x = dot(axes_[k], at);
-        lower_[k] = std::min(lower_[k], x - error - reach);
-        upper_[k] = std::max(upper_[k], x + error + reach);
-      }
+    reach_ = reach;
+    for (uint32_t i = 1; i < count; ++i) add(points[i]);
+  }
+
+  /** All that is within reach of a point, too, and what lies between. */
+  void add(const double* point) noexcept {
+    const Vec at = to_vec<D>(point) - origin_;
+    const double error = error_of(at);
+    for (int k = 0; k < D; ++k) {
+      const double x = dot(axes_[k], at);
+      lower_[k] = std::min(lower_[k], x - error - reach_);
+      upper_[k] = std::max(upper_[k], x + error + reach_);
     }
+  }
+  /** In the plane its area. Rounded. */
+  double volume() const noexcept {
+    double product = 1;
+    for (int k = 0; k < D; ++k) product *= upper_[k] - lower_[k];
+    return product;
   }
 
   /** Beyond which sides of the box a point is: a bit for each. A polytope may be in the region unless its corners have
@@ -70,6 +80,7 @@ class NearRegion {
 
   Vec origin_;
   Vec axes_[3];  // the first D
+  double reach_;
   double lower_[D], upper_[D];
 };
 

@@ -20,47 +20,55 @@ PointArray points_of(const Body<D>& body) noexcept {
 // What is closer to an obstacle than this share of the coordinates does not hide it.
 constexpr double kSightRoom = 0x1p-42;
 
+/** The parts that are asked for with a simplex: the simplex itself, edges whose first face it is, and vertices at the
+ * head of whose list such an edge is. */
+template <int D>
+class CoveredParts {
+ public:
+  CoveredParts(const Body<D>& body, const Part<D>& cover) noexcept {
+    const uint32_t* const corners = cover.corners.vertices;
+    const auto add_edge = [&](uint32_t e, uint32_t place) {
+      add({Simplex::kEdge, e}, place);
+      for (uint32_t i = 0; i < cover.corners.count; ++i) {
+        if (body.vertices[corners[i]].first_edge == e) add({Simplex::kVertex, corners[i]}, i);
+      }
+    };
+    if (cover.simplex.kind == Simplex::kEdge) {
+      add_edge(cover.simplex.index, kFirstSide);
+      return;
+    }
+    add(cover.simplex, cover.simplex.kind == Simplex::kVertex ? kFirstCorner : kWholeFace);
+    for (uint32_t i = 0; i < 3 && cover.simplex.kind == Simplex::kFace; ++i) {
+      const uint32_t e = find_edge(body, corners[i], corners[(i + 1) % 3]);
+      if (body.edges[e].faces[0] == cover.simplex.index) add_edge(e, kFirstSide + i);
+    }
+  }
+
+  /** A bit for each place in the simplex. */
+  uint32_t places() const noexcept { return places_; }
+  /** Calls visit(part, its place). */
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (uint32_t i = 0; i < count_; ++i) visit(parts_[i], place_of_[i]);
+  }
+
+ private:
+  void add(const Simplex& part, uint32_t place) noexcept {
+    parts_[count_] = part;
+    place_of_[count_++] = place;
+    places_ |= 1u << place;
+  }
+
+  Simplex parts_[kPlacesInSimplex];
+  uint32_t place_of_[kPlacesInSimplex];
+  uint32_t count_ = 0, places_ = 0;
+};
+
 }  // namespace
 
 template <int D>
 NearSearch<D>::NearSearch(const Environment<D>& env, const Body<D>& body, NearNotes<D>& notes)
-    : env_(env), body_(body), notes_(notes), lists_(env), others_(env.memory), scratch_(env.memory) {}
-
-template <int D>
-template <class Visit>
-void NearSearch<D>::for_each_cover(Visit visit) const {
-  for_each_simplex(body_, [&](const Simplex& s) {
-    const bool has_edge =
-        s.kind == Simplex::kVertex && covers_edges(body_.level) && body_.vertices[s.index].first_edge != kNone;
-    const bool has_face =
-        s.kind == Simplex::kEdge && covers_faces(body_.level) && body_.edges[s.index].faces[0] != kNone;
-    if (!has_edge && !has_face) visit(s);
-    return true;
-  });
-}
-
-/** A vertex is covered by the first edge of its list, an edge by its first face. */
-template <int D>
-template <class Visit>
-void NearSearch<D>::for_each_covered(const Simplex& cover, Visit visit) const {
-  const auto visit_edge = [&](uint32_t e) {
-    visit(Simplex{Simplex::kEdge, e});
-    for (const uint32_t v : body_.edges[e].ends) {
-      if (body_.vertices[v].first_edge == e) visit(Simplex{Simplex::kVertex, v});
-    }
-  };
-  if (cover.kind == Simplex::kEdge) {
-    visit_edge(cover.index);
-    return;
-  }
-  visit(cover);
-  if (cover.kind == Simplex::kVertex) return;
-  const BodyFace& face = body_.faces[cover.index];
-  for (const uint32_t v : face.corners) {
-    const uint32_t e = find_edge(body_, v, face.after(v));
-    if (body_.edges[e].faces[0] == cover.index) visit_edge(e);
-  }
-}
+    : env_(env), body_(body), notes_(notes), lists_(env), others_(env.memory), near_others_(env.memory) {}
 
 /** A cast goes a little less than all the way, so that it does not end on the obstacle itself. Where a rounded point of
  * a part meets something at once, the pair counts as seen. */
@@ -91,18 +99,22 @@ bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) co
 
 template <int D>
 void NearSearch<D>::find_walls(double reach, Array<FoundPair<D>>& found) {
-  for_each_cover([&](const Simplex& simplex) {
-    const NearList<D>& list = lists_.near(body_, Part<D>(body_, simplex), reach, notes_);
-    if (list.empty()) return;
-    const PairSearch<D> search(env_, list, true, reach, scratch_);
-    for_each_covered(simplex, [&](const Simplex& s) {
+  for_each_outer(body_, [&](const Simplex& simplex) {
+    const Part<D> cover(body_, simplex);
+    if (lists_.is_alone(body_, cover, reach, notes_)) return true;
+    const CoveredParts<D> parts(body_, cover);
+    const NearView<D> view = lists_.near(body_, cover, parts.places(), reach, notes_);
+    if (view.near.empty()) return true;
+    const PairSearch<D> search(env_, view.list, view.near, true, reach);
+    parts.for_each([&](const Simplex& s, uint32_t place) {
       const Part<D> part(body_, s);
       search.find(
-          part, [](const NearFeature&) { return true; },
+          part, place, [](const NearFeature&) { return true; },
           [&](const NearPair<D>& pair) {
-            if (search.is_clear(pair) || is_in_sight(part, pair)) found.push_back({pair, kNone});
+            if (is_in_sight(part, pair)) found.push_back({pair, kNone});
           });
     });
+    return true;
   });
 }
 
@@ -157,14 +169,17 @@ template <int D>
 void NearSearch<D>::find_partner(const Partners<D>& partners, uint32_t number, double reach,
                                  Array<FoundPair<D>>& found) {
   const Body<D>& other = *partners.all[number].body;
-  for_each_cover([&](const Simplex& simplex) {
-    collect(other, Part<D>(body_, simplex), reach);
-    if (others_.empty()) return;
-    const PairSearch<D> search(env_, others_, false, reach, scratch_);
-    for_each_covered(simplex, [&](const Simplex& s) {
+  for_each_outer(body_, [&](const Simplex& simplex) {
+    const Part<D> cover(body_, simplex);
+    const CoveredParts<D> parts(body_, cover);
+    collect(other, cover, reach);
+    near_others_.select_features(others_, cover, parts.places(), {reach, 0}, reach);
+    if (near_others_.empty()) return true;
+    const PairSearch<D> search(env_, others_, near_others_, false, reach);
+    parts.for_each([&](const Simplex& s, uint32_t place) {
       const Part<D> part(body_, s);
       search.find(
-          part,
+          part, place,
           [&](const NearFeature& f) {
             uint32_t names[3];
             for (uint32_t i = 0; i < f.count; ++i) names[i] = others_.name(f.corners[i]);
@@ -174,6 +189,7 @@ void NearSearch<D>::find_partner(const Partners<D>& partners, uint32_t number, d
             if (is_in_sight(part, pair)) found.push_back({pair, number});
           });
     });
+    return true;
   });
 }
 

@@ -24,11 +24,6 @@ class NearSearch {
   void find_partner(const Partners<D>& partners, uint32_t number, double reach, Array<FoundPair<D>>& found);
 
  private:
-  /** Calls visit(cover, parts that it covers). */
-  template <class Visit>
-  void for_each_cover(Visit visit) const;
-  template <class Visit>
-  void for_each_covered(const Simplex& cover, Visit visit) const;
   /** By casts. */
   bool is_in_sight(const Part<D>& part, const NearPair<D>& pair) const noexcept;
   bool is_accepted(const Body<D>& other, const Part<D>& part, const uint32_t* corners, uint32_t count) const noexcept;
@@ -39,7 +34,7 @@ class NearSearch {
   NearNotes<D>& notes_;
   NearLists<D> lists_;
   NearList<D> others_;  // of a partner
-  PairScratch scratch_;
+  NearSelection<D> near_others_;
 };
 
 }  // namespace dsw

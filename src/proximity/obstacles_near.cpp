@@ -7,9 +7,9 @@
 namespace dsw {
 
 template <int D>
-void ObstacleFlood<D>::find(Cell start, const NearRegion<D>& region, NearList<D>& found) {
+void ObstacleFlood<D>::find(const Cell* starts, size_t count, const NearRegion<D>& region, NearList<D>& found) {
   cells_.clear();
-  cells_.insert(start);
+  for (size_t i = 0; i < count; ++i) cells_.insert(starts[i]);
   std::fill_n(known_, kKnown, Known{kNoCell, 0});
   for (size_t i = 0; i < cells_.size(); ++i) visit(cells_[i], region, found);
 }

@@ -14,9 +14,9 @@ class ObstacleFlood {
  public:
   explicit ObstacleFlood(const Environment<D>& env) : env_(env), cells_(env.memory), outside_(env.memory) {}
 
-  /** Appends all obstacles that may be in the region, at the passable cells that can be reached from `start` through
+  /** Appends all obstacles that may be in the region, at the passable cells that can be reached from `starts` through
    * passable facets that may be in the region. Throws std::bad_alloc. */
-  void find(Cell start, const NearRegion<D>& region, NearList<D>& found);
+  void find(const Cell* starts, size_t count, const NearRegion<D>& region, NearList<D>& found);
 
  private:
   /** What is known of a vertex that stands in its place. */

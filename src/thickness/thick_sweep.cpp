@@ -81,17 +81,20 @@ template <int D>
 template <class Visit>
 bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, const Box<D>& box, double limit, Visit visit) {
   const double reach = body.radius + limit, wanted = least_of(swept, body.radius);
-  // Floods that are remembered go round the part, others only round what it sweeps.
-  const bool remembers = notes != nullptr && swept.way <= reach;
-  const NearList<D>& list = remembers
-                                ? lists_.near(body, Part<D>(body, swept.part), reach + swept.way, *notes)
-                                : lists_.in(swept.start, NearRegion<D>(swept.hull.points, swept.hull.count, reach));
-  for (const NearObstacle<D>& obstacle : list.obstacles()) {
+  const auto look = [&](const NearList<D>& list, const NearObstacle<D>& obstacle) {
     Thing thing{{{}, obstacle.count}, wanted, kNone, {}, &obstacle, &list};
     for (uint32_t i = 0; i < obstacle.count; ++i) thing.hull.points[i] = list.point(obstacle.vertices[i]);
-    if (is_in(box, thing.hull) && !visit(thing)) return false;
+    return !is_in(box, thing.hull) || visit(thing);
+  };
+  // Floods that are remembered go round the part, others only round what it sweeps.
+  if (notes != nullptr && swept.way <= reach) {
+    const NearView<D> view = lists_.near(body, Part<D>(body, swept.part), 0, reach + swept.way, *notes);
+    return std::all_of(view.near.obstacles().begin(), view.near.obstacles().end(),
+                       [&](uint32_t i) { return look(view.list, view.list.obstacles()[i]); });
   }
-  return true;
+  const NearList<D>& list = lists_.in(swept.start, NearRegion<D>(swept.hull.points, swept.hull.count, reach));
+  return std::all_of(list.obstacles().begin(), list.obstacles().end(),
+                     [&](const NearObstacle<D>& obstacle) { return look(list, obstacle); });
 }
 
 template <int D>

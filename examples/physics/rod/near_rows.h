@@ -9,7 +9,7 @@ namespace physics {
 
 struct NearRowOptions {
   double radius = 0.1;  // of the body
-  double margin = 0.2;  // rows have a smaller gap than this
+  double margin = 0.1;  // rows have a smaller gap than this
 };
 
 // Replaces `rows` by those of the body, whose vertices are numbered along the rod. Throws LibraryError.
