@@ -120,7 +120,7 @@ uint32_t PairSearch<D>::find_wall(const NearFeature& f, NearPair<D>& pair) const
     const Cell c = map.cell_of(first);
     return std::tuple(map.index(c), map.local_of(first, c), first != h);
   };
-  const Vec y = to_vec<3>(pair.obstacle_point), way = to_vec<3>(pair.point) - y;
+  const Vec way = unit(to_vec<3>(pair.point) - to_vec<3>(pair.obstacle_point));
   const Vec along =
       f.count == 2 ? unit(to_vec<D>(list_.point(f.corners[1])) - to_vec<D>(list_.point(f.corners[0]))) : Vec::Zero();
   /** The cosine of the least angle between the way and a side of a triangle at the feature. */

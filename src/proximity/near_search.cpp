@@ -17,8 +17,13 @@ PointArray points_of(const Body<D>& body) noexcept {
   return {body.vertices[0].position, sizeof(BodyVertex<D>) / sizeof(double)};
 }
 
-// What is closer to an obstacle than this share of the coordinates does not hide it.
-constexpr double kSightRoom = 0x1p-42;
+/** What is closer to an obstacle than this does not hide it. */
+template <int D>
+double sight_room(const NearPair<D>& pair) noexcept {
+  double size = 0;
+  for (int k = 0; k < D; ++k) size = std::max({size, std::fabs(pair.point[k]), std::fabs(pair.obstacle_point[k])});
+  return 0x1p-42 * size;
+}
 
 /** The parts that are asked for with a simplex: the simplex itself, edges whose first face it is, and vertices at the
  * head of whose list such an edge is. */
@@ -70,31 +75,58 @@ template <int D>
 NearSearch<D>::NearSearch(const Environment<D>& env, const Body<D>& body, NearNotes<D>& notes)
     : env_(env), body_(body), notes_(notes), lists_(env), others_(env.memory), near_others_(env.memory) {}
 
-/** A cast goes a little less than all the way, so that it does not end on the obstacle itself. Where a rounded point of
- * a part meets something at once, the pair counts as seen. */
+/** The first cast goes a little beyond the obstacle. If something else is met, another one goes a little less than all the
+ * way. */
 template <int D>
-bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) const noexcept {
-  double size = 0, end[3];
-  for (int k = 0; k < D; ++k) size = std::max({size, std::fabs(pair.point[k]), std::fabs(pair.obstacle_point[k])});
-  const double left = kSightRoom * size / pair.distance;
-  if (!(left < 1)) return true;
-  for (int k = 0; k < D; ++k) end[k] = pair.obstacle_point[k] + left * (pair.point[k] - pair.obstacle_point[k]);
+bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) {
+  const double room = sight_room(pair) / pair.distance;
   Cell start = body_.vertices[part.corners.vertices[0]].cell;
   if (part.corners.count > 1) {
     const CastResult in_part = cast(env_, part.points[0], pair.point, start);
-    if (in_part.end == CastEnd::kHit) return true;
+    if (in_part.end == CastEnd::kHit) return true;  // the rounded point lies behind what the part touches
     start = in_part.cell;
   }
-  const CastResult there = cast(env_, pair.point, end, start);
-  if (there.end != CastEnd::kHit) return true;
-  // Among denormal numbers the cast may go all the way, to the obstacle itself.
-  const Shape shape = env_.map.shape(there.cell);
+  const bool is_of_body = !pair.wall.valid() && !pair.cell.valid();
+  if (!(room < 1)) return is_of_body || is_reached(start, pair);
+  const auto cast_to = [&](double from_obstacle) {
+    double end[3];
+    for (int k = 0; k < D; ++k) {
+      end[k] = pair.obstacle_point[k] + from_obstacle * (pair.point[k] - pair.obstacle_point[k]);
+    }
+    return cast(env_, pair.point, end, start);
+  };
+  if (is_of_body) return cast_to(room).end != CastEnd::kHit;
+  const CastResult beyond = cast_to(-room);
+  if (beyond.end != CastEnd::kHit || is_at(beyond, pair)) return true;
+  const CastResult before = cast_to(room);
+  return before.end != CastEnd::kHit ? is_reached(before.cell, pair) : is_at(before, pair);
+}
+
+/** Whether a hit is on a wall at the obstacle of a pair. */
+template <int D>
+bool NearSearch<D>::is_at(const CastResult& hit, const NearPair<D>& pair) const noexcept {
+  const Shape shape = env_.map.shape(hit.cell);
   uint32_t shared = 0;
   for (uint32_t i = 0; pair.wall.valid() && i < D; ++i) {
-    const uint32_t v = env_.map.vertex(there.cell, shape.simplices()[size_t{there.simplex} * D + i]);
-    shared += std::find(pair.obstacle_vertices, pair.obstacle_vertices + 3, v) != pair.obstacle_vertices + 3;
+    const uint32_t v = env_.map.vertex(hit.cell, shape.simplices()[size_t{hit.simplex} * D + i]);
+    shared += std::count(pair.obstacle_vertices, pair.obstacle_vertices + 3, v) != 0;
   }
   return shared == pair.feature.count;
+}
+
+/** Where rounded points do not tell, an obstacle counts as seen if a flood from the cell before it comes to it that goes
+ * no farther. */
+template <int D>
+bool NearSearch<D>::is_reached(Cell start, const NearPair<D>& pair) {
+  const double* const at = pair.obstacle_point;
+  const NearList<D>& list = lists_.in(start, NearRegion<D>(&at, 1, 2 * sight_room(pair)));
+  return std::any_of(list.obstacles().begin(), list.obstacles().end(), [&](const NearObstacle<D>& o) {
+    uint32_t shared = 0;
+    for (uint32_t i = 0; i < o.count; ++i) {
+      shared += std::count(pair.obstacle_vertices, pair.obstacle_vertices + 3, list.name(o.vertices[i])) != 0;
+    }
+    return shared == pair.feature.count;
+  });
 }
 
 template <int D>

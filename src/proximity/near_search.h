@@ -4,6 +4,7 @@
 #include "pairs/partners.h"
 #include "proximity/near_lists.h"
 #include "proximity/near_pair.h"
+#include "walk/cast.h"
 
 namespace dsw {
 
@@ -24,8 +25,9 @@ class NearSearch {
   void find_partner(const Partners<D>& partners, uint32_t number, double reach, Array<FoundPair<D>>& found);
 
  private:
-  /** By casts. */
-  bool is_in_sight(const Part<D>& part, const NearPair<D>& pair) const noexcept;
+  bool is_in_sight(const Part<D>& part, const NearPair<D>& pair);
+  bool is_at(const CastResult& hit, const NearPair<D>& pair) const noexcept;
+  bool is_reached(Cell start, const NearPair<D>& pair);
   bool is_accepted(const Body<D>& other, const Part<D>& part, const uint32_t* corners, uint32_t count) const noexcept;
   void collect(const Body<D>& other, const Part<D>& cover, double reach);
 
