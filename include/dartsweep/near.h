@@ -67,7 +67,8 @@ typedef struct dsw_near_row {
   uint32_t obstacle_vertices[3];
   /** The face, edge or vertex, canonical. A diagonal of a face has the face. At a body: none. */
   dsw_cell obstacle;
-  /** An impassable face at the obstacle, canonical: the lowest one that looks towards the part.
+  /** An impassable face at the obstacle, canonical: the nearest one in angle; of equals, the lowest
+   * that looks towards the part.
    * Null for a marked edge or vertex, and at a body. */
   dsw_face_id wall;
   uint32_t tag;     /**< As in dsw_contact, of `wall`. */

@@ -31,17 +31,10 @@ Array<NearNote<D>>& notes_of(NearNotes<D>& all, Simplex::Kind kind) noexcept {
 
 template <int D>
 bool is_outer(const Body<D>& body, const Simplex& s) noexcept {
-  const auto exists = [&] {
-    switch (s.kind) {
-      case Simplex::kVertex:
-        return s.index < body.vertices.size() && body.has_vertex(s.index);
-      case Simplex::kEdge:
-        return s.index < body.edges.size() && body.has_edge(s.index);
-      default:
-        return s.index < body.faces.size() && body.has_face(s.index);
-    }
-  };
-  return exists() && !is_covered(body, s);
+  const bool exists = s.kind == Simplex::kVertex ? body.has_vertex(s.index)
+                      : s.kind == Simplex::kEdge ? body.has_edge(s.index)
+                                                 : body.has_face(s.index);
+  return exists && !is_covered(body, s);
 }
 
 /** Simplices that share a list. */
@@ -52,10 +45,8 @@ struct Sharers {
   Cell starts[kSharing];
 
   void add(const Body<D>& body, const Part<D>& part) noexcept {
-    const Cell start = body.vertices[part.corners.vertices[0]].cell;
-    if (!start.valid()) return;
     simplices[count] = part.simplex;
-    starts[count++] = start;
+    starts[count++] = body.vertices[part.corners.vertices[0]].cell;
   }
 };
 
@@ -184,8 +175,6 @@ const NearList<D>& NearLists<D>::in(Cell start, const NearRegion<D>& region) {
   return fresh_;
 }
 
-template struct Anchor<2>;
-template struct Anchor<3>;
 template struct NearNotes<2>;
 template struct NearNotes<3>;
 template class NearLists<2>;

@@ -17,11 +17,14 @@ struct Anchor {
   /** Not less than how far any corner has moved. */
   double way_to(const Part<D>& part) const noexcept {
     double square = 0;
+    bool is_moved = false;
     for (uint32_t i = 0; i < part.corners.count; ++i) {
       const Vec way = difference<D>(part.points[i], corners[i]);
+      is_moved |= !is_zero(way);
       square = std::max(square, dot(way, way));
     }
-    return std::sqrt(square) * (1 + 0x1p-50) + 0x1p-500;  // that much may be lost by squares that underflow
+    // Squares that underflow may lose the last term. What stands still has not moved.
+    return is_moved ? std::sqrt(square) * (1 + 0x1p-50) + 0x1p-500 : 0;
   }
   /** Whether all within `reach` of the part is known, if its corners have moved `way`. */
   bool holds(double reach, double way) const noexcept {
@@ -74,8 +77,8 @@ class NearLists {
 
   /** Whether it is known that nothing is within a distance of a part. */
   bool is_alone(const Body<D>& body, const Part<D>& part, double reach, NearNotes<D>& notes) const noexcept;
-  /** What is within a distance of a part, and perhaps more. `places` in it count if lists have features. `notes` are of
-   * its body. Valid until the next call. */
+  /** What is within a distance of a part, and perhaps more. `places`: the parts to select for; ignored without features.
+   * `notes` are of its body. Valid until the next call. */
   NearView<D> near(const Body<D>& body, const Part<D>& part, uint32_t places, double reach, NearNotes<D>& notes);
   /** Those in a region; remembers nothing. */
   const NearList<D>& in(Cell start, const NearRegion<D>& region);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "predicates/near_signs.h"
-#include "walk/cast.h"
 
 namespace dsw {
 namespace {
@@ -114,8 +113,7 @@ bool NearSearch<D>::is_at(const CastResult& hit, const NearPair<D>& pair) const 
   return shared == pair.feature.count;
 }
 
-/** Where rounded points do not tell, an obstacle counts as seen if a flood from the cell before it comes to it that goes
- * no farther. */
+/** Rounded points cannot decide here. The obstacle is seen if a small flood from `start` reaches it. */
 template <int D>
 bool NearSearch<D>::is_reached(Cell start, const NearPair<D>& pair) {
   const double* const at = pair.obstacle_point;

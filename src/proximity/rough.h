@@ -49,10 +49,10 @@ class Triangle {
     double to_s = 0, to_t = 0, to_rest = 0;
     const Vec normal = u_.cross(v_);
     if (outside > 0) {
-      const double more = outside * outside * (dot(normal, normal) + kRoom * size * size) * (1 + kRoom);
-      to_s = std::sqrt(more * vv_);
-      to_t = std::sqrt(more * uu_);
-      to_rest = std::sqrt(more * (uu_ - 2 * uv_ + vv_ + kRoom * size));
+      const double more = outside * std::sqrt(dot(normal, normal) + kRoom * size * size) * (1 + kRoom);
+      to_s = more * std::sqrt(vv_);
+      to_t = more * std::sqrt(uu_);
+      to_rest = more * std::sqrt(uu_ - 2 * uv_ + vv_ + kRoom * size);
     }
     return (s < -room - to_s) | (t < -room - to_t) | (rest < -4 * room - to_rest) |
            is_far_from_plane(normal, w, size * size, ww, beyond);
