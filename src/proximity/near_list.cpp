@@ -18,8 +18,7 @@ void NearList<D>::clear() noexcept {
   edges_.clear();
   triangles_.clear();
   around_.clear();
-  obstacle_spheres_.clear();
-  feature_spheres_.clear();
+  spheres_.clear();
 }
 
 template <int D>
@@ -33,13 +32,16 @@ template <int D>
 void NearList<D>::finish(PointArray points, bool has_features) {
   if (empty()) return;
   number_vertices(points);
-  for (const NearObstacle<D>& o : obstacles_) obstacle_spheres_.push_back(sphere_round(o.vertices, o.count));
-  for (uint32_t v = 0; has_features && v < vertex_count(); ++v) add_features_at(v);
+  if (!has_features) {
+    for (const NearObstacle<D>& o : obstacles_) spheres_.push_back(sphere_round(o.vertices, o.count));
+    return;
+  }
+  for (uint32_t v = 0; v < vertex_count(); ++v) add_features_at(v);
   for (Array<NearFeature>* more : {&edges_, &triangles_}) {
     features_.insert(features_.end(), more->begin(), more->end());
     more->clear();
   }
-  for (const NearFeature& f : features_) feature_spheres_.push_back(sphere_round(f.corners, f.count));
+  for (const NearFeature& f : features_) spheres_.push_back(sphere_round(f.corners, f.count));
 }
 
 template <int D>

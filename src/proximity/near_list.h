@@ -47,8 +47,7 @@ class NearList {
         edges_(memory),
         triangles_(memory),
         around_(memory),
-        obstacle_spheres_(memory),
-        feature_spheres_(memory) {}
+        spheres_(memory) {}
 
   bool empty() const noexcept { return obstacles_.empty(); }
   void clear() noexcept;
@@ -60,9 +59,8 @@ class NearList {
   /** Vertices, then edges, then triangles. */
   const Array<NearFeature>& features() const noexcept { return features_; }
   const Array<NearObstacle<D>>& obstacles() const noexcept { return obstacles_; }
-  /** Of each obstacle, and of each feature. */
-  const Array<Sphere<D>>& obstacle_spheres() const noexcept { return obstacle_spheres_; }
-  const Array<Sphere<D>>& feature_spheres() const noexcept { return feature_spheres_; }
+  /** Round each feature; round each obstacle if the list has no features. */
+  const Array<Sphere<D>>& spheres() const noexcept { return spheres_; }
   uint32_t vertex_count() const noexcept { return static_cast<uint32_t>(vertices_.size()); }
   /** What the environment, or the body, calls a vertex of the list. Ascending. */
   uint32_t name(uint32_t vertex) const noexcept { return vertices_[vertex]; }
@@ -80,7 +78,7 @@ class NearList {
   uint64_t memory_bytes() const {
     return array_bytes(obstacles_) + array_bytes(vertices_) + array_bytes(first_at_) + array_bytes(at_) +
            array_bytes(points_) + array_bytes(features_) + array_bytes(edges_) + array_bytes(triangles_) +
-           array_bytes(around_) + array_bytes(obstacle_spheres_) + array_bytes(feature_spheres_);
+           array_bytes(around_) + array_bytes(spheres_);
   }
 
  private:
@@ -95,7 +93,7 @@ class NearList {
   Array<NearFeature> features_;
   Array<NearFeature> edges_, triangles_;  // until the list is finished
   Array<uint32_t> around_;
-  Array<Sphere<D>> obstacle_spheres_, feature_spheres_;
+  Array<Sphere<D>> spheres_;
 };
 
 }  // namespace dsw

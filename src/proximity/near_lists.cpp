@@ -162,7 +162,7 @@ NearView<D> NearLists<D>::near(const Body<D>& body, const Part<D>& part, uint32_
     const SelectionLimits wanted{reach + more, more};
     note.places = places;
     note.selected.set(part, has_features_ ? note.near.select_features(list, part, places, wanted, left)
-                                          : note.near.select_obstacles(list, part, wanted, left));
+                                          : note.near.select_all(list, part, wanted, left));
   }
   return {notes[note.owner].list, note.near};
 }

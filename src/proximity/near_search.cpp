@@ -16,6 +16,12 @@ PointArray points_of(const Body<D>& body) noexcept {
   return {body.vertices[0].position, sizeof(BodyVertex<D>) / sizeof(double)};
 }
 
+/** Whether the obstacle of a pair has a vertex. */
+template <int D>
+bool is_corner(const NearPair<D>& pair, uint32_t vertex) noexcept {
+  return std::find(pair.obstacle_vertices, pair.obstacle_vertices + 3, vertex) != pair.obstacle_vertices + 3;
+}
+
 /** What is closer to an obstacle than this does not hide it. */
 template <int D>
 double sight_room(const NearPair<D>& pair) noexcept {
@@ -108,7 +114,7 @@ bool NearSearch<D>::is_at(const CastResult& hit, const NearPair<D>& pair) const 
   uint32_t shared = 0;
   for (uint32_t i = 0; pair.wall.valid() && i < D; ++i) {
     const uint32_t v = env_.map.vertex(hit.cell, shape.simplices()[size_t{hit.simplex} * D + i]);
-    shared += std::count(pair.obstacle_vertices, pair.obstacle_vertices + 3, v) != 0;
+    shared += is_corner(pair, v);
   }
   return shared == pair.feature.count;
 }
@@ -121,7 +127,7 @@ bool NearSearch<D>::is_reached(Cell start, const NearPair<D>& pair) {
   return std::any_of(list.obstacles().begin(), list.obstacles().end(), [&](const NearObstacle<D>& o) {
     uint32_t shared = 0;
     for (uint32_t i = 0; i < o.count; ++i) {
-      shared += std::count(pair.obstacle_vertices, pair.obstacle_vertices + 3, list.name(o.vertices[i])) != 0;
+      shared += is_corner(pair, list.name(o.vertices[i]));
     }
     return shared == pair.feature.count;
   });

@@ -47,8 +47,9 @@ bool stays_far(const Points& part, const Points& feature, const SelectionLimits&
 }  // namespace
 
 template <int D>
-SelectionLimits NearSelection<D>::select(const Array<Sphere<D>>& spheres, const Part<D>& part,
-                                         const SelectionLimits& wanted, double most) {
+SelectionLimits NearSelection<D>::select_all(const NearList<D>& list, const Part<D>& part,
+                                             const SelectionLimits& wanted, double most) {
+  const Array<Sphere<D>>& spheres = list.spheres();
   numbers_.clear();
   const Sphere<D> round(part.points, part.corners.count);
   const bool is_face = part.corners.count == 3;
@@ -68,15 +69,9 @@ SelectionLimits NearSelection<D>::select(const Array<Sphere<D>>& spheres, const 
 }
 
 template <int D>
-SelectionLimits NearSelection<D>::select_obstacles(const NearList<D>& list, const Part<D>& part,
-                                                   const SelectionLimits& wanted, double most) {
-  return select(list.obstacle_spheres(), part, wanted, most);
-}
-
-template <int D>
 SelectionLimits NearSelection<D>::select_features(const NearList<D>& list, const Part<D>& part, uint32_t places,
                                                   const SelectionLimits& wanted, double most) {
-  const SelectionLimits limits = select(list.feature_spheres(), part, wanted, most);
+  const SelectionLimits limits = select_all(list, part, wanted, most);
   const size_t count = numbers_.size();
   for (uint32_t place = 0; place < kPlacesInSimplex; ++place) {
     first_[place] = static_cast<uint32_t>(numbers_.size() - count);
@@ -87,7 +82,7 @@ SelectionLimits NearSelection<D>::select_features(const NearList<D>& list, const
       const uint32_t number = numbers_[i];
       const NearFeature& f = list.features()[number];
       if (points.count + f.count > D + 1) break;
-      if (are_apart(round, list.feature_spheres()[number], limits.room)) continue;
+      if (are_apart(round, list.spheres()[number], limits.room)) continue;
       Points feature{{}, f.count};
       for (uint32_t k = 0; k < f.count; ++k) feature.at[k] = list.point(f.corners[k]);
       if (!stays_far<D>(points, feature, limits)) numbers_.push_back(number);

@@ -23,9 +23,8 @@ class NearSelection {
   // All that is within `wanted.room` of a simplex, and perhaps more. `most`: the room of the list. Where nothing is within
   // that, the selection is right for as long as the list. Throws std::bad_alloc.
 
-  /** Selects obstacles. */
-  SelectionLimits select_obstacles(const NearList<D>& list, const Part<D>& part, const SelectionLimits& wanted,
-                                   double most);
+  /** Selects what the list has spheres of: obstacles, if it has no features. */
+  SelectionLimits select_all(const NearList<D>& list, const Part<D>& part, const SelectionLimits& wanted, double most);
   /** Selects the features that can have a row with a part of the simplex. `places`: a bit for each part that counts. */
   SelectionLimits select_features(const NearList<D>& list, const Part<D>& part, uint32_t places,
                                   const SelectionLimits& wanted, double most);
@@ -39,9 +38,6 @@ class NearSelection {
   uint64_t memory_bytes() const { return array_bytes(numbers_); }
 
  private:
-  SelectionLimits select(const Array<Sphere<D>>& spheres, const Part<D>& part, const SelectionLimits& wanted,
-                         double most);
-
   Array<uint32_t> numbers_;
   uint32_t first_[kPlacesInSimplex + 1] = {};
   bool is_alone_ = false;
