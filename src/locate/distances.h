@@ -1,7 +1,7 @@
 #pragma once
 // How far the facets, marked edges and marked vertices of cells are from a point, or from a segment. A facet's distance
 // is rounded as its vertices are numbered in the cell that looks at it, so the two cells of a facet may differ in the
-// last bits.
+// last bits. That of an obstacle is rounded as its name says: it has the same bits from all cells.
 
 #include <cmath>
 #include <initializer_list>
@@ -51,8 +51,6 @@ struct FromPoint {
   using Corner = Vec;
   using Way = Vec;  // from the point to the nearest one
   using Result = NearestResult;
-  // Distances of facets and edges are rounded as the cell numbers their vertices that looks at them.
-  static constexpr bool kIsByName = false;
 
   const double* point;
   double scale;
@@ -90,11 +88,9 @@ class Distances {
     }
     return best;
   }
-  /** To an impassable facet that a cell sees. */
-  Way to_obstacle(Cell c, const Shape& shape, uint32_t f, double limit = HUGE_VAL) const {
-    if constexpr (!From::kIsByName) return to_facet(c, shape, f, limit);
-    const FeatureRef as = name(env_.map.half_facet(c, f));
-    return to_facet(as.cell, env_.map.shape(as.cell), as.local, limit);
+  /** To an impassable facet by its name, so from both sides the same. */
+  Way to_obstacle(const FeatureRef& name, double limit = HUGE_VAL) const {
+    return to_facet(name.cell, env_.map.shape(name.cell), name.local, limit);
   }
   static double length(const Way& at) { return std::sqrt(From::squared(at)); }
 
@@ -110,7 +106,7 @@ class Distances {
     if constexpr (D == 3) {
       for_each_marked_edge(env_, c, shape, [&](uint32_t d) {
         uint32_t a = shape.dart_vertex(d), b = shape.dart_vertex(shape.beta1(d));
-        if (From::kIsByName && env_.map.vertex(c, b) < env_.map.vertex(c, a)) std::swap(a, b);
+        if (env_.map.vertex(c, b) < env_.map.vertex(c, a)) std::swap(a, b);
         const Way at = from_.way(corner(c, a), corner(c, b));
         Dart lowest{c, d};
         for_each_volume_round_edge(env_.map, {c, d}, [&](Dart e) {

@@ -32,6 +32,8 @@ bool holds(const Environment<D>& env, Cell c, const double* point) noexcept {
 template <int D>
 Cell walk(const Environment<D>& env, const double* point, Cell from, CastCounters* counters) noexcept {
   if (!admits(env, from)) return {};
+  // A good hint: the walk would end where it begins.
+  if (env.map.form(from) == Form::kSimplex && contains(env, from, point)) return from;
   double start[D];
   centre(env, from, start);
   // The centre of a sliver can round to a point outside of it, from where no walk may start.

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <new>
 
+#include "locate/bounded_flood.h"
 #include "locate/nearest_search.h"
-#include "locate/segment_flood.h"
 #include "walk/cast.h"
 
 namespace dsw {
@@ -51,9 +51,9 @@ class Flood {
   }
 
  private:
-  /** What is farther does not count. For a segment, all cells of a level do: then the order in which they are visited
-   * does not decide. */
-  double limit() const { return From::kIsByName ? std::max(best_, level_) : best_; }
+  /** What is farther does not count. All cells of a level do: then the order in which they are visited does not
+   * decide. */
+  double limit() const { return std::max(best_, level_); }
 
   void visit(Cell c) {
     const Shape shape = map_.shape(c);
@@ -61,16 +61,15 @@ class Flood {
       const HalfFacet h = map_.half_facet(c, f);
       const bool impassable = is_impassable(env_, h);
       if (!impassable && notes_.is_seen(map_.cell_of(map_.opposite(h)))) continue;
-      const Way at =
-          impassable ? distances_.to_obstacle(c, shape, f, best_) : distances_.to_facet(c, shape, f, limit());
-      const double distance = distances_.length(at);
-      if (!(distance <= limit())) continue;
       if (impassable) {
-        offer(distance, at, distances_.name(h));
-      } else {
-        // A cell can stand in the heap once for each of its facets: a nearer way in must not be lost to a farther one.
-        wait({distance, map_.index(map_.cell_of(map_.opposite(h)))});
+        const FeatureRef name = distances_.name(h);
+        const Way at = distances_.to_obstacle(name, best_);
+        offer(distances_.length(at), at, name);
+        continue;
       }
+      const double key = distances_.length(distances_.to_facet(c, shape, f, limit()));
+      // A cell can stand in the heap once for each of its facets: a nearer way in must not be lost to a farther one.
+      if (key <= limit()) wait({key, map_.index(map_.cell_of(map_.opposite(h)))});
     }
     distances_.for_each_thin(c, shape, [&](double distance, const Way& at, const FeatureRef& feature) {  //
       offer(distance, at, feature);
@@ -125,24 +124,29 @@ bool find_nearest_by_flood(const Environment<D>& env, const double* point, Cell 
 }
 
 template <int D>
-bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
+bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, BoundedNotes& notes,
                       NearestResult& result) {
   result = {};
   const Distances<D> distances(env, point);
+  const uint32_t few = std::isfinite(radius) ? kFewCellsWithin : kFewCells;
+  notes.starts.assign(1, start);
+  BoundedFlood<D, FromPoint<D>> near(distances, radius, notes, result);
+  SearchEnd end = near.run(few);
+  if (end != SearchEnd::kUnknown) return end == SearchEnd::kFound;
+  const uint32_t volumes_before = result.volumes_visited;
   Flood<D, FromPoint<D>> flood(distances, radius, notes, result);
   flood.begin_in(start);
-  if (flood.run(std::isfinite(radius) ? kFewCellsWithin : kFewCells)) return flood.finish();
+  if (!near.is_cut_off() && flood.run(few)) return flood.finish();
   if (distances.scale() == 1) {
     const CellTree<D>* tree = env.obstacles.find(env);
     if (tree == nullptr) {
       const bool is_done = flood.run(env.obstacles.patience(env));
-      env.obstacles.note_flood(env, result.volumes_visited);
+      env.obstacles.note_flood(env, result.volumes_visited - volumes_before);
       if (is_done) return flood.finish();
       tree = env.obstacles.find(env);
     }
     NearestResult other;
-    const SearchEnd end =
-        tree == nullptr ? SearchEnd::kUnknown : NearestSearch<D>(distances, *tree, point, start, radius).run(other);
+    if (tree != nullptr) end = NearestSearch<D>(distances, *tree, point, start, radius).run(other);
     if (end != SearchEnd::kUnknown) {
       other.volumes_visited += result.volumes_visited;
       result = other;
@@ -171,11 +175,12 @@ void report_crossed(const Distances<D, FromSegment<D>>& distances, const double*
 
 template <int D>
 bool find_nearest_to_segment(const Environment<D>& env, const double* from, const double* to, Cell start, double radius,
-                             SegmentNotes& notes, SegmentNearest& result, bool by_flood) {
+                             BoundedNotes& notes, SegmentNearest& result, bool by_flood) {
   result = {};
   if (std::equal(from, from + D, to)) {  // a point
     result.last = start;
-    const bool found = find_nearest_by_flood(env, from, start, radius, notes, result);
+    const bool found = by_flood ? find_nearest_by_flood(env, from, start, radius, notes, result)
+                                : find_nearest_far(env, from, start, radius, notes, result);
     if (found) std::copy_n(from, D, result.segment_point);
     return found;
   }
@@ -207,7 +212,7 @@ bool find_nearest_to_segment(const Environment<D>& env, const double* from, cons
     return true;
   }
   if (!by_flood) {
-    const SearchEnd end = SegmentFlood<D>(distances, radius, notes, result).run();
+    const SearchEnd end = BoundedFlood<D, FromSegment<D>>(distances, radius, notes, result).run();
     if (end != SearchEnd::kUnknown) return end == SearchEnd::kFound;
   }
   Flood<D, FromSegment<D>> flood(distances, radius, notes, result);
@@ -232,13 +237,13 @@ void FloodNotes::grow() {
   }
 }
 
-#define DSW_NEAREST(D)                                                                                             \
-  template bool find_nearest(const Environment<D>&, const double*, Cell, double, NearestResult&);                  \
-  template bool find_nearest_by_flood(const Environment<D>&, const double*, Cell, double, FloodNotes&,             \
-                                      NearestResult&);                                                             \
-  template bool find_nearest_far(const Environment<D>&, const double*, Cell, double, FloodNotes&, NearestResult&); \
-  template bool find_nearest_to_segment(const Environment<D>&, const double*, const double*, Cell, double,         \
-                                        SegmentNotes&, SegmentNearest&, bool)
+#define DSW_NEAREST(D)                                                                                               \
+  template bool find_nearest(const Environment<D>&, const double*, Cell, double, NearestResult&);                    \
+  template bool find_nearest_by_flood(const Environment<D>&, const double*, Cell, double, FloodNotes&,               \
+                                      NearestResult&);                                                               \
+  template bool find_nearest_far(const Environment<D>&, const double*, Cell, double, BoundedNotes&, NearestResult&); \
+  template bool find_nearest_to_segment(const Environment<D>&, const double*, const double*, Cell, double,           \
+                                        BoundedNotes&, SegmentNearest&, bool)
 DSW_NEAREST(2);
 DSW_NEAREST(3);
 #undef DSW_NEAREST

@@ -53,7 +53,7 @@ class FloodNotes {
   uint32_t number_of(Cell c) const noexcept { return slots_[slot_of(entry(c.unit))].number; }
 
  private:
-  static constexpr size_t kFirstSlots = 64;
+  static constexpr size_t kFirstSlots = 256;
   struct Slot {
     uint64_t entry = 0;  // the round in which a cell was seen, and its unit; other rounds are empty slots
     uint32_t number = 0;
@@ -82,20 +82,20 @@ template <int D>
 bool find_nearest_by_flood(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
                            NearestResult& result);
 
-/** The same answer for points that may be far from everything: after a few cells the environment's tree of obstacles is
- * asked, if there is one (nearest_search.h). */
-template <int D>
-bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, FloodNotes& notes,
-                      NearestResult& result);
+class BoundedNotes;
 
-class SegmentNotes;
+/** The same answer, mostly sooner: by bounds (bounded_flood.h), and for points that are far from everything after a few
+ * cells by the environment's tree of obstacles, if there is one (nearest_search.h). */
+template <int D>
+bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, BoundedNotes& notes,
+                      NearestResult& result);
 
 /** The same for a segment whose first point is in `start`. If it passes an impassable facet, that is the answer, at
  * distance 0: the first one. Else the answer is what the flood finds that begins in all cells which the segment enters
- * under the shift; segment_flood.h finds it faster in most cases. A segment without a length is asked as a point.
+ * under the shift; bounded_flood.h finds it faster in most cases. A segment without a length is asked as a point.
  * @param by_flood asks the flood alone. */
 template <int D>
 bool find_nearest_to_segment(const Environment<D>& env, const double* from, const double* to, Cell start, double radius,
-                             SegmentNotes& notes, SegmentNearest& result, bool by_flood = false);
+                             BoundedNotes& notes, SegmentNearest& result, bool by_flood = false);
 
 }  // namespace dsw

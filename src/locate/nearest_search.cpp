@@ -1,7 +1,6 @@
 #include "locate/nearest_search.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace dsw {
 
@@ -20,7 +19,6 @@ NearestSearch<D>::NearestSearch(const Distances<D>& distances, const CellTree<D>
       looked_(env_.memory),
       known_(env_.memory),
       seen_(env_.memory),
-      last_(env_.memory),
       levels_(Allocator<double>(env_.memory)),
       steps_(Allocator<Step>(env_.memory)),
       heap_(Allocator<Step>(env_.memory)) {
@@ -41,9 +39,15 @@ SearchEnd NearestSearch<D>::run(NearestResult& result) {
   if (!set_levels()) return SearchEnd::kUnknown;
   double end = HUGE_VAL;
   for (const Sight& sight : sights_) end = std::min(end, std::max(sight.distance, sight.level));
-  if (!(end <= reach()) || !take_lower(end) || !take_last(end) || best_ == nullptr) return SearchEnd::kUnknown;
-  distances_.report(best_->distance, best_->at, result);
-  result.feature = best_->feature;
+  if (!(end <= reach())) return SearchEnd::kUnknown;
+  const Sight* best = nullptr;
+  for (const Sight& sight : sights_) {
+    if (sight.level > end || (best != nullptr && sight.distance > best->distance)) continue;
+    if (best == nullptr || sight.distance < best->distance || distances_.precedes(sight.feature, best->feature))
+      best = &sight;
+  }
+  distances_.report(best->distance, best->at, result);
+  result.feature = best->feature;
   result.volumes_visited += step_count_;
   return SearchEnd::kFound;
 }
@@ -81,9 +85,9 @@ void NearestSearch<D>::look(Cell c) {
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     const HalfFacet h = map_.half_facet(c, f);
     if (!is_impassable(env_, h)) continue;
-    const Vec at = distances_.to_facet(c, shape, f);
-    const double distance = Distances<D>::length(at);
-    if (distance <= reach()) see(distance, at, distances_.name(h));
+    const FeatureRef name = distances_.name(h);
+    const Vec at = distances_.to_obstacle(name);
+    see(Distances<D>::length(at), at, name);
   }
   distances_.for_each_thin(c, shape, see);
   if (sights_.size() > kMostSights / 2) forget_far();
@@ -170,88 +174,6 @@ void NearestSearch<D>::note_way(uint32_t number) {
     level = std::max(level, steps_[number].key);
     number = steps_[number].next;
   }
-}
-
-template <int D>
-void NearestSearch<D>::offer(const Sight& sight) {
-  if (best_ != nullptr) {
-    if (sight.distance > best_->distance) return;
-    if (sight.distance == best_->distance && !distances_.precedes(sight.feature, best_->feature)) return;
-  }
-  best_ = &sight;
-}
-
-/** The sights from lower levels than `end`. False: it cannot be told which of two comes first. */
-template <int D>
-bool NearestSearch<D>::take_lower(double end) {
-  std::stable_sort(sights_.begin(), sights_.end(), [](const Sight& a, const Sight& b) { return a.level < b.level; });
-  for (const Sight& sight : sights_) {
-    if (sight.level < end && sight.distance == end) offer(sight);
-  }
-  if (best_ == nullptr) return true;
-  const auto is_same = [&](const FeatureRef& f) {
-    return !distances_.precedes(f, best_->feature) && !distances_.precedes(best_->feature, f);
-  };
-  return std::none_of(sights_.begin(), sights_.end(), [&](const Sight& s) {
-    return s.level == best_->level && s.distance == end && s.cell != best_->cell && is_same(s.feature) &&
-           std::memcmp(&s.at, &best_->at, sizeof(double) * D) != 0;
-  });
-}
-
-/** The sights from level `end`, as the flood comes to them. False: too much work. */
-template <int D>
-bool NearestSearch<D>::take_last(double end) {
-  Array<Waiting> waiting{Allocator<Waiting>(env_.memory)};
-  if (!find_last(end, waiting)) return false;
-  if (waiting.empty()) return true;
-  std::make_heap(waiting.begin(), waiting.end());
-  Array<bool> entered(last_.size(), false, Allocator<bool>(env_.memory));
-  const auto limit = [&] { return best_ != nullptr ? best_->distance : radius_; };
-  while (!waiting.empty() && waiting.front().distance <= limit()) {
-    std::pop_heap(waiting.begin(), waiting.end());
-    const Cell c = map_.cell(waiting.back().index);
-    waiting.pop_back();
-    const uint32_t number = last_.find(c.unit);
-    if (entered[number]) continue;
-    entered[number] = true;
-    for (const Sight& sight : sights_) {
-      if (sight.cell == c && sight.distance <= limit()) offer(sight);
-    }
-    const Shape shape = map_.shape(c);
-    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-      const HalfFacet h = map_.half_facet(c, f);
-      if (is_impassable(env_, h)) continue;
-      const Cell to = map_.cell_of(map_.opposite(h));
-      const uint32_t far = last_.find(to.unit);
-      if (far == KeyTable::kNone || entered[far]) continue;
-      const double key = Distances<D>::length(distances_.to_facet(c, shape, f));
-      if (!(key <= limit())) continue;
-      waiting.push_back({key, map_.index(to)});
-      std::push_heap(waiting.begin(), waiting.end());
-    }
-  }
-  return true;
-}
-
-/** The cells of level `end` on which sights within `end` depend, and how lower levels lead to them. */
-template <int D>
-bool NearestSearch<D>::find_last(double end, Array<Waiting>& waiting) {
-  for (const Sight& sight : sights_) {
-    if (sight.level == end && sight.distance <= end) last_.insert(sight.cell.unit);
-  }
-  for (uint32_t i = 0; i < last_.size(); ++i) {
-    const Cell c{static_cast<uint32_t>(last_[i])};
-    if (c == start_) waiting.push_back({0, map_.index(c)});
-    const auto is_other = [&](Cell from) { return last_.find(from.unit) == KeyTable::kNone; };
-    for_each_way_in(c, is_other, [&](Cell from, double key) {
-      if (key > end) return;
-      const double level = level_of(from);
-      if (level == end) last_.insert(from.unit);
-      if (level < end) waiting.push_back({key, map_.index(c)});
-    });
-    if (last_.size() > kMostLast || step_count_ > kMostSteps) return false;
-  }
-  return true;
 }
 
 template class NearestSearch<2>;

@@ -3,21 +3,15 @@
 // there says when the flood would come to it.
 //
 // The flood enters a cell through a passable facet if the facet's distance, its key, is within the best distance so
-// far. It takes the lowest key first, then the lowest cell. The level of a cell is the least number L for which
-// passable facets with keys up to L lead from the start to the cell; that of the start is 0. The flood enters all cells
-// of a level before any cell of a higher one, because a facet with a low enough key waits as long as one is left.
+// far. It takes the lowest key first. The level of a cell is the least number L for which passable facets with keys up
+// to L lead from the start to the cell; that of the start is 0. The flood enters all cells of a level before any cell
+// of a higher one, because a facet with a low enough key waits as long as one is left.
 //
 // A sight is an obstacle as one cell sees it. It is due at the larger one of its distance and its cell's level. Let all
 // sights within `reach` be known, and let `end` be the least number at which one of them is due. If `end` is within
-// `reach`, what the flood finds follows:
-//
-// - Cells of levels below `end` see nothing nearer than `end`. So the flood enters all of them.
-// - Sights at distance `end` from these cells follow. The first by name wins. Of two sights of one obstacle, which may
-//   differ in the last bits, the one of the lower level wins, because the flood keeps the first.
-// - If cells of level `end` see something within `end`, they are entered here as the flood enters them, and with them
-//   those of their level on the ways to them. Other cells of this level offer nothing within `end`, and the order of
-//   waiting cells depends on key and cell alone, so leaving them out changes nothing.
-// - By then the best distance is within `end`, so no cell of a higher level is entered.
+// `reach`, what the flood finds follows. Cells of levels below `end` see nothing nearer than `end`, so the flood enters
+// all cells of levels up to `end`. From there the best distance is within `end`, so no cell of a higher level is
+// entered. The nearest sight from these cells is found, ties by name: all sights of one obstacle have the same bits.
 //
 // No distance has to be right for this: rounded numbers are compared as the flood compares them. Only the tree relies
 // on rounding errors being small (cell_tree.h).
@@ -35,7 +29,7 @@ class NearestSearch {
   /** Of distances whose scale is 1. */
   NearestSearch(const Distances<D>& distances, const CellTree<D>& tree, const double* point, Cell start, double radius);
 
-  /** Unknown: two sights cannot be told apart, or it is too much work; then only the flood knows. */
+  /** Unknown: it is too much work, or nothing that is near is reached; then only the flood knows. */
   SearchEnd run(NearestResult& result);
 
  private:
@@ -54,7 +48,7 @@ class NearestSearch {
     bool operator<(const Step& o) const { return key > o.key; }
   };
   static constexpr size_t kMostSights = 256;
-  static constexpr uint32_t kMostSteps = 1u << 14, kMostLast = 512;
+  static constexpr uint32_t kMostSteps = 1u << 14;
 
   double reach() const;
   bool gather();
@@ -63,10 +57,6 @@ class NearestSearch {
   bool set_levels();
   double level_of(Cell c);
   void note_way(uint32_t step);
-  bool take_lower(double end);
-  bool take_last(double end);
-  bool find_last(double end, Array<Waiting>& waiting);
-  void offer(const Sight& sight);
   template <class Wanted, class Visit>
   void for_each_way_in(Cell c, Wanted is_wanted, Visit visit) const;
 
@@ -78,11 +68,10 @@ class NearestSearch {
   Cell start_;
   double radius_, slack_, nearest_;
   Array<Sight> sights_;
-  KeyTable looked_, known_, seen_, last_;  // units of cells
-  Array<double> levels_;                   // at most, of known cells
+  KeyTable looked_, known_, seen_;  // units of cells
+  Array<double> levels_;            // at most, of known cells
   Array<Step> steps_, heap_;
   uint32_t step_count_ = 0;
-  const Sight* best_ = nullptr;
 };
 
 }  // namespace dsw

@@ -58,8 +58,6 @@ struct FromSegment {
   using Corner = SegmentCorner;
   using Way = SegmentWay;
   using Result = SegmentNearest;
-  // An obstacle's distance is rounded as its name says, and an edge's from its lower vertex: the same from all cells.
-  static constexpr bool kIsByName = true;
 
   const double* from;
   const double* to;

@@ -8,14 +8,29 @@
 
 #include "base/batch.h"
 #include "base/dimensions.h"
+#include "base/vec.h"
 #include "contact/names.h"
+#include "locate/bounded_flood.h"
 #include "locate/locate.h"
-#include "locate/segment_flood.h"
 #include "predicates/plane_hit.h"
 #include "scene/locations.h"
 
 namespace dsw {
 namespace {
+
+/** Whether the outward normal of a facet and a unit vector make an acute angle. The exact normal is asked only where
+ * rounding of a cross product could decide: its parts have errors below 2^-50 of the product of the sides. */
+template <int D>
+bool is_outward(const double* const* simplex, const double* normal) {
+  if constexpr (D == 3) {
+    const Vec ab = difference<3>(simplex[1], simplex[0]), ac = difference<3>(simplex[2], simplex[0]);
+    const double along = dot(ab.cross(ac), to_vec<3>(normal)), doubt = 0x1p-47 * largest(ab) * largest(ac);
+    if (doubt > 0x1p-900 && std::fabs(along) > doubt) return along > 0;
+  }
+  double outward[3] = {};
+  unit_normal<D>(simplex, outward);
+  return outward[0] * normal[0] + outward[1] * normal[1] + outward[2] * normal[2] > 0;
+}
 
 /** The side of a facet that a viewer in the direction of `normal` sees. Behind a marked cell there is no viewer. */
 template <int D>
@@ -26,9 +41,7 @@ HalfFacet seen_side(const Environment<D>& env, const FeatureRef& facet, const do
   const Shape shape = env.map.shape(facet.cell);
   const double* simplex[D];
   simplex_points(env, facet.cell, shape, shape.simplex_first(facet.local), simplex);
-  double outward[3] = {};
-  unit_normal<D>(simplex, outward);
-  return outward[0] * normal[0] + outward[1] * normal[1] + outward[2] * normal[2] > 0 ? o : h;
+  return is_outward<D>(simplex, normal) ? o : h;
 }
 
 dsw_nearest nothing_near() noexcept {
@@ -93,7 +106,7 @@ class NearestOfBatch {
  private:
   const Environment<D>& env_;
   double radius_;
-  SegmentNotes notes_;
+  BoundedNotes notes_;
   Cell last_;                  // where the last question was asked, or where its segment ended
   bool is_end_known_ = false;  // the segment's last point lies in last_
 };

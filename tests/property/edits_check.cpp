@@ -7,6 +7,7 @@
 #include "body_check.h"
 #include "environment/marking.h"
 #include "environment/validity.h"
+#include "locate/bounded_flood.h"
 #include "locate/locate.h"
 #include "locate/nearest_search.h"
 #include "map/integrity.h"
@@ -179,7 +180,7 @@ std::string wrong_nearest(Environment<D>& e) {
       if (!c.valid() || is_closed(e, c)) continue;
       for (const double radius : {HUGE_VAL, std::fabs(b[0] - a[0]) / 4}) {
         NearestResult flooded, searched, either;
-        FloodNotes notes(e.memory);
+        BoundedNotes notes(e.memory);
         const bool found = find_nearest(e, p, c, radius, flooded);
         const Distances<D> distances(e, p);
         if (distances.scale() != 1) return "";

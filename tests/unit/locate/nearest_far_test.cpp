@@ -12,6 +12,7 @@
 #include "../../share.h"
 #include "environment/moving.h"
 #include "environment/test_mesh.h"
+#include "locate/bounded_flood.h"
 #include "locate/locate.h"
 #include "locate/nearest_search.h"
 #include "obstacle_meshes.h"
@@ -45,7 +46,7 @@ void expect_same(const Environment<D>& env, const NearestResult& a, const Neares
 
 template <int D>
 bool find_far(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result) {
-  FloodNotes notes(env.memory);
+  BoundedNotes notes(env.memory);
   return find_nearest_far(env, point, start, radius, notes, result);
 }
 

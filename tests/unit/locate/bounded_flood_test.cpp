@@ -1,6 +1,6 @@
 // The flood by bounds finds the same bits as the flood by distances; bounds hold, and have the same bits everywhere.
 
-#include "locate/segment_flood.h"
+#include "locate/bounded_flood.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ void expect_same_nearest(const Environment<D>& env, const SegmentNearest& a, con
 /** Segments anywhere; between vertices and points halfway between them, where much is equally far; long and short. */
 template <int D>
 void ask_segments(const Environment<D>& env, Random& random, int count, Tally& tally) {
-  SegmentNotes notes(env.memory), other_notes(env.memory);
+  BoundedNotes notes(env.memory), other_notes(env.memory);
   const auto below = [&](uint32_t n) { return static_cast<uint32_t>(random.below(static_cast<int>(n))); };
   for (int i = 0; i < count; ++i) {
     const double *const a = env.point(below(env.map.vertex_count)), *const b = env.point(below(env.map.vertex_count));
@@ -84,7 +84,7 @@ void floods_agree(Mesh& mesh, uint64_t seed, int marks, Tally& tally) {
 
 uint64_t seeds(int count) { return static_cast<uint64_t>(std::max(4, share_of(count))); }
 
-TEST(SegmentFlood, InTetrahedra) {
+TEST(BoundedFlood, InTetrahedra) {
   Tally tally;
   for (uint64_t seed = 1; seed <= seeds(12); ++seed) {
     Mesh3 mesh;
@@ -97,7 +97,7 @@ TEST(SegmentFlood, InTetrahedra) {
   EXPECT_GT(tally.nothing, share_of(100));
 }
 
-TEST(SegmentFlood, InTheLatticeWhereMuchIsEquallyFar) {
+TEST(BoundedFlood, InTheLatticeWhereMuchIsEquallyFar) {
   Tally tally;
   for (uint64_t seed = 1; seed <= seeds(12); ++seed) {
     Mesh3 mesh;
@@ -107,7 +107,7 @@ TEST(SegmentFlood, InTheLatticeWhereMuchIsEquallyFar) {
   EXPECT_GT(tally.found, share_of(1500));
 }
 
-TEST(SegmentFlood, InMixedCells) {
+TEST(BoundedFlood, InMixedCells) {
   Tally tally;
   for (uint64_t seed = 1; seed <= seeds(20); ++seed) {
     Mesh3 mesh = mixed_mesh();
@@ -116,7 +116,7 @@ TEST(SegmentFlood, InMixedCells) {
   EXPECT_GT(tally.found, share_of(500));
 }
 
-TEST(SegmentFlood, InThePlane) {
+TEST(BoundedFlood, InThePlane) {
   Tally tally;
   for (uint64_t seed = 1; seed <= seeds(24); ++seed) {
     Mesh2 mesh;
@@ -138,7 +138,7 @@ void wind(std::vector<double>& points) {
   }
 }
 
-TEST(SegmentFlood, InPartsThatOverlap) {
+TEST(BoundedFlood, InPartsThatOverlap) {
   Tally tally;
   for (uint64_t seed = 1; seed <= seeds(12); ++seed) {
     Mesh3 mesh;
@@ -151,7 +151,7 @@ TEST(SegmentFlood, InPartsThatOverlap) {
 
 /** Prisms round an axis that turn more than once. The last face stands beside points of the second prism, but the way
  * there leads round the axis, which is farther: only the flood by distances knows what is reached first. */
-TEST(SegmentFlood, AsksTheOtherFloodWhereTheNearestIsNotReached) {
+TEST(BoundedFlood, AsksTheOtherFloodWhereTheNearestIsNotReached) {
   constexpr int kPrisms = 8;
   Mesh3 mesh;
   std::vector<int64_t> above, below;
@@ -165,7 +165,7 @@ TEST(SegmentFlood, AsksTheOtherFloodWhereTheNearestIsNotReached) {
     mesh.cell(kWedge, {above[0], above[k], above[k + 1], below[0], below[k], below[k + 1]});
   const auto env = mesh.build();
   Random random(5);
-  SegmentNotes notes(env->memory);
+  BoundedNotes notes(env->memory);
   int unknown = 0, reached = 0;
   for (int i = 0; i < 300; ++i) {
     const double angle = 1.1 + random.unit() * 0.98, radius = 0.2 + 1.5 * random.unit(), size = i % 2 * 0.1;
@@ -178,14 +178,14 @@ TEST(SegmentFlood, AsksTheOtherFloodWhereTheNearestIsNotReached) {
     ASSERT_NO_FATAL_FAILURE(expect_same_nearest(*env, fast, slow)) << i;
     const Distances<3, FromSegment<3>> distances(*env, p, q);
     notes.starts.assign(1, start);
-    const SearchEnd end = SegmentFlood<3>(distances, kNoLimit, notes, fast).run();
+    const SearchEnd end = BoundedFlood<3, FromSegment<3>>(distances, kNoLimit, notes, fast).run();
     ++(end == SearchEnd::kUnknown ? unknown : reached);
   }
   EXPECT_GT(unknown, 20);
   EXPECT_GT(reached, 20);
 }
 
-TEST(SegmentFlood, WherePointsMoveAndCellsTurnInsideOut) {
+TEST(BoundedFlood, WherePointsMoveAndCellsTurnInsideOut) {
   Tally tally;
   Mesh3 mesh;
   add_tetrahedra(mesh, 6);
@@ -205,7 +205,7 @@ TEST(SegmentFlood, WherePointsMoveAndCellsTurnInsideOut) {
   EXPECT_GT(tally.found, 200);
 }
 
-TEST(SegmentFlood, AtAnyScale) {
+TEST(BoundedFlood, AtAnyScale) {
   for (const int exponent : {-1060, -1000, -400, -200, -140, 0, 140, 200, 400, 1000, 1018}) {
     Tally tally;
     Mesh3 mesh;
