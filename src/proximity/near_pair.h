@@ -45,14 +45,15 @@ class PairSearch {
       if (measure(part, f, pair)) visit(pair);
     }
   }
+  /** Whether no obstacle of the list that has a feature comes closer to the point of a part, if their nearest points are
+   * unique and lie inside of both. Exactly. */
+  bool is_local_minimum(const Part<D>& part, const NearFeature& f) const noexcept;
 
  private:
   /** Whether doubles tell that a pair is beyond reach, or that its nearest points lie outside. */
   bool is_far(const Part<D>& part, const NearFeature& f) const noexcept;
   /** Whether the nearest points of a part and a feature are unique and lie inside of both. Exactly. */
   bool are_inside(const Part<D>& part, const NearFeature& f) const noexcept;
-  /** Then, whether no obstacle that has the feature comes closer to the point of the part. Exactly. */
-  bool is_local_minimum(const Part<D>& part, const NearFeature& f) const noexcept;
   /** Where the two are nearest; whether that is within reach. */
   bool measure(const Part<D>& part, const NearFeature& f, NearPair<D>& pair) const noexcept;
   /** The facet with a feature that makes the least angle with the way to the point. Of several, the lowest one from

@@ -78,7 +78,14 @@ class CoveredParts {
 
 template <int D>
 NearSearch<D>::NearSearch(const Environment<D>& env, const Body<D>& body, NearNotes<D>& notes)
-    : env_(env), body_(body), notes_(notes), lists_(env), others_(env.memory), near_others_(env.memory) {}
+    : env_(env),
+      body_(body),
+      notes_(notes),
+      lists_(env),
+      others_(env.memory),
+      near_others_(env.memory),
+      around_(env.memory),
+      cells_(env.memory) {}
 
 /** The first cast goes a little beyond the obstacle. If something else is met, another one goes a little less than all the
  * way. */
@@ -92,7 +99,7 @@ bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) {
     start = in_part.cell;
   }
   const bool is_of_body = !pair.wall.valid() && !pair.cell.valid();
-  if (!(room < 1)) return is_of_body || is_reached(start, pair);
+  if (!(room < 1)) return is_of_body || is_reached(start, part, pair);
   const auto cast_to = [&](double from_obstacle) {
     double end[3];
     for (int k = 0; k < D; ++k) {
@@ -104,7 +111,7 @@ bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) {
   const CastResult beyond = cast_to(-room);
   if (beyond.end != CastEnd::kHit || is_at(beyond, pair)) return true;
   const CastResult before = cast_to(room);
-  return before.end != CastEnd::kHit ? is_reached(before.cell, pair) : is_at(before, pair);
+  return before.end != CastEnd::kHit ? is_reached(before.cell, part, pair) : is_at(before, pair);
 }
 
 /** Whether a hit is on a wall at the obstacle of a pair. */
@@ -119,18 +126,73 @@ bool NearSearch<D>::is_at(const CastResult& hit, const NearPair<D>& pair) const 
   return shared == pair.feature.count;
 }
 
-/** Rounded points cannot decide here. The obstacle is seen if a small flood from `start` reaches it. */
+/** Rounded points cannot decide here. The obstacle is seen if a small flood from `start` reaches it, and if nothing that
+ * the flood may not have reached comes closer. */
 template <int D>
-bool NearSearch<D>::is_reached(Cell start, const NearPair<D>& pair) {
+bool NearSearch<D>::is_reached(Cell start, const Part<D>& part, const NearPair<D>& pair) {
   const double* const at = pair.obstacle_point;
   const NearList<D>& list = lists_.in(start, NearRegion<D>(&at, 1, 2 * sight_room(pair)));
-  return std::any_of(list.obstacles().begin(), list.obstacles().end(), [&](const NearObstacle<D>& o) {
+  const auto has_feature = [&](const NearObstacle<D>& o) {
     uint32_t shared = 0;
-    for (uint32_t i = 0; i < o.count; ++i) {
-      shared += is_corner(pair, list.name(o.vertices[i]));
-    }
+    for (uint32_t i = 0; i < o.count; ++i) shared += is_corner(pair, list.name(o.vertices[i]));
     return shared == pair.feature.count;
+  };
+  return std::any_of(list.obstacles().begin(), list.obstacles().end(), has_feature) && is_least_of_all(part, pair);
+}
+
+/** Whether a pair is nearest also beside obstacles that were not reached. If the way between both points is free, it is.
+ * An edge or a face that lies exactly on a wall sees one side of it alone. */
+template <int D>
+bool NearSearch<D>::is_least_of_all(const Part<D>& part, const NearPair<D>& pair) {
+  if (part.corners.count > 1 && !(pair.distance > 0)) return true;
+  collect_around(pair);
+  const PairSearch<D> search(env_, around_, near_others_, true, pair.distance);
+  return std::all_of(around_.features().begin(), around_.features().end(), [&](const NearFeature& f) {
+    bool is_same = f.count == pair.feature.count;
+    for (uint32_t i = 0; is_same && i < f.count; ++i) is_same = around_.name(f.corners[i]) == pair.obstacle_vertices[i];
+    return !is_same || search.is_local_minimum(part, f);
   });
+}
+
+/** Lists the obstacles that have the one of a pair. */
+template <int D>
+void NearSearch<D>::collect_around(const NearPair<D>& pair) {
+  const Map<D>& map = env_.map;
+  around_.clear();
+  cells_.clear();
+  cells_.insert((pair.wall.valid() ? map.cell_of(pair.wall) : pair.cell).unit);
+  const auto count_corners = [&](Cell c, const auto* local, uint32_t count) {
+    uint32_t shared = 0;
+    for (uint32_t i = 0; i < count; ++i) shared += is_corner(pair, map.vertex(c, local[i]));
+    return shared;
+  };
+  for (uint32_t i = 0; i < cells_.size(); ++i) {
+    const Cell c{static_cast<uint32_t>(cells_[i])};
+    const Shape shape = map.shape(c);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      uint32_t shared = 0;
+      for_each_facet_vertex<D>(shape, f, [&](uint32_t v) { shared += is_corner(pair, map.vertex(c, v)); });
+      if (shared != pair.feature.count) continue;
+      const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
+      if (o.valid()) cells_.insert(map.cell_of(o).unit);
+      if (!is_impassable(env_, h)) continue;
+      for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
+        const uint16_t* const local = shape.simplices() + size_t{s} * D;
+        if (count_corners(c, local, D) != pair.feature.count) continue;
+        NearObstacle<D> triangle{{}, D, h, {}};
+        for (uint32_t k = 0; k < uint32_t{D}; ++k) triangle.vertices[k] = map.vertex(c, local[k]);
+        around_.add(triangle);
+      }
+    }
+    if constexpr (D == 3) {
+      for_each_marked_edge(env_, c, shape, [&](uint32_t d) {
+        const uint32_t ends[] = {shape.dart_vertex(d), shape.dart_vertex(shape.beta1(d))};
+        if (count_corners(c, ends, 2) != pair.feature.count) return;
+        around_.add({{map.vertex(c, ends[0]), map.vertex(c, ends[1])}, 2, {}, c});
+      });
+    }
+  }
+  around_.finish({env_.points, D});
 }
 
 template <int D>

@@ -1,6 +1,7 @@
 #pragma once
 // All near pairs of a body: which obstacles are near each of its parts is remembered from call to call.
 
+#include "base/key_table.h"
 #include "pairs/partners.h"
 #include "proximity/near_lists.h"
 #include "proximity/near_pair.h"
@@ -27,7 +28,9 @@ class NearSearch {
  private:
   bool is_in_sight(const Part<D>& part, const NearPair<D>& pair);
   bool is_at(const CastResult& hit, const NearPair<D>& pair) const noexcept;
-  bool is_reached(Cell start, const NearPair<D>& pair);
+  bool is_reached(Cell start, const Part<D>& part, const NearPair<D>& pair);
+  bool is_least_of_all(const Part<D>& part, const NearPair<D>& pair);
+  void collect_around(const NearPair<D>& pair);
   bool is_accepted(const Body<D>& other, const Part<D>& part, const uint32_t* corners, uint32_t count) const noexcept;
   void collect(const Body<D>& other, const Part<D>& cover, double reach);
 
@@ -37,6 +40,8 @@ class NearSearch {
   NearLists<D> lists_;
   NearList<D> others_;  // of a partner
   NearSelection<D> near_others_;
+  NearList<D> around_;  // what has the obstacle of a pair, reached or not
+  KeyTable cells_;      // round this obstacle
 };
 
 }  // namespace dsw

@@ -149,7 +149,12 @@ BodyPlan any_plan(Motions& motions, Rng& rng) {
 TEST_P(NearRowsTest, AreAllThatAreNear) {
   Tally tally;
   const uint64_t rounds = from_environment("DSW_NEAR_ROUNDS", 1);
-  for (uint64_t seed = 41; seed < 41 + 2 * rounds; ++seed) {
+  // Seeds that found defects: rows with what is hidden at a distance of 0, or of 1e-25.
+  const std::map<std::string, uint64_t> found{{"tet_slivers", 44}, {"prisms_warped", 50}};
+  std::set<uint64_t> seeds;
+  if (const auto at = found.find(GetParam()); at != found.end()) seeds.insert(at->second);
+  for (uint64_t seed = 41; seed < 41 + 2 * rounds; ++seed) seeds.insert(seed);
+  for (const uint64_t seed : seeds) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     World& world = *place.world;
