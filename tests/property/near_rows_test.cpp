@@ -34,7 +34,7 @@ std::vector<int> used(const uint32_t* vertices) {
 }
 
 struct Tally {
-  uint64_t rows = 0, missed = 0, phantom = 0, hidden = 0;
+  uint64_t rows = 0, missed = 0, phantom = 0, hidden = 0, overlapped = 0;
 };
 
 /// What the points of a row must be, up to rounding. `size`: the largest coordinate.
@@ -92,10 +92,22 @@ void for_each_part(const BodyState& state, dsw_level level, Visit visit) {
   }
 }
 
+/// Whether the point of an obstacle lies in a volume that does not have the obstacle. Warped volumes may overlap. Then no
+/// passable volumes may lead to the obstacle, although nothing hides it.
+bool is_overlapped(const Place& place, const std::vector<int>& obstacle, const NearTruth::Row& row) {
+  dsw_volume_id volume{};
+  EXPECT_EQ(dsw_environment_locate(place.get(), row.obstacle_point.data(), volume, &volume, nullptr), DSW_STATUS_OK);
+  if (volume.generation == 0) return false;
+  std::set<int> vertices;
+  for (const Loop& face : place.mesh.cells[volume.index].faces) vertices.insert(face.begin(), face.end());
+  return !std::includes(vertices.begin(), vertices.end(), obstacle.begin(), obstacle.end());
+}
+
 /// Rows with what a truth knows, part by part. `counts(part, obstacle)`: whether the pair is one for the body.
+/// `warped`: the place, if its volumes may overlap.
 template <class Counts>
 void check_rows(RowsByIds by_ids, const BodyState& state, const NearTruth& truth, double limit, dsw_level level,
-                double size, Counts counts, Tally& tally) {
+                double size, Counts counts, Tally& tally, const Place* warped = nullptr) {
   const double tolerance = 0x1p-40 * size;
   for_each_part(state, level, [&](const std::vector<int>& ids, const std::vector<Vec>& part) {
     for (const auto& [obstacle, expected] : truth.rows_of(part, limit + tolerance)) {
@@ -113,6 +125,10 @@ void check_rows(RowsByIds by_ids, const BodyState& state, const NearTruth& truth
       }
       if (expected.sight == NearTruth::Sight::kHidden) ++tally.hidden;
       if (!is_sure || !is_near || expected.sight != NearTruth::Sight::kClear) continue;
+      if (warped != nullptr && is_overlapped(*warped, obstacle, expected)) {
+        ++tally.overlapped;
+        continue;
+      }
       ++tally.missed;
       ADD_FAILURE() << "missing: part of " << ids.size() << " with " << ids[0] << ", obstacle of " << obstacle.size()
                     << " with " << obstacle[0] << " at " << expected.distance << " of " << limit;
@@ -148,6 +164,7 @@ BodyPlan any_plan(Motions& motions, Rng& rng) {
 
 TEST_P(NearRowsTest, AreAllThatAreNear) {
   Tally tally;
+  const bool is_warped = std::string(GetParam()).find("warped") != std::string::npos;
   const uint64_t rounds = from_environment("DSW_NEAR_ROUNDS", 1);
   // Seeds that found defects: rows with what is hidden at a distance of 0, or of 1e-25.
   const std::map<std::string, uint64_t> found{{"tet_slivers", 44}, {"prisms_warped", 50}};
@@ -192,7 +209,7 @@ TEST_P(NearRowsTest, AreAllThatAreNear) {
         ASSERT_EQ(read_body(scene.get(), body, state), "");
         SCOPED_TRACE("seed " + std::to_string(seed) + " body " + std::to_string(i) + " round " + std::to_string(round));
         check_rows(rows_with(find_rows(scene.get(), body, limit - radius, radius), {0, 0}), state, truth, limit, level,
-                   size, any_pair, tally);
+                   size, any_pair, tally, is_warped ? &place : nullptr);
         if (HasFailure()) return;
         std::vector<Vec> targets = state.at;
         for (Vec& t : targets) t = motions.near(t, round == 0 ? 1e-3 : 0.05);
@@ -207,6 +224,7 @@ TEST_P(NearRowsTest, AreAllThatAreNear) {
   EXPECT_EQ(tally.missed, 0u);
   EXPECT_EQ(tally.phantom, 0u);
   EXPECT_GT(tally.rows, static_cast<uint64_t>(share_of(100)));
+  EXPECT_LE(tally.overlapped, tally.rows / 1000);
 }
 
 /// Bodies near each other and near themselves, in a box.
