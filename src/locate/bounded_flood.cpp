@@ -90,21 +90,23 @@ SearchEnd BoundedFlood<D, From>::run(uint32_t most) {
   return is_cut_off_ ? SearchEnd::kUnknown : decide();
 }
 
-/** Chooses what comes next: the nearer part of what waits. An exact order would take more time than it saves, because
- * an obstacle's upper bound sets the limit as soon as it is seen. Whether there is anything. No branch depends on a
- * bound: none could be foreseen. */
+/** Moves the nearer part of what waits to `now`. Returns whether anything waits. An exact order would cost more than it
+ * saves, because an obstacle's upper bound sets the limit as soon as it is seen. No branch depends on a bound: it could
+ * not be foreseen. */
 template <int D, class From>
 bool BoundedFlood<D, From>::go_on() {
   Array<Entry>&now = notes_.now, &later = notes_.later;
-  float sum = 0;
+  float sum = 0, least = HUGE_VALF;
   size_t left = 0;
   for (const Entry each : later) {
     const bool counts = each.lower <= bound_;
     later[left] = each;
     sum += counts ? each.lower : 0;
+    least = counts ? std::min(least, each.lower) : least;
     left += counts;
   }
-  const float soon = std::max(0.0f, 1.5f * sum / static_cast<float>(left));
+  if (left == 0) return false;
+  const float soon = std::max(least, 1.5f * sum / static_cast<float>(left));
   now.resize(left);
   size_t first = 0, kept = 0;
   for (size_t i = 0; i < left; ++i) {
@@ -117,7 +119,7 @@ bool BoundedFlood<D, From>::go_on() {
   }
   now.resize(first);
   later.resize(kept);
-  return left != 0;
+  return true;
 }
 
 /** Looks which of the next entries lead into impassable cells, and asks the memory for vertices of the others. */

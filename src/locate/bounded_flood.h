@@ -1,7 +1,7 @@
 #pragma once
 // What the floods of nearest.h find, with bounds in place of most distances.
 //
-// The key of a passable facet is its rounded distance, as the cell sees it that is left through it. The level of a cell
+// The key of a passable facet is its rounded distance, computed in the cell that is left. The level of a cell
 // is the least number L for which facets with keys up to L lead to it from a cell where the flood starts. Let `end` be
 // the least number for which a cell of a level up to `end` sees an obstacle at a distance up to `end`. The answer
 // is the nearest obstacle that cells of levels up to `end` see, ties by name. The flood finds it, because it
@@ -22,18 +22,20 @@
 // distances of the same facet, so this relies on rounding errors of distances being below 2^-17 of the facet's
 // coordinates as seen from what is asked; they are some 2^-49.
 
+#include <type_traits>
+
 #include "locate/facet_bounds.h"
 #include "locate/nearest_search.h"
 #include "locate/segment_distances.h"
 
 namespace dsw {
 
-/** What such a flood writes down about points and segments alike. */
+/** What a bounded flood writes down, for points or segments. */
 class BoundedNotes : public FloodNotes {
  public:
   static constexpr uint32_t kNone = 0xffffffffu;
   /** A facet of an entered cell within the limit: a way into the next cell, or an obstacle. */
-  struct alignas(16) Entry {
+  struct Entry {
     float lower, upper;  // bounds of its distance
     uint32_t facet;      // a half-facet of the next cell; of an obstacle that of the entered cell, with kMarkBit
     uint32_t from;       // the step to the entered cell
@@ -96,10 +98,10 @@ class BoundedFlood {
  public:
   BoundedFlood(const Distances<D, From>& distances, double radius, BoundedNotes& notes, typename From::Result& result);
 
-  /** From `notes.starts`. Unknown: only the flood knows, or more than `most` cells would be entered. May throw
+  /** From `notes.starts`. Unknown: only the flood knows, or more than `most` cells were entered. May throw
    * std::bad_alloc. */
   SearchEnd run(uint32_t most = kNoCell);
-  /** Whether the cells were too many. */
+  /** Whether `most` ended it. */
   bool is_cut_off() const { return is_cut_off_; }
 
  private:

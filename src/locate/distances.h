@@ -1,7 +1,7 @@
 #pragma once
 // How far the facets, marked edges and marked vertices of cells are from a point, or from a segment. A facet's distance
 // is rounded as its vertices are numbered in the cell that looks at it, so the two cells of a facet may differ in the
-// last bits. That of an obstacle is rounded as its name says: it has the same bits from all cells.
+// last bits. An obstacle's distance is computed in the cell that names it, so it has the same bits from all cells.
 
 #include <cmath>
 #include <initializer_list>
@@ -88,7 +88,7 @@ class Distances {
     }
     return best;
   }
-  /** To an impassable facet by its name, so from both sides the same. */
+  /** To an impassable facet, computed by its name: both sides get the same bits. */
   Way to_obstacle(const FeatureRef& name, double limit = HUGE_VAL) const {
     return to_facet(name.cell, env_.map.shape(name.cell), name.local, limit);
   }

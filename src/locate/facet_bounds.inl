@@ -61,7 +61,8 @@ struct Side {
   const Lanes plane2 = where_above(square, 0x1p-100f, over / square * over);
 
   const Lanes slack = Lanes::all(0x1p-17f) * size + Lanes::all(0x1p-44f);
-  store(root(Lanes::max(across2 + gap * gap, plane2)) - slack, bounds.lower);
+  // If the plane's distance is not a number, the other one is taken.
+  store(root(Lanes::max(plane2, across2 + gap * gap)) - slack, bounds.lower);
   store(root(least(ab.whole2, bc.whole2, ca.whole2)) + slack, bounds.upper);
 }
 

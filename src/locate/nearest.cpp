@@ -51,8 +51,8 @@ class Flood {
   }
 
  private:
-  /** What is farther does not count. All cells of a level do: then the order in which they are visited does not
-   * decide. */
+  /** How far the flood goes: to the nearest obstacle, and always through all cells of the present level. So the order
+   * of cells in a level does not decide. */
   double limit() const { return std::max(best_, level_); }
 
   void visit(Cell c) {
@@ -100,8 +100,8 @@ class Flood {
   bool found_ = false;
 };
 
-// So many cells are visited before the tree of obstacles is asked. Without a radius: in the time that the tree takes.
-// With one, the flood mostly ends by itself.
+// So many cells are visited before the tree of obstacles is asked. Without a radius fewer: in the time that the tree
+// takes. With one, the flood mostly ends by itself.
 constexpr uint32_t kFewCells = 8, kFewCellsWithin = 64;
 
 }  // namespace
@@ -133,7 +133,6 @@ bool find_nearest_far(const Environment<D>& env, const double* point, Cell start
   BoundedFlood<D, FromPoint<D>> near(distances, radius, notes, result);
   SearchEnd end = near.run(few);
   if (end != SearchEnd::kUnknown) return end == SearchEnd::kFound;
-  const uint32_t volumes_before = result.volumes_visited;
   Flood<D, FromPoint<D>> flood(distances, radius, notes, result);
   flood.begin_in(start);
   if (!near.is_cut_off() && flood.run(few)) return flood.finish();
@@ -141,7 +140,7 @@ bool find_nearest_far(const Environment<D>& env, const double* point, Cell start
     const CellTree<D>* tree = env.obstacles.find(env);
     if (tree == nullptr) {
       const bool is_done = flood.run(env.obstacles.patience(env));
-      env.obstacles.note_flood(env, result.volumes_visited - volumes_before);
+      env.obstacles.note_flood(env, result.volumes_visited);
       if (is_done) return flood.finish();
       tree = env.obstacles.find(env);
     }
@@ -158,6 +157,18 @@ bool find_nearest_far(const Environment<D>& env, const double* point, Cell start
 }
 
 namespace {
+
+/** As find_nearest_far, without the tree: the work is that of the cells nearer than the answer. */
+template <int D>
+bool find_nearest_near(const Environment<D>& env, const double* point, Cell start, double radius, BoundedNotes& notes,
+                       NearestResult& result, bool by_flood) {
+  if (!by_flood) {
+    notes.starts.assign(1, start);
+    const SearchEnd end = BoundedFlood<D, FromPoint<D>>(Distances<D>(env, point), radius, notes, result).run();
+    if (end != SearchEnd::kUnknown) return end == SearchEnd::kFound;
+  }
+  return find_nearest_by_flood(env, point, start, radius, notes, result);
+}
 
 /** The facet that ends a cast, at distance 0. */
 template <int D>
@@ -179,8 +190,7 @@ bool find_nearest_to_segment(const Environment<D>& env, const double* from, cons
   result = {};
   if (std::equal(from, from + D, to)) {  // a point
     result.last = start;
-    const bool found = by_flood ? find_nearest_by_flood(env, from, start, radius, notes, result)
-                                : find_nearest_far(env, from, start, radius, notes, result);
+    const bool found = find_nearest_near(env, from, start, radius, notes, result, by_flood);
     if (found) std::copy_n(from, D, result.segment_point);
     return found;
   }

@@ -84,8 +84,8 @@ bool find_nearest_by_flood(const Environment<D>& env, const double* point, Cell 
 
 class BoundedNotes;
 
-/** The same answer, mostly sooner: by bounds (bounded_flood.h), and for points that are far from everything after a few
- * cells by the environment's tree of obstacles, if there is one (nearest_search.h). */
+/** The same answer, mostly sooner. Bounds are tried first (bounded_flood.h). After a few cells the environment's tree of
+ * obstacles is asked, if there is one (nearest_search.h). */
 template <int D>
 bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, BoundedNotes& notes,
                       NearestResult& result);

@@ -3,15 +3,15 @@
 // there says when the flood would come to it.
 //
 // The flood enters a cell through a passable facet if the facet's distance, its key, is within the best distance so
-// far. It takes the lowest key first. The level of a cell is the least number L for which passable facets with keys up
+// far, or within that of a cell that was entered. It takes the lowest key first. The level of a cell is the least number L for which passable facets with keys up
 // to L lead from the start to the cell; that of the start is 0. The flood enters all cells of a level before any cell
 // of a higher one, because a facet with a low enough key waits as long as one is left.
 //
 // A sight is an obstacle as one cell sees it. It is due at the larger one of its distance and its cell's level. Let all
 // sights within `reach` be known, and let `end` be the least number at which one of them is due. If `end` is within
-// `reach`, what the flood finds follows. Cells of levels below `end` see nothing nearer than `end`, so the flood enters
-// all cells of levels up to `end`. From there the best distance is within `end`, so no cell of a higher level is
-// entered. The nearest sight from these cells is found, ties by name: all sights of one obstacle have the same bits.
+// `reach`, what the flood finds follows. The flood enters all cells of levels up to `end`, since cells of lower levels see
+// nothing nearer than `end`. Then its limit is `end`, so it enters no other cell. It keeps the nearest sight, ties by
+// name. All sights of one obstacle have the same bits.
 //
 // No distance has to be right for this: rounded numbers are compared as the flood compares them. Only the tree relies
 // on rounding errors being small (cell_tree.h).
@@ -29,7 +29,7 @@ class NearestSearch {
   /** Of distances whose scale is 1. */
   NearestSearch(const Distances<D>& distances, const CellTree<D>& tree, const double* point, Cell start, double radius);
 
-  /** Unknown: it is too much work, or nothing that is near is reached; then only the flood knows. */
+  /** Unknown if it is too much work, or if no near obstacle is reached. Then only the flood knows. */
   SearchEnd run(NearestResult& result);
 
  private:

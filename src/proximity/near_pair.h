@@ -45,8 +45,8 @@ class PairSearch {
       if (measure(part, f, pair)) visit(pair);
     }
   }
-  /** Whether no obstacle of the list that has a feature comes closer to the point of a part, if their nearest points are
-   * unique and lie inside of both. Exactly. */
+  /** Whether no obstacle of the list that has a feature comes closer to a part. The nearest points have to be unique and
+   * inside of both. Exact. */
   bool is_local_minimum(const Part<D>& part, const NearFeature& f) const noexcept;
 
  private:

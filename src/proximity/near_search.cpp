@@ -126,8 +126,8 @@ bool NearSearch<D>::is_at(const CastResult& hit, const NearPair<D>& pair) const 
   return shared == pair.feature.count;
 }
 
-/** Rounded points cannot decide here. The obstacle is seen if a small flood from `start` reaches it, and if nothing that
- * the flood may not have reached comes closer. */
+/** Rounded points cannot decide here. The obstacle counts as seen if a small flood from `start` reaches it and nothing at
+ * it comes closer, reached or not. */
 template <int D>
 bool NearSearch<D>::is_reached(Cell start, const Part<D>& part, const NearPair<D>& pair) {
   const double* const at = pair.obstacle_point;
@@ -140,11 +140,11 @@ bool NearSearch<D>::is_reached(Cell start, const Part<D>& part, const NearPair<D
   return std::any_of(list.obstacles().begin(), list.obstacles().end(), has_feature) && is_least_of_all(part, pair);
 }
 
-/** Whether a pair is nearest also beside obstacles that were not reached. If the way between both points is free, it is.
- * An edge or a face that lies exactly on a wall sees one side of it alone. */
+/** Whether the obstacle of a pair is a local minimum among all obstacles there, reached or not. If the way between both
+ * points is free, it is. */
 template <int D>
 bool NearSearch<D>::is_least_of_all(const Part<D>& part, const NearPair<D>& pair) {
-  if (part.corners.count > 1 && !(pair.distance > 0)) return true;
+  if (pair.feature.count == D) return true;  // nothing is beside a whole wall
   collect_around(pair);
   const PairSearch<D> search(env_, around_, near_others_, true, pair.distance);
   return std::all_of(around_.features().begin(), around_.features().end(), [&](const NearFeature& f) {
@@ -154,44 +154,38 @@ bool NearSearch<D>::is_least_of_all(const Part<D>& part, const NearPair<D>& pair
   });
 }
 
-/** Lists the obstacles that have the one of a pair. */
+/** Lists the obstacles that have all corners of a pair's obstacle, also between two impassable cells. At a pinched
+ * boundary there can be others. */
 template <int D>
 void NearSearch<D>::collect_around(const NearPair<D>& pair) {
   const Map<D>& map = env_.map;
   around_.clear();
   cells_.clear();
-  cells_.insert((pair.wall.valid() ? map.cell_of(pair.wall) : pair.cell).unit);
-  const auto count_corners = [&](Cell c, const auto* local, uint32_t count) {
-    uint32_t shared = 0;
-    for (uint32_t i = 0; i < count; ++i) shared += is_corner(pair, map.vertex(c, local[i]));
-    return shared;
-  };
-  for (uint32_t i = 0; i < cells_.size(); ++i) {
-    const Cell c{static_cast<uint32_t>(cells_[i])};
+  cells_.insert(pair.wall.valid() ? map.cell_of(pair.wall) : pair.cell);
+  for_each_cell_at_vertex(map, pair.obstacle_vertices[0], cells_, [&](Cell c) {
     const Shape shape = map.shape(c);
-    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    const auto add = [&](NearObstacle<D> o) {
       uint32_t shared = 0;
-      for_each_facet_vertex<D>(shape, f, [&](uint32_t v) { shared += is_corner(pair, map.vertex(c, v)); });
-      if (shared != pair.feature.count) continue;
-      const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
-      if (o.valid()) cells_.insert(map.cell_of(o).unit);
+      for (uint32_t i = 0; i < o.count; ++i) shared += is_corner(pair, o.vertices[i]);
+      if (shared == pair.feature.count) around_.add(o);
+    };
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      const HalfFacet h = map.half_facet(c, f);
       if (!is_impassable(env_, h)) continue;
       for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-        const uint16_t* const local = shape.simplices() + size_t{s} * D;
-        if (count_corners(c, local, D) != pair.feature.count) continue;
         NearObstacle<D> triangle{{}, D, h, {}};
-        for (uint32_t k = 0; k < uint32_t{D}; ++k) triangle.vertices[k] = map.vertex(c, local[k]);
-        around_.add(triangle);
+        for (uint32_t k = 0; k < uint32_t{D}; ++k) {
+          triangle.vertices[k] = map.vertex(c, shape.simplices()[size_t{s} * D + k]);
+        }
+        add(triangle);
       }
     }
     if constexpr (D == 3) {
       for_each_marked_edge(env_, c, shape, [&](uint32_t d) {
-        const uint32_t ends[] = {shape.dart_vertex(d), shape.dart_vertex(shape.beta1(d))};
-        if (count_corners(c, ends, 2) != pair.feature.count) return;
-        around_.add({{map.vertex(c, ends[0]), map.vertex(c, ends[1])}, 2, {}, c});
+        add({{map.vertex(c, shape.dart_vertex(d)), map.vertex(c, shape.dart_vertex(shape.beta1(d)))}, 2, {}, c});
       });
     }
-  }
+  });
   around_.finish({env_.points, D});
 }
 

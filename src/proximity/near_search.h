@@ -1,7 +1,7 @@
 #pragma once
 // All near pairs of a body: which obstacles are near each of its parts is remembered from call to call.
 
-#include "base/key_table.h"
+#include "map/cell_queue.h"
 #include "pairs/partners.h"
 #include "proximity/near_lists.h"
 #include "proximity/near_pair.h"
@@ -40,8 +40,8 @@ class NearSearch {
   NearLists<D> lists_;
   NearList<D> others_;  // of a partner
   NearSelection<D> near_others_;
-  NearList<D> around_;  // what has the obstacle of a pair, reached or not
-  KeyTable cells_;      // round this obstacle
+  NearList<D> around_;  // all obstacles at that of a pair
+  CellQueue cells_;     // there
 };
 
 }  // namespace dsw

@@ -18,14 +18,14 @@
 namespace dsw {
 namespace {
 
-/** Whether the outward normal of a facet and a unit vector make an acute angle. The exact normal is asked only where
- * rounding of a cross product could decide: its parts have errors below 2^-50 of the product of the sides. */
+/** Whether the outward normal of a facet and a unit vector form an acute angle. A rounded cross product decides, unless
+ * its error could matter: each component errs by less than 2^-50 of the product of the sides. */
 template <int D>
 bool is_outward(const double* const* simplex, const double* normal) {
   if constexpr (D == 3) {
     const Vec ab = difference<3>(simplex[1], simplex[0]), ac = difference<3>(simplex[2], simplex[0]);
     const double along = dot(ab.cross(ac), to_vec<3>(normal)), doubt = 0x1p-47 * largest(ab) * largest(ac);
-    if (doubt > 0x1p-900 && std::fabs(along) > doubt) return along > 0;
+    if (doubt > 0x1p-900 && std::isfinite(along) && std::fabs(along) > doubt) return along > 0;
   }
   double outward[3] = {};
   unit_normal<D>(simplex, outward);

@@ -92,8 +92,8 @@ void for_each_part(const BodyState& state, dsw_level level, Visit visit) {
   }
 }
 
-/// Whether the point of an obstacle lies in a volume that does not have the obstacle. Warped volumes may overlap. Then no
-/// passable volumes may lead to the obstacle, although nothing hides it.
+/// Whether the point of an obstacle lies in a volume that does not have the obstacle. Warped volumes may overlap.
+/// Then it can be that no passable way leads to the obstacle, although nothing hides it.
 bool is_overlapped(const Place& place, const std::vector<int>& obstacle, const NearTruth::Row& row) {
   dsw_volume_id volume{};
   EXPECT_EQ(dsw_environment_locate(place.get(), row.obstacle_point.data(), volume, &volume, nullptr), DSW_STATUS_OK);
@@ -166,7 +166,7 @@ TEST_P(NearRowsTest, AreAllThatAreNear) {
   Tally tally;
   const bool is_warped = std::string(GetParam()).find("warped") != std::string::npos;
   const uint64_t rounds = from_environment("DSW_NEAR_ROUNDS", 1);
-  // Seeds that found defects: rows with what is hidden at a distance of 0, or of 1e-25.
+  // Seeds that found rows with what is hidden, at distances of 0 and 1e-25.
   const std::map<std::string, uint64_t> found{{"tet_slivers", 44}, {"prisms_warped", 50}};
   std::set<uint64_t> seeds;
   if (const auto at = found.find(GetParam()); at != found.end()) seeds.insert(at->second);
