@@ -68,7 +68,7 @@ bool PairSearch<D>::is_far(const Part<D>& part, const NearFeature& f) const noex
 template <int D>
 bool PairSearch<D>::are_inside(const Part<D>& part, const NearFeature& f) const noexcept {
   const double* a[3] = {};
-  corners_of(f, a);
+  corners_of(list_, f, a);
   if (part.corners.count == 1) return Signs<D>{is_shifted_}.is_foot_inside(part.points[0], a, f.count);
   if (f.count == 1) return Signs<D>{false}.is_foot_inside(a[0], part.points, part.corners.count);
   return feet_are_inside<D>(part.points, a);
@@ -77,13 +77,14 @@ bool PairSearch<D>::are_inside(const Part<D>& part, const NearFeature& f) const 
 // Let x be the point of the part and y that of the feature. A vertex z of an obstacle comes closer if
 // (z - y).(x - y) > 0. Any corner of the feature may stand for y, since the feature is perpendicular to x - y.
 template <int D>
-bool PairSearch<D>::is_local_minimum(const Part<D>& part, const NearFeature& f) const noexcept {
+bool PairSearch<D>::is_local_minimum(const NearList<D>& list, bool is_shifted, const Part<D>& part,
+                                     const NearFeature& f) noexcept {
   if (f.around == f.around_end) return true;
   const uint32_t m = part.corners.count;
   const double* const* const p = part.points;
   const double* a[3] = {};
-  corners_of(f, a);
-  const Signs<D> signs{is_shifted_};
+  corners_of(list, f, a);
+  const Signs<D> signs{is_shifted};
   int side = 0;
   if constexpr (D == 3) {
     if (m == 2 && f.count == 2) side = volume_sign({p[0], p[1]}, {a[0], a[1]}, {a[0], p[0]});
@@ -91,7 +92,7 @@ bool PairSearch<D>::is_local_minimum(const Part<D>& part, const NearFeature& f) 
   }
   bool is_flat_before = false, is_flat_behind = false;
   const auto comes_closer = [&](uint32_t vertex) {
-    const Arrow z{a[0], list_.point(vertex)};
+    const Arrow z{a[0], list.point(vertex)};
     if (m == 1 && f.count == 1) return signs.dot(z, {a[0], p[0]}) > 0;
     if (m == 1) return signs.lean({a[0], a[1]}, z, {a[0], p[0]}) > 0;
     if (m == 2 && f.count == 1) return lean_sign<D>({p[0], p[1]}, z, {p[0], a[0]}) < 0;
@@ -108,7 +109,7 @@ bool PairSearch<D>::is_local_minimum(const Part<D>& part, const NearFeature& f) 
     }
     return false;
   };
-  return std::none_of(list_.around(f), list_.around_end(f), comes_closer) && !(is_flat_before && is_flat_behind);
+  return std::none_of(list.around(f), list.around_end(f), comes_closer) && !(is_flat_before && is_flat_behind);
 }
 
 template <int D>
@@ -171,7 +172,7 @@ template <int D>
 bool PairSearch<D>::measure(const Part<D>& part, const NearFeature& f, NearPair<D>& pair) const noexcept {
   const uint32_t m = part.corners.count;
   const double* a[3] = {};
-  corners_of(f, a);
+  corners_of(list_, f, a);
   NearPoints n = find_near_points<D>(part.points, m, a, f.count);
   if (!(n.distance <= reach_)) return false;
   pair.part = part.simplex;

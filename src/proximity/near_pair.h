@@ -40,14 +40,15 @@ class PairSearch {
     for (const uint32_t* i = near_.features(place); i != near_.features_end(place); ++i) {
       const NearFeature& f = list_.features()[*i];
       if (is_far(part, f) || !accept(f)) continue;
-      if (!are_inside(part, f) || !is_local_minimum(part, f)) continue;
+      if (!are_inside(part, f) || !is_local_minimum(list_, is_shifted_, part, f)) continue;
       NearPair<D> pair;
       if (measure(part, f, pair)) visit(pair);
     }
   }
-  /** Whether no obstacle of the list that has a feature comes closer to a part. The nearest points have to be unique and
+  /** Whether no obstacle of a list that has a feature comes closer to a part. The nearest points have to be unique and
    * inside of both. Exact. */
-  bool is_local_minimum(const Part<D>& part, const NearFeature& f) const noexcept;
+  static bool is_local_minimum(const NearList<D>& list, bool is_shifted, const Part<D>& part,
+                               const NearFeature& f) noexcept;
 
  private:
   /** Whether doubles tell that a pair is beyond reach, or that its nearest points lie outside. */
@@ -62,8 +63,8 @@ class PairSearch {
   uint32_t find_wall(const NearFeature& f, NearPair<D>& pair) const noexcept;
   /** Of an obstacle with a facet, into the passable cell. */
   Vec normal_of(uint32_t obstacle) const noexcept;
-  void corners_of(const NearFeature& f, const double** out) const noexcept {
-    for (uint32_t i = 0; i < f.count; ++i) out[i] = list_.point(f.corners[i]);
+  static void corners_of(const NearList<D>& list, const NearFeature& f, const double** out) noexcept {
+    for (uint32_t i = 0; i < f.count; ++i) out[i] = list.point(f.corners[i]);
   }
 
   const Environment<D>& env_;

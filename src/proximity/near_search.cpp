@@ -146,11 +146,10 @@ template <int D>
 bool NearSearch<D>::is_least_of_all(const Part<D>& part, const NearPair<D>& pair) {
   if (pair.feature.count == D) return true;  // nothing is beside a whole wall
   collect_around(pair);
-  const PairSearch<D> search(env_, around_, near_others_, true, pair.distance);
   return std::all_of(around_.features().begin(), around_.features().end(), [&](const NearFeature& f) {
     bool is_same = f.count == pair.feature.count;
     for (uint32_t i = 0; is_same && i < f.count; ++i) is_same = around_.name(f.corners[i]) == pair.obstacle_vertices[i];
-    return !is_same || search.is_local_minimum(part, f);
+    return !is_same || PairSearch<D>::is_local_minimum(around_, true, part, f);
   });
 }
 

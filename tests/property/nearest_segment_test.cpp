@@ -237,10 +237,7 @@ TEST_P(NearestSegmentTest, IsTheNearestOfAll) {
       ASSERT_EQ(ask(p, q, d * 1.001), DSW_STATUS_OK);
       EXPECT_EQ(near.nearest.distance, d);
       EXPECT_TRUE(same(near.nearest.cell, first.nearest.cell));
-      // Without a radius a point may ask the tree of obstacles, which looks at other volumes.
-      if (p != q) {
-        EXPECT_LE(near.nearest.volumes_visited, first.nearest.volumes_visited);
-      }
+      EXPECT_LE(near.nearest.volumes_visited, first.nearest.volumes_visited);
       ASSERT_EQ(ask(p, q, d * 0.999), DSW_STATUS_OK);
       EXPECT_EQ(near.nearest.distance, kNoLimit);
       EXPECT_EQ(near.nearest.cell.kind, DSW_CELL_NONE);

@@ -22,27 +22,9 @@ namespace {
 using namespace dsw;
 using namespace dsw::test;
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-
 struct Tally {
   int found = 0, unknown = 0, nothing = 0;
 };
-
-template <int D>
-void expect_same(const Environment<D>& env, const NearestResult& a, const NearestResult& b) {
-  ASSERT_EQ(std::memcmp(&a.distance, &b.distance, sizeof a.distance), 0) << a.distance << " " << b.distance;
-  ASSERT_EQ(std::memcmp(a.point, b.point, sizeof a.point), 0);
-  ASSERT_EQ(std::memcmp(a.normal, b.normal, sizeof a.normal), 0);
-  ASSERT_EQ(a.feature.dimension, b.feature.dimension);
-  ASSERT_EQ(a.feature.cell.valid(), b.feature.cell.valid());
-  if (!a.feature.cell.valid()) return;
-  if (a.feature.dimension == 0) {
-    ASSERT_EQ(env.map.vertex(a.feature.cell, a.feature.local), env.map.vertex(b.feature.cell, b.feature.local));
-  } else {
-    ASSERT_EQ(a.feature.cell, b.feature.cell);
-    ASSERT_EQ(a.feature.local, b.feature.local);
-  }
-}
 
 template <int D>
 bool find_far(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result) {
@@ -58,7 +40,7 @@ void expect_agreement(const Environment<D>& env, const double* point, Cell start
   NearestResult flooded, searched, either;
   const bool found = find_nearest(env, point, start, radius, flooded);
   ASSERT_EQ(find_far(env, point, start, radius, either), found);
-  ASSERT_NO_FATAL_FAILURE(expect_same(env, flooded, either));
+  ASSERT_NO_FATAL_FAILURE(expect_same_nearest(env, flooded, either));
   const CellTree<D>* const tree = env.obstacles.find(env);
   ASSERT_NE(tree, nullptr);
   const Distances<D> distances(env, point);
@@ -66,7 +48,7 @@ void expect_agreement(const Environment<D>& env, const double* point, Cell start
   ++(end == SearchEnd::kFound ? tally.found : end == SearchEnd::kNothing ? tally.nothing : tally.unknown);
   if (end == SearchEnd::kUnknown) return;
   ASSERT_EQ(end == SearchEnd::kFound, found);
-  if (found) expect_same(env, flooded, searched);
+  if (found) expect_same_nearest(env, flooded, searched);
 }
 
 template <int D>
@@ -121,9 +103,6 @@ void agrees(Mesh& mesh, uint64_t seed, int marks, Tally& tally) {
     ASSERT_NO_FATAL_FAILURE(expect_every_obstacle_known(*env)) << "seed " << seed << " round " << round;
   }
 }
-
-/** At least four: how much is marked goes by that. */
-uint64_t seeds(int count) { return static_cast<uint64_t>(std::max(4, share_of(count))); }
 
 void expect_few_unknown(const Tally& tally) {
   EXPECT_GT(tally.found, share_of(1000));
@@ -205,7 +184,7 @@ TEST(NearestFar, AtAnyScale) {
       const Cell start = cell_of(*env, p);
       NearestResult flooded, either;
       ASSERT_EQ(find_far(*env, p, start, kNoLimit, either), find_nearest(*env, p, start, kNoLimit, flooded));
-      ASSERT_NO_FATAL_FAILURE(expect_same(*env, flooded, either)) << exponent;
+      ASSERT_NO_FATAL_FAILURE(expect_same_nearest(*env, flooded, either)) << exponent;
     }
   }
 }
@@ -340,7 +319,7 @@ TEST(NearestFar, WithoutMemoryItFloodsOrFails) {
         mark(false);
         ASSERT_TRUE(find_far(*env, p, start, kNoLimit, found));
         host.left = -1;
-        ASSERT_NO_FATAL_FAILURE(expect_same(*env, flooded, found)) << n;
+        ASSERT_NO_FATAL_FAILURE(expect_same_nearest(*env, flooded, found)) << n;
       } catch (const std::bad_alloc&) {
         ++refused;
       }

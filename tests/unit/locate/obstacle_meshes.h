@@ -1,10 +1,17 @@
 #pragma once
-// Meshes and marks for questions about what is nearest.
+// Meshes, marks and comparisons for questions about what is nearest.
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 
+#include "../../share.h"
 #include "environment/marking.h"
 #include "environment/test_mesh.h"
+#include "locate/nearest.h"
 
 namespace dsw::test {
 
@@ -65,6 +72,28 @@ void mark_some(Environment<D>& env, Random& random, int count, bool marked) {
       default:
         set_vertex_mark(env, v, marked);
     }
+  }
+}
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/** At least four: how much is marked goes by that. */
+inline uint64_t seeds(int count) { return static_cast<uint64_t>(std::max(4, share_of(count))); }
+
+/** The same bits. */
+template <int D>
+void expect_same_nearest(const Environment<D>& env, const NearestResult& a, const NearestResult& b) {
+  ASSERT_EQ(std::memcmp(&a.distance, &b.distance, sizeof a.distance), 0) << a.distance << " " << b.distance;
+  ASSERT_EQ(std::memcmp(a.point, b.point, sizeof a.point), 0);
+  ASSERT_EQ(std::memcmp(a.normal, b.normal, sizeof a.normal), 0);
+  ASSERT_EQ(a.feature.dimension, b.feature.dimension);
+  ASSERT_EQ(a.feature.cell.valid(), b.feature.cell.valid());
+  if (!a.feature.cell.valid()) return;
+  if (a.feature.dimension == 0) {
+    ASSERT_EQ(env.map.vertex(a.feature.cell, a.feature.local), env.map.vertex(b.feature.cell, b.feature.local));
+  } else {
+    ASSERT_EQ(a.feature.cell, b.feature.cell);
+    ASSERT_EQ(a.feature.local, b.feature.local);
   }
 }
 
