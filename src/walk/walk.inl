@@ -2,24 +2,25 @@
 // after the headers it needs: nothing that another translation unit might share is compiled for a machine it may not
 // run on.
 
-// Each needs the one before.
+// Each needs the one before. kAbreast: casts that are looked at together.
 // clang-format off
+#if defined(DSW_ISA_AVX512)
+constexpr uint32_t kAbreast = 8;
+#elif defined(DSW_ISA_AVX2)
+constexpr uint32_t kAbreast = 4;
+#else
+constexpr uint32_t kAbreast = 2;
+#endif
 #include "walk/lanes.inl"
 #include "walk/box.inl"
 #include "walk/simplex.inl"
 #include "walk/pyramid.inl"
+#include "walk/rows.inl"
+#include "walk/abreast.inl"
 #if defined(DSW_ISA_AVX512)
-#define DSW_ABREAST 1
-constexpr uint32_t kAbreast = 8;  // casts that are looked at together
-#include "walk/abreast.inl"
 #include "walk/boxes.inl"
-#elif defined(DSW_ISA_AVX2)
-#define DSW_ABREAST 1
-constexpr uint32_t kAbreast = 4;
-#include "walk/abreast.inl"
-#else
-constexpr uint32_t kAbreast = 1;
 #endif
+#include "walk/sightlines.inl"
 #include "walk/polyhedron.inl"
 #include "walk/polygon.inl"
 #include "walk/exit.inl"
@@ -56,6 +57,25 @@ bool admits_with_centre(const Environment<D>& env, Cell c, double* apex) noexcep
                                                 : known == CheckedCells::Known::kValid;
 }
 
+/** As admits, where points move. */
+template <int D>
+__attribute__((noinline)) bool admits_moving(const Environment<D>& env, Cell c) noexcept {
+  const CheckedCells::Known known = env.checked.known(env.map.index(c));
+  if (known != CheckedCells::Known::kNothing) return known == CheckedCells::Known::kValid;
+  double apex[D];
+  centre(env, c, apex);
+  return find_out_validity(env, c, apex);
+}
+
+/** Asks for what is beyond a facet, where points move: nobody may have looked at it. */
+template <int D>
+DSW_HOT void prefetch_beyond(const Environment<D>& env, HalfFacet at) noexcept {
+  const HalfFacet o = env.map.opposite(at);
+  if (o.valid()) prefetch_moving(env, env.map.cell_of(o));
+}
+
+#include "walk/line_walk.inl"
+
 /** Where a cast is on its way. */
 struct Flight {
   HalfFacet at;                     // the facet it leaves its cell through
@@ -78,14 +98,18 @@ class Walkers {
         results_(results),
         tally_(tally),
         has_polyhedra_(!env.map.shape_offsets.empty()),
-        moving_(env.checked.active()) {}
+        moving_(env.checked.active()),
+        line_walk_(env, requests, results) {}
 
   void run(uint32_t count) noexcept {
     count = begin_all(count);
     count = leave_all<true>(count);
     while (count != 0) {
-      if (moving_) prefetch_beyond(count);
+      if (moving_) {
+        for (uint32_t k = 0; k < count; ++k) prefetch_beyond(env_, flights_[active_[k]].at);
+      }
       count = enter_all(count);
+      if (D == 3 && !line_walk_.empty()) count = follow_lines(count);
       count = leave_all<false>(count);
     }
   }
@@ -155,7 +179,6 @@ class Walkers {
   /** Looks at some casts together, if there are enough and the cells of all are of one form that can be. */
   template <bool First>
   DSW_HOT bool look_abreast(uint32_t first, uint32_t end) noexcept {
-#if defined(DSW_ABREAST)
     if (D != 3) return false;
     const uint32_t word = map_.record(results_[active_[first]].cell)[0];
     const Form form = form_of(word);
@@ -188,13 +211,8 @@ class Walkers {
 #endif
     }
     return true;
-#else
-    static_cast<void>(first), static_cast<void>(end);
-    return false;
-#endif
   }
 
-#if defined(DSW_ABREAST)
   /** Keeps the casts with the target outside of one facet. The facet crossed last is not left out: it is settled that
    * the target is inside of that. */
   template <bool First, uint32_t Facets>
@@ -213,7 +231,6 @@ class Walkers {
     kept_ = kept;
     open_count_ = open;
   }
-#endif
 
 #if defined(DSW_ISA_AVX512)
   template <bool First>
@@ -267,32 +284,40 @@ class Walkers {
     if (looks_[i].kind == LookKind::kLines) prefetch_round(env_, {beyond});
   }
 
-  /** As admits, where points move. */
-  __attribute__((noinline)) bool admits_moving(Cell c) noexcept {
-    const CheckedCells::Known known = env_.checked.known(map_.index(c));
-    if (known != CheckedCells::Known::kNothing) return known == CheckedCells::Known::kValid;
-    double apex[D];
-    centre(env_, c, apex);
-    return find_out_validity(env_, c, apex);
-  }
-
-  /** Asks for what is beyond the facets that casts leave through, where points move: nobody may have looked at it. */
-  void prefetch_beyond(uint32_t count) noexcept {
-    for (uint32_t k = 0; k < count; ++k) {
-      const HalfFacet o = map_.opposite(flights_[active_[k]].at);
-      if (o.valid()) prefetch_moving(env_, map_.cell_of(o));
-    }
-  }
-
-  /** Keeps the casts that go on from the cells that they enter. */
+  /** Keeps the casts that go on from the cells that they enter, but for those that follow their lines. */
   DSW_HOT uint32_t enter_all(uint32_t count) noexcept {
     uint32_t kept = 0;
     for (uint32_t k = 0; k < count; ++k) {
       const uint32_t i = active_[k];
       active_[kept] = static_cast<uint8_t>(i);
-      kept += enter(i) ? 1 : 0;
+      const uint32_t on = enter(i) ? 1 : 0, along = on & follows_line(i);
+      if (D == 3) line_walk_.add_if(along != 0, i, flights_[i].through);
+      kept += on - along;
     }
     return kept;
+  }
+
+  /** Whether a cast goes on by its line: it is in a tetrahedron, and has come so far that it may well go on. */
+  DSW_HOT uint32_t follows_line(uint32_t i) const noexcept {
+    if (D != 3) return 0;
+    return static_cast<uint32_t>(form_of(map_.record(results_[i].cell)[0]) == Form::kSimplex) &
+           static_cast<uint32_t>(results_[i].volumes_visited >= kLineFrom);
+  }
+
+  /** Lets casts follow their lines. Adds those that go on otherwise to the `count` active ones. */
+  DSW_HOT uint32_t follow_lines(uint32_t count) noexcept {
+    const auto look = [&](uint32_t i, HalfFacet through) {
+      active_[count++] = static_cast<uint8_t>(i);
+      flights_[i].through = through;
+    };
+    const auto pass = [&](uint32_t i, HalfFacet at) {
+      flights_[i].at = at;
+      flights_[i].simplex = local_in_tetrahedron(at);
+      active_[count] = static_cast<uint8_t>(i);
+      count += enter(i) ? 1 : 0;
+    };
+    line_walk_.run(tally_, look, pass);
+    return count;
   }
 
   /** Whether a cast may come in beyond its facet, and does not end there. */
@@ -305,7 +330,7 @@ class Walkers {
     const Cell next = o.valid() ? map_.cell_of(o) : Cell{};
     const uint32_t word = o.valid() ? map_.record(next)[0] : 0;
     if (!o.valid() || (((link | word) & kMarkBit) != 0 && !request.through_walls) ||
-        __builtin_expect(moving_ && !admits_moving(next), 0)) {
+        __builtin_expect(moving_ && !admits_moving(env_, next), 0)) {
       result.end = CastEnd::kHit;
       result.facet = f.at;
       result.simplex = f.simplex;
@@ -350,6 +375,7 @@ class Walkers {
   uint8_t active_[kPacket + kAbreast - 1];
   uint8_t open_[kPacket];
   uint32_t kept_ = 0, open_count_ = 0;
+  LineWalk<D> line_walk_;
 };
 
 template <int D>

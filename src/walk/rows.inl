@@ -1,0 +1,159 @@
+// One number of each of kAbreast casts, side by side. No gathers: points are loaded as they lie and turned in registers.
+
+#if defined(DSW_ISA_AVX512)
+
+using Row = Lanes;
+using FacetSet = uint8_t;
+
+inline Row least(Row a, Row b) noexcept { return {_mm512_min_pd(a.v, b.v)}; }
+inline Row largest(Row a, Row b) noexcept { return {_mm512_max_pd(a.v, b.v)}; }
+inline Row divide(Row a, Row b) noexcept { return {_mm512_div_pd(a.v, b.v)}; }
+inline Row load_row(const double* from) noexcept { return {_mm512_load_pd(from)}; }
+inline void store_row(double* to, Row row) noexcept { _mm512_store_pd(to, row.v); }
+inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return a & b; }
+
+/** Two points in the halves of a register. Masked, so that the last point of the host's array is not read past. */
+DSW_HOT __m512d load_two(const double* a, const double* b) noexcept {
+  return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_maskz_loadu_pd(7, a)), _mm256_maskz_loadu_pd(7, b), 1);
+}
+
+constexpr uint32_t kLanePairs[4][2] = {{0, 2}, {1, 3}, {4, 6}, {5, 7}};  // makes the order below that of the lanes
+
+/** Eight points out of registers with two each. */
+DSW_HOT PointsOf<Row> turn(__m512d v02, __m512d v13, __m512d v46, __m512d v57) noexcept {
+  const __m512d xz0 = _mm512_unpacklo_pd(v02, v13), y0 = _mm512_unpackhi_pd(v02, v13);
+  const __m512d xz4 = _mm512_unpacklo_pd(v46, v57), y4 = _mm512_unpackhi_pd(v46, v57);
+  return {{_mm512_shuffle_f64x2(xz0, xz4, 0x88)},
+          {_mm512_shuffle_f64x2(y0, y4, 0x88)},
+          {_mm512_shuffle_f64x2(xz0, xz4, 0xdd)}};
+}
+
+/** `at(lane)`: where the lane's point lies. */
+template <class At>
+DSW_HOT PointsOf<Row> load_points(At at) noexcept {
+  return turn(load_two(at(0), at(2)), load_two(at(1), at(3)), load_two(at(4), at(6)), load_two(at(5), at(7)));
+}
+
+inline Row::Mask either(Row::Mask a, Row::Mask b) noexcept { return a | b; }
+inline Row::Mask not_greater(Row a, Row b) noexcept { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_NGT_UQ); }
+
+/** A set of facets for each lane. */
+struct FacetSets {
+  __m256i sets;
+
+  DSW_HOT FacetSets() noexcept : sets(_mm256_setzero_si256()) {}
+  DSW_HOT void add(int facets, Row::Mask lanes) noexcept {
+    sets = _mm256_mask_or_epi32(sets, static_cast<__mmask8>(lanes), sets, _mm256_set1_epi32(facets));
+  }
+  DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm256_cvtepi32_epi8(sets));
+  }
+};
+
+#elif defined(DSW_ISA_AVX2)
+
+struct Row {
+  using Mask = __m256d;
+  __m256d v;
+
+  static Row all(double x) noexcept { return {_mm256_set1_pd(x)}; }
+  static Row absolute(Row a) noexcept { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)}; }
+  static Mask greater(Row a, Row b) noexcept { return _mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ); }
+  static uint32_t bits(Mask m) noexcept { return static_cast<uint32_t>(_mm256_movemask_pd(m)); }
+  static Row select(Mask m, Row yes, Row no) noexcept { return {_mm256_blendv_pd(no.v, yes.v, m)}; }
+};
+using FacetSet = uint64_t;
+
+inline Row operator+(Row a, Row b) noexcept { return {_mm256_add_pd(a.v, b.v)}; }
+inline Row operator-(Row a, Row b) noexcept { return {_mm256_sub_pd(a.v, b.v)}; }
+inline Row operator*(Row a, Row b) noexcept { return {_mm256_mul_pd(a.v, b.v)}; }
+inline Row least(Row a, Row b) noexcept { return {_mm256_min_pd(a.v, b.v)}; }
+inline Row largest(Row a, Row b) noexcept { return {_mm256_max_pd(a.v, b.v)}; }
+inline Row divide(Row a, Row b) noexcept { return {_mm256_div_pd(a.v, b.v)}; }
+inline Row load_row(const double* from) noexcept { return {_mm256_load_pd(from)}; }
+inline void store_row(double* to, Row row) noexcept { _mm256_store_pd(to, row.v); }
+inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return _mm256_and_pd(a, b); }
+
+/** Two coordinates of one point, and two of another. */
+DSW_HOT __m256d load_two(const double* a, const double* b) noexcept {
+  return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
+}
+
+/** `at(lane)`: where the lane's point lies. */
+template <class At>
+DSW_HOT PointsOf<Row> load_points(At at) noexcept {
+  const double *const p0 = at(0), *const p1 = at(1), *const p2 = at(2), *const p3 = at(3);
+  const __m256d xy02 = load_two(p0, p2), xy13 = load_two(p1, p3);
+  const __m128d z01 = _mm_loadh_pd(_mm_load_sd(p0 + 2), p1 + 2), z23 = _mm_loadh_pd(_mm_load_sd(p2 + 2), p3 + 2);
+  return {{_mm256_unpacklo_pd(xy02, xy13)},
+          {_mm256_unpackhi_pd(xy02, xy13)},
+          {_mm256_insertf128_pd(_mm256_castpd128_pd256(z01), z23, 1)}};
+}
+
+inline Row::Mask either(Row::Mask a, Row::Mask b) noexcept { return _mm256_or_pd(a, b); }
+inline Row::Mask not_greater(Row a, Row b) noexcept { return _mm256_cmp_pd(a.v, b.v, _CMP_NGT_UQ); }
+
+/** A set of facets for each lane. */
+struct FacetSets {
+  __m256d sets;
+
+  DSW_HOT FacetSets() noexcept : sets(_mm256_setzero_pd()) {}
+  DSW_HOT void add(int facets, Row::Mask lanes) noexcept {
+    sets = _mm256_or_pd(sets, _mm256_and_pd(lanes, _mm256_castsi256_pd(_mm256_set1_epi64x(facets))));
+  }
+  DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_castpd_si256(sets));
+  }
+};
+
+#else
+
+/** A pair, which any machine of today has. */
+struct Row {
+  using Pair = Lanes::Pair;
+  using Mask = Lanes::PairMask;
+  Pair v;
+
+  static Row all(double x) noexcept { return {Pair{x, x}}; }
+  static Row absolute(Row a) noexcept { return {(Pair)((Mask)a.v & Mask{INT64_MAX, INT64_MAX})}; }
+  static Mask greater(Row a, Row b) noexcept { return a.v > b.v; }
+  static uint32_t bits(Mask m) noexcept { return static_cast<uint32_t>((m[0] & 1) | (m[1] & 2)); }
+  static Row select(Mask m, Row yes, Row no) noexcept { return {Lanes::choose(m, yes.v, no.v)}; }
+};
+using FacetSet = uint64_t;
+
+inline Row operator+(Row a, Row b) noexcept { return {a.v + b.v}; }
+inline Row operator-(Row a, Row b) noexcept { return {a.v - b.v}; }
+inline Row operator*(Row a, Row b) noexcept { return {a.v * b.v}; }
+inline Row divide(Row a, Row b) noexcept { return {a.v / b.v}; }
+inline Row least(Row a, Row b) noexcept { return Row::select(a.v < b.v, a, b); }
+inline Row largest(Row a, Row b) noexcept { return Row::select(a.v > b.v, a, b); }
+inline Row load_row(const double* from) noexcept { return {Row::Pair{from[0], from[1]}}; }
+inline void store_row(double* to, Row row) noexcept {
+  to[0] = row.v[0];
+  to[1] = row.v[1];
+}
+inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return a & b; }
+
+/** `at(lane)`: where the lane's point lies. */
+template <class At>
+DSW_HOT PointsOf<Row> load_points(At at) noexcept {
+  const double *const a = at(0), *const b = at(1);
+  return {{Row::Pair{a[0], b[0]}}, {Row::Pair{a[1], b[1]}}, {Row::Pair{a[2], b[2]}}};
+}
+
+inline Row::Mask either(Row::Mask a, Row::Mask b) noexcept { return a | b; }
+inline Row::Mask not_greater(Row a, Row b) noexcept { return ~(a.v > b.v); }
+
+/** A set of facets for each lane. */
+struct FacetSets {
+  Row::Mask sets{};
+
+  DSW_HOT void add(int facets, Row::Mask lanes) noexcept { sets |= lanes & Row::Mask{facets, facets}; }
+  DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
+    to[0] = static_cast<uint64_t>(sets[0]);
+    to[1] = static_cast<uint64_t>(sets[1]);
+  }
+};
+
+#endif
