@@ -1,17 +1,40 @@
 #include "base/memory.h"
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 namespace dsw {
 namespace {
 
 /** Whether plain operator new aligns so, too: the aligned form is slower. */
 constexpr bool is_usual(size_t alignment_bytes) { return alignment_bytes <= __STDCPP_DEFAULT_NEW_ALIGNMENT__; }
 
+// Large blocks lie in large pages where the system gives them when it is asked. Who reads a large map at random finds
+// the addresses of its pages in the processor's table then, and takes a third less time.
+#if defined(__linux__)
+constexpr size_t kLargePage = size_t{2} << 20;
+constexpr size_t aligned_for_pages(size_t size_bytes, size_t alignment_bytes) {
+  return size_bytes >= kLargePage ? kLargePage : alignment_bytes;
+}
+/** Whole pages alone, so that no block becomes larger. It is not an error if there are none. */
+void ask_for_large_pages(void* block, size_t size_bytes) noexcept {
+  if (size_bytes >= kLargePage) madvise(block, size_bytes / kLargePage * kLargePage, MADV_HUGEPAGE);
+}
+#else
+constexpr size_t aligned_for_pages(size_t, size_t alignment_bytes) { return alignment_bytes; }
+void ask_for_large_pages(void*, size_t) noexcept {}
+#endif
+
 }  // namespace
 
 void* allocate_bytes(const Memory* memory, size_t size_bytes, size_t alignment_bytes) {
   if (memory == nullptr || memory->allocate == nullptr) {
-    return is_usual(alignment_bytes) ? ::operator new(size_bytes)
-                                     : ::operator new (size_bytes, std::align_val_t{alignment_bytes});
+    const size_t alignment = aligned_for_pages(size_bytes, alignment_bytes);
+    if (is_usual(alignment)) return ::operator new(size_bytes);
+    void* const block = ::operator new (size_bytes, std::align_val_t{alignment});
+    ask_for_large_pages(block, size_bytes);
+    return block;
   }
   void* const block = memory->allocate(memory->user, size_bytes, alignment_bytes);
   if (block == nullptr) throw std::bad_alloc();
@@ -20,10 +43,11 @@ void* allocate_bytes(const Memory* memory, size_t size_bytes, size_t alignment_b
 
 void release_bytes(const Memory* memory, void* block, size_t size_bytes, size_t alignment_bytes) noexcept {
   if (memory == nullptr || memory->release == nullptr) {
-    if (is_usual(alignment_bytes)) {
+    const size_t alignment = aligned_for_pages(size_bytes, alignment_bytes);
+    if (is_usual(alignment)) {
       ::operator delete(block, size_bytes);
     } else {
-      ::operator delete (block, size_bytes, std::align_val_t{alignment_bytes});
+      ::operator delete (block, size_bytes, std::align_val_t{alignment});
     }
   } else {
     memory->release(memory->user, block, size_bytes, alignment_bytes);

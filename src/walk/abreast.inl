@@ -53,7 +53,7 @@ struct VerticesAbreast {
 };
 
 /** Of cells that are convex with flat facets: the facets with q outside; where the filter left some open, kNotSettled
- * or more. */
+ * or more. Of tetrahedra, kFar beside. */
 struct Sides {
   FacetSet outside[kAbreast];
 
@@ -111,6 +111,12 @@ __attribute__((noinline)) inline void Sides::look_at_tetrahedra(const double* po
   planes.negative(1, c23, 1);
   planes.positive(2, c23, 0);
   planes.positive(3, c01, 2);
+  const PointsOf<Row>&v = planes.v.at[0], &w = planes.v.at[1];
+  const auto longest = [](Row x, Row y, Row z) {
+    return largest(largest(Row::absolute(x), Row::absolute(y)), Row::absolute(z));
+  };
+  planes.outside.add(kFar, Row::greater(longest(v.x, v.y, v.z),
+                                        Row::all(kFarEdges) * longest(v.x - w.x, v.y - w.y, v.z - w.z)));
   planes.store(*this);
 }
 

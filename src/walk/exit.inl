@@ -41,7 +41,7 @@ struct Look {
   uint8_t facets;  // kPlanes: with the target outside, or kNotSettled. kBox: pierced outwards, or kNotKnown
   uint8_t second;  // kBox, of these: through the second triangle. kPlanes: how many facets the cell has
   LookKind kind;
-  bool settled;  // kBox: at most one facet is pierced, for certain. kLines: the filter settled all triangles
+  bool flag;  // kPlanes: is_far. kBox: at most one facet is pierced, for certain. kLines: the filter settled all triangles
 
   bool may_leave() const { return facets != 0; }
   /** For kPlanes with the target outside of one facet. */
@@ -50,6 +50,8 @@ struct Look {
   Exit exit_by(uint32_t facet) const { return {facet, kFirstSimplices[second - 4][facet]}; }
   /** False for planes side by side of which the filter left some open: ask again. */
   bool is_settled() const { return kind != LookKind::kPlanes || facets < kNotSettled; }
+  /** Of a tetrahedron: as simplex.inl says. */
+  bool is_far() const { return (kind == LookKind::kPlanes) & flag; }
   template <int D>
   HalfFacet half_facet(const Map<D>& map, Cell c, uint32_t facet) const {
     if (D == 2 || kind != LookKind::kPlanes) return map.half_facet(c, facet);
@@ -57,8 +59,8 @@ struct Look {
   }
 
   /** Of a tetrahedron, a pyramid or a box. */
-  static Look of_planes(uint32_t outside, uint32_t facet_count) {
-    return {static_cast<uint8_t>(outside), static_cast<uint8_t>(facet_count), LookKind::kPlanes, true};
+  static Look of_planes(uint32_t outside, uint32_t facet_count, bool is_far = false) {
+    return {static_cast<uint8_t>(outside), static_cast<uint8_t>(facet_count), LookKind::kPlanes, is_far};
   }
   template <class Tally>
   static Look of_box(const BoxExits& exits, Tally& tally) {
@@ -98,7 +100,8 @@ class ExitFinder {
       if (form == Form::kSimplex) {
         const uint32_t known = entry.known_inside(4);
         tally_.tests(known == 0 ? 4 : 3);
-        return Look::of_planes(outside_tetrahedron(env_, w, q_, known, uncounted_), 4);
+        const uint32_t seen = look_at_tetrahedron(env_, w, q_, known, uncounted_);
+        return Look::of_planes(seen & ~kFar, 4, (seen & kFar) != 0);
       }
       if (form == Form::kBox) {
         if ((w[0] & kConvexBit) == 0) return Look::of_box(box_exits(env_, w, p_, q_), tally_);
@@ -130,7 +133,7 @@ class ExitFinder {
     if constexpr (D == 3) {
       if (look.kind == LookKind::kPlanes) return exit_flat(c, look);
       if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
-      if (look.kind == LookKind::kLines && look.settled && line.pierced != 0) return exit_along(c, line, entry);
+      if (look.kind == LookKind::kLines && look.flag && line.pierced != 0) return exit_along(c, line, entry);
       if (map_.convex(c)) return apart().exit_many_flat(c, forecast);
     } else {
       if (map_.convex(c)) return exit_polygon(c, entry, forecast);
@@ -143,7 +146,7 @@ class ExitFinder {
   bool contains(Cell c) noexcept {
     const uint32_t* w = map_.record(c);
     if constexpr (D == 3) {
-      if (form_of(w[0]) == Form::kSimplex) return outside_tetrahedron(env_, w, q_, 0, uncounted_) == 0;
+      if (form_of(w[0]) == Form::kSimplex) return (look_at_tetrahedron(env_, w, q_, 0, uncounted_) & ~kFar) == 0;
     }
     if (!map_.convex(c)) {
       CastLine along = line();
@@ -287,7 +290,7 @@ class ExitFinder {
   }
 
   DSW_HOT Exit exit_box(const uint32_t* w, const Look& look, const Entry& entry) noexcept {
-    if (__builtin_expect(!look.settled || entry.may_have_been_here, 0)) return apart().exit_box_in_full(w, look, entry);
+    if (__builtin_expect(!look.flag || entry.may_have_been_here, 0)) return apart().exit_box_in_full(w, look, entry);
     if (look.facets == 0) return {};
     const uint32_t f = static_cast<uint32_t>(__builtin_ctz(uint32_t{look.facets}));
     return {f, 2 * f + (uint32_t{look.second} >> f & 1u)};

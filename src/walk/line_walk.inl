@@ -1,8 +1,6 @@
 // Casts that go through tetrahedra along their lines, cell after cell, some side by side. Of a cell one vertex is read,
 // and of its record the link that is passed.
 
-constexpr uint32_t kLineFrom = 3;  // the cell from which on a cast follows its line
-
 constexpr uint8_t kFacetByVertexBit[9] = {0, 1, 2, 0, 0, 0, 0, 0, 3};
 
 /** The facet of a tetrahedron that has not one of its vertices. */
@@ -24,41 +22,39 @@ class LineWalk {
  public:
   LineWalk(const Environment<D>&, const CastRequest*, CastResult*) noexcept {}
   bool empty() const noexcept { return true; }
-  void add_if(bool, uint32_t, HalfFacet) noexcept {}
+  void add(uint32_t, HalfFacet) noexcept {}
   template <class Tally, class Look, class Pass>
-  void run(Tally&, Look, Pass) noexcept {}
+  void go(Tally&, Look, Pass) noexcept {}
 };
 
 template <>
 class LineWalk<3> {
  public:
   LineWalk(const Environment<3>& env, const CastRequest* requests, CastResult* results) noexcept
-      : env_(env), map_(env.map), requests_(requests), results_(results) {}
+      : env_(env), map_(env.map), requests_(requests), results_(results), moving_(env.checked.active()), plain_(!moving_) {}
 
-  bool empty() const noexcept { return count_ == 0; }
+  bool empty() const noexcept { return count_ + added_ == 0; }
 
-  /** Adds a cast that has come into a tetrahedron through a facet of that, without a branch. */
-  DSW_HOT void add_if(bool adds, uint32_t cast, HalfFacet through) noexcept {
-    casts_[count_] = static_cast<uint8_t>(cast);
-    through_[count_] = through.word;
-    count_ += adds ? 1 : 0;
+  /** Adds a cast that has come into a tetrahedron through a facet of that. */
+  DSW_HOT void add(uint32_t cast, HalfFacet through) noexcept {
+    added_casts_[added_] = static_cast<uint8_t>(cast);
+    added_through_[added_++] = through.word;
   }
 
-  /** Until each of them has reached its target or goes on otherwise: look(cast, facet that it came in through) if the
-   * filter left its cell open, pass(cast, facet that it leaves through) if what is beyond is anything but a tetrahedron
-   * that it may go on in. */
+  /** Lets all casts go one cell on. look(cast, facet that it came in through): the filter left its cell open.
+   * pass(cast, facet that it leaves through): what is beyond is anything but a tetrahedron that it may go on in. */
   template <class Tally, class Look, class Pass>
-  __attribute__((noinline)) void run(Tally& tally, Look look, Pass pass) noexcept {
-    const bool moving = env_.checked.active();
-    start(look);
-    while (count_ != 0) {
-      step();
-      leave(tally, look);
-      if (moving) {
+  __attribute__((noinline)) void go(Tally& tally, Look look, Pass pass) noexcept {
+    if (plain_) {
+      enter_all<true>(pass);
+    } else {
+      if (moving_) {
         for (uint32_t s = 0; s < count_; ++s) prefetch_beyond(env_, HalfFacet{at_[s]});
       }
-      enter(moving, pass);
+      enter_all<false>(pass);
     }
+    start(look);
+    step(tally, look);
   }
 
  private:
@@ -69,94 +65,116 @@ class LineWalk<3> {
   const uint32_t* record(uint32_t slot) const noexcept { return map_.words.data() + (through_[slot] & ~kInUnit); }
   static uint32_t local(uint32_t facet) noexcept { return (facet & kInUnit) - kFirstLink; }
 
-  /** Lanes without a cast repeat the last. */
-  template <class Value>
-  DSW_HOT void fill_lanes(Value (&of)[kPacket]) noexcept {
-    for (uint32_t s = count_; s % kAbreast != 0; ++s) of[s] = of[count_ - 1];
-  }
-
+  /** Casts that were added. */
   template <class Look>
   DSW_HOT void start(Look look) noexcept {
-    uint32_t passing[kPacket / kAbreast];
-    for (uint32_t s = 0; s < count_; ++s) visited_[s] = results_[casts_[s]].volumes_visited;
-    fill_lanes(casts_);
-    fill_lanes(through_);
-    for (uint32_t first = 0; first < count_; first += kAbreast) {
-      passing[first / kAbreast] = sightlines_.start(
-          first, env_.points, [&](uint32_t lane) { return requests_[casts_[first + lane]].from; },
-          [&](uint32_t lane) { return requests_[casts_[first + lane]].to; },
+    const uint32_t old = count_;
+    for (uint32_t n = 0; n < added_; ++n) {
+      const uint32_t cast = added_casts_[n], s = count_++;
+      const CastRequest& request = requests_[cast];
+      plain_ &= request.crossing == nullptr && request.max_volumes == 0 && !request.end.valid();
+      casts_[s] = static_cast<uint8_t>(cast);
+      through_[s] = added_through_[n];
+      visited_[s] = results_[cast].volumes_visited;
+      aim(s);
+    }
+    added_ = 0;
+    uint8_t missing[kPacket];
+    uint32_t missing_count = 0;
+    for (uint32_t first = old; first < count_; first += kAbreast) {
+      const auto slot = [&](uint32_t lane) { return std::min(first + lane, count_ - 1); };
+      const uint32_t passing = sightlines_.start(
+          first, env_.points, [&](uint32_t lane) { return requests_[casts_[slot(lane)]].from; },
+          [&](uint32_t lane) { return requests_[casts_[slot(lane)]].to; },
           [&](uint32_t lane, uint32_t corner) {
-            const uint32_t s = first + lane;
+            const uint32_t s = slot(lane);
             return record(s)[kTetrahedronFacets[local(through_[s])][corner]] & kVertexMask;
           });
+      for (uint32_t s = first; s < std::min(first + kAbreast, count_); ++s) {
+        missing[missing_count] = static_cast<uint8_t>(s);
+        missing_count += passing >> (s - first) & 1u ? 0 : 1;
+      }
     }
-    for (uint32_t s = count_; s-- > 0;) {
-      aim(s);
-      if ((passing[s / kAbreast] >> s % kAbreast & 1u) == 0) give_back(s, look);
-    }
+    while (missing_count-- > 0) give_back(missing[missing_count], look);
   }
 
   /** Asks for the vertex beyond the facet that a cast has come in through. */
   DSW_HOT void aim(uint32_t slot) noexcept {
-    tips_[slot] = record(slot)[kTetrahedronTips[local(through_[slot])]] & kVertexMask;
-    __builtin_prefetch(env_.point(tips_[slot]));
+    const uint32_t tip = record(slot)[kTetrahedronTips[local(through_[slot])]] & kVertexMask;
+    __builtin_prefetch(env_.point(tip));
+    sightlines_.aim(slot, tip);
   }
 
-  DSW_HOT void step() noexcept {
-    fill_lanes(tips_);
-    for (uint32_t first = 0; first < count_; first += kAbreast) {
-      sightlines_.step(first, [&](uint32_t lane) { return env_.point(tips_[first + lane]); });
-    }
-  }
-
+  /** Looks at all cells, and asks for what is beyond the facets that casts leave through. */
   template <class Tally, class Look>
-  DSW_HOT void leave(Tally& tally, Look look) noexcept {
-    for (uint32_t s = 0; s < count_;) {
-      const uint32_t seen = sightlines_.seen(s);
-      if (__builtin_expect((seen & Sightlines::kLeaves) == 0, 0)) {
-        if ((seen & Sightlines::kStays) == 0) {
-          give_back(s, look);
-        } else {
-          tally.tests(4);
-          take_out(s);
-        }
-        continue;
+  DSW_HOT void step(Tally& tally, Look look) noexcept {
+    uint8_t remaining[kPacket], settled[kPacket];
+    uint32_t remaining_count = 0;
+    for (uint32_t s = count_; s % kAbreast != 0; ++s) sightlines_.aim(s, 0);
+    for (uint32_t first = 0; first < count_; first += kAbreast) {
+      const Sightlines::Steps steps = sightlines_.step(first, env_.points);
+      const uint32_t end = std::min(first + kAbreast, count_);
+      for (uint32_t s = first; s < end; ++s) leave(s);
+      const uint32_t lanes = (1u << (end - first)) - 1;
+      tally.tests(4 * static_cast<uint32_t>(__builtin_popcount((steps.leaves | steps.stays) & lanes)));
+      for (uint32_t rest = ~steps.leaves & lanes; rest != 0; rest &= rest - 1) {
+        const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(rest));
+        remaining[remaining_count] = static_cast<uint8_t>(first + lane);
+        settled[remaining_count++] = steps.stays >> lane & 1u;
       }
-      tally.tests(4);
-      const uint32_t gone = sightlines_.exchange(s, seen / Sightlines::kCorner, tips_[s]);
-      at_[s] = (through_[s] & ~kInUnit) + kFirstLink + facet_without(record(s), gone);
-      links_[s] = map_.words[at_[s]];
-      __builtin_prefetch(map_.words.data() + (links_[s] & ~(kMarkBit | kInUnit)));
-      ++s;
+    }
+    while (remaining_count-- > 0) {  // from the last slot, since the last cast moves to one that becomes free
+      if (settled[remaining_count] != 0) {
+        take_out(remaining[remaining_count]);
+      } else {
+        give_back(remaining[remaining_count], look);
+      }
     }
   }
 
-  template <class Pass>
-  DSW_HOT void enter(bool moving, Pass pass) noexcept {
+  /** Through the facet that has not the vertex that the last step has replaced. */
+  DSW_HOT void leave(uint32_t slot) noexcept {
+    const uint32_t at = (through_[slot] & ~kInUnit) + kFirstLink + facet_without(record(slot), sightlines_.gone(slot));
+    const uint32_t link = map_.words[at];
+    at_[slot] = at;
+    links_[slot] = link;
+    __builtin_prefetch(map_.words.data() + (link & ~(kMarkBit | kInUnit)));
+  }
+
+  template <bool Plain, class Pass>
+  DSW_HOT void enter_all(Pass pass) noexcept {
     for (uint32_t s = 0; s < count_;) {
-      if (__builtin_expect(!may_enter(s, moving), 0)) {
+      if (__builtin_expect(may_enter<Plain>(s), 1)) {
+        enter<Plain>(s++);
+      } else {
         const HalfFacet at = {at_[s]};
         pass(take_out(s), at);
-        continue;
       }
-      const CastRequest& request = requests_[casts_[s]];
-      if (request.crossing != nullptr) {
-        request.crossing(request.crossing_user, tetrahedron_of({at_[s]}), local(at_[s]), tetrahedron_of({links_[s]}));
-      }
-      through_[s] = links_[s];
-      ++visited_[s];
-      aim(s++);
     }
   }
 
-  DSW_HOT bool may_enter(uint32_t slot, bool moving) const noexcept {
-    const CastRequest& request = requests_[casts_[slot]];
+  template <bool Plain>
+  DSW_HOT bool may_enter(uint32_t slot) const noexcept {
     const uint32_t link = links_[slot];
-    if (link >= kNoFacet) return false;  // nothing beyond, or marked
-    const uint32_t word = map_.words[link & ~kInUnit];
+    if (link >= kNoFacet) return false;  // nothing is beyond, or the facet is marked
+    const bool is_open = map_.words[link & ~kInUnit] >> kFormShift == static_cast<uint32_t>(Form::kSimplex);  // unmarked
+    if (Plain) return is_open;
+    const CastRequest& request = requests_[casts_[slot]];
     const Cell next = tetrahedron_of({link});
-    return word >> kFormShift == static_cast<uint32_t>(Form::kSimplex) &&  // and not marked
-           visited_[slot] != request.max_volumes && next != request.end && !(moving && !admits_moving(env_, next));
+    return is_open && visited_[slot] != request.max_volumes && next != request.end &&
+           !(moving_ && !admits_moving(env_, next));
+  }
+
+  template <bool Plain>
+  DSW_HOT void enter(uint32_t slot) noexcept {
+    const CastRequest& request = requests_[casts_[slot]];
+    if (!Plain && request.crossing != nullptr) {
+      request.crossing(request.crossing_user, tetrahedron_of({at_[slot]}), local(at_[slot]),
+                       tetrahedron_of({links_[slot]}));
+    }
+    through_[slot] = links_[slot];
+    ++visited_[slot];
+    aim(slot);
   }
 
   template <class Look>
@@ -177,8 +195,9 @@ class LineWalk<3> {
       result.volumes_visited = visited_[slot];
     }
     const uint32_t last = --count_;
+    if (slot == last) return cast;
     casts_[slot] = casts_[last];
-    for (auto* const row : {through_, at_, links_, tips_, visited_}) row[slot] = row[last];
+    for (uint32_t* const row : {through_, at_, links_, visited_}) row[slot] = row[last];
     sightlines_.move(last, slot);
     return cast;
   }
@@ -187,12 +206,15 @@ class LineWalk<3> {
   const Map<3>& map_;
   const CastRequest* requests_;
   CastResult* results_;
-  uint32_t count_ = 0;
+  const bool moving_;  // points do
+  bool plain_;         // nothing is asked of any cast but where it ends, and no points move
+  uint32_t count_ = 0, added_ = 0;
+  uint8_t added_casts_[kPacket];
+  uint32_t added_through_[kPacket];
   uint8_t casts_[kPacket];
   uint32_t through_[kPacket];  // the facets that they came in through, seen from the cells they are in
   uint32_t at_[kPacket];       // those that they leave through
   uint32_t links_[kPacket];    // what the map says is beyond
-  uint32_t tips_[kPacket];     // the vertices that the facets `through_` have not
   uint32_t visited_[kPacket];  // cells
   Sightlines sightlines_;
 };

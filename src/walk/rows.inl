@@ -8,8 +8,8 @@ using FacetSet = uint8_t;
 inline Row least(Row a, Row b) noexcept { return {_mm512_min_pd(a.v, b.v)}; }
 inline Row largest(Row a, Row b) noexcept { return {_mm512_max_pd(a.v, b.v)}; }
 inline Row divide(Row a, Row b) noexcept { return {_mm512_div_pd(a.v, b.v)}; }
-inline Row load_row(const double* from) noexcept { return {_mm512_load_pd(from)}; }
-inline void store_row(double* to, Row row) noexcept { _mm512_store_pd(to, row.v); }
+inline Row load_row(const double* from) noexcept { return {_mm512_loadu_pd(from)}; }
+inline void store_row(double* to, Row row) noexcept { _mm512_storeu_pd(to, row.v); }
 inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return a & b; }
 
 /** Two points in the halves of a register. Masked, so that the last point of the host's array is not read past. */
@@ -70,8 +70,8 @@ inline Row operator*(Row a, Row b) noexcept { return {_mm256_mul_pd(a.v, b.v)}; 
 inline Row least(Row a, Row b) noexcept { return {_mm256_min_pd(a.v, b.v)}; }
 inline Row largest(Row a, Row b) noexcept { return {_mm256_max_pd(a.v, b.v)}; }
 inline Row divide(Row a, Row b) noexcept { return {_mm256_div_pd(a.v, b.v)}; }
-inline Row load_row(const double* from) noexcept { return {_mm256_load_pd(from)}; }
-inline void store_row(double* to, Row row) noexcept { _mm256_store_pd(to, row.v); }
+inline Row load_row(const double* from) noexcept { return {_mm256_loadu_pd(from)}; }
+inline void store_row(double* to, Row row) noexcept { _mm256_storeu_pd(to, row.v); }
 inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return _mm256_and_pd(a, b); }
 
 /** Two coordinates of one point, and two of another. */

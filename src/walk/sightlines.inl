@@ -11,9 +11,10 @@
 /** Casts by slots. Whoever takes a slot away moves the last one there. */
 class Sightlines {
  public:
-  /** What a step says of a slot: neither of the first two if the filter left it open, and kCorner times the corner of
-   * the triangle that the new vertex replaces. */
-  enum : uint32_t { kLeaves = 1, kStays = 2, kCorner = 4 };
+  /** What a step says of kAbreast slots, a bit each. Neither: the filter left it open. */
+  struct Steps {
+    uint32_t leaves, stays;
+  };
 
   /** Of kAbreast casts: p -> q, and the triangles that they came in through, the corners of each counter-clockwise seen
    * from where the cast comes. `vertex(lane, corner)` is a corner's number. @return which of them pass their triangles for certain.
@@ -33,17 +34,22 @@ class Sightlines {
     put(kLength, first, d.k);
     put(kSlopeI, first, divide(d.i, d.k)), put(kSlopeJ, first, divide(d.j, d.k));
     put(kLargest, first, Row::absolute(d.k));
-    const uint32_t downs = Row::bits(down);  // there the shear turns the triangle round
     Corner corners[3];
 #pragma GCC unroll 3
     for (uint32_t c = 0; c < 3; ++c) {
-      const auto number = [&](uint32_t lane) {
-        return vertex(lane, c == 0 ? 0 : (downs >> lane & 1u) != 0 ? c : 3 - c);
-      };
-      for (uint32_t lane = 0; lane < kAbreast; ++lane) vertices_[c][first + lane] = number(lane);
-      corners[c] = see(first, load_points([&](uint32_t lane) {
-                         return points + size_t{vertices_[c][first + lane]} * 3;
-                       }));
+      uint64_t numbers[kAbreast];
+      for (uint32_t lane = 0; lane < kAbreast; ++lane) numbers[lane] = vertex(lane, c);
+      std::memcpy(rows_[kVertices + c] + first, numbers, sizeof numbers);
+      corners[c] = see(first, load_points([&](uint32_t lane) { return points + numbers[lane] * 3; }));
+    }
+    // Seen from behind the corners go the other way round, unless the line goes down.
+    const Corner second = corners[1];
+    corners[1] = select(down, corners[1], corners[2]), corners[2] = select(down, corners[2], second);
+    const Row one_way = get(kVertices + 1, first), other_way = get(kVertices + 2, first);
+    put(kVertices + 1, first, Row::select(down, one_way, other_way));
+    put(kVertices + 2, first, Row::select(down, other_way, one_way));
+#pragma GCC unroll 3
+    for (uint32_t c = 0; c < 3; ++c) {
       put(kCorners + c, first, corners[c].i), put(kCorners + 3 + c, first, corners[c].j);
       put(kCorners + 6 + c, first, corners[c].z);
     }
@@ -58,10 +64,20 @@ class Sightlines {
     return Row::bits(Row::greater(lowest, bound));
   }
 
-  /** `at(lane)`: where the new vertex lies. */
-  template <class At>
-  DSW_HOT void step(uint32_t first, At at) noexcept {
-    const Corner tip = see(first, load_points(at));
+  /** Names the vertex that the next step of a slot reads. */
+  DSW_HOT void aim(uint32_t slot, uint64_t vertex) noexcept { std::memcpy(rows_[kTip] + slot, &vertex, sizeof vertex); }
+  /** The corner that the last step has replaced. */
+  DSW_HOT uint32_t gone(uint32_t slot) const noexcept {
+    uint64_t vertex;
+    std::memcpy(&vertex, rows_[kGone] + slot, sizeof vertex);
+    return static_cast<uint32_t>(vertex);
+  }
+
+  /** Of `lanes` slots that have been aimed: what the new vertices say. */
+  DSW_HOT Steps step(uint32_t first, const double* points) noexcept {
+    uint64_t numbers[kAbreast];
+    std::memcpy(numbers, rows_[kTip] + first, sizeof numbers);
+    const Corner tip = see(first, load_points([&](uint32_t lane) { return points + numbers[lane] * 3; }));
     const Row largest = get(kLargest, first), bound = side_bound(largest), minus_bound = Row::all(0) - bound;
     Corner corners[3];
     Row sides[3], weights[3];
@@ -94,31 +110,35 @@ class Sightlines {
     const Row depth_bound = Row::all(8) * bound * largest;
     const Row::Mask settled = both(either(either(replaced[0], replaced[1]), replaced[2]),
                                    both(Row::greater(largest, Row::all(kLeast)), Row::greater(Row::all(kMost), largest)));
-    FacetSets seen;
-    seen.add(kLeaves, both(settled, Row::greater(Row::all(0) - depth_bound, depth)));
-    seen.add(kStays, both(settled, Row::greater(depth, depth_bound)));
-    seen.add(1 * kCorner, replaced[1]);
-    seen.add(2 * kCorner, replaced[2]);
-    seen.store(seen_[first / kAbreast]);
-  }
-  uint32_t seen(uint32_t slot) const noexcept { return static_cast<uint32_t>(seen_[slot / kAbreast][slot % kAbreast]); }
-
-  /** Puts a vertex in the place of a corner. @return the one that was there. */
-  DSW_HOT uint32_t exchange(uint32_t slot, uint32_t corner, uint32_t vertex) noexcept {
-    return std::exchange(vertices_[corner][slot], vertex);
+    const Row tips = get(kTip, first);
+    Row gone = get(kVertices, first);
+    put(kVertices, first, Row::select(replaced[0], tips, gone));
+#pragma GCC unroll 2
+    for (uint32_t c = 1; c < 3; ++c) {
+      const Row vertices = get(kVertices + c, first);
+      put(kVertices + c, first, Row::select(replaced[c], tips, vertices));
+      gone = Row::select(replaced[c], vertices, gone);
+    }
+    put(kGone, first, gone);
+    return {Row::bits(both(settled, Row::greater(Row::all(0) - depth_bound, depth))),
+            Row::bits(both(settled, Row::greater(depth, depth_bound)))};
   }
 
   /** A slot takes over from another. */
   DSW_HOT void move(uint32_t from, uint32_t to) noexcept {
 #pragma GCC unroll 1
     for (auto& row : rows_) row[to] = row[from];
-    for (auto& corner : vertices_) corner[to] = corner[from];
-    seen_[to / kAbreast][to % kAbreast] = seen_[from / kAbreast][from % kAbreast];
   }
 
  private:
-  enum : uint32_t { kFromX, kFromY, kFromZ, kAlongY, kAlongZ, kForward, kLength, kSlopeI, kSlopeJ, kLargest, kCorners };
-  static constexpr uint32_t kRows = kCorners + 12;  // i, j, z and the weight of each corner
+  enum : uint32_t {
+    kFromX, kFromY, kFromZ, kAlongY, kAlongZ, kForward, kLength, kSlopeI, kSlopeJ, kLargest,
+    kCorners,                   // i of each, j, z, and the weights
+    kVertices = kCorners + 12,  // their numbers, which are not doubles, but bits in their place
+    kTip = kVertices + 3,
+    kGone,
+    kRows
+  };
   static constexpr double kLeast = 1e-90, kMost = 1e100;  // of M: its cube stays normal
 
   struct Turned {
@@ -127,6 +147,10 @@ class Sightlines {
   struct Corner {
     Row i, j, z;
   };
+
+  static DSW_HOT Corner select(Row::Mask m, const Corner& yes, const Corner& no) noexcept {
+    return {Row::select(m, yes.i, no.i), Row::select(m, yes.j, no.j), Row::select(m, yes.z, no.z)};
+  }
 
   DSW_HOT Row get(uint32_t row, uint32_t first) const noexcept { return load_row(rows_[row] + first); }
   DSW_HOT void put(uint32_t row, uint32_t first, Row values) noexcept { store_row(rows_[row] + first, values); }
@@ -150,7 +174,5 @@ class Sightlines {
     return {a.i - get(kSlopeI, first) * a.k, a.j - get(kSlopeJ, first) * a.k, a.k - get(kLength, first)};
   }
 
-  alignas(64) double rows_[kRows][kPacket];
-  uint32_t vertices_[3][kPacket];
-  FacetSet seen_[kPacket / kAbreast][kAbreast];
+  alignas(64) double rows_[kRows][kPacket + kAbreast];
 };

@@ -1,6 +1,9 @@
 // Tetrahedra: the four planes from the vertices relative to the target, two cross products serving all of them, one
 // filter bound for the cell.
 
+constexpr uint32_t kFar = 0x10;  // beside a set of facets
+constexpr double kFarEdges = 2.5;
+
 struct RelativeTetrahedron {
   double x[4], y[4], z[4];
 };
@@ -30,9 +33,10 @@ DSW_COLD uint32_t settle_tetrahedron(const Environment<3>& env, const uint32_t* 
   return outside;
 }
 
-/** Facets with q outside, a bit each, but for those in `known`, which have it inside. */
+/** Facets with q outside, a bit each, but for those in `known`, which have it inside; and kFar if q is several edges
+ * away, so that it pays to follow a line that goes there. */
 template <class Tally>
-inline uint32_t outside_tetrahedron(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t known,
+inline uint32_t look_at_tetrahedron(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t known,
                                     Tally& tally) noexcept {
   RelativeTetrahedron v;
   double mx = 0, my = 0, mz = 0;
@@ -56,6 +60,9 @@ inline uint32_t outside_tetrahedron(const Environment<3>& env, const uint32_t* w
     inside |= (det[f] < -bound ? 1u : 0u) << f;
   }
   outside &= ~known;
+  const double edge = std::max(std::max(std::fabs(v.x[0] - v.x[1]), std::fabs(v.y[0] - v.y[1])), std::fabs(v.z[0] - v.z[1]));
+  const double away = std::max(std::max(std::fabs(v.x[0]), std::fabs(v.y[0])), std::fabs(v.z[0]));
+  const uint32_t far = away > kFarEdges * edge ? kFar : 0;
   const uint32_t sure = (in_range ? outside | inside : 0) | known;
-  return __builtin_expect(sure == 0xfu, 1) ? outside : settle_tetrahedron(env, w, q, sure, outside, tally);
+  return (__builtin_expect(sure == 0xfu, 1) ? outside : settle_tetrahedron(env, w, q, sure, outside, tally)) | far;
 }

@@ -82,6 +82,7 @@ struct Flight {
   uint32_t simplex = 0;             // of that
   HalfFacet through;                // the facet crossed last, seen from the cell entered; invalid in the first cell
   bool may_have_been_here = false;  // in its cell, before it came through that facet
+  bool is_far = false;              // from its target, and in a tetrahedron
   uint64_t visited = 0;             // bits of the cells it has been in that need not be convex
 };
 
@@ -104,12 +105,12 @@ class Walkers {
   void run(uint32_t count) noexcept {
     count = begin_all(count);
     count = leave_all<true>(count);
-    while (count != 0) {
+    while ((count != 0) | !line_walk_.empty()) {
       if (moving_) {
         for (uint32_t k = 0; k < count; ++k) prefetch_beyond(env_, flights_[active_[k]].at);
       }
       count = enter_all(count);
-      if (D == 3 && !line_walk_.empty()) count = follow_lines(count);
+      if (!line_walk_.empty()) count = follow_lines(count);
       count = leave_all<false>(count);
     }
   }
@@ -220,9 +221,9 @@ class Walkers {
     uint32_t kept = kept_, open = open_count_;
 #pragma GCC unroll 1
     for (uint32_t j = first; j < end; ++j) {
-      const uint32_t i = active_[j], outside = static_cast<uint32_t>(sides.outside[j - first]);
+      const uint32_t i = active_[j], seen = static_cast<uint32_t>(sides.outside[j - first]), outside = seen & ~kFar;
       const uint8_t exits = kExits.of[outside];
-      looks_[i] = Look::of_planes(outside, Facets);
+      looks_[i] = Look::of_planes(outside, Facets, (seen & kFar) != 0);
       if (looks_[i].is_settled()) tally_.tests(First ? Facets : Facets - 1);
       active_[kept] = open_[open] = static_cast<uint8_t>(i);
       kept += exits & 1u;
@@ -277,6 +278,7 @@ class Walkers {
     }
     flights_[i].at = at;
     flights_[i].simplex = exit.simplex;
+    flights_[i].is_far = looks_[i].is_far();
     const uint32_t beyond = map_.opposite(at).word;
     if (beyond == kNoFacet) return;
     __builtin_prefetch(&map_.words[beyond - beyond % kUnitWords<D>]);
@@ -290,22 +292,22 @@ class Walkers {
     for (uint32_t k = 0; k < count; ++k) {
       const uint32_t i = active_[k];
       active_[kept] = static_cast<uint8_t>(i);
-      const uint32_t on = enter(i) ? 1 : 0, along = on & follows_line(i);
-      if (D == 3) line_walk_.add_if(along != 0, i, flights_[i].through);
-      kept += on - along;
+      if (!enter(i)) continue;
+      if (follows_line(i)) {
+        line_walk_.add(i, flights_[i].through);
+      } else {
+        ++kept;
+      }
     }
     return kept;
   }
 
-  /** Whether a cast goes on by its line: it is in a tetrahedron, and has come so far that it may well go on. */
-  DSW_HOT uint32_t follows_line(uint32_t i) const noexcept {
-    if (D != 3) return 0;
-    return static_cast<uint32_t>(form_of(map_.record(results_[i].cell)[0]) == Form::kSimplex) &
-           static_cast<uint32_t>(results_[i].volumes_visited >= kLineFrom);
+  DSW_HOT bool follows_line(uint32_t i) const noexcept {
+    return D == 3 && flights_[i].is_far && (form_of(map_.record(results_[i].cell)[0]) == Form::kSimplex);
   }
 
-  /** Lets casts follow their lines. Adds those that go on otherwise to the `count` active ones. */
-  DSW_HOT uint32_t follow_lines(uint32_t count) noexcept {
+  /** Lets casts follow their lines one cell on. Adds those that go on otherwise to the `count` active ones. */
+  __attribute__((noinline)) uint32_t follow_lines(uint32_t count) noexcept {
     const auto look = [&](uint32_t i, HalfFacet through) {
       active_[count++] = static_cast<uint8_t>(i);
       flights_[i].through = through;
@@ -316,7 +318,7 @@ class Walkers {
       active_[count] = static_cast<uint8_t>(i);
       count += enter(i) ? 1 : 0;
     };
-    line_walk_.run(tally_, look, pass);
+    line_walk_.go(tally_, look, pass);
     return count;
   }
 
