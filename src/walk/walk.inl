@@ -218,12 +218,13 @@ class Walkers {
    * the target is inside of that. */
   template <bool First, uint32_t Facets>
   DSW_HOT void note_sides(uint32_t first, uint32_t end, const Sides& sides) noexcept {
+    constexpr uint32_t kBeside = Facets == 4 ? kFar : 0;
     uint32_t kept = kept_, open = open_count_;
 #pragma GCC unroll 1
     for (uint32_t j = first; j < end; ++j) {
-      const uint32_t i = active_[j], seen = static_cast<uint32_t>(sides.outside[j - first]), outside = seen & ~kFar;
+      const uint32_t i = active_[j], seen = static_cast<uint32_t>(sides.outside[j - first]), outside = seen & ~kBeside;
       const uint8_t exits = kExits.of[outside];
-      looks_[i] = Look::of_planes(outside, Facets, (seen & kFar) != 0);
+      looks_[i] = Look::of_planes(outside, Facets, (seen & kBeside) != 0);
       if (looks_[i].is_settled()) tally_.tests(First ? Facets : Facets - 1);
       active_[kept] = open_[open] = static_cast<uint8_t>(i);
       kept += exits & 1u;
