@@ -45,7 +45,7 @@ AT(dsw_crossing, volume, 0);
 AT(dsw_crossing, face, 8);
 AT(dsw_crossing, time, 24);
 
-SIZE(dsw_context_desc, 48);
+SIZE(dsw_context_desc, 56);
 AT(dsw_context_desc, struct_size, 0);
 AT(dsw_context_desc, thread_count, 4);
 AT(dsw_context_desc, user, 8);
@@ -53,7 +53,9 @@ AT(dsw_context_desc, allocate, 16);
 AT(dsw_context_desc, release, 24);
 AT(dsw_context_desc, log, 32);
 AT(dsw_context_desc, parallel_for, 40);
-GROWS(dsw_context_desc, parallel_for);
+AT(dsw_context_desc, kernel, 48);
+AT(dsw_context_desc, reserved, 52);
+GROWS(dsw_context_desc, reserved);
 
 SIZE(dsw_environment_desc, 128);
 AT(dsw_environment_desc, struct_size, 0);

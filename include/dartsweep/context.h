@@ -42,6 +42,19 @@ typedef void (*dsw_task_fn)(void *task_data, size_t task);
 typedef void (*dsw_parallel_for_fn)(void *user, dsw_task_fn task, void *task_data,
                                     size_t task_count);
 
+/** What casts in space are computed by. Every kernel gives the same bits.
+ * @note The environment variable DARTSWEEP_KERNEL, if the processor has what it names ("portable",
+ * "avx2" or "avx512"), replaces FASTEST, and is the most that all else of the library uses. */
+typedef enum dsw_kernel {
+  /** The kernel that is fastest on this processor, for each kind of volumes. The first context that
+   * asks for it measures them, in about 5 ms. */
+  DSW_KERNEL_FASTEST = 0,
+  DSW_KERNEL_PORTABLE = 1,            /**< Instructions that every processor has. */
+  DSW_KERNEL_AVX2 = 2,                /**< x86-64 with AVX2. */
+  DSW_KERNEL_AVX512 = 3,              /**< x86-64 with AVX-512 F, DQ and VL. */
+  DSW_KERNEL_FORCE_INT32 = 0x7fffffff /**< Unused. */
+} dsw_kernel;
+
 /** Describes a context. */
 typedef struct dsw_context_desc {
   uint32_t struct_size; /**< sizeof(dsw_context_desc). */
@@ -52,6 +65,8 @@ typedef struct dsw_context_desc {
   dsw_release_fn release;           /**< See allocate. */
   dsw_log_fn log;                   /**< Null: no log. */
   dsw_parallel_for_fn parallel_for; /**< Null: built in. */
+  uint32_t kernel;                  /**< dsw_kernel. @since 2.1 */
+  uint32_t reserved;                /**< 0. */
 } dsw_context_desc;
 
 /** Writes the defaults. @since 2.0 */
@@ -60,6 +75,7 @@ DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 /** Creates a context.
  * @param desc null: all defaults; the callbacks are retained.
  * @return DSW_STATUS_OUT_OF_RANGE: also if only one of allocate and release is set.
+ * DSW_STATUS_UNSUPPORTED: also for a kernel that the processor or this library has not.
  * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API dsw_status dsw_context_create(const dsw_context_desc *desc, dsw_context **context);
 

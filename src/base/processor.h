@@ -1,18 +1,39 @@
 #pragma once
-// What this processor can run. Of a function with several forms the fastest is chosen once; all give the same bits.
+// What this processor can run. Of a function with several forms one is chosen once; all give the same bits.
+
+#include <cstdint>
 
 namespace dsw {
 
-#if defined(__x86_64__)
-inline bool has_avx2() noexcept {
-  __builtin_cpu_init();
-  return __builtin_cpu_supports("avx2");
-}
-inline bool has_avx2_and_fma() noexcept { return has_avx2() && __builtin_cpu_supports("fma"); }
-inline bool has_avx512() noexcept {
-  __builtin_cpu_init();
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-}
-#endif
+/** Instructions that code may use: each of them, and those before. */
+enum class Instructions : uint8_t { kPortable, kAvx2, kAvx512 };
+constexpr uint32_t kInstructionSets = 3;
+
+/** Their names in dsw_context_desc.kernel less one, and in the environment variable DARTSWEEP_KERNEL. */
+constexpr const char* kInstructionNames[kInstructionSets] = {"portable", "avx2", "avx512"};
+
+/** Whether this processor and its system run them. */
+bool supports(Instructions instructions) noexcept;
+
+/** What DARTSWEEP_KERNEL says: a name from above, if this processor has it. Read once. */
+struct NamedInstructions {
+  bool is_named;
+  Instructions instructions;
+};
+const NamedInstructions& named_instructions() noexcept;
+
+/** The most that the processor runs and DARTSWEEP_KERNEL allows. */
+Instructions most_instructions() noexcept;
+
+inline bool has_avx2() noexcept { return most_instructions() >= Instructions::kAvx2; }
+inline bool has_avx512() noexcept { return most_instructions() >= Instructions::kAvx512; }
+bool has_avx2_and_fma() noexcept;
+
+/** The instructions that cells of each kind are walked through by. */
+struct Kernels {
+  Instructions of[16];  // by the four bits of a record's first word that hold a cell's form and whether it is flat
+};
+/** The same for all. */
+const Kernels& kernels_of(Instructions instructions) noexcept;
 
 }  // namespace dsw

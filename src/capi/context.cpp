@@ -3,8 +3,26 @@
 
 #include "capi/describe.h"
 #include "capi/handle.h"
+#include "walk/fastest.h"
 
 namespace capi = dsw::capi;
+
+namespace {
+
+const dsw::Kernels& kernels_for(const dsw_context_desc& desc) {
+  if (desc.reserved != 0) dsw::fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", desc.reserved);
+  if (desc.kernel == DSW_KERNEL_FASTEST) return dsw::fastest_kernels();
+  const uint32_t instructions = desc.kernel - DSW_KERNEL_PORTABLE;
+  if (instructions >= dsw::kInstructionSets) {
+    dsw::fail(DSW_STATUS_UNSUPPORTED, "desc->kernel is %u, which is no dsw_kernel", desc.kernel);
+  }
+  if (!dsw::supports(static_cast<dsw::Instructions>(instructions))) {
+    dsw::fail(DSW_STATUS_UNSUPPORTED, "this processor has not what kernel %s needs", dsw::kInstructionNames[instructions]);
+  }
+  return dsw::kernels_of(static_cast<dsw::Instructions>(instructions));
+}
+
+}  // namespace
 
 dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** context) {
   return capi::guard(__func__, [&] {
@@ -17,6 +35,7 @@ dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** contex
     if ((d.allocate == nullptr) != (d.release == nullptr)) {
       dsw::fail(DSW_STATUS_OUT_OF_RANGE, "desc->allocate and desc->release must be set both or none");
     }
+    const dsw::Kernels& kernels = kernels_for(d);
     const dsw::Memory memory{d.user, d.allocate, d.release};
     dsw_context* const made = capi::create_object<dsw_context>(&memory);
     made->memory = memory;
@@ -25,6 +44,7 @@ dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** contex
     made->parallel.thread_count = d.thread_count != 0
                                       ? d.thread_count
                                       : std::min(kMostThreads, std::max(1u, std::thread::hardware_concurrency()));
+    made->kernels = &kernels;
     made->log = d.log;
     made->user = d.user;
     *context = made;

@@ -7,6 +7,7 @@
 
 #include "capi/recorded.h"
 #include "environment/moving.h"
+#include "walk/fastest.h"
 
 dsw_environment::dsw_environment(dsw_context* owner, uint32_t dimension)
     : context(owner),
@@ -40,6 +41,8 @@ void release(dsw_context* context) noexcept {
 EnvironmentOwner make_environment(dsw_context* context, uint32_t dimension) {
   EnvironmentOwner made(create_object<dsw_environment>(memory_of(context), context, dimension));
   retain(context);
+  const Kernels* const kernels = context != nullptr ? context->kernels : &fastest_kernels();
+  std::visit([&](auto& env) { env.kernels = kernels; }, made->engine);
   return made;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/pool.h"
+#include "base/processor.h"
 #include "environment/cell_index.h"
 #include "environment/checked_cells.h"
 #include "environment/edge_marks.h"
@@ -43,6 +44,7 @@ struct Environment {
   CheckedCells checked{memory};         // of moving points: cells may be invalid
   Array<float> local_points{memory};    // of polyhedra that stay as they are, see local_points.h; empty: not kept
   Pool scratch{memory};                 // drafts of a change, while it is made
+  const Kernels* kernels = &kernels_of(most_instructions());
 
   explicit Environment(const Memory* source) : memory(source) {}
   Environment(const Environment&) = delete;

@@ -3,26 +3,27 @@
 #include <cmath>
 
 #include "base/dimensions.h"
-#include "base/processor.h"
 #include "predicates/plane_hit.h"
 #include "walk/walk.h"
 
 namespace dsw {
 namespace {
 
-template <int D>
-Walk<D> choose_walk() noexcept {
+const Walk<2> kPlaneWalk = portable_walk<2>();
+// Those that this library has; a kernel that it has not is never chosen.
+const Walk<3> kSpaceWalks[] = {
+    portable_walk<3>(),
 #if defined(__x86_64__)
-  if constexpr (D == 3) {
-    if (has_avx512()) return avx512_walk();
-    if (has_avx2()) return avx2_walk();
-  }
+    avx2_walk(),
+    avx512_walk(),
 #endif
-  return portable_walk<D>();
-}
+};
 
 template <int D>
-const Walk<D> kWalk = choose_walk<D>();
+const Walk<D>& walk_for(const Environment<D>& env, Cell cell) noexcept {
+  if constexpr (D == 2) return kPlaneWalk;
+  else return kSpaceWalks[static_cast<uint32_t>(env.kernels->of[kind_bits(env.map.record(cell)[0])])];
+}
 
 template <int D>
 [[maybe_unused]] bool are_finite(const CastRequest* requests, uint32_t count) noexcept {
@@ -47,10 +48,12 @@ template <int D>
 void cast_side_by_side(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
                        CastCounters* counters) noexcept {
   DSW_ASSERT(count <= kPacket && are_finite<D>(requests, count));
+  if (count == 0) return;
+  const Walk<D>& walk = walk_for(env, requests[0].start);
   if (counters == nullptr) {
-    kWalk<D>.plain(env, requests, count, results);
+    walk.plain(env, requests, count, results);
   } else {
-    kWalk<D>.counted(env, requests, count, results, counters);
+    walk.counted(env, requests, count, results, counters);
   }
 }
 
@@ -58,7 +61,7 @@ template <int D>
 bool contains(const Environment<D>& env, Cell cell, const double* point) noexcept {
   double from[D];
   centre(env, cell, from);
-  return kWalk<D>.contains(env, cell, from, point);
+  return walk_for(env, cell).contains(env, cell, from, point);
 }
 
 template <int D>
@@ -66,12 +69,12 @@ bool sees_all(const Environment<D>& env, Cell cell, const double* point, CastCou
   if (counters != nullptr && (D == 2 || env.map.form(cell) == Form::kBox)) {
     counters->orientation_tests += D == 2 ? env.map.facets_of(cell) : 12;
   }
-  return kWalk<D>.sees_all(env, cell, point);
+  return walk_for(env, cell).sees_all(env, cell, point);
 }
 
 template <int D>
 bool admits_with_centre(const Environment<D>& env, Cell cell, double* centre) noexcept {
-  return kWalk<D>.admits_with_centre(env, cell, centre);
+  return walk_for(env, cell).admits_with_centre(env, cell, centre);
 }
 
 template <int D>

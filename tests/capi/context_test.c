@@ -1,3 +1,4 @@
+#include <stddef.h>
 #include <string.h>
 
 #include "check.h"
@@ -66,7 +67,7 @@ static void sizes_are_understood(void) {
   newer_desc d;
   memset(&d, 0, sizeof d);
   dsw_context_desc_init(&d.known, sizeof(dsw_context_desc));
-  d.known.struct_size = (uint32_t)sizeof(dsw_context_desc) - 1;
+  d.known.struct_size = (uint32_t)offsetof(dsw_context_desc, kernel) - 1;
   CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_context_create(&d.known, &context));
   CHECK_MESSAGE("desc->struct_size");
   d.known.struct_size = 0;

@@ -1,0 +1,64 @@
+#include "base/processor.h"
+
+#include <array>
+#include <cstdlib>
+#include <cstring>
+
+namespace dsw {
+
+bool supports(Instructions instructions) noexcept {
+  if (instructions == Instructions::kPortable) return true;
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (!__builtin_cpu_supports("avx2")) return false;
+  return instructions == Instructions::kAvx2 ||
+         (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"));
+#else
+  return false;
+#endif
+}
+
+const NamedInstructions& named_instructions() noexcept {
+  static const NamedInstructions named = [] {
+    const char* const name = std::getenv("DARTSWEEP_KERNEL");
+    for (uint32_t i = 0; name != nullptr && i < kInstructionSets; ++i) {
+      const auto instructions = static_cast<Instructions>(i);
+      if (std::strcmp(name, kInstructionNames[i]) == 0 && supports(instructions)) {
+        return NamedInstructions{true, instructions};
+      }
+    }
+    return NamedInstructions{false, Instructions::kPortable};
+  }();
+  return named;
+}
+
+Instructions most_instructions() noexcept {
+  static const Instructions most = [] {
+    if (named_instructions().is_named) return named_instructions().instructions;
+    return supports(Instructions::kAvx512) ? Instructions::kAvx512
+           : supports(Instructions::kAvx2) ? Instructions::kAvx2
+                                           : Instructions::kPortable;
+  }();
+  return most;
+}
+
+const Kernels& kernels_of(Instructions instructions) noexcept {
+  static const auto tables = [] {
+    std::array<Kernels, kInstructionSets> all;
+    for (uint32_t i = 0; i < kInstructionSets; ++i) {
+      for (Instructions& of : all[i].of) of = static_cast<Instructions>(i);
+    }
+    return all;
+  }();
+  return tables[static_cast<uint32_t>(instructions)];
+}
+
+bool has_avx2_and_fma() noexcept {
+#if defined(__x86_64__)
+  return has_avx2() && __builtin_cpu_supports("fma");
+#else
+  return false;
+#endif
+}
+
+}  // namespace dsw

@@ -1,0 +1,201 @@
+#include "walk/fastest.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <initializer_list>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "environment/builder.h"
+#include "walk/cast.h"
+
+namespace dsw {
+namespace {
+
+constexpr int kSide = 6;         // cells along a side of the lattice
+constexpr uint32_t kRounds = 5;  // the fastest of so many counts: others were disturbed
+constexpr uint32_t kPackets = 3;
+
+enum class Cells { kTetrahedra, kFlatBoxes, kWarpedBoxes, kPolyhedra };
+constexpr Cells kAllCells[] = {Cells::kTetrahedra, Cells::kFlatBoxes, Cells::kWarpedBoxes, Cells::kPolyhedra};
+
+/** Numbers in -1 .. 1, the same in every run. */
+class Noise {
+ public:
+  double next() noexcept {
+    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(static_cast<int64_t>(state_) >> 11) * 0x1p-52;
+  }
+
+ private:
+  uint64_t state_ = 1;
+};
+
+/** A lattice of unit cubes. */
+class Lattice {
+ public:
+  explicit Lattice(Cells cells) {
+    Noise noise;
+    const double jitter = cells == Cells::kWarpedBoxes || cells == Cells::kPolyhedra ? 0.05 : 0;
+    for (int n = 0; n < kPoints * kPoints * kPoints; ++n) {
+      for (const int x : {n % kPoints, n / kPoints % kPoints, n / (kPoints * kPoints)}) {
+        points_.push_back(x + jitter * noise.next());
+      }
+    }
+    for (int n = 0; n < kSide * kSide * kSide; ++n) add_cube(cells, n % kSide, n / kSide % kSide, n / (kSide * kSide));
+  }
+
+  /** Throws. */
+  void build(Environment<3>& env) const {
+    dsw_environment_desc description{};
+    description.points = points_.data();
+    description.point_count = points_.size() / 3;
+    description.cell_types = types_.data();
+    description.volume_count = types_.size();
+    description.offsets = offsets_.data();
+    description.connectivity = connectivity_.data();
+    description.connectivity_count = connectivity_.size();
+    description.flags = DSW_ENVIRONMENT_NO_LOCATE_TREE;
+    BuildReport report;
+    dsw::build(env, check_description<3>(description), report);
+  }
+
+ private:
+  static constexpr int kPoints = kSide + 1;
+
+  void add_cube(Cells cells, int x, int y, int z) {
+    const int64_t a = x + kPoints * (y + kPoints * z), b = a + kPoints * kPoints;
+    const int64_t c[8] = {a, a + 1, a + 1 + kPoints, a + kPoints, b, b + 1, b + 1 + kPoints, b + kPoints};
+    switch (cells) {
+      case Cells::kTetrahedra:  // six round a diagonal
+        for (const auto& [s, t] : std::initializer_list<std::pair<int, int>>{
+                 {1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}}) {
+          add(DSW_CELL_TYPE_TETRA, {c[0], c[s], c[t], c[6]});
+        }
+        break;
+      case Cells::kPolyhedra:
+        add(DSW_CELL_TYPE_POLYHEDRON,
+            {6,    4,    c[0], c[4], c[7], c[3], 4,    c[1], c[2], c[6], c[5], 4,    c[0], c[1], c[5], c[4],
+             4,    c[3], c[7], c[6], c[2], 4,    c[0], c[3], c[2], c[1], 4,    c[4], c[5], c[6], c[7]});
+        break;
+      default:
+        add(DSW_CELL_TYPE_HEXAHEDRON, {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]});
+    }
+  }
+  void add(dsw_cell_type type, std::initializer_list<int64_t> stream) {
+    types_.push_back(static_cast<uint8_t>(type));
+    connectivity_.insert(connectivity_.end(), stream);
+    offsets_.push_back(static_cast<int64_t>(connectivity_.size()));
+  }
+
+  std::vector<double> points_;
+  std::vector<uint8_t> types_;
+  std::vector<int64_t> offsets_{0}, connectivity_;
+};
+
+/** Casts from the middle of cells to somewhere in their neighbourhood, as bodies make them. */
+class Course {
+ public:
+  explicit Course(Cells cells) : env_(nullptr), ends_(size_t{kPackets} * kPacket) {
+    Lattice(cells).build(env_);
+    Noise noise;
+    for (Ends& ends : ends_) {
+      const auto share = 0.5 + 0.5 * noise.next();
+      ends.start = env_.map.cell(static_cast<uint32_t>(share * (env_.map.cell_count - 1)));
+      centre(env_, ends.start, ends.from);
+      for (int k = 0; k < 3; ++k) ends.to[k] = ends.from[k] + 0.6 * noise.next();
+    }
+  }
+
+  /** Seconds of the fastest round. */
+  double time(Instructions instructions) noexcept {
+    using Clock = std::chrono::steady_clock;
+    env_.kernels = &kernels_of(instructions);
+    double least = HUGE_VAL;
+    for (uint32_t round = 0; round < kRounds; ++round) {
+      const Clock::time_point begin = Clock::now();
+      for (uint32_t packet = 0; packet < kPackets; ++packet) cast_packet(&ends_[size_t{packet} * kPacket]);
+      least = std::min(least, std::chrono::duration<double>(Clock::now() - begin).count());
+    }
+    return least;
+  }
+
+ private:
+  struct Ends {
+    double from[3], to[3];
+    Cell start;
+  };
+
+  void cast_packet(const Ends* ends) noexcept {
+    CastRequest requests[kPacket];
+    CastResult results[kPacket];
+    for (uint32_t i = 0; i < kPacket; ++i) {
+      requests[i].from = ends[i].from;
+      requests[i].to = ends[i].to;
+      requests[i].start = ends[i].start;
+    }
+    cast_side_by_side(env_, requests, kPacket, results, nullptr);
+  }
+
+  Environment<3> env_;
+  std::vector<Ends> ends_;
+};
+
+Instructions fastest(Cells cells) {
+  Course course(cells);
+  Instructions best = Instructions::kPortable;
+  double least = course.time(best);
+  for (uint32_t i = 1; i < kInstructionSets; ++i) {
+    const auto instructions = static_cast<Instructions>(i);
+    if (!supports(instructions)) break;
+    const double seconds = course.time(instructions);
+    if (seconds < least) {
+      least = seconds;
+      best = instructions;
+    }
+  }
+  return best;
+}
+
+Kernels measure() {
+  Kernels kernels = kernels_of(most_instructions());
+  for (const Cells cells : kAllCells) {
+    const Instructions best = fastest(cells);
+    const auto set = [&](Form form, bool flat) { kernels.of[static_cast<uint32_t>(form) * 2 + (flat ? 1 : 0)] = best; };
+    switch (cells) {
+      case Cells::kTetrahedra:
+        for (const Form form : {Form::kSimplex, Form::kPyramid}) set(form, false), set(form, true);
+        break;
+      case Cells::kFlatBoxes:
+        set(Form::kBox, true);
+        break;
+      case Cells::kWarpedBoxes:
+        set(Form::kBox, false);
+        break;
+      case Cells::kPolyhedra:
+        for (const Form form : {Form::kPrism, Form::kGeneral}) set(form, false), set(form, true);
+    }
+  }
+  return kernels;
+}
+
+}  // namespace
+
+const Kernels& fastest_kernels() noexcept {
+  static const Kernels fastest = [] {
+    if (!named_instructions().is_named && supports(Instructions::kAvx2)) {
+      try {
+        return measure();
+      } catch (const std::bad_alloc&) {
+      } catch (const Error&) {
+      }
+    }
+    return kernels_of(most_instructions());
+  }();
+  return fastest;
+}
+
+}  // namespace dsw
