@@ -400,6 +400,7 @@ AT(dsw_rigid_motion, translation, 56);
 SIZE(dsw_status, 4);
 SIZE(dsw_outcome, 4);
 SIZE(dsw_contact_kind, 4);
+SIZE(dsw_kernel, 4);
 SIZE(dsw_log_level, 4);
 SIZE(dsw_cell_type, 4);
 SIZE(dsw_cell_kind, 4);

@@ -44,7 +44,7 @@ CASES = [
     Case("a parameter gets another type", "abidiff source", [RETYPED]),
     Case("a parameter is added", "abidiff source", [(*STRING, "DSW_API const char *dsw_status_string(dsw_status status, int language);")]),
     Case("a callback gets another parameter", "abidiff source",
-         [(header("context"), r"\(\*dsw_log_fn\)\(void \*user,", "(*dsw_log_fn)(void *user, int line,")]),
+         [(header("record"), r"\(\*dsw_write_fn\)\(void \*user,", "(*dsw_write_fn)(void *user, int line,")]),
     Case("members of one type change places", "abidiff source layout offsets",
          [(header("environment"), r"\n  uint32_t volume_index_count;", "\n  uint32_t vertex_index_count;"),
           (header("environment"), r"\n  uint32_t vertex_index_count; /", "\n  uint32_t volume_index_count; /")]),

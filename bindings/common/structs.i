@@ -95,6 +95,7 @@ DSW_EACH_RESULT(DSW_MEMBER)
 
 // What classes of ours replace.
 %ignore dsw_context_desc;
+%ignore dsw_kernel;
 %ignore dsw_trace_data;
 %ignore dsw_coarsen_report;
 %ignore dsw_recording_desc;
