@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   Options options;
   std::string json = "benchmark.json";
-  const std::vector<std::string> known = {"hex",   "threads",  "tet",     "vessel",  "change", "create",    "fig11",
+  const std::vector<std::string> known = {"hex",   "threads", "kernels",  "tet",     "vessel",  "change", "create",    "fig11",
                                           "fig12", "catheter", "deform",  "coarsen", "cut",    "obstacles", "remesh",
                                           "self",  "plane",    "figure5", "locate",  "near"};
   std::vector<std::string> parts;
@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
     if (wanted("figure5")) run_figure5(options, report);
     if (wanted("remesh")) run_remesh(options, report);
     if (wanted("plane")) run_plane(options, report);
+    if (wanted("kernels")) run_kernels(options, report);
     if (wanted("threads")) run_threads(options, report);
     if (wanted("tet")) run_tet(options, report, agreement);
     if (wanted("vessel")) {

@@ -35,10 +35,11 @@ std::uint64_t face_key(dsw_face_id face) { return static_cast<std::uint64_t>(fac
 
 }  // namespace
 
-World::World(const scenes::VolumeMesh& mesh, std::uint32_t threads, bool count_memory) {
+World::World(const scenes::VolumeMesh& mesh, std::uint32_t threads, bool count_memory, std::uint32_t kernel) {
   dsw_context_desc context_desc;
   dsw_context_desc_init(&context_desc, sizeof context_desc);
   context_desc.thread_count = threads;
+  context_desc.kernel = kernel;
   if (count_memory) {
     context_desc.user = &memory_;
     context_desc.allocate = allocate;

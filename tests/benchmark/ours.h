@@ -23,7 +23,8 @@ struct MemoryUse {
 class World {
  public:
   /** @param count_memory lends an allocator that fills memory(): single-threaded worlds only. */
-  World(const scenes::VolumeMesh& mesh, std::uint32_t threads, bool count_memory = false);
+  World(const scenes::VolumeMesh& mesh, std::uint32_t threads, bool count_memory = false,
+        std::uint32_t kernel = DSW_KERNEL_FASTEST);
   /** What another one is, coarsened; in the other's context, so it must go first. `map`: one entry a cell of that. */
   World(const World& fine, std::vector<std::uint32_t>& map, dsw_coarsen_report& report);
   ~World();

@@ -17,6 +17,7 @@ struct Options {
 };
 
 void run_hex(const Options& options, Report& report, Agreement& agreement);
+void run_kernels(const Options& options, Report& report);
 void run_threads(const Options& options, Report& report);
 void run_tet(const Options& options, Report& report, Agreement& agreement);
 void run_vessel(const Options& options, Report& report, Agreement& agreement);

@@ -81,7 +81,7 @@ mkdir -p "$tree"
 cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
   -DDSW_BUILD_EXAMPLES=ON -DDSW_WITH_LIBCCD=ON > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
 cmake --build "$tree" -j "$(nproc)" \
-  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_predicates dartsweep_oracle dartsweep_core edits_tests cross_check_tests paper_catheter_length
+  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_walk_counted dartsweep_bench_predicates dartsweep_oracle dartsweep_core edits_tests cross_check_tests paper_catheter_length
 
 bench=$tree/tests/benchmark
 if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 edits=5000 cases=110000
@@ -91,6 +91,7 @@ rm -rf "$tree/moves" # of an older run
 mkdir -p "$tree/moves"
 "$bench/dartsweep_bench_contact" $quick --json "$tree/contact.json" "${mesh[@]}" --moves "$tree/moves"
 "$here/contact_instructions.sh" "$bench/dartsweep_bench_contact" "${mesh[@]}" --moves "$tree/moves" --json "$tree/contact_instructions.json"
+"$here/walk_instructions.sh" "$bench/dartsweep_bench_walk_counted" --json "$tree/walk_instructions.json"
 "$tree/examples/paper/catheter_length" "${mesh[@]}" --csv "$tree/fig9.csv" --json "$tree/fig9.json"
 # The exact parts report what they find and fail on a single difference; their figures are wanted either way.
 failed=0
@@ -100,6 +101,6 @@ failed=0
 DSW_EDITS=$edits "$tree/tests/property/edits_tests" --gtest_output="json:$tree/edits.json" > "$tree/edits.log" || failed=1
 
 "$tree/tests/property/cross_check_tests" --gtest_output="json:$tree/normals.json" > "$tree/normals.log" || failed=1
-python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/normals.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/oracle.json"
+python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/normals.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/walk_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/oracle.json"
 echo "wrote $json"
 exit $failed
