@@ -12,7 +12,8 @@ bool supports(Instructions instructions) noexcept {
   __builtin_cpu_init();
   if (!__builtin_cpu_supports("avx2")) return false;
   return instructions == Instructions::kAvx2 ||
-         (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"));
+         (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+          __builtin_cpu_supports("avx512vl"));
 #else
   return false;
 #endif

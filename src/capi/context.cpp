@@ -17,7 +17,8 @@ const dsw::Kernels& kernels_for(const dsw_context_desc& desc) {
     dsw::fail(DSW_STATUS_UNSUPPORTED, "desc->kernel is %u, which is no dsw_kernel", desc.kernel);
   }
   if (!dsw::supports(static_cast<dsw::Instructions>(instructions))) {
-    dsw::fail(DSW_STATUS_UNSUPPORTED, "this processor has not what kernel %s needs", dsw::kInstructionNames[instructions]);
+    dsw::fail(DSW_STATUS_UNSUPPORTED, "this processor has not what kernel %s needs",
+              dsw::kInstructionNames[instructions]);
   }
   return dsw::kernels_of(static_cast<dsw::Instructions>(instructions));
 }

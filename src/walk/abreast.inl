@@ -10,7 +10,7 @@ struct Abreast {
 /** Whether it pays to look at so many such cells, flat and convex or not, side by side. Lanes without one do
  * nothing. */
 constexpr bool pays_abreast(Form form, bool flat, uint32_t count) {
-  if (form == Form::kBox && !flat) return kAbreast == 8 && count == kAbreast;
+  if (form == Form::kBox && !flat) return count == kAbreast;
   if (form == Form::kBox) return count >= (kAbreast == 8 ? 3 : 2);
   return flat && count >= 3 && (form == Form::kSimplex || form == Form::kPyramid);
 }
@@ -115,8 +115,8 @@ __attribute__((noinline)) inline void Sides::look_at_tetrahedra(const double* po
   const auto longest = [](Row x, Row y, Row z) {
     return largest(largest(Row::absolute(x), Row::absolute(y)), Row::absolute(z));
   };
-  planes.outside.add(kFar, Row::greater(longest(v.x, v.y, v.z),
-                                        Row::all(kFarEdges) * longest(v.x - w.x, v.y - w.y, v.z - w.z)));
+  planes.outside.add(
+      kFar, Row::greater(longest(v.x, v.y, v.z), Row::all(kFarEdges) * longest(v.x - w.x, v.y - w.y, v.z - w.z)));
   planes.store(*this);
 }
 

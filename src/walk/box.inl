@@ -19,8 +19,10 @@ template <class Values>
 inline Values dot(const PointsOf<Values>& a, const PointsOf<Values>& b) noexcept {
   return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
-inline Points select(Lanes::Mask m, const Points& yes, const Points& no) noexcept {
-  return {Lanes::select(m, yes.x, no.x), Lanes::select(m, yes.y, no.y), Lanes::select(m, yes.z, no.z)};
+template <class Values>
+inline PointsOf<Values> select(typename Values::Mask m, const PointsOf<Values>& yes,
+                               const PointsOf<Values>& no) noexcept {
+  return {Values::select(m, yes.x, no.x), Values::select(m, yes.y, no.y), Values::select(m, yes.z, no.z)};
 }
 
 template <int K, class Vertices>
@@ -59,21 +61,23 @@ inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, c
 }
 
 /** Facets with four corners in lanes: those of one hexahedron, or one facet of each of several. */
+template <class Values>
 struct Quads {
-  Points a, b, c, d;    // the loop turned so that the diagonal joins a and c
-  Points diagonal;      // a x c
-  Lanes first, second;  // q outside of the triangles a b c and c d a, where positive
+  PointsOf<Values> a, b, c, d;  // the loop turned so that the diagonal joins a and c
+  PointsOf<Values> diagonal;    // a x c
+  Values first, second;         // q outside of the triangles a b c and c d a, where positive
 };
 
 /** `cut`: where the diagonal joins the second and fourth corners. */
-DSW_HOT Quads make_quads(const Points& c0, const Points& c1, const Points& c2, const Points& c3,
-                         Lanes::Mask cut) noexcept {
-  Quads quads;
+template <class Values>
+DSW_HOT Quads<Values> make_quads(const PointsOf<Values>& c0, const PointsOf<Values>& c1, const PointsOf<Values>& c2,
+                                 const PointsOf<Values>& c3, typename Values::Mask cut) noexcept {
+  Quads<Values> quads;
   quads.a = select(cut, c1, c0), quads.b = select(cut, c2, c1);
   quads.c = select(cut, c3, c2), quads.d = select(cut, c0, c3);
   quads.diagonal = cross(quads.a, quads.c);
   quads.first = dot(quads.diagonal, quads.b);
-  quads.second = Lanes::all(0) - dot(quads.diagonal, quads.d);
+  quads.second = Values::all(0) - dot(quads.diagonal, quads.d);
   return quads;
 }
 
@@ -86,26 +90,29 @@ struct Piercings {
 
 /** `out1`, `out2`: quads with q outside of their triangles. `back`: p -> q. The diagonal decides between a quad's
  * triangles, two more edges whether that one is pierced. */
-DSW_HOT Piercings pierce(const Quads& quads, uint32_t out1, uint32_t out2, const Points& back, Lanes bound) noexcept {
-  const Lanes minus_bound = Lanes::all(0) - bound;
-  const Lanes over = dot(quads.diagonal, back);  // > 0: on the side of the second triangle
-  const Lanes::Mask is_second = Lanes::greater(over, bound);
-  const Points from = select(is_second, quads.c, quads.a), tip = select(is_second, quads.d, quads.b),
-               to = select(is_second, quads.a, quads.c);
-  const Lanes edge1 = dot(cross(from, tip), back), edge2 = dot(cross(tip, to), back);
-  const uint32_t on_second = Lanes::bits(is_second), on_first = Lanes::bits(Lanes::greater(minus_bound, over));
-  const uint32_t inside1 = Lanes::bits(Lanes::greater(edge1, bound)),
-                 inside2 = Lanes::bits(Lanes::greater(edge2, bound));
-  const uint32_t beside = Lanes::bits(Lanes::greater(minus_bound, edge1) | Lanes::greater(minus_bound, edge2));
+template <class Values>
+DSW_HOT Piercings pierce(const Quads<Values>& quads, uint32_t out1, uint32_t out2, const PointsOf<Values>& back,
+                         Values bound) noexcept {
+  const Values minus_bound = Values::all(0) - bound;
+  const Values over = dot(quads.diagonal, back);  // > 0: on the side of the second triangle
+  const typename Values::Mask is_second = Values::greater(over, bound);
+  const PointsOf<Values> from = select(is_second, quads.c, quads.a), tip = select(is_second, quads.d, quads.b),
+                         to = select(is_second, quads.a, quads.c);
+  const Values edge1 = dot(cross(from, tip), back), edge2 = dot(cross(tip, to), back);
+  const uint32_t on_second = Values::bits(is_second), on_first = Values::bits(Values::greater(minus_bound, over));
+  const uint32_t inside1 = Values::bits(Values::greater(edge1, bound)),
+                 inside2 = Values::bits(Values::greater(edge2, bound));
+  const uint32_t beside =
+      Values::bits(Values::greater(minus_bound, edge1)) | Values::bits(Values::greater(minus_bound, edge2));
   const uint32_t q_outside = (on_second & out2) | (on_first & out1);
   const uint32_t hit = q_outside & inside1 & inside2;
   // p against the triangle: minus that of q plus the three line tests is minus the volume seen from p.
-  const Lanes of_q = Lanes::select(is_second, quads.second, quads.first);
-  const Lanes magnitude = Lanes::absolute(over);
-  const Lanes of_p = ((of_q - edge1) - edge2) - magnitude;
-  const Lanes p_bound = Lanes::all(6) * bound;
-  const uint32_t p_inside = Lanes::bits(Lanes::greater(Lanes::all(0) - p_bound, of_p));
-  const uint32_t p_outside = Lanes::bits(Lanes::greater(of_p, p_bound));
+  const Values of_q = Values::select(is_second, quads.second, quads.first);
+  const Values magnitude = Values::absolute(over);
+  const Values of_p = ((of_q - edge1) - edge2) - magnitude;
+  const Values p_bound = Values::all(6) * bound;
+  const uint32_t p_inside = Values::bits(Values::greater(Values::all(0) - p_bound, of_p));
+  const uint32_t p_outside = Values::bits(Values::greater(of_p, p_bound));
   return {hit & p_inside, on_second, ((on_first | on_second) & (~q_outside | beside)) | (hit & (p_inside | p_outside))};
 }
 
@@ -122,7 +129,7 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   const BoxVertices v(env.points, w + kUnitWords<3>, q);
   const Points c0 = corner<0>(v), c1 = corner<1>(v), c2 = corner<2>(v), c3 = corner<3>(v);
   if (__builtin_expect(!v.extent.in_range(), 0)) return exits;
-  const Quads quads = make_quads(c0, c1, c2, c3, Lanes::spread(w[0] & kShapeMask));
+  const Quads<Lanes> quads = make_quads(c0, c1, c2, c3, Lanes::spread(w[0] & kShapeMask));
   const Lanes bound = Lanes::all(v.extent.bound()), minus_bound = Lanes::all(0) - bound;
   const uint32_t out1 = Lanes::bits(Lanes::greater(quads.first, bound)),
                  out2 = Lanes::bits(Lanes::greater(quads.second, bound));
@@ -136,8 +143,8 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
   const Extent reach = {std::max(v.extent.x, std::fabs(u[0])), std::max(v.extent.y, std::fabs(u[1])),
                         std::max(v.extent.z, std::fabs(u[2]))};
-  const Piercings lines =
-      pierce(quads, out1, out2, {Lanes::all(u[0]), Lanes::all(u[1]), Lanes::all(u[2])}, Lanes::all(reach.bound()));
+  const Piercings lines = pierce(quads, out1, out2, Points{Lanes::all(u[0]), Lanes::all(u[1]), Lanes::all(u[2])},
+                                 Lanes::all(reach.bound()));
   exits.pierced = lines.pierced;
   exits.second = lines.second;
   exits.sure = reach.in_range() && (exits.candidates & ~lines.settled) == 0;

@@ -21,8 +21,10 @@ const Walk<3> kSpaceWalks[] = {
 
 template <int D>
 const Walk<D>& walk_for(const Environment<D>& env, Cell cell) noexcept {
-  if constexpr (D == 2) return kPlaneWalk;
-  else return kSpaceWalks[static_cast<uint32_t>(env.kernels->of[kind_bits(env.map.record(cell)[0])])];
+  if constexpr (D == 2)
+    return kPlaneWalk;
+  else
+    return kSpaceWalks[static_cast<uint32_t>(env.kernels->of[kind_bits(env.map.record(cell)[0])])];
 }
 
 template <int D>

@@ -71,15 +71,15 @@ class Lattice {
     const int64_t c[8] = {a, a + 1, a + 1 + kPoints, a + kPoints, b, b + 1, b + 1 + kPoints, b + kPoints};
     switch (cells) {
       case Cells::kTetrahedra:  // six round a diagonal
-        for (const auto& [s, t] : std::initializer_list<std::pair<int, int>>{
-                 {1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}}) {
+        for (const auto& [s, t] :
+             std::initializer_list<std::pair<int, int>>{{1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}}) {
           add(DSW_CELL_TYPE_TETRA, {c[0], c[s], c[t], c[6]});
         }
         break;
       case Cells::kPolyhedra:
         add(DSW_CELL_TYPE_POLYHEDRON,
-            {6,    4,    c[0], c[4], c[7], c[3], 4,    c[1], c[2], c[6], c[5], 4,    c[0], c[1], c[5], c[4],
-             4,    c[3], c[7], c[6], c[2], 4,    c[0], c[3], c[2], c[1], 4,    c[4], c[5], c[6], c[7]});
+            {6, 4,    c[0], c[4], c[7], c[3], 4,    c[1], c[2], c[6], c[5], 4,    c[0], c[1], c[5], c[4],
+             4, c[3], c[7], c[6], c[2], 4,    c[0], c[3], c[2], c[1], 4,    c[4], c[5], c[6], c[7]});
         break;
       default:
         add(DSW_CELL_TYPE_HEXAHEDRON, {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]});

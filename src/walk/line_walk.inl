@@ -31,7 +31,12 @@ template <>
 class LineWalk<3> {
  public:
   LineWalk(const Environment<3>& env, const CastRequest* requests, CastResult* results) noexcept
-      : env_(env), map_(env.map), requests_(requests), results_(results), moving_(env.checked.active()), plain_(!moving_) {}
+      : env_(env),
+        map_(env.map),
+        requests_(requests),
+        results_(results),
+        moving_(env.checked.active()),
+        plain_(!moving_) {}
 
   bool empty() const noexcept { return count_ + added_ == 0; }
 
@@ -157,7 +162,8 @@ class LineWalk<3> {
   DSW_HOT bool may_enter(uint32_t slot) const noexcept {
     const uint32_t link = links_[slot];
     if (link >= kNoFacet) return false;  // nothing is beyond, or the facet is marked
-    const bool is_open = map_.words[link & ~kInUnit] >> kFormShift == static_cast<uint32_t>(Form::kSimplex);  // unmarked
+    const bool is_open =
+        map_.words[link & ~kInUnit] >> kFormShift == static_cast<uint32_t>(Form::kSimplex);  // unmarked
     if (Plain) return is_open;
     const CastRequest& request = requests_[casts_[slot]];
     const Cell next = tetrahedron_of({link});

@@ -11,6 +11,22 @@ inline Row divide(Row a, Row b) noexcept { return {_mm512_div_pd(a.v, b.v)}; }
 inline Row load_row(const double* from) noexcept { return {_mm512_loadu_pd(from)}; }
 inline void store_row(double* to, Row row) noexcept { _mm512_storeu_pd(to, row.v); }
 inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return a & b; }
+inline Row::Mask mask_of(uint32_t bits) noexcept { return bits; }
+
+/** A word of each lane. `at(lane)` is one. */
+struct Words {
+  __m256i words;
+
+  template <class At>
+  DSW_HOT explicit Words(At at) noexcept
+      : words(_mm256_setr_epi32(static_cast<int>(at(0)), static_cast<int>(at(1)), static_cast<int>(at(2)),
+                                static_cast<int>(at(3)), static_cast<int>(at(4)), static_cast<int>(at(5)),
+                                static_cast<int>(at(6)), static_cast<int>(at(7)))) {}
+  /** Lanes with this bit. */
+  DSW_HOT Row::Mask have(uint32_t bit) const noexcept {
+    return _mm256_test_epi32_mask(words, _mm256_set1_epi32(static_cast<int>(bit)));
+  }
+};
 
 /** Two points in the halves of a register. Masked, so that the last point of the host's array is not read past. */
 DSW_HOT __m512d load_two(const double* a, const double* b) noexcept {
@@ -73,6 +89,20 @@ inline Row divide(Row a, Row b) noexcept { return {_mm256_div_pd(a.v, b.v)}; }
 inline Row load_row(const double* from) noexcept { return {_mm256_loadu_pd(from)}; }
 inline void store_row(double* to, Row row) noexcept { _mm256_storeu_pd(to, row.v); }
 inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return _mm256_and_pd(a, b); }
+inline Row::Mask mask_of(uint32_t bits) noexcept { return Lanes::spread(bits).a; }
+
+/** A word of each lane. `at(lane)` is one. */
+struct Words {
+  __m256i words;
+
+  template <class At>
+  DSW_HOT explicit Words(At at) noexcept : words(_mm256_setr_epi64x(at(0), at(1), at(2), at(3))) {}
+  /** Lanes with this bit. */
+  DSW_HOT Row::Mask have(uint32_t bit) const noexcept {
+    const __m256i bits = _mm256_set1_epi64x(bit);
+    return _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(words, bits), bits));
+  }
+};
 
 /** Two coordinates of one point, and two of another. */
 DSW_HOT __m256d load_two(const double* a, const double* b) noexcept {
@@ -134,6 +164,21 @@ inline void store_row(double* to, Row row) noexcept {
   to[1] = row.v[1];
 }
 inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return a & b; }
+inline Row::Mask mask_of(uint32_t bits) noexcept {
+  return Row::Mask{-static_cast<int64_t>(bits & 1u), -static_cast<int64_t>(bits >> 1 & 1u)};
+}
+
+/** A word of each lane. `at(lane)` is one. */
+struct Words {
+  uint32_t first, second;
+
+  template <class At>
+  DSW_HOT explicit Words(At at) noexcept : first(at(0)), second(at(1)) {}
+  /** Lanes with this bit. */
+  DSW_HOT Row::Mask have(uint32_t bit) const noexcept {
+    return mask_of(((first & bit) != 0 ? 1u : 0u) | ((second & bit) != 0 ? 2u : 0u));
+  }
+};
 
 /** `at(lane)`: where the lane's point lies. */
 template <class At>

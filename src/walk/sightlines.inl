@@ -97,8 +97,8 @@ class Sightlines {
 #pragma GCC unroll 3
     for (uint32_t c = 0; c < 3; ++c) {
       const uint32_t next = (c + 1) % 3, last = (c + 2) % 3;
-      const Row weight = Row::select(replaced[next], sides[last],
-                                     Row::select(replaced[last], Row::all(0) - sides[next], weights[c]));
+      const Row weight =
+          Row::select(replaced[next], sides[last], Row::select(replaced[last], Row::all(0) - sides[next], weights[c]));
       const Row z = Row::select(replaced[c], tip.z, corners[c].z);
       put(kCorners + c, first, Row::select(replaced[c], tip.i, corners[c].i));
       put(kCorners + 3 + c, first, Row::select(replaced[c], tip.j, corners[c].j));
@@ -108,8 +108,9 @@ class Sightlines {
     }
     depth = depth * get(kForward, first);
     const Row depth_bound = Row::all(8) * bound * largest;
-    const Row::Mask settled = both(either(either(replaced[0], replaced[1]), replaced[2]),
-                                   both(Row::greater(largest, Row::all(kLeast)), Row::greater(Row::all(kMost), largest)));
+    const Row::Mask settled =
+        both(either(either(replaced[0], replaced[1]), replaced[2]),
+             both(Row::greater(largest, Row::all(kLeast)), Row::greater(Row::all(kMost), largest)));
     const Row tips = get(kTip, first);
     Row gone = get(kVertices, first);
     put(kVertices, first, Row::select(replaced[0], tips, gone));
@@ -132,7 +133,16 @@ class Sightlines {
 
  private:
   enum : uint32_t {
-    kFromX, kFromY, kFromZ, kAlongY, kAlongZ, kForward, kLength, kSlopeI, kSlopeJ, kLargest,
+    kFromX,
+    kFromY,
+    kFromZ,
+    kAlongY,
+    kAlongZ,
+    kForward,
+    kLength,
+    kSlopeI,
+    kSlopeJ,
+    kLargest,
     kCorners,                   // i of each, j, z, and the weights
     kVertices = kCorners + 12,  // their numbers, which are not doubles, but bits in their place
     kTip = kVertices + 3,
@@ -169,8 +179,7 @@ class Sightlines {
     const Row most = largest(largest(Row::absolute(v.x), Row::absolute(v.y)), Row::absolute(v.z));
     put(kLargest, first, largest(get(kLargest, first), most));
     const Row half = Row::all(0.5);
-    const Turned a =
-        turn_axes(v, Row::greater(get(kAlongY, first), half), Row::greater(get(kAlongZ, first), half));
+    const Turned a = turn_axes(v, Row::greater(get(kAlongY, first), half), Row::greater(get(kAlongZ, first), half));
     return {a.i - get(kSlopeI, first) * a.k, a.j - get(kSlopeJ, first) * a.k, a.k - get(kLength, first)};
   }
 

@@ -60,7 +60,8 @@ inline uint32_t look_at_tetrahedron(const Environment<3>& env, const uint32_t* w
     inside |= (det[f] < -bound ? 1u : 0u) << f;
   }
   outside &= ~known;
-  const double edge = std::max(std::max(std::fabs(v.x[0] - v.x[1]), std::fabs(v.y[0] - v.y[1])), std::fabs(v.z[0] - v.z[1]));
+  const double edge =
+      std::max(std::max(std::fabs(v.x[0] - v.x[1]), std::fabs(v.y[0] - v.y[1])), std::fabs(v.z[0] - v.z[1]));
   const double away = std::max(std::max(std::fabs(v.x[0]), std::fabs(v.y[0])), std::fabs(v.z[0]));
   const uint32_t far = away > kFarEdges * edge ? kFar : 0;
   const uint32_t sure = (in_range ? outside | inside : 0) | known;

@@ -17,9 +17,7 @@ constexpr uint32_t kAbreast = 2;
 #include "walk/pyramid.inl"
 #include "walk/rows.inl"
 #include "walk/abreast.inl"
-#if defined(DSW_ISA_AVX512)
 #include "walk/boxes.inl"
-#endif
 #include "walk/sightlines.inl"
 #include "walk/polyhedron.inl"
 #include "walk/polygon.inl"
@@ -207,9 +205,7 @@ class Walkers {
       sides.look_at_boxes(env_.points, cells);
       note_sides<First, 6>(first, end, sides);
     } else {
-#if defined(DSW_ISA_AVX512)
       look_warped<First>(first, end, cells);
-#endif
     }
     return true;
   }
@@ -234,7 +230,6 @@ class Walkers {
     open_count_ = open;
   }
 
-#if defined(DSW_ISA_AVX512)
   template <bool First>
   DSW_HOT void look_warped(uint32_t first, uint32_t end, const Abreast& cells) noexcept {
     const double* from[kAbreast];
@@ -248,12 +243,13 @@ class Walkers {
         look<First>(i);
         continue;
       }
-      looks_[i] = Look::of_box({exits.pierced[j], exits.second[j], exits.candidates[j], true}, tally_);
+      looks_[i] = Look::of_box({static_cast<uint32_t>(exits.pierced[j]), static_cast<uint32_t>(exits.second[j]),
+                                static_cast<uint32_t>(exits.candidates[j]), true},
+                               tally_);
       open_[open_count_] = static_cast<uint8_t>(i);
       open_count_ += looks_[i].may_leave() ? 1 : 0;
     }
   }
-#endif
 
   /** Whether an open cast leaves its cell. */
   template <bool First>

@@ -32,10 +32,10 @@ struct Contest {
                                                         {"embree_ns", embree.get()},
                                                         {"grid_ns", grid.get()}};
     if (packets) {
-      all.insert(
-          all.end(),
-          {{"embree8_ns", packets.get()}, {"embree_occluded_ns", occluded.get()}, {"no_detail_ns", plain.get()},
-           {"deforming_ns", in_bending.get()}});
+      all.insert(all.end(), {{"embree8_ns", packets.get()},
+                             {"embree_occluded_ns", occluded.get()},
+                             {"no_detail_ns", plain.get()},
+                             {"deforming_ns", in_bending.get()}});
     }
     return all;
   }

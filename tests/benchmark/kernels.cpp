@@ -57,7 +57,8 @@ void run_kernels(const Options& options, Report& report) {
     // All ran the last batch last: the reports must be the same bits.
     const std::size_t last = (segments.count() - 1) % segments.batch + 1;
     for (const auto& [name, engine] : engines) {
-      if (std::memcmp(engine->flights().data(), engines.at("fastest")->flights().data(), last * sizeof(dsw_flight)) != 0) {
+      if (std::memcmp(engine->flights().data(), engines.at("fastest")->flights().data(), last * sizeof(dsw_flight)) !=
+          0) {
         throw std::runtime_error("kernel " + name + " gives other reports");
       }
       report.set("walk.kernel." + name + "." + scene_name + "_ns", median(times[name]));

@@ -12,9 +12,9 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   Options options;
   std::string json = "benchmark.json";
-  const std::vector<std::string> known = {"hex",   "threads", "kernels",  "tet",     "vessel",  "change", "create",    "fig11",
-                                          "fig12", "catheter", "deform",  "coarsen", "cut",    "obstacles", "remesh",
-                                          "self",  "plane",    "figure5", "locate",  "near"};
+  const std::vector<std::string> known = {"hex",    "threads", "kernels",  "tet",     "vessel",  "change", "create",
+                                          "fig11",  "fig12",   "catheter", "deform",  "coarsen", "cut",    "obstacles",
+                                          "remesh", "self",    "plane",    "figure5", "locate",  "near"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");

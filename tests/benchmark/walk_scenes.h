@@ -16,10 +16,10 @@ namespace dsw::bench {
 /** A mesh, what is impassable there, and casts. */
 struct WalkScene {
   scenes::VolumeMesh mesh;
-  std::vector<std::uint8_t> obstacles;                   // by cell, or none
-  std::vector<std::array<std::uint32_t, 3>> walls;       // triangles
-  std::vector<double> from, to;                          // 3 a cast
-  std::vector<std::uint32_t> cells;                      // where they start, or near by
+  std::vector<std::uint8_t> obstacles;              // by cell, or none
+  std::vector<std::array<std::uint32_t, 3>> walls;  // triangles
+  std::vector<double> from, to;                     // 3 a cast
+  std::vector<std::uint32_t> cells;                 // where they start, or near by
   std::size_t batch = 4500;
 
   /** Marks what is impassable, and finds where casts start. */
