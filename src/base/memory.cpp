@@ -11,7 +11,7 @@ namespace {
 constexpr bool is_usual(size_t alignment_bytes) { return alignment_bytes <= __STDCPP_DEFAULT_NEW_ALIGNMENT__; }
 
 // Large blocks lie in large pages where the system gives them when it is asked. Who reads a large map at random finds
-// the addresses of its pages in the processor's table then, and takes a third less time.
+// the addresses of its pages in the processor's table more often then. Measured with a million hexahedra: 4 % less time.
 #if defined(__linux__)
 constexpr size_t kLargePage = size_t{2} << 20;
 constexpr size_t aligned_for_pages(size_t size_bytes, size_t alignment_bytes) {

@@ -84,9 +84,12 @@ class LineWalk<3> {
       aim(s);
     }
     added_ = 0;
+    // Lanes without a cast repeat the last one: no slot is read that has not been written.
     uint8_t missing[kPacket];
     uint32_t missing_count = 0;
-    for (uint32_t first = old; first < count_; first += kAbreast) {
+    const uint32_t whole = (count_ + kAbreast - 1) / kAbreast * kAbreast;
+    for (uint32_t first = old; first < std::max(count_, written_ < whole ? whole : 0); first += kAbreast) {
+      written_ = std::max(written_, first + kAbreast);
       const auto slot = [&](uint32_t lane) { return std::min(first + lane, count_ - 1); };
       const uint32_t passing = sightlines_.start(
           first, env_.points, [&](uint32_t lane) { return requests_[casts_[slot(lane)]].from; },
@@ -215,6 +218,7 @@ class LineWalk<3> {
   const bool moving_;  // points do
   bool plain_;         // nothing is asked of any cast but where it ends, and no points move
   uint32_t count_ = 0, added_ = 0;
+  uint32_t written_ = 0;  // slots that have been
   uint8_t added_casts_[kPacket];
   uint32_t added_through_[kPacket];
   uint8_t casts_[kPacket];

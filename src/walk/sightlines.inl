@@ -4,9 +4,9 @@
 // corner: the weight of the new corner is the line test of that edge, known from before. With the weights W, each the
 // line test of the edge opposite, the line pierces a facet at the depth sum(W z) / sum(W), z being the depth of a corner
 // behind the target. So its sign tells whether the target comes first.
-//   With u and M as in shear.h a weight is at most 8 M^2 and off by 88 u M^2. A depth is at most 2 M, and off by 3 u M
-// since it is the difference of two differences. The sum with its three roundings for each term is off by
-// (3 * 88 * 2 + 3 * 8 * 3 + 3 * 8 * 2 * 3) u M^3 < 8 * 128 u M^3.
+//   With u and M as in shear.h a weight is at most 8 M^2 and off by 88 u M^2. A depth is the difference of two
+// differences: at most 2 M, and off by 4 u M. The sum has three terms of at most 16 M^3, and each meets three roundings.
+// So the sum is off by (3 * 88 * 2 + 3 * 8 * 4 + 3 * 16 * 3) u M^3 < 8 * 128 u M^3.
 
 /** Casts by slots. Whoever takes a slot away moves the last one there. */
 class Sightlines {
@@ -17,8 +17,8 @@ class Sightlines {
   };
 
   /** Of kAbreast casts: p -> q, and the triangles that they came in through, the corners of each counter-clockwise seen
-   * from where the cast comes. `vertex(lane, corner)` is a corner's number. @return which of them pass their triangles for certain.
-   */
+   * from where the cast comes. `vertex(lane, corner)` is a corner's number. @return which of them pass their triangles
+   * for certain. */
   template <class From, class To, class Vertex>
   DSW_HOT uint32_t start(uint32_t first, const double* points, From from, To to, Vertex vertex) noexcept {
     const PointsOf<Row> p = load_points(from), q = load_points(to);
@@ -61,7 +61,7 @@ class Sightlines {
       put(kCorners + 9 + c, first, weight);
       lowest = least(lowest, weight);
     }
-    return Row::bits(Row::greater(lowest, bound));
+    return Row::bits(both(Row::greater(lowest, bound), is_in_range(get(kLargest, first))));
   }
 
   /** Names the vertex that the next step of a slot reads. */
@@ -73,7 +73,7 @@ class Sightlines {
     return static_cast<uint32_t>(vertex);
   }
 
-  /** Of `lanes` slots that have been aimed: what the new vertices say. */
+  /** Of kAbreast slots that have been aimed: what the new vertices say. Goes on to the facets that casts leave through. */
   DSW_HOT Steps step(uint32_t first, const double* points) noexcept {
     uint64_t numbers[kAbreast];
     std::memcpy(numbers, rows_[kTip] + first, sizeof numbers);
@@ -108,9 +108,7 @@ class Sightlines {
     }
     depth = depth * get(kForward, first);
     const Row depth_bound = Row::all(8) * bound * largest;
-    const Row::Mask settled =
-        both(either(either(replaced[0], replaced[1]), replaced[2]),
-             both(Row::greater(largest, Row::all(kLeast)), Row::greater(Row::all(kMost), largest)));
+    const Row::Mask settled = both(either(either(replaced[0], replaced[1]), replaced[2]), is_in_range(largest));
     const Row tips = get(kTip, first);
     Row gone = get(kVertices, first);
     put(kVertices, first, Row::select(replaced[0], tips, gone));
@@ -160,6 +158,10 @@ class Sightlines {
 
   static DSW_HOT Corner select(Row::Mask m, const Corner& yes, const Corner& no) noexcept {
     return {Row::select(m, yes.i, no.i), Row::select(m, yes.j, no.j), Row::select(m, yes.z, no.z)};
+  }
+
+  static DSW_HOT Row::Mask is_in_range(Row largest) noexcept {
+    return both(Row::greater(largest, Row::all(kLeast)), Row::greater(Row::all(kMost), largest));
   }
 
   DSW_HOT Row get(uint32_t row, uint32_t first) const noexcept { return load_row(rows_[row] + first); }
