@@ -43,11 +43,12 @@ typedef void (*dsw_parallel_for_fn)(void *user, dsw_task_fn task, void *task_dat
                                     size_t task_count);
 
 /** What casts in space are computed by. Every kernel gives the same bits.
- * @note The environment variable DARTSWEEP_KERNEL, if the processor has what it names ("portable",
- * "avx2" or "avx512"), replaces FASTEST, and is the most that all else of the library uses. */
+ * @note The environment variable DARTSWEEP_KERNEL replaces FASTEST if it names a kernel that the
+ * processor has: "portable", "avx2" or "avx512". All else in the library then uses no newer
+ * instructions. */
 typedef enum dsw_kernel {
-  /** The kernel that is fastest on this processor, for each kind of volumes. The first context that
-   * asks for it measures them, in about 5 ms. */
+  /** The kernel that is fastest on this processor, for each kind of volumes. The first environment
+   * in space that asks for it measures all kernels, once a process, in about 5 ms. */
   DSW_KERNEL_FASTEST = 0,
   DSW_KERNEL_PORTABLE = 1,            /**< Instructions that every processor has. */
   DSW_KERNEL_AVX2 = 2,                /**< x86-64 with AVX2. */

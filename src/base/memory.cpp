@@ -10,14 +10,14 @@ namespace {
 /** Whether plain operator new aligns so, too: the aligned form is slower. */
 constexpr bool is_usual(size_t alignment_bytes) { return alignment_bytes <= __STDCPP_DEFAULT_NEW_ALIGNMENT__; }
 
-// Large blocks lie in large pages where the system gives them when it is asked. Who reads a large map at random finds
-// the addresses of its pages in the processor's table more often then. Measured with a million hexahedra: 4 % less time.
+// Large blocks lie in large pages where the system gives them when it is asked. A walk through a large map then finds
+// the addresses of pages in the processor's table more often. Measured with a million hexahedra: 4 % less time.
 #if defined(__linux__)
 constexpr size_t kLargePage = size_t{2} << 20;
 constexpr size_t aligned_for_pages(size_t size_bytes, size_t alignment_bytes) {
-  return size_bytes >= kLargePage ? kLargePage : alignment_bytes;
+  return size_bytes >= kLargePage && alignment_bytes < kLargePage ? kLargePage : alignment_bytes;
 }
-/** Whole pages alone, so that no block becomes larger. It is not an error if there are none. */
+/** Whole pages alone, so that no block takes more memory. It is not an error if there are none. */
 void ask_for_large_pages(void* block, size_t size_bytes) noexcept {
   if (size_bytes >= kLargePage) madvise(block, size_bytes / kLargePage * kLargePage, MADV_HUGEPAGE);
 }

@@ -25,10 +25,11 @@ const NamedInstructions& named_instructions() noexcept {
     for (uint32_t i = 0; name != nullptr && i < kInstructionSets; ++i) {
       const auto instructions = static_cast<Instructions>(i);
       if (std::strcmp(name, kInstructionNames[i]) == 0 && supports(instructions)) {
-        return NamedInstructions{true, instructions};
+        return NamedInstructions{true, instructions, nullptr};
       }
     }
-    return NamedInstructions{false, Instructions::kPortable};
+    const bool names_none = name == nullptr || *name == 0 || std::strcmp(name, "fastest") == 0;
+    return NamedInstructions{false, Instructions::kPortable, names_none ? nullptr : name};
   }();
   return named;
 }

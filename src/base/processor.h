@@ -9,7 +9,7 @@ namespace dsw {
 enum class Instructions : uint8_t { kPortable, kAvx2, kAvx512 };
 constexpr uint32_t kInstructionSets = 3;
 
-/** Their names in dsw_context_desc.kernel less one, and in the environment variable DARTSWEEP_KERNEL. */
+/** Their names in the environment variable DARTSWEEP_KERNEL. dsw_kernel counts the same from 1. */
 constexpr const char* kInstructionNames[kInstructionSets] = {"portable", "avx2", "avx512"};
 
 /** Whether this processor and its system run them. */
@@ -19,6 +19,7 @@ bool supports(Instructions instructions) noexcept;
 struct NamedInstructions {
   bool is_named;
   Instructions instructions;
+  const char* refused;  // what it says if that is anything else; null if it says nothing
 };
 const NamedInstructions& named_instructions() noexcept;
 

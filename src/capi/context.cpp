@@ -3,15 +3,15 @@
 
 #include "capi/describe.h"
 #include "capi/handle.h"
-#include "walk/fastest.h"
 
 namespace capi = dsw::capi;
 
 namespace {
 
-const dsw::Kernels& kernels_for(const dsw_context_desc& desc) {
+/** Null: those that are fastest. */
+const dsw::Kernels* kernels_for(const dsw_context_desc& desc) {
   if (desc.reserved != 0) dsw::fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", desc.reserved);
-  if (desc.kernel == DSW_KERNEL_FASTEST) return dsw::fastest_kernels();
+  if (desc.kernel == DSW_KERNEL_FASTEST) return nullptr;
   const uint32_t instructions = desc.kernel - DSW_KERNEL_PORTABLE;
   if (instructions >= dsw::kInstructionSets) {
     dsw::fail(DSW_STATUS_UNSUPPORTED, "desc->kernel is %u, which is no dsw_kernel", desc.kernel);
@@ -20,7 +20,7 @@ const dsw::Kernels& kernels_for(const dsw_context_desc& desc) {
     dsw::fail(DSW_STATUS_UNSUPPORTED, "this processor has not what kernel %s needs",
               dsw::kInstructionNames[instructions]);
   }
-  return dsw::kernels_of(static_cast<dsw::Instructions>(instructions));
+  return &dsw::kernels_of(static_cast<dsw::Instructions>(instructions));
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** contex
     if ((d.allocate == nullptr) != (d.release == nullptr)) {
       dsw::fail(DSW_STATUS_OUT_OF_RANGE, "desc->allocate and desc->release must be set both or none");
     }
-    const dsw::Kernels& kernels = kernels_for(d);
+    const dsw::Kernels* const kernels = kernels_for(d);
     const dsw::Memory memory{d.user, d.allocate, d.release};
     dsw_context* const made = capi::create_object<dsw_context>(&memory);
     made->memory = memory;
@@ -45,9 +45,13 @@ dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** contex
     made->parallel.thread_count = d.thread_count != 0
                                       ? d.thread_count
                                       : std::min(kMostThreads, std::max(1u, std::thread::hardware_concurrency()));
-    made->kernels = &kernels;
+    made->kernels = kernels;
     made->log = d.log;
     made->user = d.user;
+    if (const char* const name = dsw::named_instructions().refused) {
+      capi::log_line(made, DSW_LOG_WARNING,
+                     "DARTSWEEP_KERNEL is \"%s\", which names no kernel that this processor has: it is ignored", name);
+    }
     *context = made;
   });
 }

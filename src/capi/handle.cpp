@@ -41,8 +41,10 @@ void release(dsw_context* context) noexcept {
 EnvironmentOwner make_environment(dsw_context* context, uint32_t dimension) {
   EnvironmentOwner made(create_object<dsw_environment>(memory_of(context), context, dimension));
   retain(context);
-  const Kernels* const kernels = context != nullptr ? context->kernels : &fastest_kernels();
-  std::visit([&](auto& env) { env.kernels = kernels; }, made->engine);
+  if (dimension == 3) {  // in the plane there is one kernel
+    const bool is_named = context != nullptr && context->kernels != nullptr;
+    std::get<Environment<3>>(made->engine).kernels = is_named ? context->kernels : &fastest_kernels();
+  }
   return made;
 }
 

@@ -25,7 +25,7 @@ struct dsw_context {
   uint64_t magic = kMagic;
   dsw::Memory memory;
   dsw::Parallel parallel;
-  const dsw::Kernels* kernels = nullptr;
+  const dsw::Kernels* kernels = nullptr;  // null: those that are fastest
   dsw_log_fn log = nullptr;
   void* user = nullptr;
   std::atomic<uint32_t> users{0};  // environments and traces made with it

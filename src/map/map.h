@@ -86,7 +86,7 @@ struct Dart {
   bool operator==(Dart o) const { return cell == o.cell && local == o.local; }
 };
 
-/** Of a record's first word: a cell's form, and whether it is flat and convex. Of a simplex the lowest one says nothing. */
+/** Of a record's first word: a cell's form, and whether it is flat and convex, of which a simplex says nothing. */
 constexpr uint32_t kind_bits(uint32_t word0) { return word0 >> (kFormShift - 1) & 15u; }
 constexpr Form form_of(uint32_t word0) { return static_cast<Form>((word0 >> kFormShift) & 7u); }
 

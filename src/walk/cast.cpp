@@ -9,13 +9,12 @@
 namespace dsw {
 namespace {
 
-const Walk<2> kPlaneWalk = portable_walk<2>();
 // Those that this library has; a kernel that it has not is never chosen.
-const Walk<3> kSpaceWalks[] = {
-    portable_walk<3>(),
+constexpr const Walk<3>* kSpaceWalks[] = {
+    &kPortableWalk,
 #if defined(__x86_64__)
-    avx2_walk(),
-    avx512_walk(),
+    &kAvx2Walk,
+    &kAvx512Walk,
 #endif
 };
 
@@ -24,7 +23,7 @@ const Walk<D>& walk_for(const Environment<D>& env, Cell cell) noexcept {
   if constexpr (D == 2)
     return kPlaneWalk;
   else
-    return kSpaceWalks[static_cast<uint32_t>(env.kernels->of[kind_bits(env.map.record(cell)[0])])];
+    return *kSpaceWalks[static_cast<uint32_t>(env.kernels->of[kind_bits(env.map.record(cell)[0])])];
 }
 
 template <int D>

@@ -41,8 +41,8 @@ struct Look {
   uint8_t facets;  // kPlanes: with the target outside, or kNotSettled. kBox: pierced outwards, or kNotKnown
   uint8_t second;  // kBox, of these: through the second triangle. kPlanes: how many facets the cell has
   LookKind kind;
-  bool
-      flag;  // kPlanes: is_far. kBox: at most one facet is pierced, for certain. kLines: the filter settled all triangles
+  // kPlanes: see is_far. kBox: at most one facet is pierced, for certain. kLines: the filter settled all triangles.
+  bool flag;
 
   bool may_leave() const { return facets != 0; }
   /** For kPlanes with the target outside of one facet. */

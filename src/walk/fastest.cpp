@@ -96,17 +96,18 @@ class Lattice {
   std::vector<int64_t> offsets_{0}, connectivity_;
 };
 
-/** Casts from the middle of cells to somewhere in their neighbourhood, as bodies make them. */
+/** Casts from the middle of cells to somewhere in their neighbourhood, as bodies make them; one in eight goes far. */
 class Course {
  public:
   explicit Course(Cells cells) : env_(nullptr), ends_(size_t{kPackets} * kPacket) {
     Lattice(cells).build(env_);
     Noise noise;
-    for (Ends& ends : ends_) {
+    for (size_t i = 0; i < ends_.size(); ++i) {
+      Ends& ends = ends_[i];
       const auto share = 0.5 + 0.5 * noise.next();
       ends.start = env_.map.cell(static_cast<uint32_t>(share * (env_.map.cell_count - 1)));
       centre(env_, ends.start, ends.from);
-      for (int k = 0; k < 3; ++k) ends.to[k] = ends.from[k] + 0.6 * noise.next();
+      for (int k = 0; k < 3; ++k) ends.to[k] = ends.from[k] + (i % 8 == 0 ? 4 : 0.6) * noise.next();
     }
   }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Which of the walks is fastest on this processor. Nobody can tell by its name: the same instructions are fast on one and
-// slow on the next.
+// Which of the walks is fastest on this processor. Nobody can tell by its name: the same instructions are fast on one
+// and slow on the next.
 
 #include "base/processor.h"
 

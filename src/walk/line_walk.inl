@@ -47,7 +47,7 @@ class LineWalk<3> {
   }
 
   /** Lets all casts go one cell on. look(cast, facet that it came in through): the filter left its cell open.
-   * pass(cast, facet that it leaves through): what is beyond is anything but a tetrahedron that it may go on in. */
+   * pass(cast, facet): it leaves through this facet, and may not go on by its line. */
   template <class Tally, class Look, class Pass>
   __attribute__((noinline)) void go(Tally& tally, Look look, Pass pass) noexcept {
     if (plain_) {
@@ -63,12 +63,11 @@ class LineWalk<3> {
   }
 
  private:
-  static constexpr uint32_t kFirstLink = kUnitWords<3> - 4;
   static constexpr uint32_t kInUnit = kUnitWords<3> - 1;
 
   /** Of the tetrahedron that a cast is in. */
   const uint32_t* record(uint32_t slot) const noexcept { return map_.words.data() + (through_[slot] & ~kInUnit); }
-  static uint32_t local(uint32_t facet) noexcept { return (facet & kInUnit) - kFirstLink; }
+  static uint32_t local(uint32_t facet) noexcept { return local_in_tetrahedron({facet}); }
 
   /** Casts that were added. */
   template <class Look>
@@ -81,14 +80,16 @@ class LineWalk<3> {
       casts_[s] = static_cast<uint8_t>(cast);
       through_[s] = added_through_[n];
       visited_[s] = results_[cast].volumes_visited;
+      at_[s] = links_[s] = kNoFacet;
       aim(s);
     }
     added_ = 0;
     // Lanes without a cast repeat the last one: no slot is read that has not been written.
     uint8_t missing[kPacket];
     uint32_t missing_count = 0;
-    const uint32_t whole = (count_ + kAbreast - 1) / kAbreast * kAbreast;
-    for (uint32_t first = old; first < std::max(count_, written_ < whole ? whole : 0); first += kAbreast) {
+    const uint32_t whole = (count_ + kAbreast - 1) / kAbreast * kAbreast;  // `step` reads whole groups
+    const uint32_t end = written_ < whole ? whole : count_;
+    for (uint32_t first = old; first < end; first += kAbreast) {
       written_ = std::max(written_, first + kAbreast);
       const auto slot = [&](uint32_t lane) { return std::min(first + lane, count_ - 1); };
       const uint32_t passing = sightlines_.start(
@@ -142,11 +143,12 @@ class LineWalk<3> {
 
   /** Through the facet that has not the vertex that the last step has replaced. */
   DSW_HOT void leave(uint32_t slot) noexcept {
-    const uint32_t at = (through_[slot] & ~kInUnit) + kFirstLink + facet_without(record(slot), sightlines_.gone(slot));
-    const uint32_t link = map_.words[at];
+    const uint32_t at =
+        (through_[slot] & ~kInUnit) + (kUnitWords<3> - 4) + facet_without(record(slot), sightlines_.gone(slot));
+    const uint32_t link = map_.words[at], beyond = link & ~kMarkBit;
     at_[slot] = at;
     links_[slot] = link;
-    __builtin_prefetch(map_.words.data() + (link & ~(kMarkBit | kInUnit)));
+    __builtin_prefetch(&map_.words[(beyond == kNoFacet ? at : beyond) & ~kInUnit]);
   }
 
   template <bool Plain, class Pass>
@@ -216,9 +218,9 @@ class LineWalk<3> {
   const CastRequest* requests_;
   CastResult* results_;
   const bool moving_;  // points do
-  bool plain_;         // nothing is asked of any cast but where it ends, and no points move
+  bool plain_;         // no cast has a limit, an end or a callback, and no points move
   uint32_t count_ = 0, added_ = 0;
-  uint32_t written_ = 0;  // slots that have been
+  uint32_t written_ = 0;  // slots below it have been written
   uint8_t added_casts_[kPacket];
   uint32_t added_through_[kPacket];
   uint8_t casts_[kPacket];

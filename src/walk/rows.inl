@@ -1,4 +1,5 @@
-// One number of each of kAbreast casts, side by side. No gathers: points are loaded as they lie and turned in registers.
+// One number of each of kAbreast casts, side by side. No gathers: points are loaded as they lie and turned in
+// registers.
 
 #if defined(DSW_ISA_AVX512)
 

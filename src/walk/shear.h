@@ -90,7 +90,7 @@ uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 uint64_t missed_triangles_avx2(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 uint64_t missed_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 #endif
-extern const MissedTriangles kMissedTriangles;  // the fastest of this processor
+extern const MissedTriangles kMissedTriangles;  // the most that the processor has, or DARTSWEEP_KERNEL leaves
 constexpr size_t kMostMissed = 64;
 
 /** Whether the line from one point to another passes any number of triangles for certain. Several instruction sets, the
@@ -101,6 +101,6 @@ bool passes_triangles(const double* from, const double* to, const FacetSpan<3>& 
 bool passes_triangles_avx2(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept;
 bool passes_triangles_avx512(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept;
 #endif
-extern const PassesTriangles kPassesTriangles;  // the fastest of this processor
+extern const PassesTriangles kPassesTriangles;  // likewise
 
 }  // namespace dsw

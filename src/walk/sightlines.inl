@@ -1,14 +1,14 @@
 // Tetrahedra as they look along the lines of casts, kAbreast of them at a time. A cast has come into its tetrahedron
-// through a triangle, of which the line's shear (shear.h) is known. The one vertex that is new tells by three line tests
-// which of the three other facets the line leaves through. That facet shares an edge with the triangle and replaces one
-// corner: the weight of the new corner is the line test of that edge, known from before. With the weights W, each the
-// line test of the edge opposite, the line pierces a facet at the depth sum(W z) / sum(W), z being the depth of a corner
-// behind the target. So its sign tells whether the target comes first.
+// through a triangle, of which the line's shear (shear.h) is known. The one vertex that is new tells by three line
+// tests which of the three other facets the line leaves through. The new vertex replaces the corner that this facet has
+// not. The weight of the new corner is known from before: it is the line test of the edge that both triangles have.
+// With the weights W, each the line test of the edge opposite, the line pierces a facet at the depth sum(W z) / sum(W),
+// z being the depth of a corner behind the target. So its sign tells whether the target comes first.
 //   With u and M as in shear.h a weight is at most 8 M^2 and off by 88 u M^2. A depth is the difference of two
-// differences: at most 2 M, and off by 4 u M. The sum has three terms of at most 16 M^3, and each meets three roundings.
-// So the sum is off by (3 * 88 * 2 + 3 * 8 * 4 + 3 * 16 * 3) u M^3 < 8 * 128 u M^3.
+// differences: at most 2 M, and off by 4 u M. The sum has three terms of at most 16 M^3, and each meets three
+// roundings. So the sum is off by (3 * 88 * 2 + 3 * 8 * 4 + 3 * 16 * 3) u M^3 < 8 * 128 u M^3.
 
-/** Casts by slots. Whoever takes a slot away moves the last one there. */
+/** Casts by slots. The caller keeps slots dense: it moves the last one to one that it frees. */
 class Sightlines {
  public:
   /** What a step says of kAbreast slots, a bit each. Neither: the filter left it open. */
@@ -17,8 +17,8 @@ class Sightlines {
   };
 
   /** Of kAbreast casts: p -> q, and the triangles that they came in through, the corners of each counter-clockwise seen
-   * from where the cast comes. `vertex(lane, corner)` is a corner's number. @return which of them pass their triangles
-   * for certain. */
+   * from where the cast comes. `vertex(lane, corner)` is a corner's number. @return for which of them the
+   * filter proves that the line passes the triangle. */
   template <class From, class To, class Vertex>
   DSW_HOT uint32_t start(uint32_t first, const double* points, From from, To to, Vertex vertex) noexcept {
     const PointsOf<Row> p = load_points(from), q = load_points(to);
@@ -31,7 +31,7 @@ class Sightlines {
     put(kFromX, first, p.x), put(kFromY, first, p.y), put(kFromZ, first, p.z);
     put(kAlongY, first, Row::select(along_y, one, zero)), put(kAlongZ, first, Row::select(along_z, one, zero));
     put(kForward, first, Row::select(down, zero - one, one));
-    put(kLength, first, d.k);
+    put(kLength, first, d.k), put(kGone, first, zero);
     put(kSlopeI, first, divide(d.i, d.k)), put(kSlopeJ, first, divide(d.j, d.k));
     put(kLargest, first, Row::absolute(d.k));
     Corner corners[3];
@@ -73,7 +73,8 @@ class Sightlines {
     return static_cast<uint32_t>(vertex);
   }
 
-  /** Of kAbreast slots that have been aimed: what the new vertices say. Goes on to the facets that casts leave through. */
+  /** Of kAbreast slots that have been aimed: what the new vertices say. Then each slot holds the facet that its cast
+   * leaves through. */
   DSW_HOT Steps step(uint32_t first, const double* points) noexcept {
     uint64_t numbers[kAbreast];
     std::memcpy(numbers, rows_[kTip] + first, sizeof numbers);
@@ -142,7 +143,7 @@ class Sightlines {
     kSlopeJ,
     kLargest,
     kCorners,                   // i of each, j, z, and the weights
-    kVertices = kCorners + 12,  // their numbers, which are not doubles, but bits in their place
+    kVertices = kCorners + 12,  // vertex numbers, stored as bits
     kTip = kVertices + 3,
     kGone,
     kRows

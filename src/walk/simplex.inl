@@ -2,7 +2,11 @@
 // filter bound for the cell.
 
 constexpr uint32_t kFar = 0x10;  // beside a set of facets
+#if defined(DSW_FAR_EDGES)
+constexpr double kFarEdges = DSW_FAR_EDGES;  // a test compares lines with planes
+#else
 constexpr double kFarEdges = 2.5;
+#endif
 
 struct RelativeTetrahedron {
   double x[4], y[4], z[4];

@@ -1,11 +1,12 @@
 #pragma once
-// The walk, compiled for several instruction sets. All give the same bits; which one runs is chosen once, when the
-// library is loaded. This header holds what they share, so that the files included per instruction set include nothing.
+// The walk, compiled for several instruction sets. All give the same bits; which one runs, an environment says for each
+// form of cells. This header holds what they share, so that the files included per instruction set include nothing.
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "environment/local_points.h"
 #include "predicates/filtered.h"
@@ -50,11 +51,12 @@ struct Walk {
   bool (*admits_with_centre)(const Environment<D>& env, Cell cell, double* centre) noexcept;
 };
 
-template <int D>
-Walk<D> portable_walk() noexcept;
+// Constants that no code makes. They are there before the first constructor runs, and no instruction is run to make
+// them that a processor has not.
+extern const Walk<2> kPlaneWalk;
+extern const Walk<3> kPortableWalk;
 #if defined(__x86_64__)
-Walk<3> avx2_walk() noexcept;
-Walk<3> avx512_walk() noexcept;
+extern const Walk<3> kAvx2Walk, kAvx512Walk;
 #endif
 
 }  // namespace dsw

@@ -12,7 +12,7 @@ namespace avx2 {
 #include "walk/walk.inl"
 }  // namespace avx2
 
-Walk<3> avx2_walk() noexcept { return avx2::this_walk<3>(); }
+constexpr Walk<3> kAvx2Walk = avx2::kThisWalk<3>;
 
 }  // namespace dsw
 

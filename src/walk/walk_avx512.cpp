@@ -16,7 +16,7 @@ namespace avx512 {
 #include "walk/walk.inl"
 }  // namespace avx512
 
-Walk<3> avx512_walk() noexcept { return avx512::this_walk<3>(); }
+constexpr Walk<3> kAvx512Walk = avx512::kThisWalk<3>;
 
 }  // namespace dsw
 

@@ -1,4 +1,3 @@
-#include "base/dimensions.h"
 #include "walk/walk.h"
 
 namespace dsw {
@@ -6,10 +5,7 @@ namespace portable {
 #include "walk/walk.inl"
 }  // namespace portable
 
-template <int D>
-Walk<D> portable_walk() noexcept {
-  return portable::this_walk<D>();
-}
-DSW_INSTANTIATE(portable_walk);
+constexpr Walk<2> kPlaneWalk = portable::kThisWalk<2>;
+constexpr Walk<3> kPortableWalk = portable::kThisWalk<3>;
 
 }  // namespace dsw

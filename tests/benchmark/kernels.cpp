@@ -4,10 +4,12 @@
 #include "timing.h"
 #include "walk_scenes.h"
 
-#include <cstdio>
 #include <cstring>
 #include <map>
+#include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace dsw::bench {
 

@@ -2,6 +2,7 @@
 // Instructions are those of dsw_environment_cast_segments.
 #include "walk_scenes.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

@@ -1,4 +1,4 @@
-// Casts whose work is counted, or compared between kernels: the same for both.
+// Scenes of casts: for the part that compares kernels, and for the program that valgrind counts.
 #ifndef DARTSWEEP_TESTS_BENCHMARK_WALK_SCENES_H
 #define DARTSWEEP_TESTS_BENCHMARK_WALK_SCENES_H
 

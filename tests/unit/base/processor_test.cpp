@@ -30,6 +30,7 @@ TEST(Processor, UsesNoMoreThanTheVariableNames) {
     if (name == kInstructionNames[i]) is_named = true, named = instructions;
   }
   EXPECT_EQ(named_instructions().is_named, is_named);
+  EXPECT_EQ(named_instructions().refused != nullptr, !is_named && !name.empty() && name != "fastest");
   EXPECT_EQ(most_instructions(), is_named ? named : most);
 }
 

@@ -27,12 +27,12 @@ struct NamedWalk {
 };
 
 std::vector<NamedWalk> walks() {
-  std::vector<NamedWalk> all{{"portable", portable_walk<3>()}};
+  std::vector<NamedWalk> all{{"portable", kPortableWalk}};
 #if defined(__x86_64__)
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) all.push_back({"avx2", avx2_walk()});
+  if (__builtin_cpu_supports("avx2")) all.push_back({"avx2", kAvx2Walk});
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-    all.push_back({"avx512", avx512_walk()});
+    all.push_back({"avx512", kAvx512Walk});
   }
 #endif
   return all;
@@ -189,7 +189,7 @@ void compare(const Environment<3>& env, Group& group, const Walk<3>& walk) {
     EXPECT_EQ(cast.crossings, cast.expected_crossings);
     EXPECT_EQ(walk.contains(env, cast.expected.cell, cast.apex, cast.to), cast.contained);
     EXPECT_EQ(walk.sees_all(env, cast.expected.cell, cast.to),
-              portable_walk<3>().sees_all(env, cast.expected.cell, cast.to));
+              kPortableWalk.sees_all(env, cast.expected.cell, cast.to));
     group.requests[i].crossing = nullptr;
   }
   walk.plain(env, group.requests, group.count, results);
