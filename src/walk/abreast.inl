@@ -12,7 +12,7 @@ struct Abreast {
 constexpr bool pays_abreast(Form form, bool flat, uint32_t count) {
   if (form == Form::kBox && !flat) return count == kAbreast;
   if (form == Form::kBox) return count >= (kAbreast == 8 ? 3 : 2);
-  return flat && count >= 3 && (form == Form::kSimplex || form == Form::kPyramid);
+  return flat && count >= std::min(kAbreast, 3u) && (form == Form::kSimplex || form == Form::kPyramid);
 }
 
 /** Extent lane by lane. */

@@ -44,33 +44,3 @@ __attribute__((noinline)) inline void WarpedBoxExits::look(const double* points,
   second_sets.store(second);
   candidate_sets.store(candidates);
 }
-
-/** Boxes that the filter sees to be valid, a bit each: is_plainly_valid of box.inl, with the same centres. */
-__attribute__((noinline)) inline uint32_t find_plainly_valid(const double* points,
-                                                             const uint32_t* const (&records)[kAbreast]) noexcept {
-  PointsOf<Row> v[8], sum;
-#pragma GCC unroll 8
-  for (uint32_t i = 0; i < 8; ++i) {
-    v[i] = load_points([&](uint32_t lane) { return points + size_t{records[lane][kUnitWords<3> + i]} * 3; });
-    sum = i == 0 ? v[0] : PointsOf<Row>{sum.x + v[i].x, sum.y + v[i].y, sum.z + v[i].z};
-  }
-  const Row count = Row::all(8);
-  const PointsOf<Row> apex = {divide(sum.x, count), divide(sum.y, count), divide(sum.z, count)};
-  Extents extents;
-#pragma GCC unroll 8
-  for (PointsOf<Row>& at : v) {
-    at = {at.x - apex.x, at.y - apex.y, at.z - apex.z};
-    extents.include(at);
-  }
-  const Row bound = extents.bound();
-  Row smallest = Row::all(HUGE_VAL);
-#pragma GCC unroll 6
-  for (uint32_t f = 0; f < 6; ++f) {
-    const uint8_t(&corners)[4] = kBoxFacets[f];
-    const PointsOf<Row>&a = v[corners[0]], &b = v[corners[1]], &c = v[corners[2]], &d = v[corners[3]];
-    const PointsOf<Row> across_ac = cross(a, c), across_bd = cross(b, d);
-    smallest = least(smallest, least(dot(across_ac, d), Row::all(0) - dot(across_ac, b)));
-    smallest = least(smallest, least(dot(across_bd, a), Row::all(0) - dot(across_bd, c)));
-  }
-  return Row::bits(Row::greater(smallest, bound)) & ~Row::bits(extents.out_of_range());
-}

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <new>
-#include <utility>
 
 #include "environment/local_points.h"
 #include "predicates/filtered.h"

@@ -104,7 +104,9 @@ class Walkers {
     count = begin_all(count);
     count = leave_all<true>(count);
     while ((count != 0) | !line_walk_.empty()) {
-      if (moving_) look_beyond(count);
+      if (moving_) {
+        for (uint32_t k = 0; k < count; ++k) prefetch_beyond(env_, flights_[active_[k]].at);
+      }
       count = enter_all(count);
       if (!line_walk_.empty()) count = follow_lines(count);
       count = leave_all<false>(count);
@@ -279,33 +281,6 @@ class Walkers {
     __builtin_prefetch(&map_.words[beyond - beyond % kUnitWords<D>]);
     if (D == 2) __builtin_prefetch(&map_.words[beyond]);  // its record may lie in two lines
     if (looks_[i].kind == LookKind::kLines) prefetch_round(env_, {beyond});
-  }
-
-  /** Looks at hexahedra beyond the facets that casts leave through, where points move and nobody has looked. */
-  __attribute__((noinline)) void look_beyond(uint32_t count) noexcept {
-    for (uint32_t k = 0; k < count; ++k) prefetch_beyond(env_, flights_[active_[k]].at);
-    if constexpr (D == 3) {
-      Cell cells[kAbreast];
-      uint32_t found = 0;
-      for (uint32_t k = 0; k < count; ++k) {
-        const HalfFacet o = map_.opposite(flights_[active_[k]].at);
-        const Cell next = o.valid() ? map_.cell_of(o) : Cell{};
-        if (!next.valid() || form_of(map_.record(next)[0]) != Form::kBox) continue;
-        if (env_.checked.known(map_.index(next)) != CheckedCells::Known::kNothing) continue;
-        cells[found++] = next;
-        if (found == kAbreast) note_valid(cells, std::exchange(found, 0));
-      }
-      if (found != 0) note_valid(cells, found);
-    }
-  }
-
-  void note_valid(const Cell* cells, uint32_t count) noexcept {
-    const uint32_t* records[kAbreast];
-    for (uint32_t lane = 0; lane < kAbreast; ++lane) records[lane] = map_.record(cells[std::min(lane, count - 1)]);
-    const uint32_t valid = find_plainly_valid(env_.points, records);
-    for (uint32_t lane = 0; lane < count; ++lane) {
-      if ((valid >> lane & 1u) != 0) env_.checked.note(map_.index(cells[lane]), CheckedCells::Known::kValid);
-    }
   }
 
   /** Keeps the casts that go on from the cells that they enter, but for those that follow their lines. */

@@ -32,7 +32,7 @@ class Report {
   Tally total;
   std::map<std::string, Tally> scenes;
   bool show_stuck = false;
-  uint64_t refused = 0;  // scenes whose jitter left no valid triangulation
+  uint64_t refused = 0;  // scenes whose jitter left no valid triangulation, or an outer boundary that crosses itself
 
  private:
   Tally* scene_ = nullptr;

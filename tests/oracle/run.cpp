@@ -67,11 +67,22 @@ void one_scene(const Turn& turn, uint64_t seed, uint64_t casts, Report& report) 
   layout.index_bytes = rng.chance(0.5) ? 4 : 8;
   layout.separate_faces = rng.chance(0.5);
   layout.stride = rng.chance(0.3) ? 40 : 24;
-  const uint32_t flags = rng.chance(0.5) ? DSW_ENVIRONMENT_LOCATE_TREE : 0;
+  const uint32_t plain_flags = rng.chance(0.5) ? DSW_ENVIRONMENT_LOCATE_TREE : 0;
+  const uint32_t flags = plain_flags | (turn.kind->may_cross ? DSW_ENVIRONMENT_CHECK_BOUNDARY : 0);
   report.begin(turn.kind->name,
                std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " + std::to_string(seed));
   const EnvironmentPtr environment = create_environment(mesh, layout, flags);
   if (environment == nullptr) {
+    if (const EnvironmentPtr unchecked =
+            flags != plain_flags ? create_environment(mesh, layout, plain_flags) : nullptr) {
+      const World world(mesh, unchecked.get());
+      if (world.fault().empty() && world.outer_boundary_crosses()) {
+        ++report.refused;
+      } else {
+        report.mismatch("a sound outer boundary was refused");
+      }
+      return;
+    }
     // Where doubles are as coarse as the cells, a centre is rounded out of the kernel of its cell.
     const bool coarse = turn.transform == Transform::kDenormal || turn.transform == Transform::kCoarse;
     const bool stars =

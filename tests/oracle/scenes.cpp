@@ -383,7 +383,7 @@ const std::vector<SceneKind>& scene_kinds() {
       {"polyhedra_warped", make_polyhedra_warped, false},
       {"polyhedra_merged", make_polyhedra_merged, false},
       {"voronoi", make_voronoi, false},
-      {"voronoi_warped", make_voronoi_warped, false},
+      {"voronoi_warped", make_voronoi_warped, false, true},
       {"mixed", make_mixed, false},
       {"mixed_warped", make_mixed_warped, false},
   };

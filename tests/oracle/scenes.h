@@ -17,7 +17,8 @@ double transformed(double x, Transform t);
 struct SceneKind {
   const char* name;
   Mesh (*make)(Rng& rng);
-  bool integer;  // integer coordinates, and cells that bear their centre rounded to integers
+  bool integer;            // integer coordinates, and cells that bear their centre rounded to integers
+  bool may_cross = false;  // the outer boundary may pass through itself, so creation is asked to look
 };
 
 const std::vector<SceneKind>& scene_kinds();

@@ -156,6 +156,29 @@ int World::line_sign(Query& s, int ai, int bi, bool* tie) const {
   return 0;
 }
 
+bool World::outer_boundary_crosses() const {
+  std::vector<int> outer;
+  for (size_t t = 0; t < triangles.size(); ++t) {
+    if (triangles[t].cell[1] < 0) outer.push_back(static_cast<int>(t));
+  }
+  const auto at = [&](int v) -> const Vec& { return mesh.points[static_cast<size_t>(v)]; };
+  for (const int edges_of : outer) {
+    for (size_t k = 0; k < 3; ++k) {
+      const int* const v = triangles[static_cast<size_t>(edges_of)].v;
+      const int a = v[k], b = v[(k + 1) % 3];
+      const BodyPoint p = body(at(a).data()), q = body(at(b).data());
+      Query s = query(p, q);
+      for (const int other : outer) {
+        const int* const w = triangles[static_cast<size_t>(other)].v;
+        bool tie = false;
+        if (std::find(w, w + 3, a) != w + 3 || std::find(w, w + 3, b) != w + 3) continue;
+        if (pierce(s, other, &tie) != 0) return true;
+      }
+    }
+  }
+  return false;
+}
+
 int World::pierce(Query& s, int ti, bool* tie) const {
   const int from = plane_sign(s, false, ti, tie);
   const int to = plane_sign(s, true, ti, tie);

@@ -77,6 +77,8 @@ class World {
   /// Follows p -> q from cell `start`, or from where p lies if start is -1.
   Walk cast(const BodyPoint& p, const BodyPoint& q, int start = -1);
   bool impassable(int face) const;
+  /// Whether an edge of the outer boundary goes through another of its triangles. Then the cells are no partition.
+  bool outer_boundary_crosses() const;
   /// Unit normal of a triangle seen from cell[0], and a bound on how far a good double computation may be off.
   Vec unit_normal(int triangle, double* tolerance) const;
   /// Twice the exact area-weighted flux: six times the enclosed volume of a cell's triangles, over a common power.

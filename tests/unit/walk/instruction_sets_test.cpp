@@ -8,6 +8,7 @@
 
 #include "coarsen/coarsen.h"
 #include "environment/marking.h"
+#include "flown.h"
 #include "locate/locate.h"
 #include "small_meshes.h"
 #include "walk/shear.h"
@@ -17,6 +18,8 @@ namespace {
 
 using namespace dsw;
 using namespace dsw::testing_meshes;
+using namespace dsw::testing_walk;
+using dsw::testing_walk::expect_same;  // beside that of counters
 
 constexpr int kSize = 5;
 constexpr int kCasts = 3300;  // for each of the scenes and scales below: more than 1e5 in all
@@ -36,25 +39,6 @@ std::vector<NamedWalk> walks() {
   }
 #endif
   return all;
-}
-
-struct Crossing {
-  uint32_t from, simplex, to;
-  bool operator==(const Crossing& o) const { return from == o.from && simplex == o.simplex && to == o.to; }
-};
-
-void note(void* user, Cell from, uint32_t simplex, Cell to) {
-  static_cast<std::vector<Crossing>*>(user)->push_back({from.unit, simplex, to.unit});
-}
-
-void expect_same(const CastResult& a, const CastResult& b) {
-  EXPECT_EQ(a.end, b.end);
-  EXPECT_EQ(a.cell, b.cell);
-  EXPECT_EQ(a.facet, b.facet);
-  EXPECT_EQ(a.simplex, b.simplex);
-  EXPECT_EQ(a.previous, b.previous);
-  EXPECT_EQ(a.volumes_visited, b.volumes_visited);
-  EXPECT_EQ(a.first_facet, b.first_facet);
 }
 
 void expect_same(const CastCounters& a, const CastCounters& b) {

@@ -8,6 +8,7 @@
 
 #include "environment/marking.h"
 #include "environment/moving.h"
+#include "flown.h"
 #include "locate/locate.h"
 #include "small_meshes.h"
 #include "walk/walk.h"
@@ -29,29 +30,10 @@ namespace {
 
 using namespace dsw;
 using namespace dsw::testing_meshes;
+using namespace dsw::testing_walk;
 
 constexpr int kSize = 6;
 constexpr int kCasts = 2000;  // for each of the scenes and scales below
-
-struct Crossing {
-  uint32_t from, simplex, to;
-  bool operator==(const Crossing& o) const { return from == o.from && simplex == o.simplex && to == o.to; }
-};
-using Crossings = std::vector<Crossing>;
-
-void note(void* user, Cell from, uint32_t simplex, Cell to) {
-  static_cast<Crossings*>(user)->push_back({from.unit, simplex, to.unit});
-}
-
-void expect_same(const CastResult& a, const CastResult& b) {
-  EXPECT_EQ(a.end, b.end);
-  EXPECT_EQ(a.cell, b.cell);
-  EXPECT_EQ(a.facet, b.facet);
-  EXPECT_EQ(a.simplex, b.simplex);
-  EXPECT_EQ(a.previous, b.previous);
-  EXPECT_EQ(a.volumes_visited, b.volumes_visited);
-  EXPECT_EQ(a.first_facet, b.first_facet);
-}
 
 /** What is asked of casts besides where they end. */
 enum class Asks { kNothing, kSomething };
@@ -70,7 +52,7 @@ class LineWalkTest : public testing::TestWithParam<double> {
     double from[kPacket][3], to[kPacket][3];
     CastRequest requests[kPacket];
     CastResult expected[kPacket], results[kPacket];
-    Crossings expected_crossings[kPacket], crossings[kPacket];
+    std::vector<Crossing> expected_crossings[kPacket], crossings[kPacket];
     uint32_t count = 0;
     size_t visited = 0, hits = 0, compared = 0;
     for (int n = 0; n < kCasts; ++n) {
