@@ -1,5 +1,5 @@
 #pragma once
-// What is known of the cells of an environment whose points move: whether they are valid in its present geometry. A
+// What is known of the cells of an environment whose points may move: whether they are valid in its present geometry. A
 // cell is looked at when it is first entered, on whatever thread, since looking at all of them would take as long as
 // there are cells.
 
@@ -17,8 +17,11 @@ class CheckedCells {
 
   explicit CheckedCells(const Memory* memory) : stamps_(memory) {}
 
-  /** Whether points move at all; if not, nothing is kept. */
+  /** Whether points may move; if not, nothing is kept. */
   bool active() const noexcept { return round_ != 0; }
+  /** Whether points have moved. Until then all cells are valid, and nobody need ask. */
+  bool has_moved() const noexcept { return moved_; }
+  void set_moved(bool moved) noexcept { moved_ = moved; }
   /** Throws std::bad_alloc. */
   void activate(size_t cells) {
     stamps_ = Array<std::atomic<uint32_t>>(cells, stamps_.get_allocator());
@@ -66,7 +69,7 @@ class CheckedCells {
 
   mutable Array<std::atomic<uint32_t>> stamps_;  // by cell: round, and what is known since it began
   uint32_t round_ = 0;
-  bool closed_ = false;
+  bool closed_ = false, moved_ = false;
 };
 
 }  // namespace dsw

@@ -63,6 +63,13 @@ struct Environment {
   void note_move() noexcept {
     ++points_version;
     renew_version();
+    set_moved(checked.active());
+  }
+  /** Of points that may move: once they have, nobody knows which cells are valid, or flat and convex. Who takes back
+   * the first move gives back what was before. */
+  void set_moved(bool moved) noexcept {
+    checked.set_moved(moved);
+    map.convex_bit = moved ? 0 : kConvexBit;
   }
   /** Where vertices are written that come and go; null: they stay as they are. */
   double* writable_points() { return owned_points.empty() ? lent : owned_points.data(); }
@@ -107,10 +114,11 @@ void centre(const Environment<D>& env, Cell c, double* out);
 template <int D>
 bool find_out_validity(const Environment<D>& env, Cell c) noexcept;
 
-/** Whether a cell can be entered: it is valid, which is known unless points move. Invalid cells count as impassable. */
+/** Whether a cell can be entered: it is valid, which is known unless points have moved. Invalid cells count as
+ * impassable. */
 template <int D>
 inline bool admits(const Environment<D>& env, Cell c) noexcept {
-  if (!env.checked.active()) return true;
+  if (!env.checked.has_moved()) return true;
   const CheckedCells::Known known = env.checked.known(env.map.index(c));
   return known == CheckedCells::Known::kNothing ? find_out_validity(env, c) : known == CheckedCells::Known::kValid;
 }
@@ -125,7 +133,7 @@ inline bool is_closed(const Environment<D>& env, Cell c) noexcept {
 template <int D>
 inline bool is_impassable(const Environment<D>& env, HalfFacet h) noexcept {
   if (is_impassable(env.map, h)) return true;
-  return env.checked.active() &&
+  return env.checked.has_moved() &&
          !(admits(env, env.map.cell_of(h)) && admits(env, env.map.cell_of(env.map.opposite(h))));
 }
 

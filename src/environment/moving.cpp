@@ -8,11 +8,7 @@ namespace dsw {
 template <int D>
 void let_points_move(Environment<D>& env) {
   if (env.checked.active()) return;
-  Map<D>& map = env.map;
-  env.checked.activate(map.index_count());
-  for_each_cell(map, [&](Cell c) {
-    if (map.form(c) != Form::kSimplex) map.record(c)[0] &= ~kConvexBit;
-  });
+  env.checked.activate(env.map.index_count());
   drop_local_points(env);
 }
 

@@ -5,8 +5,8 @@
 
 namespace dsw {
 
-/** From now on cells are looked at when they are first entered, and none is taken to be convex: that is known of cells
- * that stay as they are. Throws std::bad_alloc before it changes anything. O(cells), once. */
+/** From now on points may move. Once they have, cells are looked at when they are first entered, and only simplices are
+ * taken to be convex. Throws std::bad_alloc before it changes anything. O(cells), once. */
 template <int D>
 void let_points_move(Environment<D>& env);
 

@@ -86,8 +86,6 @@ struct Dart {
   bool operator==(Dart o) const { return cell == o.cell && local == o.local; }
 };
 
-/** Of a record's first word: a cell's form, and whether it is flat and convex, of which a simplex says nothing. */
-constexpr uint32_t kind_bits(uint32_t word0) { return word0 >> (kFormShift - 1) & 15u; }
 constexpr Form form_of(uint32_t word0) { return static_cast<Form>((word0 >> kFormShift) & 7u); }
 
 template <int D>
@@ -106,7 +104,8 @@ struct Map {
   uint32_t units_per_cell = 0;  // 1 or 2, when there are no such tables
   uint32_t vertex_count = 0;
   uint32_t boundary_facet_count = 0;
-  uint32_t facet_count = 0;  // a facet between two cells counts once
+  uint32_t facet_count = 0;          // a facet between two cells counts once
+  uint32_t convex_bit = kConvexBit;  // 0 once points have moved: then only simplices are known to be convex
 
   explicit Map(const Memory* memory)
       : words(memory),
@@ -141,8 +140,11 @@ struct Map {
   uint32_t* record(Cell c) { return words.data() + size_t{c.unit} * kUnitWords<D>; }
   Form form(Cell c) const { return form_of(record(c)[0]); }
   bool marked(Cell c) const { return (record(c)[0] & kMarkBit) != 0; }
-  /** Exactly convex with exactly flat facets: simplices always, others by a bit set when they were validated. */
-  bool convex(Cell c) const { return form(c) == Form::kSimplex || (record(c)[0] & kConvexBit) != 0; }
+  /** Exactly convex with exactly flat facets: simplices always, others by a bit set when they were validated, until
+   * points move. */
+  bool convex(Cell c) const { return form(c) == Form::kSimplex || (record(c)[0] & convex_bit) != 0; }
+  /** A cell's form, and whether it is flat and convex, of which a simplex says nothing. */
+  uint32_t kind_bits(Cell c) const { return (record(c)[0] & (7u << kFormShift | convex_bit)) >> (kFormShift - 1); }
   Shape shape(Cell c) const;
   /** Of a cell of general form, by word 0 of its record. */
   Shape general_shape(uint32_t word0) const { return Shape(shape_tables.data() + shape_offsets[word0 & kShapeMask]); }

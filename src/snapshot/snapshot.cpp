@@ -56,7 +56,7 @@ uint64_t bytes_of(const Array<T>& array) {
 template <int D>
 BlockHeader header_of(const Environment<D>& env) {
   const Map<D>& map = env.map;
-  const bool changed = map.has_changed(), moving = env.checked.active();
+  const bool changed = map.has_changed(), moving = env.checked.has_moved();
   BlockHeader h;
   const bool tree = env.index.use() == TreeUse::kAtOnce && !moving;
   h.flags = (tree ? kHasTree : 0) | (changed ? kHasChanged : 0) | (moving ? kPointsMove : 0);
@@ -193,15 +193,11 @@ void restore_changes(Map<D>& map) {
   }
 }
 
-/** Every cell again: that it is valid, and that it says rightly whether it is convex. Of moving points nobody knows. */
+/** Every cell again: that it is valid, and that it says rightly whether it is convex. */
 template <int D>
-void check_cells(const Environment<D>& env, bool moving) {
+void check_cells(const Environment<D>& env) {
   const Map<D>& map = env.map;
   for_each_cell(map, [&](Cell c) {
-    if (moving) {
-      if (map.form(c) != Form::kSimplex && map.convex(c)) fail_corrupt("a cell of moving points is called convex");
-      return;
-    }
     const CellState state = check_cell(env, c);
     if (state != CellState::kValid && state != CellState::kValidConvex) fail_corrupt("a cell is not valid");
     if (map.convex(c) != (state == CellState::kValidConvex)) fail_corrupt("a cell is wrongly called convex, or not");
@@ -364,12 +360,15 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   }
   count_facets(map, &map.facet_count, &map.boundary_facet_count);
   if (const char* const broken = check_integrity(map)) fail_corrupt(broken);
-  check_cells(env, moving);
+  if (!moving) check_cells(env);  // else nobody knows
   load_edge_marks(env, edges);
   count_marks(env);
   finish_topology(env, nullptr);
   load_box(env, box, moving);
-  if (moving) let_points_move(env);
+  if (moving) {
+    let_points_move(env);
+    env.note_move();
+  }
   if ((h.flags & kHasTree) == 0) return;
   env.index.set_use(TreeUse::kAtOnce);
   env.index.build(env);

@@ -346,8 +346,7 @@ void Edit<D>::check_cells(Array<uint32_t>* invalid) {
       fail(DSW_STATUS_INVALID_CELL, "a part of volume %u would be %s", map_.index(draft.from), what);
     }
     uint32_t& word0 = map_.record(c)[0];
-    const bool says_convex = map_.form(c) != Form::kSimplex && !env_.checked.active();  // see let_points_move
-    if (says_convex && state == CellState::kValidConvex) word0 |= kConvexBit;
+    if (map_.form(c) != Form::kSimplex && state == CellState::kValidConvex) word0 |= map_.convex_bit;
     if (draft.marked) word0 |= kMarkBit;
   }
 }

@@ -52,24 +52,16 @@ struct VerticesAbreast {
   }
 };
 
-/** Of cells that are convex with flat facets: the facets with q outside; where the filter left some open, kNotSettled
- * or more. Of tetrahedra, kFar beside. */
+/** Of cells that are convex with flat facets: Looks as words, and a bit for each cell with q outside of one facet, and
+ * for each with q outside of several or of which the filter left some open. */
 struct Sides {
-  FacetSet outside[kAbreast];
+  uint32_t looks[kAbreast];
+  uint32_t one, several;
 
   void look_at_tetrahedra(const double* points, const Abreast& cells) noexcept;
   void look_at_pyramids(const double* points, const Abreast& cells) noexcept;
   void look_at_boxes(const double* points, const Abreast& cells) noexcept;
 };
-
-/** Of a set of facets, as Sides has it: 0 if it is empty, 1 if it has one, 2 if it has several. */
-struct ExitTable {
-  uint8_t of[256]{};
-  constexpr ExitTable() {
-    for (uint32_t set = 1; set < 256; ++set) of[set] = (set & (set - 1)) == 0 ? 1 : 2;
-  }
-};
-constexpr ExitTable kExits;
 
 /** Planes of facets, as they are tested. */
 template <uint32_t Count>
@@ -98,9 +90,9 @@ struct PlanesAbreast {
     outside.add(1 << facet, Row::greater(minus_bound, det));
     smallest = least(smallest, Row::absolute(det));
   }
-  DSW_HOT void store(Sides& sides) noexcept {
+  DSW_HOT void store(uint32_t facet_count, Sides& sides) noexcept {
     outside.add(kNotSettled, either(v.extents.out_of_range(), not_greater(smallest, bound)));
-    outside.store(sides.outside);
+    outside.store(Look::of_cell(facet_count), sides.looks, sides.one, sides.several);
   }
 };
 
@@ -115,9 +107,9 @@ __attribute__((noinline)) inline void Sides::look_at_tetrahedra(const double* po
   const auto longest = [](Row x, Row y, Row z) {
     return largest(largest(Row::absolute(x), Row::absolute(y)), Row::absolute(z));
   };
-  planes.outside.add(
-      kFar, Row::greater(longest(v.x, v.y, v.z), Row::all(kFarEdges) * longest(v.x - w.x, v.y - w.y, v.z - w.z)));
-  planes.store(*this);
+  planes.outside.add(Look::kFlag, Row::greater(longest(v.x, v.y, v.z),
+                                               Row::all(kFarEdges) * longest(v.x - w.x, v.y - w.y, v.z - w.z)));
+  planes.store(4, *this);
 }
 
 __attribute__((noinline)) inline void Sides::look_at_pyramids(const double* points, const Abreast& cells) noexcept {
@@ -128,7 +120,7 @@ __attribute__((noinline)) inline void Sides::look_at_pyramids(const double* poin
   planes.positive(2, second, 1);
   planes.negative(3, second, 3);
   planes.negative(4, first, 3);
-  planes.store(*this);
+  planes.store(5, *this);
 }
 
 /** The vertices 1 2 3 7 4 5: three in a row, the ring closed, span a facet. Each cross product serves both facets at
@@ -143,5 +135,5 @@ __attribute__((noinline)) inline void Sides::look_at_boxes(const double* points,
   test_beside(0, 4, 1);
   test_beside(2, 0, 3);
   test_beside(4, 2, 5);
-  planes.store(*this);
+  planes.store(6, *this);
 }

@@ -12,7 +12,7 @@ namespace dsw {
 enum class CastEnd : uint32_t { kReached, kHit, kWorkLimit };
 
 /** Where a flight ended. */
-struct CastResult {
+struct alignas(8) CastResult {
   CastEnd end = CastEnd::kReached;
   Cell cell;                        // the last cell entered
   HalfFacet facet;                  // kHit: the impassable facet, seen from `cell`
@@ -39,7 +39,7 @@ struct CastCounters {
  * cell entered. */
 using CrossingFn = void (*)(void* user, Cell from, uint32_t simplex, Cell to);
 
-struct CastRequest {
+struct alignas(64) CastRequest {
   const double* from;  // D finite doubles, in `start` under the shift
   const double* to;
   Cell start;

@@ -3,13 +3,6 @@
 // tests tell which is pierced. It needs no centre, and no convexity either: where a cell is not convex the segment can
 // leave it more than once, and the earliest exit after the entry counts.
 
-constexpr uint32_t kStays = kNoFacet;
-
-struct Exit {
-  uint32_t facet = kStays;  // kStays: the target lies in the cell
-  uint32_t simplex = 0;
-};
-
 /** How the segment came into a cell. */
 struct Entry {
   bool may_have_been_here = false;  // by this segment, before this entry
@@ -24,61 +17,11 @@ struct Entry {
   }
 };
 
-enum class LookKind : uint8_t { kNothing, kPlanes, kBox, kLines };
-constexpr uint8_t kNotKnown = 0xff;
-
 /** The line of a cast, for polyhedra. Apart from what every cast has, which stays small so. */
 struct CastLine {
   Shear shear;
   uint32_t pierced = 0, passed = 0;  // after a look of kLines, see LineExits
 };
-
-/** Of a tetrahedron, a pyramid and a box, by facet. */
-constexpr uint8_t kFirstSimplices[3][6] = {{0, 1, 2, 3}, {0, 2, 3, 4, 5}, {0, 2, 4, 6, 8, 10}};
-
-/** What the planes of a cell say about the target, or its triangles about the line. */
-struct Look {
-  uint8_t facets;  // kPlanes: with the target outside, or kNotSettled. kBox: pierced outwards, or kNotKnown
-  uint8_t second;  // kBox, of these: through the second triangle. kPlanes: how many facets the cell has
-  LookKind kind;
-  // kPlanes: see is_far. kBox: at most one facet is pierced, for certain. kLines: the filter settled all triangles.
-  bool flag;
-
-  bool may_leave() const { return facets != 0; }
-  /** For kPlanes with the target outside of one facet. */
-  Exit only_exit() const { return exit_by(static_cast<uint32_t>(__builtin_ctz(uint32_t{facets}))); }
-  /** For kPlanes: a facet and its first simplex. */
-  Exit exit_by(uint32_t facet) const { return {facet, kFirstSimplices[second - 4][facet]}; }
-  /** False for planes side by side of which the filter left some open: ask again. */
-  bool is_settled() const { return kind != LookKind::kPlanes || facets < kNotSettled; }
-  /** Of a tetrahedron: as simplex.inl says. */
-  bool is_far() const { return (kind == LookKind::kPlanes) & flag; }
-  template <int D>
-  HalfFacet half_facet(const Map<D>& map, Cell c, uint32_t facet) const {
-    if (D == 2 || kind != LookKind::kPlanes) return map.half_facet(c, facet);
-    return {(c.unit + 1) * kUnitWords<D> - second + facet};  // links end the first unit
-  }
-
-  /** Of a tetrahedron, a pyramid or a box. */
-  static Look of_planes(uint32_t outside, uint32_t facet_count, bool is_far = false) {
-    return {static_cast<uint8_t>(outside), static_cast<uint8_t>(facet_count), LookKind::kPlanes, is_far};
-  }
-  template <class Tally>
-  static Look of_box(const BoxExits& exits, Tally& tally) {
-    tally.tests(12 + 4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
-    const bool several = (exits.pierced & (exits.pierced - 1)) != 0;
-    return {static_cast<uint8_t>(exits.sure ? exits.pierced : kNotKnown), static_cast<uint8_t>(exits.second),
-            LookKind::kBox, exits.sure && !several};
-  }
-  template <class Tally>
-  static Look of_lines(const LineExits& exits, const Shape& shape, Tally& tally) {
-    tally.tests(shape.edge_count() + static_cast<uint32_t>(__builtin_popcount(exits.ahead | exits.passed)));
-    const bool stays = exits.sure && exits.pierced != 0 && exits.ahead == exits.pierced;
-    return {static_cast<uint8_t>(stays ? 0 : kNotKnown), 0, LookKind::kLines, exits.sure};
-  }
-  static Look of_nothing() { return {kNotKnown, 0, LookKind::kNothing, false}; }
-};
-static_assert(sizeof(Look) == 4);
 
 template <int D, class Tally>
 class ExitFinder {
@@ -105,12 +48,12 @@ class ExitFinder {
         return Look::of_planes(seen & ~kFar, 4, (seen & kFar) != 0);
       }
       if (form == Form::kBox) {
-        if ((w[0] & kConvexBit) == 0) return Look::of_box(box_exits(env_, w, p_, q_), tally_);
+        if ((w[0] & map_.convex_bit) == 0) return Look::of_box(box_exits(env_, w, p_, q_), tally_);
         const uint32_t known = entry.known_inside(6);
         tally_.tests(known == 0 ? 6 : 5);
         return Look::of_planes(outside_flat_box(env_, w, q_, known, uncounted_), 6);
       }
-      if (form == Form::kPyramid && (w[0] & kConvexBit) != 0) {
+      if (form == Form::kPyramid && (w[0] & map_.convex_bit) != 0) {
         const uint32_t known = entry.known_inside(5);
         tally_.tests(known == 0 ? 5 : 4);
         return Look::of_planes(outside_flat_pyramid(env_, w, q_, known, uncounted_), 5);
@@ -121,7 +64,8 @@ class ExitFinder {
           const LineExits exits = look_along(w, shape, line.shear);
           line.pierced = exits.pierced;
           line.passed = exits.passed;
-          return Look::of_lines(exits, shape, tally_);
+          tally_.tests(shape.edge_count() + static_cast<uint32_t>(__builtin_popcount(exits.ahead | exits.passed)));
+          return Look::of_lines(exits.sure && exits.pierced != 0 && exits.ahead == exits.pierced, exits.sure);
         }
       }
     }
@@ -132,9 +76,9 @@ class ExitFinder {
    * the others. */
   DSW_HOT Exit choose(Cell c, const Look& look, const CastLine& line, const Entry& entry, uint32_t forecast) noexcept {
     if constexpr (D == 3) {
-      if (look.kind == LookKind::kPlanes) return exit_flat(c, look);
-      if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
-      if (look.kind == LookKind::kLines && look.flag && line.pierced != 0) return exit_along(c, line, entry);
+      if (look.kind() == LookKind::kPlanes) return exit_flat(c, look);
+      if (look.kind() == LookKind::kBox) return exit_box(map_.record(c), look, entry);
+      if (look.kind() == LookKind::kLines && look.is_sure() && line.pierced != 0) return exit_along(c, line, entry);
       if (map_.convex(c)) return apart().exit_many_flat(c, forecast);
     } else {
       if (map_.convex(c)) return exit_polygon(c, entry, forecast);
@@ -222,11 +166,11 @@ class ExitFinder {
   }
 
   DSW_HOT Exit exit_flat(Cell c, const Look& look) noexcept {
-    return look.facets == 0 ? Exit{} : exit_of_several(c, look);
+    return look.facets() == 0 ? Exit{} : exit_of_several(c, look);
   }
 
   DSW_HOT Exit exit_of_several(Cell c, const Look& look) noexcept {
-    const uint32_t outside = look.facets;
+    const uint32_t outside = look.facets();
     uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
     for (uint32_t rest = outside & (outside - 1); rest != 0; rest &= rest - 1) {
       const uint32_t g = static_cast<uint32_t>(__builtin_ctz(rest));
@@ -291,20 +235,21 @@ class ExitFinder {
   }
 
   DSW_HOT Exit exit_box(const uint32_t* w, const Look& look, const Entry& entry) noexcept {
-    if (__builtin_expect(!look.flag || entry.may_have_been_here, 0)) return apart().exit_box_in_full(w, look, entry);
-    if (look.facets == 0) return {};
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(uint32_t{look.facets}));
-    return {f, 2 * f + (uint32_t{look.second} >> f & 1u)};
+    if (__builtin_expect(!look.has_one_exit() || entry.may_have_been_here, 0))
+      return apart().exit_box_in_full(w, look, entry);
+    if (look.facets() == 0) return {};
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(look.facets()));
+    return {f, 2 * f + look.is_second(f)};
   }
 
   DSW_COLD Exit exit_box_in_full(const uint32_t* w, const Look& look, const Entry& entry) noexcept {
-    const bool sure = look.facets != kNotKnown;
+    const bool sure = look.facets() != kNotKnown;
     Earliest best;
     for (uint32_t i = 0; i < 12; ++i) {
       const uint32_t f = i / 2, half = i % 2;
       const double* triangle[3];
       box_triangle(env_, w, f, half, triangle);
-      const bool pierced = sure ? (look.facets >> f & 1u) != 0 && (look.second >> f & 1u) == half : pierces(triangle);
+      const bool pierced = sure ? (look.facets() >> f & 1u) != 0 && look.is_second(f) == half : pierces(triangle);
       if (pierced) consider(f, i, triangle, entry, best);
     }
     return best.exit;

@@ -35,7 +35,7 @@ class LineWalk<3> {
         map_(env.map),
         requests_(requests),
         results_(results),
-        moving_(env.checked.active()),
+        moving_(env.checked.has_moved()),
         plain_(!moving_) {}
 
   bool empty() const noexcept { return count_ + added_ == 0; }
@@ -217,7 +217,7 @@ class LineWalk<3> {
   const Map<3>& map_;
   const CastRequest* requests_;
   CastResult* results_;
-  const bool moving_;  // points do
+  const bool moving_;  // points have
   bool plain_;         // no cast has a limit, an end or a callback, and no points move
   uint32_t count_ = 0, added_ = 0;
   uint32_t written_ = 0;  // slots below it have been written

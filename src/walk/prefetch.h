@@ -3,6 +3,7 @@
 // random cells wait for.
 
 #include "environment/environment.h"
+#include "walk/standard_facets.h"
 
 namespace dsw {
 
@@ -33,6 +34,19 @@ DSW_PREFETCH void prefetch_vertices(const Environment<D>& env, Cell c) noexcept 
   const uint32_t* w = env.map.record(c);
   if (form_of(w[0]) != Form::kSimplex) return;
   for (int i = 0; i <= D; ++i) __builtin_prefetch(env.point(w[i] & kVertexMask));
+}
+
+/** The vertex of a simplex that the cell before has not: beyond the facet that was crossed, seen from the simplex. The
+ * record is read. */
+template <int D>
+DSW_PREFETCH void prefetch_vertex_beyond(const Environment<D>& env, HalfFacet crossed) noexcept {
+  const uint32_t* const w = env.map.words.data() + (crossed.word - crossed.word % kUnitWords<D>);
+  if (form_of(w[0]) != Form::kSimplex) return;
+  if constexpr (D == 3) {
+    __builtin_prefetch(env.point(w[kTetrahedronTips[local_in_tetrahedron(crossed)]] & kVertexMask));
+  } else {
+    for (int i = 0; i <= D; ++i) __builtin_prefetch(env.point(w[i] & kVertexMask));
+  }
 }
 
 /** What a look at a polyhedron reads, as far as most have it: local points, and of the shape counts and triangles. The

@@ -65,6 +65,28 @@ struct FacetSets {
   DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
     _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm256_cvtepi32_epi8(sets));
   }
+  /** Words with bits beside, and of which lanes the lowest byte has one bit, or several. */
+  DSW_HOT void store(uint32_t beside, uint32_t (&to)[kAbreast], uint32_t& one, uint32_t& several) const noexcept {
+    const __m256i bytes = _mm256_and_si256(sets, _mm256_set1_epi32(0xff));
+    const uint32_t any = _mm256_test_epi32_mask(bytes, bytes);
+    several = _mm256_test_epi32_mask(bytes, _mm256_add_epi32(bytes, _mm256_set1_epi32(-1)));
+    one = any & ~several;
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                        _mm256_or_si256(sets, _mm256_set1_epi32(static_cast<int>(beside))));
+  }
+};
+
+/** A byte of each lane. */
+struct LaneBytes {
+  __m256i bytes;
+
+  DSW_HOT explicit LaneBytes(const uint8_t* from) noexcept
+      : bytes(_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)))) {}
+  /** Those of some lanes, one after the other. Writes kAbreast bytes. */
+  DSW_HOT void store(uint8_t* to, uint32_t lanes) const noexcept {
+    const __m256i some = _mm256_maskz_compress_epi32(static_cast<__mmask8>(lanes), bytes);
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm256_cvtepi32_epi8(some));
+  }
 };
 
 #elif defined(DSW_ISA_AVX2)
@@ -135,6 +157,57 @@ struct FacetSets {
   DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_castpd_si256(sets));
   }
+  /** Words with bits beside, and of which lanes the lowest byte has one bit, or several. */
+  DSW_HOT void store(uint32_t beside, uint32_t (&to)[kAbreast], uint32_t& one, uint32_t& several) const noexcept {
+    const __m256i all = _mm256_castpd_si256(sets), bytes = _mm256_and_si256(all, _mm256_set1_epi64x(0xff));
+    const __m256i more = _mm256_and_si256(bytes, _mm256_add_epi64(bytes, _mm256_set1_epi64x(-1)));
+    const uint32_t none = zeros(bytes), at_most_one = zeros(more);
+    several = ~at_most_one & 15u;
+    one = at_most_one & ~none;
+    const __m256i words = _mm256_permutevar8x32_epi32(all, _mm256_setr_epi32(0, 2, 4, 6, 0, 2, 4, 6));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to),
+                     _mm_or_si128(_mm256_castsi256_si128(words), _mm_set1_epi32(static_cast<int>(beside))));
+  }
+
+ private:
+  static DSW_HOT uint32_t zeros(__m256i v) noexcept {
+    return Row::bits(_mm256_castsi256_pd(_mm256_cmpeq_epi64(v, _mm256_setzero_si256())));
+  }
+};
+
+/** Of a set of four lanes: which bytes it has, one after the other. */
+struct LaneOrder {
+  uint8_t of[16][4]{};
+  constexpr LaneOrder() {
+    for (uint32_t set = 0; set < 16; ++set) {
+      uint32_t count = 0;
+      for (uint8_t lane = 0; lane < 4; ++lane) {
+        of[set][count] = lane;
+        count += set >> lane & 1u;
+        if (count == 4) break;
+      }
+    }
+  }
+};
+constexpr LaneOrder kLaneOrder;
+
+/** A byte of each lane. */
+struct LaneBytes {
+  __m128i bytes;
+
+  DSW_HOT explicit LaneBytes(const uint8_t* from) noexcept : bytes(load(from)) {}
+  /** Those of some lanes, one after the other. Writes kAbreast bytes. */
+  DSW_HOT void store(uint8_t* to, uint32_t lanes) const noexcept {
+    const int some = _mm_cvtsi128_si32(_mm_shuffle_epi8(bytes, load(kLaneOrder.of[lanes])));
+    std::memcpy(to, &some, sizeof some);
+  }
+
+ private:
+  static DSW_HOT __m128i load(const uint8_t* from) noexcept {
+    int four;
+    std::memcpy(&four, from, sizeof four);
+    return _mm_cvtsi32_si128(four);
+  }
 };
 
 #else
@@ -199,6 +272,28 @@ struct FacetSets {
   DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
     to[0] = static_cast<uint64_t>(sets[0]);
     to[1] = static_cast<uint64_t>(sets[1]);
+  }
+  /** Words with bits beside, and of which lanes the lowest byte has one bit, or several. */
+  DSW_HOT void store(uint32_t beside, uint32_t (&to)[kAbreast], uint32_t& one, uint32_t& several) const noexcept {
+    one = several = 0;
+    for (uint32_t lane = 0; lane < kAbreast; ++lane) {
+      to[lane] = static_cast<uint32_t>(sets[lane]) | beside;
+      const uint32_t byte = to[lane] & 0xffu, has_several = (byte & (byte - 1)) != 0 ? 1 : 0;
+      several |= has_several << lane;
+      one |= ((byte != 0 ? 1u : 0u) & ~has_several) << lane;
+    }
+  }
+};
+
+/** A byte of each lane. */
+struct LaneBytes {
+  uint8_t first, second;
+
+  DSW_HOT explicit LaneBytes(const uint8_t* from) noexcept : first(from[0]), second(from[1]) {}
+  /** Those of some lanes, one after the other. Writes kAbreast bytes. */
+  DSW_HOT void store(uint8_t* to, uint32_t lanes) const noexcept {
+    to[0] = (lanes & 1u) != 0 ? first : second;
+    to[1] = second;
   }
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "environment/local_points.h"
 #include "predicates/filtered.h"
@@ -26,6 +27,7 @@ namespace dsw {
 
 /** Counting in the hot loops: a policy, so that a scene without statistics pays nothing. */
 struct CountNothing {
+  static constexpr bool kCounts = false;
   void test() noexcept {}
   void tests(uint32_t) noexcept {}
   void exact() noexcept {}
@@ -33,6 +35,7 @@ struct CountNothing {
 };
 
 struct CountAll {
+  static constexpr bool kCounts = true;
   CastCounters* counters;
   void test() noexcept { ++counters->orientation_tests; }
   void tests(uint32_t n) noexcept { counters->orientation_tests += n; }

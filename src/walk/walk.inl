@@ -15,9 +15,11 @@ constexpr uint32_t kAbreast = 2;
 #include "walk/box.inl"
 #include "walk/simplex.inl"
 #include "walk/pyramid.inl"
+#include "walk/look.inl"
 #include "walk/rows.inl"
 #include "walk/abreast.inl"
 #include "walk/boxes.inl"
+#include "walk/ridges.inl"
 #include "walk/sightlines.inl"
 #include "walk/polyhedron.inl"
 #include "walk/polygon.inl"
@@ -29,8 +31,10 @@ constexpr uint32_t kAbreast = 2;
  * are not noted. */
 inline uint64_t visit_bit(Cell c) { return uint64_t{1} << ((c.unit * 0x9e3779b1u) >> 26); }
 
-/** As Map::convex, by word 0 of a record. */
-inline bool is_convex(uint32_t word) { return form_of(word) == Form::kSimplex || (word & kConvexBit) != 0; }
+/** As Map::convex, by word 0 of a record and the map's bit. */
+inline bool is_convex(uint32_t word, uint32_t convex_bit) {
+  return form_of(word) == Form::kSimplex || (word & convex_bit) != 0;
+}
 
 /** As find_out_validity, with the cell's centre. */
 template <int D>
@@ -49,13 +53,13 @@ bool find_out_validity(const Environment<D>& env, Cell c, const double* apex) no
 template <int D>
 bool admits_with_centre(const Environment<D>& env, Cell c, double* apex) noexcept {
   centre(env, c, apex);
-  if (!env.checked.active()) return true;
+  if (!env.checked.has_moved()) return true;
   const CheckedCells::Known known = env.checked.known(env.map.index(c));
   return known == CheckedCells::Known::kNothing ? find_out_validity(env, c, apex)
                                                 : known == CheckedCells::Known::kValid;
 }
 
-/** As admits, where points move. */
+/** As admits, where points have moved. */
 template <int D>
 __attribute__((noinline)) bool admits_moving(const Environment<D>& env, Cell c) noexcept {
   const CheckedCells::Known known = env.checked.known(env.map.index(c));
@@ -73,6 +77,14 @@ DSW_HOT void prefetch_beyond(const Environment<D>& env, HalfFacet at) noexcept {
 }
 
 #include "walk/line_walk.inl"
+
+struct AllCasts {
+  uint8_t numbers[kPacket]{};
+  constexpr AllCasts() {
+    for (uint32_t i = 0; i < kPacket; ++i) numbers[i] = static_cast<uint8_t>(i);
+  }
+};
+constexpr AllCasts kAllCasts;
 
 /** Where a cast is on its way. */
 struct Flight {
@@ -97,7 +109,7 @@ class Walkers {
         results_(results),
         tally_(tally),
         has_polyhedra_(!env.map.shape_offsets.empty()),
-        moving_(env.checked.active()),
+        moving_(env.checked.has_moved()),
         line_walk_(env, requests, results) {}
 
   void run(uint32_t count) noexcept {
@@ -132,10 +144,16 @@ class Walkers {
 
   /** Keeps the casts that may leave where they start. */
   DSW_HOT uint32_t begin_all(uint32_t count) noexcept {
-    uint32_t kept = 0;
+    bool some_end = false;
 #pragma GCC unroll 1
     for (uint32_t i = 0; i < count; ++i) {
       begin(i);
+      some_end |= requests_[i].start == requests_[i].end;
+    }
+    std::memcpy(active_, kAllCasts.numbers, sizeof kAllCasts);
+    if (!some_end) return count;
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < count; ++i) {
       active_[kept] = static_cast<uint8_t>(i);
       kept += ends_in(i, requests_[i].start) ? 0 : 1;
     }
@@ -159,11 +177,11 @@ class Walkers {
       if (look_abreast<First>(k, end)) continue;
       for (uint32_t j = k; j < end; ++j) look<First>(active_[j]);
     }
-    for (uint32_t k = 0; k < kept_; ++k) leave<First>(active_[k], looks_[active_[k]].only_exit());
-    for (uint32_t k = 0; k < open_count_; ++k) {
-      active_[kept_] = open_[k];
-      kept_ += decide<First>(open_[k]) ? 1 : 0;
+    for (uint32_t k = 0; k < kept_; ++k) {
+      const uint32_t i = active_[k];
+      leave_flat<First>(i, static_cast<uint32_t>(__builtin_ctz(looks_[i].facets())));
     }
+    decide_all<First>();
     return kept_;
   }
 
@@ -181,9 +199,9 @@ class Walkers {
     if (D != 3) return false;
     const uint32_t word = map_.record(results_[active_[first]].cell)[0];
     const Form form = form_of(word);
-    const bool flat = is_convex(word);
+    const bool flat = is_convex(word, map_.convex_bit);
     if (!pays_abreast(form, flat, end - first)) return false;
-    const uint32_t kind = form == Form::kSimplex ? 7u << kFormShift : 7u << kFormShift | kConvexBit;
+    const uint32_t kind = form == Form::kSimplex ? 7u << kFormShift : 7u << kFormShift | map_.convex_bit;
     Abreast cells;
     uint32_t different = 0;
 #pragma GCC unroll 8
@@ -197,13 +215,13 @@ class Walkers {
     Sides sides;
     if (form == Form::kSimplex) {
       sides.look_at_tetrahedra(env_.points, cells);
-      note_sides<First, 4>(first, end, sides);
+      note_sides<First>(first, end, sides);
     } else if (form == Form::kPyramid) {
       sides.look_at_pyramids(env_.points, cells);
-      note_sides<First, 5>(first, end, sides);
+      note_sides<First>(first, end, sides);
     } else if (flat) {
       sides.look_at_boxes(env_.points, cells);
-      note_sides<First, 6>(first, end, sides);
+      note_sides<First>(first, end, sides);
     } else {
       look_warped<First>(first, end, cells);
     }
@@ -212,22 +230,22 @@ class Walkers {
 
   /** Keeps the casts with the target outside of one facet. The facet crossed last is not left out: it is settled that
    * the target is inside of that. */
-  template <bool First, uint32_t Facets>
+  template <bool First>
   DSW_HOT void note_sides(uint32_t first, uint32_t end, const Sides& sides) noexcept {
-    constexpr uint32_t kBeside = Facets == 4 ? kFar : 0;
-    uint32_t kept = kept_, open = open_count_;
-#pragma GCC unroll 1
-    for (uint32_t j = first; j < end; ++j) {
-      const uint32_t i = active_[j], seen = static_cast<uint32_t>(sides.outside[j - first]), outside = seen & ~kBeside;
-      const uint8_t exits = kExits.of[outside];
-      looks_[i] = Look::of_planes(outside, Facets, (seen & kBeside) != 0);
-      if (looks_[i].is_settled()) tally_.tests(First ? Facets : Facets - 1);
-      active_[kept] = open_[open] = static_cast<uint8_t>(i);
-      kept += exits & 1u;
-      open += exits >> 1;
+    const uint32_t lanes = (1u << (end - first)) - 1, one = sides.one & lanes, several = sides.several & lanes;
+#pragma GCC unroll 8
+    for (uint32_t j = 0; j < kAbreast; ++j) looks_[active_[first + j]] = Look::of_word(sides.looks[j]);
+    if (Tally::kCounts) {
+      for (uint32_t j = first; j < end; ++j) {
+        const Look& look = looks_[active_[j]];
+        if (look.is_settled()) tally_.tests(look.facet_count() - (First ? 0 : 1));
+      }
     }
-    kept_ = kept;
-    open_count_ = open;
+    const LaneBytes casts(active_ + first);
+    casts.store(open_ + open_count_, several);
+    casts.store(active_ + kept_, one);
+    kept_ += static_cast<uint32_t>(__builtin_popcount(one));
+    open_count_ += static_cast<uint32_t>(__builtin_popcount(several));
   }
 
   template <bool First>
@@ -251,23 +269,88 @@ class Walkers {
     }
   }
 
-  /** Whether an open cast leaves its cell. */
+  /** Decides about what is open: ridges side by side, all else one by one. */
   template <bool First>
-  DSW_HOT bool decide(uint32_t i) noexcept {
+  DSW_HOT void decide_all() noexcept {
+    RidgesAbreast ridges;
+    uint8_t casts[kAbreast];
+    uint32_t count = 0;
+    for (uint32_t k = 0; k < open_count_; ++k) {
+      const uint32_t i = open_[k];
+      if (!add_ridge(i, count, ridges)) {
+        decide<First>(i);
+        continue;
+      }
+      casts[count++] = static_cast<uint8_t>(i);
+      if (count == kAbreast) pass_ridges<First>(casts, std::exchange(count, 0), ridges);
+    }
+    if (count != 0) pass_ridges<First>(casts, count, ridges);
+  }
+
+  /** Adds the ridge of two facets that have the target of a cast outside, if that is so and they share one. */
+  DSW_HOT bool add_ridge(uint32_t i, uint32_t lane, RidgesAbreast& ridges) const noexcept {
+    if constexpr (D == 3) {
+      const Look look = looks_[i];
+      if (look.kind() != LookKind::kPlanes || look.facets() >= kNotSettled) return false;
+      const Ridge shared = kRidgesBySet[look.facet_count() - 4].of[look.facets()];
+      if (shared.a == shared.b) return false;
+      const uint32_t* const w = map_.record(results_[i].cell);
+      const CastRequest& request = requests_[i];
+      ridges.p[lane] = request.from;
+      ridges.q[lane] = request.to;
+      ridges.a[lane] = env_.point(w[shared.a] & kVertexMask);
+      ridges.b[lane] = env_.point(w[shared.b] & kVertexMask);
+      return true;
+    }
+    return false;
+  }
+
+  template <bool First>
+  DSW_HOT void pass_ridges(const uint8_t* casts, uint32_t count, RidgesAbreast& ridges) noexcept {
+    for (auto* const points : {ridges.p, ridges.q, ridges.a, ridges.b}) {
+      std::fill(points + count, points + kAbreast, points[count - 1]);
+    }
+    ridges.look();
+    for (uint32_t lane = 0; lane < count; ++lane) {
+      const uint32_t i = casts[lane], facets = looks_[i].facets();
+      if (__builtin_expect(((ridges.positive | ridges.negative) >> lane & 1u) == 0, 0)) {
+        decide<First>(i);
+        continue;
+      }
+      tally_.test();
+      const uint32_t both[2] = {static_cast<uint32_t>(__builtin_ctz(facets)),
+                                31u - static_cast<uint32_t>(__builtin_clz(facets))};
+      active_[kept_++] = static_cast<uint8_t>(i);
+      leave_flat<First>(i, both[ridges.negative >> lane & 1u]);
+    }
+  }
+
+  /** Keeps an open cast if it leaves its cell. */
+  template <bool First>
+  DSW_HOT void decide(uint32_t i) noexcept {
     const Cell cell = results_[i].cell;
     if (__builtin_expect(!looks_[i].is_settled(), 0)) looks_[i] = finder(i).look(cell, entry<First>(i), lines_[i]);
     const uint32_t forecast = First ? requests_[i].forecast : kNoFacet;
     const Exit exit = finder(i).choose(cell, looks_[i], lines_[i], entry<First>(i), forecast);
-    if (exit.facet == kStays) return false;
-    leave<First>(i, exit);
-    return true;
+    if (exit.facet == kStays) return;
+    active_[kept_++] = static_cast<uint8_t>(i);
+    if (looks_[i].kind() == LookKind::kPlanes) return leave_flat<First>(i, exit.facet);
+    leave<First>(i, exit, map_.half_facet(cell, exit.facet), false);
+    const HalfFacet beyond = map_.opposite(flights_[i].at);
+    if (looks_[i].kind() == LookKind::kLines && beyond.valid()) prefetch_round(env_, beyond);
+  }
+
+  /** Of planes. */
+  template <bool First>
+  DSW_HOT void leave_flat(uint32_t i, uint32_t facet) noexcept {
+    const Look look = looks_[i];
+    leave<First>(i, look.exit_by(facet), look.half_facet<D>(results_[i].cell, facet), look.is_far());
   }
 
   /** Notes where a cast leaves its cell, and asks for what is beyond. */
   template <bool First>
-  DSW_HOT void leave(uint32_t i, const Exit& exit) noexcept {
+  DSW_HOT void leave(uint32_t i, const Exit& exit, HalfFacet at, bool is_far) noexcept {
     const Cell cell = results_[i].cell;
-    const HalfFacet at = looks_[i].half_facet(map_, cell, exit.facet);
     if (First) {
       new (flights_ + i) Flight;
       if (!map_.convex(cell)) flights_[i].visited = visit_bit(cell);
@@ -275,12 +358,11 @@ class Walkers {
     }
     flights_[i].at = at;
     flights_[i].simplex = exit.simplex;
-    flights_[i].is_far = looks_[i].is_far();
+    flights_[i].is_far = is_far;
     const uint32_t beyond = map_.opposite(at).word;
     if (beyond == kNoFacet) return;
     __builtin_prefetch(&map_.words[beyond - beyond % kUnitWords<D>]);
     if (D == 2) __builtin_prefetch(&map_.words[beyond]);  // its record may lie in two lines
-    if (looks_[i].kind == LookKind::kLines) prefetch_round(env_, {beyond});
   }
 
   /** Keeps the casts that go on from the cells that they enter, but for those that follow their lines. */
@@ -345,14 +427,14 @@ class Walkers {
     result.simplex = f.simplex;
     ++result.volumes_visited;
     f.through = o;
-    if (!is_convex(word)) {
+    if (!is_convex(word, map_.convex_bit)) {
       f.may_have_been_here = (f.visited & visit_bit(next)) != 0;
       f.visited |= visit_bit(next);
     } else {
       f.may_have_been_here = false;  // a line enters a convex cell once
       if (next == request.end) return false;
     }
-    prefetch_vertices(env_, next);
+    prefetch_vertex_beyond(env_, o);
     if (D == 3 && has_polyhedra_) prefetch_polyhedron(env_, next);
     return true;
   }
@@ -363,16 +445,18 @@ class Walkers {
   CastResult* results_;
   Tally tally_;
   const bool has_polyhedra_;
-  const bool moving_;  // points do
+  const bool moving_;  // points have
   union {              // constructs nothing
     Flight flights_[kPacket];
   };
   union {
     CastLine lines_[kPacket];  // where there are polyhedra
   };
-  Look looks_[kPacket];
+  union {
+    Look looks_[kPacket];
+  };
   uint8_t active_[kPacket + kAbreast - 1];
-  uint8_t open_[kPacket];
+  uint8_t open_[kPacket + kAbreast - 1];
   uint32_t kept_ = 0, open_count_ = 0;
   LineWalk<D> line_walk_;
 };

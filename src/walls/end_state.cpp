@@ -24,7 +24,11 @@ void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& re
     env_.note_move();
     env_.checked.forget_all();
   };
-  const auto take_back = [&] { read_points(start); };
+  const bool had_moved = env_.checked.has_moved();
+  const auto take_back = [&] {
+    read_points(start);
+    env_.set_moved(had_moved);
+  };
   const auto restore_next = [&] { std::copy(targets.begin(), targets.end(), next); };
   const auto try_way = [&](double way) {
     if (way != 1 && targets.empty()) targets.assign(next, next + D * count);

@@ -15,6 +15,7 @@ template <int D>
 void MovingPoints<D>::begin(double* next) {
   place_.resize(env_.map.vertex_count, kUntouched);
   start_ = env_.points;
+  had_moved_ = env_.checked.has_moved();
   next_ = next;
   env_.points = next;
   env_.note_move();
@@ -45,6 +46,7 @@ void MovingPoints<D>::take_back() noexcept {
   env_.points = start_;
   env_.note_move();
   env_.checked.forget_all();
+  env_.set_moved(had_moved_);
 }
 
 template <int D>

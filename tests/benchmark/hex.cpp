@@ -20,7 +20,9 @@ struct Contest {
   std::unique_ptr<HexCase> scene;
   Segments segments;
   std::unique_ptr<World> bending;  // the same lattice, with a scene that may deform it
-  std::unique_ptr<Ours> ours, plain, in_bending;
+  std::unique_ptr<World> bent;     // one that has, although its points are where they were
+  std::vector<double> bent_points;
+  std::unique_ptr<Ours> ours, plain, in_bending, in_bent;
   std::unique_ptr<Engine> bullet, bullet_box, embree, grid, packets, occluded;
   std::map<std::string, std::vector<double>> times;  // by key, one a round
 
@@ -35,7 +37,8 @@ struct Contest {
       all.insert(all.end(), {{"embree8_ns", packets.get()},
                              {"embree_occluded_ns", occluded.get()},
                              {"no_detail_ns", plain.get()},
-                             {"deforming_ns", in_bending.get()}});
+                             {"deforming_ns", in_bending.get()},
+                             {"deformed_ns", in_bent.get()}});
     }
     return all;
   }
@@ -67,10 +70,16 @@ Contest make_contest(const std::string& label, std::size_t cells, double jitter,
   contest.grid = keep_fastest(make_grids(scene.walls, {0.5, 1.0, 1.5, 2.0}), pilot);
   if (extras) {
     contest.plain = std::make_unique<Ours>(scene.world, scene.walls, DSW_CAST_START_KNOWN | DSW_CAST_NO_DETAIL);
-    contest.bending = std::make_unique<World>(scene.grid.mesh, 1);
-    mark_cells(*contest.bending, scene.grid.obstacle);
-    contest.bending->scene(DSW_FEATURE_DEFORMING);
+    for (auto* const world : {&contest.bending, &contest.bent}) {
+      *world = std::make_unique<World>(scene.grid.mesh, 1);
+      mark_cells(**world, scene.grid.obstacle);
+      (*world)->scene(DSW_FEATURE_DEFORMING);
+    }
     contest.in_bending = std::make_unique<Ours>(*contest.bending, scene.walls);
+    contest.bent_points = scene.grid.mesh.points;
+    check(dsw_environment_deform(contest.bent->environment(), contest.bent_points.data(),
+                                 contest.bent_points.size() / 3, nullptr, nullptr));
+    contest.in_bent = std::make_unique<Ours>(*contest.bent, scene.walls);
     contest.packets = make_embree({false, false, false, true, false}, scene.walls);
     contest.occluded = make_embree({false, false, false, false, true}, scene.walls);
   }
@@ -198,6 +207,8 @@ void run_hex(const Options& options, Report& report, Agreement& agreement) {
              median_ratio(contests[3].times.at("no_detail_ns"), contests[3].times.at("ns")));
   report.set("walk.deforming_over_static",
              median_ratio(contests[3].times.at("deforming_ns"), contests[3].times.at("ns")));
+  report.set("walk.deformed_over_static",
+             median_ratio(contests[3].times.at("deformed_ns"), contests[3].times.at("ns")));
   report.set("walk.hex.steps", static_cast<double>(steps));
   report.set("walk.hex.casts_per_step", static_cast<double>(contests[3].segments.batch));
   report.set("walk.hex.casts_left_out", static_cast<double>(dropped));

@@ -31,6 +31,7 @@ struct MovingBox {
     points.assign(env->points, env->points + 24);
     rest = points;
     env->points = points.data();
+    env->note_move();
   }
   bool admits_now() {
     env->checked.forget_all();
@@ -101,6 +102,7 @@ TEST(Validity, ConvexIfNoVertexIsBeyondAFacet) {
   std::vector<double> points(env->points, env->points + 30);
   const std::vector<double> rest = points;
   env->points = points.data();
+  env->note_move();
   const Cell c = env->map.cell(0);
   ASSERT_EQ(check_cell(*env, c), CellState::kValidConvex);
   Random random(8);
@@ -118,6 +120,23 @@ TEST(Validity, ConvexIfNoVertexIsBeyondAFacet) {
   }
   EXPECT_GT(convex, 500);
   EXPECT_GT(others, 500);
+}
+
+TEST(Validity, HexahedraStayFlatUntilPointsMove) {
+  Mesh3 mesh;
+  add_boxes(mesh, 2, 1, 1);
+  const auto env = mesh.build();
+  const Cell c = env->map.cell(0);
+  let_points_move(*env);
+  EXPECT_FALSE(env->checked.has_moved());
+  EXPECT_TRUE(env->map.convex(c));
+  EXPECT_TRUE(admits(*env, c));
+  mesh.points[2] -= 0.25;  // the first vertex: three facets of the first box bend
+  env->points = mesh.points.data();
+  env->note_move();
+  EXPECT_TRUE(env->checked.has_moved());
+  EXPECT_FALSE(env->map.convex(c));
+  EXPECT_TRUE(admits(*env, c));
 }
 
 TEST(Validity, PointsThatAreNoNumbers) {

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "environment/moving.h"
 #include "locate/locate.h"
 #include "small_meshes.h"
 #include "walk/packet.h"
@@ -45,6 +46,20 @@ TEST(Cast, LeavesAFlatFaceWithAStraightCorner) {
     const double to[3] = {x, .25, .75};
     expect_contact(env, from, to);
   }
+}
+
+/** Flat cells are asked one plane a facet until points move. Then a bent facet has two. */
+TEST(Cast, FollowsFacetsThatBend) {
+  Environment<3> env(nullptr);
+  build_mesh(env, one_hexahedron({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}));
+  let_points_move(env);
+  const double from[3] = {.5, .5, .5}, to[3] = {.05, .05, -.05};
+  EXPECT_EQ(cast(env, from, to, env.map.cell(0)).end, CastEnd::kHit);
+  std::vector<double> moved(env.points, env.points + 24);
+  moved[2] = -.25;
+  env.points = moved.data();
+  env.note_move();
+  EXPECT_EQ(cast(env, from, to, env.map.cell(0)).end, CastEnd::kReached);
 }
 
 /** Two faces in one plane, one of them L-shaped: the volume is convex, the face is not, and lines that leave through it

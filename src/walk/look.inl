@@ -1,0 +1,74 @@
+// What a look at a cell tells of the exit of a cast, in four bytes.
+
+constexpr uint32_t kStays = kNoFacet;
+
+struct Exit {
+  uint32_t facet = kStays;  // kStays: the target lies in the cell
+  uint32_t simplex = 0;
+};
+
+enum class LookKind : uint8_t { kNothing, kPlanes, kBox, kLines };
+constexpr uint8_t kNotKnown = 0xff;
+
+/** Of a tetrahedron, a pyramid and a box, by facet. */
+constexpr uint8_t kFirstSimplices[3][6] = {{0, 1, 2, 3}, {0, 2, 3, 4, 5}, {0, 2, 4, 6, 8, 10}};
+
+/** What the planes of a cell say about the target, or its triangles about the line. */
+class Look {
+ public:
+  /** Of a tetrahedron, a pyramid or a box: facets with the target outside, or kNotSettled or more. */
+  static Look of_planes(uint32_t outside, uint32_t facet_count, bool is_far = false) {
+    return Look(outside | of_cell(facet_count) | (is_far ? kFlag : 0));
+  }
+  /** Bits that such a look has beside its facets. */
+  static constexpr uint32_t of_cell(uint32_t facet_count) { return word(facet_count, LookKind::kPlanes); }
+  /** Of a box that need not be convex. */
+  template <class Tally>
+  static Look of_box(const BoxExits& exits, Tally& tally) {
+    tally.tests(12 + 4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
+    const bool several = (exits.pierced & (exits.pierced - 1)) != 0;
+    return Look((exits.sure ? exits.pierced : kNotKnown) | word(exits.second, LookKind::kBox) |
+                (exits.sure && !several ? kFlag : 0));
+  }
+  /** Of a polyhedron. `is_settled`: the filter settled all triangles. */
+  static Look of_lines(bool stays, bool is_settled) {
+    return Look((stays ? 0 : kNotKnown) | word(0, LookKind::kLines) | (is_settled ? kFlag : 0));
+  }
+  static Look of_nothing() { return Look(kNotKnown); }
+  static Look of_word(uint32_t word) { return Look(word); }
+
+  /** kPlanes: with the target outside, or kNotSettled or more. kBox: pierced outwards, or kNotKnown. */
+  uint32_t facets() const { return word_ & 0xffu; }
+  LookKind kind() const { return static_cast<LookKind>(word_ >> 16 & 0xffu); }
+  bool may_leave() const { return facets() != 0; }
+  /** False for planes side by side of which the filter left some open: ask again. */
+  bool is_settled() const { return kind() != LookKind::kPlanes || facets() < kNotSettled; }
+
+  /** Of planes: how many facets the cell has. */
+  uint32_t facet_count() const { return word_ >> 8 & 0xffu; }
+  /** Of planes: a facet and its first simplex. */
+  Exit exit_by(uint32_t facet) const { return {facet, kFirstSimplices[facet_count() - 4][facet]}; }
+  /** Of planes, those of a tetrahedron: as simplex.inl says. */
+  bool is_far() const { return has_flag(); }
+  /** Of planes: a facet of the cell. Links end the first unit. */
+  template <int D>
+  HalfFacet half_facet(Cell c, uint32_t facet) const {
+    return {(c.unit + 1) * kUnitWords<D> - facet_count() + facet};
+  }
+
+  /** Of a box: at most one facet is pierced, for certain. */
+  bool has_one_exit() const { return has_flag(); }
+  /** Of a box: whether a facet is pierced through its second triangle. */
+  uint32_t is_second(uint32_t facet) const { return word_ >> (8 + facet) & 1u; }
+  /** Of lines: the filter settled all triangles. */
+  bool is_sure() const { return has_flag(); }
+
+  static constexpr uint32_t kFlag = 1u << 24;  // of planes: is_far
+
+ private:
+  explicit Look(uint32_t word) : word_(word) {}
+  static constexpr uint32_t word(uint32_t second, LookKind kind) { return second << 8 | uint32_t(kind) << 16; }
+  bool has_flag() const { return (word_ & kFlag) != 0; }
+
+  uint32_t word_;  // facets, of planes their number and of boxes second triangles, kind, flag
+};
