@@ -13,6 +13,12 @@ constexpr uint8_t kNotKnown = 0xff;
 /** Of a tetrahedron, a pyramid and a box, by facet. */
 constexpr uint8_t kFirstSimplices[3][6] = {{0, 1, 2, 3}, {0, 2, 3, 4, 5}, {0, 2, 4, 6, 8, 10}};
 
+/** A facet of a cell of these forms: links end its first unit. */
+template <int D>
+HalfFacet linked_facet(Cell c, uint32_t facet_count, uint32_t facet) {
+  return {(c.unit + 1) * kUnitWords<D> - facet_count + facet};
+}
+
 /** What the planes of a cell say about the target, or its triangles about the line. */
 class Look {
  public:
@@ -50,10 +56,10 @@ class Look {
   Exit exit_by(uint32_t facet) const { return {facet, kFirstSimplices[facet_count() - 4][facet]}; }
   /** Of planes, those of a tetrahedron: as simplex.inl says. */
   bool is_far() const { return has_flag(); }
-  /** Of planes: a facet of the cell. Links end the first unit. */
+  /** Of planes: a facet of the cell. */
   template <int D>
   HalfFacet half_facet(Cell c, uint32_t facet) const {
-    return {(c.unit + 1) * kUnitWords<D> - facet_count() + facet};
+    return linked_facet<D>(c, facet_count(), facet);
   }
 
   /** Of a box: at most one facet is pierced, for certain. */

@@ -277,6 +277,7 @@ class Walkers {
     uint32_t count = 0;
     for (uint32_t k = 0; k < open_count_; ++k) {
       const uint32_t i = open_[k];
+      if (leave_warped<First>(i)) continue;
       if (!add_ridge(i, count, ridges)) {
         decide<First>(i);
         continue;
@@ -285,6 +286,18 @@ class Walkers {
       if (count == kAbreast) pass_ridges<First>(casts, std::exchange(count, 0), ridges);
     }
     if (count != 0) pass_ridges<First>(casts, count, ridges);
+  }
+
+  /** Keeps a cast that leaves a box which need not be convex, if it is settled where. */
+  template <bool First>
+  DSW_HOT bool leave_warped(uint32_t i) noexcept {
+    const Look look = looks_[i];
+    if (look.kind() != LookKind::kBox || !look.has_one_exit()) return false;
+    if (!First && flights_[i].may_have_been_here) return false;
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(look.facets()));
+    active_[kept_++] = static_cast<uint8_t>(i);
+    leave<First>(i, {f, 2 * f + look.is_second(f)}, linked_facet<D>(results_[i].cell, 6, f), false);
+    return true;
   }
 
   /** Adds the ridge of two facets that have the target of a cast outside, if that is so and they share one. */
