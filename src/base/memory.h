@@ -37,6 +37,7 @@ struct Allocator {
 
   static constexpr size_t alignment(size_t bytes) { return bytes >= 4096 ? 64 : alignof(std::max_align_t); }
   T* allocate(size_t count) {
+    static_assert(alignof(T) <= alignof(std::max_align_t), "small blocks are aligned like this");
     if (count > SIZE_MAX / sizeof(T)) throw std::bad_alloc();
     const size_t bytes = count * sizeof(T);
     return static_cast<T*>(allocate_bytes(memory, bytes, alignment(bytes)));

@@ -115,6 +115,7 @@ inline dsw_context* check_context(dsw_context* context) {
 /** Makes an object in the host's memory. */
 template <class T, class... Arguments>
 T* create_object(const Memory* memory, Arguments&&... arguments) {
+  static_assert(alignof(T) <= alignof(std::max_align_t));
   void* const block = allocate_bytes(memory, sizeof(T), alignof(std::max_align_t));
   try {
     return new (block) T(std::forward<Arguments>(arguments)...);

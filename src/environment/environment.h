@@ -65,8 +65,8 @@ struct Environment {
     renew_version();
     set_moved(checked.active());
   }
-  /** Of points that may move: once they have, nobody knows which cells are valid, or flat and convex. Who takes back
-   * the first move gives back what was before. */
+  /** Of points that may move. After a move no cell is known to be valid, and only simplices are known to be convex.
+   * Code that takes a move back must restore the value from before it. */
   void set_moved(bool moved) noexcept {
     checked.set_moved(moved);
     map.convex_bit = moved ? 0 : kConvexBit;

@@ -143,7 +143,7 @@ struct Map {
   /** Exactly convex with exactly flat facets: simplices always, others by a bit set when they were validated, until
    * points move. */
   bool convex(Cell c) const { return form(c) == Form::kSimplex || (record(c)[0] & convex_bit) != 0; }
-  /** A cell's form, and whether it is flat and convex, of which a simplex says nothing. */
+  /** The form of a cell and its convex bit, which a simplex has not. */
   uint32_t kind_bits(Cell c) const { return (record(c)[0] & (7u << kFormShift | convex_bit)) >> (kFormShift - 1); }
   Shape shape(Cell c) const;
   /** Of a cell of general form, by word 0 of its record. */

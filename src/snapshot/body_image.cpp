@@ -40,7 +40,11 @@ void append_touch(const Touch& t, Array<double>& places, Array<uint32_t>& words)
 template <int D>
 void append_sequence(const Map<D>& map, const EdgeSequence<D>& sequence, Array<uint32_t>& out) {
   if (!sequence.known() || !is_whole(map, sequence.facets)) return append(out, {kUnknownSequence});
-  append(out, {2 * static_cast<uint32_t>(sequence.facets.size()) + (sequence.in_rows ? 1 : 0)});
+  // In the plane rows are of polygons that are known to be convex: none, once points have moved.
+  const bool in_rows =
+      sequence.in_rows && (D == 3 || std::all_of(sequence.facets.begin(), sequence.facets.end(),
+                                                 [&](uint32_t facet) { return map.convex(map.cell_of({facet})); }));
+  append(out, {2 * static_cast<uint32_t>(sequence.facets.size()) + (in_rows ? 1 : 0)});
   for (const uint32_t facet : sequence.facets) {
     const Cell c = map.cell_of({facet});
     append(out, {map.index(c), map.local_of({facet}, c)});

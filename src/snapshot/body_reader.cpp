@@ -129,7 +129,7 @@ void BodyReader<D>::read_sequences(Body<D>& body, uint64_t count) {
     }
     if (!is_whole(map, facets)) fail_corrupt("a sequence is broken");
     sequence.assign(env_, facets);
-    // Polygons are no longer known to be convex once a scene has been there that deforms.
+    // Polygons are no longer known to be convex once points have moved.
     if (D == 3 && (word & 1) != 0 && !sequence.in_rows) fail_corrupt("a sequence of other cells");
     if ((word & 1) != 0) continue;
     sequence.in_rows = false;

@@ -360,7 +360,7 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   }
   count_facets(map, &map.facet_count, &map.boundary_facet_count);
   if (const char* const broken = check_integrity(map)) fail_corrupt(broken);
-  if (!moving) check_cells(env);  // else nobody knows
+  if (!moving) check_cells(env);  // after a move cells need not be valid, and the bits mean nothing
   load_edge_marks(env, edges);
   count_marks(env);
   finish_topology(env, nullptr);

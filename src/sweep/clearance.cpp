@@ -47,9 +47,9 @@ bool borrow(const Environment<D>& env, Body<D>& body, uint32_t v, double needed)
 template <int D>
 bool measure(const Environment<D>& env, Body<D>& body, uint32_t v, double needed) {
   const double reach = kReach * needed;
-  // The extent of points that move, which bounds the rounding below, is not known; and with each deformation balls are
-  // gone.
-  if (env.checked.active() || body.clearance_credit < 0 || !std::isfinite(reach)) return false;
+  // The extent of points that have moved, which bounds the rounding below, is not known. And with each deformation
+  // balls are gone.
+  if (env.checked.has_moved() || body.clearance_credit < 0 || !std::isfinite(reach)) return false;
   Clearance<D>& ball = body.clearances[v];
   const double* const at = body.position(v);
   NearestResult nearest;

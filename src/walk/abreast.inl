@@ -52,11 +52,11 @@ struct VerticesAbreast {
   }
 };
 
-/** Of cells that are convex with flat facets: Looks as words, and a bit for each cell with q outside of one facet, and
- * for each with q outside of several or of which the filter left some open. */
+/** Of cells that are convex with flat facets. */
 struct Sides {
-  uint32_t looks[kAbreast];
-  uint32_t one, several;
+  uint32_t looks[kAbreast];  // words of Looks
+  uint32_t one;              // a bit for each cell with q outside of exactly one facet
+  uint32_t several;          // and for each with q outside of more, or of which the filter left a facet open
 
   void look_at_tetrahedra(const double* points, const Abreast& cells) noexcept;
   void look_at_pyramids(const double* points, const Abreast& cells) noexcept;

@@ -50,6 +50,7 @@ struct alignas(64) CastRequest {
   CrossingFn crossing = nullptr;
   void* crossing_user = nullptr;
 };
+static_assert(sizeof(CastRequest) == 64);  // one line, and a place is found by a shift
 
 /** Casts. Work is O(cells crossed). Every step crosses a facet later on the segment than the one before, so it ends. */
 template <int D>

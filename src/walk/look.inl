@@ -26,7 +26,7 @@ class Look {
   static Look of_planes(uint32_t outside, uint32_t facet_count, bool is_far = false) {
     return Look(outside | of_cell(facet_count) | (is_far ? kFlag : 0));
   }
-  /** Bits that such a look has beside its facets. */
+  /** The word of such a look without facets and flag. */
   static constexpr uint32_t of_cell(uint32_t facet_count) { return word(facet_count, LookKind::kPlanes); }
   /** Of a box that need not be convex. */
   template <class Tally>
@@ -43,7 +43,7 @@ class Look {
   static Look of_nothing() { return Look(kNotKnown); }
   static Look of_word(uint32_t word) { return Look(word); }
 
-  /** kPlanes: with the target outside, or kNotSettled or more. kBox: pierced outwards, or kNotKnown. */
+  /** kPlanes: facets with the target outside; not known from kNotSettled on. kBox: pierced outwards, or kNotKnown. */
   uint32_t facets() const { return word_ & 0xffu; }
   LookKind kind() const { return static_cast<LookKind>(word_ >> 16 & 0xffu); }
   bool may_leave() const { return facets() != 0; }

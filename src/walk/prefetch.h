@@ -36,8 +36,8 @@ DSW_PREFETCH void prefetch_vertices(const Environment<D>& env, Cell c) noexcept 
   for (int i = 0; i <= D; ++i) __builtin_prefetch(env.point(w[i] & kVertexMask));
 }
 
-/** The vertex of a simplex that the cell before has not: beyond the facet that was crossed, seen from the simplex. The
- * record is read. */
+/** The tip of a simplex, opposite to the facet that was crossed: the cell before has all others. `crossed`: the facet,
+ * seen from the simplex. In the plane all vertices. The record is read. */
 template <int D>
 DSW_PREFETCH void prefetch_vertex_beyond(const Environment<D>& env, HalfFacet crossed) noexcept {
   const uint32_t* const w = env.map.words.data() + (crossed.word - crossed.word % kUnitWords<D>);
@@ -45,7 +45,7 @@ DSW_PREFETCH void prefetch_vertex_beyond(const Environment<D>& env, HalfFacet cr
   if constexpr (D == 3) {
     __builtin_prefetch(env.point(w[kTetrahedronTips[local_in_tetrahedron(crossed)]] & kVertexMask));
   } else {
-    for (int i = 0; i <= D; ++i) __builtin_prefetch(env.point(w[i] & kVertexMask));
+    prefetch_vertices(env, env.map.cell_of(crossed));
   }
 }
 
@@ -63,7 +63,7 @@ DSW_PREFETCH void prefetch_polyhedron(const Environment<D>& env, Cell c) noexcep
   for (const uint32_t at : {0u, kLine, 2 * kLine}) __builtin_prefetch(local + at);
 }
 
-/** What is known of a cell of moving points, and its vertices. The record is read. */
+/** What is known of a cell whose points have moved, and its vertices. The record is read. */
 template <int D>
 DSW_PREFETCH void prefetch_moving(const Environment<D>& env, Cell c) noexcept {
   env.checked.prefetch(env.map.index(c));

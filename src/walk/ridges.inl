@@ -1,5 +1,5 @@
-// Cells that are convex with flat facets and have the target outside of two: the line's side of the ridge that the two
-// share tells which of them is pierced. kAbreast casts at a time, by line_side of predicates/filtered.h bit for bit.
+// Flat convex cells with the target outside of two facets. On which side the line passes the ridge that both share
+// tells which of them it pierces. kAbreast casts at a time, by line_side of predicates/filtered.h bit for bit.
 
 /** By the set of two facets that share a ridge: the words of a cell's record that name the ridge's vertices, in the
  * order of the facet with the lower number. a == b for other sets. */

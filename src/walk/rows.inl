@@ -65,7 +65,7 @@ struct FacetSets {
   DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
     _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm256_cvtepi32_epi8(sets));
   }
-  /** Words with bits beside, and of which lanes the lowest byte has one bit, or several. */
+  /** `to`: the word of each lane, with bits beside. `one`, `several`: lanes whose lowest byte has one bit, or more. */
   DSW_HOT void store(uint32_t beside, uint32_t (&to)[kAbreast], uint32_t& one, uint32_t& several) const noexcept {
     const __m256i bytes = _mm256_and_si256(sets, _mm256_set1_epi32(0xff));
     const uint32_t any = _mm256_test_epi32_mask(bytes, bytes);
@@ -82,7 +82,7 @@ struct LaneBytes {
 
   DSW_HOT explicit LaneBytes(const uint8_t* from) noexcept
       : bytes(_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)))) {}
-  /** Those of some lanes, one after the other. Writes kAbreast bytes. */
+  /** Packs the bytes of some lanes. Writes kAbreast bytes, of which those behind are arbitrary. */
   DSW_HOT void store(uint8_t* to, uint32_t lanes) const noexcept {
     const __m256i some = _mm256_maskz_compress_epi32(static_cast<__mmask8>(lanes), bytes);
     _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm256_cvtepi32_epi8(some));
@@ -157,7 +157,7 @@ struct FacetSets {
   DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_castpd_si256(sets));
   }
-  /** Words with bits beside, and of which lanes the lowest byte has one bit, or several. */
+  /** `to`: the word of each lane, with bits beside. `one`, `several`: lanes whose lowest byte has one bit, or more. */
   DSW_HOT void store(uint32_t beside, uint32_t (&to)[kAbreast], uint32_t& one, uint32_t& several) const noexcept {
     const __m256i all = _mm256_castpd_si256(sets), bytes = _mm256_and_si256(all, _mm256_set1_epi64x(0xff));
     const __m256i more = _mm256_and_si256(bytes, _mm256_add_epi64(bytes, _mm256_set1_epi64x(-1)));
@@ -175,7 +175,7 @@ struct FacetSets {
   }
 };
 
-/** Of a set of four lanes: which bytes it has, one after the other. */
+/** The lanes of a set of four in order, then arbitrary ones. */
 struct LaneOrder {
   uint8_t of[16][4]{};
   constexpr LaneOrder() {
@@ -184,7 +184,6 @@ struct LaneOrder {
       for (uint8_t lane = 0; lane < 4; ++lane) {
         of[set][count] = lane;
         count += set >> lane & 1u;
-        if (count == 4) break;
       }
     }
   }
@@ -196,7 +195,7 @@ struct LaneBytes {
   __m128i bytes;
 
   DSW_HOT explicit LaneBytes(const uint8_t* from) noexcept : bytes(load(from)) {}
-  /** Those of some lanes, one after the other. Writes kAbreast bytes. */
+  /** Packs the bytes of some lanes. Writes kAbreast bytes, of which those behind are arbitrary. */
   DSW_HOT void store(uint8_t* to, uint32_t lanes) const noexcept {
     const int some = _mm_cvtsi128_si32(_mm_shuffle_epi8(bytes, load(kLaneOrder.of[lanes])));
     std::memcpy(to, &some, sizeof some);
@@ -273,7 +272,7 @@ struct FacetSets {
     to[0] = static_cast<uint64_t>(sets[0]);
     to[1] = static_cast<uint64_t>(sets[1]);
   }
-  /** Words with bits beside, and of which lanes the lowest byte has one bit, or several. */
+  /** `to`: the word of each lane, with bits beside. `one`, `several`: lanes whose lowest byte has one bit, or more. */
   DSW_HOT void store(uint32_t beside, uint32_t (&to)[kAbreast], uint32_t& one, uint32_t& several) const noexcept {
     one = several = 0;
     for (uint32_t lane = 0; lane < kAbreast; ++lane) {
@@ -290,7 +289,7 @@ struct LaneBytes {
   uint8_t first, second;
 
   DSW_HOT explicit LaneBytes(const uint8_t* from) noexcept : first(from[0]), second(from[1]) {}
-  /** Those of some lanes, one after the other. Writes kAbreast bytes. */
+  /** Packs the bytes of some lanes. Writes kAbreast bytes, of which those behind are arbitrary. */
   DSW_HOT void store(uint8_t* to, uint32_t lanes) const noexcept {
     to[0] = (lanes & 1u) != 0 ? first : second;
     to[1] = second;

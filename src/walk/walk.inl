@@ -69,7 +69,7 @@ __attribute__((noinline)) bool admits_moving(const Environment<D>& env, Cell c) 
   return find_out_validity(env, c, apex);
 }
 
-/** Asks for what is beyond a facet, where points move: nobody may have looked at it. */
+/** Asks for what is beyond a facet, where points have moved: nobody may have looked at it. */
 template <int D>
 DSW_HOT void prefetch_beyond(const Environment<D>& env, HalfFacet at) noexcept {
   const HalfFacet o = env.map.opposite(at);
@@ -288,7 +288,7 @@ class Walkers {
     if (count != 0) pass_ridges<First>(casts, count, ridges);
   }
 
-  /** Keeps a cast that leaves a box which need not be convex, if it is settled where. */
+  /** Lets a cast leave a bent box whose one exit is known. False: `decide` has to be asked. */
   template <bool First>
   DSW_HOT bool leave_warped(uint32_t i) noexcept {
     const Look look = looks_[i];
@@ -300,7 +300,7 @@ class Walkers {
     return true;
   }
 
-  /** Adds the ridge of two facets that have the target of a cast outside, if that is so and they share one. */
+  /** Adds the ridge that a cast passes. False unless just two facets have the target outside and share a ridge. */
   DSW_HOT bool add_ridge(uint32_t i, uint32_t lane, RidgesAbreast& ridges) const noexcept {
     if constexpr (D == 3) {
       const Look look = looks_[i];
@@ -353,7 +353,7 @@ class Walkers {
     if (looks_[i].kind() == LookKind::kLines && beyond.valid()) prefetch_round(env_, beyond);
   }
 
-  /** Of planes. */
+  /** leave() after a look of planes. */
   template <bool First>
   DSW_HOT void leave_flat(uint32_t i, uint32_t facet) noexcept {
     const Look look = looks_[i];
@@ -469,7 +469,7 @@ class Walkers {
     Look looks_[kPacket];
   };
   uint8_t active_[kPacket + kAbreast - 1];
-  uint8_t open_[kPacket + kAbreast - 1];
+  uint8_t open_[kPacket];
   uint32_t kept_ = 0, open_count_ = 0;
   LineWalk<D> line_walk_;
 };

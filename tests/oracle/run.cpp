@@ -99,6 +99,10 @@ void one_scene(const Turn& turn, uint64_t seed, uint64_t casts, Report& report) 
     report.mismatch(world.fault());
     return;
   }
+  if (turn.kind->may_cross && world.outer_boundary_crosses()) {
+    report.mismatch("an outer boundary that crosses itself was accepted");
+    return;
+  }
   dsw_scene_desc desc = defaults(dsw_scene_desc_init);
   const bool crossings = rng.chance(0.5);
   desc.features = rng.chance(0.5) ? uint32_t{DSW_FEATURE_STATISTICS} : 0;

@@ -196,6 +196,40 @@ TEST_F(SceneInGridTest, ClearancesOfAnySizeAreLoaded) {
   }
 }
 
+/// Also that nothing has moved yet, which is saved.
+TEST_F(SceneInGridTest, ARefusedDeformationLeavesNothing) {
+  std::vector<double> lent;
+  scene_.reset();
+  scene_ = make_scene(place_.get(), DSW_FEATURE_DEFORMING);
+  make({{{1.6, 1.5, 1.25}, {1.9, 1.6, 1.75}}, {{0, 1}}, {}});
+  const auto refuse = [&] {
+    const Bytes before = saved(place_.get());
+    for (const dsw_deform_method method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {
+      dsw_deform_options options = defaults(dsw_deform_options_init);
+      options.method = method;
+      options.invalid = DSW_INVALID_REFUSE;
+      std::vector<double> next = points_of(place_.get());
+      double& x = next[3 * size_t{point(1, 1, 1)}];  // of the volume that the body is in
+      x += 5;
+      dsw_deform_report report{};
+      EXPECT_EQ(dsw_environment_deform(place_.get(), next.data(), next.size() / 3, &options, &report), DSW_STATUS_OK);
+      EXPECT_EQ(report.outcome, DSW_DEFORM_REFUSED);
+      EXPECT_TRUE(saved(place_.get()) == before) << method;
+      x = std::nan("");
+      EXPECT_EQ(dsw_environment_deform(place_.get(), next.data(), next.size() / 3, &options, &report),
+                DSW_STATUS_NON_FINITE);
+      EXPECT_TRUE(saved(place_.get()) == before) << method;
+    }
+    return before;
+  };
+  const Bytes still = refuse();
+  lent = points_of(place_.get());
+  ASSERT_EQ(dsw_environment_deform(place_.get(), lent.data(), lent.size() / 3, nullptr, nullptr), DSW_STATUS_OK);
+  EXPECT_FALSE(refuse() == still) << "points have moved, though to where they were";
+  scene_.reset();
+  place_.environment.reset();
+}
+
 TEST_F(SceneInGridTest, ABentEnvironmentGoesOnBending) {
   mark_wall(1, 1, 1);
   scene_.reset();

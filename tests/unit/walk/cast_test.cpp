@@ -48,7 +48,7 @@ TEST(Cast, LeavesAFlatFaceWithAStraightCorner) {
   }
 }
 
-/** Flat cells are asked one plane a facet until points move. Then a bent facet has two. */
+/** A flat cell has one plane a facet. After a move its facets may be bent, with two. */
 TEST(Cast, FollowsFacetsThatBend) {
   Environment<3> env(nullptr);
   build_mesh(env, one_hexahedron({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}));

@@ -8,6 +8,7 @@
 
 #include "coarsen/coarsen.h"
 #include "environment/marking.h"
+#include "environment/moving.h"
 #include "flown.h"
 #include "locate/locate.h"
 #include "small_meshes.h"
@@ -198,24 +199,34 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
                                          mixed_lattice(),
                                          pyramid_lattice()};
   uint32_t seed = 17;
-  for (size_t m = 0; m < meshes.size() + 2; ++m) {  // two more: tetrahedra that are merged
-    SmallMesh mesh = meshes[m % meshes.size() + (m < meshes.size() ? 0 : 2)];
-    SCOPED_TRACE(mesh.name + (m < meshes.size() ? "" : ", merged"));
+  // Then tetrahedra that are merged, and flat cells of which some bend.
+  const size_t all_meshes = meshes.size(), others[5] = {2, 3, 0, 7, 8};
+  for (size_t m = 0; m < all_meshes + 5; ++m) {
+    const bool is_merged = m >= all_meshes && m < all_meshes + 2, bends = m >= all_meshes + 2;
+    SmallMesh mesh = meshes[m < all_meshes ? m : others[m - all_meshes]];
+    SCOPED_TRACE(mesh.name + (is_merged ? ", merged" : bends ? ", bent" : ""));
     for (double& x : mesh.points) x *= scale;
     Environment<3> built(nullptr), merged(nullptr);
     build_mesh(built, mesh);
-    if (m >= meshes.size()) {
+    if (is_merged) {
       Array<uint32_t> new_index;
       CoarsenReport report;
       coarsen(built, {m % 2 == 0 ? 16u : 28u, 0}, merged, new_index, report);
     }
-    Environment<3>& env = m < meshes.size() ? built : merged;
+    Environment<3>& env = is_merged ? merged : built;
     const Map<3>& map = env.map;
     Points points(mesh, scale, ++seed);
     for (uint32_t i = 0; i < map.cell_count; ++i) {
       const Cell c = map.cell(i);
       if (points.below(30) == 0) set_cell_mark(env, c, true);
       if (points.below(20) == 0) set_facet_mark(env, map.half_facet(c, points.below(map.facets_of(c))), true);
+    }
+    std::vector<double> moved(env.points, env.points + 3 * size_t{map.vertex_count});
+    if (bends) {
+      let_points_move(env);
+      for (size_t x = 0; x < moved.size(); x += 12) moved[x] += 0.05 * scale;
+      env.points = moved.data();
+      env.note_move();
     }
     CastCounters total;
     uint32_t hits = 0;
@@ -243,7 +254,7 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
       cast.contained = all[0].walk.contains(env, cast.expected.cell, cast.apex, cast.to);
       const bool reached = cast.expected.end == CastEnd::kReached;
       // A merged cell that is not convex can be left through a wall on the way to a target in it.
-      const bool can_be_left = m >= meshes.size() && !env.map.convex(cast.expected.cell);
+      const bool can_be_left = is_merged && !env.map.convex(cast.expected.cell);
       EXPECT_TRUE(cast.contained == reached || (can_be_left && cast.contained));
       hits += cast.expected.end == CastEnd::kHit ? 1u : 0u;
       if (++group.count < 1 + static_cast<uint32_t>(n) % kPacket) continue;  // groups of all sizes
