@@ -19,9 +19,6 @@ class CheckedCells {
 
   /** Whether points may move; if not, nothing is kept. */
   bool active() const noexcept { return round_ != 0; }
-  /** Whether points have moved. Until then all cells are valid, and nobody need ask. */
-  bool has_moved() const noexcept { return moved_; }
-  void set_moved(bool moved) noexcept { moved_ = moved; }
   /** Throws std::bad_alloc. */
   void activate(size_t cells) {
     stamps_ = Array<std::atomic<uint32_t>>(cells, stamps_.get_allocator());
@@ -69,7 +66,7 @@ class CheckedCells {
 
   mutable Array<std::atomic<uint32_t>> stamps_;  // by cell: round, and what is known since it began
   uint32_t round_ = 0;
-  bool closed_ = false, moved_ = false;
+  bool closed_ = false;
 };
 
 }  // namespace dsw

@@ -65,12 +65,11 @@ struct Environment {
     renew_version();
     set_moved(checked.active());
   }
-  /** Of points that may move. After a move no cell is known to be valid, and only simplices are known to be convex.
-   * Code that takes a move back must restore the value from before it. */
-  void set_moved(bool moved) noexcept {
-    checked.set_moved(moved);
-    map.convex_bit = moved ? 0 : kConvexBit;
-  }
+  /** Whether points that may move have moved. Until then all cells are valid. After it no cell is known to be valid,
+   * and only simplices are known to be convex. */
+  bool has_moved() const noexcept { return map.convex_bit == 0; }
+  /** Code that takes a move back must restore the value from before it. */
+  void set_moved(bool moved) noexcept { map.convex_bit = moved ? 0 : kConvexBit; }
   /** Where vertices are written that come and go; null: they stay as they are. */
   double* writable_points() { return owned_points.empty() ? lent : owned_points.data(); }
   const double* point(uint32_t vertex) const { return points + size_t{vertex} * D; }
@@ -118,7 +117,7 @@ bool find_out_validity(const Environment<D>& env, Cell c) noexcept;
  * impassable. */
 template <int D>
 inline bool admits(const Environment<D>& env, Cell c) noexcept {
-  if (!env.checked.has_moved()) return true;
+  if (!env.has_moved()) return true;
   const CheckedCells::Known known = env.checked.known(env.map.index(c));
   return known == CheckedCells::Known::kNothing ? find_out_validity(env, c) : known == CheckedCells::Known::kValid;
 }
@@ -133,8 +132,7 @@ inline bool is_closed(const Environment<D>& env, Cell c) noexcept {
 template <int D>
 inline bool is_impassable(const Environment<D>& env, HalfFacet h) noexcept {
   if (is_impassable(env.map, h)) return true;
-  return env.checked.has_moved() &&
-         !(admits(env, env.map.cell_of(h)) && admits(env, env.map.cell_of(env.map.opposite(h))));
+  return env.has_moved() && !(admits(env, env.map.cell_of(h)) && admits(env, env.map.cell_of(env.map.opposite(h))));
 }
 
 /** Points of simplex `simplex` of a cell. */

@@ -92,7 +92,7 @@ bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noex
     marks |= map.record(c)[0] | map.words[f];
   }
   if ((marks & kMarkBit) != 0) return false;
-  return !env.checked.has_moved() ||
+  return !env.has_moved() ||
          std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
 }
 

@@ -56,7 +56,7 @@ uint64_t bytes_of(const Array<T>& array) {
 template <int D>
 BlockHeader header_of(const Environment<D>& env) {
   const Map<D>& map = env.map;
-  const bool changed = map.has_changed(), moving = env.checked.has_moved();
+  const bool changed = map.has_changed(), moving = env.has_moved();
   BlockHeader h;
   const bool tree = env.index.use() == TreeUse::kAtOnce && !moving;
   h.flags = (tree ? kHasTree : 0) | (changed ? kHasChanged : 0) | (moving ? kPointsMove : 0);

@@ -49,7 +49,7 @@ bool measure(const Environment<D>& env, Body<D>& body, uint32_t v, double needed
   const double reach = kReach * needed;
   // The extent of points that have moved, which bounds the rounding below, is not known. And with each deformation
   // balls are gone.
-  if (env.checked.has_moved() || body.clearance_credit < 0 || !std::isfinite(reach)) return false;
+  if (env.has_moved() || body.clearance_credit < 0 || !std::isfinite(reach)) return false;
   Clearance<D>& ball = body.clearances[v];
   const double* const at = body.position(v);
   NearestResult nearest;

@@ -237,9 +237,7 @@ class ExitFinder {
   DSW_HOT Exit exit_box(const uint32_t* w, const Look& look, const Entry& entry) noexcept {
     if (__builtin_expect(!look.has_one_exit() || entry.may_have_been_here, 0))
       return apart().exit_box_in_full(w, look, entry);
-    if (look.facets() == 0) return {};
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(look.facets()));
-    return {f, 2 * f + look.is_second(f)};
+    return look.facets() == 0 ? Exit{} : look.exit_of_box();
   }
 
   DSW_COLD Exit exit_box_in_full(const uint32_t* w, const Look& look, const Entry& entry) noexcept {

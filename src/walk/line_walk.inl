@@ -31,12 +31,7 @@ template <>
 class LineWalk<3> {
  public:
   LineWalk(const Environment<3>& env, const CastRequest* requests, CastResult* results) noexcept
-      : env_(env),
-        map_(env.map),
-        requests_(requests),
-        results_(results),
-        moving_(env.checked.has_moved()),
-        plain_(!moving_) {}
+      : env_(env), map_(env.map), requests_(requests), results_(results), moving_(env.has_moved()), plain_(!moving_) {}
 
   bool empty() const noexcept { return count_ + added_ == 0; }
 

@@ -64,6 +64,11 @@ class Look {
 
   /** Of a box: at most one facet is pierced, for certain. */
   bool has_one_exit() const { return has_flag(); }
+  /** Of a box with one exit. */
+  Exit exit_of_box() const {
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(facets()));
+    return {f, 2 * f + is_second(f)};
+  }
   /** Of a box: whether a facet is pierced through its second triangle. */
   uint32_t is_second(uint32_t facet) const { return word_ >> (8 + facet) & 1u; }
   /** Of lines: the filter settled all triangles. */

@@ -297,3 +297,9 @@ struct LaneBytes {
 };
 
 #endif
+
+/** How many lanes a mask has. */
+DSW_HOT uint32_t count_lanes(uint32_t lanes) noexcept {
+  if (kAbreast == 2) return (lanes & 1u) + (lanes >> 1);  // without an instruction for it a call
+  return static_cast<uint32_t>(__builtin_popcount(lanes));
+}

@@ -53,7 +53,7 @@ bool find_out_validity(const Environment<D>& env, Cell c, const double* apex) no
 template <int D>
 bool admits_with_centre(const Environment<D>& env, Cell c, double* apex) noexcept {
   centre(env, c, apex);
-  if (!env.checked.has_moved()) return true;
+  if (!env.has_moved()) return true;
   const CheckedCells::Known known = env.checked.known(env.map.index(c));
   return known == CheckedCells::Known::kNothing ? find_out_validity(env, c, apex)
                                                 : known == CheckedCells::Known::kValid;
@@ -78,14 +78,6 @@ DSW_HOT void prefetch_beyond(const Environment<D>& env, HalfFacet at) noexcept {
 
 #include "walk/line_walk.inl"
 
-struct AllCasts {
-  uint8_t numbers[kPacket]{};
-  constexpr AllCasts() {
-    for (uint32_t i = 0; i < kPacket; ++i) numbers[i] = static_cast<uint8_t>(i);
-  }
-};
-constexpr AllCasts kAllCasts;
-
 /** Where a cast is on its way. */
 struct Flight {
   HalfFacet at;                     // the facet it leaves its cell through
@@ -109,7 +101,7 @@ class Walkers {
         results_(results),
         tally_(tally),
         has_polyhedra_(!env.map.shape_offsets.empty()),
-        moving_(env.checked.has_moved()),
+        moving_(env.has_moved()),
         line_walk_(env, requests, results) {}
 
   void run(uint32_t count) noexcept {
@@ -150,7 +142,7 @@ class Walkers {
       begin(i);
       some_end |= requests_[i].start == requests_[i].end;
     }
-    std::memcpy(active_, kAllCasts.numbers, sizeof kAllCasts);
+    std::iota(active_, active_ + kPacket, uint8_t{0});
     if (!some_end) return count;
     uint32_t kept = 0;
     for (uint32_t i = 0; i < count; ++i) {
@@ -212,19 +204,19 @@ class Walkers {
       different |= cells.records[j][0] ^ word;
     }
     if ((different & kind) != 0) return false;
+    if (!flat) {
+      look_warped<First>(first, end, cells);
+      return true;
+    }
     Sides sides;
     if (form == Form::kSimplex) {
       sides.look_at_tetrahedra(env_.points, cells);
-      note_sides<First>(first, end, sides);
     } else if (form == Form::kPyramid) {
       sides.look_at_pyramids(env_.points, cells);
-      note_sides<First>(first, end, sides);
-    } else if (flat) {
-      sides.look_at_boxes(env_.points, cells);
-      note_sides<First>(first, end, sides);
     } else {
-      look_warped<First>(first, end, cells);
+      sides.look_at_boxes(env_.points, cells);
     }
+    note_sides<First>(first, end, sides);
     return true;
   }
 
@@ -244,8 +236,8 @@ class Walkers {
     const LaneBytes casts(active_ + first);
     casts.store(open_ + open_count_, several);
     casts.store(active_ + kept_, one);
-    kept_ += static_cast<uint32_t>(__builtin_popcount(one));
-    open_count_ += static_cast<uint32_t>(__builtin_popcount(several));
+    kept_ += count_lanes(one);
+    open_count_ += count_lanes(several);
   }
 
   template <bool First>
@@ -294,9 +286,9 @@ class Walkers {
     const Look look = looks_[i];
     if (look.kind() != LookKind::kBox || !look.has_one_exit()) return false;
     if (!First && flights_[i].may_have_been_here) return false;
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(look.facets()));
+    const Exit exit = look.exit_of_box();
     active_[kept_++] = static_cast<uint8_t>(i);
-    leave<First>(i, {f, 2 * f + look.is_second(f)}, linked_facet<D>(results_[i].cell, 6, f), false);
+    leave<First>(i, exit, linked_facet<D>(results_[i].cell, 6, exit.facet), false);
     return true;
   }
 

@@ -24,7 +24,7 @@ void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& re
     env_.note_move();
     env_.checked.forget_all();
   };
-  const bool had_moved = env_.checked.has_moved();
+  const bool had_moved = env_.has_moved();
   const auto take_back = [&] {
     read_points(start);
     env_.set_moved(had_moved);

@@ -15,7 +15,7 @@ template <int D>
 void MovingPoints<D>::begin(double* next) {
   place_.resize(env_.map.vertex_count, kUntouched);
   start_ = env_.points;
-  had_moved_ = env_.checked.has_moved();
+  had_moved_ = env_.has_moved();
   next_ = next;
   env_.points = next;
   env_.note_move();

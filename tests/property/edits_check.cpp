@@ -50,7 +50,7 @@ const char* fault_of(const Environment<D>& env, dsw::Cell c) {
   const CellState state = check_cell(env, c);
   if (state != CellState::kValid && state != CellState::kValidConvex) return "a volume is not valid";
   // Once points have moved, only of simplices.
-  const bool can_be = !env.checked.has_moved() || env.map.form(c) == Form::kSimplex;
+  const bool can_be = !env.has_moved() || env.map.form(c) == Form::kSimplex;
   const bool convex = can_be && state == CellState::kValidConvex;
   return env.map.convex(c) == convex ? nullptr : "a volume is wrongly called convex, or not";
 }

@@ -128,13 +128,13 @@ TEST(Validity, HexahedraStayFlatUntilPointsMove) {
   const auto env = mesh.build();
   const Cell c = env->map.cell(0);
   let_points_move(*env);
-  EXPECT_FALSE(env->checked.has_moved());
+  EXPECT_FALSE(env->has_moved());
   EXPECT_TRUE(env->map.convex(c));
   EXPECT_TRUE(admits(*env, c));
   mesh.points[2] -= 0.25;  // the first vertex: three facets of the first box bend
   env->points = mesh.points.data();
   env->note_move();
-  EXPECT_TRUE(env->checked.has_moved());
+  EXPECT_TRUE(env->has_moved());
   EXPECT_FALSE(env->map.convex(c));
   EXPECT_TRUE(admits(*env, c));
 }
