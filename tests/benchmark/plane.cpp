@@ -99,7 +99,7 @@ Figures run_size(const std::string& key, std::size_t count, double step, bool qu
                         static_cast<double>(info.memory_bytes) / info.volume_count};
   report.set("plane." + key + ".ns_per_move", median(our_ns));
   report.set("plane." + key + ".cgal_ns_per_locate", median(cgal_ns));
-  report.set("plane." + key + ".vs_cgal", median_ratio(our_ns, cgal_ns));
+  report.set("plane." + key + ".vs_cgal", median_ratio(cgal_ns, our_ns));
   report.set("plane." + key + ".differences", differences);
   report.set("plane." + key + ".cells_per_cast", static_cast<double>(s.volumes_visited) / casts);
   report.set("plane." + key + ".orientation_tests_per_cast", figures.tests_per_cast);

@@ -132,8 +132,8 @@ void run_rays(const std::string& key, const Triangles& triangles, const std::vec
   report.set("plane.rays." + key + ".ns", median(ours));
   report.set("plane.rays." + key + ".box2d_ns", median(box2d));
   report.set("plane.rays." + key + ".cgal_ns", median(cgal));
-  report.set("plane.rays." + key + ".vs_box2d", median_ratio(ours, box2d));
-  report.set("plane.rays." + key + ".vs_cgal", median_ratio(ours, cgal));
+  report.set("plane.rays." + key + ".vs_box2d", median_ratio(box2d, ours));
+  report.set("plane.rays." + key + ".vs_cgal", median_ratio(cgal, ours));
   report.set("plane.rays." + key + ".box2d_hits_differ", box2d_differs);
   report.set("plane.rays." + key + ".cgal_hits_differ", cgal_differs);
 }
