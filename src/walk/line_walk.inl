@@ -106,25 +106,28 @@ class LineWalk<3> {
   DSW_HOT void aim(uint32_t slot) noexcept {
     const uint32_t tip = record(slot)[kTetrahedronTips[local(through_[slot])]] & kVertexMask;
     __builtin_prefetch(env_.point(tip));
+    __builtin_prefetch(env_.point(tip) + 2);
     sightlines_.aim(slot, tip);
   }
 
   /** Looks at all cells, and asks for what is beyond the facets that casts leave through. */
   template <class Tally, class Look>
   DSW_HOT void step(Tally& tally, Look look) noexcept {
+    for (uint32_t s = count_; s % kAbreast != 0; ++s) sightlines_.aim(s, 0);
+    Sightlines::Steps steps[kPacket / kAbreast];
+    for (uint32_t first = 0; first < count_; first += kAbreast) sightlines_.read(first, env_.points);
+    for (uint32_t first = 0; first < count_; first += kAbreast) steps[first / kAbreast] = sightlines_.step(first);
+    for (uint32_t s = 0; s < count_; ++s) leave(s);
     uint8_t remaining[kPacket], settled[kPacket];
     uint32_t remaining_count = 0;
-    for (uint32_t s = count_; s % kAbreast != 0; ++s) sightlines_.aim(s, 0);
     for (uint32_t first = 0; first < count_; first += kAbreast) {
-      const Sightlines::Steps steps = sightlines_.step(first, env_.points);
-      const uint32_t end = std::min(first + kAbreast, count_);
-      for (uint32_t s = first; s < end; ++s) leave(s);
-      const uint32_t lanes = (1u << (end - first)) - 1;
-      tally.tests(4 * static_cast<uint32_t>(__builtin_popcount((steps.leaves | steps.stays) & lanes)));
-      for (uint32_t rest = ~steps.leaves & lanes; rest != 0; rest &= rest - 1) {
+      const auto [leaves, stays] = steps[first / kAbreast];
+      const uint32_t lanes = (1u << (std::min(first + kAbreast, count_) - first)) - 1;
+      tally.tests(4 * static_cast<uint32_t>(__builtin_popcount((leaves | stays) & lanes)));
+      for (uint32_t rest = ~leaves & lanes; rest != 0; rest &= rest - 1) {
         const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(rest));
         remaining[remaining_count] = static_cast<uint8_t>(first + lane);
-        settled[remaining_count++] = steps.stays >> lane & 1u;
+        settled[remaining_count++] = stays >> lane & 1u;
       }
     }
     while (remaining_count-- > 0) {  // from the last slot, since the last cast moves to one that becomes free

@@ -13,6 +13,9 @@ inline Row load_row(const double* from) noexcept { return {_mm512_loadu_pd(from)
 inline void store_row(double* to, Row row) noexcept { _mm512_storeu_pd(to, row.v); }
 inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return a & b; }
 inline Row::Mask mask_of(uint32_t bits) noexcept { return bits; }
+/** A mask as a row that can be stored, and back. */
+inline Row row_of(Row::Mask m) noexcept { return {_mm512_castsi512_pd(_mm512_movm_epi64(static_cast<__mmask8>(m)))}; }
+inline Row::Mask mask_in(Row row) noexcept { return _mm512_movepi64_mask(_mm512_castpd_si512(row.v)); }
 
 /** A word of each lane. `at(lane)` is one. */
 struct Words {
@@ -113,6 +116,8 @@ inline Row load_row(const double* from) noexcept { return {_mm256_loadu_pd(from)
 inline void store_row(double* to, Row row) noexcept { _mm256_storeu_pd(to, row.v); }
 inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return _mm256_and_pd(a, b); }
 inline Row::Mask mask_of(uint32_t bits) noexcept { return Lanes::spread(bits).a; }
+inline Row row_of(Row::Mask m) noexcept { return {m}; }
+inline Row::Mask mask_in(Row row) noexcept { return row.v; }
 
 /** A word of each lane. `at(lane)` is one. */
 struct Words {
@@ -240,6 +245,8 @@ inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return a & b; }
 inline Row::Mask mask_of(uint32_t bits) noexcept {
   return Row::Mask{-static_cast<int64_t>(bits & 1u), -static_cast<int64_t>(bits >> 1 & 1u)};
 }
+inline Row row_of(Row::Mask m) noexcept { return {(Row::Pair)m}; }
+inline Row::Mask mask_in(Row row) noexcept { return (Row::Mask)row.v; }
 
 /** A word of each lane. `at(lane)` is one. */
 struct Words {

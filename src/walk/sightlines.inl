@@ -29,27 +29,23 @@ class Sightlines {
     const Turned d = turn_axes({x, y, z}, along_y, along_z);
     const Row::Mask down = Row::greater(zero, d.k);
     put(kFromX, first, p.x), put(kFromY, first, p.y), put(kFromZ, first, p.z);
-    put(kAlongY, first, Row::select(along_y, one, zero)), put(kAlongZ, first, Row::select(along_z, one, zero));
+    put(kAlongY, first, row_of(along_y)), put(kAlongZ, first, row_of(along_z));
     put(kForward, first, Row::select(down, zero - one, one));
-    put(kLength, first, d.k), put(kGone, first, zero);
+    put(kLength, first, d.k);
     put(kSlopeI, first, divide(d.i, d.k)), put(kSlopeJ, first, divide(d.j, d.k));
     put(kLargest, first, Row::absolute(d.k));
+    // Seen from behind the corners go the other way round, unless the line goes down.
+    const uint32_t lines_down = Row::bits(down);
     Corner corners[3];
 #pragma GCC unroll 3
     for (uint32_t c = 0; c < 3; ++c) {
-      uint64_t numbers[kAbreast];
-      for (uint32_t lane = 0; lane < kAbreast; ++lane) numbers[lane] = vertex(lane, c);
-      std::memcpy(rows_[kVertices + c] + first, numbers, sizeof numbers);
-      corners[c] = see(first, load_points([&](uint32_t lane) { return points + numbers[lane] * 3; }));
-    }
-    // Seen from behind the corners go the other way round, unless the line goes down.
-    const Corner second = corners[1];
-    corners[1] = select(down, corners[1], corners[2]), corners[2] = select(down, corners[2], second);
-    const Row one_way = get(kVertices + 1, first), other_way = get(kVertices + 2, first);
-    put(kVertices + 1, first, Row::select(down, one_way, other_way));
-    put(kVertices + 2, first, Row::select(down, other_way, one_way));
-#pragma GCC unroll 3
-    for (uint32_t c = 0; c < 3; ++c) {
+      uint32_t numbers[kAbreast];
+#pragma GCC unroll 8
+      for (uint32_t lane = 0; lane < kAbreast; ++lane) {
+        numbers[lane] = vertex(lane, (lines_down >> lane & 1u) != 0 ? c : (3 - c) % 3);
+        rows_[kVertices + c][first + lane] = as_double(numbers[lane]);
+      }
+      corners[c] = see(first, load_points([&](uint32_t lane) { return points + size_t{numbers[lane]} * 3; }));
       put(kCorners + c, first, corners[c].i), put(kCorners + 3 + c, first, corners[c].j);
       put(kCorners + 6 + c, first, corners[c].z);
     }
@@ -65,20 +61,22 @@ class Sightlines {
   }
 
   /** Names the vertex that the next step of a slot reads. */
-  DSW_HOT void aim(uint32_t slot, uint64_t vertex) noexcept { std::memcpy(rows_[kTip] + slot, &vertex, sizeof vertex); }
+  DSW_HOT void aim(uint32_t slot, uint32_t vertex) noexcept { rows_[kTip][slot] = as_double(vertex); }
   /** The corner that the last step has replaced. */
-  DSW_HOT uint32_t gone(uint32_t slot) const noexcept {
-    uint64_t vertex;
-    std::memcpy(&vertex, rows_[kGone] + slot, sizeof vertex);
-    return static_cast<uint32_t>(vertex);
+  DSW_HOT uint32_t gone(uint32_t slot) const noexcept { return as_number(rows_[kGone][slot]); }
+
+  /** Reads the vertices that kAbreast slots have been aimed at. Apart from `step`, since together both are longer than
+   * what a processor looks ahead, and each waits for itself. */
+  DSW_HOT void read(uint32_t first, const double* points) noexcept {
+    const Corner tip = see(
+        first, load_points([&](uint32_t lane) { return points + size_t{as_number(rows_[kTip][first + lane])} * 3; }));
+    put(kTipI, first, tip.i), put(kTipJ, first, tip.j), put(kTipZ, first, tip.z);
   }
 
-  /** Of kAbreast slots that have been aimed: what the new vertices say. Then each slot holds the facet that its cast
-   * leaves through. */
-  DSW_HOT Steps step(uint32_t first, const double* points) noexcept {
-    uint64_t numbers[kAbreast];
-    std::memcpy(numbers, rows_[kTip] + first, sizeof numbers);
-    const Corner tip = see(first, load_points([&](uint32_t lane) { return points + numbers[lane] * 3; }));
+  /** Of kAbreast slots that have read: what the new vertices say. Then each slot holds the facet that its cast leaves
+   * through. */
+  DSW_HOT Steps step(uint32_t first) noexcept {
+    const Corner tip = {get(kTipI, first), get(kTipJ, first), get(kTipZ, first)};
     const Row largest = get(kLargest, first), bound = side_bound(largest), minus_bound = Row::all(0) - bound;
     Corner corners[3];
     Row sides[3], weights[3];
@@ -111,13 +109,12 @@ class Sightlines {
     const Row depth_bound = Row::all(8) * bound * largest;
     const Row::Mask settled = both(either(either(replaced[0], replaced[1]), replaced[2]), is_in_range(largest));
     const Row tips = get(kTip, first);
-    Row gone = get(kVertices, first);
-    put(kVertices, first, Row::select(replaced[0], tips, gone));
-#pragma GCC unroll 2
-    for (uint32_t c = 1; c < 3; ++c) {
+    Row gone = tips;
+#pragma GCC unroll 3
+    for (uint32_t c = 0; c < 3; ++c) {
       const Row vertices = get(kVertices + c, first);
       put(kVertices + c, first, Row::select(replaced[c], tips, vertices));
-      gone = Row::select(replaced[c], vertices, gone);
+      gone = c == 0 ? vertices : Row::select(replaced[c], vertices, gone);
     }
     put(kGone, first, gone);
     return {Row::bits(both(settled, Row::greater(Row::all(0) - depth_bound, depth))),
@@ -126,8 +123,8 @@ class Sightlines {
 
   /** A slot takes over from another. */
   DSW_HOT void move(uint32_t from, uint32_t to) noexcept {
-#pragma GCC unroll 1
-    for (auto& row : rows_) row[to] = row[from];
+#pragma GCC unroll 8
+    for (uint32_t row = 0; row < kMoved; ++row) rows_[row][to] = rows_[row][from];
   }
 
  private:
@@ -135,7 +132,7 @@ class Sightlines {
     kFromX,
     kFromY,
     kFromZ,
-    kAlongY,
+    kAlongY,  // masks, stored as bits
     kAlongZ,
     kForward,
     kLength,
@@ -143,9 +140,13 @@ class Sightlines {
     kSlopeJ,
     kLargest,
     kCorners,                   // i of each, j, z, and the weights
-    kVertices = kCorners + 12,  // vertex numbers, stored as bits
-    kTip = kVertices + 3,
-    kGone,
+    kVertices = kCorners + 12,  // numbers of vertices, stored as bits: of the corners
+    kMoved = kVertices + 3,     // rows below it go with a cast; others are written before they are read
+    kTip = kMoved,              // of the tip
+    kGone,                      // of the corner that the last step has replaced
+    kTipI,
+    kTipJ,
+    kTipZ,
     kRows
   };
   static constexpr double kLeast = 1e-90, kMost = 1e100;  // of M: its cube stays normal
@@ -157,14 +158,22 @@ class Sightlines {
     Row i, j, z;
   };
 
-  static DSW_HOT Corner select(Row::Mask m, const Corner& yes, const Corner& no) noexcept {
-    return {Row::select(m, yes.i, no.i), Row::select(m, yes.j, no.j), Row::select(m, yes.z, no.z)};
-  }
-
   static DSW_HOT Row::Mask is_in_range(Row largest) noexcept {
     return both(Row::greater(largest, Row::all(kLeast)), Row::greater(Row::all(kMost), largest));
   }
 
+  /** The bits of a number, in what may not alias all else as bytes may. */
+  static DSW_HOT double as_double(uint32_t number) noexcept {
+    const uint64_t bits = number;
+    double d;
+    std::memcpy(&d, &bits, sizeof d);
+    return d;
+  }
+  static DSW_HOT uint32_t as_number(double d) noexcept {
+    uint64_t bits;
+    std::memcpy(&bits, &d, sizeof bits);
+    return static_cast<uint32_t>(bits);
+  }
   DSW_HOT Row get(uint32_t row, uint32_t first) const noexcept { return load_row(rows_[row] + first); }
   DSW_HOT void put(uint32_t row, uint32_t first, Row values) noexcept { store_row(rows_[row] + first, values); }
   static DSW_HOT Row side_bound(Row largest) noexcept { return Row::all(Shear::bound(1)) * largest * largest; }
@@ -181,8 +190,7 @@ class Sightlines {
     const PointsOf<Row> v = {at.x - get(kFromX, first), at.y - get(kFromY, first), at.z - get(kFromZ, first)};
     const Row most = largest(largest(Row::absolute(v.x), Row::absolute(v.y)), Row::absolute(v.z));
     put(kLargest, first, largest(get(kLargest, first), most));
-    const Row half = Row::all(0.5);
-    const Turned a = turn_axes(v, Row::greater(get(kAlongY, first), half), Row::greater(get(kAlongZ, first), half));
+    const Turned a = turn_axes(v, mask_in(get(kAlongY, first)), mask_in(get(kAlongZ, first)));
     return {a.i - get(kSlopeI, first) * a.k, a.j - get(kSlopeJ, first) * a.k, a.k - get(kLength, first)};
   }
 
