@@ -105,8 +105,7 @@ class LineWalk<3> {
   /** Asks for the vertex beyond the facet that a cast has come in through. */
   DSW_HOT void aim(uint32_t slot) noexcept {
     const uint32_t tip = record(slot)[kTetrahedronTips[local(through_[slot])]] & kVertexMask;
-    __builtin_prefetch(env_.point(tip));
-    __builtin_prefetch(env_.point(tip) + 2);
+    prefetch_point(env_, tip);
     sightlines_.aim(slot, tip);
   }
 

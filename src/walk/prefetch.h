@@ -28,12 +28,20 @@ DSW_PREFETCH void prefetch_round(const Environment<D>& env, HalfFacet h) noexcep
   }
 }
 
+/** A vertex, which may lie in two lines. */
+template <int D>
+DSW_PREFETCH void prefetch_point(const Environment<D>& env, uint32_t vertex) noexcept {
+  const double* const point = env.point(vertex);
+  __builtin_prefetch(point);
+  __builtin_prefetch(point + D - 1);
+}
+
 /** Vertices of a simplex, whose planes are computed sooner than they come. The record is read. */
 template <int D>
 DSW_PREFETCH void prefetch_vertices(const Environment<D>& env, Cell c) noexcept {
   const uint32_t* w = env.map.record(c);
   if (form_of(w[0]) != Form::kSimplex) return;
-  for (int i = 0; i <= D; ++i) __builtin_prefetch(env.point(w[i] & kVertexMask));
+  for (int i = 0; i <= D; ++i) prefetch_point(env, w[i] & kVertexMask);
 }
 
 /** The tip of a simplex, opposite to the facet that was crossed: the cell before has all others. `crossed`: the facet,
@@ -43,7 +51,7 @@ DSW_PREFETCH void prefetch_vertex_beyond(const Environment<D>& env, HalfFacet cr
   const uint32_t* const w = env.map.words.data() + (crossed.word - crossed.word % kUnitWords<D>);
   if (form_of(w[0]) != Form::kSimplex) return;
   if constexpr (D == 3) {
-    __builtin_prefetch(env.point(w[kTetrahedronTips[local_in_tetrahedron(crossed)]] & kVertexMask));
+    prefetch_point(env, w[kTetrahedronTips[local_in_tetrahedron(crossed)]] & kVertexMask);
   } else {
     prefetch_vertices(env, env.map.cell_of(crossed));
   }
