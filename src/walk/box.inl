@@ -81,39 +81,39 @@ DSW_HOT Quads<Values> make_quads(const PointsOf<Values>& c0, const PointsOf<Valu
   return quads;
 }
 
-/** How p -> q passes quads, a bit each. */
+/** How p -> q passes quads, by lane. */
+template <class Values>
 struct Piercings {
-  uint32_t pierced;  // outwards
-  uint32_t second;   // on the side of the second triangle
-  uint32_t settled;  // the filter answers for those with q outside of a triangle
+  typename Values::Mask pierced;  // outwards
+  typename Values::Mask second;   // on the side of the second triangle
+  typename Values::Mask settled;  // the filter answers for those with q outside of a triangle
 };
 
 /** `out1`, `out2`: quads with q outside of their triangles. `back`: p -> q. The diagonal decides between a quad's
  * triangles, two more edges whether that one is pierced. */
 template <class Values>
-DSW_HOT Piercings pierce(const Quads<Values>& quads, uint32_t out1, uint32_t out2, const PointsOf<Values>& back,
-                         Values bound) noexcept {
+DSW_HOT Piercings<Values> pierce(const Quads<Values>& quads, typename Values::Mask out1, typename Values::Mask out2,
+                                 const PointsOf<Values>& back, Values bound) noexcept {
+  using Mask = typename Values::Mask;
   const Values minus_bound = Values::all(0) - bound;
   const Values over = dot(quads.diagonal, back);  // > 0: on the side of the second triangle
-  const typename Values::Mask is_second = Values::greater(over, bound);
-  const PointsOf<Values> from = select(is_second, quads.c, quads.a), tip = select(is_second, quads.d, quads.b),
-                         to = select(is_second, quads.a, quads.c);
+  const Mask on_second = Values::greater(over, bound), on_first = Values::greater(minus_bound, over);
+  const PointsOf<Values> from = select(on_second, quads.c, quads.a), tip = select(on_second, quads.d, quads.b),
+                         to = select(on_second, quads.a, quads.c);
   const Values edge1 = dot(cross(from, tip), back), edge2 = dot(cross(tip, to), back);
-  const uint32_t on_second = Values::bits(is_second), on_first = Values::bits(Values::greater(minus_bound, over));
-  const uint32_t inside1 = Values::bits(Values::greater(edge1, bound)),
-                 inside2 = Values::bits(Values::greater(edge2, bound));
-  const uint32_t beside =
-      Values::bits(Values::greater(minus_bound, edge1)) | Values::bits(Values::greater(minus_bound, edge2));
-  const uint32_t q_outside = (on_second & out2) | (on_first & out1);
-  const uint32_t hit = q_outside & inside1 & inside2;
+  const Mask inside = Values::both(Values::greater(edge1, bound), Values::greater(edge2, bound));
+  const Mask beside = Values::either(Values::greater(minus_bound, edge1), Values::greater(minus_bound, edge2));
+  const Mask q_outside = Values::either(Values::both(on_second, out2), Values::both(on_first, out1));
+  const Mask hit = Values::both(q_outside, inside);
   // p against the triangle: minus that of q plus the three line tests is minus the volume seen from p.
-  const Values of_q = Values::select(is_second, quads.second, quads.first);
+  const Values of_q = Values::select(on_second, quads.second, quads.first);
   const Values magnitude = Values::absolute(over);
   const Values of_p = ((of_q - edge1) - edge2) - magnitude;
   const Values p_bound = Values::all(6) * bound;
-  const uint32_t p_inside = Values::bits(Values::greater(Values::all(0) - p_bound, of_p));
-  const uint32_t p_outside = Values::bits(Values::greater(of_p, p_bound));
-  return {hit & p_inside, on_second, ((on_first | on_second) & (~q_outside | beside)) | (hit & (p_inside | p_outside))};
+  const Mask p_inside = Values::greater(Values::all(0) - p_bound, of_p), p_outside = Values::greater(of_p, p_bound);
+  const Mask missed = Values::without(Values::either(on_first, on_second), Values::without(q_outside, beside));
+  return {Values::both(hit, p_inside), on_second,
+          Values::either(missed, Values::both(hit, Values::either(p_inside, p_outside)))};
 }
 
 /** What the lanes say about the exits of a hexahedron that need not be convex. */
@@ -131,23 +131,22 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   if (__builtin_expect(!v.extent.in_range(), 0)) return exits;
   const Quads<Lanes> quads = make_quads(c0, c1, c2, c3, Lanes::spread(w[0] & kShapeMask));
   const Lanes bound = Lanes::all(v.extent.bound()), minus_bound = Lanes::all(0) - bound;
-  const uint32_t out1 = Lanes::bits(Lanes::greater(quads.first, bound)),
-                 out2 = Lanes::bits(Lanes::greater(quads.second, bound));
-  const uint32_t in1 = Lanes::bits(Lanes::greater(minus_bound, quads.first)),
-                 in2 = Lanes::bits(Lanes::greater(minus_bound, quads.second));
-  if (__builtin_expect((((out1 | in1) & (out2 | in2)) ^ kAllFacets) != 0, 0)) return exits;
+  const Lanes::Mask out1 = Lanes::greater(quads.first, bound), out2 = Lanes::greater(quads.second, bound);
+  const Lanes::Mask settled1 = Lanes::either(out1, Lanes::greater(minus_bound, quads.first)),
+                    settled2 = Lanes::either(out2, Lanes::greater(minus_bound, quads.second));
+  if (__builtin_expect((Lanes::bits(Lanes::both(settled1, settled2)) & kAllFacets) != kAllFacets, 0)) return exits;
   exits.sure = true;
-  exits.candidates = out1 | out2;
+  exits.candidates = Lanes::bits(Lanes::either(out1, out2));
   if (exits.candidates == 0) return exits;
 
   const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
   const Extent reach = {std::max(v.extent.x, std::fabs(u[0])), std::max(v.extent.y, std::fabs(u[1])),
                         std::max(v.extent.z, std::fabs(u[2]))};
-  const Piercings lines = pierce(quads, out1, out2, Points{Lanes::all(u[0]), Lanes::all(u[1]), Lanes::all(u[2])},
-                                 Lanes::all(reach.bound()));
-  exits.pierced = lines.pierced;
-  exits.second = lines.second;
-  exits.sure = reach.in_range() && (exits.candidates & ~lines.settled) == 0;
+  const Piercings<Lanes> lines = pierce(quads, out1, out2, Points{Lanes::all(u[0]), Lanes::all(u[1]), Lanes::all(u[2])},
+                                        Lanes::all(reach.bound()));
+  exits.pierced = Lanes::bits(lines.pierced);
+  exits.second = Lanes::bits(lines.second);
+  exits.sure = reach.in_range() && (exits.candidates & ~Lanes::bits(lines.settled)) == 0;
   return exits;
 }
 

@@ -1,9 +1,12 @@
 // Hexahedra that need not be convex, kAbreast casts at a time, a lane for each: the signs of box.inl bit for bit.
 
-/** Of boxes that need not be convex: BoxExits, a facet at a time. */
+/** Of boxes that need not be convex: BoxExits. */
 struct WarpedBoxExits {
-  FacetSet pierced[kAbreast], second[kAbreast], candidates[kAbreast];
-  uint32_t sure;  // boxes for which the filter settled all that matters
+  uint32_t looks[kAbreast];  // words of Looks, which say that at most one facet is pierced
+  uint32_t one;              // a bit for each box of which one facet is pierced outwards
+  uint32_t several;          // and of which more are
+  uint32_t sure;             // and for which the filter settled all that matters
+  uint32_t beyond[6];        // by facet: and with q outside of one of its triangles or both
 
   /** `from`: where the casts start. */
   void look(const double* points, const Abreast& boxes, const double* const (&from)[kAbreast]) noexcept;
@@ -19,28 +22,26 @@ __attribute__((noinline)) inline void WarpedBoxExits::look(const double* points,
   reach.include(back);
   const Row bound = v.extents.bound(), line_bound = reach.bound();
   const Words cuts([&](uint32_t lane) { return *boxes.records[lane]; });
-  FacetSets pierced_sets, second_sets, candidate_sets;
+  FacetSets exits;
   Row smallest = Row::all(HUGE_VAL);
-  uint32_t open = 0, any = 0;
+  Row::Mask open = Row::greater(smallest, smallest), any = open;  // none
 #pragma GCC unroll 6
   for (uint32_t f = 0; f < 6; ++f) {
     const uint8_t(&corners)[4] = kBoxFacets[f];
     const Quads<Row> quads =
         make_quads(v.at[corners[0]], v.at[corners[1]], v.at[corners[2]], v.at[corners[3]], cuts.have(1u << f));
     smallest = least(smallest, least(Row::absolute(quads.first), Row::absolute(quads.second)));
-    const uint32_t out1 = Row::bits(Row::greater(quads.first, bound)),
-                   out2 = Row::bits(Row::greater(quads.second, bound));
-    if ((out1 | out2) == 0) continue;  // a wrong guess costs less than line tests that nobody needs
-    const Piercings lines = pierce(quads, out1, out2, back, line_bound);
-    pierced_sets.add(1 << f, mask_of(lines.pierced));
-    second_sets.add(1 << f, mask_of(lines.second));
-    candidate_sets.add(1 << f, mask_of(out1 | out2));
-    open |= (out1 | out2) & ~lines.settled;
-    any |= out1 | out2;
+    const Row::Mask out1 = Row::greater(quads.first, bound), out2 = Row::greater(quads.second, bound);
+    const Row::Mask outside = either(out1, out2);
+    beyond[f] = Row::bits(outside);
+    if (beyond[f] == 0) continue;  // a wrong guess costs less than line tests that nobody needs
+    const Piercings<Row> lines = pierce(quads, out1, out2, back, line_bound);
+    exits.add(Look::of_box_facet(f, 0), Row::without(lines.pierced, lines.second));
+    exits.add(Look::of_box_facet(f, 1), both(lines.pierced, lines.second));
+    open = either(open, Row::without(outside, lines.settled));
+    any = either(any, outside);
   }
   sure = ~(Row::bits(either(v.extents.out_of_range(), not_greater(smallest, bound))) |
-           (any & (Row::bits(reach.out_of_range()) | open)));
-  pierced_sets.store(pierced);
-  second_sets.store(second);
-  candidate_sets.store(candidates);
+           Row::bits(both(any, either(reach.out_of_range(), open))));
+  exits.store(Look::of_box_cell(), looks, one, several);
 }

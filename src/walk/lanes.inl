@@ -26,6 +26,9 @@ struct Lanes {
   static Mask greater(Lanes a, Lanes b) noexcept { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ); }
   static Mask spread(uint32_t bits) noexcept { return bits; }
   static uint32_t bits(Mask m) noexcept { return m; }
+  static Mask both(Mask m, Mask n) noexcept { return m & n; }
+  static Mask either(Mask m, Mask n) noexcept { return m | n; }
+  static Mask without(Mask m, Mask n) noexcept { return m & ~n; }
   static Lanes select(Mask m, Lanes yes, Lanes no) noexcept {
     return {_mm512_mask_blend_pd(static_cast<__mmask8>(m), no.v, yes.v)};
   }
@@ -140,6 +143,9 @@ struct Lanes {
   static uint32_t bits(Mask m) noexcept {
     return static_cast<uint32_t>(_mm256_movemask_pd(m.a)) | static_cast<uint32_t>(_mm_movemask_pd(m.b)) << 4;
   }
+  static Mask both(Mask m, Mask n) noexcept { return {_mm256_and_pd(m.a, n.a), _mm_and_pd(m.b, n.b)}; }
+  static Mask either(Mask m, Mask n) noexcept { return {_mm256_or_pd(m.a, n.a), _mm_or_pd(m.b, n.b)}; }
+  static Mask without(Mask m, Mask n) noexcept { return {_mm256_andnot_pd(n.a, m.a), _mm_andnot_pd(n.b, m.b)}; }
   static Lanes select(Mask m, Lanes yes, Lanes no) noexcept {
     return {_mm256_blendv_pd(no.a, yes.a, m.a), _mm_blendv_pd(no.b, yes.b, m.b)};
   }
@@ -186,6 +192,9 @@ struct Lanes {
     const auto pair = [](PairMask p) { return static_cast<uint32_t>((p[0] & 1) | (p[1] & 2)); };
     return pair(m.a) | pair(m.b) << 2 | pair(m.c) << 4;
   }
+  static Mask both(const Mask& m, const Mask& n) noexcept { return {m.a & n.a, m.b & n.b, m.c & n.c}; }
+  static Mask either(const Mask& m, const Mask& n) noexcept { return {m.a | n.a, m.b | n.b, m.c | n.c}; }
+  static Mask without(const Mask& m, const Mask& n) noexcept { return {m.a & ~n.a, m.b & ~n.b, m.c & ~n.c}; }
 };
 
 inline Lanes operator+(const Lanes& x, const Lanes& y) noexcept { return {x.a + y.a, x.b + y.b, x.c + y.c}; }

@@ -36,6 +36,14 @@ class Look {
     return Look((exits.sure ? exits.pierced : kNotKnown) | word(exits.second, LookKind::kBox) |
                 (exits.sure && !several ? kFlag : 0));
   }
+  /** The word of such a look with at most one exit, without that. */
+  static constexpr uint32_t of_box_cell() { return word(0, LookKind::kBox) | kFlag; }
+  /** And with this exit. */
+  static constexpr int of_box_facet(uint32_t facet, uint32_t second) {
+    return static_cast<int>(1u << facet | second << (8 + facet));
+  }
+  /** The same of a box, with several exits. */
+  Look with_several() const { return Look(word_ & ~kFlag); }
   /** Of a polyhedron. `is_settled`: the filter settled all triangles. */
   static Look of_lines(bool stays, bool is_settled) {
     return Look((stays ? 0 : kNotKnown) | word(0, LookKind::kLines) | (is_settled ? kFlag : 0));

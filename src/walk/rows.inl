@@ -4,14 +4,12 @@
 #if defined(DSW_ISA_AVX512)
 
 using Row = Lanes;
-using FacetSet = uint8_t;
 
 inline Row least(Row a, Row b) noexcept { return {_mm512_min_pd(a.v, b.v)}; }
 inline Row largest(Row a, Row b) noexcept { return {_mm512_max_pd(a.v, b.v)}; }
 inline Row divide(Row a, Row b) noexcept { return {_mm512_div_pd(a.v, b.v)}; }
 inline Row load_row(const double* from) noexcept { return {_mm512_loadu_pd(from)}; }
 inline void store_row(double* to, Row row) noexcept { _mm512_storeu_pd(to, row.v); }
-inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return a & b; }
 inline Row::Mask mask_of(uint32_t bits) noexcept { return bits; }
 /** A mask as a row that can be stored, and back. */
 inline Row row_of(Row::Mask m) noexcept { return {_mm512_castsi512_pd(_mm512_movm_epi64(static_cast<__mmask8>(m)))}; }
@@ -54,7 +52,6 @@ DSW_HOT PointsOf<Row> load_points(At at) noexcept {
   return turn(load_two(at(0), at(2)), load_two(at(1), at(3)), load_two(at(4), at(6)), load_two(at(5), at(7)));
 }
 
-inline Row::Mask either(Row::Mask a, Row::Mask b) noexcept { return a | b; }
 inline Row::Mask not_greater(Row a, Row b) noexcept { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_NGT_UQ); }
 
 /** A set of facets for each lane. */
@@ -64,9 +61,6 @@ struct FacetSets {
   DSW_HOT FacetSets() noexcept : sets(_mm256_setzero_si256()) {}
   DSW_HOT void add(int facets, Row::Mask lanes) noexcept {
     sets = _mm256_mask_or_epi32(sets, static_cast<__mmask8>(lanes), sets, _mm256_set1_epi32(facets));
-  }
-  DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
-    _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm256_cvtepi32_epi8(sets));
   }
   /** `to`: the word of each lane, with bits beside. `one`, `several`: lanes whose lowest byte has one bit, or more. */
   DSW_HOT void store(uint32_t beside, uint32_t (&to)[kAbreast], uint32_t& one, uint32_t& several) const noexcept {
@@ -102,9 +96,11 @@ struct Row {
   static Row absolute(Row a) noexcept { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)}; }
   static Mask greater(Row a, Row b) noexcept { return _mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ); }
   static uint32_t bits(Mask m) noexcept { return static_cast<uint32_t>(_mm256_movemask_pd(m)); }
+  static Mask both(Mask m, Mask n) noexcept { return _mm256_and_pd(m, n); }
+  static Mask either(Mask m, Mask n) noexcept { return _mm256_or_pd(m, n); }
+  static Mask without(Mask m, Mask n) noexcept { return _mm256_andnot_pd(n, m); }
   static Row select(Mask m, Row yes, Row no) noexcept { return {_mm256_blendv_pd(no.v, yes.v, m)}; }
 };
-using FacetSet = uint64_t;
 
 inline Row operator+(Row a, Row b) noexcept { return {_mm256_add_pd(a.v, b.v)}; }
 inline Row operator-(Row a, Row b) noexcept { return {_mm256_sub_pd(a.v, b.v)}; }
@@ -114,7 +110,6 @@ inline Row largest(Row a, Row b) noexcept { return {_mm256_max_pd(a.v, b.v)}; }
 inline Row divide(Row a, Row b) noexcept { return {_mm256_div_pd(a.v, b.v)}; }
 inline Row load_row(const double* from) noexcept { return {_mm256_loadu_pd(from)}; }
 inline void store_row(double* to, Row row) noexcept { _mm256_storeu_pd(to, row.v); }
-inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return _mm256_and_pd(a, b); }
 inline Row::Mask mask_of(uint32_t bits) noexcept { return Lanes::spread(bits).a; }
 inline Row row_of(Row::Mask m) noexcept { return {m}; }
 inline Row::Mask mask_in(Row row) noexcept { return row.v; }
@@ -148,7 +143,6 @@ DSW_HOT PointsOf<Row> load_points(At at) noexcept {
           {_mm256_insertf128_pd(_mm256_castpd128_pd256(z01), z23, 1)}};
 }
 
-inline Row::Mask either(Row::Mask a, Row::Mask b) noexcept { return _mm256_or_pd(a, b); }
 inline Row::Mask not_greater(Row a, Row b) noexcept { return _mm256_cmp_pd(a.v, b.v, _CMP_NGT_UQ); }
 
 /** A set of facets for each lane. */
@@ -158,9 +152,6 @@ struct FacetSets {
   DSW_HOT FacetSets() noexcept : sets(_mm256_setzero_pd()) {}
   DSW_HOT void add(int facets, Row::Mask lanes) noexcept {
     sets = _mm256_or_pd(sets, _mm256_and_pd(lanes, _mm256_castsi256_pd(_mm256_set1_epi64x(facets))));
-  }
-  DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_castpd_si256(sets));
   }
   /** `to`: the word of each lane, with bits beside. `one`, `several`: lanes whose lowest byte has one bit, or more. */
   DSW_HOT void store(uint32_t beside, uint32_t (&to)[kAbreast], uint32_t& one, uint32_t& several) const noexcept {
@@ -226,9 +217,11 @@ struct Row {
   static Row absolute(Row a) noexcept { return {(Pair)((Mask)a.v & Mask{INT64_MAX, INT64_MAX})}; }
   static Mask greater(Row a, Row b) noexcept { return a.v > b.v; }
   static uint32_t bits(Mask m) noexcept { return static_cast<uint32_t>((m[0] & 1) | (m[1] & 2)); }
+  static Mask both(Mask m, Mask n) noexcept { return m & n; }
+  static Mask either(Mask m, Mask n) noexcept { return m | n; }
+  static Mask without(Mask m, Mask n) noexcept { return m & ~n; }
   static Row select(Mask m, Row yes, Row no) noexcept { return {Lanes::choose(m, yes.v, no.v)}; }
 };
-using FacetSet = uint64_t;
 
 inline Row operator+(Row a, Row b) noexcept { return {a.v + b.v}; }
 inline Row operator-(Row a, Row b) noexcept { return {a.v - b.v}; }
@@ -241,7 +234,6 @@ inline void store_row(double* to, Row row) noexcept {
   to[0] = row.v[0];
   to[1] = row.v[1];
 }
-inline Row::Mask both(Row::Mask a, Row::Mask b) noexcept { return a & b; }
 inline Row::Mask mask_of(uint32_t bits) noexcept {
   return Row::Mask{-static_cast<int64_t>(bits & 1u), -static_cast<int64_t>(bits >> 1 & 1u)};
 }
@@ -267,7 +259,6 @@ DSW_HOT PointsOf<Row> load_points(At at) noexcept {
   return {{Row::Pair{a[0], b[0]}}, {Row::Pair{a[1], b[1]}}, {Row::Pair{a[2], b[2]}}};
 }
 
-inline Row::Mask either(Row::Mask a, Row::Mask b) noexcept { return a | b; }
 inline Row::Mask not_greater(Row a, Row b) noexcept { return ~(a.v > b.v); }
 
 /** A set of facets for each lane. */
@@ -275,10 +266,6 @@ struct FacetSets {
   Row::Mask sets{};
 
   DSW_HOT void add(int facets, Row::Mask lanes) noexcept { sets |= lanes & Row::Mask{facets, facets}; }
-  DSW_HOT void store(FacetSet (&to)[kAbreast]) const noexcept {
-    to[0] = static_cast<uint64_t>(sets[0]);
-    to[1] = static_cast<uint64_t>(sets[1]);
-  }
   /** `to`: the word of each lane, with bits beside. `one`, `several`: lanes whose lowest byte has one bit, or more. */
   DSW_HOT void store(uint32_t beside, uint32_t (&to)[kAbreast], uint32_t& one, uint32_t& several) const noexcept {
     one = several = 0;
@@ -304,6 +291,9 @@ struct LaneBytes {
 };
 
 #endif
+
+inline Row::Mask both(Row::Mask m, Row::Mask n) noexcept { return Row::both(m, n); }
+inline Row::Mask either(Row::Mask m, Row::Mask n) noexcept { return Row::either(m, n); }
 
 /** How many lanes a mask has. */
 DSW_HOT uint32_t count_lanes(uint32_t lanes) noexcept {

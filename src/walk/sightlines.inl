@@ -141,9 +141,9 @@ class Sightlines {
     kLargest,
     kCorners,                   // i of each, j, z, and the weights
     kVertices = kCorners + 12,  // numbers of vertices, stored as bits: of the corners
-    kMoved = kVertices + 3,     // rows below it go with a cast; others are written before they are read
-    kTip = kMoved,              // of the tip
-    kGone,                      // of the corner that the last step has replaced
+    kTip = kVertices + 3,       // of the tip
+    kMoved,                     // rows below it go with a cast; the others are written in the step that reads them
+    kGone = kMoved,             // the number of the corner that the last step has replaced
     kTipI,
     kTipJ,
     kTipZ,

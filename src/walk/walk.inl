@@ -36,46 +36,7 @@ inline bool is_convex(uint32_t word, uint32_t convex_bit) {
   return form_of(word) == Form::kSimplex || (word & convex_bit) != 0;
 }
 
-/** As find_out_validity, with the cell's centre. */
-template <int D>
-bool find_out_validity(const Environment<D>& env, Cell c, const double* apex) noexcept {
-  if constexpr (D == 3) {
-    const uint32_t* const w = env.map.record(c);
-    if (form_of(w[0]) == Form::kBox && is_plainly_valid(env, w, apex)) {
-      env.checked.note(env.map.index(c), CheckedCells::Known::kValid);
-      return true;
-    }
-  }
-  return dsw::find_out_validity(env, c);
-}
-
-/** As admits; gives the cell's centre, too. */
-template <int D>
-bool admits_with_centre(const Environment<D>& env, Cell c, double* apex) noexcept {
-  centre(env, c, apex);
-  if (!env.has_moved()) return true;
-  const CheckedCells::Known known = env.checked.known(env.map.index(c));
-  return known == CheckedCells::Known::kNothing ? find_out_validity(env, c, apex)
-                                                : known == CheckedCells::Known::kValid;
-}
-
-/** As admits, where points have moved. */
-template <int D>
-__attribute__((noinline)) bool admits_moving(const Environment<D>& env, Cell c) noexcept {
-  const CheckedCells::Known known = env.checked.known(env.map.index(c));
-  if (known != CheckedCells::Known::kNothing) return known == CheckedCells::Known::kValid;
-  double apex[D];
-  centre(env, c, apex);
-  return find_out_validity(env, c, apex);
-}
-
-/** Asks for what is beyond a facet, where points have moved: nobody may have looked at it. */
-template <int D>
-DSW_HOT void prefetch_beyond(const Environment<D>& env, HalfFacet at) noexcept {
-  const HalfFacet o = env.map.opposite(at);
-  if (o.valid()) prefetch_moving(env, env.map.cell_of(o));
-}
-
+#include "walk/admits.inl"
 #include "walk/line_walk.inl"
 
 /** Where a cast is on its way. */
@@ -171,7 +132,12 @@ class Walkers {
     }
     for (uint32_t k = 0; k < kept_; ++k) {
       const uint32_t i = active_[k];
-      leave_flat<First>(i, static_cast<uint32_t>(__builtin_ctz(looks_[i].facets())));
+      const Look look = looks_[i];
+      if (look.kind() == LookKind::kPlanes) {
+        leave_flat<First>(i, static_cast<uint32_t>(__builtin_ctz(look.facets())));
+      } else {
+        leave_box<First>(i);
+      }
     }
     decide_all<First>();
     return kept_;
@@ -246,19 +212,31 @@ class Walkers {
     for (uint32_t j = 0; j < kAbreast; ++j) from[j] = requests_[active_[first + j]].from;
     WarpedBoxExits exits;
     exits.look(env_.points, cells, from);
-#pragma GCC unroll 1
-    for (uint32_t j = 0; j < end - first; ++j) {
-      const uint32_t i = active_[first + j];
-      if (__builtin_expect((exits.sure >> j & 1u) == 0, 0)) {
-        look<First>(i);
-        continue;
-      }
-      looks_[i] = Look::of_box({static_cast<uint32_t>(exits.pierced[j]), static_cast<uint32_t>(exits.second[j]),
-                                static_cast<uint32_t>(exits.candidates[j]), true},
-                               tally_);
-      open_[open_count_] = static_cast<uint8_t>(i);
-      open_count_ += looks_[i].may_leave() ? 1 : 0;
+    const uint32_t lanes = (1u << (end - first)) - 1, sure = exits.sure & lanes;
+    const LaneBytes casts(active_ + first);
+#pragma GCC unroll 8
+    for (uint32_t j = 0; j < kAbreast; ++j) looks_[active_[first + j]] = Look::of_word(exits.looks[j]);
+    if (Tally::kCounts) {
+      tally_.tests(12 * count_lanes(sure));
+      for (const uint32_t boxes : exits.beyond) tally_.tests(4 * count_lanes(boxes & sure));
     }
+    uint32_t been = 0;  // the earlier times of these casts have to be asked
+    for (uint32_t j = 0; !First && j < kAbreast; ++j) {
+      been |= (flights_[active_[first + j]].may_have_been_here ? 1u : 0u) << j;
+    }
+    for (uint32_t rest = lanes & (exits.several | ~sure); rest != 0; rest &= rest - 1) {
+      const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(rest)), i = active_[first + lane];
+      if ((sure >> lane & 1u) != 0) {
+        looks_[i] = looks_[i].with_several();
+      } else {
+        look<First>(i);
+      }
+    }
+    const uint32_t one = exits.one & sure & ~been, open = (exits.one | exits.several) & sure & ~one;
+    casts.store(open_ + open_count_, open);
+    casts.store(active_ + kept_, one);
+    kept_ += count_lanes(one);
+    open_count_ += count_lanes(open);
   }
 
   /** Decides about what is open: ridges side by side, all else one by one. */
@@ -286,9 +264,8 @@ class Walkers {
     const Look look = looks_[i];
     if (look.kind() != LookKind::kBox || !look.has_one_exit()) return false;
     if (!First && flights_[i].may_have_been_here) return false;
-    const Exit exit = look.exit_of_box();
     active_[kept_++] = static_cast<uint8_t>(i);
-    leave<First>(i, exit, linked_facet<D>(results_[i].cell, 6, exit.facet), false);
+    leave_box<First>(i);
     return true;
   }
 
@@ -343,6 +320,13 @@ class Walkers {
     leave<First>(i, exit, map_.half_facet(cell, exit.facet), false);
     const HalfFacet beyond = map_.opposite(flights_[i].at);
     if (looks_[i].kind() == LookKind::kLines && beyond.valid()) prefetch_round(env_, beyond);
+  }
+
+  /** leave() of a box with one exit. */
+  template <bool First>
+  DSW_HOT void leave_box(uint32_t i) noexcept {
+    const Exit exit = looks_[i].exit_of_box();
+    leave<First>(i, exit, linked_facet<D>(results_[i].cell, 6, exit.facet), false);
   }
 
   /** leave() after a look of planes. */
