@@ -1,4 +1,4 @@
-// Whether cells may be entered where points have moved.
+// Cells where points have moved: whether they may be entered, and what is asked of the memory before.
 
 /** As find_out_validity, with the cell's centre. */
 template <int D>

@@ -119,7 +119,7 @@ DSW_HOT Piercings<Values> pierce(const Quads<Values>& quads, typename Values::Ma
 /** What the lanes say about the exits of a hexahedron that need not be convex. */
 struct BoxExits {
   uint32_t pierced = 0;     // facets that p -> q pierces outwards
-  uint32_t second = 0;      // of these: through the second triangle
+  uint32_t second = 0;      // where a facet is pierced: through its second triangle
   uint32_t candidates = 0;  // facets with q outside of one triangle or both
   bool sure = false;        // false: the filter could not settle all that matters, ask again exactly
 };

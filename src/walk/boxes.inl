@@ -2,11 +2,11 @@
 
 /** Of boxes that need not be convex: BoxExits. */
 struct WarpedBoxExits {
-  uint32_t looks[kAbreast];  // words of Looks, which say that at most one facet is pierced
-  uint32_t one;              // a bit for each box of which one facet is pierced outwards
-  uint32_t several;          // and of which more are
-  uint32_t sure;             // and for which the filter settled all that matters
-  uint32_t beyond[6];        // by facet: and with q outside of one of its triangles or both
+  uint32_t sure;             // a bit for each box for which the filter settled all that matters
+  uint32_t one;              // a bit for each such box of which one facet is pierced outwards
+  uint32_t several;          // a bit for each such box of which more facets are
+  uint32_t looks[kAbreast];  // words of Looks, of these boxes; they say that at most one facet is pierced
+  uint32_t beyond[6];        // by facet, a bit for each box: q is outside of one of its triangles or both
 
   /** `from`: where the casts start. */
   void look(const double* points, const Abreast& boxes, const double* const (&from)[kAbreast]) noexcept;
@@ -24,7 +24,7 @@ __attribute__((noinline)) inline void WarpedBoxExits::look(const double* points,
   const Words cuts([&](uint32_t lane) { return *boxes.records[lane]; });
   FacetSets exits;
   Row smallest = Row::all(HUGE_VAL);
-  Row::Mask open = Row::greater(smallest, smallest), any = open;  // none
+  Row::Mask open = mask_of(0), any = open;
 #pragma GCC unroll 6
   for (uint32_t f = 0; f < 6; ++f) {
     const uint8_t(&corners)[4] = kBoxFacets[f];
@@ -32,16 +32,19 @@ __attribute__((noinline)) inline void WarpedBoxExits::look(const double* points,
         make_quads(v.at[corners[0]], v.at[corners[1]], v.at[corners[2]], v.at[corners[3]], cuts.have(1u << f));
     smallest = least(smallest, least(Row::absolute(quads.first), Row::absolute(quads.second)));
     const Row::Mask out1 = Row::greater(quads.first, bound), out2 = Row::greater(quads.second, bound);
-    const Row::Mask outside = either(out1, out2);
+    const Row::Mask outside = Row::either(out1, out2);
     beyond[f] = Row::bits(outside);
     if (beyond[f] == 0) continue;  // a wrong guess costs less than line tests that nobody needs
     const Piercings<Row> lines = pierce(quads, out1, out2, back, line_bound);
     exits.add(Look::of_box_facet(f, 0), Row::without(lines.pierced, lines.second));
-    exits.add(Look::of_box_facet(f, 1), both(lines.pierced, lines.second));
-    open = either(open, Row::without(outside, lines.settled));
-    any = either(any, outside);
+    exits.add(Look::of_box_facet(f, 1), Row::both(lines.pierced, lines.second));
+    open = Row::either(open, Row::without(outside, lines.settled));
+    any = Row::either(any, outside);
   }
-  sure = ~(Row::bits(either(v.extents.out_of_range(), not_greater(smallest, bound))) |
-           Row::bits(both(any, either(reach.out_of_range(), open))));
+  sure = ~(Row::bits(Row::either(v.extents.out_of_range(), not_greater(smallest, bound))) |
+           Row::bits(Row::both(any, Row::either(reach.out_of_range(), open))));
+  sure &= (1u << kAbreast) - 1;
   exits.store(Look::of_box_cell(), looks, one, several);
+  one &= sure;
+  several &= sure;
 }

@@ -151,12 +151,6 @@ struct Lanes {
   }
 };
 
-inline Lanes::Mask operator&(Lanes::Mask x, Lanes::Mask y) noexcept {
-  return {_mm256_and_pd(x.a, y.a), _mm_and_pd(x.b, y.b)};
-}
-inline Lanes::Mask operator|(Lanes::Mask x, Lanes::Mask y) noexcept {
-  return {_mm256_or_pd(x.a, y.a), _mm_or_pd(x.b, y.b)};
-}
 inline Lanes operator+(Lanes x, Lanes y) noexcept { return {_mm256_add_pd(x.a, y.a), _mm_add_pd(x.b, y.b)}; }
 inline Lanes operator-(Lanes x, Lanes y) noexcept { return {_mm256_sub_pd(x.a, y.a), _mm_sub_pd(x.b, y.b)}; }
 inline Lanes operator*(Lanes x, Lanes y) noexcept { return {_mm256_mul_pd(x.a, y.a), _mm_mul_pd(x.b, y.b)}; }
@@ -200,12 +194,6 @@ struct Lanes {
 inline Lanes operator+(const Lanes& x, const Lanes& y) noexcept { return {x.a + y.a, x.b + y.b, x.c + y.c}; }
 inline Lanes operator-(const Lanes& x, const Lanes& y) noexcept { return {x.a - y.a, x.b - y.b, x.c - y.c}; }
 inline Lanes operator*(const Lanes& x, const Lanes& y) noexcept { return {x.a * y.a, x.b * y.b, x.c * y.c}; }
-inline Lanes::Mask operator&(const Lanes::Mask& x, const Lanes::Mask& y) noexcept {
-  return {x.a & y.a, x.b & y.b, x.c & y.c};
-}
-inline Lanes::Mask operator|(const Lanes::Mask& x, const Lanes::Mask& y) noexcept {
-  return {x.a | y.a, x.b | y.b, x.c | y.c};
-}
 
 #endif
 

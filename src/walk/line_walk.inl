@@ -109,7 +109,8 @@ class LineWalk<3> {
     sightlines_.aim(slot, tip);
   }
 
-  /** Looks at all cells, and asks for what is beyond the facets that casts leave through. */
+  /** Looks at all cells, and asks for what is beyond the facets that casts leave through. All groups are read, then all
+   * are tested, then all casts leave. No cast changes its slot in between. */
   template <class Tally, class Look>
   DSW_HOT void step(Tally& tally, Look look) noexcept {
     for (uint32_t s = count_; s % kAbreast != 0; ++s) sightlines_.aim(s, 0);

@@ -36,13 +36,13 @@ class Look {
     return Look((exits.sure ? exits.pierced : kNotKnown) | word(exits.second, LookKind::kBox) |
                 (exits.sure && !several ? kFlag : 0));
   }
-  /** The word of such a look with at most one exit, without that. */
+  /** The word of a box's look that names no exit yet. */
   static constexpr uint32_t of_box_cell() { return word(0, LookKind::kBox) | kFlag; }
-  /** And with this exit. */
+  /** The bits that name an exit. */
   static constexpr int of_box_facet(uint32_t facet, uint32_t second) {
     return static_cast<int>(1u << facet | second << (8 + facet));
   }
-  /** The same of a box, with several exits. */
+  /** This look of a box, but with several exits. */
   Look with_several() const { return Look(word_ & ~kFlag); }
   /** Of a polyhedron. `is_settled`: the filter settled all triangles. */
   static Look of_lines(bool stays, bool is_settled) {
@@ -82,7 +82,7 @@ class Look {
   /** Of lines: the filter settled all triangles. */
   bool is_sure() const { return has_flag(); }
 
-  static constexpr uint32_t kFlag = 1u << 24;  // of planes: is_far
+  static constexpr uint32_t kFlag = 1u << 24;  // of planes is_far, of boxes has_one_exit, of lines is_sure
 
  private:
   explicit Look(uint32_t word) : word_(word) {}

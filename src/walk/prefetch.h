@@ -28,7 +28,7 @@ DSW_PREFETCH void prefetch_round(const Environment<D>& env, HalfFacet h) noexcep
   }
 }
 
-/** A vertex, which may lie in two lines. */
+/** A vertex, which may lie in two lines of the cache. */
 template <int D>
 DSW_PREFETCH void prefetch_point(const Environment<D>& env, uint32_t vertex) noexcept {
   const double* const point = env.point(vertex);

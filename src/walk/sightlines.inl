@@ -65,8 +65,8 @@ class Sightlines {
   /** The corner that the last step has replaced. */
   DSW_HOT uint32_t gone(uint32_t slot) const noexcept { return as_number(rows_[kGone][slot]); }
 
-  /** Reads the vertices that kAbreast slots have been aimed at. Apart from `step`, since together both are longer than
-   * what a processor looks ahead, and each waits for itself. */
+  /** Reads the vertices that kAbreast slots have been aimed at. `read` is not part of `step`: a processor does not look
+   * far enough ahead to begin the next group's loads while it tests this one. */
   DSW_HOT void read(uint32_t first, const double* points) noexcept {
     const Corner tip = see(
         first, load_points([&](uint32_t lane) { return points + size_t{as_number(rows_[kTip][first + lane])} * 3; }));
@@ -109,12 +109,12 @@ class Sightlines {
     const Row depth_bound = Row::all(8) * bound * largest;
     const Row::Mask settled = both(either(either(replaced[0], replaced[1]), replaced[2]), is_in_range(largest));
     const Row tips = get(kTip, first);
-    Row gone = tips;
+    Row gone = get(kVertices, first);
 #pragma GCC unroll 3
     for (uint32_t c = 0; c < 3; ++c) {
       const Row vertices = get(kVertices + c, first);
       put(kVertices + c, first, Row::select(replaced[c], tips, vertices));
-      gone = c == 0 ? vertices : Row::select(replaced[c], vertices, gone);
+      if (c != 0) gone = Row::select(replaced[c], vertices, gone);
     }
     put(kGone, first, gone);
     return {Row::bits(both(settled, Row::greater(Row::all(0) - depth_bound, depth))),
@@ -140,10 +140,10 @@ class Sightlines {
     kSlopeJ,
     kLargest,
     kCorners,                   // i of each, j, z, and the weights
-    kVertices = kCorners + 12,  // numbers of vertices, stored as bits: of the corners
-    kTip = kVertices + 3,       // of the tip
-    kMoved,                     // rows below it go with a cast; the others are written in the step that reads them
-    kGone = kMoved,             // the number of the corner that the last step has replaced
+    kVertices = kCorners + 12,  // numbers of the corners, as bits
+    kTip = kVertices + 3,       // number of the tip
+    kMoved,                     // rows below it go with a cast; the others hold values within one pass only
+    kGone = kMoved,             // number of the corner that the last step has replaced
     kTipI,
     kTipJ,
     kTipZ,
@@ -162,7 +162,8 @@ class Sightlines {
     return both(Row::greater(largest, Row::all(kLeast)), Row::greater(Row::all(kMost), largest));
   }
 
-  /** The bits of a number, in what may not alias all else as bytes may. */
+  /** A number as the double with its bits. A store of a double cannot change other members. A store of bytes might, and
+   * the compiler would load all again. */
   static DSW_HOT double as_double(uint32_t number) noexcept {
     const uint64_t bits = number;
     double d;

@@ -206,13 +206,14 @@ class Walkers {
     open_count_ += count_lanes(several);
   }
 
+  /** Looks at bent hexahedra, and keeps the casts that pierce one facet. */
   template <bool First>
   DSW_HOT void look_warped(uint32_t first, uint32_t end, const Abreast& cells) noexcept {
     const double* from[kAbreast];
     for (uint32_t j = 0; j < kAbreast; ++j) from[j] = requests_[active_[first + j]].from;
     WarpedBoxExits exits;
     exits.look(env_.points, cells, from);
-    const uint32_t lanes = (1u << (end - first)) - 1, sure = exits.sure & lanes;
+    const uint32_t lanes = (1u << (end - first)) - 1, sure = exits.sure;
     const LaneBytes casts(active_ + first);
 #pragma GCC unroll 8
     for (uint32_t j = 0; j < kAbreast; ++j) looks_[active_[first + j]] = Look::of_word(exits.looks[j]);
@@ -220,23 +221,22 @@ class Walkers {
       tally_.tests(12 * count_lanes(sure));
       for (const uint32_t boxes : exits.beyond) tally_.tests(4 * count_lanes(boxes & sure));
     }
-    uint32_t been = 0;  // the earlier times of these casts have to be asked
+    uint32_t been = 0;  // casts that may have been in their cell before: `decide` compares times
     for (uint32_t j = 0; !First && j < kAbreast; ++j) {
       been |= (flights_[active_[first + j]].may_have_been_here ? 1u : 0u) << j;
     }
-    for (uint32_t rest = lanes & (exits.several | ~sure); rest != 0; rest &= rest - 1) {
-      const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(rest)), i = active_[first + lane];
-      if ((sure >> lane & 1u) != 0) {
-        looks_[i] = looks_[i].with_several();
-      } else {
-        look<First>(i);
-      }
-    }
-    const uint32_t one = exits.one & sure & ~been, open = (exits.one | exits.several) & sure & ~one;
-    casts.store(open_ + open_count_, open);
-    casts.store(active_ + kept_, one);
-    kept_ += count_lanes(one);
+    const uint32_t one = exits.one & ~been, open = (exits.one | exits.several) & ~one;
+    casts.store(open_ + open_count_, open);  // before looks of single casts, which leave less room behind
     open_count_ += count_lanes(open);
+    for (uint32_t rest = exits.several; rest != 0; rest &= rest - 1) {
+      const uint32_t i = active_[first + static_cast<uint32_t>(__builtin_ctz(rest))];
+      looks_[i] = looks_[i].with_several();
+    }
+    for (uint32_t rest = lanes & ~sure; rest != 0; rest &= rest - 1) {
+      look<First>(active_[first + static_cast<uint32_t>(__builtin_ctz(rest))]);
+    }
+    casts.store(active_ + kept_, one);  // after the last read of active_[first...], where kept_ may point
+    kept_ += count_lanes(one);
   }
 
   /** Decides about what is open: ridges side by side, all else one by one. */
@@ -258,7 +258,7 @@ class Walkers {
     if (count != 0) pass_ridges<First>(casts, count, ridges);
   }
 
-  /** Lets a cast leave a bent box whose one exit is known. False: `decide` has to be asked. */
+  /** Lets a cast that was looked at alone leave a bent box whose one exit is known. False: `decide` has to be asked. */
   template <bool First>
   DSW_HOT bool leave_warped(uint32_t i) noexcept {
     const Look look = looks_[i];
@@ -445,7 +445,7 @@ class Walkers {
     Look looks_[kPacket];
   };
   uint8_t active_[kPacket + kAbreast - 1];
-  uint8_t open_[kPacket];
+  uint8_t open_[kPacket];  // a group writes kAbreast bytes from open_count_ on, which is at most its first cast's place
   uint32_t kept_ = 0, open_count_ = 0;
   LineWalk<D> line_walk_;
 };

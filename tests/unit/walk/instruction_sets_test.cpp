@@ -229,7 +229,8 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
       env.note_move();
     }
     CastCounters total;
-    uint32_t hits = 0;
+    uint32_t hits = 0, wanted = 1, full = 0;
+    std::mt19937 sizes(seed);
     Group group;
     for (int n = 0; n < kCasts; ++n) {
       Flown& cast = group.casts[group.count];
@@ -257,7 +258,9 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
       const bool can_be_left = is_merged && !env.map.convex(cast.expected.cell);
       EXPECT_TRUE(cast.contained == reached || (can_be_left && cast.contained));
       hits += cast.expected.end == CastEnd::kHit ? 1u : 0u;
-      if (++group.count < 1 + static_cast<uint32_t>(n) % kPacket) continue;  // groups of all sizes
+      if (++group.count < wanted) continue;
+      full += group.count == kPacket ? 1u : 0u;
+      wanted = n % 3 == 0 ? kPacket : 1 + static_cast<uint32_t>(sizes() % kPacket);  // groups of all sizes
       for (const NamedWalk& other : all) {
         SCOPED_TRACE(testing::Message() << other.name << ", cast " << n);
         compare(env, group, other.walk);
@@ -271,6 +274,7 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
     EXPECT_GT(total.volumes_visited, 2 * total.casts);
     EXPECT_GT(total.ties, total.casts / 5);
     EXPECT_GT(hits, kCasts / 10u);
+    EXPECT_GT(full, 3u);
   }
 }
 

@@ -41,7 +41,7 @@ enum class Asks { kNothing, kSomething };
 class LineWalkTest : public testing::TestWithParam<double> {
  protected:
   void compare(const Environment<3>& env, double scale, Asks asks) {
-    std::mt19937 random(5);
+    std::mt19937 random(5), sizes(6);
     const auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };
     const auto place = [&](double(&p)[3], bool tie, double margin) {
       for (double& x : p) {
@@ -53,7 +53,7 @@ class LineWalkTest : public testing::TestWithParam<double> {
     CastRequest requests[kPacket];
     CastResult expected[kPacket], results[kPacket];
     std::vector<Crossing> expected_crossings[kPacket], crossings[kPacket];
-    uint32_t count = 0;
+    uint32_t count = 0, wanted = 1, full = 0;
     size_t visited = 0, hits = 0, compared = 0;
     for (int n = 0; n < kCasts; ++n) {
       place(from[count], n % 5 == 0, 0);
@@ -82,7 +82,9 @@ class LineWalkTest : public testing::TestWithParam<double> {
       request.crossing_user = &crossings[count];
       visited += result.volumes_visited;
       hits += result.end == CastEnd::kHit ? 1u : 0u;
-      if (++count < 1 + static_cast<uint32_t>(n) % kPacket) continue;  // groups of all sizes
+      if (++count < wanted) continue;
+      full += count == kPacket ? 1u : 0u;
+      wanted = n % 3 == 0 ? kPacket : 1 + static_cast<uint32_t>(sizes() % kPacket);  // groups of all sizes
       lines::kThisWalk<3>.plain(env, requests, count, results);
       for (uint32_t i = 0; i < count; ++i) {
         SCOPED_TRACE(testing::Message() << i << " of " << count << std::hexfloat << " from " << from[i][0] << " "
@@ -98,6 +100,7 @@ class LineWalkTest : public testing::TestWithParam<double> {
     EXPECT_GT(compared, kCasts / 2u);
     EXPECT_GT(visited, 5 * compared);
     EXPECT_GT(hits, compared / 10);
+    EXPECT_GT(full, 3u);
   }
 };
 
