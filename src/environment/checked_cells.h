@@ -13,7 +13,13 @@ namespace dsw {
 
 class CheckedCells {
  public:
-  enum class Known : uint32_t { kNothing, kInvalid, kValid };
+  enum class Known : uint32_t {
+    kNothing,
+    kInvalid,
+    kValid,
+    kCuboid,  // valid, and a cuboid as is_cuboid says
+  };
+  static bool is_valid(Known known) noexcept { return known >= Known::kValid; }
 
   explicit CheckedCells(const Memory* memory) : stamps_(memory) {}
 

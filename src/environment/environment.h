@@ -109,17 +109,26 @@ void mean_point(uint32_t count, PointAt point, double* out) {
 template <int D>
 void centre(const Environment<D>& env, Cell c, double* out);
 
+/** Whether a cell is a cuboid with its facets in planes of the axes. It is then valid, convex, and exactly flat. */
+template <int D>
+bool is_cuboid(const Environment<D>& env, Cell c) noexcept;
+
 /** Looks whether a cell of moving points is valid, and notes it. */
 template <int D>
-bool find_out_validity(const Environment<D>& env, Cell c) noexcept;
+CheckedCells::Known find_out_validity(const Environment<D>& env, Cell c) noexcept;
+
+/** What is known of a cell of moving points, once it has been looked at. */
+template <int D>
+inline CheckedCells::Known know(const Environment<D>& env, Cell c) noexcept {
+  const CheckedCells::Known known = env.checked.known(env.map.index(c));
+  return known == CheckedCells::Known::kNothing ? find_out_validity(env, c) : known;
+}
 
 /** Whether a cell can be entered: it is valid, which is known unless points have moved. Invalid cells count as
  * impassable. */
 template <int D>
 inline bool admits(const Environment<D>& env, Cell c) noexcept {
-  if (!env.has_moved()) return true;
-  const CheckedCells::Known known = env.checked.known(env.map.index(c));
-  return known == CheckedCells::Known::kNothing ? find_out_validity(env, c) : known == CheckedCells::Known::kValid;
+  return !env.has_moved() || CheckedCells::is_valid(know(env, c));
 }
 
 /** Impassable by its own mark, or invalid. */

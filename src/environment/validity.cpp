@@ -267,6 +267,11 @@ bool is_valid(const Environment<D>& env, Cell c) noexcept {
   return state == CellState::kValid || state == CellState::kValidConvex;
 }
 
+/** The vertices of a facet, bits of a set. */
+constexpr uint32_t corners_of(const uint8_t (&facet)[4]) {
+  return 1u << facet[0] | 1u << facet[1] | 1u << facet[2] | 1u << facet[3];
+}
+
 }  // namespace
 
 template <int D>
@@ -291,11 +296,52 @@ bool is_valid_star(const double* const* vertices, uint32_t vertex_count, const u
   return check_simplices<3>(triangle_count, read, apex) == CellState::kValid;
 }
 
+template <>
+bool is_cuboid(const Environment<2>&, Cell) noexcept {
+  return false;
+}
+
+/** For each axis two opposite facets lie in planes across it, other ones for each: so each vertex is where three such
+ * planes meet. The centre lies between the planes, else rounding has made the star degenerate. */
+template <>
+bool is_cuboid(const Environment<3>& env, Cell c) noexcept {
+  constexpr uint32_t kFirst = corners_of(kBoxFacets[0]), kSecond = corners_of(kBoxFacets[2]),
+                     kThird = corners_of(kBoxFacets[4]);  // these meet in vertex 0, the other three in vertex 6
+  static_assert((kFirst & kSecond & kThird) == 1 && (kFirst | kSecond | kThird) == (0xffu & ~(1u << 6)));
+  const uint32_t* const w = env.map.record(c);
+  if (form_of(w[0]) != Form::kBox) return false;
+  const double *const low = env.point(w[kUnitWords<3>]), *const high = env.point(w[kUnitWords<3> + 6]);
+  uint32_t axes[3], turned = 0;
+  for (uint32_t k = 0; k < 3; ++k) {
+    uint32_t in_low = 0, in_high = 0;
+    for (uint32_t i = 0; i < 8; ++i) {
+      const double x = env.point(w[kUnitWords<3> + i])[k];
+      in_low |= (x == low[k] ? 1u : 0u) << i;
+      in_high |= (x == high[k] ? 1u : 0u) << i;
+    }
+    if ((in_low ^ in_high) != 0xffu) return false;
+    axes[k] = in_low == kFirst ? 0 : in_low == kSecond ? 1 : in_low == kThird ? 2 : 3;
+    turned ^= high[k] < low[k] ? 1u : 0u;
+  }
+  if ((1u << axes[0] | 1u << axes[1] | 1u << axes[2]) != 7) return false;
+  turned ^= (axes[0] + 1) % 3 == axes[1] ? 0u : 1u;
+  if (turned != 0) return false;
+  double apex[3];
+  centre(env, c, apex);
+  bool between = true;
+  for (uint32_t k = 0; k < 3; ++k) {
+    between &= std::min(low[k], high[k]) < apex[k] && apex[k] < std::max(low[k], high[k]);
+  }
+  return between;
+}
+
 template <int D>
-bool find_out_validity(const Environment<D>& env, Cell c) noexcept {
-  const bool valid = is_plainly_valid(env, c) || is_valid(env, c);
-  env.checked.note(env.map.index(c), valid ? CheckedCells::Known::kValid : CheckedCells::Known::kInvalid);
-  return valid;
+CheckedCells::Known find_out_validity(const Environment<D>& env, Cell c) noexcept {
+  const CheckedCells::Known known = is_cuboid(env, c)                              ? CheckedCells::Known::kCuboid
+                                    : is_plainly_valid(env, c) || is_valid(env, c) ? CheckedCells::Known::kValid
+                                                                                   : CheckedCells::Known::kInvalid;
+  env.checked.note(env.map.index(c), known);
+  return known;
 }
 
 DSW_INSTANTIATE(find_out_validity);

@@ -1,36 +1,51 @@
 // Cells where points have moved: whether they may be entered, and what is asked of the memory before.
 
-/** As find_out_validity, with the cell's centre. */
+/** As know, with the cell's centre. */
 template <int D>
-bool find_out_validity(const Environment<D>& env, Cell c, const double* apex) noexcept {
+CheckedCells::Known know_with_centre(const Environment<D>& env, Cell c, const double* apex) noexcept {
+  const uint32_t index = env.map.index(c);
+  CheckedCells::Known known = env.checked.known(index);
+  if (known != CheckedCells::Known::kNothing) return known;
   if constexpr (D == 3) {
     const uint32_t* const w = env.map.record(c);
-    if (form_of(w[0]) == Form::kBox && is_plainly_valid(env, w, apex)) {
-      env.checked.note(env.map.index(c), CheckedCells::Known::kValid);
-      return true;
+    if (form_of(w[0]) == Form::kBox) {
+      if (is_cuboid(env, c))
+        known = CheckedCells::Known::kCuboid;
+      else if (is_plainly_valid(env, w, apex))
+        known = CheckedCells::Known::kValid;
     }
   }
-  return dsw::find_out_validity(env, c);
+  if (known == CheckedCells::Known::kNothing) return find_out_validity(env, c);
+  env.checked.note(index, known);
+  return known;
+}
+
+/** Whether a cell is known to be a cuboid, once it has been looked at for that alone. */
+template <int D>
+DSW_HOT bool is_known_cuboid(const Environment<D>& env, Cell c) noexcept {
+  const uint32_t index = env.map.index(c);
+  const CheckedCells::Known known = env.checked.known(index);
+  if (known != CheckedCells::Known::kNothing) return known == CheckedCells::Known::kCuboid;
+  if (!is_cuboid(env, c)) return false;
+  env.checked.note(index, CheckedCells::Known::kCuboid);
+  return true;
 }
 
 /** As admits; gives the cell's centre, too. */
 template <int D>
 bool admits_with_centre(const Environment<D>& env, Cell c, double* apex) noexcept {
   centre(env, c, apex);
-  if (!env.has_moved()) return true;
-  const CheckedCells::Known known = env.checked.known(env.map.index(c));
-  return known == CheckedCells::Known::kNothing ? find_out_validity(env, c, apex)
-                                                : known == CheckedCells::Known::kValid;
+  return !env.has_moved() || CheckedCells::is_valid(know_with_centre(env, c, apex));
 }
 
-/** As admits, where points have moved. */
+/** As know. */
 template <int D>
-__attribute__((noinline)) bool admits_moving(const Environment<D>& env, Cell c) noexcept {
+__attribute__((noinline)) CheckedCells::Known know_moving(const Environment<D>& env, Cell c) noexcept {
   const CheckedCells::Known known = env.checked.known(env.map.index(c));
-  if (known != CheckedCells::Known::kNothing) return known == CheckedCells::Known::kValid;
+  if (known != CheckedCells::Known::kNothing) return known;
   double apex[D];
   centre(env, c, apex);
-  return find_out_validity(env, c, apex);
+  return know_with_centre(env, c, apex);
 }
 
 /** Asks for what is beyond a facet, where points have moved: nobody may have looked at it. */

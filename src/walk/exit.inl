@@ -9,6 +9,7 @@ struct Entry {
   Cell from;                        // the cell before
   uint32_t simplex = 0;             // of that cell, crossed last
   HalfFacet through;                // the facet crossed last, seen from the cell entered; invalid for the first cell
+  bool is_cuboid = false;           // the cell entered is, as is known since points have moved
 
   /** The facet crossed has the target inside, since the segment came in through it: its bit, for a form whose links end
    * a unit. Nothing is asked about it. */
@@ -48,7 +49,7 @@ class ExitFinder {
         return Look::of_planes(seen & ~kFar, 4, (seen & kFar) != 0);
       }
       if (form == Form::kBox) {
-        if ((w[0] & map_.convex_bit) == 0) return Look::of_box(box_exits(env_, w, p_, q_), tally_);
+        if ((w[0] & map_.convex_bit) == 0 && !entry.is_cuboid) return Look::of_box(box_exits(env_, w, p_, q_), tally_);
         const uint32_t known = entry.known_inside(6);
         tally_.tests(known == 0 ? 6 : 5);
         return Look::of_planes(outside_flat_box(env_, w, q_, known, uncounted_), 6);
@@ -105,6 +106,13 @@ class ExitFinder {
       if (is_outside(points, q_)) return false;
     }
     return true;
+  }
+
+  /** The triangle of a cuboid's facet that the segment leaves through. */
+  DSW_COLD uint32_t pierced_triangle(Cell c, uint32_t facet) noexcept {
+    const double* triangle[D];
+    boundary_points(env_, c, 2 * facet, triangle);
+    return 2 * facet + (passes_inside(triangle, 2) ? 0 : 1);  // ridge 2 is the facet's diagonal
   }
 
  private:

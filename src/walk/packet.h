@@ -18,14 +18,14 @@ class Packet {
 
   /** Adds a cast, which the caller may refine before it runs. `start` contains `from`; both points outlive the run. */
   CastRequest& add(const Environment<D>& env, Cell start, const double* from, const double* to) noexcept {
-    prefetch_vertices(env, start);
+    prefetch_start(env, start);
     return put(count_++, start, from, to);
   }
   /** Adds a cast whose end is known, and which need not be told from others that come to it: one that does not leave a
    * convex cell is only counted. Without a branch on that, which nobody can predict. */
   void add_between(const Environment<D>& env, Cell start, const double* from, Cell end, const double* to,
                    uint32_t max_volumes) noexcept {
-    prefetch_vertices(env, start);
+    prefetch_start(env, start);
     CastRequest& request = put(count_, start, from, to);
     request.end = end;
     request.max_volumes = max_volumes;

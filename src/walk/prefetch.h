@@ -44,6 +44,13 @@ DSW_PREFETCH void prefetch_vertices(const Environment<D>& env, Cell c) noexcept 
   for (int i = 0; i <= D; ++i) prefetch_point(env, w[i] & kVertexMask);
 }
 
+/** What a cast reads of the cell where it starts. The record is read. */
+template <int D>
+DSW_PREFETCH void prefetch_start(const Environment<D>& env, Cell c) noexcept {
+  prefetch_vertices(env, c);
+  if (env.has_moved()) env.checked.prefetch(env.map.index(c));
+}
+
 /** The tip of a simplex, opposite to the facet that was crossed: the cell before has all others. `crossed`: the facet,
  * seen from the simplex. In the plane all vertices. The record is read. */
 template <int D>
@@ -76,11 +83,7 @@ template <int D>
 DSW_PREFETCH void prefetch_moving(const Environment<D>& env, Cell c) noexcept {
   env.checked.prefetch(env.map.index(c));
   const uint32_t* const w = env.map.record(c);
-  if (D == 3 && form_of(w[0]) == Form::kBox) {
-#pragma GCC unroll 8
-    for (uint32_t i = 0; i < 8; ++i) __builtin_prefetch(env.point(w[kUnitWords<3> + i]));
-    return;
-  }
+  if (D == 3 && form_of(w[0]) == Form::kBox) return;
   for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) __builtin_prefetch(env.point(c, i));
 }
 
