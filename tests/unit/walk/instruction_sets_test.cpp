@@ -13,7 +13,7 @@
 #include "locate/locate.h"
 #include "small_meshes.h"
 #include "walk/shear.h"
-#include "walk/walk.h"
+#include "walks.h"
 
 namespace {
 
@@ -24,23 +24,6 @@ using dsw::testing_walk::expect_same;  // beside that of counters
 
 constexpr int kSize = 5;
 constexpr int kCasts = 3300;  // for each of the scenes and scales below: more than 1e5 in all
-
-struct NamedWalk {
-  const char* name;
-  Walk<3> walk;
-};
-
-std::vector<NamedWalk> walks() {
-  std::vector<NamedWalk> all{{"portable", kPortableWalk}};
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) all.push_back({"avx2", kAvx2Walk});
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-    all.push_back({"avx512", kAvx512Walk});
-  }
-#endif
-  return all;
-}
 
 void expect_same(const CastCounters& a, const CastCounters& b) {
   EXPECT_EQ(a.casts, b.casts);
