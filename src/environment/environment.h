@@ -65,8 +65,8 @@ struct Environment {
     renew_version();
     set_moved(checked.active());
   }
-  /** Whether points that may move have moved. Until then all cells are valid. After it no cell is known to be valid,
-   * and only simplices are known to be convex. */
+  /** Whether points that may move have moved. Until then all cells are valid. After it `checked` tells which
+   * cells are valid, and records tell of simplices alone that they are convex. */
   bool has_moved() const noexcept { return map.convex_bit == 0; }
   /** Code that takes a move back must restore the value from before it. */
   void set_moved(bool moved) noexcept { map.convex_bit = moved ? 0 : kConvexBit; }
@@ -110,16 +110,16 @@ template <int D>
 void centre(const Environment<D>& env, Cell c, double* out);
 
 /** Whether a cell is a cuboid with its facets in planes of the axes. It is then valid, convex, and exactly flat. */
-template <int D>
-bool is_cuboid(const Environment<D>& env, Cell c) noexcept;
+bool is_cuboid(const Environment<3>& env, Cell c) noexcept;
+inline bool is_cuboid(const Environment<2>&, Cell) noexcept { return false; }
 
 /** Looks whether a cell of moving points is valid, and notes it. */
 template <int D>
 CheckedCells::Known find_out_validity(const Environment<D>& env, Cell c) noexcept;
 
-/** What is known of a cell of moving points, once it has been looked at. */
+/** What is known of a cell of moving points. Looks at the cell if nobody has. */
 template <int D>
-inline CheckedCells::Known know(const Environment<D>& env, Cell c) noexcept {
+inline CheckedCells::Known known_of(const Environment<D>& env, Cell c) noexcept {
   const CheckedCells::Known known = env.checked.known(env.map.index(c));
   return known == CheckedCells::Known::kNothing ? find_out_validity(env, c) : known;
 }
@@ -128,7 +128,7 @@ inline CheckedCells::Known know(const Environment<D>& env, Cell c) noexcept {
  * impassable. */
 template <int D>
 inline bool admits(const Environment<D>& env, Cell c) noexcept {
-  return !env.has_moved() || CheckedCells::is_valid(know(env, c));
+  return !env.has_moved() || CheckedCells::is_valid(known_of(env, c));
 }
 
 /** Impassable by its own mark, or invalid. */

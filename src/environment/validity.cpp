@@ -296,43 +296,37 @@ bool is_valid_star(const double* const* vertices, uint32_t vertex_count, const u
   return check_simplices<3>(triangle_count, read, apex) == CellState::kValid;
 }
 
-template <>
-bool is_cuboid(const Environment<2>&, Cell) noexcept {
-  return false;
-}
-
-/** For each axis two opposite facets lie in planes across it, other ones for each: so each vertex is where three such
- * planes meet. The centre lies between the planes, else rounding has made the star degenerate. */
-template <>
+/** Along each axis the vertices lie in two planes, four in each. These are the vertices of two opposite facets, of
+ * another pair for each axis. The centre must lie between the planes: rounding can put that of a thin cuboid on one. */
 bool is_cuboid(const Environment<3>& env, Cell c) noexcept {
   constexpr uint32_t kFirst = corners_of(kBoxFacets[0]), kSecond = corners_of(kBoxFacets[2]),
                      kThird = corners_of(kBoxFacets[4]);  // these meet in vertex 0, the other three in vertex 6
   static_assert((kFirst & kSecond & kThird) == 1 && (kFirst | kSecond | kThird) == (0xffu & ~(1u << 6)));
   const uint32_t* const w = env.map.record(c);
   if (form_of(w[0]) != Form::kBox) return false;
-  const double *const low = env.point(w[kUnitWords<3>]), *const high = env.point(w[kUnitWords<3> + 6]);
-  uint32_t axes[3], turned = 0;
+  const double *const corner = env.point(w[kUnitWords<3>]), *const across = env.point(w[kUnitWords<3> + 6]);
+  uint32_t pairs[3], mirrored = 0;  // pairs[k]: facets across axis k
   for (uint32_t k = 0; k < 3; ++k) {
-    uint32_t in_low = 0, in_high = 0;
+    uint32_t here = 0, there = 0;
     for (uint32_t i = 0; i < 8; ++i) {
       const double x = env.point(w[kUnitWords<3> + i])[k];
-      in_low |= (x == low[k] ? 1u : 0u) << i;
-      in_high |= (x == high[k] ? 1u : 0u) << i;
+      here |= (x == corner[k] ? 1u : 0u) << i;
+      there |= (x == across[k] ? 1u : 0u) << i;
     }
-    if ((in_low ^ in_high) != 0xffu) return false;
-    axes[k] = in_low == kFirst ? 0 : in_low == kSecond ? 1 : in_low == kThird ? 2 : 3;
-    turned ^= high[k] < low[k] ? 1u : 0u;
+    if ((here ^ there) != 0xffu) return false;
+    pairs[k] = here == kFirst ? 0 : here == kSecond ? 1 : here == kThird ? 2 : 3;
+    mirrored ^= across[k] < corner[k] ? 1u : 0u;
   }
-  if ((1u << axes[0] | 1u << axes[1] | 1u << axes[2]) != 7) return false;
-  turned ^= (axes[0] + 1) % 3 == axes[1] ? 0u : 1u;
-  if (turned != 0) return false;
+  if ((1u << pairs[0] | 1u << pairs[1] | 1u << pairs[2]) != 7) return false;
+  mirrored ^= (pairs[0] + 1) % 3 == pairs[1] ? 0u : 1u;
+  if (mirrored != 0) return false;
   double apex[3];
   centre(env, c, apex);
-  bool between = true;
+  bool is_between = true;
   for (uint32_t k = 0; k < 3; ++k) {
-    between &= std::min(low[k], high[k]) < apex[k] && apex[k] < std::max(low[k], high[k]);
+    is_between &= std::min(corner[k], across[k]) < apex[k] && apex[k] < std::max(corner[k], across[k]);
   }
-  return between;
+  return is_between;
 }
 
 template <int D>

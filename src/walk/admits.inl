@@ -1,8 +1,8 @@
 // Cells where points have moved: whether they may be entered, and what is asked of the memory before.
 
-/** As know, with the cell's centre. */
+/** As known_of. `apex`: the cell's centre. */
 template <int D>
-CheckedCells::Known know_with_centre(const Environment<D>& env, Cell c, const double* apex) noexcept {
+CheckedCells::Known known_with_centre(const Environment<D>& env, Cell c, const double* apex) noexcept {
   const uint32_t index = env.map.index(c);
   CheckedCells::Known known = env.checked.known(index);
   if (known != CheckedCells::Known::kNothing) return known;
@@ -20,9 +20,9 @@ CheckedCells::Known know_with_centre(const Environment<D>& env, Cell c, const do
   return known;
 }
 
-/** Whether a cell is known to be a cuboid, once it has been looked at for that alone. */
+/** Whether a cell is a cuboid. That is noted; what a cell is that is none, nobody has found out. */
 template <int D>
-DSW_HOT bool is_known_cuboid(const Environment<D>& env, Cell c) noexcept {
+DSW_HOT bool find_out_cuboid(const Environment<D>& env, Cell c) noexcept {
   const uint32_t index = env.map.index(c);
   const CheckedCells::Known known = env.checked.known(index);
   if (known != CheckedCells::Known::kNothing) return known == CheckedCells::Known::kCuboid;
@@ -35,22 +35,29 @@ DSW_HOT bool is_known_cuboid(const Environment<D>& env, Cell c) noexcept {
 template <int D>
 bool admits_with_centre(const Environment<D>& env, Cell c, double* apex) noexcept {
   centre(env, c, apex);
-  return !env.has_moved() || CheckedCells::is_valid(know_with_centre(env, c, apex));
+  return !env.has_moved() || CheckedCells::is_valid(known_with_centre(env, c, apex));
 }
 
-/** As know. */
+/** As known_of, with the lanes of this walk. */
 template <int D>
-__attribute__((noinline)) CheckedCells::Known know_moving(const Environment<D>& env, Cell c) noexcept {
+__attribute__((noinline)) CheckedCells::Known known_moving(const Environment<D>& env, Cell c) noexcept {
   const CheckedCells::Known known = env.checked.known(env.map.index(c));
   if (known != CheckedCells::Known::kNothing) return known;
   double apex[D];
   centre(env, c, apex);
-  return know_with_centre(env, c, apex);
+  return known_with_centre(env, c, apex);
 }
 
-/** Asks for what is beyond a facet, where points have moved: nobody may have looked at it. */
+/** Asks for what is beyond a facet, where points have moved: nobody may have looked at it. Vertices of a hexahedron are
+ * not asked for, since one that is known is read no sooner than where no point has moved. */
 template <int D>
 DSW_HOT void prefetch_beyond(const Environment<D>& env, HalfFacet at) noexcept {
   const HalfFacet o = env.map.opposite(at);
-  if (o.valid()) prefetch_moving(env, env.map.cell_of(o));
+  if (!o.valid()) return;
+  const Cell c = env.map.cell_of(o);
+  if (D == 3 && form_of(env.map.record(c)[0]) == Form::kBox) {
+    env.checked.prefetch(env.map.index(c));
+  } else {
+    prefetch_moving(env, c);
+  }
 }

@@ -17,7 +17,8 @@ struct alignas(8) CastResult {
   Cell cell;                        // the last cell entered
   HalfFacet facet;                  // kHit: the impassable facet, seen from `cell`
   uint32_t simplex = 0;             // kHit: which simplex of `cell` was pierced. kWorkLimit: that through which `cell`
-                                    // was entered, in the numbering of `previous`
+                                    // was entered, in the numbering of `previous`, or the first of its facet if
+                                    // that is flat
   Cell previous;                    // the cell before `cell`; invalid if it is the first
   uint32_t volumes_visited = 1;     // the first included
   uint32_t first_facet = kNoFacet;  // local number of the facet through which the first cell was left, or tried to be

@@ -9,7 +9,7 @@ struct Entry {
   Cell from;                        // the cell before
   uint32_t simplex = 0;             // of that cell, crossed last
   HalfFacet through;                // the facet crossed last, seen from the cell entered; invalid for the first cell
-  bool is_cuboid = false;           // the cell entered is, as is known since points have moved
+  bool is_cuboid = false;           // points have moved, and the cell entered is one
 
   /** The facet crossed has the target inside, since the segment came in through it: its bit, for a form whose links end
    * a unit. Nothing is asked about it. */
@@ -109,7 +109,7 @@ class ExitFinder {
   }
 
   /** The triangle of a cuboid's facet that the segment leaves through. */
-  DSW_COLD uint32_t pierced_triangle(Cell c, uint32_t facet) noexcept {
+  __attribute__((noinline)) uint32_t pierced_triangle(Cell c, uint32_t facet) noexcept {
     const double* triangle[D];
     boundary_points(env_, c, 2 * facet, triangle);
     return 2 * facet + (passes_inside(triangle, 2) ? 0 : 1);  // ridge 2 is the facet's diagonal

@@ -171,7 +171,7 @@ class LineWalk<3> {
     const CastRequest& request = requests_[casts_[slot]];
     const Cell next = tetrahedron_of({link});
     return is_open && visited_[slot] != request.max_volumes && next != request.end &&
-           (!moving_ || CheckedCells::is_valid(know_moving(env_, next)));
+           (!moving_ || CheckedCells::is_valid(known_moving(env_, next)));
   }
 
   template <bool Plain>

@@ -83,7 +83,11 @@ template <int D>
 DSW_PREFETCH void prefetch_moving(const Environment<D>& env, Cell c) noexcept {
   env.checked.prefetch(env.map.index(c));
   const uint32_t* const w = env.map.record(c);
-  if (D == 3 && form_of(w[0]) == Form::kBox) return;
+  if (D == 3 && form_of(w[0]) == Form::kBox) {
+#pragma GCC unroll 8
+    for (uint32_t i = 0; i < 8; ++i) __builtin_prefetch(env.point(w[kUnitWords<3> + i]));
+    return;
+  }
   for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) __builtin_prefetch(env.point(c, i));
 }
 

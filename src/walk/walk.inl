@@ -84,11 +84,11 @@ class Walkers {
   DSW_HOT Entry entry(uint32_t i) const noexcept {
     if (First) {
       Entry start;
-      start.is_cuboid = is_cuboid(i);
+      start.is_cuboid = in_cuboid(i);
       return start;
     }
     const Flight& f = flights_[i];
-    return {f.may_have_been_here, results_[i].previous, results_[i].simplex, f.through, is_cuboid(i)};
+    return {f.may_have_been_here, results_[i].previous, results_[i].simplex, f.through, in_cuboid(i)};
   }
 
   /** Copied whole: member by member GCC 12 makes a loop of each. */
@@ -99,15 +99,14 @@ class Walkers {
     if (D == 3 && has_polyhedra_) new (lines_ + i) CastLine(finder(i).line());
   }
 
-  /** Whether the cell of a cast is a cuboid, as is known since points have moved. It is convex and flat, but not marked
-   * so. */
-  DSW_HOT bool is_cuboid(uint32_t i) const noexcept { return D == 3 && moving_ && cuboids_[i]; }
+  /** Whether points have moved and the cell of a cast is a cuboid: convex and flat, though its record does not say so. */
+  DSW_HOT bool in_cuboid(uint32_t i) const noexcept { return D == 3 && moving_ && in_cuboids_[i]; }
 
   /** Keeps the casts that may leave where they start. */
   DSW_HOT uint32_t begin_all(uint32_t count) noexcept {
     bool some_end = false;
     if (D == 3 && moving_) {
-      for (uint32_t i = 0; i < count; ++i) cuboids_[i] = is_known_cuboid(env_, requests_[i].start);
+      for (uint32_t i = 0; i < count; ++i) in_cuboids_[i] = find_out_cuboid(env_, requests_[i].start);
     }
 #pragma GCC unroll 1
     for (uint32_t i = 0; i < count; ++i) {
@@ -126,7 +125,7 @@ class Walkers {
 
   /** Whether a cast is known to end in a cell that it is in: it can't leave a convex one that holds its target. */
   DSW_HOT bool ends_in(uint32_t i, Cell cell) noexcept {
-    return static_cast<uint32_t>(cell == requests_[i].end) & static_cast<uint32_t>(map_.convex(cell) || is_cuboid(i));
+    return static_cast<uint32_t>(cell == requests_[i].end) & static_cast<uint32_t>(map_.convex(cell) || in_cuboid(i));
   }
 
   /** Finds out where casts leave their cells, and keeps those that do. First all cells are looked at, without a branch
@@ -168,7 +167,7 @@ class Walkers {
     if (D != 3) return false;
     const uint32_t word = map_.record(results_[active_[first]].cell)[0];
     const Form form = form_of(word);
-    const bool flat = is_convex(word, map_.convex_bit) || is_cuboid(active_[first]);
+    const bool flat = is_convex(word, map_.convex_bit) || in_cuboid(active_[first]);
     if (!pays_abreast(form, flat, end - first)) return false;
     const uint32_t kind = form == Form::kSimplex ? 7u << kFormShift : 7u << kFormShift | map_.convex_bit;
     Abreast cells;
@@ -179,7 +178,7 @@ class Walkers {
       cells.records[j] = map_.record(results_[i].cell);
       cells.q[j] = requests_[i].to;
       different |= cells.records[j][0] ^ word;
-      if (moving_ && form == Form::kBox) different |= is_cuboid(i) == flat ? 0 : kind;
+      if (moving_ && form == Form::kBox) different |= in_cuboid(i) == flat ? 0 : kind;
     }
     if ((different & kind) != 0) return false;
     if (!flat) {
@@ -402,6 +401,12 @@ class Walkers {
     return count;
   }
 
+  /** The simplex that a cast passes as it leaves its cell. A look of planes names the first of a facet. */
+  DSW_HOT uint32_t passed_simplex(uint32_t i) noexcept {
+    const uint32_t simplex = flights_[i].simplex;
+    return in_cuboid(i) ? finder(i).pierced_triangle(results_[i].cell, simplex / 2) : simplex;
+  }
+
   /** Whether a cast may come in beyond its facet, and does not end there. */
   DSW_HOT bool enter(uint32_t i) noexcept {
     const CastRequest& request = requests_[i];
@@ -411,33 +416,31 @@ class Walkers {
     const HalfFacet o = {link & ~kMarkBit};
     const Cell next = o.valid() ? map_.cell_of(o) : Cell{};
     const uint32_t word = o.valid() ? map_.record(next)[0] : 0;
-    bool is_closed = !o.valid() || (((link | word) & kMarkBit) != 0 && !request.through_walls), next_is_cuboid = false;
+    bool is_closed = !o.valid() || (((link | word) & kMarkBit) != 0 && !request.through_walls);
+    bool is_next_cuboid = false;
     if (__builtin_expect(moving_, 0) && !is_closed) {
-      const CheckedCells::Known known = know_moving(env_, next);
+      const CheckedCells::Known known = known_moving(env_, next);
       is_closed = !CheckedCells::is_valid(known);
-      next_is_cuboid = known == CheckedCells::Known::kCuboid;
-    }
-    if (is_cuboid(i) && (is_closed || request.crossing != nullptr)) {
-      f.simplex = finder(i).pierced_triangle(result.cell, f.simplex / 2);
+      is_next_cuboid = known == CheckedCells::Known::kCuboid;
     }
     if (is_closed) {
       result.end = CastEnd::kHit;
       result.facet = f.at;
-      result.simplex = f.simplex;
+      result.simplex = passed_simplex(i);
       return false;
     }
     if (result.volumes_visited == request.max_volumes) {  // volumes_visited is never 0, so 0 is no limit
       result.end = CastEnd::kWorkLimit;
       return false;
     }
-    if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, f.simplex, next);
+    if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, passed_simplex(i), next);
     result.previous = result.cell;
     result.cell = next;
     result.simplex = f.simplex;
     ++result.volumes_visited;
     f.through = o;
-    if (moving_) cuboids_[i] = next_is_cuboid;
-    if (!is_convex(word, map_.convex_bit) && !next_is_cuboid) {
+    if (moving_) in_cuboids_[i] = is_next_cuboid;
+    if (!is_convex(word, map_.convex_bit) && !is_next_cuboid) {
       f.may_have_been_here = (f.visited & visit_bit(next)) != 0;
       f.visited |= visit_bit(next);
     } else {
@@ -465,7 +468,7 @@ class Walkers {
   union {
     Look looks_[kPacket];
   };
-  bool cuboids_[kPacket];  // where points have moved; see is_cuboid
+  bool in_cuboids_[kPacket];  // where points have moved; see in_cuboid
   uint8_t active_[kPacket + kAbreast - 1];
   uint8_t open_[kPacket];  // a group writes kAbreast bytes from open_count_ on, which is at most its first cast's place
   uint32_t kept_ = 0, open_count_ = 0;

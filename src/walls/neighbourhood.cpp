@@ -97,8 +97,10 @@ void Neighbourhood<D>::find_features(Array<Feature>& features) {
 }
 
 template <int D>
-void Neighbourhood<D>::forget_star() noexcept {
-  for (const Cell c : star_) env_.checked.open(env_.map.index(c));
+void Neighbourhood<D>::forget_cells_at(uint32_t v) noexcept {
+  for (uint32_t n = near_[points_.place(v)].first_cell; n != kNone; n = cells_[n].next) {
+    env_.checked.open(env_.map.index(cells_[n].cell));
+  }
 }
 
 template <int D>

@@ -36,8 +36,8 @@ class Neighbourhood {
   const Array<Cell>& find_star(uint32_t v);
   /** What lies in the star that was found last, and perhaps more. */
   void find_features(Array<Feature>& features);
-  /** What was known of its cells holds no more. */
-  void forget_star() noexcept;
+  /** What was known of the cells at a vertex holds no more. */
+  void forget_cells_at(uint32_t v) noexcept;
 
   /** Finds the cells that an edge or face meets; whether it is free. */
   bool trace(const Feature& feature);

@@ -77,7 +77,7 @@ bool WallMove<D>::has_thick() const noexcept {
 template <int D>
 void WallMove<D>::put(uint32_t v, const double* position) {
   around_.points().put(v, position);
-  around_.forget_star();
+  around_.forget_cells_at(v);
 }
 
 template <int D>

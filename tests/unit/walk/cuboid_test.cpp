@@ -151,11 +151,11 @@ TEST_P(CuboidsTest, EndCastsAsBentHexahedraDo) {
     }
   };
 
-  // No cell is known as a cuboid.
+  // Cuboids are noted as other valid cells are.
   uint32_t cuboids = 0, bent = 0;
   env.checked.forget_all();
   for (uint32_t i = 0; i < env.map.cell_count; ++i) {
-    const Known known = know(env, env.map.cell(i));
+    const Known known = known_of(env, env.map.cell(i));
     cuboids += known == Known::kCuboid ? 1u : 0u;
     bent += known == Known::kValid ? 1u : 0u;
     if (known == Known::kCuboid) env.checked.note(i, Known::kValid);
@@ -180,7 +180,7 @@ TEST_P(CuboidsTest, EndCastsAsBentHexahedraDo) {
     request.start = start;
     request.max_volumes = n % 7 == 0 ? 1 + below(6) : 0;
     request.through_walls = n % 6 == 0;
-    request.crossing = note;
+    request.crossing = n % 3 == 0 ? nullptr : note;
     request.crossing_user = &cast.expected_crossings;
     kPortableWalk.counted(env, &request, 1, &cast.expected, &bent_counters);
     hits += cast.expected.end == CastEnd::kHit ? 1u : 0u;
@@ -207,7 +207,12 @@ TEST_P(CuboidsTest, EndCastsAsBentHexahedraDo) {
       each.walk.counted(env, requests, static_cast<uint32_t>(count), results, &counters);
       for (size_t i = 0; i < count; ++i) {
         SCOPED_TRACE(begin + i);
-        expect_same(results[i], casts[begin + i].expected);
+        CastResult expected = casts[begin + i].expected;
+        if (expected.end != CastEnd::kHit) {  // a flat facet may be named by its first triangle
+          expected.simplex /= 2;
+          results[i].simplex /= 2;
+        }
+        expect_same(results[i], expected);
         EXPECT_EQ(casts[begin + i].crossings, casts[begin + i].expected_crossings);
         if (HasFailure()) return;
       }
