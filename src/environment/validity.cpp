@@ -305,6 +305,8 @@ bool is_cuboid(const Environment<3>& env, Cell c) noexcept {
   const uint32_t* const w = env.map.record(c);
   if (form_of(w[0]) != Form::kBox) return false;
   const double *const corner = env.point(w[kUnitWords<3>]), *const across = env.point(w[kUnitWords<3> + 6]);
+  const double* const next = env.point(w[kUnitWords<3> + 1]);  // along an edge: most others leave here
+  if ((next[0] == corner[0]) + (next[1] == corner[1]) + (next[2] == corner[2]) != 2) return false;
   uint32_t pairs[3], mirrored = 0;  // pairs[k]: facets across axis k
   for (uint32_t k = 0; k < 3; ++k) {
     uint32_t here = 0, there = 0;
