@@ -65,8 +65,8 @@ struct Environment {
     renew_version();
     set_moved(checked.active());
   }
-  /** Whether points that may move have moved. Until then all cells are valid. After it `checked` tells which
-   * cells are valid, and records tell of simplices alone that they are convex. */
+  /** Whether points that may move have moved. Until then all cells are valid. After it `checked` says which
+   * cells are valid, and records say of simplices alone that they are convex. */
   bool has_moved() const noexcept { return map.convex_bit == 0; }
   /** Code that takes a move back must restore the value from before it. */
   void set_moved(bool moved) noexcept { map.convex_bit = moved ? 0 : kConvexBit; }

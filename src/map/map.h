@@ -104,9 +104,9 @@ struct Map {
   uint32_t units_per_cell = 0;  // 1 or 2, when there are no such tables
   uint32_t vertex_count = 0;
   uint32_t boundary_facet_count = 0;
-  uint32_t facet_count = 0;  // a facet between two cells counts once
-  uint32_t convex_bit =
-      kConvexBit;  // 0 once points have moved: then records tell of simplices alone that they are convex
+  uint32_t facet_count = 0;          // a facet between two cells counts once
+  uint32_t convex_bit = kConvexBit;  // 0 once points have moved: then records say of simplices alone that they are
+                                     // convex
 
   explicit Map(const Memory* memory)
       : words(memory),

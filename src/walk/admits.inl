@@ -20,7 +20,7 @@ CheckedCells::Known known_with_centre(const Environment<D>& env, Cell c, const d
   return known;
 }
 
-/** Whether a cell is a cuboid. That is noted; what a cell is that is none, nobody has found out. */
+/** Whether a cell is a cuboid. A cuboid is noted. Of another cell nothing is noted: whether it is valid is not asked. */
 template <int D>
 DSW_HOT bool find_out_cuboid(const Environment<D>& env, Cell c) noexcept {
   const uint32_t index = env.map.index(c);
