@@ -58,13 +58,7 @@ bool RimSurface::read(const Rim& rim, uint32_t most_facets) {
     const Cell c = env_.map.cell_of(h);
     const Shape shape = env_.map.shape(c);
     const uint32_t f = env_.map.local_of(h, c);
-    const auto place_of = [&](uint32_t local) {
-      const uint32_t v = env_.map.vertex(c, local);
-      const auto at = std::find(vertices_.begin(), vertices_.end(), v);
-      const auto place = at - vertices_.begin();
-      if (at == vertices_.end()) vertices_.push_back(v);
-      return place;
-    };
+    const auto place_of = [&](uint32_t local) { return vertices_.insert(env_.map.vertex(c, local)); };
     for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
       loops_.push_back(static_cast<uint16_t>(place_of(shape.dart_vertex(d))));
     }
@@ -83,10 +77,10 @@ uint32_t RimSurface::count_wrong(const Geometry& geometry) {
   for_all_positions(geometry, [&](const double* points) {
     double apex[3];
     mean_point<3>(
-        static_cast<uint32_t>(vertices_.size()), [&](uint32_t i) { return point(points, vertices_[i]); }, apex);
+        vertices_.size(), [&](uint32_t i) { return point(points, vertex(i)); }, apex);
     for (size_t t = 0; t < triangles_.size(); t += 3) {
       const double* corners[3];
-      for (size_t k = 0; k < 3; ++k) corners[k] = point(points, vertices_[triangles_[t + k]]);
+      for (size_t k = 0; k < 3; ++k) corners[k] = point(points, vertex(triangles_[t + k]));
       wrong += orient<3>(corners, apex) < 0 ? 0u : 1u;
     }
     return true;
@@ -107,8 +101,8 @@ uint32_t RimSurface::count_wrong_from_vertex(const Geometry& geometry, uint32_t 
       for (uint32_t t = 0; t < count && wrong < most; ++t) {
         if (has(t, v)) continue;
         const double* corners[3];
-        for (uint32_t k = 0; k < 3; ++k) corners[k] = point(points, vertices_[triangles_[size_t{3} * t + k]]);
-        wrong += orient<3>(corners, point(points, vertices_[v])) < 0 ? 0u : 1u;
+        for (uint32_t k = 0; k < 3; ++k) corners[k] = point(points, vertex(triangles_[size_t{3} * t + k]));
+        wrong += orient<3>(corners, point(points, vertex(v))) < 0 ? 0u : 1u;
       }
       return wrong < most;
     });
@@ -119,15 +113,14 @@ uint32_t RimSurface::count_wrong_from_vertex(const Geometry& geometry, uint32_t 
 
 bool RimSurface::is_sphere() {
   table_.clear();
-  const FacetLoops faces{loops_.data(), first_.data(), static_cast<uint32_t>(first_.size() - 1),
-                         static_cast<uint32_t>(vertices_.size())};
+  const FacetLoops faces{loops_.data(), first_.data(), static_cast<uint32_t>(first_.size() - 1), vertices_.size()};
   return append_polyhedron(faces, nullptr, table_) == ShapeDefect::kNone;
 }
 
 bool RimSurface::is_valid_cell(const Geometry& geometry) {
   return for_all_positions(geometry, [&](const double* points) {
     at_.clear();
-    for (const uint32_t v : vertices_) at_.push_back(point(points, v));
+    for (uint32_t v = 0; v < vertices_.size(); ++v) at_.push_back(point(points, vertex(v)));
     return is_valid_star(at_.data(), static_cast<uint32_t>(at_.size()), triangles_.data(),
                          static_cast<uint32_t>(triangles_.size() / 3));
   });
@@ -139,13 +132,13 @@ bool RimSurface::has(uint32_t triangle, uint32_t place) const {
 }
 
 /** The worst of the tetrahedra that join a vertex with all triangles; `worst` or less: it is not better than that. */
-double RimSurface::quality(const double* points, uint32_t vertex, double worst) const {
+double RimSurface::quality(const double* points, uint32_t apex, double worst) const {
   double least = HUGE_VAL;
   for (uint32_t t = 0; t < triangles_.size() / 3 && least > worst; ++t) {
-    if (has(t, vertex)) continue;
+    if (has(t, apex)) continue;
     const double* corners[4];
-    for (uint32_t k = 0; k < 3; ++k) corners[k] = point(points, vertices_[triangles_[size_t{3} * t + k]]);
-    corners[3] = point(points, vertices_[vertex]);
+    for (uint32_t k = 0; k < 3; ++k) corners[k] = point(points, vertex(triangles_[size_t{3} * t + k]));
+    corners[3] = point(points, vertex(apex));
     if (orient<3>(corners, corners[3]) >= 0) return 0;
     least = std::min(least, shape_of(corners));
   }
@@ -170,7 +163,7 @@ uint32_t RimSurface::find_apex(const Geometry& geometry, size_t most_tetrahedra)
     best = least;
     found = v;
   }
-  return found == kNoVertex ? kNoVertex : vertices_[found];
+  return found == kNoVertex ? kNoVertex : vertex(found);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 // Cells that go together, and what can fill their place: one cell, or tetrahedra that meet in one vertex.
 
+#include "base/key_table.h"
 #include "environment/environment.h"
 #include "map/cell_queue.h"
 #include "topology/edit.h"
@@ -53,12 +54,14 @@ class RimSurface {
 
  private:
   bool is_triangulated() const;
-  bool has(uint32_t triangle, uint32_t vertex) const;
-  double quality(const double* points, uint32_t vertex, double worst) const;
+  /** The vertex of the environment at a place. */
+  uint32_t vertex(size_t place) const { return static_cast<uint32_t>(vertices_[static_cast<uint32_t>(place)]); }
+  bool has(uint32_t triangle, uint32_t place) const;
+  double quality(const double* points, uint32_t apex, double worst) const;
 
   const Environment<3>& env_;
-  Array<uint32_t> vertices_{env_.memory};       // of the environment, in the order of first use
-  Array<uint8_t> triangles_{env_.memory};       // three places in vertices_ each
+  KeyTable vertices_{env_.memory};              // of the environment, in the order of first use: their places
+  Array<uint8_t> triangles_{env_.memory};       // three places each
   Array<uint16_t> loops_{env_.memory}, first_;  // of the facets
   Array<uint16_t> table_;
   Array<const double*> at_{env_.memory};
