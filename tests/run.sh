@@ -10,7 +10,8 @@ packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-con
   openjdk-17-jdk-headless maven mono-mcs mono-runtime doxygen libosmesa6
   lua5.4 liblua5.4-dev lua-unit luarocks)
 all_steps=(release dev tsan page python node java csharp lua docs report format)
-# clang, which builds what dev builds without sanitizers, is a step to ask for: before a release, or where bits may differ.
+# clang is a step to ask for: before a release, where bits may differ, or where a source of the engine may miss a header.
+# It builds what dev builds without sanitizers, and each source of the engine by itself.
 steps=("$@")
 [ ${#steps[@]} -gt 0 ] || steps=("${all_steps[@]}")
 jobs=$(nproc)

@@ -61,9 +61,9 @@ bool RimSurface::read(const Rim& rim, uint32_t most_facets) {
     const auto place_of = [&](uint32_t local) { return vertices_.insert(env_.map.vertex(c, local)); };
     for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
       loops_.push_back(static_cast<uint16_t>(place_of(shape.dart_vertex(d))));
+      if (vertices_.size() > kMostPlaces) return false;
     }
     first_.push_back(static_cast<uint16_t>(loops_.size()));
-    if (vertices_.size() > kMostPlaces) return false;
     const uint16_t* const local = shape.simplices();
     for (uint32_t k = 3 * shape.simplex_first(f); k < 3 * shape.simplex_first(f + 1); ++k) {
       triangles_.push_back(static_cast<uint8_t>(place_of(local[k])));

@@ -33,9 +33,10 @@ struct Patch {
 /** A rim on paper. */
 class RimSurface {
  public:
+  /** Throws std::bad_alloc, as all that follows. */
   explicit RimSurface(const Environment<3>& env);
 
-  /** False if it has too many facets or vertices. Throws std::bad_alloc, as all that follows. */
+  /** False if it has too many facets or vertices. */
   bool read(const Rim& rim, uint32_t most_facets);
   /** Triangles that one cell in place of the patch would see from their wrong side, in all positions. */
   uint32_t count_wrong(const Geometry& geometry);
@@ -55,13 +56,13 @@ class RimSurface {
  private:
   bool is_triangulated() const;
   /** The vertex of the environment at a place. */
-  uint32_t vertex(size_t place) const { return static_cast<uint32_t>(vertices_[static_cast<uint32_t>(place)]); }
+  uint32_t vertex(uint32_t place) const { return static_cast<uint32_t>(vertices_[place]); }
   bool has(uint32_t triangle, uint32_t place) const;
   double quality(const double* points, uint32_t apex, double worst) const;
 
   const Environment<3>& env_;
-  KeyTable vertices_{env_.memory};              // of the environment, in the order of first use: their places
-  Array<uint8_t> triangles_{env_.memory};       // three places each
+  KeyTable vertices_{env_.memory};              // of the environment; a place is a number in this table
+  Array<uint8_t> triangles_{env_.memory};       // three places for each
   Array<uint16_t> loops_{env_.memory}, first_;  // of the facets
   Array<uint16_t> table_;
   Array<const double*> at_{env_.memory};
