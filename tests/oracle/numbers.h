@@ -20,12 +20,15 @@ inline int lowest_exponent(double x) {
   return e - 53 + __builtin_ctzll(bits);
 }
 
+/// GMP takes a long, which has 32 bits on some targets.
+inline Big to_big(int64_t x) { return (Big(static_cast<int32_t>(x >> 32)) << 32u) + static_cast<uint32_t>(x); }
+
 /// x * 2^shift; shift must make it an integer.
 inline Big to_big(double x, int shift) {
   if (x == 0) return Big(0);
   int e = 0;
   const double m = std::frexp(x, &e);
-  Big z(static_cast<long>(std::ldexp(m, 53)));
+  Big z(std::ldexp(m, 53));
   const int s = e - 53 + shift;
   if (s >= 0) {
     z <<= static_cast<unsigned>(s);

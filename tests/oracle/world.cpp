@@ -201,10 +201,10 @@ World::Hit World::make_hit(Query& s, int ti, int side) const {
     for (size_t k = 0; k < 3; ++k) {
       d += t.ln[k] * (s.p->at[k] - at_[a][k]);
       nu += t.ln[k] * s.lu[k];
-      h.shift[k] = static_cast<long>(-side * t.ln[k]);
+      h.shift[k] = to_big(-side * t.ln[k]);
     }
-    h.numerator = static_cast<long>(-side * d);
-    h.denominator = static_cast<long>(side * nu);
+    h.numerator = to_big(-side * d);
+    h.denominator = to_big(side * nu);
     return h;
   }
   need_big(s);

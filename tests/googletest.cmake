@@ -1,0 +1,28 @@
+# GoogleTest, and how its cases become tests.
+if(CMAKE_CROSSCOMPILING)
+  # Debian has the sources for other targets. A program is one test: starting an emulator for each case takes longer than the cases.
+  find_path(DSW_GOOGLETEST_SOURCES CMakeLists.txt PATHS /usr/src/googletest NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+  set(INSTALL_GTEST OFF)
+  set(BUILD_GMOCK OFF)
+  add_subdirectory(${DSW_GOOGLETEST_SOURCES} ${PROJECT_BINARY_DIR}/googletest EXCLUDE_FROM_ALL SYSTEM)
+  foreach(library IN ITEMS gtest gtest_main)
+    target_compile_options(${library} PRIVATE -w)
+    set_target_properties(${library} PROPERTIES UNITY_BUILD OFF)
+    if(NOT TARGET GTest::${library})
+      add_library(GTest::${library} ALIAS ${library})
+    endif()
+  endforeach()
+else()
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+endif()
+
+# dsw_google_tests(TARGET [PROPERTIES LABELS L TIMEOUT T] [DISCOVERY_TIMEOUT T]): all cases of a program.
+function(dsw_google_tests target)
+  if(NOT CMAKE_CROSSCOMPILING)
+    gtest_discover_tests(${target} ${ARGN})
+    return()
+  endif()
+  add_test(NAME ${target} COMMAND ${target} --gtest_brief=1)
+  set_tests_properties(${target} PROPERTIES TIMEOUT 900)
+endfunction()
