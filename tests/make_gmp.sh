@@ -20,6 +20,8 @@ esac
 options=(-qq -o Dir::Etc::sourcelist="$(echo "$work"/apt.*)" -o Dir::Etc::sourceparts=- -o Dir::State::lists="$lists" -o APT::Sandbox::User=root)
 (cd "$work" && apt-get "${options[@]}" update && apt-get "${options[@]}" source gmp)
 cd "$work"/gmp-*/
+mkdir -p doc
+printf 'all install:\n' >doc/Makefile.in # Debian leaves the manual out
 
 options=(--prefix="$prefix" --enable-cxx --disable-shared)
 case $target in

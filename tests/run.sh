@@ -2,6 +2,7 @@
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
 # usage: tests/run.sh [STEP...]    none means all of them but clang
+# Steps for other targets: arm64 (tests under qemu), windows (tests under wine), wasm (tests in Node).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,6 +10,10 @@ packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-con
   libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv
   openjdk-17-jdk-headless maven mono-mcs mono-runtime doxygen libosmesa6
   lua5.4 liblua5.4-dev lua-unit luarocks)
+declare -A packages_of=( # of steps for other targets
+  [arm64]="g++-aarch64-linux-gnu qemu-user m4 make"
+  [windows]="g++-mingw-w64-x86-64-posix wine64 m4 make"
+  [wasm]="emscripten m4 make")
 all_steps=(release dev tsan page python node java csharp lua docs report format)
 # clang is a step to ask for: before a release, where bits may differ, or where a source of the engine may miss a header.
 # It builds what dev builds without sanitizers, and each source of the engine by itself.
@@ -23,6 +28,7 @@ if [ -z "${DARTSWEEP_DATA:-}" ] && [ -d ../shared/data ]; then
   export DARTSWEEP_DATA
 fi
 
+for step in "${steps[@]}"; do packages+=(${packages_of[$step]:-}); done
 missing=()
 for package in "${packages[@]}"; do
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
@@ -78,6 +84,9 @@ preset() {
   cmake --preset "$name" && cmake --build --preset "$name" --target "$@" && "${plain_addresses[@]}" ctest --preset "$name" --no-tests=error
 }
 
+# target NAME: the tests of another target, compiled here and run by its emulator.
+target() { tests/make_gmp.sh "$1" "build/gmp/$1" && preset "$1" all; }
+
 # one_at_a_time COMMAND...: no two steps work in build/release.
 one_at_a_time() {
   (flock 9 && "$@") 9>build/release.lock
@@ -111,6 +120,9 @@ step_release() { preset release all && python3 -B abi/check_abi.py symbols build
 step_clang() { preset clang all; }
 step_dev() { preset dev all; }
 step_tsan() { preset tsan threads_tests; }
+step_arm64() { target arm64; }
+step_windows() { target windows; }
+step_wasm() { target wasm; }
 step_python() { install_python && bindings/python/test.sh; }
 step_docs() { install_python && bindings/docs/build.sh build/python/venv/bin/python; }
 step_java() { install_library && bindings/java/test.sh build/dartsweep; }
