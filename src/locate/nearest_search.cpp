@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/compiler.h"
+
 namespace dsw {
 
 template <int D>
@@ -100,7 +102,7 @@ void NearestSearch<D>::for_each_way_in(Cell c, Wanted is_wanted, Visit visit) co
   const uint32_t facets = map_.facets_of(c);
   for (uint32_t f = 0; f < facets; ++f) {
     const HalfFacet o = map_.opposite(map_.half_facet(c, f));
-    if (o.valid()) __builtin_prefetch(&map_.words[o.word - o.word % kUnitWords<D>]);
+    if (o.valid()) prefetch_line(&map_.words[o.word - o.word % kUnitWords<D>]);
   }
   for (uint32_t f = 0; f < facets; ++f) {
     const HalfFacet h = map_.half_facet(c, f);
@@ -154,7 +156,7 @@ double NearestSearch<D>::level_of(Cell c) {
     const auto is_new = [&](Cell from) { return seen_.find(from.unit) == KeyTable::kNone; };
     for_each_way_in(step.cell, is_new, [&](Cell from, double key) {
       if (!(key <= limit)) return;
-      for (uint32_t i = 0, n = map_.vertices_of(from); i < n; ++i) __builtin_prefetch(env_.point(from, i));
+      for (uint32_t i = 0, n = map_.vertices_of(from); i < n; ++i) prefetch_line(env_.point(from, i));
       heap_.push_back({key, from, number});
       std::push_heap(heap_.begin(), heap_.end());
     });
