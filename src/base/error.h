@@ -3,6 +3,7 @@
 
 #include <exception>
 
+#include "base/compiler.h"
 #include "dartsweep/base.h"
 
 namespace dsw {
@@ -19,6 +20,6 @@ class Error : public std::exception {
 };
 
 /** Throws Error with a printf-style message that names argument, index, value received and range accepted. */
-[[noreturn]] __attribute__((format(printf, 2, 3))) void fail(dsw_status status, const char* format, ...);
+[[noreturn]] DSW_PRINTF(2, 3) void fail(dsw_status status, const char* format, ...);
 
 }  // namespace dsw

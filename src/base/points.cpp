@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/compiler.h"
+
 namespace dsw {
 namespace {
 
@@ -15,24 +17,21 @@ bool is_finite(const double* point, int dimension) noexcept {
   return true;
 }
 
-using Pair = double __attribute__((vector_size(16)));
-using PairBits = int64_t __attribute__((vector_size(16)));
-
 /** One pass without branches: x - x is 0 for a finite x and NaN, which is not all zero bits, for any other. */
 bool all_finite(const double* values, size_t count) noexcept {
   constexpr size_t kPairs = 4;
-  PairBits seen[kPairs] = {};
+  PairMask seen[kPairs] = {};
   size_t i = 0;
   for (; i + 2 * kPairs <= count; i += 2 * kPairs) {
     for (size_t k = 0; k < kPairs; ++k) {
-      Pair x;
+      DoublePair x;
       std::memcpy(&x, values + i + 2 * k, sizeof x);
-      seen[k] |= reinterpret_cast<PairBits>(x - x);
+      seen[k] |= bits_of(x - x);
     }
   }
   double rest = 0;
   for (; i < count; ++i) rest += values[i] - values[i];
-  const PairBits all = (seen[0] | seen[1]) | (seen[2] | seen[3]);
+  const PairMask all = (seen[0] | seen[1]) | (seen[2] | seen[3]);
   return rest == 0 && (all[0] | all[1]) == 0;
 }
 

@@ -22,7 +22,7 @@ class Pool {
     Free* next;
   };
   /** Begins a large block; small ones follow. */
-  struct alignas(16) Chunk {
+  struct alignas(kBlockAlignment) Chunk {
     Chunk* next;
     size_t bytes;
   };

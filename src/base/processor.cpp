@@ -4,16 +4,16 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "base/compiler.h"
+
 namespace dsw {
 
 bool supports(Instructions instructions) noexcept {
   if (instructions == Instructions::kPortable) return true;
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (!__builtin_cpu_supports("avx2")) return false;
+#if DSW_X86_64
+  if (!DSW_CPU_HAS("avx2")) return false;
   return instructions == Instructions::kAvx2 ||
-         (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-          __builtin_cpu_supports("avx512vl"));
+         (DSW_CPU_HAS("avx512f") && DSW_CPU_HAS("avx512dq") && DSW_CPU_HAS("avx512vl"));
 #else
   return false;
 #endif
@@ -56,8 +56,8 @@ const Kernels& kernels_of(Instructions instructions) noexcept {
 }
 
 bool has_avx2_and_fma() noexcept {
-#if defined(__x86_64__)
-  return has_avx2() && __builtin_cpu_supports("fma");
+#if DSW_X86_64
+  return has_avx2() && DSW_CPU_HAS("fma");
 #else
   return false;
 #endif

@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/compiler.h"
 #include "capi/guard.h"
 #include "dartsweep/scene.h"
 #include "scene/change.h"
@@ -115,12 +116,12 @@ inline dsw_context* check_context(dsw_context* context) {
 /** Makes an object in the host's memory. */
 template <class T, class... Arguments>
 T* create_object(const Memory* memory, Arguments&&... arguments) {
-  static_assert(alignof(T) <= alignof(std::max_align_t));
-  void* const block = allocate_bytes(memory, sizeof(T), alignof(std::max_align_t));
+  static_assert(alignof(T) <= kBlockAlignment);
+  void* const block = allocate_bytes(memory, sizeof(T), kBlockAlignment);
   try {
     return new (block) T(std::forward<Arguments>(arguments)...);
   } catch (...) {
-    release_bytes(memory, block, sizeof(T), alignof(std::max_align_t));
+    release_bytes(memory, block, sizeof(T), kBlockAlignment);
     throw;
   }
 }
@@ -130,7 +131,7 @@ template <class T>
 void destroy_object(const Memory* memory, T* object) noexcept {
   *const_cast<volatile uint64_t*>(&object->magic) = 0;  // else the compiler drops a store into what is about to end
   object->~T();
-  release_bytes(memory, object, sizeof(T), alignof(std::max_align_t));
+  release_bytes(memory, object, sizeof(T), kBlockAlignment);
 }
 
 /** Something made with a context keeps it from being destroyed. Null is allowed. */
@@ -183,7 +184,6 @@ void attach(dsw_scene& scene);
 void detach(dsw_scene& scene);
 
 /** One line to the host's log, if it has one. */
-__attribute__((format(printf, 3, 4))) void log_line(const dsw_context* context, dsw_log_level level, const char* format,
-                                                    ...) noexcept;
+DSW_PRINTF(3, 4) void log_line(const dsw_context* context, dsw_log_level level, const char* format, ...) noexcept;
 
 }  // namespace dsw::capi

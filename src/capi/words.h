@@ -4,6 +4,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "base/compiler.h"
 #include "base/points.h"
 #include "body/body.h"
 #include "capi/describe.h"
@@ -133,7 +134,7 @@ class Text {
  public:
   Text(char* out, size_t capacity) : out_(out), capacity_(capacity) {}
 
-  __attribute__((format(printf, 2, 3))) void add(const char* format, ...) noexcept;
+  DSW_PRINTF(2, 3) void add(const char* format, ...) noexcept;
   /** What the next values are, if that has a name. */
   void label(const char* name) noexcept {
     if (*name != 0) add("%s%s", size_ == 0 ? "" : " ", name);

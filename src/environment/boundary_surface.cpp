@@ -145,6 +145,7 @@ BoundaryTree<D>::BoundaryTree(const Environment<D>& env, const BoundarySurface<D
     };
     const auto begin = order_.begin() + node.first;
     const uint32_t half = node.count / 2;
+    // Which ones are in each half is certain, in what order is not: visitors do not depend on it.
     std::nth_element(begin, begin + half, begin + node.count, [&](uint32_t a, uint32_t b) {
       return std::make_pair(lowest(a), a) < std::make_pair(lowest(b), b);
     });

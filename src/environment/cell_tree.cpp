@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/compiler.h"
 #include "environment/environment.h"
 #include "environment/obstacles.h"
 
@@ -53,12 +54,12 @@ struct SpreadBits {
 template <int D>
 void prefetch_record(const Environment<D>& env, uint32_t index) noexcept {
   const Cell c = env.map.cell(index);
-  if (c.valid()) __builtin_prefetch(env.map.record(c));
+  if (c.valid()) prefetch_line(env.map.record(c));
 }
 template <int D>
 void prefetch_vertices(const Environment<D>& env, uint32_t index) noexcept {
   const Cell c = env.map.cell(index);
-  for (uint32_t i = 0, n = c.valid() ? env.map.vertices_of(c) : 0; i < n; ++i) __builtin_prefetch(env.point(c, i));
+  for (uint32_t i = 0, n = c.valid() ? env.map.vertices_of(c) : 0; i < n; ++i) prefetch_line(env.point(c, i));
 }
 
 /** How far along the Hilbert curve a place is: J. Skilling, Programming the Hilbert curve, 2004. What follows each
@@ -173,8 +174,8 @@ void CellTree<D>::fit(const Environment<D>& env) noexcept {
   constexpr int16_t kFirst = INT16_MIN, kLast = INT16_MAX;
   Group nothing;
   for (int k = 0; k < D; ++k) {
-    nothing.lower[k] = kLast - Lanes{};
-    nothing.upper[k] = kFirst - Lanes{};
+    nothing.lower[k] = eight_of(kLast);
+    nothing.upper[k] = eight_of(kFirst);
   }
   std::fill(groups_.begin(), groups_.end(), nothing);
   constexpr size_t kVerticesAhead = 8, kRecordAhead = 24;  // neighbours on the curve lie anywhere in memory

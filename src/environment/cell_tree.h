@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/compiler.h"
 #include "base/memory.h"
 #include "map/map.h"
 
@@ -128,7 +129,7 @@ class CellTree {
   static constexpr double kFarthest = 1e6;  // steps, of which a float keeps a sixteenth
 
   /** A number for each of eight boxes: the processor compares them side by side. */
-  using Lanes = int16_t __attribute__((vector_size(2 * kWidth)));
+  using Lanes = ShortEight;
   /** Eight boxes. One that is not used has its lower bounds above its upper ones. */
   struct Group {
     Lanes lower[D], upper[D];
@@ -151,9 +152,9 @@ class CellTree {
       const Node node = nodes[--count];
       uint32_t held = boxes_that_overlap(groups_[level_first_[node.level] + node.group], from, to);
       for (; held != 0; held &= held - 1) {
-        const uint32_t child = node.group * kWidth + static_cast<uint32_t>(__builtin_ctz(held));
+        const uint32_t child = node.group * kWidth + lowest_bit(held);
         if (node.level != 0) {
-          __builtin_prefetch(&groups_[level_first_[node.level - 1] + child]);
+          prefetch_line(&groups_[level_first_[node.level - 1] + child]);
           nodes[count++] = {node.level - 1, child};
         } else if (!look(cells_[child])) {
           return false;
@@ -165,7 +166,7 @@ class CellTree {
   /** A bit for each of the boxes that are used and overlap a box. */
   static uint32_t boxes_that_overlap(const Group& group, const int16_t* from, const int16_t* to) noexcept {
     Lanes beyond = group.lower[0] > group.upper[0];
-    for (int k = 0; k < D; ++k) beyond |= (group.lower[k] > to[k] - Lanes{}) | (group.upper[k] < from[k] - Lanes{});
+    for (int k = 0; k < D; ++k) beyond |= (group.lower[k] > eight_of(to[k])) | (group.upper[k] < eight_of(from[k]));
     const Lanes bits = ~beyond & Lanes{1, 2, 4, 8, 16, 32, 64, 128};
     int held = 0;
     for (uint32_t i = 0; i < kWidth; ++i) held |= bits[i];

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/compiler.h"
 #include "base/memory.h"
 
 namespace dsw {
@@ -53,7 +54,7 @@ class CheckedCells {
     const uint32_t stamp = stamps_[cell].load(std::memory_order_relaxed);
     return stamp >> 2 == round_ ? static_cast<Known>(stamp & 3u) : closed_ ? Known::kInvalid : Known::kNothing;
   }
-  void prefetch(uint32_t cell) const noexcept { __builtin_prefetch(&stamps_[cell]); }
+  void prefetch(uint32_t cell) const noexcept { prefetch_line(&stamps_[cell]); }
   /** Whoever finds out comes to the same answer, so it does not matter who notes it. */
   void note(uint32_t cell, Known known) const noexcept {
     stamps_[cell].store(round_ << 2 | static_cast<uint32_t>(known), std::memory_order_relaxed);

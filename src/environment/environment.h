@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/compiler.h"
 #include "base/parallel.h"
 #include "base/pool.h"
 #include "base/processor.h"
@@ -94,7 +95,7 @@ void mean_point(uint32_t count, PointAt point, double* out) {
     for (int k = 0; k < D; ++k) sum[k] += p[k];
   }
   for (int k = 0; k < D; ++k) {
-    if (__builtin_expect(!std::isfinite(sum[k]), 0)) {  // scaled down before it is added up
+    if (DSW_UNLIKELY(!std::isfinite(sum[k]))) {  // scaled down before it is added up
       sum[k] = 0;
       for (uint32_t i = 0; i < count; ++i) sum[k] += point(i)[k] / divisor;
       out[k] = sum[k];

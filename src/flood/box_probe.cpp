@@ -5,6 +5,7 @@
 
 #include "flood/box_probe.h"
 
+#include "base/compiler.h"
 #include "base/processor.h"
 #include "walk/standard_facets.h"
 
@@ -36,7 +37,7 @@ bool BoxProbe<3>::enter_neighbours(const Bounds<3>& box, Cell c) noexcept {
   const Map<3>& map = env_.map;
   const uint32_t* const w = map.record(c);
   for (uint32_t met = kFacetsInBox(env_.points, w + kUnitWords<3>, box); met != 0; met &= met - 1) {
-    const uint32_t link = w[kUnitWords<3> - 6 + static_cast<uint32_t>(__builtin_ctz(met))];
+    const uint32_t link = w[kUnitWords<3> - 6 + lowest_bit(met)];
     if (link >= kNoFacet) return false;  // the boundary, or marked
     const Cell next = map.cell_of(HalfFacet{link});
     if (!has_entered(next) && !enter(next)) return false;
@@ -64,7 +65,7 @@ uint32_t facets_in_box(const double* points, const uint32_t* vertices, const Bou
 }
 
 FacetsInBox choose_facets_in_box() noexcept {
-#if defined(__x86_64__)
+#if DSW_X86_64
   if (has_avx2()) return facets_in_box_avx2;
 #endif
   return facets_in_box;

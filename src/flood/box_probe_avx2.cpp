@@ -1,10 +1,10 @@
 // Three coordinates side by side.
 
-#include "base/target.h"
+#include "base/compiler.h"
 #include "flood/box_probe.h"
 #include "walk/standard_facets.h"
 
-#if defined(__x86_64__)
+#if DSW_X86_64
 
 #include <immintrin.h>
 
@@ -17,10 +17,10 @@ uint32_t facets_in_box_avx2(const double* points, const uint32_t* vertices, cons
   const __m256i mask = _mm256_setr_epi64x(-1, -1, -1, 0);
   const __m256d low = _mm256_loadu_pd(box.low), high = _mm256_loadu_pd(box.high);
   __m256d v[8];
-#pragma GCC unroll 8
+  DSW_UNROLL(8)
   for (int i = 0; i < 8; ++i) v[i] = _mm256_maskload_pd(points + size_t{vertices[i]} * 3, mask);
   uint32_t met = 0;
-#pragma GCC unroll 6
+  DSW_UNROLL(6)
   for (int f = 0; f < 6; ++f) {
     const __m256d a = v[kBoxFacets[f][0]], b = v[kBoxFacets[f][1]], c = v[kBoxFacets[f][2]], d = v[kBoxFacets[f][3]];
     const __m256d least = _mm256_min_pd(_mm256_min_pd(a, b), _mm256_min_pd(c, d)),

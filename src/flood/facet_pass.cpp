@@ -1,5 +1,6 @@
 #include "flood/facet_pass.h"
 
+#include "base/compiler.h"
 #include "base/processor.h"
 
 namespace dsw {
@@ -47,14 +48,14 @@ bool keeps_to_facet(const double* const* corners, const EdgeWay& edge) noexcept 
 namespace {
 
 KeepsToFacet choose_keeps_to_facet() noexcept {
-#if defined(__x86_64__)
+#if DSW_X86_64
   if (has_avx2()) return keeps_to_facet_avx2;
 #endif
   return keeps_to_facet;
 }
 
 PassesFacet choose_passes_facet() noexcept {
-#if defined(__x86_64__)
+#if DSW_X86_64
   if (has_avx2()) return passes_facet_avx2;
 #endif
   return passes_facet;

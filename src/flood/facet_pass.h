@@ -1,6 +1,7 @@
 #pragma once
 // A line against the ridges of one facet, side by side.
 
+#include "base/compiler.h"
 #include "predicates/filtered.h"
 
 namespace dsw {
@@ -10,7 +11,7 @@ namespace dsw {
  * predicates/filter_bounds.h. */
 using PassesFacet = bool (*)(const double* const* corners, const double* from, const double* to) noexcept;
 bool passes_facet(const double* const* corners, const double* from, const double* to) noexcept;
-#if defined(__x86_64__)
+#if DSW_X86_64
 /** The same arithmetic, a ridge in each lane: the same answers. */
 bool passes_facet_avx2(const double* const* corners, const double* from, const double* to) noexcept;
 #endif
@@ -27,7 +28,7 @@ struct EdgeWay {
  * rounding keeps the order. */
 using KeepsToFacet = bool (*)(const double* const* corners, const EdgeWay& edge) noexcept;
 bool keeps_to_facet(const double* const* corners, const EdgeWay& edge) noexcept;
-#if defined(__x86_64__)
+#if DSW_X86_64
 bool keeps_to_facet_avx2(const double* const* corners, const EdgeWay& edge) noexcept;
 #endif
 extern const KeepsToFacet kKeepsToFacet;

@@ -1,9 +1,9 @@
 // Four ridges side by side.
 
-#include "base/target.h"
+#include "base/compiler.h"
 #include "flood/facet_pass.h"
 
-#if defined(__x86_64__)
+#if DSW_X86_64
 
 #include <immintrin.h>
 
@@ -75,7 +75,7 @@ bool keeps_to_facet_avx2(const double* const* corners, const EdgeWay& edge) noex
   const __m256d c[4] = {read(corners[0]), read(corners[1]), read(corners[2]), read(corners[3])};
   const __m256d ends[4] = {read(edge.first), read(edge.first_to), read(edge.other), read(edge.other_to)};
   __m256d low = ends[0], high = ends[0];
-#pragma GCC unroll 4
+  DSW_UNROLL(4)
   for (int i = 0; i < 4; ++i) {
     low = _mm256_min_pd(_mm256_min_pd(low, ends[i]), c[i]);
     high = _mm256_max_pd(_mm256_max_pd(high, ends[i]), c[i]);

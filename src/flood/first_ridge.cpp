@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/compiler.h"
 #include "environment/marking.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
@@ -30,7 +31,7 @@ class RidgeSearch {
       uint64_t ask = kMissedTriangles(line, sequence.rows.span(begin, some));
       if (!line.passed_all()) ask = ~uint64_t{0} >> (kMostMissed - some);  // a filter cannot tell: all are asked
       for (; ask != 0; ask &= ask - 1) {
-        const size_t i = begin + static_cast<size_t>(__builtin_ctzll(ask));
+        const size_t i = begin + lowest_bit(ask);
         const HalfFacet facet{sequence.facets[i]};
         if (i < low || i >= high) {
           last[last_count++] = facet;

@@ -1,5 +1,6 @@
 #include "flood/hop.h"
 
+#include "base/compiler.h"
 #include "base/dimensions.h"
 #include "flood/facet_pass.h"
 #include "flood/line_sides.h"
@@ -29,7 +30,7 @@ bool find_facet(const Environment<3>& env, Cell first, Cell second, Facet<3>& fa
   if (shared == 0) return false;
   const uint32_t first_link = kUnitWords<3> - env.map.facets_of(first);
   uint32_t vertices[4];
-  standard_corners(w, static_cast<uint32_t>(__builtin_ctz(shared)) - first_link, vertices);
+  standard_corners(w, lowest_bit(shared) - first_link, vertices);
   for (int i = 0; i < 4; ++i) facet.corners[i] = env.point(vertices[i]);
   return true;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "base/compiler.h"
 #include "base/dimensions.h"
 #include "base/slot_pool.h"
 #include "flood/edge_turn.h"
@@ -27,7 +28,7 @@ template <int D>
 size_t first_missed(LineTests<D>& line, const FacetSpan<D>& facets) noexcept {
   for (size_t begin = 0; begin < facets.size(); begin += kMostMissed) {
     const uint64_t bits = missed(line, facets.part(begin, std::min(kMostMissed, facets.size() - begin)));
-    if (bits != 0) return begin + static_cast<size_t>(__builtin_ctzll(bits));
+    if (bits != 0) return begin + lowest_bit(bits);
   }
   return facets.size();
 }
@@ -400,7 +401,7 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
       if (line.passed_all()) ask = bits;
     }
     for (; ask != 0; ask &= ask - 1) {
-      const HalfFacet facet{sequence.facets[begin + static_cast<size_t>(__builtin_ctzll(ask))]};
+      const HalfFacet facet{sequence.facets[begin + lowest_bit(ask)]};
       int sides[3] = {0, 0, 0}, next = 0;
       if (in_rows) ridge_sides(env, line, facet, sides);
       const bool is_passed = for_each_ridge(env, facet, in_rows, [&](const FacetRidge& ridge) {

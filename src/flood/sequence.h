@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/compiler.h"
 #include "environment/environment.h"
 #include "flood/facet_pass.h"
 #include "predicates/sweep_events.h"
@@ -136,8 +137,8 @@ DSW_PREFETCH void prefetch_way(const Environment<D>& env, const EdgeSequence<D>&
   const FacetSpan<D> rows = sequence.rows.span(0, sequence.facets.size());
   for (int corner = 0; corner < D; ++corner) {
     for (int axis = 0; axis < D; ++axis) {
-      __builtin_prefetch(rows.row(corner, axis));
-      __builtin_prefetch(rows.row(corner, axis) + rows.size());
+      prefetch_line(rows.row(corner, axis));
+      prefetch_line(rows.row(corner, axis) + rows.size());
     }
   }
 }

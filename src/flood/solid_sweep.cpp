@@ -170,6 +170,7 @@ SweepResult SolidSweep<D>::sweep(const SolidMotion<D>& m, Cell start, uint32_t m
     look_at_inside_vertices(solid, c);
     enter_neighbours(solid, c);
   });
+  // No two are equivalent: each vertex is tested once, and of equal times the numbers of vertices decide.
   std::sort(found_.begin(), found_.end(), [&](const SweepContact& a, const SweepContact& b) {
     return comes_before(map_, solid.at[0], solid.at[1], a, b);
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/compiler.h"
 #include "walk/standard_facets.h"
 
 namespace dsw {
@@ -133,7 +134,7 @@ void BoundedFlood<D, From>::look_ahead() {
       set_limit(std::min(limit_, each.upper / frame_.scale));
       each.facet = map_.opposite(h).word | kMarkBit;
     } else if (D == 3 && map_.form(to) == Form::kSimplex) {
-      __builtin_prefetch(env_.point(map_.record(to)[kTetrahedronTips[local_in_tetrahedron(h)]] & kVertexMask));
+      prefetch_line(env_.point(map_.record(to)[kTetrahedronTips[local_in_tetrahedron(h)]] & kVertexMask));
     }
   }
 }
@@ -169,7 +170,7 @@ void BoundedFlood<D, From>::visit_tetrahedra() {
       for (uint32_t lane = 0; lane < kLanes; ++lane) within |= uint32_t{bounds.lower[lane] <= bound_} << lane;
       if (waiting_ == i + 1) within &= 0xf;
       for (; within != 0; within &= within - 1) {
-        const auto lane = static_cast<uint32_t>(__builtin_ctz(within));
+        const auto lane = lowest_bit(within);
         const uint32_t step = waiting_steps_[i + lane / 4];
         const HalfFacet h{notes_.steps[step].cell.unit * kUnitWords<D> + 4 + lane % 4};
         if (h != notes_.steps[step].facet) take(step, h, bounds.lower[lane], bounds.upper[lane]);
@@ -225,7 +226,7 @@ void BoundedFlood<D, From>::take(uint32_t step, HalfFacet h, float lower, float 
   const uint32_t other = map_.words[h.word];  // no mark, or it is no facet
   if (other < kNoFacet) {
     next.facet = other;
-    __builtin_prefetch(&map_.words[other]);
+    prefetch_line(&map_.words[other]);
   } else {
     set_limit(std::min(limit_, upper / frame_.scale));
   }

@@ -1,5 +1,6 @@
 #include "locate/facet_bounds.h"
 
+#include "base/compiler.h"
 #include "base/dimensions.h"
 #include "base/processor.h"
 
@@ -83,7 +84,7 @@ BoundsKernel<D> portable_bounds() noexcept {
 
 template <int D>
 const BoundsKernel<D>& bounds_kernel() noexcept {
-#if defined(__x86_64__)
+#if DSW_X86_64
   static const BoundsKernel<D> kernel = has_avx2() ? avx2_bounds<D>() : portable_bounds<D>();
 #else
   static const BoundsKernel<D> kernel = portable_bounds<D>();

@@ -16,6 +16,7 @@
 // are shorter than 2^-50. The plane's normal may be short against the sides; its errors are counted as in
 // segment_distances.cpp, with 2^-24 in place of 2^-53.
 
+#include "base/compiler.h"
 #include "base/vec.h"
 
 namespace dsw {
@@ -51,7 +52,7 @@ const BoundsKernel<D>& bounds_kernel() noexcept;
 
 template <int D>
 BoundsKernel<D> portable_bounds() noexcept;
-#if defined(__x86_64__)
+#if DSW_X86_64
 template <int D>
 BoundsKernel<D> avx2_bounds() noexcept;
 #endif

@@ -16,7 +16,7 @@ inline Lanes least(const Lanes& a, const Lanes& b, const Lanes& c) noexcept { re
 inline Lanes most(const Lanes& a, const Lanes& b, const Lanes& c) noexcept { return Lanes::max(Lanes::max(a, b), c); }
 
 template <int D>
-[[gnu::always_inline]] inline Turned turned(const SegmentFrame<D>& frame, const double* const* points) noexcept {
+DSW_HOT Turned turned(const SegmentFrame<D>& frame, const double* const* points) noexcept {
   Lanes x, y, z;
   read<D>(frame, points, x, y, z);
   const auto along = [&](int k) {
@@ -35,7 +35,7 @@ struct Side {
   Lanes whole2;   // the squared distance of the segment from its point that is nearest to the line
 };
 
-[[gnu::always_inline]] inline Side side(const Turned& a, const Turned& b, const Lanes& half) noexcept {
+DSW_HOT Side side(const Turned& a, const Turned& b, const Lanes& half) noexcept {
   const Lanes zero = Lanes::all(0);
   const Turned way = b - a;
   const Lanes square = way.u * way.u + way.v * way.v, back = (a.u * way.u + a.v * way.v) / square;
@@ -46,8 +46,8 @@ struct Side {
 }
 
 /** @param size at least the sum of the coordinates of any corner. */
-[[gnu::always_inline]] inline void find_bounds(const Turned& a, const Turned& b, const Turned& c, const Lanes& corners,
-                                               float half_length, FacetBounds& bounds) noexcept {
+DSW_HOT void find_bounds(const Turned& a, const Turned& b, const Turned& c, const Lanes& corners, float half_length,
+                         FacetBounds& bounds) noexcept {
   const Lanes zero = Lanes::all(0), half = Lanes::all(half_length), size = corners + half;
   const Side ab = side(a, b, half), bc = side(b, c, half), ca = side(c, a, half);
   const Lanes gap = Lanes::max(Lanes::max(least(a.t, b.t, c.t), zero - most(a.t, b.t, c.t)) - half, zero);

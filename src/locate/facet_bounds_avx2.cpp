@@ -2,9 +2,9 @@
 
 #include "locate/facet_bounds.h"
 
-#include "base/target.h"
+#include "base/compiler.h"
 
-#if defined(__x86_64__)
+#if DSW_X86_64
 
 #include <immintrin.h>
 
@@ -44,8 +44,7 @@ inline void store(const Lanes& a, float* out) noexcept { _mm256_storeu_ps(out, a
 
 /** Eight points: scaled differences from the segment's first one. */
 template <int D>
-[[gnu::always_inline]] inline void read(const SegmentFrame<D>& frame, const double* const* points, Lanes& x, Lanes& y,
-                                        Lanes& z) noexcept {
+DSW_HOT void read(const SegmentFrame<D>& frame, const double* const* points, Lanes& x, Lanes& y, Lanes& z) noexcept {
   // Masked, so that the last point of the host's array is not read past.
   const __m256i mask = _mm256_setr_epi64x(-1, -1, D == 3 ? -1 : 0, 0);
   const __m256d first = _mm256_maskload_pd(frame.first, mask), scale = _mm256_set1_pd(frame.scale);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/compiler.h"
+
 namespace dsw {
 namespace {
 
@@ -54,7 +56,7 @@ class Candidates {
   void add(uint32_t index) noexcept {
     const Cell c = env_.map.cell(index);
     if (!c.valid()) return;
-    __builtin_prefetch(env_.map.record(c));
+    prefetch_line(env_.map.record(c));
     indices_[count_++] = index;
     if (count_ == kMost) look();
   }
@@ -68,7 +70,7 @@ class Candidates {
 
   void prefetch_vertices(uint32_t index) const noexcept {
     const Cell c = env_.map.cell(index);
-    for (uint32_t i = 0, count = env_.map.vertices_of(c); i < count; ++i) __builtin_prefetch(env_.point(c, i));
+    for (uint32_t i = 0, count = env_.map.vertices_of(c); i < count; ++i) prefetch_line(env_.point(c, i));
   }
   void look() noexcept {
     std::sort(indices_, indices_ + count_);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/compiler.h"
+
 namespace dsw {
 
 template <int D>
@@ -21,7 +23,7 @@ NearestSearch<D>::NearestSearch(const Distances<D>& distances, const CellTree<D>
       seen_(env_.memory),
       levels_(Allocator<double>(env_.memory)),
       steps_(Allocator<Step>(env_.memory)),
-      heap_(Allocator<Step>(env_.memory)) {
+      heap_(env_.memory) {
   slack_ = 0x1p-44 * tree.length();
 }
 
@@ -100,7 +102,7 @@ void NearestSearch<D>::for_each_way_in(Cell c, Wanted is_wanted, Visit visit) co
   const uint32_t facets = map_.facets_of(c);
   for (uint32_t f = 0; f < facets; ++f) {
     const HalfFacet o = map_.opposite(map_.half_facet(c, f));
-    if (o.valid()) __builtin_prefetch(&map_.words[o.word - o.word % kUnitWords<D>]);
+    if (o.valid()) prefetch_line(&map_.words[o.word - o.word % kUnitWords<D>]);
   }
   for (uint32_t f = 0; f < facets; ++f) {
     const HalfFacet h = map_.half_facet(c, f);
@@ -136,11 +138,10 @@ double NearestSearch<D>::level_of(Cell c) {
   double level = 0;
   steps_.clear();
   seen_.clear();
-  heap_.assign(1, {0, c, kNoCell});
+  heap_.clear();
+  heap_.push({0, c, kNoCell});
   while (!heap_.empty()) {
-    std::pop_heap(heap_.begin(), heap_.end());
-    const Step step = heap_.back();
-    heap_.pop_back();
+    const Step step = heap_.pop();
     const auto number = static_cast<uint32_t>(steps_.size());
     if (seen_.insert(step.cell.unit) != number) continue;
     steps_.push_back(step);
@@ -154,9 +155,8 @@ double NearestSearch<D>::level_of(Cell c) {
     const auto is_new = [&](Cell from) { return seen_.find(from.unit) == KeyTable::kNone; };
     for_each_way_in(step.cell, is_new, [&](Cell from, double key) {
       if (!(key <= limit)) return;
-      for (uint32_t i = 0, n = map_.vertices_of(from); i < n; ++i) __builtin_prefetch(env_.point(from, i));
-      heap_.push_back({key, from, number});
-      std::push_heap(heap_.begin(), heap_.end());
+      for (uint32_t i = 0, n = map_.vertices_of(from); i < n; ++i) prefetch_line(env_.point(from, i));
+      heap_.push({key, from, number});
     });
   }
   return HUGE_VAL;

@@ -16,6 +16,7 @@
 // No distance has to be right for this: rounded numbers are compared as the flood compares them. Only the tree relies
 // on rounding errors being small (cell_tree.h).
 
+#include "base/heap.h"
 #include "base/key_table.h"
 #include "locate/distances.h"
 
@@ -40,7 +41,8 @@ class NearestSearch {
     FeatureRef feature;
     Cell cell;
   };
-  /** A cell from which others are entered, on the way back from a sight. */
+  /** A cell from which others are entered, on the way back from a sight. Of equal keys any may come first, but the
+   * same on all platforms: what is visited is reported. */
   struct Step {
     double key;
     Cell cell;
@@ -70,7 +72,8 @@ class NearestSearch {
   Array<Sight> sights_;
   KeyTable looked_, known_, seen_;  // units of cells
   Array<double> levels_;            // at most, of known cells
-  Array<Step> steps_, heap_;
+  Array<Step> steps_;
+  Heap<Step> heap_;
   uint32_t step_count_ = 0;
 };
 

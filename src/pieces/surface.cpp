@@ -99,7 +99,11 @@ struct Side {
   uint64_t ends;
   uint32_t edge;  // what tells edges with the same ends apart
   uint32_t triangle, side;
-  bool operator<(const Side& o) const { return ends != o.ends ? ends < o.ends : edge < o.edge; }
+  bool operator<(const Side& o) const {
+    if (ends != o.ends) return ends < o.ends;
+    if (edge != o.edge) return edge < o.edge;
+    return triangle != o.triangle ? triangle < o.triangle : side < o.side;
+  }
 };
 
 class Triangles {

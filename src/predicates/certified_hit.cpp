@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/compiler.h"
 #include "base/processor.h"
 #include "predicates/certified_hit_bounds.h"
 
@@ -58,7 +59,7 @@ struct Choice {
 
 Choice choose() noexcept {
   Choice choice;
-#if defined(__x86_64__)
+#if DSW_X86_64
   if (has_avx2_and_fma()) {
     choice = {certified_hit_with_fma, certified_hits_with_fma};
   }

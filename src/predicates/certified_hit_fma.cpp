@@ -2,9 +2,9 @@
 // are the same, and fused operations leave roundings out.
 #include "predicates/certified_hit.h"
 
-#include "base/target.h"
+#include "base/compiler.h"
 
-#if defined(__x86_64__)
+#if DSW_X86_64
 
 #include <immintrin.h>
 

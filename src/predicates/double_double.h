@@ -5,11 +5,13 @@
 // arithmetic, ACM TOMS 44 (2017). The bounds that matter here are derived where they are used.
 #pragma once
 
+#include "base/compiler.h"
+
 namespace dsw {
 namespace dd {
 
 // Everything is inlined into functions that are compiled for machines with and without fused multiply-add.
-#define DSW_DD inline __attribute__((always_inline))
+#define DSW_DD DSW_HOT
 
 struct Number {
   double high, low;
@@ -30,7 +32,7 @@ DSW_DD Number fast_sum(double a, double b) noexcept {
 struct Fused {
   static DSW_DD Number product(double a, double b) noexcept {
     const double p = a * b;
-    return {p, __builtin_fma(a, b, -p)};
+    return {p, fused_multiply_add(a, b, -p)};
   }
 };
 

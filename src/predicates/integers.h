@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/compiler.h"
 #include "predicates/wide_int.h"
 
 namespace dsw {
@@ -45,8 +46,9 @@ struct Span {
       for (int i = 0; i < Count; ++i) {
         const Decoded d = decode(points[i][k]);
         // The bits set here only keep a zero, which counts for neither end, from an undefined count.
-        const int lo = d.magnitude != 0 ? d.exponent + __builtin_ctzll(d.magnitude | (std::uint64_t{1} << 53)) : 4096;
-        const int hi = d.magnitude != 0 ? d.exponent + 64 - __builtin_clzll(d.magnitude | 1) : 0;
+        const int lo =
+            d.magnitude != 0 ? d.exponent + static_cast<int>(lowest_bit(d.magnitude | (std::uint64_t{1} << 53))) : 4096;
+        const int hi = d.magnitude != 0 ? d.exponent + 1 + static_cast<int>(highest_bit(d.magnitude | 1)) : 0;
         lowest = lo < lowest ? lo : lowest;
         highest = hi > highest ? hi : highest;
       }
@@ -152,7 +154,7 @@ struct Large {
   static Coordinate coordinate(double x, int low) noexcept {
     const Decoded d = decode(x);
     if (d.magnitude == 0) return {};
-    const int zeros = __builtin_ctzll(d.magnitude);
+    const int zeros = static_cast<int>(lowest_bit(d.magnitude));
     return Coordinate(d.magnitude >> zeros, d.negative, d.exponent + zeros - low);
   }
   static Difference subtract(const Coordinate& a, const Coordinate& b) noexcept { return a - b; }
@@ -253,8 +255,8 @@ Normal<R, D> Points<R, D, Count>::normal(int i) const noexcept {
 
 // The wide integers take kilobytes of stack: kept out of the frames of the small path.
 template <int D, int Count, class Expression>
-[[gnu::noinline]] auto evaluate_large(const double* const (&points)[Count], const Span<D>& span,
-                                      Expression expression) noexcept {
+DSW_NOINLINE auto evaluate_large(const double* const (&points)[Count], const Span<D>& span,
+                                 Expression expression) noexcept {
   return expression(Points<Large, D, Count>(points, span));
 }
 

@@ -12,6 +12,7 @@
 
 #include "predicates/near_signs.h"
 
+#include "base/compiler.h"
 #include "base/dimensions.h"
 #include "predicates/filtered.h"
 #include "predicates/integers.h"
@@ -75,19 +76,19 @@ WideDot wide_dot(const WideArrow<D>& a, const WideArrow<D>& b) noexcept {
 }
 
 template <int D>
-[[gnu::noinline]] int exact_dot_sign(Arrow u, Arrow v) noexcept {
+DSW_NOINLINE int exact_dot_sign(Arrow u, Arrow v) noexcept {
   const int low = lowest_bit<D>({u, v});
   return wide_dot(WideArrow<D>(u, low), WideArrow<D>(v, low)).sign();
 }
 
 template <int D>
-[[gnu::noinline]] int exact_lean_sign(Arrow u, Arrow v, Arrow w) noexcept {
+DSW_NOINLINE int exact_lean_sign(Arrow u, Arrow v, Arrow w) noexcept {
   const int low = lowest_bit<D>({u, v, w});
   const WideArrow<D> a(u, low), b(v, low), c(w, low);
   return compare(wide_dot(a, a) * wide_dot(b, c), wide_dot(a, b) * wide_dot(a, c));
 }
 
-[[gnu::noinline]] int exact_volume_sign(Arrow u, Arrow v, Arrow w) noexcept {
+DSW_NOINLINE int exact_volume_sign(Arrow u, Arrow v, Arrow w) noexcept {
   const int low = lowest_bit<3>({u, v, w});
   const WideArrow<3> a(u, low), b(v, low), c(w, low);
   const auto minor = [&](int i, int j) { return a.v[i] * b.v[j] - a.v[j] * b.v[i]; };

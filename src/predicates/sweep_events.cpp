@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/compiler.h"
 #include "base/dimensions.h"
 #include "predicates/filtered.h"
 #include "predicates/integers.h"
@@ -128,7 +129,7 @@ struct EventPoints {
 };
 
 template <int D>
-[[gnu::noinline]] int compare_ties(const EventPoints<D>& at, EventKind a_kind, EventKind b_kind) noexcept {
+DSW_NOINLINE int compare_ties(const EventPoints<D>& at, EventKind a_kind, EventKind b_kind) noexcept {
   Span<D> span(at.points);
   const int low = *std::min_element(span.low, span.low + D);
   for (int& each : span.low) each = low;

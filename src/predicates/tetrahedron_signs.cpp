@@ -1,5 +1,6 @@
 #include "predicates/tetrahedron_signs.h"
 
+#include "base/compiler.h"
 #include "base/processor.h"
 
 namespace dsw {
@@ -20,7 +21,7 @@ void find_tetrahedron_signs(const SweptTriangle& triangle, const double* const* 
 }
 
 FindTetrahedronSigns choose_find_tetrahedron_signs() noexcept {
-#if defined(__x86_64__)
+#if DSW_X86_64
   if (has_avx2()) return find_tetrahedron_signs_avx2;
 #endif
   return find_tetrahedron_signs;

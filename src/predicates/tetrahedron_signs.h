@@ -3,6 +3,7 @@
 // bounds and their proof are the same; what a filter leaves open is asked of SweptTriangle itself.
 #pragma once
 
+#include "base/compiler.h"
 #include "predicates/swept_triangle.h"
 
 namespace dsw {
@@ -17,7 +18,7 @@ using FindTetrahedronSigns = void (*)(const SweptTriangle& triangle, const doubl
                                       TetrahedronSigns& signs) noexcept;
 void find_tetrahedron_signs(const SweptTriangle& triangle, const double* const* corners,
                             TetrahedronSigns& signs) noexcept;
-#if defined(__x86_64__)
+#if DSW_X86_64
 void find_tetrahedron_signs_avx2(const SweptTriangle& triangle, const double* const* corners,
                                  TetrahedronSigns& signs) noexcept;
 #endif

@@ -1,9 +1,9 @@
 // Four corners side by side, then up to four edges.
 
-#include "base/target.h"
+#include "base/compiler.h"
 #include "predicates/tetrahedron_signs.h"
 
-#if defined(__x86_64__)
+#if DSW_X86_64
 
 #include <immintrin.h>
 
@@ -108,7 +108,7 @@ void find_tetrahedron_signs_avx2(const SweptTriangle& triangle, const double* co
   const unsigned sure = sides.certain();
   for (unsigned i = 0; i < 4; ++i) signs.side[i] = static_cast<std::int8_t>(2 * static_cast<int>(above >> i & 1u) - 1);
   for (unsigned open = ~sure & 15u; open != 0; open &= open - 1) {
-    const auto i = static_cast<unsigned>(__builtin_ctz(open));
+    const auto i = lowest_bit(open);
     const int side = triangle.side(corners[i]);
     signs.side[i] = static_cast<std::int8_t>(side);
     above = (above & ~(1u << i)) | static_cast<unsigned>(side > 0) << i;

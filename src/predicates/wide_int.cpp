@@ -2,12 +2,12 @@
 // hundred only when the largest doubles stand next to the smallest.
 #include "predicates/wide_int.h"
 
+#include "base/compiler.h"
+
 namespace dsw {
 namespace limbs {
 
 namespace {
-
-int leading_zeros(std::uint64_t x) noexcept { return __builtin_clzll(x); }
 
 int trimmed(const std::uint64_t* r, int size) noexcept {
   while (size > 0 && r[size - 1] == 0) --size;
@@ -92,7 +92,7 @@ int shift_left(std::uint64_t* r, const std::uint64_t* a, int a_size, int bits) n
 }
 
 int bit_length(const std::uint64_t* a, int a_size) noexcept {
-  return a_size == 0 ? 0 : 64 * a_size - leading_zeros(a[a_size - 1]);
+  return a_size == 0 ? 0 : 64 * (a_size - 1) + 1 + static_cast<int>(highest_bit(a[a_size - 1]));
 }
 
 std::uint64_t bits_from(const std::uint64_t* a, int a_size, int bit) noexcept {

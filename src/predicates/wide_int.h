@@ -7,10 +7,9 @@
 
 #include <cstdint>
 
-namespace dsw {
+#include "base/compiler.h"
 
-__extension__ typedef __int128 Int128;
-__extension__ typedef unsigned __int128 Uint128;
+namespace dsw {
 
 // Magnitudes. Lengths count used limbs (the last one is not 0, zero has length 0); each returns the length of r.
 namespace limbs {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/compiler.h"
+
 namespace dsw {
 
 template <int D>
@@ -67,10 +69,10 @@ void EdgePass<D>::settle_side_by_side() {
   }
   if (sweeps_.max_volumes != 0) return;  // what is kept must not carry an edge past it
   for (uint64_t rest = between; rest != 0; rest &= rest - 1) {
-    prefetch_way(env_, body.sequences[sieve_.begin()[__builtin_ctzll(rest)]]);
+    prefetch_way(env_, body.sequences[sieve_.begin()[lowest_bit(rest)]]);
   }
   for (; between != 0; between &= between - 1) {
-    const int i = __builtin_ctzll(between);
+    const uint32_t i = lowest_bit(between);
     keeping_ |= uint64_t{keeps_between(sieve_.begin()[i])} << i;
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/compiler.h"
 #include "base/vec.h"
 #include "sweep/clearance.h"
 
@@ -74,11 +75,11 @@ void EdgeSieve<D>::gather() {
   for (count_ = 0; next_ < body.edges.size() && count_ < kChunk; ++next_) {
     if (!body.has_edge(next_)) continue;
     for (const uint32_t v : body.edges[next_].ends) {
-      __builtin_prefetch(&course_.vertices[v]);
-      __builtin_prefetch(&body.vertices[v]);
-      __builtin_prefetch(course_.targets[v]);
+      prefetch_line(&course_.vertices[v]);
+      prefetch_line(&body.vertices[v]);
+      prefetch_line(course_.targets[v]);
     }
-    if (body.keeps_sequences()) __builtin_prefetch(&body.sequences[next_]);
+    if (body.keeps_sequences()) prefetch_line(&body.sequences[next_]);
     chunk_[count_++] = next_;
   }
 }
@@ -139,7 +140,7 @@ void EdgeSieve<D>::drop_inside() {
   drop([&](const Vertex& a, const Vertex& b, uint32_t e) {
     const uint32_t inside = uint32_t{a.from == a.arrival} & uint32_t{b.from == b.arrival} & uint32_t{a.from == b.from};
     const uint32_t settled = inside & uint32_t{env_.map.convex(a.from)};
-    if (__builtin_expect(inside == settled, 1)) return settled != 0;
+    if (DSW_LIKELY(inside == settled)) return settled != 0;
     return sees_all_of_cell(course_.body->edges[e].ends[a.rank < b.rank ? 0 : 1]);
   });
 }

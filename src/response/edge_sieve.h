@@ -1,6 +1,7 @@
 #pragma once
 // Which edges of a body on its course have to be looked at one by one.
 
+#include "base/compiler.h"
 #include "response/course_casts.h"
 
 namespace dsw {
@@ -21,7 +22,7 @@ class EdgeSieve {
     constexpr size_t kLine = 64;
     for (const uint32_t e : *this) {
       const auto* const sequence = reinterpret_cast<const char*>(&course_.body->sequences[e]);
-      for (size_t at = 0; at < sizeof(EdgeSequence<D>); at += kLine) __builtin_prefetch(sequence + at);
+      for (size_t at = 0; at < sizeof(EdgeSequence<D>); at += kLine) prefetch_line(sequence + at);
     }
   }
   const uint32_t* begin() const { return chunk_; }

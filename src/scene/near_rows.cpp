@@ -106,6 +106,7 @@ dsw_near_row to_row(const Environment<D>& env, const Partners<D>& partners, cons
   return row;
 }
 
+/** No two rows have the same keys: a part and an obstacle are paired once. */
 bool precedes(const dsw_near_row& a, const dsw_near_row& b) noexcept {
   return std::lexicographical_compare(a.key, a.key + 4, b.key, b.key + 4);
 }
@@ -175,7 +176,10 @@ void make_jacobian(const Array<dsw_near_row>& rows, uint32_t own_key, NearJacobi
     for (int i = 0; row.key[1] == own_key && i < 3 && row.obstacle_vertices[i] != kNone; ++i) {
       entries[count++] = {row.obstacle_vertices[i], -row.obstacle_weights[i]};
     }
-    std::sort(entries, entries + count, [](const Entry& a, const Entry& b) { return a.vertex < b.vertex; });
+    // A vertex of both parts has its own weight first.
+    std::sort(entries, entries + count, [](const Entry& a, const Entry& b) {
+      return a.vertex != b.vertex ? a.vertex < b.vertex : a.weight > b.weight;
+    });
     for (int i = 0; i < count; ++i) {
       for (uint32_t k = 0; k < D; ++k) {
         j.columns.push_back(D * entries[i].vertex + k);

@@ -148,6 +148,7 @@ void StarSweep<D>::find_all(const Body<D>& body, uint32_t v, const double* to, c
     return true;
   });
   if (first.face != kNone) all.push_back(first);
+  // No two are equivalent: of one edge or face there is one contact with each thing.
   const auto before = [&](const StarContact& a, const StarContact& b) { return comes_first(body, way, a, b); };
   std::sort(all.begin(), all.end(), before);
 }

@@ -42,7 +42,7 @@ struct VerticesAbreast {
   DSW_HOT VerticesAbreast(const double* points, const Abreast& cells, const uint32_t (&words)[Count],
                           uint32_t mask) noexcept {
     const PointsOf<Row> q = load_points([&](uint32_t lane) { return cells.q[lane]; });
-#pragma GCC unroll 8
+    DSW_UNROLL(8)
     for (uint32_t i = 0; i < Count; ++i) {
       const PointsOf<Row> v =
           load_points([&](uint32_t lane) { return points + size_t{cells.records[lane][words[i]] & mask} * 3; });
@@ -96,7 +96,7 @@ struct PlanesAbreast {
   }
 };
 
-__attribute__((noinline)) inline void Sides::look_at_tetrahedra(const double* points, const Abreast& cells) noexcept {
+DSW_NOINLINE inline void Sides::look_at_tetrahedra(const double* points, const Abreast& cells) noexcept {
   PlanesAbreast<4> planes(points, cells, {0, 1, 2, 3}, kVertexMask);
   const PointsOf<Row> c01 = planes.across(0, 1), c23 = planes.across(2, 3);
   planes.negative(0, c01, 3);
@@ -112,7 +112,7 @@ __attribute__((noinline)) inline void Sides::look_at_tetrahedra(const double* po
   planes.store(4, *this);
 }
 
-__attribute__((noinline)) inline void Sides::look_at_pyramids(const double* points, const Abreast& cells) noexcept {
+DSW_NOINLINE inline void Sides::look_at_pyramids(const double* points, const Abreast& cells) noexcept {
   PlanesAbreast<5> planes(points, cells, {8, 9, 10, 11, 12});
   planes.positive(0, planes.across(2, 3), 0);
   const PointsOf<Row> first = planes.across(0, 4), second = planes.across(4, 2);
@@ -125,7 +125,7 @@ __attribute__((noinline)) inline void Sides::look_at_pyramids(const double* poin
 
 /** The vertices 1 2 3 7 4 5: three in a row, the ring closed, span a facet. Each cross product serves both facets at
  * its edge: with the vertex after, an even one; before, an odd one. */
-__attribute__((noinline)) inline void Sides::look_at_boxes(const double* points, const Abreast& cells) noexcept {
+DSW_NOINLINE inline void Sides::look_at_boxes(const double* points, const Abreast& cells) noexcept {
   PlanesAbreast<6> planes(points, cells, {9, 10, 11, 15, 12, 13});
   const auto test_beside = [&](uint32_t a, uint32_t even, uint32_t odd) {
     const PointsOf<Row> crossed = planes.across(a, a + 1);

@@ -40,7 +40,7 @@ bool admits_with_centre(const Environment<D>& env, Cell c, double* apex) noexcep
 
 /** As known_of, with the lanes of this walk. */
 template <int D>
-__attribute__((noinline)) CheckedCells::Known known_moving(const Environment<D>& env, Cell c) noexcept {
+DSW_NOINLINE CheckedCells::Known known_moving(const Environment<D>& env, Cell c) noexcept {
   const CheckedCells::Known known = env.checked.known(env.map.index(c));
   if (known != CheckedCells::Known::kNothing) return known;
   double apex[D];

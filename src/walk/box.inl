@@ -39,7 +39,7 @@ DSW_COLD uint32_t settle_flat_box(const Environment<3>& env, const uint32_t* w, 
                                   uint32_t outside, Tally& tally) noexcept {
   outside &= sure;
   for (uint32_t unsure = kAllFacets & ~sure; unsure != 0; unsure &= unsure - 1) {
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
+    const uint32_t f = lowest_bit(unsure);
     const double* facet[3];
     box_triangle(env, w, f, 0, facet);  // its star is positive; any other three vertices may lie in a row
     outside |= (plane_side<3>(facet, q, tally).sign > 0 ? 1u : 0u) << f;
@@ -57,7 +57,7 @@ inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, c
   const uint32_t outside = Lanes::bits(Lanes::greater(det, bound)) & ~known;
   const uint32_t inside = Lanes::bits(Lanes::greater(Lanes::all(0) - bound, det));
   const uint32_t sure = (v.extent.in_range() ? outside | inside : 0) | known;
-  return __builtin_expect(sure == kAllFacets, 1) ? outside : settle_flat_box(env, w, q, sure, outside, tally);
+  return DSW_LIKELY(sure == kAllFacets) ? outside : settle_flat_box(env, w, q, sure, outside, tally);
 }
 
 /** Facets with four corners in lanes: those of one hexahedron, or one facet of each of several. */
@@ -128,13 +128,13 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   BoxExits exits;
   const BoxVertices v(env.points, w + kUnitWords<3>, q);
   const Points c0 = corner<0>(v), c1 = corner<1>(v), c2 = corner<2>(v), c3 = corner<3>(v);
-  if (__builtin_expect(!v.extent.in_range(), 0)) return exits;
+  if (DSW_UNLIKELY(!v.extent.in_range())) return exits;
   const Quads<Lanes> quads = make_quads(c0, c1, c2, c3, Lanes::spread(w[0] & kShapeMask));
   const Lanes bound = Lanes::all(v.extent.bound()), minus_bound = Lanes::all(0) - bound;
   const Lanes::Mask out1 = Lanes::greater(quads.first, bound), out2 = Lanes::greater(quads.second, bound);
   const Lanes::Mask settled1 = Lanes::either(out1, Lanes::greater(minus_bound, quads.first)),
                     settled2 = Lanes::either(out2, Lanes::greater(minus_bound, quads.second));
-  if (__builtin_expect((Lanes::bits(Lanes::both(settled1, settled2)) & kAllFacets) != kAllFacets, 0)) return exits;
+  if (DSW_UNLIKELY((Lanes::bits(Lanes::both(settled1, settled2)) & kAllFacets) != kAllFacets)) return exits;
   exits.sure = true;
   exits.candidates = Lanes::bits(Lanes::either(out1, out2));
   if (exits.candidates == 0) return exits;

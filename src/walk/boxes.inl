@@ -12,8 +12,8 @@ struct WarpedBoxExits {
   void look(const double* points, const Abreast& boxes, const double* const (&from)[kAbreast]) noexcept;
 };
 
-__attribute__((noinline)) inline void WarpedBoxExits::look(const double* points, const Abreast& boxes,
-                                                           const double* const (&from)[kAbreast]) noexcept {
+DSW_NOINLINE inline void WarpedBoxExits::look(const double* points, const Abreast& boxes,
+                                              const double* const (&from)[kAbreast]) noexcept {
   const VerticesAbreast<8> v(points, boxes, {8, 9, 10, 11, 12, 13, 14, 15}, ~0u);
   const PointsOf<Row> p = load_points([&](uint32_t lane) { return from[lane]; });
   const PointsOf<Row> q = load_points([&](uint32_t lane) { return boxes.q[lane]; });
@@ -25,7 +25,7 @@ __attribute__((noinline)) inline void WarpedBoxExits::look(const double* points,
   FacetSets exits;
   Row smallest = Row::all(HUGE_VAL);
   Row::Mask open = mask_of(0), any = open;
-#pragma GCC unroll 6
+  DSW_UNROLL(6)
   for (uint32_t f = 0; f < 6; ++f) {
     const uint8_t(&corners)[4] = kBoxFacets[f];
     const Quads<Row> quads =

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/compiler.h"
 #include "base/dimensions.h"
 #include "predicates/plane_hit.h"
 #include "walk/walk.h"
@@ -12,7 +13,7 @@ namespace {
 // Those that this library has; a kernel that it has not is never chosen.
 constexpr const Walk<3>* kSpaceWalks[] = {
     &kPortableWalk,
-#if defined(__x86_64__)
+#if DSW_X86_64
     &kAvx2Walk,
     &kAvx512Walk,
 #endif

@@ -65,7 +65,7 @@ class ExitFinder {
           const LineExits exits = look_along(w, shape, line.shear);
           line.pierced = exits.pierced;
           line.passed = exits.passed;
-          tally_.tests(shape.edge_count() + static_cast<uint32_t>(__builtin_popcount(exits.ahead | exits.passed)));
+          tally_.tests(shape.edge_count() + bit_count(exits.ahead | exits.passed));
           return Look::of_lines(exits.sure && exits.pierced != 0 && exits.ahead == exits.pierced, exits.sure);
         }
       }
@@ -109,7 +109,7 @@ class ExitFinder {
   }
 
   /** The triangle of a cuboid's facet that the segment leaves through. */
-  __attribute__((noinline)) uint32_t pierced_triangle(Cell c, uint32_t facet) noexcept {
+  DSW_NOINLINE uint32_t pierced_triangle(Cell c, uint32_t facet) noexcept {
     const double* triangle[D];
     boundary_points(env_, c, 2 * facet, triangle);
     return 2 * facet + (passes_inside(triangle, 2) ? 0 : 1);  // ridge 2 is the facet's diagonal
@@ -120,7 +120,7 @@ class ExitFinder {
   DSW_HOT LineExits look_along(const uint32_t* w, const Shape& shape, const Shear& line) noexcept {
     if (!env_.local_points.empty()) {
       const LineExits exits = near_exits(env_, w, shape, line);
-      if (__builtin_expect(exits.sure, 1)) return exits;
+      if (DSW_LIKELY(exits.sure)) return exits;
     }
     return line_exits(env_, w, shape, line);
   }
@@ -179,11 +179,11 @@ class ExitFinder {
 
   DSW_HOT Exit exit_of_several(Cell c, const Look& look) noexcept {
     const uint32_t outside = look.facets();
-    uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
+    uint32_t f = lowest_bit(outside);
     for (uint32_t rest = outside & (outside - 1); rest != 0; rest &= rest - 1) {
-      const uint32_t g = static_cast<uint32_t>(__builtin_ctz(rest));
+      const uint32_t g = lowest_bit(rest);
       const int side = keeps(c, f, g);
-      if (__builtin_expect(side == 0, 0)) return apart().first_pierced(c, outside);
+      if (DSW_UNLIKELY(side == 0)) return apart().first_pierced(c, outside);
       f = side < 0 ? g : f;
     }
     return look.exit_by(f);
@@ -193,13 +193,13 @@ class ExitFinder {
   DSW_COLD Exit first_pierced(Cell c, uint32_t outside) noexcept {
     const Shape shape = map_.shape(c);
     for (; outside != 0; outside &= outside - 1) {
-      const uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
+      const uint32_t f = lowest_bit(outside);
       if (pierces_facet(c, shape, f)) return {f, shape.simplex_first(f)};
     }
     return {};
   }
 
-  __attribute__((noinline)) Exit exit_many_flat(Cell c, uint32_t forecast) noexcept {
+  DSW_NOINLINE Exit exit_many_flat(Cell c, uint32_t forecast) noexcept {
     const Shape shape = map_.shape(c);
     const double* points[D];
     const auto leaves_through = [&](uint32_t f) {
@@ -243,8 +243,7 @@ class ExitFinder {
   }
 
   DSW_HOT Exit exit_box(const uint32_t* w, const Look& look, const Entry& entry) noexcept {
-    if (__builtin_expect(!look.has_one_exit() || entry.may_have_been_here, 0))
-      return apart().exit_box_in_full(w, look, entry);
+    if (DSW_UNLIKELY(!look.has_one_exit() || entry.may_have_been_here)) return apart().exit_box_in_full(w, look, entry);
     return look.facets() == 0 ? Exit{} : look.exit_of_box();
   }
 
@@ -265,9 +264,9 @@ class ExitFinder {
    * single one nothing but the target is asked. */
   DSW_HOT Exit exit_along(Cell c, const CastLine& line, const Entry& entry) noexcept {
     const uint32_t pierced = line.pierced;
-    if (__builtin_expect((pierced & (pierced - 1)) != 0, 0)) return apart().earliest_of(c, pierced, entry);
+    if (DSW_UNLIKELY((pierced & (pierced - 1)) != 0)) return apart().earliest_of(c, pierced, entry);
     const Shape shape = map_.general_shape(map_.record(c)[0]);
-    const uint32_t s = static_cast<uint32_t>(__builtin_ctz(pierced));
+    const uint32_t s = lowest_bit(pierced);
     if ((line.passed >> s & 1u) == 0) {
       const double* points[D];
       points_of(c, shape.simplices() + static_cast<uint32_t>(D) * s, points);
@@ -282,11 +281,11 @@ class ExitFinder {
     return {facet, map_.convex(c) ? shape.simplex_first(facet) : s};
   }
 
-  __attribute__((noinline)) Exit earliest_of(Cell c, uint32_t pierced, const Entry& entry) noexcept {
+  DSW_NOINLINE Exit earliest_of(Cell c, uint32_t pierced, const Entry& entry) noexcept {
     Earliest best;
     const Shape shape = map_.shape(c);
     for (; pierced != 0; pierced &= pierced - 1) {
-      const uint32_t s = static_cast<uint32_t>(__builtin_ctz(pierced));
+      const uint32_t s = lowest_bit(pierced);
       const double* points[D];
       points_of(c, shape.simplices() + static_cast<uint32_t>(D) * s, points);
       if (!is_outside(points, q_) || is_outside(points, p_)) continue;
@@ -305,7 +304,7 @@ class ExitFinder {
     return true;
   }
 
-  __attribute__((noinline)) Exit exit_many(Cell c, const Entry& entry) noexcept {
+  DSW_NOINLINE Exit exit_many(Cell c, const Entry& entry) noexcept {
     Earliest best;
     const Shape shape = map_.shape(c);
     const uint16_t* facets = shape.simplex_facets(D);

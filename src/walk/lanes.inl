@@ -159,15 +159,14 @@ inline Lanes operator*(Lanes x, Lanes y) noexcept { return {_mm256_mul_pd(x.a, y
 
 /** Three pairs, which any machine of today has. */
 struct Lanes {
-  using Pair = double __attribute__((vector_size(16)));
-  using PairMask = int64_t __attribute__((vector_size(16)));
+  using Pair = DoublePair;
   struct Mask {
     PairMask a, b, c;
   };
   Pair a, b, c;
 
   static Pair choose(PairMask m, Pair yes, Pair no) noexcept {
-    return (Pair)(((PairMask)yes & m) | ((PairMask)no & ~m));
+    return pair_of((bits_of(yes) & m) | (bits_of(no) & ~m));
   }
   static Lanes all(double x) noexcept { return {Pair{x, x}, Pair{x, x}, Pair{x, x}}; }
   static Mask greater(const Lanes& x, const Lanes& y) noexcept { return {x.a > y.a, x.b > y.b, x.c > y.c}; }
@@ -176,7 +175,7 @@ struct Lanes {
   }
   static Lanes absolute(const Lanes& x) noexcept {
     const PairMask rest = {INT64_MAX, INT64_MAX};
-    return {(Pair)((PairMask)x.a & rest), (Pair)((PairMask)x.b & rest), (Pair)((PairMask)x.c & rest)};
+    return {pair_of(bits_of(x.a) & rest), pair_of(bits_of(x.b) & rest), pair_of(bits_of(x.c) & rest)};
   }
   static Mask spread(uint32_t bits) noexcept {
     const auto lane = [&](uint32_t i) { return -static_cast<int64_t>(bits >> i & 1u); };

@@ -5,7 +5,7 @@ constexpr uint8_t kFacetByVertexBit[9] = {0, 1, 2, 0, 0, 0, 0, 0, 3};
 
 /** The facet of a tetrahedron that has not one of its vertices. */
 DSW_HOT uint32_t facet_without(const uint32_t* w, uint32_t vertex) noexcept {
-#if defined(__x86_64__)
+#if DSW_X86_64
   const __m128i all = _mm_and_si128(_mm_loadu_si128(reinterpret_cast<const __m128i*>(w)),
                                     _mm_set1_epi32(static_cast<int>(kVertexMask)));
   const __m128i same = _mm_cmpeq_epi32(all, _mm_set1_epi32(static_cast<int>(vertex)));
@@ -44,7 +44,7 @@ class LineWalk<3> {
   /** Lets all casts go one cell on. look(cast, facet that it came in through): the filter left its cell open.
    * pass(cast, facet): it leaves through this facet, and may not go on by its line. */
   template <class Tally, class Look, class Pass>
-  __attribute__((noinline)) void go(Tally& tally, Look look, Pass pass) noexcept {
+  DSW_NOINLINE void go(Tally& tally, Look look, Pass pass) noexcept {
     if (plain_) {
       enter_all<true>(pass);
     } else {
@@ -123,9 +123,9 @@ class LineWalk<3> {
     for (uint32_t first = 0; first < count_; first += kAbreast) {
       const auto [leaves, stays] = steps[first / kAbreast];
       const uint32_t lanes = (1u << (std::min(first + kAbreast, count_) - first)) - 1;
-      tally.tests(4 * static_cast<uint32_t>(__builtin_popcount((leaves | stays) & lanes)));
+      tally.tests(4 * bit_count((leaves | stays) & lanes));
       for (uint32_t rest = ~leaves & lanes; rest != 0; rest &= rest - 1) {
-        const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(rest));
+        const uint32_t lane = lowest_bit(rest);
         remaining[remaining_count] = static_cast<uint8_t>(first + lane);
         settled[remaining_count++] = stays >> lane & 1u;
       }
@@ -146,13 +146,13 @@ class LineWalk<3> {
     const uint32_t link = map_.words[at], beyond = link & ~kMarkBit;
     at_[slot] = at;
     links_[slot] = link;
-    __builtin_prefetch(&map_.words[(beyond == kNoFacet ? at : beyond) & ~kInUnit]);
+    prefetch_line(&map_.words[(beyond == kNoFacet ? at : beyond) & ~kInUnit]);
   }
 
   template <bool Plain, class Pass>
   DSW_HOT void enter_all(Pass pass) noexcept {
     for (uint32_t s = 0; s < count_;) {
-      if (__builtin_expect(may_enter<Plain>(s), 1)) {
+      if (DSW_LIKELY(may_enter<Plain>(s))) {
         enter<Plain>(s++);
       } else {
         const HalfFacet at = {at_[s]};
@@ -193,7 +193,7 @@ class LineWalk<3> {
   }
 
   /** Notes where a cast is, and moves the last one to its slot. @return the cast. */
-  __attribute__((noinline)) uint32_t take_out(uint32_t slot) noexcept {
+  DSW_NOINLINE uint32_t take_out(uint32_t slot) noexcept {
     const uint32_t cast = casts_[slot];
     CastResult& result = results_[cast];
     if (result.volumes_visited != visited_[slot]) {

@@ -31,7 +31,7 @@ class Look {
   /** Of a box that need not be convex. */
   template <class Tally>
   static Look of_box(const BoxExits& exits, Tally& tally) {
-    tally.tests(12 + 4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
+    tally.tests(12 + 4 * bit_count(exits.candidates));
     const bool several = (exits.pierced & (exits.pierced - 1)) != 0;
     return Look((exits.sure ? exits.pierced : kNotKnown) | word(exits.second, LookKind::kBox) |
                 (exits.sure && !several ? kFlag : 0));
@@ -74,7 +74,7 @@ class Look {
   bool has_one_exit() const { return has_flag(); }
   /** Of a box with one exit. */
   Exit exit_of_box() const {
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(facets()));
+    const uint32_t f = lowest_bit(facets());
     return {f, 2 * f + is_second(f)};
   }
   /** Of a box: whether a facet is pierced through its second triangle. */

@@ -104,16 +104,16 @@ struct ShearedPoints {
     const __m512i along = _mm512_loadu_si512(kAxes.along[line.order()]);
     const __m512d slope = _mm512_broadcast_f64x2(_mm_loadu_pd(line.slopes()));
     __m512d most = _mm512_set1_pd(line.largest());
-    const auto two = [&](uint32_t v, uint32_t w) __attribute__((always_inline)) {
+    const auto two = [&](uint32_t v, uint32_t w) DSW_HOT_LAMBDA {
       const __m512d relative = _mm512_sub_pd(
           load_two(points + size_t{vertices[words[v]]} * 3, points + size_t{vertices[words[w]]} * 3), origin);
       most = _mm512_max_pd(most, _mm512_abs_pd(relative));
       return _mm512_sub_pd(_mm512_permutexvar_pd(across, relative),
                            _mm512_mul_pd(slope, _mm512_permutexvar_pd(along, relative)));
     };
-    const auto eight = [&](uint32_t r) __attribute__((always_inline)) {
+    const auto eight = [&](uint32_t r) DSW_HOT_LAMBDA {
       __m512d pairs[4];
-#pragma GCC unroll 4
+      DSW_UNROLL(4)
       for (uint32_t n = 0; n < 4; ++n) pairs[n] = two(8 * r + kLanePairs[n][0], 8 * r + kLanePairs[n][1]);
       i[r] = _mm512_shuffle_f64x2(_mm512_unpacklo_pd(pairs[0], pairs[1]), _mm512_unpacklo_pd(pairs[2], pairs[3]), 0x88);
       j[r] = _mm512_shuffle_f64x2(_mm512_unpackhi_pd(pairs[0], pairs[1]), _mm512_unpackhi_pd(pairs[2], pairs[3]), 0x88);
@@ -154,11 +154,11 @@ DSW_HOT LineExits line_exits_of(const Environment<3>& env, const uint32_t* w, co
   const uint64_t pairs = (uint64_t{1} << (3 * count + 1) / 2) - 1;
   const uint16_t* const corners = shape.simplices();
   uint32_t pierced = 0, settled = 0;
-#pragma GCC unroll 4
+  DSW_UNROLL(4)
   for (uint32_t first = 0; first < Triangles; first += 8) {
     const auto here = static_cast<__mmask16>(pairs >> 3 * first / 2 & 0xfffu);
     const __m512i words = _mm512_maskz_loadu_epi32(here, corners + 3 * first);
-    const auto corner = [&](__m512i word, __m512i shift) __attribute__((always_inline)) {
+    const auto corner = [&](__m512i word, __m512i shift) DSW_HOT_LAMBDA {
       return ShearedCorners(sheared, _mm512_srlv_epi64(_mm512_permutexvar_epi32(word, words), shift));
     };
     const __m512i low_first = _mm512_setr_epi64(0, 16, 0, 16, 0, 16, 0, 16),
@@ -176,8 +176,8 @@ DSW_HOT LineExits line_exits_of(const Environment<3>& env, const uint32_t* w, co
 }
 
 /** For shapes that have_line_exits. */
-__attribute__((noinline)) inline LineExits line_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
-                                                      const Shear& line) noexcept {
+DSW_NOINLINE inline LineExits line_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
+                                         const Shear& line) noexcept {
   if (shape.vertex_count() <= 10 && shape.simplex_count() <= 16) return line_exits_of<10, 16>(env, w, shape, line);
   return line_exits_of<kMostCorners, kMostTriangles>(env, w, shape, line);
 }
@@ -202,12 +202,12 @@ DSW_HOT __m512 side(__m512 ai, __m512 aj, __m512 bi, __m512 bj) noexcept {
 }
 
 /** As line_exits, from local points. */
-__attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
-                                                      const Shear& line) noexcept {
+DSW_NOINLINE inline LineExits near_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
+                                         const Shear& line) noexcept {
   const uint32_t vertices = shape.vertex_count(), count = shape.simplex_count();
   const float* const local = local_points(env, w);
   const auto used = static_cast<__mmask16>((1u << vertices) - 2);  // vertex 0 is 0
-  const auto row = [&](int axis) __attribute__((always_inline)) {
+  const auto row = [&](int axis) DSW_HOT_LAMBDA {
     return _mm512_maskz_loadu_ps(used, local + kOriginWords - 1 + static_cast<uint32_t>(axis) * (vertices - 1));
   };
   const __m512 x = row(line.i()), y = row(line.j()), z = row(line.k());
@@ -230,7 +230,7 @@ __attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env,
     const uint64_t here = pairs >> 3 * first / 2;
     const __m512i low = _mm512_maskz_loadu_epi32(static_cast<__mmask16>(here & 0xffffu), corners + 3 * first);
     const __m512i high = _mm512_maskz_loadu_epi32(static_cast<__mmask16>(here >> 16 & 0xffu), corners + 3 * first + 32);
-    const auto pick = [&](int corner) __attribute__((always_inline)) {
+    const auto pick = [&](int corner) DSW_HOT_LAMBDA {
       return _mm512_srlv_epi32(_mm512_permutex2var_epi32(low, _mm512_load_si512(kCornerPicks.pair[corner]), high),
                                _mm512_load_si512(kCornerPicks.shift[corner]));
     };
@@ -257,8 +257,8 @@ __attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env,
 #else
 
 /** For shapes that have_line_exits. */
-__attribute__((noinline)) inline LineExits line_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
-                                                      const Shear& line) noexcept {
+DSW_NOINLINE inline LineExits line_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
+                                         const Shear& line) noexcept {
   const uint32_t* const vertices = w + units_for<3>(shape.facet_count()) * kUnitWords<3>;
   const uint8_t* const words = kVertexWords.of[shape.vertex_count()];
   Shear shear = line;
@@ -277,8 +277,8 @@ __attribute__((noinline)) inline LineExits line_exits(const Environment<3>& env,
 }
 
 /** As line_exits, from local points. */
-__attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
-                                                      const Shear& line) noexcept {
+DSW_NOINLINE inline LineExits near_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
+                                         const Shear& line) noexcept {
   const uint32_t count = shape.vertex_count();
   const float* const local = local_points(env, w);
   const NearLine near(line, LocalOrigin(local));

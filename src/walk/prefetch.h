@@ -2,19 +2,20 @@
 // Batches know which cells come next: asking the memory for them while a packet is filled hides most of what casts in
 // random cells wait for.
 
+#include "base/compiler.h"
 #include "environment/environment.h"
 #include "walk/standard_facets.h"
 
 namespace dsw {
 
 // GCC drops the call of a function that does nothing else, so these are not called.
-#define DSW_PREFETCH inline __attribute__((always_inline))
+#define DSW_PREFETCH DSW_HOT
 
 constexpr size_t kRecordAhead = 16;  // casts ahead at which a cell's record is asked for
 
 template <int D>
 DSW_PREFETCH void prefetch_record(const Environment<D>& env, Cell c) noexcept {
-  __builtin_prefetch(env.map.record(c));
+  prefetch_line(env.map.record(c));
 }
 
 /** The record of a polyhedron, as large as most are, of which one link is known. */
@@ -24,7 +25,7 @@ DSW_PREFETCH void prefetch_round(const Environment<D>& env, HalfFacet h) noexcep
   const uintptr_t line =
       reinterpret_cast<uintptr_t>(env.map.words.data() + h.word);  // may lie before or behind the array
   for (const intptr_t lines : {-1, 1, 2}) {
-    __builtin_prefetch(reinterpret_cast<const void*>(line + static_cast<uintptr_t>(lines * kLine)));
+    prefetch_line(reinterpret_cast<const void*>(line + static_cast<uintptr_t>(lines * kLine)));
   }
 }
 
@@ -32,8 +33,8 @@ DSW_PREFETCH void prefetch_round(const Environment<D>& env, HalfFacet h) noexcep
 template <int D>
 DSW_PREFETCH void prefetch_point(const Environment<D>& env, uint32_t vertex) noexcept {
   const double* const point = env.point(vertex);
-  __builtin_prefetch(point);
-  __builtin_prefetch(point + D - 1);
+  prefetch_line(point);
+  prefetch_line(point + D - 1);
 }
 
 /** Vertices of a simplex, whose planes are computed sooner than they come. The record is read. */
@@ -72,10 +73,10 @@ DSW_PREFETCH void prefetch_polyhedron(const Environment<D>& env, Cell c) noexcep
   if (form_of(word) != Form::kGeneral) return;
   constexpr uint32_t kLine = 64, kTriangles = 462;  // where those of a sphere of 16 triangles begin, in bytes
   const auto* const table = reinterpret_cast<const char*>(env.map.general_shape(word).table());
-  for (const uint32_t at : {0u, kTriangles, kTriangles + kLine}) __builtin_prefetch(table + at);
+  for (const uint32_t at : {0u, kTriangles, kTriangles + kLine}) prefetch_line(table + at);
   if (env.local_points.empty()) return;
   const auto* const local = reinterpret_cast<const char*>(env.local_points.data() + size_t{c.unit} * kUnitWords<D>);
-  for (const uint32_t at : {0u, kLine, 2 * kLine}) __builtin_prefetch(local + at);
+  for (const uint32_t at : {0u, kLine, 2 * kLine}) prefetch_line(local + at);
 }
 
 /** What is known of a cell whose points have moved, and its vertices. The record is read. */
@@ -84,11 +85,11 @@ DSW_PREFETCH void prefetch_moving(const Environment<D>& env, Cell c) noexcept {
   env.checked.prefetch(env.map.index(c));
   const uint32_t* const w = env.map.record(c);
   if (D == 3 && form_of(w[0]) == Form::kBox) {
-#pragma GCC unroll 8
-    for (uint32_t i = 0; i < 8; ++i) __builtin_prefetch(env.point(w[kUnitWords<3> + i]));
+    DSW_UNROLL(8)
+    for (uint32_t i = 0; i < 8; ++i) prefetch_line(env.point(w[kUnitWords<3> + i]));
     return;
   }
-  for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) __builtin_prefetch(env.point(c, i));
+  for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) prefetch_line(env.point(c, i));
 }
 
 }  // namespace dsw

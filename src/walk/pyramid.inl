@@ -17,7 +17,7 @@ DSW_COLD uint32_t settle_pyramid(const Environment<3>& env, const uint32_t* w, c
   outside &= sure;
   const Shape shape = standard_shape(Form::kPyramid, w[0] & kShapeMask);
   for (uint32_t unsure = 0x1fu & ~sure; unsure != 0; unsure &= unsure - 1) {
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
+    const uint32_t f = lowest_bit(unsure);
     const uint16_t* local = shape.simplices() + 3 * shape.simplex_first(f);
     const double* facet[3];
     for (uint32_t k = 0; k < 3; ++k) facet[k] = env.point(w[kUnitWords<3> + local[k]]);
@@ -57,5 +57,5 @@ inline uint32_t outside_flat_pyramid(const Environment<3>& env, const uint32_t* 
   test(4, -v.dot(first, 3));
   outside &= ~known;
   const uint32_t sure = (in_range ? outside | inside : 0) | known;
-  return __builtin_expect(sure == 0x1fu, 1) ? outside : settle_pyramid(env, w, q, sure, outside, tally);
+  return DSW_LIKELY(sure == 0x1fu) ? outside : settle_pyramid(env, w, q, sure, outside, tally);
 }

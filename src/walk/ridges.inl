@@ -33,7 +33,7 @@ struct RidgesAbreast {
   void look() noexcept;
 };
 
-__attribute__((noinline)) inline void RidgesAbreast::look() noexcept {
+DSW_NOINLINE inline void RidgesAbreast::look() noexcept {
   const auto load = [](const double* const(&points)[kAbreast]) {
     return load_points([&](uint32_t lane) { return points[lane]; });
   };

@@ -209,12 +209,12 @@ struct LaneBytes {
 
 /** A pair, which any machine of today has. */
 struct Row {
-  using Pair = Lanes::Pair;
-  using Mask = Lanes::PairMask;
+  using Pair = DoublePair;
+  using Mask = PairMask;
   Pair v;
 
   static Row all(double x) noexcept { return {Pair{x, x}}; }
-  static Row absolute(Row a) noexcept { return {(Pair)((Mask)a.v & Mask{INT64_MAX, INT64_MAX})}; }
+  static Row absolute(Row a) noexcept { return {pair_of(bits_of(a.v) & Mask{INT64_MAX, INT64_MAX})}; }
   static Mask greater(Row a, Row b) noexcept { return a.v > b.v; }
   static uint32_t bits(Mask m) noexcept { return static_cast<uint32_t>((m[0] & 1) | (m[1] & 2)); }
   static Mask both(Mask m, Mask n) noexcept { return m & n; }
@@ -237,8 +237,8 @@ inline void store_row(double* to, Row row) noexcept {
 inline Row::Mask mask_of(uint32_t bits) noexcept {
   return Row::Mask{-static_cast<int64_t>(bits & 1u), -static_cast<int64_t>(bits >> 1 & 1u)};
 }
-inline Row row_of(Row::Mask m) noexcept { return {(Row::Pair)m}; }
-inline Row::Mask mask_in(Row row) noexcept { return (Row::Mask)row.v; }
+inline Row row_of(Row::Mask m) noexcept { return {pair_of(m)}; }
+inline Row::Mask mask_in(Row row) noexcept { return bits_of(row.v); }
 
 /** A word of each lane. `at(lane)` is one. */
 struct Words {
@@ -298,5 +298,5 @@ inline Row::Mask either(Row::Mask m, Row::Mask n) noexcept { return Row::either(
 /** How many lanes a mask has. */
 DSW_HOT uint32_t count_lanes(uint32_t lanes) noexcept {
   if (kAbreast == 2) return (lanes & 1u) + (lanes >> 1);  // without an instruction for it a call
-  return static_cast<uint32_t>(__builtin_popcount(lanes));
+  return bit_count(lanes);
 }

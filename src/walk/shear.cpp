@@ -1,5 +1,6 @@
 #include "walk/shear.h"
 
+#include "base/compiler.h"
 #include "base/processor.h"
 
 namespace dsw {
@@ -32,7 +33,7 @@ bool passes_triangles(const double* from, const double* to, const FacetSpan<3>& 
 namespace {
 
 MissedTriangles choose_missed_triangles() noexcept {
-#if defined(__x86_64__)
+#if DSW_X86_64
   if (has_avx512()) return missed_triangles_avx512;
   if (has_avx2()) return missed_triangles_avx2;
 #endif
@@ -40,7 +41,7 @@ MissedTriangles choose_missed_triangles() noexcept {
 }
 
 PassesTriangles choose_passes_triangles() noexcept {
-#if defined(__x86_64__)
+#if DSW_X86_64
   if (has_avx512()) return passes_triangles_avx512;
   if (has_avx2()) return passes_triangles_avx2;
 #endif

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/compiler.h"
 #include "walk/facet_rows.h"
 
 namespace dsw {
@@ -86,7 +87,7 @@ class Shear {
  * others are passed for certain. Several instruction sets, the same bits where the line is in range. */
 using MissedTriangles = uint64_t (*)(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 uint64_t missed_triangles(Shear& shear, const FacetSpan<3>& triangles) noexcept;
-#if defined(__x86_64__)
+#if DSW_X86_64
 uint64_t missed_triangles_avx2(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 uint64_t missed_triangles_avx512(Shear& shear, const FacetSpan<3>& triangles) noexcept;
 #endif
@@ -97,7 +98,7 @@ constexpr size_t kMostMissed = 64;
  * same answers. */
 using PassesTriangles = bool (*)(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept;
 bool passes_triangles(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept;
-#if defined(__x86_64__)
+#if DSW_X86_64
 bool passes_triangles_avx2(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept;
 bool passes_triangles_avx512(const double* from, const double* to, const FacetSpan<3>& triangles) noexcept;
 #endif

@@ -2,16 +2,13 @@
 
 #include "walk/shear.h"
 
-#include "base/target.h"
+#include "base/compiler.h"
 
-#if defined(__x86_64__)
+#if DSW_X86_64
 
 #include <immintrin.h>
 
-#if !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 says it of its own intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
+DSW_UNSET_REGISTERS
 DSW_BEGIN_TARGET("avx2,avx512f,avx512vl,avx512dq")
 
 #include "walk/shear_lanes.inl"

@@ -37,10 +37,10 @@ class Sightlines {
     // Seen from behind the corners go the other way round, unless the line goes down.
     const uint32_t lines_down = Row::bits(down);
     Corner corners[3];
-#pragma GCC unroll 3
+    DSW_UNROLL(3)
     for (uint32_t c = 0; c < 3; ++c) {
       uint32_t numbers[kAbreast];
-#pragma GCC unroll 8
+      DSW_UNROLL(8)
       for (uint32_t lane = 0; lane < kAbreast; ++lane) {
         numbers[lane] = vertex(lane, (lines_down >> lane & 1u) != 0 ? c : (3 - c) % 3);
         rows_[kVertices + c][first + lane] = as_double(numbers[lane]);
@@ -51,7 +51,7 @@ class Sightlines {
     }
     const Row bound = side_bound(get(kLargest, first));
     Row lowest = Row::all(HUGE_VAL);
-#pragma GCC unroll 3
+    DSW_UNROLL(3)
     for (uint32_t c = 0; c < 3; ++c) {
       const Row weight = side(corners[(c + 1) % 3], corners[(c + 2) % 3]);
       put(kCorners + 9 + c, first, weight);
@@ -81,7 +81,7 @@ class Sightlines {
     Corner corners[3];
     Row sides[3], weights[3];
     Row::Mask left[3], right[3];
-#pragma GCC unroll 3
+    DSW_UNROLL(3)
     for (uint32_t c = 0; c < 3; ++c) {
       corners[c] = {get(kCorners + c, first), get(kCorners + 3 + c, first), get(kCorners + 6 + c, first)};
       weights[c] = get(kCorners + 9 + c, first);
@@ -90,10 +90,10 @@ class Sightlines {
       right[c] = Row::greater(minus_bound, sides[c]);
     }
     Row::Mask replaced[3];
-#pragma GCC unroll 3
+    DSW_UNROLL(3)
     for (uint32_t c = 0; c < 3; ++c) replaced[c] = both(left[(c + 1) % 3], right[(c + 2) % 3]);
     Row depth = Row::all(0);
-#pragma GCC unroll 3
+    DSW_UNROLL(3)
     for (uint32_t c = 0; c < 3; ++c) {
       const uint32_t next = (c + 1) % 3, last = (c + 2) % 3;
       const Row weight =
@@ -110,7 +110,7 @@ class Sightlines {
     const Row::Mask settled = both(either(either(replaced[0], replaced[1]), replaced[2]), is_in_range(largest));
     const Row tips = get(kTip, first);
     Row gone = get(kVertices, first);
-#pragma GCC unroll 3
+    DSW_UNROLL(3)
     for (uint32_t c = 0; c < 3; ++c) {
       const Row vertices = get(kVertices + c, first);
       put(kVertices + c, first, Row::select(replaced[c], tips, vertices));
@@ -123,7 +123,7 @@ class Sightlines {
 
   /** A slot takes over from another. */
   DSW_HOT void move(uint32_t from, uint32_t to) noexcept {
-#pragma GCC unroll 8
+    DSW_UNROLL(8)
     for (uint32_t row = 0; row < kMoved; ++row) rows_[row][to] = rows_[row][from];
   }
 

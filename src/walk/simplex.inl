@@ -29,7 +29,7 @@ DSW_COLD uint32_t settle_tetrahedron(const Environment<3>& env, const uint32_t* 
                                      uint32_t outside, Tally& tally) noexcept {
   outside &= sure;
   for (uint32_t unsure = 0xfu & ~sure; unsure != 0; unsure &= unsure - 1) {
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
+    const uint32_t f = lowest_bit(unsure);
     const double* facet[3];
     for (uint32_t k = 0; k < 3; ++k) facet[k] = env.point(w[kTetrahedronFacets[f][k]] & kVertexMask);
     outside |= (plane_side<3>(facet, q, tally).sign > 0 ? 1u : 0u) << f;
@@ -69,5 +69,5 @@ inline uint32_t look_at_tetrahedron(const Environment<3>& env, const uint32_t* w
   const double away = std::max(std::max(std::fabs(v.x[0]), std::fabs(v.y[0])), std::fabs(v.z[0]));
   const uint32_t far = away > kFarEdges * edge ? kFar : 0;
   const uint32_t sure = (in_range ? outside | inside : 0) | known;
-  return (__builtin_expect(sure == 0xfu, 1) ? outside : settle_tetrahedron(env, w, q, sure, outside, tally)) | far;
+  return (DSW_LIKELY(sure == 0xfu) ? outside : settle_tetrahedron(env, w, q, sure, outside, tally)) | far;
 }

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/compiler.h"
 #include "environment/local_points.h"
 #include "predicates/filtered.h"
 #include "walk/cast.h"
@@ -16,13 +17,9 @@
 #include "walk/shear.h"
 #include "walk/standard_facets.h"
 
-#if defined(__x86_64__)
+#if DSW_X86_64
 #include <immintrin.h>
 #endif
-
-// What runs for every cell is inlined into the walk; what runs for one in a thousand stays out of its registers.
-#define DSW_HOT inline __attribute__((always_inline))
-#define DSW_COLD __attribute__((noinline, cold))
 
 namespace dsw {
 
@@ -58,7 +55,7 @@ struct Walk {
 // them that a processor has not.
 extern const Walk<2> kPlaneWalk;
 extern const Walk<3> kPortableWalk;
-#if defined(__x86_64__)
+#if DSW_X86_64
 extern const Walk<3> kAvx2Walk, kAvx512Walk;
 #endif
 

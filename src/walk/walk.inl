@@ -108,7 +108,7 @@ class Walkers {
     if (D == 3 && moving_) {
       for (uint32_t i = 0; i < count; ++i) in_cuboids_[i] = find_out_cuboid(env_, requests_[i].start);
     }
-#pragma GCC unroll 1
+    DSW_UNROLL(1)
     for (uint32_t i = 0; i < count; ++i) {
       begin(i);
       some_end |= requests_[i].start == requests_[i].end;
@@ -144,7 +144,7 @@ class Walkers {
       const uint32_t i = active_[k];
       const Look look = looks_[i];
       if (look.kind() == LookKind::kPlanes) {
-        leave_flat<First>(i, static_cast<uint32_t>(__builtin_ctz(look.facets())));
+        leave_flat<First>(i, lowest_bit(look.facets()));
       } else {
         leave_box<First>(i);
       }
@@ -172,7 +172,7 @@ class Walkers {
     const uint32_t kind = form == Form::kSimplex ? 7u << kFormShift : 7u << kFormShift | map_.convex_bit;
     Abreast cells;
     uint32_t different = 0;
-#pragma GCC unroll 8
+    DSW_UNROLL(8)
     for (uint32_t j = 0; j < kAbreast; ++j) {
       const uint32_t i = active_[first + j];
       cells.records[j] = map_.record(results_[i].cell);
@@ -202,7 +202,7 @@ class Walkers {
   template <bool First>
   DSW_HOT void note_sides(uint32_t first, uint32_t end, const Sides& sides) noexcept {
     const uint32_t lanes = (1u << (end - first)) - 1, one = sides.one & lanes, several = sides.several & lanes;
-#pragma GCC unroll 8
+    DSW_UNROLL(8)
     for (uint32_t j = 0; j < kAbreast; ++j) looks_[active_[first + j]] = Look::of_word(sides.looks[j]);
     if (Tally::kCounts) {
       for (uint32_t j = first; j < end; ++j) {
@@ -226,7 +226,7 @@ class Walkers {
     exits.look(env_.points, cells, from);
     const uint32_t lanes = (1u << (end - first)) - 1, sure = exits.sure;
     const LaneBytes casts(active_ + first);
-#pragma GCC unroll 8
+    DSW_UNROLL(8)
     for (uint32_t j = 0; j < kAbreast; ++j) looks_[active_[first + j]] = Look::of_word(exits.looks[j]);
     if (Tally::kCounts) {
       tally_.tests(12 * count_lanes(sure));
@@ -240,11 +240,11 @@ class Walkers {
     casts.store(open_ + open_count_, open);  // before looks of single casts, which leave less room behind
     open_count_ += count_lanes(open);
     for (uint32_t rest = exits.several; rest != 0; rest &= rest - 1) {
-      const uint32_t i = active_[first + static_cast<uint32_t>(__builtin_ctz(rest))];
+      const uint32_t i = active_[first + lowest_bit(rest)];
       looks_[i] = looks_[i].with_several();
     }
     for (uint32_t rest = lanes & ~sure; rest != 0; rest &= rest - 1) {
-      look<First>(active_[first + static_cast<uint32_t>(__builtin_ctz(rest))]);
+      look<First>(active_[first + lowest_bit(rest)]);
     }
     casts.store(active_ + kept_, one);  // after the last read of active_[first...], where kept_ may point
     kept_ += count_lanes(one);
@@ -306,13 +306,12 @@ class Walkers {
     ridges.look();
     for (uint32_t lane = 0; lane < count; ++lane) {
       const uint32_t i = casts[lane], facets = looks_[i].facets();
-      if (__builtin_expect(((ridges.positive | ridges.negative) >> lane & 1u) == 0, 0)) {
+      if (DSW_UNLIKELY(((ridges.positive | ridges.negative) >> lane & 1u) == 0)) {
         decide<First>(i);
         continue;
       }
       tally_.test();
-      const uint32_t both[2] = {static_cast<uint32_t>(__builtin_ctz(facets)),
-                                31u - static_cast<uint32_t>(__builtin_clz(facets))};
+      const uint32_t both[2] = {lowest_bit(facets), highest_bit(facets)};
       active_[kept_++] = static_cast<uint8_t>(i);
       leave_flat<First>(i, both[ridges.negative >> lane & 1u]);
     }
@@ -322,7 +321,7 @@ class Walkers {
   template <bool First>
   DSW_HOT void decide(uint32_t i) noexcept {
     const Cell cell = results_[i].cell;
-    if (__builtin_expect(!looks_[i].is_settled(), 0)) looks_[i] = finder(i).look(cell, entry<First>(i), lines_[i]);
+    if (DSW_UNLIKELY(!looks_[i].is_settled())) looks_[i] = finder(i).look(cell, entry<First>(i), lines_[i]);
     const uint32_t forecast = First ? requests_[i].forecast : kNoFacet;
     const Exit exit = finder(i).choose(cell, looks_[i], lines_[i], entry<First>(i), forecast);
     if (exit.facet == kStays) return;
@@ -361,8 +360,8 @@ class Walkers {
     flights_[i].is_far = is_far;
     const uint32_t beyond = map_.opposite(at).word;
     if (beyond == kNoFacet) return;
-    __builtin_prefetch(&map_.words[beyond - beyond % kUnitWords<D>]);
-    if (D == 2) __builtin_prefetch(&map_.words[beyond]);  // its record may lie in two lines
+    prefetch_line(&map_.words[beyond - beyond % kUnitWords<D>]);
+    if (D == 2) prefetch_line(&map_.words[beyond]);  // its record may lie in two lines
   }
 
   /** Keeps the casts that go on from the cells that they enter, but for those that follow their lines. */
@@ -386,7 +385,7 @@ class Walkers {
   }
 
   /** Lets casts follow their lines one cell on. Adds those that go on otherwise to the `count` active ones. */
-  __attribute__((noinline)) uint32_t follow_lines(uint32_t count) noexcept {
+  DSW_NOINLINE uint32_t follow_lines(uint32_t count) noexcept {
     const auto look = [&](uint32_t i, HalfFacet through) {
       active_[count++] = static_cast<uint8_t>(i);
       flights_[i].through = through;
@@ -418,7 +417,7 @@ class Walkers {
     const uint32_t word = o.valid() ? map_.record(next)[0] : 0;
     bool is_closed = !o.valid() || (((link | word) & kMarkBit) != 0 && !request.through_walls);
     bool is_next_cuboid = false;
-    if (__builtin_expect(moving_, 0) && !is_closed) {
+    if (DSW_UNLIKELY(moving_) && !is_closed) {
       const CheckedCells::Known known = known_moving(env_, next);
       is_closed = !CheckedCells::is_valid(known);
       is_next_cuboid = known == CheckedCells::Known::kCuboid;

@@ -1,8 +1,8 @@
 #include "walk/walk.h"
 
-#include "base/target.h"
+#include "base/compiler.h"
 
-#if defined(__x86_64__)
+#if DSW_X86_64
 
 DSW_BEGIN_TARGET("avx2")
 

@@ -1,13 +1,10 @@
 #include "walk/walk.h"
 
-#include "base/target.h"
+#include "base/compiler.h"
 
-#if defined(__x86_64__)
+#if DSW_X86_64
 
-#if !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 says it of its own intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
+DSW_UNSET_REGISTERS
 DSW_BEGIN_TARGET("avx2,avx512f,avx512vl,avx512dq")
 
 #define DSW_ISA_AVX512 1

@@ -34,7 +34,7 @@ TEST(Pool, BlocksAreApartAndGoBackTogether) {
     std::vector<Array<unsigned char>> arrays;
     for (size_t i = 0; i < 3000; ++i) {
       arrays.emplace_back(1 + i * 7 % 6000, static_cast<unsigned char>(i % 251), pool.memory());
-      ASSERT_EQ(reinterpret_cast<uintptr_t>(arrays.back().data()) % alignof(std::max_align_t), 0u);
+      ASSERT_EQ(reinterpret_cast<uintptr_t>(arrays.back().data()) % kBlockAlignment, 0u);
       if (i % 3 == 0) arrays[i / 2] = Array<unsigned char>(pool.memory());
     }
     for (size_t i = 0; i < arrays.size(); ++i) {

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "base/compiler.h"
 #include "environment/marking.h"
 #include "environment/test_mesh.h"
 
@@ -74,9 +75,8 @@ TEST_F(BoxProbeTest, MarkedEdgesAndVerticesAreNotLookedFor) {
 }
 
 TEST(FacetsInBox, AreTheSameForAllInstructionSets) {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP();
+#if DSW_X86_64
+  if (!DSW_CPU_HAS("avx2")) GTEST_SKIP();
   std::mt19937 random(5);
   const auto coordinate = [&] { return static_cast<double>(random() % 8) - 3.5; };
   const uint32_t vertices[8] = {7, 6, 5, 4, 3, 2, 1, 0};

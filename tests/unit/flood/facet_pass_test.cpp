@@ -7,14 +7,15 @@
 #include <cmath>
 #include <random>
 
+#include "base/compiler.h"
+
 namespace {
 
 using namespace dsw;
 
 TEST(FacetPass, IsExactAndTheSameForAllInstructionSets) {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  const bool has_lanes = __builtin_cpu_supports("avx2") != 0;
+#if DSW_X86_64
+  const bool has_lanes = DSW_CPU_HAS("avx2");
 #endif
   std::mt19937 random(11);
   int passed = 0, tied = 0;
@@ -38,7 +39,7 @@ TEST(FacetPass, IsExactAndTheSameForAllInstructionSets) {
     const bool triangle = random() % 2 == 0;
     const double* const corners[4] = {at[0], at[1], at[2], triangle ? at[2] : at[3]};
     const bool passes = passes_facet(corners, line[0], line[1]);
-#if defined(__x86_64__)
+#if DSW_X86_64
     if (has_lanes) {
       ASSERT_EQ(passes_facet_avx2(corners, line[0], line[1]), passes) << i;
     }
@@ -60,9 +61,8 @@ TEST(FacetPass, IsExactAndTheSameForAllInstructionSets) {
 }
 
 TEST(FacetPass, KeepsWhereAllThreeLinesPass) {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  const bool has_lanes = __builtin_cpu_supports("avx2") != 0;
+#if DSW_X86_64
+  const bool has_lanes = DSW_CPU_HAS("avx2");
 #endif
   std::mt19937 random(12);
   int kept = 0, missed = 0;
@@ -86,7 +86,7 @@ TEST(FacetPass, KeepsWhereAllThreeLinesPass) {
     const double* const corners[4] = {at[0], at[1], at[2], triangle ? at[2] : at[3]};
     const EdgeWay way{ends[0], ends[1], ends[2], ends[3], from_first};
     const bool keeps = keeps_to_facet(corners, way);
-#if defined(__x86_64__)
+#if DSW_X86_64
     if (has_lanes) {
       ASSERT_EQ(keeps_to_facet_avx2(corners, way), keeps) << i;
     }

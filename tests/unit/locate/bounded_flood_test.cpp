@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "../../share.h"
+#include "base/compiler.h"
 #include "base/processor.h"
 #include "environment/moving.h"
 #include "locate/locate.h"
@@ -231,7 +232,7 @@ TEST(FacetBounds, AreNumbersFarOutsideOfTheBox) {
       const double distance = std::sqrt(from.way(corner(0), corner(1), corner(2), HUGE_VAL).squared) * frame.scale;
       ASSERT_LE(bounds.lower[t], distance) << i;
     }
-#if defined(__x86_64__)
+#if DSW_X86_64
     if (!has_avx2()) continue;
     FacetBounds others;
     avx2_bounds<3>().of_triangles(frame, all, others);
@@ -286,7 +287,7 @@ TEST(FacetBounds, HoldForDistances) {
       ASSERT_GE(tetrahedra.upper[f], of_facets.upper[f]);
       ASSERT_NEAR(tetrahedra.upper[f], of_facets.upper[f], 0x1p-14);
     }
-#if defined(__x86_64__)
+#if DSW_X86_64
     if (!has_avx2()) continue;
     avx2_bounds<3>().of_triangles(frame, all, others);
     ASSERT_EQ(std::memcmp(&bounds, &others, sizeof bounds), 0);

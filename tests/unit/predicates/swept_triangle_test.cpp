@@ -10,6 +10,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/compiler.h"
 #include "cases.h"
 #include "oracle.h"
 
@@ -88,9 +89,8 @@ TEST(SweptTriangle, SaysLaterOnlyOfLinesThatAreMetLater) {
 /** What the processor has. */
 std::vector<FindTetrahedronSigns> kernels() {
   std::vector<FindTetrahedronSigns> all = {find_tetrahedron_signs};
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) all.push_back(find_tetrahedron_signs_avx2);
+#if DSW_X86_64
+  if (DSW_CPU_HAS("avx2")) all.push_back(find_tetrahedron_signs_avx2);
 #endif
   return all;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <random>
 
+#include "base/compiler.h"
 #include "coarsen/coarsen.h"
 #include "environment/marking.h"
 #include "environment/moving.h"
@@ -264,11 +265,11 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
 INSTANTIATE_TEST_SUITE_P(Scales, InstructionSetTest, testing::Values(1.0, 0x1p-3, 1e100, 1e-100, 1e-300));
 
 TEST(InstructionSets, TrianglesAreMissedWithTheSameBits) {
-#if defined(__x86_64__)
-  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP();
+#if DSW_X86_64
+  if (!DSW_CPU_HAS("avx2")) GTEST_SKIP();
   std::vector<MissedTriangles> sets{missed_triangles_avx2};
   std::vector<PassesTriangles> pass_sets{passes_triangles_avx2};
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+  if (DSW_CPU_HAS("avx512f") && DSW_CPU_HAS("avx512dq") && DSW_CPU_HAS("avx512vl")) {
     sets.push_back(missed_triangles_avx512);
     pass_sets.push_back(passes_triangles_avx512);
   }

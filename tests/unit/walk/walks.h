@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/compiler.h"
 #include "walk/walk.h"
 
 namespace dsw::testing_walk {
@@ -15,10 +16,9 @@ struct NamedWalk {
 /** The portable one first. */
 inline std::vector<NamedWalk> walks() {
   std::vector<NamedWalk> all{{"portable", kPortableWalk}};
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) all.push_back({"avx2", kAvx2Walk});
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+#if DSW_X86_64
+  if (DSW_CPU_HAS("avx2")) all.push_back({"avx2", kAvx2Walk});
+  if (DSW_CPU_HAS("avx512f") && DSW_CPU_HAS("avx512dq") && DSW_CPU_HAS("avx512vl")) {
     all.push_back({"avx512", kAvx512Walk});
   }
 #endif
