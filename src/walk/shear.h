@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/fp_rules.h"
 #include "walk/facet_rows.h"
 
 namespace dsw {
