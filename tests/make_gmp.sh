@@ -27,7 +27,10 @@ options=(--prefix="$prefix" --enable-cxx --disable-shared)
 case $target in
   arm64) options+=(--host=aarch64-linux-gnu) ;;
   windows) options+=(--host=x86_64-w64-mingw32 CC=x86_64-w64-mingw32-gcc-posix CXX=x86_64-w64-mingw32-g++-posix) ;;
-  wasm) options+=(--host=none --disable-assembly CC=emcc CXX=em++ CC_FOR_BUILD=cc CXXFLAGS="-O2 -fwasm-exceptions") ;;
+  wasm)
+    export NODE_PATH=/usr/share/nodejs # where Debian's emscripten has its modules, whichever Node runs it
+    options+=(--host=none --disable-assembly CC=emcc CXX=em++ CC_FOR_BUILD=cc CXXFLAGS="-O2 -fwasm-exceptions")
+    ;;
 esac
 run=()
 if [ "$target" = wasm ]; then run=(emconfigure); fi

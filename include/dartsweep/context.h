@@ -1,6 +1,8 @@
 /** @file context.h
  * A context: memory, log and parallel-for of the host. The null context has all defaults. A context
- * must outlive its objects. Callbacks must not call dsw functions.
+ * must outlive its objects. Callbacks must not call dsw functions. They run in the default mode of
+ * floating-point arithmetic, whatever the mode of the thread that called dsw, and must leave that
+ * mode as it is. More: bindings/docs/exactness.md.
  */
 #ifndef DARTSWEEP_CONTEXT_H
 #define DARTSWEEP_CONTEXT_H

@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/fp_mode.h"
+
 namespace dsw {
 namespace {
 
@@ -15,6 +17,7 @@ struct Job {
   void (*body)(void*, size_t, size_t) noexcept;
 
   void run_chunk(size_t chunk) const noexcept {
+    const FpMode mode;  // a thread of the host may have one of its own
     const size_t begin = chunk * chunk_size;
     body(context, begin, std::min(begin + chunk_size, count));
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "base/error.h"
+#include "base/fp_rules.h"
 
 namespace dsw {
 

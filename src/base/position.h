@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "base/fp_rules.h"
+
 namespace dsw {
 
 /** To compare with others; overflows to infinity, which compares as it should. */

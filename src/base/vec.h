@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/fp_rules.h"
 #include "base/position.h"
 
 namespace dsw {

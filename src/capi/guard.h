@@ -2,6 +2,7 @@
 // The shape of every entry point: one try, one place that turns what was thrown into a status and a message. Checks of
 // null pointers and handles stand inside the try too.
 
+#include "base/fp_mode.h"
 #include "base/points.h"
 #include "dartsweep/base.h"
 
@@ -13,9 +14,11 @@ dsw_status status_of_exception(const char* function) noexcept;
 /** Text of the last failure on this thread. */
 const char* last_message() noexcept;
 
-/** Runs the body of the entry point named `function`; the body throws Error to fail. */
+/** Runs the body of the entry point named `function`; the body throws Error to fail. Whatever mode of arithmetic the host
+ * is in, the body, its messages and the callbacks are in the default one. */
 template <class Body>
 dsw_status guard(const char* function, Body&& body) noexcept {
+  const FpMode mode;
   try {
     body();
     return DSW_STATUS_OK;

@@ -10,6 +10,8 @@
 // and everything below is written with n.(x-a), positive outside.
 #pragma once
 
+#include "base/fp_rules.h"
+
 namespace dsw {
 
 // sign: of the shifted value, 0 only where the shift leaves it open (see each function).

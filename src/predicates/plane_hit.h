@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "base/fp_rules.h"
+
 namespace dsw {
 
 template <int D>

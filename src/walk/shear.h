@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "base/compiler.h"
+#include "base/fp_rules.h"
 #include "walk/facet_rows.h"
 
 namespace dsw {
