@@ -44,8 +44,8 @@ struct Uint128 {
   }
 
   friend constexpr Uint128 operator+(const Uint128& a, const Uint128& b) noexcept {
-    const uint64_t low = a.low + b.low;
-    return {a.high + b.high + (low < a.low ? 1u : 0u), low};
+    const uint64_t sum = a.low + b.low;
+    return {a.high + b.high + (sum < a.low ? 1u : 0u), sum};
   }
   friend constexpr Uint128 operator-(const Uint128& a, const Uint128& b) noexcept {
     return {a.high - b.high - (a.low < b.low ? 1u : 0u), a.low - b.low};

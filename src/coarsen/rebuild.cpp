@@ -147,11 +147,12 @@ class Rebuild {
       units += units_of(root);
     }
     if (units >= kMostUnits) fail(DSW_STATUS_TOO_LARGE, "the merged cells need more than 2^28 records");
-    map_.words.assign(units * kUnitWords<3>, 0);
+    const auto unit_count = static_cast<size_t>(units);
+    map_.words.assign(unit_count * kUnitWords<3>, 0);
     map_.units_per_cell = uniform ? first_units : 0;
     if (uniform) return;
     map_.unit_of_cell.reserve(roots_.size());
-    map_.cell_of_unit.assign(units, kNoCell);
+    map_.cell_of_unit.assign(unit_count, kNoCell);
     uint32_t unit = 0;
     for (const uint32_t root : roots_) {
       map_.cell_of_unit[unit] = static_cast<uint32_t>(map_.unit_of_cell.size());

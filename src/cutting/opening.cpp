@@ -359,11 +359,12 @@ void Opening<D>::shorten(Edit<D>& edit, const Array<uint32_t>& drafts) {
   if (copies.size() == 0) fail(DSW_STATUS_INVALID_CELL, "a volume at the crack is invalid already");
   bool moved = false;
   for (uint32_t i = 0; i < copies.size(); ++i) {
-    Way& way = ways_[copies[i] / 2];
-    moved = moved || way.shares[copies[i] % 2] != 0;
-    way.shorten(static_cast<int>(copies[i] % 2));
+    const auto copy = static_cast<uint32_t>(copies[i]);
+    Way& way = ways_[copy / 2];
+    moved = moved || way.shares[copy % 2] != 0;
+    way.shorten(static_cast<int>(copy % 2));
   }
-  for (uint32_t i = 0; !moved && i < copies.size(); ++i) ways_[copies[i] / 2].stays = true;
+  for (uint32_t i = 0; !moved && i < copies.size(); ++i) ways_[static_cast<uint32_t>(copies[i]) / 2].stays = true;
 }
 
 template <int D>

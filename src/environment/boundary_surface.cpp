@@ -143,7 +143,7 @@ BoundaryTree<D>::BoundaryTree(const Environment<D>& env, const BoundarySurface<D
       for (const uint32_t v : surface.simplices[t].vertex) least = std::min(least, env.point(v)[axis]);
       return least;
     };
-    const auto begin = order_.begin() + node.first;
+    uint32_t* const begin = order_.data() + node.first;
     const uint32_t half = node.count / 2;
     // Which ones are in each half is certain, in what order is not: visitors do not depend on it.
     std::nth_element(begin, begin + half, begin + node.count, [&](uint32_t a, uint32_t b) {

@@ -136,13 +136,14 @@ class Reader {
     }
     if (units >= kMaxUnits)
       fail(DSW_STATUS_TOO_LARGE, "the cells need %llu records, more than 2^28", static_cast<unsigned long long>(units));
-    map_.words.assign(units * kUnitWords<D>, 0);
+    const auto unit_count = static_cast<size_t>(units);
+    map_.words.assign(unit_count * kUnitWords<D>, 0);
     laid_out_ = true;
     if (uniform) {
       map_.units_per_cell = first_units;
       return;
     }
-    map_.cell_of_unit.assign(units, kNoCell);
+    map_.cell_of_unit.assign(unit_count, kNoCell);
     for (uint32_t i = 0; i < map_.cell_count; ++i) map_.cell_of_unit[map_.unit_of_cell[i]] = i;
   }
 
@@ -375,7 +376,7 @@ void mirror_cell(Environment<D>& env, Cell c) {
       // Reversed loops have the same counts, so the new table has the size of the old one and takes its place.
       Array<uint16_t> table(map.shape_tables.get_allocator());
       append_polyhedron({vertices.data(), first.data(), shape.facet_count(), shape.vertex_count()}, base.data(), table);
-      std::copy(table.begin(), table.end(), map.shape_tables.begin() + map.shape_offsets[w[0] & kShapeMask]);
+      std::copy(table.begin(), table.end(), map.shape_tables.data() + map.shape_offsets[w[0] & kShapeMask]);
     } else {
       const uint32_t n = shape.vertex_count(), offset = first_vertex_item<D>(shape.facet_count());
       const auto slot = [&](uint32_t k) -> uint32_t& { return w[item_word<D>(offset + k)]; };

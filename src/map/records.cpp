@@ -163,7 +163,7 @@ uint32_t take_shape(Map<D>& map, const Array<uint16_t>& table) {
     map.shape_offsets.push_back(static_cast<uint32_t>(map.shape_tables.size()));
     map.shape_tables.resize(map.shape_tables.size() + length);
   }
-  std::copy(table.begin(), table.end(), map.shape_tables.begin() + map.shape_offsets[number]);
+  std::copy(table.begin(), table.end(), map.shape_tables.data() + map.shape_offsets[number]);
   if (D == 2) map.free_shapes[length] = number;
   return number;
 }

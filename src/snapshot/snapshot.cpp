@@ -162,7 +162,7 @@ void restore_layout(Map<D>& map) {
     const uint32_t n = units_at(static_cast<uint32_t>(unit));
     if (n == 0) fail_corrupt("a record's form");
     map.unit_of_cell[i] = static_cast<uint32_t>(unit);
-    map.cell_of_unit[unit] = i;
+    map.cell_of_unit[static_cast<uint32_t>(unit)] = i;
     unit += n;
   }
   if (unit != units) fail_corrupt("records: another number than cells");

@@ -70,7 +70,7 @@ MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Vertices& loop)
     const size_t i = edit.replace(map.cell_of(kept));
     CellDraft& draft = edit.draft(i);
     draft.facets[facet_from(draft, kept)] = facet;
-    draft.facets.erase(draft.facets.begin() + facet_from(draft, gone));
+    draft.facets.erase(draft.facets.begin() + static_cast<ptrdiff_t>(facet_from(draft, gone)));
     return MergedFacet{i, facet_from(draft, kept)};
   };
   if (two) put(merged.far, after_first ? second.far : first.far, turned(merged));
