@@ -1,7 +1,7 @@
 #pragma once
-// The floating-point mode of a thread that computes for us: round to nearest, denormal numbers as they are, no trap. The
-// bounds of the filters and the rounding of results hold in no other mode, and each thread of a host has its own: a plugin
-// rounds upwards, a program linked with -ffast-math flushes denormal numbers, a debugger asks for traps.
+// The floating-point mode of a thread that computes for us: round to nearest, denormal numbers as they are, no trap.
+// The bounds of the filters and the rounding of results hold in no other mode, and each thread of a host has its own:
+// a plugin rounds upwards, a program linked with -ffast-math flushes denormal numbers, a debugger asks for traps.
 
 #include <cstdint>
 
@@ -16,12 +16,12 @@
 
 namespace dsw {
 
-/** While it lives, the thread is in the default mode; afterwards it is in the mode in which it was. Reading the register and
- * comparing it is all that a thread in the default mode pays. Where modes differ on x86-64, the host's flags of what has
- * happened come back, too: with a trap unmasked, ours would tell its handler something wrong.
+/** While it lives, the thread is in the default mode; afterwards it is in the mode in which it was. Reading the
+ * register and comparing it is all that a thread in the default mode pays. Where modes differ on x86-64, the host's
+ * flags of what has happened come back, too: with a trap unmasked, ours would tell its handler something wrong.
  *
- * No compiler knows that arithmetic depends on the mode. What changes it are calls into another unit, so whatever is read
- * from memory after the beginning, or written to memory that others see, stays inside. */
+ * No compiler knows that arithmetic depends on the mode. What changes it are calls into another unit, so whatever is
+ * read from memory after the beginning, or written to memory that others see, stays inside. */
 class FpMode {
  public:
 #if DSW_HAS_FP_MODES

@@ -1,7 +1,7 @@
 #pragma once
-// What arithmetic has to be for signs to be right and for bits to be the same everywhere: that of IEEE 754, each operation
-// rounded once to its type. A compiler that was told otherwise is refused here. Options that no macro shows are refused, and
-// undone, by cmake/floating_point.cmake.
+// What arithmetic has to be for signs to be right and for bits to be the same everywhere: that of IEEE 754, each
+// operation rounded once to its type. A compiler that was told otherwise is refused here. Options that no macro shows
+// are refused, and undone, by cmake/floating_point.cmake.
 
 #include <cfloat>
 #include <limits>

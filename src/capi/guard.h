@@ -14,8 +14,8 @@ dsw_status status_of_exception(const char* function) noexcept;
 /** Text of the last failure on this thread. */
 const char* last_message() noexcept;
 
-/** Runs the body of the entry point named `function`; the body throws Error to fail. Whatever mode of arithmetic the host
- * is in, the body, its messages and the callbacks are in the default one. */
+/** Runs the body of the entry point named `function`; the body throws Error to fail. Whatever mode of arithmetic the
+ * host is in, the body, its messages and the callbacks are in the default one. */
 template <class Body>
 dsw_status guard(const char* function, Body&& body) noexcept {
   const FpMode mode;

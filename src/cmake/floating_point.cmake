@@ -2,10 +2,10 @@
 # CMAKE_CXX_FLAGS and behind what a parent project adds for its folders, so these have the last word. base/fp_rules.h refuses
 # what a macro shows.
 #
-# -ffp-contract=off stands last: clang's -fno-fast-math may reset it. -fno-fast-math alone leaves what is asked for by one of
-# the names behind it to the compiler's taste.
-set(dsw_fp_options -fno-fast-math -fno-unsafe-math-optimizations -fno-associative-math -fno-reciprocal-math
-  -fno-finite-math-only -fsigned-zeros -ffp-contract=off)
+# -ffp-contract=off stands last: clang's -fno-fast-math may reset it. -fno-unsafe-math-optimizations is not among them: clang
+# then takes every operation for one that may trap, which costs speed, and which WebAssembly does not have.
+set(dsw_fp_options -fno-fast-math -fno-associative-math -fno-reciprocal-math -fno-finite-math-only -fsigned-zeros
+  -ffp-contract=off)
 
 # Sets `out` to the first flag of a text that asks for other arithmetic, or to "". The options above would undo most of these:
 # who asks for them should hear that they are not to be had. -ffp-contract is not among them, for GCC fuses unless it is told.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Fails unless flags that change the arithmetic of doubles are refused by base/fp_rules.h or by CMake, and undone by the options
-that each target gets.
+"""Fails unless flags that change the arithmetic of doubles are refused by base/fp_rules.h or by CMake, and undone by
+the options that each target gets.
 
 usage: check_fp_rules.py ROOT CMAKE COMPILER GNU|Clang OPTION...
 """
@@ -17,14 +17,16 @@ BY_CMAKE = [*BY_MACRO, "-funsafe-math-optimizations", "-fassociative-math", "-fr
             "-fdenormal-fp-math=preserve-sign,preserve-sign", "-mfpmath=387", "-mfpmath=sse+387", "-mdaz-ftz"]
 HARMLESS = ["", "-O3 -march=native", "-fno-fast-math", "-ffp-contract=fast", "-mfpmath=sse", "-fdenormal-fp-math=ieee",
             "-DNAME=-ffast-math"]
-UNDONE = ["-ffast-math", "-Ofast", "-funsafe-math-optimizations", "-fassociative-math -fno-signed-zeros -fno-trapping-math",
-          "-freciprocal-math", "-ffinite-math-only", "-fno-signed-zeros", "-ffp-contract=fast"]
-# Options of GCC and of clang's first pass when they are on, or have this value.
+UNDONE = ["-ffast-math", "-Ofast", "-funsafe-math-optimizations",
+          "-fassociative-math -fno-signed-zeros -fno-trapping-math", "-freciprocal-math", "-ffinite-math-only",
+          "-fno-signed-zeros", "-ffp-contract=fast"]
+# Options of GCC and of clang's first pass when they are on, or have this value. Arithmetic that may trap is only slow.
 UNSAFE = {
     "GNU": re.compile(r"-f(?:associative-math|reciprocal-math|finite-math-only|unsafe-math-optimizations)\s+\[enabled\]"
                       r"|-fsigned-zeros\s+\[disabled\]|-ffp-contract=\S*\s+(?:fast|on)"),
-    "Clang": re.compile(r'"-(?:ffast-math|menable-unsafe-fp-math|menable-no-infs|menable-no-nans|mreassociate|freciprocal-math'
-                        r'|fno-signed-zeros|ffinite-math-only|fapprox-func|ffp-contract=(?:fast|on))"'),
+    "Clang": re.compile(r'"-(?:ffast-math|menable-unsafe-fp-math|menable-no-infs|menable-no-nans|mreassociate'
+                        r'|freciprocal-math|fno-signed-zeros|ffinite-math-only|fapprox-func|ffp-contract=(?:fast|on)'
+                        r'|ffp-exception-behavior=strict)"'),
 }
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Fails if objects of the engine multiply and add with one rounding, but for the files that say so themselves: a compiler that
-fuses a * b + c changes signs and bits.
+"""Fails if objects of the engine multiply and add with one rounding, but for the files that say so themselves: a
+compiler that fuses a * b + c changes signs and bits.
 
 usage: check_fused.py OBJDUMP OBJECT... | --self-test
 """
@@ -37,8 +37,10 @@ def self_test():
         return f"\n{path}:     file format elf64\n\n0000000000000000 <f>:\n   4:\t{instruction}\n".splitlines()
 
     fused = ["vfmadd132sd %xmm1,%xmm2,%xmm0", "vfnmsub231pd %zmm1,%zmm2,%zmm0{%k1}", "vfmaddsub213ps %ymm1,%ymm2,%ymm0",
-             "fmadd\td0, d0, d1, d2", "fnmsub\td0, d0, d1, d2", "fmla\tv0.2d, v1.2d, v2.2d", "fmls\tv0.2d, v1.2d, v2.d[0]"]
-    others = ["mulsd  %xmm1,%xmm0", "vmulpd %ymm1,%ymm2,%ymm0", "fmul\td0, d0, d1", "fmov\td0, #1.0", "fsub\td0, d0, d1"]
+             "fmadd\td0, d0, d1, d2", "fnmsub\td0, d0, d1, d2", "fmla\tv0.2d, v1.2d, v2.2d",
+             "fmls\tv0.2d, v1.2d, v2.d[0]"]
+    others = ["mulsd  %xmm1,%xmm0", "vmulpd %ymm1,%ymm2,%ymm0", "fmul\td0, d0, d1", "fmov\td0, #1.0",
+              "fsub\td0, d0, d1"]
     for instruction in fused:
         if read(text(instruction)) != ([("src/walk/walk_avx512.cpp.o", "f", instruction.split()[0])], 0):
             sys.exit(f"not seen: {instruction}")
@@ -57,7 +59,8 @@ def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     objdump, *objects = sys.argv[1:]
-    with subprocess.Popen([objdump, "-d", "--no-show-raw-insn", *objects], stdout=subprocess.PIPE, text=True) as process:
+    command = [objdump, "-d", "--no-show-raw-insn", *objects]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         fused, products = read(process.stdout)
     if process.returncode != 0:
         sys.exit(f"{objdump} failed")

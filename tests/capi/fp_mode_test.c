@@ -1,5 +1,5 @@
-/* Modes of floating-point arithmetic: whatever mode the host is in, the same calls give the same bits, and leave the host
-   in its mode. */
+/* Modes of floating-point arithmetic: whatever mode the host is in, the same calls give the same bits, and leave the
+   host in its mode. */
 #include <fenv.h>
 #include <stdio.h>
 #include <stdlib.h>
