@@ -1,4 +1,5 @@
 #include "base/slot_pool.h"
+#include "../../aligned_block.h"
 
 #include <gtest/gtest.h>
 
@@ -81,11 +82,11 @@ struct Host {
     Host& host = *static_cast<Host*>(user);
     if (host.refuse) return nullptr;
     ++host.blocks;
-    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    return dsw::aligned_block(size, alignment);
   }
   static void release(void* user, void* block, size_t, size_t) {
     --static_cast<Host*>(user)->blocks;
-    std::free(block);
+    dsw::free_aligned_block(block);
   }
 };
 

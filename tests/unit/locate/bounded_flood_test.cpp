@@ -146,7 +146,7 @@ TEST(BoundedFlood, AsksTheOtherFloodWhereTheNearestIsNotReached) {
     below.push_back(mesh.point({x, y, -2}));
   };
   add(0, 0);
-  for (int k = 0; k <= kPrisms; ++k) add(2 * std::cos(k * M_PI / 3), 2 * std::sin(k * M_PI / 3));
+  for (int k = 0; k <= kPrisms; ++k) add(2 * std::cos(k * std::acos(-1.0) / 3), 2 * std::sin(k * std::acos(-1.0) / 3));
   for (size_t k = 1; k <= kPrisms; ++k)
     mesh.cell(kWedge, {above[0], above[k], above[k + 1], below[0], below[k], below[k + 1]});
   const auto env = mesh.build();

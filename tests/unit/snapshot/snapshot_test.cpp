@@ -10,6 +10,7 @@
 #include <memory>
 #include <random>
 
+#include "../../aligned_block.h"
 #include "base/error.h"
 #include "environment/marking.h"
 #include "map/dart.h"
@@ -267,11 +268,11 @@ struct Meter {
     --m.left;
     m.out += size;
     m.most = std::max(m.most, m.out);
-    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    return aligned_block(size, alignment);
   }
   static void release(void* user, void* block, size_t size, size_t) {
     static_cast<Meter*>(user)->out -= size;
-    std::free(block);
+    free_aligned_block(block);
   }
 };
 

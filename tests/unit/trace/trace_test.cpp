@@ -8,6 +8,7 @@
 #include <new>
 #include <tuple>
 
+#include "../../aligned_block.h"
 #include "environment/marking.h"
 #include "locate/locate.h"
 #include "map/dart.h"
@@ -198,9 +199,9 @@ struct Short {
     Short& s = *static_cast<Short*>(user);
     if (s.left == 0) return nullptr;
     --s.left;
-    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    return aligned_block(size, alignment);
   }
-  static void release(void*, void* block, size_t, size_t) { std::free(block); }
+  static void release(void*, void* block, size_t, size_t) { free_aligned_block(block); }
 };
 
 TEST(Trace, AnAdditionWithoutMemoryAddsNothing) {
