@@ -54,7 +54,7 @@ dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_volumes>, volumes, count, mark, flags);
     const size_t left_out = mark_cells(env, capi::engine_of(scene, env), cells.data(), count, marked, skip);
-    call.done(left_out);
+    call.done(uint64_t{left_out});
     if (skipped != nullptr) *skipped = left_out;
   });
 }
@@ -107,7 +107,7 @@ dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t reg
     size_t left_out = 0;
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_region>, region, mark, flags);
     const size_t all = mark_region(env, capi::engine_of(scene, env), region, impassable, skip, &left_out);
-    call.done(all, left_out);
+    call.done(uint64_t{all}, uint64_t{left_out});
     if (marked != nullptr) *marked = all - left_out;
     if (skipped != nullptr) *skipped = left_out;
   });
@@ -120,7 +120,7 @@ dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a,
     dsw_scene* const scene = begin_marking(*environment);
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_between>, a, b, mark);
     const size_t all = mark_between(env, capi::engine_of(scene, env), a, b, impassable);
-    call.done(all);
+    call.done(uint64_t{all});
     if (marked != nullptr) *marked = all;
   });
 }
@@ -145,7 +145,7 @@ dsw_status dsw_environment_get_mark_count(const dsw_environment* environment, ds
     dsw::require(count, "count");
     const bool is_there = kind >= DSW_CELL_VERTEX && kind <= DSW_CELL_VOLUME && (D == 3 || kind != DSW_CELL_EDGE);
     if (!is_there) capi::fail_kind("kind", kind, D);
-    const size_t counts[] = {env.marked_vertices, env.marked_edges, env.marked_facets, env.marked_cells};  // by kind
-    *count = counts[kind - DSW_CELL_VERTEX];
+    const uint64_t counts[] = {env.marked_vertices, env.marked_edges, env.marked_facets, env.marked_cells};  // by kind
+    *count = static_cast<size_t>(counts[kind - DSW_CELL_VERTEX]);
   });
 }
