@@ -21,6 +21,7 @@ struct CallPlace {
 void* keep_bytes(dsw_replay& replay, size_t size);
 template <class T>
 T* keep(dsw_replay& replay, size_t count = 1) {
+  if (count > SIZE_MAX / sizeof(T)) throw std::bad_alloc();
   T* const kept = static_cast<T*>(keep_bytes(replay, count * sizeof(T)));
   std::uninitialized_value_construct_n(kept, count);
   return kept;
@@ -61,6 +62,7 @@ struct Value {
 
   template <class Given, class Use>
   void write(const Given& given, const CallPlace&, const Use& use) const {
+    static_assert(has_one_size<ElementAt<At, Given>>);
     if constexpr (is_pointer<Given>) {
       for_each_part(*at(given), use);
     } else {
@@ -136,6 +138,7 @@ struct ArrayOf {
   template <class Given, class Use>
   void write(const Given& given, const CallPlace& place, const Use& use) const {
     using T = Each<Given>;
+    static_assert(has_one_size<T>);
     const size_t all = count(given, place.dimension);
     if constexpr (has_points) {
       size_t step = place.dimension;
@@ -162,8 +165,8 @@ struct ArrayOf {
   }
 };
 
-/** A struct that begins with its size, and the arrays that it points at. A null pointer stands for defaults. The
- * pointers in the struct are written as null. */
+/** A struct that begins with its size, and the arrays that it points at: fields.h. A null pointer stands for defaults.
+ * The pointers in the struct are written as null. */
 template <class At, class... Arrays>
 struct Struct {
   const char* label;
@@ -176,7 +179,7 @@ struct Struct {
     const T whole = read_optional(at(given), label);
     T bare = whole;
     for_each(arrays, [&](const auto& each) { each.at(bare) = nullptr; });
-    use(&bare, sizeof bare);
+    use_recorded(bare, use);
     for_each(arrays, [&](const auto& each) { each.write(whole, place, use); });
   }
   template <class Given>

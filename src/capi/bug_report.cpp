@@ -114,7 +114,8 @@ dsw_status dsw_scene_write_bug_report(dsw_scene* scene, const dsw_bug_report_des
     dsw::RecordWriter& writer = made->scene->recording->writer;
     write_note(writer, d.note == nullptr ? "" : d.note);
     answer.struct_size = sizeof answer;
-    writer.write(dsw::EntryKind::kValidation, &answer, sizeof answer);
+    capi::use_recorded(answer,
+                       [&](const void* bytes, size_t size) { writer.write(dsw::EntryKind::kValidation, bytes, size); });
     if (!capi::end_recording(*made->scene)) fail(DSW_STATUS_WRITE_FAILED, "the bug report was not written");
     if (validation != nullptr) capi::write_struct(validation, answer);
     if (!is_same || capi::state_of(handle, true) != capi::state_of(*made->scene, true)) {

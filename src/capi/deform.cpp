@@ -72,7 +72,8 @@ dsw_status dsw_environment_deform(dsw_environment* environment, double* next, si
         fail(DSW_STATUS_UNSUPPORTED, "options->invalid is DSW_INVALID_REMESH, must be HOLD or REFUSE in the plane");
       }
       dsw_deform_options written = o;
-      if (scene.watch != nullptr) written.point_room = static_cast<size_t>(scene.watch->offered);
+      if (scene.watch != nullptr)
+        written.point_room = static_cast<size_t>(std::min<uint64_t>(scene.watch->offered, SIZE_MAX));
       capi::Recorded call(&scene, capi::row_of<dsw_environment_deform>, next, point_count, &written);
       uint32_t remeshed = 0;
       if constexpr (D == 3) {

@@ -50,32 +50,46 @@ DSW_FIRST_SIZE(dsw_change, body_face_count);
 /** No struct will ever be larger: what claims to be is garbage and must not be read. */
 constexpr size_t kLargestStruct = 4096;
 
-/** Checks the struct_size of a caller's struct; `name` is the parameter's. */
+/** Checks a struct_size; `name` is the parameter's. kFirst, kKnown: the size in the first release and the size now. */
+template <size_t kFirst, size_t kKnown>
+void check_size(uint32_t size, const char* name) {
+  static_assert(kFirst != 0 && kFirst <= kKnown);
+  if (size < kFirst) {
+    fail(DSW_STATUS_BAD_STRUCT_SIZE, "%s->struct_size is %u, must be at least %zu", name, size, kFirst);
+  }
+  if (size > kLargestStruct) {
+    fail(DSW_STATUS_UNSUPPORTED, "%s->struct_size is %u, this version knows %zu", name, size, kKnown);
+  }
+}
+/** Likewise, that of a caller's struct. */
 template <class T>
 void check_size(const T* given, const char* name) {
-  static_assert(first_size<T> != 0 && first_size<T> <= sizeof(T) && offsetof(T, struct_size) == 0);
-  if (given->struct_size < first_size<T>) {
-    fail(DSW_STATUS_BAD_STRUCT_SIZE, "%s->struct_size is %u, must be at least %zu", name, given->struct_size,
-         first_size<T>);
+  static_assert(offsetof(T, struct_size) == 0);
+  check_size<first_size<T>, sizeof(T)>(given->struct_size, name);
+}
+
+/** Copies what is known of a struct of any size into zeros. What is unknown must be 0. */
+template <size_t kFirst, size_t kKnown>
+void copy_known(void* own, const void* given, const char* name) {
+  uint32_t size;
+  std::memcpy(&size, given, sizeof size);
+  check_size<kFirst, kKnown>(size, name);
+  const auto* bytes = static_cast<const unsigned char*>(given);
+  for (size_t i = kKnown; i < size; ++i) {
+    if (bytes[i] != 0) {
+      fail(DSW_STATUS_UNSUPPORTED,
+           "%s has a non-zero byte at %zu, in a member this version does not know (it knows %zu)", name, i, kKnown);
+    }
   }
-  if (given->struct_size > kLargestStruct) {
-    fail(DSW_STATUS_UNSUPPORTED, "%s->struct_size is %u, this version knows %zu", name, given->struct_size, sizeof(T));
-  }
+  std::memcpy(own, given, std::min<size_t>(size, kKnown));
 }
 
 /** Reads a caller's struct of any size: members it lacks are 0, members unknown here must be. */
 template <class T>
 T read_struct(const T* given, const char* name) {
-  check_size(given, name);
-  const auto* bytes = reinterpret_cast<const unsigned char*>(given);
-  for (size_t i = sizeof(T); i < given->struct_size; ++i) {
-    if (bytes[i] != 0) {
-      fail(DSW_STATUS_UNSUPPORTED,
-           "%s has a non-zero byte at %zu, in a member this version does not know (it knows %zu)", name, i, sizeof(T));
-    }
-  }
+  static_assert(offsetof(T, struct_size) == 0);
   T own{};
-  std::memcpy(&own, given, std::min<size_t>(given->struct_size, sizeof(T)));
+  copy_known<first_size<T>, sizeof(T)>(&own, given, name);
   own.struct_size = sizeof(T);
   return own;
 }

@@ -54,7 +54,7 @@ dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_volumes>, volumes, count, mark, flags);
     const size_t left_out = mark_cells(env, capi::engine_of(scene, env), cells.data(), count, marked, skip);
-    call.done(left_out);
+    call.done(uint64_t{left_out});
     if (skipped != nullptr) *skipped = left_out;
   });
 }
@@ -107,7 +107,7 @@ dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t reg
     size_t left_out = 0;
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_region>, region, mark, flags);
     const size_t all = mark_region(env, capi::engine_of(scene, env), region, impassable, skip, &left_out);
-    call.done(all, left_out);
+    call.done(uint64_t{all}, uint64_t{left_out});
     if (marked != nullptr) *marked = all - left_out;
     if (skipped != nullptr) *skipped = left_out;
   });
@@ -120,7 +120,7 @@ dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a,
     dsw_scene* const scene = begin_marking(*environment);
     capi::Recorded call(scene, capi::row_of<dsw_environment_mark_between>, a, b, mark);
     const size_t all = mark_between(env, capi::engine_of(scene, env), a, b, impassable);
-    call.done(all);
+    call.done(uint64_t{all});
     if (marked != nullptr) *marked = all;
   });
 }

@@ -7,7 +7,7 @@
 #include "base/compiler.h"
 #include "base/points.h"
 #include "body/body.h"
-#include "capi/describe.h"
+#include "capi/fields.h"
 #include "scene/change.h"
 
 namespace dsw::capi {
@@ -61,6 +61,7 @@ void for_each_part(const Points& array, const Use& use) {
 /** What a change has done: its numbers, and its lists but not where they lie. */
 template <class Use>
 void for_each_part(const ChangeResults& change, const Use& use) {
+  static_assert(offsetof(dsw_change, volumes) == 88, "the numbers are the same bytes on every machine");
   use(&change.numbers, offsetof(dsw_change, volumes));
   const auto add = [&](const auto& list) { for_each_part(as_result(items_of(list)), use); };
   add(change.volumes), add(change.vertices), add(change.faces), add(change.whole), add(change.carved);
@@ -101,7 +102,7 @@ class WordReader {
   }
   template <class T>
   T get_struct() {
-    return read_struct(reinterpret_cast<const T*>(get_sized().items), "a recorded struct");
+    return read_recorded<T>(get_sized().items, "a recorded struct");
   }
   template <class T>
   Items<T> get_items() {
@@ -117,10 +118,9 @@ class WordReader {
 
  private:
   const void* take(size_t bytes) {
-    const size_t words = (bytes + 7) / 8;
-    require(words <= static_cast<size_t>(end_ - at_));
+    require(bytes <= static_cast<size_t>(end_ - at_) * sizeof(uint64_t));
     const void* const from = at_;
-    at_ += words;
+    at_ += (bytes + 7) / 8;
     return from;
   }
 

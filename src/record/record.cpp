@@ -13,8 +13,8 @@ constexpr char kMagic[9] = "DSWREC\x1a\n";
 constexpr uint32_t kVersion = 1;
 constexpr size_t kHeaderBytes = 16;  // magic, version, layout
 constexpr size_t kEntryBytes = 16;   // kind, sum of kind and size, size
-/** What structs look like in memory: the size of a pointer, and the order of bytes. */
-constexpr uint32_t kLayout = sizeof(void*) | (kBigEndian ? 0x100u : 0u);
+/** What structs look like: as where a pointer has 8 bytes, and the order of bytes. */
+constexpr uint32_t kLayout = 8u | (kBigEndian ? 0x100u : 0u);
 
 /** Of an entry's kind and size, which have to be right before its bytes are looked at. */
 uint32_t sum_of(uint32_t kind, uint64_t size) noexcept {

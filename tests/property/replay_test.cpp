@@ -1,5 +1,6 @@
 // What a process has recorded that was killed at any moment, what an earlier version has recorded, and which call is
 // told to differ.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -126,7 +127,7 @@ struct Lent {
   std::vector<double> points;
 };
 
-constexpr size_t kHugeRoom = size_t{1} << 40;
+constexpr auto kHugeRoom = static_cast<size_t>(std::min(uint64_t{1} << 40, uint64_t{SIZE_MAX}));
 
 void deform_in_place(Lent& lent, size_t spare) {
   const double* now = nullptr;
