@@ -150,7 +150,7 @@ TEST(SlotPool, ACopyHasRoomForEveryRelease) {
   assigned = pool;
   for (SlotPool* each : {&copy, &assigned}) {
     EXPECT_EQ(each->alive_count(), 100u);
-    const size_t bytes = each->memory_bytes();
+    const uint64_t bytes = each->memory_bytes();
     for (uint32_t i = 0; i < 100; ++i) each->release(i);
     EXPECT_EQ(each->memory_bytes(), bytes);
   }

@@ -86,7 +86,7 @@ class RecordedStruct : public testing::Test {
 using All = testing::Types<dsw_volumes_desc, dsw_cut_desc, dsw_open_crack_desc, dsw_carve_desc, dsw_tie_desc,
                            dsw_detach_desc, dsw_remesh_desc, dsw_deform_options, dsw_body_desc, dsw_move_options,
                            dsw_cast_options, dsw_validation>;
-TYPED_TEST_SUITE(RecordedStruct, All);
+TYPED_TEST_SUITE(RecordedStruct, All, testing::internal::DefaultNameGenerator);
 
 TYPED_TEST(RecordedStruct, IsWhatLiesInMemoryWherePointersHave8Bytes) {
   if (sizeof(void*) != 8) GTEST_SKIP() << "pointers have another size";

@@ -262,7 +262,7 @@ TEST(FacetBounds, HoldForDistances) {
     for (const double x : corners) largest = std::max(largest, std::fabs(x));
     for (const double x : ends) largest = std::max(largest, std::fabs(x));
     const SegmentFrame<3> frame(ends, from.line.along, largest);
-    FacetBounds bounds, of_facets, others;
+    FacetBounds bounds, of_facets;
     portable.of_triangles(frame, all, bounds);
     for (int t = 0; t < 8; ++t) {
       const auto corner = [&](int k) { return from.corner(all[8 * k + t]); };
@@ -289,6 +289,7 @@ TEST(FacetBounds, HoldForDistances) {
     }
 #if DSW_X86_64
     if (!has_avx2()) continue;
+    FacetBounds others;
     avx2_bounds<3>().of_triangles(frame, all, others);
     ASSERT_EQ(std::memcmp(&bounds, &others, sizeof bounds), 0);
     avx2_bounds<3>().of_tetrahedra(frame, vertices, others);
