@@ -19,7 +19,7 @@ mpz_class integer(double x) {
   if (shift >= 0) {
     r <<= static_cast<mp_bitcnt_t>(shift);
   } else {
-    mpz_divexact_ui(r.get_mpz_t(), r.get_mpz_t(), 1ul << -shift);
+    mpz_tdiv_q_2exp(r.get_mpz_t(), r.get_mpz_t(), static_cast<mp_bitcnt_t>(-shift));  // they are zero
   }
   return r;
 }
