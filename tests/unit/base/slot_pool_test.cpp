@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 #include <vector>
+
+#include "../../aligned_memory.h"
 
 namespace {
 
@@ -81,11 +82,11 @@ struct Host {
     Host& host = *static_cast<Host*>(user);
     if (host.refuse) return nullptr;
     ++host.blocks;
-    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    return allocate_aligned(size, alignment);
   }
-  static void release(void* user, void* block, size_t, size_t) {
+  static void release(void* user, void* block, size_t, size_t alignment) {
     --static_cast<Host*>(user)->blocks;
-    std::free(block);
+    release_aligned(block, alignment);
   }
 };
 

@@ -145,7 +145,8 @@ TEST(BoundedFlood, AsksTheOtherFloodWhereTheNearestIsNotReached) {
     below.push_back(mesh.point({x, y, -2}));
   };
   add(0, 0);
-  for (int k = 0; k <= kPrisms; ++k) add(2 * std::cos(k * M_PI / 3), 2 * std::sin(k * M_PI / 3));
+  constexpr double kSixth = 3.14159265358979323846 / 3;
+  for (int k = 0; k <= kPrisms; ++k) add(2 * std::cos(k * kSixth), 2 * std::sin(k * kSixth));
   for (size_t k = 1; k <= kPrisms; ++k)
     mesh.cell(kWedge, {above[0], above[k], above[k + 1], below[0], below[k], below[k + 1]});
   const auto env = mesh.build();
