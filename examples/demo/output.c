@@ -40,7 +40,7 @@ FILE *output_open(const char *directory, const char *name) {
   strcpy(path, directory);
   strcat(path, "/");
   strcat(path, name);
-  FILE *file = fopen(path, "w");
+  FILE *file = fopen(path, "wb");
   if (file == NULL) {
     fprintf(stderr, "demo: cannot write '%s'\n", path);
   }

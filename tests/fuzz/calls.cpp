@@ -100,7 +100,9 @@ dsw_status Calls::change_marks(uint32_t which) {
   switch (which) {
     case 0: {
       const dsw_volume_id ids[] = {volume(), volume()};
-      return dsw_environment_mark_volumes(environment_, ids, 1 + bytes_.below(2), mark(), bytes_.below(3), nullptr);
+      const uint32_t count = 1 + bytes_.below(2);
+      const dsw_mark wanted = mark();
+      return dsw_environment_mark_volumes(environment_, ids, count, wanted, bytes_.below(3), nullptr);
     }
     case 1: {
       const dsw_face_id id = face();
@@ -114,13 +116,19 @@ dsw_status Calls::change_marks(uint32_t which) {
       const dsw_vertex_id id = vertex();
       return dsw_environment_mark_vertices(environment_, &id, 1, mark());
     }
-    case 4:
-      return dsw_environment_mark_region(environment_, static_cast<int32_t>(bytes_.below(3)), mark(), bytes_.below(2),
-                                         nullptr, nullptr);
-    case 5:
-      return dsw_environment_mark_between(environment_, 0, static_cast<int32_t>(bytes_.below(3)), mark(), nullptr);
-    default:
-      return dsw_environment_set_tag(environment_, volume(), bytes_.byte());
+    case 4: {
+      const auto region = static_cast<int32_t>(bytes_.below(3));
+      const dsw_mark wanted = mark();
+      return dsw_environment_mark_region(environment_, region, wanted, bytes_.below(2), nullptr, nullptr);
+    }
+    case 5: {
+      const auto region = static_cast<int32_t>(bytes_.below(3));
+      return dsw_environment_mark_between(environment_, 0, region, mark(), nullptr);
+    }
+    default: {
+      const dsw_volume_id id = volume();
+      return dsw_environment_set_tag(environment_, id, bytes_.byte());
+    }
   }
 }
 
@@ -152,16 +160,21 @@ dsw_status Calls::change_topology(uint32_t which) {
       dsw_vertex_id corners[32];
       size_t count = 0;
       if (dsw_environment_copy_vertices(environment_, cell, corners, 32, &count) != DSW_STATUS_OK || count < 4) {
-        return dsw_environment_split_face(environment_, id, vertex(), vertex(), nullptr, nullptr);
+        const dsw_vertex_id from = vertex();
+        return dsw_environment_split_face(environment_, id, from, vertex(), nullptr, nullptr);
       }
       const uint32_t first = bytes_.byte();
       return dsw_environment_split_face(environment_, id, corners[first % count], corners[(first + 2) % count], nullptr,
                                         nullptr);
     }
-    case 7:
-      return dsw_environment_split_edge(environment_, edge(), bytes_.below(9) / 8.0, nullptr, nullptr);
-    case 8:
-      return dsw_environment_merge_edges(environment_, edge(), vertex(), nullptr);
+    case 7: {
+      const dsw_edge_id id = edge();
+      return dsw_environment_split_edge(environment_, id, bytes_.below(9) / 8.0, nullptr, nullptr);
+    }
+    case 8: {
+      const dsw_edge_id id = edge();
+      return dsw_environment_merge_edges(environment_, id, vertex(), nullptr);
+    }
     case 9: {
       const dsw_edge_id id = edge();
       const dsw_cell cell = {DSW_CELL_EDGE, id.volume, id.generation, id.local};

@@ -1,5 +1,6 @@
 #pragma once
-// One call after the other, as bytes say.
+// One call after the other, as bytes say. They mean the same to all compilers: since arguments of one call are
+// evaluated in any order, at most one of them reads bytes.
 
 #include "use.h"
 

@@ -67,13 +67,17 @@ dsw_status Calls::make_bodies(uint32_t which) {
       dsw_body_id id;
       return dsw_body_create(scene_, &d, &id);
     }
-    case 3:
-      return dsw_body_set_level(scene_, body(), static_cast<dsw_level>(bytes_.below(5)));
+    case 3: {
+      const dsw_body_id id = body();
+      return dsw_body_set_level(scene_, id, static_cast<dsw_level>(bytes_.below(5)));
+    }
     default: {
       const uint8_t choice = bytes_.byte();
-      if (choice >= 192) return dsw_body_set_radius(scene_, body(), radius());
-      return choice % 2 == 0 ? dsw_body_set_filter(scene_, body(), bytes_.byte(), bytes_.byte())
-                             : dsw_body_destroy(scene_, body());
+      const dsw_body_id id = body();
+      if (choice >= 192) return dsw_body_set_radius(scene_, id, radius());
+      if (choice % 2 != 0) return dsw_body_destroy(scene_, id);
+      const uint8_t category = bytes_.byte();
+      return dsw_body_set_filter(scene_, id, category, bytes_.byte());
     }
   }
 }
@@ -88,12 +92,14 @@ dsw_status Calls::edit_body(uint32_t which) {
       return dsw_body_add_vertex(scene_, id, point, {0, 0}, &made);
     }
     case 1: {
+      const dsw_body_vertex_id ends[] = {body_vertex(id), body_vertex(id)};
       dsw_body_edge_id made;
-      return dsw_body_add_edge(scene_, id, body_vertex(id), body_vertex(id), &made);
+      return dsw_body_add_edge(scene_, id, ends[0], ends[1], &made);
     }
     case 2: {
+      const dsw_body_vertex_id corners[] = {body_vertex(id), body_vertex(id), body_vertex(id)};
       dsw_body_face_id made;
-      return dsw_body_add_face(scene_, id, body_vertex(id), body_vertex(id), body_vertex(id), &made);
+      return dsw_body_add_face(scene_, id, corners[0], corners[1], corners[2], &made);
     }
     case 3:
       return dsw_body_remove_face(scene_, id, body_face(id));
@@ -101,10 +107,14 @@ dsw_status Calls::edit_body(uint32_t which) {
       return dsw_body_remove_edge(scene_, id, body_edge(id));
     case 5:
       return dsw_body_remove_vertex(scene_, id, body_vertex(id));
-    case 6:
-      return dsw_body_split_edge(scene_, id, body_edge(id), bytes_.below(9) / 8.0, nullptr);
-    default:
-      return dsw_body_collapse_edge(scene_, id, body_edge(id), body_vertex(id), nullptr);
+    case 6: {
+      const dsw_body_edge_id split = body_edge(id);
+      return dsw_body_split_edge(scene_, id, split, bytes_.below(9) / 8.0, nullptr);
+    }
+    default: {
+      const dsw_body_edge_id collapsed = body_edge(id);
+      return dsw_body_collapse_edge(scene_, id, collapsed, body_vertex(id), nullptr);
+    }
   }
 }
 

@@ -1,6 +1,8 @@
 #include "plane_run.h"
 
+#include "check.h"
 #include "plane_scenes.h"
+#include "plane_truth.h"
 #include "rounds.h"
 
 #include <algorithm>

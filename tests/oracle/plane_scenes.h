@@ -2,9 +2,10 @@
 // environments.
 #pragma once
 
-#include "check.h"
-#include "plane_truth.h"
+#include "environments.h"
+#include "plane_mesh.h"
 #include "rng.h"
+#include "scenes.h"
 
 namespace dsw::oracle::plane {
 

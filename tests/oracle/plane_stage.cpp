@@ -1,4 +1,5 @@
 // Environments of meshes in the plane, and what is impassable in them.
+#include "defaults.h"
 #include "plane_scenes.h"
 
 namespace dsw::oracle::plane {

@@ -8,8 +8,11 @@ namespace {
 
 constexpr double kSide = 16;  // cells of the integer scenes: wide enough for mid points and quarter cuts
 
+// Numbers are drawn one statement at a time: arguments of one call are evaluated in any order.
+
 Mesh grid(Rng& rng) {
-  return hex_grid(axis(rng.between(2, 4), kSide), axis(rng.between(2, 4), kSide), axis(rng.between(1, 3), kSide));
+  const int nz = rng.between(1, 3), ny = rng.between(2, 4), nx = rng.between(2, 4);
+  return hex_grid(axis(nx, kSide), axis(ny, kSide), axis(nz, kSide));
 }
 
 /// An integer linear map with positive determinant: flat faces, ties, no axis.
@@ -72,7 +75,8 @@ Mesh prisms_grid(Rng& rng) {
 }
 
 Mesh pyramids_grid(Rng& rng) {
-  Mesh mesh = hex_grid(axis(2, kSide), axis(rng.between(1, 2), kSide), axis(rng.between(1, 2), kSide));
+  const int nz = rng.between(1, 2), ny = rng.between(1, 2);
+  Mesh mesh = hex_grid(axis(2, kSide), axis(ny, kSide), axis(nz, kSide));
   const size_t count = mesh.cells.size();
   for (size_t c = 0; c < count; ++c) {
     Vec centre = {0, 0, 0};
@@ -259,7 +263,10 @@ Mesh make_hex_warped_lattice(Rng& rng) {
 }
 Mesh make_hex_warped(Rng& rng) { return warped(grid(rng), rng, 0.2); }
 Mesh make_tet_kuhn(Rng& rng) { return maybe_sheared(kuhn_grid(rng), rng); }
-Mesh make_tet_lattice(Rng& rng) { return delaunay(rng, rng.between(8, 16), rng.chance(0.5) ? 16 : 64); }
+Mesh make_tet_lattice(Rng& rng) {
+  const int size = rng.chance(0.5) ? 16 : 64;
+  return delaunay(rng, rng.between(8, 16), size);
+}
 Mesh make_tet_random(Rng& rng) {
   return scaled(delaunay(rng, rng.between(8, 16), 4096), 0.31622776601683794, 0.31415926535897931, 0.33333333333333331);
 }

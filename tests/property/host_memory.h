@@ -1,10 +1,8 @@
 // A host whose memory runs out where a test wants it to.
 #pragma once
 
-#include "../aligned_block.h"
+#include "../aligned_memory.h"
 #include "body_support.h"
-
-#include <cstdlib>
 
 namespace dsw::oracle {
 
@@ -19,12 +17,12 @@ inline void* allocate(void* user, size_t size, size_t alignment) {
   ++memory.alive;
   memory.bytes += size;
   memory.most = std::max(memory.most, memory.bytes);
-  return aligned_block(size, alignment);
+  return allocate_aligned(size, alignment);
 }
-inline void release(void* user, void* block, size_t size, size_t) {
+inline void release(void* user, void* block, size_t size, size_t alignment) {
   --static_cast<Memory*>(user)->alive;
   static_cast<Memory*>(user)->bytes -= size;
-  free_aligned_block(block);
+  release_aligned(block, alignment);
 }
 inline void one_after_the_other(void*, dsw_task_fn task, void* data, size_t count) {
   for (size_t i = 0; i < count; ++i) task(data, i);

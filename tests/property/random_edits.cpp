@@ -1,10 +1,9 @@
 #include "random_edits.h"
-#include "../aligned_block.h"
+#include "../aligned_memory.h"
 #include "snapshot_support.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <set>
 
 namespace dsw::oracle {
@@ -32,9 +31,9 @@ ContextPtr FailingMemory::make_context() {
   desc.allocate = [](void* user, size_t size, size_t alignment) -> void* {
     auto& self = *static_cast<FailingMemory*>(user);
     if (self.countdown != 0 && --self.countdown == 0) return nullptr;
-    return aligned_block(size, alignment);
+    return allocate_aligned(size, alignment);
   };
-  desc.release = [](void*, void* block, size_t, size_t) { free_aligned_block(block); };
+  desc.release = [](void*, void* block, size_t, size_t alignment) { release_aligned(block, alignment); };
   dsw_context* context = nullptr;
   EXPECT_EQ(dsw_context_create(&desc, &context), DSW_STATUS_OK);
   return ContextPtr(context);

@@ -141,7 +141,7 @@ std::vector<double> some_loop(const Environment<3>& env, double size, Rng& rng) 
     }
   }
   for (int i = 0; i < count; ++i) {
-    const double angle = 2 * std::acos(-1.0) * i / count, r = radius * (1 + rng.range(-noise, noise));
+    const double angle = 2 * kPi * i / count, r = radius * (1 + rng.range(-noise, noise));
     for (int k = 0; k < 3; ++k) {
       loop.push_back(middle[k] + r * (std::cos(angle) * u[k] + std::sin(angle) * v[k]) +
                      rng.range(-noise, noise) * 0.3 * radius);

@@ -10,6 +10,8 @@
 
 namespace dsw::oracle {
 
+constexpr double kPi = 3.14159265358979323846;  // M_PI is not everywhere
+
 struct ClosedSurface {
   std::vector<double> points;
   std::vector<uint32_t> triangles;

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <fstream>
+#include <random>
 #include <set>
 
 #include "capi/recorded.h"
@@ -22,6 +23,11 @@ inline dsw_status start(dsw_scene* scene, std::string* recording, uint32_t flags
   desc.user = recording;
   desc.flags = flags;
   return dsw_scene_start_recording(scene, &desc);
+}
+
+/// A name for a recording that no other process has.
+inline std::string temporary_path(const std::string& stem) {
+  return ::testing::TempDir() + stem + std::to_string(std::random_device()()) + ".dswrec";
 }
 
 inline std::string read_all(const std::string& path) {

@@ -41,7 +41,7 @@ class ReportTest : public SceneTest {};
 DSW_FOR_ALL_SCENES(ReportTest);
 
 TEST_P(ReportTest, TheLastCallIsValidated) {
-  const std::string path = ::testing::TempDir() + "dartsweep_report_" + GetParam() + ".dswrec";
+  const std::string path = temporary_path("dartsweep_report_");
   for (uint64_t seed = 1; seed <= 2; ++seed) {
     RandomEdits<3> edits(GetParam(), seed);
     if (edits.environment() == nullptr) continue;

@@ -170,7 +170,7 @@ TEST_P(TieTest, ATubeIsClosed) {
     std::vector<double> loop;
     const double radius = reach + rng.range(0.1, 3) * size;
     for (int i = 0; i < 7; ++i) {
-      const double angle = 2 * std::acos(-1.0) * i / 7;
+      const double angle = 2 * kPi * i / 7;
       for (int k = 0; k < 3; ++k) {
         loop.push_back(on[k] + 2 * radius * (std::cos(angle) * u[k] + std::sin(angle) * v[k]));
       }

@@ -1,11 +1,11 @@
 #include "base/slot_pool.h"
-#include "../../aligned_block.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 #include <vector>
+
+#include "../../aligned_memory.h"
 
 namespace {
 
@@ -82,11 +82,11 @@ struct Host {
     Host& host = *static_cast<Host*>(user);
     if (host.refuse) return nullptr;
     ++host.blocks;
-    return dsw::aligned_block(size, alignment);
+    return allocate_aligned(size, alignment);
   }
-  static void release(void* user, void* block, size_t, size_t) {
+  static void release(void* user, void* block, size_t, size_t alignment) {
     --static_cast<Host*>(user)->blocks;
-    dsw::free_aligned_block(block);
+    release_aligned(block, alignment);
   }
 };
 

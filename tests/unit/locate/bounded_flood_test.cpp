@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "../../share.h"
-#include "base/compiler.h"
 #include "base/processor.h"
 #include "environment/moving.h"
 #include "locate/locate.h"
@@ -146,7 +145,8 @@ TEST(BoundedFlood, AsksTheOtherFloodWhereTheNearestIsNotReached) {
     below.push_back(mesh.point({x, y, -2}));
   };
   add(0, 0);
-  for (int k = 0; k <= kPrisms; ++k) add(2 * std::cos(k * std::acos(-1.0) / 3), 2 * std::sin(k * std::acos(-1.0) / 3));
+  constexpr double kSixth = 3.14159265358979323846 / 3;
+  for (int k = 0; k <= kPrisms; ++k) add(2 * std::cos(k * kSixth), 2 * std::sin(k * kSixth));
   for (size_t k = 1; k <= kPrisms; ++k)
     mesh.cell(kWedge, {above[0], above[k], above[k + 1], below[0], below[k], below[k + 1]});
   const auto env = mesh.build();
@@ -232,7 +232,7 @@ TEST(FacetBounds, AreNumbersFarOutsideOfTheBox) {
       const double distance = std::sqrt(from.way(corner(0), corner(1), corner(2), HUGE_VAL).squared) * frame.scale;
       ASSERT_LE(bounds.lower[t], distance) << i;
     }
-#if DSW_X86_64
+#if defined(__x86_64__)
     if (!has_avx2()) continue;
     FacetBounds others;
     avx2_bounds<3>().of_triangles(frame, all, others);
@@ -287,7 +287,7 @@ TEST(FacetBounds, HoldForDistances) {
       ASSERT_GE(tetrahedra.upper[f], of_facets.upper[f]);
       ASSERT_NEAR(tetrahedra.upper[f], of_facets.upper[f], 0x1p-14);
     }
-#if DSW_X86_64
+#if defined(__x86_64__)
     if (!has_avx2()) continue;
     FacetBounds others;
     avx2_bounds<3>().of_triangles(frame, all, others);

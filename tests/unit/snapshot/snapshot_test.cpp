@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <random>
 
-#include "../../aligned_block.h"
+#include "../../aligned_memory.h"
 #include "base/error.h"
 #include "environment/marking.h"
 #include "map/dart.h"
@@ -268,11 +267,11 @@ struct Meter {
     --m.left;
     m.out += size;
     m.most = std::max(m.most, m.out);
-    return aligned_block(size, alignment);
+    return allocate_aligned(size, alignment);
   }
-  static void release(void* user, void* block, size_t size, size_t) {
+  static void release(void* user, void* block, size_t size, size_t alignment) {
     static_cast<Meter*>(user)->out -= size;
-    free_aligned_block(block);
+    release_aligned(block, alignment);
   }
 };
 

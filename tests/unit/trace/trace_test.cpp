@@ -4,11 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <new>
 #include <tuple>
 
-#include "../../aligned_block.h"
+#include "../../aligned_memory.h"
 #include "environment/marking.h"
 #include "locate/locate.h"
 #include "map/dart.h"
@@ -199,9 +198,9 @@ struct Short {
     Short& s = *static_cast<Short*>(user);
     if (s.left == 0) return nullptr;
     --s.left;
-    return aligned_block(size, alignment);
+    return allocate_aligned(size, alignment);
   }
-  static void release(void*, void* block, size_t, size_t) { free_aligned_block(block); }
+  static void release(void*, void* block, size_t, size_t alignment) { release_aligned(block, alignment); }
 };
 
 TEST(Trace, AnAdditionWithoutMemoryAddsNothing) {
