@@ -99,20 +99,22 @@ make_library() {
     cmake --install build/release --prefix build/dartsweep
 }
 
-# The same, static, in build/dartsweep-static/prefix.
+# The same, static, in build/dartsweep-static/prefix, once for all steps.
 install_static_library() { one_at_a_time make_static_library; }
 make_static_library() {
+  [ ! -e build/static.made ] || return 0
   cmake --preset release && cmake --build --preset release --target dartsweep_internal &&
-    CC=cc CXX=c++ tests/package/package_test.sh static "$PWD/build/release" "$PWD/build/dartsweep-static"
+    CC=cc CXX=c++ tests/package/package_test.sh static "$PWD/build/release" "$PWD/build/dartsweep-static" &&
+    touch build/static.made
 }
 
 # The wheel, once for all steps: the second step that wants the wheel waits for the first.
 install_python() {
-  install_library && (flock 8 && make_python) 8>build/python.lock
+  install_static_library && (flock 8 && make_python) 8>build/python.lock
 }
 make_python() {
   [ ! -e build/python.made ] || return 0
-  bindings/python/install.sh build/dartsweep && touch build/python.made
+  bindings/python/install.sh build/dartsweep-static/prefix && touch build/python.made
 }
 
 # step_NAME: all of a step.
@@ -133,10 +135,10 @@ step_wasm() {
 }
 step_python() { install_python && bindings/python/test.sh; }
 step_docs() { install_python && bindings/docs/build.sh build/python/venv/bin/python; }
-step_java() { install_library && bindings/java/test.sh build/dartsweep; }
+step_java() { install_static_library && bindings/java/test.sh build/dartsweep-static/prefix; }
 step_csharp() { install_static_library && bindings/csharp/test.sh build/dartsweep-static/prefix; }
 step_lua() { install_library && bindings/lua/test.sh build/dartsweep; }
-step_node() { install_library && bindings/node/test.sh build/dartsweep; }
+step_node() { install_static_library && bindings/node/test.sh build/dartsweep-static/prefix; }
 step_page() { examples/insertion/page/test.sh; }
 step_report() { examples/report/tests/run.sh; }
 step_format() {
@@ -146,7 +148,7 @@ step_format() {
 }
 
 mkdir -p build
-rm -f build/python.made # left by an earlier run
+rm -f build/{python,static}.made # left by an earlier run
 for step in "${steps[@]}"; do
   declare -F "step_$step" >/dev/null || {
     echo "no step '$step'"

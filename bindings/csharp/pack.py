@@ -13,10 +13,11 @@ nuspec, folder, out = map(pathlib.Path, sys.argv[1:])
 root = xml.parse(nuspec).getroot()
 files = {nuspec.name: nuspec}
 for entry in root.iter(NUSPEC + "file"):
-    found = sorted(folder.glob(entry.attrib["src"]))
+    found = sorted(folder.glob(entry.attrib["src"].replace("**", "**/*")))
     if not found:
         sys.exit(f"{folder} has no {entry.attrib['src']}")
-    files |= {f"{entry.attrib['target']}/{path.name}": path for path in found}
+    above = folder / entry.attrib["src"].partition("*")[0] if "**" in entry.attrib["src"] else None  # what ** matches keeps its folders
+    files |= {f"{entry.attrib['target']}/{path.relative_to(above or path.parent).as_posix()}": path for path in found if path.is_file()}
 version = root.findtext(f"{NUSPEC}metadata/{NUSPEC}version")
 name = root.findtext(f"{NUSPEC}metadata/{NUSPEC}id")
 extensions = sorted({path.rpartition(".")[2] for path in files})

@@ -8,12 +8,12 @@ source=bindings/csharp
 out=$PWD/build/csharp
 package=$out/package
 program=$out/example
-plugins=$out/unity/Plugins/x86_64
+plugins=$out/unity/Plugins/linux-x64
 
 cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$library"
 cmake --build "$out"
-if readelf -d "$package"/native/*.so | grep NEEDED | grep -Ev '\[(lib(c|m|gcc_s|stdc\+\+)|ld-linux)'; then exit 1; fi
-cp "$package/native"/* "$package"
+if readelf -d "$package"/runtimes/linux-x64/native/*.so | grep NEEDED | grep -Ev '\[(lib(c|m|gcc_s|stdc\+\+)|ld-linux)'; then exit 1; fi
+cp "$package"/runtimes/linux-x64/native/* "$package"
 python3 $source/tests/check_structs.py .
 mcs -nologo -out:"$package/tests.exe" -r:"$package/Dartsweep.dll" $source/tests/*.cs
 mono --debug "$package/tests.exe" bindings/tests/scenario.json | tee "$out/tests.txt"
@@ -30,4 +30,7 @@ mcs -nologo -out:"$program/contacts.exe" -r:"$program/Dartsweep.dll" "$program/C
 mono "$program/contacts.exe" | grep "vertex 1 met x = 1 after 0.5"
 mcs -nologo -unsafe -nowarn:1591 -out:"$plugins/catheter.exe" $source/examples/Catheter.cs "$out"/unity/Runtime/*.cs
 mono "$plugins/catheter.exe"
+mcs -nologo -unsafe -nowarn:1591,649,414 -out:"$plugins/sample.exe" "$out"/unity/Samples~/*/*.cs $source/tests/unity/*.cs "$out"/unity/Runtime/*.cs
+mono "$plugins/sample.exe"
+rm "$plugins"/*.exe
 echo "csharp: $(tail -n 1 "$out/tests.txt"), and the example"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The tests of the jar, and the example with what it takes from a repository: bindings/java/test.sh FOLDER, where Dartsweep is installed.
-# The repository is one of its own, so that no other version is there.
+# The tests of the jar, and the example with what it takes from a repository: bindings/java/test.sh FOLDER, where Dartsweep is
+# installed as a static library. The repository is one of its own, so that no other version is there.
 set -euo pipefail
 library=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../.."

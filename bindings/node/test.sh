@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The tests of the npm package: bindings/node/test.sh FOLDER, where Dartsweep is installed. Needs what builds other bindings; Node, SWIG,
+# The tests of the npm package: bindings/node/test.sh FOLDER, where Dartsweep is installed as a static library. Needs what builds other bindings; Node, SWIG,
 # TypeScript and the headers of Node-API are put into build/node. The tests and the example run on the packed package, in a folder that has
 # nothing else.
 set -euo pipefail

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # build/python/venv, with the wheel as users get it and all that is used with it: bindings/python/install.sh FOLDER, where Dartsweep is
-# installed. The wheel is built from the source distribution and has a tag of the systems that it is for; but its library is that of FOLDER.
+# installed as a static library. The wheel is built from the source distribution and has a tag of the systems that it
+# is for; but its library is that of FOLDER.
 set -euo pipefail
 library=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../.."

@@ -3,40 +3,60 @@ package dartsweep;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Locale;
 
-/** Loads the native libraries: those in the jar for this machine, else the one on java.library.path. */
+/** Loads the native library: the one in the jar for this machine, else the one on java.library.path. */
 final class NativeLibrary {
   private static final String MODULE = System.mapLibraryName("dartsweep_java");
+  private static final String PREFIX = "dartsweep-java-";
 
   private NativeLibrary() {}
 
   static void load() {
-    String machine = System.getProperty("os.name").split(" ")[0] + "-" + System.getProperty("os.arch");
-    String folder = "native/" + machine.toLowerCase(Locale.ROOT) + "/";
-    try (InputStream list = NativeLibrary.class.getResourceAsStream(folder + "list.txt")) {
-      if (list == null) {
+    try (InputStream module = NativeLibrary.class.getResourceAsStream("native/" + machine() + "/" + MODULE)) {
+      if (module == null) {
         System.loadLibrary("dartsweep_java");
         return;
       }
-      // The module looks for the library beside it; both are loaded before the files go.
-      Path directory = Files.createTempDirectory("dartsweep");
-      String[] names = new String(list.readAllBytes()).strip().split("\\s+");
-      for (String name : names) {
-        try (InputStream file = NativeLibrary.class.getResourceAsStream(folder + name)) {
-          Files.copy(file, directory.resolve(name));
-        }
-      }
+      Path directory = Files.createTempDirectory(PREFIX);
+      if (MODULE.endsWith(".dll")) deleteOthers(directory.getParent());
+      Path file = directory.resolve(MODULE);
       try {
-        System.load(directory.resolve(MODULE).toString());
+        Files.copy(module, file);
+        System.load(file.toString());
       } finally {
-        for (String name : names) directory.resolve(name).toFile().delete();
-        directory.toFile().delete();
+        delete(directory);
       }
     } catch (IOException error) {
       throw new UncheckedIOException(error);
     }
+  }
+
+  /** The folder's name: linux-amd64, linux-aarch64, windows-amd64, mac-aarch64 and so on. */
+  private static String machine() {
+    String system = System.getProperty("os.name").split(" ")[0].toLowerCase(Locale.ROOT);
+    String processor = System.getProperty("os.arch").replace("x86_64", "amd64");
+    return system + "-" + processor;
+  }
+
+  /** Windows does not delete a library that is loaded. A later run deletes it, a day after: a new one may be about to be loaded. */
+  private static void deleteOthers(Path directory) throws IOException {
+    long old = System.currentTimeMillis() - Duration.ofDays(1).toMillis();
+    try (DirectoryStream<Path> others = Files.newDirectoryStream(directory, PREFIX + "*")) {
+      for (Path other : others) {
+        long written = other.toFile().lastModified(); // 0 if another run has deleted it
+        if (written != 0 && written < old) delete(other);
+      }
+    }
+  }
+
+  /** Deletes what may be deleted. */
+  private static void delete(Path directory) {
+    directory.resolve(MODULE).toFile().delete();
+    directory.toFile().delete();
   }
 }

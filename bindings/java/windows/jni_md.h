@@ -1,0 +1,10 @@
+/* Of jni.h the part that depends on the machine, for Windows on 64 bits: JDKs for other systems do not have it. */
+#pragma once
+
+#define JNIEXPORT __declspec(dllexport)
+#define JNIIMPORT __declspec(dllimport)
+#define JNICALL __stdcall
+
+typedef long jint;
+typedef long long jlong;
+typedef signed char jbyte;
