@@ -17,6 +17,9 @@ struct Memory {
   dsw_release_fn release = nullptr;
 };
 
+/** Of small blocks. Where max_align_t is smaller, as on wasm32, vectors of two doubles still need 16. */
+constexpr size_t kSmallAlignment = alignof(std::max_align_t) > 16 ? alignof(std::max_align_t) : 16;
+
 /** Throws std::bad_alloc when the hook returns null. */
 void* allocate_bytes(const Memory* memory, size_t size_bytes, size_t alignment_bytes);
 void release_bytes(const Memory* memory, void* block, size_t size_bytes, size_t alignment_bytes) noexcept;
@@ -35,9 +38,9 @@ struct Allocator {
   template <class U>
   Allocator(const Allocator<U>& other) : memory(other.memory) {}
 
-  static constexpr size_t alignment(size_t bytes) { return bytes >= 4096 ? 64 : alignof(std::max_align_t); }
+  static constexpr size_t alignment(size_t bytes) { return bytes >= 4096 ? 64 : kSmallAlignment; }
   T* allocate(size_t count) {
-    static_assert(alignof(T) <= alignof(std::max_align_t), "small blocks are aligned like this");
+    static_assert(alignof(T) <= kSmallAlignment, "small blocks are aligned like this");
     if (count > SIZE_MAX / sizeof(T)) throw std::bad_alloc();
     const size_t bytes = count * sizeof(T);
     return static_cast<T*>(allocate_bytes(memory, bytes, alignment(bytes)));

@@ -8,7 +8,7 @@ namespace dsw {
 void* Pool::allocate(void* user, size_t bytes, size_t alignment) {
   Pool& pool = *static_cast<Pool*>(user);
   if (bytes > kLargest) return allocate_bytes(pool.source_, bytes, alignment);
-  static_assert(alignof(std::max_align_t) <= kStep, "small blocks are not aligned better");
+  static_assert(kSmallAlignment <= kStep, "small blocks are not aligned better");
   const size_t steps = steps_of(bytes);
   Free*& first = pool.free_[steps];
   if (first != nullptr) {

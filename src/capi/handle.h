@@ -115,12 +115,12 @@ inline dsw_context* check_context(dsw_context* context) {
 /** Makes an object in the host's memory. */
 template <class T, class... Arguments>
 T* create_object(const Memory* memory, Arguments&&... arguments) {
-  static_assert(alignof(T) <= alignof(std::max_align_t));
-  void* const block = allocate_bytes(memory, sizeof(T), alignof(std::max_align_t));
+  static_assert(alignof(T) <= kSmallAlignment);
+  void* const block = allocate_bytes(memory, sizeof(T), kSmallAlignment);
   try {
     return new (block) T(std::forward<Arguments>(arguments)...);
   } catch (...) {
-    release_bytes(memory, block, sizeof(T), alignof(std::max_align_t));
+    release_bytes(memory, block, sizeof(T), kSmallAlignment);
     throw;
   }
 }
@@ -130,7 +130,7 @@ template <class T>
 void destroy_object(const Memory* memory, T* object) noexcept {
   *const_cast<volatile uint64_t*>(&object->magic) = 0;  // else the compiler drops a store into what is about to end
   object->~T();
-  release_bytes(memory, object, sizeof(T), alignof(std::max_align_t));
+  release_bytes(memory, object, sizeof(T), kSmallAlignment);
 }
 
 /** Something made with a context keeps it from being destroyed. Null is allowed. */
