@@ -145,7 +145,7 @@ dsw_status dsw_environment_get_mark_count(const dsw_environment* environment, ds
     dsw::require(count, "count");
     const bool is_there = kind >= DSW_CELL_VERTEX && kind <= DSW_CELL_VOLUME && (D == 3 || kind != DSW_CELL_EDGE);
     if (!is_there) capi::fail_kind("kind", kind, D);
-    const size_t counts[] = {env.marked_vertices, env.marked_edges, env.marked_facets, env.marked_cells};  // by kind
-    *count = counts[kind - DSW_CELL_VERTEX];
+    const uint64_t counts[] = {env.marked_vertices, env.marked_edges, env.marked_facets, env.marked_cells};  // by kind
+    *count = static_cast<size_t>(counts[kind - DSW_CELL_VERTEX]);
   });
 }

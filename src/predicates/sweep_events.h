@@ -36,7 +36,7 @@ struct SweepEvent {
   const double* points[3] = {};
   EventKind kind = EventKind::kVertex;
 };
-static_assert(sizeof(SweepEvent) == 32, "an event is four words");
+static_assert(sizeof(SweepEvent) == 4 * sizeof(void*), "an event is four words");
 
 // Side of environment point v: sign of n.(v-p-s) with n = (p'-p) x (q-p), for any three body points. 0 only if they are
 // collinear.
