@@ -33,7 +33,7 @@ struct scene {
   /* Of the environment's vertices: places at rest; ways of the beat, and of a cut that opens, for each of its steps; positions, of
    * which the environment reads `now`. */
   double *rest, *ways, *opening, *lent[2];
-  size_t point_count, point_room, most_vertices;
+  size_t point_count, point_room, most_vertices, slots; /* slots: of the body's vertices */
   int now, with_boundary, is_vessel, traced, opening_steps;
   double strength, phase,
       shift; /* of the beat: how much of it there is, how far it is, and how much of the ways was made */
@@ -164,6 +164,7 @@ static int create_wire(scene *s) {
   desc.edge_count = 2;
   desc.radius = s->size.wire_radius;
   s->near_options.margin = s->wire.most;
+  s->slots = s->wire.count;
   return good(dsw_body_create(s->scene, &desc, &s->body), "putting the wire in");
 }
 
@@ -455,6 +456,7 @@ static int feed(scene *s, double *push) {
     if (added.index != w->count) return fail("the wire's vertices are not in order");
     memcpy(w->at + 3 * w->count, w->entry, sizeof w->entry);
     ++w->count;
+    s->slots = w->count > s->slots ? w->count : s->slots;
     w->in -= w->link;
   } else if (w->in < 0) {
     dsw_body_vertex_id last;
@@ -520,7 +522,7 @@ int scene_step(scene *s, double push, double turn, int on) {
   }
   rows.count = rows.count < kMostRows ? rows.count : kMostRows;
   wire_find_targets(w, push, &rows);
-  return good(dsw_body_move(s->scene, s->body, w->target, w->count, 0, &s->move_options, NULL), "moving the wire") &&
+  return good(dsw_body_move(s->scene, s->body, w->target, s->slots, 0, &s->move_options, NULL), "moving the wire") &&
          keep_contacts(s, &rows) && read_wire(s);
 }
 
