@@ -15,6 +15,9 @@ emcmake cmake -S "$root" -B "$build/library" -G Ninja -DCMAKE_BUILD_TYPE=Release
   -DDSW_BUILD_EXAMPLES=OFF -DCMAKE_CXX_FLAGS=-fwasm-exceptions -DEigen3_DIR="${EIGEN3_DIR:-/usr/share/eigen3/cmake}"
 cmake --build "$build/library" --target dartsweep
 
+# Debian keeps the module that Emscripten shortens JavaScript with where other builds of Node do not look.
+export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
+
 # All functions of the C API, and those of the scene.
 exported=$({
   grep '^dsw_' "$root/abi/symbols.txt"
@@ -23,7 +26,7 @@ exported=$({
 } | sed 's/^/_/' | paste -sd, -)
 
 objects=()
-for source in "$here/scene.c" "$here/wire.c" "$here/../demo/vessel.c" "$here/../demo/mesh.c"; do
+for source in "$here"/{bend,blade,create,entry,scene,wire}.c "$here"/../demo/{mesh,vessel}.c; do
   object=$build/$(basename "$source" .c).o
   emcc -std=c99 -O2 -ffp-contract=off -Wall -Wextra -Wpedantic -Werror -I "$root/include" -c "$source" -o "$object"
   objects+=("$object")

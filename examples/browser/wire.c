@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { kRounds = 24, kBentLinks = 7 };
+enum { kRounds = 24, kBentLinks = 7, kSpan = 4 };
 
 /* In links: how far a vertex of the tip is beside the middle of its neighbours; the way of a vertex in a step. */
 static const double kStiffness = 0.5, kTipBend = 0.11, kMostWay = 0.45;
@@ -99,15 +99,16 @@ static void slide(wire *w, double push) {
   }
 }
 
-static void keep_bend(wire *w, size_t i, const double *bend) {
-  double *q = w->target + 3 * i;
-  const int held = i + 1 >= w->count - kHeld;
+/* A vertex and those `span` before and behind it. */
+static void keep_bend(wire *w, size_t i, size_t span, const double *bend) {
+  double *q = w->target + 3 * i, *tip = q - 3 * span, *hand = q + 3 * span;
+  const int held = i + span >= w->count - kHeld;
   size_t k;
   for (k = 0; k < 3; ++k) {
-    const double off = kStiffness * (0.5 * (q[k - 3] + q[k + 3]) - q[k] + bend[3 * i + k]);
-    q[k - 3] -= 0.25 * off;
+    const double off = kStiffness * (0.5 * (tip[k] + hand[k]) - q[k] + (bend == NULL ? 0 : bend[3 * i + k]));
+    tip[k] -= 0.25 * off;
     q[k] += 0.5 * off;
-    if (!held) q[k + 3] -= 0.25 * off;
+    if (!held) hand[k] -= 0.25 * off;
   }
 }
 
@@ -162,7 +163,10 @@ void wire_find_targets(wire *w, double push, const wire_rows *rows) {
   slide(w, push);
   memset(w->impulse, 0, rows->count * sizeof *w->impulse);
   for (round = 0; round < kRounds; ++round) {
-    for (i = w->count - kHeld; i-- > 1;) keep_bend(w, i, bend);
+    for (i = w->count - kHeld; i-- > kBentLinks + kSpan;) {
+      if (i + kSpan < w->count) keep_bend(w, i, kSpan, NULL);
+    }
+    for (i = w->count - kHeld; i-- > 1;) keep_bend(w, i, 1, bend);
     for (i = w->count - kHeld; i-- > 0;) keep_length(w, i);
     for (i = 0; i < rows->count; ++i) keep_gap(w, rows, i);
   }

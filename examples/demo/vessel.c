@@ -352,8 +352,8 @@ void mesh_find_ways_inward(const double *points, size_t count, double *ways) {
   for (size_t i = 0; i < count; ++i) {
     double sum = 0, *way = ways + 3 * i;
     memset(way, 0, 3 * sizeof *way);
-    for (int branch = 0; branch < kBranches; ++branch) {
-      double away[3], level = nearest_of_branch(nodes[branch], points + 3 * i, away);
+    for (int j = 0; j < kBranches; ++j) {
+      double away[3], level = nearest_of_branch(nodes[j], points + 3 * i, away);
       double depth = level < kSleeve ? (kSleeve - level) / kSleeve : 0, weight = depth * depth * depth;
       double share = depth < 1 ? depth : 1; /* of the way to the middle: all in the lumen, none at the outside */
       sum += weight;

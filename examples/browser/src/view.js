@@ -76,6 +76,15 @@ function makeGrip() {
   return grip;
 }
 
+/** Whether pictures are made without a graphics card: smooth edges would cost most of the time then. */
+function isDrawnBySoftware() {
+  const context = document.createElement('canvas').getContext('webgl2');
+  const names = context?.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
 export class View {
   #tip = new Vector3();
   #entry = new Vector3();
@@ -92,7 +101,7 @@ export class View {
   /** Needs WebGL 2. */
   constructor(host) {
     this.host = host;
-    this.renderer = new WebGLRenderer({antialias: true, alpha: true, powerPreference: 'high-performance'});
+    this.renderer = new WebGLRenderer({antialias: !isDrawnBySoftware(), alpha: true, powerPreference: 'high-performance'});
     this.canvas = this.renderer.domElement;
     host.prepend(this.canvas);
     this.camera = new PerspectiveCamera(FIELD, 1, 1, 1000);
@@ -101,7 +110,7 @@ export class View {
     this.wall = new Wall();
     this.tube = new Tube(MOST_VERTICES, new Vector3(0, 0, 1));
     this.tube.mesh.material.uniforms.colour.value.set(colour('--catheter'));
-    this.arrows = new Markers(arrow(), MOST_CONTACTS, 1, 22);
+    this.arrows = new Markers(arrow(), MOST_CONTACTS, 1, 34);
     this.tints = ['--plane', '--plane', '--edge', '--vertex'].map(name => new Color(colour(name)));
     this.grip = makeGrip();
     this.scene = new Scene();
@@ -116,7 +125,7 @@ export class View {
     this.#direction.fromArray(size.direction);
     this.link = size.link;
     this.tube.radius.value = size.radius;
-    this.arrows.size.value = 3.2 * size.radius;
+    this.arrows.size.value = 7 * size.radius;
     this.wall.set(wall);
     const lower = new Vector3().fromArray(size.lower);
     const upper = new Vector3().fromArray(size.upper);
@@ -140,7 +149,7 @@ export class View {
   reset() {
     const towards = new Vector3(0.12, -0.45, 1).normalize();
     const half = Math.tan(FIELD * Math.PI / 360);
-    const distance = Math.max(this.box.y / 2 / half, this.box.x / 2 / half / this.camera.aspect) * 1.1 + this.box.z / 2;
+    const distance = Math.max(this.box.y / 2 / half, this.box.x / 2 / half / this.camera.aspect) * 1.2 + this.box.z / 2;
     this.controls.target.copy(this.#middle);
     this.camera.position.copy(this.#middle).addScaledVector(towards, distance);
     this.controls.update();

@@ -3,6 +3,7 @@
 let library; // the module
 let scene = 0; // a pointer
 let wallVersion = -1;
+let drawn = {triangles: [], turned: []}; // which triangles of the wall were turned
 let recording = null; // states of all steps since the scene began, as bytes
 
 const text = pointer => library.UTF8ToString(pointer);
@@ -43,16 +44,71 @@ function readIndices(get, width) {
 const readWire = () => readDoubles(library._scene_get_wire, 3);
 const readContacts = () => readDoubles(library._scene_get_contacts, 9);
 
+/** Turns triangles so that neighbours agree, and each part looks outwards: those of a wall between two passable volumes may
+ * look either way. Returns for each triangle whether it was turned. */
+function findTurned(points, triangles) {
+  const count = triangles.length / 3;
+  const vertices = points.length / 3;
+  const sides = new Map(); // by both ends: triangles there, with +1 or -1 for the way they run it
+  for (let at = 0; at < triangles.length; ++at) {
+    const triangle = Math.floor(at / 3);
+    const from = triangles[at];
+    const to = triangles[3 * triangle + (at + 1) % 3];
+    const name = Math.min(from, to) * vertices + Math.max(from, to);
+    const side = sides.get(name) ?? [];
+    side.push(triangle, from < to ? 1 : -1);
+    sides.set(name, side);
+  }
+  const turned = new Int8Array(count); // 1 or -1; 0: not reached yet
+  for (let first = 0; first < count; ++first) {
+    if (turned[first] !== 0) {
+      continue;
+    }
+    const part = [first];
+    let volume = 0;
+    turned[first] = 1;
+    for (let next = 0; next < part.length; ++next) {
+      const triangle = part[next];
+      const [a, b, c] = [3 * triangles[3 * triangle], 3 * triangles[3 * triangle + 1], 3 * triangles[3 * triangle + 2]];
+      volume += turned[triangle] * (points[a] * (points[b + 1] * points[c + 2] - points[b + 2] * points[c + 1]) +
+          points[a + 1] * (points[b + 2] * points[c] - points[b] * points[c + 2]) +
+          points[a + 2] * (points[b] * points[c + 1] - points[b + 1] * points[c]));
+      for (let at = 3 * triangle; at < 3 * triangle + 3; ++at) {
+        const from = triangles[at];
+        const to = triangles[3 * triangle + (at + 1) % 3];
+        const way = (from < to ? 1 : -1) * turned[triangle];
+        const side = sides.get(Math.min(from, to) * vertices + Math.max(from, to));
+        for (let other = 0; side.length === 4 && other < 4; other += 2) {
+          if (turned[side[other]] === 0) {
+            turned[side[other]] = -way * side[other + 1];
+            part.push(side[other]);
+          }
+        }
+      }
+    }
+    if (volume < 0) {
+      part.forEach(triangle => { turned[triangle] = -turned[triangle]; });
+    }
+  }
+  return turned;
+}
+
 /** The wall for a graphics card: single precision, with normals that are means of those of the triangles. */
 function readWall() {
   const points = readDoubles(library._scene_get_wall_points, 3);
   const triangles = readIndices(library._scene_get_wall_triangles, 3);
+  if (drawn.triangles.length !== triangles.length || drawn.triangles.some((corner, at) => corner !== triangles[at])) {
+    drawn = {triangles: triangles.slice(), turned: findTurned(points, triangles)};
+  }
   const positions = Float32Array.from(points);
   const normals = new Float32Array(positions.length);
   for (let at = 0; at < triangles.length; at += 3) {
+    if (drawn.turned[at / 3] < 0) {
+      [triangles[at + 1], triangles[at + 2]] = [triangles[at + 2], triangles[at + 1]];
+    }
     const [a, b, c] = [3 * triangles[at], 3 * triangles[at + 1], 3 * triangles[at + 2]];
-    const ux = positions[b] - positions[a], uy = positions[b + 1] - positions[a + 1], uz = positions[b + 2] - positions[a + 2];
-    const vx = positions[c] - positions[a], vy = positions[c + 1] - positions[a + 1], vz = positions[c + 2] - positions[a + 2];
+    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
+    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
     const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
     for (const corner of [a, b, c]) {
       normals[corner] += nx;
