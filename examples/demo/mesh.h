@@ -34,6 +34,9 @@ int mesh_read(const char *path, demo_mesh *mesh);
  * which must be within 0.6 .. 2.5. Returns 0, or prints why not to stderr and returns 2. */
 int mesh_make_vessel(double spacing, demo_mesh *mesh);
 
+/* For points of that vessel: the ways to its middle, less in the tissue, none at the outside. Neighbours go alike. */
+void mesh_find_ways_inward(const double *points, size_t count, double *ways);
+
 /* Null pointers inside are allowed. */
 void mesh_free(demo_mesh *mesh);
 

@@ -53,18 +53,18 @@ static void *grown(void *old, size_t old_count, size_t count, size_t size) {
   return memory;
 }
 
-static void sample_tree(builder *b) {
+static void sample_tree(double nodes[kBranches][kPieces + 1][4]) {
   for (int i = 0; i < kBranches; ++i) {
     for (int j = 0; j <= kPieces; ++j) {
       double t = (double)j / (double)kPieces, s = 1 - t;
       double weight[4] = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
       for (int k = 0; k < 3; ++k) {
-        b->nodes[i][j][k] = 0;
+        nodes[i][j][k] = 0;
         for (int c = 0; c < 4; ++c) {
-          b->nodes[i][j][k] += weight[c] * kTree[i].control[c][k];
+          nodes[i][j][k] += weight[c] * kTree[i].control[c][k];
         }
       }
-      b->nodes[i][j][3] = s * kTree[i].radius[0] + t * kTree[i].radius[1];
+      nodes[i][j][3] = s * kTree[i].radius[0] + t * kTree[i].radius[1];
     }
   }
 }
@@ -75,22 +75,31 @@ static double blended(double a, double b) {
   return h > 0 ? least - h * h / (4 * kBlend) : least;
 }
 
+/* About the distance to the wall of a branch, and the way from its middle line to p. */
+static double nearest_of_branch(double nodes[kPieces + 1][4], const double *p, double *away) {
+  double nearest = 1e9;
+  for (int j = 0; j < kPieces; ++j) {
+    const double *a = nodes[j], *c = nodes[j + 1];
+    double d[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]}, e[3] = {p[0] - a[0], p[1] - a[1], p[2] - a[2]};
+    double t = (d[0] * e[0] + d[1] * e[1] + d[2] * e[2]) / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    t = t < 0 ? 0 : (t > 1 ? 1 : t);
+    for (int k = 0; k < 3; ++k) {
+      e[k] -= t * d[k];
+    }
+    double distance = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) - (a[3] + t * (c[3] - a[3]));
+    if (distance < nearest) {
+      nearest = distance;
+      memcpy(away, e, sizeof e);
+    }
+  }
+  return nearest;
+}
+
 /* About the distance to the wall: negative in the lumen. */
-static double level_at(const builder *b, const double *p) {
+static double level_at(builder *b, const double *p) {
   double level = 1e9;
   for (int i = 0; i < kBranches; ++i) {
-    double nearest = 1e9;
-    for (int j = 0; j < kPieces; ++j) {
-      const double *a = b->nodes[i][j], *c = b->nodes[i][j + 1];
-      double d[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]}, e[3] = {p[0] - a[0], p[1] - a[1], p[2] - a[2]};
-      double t = (d[0] * e[0] + d[1] * e[1] + d[2] * e[2]) / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-      t = t < 0 ? 0 : (t > 1 ? 1 : t);
-      for (int k = 0; k < 3; ++k) {
-        e[k] -= t * d[k];
-      }
-      double distance = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) - (a[3] + t * (c[3] - a[3]));
-      nearest = distance < nearest ? distance : nearest;
-    }
+    double away[3], nearest = nearest_of_branch(b->nodes[i], p, away);
     level = blended(level, nearest);
   }
   double e[3] = {p[0] - kAneurysm[0], p[1] - kAneurysm[1], p[2] - kAneurysm[2]};
@@ -98,7 +107,7 @@ static double level_at(const builder *b, const double *p) {
 }
 
 /* Moves a lattice point onto `level` if it is near; the flat ends of the box stay flat. */
-static int snap(const builder *b, double *p, double value, double level, double spacing) {
+static int snap(builder *b, double *p, double value, double level, double spacing) {
   if (fabs(value - level) > kSnap * spacing) {
     return 0;
   }
@@ -324,7 +333,7 @@ int mesh_make_vessel(double spacing, demo_mesh *mesh) {
   size_t n[3] = {(size_t)(kLength / spacing + 0.5), (size_t)(2 * kHalfWidth / spacing + 0.5),
                  (size_t)(2 * kHalfHeight / spacing + 0.5)};
   memset(&b, 0, sizeof b);
-  sample_tree(&b);
+  sample_tree(b.nodes);
   fill_lattice(&b, spacing, n);
   cut_lattice(&b, n);
   copy_mesh(&b, mesh);
@@ -335,4 +344,25 @@ int mesh_make_vessel(double spacing, demo_mesh *mesh) {
   free(b.cut_keys);
   free(b.cells);
   return 0;
+}
+
+void mesh_find_ways_inward(const double *points, size_t count, double *ways) {
+  double nodes[kBranches][kPieces + 1][4];
+  sample_tree(nodes);
+  for (size_t i = 0; i < count; ++i) {
+    double sum = 0, *way = ways + 3 * i;
+    memset(way, 0, 3 * sizeof *way);
+    for (int j = 0; j < kBranches; ++j) {
+      double away[3], level = nearest_of_branch(nodes[j], points + 3 * i, away);
+      double depth = level < kSleeve ? (kSleeve - level) / kSleeve : 0, weight = depth * depth * depth;
+      double share = depth < 1 ? depth : 1; /* of the way to the middle: all in the lumen, none at the outside */
+      sum += weight;
+      for (int k = 0; k < 3; ++k) {
+        way[k] -= weight * share * away[k];
+      }
+    }
+    for (int k = 0; k < 3 && sum > 0; ++k) {
+      way[k] /= sum;
+    }
+  }
 }

@@ -87,25 +87,29 @@ def bundle(folder, modules):
     return code, style
 
 
-def inline(template, title, script, style, data):
+def inline(template, title, script, style, data, with_module=False):
     """The page: the template with $title, $policy, $style, $data (any JSON value) and $script. The policy lets the browser run
-    this script and nothing else, and ask the network for nothing."""
+    this script and nothing else, and ask the network for nothing. `with_module` also allows workers that the script makes of
+    text, and WebAssembly."""
     def digest(text):
         return "'sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() + "'"
 
     # In JSON "<" occurs within strings only; escaped there, neither "</script>" nor "<!--" can end the element.
     packed = json.dumps(data, allow_nan=False, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
     policy = f"default-src 'none'; script-src {digest(script)}; style-src {digest(style)}; img-src data:"
+    if with_module:
+        policy = policy.replace("; style-src", " 'wasm-unsafe-eval' blob:; worker-src blob:; style-src")
     return string.Template(template).substitute(
         title=html.escape(title), policy=policy, style=style, data=packed, script=script)
 
 
-def build(folder, modules, title, data, with_tests=False):
-    """The page of `folder` (index.html, src/main.js, package.json and its lock file) with `data`, as text."""
+def build(folder, modules, title, data, with_tests=False, with_module=False):
+    """The page of `folder` (index.html, src/main.js, package.json and its lock file) with `data`, as text; `with_module` as
+    for inline."""
     install(folder, modules, with_tests)
     script, style = bundle(folder, modules)
     with open(os.path.join(folder, "index.html"), encoding="utf-8") as file:
-        return inline(file.read(), title, script, style, data)
+        return inline(file.read(), title, script, style, data, with_module)
 
 
 def fail(message):

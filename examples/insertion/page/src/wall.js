@@ -4,7 +4,7 @@ import {BufferAttribute, BufferGeometry, Color, DoubleSide, LineBasicMaterial, L
 
 import {LIT} from './shading.js';
 
-const VERTEX = `
+export const VERTEX = `
   varying vec3 vNormal;
   varying vec3 vEye;
   void main() {
@@ -15,7 +15,7 @@ const VERTEX = `
   }`;
 
 // Clear where it faces the viewer, dense where it turns away, as a thin shell is.
-const GLASS = `
+export const GLASS = `
   uniform vec3 colour;
   uniform float opacity;
   varying vec3 vNormal;
