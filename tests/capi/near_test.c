@@ -41,7 +41,7 @@ static int is_vector(const double *v, double x, double y, double z) {
 }
 
 /* A zero without a sign, as normals of contacts have it. */
-static int is_plain(double x) { return x != 0 || !signbit(x); }
+static int is_plain(double x) { return x != 0 || copysign(1, x) > 0; }
 
 static double weighted(const double *weights, const uint32_t *vertices, const double *positions, uint32_t axis) {
   double sum = 0;

@@ -363,7 +363,7 @@ static void the_nearest_impassable_thing_is_found(void) {
   CHECK(n.distance == 0.25 && n.cell.index == 0 && n.cell.local == FACE_X1 && n.normal[0] == 1);
   CHECK(n.volumes_visited >= 1);
   CHECK_OK(dsw_environment_find_nearest(g_env, point, volume_at(1), 0.125, &n));
-  CHECK(isinf(n.distance) && n.cell.kind == DSW_CELL_NONE && n.normal[0] == 0);
+  CHECK(n.distance == HUGE_VAL && n.cell.kind == DSW_CELL_NONE && n.normal[0] == 0);
   CHECK_OK(dsw_environment_mark_faces(g_env, &wall, 1, DSW_MARK_PASSABLE));
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_find_nearest(g_env, point, no_volume, -1, &n));
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_find_nearest(g_env, point, no_volume, NAN, &n));
@@ -388,14 +388,14 @@ static void what_is_nearest_to_many_points_is_found(void) {
   CHECK_OK(dsw_environment_find_nearest_to_points(g_env, points, 4, 32, volumes, INFINITY, n, volumes, locations));
   CHECK(n[0].distance == 0.5 && n[0].cell.index == 1 && n[0].cell.local == FACE_Y0 && n[0].tag == 101);
   CHECK(volumes[0].index == 1 && locations[0] == DSW_LOCATION_PASSABLE);
-  CHECK(isinf(n[1].distance) && n[1].cell.kind == DSW_CELL_NONE && n[1].volumes_visited == 0);
+  CHECK(n[1].distance == HUGE_VAL && n[1].cell.kind == DSW_CELL_NONE && n[1].volumes_visited == 0);
   CHECK(volumes[1].generation == 0 && locations[1] == DSW_LOCATION_OUTSIDE);
-  CHECK(isinf(n[2].distance) && n[2].cell.kind == DSW_CELL_NONE && n[2].normal[0] == 0);
+  CHECK(n[2].distance == HUGE_VAL && n[2].cell.kind == DSW_CELL_NONE && n[2].normal[0] == 0);
   CHECK(volumes[2].index == 2 && locations[2] == DSW_LOCATION_IMPASSABLE);
   CHECK_OK(dsw_environment_find_nearest(g_env, points + 12, volumes[3], INFINITY, &one));
   CHECK(memcmp(&one, &n[3], sizeof one) == 0);
   CHECK_OK(dsw_environment_find_nearest_to_points(g_env, points, 1, 0, NULL, 0.25, n, NULL, NULL));
-  CHECK(isinf(n[0].distance));
+  CHECK(n[0].distance == HUGE_VAL);
   CHECK_OK(dsw_environment_mark_volumes(g_env, &solid, 1, DSW_MARK_PASSABLE, 0, NULL));
 }
 
@@ -415,7 +415,7 @@ static void what_is_nearest_to_segments_is_found(void) {
   CHECK(n[0].nearest.tag == 101 && volumes[0].index == 1 && locations[0] == DSW_LOCATION_PASSABLE);
   CHECK(n[1].nearest.distance == 0.5 && n[1].nearest.cell.local == FACE_X0 && n[1].segment_parameter == 0);
   CHECK(n[2].nearest.distance == 0.5);
-  CHECK(isinf(n[3].nearest.distance) && n[3].nearest.cell.kind == DSW_CELL_NONE && n[3].segment_parameter == 0);
+  CHECK(n[3].nearest.distance == HUGE_VAL && n[3].nearest.cell.kind == DSW_CELL_NONE && n[3].segment_parameter == 0);
   CHECK(n[3].segment_point[0] == 0 && volumes[3].generation == 0 && locations[3] == DSW_LOCATION_OUTSIDE);
   CHECK_OK(dsw_environment_mark_faces(g_env, &wall, 1, DSW_MARK_IMPASSABLE));
   for (i = 0; i < 2; ++i) { /* a radius of 0 finds what is passed, too */

@@ -15,7 +15,7 @@ dsw_volume_id some_hint(const Ground& ground, Rng& rng) {
 /// Points one after the other, as batches want them.
 class Batch {
  public:
-  Batch(const Ground& ground, Rng& rng) : dimension_(ground.dimension), places_(ground, rng), rng_(rng) {}
+  Batch(const Ground& ground, Rng& rng) : dimension_(ground.dimension), places_(ground, rng) {}
   void add() {
     const Vec from = places_.start(), to = places_.target(from), fixed = places_.start();
     append(from_, from), append(to_, to), append(fixed_, fixed);
@@ -34,7 +34,6 @@ class Batch {
 
   size_t dimension_;
   GroundPlaces places_;
-  Rng& rng_;
   std::vector<double> from_, to_, fixed_;
 };
 
@@ -63,10 +62,10 @@ void ask_location(const dsw_environment* environment, const double* point, dsw_v
 
 }  // namespace
 
-void ask_casts(const Ground& ground, uint64_t count, Rng& rng, Tally& tally) {
+void ask_casts(const Ground& ground, size_t count, Rng& rng, Tally& tally) {
   constexpr size_t kBatch = 24;
   const dsw_environment* const environment = ground.environment.get();
-  for (uint64_t done = 0; done < count;) {
+  for (size_t done = 0; done < count;) {
     Batch batch(ground, rng);
     std::vector<dsw_volume_id> hints;
     while (batch.size() < kBatch) {
@@ -97,7 +96,7 @@ void ask_casts(const Ground& ground, uint64_t count, Rng& rng, Tally& tally) {
   }
 }
 
-void ask_sweeps(const Ground& ground, uint64_t count, Rng& rng, Tally& tally) {
+void ask_sweeps(const Ground& ground, size_t count, Rng& rng, Tally& tally) {
   Batch batch(ground, rng);
   while (batch.size() < count) batch.add();
   dsw_sweep_options options = oracle::defaults(dsw_sweep_options_init);
@@ -110,7 +109,7 @@ void ask_sweeps(const Ground& ground, uint64_t count, Rng& rng, Tally& tally) {
   tally.count += count;
 }
 
-void ask_nearest(const Ground& ground, uint64_t count, Rng& rng, Tally& tally) {
+void ask_nearest(const Ground& ground, size_t count, Rng& rng, Tally& tally) {
   const dsw_environment* const environment = ground.environment.get();
   Batch batch(ground, rng);
   while (batch.size() < count) batch.add();

@@ -13,10 +13,10 @@ struct Tally {
 };
 
 /// Casts, one by one, along a path, and in batches; locations of their ends.
-void ask_casts(const Ground& ground, uint64_t count, Rng& rng, Tally& tally);
-void ask_sweeps(const Ground& ground, uint64_t count, Rng& rng, Tally& tally);
+void ask_casts(const Ground& ground, size_t count, Rng& rng, Tally& tally);
+void ask_sweeps(const Ground& ground, size_t count, Rng& rng, Tally& tally);
 /// What is nearest to points and segments.
-void ask_nearest(const Ground& ground, uint64_t count, Rng& rng, Tally& tally);
+void ask_nearest(const Ground& ground, size_t count, Rng& rng, Tally& tally);
 /// Coarser copies, and proofs of a partition.
 void ask_for_all(const Ground& ground, Rng& rng, Tally& tally);
 

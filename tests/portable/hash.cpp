@@ -31,7 +31,7 @@ class Lines {
 };
 
 void hash_queries(const Kind& kind, uint64_t casts, Rng& rng, dsw_context* context, Lines& lines) {
-  constexpr uint64_t kCastsOfScene = 240;
+  constexpr size_t kCastsOfScene = 240;
   Tally flights, sweeps, nearest, wholes;
   const size_t transforms = transform_count(kind);
   for (size_t scene = 0; flights.count < casts; ++scene) {
