@@ -96,7 +96,7 @@ scene_figures draw_city(const char *directory) {
   build_city(&mesh);
   environment = mesh_environment(&mesh);
   require(dsw_scene_create(environment, NULL, &scene), "creating a scene", kFailed);
-  view.scale = 960 / ((kHouse + kStreet) * kHouses + 0.1);
+  view.scale = 960 / ((kHouse + kStreet) * (int)kHouses + 0.1);
   view.file = svg_open(directory, "city.svg", 1000, 1000);
   mesh_draw(&mesh, &view, "fill=\"#fff\" stroke=\"#d5dbe3\" stroke-width=\"0.7\"",
             "fill=\"#8d99a6\" stroke=\"#5b6773\" stroke-width=\"1.2\"");

@@ -77,7 +77,7 @@ static void fall(dsw_environment *environment, const svg_view *view, const doubl
   size_t v;
   for (v = 0; v < kRope; ++v) {
     positions[2 * v] = target[2 * v] = across[v];
-    positions[2 * v + 1] = kHeight * (kRows - 2.5) + 0.05 * across[v];
+    positions[2 * v + 1] = kHeight * ((int)kRows - 2.5) + 0.05 * across[v];
     target[2 * v + 1] = positions[2 * v + 1] - (across == kOnto && v != kOne ? 0 : kFall);
   }
   require(dsw_scene_create(environment, NULL, &scene), "creating a scene", kFailed);
@@ -126,7 +126,7 @@ scene_figures draw_rope(const char *directory) {
   environment = mesh_environment(&mesh);
   view.file = svg_open(directory, "rope.svg", 2 * kWidth + 10, (kPanelCount + 1) / 2 * kTall);
   for (panel = 0; panel < kPanelCount; ++panel) {
-    const double title[2] = {0, kHeight * kRows + 0.4};
+    const double title[2] = {0, kHeight * (int)kRows + 0.4};
     view.left = kWidth * (panel % 2) + 15;
     view.top = kTall * (panel / 2 + 1) - 8;
     svg_text(&view, title, "font-size=\"18\"", kPanels[panel].title);
