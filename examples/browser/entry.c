@@ -4,16 +4,12 @@
 
 #include "state.h"
 
-static int is_better_entry(const scene *s, const double *centre, const dsw_nearest *nearest, int axis, double most,
-                           double best) {
-  return nearest->cell.kind != DSW_CELL_NONE && centre[axis] <= s->size.lower[axis] + most && nearest->distance > best;
-}
-
 /* The widest place at one end of the longest axis. */
 int find_entry(scene *s, double *clearance) {
   const double *lower = s->size.lower, *upper = s->size.upper;
   uint32_t count = 0, i;
   int axis = 0, k;
+  double most;
   dsw_environment_info info;
   info.struct_size = sizeof info;
   if (!good(dsw_environment_get_info(s->environment, &info), "reading")) return 0;
@@ -21,18 +17,18 @@ int find_entry(scene *s, double *clearance) {
   for (k = 1; k < 3; ++k) {
     if (upper[k] - lower[k] > upper[axis] - lower[axis]) axis = k;
   }
+  most = lower[axis] + (s->is_vessel ? 0.06 : 0.2) * (upper[axis] - lower[axis]);
   *clearance = 0;
   for (i = 0; i < count; ++i) {
     dsw_volume_id volume;
     dsw_nearest nearest;
     double centre[3];
     if (dsw_environment_get_volume_id(s->environment, i, &volume) != DSW_STATUS_OK ||
-        dsw_environment_get_centre(s->environment, volume, centre) != DSW_STATUS_OK ||
-        centre[axis] > lower[axis] + 0.06 * (upper[axis] - lower[axis]) ||
+        dsw_environment_get_centre(s->environment, volume, centre) != DSW_STATUS_OK || centre[axis] > most ||
         dsw_environment_find_nearest(s->environment, centre, volume, HUGE_VAL, &nearest) != DSW_STATUS_OK) {
       continue;
     }
-    if (is_better_entry(s, centre, &nearest, axis, 0.06 * (upper[axis] - lower[axis]), *clearance)) {
+    if (nearest.cell.kind != DSW_CELL_NONE && nearest.distance > *clearance) {
       *clearance = nearest.distance;
       memcpy(s->size.entry, centre, sizeof centre);
     }

@@ -246,4 +246,5 @@ window.browser = {
     message: byId('message').hidden ? '' : byId('message').textContent,
   }),
   pause: () => { session.running = false; },
+  drawSharp: sharp => { view.sharp = sharp; },
 };

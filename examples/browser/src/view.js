@@ -1,5 +1,6 @@
 // The 3D view: the wall as glass, the wire as a tube out of a grip, contacts as arrows along their normals.
-import {BackSide, BufferAttribute, BufferGeometry, Color, CylinderGeometry, FrontSide, Group, Mesh, PerspectiveCamera, Scene,
+import {BackSide, BufferAttribute, BufferGeometry, Color, CylinderGeometry, FrontSide, Group,
+  LineBasicMaterial, LineSegments, Mesh, PerspectiveCamera, Scene,
   ShaderMaterial, Vector3, WebGLRenderer} from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 
@@ -24,7 +25,7 @@ const GRIP_VERTEX = `
     gl_Position = projectionMatrix * eye;
   }`;
 
-/** Glass whose far side is drawn before its near side. */
+/** Glass whose far side is drawn before its near side, and the rims of its openings. */
 class Wall {
   constructor() {
     this.geometry = new BufferGeometry();
@@ -39,9 +40,13 @@ class Wall {
       mesh.renderOrder = 1 + order;
       this.mesh.add(mesh);
     }
+    this.rim = new BufferGeometry();
+    const lines = new LineSegments(this.rim, new LineBasicMaterial({color: colour('--rim')}));
+    lines.frustumCulled = false;
+    this.mesh.add(lines);
   }
 
-  set({positions, normals, triangles}) {
+  set({positions, normals, triangles, rim}) {
     const old = this.geometry.getAttribute('position');
     if (old?.array.length === positions.length && this.geometry.index.array.length === triangles.length) {
       for (const [name, array] of [['position', positions], ['normal', normals]]) {
@@ -53,6 +58,9 @@ class Wall {
     this.geometry.setAttribute('position', new BufferAttribute(positions, 3));
     this.geometry.setAttribute('normal', new BufferAttribute(normals, 3));
     this.geometry.setIndex(new BufferAttribute(triangles, 1));
+    this.rim.dispose();
+    this.rim.setAttribute('position', this.geometry.getAttribute('position'));
+    this.rim.setIndex(new BufferAttribute(rim, 1));
   }
 }
 
@@ -94,6 +102,7 @@ export class View {
   #follow = false;
   #quality = RATIOS.indexOf(1);
   #slow = 0;
+  #sharp = false;
   #quick = 0;
   #width = 1;
   #height = 1;
@@ -188,7 +197,7 @@ export class View {
     this.#height = Math.max(height, 1);
     this.camera.aspect = this.#width / this.#height;
     this.camera.updateProjectionMatrix();
-    this.renderer.setPixelRatio(Math.min(RATIOS[this.#quality], Math.max(devicePixelRatio, 1)));
+    this.renderer.setPixelRatio(this.#sharp ? 2 : Math.min(RATIOS[this.#quality], Math.max(devicePixelRatio, 1)));
     this.renderer.setSize(this.#width, this.#height);
     pixel.value = 2 * Math.tan(FIELD * Math.PI / 360) / this.#height;
   }
@@ -206,6 +215,12 @@ export class View {
       this.#quality = wanted;
       this.#resize();
     }
+  }
+
+  /** Pictures have smooth edges, however long they take. */
+  set sharp(on) {
+    this.#sharp = on;
+    this.#resize();
   }
 
   draw() {

@@ -3,7 +3,7 @@
 let library; // the module
 let scene = 0; // a pointer
 let wallVersion = -1;
-let drawn = {triangles: [], turned: []}; // which triangles of the wall were turned
+let drawn = {triangles: [], turned: [], rim: []}; // the triangles of the wall last drawn, and what findTurned gave
 let recording = null; // states of all steps since the scene began, as bytes
 
 const text = pointer => library.UTF8ToString(pointer);
@@ -45,7 +45,7 @@ const readWire = () => readDoubles(library._scene_get_wire, 3);
 const readContacts = () => readDoubles(library._scene_get_contacts, 9);
 
 /** Turns triangles so that neighbours agree, and each part looks outwards: those of a wall between two passable volumes may
- * look either way. Returns for each triangle whether it was turned. */
+ * look either way. Gives for each triangle whether it was turned, and both ends of each edge with one triangle. */
 function findTurned(points, triangles) {
   const count = triangles.length / 3;
   const vertices = points.length / 3;
@@ -90,7 +90,13 @@ function findTurned(points, triangles) {
       part.forEach(triangle => { turned[triangle] = -turned[triangle]; });
     }
   }
-  return turned;
+  const rim = [];
+  for (const [name, side] of sides) {
+    if (side.length === 2) {
+      rim.push(Math.floor(name / vertices), name % vertices);
+    }
+  }
+  return {turned, rim: Uint32Array.from(rim)};
 }
 
 /** The wall for a graphics card: single precision, with normals that are means of those of the triangles. */
@@ -98,7 +104,7 @@ function readWall() {
   const points = readDoubles(library._scene_get_wall_points, 3);
   const triangles = readIndices(library._scene_get_wall_triangles, 3);
   if (drawn.triangles.length !== triangles.length || drawn.triangles.some((corner, at) => corner !== triangles[at])) {
-    drawn = {triangles: triangles.slice(), turned: findTurned(points, triangles)};
+    drawn = {triangles: triangles.slice(), ...findTurned(points, triangles)};
   }
   const positions = Float32Array.from(points);
   const normals = new Float32Array(positions.length);
@@ -116,7 +122,7 @@ function readWall() {
       normals[corner + 2] += nz;
     }
   }
-  return {positions, normals, triangles};
+  return {positions, normals, triangles, rim: drawn.rim.slice()};
 }
 
 /** The struct scene_size: only doubles, in this order. */

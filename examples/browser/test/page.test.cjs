@@ -10,10 +10,18 @@ const {chromium} = require('playwright-core');
 
 const {PAGE, PICTURES, SESSION} = process.env;
 const VERTICES = 76; // of the wire when all of it is in the vessel
+const LONG = 300000; // ms: far more than a quiet machine needs
 const FILES = path.join(__dirname, 'files');
 
 const state = page => page.evaluate(() => window.browser.state());
-const picture = (page, name) => page.screenshot({path: path.join(PICTURES, name)});
+/** A picture with smooth edges, which a page without a graphics card draws slowly. */
+async function picture(page, name) {
+  await page.evaluate(() => window.browser.drawSharp(true));
+  await page.waitForTimeout(500);
+  await page.screenshot({path: path.join(PICTURES, name), timeout: LONG});
+  await page.evaluate(() => window.browser.drawSharp(false));
+}
+
 const report = (name, value) => console.log(`browser: ${name} ${value}`);
 
 async function open(browser, options = {}) {
@@ -23,8 +31,8 @@ async function open(browser, options = {}) {
   page.on('console', message => ['error', 'warning'].includes(message.type()) && wrong.push(message.text()));
   page.on('pageerror', error => wrong.push(error.stack));
   page.on('request', request => /^(file|data|blob):/.test(request.url()) || wrong.push(request.url()));
-  await page.goto(pathToFileURL(PAGE).href);
-  await page.waitForFunction(() => window.browser?.state().running, null, {timeout: 60000});
+  await page.goto(pathToFileURL(PAGE).href, {timeout: LONG});
+  await page.waitForFunction(() => window.browser?.state().running, null, {timeout: LONG});
   return {page, wrong};
 }
 
@@ -86,12 +94,12 @@ describe('the page', () => {
   test('the wire is pushed to the end by a key, and drawn often enough', async () => {
     await page.evaluate(() => window.browser.begin('record'));
     await page.keyboard.down('ArrowUp');
-    await page.waitForFunction(() => window.browser.state().vertices > 30, null, {timeout: 60000});
+    await page.waitForFunction(() => window.browser.state().vertices > 30, null, {timeout: LONG});
     const frames = await framesPerSecond(page, 4);
     report('frames_per_second', frames.toFixed(1));
-    await page.waitForFunction(() => window.browser.state().vertices > 40, null, {timeout: 60000});
+    await page.waitForFunction(() => window.browser.state().vertices > 40, null, {timeout: LONG});
     await picture(page, 'overview.png');
-    await page.waitForFunction(wanted => window.browser.state().vertices === wanted, VERTICES, {timeout: 120000});
+    await page.waitForFunction(wanted => window.browser.state().vertices === wanted, VERTICES, {timeout: LONG});
     await page.keyboard.up('ArrowUp');
     const {contacts, tip, milliseconds} = await state(page);
     report('step_milliseconds', (milliseconds.reduce((sum, time) => sum + time, 0) / milliseconds.length).toFixed(2));
@@ -110,24 +118,24 @@ describe('the page', () => {
   test('the grip is dragged, the wall beats and is cut: the same bits again', async () => {
     await page.evaluate(() => window.browser.begin('record'));
     await page.keyboard.down('ArrowUp');
-    await page.waitForFunction(() => window.browser.state().vertices > 18, null, {timeout: 60000});
+    await page.waitForFunction(() => window.browser.state().vertices > 18, null, {timeout: LONG});
     await page.keyboard.up('ArrowUp');
     const before = await state(page);
     const grip = await page.evaluate(() => window.browser.grip());
     await page.mouse.move(grip.x, grip.y);
     await page.mouse.down();
     await page.mouse.move(grip.x + 60, grip.y + 20, {steps: 12});
-    await page.waitForFunction(vertices => window.browser.state().vertices > vertices + 2, before.vertices, {timeout: 30000});
+    await page.waitForFunction(vertices => window.browser.state().vertices > vertices + 2, before.vertices, {timeout: LONG});
     await page.mouse.up();
     await page.click('#follow');
     await page.keyboard.press('c');
-    await page.waitForFunction(() => /open beside the tip/.test(window.browser.state().message), null, {timeout: 30000});
+    await page.waitForFunction(() => /open beside the tip/.test(window.browser.state().message), null, {timeout: LONG});
     const {steps} = await state(page);
-    await page.waitForFunction(steps => window.browser.state().steps > steps + 60, steps, {timeout: 60000});
+    await page.waitForFunction(steps => window.browser.state().steps > steps + 60, steps, {timeout: LONG});
     await picture(page, 'cut.png');
     await page.click('#beat');
     await page.keyboard.down('w');
-    await page.waitForFunction(steps => window.browser.state().steps > steps + 150, steps, {timeout: 60000});
+    await page.waitForFunction(steps => window.browser.state().steps > steps + 150, steps, {timeout: LONG});
     await picture(page, 'beat.png');
     report('beating_frames_per_second', (await framesPerSecond(page, 2)).toFixed(1));
     await page.keyboard.up('w');
@@ -155,11 +163,11 @@ describe('the page', () => {
     ]) {
       await drop(page, name);
       await page.waitForFunction(text => new RegExp(text).test(window.browser.state().message), message.source,
-          {timeout: 60000});
+          {timeout: LONG});
       if (/the wire is in/.test(message.source)) {
         await page.keyboard.down('ArrowUp');
         await page.waitForFunction(() => window.browser.state().contacts > 0 && window.browser.state().vertices > 6, null,
-            {timeout: 60000});
+            {timeout: LONG});
         await page.keyboard.up('ArrowUp');
         await picture(page, `${name}.png`);
       }
