@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
-# usage: tests/run.sh [STEP...]    none means all of them but clang
-# Steps for other targets: arm64 (tests under qemu), windows (tests under wine), wasm (tests in Node).
+# usage: tests/run.sh [STEP...]    none means all_steps below
+# Steps to be asked for: clang; for other targets arm64 (tests under qemu), windows (tests under wine) and wasm (tests in Node);
+# portable, which compares the bits of all targets whose step has run; packages of these targets; browser, the page.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,7 +14,8 @@ packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-con
 declare -A packages_of=( # of steps for other targets
   [arm64]="g++-aarch64-linux-gnu qemu-user m4 make"
   [windows]="g++-mingw-w64-x86-64-posix wine64 m4 make"
-  [wasm]="emscripten m4 make")
+  [wasm]="emscripten m4 make"
+  [packages]="g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix wine64 m4 make")
 all_steps=(release dev tsan page python node java csharp lua docs report format)
 # clang is a step to ask for: before a release, where bits may differ, or where a source of the engine may miss a header.
 # It builds what dev builds without sanitizers, and each source of the engine by itself.
@@ -60,7 +62,7 @@ run_step() {
   "step_$name" >"$log" 2>&1 || status=$?
   [ $status -eq 0 ] || tail -n 150 "$log"
   local lines
-  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^(python|docs|java|csharp|lua|node):|^abi\.|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
+  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^(python|docs|java|csharp|lua|node):|^abi\.|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests|^(portable|packages|browser)[.:]' "$log" || true)
   [ $status -eq 0 ] || lines+=$'\nFAILED, see '$log
   printf '%s (%s s)\n%s\n' "$name" $((SECONDS - start)) "$lines" >"build/$name.summary"
   echo "$lines"
@@ -86,6 +88,13 @@ preset() {
 
 # target NAME: the tests of another target, compiled here and run by its emulator.
 target() { tests/make_gmp.sh "$1" "build/gmp/$1" && preset "$1" all; }
+
+# Wine's own processes begin here. Begun by a test they would keep its output open.
+start_wine() {
+  export WINEPREFIX=$PWD/build/wine WINEDEBUG=-all
+  [ ! -e /usr/lib/wine/wine64 ] ||
+    { /usr/lib/wine/wine64 wineboot >build/wine.log 2>&1 </dev/null && /usr/lib/wine/wineserver64 -p60 >>build/wine.log 2>&1; }
+}
 
 # one_at_a_time COMMAND...: no two steps work in build/release.
 one_at_a_time() {
@@ -123,16 +132,35 @@ step_clang() { preset clang all; }
 step_dev() { preset dev all; }
 step_tsan() { preset tsan threads_tests; }
 step_arm64() { target arm64; }
-step_windows() {
-  # Wine's own processes begin here. Begun by a test they would keep its output open.
-  export WINEPREFIX=$PWD/build/wine WINEDEBUG=-all
-  /usr/lib/wine/wine64 wineboot >build/wine.log 2>&1 </dev/null && /usr/lib/wine/wineserver64 -p60 >>build/wine.log 2>&1
-  target windows
-}
+step_windows() { start_wine && target windows; }
 step_wasm() {
   export NODE_PATH=/usr/share/nodejs # where Debian's emscripten has its modules, whichever Node runs it
   target wasm
 }
+step_portable() {
+  local programs=build tests=tests/portable/dartsweep_portable kernel runners=()
+  cmake --preset release && cmake --build --preset release --target dartsweep_portable
+  for kernel in portable avx2 avx512; do runners+=(--runner "x64-$kernel" "$kernel" "" "$programs/release/$tests"); done
+  if [ -e $programs/windows/$tests.exe ]; then runners+=(--runner windows - /usr/lib/wine/wine64 $programs/windows/$tests.exe); fi
+  if [ -e $programs/arm64/$tests ]; then runners+=(--runner arm64 - "qemu-aarch64 -L /usr/aarch64-linux-gnu" $programs/arm64/$tests); fi
+  if [ -e $programs/wasm/$tests.js ]; then runners+=(--runner wasm - node $programs/wasm/$tests.js); fi
+  start_wine
+  python3 -B tests/portable/targets.py --work build/portable "${runners[@]}"
+}
+step_packages() {
+  local target name prefixes=()
+  install_static_library || return
+  for target in windows:win-x64 arm64:linux-arm64; do
+    name=${target#*:}
+    target=${target%:*}
+    cmake --preset "$target" && cmake --build --preset "$target" --target dartsweep dartsweep_internal &&
+      cmake --install "build/$target" --prefix "build/prefix/$name" || return
+    prefixes+=("$name=build/prefix/$name")
+  done
+  DSW_WINDOWS_BUILD=build/windows bindings/packages/build.sh build/packages linux-x64=build/dartsweep-static/prefix "${prefixes[@]}" &&
+    bindings/packages/check.sh build/packages
+}
+step_browser() { examples/browser/test.sh; }
 step_python() { install_python && bindings/python/test.sh; }
 step_docs() { install_python && bindings/docs/build.sh build/python/venv/bin/python; }
 step_java() { install_static_library && bindings/java/test.sh build/dartsweep-static/prefix; }

