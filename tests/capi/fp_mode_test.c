@@ -365,12 +365,16 @@ static void a_host_goes_on_rounding_as_before(void) {
   const double from[3] = {0.1, 0.2, 0.3}, to[3] = {0.7, 0.6, 0.5};
   dsw_flight flight;
   dsw_status status;
-  int rounding;
+  int set, rounding;
   CHECK(fesetround(FE_UPWARD) == 0);
+  set = fegetround(); /* of WebAssembly it stays the default */
   status = dsw_environment_cast(environment, no_volume, from, to, NULL, &flight);
   rounding = fegetround();
   CHECK(fesetround(FE_TONEAREST) == 0);
-  CHECK(status == DSW_STATUS_OK && rounding == FE_UPWARD);
+  CHECK(status == DSW_STATUS_OK && rounding == set);
+#if defined(__x86_64__) || defined(__aarch64__)
+  CHECK(set == FE_UPWARD);
+#endif
   CHECK_OK(dsw_environment_destroy(environment));
 #endif
 }
