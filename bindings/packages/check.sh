@@ -152,7 +152,7 @@ END
   (cd "$folder" && "$python" -m zipfile -e "$dist"/Dartsweep.*.nupkg nuget && "$python" -m zipfile -e "$dist"/dartsweep-[0-9]*.jar jar)
   qemu-aarch64 -L /usr/aarch64-linux-gnu "$folder/load" \
     "$folder/nuget/runtimes/linux-arm64/native/libdartsweep_csharp.so" CSharp_Dartsweep_Version \
-    "$folder/jar/dartsweep/native/linux-aarch64/libdartsweep_java.so" Java_dartsweep_LibraryJNI_version
+    "$folder/jar/dartsweep/native/linux-aarch64/libdartsweep_java.so" Java_dartsweep_DartsweepJNI_version
 }
 
 if [ $# -eq 0 ]; then
