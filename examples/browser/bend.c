@@ -6,7 +6,7 @@
 #include "../demo/mesh.h"
 #include "state.h"
 
-enum { kBeatSteps = 70, kRampSteps = 30, kHalvings = 2 };
+enum { kBeatSteps = 35, kRampSteps = 15, kHalvings = 2 };
 
 static const double kDepth = 0.42;
 

@@ -5,7 +5,7 @@
 
 #include "state.h"
 
-enum { kOpenSteps = 40 };
+enum { kOpenSteps = 24 };
 
 static const double kSnap = 0.25;
 

@@ -87,7 +87,9 @@ int scene_step(scene *s, double push, double turn, int on) {
   wire *w = &s->wire;
   wire_rows rows;
   size_t entries = 0;
-  if ((on || s->strength > 0 || s->opening_steps > 0) && (!bend(s, on) || !read_wire(s))) return 0;
+  const int moves = on || s->strength > 0 || s->opening_steps > 0;
+  s->wall_moves = moves && !s->wall_moves; /* in every other step: half of the time, and one cannot see it */
+  if (s->wall_moves && (!bend(s, on) || !read_wire(s))) return 0;
   wire_turn(w, turn > 0.2 ? 0.2 : (turn < -0.2 ? -0.2 : turn));
   if (!feed(s, &push) || !good(dsw_body_find_near_rows(s->scene, s->body, &s->near_options, NULL), "finding rows") ||
       !good(dsw_body_get_near_offsets(s->scene, s->body, &rows.offsets, &entries), "reading rows") ||

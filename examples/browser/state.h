@@ -25,7 +25,7 @@ struct scene {
    * which the environment reads `now`. */
   double *rest, *ways, *opening, *lent[2];
   size_t point_count, point_room, most_vertices, slots; /* slots: of the body's vertices */
-  int now, with_boundary, is_vessel, traced, opening_steps;
+  int now, with_boundary, is_vessel, traced, opening_steps, wall_moves;
   double strength, phase,
       shift; /* of the beat: how much of it there is, how far it is, and how much of the ways was made */
   uint32_t wall_version;

@@ -142,6 +142,7 @@ export class View {
     upper.max(this.#gripPlace(1.2));
     this.#middle.addVectors(lower, upper).multiplyScalar(0.5);
     this.box = upper.clone().sub(lower);
+    this.#middle.x += 0.03 * this.box.x; // beside the figures
     this.#size = this.box.length();
     this.camera.near = 0.01 * this.#size;
     this.camera.far = 20 * this.#size;
