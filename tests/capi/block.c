@@ -34,6 +34,10 @@ void end_block(uint32_t volumes, uint32_t boundary, uint32_t parts) {
   const dsw_environment_info i = info_of(g_env);
   CHECK(i.volume_count == volumes && i.boundary_face_count == boundary && i.part_count == parts);
   CHECK_OK(dsw_environment_check(g_env, NULL));
+  drop_block();
+}
+
+void drop_block(void) {
   CHECK_OK(dsw_environment_destroy(g_env));
   grid_destroy(&g_grid);
 }

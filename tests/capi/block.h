@@ -30,6 +30,7 @@ void use_block(unsigned dimension);
 void begin_block(dsw_context *context, double size, uint32_t flags);
 /* The block must have become this many volumes in this many parts; destroys it. */
 void end_block(uint32_t volumes, uint32_t boundary, uint32_t parts);
+void drop_block(void);
 
 /* A blade at x, from below everything up to y_end; its front is on the right. */
 dsw_cut_desc blade_at(double x, double y_end);

@@ -118,6 +118,7 @@ RUN(dsw_scene_create, dsw_scene_desc) {
   dsw_scene *scene = NULL;
   dsw_environment *const environment = make_environment(NULL, 1, 1, 1);
   const dsw_status status = dsw_scene_create(environment, s, &scene);
+  if (scene == NULL) CHECK_OK(dsw_environment_destroy(environment));
   end_scene(scene);
   return status;
 }
