@@ -92,8 +92,10 @@ target() { tests/make_gmp.sh "$1" "build/gmp/$1" && preset "$1" all; }
 # Wine's own processes begin here. Begun by a test they would keep its output open.
 start_wine() {
   export WINEPREFIX=$PWD/build/wine WINEDEBUG=-all
-  [ ! -e /usr/lib/wine/wine64 ] ||
-    { /usr/lib/wine/wine64 wineboot >build/wine.log 2>&1 </dev/null && /usr/lib/wine/wineserver64 -p60 >>build/wine.log 2>&1; }
+  [ -e /usr/lib/wine/wine64 ] || return 0
+  mkdir -p "$WINEPREFIX"
+  /usr/lib/wine/wineserver64 -p60 >build/wine.log 2>&1 </dev/null || [ $? -eq 2 ] # 2: one is running
+  /usr/lib/wine/wine64 wineboot >>build/wine.log 2>&1 </dev/null
 }
 
 # one_at_a_time COMMAND...: no two steps work in build/release.

@@ -57,6 +57,13 @@
 #define DSW_UNROLL(passes)
 #endif
 
+/** WebAssembly has threads only where it is compiled for them. */
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+#define DSW_HAS_THREADS 0
+#else
+#define DSW_HAS_THREADS 1
+#endif
+
 /** x86-64: files and functions for its further instructions are compiled. */
 #if DSW_GNU && defined(__x86_64__)
 #define DSW_X86_64 1

@@ -6,6 +6,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/compiler.h"
 #include "base/fp_mode.h"
 
 namespace dsw {
@@ -56,7 +57,7 @@ void parallel_chunks(const Parallel& parallel, size_t count, size_t chunk_size, 
   }
   const unsigned wanted =
       parallel.thread_count != 0 ? parallel.thread_count : std::max(1u, std::thread::hardware_concurrency());
-  const unsigned threads = static_cast<unsigned>(std::min<size_t>(wanted, chunk_count));
+  const unsigned threads = DSW_HAS_THREADS ? static_cast<unsigned>(std::min<size_t>(wanted, chunk_count)) : 1;
   if (threads == 1) {
     body(context, 0, count);
   } else {

@@ -1,6 +1,7 @@
 #pragma once
 // Positions: D doubles, lent by a host or stored.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/fp_rules.h"
@@ -12,6 +13,13 @@ template <int D>
 inline double distance_squared(const double* a, const double* b) noexcept {
   const double x = a[0] - b[0], y = a[1] - b[1], z = D == 3 ? a[D - 1] - b[D - 1] : 0;
   return (x * x + y * y) + z * z;
+}
+
+/** The power of two that brings `largest` near 1, where its exponent is beyond `most`; 1 elsewhere, for bits to stay. */
+inline double scale_to_one(double largest, int most) noexcept {
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return exponent > most || exponent < -most ? std::ldexp(1.0, std::clamp(-exponent, -1000, 1000)) : 1;
 }
 
 /** p + time * (q - p), rounded; also where q - p is too large for a double. `out` may be p or q. */

@@ -8,7 +8,7 @@ namespace dsw {
 namespace {
 
 /** Area of all facets that can be passed: how many of them a random segment crosses is in proportion to it. */
-double passable_area(const Environment<3>& env) {
+double passable_area(const Environment<3>& env, double scale) {
   double sum = 0;
   for_each_cell(env.map, [&](Cell c) {
     const Shape shape = env.map.shape(c);
@@ -18,11 +18,11 @@ double passable_area(const Environment<3>& env) {
       for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
         const double* points[3];
         simplex_points(env, c, shape, s, points);
-        sum += triangle_area(points);
+        sum += scaled_area(points, scale);
       }
     }
   });
-  return sum;
+  return sum / scale / scale;
 }
 
 }  // namespace
@@ -38,8 +38,8 @@ void coarsen(const Environment<3>& source, const CoarsenOptions& options, Enviro
   keep_local_points(target);
   report.trials = merging.trials();
   report.complete = merging.complete();
-  report.area_before = passable_area(source);
-  report.area_after = passable_area(target);
+  report.area_before = passable_area(source, merging.scale());
+  report.area_after = passable_area(target, merging.scale());
 }
 
 }  // namespace dsw

@@ -6,8 +6,10 @@
 #include "coarsen/merging.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "base/position.h"
 #include "environment/marking.h"
 
 namespace dsw {
@@ -15,20 +17,20 @@ namespace {
 
 constexpr uint32_t kNoSlot = 0xffffffffu;
 
-double area_of(const Environment<3>& env, HalfFacet h) noexcept {
-  uint32_t vertices[3];
-  corners_of(env, h, vertices);
-  const double* const corners[3] = {env.point(vertices[0]), env.point(vertices[1]), env.point(vertices[2])};
-  return triangle_area(corners);
+/** Coordinates that are larger than 2^200, or all smaller than 2^-200, are scaled: their fourth powers are summed. */
+double scale_for_areas(const Environment<3>& env) noexcept {
+  double largest = 0;
+  for (int k = 0; k < 3; ++k) largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
+  return scale_to_one(largest, 200);
 }
 
 }  // namespace
 
-double triangle_area(const double* const* corners) noexcept {
+double scaled_area(const double* const* corners, double scale) noexcept {
   double u[3], v[3];
   for (int k = 0; k < 3; ++k) {
-    u[k] = corners[1][k] - corners[0][k];
-    v[k] = corners[2][k] - corners[0][k];
+    u[k] = corners[1][k] * scale - corners[0][k] * scale;
+    v[k] = corners[2][k] * scale - corners[0][k] * scale;
   }
   const double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
   return 0.5 * std::sqrt((x * x + y * y) + z * z);
@@ -43,6 +45,7 @@ bool Merging::Pair::operator<(const Pair& o) const noexcept {
 
 Merging::Merging(const Environment<3>& env)
     : env_(env),
+      scale_(scale_for_areas(env)),
       parent_(env.map.index_count(), 0u, env.memory),
       version_(parent_.size(), 0u, parent_.get_allocator()),
       slot_(parent_.size(), kNoSlot, parent_.get_allocator()),
@@ -54,6 +57,13 @@ Merging::Merging(const Environment<3>& env)
 uint32_t Merging::root(uint32_t cell) noexcept {
   while (parent_[cell] != cell) cell = parent_[cell] = parent_[parent_[cell]];
   return cell;
+}
+
+double Merging::area_of(HalfFacet h) const noexcept {
+  uint32_t vertices[3];
+  corners_of(env_, h, vertices);
+  const double* const corners[3] = {env_.point(vertices[0]), env_.point(vertices[1]), env_.point(vertices[2])};
+  return scaled_area(corners, scale_);
 }
 
 const Polyhedron* Merging::polyhedron(uint32_t root) const noexcept {
@@ -104,14 +114,15 @@ void Merging::offer(uint32_t a, bool higher_only) {
     Neighbour* const at =
         std::find_if(neighbours, neighbours + found, [&](const Neighbour& neighbour) { return neighbour.root == b; });
     if (at == neighbours + found) neighbours[found++] = {b, 0, false};
-    at->shared += area_of(env_, {facets[f]});
+    at->shared += area_of({facets[f]});
     at->kept |= is_kept({facets[f]});
   }
   for (uint32_t n = 0; n < found; ++n) {
     if (neighbours[n].kept) continue;
     const uint32_t low = std::min(a, neighbours[n].root), high = std::max(a, neighbours[n].root);
-    const double value = neighbours[n].shared / std::min(surface_[low], surface_[high]);
-    heap_.push_back({value == value ? value : 0, low, high, version_[low], version_[high]});
+    const double smaller = std::min(surface_[low], surface_[high]);  // 0: too small for a double
+    const double value = smaller > 0 ? neighbours[n].shared / smaller : 0;
+    heap_.push_back({value, low, high, version_[low], version_[high]});
     std::push_heap(heap_.begin(), heap_.end());
   }
 }
@@ -143,7 +154,7 @@ void Merging::merge(const Pair& pair) {
   parent_[pair.b] = pair.a;
   ++version_[pair.a];
   surface_[pair.a] = 0;
-  for (uint32_t f = 0; f < count; ++f) surface_[pair.a] += area_of(env_, {outer[f]});
+  for (uint32_t f = 0; f < count; ++f) surface_[pair.a] += area_of({outer[f]});
   offer(pair.a, false);
 }
 
@@ -156,7 +167,7 @@ void Merging::run(const CoarsenOptions& options) {
     });
   };
   for_each_candidate([&](Cell c) {
-    for (uint32_t f = 0; f < 4; ++f) surface_[map.index(c)] += area_of(env_, map.half_facet(c, f));
+    for (uint32_t f = 0; f < 4; ++f) surface_[map.index(c)] += area_of(map.half_facet(c, f));
   });
   for_each_candidate([&](Cell c) { offer(map.index(c), true); });
   while (!heap_.empty()) {

@@ -20,6 +20,8 @@ class Merging {
   uint32_t root(uint32_t cell) noexcept;
   /** What a root stands for; null: its cell alone. */
   const Polyhedron* polyhedron(uint32_t root) const noexcept;
+  /** What areas are scaled by: the square of this. */
+  double scale() const noexcept { return scale_; }
   uint64_t trials() const noexcept { return trials_; }
   bool complete() const noexcept { return complete_; }
 
@@ -36,6 +38,7 @@ class Merging {
     bool kept;
   };
 
+  double area_of(HalfFacet h) const noexcept;
   uint32_t facets_of(uint32_t root, uint32_t (&out)[kMostFacets]) const noexcept;
   uint32_t root_beyond(HalfFacet h) noexcept;
   bool is_kept(HalfFacet h) const noexcept;
@@ -43,11 +46,12 @@ class Merging {
   void merge(const Pair& pair);
 
   const Environment<3>& env_;
+  const double scale_;
   CoarsenOptions options_;
   Array<uint32_t> parent_;   // by cell: itself, or one with a lower index of the same union
   Array<uint32_t> version_;  // by root: grows with every merge
   Array<uint32_t> slot_;     // by root: where its polyhedron is
-  Array<double> surface_;    // by root: area of all facets
+  Array<double> surface_;    // by root: scaled area of all facets
   Array<Polyhedron> polyhedra_{env_.memory};
   Array<uint32_t> free_slots_;
   Array<Pair> heap_{env_.memory};
@@ -55,7 +59,7 @@ class Merging {
   bool complete_ = true;
 };
 
-/** Of a triangle with these corners. */
-double triangle_area(const double* const* corners) noexcept;
+/** The area of the triangle with these corners times `scale`. */
+double scaled_area(const double* const* corners, double scale) noexcept;
 
 }  // namespace dsw

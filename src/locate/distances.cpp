@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/position.h"
 
 namespace dsw {
 
@@ -69,9 +70,7 @@ double fitting_scale(const Environment<D>& env, std::initializer_list<const doub
     largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
     for (const double* point : points) largest = std::max(largest, std::fabs(point[k]));
   }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return exponent > 300 || exponent < -300 ? std::ldexp(1.0, std::clamp(-exponent, -1000, 1000)) : 1;
+  return scale_to_one(largest, 300);
 }
 
 DSW_INSTANTIATE(fitting_scale);

@@ -69,9 +69,11 @@ ObstacleName name_obstacle(const Environment<D>& env, const NearPair<D>& pair) n
 /** The number of a part of a body, with its kind. */
 template <int D>
 uint32_t number_of(const Body<D>& body, const uint32_t* vertices, uint32_t count) noexcept {
-  const uint32_t index = count == 1   ? vertices[0]
-                         : count == 2 ? find_edge(body, vertices[0], vertices[1])
-                                      : find_face(body, vertices[0], vertices[1], vertices[2]);
+  uint32_t index = vertices[0];
+  if (count == 2) index = find_edge(body, vertices[0], vertices[1]);
+  if constexpr (D == 3) {  // in the plane bodies have no faces
+    if (count == 3) index = find_face(body, vertices[0], vertices[1], vertices[2]);
+  }
   return (count - 1) << kKindShift | index;
 }
 

@@ -1,13 +1,14 @@
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
 #include "fixture.h"
 
-/* Cubes of six tetrahedra each, round their long diagonals. Region 1 is the half with low x; NULL tags. */
+/* Cubes of this side, six tetrahedra each, round their long diagonals. Region 1 is the half with low x; NULL tags. */
 enum { SIDE = 4, CUBES = SIDE * SIDE * SIDE, CELLS = 6 * CUBES };
 
-static dsw_environment *tetrahedra(dsw_context *context, int borrow) {
+static dsw_environment *tetrahedra(dsw_context *context, double side, int borrow) {
   static const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}};
   static double points[3 * (SIDE + 1) * (SIDE + 1) * (SIDE + 1)];
   static int64_t cells[4 * CELLS];
@@ -21,7 +22,7 @@ static dsw_environment *tetrahedra(dsw_context *context, int borrow) {
     for (y = 0; y <= SIDE; ++y) {
       for (x = 0; x <= SIDE; ++x) {
         double *const p = points + 3 * (x + steps[1] * y + steps[2] * z);
-        p[0] = x, p[1] = y, p[2] = z;
+        p[0] = side * x, p[1] = side * y, p[2] = side * z;
       }
     }
   }
@@ -56,7 +57,7 @@ static dsw_environment *coarsened(const dsw_environment *env, uint32_t *map, dsw
 }
 
 static void cells_are_merged_within_regions(void) {
-  dsw_environment *const env = tetrahedra(NULL, 0);
+  dsw_environment *const env = tetrahedra(NULL, 1, 0);
   uint32_t map[CELLS], i;
   dsw_coarsen_report report;
   dsw_environment *const coarse = coarsened(env, map, &report);
@@ -88,7 +89,7 @@ static void cells_are_merged_within_regions(void) {
 }
 
 static void marks_and_tags_stay(void) {
-  dsw_environment *const env = tetrahedra(NULL, 1);
+  dsw_environment *const env = tetrahedra(NULL, 1, 1);
   const dsw_volume_id volume = volume_at(50);
   const dsw_face_id face = face_at(100, 1);
   const uint32_t middle = 2 + (SIDE + 1) * 2 + (SIDE + 1) * (SIDE + 1) * 2;
@@ -126,7 +127,7 @@ static void marks_and_tags_stay(void) {
 }
 
 static void options_are_kept(void) {
-  dsw_environment *const env = tetrahedra(NULL, 0);
+  dsw_environment *const env = tetrahedra(NULL, 1, 0);
   dsw_environment *coarse = NULL;
   dsw_coarsen_options options;
   dsw_coarsen_report report;
@@ -156,9 +157,30 @@ static void options_are_kept(void) {
   CHECK_OK(dsw_environment_destroy(env));
 }
 
+/* Areas neither over- nor underflow on the way: the same is merged in every unit, to the bit. */
+static void units_do_not_matter(void) {
+  static const int exponents[4] = {-400, 400, -600, 600};
+  dsw_environment *const env = tetrahedra(NULL, 1, 0);
+  uint32_t map[2][CELLS];
+  dsw_coarsen_report reports[2];
+  size_t i;
+  CHECK_OK(dsw_environment_destroy(coarsened(env, map[0], &reports[0])));
+  CHECK_OK(dsw_environment_destroy(env));
+  for (i = 0; i < 4; ++i) {
+    dsw_environment *const other = tetrahedra(NULL, ldexp(1, exponents[i]), 0);
+    size_t k;
+    CHECK_OK(dsw_environment_destroy(coarsened(other, map[1], &reports[1])));
+    CHECK(memcmp(map[0], map[1], sizeof map[0]) == 0);
+    for (k = 0; k < 2; ++k) {
+      CHECK(reports[1].passable_area[k] == ldexp(reports[0].passable_area[k], 2 * exponents[i]));
+    }
+    CHECK_OK(dsw_environment_destroy(other));
+  }
+}
+
 /* Cells with tables of their own, and a change of the topology on top: shared tables come apart. */
 static void others_stay_and_all_can_change(void) {
-  dsw_environment *const cubes = make_environment(NULL, 2, 2, 2), *const env = tetrahedra(NULL, 0);
+  dsw_environment *const cubes = make_environment(NULL, 2, 2, 2), *const env = tetrahedra(NULL, 1, 0);
   dsw_environment *coarse = NULL;
   dsw_coarsen_report report;
   uint32_t map[CELLS];
@@ -176,7 +198,7 @@ static void others_stay_and_all_can_change(void) {
 }
 
 static void snapshots_keep_it(void) {
-  dsw_environment *const env = tetrahedra(NULL, 0);
+  dsw_environment *const env = tetrahedra(NULL, 1, 0);
   uint32_t map[CELLS];
   dsw_coarsen_report report;
   dsw_environment *const coarse = coarsened(env, map, &report);
@@ -202,7 +224,7 @@ static void snapshots_keep_it(void) {
 }
 
 static void bad_arguments_are_refused(void) {
-  dsw_environment *const env = tetrahedra(NULL, 0);
+  dsw_environment *const env = tetrahedra(NULL, 1, 0);
   dsw_environment *coarse = NULL;
   dsw_coarsen_options options;
   dsw_coarsen_report report;
@@ -227,7 +249,7 @@ static void bad_arguments_are_refused(void) {
 static void refused_memory_leaves_nothing(void) {
   host h;
   dsw_context *const context = make_context(&h);
-  dsw_environment *const env = tetrahedra(context, 0);
+  dsw_environment *const env = tetrahedra(context, 1, 0);
   dsw_environment *coarse = NULL;
   uint32_t map[CELLS];
   size_t alive, failures = 0;
@@ -247,6 +269,7 @@ int main(void) {
   cells_are_merged_within_regions();
   marks_and_tags_stay();
   options_are_kept();
+  units_do_not_matter();
   others_stay_and_all_can_change();
   snapshots_keep_it();
   bad_arguments_are_refused();
