@@ -7,8 +7,8 @@ Exit 0: sound; 1: every violation is named.
 """
 import pathlib
 import re
-import sys
-import tempfile
+
+import judge
 
 HEADER = "src/base/compiler.h"
 MODES = {"src/base/fp_mode.h", "src/base/fp_mode.cpp"}  # registers of processors, and nothing else
@@ -44,53 +44,27 @@ def violations(root):
     return found
 
 
-def self_test():
-    """Each tree breaks one rule once; the first ones break none."""
-    trees = {
-        "sound": ({HEADER: "#if defined(__x86_64__)\n#define DSW_HOT __attribute__((always_inline))\n#endif\n",
-                   "src/walk/shear_avx2.cpp": INCLUDE + "\n#if DSW_X86_64\n__m256d x = _mm256_setzero_pd();\n#endif\n",
-                   EXPORTS: '#elif defined(__GNUC__)\n#define DSW_API __attribute__((visibility("default")))\n'}, 0),
-        "builtin": ({"src/walk/walk.inl": "int i = __builtin_ctz(7);\n"}, 1),
-        "attribute": ({"src/walk/cast.cpp": "__attribute__((noinline)) void f();\n"}, 1),
-        "standard form": ({"src/walk/cast.cpp": "[[gnu::cold]] void f();\n"}, 1),
-        "standard attribute": ({"src/walk/cast.cpp": "[[noreturn]] void f();\n"}, 0),
-        "wide integer": ({"src/predicates/exact.cpp": "__int128 x;\n"}, 1),
-        "pragma": ({"src/walk/walk.inl": "#pragma GCC unroll 4\n"}, 1),
-        "spaced": ({"src/walk/walk.inl": "#  pragma  clang loop unroll(full)\n"}, 1),
-        "pragma once": ({"src/walk/walk.h": "#pragma once\n"}, 0),
-        "vectors": ({"src/base/points.cpp": "typedef double Two [[x::vector_size(16)]];\n"}, 1),
-        "processor": ({"src/walk/walk.h": "#ifdef __x86_64__\n#endif\n"}, 1),
-        "compiler": ({"src/walk/walk.h": "#ifdef _MSC_VER\n#endif\n"}, 1),
-        "intrinsics": ({"src/walk/cast.cpp": "auto x = _mm_setzero_pd();\n"}, 1),
-        "their header": ({"src/walk/cast.cpp": "#include <immintrin.h>\n"}, 1),
-        "silent": ({"src/walk/cast.cpp": "#if DSW_X86_64\n#endif\n"}, 1),
-        "modes": ({"src/base/fp_mode.h": "#if defined(__aarch64__)\n#endif\n"}, 0),
-        "exports elsewhere": ({"include/dartsweep/body.h": '__attribute__((visibility("default"))) void f(void);\n'}, 1),
-    }
-    for name, (files, expected) in trees.items():
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            for path, text in files.items():
-                (root / path).parent.mkdir(parents=True, exist_ok=True)
-                (root / path).write_text(text)
-            found = violations(root)
-        if len(found) != expected:
-            sys.exit(f"tree '{name}': expected {expected} violations, found {found}")
-    print(f"{len(trees)} trees judged as they should be")
+# Each tree breaks one rule once; the first ones break none.
+TREES = {
+    "sound": ({HEADER: "#if defined(__x86_64__)\n#define DSW_HOT __attribute__((always_inline))\n#endif\n",
+               "src/walk/shear_avx2.cpp": INCLUDE + "\n#if DSW_X86_64\n__m256d x = _mm256_setzero_pd();\n#endif\n",
+               EXPORTS: '#elif defined(__GNUC__)\n#define DSW_API __attribute__((visibility("default")))\n'}, 0),
+    "builtin": ({"src/walk/walk.inl": "int i = __builtin_ctz(7);\n"}, 1),
+    "attribute": ({"src/walk/cast.cpp": "__attribute__((noinline)) void f();\n"}, 1),
+    "standard form": ({"src/walk/cast.cpp": "[[gnu::cold]] void f();\n"}, 1),
+    "standard attribute": ({"src/walk/cast.cpp": "[[noreturn]] void f();\n"}, 0),
+    "wide integer": ({"src/predicates/exact.cpp": "__int128 x;\n"}, 1),
+    "pragma": ({"src/walk/walk.inl": "#pragma GCC unroll 4\n"}, 1),
+    "spaced": ({"src/walk/walk.inl": "#  pragma  clang loop unroll(full)\n"}, 1),
+    "pragma once": ({"src/walk/walk.h": "#pragma once\n"}, 0),
+    "vectors": ({"src/base/points.cpp": "typedef double Two [[x::vector_size(16)]];\n"}, 1),
+    "processor": ({"src/walk/walk.h": "#ifdef __x86_64__\n#endif\n"}, 1),
+    "compiler": ({"src/walk/walk.h": "#ifdef _MSC_VER\n#endif\n"}, 1),
+    "intrinsics": ({"src/walk/cast.cpp": "auto x = _mm_setzero_pd();\n"}, 1),
+    "their header": ({"src/walk/cast.cpp": "#include <immintrin.h>\n"}, 1),
+    "silent": ({"src/walk/cast.cpp": "#if DSW_X86_64\n#endif\n"}, 1),
+    "modes": ({"src/base/fp_mode.h": "#if defined(__aarch64__)\n#endif\n"}, 0),
+    "exports elsewhere": ({"include/dartsweep/body.h": '__attribute__((visibility("default"))) void f(void);\n'}, 1),
+}
 
-
-def main():
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    if sys.argv[1] == "--self-test":
-        self_test()
-        return
-    root = pathlib.Path(sys.argv[1])
-    if not (root / HEADER).is_file():
-        sys.exit(f"{root} has no {HEADER}")
-    found = violations(root)
-    print("\n".join(found) if found else f"what is not C++ is in {HEADER} alone")
-    sys.exit(1 if found else 0)
-
-
-main()
+judge.main(__doc__, violations, TREES, HEADER, f"what is not C++ is in {HEADER} alone")

@@ -9,8 +9,8 @@ import configparser
 import fnmatch
 import pathlib
 import re
-import sys
-import tempfile
+
+import judge
 
 RULES = pathlib.Path(__file__).with_name("layers.ini")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
@@ -95,55 +95,29 @@ def violations(root):
     return [*check_src(root, rules, allowed), *check_public_only(root, rules, allowed), *check_size(root, rules)]
 
 
-def self_test():
-    """Each tree breaks one rule once; the first breaks none."""
-    trees = {
-        "sound": ({"src/walk/cast.cpp": '#include "walk/cast.h"\n#include <vector>\n#include "base/span.h"\n'
-                                          '#include "map/dart.h"\n',
-                   "src/base/vec.h": "#include <Eigen/Core>\n",
-                   "src/capi/scene.cpp": '#include "dartsweep/scene.h"\n#include "scene/scene.h"\n',
-                   "examples/c/hello.c": '#include <dartsweep/dartsweep.h>\n#include <stdio.h>\n'}, 0),
-        "upwards": ({"src/map/dart.h": '#include "environment/environment.h"\n'}, 1),
-        "sideways": ({"src/map/dart.cpp": '#include "predicates/exact.h"\n'}, 1),
-        "spaced": ({"src/map/dart.cpp": '  #  include   "predicates/exact.h"\n'}, 1),
-        "base knows all": ({"src/base/error.cpp": '#include "map/map.h"\n'}, 1),
-        "relative": ({"src/map/dart.cpp": '#include "../base/error.h"\n'}, 1),
-        "bare": ({"src/map/dart.cpp": '#include "dart.h"\n', "src/map/dart.h": "\n"}, 1),
-        "public header inside": ({"src/walk/cast.h": '#include "dartsweep/particle.h"\n'}, 1),
-        "C interface from inside": ({"src/scene/scene.cpp": '#include "capi/guard.h"\n'}, 1),
-        "Eigen past base": ({"src/walk/cast.cpp": "#include <Eigen/Core>\n"}, 1),
-        "stranger": ({"src/walk/cast.cpp": "#include <boost/any.hpp>\n"}, 1),
-        "libccd outside of contact": ({"src/walk/cast.cpp": "#include <ccd/ccd.h>\n"}, 1),
-        "module without a row": ({"src/mystery/x.cpp": "\n"}, 1),
-        "example sees src": ({"src/map/map.h": "\n", "examples/c/x.c": '#include "map/map.h"\n'}, 1),
-        "too long": ({"src/map/map.cpp": "\n" * 601}, 1),
-        "long enough": ({"src/map/map.cpp": "\n" * 600}, 0),
-        "long test": ({"tests/unit/map/map_test.cpp": "\n" * 700}, 1),
-    }
-    for name, (files, expected) in trees.items():
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            for path, text in files.items():
-                (root / path).parent.mkdir(parents=True, exist_ok=True)
-                (root / path).write_text(text)
-            found = violations(root)
-        if len(found) != expected:
-            sys.exit(f"tree '{name}': expected {expected} violations, found {found}")
-    print(f"{len(trees)} trees judged as they should be")
+# Each tree breaks one rule once; the first breaks none.
+TREES = {
+    "sound": ({"src/walk/cast.cpp": '#include "walk/cast.h"\n#include <vector>\n#include "base/span.h"\n'
+                                      '#include "map/dart.h"\n',
+               "src/base/vec.h": "#include <Eigen/Core>\n",
+               "src/capi/scene.cpp": '#include "dartsweep/scene.h"\n#include "scene/scene.h"\n',
+               "examples/c/hello.c": '#include <dartsweep/dartsweep.h>\n#include <stdio.h>\n'}, 0),
+    "upwards": ({"src/map/dart.h": '#include "environment/environment.h"\n'}, 1),
+    "sideways": ({"src/map/dart.cpp": '#include "predicates/exact.h"\n'}, 1),
+    "spaced": ({"src/map/dart.cpp": '  #  include   "predicates/exact.h"\n'}, 1),
+    "base knows all": ({"src/base/error.cpp": '#include "map/map.h"\n'}, 1),
+    "relative": ({"src/map/dart.cpp": '#include "../base/error.h"\n'}, 1),
+    "bare": ({"src/map/dart.cpp": '#include "dart.h"\n', "src/map/dart.h": "\n"}, 1),
+    "public header inside": ({"src/walk/cast.h": '#include "dartsweep/particle.h"\n'}, 1),
+    "C interface from inside": ({"src/scene/scene.cpp": '#include "capi/guard.h"\n'}, 1),
+    "Eigen past base": ({"src/walk/cast.cpp": "#include <Eigen/Core>\n"}, 1),
+    "stranger": ({"src/walk/cast.cpp": "#include <boost/any.hpp>\n"}, 1),
+    "libccd outside of contact": ({"src/walk/cast.cpp": "#include <ccd/ccd.h>\n"}, 1),
+    "module without a row": ({"src/mystery/x.cpp": "\n"}, 1),
+    "example sees src": ({"src/map/map.h": "\n", "examples/c/x.c": '#include "map/map.h"\n'}, 1),
+    "too long": ({"src/map/map.cpp": "\n" * 601}, 1),
+    "long enough": ({"src/map/map.cpp": "\n" * 600}, 0),
+    "long test": ({"tests/unit/map/map_test.cpp": "\n" * 700}, 1),
+}
 
-
-def main():
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    if sys.argv[1] == "--self-test":
-        self_test()
-        return
-    root = pathlib.Path(sys.argv[1])
-    if not (root / "src").is_dir():
-        sys.exit(f"{root} has no src/")
-    found = violations(root)
-    print("\n".join(found) if found else "includes and sizes are in order")
-    sys.exit(1 if found else 0)
-
-
-main()
+judge.main(__doc__, violations, TREES, "src", "includes and sizes are in order")

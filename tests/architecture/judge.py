@@ -1,0 +1,33 @@
+"""What scripts have in common that judge the sources of a tree, or small bad trees with --self-test."""
+import pathlib
+import sys
+import tempfile
+
+
+def test_itself(violations, trees):
+    """`trees`: name: (files by their paths, how many violations there are)."""
+    for name, (files, expected) in trees.items():
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for path, text in files.items():
+                (root / path).parent.mkdir(parents=True, exist_ok=True)
+                (root / path).write_text(text)
+            found = violations(root)
+        if len(found) != expected:
+            sys.exit(f"tree '{name}': expected {expected} violations, found {found}")
+    print(f"{len(trees)} trees judged as they should be")
+
+
+def main(usage, violations, trees, needed, sound):
+    """`needed`: a path that every tree to be judged has; `sound`: what is said of a tree without violations."""
+    if len(sys.argv) != 2:
+        sys.exit(usage)
+    if sys.argv[1] == "--self-test":
+        test_itself(violations, trees)
+        return
+    root = pathlib.Path(sys.argv[1])
+    if not (root / needed).exists():
+        sys.exit(f"{root} has no {needed}")
+    found = violations(root)
+    print("\n".join(found) if found else sound)
+    sys.exit(1 if found else 0)
