@@ -7,6 +7,7 @@ if(CMAKE_SOURCE_DIR STREQUAL CMAKE_CURRENT_SOURCE_DIR)
     find_package(Dartsweep CONFIG REQUIRED)
   endif()
 endif()
+include(${CMAKE_CURRENT_LIST_DIR}/../src/cmake/mingw.cmake)
 
 # The library to link.
 get_target_property(dsw_library_type Dartsweep::dartsweep TYPE)

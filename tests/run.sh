@@ -49,9 +49,9 @@ if setarch "$(uname -m)" -R true 2>/dev/null; then plain_addresses=(setarch "$(u
 # Some steps copy folders while others run Python in them.
 export PYTHONDONTWRITEBYTECODE=1
 
-# Of where memory came from one frame is kept: GMP's frames can't be unwound, and storing what comes of that took most of the time.
-# With a leak to find, run ctest --preset dev without it.
-export ASAN_OPTIONS=malloc_context_size=1
+# ASan keeps two frames for each allocation: GMP's frames can't be unwound, and storing them took most of the time. With one frame
+# no leak would be reported.
+export ASAN_OPTIONS=malloc_context_size=2
 
 failed=0
 
@@ -140,8 +140,11 @@ step_wasm() {
   target wasm
 }
 step_portable() {
-  local programs=build tests=tests/portable/dartsweep_portable kernel runners=()
-  cmake --preset release && cmake --build --preset release --target dartsweep_portable
+  local programs=build tests=tests/portable/dartsweep_portable kernel target runners=()
+  cmake --preset release && cmake --build --preset release --target dartsweep_portable || return
+  for target in windows arm64 wasm; do
+    [ ! -e "build/$target/CMakeCache.txt" ] || cmake --build --preset "$target" --target dartsweep_portable || return
+  done
   for kernel in portable avx2 avx512; do runners+=(--runner "x64-$kernel" "$kernel" "" "$programs/release/$tests"); done
   if [ -e $programs/windows/$tests.exe ]; then runners+=(--runner windows - /usr/lib/wine/wine64 $programs/windows/$tests.exe); fi
   if [ -e $programs/arm64/$tests ]; then runners+=(--runner arm64 - "qemu-aarch64 -L /usr/aarch64-linux-gnu" $programs/arm64/$tests); fi
@@ -155,7 +158,7 @@ step_packages() {
   for target in windows:win-x64 arm64:linux-arm64; do
     name=${target#*:}
     target=${target%:*}
-    cmake --preset "$target" && cmake --build --preset "$target" --target dartsweep dartsweep_internal &&
+    tests/make_gmp.sh "$target" "build/gmp/$target" && cmake --preset "$target" && cmake --build --preset "$target" --target dartsweep dartsweep_internal &&
       cmake --install "build/$target" --prefix "build/prefix/$name" || return
     prefixes+=("$name=build/prefix/$name")
   done

@@ -10,7 +10,11 @@ work=$out/check
 hosts=$out/hosts # interpreters
 python=$out/venv/bin/python
 export WINEDEBUG=-all WINEPREFIX=$out/wine
-mkdir -p "$work" "$hosts"
+mkdir -p "$work" "$hosts" "$WINEPREFIX"
+wine() { /usr/lib/wine/wine64 "$@"; }
+# Begun by a check, wine's own processes would keep its output open.
+/usr/lib/wine/wineserver64 -p60 </dev/null >"$out/wine.log" 2>&1 || [ $? -eq 2 ] # 2: one is running
+wine wineboot </dev/null >>"$out/wine.log" 2>&1
 
 # unpack ARCHIVE FOLDER: once
 unpack() {

@@ -11,8 +11,8 @@ build=${1:-$root/build/browser}
 mkdir -p "$build"
 build=$(cd "$build" && pwd)
 
-emcmake cmake -S "$root" -B "$build/library" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF -DDSW_BUILD_TESTS=OFF \
-  -DDSW_BUILD_EXAMPLES=OFF -DCMAKE_CXX_FLAGS=-fwasm-exceptions -DEigen3_DIR="${EIGEN3_DIR:-/usr/share/eigen3/cmake}"
+cmake -S "$root" -B "$build/library" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF -DDSW_WITH_LIBCCD=OFF \
+  -DCMAKE_TOOLCHAIN_FILE="$root/src/cmake/toolchains/wasm.cmake"
 cmake --build "$build/library" --target dartsweep
 
 # Debian keeps the module that Emscripten shortens JavaScript with where other builds of Node do not look.
@@ -28,11 +28,11 @@ exported=$({
 objects=()
 for source in "$here"/{bend,blade,create,entry,scene,wire}.c "$here"/../demo/{mesh,vessel}.c; do
   object=$build/$(basename "$source" .c).o
-  emcc -std=c99 -O2 -ffp-contract=off -Wall -Wextra -Wpedantic -Werror -I "$root/include" -c "$source" -o "$object"
+  emcc -std=c99 -O2 -msimd128 -ffp-contract=off -Wall -Wextra -Wpedantic -Werror -I "$root/include" -c "$source" -o "$object"
   objects+=("$object")
 done
 # Memory grows as needed. The stack has 1 MB, since the library's walks keep batches on it.
-em++ -O2 -fwasm-exceptions "${objects[@]}" "$build/library/src/libdartsweep.a" -o "$build/dartsweep.js" \
+em++ -O2 -msimd128 -fwasm-exceptions "${objects[@]}" "$build/library/src/libdartsweep.a" -o "$build/dartsweep.js" \
   -sMODULARIZE=1 -sEXPORT_NAME=createDartsweep -sENVIRONMENT=web,worker,node -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB \
   -sFILESYSTEM=0 -sEXPORTED_FUNCTIONS="$exported" -sEXPORTED_RUNTIME_METHODS=UTF8ToString
 

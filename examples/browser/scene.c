@@ -127,6 +127,7 @@ static int trace_wall(scene *s, dsw_trace_data *data) {
 
 const double *scene_get_wall_points(scene *s, size_t *count) {
   dsw_trace_data data;
+  *count = 0;
   if (!trace_wall(s, &data)) return NULL;
   *count = data.point_count;
   return data.points;
@@ -134,6 +135,7 @@ const double *scene_get_wall_points(scene *s, size_t *count) {
 
 const uint32_t *scene_get_wall_triangles(scene *s, size_t *count) {
   dsw_trace_data data;
+  *count = 0;
   if (!trace_wall(s, &data)) return NULL;
   *count = data.triangle_count;
   return data.triangles;

@@ -72,6 +72,7 @@ int main(int argc, char **argv) {
     return 1;
   }
   code = run(s, input, output, &t);
+  if (code == 0 && t.cuts_made < t.cuts) code = 1;
   printf("%lu steps, %lu vertices at the end, %lu contacts in all, %lu at most in a step, %lu of %lu cuts\n",
          (unsigned long)t.steps, (unsigned long)t.vertices, (unsigned long)t.contacts, (unsigned long)t.most_contacts,
          (unsigned long)t.cuts_made, (unsigned long)t.cuts);

@@ -37,7 +37,7 @@
 #define DSW_COLD
 #endif
 
-/** Of a function that takes a format of printf, and what it prints: their positions, counted from 1 and with `this`. */
+/** For a function with a format of printf: the positions of the format and of the first value, counted from 1. `this` counts. */
 #if DSW_GNU && defined(__MINGW32__) && !defined(__clang__)
 #define DSW_PRINTF(format_at, values_at) __attribute__((format(gnu_printf, format_at, values_at)))
 #elif DSW_GNU
@@ -46,7 +46,7 @@
 #define DSW_PRINTF(format_at, values_at)
 #endif
 
-// Branches, and loops of which so many passes are written out.
+// Hints for branches, and loops that are unrolled `passes` times.
 #if DSW_GNU
 #define DSW_LIKELY(condition) __builtin_expect(static_cast<bool>(condition), 1)
 #define DSW_UNLIKELY(condition) __builtin_expect(static_cast<bool>(condition), 0)
@@ -102,7 +102,7 @@ DSW_HOT void prefetch_line([[maybe_unused]] const void* address) noexcept {
 #endif
 }
 
-/** The number of the lowest bit that is set, of 0: any. */
+/** The number of the lowest bit that is set; x is not 0. */
 DSW_HOT uint32_t lowest_bit(uint64_t x) noexcept {
 #if DSW_GNU
   return static_cast<uint32_t>(__builtin_ctzll(x));
@@ -122,7 +122,7 @@ DSW_HOT uint32_t lowest_bit(uint32_t x) noexcept {
 #endif
 }
 
-/** The number of the highest bit that is set, of 0: any. */
+/** The number of the highest bit that is set; x is not 0. */
 DSW_HOT uint32_t highest_bit(uint64_t x) noexcept {
 #if DSW_GNU
   return 63u - static_cast<uint32_t>(__builtin_clzll(x));

@@ -5,22 +5,24 @@
 
 #include <cstdint>
 
+#include "base/compiler.h"
+
 #if defined(__x86_64__) || defined(_M_X64)
 #include <xmmintrin.h>
 #define DSW_HAS_FP_MODES 1
 #elif defined(__aarch64__)
 #define DSW_HAS_FP_MODES 1
 #else
-#define DSW_HAS_FP_MODES 0  // WebAssembly has this mode alone
+#define DSW_HAS_FP_MODES 0  // of what we know, WebAssembly, which has this mode alone
 #endif
 
 namespace dsw {
 
 /** While it lives, the thread is in the default mode; afterwards it is in the mode in which it was. Reading the
  * register and comparing it is all that a thread in the default mode pays. Where modes differ on x86-64, the host's
- * flags of what has happened come back, too: with a trap unmasked, ours would tell its handler something wrong.
+ * exception flags come back, too: flags that we raise would mislead a handler of the host's traps.
  *
- * No compiler knows that arithmetic depends on the mode. What changes it are calls into another unit, so whatever is
+ * No compiler knows that arithmetic depends on the mode. A call that is never inlined changes the mode, so whatever is
  * read from memory after the beginning, or written to memory that others see, stays inside. */
 class FpMode {
  public:
@@ -54,7 +56,7 @@ class FpMode {
   static Control read() noexcept { return _mm_getcsr(); }
 #endif
   bool is_other() const noexcept { return (host_ & ~kFlags) != kDefault; }
-  static void set(Control control) noexcept;
+  DSW_NOINLINE static void set(Control control) noexcept;
 
   const Control host_;
 #endif

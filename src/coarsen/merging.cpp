@@ -1,5 +1,5 @@
 // [JCD10] 3.2 asks for large convex cells. Unions of two convex cells that are convex are rare among tetrahedra in
-// general position (measured on a vessel: 64 % of the cells remain, and 77 % of the crossings), since two cells that
+// general position (README.md has figures), since two cells that
 // share more than one triangle are never among them. So a union counts that is a valid cell: the star of its centre.
 // The value of a merge is the share of the smaller cell's surface that goes: small cells disappear into those around.
 

@@ -24,6 +24,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 SECONDS = 3600  # for one command; emulators are slow
+NO_SUCH_KERNEL = 77  # exit code of dartsweep_portable
 
 
 class Runner:
@@ -45,6 +46,14 @@ class Runner:
         except (OSError, subprocess.TimeoutExpired) as error:
             return False, [str(error)]
         return done.returncode == 0, done.stdout.splitlines()
+
+    def is_here(self):
+        """Whether the processor has the kernel. The program answers before it looks at its arguments."""
+        code = subprocess.run(self.command + ["same"], env=self.environment, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL, timeout=SECONDS, check=False).returncode
+        if code == NO_SUCH_KERNEL:
+            print(f"{self.name}: left out, this processor lacks the kernel")
+        return code != NO_SUCH_KERNEL
 
     def hash(self):
         good, lines = self.run("hash", "--check", "hashes.txt")
@@ -104,6 +113,7 @@ def main():
     runners = [Runner(*each, work) for each in arguments.runner]
     if len({runner.name for runner in runners}) != len(runners):
         parser.error("two runners have one name")
+    runners = [runner for runner in runners if runner.is_here()]
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         hashes = list(pool.map(Runner.hash, runners))
         recorded = list(pool.map(Runner.record, runners))

@@ -10,14 +10,15 @@ export class Hand {
   #dragged = {push: 0, turn: 0}; // asked for, not yet made
 
   constructor(pad) {
+    const nameOf = ({key}) => key.length === 1 ? key.toLowerCase() : key; // Shift may come and go while a key is held
     addEventListener('keydown', event => {
-      const wish = KEYS[event.key];
+      const wish = KEYS[nameOf(event)];
       if (wish && !event.ctrlKey && !event.metaKey && !event.altKey) {
-        this.#held.set(event.key, wish);
+        this.#held.set(nameOf(event), wish);
         event.preventDefault();
       }
     });
-    addEventListener('keyup', event => this.#held.delete(event.key));
+    addEventListener('keyup', event => this.#held.delete(nameOf(event)));
     addEventListener('blur', () => this.#held.clear());
     for (const button of pad.querySelectorAll('[data-hand]')) {
       const release = event => this.#held.delete(event.pointerId);
@@ -36,6 +37,7 @@ export class Hand {
     this.#dragged.turn += turn;
   }
 
+  /** What is left of a drag is not made. */
   release() {
     this.#dragged = {push: 0, turn: 0};
   }

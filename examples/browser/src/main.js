@@ -20,6 +20,7 @@ const view = WebGL.isWebGL2Available() ? new View(byId('view')) : null;
 const session = {
   running: false, beat: false, cut: false, angle: 0, link: 1, steps: 0, log: [], last: null, milliseconds: [], frames: [],
 };
+let beginning = 0; // scenes asked for and not there yet
 let asked = false; // the worker has not answered yet
 let before = 0; // time of the last step
 let shownFigures = 0;
@@ -35,8 +36,9 @@ function say(text, bad = false) {
 
 /** Asks for another scene. The old one stays if that fails. */
 async function begin(what, question = {}, done = '') {
-  const ran = session.running;
+  ++beginning;
   session.running = false;
+  hand.release();
   try {
     const scene = await simulation.ask(what, question);
     Object.assign(session, {cut: false, angle: 0, link: scene.size.link, steps: 0, log: [], last: scene, milliseconds: []});
@@ -44,15 +46,17 @@ async function begin(what, question = {}, done = '') {
     byId('volumes').textContent = number(scene.size.volumes);
     view?.begin(scene);
     view?.show(scene, 0);
-    session.running = true;
+    session.running = beginning === 1;
     if (done) {
       say(done);
     }
     return true;
   } catch (error) {
-    session.running = ran;
+    session.running = beginning === 1 && session.last !== null;
     say(error.message, true);
     return false;
+  } finally {
+    --beginning;
   }
 }
 
@@ -212,6 +216,7 @@ function bindGrip() {
   }, true);
   host.addEventListener('lostpointercapture', () => {
     last = null;
+    hand.release();
     host.classList.remove('gripping');
   });
 }

@@ -23,23 +23,21 @@ function withArrays(arrays, use) {
   }
 }
 
-/** Calls get(scene, &count) and copies `width` numbers for each of what it counts. The copy is needed: a later call may
- * make the memory grow, which detaches all views of it. */
-function readDoubles(get, width) {
+/** Calls get(scene, &count) and copies `width` numbers for each of what it counts, out of one of the library's views. The copy
+ * is needed: a later call may make the memory grow, which detaches all views of it. */
+function read(view, get, width) {
   const count = library._malloc(4);
   const pointer = get(scene, count);
   const numbers = library.HEAPU32[count >> 2] * width;
   library._free(count);
-  return library.HEAPF64.slice(pointer >> 3, (pointer >> 3) + numbers);
+  if (pointer === 0) {
+    throw new Error(text(library._scene_message()));
+  }
+  const first = pointer / library[view].BYTES_PER_ELEMENT;
+  return library[view].slice(first, first + numbers);
 }
-
-function readIndices(get, width) {
-  const count = library._malloc(4);
-  const pointer = get(scene, count);
-  const numbers = library.HEAPU32[count >> 2] * width;
-  library._free(count);
-  return library.HEAPU32.slice(pointer >> 2, (pointer >> 2) + numbers);
-}
+const readDoubles = (get, width) => read('HEAPF64', get, width);
+const readIndices = (get, width) => read('HEAPU32', get, width);
 
 const readWire = () => readDoubles(library._scene_get_wire, 3);
 const readContacts = () => readDoubles(library._scene_get_contacts, 9);
