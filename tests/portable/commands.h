@@ -17,7 +17,8 @@ struct HashOptions {
 
 bool hash(const HashOptions& options, dsw_context* context);
 bool record(const std::string& folder, dsw_context* context);
-bool replay(const std::vector<std::string>& folders, dsw_context* context);
+/// Fails where fewer than so many functions succeed.
+bool replay(const std::vector<std::string>& folders, size_t functions, dsw_context* context);
 bool same(const std::vector<std::string>& folders);
 
 /// Names of a folder's recordings, from its list.txt; empty without one.

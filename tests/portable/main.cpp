@@ -16,7 +16,7 @@ int usage() {
   std::fprintf(stderr,
                "usage: dartsweep_portable hash [--casts N] [--seed S] [--check FILE]\n"
                "       dartsweep_portable record FOLDER      (which exists)\n"
-               "       dartsweep_portable replay FOLDER...\n"
+               "       dartsweep_portable replay [--functions N] FOLDER...\n"
                "       dartsweep_portable same FOLDER FOLDER...\n");
   return 2;
 }
@@ -48,7 +48,11 @@ int run(const std::string& command, const std::vector<std::string>& words, dsw_c
   HashOptions options;
   if (command == "hash" && read_options(words, options)) return dsw::portable::hash(options, context) ? 0 : 1;
   if (command == "record" && words.size() == 1) return dsw::portable::record(words[0], context) ? 0 : 1;
-  if (command == "replay" && !words.empty()) return dsw::portable::replay(words, context) ? 0 : 1;
+  if (command == "replay" && words.size() > 2 && words[0] == "--functions") {
+    const size_t functions = std::strtoull(words[1].c_str(), nullptr, 10);
+    return dsw::portable::replay({words.begin() + 2, words.end()}, functions, context) ? 0 : 1;
+  }
+  if (command == "replay" && !words.empty()) return dsw::portable::replay(words, 0, context) ? 0 : 1;
   if (command == "same" && words.size() > 1) return dsw::portable::same(words) ? 0 : 1;
   return usage();
 }

@@ -25,7 +25,8 @@ const GRIP_VERTEX = `
     gl_Position = projectionMatrix * eye;
   }`;
 
-/** Glass whose far side is drawn before its near side, and the rims of its openings. */
+/** Glass whose far side is drawn before its near side, and the rims of its openings. Without the far side, if that is too slow,
+ * the glass is a little clearer. */
 class Wall {
   constructor() {
     this.geometry = new BufferGeometry();
@@ -40,6 +41,7 @@ class Wall {
       mesh.renderOrder = 1 + order;
       this.mesh.add(mesh);
     }
+    this.farSide = this.mesh.children[0];
     this.rim = new BufferGeometry();
     const lines = new LineSegments(this.rim, new LineBasicMaterial({color: colour('--rim')}));
     lines.frustumCulled = false;
@@ -103,6 +105,7 @@ export class View {
   #quality = RATIOS.indexOf(1);
   #slow = 0;
   #sharp = false;
+  #isSlow = isDrawnBySoftware();
   #quick = 0;
   #width = 1;
   #height = 1;
@@ -110,13 +113,17 @@ export class View {
   /** Needs WebGL 2. */
   constructor(host) {
     this.host = host;
-    this.renderer = new WebGLRenderer({antialias: !isDrawnBySoftware(), alpha: true, powerPreference: 'high-performance'});
+    this.renderer = new WebGLRenderer({antialias: !this.#isSlow, alpha: true, powerPreference: 'high-performance'});
     this.canvas = this.renderer.domElement;
     host.prepend(this.canvas);
     this.camera = new PerspectiveCamera(FIELD, 1, 1, 1000);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableDamping = true;
     this.wall = new Wall();
+    if (this.#isSlow) {
+      this.#quality = RATIOS.indexOf(0.65);
+      this.wall.farSide.visible = false;
+    }
     this.tube = new Tube(MOST_VERTICES, new Vector3(0, 0, 1));
     this.tube.mesh.material.uniforms.colour.value.set(colour('--catheter'));
     this.arrows = new Markers(arrow(), MOST_CONTACTS, 1, 34);
@@ -218,9 +225,10 @@ export class View {
     }
   }
 
-  /** Pictures have smooth edges, however long they take. */
+  /** Pictures have smooth edges and all of the glass, however long they take. */
   set sharp(on) {
     this.#sharp = on;
+    this.wall.farSide.visible = on || !this.#isSlow;
     this.#resize();
   }
 
