@@ -113,7 +113,7 @@ export class View {
   /** Needs WebGL 2. */
   constructor(host) {
     this.host = host;
-    this.renderer = new WebGLRenderer({antialias: !this.#isSlow, alpha: true, powerPreference: 'high-performance'});
+    this.renderer = new WebGLRenderer({antialias: !this.#isSlow, alpha: !this.#isSlow, powerPreference: 'high-performance'});
     this.canvas = this.renderer.domElement;
     host.prepend(this.canvas);
     this.camera = new PerspectiveCamera(FIELD, 1, 1, 1000);
@@ -123,6 +123,8 @@ export class View {
     if (this.#isSlow) {
       this.#quality = RATIOS.indexOf(0.65);
       this.wall.farSide.visible = false;
+      this.renderer.setClearColor(colour('--plain')); // to blend with a gradient takes as long as the picture
+      document.body.classList.add('plain');
     }
     this.tube = new Tube(MOST_VERTICES, new Vector3(0, 0, 1));
     this.tube.mesh.material.uniforms.colour.value.set(colour('--catheter'));
