@@ -43,7 +43,7 @@ set(dsw_target ${dsw_system}-${dsw_processor})
 function(dsw_finish_module module)
   target_link_libraries(${module} PRIVATE ${dsw_static_library})
   target_compile_options(${module} PRIVATE -w -fno-strict-aliasing) # what SWIG writes
-  # It only converts: with less of an optimizer it takes a third of the time to compile, and is as fast to call.
+  # It only converts: -O1 takes two thirds of the time of -O3 to compile, -O0 a third, and calls are as fast.
   target_compile_options(${module} PRIVATE $<$<CONFIG:Release>:$<IF:$<BOOL:${DSW_QUICK_BUILD}>,-O0,-O1>>)
   set_target_properties(${module} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   if(MINGW)

@@ -187,6 +187,8 @@ constexpr size_t kTestCount = sizeof kTests / sizeof kTests[0];
 void on_all_threads(size_t count, uint32_t dimension, bool shared) {
   Host host(dimension);
   std::shared_mutex mutex;
+  mutex.lock();  // winpthreads makes a mutex at the first lock, and two threads may make two
+  mutex.unlock();
   std::vector<std::thread> threads;
   for (size_t thread = 0; thread < count; ++thread) {
     threads.emplace_back([&, thread] {
