@@ -39,6 +39,12 @@ string(REGEX REPLACE "^(x86_64|amd64)$" x64 dsw_processor ${dsw_processor})
 string(REGEX REPLACE "^aarch64$" arm64 dsw_processor ${dsw_processor})
 set(dsw_target ${dsw_system}-${dsw_processor})
 
+# On macOS a module is a dynamic library: C# and Java look for that suffix, and not every linker makes bundles.
+if(APPLE)
+  set(CMAKE_SHARED_MODULE_SUFFIX .dylib)
+  set(CMAKE_SHARED_MODULE_CREATE_CXX_FLAGS -dynamiclib)
+endif()
+
 # What is done with every module, MODULE, which SWIG has written.
 function(dsw_finish_module module)
   target_link_libraries(${module} PRIVATE ${dsw_static_library})
@@ -52,7 +58,7 @@ function(dsw_finish_module module)
   if(WIN32)
     set_target_properties(${module} PROPERTIES PREFIX "")
   endif()
-  if(UNIX AND NOT APPLE)
+  if(UNIX AND NOT APPLE AND NOT EMSCRIPTEN)
     # The symbols of the library stay in the module: another module or library of the process may have them as well.
     target_link_options(${module} PRIVATE -Wl,--exclude-libs,ALL)
   endif()

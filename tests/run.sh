@@ -15,7 +15,7 @@ declare -A packages_of=( # of steps for other targets
   [arm64]="g++-aarch64-linux-gnu qemu-user m4 make"
   [windows]="g++-mingw-w64-x86-64-posix wine64 m4 make"
   [wasm]="emscripten m4 make"
-  [packages]="g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix wine64 m4 make")
+  [packages]="g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix wine64 emscripten")
 all_steps=(release dev tsan page python node java csharp lua docs report format)
 # clang is a step to ask for: before a release, where bits may differ, or where a source of the engine may miss a header.
 # It builds what dev builds without sanitizers, and each source of the engine by itself.
@@ -153,16 +153,9 @@ step_portable() {
   python3 -B tests/portable/targets.py --work build/portable "${runners[@]}"
 }
 step_packages() {
-  local target name prefixes=()
-  install_static_library || return
-  for target in windows:win-x64 arm64:linux-arm64; do
-    name=${target#*:}
-    target=${target%:*}
-    tests/make_gmp.sh "$target" "build/gmp/$target" && cmake --preset "$target" && cmake --build --preset "$target" --target dartsweep dartsweep_internal &&
-      cmake --install "build/$target" --prefix "build/prefix/$name" || return
-    prefixes+=("$name=build/prefix/$name")
-  done
-  DSW_WINDOWS_BUILD=build/windows bindings/packages/build.sh build/packages linux-x64=build/dartsweep-static/prefix "${prefixes[@]}" &&
+  export NODE_PATH=/usr/share/nodejs # of emscripten
+  start_wine &&
+    bindings/packages/build.sh build/packages linux-x64 linux-arm64 win-x64 osx-arm64 osx-x64 wasm32 &&
     bindings/packages/check.sh build/packages
 }
 step_browser() { examples/browser/test.sh; }

@@ -3,7 +3,11 @@
 #pragma once
 
 #include <napi.h>
+#ifdef __EMSCRIPTEN__
+#include <emnapi.h>
+#endif
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -72,8 +76,8 @@ constexpr napi_typedarray_type array_type_of() {
   if (std::is_same_v<T, double>) return napi_float64_array;
   if (std::is_same_v<T, std::uint8_t>) return napi_uint8_array;
   if (std::is_same_v<T, std::int32_t>) return napi_int32_array;
-  if (std::is_same_v<T, std::size_t>) return napi_biguint64_array;
-  return napi_uint32_array;
+  if (std::is_same_v<T, std::uint32_t>) return napi_uint32_array;
+  return napi_biguint64_array;
 }
 
 template <class T>
@@ -90,77 +94,128 @@ T number(const Napi::Value &value) {
   return static_cast<T>(given);
 }
 
+// What is written to an array's memory has to be given back: a module of WebAssembly has a copy of the memory, which is made where the
+// module asks for the address.
+inline void give_back([[maybe_unused]] napi_env env, [[maybe_unused]] napi_value array) {
+#ifdef __EMSCRIPTEN__
+  emnapi_sync_memory(env, false, &array, 0, NAPI_AUTO_LENGTH);
+#endif
+}
+
+// The memory of a typed array for the time of a call.
+class Memory {
+ public:
+  Memory() = default;
+  Memory(const Memory &) = delete;
+  Memory &operator=(const Memory &) = delete;
+  ~Memory() {
+    if (is_written_ && data) give_back(value_.Env(), value_);
+  }
+  void set(const Napi::Value &value, bool is_written) {
+    value_ = value;
+    is_written_ = is_written;
+    data = address();
+  }
+  // Reading a later argument may run the host's functions. Throws where the array no longer has its elements: its memory went to another
+  // thread, or was made smaller.
+  void check(std::size_t count) {
+    if (count == 0 || value_.IsEmpty()) return;
+    if (address() == data && value_.As<Napi::TypedArray>().ElementLength() >= count) return;
+    data = nullptr;
+    refuse(value_.Env(), "an array has lost its memory while arguments were read");
+  }
+
+  void *data = nullptr;
+
+ private:
+  void *address() const {
+    void *now = nullptr;
+    napi_get_typedarray_info(value_.Env(), value_, nullptr, nullptr, &now, nullptr, nullptr);
+    return now;
+  }
+  Napi::Value value_;
+  bool is_written_ = false;
+};
+
 // Numbers for the time of a call: the host's memory where it is a typed array of T, or a copy of a plain array's.
 template <class T>
 class Numbers {
  public:
   // For calls that write: typed arrays only.
-  T *set_typed(const Napi::Value &value) {
-    if (is_nothing(value)) return nullptr;
-    if (!value.IsTypedArray()) refuse(value.Env(), needed("a typed array"));
-    const auto array = value.As<Napi::TypedArray>();
-    if (array.TypedArrayType() != array_type_of<T>()) refuse(value.Env(), needed("a typed array"));
-    count = array.ElementLength();
-    void *data = nullptr;
-    napi_get_typedarray_info(value.Env(), value, nullptr, nullptr, &data, nullptr, nullptr);
-    return static_cast<T *>(data);
-  }
+  T *set_typed(const Napi::Value &value) { return borrow(value, true); }
   const T *set(const Napi::Value &value) {
-    if (!value.IsArray()) return set_typed(value);
-    const auto array = value.As<Napi::Array>();
-    count = array.Length();  // of any size: there may be nothing in it
-    for (std::uint32_t i = 0; i < count; ++i) copy_.push_back(number<T>(array.Get(i)));
-    return copy_.data();
+    if (value.IsArray()) {
+      const auto array = value.As<Napi::Array>();
+      count = array.Length();  // of any size: there may be nothing in it
+      for (std::uint32_t i = 0; i < count; ++i) copy_.push_back(number<T>(array.Get(i)));
+      return copy_.data();
+    }
+    if constexpr (std::is_same_v<T, std::size_t> && is_narrow) {
+      if (value.IsTypedArray() && value.As<Napi::TypedArray>().TypedArrayType() == napi_biguint64_array) {
+        Numbers<std::uint64_t> wide;
+        const std::uint64_t *data = wide.set(value);
+        count = wide.count;
+        // What does not fit is beyond all memory as well.
+        for (std::size_t i = 0; i < count; ++i)
+          copy_.push_back(static_cast<T>(std::min<std::uint64_t>(data[i], std::numeric_limits<T>::max())));
+        return copy_.data();
+      }
+    }
+    return borrow(value, false);
   }
+  // To be called when all arguments are read.
+  void check() { memory_.check(count); }
 
   std::size_t count = 0;
 
  private:
-  static std::string needed(const char *what) {
-    const char *type = std::is_same_v<T, double>         ? "Float64Array"
-                       : std::is_same_v<T, std::uint8_t> ? "Uint8Array"
-                       : std::is_same_v<T, std::int32_t> ? "Int32Array"
-                       : std::is_same_v<T, std::size_t>  ? "BigUint64Array"
-                                                         : "Uint32Array";
-    return std::string(what) + " is needed: " + type;
+  T *borrow(const Napi::Value &value, bool is_written) {
+    if (is_nothing(value)) return nullptr;
+    if (!value.IsTypedArray()) refuse(value.Env(), needed());
+    const auto array = value.As<Napi::TypedArray>();
+    if (array.TypedArrayType() != array_type_of<T>()) refuse(value.Env(), needed());
+    count = array.ElementLength();
+    memory_.set(value, is_written);
+    return static_cast<T *>(memory_.data);
   }
+  static std::string needed() {
+    const char *type = std::is_same_v<T, double>          ? "Float64Array"
+                       : std::is_same_v<T, std::uint8_t>  ? "Uint8Array"
+                       : std::is_same_v<T, std::int32_t>  ? "Int32Array"
+                       : std::is_same_v<T, std::uint32_t> ? "Uint32Array"
+                                                          : "BigUint64Array";
+    return std::string("a typed array is needed: ") + type;
+  }
+  Memory memory_;
   std::vector<T> copy_;
 };
-
-// Throws where a typed array no longer has the elements that it had when it was read: its memory went to another thread, or was made smaller.
-inline void still_there(const Napi::Value &value, const void *data, std::size_t count) {
-  if (count == 0 || !value.IsTypedArray()) return;
-  void *now = nullptr;
-  napi_get_typedarray_info(value.Env(), value, nullptr, nullptr, &now, nullptr, nullptr);
-  if (now != data || value.As<Napi::TypedArray>().ElementLength() < count)
-    refuse(value.Env(), "an array has lost its memory while arguments were read");
-}
 
 // Indices of 4 bytes, or of 8 as BigInt64Array.
 class IndexNumbers {
  public:
   dartsweep::Indices set(const Napi::Value &value) {
+    dartsweep::Indices out;
     if (value.IsTypedArray()) {
       const auto array = value.As<Napi::TypedArray>();
       const auto type = array.TypedArrayType();
       if (type != napi_int32_array && type != napi_uint32_array && type != napi_bigint64_array)
         refuse(value.Env(), "indices are an Int32Array, Uint32Array or BigInt64Array");
-      dartsweep::Indices out;
-      void *data = nullptr;
-      napi_get_typedarray_info(value.Env(), value, nullptr, nullptr, &data, nullptr, nullptr);
-      out.data = data;
-      out.count = array.ElementLength();
+      memory_.set(value, false);
+      out.data = memory_.data;
+      out.count = count_ = array.ElementLength();
       out.bytes = static_cast<std::uint32_t>(array.ElementSize());
       return out;
     }
-    dartsweep::Indices out;
     out.data = copy_.set(value);
     out.count = copy_.count;
     out.bytes = 4;
     return out;
   }
+  void check() { memory_.check(count_); }
 
  private:
+  Memory memory_;
+  std::size_t count_ = 0;
   Numbers<std::int32_t> copy_;
 };
 
@@ -184,7 +239,10 @@ inline Napi::Value from_point(Napi::Env env, const dartsweep::Point &point) {
 template <class T>
 Napi::Value from_numbers(Napi::Env env, const T *data, std::size_t count) {
   auto array = Napi::TypedArrayOf<T>::New(env, count, array_type_of<T>());
-  if (count) std::memcpy(array.Data(), data, count * sizeof(T));
+  if (count) {
+    std::memcpy(array.Data(), data, count * sizeof(T));
+    give_back(env, array);
+  }
   return array;
 }
 inline Napi::Value from_numbers(Napi::Env env, const std::size_t *data, std::size_t count) {
@@ -197,7 +255,10 @@ inline Napi::Value from_numbers(Napi::Env env, const std::size_t *data, std::siz
 template <class T>
 Napi::ArrayBuffer memory_of(Napi::Env env, const T *data, std::size_t count) {
   auto memory = Napi::ArrayBuffer::New(env, count * sizeof(T));
-  if (count) std::memcpy(memory.Data(), data, count * sizeof(T));
+  if (count) {
+    std::memcpy(memory.Data(), data, count * sizeof(T));
+    give_back(env, memory);
+  }
   return memory;
 }
 
@@ -220,18 +281,25 @@ void set_struct(const Napi::Value &value, T &out) {
   std::memcpy(&out, memory.Data(), sizeof out);
 }
 
-// `memory` is what has the elements.
+// A list of structs for the time of a call.
 template <class T>
-dartsweep::View<T> to_view(const Napi::Value &value, Napi::Value &memory) {
-  if (is_nothing(value)) return {};
-  Napi::Env env = value.Env();
-  Hooks &hooks = *hooks_of(env);
-  const Napi::FunctionReference &hook = std::is_const_v<T> ? hooks.readable : hooks.writable;
-  memory = hook.Call({Napi::Number::New(env, kind_of<std::remove_const_t<T>>), value});
-  Numbers<std::uint8_t> bytes;
-  auto *data = bytes.set_typed(memory);
-  return {reinterpret_cast<T *>(data), bytes.count / sizeof(T)};
-}
+class Structs {
+ public:
+  dartsweep::View<T> set(const Napi::Value &value) {
+    if (is_nothing(value)) return {};
+    const Hooks &hooks = *hooks_of(value.Env());
+    const Napi::FunctionReference &hook = std::is_const_v<T> ? hooks.readable : hooks.writable;
+    const Napi::Value bytes = hook.Call({Napi::Number::New(value.Env(), kind_of<std::remove_const_t<T>>), value});
+    count_ = bytes.As<Napi::TypedArray>().ElementLength();
+    memory_.set(bytes, !std::is_const_v<T>);
+    return {static_cast<T *>(memory_.data), count_ / sizeof(T)};
+  }
+  void check() { memory_.check(count_); }
+
+ private:
+  Memory memory_;
+  std::size_t count_ = 0;
+};
 
 // --- the log: lines go to the function after the call in which they came
 class Log : public dartsweep::LogSink {

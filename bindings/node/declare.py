@@ -8,13 +8,12 @@ import re
 import sys
 from dataclasses import dataclass
 
-NUMBERS = {  # C type: size, DataView's name of it
+NUMBERS = {  # C type: size, DataView's name of it. size_t is one of the others.
     "double": (8, "Float64"),
     "uint8_t": (1, "Uint8"),
     "int32_t": (4, "Int32"),
     "uint32_t": (4, "Uint32"),
     "uint64_t": (8, "BigUint64"),
-    "size_t": (8, "BigUint64"),
     "bool": (1, "Uint8"),
     "char": (1, "Uint8"),  # an array of them is text
 }
@@ -104,57 +103,96 @@ bodies = dict(re.findall(r"typedef struct (\w+) \{(.*?)\n\} \w+;", headers, re.S
 results = dict(re.findall(r"struct (\w+) \{(.*?)\n\};", (root / "include/dartsweep/cpp/results.hpp").read_text(), re.S))
 values = re.findall(r"struct (\w+) \{(.*?)\n\};", (root / "include/dartsweep/cpp/arrays.hpp").read_text(), re.S)
 bodies |= {"dartsweep::" + name: body for name, body in values}
-structs: dict[str, Struct] = {}
-
 
 wanted = {c_name: (name, kind) for kind in ("ID", "RECORD", "DESCRIPTION", "RESULT") for c_name, name in listed(kind).items()}
 
 
-def layout(c_type: str) -> tuple[int, int]:
-    """Size and alignment."""
-    if c_type in structs:
-        struct = structs[c_type]
-        return struct.size, max(layout(member.type)[1] for member in struct.members)
-    if c_type.endswith("*"):
-        return 8, 8
-    size = 4 if c_type in enum_names else NUMBERS[c_type][0]
-    return size, size
+class Machine:
+    """All structs as a machine lays them out whose pointers have `word` bytes."""
 
+    def __init__(self, word: int) -> None:
+        self.word = word
+        self.structs: dict[str, Struct] = {}
+        while len(self.structs) < len(wanted):  # members before what has them
+            for c_name, (name, kind) in wanted.items():
+                nested = {word for word in re.findall(r"dsw_\w+", re.sub(r"/\*.*?\*/", "", bodies[c_name], flags=re.S)) if word in wanted}
+                if c_name not in self.structs and nested <= self.structs.keys():
+                    self.add(c_name, name, kind, bodies[c_name])
+        for name, body in results.items():
+            self.add("dartsweep::" + name, name, "RESULT", body)
 
-def add(c_name: str, name: str, kind: str, body: str) -> None:
-    members: list[Member] = []
-    at, alignment = 0, 1
-    comments: list[str] = []
-    declaration = ""
-    for text, comment in pieces(body):
-        declaration += text
-        comments.append(comment)
-        if not text.endswith(";"):
-            continue
-        c_type, names = re.fullmatch(r"(?:const )?([\w:]+ ?\*?) ?(.*);", declaration).groups()
-        c_type = c_type.replace("std::", "").replace(" ", "")
-        c_type = "dartsweep::" + c_type if "dartsweep::" + c_type in wanted else c_type
-        for each in names.split(","):
-            member, dims = re.fullmatch(r"\s*(\w+)\s*((?:\[\d+\])*)", each).groups()
-            sizes = [int(dim) for dim in re.findall(r"\d+", dims)]
-            size, align = layout(c_type)
-            for dim in sizes:
-                size *= dim
-            at = -(-at // align) * align
-            members.append(Member(member, c_type, sizes, at, " ".join(filter(None, comments))))
-            at += size
-            alignment = max(alignment, align)
-        comments, declaration = [], ""
-    structs[c_name] = Struct(c_name, name, kind, -(-at // alignment) * alignment, members)
+    def number(self, c_type: str) -> tuple[int, str]:
+        """Size, and DataView's name."""
+        if c_type == "size_t":
+            c_type = {4: "uint32_t", 8: "uint64_t"}[self.word]
+        return NUMBERS.get(c_type, (4, "Int32"))  # enumerators are of 32 bits
 
+    def layout(self, c_type: str) -> tuple[int, int]:
+        """Size and alignment."""
+        if c_type in self.structs:
+            struct = self.structs[c_type]
+            return struct.size, max(self.layout(member.type)[1] for member in struct.members)
+        size = self.word if c_type.endswith("*") else self.number(c_type)[0]
+        return size, size
 
-while len(structs) < len(wanted):  # members before what has them
-    for c_name, (name, kind) in wanted.items():
-        nested = {word for word in re.findall(r"dsw_\w+", re.sub(r"/\*.*?\*/", "", bodies[c_name], flags=re.S)) if word in wanted}
-        if c_name not in structs and nested <= structs.keys():
-            add(c_name, name, kind, bodies[c_name])
-for name, body in results.items():
-    add("dartsweep::" + name, name, "RESULT", body)
+    def add(self, c_name: str, name: str, kind: str, body: str) -> None:
+        members: list[Member] = []
+        at, alignment = 0, 1
+        comments: list[str] = []
+        declaration = ""
+        for text, comment in pieces(body):
+            declaration += text
+            comments.append(comment)
+            if not text.endswith(";"):
+                continue
+            c_type, names = re.fullmatch(r"(?:const )?([\w:]+ ?\*?) ?(.*);", declaration).groups()
+            c_type = c_type.replace("std::", "").replace(" ", "")
+            c_type = "dartsweep::" + c_type if "dartsweep::" + c_type in wanted else c_type
+            for each in names.split(","):
+                member, dims = re.fullmatch(r"\s*(\w+)\s*((?:\[\d+\])*)", each).groups()
+                sizes = [int(dim) for dim in re.findall(r"\d+", dims)]
+                size, align = self.layout(c_type)
+                for dim in sizes:
+                    size *= dim
+                at = -(-at // align) * align
+                members.append(Member(member, c_type, sizes, at, " ".join(filter(None, comments))))
+                at += size
+                alignment = max(alignment, align)
+            comments, declaration = [], ""
+        self.structs[c_name] = Struct(c_name, name, kind, -(-at // alignment) * alignment, members)
+
+    def read(self, c_type: str, dims: list[int], at: int) -> str:
+        """JavaScript that reads a member."""
+        if c_type == "char":
+            return f"textOf(view, at + {at}, {dims[0]})"
+        if dims:
+            step = self.layout(c_type)[0]
+            for dim in dims[1:]:
+                step *= dim
+            return "[" + ", ".join(self.read(c_type, dims[1:], at + i * step) for i in range(dims[0])) + "]"
+        if c_type in self.structs:
+            return f"structs.{self.structs[c_type].name}.read(view, at + {at})"
+        view = self.number(c_type)[1]
+        number = f"view.get{view}(at + {at}, true)"
+        return f"Number({number})" if view == "BigUint64" else number + " !== 0" if c_type == "bool" else number
+
+    def describe(self, c_name: str) -> str:
+        """The struct as structs.js has it."""
+        struct = self.structs[c_name]
+        shown = [member for member in struct.members if not is_hidden(struct, member)]
+        if struct.kind == "ID":
+            reader = f"new {struct.name}(" + ", ".join(self.read(member.type, member.dims, member.offset) for member in shown) + ")"
+        elif struct.name == "Vec3":
+            reader = "[" + ", ".join(self.read(member.type, [], member.offset) for member in shown) + "]"
+        else:
+            reader = "({ " + ", ".join(f"{member.js}: {self.read(member.type, member.dims, member.offset)}" for member in shown) + " })"
+        fields = []
+        for member in shown:
+            kind = self.structs[member.type].name if member.type in self.structs else self.number(member.type)[1]
+            if member.type != "char":  # of results, which nobody writes
+                fields.append(f"['{member.js}', {member.offset}, '{kind}', {member.dims}]")
+        return (f"{{\n    name: '{struct.name}',\n    size: {struct.size},\n    fields: [{', '.join(fields)}],\n"
+                f"    read: (view, at) => {reader},\n  }}")
 
 
 lists_of_change = [name for pair in re.findall(r"^DSW_LIST_OF_CHANGE\((\w+), (\w+)\)", hidden, re.M) for name in pair]
@@ -169,35 +207,13 @@ def is_hidden(struct: Struct, member: Member) -> bool:
 
 
 # --- JavaScript
-def read(c_type: str, dims: list[int], at: int) -> str:
-    if c_type == "char":
-        return f"textOf(view, at + {at}, {dims[0]})"
-    if dims:
-        step = layout(c_type)[0]
-        for dim in dims[1:]:
-            step *= dim
-        return "[" + ", ".join(read(c_type, dims[1:], at + i * step) for i in range(dims[0])) + "]"
-    if c_type in structs:
-        return f"structs.{structs[c_type].name}.read(view, at + {at})"
-    view = NUMBERS[c_type][1] if c_type in NUMBERS else "Int32"
-    number = f"view.get{view}(at + {at}, true)"
-    return f"Number({number})" if view == "BigUint64" else number + " !== 0" if c_type == "bool" else number
+machine, narrow = Machine(8), Machine(4)
+structs = machine.structs
 
 
-def js_struct(struct: Struct) -> str:
-    shown = [member for member in struct.members if not is_hidden(struct, member)]
-    if struct.kind == "ID":
-        reader = f"new {struct.name}(" + ", ".join(read(member.type, member.dims, member.offset) for member in shown) + ")"
-    elif struct.name == "Vec3":
-        reader = "[" + ", ".join(read(member.type, [], member.offset) for member in shown) + "]"
-    else:
-        reader = "({ " + ", ".join(f"{member.js}: {read(member.type, member.dims, member.offset)}" for member in shown) + " })"
-    fields = []
-    for member in shown:
-        kind = structs[member.type].name if member.type in structs else NUMBERS.get(member.type, (4, "Int32"))[1]
-        if member.type != "char":  # of results, which nobody writes
-            fields.append(f"['{member.js}', {member.offset}, '{kind}', {member.dims}]")
-    return f"  {struct.name}: {{\n    name: '{struct.name}',\n    size: {struct.size},\n    fields: [{', '.join(fields)}],\n    read: (view, at) => {reader},\n  }},\n"
+def js_struct(c_name: str) -> str:
+    wide, small = machine.describe(c_name), narrow.describe(c_name)
+    return f"  {structs[c_name].name}: " + (wide if wide == small else f"wordBytes === 4 ? {small} : {wide}") + ",\n"
 
 
 def ids() -> list[Struct]:
@@ -206,7 +222,7 @@ def ids() -> list[Struct]:
 
 made = "Made by declare.py of the headers of the C interface."
 errors = re.findall(r"  X\((\w+), (\w+)\)", (root / "include/dartsweep/cpp/error.hpp").read_text())
-lines = [f"// {made}\n'use strict';\nconst {{ IdOfTwo, IdOfThree }} = require('./ids.js');\n\n"]
+lines = [f"// {made}\n'use strict';\nconst {{ wordBytes }} = require('./addon.js');\nconst {{ IdOfTwo, IdOfThree }} = require('./ids.js');\n\n"]
 for struct in ids():
     lines.append(f"class {struct.name} extends IdOf{'Two' if len(struct.members) == 2 else 'Three'} {{}}\n")
 lines.append("exports.ids = { " + ", ".join(struct.name for struct in ids()) + " };\n")
@@ -217,7 +233,7 @@ for name, values in enums.items():
 lines.append("};\nexports.constants = { " + ", ".join(f"{name}: {value}" for name, (value, _) in constants.items()) + " };\n")
 lines.append("exports.statuses = [" + ", ".join(f"['{name}', '{type_name}']" for name, type_name in errors) + "];\n")
 lines.append("const textOf = (view, at, size) => new TextDecoder().decode(new Uint8Array(view.buffer, at, size)).split('\\0', 1)[0];\n")
-lines.append("const structs = {\n" + "".join(map(js_struct, structs.values())) + "};\nexports.structs = structs;\n")
+lines.append("const structs = {\n" + "".join(map(js_struct, structs)) + "};\nexports.structs = structs;\n")
 (scripts / "structs.js").write_text("".join(lines))
 
 
@@ -277,11 +293,13 @@ exported = re.findall(r"^export (?:class|function|const|enum) (\w+)", index_type
 
 # --- C++
 lines = [f"// {made}\n#pragma once\n\n#include <cstddef>\n\n#include \"common/host.h\"\n\nnamespace dartsweep_node {{\n\n"]
-lines.append("// The place of a struct in structs.js.\ntemplate <class T>\nconstexpr int kind_of = -1;\n")
+lines.append("// The place of a struct in structs.js.\ntemplate <class T>\nconstexpr int kind_of = -1;\nconstexpr bool is_narrow = sizeof(void *) == 4;\n")
 for index, struct in enumerate(structs.values()):
+    small = narrow.structs[struct.c_name]
     lines.append(f"template <>\ninline constexpr int kind_of<{struct.c_name}> = {index};\n")
-    checks = [f"sizeof({struct.c_name}) == {struct.size}"]
-    checks += [f"offsetof({struct.c_name}, {member.name}) == {member.offset}" for member in struct.members]
+    checks = [f"sizeof({struct.c_name}) == (is_narrow ? {small.size} : {struct.size})"]
+    checks += [f"offsetof({struct.c_name}, {member.name}) == (is_narrow ? {other.offset} : {member.offset})"
+               for member, other in zip(struct.members, small.members)]
     lines.append("static_assert(" + " && ".join(checks) + ");\n")
 lines.append("\n}  // namespace dartsweep_node\n")
 (includes / "structs.h").write_text("".join(lines))

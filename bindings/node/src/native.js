@@ -1,21 +1,10 @@
 // The addon, told how structs and errors look: convert.h calls these functions.
 'use strict';
+const { native } = require('./addon.js');
 const { errorOf } = require('./errors.js');
 const { StructArray, arrays, write } = require('./memory.js');
 const { structs } = require('./structs.js');
 
-const machine = `${process.platform}-${process.arch}`;
-
-function load() {
-  try {
-    return require(`../prebuilds/${machine}/dartsweep.node`);
-  } catch (error) {
-    if (error.code !== 'MODULE_NOT_FOUND') throw error; // of the loader of the system, for one
-    throw new Error(`dartsweep has no addon for ${machine}`);
-  }
-}
-
-const native = load();
 const kinds = Object.values(structs);
 
 function listOf(struct, value) {

@@ -2,4 +2,4 @@
 'use strict';
 const path = require('node:path');
 
-module.exports = require(path.resolve(path.dirname(require.resolve('dartsweep')), `../prebuilds/${process.platform}-${process.arch}/dartsweep.node`));
+module.exports = require(path.resolve(path.dirname(require.resolve('dartsweep')), 'addon.js')).native;

@@ -1,4 +1,4 @@
-# macOS on 64-bit ARM, or on x86-64 with -DCMAKE_SYSTEM_PROCESSOR=x86_64: zig's compiler, of PyPI's package ziglang 0.13, which brings the
+# macOS on 64-bit ARM, or on x86-64 with -DCMAKE_SYSTEM_PROCESSOR=x86_64: zig's compiler, of PyPI's package ziglang, which brings the
 # system's headers. What it makes has not been run.
 set(CMAKE_SYSTEM_NAME Darwin)
 if(NOT CMAKE_SYSTEM_PROCESSOR)
