@@ -7,9 +7,7 @@
 namespace dsw::oracle {
 namespace {
 
-bool is_packed(const std::string& path) {
-  return path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
-}
+bool is_packed(const std::string& path) { return path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0; }
 
 /// Words of a file, whatever separates them.
 class Words {
