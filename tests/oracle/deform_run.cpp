@@ -280,7 +280,8 @@ void Deformer::check_shape(const Lodger& lodger, const BodyState& now, const std
   for (size_t a = 0; a < now.at.size(); ++a) {
     for (size_t b = 0; b < a; ++b) {
       const auto distance = [&](const std::vector<Vec>& at) {
-        return std::hypot(at[a][0] - at[b][0], at[a][1] - at[b][1], at[a][2] - at[b][2]);
+        // Not all at once: libc++ before version 15 squares three numbers as they are, and 1e300 overflows.
+        return std::hypot(std::hypot(at[a][0] - at[b][0], at[a][1] - at[b][1]), at[a][2] - at[b][2]);
       };
       keeps =
           keeps && std::fabs(distance(now.at) - distance(lodger.first)) <= 8 * std::max(0x1p-52 * largest, 0x1p-1074);
