@@ -3,9 +3,6 @@
 #pragma once
 
 #include <napi.h>
-#ifdef __EMSCRIPTEN__
-#include <emnapi.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +28,10 @@ struct Hooks {
   Napi::FunctionReference writable;  // (kind, value): the same of a list
   Napi::FunctionReference decode;    // (kind, memory): the value of a struct
   Napi::FunctionReference list;      // (kind, memory): a list that has this memory
+#ifdef __EMSCRIPTEN__
+  Napi::FunctionReference read;   // (array, address): copies an array, or a view of one, to an address of the module
+  Napi::FunctionReference write;  // (array, address): copies from there
+#endif
   // Lines of the log wait here while a call lasts: JavaScript must not run in it.
   struct Line {
     std::shared_ptr<Napi::FunctionReference> log;
@@ -62,7 +63,11 @@ inline void set_hooks(const Napi::Value &value) {
   Hooks &hooks = *hooks_of(value.Env());
   const std::pair<const char *, Napi::FunctionReference *> all[] = {
       {"error", &hooks.error},       {"encode", &hooks.encode}, {"readable", &hooks.readable},
-      {"writable", &hooks.writable}, {"decode", &hooks.decode}, {"list", &hooks.list}};
+      {"writable", &hooks.writable}, {"decode", &hooks.decode}, {"list", &hooks.list},
+#ifdef __EMSCRIPTEN__
+      {"read", &hooks.read},         {"write", &hooks.write},
+#endif
+  };
   for (const auto &[name, hook] : all) *hook = Napi::Persistent(given.Get(name).As<Napi::Function>());
 }
 
@@ -94,35 +99,58 @@ T number(const Napi::Value &value) {
   return static_cast<T>(given);
 }
 
-// What is written to an array's memory has to be given back: a module of WebAssembly has a copy of the memory, which is made where the
-// module asks for the address.
-inline void give_back([[maybe_unused]] napi_env env, [[maybe_unused]] napi_value array) {
+// The memory of JavaScript. A module of WebAssembly has no address of it and works on a copy, of `size` bytes.
 #ifdef __EMSCRIPTEN__
-  emnapi_sync_memory(env, false, &array, 0, NAPI_AUTO_LENGTH);
-#endif
+inline Napi::Number address_of(Napi::Env env, const void *data) {
+  return Napi::Number::New(env, static_cast<double>(reinterpret_cast<std::uintptr_t>(data)));
 }
+inline void read_memory(const Napi::Value &array, void *to, std::size_t size) {
+  if (size) hooks_of(array.Env())->read.Call({array, address_of(array.Env(), to)});
+}
+inline Napi::ArrayBuffer new_memory(Napi::Env env, const void *data, std::size_t size) {
+  napi_value memory = nullptr;
+  if (napi_create_arraybuffer(env, size, nullptr, &memory) != napi_ok) throw Napi::Error::New(env);
+  if (size) hooks_of(env)->write.Call({memory, address_of(env, data)});
+  return Napi::ArrayBuffer(env, memory);
+}
+#else
+inline void read_memory(Napi::ArrayBuffer array, void *to, std::size_t size) { std::memcpy(to, array.Data(), size); }
+inline Napi::ArrayBuffer new_memory(Napi::Env env, const void *data, std::size_t size) {
+  auto memory = Napi::ArrayBuffer::New(env, size);
+  if (size) std::memcpy(memory.Data(), data, size);
+  return memory;
+}
+#endif
 
 // The memory of a typed array for the time of a call.
 class Memory {
  public:
-  Memory() = default;
-  Memory(const Memory &) = delete;
-  Memory &operator=(const Memory &) = delete;
-  ~Memory() {
-    if (is_written_ && data) give_back(value_.Env(), value_);
-  }
-  void set(const Napi::Value &value, bool is_written) {
-    value_ = value;
-    is_written_ = is_written;
+  void set(const Napi::Value &array) {
+    array_ = array;
+#ifdef __EMSCRIPTEN__
+    copy_.resize(array.As<Napi::TypedArray>().ByteLength());
+    read_memory(array, copy_.data(), copy_.size());
+    data = copy_.data();
+#else
     data = address();
+#endif
   }
   // Reading a later argument may run the host's functions. Throws where the array no longer has its elements: its memory went to another
   // thread, or was made smaller.
   void check(std::size_t count) {
-    if (count == 0 || value_.IsEmpty()) return;
-    if (address() == data && value_.As<Napi::TypedArray>().ElementLength() >= count) return;
-    data = nullptr;
-    refuse(value_.Env(), "an array has lost its memory while arguments were read");
+    if (count == 0 || array_.IsEmpty()) return;
+    is_checked_ = true;
+    bool is_there = array_.As<Napi::TypedArray>().ElementLength() >= count;
+#ifndef __EMSCRIPTEN__
+    is_there = is_there && address() == data;
+#endif
+    if (!is_there) refuse(array_.Env(), "an array has lost its memory while arguments were read");
+  }
+  // After a call that has written to the memory.
+  void give_back() {
+#ifdef __EMSCRIPTEN__
+    if (is_checked_) hooks_of(array_.Env())->write.Call({array_, address_of(array_.Env(), copy_.data())});
+#endif
   }
 
   void *data = nullptr;
@@ -130,11 +158,12 @@ class Memory {
  private:
   void *address() const {
     void *now = nullptr;
-    napi_get_typedarray_info(value_.Env(), value_, nullptr, nullptr, &now, nullptr, nullptr);
+    napi_get_typedarray_info(array_.Env(), array_, nullptr, nullptr, &now, nullptr, nullptr);
     return now;
   }
-  Napi::Value value_;
-  bool is_written_ = false;
+  Napi::Value array_;
+  bool is_checked_ = false;
+  std::vector<std::uint8_t> copy_;
 };
 
 // Numbers for the time of a call: the host's memory where it is a typed array of T, or a copy of a plain array's.
@@ -142,7 +171,10 @@ template <class T>
 class Numbers {
  public:
   // For calls that write: typed arrays only.
-  T *set_typed(const Napi::Value &value) { return borrow(value, true); }
+  T *set_typed(const Napi::Value &value) {
+    static_assert(!std::is_same_v<T, std::size_t>, "its size is the machine's");
+    return borrow(value);
+  }
   const T *set(const Napi::Value &value) {
     if (value.IsArray()) {
       const auto array = value.As<Napi::Array>();
@@ -161,21 +193,22 @@ class Numbers {
         return copy_.data();
       }
     }
-    return borrow(value, false);
+    return borrow(value);
   }
   // To be called when all arguments are read.
   void check() { memory_.check(count); }
+  void give_back() { memory_.give_back(); }
 
   std::size_t count = 0;
 
  private:
-  T *borrow(const Napi::Value &value, bool is_written) {
+  T *borrow(const Napi::Value &value) {
     if (is_nothing(value)) return nullptr;
     if (!value.IsTypedArray()) refuse(value.Env(), needed());
     const auto array = value.As<Napi::TypedArray>();
     if (array.TypedArrayType() != array_type_of<T>()) refuse(value.Env(), needed());
     count = array.ElementLength();
-    memory_.set(value, is_written);
+    memory_.set(value);
     return static_cast<T *>(memory_.data);
   }
   static std::string needed() {
@@ -200,7 +233,7 @@ class IndexNumbers {
       const auto type = array.TypedArrayType();
       if (type != napi_int32_array && type != napi_uint32_array && type != napi_bigint64_array)
         refuse(value.Env(), "indices are an Int32Array, Uint32Array or BigInt64Array");
-      memory_.set(value, false);
+      memory_.set(value);
       out.data = memory_.data;
       out.count = count_ = array.ElementLength();
       out.bytes = static_cast<std::uint32_t>(array.ElementSize());
@@ -238,12 +271,10 @@ inline Napi::Value from_point(Napi::Env env, const dartsweep::Point &point) {
 // A typed array of its own with these numbers.
 template <class T>
 Napi::Value from_numbers(Napi::Env env, const T *data, std::size_t count) {
-  auto array = Napi::TypedArrayOf<T>::New(env, count, array_type_of<T>());
-  if (count) {
-    std::memcpy(array.Data(), data, count * sizeof(T));
-    give_back(env, array);
-  }
-  return array;
+  const Napi::ArrayBuffer memory = new_memory(env, data, count * sizeof(T));
+  napi_value array = nullptr;
+  if (napi_create_typedarray(env, array_type_of<T>(), count, memory, 0, &array) != napi_ok) throw Napi::Error::New(env);
+  return Napi::Value(env, array);
 }
 inline Napi::Value from_numbers(Napi::Env env, const std::size_t *data, std::size_t count) {
   auto array = Napi::Array::New(env, count);
@@ -253,32 +284,22 @@ inline Napi::Value from_numbers(Napi::Env env, const std::size_t *data, std::siz
 
 // --- structs
 template <class T>
-Napi::ArrayBuffer memory_of(Napi::Env env, const T *data, std::size_t count) {
-  auto memory = Napi::ArrayBuffer::New(env, count * sizeof(T));
-  if (count) {
-    std::memcpy(memory.Data(), data, count * sizeof(T));
-    give_back(env, memory);
-  }
-  return memory;
-}
-
-template <class T>
 Napi::Value from_struct(Napi::Env env, const T &value) {
-  return hooks_of(env)->decode.Call({Napi::Number::New(env, kind_of<T>), memory_of(env, &value, 1)});
+  return hooks_of(env)->decode.Call({Napi::Number::New(env, kind_of<T>), new_memory(env, &value, sizeof value)});
 }
 
 template <class T>
 Napi::Value from_structs(Napi::Env env, const T *data, std::size_t count) {
-  return hooks_of(env)->list.Call({Napi::Number::New(env, kind_of<T>), memory_of(env, data, count)});
+  return hooks_of(env)->list.Call({Napi::Number::New(env, kind_of<T>), new_memory(env, data, count * sizeof(T))});
 }
 
 // What is left out of `value` stays as it is in `out`.
 template <class T>
 void set_struct(const Napi::Value &value, T &out) {
   Napi::Env env = value.Env();
-  auto memory = memory_of(env, &out, 1);
+  auto memory = new_memory(env, &out, sizeof out);
   hooks_of(env)->encode.Call({Napi::Number::New(env, kind_of<T>), value, memory});
-  std::memcpy(&out, memory.Data(), sizeof out);
+  read_memory(memory, &out, sizeof out);
 }
 
 // A list of structs for the time of a call.
@@ -291,10 +312,11 @@ class Structs {
     const Napi::FunctionReference &hook = std::is_const_v<T> ? hooks.readable : hooks.writable;
     const Napi::Value bytes = hook.Call({Napi::Number::New(value.Env(), kind_of<std::remove_const_t<T>>), value});
     count_ = bytes.As<Napi::TypedArray>().ElementLength();
-    memory_.set(bytes, !std::is_const_v<T>);
+    memory_.set(bytes);
     return {static_cast<T *>(memory_.data), count_ / sizeof(T)};
   }
   void check() { memory_.check(count_); }
+  void give_back() { memory_.give_back(); }
 
  private:
   Memory memory_;

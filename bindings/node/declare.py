@@ -115,7 +115,7 @@ class Machine:
         self.structs: dict[str, Struct] = {}
         while len(self.structs) < len(wanted):  # members before what has them
             for c_name, (name, kind) in wanted.items():
-                nested = {word for word in re.findall(r"dsw_\w+", re.sub(r"/\*.*?\*/", "", bodies[c_name], flags=re.S)) if word in wanted}
+                nested = {used for used in re.findall(r"dsw_\w+", re.sub(r"/\*.*?\*/", "", bodies[c_name], flags=re.S)) if used in wanted}
                 if c_name not in self.structs and nested <= self.structs.keys():
                     self.add(c_name, name, kind, bodies[c_name])
         for name, body in results.items():

@@ -40,6 +40,7 @@ cp "$here"/tests/*.* "$here"/examples/*.js .
 DSW_SCENARIO=$here/../tests/scenario.json node --test --test-reporter=tap | tee "$out/tests.txt"
 "$tools/node_modules/.bin/tsc" -p .
 node catheter.js
+node host.js
 python3 "$here/../tests/readme_code.py" "$here/README.md" js >readme.js
 node readme.js | grep "vertex 1 met x = 1 after 0.5"
 echo "node: $(sed -n 's/^# pass //p' "$out/tests.txt") tests passed, and the example"

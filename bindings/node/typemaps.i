@@ -60,6 +60,8 @@ DSW_NUMBER(std::size_t)
 %enddef
 DSW_POINTS(dartsweep::Points, set)
 DSW_POINTS(dartsweep::PointsOut, set_typed)
+// What a call has written goes back after the call. Its log comes before, so a call that fills arrays must not log.
+%typemap(freearg) dartsweep::PointsOut "numbers$argnum.give_back();"
 
 %typemap(in) dartsweep::Indices (dartsweep_node::IndexNumbers numbers) {
   $1 = numbers.set($input);
@@ -76,6 +78,7 @@ DSW_POINTS(dartsweep::PointsOut, set_typed)
   $1 = dartsweep::View<type>{data, numbers.count};
 }
 %typemap(check) dartsweep::View<const type>, dartsweep::View<type> "numbers$argnum.check();"
+%typemap(freearg) dartsweep::View<type> "numbers$argnum.give_back();"
 %typemap(out) dartsweep::Array<type> {
   $result = dartsweep_node::from_numbers(env, (&$1)->data(), (&$1)->size());
 }
@@ -120,6 +123,7 @@ DSW_STRUCT_BY_REFERENCE(type, name)
 %typemap(in) dartsweep::View<const type> (dartsweep_node::Structs<const type> structs) "$1 = structs.set($input);"
 %typemap(in) dartsweep::View<type> (dartsweep_node::Structs<type> structs) "$1 = structs.set($input);"
 %typemap(check) dartsweep::View<const type>, dartsweep::View<type> "structs$argnum.check();"
+%typemap(freearg) dartsweep::View<type> "structs$argnum.give_back();"
 %typemap(out) dartsweep::Array<type> {
   $result = dartsweep_node::from_structs<type>(env, (&$1)->data(), (&$1)->size());
 }

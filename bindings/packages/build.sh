@@ -7,12 +7,12 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
 shift
-given=("$@")
-targets=() # those that have modules for all languages
-for target in "${given[@]}"; do [ "$target" = wasm32 ] || targets+=("$target"); done
+targets=("$@")
+native_targets=() # those that have modules for all languages
+for target in "${targets[@]}"; do [ "$target" = wasm32 ] || native_targets+=("$target"); done
 venv=$out/venv
 dist=$out/dist
-[[ " ${given[*]} " == *" linux-x64 "* ]] || { echo "linux-x64 is needed: the sources of the packages come from its modules" >&2 && exit 2; }
+[[ " ${targets[*]} " == *" linux-x64 "* ]] || { echo "linux-x64 is needed: the sources of the packages come from its modules" >&2 && exit 2; }
 export CMAKE_GENERATOR=Ninja
 
 declare -A toolchains=([linux-arm64]=arm64 [win-x64]=windows [osx-arm64]=macos [osx-x64]=macos [wasm32]=wasm)
@@ -37,13 +37,16 @@ npm() { node "$node/lib/node_modules/npm/bin/npm-cli.js" --no-audit --no-fund --
 
 # The library and the modules of a target, of the same objects, in OUT/TARGET. The library is a DLL for Windows, else static.
 make_modules() {
-  local target=$1 shared=OFF others=ON options=()
+  local target=$1 shared=OFF native=ON options=()
   if [ "$target" = win-x64 ]; then shared=ON; fi
   if [ -n "${toolchains[$target]:-}" ]; then options+=(-DCMAKE_TOOLCHAIN_FILE="$root/src/cmake/toolchains/${toolchains[$target]}.cmake"); fi
   if [ "$target" = osx-x64 ]; then options+=(-DCMAKE_SYSTEM_PROCESSOR=x86_64); fi
-  if [ "$target" = wasm32 ]; then others=OFF; fi
+  if [ "$target" = wasm32 ]; then
+    native=OFF
+    local -x NODE_PATH=/usr/share/nodejs # where Debian's emscripten has its modules, whichever Node runs it
+  fi
   cmake -Wno-dev -S "$root" -B "$out/$target" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=$shared -DDSW_WITH_LIBCCD=OFF \
-    -DDSW_BUILD_PYTHON=$others -DDSW_BUILD_CSHARP=$others -DDSW_BUILD_JAVA=$others -DDSW_BUILD_NODE=ON \
+    -DDSW_BUILD_PYTHON=$native -DDSW_BUILD_CSHARP=$native -DDSW_BUILD_JAVA=$native -DDSW_BUILD_NODE=ON \
     -DPython3_ROOT_DIR="$venv" -DDSW_NODE_MODULES="$out/npm/node_modules" "${options[@]}"
   cmake --build "$out/$target"
 }
@@ -55,7 +58,7 @@ make_wheels() {
   cmake --install "$out/linux-x64" --prefix "$library"
   (cd "$root" && python -m build --wheel --no-isolation --outdir "$work" -Ccmake.define.DSW_USE_INSTALLED=ON \
     -Ccmake.define.CMAKE_PREFIX_PATH="$library" bindings/python)
-  for target in "${targets[@]}"; do
+  for target in "${native_targets[@]}"; do
     wheel unpack --dest "$work/$target" "$work"/*.whl
     rm "$work/$target"/*/dartsweep/_native.*
     cp "$out/$target/bindings/python/dartsweep"/_native.* "$work/$target"/*/dartsweep
@@ -79,7 +82,7 @@ make_nuget_and_unity() {
   local package=$out/nuget target plugins=()
   rm -rf "$package"
   cp -r "$out/linux-x64/bindings/csharp/package" "$package"
-  for target in "${targets[@]}"; do
+  for target in "${native_targets[@]}"; do
     cp -r "$out/$target/bindings/csharp/package/runtimes" "$package"
     plugins+=("$target=$(echo "$out/$target/bindings/csharp/package/runtimes/$target/native"/*)")
   done
@@ -93,7 +96,7 @@ make_nuget_and_unity() {
 make_jar() {
   local maven=$out/maven target
   rm -rf "$maven"
-  for target in "${targets[@]}"; do
+  for target in "${native_targets[@]}"; do
     mkdir -p "$maven"
     cp -r "$out/$target/bindings/java/maven/." "$maven"
   done
@@ -105,7 +108,7 @@ make_npm() {
   local package=$out/node target
   rm -rf "$package"
   cp -r "$out/linux-x64/bindings/node/package" "$package"
-  for target in "${given[@]}"; do cp -r "$out/$target/bindings/node/package/prebuilds" "$package"; done
+  for target in "${targets[@]}"; do cp -r "$out/$target/bindings/node/package/prebuilds" "$package"; done
   npm pack --pack-destination "$dist" "$package"
 }
 
@@ -119,10 +122,10 @@ version=$(sed -n 's/^project(Dartsweep VERSION \([0-9.]*\).*/\1/p' "$root/CMakeL
 rm -rf "$dist"
 mkdir -p "$dist"
 make_tools
-for target in "${given[@]}"; do make_modules "$target"; done
+for target in "${targets[@]}"; do make_modules "$target"; done
 make_wheels
 make_nuget_and_unity
 make_jar
 make_npm
-if [[ " ${given[*]} " == *" win-x64 "* ]]; then make_windows_zip; fi
+if [[ " ${targets[*]} " == *" win-x64 "* ]]; then make_windows_zip; fi
 echo "packages: $(cd "$dist" && echo *)"

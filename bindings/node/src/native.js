@@ -1,6 +1,6 @@
 // The addon, told how structs and errors look: convert.h calls these functions.
 'use strict';
-const { native } = require('./addon.js');
+const { hooks, native } = require('./addon.js');
 const { errorOf } = require('./errors.js');
 const { StructArray, arrays, write } = require('./memory.js');
 const { structs } = require('./structs.js');
@@ -13,6 +13,7 @@ function listOf(struct, value) {
 }
 
 native.setHooks({
+  ...hooks,
   error: errorOf,
   encode(kind, value, memory) {
     write(kinds[kind], new DataView(memory), 0, value);
