@@ -14,7 +14,7 @@ const FIELD = 30; // of view, degrees
 const MOST_VERTICES = 240;
 const MOST_CONTACTS = 512;
 const CONTACT = 9; // doubles of a scene_contact: point, normal, impulse, kind, time
-const RATIOS = [2, 1.5, 1.25, 1, 0.8, 0.65, 0.5]; // pixels of the picture for each of CSS: fewer where drawing is slow
+const RATIOS = [2, 1.5, 1.25, 1, 0.8, 0.65, 0.5, 0.4]; // pixels of the picture for each of CSS: fewer where drawing is slow
 const GRIP = 12; // its distance from where the wire comes in, in links
 
 const GRIP_VERTEX = `
@@ -103,6 +103,7 @@ export class View {
   #size = 1;
   #follow = false;
   #quality = RATIOS.indexOf(1);
+  #pace = 16; // mean time of recent pictures, ms
   #slow = 0;
   #sharp = false;
   #isSlow = isDrawnBySoftware();
@@ -214,9 +215,10 @@ export class View {
 
   /** Fewer pixels where pictures come slowly, more where there is time. `milliseconds` since the last picture. */
   adapt(milliseconds) {
-    this.#slow = milliseconds > 26 ? this.#slow + 1 : 0;
-    this.#quick = milliseconds < 18 ? this.#quick + 1 : 0;
-    const change = this.#slow > 8 ? 1 : (this.#quick > 240 ? -1 : 0);
+    this.#pace += 0.1 * (Math.min(milliseconds, 100) - this.#pace);
+    this.#slow = this.#pace > 26 ? this.#slow + 1 : 0;
+    this.#quick = this.#pace < 18 ? this.#quick + 1 : 0;
+    const change = this.#slow > 15 ? 1 : (this.#quick > 240 ? -1 : 0);
     const wanted = Math.max(0, Math.min(RATIOS.length - 1, this.#quality + change));
     if (change !== 0) {
       this.#slow = this.#quick = 0;
