@@ -29,8 +29,9 @@ struct Hooks {
   Napi::FunctionReference decode;    // (kind, memory): the value of a struct
   Napi::FunctionReference list;      // (kind, memory): a list that has this memory
 #ifdef __EMSCRIPTEN__
-  Napi::FunctionReference read;   // (array, address): copies an array, or a view of one, to an address of the module
-  Napi::FunctionReference write;  // (array, address): copies from there
+  Napi::FunctionReference
+      read;  // (array, address, size): copies an array, or a view of one, to an address of the module
+  Napi::FunctionReference write;  // (array, address, size): copies from there
 #endif
   // Lines of the log wait here while a call lasts: JavaScript must not run in it.
   struct Line {
@@ -73,6 +74,8 @@ inline void set_hooks(const Napi::Value &value) {
 
 inline bool is_nothing(const Napi::Value &value) { return value.IsUndefined() || value.IsNull(); }
 
+[[noreturn]] void raise_current(Napi::Env env);
+
 [[noreturn]] inline void refuse(napi_env env, const std::string &message) { throw Napi::TypeError::New(env, message); }
 
 // --- arrays of numbers
@@ -99,22 +102,30 @@ T number(const Napi::Value &value) {
   return static_cast<T>(given);
 }
 
-// The memory of JavaScript. A module of WebAssembly has no address of it and works on a copy, of `size` bytes.
+// The memory of JavaScript. A module of WebAssembly cannot address this memory and works on copies.
 #ifdef __EMSCRIPTEN__
 inline Napi::Number address_of(Napi::Env env, const void *data) {
   return Napi::Number::New(env, static_cast<double>(reinterpret_cast<std::uintptr_t>(data)));
 }
 inline void read_memory(const Napi::Value &array, void *to, std::size_t size) {
-  if (size) hooks_of(array.Env())->read.Call({array, address_of(array.Env(), to)});
+  Napi::Env env = array.Env();
+  if (size) hooks_of(env)->read.Call({array, address_of(env, to), Napi::Number::New(env, static_cast<double>(size))});
+}
+inline void write_memory(const Napi::Value &array, const void *from, std::size_t size) {
+  Napi::Env env = array.Env();
+  if (size)
+    hooks_of(env)->write.Call({array, address_of(env, from), Napi::Number::New(env, static_cast<double>(size))});
 }
 inline Napi::ArrayBuffer new_memory(Napi::Env env, const void *data, std::size_t size) {
   napi_value memory = nullptr;
   if (napi_create_arraybuffer(env, size, nullptr, &memory) != napi_ok) throw Napi::Error::New(env);
-  if (size) hooks_of(env)->write.Call({memory, address_of(env, data)});
+  write_memory(Napi::Value(env, memory), data, size);
   return Napi::ArrayBuffer(env, memory);
 }
 #else
-inline void read_memory(Napi::ArrayBuffer array, void *to, std::size_t size) { std::memcpy(to, array.Data(), size); }
+inline void read_memory(const Napi::Value &array, void *to, std::size_t size) {
+  std::memcpy(to, array.As<Napi::ArrayBuffer>().Data(), size);
+}
 inline Napi::ArrayBuffer new_memory(Napi::Env env, const void *data, std::size_t size) {
   auto memory = Napi::ArrayBuffer::New(env, size);
   if (size) std::memcpy(memory.Data(), data, size);
@@ -128,9 +139,14 @@ class Memory {
   void set(const Napi::Value &array) {
     array_ = array;
 #ifdef __EMSCRIPTEN__
-    copy_.resize(array.As<Napi::TypedArray>().ByteLength());
-    read_memory(array, copy_.data(), copy_.size());
-    data = copy_.data();
+    size_ = array.As<Napi::TypedArray>().ByteLength();
+    try {
+      copy_.reset(new std::uint8_t[size_]);
+    } catch (const std::bad_alloc &) {
+      raise_current(array.Env());
+    }
+    read_memory(array, copy_.get(), size_);
+    data = copy_.get();
 #else
     data = address();
 #endif
@@ -139,7 +155,6 @@ class Memory {
   // thread, or was made smaller.
   void check(std::size_t count) {
     if (count == 0 || array_.IsEmpty()) return;
-    is_checked_ = true;
     bool is_there = array_.As<Napi::TypedArray>().ElementLength() >= count;
 #ifndef __EMSCRIPTEN__
     is_there = is_there && address() == data;
@@ -149,21 +164,24 @@ class Memory {
   // After a call that has written to the memory.
   void give_back() {
 #ifdef __EMSCRIPTEN__
-    if (is_checked_) hooks_of(array_.Env())->write.Call({array_, address_of(array_.Env(), copy_.data())});
+    if (data) write_memory(array_, data, size_);
 #endif
   }
 
   void *data = nullptr;
 
  private:
+  Napi::Value array_;
+#ifdef __EMSCRIPTEN__
+  std::unique_ptr<std::uint8_t[]> copy_;
+  std::size_t size_ = 0;
+#else
   void *address() const {
     void *now = nullptr;
     napi_get_typedarray_info(array_.Env(), array_, nullptr, nullptr, &now, nullptr, nullptr);
     return now;
   }
-  Napi::Value array_;
-  bool is_checked_ = false;
-  std::vector<std::uint8_t> copy_;
+#endif
 };
 
 // Numbers for the time of a call: the host's memory where it is a typed array of T, or a copy of a plain array's.

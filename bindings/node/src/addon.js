@@ -33,12 +33,12 @@ function loadModule() {
     native: nodeApi.exports,
     wordBytes: 4, // of a pointer and a size_t
     hooks: {
-      read(array, address) {
-        new Uint8Array(memory.buffer).set(bytesOf(array), address);
+      // Throw where an array has another size by now.
+      read(array, address, size) {
+        new Uint8Array(memory.buffer, address, size).set(bytesOf(array));
       },
-      write(array, address) {
-        const bytes = bytesOf(array);
-        bytes.set(new Uint8Array(memory.buffer, address, bytes.length));
+      write(array, address, size) {
+        bytesOf(array).set(new Uint8Array(memory.buffer, address, size));
       },
     },
   };

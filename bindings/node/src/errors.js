@@ -1,5 +1,6 @@
 // An Error for each status of C.
 'use strict';
+const { wordBytes } = require('./addon.js');
 const { enums, statuses } = require('./structs.js');
 
 class DartsweepError extends Error {
@@ -32,10 +33,20 @@ for (const [status, name] of statuses) {
 }
 define('ClosedError', DartsweepError, enums.Status.NullArgument, 'DSW_CLOSED');
 
+// The stack begins with the caller: the frames of a module of WebAssembly, and of what calls the module, are left out.
+function trace(error) {
+  const isModule = wordBytes === 4;
+  const { stackTraceLimit } = Error;
+  if (isModule) Error.stackTraceLimit += 30;
+  Error.captureStackTrace(error, errorOf);
+  Error.stackTraceLimit = stackTraceLimit;
+  if (isModule) error.stack = error.stack.split('\n').filter((line) => !/@emnapi|wasm:/.test(line)).join('\n');
+}
+
 function errorOf(status, closed, message) {
   const type = closed ? classes.ClosedError : ofStatus.get(status);
   const error = type ? new type(message) : new DartsweepError(message, status, `DSW_${status}`);
-  Error.captureStackTrace(error, errorOf);
+  trace(error);
   return error;
 }
 

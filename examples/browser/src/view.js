@@ -222,6 +222,7 @@ export class View {
     const wanted = Math.max(0, Math.min(RATIOS.length - 1, this.#quality + change));
     if (change !== 0) {
       this.#slow = this.#quick = 0;
+      this.#pace = 22; // between both limits
     }
     if (wanted !== this.#quality && (change > 0 || RATIOS[this.#quality] < devicePixelRatio)) {
       this.#quality = wanted;
