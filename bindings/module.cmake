@@ -39,7 +39,7 @@ string(REGEX REPLACE "^(x86_64|amd64)$" x64 dsw_processor ${dsw_processor})
 string(REGEX REPLACE "^aarch64$" arm64 dsw_processor ${dsw_processor})
 set(dsw_target ${dsw_system}-${dsw_processor})
 
-# On macOS a module is a dynamic library: C# and Java look for that suffix, and not every linker makes bundles.
+# On macOS a module is a dynamic library, since not every linker makes bundles. C# and Java look for this suffix; others name their own.
 if(APPLE)
   set(CMAKE_SHARED_MODULE_SUFFIX .dylib)
   set(CMAKE_SHARED_MODULE_CREATE_CXX_FLAGS -dynamiclib)

@@ -7,7 +7,7 @@
 
 namespace dsw::oracle {
 
-/// False if the file is packed (.gz) and gzip is not there to unpack it, as under wine or in Node.
+/// False if the file is packed (.gz) and the tests' host has no gzip: wine and Node.
 bool can_unpack(const std::string& path);
 
 /// False with a reason if the file cannot be read. Regions are the volumes' entity tags, or the cell array `region`.
