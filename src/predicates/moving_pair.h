@@ -1,0 +1,37 @@
+// When two features first touch while all of their points move at once, each straight and steadily from its start to
+// its end. Touching counts, also where everything lies in one plane or line, and where features have no extent. Right
+// for all finite doubles.
+#pragma once
+
+#include <cstdint>
+
+namespace dsw {
+
+// The points of a pair, in this order. Edges and triangles are closed.
+enum class PairKind : std::uint8_t {
+  kVertexFace = 0,  // in space: a vertex, the corners of a triangle
+  kEdgeEdge = 1,    // in space: the ends of one edge, the ends of the other
+  kVertexEdge = 2   // in the plane: a vertex, the ends of an edge
+};
+
+template <int D>
+struct MovingPair {
+  PairKind kind;
+  const double* start[D + 1];
+  const double* end[D + 1];
+};
+
+struct FirstTouch {
+  bool touches;
+  double time;  // the largest double not later than the first time in [0,1]; 0 without a touch
+};
+
+// Takes memory only if coordinates of one axis spread over hundreds of bits. Throws std::bad_alloc.
+template <int D>
+FirstTouch first_touch(const MovingPair<D>& pair);
+
+// Sign of a's first time minus b's, exactly. Both touch.
+template <int D>
+int compare_first_touches(const MovingPair<D>& a, const MovingPair<D>& b);
+
+}  // namespace dsw
