@@ -1,0 +1,394 @@
+#include "predicates/polynomial.h"
+
+namespace dsw {
+
+namespace {
+
+int compare(const Dyadic& a, const Dyadic& b) {
+  const int low = a.shift < b.shift ? a.shift : b.shift;
+  return (shifted(a.numerator, b.shift - low) - shifted(b.numerator, a.shift - low)).sign();
+}
+
+Dyadic dyadic_of(IntegerPool& pool, double x) {
+  const integers::Decoded d = integers::decode(x);
+  if (d.magnitude == 0) return {};
+  const int zeros = static_cast<int>(lowest_bit(d.magnitude));
+  const int exponent = d.exponent + zeros - 1075;
+  if (exponent >= 0) return {integer_of(pool, (d.magnitude >> zeros) << exponent), 0};
+  return {integer_of(pool, d.magnitude >> zeros), -exponent};
+}
+
+double of_bits(std::uint64_t bits) noexcept {
+  double x;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+std::uint64_t bits_of(double x) noexcept {
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
+Polynomial derivative(IntegerPool& pool, const Polynomial& p) {
+  Polynomial r;
+  r.degree = p.degree < 0 ? -1 : p.degree - 1;
+  for (int i = 0; i <= r.degree; ++i) r.c[i] = p.c[i + 1] * integer_of(pool, static_cast<std::uint64_t>(i + 1));
+  return r;
+}
+
+// One step of a division: a positive multiple of a, less a multiple of b, of lower degree than a.
+void divide_step(Polynomial& a, const Polynomial& b, Integer* factor) {
+  const int gap = a.degree - b.degree;
+  Integer lead = b.c[b.degree];
+  *factor = lead.negative ? -a.c[a.degree] : a.c[a.degree];
+  lead.negative = false;
+  for (int i = 0; i < a.degree; ++i) {
+    a.c[i] = a.c[i] * lead;
+    if (i >= gap) a.c[i] = a.c[i] - *factor * b.c[i - gap];
+  }
+  --a.degree;
+  a.trim();
+}
+
+// A positive multiple of the remainder of a by b.
+Polynomial remainder(Polynomial a, const Polynomial& b) {
+  Integer factor;
+  while (a.degree >= b.degree) divide_step(a, b, &factor);
+  return a;
+}
+
+// A positive multiple of a / b, where b divides a.
+Polynomial quotient(Polynomial a, const Polynomial& b) {
+  Polynomial r;
+  r.degree = a.degree - b.degree;
+  Integer lead = b.c[b.degree];
+  lead.negative = false;
+  while (a.degree >= b.degree) {
+    const int at = a.degree - b.degree;
+    for (int i = 0; i <= r.degree; ++i) r.c[i] = r.c[i] * lead;
+    divide_step(a, b, &r.c[at]);
+  }
+  return r;
+}
+
+int sign_at(const Polynomial& p, const Dyadic& x) {
+  if (p.degree < 0) return 0;
+  if (x.numerator.sign() == 0) return p.c[0].sign();
+  const IntegerPool::Scope scope(*x.numerator.pool);
+  Integer sum = p.c[p.degree];
+  for (int i = p.degree - 1; i >= 0; --i) sum = sum * x.numerator + shifted(p.c[i], x.shift * (p.degree - i));
+  return sum.sign();
+}
+
+// Sign of p a little after x.
+int sign_after(IntegerPool& pool, const Polynomial& p, const Dyadic& x) {
+  const IntegerPool::Scope scope(pool);
+  Polynomial q = p;
+  int sign = sign_at(q, x);
+  while (sign == 0 && q.degree > 0) {
+    q = derivative(pool, q);
+    sign = sign_at(q, x);
+  }
+  return sign;
+}
+
+// A sequence of Sturm: each member is a negative multiple of the remainder of the two before, down to the last that is not 0.
+struct SturmSequence {
+  Polynomial member[6];
+  int count = 0;
+
+  SturmSequence(const Polynomial& p, const Polynomial& q) {
+    member[0] = p;
+    count = 1;
+    Polynomial next = q.degree >= p.degree ? remainder(q, p) : q;
+    while (next.degree >= 0) {
+      member[count++] = next;
+      next = remainder(member[count - 2], member[count - 1]);
+      for (int i = 0; i <= next.degree; ++i) next.c[i] = -next.c[i];
+    }
+  }
+
+  const Polynomial& last() const noexcept { return member[count - 1]; }
+
+  // Changes of sign along the sequence at x.
+  int variations(const Dyadic& x) const {
+    return changes([&](const Polynomial& p) { return sign_at(p, x); });
+  }
+  // A little after x, which may be a root.
+  int variations_after(IntegerPool& pool, const Dyadic& x) const {
+    return changes([&](const Polynomial& p) { return sign_after(pool, p, x); });
+  }
+
+ private:
+  template <class Sign>
+  int changes(const Sign& sign_of) const {
+    int number = 0;
+    int before = 0;
+    for (int i = 0; i < count; ++i) {
+      const int sign = sign_of(member[i]);
+      if (sign == 0) continue;
+      number += sign * before < 0 ? 1 : 0;
+      before = sign;
+    }
+    return number;
+  }
+};
+
+// The same polynomial in doubles, times a power of two: the largest coefficient is near 1.
+struct Rounded {
+  int degree;
+  double c[6];
+
+  explicit Rounded(const Polynomial& p) noexcept : degree(p.degree) {
+    int most = 0;
+    for (int i = 0; i <= degree; ++i) {
+      const int length = p.c[i].bit_length();
+      most = length > most ? length : most;
+    }
+    for (int i = 0; i <= degree; ++i) c[i] = p.c[i].scaled(most);
+  }
+
+  double at(double t) const noexcept {
+    double sum = c[degree];
+    for (int i = degree - 1; i >= 0; --i) sum = sum * t + c[i];
+    return sum;
+  }
+
+  // The sign at all times between t and the next double, or 0 if it is not sure. A coefficient has an error of 2u, a step
+  // of Horner's rule 2u, and t as many times 2u as the degree says; 2^-1000 pays for underflow.
+  int sure_sign(double t) const noexcept {
+    double sum = c[degree];
+    double size = std::fabs(sum);
+    for (int i = degree - 1; i >= 0; --i) {
+      sum = sum * t + c[i];
+      size = size * t + std::fabs(c[i]);
+    }
+    const double bound = size * 0x1p-48 + 0x1p-1000;
+    return sum > bound ? 1 : sum < -bound ? -1 : 0;
+  }
+};
+
+// Near to the root between low and high; `rising` says how p's sign changes there. By Newton's rule where that leads into
+// the part that is left, else by halving.
+double guess_root(const Rounded& p, double low, double high, bool rising) noexcept {
+  double t = 0.5 * (low + high);
+  for (int i = 0; i < 60 && low < t && t < high; ++i) {
+    double sum = p.c[p.degree];
+    double slope = 0;
+    for (int k = p.degree - 1; k >= 0; --k) {
+      slope = slope * t + sum;
+      sum = sum * t + p.c[k];
+    }
+    if (sum == 0) break;
+    if ((sum > 0) == rising) {
+      high = t;
+    } else {
+      low = t;
+    }
+    const double next = t - sum / slope;
+    if (std::fabs(next - t) <= 0x1p-53 * t) break;
+    t = next > low && next < high ? next : 0.5 * (low + high);
+  }
+  return t;
+}
+
+class RootFinder {
+ public:
+  RootFinder(IntegerPool& pool, const Polynomial& p, const SturmSequence& sturm, Root* roots)
+      : pool_(pool), p_(p), sturm_(sturm), roots_(roots), rounded_(p) {}
+
+  int find() {
+    const Dyadic start;
+    if (p_.c[0].sign() == 0) add_exact(start, 0);
+    double ends[4] = {0};
+    int count = 1;
+    if (p_.degree > 1) count = turning_points(ends);
+    ends[count++] = 1;
+    int before = sturm_.variations(start);
+    const int last = sturm_.variations(dyadic_of(pool_, 1));
+    for (int i = 1; i < count && before != last; ++i) {
+      const int after = i + 1 == count ? last : sturm_.variations(dyadic_of(pool_, ends[i]));
+      isolate(ends[i - 1], ends[i], before, after);
+      before = after;
+    }
+    return found_;
+  }
+
+ private:
+  // Appends where p' is about 0 inside of (0,1), ascending: what best parts the roots of p.
+  int turning_points(double (&ends)[4]) const noexcept {
+    int count = 1;
+    double turns[2];
+    int number = 1;
+    if (p_.degree == 2) {
+      turns[0] = -rounded_.c[1] / (2 * rounded_.c[2]);
+    } else {
+      const double a = 3 * rounded_.c[3], b = rounded_.c[2], c = rounded_.c[1];
+      const double square = b * b - a * c;
+      const double q = -(b + std::copysign(std::sqrt(square > 0 ? square : 0), b));
+      turns[0] = q / a;
+      turns[1] = c / q;
+      if (turns[1] < turns[0]) std::swap(turns[0], turns[1]);
+      number = 2;
+    }
+    for (int i = 0; i < number; ++i) {
+      if (turns[i] > ends[count - 1] && turns[i] < 1) ends[count++] = turns[i];
+    }
+    return count;
+  }
+
+  // Roots with low < root <= high.
+  void isolate(double low, double high, int before, int after) {
+    if (before == after) return;
+    if (before - after == 1) return refine(low, high);
+    const std::uint64_t a = bits_of(low), b = bits_of(high);
+    if (b - a == 1) return isolate_within(low, dyadic_of(pool_, low), dyadic_of(pool_, high), before, after, high);
+    const double middle = of_bits(a + (b - a) / 2);
+    const int between = sturm_.variations(dyadic_of(pool_, middle));
+    isolate(low, middle, before, between);
+    isolate(middle, high, between, after);
+  }
+
+  // The same between a double and the next one.
+  void isolate_within(double floor, const Dyadic& low, const Dyadic& high, int before, int after, double next) {
+    if (before == after) return;
+    if (before - after == 1) {
+      if (sign_at(p_, high) == 0) return add_exact(high, compare(high, dyadic_of(pool_, next)) == 0 ? next : floor);
+      return add(low, high, floor);
+    }
+    const Dyadic middle = half_way(low, high);
+    const int between = sturm_.variations(middle);
+    isolate_within(floor, low, middle, before, between, next);
+    isolate_within(floor, middle, high, between, after, next);
+  }
+
+  static Dyadic half_way(const Dyadic& a, const Dyadic& b) {
+    const int shift = a.shift > b.shift ? a.shift : b.shift;
+    return {shifted(a.numerator, shift - a.shift) + shifted(b.numerator, shift - b.shift), shift + 1};
+  }
+
+  // The root with low < root <= high, between two neighbouring doubles.
+  void refine(double low, double high) {
+    const int sign_low = sign_after(pool_, p_, dyadic_of(pool_, low));
+    std::uint64_t a = bits_of(low), b = bits_of(high);
+    if (sign_of(high) == 0) return add_exact(dyadic_of(pool_, high), high);
+    std::uint64_t at = bits_of(guess_root(rounded_, low, high, sign_low < 0));
+    for (std::uint64_t step = 1; b - a > 1; step *= 2) {
+      if (at <= a || at >= b) at = a + (b - a) / 2;
+      const int sign = sign_of(of_bits(at));
+      if (sign == 0) return add_exact(dyadic_of(pool_, of_bits(at)), of_bits(at));
+      if (sign == sign_low) {
+        a = at;
+        at += step;
+      } else {
+        b = at;
+        at -= step < at ? step : at;
+      }
+    }
+    add(dyadic_of(pool_, of_bits(a)), dyadic_of(pool_, of_bits(b)), of_bits(a));
+  }
+
+  int sign_of(double t) const {
+    const IntegerPool::Scope scope(pool_);
+    return sign_at(p_, dyadic_of(pool_, t));
+  }
+
+  void add_exact(const Dyadic& at, double floor) {
+    add(at, at, floor);
+    roots_[found_ - 1].is_low = true;
+  }
+  void add(const Dyadic& low, const Dyadic& high, double floor) {
+    Root& root = roots_[found_++];
+    root.of = p_;
+    root.is_low = false;
+    root.low = low;
+    root.high = high;
+    root.floor = floor;
+  }
+
+  IntegerPool& pool_;
+  const Polynomial& p_;
+  const SturmSequence& sturm_;
+  Root* roots_;
+  Rounded rounded_;
+  int found_ = 0;
+};
+
+IntegerPool& pool_of(const Polynomial& p) noexcept { return *p.c[p.degree].pool; }
+
+// Sign of root - x.
+int compare(const Root& root, const Dyadic& x) {
+  if (root.is_low || compare(x, root.low) <= 0) return root.is_low ? compare(root.low, x) : 1;
+  if (compare(x, root.high) >= 0) return -1;
+  const int sign = sign_at(root.of, x);
+  return sign == 0 ? 0 : sign == sign_after(pool_of(root.of), root.of, root.low) ? 1 : -1;
+}
+
+}  // namespace
+
+Polynomial operator+(const Polynomial& a, const Polynomial& b) {
+  Polynomial r;
+  r.degree = a.degree > b.degree ? a.degree : b.degree;
+  for (int i = 0; i <= r.degree; ++i) r.c[i] = i > a.degree ? b.c[i] : i > b.degree ? a.c[i] : a.c[i] + b.c[i];
+  r.trim();
+  return r;
+}
+
+Polynomial operator-(const Polynomial& a, const Polynomial& b) {
+  Polynomial negative = b;
+  for (int i = 0; i <= b.degree; ++i) negative.c[i] = -b.c[i];
+  return a + negative;
+}
+
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  Polynomial r;
+  if (a.degree < 0 || b.degree < 0) return r;
+  r.degree = a.degree + b.degree;
+  for (int i = 0; i <= a.degree; ++i) {
+    for (int j = 0; j <= b.degree; ++j) r.c[i + j] = r.c[i + j] + a.c[i] * b.c[j];
+  }
+  return r;
+}
+
+int find_roots(IntegerPool& pool, const Polynomial& p, Root (&roots)[3]) {
+  if (p.degree == 0) return 0;
+  const SturmSequence sturm(p, derivative(pool, p));
+  if (sturm.last().degree == 0) return RootFinder(pool, p, sturm, roots).find();
+  const Polynomial simple = quotient(p, sturm.last());
+  return RootFinder(pool, simple, SturmSequence(simple, derivative(pool, simple)), roots).find();
+}
+
+Root root_at_start() {
+  Root root;
+  root.is_low = true;
+  return root;
+}
+
+int sign_at(const Polynomial& p, const Root& root) {
+  if (p.degree <= 0) return p.degree < 0 ? 0 : p.c[0].sign();
+  if (root.is_low) return sign_at(p, root.low);
+  const int sure = Rounded(p).sure_sign(root.floor);
+  if (sure != 0) return sure;
+  IntegerPool& pool = pool_of(root.of);
+  const IntegerPool::Scope scope(pool);
+  // Zero, if the common factor changes its sign between low and high.
+  const Polynomial common = SturmSequence(root.of, p).last();
+  if (common.degree > 0 && sign_after(pool, common, root.low) != sign_at(common, root.high)) return 0;
+  // Tarski: the signs of p at the roots of `of` after low and up to high, added up.
+  const SturmSequence signs(root.of, derivative(pool, root.of) * p);
+  return signs.variations_after(pool, root.low) - signs.variations(root.high);
+}
+
+int compare(const Root& a, const Root& b) {
+  if (a.floor != b.floor) return a.floor < b.floor ? -1 : 1;
+  if (b.is_low) return compare(a, b.low);
+  if (a.is_low) return -compare(b, a.low);
+  IntegerPool& pool = pool_of(b.of);
+  const IntegerPool::Scope scope(pool);
+  if (compare(a, b.low) <= 0) return -1;
+  if (compare(a, b.high) >= 0) return 1;
+  const int sign = sign_at(b.of, a);
+  return sign == 0 ? 0 : sign == sign_after(pool, b.of, b.low) ? -1 : 1;
+}
+
+}  // namespace dsw
