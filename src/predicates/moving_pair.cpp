@@ -1,16 +1,29 @@
 #include "predicates/moving_pair.h"
 
 #include "predicates/moving_pair_exact.h"
+#include "predicates/moving_pair_filter.h"
 
 namespace dsw {
 
+namespace {
+
 template <int D>
-FirstTouch first_touch(const MovingPair<D>& pair) {
+DSW_COLD FirstTouch first_touch_by_integers(const MovingPair<D>& pair) {
   IntegerPool pool;
   ExactPair<D> exact(pool, pair);
   Root first;
   if (!exact.find_first(&first)) return {false, 0};
   return {true, first.floor};
+}
+
+}  // namespace
+
+template <int D>
+FirstTouch first_touch(const MovingPair<D>& pair) {
+  double time = 0;
+  const Filtered answer = filter_first_touch(pair, &time);
+  if (answer == Filtered::kUnknown) return first_touch_by_integers(pair);
+  return answer == Filtered::kApart ? FirstTouch{false, 0} : FirstTouch{true, time};
 }
 
 template <int D>

@@ -1,0 +1,31 @@
+// The first touch of a moving pair by doubles, where their errors leave one answer. Private to this folder.
+//
+// The volume of the points is a polynomial in time, and so are the areas that say whether points in one plane touch
+// (moving_pair_exact.h). All are kept by their coefficients in the basis of Bernstein: the values lie between the least
+// and the greatest coefficient. Time is halved until each piece is decided: the volume keeps its sign, or the areas say
+// that the pair is apart, or the volume has one root. This root is refined.
+//
+// Errors. Let u = 2^-53 and let m_k be the largest component k of the rounded differences, M = mx my mz.
+//   - A determinant of three differences errs by 50u M (filter_bounds.h), the mean of three by 66u M. It is at most 6 M.
+//     A mean of two coefficients adds 6u M. Halving takes three of them in a row, so 24 halvings add 432u M: below 512u M.
+//   - An area of two differences errs by 10u mi mj, the mean of two by 12u, the sum of three such by 46u. It is at most
+//     6 mi mj. Halving adds 12u mi mj, so 24 halvings add 288u mi mj: below 512u mi mj. At the root: below 150u mi mj,
+//     also up to the next double.
+//   - In the plane the area has the role of the volume and a difference the role of an area. The bounds are lower there.
+//   - The volume at one time, by double-double: a difference errs by 24u^2 m_k, a product of two of them by 56u^2, a minor
+//     by 120u^2, the determinant by 600u^2 M. From there to four doubles further, the slope errs by 2^-44 M, which counts
+//     2^-95 M, and the curvature counts 2^-96 M. Together below 2^-92 M.
+// With m_k in [2^-140, 2^160] nothing over- or underflows that counts.
+#pragma once
+
+#include "predicates/moving_pair.h"
+
+namespace dsw {
+
+enum class Filtered { kApart, kTouches, kUnknown };
+
+// For kTouches, *time is that of FirstTouch.
+template <int D>
+Filtered filter_first_touch(const MovingPair<D>& pair, double* time) noexcept;
+
+}  // namespace dsw
