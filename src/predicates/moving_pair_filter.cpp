@@ -258,19 +258,24 @@ class Filter {
 
   bool find_root(const Piece<D>& piece, double* floor) const noexcept {
     const bool rising = piece.volume.c[0] < 0;
-    const double guess = guess_root(piece, rising);
-    const double step = next(guess) - guess;
-    const dd::Number value = volume_at(guess);
-    const double here = rising ? value.high + value.low : -(value.high + value.low);
-    const double slope = rising ? slope_at(guess) : -slope_at(guess);
-    // The volume rises with this slope; the root is where it has made up for `here`.
-    const double whole_steps = std::floor(-here / (slope * step));
-    if (!(std::fabs(whole_steps) <= 3)) return false;
-    const double offset = whole_steps * step, error = kRootError * product_;
-    *floor = guess + offset;
-    // Doubles below and above the guess have the same step, unless there is a power of two between them.
-    if (!(*floor >= 0 && *floor < 1 && next(*floor) - *floor == step && *floor - guess == offset)) return false;
-    return here + slope * offset < -error && here + slope * (offset + step) > error;
+    const double error = kRootError * product_;
+    double guess = guess_root(piece, rising);
+    for (int tries = 0; tries < 3; ++tries) {
+      const double step = next(guess) - guess;
+      const dd::Number value = volume_at(guess);
+      // The volume rises with this slope; the root is where it has made up for `here`.
+      const double here = rising ? value.high + value.low : -(value.high + value.low);
+      const double slope = rising ? slope_at(guess) : -slope_at(guess);
+      const double steps = std::floor(-here / (slope * step)), to = guess + steps * step;
+      if (!(to >= piece.low && to < piece.high)) return false;
+      // Doubles below and above the guess have the same step, unless there is a power of two between them.
+      if (std::fabs(steps) <= 3 && to - guess == steps * step && next(to) - to == step) {
+        *floor = to;
+        return here + slope * (to - guess) < -error && here + slope * (to + step - guess) > error;
+      }
+      guess = to;
+    }
+    return false;
   }
 
   static double next(double x) noexcept {

@@ -71,13 +71,18 @@ Polynomial quotient(Polynomial a, const Polynomial& b) {
   return r;
 }
 
+// p(x) * 2^(degree * shift).
+Integer value_at(const Polynomial& p, const Dyadic& x) {
+  Integer sum = p.c[p.degree];
+  for (int i = p.degree - 1; i >= 0; --i) sum = sum * x.numerator + shifted(p.c[i], x.shift * (p.degree - i));
+  return sum;
+}
+
 int sign_at(const Polynomial& p, const Dyadic& x) {
   if (p.degree < 0) return 0;
   if (x.numerator.sign() == 0) return p.c[0].sign();
   const IntegerPool::Scope scope(*x.numerator.pool);
-  Integer sum = p.c[p.degree];
-  for (int i = p.degree - 1; i >= 0; --i) sum = sum * x.numerator + shifted(p.c[i], x.shift * (p.degree - i));
-  return sum.sign();
+  return value_at(p, x).sign();
 }
 
 // Sign of p a little after x.
@@ -90,6 +95,22 @@ int sign_after(IntegerPool& pool, const Polynomial& p, const Dyadic& x) {
     sign = sign_at(q, x);
   }
   return sign;
+}
+
+// The sign of p between two times in [0,1], if p's slope is too small to change it; else 0.
+int clear_sign(IntegerPool& pool, const Polynomial& p, const Dyadic& low, const Dyadic& high) {
+  Integer slope;
+  for (int i = 1; i <= p.degree; ++i) {
+    Integer part = p.c[i] * integer_of(pool, static_cast<std::uint64_t>(i));
+    part.negative = false;
+    slope = slope + part;
+  }
+  Integer value = value_at(p, low);
+  const int sign = value.sign();
+  value.negative = false;
+  const int shift = low.shift > high.shift ? low.shift : high.shift;
+  const Integer width = shifted(high.numerator, shift - high.shift) - shifted(low.numerator, shift - low.shift);
+  return (shifted(value, shift) - shifted(slope * width, low.shift * p.degree)).sign() > 0 ? sign : 0;
 }
 
 // A sequence of Sturm: each member is a negative multiple of the remainder of the two before, down to the last that is not 0.
@@ -371,6 +392,8 @@ int sign_at(const Polynomial& p, const Root& root) {
   if (sure != 0) return sure;
   IntegerPool& pool = pool_of(root.of);
   const IntegerPool::Scope scope(pool);
+  const int clear = clear_sign(pool, p, root.low, root.high);
+  if (clear != 0) return clear;
   // Zero, if the common factor changes its sign between low and high.
   const Polynomial common = SturmSequence(root.of, p).last();
   if (common.degree > 0 && sign_after(pool, common, root.low) != sign_at(common, root.high)) return 0;
