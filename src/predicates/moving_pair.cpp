@@ -16,6 +16,12 @@ DSW_COLD FirstTouch first_touch_by_integers(const MovingPair<D>& pair) {
   return {true, first.floor};
 }
 
+template <int D>
+DSW_COLD int kept_side_by_integers(const MovingPair<D>& points) {
+  IntegerPool pool;
+  return ExactPair<D>(pool, points).kept_side();
+}
+
 }  // namespace
 
 template <int D>
@@ -35,9 +41,18 @@ int compare_first_touches(const MovingPair<D>& a, const MovingPair<D>& b) {
   return compare(first[0], first[1]);
 }
 
+template <int D>
+int kept_side(const MovingPair<D>& points) {
+  bool is_sure = false;
+  const int side = filter_kept_side(points, &is_sure);
+  return is_sure ? side : kept_side_by_integers(points);
+}
+
 template FirstTouch first_touch(const MovingPair<2>&);
 template FirstTouch first_touch(const MovingPair<3>&);
 template int compare_first_touches(const MovingPair<2>&, const MovingPair<2>&);
 template int compare_first_touches(const MovingPair<3>&, const MovingPair<3>&);
+template int kept_side(const MovingPair<2>&);
+template int kept_side(const MovingPair<3>&);
 
 }  // namespace dsw

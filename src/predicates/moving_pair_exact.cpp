@@ -156,6 +156,14 @@ bool ExactPair<D>::find_first(Root* first) {
   return f.degree >= 0 ? find_first_root(f, first) : find_first_change(first);
 }
 
+template <int D>
+int ExactPair<D>::kept_side() {
+  const Polynomial f = volume();
+  Root roots[3];
+  if (f.degree < 0 || find_roots(pool_, f, roots) != 0) return 0;
+  return sign_at(f, root_at_start());
+}
+
 template class ExactPair<2>;
 template class ExactPair<3>;
 

@@ -22,6 +22,9 @@ class ExactPair {
   // Whether the pair touches; first is then the first time.
   bool find_first(Root* first);
 
+  // See kept_side.
+  int kept_side();
+
  private:
   static constexpr int kViews = D == 3 ? 3 : 1;  // axes along which areas are seen
   static constexpr int kTriangles = D == 3 ? 4 : 1;

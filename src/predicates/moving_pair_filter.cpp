@@ -116,6 +116,16 @@ class Filter {
     return false;
   }
 
+  int kept_side(bool* is_sure) noexcept {
+    *is_sure = find_volume();
+    if (!*is_sure) return 0;
+    const int side = whole_.volume.sign(volume_error_);
+    const double first = whole_.volume.c[0], last = whole_.volume.c[D];
+    *is_sure =
+        side != 0 || (std::fabs(first) > volume_error_ && std::fabs(last) > volume_error_ && (first > 0) != (last > 0));
+    return side;
+  }
+
   Filtered first_touch(double* time) noexcept {
     if (!find_volume()) return Filtered::kUnknown;
     if (whole_.volume.sign(volume_error_) != 0) return Filtered::kApart;
@@ -360,6 +370,13 @@ Filtered filter_first_touch(const MovingPair<D>& pair, double* time) noexcept {
   return filter.first_touch(time);
 }
 
+template <int D>
+int filter_kept_side(const MovingPair<D>& points, bool* is_sure) noexcept {
+  return Filter<D>(points).kept_side(is_sure);
+}
+
+template int filter_kept_side(const MovingPair<2>&, bool*) noexcept;
+template int filter_kept_side(const MovingPair<3>&, bool*) noexcept;
 template Filtered filter_first_touch(const MovingPair<2>&, double*) noexcept;
 template Filtered filter_first_touch(const MovingPair<3>&, double*) noexcept;
 

@@ -28,4 +28,8 @@ enum class Filtered { kApart, kTouches, kUnknown };
 template <int D>
 Filtered filter_first_touch(const MovingPair<D>& pair, double* time) noexcept;
 
+// As kept_side, or 0 if the errors leave it open; *is_sure tells whether a 0 is one.
+template <int D>
+int filter_kept_side(const MovingPair<D>& points, bool* is_sure) noexcept;
+
 }  // namespace dsw
