@@ -1,0 +1,213 @@
+// First times of moving pairs against moving_pair_truth.h. With DSW_PREDICATE_CASES=7000000 about a million times are
+// compared.
+
+#include "predicates/moving_pair.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <initializer_list>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "moving_pair_cases.h"
+#include "moving_pair_truth.h"
+
+namespace dsw {
+namespace {
+
+struct Asked {
+  PairKind kind;
+  MovingFamily family;
+};
+// GoogleTest prints it.
+void PrintTo(const Asked& asked, std::ostream* to) { *to << name_of(asked.family); }
+
+std::vector<Asked> all_families(std::initializer_list<PairKind> kinds) {
+  std::vector<Asked> r;
+  for (const PairKind kind : kinds) {
+    for (int i = 0; i < static_cast<int>(MovingFamily::kCount); ++i) r.push_back({kind, static_cast<MovingFamily>(i)});
+  }
+  return r;
+}
+std::string name_of_test(const testing::TestParamInfo<Asked>& info) {
+  const PairKind kind = info.param.kind;
+  return std::string(kind == PairKind::kVertexFace ? "VertexFace"
+                     : kind == PairKind::kEdgeEdge ? "EdgeEdge"
+                                                   : "VertexEdge") +
+         name_of(info.param.family);
+}
+
+std::string text_of(const FirstTouch& touch) {
+  char number[40];
+  std::snprintf(number, sizeof number, "%a", touch.time);
+  return touch.touches ? number : "never";
+}
+
+/** How many answers are wrong, and in which way. */
+struct Differences {
+  std::uint64_t cases = 0, touches = 0, missed = 0, made_up = 0, early = 0, late = 0;
+  std::string first;
+
+  void add(const FirstTouch& found, const FirstTouch& truth, const std::string& text) {
+    ++cases;
+    touches += truth.touches ? 1 : 0;
+    if (found.touches == truth.touches && found.time == truth.time) return;
+    if (first.empty()) first = text + " found " + text_of(found) + " truth " + text_of(truth);
+    if (found.touches != truth.touches) {
+      ++(truth.touches ? missed : made_up);
+    } else {
+      ++(found.time < truth.time ? early : late);
+    }
+  }
+  void expect_none() const {
+    EXPECT_TRUE(missed == 0 && made_up == 0 && early == 0 && late == 0)
+        << "of " << cases << ": missed " << missed << ", made up " << made_up << ", early " << early << ", late "
+        << late << "; " << first;
+    EXPECT_GT(touches, cases / 64);
+  }
+};
+
+bool is_made_to_touch(MovingFamily family) {
+  return family == MovingFamily::kTouchAtStart || family == MovingFamily::kTouchAtEnd ||
+         family == MovingFamily::kTouchBetween;
+}
+
+template <int D>
+MovingCase<D> drawn(Random& random, Asked asked) {
+  MovingCase<D> r;
+  draw(random, asked.family, asked.kind, r);
+  return r;
+}
+
+template <int D>
+class MovingPairTest : public testing::TestWithParam<Asked> {
+ protected:
+  MovingCase<D> next() { return drawn<D>(random_, GetParam()); }
+  MovingCase<D> next_that_touches() {
+    MovingCase<D> r = next();
+    for (int more = 1000; more > 0 && !first_touch(r.pair()).touches; --more) r = next();
+    return r;
+  }
+
+  void times_are_true() {
+    Differences differences;
+    for (std::uint64_t i = 0; i < cases_; ++i) {
+      const MovingCase<D> c = next();
+      differences.add(first_touch(c.pair()), true_first_touch(c.pair()), c.text());
+    }
+    differences.expect_none();
+    if (is_made_to_touch(GetParam().family)) {
+      EXPECT_EQ(differences.touches, differences.cases);
+    }
+  }
+
+  void names_do_not_matter() {
+    Differences differences;
+    for (std::uint64_t i = 0; i < cases_; ++i) {
+      const MovingCase<D> c = next();
+      MovingCase<D> other = c;
+      rename(random_, other);
+      const FirstTouch touch = first_touch(c.pair());
+      differences.add(first_touch(other.pair()), touch, c.text() + " renamed " + other.text());
+      if (touch.touches) {
+        ASSERT_EQ(compare_first_touches(c.pair(), other.pair()), 0) << c.text() << other.text();
+      }
+    }
+    differences.expect_none();
+  }
+
+  /** Of pairs that have much in common, so that many first times are equal or nearly so. */
+  void comparisons_are_true() {
+    for (std::uint64_t i = 0; i < cases_; ++i) {
+      const MovingCase<D> a = next_that_touches();
+      MovingCase<D> b = a;
+      if (random_.below(4) == 0) b = next_that_touches();
+      rename(random_, b);
+      if (random_.below(2) == 0) shear(random_, b);
+      if (random_.below(2) == 0) nudge(random_, b);
+      if (!first_touch(b.pair()).touches) continue;
+      const int truth = true_compare(a.pair(), b.pair());
+      ASSERT_EQ(compare_first_touches(a.pair(), b.pair()), truth) << a.text() << b.text();
+      ASSERT_EQ(compare_first_touches(b.pair(), a.pair()), -truth) << a.text() << b.text();
+    }
+  }
+
+  const std::uint64_t cases_ = case_count() / 400;
+  Random random_{static_cast<std::uint64_t>(GetParam().family) * 8 + static_cast<std::uint64_t>(GetParam().kind)};
+};
+
+class SpaceMovingPairTest : public MovingPairTest<3> {};
+INSTANTIATE_TEST_SUITE_P(All, SpaceMovingPairTest,
+                         testing::ValuesIn(all_families({PairKind::kVertexFace, PairKind::kEdgeEdge})), name_of_test);
+TEST_P(SpaceMovingPairTest, TimesAreTrue) { times_are_true(); }
+TEST_P(SpaceMovingPairTest, NamesDoNotMatter) { names_do_not_matter(); }
+TEST_P(SpaceMovingPairTest, ComparisonsAreTrue) { comparisons_are_true(); }
+
+class PlaneMovingPairTest : public MovingPairTest<2> {};
+INSTANTIATE_TEST_SUITE_P(All, PlaneMovingPairTest, testing::ValuesIn(all_families({PairKind::kVertexEdge})),
+                         name_of_test);
+TEST_P(PlaneMovingPairTest, TimesAreTrue) { times_are_true(); }
+TEST_P(PlaneMovingPairTest, NamesDoNotMatter) { names_do_not_matter(); }
+TEST_P(PlaneMovingPairTest, ComparisonsAreTrue) { comparisons_are_true(); }
+
+/** Times that follow from how a pair is made; the truth has to know them, too. */
+template <int D>
+void expect_time(const MovingCase<D>& c, bool touches, double time) {
+  for (const FirstTouch& each : {first_touch(c.pair()), true_first_touch(c.pair())}) {
+    EXPECT_EQ(each.touches, touches) << c.text();
+    EXPECT_EQ(each.time, time) << c.text();
+  }
+}
+
+TEST(MovingPairTest, AVertexFallsOnATriangle) {
+  const MovingCase<3> falls{PairKind::kVertexFace,
+                            {{{1, 1, 1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}},
+                            {{{1, 1, -3}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}};
+  expect_time(falls, true, 0.25);
+  MovingCase<3> beside = falls;
+  beside.start[0] = beside.end[0] = {3, 1, 1};
+  beside.end[0][2] = -2;
+  expect_time(beside, true, 1.0 / 3);  // rounded down
+  beside.start[0][0] = beside.end[0][0] = std::nextafter(3.0, 4);
+  expect_time(beside, false, 0);
+}
+
+TEST(MovingPairTest, ATimeIsTheDoubleBelowTheRootOfAHalf) {
+  // The area is a multiple of 1 - 2 t^2.
+  const MovingCase<2> turns{PairKind::kVertexEdge, {{{0, -1}, {0, 0}, {4, 0}}}, {{{2, -1}, {0, 0}, {4, -4}}}};
+  expect_time(turns, true, std::nextafter(std::sqrt(0.5), 0));
+}
+
+TEST(MovingPairTest, EdgesGrazeInTheMiddle) {
+  // The volume is a multiple of (1 - 2 t)^2.
+  MovingCase<3> grazes{PairKind::kEdgeEdge,
+                       {{{0, 0, 0}, {4, 4, 0}, {2, 1, -1}, {2, 1, 1}}},
+                       {{{0, 0, 0}, {4, -4, 0}, {0, -1, -1}, {0, -1, 1}}}};
+  expect_time(grazes, true, 0.5);
+  grazes.start[1][1] = std::nextafter(4.0, 5);
+  expect_time(grazes, false, 0);
+}
+
+TEST(MovingPairTest, WhatLiesInOneLineTouches) {
+  const MovingCase<3> edges{PairKind::kEdgeEdge,
+                            {{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {4, 0, 0}}},
+                            {{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 0}}}};
+  expect_time(edges, true, 0.5);
+  const MovingCase<3> flat{PairKind::kVertexFace,
+                           {{{5, 0, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}}},
+                           {{{1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}}}};
+  expect_time(flat, true, 0.75);
+}
+
+TEST(MovingPairTest, PointsMeetAtTheEnd) {
+  const MovingCase<3> points{PairKind::kEdgeEdge,
+                             {{{0, 0, 0}, {0, 0, 0}, {1, 2, 3}, {1, 2, 3}}},
+                             {{{5, 5, 5}, {5, 5, 5}, {5, 5, 5}, {5, 5, 5}}}};
+  expect_time(points, true, 1);
+}
+
+}  // namespace
+}  // namespace dsw
