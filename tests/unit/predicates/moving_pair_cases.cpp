@@ -89,8 +89,16 @@ Fraction some_fraction(Random& random) {
 }
 /** Their difference is 1 / (n n'). */
 std::pair<Fraction, Fraction> close_fractions(Random& random) {
+  const int bits = random.between(4, 30);
+  const std::int64_t most = std::int64_t{1} << bits;
+  if (random.below(3) == 0) {  // one of them is a double
+    const std::int64_t m = 2 * (static_cast<std::int64_t>(random.next() >> 34) % (most / 2)) + 1;
+    std::int64_t inverse = 1;  // of m modulo 2^bits, by Newton's rule
+    for (int right = 1; right < bits; right *= 2) inverse = inverse * ((2 - m * inverse) % most) % most;
+    const std::int64_t n = random.below(2) == 0 ? (most + inverse) % most : (most - inverse) % most;
+    return {{m, most}, {(m * n + most / 2) / most, n}};
+  }
   std::pair<Fraction, Fraction> r{{0, 1}, {1, 1}};
-  const std::int64_t most = std::int64_t{1} << random.between(4, 33);
   while (r.first.n + r.second.n < most) {
     const Fraction between{r.first.m + r.second.m, r.first.n + r.second.n};
     (random.below(2) == 0 ? r.first : r.second) = between;
@@ -209,6 +217,20 @@ void make_close_zeros(Random& random, MovingCase<D>& c) {
   make_product<D>(random, zeros, c);
 }
 
+template <int D>
+void make_zero_that_is_double(Random& random, MovingCase<D>& c) {
+  const auto digits = [&] { return std::floor(std::ldexp(random.uniform(), random.between(4, 40))); };
+  Pencil<D> p{};
+  for (size_t i = 0; i < D; ++i) {
+    for (size_t j = 0; j < i; ++j) p[i][j] = {digits(), digits()};
+    p[i][i] = {digits(), digits()};
+  }
+  const int n = 1 << random.between(1, 30);
+  const size_t row = index_below(random, D);
+  p[row][row] = with_zero(random, {random.between(0, n), n});
+  put_on_pencil<D>(random, p, c);
+}
+
 /** They touch at a time m/n. */
 template <int D>
 void make_touching(Random& random, Fraction time, MovingCase<D>& c) {
@@ -325,10 +347,11 @@ std::string MovingCase<D>::text() const {
 }
 
 const char* name_of(MovingFamily family) {
-  constexpr const char* kNames[] = {
-      "Uniform",  "Lattice",       "OnePlane",   "OneLine",      "OneAxisPlane", "Standing",     "Equal",
-      "Singular", "MultipleZeros", "CloseZeros", "TouchAtStart", "TouchAtEnd",   "TouchBetween", "NearMiss",
-      "Rounded",  "Huge",          "Tiny",       "PerAxis",      "Spread",       "Offset",       "PointSet"};
+  constexpr const char* kNames[] = {"Uniform",      "Lattice",      "OnePlane",   "OneLine",       "OneAxisPlane",
+                                    "Standing",     "Equal",        "Singular",   "MultipleZeros", "CloseZeros",
+                                    "ZeroIsDouble", "TouchAtStart", "TouchAtEnd", "TouchBetween",  "NearMiss",
+                                    "Rounded",      "Huge",         "Tiny",       "PerAxis",       "Spread",
+                                    "Offset",       "PointSet"};
   static_assert(std::size(kNames) == static_cast<size_t>(MovingFamily::kCount), "a name for each");
   return kNames[static_cast<size_t>(family)];
 }
@@ -389,6 +412,9 @@ void draw(Random& random, MovingFamily family, PairKind kind, MovingCase<D>& c) 
       break;
     case MovingFamily::kCloseZeros:
       make_close_zeros(random, c);
+      break;
+    case MovingFamily::kZeroIsDouble:
+      make_zero_that_is_double(random, c);
       break;
     case MovingFamily::kTouchAtStart:
       make_touching(random, {0, 1}, c);

@@ -31,6 +31,7 @@ enum class MovingFamily {
   kSingular,       // in one plane at all times, though the plane may turn; or without extent at all times
   kMultipleZeros,  // the volume is a product of linear functions, of which some have one zero
   kCloseZeros,     // the same with zeros within one double
+  kZeroIsDouble,   // the same with a zero that is a double, and coordinates of many digits
   kTouchAtStart,
   kTouchAtEnd,
   kTouchBetween,  // at a time m/n, in the inside, on an edge or at a corner

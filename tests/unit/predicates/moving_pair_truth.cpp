@@ -61,7 +61,7 @@ Form first_half(Form f) {
   for (size_t k = n; k > 0; --k) {
     for (size_t i = 1; i <= k; ++i) f[i] += f[i - 1];
   }
-  for (size_t i = 0; i <= n; ++i) f[i] <<= n - i;
+  for (size_t i = 0; i <= n; ++i) f[i] <<= static_cast<unsigned long>(n - i);
   return f;
 }
 Form second_half(Form f) {
