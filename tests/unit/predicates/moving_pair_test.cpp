@@ -107,6 +107,13 @@ class MovingPairTest : public testing::TestWithParam<Asked> {
     }
   }
 
+  void sides_are_true() {
+    for (std::uint64_t i = 0; i < cases_; ++i) {
+      const MovingCase<D> c = next();
+      ASSERT_EQ(kept_side(c.pair()), true_kept_side(c.pair())) << c.text();
+    }
+  }
+
   void names_do_not_matter() {
     Differences differences;
     for (std::uint64_t i = 0; i < cases_; ++i) {
@@ -146,6 +153,7 @@ class SpaceMovingPairTest : public MovingPairTest<3> {};
 INSTANTIATE_TEST_SUITE_P(All, SpaceMovingPairTest,
                          testing::ValuesIn(all_families({PairKind::kVertexFace, PairKind::kEdgeEdge})), name_of_test);
 TEST_P(SpaceMovingPairTest, TimesAreTrue) { times_are_true(); }
+TEST_P(SpaceMovingPairTest, SidesAreTrue) { sides_are_true(); }
 TEST_P(SpaceMovingPairTest, NamesDoNotMatter) { names_do_not_matter(); }
 TEST_P(SpaceMovingPairTest, ComparisonsAreTrue) { comparisons_are_true(); }
 
@@ -153,6 +161,7 @@ class PlaneMovingPairTest : public MovingPairTest<2> {};
 INSTANTIATE_TEST_SUITE_P(All, PlaneMovingPairTest, testing::ValuesIn(all_families({PairKind::kVertexEdge})),
                          name_of_test);
 TEST_P(PlaneMovingPairTest, TimesAreTrue) { times_are_true(); }
+TEST_P(PlaneMovingPairTest, SidesAreTrue) { sides_are_true(); }
 TEST_P(PlaneMovingPairTest, NamesDoNotMatter) { names_do_not_matter(); }
 TEST_P(PlaneMovingPairTest, ComparisonsAreTrue) { comparisons_are_true(); }
 

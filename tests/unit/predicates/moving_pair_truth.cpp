@@ -386,9 +386,19 @@ int true_compare(const MovingPair<D>& a, const MovingPair<D>& b) {
   return compare(first_time(a).value(), first_time(b).value());
 }
 
+template <int D>
+int true_kept_side(const MovingPair<D>& points) {
+  const std::vector<Vector> x = moving_points(points);
+  const Vector turn = cross(x[1] - x[0], x[2] - x[0]);
+  const Form side = D == 3 ? dot(turn, x[D] - x[0]) : turn[2];
+  return sgn(side[0]) == 0 || !zeros_of(side).empty() ? 0 : sgn(side[0]);
+}
+
 template FirstTouch true_first_touch<2>(const MovingPair<2>&);
 template FirstTouch true_first_touch<3>(const MovingPair<3>&);
 template int true_compare<2>(const MovingPair<2>&, const MovingPair<2>&);
 template int true_compare<3>(const MovingPair<3>&, const MovingPair<3>&);
+template int true_kept_side<2>(const MovingPair<2>&);
+template int true_kept_side<3>(const MovingPair<3>&);
 
 }  // namespace dsw

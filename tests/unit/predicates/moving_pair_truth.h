@@ -14,4 +14,8 @@ FirstTouch true_first_touch(const MovingPair<D>& pair);
 template <int D>
 int true_compare(const MovingPair<D>& a, const MovingPair<D>& b);
 
+// What kept_side must return.
+template <int D>
+int true_kept_side(const MovingPair<D>& points);
+
 }  // namespace dsw
