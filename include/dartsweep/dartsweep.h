@@ -19,6 +19,7 @@
 #include "dartsweep/marking.h"
 #include "dartsweep/move.h"
 #include "dartsweep/near.h"
+#include "dartsweep/pairs.h"
 #include "dartsweep/particle.h"
 #include "dartsweep/query.h"
 #include "dartsweep/record.h"

@@ -1,0 +1,16 @@
+#pragma once
+// Pairs of moving features in batches: when each first touches, and in which order. Arguments have been checked.
+
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "base/points.h"
+#include "dartsweep/pairs.h"
+
+namespace dsw {
+
+/** Pairs with D + 1 points each. Throws std::bad_alloc. */
+template <int D>
+void sweep_pairs(const Memory* memory, const Parallel& parallel, size_t count, const uint8_t* kinds, PointArray from,
+                 PointArray to, bool with_ranks, dsw_pair_touch* touches);
+
+}  // namespace dsw
