@@ -381,6 +381,11 @@ AT(dsw_near_row, key, 200);
 AT(dsw_near_row, previous, 216);
 AT(dsw_near_row, reserved, 220);
 
+SIZE(dsw_pair_touch, 16);
+AT(dsw_pair_touch, time, 0);
+AT(dsw_pair_touch, touches, 8);
+AT(dsw_pair_touch, rank, 12);
+
 SIZE(dsw_move_report, 40);
 AT(dsw_move_report, fraction, 0);
 AT(dsw_move_report, vertices_moved, 8);

@@ -34,6 +34,7 @@
 %include "dartsweep/body.h"
 %include "dartsweep/move.h"
 %include "dartsweep/near.h"
+%include "dartsweep/pairs.h"
 %include "dartsweep/deform.h"
 %include "dartsweep/detach.h"
 %include "dartsweep/snapshot.h"
@@ -46,4 +47,5 @@
 %include "dartsweep/cpp/environment.hpp"
 %include "dartsweep/cpp/scene.hpp"
 %include "dartsweep/cpp/body.hpp"
+%include "dartsweep/cpp/pairs.hpp"
 %include "dartsweep/cpp/trace.hpp"

@@ -83,7 +83,8 @@ DSW_CSHARP_API std::size_t dartsweep_size_of(int index) {
       sizeof(dsw_body_vertex_id),  sizeof(dsw_body_edge_id),  sizeof(dsw_body_face_id),    sizeof(dsw_contact),
       sizeof(dsw_flight),          sizeof(dsw_crossing),      sizeof(dsw_sweep),           sizeof(dsw_nearest),
       sizeof(dsw_segment_nearest), sizeof(dsw_body_contact),  sizeof(dsw_contact_partner), sizeof(dsw_previous_contact),
-      sizeof(dsw_body_edit),       sizeof(dsw_move_report),   sizeof(dsw_near_row),        sizeof(dsw_wall_contact),
-      sizeof(dsw_volume_change),   sizeof(dsw_vertex_origin), sizeof(dsw_cut_face),        sizeof(dsw_face_origin)};
+      sizeof(dsw_body_edit),       sizeof(dsw_move_report),   sizeof(dsw_near_row),        sizeof(dsw_pair_touch),
+      sizeof(dsw_wall_contact),    sizeof(dsw_volume_change), sizeof(dsw_vertex_origin),   sizeof(dsw_cut_face),
+      sizeof(dsw_face_origin)};
   return sizes[index];
 }

@@ -32,6 +32,7 @@
 %rename("%(camelcase)s", %$isvariable) "";
 %rename(Count) dartsweep::Marked::marked; // not the name of its class
 %rename(CellOf) dartsweep::cell_of;
+%rename(SweepPairs) dartsweep::sweep_pairs;
 %rename(Version) dsw_version;
 %ignore dsw_status_string;
 %rename(RaiseStatus) dartsweep::raise_status;

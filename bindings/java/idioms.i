@@ -141,3 +141,12 @@
     return getNearRows();
   }
 %}
+
+%pragma(java) modulecode=%{
+  /** When each of many pairs first touches. A pair has dimension + 1 points; kinds are those of PairKind, `flags` is the sum of PAIRS_ constants. */
+  public static PairTouchArray sweepPairs(int dimension, byte[] kinds, double[] from, double[] to, int flags) {
+    PairTouchArray touches = new PairTouchArray(kinds.length);
+    sweepPairs(dimension, kinds, java.nio.DoubleBuffer.wrap(from), java.nio.DoubleBuffer.wrap(to), touches, flags);
+    return touches;
+  }
+%}

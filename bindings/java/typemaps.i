@@ -11,6 +11,7 @@
 %rename("%(lowercamelcase)s", %$isfunction, %$ismember) "";
 %rename("%(lowercamelcase)s", %$isvariable) "";
 %rename(cellOf) dartsweep::cell_of;
+%rename(sweepPairs) dartsweep::sweep_pairs;
 %rename(statusString) dsw_status_string;
 %rename(raiseStatus) dartsweep::raise_status;
 %javamethodmodifiers dartsweep::raise_status "final"; // of the package: for its tests

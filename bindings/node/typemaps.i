@@ -13,6 +13,7 @@
 %rename(version) dsw_version;
 %rename(statusString) dsw_status_string;
 %rename(raiseStatus) dartsweep::raise_status;
+%rename(sweepPairs) dartsweep::sweep_pairs;
 %rename(createBodyId) dartsweep::Scene::create_body;
 %ignore dartsweep::cell_of;
 

@@ -105,6 +105,7 @@ DSW_LONG(Body::get_positions)
 DSW_LONG(Body::move)
 DSW_LONG(Body::move_rigid)
 DSW_LONG(Body::find_near_rows)
+DSW_LONG(sweep_pairs)
 DSW_LONG(Trace::add_volumes)
 DSW_LONG(Trace::add_impassable)
 

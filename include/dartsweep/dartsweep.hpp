@@ -5,5 +5,6 @@
 
 #include "dartsweep/cpp/body.hpp"
 #include "dartsweep/cpp/environment.hpp"
+#include "dartsweep/cpp/pairs.hpp"
 #include "dartsweep/cpp/scene.hpp"
 #include "dartsweep/cpp/trace.hpp"

@@ -1,182 +1,268 @@
-/* Bodies that meet each other: every function and every bad argument. */
+/* Pairs of moving features: known times and ranks, arguments that are refused, batches.
+   tests/unit/predicates compares times and orders with exact arithmetic. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
 #include "fixture.h"
 
-static const double square[12] = {2, 1, 1, 2, 2, 1, 2, 2, 2, 2, 1, 2};
-static const uint32_t square_offsets[2] = {0, 4}, square_corners[4] = {0, 1, 2, 3};
+enum { VERTEX_FACE = DSW_PAIR_VERTEX_FACE, EDGE_EDGE = DSW_PAIR_EDGE_EDGE, VERTEX_EDGE = DSW_PAIR_VERTEX_EDGE };
 
-static dsw_body_desc square_desc(void) {
-  return surface_desc(square, 4, square_offsets, square_corners, 1, DSW_LEVEL_FACES);
+/* The first feature of each pair moves along z, in the plane along y, from 1 to `height`. The second one stays. */
+typedef struct fall {
+  uint8_t kind;
+  double x, height;
+} fall;
+
+static const double triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, crossed[6] = {0, -1, 0, 0, 1, 0}, flat[4] = {0, 0, 1, 0};
+
+/* Writes the points of a pair, and returns how many numbers they are. */
+static size_t put(fall f, double *from, double *to) {
+  const int planar = f.kind == VERTEX_EDGE;
+  const size_t moving = f.kind == EDGE_EDGE ? 2 : 1, size = planar ? 2 : 3, all = planar ? 6 : 12;
+  const double *const rest = planar ? flat : f.kind == EDGE_EDGE ? crossed : triangle;
+  size_t i;
+  for (i = 0; i < moving; ++i) {
+    double *const p = from + size * i;
+    p[0] = f.kind == EDGE_EDGE ? (i == 0 ? -1 : 1) : f.x;
+    p[1] = f.kind == EDGE_EDGE ? f.x : 0.25;
+    p[size - 1] = 1;
+    memcpy(to + size * i, p, size * sizeof *p);
+    to[size * i + size - 1] = f.height;
+  }
+  memcpy(from + size * moving, rest, (all - size * moving) * sizeof *from);
+  memcpy(to + size * moving, rest, (all - size * moving) * sizeof *to);
+  return all;
 }
 
-static void a_contact_names_the_other_body(void) {
-  const double edge[6] = {0.5, 1.25, 1.5, 0.5, 1.25, 1.75}, to[6] = {2.5, 1.25, 1.5, 0.5, 1.25, 1.75};
-  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), DSW_FEATURE_BODY_CONTACTS);
-  const dsw_body_desc d = square_desc();
-  dsw_body_id wall = {0, 0}, polyline;
-  const dsw_body_contact *contacts = NULL;
-  const dsw_contact_partner *partners = NULL;
-  size_t count = 99;
-  dsw_move_report report;
-  CHECK_OK(dsw_body_create(scene, &d, &wall));
-  polyline = make_edge_body(scene, edge, DSW_LEVEL_EDGES);
-  CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
-  CHECK(count == 0);
-  CHECK_OK(dsw_body_move(scene, polyline, to, 2, 0, NULL, &report));
-  CHECK(report.contact_count == 1 && report.vertices_stopped == 1);
-  CHECK_OK(dsw_body_get_contacts(scene, polyline, &contacts, &count));
-  CHECK(count == 1 && contacts[0].time == 0.75 && contacts[0].contact.kind == DSW_CONTACT_PLANE);
-  CHECK(contacts[0].contact.marked_kind == DSW_CELL_NONE && contacts[0].contact.normal[0] == -1);
-  CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
-  CHECK(count == 1 && partners[0].body.index == wall.index && partners[0].body.generation == wall.generation);
-  CHECK(partners[0].face.generation == 1 && partners[0].edge.generation == 0 && partners[0].vertex.generation == 0);
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_partners(NULL, polyline, &partners, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_partners(scene, polyline, NULL, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_partners(scene, polyline, &partners, NULL));
-  CHECK_OK(dsw_body_destroy(scene, polyline));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_contact_partners(scene, polyline, &partners, &count));
-  end_scene(scene);
+static dsw_pair_touch sweep(fall f) {
+  double from[12], to[12];
+  dsw_pair_touch touch;
+  memset(&touch, 0x55, sizeof touch);
+  put(f, from, to);
+  CHECK_OK(dsw_sweep_pairs(NULL, f.kind == VERTEX_EDGE ? 2 : 3, 1, &f.kind, from, to, 0, 0, &touch));
+  CHECK(touch.rank == 0);
+  return touch;
 }
 
-static void filters_are_read_and_changed(void) {
-  const double edge[6] = {1.5, 1.25, 1.5, 2.5, 1.25, 1.5};
-  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), DSW_FEATURE_BODY_CONTACTS);
-  dsw_body_desc d = square_desc();
-  dsw_body_id wall, polyline = {7, 7};
-  uint32_t category = 99, mask = 99;
-  const uint32_t *pairs = NULL;
-  size_t count = 0;
-  CHECK_OK(dsw_body_create(scene, &d, &wall));
-  d = line_desc(edge, 2, 0, DSW_LEVEL_EDGES_SWEPT);
-  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_create(scene, &d, &polyline));
-  CHECK(polyline.index == 7 && polyline.generation == 7);
-  CHECK_OK(dsw_scene_get_offending_edges(scene, &pairs, &count));
-  CHECK(count == 1 && pairs[0] == 0 && pairs[1] == 1);
-  d.category = 4;
-  d.mask = 6;
-  CHECK_OK(dsw_body_create(scene, &d, &polyline));
-  CHECK_OK(dsw_body_get_filter(scene, polyline, &category, &mask));
-  CHECK(category == 4 && mask == 6);
-  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_set_filter(scene, polyline, 0, 0));
-  CHECK_OK(dsw_body_get_filter(scene, polyline, &category, &mask));
-  CHECK(category == 4 && mask == 6);
-  CHECK_OK(dsw_body_set_filter(scene, polyline, 8, 2));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_filter(scene, polyline, NULL, &mask));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_filter(scene, polyline, &category, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_filter(NULL, polyline, &category, &mask));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_set_filter(NULL, polyline, 1, 1));
-  CHECK_OK(dsw_body_destroy(scene, polyline));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_filter(scene, polyline, &category, &mask));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_set_filter(scene, polyline, 1, 1));
-  end_scene(scene);
+static int is_touch(dsw_pair_touch touch, double time) { return touch.touches == 1 && touch.time == time; }
+static int is_none(dsw_pair_touch touch) { return touch.touches == 0 && touch.time == 0; }
+
+static void times_are_the_largest_doubles_not_later(void) {
+  static const uint8_t kinds[3] = {VERTEX_FACE, EDGE_EDGE, VERTEX_EDGE};
+  size_t i;
+  for (i = 0; i < 3; ++i) {
+    fall f;
+    f.kind = kinds[i];
+    f.x = 0.25;
+    f.height = -1;
+    CHECK(is_touch(sweep(f), 0.5));
+    f.height = -2;
+    CHECK(is_touch(sweep(f), 1.0 / 3));
+    f.height = -9; /* a tenth; the nearest double is later */
+    CHECK(is_touch(sweep(f), nextafter(0.1, 0)));
+    f.height = 0; /* at the end */
+    CHECK(is_touch(sweep(f), 1));
+    f.height = 5e-324;
+    CHECK(is_none(sweep(f)));
+    f.height = 1;
+    CHECK(is_none(sweep(f)));
+    f.height = -1;
+    f.x = 2; /* beside */
+    CHECK(is_none(sweep(f)));
+  }
 }
 
-static void what_is_not_named_is_refused(void) {
-  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), 0);
-  dsw_body_desc d = square_desc();
-  dsw_body_id body;
-  const dsw_contact_partner *partners = NULL;
-  size_t count = 99;
-  uint32_t bits = 99;
-  d.flags = DSW_BODY_SELF_CONTACTS;
-  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_body_create(scene, &d, &body));
-  d.flags = 0;
-  d.category = 1;
-  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_body_create(scene, &d, &body));
-  d.category = 0;
-  d.mask = 1;
-  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_body_create(scene, &d, &body));
-  CHECK_MESSAGE("DSW_FEATURE_BODY_CONTACTS");
-  d.mask = 0;
-  CHECK_OK(dsw_body_create(scene, &d, &body));
-  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_body_get_contact_partners(scene, body, &partners, &count));
-  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_body_get_filter(scene, body, &bits, &bits));
-  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_body_set_filter(scene, body, 1, 1));
-  CHECK(count == 99 && bits == 99);
-  end_scene(scene);
+static void ends_and_sides_belong_to_features(void) {
+  fall f = {VERTEX_FACE, 0.75, -1};
+  CHECK(is_touch(sweep(f), 0.5)); /* the long side of the triangle */
+  f.x = nextafter(0.75, 1);
+  CHECK(is_none(sweep(f)));
+  f.kind = EDGE_EDGE;
+  f.x = 1;
+  CHECK(is_touch(sweep(f), 0.5)); /* an end */
+  f.x = nextafter(1, 2);
+  CHECK(is_none(sweep(f)));
+  f.kind = VERTEX_EDGE;
+  f.x = 1;
+  CHECK(is_touch(sweep(f), 0.5));
+  f.x = nextafter(1, 2);
+  CHECK(is_none(sweep(f)));
 }
 
-/* A line meets a square with an end and with an edge, and itself. */
-static void bodies_of_the_plane_meet(void) {
-  static const double corners[8] = {2, 1, 3, 1, 3, 2, 2, 2}, line[6] = {0.5, 0.5, 0.5, 1.5, 0.5, 2.5};
-  static const double end_first[6] = {2.5, 1.5, 0.5, 1.5, 0.5, 2.5}, edge_first[6] = {3.5, 0.5, 0.5, 1.5, 0.5, 2.5};
-  static const double folded[6] = {0.5, 3.5, 0.5, 1.5, 0.5, 2.5};
-  static const double hook[6] = {0.5, 0.5, 0.5, 1.5, 1.5, 1.5}, closed[6] = {0.5, 0.5, 0.5, 1.5, 0.25, 0.75};
-  static const double bar[4] = {0.5, 1.25, 1.5, 1.25}, onwards[4] = {2.75, 1.25, 3.75, 1.25};
-  dsw_scene *scene = make_scene(make_squares(NULL, 4, 4), DSW_FEATURE_BODY_CONTACTS);
-  dsw_body_desc d = line_desc(corners, 4, 1, DSW_LEVEL_EDGES);
-  dsw_body_id block, polyline;
-  dsw_move_report report;
-  double now[4];
-  const dsw_body_contact *contacts = NULL;
-  const dsw_contact_partner *partners = NULL;
-  size_t count = 0;
-  CHECK_OK(dsw_body_create(scene, &d, &block));
-  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_create(scene, &d, &polyline));
-  d = line_desc(bar, 2, 0, DSW_LEVEL_EDGES_SWEPT);
-  CHECK_OK(dsw_body_create(scene, &d, &polyline));
-  CHECK_OK(dsw_body_move(scene, polyline, onwards, 2, 0, NULL, &report));
-  CHECK(report.vertices_stopped == 2 && report.contact_count == 2);
-  CHECK_OK(dsw_body_get_contacts(scene, polyline, &contacts, &count));
-  CHECK(count == 2 && contacts[0].vertex.index == 0 && contacts[0].contact.kind == DSW_CONTACT_EDGE);
-  CHECK(contacts[0].contact.normal[0] == -1 && fabs(contacts[0].point[0] - 2) < 1e-14);
-  CHECK(contacts[0].contact.obstacle.kind == DSW_CELL_NONE && contacts[0].contact.wall.generation == 0);
-  CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
-  CHECK(count == 2 && partners[0].body.index == block.index && partners[0].body.generation == block.generation);
-  CHECK(partners[0].edge.generation == 1 && partners[0].vertex.generation == 0 && partners[0].face.generation == 0);
-  CHECK_OK(dsw_body_get_positions(scene, polyline, now, 2, 0, NULL, &count));
-  CHECK(now[0] < 2 && now[2] < 2 && (now[0] > 1.9 || now[2] > 1.9));
-  CHECK_OK(dsw_body_destroy(scene, polyline));
-  d = line_desc(line, 3, 0, DSW_LEVEL_EDGES), d.flags = DSW_BODY_SELF_CONTACTS;
-  CHECK_OK(dsw_body_create(scene, &d, &polyline));
-  CHECK_OK(dsw_body_move(scene, polyline, end_first, 3, 0, NULL, NULL));
-  CHECK_OK(dsw_body_get_contacts(scene, polyline, &contacts, &count));
-  CHECK(count == 1 && contacts[0].contact.kind == DSW_CONTACT_EDGE && contacts[0].time == 0.75);
-  CHECK(contacts[0].edge.generation == 0 && contacts[0].contact.normal[0] == -1 && contacts[0].contact.normal[2] == 0);
-  CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
-  CHECK(count == 1 && partners[0].body.index == block.index && partners[0].edge.index == 3);
-  CHECK_OK(dsw_body_move(scene, polyline, line, 3, 0, NULL, NULL));
-  CHECK_OK(dsw_body_move(scene, polyline, edge_first, 3, 0, NULL, NULL));
-  CHECK_OK(dsw_body_get_contacts(scene, polyline, &contacts, &count));
-  CHECK(count == 1 && contacts[0].contact.kind == DSW_CONTACT_VERTEX && contacts[0].edge.generation == 1);
-  CHECK(contacts[0].point[0] == 2 && contacts[0].point[1] == 1 && contacts[0].fixed[0][1] == 1.5);
-  CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
-  CHECK(count == 1 && partners[0].vertex.index == 0 && partners[0].vertex.generation == 1);
-  CHECK_OK(dsw_body_move(scene, polyline, line, 3, 0, NULL, NULL));
-  CHECK_OK(dsw_body_move(scene, polyline, folded, 3, 0, NULL, &report));
-  CHECK(report.vertices_stopped == 1 && report.contact_count == 1);
-  CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
-  CHECK(count == 1 && partners[0].body.index == polyline.index);
-  CHECK_OK(dsw_body_move(scene, polyline, hook, 3, 0, NULL, NULL));
-  CHECK_OK(dsw_body_move(scene, polyline, closed, 3, 0, NULL, &report));
-  CHECK(report.vertices_stopped == 1 && report.contact_count == 1);
-  CHECK_OK(dsw_body_get_contact_partners(scene, polyline, &partners, &count));
-  CHECK(count == 1 && partners[0].body.index == polyline.index && partners[0].edge.index == 0);
-  end_scene(scene);
+static void pairs_without_extent_touch(void) {
+  /* A vertex meets a triangle that is a point; edges along one line meet; a vertex and an edge that lies at a point. */
+  static const double from[24] = {0, 0, 0, 4, 0, 0, 4, 0, 0, 4, 0, 0, 0, 1, 0, 1, 1, 0, 3, 1, 0, 5, 1, 0};
+  static const double to[24] = {4, 0, 0, 4, 0, 0, 4, 0, 0, 4, 0, 0, 4, 1, 0, 5, 1, 0, 3, 1, 0, 5, 1, 0};
+  static const double flat_from[6] = {0, 0, 3, 3, 3, 3}, flat_to[6] = {6, 6, 3, 3, 3, 3};
+  static const uint8_t kinds[2] = {VERTEX_FACE, EDGE_EDGE}, flat_kind = VERTEX_EDGE;
+  dsw_pair_touch touches[2];
+  CHECK_OK(dsw_sweep_pairs(NULL, 3, 2, kinds, from, to, 0, DSW_PAIRS_RANK, touches));
+  CHECK(is_touch(touches[0], 1) && is_touch(touches[1], 0.5) && touches[0].rank == 1 && touches[1].rank == 0);
+  CHECK_OK(dsw_sweep_pairs(NULL, 3, 2, kinds, from, from, 0, 0, touches));
+  CHECK(is_none(touches[0]) && is_none(touches[1]));
+  CHECK_OK(dsw_sweep_pairs(NULL, 2, 1, &flat_kind, flat_from, flat_to, 0, 0, touches));
+  CHECK(is_touch(touches[0], 0.5));
+  CHECK_OK(dsw_sweep_pairs(NULL, 2, 1, &flat_kind, flat_to, flat_to, 0, 0, touches));
+  CHECK(is_none(touches[0]));
 }
 
-/* A description of the time before filters. */
-static void a_shorter_description_still_works(void) {
-  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), DSW_FEATURE_BODY_CONTACTS);
-  dsw_body_desc d = square_desc();
-  dsw_body_id body;
-  uint32_t category = 0, mask = 0;
-  d.struct_size = (uint32_t)((const char *)&d.category - (const char *)&d);
-  d.category = d.mask = 0xffffffffu;
-  CHECK_OK(dsw_body_create(scene, &d, &body));
-  CHECK_OK(dsw_body_get_filter(scene, body, &category, &mask));
-  CHECK(category == 1 && mask == 0xffffffffu);
-  end_scene(scene);
+static void ranks_are_exact(void) {
+  /* The first time is 2^-52 / 9 later than a third, which no double tells. */
+  static const fall falls[7] = {{VERTEX_FACE, 0.25, -2 + 0x1p-52}, {EDGE_EDGE, 0.25, -2}, {VERTEX_FACE, 0.25, 0.5},
+                                {VERTEX_FACE, 0.5, -2},            {VERTEX_FACE, 0, -1},  {EDGE_EDGE, 0, -9},
+                                {EDGE_EDGE, 7, -1}};
+  static const uint32_t ranks[7] = {3, 1, 5, 1, 4, 0, 5};
+  double from[84], to[84];
+  uint8_t kinds[7];
+  dsw_pair_touch touches[7], again[7];
+  size_t i;
+  for (i = 0; i < 7; ++i) {
+    kinds[i] = falls[i].kind;
+    put(falls[i], from + 12 * i, to + 12 * i);
+  }
+  memset(touches, 0x55, sizeof touches);
+  CHECK_OK(dsw_sweep_pairs(NULL, 3, 7, kinds, from, to, 0, DSW_PAIRS_RANK, touches));
+  for (i = 0; i < 7; ++i) CHECK(touches[i].rank == ranks[i]);
+  CHECK(touches[0].time == touches[1].time && is_touch(touches[1], 1.0 / 3) && is_none(touches[2]));
+  CHECK_OK(dsw_sweep_pairs(NULL, 3, 7, kinds, from, to, 0, 0, again));
+  for (i = 0; i < 7; ++i) {
+    CHECK(again[i].rank == 0 && again[i].time == touches[i].time && again[i].touches == touches[i].touches);
+  }
+}
+
+static void points_lie_a_stride_apart(void) {
+  const fall f = {EDGE_EDGE, 0.25, -2};
+  double from[12], to[12], wide_from[20], wide_to[20];
+  const uint8_t kind = EDGE_EDGE;
+  dsw_pair_touch touch;
+  size_t i, k;
+  put(f, from, to);
+  for (i = 0; i < 20; ++i) wide_from[i] = wide_to[i] = (double)NAN; /* what is between is not read */
+  for (i = 0; i < 4; ++i) {
+    for (k = 0; k < 3; ++k) {
+      wide_from[5 * i + k] = from[3 * i + k];
+      wide_to[5 * i + k] = to[3 * i + k];
+    }
+  }
+  CHECK_OK(dsw_sweep_pairs(NULL, 3, 1, &kind, wide_from, wide_to, 40, 0, &touch));
+  CHECK(is_touch(touch, 1.0 / 3));
+}
+
+static void bad_arguments_change_nothing(void) {
+  double from[24], to[24];
+  uint8_t kinds[2] = {VERTEX_FACE, EDGE_EDGE}, planar[2] = {VERTEX_EDGE, VERTEX_EDGE};
+  dsw_pair_touch touches[2], before[2];
+  dsw_environment *const environment = make_environment(NULL, 1, 1, 1);
+  const fall falls[2] = {{VERTEX_FACE, 0.25, -1}, {EDGE_EDGE, 0.25, -1}};
+  put(falls[0], from, to);
+  put(falls[1], from + 12, to + 12);
+  memset(touches, 0x55, sizeof touches);
+  memcpy(before, touches, sizeof touches);
+#define SWEEP(dimension, count, kinds, from, to, stride, flags, touches) \
+  dsw_sweep_pairs(NULL, dimension, count, kinds, from, to, stride, flags, touches)
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SWEEP(3, 2, NULL, from, to, 0, 0, touches));
+  CHECK_MESSAGE("kinds is null");
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SWEEP(3, 2, kinds, NULL, to, 0, 0, touches));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SWEEP(3, 2, kinds, from, NULL, 0, 0, touches));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SWEEP(3, 2, kinds, from, to, 0, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, SWEEP(0, 2, kinds, from, to, 0, 0, touches));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, SWEEP(4, 2, kinds, from, to, 0, 0, touches));
+  CHECK_MESSAGE("dimension is 4, must be 2 or 3");
+  CHECK_FAILS(DSW_STATUS_TOO_LARGE, SWEEP(3, ((size_t)1 << 28) + 1, kinds, from, to, 0, 0, touches));
+  CHECK_FAILS(DSW_STATUS_TOO_LARGE, SWEEP(3, SIZE_MAX, kinds, from, to, 0, 0, touches));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, SWEEP(3, 2, kinds, from, to, 16, 0, touches));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, SWEEP(3, 2, kinds, from, to, 25, 0, touches));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, SWEEP(3, 2, kinds, from, to, 0, 2, touches));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, SWEEP(2, 2, kinds, from, to, 0, 0, touches));
+  CHECK_MESSAGE("kinds[0] is 0, must be 2 .. 2 in dimension 2");
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, SWEEP(3, 2, planar, from, to, 0, 0, touches));
+  kinds[1] = 3;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, SWEEP(3, 2, kinds, from, to, 0, 0, touches));
+  CHECK_MESSAGE("kinds[1] is 3, must be 0 .. 1 in dimension 3");
+  kinds[1] = EDGE_EDGE;
+  to[16] = HUGE_VAL;
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, SWEEP(3, 2, kinds, from, to, 0, 0, touches));
+  CHECK_MESSAGE("to[5][1] is inf, must be finite");
+  to[16] = from[16];
+  from[23] = (double)NAN;
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, SWEEP(3, 2, kinds, from, to, 0, 0, touches));
+  from[23] = 0;
+  CHECK_FAILS(DSW_STATUS_STALE_ID,
+              dsw_sweep_pairs((const dsw_context *)(const void *)environment, 3, 2, kinds, from, to, 0, 0, touches));
+  CHECK(memcmp(touches, before, sizeof touches) == 0);
+  CHECK_OK(SWEEP(3, 0, NULL, NULL, NULL, 0, DSW_PAIRS_RANK, NULL));
+  CHECK_OK(SWEEP(2, 0, kinds, from, to, 0, 0, touches));
+  CHECK(memcmp(touches, before, sizeof touches) == 0);
+  CHECK_OK(SWEEP(3, 2, kinds, from, to, 24, DSW_PAIRS_RANK, touches));
+  CHECK(is_touch(touches[0], 0.5) && is_touch(touches[1], 0.5) && touches[0].rank == 0 && touches[1].rank == 0);
+#undef SWEEP
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
+/* Many pairs in a batch; times repeat. */
+enum { COUNT = 3000 };
+
+static void batches_are_the_same_for_any_sharing(unsigned dimension) {
+  const size_t numbers = dimension == 2 ? 6 : 12;
+  double *const points = malloc(2 * numbers * COUNT * sizeof *points), *const from = points,
+                      *const to = points + numbers * COUNT;
+  dsw_pair_touch *const touches = malloc(3 * COUNT * sizeof *touches);
+  uint8_t kinds[COUNT];
+  dsw_context *contexts[2];
+  dsw_context_desc two_threads;
+  host h;
+  size_t i, k, none = 0;
+  contexts[0] = make_context(&h);
+  dsw_context_desc_init(&two_threads, sizeof two_threads);
+  two_threads.thread_count = 2;
+  CHECK_OK(dsw_context_create(&two_threads, &contexts[1]));
+  for (i = 0; i < COUNT; ++i) {
+    fall f;
+    f.kind = (uint8_t)(dimension == 2 ? VERTEX_EDGE : i % 3 == 0 ? EDGE_EDGE : VERTEX_FACE);
+    f.x = (double)(i % 5) / 4;
+    f.height = 0.75 - (double)(i * 7919 % 97) / 16;
+    kinds[i] = f.kind;
+    put(f, from + numbers * i, to + numbers * i);
+  }
+  memset(touches, 0x55, 3 * COUNT * sizeof *touches);
+  CHECK_OK(dsw_sweep_pairs(NULL, dimension, COUNT, kinds, from, to, 0, DSW_PAIRS_RANK, touches));
+  for (k = 0; k < 2; ++k) {
+    dsw_pair_touch *const again = touches + (k + 1) * COUNT;
+    CHECK_OK(dsw_sweep_pairs(contexts[k], dimension, COUNT, kinds, from, to, 0, DSW_PAIRS_RANK, again));
+    CHECK(memcmp(touches, again, COUNT * sizeof *touches) == 0);
+  }
+  CHECK(h.parallel_calls == 1 && h.tasks > 1 && h.calls > 0);
+  for (i = 0; i < COUNT; ++i) none += touches[i].touches == 0;
+  CHECK(none > 100 && none < COUNT - 100);
+  for (i = 0; i < COUNT; ++i) {
+    dsw_pair_touch one;
+    uint32_t rank = 0;
+    for (k = 0; k < COUNT; ++k) {
+      rank += touches[k].touches != 0 && (touches[i].touches == 0 || touches[k].time < touches[i].time);
+    }
+    CHECK(touches[i].rank == rank); /* different times differ as doubles, too */
+    if (i % 29 != 0) continue;
+    CHECK_OK(dsw_sweep_pairs(NULL, dimension, 1, kinds + i, from + numbers * i, to + numbers * i, 0, 0, &one));
+    CHECK(one.time == touches[i].time && one.touches == touches[i].touches);
+  }
+  CHECK_OK(dsw_context_destroy(contexts[1]));
+  end_context(contexts[0], &h);
+  free(points);
+  free(touches);
 }
 
 int main(void) {
-  a_contact_names_the_other_body();
-  filters_are_read_and_changed();
-  what_is_not_named_is_refused();
-  bodies_of_the_plane_meet();
-  a_shorter_description_still_works();
+  times_are_the_largest_doubles_not_later();
+  ends_and_sides_belong_to_features();
+  pairs_without_extent_touch();
+  ranks_are_exact();
+  points_lie_a_stride_apart();
+  bad_arguments_change_nothing();
+  check_in("in the plane");
+  batches_are_the_same_for_any_sharing(2);
+  check_in("in space");
+  batches_are_the_same_for_any_sharing(3);
   return check_result();
 }

@@ -110,4 +110,16 @@ namespace Dartsweep
       return GetNearRows();
     }
   }
+
+  public static unsafe partial class Library
+  {
+    /// <summary>When each of many pairs first touches. A pair has dimension + 1 points; kinds are those of PairKind, flags
+    /// PAIRS_ constants.</summary>
+    public static PairTouch[] SweepPairs(uint dimension, byte[] kinds, double[] from, double[] to, uint flags = 0)
+    {
+      PairTouch[] touches = new PairTouch[kinds.Length];
+      SweepPairs(dimension, kinds, from, to, touches, flags);
+      return touches;
+    }
+  }
 }

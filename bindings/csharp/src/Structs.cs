@@ -355,6 +355,19 @@ namespace Dartsweep
     internal uint Reserved;
   }
 
+  /// <summary>When a pair first touches.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public partial struct PairTouch
+  {
+    /// <summary>The largest double that is not later than the first time of touch; 0 without a touch.</summary>
+    public double Time;
+    /// <summary>1 if the pair touches at a time in [0,1], else 0.</summary>
+    public uint Touches;
+    /// <summary>How many pairs of the batch touch earlier, equal for equal times. Without a touch: how many pairs touch. 0
+    /// without Library.PAIRS_RANK.</summary>
+    public uint Rank;
+  }
+
   /// <summary>A vertex of the environment moved, and a wall at this vertex touched something.</summary>
   [StructLayout(LayoutKind.Sequential)]
   public partial struct WallContact

@@ -188,6 +188,13 @@ function Environment:sweep_edges(from, to, fixed, starts, options, sweeps)
   return sweeps
 end
 
+local sweep_pairs = core.sweep_pairs
+function core.sweep_pairs(dimension, kinds, from, to, flags, touches, context)
+  touches = touches or core.PairTouchArray(#kinds)
+  sweep_pairs(dimension, kinds, from, to, touches, flags, context)
+  return touches
+end
+
 local create_particles = Scene.create_particles
 function Scene:create_particles(positions, hints, particles)
   positions = core.points(positions, self:dimension())

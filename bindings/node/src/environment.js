@@ -1,4 +1,4 @@
-// Environments and their context: what SWIG made, with options by name and results made rather than filled.
+// Environments and their context, and what needs no environment: what SWIG made, with options by name and results made rather than filled.
 'use strict';
 const { arrays } = require('./memory.js');
 const native = require('./native.js');
@@ -87,6 +87,11 @@ class Environment extends native.Environment {
   }
 }
 
+function sweepPairs(dimension, kinds, from, to, { flags = 0, touches = new arrays.PairTouchArray(kinds.length), context = null } = {}) {
+  native.sweepPairs(dimension, kinds, from, to, touches, flags, context);
+  return touches;
+}
+
 class Trace extends native.Trace {
   addVolumes(environment, volumes, label = 0) {
     super.addVolumes(environment, volumes, label);
@@ -105,4 +110,4 @@ class Trace extends native.Trace {
   }
 }
 
-module.exports = { Context, Environment, Trace };
+module.exports = { Context, Environment, Trace, sweepPairs };

@@ -8,7 +8,7 @@ import type {
   CrossingArray, CutDesc, CutFace, CutFaceArray, DeformOptions, DeformReport, DetachDesc, EdgeId, EdgeIdArray,
   EdgeSplit, EnvironmentDesc, EnvironmentInfo, FaceId, FaceIdArray, FaceOriginArray, FaceSplit, FaceVolumes, Flight,
   FlightArray, Level, Located, LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, NearestArray, NearOptions, NearRowArray, Neighbour,
-  OpenCrackDesc, Particle, ParticleId, ParticleIdArray, PreviousContactArray, RemeshDesc, RigidMotion, SceneDesc,
+  OpenCrackDesc, PairTouchArray, Particle, ParticleId, ParticleIdArray, PreviousContactArray, RemeshDesc, RigidMotion, SceneDesc,
   SegmentNearestArray,
   Statistics, Status, SweepArray, SweepOptions, TieDesc, Validation, Vec3, VertexId, VertexIdArray, VertexOriginArray,
   VolumeChangeArray, VolumeCounts, VolumeId, VolumeIdArray, VolumesDesc, VolumeSplit, WallContactArray,
@@ -312,6 +312,10 @@ export class Trace {
   getTriangleLabels(): Uint32Array;
 }
 
+/** When each of many pairs first touches. A pair has `dimension + 1` points, pair after pair; kinds are of type PairKind, `flags` are
+ * PAIRS_ constants. `touches` is filled where it is given. */
+export function sweepPairs(dimension: 2 | 3, kinds: Uint8Array | readonly number[], from: Points, to: Points,
+  options?: { flags?: number; touches?: PairTouchArray; context?: Context | null }): PairTouchArray;
 /** The cell that an id names. */
 export function cellOf(id: VertexId | EdgeId | FaceId | VolumeId): Cell;
 /** Of the library that is loaded: 1000000 major + 1000 minor + patch. */

@@ -57,6 +57,8 @@ from .enums import (
     NearFlag,
     NoCrossCheck,
     Outcome,
+    PairFlag,
+    PairKind,
     RecordingFlag,
     Response,
     Search,
@@ -68,6 +70,7 @@ from .environment import Environment
 from .errors import Closed, Error
 from .meshes import from_meshio, from_surface
 from .options import options, version
+from .pairs import sweep_pairs
 from .scene import Scene
 from .trace import Trace
 
@@ -117,6 +120,8 @@ __all__ = [
     "NearJacobian",
     "NoCrossCheck",
     "Outcome",
+    "PairFlag",
+    "PairKind",
     "ParticleId",
     "RecordingFlag",
     "Response",
@@ -139,5 +144,6 @@ __all__ = [
     "meshes",
     "options",
     "surfaces",
+    "sweep_pairs",
     "version",
 ]

@@ -160,6 +160,11 @@ class NearRow:
     key: NDArray[np.uint32]
     previous: int
 
+class PairTouch:
+    time: float
+    touches: int
+    rank: int
+
 class WallContact:
     from_: NDArray[np.float64]
     to: NDArray[np.float64]

@@ -133,6 +133,7 @@ NEAR_ROW = _struct(
     ("previous", U4),
     ("reserved", U4),
 )
+PAIR_TOUCH = _struct(("time", F8), ("touches", U4), ("rank", U4))
 WALL_CONTACT = _struct(
     ("from", F8, 3),
     ("to", F8, 3),
@@ -176,6 +177,7 @@ _core.set_dtype_PreviousContact(PREVIOUS_CONTACT)
 _core.set_dtype_BodyEdit(BODY_EDIT)
 _core.set_dtype_MoveReport(MOVE_REPORT)
 _core.set_dtype_NearRow(NEAR_ROW)
+_core.set_dtype_PairTouch(PAIR_TOUCH)
 _core.set_dtype_WallContact(WALL_CONTACT)
 _core.set_dtype_VolumeChange(VOLUME_CHANGE)
 _core.set_dtype_VertexOrigin(VERTEX_ORIGIN)

@@ -211,6 +211,14 @@ class Response(Constant):
     ADAPTIVE_SLIDE = _core.RESPONSE_ADAPTIVE_SLIDE
 
 
+class PairKind(Constant):
+    """A pair of features, and the order of its points."""
+
+    VERTEX_FACE = _core.PAIR_VERTEX_FACE
+    EDGE_EDGE = _core.PAIR_EDGE_EDGE
+    VERTEX_EDGE = _core.PAIR_VERTEX_EDGE
+
+
 class DeformMethod(Constant):
     """How bodies and particles are kept in their places."""
 
@@ -305,6 +313,12 @@ class NearFlag(Flags):
     """Flags of NearOptions."""
 
     JACOBIAN = _core.NEAR_JACOBIAN
+
+
+class PairFlag(Flags):
+    """Flags of sweep_pairs in C."""
+
+    RANK = _core.PAIRS_RANK
 
 
 class CutFlag(Flags):
