@@ -417,6 +417,7 @@ SIZE(dsw_cross_check_kind, 4);
 SIZE(dsw_no_cross_check, 4);
 SIZE(dsw_search, 4);
 SIZE(dsw_response, 4);
+SIZE(dsw_pair_kind, 4);
 SIZE(dsw_deform_method, 4);
 SIZE(dsw_wall_response, 4);
 SIZE(dsw_invalid_response, 4);

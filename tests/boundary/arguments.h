@@ -254,6 +254,12 @@ inline const Block& block_of(const Argument& a) {
   return a.of("dsw_replay_create") ? a.host->recording : a.host->environment_block;
 }
 
+/** An entry of an array of integers. */
+inline size_t good_number(const Argument& a, size_t i) {
+  if (a.called("offsets")) return 4 * i;
+  return a.called("kinds") ? (a.host->dimension == 2 ? size_t{DSW_PAIR_VERTEX_EDGE} : i % 2) : i;
+}
+
 template <class T>
 T good_pointer(const Argument& a) {
   using Pointee = std::remove_pointer_t<T>;
@@ -273,7 +279,7 @@ T good_pointer(const Argument& a) {
     auto* const to = reinterpret_cast<Value*>(a.scratch);
     if constexpr (std::is_same_v<Value, double>) fill_numbers(to);
     for (size_t i = 0; i < 16; ++i) {
-      if constexpr (std::is_integral_v<Value>) to[i] = static_cast<Value>(a.called("offsets") ? 4 * i : i);
+      if constexpr (std::is_integral_v<Value>) to[i] = static_cast<Value>(good_number(a, i));
       if constexpr (is_id<Value>) to[i] = good_id<Value>(a, i);
     }
     if constexpr (std::is_same_v<Value, dsw_rigid_motion>) to->rotation[3] = 1;
@@ -357,7 +363,7 @@ T good(const Argument& a) {
   } else if constexpr (std::is_same_v<T, size_t>) {
     return good_size(a);
   } else {
-    return static_cast<T>(a.called("flags") ? 0 : 1);
+    return static_cast<T>(a.called("dimension") ? a.host->dimension : a.called("flags") ? 0 : 1);
   }
 }
 

@@ -185,6 +185,18 @@ static void ask_the_environment(output *o, const dsw_environment *e, const input
   free(sweeps);
 }
 
+static void sweep_pairs(output *o, const dsw_context *context, const input *in) {
+  enum { PAIRS = BATCH / 4 };
+  dsw_pair_touch *const touches = calloc(PAIRS, sizeof *touches);
+  uint8_t kinds[PAIRS];
+  size_t i;
+  for (i = 0; i < PAIRS; ++i) kinds[i] = (uint8_t)(i % 2);
+  after(o, dsw_sweep_pairs(context, 3, PAIRS, kinds, in->from[0], in->to[0], 0, DSW_PAIRS_RANK, touches));
+  for (i = 0; i < PAIRS; ++i) o->hits += touches[i].touches;
+  put(o, touches, PAIRS * sizeof *touches);
+  free(touches);
+}
+
 static void move_things(output *o, dsw_scene *scene, const input *in) {
   dsw_body_desc d = line_desc(in->line[0], LINE, 0, DSW_LEVEL_FACES);
   dsw_move_options options = move_options();
@@ -268,6 +280,7 @@ static output run(const dsw_context_desc *context_desc, const input *in, control
     if (cell % 3 == 0) after(&o, set_face_mark(environment, cell - 2, FACE_X1, DSW_MARK_IMPASSABLE));
   }
   ask_the_environment(&o, environment, in);
+  sweep_pairs(&o, context, in);
   after(&o, dsw_scene_create(environment, &scene_desc, &scene));
   move_things(&o, scene, in);
   after(&o, dsw_environment_deform(environment, in->next, in->cubes.point_count, NULL, &report));

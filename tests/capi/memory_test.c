@@ -394,6 +394,20 @@ static void nearest_of_batches(void) {
   end();
 }
 
+static void ranks_of_pairs(void) {
+  enum { COUNT = 300 };
+  static double from[9 * COUNT], to[9 * COUNT];
+  static uint8_t kinds[COUNT];
+  static dsw_pair_touch touches[COUNT];
+  dsw_context *const context = make_context(&g_host);
+  size_t refusals, i;
+  for (i = 0; i < COUNT; ++i) kinds[i] = DSW_PAIR_VERTEX_EDGE;
+  UNTIL_IT_SUCCEEDS(dsw_sweep_pairs(context, 2, COUNT, kinds, from, to, 0, DSW_PAIRS_RANK, touches), g_host.alive == 1,
+                    refusals);
+  CHECK(refusals == 1 && touches[COUNT - 1].touches == 1);
+  end_context(context, &g_host);
+}
+
 /* Large triangles in a batch of two chunks. */
 static void sweeps(void) {
   enum { COUNT = 300 };
@@ -456,6 +470,7 @@ int main(void) {
   marks_with_bodies();
   queries();
   nearest_of_batches();
+  ranks_of_pairs();
   sweeps();
   return check_result();
 }

@@ -123,6 +123,32 @@ TEST(Cpp, WhatIsNearestIsFoundInBatches) {
   EXPECT_THROW(environment.find_nearest_to_points(from, -1, {}, points), OutOfRange);
 }
 
+TEST(Cpp, PairsAreSwept) {
+  const std::vector<Row> from = {{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                 {-1, 0, 1},      {1, 0, 1}, {0, -1, 0}, {0, 1, 0}};
+  std::vector<Row> to = from;
+  to[0][2] = -1;
+  to[4][2] = to[5][2] = -2;
+  const std::vector<std::uint8_t> kinds = {DSW_PAIR_VERTEX_FACE, DSW_PAIR_EDGE_EDGE};
+  std::vector<dsw_pair_touch> touches(2);
+  const Context context(2);
+  sweep_pairs(3, kinds, from, to, touches, DSW_PAIRS_RANK, &context);
+  EXPECT_EQ(touches[0].time, 0.5);
+  EXPECT_EQ(touches[1].time, 1.0 / 3);
+  EXPECT_EQ(touches[0].rank, 1u);
+  const std::vector<double> flat_from = {0.5, 1, 0, 0, 1, 0}, flat_to = {0.5, -1, 0, 0, 1, 0};
+  const std::array<std::uint8_t, 1> kind = {DSW_PAIR_VERTEX_EDGE};
+  std::array<dsw_pair_touch, 1> touch;
+  sweep_pairs(2, kind, flat_from, flat_to, touch);
+  EXPECT_EQ(touch[0].time, 0.5);
+  sweep_pairs(3, {}, {}, {}, {});
+  EXPECT_THROW(sweep_pairs(2, kinds, flat_from, flat_to, touches), WrongSize);
+  EXPECT_THROW(sweep_pairs(2, kind, from, to, touch), WrongSize);
+  EXPECT_THROW(sweep_pairs(3, kinds, from, to, touch), WrongSize);
+  EXPECT_THROW(sweep_pairs(4, kinds, from, to, touches), OutOfRange);
+  EXPECT_THROW(sweep_pairs(3, std::vector<std::uint8_t>{0, 2}, from, to, touches), Unsupported);
+}
+
 TEST(Cpp, IndicesHaveAnyWidth) {
   const std::vector<std::int64_t> wide(kCube.begin(), kCube.end());
   const std::array<std::uint32_t, 8> narrow = {0, 1, 2, 3, 4, 5, 6, 7};

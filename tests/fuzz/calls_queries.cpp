@@ -224,7 +224,7 @@ dsw_status Calls::look_at_body() {
                    << read_all<double>(of_body(dsw_body_get_near_values));
 }
 
-/** Casts, sweeps and searches, without a particle or a body. */
+/** Casts, sweeps, searches and a pair, without a particle or a body. */
 dsw_status Calls::ask() {
   const dsw_environment* const e = environment_;
   double points[18];
@@ -247,6 +247,8 @@ dsw_status Calls::ask() {
   dsw_nearest nearest[2];
   dsw_segment_nearest segments[2];
   const double radius = std::fabs(bytes_.number());
+  const uint8_t kind = static_cast<uint8_t>(cast.flags);
+  dsw_pair_touch touch;
   Answers answers;
   answers << dsw_environment_locate(e, from, starts[0], volumes, locations)
           << dsw_environment_locate_points(e, points, 2, 0, bytes_.below(2) == 0 ? starts : nullptr, volumes, locations)
@@ -256,7 +258,8 @@ dsw_status Calls::ask() {
           << dsw_environment_sweep_edges(e, 2, starts, from, to, fixed, 0, &sweep, sweeps)
           << dsw_environment_find_nearest(e, from, starts[0], radius, nearest)
           << dsw_environment_find_nearest_to_points(e, points, 2, 0, starts, radius, nearest, volumes, locations)
-          << dsw_environment_find_nearest_to_segments(e, 2, starts, from, to, 0, radius, segments, nullptr, locations);
+          << dsw_environment_find_nearest_to_segments(e, 2, starts, from, to, 0, radius, segments, nullptr, locations)
+          << dsw_sweep_pairs(nullptr, static_cast<uint32_t>(dimension_), 1, &kind, from, to, 0, cast.max_volumes, &touch);
   return answers << copy_all<dsw_crossing>([&](dsw_crossing* out, size_t capacity, size_t* count) {
            return dsw_environment_cast_path(e, starts[0], from, to, &cast, out, capacity, count, flights);
          });
