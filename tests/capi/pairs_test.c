@@ -110,8 +110,12 @@ static void pairs_without_extent_touch(void) {
 
 static void ranks_are_exact(void) {
   /* The first time is 2^-52 / 9 later than a third, which no double tells. */
-  static const fall falls[7] = {{VERTEX_FACE, 0.25, -2 + 0x1p-52}, {EDGE_EDGE, 0.25, -2}, {VERTEX_FACE, 0.25, 0.5},
-                                {VERTEX_FACE, 0.5, -2},            {VERTEX_FACE, 0, -1},  {EDGE_EDGE, 0, -9},
+  static const fall falls[7] = {{VERTEX_FACE, 0.25, -2 + 0x1p-52},
+                                {EDGE_EDGE, 0.25, -2},
+                                {VERTEX_FACE, 0.25, 0.5},
+                                {VERTEX_FACE, 0.5, -2},
+                                {VERTEX_FACE, 0, -1},
+                                {EDGE_EDGE, 0, -9},
                                 {EDGE_EDGE, 7, -1}};
   static const uint32_t ranks[7] = {3, 1, 5, 1, 4, 0, 5};
   double from[84], to[84];
@@ -207,7 +211,7 @@ enum { COUNT = 3000 };
 static void batches_are_the_same_for_any_sharing(unsigned dimension) {
   const size_t numbers = dimension == 2 ? 6 : 12;
   double *const points = malloc(2 * numbers * COUNT * sizeof *points), *const from = points,
-                      *const to = points + numbers * COUNT;
+                *const to = points + numbers * COUNT;
   dsw_pair_touch *const touches = malloc(3 * COUNT * sizeof *touches);
   uint8_t kinds[COUNT];
   dsw_context *contexts[2];

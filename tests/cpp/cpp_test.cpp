@@ -124,7 +124,7 @@ TEST(Cpp, WhatIsNearestIsFoundInBatches) {
 }
 
 TEST(Cpp, PairsAreSwept) {
-  const std::vector<Row> from = {{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+  const std::vector<Row> from = {{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0},  {0, 1, 0},
                                  {-1, 0, 1},      {1, 0, 1}, {0, -1, 0}, {0, 1, 0}};
   std::vector<Row> to = from;
   to[0][2] = -1;

@@ -259,7 +259,8 @@ dsw_status Calls::ask() {
           << dsw_environment_find_nearest(e, from, starts[0], radius, nearest)
           << dsw_environment_find_nearest_to_points(e, points, 2, 0, starts, radius, nearest, volumes, locations)
           << dsw_environment_find_nearest_to_segments(e, 2, starts, from, to, 0, radius, segments, nullptr, locations)
-          << dsw_sweep_pairs(nullptr, static_cast<uint32_t>(dimension_), 1, &kind, from, to, 0, cast.max_volumes, &touch);
+          << dsw_sweep_pairs(nullptr, static_cast<uint32_t>(dimension_), 1, &kind, from, to, 0, cast.max_volumes,
+                             &touch);
   return answers << copy_all<dsw_crossing>([&](dsw_crossing* out, size_t capacity, size_t* count) {
            return dsw_environment_cast_path(e, starts[0], from, to, &cast, out, capacity, count, flights);
          });

@@ -182,6 +182,30 @@ static class Tests
     }
   }
 
+  public static void TimesAndRanksOfPairsAreExact()
+  {
+    byte face = (byte)PairKind.VertexFace, edge = (byte)PairKind.EdgeEdge, plane = (byte)PairKind.VertexEdge;
+    byte[] kinds = { face, edge, face };
+    double[] from = { 0.25, 0.25, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0.25, 1, 1, 0.25, 1, 0, -1, 0, 0, 1, 0, 0.5, 0.25, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0 };
+    double[] to = (double[])from.Clone(), flat = { 0.5, 1, 0, 0, 1, 0 }, flatTo = { 0.5, -1, 0, 0, 1, 0 };
+    to[2] = to[14] = to[17] = -2;
+    to[26] = -1;
+    PairTouch[] touches = Library.SweepPairs(3, kinds, from, to, Library.PAIRS_RANK);
+    True(touches.Select(touch => touch.Time).SequenceEqual(new[] { 1 / 3.0, 1 / 3.0, 0.5 }));
+    True(touches.Select(touch => touch.Rank).SequenceEqual(new uint[] { 0, 0, 2 }) && touches.All(touch => touch.Touches == 1));
+    to[2] = -2 + Math.Pow(2, -52); // later, by so little that the rounded time is the same
+    Library.SweepPairs(3, kinds, from, to, touches, Library.PAIRS_RANK, new Context(2, null));
+    True(touches.Select(touch => touch.Rank).SequenceEqual(new uint[] { 1, 0, 2 }) && touches[0].Time == 1 / 3.0);
+    Same(0.5, Library.SweepPairs(2, new[] { plane }, flat, flatTo)[0].Time);
+    Same(0, Library.SweepPairs(3, new byte[0], new double[0], new double[0]).Length);
+    Throws<UnsupportedException>(() => Library.SweepPairs(3, new[] { face, plane, edge }, from, to));
+    Throws<OutOfRangeException>(() => Library.SweepPairs(4, kinds, from, to));
+    WrongSize("from has 18 entries, not 9", () => Library.SweepPairs(2, kinds, from, to));
+    WrongSize("to has 8 entries, not 12", () => Library.SweepPairs(3, kinds, from, new double[24]));
+    to[5] = double.NaN;
+    Throws<NonFiniteException>(() => Library.SweepPairs(3, kinds, from, to));
+  }
+
   public static void NearRowsSayWhereABodyIsClose()
   {
     double[] points = new double[54];

@@ -302,6 +302,37 @@ function TestValues:test_nearest_of_points_and_segments()
   lu.assertEquals(#segments[1].segment_point, 3)
 end
 
+function TestValues:test_pairs()
+  local function at(first, second, third) -- three pairs whose first features are at these heights
+    return {
+      {0.25, 0.25, first}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+      {-1, 0.25, second}, {1, 0.25, second}, {0, -1, 0}, {0, 1, 0},
+      {0.5, 0.25, third}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+    }
+  end
+  local from, kinds = at(1, 1, 1), {dsw.PAIR_VERTEX_FACE, dsw.PAIR_EDGE_EDGE, dsw.PAIR_VERTEX_FACE}
+  local function expect(touches, times, ranks)
+    for i = 1, 3 do
+      lu.assertEquals(touches[i].time, times[i])
+      lu.assertEquals(touches[i].rank, ranks[i])
+    end
+  end
+  local touches = dsw.sweep_pairs(3, kinds, from, at(-2, -2, -1), dsw.PAIRS_RANK)
+  expect(touches, {1 / 3, 1 / 3, 0.5}, {0, 0, 2})
+  -- Later, by so little that the rounded time is the same.
+  local later = at(-2 + 2 ^ -52, -2, 2)
+  lu.assertTrue(rawequal(dsw.sweep_pairs(3, dsw.ByteArray(kinds), from, later, dsw.PAIRS_RANK, touches, dsw.Context(2)), touches))
+  expect(touches, {1 / 3, 1 / 3, 0}, {1, 0, 2})
+  lu.assertEquals(touches[3].touches, 0)
+  local flat = dsw.sweep_pairs(2, {dsw.PAIR_VERTEX_EDGE}, {{0.5, 1}, {0, 0}, {1, 0}}, {{0.5, -1}, {0, 0}, {1, 0}})
+  lu.assertEquals(flat[1].time, 0.5)
+  lu.assertEquals(#dsw.sweep_pairs(3, {}, {}, {}), 0)
+  lu.assertEquals(problem_of(dsw.sweep_pairs, 3, {0, 2, 0}, from, later).name, "Unsupported")
+  lu.assertEquals(problem_of(dsw.sweep_pairs, 4, kinds, from, later).name, "OutOfRange")
+  lu.assertEquals(problem_of(dsw.sweep_pairs, 3, {0, 1}, from, later).name, "WrongSize")
+  lu.assertEquals(problem_of(dsw.sweep_pairs, 3, kinds, from, at(0 / 0, 0, 0)).name, "NonFinite")
+end
+
 function TestValues:test_near_rows()
   local points, cells = {}, {}
   for i = 0, 17 do points[i + 1] = {i % 3, i // 3 % 3, i // 9} end

@@ -35,7 +35,7 @@ def sweep_pairs(
     touches = np.empty(count, dtypes.PAIR_TOUCH) if out is None else out
     context = None if threads == 0 else _core.Context(threads, None)
     flags = PairFlag.RANK if ranks else 0
-    _core.sweep_pairs(dimension, all_kinds, start.reshape(-1, dimension), end.reshape(-1, dimension), touches, flags, context)
+    _core.sweep_pairs(dimension, all_kinds, start.reshape(-1, dimension), end.reshape(-1, end.shape[2]), touches, flags, context)
     return touches
 
 
