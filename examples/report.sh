@@ -3,12 +3,13 @@
 #
 # Installs what is missing (Debian 12, as root), builds a release of the measuring programs, runs them and puts all figures
 # into one page, build/report/report.html, with CSV and SVG of every chart beside it. With DARTSWEEP_DATA naming a folder
-# of meshes, real ones are measured, too. --quick takes some minutes, and times scatter more. Exit code 1: something failed,
-# or a bar of the page is not met; 2: an option can't be used.
+# of meshes, real ones are measured, too; with DARTSWEEP_CCD_QUERIES naming a folder, its public queries on moving pairs.
+# --quick takes some minutes, and times scatter more. Exit code 1: something failed, or a bar of the page is not met; 2: an
+# option can't be used.
 set -euo pipefail
 
 usage() {
-  sed -n '2,7s/^# \{0,1\}//p' "$0"
+  sed -n '2,8s/^# \{0,1\}//p' "$0"
   exit "$1"
 }
 name=report
@@ -62,7 +63,7 @@ export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 quietly "configuring" cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON \
   -DDSW_BUILD_BENCH=ON -DDSW_WITH_LIBCCD=ON
 quietly "building" cmake --build "$tree" --target dartsweep_error dartsweep_error_deform dartsweep_left_out dartsweep_left_out_core \
-  physics_dials physics_stability
+  physics_dials physics_stability dartsweep_pairs
 
 # Results of another run are not mixed with these.
 rm -f "$out"/*.csv "$out"/*.svg "$out"/*.json "$out"/*.html
@@ -79,6 +80,16 @@ measure() {
 measure "detection" "$tree/tests/benchmark/error/dartsweep_error" "${quick[@]}" --out "$out"
 [[ $peers != *" ipctk "* ]] ||
   measure "Tight-Inclusion" "$venv/bin/python" "$root/tests/benchmark/error/tight_inclusion.py" "$out"
+# The page says which answers are not exact (exit code 1).
+exact_pairs() {
+  local pairs=$tree/tests/benchmark/pairs run
+  run=("$pairs/dartsweep_pairs")
+  [[ $peers != *" ipctk "* ]] ||
+    run=("$venv/bin/python" "$root/tests/benchmark/pairs/with_tight_inclusion.py" "$pairs/libdartsweep_pairs.so")
+  "${run[@]}" "${quick[@]}" --generated "$([ ${#quick[@]} -gt 0 ] && echo 20000 || echo 200000)" --out "$out" || [ $? -eq 1 ]
+}
+[ -n "${DARTSWEEP_CCD_QUERIES:-}" ] || skipped+=(--skipped "DARTSWEEP_CCD_QUERIES names no folder, so public queries on moving pairs are absent.")
+measure "moving pairs" exact_pairs
 measure "deformations" "$tree/tests/benchmark/error/dartsweep_error_deform" "${quick[@]}" --out "$out"
 measure "physics" "$tree/examples/physics/dials" "${quick[@]}" --out "$out"
 [[ $peers != *" mujoco "* ]] || measure "MuJoCo" "$venv/bin/python" "$root/examples/physics/mujoco_peer.py" "$out"

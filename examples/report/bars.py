@@ -13,7 +13,7 @@ class Bar:
     met: bool
 
 
-def check(curves, grid, extremes, summary):
+def check(curves, grid, extremes, summary, pairs=()):
     """Each figure with its bar. The promises are counted anew from the rows: a summary that says less is not believed."""
     least_points = min(curve.setting_count for curve in curves)
     with_peers = sum(bool(curve.peers) for curve in curves)
@@ -24,6 +24,11 @@ def check(curves, grid, extremes, summary):
         Bar("report.curves_with_peers", "curves with other libraries beside ours", with_peers, f"at least {LEAST_CURVES_WITH_PEERS}",
             with_peers >= LEAST_CURVES_WITH_PEERS),
     ]
+    if pairs:
+        ours = [row for row in pairs if row["method"] == "Dartsweep"]
+        wrong = sum(row["missed"] + row["invented"] + row["time_error"] for row in ours)
+        bars.append(Bar("pairs.wrong", f"answers, of {sum(row['queries'] for row in ours):,.0f} on moving pairs, that are not exact", wrong, "0",
+                        wrong == 0))
     words = {"nonfinite": "steps after which a position or velocity was no number", "not_free": "edges that met something, over all steps",
              "lost": "vertices outside of their recorded volume, over all steps"}
     for name, about in words.items():

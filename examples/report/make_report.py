@@ -28,7 +28,8 @@ def make(folder, command, quick, skipped):
     curves = sorted(read.read_curves(folder), key=lambda curve: catalogue.order(curve.name))
     grid, extremes, summary = read.read_stability(folder)
     left_out, sizes = read.read_left_out(folder)
-    found = bars.check(curves, grid, extremes, summary)
+    pairs, pair_figures = read.read_exact_pairs(folder)
+    found = bars.check(curves, grid, extremes, summary, pairs)
 
     described = []
     for curve in curves:
@@ -46,10 +47,12 @@ def make(folder, command, quick, skipped):
     root = Path(__file__).resolve().parents[2]
     html = page.render(curves=described, bars=found, machine=machine.describe(root), command=command, quick=quick, skipped=skipped,
                        date=datetime.date.today().isoformat(), summary=summary, stability_map=maps[0], stability_lines=maps[1], extremes=extremes,
-                       extremes_link=link("extremes.csv"), left_out=left_out, sizes=sizes, left_out_link=link("left_out.csv"))
+                       extremes_link=link("extremes.csv"), left_out=left_out, sizes=sizes, left_out_link=link("left_out.csv"),
+                       pairs=pairs, pairs_link=link("exact_pairs.csv"))
     (folder / "report.html").write_text(html, encoding="utf-8")
     figures = {bar.key: bar.value for bar in found}
     figures.update((f"stability.{name}", value) for name, value in summary.items() if f"stability.{name}" not in figures)
+    figures.update(pair_figures)
     (folder / "report.json").write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
     return found
 

@@ -12,6 +12,8 @@ CURVE_COLUMNS = ("curve", "method", "setting", "setting_unit", "seconds_per_item
 PROMISES = ("nonfinite", "not_free", "lost")
 STABILITY_NUMBERS = ("stiffness", "dt", "stable", "energy_drift", "energy_largest", "largest_stretch", *PROMISES)
 LEFT_OUT_NUMBERS = ("bytes_per_cell", "bytes_per_vertex", "orientation_tests_per_step", "microseconds_per_step")
+PAIR_NUMBERS = ("queries", "touching", "missed", "invented", "late", "time_error", "time_off_median", "time_off_max", "ns_median", "ns_p999",
+                "ns_max")
 SIZE_NUMBERS = ("text_bytes", "data_bytes", "stripped_bytes")
 
 
@@ -161,7 +163,7 @@ def read_curve(path):
 
 def read_curves(folder):
     """All curves of a folder: every CSV file but the tables, and the pairs that peers in other languages read."""
-    tables = {"stability", "extremes", "left_out", "library_size"}
+    tables = {"stability", "extremes", "left_out", "library_size", "exact_pairs"}
     paths = [path for path in sorted(Path(folder).glob("*.csv")) if path.stem not in tables and not path.stem.startswith("pairs_")]
     if not paths:
         raise BadFile(f"{folder}: no curves: no CSV file in this folder")
@@ -210,3 +212,23 @@ def read_left_out(folder):
             rows.append(row)
         found.append(rows)
     return found
+
+
+def read_exact_pairs(folder):
+    """(rows of exact_pairs.csv, figures of exact_pairs.json), both empty if there is no such file."""
+    path = Path(folder) / "exact_pairs.csv"
+    if not path.exists():
+        return [], {}
+    rows = []
+    for line, row in read_rows(path, ("set", "kind", "method", *PAIR_NUMBERS)):
+        for column in PAIR_NUMBERS:
+            row[column] = number(path, line, row, column, least=0)
+        rows.append(row)
+    path = path.with_suffix(".json")
+    try:
+        figures = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise BadFile(f"{path}: {error.strerror}") from error
+    except ValueError as error:
+        raise BadFile(f"{path}: no JSON: {error}") from error
+    return rows, figures

@@ -3,7 +3,8 @@
 #
 # Installs what is missing (Debian 12, as root), builds a release in build/bench, runs ours and the peers on the same
 # queries, and writes one flat JSON object, name: number. --quick stays under 10 minutes on two cores. With
-# DARTSWEEP_DATA naming a folder with vessels/vascular_phantom.msh.gz a real vessel is measured too.
+# DARTSWEEP_DATA naming a folder with vessels/vascular_phantom.msh.gz a real vessel is measured too, and with
+# DARTSWEEP_CCD_QUERIES naming a folder its public queries on moving pairs.
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -20,7 +21,7 @@ while [ $# -gt 0 ]; do
       shift
       ;;
     -h | --help)
-      sed -n '2,6s/^# \{0,1\}//p' "$0"
+      sed -n '2,7s/^# \{0,1\}//p' "$0"
       exit 0
       ;;
     *)
@@ -41,6 +42,7 @@ install() {
 }
 
 missing=()
+python3 -c 'import ensurepip, venv' 2> /dev/null || missing+=(python3-venv)
 command -v c++ > /dev/null || missing+=(g++)
 for tool in cmake:cmake make:make pkg-config:pkg-config readelf:binutils python3:python3 valgrind:valgrind; do
   command -v "${tool%%:*}" > /dev/null || missing+=("${tool##*:}")
@@ -81,11 +83,11 @@ mkdir -p "$tree"
 cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
   -DDSW_BUILD_EXAMPLES=ON -DDSW_WITH_LIBCCD=ON > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
 cmake --build "$tree" -j "$(nproc)" \
-  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_walk_counted dartsweep_bench_predicates dartsweep_oracle dartsweep_core edits_tests cross_check_tests paper_catheter_length
+  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_walk_counted dartsweep_bench_predicates dartsweep_pairs dartsweep_oracle dartsweep_core edits_tests cross_check_tests paper_catheter_length
 
 bench=$tree/tests/benchmark
-if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 edits=5000 cases=110000
-else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 edits=100000 cases=500000; fi
+if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 edits=5000 cases=110000 pairs=20000
+else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 edits=100000 cases=500000 pairs=1000000; fi
 "$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}" "${folder[@]}"
 rm -rf "$tree/moves" # of an older run
 mkdir -p "$tree/moves"
@@ -98,9 +100,20 @@ failed=0
 "$bench/dartsweep_bench_predicates" --cases "$cases" --json "$tree/predicates.json" || failed=1
 "$tree/tests/oracle/dartsweep_oracle" --casts "$casts" --sweeps "$sweeps" --bodies "$bodies" --back-edges 100000 --deformations "$deformations" \
   --plane "$sweeps" --plane-sweeps "$sweeps" --plane-deformations "$deformations" --json "$tree/oracle.json" || failed=1
+# Moving pairs: in Python's process where Tight-Inclusion can be installed, or else without it.
+peer=$(grep '^ipctk=' "$root/examples/report/requirements-peers.txt")
+run_pairs=("$bench/pairs/dartsweep_pairs")
+if { [ -e "$tree/venv/bin/python" ] || python3 -m venv "$tree/venv"; } &&
+  "$tree/venv/bin/python" -m pip install -q --disable-pip-version-check "$peer"; then
+  run_pairs=("$tree/venv/bin/python" "$here/pairs/with_tight_inclusion.py" "$bench/pairs/libdartsweep_pairs.so")
+else
+  echo "benchmark: $peer can't be installed here: no pairs.tight_inclusion.* figures"
+fi
+"${run_pairs[@]}" $quick --generated "$pairs" --out "$tree" || failed=1
+"$here/pairs/instructions.sh" "$bench/pairs/dartsweep_pairs" --json "$tree/pairs_instructions.json"
 DSW_EDITS=$edits "$tree/tests/property/edits_tests" --gtest_output="json:$tree/edits.json" > "$tree/edits.log" || failed=1
 
 "$tree/tests/property/cross_check_tests" --gtest_output="json:$tree/normals.json" > "$tree/normals.log" || failed=1
-python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/normals.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/walk_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/oracle.json"
+python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/normals.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/walk_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/exact_pairs.json" "$tree/pairs_instructions.json" "$tree/oracle.json"
 echo "wrote $json"
 exit $failed

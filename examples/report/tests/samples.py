@@ -8,6 +8,8 @@ from read import CURVE_COLUMNS
 STABILITY = ("integrator", "stiffness", "dt", "stable", "energy_drift", "energy_largest", "kinetic_largest", "momentum_change",
              "largest_stretch", "contact_stretch", "steps", "contacts", "nonfinite", "refused", "not_free", "lost")
 EXTREMES = ("case", "steps", "contacts", "nonfinite", "refused", "not_free", "lost", "largest_coordinate", "goes_on", "what_happened")
+PAIRS = ("set", "kind", "method", "queries", "touching", "missed", "invented", "late", "time_error", "time_off_median", "time_off_max", "ns_median",
+         "ns_p999", "ns_max")
 LEFT_OUT = ("feature", "setting", "bytes_per_cell", "bytes_per_vertex", "orientation_tests_per_step", "microseconds_per_step")
 
 
@@ -61,3 +63,7 @@ def write(folder, curves=8, peers=4):
     (folder / "stability.json").write_text(json.dumps({"summary": summary, "stability": [], "extremes": []}), encoding="utf-8")
     write_rows(folder / "left_out.csv", LEFT_OUT,
                [("statistics", "off", 32, 40, 120, 3.5), ("statistics", "on", 32, 40, 120, 3.6), ("deforming", "on", 40, "", 300, 9)])
+    write_rows(folder / "exact_pairs.csv", PAIRS,
+               [("sample queries", "vertex-face", "Dartsweep", 3085, 248, 0, 0, 0, 0, 0, 0, 40, 18000, 22000),
+                ("sample queries", "vertex-face", "FCL (Newton)", 3085, 241, 7, 111, 135, 156, 5.5e-17, 9.3e-9, 40, 250, 3000)])
+    (folder / "exact_pairs.json").write_text(json.dumps({"pairs.queries": 3085, "pairs.missed": 0}), encoding="utf-8")

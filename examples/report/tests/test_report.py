@@ -116,6 +116,13 @@ class Page(unittest.TestCase):
         self.assertIn("a, &#34;note&#34; &lt;b&gt;", self.html)
         self.assertIn("No peer &lt;X&gt;.", self.html)
 
+    def test_has_the_table_of_moving_pairs(self):
+        self.assertIn('<h2 id="exact-pairs">', self.html)
+        self.assertIn("<td>FCL (Newton)</td>", self.html)
+        self.assertIn('download="exact_pairs.csv" href="data:text/csv', self.html)
+        figures = json.loads((self.path / "report.json").read_text(encoding="utf-8"))
+        self.assertEqual((figures["pairs.wrong"], figures["pairs.queries"]), (0, 3085))
+
     def test_writes_the_figures_of_the_summary(self):
         figures = json.loads((self.path / "report.json").read_text(encoding="utf-8"))
         self.assertEqual(figures["report.curves"], 8)
@@ -156,6 +163,16 @@ class Folder(unittest.TestCase):
         self.edit("stability.csv", "400,1000,0,0,0,0", "400,1000,0,0,0,7")
         run(self.path)
         self.assertEqual(json.loads((self.path / "report.json").read_text(encoding="utf-8"))["stability.lost"], 7)
+
+    def test_an_answer_on_a_moving_pair_that_is_not_exact(self):
+        self.edit("exact_pairs.csv", "Dartsweep,3085,248,0,0,0,0,", "Dartsweep,3085,248,1,0,0,2,")
+        run(self.path)
+        self.assertEqual(json.loads((self.path / "report.json").read_text(encoding="utf-8"))["pairs.wrong"], 3)
+
+    def test_moving_pairs_may_be_absent(self):
+        (self.path / "exact_pairs.csv").unlink()
+        run(self.path)
+        self.assertNotIn("exact-pairs", (self.path / "report.html").read_text(encoding="utf-8"))
 
     def test_all_errors_may_be_zero(self):
         rows = [(name, *rest[:6], 0, *rest[7:]) for name, *rest in samples.curve("curve_0", False)]

@@ -1,10 +1,8 @@
 #include "measure.h"
 
 #include "../timing.h"
-#include "moving_pair_truth.h"
 
 #include <cmath>
-#include <limits>
 
 namespace dsw::pairs {
 
@@ -21,9 +19,9 @@ std::vector<Measured> measure(const std::vector<Query>& queries, const std::vect
       const std::size_t count = round == 0 ? queries.size() : mine.answers.size();
       double total = 0;
       for (std::size_t i = 0; i < count && (round > 0 || total < options.set_budget_ns); ++i) {
-        if (round > 0 && mine.ns[i] * round > options.query_budget_ns) continue;
+        if (round > 2 && mine.ns[i] > options.long_query_ns) continue;
         method.prepare(queries[i]);
-        Answer answer;
+        Answer answer{};
         const double ns = bench::time_ns([&] { answer = method.ask(); });
         total += ns;
         if (round == 0) {
@@ -41,21 +39,6 @@ std::vector<Measured> measure(const std::vector<Query>& queries, const std::vect
     for (double& ns : method.ns) ns = std::max(ns - clock, 0.0);
   }
   return found;
-}
-
-std::vector<Truth> exact_truths(const std::vector<Query>& queries) {
-  std::vector<Truth> truths;
-  truths.reserve(queries.size());
-  for (const Query& query : queries) {
-    MovingPair<3> pair{static_cast<PairKind>(query.kind), {}, {}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      pair.start[i] = query.start[i].data();
-      pair.end[i] = query.end[i].data();
-    }
-    const FirstTouch touch = true_first_touch<3>(pair);
-    truths.push_back({touch.touches, touch.time});
-  }
-  return truths;
 }
 
 Judged judge(const std::vector<Query>& queries, const std::vector<Truth>& truths, const Measured& measured, int kind) {
@@ -76,7 +59,7 @@ Judged judge(const std::vector<Query>& queries, const std::vector<Truth>& truths
     // No double lies between the exact time and the largest one that is not later.
     judged.late += answer.time > truth.time ? 1 : 0;
     judged.time_error += answer.time != truth.time ? 1 : 0;
-    off.push_back(std::fabs(answer.time - truth.time));
+    if (std::isfinite(answer.time)) off.push_back(std::fabs(answer.time - truth.time));
   }
   judged.time_off_median = bench::median(off);
   judged.time_off_max = off.empty() ? 0 : *std::max_element(off.begin(), off.end());

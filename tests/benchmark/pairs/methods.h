@@ -9,8 +9,8 @@
 namespace dsw::pairs {
 
 struct Answer {
-  bool touches = false;
-  double time = 0;  // of the first touch
+  bool touches;
+  double time;  // of the first touch
 };
 
 class Method {
@@ -29,8 +29,9 @@ class Method {
 std::unique_ptr<Method> make_nothing();
 /** dsw_sweep_pairs, one call for each query. */
 std::unique_ptr<Method> make_ours();
-/** FCL's tests of moving vertices and edges: Newton's method, FCL's default, or the closed form of the cubic. */
-std::unique_ptr<Method> make_fcl(bool newton);
+/** FCL's tests of moving vertices and edges: Newton's method, FCL's default, or the closed form of the cubic.
+ * @param scaled by the power of two that brings the largest coordinate to 1024 .. 2048. Its tolerances are lengths. */
+std::unique_ptr<Method> make_fcl(bool newton, bool scaled);
 
 /** The addresses of ticcd::vertexFaceCCD and ticcd::edgeEdgeCCD in a library that was compiled for this machine. */
 struct TightInclusionLibrary {

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <stdexcept>
 
 namespace dsw::pairs {
@@ -122,7 +123,10 @@ std::vector<QuerySet> read_sets(const std::string& folder) {
   }
   std::vector<QuerySet> sets;
   for (QuerySet* set : {&sample, &scalable}) {
-    if (set->files > 0) sets.push_back(std::move(*set));
+    if (set->files == 0) continue;
+    std::mt19937_64 random;
+    for (std::size_t i = set->list.size(); i > 1; --i) std::swap(set->list[i - 1], set->list[random() % i]);
+    sets.push_back(std::move(*set));
   }
   return sets;
 }

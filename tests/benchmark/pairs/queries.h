@@ -25,11 +25,12 @@ struct QuerySet {
 };
 
 /**
- * Reads all sets below a folder, sorted by path, as collections named after the two layouts:
+ * Reads all sets below a folder as collections, which are named after the two layouts:
  *
  * - "sample queries": SCENE/edge-edge/NAME.csv and SCENE/vertex-face/NAME.csv, truth in the last column;
  * - "scalable CCD": SCENE/queries/NAMEee.csv and NAMEvf.csv, truth in SCENE/mma_bool/NAMEee_mma_bool.json.
  *
+ * The queries of a collection are shuffled, the same way every time, so that the first ones are a fair sample.
  * Throws std::runtime_error, which names the file and the line.
  */
 std::vector<QuerySet> read_sets(const std::string& folder);
