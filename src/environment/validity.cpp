@@ -4,6 +4,7 @@
 
 #include "base/dimensions.h"
 #include "predicates/filtered.h"
+#include "predicates/moving_pair.h"
 
 namespace dsw {
 namespace {
@@ -285,6 +286,33 @@ CellState check_cell(const Environment<D>& env, Cell c) noexcept {
   return is_flat_and_convex(shape, at, apex) ? CellState::kValidConvex : state;
 }
 
+/** Simplices that are positive all the time cover every direction as often at the end as at the start. */
+template <int D>
+bool stays_valid(const Environment<D>& env, Cell c, const double* next) {
+  const Shape shape = env.map.shape(c);
+  const auto start = [&](uint32_t local) { return env.point(c, local); };
+  const auto end = [&](uint32_t local) { return next + size_t{D} * env.map.vertex(c, local); };
+  // A simplex is looked at from its vertex 2, as in check_star.
+  const bool is_simplex = env.map.form(c) == Form::kSimplex;
+  double centres[2][D];
+  if (!is_simplex) {
+    mean_point<D>(shape.vertex_count(), start, centres[0]);
+    mean_point<D>(shape.vertex_count(), end, centres[1]);
+  }
+  MovingPair<D> simplex{};
+  simplex.start[0] = is_simplex ? start(2) : centres[0];
+  simplex.end[0] = is_simplex ? end(2) : centres[1];
+  for (uint32_t s = 0, count = is_simplex ? 1 : shape.simplex_count(); s < count; ++s) {
+    const uint16_t* const local = shape.simplices() + s * static_cast<uint32_t>(D);
+    for (int k = 0; k < D; ++k) {
+      simplex.start[k + 1] = start(local[k]);
+      simplex.end[k + 1] = end(local[k]);
+    }
+    if (kept_side(simplex) <= 0) return false;
+  }
+  return true;
+}
+
 bool is_valid_star(const double* const* vertices, uint32_t vertex_count, const uint8_t* triangles,
                    uint32_t triangle_count) noexcept {
   double apex[3];
@@ -342,5 +370,6 @@ CheckedCells::Known find_out_validity(const Environment<D>& env, Cell c) noexcep
 
 DSW_INSTANTIATE(find_out_validity);
 DSW_INSTANTIATE(check_cell);
+DSW_INSTANTIATE(stays_valid);
 
 }  // namespace dsw

@@ -12,6 +12,12 @@ enum class CellState { kValid, kValidConvex, kInverted, kInvalid };
 template <int D>
 CellState check_cell(const Environment<D>& env, Cell c) noexcept;
 
+/** Whether a valid cell stays valid while all of its vertices go straight and steadily to where they are in `next`. Its
+ * centre is led along the straight way between its places, so a cell may be valid all the time and still fail here. Throws
+ * std::bad_alloc. */
+template <int D>
+bool stays_valid(const Environment<D>& env, Cell c, const double* next);
+
 /** Whether a polyhedron that no environment has yet would be valid: its vertices in their order, and triangles that
  * close a sphere, three places among the vertices each, counter-clockwise seen from outside. */
 bool is_valid_star(const double* const* vertices, uint32_t vertex_count, const uint8_t* triangles,

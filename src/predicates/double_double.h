@@ -57,5 +57,25 @@ DSW_DD Number product(const Number& a, const Number& b) noexcept {
   return {p.high, p.low + (a.high * b.low + a.low * b.high)};
 }
 
+// A sum of normalized numbers that loses 3u^2 of their magnitudes.
+DSW_DD Number add(const Number& a, const Number& b) noexcept {
+  const Number s = sum(a.high, b.high), t = sum(a.low, b.low);
+  const Number v = fast_sum(s.high, s.low + t.high);
+  return fast_sum(v.high, t.low + v.low);
+}
+
+// A normalized product that loses 8u^2 of itself.
+DSW_DD Number multiply(const Number& a, const Number& b) noexcept {
+  const Number p = product(a, b);
+  return fast_sum(p.high, p.low);
+}
+
+DSW_DD Number negative(const Number& a) noexcept { return {-a.high, -a.low}; }
+
+// p q - r s.
+DSW_DD Number minor_of(const Number& p, const Number& q, const Number& r, const Number& s) noexcept {
+  return add(multiply(p, q), negative(multiply(r, s)));
+}
+
 }  // namespace dd
 }  // namespace dsw

@@ -11,20 +11,6 @@
 namespace dsw {
 namespace {
 
-/** A sum that loses 3 u^2 of the magnitudes. */
-dd::Number add(const dd::Number& a, const dd::Number& b) noexcept {
-  const dd::Number s = dd::sum(a.high, b.high), t = dd::sum(a.low, b.low);
-  const dd::Number v = dd::fast_sum(s.high, s.low + t.high);
-  return dd::fast_sum(v.high, t.low + v.low);
-}
-
-/** A product that loses 8 u^2 of itself. */
-dd::Number multiply(const dd::Number& a, const dd::Number& b) noexcept {
-  const dd::Number p = dd::product(a, b);
-  return dd::fast_sum(p.high, p.low);
-}
-
-dd::Number negative(const dd::Number& a) noexcept { return {-a.high, -a.low}; }
 bool is_less(const dd::Number& a, const dd::Number& b) noexcept {
   return a.high != b.high ? a.high < b.high : a.low < b.low;
 }
@@ -34,20 +20,16 @@ struct Long {
 };
 
 Long minus(const Long& a, const Long& b) noexcept {
-  return {add(a.x, negative(b.x)), add(a.y, negative(b.y)), add(a.z, negative(b.z))};
+  return {dd::add(a.x, dd::negative(b.x)), dd::add(a.y, dd::negative(b.y)), dd::add(a.z, dd::negative(b.z))};
 }
 Long times(const Long& a, const dd::Number& s) noexcept {
-  return {multiply(a.x, s), multiply(a.y, s), multiply(a.z, s)};
+  return {dd::multiply(a.x, s), dd::multiply(a.y, s), dd::multiply(a.z, s)};
 }
 dd::Number dot(const Long& a, const Long& b) noexcept {
-  return add(add(multiply(a.x, b.x), multiply(a.y, b.y)), multiply(a.z, b.z));
-}
-/** p q - r s. */
-dd::Number minor_of(const dd::Number& p, const dd::Number& q, const dd::Number& r, const dd::Number& s) noexcept {
-  return add(multiply(p, q), negative(multiply(r, s)));
+  return dd::add(dd::add(dd::multiply(a.x, b.x), dd::multiply(a.y, b.y)), dd::multiply(a.z, b.z));
 }
 Long cross(const Long& a, const Long& b) noexcept {
-  return {minor_of(a.y, b.z, a.z, b.y), minor_of(a.z, b.x, a.x, b.z), minor_of(a.x, b.y, a.y, b.x)};
+  return {dd::minor_of(a.y, b.z, a.z, b.y), dd::minor_of(a.z, b.x, a.x, b.z), dd::minor_of(a.x, b.y, a.y, b.x)};
 }
 Vec rounded(const Long& a) noexcept { return {a.x.high, a.y.high, a.z.high}; }
 
@@ -111,7 +93,7 @@ class Search {
         for (uint32_t l = k + 1; l < count_b_; ++l) look(across(b_[k], b_[l], a_[i]));
         for (uint32_t j = i + 1; j < count_a_; ++j) {
           const Long way = across(a_[i], a_[j], b_[k]);
-          look({negative(way.x), negative(way.y), negative(way.z)});
+          look({dd::negative(way.x), dd::negative(way.y), dd::negative(way.z)});
           for (uint32_t l = k + 1; D == 3 && l < count_b_; ++l) {
             look_along(cross(minus(a_[j], a_[i]), minus(b_[l], b_[k])));
           }
@@ -138,7 +120,7 @@ class Search {
     for (uint32_t i = 0; i < count; ++i) {
       for (uint32_t k = i + 1; k < count; ++k) {
         const Long edge = minus(points[k], points[i]);
-        if (D == 2) look_along({edge.y, negative(edge.x), {0, 0}});
+        if (D == 2) look_along({edge.y, dd::negative(edge.x), {0, 0}});
         for (uint32_t l = k + 1; D == 3 && l < count; ++l) look_along(cross(edge, minus(points[l], points[i])));
       }
     }
@@ -159,7 +141,7 @@ class Search {
 
   void look_along(const Long& direction) noexcept {
     look(direction);
-    look({negative(direction.x), negative(direction.y), negative(direction.z)});
+    look({dd::negative(direction.x), dd::negative(direction.y), dd::negative(direction.z)});
   }
 
   /** Products and sums of a dot product lose less than 16 u^2 of the sum of magnitudes, u^2 being 2^-106, and among
@@ -179,7 +161,7 @@ class Search {
       const dd::Number x = dot(d, b_[k]);
       if (is_less(most, x)) most = x;
     }
-    const dd::Number beyond = add(least, negative(most));
+    const dd::Number beyond = dd::add(least, dd::negative(most));
     const double lost = 0x1p-100 * dsw::dot(rough.cwiseAbs(), most_) + 0x1p-900;
     const double left = (beyond.high + beyond.low) - lost;
     const double bound = left * (1 - 0x1p-50) / (std::sqrt(dsw::dot(rough, rough)) * (1 + 0x1p-50));
@@ -203,15 +185,15 @@ void Search<D>::consider(const Long& start, std::initializer_list<Step> steps) n
     const Long& u = s[n].way;
     double share = 0;
     if (n + 1 == steps.size()) {
-      share = quotient(negative(dot(way, u)), dot(u, u));
+      share = quotient(dd::negative(dot(way, u)), dot(u, u));
     } else {  // with the next step to come
       const Long& v = s[n + 1].way;
       const dd::Number uu = dot(u, u), uv = dot(u, v), vv = dot(v, v);
-      share = quotient(minor_of(dot(way, v), uv, dot(way, u), vv), minor_of(uu, vv, uv, uv));
+      share = quotient(dd::minor_of(dot(way, v), uv, dot(way, u), vv), dd::minor_of(uu, vv, uv, uv));
     }
     if (!(share > 0 && share < 1)) return;
     const Long part = times(u, {share, 0});
-    way = {add(way.x, part.x), add(way.y, part.y), add(way.z, part.z)};
+    way = {dd::add(way.x, part.x), dd::add(way.y, part.y), dd::add(way.z, part.z)};
     *s[n].from -= share;
     *s[n].to += share;
     if (!(*s[n].from > 0)) return;

@@ -77,15 +77,6 @@ double determinant(const double* a, const double* b, const double* c) noexcept {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-dd::Number add(const dd::Number& a, const dd::Number& b) noexcept {
-  const dd::Number s = dd::sum(a.high, b.high);
-  return dd::fast_sum(s.high, s.low + (a.low + b.low));
-}
-dd::Number negative(const dd::Number& a) noexcept { return {-a.high, -a.low}; }
-dd::Number minor(const dd::Number& a, const dd::Number& b, const dd::Number& c, const dd::Number& d) noexcept {
-  return add(dd::product(a, b), negative(dd::product(c, d)));
-}
-
 template <int D>
 class Filter {
  public:
@@ -329,15 +320,15 @@ class Filter {
       for (int k = 0; k < D; ++k) {
         const dd::Number start = dd::sum(pair_.start[i + 1][k], -pair_.start[0][k]);
         const dd::Number end = dd::sum(pair_.end[i + 1][k], -pair_.end[0][k]);
-        r[i][k] = add(dd::product(start, rest), dd::product(end, part));
+        r[i][k] = dd::add(dd::multiply(start, rest), dd::multiply(end, part));
       }
     }
     if constexpr (D == 2) {
-      return minor(r[0][0], r[1][1], r[0][1], r[1][0]);
+      return dd::minor_of(r[0][0], r[1][1], r[0][1], r[1][0]);
     } else {
-      dd::Number sum = dd::product(r[0][0], minor(r[1][1], r[2][2], r[1][2], r[2][1]));
-      sum = add(sum, dd::product(r[0][1], minor(r[1][2], r[2][0], r[1][0], r[2][2])));
-      return add(sum, dd::product(r[0][2], minor(r[1][0], r[2][1], r[1][1], r[2][0])));
+      dd::Number sum = dd::multiply(r[0][0], dd::minor_of(r[1][1], r[2][2], r[1][2], r[2][1]));
+      sum = dd::add(sum, dd::multiply(r[0][1], dd::minor_of(r[1][2], r[2][0], r[1][0], r[2][2])));
+      return dd::add(sum, dd::multiply(r[0][2], dd::minor_of(r[1][0], r[2][1], r[1][1], r[2][0])));
     }
   }
 

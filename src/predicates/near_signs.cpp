@@ -50,7 +50,7 @@ struct WideArrow {
 
 /** The lowest bit in use. */
 template <int D, int Count>
-int lowest_bit(const Arrow (&arrows)[Count]) noexcept {
+int lowest_bit_of(const Arrow (&arrows)[Count]) noexcept {
   int low = 4096;
   for (const Arrow& a : arrows) {
     const double* const points[] = {a.from, a.to};
@@ -77,19 +77,19 @@ WideDot wide_dot(const WideArrow<D>& a, const WideArrow<D>& b) noexcept {
 
 template <int D>
 DSW_NOINLINE int exact_dot_sign(Arrow u, Arrow v) noexcept {
-  const int low = lowest_bit<D>({u, v});
+  const int low = lowest_bit_of<D>({u, v});
   return wide_dot(WideArrow<D>(u, low), WideArrow<D>(v, low)).sign();
 }
 
 template <int D>
 DSW_NOINLINE int exact_lean_sign(Arrow u, Arrow v, Arrow w) noexcept {
-  const int low = lowest_bit<D>({u, v, w});
+  const int low = lowest_bit_of<D>({u, v, w});
   const WideArrow<D> a(u, low), b(v, low), c(w, low);
   return compare(wide_dot(a, a) * wide_dot(b, c), wide_dot(a, b) * wide_dot(a, c));
 }
 
 DSW_NOINLINE int exact_volume_sign(Arrow u, Arrow v, Arrow w) noexcept {
-  const int low = lowest_bit<3>({u, v, w});
+  const int low = lowest_bit_of<3>({u, v, w});
   const WideArrow<3> a(u, low), b(v, low), c(w, low);
   const auto minor = [&](int i, int j) { return a.v[i] * b.v[j] - a.v[j] * b.v[i]; };
   return (minor(1, 2) * c.v[0] + minor(2, 0) * c.v[1] + minor(0, 1) * c.v[2]).sign();
@@ -151,7 +151,7 @@ int shifted_lean_sign(Arrow u, Arrow v, Arrow to_body) noexcept {
 
 double exact_share(Arrow u, Arrow v, Arrow w) noexcept {
   constexpr int kBits = 59;
-  const int low = lowest_bit<3>({u, v, w});
+  const int low = lowest_bit_of<3>({u, v, w});
   const WideArrow<3> a(u, low), b(v, low), c(w, low);
   const auto uu = wide_dot(a, a), uv = wide_dot(a, b);
   const auto part = uu * wide_dot(b, c) - uv * wide_dot(a, c);
