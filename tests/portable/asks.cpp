@@ -132,6 +132,22 @@ void ask_nearest(const Ground& ground, size_t count, Rng& rng, Tally& tally) {
   tally.count += 3 * count;
 }
 
+void ask_pairs(const dsw_context* context, uint32_t dimension, size_t count, Rng& rng, Tally& tally) {
+  constexpr size_t kBatch = 24;
+  for (size_t done = 0; done < count; done += kBatch) {
+    uint8_t kinds[kBatch];
+    dsw_pair_touch touches[kBatch] = {};
+    std::vector<double> points(2 * kBatch * (dimension + 1) * dimension);
+    const bool is_lattice = rng.chance(0.5);
+    const double sizes[] = {1, 1e-300, 1e300}, size = sizes[rng.below(3)];
+    for (double& x : points) x = is_lattice ? size * rng.between(-2, 2) : size * rng.range(-1, 1);
+    for (uint8_t& kind : kinds) kind = static_cast<uint8_t>(dimension == 2 ? 2u : rng.below(2));
+    const double *const from = points.data(), *const to = from + points.size() / 2;
+    tally.sum << dsw_sweep_pairs(context, dimension, kBatch, kinds, from, to, 0, DSW_PAIRS_RANK, touches) << touches;
+    tally.count += kBatch;
+  }
+}
+
 void ask_for_all(const Ground& ground, Rng& rng, Tally& tally) {
   const dsw_environment* const environment = ground.environment.get();
   dsw_build_report report = {};

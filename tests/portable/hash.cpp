@@ -99,6 +99,12 @@ bool hash(const HashOptions& options, dsw_context* context) {
     Rng own(rng.next());
     hash_queries(kind, options.casts / all.size() + 1, own, context, lines);
   }
+  for (const uint32_t dimension : {2u, 3u}) {
+    Tally pairs;
+    Rng own(options.seed + dimension);
+    ask_pairs(context, dimension, options.casts / 50 + 1, own, pairs);
+    lines.add(dimension == 2 ? "pairs.plane" : "pairs.space", pairs);
+  }
   // Where a call takes long, there are fewer.
   const auto weight = [](const LifeKind& kind) { return std::min<uint64_t>(kind.calls, 500); };
   uint64_t weights = 0;

@@ -96,6 +96,11 @@ Sum& operator<<(Sum& sum, const dsw_near_row& row) {
                  obstacle, wall, tag, body, key, previous, reserved);
 }
 
+Sum& operator<<(Sum& sum, const dsw_pair_touch& touch) {
+  const auto& [time, touches, rank] = touch;
+  return sum.all(time, touches, rank);
+}
+
 Sum& operator<<(Sum& sum, const dsw_statistics& statistics) {
   const auto& [struct_size, reserved, casts, volumes_visited, orientation_tests, exact_fallbacks, ties, forecast_hits,
                contacts, candidates, occupants_tested] = statistics;

@@ -77,6 +77,7 @@ Sum& operator<<(Sum& sum, const dsw_move_report& report);
 Sum& operator<<(Sum& sum, const dsw_deform_report& report);
 Sum& operator<<(Sum& sum, const dsw_wall_contact& contact);
 Sum& operator<<(Sum& sum, const dsw_near_row& row);
+Sum& operator<<(Sum& sum, const dsw_pair_touch& touch);
 Sum& operator<<(Sum& sum, const dsw_statistics& statistics);
 Sum& operator<<(Sum& sum, const dsw_build_report& report);
 Sum& operator<<(Sum& sum, const dsw_volume_change& change);

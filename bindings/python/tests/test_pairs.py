@@ -48,8 +48,9 @@ def test_arrays_are_filled_and_kinds_may_be_one() -> None:
 
 
 def test_pairs_of_the_plane() -> None:
-    starts = [[(0.5, 1), (0, 0), (1, 0)], [(1, 1), (0, 0), (1, 0)], [(1.5, 1), (0, 0), (1, 0)]]
-    ends = [[(0.5, -1), (0, 0), (1, 0)], [(1, -2), (0, 0), (1, 0)], [(1.5, -1), (0, 0), (1, 0)]]
+    starts = np.array([[(x, 1), (0, 0), (1, 0)] for x in (0.5, 1, 1.5)])
+    ends = starts.copy()
+    ends[:, 0, 1] = -1, -2, -1
     touches = ds.sweep_pairs(starts, ends, ranks=True)
     assert touches["time"].tolist() == [0.5, 1 / 3, 0] and touches["rank"].tolist() == [1, 0, 2]
 
