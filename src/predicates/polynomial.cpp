@@ -270,17 +270,22 @@ class RootFinder {
     isolate(middle, high, between, after);
   }
 
-  // The same between a double and the next one.
-  void isolate_within(double floor, const Dyadic& low, const Dyadic& high, int before, int after, double next) {
-    if (before == after) return;
-    if (before - after == 1) {
-      if (sign_at(p_, high) == 0) return add_exact(high, compare(high, dyadic_of(pool_, next)) == 0 ? next : floor);
-      return add(low, high, floor);
+  // The same between a double and the next one. Where only one half has roots no call is nested.
+  void isolate_within(double floor, Dyadic low, Dyadic high, int before, int after, double next) {
+    while (before - after > 1) {
+      const Dyadic middle = half_way(low, high);
+      const int between = sturm_.variations(middle);
+      if (between != before && between != after) {
+        isolate_within(floor, low, middle, before, between, next);
+        before = between;
+      }
+      (between == after ? high : low) = middle;
     }
-    const Dyadic middle = half_way(low, high);
-    const int between = sturm_.variations(middle);
-    isolate_within(floor, low, middle, before, between, next);
-    isolate_within(floor, middle, high, between, after, next);
+    if (sign_at(p_, high) == 0) {
+      add_exact(high, compare(high, dyadic_of(pool_, next)) == 0 ? next : floor);
+    } else {
+      add(low, high, floor);
+    }
   }
 
   static Dyadic half_way(const Dyadic& a, const Dyadic& b) {
