@@ -28,6 +28,7 @@
 #include "dartsweep/snapshot.h"
 #include "dartsweep/surgery.h"
 #include "dartsweep/sweep.h"
+#include "dartsweep/together.h"
 #include "dartsweep/topology.h"
 #include "dartsweep/trace.h"
 

@@ -146,7 +146,8 @@ inline constexpr auto kTable = std::make_tuple(
     DSW_ROW(47, dsw_scene_move_bodies)(array<1, 2>("bodies"), points<3, 4, 5>("targets"), structure<6>("options")),
     DSW_ROW(48, dsw_body_move_rigid)(value<1>("body"), value<2>("motion"), structure<3>("options",
         array("order", &dsw_move_options::order, &dsw_move_options::order_count))),
-    DSW_ROW(49, dsw_body_set_radius)(value<1>("body"), value<2>("radius")));
+    DSW_ROW(49, dsw_body_set_radius)(value<1>("body"), value<2>("radius")),
+    DSW_ROW(50, dsw_scene_move_together)(array<1, 2>("bodies"), points<3, 4, 5>("targets"), structure<6>("options")));
 // clang-format on
 #undef DSW_ROW
 constexpr size_t kCallCount = std::tuple_size_v<decltype(kTable)>;

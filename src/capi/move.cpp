@@ -1,4 +1,5 @@
 #include "dartsweep/move.h"
+#include "dartsweep/together.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +7,14 @@
 #include "capi/body_access.h"
 #include "capi/recorded.h"
 #include "scene/rigid_moves.h"
+#include "scene/together_moves.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
 
 namespace {
 
-constexpr uint32_t kFlags = DSW_MOVE_KEEP_WALLS, kMostPasses = 64;
+constexpr uint32_t kFlags = DSW_MOVE_KEEP_WALLS, kMostPasses = 64, kMostRounds = 65536;
 
 dsw::MoveSettings to_settings(const dsw_move_options& o) {
   dsw::MoveSettings s;
@@ -35,6 +37,13 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
   if (!std::isfinite(o.stand_off)) fail(DSW_STATUS_NON_FINITE, "options->stand_off is %g", o.stand_off);
   s.stand_off = o.stand_off;
   s.noise_share = capi::to_length(o.noise_share, "options->noise_share");
+  return s;
+}
+
+dsw::TogetherSettings to_settings(const dsw_together_options& o) {
+  dsw::TogetherSettings s;
+  s.stop = static_cast<dsw::TogetherStop>(capi::to_number(o.stop, DSW_TOGETHER_STOP_FEATURE, "options->stop"));
+  s.rounds = capi::to_count(o.max_rounds, kMostRounds, s.rounds, "options->max_rounds");
   return s;
 }
 
@@ -68,6 +77,37 @@ void check_targets(const dsw::Body<D>& body, dsw::PointArray targets, const dsw:
 
 void check_target_count(size_t given, size_t needed) {
   if (given != needed) fail(DSW_STATUS_WRONG_SIZE, "target_count is %zu, there are %zu vertex slots", given, needed);
+}
+
+/** The records of bodies that are distinct. */
+template <int D>
+dsw::Array<dsw::BodyRecord<D>*> check_bodies(dsw::Scene<D>& scene, const dsw_body_id* bodies, size_t count) {
+  dsw::require_array(bodies, count, "bodies");
+  dsw::Array<dsw::BodyRecord<D>*> records(scene.memory);
+  dsw::Array<bool> seen(scene.bodies.size(), false, scene.memory);
+  records.reserve(count);
+  for (size_t i = 0; i < count; ++i) {
+    records.push_back(&check_body(scene, bodies[i], {"bodies", true}, i));
+    if (seen[bodies[i].index]) fail(DSW_STATUS_DUPLICATE_ID, "bodies[%zu] occurs twice", i);
+    seen[bodies[i].index] = true;
+  }
+  return records;
+}
+
+/** Targets of bodies, one after the other. */
+template <int D>
+dsw::PointArray check_all_targets(const dsw::Array<dsw::BodyRecord<D>*>& records, const double* targets, size_t count,
+                                  size_t stride_bytes) {
+  size_t needed = 0;
+  for (const dsw::BodyRecord<D>* each : records) needed += each->body.vertices.size();
+  check_target_count(count, needed);
+  const dsw::PointArray points = dsw::to_points(D, targets, count, stride_bytes, "targets");
+  size_t first = 0;
+  for (const dsw::BodyRecord<D>* each : records) {
+    check_targets(each->body, points, {}, first);
+    first += each->body.vertices.size();
+  }
+  return points;
 }
 
 dsw_move_report to_report(const dsw::MoveRecord& record) noexcept {
@@ -154,31 +194,32 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
                                  dsw_move_report* reports) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
-    dsw::require_array(bodies, count, "bodies");
     const dsw_move_options o = capi::read_optional(options, "options", kFlags);
     const dsw::MoveSettings settings = to_settings(o);
     if (o.order != nullptr || o.order_count != 0)
       fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
-    dsw::Array<dsw::BodyRecord<D>*> records(s.memory);
-    dsw::Array<bool> seen(s.bodies.size(), false, s.memory);
-    records.reserve(count);
-    size_t needed = 0;
-    for (size_t i = 0; i < count; ++i) {
-      records.push_back(&check_body(s, bodies[i], {"bodies", true}, i));
-      if (seen[bodies[i].index]) fail(DSW_STATUS_DUPLICATE_ID, "bodies[%zu] occurs twice", i);
-      seen[bodies[i].index] = true;
-      needed += records[i]->body.vertices.size();
-    }
-    check_target_count(target_count, needed);
-    const dsw::PointArray points = dsw::to_points(s.kDimension, targets, target_count, stride_bytes, "targets");
-    size_t first = 0;
-    for (const dsw::BodyRecord<D>* each : records) {
-      check_targets(each->body, points, {}, first);
-      first += each->body.vertices.size();
-    }
+    const dsw::Array<dsw::BodyRecord<D>*> records = check_bodies<D>(s, bodies, count);
+    const dsw::PointArray points = check_all_targets(records, targets, target_count, stride_bytes);
     capi::Recorded call(scene, capi::row_of<dsw_scene_move_bodies>, bodies, count, targets, target_count, stride_bytes,
                         &o);
     move_bodies(s, records.data(), count, points, settings);
+    call.done(Moved<D>{records.data(), count});
+    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = to_report(records[i]->record);
+  });
+}
+
+dsw_status dsw_scene_move_together(dsw_scene* scene, const dsw_body_id* bodies, size_t count, const double* targets,
+                                   size_t target_count, size_t stride_bytes, const dsw_together_options* options,
+                                   dsw_move_report* reports) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
+    const dsw_together_options o = capi::read_optional(options, "options", 0);
+    const dsw::TogetherSettings settings = to_settings(o);
+    const dsw::Array<dsw::BodyRecord<D>*> records = check_bodies<D>(s, bodies, count);
+    const dsw::PointArray points = check_all_targets(records, targets, target_count, stride_bytes);
+    capi::Recorded call(scene, capi::row_of<dsw_scene_move_together>, bodies, count, targets, target_count,
+                        stride_bytes, &o);
+    move_together(s, records.data(), count, points, settings);
     call.done(Moved<D>{records.data(), count});
     for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = to_report(records[i]->record);
   });

@@ -1,0 +1,63 @@
+/** @file together.h
+ * Moves of bodies in which all vertices move at once. Each vertex goes straight and steadily from where it is to its
+ * target. So a body that is carried along never meets itself only because some of its vertices went first. A result does
+ * not depend on how vertices or bodies are numbered.
+ *
+ * What the level of a body covers is swept on its whole way: at DSW_LEVEL_EDGES edges, too. A touch of two bodies, or of
+ * a body with itself, is a contact. So is a touch with the environment, unless the shift (base.h) keeps the part beside
+ * the obstacle: an edge that rests exactly on a wall may move along it, or away. If two edges lie exactly on each other,
+ * and the shift leaves open whether they pass, this is a contact at time 0.
+ *
+ * At the first contact some vertices stop. All bodies go to a position just before it, which is rounded. The way to this
+ * position is swept again. After the call all that the levels cover is free, and nothing was passed.
+ */
+#ifndef DARTSWEEP_TOGETHER_H
+#define DARTSWEEP_TOGETHER_H
+
+#include "dartsweep/move.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What stops at a contact. */
+typedef enum dsw_together_stop {
+  DSW_TOGETHER_STOP_ALL = 0, /**< All bodies of the call. */
+  /** The bodies that could meet each other on their ways; one after another through others counts. */
+  DSW_TOGETHER_STOP_ISLAND = 1,
+  /** The vertices of the parts that touch. All others go on to their targets, up to `max_rounds` times. Then the bodies
+   * that could meet each other stop at their next contact. */
+  DSW_TOGETHER_STOP_FEATURE = 2,
+  DSW_TOGETHER_STOP_FORCE_INT32 = 0x7fffffff /**< Unused. */
+} dsw_together_stop;
+
+/** Options of dsw_scene_move_together. */
+typedef struct dsw_together_options {
+  uint32_t struct_size;   /**< sizeof(dsw_together_options). */
+  uint32_t flags;         /**< 0. */
+  dsw_together_stop stop; /**< Default DSW_TOGETHER_STOP_ALL. */
+  uint32_t max_rounds;    /**< Of DSW_TOGETHER_STOP_FEATURE, up to 65536; 0 means 32. */
+} dsw_together_options;
+
+/** Writes the defaults. @since 2.2 */
+DSW_API void dsw_together_options_init(dsw_together_options *options, size_t size);
+
+/** Moves all vertices of some bodies to their targets, all at once.
+ * @param bodies distinct. Other bodies stand still, and are met.
+ * @param targets `target_count` points, body after body, one for each vertex slot; those of free slots are not read.
+ * @param reports may be null; `fraction`: part of the motion up to the first contact that stopped a vertex of the body's
+ * island, rounded. `vertices_moved`: all living vertices. `edges_swept`, `edges_skipped`: of the whole island, in the report
+ * of its first body. Members on edits and limits are 0.
+ * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has.
+ * @note dsw_body_get_contacts gives the contacts of each body. All that touch at the same exact time are listed. `fixed`
+ * holds the other ends at that time.
+ * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact anew. @since 2.2 */
+DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
+                                           const double *targets, size_t target_count, size_t stride_bytes,
+                                           const dsw_together_options *options, dsw_move_report *reports);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,90 @@
+#include "scene/together_moves.h"
+
+#include <utility>
+
+#include "base/dimensions.h"
+#include "scene/meeting.h"
+#include "scene/scene.h"
+
+namespace dsw {
+namespace {
+
+/** Of the islands: the bodies that do not move, for each that moves. */
+template <int D>
+void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Islands<D>& islands) {
+  Array<bool> moves(scene.bodies.size(), false, scene.memory);
+  for (size_t i = 0; i < count; ++i) moves[static_cast<size_t>(bodies[i] - scene.bodies.data())] = true;
+  for (Partners<D>& each : islands.partners) {
+    if (each.has_thick) fail(DSW_STATUS_UNSUPPORTED, "a body can meet one that has a radius");
+    each.remove([&](const Partner<D>& partner) { return moves[partner.index]; });
+  }
+}
+
+/** Bodies of the call, without their vertices' ends. */
+template <int D>
+Traveller<D> traveller_of(const Scene<D>& scene, BodyRecord<D>& of, const Partners<D>* still, PointArray targets) {
+  Traveller<D> made(scene.memory);
+  const auto slot = static_cast<uint32_t>(&of - scene.bodies.data());
+  made.body = &of.body;
+  made.name = {&of.body, slot, scene.body_slots.generation(slot)};
+  made.targets = targets;
+  made.notes = &of.kept_near;
+  made.record = &of.next;
+  made.still = still;
+  return made;
+}
+
+}  // namespace
+
+template <int D>
+void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets,
+                   const TogetherSettings& settings) {
+  if (count == 0) return;
+  Array<size_t> first(count, 0, scene.memory);
+  size_t at = 0;
+  for (size_t i = 0; i < count; ++i) {
+    BodyRecord<D>& of = *bodies[i];
+    if (of.body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "bodies[%zu] has a radius", i);
+    follow_changes(scene, of);
+    of.before.assign(of.body.vertices.begin(), of.body.vertices.end());
+    of.touches.prepare(of.record);
+    of.next.clear();
+    first[i] = at;
+    at += of.body.vertices.size();
+  }
+  Islands<D> islands(scene.memory);
+  find_islands(scene, bodies, count, targets, first.data(), false, islands);
+  leave_still_ones(scene, bodies, count, islands);
+  CastCounters casts;
+  try {
+    TogetherMove<D> move(scene.env);
+    move.set_counters(scene.features.statistics ? &casts : nullptr);
+    Array<Traveller<D>> travellers(scene.memory);
+    for (size_t island = 0; island < islands.count(); ++island) {
+      for (size_t k = islands.first[island]; k < islands.first[island + 1]; ++k) {
+        const uint32_t i = islands.bodies[k];
+        const Partners<D>* const still = scene.features.contacts ? &islands.partners[i] : nullptr;
+        travellers.push_back(
+            traveller_of(scene, *bodies[i], still, {targets.data + first[i] * targets.step, targets.step}));
+      }
+      if (settings.stop == TogetherStop::kAll && island + 1 != islands.count()) continue;
+      move.move(travellers, settings);
+      travellers.clear();
+    }
+  } catch (...) {
+    for (size_t i = 0; i < count; ++i) put_vertices(bodies[i]->body, bodies[i]->before.data());
+    throw;
+  }
+  for (size_t i = 0; i < count; ++i) {
+    BodyRecord<D>& of = *bodies[i];
+    of.touches.follow(of.record, of.next, of.body.vertex_slots);
+    std::swap(of.record, of.next);
+    settle_body(scene, of);
+    if (scene.features.statistics) scene.statistics.contacts += of.record.contacts.size();
+  }
+  if (scene.features.statistics) scene.statistics.cast.add(casts);
+}
+
+DSW_INSTANTIATE(move_together);
+
+}  // namespace dsw

@@ -1,0 +1,59 @@
+#pragma once
+// What bodies that move at once touch of each other, of bodies that stand still, and of themselves. The shift is the
+// same for all bodies and does not enter: every touch counts.
+
+#include "together/traveller.h"
+
+namespace dsw {
+
+/** Keeps its memory from call to call; one for each thread. Throws std::bad_alloc. */
+template <int D>
+class BodyWays {
+ public:
+  explicit BodyWays(const Memory* memory) : rods_(memory), vertices_(memory), faces_(memory), pairs_(memory) {}
+
+  /** Finds the pairs whose whole ways in the call come near each other. */
+  void start(const Array<Traveller<D>>& travellers);
+  /** Whether none of them touch on their ways. */
+  bool is_free(const Array<Traveller<D>>& travellers) const;
+  /** What is touched first. */
+  void find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) const;
+
+ private:
+  /** A part of a traveller, or of a body that stands still. */
+  struct Side {
+    uint32_t traveller;  // kNone: it stands still
+    const Partner<D>* name;
+    Simplex part;
+  };
+  struct Pair {
+    PairKind kind;
+    Side sides[2];  // in the order of the points
+  };
+  /** Boxes of the ways of parts of all travellers, by number. */
+  struct Ways {
+    BoxGrid<D> grid;
+    Array<Side> sides;
+    Array<Box<D>> boxes;
+
+    explicit Ways(const Memory* memory) : grid(memory), sides(memory), boxes(memory) {}
+    void clear();
+    void add(const Traveller<D>& of, uint32_t number, const Simplex& part);
+    void settle();
+  };
+
+  void add_ways(const Array<Traveller<D>>& travellers);
+  void find_among_travellers(const Array<Traveller<D>>& travellers);
+  void find_still(const Array<Traveller<D>>& travellers);
+  void meet_rods(const Side& rod, const Partner<D>& other, const Box<D>& box);
+  void meet_solids(const Side& side, const Partner<D>& other, const Box<D>& box);
+  void add_rods(const Side& a, const Side& b);
+  void add_pair(PairKind kind, const Side& a, const Side& b) { pairs_.push_back({kind, {a, b}}); }
+  template <class Visit>
+  bool visit_touches(const Array<Traveller<D>>& travellers, Visit visit) const;
+
+  Ways rods_, vertices_, faces_;  // rods: edges and vertices without edges
+  Array<Pair> pairs_;
+};
+
+}  // namespace dsw

@@ -1,0 +1,194 @@
+#include "together/describe.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/vec.h"
+#include "contact/describe.h"
+#include "contact/normals.h"
+#include "environment/marking.h"
+
+namespace dsw {
+namespace {
+
+/** Where the points of a pair are when it touches, and how they move. */
+template <int D>
+struct Moment {
+  Vec at[D + 1], way[D + 1];
+
+  explicit Moment(const Touch<D>& touch) {
+    for (int i = 0; i <= D; ++i) {
+      double place[D];
+      point_at<D>(touch.pair.start[i], touch.pair.end[i], touch.first.time, place);
+      at[i] = to_vec<D>(place);
+      way[i] = difference<D>(touch.pair.end[i], touch.pair.start[i]);
+    }
+  }
+};
+
+/** A place on a segment, as a share of it. */
+double clamped_share(double along, double whole) { return whole > 0 ? std::clamp(along / whole, 0.0, 1.0) : 0; }
+
+/** The point of the first segment that is nearest to the second. */
+Vec nearest_on_first(const Vec& p, const Vec& q, const Vec& a, const Vec& b) {
+  const Vec d = q - p, e = b - a, w = p - a;
+  const double dd = dot(d, d), de = dot(d, e), ee = dot(e, e), dw = dot(d, w), ew = dot(e, w);
+  const double whole = dd * ee - de * de;
+  double share = clamped_share(de * ew - ee * dw, whole);
+  const double other = clamped_share(ew + share * de, ee);
+  share = clamped_share(other * de - dw, dd);
+  return p + share * d;
+}
+
+/** Unit normal from the second side of a pair to the first, and where they touch. */
+struct Geometry {
+  Vec normal, point;
+};
+
+/** The sides of a pair are on two sides of the plane with this normal, which turns as `turn` says. They come together
+ * there: `gap` leads from the second to the first, and grows by `way`. */
+Vec normal_of(const Vec& across, const Vec& turn, const Vec& gap, const Vec& way) {
+  const double approach = dot(across, way) + dot(turn, gap);
+  if (is_zero(across)) return against(Vec::Zero(), way);
+  return (approach > 0 ? -1.0 : 1.0) * unit(across);
+}
+
+template <int D>
+Geometry geometry_of(const Touch<D>& touch) {
+  const Moment<D> m(touch);
+  if constexpr (D == 2) {
+    const Vec edge = m.at[2] - m.at[1], edge_way = m.way[2] - m.way[1];
+    return {normal_of(turned(edge), turned(edge_way), m.at[0] - m.at[1], m.way[0] - m.way[1]), m.at[0]};
+  } else if (touch.pair.kind == PairKind::kVertexFace) {
+    const Vec e = m.at[2] - m.at[1], f = m.at[3] - m.at[1], we = m.way[2] - m.way[1], wf = m.way[3] - m.way[1];
+    const Vec turn = we.cross(f) + e.cross(wf);
+    return {normal_of(e.cross(f), turn, m.at[0] - m.at[1], m.way[0] - m.way[1]), m.at[0]};
+  } else {
+    const Vec e = m.at[1] - m.at[0], f = m.at[3] - m.at[2], we = m.way[1] - m.way[0], wf = m.way[3] - m.way[2];
+    const Vec turn = we.cross(f) + e.cross(wf);
+    return {normal_of(e.cross(f), turn, m.at[0] - m.at[2], m.way[0] - m.way[2]),
+            nearest_on_first(m.at[0], m.at[1], m.at[2], m.at[3])};
+  }
+}
+
+template <int D>
+void name_feature(const Environment<D>& env, const WallFeature& wall, const double* normal, dsw_contact& contact) {
+  if (wall.facet.valid()) {
+    name_wall(env, facing(env, wall.facet, normal), contact);
+  } else {
+    contact.front = volume_id(env.map, wall.cell);
+  }
+  if (wall.count == D) return;
+  if (wall.count == 1) {
+    name_vertex(env.map, wall.vertices[0], contact);
+    if (!wall.facet.valid())
+      contact.marked_kind = vertex_marked(env, wall.vertices[0]) ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
+    return;
+  }
+  if constexpr (D == 3) {
+    const Cell c = wall.facet.valid() ? env.map.cell_of(wall.facet) : wall.cell;
+    const Dart d = dart_between(env.map, c, wall.vertices);
+    if (d.cell.valid()) name_edge(edge_id(env.map, d), contact);
+    if (!wall.facet.valid()) contact.marked_kind = DSW_CELL_EDGE;
+  }
+}
+
+/** A contact as one side of a touch has it. */
+template <int D>
+struct OneSide {
+  const Traveller<D>& of;
+  Simplex part;
+  const Partner<D>* other;  // null: the environment
+  Simplex other_part;
+};
+
+template <int D>
+void place_at(const Traveller<D>& of, uint32_t v, double time, double* place) {
+  point_at<D>(of.start(v), of.end(v), time, place);
+}
+
+template <int D>
+dsw_body_contact contact_of(const Environment<D>& env, const OneSide<D>& side, const Touch<D>& touch,
+                            const Geometry& geometry) {
+  const Traveller<D>& of = side.of;
+  const Body<D>& body = *of.body;
+  const double time = touch.first.time;
+  const SimplexCorners<D> corners(body, side.part);
+  uint32_t v = kNone;
+  for (const uint32_t each : corners) {
+    if (of.moves(each)) v = std::min(v, each);
+  }
+  dsw_body_contact contact{};
+  contact.vertex = vertex_id(body, v);
+  std::copy_n(of.start(v), D, contact.from);
+  std::copy_n(of.end(v), D, contact.to);
+  contact.time = time;
+  place_at(of, v, time, contact.position);
+  store<D>(geometry.point, contact.point);
+  store<D>(geometry.normal + Vec::Zero(), contact.contact.normal);  // never -0
+  if (side.part.kind == Simplex::kEdge) {
+    contact.edge = edge_id(body, side.part.index);
+    place_at(of, body.edges[side.part.index].other(v), time, contact.fixed[0]);
+    contact.edge_parameter = share_along<D>(contact.position, contact.fixed[0], contact.point);
+  } else if (side.part.kind == Simplex::kFace) {
+    contact.face = face_id(body, side.part.index);
+    place_at(of, body.faces[side.part.index].after(v), time, contact.fixed[0]);
+    place_at(of, body.faces[side.part.index].before(v), time, contact.fixed[1]);
+  }
+  if (side.other == nullptr) {
+    name_feature(env, touch.wall, contact.contact.normal, contact.contact);
+    return contact;
+  }
+  contact.contact.front = volume_id(env.map, body.vertices[v].cell);
+  contact.contact.kind = side.other_part.kind == Simplex::kVertex ? DSW_CONTACT_VERTEX
+                         : side.other_part.kind == Simplex::kEdge ? DSW_CONTACT_EDGE
+                                                                  : DSW_CONTACT_PLANE;
+  return contact;
+}
+
+template <int D>
+dsw_contact_partner partner_of(const OneSide<D>& side) {
+  dsw_contact_partner partner{};
+  if (side.other == nullptr) return partner;
+  const Body<D>& body = *side.other->body;
+  partner.body = {side.other->index, side.other->generation};
+  if (side.other_part.kind == Simplex::kVertex) partner.vertex = vertex_id(body, side.other_part.index);
+  if (side.other_part.kind == Simplex::kEdge) partner.edge = edge_id(body, side.other_part.index);
+  if (side.other_part.kind == Simplex::kFace) partner.face = face_id(body, side.other_part.index);
+  return partner;
+}
+
+template <int D>
+auto order_of(const Touch<D>& t) {
+  return std::make_tuple(t.traveller, static_cast<uint32_t>(t.part.kind), t.part.index,
+                         t.other == nullptr ? 0 : t.other->index + 1, static_cast<uint32_t>(t.other_part.kind),
+                         t.other_part.index, t.wall.vertices[0], t.wall.vertices[1]);
+}
+
+}  // namespace
+
+template <int D>
+void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers, FirstTouches<D>& first) {
+  std::sort(first.all.begin(), first.all.end(),
+            [](const Touch<D>& a, const Touch<D>& b) { return order_of(a) < order_of(b); });
+  for (const Touch<D>& touch : first.all) {
+    const Geometry geometry = geometry_of(touch);
+    const auto add = [&](uint32_t number, const OneSide<D>& side, double sign) {
+      const SimplexCorners<D> corners(*side.of.body, side.part);
+      if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return side.of.moves(v); })) return;
+      const Geometry turned_to{sign * geometry.normal, geometry.point};
+      travellers[number].record->add(contact_of(env, side, touch, turned_to), partner_of(side));
+    };
+    const double sign = touch.comes_first ? 1 : -1;
+    const OneSide<D> one{travellers[touch.traveller], touch.part, touch.other, touch.other_part};
+    add(touch.traveller, one, sign);
+    if (touch.other_traveller == kNone) continue;
+    const Traveller<D>& other = travellers[touch.other_traveller];
+    add(touch.other_traveller, {other, touch.other_part, &travellers[touch.traveller].name, touch.part}, -sign);
+  }
+}
+
+template void describe_touches(const Environment<2>&, Array<Traveller<2>>&, FirstTouches<2>&);
+template void describe_touches(const Environment<3>&, Array<Traveller<3>>&, FirstTouches<3>&);
+
+}  // namespace dsw

@@ -1,0 +1,142 @@
+#include "together/together_move.h"
+
+#include <algorithm>
+
+#include "base/vec.h"
+#include "together/describe.h"
+#include "walk/retreat.h"
+
+namespace dsw {
+namespace {
+
+/** Calls visit(traveller, vertex) for the vertices of the call's bodies that touch. */
+template <int D, class Visit>
+void for_each_touching(Array<Traveller<D>>& travellers, const Touch<D>& touch, Visit visit) {
+  Traveller<D>& of = travellers[touch.traveller];
+  for (const uint32_t v : SimplexCorners<D>(*of.body, touch.part)) visit(of, v);
+  if (touch.other_traveller == kNone) return;
+  Traveller<D>& other = travellers[touch.other_traveller];
+  for (const uint32_t v : SimplexCorners<D>(*other.body, touch.other_part)) visit(other, v);
+}
+
+/** A place on a vertex's way. It never leaves the box of the whole way, for which obstacles were collected. */
+template <int D>
+void place_on_way(const double* from, const double* to, double time, double* place) {
+  point_at<D>(from, to, time, place);
+  for (int k = 0; k < D; ++k) {
+    place[k] = std::clamp(place[k], std::min(from[k], to[k]), std::max(from[k], to[k]));
+  }
+}
+
+}  // namespace
+
+template <int D>
+void TogetherMove<D>::move(Array<Traveller<D>>& travellers, const TogetherSettings& settings) {
+  start(travellers);
+  const uint32_t rounds = settings.stop == TogetherStop::kFeature ? settings.rounds : 1;
+  for (uint32_t round = 0; round < rounds && !run_round(travellers); ++round) {
+    if (round != 0) continue;
+    for (Traveller<D>& of : travellers) of.record->fraction = time_;
+  }
+  for (Traveller<D>& of : travellers) {
+    const Body<D>& body = *of.body;
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (!body.has_vertex(v)) continue;
+      ++of.record->moved;
+      of.record->stopped += std::equal(of.start(v), of.start(v) + D, of.targets[v]) ? 0 : 1;
+    }
+    for (dsw_body_contact& contact : of.record->contacts) {
+      contact.distance_left = length(difference<D>(contact.to, body.position(contact.vertex.index)));
+    }
+  }
+  travellers[0].record->sweeps = walls_.counts;
+}
+
+template <int D>
+void TogetherMove<D>::start(Array<Traveller<D>>& travellers) {
+  for (Traveller<D>& of : travellers) {
+    const size_t count = of.body->vertices.size();
+    of.ends.resize(count * D);
+    of.arrivals.assign(count, Cell{});
+    of.is_held.assign(count, false);
+  }
+  walls_.start(travellers);
+  bodies_.start(travellers);
+}
+
+/** Goes on as far as nothing is touched. Whether all have arrived. */
+template <int D>
+bool TogetherMove<D>::run_round(Array<Traveller<D>>& travellers) {
+  set_ends(travellers, 1);
+  walls_.cast_paths(travellers);
+  first_.all.clear();
+  walls_.find_first(travellers, first_);
+  bodies_.find_first(travellers, first_);
+  if (first_.all.empty()) {
+    arrive(travellers);
+    return true;
+  }
+  describe_touches(env_, travellers, first_);
+  retreat(travellers);
+  arrive(travellers);
+  for (const Touch<D>& touch : first_.all) {
+    for_each_touching(travellers, touch, [](Traveller<D>& of, uint32_t v) { of.is_held[v] = true; });
+  }
+  return false;
+}
+
+/** The ends of all ways come nearer, until nothing is touched. The steps depend on no order of vertices. */
+template <int D>
+void TogetherMove<D>::retreat(Array<Traveller<D>>& travellers) {
+  const double time = first_.all[0].first.time;
+  double step = 0;
+  for (const Touch<D>& touch : first_.all) {
+    for_each_touching(travellers, touch, [&](Traveller<D>& of, uint32_t v) {
+      if (of.moves(v)) step = std::max(step, first_step<D>(of.start(v), of.end(v), time));
+    });
+  }
+  constexpr int kMostTries = 60;
+  for (int tries = 0; tries < kMostTries && step < time; ++tries, step *= 2) {
+    time_ = time - step;
+    set_ends(travellers, time_);
+    if (is_free(travellers)) return;
+  }
+  time_ = 0;
+  set_ends(travellers, 0);
+  walls_.cast_paths(travellers);
+}
+
+template <int D>
+bool TogetherMove<D>::is_free(Array<Traveller<D>>& travellers) {
+  walls_.cast_paths(travellers);
+  return walls_.is_free(travellers) && bodies_.is_free(travellers);
+}
+
+template <int D>
+void TogetherMove<D>::set_ends(Array<Traveller<D>>& travellers, double time) {
+  for (Traveller<D>& of : travellers) {
+    for (uint32_t v = 0; v < of.body->vertices.size(); ++v) {
+      if (!of.body->has_vertex(v)) continue;
+      const double *const from = of.start(v), *const to = of.target(v);
+      if (time == 0 || time == 1) {
+        std::copy_n(time == 0 ? from : to, D, of.end(v));
+      } else {
+        place_on_way<D>(from, to, time, of.end(v));
+      }
+    }
+  }
+}
+
+template <int D>
+void TogetherMove<D>::arrive(Array<Traveller<D>>& travellers) {
+  for (Traveller<D>& of : travellers) {
+    for (uint32_t v = 0; v < of.body->vertices.size(); ++v) {
+      if (of.body->has_vertex(v) && of.moves(v)) put_vertex(*of.body, v, of.end(v), of.arrivals[v]);
+    }
+  }
+}
+
+template class TogetherMove<2>;
+template class TogetherMove<3>;
+
+}  // namespace dsw

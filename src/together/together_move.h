@@ -1,0 +1,45 @@
+#pragma once
+// Bodies of which all vertices move at once, until something is touched.
+
+#include "together/body_ways.h"
+#include "together/wall_ways.h"
+
+namespace dsw {
+
+/** Who stops at a contact; see dsw_together_stop. */
+enum class TogetherStop : uint32_t { kAll, kIsland, kFeature };
+
+struct TogetherSettings {
+  TogetherStop stop = TogetherStop::kAll;
+  uint32_t rounds = 32;  // most rounds of kFeature
+};
+
+/** Moves bodies; one for each thread. */
+template <int D>
+class TogetherMove {
+ public:
+  explicit TogetherMove(const Environment<D>& env) : env_(env), walls_(env), bodies_(env.memory) {}
+
+  /** Moves bodies that depend on nobody else that moves. They begin with their records cleared. Throws std::bad_alloc
+   * with some vertices moved. */
+  void move(Array<Traveller<D>>& travellers, const TogetherSettings& settings);
+
+  void set_counters(CastCounters* counters) { walls_.set_counters(counters); }
+
+ private:
+  void start(Array<Traveller<D>>& travellers);
+  bool run_round(Array<Traveller<D>>& travellers);
+  void retreat(Array<Traveller<D>>& travellers);
+  bool is_free(Array<Traveller<D>>& travellers);
+  void set_ends(Array<Traveller<D>>& travellers, double time);
+  bool hold_touching(Array<Traveller<D>>& travellers);
+  void arrive(Array<Traveller<D>>& travellers);
+
+  const Environment<D>& env_;
+  WallWays<D> walls_;
+  BodyWays<D> bodies_;
+  FirstTouches<D> first_{env_.memory};
+  double time_ = 1;  // of this round, up to which all have gone
+};
+
+}  // namespace dsw

@@ -1,0 +1,114 @@
+#pragma once
+// A body of which all vertices move at once, and what its parts touch on their way.
+
+#include "base/points.h"
+#include "body/simplices.h"
+#include "pairs/partners.h"
+#include "predicates/moving_pair.h"
+#include "proximity/near_lists.h"
+#include "response/settings.h"
+
+namespace dsw {
+
+/** A body of a call. Every vertex goes straight and steadily from its position to its end. */
+template <int D>
+struct Traveller {
+  Body<D>* body;
+  Partner<D> name;
+  PointArray targets;   // of the call, one for each slot
+  NearNotes<D>* notes;  // what is remembered of what is near the body
+  MoveRecord* record;
+  const Partners<D>* still;  // bodies that it may meet and that do not move in this call; null: none
+  Array<double> ends;        // where its vertices go in this round
+  Array<Cell> arrivals;      // the cells that contain the ends; invalid: something is on the path
+  Array<bool> is_held;       // vertices that have stopped
+
+  explicit Traveller(const Memory* memory)
+      : body(nullptr),
+        name{nullptr, 0, 0},
+        notes(nullptr),
+        record(nullptr),
+        still(nullptr),
+        ends(memory),
+        arrivals(memory),
+        is_held(memory) {}
+
+  const double* start(uint32_t v) const { return body->position(v); }
+  const double* end(uint32_t v) const { return ends.data() + size_t{v} * D; }
+  double* end(uint32_t v) { return ends.data() + size_t{v} * D; }
+  /** Where a vertex goes in all rounds together. */
+  const double* target(uint32_t v) const { return is_held[v] ? start(v) : targets[v]; }
+  bool moves(uint32_t v) const { return !std::equal(start(v), start(v) + D, end(v)); }
+};
+
+/** A feature of the environment that a part of a body can touch. */
+struct WallFeature {
+  uint32_t vertices[3];  // of the environment: the first `count`
+  uint32_t count;
+  HalfFacet facet;  // an impassable facet at it, seen from a passable cell; invalid if there is none
+  Cell cell;        // of a marked edge or vertex: a cell at it
+};
+
+/** Something that is touched. */
+template <int D>
+struct Touch {
+  MovingPair<D> pair;
+  FirstTouch first;
+  uint32_t traveller;  // that moves
+  Simplex part;        // its part
+  bool comes_first;    // whether its points are the first of the pair
+  // What it touches. Of a body that moves: its number; of one that does not: kNone and `still`.
+  uint32_t other_traveller = kNone;
+  const Partner<D>* other = nullptr;  // null: the environment
+  Simplex other_part{};
+  WallFeature wall{};
+};
+
+/** What is touched first: all that are touched at the same exact time. */
+template <int D>
+struct FirstTouches {
+  Array<Touch<D>> all;
+
+  explicit FirstTouches(const Memory* memory) : all(memory) {}
+  /** Notes one that is not later than those before. Throws std::bad_alloc. */
+  void add(const Touch<D>& touch) {
+    if (!all.empty()) {
+      const FirstTouch& best = all[0].first;
+      const int order = touch.first.time < best.time   ? -1
+                        : touch.first.time > best.time ? 1
+                                                       : compare_first_touches<D>(touch.pair, all[0].pair);
+      if (order > 0) return;
+      if (order < 0) all.clear();
+    }
+    all.push_back(touch);
+  }
+};
+
+/** The box of the way of a part, up to where it goes in the call. */
+template <int D>
+Box<D> box_of_way(const Traveller<D>& of, const Simplex& part) noexcept {
+  Box<D> box;
+  for (const uint32_t v : SimplexCorners<D>(*of.body, part)) {
+    box.add(of.start(v));
+    box.add(of.target(v));
+  }
+  return box;
+}
+
+/** Whether what two parts sweep in this round lies in boxes that overlap. */
+template <int D>
+bool boxes_overlap(const MovingPair<D>& pair) noexcept {
+  const int first = pair.kind == PairKind::kEdgeEdge ? 2 : 1;
+  for (int k = 0; k < D; ++k) {
+    double low[2] = {Box<D>::kInfinity, Box<D>::kInfinity}, high[2] = {-Box<D>::kInfinity, -Box<D>::kInfinity};
+    for (int i = 0; i <= D; ++i) {
+      const int side = i < first ? 0 : 1;
+      low[side] = std::min({low[side], pair.start[i][k], pair.end[i][k]});
+      high[side] = std::max({high[side], pair.start[i][k], pair.end[i][k]});
+    }
+    if (low[0] > high[1] || low[1] > high[0]) return false;
+  }
+  return true;
+}
+
+}  // namespace dsw

@@ -1,0 +1,325 @@
+// The first contact of an edge with a triangle, under the shift, is one of an end, which the cast of its path finds, or
+// of the edge with a side of the triangle. Then the two also touch without the shift. So it is enough to ask first_touch
+// about edges and sides, in the plane about edges and corners, and of faces about corners.
+//
+// What touches at the start may be free under the shift, and stay so. Two tests under the shift say that a part and a
+// feature do not meet:
+// - All corners of the part stay on one side of the plane of a wall's triangle that has the feature.
+// - The determinant of the points of part and feature is affine in each of them. If it has one sign for all choices of
+//   start or end of each corner, it is never 0.
+// Neither depends on how vertices are numbered.
+
+#include "together/wall_ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/dimensions.h"
+#include "predicates/filtered.h"
+#include "predicates/sweep_events.h"
+#include "walk/standard_facets.h"
+
+namespace dsw {
+
+template <int D>
+void WallWays<D>::start(const Array<Traveller<D>>& travellers) {
+  features_.clear();
+  planes_.clear();
+  plane_numbers_.clear();
+  edges_.clear();
+  faces_.clear();
+  for (const Traveller<D>& of : travellers) {
+    const Body<D>& body = *of.body;
+    edges_.emplace_back(covers_edges(body.level) ? body.edges.size() : 0, Near{}, env_.memory);
+    faces_.emplace_back(covers_faces(body.level) ? body.faces.size() : 0, Near{}, env_.memory);
+  }
+  counts = {};
+}
+
+template <int D>
+void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
+  struct Name {
+    uint32_t traveller, vertex;
+  };
+  Name names[kPacket];
+  blocked_.clear();
+  packet_.clear();
+  const auto run = [&] {
+    packet_.run(env_, counters_);
+    for (uint32_t i = 0; i < packet_.count(); ++i) {
+      const CastResult& path = packet_.result(i);
+      const bool is_reached = path.end == CastEnd::kReached;
+      travellers[names[i].traveller].arrivals[names[i].vertex] = is_reached ? path.cell : Cell{};
+      if (!is_reached) blocked_.push_back({names[i].traveller, names[i].vertex, path});
+    }
+    packet_.clear();
+  };
+  for (uint32_t t = 0; t < travellers.size(); ++t) {
+    Traveller<D>& of = travellers[t];
+    for (uint32_t v = 0; v < of.arrivals.size(); ++v) {
+      if (!of.body->has_vertex(v)) continue;
+      of.arrivals[v] = of.body->vertices[v].cell;
+      if (!of.moves(v)) continue;
+      names[packet_.count()] = {t, v};
+      packet_.add(env_, of.body->vertices[v].cell, of.start(v), of.end(v));
+      if (packet_.full()) run();
+    }
+  }
+  run();
+}
+
+template <int D>
+bool WallWays<D>::is_free(const Array<Traveller<D>>& travellers) {
+  return blocked_.empty() && visit_parts(travellers, [](const Touch<D>&) { return false; });
+}
+
+template <int D>
+void WallWays<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) {
+  for (const Blocked& each : blocked_) first.add(touch_of(travellers[each.traveller], each));
+  visit_parts(travellers, [&](const Touch<D>& touch) {
+    first.add(touch);
+    return true;
+  });
+}
+
+template <int D>
+Touch<D> WallWays<D>::touch_of(const Traveller<D>& of, const Blocked& blocked) const {
+  const Cell c = blocked.path.cell;
+  const uint16_t* const local = env_.map.shape(c).simplices() + size_t{blocked.path.simplex} * D;
+  Touch<D> touch{};
+  touch.pair.kind = D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge;
+  touch.pair.start[0] = of.start(blocked.vertex);
+  touch.pair.end[0] = of.end(blocked.vertex);
+  touch.wall = {{}, D, blocked.path.facet, c};
+  for (int i = 0; i < D; ++i) {
+    touch.wall.vertices[i] = env_.map.vertex(c, local[i]);
+    touch.pair.start[i + 1] = touch.pair.end[i + 1] = env_.point(touch.wall.vertices[i]);
+  }
+  touch.first = first_touch(touch.pair);
+  touch.traveller = blocked.traveller;
+  touch.comes_first = true;
+  touch.part = {Simplex::kVertex, blocked.vertex};
+  touch.other_traveller = kNone;
+  return touch;
+}
+
+/** Calls visit(touch) for the edges and faces that may touch something, until it returns false. */
+template <int D>
+template <class Visit>
+bool WallWays<D>::visit_parts(const Array<Traveller<D>>& travellers, Visit visit) {
+  for (uint32_t t = 0; t < travellers.size(); ++t) {
+    const Traveller<D>& of = travellers[t];
+    const bool is_done = for_each_simplex(*of.body, [&](const Simplex& part) {
+      return part.kind == Simplex::kVertex || visit_part(of, t, part, visit);
+    });
+    if (!is_done) return false;
+  }
+  return true;
+}
+
+template <int D>
+template <class Visit>
+bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simplex& part, Visit visit) {
+  const SimplexCorners<D> corners(*of.body, part);
+  if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
+  ++counts.swept;
+  if (is_settled(of, part)) {
+    ++counts.skipped;
+    return true;
+  }
+  Near& near = near_of(number, part);
+  if (near.first_feature == kNone) collect(of, part, near);
+  if (near.first_feature == near.feature_end) return true;
+  Touch<D> touch{};
+  touch.traveller = number;
+  touch.part = part;
+  touch.pair.kind = D == 2                          ? PairKind::kVertexEdge
+                    : part.kind == Simplex::kEdge ? PairKind::kEdgeEdge
+                                                    : PairKind::kVertexFace;
+  // A corner of the environment comes before the part, a side comes after it.
+  const uint32_t first_corner = touch.pair.kind == PairKind::kEdgeEdge ? 0 : 1;
+  touch.comes_first = first_corner == 0;
+  const double* points[6];
+  for (uint32_t i = 0; i < corners.count; ++i) {
+    points[2 * i] = touch.pair.start[first_corner + i] = of.start(corners.vertices[i]);
+    points[2 * i + 1] = touch.pair.end[first_corner + i] = of.end(corners.vertices[i]);
+  }
+  is_beside_.clear();
+  for (uint32_t i = near.first_plane; i < near.plane_end; ++i) {
+    is_beside_.push_back(is_beside(planes_[i], points, 2 * corners.count));
+  }
+  for (uint32_t i = near.first_feature; i < near.feature_end; ++i) {
+    const Feature& feature = features_[i];
+    for (uint32_t k = 0; k < feature.name.count; ++k) {
+      const uint32_t at = (first_corner == 0 ? corners.count : 0) + k;
+      touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.name.vertices[k]);
+    }
+    if (!boxes_overlap(touch.pair)) continue;
+    const auto beside = [&](uint32_t plane) { return is_beside_[plane]; };
+    if (std::any_of(plane_numbers_.begin() + feature.first_plane, plane_numbers_.begin() + feature.plane_end, beside))
+      continue;
+    if (keeps_sides(of, corners, feature)) continue;
+    touch.first = first_touch(touch.pair);
+    touch.wall = feature.name;
+    if (touch.first.touches && !visit(touch)) return false;
+  }
+  return true;
+}
+
+/** Whether a part meets nothing, as its corners stay in one convex cell, or as nothing is in the box of its way. */
+template <int D>
+bool WallWays<D>::is_settled(const Traveller<D>& of, const Simplex& part) {
+  const SimplexCorners<D> corners(*of.body, part);
+  const Cell cell = of.body->vertices[corners.vertices[0]].cell;
+  const bool stays = std::all_of(corners.begin(), corners.end(), [&](uint32_t v) {
+    return of.body->vertices[v].cell == cell && of.arrivals[v] == cell;
+  });
+  if (stays && env_.map.convex(cell)) return true;
+  if (!BoxProbe<D>::suits(env_, cell)) return false;
+  Bounds<D> box(of.start(corners.vertices[0]));
+  for (const uint32_t v : corners) {
+    box.include(of.start(v));
+    box.include(of.end(v));
+  }
+  return probe_.is_free(box, cell);
+}
+
+template <int D>
+bool WallWays<D>::is_beside(const Plane& plane, const double* const* points, uint32_t count) const {
+  const int side = plane_side<D>(plane.corners, points[0], NoTally{}).sign;
+  if (side == 0) return false;
+  return std::all_of(points + 1, points + count, [&](const double* each) {
+    return plane_side<D>(plane.corners, each, NoTally{}).sign == side;
+  });
+}
+
+/** Whether the determinant of part and feature has one sign for all choices of start or end of each corner. */
+template <int D>
+bool WallWays<D>::keeps_sides(const Traveller<D>& of, const SimplexCorners<D>& corners, const Feature& feature) const {
+  const double* ridge[2] = {};
+  for (uint32_t i = 0; i < feature.name.count; ++i) ridge[i] = env_.point(feature.name.vertices[i]);
+  int side = 0;
+  for (uint32_t choice = 0; choice < 1u << corners.count; ++choice) {
+    const double* at[3] = {};
+    bool is_new = true;
+    for (uint32_t i = 0; i < corners.count; ++i) {
+      const bool is_end = (choice >> i & 1u) != 0;
+      at[i] = is_end ? of.end(corners.vertices[i]) : of.start(corners.vertices[i]);
+      is_new = is_new && (!is_end || of.moves(corners.vertices[i]));
+    }
+    if (!is_new) continue;
+    int sign;
+    if constexpr (D == 3) {
+      sign = corners.count == 2 ? line_side<3>(at[0], at[1], ridge, NoTally{}).sign
+                                : swept_side({at[0], at[1], at[2]}, ridge[0]).sign;
+    } else {
+      sign = line_side<2>(at[0], at[1], ridge, NoTally{}).sign;
+    }
+    if (sign == 0 || (side != 0 && sign != side)) return false;
+    side = sign;
+  }
+  return true;
+}
+
+/** Finds what is near the whole way of a part in the call. The flood goes through all passable cells that meet a region
+ * round this way. What the part touches first it comes to through such cells. Shorter tries and later rounds lead
+ * through the same region. */
+template <int D>
+void WallWays<D>::collect(const Traveller<D>& of, const Simplex& simplex, Near& near) {
+  constexpr double kMoreThanDiagonal = 1.8;  // than the square root of 3
+  const Part<D> part(*of.body, simplex);
+  const Box<D> box = box_of_way(of, simplex);
+  const double* points[6];
+  double way = 0, size = 0;
+  const uint32_t count = part.corners.count;
+  for (uint32_t i = 0; i < count; ++i) {
+    points[i] = part.points[i];
+    points[count + i] = of.target(part.corners.vertices[i]);
+    for (int k = 0; k < D; ++k) {
+      way = std::max(way, std::fabs(points[count + i][k] - points[i][k]));
+      size = std::max(size, std::fabs(points[i][k] - points[0][k]));
+    }
+  }
+  obstacles_.clear();
+  sides_.clear();
+  near.first_plane = static_cast<uint32_t>(planes_.size());
+  near.first_feature = static_cast<uint32_t>(features_.size());
+  const Cell start = of.body->vertices[part.corners.vertices[0]].cell;
+  if (of.notes != nullptr && way <= size && !is_covered(*of.body, simplex)) {
+    const NearView<D> view =
+        lists_.near(*of.body, part, 0, std::max(kMoreThanDiagonal * way, size / 4), *of.notes);
+    add_obstacles(view.list, &view.near, box);
+  } else {
+    add_obstacles(lists_.in(start, NearRegion<D>(points, 2 * count, 0)), nullptr, box);
+  }
+  add_features(D == 2 || simplex.kind == Simplex::kFace, near);
+  near.plane_end = static_cast<uint32_t>(planes_.size());
+  near.feature_end = static_cast<uint32_t>(features_.size());
+}
+
+template <int D>
+void WallWays<D>::add_obstacles(const NearList<D>& list, const NearSelection<D>* selection, const Box<D>& box) {
+  const auto add = [&](const NearObstacle<D>& o) {
+    const double* points[D];
+    NearObstacle<D> named = o;
+    for (uint32_t i = 0; i < o.count; ++i) {
+      named.vertices[i] = list.name(o.vertices[i]);
+      points[i] = env_.point(named.vertices[i]);
+    }
+    if (box.overlaps(points, static_cast<int>(o.count))) obstacles_.push_back(named);
+  };
+  if (selection == nullptr) {
+    for (const NearObstacle<D>& o : list.obstacles()) add(o);
+  } else {
+    for (const uint32_t i : selection->obstacles()) add(list.obstacles()[i]);
+  }
+}
+
+/** The sides of the obstacles, or their corners, each once, with the planes that they lie in. */
+template <int D>
+void WallWays<D>::add_features(bool corners_alone, Near& near) {
+  for (uint32_t o = 0; o < obstacles_.size(); ++o) {
+    const NearObstacle<D>& obstacle = obstacles_[o];
+    uint32_t plane = kNone;
+    if (obstacle.count == D) {
+      plane = static_cast<uint32_t>(planes_.size()) - near.first_plane;
+      Plane& added = planes_.emplace_back();
+      for (int i = 0; i < D; ++i) added.corners[i] = env_.point(obstacle.vertices[i]);
+    }
+    for (uint32_t i = 0; i < obstacle.count; ++i) {
+      const uint32_t a = obstacle.vertices[i], b = obstacle.vertices[(i + 1) % obstacle.count];
+      if (corners_alone) {
+        sides_.push_back({{a, a}, plane, o});
+      } else if (a != b && !(obstacle.count == 2 && i == 1)) {
+        sides_.push_back({{std::min(a, b), std::max(a, b)}, plane, o});
+      }
+    }
+  }
+  std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.vertices[0], a.vertices[1], a.obstacle) < std::tie(b.vertices[0], b.vertices[1], b.obstacle);
+  });
+  for (size_t i = 0; i < sides_.size();) {
+    const Side& first = sides_[i];
+    Feature feature{{{first.vertices[0], first.vertices[1], kNone}, corners_alone ? 1u : 2u, {}, {}}, 0, 0};
+    feature.first_plane = static_cast<uint32_t>(plane_numbers_.size());
+    for (; i < sides_.size() && std::equal(sides_[i].vertices, sides_[i].vertices + 2, feature.name.vertices); ++i) {
+      const NearObstacle<D>& obstacle = obstacles_[sides_[i].obstacle];
+      if (sides_[i].plane != kNone) plane_numbers_.push_back(sides_[i].plane);
+      if (!obstacle.facet.valid()) {
+        feature.name.cell = obstacle.cell;
+        continue;
+      }
+      const HalfFacet lowest = feature.name.facet;
+      if (!lowest.valid() || canonical(env_.map, obstacle.facet).word < canonical(env_.map, lowest).word)
+        feature.name.facet = obstacle.facet;
+    }
+    feature.plane_end = static_cast<uint32_t>(plane_numbers_.size());
+    features_.push_back(feature);
+  }
+}
+
+template class WallWays<2>;
+template class WallWays<3>;
+
+}  // namespace dsw
