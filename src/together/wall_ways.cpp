@@ -147,7 +147,7 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
   }
   is_beside_.clear();
   for (uint32_t i = near.first_plane; i < near.plane_end; ++i) {
-    is_beside_.push_back(is_beside(planes_[i], points, 2 * corners.count));
+    is_beside_.push_back(is_beside(planes_[i], points, 2 * corners.count) ? 1 : 0);
   }
   for (uint32_t i = near.first_feature; i < near.feature_end; ++i) {
     const Feature& feature = features_[i];
@@ -156,7 +156,7 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
       touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.name.vertices[k]);
     }
     if (!boxes_overlap(touch.pair)) continue;
-    const auto beside = [&](uint32_t plane) { return is_beside_[plane]; };
+    const auto beside = [&](uint32_t plane) { return is_beside_[plane] != 0; };
     if (std::any_of(plane_numbers_.begin() + feature.first_plane, plane_numbers_.begin() + feature.plane_end, beside))
       continue;
     if (keeps_sides(of, corners, feature)) continue;

@@ -78,7 +78,7 @@ class WallWays {
   Array<uint32_t> plane_numbers_{env_.memory};  // among the planes of a part
   Array<NearObstacle<D>> obstacles_{env_.memory};  // of the part that is looked at; vertices of the environment
   Array<Side> sides_{env_.memory};
-  Array<bool> is_beside_{env_.memory};  // by plane of the part: all of its way is on one side of it
+  Array<uint8_t> is_beside_{env_.memory};  // by plane of the part: all of its way is on one side of it
 };
 
 }  // namespace dsw
