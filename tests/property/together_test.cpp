@@ -152,6 +152,143 @@ TEST_P(TogetherTest, WhatGoesOnIsFreeToo) {
   EXPECT_EQ(not_free, 0u);
 }
 
+/// The same body with its vertices, edges and faces in another order; new_of[v] is what becomes of vertex v.
+BodyPlan renumbered(const BodyPlan& plan, Rng& rng, std::vector<uint32_t>& new_of) {
+  const auto shuffle = [&](auto& all) {
+    for (size_t i = all.size(); i > 1; --i) std::swap(all[i - 1], all[rng.below(i)]);
+  };
+  new_of.resize(plan.at.size());
+  std::iota(new_of.begin(), new_of.end(), 0u);
+  shuffle(new_of);
+  BodyPlan other = plan;
+  for (size_t v = 0; v < plan.at.size(); ++v) other.at[new_of[v]] = plan.at[v];
+  for (auto& edge : other.edges) {
+    for (uint32_t& v : edge) v = new_of[v];
+    if (rng.chance(0.5)) std::swap(edge[0], edge[1]);
+  }
+  for (auto& face : other.faces) {
+    for (uint32_t& v : face) v = new_of[v];
+    std::rotate(face.begin(), face.begin() + rng.below(3u), face.end());
+  }
+  shuffle(other.edges);
+  shuffle(other.faces);
+  return other;
+}
+
+TEST_P(TogetherTest, NumbersDoNotMatter) {
+  size_t moves = 0, contacts = 0, different = 0, stopped = 0;
+  const int rounds = share_of(60);
+  for (int round = 0; round < rounds; ++round) {
+    // Half of them on a lattice, where many things happen at the same time.
+    const bool ties = round % 2 == 1;
+    const Ground ground = make_ground(dimension(), 3, ties ? 0 : 0.25, GetParam().marked, GetParam().thin, rng_);
+    ScenePtr scenes[2] = {make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS),
+                          make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS)};
+    std::vector<BodyPlan> plans;
+    std::vector<bool> selves;
+    std::vector<Walker> walkers[2];
+    for (int tries = 0; tries < 100 && plans.size() < 3; ++tries) {
+      BodyPlan made = plan();
+      for (Vec& p : made.at) {
+        for (double& x : p) x = ties ? std::round(4 * x) / 4 : x;
+      }
+      const bool self = rng_.chance(0.7);
+      dsw_body_id id;
+      const uint32_t flags = self ? DSW_BODY_SELF_CONTACTS : 0;
+      if (create_body(scenes[0].get(), made, GetParam().level, flags, {}, &id) != DSW_STATUS_OK) continue;
+      plans.push_back(made);
+      selves.push_back(self);
+      walkers[0].push_back({id, GetParam().level, self, {}, made.at});
+      for (Vec& p : walkers[0].back().end) {
+        p = beside(p, GetParam().reach);
+        for (double& x : p) x = ties ? std::round(4 * x) / 4 : x;
+      }
+    }
+    if (plans.empty()) continue;
+    std::vector<std::vector<uint32_t>> new_of(plans.size());
+    for (size_t i = plans.size(); i-- > 0;) {
+      const BodyPlan other = renumbered(plans[i], rng_, new_of[i]);
+      dsw_body_id id;
+      ASSERT_EQ(create_body(scenes[1].get(), other, GetParam().level, selves[i] ? DSW_BODY_SELF_CONTACTS : 0, {}, &id),
+                DSW_STATUS_OK);
+      walkers[1].push_back({id, GetParam().level, selves[i], {}, other.at});
+      for (size_t v = 0; v < other.at.size(); ++v) walkers[1].back().end[new_of[i][v]] = walkers[0][i].end[v];
+    }
+    const auto stop = static_cast<dsw_together_stop>(round / 2 % 3);
+    const TogetherAnswer answers[2] = {move_together(scenes[0].get(), walkers[0], stop),
+                                       move_together(scenes[1].get(), walkers[1], stop)};
+    ++moves;
+    for (size_t i = 0; i < plans.size(); ++i) {
+      const size_t k = plans.size() - 1 - i;
+      bool same = answers[0].contacts[i].size() == answers[1].contacts[k].size() &&
+                  answers[0].reports[i].fraction == answers[1].reports[k].fraction;
+      for (size_t v = 0; v < plans[i].at.size(); ++v) {
+        same = same && hex(answers[0].after[i].at[v]) == hex(answers[1].after[k].at[new_of[i][v]]);
+      }
+      different += same ? 0 : 1;
+      contacts += answers[0].contacts[i].size();
+      stopped += answers[0].reports[i].fraction == 0 ? 1 : 0;
+      // It is free where it is: a body in its place can be made.
+      BodyPlan there = plans[i];
+      there.at = answers[0].after[i].at;
+      ScenePtr empty = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+      dsw_body_id copy;
+      EXPECT_EQ(create_body(empty.get(), there, GetParam().level, selves[i] ? DSW_BODY_SELF_CONTACTS : 0, {}, &copy),
+                DSW_STATUS_OK)
+          << dsw_last_error_message();
+    }
+  }
+  std::printf("%s: %zu moves, %zu contacts, %zu bodies stop at once; different %zu\n", GetParam().name, moves,
+              contacts, stopped, different);
+  EXPECT_EQ(different, 0u);
+}
+
+/// Points of a lattice moved by what is small beside it, and large beside rounding: so ties are decided as by the shift.
+Vec shifted(const Vec& p, int dimension) {
+  return {p[0] + 0x1p-12, p[1] + 0x1p-24, dimension == 3 ? p[2] + 0x1p-36 : 0};
+}
+
+TEST_P(TogetherTest, TiesAreThoseOfTheShift) {
+  size_t moves = 0, touches = 0, missed = 0, made_up = 0, stopped_at_once = 0, early = 0;
+  const int rounds = share_of(300);
+  for (int round = 0; round < rounds; ++round) {
+    const Ground ground = make_ground(dimension(), 3, 0, GetParam().marked, GetParam().thin, rng_);
+    ScenePtr scene = make_scene(ground.environment.get());  // bodies do not meet: among them the shift cancels
+    BodyPlan made = plan();
+    for (Vec& p : made.at) {
+      for (double& x : p) x = std::round(2 * x) / 2;
+    }
+    std::vector<Walker> walkers(1);
+    walkers[0].level = GetParam().level;
+    if (create_body(scene.get(), made, GetParam().level, 0, {}, &walkers[0].id) != DSW_STATUS_OK) continue;
+    ASSERT_EQ(read_body(scene.get(), walkers[0].id, walkers[0].state), "");
+    walkers[0].end = made.at;
+    const Vec way = beside({0, 0, 0}, 1);
+    for (Vec& p : walkers[0].end) {
+      if (round % 2 == 0) {
+        for (size_t k = 0; k < 3; ++k) p[k] += way[k];
+      } else {
+        p = beside(p, 1);
+      }
+      for (double& x : p) x = std::round(2 * x) / 2;
+    }
+    const TogetherAnswer answer = move_together(scene.get(), walkers, DSW_TOGETHER_STOP_ALL);
+    for (Vec& p : walkers[0].state.at) p = shifted(p, dimension());
+    for (Vec& p : walkers[0].end) p = shifted(p, dimension());
+    const double truth = first_time(ground, walkers, false);
+    const double fraction = answer.reports[0].fraction;
+    ++moves;
+    touches += truth <= 1 ? 1 : 0;
+    missed += truth <= 1 && fraction == 1 ? 1 : 0;
+    made_up += truth > 1 && fraction != 1 ? 1 : 0;
+    early += truth <= 1 && fraction < truth - 0.01 ? 1 : 0;
+    stopped_at_once += fraction == 0 && truth > 0.01 ? 1 : 0;
+  }
+  std::printf("%s: %zu moves, %zu with a touch; missed %zu; touched without passing: made up %zu, early %zu, of both at the start %zu\n",
+              GetParam().name, moves, touches, missed, made_up, early, stopped_at_once);
+  EXPECT_EQ(missed, 0u);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, TogetherTest,
     testing::Values(Kind{"Points", 3, DSW_LEVEL_POINTS, 0.1, false, 0.8},
