@@ -16,6 +16,7 @@
 #include "scene/cell_particles.h"
 #include "scene/deformation.h"
 #include "scene/gone_facets.h"
+#include "together/together_move.h"
 #include "walk/move.h"
 #include "walk/particle_state.h"
 
@@ -70,6 +71,7 @@ struct Scene {
   SlotPool body_slots{memory};
   BoxGrid<D> body_boxes{memory};              // by slot, if bodies keep boxes
   Owned<BodyMove<D>> mover{memory};           // if one has moved: what moves of single bodies keep from call to call
+  Owned<TogetherMove<D>> together{memory};    // likewise, of moves of all vertices at once
   Array<uint32_t> offending{memory};          // pairs of vertices of edges that were found not free
   Owned<Deformation<D>> deformation{memory};  // if enabled
   Owned<LiveRegister<D>> live{memory};        // if enabled
@@ -86,6 +88,7 @@ struct Scene {
   bool keeps_boxes() const { return features.contacts || features.live; }
   uint64_t memory_bytes() const {
     uint64_t of_bodies = array_bytes(bodies) + (mover.get() != nullptr ? sizeof(BodyMove<D>) : 0) +
+                         (together.get() != nullptr ? sizeof(TogetherMove<D>) : 0) +
                          body_slots.memory_bytes() + body_boxes.memory_bytes() + array_bytes(offending);
     for (const BodyRecord<D>& each : bodies) of_bodies += each.memory_bytes();
     if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();

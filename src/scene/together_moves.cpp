@@ -57,7 +57,8 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
   leave_still_ones(scene, bodies, count, islands);
   CastCounters casts;
   try {
-    TogetherMove<D> move(scene.env);
+    if (scene.together.get() == nullptr) scene.together.make(scene.env);
+    TogetherMove<D>& move = *scene.together.get();
     move.set_counters(scene.features.statistics ? &casts : nullptr);
     Array<Traveller<D>> travellers(scene.memory);
     for (size_t island = 0; island < islands.count(); ++island) {
@@ -68,7 +69,7 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
             traveller_of(scene, *bodies[i], still, {targets.data + first[i] * targets.step, targets.step}));
       }
       if (settings.stop == TogetherStop::kAll && island + 1 != islands.count()) continue;
-      move.move(travellers, settings);
+      move.move(travellers, scene.features.contacts, settings);
       travellers.clear();
     }
   } catch (...) {

@@ -49,8 +49,12 @@ void BodyWays<D>::Ways::settle() {
 }
 
 template <int D>
-void BodyWays<D>::start(const Array<Traveller<D>>& travellers) {
+void BodyWays<D>::start(const Array<Traveller<D>>& travellers, bool bodies_meet) {
   pairs_.clear();
+  const auto meets = [](const Traveller<D>& of) {
+    return of.body->filter.self || (of.still != nullptr && !of.still->all.empty());
+  };
+  if (!bodies_meet || (travellers.size() == 1 && !meets(travellers[0]))) return;
   add_ways(travellers);
   find_among_travellers(travellers);
   find_still(travellers);
@@ -195,7 +199,7 @@ template <int D>
 template <class Visit>
 bool BodyWays<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit visit) const {
   for (const Pair& pair : pairs_) {
-    Touch<D> touch{};
+    WayTouch<D> touch{};
     touch.pair.kind = pair.kind;
     uint32_t at = 0;
     bool moves = false;
@@ -227,12 +231,12 @@ bool BodyWays<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit vis
 
 template <int D>
 bool BodyWays<D>::is_free(const Array<Traveller<D>>& travellers) const {
-  return visit_touches(travellers, [](const Touch<D>&) { return false; });
+  return visit_touches(travellers, [](const WayTouch<D>&) { return false; });
 }
 
 template <int D>
 void BodyWays<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) const {
-  visit_touches(travellers, [&](const Touch<D>& touch) {
+  visit_touches(travellers, [&](const WayTouch<D>& touch) {
     first.add(touch);
     return true;
   });

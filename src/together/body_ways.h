@@ -13,7 +13,7 @@ class BodyWays {
   explicit BodyWays(const Memory* memory) : rods_(memory), vertices_(memory), faces_(memory), pairs_(memory) {}
 
   /** Finds the pairs whose whole ways in the call come near each other. */
-  void start(const Array<Traveller<D>>& travellers);
+  void start(const Array<Traveller<D>>& travellers, bool bodies_meet);
   /** Whether none of them touch on their ways. */
   bool is_free(const Array<Traveller<D>>& travellers) const;
   /** What is touched first. */

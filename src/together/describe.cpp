@@ -16,7 +16,7 @@ template <int D>
 struct Moment {
   Vec at[D + 1], way[D + 1];
 
-  explicit Moment(const Touch<D>& touch) {
+  explicit Moment(const WayTouch<D>& touch) {
     for (int i = 0; i <= D; ++i) {
       double place[D];
       point_at<D>(touch.pair.start[i], touch.pair.end[i], touch.first.time, place);
@@ -54,7 +54,7 @@ Vec normal_of(const Vec& across, const Vec& turn, const Vec& gap, const Vec& way
 }
 
 template <int D>
-Geometry geometry_of(const Touch<D>& touch) {
+Geometry geometry_of(const WayTouch<D>& touch) {
   const Moment<D> m(touch);
   if constexpr (D == 2) {
     const Vec edge = m.at[2] - m.at[1], edge_way = m.way[2] - m.way[1];
@@ -108,7 +108,7 @@ void place_at(const Traveller<D>& of, uint32_t v, double time, double* place) {
 }
 
 template <int D>
-dsw_body_contact contact_of(const Environment<D>& env, const OneSide<D>& side, const Touch<D>& touch,
+dsw_body_contact contact_of(const Environment<D>& env, const OneSide<D>& side, const WayTouch<D>& touch,
                             const Geometry& geometry) {
   const Traveller<D>& of = side.of;
   const Body<D>& body = *of.body;
@@ -159,7 +159,7 @@ dsw_contact_partner partner_of(const OneSide<D>& side) {
 }
 
 template <int D>
-auto order_of(const Touch<D>& t) {
+auto order_of(const WayTouch<D>& t) {
   return std::make_tuple(t.traveller, static_cast<uint32_t>(t.part.kind), t.part.index,
                          t.other == nullptr ? 0 : t.other->index + 1, static_cast<uint32_t>(t.other_part.kind),
                          t.other_part.index, t.wall.vertices[0], t.wall.vertices[1]);
@@ -170,8 +170,8 @@ auto order_of(const Touch<D>& t) {
 template <int D>
 void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers, FirstTouches<D>& first) {
   std::sort(first.all.begin(), first.all.end(),
-            [](const Touch<D>& a, const Touch<D>& b) { return order_of(a) < order_of(b); });
-  for (const Touch<D>& touch : first.all) {
+            [](const WayTouch<D>& a, const WayTouch<D>& b) { return order_of(a) < order_of(b); });
+  for (const WayTouch<D>& touch : first.all) {
     const Geometry geometry = geometry_of(touch);
     const auto add = [&](uint32_t number, const OneSide<D>& side, double sign) {
       const SimplexCorners<D> corners(*side.of.body, side.part);

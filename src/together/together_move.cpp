@@ -11,7 +11,7 @@ namespace {
 
 /** Calls visit(traveller, vertex) for the vertices of the call's bodies that touch. */
 template <int D, class Visit>
-void for_each_touching(Array<Traveller<D>>& travellers, const Touch<D>& touch, Visit visit) {
+void for_each_touching(Array<Traveller<D>>& travellers, const WayTouch<D>& touch, Visit visit) {
   Traveller<D>& of = travellers[touch.traveller];
   for (const uint32_t v : SimplexCorners<D>(*of.body, touch.part)) visit(of, v);
   if (touch.other_traveller == kNone) return;
@@ -31,8 +31,8 @@ void place_on_way(const double* from, const double* to, double time, double* pla
 }  // namespace
 
 template <int D>
-void TogetherMove<D>::move(Array<Traveller<D>>& travellers, const TogetherSettings& settings) {
-  start(travellers);
+void TogetherMove<D>::move(Array<Traveller<D>>& travellers, bool bodies_meet, const TogetherSettings& settings) {
+  start(travellers, bodies_meet);
   const uint32_t rounds = settings.stop == TogetherStop::kFeature ? settings.rounds : 1;
   for (uint32_t round = 0; round < rounds && !run_round(travellers); ++round) {
     if (round != 0) continue;
@@ -53,7 +53,7 @@ void TogetherMove<D>::move(Array<Traveller<D>>& travellers, const TogetherSettin
 }
 
 template <int D>
-void TogetherMove<D>::start(Array<Traveller<D>>& travellers) {
+void TogetherMove<D>::start(Array<Traveller<D>>& travellers, bool bodies_meet) {
   for (Traveller<D>& of : travellers) {
     const size_t count = of.body->vertices.size();
     of.ends.resize(count * D);
@@ -61,7 +61,7 @@ void TogetherMove<D>::start(Array<Traveller<D>>& travellers) {
     of.is_held.assign(count, false);
   }
   walls_.start(travellers);
-  bodies_.start(travellers);
+  bodies_.start(travellers, bodies_meet);
 }
 
 /** Goes on as far as nothing is touched. Whether all have arrived. */
@@ -79,7 +79,7 @@ bool TogetherMove<D>::run_round(Array<Traveller<D>>& travellers) {
   describe_touches(env_, travellers, first_);
   retreat(travellers);
   arrive(travellers);
-  for (const Touch<D>& touch : first_.all) {
+  for (const WayTouch<D>& touch : first_.all) {
     for_each_touching(travellers, touch, [](Traveller<D>& of, uint32_t v) { of.is_held[v] = true; });
   }
   return false;
@@ -90,7 +90,7 @@ template <int D>
 void TogetherMove<D>::retreat(Array<Traveller<D>>& travellers) {
   const double time = first_.all[0].first.time;
   double step = 0;
-  for (const Touch<D>& touch : first_.all) {
+  for (const WayTouch<D>& touch : first_.all) {
     for_each_touching(travellers, touch, [&](Traveller<D>& of, uint32_t v) {
       if (of.moves(v)) step = std::max(step, first_step<D>(of.start(v), of.end(v), time));
     });

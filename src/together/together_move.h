@@ -21,13 +21,14 @@ class TogetherMove {
   explicit TogetherMove(const Environment<D>& env) : env_(env), walls_(env), bodies_(env.memory) {}
 
   /** Moves bodies that depend on nobody else that moves. They begin with their records cleared. Throws std::bad_alloc
-   * with some vertices moved. */
-  void move(Array<Traveller<D>>& travellers, const TogetherSettings& settings);
+   * with some vertices moved.
+   * @param bodies_meet whether bodies can touch at all. */
+  void move(Array<Traveller<D>>& travellers, bool bodies_meet, const TogetherSettings& settings);
 
   void set_counters(CastCounters* counters) { walls_.set_counters(counters); }
 
  private:
-  void start(Array<Traveller<D>>& travellers);
+  void start(Array<Traveller<D>>& travellers, bool bodies_meet);
   bool run_round(Array<Traveller<D>>& travellers);
   void retreat(Array<Traveller<D>>& travellers);
   bool is_free(Array<Traveller<D>>& travellers);

@@ -51,7 +51,7 @@ struct WallFeature {
 
 /** Something that is touched. */
 template <int D>
-struct Touch {
+struct WayTouch {
   MovingPair<D> pair;
   FirstTouch first;
   uint32_t traveller;  // that moves
@@ -67,11 +67,11 @@ struct Touch {
 /** What is touched first: all that are touched at the same exact time. */
 template <int D>
 struct FirstTouches {
-  Array<Touch<D>> all;
+  Array<WayTouch<D>> all;
 
   explicit FirstTouches(const Memory* memory) : all(memory) {}
   /** Notes one that is not later than those before. Throws std::bad_alloc. */
-  void add(const Touch<D>& touch) {
+  void add(const WayTouch<D>& touch) {
     if (!all.empty()) {
       const FirstTouch& best = all[0].first;
       const int order = touch.first.time < best.time   ? -1

@@ -71,23 +71,23 @@ void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
 
 template <int D>
 bool WallWays<D>::is_free(const Array<Traveller<D>>& travellers) {
-  return blocked_.empty() && visit_parts(travellers, [](const Touch<D>&) { return false; });
+  return blocked_.empty() && visit_parts(travellers, [](const WayTouch<D>&) { return false; });
 }
 
 template <int D>
 void WallWays<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) {
   for (const Blocked& each : blocked_) first.add(touch_of(travellers[each.traveller], each));
-  visit_parts(travellers, [&](const Touch<D>& touch) {
+  visit_parts(travellers, [&](const WayTouch<D>& touch) {
     first.add(touch);
     return true;
   });
 }
 
 template <int D>
-Touch<D> WallWays<D>::touch_of(const Traveller<D>& of, const Blocked& blocked) const {
+WayTouch<D> WallWays<D>::touch_of(const Traveller<D>& of, const Blocked& blocked) const {
   const Cell c = blocked.path.cell;
   const uint16_t* const local = env_.map.shape(c).simplices() + size_t{blocked.path.simplex} * D;
-  Touch<D> touch{};
+  WayTouch<D> touch{};
   touch.pair.kind = D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge;
   touch.pair.start[0] = of.start(blocked.vertex);
   touch.pair.end[0] = of.end(blocked.vertex);
@@ -131,7 +131,7 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
   Near& near = near_of(number, part);
   if (near.first_feature == kNone) collect(of, part, near);
   if (near.first_feature == near.feature_end) return true;
-  Touch<D> touch{};
+  WayTouch<D> touch{};
   touch.traveller = number;
   touch.part = part;
   touch.pair.kind = D == 2                          ? PairKind::kVertexEdge

@@ -64,7 +64,7 @@ class WallWays {
   void add_features(bool corners_alone, Near& near);
   bool is_beside(const Plane& plane, const double* const* points, uint32_t count) const;
   bool keeps_sides(const Traveller<D>& of, const SimplexCorners<D>& corners, const Feature& feature) const;
-  Touch<D> touch_of(const Traveller<D>& of, const Blocked& blocked) const;
+  WayTouch<D> touch_of(const Traveller<D>& of, const Blocked& blocked) const;
 
   const Environment<D>& env_;
   NearLists<D> lists_;
