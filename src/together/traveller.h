@@ -43,7 +43,7 @@ struct Traveller {
 
 /** A feature of the environment that a part of a body can touch. */
 struct WallFeature {
-  uint32_t vertices[3];  // of the environment: the first `count`
+  uint32_t vertices[3];  // of the environment: the first `count`; of a facet it is its word
   uint32_t count;
   HalfFacet facet;  // an impassable facet at it, seen from a passable cell; invalid if there is none
   Cell cell;        // of a marked edge or vertex: a cell at it

@@ -86,17 +86,22 @@ void WallWays<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches
 template <int D>
 WayTouch<D> WallWays<D>::touch_of(const Traveller<D>& of, const Blocked& blocked) const {
   const Cell c = blocked.path.cell;
-  const uint16_t* const local = env_.map.shape(c).simplices() + size_t{blocked.path.simplex} * D;
+  const Shape shape = env_.map.shape(c);
+  const uint32_t facet = env_.map.local_of(blocked.path.facet, c);
   WayTouch<D> touch{};
   touch.pair.kind = D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge;
   touch.pair.start[0] = of.start(blocked.vertex);
   touch.pair.end[0] = of.end(blocked.vertex);
-  touch.wall = {{}, D, blocked.path.facet, c};
-  for (int i = 0; i < D; ++i) {
-    touch.wall.vertices[i] = env_.map.vertex(c, local[i]);
-    touch.pair.start[i + 1] = touch.pair.end[i + 1] = env_.point(touch.wall.vertices[i]);
+  touch.wall = {{blocked.path.facet.word, kNone, kNone}, D, blocked.path.facet, c};
+  // The cast may name another triangle of a flat facet than the one that is touched.
+  for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
+    const double* corners[D];
+    boundary_points(env_, c, s, corners);
+    WayTouch<D> other = touch;
+    for (int i = 0; i < D; ++i) other.pair.start[i + 1] = other.pair.end[i + 1] = corners[i];
+    other.first = first_touch(other.pair);
+    if (!touch.first.touches || (other.first.touches && other.first.time < touch.first.time)) touch = other;
   }
-  touch.first = first_touch(touch.pair);
   touch.traveller = blocked.traveller;
   touch.comes_first = true;
   touch.part = {Simplex::kVertex, blocked.vertex};
@@ -129,7 +134,7 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
     return true;
   }
   Near& near = near_of(number, part);
-  if (near.first_feature == kNone) collect(of, part, near);
+  if (near.first_feature == kNone) find_near(of, part, near);
   if (near.first_feature == near.feature_end) return true;
   WayTouch<D> touch{};
   touch.traveller = number;
@@ -222,38 +227,58 @@ bool WallWays<D>::keeps_sides(const Traveller<D>& of, const SimplexCorners<D>& c
   return true;
 }
 
+/** Finds what is near the whole way of a part in the call, if it is not known that nothing is. */
+template <int D>
+void WallWays<D>::find_near(const Traveller<D>& of, const Simplex& simplex, Near& near) {
+  const Part<D> part(*of.body, simplex);
+  const Reach reach = reach_of(of, part);
+  const bool is_kept = of.notes != nullptr && reach.way <= reach.size && !is_covered(*of.body, simplex);
+  near.first_feature = near.feature_end = static_cast<uint32_t>(features_.size());
+  near.first_plane = near.plane_end = static_cast<uint32_t>(planes_.size());
+  if (is_kept && lists_.is_alone(*of.body, part, reach.way, *of.notes)) return;
+  collect(of, part, is_kept ? &reach : nullptr, near);
+}
+
+/** How far the corners of a part go in the call, or a little more, and how large it is. */
+template <int D>
+typename WallWays<D>::Reach WallWays<D>::reach_of(const Traveller<D>& of, const Part<D>& part) {
+  constexpr double kMoreThanDiagonal = 1.8;  // than the square root of 3
+  Reach reach{0, 0};
+  for (uint32_t i = 0; i < part.corners.count; ++i) {
+    const double *const from = part.points[i], *const to = of.target(part.corners.vertices[i]);
+    for (int k = 0; k < D; ++k) {
+      reach.way = std::max(reach.way, std::fabs(to[k] - from[k]));
+      reach.size = std::max(reach.size, std::fabs(from[k] - part.points[0][k]));
+    }
+  }
+  reach.way *= kMoreThanDiagonal;
+  return reach;
+}
+
 /** Finds what is near the whole way of a part in the call. The flood goes through all passable cells that meet a region
  * round this way. What the part touches first it comes to through such cells. Shorter tries and later rounds lead
  * through the same region. */
 template <int D>
-void WallWays<D>::collect(const Traveller<D>& of, const Simplex& simplex, Near& near) {
-  constexpr double kMoreThanDiagonal = 1.8;  // than the square root of 3
-  const Part<D> part(*of.body, simplex);
-  const Box<D> box = box_of_way(of, simplex);
-  const double* points[6];
-  double way = 0, size = 0;
-  const uint32_t count = part.corners.count;
-  for (uint32_t i = 0; i < count; ++i) {
-    points[i] = part.points[i];
-    points[count + i] = of.target(part.corners.vertices[i]);
-    for (int k = 0; k < D; ++k) {
-      way = std::max(way, std::fabs(points[count + i][k] - points[i][k]));
-      size = std::max(size, std::fabs(points[i][k] - points[0][k]));
-    }
-  }
+void WallWays<D>::collect(const Traveller<D>& of, const Part<D>& part, const Reach* kept, Near& near) {
+  constexpr double kRoom = 1;  // that is asked for, as a share of the size
+  const Box<D> box = box_of_way(of, part.simplex);
   obstacles_.clear();
   sides_.clear();
-  near.first_plane = static_cast<uint32_t>(planes_.size());
-  near.first_feature = static_cast<uint32_t>(features_.size());
-  const Cell start = of.body->vertices[part.corners.vertices[0]].cell;
-  if (of.notes != nullptr && way <= size && !is_covered(*of.body, simplex)) {
-    const NearView<D> view =
-        lists_.near(*of.body, part, 0, std::max(kMoreThanDiagonal * way, size / 4), *of.notes);
+  if (kept != nullptr) {
+    const double reach = std::max(kept->way, kRoom * kept->size);
+    const NearView<D> view = lists_.near(*of.body, part, 0, reach, *of.notes);
     add_obstacles(view.list, &view.near, box);
   } else {
+    const uint32_t count = part.corners.count;
+    const double* points[6];
+    for (uint32_t i = 0; i < count; ++i) {
+      points[i] = part.points[i];
+      points[count + i] = of.target(part.corners.vertices[i]);
+    }
+    const Cell start = of.body->vertices[part.corners.vertices[0]].cell;
     add_obstacles(lists_.in(start, NearRegion<D>(points, 2 * count, 0)), nullptr, box);
   }
-  add_features(D == 2 || simplex.kind == Simplex::kFace, near);
+  add_features(D == 2 || part.simplex.kind == Simplex::kFace, near);
   near.plane_end = static_cast<uint32_t>(planes_.size());
   near.feature_end = static_cast<uint32_t>(features_.size());
 }

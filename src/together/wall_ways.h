@@ -36,6 +36,9 @@ class WallWays {
     uint32_t first_feature = kNone, feature_end = 0;  // kNone: nobody has looked
     uint32_t first_plane = 0, plane_end = 0;
   };
+  struct Reach {
+    double way, size;
+  };
   /** The triangle of a wall, in the plane its segment. */
   struct Plane {
     const double* corners[D];
@@ -58,7 +61,9 @@ class WallWays {
   Near& near_of(uint32_t number, const Simplex& part) {
     return (part.kind == Simplex::kEdge ? edges_ : faces_)[number][part.index];
   }
-  void collect(const Traveller<D>& of, const Simplex& part, Near& near);
+  void find_near(const Traveller<D>& of, const Simplex& part, Near& near);
+  static Reach reach_of(const Traveller<D>& of, const Part<D>& part);
+  void collect(const Traveller<D>& of, const Part<D>& part, const Reach* kept, Near& near);
   void add_obstacles(const NearList<D>& list, const NearSelection<D>* selection, const Box<D>& box);
   void add_sides(const NearList<D>& list, const NearObstacle<D>& o, bool corners_alone);
   void add_features(bool corners_alone, Near& near);
