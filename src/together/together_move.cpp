@@ -58,6 +58,7 @@ void TogetherMove<D>::start(Array<Traveller<D>>& travellers, bool bodies_meet) {
     const size_t count = of.body->vertices.size();
     of.ends.resize(count * D);
     of.arrivals.assign(count, Cell{});
+    of.crossed.assign(count, PathFacets{});
     of.is_held.assign(count, false);
   }
   walls_.start(travellers);

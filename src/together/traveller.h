@@ -21,7 +21,8 @@ struct Traveller {
   const Partners<D>* still;  // bodies that it may meet and that do not move in this call; null: none
   Array<double> ends;        // where its vertices go in this round
   Array<Cell> arrivals;      // the cells that contain the ends; invalid: something is on the path
-  Array<bool> is_held;       // vertices that have stopped
+  Array<PathFacets> crossed;  // by the paths of vertices that leave their cells
+  Array<bool> is_held;        // vertices that have stopped
 
   explicit Traveller(const Memory* memory)
       : body(nullptr),
@@ -31,6 +32,7 @@ struct Traveller {
         still(nullptr),
         ends(memory),
         arrivals(memory),
+        crossed(memory),
         is_held(memory) {}
 
   const double* start(uint32_t v) const { return body->position(v); }

@@ -50,7 +50,9 @@ void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
     for (uint32_t i = 0; i < packet_.count(); ++i) {
       const CastResult& path = packet_.result(i);
       const bool is_reached = path.end == CastEnd::kReached;
-      travellers[names[i].traveller].arrivals[names[i].vertex] = is_reached ? path.cell : Cell{};
+      Traveller<D>& of = travellers[names[i].traveller];
+      of.arrivals[names[i].vertex] = is_reached ? path.cell : Cell{};
+      if (is_reached) of.crossed[names[i].vertex] = path_facets(env_.map, packet_.request(i).start, path);
       if (!is_reached) blocked_.push_back({names[i].traveller, names[i].vertex, path});
     }
     packet_.clear();
@@ -181,6 +183,7 @@ bool WallWays<D>::is_settled(const Traveller<D>& of, const Simplex& part) {
     return of.body->vertices[v].cell == cell && of.arrivals[v] == cell;
   });
   if (stays && env_.map.convex(cell)) return true;
+  if (part.kind == Simplex::kEdge && sleeves_.keeps(of, part.index)) return true;
   if (!BoxProbe<D>::suits(env_, cell)) return false;
   Bounds<D> box(of.start(corners.vertices[0]));
   for (const uint32_t v : corners) {

@@ -2,7 +2,7 @@
 // What of the environment bodies touch when all of their vertices move at once.
 
 #include "flood/box_probe.h"
-#include "together/traveller.h"
+#include "together/sleeves.h"
 #include "walk/packet.h"
 
 namespace dsw {
@@ -11,7 +11,7 @@ namespace dsw {
 template <int D>
 class WallWays {
  public:
-  explicit WallWays(const Environment<D>& env) : env_(env), lists_(env, false), probe_(env) {}
+  explicit WallWays(const Environment<D>& env) : env_(env), lists_(env, false), probe_(env), sleeves_(env) {}
 
   /** Forgets what was found for another call. */
   void start(const Array<Traveller<D>>& travellers);
@@ -22,7 +22,7 @@ class WallWays {
   /** What is touched first. */
   void find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first);
 
-  void set_counters(CastCounters* counters) { counters_ = counters; }
+  void set_counters(CastCounters* counters) { counters_ = sleeves_.counters = counters; }
   SweepCounts counts;  // of edges and faces
 
  private:
@@ -74,6 +74,7 @@ class WallWays {
   const Environment<D>& env_;
   NearLists<D> lists_;
   BoxProbe<D> probe_;
+  Sleeves<D> sleeves_;
   Packet<D> packet_;
   CastCounters* counters_ = nullptr;
   Array<Blocked> blocked_{env_.memory};
