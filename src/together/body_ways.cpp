@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "predicates/moving_hinge.h"
+
 namespace dsw {
 namespace {
 
@@ -18,6 +20,12 @@ template <int D>
 bool has_corner(const Body<D>& body, const Simplex& part, uint32_t v) {
   const SimplexCorners<D> corners(body, part);
   return std::find(corners.begin(), corners.end(), v) != corners.end();
+}
+
+template <int D>
+bool may_meet(const Array<Traveller<D>>& travellers, uint32_t a, uint32_t b) {
+  const ContactFilter& filter = travellers[a].body->filter;
+  return a == b ? filter.self : filter.sees(travellers[b].body->filter);
 }
 
 /** How many of a pair's points are those of its first or its second side. */
@@ -54,14 +62,41 @@ void BodyWays<D>::start(const Array<Traveller<D>>& travellers, bool bodies_meet)
   const auto meets = [](const Traveller<D>& of) {
     return of.body->filter.self || (of.still != nullptr && !of.still->all.empty());
   };
+  hinges_.clear();
   if (!bodies_meet || (travellers.size() == 1 && !meets(travellers[0]))) return;
-  add_ways(travellers);
-  find_among_travellers(travellers);
+  const bool with_rods = !find_own_edges(travellers);
+  add_ways(travellers, with_rods);
+  if (with_rods) find_rods(travellers);
+  find_solids(travellers);
+  find_hinges(travellers);
   find_still(travellers);
 }
 
+/** The edges of one body that meets nothing but itself. False: it is not one, or grids serve better. */
 template <int D>
-void BodyWays<D>::add_ways(const Array<Traveller<D>>& travellers) {
+bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Traveller<D>>& travellers) {
+  if constexpr (D == 3) {
+    const Traveller<3>& of = travellers[0];
+    const Body<3>& body = *of.body;
+    const bool has_still = of.still != nullptr && !of.still->all.empty();
+    if (travellers.size() != 1 || has_still || !covers_edges(body.level) || !fresh_boxes(body).loners.empty()) return false;
+    near_.start(body, false, [&](uint32_t v) { return of.target(v); });
+    if (!near_.active()) return false;
+    for (uint32_t e = 0; e < body.edges.size(); ++e) {
+      if (!body.has_edge(e)) continue;
+      const Side side{0, &of.name, {Simplex::kEdge, e}};
+      near_.visit(e, [&](uint32_t other) {
+        if (e < other) add_pair(PairKind::kEdgeEdge, side, {0, &of.name, {Simplex::kEdge, other}});
+        return true;
+      });
+    }
+    return true;
+  }
+  return false;
+}
+
+template <int D>
+void BodyWays<D>::add_ways(const Array<Traveller<D>>& travellers, bool with_rods) {
   for (Ways* each : {&rods_, &vertices_, &faces_}) each->clear();
   const auto has_faces = [](const Partner<D>& each) { return covers_faces(each.body->level); };
   const bool may_meet_faces = std::any_of(travellers.begin(), travellers.end(), [&](const Traveller<D>& of) {
@@ -72,9 +107,9 @@ void BodyWays<D>::add_ways(const Array<Traveller<D>>& travellers) {
     for_each_simplex(*of.body, [&](const Simplex& part) {
       if (part.kind == Simplex::kVertex) {
         if (D == 2 || may_meet_faces) vertices_.add(of, t, part);
-        if (is_single(*of.body, part.index)) rods_.add(of, t, part);
+        if (with_rods && is_single(*of.body, part.index)) rods_.add(of, t, part);
       } else if (part.kind == Simplex::kEdge) {
-        rods_.add(of, t, part);
+        if (with_rods) rods_.add(of, t, part);
       } else {
         faces_.add(of, t, part);
       }
@@ -85,27 +120,30 @@ void BodyWays<D>::add_ways(const Array<Traveller<D>>& travellers) {
 }
 
 template <int D>
-void BodyWays<D>::find_among_travellers(const Array<Traveller<D>>& travellers) {
-  const auto meets = [&](const Side& a, const Side& b) {
-    const ContactFilter& filter = travellers[a.traveller].body->filter;
-    return a.traveller == b.traveller ? filter.self : filter.sees(travellers[b.traveller].body->filter);
-  };
+void BodyWays<D>::find_rods(const Array<Traveller<D>>& travellers) {
   for (uint32_t i = 0; i < rods_.sides.size(); ++i) {
-    // In the plane an edge is paired with all vertices below; here only vertices without edges meet each other.
+    // In the plane edges meet all vertices, below. Here only vertices without edges meet each other.
     if (D == 2 && rods_.sides[i].part.kind != Simplex::kVertex) continue;
     rods_.grid.visit(rods_.boxes[i], [&](uint32_t k) {
       if (k >= i || (D == 2 && rods_.sides[k].part.kind != Simplex::kVertex)) return true;
-      if (meets(rods_.sides[i], rods_.sides[k])) add_rods(rods_.sides[i], rods_.sides[k]);
+      if (may_meet(travellers, rods_.sides[i].traveller, rods_.sides[k].traveller))
+        add_rods(rods_.sides[i], rods_.sides[k]);
       return true;
     });
   }
-  Ways& solids = D == 2 ? rods_ : faces_;
+}
+
+/** Faces and vertices, in the plane edges and vertices. */
+template <int D>
+void BodyWays<D>::find_solids(const Array<Traveller<D>>& travellers) {
+  const Ways& solids = D == 2 ? rods_ : faces_;
   for (uint32_t i = 0; i < solids.sides.size(); ++i) {
-    if (D == 2 && solids.sides[i].part.kind == Simplex::kVertex) continue;
+    const Side& solid = solids.sides[i];
+    if (D == 2 && solid.part.kind == Simplex::kVertex) continue;
     vertices_.grid.visit(solids.boxes[i], [&](uint32_t k) {
-      const Side &solid = solids.sides[i], &vertex = vertices_.sides[k];
-      if (!meets(solid, vertex)) return true;
+      const Side& vertex = vertices_.sides[k];
       const bool is_own = solid.traveller == vertex.traveller;
+      if (!may_meet(travellers, solid.traveller, vertex.traveller)) return true;
       if (is_own && has_corner(*solid.name->body, solid.part, vertex.part.index)) return true;
       add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kVertexFace, vertex, solid);
       return true;
@@ -113,27 +151,35 @@ void BodyWays<D>::find_among_travellers(const Array<Traveller<D>>& travellers) {
   }
 }
 
-/** Two rods; of edges that share a vertex the far ends. */
+/** Of edges that share a vertex, the far ends can touch the other edge. In the plane vertices meet all edges anyhow. */
+template <int D>
+void BodyWays<D>::find_hinges(const Array<Traveller<D>>& travellers) {
+  for (uint32_t t = 0; D == 3 && t < travellers.size(); ++t) {
+    const Body<D>& body = *travellers[t].body;
+    if (!body.filter.self || !covers_edges(body.level)) continue;
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (!body.has_vertex(v)) continue;
+      for_each_edge(body, v, [&](uint32_t e) {
+        for_each_edge(body, v, [&](uint32_t f) {
+          if (f == e) return false;
+          hinges_.push_back({t, {v, body.edges[e].other(v), body.edges[f].other(v)}, {e, f}});
+          return true;
+        });
+        return true;
+      });
+    }
+  }
+}
+
+/** Two rods, unless they share a vertex. */
 template <int D>
 void BodyWays<D>::add_rods(const Side& a, const Side& b) {
-  const PairKind kind = D == 2 ? PairKind::kVertexEdge : PairKind::kEdgeEdge;
-  if (a.traveller != b.traveller) return add_pair(kind, a, b);
-  const Body<D>& body = *a.name->body;
-  const SimplexCorners<D> of_a(body, a.part), of_b(body, b.part);
-  const auto shares = [](const SimplexCorners<D>& one, const SimplexCorners<D>& other, uint32_t* far) {
-    bool shared = false;
-    for (const uint32_t v : one) {
-      const bool is_common = std::find(other.begin(), other.end(), v) != other.end();
-      shared = shared || is_common;
-      if (!is_common) *far = v;
+  if (a.traveller == b.traveller) {
+    for (const uint32_t v : SimplexCorners<D>(*a.name->body, a.part)) {
+      if (has_corner(*b.name->body, b.part, v)) return;
     }
-    return shared;
-  };
-  uint32_t far_a = kNone, far_b = kNone;
-  if (!shares(of_a, of_b, &far_a)) return add_pair(kind, a, b);
-  shares(of_b, of_a, &far_b);
-  if (far_a != kNone) add_pair(kind, {a.traveller, a.name, {Simplex::kVertex, far_a}}, b);
-  if (far_b != kNone) add_pair(kind, {b.traveller, b.name, {Simplex::kVertex, far_b}}, a);
+  }
+  add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kEdgeEdge, a, b);
 }
 
 template <int D>
@@ -194,37 +240,59 @@ void BodyWays<D>::meet_rods(const Side& rod, const Partner<D>& other, const Box<
   }
 }
 
-/** Calls visit(touch) for the pairs that touch, until it returns false. */
+/** Calls visit(touch) if a pair touches; whether it did not return false. */
+template <int D>
+template <class Visit>
+bool BodyWays<D>::visit_pair(const Array<Traveller<D>>& travellers, const Pair& pair, Visit visit) const {
+  WayTouch<D> touch{};
+  touch.pair.kind = pair.kind;
+  uint32_t at = 0;
+  bool moves = false;
+  for (uint32_t k = 0; k < 2; ++k) {
+    const Side& side = pair.sides[k];
+    const SimplexCorners<D> corners(*side.name->body, side.part);
+    for (uint32_t i = 0; i < point_count<D>(pair.kind, k); ++i, ++at) {
+      const uint32_t v = corners.vertices[std::min(i, corners.count - 1)];
+      touch.pair.start[at] = touch.pair.end[at] = side.name->body->position(v);
+      if (side.traveller == kNone) continue;
+      touch.pair.end[at] = travellers[side.traveller].end(v);
+      moves = moves || travellers[side.traveller].moves(v);
+    }
+  }
+  if (!moves || !boxes_overlap(touch.pair)) return true;
+  touch.first = first_touch(touch.pair);
+  if (!touch.first.touches) return true;
+  const uint32_t mover = pair.sides[0].traveller != kNone ? 0 : 1;
+  touch.traveller = pair.sides[mover].traveller;
+  touch.comes_first = mover == 0;
+  touch.part = pair.sides[mover].part;
+  touch.other_traveller = pair.sides[1 - mover].traveller;
+  touch.other = pair.sides[1 - mover].name;
+  touch.other_part = pair.sides[1 - mover].part;
+  return visit(touch);
+}
+
+/** Calls visit(touch) for all that touches, until it returns false. */
 template <int D>
 template <class Visit>
 bool BodyWays<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit visit) const {
   for (const Pair& pair : pairs_) {
-    WayTouch<D> touch{};
-    touch.pair.kind = pair.kind;
-    uint32_t at = 0;
-    bool moves = false;
-    for (uint32_t k = 0; k < 2; ++k) {
-      const Side& side = pair.sides[k];
-      const SimplexCorners<D> corners(*side.name->body, side.part);
-      for (uint32_t i = 0; i < point_count<D>(pair.kind, k); ++i, ++at) {
-        const uint32_t v = corners.vertices[std::min(i, corners.count - 1)];
-        touch.pair.start[at] = touch.pair.end[at] = side.name->body->position(v);
-        if (side.traveller == kNone) continue;
-        touch.pair.end[at] = travellers[side.traveller].end(v);
-        moves = moves || travellers[side.traveller].moves(v);
-      }
+    if (!visit_pair(travellers, pair, visit)) return false;
+  }
+  for (const Hinge& hinge : hinges_) {
+    const Traveller<D>& of = travellers[hinge.traveller];
+    const double* start[3];
+    const double* end[3];
+    for (uint32_t i = 0; i < 3; ++i) {
+      start[i] = of.start(hinge.vertices[i]);
+      end[i] = of.end(hinge.vertices[i]);
     }
-    if (!moves || !boxes_overlap(touch.pair)) continue;
-    touch.first = first_touch(touch.pair);
-    if (!touch.first.touches) continue;
-    const uint32_t mover = pair.sides[0].traveller != kNone ? 0 : 1;
-    touch.traveller = pair.sides[mover].traveller;
-    touch.comes_first = mover == 0;
-    touch.part = pair.sides[mover].part;
-    touch.other_traveller = pair.sides[1 - mover].traveller;
-    touch.other = pair.sides[1 - mover].name;
-    touch.other_part = pair.sides[1 - mover].part;
-    if (!visit(touch)) return false;
+    if (D == 3 && stays_open(start, end)) continue;
+    for (uint32_t k = 0; k < 2; ++k) {
+      const Side far{hinge.traveller, &of.name, {Simplex::kVertex, hinge.vertices[1 + k]}};
+      const Side edge{hinge.traveller, &of.name, {Simplex::kEdge, hinge.edges[1 - k]}};
+      if (!visit_pair(travellers, {PairKind::kEdgeEdge, {far, edge}}, visit)) return false;
+    }
   }
   return true;
 }

@@ -2,6 +2,7 @@
 // What bodies that move at once touch of each other, of bodies that stand still, and of themselves. The shift is the
 // same for all bodies and does not enter: every touch counts.
 
+#include "pairs/near_edges.h"
 #include "together/traveller.h"
 
 namespace dsw {
@@ -10,7 +11,7 @@ namespace dsw {
 template <int D>
 class BodyWays {
  public:
-  explicit BodyWays(const Memory* memory) : rods_(memory), vertices_(memory), faces_(memory), pairs_(memory) {}
+  explicit BodyWays(const Memory* memory) : rods_(memory), vertices_(memory), faces_(memory), pairs_(memory), hinges_(memory), near_(memory) {}
 
   /** Finds the pairs whose whole ways in the call come near each other. */
   void start(const Array<Traveller<D>>& travellers, bool bodies_meet);
@@ -30,6 +31,10 @@ class BodyWays {
     PairKind kind;
     Side sides[2];  // in the order of the points
   };
+  /** Two edges of a traveller with a common vertex, which comes first of the three. */
+  struct Hinge {
+    uint32_t traveller, vertices[3], edges[2];
+  };
   /** Boxes of the ways of parts of all travellers, by number. */
   struct Ways {
     BoxGrid<D> grid;
@@ -42,18 +47,25 @@ class BodyWays {
     void settle();
   };
 
-  void add_ways(const Array<Traveller<D>>& travellers);
-  void find_among_travellers(const Array<Traveller<D>>& travellers);
+  void add_ways(const Array<Traveller<D>>& travellers, bool with_rods);
+  bool find_own_edges(const Array<Traveller<D>>& travellers);
+  void find_rods(const Array<Traveller<D>>& travellers);
+  void find_solids(const Array<Traveller<D>>& travellers);
+  void find_hinges(const Array<Traveller<D>>& travellers);
   void find_still(const Array<Traveller<D>>& travellers);
   void meet_rods(const Side& rod, const Partner<D>& other, const Box<D>& box);
   void meet_solids(const Side& side, const Partner<D>& other, const Box<D>& box);
   void add_rods(const Side& a, const Side& b);
   void add_pair(PairKind kind, const Side& a, const Side& b) { pairs_.push_back({kind, {a, b}}); }
   template <class Visit>
+  bool visit_pair(const Array<Traveller<D>>& travellers, const Pair& pair, Visit visit) const;
+  template <class Visit>
   bool visit_touches(const Array<Traveller<D>>& travellers, Visit visit) const;
 
   Ways rods_, vertices_, faces_;  // rods: edges and vertices without edges
   Array<Pair> pairs_;
+  Array<Hinge> hinges_;
+  NearEdges near_;
 };
 
 }  // namespace dsw

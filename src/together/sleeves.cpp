@@ -73,7 +73,13 @@ bool Sleeves<D>::keeps(const Traveller<D>& of, uint32_t edge) {
     if (!c.valid() || !env_.map.convex(c) || is_closed(env_, c)) return false;
   }
   EdgeSequence<D>& sequence = body.sequences[edge];
-  if (!is_of(sequence, a, b) && !note(sequence, a, b)) return false;
+  // What is found does not depend on what was noted before.
+  return (is_of(sequence, a, b) && keeps_to(sequence, a, b)) || (note(sequence, a, b) && keeps_to(sequence, a, b));
+}
+
+/** Whether the edge keeps to its sequence, or to one more facet at either end. */
+template <int D>
+bool Sleeves<D>::keeps_to(EdgeSequence<D>& sequence, const End& a, const End& b) {
   bool longer_at_a = false, longer_at_b = false;
   extend(sequence, a, true, &longer_at_a);
   extend(sequence, b, false, &longer_at_b);

@@ -31,6 +31,7 @@ class Sleeves {
   bool is_of(const EdgeSequence<D>& sequence, const End& a, const End& b) const;
   bool note(EdgeSequence<D>& sequence, const End& a, const End& b);
   void extend(EdgeSequence<D>& sequence, const End& end, bool first, bool* is_longer);
+  bool keeps_to(EdgeSequence<D>& sequence, const End& a, const End& b);
   bool passes_all(EdgeSequence<D>& sequence, const End& a, const End& b) const;
 
   const Environment<D>& env_;
