@@ -174,6 +174,15 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
   return true;
 }
 
+/** Whether it is known that nothing is near the way of a part. */
+template <int D>
+bool WallWays<D>::is_alone(const Traveller<D>& of, const Simplex& simplex) {
+  if (!keeps_notes(of, simplex)) return false;
+  const Part<D> part(*of.body, simplex);
+  const Reach reach = reach_of(of, part);
+  return reach.is_short() && lists_.is_alone(*of.body, part, reach.way, *of.notes);
+}
+
 /** Whether a part meets nothing, as its corners stay in one convex cell, or as nothing is in the box of its way. */
 template <int D>
 bool WallWays<D>::is_settled(const Traveller<D>& of, const Simplex& part) {
@@ -183,6 +192,7 @@ bool WallWays<D>::is_settled(const Traveller<D>& of, const Simplex& part) {
     return of.body->vertices[v].cell == cell && of.arrivals[v] == cell;
   });
   if (stays && env_.map.convex(cell)) return true;
+  if (is_alone(of, part)) return true;
   if (part.kind == Simplex::kEdge && sleeves_.keeps(of, part.index)) return true;
   if (!BoxProbe<D>::suits(env_, cell)) return false;
   Bounds<D> box(of.start(corners.vertices[0]));
@@ -230,19 +240,17 @@ bool WallWays<D>::keeps_sides(const Traveller<D>& of, const SimplexCorners<D>& c
   return true;
 }
 
-/** Finds what is near the whole way of a part in the call, if it is not known that nothing is. */
+/** Finds what is near the whole way of a part in the call. */
 template <int D>
 void WallWays<D>::find_near(const Traveller<D>& of, const Simplex& simplex, Near& near) {
   const Part<D> part(*of.body, simplex);
   const Reach reach = reach_of(of, part);
-  const bool is_kept = of.notes != nullptr && reach.way <= reach.size && !is_covered(*of.body, simplex);
   near.first_feature = near.feature_end = static_cast<uint32_t>(features_.size());
   near.first_plane = near.plane_end = static_cast<uint32_t>(planes_.size());
-  if (is_kept && lists_.is_alone(*of.body, part, reach.way, *of.notes)) return;
-  collect(of, part, is_kept ? &reach : nullptr, near);
+  collect(of, part, keeps_notes(of, simplex) && reach.is_short() ? &reach : nullptr, near);
 }
 
-/** How far the corners of a part go in the call, or a little more, and how large it is. */
+/** How far the corners of a part go in the call, or a little more, and how large the part is. */
 template <int D>
 typename WallWays<D>::Reach WallWays<D>::reach_of(const Traveller<D>& of, const Part<D>& part) {
   constexpr double kMoreThanDiagonal = 1.8;  // than the square root of 3

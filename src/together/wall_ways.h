@@ -38,6 +38,8 @@ class WallWays {
   };
   struct Reach {
     double way, size;
+
+    bool is_short() const { return way <= size; }
   };
   /** The triangle of a wall, in the plane its segment. */
   struct Plane {
@@ -61,6 +63,11 @@ class WallWays {
   Near& near_of(uint32_t number, const Simplex& part) {
     return (part.kind == Simplex::kEdge ? edges_ : faces_)[number][part.index];
   }
+  /** Whether something is remembered of what is near a part. */
+  static bool keeps_notes(const Traveller<D>& of, const Simplex& part) {
+    return of.notes != nullptr && !is_covered(*of.body, part);
+  }
+  bool is_alone(const Traveller<D>& of, const Simplex& part);
   void find_near(const Traveller<D>& of, const Simplex& part, Near& near);
   static Reach reach_of(const Traveller<D>& of, const Part<D>& part);
   void collect(const Traveller<D>& of, const Part<D>& part, const Reach* kept, Near& near);
