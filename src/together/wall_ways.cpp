@@ -193,14 +193,15 @@ bool WallWays<D>::is_settled(const Traveller<D>& of, const Simplex& part) {
   });
   if (stays && env_.map.convex(cell)) return true;
   if (is_alone(of, part)) return true;
-  if (part.kind == Simplex::kEdge && sleeves_.keeps(of, part.index)) return true;
-  if (!BoxProbe<D>::suits(env_, cell)) return false;
-  Bounds<D> box(of.start(corners.vertices[0]));
-  for (const uint32_t v : corners) {
-    box.include(of.start(v));
-    box.include(of.end(v));
+  if (BoxProbe<D>::suits(env_, cell)) {
+    Bounds<D> box(of.start(corners.vertices[0]));
+    for (const uint32_t v : corners) {
+      box.include(of.start(v));
+      box.include(of.end(v));
+    }
+    if (probe_.is_free(box, cell)) return true;
   }
-  return probe_.is_free(box, cell);
+  return part.kind == Simplex::kEdge && sleeves_.keeps(of, part.index);
 }
 
 template <int D>
@@ -271,7 +272,7 @@ typename WallWays<D>::Reach WallWays<D>::reach_of(const Traveller<D>& of, const 
  * through the same region. */
 template <int D>
 void WallWays<D>::collect(const Traveller<D>& of, const Part<D>& part, const Reach* kept, Near& near) {
-  constexpr double kRoom = 1;  // that is asked for, as a share of the size
+  constexpr double kRoom = 0.5;  // that is asked for, as a share of the size
   const Box<D> box = box_of_way(of, part.simplex);
   obstacles_.clear();
   sides_.clear();
