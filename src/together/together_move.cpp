@@ -1,6 +1,7 @@
 #include "together/together_move.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/vec.h"
 #include "together/describe.h"
@@ -77,6 +78,7 @@ bool TogetherMove<D>::run_round(Array<Traveller<D>>& travellers) {
     arrive(travellers);
     return true;
   }
+  drop_covering(travellers);
   describe_touches(env_, travellers, first_);
   retreat(travellers);
   arrive(travellers);
@@ -84,6 +86,36 @@ bool TogetherMove<D>::run_round(Array<Traveller<D>>& travellers) {
     for_each_touching(travellers, touch, [](Traveller<D>& of, uint32_t v) { of.is_held[v] = true; });
   }
   return false;
+}
+
+/** Of what touches the environment, drops edges and faces with a corner or a side that touches it at the same time. These
+ * may go on as soon as that corner has stopped. If they touch something else, too, the next round finds that. */
+template <int D>
+void TogetherMove<D>::drop_covering(const Array<Traveller<D>>& travellers) {
+  using Name = std::tuple<uint32_t, uint32_t, uint32_t>;
+  const auto name = [](uint32_t traveller, Simplex::Kind kind, uint32_t index) {
+    return Name(traveller, static_cast<uint32_t>(kind), index);
+  };
+  Array<Name> names(env_.memory);
+  for (const WayTouch<D>& each : first_.all) {
+    if (each.other == nullptr) names.push_back(name(each.traveller, each.part.kind, each.part.index));
+  }
+  std::sort(names.begin(), names.end());
+  const auto touches = [&](uint32_t traveller, Simplex::Kind kind, uint32_t index) {
+    return std::binary_search(names.begin(), names.end(), name(traveller, kind, index));
+  };
+  const auto covers = [&](const WayTouch<D>& each) {
+    if (each.other != nullptr || each.part.kind == Simplex::kVertex) return false;
+    const Body<D>& body = *travellers[each.traveller].body;
+    const SimplexCorners<D> corners(body, each.part);
+    for (uint32_t i = 0; i < corners.count; ++i) {
+      const uint32_t v = corners.vertices[i], w = corners.vertices[(i + 1) % corners.count];
+      if (touches(each.traveller, Simplex::kVertex, v)) return true;
+      if (corners.count == 3 && touches(each.traveller, Simplex::kEdge, find_edge(body, v, w))) return true;
+    }
+    return false;
+  };
+  first_.all.erase(std::remove_if(first_.all.begin(), first_.all.end(), covers), first_.all.end());
 }
 
 /** The ends of all ways come nearer, until nothing is touched. The steps depend on no order of vertices. */
@@ -107,8 +139,12 @@ void TogetherMove<D>::retreat(Array<Traveller<D>>& travellers) {
   walls_.cast_paths(travellers);
 }
 
+/** Whether nothing is touched on the ways to the ends. What was touched has to stay apart even without the shift. So a
+ * vertex does not come to lie exactly on a wall, where it would touch that wall at the start of the next way. */
 template <int D>
 bool TogetherMove<D>::is_free(Array<Traveller<D>>& travellers) {
+  const auto touches = [](const WayTouch<D>& each) { return first_touch(each.pair).touches; };
+  if (std::any_of(first_.all.begin(), first_.all.end(), touches)) return false;
   walls_.cast_paths(travellers);
   return walls_.is_free(travellers) && bodies_.is_free(travellers);
 }

@@ -30,10 +30,10 @@ class TogetherMove {
  private:
   void start(Array<Traveller<D>>& travellers, bool bodies_meet);
   bool run_round(Array<Traveller<D>>& travellers);
+  void drop_covering(const Array<Traveller<D>>& travellers);
   void retreat(Array<Traveller<D>>& travellers);
   bool is_free(Array<Traveller<D>>& travellers);
   void set_ends(Array<Traveller<D>>& travellers, double time);
-  bool hold_touching(Array<Traveller<D>>& travellers);
   void arrive(Array<Traveller<D>>& travellers);
 
   const Environment<D>& env_;

@@ -1,0 +1,292 @@
+// All vertices of bodies move at once: what is carried rigidly never stops itself, islands are alone, rounds pass
+// nothing, what is remembered does not matter, and memory that runs out changes nothing.
+#include "host_memory.h"
+#include "together_support.h"
+
+#include <cmath>
+
+namespace dsw::oracle {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+BodyPlan coil(double radius, double pitch, double phase, size_t count) {
+  BodyPlan plan;
+  for (uint32_t i = 0; i < count; ++i) {
+    const double angle = 2 * kPi * i / 16 + phase;
+    plan.at.push_back({2 + radius * std::cos(angle), 2 + radius * std::sin(angle), 1.6 + pitch * i / 16});
+    if (i != 0) plan.edges.push_back({i - 1, i});
+  }
+  return plan;
+}
+/// A strip of triangles that is rolled up.
+BodyPlan roll(size_t count) {
+  BodyPlan plan;
+  for (uint32_t i = 0; i < count; ++i) {
+    const double angle = 0.35 * (i / 2), radius = 0.3 + 0.01 * angle;
+    plan.at.push_back(
+        {2 + radius * std::cos(angle), 2 + radius * std::sin(angle), 1.7 + (i % 2 == 0 ? 0.0 : 0.3)});
+    if (i < 2) continue;
+    plan.faces.push_back(i % 2 == 0 ? std::vector<uint32_t>{i - 2, i - 1, i} : std::vector<uint32_t>{i - 1, i - 2, i});
+  }
+  return plan;
+}
+/// A rotation by `angle` about an axis through the centre, and a way along.
+Vec carried(const Vec& p, const Vec& axis, double angle, const Vec& way) {
+  const Vec x = {p[0] - 2, p[1] - 2, p[2] - 2};
+  const double c = std::cos(angle), s = std::sin(angle), along = (axis[0] * x[0] + axis[1] * x[1] + axis[2] * x[2]);
+  const Vec across = {axis[1] * x[2] - axis[2] * x[1], axis[2] * x[0] - axis[0] * x[2], axis[0] * x[1] - axis[1] * x[0]};
+  Vec to;
+  for (size_t k = 0; k < 3; ++k) to[k] = 2 + c * x[k] + s * across[k] + (1 - c) * along * axis[k] + way[k];
+  return to;
+}
+Vec random_axis(Rng& rng) {
+  Vec axis;
+  double length = 0;
+  do {
+    for (double& x : axis) x = rng.range(-1, 1);
+    length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+  } while (length < 0.1 || length > 1);
+  for (double& x : axis) x /= length;
+  return axis;
+}
+
+class TogetherMoreTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ground_ = make_ground(3, 4, 0, 0, false, rng_);
+    ASSERT_NE(ground_.environment, nullptr);
+  }
+  Walker add(dsw_scene* scene, const BodyPlan& plan, dsw_level level, bool self) {
+    Walker walker{};
+    walker.level = level;
+    walker.self = self;
+    EXPECT_EQ(create_body(scene, plan, level, self ? DSW_BODY_SELF_CONTACTS : 0, {}, &walker.id), DSW_STATUS_OK)
+        << dsw_last_error_message();
+    EXPECT_EQ(read_body(scene, walker.id, walker.state), "");
+    walker.end = walker.state.at;
+    return walker;
+  }
+
+  Rng rng_{3};
+  Ground ground_;
+};
+
+TEST_F(TogetherMoreTest, WhatIsCarriedRigidlyNeverStopsItself) {
+  struct Case {
+    const char* name;
+    std::vector<BodyPlan> plans;
+    dsw_level level;
+  };
+  const Case cases[] = {{"tight coil", {coil(0.5, 0.01, 0, 200)}, DSW_LEVEL_EDGES_SWEPT},
+                        {"two coils", {coil(0.5, 0.1, 0, 100), coil(0.5, 0.1, kPi, 100)}, DSW_LEVEL_EDGES_SWEPT},
+                        {"rolled cloth", {roll(160)}, DSW_LEVEL_FACES}};
+  for (const Case& each : cases) {
+    size_t moves = 0, stops[2] = {0, 0};
+    for (int round = 0; round < share_of(20); ++round) {
+      const Vec axis = random_axis(rng_), way = {rng_.range(-0.5, 0.5), rng_.range(-0.5, 0.5), rng_.range(-0.5, 0.5)};
+      const double angle = rng_.range(-2, 2);
+      for (int mode = 0; mode < 2; ++mode) {
+        ScenePtr scene = make_scene(ground_.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+        std::vector<Walker> walkers;
+        for (const BodyPlan& plan : each.plans) walkers.push_back(add(scene.get(), plan, each.level, true));
+        std::vector<dsw_body_id> ids;
+        std::vector<Vec> targets;
+        for (Walker& walker : walkers) {
+          ids.push_back(walker.id);
+          for (Vec& p : walker.end) p = carried(p, axis, angle, way);
+          targets.insert(targets.end(), walker.end.begin(), walker.end.end());
+        }
+        if (mode == 0) {
+          std::vector<dsw_move_report> reports(ids.size());
+          ASSERT_EQ(dsw_scene_move_bodies(scene.get(), ids.data(), ids.size(), targets[0].data(), targets.size(),
+                                          sizeof(Vec), nullptr, reports.data()),
+                    DSW_STATUS_OK);
+          size_t stopped = 0;
+          for (const dsw_move_report& report : reports) stopped += report.vertices_stopped;
+          stops[0] += stopped != 0 ? 1 : 0;
+        } else {
+          const TogetherAnswer answer = move_together(scene.get(), walkers, DSW_TOGETHER_STOP_ALL);
+          stops[1] += answer.reports[0].fraction != 1 ? 1 : 0;
+        }
+      }
+      ++moves;
+    }
+    std::printf("%s: %zu moves; stopped one by one %zu, together %zu\n", each.name, moves, stops[0], stops[1]);
+    EXPECT_EQ(stops[1], 0u);
+  }
+}
+
+TEST_F(TogetherMoreTest, AnIslandThatMeetsNothingArrives) {
+  for (const dsw_together_stop stop : {DSW_TOGETHER_STOP_ALL, DSW_TOGETHER_STOP_ISLAND, DSW_TOGETHER_STOP_FEATURE}) {
+    ScenePtr scene = make_scene(ground_.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+    std::vector<Walker> walkers = {add(scene.get(), segment({1, 1, 1}, {1, 2, 1}), DSW_LEVEL_EDGES_SWEPT, false),
+                                   add(scene.get(), segment({1.5, 1.5, 0.5}, {1.5, 1.5, 1.5}), DSW_LEVEL_EDGES_SWEPT, false),
+                                   add(scene.get(), segment({3, 3, 3}, {3, 3.5, 3}), DSW_LEVEL_EDGES_SWEPT, false)};
+    // The first two meet half-way, where their middles cross.
+    for (Vec& p : walkers[0].end) p[0] += 0.5;
+    for (Vec& p : walkers[1].end) p[0] -= 0.5;
+    for (Vec& p : walkers[2].end) p[0] += 0.25;
+    const TogetherAnswer answer = move_together(scene.get(), walkers, stop);
+    EXPECT_NEAR(answer.reports[0].fraction, 0.5, 1e-9);
+    EXPECT_NEAR(answer.reports[1].fraction, 0.5, 1e-9);
+    ASSERT_EQ(answer.contacts[0].size(), 1u);
+    ASSERT_EQ(answer.contacts[1].size(), 1u);
+    EXPECT_EQ(answer.contacts[0][0].time, 0.5);
+    EXPECT_EQ(answer.contacts[0][0].contact.normal[0], -1);
+    EXPECT_EQ(answer.contacts[1][0].contact.normal[0], 1);
+    EXPECT_EQ(answer.contacts[0][0].point[0], 1.25);
+    EXPECT_EQ(answer.contacts[0][0].point[1], 1.5);
+    EXPECT_EQ(answer.contacts[0][0].point[2], 1);
+    EXPECT_EQ(answer.contacts[0][0].edge_parameter, 0.5);
+    const dsw_contact_partner* partners = nullptr;
+    size_t count = 0;
+    ASSERT_EQ(dsw_body_get_contact_partners(scene.get(), walkers[0].id, &partners, &count), DSW_STATUS_OK);
+    ASSERT_EQ(count, 1u);
+    EXPECT_EQ(partners[0].body.index, walkers[1].id.index);
+    if (stop == DSW_TOGETHER_STOP_ALL) {
+      EXPECT_NEAR(answer.after[2].at[0][0], 3.125, 1e-9);
+    } else {
+      EXPECT_EQ(answer.after[2].at[0][0], 3.25);
+      EXPECT_EQ(answer.reports[2].fraction, 1);
+    }
+  }
+}
+
+TEST_F(TogetherMoreTest, TheNormalOfAWallLooksOutOfIt) {
+  ScenePtr scene = make_scene(ground_.environment.get());
+  std::vector<Walker> walkers = {add(scene.get(), segment({1, 1.25, 1}, {3, 1.5, 1.5}), DSW_LEVEL_EDGES_SWEPT, false)};
+  for (Vec& p : walkers[0].end) p[2] -= 2;
+  const TogetherAnswer answer = move_together(scene.get(), walkers, DSW_TOGETHER_STOP_FEATURE);
+  ASSERT_EQ(answer.contacts[0].size(), 2u);
+  EXPECT_EQ(answer.contacts[0][0].contact.normal[2], 1);
+  EXPECT_EQ(answer.contacts[0][0].contact.kind, DSW_CONTACT_PLANE);
+  EXPECT_EQ(answer.contacts[0][0].time, 0.5);
+  EXPECT_EQ(answer.contacts[0][0].point[2], 0);
+  EXPECT_EQ(answer.contacts[0][1].contact.normal[2], 1);
+  EXPECT_EQ(answer.reports[0].vertices_stopped, 2u);
+  EXPECT_GT(answer.after[0].at[0][2], 0);
+  EXPECT_LT(answer.after[0].at[0][2], 1e-12);
+  EXPECT_LT(answer.after[0].at[1][2], 1e-12);
+}
+
+/// A tree or a walk of edges, or a strip.
+BodyPlan tangle(Rng& rng, bool surface) {
+  BodyPlan plan;
+  plan.at.push_back({rng.range(1, 3), rng.range(1, 3), rng.range(1, 3)});
+  plan.at[0] = sheared(plan.at[0], 3);
+  for (uint32_t i = 1; i < 12; ++i) {
+    Vec p = plan.at.back();
+    for (double& x : p) x += rng.range(-0.4, 0.4);
+    plan.at.push_back(p);
+    if (!surface) plan.edges.push_back({i - 1, i});
+    if (!surface || i < 2) continue;
+    plan.faces.push_back(i % 2 == 0 ? std::vector<uint32_t>{i - 2, i - 1, i} : std::vector<uint32_t>{i - 1, i - 2, i});
+  }
+  return plan;
+}
+
+TEST_F(TogetherMoreTest, NoRoundPassesAnything) {
+  size_t rounds_made = 0, passed = 0, moves = 0;
+  for (int round = 0; round < share_of(40); ++round) {
+    const Ground ground = make_ground(3, 4, 0.15, 0.05, false, rng_);
+    const bool surface = round % 2 == 0;
+    const dsw_level level = surface ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT;
+    std::vector<BodyPlan> plans;
+    std::vector<std::vector<Vec>> ends;
+    ScenePtr trial = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+    for (int tries = 0; tries < 60 && plans.size() < 2; ++tries) {
+      const BodyPlan plan = tangle(rng_, surface);
+      dsw_body_id id;
+      if (create_body(trial.get(), plan, level, DSW_BODY_SELF_CONTACTS, {}, &id) != DSW_STATUS_OK) continue;
+      plans.push_back(plan);
+      ends.push_back(plan.at);
+      const Vec way = {rng_.range(-0.4, 0.4), rng_.range(-0.4, 0.4), rng_.range(-0.4, 0.4)};
+      for (Vec& p : ends.back()) {
+        for (size_t k = 0; k < 3; ++k) p[k] += way[k] + rng_.range(-0.1, 0.1);
+      }
+    }
+    if (plans.empty()) continue;
+    ++moves;
+    // After each number of rounds they are where the next round begins.
+    std::vector<std::vector<Vec>> before;
+    for (uint32_t limit = 1; limit < 64; ++limit) {
+      ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+      std::vector<Walker> walkers;
+      for (size_t i = 0; i < plans.size(); ++i) {
+        walkers.push_back(add(scene.get(), plans[i], level, true));
+        walkers[i].end = ends[i];
+      }
+      const TogetherAnswer answer = move_together(scene.get(), walkers, DSW_TOGETHER_STOP_FEATURE, limit);
+      bool same = !before.empty();
+      for (size_t i = 0; i < plans.size(); ++i) {
+        if (!before.empty()) walkers[i].state.at = before[i];
+        walkers[i].end = answer.after[i].at;
+        same = same && walkers[i].state.at == walkers[i].end;
+      }
+      if (same) break;
+      ++rounds_made;
+      passed += first_time<3>(ground, walkers, round % 8 == 0) <= 1 ? 1 : 0;
+      before.clear();
+      for (const BodyState& state : answer.after) before.push_back(state.at);
+    }
+  }
+  std::printf("%zu moves in %zu rounds; passed %zu\n", moves, rounds_made, passed);
+  EXPECT_EQ(passed, 0u);
+  EXPECT_GT(rounds_made, 2 * moves);
+}
+
+TEST_F(TogetherMoreTest, WhatIsRememberedDoesNotMatter) {
+  size_t moves = 0, different = 0, contacts = 0;
+  for (int round = 0; round < share_of(20); ++round) {
+    const Ground ground = make_ground(3, 4, 0.15, 0.05, round % 2 == 0, rng_);
+    const bool surface = round % 4 < 2;
+    const dsw_level level = surface ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT;
+    ScenePtr old = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+    std::vector<Walker> walkers;
+    for (int tries = 0; tries < 60 && walkers.size() < 2; ++tries) {
+      const BodyPlan plan = tangle(rng_, surface);
+      Walker walker{};
+      if (create_body(old.get(), plan, level, DSW_BODY_SELF_CONTACTS, {}, &walker.id) != DSW_STATUS_OK) continue;
+      EXPECT_EQ(read_body(old.get(), walker.id, walker.state), "");
+      walkers.push_back(walker);
+    }
+    if (walkers.empty()) continue;
+    for (int step = 0; step < 30; ++step) {
+      ScenePtr fresh = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+      std::vector<Walker> copies;
+      for (Walker& walker : walkers) {
+        BodyPlan plan;
+        plan.at = walker.state.at;
+        for (const auto& f : walker.state.faces) plan.faces.push_back({f[0], f[1], f[2]});
+        if (!surface) plan.edges = walker.state.edges;
+        walker.end = walker.state.at;
+        const Vec way = {rng_.range(-0.05, 0.05), rng_.range(-0.05, 0.05), rng_.range(-0.05, 0.05)};
+        for (Vec& p : walker.end) {
+          for (size_t k = 0; k < 3; ++k) p[k] += way[k] + rng_.range(-0.01, 0.01);
+        }
+        copies.push_back(add(fresh.get(), plan, level, true));
+        copies.back().end = walker.end;
+      }
+      const auto stop = static_cast<dsw_together_stop>(step % 3);
+      const TogetherAnswer answers[2] = {move_together(old.get(), walkers, stop),
+                                         move_together(fresh.get(), copies, stop)};
+      ++moves;
+      for (size_t i = 0; i < walkers.size(); ++i) {
+        bool same = answers[0].contacts[i].size() == answers[1].contacts[i].size();
+        contacts += answers[0].contacts[i].size();
+        for (size_t v = 0; v < walkers[i].state.at.size(); ++v) {
+          same = same && hex(answers[0].after[i].at[v]) == hex(answers[1].after[i].at[v]) &&
+                 answers[0].after[i].volumes[v].index == answers[1].after[i].volumes[v].index;
+        }
+        different += same ? 0 : 1;
+        walkers[i].state = answers[0].after[i];
+      }
+    }
+  }
+  std::printf("%zu moves, %zu contacts; different %zu\n", moves, contacts, different);
+  EXPECT_EQ(different, 0u);
+}
+
+}  // namespace
+}  // namespace dsw::oracle
