@@ -34,10 +34,17 @@ void place_on_way(const double* from, const double* to, double time, double* pla
 template <int D>
 void TogetherMove<D>::move(Array<Traveller<D>>& travellers, bool bodies_meet, const TogetherSettings& settings) {
   start(travellers, bodies_meet);
-  const uint32_t rounds = settings.stop == TogetherStop::kFeature ? settings.rounds : 1;
-  for (uint32_t round = 0; round < rounds && !run_round(travellers); ++round) {
-    if (round != 0) continue;
-    for (Traveller<D>& of : travellers) of.record->fraction = time_;
+  const uint32_t most_stops = settings.stop == TogetherStop::kFeature ? settings.rounds : 1;
+  constexpr uint32_t kMostDepartures = 8;
+  uint32_t stops = 0, departures = 0;
+  double gone = 0;  // of the whole way
+  while (stops < most_stops) {
+    const Round round = run_round(travellers, departures < kMostDepartures);
+    if (round == Round::kArrived) break;
+    gone += (1 - gone) * time_;
+    departures += round == Round::kDeparted ? 1 : 0;
+    if (round == Round::kDeparted || stops++ != 0) continue;
+    for (Traveller<D>& of : travellers) of.record->fraction = gone;
   }
   for (Traveller<D>& of : travellers) {
     const Body<D>& body = *of.body;
@@ -66,9 +73,9 @@ void TogetherMove<D>::start(Array<Traveller<D>>& travellers, bool bodies_meet) {
   bodies_.start(travellers, bodies_meet);
 }
 
-/** Goes on as far as nothing is touched. Whether all have arrived. */
+/** Goes on as far as nothing is touched. */
 template <int D>
-bool TogetherMove<D>::run_round(Array<Traveller<D>>& travellers) {
+typename TogetherMove<D>::Round TogetherMove<D>::run_round(Array<Traveller<D>>& travellers, bool may_depart) {
   set_ends(travellers, 1);
   walls_.cast_paths(travellers);
   first_.all.clear();
@@ -76,15 +83,38 @@ bool TogetherMove<D>::run_round(Array<Traveller<D>>& travellers) {
   bodies_.find_first(travellers, first_);
   if (first_.all.empty()) {
     arrive(travellers);
-    return true;
+    return Round::kArrived;
   }
   drop_covering(travellers);
+  if (may_depart && departs(travellers)) {
+    arrive(travellers);
+    return Round::kDeparted;
+  }
   describe_touches(env_, travellers, first_);
   retreat(travellers);
   arrive(travellers);
   for (const WayTouch<D>& touch : first_.all) {
     for_each_touching(travellers, touch, [](Traveller<D>& of, uint32_t v) { of.is_held[v] = true; });
   }
+  return Round::kStopped;
+}
+
+/** What touches a wall at the start may be free under the shift, and stay so for a part of its way. Then all go that
+ * part: what is touched after that is another round's. Whether they do. */
+template <int D>
+bool TogetherMove<D>::departs(Array<Traveller<D>>& travellers) {
+  constexpr int kMostHalvings = 10;
+  const bool starts_at_walls = std::all_of(first_.all.begin(), first_.all.end(), [](const WayTouch<D>& each) {
+    return each.first.time == 0 && each.other == nullptr && each.part.kind != Simplex::kVertex;
+  });
+  time_ = 1;
+  for (int k = 0; starts_at_walls && k < kMostHalvings; ++k) {
+    time_ /= 2;
+    set_ends(travellers, time_);
+    walls_.cast_paths(travellers);
+    if (walls_.is_free(travellers) && bodies_.is_free(travellers)) return true;
+  }
+  set_ends(travellers, 1);
   return false;
 }
 

@@ -29,7 +29,10 @@ class TogetherMove {
 
  private:
   void start(Array<Traveller<D>>& travellers, bool bodies_meet);
-  bool run_round(Array<Traveller<D>>& travellers);
+  /** How a round ended. kDeparted: before anything was touched. */
+  enum class Round { kArrived, kDeparted, kStopped };
+  Round run_round(Array<Traveller<D>>& travellers, bool may_depart);
+  bool departs(Array<Traveller<D>>& travellers);
   void drop_covering(const Array<Traveller<D>>& travellers);
   void retreat(Array<Traveller<D>>& travellers);
   bool is_free(Array<Traveller<D>>& travellers);
