@@ -97,9 +97,11 @@ Box<D> box_of_way(const Traveller<D>& of, const Simplex& part) noexcept {
   return box;
 }
 
-/** Whether what two parts sweep in this round lies in boxes that overlap. */
+/** Whether what two parts sweep in this round lies in boxes that overlap.
+ * @param shifted which of the two is shifted: upwards along each axis, so that boxes with a side in common may be apart;
+ * kNone: neither. */
 template <int D>
-bool boxes_overlap(const MovingPair<D>& pair) noexcept {
+bool boxes_overlap(const MovingPair<D>& pair, uint32_t shifted = kNone) noexcept {
   const int first = pair.kind == PairKind::kEdgeEdge ? 2 : 1;
   for (int k = 0; k < D; ++k) {
     double low[2] = {Box<D>::kInfinity, Box<D>::kInfinity}, high[2] = {-Box<D>::kInfinity, -Box<D>::kInfinity};
@@ -109,6 +111,7 @@ bool boxes_overlap(const MovingPair<D>& pair) noexcept {
       high[side] = std::max({high[side], pair.start[i][k], pair.end[i][k]});
     }
     if (low[0] > high[1] || low[1] > high[0]) return false;
+    if (shifted != kNone && low[shifted] == high[1 - shifted]) return false;
   }
   return true;
 }

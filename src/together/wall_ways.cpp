@@ -2,12 +2,13 @@
 // of the edge with a side of the triangle. Then the two also touch without the shift. So it is enough to ask first_touch
 // about edges and sides, in the plane about edges and corners, and of faces about corners.
 //
-// What touches at the start may be free under the shift, and stay so. Two tests under the shift say that a part and a
+// What touches at the start may be free under the shift, and stay so. Three tests under the shift say that a part and a
 // feature do not meet:
+// - Their boxes are apart. The shift moves the part upwards along each axis.
 // - All corners of the part stay on one side of the plane of a wall's triangle that has the feature.
 // - The determinant of the points of part and feature is affine in each of them. If it has one sign for all choices of
 //   start or end of each corner, it is never 0.
-// Neither depends on how vertices are numbered.
+// None depends on how vertices are numbered.
 
 #include "together/wall_ways.h"
 
@@ -162,7 +163,7 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
       const uint32_t at = (first_corner == 0 ? corners.count : 0) + k;
       touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.name.vertices[k]);
     }
-    if (!boxes_overlap(touch.pair)) continue;
+    if (!boxes_overlap(touch.pair, touch.comes_first ? 0 : 1)) continue;
     const auto beside = [&](uint32_t plane) { return is_beside_[plane] != 0; };
     if (std::any_of(plane_numbers_.begin() + feature.first_plane, plane_numbers_.begin() + feature.plane_end, beside))
       continue;
