@@ -363,6 +363,13 @@ AT(dsw_near_options, margin, 8);
 AT(dsw_near_options, radius, 16);
 GROWS(dsw_near_options, radius);
 
+SIZE(dsw_together_options, 16);
+AT(dsw_together_options, struct_size, 0);
+AT(dsw_together_options, flags, 4);
+AT(dsw_together_options, stop, 8);
+AT(dsw_together_options, max_rounds, 12);
+GROWS(dsw_together_options, max_rounds);
+
 SIZE(dsw_near_row, 224);
 AT(dsw_near_row, point, 0);
 AT(dsw_near_row, obstacle_point, 24);
@@ -417,6 +424,7 @@ SIZE(dsw_cross_check_kind, 4);
 SIZE(dsw_no_cross_check, 4);
 SIZE(dsw_search, 4);
 SIZE(dsw_response, 4);
+SIZE(dsw_together_stop, 4);
 SIZE(dsw_pair_kind, 4);
 SIZE(dsw_deform_method, 4);
 SIZE(dsw_wall_response, 4);

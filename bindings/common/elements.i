@@ -58,6 +58,7 @@ X(dsw_cast_options, CastOptions)
 X(dsw_sweep_options, SweepOptions)
 X(dsw_move_options, MoveOptions)
 X(dsw_near_options, NearOptions)
+X(dsw_together_options, TogetherOptions)
 X(dsw_deform_options, DeformOptions)
 X(dsw_coarsen_options, CoarsenOptions)
 %enddef

@@ -39,7 +39,7 @@ typedef struct dsw_together_options {
   uint32_t max_rounds;    /**< Of DSW_TOGETHER_STOP_FEATURE, up to 65536; 0 means 32. */
 } dsw_together_options;
 
-/** Writes the defaults. @since 2.2 */
+/** Writes the defaults. @since 2.1 */
 DSW_API void dsw_together_options_init(dsw_together_options *options, size_t size);
 
 /** Moves all vertices of some bodies to their targets, all at once.
@@ -51,7 +51,7 @@ DSW_API void dsw_together_options_init(dsw_together_options *options, size_t siz
  * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has.
  * @note dsw_body_get_contacts gives the contacts of each body. All that touch at the same exact time are listed. `fixed`
  * holds the other ends at that time.
- * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact anew. @since 2.2 */
+ * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact anew. @since 2.1 */
 DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
                                            const double *targets, size_t target_count, size_t stride_bytes,
                                            const dsw_together_options *options, dsw_move_report *reports);

@@ -27,6 +27,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_environment_info upper
 #define LAST_dsw_move_options order_count
 #define LAST_dsw_near_options radius
+#define LAST_dsw_together_options max_rounds
 #define LAST_dsw_open_crack_desc tag
 #define LAST_dsw_recording_desc user
 #define LAST_dsw_remesh_desc max_faces
@@ -176,6 +177,10 @@ RUN(dsw_scene_move_bodies, dsw_move_options) {
   const dsw_body_id id = body();
   return dsw_scene_move_bodies(g_scene, &id, 1, g_target, 2, 0, s, NULL);
 }
+RUN(dsw_scene_move_together, dsw_together_options) {
+  const dsw_body_id id = body();
+  return dsw_scene_move_together(g_scene, &id, 1, g_target, 2, 0, s, NULL);
+}
 RUN(dsw_body_move_rigid, dsw_move_options) {
   const dsw_rigid_motion motion = {{0, 0, 0, 1}, {0, 0, 0}, {1, 0, 0}};
   return dsw_body_move_rigid(g_scene, body(), &motion, s, NULL);
@@ -265,6 +270,7 @@ FILL(dsw_body_desc) {
 }
 FILL(dsw_move_options) { s->max_volumes = 99; }
 FILL(dsw_near_options) { s->margin = 0.75; }
+FILL(dsw_together_options) { s->max_rounds = 5; }
 FILL(dsw_deform_options) { s->most_halvings = 3; }
 FILL(dsw_remesh_desc) { s->radius = 1; }
 FILL(dsw_volumes_desc) {
@@ -383,6 +389,7 @@ typedef struct init_row {
   X(dsw_environment_deform, dsw_deform_options)      \
   X(dsw_environment_detach, dsw_detach_desc)         \
   X(dsw_scene_move_bodies, dsw_move_options)         \
+  X(dsw_scene_move_together, dsw_together_options)   \
   X(dsw_scene_move_particles, dsw_cast_options)      \
   X(dsw_scene_start_recording, dsw_recording_desc)   \
   X(dsw_scene_write_bug_report, dsw_bug_report_desc) \
@@ -419,6 +426,7 @@ typedef struct init_row {
   X(dsw_environment_desc_init, dsw_environment_desc) \
   X(dsw_move_options_init, dsw_move_options)         \
   X(dsw_near_options_init, dsw_near_options)         \
+  X(dsw_together_options_init, dsw_together_options) \
   X(dsw_open_crack_desc_init, dsw_open_crack_desc)   \
   X(dsw_recording_desc_init, dsw_recording_desc)     \
   X(dsw_remesh_desc_init, dsw_remesh_desc)           \

@@ -220,6 +220,14 @@ class Scene {
     check(dsw_scene_move_bodies(self.handle, bodies.data, bodies.count, targets.data, targets.count,
                                 targets.stride_bytes, options, reports.data));
   }
+  void move_together(View<const dsw_body_id> bodies, Points targets, const dsw_together_options *options,
+                     View<dsw_move_report> reports) {
+    count_points(dimension(), targets);
+    optional_count("reports", reports, bodies.count);
+    const SceneWriting self(*state_);
+    check(dsw_scene_move_together(self.handle, bodies.data, bodies.count, targets.data, targets.count,
+                                  targets.stride_bytes, options, reports.data));
+  }
 
  private:
   struct Made {};

@@ -1,0 +1,163 @@
+/* All vertices of bodies at once: bad arguments, the plane, a wall, and memory that runs out. */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "fixture.h"
+
+static const double kAt[6] = {0.5, 0.5, 0.5, 0.5, 1.5, 0.5};
+
+static dsw_together_options together_options(void) {
+  dsw_together_options o;
+  dsw_together_options_init(&o, sizeof o);
+  return o;
+}
+
+static dsw_status move_one(dsw_scene *scene, dsw_body_id body, const double *targets, const dsw_together_options *o,
+                           dsw_move_report *report) {
+  return dsw_scene_move_together(scene, &body, 1, targets, 2, 0, o, report);
+}
+
+static void bad_arguments_are_refused(void) {
+  const double good[12] = {1.5, 0.5, 0.5, 1.5, 1.5, 0.5, 1.5, 0.5, 1.5, 1.5, 1.5, 1.5};
+  double bad[6];
+  dsw_environment *environment = make_environment(NULL, 3, 3, 3);
+  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_body_id bodies[2], stale[2];
+  dsw_together_options o = together_options();
+  dsw_move_report reports[2], before[2];
+  double p[6];
+  size_t count = 0, i;
+  bodies[0] = make_edge_body(scene, kAt, DSW_LEVEL_EDGES_SWEPT);
+  memcpy(bad, kAt, sizeof bad);
+  for (i = 0; i < 2; ++i) bad[3 * i + 2] = 1.5;
+  bodies[1] = make_edge_body(scene, bad, DSW_LEVEL_EDGES_SWEPT);
+  memset(reports, 0x55, sizeof reports);
+  memcpy(before, reports, sizeof reports);
+  CHECK(o.struct_size == sizeof o && o.flags == 0 && o.stop == DSW_TOGETHER_STOP_ALL && o.max_rounds == 0);
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_move_together(NULL, bodies, 2, good, 4, 0, &o, reports));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_move_together(scene, NULL, 2, good, 4, 0, &o, reports));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_move_together(scene, bodies, 2, NULL, 4, 0, &o, reports));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_move_together(scene, bodies, 2, good, 3, 0, &o, reports));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_move_together(scene, bodies, 2, good, 4, 12, &o, reports));
+  stale[0] = stale[1] = bodies[0];
+  CHECK_FAILS(DSW_STATUS_DUPLICATE_ID, dsw_scene_move_together(scene, stale, 2, good, 4, 0, &o, reports));
+  stale[1].generation += 7;
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_scene_move_together(scene, stale, 2, good, 4, 0, &o, reports));
+  CHECK_MESSAGE("bodies[1]");
+  for (i = 0; i < 6; ++i) {
+    memcpy(bad, good, sizeof bad);
+    bad[i] = i % 2 == 0 ? NAN : -INFINITY;
+    CHECK_FAILS(DSW_STATUS_NON_FINITE, move_one(scene, bodies[0], bad, &o, reports));
+    CHECK_MESSAGE("targets");
+  }
+  o.flags = 1;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, bodies[0], good, &o, reports));
+  o = together_options();
+  o.stop = (dsw_together_stop)3;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, bodies[0], good, &o, reports));
+  CHECK_MESSAGE("options->stop");
+  o = together_options();
+  o.max_rounds = 65537;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, move_one(scene, bodies[0], good, &o, reports));
+  o = together_options();
+  o.struct_size = 3;
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, move_one(scene, bodies[0], good, &o, reports));
+  /* Thick bodies are not served yet, neither those of the call nor those that they can meet. */
+  CHECK_OK(dsw_body_set_radius(scene, bodies[1], 0.125));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, bodies[1], good + 6, NULL, reports));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, bodies[0], good + 6, NULL, reports));
+  CHECK(memcmp(before, reports, sizeof reports) == 0);
+  CHECK_OK(dsw_body_get_positions(scene, bodies[0], p, 2, 0, NULL, &count));
+  CHECK(count == 2 && memcmp(p, kAt, sizeof p) == 0);
+  CHECK_OK(dsw_body_set_radius(scene, bodies[1], 0));
+  CHECK_OK(dsw_scene_move_together(scene, bodies, 2, good, 4, 0, NULL, reports));
+  CHECK(reports[0].fraction == 1 && reports[0].vertices_moved == 2 && reports[0].vertices_stopped == 0 &&
+        reports[1].fraction == 1);
+  CHECK_OK(dsw_scene_move_together(scene, NULL, 0, NULL, 0, 0, NULL, NULL));
+  end_scene(scene);
+}
+
+/* A wall at x = 2, a quarter of the way. */
+static void a_wall_stops_it(void) {
+  const double targets[6] = {6.5, 0.5, 0.5, 6.5, 1.5, 0.5};
+  dsw_environment *environment = make_environment(NULL, 3, 2, 1);
+  dsw_scene *scene = make_scene(environment, 0);
+  dsw_body_id body = make_edge_body(scene, kAt, DSW_LEVEL_EDGES_SWEPT);
+  const dsw_body_contact *c = NULL;
+  dsw_move_report r;
+  double p[6];
+  size_t count = 0, i;
+  CHECK_OK(set_volume_mark(environment, 2, DSW_MARK_IMPASSABLE));
+  CHECK_OK(set_volume_mark(environment, 5, DSW_MARK_IMPASSABLE));
+  CHECK_OK(move_one(scene, body, targets, NULL, &r));
+  CHECK(r.fraction < 0.25 && r.fraction > 0.2499999 && r.vertices_stopped == 2 && r.contact_count == 2);
+  CHECK_OK(dsw_body_get_contacts(scene, body, &c, &count));
+  CHECK(count == 2);
+  for (i = 0; i < count; ++i) {
+    CHECK(c[i].time == 0.25 && c[i].vertex.index == i && c[i].contact.normal[0] == -1 && c[i].point[0] == 2 &&
+          c[i].contact.kind == DSW_CONTACT_PLANE && c[i].contact.tag == 102 + 3 * i && c[i].edge.generation == 0 &&
+          c[i].history == DSW_HISTORY_NEW && fabs(c[i].distance_left - 4.5) < 1e-9);
+  }
+  CHECK_OK(dsw_body_get_positions(scene, body, p, 2, 0, NULL, &count));
+  CHECK(p[0] < 2 && p[0] > 1.9999999 && p[0] == p[3] && p[1] == 0.5 && p[4] == 1.5);
+  end_scene(scene);
+}
+
+static void two_segments_meet_in_the_plane(void) {
+  const double a[4] = {0.5, 0.5, 0.5, 1.5}, b[4] = {2.5, 1, 1.5, 1};
+  const double targets[8] = {1, 0.5, 1, 1.5, 2, 1, 1, 1};
+  dsw_environment *environment = make_squares(NULL, 3, 2);
+  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_body_id bodies[2];
+  const dsw_body_contact *c = NULL;
+  const dsw_contact_partner *partner = NULL;
+  dsw_move_report r[2];
+  size_t count = 0;
+  bodies[0] = make_edge_body(scene, a, DSW_LEVEL_EDGES_SWEPT);
+  bodies[1] = make_edge_body(scene, b, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_OK(dsw_scene_move_together(scene, bodies, 2, targets, 4, 0, NULL, r));
+  CHECK(r[0].fraction > 0.999 && r[0].fraction < 1 && r[1].fraction == r[0].fraction);
+  CHECK_OK(dsw_body_get_contacts(scene, bodies[0], &c, &count));
+  CHECK(count == 1 && c->time == 1 && c->edge.generation != 0 && c->contact.normal[0] == -1 && c->point[0] == 1 &&
+        c->point[1] == 1 && c->edge_parameter == 0.5 && c->contact.kind == DSW_CONTACT_VERTEX);
+  CHECK_OK(dsw_body_get_contact_partners(scene, bodies[0], &partner, &count));
+  CHECK(count == 1 && partner->body.index == bodies[1].index && partner->vertex.index == 1);
+  CHECK_OK(dsw_body_get_contacts(scene, bodies[1], &c, &count));
+  CHECK(count == 1 && c->vertex.index == 1 && c->edge.generation == 0 && c->contact.normal[0] == 1 &&
+        c->contact.kind == DSW_CONTACT_EDGE);
+  end_scene(scene);
+}
+
+/* Every allocation is refused in turn: then nothing has moved. */
+static void memory_runs_out(void) {
+  const double b[6] = {2.5, 1, 0.25, 2.5, 1, 0.75}, targets[12] = {1, 0.5, 0.5, 1, 1.5, 0.5, 0.5, 1, 0.25, 0.5, 1, 0.75};
+  host h;
+  dsw_context *context = make_context(&h);
+  dsw_environment *environment = make_environment(context, 3, 2, 1);
+  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_body_id bodies[2];
+  dsw_move_report r[2];
+  double p[6];
+  size_t n = 0, count = 0;
+  bodies[0] = make_edge_body(scene, kAt, DSW_LEVEL_EDGES_SWEPT);
+  bodies[1] = make_edge_body(scene, b, DSW_LEVEL_EDGES_SWEPT);
+  while (n < 1000 && RUNS_OUT(&h, n, dsw_scene_move_together(scene, bodies, 2, targets, 4, 0, NULL, r))) {
+    CHECK_OK(dsw_body_get_positions(scene, bodies[0], p, 2, 0, NULL, &count));
+    CHECK(memcmp(p, kAt, sizeof p) == 0);
+    CHECK_OK(dsw_body_get_positions(scene, bodies[1], p, 2, 0, NULL, &count));
+    CHECK(memcmp(p, b, sizeof p) == 0);
+    ++n;
+  }
+  CHECK(n > 3 && n < 1000 && r[0].fraction < 1 && r[0].contact_count == 1);
+  end_scene(scene);
+  end_context(context, &h);
+}
+
+int main(void) {
+  bad_arguments_are_refused();
+  a_wall_stops_it();
+  two_segments_meet_in_the_plane();
+  memory_runs_out();
+  return check_result();
+}
