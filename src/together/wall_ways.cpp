@@ -13,10 +13,7 @@
 #include "together/wall_ways.h"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
 
-#include "base/dimensions.h"
 #include "predicates/filtered.h"
 #include "predicates/sweep_events.h"
 #include "walk/standard_facets.h"
@@ -25,16 +22,7 @@ namespace dsw {
 
 template <int D>
 void WallWays<D>::start(const Array<Traveller<D>>& travellers) {
-  features_.clear();
-  planes_.clear();
-  plane_numbers_.clear();
-  edges_.clear();
-  faces_.clear();
-  for (const Traveller<D>& of : travellers) {
-    const Body<D>& body = *of.body;
-    edges_.emplace_back(covers_edges(body.level) ? body.edges.size() : 0, Near{}, env_.memory);
-    faces_.emplace_back(covers_faces(body.level) ? body.faces.size() : 0, Near{}, env_.memory);
-  }
+  near_.start(travellers);
   counts = {};
 }
 
@@ -136,8 +124,7 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
     ++counts.skipped;
     return true;
   }
-  Near& near = near_of(number, part);
-  if (near.first_feature == kNone) find_near(of, part, near);
+  const typename NearWalls<D>::Range near = near_.find(of, number, part);
   if (near.first_feature == near.feature_end) return true;
   WayTouch<D> touch{};
   touch.traveller = number;
@@ -155,33 +142,26 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
   }
   is_beside_.clear();
   for (uint32_t i = near.first_plane; i < near.plane_end; ++i) {
-    is_beside_.push_back(is_beside(planes_[i], points, 2 * corners.count) ? 1 : 0);
+    is_beside_.push_back(is_beside(near_.planes()[i], points, 2 * corners.count) ? 1 : 0);
   }
   for (uint32_t i = near.first_feature; i < near.feature_end; ++i) {
-    const Feature& feature = features_[i];
+    const typename NearWalls<D>::Feature& feature = near_.features()[i];
     for (uint32_t k = 0; k < feature.name.count; ++k) {
       const uint32_t at = (first_corner == 0 ? corners.count : 0) + k;
       touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.name.vertices[k]);
     }
     if (!boxes_overlap(touch.pair, touch.comes_first ? 0 : 1)) continue;
-    const auto beside = [&](uint32_t plane) { return is_beside_[plane] != 0; };
-    if (std::any_of(plane_numbers_.begin() + feature.first_plane, plane_numbers_.begin() + feature.plane_end, beside))
+    const uint32_t* const numbers = near_.plane_numbers().data();
+    if (std::any_of(numbers + feature.first_plane, numbers + feature.plane_end,
+                    [&](uint32_t plane) { return is_beside_[plane] != 0; })) {
       continue;
-    if (keeps_sides(of, corners, feature)) continue;
+    }
+    if (keeps_sides(of, corners, feature.name)) continue;
     touch.first = first_touch(touch.pair);
     touch.wall = feature.name;
     if (touch.first.touches && !visit(touch)) return false;
   }
   return true;
-}
-
-/** Whether it is known that nothing is near the way of a part. */
-template <int D>
-bool WallWays<D>::is_alone(const Traveller<D>& of, const Simplex& simplex) {
-  if (!keeps_notes(of, simplex)) return false;
-  const Part<D> part(*of.body, simplex);
-  const Reach reach = reach_of(of, part);
-  return reach.is_short() && lists_.is_alone(*of.body, part, reach.way, *of.notes);
 }
 
 /** Whether a part meets nothing, as its corners stay in one convex cell, or as nothing is in the box of its way. */
@@ -193,7 +173,7 @@ bool WallWays<D>::is_settled(const Traveller<D>& of, const Simplex& part) {
     return of.body->vertices[v].cell == cell && of.arrivals[v] == cell;
   });
   if (stays && env_.map.convex(cell)) return true;
-  if (is_alone(of, part)) return true;
+  if (near_.is_alone(of, part)) return true;
   if (BoxProbe<D>::suits(env_, cell)) {
     Bounds<D> box(of.start(corners.vertices[0]));
     for (const uint32_t v : corners) {
@@ -206,7 +186,7 @@ bool WallWays<D>::is_settled(const Traveller<D>& of, const Simplex& part) {
 }
 
 template <int D>
-bool WallWays<D>::is_beside(const Plane& plane, const double* const* points, uint32_t count) const {
+bool WallWays<D>::is_beside(const typename NearWalls<D>::Plane& plane, const double* const* points, uint32_t count) const {
   const int side = plane_side<D>(plane.corners, points[0], NoTally{}).sign;
   if (side == 0) return false;
   return std::all_of(points + 1, points + count, [&](const double* each) {
@@ -216,9 +196,10 @@ bool WallWays<D>::is_beside(const Plane& plane, const double* const* points, uin
 
 /** Whether the determinant of part and feature has one sign for all choices of start or end of each corner. */
 template <int D>
-bool WallWays<D>::keeps_sides(const Traveller<D>& of, const SimplexCorners<D>& corners, const Feature& feature) const {
+bool WallWays<D>::keeps_sides(const Traveller<D>& of, const SimplexCorners<D>& corners,
+                              const WallFeature& feature) const {
   const double* ridge[2] = {};
-  for (uint32_t i = 0; i < feature.name.count; ++i) ridge[i] = env_.point(feature.name.vertices[i]);
+  for (uint32_t i = 0; i < feature.count; ++i) ridge[i] = env_.point(feature.vertices[i]);
   int side = 0;
   for (uint32_t choice = 0; choice < 1u << corners.count; ++choice) {
     const double* at[3] = {};
@@ -240,121 +221,6 @@ bool WallWays<D>::keeps_sides(const Traveller<D>& of, const SimplexCorners<D>& c
     side = sign;
   }
   return true;
-}
-
-/** Finds what is near the whole way of a part in the call. */
-template <int D>
-void WallWays<D>::find_near(const Traveller<D>& of, const Simplex& simplex, Near& near) {
-  const Part<D> part(*of.body, simplex);
-  const Reach reach = reach_of(of, part);
-  near.first_feature = near.feature_end = static_cast<uint32_t>(features_.size());
-  near.first_plane = near.plane_end = static_cast<uint32_t>(planes_.size());
-  collect(of, part, keeps_notes(of, simplex) && reach.is_short() ? &reach : nullptr, near);
-}
-
-/** How far the corners of a part go in the call, or a little more, and how large the part is. */
-template <int D>
-typename WallWays<D>::Reach WallWays<D>::reach_of(const Traveller<D>& of, const Part<D>& part) {
-  constexpr double kMoreThanDiagonal = 1.8;  // than the square root of 3
-  Reach reach{0, 0};
-  for (uint32_t i = 0; i < part.corners.count; ++i) {
-    const double *const from = part.points[i], *const to = of.target(part.corners.vertices[i]);
-    for (int k = 0; k < D; ++k) {
-      reach.way = std::max(reach.way, std::fabs(to[k] - from[k]));
-      reach.size = std::max(reach.size, std::fabs(from[k] - part.points[0][k]));
-    }
-  }
-  reach.way *= kMoreThanDiagonal;
-  return reach;
-}
-
-/** Finds what is near the whole way of a part in the call. The flood goes through all passable cells that meet a region
- * round this way. What the part touches first it comes to through such cells. Shorter tries and later rounds lead
- * through the same region. */
-template <int D>
-void WallWays<D>::collect(const Traveller<D>& of, const Part<D>& part, const Reach* kept, Near& near) {
-  constexpr double kRoom = 0.5;  // that is asked for, as a share of the size
-  const Box<D> box = box_of_way(of, part.simplex);
-  obstacles_.clear();
-  sides_.clear();
-  if (kept != nullptr) {
-    const double reach = std::max(kept->way, kRoom * kept->size);
-    const NearView<D> view = lists_.near(*of.body, part, 0, reach, *of.notes);
-    add_obstacles(view.list, &view.near, box);
-  } else {
-    const uint32_t count = part.corners.count;
-    const double* points[6];
-    for (uint32_t i = 0; i < count; ++i) {
-      points[i] = part.points[i];
-      points[count + i] = of.target(part.corners.vertices[i]);
-    }
-    const Cell start = of.body->vertices[part.corners.vertices[0]].cell;
-    add_obstacles(lists_.in(start, NearRegion<D>(points, 2 * count, 0)), nullptr, box);
-  }
-  add_features(D == 2 || part.simplex.kind == Simplex::kFace, near);
-  near.plane_end = static_cast<uint32_t>(planes_.size());
-  near.feature_end = static_cast<uint32_t>(features_.size());
-}
-
-template <int D>
-void WallWays<D>::add_obstacles(const NearList<D>& list, const NearSelection<D>* selection, const Box<D>& box) {
-  const auto add = [&](const NearObstacle<D>& o) {
-    const double* points[D];
-    NearObstacle<D> named = o;
-    for (uint32_t i = 0; i < o.count; ++i) {
-      named.vertices[i] = list.name(o.vertices[i]);
-      points[i] = env_.point(named.vertices[i]);
-    }
-    if (box.overlaps(points, static_cast<int>(o.count))) obstacles_.push_back(named);
-  };
-  if (selection == nullptr) {
-    for (const NearObstacle<D>& o : list.obstacles()) add(o);
-  } else {
-    for (const uint32_t i : selection->obstacles()) add(list.obstacles()[i]);
-  }
-}
-
-/** The sides of the obstacles, or their corners, each once, with the planes that they lie in. */
-template <int D>
-void WallWays<D>::add_features(bool corners_alone, Near& near) {
-  for (uint32_t o = 0; o < obstacles_.size(); ++o) {
-    const NearObstacle<D>& obstacle = obstacles_[o];
-    uint32_t plane = kNone;
-    if (obstacle.count == D) {
-      plane = static_cast<uint32_t>(planes_.size()) - near.first_plane;
-      Plane& added = planes_.emplace_back();
-      for (int i = 0; i < D; ++i) added.corners[i] = env_.point(obstacle.vertices[i]);
-    }
-    for (uint32_t i = 0; i < obstacle.count; ++i) {
-      const uint32_t a = obstacle.vertices[i], b = obstacle.vertices[(i + 1) % obstacle.count];
-      if (corners_alone) {
-        sides_.push_back({{a, a}, plane, o});
-      } else if (a != b && !(obstacle.count == 2 && i == 1)) {
-        sides_.push_back({{std::min(a, b), std::max(a, b)}, plane, o});
-      }
-    }
-  }
-  std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.vertices[0], a.vertices[1], a.obstacle) < std::tie(b.vertices[0], b.vertices[1], b.obstacle);
-  });
-  for (size_t i = 0; i < sides_.size();) {
-    const Side& first = sides_[i];
-    Feature feature{{{first.vertices[0], first.vertices[1], kNone}, corners_alone ? 1u : 2u, {}, {}}, 0, 0};
-    feature.first_plane = static_cast<uint32_t>(plane_numbers_.size());
-    for (; i < sides_.size() && std::equal(sides_[i].vertices, sides_[i].vertices + 2, feature.name.vertices); ++i) {
-      const NearObstacle<D>& obstacle = obstacles_[sides_[i].obstacle];
-      if (sides_[i].plane != kNone) plane_numbers_.push_back(sides_[i].plane);
-      if (!obstacle.facet.valid()) {
-        feature.name.cell = obstacle.cell;
-        continue;
-      }
-      const HalfFacet lowest = feature.name.facet;
-      if (!lowest.valid() || canonical(env_.map, obstacle.facet).word < canonical(env_.map, lowest).word)
-        feature.name.facet = obstacle.facet;
-    }
-    feature.plane_end = static_cast<uint32_t>(plane_numbers_.size());
-    features_.push_back(feature);
-  }
 }
 
 template class WallWays<2>;
