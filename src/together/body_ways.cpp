@@ -247,6 +247,10 @@ bool BodyWays<D>::visit_pair(const Array<Traveller<D>>& travellers, const Pair& 
   WayTouch<D> touch{};
   touch.pair.kind = pair.kind;
   uint32_t at = 0;
+  const auto is_new_side = [&](const Side& side) {
+    return side.traveller != kNone && is_new(travellers[side.traveller], SimplexCorners<D>(*side.name->body, side.part));
+  };
+  if (!is_new_side(pair.sides[0]) && !is_new_side(pair.sides[1])) return true;
   bool moves = false;
   for (uint32_t k = 0; k < 2; ++k) {
     const Side& side = pair.sides[k];
@@ -281,6 +285,7 @@ bool BodyWays<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit vis
   }
   for (const Hinge& hinge : hinges_) {
     const Traveller<D>& of = travellers[hinge.traveller];
+    if (std::none_of(hinge.vertices, hinge.vertices + 3, [&](uint32_t v) { return of.is_new[v] != 0; })) continue;
     const double* start[3];
     const double* end[3];
     for (uint32_t i = 0; i < 3; ++i) {
@@ -306,6 +311,14 @@ template <int D>
 void BodyWays<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) const {
   visit_touches(travellers, [&](const WayTouch<D>& touch) {
     first.add(touch);
+    return true;
+  });
+}
+
+template <int D>
+void BodyWays<D>::find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all) const {
+  visit_touches(travellers, [&](const WayTouch<D>& touch) {
+    all.push_back(touch);
     return true;
   });
 }

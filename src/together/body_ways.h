@@ -19,6 +19,8 @@ class BodyWays {
   bool is_free(const Array<Traveller<D>>& travellers) const;
   /** What is touched first. */
   void find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) const;
+  /** Appends what each pair touches first. */
+  void find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all) const;
 
  private:
   /** A part of a traveller, or of a body that stands still. */

@@ -1,7 +1,6 @@
 #include "together/describe.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "base/vec.h"
 #include "contact/describe.h"
@@ -158,20 +157,13 @@ dsw_contact_partner partner_of(const OneSide<D>& side) {
   return partner;
 }
 
-template <int D>
-auto order_of(const WayTouch<D>& t) {
-  return std::make_tuple(t.traveller, static_cast<uint32_t>(t.part.kind), t.part.index,
-                         t.other == nullptr ? 0 : t.other->index + 1, static_cast<uint32_t>(t.other_part.kind),
-                         t.other_part.index, t.wall.vertices[0], t.wall.vertices[1]);
-}
-
 }  // namespace
 
 template <int D>
-void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers, FirstTouches<D>& first) {
-  std::sort(first.all.begin(), first.all.end(),
-            [](const WayTouch<D>& a, const WayTouch<D>& b) { return order_of(a) < order_of(b); });
-  for (const WayTouch<D>& touch : first.all) {
+void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers, Array<WayTouch<D>>& touches) {
+  std::sort(touches.begin(), touches.end(),
+            [](const WayTouch<D>& a, const WayTouch<D>& b) { return name_of(a) < name_of(b); });
+  for (const WayTouch<D>& touch : touches) {
     const Geometry geometry = geometry_of(touch);
     const auto add = [&](uint32_t number, const OneSide<D>& side, double sign) {
       const SimplexCorners<D> corners(*side.of.body, side.part);
@@ -188,7 +180,7 @@ void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers
   }
 }
 
-template void describe_touches(const Environment<2>&, Array<Traveller<2>>&, FirstTouches<2>&);
-template void describe_touches(const Environment<3>&, Array<Traveller<3>>&, FirstTouches<3>&);
+template void describe_touches(const Environment<2>&, Array<Traveller<2>>&, Array<WayTouch<2>>&);
+template void describe_touches(const Environment<3>&, Array<Traveller<3>>&, Array<WayTouch<3>>&);
 
 }  // namespace dsw

@@ -1,13 +1,23 @@
 #pragma once
 // Contacts of bodies of which all vertices move at once, as a host reads them.
 
+#include <tuple>
+
 #include "together/traveller.h"
 
 namespace dsw {
 
-/** Adds the touches of a round to the records of the bodies that move there, in the order of bodies, parts and what is
+/** A name of a touch: the same pair has the same name all through a call. */
+template <int D>
+auto name_of(const WayTouch<D>& t) {
+  return std::make_tuple(t.traveller, static_cast<uint32_t>(t.part.kind), t.part.index,
+                         t.other == nullptr ? 0 : t.other->index + 1, static_cast<uint32_t>(t.other_part.kind),
+                         t.other_part.index, t.wall.vertices[0], t.wall.vertices[1]);
+}
+
+/** Adds touches to the records of the bodies that move there, in the order of bodies, parts and what is
  * touched. Throws std::bad_alloc. */
 template <int D>
-void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers, FirstTouches<D>& first);
+void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers, Array<WayTouch<D>>& touches);
 
 }  // namespace dsw

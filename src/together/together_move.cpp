@@ -8,44 +8,19 @@
 #include "walk/retreat.h"
 
 namespace dsw {
-namespace {
-
-/** Calls visit(traveller, vertex) for the vertices of the call's bodies that touch. */
-template <int D, class Visit>
-void for_each_touching(Array<Traveller<D>>& travellers, const WayTouch<D>& touch, Visit visit) {
-  Traveller<D>& of = travellers[touch.traveller];
-  for (const uint32_t v : SimplexCorners<D>(*of.body, touch.part)) visit(of, v);
-  if (touch.other_traveller == kNone) return;
-  Traveller<D>& other = travellers[touch.other_traveller];
-  for (const uint32_t v : SimplexCorners<D>(*other.body, touch.other_part)) visit(other, v);
-}
-
-/** A place on a vertex's way. It never leaves the box of the whole way, for which obstacles were collected. */
-template <int D>
-void place_on_way(const double* from, const double* to, double time, double* place) {
-  point_at<D>(from, to, time, place);
-  for (int k = 0; k < D; ++k) {
-    place[k] = std::clamp(place[k], std::min(from[k], to[k]), std::max(from[k], to[k]));
-  }
-}
-
-}  // namespace
-
 template <int D>
 void TogetherMove<D>::move(Array<Traveller<D>>& travellers, bool bodies_meet, const TogetherSettings& settings) {
   start(travellers, bodies_meet);
-  const uint32_t most_stops = settings.stop == TogetherStop::kFeature ? settings.rounds : 1;
   constexpr uint32_t kMostDepartures = 8;
-  uint32_t stops = 0, departures = 0;
   double gone = 0;  // of the whole way
-  while (stops < most_stops) {
-    const Round round = run_round(travellers, departures < kMostDepartures);
-    if (round == Round::kArrived) break;
-    gone += (1 - gone) * time_;
-    departures += round == Round::kDeparted ? 1 : 0;
-    if (round == Round::kDeparted || stops++ != 0) continue;
-    for (Traveller<D>& of : travellers) of.record->fraction = gone;
+  Round round = Round::kDeparted;
+  for (uint32_t departures = 0; round == Round::kDeparted; ++departures) {
+    const bool may_depart = departures < kMostDepartures;
+    round = settings.stop == TogetherStop::kFeature ? shorten_ways(travellers, settings.rounds, may_depart)
+                                                    : run_round(travellers, may_depart);
+    if (round != Round::kArrived) gone += (1 - gone) * time_;
   }
+  for (Traveller<D>& of : travellers) of.record->fraction = round == Round::kArrived ? 1 : gone;
   for (Traveller<D>& of : travellers) {
     const Body<D>& body = *of.body;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
@@ -54,7 +29,7 @@ void TogetherMove<D>::move(Array<Traveller<D>>& travellers, bool bodies_meet, co
       of.record->stopped += std::equal(of.start(v), of.start(v) + D, of.targets[v]) ? 0 : 1;
     }
     for (dsw_body_contact& contact : of.record->contacts) {
-      contact.distance_left = length(difference<D>(contact.to, body.position(contact.vertex.index)));
+      contact.distance_left = length(difference<D>(of.targets[contact.vertex.index], body.position(contact.vertex.index)));
     }
   }
   travellers[0].record->sweeps = walls_.counts;
@@ -67,7 +42,11 @@ void TogetherMove<D>::start(Array<Traveller<D>>& travellers, bool bodies_meet) {
     of.ends.resize(count * D);
     of.arrivals.assign(count, Cell{});
     of.crossed.assign(count, PathFacets{});
-    of.is_held.assign(count, false);
+    of.is_new.assign(count, 1);
+    of.goals.resize(count * D);
+    for (uint32_t v = 0; v < count; ++v) {
+      if (of.body->has_vertex(v)) std::copy_n(of.targets[v], D, of.goal(v));
+    }
   }
   walls_.start(travellers);
   bodies_.start(travellers, bodies_meet);
@@ -90,13 +69,46 @@ typename TogetherMove<D>::Round TogetherMove<D>::run_round(Array<Traveller<D>>& 
     arrive(travellers);
     return Round::kDeparted;
   }
-  describe_touches(env_, travellers, first_);
+  describe_touches(env_, travellers, first_.all);
   retreat(travellers);
   arrive(travellers);
-  for (const WayTouch<D>& touch : first_.all) {
-    for_each_touching(travellers, touch, [](Traveller<D>& of, uint32_t v) { of.is_held[v] = true; });
-  }
   return Round::kStopped;
+}
+
+/** Goes as far as nothing is touched, each vertex for itself. */
+template <int D>
+typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Traveller<D>>& travellers, uint32_t most_rounds,
+                                                              bool may_depart) {
+  using End = typename ShortenedWays<D>::End;
+  const auto look_at_all = [&] {
+    for (Traveller<D>& of : travellers) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
+    set_ends(travellers, 1);
+    walls_.cast_paths(travellers);
+  };
+  look_at_all();
+  End end = shortened_.run(travellers, most_rounds, may_depart);
+  if (end == End::kAtWalls) {
+    first_.all.clear();
+    for (const WayTouch<D>& each : shortened_.touches()) {
+      if (each.first.time == 0) first_.all.push_back(each);
+    }
+    if (departs(travellers)) {
+      arrive(travellers);
+      return Round::kDeparted;
+    }
+    look_at_all();
+    end = shortened_.run(travellers, most_rounds, false);
+  }
+  const bool is_free = end == End::kFree;
+  for (Traveller<D>& of : travellers) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
+  if (!is_free) {
+    run_round(travellers, false);
+    time_ = std::min(time_, shortened_.first_time());
+    return Round::kStopped;
+  }
+  time_ = shortened_.first_time();
+  arrive(travellers);
+  return shortened_.has_shortened() ? Round::kStopped : Round::kArrived;
 }
 
 /** What touches a wall at the start may be free under the shift, and stay so for a part of its way. Then all go that
@@ -184,7 +196,7 @@ void TogetherMove<D>::set_ends(Array<Traveller<D>>& travellers, double time) {
   for (Traveller<D>& of : travellers) {
     for (uint32_t v = 0; v < of.body->vertices.size(); ++v) {
       if (!of.body->has_vertex(v)) continue;
-      const double *const from = of.start(v), *const to = of.target(v);
+      const double *const from = of.start(v), *const to = of.goal(v);
       if (time == 0 || time == 1) {
         std::copy_n(time == 0 ? from : to, D, of.end(v));
       } else {

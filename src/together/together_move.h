@@ -1,8 +1,7 @@
 #pragma once
 // Bodies of which all vertices move at once, until something is touched.
 
-#include "together/body_ways.h"
-#include "together/wall_ways.h"
+#include "together/shortened_ways.h"
 
 namespace dsw {
 
@@ -11,7 +10,7 @@ enum class TogetherStop : uint32_t { kAll, kIsland, kFeature };
 
 struct TogetherSettings {
   TogetherStop stop = TogetherStop::kAll;
-  uint32_t rounds = 32;  // most rounds of kFeature
+  uint32_t rounds = 64;  // most rounds of kFeature
 };
 
 /** Moves bodies; one for each thread. */
@@ -19,6 +18,8 @@ template <int D>
 class TogetherMove {
  public:
   explicit TogetherMove(const Environment<D>& env) : env_(env), walls_(env), bodies_(env.memory) {}
+  TogetherMove(const TogetherMove&) = delete;
+  TogetherMove& operator=(const TogetherMove&) = delete;
 
   /** Moves bodies that depend on nobody else that moves. They begin with their records cleared. Throws std::bad_alloc
    * with some vertices moved.
@@ -32,6 +33,7 @@ class TogetherMove {
   /** How a round ended. kDeparted: before anything was touched. */
   enum class Round { kArrived, kDeparted, kStopped };
   Round run_round(Array<Traveller<D>>& travellers, bool may_depart);
+  Round shorten_ways(Array<Traveller<D>>& travellers, uint32_t most_rounds, bool may_depart);
   bool departs(Array<Traveller<D>>& travellers);
   void drop_covering(const Array<Traveller<D>>& travellers);
   void retreat(Array<Traveller<D>>& travellers);
@@ -42,6 +44,7 @@ class TogetherMove {
   const Environment<D>& env_;
   WallWays<D> walls_;
   BodyWays<D> bodies_;
+  ShortenedWays<D> shortened_{env_, walls_, bodies_};
   FirstTouches<D> first_{env_.memory};
   double time_ = 1;  // of this round, up to which all have gone
 };

@@ -19,10 +19,11 @@ struct Traveller {
   NearNotes<D>* notes;  // what is remembered of what is near the body
   MoveRecord* record;
   const Partners<D>* still;  // bodies that it may meet and that do not move in this call; null: none
-  Array<double> ends;        // where its vertices go in this round
+  Array<double> goals;       // where its vertices go, as far as that is known to be free, or not known to be blocked
+  Array<double> ends;        // where they go in the way that is looked at
   Array<Cell> arrivals;      // the cells that contain the ends; invalid: something is on the path
   Array<PathFacets> crossed;  // by the paths of vertices that leave their cells
-  Array<bool> is_held;        // vertices that have stopped
+  Array<uint8_t> is_new;      // vertices whose ways have not been looked at; parts without one are passed over
 
   explicit Traveller(const Memory* memory)
       : body(nullptr),
@@ -30,16 +31,19 @@ struct Traveller {
         notes(nullptr),
         record(nullptr),
         still(nullptr),
+        goals(memory),
         ends(memory),
         arrivals(memory),
         crossed(memory),
-        is_held(memory) {}
+        is_new(memory) {}
 
   const double* start(uint32_t v) const { return body->position(v); }
   const double* end(uint32_t v) const { return ends.data() + size_t{v} * D; }
   double* end(uint32_t v) { return ends.data() + size_t{v} * D; }
-  /** Where a vertex goes in all rounds together. */
-  const double* target(uint32_t v) const { return is_held[v] ? start(v) : targets[v]; }
+  const double* goal(uint32_t v) const { return goals.data() + size_t{v} * D; }
+  double* goal(uint32_t v) { return goals.data() + size_t{v} * D; }
+  /** Where a vertex is told to go. All places on its ways are in the box of its start and its target. */
+  const double* target(uint32_t v) const { return targets[v]; }
   bool moves(uint32_t v) const { return !std::equal(start(v), start(v) + D, end(v)); }
 };
 
@@ -85,6 +89,32 @@ struct FirstTouches {
     all.push_back(touch);
   }
 };
+
+/** Whether the way of a part has not been looked at. */
+template <int D>
+bool is_new(const Traveller<D>& of, const SimplexCorners<D>& corners) noexcept {
+  return std::any_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.is_new[v] != 0; });
+}
+
+/** Calls visit(traveller, vertex) for the vertices of the call's bodies that touch. */
+template <int D, class Visit>
+void for_each_touching(Array<Traveller<D>>& travellers, const WayTouch<D>& touch, Visit visit) {
+  Traveller<D>& of = travellers[touch.traveller];
+  for (const uint32_t v : SimplexCorners<D>(*of.body, touch.part)) visit(of, v);
+  if (touch.other_traveller == kNone) return;
+  Traveller<D>& other = travellers[touch.other_traveller];
+  for (const uint32_t v : SimplexCorners<D>(*other.body, touch.other_part)) visit(other, v);
+}
+
+/** A place on a vertex's way. It never leaves the box of the whole way, for which obstacles were collected. */
+template <int D>
+void place_on_way(const double* from, const double* to, double time, double* place) noexcept {
+  double there[D];
+  point_at<D>(from, to, time, there);
+  for (int k = 0; k < D; ++k) {
+    place[k] = std::clamp(there[k], std::min(from[k], to[k]), std::max(from[k], to[k]));
+  }
+}
 
 /** The box of the way of a part, up to where it goes in the call. */
 template <int D>

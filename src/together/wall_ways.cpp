@@ -49,7 +49,7 @@ void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
   for (uint32_t t = 0; t < travellers.size(); ++t) {
     Traveller<D>& of = travellers[t];
     for (uint32_t v = 0; v < of.arrivals.size(); ++v) {
-      if (!of.body->has_vertex(v)) continue;
+      if (!of.body->has_vertex(v) || of.is_new[v] == 0) continue;
       of.arrivals[v] = of.body->vertices[v].cell;
       if (!of.moves(v)) continue;
       names[packet_.count()] = {t, v};
@@ -70,6 +70,15 @@ void WallWays<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches
   for (const Blocked& each : blocked_) first.add(touch_of(travellers[each.traveller], each));
   visit_parts(travellers, [&](const WayTouch<D>& touch) {
     first.add(touch);
+    return true;
+  });
+}
+
+template <int D>
+void WallWays<D>::find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all) {
+  for (const Blocked& each : blocked_) all.push_back(touch_of(travellers[each.traveller], each));
+  visit_parts(travellers, [&](const WayTouch<D>& touch) {
+    all.push_back(touch);
     return true;
   });
 }
@@ -118,6 +127,7 @@ template <int D>
 template <class Visit>
 bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simplex& part, Visit visit) {
   const SimplexCorners<D> corners(*of.body, part);
+  if (!is_new(of, corners)) return true;
   if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
   ++counts.swept;
   if (is_settled(of, part)) {

@@ -22,6 +22,8 @@ class WallWays {
   bool is_free(const Array<Traveller<D>>& travellers);
   /** What is touched first. */
   void find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first);
+  /** Appends what each vertex, and each pair of a part and a feature, touches first. */
+  void find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all);
 
   void set_counters(CastCounters* counters) { counters_ = sleeves_.counters = counters; }
   SweepCounts counts;  // of edges and faces

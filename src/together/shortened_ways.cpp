@@ -1,0 +1,159 @@
+// All vertices go at once and steadily, at all times of this search. A vertex that touches something gets a new goal: the
+// place on its way just before the touch. Then the ways of all parts at it are others, and are looked at again. What is
+// left at the end is one steady motion to the goals, which touches nothing.
+//
+// The touches of a round are taken in the order of time. One is passed over if a vertex of it has got a new goal by an
+// earlier one, since its way is another then. At the same time vertices come before edges, and these before faces. So an
+// edge that touches with its end stops at that end alone.
+
+#include "together/shortened_ways.h"
+
+#include <algorithm>
+
+#include "walk/retreat.h"
+
+namespace dsw {
+namespace {
+
+/** Touches with the same key are taken together. Times are those that are reported. */
+template <int D>
+std::tuple<double, uint32_t> key_of(const WayTouch<D>& touch) {
+  return {touch.first.time, touch.other == nullptr ? static_cast<uint32_t>(touch.part.kind) : 0};
+}
+
+}  // namespace
+
+template <int D>
+typename ShortenedWays<D>::End ShortenedWays<D>::run(Array<Traveller<D>>& travellers, uint32_t most_rounds,
+                                                     bool may_end_at_walls) {
+  names_.clear();
+  watched_.clear();
+  cuts_.clear();
+  group_ = 0;
+  for (const Traveller<D>& of : travellers) cuts_.emplace_back(of.is_new.size(), Cut{}, env_.memory);
+  for (uint32_t round = 0; round < most_rounds; ++round) {
+    find_touches(travellers);
+    if (touches_.empty()) return End::kFree;
+    if (round == 0) {
+      first_time_ = touches_[0].first.time;
+      if (may_end_at_walls && starts_at_walls()) return End::kAtWalls;
+    }
+    for (Traveller<D>& of : travellers) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{0});
+    const uint32_t before = group_;
+    for (size_t first = 0, end; first < touches_.size(); first = end) {
+      end = end_of_group(first);
+      chosen_.clear();
+      for (size_t i = first; i < end; ++i) {
+        bool is_changed = false;
+        for_each_touching(travellers, touches_[i], [&](Traveller<D>& of, uint32_t v) {
+          is_changed = is_changed || cut_of(travellers, of, v).group > before;
+        });
+        // What is passed over is looked at again, as one of its vertices has a new goal.
+        if (!is_changed) chosen_.push_back(touches_[i]);
+      }
+      describe_chosen(travellers);
+      ++group_;
+      shorten_chosen(travellers);
+    }
+    set_goals(travellers);
+  }
+  return End::kRoundsOver;
+}
+
+/** Of all that is new, by time. */
+template <int D>
+void ShortenedWays<D>::find_touches(const Array<Traveller<D>>& travellers) {
+  touches_.clear();
+  walls_.find_all(travellers, touches_);
+  bodies_.find_all(travellers, touches_);
+  // A vertex that was stopped by a wall does not come to lie exactly on it, where it would touch it in the next call.
+  for (const WayTouch<D>& each : watched_) {
+    if (travellers[each.traveller].is_new[each.part.index] == 0) continue;
+    WayTouch<D> again = each;
+    again.first = first_touch(again.pair);
+    if (again.first.touches) touches_.push_back(again);
+  }
+  std::sort(touches_.begin(), touches_.end(), [](const WayTouch<D>& a, const WayTouch<D>& b) {
+    return std::make_tuple(key_of(a), name_of(a)) < std::make_tuple(key_of(b), name_of(b));
+  });
+}
+
+/** Whether all that is touched at time 0 are walls, by edges and faces. */
+template <int D>
+bool ShortenedWays<D>::starts_at_walls() const {
+  bool any = false;
+  for (const WayTouch<D>& each : touches_) {
+    if (each.first.time > 0) break;
+    if (each.other != nullptr || each.part.kind == Simplex::kVertex) return false;
+    any = true;
+  }
+  return any;
+}
+
+template <int D>
+size_t ShortenedWays<D>::end_of_group(size_t first) const {
+  size_t end = first + 1;
+  while (end < touches_.size() && key_of(touches_[end]) == key_of(touches_[first])) ++end;
+  return end;
+}
+
+/** Adds those to the records that are not there. */
+template <int D>
+void ShortenedWays<D>::describe_chosen(Array<Traveller<D>>& travellers) {
+  told_.clear();
+  for (const WayTouch<D>& each : chosen_) {
+    const auto name = name_of(each);
+    if (std::find(names_.begin(), names_.end(), name) != names_.end()) continue;
+    names_.push_back(name);
+    told_.push_back(each);
+    if (each.other == nullptr && each.part.kind == Simplex::kVertex) watched_.push_back(each);
+  }
+  describe_touches(env_, travellers, told_);
+}
+
+/** Lets all vertices of a touch go up to a time before it. The more often their ways were shortened, the longer before. */
+template <int D>
+void ShortenedWays<D>::shorten_chosen(Array<Traveller<D>>& travellers) {
+  constexpr uint32_t kMostDoublings = 60;
+  for (const WayTouch<D>& touch : chosen_) {
+    double step = 0;
+    uint32_t doublings = 0;
+    for_each_touching(travellers, touch, [&](Traveller<D>& of, uint32_t v) {
+      if (of.moves(v)) step = std::max(step, first_step<D>(of.start(v), of.end(v), touch.first.time));
+      doublings = std::max(doublings, cut_of(travellers, of, v).count);
+    });
+    for (uint32_t k = 0; k < std::min(doublings, kMostDoublings); ++k) step *= 2;
+    for_each_touching(travellers, touch, [&](Traveller<D>& of, uint32_t v) {
+      Cut& cut = cut_of(travellers, of, v);
+      cut.time = cut.group == group_ ? std::min(cut.time, touch.first.time - step) : touch.first.time - step;
+      cut.group = group_;
+    });
+  }
+  // Only now, as touches of one group may share vertices.
+  for (const WayTouch<D>& touch : chosen_) {
+    for_each_touching(travellers, touch, [&](Traveller<D>& of, uint32_t v) { of.is_new[v] = 1; });
+  }
+}
+
+template <int D>
+void ShortenedWays<D>::set_goals(Array<Traveller<D>>& travellers) {
+  for (Traveller<D>& of : travellers) {
+    for (uint32_t v = 0; v < of.is_new.size(); ++v) {
+      if (of.is_new[v] == 0) continue;
+      Cut& cut = cut_of(travellers, of, v);
+      ++cut.count;
+      if (cut.time > 0) {
+        place_on_way<D>(of.start(v), of.end(v), cut.time, of.goal(v));
+      } else {
+        std::copy_n(of.start(v), D, of.goal(v));
+      }
+      std::copy_n(of.goal(v), D, of.end(v));
+    }
+  }
+  walls_.cast_paths(travellers);
+}
+
+template class ShortenedWays<2>;
+template class ShortenedWays<3>;
+
+}  // namespace dsw

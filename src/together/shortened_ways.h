@@ -1,0 +1,60 @@
+#pragma once
+// Ways that are shortened where they touch something, each for itself, until nothing is touched.
+
+#include <tuple>
+
+#include "together/body_ways.h"
+#include "together/describe.h"
+#include "together/wall_ways.h"
+
+namespace dsw {
+
+/** One for each thread. Throws std::bad_alloc. */
+template <int D>
+class ShortenedWays {
+ public:
+  /** How it ended. kRoundsOver: something may still be touched. kAtWalls: nothing was done, since edges or faces touch
+   * walls at the start. */
+  enum class End { kFree, kRoundsOver, kAtWalls };
+
+  ShortenedWays(const Environment<D>& env, WallWays<D>& walls, BodyWays<D>& bodies)
+      : env_(env), walls_(walls), bodies_(bodies) {}
+
+  /** Shortens the ways to the goals, which are those of the call.
+   * @param most_rounds how often all ways that are new are looked at.
+   * @param may_end_at_walls whether kAtWalls is an answer. */
+  End run(Array<Traveller<D>>& travellers, uint32_t most_rounds, bool may_end_at_walls);
+
+  bool has_shortened() const { return group_ != 0; }
+  double first_time() const { return first_time_; }  // at which something was touched in the first round
+  const Array<WayTouch<D>>& touches() const { return touches_; }  // of the last round
+
+ private:
+  void find_touches(const Array<Traveller<D>>& travellers);
+  bool starts_at_walls() const;
+  size_t end_of_group(size_t first) const;
+  void describe_chosen(Array<Traveller<D>>& travellers);
+  void shorten_chosen(Array<Traveller<D>>& travellers);
+  void set_goals(Array<Traveller<D>>& travellers);
+
+  /** A vertex whose way is shortened in this round. */
+  struct Cut {
+    uint32_t group = 0;   // of touches; 0: none
+    uint32_t count = 0;   // how often its way has been shortened in the call
+    double time = 1;      // up to which it goes
+  };
+  Cut& cut_of(const Array<Traveller<D>>& travellers, const Traveller<D>& of, uint32_t v) {
+    return cuts_[static_cast<size_t>(&of - travellers.data())][v];
+  }
+
+  const Environment<D>& env_;
+  WallWays<D>& walls_;
+  BodyWays<D>& bodies_;
+  Array<WayTouch<D>> touches_{env_.memory}, chosen_{env_.memory}, watched_{env_.memory}, told_{env_.memory};
+  Array<decltype(name_of(WayTouch<D>()))> names_{env_.memory};  // of contacts that have been described
+  Array<Array<Cut>> cuts_{env_.memory};                          // by traveller and vertex
+  uint32_t group_ = 0;
+  double first_time_ = 1;
+};
+
+}  // namespace dsw
