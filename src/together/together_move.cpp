@@ -42,6 +42,7 @@ void TogetherMove<D>::start(Array<Traveller<D>>& travellers, bool bodies_meet) {
     of.ends.resize(count * D);
     of.arrivals.assign(count, Cell{});
     of.crossed.assign(count, PathFacets{});
+    of.limits.assign(count, 1);
     of.is_new.assign(count, 1);
     of.goals.resize(count * D);
     for (uint32_t v = 0; v < count; ++v) {
@@ -49,6 +50,7 @@ void TogetherMove<D>::start(Array<Traveller<D>>& travellers, bool bodies_meet) {
     }
   }
   walls_.start(travellers);
+  walls_.limits_parts = false;
   bodies_.start(travellers, bodies_meet);
 }
 
@@ -80,6 +82,7 @@ template <int D>
 typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Traveller<D>>& travellers, uint32_t most_rounds,
                                                               bool may_depart) {
   using End = typename ShortenedWays<D>::End;
+  walls_.limits_parts = true;
   const auto look_at_all = [&] {
     for (Traveller<D>& of : travellers) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
     set_ends(travellers, 1);
@@ -92,13 +95,17 @@ typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Traveller<D>
     for (const WayTouch<D>& each : shortened_.touches()) {
       if (each.first.time == 0) first_.all.push_back(each);
     }
-    if (departs(travellers)) {
+    walls_.limits_parts = false;
+    const bool has_departed = departs(travellers);
+    walls_.limits_parts = true;
+    if (has_departed) {
       arrive(travellers);
       return Round::kDeparted;
     }
     look_at_all();
     end = shortened_.run(travellers, most_rounds, false);
   }
+  walls_.limits_parts = false;
   const bool is_free = end == End::kFree;
   for (Traveller<D>& of : travellers) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
   if (!is_free) {

@@ -23,6 +23,7 @@ struct Traveller {
   Array<double> ends;        // where they go in the way that is looked at
   Array<Cell> arrivals;      // the cells that contain the ends; invalid: something is on the path
   Array<PathFacets> crossed;  // by the paths of vertices that leave their cells
+  Array<double> limits;       // times up to which edges and faces at a vertex are looked at
   Array<uint8_t> is_new;      // vertices whose ways have not been looked at; parts without one are passed over
 
   explicit Traveller(const Memory* memory)
@@ -35,6 +36,7 @@ struct Traveller {
         ends(memory),
         arrivals(memory),
         crossed(memory),
+        limits(memory),
         is_new(memory) {}
 
   const double* start(uint32_t v) const { return body->position(v); }

@@ -16,6 +16,7 @@
 
 #include "predicates/filtered.h"
 #include "predicates/sweep_events.h"
+#include "walk/retreat.h"
 #include "walk/standard_facets.h"
 
 namespace dsw {
@@ -42,7 +43,7 @@ void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
       Traveller<D>& of = travellers[names[i].traveller];
       of.arrivals[names[i].vertex] = is_reached ? path.cell : Cell{};
       if (is_reached) of.crossed[names[i].vertex] = path_facets(env_.map, packet_.request(i).start, path);
-      if (!is_reached) blocked_.push_back({names[i].traveller, names[i].vertex, path});
+      if (!is_reached) note_blocked(of, {names[i].traveller, names[i].vertex, path, {}});
     }
     packet_.clear();
   };
@@ -51,6 +52,7 @@ void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
     for (uint32_t v = 0; v < of.arrivals.size(); ++v) {
       if (!of.body->has_vertex(v) || of.is_new[v] == 0) continue;
       of.arrivals[v] = of.body->vertices[v].cell;
+      of.limits[v] = 1;
       if (!of.moves(v)) continue;
       names[packet_.count()] = {t, v};
       packet_.add(env_, of.body->vertices[v].cell, of.start(v), of.end(v));
@@ -61,13 +63,22 @@ void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
 }
 
 template <int D>
+void WallWays<D>::note_blocked(Traveller<D>& of, Blocked blocked) {
+  blocked.touch = touch_of(of, blocked);
+  const uint32_t v = blocked.vertex;
+  const double time = blocked.touch.first.time;
+  if (limits_parts) of.limits[v] = std::max(0.0, time - first_step<D>(of.start(v), of.end(v), time));
+  blocked_.push_back(blocked);
+}
+
+template <int D>
 bool WallWays<D>::is_free(const Array<Traveller<D>>& travellers) {
   return blocked_.empty() && visit_parts(travellers, [](const WayTouch<D>&) { return false; });
 }
 
 template <int D>
 void WallWays<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) {
-  for (const Blocked& each : blocked_) first.add(touch_of(travellers[each.traveller], each));
+  for (const Blocked& each : blocked_) first.add(each.touch);
   visit_parts(travellers, [&](const WayTouch<D>& touch) {
     first.add(touch);
     return true;
@@ -76,7 +87,7 @@ void WallWays<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches
 
 template <int D>
 void WallWays<D>::find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all) {
-  for (const Blocked& each : blocked_) all.push_back(touch_of(travellers[each.traveller], each));
+  for (const Blocked& each : blocked_) all.push_back(each.touch);
   visit_parts(travellers, [&](const WayTouch<D>& touch) {
     all.push_back(touch);
     return true;
@@ -130,6 +141,9 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
   if (!is_new(of, corners)) return true;
   if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
   ++counts.swept;
+  double limit = 1;
+  for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
+  if (!(limit > 0)) return true;
   if (is_settled(of, part)) {
     ++counts.skipped;
     return true;
@@ -146,9 +160,16 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
   const uint32_t first_corner = touch.pair.kind == PairKind::kEdgeEdge ? 0 : 1;
   touch.comes_first = first_corner == 0;
   const double* points[6];
+  double places[3][D];
   for (uint32_t i = 0; i < corners.count; ++i) {
-    points[2 * i] = touch.pair.start[first_corner + i] = of.start(corners.vertices[i]);
-    points[2 * i + 1] = touch.pair.end[first_corner + i] = of.end(corners.vertices[i]);
+    const uint32_t v = corners.vertices[i];
+    points[2 * i] = touch.pair.start[first_corner + i] = of.start(v);
+    points[2 * i + 1] = of.end(v);
+    if (limit < 1) {
+      place_on_way<D>(of.start(v), of.end(v), limit, places[i]);
+      points[2 * i + 1] = places[i];
+    }
+    touch.pair.end[first_corner + i] = points[2 * i + 1];
   }
   is_beside_.clear();
   for (uint32_t i = near.first_plane; i < near.plane_end; ++i) {
@@ -166,10 +187,16 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
                     [&](uint32_t plane) { return is_beside_[plane] != 0; })) {
       continue;
     }
-    if (keeps_sides(of, corners, feature.name)) continue;
-    touch.first = first_touch(touch.pair);
-    touch.wall = feature.name;
-    if (touch.first.touches && !visit(touch)) return false;
+    if (keeps_sides(points, corners.count, feature.name)) continue;
+    WayTouch<D> found = touch;
+    found.first = first_touch(found.pair);
+    if (!found.first.touches) continue;
+    found.wall = feature.name;
+    if (limit < 1) {  // its time is that on the whole way
+      for (uint32_t k = 0; k < corners.count; ++k) found.pair.end[first_corner + k] = of.end(corners.vertices[k]);
+      found.first = first_touch(found.pair);
+    }
+    if (found.first.touches && !visit(found)) return false;
   }
   return true;
 }
@@ -204,26 +231,26 @@ bool WallWays<D>::is_beside(const typename NearWalls<D>::Plane& plane, const dou
   });
 }
 
-/** Whether the determinant of part and feature has one sign for all choices of start or end of each corner. */
+/** Whether the determinant of part and feature has one sign for all choices of start or end of each corner.
+ * @param points start and end of each of `count` corners. */
 template <int D>
-bool WallWays<D>::keeps_sides(const Traveller<D>& of, const SimplexCorners<D>& corners,
-                              const WallFeature& feature) const {
+bool WallWays<D>::keeps_sides(const double* const* points, uint32_t count, const WallFeature& feature) const {
   const double* ridge[2] = {};
   for (uint32_t i = 0; i < feature.count; ++i) ridge[i] = env_.point(feature.vertices[i]);
   int side = 0;
-  for (uint32_t choice = 0; choice < 1u << corners.count; ++choice) {
+  for (uint32_t choice = 0; choice < 1u << count; ++choice) {
     const double* at[3] = {};
     bool is_new = true;
-    for (uint32_t i = 0; i < corners.count; ++i) {
-      const bool is_end = (choice >> i & 1u) != 0;
-      at[i] = is_end ? of.end(corners.vertices[i]) : of.start(corners.vertices[i]);
-      is_new = is_new && (!is_end || of.moves(corners.vertices[i]));
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t k = choice >> i & 1u;
+      at[i] = points[2 * i + k];
+      is_new = is_new && (k == 0 || !std::equal(at[i], at[i] + D, points[2 * i]));
     }
     if (!is_new) continue;
     int sign;
     if constexpr (D == 3) {
-      sign = corners.count == 2 ? line_side<3>(at[0], at[1], ridge, NoTally{}).sign
-                                : swept_side({at[0], at[1], at[2]}, ridge[0]).sign;
+      sign = count == 2 ? line_side<3>(at[0], at[1], ridge, NoTally{}).sign
+                        : swept_side({at[0], at[1], at[2]}, ridge[0]).sign;
     } else {
       sign = line_side<2>(at[0], at[1], ridge, NoTally{}).sign;
     }

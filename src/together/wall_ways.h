@@ -25,6 +25,10 @@ class WallWays {
   /** Appends what each vertex, and each pair of a part and a feature, touches first. */
   void find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all);
 
+  /** Whether parts at a vertex that is blocked are looked at up to just before that alone. What comes later is of no
+   * use where such a vertex gets a new goal. */
+  bool limits_parts = false;
+
   void set_counters(CastCounters* counters) { counters_ = sleeves_.counters = counters; }
   SweepCounts counts;  // of edges and faces
 
@@ -33,14 +37,16 @@ class WallWays {
   struct Blocked {
     uint32_t traveller, vertex;
     CastResult path;
+    WayTouch<D> touch;
   };
+  void note_blocked(Traveller<D>& of, Blocked blocked);
   template <class Visit>
   bool visit_parts(const Array<Traveller<D>>& travellers, Visit visit);
   template <class Visit>
   bool visit_part(const Traveller<D>& of, uint32_t number, const Simplex& part, Visit visit);
   bool is_settled(const Traveller<D>& of, const Simplex& part);
   bool is_beside(const typename NearWalls<D>::Plane& plane, const double* const* points, uint32_t count) const;
-  bool keeps_sides(const Traveller<D>& of, const SimplexCorners<D>& corners, const WallFeature& feature) const;
+  bool keeps_sides(const double* const* points, uint32_t count, const WallFeature& feature) const;
   WayTouch<D> touch_of(const Traveller<D>& of, const Blocked& blocked) const;
 
   const Environment<D>& env_;
