@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include "predicates/filtered.h"
 #include "walk/retreat.h"
 
 namespace dsw {
@@ -68,10 +69,12 @@ void ShortenedWays<D>::find_touches(const Array<Traveller<D>>& travellers) {
   bodies_.find_all(travellers, touches_);
   // A vertex that was stopped by a wall does not come to lie exactly on it, where it would touch it in the next call.
   for (const WayTouch<D>& each : watched_) {
-    if (travellers[each.traveller].is_new[each.part.index] == 0) continue;
+    const Traveller<D>& of = travellers[each.traveller];
+    if (of.is_new[each.part.index] == 0 || !of.arrivals[each.part.index].valid()) continue;
+    if (orient<D>(each.pair.start + 1, of.end(each.part.index)) != 0) continue;
     WayTouch<D> again = each;
-    again.first = first_touch(again.pair);
-    if (again.first.touches) touches_.push_back(again);
+    again.first = {true, 1};
+    if (of.moves(each.part.index)) touches_.push_back(again);
   }
   std::sort(touches_.begin(), touches_.end(), [](const WayTouch<D>& a, const WayTouch<D>& b) {
     return std::make_tuple(key_of(a), name_of(a)) < std::make_tuple(key_of(b), name_of(b));

@@ -104,8 +104,17 @@ WayTouch<D> WallWays<D>::touch_of(const Traveller<D>& of, const Blocked& blocked
   touch.pair.start[0] = of.start(blocked.vertex);
   touch.pair.end[0] = of.end(blocked.vertex);
   touch.wall = {{blocked.path.facet.word, kNone, kNone}, D, blocked.path.facet, c};
-  // The cast may name another triangle of a flat facet than the one that is touched.
-  for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
+  const uint32_t count = shape.simplex_first(facet + 1) - shape.simplex_first(facet);
+  const bool is_known = count == 1 || limits_parts;
+  if (is_known) {
+    const double* corners[D];
+    boundary_points(env_, c, blocked.path.simplex, corners);
+    for (int i = 0; i < D; ++i) touch.pair.start[i + 1] = touch.pair.end[i + 1] = corners[i];
+    touch.first = {true, crossing_time(env_, c, blocked.path.simplex, touch.pair.start[0], touch.pair.end[0])};
+  }
+  // The cast may name another triangle of a flat facet than the one that is touched. Where times are compared exactly,
+  // it has to be this one.
+  for (uint32_t s = shape.simplex_first(facet); !is_known && s < shape.simplex_first(facet + 1); ++s) {
     const double* corners[D];
     boundary_points(env_, c, s, corners);
     WayTouch<D> other = touch;
