@@ -3,13 +3,14 @@
  * target. So a body that is carried along never meets itself only because some of its vertices went first. A result does
  * not depend on how vertices or bodies are numbered.
  *
- * What the level of a body covers is swept on its whole way: at DSW_LEVEL_EDGES edges, too. A touch of two bodies, or of
- * a body with itself, is a contact. So is a touch with the environment, unless the shift (base.h) keeps the part beside
- * the obstacle: an edge that rests exactly on a wall may move along it, or away. If two edges lie exactly on each other,
- * and the shift leaves open whether they pass, this is a contact at time 0.
+ * What the level of a body covers is swept on its whole way: at DSW_LEVEL_EDGES edges, too. A touch
+ * of two bodies, or of a body with itself, is a contact. So is a touch with the environment, unless
+ * the shift (base.h) keeps the part beside the obstacle: an edge that rests exactly on a wall may
+ * move along it, or away.
  *
- * At the first contact some vertices stop. All bodies go to a position just before it, which is rounded. The way to this
- * position is swept again. After the call all that the levels cover is free, and nothing was passed.
+ * At a contact vertices stop at positions just before it, which are rounded. The ways to these
+ * positions are swept again. After the call all that the levels cover is free, and nothing was
+ * passed.
  */
 #ifndef DARTSWEEP_TOGETHER_H
 #define DARTSWEEP_TOGETHER_H
@@ -23,10 +24,11 @@ extern "C" {
 /** What stops at a contact. */
 typedef enum dsw_together_stop {
   DSW_TOGETHER_STOP_ALL = 0, /**< All bodies of the call. */
-  /** The bodies that could meet each other on their ways; one after another through others counts. */
+  /** The bodies of an island, see dsw_scene_move_together. */
   DSW_TOGETHER_STOP_ISLAND = 1,
-  /** The vertices of the parts that touch. All others go on to their targets, up to `max_rounds` times. Then the bodies
-   * that could meet each other stop at their next contact. */
+  /** The vertices of the parts that touch. Their new targets are where they touch, less a little.
+   * All vertices still go steadily and at the same time, so this is repeated, up to `max_rounds`
+   * times, until nothing is touched. If it still is, an island stops as a whole. */
   DSW_TOGETHER_STOP_FEATURE = 2,
   DSW_TOGETHER_STOP_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_together_stop;
@@ -36,13 +38,14 @@ typedef struct dsw_together_options {
   uint32_t struct_size;   /**< sizeof(dsw_together_options). */
   uint32_t flags;         /**< 0. */
   dsw_together_stop stop; /**< Default DSW_TOGETHER_STOP_ALL. */
-  uint32_t max_rounds;    /**< Of DSW_TOGETHER_STOP_FEATURE, up to 65536; 0 means 32. */
+  uint32_t max_rounds;    /**< Of DSW_TOGETHER_STOP_FEATURE, up to 65536; 0 means 64. */
 } dsw_together_options;
 
 /** Writes the defaults. @since 2.1 */
 DSW_API void dsw_together_options_init(dsw_together_options *options, size_t size);
 
-/** Moves all vertices of some bodies to their targets, all at once.
+/** Moves all vertices of some bodies to their targets, all at once. Bodies of the call that could meet
+ * each other on their ways, some perhaps through others, are an island.
  * @param bodies distinct. Other bodies stand still, and are met.
  * @param targets `target_count` points, body after body, one for each vertex slot; those of free slots are not read.
  * @param reports may be null; `fraction`: part of the motion up to the first contact that stopped a vertex of the body's
