@@ -106,8 +106,9 @@ void ShortenedWays<D>::describe_chosen(Array<Traveller<D>>& travellers) {
   told_.clear();
   for (const WayTouch<D>& each : chosen_) {
     const auto name = name_of(each);
-    if (std::find(names_.begin(), names_.end(), name) != names_.end()) continue;
-    names_.push_back(name);
+    const auto at = std::lower_bound(names_.begin(), names_.end(), name);
+    if (at != names_.end() && *at == name) continue;
+    names_.insert(at, name);
     told_.push_back(each);
     if (each.other == nullptr && each.part.kind == Simplex::kVertex) watched_.push_back(each);
   }

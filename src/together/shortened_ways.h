@@ -51,7 +51,7 @@ class ShortenedWays {
   WallWays<D>& walls_;
   BodyWays<D>& bodies_;
   Array<WayTouch<D>> touches_{env_.memory}, chosen_{env_.memory}, watched_{env_.memory}, told_{env_.memory};
-  Array<decltype(name_of(WayTouch<D>()))> names_{env_.memory};  // of contacts that have been described
+  Array<decltype(name_of(WayTouch<D>()))> names_{env_.memory};  // of contacts that have been described, sorted
   Array<Array<Cut>> cuts_{env_.memory};                          // by traveller and vertex
   uint32_t group_ = 0;
   double first_time_ = 1;

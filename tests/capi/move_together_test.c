@@ -130,19 +130,21 @@ static void two_segments_meet_in_the_plane(void) {
 }
 
 /* Every allocation is refused in turn: then nothing has moved. */
-static void memory_runs_out(void) {
+static void memory_runs_out(dsw_together_stop stop) {
   const double b[6] = {2.5, 1, 0.25, 2.5, 1, 0.75}, targets[12] = {1, 0.5, 0.5, 1, 1.5, 0.5, 0.5, 1, 0.25, 0.5, 1, 0.75};
   host h;
   dsw_context *context = make_context(&h);
   dsw_environment *environment = make_environment(context, 3, 2, 1);
   dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
   dsw_body_id bodies[2];
+  dsw_together_options o = together_options();
   dsw_move_report r[2];
   double p[6];
   size_t n = 0, count = 0;
+  o.stop = stop;
   bodies[0] = make_edge_body(scene, kAt, DSW_LEVEL_EDGES_SWEPT);
   bodies[1] = make_edge_body(scene, b, DSW_LEVEL_EDGES_SWEPT);
-  while (n < 1000 && RUNS_OUT(&h, n, dsw_scene_move_together(scene, bodies, 2, targets, 4, 0, NULL, r))) {
+  while (n < 1000 && RUNS_OUT(&h, n, dsw_scene_move_together(scene, bodies, 2, targets, 4, 0, &o, r))) {
     CHECK_OK(dsw_body_get_positions(scene, bodies[0], p, 2, 0, NULL, &count));
     CHECK(memcmp(p, kAt, sizeof p) == 0);
     CHECK_OK(dsw_body_get_positions(scene, bodies[1], p, 2, 0, NULL, &count));
@@ -158,6 +160,7 @@ int main(void) {
   bad_arguments_are_refused();
   a_wall_stops_it();
   two_segments_meet_in_the_plane();
-  memory_runs_out();
+  memory_runs_out(DSW_TOGETHER_STOP_ALL);
+  memory_runs_out(DSW_TOGETHER_STOP_FEATURE);
   return check_result();
 }

@@ -236,6 +236,107 @@ TEST_F(TogetherMoreTest, FeaturesThatStopPassNothing) {
   EXPECT_GT(stopped, 0u);
 }
 
+/// Cubes, some of which are marked. Their walls are cut into triangles; in flat walls it does not matter how.
+Ground cubes(int n, double marked, Rng& rng) {
+  Ground ground;
+  ground.dimension = 3;
+  const auto index = [&](int x, int y, int z) { return static_cast<uint32_t>(x + (n + 1) * (y + (n + 1) * z)); };
+  std::vector<double> flat;
+  for (int z = 0; z <= n; ++z) {
+    for (int y = 0; y <= n; ++y) {
+      for (int x = 0; x <= n; ++x) {
+        ground.points.push_back({0.013 + 0.97 * x, 0.021 + 1.03 * y, 0.007 + 0.99 * z});
+        flat.insert(flat.end(), ground.points.back().begin(), ground.points.back().end());
+      }
+    }
+  }
+  std::vector<int32_t> corners;
+  std::map<std::vector<uint32_t>, std::vector<uint32_t>> quads;  // by sorted corners: the cells
+  std::map<std::vector<uint32_t>, std::vector<uint32_t>> loops;
+  uint32_t cell = 0;
+  for (int z = 0; z < n; ++z) {
+    for (int y = 0; y < n; ++y) {
+      for (int x = 0; x < n; ++x, ++cell) {
+        const uint32_t v[8] = {index(x, y, z),         index(x + 1, y, z),         index(x + 1, y + 1, z),
+                               index(x, y + 1, z),     index(x, y, z + 1),         index(x + 1, y, z + 1),
+                               index(x + 1, y + 1, z + 1), index(x, y + 1, z + 1)};
+        corners.insert(corners.end(), v, v + 8);
+        constexpr int kFaces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+        for (const auto& face : kFaces) {
+          const std::vector<uint32_t> loop = {v[face[0]], v[face[1]], v[face[2]], v[face[3]]};
+          std::vector<uint32_t> name = loop;
+          std::sort(name.begin(), name.end());
+          quads[name].push_back(cell);
+          loops[name] = loop;
+        }
+      }
+    }
+  }
+  ground.environment = create_from(uniform_desc(3, DSW_CELL_TYPE_HEXAHEDRON, 8, flat, corners));
+  std::vector<bool> is_marked(cell);
+  for (uint32_t c = 0; c < cell; ++c) {
+    is_marked[c] = rng.chance(marked);
+    const dsw_volume_id volume = {c, 1};
+    if (!is_marked[c]) continue;
+    EXPECT_EQ(dsw_environment_mark_volumes(ground.environment.get(), &volume, 1, DSW_MARK_IMPASSABLE, 0, nullptr),
+              DSW_STATUS_OK);
+  }
+  for (const auto& [name, of] : quads) {
+    if (of.size() == 2 && !is_marked[of[0]] && !is_marked[of[1]]) continue;
+    const std::vector<uint32_t>& loop = loops[name];
+    ground.walls.push_back({loop[0], loop[1], loop[2]});
+    ground.walls.push_back({loop[0], loop[2], loop[3]});
+  }
+  return ground;
+}
+
+TEST_F(TogetherMoreTest, HexahedraToo) {
+  size_t moves = 0, touches = 0, missed = 0, made_up = 0, wrong = 0, passed = 0;
+  for (int round = 0; round < share_of(200); ++round) {
+    const Ground ground = cubes(4, 0.1, rng_);
+    const bool surface = round % 2 == 0;
+    const dsw_level level = surface ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT;
+    ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+    std::vector<Walker> walkers;
+    for (int tries = 0; tries < 60 && walkers.size() < 2; ++tries) {
+      Walker walker{};
+      walker.level = level;
+      walker.self = true;
+      BodyPlan plan = tangle(rng_, surface);
+      for (Vec& p : plan.at) {
+        for (double& x : p) x *= 0.8;
+      }
+      if (create_body(scene.get(), plan, level, DSW_BODY_SELF_CONTACTS, {}, &walker.id) != DSW_STATUS_OK) continue;
+      EXPECT_EQ(read_body(scene.get(), walker.id, walker.state), "");
+      walker.end = walker.state.at;
+      const Vec way = {rng_.range(-0.4, 0.4), rng_.range(-0.4, 0.4), rng_.range(-0.4, 0.4)};
+      for (Vec& p : walker.end) {
+        for (size_t k = 0; k < 3; ++k) p[k] += way[k] + rng_.range(-0.1, 0.1);
+      }
+      walkers.push_back(walker);
+    }
+    if (walkers.empty()) continue;
+    const double truth = first_time<3>(ground, walkers, round % 8 == 0);
+    const auto stop = round % 4 < 2 ? DSW_TOGETHER_STOP_ALL : DSW_TOGETHER_STOP_FEATURE;
+    const TogetherAnswer answer = move_together(scene.get(), walkers, stop);
+    ++moves;
+    double told = 2;
+    for (const auto& each : answer.contacts) {
+      for (const dsw_body_contact& contact : each) told = std::min(told, contact.time);
+    }
+    touches += truth <= 1 ? 1 : 0;
+    missed += truth <= 1 && told > 1 ? 1 : 0;
+    made_up += truth > 1 && told <= 1 ? 1 : 0;
+    wrong += stop == DSW_TOGETHER_STOP_ALL && truth <= 1 && told != truth ? 1 : 0;
+    // A wall is normal to an axis, so a rounded end may lie exactly on it.
+    for (size_t i = 0; i < walkers.size(); ++i) walkers[i].end = answer.after[i].at;
+    passed += first_time<3>(ground, walkers, round % 8 == 0) < 1 ? 1 : 0;
+  }
+  std::printf("%zu moves, %zu with a touch; missed %zu, made up %zu, wrong time %zu, passed %zu\n", moves, touches, missed,
+              made_up, wrong, passed);
+  EXPECT_EQ(missed + made_up + wrong + passed, 0u);
+}
+
 TEST_F(TogetherMoreTest, WhatIsRememberedDoesNotMatter) {
   size_t moves = 0, different = 0, contacts = 0;
   for (int round = 0; round < share_of(20); ++round) {

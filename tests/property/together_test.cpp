@@ -1,4 +1,5 @@
-// All vertices of bodies move at once: nothing is missed, nothing is passed, all is free afterwards. Figures are printed.
+// All vertices of bodies move at once: nothing is missed, nothing is passed, all is free afterwards. Figures are
+// printed; DSW_TOGETHER_ROUNDS=600 asks ten times as much.
 #include "together_support.h"
 
 #include <cmath>
@@ -88,9 +89,9 @@ class TogetherTest : public testing::TestWithParam<Kind> {
 
 TEST_P(TogetherTest, StopAllMissesNothingAndPassesNothing) {
   size_t moves = 0, touches = 0, missed = 0, made_up = 0, wrong_time = 0, passed = 0, not_free = 0, short_of = 0;
-  const int rounds = share_of(60);
+  const int rounds = share_of(static_cast<int>(from_environment("DSW_TOGETHER_ROUNDS", 60)));
   for (int round = 0; round < rounds; ++round) {
-    const Ground ground = make_ground(dimension(), 3, 0.25, GetParam().marked, GetParam().thin, rng_);
+    const Ground ground = make_ground(dimension(), 3, 0.15, GetParam().marked, GetParam().thin, rng_);
     ASSERT_NE(ground.environment, nullptr);
     ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
     std::vector<Walker> walkers = make_walkers(scene.get(), 1 + rng_.below(3));
@@ -129,9 +130,9 @@ TEST_P(TogetherTest, StopAllMissesNothingAndPassesNothing) {
 
 TEST_P(TogetherTest, WhatGoesOnIsFreeToo) {
   size_t moves = 0, contacts = 0, passed = 0, not_free = 0, reached = 0;
-  const int rounds = share_of(60);
+  const int rounds = share_of(static_cast<int>(from_environment("DSW_TOGETHER_ROUNDS", 60)));
   for (int round = 0; round < rounds; ++round) {
-    const Ground ground = make_ground(dimension(), 3, 0.25, GetParam().marked, GetParam().thin, rng_);
+    const Ground ground = make_ground(dimension(), 3, 0.15, GetParam().marked, GetParam().thin, rng_);
     ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
     std::vector<Walker> walkers = make_walkers(scene.get(), 1 + rng_.below(4));
     for (int step = 0; step < 4 && !walkers.empty(); ++step) {
@@ -178,11 +179,11 @@ BodyPlan renumbered(const BodyPlan& plan, Rng& rng, std::vector<uint32_t>& new_o
 
 TEST_P(TogetherTest, NumbersDoNotMatter) {
   size_t moves = 0, contacts = 0, different = 0, stopped = 0;
-  const int rounds = share_of(60);
+  const int rounds = share_of(static_cast<int>(from_environment("DSW_TOGETHER_ROUNDS", 60)));
   for (int round = 0; round < rounds; ++round) {
     // Half of them on a lattice, where many things happen at the same time.
     const bool ties = round % 2 == 1;
-    const Ground ground = make_ground(dimension(), 3, ties ? 0 : 0.25, GetParam().marked, GetParam().thin, rng_);
+    const Ground ground = make_ground(dimension(), 3, ties ? 0 : 0.15, GetParam().marked, GetParam().thin, rng_);
     ScenePtr scenes[2] = {make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS),
                           make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS)};
     std::vector<BodyPlan> plans;
@@ -251,7 +252,7 @@ Vec shifted(const Vec& p, int dimension) {
 
 TEST_P(TogetherTest, TiesAreThoseOfTheShift) {
   size_t moves = 0, touches = 0, missed = 0, made_up = 0, stopped_at_once = 0, early = 0;
-  const int rounds = share_of(300);
+  const int rounds = share_of(static_cast<int>(5 * from_environment("DSW_TOGETHER_ROUNDS", 60)));
   for (int round = 0; round < rounds; ++round) {
     const Ground ground = make_ground(dimension(), 3, 0, GetParam().marked, GetParam().thin, rng_);
     ScenePtr scene = make_scene(ground.environment.get());  // bodies do not meet: among them the shift cancels
