@@ -151,12 +151,25 @@ void BodyWays<D>::find_solids(const Array<Traveller<D>>& travellers) {
   }
 }
 
-/** Of edges that share a vertex, the far ends can touch the other edge. In the plane vertices meet all edges anyhow. */
+/** Of edges that share a vertex, the far ends can touch the other edge. In the plane vertices meet all edges anyhow. Both
+ * ends of an edge that stands alone can touch each other; of other edges another one touches then, too. */
 template <int D>
 void BodyWays<D>::find_hinges(const Array<Traveller<D>>& travellers) {
-  for (uint32_t t = 0; D == 3 && t < travellers.size(); ++t) {
+  for (uint32_t t = 0; t < travellers.size(); ++t) {
     const Body<D>& body = *travellers[t].body;
     if (!body.filter.self || !covers_edges(body.level)) continue;
+    for (uint32_t e = 0; e < body.edges.size(); ++e) {
+      const BodyEdge& edge = body.edges[e];
+      const auto is_only = [&](uint32_t k) {
+        return edge.next[k] == kNone && body.vertices[edge.ends[k]].first_edge == e;
+      };
+      if (!body.has_edge(e) || !is_only(0) || !is_only(1)) continue;
+      const auto end = [&](uint32_t k) {
+        return Side{t, &travellers[t].name, {Simplex::kVertex, edge.ends[k]}};
+      };
+      add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kEdgeEdge, end(0), end(1));
+    }
+    if (D == 2) continue;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (!body.has_vertex(v)) continue;
       for_each_edge(body, v, [&](uint32_t e) {

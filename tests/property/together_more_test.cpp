@@ -153,6 +153,17 @@ TEST_F(TogetherMoreTest, AnIslandThatMeetsNothingArrives) {
   }
 }
 
+TEST_F(TogetherMoreTest, AnEdgeThatStandsAloneKeepsItsEndsApart) {
+  ScenePtr scene = make_scene(ground_.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+  std::vector<Walker> walkers = {add(scene.get(), segment({1, 1, 1}, {2, 1, 1}), DSW_LEVEL_EDGES_SWEPT, true)};
+  walkers[0].end = {{1.5, 1, 1}, {1.5, 1, 1}};
+  const TogetherAnswer answer = move_together(scene.get(), walkers, DSW_TOGETHER_STOP_ALL);
+  ASSERT_EQ(answer.contacts[0].size(), 2u);
+  EXPECT_EQ(answer.contacts[0][0].time, 1);
+  EXPECT_LT(answer.after[0].at[0][0], answer.after[0].at[1][0]);
+  EXPECT_NEAR(answer.after[0].at[0][0], 1.5, 1e-12);
+}
+
 TEST_F(TogetherMoreTest, TheNormalOfAWallLooksOutOfIt) {
   ScenePtr scene = make_scene(ground_.environment.get());
   std::vector<Walker> walkers = {add(scene.get(), segment({1, 1.25, 1}, {3, 1.5, 1.5}), DSW_LEVEL_EDGES_SWEPT, false)};
