@@ -36,6 +36,7 @@
 %include "dartsweep/near.h"
 %include "dartsweep/pairs.h"
 %include "dartsweep/deform.h"
+%include "dartsweep/together.h"
 %include "dartsweep/detach.h"
 %include "dartsweep/snapshot.h"
 %include "dartsweep/record.h"

@@ -97,6 +97,18 @@
     return flights;
   }
 
+  /** Moves all vertices of bodies to targets (x, y, z; body after body), all at once; options may be null. */
+  public MoveReportArray moveTogether(BodyIdArray bodies, double[] targets, TogetherOptions options) {
+    MoveReportArray reports = new MoveReportArray(bodies.size());
+    moveTogether(bodies, DoubleBuffer.wrap(targets), options, reports);
+    return reports;
+  }
+
+  /** Takes the environment to positions of its vertices, a copy, and bodies to targets, all at once; bodies and targets may be null. */
+  public DeformReport deform(double[] positions, BodyIdArray bodies, double[] targets) {
+    return deform(DoubleBuffer.wrap(positions), bodies, targets == null ? null : DoubleBuffer.wrap(targets));
+  }
+
   /** A body of vertices (x, y, z) and edges (pairs of indices). */
   public Body createBody(double[] positions, int[] edges) {
     return createBody(DoubleBuffer.wrap(positions), edges, null, null);

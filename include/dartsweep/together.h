@@ -1,7 +1,8 @@
 /** @file together.h
- * Moves of bodies in which all vertices move at once. Each vertex goes straight and steadily from where it is to its
- * target. So a body that is carried along never meets itself only because some of its vertices went first. A result does
- * not depend on how vertices or bodies are numbered.
+ * Moves of bodies in which all vertices move at once. Each vertex goes straight and steadily from
+ * where it is to its target. So a body that is carried along never meets itself only because some
+ * of its vertices went first. A result does not depend on how vertices or bodies are numbered.
+ * More: bindings/docs/moving_together.md.
  *
  * What the level of a body covers is swept on its whole way: at DSW_LEVEL_EDGES edges, too. A touch
  * of two bodies, or of a body with itself, is a contact. So is a touch with the environment, unless
@@ -15,6 +16,7 @@
 #ifndef DARTSWEEP_TOGETHER_H
 #define DARTSWEEP_TOGETHER_H
 
+#include "dartsweep/deform.h"
 #include "dartsweep/move.h"
 
 #ifdef __cplusplus
@@ -26,9 +28,9 @@ typedef enum dsw_together_stop {
   DSW_TOGETHER_STOP_ALL = 0, /**< All bodies of the call. */
   /** The bodies of an island, see dsw_scene_move_together. */
   DSW_TOGETHER_STOP_ISLAND = 1,
-  /** The vertices of the parts that touch. Their new targets are where they touch, less a little.
-   * All vertices still go steadily and at the same time, so this is repeated, up to `max_rounds`
-   * times, until nothing is touched. If it still is, an island stops as a whole. */
+  /** The vertices of the parts that touch. Their new targets are just before the touch. All
+   * vertices still go steadily and at the same time. So this is repeated, up to `max_rounds` times,
+   * until nothing is touched. If something still is, the island stops as a whole. */
   DSW_TOGETHER_STOP_FEATURE = 2,
   DSW_TOGETHER_STOP_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_together_stop;
@@ -44,20 +46,49 @@ typedef struct dsw_together_options {
 /** Writes the defaults. @since 2.1 */
 DSW_API void dsw_together_options_init(dsw_together_options *options, size_t size);
 
-/** Moves all vertices of some bodies to their targets, all at once. Bodies of the call that could meet
- * each other on their ways, some perhaps through others, are an island.
+/** Moves all vertices of some bodies to their targets, all at once. Bodies of the call that could
+ * meet each other on their ways, directly or through others, are an island.
  * @param bodies distinct. Other bodies stand still, and are met.
- * @param targets `target_count` points, body after body, one for each vertex slot; those of free slots are not read.
- * @param reports may be null; `fraction`: part of the motion up to the first contact that stopped a vertex of the body's
- * island, rounded. `vertices_moved`: all living vertices. `edges_swept`, `edges_skipped`: of the whole island, in the report
- * of its first body. Members on edits and limits are 0.
+ * @param targets `target_count` points, body after body, one for each vertex slot; those of free
+ * slots are not read.
+ * @param reports may be null; `fraction`: part of the motion up to the first contact that stopped a
+ * vertex of the body's island, rounded. `vertices_moved`: all living vertices. `edges_swept`,
+ * `edges_skipped`: of the whole island, in the report of its first body. Members on edits and
+ * limits are 0.
  * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has.
- * @note dsw_body_get_contacts gives the contacts of each body. All that touch at the same exact time are listed. `fixed`
- * holds the other ends at that time.
- * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact anew. @since 2.1 */
-DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
-                                           const double *targets, size_t target_count, size_t stride_bytes,
-                                           const dsw_together_options *options, dsw_move_report *reports);
+ * @note dsw_body_get_contacts gives the contacts of each body. All that touch at the same exact
+ * time are listed. `fixed` holds the other ends at that time.
+ * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact
+ * anew. @since 2.1 */
+DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *bodies,
+                                           size_t count, const double *targets, size_t target_count,
+                                           size_t stride_bytes, const dsw_together_options *options,
+                                           dsw_move_report *reports);
+
+/** Takes the environment of a scene with DSW_FEATURE_DEFORMING to new positions and bodies to their
+ * targets, all at once. Each vertex of the environment goes straight and steadily, too. All other
+ * bodies and particles stand still. At the first contact of anything everything stops. Then
+ * dsw_scene_move_together can take the bodies on.
+ *
+ * A volume that a body or particle is in, or comes near, has to stay valid on the whole way. If one
+ * does not, all ways end at 1/2, 1/4, ... of the way to the targets.
+ * @param next `point_count` points, as in dsw_environment_deform.
+ * @param bodies distinct.
+ * @param targets `target_count` points, as in dsw_scene_move_together.
+ * @param options may be null; only `point_room` counts.
+ * @param report may be null; `outcome`: DONE, FRACTION or REFUSED. Its contacts are those with the
+ * environment; `from` and `to` are those of the vertex `moving`, and `response` is DSW_WALL_STOP.
+ * @param reports may be null.
+ * @return DSW_STATUS_NOT_ENABLED; DUPLICATE_ID; IN_USE: `next` is the present array; WRONG_SIZE:
+ * point_count, target_count, point_room; NON_FINITE: of `next` only near bodies and particles;
+ * UNSUPPORTED: a body of the scene has a radius.
+ * @note Cost: O(bodies + particles + volumes met + pairs of parts whose ways come near each other);
+ * O(n) if all ways are shortened. Threads: writes the environment, too. @since 2.1 */
+DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point_count,
+                                    const dsw_body_id *bodies, size_t count, const double *targets,
+                                    size_t target_count, size_t stride_bytes,
+                                    const dsw_deform_options *options, dsw_deform_report *report,
+                                    dsw_move_report *reports);
 
 #ifdef __cplusplus
 }

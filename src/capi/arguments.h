@@ -222,6 +222,7 @@ void print_moved_points(WordReader& from, Text& text);
 
 /** The points of a deformation: number and coordinates of each point that moves, then kNullArray. The options are read
  * before. */
+template <size_t kOptions>
 struct MovedPoints {
   const char* label;
 
@@ -240,11 +241,11 @@ struct MovedPoints {
   }
   template <class Given>
   void read(WordReader& from, Given& given, const CallPlace& place) const {
-    auto& [scene, next, count, options, report] = given;
+    auto& options = std::get<kOptions>(given);
     auto* const own = keep<dsw_deform_options>(*place.replay);
     *own = *options;
     options = own;
-    next = read_moved_points(from, *place.replay, own->point_room, count);
+    std::get<1>(given) = read_moved_points(from, *place.replay, own->point_room, std::get<2>(given));
   }
   template <class Given>
   void print(WordReader& from, Text& text) const {

@@ -113,7 +113,7 @@ inline constexpr auto kTable = std::make_tuple(
     DSW_ROW(25, dsw_environment_remesh)(structure<1>("desc",
         array("volumes", &dsw_remesh_desc::volumes, &dsw_remesh_desc::volume_count),
         points("next", &dsw_remesh_desc::next, &dsw_remesh_desc::point_count))),
-    DSW_ROW(26, dsw_environment_deform)(structure<3>("options"), MovedPoints{"vertices"}),
+    DSW_ROW(26, dsw_environment_deform)(structure<3>("options"), MovedPoints<3>{"vertices"}),
     DSW_ROW(27, dsw_particle_create)(point<1>("position"), value<2>("hint"), result<3>()),
     DSW_ROW(28, dsw_scene_create_particles)(
         points<1, 2, 3>("positions"), array<4, 2, kSameCount>("hints"), results<5, 2>()),
@@ -147,7 +147,9 @@ inline constexpr auto kTable = std::make_tuple(
     DSW_ROW(48, dsw_body_move_rigid)(value<1>("body"), value<2>("motion"), structure<3>("options",
         array("order", &dsw_move_options::order, &dsw_move_options::order_count))),
     DSW_ROW(49, dsw_body_set_radius)(value<1>("body"), value<2>("radius")),
-    DSW_ROW(50, dsw_scene_move_together)(array<1, 2>("bodies"), points<3, 4, 5>("targets"), structure<6>("options")));
+    DSW_ROW(50, dsw_scene_move_together)(array<1, 2>("bodies"), points<3, 4, 5>("targets"), structure<6>("options")),
+    DSW_ROW(51, dsw_scene_deform)(array<3, 4>("bodies"), points<5, 6, 7>("targets"), structure<8>("options"),
+        MovedPoints<8>{"vertices"}));
 // clang-format on
 #undef DSW_ROW
 constexpr size_t kCallCount = std::tuple_size_v<decltype(kTable)>;
@@ -172,10 +174,16 @@ constexpr const auto& find_row() {
 template <auto kFunction>
 inline constexpr const auto& row_of = find_row<kFunction>();
 
+template <class Kind>
+constexpr bool moves_points = false;
+template <size_t kOptions>
+constexpr bool moves_points<MovedPoints<kOptions>> = true;
+
 /** Whether a call changes the environment and not only what is in the scene. */
-template <class Row>
-constexpr bool changes_environment(const Row&) {
-  return std::is_same_v<std::tuple_element_t<0, typename Row::Given>, dsw_environment*>;
+template <uint32_t kNumber, auto kFunction, class... Kinds>
+constexpr bool changes_environment(const Row<kNumber, kFunction, Kinds...>&) {
+  using Given = typename Row<kNumber, kFunction, Kinds...>::Given;
+  return std::is_same_v<std::tuple_element_t<0, Given>, dsw_environment*> || (moves_points<Kinds> || ...);
 }
 
 /** Calls use(row) with the row that has a number. False: there is none. */

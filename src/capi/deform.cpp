@@ -1,6 +1,7 @@
 #include "dartsweep/deform.h"
 
 #include "capi/convert.h"
+#include "capi/moved_points.h"
 #include "capi/recorded.h"
 #include "scene/surgery.h"
 
@@ -55,25 +56,16 @@ dsw_status dsw_environment_deform(dsw_environment* environment, double* next, si
     capi::visit(scene, [&](auto& engine) {
       constexpr int D = capi::kDimension<decltype(engine)>;
       const dsw::Deformation<D>& of = deformation_of(engine);
-      dsw::require(next, "next");
-      if (point_count != of.env.map.vertex_count) {
-        fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,
-             of.env.map.vertex_count);
-      }
       const dsw_deform_options o = capi::read_optional(options, "options", 0);
       const dsw::WallSettings settings = read_settings(o);
-      if (settings.point_room != 0 && settings.point_room < point_count) {
-        fail(DSW_STATUS_WRONG_SIZE, "options->point_room is %zu, point_count is %zu", settings.point_room, point_count);
-      }
-      if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
+      capi::check_next(of.env, next, point_count, settings.point_room);
       [[maybe_unused]] const dsw::RepairSettings repair_settings =
           capi::to_repair_settings(o.remesh_radius, o.remesh_max_faces);
       if (D == 2 && o.invalid == DSW_INVALID_REMESH) {
         fail(DSW_STATUS_UNSUPPORTED, "options->invalid is DSW_INVALID_REMESH, must be HOLD or REFUSE in the plane");
       }
       dsw_deform_options written = o;
-      if (scene.watch != nullptr)
-        written.point_room = static_cast<size_t>(std::min<uint64_t>(scene.watch->offered, SIZE_MAX));
+      written.point_room = capi::recorded_room(scene, o.point_room);
       capi::Recorded call(&scene, capi::row_of<dsw_environment_deform>, next, point_count, &written);
       uint32_t remeshed = 0;
       if constexpr (D == 3) {
@@ -82,15 +74,7 @@ dsw_status dsw_environment_deform(dsw_environment* environment, double* next, si
       }
       if (o.invalid != DSW_INVALID_REMESH) deform(engine, next, settings);
       const dsw::WallRecord& record = of.record;
-      const dsw_deform_report done{record.fraction,
-                                   record.outcome,
-                                   record.steps,
-                                   record.near,
-                                   static_cast<uint32_t>(record.held.size()),
-                                   static_cast<uint32_t>(record.contacts.size()),
-                                   static_cast<uint32_t>(record.invalid.size()),
-                                   record.pushed,
-                                   remeshed};
+      const dsw_deform_report done = capi::to_report(record, remeshed);
       call.done(done, capi::items_of(record.held));
       if (report != nullptr) *report = done;
     });

@@ -1,20 +1,18 @@
 #include "dartsweep/move.h"
-#include "dartsweep/together.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "capi/body_access.h"
+#include "capi/moved_bodies.h"
 #include "capi/recorded.h"
 #include "scene/rigid_moves.h"
-#include "scene/together_moves.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
 
 namespace {
 
-constexpr uint32_t kFlags = DSW_MOVE_KEEP_WALLS, kMostPasses = 64, kMostRounds = 65536;
+constexpr uint32_t kFlags = DSW_MOVE_KEEP_WALLS, kMostPasses = 64;
 
 dsw::MoveSettings to_settings(const dsw_move_options& o) {
   dsw::MoveSettings s;
@@ -40,13 +38,6 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
   return s;
 }
 
-dsw::TogetherSettings to_settings(const dsw_together_options& o) {
-  dsw::TogetherSettings s;
-  s.stop = static_cast<dsw::TogetherStop>(capi::to_number(o.stop, DSW_TOGETHER_STOP_FEATURE, "options->stop"));
-  s.rounds = capi::to_count(o.max_rounds, kMostRounds, s.rounds, "options->max_rounds");
-  return s;
-}
-
 template <int D>
 dsw::MoveOrder to_order(const dsw::Scene<D>& scene, const dsw::Body<D>& body, const dsw_move_options& o) {
   if (o.order == nullptr) {
@@ -61,81 +52,6 @@ dsw::MoveOrder to_order(const dsw::Scene<D>& scene, const dsw::Body<D>& body, co
     seen[v] = true;
   }
   return {o.order, o.order_count};
-}
-
-/** Targets of the vertices that move are finite; those of others are not read. */
-template <int D>
-void check_targets(const dsw::Body<D>& body, dsw::PointArray targets, const dsw::MoveOrder& order, size_t first) {
-  const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
-  for (size_t i = 0; i < count; ++i) {
-    const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
-    if (!body.has_vertex(v)) continue;
-    const double* const t = targets[first + v];
-    if (!dsw::is_finite<D>(t)) dsw::fail_non_finite(targets, first + v, D, {"targets", true});
-  }
-}
-
-void check_target_count(size_t given, size_t needed) {
-  if (given != needed) fail(DSW_STATUS_WRONG_SIZE, "target_count is %zu, there are %zu vertex slots", given, needed);
-}
-
-/** The records of bodies that are distinct. */
-template <int D>
-dsw::Array<dsw::BodyRecord<D>*> check_bodies(dsw::Scene<D>& scene, const dsw_body_id* bodies, size_t count) {
-  dsw::require_array(bodies, count, "bodies");
-  dsw::Array<dsw::BodyRecord<D>*> records(scene.memory);
-  dsw::Array<bool> seen(scene.bodies.size(), false, scene.memory);
-  records.reserve(count);
-  for (size_t i = 0; i < count; ++i) {
-    records.push_back(&check_body(scene, bodies[i], {"bodies", true}, i));
-    if (seen[bodies[i].index]) fail(DSW_STATUS_DUPLICATE_ID, "bodies[%zu] occurs twice", i);
-    seen[bodies[i].index] = true;
-  }
-  return records;
-}
-
-/** Targets of bodies, one after the other. */
-template <int D>
-dsw::PointArray check_all_targets(const dsw::Array<dsw::BodyRecord<D>*>& records, const double* targets, size_t count,
-                                  size_t stride_bytes) {
-  size_t needed = 0;
-  for (const dsw::BodyRecord<D>* each : records) needed += each->body.vertices.size();
-  check_target_count(count, needed);
-  const dsw::PointArray points = dsw::to_points(D, targets, count, stride_bytes, "targets");
-  size_t first = 0;
-  for (const dsw::BodyRecord<D>* each : records) {
-    check_targets(each->body, points, {}, first);
-    first += each->body.vertices.size();
-  }
-  return points;
-}
-
-dsw_move_report to_report(const dsw::MoveRecord& record) noexcept {
-  return {record.fraction,
-          record.moved,
-          record.stopped,
-          static_cast<uint32_t>(record.contacts.size()),
-          static_cast<uint32_t>(record.edits.size()),
-          record.sweeps.swept,
-          record.sweeps.skipped,
-          record.limited,
-          0};
-}
-
-/** What has become of bodies. */
-template <int D>
-struct Moved {
-  dsw::BodyRecord<D>* const* records;
-  size_t count;
-};
-
-template <int D, class Use>
-void for_each_part(const Moved<D>& of, const Use& use) {
-  for (size_t i = 0; i < of.count; ++i) {
-    const dsw_move_report report = to_report(of.records[i]->record);
-    use(&report, sizeof report);
-    capi::for_each_part(of.records[i]->body, use);
-  }
 }
 
 /** Only what keeps the plane in place: a rotation about its normal and a translation in it. */
@@ -177,15 +93,15 @@ dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targe
     constexpr int D = capi::kDimension<decltype(of)>;
     const dsw_move_options o = capi::read_optional(options, "options", kFlags);
     const dsw::MoveSettings settings = to_settings(o);
-    check_target_count(target_count, of.body.vertices.size());
+    capi::check_target_count(target_count, of.body.vertices.size());
     const dsw::PointArray points = dsw::to_points(of.kDimension, targets, target_count, stride_bytes, "targets");
     const dsw::MoveOrder order = to_order(of.scene, of.body, o);
-    check_targets(of.body, points, order, 0);
+    capi::check_targets(of.body, points, order, 0);
     capi::Recorded call(scene, capi::row_of<dsw_body_move>, body, targets, target_count, stride_bytes, &o);
     move_body(of.scene, of.record, points, order, settings);
     dsw::BodyRecord<D>* const record = &of.record;
-    call.done(Moved<D>{&record, 1});
-    if (report != nullptr) *report = to_report(of.record.record);
+    call.done(capi::Moved<D>{&record, 1});
+    if (report != nullptr) *report = capi::to_report(of.record.record);
   });
 }
 
@@ -198,30 +114,13 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
     const dsw::MoveSettings settings = to_settings(o);
     if (o.order != nullptr || o.order_count != 0)
       fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
-    const dsw::Array<dsw::BodyRecord<D>*> records = check_bodies<D>(s, bodies, count);
-    const dsw::PointArray points = check_all_targets(records, targets, target_count, stride_bytes);
+    const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
+    const dsw::PointArray points = capi::check_all_targets(records, targets, target_count, stride_bytes);
     capi::Recorded call(scene, capi::row_of<dsw_scene_move_bodies>, bodies, count, targets, target_count, stride_bytes,
                         &o);
     move_bodies(s, records.data(), count, points, settings);
-    call.done(Moved<D>{records.data(), count});
-    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = to_report(records[i]->record);
-  });
-}
-
-dsw_status dsw_scene_move_together(dsw_scene* scene, const dsw_body_id* bodies, size_t count, const double* targets,
-                                   size_t target_count, size_t stride_bytes, const dsw_together_options* options,
-                                   dsw_move_report* reports) {
-  return capi::guarded_visit(__func__, scene, [&](auto& s) {
-    constexpr int D = capi::kDimension<decltype(s)>;
-    const dsw_together_options o = capi::read_optional(options, "options", 0);
-    const dsw::TogetherSettings settings = to_settings(o);
-    const dsw::Array<dsw::BodyRecord<D>*> records = check_bodies<D>(s, bodies, count);
-    const dsw::PointArray points = check_all_targets(records, targets, target_count, stride_bytes);
-    capi::Recorded call(scene, capi::row_of<dsw_scene_move_together>, bodies, count, targets, target_count,
-                        stride_bytes, &o);
-    move_together(s, records.data(), count, points, settings);
-    call.done(Moved<D>{records.data(), count});
-    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = to_report(records[i]->record);
+    call.done(capi::Moved<D>{records.data(), count});
+    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
   });
 }
 
@@ -242,8 +141,8 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
     capi::Recorded call(scene, capi::row_of<dsw_body_move_rigid>, body, motion, &o);
     move_rigid(of.scene, of.record, rigid, order);
     dsw::BodyRecord<D>* const record = &of.record;
-    call.done(Moved<D>{&record, 1});
-    if (report != nullptr) *report = to_report(of.record.record);
+    call.done(capi::Moved<D>{&record, 1});
+    if (report != nullptr) *report = capi::to_report(of.record.record);
   });
 }
 

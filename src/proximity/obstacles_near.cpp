@@ -17,7 +17,10 @@ void ObstacleFlood<D>::find(const Cell* starts, size_t count, const NearRegion<D
 template <int D>
 uint32_t ObstacleFlood<D>::outside(uint32_t vertex, const NearRegion<D>& region) noexcept {
   Known& known = known_[vertex % kKnown];
-  if (known.vertex != vertex) known = {vertex, region.outside(env_.point(vertex))};
+  if (known.vertex != vertex) {
+    known = {vertex, region.outside(env_.point(vertex))};
+    if (next_ != nullptr) known.bits &= region.outside(next_ + size_t{vertex} * D);
+  }
   return known.bits;
 }
 

@@ -17,6 +17,11 @@ class ObstacleFlood {
   /** Appends all obstacles that may be in the region, at the passable cells that can be reached from `starts` through
    * passable facets that may be in the region. Throws std::bad_alloc. */
   void find(const Cell* starts, size_t count, const NearRegion<D>& region, NearList<D>& found);
+  /** The same while the environment's points go straight to others: all that may be in the region at any time. Null: the
+   * points stand still. */
+  void set_next(const double* points) noexcept { next_ = points; }
+  /** The cells that were reached last. */
+  const CellQueue& cells() const noexcept { return cells_; }
 
  private:
   /** What is known of a vertex that stands in its place. */
@@ -34,6 +39,7 @@ class ObstacleFlood {
   void add_thin(Cell c, const Shape& shape, NearList<D>& found) const;
 
   const Environment<D>& env_;
+  const double* next_ = nullptr;
   CellQueue cells_;
   Array<uint32_t> outside_;  // of the vertices of the cell that is visited
   Known known_[kKnown];

@@ -79,7 +79,8 @@ bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Traveller<D>>& tra
     const Traveller<3>& of = travellers[0];
     const Body<3>& body = *of.body;
     const bool has_still = of.still != nullptr && !of.still->all.empty();
-    if (travellers.size() != 1 || has_still || !covers_edges(body.level) || !fresh_boxes(body).loners.empty()) return false;
+    if (travellers.size() != 1 || has_still || !covers_edges(body.level) || !fresh_boxes(body).loners.empty())
+      return false;
     near_.start(body, false, [&](uint32_t v) { return of.target(v); });
     if (!near_.active()) return false;
     for (uint32_t e = 0; e < body.edges.size(); ++e) {
@@ -100,7 +101,8 @@ void BodyWays<D>::add_ways(const Array<Traveller<D>>& travellers, bool with_rods
   for (Ways* each : {&rods_, &vertices_, &faces_}) each->clear();
   const auto has_faces = [](const Partner<D>& each) { return covers_faces(each.body->level); };
   const bool may_meet_faces = std::any_of(travellers.begin(), travellers.end(), [&](const Traveller<D>& of) {
-    return has_faces(of.name) || (of.still != nullptr && std::any_of(of.still->all.begin(), of.still->all.end(), has_faces));
+    return has_faces(of.name) ||
+           (of.still != nullptr && std::any_of(of.still->all.begin(), of.still->all.end(), has_faces));
   });
   for (uint32_t t = 0; t < travellers.size(); ++t) {
     const Traveller<D>& of = travellers[t];
@@ -164,9 +166,7 @@ void BodyWays<D>::find_hinges(const Array<Traveller<D>>& travellers) {
         return edge.next[k] == kNone && body.vertices[edge.ends[k]].first_edge == e;
       };
       if (!body.has_edge(e) || !is_only(0) || !is_only(1)) continue;
-      const auto end = [&](uint32_t k) {
-        return Side{t, &travellers[t].name, {Simplex::kVertex, edge.ends[k]}};
-      };
+      const auto end = [&](uint32_t k) { return Side{t, &travellers[t].name, {Simplex::kVertex, edge.ends[k]}}; };
       add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kEdgeEdge, end(0), end(1));
     }
     if (D == 2) continue;
@@ -261,7 +261,8 @@ bool BodyWays<D>::visit_pair(const Array<Traveller<D>>& travellers, const Pair& 
   touch.pair.kind = pair.kind;
   uint32_t at = 0;
   const auto is_new_side = [&](const Side& side) {
-    return side.traveller != kNone && is_new(travellers[side.traveller], SimplexCorners<D>(*side.name->body, side.part));
+    return side.traveller != kNone &&
+           is_new(travellers[side.traveller], SimplexCorners<D>(*side.name->body, side.part));
   };
   if (!is_new_side(pair.sides[0]) && !is_new_side(pair.sides[1])) return true;
   bool moves = false;

@@ -11,7 +11,8 @@ namespace dsw {
 template <int D>
 class BodyWays {
  public:
-  explicit BodyWays(const Memory* memory) : rods_(memory), vertices_(memory), faces_(memory), pairs_(memory), hinges_(memory), near_(memory) {}
+  explicit BodyWays(const Memory* memory)
+      : rods_(memory), vertices_(memory), faces_(memory), pairs_(memory), hinges_(memory), near_(memory) {}
 
   /** Finds the pairs whose whole ways in the call come near each other. */
   void start(const Array<Traveller<D>>& travellers, bool bodies_meet);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "base/vec.h"
 #include "contact/describe.h"
 #include "contact/normals.h"
@@ -180,6 +181,34 @@ void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers
   }
 }
 
+template <int D>
+dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Traveller<D>>& travellers,
+                               const WayTouch<D>& touch) {
+  const Traveller<D>& of = travellers[touch.traveller];
+  const SimplexCorners<D> corners(*of.body, touch.part);
+  Geometry geometry = geometry_of(touch);
+  if (!touch.comes_first) geometry.normal *= -1;
+  const uint32_t first_wall = touch.comes_first ? corners.count : 0;
+  dsw_wall_contact contact{};
+  std::copy_n(touch.pair.start[first_wall], D, contact.from);
+  std::copy_n(touch.pair.end[first_wall], D, contact.to);
+  contact.time = touch.first.time;
+  store<D>(geometry.point, contact.point);
+  store<D>(geometry.normal + Vec::Zero(), contact.contact.normal);  // never -0
+  name_feature(env, touch.wall, contact.contact.normal, contact.contact);
+  if (touch.part.kind == Simplex::kEdge) {
+    double ends[2][D];
+    for (uint32_t i = 0; i < 2; ++i) place_at(of, corners.vertices[i], touch.first.time, ends[i]);
+    contact.edge_parameter = share_along<D>(ends[0], ends[1], contact.point);
+  }
+  const auto id_of = [&](uint32_t v) { return dsw_vertex_id{v, env.map.vertex_generation(v)}; };
+  contact.moving = id_of(touch.wall.vertices[0]);
+  for (uint32_t i = 1; i < touch.wall.count; ++i) contact.others[i - 1] = id_of(touch.wall.vertices[i]);
+  contact.response = DSW_WALL_STOP;
+  return contact;
+}
+
+DSW_INSTANTIATE(describe_wall);
 template void describe_touches(const Environment<2>&, Array<Traveller<2>>&, Array<WayTouch<2>>&);
 template void describe_touches(const Environment<3>&, Array<Traveller<3>>&, Array<WayTouch<3>>&);
 

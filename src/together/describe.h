@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "dartsweep/deform.h"
 #include "together/traveller.h"
 
 namespace dsw {
@@ -19,5 +20,10 @@ auto name_of(const WayTouch<D>& t) {
  * touched. Throws std::bad_alloc. */
 template <int D>
 void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers, Array<WayTouch<D>>& touches);
+
+/** A touch of the environment's, without the names of the body or particle. */
+template <int D>
+dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Traveller<D>>& travellers,
+                               const WayTouch<D>& touch);
 
 }  // namespace dsw

@@ -26,7 +26,7 @@ class ShortenedWays {
   End run(Array<Traveller<D>>& travellers, uint32_t most_rounds, bool may_end_at_walls);
 
   bool has_shortened() const { return group_ != 0; }
-  double first_time() const { return first_time_; }  // at which something was touched in the first round
+  double first_time() const { return first_time_; }               // at which something was touched in the first round
   const Array<WayTouch<D>>& touches() const { return touches_; }  // of the last round
 
  private:
@@ -39,9 +39,9 @@ class ShortenedWays {
 
   /** A vertex whose way is shortened in this round. */
   struct Cut {
-    uint32_t group = 0;   // of touches; 0: none
-    uint32_t count = 0;   // how often its way has been shortened in the call
-    double time = 1;      // up to which it goes
+    uint32_t group = 0;  // of touches; 0: none
+    uint32_t count = 0;  // how often its way has been shortened in the call
+    double time = 1;     // up to which it goes
   };
   Cut& cut_of(const Array<Traveller<D>>& travellers, const Traveller<D>& of, uint32_t v) {
     return cuts_[static_cast<size_t>(&of - travellers.data())][v];
@@ -52,7 +52,7 @@ class ShortenedWays {
   BodyWays<D>& bodies_;
   Array<WayTouch<D>> touches_{env_.memory}, chosen_{env_.memory}, watched_{env_.memory}, told_{env_.memory};
   Array<decltype(name_of(WayTouch<D>()))> names_{env_.memory};  // of contacts that have been described, sorted
-  Array<Array<Cut>> cuts_{env_.memory};                          // by traveller and vertex
+  Array<Array<Cut>> cuts_{env_.memory};                         // by traveller and vertex
   uint32_t group_ = 0;
   double first_time_ = 1;
 };

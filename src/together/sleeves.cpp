@@ -59,7 +59,9 @@ void Sleeves<D>::extend(EdgeSequence<D>& sequence, const End& end, bool first, b
 template <int D>
 bool Sleeves<D>::passes_all(EdgeSequence<D>& sequence, const End& a, const End& b) const {
   const Cell front = sequence.passage.front, back = sequence.passage.back;
-  const auto passes = [&](const double* from, const double* to) { return follows(env_, sequence, from, to, front, back); };
+  const auto passes = [&](const double* from, const double* to) {
+    return follows(env_, sequence, from, to, front, back);
+  };
   return passes(a.start, b.start) && passes(a.end, b.start) && passes(a.start, b.end) && passes(a.end, b.end);
 }
 

@@ -7,6 +7,7 @@
 #include "predicates/moving_pair.h"
 #include "proximity/near_lists.h"
 #include "response/settings.h"
+#include "together/place_on_way.h"
 
 namespace dsw {
 
@@ -18,10 +19,10 @@ struct Traveller {
   PointArray targets;   // of the call, one for each slot
   NearNotes<D>* notes;  // what is remembered of what is near the body
   MoveRecord* record;
-  const Partners<D>* still;  // bodies that it may meet and that do not move in this call; null: none
-  Array<double> goals;       // where its vertices go, as far as that is known to be free, or not known to be blocked
-  Array<double> ends;        // where they go in the way that is looked at
-  Array<Cell> arrivals;      // the cells that contain the ends; invalid: something is on the path
+  const Partners<D>* still;   // bodies that it may meet and that do not move in this call; null: none
+  Array<double> goals;        // where its vertices go, as far as that is known to be free, or not known to be blocked
+  Array<double> ends;         // where they go in the way that is looked at
+  Array<Cell> arrivals;       // the cells that contain the ends; invalid: something is on the path
   Array<PathFacets> crossed;  // by the paths of vertices that leave their cells
   Array<double> limits;       // times up to which edges and faces at a vertex are looked at
   Array<uint8_t> is_new;      // vertices whose ways have not been looked at; parts without one are passed over
@@ -106,16 +107,6 @@ void for_each_touching(Array<Traveller<D>>& travellers, const WayTouch<D>& touch
   if (touch.other_traveller == kNone) return;
   Traveller<D>& other = travellers[touch.other_traveller];
   for (const uint32_t v : SimplexCorners<D>(*other.body, touch.other_part)) visit(other, v);
-}
-
-/** A place on a vertex's way. It never leaves the box of the whole way, for which obstacles were collected. */
-template <int D>
-void place_on_way(const double* from, const double* to, double time, double* place) noexcept {
-  double there[D];
-  point_at<D>(from, to, time, there);
-  for (int k = 0; k < D; ++k) {
-    place[k] = std::clamp(there[k], std::min(from[k], to[k]), std::max(from[k], to[k]));
-  }
 }
 
 /** The box of the way of a part, up to where it goes in the call. */

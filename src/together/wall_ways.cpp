@@ -135,9 +135,8 @@ template <class Visit>
 bool WallWays<D>::visit_parts(const Array<Traveller<D>>& travellers, Visit visit) {
   for (uint32_t t = 0; t < travellers.size(); ++t) {
     const Traveller<D>& of = travellers[t];
-    const bool is_done = for_each_simplex(*of.body, [&](const Simplex& part) {
-      return part.kind == Simplex::kVertex || visit_part(of, t, part, visit);
-    });
+    const bool is_done = for_each_simplex(
+        *of.body, [&](const Simplex& part) { return part.kind == Simplex::kVertex || visit_part(of, t, part, visit); });
     if (!is_done) return false;
   }
   return true;
@@ -162,9 +161,9 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
   WayTouch<D> touch{};
   touch.traveller = number;
   touch.part = part;
-  touch.pair.kind = D == 2                          ? PairKind::kVertexEdge
+  touch.pair.kind = D == 2                        ? PairKind::kVertexEdge
                     : part.kind == Simplex::kEdge ? PairKind::kEdgeEdge
-                                                    : PairKind::kVertexFace;
+                                                  : PairKind::kVertexFace;
   // A corner of the environment comes before the part, a side comes after it.
   const uint32_t first_corner = touch.pair.kind == PairKind::kEdgeEdge ? 0 : 1;
   touch.comes_first = first_corner == 0;
@@ -232,12 +231,12 @@ bool WallWays<D>::is_settled(const Traveller<D>& of, const Simplex& part) {
 }
 
 template <int D>
-bool WallWays<D>::is_beside(const typename NearWalls<D>::Plane& plane, const double* const* points, uint32_t count) const {
+bool WallWays<D>::is_beside(const typename NearWalls<D>::Plane& plane, const double* const* points,
+                            uint32_t count) const {
   const int side = plane_side<D>(plane.corners, points[0], NoTally{}).sign;
   if (side == 0) return false;
-  return std::all_of(points + 1, points + count, [&](const double* each) {
-    return plane_side<D>(plane.corners, each, NoTally{}).sign == side;
-  });
+  return std::all_of(points + 1, points + count,
+                     [&](const double* each) { return plane_side<D>(plane.corners, each, NoTally{}).sign == side; });
 }
 
 /** Whether the determinant of part and feature has one sign for all choices of start or end of each corner.

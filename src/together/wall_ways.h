@@ -29,6 +29,9 @@ class WallWays {
    * use where such a vertex gets a new goal. */
   bool limits_parts = false;
 
+  // The environment stands still.
+  void set_end(double) noexcept {}
+  void describe(const Array<Traveller<D>>&, const FirstTouches<D>&) noexcept {}
   void set_counters(CastCounters* counters) { counters_ = sleeves_.counters = counters; }
   SweepCounts counts;  // of edges and faces
 

@@ -317,7 +317,7 @@ inline size_t good_size(const Argument& a) {
   if (a.called("size_bytes")) return block_of(a).size();
   if (a.called("capacity_bytes")) return kScratchBytes;
   if (a.called("size") || a.called("capacity")) return 20;
-  if (a.called("target_count")) return a.of("dsw_scene_move_bodies") || a.of("dsw_scene_move_together") ? 8 : 4;
+  if (a.called("target_count")) return a.of("dsw_body_move") ? 4 : 8;
   if (a.called("point_count")) return a.host->next.size() / a.host->dimension;
   return a.of("dsw_environment_split_volume") && a.host->dimension == 3 ? 4 : 2;
 }

@@ -17,7 +17,7 @@
 namespace boundary {
 namespace {
 
-constexpr size_t kMostParameters = 10;
+constexpr size_t kMostParameters = 11;
 std::atomic<size_t> calls{0}, failures{0}, refused{0};
 
 void report(std::string_view function, const std::string& what) {
@@ -48,6 +48,7 @@ class Caller {
   template <class R, class... A>
   bool attempt(const char* name, R (*function)(A...), std::string_view parameters, size_t wrong, size_t k,
                int* before) {
+    static_assert(sizeof...(A) <= kMostParameters);
     // Whoever may change something is alone.
     constexpr bool writes = (is_written<A> || ...);
     std::shared_lock<std::shared_mutex> together;

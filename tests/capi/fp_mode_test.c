@@ -228,6 +228,8 @@ static void move_things(output *o, dsw_scene *scene, const input *in) {
   put(o, &report, sizeof report);
   after(o, dsw_body_destroy(scene, body));
   after(o, dsw_body_create(scene, &d, &body));
+  after(o, dsw_scene_move_together(scene, &body, 1, in->targets[0], LINE, 0, NULL, &report));
+  put(o, &report, sizeof report);
   after(o, dsw_body_move(scene, body, in->targets[0], LINE, 0, &options, &report));
   put(o, &report, sizeof report);
   after(o, dsw_body_get_contacts(scene, body, &contacts, &count));
@@ -266,9 +268,12 @@ static output run(const dsw_context_desc *context_desc, const input *in, control
   dsw_environment *environment = NULL;
   dsw_scene *scene = NULL;
   dsw_deform_report report;
+  const size_t bytes = 3 * in->cubes.point_count * sizeof *in->next;
+  double *const back = malloc(bytes);
   uint32_t cell;
   memset(&report, 0, sizeof report);
-  memcpy(in->next, in->bend, 3 * in->cubes.point_count * sizeof *in->next);
+  memcpy(in->next, in->bend, bytes);
+  memcpy(back, in->cubes.points, bytes);
   dsw_scene_desc_init(&scene_desc, sizeof scene_desc);
   scene_desc.features = DSW_FEATURE_DEFORMING;
   g_host = value;
@@ -285,11 +290,14 @@ static output run(const dsw_context_desc *context_desc, const input *in, control
   move_things(&o, scene, in);
   after(&o, dsw_environment_deform(environment, in->next, in->cubes.point_count, NULL, &report));
   put(&o, &report, sizeof report);
+  after(&o, dsw_scene_deform(scene, back, in->cubes.point_count, NULL, 0, NULL, 0, 0, NULL, &report, NULL));
+  put(&o, &report, sizeof report);
   put_states(&o, environment, scene);
   after(&o, dsw_scene_destroy(scene));
   after(&o, dsw_environment_destroy(environment));
   after(&o, dsw_context_destroy(context));
   set_control(DEFAULT);
+  free(back);
   return o;
 }
 

@@ -191,6 +191,12 @@ RUN(dsw_environment_deform, dsw_deform_options) {
   g_next[3 * grid_point(&g_grid, 1, 1, 1)] += 0.125;
   return dsw_environment_deform(g_env, g_next, POINTS, s, NULL);
 }
+RUN(dsw_scene_deform, dsw_deform_options) {
+  const dsw_body_id id = body();
+  memcpy(g_next, g_grid.points, sizeof g_next);
+  g_next[3 * grid_point(&g_grid, 1, 1, 1)] += 0.125;
+  return dsw_scene_deform(g_scene, g_next, POINTS, &id, 1, g_target, 2, 0, s, NULL, NULL);
+}
 RUN(dsw_environment_remesh, dsw_remesh_desc) { return dsw_environment_remesh(g_env, s, NULL); }
 RUN(dsw_environment_add_volumes, dsw_volumes_desc) {
   dsw_volume_id volume;
@@ -388,6 +394,7 @@ typedef struct init_row {
   X(dsw_scene_create, dsw_scene_desc)                \
   X(dsw_environment_deform, dsw_deform_options)      \
   X(dsw_environment_detach, dsw_detach_desc)         \
+  X(dsw_scene_deform, dsw_deform_options)            \
   X(dsw_scene_move_bodies, dsw_move_options)         \
   X(dsw_scene_move_together, dsw_together_options)   \
   X(dsw_scene_move_particles, dsw_cast_options)      \

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <dartsweep/dartsweep.hpp>
 
+#include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -248,6 +250,39 @@ TEST(Cpp, LentPointsLiveAsLongAsTheyAreRead) {
   EXPECT_EQ(environment.get_vertex_position(environment.get_vertex_id(1))[0], 2);
   environment.deform(Lent(std::make_shared<std::vector<Row>>(kCorners)));
   EXPECT_TRUE(watched.expired());
+}
+
+TEST(Cpp, BodiesAndWallsMoveTogether) {
+  Environment environment = cube();
+  Scene scene = deforming_scene(environment);
+  const std::vector<Row> rod = {{0.25, 0.5, 0.25}, {0.75, 0.5, 0.25}}, raised = {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}},
+                         down = {{0.25, 0.5, -0.5}, {0.75, 0.5, -0.5}};
+  const Body body(scene, scene.create_body(rod, std::vector<std::uint32_t>{0, 1}));
+  const std::vector<dsw_body_id> bodies = {body.id()};
+  std::vector<dsw_move_report> reports(1);
+  auto options = defaults<dsw_together_options>();
+  options.stop = DSW_TOGETHER_STOP_ISLAND;
+  scene.move_together(bodies, raised, &options, reports);
+  EXPECT_EQ(reports[0].fraction, 1);
+  EXPECT_THROW(scene.move_together(bodies, std::vector<Row>(1), nullptr, {}), WrongSize);
+  scene.move_together(bodies, rod, nullptr, {});
+  // The floor comes up by half of the cube, and takes the body along. Then it meets the body after 2 of 3 parts.
+  auto next = std::make_shared<std::vector<Row>>(kCorners);
+  for (Row &at : *next) at[2] = std::max(at[2], 0.125);
+  EXPECT_EQ(scene.deform(Lent(next), bodies, raised, nullptr, reports).outcome, DSW_DEFORM_DONE);
+  EXPECT_EQ(reports[0].fraction, 1);
+  auto last = std::make_shared<std::vector<Row>>(*next);
+  for (Row &at : *last) at[2] = std::max(at[2], 0.6875);
+  const std::weak_ptr<void> watched = next;
+  next.reset();
+  const dsw_deform_report report = scene.deform(Lent(last));
+  EXPECT_EQ(report.outcome, DSW_DEFORM_FRACTION);
+  EXPECT_NEAR(report.fraction, 2.0 / 3, 1e-9);
+  EXPECT_TRUE(watched.expired());
+  EXPECT_FALSE(environment.get_wall_contacts().empty());
+  scene.move_together(bodies, down, nullptr, reports);
+  EXPECT_LT(reports[0].fraction, 1e-9);
+  EXPECT_THROW(scene.deform(Lent(last)), InUse);
 }
 
 TEST(Cpp, AChangeOwnsItsLists) {

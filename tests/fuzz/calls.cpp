@@ -320,7 +320,12 @@ dsw_status Calls::deform() {
     for (size_t k = 0; k < dimension_; ++k) next[dimension_ * v + k] += static_cast<int8_t>(bytes_.byte()) / 100.0;
   }
   if (wild()) next[dimension_ * (bytes_.byte() % count)] = bytes_.number();
-  return dsw_environment_deform(dsw_scene_get_environment(scene_), next.data(), count, &o, nullptr);
+  if (bytes_.below(2) == 0) return dsw_environment_deform(environment_, next.data(), count, &o, nullptr);
+  const dsw_body_id ids[] = {body(), body()};
+  const uint32_t bodies = bytes_.below(3);
+  const std::vector<double> targets = targets_of(ids, bodies);
+  return dsw_scene_deform(scene_, next.data(), count, ids, bodies, targets.data(), targets.size() / dimension_, 0, &o,
+                          nullptr, nullptr);
 }
 
 }  // namespace dsw_fuzz

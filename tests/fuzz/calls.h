@@ -53,6 +53,8 @@ class Calls {
   dsw_mark mark() { return bytes_.below(4) == 0 ? DSW_MARK_PASSABLE : DSW_MARK_IMPASSABLE; }
   bool wild() { return bytes_.below(16) == 15; }
   dsw_move_options options();
+  /** Where all vertices of bodies go: some hundredths of a box away. */
+  std::vector<double> targets_of(const dsw_body_id* ids, uint32_t count);
   /** Mostly some hundredths of a box. */
   double radius() { return wild() ? bytes_.number() : bytes_.byte() / 2048.0; }
 

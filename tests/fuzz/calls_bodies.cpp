@@ -134,17 +134,7 @@ dsw_move_options Calls::options() {
   return o;
 }
 
-dsw_status Calls::move_bodies(uint32_t which) {
-  dsw_body_id ids[] = {body(), body()};
-  if (which == 0) {
-    dsw_rigid_motion motion = {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
-    for (double& q : motion.rotation) q += static_cast<int8_t>(bytes_.byte()) / 256.0;
-    place(motion.centre);
-    for (double& t : motion.translation) t = static_cast<int8_t>(bytes_.byte()) / 100.0;
-    if (dimension_ == 2 && !wild()) motion.rotation[0] = motion.rotation[1] = motion.translation[2] = 0;
-    return dsw_body_move_rigid(scene_, ids[0], &motion, nullptr, nullptr);
-  }
-  const uint32_t count = which == 1 ? 2 : 1;
+std::vector<double> Calls::targets_of(const dsw_body_id* ids, uint32_t count) {
   std::vector<double> targets;
   for (uint32_t i = 0; i < count; ++i) {
     dsw_body_counts counts;
@@ -161,6 +151,28 @@ dsw_status Calls::move_bodies(uint32_t which) {
     }
     if (wild() && !positions.empty()) positions[bytes_.byte() % positions.size()] = bytes_.number();
     targets.insert(targets.end(), positions.begin(), positions.end());
+  }
+  return targets;
+}
+
+dsw_status Calls::move_bodies(uint32_t which) {
+  dsw_body_id ids[] = {body(), body()};
+  if (which == 0) {
+    dsw_rigid_motion motion = {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
+    for (double& q : motion.rotation) q += static_cast<int8_t>(bytes_.byte()) / 256.0;
+    place(motion.centre);
+    for (double& t : motion.translation) t = static_cast<int8_t>(bytes_.byte()) / 100.0;
+    if (dimension_ == 2 && !wild()) motion.rotation[0] = motion.rotation[1] = motion.translation[2] = 0;
+    return dsw_body_move_rigid(scene_, ids[0], &motion, nullptr, nullptr);
+  }
+  const uint32_t count = which == 1 ? 2 : which == 2 ? 1 + bytes_.below(2) : 1;
+  const std::vector<double> targets = targets_of(ids, count);
+  if (which == 2) {
+    dsw_together_options o;
+    dsw_together_options_init(&o, sizeof o);
+    o.stop = static_cast<dsw_together_stop>(bytes_.below(4));
+    o.max_rounds = bytes_.below(8);
+    return dsw_scene_move_together(scene_, ids, count, targets.data(), targets.size() / dimension_, 0, &o, nullptr);
   }
   dsw_move_options o = options();
   if (count == 2) {

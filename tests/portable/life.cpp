@@ -128,7 +128,7 @@ dsw_status Life::destroy_particle() {
   return dsw_particle_destroy(scene(), particle);
 }
 
-dsw_status Life::bend() {
+size_t Life::bend_points(std::vector<double>*& to) {
   const double* now = nullptr;
   size_t count = 0;
   dsw_environment_get_points(environment(), &now, &count);
@@ -145,13 +145,32 @@ dsw_status Life::bend() {
     if (whole) next[i] = first_points_[i] + height * wave(first_points_[other] / (3 * unit()) + phase);
     if (rng_.chance(0.02)) next[i] += rng_.range(-0.6, 0.6) * unit();
   }
+  to = &next;
+  return count;
+}
+
+dsw_status Life::bend() {
+  std::vector<double>* next = nullptr;
+  const size_t count = bend_points(next);
   dsw_deform_options options = defaults(dsw_deform_options_init);
   options.method = rng_.chance(0.8) ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE;
   options.response = static_cast<dsw_wall_response>(rng_.below(4));
   options.invalid = static_cast<dsw_invalid_response>(rng_.below(3));
   options.most_halvings = 1 + rng_.below(4);
-  options.point_room = room;
-  return dsw_environment_deform(environment(), next.data(), count, &options, nullptr);
+  options.point_room = next->size() / dimension();
+  return dsw_environment_deform(environment(), next->data(), count, &options, nullptr);
+}
+
+dsw_status Life::bend_together() {
+  if (some_mover() == nullptr) return create_body();
+  std::vector<double>* next = nullptr;
+  const size_t count = bend_points(next);
+  std::vector<double> targets;
+  const std::vector<dsw_body_id> bodies = all_movers(targets);
+  dsw_deform_options options = defaults(dsw_deform_options_init);
+  options.point_room = next->size() / dimension();
+  return dsw_scene_deform(scene(), next->data(), count, bodies.data(), bodies.size(), targets.data(),
+                          targets.size() / dimension(), 0, &options, nullptr, nullptr);
 }
 
 dsw_status Life::mark() {

@@ -64,9 +64,12 @@ class Life {
   dsw_status destroy_body();
   dsw_status move_body();
   dsw_status move_bodies();
+  dsw_status move_together();
   dsw_status move_rigidly();
   dsw_status change_radius();
   dsw_status bend();
+  /// The environment bends while all bodies move.
+  dsw_status bend_together();
   dsw_status mark();
   dsw_status cut();
   dsw_status open();
@@ -97,6 +100,10 @@ class Life {
   void append(std::vector<double>& list, const Vec& p) const;
   Mover* some_mover();
   std::vector<double> targets_of(Mover& mover);
+  /// All bodies, and their targets one after the other.
+  std::vector<dsw_body_id> all_movers(std::vector<double>& targets);
+  /// Bent points, in the array that the environment does not read, with room for more. How many there are.
+  size_t bend_points(std::vector<double>*& next);
   dsw_move_options move_options();
   void add_parts(std::vector<Vec>& at, std::vector<uint32_t>& edges, std::vector<uint32_t>& corners);
 

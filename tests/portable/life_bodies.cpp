@@ -168,15 +168,31 @@ dsw_status Life::move_body() {
   return dsw_body_move(scene(), mover->body, targets.data(), targets.size() / dimension(), 0, &options, nullptr);
 }
 
-dsw_status Life::move_bodies() {
-  if (some_mover() == nullptr) return create_body();
+std::vector<dsw_body_id> Life::all_movers(std::vector<double>& targets) {
   std::vector<dsw_body_id> bodies;
-  std::vector<double> targets;
   for (Mover& each : movers_) {
     const std::vector<double> own = targets_of(each);
     bodies.push_back(each.body);
     targets.insert(targets.end(), own.begin(), own.end());
   }
+  return bodies;
+}
+
+dsw_status Life::move_together() {
+  if (some_mover() == nullptr) return create_body();
+  std::vector<double> targets;
+  const std::vector<dsw_body_id> bodies = all_movers(targets);
+  dsw_together_options options = defaults(dsw_together_options_init);
+  options.stop = static_cast<dsw_together_stop>(rng_.below(3));
+  options.max_rounds = rng_.below(6);
+  return dsw_scene_move_together(scene(), bodies.data(), bodies.size(), targets.data(), targets.size() / dimension(), 0,
+                                 &options, nullptr);
+}
+
+dsw_status Life::move_bodies() {
+  if (some_mover() == nullptr) return create_body();
+  std::vector<double> targets;
+  const std::vector<dsw_body_id> bodies = all_movers(targets);
   const dsw_move_options options = move_options();
   return dsw_scene_move_bodies(scene(), bodies.data(), bodies.size(), targets.data(), targets.size() / dimension(), 0,
                                &options, nullptr);

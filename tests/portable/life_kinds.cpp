@@ -15,6 +15,8 @@ const Acts kThick = {
     {&Life::move_body, 20}, {&Life::move_bodies, 3}, {&Life::change_radius, 2}, {&Life::destroy_body, 1}};
 const Acts kBends = {{&Life::bend, 6}, {&Life::move_body, 4}, {&Life::move_particles, 1}, {&Life::create_particles, 1}};
 const Acts kThickBends = {{&Life::bend, 4}, {&Life::move_body, 4}, {&Life::change_radius, 1}};
+const Acts kTogether = {{&Life::move_together, 10}, {&Life::move_body, 1}, {&Life::destroy_body, 1}};
+const Acts kBendsTogether = {{&Life::bend_together, 6}, {&Life::move_together, 4}, {&Life::create_particles, 1}};
 const Acts kMarks = {{&Life::mark, 8}, {&Life::move_body, 4}, {&Life::move_particles, 1}, {&Life::create_particles, 2}};
 const Acts kCuts = {
     {&Life::cut, 3}, {&Life::open, 2}, {&Life::move_body, 6}, {&Life::move_particles, 2}, {&Life::create_particles, 1}};
@@ -110,6 +112,11 @@ const std::vector<LifeKind>& life_kinds() {
       {"space_calls_voronoi", {"voronoi", 3}, 1, 0.05, kDeforms | kPairs | kLive, {}, &kCalls, 4000},
       {"plane_calls_quads", {"quads_warped", 2}, 1, 0.05, kDeforms | kPairs | kCounts, {}, &kCalls, 6000},
       {"plane_calls_triangles", {"triangles_irrational", 2}, 1, 0.05, kPairs | kLive, {}, &kCalls, 6000},
+      {"space_together_wires", {"tet_kuhn", 3}, 1, 0.02, kPairs, {kWire, 5, 0, kSelf}, &kTogether, 300},
+      {"space_together_cloth", {"hall", 3}, 1, 0.02, kPairs, {kCloth, 4, 4}, &kTogether, 100},
+      {"plane_together_wires", {"quads", 2}, 1, 0.02, kPairs, {kWire, 5, 0, kSelf}, &kTogether, 1000},
+      {"space_together_walls", {"hex", 3}, 1, 0.05, kDeforms | kPairs, {kWire, 3, 0}, &kBendsTogether, 150},
+      {"plane_together_walls", {"quads_flat", 2}, 1, 0.05, kDeforms | kPairs, {kRing, 3, 3}, &kBendsTogether, 500},
   };
   return all;
 }

@@ -19,6 +19,13 @@ struct Ground {
   std::vector<std::vector<uint32_t>> walls;      // simplices of impassable facets
   std::vector<std::vector<uint32_t>> thin;       // marked edges and vertices
   EnvironmentPtr environment;
+  std::vector<std::vector<uint32_t>> cells = {};  // their corners
+  std::vector<bool> is_marked = {};               // by cell
+  struct Side {
+    uint32_t corners[3], cell;
+  };
+  std::vector<Side> triangles = {};  // of cells that are no simplices; in the plane their sides
+  std::vector<Vec> next = {};                     // where the points go; empty: they stand still
 
   std::vector<std::vector<uint32_t>> features(size_t corners) const {
     std::set<std::vector<uint32_t>> all;
@@ -113,6 +120,8 @@ inline Ground make_ground(int dimension, int n, double jitter, double marked, bo
   for (const auto& [side, of] : sides) {
     if (of.size() == 1 || is_marked[of[0]] || is_marked[of[1]]) ground.walls.push_back(side);
   }
+  ground.cells = cells;
+  ground.is_marked = is_marked;
   if (!thin) return ground;
   for (uint32_t v = 0; v < ground.points.size(); v += 5) {
     const dsw_vertex_id vertex = {v, 1};
@@ -136,6 +145,8 @@ struct Walker {
   bool self;
   BodyState state;         // at the start
   std::vector<Vec> end;    // by slot
+  bool alone = false;      // a particle: bodies do not meet it
+  bool stands = false;     // not in the call
 
   std::vector<std::vector<uint32_t>> parts(size_t corners) const {
     std::vector<std::vector<uint32_t>> all;
@@ -200,7 +211,7 @@ double first_time(const Ground& ground, const std::vector<Walker>& walkers, bool
                               std::vector<const double*>& end) {
     for (const uint32_t v : part) {
       start.push_back(ground.points[v].data());
-      end.push_back(ground.points[v].data());
+      end.push_back(ground.next.empty() ? ground.points[v].data() : ground.next[v].data());
     }
   };
   constexpr PairKind kSolid = D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge;
@@ -234,7 +245,7 @@ double first_time(const Ground& ground, const std::vector<Walker>& walkers, bool
   }
   for (size_t i = 0; i < walkers.size(); ++i) {
     for (size_t j = 0; j < walkers.size(); ++j) {
-      if (i == j && !walkers[i].self) continue;
+      if (i == j ? !walkers[i].self : walkers[i].alone || walkers[j].alone) continue;
       const Walker &a = walkers[i], &b = walkers[j];
       const auto shared = [&](const std::vector<uint32_t>& one, const std::vector<uint32_t>& other) {
         size_t count = 0;

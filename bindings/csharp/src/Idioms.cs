@@ -81,6 +81,14 @@ namespace Dartsweep
       return flights;
     }
 
+    /// <summary>Moves all vertices of bodies to targets, body after body, all at once.</summary>
+    public MoveReport[] MoveTogether(BodyId[] bodies, double[] targets, TogetherOptions options = null)
+    {
+      MoveReport[] reports = new MoveReport[bodies.Length];
+      MoveTogether(bodies, targets, options, reports);
+      return reports;
+    }
+
     /// <summary>A body of vertices; edges are pairs of indices, triangles threes, each null where there are none.</summary>
     public Body CreateBody(double[] positions, uint[] edges, uint[] triangles = null, BodyDesc desc = null)
     {

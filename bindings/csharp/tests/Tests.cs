@@ -206,6 +206,69 @@ static class Tests
     Throws<NonFiniteException>(() => Library.SweepPairs(3, kinds, from, to));
   }
 
+  // One hexahedron with its floor at a height.
+  static double[] Room(double z) { return new[] { 0, 0, z, 4, 0, z, 4, 4, z, 0, 4, z, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4 }; }
+  static Environment MakeRoom() { return new Environment(Room(0), new[] { 0, 1, 2, 3, 4, 5, 6, 7 }, CellType.Hexahedron); }
+  static double[] Strand(double x, double z = 1) { return new[] { x, 1, z, x, 2, z, x, 3, z }; }
+  static double[] Strands(double x, double other) { return Strand(x).Concat(Strand(other)).ToArray(); }
+  static readonly uint[] edgesOfStrand = { 0, 1, 1, 2 };
+  const uint deformingContacts = Library.FEATURE_BODY_CONTACTS | Library.FEATURE_DEFORMING;
+
+  public static void StrandsThatMoveTogetherDoNotStopEachOther()
+  {
+    using (Environment environment = MakeRoom())
+    using (Scene scene = new Scene(environment, deformingContacts))
+    {
+      Body left = scene.CreateBody(Strand(1), edgesOfStrand), right = scene.CreateBody(Strand(1.25), edgesOfStrand);
+      BodyId[] both = { left.Id(), right.Id() };
+      MoveReport[] reports = scene.MoveTogether(both, Strands(2, 2.25));
+      True(reports.All(report => report.Fraction == 1) && left.GetPositions().SequenceEqual(Strand(2)));
+      reports = scene.MoveTogether(both, Strands(3, 5), new TogetherOptions { Stop = TogetherStop.Feature, MaxRounds = 4 });
+      True(reports[0].VerticesStopped == 0 && reports[1].VerticesStopped == 3 && left.GetPositions().SequenceEqual(Strand(3)));
+      // One vertex at a time the left strand runs into the right one.
+      scene.MoveTogether(both, Strands(1, 1.25));
+      scene.MoveBodies(both, Strands(2, 2.25), null, reports);
+      True(reports[0].VerticesStopped == 3 && reports[1].VerticesStopped == 0);
+    }
+  }
+
+  public static void AFloorStopsBeforeAStrandOrRisesWithIt()
+  {
+    using (Environment environment = MakeRoom())
+    using (Scene scene = new Scene(environment, deformingContacts))
+    {
+      Body body = scene.CreateBody(Strand(2), edgesOfStrand);
+      DeformReport report = scene.Deform(Room(2));
+      True(report.Outcome == DeformOutcome.Fraction && report.Fraction < 0.5 && report.Fraction > 0.4999999);
+      WallContact[] contacts = environment.GetWallContacts();
+      True(contacts.Length > 0 && contacts.All(contact => contact.Time == 0.5 && contact.Body.Index == body.Id().Index));
+      True(body.GetPositions().SequenceEqual(Strand(2)));
+      MoveReport[] reports = new MoveReport[1];
+      report = scene.Deform(Room(1.5), new[] { body.Id() }, Strand(2, 2), null, reports);
+      True(report.Outcome == DeformOutcome.Done && reports[0].Fraction == 1 && body.GetPositions().SequenceEqual(Strand(2, 2)));
+    }
+  }
+
+  public static void WrongMovesTogetherAreRefused()
+  {
+    using (Environment environment = MakeRoom())
+    using (Scene scene = new Scene(environment, deformingContacts))
+    {
+      Body body = scene.CreateBody(Strand(2), edgesOfStrand);
+      BodyId[] one = { body.Id() }, twice = { body.Id(), body.Id() };
+      WrongSize("target_count is 1, there are 3", () => scene.MoveTogether(one, new double[3]));
+      WrongSize("target_count is 1, there are 3", () => scene.Deform(Room(1), one, new double[3]));
+      WrongSize("point_count is 3", () => scene.Deform(Strand(2)));
+      Throws<DuplicateIdException>(() => scene.MoveTogether(twice, Strands(2, 2)));
+      Throws<NonFiniteException>(() => scene.MoveTogether(one, Strand(double.NaN)));
+      Throws<NonFiniteException>(() => scene.Deform(Room(1), one, Strand(double.NaN)));
+      Throws<StaleIdException>(() => scene.MoveTogether(new[] { new BodyId { Index = 5, Generation = 1 } }, Strand(2)));
+    }
+    using (Environment environment = MakeRoom())
+    using (Scene scene = new Scene(environment, 0))
+      Throws<NotEnabledException>(() => scene.Deform(Room(1)));
+  }
+
   public static void NearRowsSayWhereABodyIsClose()
   {
     double[] points = new double[54];

@@ -231,6 +231,19 @@ function Scene:move_bodies(bodies, targets, options, reports)
   return reports
 end
 
+local move_together = Scene.move_together
+function Scene:move_together(bodies, targets, options, reports)
+  reports = reports or core.MoveReportArray(#bodies)
+  move_together(self, bodies, targets, options, reports)
+  return reports
+end
+
+local deform = Scene.deform
+function Scene:deform(positions, bodies, targets, options, reports)
+  reports = reports or core.MoveReportArray(bodies and #bodies or 0)
+  return deform(self, positions, bodies, targets, options, reports), reports
+end
+
 local get_positions = Body.get_positions
 function Body:get_positions(positions, volumes)
   positions = positions or core.DoubleArray(self:dimension() * self:get_counts().vertex_slots)

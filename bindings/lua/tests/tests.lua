@@ -333,6 +333,85 @@ function TestValues:test_pairs()
   lu.assertEquals(problem_of(dsw.sweep_pairs, 3, kinds, from, at(0 / 0, 0, 0)).name, "NonFinite")
 end
 
+-- One hexahedron with its floor at a height.
+local function room(z)
+  return {{0, 0, z}, {4, 0, z}, {4, 4, z}, {0, 4, z}, {0, 0, 4}, {4, 0, 4}, {4, 4, 4}, {0, 4, 4}}
+end
+
+local function strand(x, z)
+  z = z or 1
+  return {x, 1, z, x, 2, z, x, 3, z}
+end
+
+local function strands(x, other) return table.move(strand(other), 1, 9, 10, strand(x)) end
+
+local function make_room() return dsw.Environment {points = room(0), cells = {{0, 1, 2, 3, 4, 5, 6, 7}}} end
+
+local function make_scene(environment)
+  return dsw.Scene(environment, {features = dsw.FEATURE_BODY_CONTACTS | dsw.FEATURE_DEFORMING})
+end
+
+local function make_strand(scene, x) return scene:create_body {positions = strand(x), edges = {0, 1, 1, 2}} end
+
+local function numbers_of(array)
+  local numbers = {}
+  for i = 1, #array do numbers[i] = array[i] end
+  return numbers
+end
+
+function TestValues:test_strands_that_move_together_do_not_stop_each_other()
+  local environment <close> = make_room()
+  local scene <close> = make_scene(environment)
+  local left, right = make_strand(scene, 1), make_strand(scene, 1.25)
+  local both = dsw.BodyIdArray {left:id(), right:id()}
+  local reports = scene:move_together(both, strands(2, 2.25))
+  lu.assertEquals({#reports, reports[1].fraction, reports[2].fraction}, {2, 1, 1})
+  lu.assertEquals(numbers_of(left:get_positions()), strand(2))
+  local options = {stop = dsw.TOGETHER_STOP_FEATURE, max_rounds = 4}
+  lu.assertTrue(rawequal(scene:move_together(both, strands(3, 5), options, reports), reports))
+  lu.assertEquals({reports[1].vertices_stopped, reports[2].vertices_stopped}, {0, 3})
+  lu.assertEquals(numbers_of(left:get_positions()), strand(3))
+  -- One vertex at a time the left strand runs into the right one.
+  scene:move_together(both, strands(1, 1.25))
+  reports = scene:move_bodies(both, strands(2, 2.25))
+  lu.assertEquals({reports[1].vertices_stopped, reports[2].vertices_stopped}, {3, 0})
+end
+
+function TestValues:test_a_floor_stops_before_a_strand_or_rises_with_it()
+  local environment <close> = make_room()
+  local scene <close> = make_scene(environment)
+  local body = make_strand(scene, 2)
+  local report, reports = scene:deform(room(2))
+  lu.assertEquals({report.outcome, #reports}, {dsw.DEFORM_FRACTION, 0})
+  lu.assertTrue(report.fraction < 0.5 and report.fraction > 0.4999999)
+  local contacts = environment:get_wall_contacts()
+  lu.assertEquals({contacts[1].time, contacts[1].body, report.contact_count}, {0.5, body:id(), #contacts})
+  lu.assertEquals(numbers_of(body:get_positions()), strand(2))
+  report, reports = scene:deform(room(1.5), {body:id()}, strand(2, 2))
+  lu.assertEquals({report.outcome, reports[1].fraction}, {dsw.DEFORM_DONE, 1})
+  lu.assertEquals(numbers_of(body:get_positions()), strand(2, 2))
+end
+
+function TestValues:test_wrong_moves_together_are_refused()
+  local environment <close> = make_room()
+  local scene <close> = make_scene(environment)
+  local body = make_strand(scene, 2)
+  local one, twice = {body:id()}, {body:id(), body:id()}
+  local function both_refuse(name, ids, targets)
+    lu.assertEquals(problem_of(scene.move_together, scene, ids, targets).name, name)
+    lu.assertEquals(problem_of(scene.deform, scene, room(1), ids, targets).name, name)
+  end
+  both_refuse("WrongSize", one, {2, 1, 1})
+  both_refuse("DuplicateId", twice, strands(2, 2))
+  both_refuse("StaleId", {dsw.BodyId(5, 1)}, strand(2))
+  both_refuse("NonFinite", one, strand(0 / 0))
+  lu.assertEquals(problem_of(scene.deform, scene, strand(2)).name, "WrongSize")
+  lu.assertEquals(problem_of(scene.move_together, scene, one, strand(2), {stop = 3}).name, "Unsupported")
+  local other <close> = make_room()
+  local plain <close> = dsw.Scene(other)
+  lu.assertEquals(problem_of(plain.deform, plain, room(1)).name, "NotEnabled")
+end
+
 function TestValues:test_near_rows()
   local points, cells = {}, {}
   for i = 0, 17 do points[i + 1] = {i % 3, i // 3 % 3, i // 9} end

@@ -10,7 +10,7 @@ import type {
   FlightArray, Level, Located, LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, NearestArray, NearOptions, NearRowArray, Neighbour,
   OpenCrackDesc, PairTouchArray, Particle, ParticleId, ParticleIdArray, PreviousContactArray, RemeshDesc, RigidMotion, SceneDesc,
   SegmentNearestArray,
-  Statistics, Status, SweepArray, SweepOptions, TieDesc, Validation, Vec3, VertexId, VertexIdArray, VertexOriginArray,
+  Statistics, Status, SweepArray, SweepOptions, TieDesc, TogetherOptions, Validation, Vec3, VertexId, VertexIdArray, VertexOriginArray,
   VolumeChangeArray, VolumeCounts, VolumeId, VolumeIdArray, VolumesDesc, VolumeSplit, WallContactArray,
 } from './structs.js';
 
@@ -237,6 +237,17 @@ export class Scene {
   body(id: BodyId): Body;
   /** `targets` of all vertices of one body after the other. */
   moveBodies(bodies: Structs<BodyId> | readonly Body[], targets: Points, options?: MoveOptions & { reports?: MoveReportArray }): MoveReportArray;
+  /** All vertices of all bodies move at once; targets body after body. */
+  moveTogether(
+    bodies: Structs<BodyId> | readonly Body[],
+    targets: Points,
+    options?: TogetherOptions & { reports?: MoveReportArray },
+  ): MoveReportArray;
+  /** The environment goes to new positions, a copy, and bodies go to their targets, all at once, up to the first contact. */
+  deform(
+    positions: Points,
+    options?: DeformOptions & { bodies?: Structs<BodyId> | readonly Body[]; targets?: Points; reports?: MoveReportArray },
+  ): { report: DeformReport; reports: MoveReportArray };
 }
 
 /** A body in a scene, which it keeps; the body goes with destroy(). */

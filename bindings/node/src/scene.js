@@ -19,6 +19,11 @@ class Body extends native.Body {
   }
 }
 
+// Of bodies or their ids.
+function idsOf(bodies) {
+  return Array.isArray(bodies) ? bodies.map((body) => (body instanceof Body ? body.id() : body)) : bodies;
+}
+
 class Scene extends native.Scene {
   static load(environment, block) {
     return Object.setPrototypeOf(super.load(environment, block), this.prototype);
@@ -56,9 +61,17 @@ class Scene extends native.Scene {
   }
 
   moveBodies(bodies, targets, { reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
-    const ids = Array.isArray(bodies) ? bodies.map((body) => (body instanceof Body ? body.id() : body)) : bodies;
-    super.moveBodies(ids, targets, options, reports);
+    super.moveBodies(idsOf(bodies), targets, options, reports);
     return reports;
+  }
+
+  moveTogether(bodies, targets, { reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
+    super.moveTogether(idsOf(bodies), targets, options, reports);
+    return reports;
+  }
+
+  deform(positions, { bodies = [], targets = [], reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
+    return { report: super.deform(positions, idsOf(bodies), targets, options, reports), reports };
   }
 }
 

@@ -462,17 +462,10 @@ class Environment {
   dsw_deform_report deform(Lent next, const dsw_deform_options *options = nullptr) {
     dsw_deform_options all = or_defaults(options);
     count_points(dimension(), next);
-    if (all.point_room > next.count)
-      throw WrongSize("point_room is " + std::to_string(all.point_room) + ", there are " +
-                      std::to_string(next.count) + " points");
     const EnvironmentWriting self(*state_);
-    const double *now = nullptr;
-    std::size_t count = 0;
-    check(dsw_environment_get_points(self.handle, &now, &count));
-    if (next.count > count) all.point_room = next.count;
+    const std::size_t count = read_count(self.handle, next, all);
     dsw_deform_report report = {};
-    check(
-        dsw_environment_deform(self.handle, next.data, std::min(next.count, count), &all, &report));
+    check(dsw_environment_deform(self.handle, next.data, count, &all, &report));
     if (report.outcome != DSW_DEFORM_REFUSED) state_->lent = std::move(next.owner);
     return report;
   }

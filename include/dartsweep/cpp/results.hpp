@@ -1,6 +1,8 @@
 // Results of calls that give more than one, ids, defaults, and how lists are copied.
 #pragma once
 
+#include <algorithm>
+
 #include "dartsweep/cpp/arrays.hpp"
 #include "dartsweep/dartsweep.h"
 
@@ -110,6 +112,7 @@ DSW_DEFAULTS(dsw_remesh_desc)
 DSW_DEFAULTS(dsw_cast_options)
 DSW_DEFAULTS(dsw_sweep_options)
 DSW_DEFAULTS(dsw_move_options)
+DSW_DEFAULTS(dsw_together_options)
 DSW_DEFAULTS(dsw_deform_options)
 DSW_DEFAULTS(dsw_coarsen_options)
 #undef DSW_DEFAULTS
@@ -118,6 +121,19 @@ DSW_DEFAULTS(dsw_coarsen_options)
 template <class T>
 T or_defaults(const T *given) {
   return given ? *given : defaults<T>();
+}
+
+/** How many points of `next` a deformation reads. The points beyond are room. */
+inline std::size_t read_count(const dsw_environment *environment, const Lent &next,
+                              dsw_deform_options &options) {
+  if (options.point_room > next.count)
+    throw WrongSize("point_room is " + std::to_string(options.point_room) + ", there are " +
+                    std::to_string(next.count) + " points");
+  const double *now = nullptr;
+  std::size_t count = 0;
+  check(dsw_environment_get_points(environment, &now, &count));
+  if (next.count > count) options.point_room = next.count;
+  return std::min(next.count, count);
 }
 #endif
 

@@ -220,13 +220,29 @@ class Scene {
     check(dsw_scene_move_bodies(self.handle, bodies.data, bodies.count, targets.data, targets.count,
                                 targets.stride_bytes, options, reports.data));
   }
-  void move_together(View<const dsw_body_id> bodies, Points targets, const dsw_together_options *options,
-                     View<dsw_move_report> reports) {
+  void move_together(View<const dsw_body_id> bodies, Points targets,
+                     const dsw_together_options *options, View<dsw_move_report> reports) {
     count_points(dimension(), targets);
     optional_count("reports", reports, bodies.count);
     const SceneWriting self(*state_);
-    check(dsw_scene_move_together(self.handle, bodies.data, bodies.count, targets.data, targets.count,
-                                  targets.stride_bytes, options, reports.data));
+    check(dsw_scene_move_together(self.handle, bodies.data, bodies.count, targets.data,
+                                  targets.count, targets.stride_bytes, options, reports.data));
+  }
+  /** The environment reads `next` as after Environment::deform; `bodies` and `reports` may be left
+   * out. */
+  dsw_deform_report deform(Lent next, View<const dsw_body_id> bodies = {}, Points targets = {},
+                           const dsw_deform_options *options = nullptr,
+                           View<dsw_move_report> reports = {}) {
+    dsw_deform_options all = or_defaults(options);
+    count_points(dimension(), next, targets);
+    optional_count("reports", reports, bodies.count);
+    const WholeWriting self(*state_);
+    const std::size_t count = read_count(state_->environment->handle, next, all);
+    dsw_deform_report report = {};
+    check(dsw_scene_deform(self.handle, next.data, count, bodies.data, bodies.count, targets.data,
+                           targets.count, targets.stride_bytes, &all, &report, reports.data));
+    if (report.outcome != DSW_DEFORM_REFUSED) state_->environment->lent = std::move(next.owner);
+    return report;
   }
 
  private:

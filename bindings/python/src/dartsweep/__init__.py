@@ -27,6 +27,7 @@ from ._core import (
     ParticleId,
     RigidMotion,
     SweepOptions,
+    TogetherOptions,
     Validation,
     VertexId,
     VolumeId,
@@ -64,6 +65,7 @@ from .enums import (
     Search,
     Status,
     SweepFlag,
+    TogetherStop,
     WallResponse,
 )
 from .environment import Environment
@@ -131,6 +133,8 @@ __all__ = [
     "Status",
     "SweepFlag",
     "SweepOptions",
+    "TogetherOptions",
+    "TogetherStop",
     "Trace",
     "Validation",
     "VertexId",

@@ -420,6 +420,11 @@ class MoveOptions:
     stand_off: float
     noise_share: float
 
+class TogetherOptions:
+    flags: int
+    stop: int
+    max_rounds: int
+
 class NearOptions:
     flags: int
     margin: float

@@ -211,6 +211,14 @@ class Response(Constant):
     ADAPTIVE_SLIDE = _core.RESPONSE_ADAPTIVE_SLIDE
 
 
+class TogetherStop(Constant):
+    """What stops at a contact of bodies that move together."""
+
+    ALL = _core.TOGETHER_STOP_ALL
+    ISLAND = _core.TOGETHER_STOP_ISLAND
+    FEATURE = _core.TOGETHER_STOP_FEATURE
+
+
 class PairKind(Constant):
     """A pair of features, and the order of its points."""
 

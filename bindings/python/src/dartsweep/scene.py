@@ -11,7 +11,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, dtypes
-from ._core import CastOptions, Flight, MoveOptions, ParticleId, Statistics, Validation, VolumeId
+from ._core import (
+    CastOptions,
+    DeformOptions,
+    DeformReport,
+    Flight,
+    MoveOptions,
+    ParticleId,
+    Statistics,
+    TogetherOptions,
+    Validation,
+    VolumeId,
+)
 from .body import Body
 from .enums import Level, RecordingFlag
 from .environment import Environment, Ids, Records, rows_of
@@ -234,6 +245,27 @@ class Scene:
         reports = np.empty(len(bodies), dtypes.MOVE_REPORT)
         self._core.move_bodies(bodies, targets, options, reports)
         return reports
+
+    def move_together(self, bodies: Ids, targets: ArrayLike, options: TogetherOptions | None = None) -> Records:
+        """Moves all vertices of many bodies at once (ids, dtypes.BODY_ID), with targets body after body; returns a report for each body."""
+        reports = np.empty(len(bodies), dtypes.MOVE_REPORT)
+        self._core.move_together(bodies, targets, options, reports)
+        return reports
+
+    def deform(
+        self,
+        positions: NDArray[np.float64],
+        bodies: Ids | None = None,
+        targets: ArrayLike | None = None,
+        options: DeformOptions | None = None,
+    ) -> tuple[DeformReport, Records]:
+        """Takes the environment to new positions of its vertices and bodies to their targets, all at once, up to the first contact; with
+        Feature.DEFORMING. Returns the report of the environment and one for each body.
+
+        positions: an array that is lent, as Environment.deform describes. options: only point_room counts.
+        """
+        reports = np.empty(0 if bodies is None else len(bodies), dtypes.MOVE_REPORT)
+        return self._core.deform(positions, bodies, targets, options, reports), reports
 
     def offending_edges(self) -> NDArray[np.uint32]:
         """Pairs of vertices of the edges that were not free when a body was created, or changed its level, filter or radius."""

@@ -1,0 +1,113 @@
+package dartsweep;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.DoubleBuffer;
+import org.junit.jupiter.api.Test;
+
+class TogetherTest {
+  private static final int FEATURES = Dartsweep.FEATURE_BODY_CONTACTS | Dartsweep.FEATURE_DEFORMING;
+  private static final int[] EDGES = {0, 1, 1, 2};
+
+  /** One hexahedron with its floor at a height. */
+  private static double[] room(double height) {
+    return new double[] {0, 0, height, 4, 0, height, 4, 4, height, 0, 4, height, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4};
+  }
+
+  private static Environment makeRoom() {
+    return new Environment(room(0), new int[] {0, 1, 2, 3, 4, 5, 6, 7}, CellType.HEXAHEDRON, null);
+  }
+
+  private static double[] strand(double x, double z) {
+    return new double[] {x, 1, z, x, 2, z, x, 3, z};
+  }
+
+  private static double[] strands(double x, double other) {
+    double[] both = new double[18];
+    System.arraycopy(strand(x, 1), 0, both, 0, 9);
+    System.arraycopy(strand(other, 1), 0, both, 9, 9);
+    return both;
+  }
+
+  private static BodyIdArray idsOf(Body... bodies) {
+    BodyIdArray ids = new BodyIdArray(bodies.length);
+    for (int i = 0; i < bodies.length; ++i) ids.set(i, bodies[i].id());
+    return ids;
+  }
+
+  @Test
+  void strandsDoNotStopEachOther() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
+      Body left = scene.createBody(strand(1, 1), EDGES), right = scene.createBody(strand(1.25, 1), EDGES);
+      BodyIdArray both = idsOf(left, right);
+      MoveReportArray reports = scene.moveTogether(both, strands(2, 2.25), null);
+      assertEquals(1, reports.get(0).getFraction());
+      assertEquals(1, reports.get(1).getFraction());
+      assertArrayEquals(strand(2, 1), left.getPositions());
+      TogetherOptions options = new TogetherOptions();
+      options.setStop(TogetherStop.FEATURE);
+      options.setMaxRounds(4);
+      reports = scene.moveTogether(both, strands(3, 5), options);
+      assertEquals(0, reports.get(0).getVerticesStopped());
+      assertEquals(3, reports.get(1).getVerticesStopped());
+      assertArrayEquals(strand(3, 1), left.getPositions());
+      // One vertex at a time the left strand runs into the right one.
+      scene.moveTogether(both, strands(1, 1.25), null);
+      scene.moveBodies(both, DoubleBuffer.wrap(strands(2, 2.25)), null, reports);
+      assertEquals(3, reports.get(0).getVerticesStopped());
+      assertEquals(0, reports.get(1).getVerticesStopped());
+    }
+  }
+
+  @Test
+  void theFloorStopsBeforeAStrand() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
+      Body body = scene.createBody(strand(2, 1), EDGES);
+      DeformReport report = scene.deform(room(2), null, null);
+      assertEquals(DeformOutcome.FRACTION, report.getOutcome());
+      assertTrue(report.getFraction() < 0.5 && report.getFraction() > 0.4999999);
+      WallContactArray contacts = environment.getWallContacts();
+      assertTrue(contacts.size() > 0);
+      assertEquals(report.getContactCount(), contacts.size());
+      assertEquals(0.5, contacts.get(0).getTime());
+      assertEquals(body.id(), contacts.get(0).getBody());
+      assertArrayEquals(strand(2, 1), body.getPositions());
+    }
+  }
+
+  @Test
+  void aStrandRisesWithTheFloor() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
+      Body body = scene.createBody(strand(2, 1), EDGES);
+      MoveReportArray reports = new MoveReportArray(1);
+      DeformReport report = scene.deform(DoubleBuffer.wrap(room(1.5)), idsOf(body), DoubleBuffer.wrap(strand(2, 2)), null, reports);
+      assertEquals(DeformOutcome.DONE, report.getOutcome());
+      assertEquals(1, reports.get(0).getFraction());
+      assertArrayEquals(strand(2, 2), body.getPositions());
+    }
+  }
+
+  @Test
+  void whatIsWrongIsRefused() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
+      Body body = scene.createBody(strand(2, 1), EDGES);
+      BodyIdArray one = idsOf(body), twice = idsOf(body, body), stale = new BodyIdArray(1);
+      stale.set(0, new BodyId(5, 1));
+      double[] few = {2, 1, 1}, same = strands(2, 2), wrong = strand(Double.NaN, 1), good = strand(2, 1);
+      assertThrows(DartsweepException.WrongSize.class, () -> scene.moveTogether(one, few, null));
+      assertThrows(DartsweepException.DuplicateId.class, () -> scene.moveTogether(twice, same, null));
+      assertThrows(DartsweepException.StaleId.class, () -> scene.moveTogether(stale, good, null));
+      assertThrows(DartsweepException.NonFinite.class, () -> scene.moveTogether(one, wrong, null));
+      assertThrows(DartsweepException.WrongSize.class, () -> scene.deform(room(1), one, few));
+      assertThrows(DartsweepException.DuplicateId.class, () -> scene.deform(room(1), twice, same));
+      assertThrows(DartsweepException.NonFinite.class, () -> scene.deform(room(1), one, wrong));
+      assertThrows(DartsweepException.WrongSize.class, () -> scene.deform(good, null, null));
+      try (Environment other = makeRoom(); Scene plain = new Scene(other, 0)) {
+        assertThrows(DartsweepException.NotEnabled.class, () -> plain.deform(room(1), null, null));
+      }
+    }
+  }
+}

@@ -1,0 +1,72 @@
+'use strict';
+const assert = require('node:assert/strict');
+const { test } = require('node:test');
+const dsw = require('dartsweep');
+
+const corners = [0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4];
+const edges = [0, 1, 1, 2];
+const strand = (x, z = 1) => [x, 1, z, x, 2, z, x, 3, z];
+// The room with its floor at a height.
+const raised = (height) => corners.map((coordinate, i) => (i < 12 && i % 3 === 2 ? height : coordinate));
+
+// One hexahedron, whose outer boundary is a wall.
+function makeRoom(features = dsw.FEATURE_BODY_CONTACTS | dsw.FEATURE_DEFORMING) {
+  const environment = new dsw.Environment(corners, [0, 1, 2, 3, 4, 5, 6, 7], { type: dsw.CellType.Hexahedron });
+  return { environment, scene: new dsw.Scene(environment, { features }) };
+}
+
+test('strands that are carried together do not stop each other', () => {
+  const { scene } = makeRoom();
+  const strands = [1, 1.25].map((x) => scene.createBody(strand(x), edges));
+  const reports = scene.moveTogether(strands, [...strand(2), ...strand(2.25)]);
+  assert.deepEqual([...reports].map((report) => report.fraction), [1, 1]);
+  assert.deepEqual([...strands[0].getPositions()], strand(2));
+  const ids = new dsw.BodyIdArray(strands.map((each) => each.id()));
+  const options = { stop: dsw.TogetherStop.Feature, maxRounds: 4, reports };
+  assert.equal(scene.moveTogether(ids, [...strand(3), ...strand(5)], options), reports);
+  assert.deepEqual([...reports].map((report) => report.verticesStopped), [0, 3]);
+  assert.deepEqual([...strands[0].getPositions()], strand(3));
+  // One vertex at a time the left strand runs into the right one.
+  scene.moveTogether(strands, [...strand(1), ...strand(1.25)]);
+  const stopped = scene.moveBodies(strands, [...strand(2), ...strand(2.25)]);
+  assert.deepEqual([...stopped].map((report) => report.verticesStopped), [3, 0]);
+});
+
+test('a floor that rises stops before a strand', () => {
+  const { environment, scene } = makeRoom();
+  const body = scene.createBody(strand(2), edges);
+  const { report, reports } = scene.deform(raised(2));
+  assert.equal(report.outcome, dsw.DeformOutcome.Fraction);
+  assert.ok(report.fraction < 0.5 && report.fraction > 0.4999999 && reports.length === 0);
+  const contacts = [...environment.getWallContacts()];
+  assert.ok(contacts.length > 0 && contacts.every(({ time }) => time === 0.5));
+  assert.deepEqual(contacts[0].body, body.id());
+  assert.deepEqual([...body.getPositions()], strand(2));
+});
+
+test('a strand rises with the floor', () => {
+  const { environment, scene } = makeRoom();
+  const body = scene.createBody(strand(2), edges);
+  const { report, reports } = scene.deform(new Float64Array(raised(1.5)), { bodies: [body], targets: strand(2, 2) });
+  assert.equal(report.outcome, dsw.DeformOutcome.Done);
+  assert.equal(reports.at(0).fraction, 1);
+  assert.deepEqual([...body.getPositions()], strand(2, 2));
+  assert.deepEqual([...environment.getPoints()], raised(1.5));
+});
+
+test('wrong moves together are refused', () => {
+  const { scene } = makeRoom();
+  const body = scene.createBody(strand(2), edges);
+  for (const [bodies, targets, error] of [
+    [[body], [2, 1, 1], dsw.WrongSizeError],
+    [[body, body], [...strand(2), ...strand(2)], dsw.DuplicateIdError],
+    [[new dsw.BodyId(5, 1)], strand(2), dsw.StaleIdError],
+    [[body], strand(NaN), dsw.NonFiniteError],
+  ]) {
+    assert.throws(() => scene.moveTogether(bodies, targets), error);
+    assert.throws(() => scene.deform(corners, { bodies, targets }), error);
+  }
+  assert.throws(() => scene.deform(corners.slice(3)), dsw.WrongSizeError);
+  assert.throws(() => scene.moveTogether([body], strand(2), { stop: 3 }), dsw.UnsupportedError);
+  assert.throws(() => makeRoom(0).scene.deform(corners), dsw.NotEnabledError);
+});

@@ -1,0 +1,107 @@
+"""All vertices of bodies at once, and walls with them: known answers, and arguments that are refused."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import dartsweep as ds
+from dartsweep import dtypes
+
+CORNERS = np.array([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0), (0, 0, 4), (4, 0, 4), (4, 4, 4), (0, 4, 4)], np.float64)
+EDGES = [(0, 1), (1, 2)]
+
+
+def strand(x: float) -> NDArray[np.float64]:
+    return np.array([(x, 1, 1), (x, 2, 1), (x, 3, 1)], np.float64)
+
+
+@pytest.fixture
+def room() -> Iterator[ds.Scene]:
+    """One hexahedron, whose outer boundary is a wall."""
+    with (
+        ds.Environment(CORNERS, [range(8)]) as environment,
+        ds.Scene(environment, ds.Feature.BODY_CONTACTS | ds.Feature.DEFORMING) as scene,
+    ):
+        yield scene
+
+
+def test_strands_do_not_stop_each_other(room: ds.Scene) -> None:
+    strands = [room.create_body(strand(x), EDGES) for x in (1, 1.25)]
+    ids = [each.id for each in strands]
+    moved = room.move_together(ids, np.concatenate([strand(2), strand(2.25)]))
+    assert moved.dtype == dtypes.MOVE_REPORT and moved["fraction"].tolist() == [1, 1]
+    assert np.array_equal(strands[0].positions(), strand(2))
+    # One vertex at a time the left strand runs into the right one.
+    moved = room.move_bodies(ids, np.concatenate([strand(3), strand(3.25)]))
+    assert moved["vertices_stopped"].tolist() == [3, 0]
+
+
+def test_what_stops(room: ds.Scene) -> None:
+    left, right = room.create_body(strand(1), EDGES), room.create_body(strand(3), EDGES)
+    targets = np.concatenate([strand(5), strand(3.5)])  # a wall is at x = 4, after 3 of 4 for the left strand
+    targets[:3, 1:] -= 0.25, 0.25  # below the right strand
+    assert room.move_together([left.id, right.id], targets)["fraction"] == pytest.approx(0.75, abs=1e-9)
+    assert [contact.time for contact in left.contacts()] == [0.75] * 3 and len(right.contacts()) == 0
+    assert right.positions()[0, 0] == pytest.approx(3.375, abs=1e-9)
+    options = ds.options(ds.TogetherOptions, stop=ds.TogetherStop.FEATURE, max_rounds=4)
+    assert options.stop is ds.TogetherStop.FEATURE
+    moved = room.move_together([left.id, right.id], targets, options)
+    assert moved["vertices_stopped"].tolist() == [3, 0]
+    assert np.array_equal(right.positions(), strand(3.5))
+
+
+def test_the_floor_stops_before_a_strand(room: ds.Scene) -> None:
+    body = room.create_body(strand(2), EDGES)
+    raised = CORNERS.copy()
+    raised[:4, 2] = 2
+    report, reports = room.deform(raised)
+    assert report.outcome == ds.DeformOutcome.FRACTION and 0.4999999 < report.fraction < 0.5 and len(reports) == 0
+    assert raised[0, 2] == pytest.approx(1, abs=1e-9) and raised[0, 2] < 1
+    contacts = room.environment.wall_contacts()
+    assert report.contact_count == len(contacts) > 0 and (contacts["time"] == 0.5).all()
+    assert (contacts["response"] == ds.WallResponse.STOP).all() and contacts[0]["body"] == body.id
+    assert np.array_equal(body.positions(), strand(2))
+
+
+def test_a_strand_rises_with_the_floor(room: ds.Scene) -> None:
+    body = room.create_body(strand(2), EDGES)
+    raised, target = CORNERS.copy(), strand(2)
+    raised[:4, 2] = 1.5
+    target[:, 2] = 2
+    report, reports = room.deform(raised, [body.id], target)
+    assert report.outcome == ds.DeformOutcome.DONE and reports["fraction"].tolist() == [1]
+    assert np.array_equal(body.positions(), target) and np.array_equal(room.environment.points(), raised)
+    room.close()
+    raised[0] = 7  # is no longer lent
+
+
+def test_what_is_wrong_is_refused(room: ds.Scene) -> None:
+    body = room.create_body(strand(2), EDGES)
+    for ids, targets, error in (
+        ([body.id], strand(2)[:2], ds.errors.WrongSize),
+        ([body.id] * 2, np.concatenate([strand(2)] * 2), ds.errors.DuplicateId),
+        ([ds.BodyId(5, 1)], strand(2), ds.errors.StaleId),
+        ([body.id], strand(np.nan), ds.errors.NonFinite),
+        ([body.id], strand(2)[:, :2], ds.errors.WrongSize),
+    ):
+        with pytest.raises(error):
+            room.move_together(ids, targets)
+        with pytest.raises(error):
+            room.deform(CORNERS.copy(), ids, targets)
+    with pytest.raises(ds.errors.WrongSize):
+        room.deform(CORNERS[:7].copy())
+    with pytest.raises(TypeError):
+        room.deform(CORNERS.tolist())  # type: ignore[arg-type]
+    with pytest.raises(ds.errors.Unsupported, match="stop"):
+        room.move_together([body.id], strand(2), ds.options(ds.TogetherOptions, stop=3))
+    room.create_body(strand(3), EDGES, radius=0.125)
+    with pytest.raises(ds.errors.Unsupported, match="radius"):
+        room.deform(CORNERS.copy())
+    with ds.Environment(CORNERS, [range(8)]) as environment, ds.Scene(environment) as scene:
+        with pytest.raises(ds.errors.NotEnabled, match="DSW_FEATURE_DEFORMING"):
+            scene.deform(CORNERS.copy())
+    assert len(room.move_together([], np.empty((0, 3)))) == 0

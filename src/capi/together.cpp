@@ -1,0 +1,63 @@
+#include "dartsweep/together.h"
+
+#include "capi/moved_bodies.h"
+#include "capi/moved_points.h"
+#include "capi/recorded.h"
+#include "scene/together_deform.h"
+#include "scene/together_moves.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+constexpr uint32_t kMostRounds = 65536;
+
+dsw::TogetherSettings to_settings(const dsw_together_options& o) {
+  dsw::TogetherSettings s;
+  s.stop = static_cast<dsw::TogetherStop>(capi::to_number(o.stop, DSW_TOGETHER_STOP_FEATURE, "options->stop"));
+  s.rounds = capi::to_count(o.max_rounds, kMostRounds, s.rounds, "options->max_rounds");
+  return s;
+}
+
+}  // namespace
+
+dsw_status dsw_scene_move_together(dsw_scene* scene, const dsw_body_id* bodies, size_t count, const double* targets,
+                                   size_t target_count, size_t stride_bytes, const dsw_together_options* options,
+                                   dsw_move_report* reports) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
+    const dsw_together_options o = capi::read_optional(options, "options", 0);
+    const dsw::TogetherSettings settings = to_settings(o);
+    const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
+    const dsw::PointArray points = capi::check_all_targets(records, targets, target_count, stride_bytes);
+    capi::Recorded call(scene, capi::row_of<dsw_scene_move_together>, bodies, count, targets, target_count,
+                        stride_bytes, &o);
+    move_together(s, records.data(), count, points, settings);
+    call.done(capi::Moved<D>{records.data(), count});
+    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
+  });
+}
+
+dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, const dsw_body_id* bodies, size_t count,
+                            const double* targets, size_t target_count, size_t stride_bytes,
+                            const dsw_deform_options* options, dsw_deform_report* report, dsw_move_report* reports) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
+    capi::check_enabled(s.features.deforming, "DSW_FEATURE_DEFORMING");
+    const dsw_deform_options o = capi::read_optional(options, "options", 0);
+    capi::check_next(s.env, next, point_count, o.point_room);
+    const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
+    const dsw::PointArray points = capi::check_all_targets(records, targets, target_count, stride_bytes);
+    dsw_deform_options written = o;
+    written.point_room = capi::recorded_room(*scene, o.point_room);
+    capi::Recorded call(scene, capi::row_of<dsw_scene_deform>, next, point_count, bodies, count, targets, target_count,
+                        stride_bytes, &written);
+    deform_together(s, next, o.point_room, records.data(), count, points);
+    const dsw::WallRecord& record = s.deformation.get()->record;
+    const dsw_deform_report done = capi::to_report(record, 0);
+    call.done(done, capi::Moved<D>{records.data(), count});
+    if (report != nullptr) *report = done;
+    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
+  });
+}

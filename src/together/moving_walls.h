@@ -1,0 +1,81 @@
+#pragma once
+// What of an environment whose points move bodies touch, when all of their vertices and all of these points move at once.
+
+#include "dartsweep/deform.h"
+#include "proximity/obstacles_near.h"
+#include "together/traveller.h"
+
+namespace dsw {
+
+/** Stands for WallWays in WholeWays. Keeps its memory from call to call. Throws std::bad_alloc. */
+template <int D>
+class MovingWalls {
+  const Environment<D>& env_;
+
+ public:
+  explicit MovingWalls(const Environment<D>& env) : env_(env), flood_(env), list_(env.memory) {}
+
+  /** The environment's points go straight from where they are to `next`. Cells that are met and do not stay valid on the
+   * way are appended to `invalid`. */
+  void begin(const double* next, Array<dsw_volume_id>& invalid) noexcept;
+  /** Finds what comes near the whole ways of all parts in the call. Throws NON_FINITE also. */
+  void start(const Array<Traveller<D>>& travellers);
+  /** Whether all cells that are met stay valid. */
+  bool stay_valid() const noexcept { return stay_valid_; }
+  /** From now on the ways end at a fraction of the whole ways. */
+  void set_end(double time);
+  bool is_free(const Array<Traveller<D>>& travellers);
+  void find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first);
+  /** When the environment has its points of the end, which are rounded: whether all cells that are met stay valid on
+   * the straight way there from `start`. Those that do not are appended to `invalid` of begin(). */
+  bool stayed_valid(const double* start);
+  /** When the environment has its points of the end: finds the cells that contain the ends of all vertices; whether
+   * there are such. */
+  bool find_arrivals(Array<Traveller<D>>& travellers) const;
+
+  /** Nothing is known of paths before the end. */
+  void cast_paths(Array<Traveller<D>>&) noexcept {}
+  void set_counters(CastCounters*) noexcept {}
+  /** Keeps how a host reads what is touched of the environment. Particles are of the body without a name. */
+  void describe(const Array<Traveller<D>>& travellers, const FirstTouches<D>& first);
+  Array<dsw_wall_contact> contacts{env_.memory};  // that were kept last
+  SweepCounts counts;                             // of edges and faces
+
+ private:
+  /** A part that moves, or that something may come near. */
+  struct Near {
+    uint32_t traveller;
+    Simplex part;
+    uint32_t first_feature, feature_end;
+    uint32_t first_cell, cell_end;  // of a vertex: where it may arrive
+  };
+  /** A moving point of the environment. */
+  struct Point {
+    uint32_t vertex;
+    double end[D];
+  };
+  void collect(const Traveller<D>& of, uint32_t number, const Simplex& part);
+  void add_cells();
+  void add_features(const Simplex& part);
+  uint32_t place_of(uint32_t vertex);
+  template <class Visit>
+  bool visit_touches(const Array<Traveller<D>>& travellers, Visit visit);
+  bool set_pair(const Traveller<D>& of, const Near& near, const WallFeature& feature, WayTouch<D>& touch) const;
+  bool stays_free(const WayTouch<D>& touch, uint32_t part_count) const;
+  bool keeps_sides(const MovingPair<D>& pair, uint32_t part_count, bool part_first) const;
+
+  const double* next_ = nullptr;
+  Array<dsw_volume_id>* invalid_ = nullptr;
+  ObstacleFlood<D> flood_;
+  NearList<D> list_;
+  bool stay_valid_ = true;
+  Array<Near> nears_{env_.memory};
+  Array<WallFeature> features_{env_.memory};
+  Array<Cell> cells_{env_.memory};
+  Array<Point> points_{env_.memory};
+  Array<uint32_t> places_{env_.memory};     // in points_, by vertex of the environment
+  Array<uint8_t> is_checked_{env_.memory};  // by cell
+  Array<Cell> checked_{env_.memory};        // these
+};
+
+}  // namespace dsw

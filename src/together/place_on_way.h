@@ -1,0 +1,25 @@
+#pragma once
+// Where a point is at a time of its way.
+
+#include <algorithm>
+
+#include "base/position.h"
+
+namespace dsw {
+
+/** At both ends to the bit. It never leaves the box of the whole way, for which obstacles were collected. `place` may be
+ * one of the ends. */
+template <int D>
+void place_on_way(const double* from, const double* to, double time, double* place) noexcept {
+  double there[D];
+  if (time == 0 || time == 1) {
+    std::copy_n(time == 0 ? from : to, D, there);
+  } else {
+    point_at<D>(from, to, time, there);
+  }
+  for (int k = 0; k < D; ++k) {
+    place[k] = std::clamp(there[k], std::min(from[k], to[k]), std::max(from[k], to[k]));
+  }
+}
+
+}  // namespace dsw

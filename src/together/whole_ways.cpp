@@ -1,0 +1,159 @@
+#include "together/whole_ways.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/vec.h"
+#include "together/describe.h"
+#include "together/moving_walls.h"
+#include "together/place_on_way.h"
+#include "together/wall_ways.h"
+#include "walk/retreat.h"
+
+namespace dsw {
+
+template <int D, class Walls>
+void WholeWays<D, Walls>::start(Array<Traveller<D>>& travellers, bool bodies_meet) {
+  for (Traveller<D>& of : travellers) {
+    const size_t count = of.body->vertices.size();
+    of.ends.resize(count * D);
+    of.arrivals.assign(count, Cell{});
+    of.crossed.assign(count, PathFacets{});
+    of.limits.assign(count, 1);
+    of.is_new.assign(count, 1);
+    of.goals.resize(count * D);
+    for (uint32_t v = 0; v < count; ++v) {
+      if (of.body->has_vertex(v)) std::copy_n(of.targets[v], D, of.goal(v));
+    }
+  }
+  walls.start(travellers);
+  bodies.start(travellers, bodies_meet);
+}
+
+template <int D, class Walls>
+bool WholeWays<D, Walls>::find_touches(Array<Traveller<D>>& travellers) {
+  set_ends(travellers, 1);
+  walls.cast_paths(travellers);
+  first.all.clear();
+  walls.find_first(travellers, first);
+  bodies.find_first(travellers, first);
+  if (first.all.empty()) return false;
+  drop_covering(travellers);
+  return true;
+}
+
+template <int D, class Walls>
+void WholeWays<D, Walls>::stop(Array<Traveller<D>>& travellers) {
+  describe_touches(env_, travellers, first.all);
+  walls.describe(travellers, first);
+  retreat(travellers);
+}
+
+template <int D, class Walls>
+bool WholeWays<D, Walls>::is_free_until(Array<Traveller<D>>& travellers, double time) {
+  set_ends(travellers, time);
+  walls.cast_paths(travellers);
+  return walls.is_free(travellers) && bodies.is_free(travellers);
+}
+
+/** Of what touches the environment, drops edges and faces with a corner or a side that touches it at the same time. These
+ * may go on as soon as that corner has stopped. If they touch something else, too, the next round finds that. */
+template <int D, class Walls>
+void WholeWays<D, Walls>::drop_covering(const Array<Traveller<D>>& travellers) {
+  using Name = std::tuple<uint32_t, uint32_t, uint32_t>;
+  const auto name = [](uint32_t traveller, Simplex::Kind kind, uint32_t index) {
+    return Name(traveller, static_cast<uint32_t>(kind), index);
+  };
+  Array<Name> names(env_.memory);
+  for (const WayTouch<D>& each : first.all) {
+    if (each.other == nullptr) names.push_back(name(each.traveller, each.part.kind, each.part.index));
+  }
+  std::sort(names.begin(), names.end());
+  const auto touches = [&](uint32_t traveller, Simplex::Kind kind, uint32_t index) {
+    return std::binary_search(names.begin(), names.end(), name(traveller, kind, index));
+  };
+  const auto covers = [&](const WayTouch<D>& each) {
+    if (each.other != nullptr || each.part.kind == Simplex::kVertex) return false;
+    const Body<D>& body = *travellers[each.traveller].body;
+    const SimplexCorners<D> corners(body, each.part);
+    for (uint32_t i = 0; i < corners.count; ++i) {
+      const uint32_t v = corners.vertices[i], w = corners.vertices[(i + 1) % corners.count];
+      if (touches(each.traveller, Simplex::kVertex, v)) return true;
+      if (corners.count == 3 && touches(each.traveller, Simplex::kEdge, find_edge(body, v, w))) return true;
+    }
+    return false;
+  };
+  first.all.erase(std::remove_if(first.all.begin(), first.all.end(), covers), first.all.end());
+}
+
+/** The ends of all ways come nearer, until nothing is touched. The steps depend on no order of vertices. */
+template <int D, class Walls>
+void WholeWays<D, Walls>::retreat(Array<Traveller<D>>& travellers) {
+  const double time = first.all[0].first.time;
+  double step = 0;
+  for (const WayTouch<D>& touch : first.all) {
+    double fastest = 1;  // the step of the point that moves most: others may hardly move at all
+    for (int i = 0; i <= D; ++i) {
+      const double *const from = touch.pair.start[i], *const to = touch.pair.end[i];
+      if (!std::equal(from, from + D, to)) fastest = std::min(fastest, first_step<D>(from, to, time));
+    }
+    step = std::max(step, fastest);
+  }
+  constexpr int kMostTries = 60;
+  // What was touched has to stay apart even without the shift. So a vertex does not come to lie exactly on a wall, where it
+  // would touch that wall at the start of the next way.
+  const auto touches = [](const WayTouch<D>& each) { return first_touch(each.pair).touches; };
+  for (int tries = 0; tries < kMostTries && step < time; ++tries, step *= 2) {
+    set_ends(travellers, time - step);
+    if (std::any_of(first.all.begin(), first.all.end(), touches)) continue;
+    if (is_free_until(travellers, time - step)) return;
+  }
+  set_ends(travellers, 0);
+  walls.cast_paths(travellers);
+}
+
+template <int D, class Walls>
+void WholeWays<D, Walls>::set_ends(Array<Traveller<D>>& travellers, double time) {
+  time_ = time;
+  walls.set_end(time);
+  for (Traveller<D>& of : travellers) {
+    for (uint32_t v = 0; v < of.body->vertices.size(); ++v) {
+      if (of.body->has_vertex(v)) place_on_way<D>(of.start(v), of.goal(v), time, of.end(v));
+    }
+  }
+}
+
+template <int D, class Walls>
+void WholeWays<D, Walls>::arrive(Array<Traveller<D>>& travellers) {
+  for (Traveller<D>& of : travellers) {
+    for (uint32_t v = 0; v < of.body->vertices.size(); ++v) {
+      if (!of.body->has_vertex(v)) continue;
+      if (of.moves(v) || of.arrivals[v] != of.body->vertices[v].cell)
+        put_vertex(*of.body, v, of.end(v), of.arrivals[v]);
+    }
+  }
+}
+
+template <int D, class Walls>
+void WholeWays<D, Walls>::finish(Array<Traveller<D>>& travellers) {
+  for (Traveller<D>& of : travellers) {
+    const Body<D>& body = *of.body;
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (!body.has_vertex(v)) continue;
+      ++of.record->moved;
+      of.record->stopped += std::equal(of.start(v), of.start(v) + D, of.targets[v]) ? 0 : 1;
+    }
+    for (dsw_body_contact& contact : of.record->contacts) {
+      const uint32_t v = contact.vertex.index;
+      contact.distance_left = length(difference<D>(of.targets[v], body.position(v)));
+    }
+  }
+  travellers[0].record->sweeps = walls.counts;
+}
+
+template class WholeWays<2, WallWays<2>>;
+template class WholeWays<3, WallWays<3>>;
+template class WholeWays<2, MovingWalls<2>>;
+template class WholeWays<3, MovingWalls<3>>;
+
+}  // namespace dsw

@@ -1,0 +1,46 @@
+#pragma once
+// Ways of bodies that end together, just before the first touch.
+
+#include "together/body_ways.h"
+
+namespace dsw {
+
+/** One for each thread. Throws std::bad_alloc.
+ * @tparam Walls what of the environment is touched: WallWays, or MovingWalls. */
+template <int D, class Walls>
+class WholeWays {
+ public:
+  explicit WholeWays(const Environment<D>& env) : walls(env), bodies(env.memory), env_(env) {}
+  WholeWays(const WholeWays&) = delete;
+  WholeWays& operator=(const WholeWays&) = delete;
+
+  /** Finds what comes near the ways to the targets, which become the goals.
+   * @param bodies_meet whether bodies can touch at all. */
+  void start(Array<Traveller<D>>& travellers, bool bodies_meet);
+  /** Lets all ways end at their goals, and finds what is touched first there. Whether anything is. */
+  bool find_touches(Array<Traveller<D>>& travellers);
+  /** Keeps what is touched in the records, and lets all ways end just before it. */
+  void stop(Array<Traveller<D>>& travellers);
+  /** Lets all ways end at a time of the ways to the goals; whether nothing is touched on them. */
+  bool is_free_until(Array<Traveller<D>>& travellers, double time);
+  void set_ends(Array<Traveller<D>>& travellers, double time);
+  /** All go to the ends of their ways. */
+  void arrive(Array<Traveller<D>>& travellers);
+  /** Counts who has come to its target. */
+  void finish(Array<Traveller<D>>& travellers);
+  /** Up to which time of the ways to the goals all go. */
+  double time() const noexcept { return time_; }
+
+  Walls walls;
+  BodyWays<D> bodies;
+  FirstTouches<D> first{env_.memory};  // what was found last
+
+ private:
+  void drop_covering(const Array<Traveller<D>>& travellers);
+  void retreat(Array<Traveller<D>>& travellers);
+
+  const Environment<D>& env_;
+  double time_ = 1;
+};
+
+}  // namespace dsw

@@ -1,0 +1,275 @@
+/* Walls and bodies move at once: in space and in the plane. */
+#include <math.h>
+#include <string.h>
+
+#include "bending.h"
+#include "check.h"
+
+static const double kLine[6] = {1.2, 1.4, 2.25, 2.7, 1.6, 2.25}; /* over the floor at height 2 */
+
+/* To the array that may be written, which becomes the other one. Targets: two points of one body, or null. */
+static dsw_deform_report deform_with(const dsw_body_id *body, const double *targets, dsw_move_report *moved) {
+  double *const to = next_points();
+  dsw_deform_report report;
+  memset(&report, 9, sizeof report);
+  CHECK_OK(dsw_scene_deform(g_scene, to, g_point_count, body, body != NULL ? 1 : 0, targets, body != NULL ? 2 : 0, 0,
+                            NULL, &report, moved));
+  if (report.outcome != DSW_DEFORM_REFUSED) {
+    const double *read = NULL;
+    size_t count = 0;
+    CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
+    CHECK(read == to && count == g_point_count);
+    g_next = 1 - g_next;
+    memcpy(next_points(), to, g_dimension * g_point_count * sizeof *to);
+  }
+  return report;
+}
+
+static dsw_body_id make_rod(double *positions) {
+  memcpy(positions, kLine, sizeof kLine);
+  return make_line(flat(positions, 2), 2, DSW_LEVEL_EDGES_SWEPT);
+}
+
+static void get_positions(dsw_body_id body, double *now) {
+  size_t count = 0;
+  CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 0, NULL, &count));
+  CHECK(count == 2);
+}
+
+/* Moves both ends up. */
+static double *raised(double *positions, double by) {
+  positions[g_up] += by;
+  positions[g_dimension + g_up] += by;
+  return positions;
+}
+
+/* The floor comes up by 0.5. It meets the body half of the way. */
+static void a_floor_stops_before_a_body_that_rests(void) {
+  double at[6], now[6];
+  const dsw_wall_contact *c = NULL;
+  dsw_deform_report report;
+  dsw_body_id body;
+  size_t count = 0, i;
+  begin(DSW_FEATURE_DEFORMING);
+  mark_floor(1);
+  body = make_rod(at);
+  raise_row(2, 0.5);
+  report = deform_with(NULL, NULL, NULL);
+  CHECK(report.outcome == DSW_DEFORM_FRACTION && report.fraction < 0.5 && report.fraction > 0.4999999);
+  CHECK(report.contact_count >= 2 && report.invalid_count == 0 && report.pushed_count == 0 && report.held_count == 0);
+  get_positions(body, now);
+  CHECK(memcmp(now, at, 2 * g_dimension * sizeof *at) == 0);
+  CHECK(point(2, 1, 2)[g_up] < 2.25 && point(2, 1, 2)[g_up] > 2.2499999 && point(0, 0, 4)[g_up] == 4);
+  CHECK_OK(dsw_environment_get_wall_contacts(g_env, &c, &count));
+  CHECK(count == report.contact_count);
+  for (i = 0; i < count; ++i) {
+    CHECK(c[i].time == 0.5 && c[i].body.index == body.index && c[i].particle.generation == 0);
+    CHECK(c[i].response == DSW_WALL_STOP && c[i].point[g_up] == 2.25 && c[i].contact.normal[g_up] > 0.99);
+    CHECK(c[i].moving.generation == 1 && c[i].from[g_up] == 2 && c[i].to[g_up] == 2.5);
+  }
+  end();
+}
+
+/* The body goes up with the floor. The same targets, one after the other, would not do: the floor would come first. */
+static void a_body_goes_with_the_floor(void) {
+  double at[6], now[6];
+  dsw_deform_report report;
+  dsw_move_report moved;
+  dsw_body_id body;
+  begin(DSW_FEATURE_DEFORMING);
+  mark_floor(1);
+  body = make_rod(at);
+  raised(at, 0.5);
+  raise_row(2, 0.5);
+  report = deform_with(&body, at, &moved);
+  CHECK(report.outcome == DSW_DEFORM_DONE && report.fraction == 1 && report.contact_count == 0);
+  CHECK(moved.fraction == 1 && moved.vertices_moved == 2 && moved.vertices_stopped == 0 && moved.contact_count == 0);
+  get_positions(body, now);
+  CHECK(memcmp(now, at, 2 * g_dimension * sizeof *at) == 0 && point(2, 1, 2)[g_up] == 2.5);
+  end();
+}
+
+/* The floor rises by 0.5, the body goes down by 0.25: they meet after a third of the way. */
+static void both_meet_and_the_body_goes_on(void) {
+  double at[6], now[6], targets[6];
+  const dsw_body_contact *c = NULL;
+  dsw_deform_report report;
+  dsw_move_report moved;
+  dsw_body_id body;
+  size_t count = 0;
+  begin(DSW_FEATURE_DEFORMING);
+  mark_floor(1);
+  body = make_rod(at);
+  memcpy(targets, at, sizeof at);
+  raised(targets, -0.25);
+  raise_row(2, 0.5);
+  report = deform_with(&body, targets, &moved);
+  CHECK(report.outcome == DSW_DEFORM_FRACTION && fabs(report.fraction - 1.0 / 3) < 1e-9 && report.contact_count >= 1);
+  CHECK(moved.fraction == report.fraction && moved.vertices_stopped == 2 && moved.contact_count >= 1);
+  CHECK_OK(dsw_body_get_contacts(g_scene, body, &c, &count));
+  CHECK(count == moved.contact_count && fabs(c->time - 1.0 / 3) < 1e-15 && c->contact.normal[g_up] > 0.99);
+  get_positions(body, now);
+  CHECK(now[g_up] > point(2, 1, 2)[g_up] && now[g_up] - point(2, 1, 2)[g_up] < 1e-9);
+  memcpy(targets, now, sizeof now);
+  targets[0] += 0.25;
+  targets[g_dimension] += 0.25;
+  CHECK_OK(dsw_scene_move_together(g_scene, &body, 1, targets, 2, 0, NULL, &moved));
+  CHECK(moved.fraction == 1);
+  end();
+}
+
+static void a_particle_stops_the_floor(void) {
+  double at[3] = {2.3, 1.4, 2.25}, now[3];
+  const dsw_wall_contact *c = NULL;
+  dsw_particle_id particle;
+  dsw_deform_report report;
+  size_t count = 0;
+  begin(DSW_FEATURE_DEFORMING);
+  mark_floor(1);
+  CHECK_OK(dsw_particle_create(g_scene, flat(at, 1), no_volume, &particle));
+  raise_row(2, 0.5);
+  report = deform_with(NULL, NULL, NULL);
+  CHECK(report.outcome == DSW_DEFORM_FRACTION && report.fraction < 0.5 && report.fraction > 0.4999999);
+  CHECK_OK(dsw_environment_get_wall_contacts(g_env, &c, &count));
+  CHECK(count >= 1 && c->time == 0.5 && c->particle.index == particle.index && c->body.generation == 0);
+  CHECK_OK(dsw_particle_get_position(g_scene, particle, now, NULL));
+  CHECK(memcmp(now, at, g_dimension * sizeof *now) == 0);
+  end();
+}
+
+/* Nothing is impassable. The corner of the particle's volume goes through the opposite one. */
+static void ways_end_where_a_volume_stays_valid(void) {
+  double at[3] = {2.9, 2.9, 2.9};
+  const dsw_volume_id *invalid = NULL;
+  dsw_particle_id particle;
+  dsw_deform_report report;
+  size_t count = 0;
+  begin(DSW_FEATURE_DEFORMING);
+  CHECK_OK(dsw_particle_create(g_scene, flat(at, 1), no_volume, &particle));
+  point(2, 2, 2)[0] += 1.25;
+  point(2, 2, 2)[g_up] += 1.25;
+  report = deform_with(NULL, NULL, NULL);
+  CHECK(report.outcome == DSW_DEFORM_FRACTION && report.fraction <= 0.5 && report.invalid_count >= 1);
+  CHECK_OK(dsw_environment_get_invalid_volumes(g_env, &invalid, &count));
+  CHECK(count == report.invalid_count);
+  CHECK_OK(dsw_environment_check(g_env, NULL));
+  end();
+}
+
+static void bad_arguments(void) {
+  double at[6], targets[12];
+  dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+  dsw_deform_report report, before;
+  dsw_move_report moved[2], moved_before[2];
+  dsw_body_id bodies[2];
+  double *next;
+#define DEFORM(scene, next, points, count, targets, target_count, stride, o) \
+  dsw_scene_deform(scene, next, points, bodies, count, targets, target_count, stride, o, &report, moved)
+  memset(&report, 0x55, sizeof report);
+  memset(moved, 0x55, sizeof moved);
+  before = report;
+  memcpy(moved_before, moved, sizeof moved);
+  begin(0);
+  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, DEFORM(g_scene, next_points(), g_point_count, 0, NULL, 0, 0, NULL));
+  CHECK_MESSAGE("DSW_FEATURE_DEFORMING");
+  end();
+  begin(DSW_FEATURE_DEFORMING);
+  bodies[0] = make_rod(at);
+  memcpy(targets, at, sizeof at);
+  memcpy(targets + 2 * g_dimension, at, sizeof at);
+  bodies[1] = bodies[0];
+  next = next_points();
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, DEFORM(NULL, next, g_point_count, 0, NULL, 0, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, DEFORM(g_scene, NULL, g_point_count, 0, NULL, 0, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, DEFORM(g_scene, next, g_point_count, 1, NULL, 2, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, DEFORM(g_scene, next, g_point_count + 1, 0, NULL, 0, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, DEFORM(g_scene, next, g_point_count, 1, targets, 3, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 12, NULL));
+  CHECK_FAILS(DSW_STATUS_DUPLICATE_ID, DEFORM(g_scene, next, g_point_count, 2, targets, 4, 0, NULL));
+  bodies[1].generation += 7;
+  CHECK_FAILS(DSW_STATUS_STALE_ID, DEFORM(g_scene, next, g_point_count, 2, targets, 4, 0, NULL));
+  CHECK_MESSAGE("bodies[1]");
+  targets[1] = NAN;
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, NULL));
+  CHECK_MESSAGE("targets");
+  targets[1] = at[1];
+  o.point_room = g_point_count - 1;
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, &o));
+  o.point_room = 0;
+  o.flags = 1;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, &o));
+  o.flags = 0;
+  o.struct_size = 3;
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, &o));
+  point(2, 2, 2)[1] = NAN; /* near the body */
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, NULL));
+  point(2, 2, 2)[1] = 2;
+  CHECK_OK(dsw_body_set_radius(g_scene, bodies[0], 0.125));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, DEFORM(g_scene, next, g_point_count, 0, NULL, 0, 0, NULL));
+  CHECK_MESSAGE("radius");
+  CHECK_OK(dsw_body_set_radius(g_scene, bodies[0], 0));
+  CHECK(memcmp(&before, &report, sizeof report) == 0 && memcmp(moved_before, moved, sizeof moved) == 0);
+  point(0, 0, 0)[0] = INFINITY; /* far away: the volume there becomes invalid */
+  CHECK_OK(DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, NULL));
+  CHECK(report.outcome == DSW_DEFORM_DONE);
+  CHECK_FAILS(DSW_STATUS_IN_USE, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, NULL));
+#undef DEFORM
+  end();
+}
+
+/* Every allocation is refused in turn: then nothing has moved, and the host's array is as it was. */
+static void memory_runs_out(void) {
+  const int space = g_dimension == 3;
+  static double arrays[2][3 * MOST_POINTS];
+  double at[6], targets[6], now[6];
+  const double *points = NULL;
+  host h;
+  dsw_context *context = make_context(&h);
+  dsw_deform_report report;
+  dsw_move_report moved;
+  dsw_body_id body;
+  size_t n = 0, count = 0, bytes, i;
+  memset(&report, 0, sizeof report);
+  g_env = space ? make_environment(context, N, N, N) : make_squares(context, N, N);
+  g_scene = make_scene(g_env, DSW_FEATURE_DEFORMING);
+  mark_floor(1);
+  body = make_rod(at);
+  memcpy(targets, at, sizeof at);
+  raised(targets, -0.125);
+  CHECK_OK(dsw_environment_get_points(g_env, &points, &count));
+  bytes = g_dimension * count * sizeof *points;
+  memcpy(arrays[0], points, bytes);
+  for (i = vertex(0, 0, 2); i < vertex(0, 0, 3); ++i) arrays[0][g_dimension * i + g_up] += 0.25;
+  memcpy(arrays[1], arrays[0], bytes);
+  while (n < 2000 &&
+         RUNS_OUT(&h, n, dsw_scene_deform(g_scene, arrays[0], count, &body, 1, targets, 2, 0, NULL, &report, &moved))) {
+    const double *read = NULL;
+    size_t read_count = 0;
+    CHECK_OK(dsw_environment_get_points(g_env, &read, &read_count));
+    CHECK(read == points && memcmp(arrays[0], arrays[1], bytes) == 0);
+    get_positions(body, now);
+    CHECK(memcmp(now, at, 2 * g_dimension * sizeof *at) == 0);
+    ++n;
+  }
+  CHECK(n > 3 && n < 2000 && report.outcome == DSW_DEFORM_FRACTION && report.contact_count > 0);
+  end();
+  end_context(context, &h);
+}
+
+static void in_both(void) {
+  a_floor_stops_before_a_body_that_rests();
+  a_body_goes_with_the_floor();
+  both_meet_and_the_body_goes_on();
+  a_particle_stops_the_floor();
+  ways_end_where_a_volume_stays_valid();
+  bad_arguments();
+  memory_runs_out();
+}
+
+int main(void) {
+  use_dimension(2);
+  in_both();
+  use_dimension(3);
+  in_both();
+  return check_result();
+}
