@@ -35,14 +35,13 @@ Query draw_query(Random& random, MovingFamily family, PairKind kind) {
 using Families = std::vector<MovingFamily>;
 
 QuerySet draw_set(const std::string& name, const Families& families, std::size_t count, Random& random, bool plane) {
-  QuerySet set{name, {}};
+  QuerySet set{name, false, {}};
   set.list.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const MovingFamily family = families[static_cast<std::size_t>(random.below(static_cast<int>(families.size())))];
     const PairKind kind = i % 2 == 0 ? PairKind::kVertexFace : PairKind::kEdgeEdge;
     set.list.push_back(plane ? draw_query<2>(random, family, PairKind::kVertexEdge)
                              : draw_query<3>(random, family, kind));
-    set.list.back().set_truth = exact_truth(set.list.back()).touches;
   }
   return set;
 }

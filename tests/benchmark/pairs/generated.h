@@ -16,7 +16,7 @@ Truth exact_truth(const Query& query);
 /**
  * `count` queries in four sets: random ones, structured ones (lattices, touches that are made and near misses),
  * degenerate ones (in one plane or line, without extent, with multiple zeros; all scales of doubles), and
- * ones in the plane of all these kinds, which are a fifth. `set_truth` is the exact answer.
+ * ones in the plane of all these kinds, which are a fifth. They have no answers.
  */
 std::vector<QuerySet> generate_sets(std::size_t count, std::uint64_t seed);
 

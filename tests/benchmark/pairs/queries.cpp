@@ -105,7 +105,7 @@ std::vector<QuerySet> read_sets(const std::string& folder) {
     if (entry.path().extension() == ".csv") paths.push_back(entry.path());
   }
   std::sort(paths.begin(), paths.end());
-  QuerySet sample{"sample queries", {}}, scalable{"scalable CCD", {}};
+  QuerySet sample{"sample queries", true, {}}, scalable{"scalable CCD", true, {}};
   for (const fs::path& path : paths) {
     const std::string above = path.parent_path().filename(), stem = path.stem();
     if (above == "vertex-face" || above == "edge-edge") {

@@ -12,13 +12,14 @@ namespace dsw::pairs {
 
 struct Query {
   std::uint8_t kind;  // dsw_pair_kind
-  bool set_truth;     // what the set says: whether the pair touches
+  bool set_truth;     // what the set says, if it has answers: whether the pair touches
   std::array<std::array<double, 3>, 4> start, end;
 };
 
 /** Queries of one collection. */
 struct QuerySet {
   std::string name;
+  bool has_truth;
   std::vector<Query> list;
   std::size_t files = 0;
   std::size_t inexact = 0;  // queries with a coordinate that is no double; they are left out
