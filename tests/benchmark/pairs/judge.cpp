@@ -67,19 +67,20 @@ Result run(QuerySet set, const std::vector<Named>& methods, const Options& optio
   return result;
 }
 
-/** What a method did on several sets, as if they were one. */
-Judged judge_together(const std::vector<Result>& results, std::size_t method, int kind) {
+/** What a method did on several sets, as if they were one.
+ * @param beside only queries count that this method has answered, too. */
+Judged judge_together(const std::vector<Result>& results, std::size_t method, int kind, std::size_t beside) {
   std::vector<Query> queries;
   std::vector<Truth> truths;
   Measured measured;
   for (const Result& result : results) {
-    if (method >= result.measured.size()) continue;
+    if (std::max(method, beside) >= result.measured.size()) continue;
     const Measured& m = result.measured[method];
-    const auto count = static_cast<std::ptrdiff_t>(m.answers.size());
+    const auto count = static_cast<std::ptrdiff_t>(std::min(m.answers.size(), result.measured[beside].answers.size()));
     queries.insert(queries.end(), result.set.list.begin(), result.set.list.begin() + count);
     truths.insert(truths.end(), result.truths.begin(), result.truths.begin() + count);
-    measured.answers.insert(measured.answers.end(), m.answers.begin(), m.answers.end());
-    measured.ns.insert(measured.ns.end(), m.ns.begin(), m.ns.end());
+    measured.answers.insert(measured.answers.end(), m.answers.begin(), m.answers.begin() + count);
+    measured.ns.insert(measured.ns.end(), m.ns.begin(), m.ns.begin() + count);
   }
   return judge(queries, truths, measured, kind);
 }
@@ -137,7 +138,7 @@ bool report_sets(bench::Report& report, const std::string& key, const std::vecto
   bool exact = true;
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const std::string mine = key + (methods[m].key.empty() ? "" : methods[m].key + ".");
-    const Judged all = judge_together(results, m, kAll.number);
+    const Judged all = judge_together(results, m, kAll.number, m);
     report.set(mine + "queries", number(all.queries));
     report.set(mine + "touching", number(all.touching));
     report.set(mine + "missed", number(all.missed));
@@ -154,17 +155,17 @@ bool report_sets(bench::Report& report, const std::string& key, const std::vecto
     };
     times(all, "");
     for (const Kind& kind : kinds) {
-      const Judged j = judge_together(results, m, kind.number);
+      const Judged j = judge_together(results, m, kind.number, m);
       if (j.queries > 0) times(j, std::string(".") + kind.key);
     }
     if (m == 0) continue;
     const std::string over = key + "over_" + methods[m].key;
-    const auto ours_ns = [&results](const Kind& kind) {
-      return std::max(judge_together(results, 0, kind.number).ns_median, 1.0);
+    const auto ours_ns = [&results, m](const Kind& kind) {
+      return std::max(judge_together(results, 0, kind.number, m).ns_median, 1.0);
     };
     report.set(over, all.ns_median / ours_ns(kAll));
     for (const Kind& kind : kinds) {
-      const Judged theirs = judge_together(results, m, kind.number);
+      const Judged theirs = judge_together(results, m, kind.number, m);
       if (theirs.queries == 0) continue;
       report.set(over + "." + kind.key, theirs.ns_median / ours_ns(kind));
     }
