@@ -18,7 +18,8 @@ std::vector<Measured> measure(const std::vector<Query>& queries, const std::vect
       Measured& mine = found[m];
       const std::size_t count = round == 0 ? queries.size() : mine.answers.size();
       double total = 0;
-      for (std::size_t i = 0; i < count && (round > 0 || total < options.set_budget_ns); ++i) {
+      const bool has_budget = round == 0 && m > 1;  // neither the clock nor the first method has one
+      for (std::size_t i = 0; i < count && !(has_budget && total > options.set_budget_ns); ++i) {
         if (round > 2 && mine.ns[i] > options.long_query_ns) continue;
         method.prepare(queries[i]);
         Answer answer{};

@@ -11,7 +11,8 @@ struct MeasureOptions {
   int rounds = 9;
   /** A query whose least time is more is asked three times, nanoseconds. */
   double long_query_ns = 2e6;
-  /** A method that has taken so long in the first round is not asked the other queries of the set, nanoseconds. */
+  /** A method that has taken so long in the first round is not asked the other queries of the set, nanoseconds. The
+   * first method is asked all. */
   double set_budget_ns = 0;
 };
 
