@@ -9,8 +9,10 @@ namespace dsw {
  * @tparam Walls what of the environment is touched: WallWays, or MovingWalls. */
 template <int D, class Walls>
 class WholeWays {
+  const Environment<D>& env_;  // the initializers below use it
+
  public:
-  explicit WholeWays(const Environment<D>& env) : walls(env), bodies(env.memory), env_(env) {}
+  explicit WholeWays(const Environment<D>& env) : env_(env), walls(env), bodies(env.memory) {}
   WholeWays(const WholeWays&) = delete;
   WholeWays& operator=(const WholeWays&) = delete;
 
@@ -39,7 +41,6 @@ class WholeWays {
   void drop_covering(const Array<Traveller<D>>& travellers);
   void retreat(Array<Traveller<D>>& travellers);
 
-  const Environment<D>& env_;
   double time_ = 1;
 };
 
