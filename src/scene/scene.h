@@ -88,8 +88,8 @@ struct Scene {
   bool keeps_boxes() const { return features.contacts || features.live; }
   uint64_t memory_bytes() const {
     uint64_t of_bodies = array_bytes(bodies) + (mover.get() != nullptr ? sizeof(BodyMove<D>) : 0) +
-                         (together.get() != nullptr ? sizeof(TogetherMove<D>) : 0) +
-                         body_slots.memory_bytes() + body_boxes.memory_bytes() + array_bytes(offending);
+                         (together.get() != nullptr ? sizeof(TogetherMove<D>) : 0) + body_slots.memory_bytes() +
+                         body_boxes.memory_bytes() + array_bytes(offending);
     for (const BodyRecord<D>& each : bodies) of_bodies += each.memory_bytes();
     if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();
     if (live.get() != nullptr) of_bodies += live.get()->memory_bytes();
