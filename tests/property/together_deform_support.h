@@ -115,14 +115,16 @@ inline void mark_faces(Ground& ground, double share, Rng& rng) {
   }
 }
 
-/// Whether the simplices that cells are made of keep their sides on the whole way.
+/// Whether the simplices that cells are made of keep their sides on the whole way; all cells, or some.
 template <int D>
-bool all_stay_valid(const Ground& ground, bool exact) {
+bool stay_valid(const Ground& ground, bool exact, const std::vector<bool>& some = {}) {
   const auto end = [&](uint32_t v) { return ground.next.empty() ? ground.points[v].data() : ground.next[v].data(); };
   const auto keeps = [&](const MovingPair<D>& pair) { return (exact ? true_kept_side(pair) : kept_side(pair)) != 0; };
   MovingPair<D> pair{};
   if (ground.triangles.empty()) {
-    for (const auto& cell : ground.cells) {
+    for (size_t c = 0; c < ground.cells.size(); ++c) {
+      if (!some.empty() && !some[c]) continue;
+      const auto& cell = ground.cells[c];
       for (size_t i = 0; i <= D; ++i) {
         pair.start[i] = ground.points[cell[i]].data();
         pair.end[i] = end(cell[i]);
@@ -132,6 +134,7 @@ bool all_stay_valid(const Ground& ground, bool exact) {
     return true;
   }
   for (const auto& triangle : ground.triangles) {
+    if (!some.empty() && !some[triangle.cell]) continue;
     const auto& cell = ground.cells[triangle.cell];
     Vec centre[2] = {{0, 0, 0}, {0, 0, 0}};
     for (const uint32_t v : cell) {
@@ -187,6 +190,8 @@ inline Walker make_particle(dsw_scene* scene, const Vec& at, bool* made) {
   walker.state.at = walker.end = {at};
   walker.state.vertices = {{0, 1}};
   walker.state.volumes = {{0, 0}};
+  if (!*made) return walker;
+  EXPECT_EQ(dsw_particle_get_position(scene, id, nullptr, &walker.state.volumes[0]), DSW_STATUS_OK);
   return walker;
 }
 
