@@ -222,11 +222,13 @@ bool MovingWalls<D>::set_pair(const Traveller<D>& of, const Near& near, const Wa
 template <int D>
 bool MovingWalls<D>::stays_free(const WayTouch<D>& touch, uint32_t part_count) const {
   if (keeps_sides(touch.pair, part_count, touch.comes_first)) return true;
-  MovingPair<D> rest = touch.pair;  // without the translation of the last point
+  MovingPair<D> rest = touch.pair;  // without the translation of the wall's first point
+  const double* const from = touch.pair.start[touch.comes_first ? part_count : 0];
+  const double* const to = touch.pair.end[touch.comes_first ? part_count : 0];
   double ends[D + 1][D];
   for (int k = 0; k < D; ++k) {
-    const double way = touch.pair.end[D][k] - touch.pair.start[D][k];
-    if (!is_exact_difference(touch.pair.end[D][k], touch.pair.start[D][k], way)) return false;
+    const double way = to[k] - from[k];
+    if (!is_exact_difference(to[k], from[k], way)) return false;
     for (int i = 0; i <= D; ++i) {
       ends[i][k] = touch.pair.end[i][k] - way;
       if (!is_exact_difference(touch.pair.end[i][k], way, ends[i][k])) return false;
