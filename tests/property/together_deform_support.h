@@ -57,7 +57,8 @@ inline Ground make_box_ground(int dimension, int n, double jitter, double marked
     for (const Triangle& t : place.world->triangles) {
       std::vector<uint32_t> corners(t.v, t.v + 3);
       std::sort(corners.begin(), corners.end());
-      if (is_wall(t.cell[0], t.cell[1]) || face_marked[static_cast<size_t>(t.face)] != 0) ground.walls.push_back(corners);
+      if (is_wall(t.cell[0], t.cell[1]) || face_marked[static_cast<size_t>(t.face)] != 0)
+        ground.walls.push_back(corners);
       for (const int cell : t.cell) {
         if (cell >= 0) ground.triangles.push_back({{corners[0], corners[1], corners[2]}, static_cast<uint32_t>(cell)});
       }
@@ -109,7 +110,8 @@ inline void mark_faces(Ground& ground, double share, Rng& rng) {
   for (const auto& side : more) {
     const size_t offsets[2] = {0, corners};
     dsw_face_id face;
-    ASSERT_EQ(dsw_environment_find_faces(ground.environment.get(), 1, offsets, side.data(), &face, nullptr), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_environment_find_faces(ground.environment.get(), 1, offsets, side.data(), &face, nullptr),
+              DSW_STATUS_OK);
     ASSERT_EQ(dsw_environment_mark_faces(ground.environment.get(), &face, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
     ground.walls.push_back(side);
   }
@@ -158,8 +160,8 @@ bool stay_valid(const Ground& ground, bool exact, const std::vector<bool>& some 
 struct DeformAnswer {
   dsw_status status = DSW_STATUS_OK;
   dsw_deform_report report = {};
-  std::vector<dsw_move_report> reports;               // of the bodies of the call
-  std::vector<BodyState> after;                       // of all walkers
+  std::vector<dsw_move_report> reports;                 // of the bodies of the call
+  std::vector<BodyState> after;                         // of all walkers
   std::vector<std::vector<dsw_body_contact>> contacts;  // of the bodies of the call
   std::vector<dsw_wall_contact> walls;
   std::vector<Vec> points;  // that the environment reads
@@ -334,12 +336,16 @@ inline size_t misplaced(const Ground& ground, const std::vector<BodyState>& all,
       int valid = 0, impassable = 1;
       const dsw_volume_id volume = state.volumes[v];
       bool ok = dsw_environment_is_valid(ground.environment.get(), volume, &valid) == DSW_STATUS_OK && valid == 1;
-      ok = ok && dsw_environment_is_impassable(ground.environment.get(), cell_of(volume), &impassable) == DSW_STATUS_OK &&
+      ok = ok &&
+           dsw_environment_is_impassable(ground.environment.get(), cell_of(volume), &impassable) == DSW_STATUS_OK &&
            impassable == 0;
-      ok = ok && dsw_environment_locate(ground.environment.get(), state.at[v].data(), volume, &found, nullptr) == DSW_STATUS_OK &&
+      ok = ok &&
+           dsw_environment_locate(ground.environment.get(), state.at[v].data(), volume, &found, nullptr) ==
+               DSW_STATUS_OK &&
            same(found, volume);
       if (ok && locates) {
-        ok = dsw_environment_locate(ground.environment.get(), state.at[v].data(), {0, 0}, &found, nullptr) == DSW_STATUS_OK &&
+        ok = dsw_environment_locate(ground.environment.get(), state.at[v].data(), {0, 0}, &found, nullptr) ==
+                 DSW_STATUS_OK &&
              same(found, volume);
       }
       wrong += ok ? 0 : 1;

@@ -122,7 +122,8 @@ class TogetherDeformTest : public testing::TestWithParam<Kind> {
   void choose_ends(Ground& ground, std::vector<Walker>& walkers) {
     const uint32_t kind = rng_.below(4u);
     const double sizes[] = {1, 1, 0.1, 0.01, 1e-6, 1e-15};
-    const double of_walls = GetParam().wall_reach * sizes[rng_.below(6u)], of_bodies = GetParam().reach * sizes[rng_.below(6u)];
+    const double of_walls = GetParam().wall_reach * sizes[rng_.below(6u)],
+                 of_bodies = GetParam().reach * sizes[rng_.below(6u)];
     const double share = rng_.chance(0.5) ? 1 : 0.2;
     const Affine carry = affine(rng_.chance(0.5) ? 0.1 : 0.001);
     const bool carries = kind == 0;
@@ -169,8 +170,9 @@ class TogetherDeformTest : public testing::TestWithParam<Kind> {
 };
 
 TEST_P(TogetherDeformTest, MissesNothingAndPassesNothing) {
-  size_t moves = 0, stops = 0, missed = 0, made_up = 0, wrong_time = 0, passed = 0, occupied = 0, short_of = 0, short_if_rounded = 0,
-         halvings = 0, halved_for_nothing = 0, misplaced_vertices = 0, faults = 0, refused = 0, folded = 0, after = 0, turned = 0;
+  size_t moves = 0, stops = 0, missed = 0, made_up = 0, wrong_time = 0, passed = 0, occupied = 0, short_of = 0,
+         short_if_rounded = 0, halvings = 0, halved_for_nothing = 0, misplaced_vertices = 0, faults = 0, refused = 0,
+         folded = 0, after = 0, turned = 0;
   double worst = 0;  // of what nobody has gone although nothing was in the way
   const int rounds = round_count(40);
   for (int round = 0; round < rounds; ++round) {
@@ -178,8 +180,8 @@ TEST_P(TogetherDeformTest, MissesNothingAndPassesNothing) {
     Ground ground = make(rng_);
     ASSERT_NE(ground.environment, nullptr);
     const bool exact = round % 4 == 0;
-    ScenePtr scene = make_scene(ground.environment.get(),
-                                DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS | (round % 2 == 0 ? DSW_FEATURE_LIVE_CHANGES : 0));
+    ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS |
+                                                              (round % 2 == 0 ? DSW_FEATURE_LIVE_CHANGES : 0));
     std::vector<Walker> walkers = make_walkers(scene.get(), rng_.below(4u), rng_.below(4u));
     for (int step = 0; step < kSteps; ++step) {
       const std::string where = "round " + std::to_string(round) + " step " + std::to_string(step);
@@ -211,9 +213,8 @@ TEST_P(TogetherDeformTest, MissesNothingAndPassesNothing) {
       }
       const bool bad_before = answer.faults + missed + made_up + wrong_time + passed + short_of != 0;
       EXPECT_FALSE(bad_before) << where << " truth " << truth << " told " << answer.told << " fraction " << fraction
-                               << " speed " << speed_
-                               << " valid " << valid << " invalid " << answer.report.invalid_count << " faults "
-                               << answer.faults;
+                               << " speed " << speed_ << " valid " << valid << " invalid "
+                               << answer.report.invalid_count << " faults " << answer.faults;
       // On the way that was made.
       ground.next = answer.points;
       for (size_t i = 0; i < walkers.size(); ++i) walkers[i].end = answer.after[i].at;
@@ -230,7 +231,8 @@ TEST_P(TogetherDeformTest, MissesNothingAndPassesNothing) {
       misplaced_vertices += misplaced(ground, answer.after, !is_folded);
       ground.points = answer.points;
       ground.next.clear();
-      for (size_t i = 0; i < walkers.size(); ++i) walkers[i].state = answer.after[i], walkers[i].end = answer.after[i].at;
+      for (size_t i = 0; i < walkers.size(); ++i)
+        walkers[i].state = answer.after[i], walkers[i].end = answer.after[i].at;
       if (!is_folded) occupied += first_time(ground, walkers, false) <= 1 ? 1 : 0;
       if (rng_.chance(0.3)) occupied += not_free(scene.get(), walkers);
       if (HasFailure()) break;
@@ -257,13 +259,16 @@ TEST_P(TogetherDeformTest, MissesNothingAndPassesNothing) {
     if (HasFailure()) break;
     occupied += not_free(scene.get(), walkers);
   }
-  std::printf("%s: %zu moves, %zu stops by a touch, %zu halved, %zu refused, %zu folded, %zu go on; missed %zu, false stops "
-              "%zu, wrong time %zu, passed %zu, short %zu, by rounding %zu (at most %.1e), not free %zu, misplaced %zu, halved for nothing %zu, turned over %zu, faults %zu\n",
-              GetParam().name, moves, stops, halvings, refused, folded, after, missed, made_up, wrong_time, passed, short_of, short_if_rounded, worst,
-              occupied, misplaced_vertices, halved_for_nothing, turned, faults);
+  std::printf(
+      "%s: %zu moves, %zu stops by a touch, %zu halved, %zu refused, %zu folded, %zu go on; missed %zu, false stops "
+      "%zu, wrong time %zu, passed %zu, short %zu, by rounding %zu (at most %.1e), not free %zu, misplaced %zu, halved "
+      "for nothing %zu, turned over %zu, faults %zu\n",
+      GetParam().name, moves, stops, halvings, refused, folded, after, missed, made_up, wrong_time, passed, short_of,
+      short_if_rounded, worst, occupied, misplaced_vertices, halved_for_nothing, turned, faults);
   EXPECT_EQ(turned, 0u);
-  EXPECT_EQ(missed + made_up + wrong_time + passed + short_of + occupied + misplaced_vertices + halved_for_nothing + faults,
-            0u);
+  EXPECT_EQ(
+      missed + made_up + wrong_time + passed + short_of + occupied + misplaced_vertices + halved_for_nothing + faults,
+      0u);
   EXPECT_GT(stops, moves / 20);
 }
 
@@ -293,8 +298,8 @@ TEST_P(TogetherDeformTest, ACommonMotionNeverStops) {
     }
     occupied += not_free(scene.get(), walkers);
   }
-  std::printf("%s: %zu moves; stopped %zu, faults %zu, misplaced %zu, not free %zu\n", GetParam().name, moves, stopped, faults,
-              misplaced_vertices, occupied);
+  std::printf("%s: %zu moves; stopped %zu, faults %zu, misplaced %zu, not free %zu\n", GetParam().name, moves, stopped,
+              faults, misplaced_vertices, occupied);
   EXPECT_EQ(stopped + faults + misplaced_vertices + occupied, 0u);
 }
 
@@ -321,7 +326,8 @@ TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
       Walker walker{};
       walker.level = GetParam().level;
       walker.self = rng_.chance(0.7);
-      if (create_body(scenes[0].get(), made, walker.level, flags(walker.self), {}, &walker.id) != DSW_STATUS_OK) continue;
+      if (create_body(scenes[0].get(), made, walker.level, flags(walker.self), {}, &walker.id) != DSW_STATUS_OK)
+        continue;
       plans.push_back(made);
       walkers[0].push_back(walker);
     }
@@ -373,22 +379,23 @@ TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
       for (int side = 0; side < 2; ++side) {
         faults += answers[side].faults;
         grounds[side].points = answers[side].points;
-        const size_t wrong = misplaced(grounds[side], answers[side].after, false), kept = not_free(scenes[side].get(), walkers[side]);
+        const size_t wrong = misplaced(grounds[side], answers[side].after, false),
+                     kept = not_free(scenes[side].get(), walkers[side]);
         occupied += wrong + kept;
-        EXPECT_EQ(wrong + kept, 0u) << "round " << round << " step " << step << ": misplaced " << wrong << ", not free " << kept
-                                    << ", fraction " << answers[side].report.fraction;
+        EXPECT_EQ(wrong + kept, 0u) << "round " << round << " step " << step << ": misplaced " << wrong << ", not free "
+                                    << kept << ", fraction " << answers[side].report.fraction;
         for (size_t i = 0; i < plans.size(); ++i) walkers[side][i].state = answers[side].after[i];
       }
       EXPECT_TRUE(same) << "round " << round << " step " << step << ": fractions " << answers[0].report.fraction << " "
-                        << answers[1].report.fraction << ", told " << answers[0].told << " " << answers[1].told << ", walls "
-                        << answers[0].walls.size() << " " << answers[1].walls.size() << ", invalid "
+                        << answers[1].report.fraction << ", told " << answers[0].told << " " << answers[1].told
+                        << ", walls " << answers[0].walls.size() << " " << answers[1].walls.size() << ", invalid "
                         << answers[0].report.invalid_count << " " << answers[1].report.invalid_count;
       if (HasFailure()) break;
     }
     if (HasFailure()) break;
   }
-  std::printf("%s: %zu moves, %zu contacts with walls, %zu refused; different %zu, not free %zu, faults %zu\n", GetParam().name,
-              moves, contacts, refused, different, occupied, faults);
+  std::printf("%s: %zu moves, %zu contacts with walls, %zu refused; different %zu, not free %zu, faults %zu\n",
+              GetParam().name, moves, contacts, refused, different, occupied, faults);
   EXPECT_EQ(different + faults + occupied, 0u);
 }
 
@@ -430,7 +437,11 @@ TEST_P(TogetherDeformTest, WhatRestsOnWallsIsCarried) {
       for (int step = 0; step < 3; ++step) {
         Vec way = beside({0, 0, 0}, 2);
         for (double& x : way) x = std::round(8 * x) / 8;
-        const DeformAnswer answer = go([&](const Vec& p) { return Vec{p[0] + way[0], p[1] + way[1], p[2] + way[2]}; }, true);
+        const DeformAnswer answer = go(
+            [&](const Vec& p) {
+              return Vec{p[0] + way[0], p[1] + way[1], p[2] + way[2]};
+            },
+            true);
         ++moves;
         stopped += answer.report.fraction != 1 || answer.told <= 1 ? 1 : 0;
       }
@@ -438,7 +449,11 @@ TEST_P(TogetherDeformTest, WhatRestsOnWallsIsCarried) {
     }
     // Against a wall first, and then with it: ends are rounded, so what is very near can come nearer.
     const Vec way = beside({0, 0, 0}, 2);
-    const DeformAnswer first = go([&](const Vec& p) { return Vec{p[0] + way[0], p[1] + way[1], p[2] + way[2]}; }, false);
+    const DeformAnswer first = go(
+        [&](const Vec& p) {
+          return Vec{p[0] + way[0], p[1] + way[1], p[2] + way[2]};
+        },
+        false);
     if (first.told > 1) continue;
     ++resting;
     for (int step = 0; step < 2; ++step) {
@@ -448,9 +463,11 @@ TEST_P(TogetherDeformTest, WhatRestsOnWallsIsCarried) {
       stopped_again += answer.report.fraction != 1 ? 1 : 0;
     }
   }
-  std::printf("%s: %zu moves on a lattice; stopped %zu, not free %zu, faults %zu; of %zu that rest after a stop and are carried "
-              "twice %zu of %zu stop\n",
-              GetParam().name, moves, stopped, occupied, faults, resting, stopped_again, carried);
+  std::printf(
+      "%s: %zu moves on a lattice; stopped %zu, not free %zu, faults %zu; of %zu that rest after a stop and are "
+      "carried "
+      "twice %zu of %zu stop\n",
+      GetParam().name, moves, stopped, occupied, faults, resting, stopped_again, carried);
   EXPECT_EQ(stopped + faults + occupied, 0u);
 }
 
@@ -507,9 +524,10 @@ TEST_P(TogetherDeformTest, TiesAreThoseOfTheShift) {
     scene.reset();
     ground.environment.reset();  // before what it reads
   }
-  std::printf("%s: %zu moves, %zu with a touch; missed %zu, not free %zu, halved %zu, faults %zu; touched without passing: "
-              "made up %zu, early %zu\n",
-              GetParam().name, moves, touches, missed, occupied, halved, faults, made_up, early);
+  std::printf(
+      "%s: %zu moves, %zu with a touch; missed %zu, not free %zu, halved %zu, faults %zu; touched without passing: "
+      "made up %zu, early %zu\n",
+      GetParam().name, moves, touches, missed, occupied, halved, faults, made_up, early);
   EXPECT_EQ(missed + occupied + halved + faults, 0u);
 }
 

@@ -55,7 +55,8 @@ void compare(const char* name, const TestMesh<D>& mesh, uint64_t seed, int count
     const double a = turns ? -1 - random.below(3) : 1, b = turns ? -1 - random.below(3) : 1;
     for (size_t k = 0; k < moving.rest.size(); ++k) {
       const double scale = k % D == 0 ? a : k % D == 1 ? b : 1;
-      const double noise[2] = {double(random.below(2 * reach + 1) - reach), double(random.below(2 * reach + 1) - reach)};
+      const double noise[2] = {double(random.below(2 * reach + 1) - reach),
+                               double(random.below(2 * reach + 1) - reach)};
       moving.start[k] = kMostTimes * (8 * moving.rest[k] + (turns ? 0 : noise[0]));
       moving.end[k] = kMostTimes * (8 * scale * moving.rest[k] + (turns ? random.below(3) - 1 : noise[1]));
     }
@@ -76,8 +77,8 @@ void compare(const char* name, const TestMesh<D>& mesh, uint64_t seed, int count
       unseen += !stays && always ? 1 : 0;
     }
   }
-  std::printf("%s: %d stay valid, %d do not; of these %d are valid at both ends, %d at all times that were asked\n", name, stay,
-              leave, only_between, unseen);
+  std::printf("%s: %d stay valid, %d do not; of these %d are valid at both ends, %d at all times that were asked\n",
+              name, stay, leave, only_between, unseen);
   EXPECT_GT(stay, count / 10);
   EXPECT_GT(only_between, 10);
   EXPECT_LT(unseen, 1 + leave / 30);  // flat at times that are no such fractions
@@ -85,7 +86,8 @@ void compare(const char* name, const TestMesh<D>& mesh, uint64_t seed, int count
 
 TEST(StaysValid, TrueMeansValidAllTheTime) {
   Mesh3 tetrahedron;
-  for (const auto& p : {std::array<double, 3>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) tetrahedron.point({p[0], p[1], p[2]});
+  for (const auto& p : {std::array<double, 3>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+    tetrahedron.point({p[0], p[1], p[2]});
   tetrahedron.cell(kTetra, {0, 1, 2, 3});
   compare("tetrahedron", tetrahedron, 1, 3000);
   Mesh3 box;
@@ -101,7 +103,8 @@ TEST(StaysValid, TrueMeansValidAllTheTime) {
 
 TEST(StaysValid, FalseIfAVolumeTurnsOverAndBack) {
   Mesh3 mesh;
-  for (const auto& p : {std::array<double, 3>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) mesh.point({p[0], p[1], p[2]});
+  for (const auto& p : {std::array<double, 3>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+    mesh.point({p[0], p[1], p[2]});
   mesh.cell(kTetra, {0, 1, 2, 3});
   Moving<3> moving(mesh);
   // Two vertices change their sides, one after the other: the volume is (1 - 2 t) (1 - 4 t).
