@@ -136,6 +136,7 @@ void Call<D>::run() {
       record_.fraction = 0;
     }
     record_.invalid.swap(invalid);
+    for (Traveller<D>& of : travellers_) of.record->fraction = record_.fraction;
     describe_walls();
   } catch (...) {
     take_back();
@@ -160,7 +161,6 @@ bool Call<D>::try_way(double way) {
   if (ways_.find_touches(travellers_)) ways_.stop(travellers_);
   const double time = ways_.time();
   record_.fraction = way * time;
-  for (Traveller<D>& of : travellers_) of.record->fraction = record_.fraction;
   return time == 0 || arrive(time);
 }
 

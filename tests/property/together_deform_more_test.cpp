@@ -220,6 +220,7 @@ TEST_F(TogetherDeformMoreTest, AWallThatRestsOnABodyDoesNotComeNearer) {
 TEST_F(TogetherDeformMoreTest, HugeWaysAreAnswered) {
   Rng rng(4);
   std::deque<std::vector<double>> arrays;
+  size_t refused = 0;
   for (int round = 0; round < 6; ++round) {
     std::vector<double>& array = arrays.emplace_back(points_now());
     const double size = std::ldexp(1, 20 + 160 * round);
@@ -229,10 +230,14 @@ TEST_F(TogetherDeformMoreTest, HugeWaysAreAnswered) {
     for (Vec& p : targets_ = read(body_).at) {
       for (double& x : p) x = round % 2 == 0 ? x : std::min(1.7e308, size) * rng.range(-1, 1);
     }
+    dsw_deform_report report;
+    dsw_move_report of_body;
     ASSERT_EQ(dsw_scene_deform(scene(), array.data(), array.size() / 3, &body_, 1, targets_[0].data(), targets_.size(),
-                               0, nullptr, nullptr, nullptr),
+                               0, nullptr, &report, &of_body),
               DSW_STATUS_OK)
         << dsw_last_error_message();
+    EXPECT_EQ(report.fraction, of_body.fraction) << round;
+    refused += report.outcome == DSW_DEFORM_REFUSED ? 1 : 0;
     const BodyState state = read(body_);
     for (const dsw_volume_id volume : state.volumes) {
       int valid = 0;
@@ -242,6 +247,7 @@ TEST_F(TogetherDeformMoreTest, HugeWaysAreAnswered) {
     EXPECT_EQ(dsw_body_set_level(scene(), body_, DSW_LEVEL_POINTS), DSW_STATUS_OK);
     EXPECT_EQ(dsw_body_set_level(scene(), body_, DSW_LEVEL_FACES), DSW_STATUS_OK) << round;
   }
+  EXPECT_GT(refused, 0u);
   scene_.reset();
   place_.environment.reset();
 }

@@ -269,7 +269,7 @@ TEST_P(TogetherDeformTest, MissesNothingAndPassesNothing) {
   EXPECT_EQ(
       missed + made_up + wrong_time + passed + short_of + occupied + misplaced_vertices + halved_for_nothing + faults,
       0u);
-  EXPECT_GT(stops, moves / 20);
+  EXPECT_TRUE(moves < 100 || stops > moves / 20);
 }
 
 TEST_P(TogetherDeformTest, ACommonMotionNeverStops) {
