@@ -2,10 +2,9 @@
 // [JCD10] is examples/paper/catheter_length.)
 #include "parts.h"
 
+#include "chain_case.h"
 #include "embree.h"
-#include "surface_bodies.h"
 #include "timing.h"
-#include "vessel_case.h"
 
 #include "scenes/random.h"
 
@@ -19,11 +18,6 @@ namespace dsw::bench {
 
 namespace {
 
-constexpr double kSpacing = 5.6;  // between particles, mm
-constexpr double kStep = 0.05;    // 50 mm/s at 1 kHz
-constexpr std::size_t kStroke = 200;
-constexpr std::size_t kParticles = 20;
-
 using Vector = std::array<double, 3>;
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -36,25 +30,6 @@ Vector unit(const Vector& a) {
 }
 Vector vertex(const std::vector<double>& positions, std::size_t i) {
   return {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]};
-}
-
-BodyShape chain(std::size_t particles) {
-  BodyShape shape;
-  shape.vertices = particles;
-  for (std::uint32_t i = 1; i < particles; ++i) shape.edges.insert(shape.edges.end(), {i - 1, i});
-  return shape;
-}
-
-/** Particles along the centreline, the last at its start as it is pushed in. */
-std::vector<double> chain_at(const Line& line, std::size_t particles, std::size_t step) {
-  const std::size_t in_stroke = step % (2 * kStroke);
-  const double pushed = kStep * static_cast<double>(in_stroke <= kStroke ? in_stroke : 2 * kStroke - in_stroke);
-  std::vector<double> positions;
-  for (std::size_t i = particles; i-- > 0;) {
-    const Vector at = line.point(kSpacing * static_cast<double>(i) + pushed);
-    positions.insert(positions.end(), at.begin(), at.end());
-  }
-  return positions;
 }
 
 constexpr std::uint32_t kSleeve = 3;  // vertices of a ring
@@ -155,8 +130,8 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
                                          {"swept", DSW_LEVEL_EDGES_SWEPT, 0},
                                          {"swept_sequences", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SEQUENCES}};
   Times times = time_variants(
-      vessel, variants, chain(kParticles), steps,
-      [&](std::size_t step) { return chain_at(vessel.line, kParticles, step); },
+      vessel, variants, chain(kChainParticles), steps,
+      [&](std::size_t step) { return chain_at(vessel.line, kChainParticles, step); },
       [&](const std::vector<double>& before, const std::vector<double>& targets, const auto& keep) {
         const Segments segments = segments_of(before, targets);
         if (!embree) embree = keep_fastest(make_embrees(vessel.walls), segments);
@@ -178,8 +153,8 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
                                          {"faces", DSW_LEVEL_FACES, 0},
                                          {"faces_sequences", DSW_LEVEL_FACES, DSW_BODY_SEQUENCES}};
   Times tube = time_variants(
-      vessel, surfaces, sleeve(kParticles), steps / 4,
-      [&](std::size_t step) { return sleeve_at(chain_at(vessel.line, kParticles, step + 20)); },
+      vessel, surfaces, sleeve(kChainParticles), steps / 4,
+      [&](std::size_t step) { return sleeve_at(chain_at(vessel.line, kChainParticles, step + 20)); },
       [](const auto&, const auto&, const auto&) {}, report);
   report.set("edges.faces_over_edges.catheter", median_ratio(tube["faces"], tube["edges"]));
   report.set("edges.faces_over_edges.catheter_sequences", median_ratio(tube["faces_sequences"], tube["edges"]));
@@ -201,8 +176,8 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
   for (int trial = 0; trial < (options.quick ? 40 : 400); ++trial) {
     const Vector aside = unit({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
     const auto start = static_cast<std::size_t>(random.index(2 * kStroke));
-    Flock flock(vessel.world.environment(), {"", DSW_LEVEL_EDGES_SWEPT, 0}, chain(kParticles),
-                chain_at(vessel.line, kParticles, start));
+    Flock flock(vessel.world.environment(), {"", DSW_LEVEL_EDGES_SWEPT, 0}, chain(kChainParticles),
+                chain_at(vessel.line, kChainParticles, start));
     std::vector<double> at;
     std::vector<dsw_volume_id> volumes;
     const auto shifted = [&](double by) {
@@ -216,7 +191,7 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
       const dsw_body_contact* contacts = nullptr;
       std::size_t count = 0;
       check(dsw_body_get_contacts(flock.scene(), flock.bodies().front(), &contacts, &count));
-      std::vector<double> targets = shifted(kStep);
+      std::vector<double> targets = shifted(kPush);
       std::map<std::size_t, Vector> ways;
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t v = contacts[i].vertex.index;
@@ -229,7 +204,7 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
           continue;  // it is pushed straight into the wall
         }
         ways[v] = unit(on_wall);
-        const Vector target = along(along(vertex(at, v), kStep, ways[v]), -kPress * kStep, normal);
+        const Vector target = along(along(vertex(at, v), kPush, ways[v]), -kPress * kPush, normal);
         std::copy(target.begin(), target.end(), &targets[3 * v]);
       }
       flock.move(targets.data(), &moves);
@@ -237,7 +212,7 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
       flock.places(now, volumes);
       for (const auto& [v, way] : ways) {
         ++tried;
-        stuck += dot(along(vertex(now, v), -1.0, vertex(at, v)), way) < kProgress * kStep ? 1 : 0;
+        stuck += dot(along(vertex(now, v), -1.0, vertex(at, v)), way) < kProgress * kPush ? 1 : 0;
       }
     }
   }

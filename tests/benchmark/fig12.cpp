@@ -3,16 +3,13 @@
 #include "parts.h"
 
 #include "embree.h"
-#include "surface.h"
+#include "fall_case.h"
 #include "surface_bodies.h"
 #include "timing.h"
-
-#include "scenes/pyramids.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -20,66 +17,7 @@ namespace dsw::bench {
 
 namespace {
 
-constexpr double kFine = 0.05;  // edge of a cube: four to five edges of the surface
-constexpr double kCoarse = 0.1;
-constexpr double kStep = 0.001;     // a fall of 0.2 m/s at 1 kHz for a hand 0.2 m long
-constexpr std::size_t kFall = 60;   // steps down, then as many up
-constexpr std::size_t kFree = 20;   // steps of the fall before anything can be met
 constexpr std::size_t kBlock = 10;  // steps that are timed together
-
-struct Fall {
-  Surface surface;
-  BodyShape shape;
-  scenes::Pyramids pyramids;
-};
-
-double height(std::size_t step) {
-  const std::size_t in_cycle = step % (2 * kFall);
-  return -kStep * static_cast<double>(in_cycle <= kFall ? in_cycle : 2 * kFall - in_cycle);
-}
-
-Fall make_fall(const std::string& path, double cube) {
-  Fall fall;
-  fall.surface = path.empty() ? make_surface() : read_surface(path);
-  const auto& points = fall.surface.points;
-  fall.shape.vertices = points.size() / 3;
-  fall.shape.edges = surface_edges(fall.surface);
-  for (const auto& face : fall.surface.faces) {
-    fall.shape.corners.insert(fall.shape.corners.end(), face.begin(), face.end());
-  }
-  std::array<double, 3> low{}, high{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    low[k] = high[k] = points[k];
-    for (std::size_t i = k; i < points.size(); i += 3) {
-      low[k] = std::min(low[k], points[i]);
-      high[k] = std::max(high[k], points[i]);
-    }
-  }
-  scenes::PyramidOptions options;
-  options.edge = cube;
-  for (std::size_t k = 0; k < 3; ++k) {
-    options.low[k] = low[k] - 4.3 * cube;  // so that nothing is aligned with the cubes
-    options.size[k] = static_cast<std::uint32_t>(std::ceil((high[k] - low[k]) / cube)) + 9;
-  }
-  fall.pyramids = scenes::make_pyramids(options);
-  for (const auto& face : fall.surface.faces) {  // the surface starts free, and falls freely for some steps
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [least, most] =
-          std::minmax({points[3 * face[0] + k], points[3 * face[1] + k], points[3 * face[2] + k]});
-      low[k] = least;
-      high[k] = most;
-    }
-    low[2] -= kStep * static_cast<double>(kFree);
-    scenes::clear_box(fall.pyramids, low, high);
-  }
-  return fall;
-}
-
-std::vector<double> place(const Fall& fall, std::size_t step) {
-  std::vector<double> at = fall.surface.points;
-  for (std::size_t i = 2; i < at.size(); i += 3) at[i] += height(step);
-  return at;
-}
 
 /** What was cast for a move: every vertex on its way, then its edges from where their other ends were. */
 Segments segments_of(const Fall& fall, const std::vector<double>& before, const std::vector<double>& after,
@@ -153,9 +91,7 @@ void run_fall(const std::string& path, double cube, std::size_t count, const std
               const Options& options, Report& report) {
   const Fall fall = make_fall(path, cube);
   World world(fall.pyramids.mesh, 1);
-  std::vector<std::uint8_t> impassable;
-  for (const std::uint8_t obstacle : fall.pyramids.obstacle) impassable.insert(impassable.end(), 6, obstacle);
-  mark_cells(world, impassable);
+  mark_obstacles(world, fall);
   const WallMesh walls(fall.pyramids.mesh.points, scenes::pyramid_walls(fall.pyramids));
   report.set(prefix + "vertices", static_cast<double>(fall.shape.vertices));
   report.set(prefix + "cells", static_cast<double>(fall.pyramids.mesh.cell_count()));
@@ -245,13 +181,9 @@ void run_fall(const std::string& path, double cube, std::size_t count, const std
 }  // namespace
 
 void run_fig12(const Options& options, Report& report) {
-  std::string path = options.data + "/surfaces/hand_12k.obj";
-  if (!std::filesystem::exists(path)) {
-    std::printf("  no data: a generated surface instead of the hand\n");
-    path.clear();
-  }
-  run_fall(path, kFine, variants().size(), "edges.fig12.", options, report);
-  run_fall(path, kCoarse, 6, "edges.fig12.coarse.", options, report);
+  const std::string path = hand_path(options.data);
+  run_fall(path, kFineCube, variants().size(), "edges.fig12.", options, report);
+  run_fall(path, kCoarseCube, 6, "edges.fig12.coarse.", options, report);
 }
 
 }  // namespace dsw::bench

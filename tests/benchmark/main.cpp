@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   std::string json = "benchmark.json";
   const std::vector<std::string> known = {"hex",    "threads", "kernels",  "tet",     "vessel",  "change", "create",
                                           "fig11",  "fig12",   "catheter", "deform",  "coarsen", "cut",    "obstacles",
-                                          "remesh", "self",    "plane",    "figure5", "locate",  "near"};
+                                          "remesh", "self",    "plane",    "figure5", "locate",  "near",   "together"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");
@@ -62,6 +62,7 @@ int main(int argc, char** argv) {
     if (wanted("fig11")) run_fig11(options, report, agreement);
     if (wanted("fig12")) run_fig12(options, report);
     if (wanted("catheter")) run_catheter(options, report);
+    if (wanted("together")) run_together(options, report);
     if (wanted("deform")) run_deform(options, report, agreement);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -43,6 +43,14 @@ void Flock::move(const double* targets, const dsw_move_options* options) {
                               reports_.data()));
 }
 
+void Flock::move_together(const double* targets, dsw_together_stop stop) {
+  dsw_together_options options;
+  dsw_together_options_init(&options, sizeof options);
+  options.stop = stop;
+  check(dsw_scene_move_together(scene_, bodies_.data(), bodies_.size(), targets, bodies_.size() * vertices_, 0,
+                                &options, reports_.data()));
+}
+
 void Flock::places(std::vector<double>& positions, std::vector<dsw_volume_id>& volumes) const {
   positions.resize(3 * vertices_ * bodies_.size());
   volumes.resize(vertices_ * bodies_.size());

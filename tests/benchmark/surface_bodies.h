@@ -36,6 +36,8 @@ class Flock {
 
   /** Moves all vertices. */
   void move(const double* targets, const dsw_move_options* options = nullptr);
+  /** Moves all vertices at once. */
+  void move_together(const double* targets, dsw_together_stop stop);
   /** Positions and volumes of all vertices, body by body. */
   void places(std::vector<double>& positions, std::vector<dsw_volume_id>& volumes) const;
   /** Sums of a report's members over the bodies. */

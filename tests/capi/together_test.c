@@ -131,7 +131,8 @@ static void two_segments_meet_in_the_plane(void) {
 
 /* Every allocation is refused in turn: then nothing has moved. */
 static void memory_runs_out(dsw_together_stop stop) {
-  const double b[6] = {2.5, 1, 0.25, 2.5, 1, 0.75}, targets[12] = {1, 0.5, 0.5, 1, 1.5, 0.5, 0.5, 1, 0.25, 0.5, 1, 0.75};
+  const double b[6] = {2.5, 1, 0.25, 2.5, 1, 0.75},
+               targets[12] = {1, 0.5, 0.5, 1, 1.5, 0.5, 0.5, 1, 0.25, 0.5, 1, 0.75};
   host h;
   dsw_context *context = make_context(&h);
   dsw_environment *environment = make_environment(context, 3, 2, 1);

@@ -265,6 +265,7 @@ TEST_P(TogetherDeformTest, MissesNothingAndPassesNothing) {
       "for nothing %zu, turned over %zu, faults %zu\n",
       GetParam().name, moves, stops, halvings, refused, folded, after, missed, made_up, wrong_time, passed, short_of,
       short_if_rounded, worst, occupied, misplaced_vertices, halved_for_nothing, turned, faults);
+  record_moves(moves, missed + passed, occupied + misplaced_vertices, 0);
   EXPECT_EQ(turned, 0u);
   EXPECT_EQ(
       missed + made_up + wrong_time + passed + short_of + occupied + misplaced_vertices + halved_for_nothing + faults,
@@ -396,6 +397,7 @@ TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
   }
   std::printf("%s: %zu moves, %zu contacts with walls, %zu refused; different %zu, not free %zu, faults %zu\n",
               GetParam().name, moves, contacts, refused, different, occupied, faults);
+  record_moves(moves, 0, occupied, different);
   EXPECT_EQ(different + faults + occupied, 0u);
 }
 
@@ -528,6 +530,7 @@ TEST_P(TogetherDeformTest, TiesAreThoseOfTheShift) {
       "%s: %zu moves, %zu with a touch; missed %zu, not free %zu, halved %zu, faults %zu; touched without passing: "
       "made up %zu, early %zu\n",
       GetParam().name, moves, touches, missed, occupied, halved, faults, made_up, early);
+  record_moves(moves, missed, occupied, 0);
   EXPECT_EQ(missed + occupied + halved + faults, 0u);
 }
 

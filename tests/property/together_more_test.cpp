@@ -24,8 +24,7 @@ BodyPlan roll(size_t count) {
   BodyPlan plan;
   for (uint32_t i = 0; i < count; ++i) {
     const double angle = 0.35 * (i / 2), radius = 0.3 + 0.01 * angle;
-    plan.at.push_back(
-        {2 + radius * std::cos(angle), 2 + radius * std::sin(angle), 1.7 + (i % 2 == 0 ? 0.0 : 0.3)});
+    plan.at.push_back({2 + radius * std::cos(angle), 2 + radius * std::sin(angle), 1.7 + (i % 2 == 0 ? 0.0 : 0.3)});
     if (i < 2) continue;
     plan.faces.push_back(i % 2 == 0 ? std::vector<uint32_t>{i - 2, i - 1, i} : std::vector<uint32_t>{i - 1, i - 2, i});
   }
@@ -35,7 +34,8 @@ BodyPlan roll(size_t count) {
 Vec carried(const Vec& p, const Vec& axis, double angle, const Vec& way) {
   const Vec x = {p[0] - 2, p[1] - 2, p[2] - 2};
   const double c = std::cos(angle), s = std::sin(angle), along = (axis[0] * x[0] + axis[1] * x[1] + axis[2] * x[2]);
-  const Vec across = {axis[1] * x[2] - axis[2] * x[1], axis[2] * x[0] - axis[0] * x[2], axis[0] * x[1] - axis[1] * x[0]};
+  const Vec across = {axis[1] * x[2] - axis[2] * x[1], axis[2] * x[0] - axis[0] * x[2],
+                      axis[0] * x[1] - axis[1] * x[0]};
   Vec to;
   for (size_t k = 0; k < 3; ++k) to[k] = 2 + c * x[k] + s * across[k] + (1 - c) * along * axis[k] + way[k];
   return to;
@@ -120,9 +120,10 @@ TEST_F(TogetherMoreTest, WhatIsCarriedRigidlyNeverStopsItself) {
 TEST_F(TogetherMoreTest, AnIslandThatMeetsNothingArrives) {
   for (const dsw_together_stop stop : {DSW_TOGETHER_STOP_ALL, DSW_TOGETHER_STOP_ISLAND, DSW_TOGETHER_STOP_FEATURE}) {
     ScenePtr scene = make_scene(ground_.environment.get(), DSW_FEATURE_BODY_CONTACTS);
-    std::vector<Walker> walkers = {add(scene.get(), segment({1, 1, 1}, {1, 2, 1}), DSW_LEVEL_EDGES_SWEPT, false),
-                                   add(scene.get(), segment({1.5, 1.5, 0.5}, {1.5, 1.5, 1.5}), DSW_LEVEL_EDGES_SWEPT, false),
-                                   add(scene.get(), segment({3, 3, 3}, {3, 3.5, 3}), DSW_LEVEL_EDGES_SWEPT, false)};
+    std::vector<Walker> walkers = {
+        add(scene.get(), segment({1, 1, 1}, {1, 2, 1}), DSW_LEVEL_EDGES_SWEPT, false),
+        add(scene.get(), segment({1.5, 1.5, 0.5}, {1.5, 1.5, 1.5}), DSW_LEVEL_EDGES_SWEPT, false),
+        add(scene.get(), segment({3, 3, 3}, {3, 3.5, 3}), DSW_LEVEL_EDGES_SWEPT, false)};
     // The first two meet half-way, where their middles cross.
     for (Vec& p : walkers[0].end) p[0] += 0.5;
     for (Vec& p : walkers[1].end) p[0] -= 0.5;
@@ -242,6 +243,7 @@ TEST_F(TogetherMoreTest, FeaturesThatStopPassNothing) {
   }
   std::printf("%zu moves; %zu vertices arrived, %zu stopped; passed %zu, wrong fraction %zu\n", moves, reached, stopped,
               passed, wrong);
+  record_moves(moves, passed, 0, 0);
   EXPECT_EQ(passed + wrong, 0u);
   EXPECT_GT(reached, 0u);
   EXPECT_GT(stopped, 0u);
@@ -268,11 +270,12 @@ Ground cubes(int n, double marked, Rng& rng) {
   for (int z = 0; z < n; ++z) {
     for (int y = 0; y < n; ++y) {
       for (int x = 0; x < n; ++x, ++cell) {
-        const uint32_t v[8] = {index(x, y, z),         index(x + 1, y, z),         index(x + 1, y + 1, z),
-                               index(x, y + 1, z),     index(x, y, z + 1),         index(x + 1, y, z + 1),
-                               index(x + 1, y + 1, z + 1), index(x, y + 1, z + 1)};
+        const uint32_t v[8] = {
+            index(x, y, z),     index(x + 1, y, z),     index(x + 1, y + 1, z),     index(x, y + 1, z),
+            index(x, y, z + 1), index(x + 1, y, z + 1), index(x + 1, y + 1, z + 1), index(x, y + 1, z + 1)};
         corners.insert(corners.end(), v, v + 8);
-        constexpr int kFaces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+        constexpr int kFaces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                      {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
         for (const auto& face : kFaces) {
           const std::vector<uint32_t> loop = {v[face[0]], v[face[1]], v[face[2]], v[face[3]]};
           std::vector<uint32_t> name = loop;
@@ -343,8 +346,9 @@ TEST_F(TogetherMoreTest, HexahedraToo) {
     for (size_t i = 0; i < walkers.size(); ++i) walkers[i].end = answer.after[i].at;
     passed += first_time<3>(ground, walkers, round % 8 == 0) < 1 ? 1 : 0;
   }
-  std::printf("%zu moves, %zu with a touch; missed %zu, made up %zu, wrong time %zu, passed %zu\n", moves, touches, missed,
-              made_up, wrong, passed);
+  std::printf("%zu moves, %zu with a touch; missed %zu, made up %zu, wrong time %zu, passed %zu\n", moves, touches,
+              missed, made_up, wrong, passed);
+  record_moves(moves, missed + passed, 0, 0);
   EXPECT_EQ(missed + made_up + wrong + passed, 0u);
 }
 

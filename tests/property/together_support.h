@@ -16,8 +16,8 @@ namespace dsw::oracle {
 struct Ground {
   int dimension;
   std::vector<Vec> points;
-  std::vector<std::vector<uint32_t>> walls;      // simplices of impassable facets
-  std::vector<std::vector<uint32_t>> thin;       // marked edges and vertices
+  std::vector<std::vector<uint32_t>> walls;  // simplices of impassable facets
+  std::vector<std::vector<uint32_t>> thin;   // marked edges and vertices
   EnvironmentPtr environment;
   std::vector<std::vector<uint32_t>> cells = {};  // their corners
   std::vector<bool> is_marked = {};               // by cell
@@ -25,7 +25,7 @@ struct Ground {
     uint32_t corners[3], cell;
   };
   std::vector<Side> triangles = {};  // of cells that are no simplices; in the plane their sides
-  std::vector<Vec> next = {};                     // where the points go; empty: they stand still
+  std::vector<Vec> next = {};        // where the points go; empty: they stand still
 
   std::vector<std::vector<uint32_t>> features(size_t corners) const {
     std::set<std::vector<uint32_t>> all;
@@ -48,7 +48,8 @@ struct Ground {
 /// No plane is normal to an axis afterwards: a rounded position does not lie exactly on a wall.
 inline Vec sheared(const Vec& p, int dimension) {
   const double z = dimension == 3 ? p[2] : 0;
-  return {p[0] + 0.1371 * p[1] + 0.0523 * z, p[1] + 0.0911 * p[0] - 0.0417 * z, dimension == 3 ? z + 0.0713 * p[0] + 0.1137 * p[1] : 0};
+  return {p[0] + 0.1371 * p[1] + 0.0523 * z, p[1] + 0.0911 * p[0] - 0.0417 * z,
+          dimension == 3 ? z + 0.0713 * p[0] + 0.1137 * p[1] : 0};
 }
 
 /// n cubes or squares along each axis, cut into simplices; a share of these is marked.
@@ -143,10 +144,10 @@ struct Walker {
   dsw_body_id id;
   dsw_level level;
   bool self;
-  BodyState state;         // at the start
-  std::vector<Vec> end;    // by slot
-  bool alone = false;      // a particle: bodies do not meet it
-  bool stands = false;     // not in the call
+  BodyState state;       // at the start
+  std::vector<Vec> end;  // by slot
+  bool alone = false;    // a particle: bodies do not meet it
+  bool stands = false;   // not in the call
 
   std::vector<std::vector<uint32_t>> parts(size_t corners) const {
     std::vector<std::vector<uint32_t>> all;
@@ -278,6 +279,17 @@ double first_time(const Ground& ground, const std::vector<Walker>& walkers, bool
     }
   }
   return earliest.time;
+}
+
+/// Figures of a test, which its report keeps for the benchmark. What was passed counts as missed.
+inline void record_moves(size_t moves, size_t missed, size_t not_free, size_t different) {
+  const auto record = [](const char* name, size_t count) {
+    testing::Test::RecordProperty(name, static_cast<int>(count));
+  };
+  record("moves", moves);
+  record("missed", missed);
+  record("not_free", not_free);
+  record("different", different);
 }
 
 /// Calls dsw_scene_move_together for bodies that go to their ends; whether it did as it should.

@@ -121,9 +121,11 @@ TEST_P(TogetherTest, StopAllMissesNothingAndPassesNothing) {
       not_free += first_time(ground, walkers, false) <= 1 ? 1 : 0;
     }
   }
-  std::printf("%s: %zu moves, %zu with a touch; missed %zu, made up %zu, wrong time %zu, passed %zu, not free %zu, "
-              "short %zu\n",
-              GetParam().name, moves, touches, missed, made_up, wrong_time, passed, not_free, short_of);
+  std::printf(
+      "%s: %zu moves, %zu with a touch; missed %zu, made up %zu, wrong time %zu, passed %zu, not free %zu, "
+      "short %zu\n",
+      GetParam().name, moves, touches, missed, made_up, wrong_time, passed, not_free, short_of);
+  record_moves(moves, missed + passed, not_free, 0);
   EXPECT_EQ(missed + made_up + wrong_time + passed + not_free + short_of, 0u);
   EXPECT_GT(touches, moves / 20);
 }
@@ -151,6 +153,7 @@ TEST_P(TogetherTest, WhatGoesOnIsFreeToo) {
   }
   std::printf("%s: %zu moves, %zu contacts, %zu bodies arrived; passed %zu, not free %zu\n", GetParam().name, moves,
               contacts, reached, passed, not_free);
+  record_moves(moves, passed, not_free, 0);
   EXPECT_EQ(passed + not_free, 0u);
 }
 
@@ -240,8 +243,9 @@ TEST_P(TogetherTest, NumbersDoNotMatter) {
           << dsw_last_error_message();
     }
   }
-  std::printf("%s: %zu moves, %zu contacts, %zu bodies stop at once; different %zu\n", GetParam().name, moves,
-              contacts, stopped, different);
+  std::printf("%s: %zu moves, %zu contacts, %zu bodies stop at once; different %zu\n", GetParam().name, moves, contacts,
+              stopped, different);
+  record_moves(moves, 0, 0, different);
   EXPECT_EQ(different, 0u);
 }
 
@@ -286,23 +290,25 @@ TEST_P(TogetherTest, TiesAreThoseOfTheShift) {
     early += truth <= 1 && fraction < truth - 0.01 ? 1 : 0;
     stopped_at_once += fraction == 0 && truth > 0.01 ? 1 : 0;
   }
-  std::printf("%s: %zu moves, %zu with a touch; missed %zu; touched without passing: made up %zu, early %zu, of both at the start %zu\n",
-              GetParam().name, moves, touches, missed, made_up, early, stopped_at_once);
+  std::printf(
+      "%s: %zu moves, %zu with a touch; missed %zu; touched without passing: made up %zu, early %zu, of both at the "
+      "start %zu\n",
+      GetParam().name, moves, touches, missed, made_up, early, stopped_at_once);
+  record_moves(moves, missed, 0, 0);
   EXPECT_EQ(missed, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, TogetherTest,
-    testing::Values(Kind{"Points", 3, DSW_LEVEL_POINTS, 0.1, false, 0.8},
-                    Kind{"Edges", 3, DSW_LEVEL_EDGES, 0.1, false, 0.5},
-                    Kind{"EdgesSwept", 3, DSW_LEVEL_EDGES_SWEPT, 0.1, true, 0.3},
-                    Kind{"EdgesShort", 3, DSW_LEVEL_EDGES_SWEPT, 0.02, false, 0.05},
-                    Kind{"Faces", 3, DSW_LEVEL_FACES, 0.05, true, 0.3},
-                    Kind{"FacesFar", 3, DSW_LEVEL_FACES, 0.05, false, 1.5},
-                    Kind{"PlanePoints", 2, DSW_LEVEL_POINTS, 0.1, false, 0.8},
-                    Kind{"PlaneEdges", 2, DSW_LEVEL_EDGES, 0.1, true, 0.5},
-                    Kind{"PlaneEdgesSwept", 2, DSW_LEVEL_EDGES_SWEPT, 0.05, true, 0.15}),
-    [](const testing::TestParamInfo<Kind>& i) { return std::string(i.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, TogetherTest,
+                         testing::Values(Kind{"Points", 3, DSW_LEVEL_POINTS, 0.1, false, 0.8},
+                                         Kind{"Edges", 3, DSW_LEVEL_EDGES, 0.1, false, 0.5},
+                                         Kind{"EdgesSwept", 3, DSW_LEVEL_EDGES_SWEPT, 0.1, true, 0.3},
+                                         Kind{"EdgesShort", 3, DSW_LEVEL_EDGES_SWEPT, 0.02, false, 0.05},
+                                         Kind{"Faces", 3, DSW_LEVEL_FACES, 0.05, true, 0.3},
+                                         Kind{"FacesFar", 3, DSW_LEVEL_FACES, 0.05, false, 1.5},
+                                         Kind{"PlanePoints", 2, DSW_LEVEL_POINTS, 0.1, false, 0.8},
+                                         Kind{"PlaneEdges", 2, DSW_LEVEL_EDGES, 0.1, true, 0.5},
+                                         Kind{"PlaneEdgesSwept", 2, DSW_LEVEL_EDGES_SWEPT, 0.05, true, 0.15}),
+                         [](const testing::TestParamInfo<Kind>& i) { return std::string(i.param.name); });
 
 }  // namespace
 }  // namespace dsw::oracle
