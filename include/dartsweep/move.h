@@ -79,7 +79,8 @@ typedef struct dsw_move_options {
 
 /** What a move did. */
 typedef struct dsw_move_report {
-  double fraction;           /**< Part of the motion that dsw_body_move_rigid made; else 1. */
+  /** Part of the motion that dsw_body_move_rigid or a function of together.h made; else 1. */
+  double fraction;
   uint32_t vertices_moved;   /**< Vertices that had to move. */
   uint32_t vertices_stopped; /**< Of these, not at their targets, also by a slide. */
   uint32_t contact_count;    /**< See dsw_body_get_contacts. */

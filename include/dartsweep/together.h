@@ -5,9 +5,14 @@
  * More: bindings/docs/moving_together.md.
  *
  * What the level of a body covers is swept on its whole way: at DSW_LEVEL_EDGES edges, too. A touch
- * of two bodies, or of a body with itself, is a contact. So is a touch with the environment, unless
- * the shift (base.h) keeps the part beside the obstacle: an edge that rests exactly on a wall may
- * move along it, or away.
+ * of two bodies is a contact, with DSW_FEATURE_BODY_CONTACTS and if their masks say so. So is a
+ * touch of a body with itself, with DSW_BODY_SELF_CONTACTS. A touch with the environment is a
+ * contact if it remains one under the shift (base.h): an edge that rests exactly on a wall may move
+ * along it, or away.
+ *
+ * `time`, `from` and `to` of a contact are those of the way on which it was found. This can be a
+ * part of the motion. A body with DSW_BODY_RIGID keeps its shape only if its targets do, and if
+ * none of its vertices stops alone.
  *
  * At a contact vertices stop at positions just before it, which are rounded. The ways to these
  * positions are swept again. After the call all that the levels cover is free, and nothing was
@@ -57,9 +62,10 @@ DSW_API void dsw_together_options_init(dsw_together_options *options, size_t siz
  * limits are 0.
  * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has.
  * @note dsw_body_get_contacts gives the contacts of each body. All that touch at the same exact
- * time are listed. `fixed` holds the other ends at that time.
+ * time are listed; of an edge or face and its corner that touch walls, the corner. `fixed` has the
+ * other ends at that time.
  * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact
- * anew. @since 2.1 */
+ * anew. There is no work limit. Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *bodies,
                                            size_t count, const double *targets, size_t target_count,
                                            size_t stride_bytes, const dsw_together_options *options,
@@ -72,10 +78,12 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  *
  * A volume that a body or particle is in, or comes near, has to stay valid on the whole way. If one
  * does not, all ways end at 1/2, 1/4, ... of the way to the targets.
- * @param next `point_count` points, as in dsw_environment_deform.
+ * @param next `point_count` points, one for each vertex; retained until the next deformation or the
+ * end of the environment, unless REFUSED. Overwritten if the outcome is FRACTION. The array before
+ * is free again.
  * @param bodies distinct.
  * @param targets `target_count` points, as in dsw_scene_move_together.
- * @param options may be null; only `point_room` counts.
+ * @param options may be null; only `point_room` counts, all else is ignored.
  * @param report may be null; `outcome`: DONE, FRACTION or REFUSED. Its contacts are those with the
  * environment; `from` and `to` are those of the vertex `moving`, and `response` is DSW_WALL_STOP.
  * @param reports may be null.
@@ -83,7 +91,8 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  * point_count, target_count, point_room; NON_FINITE: of `next` only near bodies and particles;
  * UNSUPPORTED: a body of the scene has a radius.
  * @note Cost: O(bodies + particles + volumes met + pairs of parts whose ways come near each other);
- * O(n) if all ways are shortened. Threads: writes the environment, too. @since 2.1 */
+ * O(n) for each time that
+ * all ways are shortened, at most 53 times. Threads: writes the environment, too. @since 2.1 */
 DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point_count,
                                     const dsw_body_id *bodies, size_t count, const double *targets,
                                     size_t target_count, size_t stride_bytes,

@@ -65,7 +65,7 @@ class NearRegion {
     Vec along = count > 1 ? unit(difference<D>(points[1], points[0])) : Vec::Zero();
     if (is_zero(along)) along = Vec(1, 0, 0);
     Vec up = D == 2 ? turned(along) : Vec::Zero();
-    if (count > 2) up = unit(along.cross(unit(difference<D>(points[2], points[0]))));
+    if (D == 3 && count > 2) up = unit(along.cross(unit(difference<D>(points[2], points[0]))));
     if (is_zero(up)) {
       // The axis that is most across.
       const Vec sizes = along.cwiseAbs();

@@ -35,7 +35,8 @@ class Call {
 
   void add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record);
   void add_particles();
-  bool try_way(double way);
+  bool try_way();
+  void forget_touches();
   bool arrive(double time);
   void shorten(double way);
   void put_points(double time);
@@ -121,23 +122,30 @@ void Call<D>::add_particles() {
   made.record = &still_record_;
 }
 
-/** The whole way; if a cell that is met does not stay valid on it half of it, a quarter, ... */
+/** Tries the whole way. While a cell on it does not stay valid, halves the way. */
 template <int D>
 void Call<D>::run() {
   Array<dsw_volume_id> invalid(scene_.memory);
   record_.clear();
   try {
     double way = 1;
-    for (int halvings = 0; halvings <= kMostHalvings; ++halvings, way /= 2) {
-      record_.invalid.clear();
-      if (way != 1) shorten(way);
-      if (try_way(way)) break;
+    bool has_gone = try_way();
+    for (int halvings = 0; !has_gone && halvings < kMostHalvings; ++halvings) {
       invalid.swap(record_.invalid);
+      record_.invalid.clear();
+      way /= 2;
+      shorten(way);
+      has_gone = try_way();
+    }
+    if (has_gone) {
+      record_.invalid.swap(invalid);
+      record_.fraction = way * ways_.time();
+      describe_walls();
+    } else {
+      forget_touches();
       record_.fraction = 0;
     }
-    record_.invalid.swap(invalid);
     for (Traveller<D>& of : travellers_) of.record->fraction = record_.fraction;
-    describe_walls();
   } catch (...) {
     take_back();
     throw;
@@ -148,20 +156,20 @@ void Call<D>::run() {
   if (record_.fraction == 0) take_back();
 }
 
-/** Whether all cells that are met stay valid. */
 template <int D>
-bool Call<D>::try_way(double way) {
-  for (Traveller<D>& of : travellers_) {
-    if (of.record != &still_record_) of.record->clear();
-  }
-  still_record_.clear();
+void Call<D>::forget_touches() {
+  for (Traveller<D>& of : travellers_) of.record->clear();
+}
+
+/** Goes up to the first touch, if all cells that are met stay valid. */
+template <int D>
+bool Call<D>::try_way() {
+  forget_touches();
   ways_.walls.begin(next_, record_.invalid);
   ways_.start(travellers_, scene_.features.contacts && !travellers_.empty());
   if (!ways_.walls.stay_valid()) return false;
   if (ways_.find_touches(travellers_)) ways_.stop(travellers_);
-  const double time = ways_.time();
-  record_.fraction = way * time;
-  return time == 0 || arrive(time);
+  return ways_.time() == 0 || arrive(ways_.time());
 }
 
 /** All goes to the ends of its way; false if that does not lead into valid cells, and then nothing has gone. */

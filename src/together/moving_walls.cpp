@@ -85,7 +85,9 @@ void MovingWalls<D>::collect(const Traveller<D>& of, uint32_t number, const Simp
     points[corners.count + i] = ways[i][1];
   }
   list_.clear();
-  flood_.find(&of.body->vertices[corners.vertices[0]].cell, 1, NearRegion<D>(points, 2 * corners.count, 0), list_);
+  const uint32_t count = 2 * corners.count;
+  const NearRegion<D> region(points, count, room_of_rounding<D>(points, count));
+  flood_.find(&of.body->vertices[corners.vertices[0]].cell, 1, region, list_);
   Near near{number, part, static_cast<uint32_t>(features_.size()), 0, static_cast<uint32_t>(cells_.size()), 0};
   add_cells();
   if (part.kind != Simplex::kVertex) cells_.resize(near.first_cell);

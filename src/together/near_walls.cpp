@@ -78,7 +78,8 @@ void NearWalls<D>::collect(const Traveller<D>& of, const Part<D>& part, const Re
       points[count + i] = of.target(part.corners.vertices[i]);
     }
     const Cell start = of.body->vertices[part.corners.vertices[0]].cell;
-    add_obstacles(lists_.in(start, NearRegion<D>(points, 2 * count, 0)), nullptr, box);
+    add_obstacles(lists_.in(start, NearRegion<D>(points, 2 * count, room_of_rounding<D>(points, 2 * count))), nullptr,
+                  box);
   }
   add_features(D == 2 || part.simplex.kind == Simplex::kFace, near);
   near.plane_end = static_cast<uint32_t>(planes_.size());

@@ -2,6 +2,7 @@
 // Where a point is at a time of its way.
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/position.h"
 
@@ -20,6 +21,17 @@ void place_on_way(const double* from, const double* to, double time, double* pla
   for (int k = 0; k < D; ++k) {
     place[k] = std::clamp(there[k], std::min(from[k], to[k]), std::max(from[k], to[k]));
   }
+}
+
+/** How far a rounded place can be beside the straight way between points whose largest coordinate this is, and more. A
+ * place of a moving wall is as much beside its way; what its coordinates are larger, regions allow for. */
+template <int D>
+double room_of_rounding(const double* const* points, uint32_t count) noexcept {
+  double largest = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    for (int k = 0; k < D; ++k) largest = std::max(largest, std::fabs(points[i][k]));
+  }
+  return 0x1p-48 * largest;
 }
 
 }  // namespace dsw

@@ -11,7 +11,6 @@
 #include <algorithm>
 
 #include "predicates/filtered.h"
-#include "walk/retreat.h"
 
 namespace dsw {
 namespace {
@@ -120,10 +119,9 @@ template <int D>
 void ShortenedWays<D>::shorten_chosen(Array<Traveller<D>>& travellers) {
   constexpr uint32_t kMostDoublings = 60;
   for (const WayTouch<D>& touch : chosen_) {
-    double step = 0;
+    double step = step_back(touch);
     uint32_t doublings = 0;
     for_each_touching(travellers, touch, [&](Traveller<D>& of, uint32_t v) {
-      if (of.moves(v)) step = std::max(step, first_step<D>(of.start(v), of.end(v), touch.first.time));
       doublings = std::max(doublings, cut_of(travellers, of, v).count);
     });
     for (uint32_t k = 0; k < std::min(doublings, kMostDoublings); ++k) step *= 2;

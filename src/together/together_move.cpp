@@ -66,6 +66,7 @@ typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Traveller<D>
   const bool is_free = end == End::kFree;
   for (Traveller<D>& of : travellers) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
   if (!is_free) {
+    for (Traveller<D>& of : travellers) of.record->clear();  // what stopped single vertices is not what stops them all
     run_round(travellers, false);
     time_ = std::min(time_, shortened_.first_time());
     return Round::kStopped;

@@ -8,6 +8,7 @@
 #include "proximity/near_lists.h"
 #include "response/settings.h"
 #include "together/place_on_way.h"
+#include "walk/retreat.h"
 
 namespace dsw {
 
@@ -107,6 +108,17 @@ void for_each_touching(Array<Traveller<D>>& travellers, const WayTouch<D>& touch
   if (touch.other_traveller == kNone) return;
   Traveller<D>& other = travellers[touch.other_traveller];
   for (const uint32_t v : SimplexCorners<D>(*other.body, touch.other_part)) visit(other, v);
+}
+
+/** First step back from a touch, as a fraction of the ways: that of the point that moves most. Others may hardly move. */
+template <int D>
+double step_back(const WayTouch<D>& touch) noexcept {
+  double step = 1;
+  for (int i = 0; i <= D; ++i) {
+    const double *const from = touch.pair.start[i], *const to = touch.pair.end[i];
+    if (!std::equal(from, from + D, to)) step = std::min(step, first_step<D>(from, to, touch.first.time));
+  }
+  return step;
 }
 
 /** The box of the way of a part, up to where it goes in the call. */

@@ -8,7 +8,6 @@
 #include "together/moving_walls.h"
 #include "together/place_on_way.h"
 #include "together/wall_ways.h"
-#include "walk/retreat.h"
 
 namespace dsw {
 
@@ -91,14 +90,7 @@ template <int D, class Walls>
 void WholeWays<D, Walls>::retreat(Array<Traveller<D>>& travellers) {
   const double time = first.all[0].first.time;
   double step = 0;
-  for (const WayTouch<D>& touch : first.all) {
-    double fastest = 1;  // the step of the point that moves most: others may hardly move at all
-    for (int i = 0; i <= D; ++i) {
-      const double *const from = touch.pair.start[i], *const to = touch.pair.end[i];
-      if (!std::equal(from, from + D, to)) fastest = std::min(fastest, first_step<D>(from, to, time));
-    }
-    step = std::max(step, fastest);
-  }
+  for (const WayTouch<D>& touch : first.all) step = std::max(step, step_back(touch));
   constexpr int kMostTries = 60;
   // What was touched has to stay apart even without the shift. So a vertex does not come to lie exactly on a wall, where it
   // would touch that wall at the start of the next way.
