@@ -10,27 +10,27 @@
 namespace dsw {
 namespace dd {
 
-// Everything is inlined into functions that are compiled for machines with and without fused multiply-add.
-#define DSW_DD DSW_HOT
+// Right only without contraction to FMA, see cmake/floating_point.cmake. Everything is inlined, as `Split` is also compiled
+// for machines that have FMA.
 
 struct Number {
   double high, low;
 };
 
 // a + b exactly.
-DSW_DD Number sum(double a, double b) noexcept {
+DSW_HOT Number sum(double a, double b) noexcept {
   const double s = a + b, from_b = s - a;
   return {s, (a - (s - from_b)) + (b - from_b)};
 }
 // a + b exactly if |a| >= |b| or a = 0.
-DSW_DD Number fast_sum(double a, double b) noexcept {
+DSW_HOT Number fast_sum(double a, double b) noexcept {
   const double s = a + b;
   return {s, b - (s - a)};
 }
 
 // a * b exactly, if nothing under- or overflows: for machines with FMA ...
 struct Fused {
-  static DSW_DD Number product(double a, double b) noexcept {
+  static DSW_HOT Number product(double a, double b) noexcept {
     const double p = a * b;
     return {p, fused_multiply_add(a, b, -p)};
   }
@@ -38,42 +38,42 @@ struct Fused {
 
 // ... and for all others, for |a|, |b| < 2^970.
 struct Split {
-  static DSW_DD Number product(double a, double b) noexcept {
+  static DSW_HOT Number product(double a, double b) noexcept {
     const double p = a * b;
     const Number x = halves(a), y = halves(b);
     return {p, ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low};
   }
 
  private:
-  static DSW_DD Number halves(double a) noexcept {
+  static DSW_HOT Number halves(double a) noexcept {
     const double scaled = a * 0x1.0000002p27, high = scaled - (scaled - a);
     return {high, a - high};
   }
 };
 
 // a * b with an error below 8u^2 |a b|; |low| < 3.01u |a b|, not normalized.
-DSW_DD Number product(const Number& a, const Number& b) noexcept {
+DSW_HOT Number product(const Number& a, const Number& b) noexcept {
   const Number p = Split::product(a.high, b.high);
   return {p.high, p.low + (a.high * b.low + a.low * b.high)};
 }
 
 // A sum of normalized numbers that loses 3u^2 of their magnitudes.
-DSW_DD Number add(const Number& a, const Number& b) noexcept {
+DSW_HOT Number add(const Number& a, const Number& b) noexcept {
   const Number s = sum(a.high, b.high), t = sum(a.low, b.low);
   const Number v = fast_sum(s.high, s.low + t.high);
   return fast_sum(v.high, t.low + v.low);
 }
 
 // A normalized product that loses 8u^2 of itself.
-DSW_DD Number multiply(const Number& a, const Number& b) noexcept {
+DSW_HOT Number multiply(const Number& a, const Number& b) noexcept {
   const Number p = product(a, b);
   return fast_sum(p.high, p.low);
 }
 
-DSW_DD Number negative(const Number& a) noexcept { return {-a.high, -a.low}; }
+DSW_HOT Number negative(const Number& a) noexcept { return {-a.high, -a.low}; }
 
 // p q - r s.
-DSW_DD Number minor_of(const Number& p, const Number& q, const Number& r, const Number& s) noexcept {
+DSW_HOT Number minor_of(const Number& p, const Number& q, const Number& r, const Number& s) noexcept {
   return add(multiply(p, q), negative(multiply(r, s)));
 }
 

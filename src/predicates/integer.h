@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "predicates/integers.h"
 #include "predicates/wide_int.h"
@@ -36,7 +37,6 @@ class IntegerPool {
     Scope& operator=(const Scope&) = delete;
 
    private:
-    friend class IntegerPool;
     IntegerPool& pool_;
     std::uint64_t* next_;
     std::uint64_t* end_;
@@ -55,7 +55,7 @@ class IntegerPool {
   };
 
   DSW_COLD void add_block(int size) {
-    const int count = size > 16 * kOwn ? size : 16 * kOwn;
+    const int count = size > 4 * kOwn ? size : 4 * kOwn;
     auto block = std::make_unique<Block>();
     block->limbs.reset(new std::uint64_t[static_cast<std::size_t>(count)]);
     next_ = block->limbs.get();

@@ -6,8 +6,9 @@
 // rounded second coefficient, doubled.
 //
 // Errors. Let u = 2^-53, and let A and B be the largest components of a and b. A component of a x b errs by 8u A B and
-// is at most 2 A B, so one of n errs by 18u A B and is at most 4 A B. A dot product with n then errs by less than
-// 3 (4 A B) (18u A B) + 3u (3 (4 A B) (4 A B)) = 360u A^2 B^2, less than 2^-43 A^2 B^2. With A and B in [2^-100, 2^100]
+// is at most 2 A B, so one of n errs by 20u A B and is at most 4 A B. In a dot product n counts as exact, and only the other
+// factor errs. So the product errs by less than 3 (4 A B) (20u A B) + 3u (3 (4 A B) (4 A B)) = 384u A^2 B^2, less than
+// 2^-43 A^2 B^2. With A and B in [2^-100, 2^100]
 // nothing over- or underflows that counts.
 #pragma once
 

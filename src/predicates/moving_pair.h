@@ -34,7 +34,7 @@ FirstTouch first_touch(const MovingPair<D>& pair);
 template <int D>
 int compare_first_touches(const MovingPair<D>& a, const MovingPair<D>& b);
 
-// Sign of the determinant of points 1 to D less point 0, if it is the same at all times in [0,1] and not 0; else 0.
+// The sign of det(p1 - p0, ..., pD - p0) if it never changes and is never 0 in [0,1]; else 0.
 template <int D>
 int kept_side(const MovingPair<D>& points);
 

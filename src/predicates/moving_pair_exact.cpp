@@ -7,8 +7,8 @@ namespace {
 // Points of the triangles of a pair in space; in the plane there is only the first.
 constexpr int kTriangle[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
 
-// Whether signs of the four areas, not all 0, say that the pair is apart: the point is not in the triangle, or both ends of
-// an edge are on one side of the other.
+// Whether the pair is apart: the point is not in the triangle, or both ends of an edge are on one side of the other. At
+// least one sign is not 0. The same rule as judge() of the filter, but there 0 is unknown.
 bool areas_part(PairKind kind, const int (&sign)[4]) noexcept {
   if (kind == PairKind::kEdgeEdge) return sign[0] * sign[1] > 0 || sign[2] * sign[3] > 0;
   const int side = sign[3];

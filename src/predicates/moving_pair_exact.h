@@ -1,12 +1,13 @@
 // The first touch of a moving pair by integers. Private to this folder.
 //
-// Four points of a pair that touches lie in one plane: their volume, a polynomial of degree 3 in time, is 0. Such points
-// are seen along the axes. Along an axis along which not all of their four triangles have no area, the plane is seen as
-// a plane: the signs of the areas, polynomials of degree 2, say whether the pair touches. If there is no such axis, all
-// points are on one line, and the coordinates decide: the pair is apart if it is apart on one axis. In the plane this
-// begins one dimension lower, with the area of the three points.
+// Four points of a pair that touches lie in one plane: their volume, a polynomial of degree 3 in time, is 0. Project the
+// points along an axis. If one of their four triangles has an area there, the projection of the plane is one-to-one. Then
+// the signs of the areas, polynomials of degree 2, say whether the pair touches. If no triangle has an area along any
+// axis, all points are on one line, and the coordinates decide: the pair is apart if it is apart on one axis. In the plane
+// this begins one dimension lower, with the area of the three points.
 //
-// If the polynomial of the first test is always 0, the pair can begin to touch only when one of the next ones is 0.
+// If the volume is always 0, the first touch is at time 0 or at a root of one of the areas, or of one of the differences of
+// coordinates if all areas are always 0.
 #pragma once
 
 #include "predicates/moving_pair.h"

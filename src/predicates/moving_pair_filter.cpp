@@ -59,7 +59,8 @@ struct Piece {
   Curve<D> condition[kConditions];
 };
 
-// Whether conditions of these signs part the pair, join it, or leave it open.
+// Whether conditions of these signs part the pair, join it, or leave it open. The same rule as areas_part, but here 0 is
+// unknown.
 Filtered judge(PairKind kind, const int (&s)[4]) noexcept {
   if (kind == PairKind::kEdgeEdge) {
     if (s[0] * s[1] > 0 || s[2] * s[3] > 0) return Filtered::kApart;
@@ -82,7 +83,8 @@ class Filter {
  public:
   explicit Filter(const MovingPair<D>& pair) noexcept : pair_(pair) {}
 
-  // Whether one feature is on one side of the other at the start and at the end, along an axis.
+  // Whether one feature is on one side of the other at the start and at the end, along an axis. Then it is on this side at
+  // all times: each difference of coordinates is linear in time.
   bool apart_on_axis() const noexcept {
     constexpr bool space = D == 3;
     const int first = space && pair_.kind == PairKind::kEdgeEdge ? 2 : 1;  // points of the first feature
@@ -240,7 +242,7 @@ class Filter {
     if (!(std::fabs(first) > volume_error_ && std::fabs(last) > volume_error_) || (first > 0) == (last > 0))
       return false;
     if constexpr (D == 2) return true;
-    // Twice more if the second surely can have the last sign and the third the first.
+    // Three roots need the signs + - + - or - + - +. One of the inner coefficients surely has another sign.
     const double s = first > 0 ? 1 : -1;
     return s * v.c[1] > volume_error_ || s * v.c[2] < -volume_error_;
   }
@@ -287,7 +289,7 @@ class Filter {
     return x;
   }
 
-  // By Newton's rule where that leads into the part that is left, else by halving.
+  // Newton's method, with bisection where a step leaves the interval.
   double guess_root(const Piece<D>& piece, bool rising) const noexcept {
     double low = piece.low, high = piece.high;
     double t = low + (high - low) * (piece.volume.c[0] / (piece.volume.c[0] - piece.volume.c[D]));

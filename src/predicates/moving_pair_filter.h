@@ -9,12 +9,13 @@
 //   - A determinant of three differences errs by 50u M (filter_bounds.h), the mean of three by 66u M. It is at most 6 M.
 //     A mean of two coefficients adds 6u M. Halving takes three of them in a row, so 24 halvings add 432u M: below 512u M.
 //   - An area of two differences errs by 10u mi mj, the mean of two by 12u, the sum of three such by 46u. It is at most
-//     6 mi mj. Halving adds 12u mi mj, so 24 halvings add 288u mi mj: below 512u mi mj. At the root: below 150u mi mj,
-//     also up to the next double.
-//   - In the plane the area has the role of the volume and a difference the role of an area. The bounds are lower there.
+//     6 mi mj. Halving adds 12u mi mj, so 24 halvings add 288u mi mj: below 512u mi mj. At the root
+//     evaluation adds 60u mi mj, and the step to the next double 24u mi mj: together below 150u mi mj.
+//   - In the plane the area replaces the volume and a difference replaces an area. The same bounds hold.
 //   - The volume at one time, by double-double: a difference errs by 24u^2 m_k, a product of two of them by 56u^2, a minor
-//     by 120u^2, the determinant by 600u^2 M. From there to four doubles further, the slope errs by 2^-44 M, which counts
-//     2^-95 M, and the curvature counts 2^-96 M. Together below 2^-92 M.
+//     by 120u^2, the determinant by 600u^2 M. The slope errs by 700u M. Over four doubles this
+//     counts 2800u^2 M, the curvature 1200u^2 M and the roundings of the sum 300u^2 M. Together below 5000u^2 M, less than
+//     2^-92 M = 16384u^2 M.
 // With m_k in [2^-140, 2^160] nothing over- or underflows that counts.
 #pragma once
 
@@ -28,7 +29,7 @@ enum class Filtered { kApart, kTouches, kUnknown };
 template <int D>
 Filtered filter_first_touch(const MovingPair<D>& pair, double* time) noexcept;
 
-// As kept_side, or 0 if the errors leave it open; *is_sure tells whether a 0 is one.
+// Returns kept_side if *is_sure becomes true. Else returns 0, and integers must decide.
 template <int D>
 int filter_kept_side(const MovingPair<D>& points, bool* is_sure) noexcept;
 

@@ -1,5 +1,7 @@
 #include "predicates/polynomial.h"
 
+#include <utility>
+
 namespace dsw {
 
 namespace {
@@ -14,7 +16,6 @@ Dyadic dyadic_of(IntegerPool& pool, double x) {
   if (d.magnitude == 0) return {};
   const int zeros = static_cast<int>(lowest_bit(d.magnitude));
   const int exponent = d.exponent + zeros - 1075;
-  if (exponent >= 0) return {integer_of(pool, (d.magnitude >> zeros) << exponent), 0};
   return {integer_of(pool, d.magnitude >> zeros), -exponent};
 }
 
@@ -115,7 +116,7 @@ int clear_sign(IntegerPool& pool, const Polynomial& p, const Dyadic& low, const 
 
 // A sequence of Sturm: each member is a negative multiple of the remainder of the two before, down to the last that is not 0.
 struct SturmSequence {
-  Polynomial member[6];
+  Polynomial member[4];
   int count = 0;
 
   SturmSequence(const Polynomial& p, const Polynomial& q) {
@@ -169,14 +170,8 @@ struct Rounded {
     for (int i = 0; i <= degree; ++i) c[i] = p.c[i].scaled(most);
   }
 
-  double at(double t) const noexcept {
-    double sum = c[degree];
-    for (int i = degree - 1; i >= 0; --i) sum = sum * t + c[i];
-    return sum;
-  }
-
   // The sign at all times between t and the next double, or 0 if it is not sure. A coefficient has an error of 2u, a step
-  // of Horner's rule 2u, and t as many times 2u as the degree says; 2^-1000 pays for underflow.
+  // of Horner's rule 2u, and t itself 2u, once for each power; 2^-1000 pays for underflow.
   int sure_sign(double t) const noexcept {
     double sum = c[degree];
     double size = std::fabs(sum);
@@ -189,8 +184,8 @@ struct Rounded {
   }
 };
 
-// Near to the root between low and high; `rising` says how p's sign changes there. By Newton's rule where that leads into
-// the part that is left, else by halving.
+// Near to the root between low and high; `rising` says how p's sign changes there. Newton's method, with bisection where a
+// step leaves the interval.
 double guess_root(const Rounded& p, double low, double high, bool rising) noexcept {
   double t = 0.5 * (low + high);
   for (int i = 0; i < 60 && low < t && t < high; ++i) {
@@ -236,7 +231,7 @@ class RootFinder {
   }
 
  private:
-  // Appends where p' is about 0 inside of (0,1), ascending: what best parts the roots of p.
+  // Appends the rounded roots of p' in (0,1), ascending. Between them p has at most one root, nearly always.
   int turning_points(double (&ends)[4]) const noexcept {
     int count = 1;
     double turns[2];
@@ -258,28 +253,36 @@ class RootFinder {
     return count;
   }
 
-  // Roots with low < root <= high.
+  // Roots with low < root <= high. Calls nest only where both halves have roots.
   void isolate(double low, double high, int before, int after) {
-    if (before == after) return;
-    if (before - after == 1) return refine(low, high);
-    const std::uint64_t a = bits_of(low), b = bits_of(high);
-    if (b - a == 1) return isolate_within(low, dyadic_of(pool_, low), dyadic_of(pool_, high), before, after, high);
-    const double middle = of_bits(a + (b - a) / 2);
-    const int between = sturm_.variations(dyadic_of(pool_, middle));
-    isolate(low, middle, before, between);
-    isolate(middle, high, between, after);
+    while (before - after > 1) {
+      const std::uint64_t a = bits_of(low), b = bits_of(high);
+      if (b - a == 1) return isolate_within(low, dyadic_of(pool_, low), dyadic_of(pool_, high), before, after, high);
+      const double middle = of_bits(a + (b - a) / 2);
+      const int between = sturm_.variations(dyadic_of(pool_, middle));
+      if (between == after) {
+        high = middle;
+        continue;
+      }
+      if (between != before) isolate(low, middle, before, between);
+      low = middle;
+      before = between;
+    }
+    if (before != after) refine(low, high);
   }
 
-  // The same between a double and the next one. Where only one half has roots no call is nested.
+  // The same for roots between two neighbouring doubles.
   void isolate_within(double floor, Dyadic low, Dyadic high, int before, int after, double next) {
     while (before - after > 1) {
       const Dyadic middle = half_way(low, high);
       const int between = sturm_.variations(middle);
-      if (between != before && between != after) {
-        isolate_within(floor, low, middle, before, between, next);
-        before = between;
+      if (between == after) {
+        high = middle;
+        continue;
       }
-      (between == after ? high : low) = middle;
+      if (between != before) isolate_within(floor, low, middle, before, between, next);
+      low = middle;
+      before = between;
     }
     if (sign_at(p_, high) == 0) {
       add_exact(high, compare(high, dyadic_of(pool_, next)) == 0 ? next : floor);
@@ -344,7 +347,8 @@ IntegerPool& pool_of(const Polynomial& p) noexcept { return *p.c[p.degree].pool;
 
 // Sign of root - x.
 int compare(const Root& root, const Dyadic& x) {
-  if (root.is_low || compare(x, root.low) <= 0) return root.is_low ? compare(root.low, x) : 1;
+  if (root.is_low) return compare(root.low, x);
+  if (compare(x, root.low) <= 0) return 1;
   if (compare(x, root.high) >= 0) return -1;
   const int sign = sign_at(root.of, x);
   return sign == 0 ? 0 : sign == sign_after(pool_of(root.of), root.of, root.low) ? 1 : -1;

@@ -20,7 +20,7 @@ struct BodyRecord {
   Array<BodyVertex<D>> before;  // to go back to, if another body's move fails
   TouchHistory touches;
   Array<NearRecord<D>> near;  // one, if near rows have been asked for; else none
-  NearNotes<D> kept_near;     // of a thick one: what it must keep a distance from
+  NearNotes<D> kept_near;     // what is near its parts; see NearNotes
   uint64_t followed = 0;      // up to which change of the topology its sequences are true, see gone_facets.h
 
   explicit BodyRecord(const Memory* memory)

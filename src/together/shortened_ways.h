@@ -21,7 +21,7 @@ class ShortenedWays {
       : env_(env), walls_(walls), bodies_(bodies) {}
 
   /** Shortens the ways to the goals, which are those of the call.
-   * @param most_rounds how often all ways that are new are looked at.
+   * @param most_rounds most rounds.
    * @param may_end_at_walls whether kAtWalls is an answer. */
   End run(Array<Traveller<D>>& travellers, uint32_t most_rounds, bool may_end_at_walls);
 

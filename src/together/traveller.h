@@ -53,7 +53,7 @@ struct Traveller {
 
 /** A feature of the environment that a part of a body can touch. */
 struct WallFeature {
-  uint32_t vertices[3];  // of the environment: the first `count`; of a facet it is its word
+  uint32_t vertices[3];  // of the environment: the first `count`; for a whole facet vertices[0] may be its word
   uint32_t count;
   HalfFacet facet;  // an impassable facet at it, seen from a passable cell; invalid if there is none
   Cell cell;        // of a marked edge or vertex: a cell at it
@@ -67,9 +67,9 @@ struct WayTouch {
   uint32_t traveller;  // that moves
   Simplex part;        // its part
   bool comes_first;    // whether its points are the first of the pair
-  // What it touches. Of a body that moves: its number; of one that does not: kNone and `still`.
+  // What it touches: the number of a body that moves, else kNone; and the body, or null for the environment.
   uint32_t other_traveller = kNone;
-  const Partner<D>* other = nullptr;  // null: the environment
+  const Partner<D>* other = nullptr;
   Simplex other_part{};
   WallFeature wall{};
 };
