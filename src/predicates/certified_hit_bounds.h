@@ -28,7 +28,7 @@ constexpr double kNormalError = 24 * kSquaredRoundoff;
 constexpr double kLeastProducts = 0x1p-500;
 
 // Largest double <= the time that is high + low, with an error below `error`.
-DSW_DD bool floor_time(const dd::Number& t, double error, double* time) noexcept {
+DSW_HOT bool floor_time(const dd::Number& t, double error, double* time) noexcept {
   if (!(t.high > 0 && t.high <= 1) || !(std::fabs(t.low) > error)) return false;
   std::int64_t bits;
   std::memcpy(&bits, &t.high, sizeof bits);
@@ -39,8 +39,8 @@ DSW_DD bool floor_time(const dd::Number& t, double error, double* time) noexcept
 
 // Largest double <= numerator / denominator; `volume` is M.
 template <class Exact>
-DSW_DD bool floor_ratio(const dd::Number& numerator, const dd::Number& denominator, double volume,
-                        double* time) noexcept {
+DSW_HOT bool floor_ratio(const dd::Number& numerator, const dd::Number& denominator, double volume,
+                         double* time) noexcept {
   if (!(denominator.high > 0)) return false;
   const double guess = numerator.high / denominator.high;
   const dd::Number back = Exact::product(guess, denominator.high);
