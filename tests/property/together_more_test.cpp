@@ -1,6 +1,7 @@
 // All vertices of bodies move at once: what is carried rigidly never stops itself, islands are alone, features that
 // stop pass nothing, what is remembered does not matter, and memory that runs out changes nothing.
 #include "host_memory.h"
+#include "proximity/near_region.h"
 #include "together_support.h"
 
 #include <cmath>
@@ -152,6 +153,96 @@ TEST_F(TogetherMoreTest, AnIslandThatMeetsNothingArrives) {
       EXPECT_EQ(answer.reports[2].fraction, 1);
     }
   }
+}
+
+TEST_F(TogetherMoreTest, APartnerThatHardlyMovesSendsNothingBack) {
+  for (const dsw_together_stop stop : {DSW_TOGETHER_STOP_ALL, DSW_TOGETHER_STOP_ISLAND, DSW_TOGETHER_STOP_FEATURE}) {
+    for (const double way : {0.0, 1.2e-15}) {
+      ScenePtr scene = make_scene(ground_.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+      std::vector<Walker> walkers = {
+          add(scene.get(), segment({1, 1, 1}, {1, 2, 1}), DSW_LEVEL_EDGES_SWEPT, false),
+          add(scene.get(), segment({1.5, 1.5, 0.5}, {1.5, 1.5, 1.5}), DSW_LEVEL_EDGES_SWEPT, false)};
+      for (Vec& p : walkers[0].end) p[0] += 1;
+      for (Vec& p : walkers[1].end) p[0] += way;
+      const TogetherAnswer answer = move_together(scene.get(), walkers, stop);
+      ASSERT_EQ(answer.contacts[0].size(), 1u);
+      for (const Vec& p : answer.after[0].at) {
+        EXPECT_GT(p[0], 1.5 - 1e-14) << "stop " << stop << ", way " << way;
+        EXPECT_LT(p[0], 1.5 + way);
+      }
+    }
+  }
+}
+
+TEST(NearRegion, IsBoundedInThePlane) {
+  const double points[4][2] = {{0, 0}, {1, 0}, {3, 2}, {4, 2}};  // the two ends of an edge, at the start and at the end
+  const double* const corners[4] = {points[0], points[1], points[2], points[3]};
+  for (const uint32_t count : {1u, 2u, 3u, 4u}) {
+    const NearRegion<2> region(corners, count, 0.5);
+    for (uint32_t i = 0; i < count; ++i) EXPECT_EQ(region.outside(corners[i]), 0u) << count << " points";
+    for (const auto& far : {Vec{100, 0, 0}, Vec{-100, 0, 0}, Vec{0, 100, 0}, Vec{0, -100, 0}})
+      EXPECT_NE(region.outside(far.data()), 0u) << count << " points, " << far[0] << " " << far[1];
+  }
+}
+
+/// A square around y = `far`, below and above, and an upright edge, which has points 4 and 9.
+std::vector<double> around_an_edge(double far, double x, double y) {
+  std::vector<double> points;
+  for (const double z : {-8.0, 8.0})
+    points.insert(points.end(), {-8, far - 8, z, 8, far - 8, z, 8, far + 8, z, -8, far + 8, z, x, y, z});
+  return points;
+}
+/// The four wedges at that edge.
+EnvironmentPtr four_wedges(const std::vector<double>& points, bool is_marked) {
+  EnvironmentPtr room = create_from(uniform_desc(
+      3, DSW_CELL_TYPE_WEDGE, 6, points, {5, 6, 9, 0, 1, 4, 6, 7, 9, 1, 2, 4, 7, 8, 9, 2, 3, 4, 8, 5, 9, 3, 0, 4}));
+  const uint32_t ends[2] = {4, 9};
+  dsw_edge_id edge;
+  EXPECT_EQ(dsw_environment_find_edges(room.get(), 1, ends, &edge, nullptr), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_environment_mark_edges(room.get(), &edge, is_marked ? 1 : 0, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  return room;
+}
+
+/// An edge slides along itself until another vertex of its body touches the outer boundary. The place where the edge
+/// stops is rounded, so it is beside the line of the edge. A marked edge stands between this line and this place.
+TEST_F(TogetherMoreTest, WhatSlidesFarFromTheOriginPassesNothing) {
+  constexpr double kFar = 0x3p20;  // neighbouring doubles are 2^-31 apart here
+  size_t moves = 0, in_the_way = 0, passed = 0;
+  for (; moves < static_cast<size_t>(share_of(40)); ++moves) {
+    const double x = (32 + rng_.below(64u)) / 64.0, y = (32 + rng_.below(64u)) / 64.0;
+    const std::vector<Vec> from = {{-1 - 3 * x, kFar - 3 * y, 0.25}, {-1, kFar, 0.25}, {7, kFar + 5, 1}};
+    const std::vector<Vec> to = {
+        {-1 - x, kFar - y, 0.25}, {-1 + 2 * x, kFar + 2 * y, 0.25}, {rng_.range(8.8, 9.2), kFar + 5, 1}};
+    const auto move = [&](double at_x, double at_y, bool is_marked) {
+      std::vector<double> points = around_an_edge(kFar, at_x, at_y);
+      const EnvironmentPtr room = four_wedges(points, is_marked);
+      ScenePtr scene = make_scene(room.get(), DSW_FEATURE_DEFORMING);
+      Walker walker = add(scene.get(), {from, {{0, 1}}, {}}, DSW_LEVEL_EDGES_SWEPT, false);
+      walker.end = to;
+      if (moves % 2 == 0) return move_together(scene.get(), {walker}, DSW_TOGETHER_STOP_ALL).after[0].at;
+      const dsw_status status = dsw_scene_deform(scene.get(), points.data(), 10, &walker.id, 1, to[0].data(), 3,
+                                                 sizeof(Vec), nullptr, nullptr, nullptr);
+      EXPECT_EQ(status, DSW_STATUS_OK) << dsw_last_error_message();
+      EXPECT_EQ(read_body(scene.get(), walker.id, walker.state), "");
+      return walker.state.at;
+    };
+    const std::vector<Vec> unhindered = move(0, kFar, false);
+    const Vec& front = unhindered[1];
+    // The marked edge is half-way between the stopped edge and the path of its front end.
+    const double at_y = front[1] - 0x1p-31 * rng_.between(1 << 24, 1 << 28), back = front[1] - at_y;
+    const double at_x = front[0] - back * (x / y + (front[0] + 1) / (front[1] - kFar)) / 2;
+    const double low[3] = {at_x, at_y, -8}, high[3] = {at_x, at_y, 8};
+    const auto touches = [&](const std::vector<Vec>& end) {
+      const MovingPair<3> pair = {
+          PairKind::kEdgeEdge, {&from[0][0], &from[1][0], low, high}, {&end[0][0], &end[1][0], low, high}};
+      return first_touch(pair).touches;
+    };
+    in_the_way += touches(unhindered) ? 1 : 0;
+    passed += touches(move(at_x, at_y, true)) ? 1 : 0;
+  }
+  std::printf("%zu moves, %zu with an edge in the way; passed %zu\n", moves, in_the_way, passed);
+  EXPECT_EQ(passed, 0u);
+  EXPECT_GT(2 * in_the_way, moves);
 }
 
 TEST_F(TogetherMoreTest, AnEdgeThatStandsAloneKeepsItsEndsApart) {
