@@ -138,13 +138,14 @@ bool NearLists<D>::is_alone(const Body<D>& body, const Part<D>& part, double rea
   Array<NearNote<D>>& notes = notes_of(all, part.simplex.kind);
   if (part.simplex.index >= notes.size()) return false;
   NearNote<D>& note = notes[part.simplex.index];
-  return note.near.is_alone() && note.selected.holds(reach, note.selected.way_to(part)) &&
+  const bool is_alone = has_features_ ? note.near.is_alone() : note.near.empty();
+  return is_alone && note.selected.holds(reach, note.selected.way_to(part)) &&
          is_current(body, part, notes, note);
 }
 
 template <int D>
 NearView<D> NearLists<D>::near(const Body<D>& body, const Part<D>& part, uint32_t places, double reach,
-                               NearNotes<D>& all) {
+                               NearNotes<D>& all, double wanted) {
   Array<NearNote<D>>& notes = notes_of(all, part.simplex.kind);
   while (notes.size() < (part.simplex.index / kSharing + 1) * size_t{kSharing}) notes.emplace_back(env_.memory);
   NearNote<D>& note = notes[part.simplex.index];
@@ -152,17 +153,18 @@ NearView<D> NearLists<D>::near(const Body<D>& body, const Part<D>& part, uint32_
   bool has_list = is_selected || note.listed.holds(reach, note.listed.way_to(part));
   has_list = has_list && is_current(body, part, notes, note);
   if (!has_list || !is_selected) {
+    const double far = std::max(reach, wanted);
     const double varied = spread(++all.found);
     const bool is_changed = note.number != 0 && note.version != env_.change_version;
     const double listed_more = is_changed ? kListedMoreAfterChange : kListedMore;
-    if (!has_list) make_list(body, part, (1 + listed_more * varied) * reach, notes, all.found);
+    if (!has_list) make_list(body, part, (1 + listed_more * varied) * far, notes, all.found);
     note.selected.forget();  // until the selection is whole
     const NearList<D>& list = notes[note.owner].list;
-    const double left = note.listed.limits.room - note.listed.way_to(part), more = kSelectedMore * varied * reach;
-    const SelectionLimits wanted{reach + more, more};
+    const double left = note.listed.limits.room - note.listed.way_to(part), more = kSelectedMore * varied * far;
+    const SelectionLimits limits{far + more, more};
     note.places = places;
-    note.selected.set(part, has_features_ ? note.near.select_features(list, part, places, wanted, left)
-                                          : note.near.select_all(list, part, wanted, left));
+    note.selected.set(part, has_features_ ? note.near.select_features(list, part, places, limits, left)
+                                          : note.near.select_all(list, part, limits, left));
   }
   return {notes[note.owner].list, note.near};
 }

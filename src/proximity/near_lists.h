@@ -78,8 +78,10 @@ class NearLists {
   /** Whether it is known that nothing is within a distance of a part. */
   bool is_alone(const Body<D>& body, const Part<D>& part, double reach, NearNotes<D>& notes) const noexcept;
   /** What is within a distance of a part, and perhaps more. `places`: the parts to select for; ignored without features.
-   * `notes` are of its body. Valid until the next call. */
-  NearView<D> near(const Body<D>& body, const Part<D>& part, uint32_t places, double reach, NearNotes<D>& notes);
+   * `notes` are of its body. Valid until the next call.
+   * @param wanted how far to look where it has to look. More than `reach` lets it look less often. */
+  NearView<D> near(const Body<D>& body, const Part<D>& part, uint32_t places, double reach, NearNotes<D>& notes,
+                   double wanted = 0);
   /** Those in a region; remembers nothing. */
   const NearList<D>& in(Cell start, const NearRegion<D>& region);
 

@@ -20,6 +20,17 @@ void NearWalls<D>::start(const Array<Traveller<D>>& travellers) {
   }
 }
 
+/** Whether something is remembered of what is near a part. An edge of few cells mostly keeps to them, so what is near
+ * is seldom asked for. */
+template <int D>
+bool NearWalls<D>::keeps_notes(const Traveller<D>& of, const Simplex& part) {
+  constexpr size_t kFewCells = 8;
+  const Body<D>& body = *of.body;
+  if (of.notes == nullptr || is_covered(body, part)) return false;
+  const bool has_sequence = part.kind == Simplex::kEdge && body.keeps_sequences();
+  return !has_sequence || body.sequences[part.index].facets.size() >= kFewCells;
+}
+
 /** Whether it is known that nothing is near the way of a part. */
 template <int D>
 bool NearWalls<D>::is_alone(const Traveller<D>& of, const Simplex& simplex) {
@@ -62,13 +73,14 @@ typename NearWalls<D>::Reach NearWalls<D>::reach_of(const Traveller<D>& of, cons
  * through the same region. */
 template <int D>
 void NearWalls<D>::collect(const Traveller<D>& of, const Part<D>& part, const Reach* kept, Range& near) {
-  constexpr double kRoom = 0.5;  // that is asked for, as a share of the size
+  // How far it looks in advance: times the way, and times the size. The lesser is taken.
+  constexpr double kWays = 3, kSizes = 0.5;
   const Box<D> box = box_of_way(of, part.simplex);
   obstacles_.clear();
   sides_.clear();
   if (kept != nullptr) {
-    const double reach = std::max(kept->way, kRoom * kept->size);
-    const NearView<D> view = lists_.near(*of.body, part, 0, reach, *of.notes);
+    const double wanted = std::min(kWays * kept->way, kSizes * kept->size);
+    const NearView<D> view = lists_.near(*of.body, part, 0, kept->way, *of.notes, wanted);
     add_obstacles(view.list, &view.near, box);
   } else {
     const uint32_t count = part.corners.count;

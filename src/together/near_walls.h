@@ -48,10 +48,7 @@ class NearWalls {
     uint32_t vertices[2];
     uint32_t plane, obstacle;
   };
-  /** Whether something is remembered of what is near a part. */
-  static bool keeps_notes(const Traveller<D>& of, const Simplex& part) {
-    return of.notes != nullptr && !is_covered(*of.body, part);
-  }
+  static bool keeps_notes(const Traveller<D>& of, const Simplex& part);
   static Reach reach_of(const Traveller<D>& of, const Part<D>& part);
   void collect(const Traveller<D>& of, const Part<D>& part, const Reach* kept, Range& near);
   void add_obstacles(const NearList<D>& list, const NearSelection<D>* selection, const Box<D>& box);

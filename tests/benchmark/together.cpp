@@ -20,6 +20,21 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
+/** Nanoseconds of a step, in turn and together: means of blocks, since most steps use what others have found. */
+struct Times {
+  static constexpr std::size_t kBlock = 10;
+
+  void add(int mode, double ns) {
+    if (steps % kBlock == 0) blocks[mode].push_back(0);
+    in_block[mode] = steps % kBlock == 0 ? ns : in_block[mode] + ns;
+    blocks[mode].back() = in_block[mode] / static_cast<double>(steps % kBlock + 1);
+  }
+
+  std::vector<double> blocks[2];
+  std::size_t steps = 0;
+  double in_block[2] = {};
+};
+
 /** One body twice, in scenes of their own. */
 class Beside {
  public:
@@ -42,7 +57,9 @@ class Beside {
     ns[0] = cpu_time_ns(move_in_turn);
     if (!is_swapped) ns[1] = cpu_time_ns(move_together);
     const bool stops = in_turn_.stopped() != 0 || together_.stopped() != 0;
-    for (int mode = 0; mode < 2; ++mode) times_[stops ? 1 : 0][mode].push_back(ns[mode]);
+    Times& times = times_[stops ? 1 : 0];
+    for (int mode = 0; mode < 2; ++mode) times.add(mode, ns[mode]);
+    ++times.steps;
     if (!stops) return;
     stopped_[0] += static_cast<double>(in_turn_.stopped());
     stopped_[1] += static_cast<double>(together_.stopped());
@@ -52,9 +69,10 @@ class Beside {
   void add_to(Beside& sum) const {
     for (int k = 0; k < 2; ++k) {
       for (int mode = 0; mode < 2; ++mode) {
-        auto& all = sum.times_[k][mode];
-        all.insert(all.end(), times_[k][mode].begin(), times_[k][mode].end());
+        auto& all = sum.times_[k].blocks[mode];
+        all.insert(all.end(), times_[k].blocks[mode].begin(), times_[k].blocks[mode].end());
       }
+      sum.times_[k].steps += times_[k].steps;
       sum.stopped_[k] += stopped_[k];
     }
   }
@@ -63,14 +81,14 @@ class Beside {
     double free_ratio = 0;
     for (int k = 0; k < 2; ++k) {
       const std::string key = name + (k == 0 ? "" : ".contacts");
-      const double us[2] = {1e-3 * median(times_[k][0]), 1e-3 * median(times_[k][1])};
-      if (times_[k][0].empty()) continue;
+      if (times_[k].steps == 0) continue;
+      const double us[2] = {1e-3 * median(times_[k].blocks[0]), 1e-3 * median(times_[k].blocks[1])};
       report.set("together.us_in_turn." + key, us[0]);
       report.set("together.us." + key, us[1]);
       report.set("together.over_sequential." + key, us[1] / us[0]);
       if (k == 0) free_ratio = us[1] / us[0];
     }
-    const auto steps = static_cast<double>(std::max<std::size_t>(times_[1][0].size(), 1));
+    const auto steps = static_cast<double>(std::max<std::size_t>(times_[1].steps, 1));
     report.set("together.stopped_in_turn." + name, stopped_[0] / steps);
     report.set("together.stopped." + name, stopped_[1] / steps);
     return free_ratio;
@@ -79,8 +97,8 @@ class Beside {
  private:
   Flock in_turn_, together_;
   std::size_t steps_ = 0;
-  std::vector<double> times_[2][2];  // of free steps and of those in which a vertex stops; in turn and together
-  double stopped_[2] = {};           // vertices
+  Times times_[2];          // of free steps and of those in which a vertex stops
+  double stopped_[2] = {};  // vertices
 };
 
 struct Level {
