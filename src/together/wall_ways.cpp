@@ -179,10 +179,15 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
     }
     touch.pair.end[first_corner + i] = points[2 * i + 1];
   }
-  is_beside_.clear();
-  for (uint32_t i = near.first_plane; i < near.plane_end; ++i) {
-    is_beside_.push_back(is_beside(near_.planes()[i], points, 2 * corners.count) ? 1 : 0);
-  }
+  constexpr uint8_t kUnknown = 2;
+  is_beside_.assign(near.plane_end - near.first_plane, kUnknown);
+  const auto is_beside_plane = [&](uint32_t plane) {
+    uint8_t& known = is_beside_[plane];
+    if (known == kUnknown) {
+      known = is_beside(near_.planes()[near.first_plane + plane], points, 2 * corners.count) ? 1 : 0;
+    }
+    return known != 0;
+  };
   for (uint32_t i = near.first_feature; i < near.feature_end; ++i) {
     const typename NearWalls<D>::Feature& feature = near_.features()[i];
     for (uint32_t k = 0; k < feature.name.count; ++k) {
@@ -191,10 +196,7 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
     }
     if (!boxes_overlap(touch.pair, touch.comes_first ? 0 : 1)) continue;
     const uint32_t* const numbers = near_.plane_numbers().data();
-    if (std::any_of(numbers + feature.first_plane, numbers + feature.plane_end,
-                    [&](uint32_t plane) { return is_beside_[plane] != 0; })) {
-      continue;
-    }
+    if (std::any_of(numbers + feature.first_plane, numbers + feature.plane_end, is_beside_plane)) continue;
     if (keeps_sides(points, corners.count, feature.name)) continue;
     WayTouch<D> found = touch;
     found.first = first_touch(found.pair);
