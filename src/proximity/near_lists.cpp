@@ -139,8 +139,7 @@ bool NearLists<D>::is_alone(const Body<D>& body, const Part<D>& part, double rea
   if (part.simplex.index >= notes.size()) return false;
   NearNote<D>& note = notes[part.simplex.index];
   const bool is_alone = has_features_ ? note.near.is_alone() : note.near.empty();
-  return is_alone && note.selected.holds(reach, note.selected.way_to(part)) &&
-         is_current(body, part, notes, note);
+  return is_alone && note.selected.holds(reach, note.selected.way_to(part)) && is_current(body, part, notes, note);
 }
 
 template <int D>
