@@ -23,9 +23,19 @@ struct Decoded {
   bool negative;
 };
 
-inline Decoded decode(double x) noexcept {
+inline std::uint64_t bits_of(double x) noexcept {
   std::uint64_t bits;
   std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+inline double of_bits(std::uint64_t bits) noexcept {
+  double x;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
+inline Decoded decode(double x) noexcept {
+  const std::uint64_t bits = bits_of(x);
   const std::uint64_t fraction = bits & 0xfffffffffffffu;
   const int exponent = static_cast<int>((bits >> 52) & 0x7ff);
   const std::uint64_t hidden = exponent != 0 ? 1 : 0;

@@ -23,16 +23,18 @@ struct MovingPair {
 
 struct FirstTouch {
   bool touches;
-  double time;  // the largest double not later than the first time in [0,1]; 0 without a touch
+  double time;            // the largest double not later than the first time in [0,1]; 0 without a touch
+  bool is_exact = false;  // whether it is known to be the first time
 };
 
 // Takes memory only if coordinates of one axis spread over hundreds of bits. Throws std::bad_alloc.
 template <int D>
 FirstTouch first_touch(const MovingPair<D>& pair);
 
-// Sign of a's first time minus b's, exactly. Both touch.
+// Sign of a's first time minus b's, exactly. Both touch, as first_touch has said.
 template <int D>
-int compare_first_touches(const MovingPair<D>& a, const MovingPair<D>& b);
+int compare_first_touches(const MovingPair<D>& a, const FirstTouch& first_a, const MovingPair<D>& b,
+                          const FirstTouch& first_b);
 
 // The sign of det(p1 - p0, ..., pD - p0) if it never changes and is never 0 in [0,1]; else 0.
 template <int D>

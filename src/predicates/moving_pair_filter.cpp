@@ -1,10 +1,10 @@
 #include "predicates/moving_pair_filter.h"
 
 #include <cmath>
-#include <cstring>
 
 #include "predicates/double_double.h"
 #include "predicates/filter_bounds.h"
+#include "predicates/integers.h"
 
 namespace dsw {
 
@@ -281,13 +281,7 @@ class Filter {
     return false;
   }
 
-  static double next(double x) noexcept {
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    ++bits;
-    std::memcpy(&x, &bits, sizeof x);
-    return x;
-  }
+  static double next(double x) noexcept { return integers::of_bits(integers::bits_of(x) + 1); }
 
   // Newton's method, with bisection where a step leaves the interval.
   double guess_root(const Piece<D>& piece, bool rising) const noexcept {

@@ -6,6 +6,9 @@ namespace dsw {
 
 namespace {
 
+using integers::bits_of;
+using integers::of_bits;
+
 int compare(const Dyadic& a, const Dyadic& b) {
   const int low = a.shift < b.shift ? a.shift : b.shift;
   return (shifted(a.numerator, b.shift - low) - shifted(b.numerator, a.shift - low)).sign();
@@ -17,17 +20,6 @@ Dyadic dyadic_of(IntegerPool& pool, double x) {
   const int zeros = static_cast<int>(lowest_bit(d.magnitude));
   const int exponent = d.exponent + zeros - 1075;
   return {integer_of(pool, d.magnitude >> zeros), -exponent};
-}
-
-double of_bits(std::uint64_t bits) noexcept {
-  double x;
-  std::memcpy(&x, &bits, sizeof x);
-  return x;
-}
-std::uint64_t bits_of(double x) noexcept {
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof bits);
-  return bits;
 }
 
 Polynomial derivative(IntegerPool& pool, const Polynomial& p) {
@@ -285,7 +277,9 @@ class RootFinder {
       before = between;
     }
     if (sign_at(p_, high) == 0) {
-      add_exact(high, compare(high, dyadic_of(pool_, next)) == 0 ? next : floor);
+      const bool is_next = compare(high, dyadic_of(pool_, next)) == 0;
+      add_exact(high, is_next ? next : floor);
+      roots_[found_ - 1].is_floor = is_next;
     } else {
       add(low, high, floor);
     }
@@ -324,12 +318,12 @@ class RootFinder {
 
   void add_exact(const Dyadic& at, double floor) {
     add(at, at, floor);
-    roots_[found_ - 1].is_low = true;
+    roots_[found_ - 1].is_low = roots_[found_ - 1].is_floor = true;
   }
   void add(const Dyadic& low, const Dyadic& high, double floor) {
     Root& root = roots_[found_++];
     root.of = p_;
-    root.is_low = false;
+    root.is_low = root.is_floor = false;
     root.low = low;
     root.high = high;
     root.floor = floor;
@@ -390,7 +384,7 @@ int find_roots(IntegerPool& pool, const Polynomial& p, Root (&roots)[3]) {
 
 Root root_at_start() {
   Root root;
-  root.is_low = true;
+  root.is_low = root.is_floor = true;
   return root;
 }
 

@@ -33,7 +33,8 @@ struct Root {
   Polynomial of;
   bool is_low = false;
   Dyadic low, high;
-  double floor = 0;  // the largest double not above the root
+  double floor = 0;       // the largest double not above the root
+  bool is_floor = false;  // whether it is the root
 };
 
 // Roots in [0,1] of a polynomial of degree 0 to 3, ascending. Returns their number.

@@ -90,6 +90,14 @@ void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double s
 template <int D>
 void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint32_t vertex, dsw_body_edit* edit);
 
+/** Before a move that can fail after some vertices have moved: `before` is what put_vertices takes. Throws
+ * std::bad_alloc. */
+template <int D>
+void begin_move(const Scene<D>& scene, BodyRecord<D>& of);
+/** What a move has left becomes what the host reads; `casts` and contacts are counted. */
+template <int D>
+void end_move(Scene<D>& scene, BodyRecord<D>& of, const CastCounters& casts) noexcept;
+
 /** Targets are finite, one for each vertex slot; `order` names distinct living vertices. */
 template <int D>
 void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrder order, const MoveSettings& settings);

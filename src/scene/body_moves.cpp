@@ -11,27 +11,30 @@
 namespace dsw {
 namespace {
 
-/** What a move has left becomes what the host reads. */
-template <int D>
-void publish(BodyRecord<D>& of) noexcept {
-  of.touches.follow(of.record, of.next, of.body.vertex_slots);
-  std::swap(of.record, of.next);
-}
-
 template <int D>
 BodyMove<D>& mover_of(Scene<D>& scene) {
   if (scene.mover.get() == nullptr) scene.mover.make(scene.env);
   return *scene.mover.get();
 }
 
+}  // namespace
+
 template <int D>
-void count(Scene<D>& scene, const BodyRecord<D>& of, const CastCounters& casts) noexcept {
+void begin_move(const Scene<D>& scene, BodyRecord<D>& of) {
+  follow_changes(scene, of);
+  of.before.assign(of.body.vertices.begin(), of.body.vertices.end());
+  of.touches.prepare(of.record);
+}
+
+template <int D>
+void end_move(Scene<D>& scene, BodyRecord<D>& of, const CastCounters& casts) noexcept {
+  of.touches.follow(of.record, of.next, of.body.vertex_slots);
+  std::swap(of.record, of.next);
+  settle_body(scene, of);
   if (!scene.features.statistics) return;
   scene.statistics.cast.add(casts);
   scene.statistics.contacts += of.record.contacts.size();
 }
-
-}  // namespace
 
 template <int D>
 void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrder order,
@@ -48,9 +51,7 @@ void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrd
   move.set_notes(&body.kept_near);
   body.touches.prepare(body.record);
   move.move(body.body, targets, order, settings, body.next);
-  publish(body);
-  settle_body(scene, body);
-  count(scene, body, casts);
+  end_move(scene, body, casts);
 }
 
 template <int D>
@@ -66,35 +67,28 @@ void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, con
   move.set_notes(&body.kept_near);
   body.touches.prepare(body.record);
   move.move_together(body.body, place, user, order, body.next);
-  publish(body);
-  settle_body(scene, body);
-  count(scene, body, casts);
+  end_move(scene, body, casts);
 }
 
 template <int D>
-void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count_of_bodies, PointArray targets,
+void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets,
                  const MoveSettings& settings) {
-  Array<size_t> first(count_of_bodies, 0, scene.memory);
-  Array<CastCounters> casts(count_of_bodies, CastCounters{}, scene.memory);
+  Array<size_t> first(count, 0, scene.memory);
+  Array<CastCounters> casts(count, CastCounters{}, scene.memory);
   // If one runs out of memory, none has moved.
   const bool edits = settings.may_edit();
   Array<Body<D>> wholes{scene.memory};
-  wholes.reserve(edits ? count_of_bodies : 0);
+  wholes.reserve(edits ? count : 0);
   size_t at = 0;
-  for (size_t i = 0; i < count_of_bodies; ++i) {
+  for (size_t i = 0; i < count; ++i) {
     BodyRecord<D>& body = *bodies[i];
-    follow_changes(scene, body);
-    if (edits) {
-      wholes.push_back(body.body);
-    } else {
-      body.before.assign(body.body.vertices.begin(), body.body.vertices.end());
-    }
-    body.touches.prepare(body.record);
+    begin_move(scene, body);
+    if (edits) wholes.push_back(body.body);
     first[i] = at;
     at += body.body.vertices.size();
   }
   Islands<D> islands(scene.memory);
-  find_islands(scene, bodies, count_of_bodies, targets, first.data(), settings.may_slide(), islands);
+  find_islands(scene, bodies, count, targets, first.data(), settings.may_slide(), islands);
   std::atomic<bool> out_of_memory{false};
   auto chunk = [&](size_t begin, size_t end) noexcept {
     try {
@@ -115,7 +109,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count_of_
   constexpr size_t kChunks = 64;
   parallel_chunks(scene.parallel, islands.count(), (islands.count() + kChunks - 1) / kChunks, chunk);
   if (out_of_memory) {
-    for (size_t i = 0; i < count_of_bodies; ++i) {
+    for (size_t i = 0; i < count; ++i) {
       BodyRecord<D>& body = *bodies[i];
       if (edits) {
         std::swap(body.body, wholes[i]);
@@ -125,13 +119,13 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count_of_
     }
     throw std::bad_alloc();
   }
-  for (size_t i = 0; i < count_of_bodies; ++i) {
-    publish(*bodies[i]);
-    settle_body(scene, *bodies[i]);
-    count(scene, *bodies[i], casts[i]);
+  for (size_t i = 0; i < count; ++i) {
+    end_move(scene, *bodies[i], casts[i]);
   }
 }
 
+DSW_INSTANTIATE(begin_move);
+DSW_INSTANTIATE(end_move);
 DSW_INSTANTIATE(move_body);
 DSW_INSTANTIATE(move_body_together);
 DSW_INSTANTIATE(move_bodies);

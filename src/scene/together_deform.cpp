@@ -69,7 +69,7 @@ PointArray positions_of(const Body<D>& body) {
 
 template <int D>
 void Call<D>::add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record) {
-  follow_changes(scene_, of);
+  begin_move(scene_, of);
   const auto slot = static_cast<uint32_t>(&of - scene_.bodies.data());
   Traveller<D>& made = travellers_.emplace_back(scene_.memory);
   made.body = &of.body;
@@ -85,8 +85,6 @@ void Call<D>::gather(BodyRecord<D>* const* bodies, size_t count, PointArray targ
   for (size_t i = 0; i < count; ++i) {
     BodyRecord<D>& of = *bodies[i];
     moves[static_cast<size_t>(&of - scene_.bodies.data())] = true;
-    of.before.assign(of.body.vertices.begin(), of.body.vertices.end());
-    of.touches.prepare(of.record);
     of.next.clear();
     add_body(of, {targets.data + first * targets.step, targets.step}, &of.next);
     first += of.body.vertices.size();
@@ -96,7 +94,6 @@ void Call<D>::gather(BodyRecord<D>* const* bodies, size_t count, PointArray targ
     if (!scene_.body_slots.alive(slot, scene_.body_slots.generation(slot))) continue;
     if (of.body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "a body of the scene has a radius");
     if (moves[slot]) continue;
-    of.before.assign(of.body.vertices.begin(), of.body.vertices.end());
     add_body(of, positions_of(of.body), &still_record_);
   }
   add_particles();
@@ -255,14 +252,9 @@ void Call<D>::keep_results(BodyRecord<D>* const* bodies, size_t count, size_t po
   if (!travellers_.empty()) ways_.finish(travellers_);
   record_.sort();
   std::swap(d.record, d.next);
-  for (size_t i = 0; i < count; ++i) {
-    BodyRecord<D>& of = *bodies[i];
-    of.touches.follow(of.record, of.next, of.body.vertex_slots);
-    std::swap(of.record, of.next);
-    if (scene_.features.statistics) scene_.statistics.contacts += of.record.contacts.size();
-  }
+  for (size_t i = 0; i < count; ++i) end_move(scene_, *bodies[i], {});
   for (const Traveller<D>& of : travellers_) {
-    if (of.body != &particles_) settle_body(scene_, scene_.bodies[of.name.index]);
+    if (of.record == &still_record_ && of.body != &particles_) settle_body(scene_, scene_.bodies[of.name.index]);
   }
   for (uint32_t i = 0; i < slots_.size(); ++i) {
     ParticleState<D>& particle = scene_.particles[slots_[i]];

@@ -1,7 +1,5 @@
 #include "scene/together_moves.h"
 
-#include <utility>
-
 #include "base/dimensions.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
@@ -45,9 +43,7 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
   for (size_t i = 0; i < count; ++i) {
     BodyRecord<D>& of = *bodies[i];
     if (of.body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "bodies[%zu] has a radius", i);
-    follow_changes(scene, of);
-    of.before.assign(of.body.vertices.begin(), of.body.vertices.end());
-    of.touches.prepare(of.record);
+    begin_move(scene, of);
     of.next.clear();
     first[i] = at;
     at += of.body.vertices.size();
@@ -76,14 +72,7 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
     for (size_t i = 0; i < count; ++i) put_vertices(bodies[i]->body, bodies[i]->before.data());
     throw;
   }
-  for (size_t i = 0; i < count; ++i) {
-    BodyRecord<D>& of = *bodies[i];
-    of.touches.follow(of.record, of.next, of.body.vertex_slots);
-    std::swap(of.record, of.next);
-    settle_body(scene, of);
-    if (scene.features.statistics) scene.statistics.contacts += of.record.contacts.size();
-  }
-  if (scene.features.statistics) scene.statistics.cast.add(casts);
+  for (size_t i = 0; i < count; ++i) end_move(scene, *bodies[i], i == 0 ? casts : CastCounters{});
 }
 
 DSW_INSTANTIATE(move_together);

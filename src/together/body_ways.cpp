@@ -306,7 +306,7 @@ bool BodyWays<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit vis
       start[i] = of.start(hinge.vertices[i]);
       end[i] = of.end(hinge.vertices[i]);
     }
-    if (D == 3 && stays_open(start, end)) continue;
+    if (stays_open(start, end)) continue;
     for (uint32_t k = 0; k < 2; ++k) {
       const Side far{hinge.traveller, &of.name, {Simplex::kVertex, hinge.vertices[1 + k]}};
       const Side edge{hinge.traveller, &of.name, {Simplex::kEdge, hinge.edges[1 - k]}};

@@ -3,9 +3,8 @@
 // leaves a cell only through a facet, so the flood through passable facets that may be in the box finds them all, and with
 // them the wall.
 //
-// What touches at the start may be free under the shift, and stay so. The determinant of the points of a part and a feature
-// is affine in each of them. If it has one sign under the shift for all choices of start or end of each point, part and
-// feature never meet. A common translation of all points changes nothing, so it is left out if that is exact.
+// What touches at the start may be free under the shift, and stay so: see keeps_sides. A common translation of all points
+// changes nothing, so it is left out if that is exact.
 
 #include "together/moving_walls.h"
 
@@ -16,9 +15,8 @@
 #include "base/dimensions.h"
 #include "contact/describe.h"
 #include "environment/validity.h"
-#include "predicates/filtered.h"
-#include "predicates/sweep_events.h"
 #include "together/describe.h"
+#include "together/kept_sides.h"
 #include "together/place_on_way.h"
 #include "walk/cast.h"
 
@@ -49,15 +47,11 @@ void MovingWalls<D>::begin(const double* next, Array<dsw_volume_id>& invalid) no
 
 template <int D>
 void MovingWalls<D>::start(const Array<Traveller<D>>& travellers) {
-  for (const Point& each : points_) places_[each.vertex] = kNone;
-  for (const Cell c : checked_) is_checked_[env_.map.index(c)] = 0;
-  points_.clear();
-  checked_.clear();
   nears_.clear();
   features_.clear();
+  ends_.clear();
   cells_.clear();
-  places_.resize(env_.map.vertex_count, kNone);
-  is_checked_.resize(env_.map.index_count(), 0);
+  checked_.clear();
   stay_valid_ = true;
   counts = {};
   contacts.clear();
@@ -106,10 +100,9 @@ void MovingWalls<D>::add_cells() {
   for (size_t i = 0; i < flood_.cells().size(); ++i) {
     const Cell c = flood_.cells()[i];
     cells_.push_back(c);
-    const uint32_t index = env_.map.index(c);
-    if (is_checked_[index] != 0) continue;
-    is_checked_[index] = 1;
-    checked_.push_back(c);
+    const size_t before = checked_.size();
+    checked_.insert(c);
+    if (checked_.size() == before) continue;
     env_.map.for_each_vertex(c, [&](uint32_t v) {
       if (!is_finite<D>(next_ + size_t{D} * v)) fail_non_finite({next_, D}, v, D, {"next", true});
     });
@@ -126,38 +119,26 @@ void MovingWalls<D>::add_features(const Simplex& part) {
   const uint32_t wanted = D - static_cast<uint32_t>(part.kind);
   for (const NearFeature& f : list_.features()) {
     if (f.count != wanted) continue;
-    WallFeature feature{{kNone, kNone, kNone}, wanted, {}, {}};
+    Feature feature{{{kNone, kNone, kNone}, wanted, {}, {}}, ends_.size()};
     for (uint32_t i = 0; i < wanted; ++i) {
-      feature.vertices[i] = list_.name(f.corners[i]);
-      place_of(feature.vertices[i]);
+      feature.name.vertices[i] = list_.name(f.corners[i]);
+      const double* const end = next_ + size_t{D} * feature.name.vertices[i];
+      ends_.insert(ends_.end(), end, end + D);
     }
-    list_.for_each_obstacle(f, [&](uint32_t number) {
-      const NearObstacle<D>& o = list_.obstacles()[number];
-      if (!o.facet.valid()) {
-        feature.cell = o.cell;
-      } else if (!feature.facet.valid() ||
-                 canonical(env_.map, o.facet).word < canonical(env_.map, feature.facet).word) {
-        feature.facet = o.facet;
-      }
-    });
+    list_.for_each_obstacle(f,
+                            [&](uint32_t number) { name_obstacle(env_.map, list_.obstacles()[number], feature.name); });
     features_.push_back(feature);
   }
 }
 
 template <int D>
-uint32_t MovingWalls<D>::place_of(uint32_t vertex) {
-  if (places_[vertex] == kNone) {
-    places_[vertex] = static_cast<uint32_t>(points_.size());
-    Point& added = points_.emplace_back();
-    added.vertex = vertex;
-    std::copy_n(next_ + size_t{D} * vertex, D, added.end);
-  }
-  return places_[vertex];
-}
-
-template <int D>
 void MovingWalls<D>::set_end(double time) {
-  for (Point& each : points_) place_on_way<D>(env_.point(each.vertex), next_ + size_t{D} * each.vertex, time, each.end);
+  for (const Feature& feature : features_) {
+    for (uint32_t i = 0; i < feature.name.count; ++i) {
+      const uint32_t v = feature.name.vertices[i];
+      place_on_way<D>(env_.point(v), next_ + size_t{D} * v, time, &ends_[feature.first_end + size_t{D} * i]);
+    }
+  }
 }
 
 template <int D>
@@ -187,7 +168,7 @@ bool MovingWalls<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit 
       if (!touch.first.touches || stays_free(touch, 1 + static_cast<uint32_t>(near.part.kind))) continue;
       touch.traveller = near.traveller;
       touch.part = near.part;
-      touch.wall = features_[i];
+      touch.wall = features_[i].name;
       if (!visit(touch)) return false;
     }
   }
@@ -196,15 +177,15 @@ bool MovingWalls<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit 
 
 /** The points of a part and a feature; whether any of them moves. */
 template <int D>
-bool MovingWalls<D>::set_pair(const Traveller<D>& of, const Near& near, const WallFeature& feature,
+bool MovingWalls<D>::set_pair(const Traveller<D>& of, const Near& near, const Feature& feature,
                               WayTouch<D>& touch) const {
   const SimplexCorners<D> corners(*of.body, near.part);
   touch.pair.kind = D == 2                             ? PairKind::kVertexEdge
                     : near.part.kind == Simplex::kEdge ? PairKind::kEdgeEdge
                                                        : PairKind::kVertexFace;
   // Who has fewer points comes first.
-  touch.comes_first = corners.count <= feature.count;
-  const uint32_t first_corner = touch.comes_first ? 0 : feature.count,
+  touch.comes_first = corners.count <= feature.name.count;
+  const uint32_t first_corner = touch.comes_first ? 0 : feature.name.count,
                  first_wall = touch.comes_first ? corners.count : 0;
   bool moves = false;
   for (uint32_t i = 0; i < corners.count; ++i) {
@@ -212,9 +193,9 @@ bool MovingWalls<D>::set_pair(const Traveller<D>& of, const Near& near, const Wa
     touch.pair.end[first_corner + i] = of.end(corners.vertices[i]);
     moves = moves || of.moves(corners.vertices[i]);
   }
-  for (uint32_t i = 0; i < feature.count; ++i) {
-    const double* const start = touch.pair.start[first_wall + i] = env_.point(feature.vertices[i]);
-    const double* const end = touch.pair.end[first_wall + i] = points_[places_[feature.vertices[i]]].end;
+  for (uint32_t i = 0; i < feature.name.count; ++i) {
+    const double* const start = touch.pair.start[first_wall + i] = env_.point(feature.name.vertices[i]);
+    const double* const end = touch.pair.end[first_wall + i] = &ends_[feature.first_end + size_t{D} * i];
     moves = moves || !std::equal(start, start + D, end);
   }
   return moves;
@@ -244,40 +225,6 @@ bool MovingWalls<D>::stays_free(const WayTouch<D>& touch, uint32_t part_count) c
   return !moves || keeps_sides(rest, part_count, touch.comes_first);
 }
 
-/** Under the shift of the part, which has the first or the last points of the pair. */
-template <int D>
-bool MovingWalls<D>::keeps_sides(const MovingPair<D>& pair, uint32_t part_count, bool part_first) const {
-  const uint32_t first_corner = part_first ? 0 : D + 1 - part_count, first_wall = part_first ? part_count : 0;
-  int side = 0;
-  for (uint32_t choice = 0; choice < 1u << (D + 1); ++choice) {
-    const double* at[D + 1];
-    bool is_new = true;
-    for (int i = 0; i <= D; ++i) {
-      const bool is_end = (choice >> i & 1u) != 0;
-      at[i] = is_end ? pair.end[i] : pair.start[i];
-      is_new = is_new && !(is_end && std::equal(pair.start[i], pair.start[i] + D, pair.end[i]));
-    }
-    if (!is_new) continue;
-    const double *const *const part = at + first_corner, *const *const wall = at + first_wall;
-    int sign;
-    if (part_count == 1) {
-      sign = plane_side<D>(wall, part[0], NoTally{}).sign;
-    } else if (part_count == D) {
-      if constexpr (D == 3) {
-        sign = swept_side({part[0], part[1], part[2]}, wall[0]).sign;
-      } else {
-        const double* const ridge[2] = {wall[0], nullptr};
-        sign = line_side<2>(part[0], part[1], ridge, NoTally{}).sign;
-      }
-    } else {
-      sign = line_side<D>(part[0], part[1], wall, NoTally{}).sign;
-    }
-    if (sign == 0 || (side != 0 && sign != side)) return false;
-    side = sign;
-  }
-  return true;
-}
-
 template <int D>
 void MovingWalls<D>::describe(const Array<Traveller<D>>& travellers, const FirstTouches<D>& first) {
   contacts.clear();
@@ -294,9 +241,9 @@ void MovingWalls<D>::describe(const Array<Traveller<D>>& travellers, const First
 
 template <int D>
 bool MovingWalls<D>::stayed_valid(const double* start) {
-  for (const Cell c : checked_) {
-    if (stays_valid(env_, c, start)) continue;  // a way back is as good
-    invalid_->push_back(volume_id(env_.map, c));
+  for (size_t i = 0; i < checked_.size(); ++i) {
+    if (stays_valid(env_, checked_[i], start)) continue;  // a way back is as good
+    invalid_->push_back(volume_id(env_.map, checked_[i]));
     stay_valid_ = false;
   }
   return stay_valid_;

@@ -7,7 +7,7 @@
 
 namespace dsw {
 
-/** Stands for WallWays in WholeWays. Keeps its memory from call to call. Throws std::bad_alloc. */
+/** Stands for WallWays in WholeWays. Throws std::bad_alloc. */
 template <int D>
 class MovingWalls {
   const Environment<D>& env_;
@@ -49,20 +49,17 @@ class MovingWalls {
     uint32_t first_feature, feature_end;
     uint32_t first_cell, cell_end;  // of a vertex: where it may arrive
   };
-  /** A moving point of the environment. */
-  struct Point {
-    uint32_t vertex;
-    double end[D];
+  struct Feature {
+    WallFeature name;
+    size_t first_end;  // of its points, in ends_
   };
   void collect(const Traveller<D>& of, uint32_t number, const Simplex& part);
   void add_cells();
   void add_features(const Simplex& part);
-  uint32_t place_of(uint32_t vertex);
   template <class Visit>
   bool visit_touches(const Array<Traveller<D>>& travellers, Visit visit);
-  bool set_pair(const Traveller<D>& of, const Near& near, const WallFeature& feature, WayTouch<D>& touch) const;
+  bool set_pair(const Traveller<D>& of, const Near& near, const Feature& feature, WayTouch<D>& touch) const;
   bool stays_free(const WayTouch<D>& touch, uint32_t part_count) const;
-  bool keeps_sides(const MovingPair<D>& pair, uint32_t part_count, bool part_first) const;
 
   const double* next_ = nullptr;
   Array<dsw_volume_id>* invalid_ = nullptr;
@@ -70,12 +67,10 @@ class MovingWalls {
   NearList<D> list_;
   bool stay_valid_ = true;
   Array<Near> nears_{env_.memory};
-  Array<WallFeature> features_{env_.memory};
-  Array<Cell> cells_{env_.memory};
-  Array<Point> points_{env_.memory};
-  Array<uint32_t> places_{env_.memory};     // in points_, by vertex of the environment
-  Array<uint8_t> is_checked_{env_.memory};  // by cell
-  Array<Cell> checked_{env_.memory};        // these
+  Array<Feature> features_{env_.memory};
+  Array<double> ends_{env_.memory};  // where the points of features go
+  Array<Cell> cells_{env_.memory};   // where vertices may arrive
+  CellQueue checked_{env_.memory};   // all that were met
 };
 
 }  // namespace dsw

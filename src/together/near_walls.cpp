@@ -146,13 +146,7 @@ void NearWalls<D>::add_features(bool corners_alone, Range& near) {
     for (; i < sides_.size() && std::equal(sides_[i].vertices, sides_[i].vertices + 2, feature.name.vertices); ++i) {
       const NearObstacle<D>& obstacle = obstacles_[sides_[i].obstacle];
       if (sides_[i].plane != kNone) plane_numbers_.push_back(sides_[i].plane);
-      if (!obstacle.facet.valid()) {
-        feature.name.cell = obstacle.cell;
-        continue;
-      }
-      const HalfFacet lowest = feature.name.facet;
-      if (!lowest.valid() || canonical(env_.map, obstacle.facet).word < canonical(env_.map, lowest).word)
-        feature.name.facet = obstacle.facet;
+      name_obstacle(env_.map, obstacle, feature.name);
     }
     feature.plane_end = static_cast<uint32_t>(plane_numbers_.size());
     features_.push_back(feature);

@@ -43,17 +43,16 @@ bool Sleeves<D>::note(EdgeSequence<D>& sequence, const End& a, const End& b) {
   return sequence.known();
 }
 
-/** Lets a sequence hold the cells that an end is in. @param is_longer whether it got one more; else it may lose one. */
+/** Lets a sequence hold the cells that an end is in. Whether it got one more; else it may lose one. */
 template <int D>
-void Sleeves<D>::extend(EdgeSequence<D>& sequence, const End& end, bool first, bool* is_longer) {
-  *is_longer = false;
-  if (!end.crossed.valid()) return;
+bool Sleeves<D>::extend(EdgeSequence<D>& sequence, const End& end, bool first) {
+  if (!end.crossed.valid()) return false;
   const HalfFacet beyond = env_.map.opposite(end.crossed);
   const HalfFacet left = first ? end.crossed : beyond, met = first ? beyond : end.crossed;
   const Array<uint32_t>& facets = sequence.facets;
-  if (!facets.empty() && (first ? facets.front() : facets.back()) == left.word) return;
+  if (!facets.empty() && (first ? facets.front() : facets.back()) == left.word) return false;
   sequence.add(env_, met, first);
-  *is_longer = true;
+  return true;
 }
 
 template <int D>
@@ -82,9 +81,7 @@ bool Sleeves<D>::keeps(const Traveller<D>& of, uint32_t edge) {
 /** Whether the edge keeps to its sequence, or to one more facet at either end. */
 template <int D>
 bool Sleeves<D>::keeps_to(EdgeSequence<D>& sequence, const End& a, const End& b) {
-  bool longer_at_a = false, longer_at_b = false;
-  extend(sequence, a, true, &longer_at_a);
-  extend(sequence, b, false, &longer_at_b);
+  const bool longer_at_a = extend(sequence, a, true), longer_at_b = extend(sequence, b, false);
   const bool keeps = !sequence.facets.empty() && passes_all(sequence, a, b);
   // What it passes at the end; or at the start, if it is not known to keep to that.
   if (keeps ? a.crossed.valid() && !longer_at_a : longer_at_a) sequence.remove(env_, true);

@@ -30,7 +30,7 @@ class Sleeves {
   End end_of(const Traveller<D>& of, uint32_t v) const;
   bool is_of(const EdgeSequence<D>& sequence, const End& a, const End& b) const;
   bool note(EdgeSequence<D>& sequence, const End& a, const End& b);
-  void extend(EdgeSequence<D>& sequence, const End& end, bool first, bool* is_longer);
+  bool extend(EdgeSequence<D>& sequence, const End& end, bool first);
   bool keeps_to(EdgeSequence<D>& sequence, const End& a, const End& b);
   bool passes_all(EdgeSequence<D>& sequence, const End& a, const End& b) const;
 

@@ -88,7 +88,8 @@ bool TogetherMove<D>::departs(Array<Traveller<D>>& travellers) {
   double time = 1;
   for (int k = 0; starts_at_walls && k < kMostHalvings; ++k) {
     time /= 2;
-    if (!ways_.is_free_until(travellers, time)) continue;
+    ways_.set_ends(travellers, time);
+    if (!ways_.is_free(travellers)) continue;
     time_ = time;
     return true;
   }

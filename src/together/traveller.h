@@ -59,6 +59,16 @@ struct WallFeature {
   Cell cell;        // of a marked edge or vertex: a cell at it
 };
 
+/** Names what an obstacle at a feature is: of its facets the lowest one, which depends on no order. */
+template <int D>
+void name_obstacle(const Map<D>& map, const NearObstacle<D>& obstacle, WallFeature& feature) noexcept {
+  if (!obstacle.facet.valid()) {
+    feature.cell = obstacle.cell;
+  } else if (!feature.facet.valid() || canonical(map, obstacle.facet).word < canonical(map, feature.facet).word) {
+    feature.facet = obstacle.facet;
+  }
+}
+
 /** Something that is touched. */
 template <int D>
 struct WayTouch {
@@ -83,10 +93,7 @@ struct FirstTouches {
   /** Notes one that is not later than those before. Throws std::bad_alloc. */
   void add(const WayTouch<D>& touch) {
     if (!all.empty()) {
-      const FirstTouch& best = all[0].first;
-      const int order = touch.first.time < best.time   ? -1
-                        : touch.first.time > best.time ? 1
-                                                       : compare_first_touches<D>(touch.pair, all[0].pair);
+      const int order = compare_first_touches<D>(touch.pair, touch.first, all[0].pair, all[0].first);
       if (order > 0) return;
       if (order < 0) all.clear();
     }

@@ -15,7 +15,7 @@
 #include <algorithm>
 
 #include "predicates/filtered.h"
-#include "predicates/sweep_events.h"
+#include "together/kept_sides.h"
 #include "walk/retreat.h"
 #include "walk/standard_facets.h"
 
@@ -197,7 +197,7 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
     if (!boxes_overlap(touch.pair, touch.comes_first ? 0 : 1)) continue;
     const uint32_t* const numbers = near_.plane_numbers().data();
     if (std::any_of(numbers + feature.first_plane, numbers + feature.plane_end, is_beside_plane)) continue;
-    if (keeps_sides(points, corners.count, feature.name)) continue;
+    if (keeps_sides(touch.pair, corners.count, touch.comes_first)) continue;
     WayTouch<D> found = touch;
     found.first = first_touch(found.pair);
     if (!found.first.touches) continue;
@@ -239,35 +239,6 @@ bool WallWays<D>::is_beside(const typename NearWalls<D>::Plane& plane, const dou
   if (side == 0) return false;
   return std::all_of(points + 1, points + count,
                      [&](const double* each) { return plane_side<D>(plane.corners, each, NoTally{}).sign == side; });
-}
-
-/** Whether the determinant of part and feature has one sign for all choices of start or end of each corner.
- * @param points start and end of each of `count` corners. */
-template <int D>
-bool WallWays<D>::keeps_sides(const double* const* points, uint32_t count, const WallFeature& feature) const {
-  const double* ridge[2] = {};
-  for (uint32_t i = 0; i < feature.count; ++i) ridge[i] = env_.point(feature.vertices[i]);
-  int side = 0;
-  for (uint32_t choice = 0; choice < 1u << count; ++choice) {
-    const double* at[3] = {};
-    bool is_new = true;
-    for (uint32_t i = 0; i < count; ++i) {
-      const uint32_t k = choice >> i & 1u;
-      at[i] = points[2 * i + k];
-      is_new = is_new && (k == 0 || !std::equal(at[i], at[i] + D, points[2 * i]));
-    }
-    if (!is_new) continue;
-    int sign;
-    if constexpr (D == 3) {
-      sign = count == 2 ? line_side<3>(at[0], at[1], ridge, NoTally{}).sign
-                        : swept_side({at[0], at[1], at[2]}, ridge[0]).sign;
-    } else {
-      sign = line_side<2>(at[0], at[1], ridge, NoTally{}).sign;
-    }
-    if (sign == 0 || (side != 0 && sign != side)) return false;
-    side = sign;
-  }
-  return true;
 }
 
 template class WallWays<2>;

@@ -49,7 +49,6 @@ class WallWays {
   bool visit_part(const Traveller<D>& of, uint32_t number, const Simplex& part, Visit visit);
   bool is_settled(const Traveller<D>& of, const Simplex& part);
   bool is_beside(const typename NearWalls<D>::Plane& plane, const double* const* points, uint32_t count) const;
-  bool keeps_sides(const double* const* points, uint32_t count, const WallFeature& feature) const;
   WayTouch<D> touch_of(const Traveller<D>& of, const Blocked& blocked) const;
 
   const Environment<D>& env_;

@@ -49,8 +49,7 @@ void WholeWays<D, Walls>::stop(Array<Traveller<D>>& travellers) {
 }
 
 template <int D, class Walls>
-bool WholeWays<D, Walls>::is_free_until(Array<Traveller<D>>& travellers, double time) {
-  set_ends(travellers, time);
+bool WholeWays<D, Walls>::is_free(Array<Traveller<D>>& travellers) {
   walls.cast_paths(travellers);
   return walls.is_free(travellers) && bodies.is_free(travellers);
 }
@@ -98,7 +97,7 @@ void WholeWays<D, Walls>::retreat(Array<Traveller<D>>& travellers) {
   for (int tries = 0; tries < kMostTries && step < time; ++tries, step *= 2) {
     set_ends(travellers, time - step);
     if (std::any_of(first.all.begin(), first.all.end(), touches)) continue;
-    if (is_free_until(travellers, time - step)) return;
+    if (is_free(travellers)) return;
   }
   set_ends(travellers, 0);
   walls.cast_paths(travellers);

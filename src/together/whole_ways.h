@@ -23,9 +23,10 @@ class WholeWays {
   bool find_touches(Array<Traveller<D>>& travellers);
   /** Keeps what is touched in the records, and lets all ways end just before it. */
   void stop(Array<Traveller<D>>& travellers);
-  /** Lets all ways end at a time of the ways to the goals; whether nothing is touched on them. */
-  bool is_free_until(Array<Traveller<D>>& travellers, double time);
+  /** Lets all ways end at a time of the ways to the goals. */
   void set_ends(Array<Traveller<D>>& travellers, double time);
+  /** Whether nothing is touched on the ways. */
+  bool is_free(Array<Traveller<D>>& travellers);
   /** All go to the ends of their ways. */
   void arrive(Array<Traveller<D>>& travellers);
   /** Counts who has come to its target. */

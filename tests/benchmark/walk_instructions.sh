@@ -5,19 +5,8 @@
 # each kernel that valgrind knows; it knows no AVX-512. Takes a minute or two.
 set -euo pipefail
 
-case ${1:-} in
-  '' | -h | --help)
-    sed -n '2,5s/^# \{0,1\}//p' "$0"
-    [ -n "${1:-}" ] || exit 2
-    exit 0
-    ;;
-esac
-program=$1
 json=walk_instructions.json
-if [ $# -gt 1 ]; then
-  [ "$2" = --json ] && [ $# = 3 ] || { echo "walk_instructions: only --json FILE may follow" >&2; exit 2; }
-  json=$3
-fi
+. "$(dirname "$0")/counted_arguments.sh"
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

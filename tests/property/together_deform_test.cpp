@@ -17,48 +17,22 @@ struct Kind {
 };
 std::ostream& operator<<(std::ostream& out, const Kind& each) { return out << each.name; }
 
-class TogetherDeformTest : public testing::TestWithParam<Kind> {
+class TogetherDeformTest : public WaysTest<Kind> {
  protected:
+  TogetherDeformTest() : WaysTest(from_environment("DSW_TOGETHER_SEED", 5)) {}
+
   static constexpr int kSteps = 6;
 
-  int dimension() const { return GetParam().dimension; }
   /// How many rounds of `kSteps` moves a kind makes.
   static int round_count(int usual) {
     const uint64_t moves = from_environment("DSW_TOGETHER_MOVES", 0);
     return moves == 0 ? share_of(usual) : static_cast<int>(moves / (kKinds * kSteps));
-  }
-  Vec random_point(double low, double high) {
-    Vec p = {0, 0, 0};
-    for (int k = 0; k < dimension(); ++k) p[static_cast<size_t>(k)] = rng_.range(low, high);
-    return p;
-  }
-  Vec beside(Vec p, double reach) {
-    for (int k = 0; k < dimension(); ++k) p[static_cast<size_t>(k)] += rng_.range(-reach, reach);
-    return p;
   }
   Ground make(Rng& rng, bool ties = false) {
     if (GetParam().boxes) return make_box_ground(dimension(), 3, ties ? 0 : 0.1, GetParam().marked, rng);
     Ground ground = make_ground(dimension(), 3, ties ? 0 : 0.2, GetParam().marked, GetParam().thin, rng);
     mark_faces(ground, GetParam().marked, rng);
     return ground;
-  }
-  /// A walk, a tree, a strip of triangles or lone vertices.
-  BodyPlan plan() {
-    BodyPlan made;
-    const uint32_t kind = rng_.below(4u);
-    const auto count = static_cast<uint32_t>(rng_.between(2, 8));
-    made.at.push_back(sheared(random_point(0.2, 2.8), dimension()));
-    for (uint32_t i = 1; i < count; ++i) {
-      const uint32_t from = kind == 1 ? rng_.below(i) : i - 1;
-      made.at.push_back(beside(made.at[from], 0.5));
-      if (kind == 0 || kind == 1) made.edges.push_back({from, i});
-      if (kind == 2 && dimension() == 2) made.edges.push_back({from, i});
-      if (kind == 2 && i >= 2 && dimension() == 3) {
-        made.faces.push_back(i % 2 == 0 ? std::vector<uint32_t>{i - 2, i - 1, i}
-                                        : std::vector<uint32_t>{i - 1, i - 2, i});
-      }
-    }
-    return made;
   }
   uint32_t flags(bool self) {
     uint32_t all = self ? DSW_BODY_SELF_CONTACTS : 0;
@@ -72,7 +46,7 @@ class TogetherDeformTest : public testing::TestWithParam<Kind> {
       Walker walker{};
       walker.level = GetParam().level;
       walker.self = rng_.chance(0.7);
-      if (create_body(scene, plan(), walker.level, flags(walker.self), {}, &walker.id) != DSW_STATUS_OK) continue;
+      if (create_body(scene, plan(0.5), walker.level, flags(walker.self), {}, &walker.id) != DSW_STATUS_OK) continue;
       EXPECT_EQ(read_body(scene, walker.id, walker.state), "");
       walkers.push_back(walker);
     }
@@ -166,7 +140,6 @@ class TogetherDeformTest : public testing::TestWithParam<Kind> {
   static const size_t kKinds;
   bool is_coarse_ = true;
   double speed_ = 0;  // of the last move: how far things come nearer to each other
-  Rng rng_{from_environment("DSW_TOGETHER_SEED", 5)};
 };
 
 TEST_P(TogetherDeformTest, MissesNothingAndPassesNothing) {
@@ -322,7 +295,7 @@ TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
     std::vector<BodyPlan> plans;
     std::vector<Walker> walkers[2];
     for (int tries = 0; tries < 100 && plans.size() < 3; ++tries) {
-      BodyPlan made = plan();
+      BodyPlan made = plan(0.5);
       for (Vec& p : made.at) p = rounded(p);
       Walker walker{};
       walker.level = GetParam().level;
@@ -412,7 +385,7 @@ TEST_P(TogetherDeformTest, WhatRestsOnWallsIsCarried) {
     ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_DEFORMING);
     std::vector<Walker> walkers;
     for (int tries = 0; tries < 100 && walkers.size() < 3; ++tries) {
-      BodyPlan made = plan();
+      BodyPlan made = plan(0.5);
       for (Vec& p : made.at) {
         for (double& x : p) x = ties ? std::round(2 * x) / 2 : x;
       }
@@ -489,7 +462,7 @@ TEST_P(TogetherDeformTest, TiesAreThoseOfTheShift) {
       for (double& x : p) x = std::round(4 * x) / 4;
       return p;
     };
-    BodyPlan made = plan();
+    BodyPlan made = plan(0.5);
     for (Vec& p : made.at) p = rounded(p);
     std::vector<Walker> walkers(1);
     walkers[0].level = GetParam().level;

@@ -139,6 +139,43 @@ inline Ground make_ground(int dimension, int n, double jitter, double marked, bo
   return ground;
 }
 
+/// A test of random bodies on their ways, for each of some kinds that have a dimension.
+template <class Kind>
+class WaysTest : public testing::TestWithParam<Kind> {
+ protected:
+  explicit WaysTest(uint64_t seed) : rng_(seed) {}
+
+  int dimension() const { return this->GetParam().dimension; }
+  Vec random_point(double low, double high) {
+    Vec p = {0, 0, 0};
+    for (int k = 0; k < dimension(); ++k) p[static_cast<size_t>(k)] = rng_.range(low, high);
+    return p;
+  }
+  Vec beside(Vec p, double reach) {
+    for (int k = 0; k < dimension(); ++k) p[static_cast<size_t>(k)] += rng_.range(-reach, reach);
+    return p;
+  }
+  /// A walk, a tree, a strip of triangles or lone vertices.
+  BodyPlan plan(double step) {
+    BodyPlan made;
+    const uint32_t kind = rng_.below(4u);
+    const auto count = static_cast<uint32_t>(rng_.between(2, 8));
+    made.at.push_back(sheared(random_point(0.2, 2.8), dimension()));
+    for (uint32_t i = 1; i < count; ++i) {
+      const uint32_t from = kind == 1 ? rng_.below(i) : i - 1;
+      made.at.push_back(beside(made.at[from], step));
+      if (kind == 0 || kind == 1 || (kind == 2 && dimension() == 2)) made.edges.push_back({from, i});
+      if (kind == 2 && i >= 2 && dimension() == 3) {
+        made.faces.push_back(i % 2 == 0 ? std::vector<uint32_t>{i - 2, i - 1, i}
+                                        : std::vector<uint32_t>{i - 1, i - 2, i});
+      }
+    }
+    return made;
+  }
+
+  Rng rng_;
+};
+
 /// A body on its way.
 struct Walker {
   dsw_body_id id;

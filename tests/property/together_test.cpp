@@ -17,36 +17,10 @@ struct Kind {
 };
 std::ostream& operator<<(std::ostream& out, const Kind& each) { return out << each.name; }
 
-class TogetherTest : public testing::TestWithParam<Kind> {
+class TogetherTest : public WaysTest<Kind> {
  protected:
-  int dimension() const { return GetParam().dimension; }
-  Vec random_point(double low, double high) {
-    Vec p = {0, 0, 0};
-    for (int k = 0; k < dimension(); ++k) p[static_cast<size_t>(k)] = rng_.range(low, high);
-    return p;
-  }
-  Vec beside(Vec p, double reach) {
-    for (int k = 0; k < dimension(); ++k) p[static_cast<size_t>(k)] += rng_.range(-reach, reach);
-    return p;
-  }
-  /// A walk, a tree, a strip of triangles or lone vertices.
-  BodyPlan plan() {
-    BodyPlan made;
-    const uint32_t kind = rng_.below(4);
-    const auto count = static_cast<uint32_t>(rng_.between(2, 8));
-    made.at.push_back(sheared(random_point(0.2, 2.8), dimension()));
-    for (uint32_t i = 1; i < count; ++i) {
-      const uint32_t from = kind == 1 ? rng_.below(i) : i - 1;
-      made.at.push_back(beside(made.at[from], 0.6));
-      if (kind == 0 || kind == 1) made.edges.push_back({from, i});
-      if (kind == 2 && dimension() == 2) made.edges.push_back({from, i});
-      if (kind == 2 && i >= 2 && dimension() == 3) {
-        made.faces.push_back(i % 2 == 0 ? std::vector<uint32_t>{i - 2, i - 1, i}
-                                        : std::vector<uint32_t>{i - 1, i - 2, i});
-      }
-    }
-    return made;
-  }
+  TogetherTest() : WaysTest(11) {}
+
   std::vector<Walker> make_walkers(dsw_scene* scene, size_t count) {
     std::vector<Walker> walkers;
     for (int tries = 0; tries < 200 && walkers.size() < count; ++tries) {
@@ -54,7 +28,7 @@ class TogetherTest : public testing::TestWithParam<Kind> {
       walker.level = GetParam().level;
       walker.self = rng_.chance(0.7);
       const uint32_t flags = walker.self ? DSW_BODY_SELF_CONTACTS : 0;
-      if (create_body(scene, plan(), walker.level, flags, {}, &walker.id) != DSW_STATUS_OK) continue;
+      if (create_body(scene, plan(0.6), walker.level, flags, {}, &walker.id) != DSW_STATUS_OK) continue;
       EXPECT_EQ(read_body(scene, walker.id, walker.state), "");
       walkers.push_back(walker);
     }
@@ -83,8 +57,6 @@ class TogetherTest : public testing::TestWithParam<Kind> {
     for (size_t i = 0; i < walkers.size(); ++i) walkers[i].state = answer.after[i], walkers[i].end = answer.after[i].at;
     return walkers;
   }
-
-  Rng rng_{11};
 };
 
 TEST_P(TogetherTest, StopAllMissesNothingAndPassesNothing) {
@@ -193,7 +165,7 @@ TEST_P(TogetherTest, NumbersDoNotMatter) {
     std::vector<bool> selves;
     std::vector<Walker> walkers[2];
     for (int tries = 0; tries < 100 && plans.size() < 3; ++tries) {
-      BodyPlan made = plan();
+      BodyPlan made = plan(0.6);
       for (Vec& p : made.at) {
         for (double& x : p) x = ties ? std::round(4 * x) / 4 : x;
       }
@@ -260,7 +232,7 @@ TEST_P(TogetherTest, TiesAreThoseOfTheShift) {
   for (int round = 0; round < rounds; ++round) {
     const Ground ground = make_ground(dimension(), 3, 0, GetParam().marked, GetParam().thin, rng_);
     ScenePtr scene = make_scene(ground.environment.get());  // bodies do not meet: among them the shift cancels
-    BodyPlan made = plan();
+    BodyPlan made = plan(0.6);
     for (Vec& p : made.at) {
       for (double& x : p) x = std::round(2 * x) / 2;
     }

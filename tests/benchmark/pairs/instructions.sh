@@ -5,19 +5,8 @@
 # script takes the median and the worst. Without DARTSWEEP_CCD_QUERIES there are no figures. Takes a minute.
 set -euo pipefail
 
-case ${1:-} in
-  '' | -h | --help)
-    sed -n '2,5s/^# \{0,1\}//p' "$0"
-    [ -n "${1:-}" ] || exit 2
-    exit 0
-    ;;
-esac
-program=$1
 json=pairs_instructions.json
-if [ $# -gt 1 ]; then
-  [ "$2" = --json ] && [ $# = 3 ] || { echo "instructions: only --json FILE may follow" >&2; exit 2; }
-  json=$3
-fi
+. "$(dirname "$0")/../counted_arguments.sh"
 if [ -z "${DARTSWEEP_CCD_QUERIES:-}" ]; then
   echo "instructions: DARTSWEEP_CCD_QUERIES names no folder: no pairs.instructions_* figures"
   echo "{}" > "$json"
