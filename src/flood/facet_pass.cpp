@@ -30,7 +30,7 @@ bool keeps_to_facet(const double* const* corners, const EdgeWay& edge) noexcept 
     return edge.from_first ? filter::difference<3>(other, first) : filter::difference<3>(first, other);
   };
   const filter::Vec<3> before = way(edge.first, edge.other), between = way(edge.first_to, edge.other),
-                       after = way(edge.first_to, edge.other_to);
+                       after = way(edge.first_to, edge.other_to), beside = way(edge.first, edge.other_to);
   for (int k = 0; k < 4; ++k) {
     const double *const x = corners[k], *const y = corners[k == 3 ? 0 : k + 1];
     if (x == y) continue;
@@ -38,8 +38,9 @@ bool keeps_to_facet(const double* const* corners, const EdgeWay& edge) noexcept 
                              filter::cross(filter::difference<3>(x, edge.other), filter::difference<3>(y, edge.other)),
                          normal_to = filter::cross(filter::difference<3>(x, edge.other_to),
                                                    filter::difference<3>(y, edge.other_to));
-    const double least = filter::smaller(filter::smaller(filter::dot(normal, before), filter::dot(normal, between)),
-                                         filter::dot(normal_to, after));
+    double least = filter::smaller(filter::smaller(filter::dot(normal, before), filter::dot(normal, between)),
+                                   filter::dot(normal_to, after));
+    if (edge.at_once) least = filter::smaller(least, filter::dot(normal_to, beside));
     if (!(least > 0) || !filter::certain(least, reaches)) return false;
   }
   return true;

@@ -17,10 +17,11 @@ bool passes_facet_avx2(const double* const* corners, const double* from, const d
 #endif
 extern const PassesFacet kPassesFacet;  // the fastest of this processor
 
-/** An edge whose ends move one after the other: `first` goes to `first_to`, then `other` goes to `other_to`. */
+/** An edge whose ends move one after the other, `first` to `first_to`, then `other` to `other_to`; or both at once. */
 struct EdgeWay {
   const double *first, *first_to, *other, *other_to;
-  bool from_first;  // lines go from the end that moves first to the other one
+  bool from_first;       // lines go from the end that moves first to the other one
+  bool at_once = false;  // the line through `first` and `other_to` counts, too
 };
 
 /** Whether the line through both ends certainly leaves through a facet before, between and after their moves. Corners

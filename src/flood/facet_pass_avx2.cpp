@@ -89,9 +89,11 @@ bool keeps_to_facet_avx2(const double* const* corners, const EdgeWay& edge) noex
   const Lanes a = points - other, a_to = points - other_to, normal = cross(a, next(a)),
               normal_to = cross(a_to, next(a_to));
   const __m256d turned = _mm256_set1_pd(edge.from_first ? 0.0 : -0.0);
-  const __m256d least = _mm256_min_pd(_mm256_min_pd(_mm256_xor_pd(dot(normal, other - all(edge.first)), turned),
-                                                    _mm256_xor_pd(dot(normal, other - first_to), turned)),
-                                      _mm256_xor_pd(dot(normal_to, other_to - first_to), turned));
+  const Lanes first = all(edge.first);
+  __m256d least = _mm256_min_pd(_mm256_min_pd(_mm256_xor_pd(dot(normal, other - first), turned),
+                                              _mm256_xor_pd(dot(normal, other - first_to), turned)),
+                                _mm256_xor_pd(dot(normal_to, other_to - first_to), turned));
+  if (edge.at_once) least = _mm256_min_pd(least, _mm256_xor_pd(dot(normal_to, other_to - first), turned));
   return all_positive(least, reaches, corners[2] == corners[3]);
 }
 

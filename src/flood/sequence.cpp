@@ -163,6 +163,15 @@ Pivot<2> missed_ridge(const Environment<2>& env, LineSides& line, const Corners<
 
 }  // namespace
 
+template <int D>
+uint64_t missed_facets(const EdgeSequence<D>& sequence, const double* from, const double* to) noexcept {
+  const size_t count = sequence.facets.size();
+  if (count == 0) return 0;
+  LineTests<D> line(from, to);
+  const uint64_t bits = missed(line, sequence.rows.span(0, count));
+  return line.passed_all() ? bits : ~uint64_t{0} >> (kMostMissed - count);
+}
+
 HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept {
   const uint32_t* const w = map.record(c);
   HalfFacet other;
@@ -243,7 +252,8 @@ bool keeps_to(const Environment<2>& env, const uint32_t (&v)[2], const EdgeWay& 
   const auto passes = [&](const double* a, const double* b) {
     return pass_only(env, v, edge.from_first ? a : b, edge.from_first ? b : a);
   };
-  return passes(edge.first, edge.other) && passes(edge.first_to, edge.other) && passes(edge.first_to, edge.other_to);
+  return passes(edge.first, edge.other) && passes(edge.first_to, edge.other) && passes(edge.first_to, edge.other_to) &&
+         (!edge.at_once || passes(edge.first, edge.other_to));
 }
 
 /** Whether a line certainly passes all facets of a sequence in rows. */
@@ -420,25 +430,6 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
   return true;
 }
 
-template <int D>
-PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept {
-  PathFacets passed;
-  if (path.end == CastEnd::kWorkLimit || path.volumes_visited < 2 || path.volumes_visited > 3) return passed;
-  passed.facets[0] = map.half_facet(start, path.first_facet);
-  passed.count = 1;
-  if (path.volumes_visited == 2) return passed;
-  // Two tetrahedra have one facet in common; other cells may have several.
-  if (D == 3 && (map.form(path.previous) != Form::kSimplex || map.form(path.cell) != Form::kSimplex)) return {};
-  for (uint32_t f = 0, facets = map.facets_of(path.previous); f < facets; ++f) {
-    const HalfFacet h = map.half_facet(path.previous, f), o = map.opposite(h);
-    if (!o.valid() || map.cell_of(o) != path.cell) continue;
-    if (passed.count == 2) return {};
-    passed.facets[1] = h;
-    passed.count = 2;
-  }
-  return passed;
-}
-
 bool turn_in_rows(const Environment<3>& env, EdgeSequence<3>& sequence, size_t begin, const Pivot<3>& edge) {
   return turn_at(env, sequence, begin, edge, CellsOfRows<3>{env.map});
 }
@@ -477,38 +468,14 @@ bool share_sleeve(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceV
   return is_sum(turn(ca), ab, bc) || is_sum(turn(ab), bc, ca) || is_sum(turn(bc), ca, ab);
 }
 
-template <int D>
-void SequenceWriter<D>::finish(EdgeSequence<D>& sequence) {
-  if (passed_ == facets_.size()) {
-    sequence.assign(*env_, facets_);
-    sequence.passage.version = env_->obstacle_version;
-    return;
-  }
-  sequence.facets.reserve(1);
-  sequence.forget();
-  facets_.reserve(2 * passed_);
-}
-
-template <int D>
-void SequenceWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noexcept {
-  SequenceWriter<D>& w = *static_cast<SequenceWriter<D>*>(user);
-  ++w.passed_;
-  if (w.facets_.size() == w.facets_.capacity()) return;
-  const Map<D>& map = w.env_->map;
-  const uint32_t facet = map.form(from) == Form::kSimplex ? simplex : map.shape(from).simplex_facets(D)[simplex];
-  w.facets_.push_back(map.half_facet(from, facet).word);
-}
-
 template struct EdgeSequence<2>;
 template struct EdgeSequence<3>;
-template class SequenceWriter<2>;
-template class SequenceWriter<3>;
+DSW_INSTANTIATE(missed_facets);
 DSW_INSTANTIATE(passes_facets);
 DSW_INSTANTIATE(keeps_to_passage);
 DSW_INSTANTIATE(keeps_to_rows);
 DSW_INSTANTIATE(keeps_to_facets);
 DSW_INSTANTIATE(passes_before);
-DSW_INSTANTIATE(path_facets);
 DSW_INSTANTIATE(turn);
 
 }  // namespace dsw

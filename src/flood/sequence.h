@@ -144,7 +144,7 @@ DSW_PREFETCH void prefetch_way(const Environment<D>& env, const EdgeSequence<D>&
 }
 
 /** Whether an edge passes the facet of a passage before, between and after the moves of its ends, which stay in the
- * cells at it. As passes_facets for each of the three lines. */
+ * cells at it. As passes_facets for each of the lines. */
 template <int D>
 bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, const EdgeWay& edge) noexcept;
 /** Whether an edge passes all facets of a sequence in rows, of the present version, between and after the moves of its
@@ -173,6 +173,10 @@ struct PathFacets {
 };
 template <int D>
 PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;
+
+/** Bit n is set unless a line certainly passes facet n of a sequence in rows, of at most kMostMissed facets. */
+template <int D>
+uint64_t missed_facets(const EdgeSequence<D>& sequence, const double* from, const double* to) noexcept;
 
 /** What an edge turns round: an edge of the environment, in the plane a vertex. */
 template <int D>
@@ -221,6 +225,8 @@ class SequenceWriter {
     request.crossing = write;
     request.crossing_user = this;
   }
+  /** What a cast passed, until the next one; null: there was no room. */
+  const Array<uint32_t>* passed() const noexcept { return passed_ == facets_.size() ? &facets_ : nullptr; }
   /** Copies the sequence of a cast that reached its target. Throws std::bad_alloc. */
   void finish(EdgeSequence<D>& sequence);
 

@@ -20,15 +20,12 @@ void NearWalls<D>::start(const Array<Traveller<D>>& travellers) {
   }
 }
 
-/** Whether something is remembered of what is near a part. An edge of few cells mostly keeps to them, so what is near
- * is seldom asked for. */
+/** Whether something is remembered of what is near a part. An edge with a sequence mostly finds its way by that. */
 template <int D>
 bool NearWalls<D>::keeps_notes(const Traveller<D>& of, const Simplex& part) {
-  constexpr size_t kFewCells = 8;
   const Body<D>& body = *of.body;
   if (of.notes == nullptr || is_covered(body, part)) return false;
-  const bool has_sequence = part.kind == Simplex::kEdge && body.keeps_sequences();
-  return !has_sequence || body.sequences[part.index].facets.size() >= kFewCells;
+  return part.kind != Simplex::kEdge || !body.keeps_sequences();
 }
 
 /** Whether it is known that nothing is near the way of a part. */

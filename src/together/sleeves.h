@@ -1,7 +1,7 @@
 #pragma once
 // Edges of which both ends move, inside of convex cells that they are known to cross.
 
-#include "flood/sequence.h"
+#include "together/ridge_rings.h"
 #include "together/traveller.h"
 
 namespace dsw {
@@ -10,32 +10,43 @@ namespace dsw {
 template <int D>
 class Sleeves {
  public:
-  explicit Sleeves(const Environment<D>& env) : env_(env), writer_(env.memory) {}
+  explicit Sleeves(const Environment<D>& env)
+      : env_(env), writer_(env.memory), rings_(env), paths_{Array<uint32_t>(env.memory), Array<uint32_t>(env.memory)} {}
 
-  /** Whether an edge keeps to the cells that it crosses, or to one cell more or less at either end. Then it meets
-   * nothing on its way. False also where that is not known, and for bodies that keep no sequences. The sequence becomes
-   * that of the end. Throws std::bad_alloc. */
-  bool keeps(const Traveller<D>& of, uint32_t edge);
+  /** What an edge may touch on its way. kUnknown also for bodies that keep no sequences. */
+  enum class Answer { kNothing, kWalls, kUnknown };
+  /** Asks about the ways of both ends, up to `places` on them. If the answer is kNothing, and the places are the ends of the
+   * ways, the sequence becomes that of the end. Throws std::bad_alloc. */
+  Answer ask(const Traveller<D>& of, uint32_t edge, const double* const (&places)[2], bool are_ends);
+  /** What the edge may touch that was asked about last. */
+  const Array<WallRidge>& walls() const noexcept { return rings_.walls(); }
+  /** The edge that was asked about last goes to the ends of its ways: lets its sequence be that of the end, if a few turns
+   * do. */
+  void go_on(const Traveller<D>& of, uint32_t edge);
 
   CastCounters* counters = nullptr;
 
  private:
-  /** An end, and the facet through which it leaves its cell, if it does. */
+  /** An end, and the facets that its path passes, each seen from the cell that is left. */
   struct End {
     const double *start, *end;
-    Cell from, to;
-    HalfFacet crossed;
-    bool is_known;  // whether it passes one facet at most
+    Cell from, to;  // `to` is not valid if the path is blocked
+    const Array<uint32_t>& path;
   };
-  End end_of(const Traveller<D>& of, uint32_t v) const;
+  End end_of(const Traveller<D>& of, uint32_t edge, uint32_t k) const;
+  bool find_path(const Traveller<D>& of, uint32_t v, const double* place, bool is_end, Array<uint32_t>& path);
+  bool passes(const double* from, const double* to, Cell start, Cell end);
   bool is_of(const EdgeSequence<D>& sequence, const End& a, const End& b) const;
   bool note(EdgeSequence<D>& sequence, const End& a, const End& b);
+  bool stays(EdgeSequence<D>& sequence, const End& a, const End& b);
   bool extend(EdgeSequence<D>& sequence, const End& end, bool first);
-  bool keeps_to(EdgeSequence<D>& sequence, const End& a, const End& b);
   bool passes_all(EdgeSequence<D>& sequence, const End& a, const End& b) const;
+  void go_with(EdgeSequence<D>& sequence, const End& end, bool first);
 
   const Environment<D>& env_;
   SequenceWriter<D> writer_;
+  RidgeRings<D> rings_;
+  Array<uint32_t> paths_[2];
 };
 
 }  // namespace dsw

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 
+#include "flood/edge_turn.h"
 #include "predicates/filtered.h"
 #include "together/kept_sides.h"
 #include "walk/retreat.h"
@@ -42,7 +43,7 @@ void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
       const bool is_reached = path.end == CastEnd::kReached;
       Traveller<D>& of = travellers[names[i].traveller];
       of.arrivals[names[i].vertex] = is_reached ? path.cell : Cell{};
-      if (is_reached) of.crossed[names[i].vertex] = path_facets(env_.map, packet_.request(i).start, path);
+      of.crossed[names[i].vertex] = path_facets(env_.map, packet_.request(i).start, path);
       if (!is_reached) note_blocked(of, {names[i].traveller, names[i].vertex, path, {}});
     }
     packet_.clear();
@@ -142,6 +143,51 @@ bool WallWays<D>::visit_parts(const Array<Traveller<D>>& travellers, Visit visit
   return true;
 }
 
+/** The way of a part, up to a time of it. */
+template <int D>
+struct WallWays<D>::PartWay {
+  const Traveller<D>& of;
+  const uint32_t number;  // of the traveller
+  const Simplex part;
+  const SimplexCorners<D>& corners;
+  const double limit;
+  const double* points[6];  // of each corner where it starts and where it ends
+  double places[3][D];      // ends, if the way is not looked at as a whole
+
+  PartWay(const Traveller<D>& traveller, uint32_t traveller_number, const Simplex& simplex,
+          const SimplexCorners<D>& simplex_corners, double time)
+      : of(traveller), number(traveller_number), part(simplex), corners(simplex_corners), limit(time) {
+    for (uint32_t i = 0; i < corners.count; ++i) {
+      const uint32_t v = corners.vertices[i];
+      points[2 * i] = of.start(v);
+      points[2 * i + 1] = of.end(v);
+      if (limit == 1) continue;
+      place_on_way<D>(of.start(v), of.end(v), limit, places[i]);
+      points[2 * i + 1] = places[i];
+    }
+  }
+  PartWay(const PartWay&) = delete;
+  PartWay& operator=(const PartWay&) = delete;
+
+  /** Without what is touched. */
+  WayTouch<D> touch() const {
+    WayTouch<D> made{};
+    made.traveller = number;
+    made.part = part;
+    made.pair.kind = D == 2                        ? PairKind::kVertexEdge
+                     : part.kind == Simplex::kEdge ? PairKind::kEdgeEdge
+                                                   : PairKind::kVertexFace;
+    // A corner of the environment comes before the part, a side comes after it.
+    made.comes_first = made.pair.kind == PairKind::kEdgeEdge;
+    for (uint32_t i = 0; i < corners.count; ++i) {
+      made.pair.start[first_corner(made) + i] = points[2 * i];
+      made.pair.end[first_corner(made) + i] = points[2 * i + 1];
+    }
+    return made;
+  }
+  static uint32_t first_corner(const WayTouch<D>& touch) { return touch.comes_first ? 0 : 1; }
+};
+
 template <int D>
 template <class Visit>
 bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simplex& part, Visit visit) {
@@ -152,84 +198,110 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
   double limit = 1;
   for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
   if (!(limit > 0)) return true;
-  if (is_settled(of, part)) {
+  const PartWay way(of, number, part, corners, limit);
+  if (is_settled(way)) {
     ++counts.skipped;
     return true;
   }
-  const typename NearWalls<D>::Range near = near_.find(of, number, part);
-  if (near.first_feature == near.feature_end) return true;
-  WayTouch<D> touch{};
-  touch.traveller = number;
-  touch.part = part;
-  touch.pair.kind = D == 2                        ? PairKind::kVertexEdge
-                    : part.kind == Simplex::kEdge ? PairKind::kEdgeEdge
-                                                  : PairKind::kVertexFace;
-  // A corner of the environment comes before the part, a side comes after it.
-  const uint32_t first_corner = touch.pair.kind == PairKind::kEdgeEdge ? 0 : 1;
-  touch.comes_first = first_corner == 0;
-  const double* points[6];
-  double places[3][D];
-  for (uint32_t i = 0; i < corners.count; ++i) {
-    const uint32_t v = corners.vertices[i];
-    points[2 * i] = touch.pair.start[first_corner + i] = of.start(v);
-    points[2 * i + 1] = of.end(v);
-    if (limit < 1) {
-      place_on_way<D>(of.start(v), of.end(v), limit, places[i]);
-      points[2 * i + 1] = places[i];
-    }
-    touch.pair.end[first_corner + i] = points[2 * i + 1];
+  using Answer = typename Sleeves<D>::Answer;
+  Answer answer = Answer::kUnknown;
+  if (part.kind == Simplex::kEdge) answer = sleeves_.ask(of, part.index, {way.points[1], way.points[3]}, limit == 1);
+  if (answer == Answer::kNothing) ++counts.skipped;
+  if (answer == Answer::kWalls) return visit_ridges(way, visit);
+  return answer == Answer::kNothing || visit_near(way, visit);
+}
+
+/** Looks at what the edge that `sleeves_` was asked about may touch. */
+template <int D>
+template <class Visit>
+bool WallWays<D>::visit_ridges(const PartWay& way, Visit visit) {
+  const ConvexCells<D> cells{env_.map};
+  WayTouch<D> touch = way.touch();
+  bool any = false;
+  for (const WallRidge& ridge : sleeves_.walls()) {
+    const auto is_beside_wall = [&](HalfFacet wall) {
+      if (!wall.valid()) return false;
+      typename NearWalls<D>::Plane plane;
+      uint32_t vertices[4];
+      cells.corners(wall, vertices);
+      for (int i = 0; i < D; ++i) plane.corners[i] = env_.point(vertices[i]);
+      return is_beside(plane, way.points, 2 * way.corners.count);
+    };
+    const auto is_beside_one = [&] { return is_beside_wall(ridge.walls[0]) || is_beside_wall(ridge.walls[1]); };
+    const bool goes_on = visit_feature(way, ridge.name, is_beside_one, touch, [&](const WayTouch<D>& found) {
+      any = true;
+      return visit(found);
+    });
+    if (!goes_on) return false;
   }
+  if (!any && way.limit == 1) sleeves_.go_on(way.of, way.part.index);
+  return true;
+}
+
+/** Looks at all that is near a part. */
+template <int D>
+template <class Visit>
+bool WallWays<D>::visit_near(const PartWay& way, Visit visit) {
+  const typename NearWalls<D>::Range near = near_.find(way.of, way.number, way.part);
+  if (near.first_feature == near.feature_end) return true;
+  WayTouch<D> touch = way.touch();
   constexpr uint8_t kUnknown = 2;
   is_beside_.assign(near.plane_end - near.first_plane, kUnknown);
   const auto is_beside_plane = [&](uint32_t plane) {
     uint8_t& known = is_beside_[plane];
     if (known == kUnknown) {
-      known = is_beside(near_.planes()[near.first_plane + plane], points, 2 * corners.count) ? 1 : 0;
+      known = is_beside(near_.planes()[near.first_plane + plane], way.points, 2 * way.corners.count) ? 1 : 0;
     }
     return known != 0;
   };
   for (uint32_t i = near.first_feature; i < near.feature_end; ++i) {
     const typename NearWalls<D>::Feature& feature = near_.features()[i];
-    for (uint32_t k = 0; k < feature.name.count; ++k) {
-      const uint32_t at = (first_corner == 0 ? corners.count : 0) + k;
-      touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.name.vertices[k]);
-    }
-    if (!boxes_overlap(touch.pair, touch.comes_first ? 0 : 1)) continue;
-    const uint32_t* const numbers = near_.plane_numbers().data();
-    if (std::any_of(numbers + feature.first_plane, numbers + feature.plane_end, is_beside_plane)) continue;
-    if (keeps_sides(touch.pair, corners.count, touch.comes_first)) continue;
-    WayTouch<D> found = touch;
-    found.first = first_touch(found.pair);
-    if (!found.first.touches) continue;
-    found.wall = feature.name;
-    if (limit < 1) {  // its time is that on the whole way
-      for (uint32_t k = 0; k < corners.count; ++k) found.pair.end[first_corner + k] = of.end(corners.vertices[k]);
-      found.first = first_touch(found.pair);
-    }
-    if (found.first.touches && !visit(found)) return false;
+    const auto is_beside_one = [&] {
+      const uint32_t* const numbers = near_.plane_numbers().data();
+      return std::any_of(numbers + feature.first_plane, numbers + feature.plane_end, is_beside_plane);
+    };
+    if (!visit_feature(way, feature.name, is_beside_one, touch, visit)) return false;
   }
   return true;
 }
 
+/** Calls visit(touch) if a part touches a feature. Whether it did not return false.
+ * @param is_beside_one whether the part stays on one side of a wall that has the feature.
+ * @param touch of the part; its feature is written here. */
+template <int D>
+template <class IsBeside, class Visit>
+bool WallWays<D>::visit_feature(const PartWay& way, const WallFeature& feature, IsBeside is_beside_one,
+                                WayTouch<D>& touch, Visit visit) {
+  const uint32_t count = way.corners.count, first = PartWay::first_corner(touch);
+  for (uint32_t k = 0; k < feature.count; ++k) {
+    const uint32_t at = (first == 0 ? count : 0) + k;
+    touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.vertices[k]);
+  }
+  if (!boxes_overlap(touch.pair, touch.comes_first ? 0 : 1) || is_beside_one()) return true;
+  if (keeps_sides(touch.pair, count, touch.comes_first)) return true;
+  // Its time is that on the whole way.
+  WayTouch<D> found = touch;
+  found.wall = feature;
+  for (uint32_t k = 0; k < count; ++k) found.pair.end[first + k] = way.of.end(way.corners.vertices[k]);
+  found.first = first_touch(found.pair);
+  return !found.first.touches || found.first.time > way.limit || visit(found);
+}
+
 /** Whether a part meets nothing, as its corners stay in one convex cell, or as nothing is in the box of its way. */
 template <int D>
-bool WallWays<D>::is_settled(const Traveller<D>& of, const Simplex& part) {
-  const SimplexCorners<D> corners(*of.body, part);
+bool WallWays<D>::is_settled(const PartWay& way) {
+  const Traveller<D>& of = way.of;
+  const SimplexCorners<D>& corners = way.corners;
   const Cell cell = of.body->vertices[corners.vertices[0]].cell;
   const bool stays = std::all_of(corners.begin(), corners.end(), [&](uint32_t v) {
     return of.body->vertices[v].cell == cell && of.arrivals[v] == cell;
   });
   if (stays && env_.map.convex(cell)) return true;
-  if (near_.is_alone(of, part)) return true;
-  if (BoxProbe<D>::suits(env_, cell)) {
-    Bounds<D> box(of.start(corners.vertices[0]));
-    for (const uint32_t v : corners) {
-      box.include(of.start(v));
-      box.include(of.end(v));
-    }
-    if (probe_.is_free(box, cell)) return true;
-  }
-  return part.kind == Simplex::kEdge && sleeves_.keeps(of, part.index);
+  if (near_.is_alone(of, way.part)) return true;
+  if (!BoxProbe<D>::suits(env_, cell)) return false;
+  Bounds<D> box(way.points[0]);
+  for (uint32_t i = 1; i < 2 * corners.count; ++i) box.include(way.points[i]);
+  return probe_.is_free(box, cell);
 }
 
 template <int D>

@@ -47,7 +47,15 @@ class WallWays {
   bool visit_parts(const Array<Traveller<D>>& travellers, Visit visit);
   template <class Visit>
   bool visit_part(const Traveller<D>& of, uint32_t number, const Simplex& part, Visit visit);
-  bool is_settled(const Traveller<D>& of, const Simplex& part);
+  struct PartWay;
+  bool is_settled(const PartWay& way);
+  template <class Visit>
+  bool visit_ridges(const PartWay& way, Visit visit);
+  template <class Visit>
+  bool visit_near(const PartWay& way, Visit visit);
+  template <class IsBeside, class Visit>
+  bool visit_feature(const PartWay& way, const WallFeature& feature, IsBeside is_beside_one, WayTouch<D>& touch,
+                     Visit visit);
   bool is_beside(const typename NearWalls<D>::Plane& plane, const double* const* points, uint32_t count) const;
   WayTouch<D> touch_of(const Traveller<D>& of, const Blocked& blocked) const;
 

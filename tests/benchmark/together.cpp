@@ -38,8 +38,8 @@ struct Times {
 /** One body twice, in scenes of their own. */
 class Beside {
  public:
-  Beside(dsw_environment* environment, dsw_level level, const BodyShape& shape, const std::vector<double>& at)
-      : in_turn_(environment, {"", level, 0}, shape, at), together_(environment, {"", level, 0}, shape, at) {}
+  Beside(dsw_environment* environment, const Variant& variant, const BodyShape& shape, const std::vector<double>& at)
+      : in_turn_(environment, variant, shape, at), together_(environment, variant, shape, at) {}
 
   std::vector<double> places() const {
     std::vector<double> at;
@@ -101,11 +101,9 @@ class Beside {
   double stopped_[2] = {};  // vertices
 };
 
-struct Level {
-  dsw_level level;
-  const char* suffix;
-};
-constexpr Level kLevels[] = {{DSW_LEVEL_EDGES_SWEPT, ""}, {DSW_LEVEL_EDGES, ".edges"}};
+const Variant kVariants[] = {{"", DSW_LEVEL_EDGES_SWEPT, 0},
+                             {".edges", DSW_LEVEL_EDGES, 0},
+                             {".edges_known", DSW_LEVEL_EDGES, DSW_BODY_SEQUENCES}};
 
 /** A catheter is pushed along its line, then aside until it presses on the wall, step by step from where it is. */
 double run_catheter_steps(const Options& options, Report& report) {
@@ -115,8 +113,8 @@ double run_catheter_steps(const Options& options, Report& report) {
   const VesselCase vessel(is_real ? options.vessel : "", line);
   const BodyShape shape = chain(kChainParticles);
   double ratio = 0;
-  for (const Level& each : kLevels) {
-    Beside all(vessel.world.environment(), each.level, shape, chain_at(vessel.line, kChainParticles, 0));
+  for (const Variant& each : kVariants) {
+    Beside all(vessel.world.environment(), each, shape, chain_at(vessel.line, kChainParticles, 0));
     for (std::size_t step = 1; step <= (options.quick ? 2 : 8) * kStroke; ++step) {
       all.move(chain_at(vessel.line, kChainParticles, step));
     }
@@ -126,7 +124,7 @@ double run_catheter_steps(const Options& options, Report& report) {
       const double size = std::hypot(aside[0], aside[1], aside[2]);
       for (double& x : aside) x *= 2 * kPush / size;
       const std::size_t start = random.index(2 * kStroke);
-      Beside pressed(vessel.world.environment(), each.level, shape, chain_at(vessel.line, kChainParticles, start));
+      Beside pressed(vessel.world.environment(), each, shape, chain_at(vessel.line, kChainParticles, start));
       for (int step = 0; step < 80; ++step) {
         std::vector<double> targets = pressed.places();
         for (std::size_t i = 0; i < targets.size(); ++i) targets[i] += aside[i % 3];
@@ -134,8 +132,8 @@ double run_catheter_steps(const Options& options, Report& report) {
       }
       pressed.add_to(all);
     }
-    const double of_level = all.report(std::string("catheter") + each.suffix, report);
-    if (each.level == DSW_LEVEL_EDGES_SWEPT) ratio = of_level;
+    const double of_level = all.report(std::string("catheter") + each.name, report);
+    if (&each == kVariants) ratio = of_level;
   }
   return ratio;
 }
@@ -146,12 +144,12 @@ double run_hand_steps(const Options& options, Report& report) {
   World world(fall.pyramids.mesh, 1);
   mark_obstacles(world, fall);
   double ratio = 0;
-  for (const Level& each : kLevels) {
-    Beside hand(world.environment(), each.level, fall.shape, fall.surface.points);
+  for (const Variant& each : kVariants) {
+    Beside hand(world.environment(), each, fall.shape, fall.surface.points);
     const std::size_t steps = options.quick ? kFallSteps / 2 : 2 * kFallSteps;
     for (std::size_t step = 1; step <= steps; ++step) hand.move(place(fall, step));
-    const double of_level = hand.report(std::string("hand") + each.suffix, report);
-    if (each.level == DSW_LEVEL_EDGES_SWEPT) ratio = of_level;
+    const double of_level = hand.report(std::string("hand") + each.name, report);
+    if (&each == kVariants) ratio = of_level;
   }
   return ratio;
 }
