@@ -369,7 +369,8 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   if (a.degree < 0 || b.degree < 0) return r;
   r.degree = a.degree + b.degree;
   for (int i = 0; i <= a.degree; ++i) {
-    for (int j = 0; j <= b.degree; ++j) r.c[i + j] = r.c[i + j] + a.c[i] * b.c[j];
+    // The second condition always holds. Without it g++ for ARM warns.
+    for (int j = 0; j <= b.degree && i + j <= Polynomial::kMostDegree; ++j) r.c[i + j] = r.c[i + j] + a.c[i] * b.c[j];
   }
   return r;
 }

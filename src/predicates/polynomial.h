@@ -10,8 +10,9 @@ namespace dsw {
 
 // c[0] + c[1] t + ... The last coefficient is not 0; the degree of 0 is -1.
 struct Polynomial {
+  static constexpr int kMostDegree = 5;
   int degree = -1;
-  Integer c[6];
+  Integer c[kMostDegree + 1];
 
   void trim() noexcept {
     while (degree >= 0 && c[degree].sign() == 0) --degree;
@@ -20,7 +21,7 @@ struct Polynomial {
 
 Polynomial operator-(const Polynomial& a, const Polynomial& b);
 Polynomial operator+(const Polynomial& a, const Polynomial& b);
-Polynomial operator*(const Polynomial& a, const Polynomial& b);  // of degree 5 at most
+Polynomial operator*(const Polynomial& a, const Polynomial& b);  // of kMostDegree at most
 
 // numerator / 2^shift, at least 0.
 struct Dyadic {
