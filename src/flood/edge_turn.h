@@ -5,19 +5,6 @@
 
 namespace dsw {
 
-/** Tetrahedra, pyramids and hexahedra, in the plane polygons, that are exactly convex and so have flat facets. */
-template <int D>
-struct ConvexCells {
-  const Map<D>& map;
-
-  bool suits(Cell c) const noexcept;
-  /** Writes the vertices of a facet of such a cell, counter-clockwise seen from outside. @return how many. */
-  uint32_t corners(HalfFacet facet, uint32_t (&vertices)[4]) const noexcept;
-  bool has(uint32_t facet, const Pivot<D>& pivot) const noexcept;
-  /** The other facet of a cell at a pivot of the one that was entered. */
-  HalfFacet other(Cell c, HalfFacet entered, const Pivot<D>& pivot) const noexcept;
-};
-
 /** Puts the other facets at a pivot in the place of those that a sequence passes there, the first of which is at `begin`.
  * `cells` says whether the way may lead through a cell, whether a facet has the pivot, and which other facet of a cell
  * has it. False, and nothing is changed: there is no passable way. Throws std::bad_alloc. */

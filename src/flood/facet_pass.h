@@ -17,14 +17,18 @@ bool passes_facet_avx2(const double* const* corners, const double* from, const d
 #endif
 extern const PassesFacet kPassesFacet;  // the fastest of this processor
 
-/** An edge whose ends move one after the other, `first` to `first_to`, then `other` to `other_to`; or both at once. */
+/** An edge whose two ends move: `first` before `other`, unless it is `at_once`. */
 struct EdgeWay {
   const double *first, *first_to, *other, *other_to;
   bool from_first;       // lines go from the end that moves first to the other one
-  bool at_once = false;  // the line through `first` and `other_to` counts, too
+  bool at_once = false;  // both move at the same time: the line through `first` and `other_to` counts, too
+
+  static EdgeWay of_both(const double* a, const double* a_to, const double* b, const double* b_to) noexcept {
+    return {a, a_to, b, b_to, true, true};
+  }
 };
 
-/** Whether the line through both ends certainly leaves through a facet before, between and after their moves. Corners
+/** Whether the lines through both ends, before, between and after their moves, certainly leave through a facet. Corners
  * as above. One bound holds for all: no rounded difference exceeds that of the ends of the box of all points, since
  * rounding keeps the order. */
 using KeepsToFacet = bool (*)(const double* const* corners, const EdgeWay& edge) noexcept;

@@ -163,15 +163,6 @@ Pivot<2> missed_ridge(const Environment<2>& env, LineSides& line, const Corners<
 
 }  // namespace
 
-template <int D>
-uint64_t missed_facets(const EdgeSequence<D>& sequence, const double* from, const double* to) noexcept {
-  const size_t count = sequence.facets.size();
-  if (count == 0) return 0;
-  LineTests<D> line(from, to);
-  const uint64_t bits = missed(line, sequence.rows.span(0, count));
-  return line.passed_all() ? bits : ~uint64_t{0} >> (kMostMissed - count);
-}
-
 HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept {
   const uint32_t* const w = map.record(c);
   HalfFacet other;
@@ -209,6 +200,17 @@ void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t en
     in_rows = false;
   }
   note_passage(env);
+}
+
+template <int D>
+bool EdgeSequence<D>::pass(const Environment<D>& env, HalfFacet crossed, bool first) {
+  const bool is_shorter = has_at(env, crossed, first);
+  if (is_shorter) {
+    remove(env, first);
+  } else {
+    add(env, first ? env.map.opposite(crossed) : crossed, first);
+  }
+  return !is_shorter;
 }
 
 template <int D>
@@ -255,6 +257,17 @@ bool keeps_to(const Environment<2>& env, const uint32_t (&v)[2], const EdgeWay& 
   return passes(edge.first, edge.other) && passes(edge.first_to, edge.other) && passes(edge.first_to, edge.other_to) &&
          (!edge.at_once || passes(edge.first, edge.other_to));
 }
+
+/** Whether an edge keeps to a facet that is not in rows. */
+bool keeps_to_one(const Environment<3>& env, HalfFacet facet, const EdgeWay& edge) noexcept {
+  const Map<3>& map = env.map;
+  const Cell c = map.cell_of(facet);
+  if (!map.convex(c) || !has_standard_facets(map.form(c))) return false;
+  uint32_t corners[4];
+  standard_corners(map.record(c), map.local_of(facet, c), corners);
+  return keeps_to(env, corners, edge);
+}
+bool keeps_to_one(const Environment<2>&, HalfFacet, const EdgeWay&) noexcept { return false; }
 
 /** Whether a line certainly passes all facets of a sequence in rows. */
 bool pass_rows(const EdgeSequence<3>& sequence, const double* from, const double* to) noexcept {
@@ -308,18 +321,30 @@ bool keeps_to_rows(EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) n
 }
 
 template <int D>
-bool keeps_to_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept {
-  if constexpr (D == 3) {
-    const Map<3>& map = env.map;
-    return !sequence.in_rows && std::all_of(sequence.facets.begin(), sequence.facets.end(), [&](uint32_t f) {
-      const Cell c = map.cell_of({f});
-      if (!map.convex(c) || !has_standard_facets(map.form(c))) return false;
-      uint32_t corners[4];
-      standard_corners(map.record(c), map.local_of({f}, c), corners);
-      return keeps_to(env, corners, edge);
-    });
+uint64_t missed_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept {
+  const size_t count = sequence.facets.size();
+  uint64_t bits = 0;
+  if (sequence.in_rows && count != 0) {
+    for (const double* from : {edge.first, edge.first_to}) {
+      for (const double* to : {edge.other, edge.other_to}) {
+        LineTests<D> line(from, to);
+        const uint64_t of_line = missed(line, sequence.rows.span(0, count));
+        bits |= line.passed_all() ? of_line : ~uint64_t{0} >> (kMostMissed - count);
+      }
+    }
+    return bits;
   }
-  return false;
+  for (size_t n = 0; n < count; ++n) {
+    if (!keeps_to_one(env, {sequence.facets[n]}, edge)) bits |= uint64_t{1} << n;
+  }
+  return bits;
+}
+
+template <int D>
+bool keeps_to_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept {
+  return D == 3 && !sequence.in_rows && std::all_of(sequence.facets.begin(), sequence.facets.end(), [&](uint32_t f) {
+           return keeps_to_one(env, {f}, edge);
+         });
 }
 
 namespace {

@@ -110,6 +110,14 @@ struct EdgeSequence {
     const size_t at = first ? 0 : facets.size() - 1;
     replace(env, at, at + 1, nullptr, 0);
   }
+  /** Whether an end that passes a facet, seen from the cell that it leaves, goes along the sequence. */
+  bool has_at(const Environment<D>& env, HalfFacet crossed, bool first) const noexcept {
+    const HalfFacet left = first ? crossed : env.map.opposite(crossed);
+    return !facets.empty() && (first ? facets.front() : facets.back()) == left.word;
+  }
+  /** The path of the first or the last end has passed a facet, seen from the cell that it has left. Whether the sequence
+   * has one facet more now; else it has one less. Throws std::bad_alloc. */
+  bool pass(const Environment<D>& env, HalfFacet crossed, bool first);
   /** To be called when facets have changed, or been read anew. */
   void note_passage(const Environment<D>& env) noexcept;
 };
@@ -165,18 +173,20 @@ template <int D>
 bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeMotion& m, bool p_first,
                    const SweepEvent& event) noexcept;
 
-/** The facets that a path passes up to its target or the wall that it meets, each seen from the cell that is left: none
- * where it stays in its cell or passes more than two. */
+/** The facets that a path passes up to its target or the wall that it meets, each seen from the cell that is left. Known
+ * are up to two; else `count` is 0. */
 struct PathFacets {
+  bool is_known = false;
   uint32_t count = 0;
   HalfFacet facets[2];
 };
 template <int D>
 PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;
 
-/** Bit n is set unless a line certainly passes facet n of a sequence in rows, of at most kMostMissed facets. */
+/** Of an edge both ends of which move at once, and of a sequence of at most kMostMissed facets: bit n is set unless all of
+ * its lines certainly pass facet n. */
 template <int D>
-uint64_t missed_facets(const EdgeSequence<D>& sequence, const double* from, const double* to) noexcept;
+uint64_t missed_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept;
 
 /** What an edge turns round: an edge of the environment, in the plane a vertex. */
 template <int D>
@@ -225,8 +235,14 @@ class SequenceWriter {
     request.crossing = write;
     request.crossing_user = this;
   }
-  /** What a cast passed, until the next one; null: there was no room. */
-  const Array<uint32_t>* passed() const noexcept { return passed_ == facets_.size() ? &facets_ : nullptr; }
+  /** Whether there was room for all that a cast passed. If not, makes room for the next cast. Throws std::bad_alloc. */
+  bool had_room() {
+    if (passed_ == facets_.size()) return true;
+    facets_.reserve(2 * passed_);
+    return false;
+  }
+  /** What a cast passed, until the next one. */
+  const Array<uint32_t>& passed() const noexcept { return facets_; }
   /** Copies the sequence of a cast that reached its target. Throws std::bad_alloc. */
   void finish(EdgeSequence<D>& sequence);
 

@@ -8,7 +8,9 @@ namespace dsw {
 template <int D>
 PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept {
   PathFacets passed;
-  if (path.end == CastEnd::kWorkLimit || path.volumes_visited < 2 || path.volumes_visited > 3) return passed;
+  if (path.end == CastEnd::kWorkLimit || path.volumes_visited > 3) return passed;
+  passed.is_known = true;
+  if (path.volumes_visited < 2) return passed;
   passed.facets[0] = map.half_facet(start, path.first_facet);
   passed.count = 1;
   if (path.volumes_visited == 2) return passed;
@@ -26,14 +28,13 @@ PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) no
 
 template <int D>
 void SequenceWriter<D>::finish(EdgeSequence<D>& sequence) {
-  if (passed_ == facets_.size()) {
+  if (had_room()) {
     sequence.assign(*env_, facets_);
     sequence.passage.version = env_->obstacle_version;
     return;
   }
   sequence.facets.reserve(1);
   sequence.forget();
-  facets_.reserve(2 * passed_);
 }
 
 template <int D>

@@ -13,22 +13,15 @@ namespace {
 
 constexpr int kMostTurns = 4;  // then a cast costs no more
 
-/** The path of an end has passed a facet of `from`: the edge has one facet less to pass, or one more. */
+/** The path of an end has passed a facet of `from`. What is noted may be of another place, at EDGES: then it does not go
+ * on where the path has left its cell, and nothing is done. */
 template <int D>
 bool pass_on(const Environment<D>& env, EdgeSequence<D>& sequence, HalfFacet crossed, Cell from, bool first) {
-  // As the sequence names it: passed on the way from ends[0].
-  const HalfFacet beyond = env.map.opposite(crossed);
-  const HalfFacet left = first ? crossed : beyond, met = first ? beyond : crossed;
   if (!sequence.facets.empty()) {
     const HalfFacet end{first ? sequence.facets.front() : sequence.facets.back()};
-    // What is noted may be of another place, at EDGES: then it does not go on where the path has left its cell.
     if (env.map.cell_of(first ? end : env.map.opposite(end)) != from) return false;
-    if (end == left) {
-      sequence.remove(env, first);
-      return true;
-    }
   }
-  sequence.add(env, met, first);
+  sequence.pass(env, crossed, first);
   return true;
 }
 

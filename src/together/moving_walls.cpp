@@ -125,8 +125,10 @@ void MovingWalls<D>::add_features(const Simplex& part) {
       const double* const end = next_ + size_t{D} * feature.name.vertices[i];
       ends_.insert(ends_.end(), end, end + D);
     }
-    list_.for_each_obstacle(f,
-                            [&](uint32_t number) { name_obstacle(env_.map, list_.obstacles()[number], feature.name); });
+    list_.for_each_obstacle(f, [&](uint32_t number) {
+      const NearObstacle<D>& obstacle = list_.obstacles()[number];
+      feature.name.add_name(env_.map, obstacle.facet, obstacle.cell);
+    });
     features_.push_back(feature);
   }
 }

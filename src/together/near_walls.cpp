@@ -20,12 +20,14 @@ void NearWalls<D>::start(const Array<Traveller<D>>& travellers) {
   }
 }
 
-/** Whether something is remembered of what is near a part. An edge with a sequence mostly finds its way by that. */
+/** Whether something is remembered of what is near a part. Edges with sequences among convex cells remember nothing, as
+ * their sequences mostly answer. */
 template <int D>
-bool NearWalls<D>::keeps_notes(const Traveller<D>& of, const Simplex& part) {
+bool NearWalls<D>::keeps_notes(const Traveller<D>& of, const Simplex& part) const {
   const Body<D>& body = *of.body;
   if (of.notes == nullptr || is_covered(body, part)) return false;
-  return part.kind != Simplex::kEdge || !body.keeps_sequences();
+  if (part.kind != Simplex::kEdge || !body.keeps_sequences()) return true;
+  return !env_.map.convex(body.vertices[body.edges[part.index].ends[0]].cell);
 }
 
 /** Whether it is known that nothing is near the way of a part. */
@@ -38,15 +40,17 @@ bool NearWalls<D>::is_alone(const Traveller<D>& of, const Simplex& simplex) {
 }
 
 template <int D>
-typename NearWalls<D>::Range NearWalls<D>::find(const Traveller<D>& of, uint32_t number, const Simplex& simplex) {
+Touchables<D> NearWalls<D>::find(const Traveller<D>& of, uint32_t number, const Simplex& simplex) {
   Range& near = (simplex.kind == Simplex::kEdge ? edges_ : faces_)[number][simplex.index];
-  if (near.first_feature != kNone) return near;
-  const Part<D> part(*of.body, simplex);
-  const Reach reach = reach_of(of, part);
-  near.first_feature = near.feature_end = static_cast<uint32_t>(features_.size());
-  near.first_plane = near.plane_end = static_cast<uint32_t>(planes_.size());
-  collect(of, part, keeps_notes(of, simplex) && reach.is_short() ? &reach : nullptr, near);
-  return near;
+  if (near.first_feature == kNone) {
+    const Part<D> part(*of.body, simplex);
+    const Reach reach = reach_of(of, part);
+    near.first_feature = near.feature_end = static_cast<uint32_t>(features_.size());
+    near.first_plane = near.plane_end = static_cast<uint32_t>(planes_.size());
+    collect(of, part, keeps_notes(of, simplex) && reach.is_short() ? &reach : nullptr, near);
+  }
+  return {features_.data() + near.first_feature, features_.data() + near.feature_end, plane_numbers_.data(),
+          planes_.data() + near.first_plane, near.plane_end - near.first_plane};
 }
 
 /** How far the corners of a part go in the call, or a little more, and how large the part is. */
@@ -121,7 +125,7 @@ void NearWalls<D>::add_features(bool corners_alone, Range& near) {
     uint32_t plane = kNone;
     if (obstacle.count == D) {
       plane = static_cast<uint32_t>(planes_.size()) - near.first_plane;
-      Plane& added = planes_.emplace_back();
+      WallPlane<D>& added = planes_.emplace_back();
       for (int i = 0; i < D; ++i) added.corners[i] = env_.point(obstacle.vertices[i]);
     }
     for (uint32_t i = 0; i < obstacle.count; ++i) {
@@ -138,12 +142,12 @@ void NearWalls<D>::add_features(bool corners_alone, Range& near) {
   });
   for (size_t i = 0; i < sides_.size();) {
     const Side& first = sides_[i];
-    Feature feature{{{first.vertices[0], first.vertices[1], kNone}, corners_alone ? 1u : 2u, {}, {}}, 0, 0};
+    Touchable feature{{{first.vertices[0], first.vertices[1], kNone}, corners_alone ? 1u : 2u, {}, {}}, 0, 0};
     feature.first_plane = static_cast<uint32_t>(plane_numbers_.size());
     for (; i < sides_.size() && std::equal(sides_[i].vertices, sides_[i].vertices + 2, feature.name.vertices); ++i) {
       const NearObstacle<D>& obstacle = obstacles_[sides_[i].obstacle];
       if (sides_[i].plane != kNone) plane_numbers_.push_back(sides_[i].plane);
-      name_obstacle(env_.map, obstacle, feature.name);
+      feature.name.add_name(env_.map, obstacle.facet, obstacle.cell);
     }
     feature.plane_end = static_cast<uint32_t>(plane_numbers_.size());
     features_.push_back(feature);

@@ -9,35 +9,21 @@ namespace dsw {
 template <int D>
 class NearWalls {
  public:
-  /** A feature of walls, or something thin that is marked, and the planes of its walls. */
-  struct Feature {
-    WallFeature name;
-    uint32_t first_plane, plane_end;  // in plane_numbers()
-  };
-  /** The triangle of a wall, in the plane its segment. */
-  struct Plane {
-    const double* corners[D];
-  };
-  /** What is near a part. Numbers of planes count from first_plane. */
-  struct Range {
-    uint32_t first_feature = kNone, feature_end = 0;  // kNone: nobody has looked
-    uint32_t first_plane = 0, plane_end = 0;
-  };
-
   explicit NearWalls(const Environment<D>& env) : env_(env), lists_(env, false) {}
 
   /** Forgets what was found for another call. */
   void start(const Array<Traveller<D>>& travellers);
   /** Whether it is known that nothing is near the way of an edge or a face. */
   bool is_alone(const Traveller<D>& of, const Simplex& part);
-  /** What an edge or a face of traveller `number` can touch in the call. */
-  Range find(const Traveller<D>& of, uint32_t number, const Simplex& part);
-
-  const Array<Feature>& features() const { return features_; }
-  const Array<Plane>& planes() const { return planes_; }
-  const Array<uint32_t>& plane_numbers() const { return plane_numbers_; }
+  /** What an edge or a face of traveller `number` can touch in the call. The view holds until the next search. */
+  Touchables<D> find(const Traveller<D>& of, uint32_t number, const Simplex& part);
 
  private:
+  /** What is near a part. Numbers of planes count from first_plane. */
+  struct Range {
+    uint32_t first_feature = kNone, feature_end = 0;  // kNone: nobody has looked
+    uint32_t first_plane = 0, plane_end = 0;
+  };
   struct Reach {
     double way, size;
 
@@ -48,7 +34,7 @@ class NearWalls {
     uint32_t vertices[2];
     uint32_t plane, obstacle;
   };
-  static bool keeps_notes(const Traveller<D>& of, const Simplex& part);
+  bool keeps_notes(const Traveller<D>& of, const Simplex& part) const;
   static Reach reach_of(const Traveller<D>& of, const Part<D>& part);
   void collect(const Traveller<D>& of, const Part<D>& part, const Reach* kept, Range& near);
   void add_obstacles(const NearList<D>& list, const NearSelection<D>* selection, const Box<D>& box);
@@ -57,8 +43,8 @@ class NearWalls {
   const Environment<D>& env_;
   NearLists<D> lists_;
   Array<Array<Range>> edges_{env_.memory}, faces_{env_.memory};  // by traveller and slot
-  Array<Feature> features_{env_.memory};
-  Array<Plane> planes_{env_.memory};
+  Array<Touchable> features_{env_.memory};
+  Array<WallPlane<D>> planes_{env_.memory};
   Array<uint32_t> plane_numbers_{env_.memory};
   Array<NearObstacle<D>> obstacles_{env_.memory};  // of the part that is looked at; vertices of the environment
   Array<Side> sides_{env_.memory};

@@ -1,18 +1,26 @@
-// The facets that an edge passes change only where the edge touches a ridge of one of them, or where one of its ends passes
-// one. Some ridges are never touched: their boxes are apart from that of the edge's way, or the lines through all choices
-// of start or end of both ends certainly pass them on the same side. At all others, all facets are taken in up to the
-// walls, and their other ridges are asked about, and so on. Then these facets are all that the edge passes before it
-// passes a wall's ridge, and all such ridges that it may touch first are found.
+// Finds the ridges of walls that a moving edge may pass first, under the shift. All cells are exactly convex.
 //
-// What the edge touches in a cell without passing it lies in a facet of the cell, at a ridge that the edge touches. So that
-// facet is one of these, too. At a vertex that the edge touches all ridges are touched, so all facets there are found.
+// What the edge passes changes in two ways: an end passes a facet, or the edge passes a ridge. The facets of the first kind
+// are on the paths of the ends. A ridge of the second kind belongs to a facet that the edge passed just before.
+//
+// So the search starts with the paths and with the facets that the edge passes at its start. Facets that all four lines
+// certainly pass are left out: the edge touches none of their ridges. Each ridge of a facet is asked about. It is skipped if
+// its box is apart from that of the edge's way, or if all four lines pass it on one side. Else all facets round it are
+// added, up to walls. If there is a wall or a mark at the ridge, it is a feature that the edge may touch.
+//
+// By induction over these changes, each facet that the edge passes before its first wall was left out or is in the list. So
+// the ridge that it passes first is found. What it only touches may not be found: for example a ridge between two walls of
+// one cell. The edge cannot pass such a ridge, only an end can reach it.
+//
+// Where several fans of passable cells meet at a ridge, each one that is reached counts, so nothing depends on the order
+// of facets.
 
 #include "together/ridge_rings.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "environment/marking.h"
-#include "flood/edge_turn.h"
 #include "walk/shear.h"
 
 namespace dsw {
@@ -29,31 +37,32 @@ bool have_one_sign(const double (&dets)[4], const V& reach) noexcept {
   return (low > 0 && filter::certain(low, reach)) || (high < 0 && filter::certain(high, reach));
 }
 
+filter::Vec<2> to_filter(const double (&x)[2]) noexcept { return {x[0], x[1]}; }
+filter::Vec<3> to_filter(const double (&x)[3]) noexcept { return {x[0], x[1], x[2]}; }
+
+/** The products of this with lines through `from` tell on which side they pass a ridge. */
+template <int D>
+filter::Vec<D> normal_of(const double* from, const double* x, [[maybe_unused]] const double* y) noexcept {
+  const filter::Vec<D> a = filter::difference<D>(x, from);
+  if constexpr (D == 3) {
+    return filter::cross(a, filter::difference<3>(y, from));
+  } else {
+    return {a.y, -a.x};
+  }
+}
+
 }  // namespace
 
 template <int D>
-RidgeRings<D>::Lines::Lines(const EdgeTravel& edge) noexcept : last{edge.last, edge.last_to} {
+RidgeRings<D>::Lines::Lines(const EdgeWay& edge) noexcept : others{edge.other, edge.other_to} {
   for (int k = 0; k < D; ++k) {
-    const auto ends = {edge.first[k], edge.first_to[k], edge.last[k], edge.last_to[k]};
+    const auto ends = {edge.first[k], edge.first_to[k], edge.other[k], edge.other_to[k]};
     low[k] = std::min(ends);
     high[k] = std::max(ends);
   }
   for (int k = 0; k < 2; ++k) {
-    ways[k][0] = filter::difference<D>(last[k], edge.first);
-    ways[k][1] = filter::difference<D>(last[k], edge.first_to);
-  }
-}
-
-/** Whether a ridge was not asked about before. */
-template <int D>
-bool RidgeRings<D>::is_new(const Ridge& ridge) noexcept {
-  const uint64_t key = uint64_t{ridge.vertices[0]} << 32 | ridge.vertices[1];
-  for (uint64_t at = (key * 0x9e3779b97f4a7c15u) >> 56;; at = (at + 1) % kSlots) {
-    if (ridges_[at] == key) return false;
-    if (ridges_[at] != kNoRidge) continue;
-    ridges_[at] = key;
-    ++ridge_count_;
-    return true;
+    ways[k][0] = filter::difference<D>(others[k], edge.first);
+    ways[k][1] = filter::difference<D>(others[k], edge.first_to);
   }
 }
 
@@ -69,102 +78,143 @@ bool RidgeRings<D>::may_touch(const Ridge& ridge, const Lines& lines) const noex
   }
   double dets[4];
   for (int k = 0; k < 2; ++k) {
-    const filter::Vec<D> a = filter::difference<D>(x, lines.last[k]);
-    filter::Vec<D> normal;
-    if constexpr (D == 3) {
-      normal = filter::cross(a, filter::difference<3>(y, lines.last[k]));
-    } else {
-      normal = {a.y, -a.x};
-    }
+    const filter::Vec<D> normal = normal_of<D>(lines.others[k], x, y);
     dets[2 * k] = filter::dot(normal, lines.ways[k][0]);
     dets[2 * k + 1] = filter::dot(normal, lines.ways[k][1]);
   }
-  if constexpr (D == 3) {
-    return !have_one_sign(dets, filter::Vec<3>{reach[0], reach[1], reach[2]});
-  } else {
-    return !have_one_sign(dets, filter::Vec<2>{reach[0], reach[1]});
-  }
+  return !have_one_sign(dets, to_filter(reach));
 }
 
-/** Takes in the facets that follow one round a ridge, to the first wall. False: not known. */
+/** Goes round a ridge to the first wall, or all round: calls visit(cell, facet that is left). False: not known. */
 template <int D>
-bool RidgeRings<D>::go_round(HalfFacet facet, const Ridge& ridge, WallRidge& met) {
+template <class Visit>
+bool RidgeRings<D>::go_round(HalfFacet facet, const Ridge& ridge, HalfFacet& wall, Visit visit) const {
   constexpr size_t kMostCells = 64;
-  const Map<D>& map = env_.map;
-  const ConvexCells<D> cells{map};
+  const ConvexCells<D> cells{env_.map};
   Pivot<D> pivot;
   std::copy_n(ridge.vertices, D - 1, pivot.vertices);
   HalfFacet entered = facet;
   for (size_t count = 0; count < kMostCells; ++count) {
-    const Cell c = map.cell_of(entered);
+    const Cell c = env_.map.cell_of(entered);
     if (!cells.suits(c)) return false;
-    if (!met.name.cell.valid() || c.unit < met.name.cell.unit) met.name.cell = c;
     const HalfFacet next = cells.other(c, entered, pivot);
+    if (!next.valid()) return false;
     if (is_impassable(env_, next)) {
-      met.walls[met.walls[0].valid() ? 1 : 0] = next;
+      visit(c, HalfFacet{});
+      wall = next;
       return true;
     }
-    facets_.push_back(next.word);
-    entered = map.opposite(next);
-    if (entered.word == facet.word) return true;
+    visit(c, next);
+    entered = env_.map.opposite(next);
+    if (entered == facet) return true;
   }
   return false;
 }
 
+/** Whether a facet at a ridge is in a fan that was found. */
+template <int D>
+bool RidgeRings<D>::is_in_fan(HalfFacet facet, const Ridge& ridge) const {
+  HalfFacet wall;
+  bool any = false;
+  for (const Fan& fan : fans_) {
+    if (fan.ridge.vertices[0] != ridge.vertices[0] || fan.ridge.vertices[1] != ridge.vertices[1]) continue;
+    any = true;
+    if (!fan.walls[0].valid()) return true;
+    if (!wall.valid() && !go_round(facet, ridge, wall, [](Cell, HalfFacet) {})) return false;
+    if (wall == fan.walls[0] || wall == fan.walls[1]) return true;
+  }
+  return !any;
+}
+
 /** Takes in all facets at a ridge of one, up to walls. False: not known. */
 template <int D>
-bool RidgeRings<D>::add_ring(HalfFacet facet, const Ridge& ridge) {
-  WallRidge met{{{ridge.vertices[0], ridge.vertices[1], kNone}, D - 1, {}, {}}, {}};
-  if (!go_round(facet, ridge, met)) return false;
-  if (met.walls[0].valid() && !go_round(env_.map.opposite(facet), ridge, met)) return false;
+bool RidgeRings<D>::add_fan(HalfFacet facet, const Ridge& ridge) {
+  const Map<D>& map = env_.map;
+  Fan fan{ridge, {}, map.cell_of(facet)};
+  const auto take_in = [&](Cell c, HalfFacet left) {
+    if (map.index(c) < map.index(fan.cell)) fan.cell = c;
+    if (left.valid()) facets_.push_back(left.word);
+  };
+  if (!go_round(facet, ridge, fan.walls[0], take_in)) return false;
+  const bool has_walls = fan.walls[0].valid();
+  if (has_walls && !go_round(map.opposite(facet), ridge, fan.walls[1], take_in)) return false;
   const bool is_marked = D == 3 ? env_.marked_edges != 0 && edge_marked(env_, ridge.vertices[0], ridge.vertices[1])
                                 : vertex_marked(env_, ridge.vertices[0]);
-  for (const HalfFacet wall : met.walls) {
-    if (wall.valid()) name_obstacle(env_.map, NearObstacle<D>{{}, D, wall, {}}, met.name);
-  }
-  if (is_marked || met.walls[0].valid()) walls_.push_back(met);
+  if (has_walls || is_marked) fans_.push_back(fan);
   return true;
 }
 
-/** Takes in the facets of a sequence that the lines of the edge do not pass for certain. */
+/** Asks about the ridges of a facet. False: not known. */
 template <int D>
-void RidgeRings<D>::add_missed(const EdgeSequence<D>& sequence, const EdgeTravel& edge) {
-  uint64_t missed = ~uint64_t{0} >> (kMostMissed - sequence.facets.size());
-  if (sequence.in_rows) {
-    missed = 0;
-    for (const double* from : {edge.first, edge.first_to}) {
-      for (const double* to : {edge.last, edge.last_to}) missed |= missed_facets(sequence, from, to);
-    }
-  }
-  for (; missed != 0; missed &= missed - 1) facets_.push_back(sequence.facets[lowest_bit(missed)]);
-}
-
-template <int D>
-bool RidgeRings<D>::find(const EdgeSequence<D>& sequence, const EdgeTravel& edge) {
-  if (sequence.facets.size() > kMostMissed) return false;
-  facets_.clear();
-  std::fill_n(ridges_, kSlots, kNoRidge);
-  ridge_count_ = 0;
-  walls_.clear();
-  for (const Array<uint32_t>* path : {edge.first_path, edge.last_path}) {
-    facets_.insert(facets_.end(), path->begin(), path->end());
-  }
-  if (!sequence.facets.empty()) add_missed(sequence, edge);
-  const Lines lines(edge);
+bool RidgeRings<D>::add_ridges(HalfFacet facet, const Lines& lines) {
+  constexpr uint32_t kMostAsked = 160;
   const ConvexCells<D> cells{env_.map};
-  for (size_t i = 0; i < facets_.size(); ++i) {
-    const HalfFacet facet{facets_[i]};
-    if (!cells.suits(env_.map.cell_of(facet))) return false;
-    uint32_t vertices[4];
-    const uint32_t count = cells.corners(facet, vertices);
-    for (uint32_t k = 0; k < count; ++k) {
-      const uint32_t a = vertices[k], b = D == 3 ? vertices[k + 1 == count ? 0 : k + 1] : a;
-      const Ridge ridge{{std::min(a, b), std::max(a, b)}};
-      if (!is_new(ridge) || !may_touch(ridge, lines)) continue;
-      if (ridge_count_ > kMostRidges || !add_ring(facet, ridge)) return false;
+  if (!cells.suits(env_.map.cell_of(facet)) || !cells.suits(env_.map.cell_of(env_.map.opposite(facet)))) return false;
+  bool is_known = true;
+  cells.for_each_ridge(facet, [&](uint32_t a, uint32_t b) {
+    if (!is_known) return;
+    const Ridge ridge{{std::min(a, b), std::max(a, b)}};
+    const uint32_t before = ridges_.size();
+    if (ridges_.insert(pair_key(a, b)) < before) {
+      is_known = is_in_fan(facet, ridge) || add_fan(facet, ridge);
+    } else {
+      is_known = before < kMostAsked && (!may_touch(ridge, lines) || add_fan(facet, ridge));
     }
+  });
+  return is_known;
+}
+
+template <int D>
+bool RidgeRings<D>::find(const EdgeSequence<D>& sequence, const EdgeWay& edge, const Array<uint32_t> (&paths)[2]) {
+  facets_.clear();
+  ridges_.clear();
+  fans_.clear();
+  if (sequence.facets.size() > kMostMissed) return false;
+  for (const Array<uint32_t>& path : paths) facets_.insert(facets_.end(), path.begin(), path.end());
+  for (uint64_t missed = missed_facets(env_, sequence, edge); missed != 0; missed &= missed - 1) {
+    facets_.push_back(sequence.facets[lowest_bit(missed)]);
   }
+  const Lines lines(edge);
+  for (size_t i = 0; i < facets_.size(); ++i) {
+    if (!add_ridges({facets_[i]}, lines)) return false;
+  }
+  add_features();
   return true;
+}
+
+/** A feature for each ridge of the fans. */
+template <int D>
+void RidgeRings<D>::add_features() {
+  features_.clear();
+  planes_.clear();
+  numbers_.clear();
+  const auto name = [](const Fan& fan) { return std::make_tuple(fan.ridge.vertices[0], fan.ridge.vertices[1]); };
+  std::sort(fans_.begin(), fans_.end(), [&](const Fan& a, const Fan& b) { return name(a) < name(b); });
+  for (size_t i = 0; i < fans_.size();) {
+    const Fan& first = fans_[i];
+    Touchable feature{{{first.ridge.vertices[0], first.ridge.vertices[1], kNone}, D - 1, {}, {}}, 0, 0};
+    feature.first_plane = static_cast<uint32_t>(planes_.size());
+    for (; i < fans_.size() && name(fans_[i]) == name(first); ++i) {
+      const Fan& fan = fans_[i];
+      if (!fan.walls[0].valid()) feature.name.add_name(env_.map, {}, fan.cell);
+      for (const HalfFacet wall : fan.walls) {
+        if (!wall.valid()) continue;
+        feature.name.add_name(env_.map, wall, {});
+        const Cell c = env_.map.cell_of(wall);
+        numbers_.push_back(static_cast<uint32_t>(planes_.size()));
+        const Shape shape = env_.map.shape(c);
+        boundary_points(env_, c, shape.simplex_first(env_.map.local_of(wall, c)), planes_.emplace_back().corners);
+      }
+    }
+    feature.plane_end = static_cast<uint32_t>(planes_.size());
+    features_.push_back(feature);
+  }
+}
+
+template <int D>
+Touchables<D> RidgeRings<D>::features() const noexcept {
+  return {features_.data(), features_.data() + features_.size(), numbers_.data(), planes_.data(),
+          static_cast<uint32_t>(planes_.size())};
 }
 
 template class RidgeRings<2>;

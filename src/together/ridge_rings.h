@@ -1,23 +1,11 @@
 #pragma once
-// What of the environment an edge may touch while both of its ends move, found from ridge to ridge.
+// Which walls an edge may touch while both of its ends move, found from ridge to ridge.
 
-#include "flood/sequence.h"
-#include "predicates/filtered.h"
-#include "together/traveller.h"
+#include "base/key_table.h"
+#include "flood/convex_cells.h"
+#include "together/touchables.h"
 
 namespace dsw {
-
-/** An edge on its way, and the facets that the paths of its ends pass. */
-struct EdgeTravel {
-  const double *first, *first_to, *last, *last_to;  // the start and the end of its first and its last point
-  const Array<uint32_t>*first_path, *last_path;
-};
-
-/** A ridge that an edge may touch: something at it is impassable. */
-struct WallRidge {
-  WallFeature name;
-  HalfFacet walls[2];  // at it, seen from a passable cell; invalid: there are not so many
-};
 
 /** One for each thread. */
 template <int D>
@@ -25,37 +13,47 @@ class RidgeRings {
  public:
   explicit RidgeRings(const Environment<D>& env) : env_(env) {}
 
-  /** Finds what an edge may touch, apart from its ends. Where it starts it passes the facets of a sequence of the present
-   * version. False: that is not known. So it is of sequences that are not kept in rows. Throws std::bad_alloc. */
-  bool find(const EdgeSequence<D>& sequence, const EdgeTravel& edge);
-  /** What was found last, in no order. */
-  const Array<WallRidge>& walls() const noexcept { return walls_; }
+  /** Finds the ridges of walls that an edge may touch first. False: a cell is not exactly convex, or too many ridges would
+   * be asked about. Throws std::bad_alloc.
+   * @param sequence that of the edge at its start, in the present version.
+   * @param paths the facets that both ends pass on their ways, and maybe more of them. */
+  bool find(const EdgeSequence<D>& sequence, const EdgeWay& edge, const Array<uint32_t> (&paths)[2]);
+  /** What was found last, until the next search. */
+  Touchables<D> features() const noexcept;
 
  private:
   struct Ridge {
     uint32_t vertices[2];  // in space in order, in the plane both are the same
   };
-  /** The way of an edge, as its lines ask for it: ways[k][i] leads from start or end i of its first point to last[k]. */
+  /** The four lines through the start or the end of one point of an edge, and the start or the end of the other. */
   struct Lines {
     double low[D], high[D];  // of the box of the edge's way
-    const double* last[2];
-    filter::Vec<D> ways[2][2];
+    const double* others[2];
+    filter::Vec<D> ways[2][2];  // from the first point to the other: [of the other][of the first]
 
-    explicit Lines(const EdgeTravel& edge) noexcept;
+    explicit Lines(const EdgeWay& edge) noexcept;
   };
-  bool is_new(const Ridge& ridge) noexcept;
+  /** The passable cells round a ridge, from wall to wall or all round. */
+  struct Fan {
+    Ridge ridge;
+    HalfFacet walls[2];  // seen from the fan; invalid: it goes all round
+    Cell cell;           // with the lowest index
+  };
   bool may_touch(const Ridge& ridge, const Lines& lines) const noexcept;
-  void add_missed(const EdgeSequence<D>& sequence, const EdgeTravel& edge);
-  bool add_ring(HalfFacet facet, const Ridge& ridge);
-  bool go_round(HalfFacet facet, const Ridge& ridge, WallRidge& met);
+  bool add_ridges(HalfFacet facet, const Lines& lines);
+  bool add_fan(HalfFacet facet, const Ridge& ridge);
+  template <class Visit>
+  bool go_round(HalfFacet facet, const Ridge& ridge, HalfFacet& wall, Visit visit) const;
+  bool is_in_fan(HalfFacet facet, const Ridge& ridge) const;
+  void add_features();
 
   const Environment<D>& env_;
-  static constexpr uint32_t kMostRidges = 96, kSlots = 256;  // so an empty slot is never far
-  static constexpr uint64_t kNoRidge = ~uint64_t{0};
-  uint64_t ridges_[kSlots];  // that were asked about, hashed
-  uint32_t ridge_count_ = 0;
   Array<uint32_t> facets_{env_.memory};  // that the edge may pass
-  Array<WallRidge> walls_{env_.memory};
+  KeyTable ridges_{env_.memory};         // of these that were asked about
+  Array<Fan> fans_{env_.memory};         // with walls or marks, of ridges that the edge may touch
+  Array<Touchable> features_{env_.memory};
+  Array<WallPlane<D>> planes_{env_.memory};
+  Array<uint32_t> numbers_{env_.memory};
 };
 
 }  // namespace dsw

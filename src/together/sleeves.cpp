@@ -3,8 +3,10 @@
 // crosses the cells between these facets one after the other, each from facet to facet. The ends are in cells of the
 // sequence at all times, so the edge is, too.
 //
-// An end that goes to the next cell of the sequence leaves it shorter. One that goes elsewhere makes it longer. What is
-// asked about is the longer one. If the edge does not keep to it, what it may touch is found by `ridge_rings.h`.
+// If a path is blocked, this holds until its end passes the wall. What comes after that is of no use.
+//
+// An end that goes to the next cell of the sequence leaves it shorter. One that goes elsewhere makes it longer. The lines
+// are compared with the longer sequence. If the edge may leave it, `ridge_rings.h` finds what the edge may touch.
 
 #include "together/sleeves.h"
 
@@ -16,35 +18,41 @@ typename Sleeves<D>::End Sleeves<D>::end_of(const Traveller<D>& of, uint32_t edg
   return {of.start(v), of.end(v), of.body->vertices[v].cell, of.arrivals[v], paths_[k]};
 }
 
-/** Whether it is known which facets a vertex passes up to a place, and maybe after that. */
+/** Writes the facets that a vertex passes on its way to a place. If the path is blocked, there may be more of them. False:
+ * a cell at an end of the path is not known to be convex. */
 template <int D>
-bool Sleeves<D>::find_path(const Traveller<D>& of, uint32_t v, const double* place, bool is_end,
-                           Array<uint32_t>& path) {
+bool Sleeves<D>::find_path(const Traveller<D>& of, uint32_t v, const double* place, Array<uint32_t>& path) {
+  const Map<D>& map = env_.map;
   const Cell from = of.body->vertices[v].cell, to = of.arrivals[v];
-  const auto suits = [&](Cell c) { return c.valid() && env_.map.convex(c) && !is_closed(env_, c); };
+  const auto suits = [&](Cell c) { return map.convex(c) && !is_closed(env_, c); };
   path.clear();
   if (!suits(from)) return false;
   if (from == to) return true;
-  if (is_end && !suits(to)) return false;
   const PathFacets& crossed = of.crossed[v];
-  for (uint32_t i = 0; i < crossed.count; ++i) path.push_back(crossed.facets[i].word);
-  if (crossed.count != 0) return true;
-  if (!passes(of.start(v), place, from, is_end ? to : Cell{}) || writer_.passed() == nullptr) return false;
-  path = *writer_.passed();
-  return true;
+  if (crossed.is_known) {
+    for (uint32_t i = 0; i < crossed.count; ++i) path.push_back(crossed.facets[i].word);
+  } else {
+    if (!cast_path(of.start(v), place, from, to)) return false;
+    path = writer_.passed();
+  }
+  return path.empty() || suits(map.cell_of(map.opposite({path.back()})));
 }
 
-/** Casts a segment, and notes the facets that it passes. Whether it is free, and ends in a cell, if that is valid. */
+/** Casts a segment, and notes the facets that it passes. True: the segment is free, and it ends in `end`, if that is
+ * valid. */
 template <int D>
-bool Sleeves<D>::passes(const double* from, const double* to, Cell start, Cell end) {
+bool Sleeves<D>::cast_path(const double* from, const double* to, Cell start, Cell end) {
   CastRequest request;
   request.from = from;
   request.to = to;
   request.start = start;
   request.end = end;
-  writer_.attach(env_, request);
-  const CastResult result = cast(env_, request, counters);
-  return result.end == CastEnd::kReached && (!end.valid() || result.cell == end);
+  do {
+    writer_.attach(env_, request);
+    const CastResult result = cast(env_, request, counters);
+    if (result.end != CastEnd::kReached || (end.valid() && result.cell != end)) return false;
+  } while (!writer_.had_room());
+  return true;
 }
 
 /** Whether a sequence leads from the cell of one end to that of the other. */
@@ -58,10 +66,10 @@ bool Sleeves<D>::is_of(const EdgeSequence<D>& sequence, const End& a, const End&
 
 /** Notes the sequence of the edge where it starts. */
 template <int D>
-bool Sleeves<D>::note(EdgeSequence<D>& sequence, const End& a, const End& b) {
-  if (!passes(a.start, b.start, a.from, b.from)) return false;
+bool Sleeves<D>::note_start(EdgeSequence<D>& sequence, const End& a, const End& b) {
+  if (!cast_path(a.start, b.start, a.from, b.from)) return false;
   writer_.finish(sequence);
-  return sequence.known();
+  return true;
 }
 
 template <int D>
@@ -70,53 +78,49 @@ typename Sleeves<D>::Answer Sleeves<D>::ask(const Traveller<D>& of, uint32_t edg
   const Body<D>& body = *of.body;
   if (!body.keeps_sequences()) return Answer::kUnknown;
   for (uint32_t k = 0; k < 2; ++k) {
-    if (!find_path(of, body.edges[edge].ends[k], places[k], are_ends, paths_[k])) return Answer::kUnknown;
+    if (!find_path(of, body.edges[edge].ends[k], places[k], paths_[k])) return Answer::kUnknown;
   }
   const End a = end_of(of, edge, 0), b = end_of(of, edge, 1);
-  // What is found does not depend on what was noted before.
   EdgeSequence<D>& sequence = body.sequences[edge];
-  const bool may_be_known = is_of(sequence, a, b);
-  const bool keeps_cells = are_ends && a.path.empty() && b.path.empty() && !sequence.facets.empty();
-  if (may_be_known && keeps_cells && passes_all(sequence, a, b)) return Answer::kNothing;
-  const bool is_known = may_be_known && follows(env_, sequence, a.start, b.start, a.from, b.from);
-  if (!is_known && !note(sequence, a, b)) return Answer::kUnknown;
-  if (are_ends && stays(sequence, a, b)) return Answer::kNothing;
-  if (!rings_.find(sequence, {a.start, places[0], b.start, places[1], &a.path, &b.path})) return Answer::kUnknown;
-  if (!rings_.walls().empty()) return Answer::kWalls;
+  bool is_known = is_of(sequence, a, b);
+  if (is_known) sequence.passage.version = env_.obstacle_version;  // one without facets is of all versions
+  if (is_known && are_ends && stays(sequence, a, b)) return Answer::kNothing;
+  // What is found does not depend on what was noted before.
+  is_known = is_known && follows(env_, sequence, a.start, b.start, a.from, b.from);
+  if (!is_known) {
+    if (!note_start(sequence, a, b)) return Answer::kUnknown;
+    if (are_ends && stays(sequence, a, b)) return Answer::kNothing;
+  }
+  if (!rings_.find(sequence, EdgeWay::of_both(a.start, places[0], b.start, places[1]), paths_)) return Answer::kUnknown;
+  const Touchables<D> found = features();
+  if (found.first != found.last) return Answer::kFeatures;
   if (are_ends) go_on(of, edge);
   return Answer::kNothing;
 }
 
-/** Whether the edge keeps to its sequence, or to one more facet at either end. */
+/** Whether the edge keeps to its sequence, or to one more facet at either end. The sequence becomes that of the end. If the
+ * edge may leave it, it stays that of the start. */
 template <int D>
 bool Sleeves<D>::stays(EdgeSequence<D>& sequence, const End& a, const End& b) {
   if (a.path.size() > 1 || b.path.size() > 1) return false;
-  const bool longer_at_a = extend(sequence, a, true), longer_at_b = extend(sequence, b, false);
+  const auto extend = [&](const End& end, bool first) {
+    return !end.path.empty() && !sequence.has_at(env_, {end.path[0]}, first) &&
+           sequence.pass(env_, {end.path[0]}, first);
+  };
+  const bool is_longer_at_a = extend(a, true), is_longer_at_b = extend(b, false);
   const bool stays = !sequence.facets.empty() && passes_all(sequence, a, b);
-  // What it passes at the end; or at the start, if it is not known to keep to that.
-  if (stays ? !a.path.empty() && !longer_at_a : longer_at_a) sequence.remove(env_, true);
-  if (stays ? !b.path.empty() && !longer_at_b : longer_at_b) sequence.remove(env_, false);
+  // Both ends do not go through the only facet: no line would pass that at the end.
+  if (stays ? !a.path.empty() && !is_longer_at_a : is_longer_at_a) sequence.remove(env_, true);
+  if (stays ? !b.path.empty() && !is_longer_at_b : is_longer_at_b) sequence.remove(env_, false);
   return stays;
-}
-
-/** Lets a sequence hold the cells that an end is in. Whether it got one more; else it may lose one. */
-template <int D>
-bool Sleeves<D>::extend(EdgeSequence<D>& sequence, const End& end, bool first) {
-  if (end.path.empty()) return false;
-  const HalfFacet passed{end.path[0]}, beyond = env_.map.opposite(passed);
-  const HalfFacet left = first ? passed : beyond, met = first ? beyond : passed;
-  const Array<uint32_t>& facets = sequence.facets;
-  if (!facets.empty() && (first ? facets.front() : facets.back()) == left.word) return false;
-  sequence.add(env_, met, first);
-  return true;
 }
 
 template <int D>
 bool Sleeves<D>::passes_all(EdgeSequence<D>& sequence, const End& a, const End& b) const {
-  const Cell front = sequence.passage.front, back = sequence.passage.back;
-  const EdgeWay way{a.start, a.end, b.start, b.end, true, true};
+  const EdgeWay way = EdgeWay::of_both(a.start, a.end, b.start, b.end);
   if (sequence.passage.is_only()) return keeps_to_passage(env_, sequence.passage, way);
-  if (D == 3 && !sequence.in_rows) return keeps_to_facets(env_, sequence, way);
+  if (keeps_to_facets(env_, sequence, way)) return true;
+  const Cell front = sequence.passage.front, back = sequence.passage.back;
   const auto passes = [&](const double* from, const double* to) {
     return follows(env_, sequence, from, to, front, back);
   };
@@ -126,27 +130,14 @@ bool Sleeves<D>::passes_all(EdgeSequence<D>& sequence, const End& a, const End& 
 template <int D>
 void Sleeves<D>::go_on(const Traveller<D>& of, uint32_t edge) {
   const End a = end_of(of, edge, 0), b = end_of(of, edge, 1);
+  if (!a.to.valid() || !b.to.valid()) return;
   EdgeSequence<D>& sequence = of.body->sequences[edge];
-  go_with(sequence, a, true);
-  go_with(sequence, b, false);
+  for (const uint32_t passed : a.path) sequence.pass(env_, {passed}, true);
+  for (const uint32_t passed : b.path) sequence.pass(env_, {passed}, false);
   constexpr int kMostTurns = 16;
   Pivot<D> pivot;
   for (int k = 0; k < kMostTurns && !follows(env_, sequence, a.end, b.end, a.to, b.to); ++k) {
     if (!turn(env_, sequence, a.end, b.end, pivot)) return;
-  }
-}
-
-/** Lets a sequence begin or end where the path of an end does. */
-template <int D>
-void Sleeves<D>::go_with(EdgeSequence<D>& sequence, const End& end, bool first) {
-  for (const uint32_t passed : end.path) {
-    const HalfFacet beyond = env_.map.opposite({passed});
-    const uint32_t left = first ? passed : beyond.word;
-    if (!sequence.facets.empty() && (first ? sequence.facets.front() : sequence.facets.back()) == left) {
-      sequence.remove(env_, first);
-    } else {
-      sequence.add(env_, first ? beyond : HalfFacet{passed}, first);
-    }
   }
 }
 

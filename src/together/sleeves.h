@@ -14,34 +14,32 @@ class Sleeves {
       : env_(env), writer_(env.memory), rings_(env), paths_{Array<uint32_t>(env.memory), Array<uint32_t>(env.memory)} {}
 
   /** What an edge may touch on its way. kUnknown also for bodies that keep no sequences. */
-  enum class Answer { kNothing, kWalls, kUnknown };
+  enum class Answer { kNothing, kFeatures, kUnknown };
   /** Asks about the ways of both ends, up to `places` on them. If the answer is kNothing, and the places are the ends of the
    * ways, the sequence becomes that of the end. Throws std::bad_alloc. */
   Answer ask(const Traveller<D>& of, uint32_t edge, const double* const (&places)[2], bool are_ends);
-  /** What the edge may touch that was asked about last. */
-  const Array<WallRidge>& walls() const noexcept { return rings_.walls(); }
-  /** The edge that was asked about last goes to the ends of its ways: lets its sequence be that of the end, if a few turns
-   * do. */
+  /** What the last edge may touch. */
+  Touchables<D> features() const noexcept { return rings_.features(); }
+  /** Of the last edge: its sequence becomes that of the ends of its ways, if a few turns are enough. Nothing is done if an
+   * end is blocked. */
   void go_on(const Traveller<D>& of, uint32_t edge);
 
   CastCounters* counters = nullptr;
 
  private:
-  /** An end, and the facets that its path passes, each seen from the cell that is left. */
+  /** An end of an edge. */
   struct End {
     const double *start, *end;
-    Cell from, to;  // `to` is not valid if the path is blocked
-    const Array<uint32_t>& path;
+    Cell from, to;                // `to` is not valid if the path is blocked
+    const Array<uint32_t>& path;  // the facets that it passes, each seen from the cell that is left
   };
   End end_of(const Traveller<D>& of, uint32_t edge, uint32_t k) const;
-  bool find_path(const Traveller<D>& of, uint32_t v, const double* place, bool is_end, Array<uint32_t>& path);
-  bool passes(const double* from, const double* to, Cell start, Cell end);
+  bool find_path(const Traveller<D>& of, uint32_t v, const double* place, Array<uint32_t>& path);
+  bool cast_path(const double* from, const double* to, Cell start, Cell end);
   bool is_of(const EdgeSequence<D>& sequence, const End& a, const End& b) const;
-  bool note(EdgeSequence<D>& sequence, const End& a, const End& b);
+  bool note_start(EdgeSequence<D>& sequence, const End& a, const End& b);
   bool stays(EdgeSequence<D>& sequence, const End& a, const End& b);
-  bool extend(EdgeSequence<D>& sequence, const End& end, bool first);
   bool passes_all(EdgeSequence<D>& sequence, const End& a, const End& b) const;
-  void go_with(EdgeSequence<D>& sequence, const End& end, bool first);
 
   const Environment<D>& env_;
   SequenceWriter<D> writer_;

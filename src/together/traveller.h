@@ -8,6 +8,7 @@
 #include "proximity/near_lists.h"
 #include "response/settings.h"
 #include "together/place_on_way.h"
+#include "together/touchables.h"
 #include "walk/retreat.h"
 
 namespace dsw {
@@ -50,24 +51,6 @@ struct Traveller {
   const double* target(uint32_t v) const { return targets[v]; }
   bool moves(uint32_t v) const { return !std::equal(start(v), start(v) + D, end(v)); }
 };
-
-/** A feature of the environment that a part of a body can touch. */
-struct WallFeature {
-  uint32_t vertices[3];  // of the environment: the first `count`; for a whole facet vertices[0] may be its word
-  uint32_t count;
-  HalfFacet facet;  // an impassable facet at it, seen from a passable cell; invalid if there is none
-  Cell cell;        // of a marked edge or vertex: a cell at it
-};
-
-/** Names what an obstacle at a feature is: of its facets the lowest one, which depends on no order. */
-template <int D>
-void name_obstacle(const Map<D>& map, const NearObstacle<D>& obstacle, WallFeature& feature) noexcept {
-  if (!obstacle.facet.valid()) {
-    feature.cell = obstacle.cell;
-  } else if (!feature.facet.valid() || canonical(map, obstacle.facet).word < canonical(map, feature.facet).word) {
-    feature.facet = obstacle.facet;
-  }
-}
 
 /** Something that is touched. */
 template <int D>

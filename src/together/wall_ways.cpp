@@ -14,7 +14,6 @@
 
 #include <algorithm>
 
-#include "flood/edge_turn.h"
 #include "predicates/filtered.h"
 #include "together/kept_sides.h"
 #include "walk/retreat.h"
@@ -169,7 +168,7 @@ struct WallWays<D>::PartWay {
   PartWay(const PartWay&) = delete;
   PartWay& operator=(const PartWay&) = delete;
 
-  /** Without what is touched. */
+  /** Without what is touched. A corner of the environment comes before the part, a side comes after it. */
   WayTouch<D> touch() const {
     WayTouch<D> made{};
     made.traveller = number;
@@ -177,7 +176,6 @@ struct WallWays<D>::PartWay {
     made.pair.kind = D == 2                        ? PairKind::kVertexEdge
                      : part.kind == Simplex::kEdge ? PairKind::kEdgeEdge
                                                    : PairKind::kVertexFace;
-    // A corner of the environment comes before the part, a side comes after it.
     made.comes_first = made.pair.kind == PairKind::kEdgeEdge;
     for (uint32_t i = 0; i < corners.count; ++i) {
       made.pair.start[first_corner(made) + i] = points[2 * i];
@@ -199,92 +197,55 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
   for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
   if (!(limit > 0)) return true;
   const PartWay way(of, number, part, corners, limit);
-  if (is_settled(way)) {
+  using Answer = typename Sleeves<D>::Answer;
+  Answer answer = is_settled(way) ? Answer::kNothing : Answer::kUnknown;
+  if (answer == Answer::kUnknown && part.kind == Simplex::kEdge)
+    answer = sleeves_.ask(of, part.index, {way.points[1], way.points[3]}, limit == 1);
+  if (answer == Answer::kNothing) {
     ++counts.skipped;
     return true;
   }
-  using Answer = typename Sleeves<D>::Answer;
-  Answer answer = Answer::kUnknown;
-  if (part.kind == Simplex::kEdge) answer = sleeves_.ask(of, part.index, {way.points[1], way.points[3]}, limit == 1);
-  if (answer == Answer::kNothing) ++counts.skipped;
-  if (answer == Answer::kWalls) return visit_ridges(way, visit);
-  return answer == Answer::kNothing || visit_near(way, visit);
+  if (answer == Answer::kUnknown) return visit_features(way, near_.find(of, number, part), visit);
+  bool touches = false;
+  const bool goes_on = visit_features(way, sleeves_.features(), [&](const WayTouch<D>& touch) {
+    touches = true;
+    return visit(touch);
+  });
+  if (!touches && limit == 1) sleeves_.go_on(of, part.index);
+  return goes_on;
 }
 
-/** Looks at what the edge that `sleeves_` was asked about may touch. */
+/** Calls visit(touch) for the features that a part touches, until it returns false. */
 template <int D>
 template <class Visit>
-bool WallWays<D>::visit_ridges(const PartWay& way, Visit visit) {
-  const ConvexCells<D> cells{env_.map};
-  WayTouch<D> touch = way.touch();
-  bool any = false;
-  for (const WallRidge& ridge : sleeves_.walls()) {
-    const auto is_beside_wall = [&](HalfFacet wall) {
-      if (!wall.valid()) return false;
-      typename NearWalls<D>::Plane plane;
-      uint32_t vertices[4];
-      cells.corners(wall, vertices);
-      for (int i = 0; i < D; ++i) plane.corners[i] = env_.point(vertices[i]);
-      return is_beside(plane, way.points, 2 * way.corners.count);
-    };
-    const auto is_beside_one = [&] { return is_beside_wall(ridge.walls[0]) || is_beside_wall(ridge.walls[1]); };
-    const bool goes_on = visit_feature(way, ridge.name, is_beside_one, touch, [&](const WayTouch<D>& found) {
-      any = true;
-      return visit(found);
-    });
-    if (!goes_on) return false;
-  }
-  if (!any && way.limit == 1) sleeves_.go_on(way.of, way.part.index);
-  return true;
-}
-
-/** Looks at all that is near a part. */
-template <int D>
-template <class Visit>
-bool WallWays<D>::visit_near(const PartWay& way, Visit visit) {
-  const typename NearWalls<D>::Range near = near_.find(way.of, way.number, way.part);
-  if (near.first_feature == near.feature_end) return true;
-  WayTouch<D> touch = way.touch();
+bool WallWays<D>::visit_features(const PartWay& way, const Touchables<D>& near, Visit visit) {
+  if (near.first == near.last) return true;
+  const uint32_t count = way.corners.count;
   constexpr uint8_t kUnknown = 2;
-  is_beside_.assign(near.plane_end - near.first_plane, kUnknown);
+  is_beside_.assign(near.plane_count, kUnknown);
   const auto is_beside_plane = [&](uint32_t plane) {
     uint8_t& known = is_beside_[plane];
-    if (known == kUnknown) {
-      known = is_beside(near_.planes()[near.first_plane + plane], way.points, 2 * way.corners.count) ? 1 : 0;
-    }
+    if (known == kUnknown) known = is_beside(near.planes[plane], way.points, 2 * count) ? 1 : 0;
     return known != 0;
   };
-  for (uint32_t i = near.first_feature; i < near.feature_end; ++i) {
-    const typename NearWalls<D>::Feature& feature = near_.features()[i];
-    const auto is_beside_one = [&] {
-      const uint32_t* const numbers = near_.plane_numbers().data();
-      return std::any_of(numbers + feature.first_plane, numbers + feature.plane_end, is_beside_plane);
-    };
-    if (!visit_feature(way, feature.name, is_beside_one, touch, visit)) return false;
+  WayTouch<D> touch = way.touch();
+  const uint32_t first = PartWay::first_corner(touch);
+  for (const Touchable& feature : near) {
+    for (uint32_t k = 0; k < feature.name.count; ++k) {
+      const uint32_t at = (first == 0 ? count : 0) + k;
+      touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.name.vertices[k]);
+    }
+    if (!boxes_overlap(touch.pair, touch.comes_first ? 0 : 1)) continue;
+    if (std::any_of(near.numbers + feature.first_plane, near.numbers + feature.plane_end, is_beside_plane)) continue;
+    if (keeps_sides(touch.pair, count, touch.comes_first)) continue;
+    // Times are those on the whole way, not up to the limit.
+    WayTouch<D> found = touch;
+    found.wall = feature.name;
+    for (uint32_t k = 0; k < count; ++k) found.pair.end[first + k] = way.of.end(way.corners.vertices[k]);
+    found.first = first_touch(found.pair);
+    if (found.first.touches && found.first.time <= way.limit && !visit(found)) return false;
   }
   return true;
-}
-
-/** Calls visit(touch) if a part touches a feature. Whether it did not return false.
- * @param is_beside_one whether the part stays on one side of a wall that has the feature.
- * @param touch of the part; its feature is written here. */
-template <int D>
-template <class IsBeside, class Visit>
-bool WallWays<D>::visit_feature(const PartWay& way, const WallFeature& feature, IsBeside is_beside_one,
-                                WayTouch<D>& touch, Visit visit) {
-  const uint32_t count = way.corners.count, first = PartWay::first_corner(touch);
-  for (uint32_t k = 0; k < feature.count; ++k) {
-    const uint32_t at = (first == 0 ? count : 0) + k;
-    touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.vertices[k]);
-  }
-  if (!boxes_overlap(touch.pair, touch.comes_first ? 0 : 1) || is_beside_one()) return true;
-  if (keeps_sides(touch.pair, count, touch.comes_first)) return true;
-  // Its time is that on the whole way.
-  WayTouch<D> found = touch;
-  found.wall = feature;
-  for (uint32_t k = 0; k < count; ++k) found.pair.end[first + k] = way.of.end(way.corners.vertices[k]);
-  found.first = first_touch(found.pair);
-  return !found.first.touches || found.first.time > way.limit || visit(found);
 }
 
 /** Whether a part meets nothing, as its corners stay in one convex cell, or as nothing is in the box of its way. */
@@ -305,8 +266,7 @@ bool WallWays<D>::is_settled(const PartWay& way) {
 }
 
 template <int D>
-bool WallWays<D>::is_beside(const typename NearWalls<D>::Plane& plane, const double* const* points,
-                            uint32_t count) const {
+bool WallWays<D>::is_beside(const WallPlane<D>& plane, const double* const* points, uint32_t count) const {
   const int side = plane_side<D>(plane.corners, points[0], NoTally{}).sign;
   if (side == 0) return false;
   return std::all_of(points + 1, points + count,

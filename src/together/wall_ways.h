@@ -50,13 +50,8 @@ class WallWays {
   struct PartWay;
   bool is_settled(const PartWay& way);
   template <class Visit>
-  bool visit_ridges(const PartWay& way, Visit visit);
-  template <class Visit>
-  bool visit_near(const PartWay& way, Visit visit);
-  template <class IsBeside, class Visit>
-  bool visit_feature(const PartWay& way, const WallFeature& feature, IsBeside is_beside_one, WayTouch<D>& touch,
-                     Visit visit);
-  bool is_beside(const typename NearWalls<D>::Plane& plane, const double* const* points, uint32_t count) const;
+  bool visit_features(const PartWay& way, const Touchables<D>& near, Visit visit);
+  bool is_beside(const WallPlane<D>& plane, const double* const* points, uint32_t count) const;
   WayTouch<D> touch_of(const Traveller<D>& of, const Blocked& blocked) const;
 
   const Environment<D>& env_;
