@@ -73,7 +73,7 @@ void MovingWalls<D>::collect(const Traveller<D>& of, uint32_t number, const Simp
     ways[i][1] = of.target(corners.vertices[i]);
     for (uint32_t k = i; k > 0 && is_before<D>(ways[k], ways[k - 1]); --k) std::swap(ways[k], ways[k - 1]);
   }
-  const double* points[6];
+  const double* points[6] = {};
   for (uint32_t i = 0; i < corners.count; ++i) {
     points[i] = ways[i][0];
     points[corners.count + i] = ways[i][1];

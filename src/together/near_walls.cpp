@@ -85,7 +85,7 @@ void NearWalls<D>::collect(const Traveller<D>& of, const Part<D>& part, const Re
     add_obstacles(view.list, &view.near, box);
   } else {
     const uint32_t count = part.corners.count;
-    const double* points[6];
+    const double* points[6] = {};
     for (uint32_t i = 0; i < count; ++i) {
       points[i] = part.points[i];
       points[count + i] = of.target(part.corners.vertices[i]);

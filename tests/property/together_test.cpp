@@ -145,7 +145,7 @@ BodyPlan renumbered(const BodyPlan& plan, Rng& rng, std::vector<uint32_t>& new_o
   }
   for (auto& face : other.faces) {
     for (uint32_t& v : face) v = new_of[v];
-    std::rotate(face.begin(), face.begin() + rng.below(3u), face.end());
+    std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(rng.below(3u)), face.end());
   }
   shuffle(other.edges);
   shuffle(other.faces);
