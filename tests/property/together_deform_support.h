@@ -103,7 +103,7 @@ inline void mark_faces(Ground& ground, double share, Rng& rng) {
   for (const auto& cell : ground.cells) {
     if (!rng.chance(share)) continue;
     std::vector<uint32_t> side = cell;
-    side.erase(side.begin() + rng.below(side.size()));
+    side.erase(side.begin() + static_cast<std::ptrdiff_t>(rng.below(side.size())));
     std::sort(side.begin(), side.end());
     if (walls.count(side) == 0) more.insert(side);
   }
