@@ -1,5 +1,5 @@
 // All vertices of bodies move at once: nothing is missed, nothing is passed, all is free afterwards. Figures are
-// printed; DSW_TOGETHER_ROUNDS=600 asks ten times as much.
+// printed; DSW_TOGETHER_ROUNDS=600 asks ten times as much, DSW_TOGETHER_SEED something else.
 #include "together_support.h"
 
 #include <cmath>
@@ -19,7 +19,7 @@ std::ostream& operator<<(std::ostream& out, const Kind& each) { return out << ea
 
 class TogetherTest : public WaysTest<Kind> {
  protected:
-  TogetherTest() : WaysTest(11) {}
+  TogetherTest() : WaysTest(from_environment("DSW_TOGETHER_SEED", 11)) {}
 
   std::vector<Walker> make_walkers(dsw_scene* scene, size_t count) {
     std::vector<Walker> walkers;

@@ -1,0 +1,123 @@
+// Long edges whose ends go on and on, each move from where the last one led: what is said to meet nothing touches nothing,
+// says first_touch of the edge and each feature of each wall, and what is kept of an edge is what a cast from end to end
+// passes. Figures are printed; DSW_SLEEVES_ROUNDS=100 asks ten times as much, DSW_SLEEVES_SEED something else.
+#include "together/sleeves.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "../../share.h"
+#include "edge_of_ground.h"
+
+namespace dsw::test {
+namespace {
+
+uint64_t from_environment(const char* name, uint64_t otherwise) {
+  const char* const text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+/** Boxes in a row, which rings know nothing of: an end that comes from one of them or goes to it makes the sequence longer or
+ * shorter. */
+TEST(Sleeves, KeepToBoxes) {
+  Mesh3 mesh;
+  add_boxes(mesh, 4, 1, 1);
+  const auto env = mesh.build();
+  Sleeves<3> sleeves(*env);
+  for (const int first : {0, 1}) {
+    for (const bool back : {false, true}) {
+      for (int to = 0; to < 4; ++to) {
+        if (std::abs(to - 1) > 1) continue;  // from box 1, the other end stays in box 3
+        Body<3> body(nullptr);
+        reserve(body, 2, 1, 0);
+        double places[4] = {1.5, 3.5, to + 0.5, 3.4};
+        if (back) std::swap(places[0], places[2]);
+        const int cells[4] = {back ? to : 1, 3, back ? 1 : to, 3};
+        Traveller<3> of(nullptr);
+        of.body = &body;
+        of.ends.resize(6);
+        of.arrivals.resize(2);
+        of.crossed.resize(2);
+        for (int i = 0; i < 2; ++i) {
+          const int k = i ^ first;
+          const double at[3] = {places[k], 0.41, 0.62}, end[3] = {places[k + 2], 0.4, 0.6};
+          const Cell start = env->map.cell(static_cast<uint32_t>(cells[k]));
+          add_vertex(body, at, start);
+          std::copy_n(end, 3, of.end(static_cast<uint32_t>(i)));
+          const CastResult path = cast(*env, at, end, start);
+          of.arrivals[static_cast<size_t>(i)] = path.cell;
+          of.crossed[static_cast<size_t>(i)] = path_facets(env->map, start, path);
+        }
+        add_edge(body, 0, 1);
+        ASSERT_EQ(sleeves.ask(of, 0, {of.end(0), of.end(1)}, true), Sleeves<3>::Answer::kNothing)
+            << first << back << to;
+        const EdgeSequence<3>& kept = body.sequences[0];
+        EXPECT_EQ(kept.facets.size(), static_cast<size_t>(3 - cells[2]));
+        EXPECT_TRUE(kept.passage.front == of.arrivals[0] && kept.passage.back == of.arrivals[1]);
+      }
+    }
+  }
+}
+
+class SleevesTest : public testing::TestWithParam<Kind> {
+ protected:
+  template <int D>
+  void run(Counts& counts) {
+    const int rounds = static_cast<int>(from_environment("DSW_SLEEVES_ROUNDS", 10));
+    const uint64_t seed = from_environment("DSW_SLEEVES_SEED", 1);
+    for (int round = 0; round < rounds && !HasFatalFailure(); ++round) {
+      EdgeOfGround<D>(GetParam(), 1000 * seed + static_cast<uint64_t>(round), counts).run(share_of(40), 10);
+    }
+  }
+};
+
+TEST_P(SleevesTest, WhatIsKnownToMeetNothingTouchesNothing) {
+  const Kind& kind = GetParam();
+  Counts n;
+  if (kind.dimension == 2) run<2>(n);
+  if (kind.dimension == 3) run<3>(n);
+  std::printf(
+      "%s: %zu ways, %zu touch nothing, %zu by rings alone, %zu are known to, %zu of these begin or end exactly on "
+      "something; what %zu others touch first was found; where %zu end, %.1f facets (at most %zu), %zu sequences "
+      "known; %zu changes\n",
+      kind.name, n.asked, n.free, n.by_rings, n.known, n.at_ends, n.first_found, n.clear,
+      static_cast<double>(n.facets) / static_cast<double>(n.clear), n.most, n.followed, n.changes);
+  EXPECT_GE(static_cast<double>(n.known - n.at_ends), kind.least_known * static_cast<double>(n.free));
+  EXPECT_GE(static_cast<double>(n.followed), kind.least_followed * static_cast<double>(n.clear));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, SleevesTest,
+    testing::Values(Kind{"Free", 3, {14, 4, 4}, false, Points::kJittered, 0, 0, 0, 0, 0.7, 0.75},
+                    Kind{"FreeLattice", 3, {14, 4, 4}, false, Points::kOnLattice, 0, 0, 0, 0, 0.35, 0.7},
+                    Kind{"FreeSheared", 3, {14, 4, 4}, false, Points::kSheared, 0, 0, 0, 0, 0.7, 0.75},
+                    Kind{"FreeMoved", 3, {8, 3, 3}, false, Points::kMoved, 0, 0, 0, 0, 0.7, 0.75},
+                    Kind{"Long", 3, {40, 3, 3}, false, Points::kJittered, 0, 0, 0, 0, 0.7, 0.75},
+                    Kind{"LongCells", 3, {40, 3, 3}, false, Points::kJittered, 0.01, 0, 0, 0, 0.35, 0.75},
+                    Kind{"Cells", 3, {10, 4, 4}, false, Points::kJittered, 0.02, 0, 0, 0, 0.4, 0.75},
+                    Kind{"CellsLattice", 3, {10, 4, 4}, false, Points::kOnLattice, 0.02, 0, 0, 0, 0.2, 0.7},
+                    Kind{"CellsSheared", 3, {10, 4, 4}, false, Points::kSheared, 0.02, 0, 0, 0, 0.4, 0.75},
+                    Kind{"CellsMoved", 3, {8, 3, 3}, false, Points::kMoved, 0.02, 0, 0, 0, 0.4, 0.75},
+                    Kind{"Pinched", 3, {8, 4, 4}, false, Points::kOnLattice, 0.3, 0, 0, 0, 0.4, 0.7},
+                    Kind{"Facets", 3, {10, 4, 4}, false, Points::kJittered, 0, 0.01, 0, 0, 0.4, 0.75},
+                    Kind{"FacetsLattice", 3, {10, 4, 4}, false, Points::kOnLattice, 0, 0.01, 0, 0, 0.3, 0.7},
+                    Kind{"Edges", 3, {10, 4, 4}, false, Points::kJittered, 0, 0, 0.01, 0, 0.4, 0.75},
+                    Kind{"EdgesLattice", 3, {10, 4, 4}, false, Points::kOnLattice, 0, 0, 0.01, 0, 0.3, 0.7},
+                    Kind{"MixedLattice", 3, {10, 4, 4}, true, Points::kOnLattice, 0.02, 0.01, 0.01, 0.02, 0.2, 0.6},
+                    Kind{"MixedJittered", 3, {10, 4, 4}, true, Points::kJittered, 0.02, 0.01, 0.01, 0.02, 0.2, 0.75},
+                    Kind{"PlaneFree", 2, {30, 8}, false, Points::kJittered, 0, 0, 0, 0, 0.7, 0.85},
+                    Kind{"PlaneLong", 2, {80, 6}, false, Points::kJittered, 0.005, 0, 0, 0, 0.4, 0.85},
+                    Kind{"PlaneMoved", 2, {20, 8}, false, Points::kMoved, 0.02, 0, 0, 0, 0.45, 0.85},
+                    Kind{"PlaneCells", 2, {20, 8}, false, Points::kJittered, 0.02, 0, 0, 0, 0.45, 0.85},
+                    Kind{"PlaneLattice", 2, {20, 8}, false, Points::kOnLattice, 0.02, 0.01, 0, 0.01, 0.4, 0.85},
+                    Kind{"PlaneSheared", 2, {20, 8}, false, Points::kSheared, 0.02, 0.01, 0, 0.01, 0.45, 0.85},
+                    Kind{"PlanePinched", 2, {20, 8}, false, Points::kOnLattice, 0.3, 0, 0, 0, 0.45, 0.85},
+                    Kind{"PlaneVertices", 2, {20, 8}, false, Points::kJittered, 0, 0, 0, 0.05, 0.45, 0.85},
+                    Kind{"PlanePolygons", 2, {20, 8}, true, Points::kOnLattice, 0.02, 0.01, 0, 0.01, 0.15, 0.75},
+                    Kind{"PlanePolygonsJittered", 2, {20, 8}, true, Points::kJittered, 0.02, 0.01, 0, 0.03, 0.1, 0.75}),
+    [](const testing::TestParamInfo<Kind>& i) { return std::string(i.param.name); });
+
+}  // namespace
+}  // namespace dsw::test
