@@ -12,9 +12,10 @@ struct ConvexCells {
   const Map<D>& map;
 
   bool suits(Cell c) const noexcept { return map.convex(c); }
-  /** Calls visit(a, b) for the ridges of a facet: their vertices, in the plane twice the same. */
+  /** Calls visit(a, b) for the ridges of a facet, counter-clockwise seen from outside, until it returns false. a and b are
+   * the ridge's vertices, in the plane both the same. Whether no call returned false. */
   template <class Visit>
-  void for_each_ridge(HalfFacet facet, Visit visit) const;
+  bool for_each_ridge(HalfFacet facet, Visit visit) const;
   /** Whether a facet has a ridge of its cell. */
   bool has(uint32_t facet, const Pivot<D>& pivot) const noexcept;
   /** The facet of `c` that has the pivot, as the one has that was entered. */
@@ -23,35 +24,33 @@ struct ConvexCells {
 
 template <int D>
 template <class Visit>
-void ConvexCells<D>::for_each_ridge(HalfFacet facet, Visit visit) const {
+bool ConvexCells<D>::for_each_ridge(HalfFacet facet, Visit visit) const {
   const Cell c = map.cell_of(facet);
   const uint32_t local = map.local_of(facet, c);
   if constexpr (D == 2) {
     const uint32_t a = map.vertex(c, local), b = map.vertex(c, local + 1 == map.vertices_of(c) ? 0 : local + 1);
-    visit(a, a);
-    visit(b, b);
+    return visit(a, a) && visit(b, b);
   } else if (has_standard_facets(map.form(c))) {
     uint32_t v[4];
     standard_corners(map.record(c), local, v);
-    visit(v[0], v[1]);
-    visit(v[1], v[2]);
-    if (v[2] != v[3]) visit(v[2], v[3]);
-    visit(v[3], v[0]);
+    return visit(v[0], v[1]) && visit(v[1], v[2]) && (v[2] == v[3] || visit(v[2], v[3])) && visit(v[3], v[0]);
   } else {
     const Shape shape = map.shape(c);
     for (uint32_t d = shape.facet_first(local); d < shape.facet_first(local + 1); ++d) {
-      visit(map.vertex(c, shape.dart_vertex(d)), map.vertex(c, shape.dart_vertex(shape.beta1(d))));
+      if (!visit(map.vertex(c, shape.dart_vertex(d)), map.vertex(c, shape.dart_vertex(shape.beta1(d))))) return false;
     }
+    return true;
   }
 }
 
 template <int D>
 bool ConvexCells<D>::has(uint32_t facet, const Pivot<D>& pivot) const noexcept {
-  uint32_t found = 0;  // bits of the pivot's vertices
+  uint32_t missing = D - 1;  // of the pivot's vertices
   for_each_ridge({facet}, [&](uint32_t a, uint32_t) {
-    for (int i = 0; i < D - 1; ++i) found |= a == pivot.vertices[i] ? 1u << i : 0u;
+    for (const uint32_t v : pivot.vertices) missing -= a == v ? 1 : 0;
+    return missing != 0;
   });
-  return found == (1u << (D - 1)) - 1;
+  return missing == 0;
 }
 
 template <int D>

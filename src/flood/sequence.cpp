@@ -7,6 +7,7 @@
 #include "base/compiler.h"
 #include "base/dimensions.h"
 #include "base/slot_pool.h"
+#include "flood/convex_cells.h"
 #include "flood/edge_turn.h"
 #include "flood/facet_pass.h"
 #include "flood/line_sides.h"
@@ -54,23 +55,14 @@ struct Corners {
       vertices[1] = map.vertex(c, next == map.vertices_of(c) ? 0 : next);
     }
   }
-  bool has(const Pivot<D>& pivot) const noexcept {
-    const uint32_t *const begin = vertices, *const end = vertices + D;
-    return std::all_of(pivot.vertices, pivot.vertices + (D - 1),
-                       [&](uint32_t vertex) { return std::find(begin, end, vertex) != end; });
-  }
 };
 
 /** Cells whose facets may be in rows, for turn_at. */
 template <int D>
-struct CellsOfRows {
-  const Map<D>& map;
+struct CellsOfRows : ConvexCells<D> {
+  explicit CellsOfRows(const Map<D>& map_of_cells) : ConvexCells<D>{map_of_cells} {}
 
-  bool suits(Cell c) const noexcept { return is_for_rows(map, c); }
-  bool has(uint32_t facet, const Pivot<D>& pivot) const noexcept { return Corners<D>(map, facet).has(pivot); }
-  HalfFacet other(Cell c, HalfFacet entered, const Pivot<D>& pivot) const noexcept {
-    return other_at(map, c, entered, pivot);
-  }
+  bool suits(Cell c) const noexcept { return is_for_rows(this->map, c); }
 };
 
 /** What is known of facets in rows from `begin` to before `end`. */
@@ -357,29 +349,14 @@ struct FacetRidge {
 };
 
 /** Calls visit(ridge) for those of a facet until it returns false. */
-template <class Visit>
-bool for_each_ridge(const Environment<3>& env, HalfFacet facet, bool in_rows, Visit visit) {
-  if (in_rows) {
-    const Corners<3> corners(env.map, facet.word);
-    const double* at[3];
-    for (int i = 0; i < 3; ++i) at[i] = env.point(corners.vertices[i]);
-    return visit(FacetRidge{at[0], at[1], 1}) && visit(FacetRidge{at[1], at[2], 1}) &&
-           visit(FacetRidge{at[2], at[0], 1});
-  }
-  const Cell c = env.map.cell_of(facet);
-  const Shape shape = env.map.shape(c);
-  const uint32_t f = env.map.local_of(facet, c);
-  for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-    const FacetRidge ridge{env.point(c, shape.dart_vertex(d)), env.point(c, shape.dart_vertex(shape.beta1(d))), 1};
-    if (!visit(ridge)) return false;
-  }
-  return true;
-}
-template <class Visit>
-bool for_each_ridge(const Environment<2>& env, HalfFacet side, bool, Visit visit) {
-  const Corners<2> corners(env.map, side.word);
-  const double *const a = env.point(corners.vertices[0]), *const b = env.point(corners.vertices[1]);
-  return visit(FacetRidge{a, a, -1}) && visit(FacetRidge{b, b, 1});
+template <int D, class Visit>
+bool for_each_facet_ridge(const Environment<D>& env, HalfFacet facet, Visit visit) {
+  int side = D == 3 ? 1 : -1;  // in the plane a line passes the first on the left
+  return ConvexCells<D>{env.map}.for_each_ridge(facet, [&](uint32_t a, uint32_t b) {
+    const bool goes_on = visit(FacetRidge{env.point(a), env.point(b), side});
+    side = 1;
+    return goes_on;
+  });
 }
 
 bool is_same_ridge(const FacetRidge& a, const FacetRidge& b) noexcept {
@@ -439,7 +416,7 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
       const HalfFacet facet{sequence.facets[begin + lowest_bit(ask)]};
       int sides[3] = {0, 0, 0}, next = 0;
       if (in_rows) ridge_sides(env, line, facet, sides);
-      const bool is_passed = for_each_ridge(env, facet, in_rows, [&](const FacetRidge& ridge) {
+      const bool is_passed = for_each_facet_ridge(env, facet, [&](const FacetRidge& ridge) {
         const int known = in_rows ? sides[next++] : 0;
         if (known != 0 && known == ridge.side) return true;
         if (is_of_event<D>(m, ridge, event) || is_same_ridge(ridge, later)) return true;
@@ -456,7 +433,7 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
 }
 
 bool turn_in_rows(const Environment<3>& env, EdgeSequence<3>& sequence, size_t begin, const Pivot<3>& edge) {
-  return turn_at(env, sequence, begin, edge, CellsOfRows<3>{env.map});
+  return turn_at(env, sequence, begin, edge, CellsOfRows<3>(env.map));
 }
 
 template <int D>
@@ -474,7 +451,7 @@ bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* fr
     if (!line.is_in_range(line.largest())) return false;  // instruction sets differ in what overflows
   }
   pivot = missed_ridge(env, line, Corners<D>(env.map, facets[begin]));
-  return turn_at(env, sequence, begin, pivot, CellsOfRows<D>{env.map});
+  return turn_at(env, sequence, begin, pivot, CellsOfRows<D>(env.map));
 }
 
 bool share_sleeve(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {

@@ -150,18 +150,12 @@ bool RidgeRings<D>::add_ridges(HalfFacet facet, const Lines& lines) {
   constexpr uint32_t kMostAsked = 160;
   const ConvexCells<D> cells{env_.map};
   if (!cells.suits(env_.map.cell_of(facet)) || !cells.suits(env_.map.cell_of(env_.map.opposite(facet)))) return false;
-  bool is_known = true;
-  cells.for_each_ridge(facet, [&](uint32_t a, uint32_t b) {
-    if (!is_known) return;
+  return cells.for_each_ridge(facet, [&](uint32_t a, uint32_t b) {
     const Ridge ridge{{std::min(a, b), std::max(a, b)}};
     const uint32_t before = ridges_.size();
-    if (ridges_.insert(pair_key(a, b)) < before) {
-      is_known = is_in_fan(facet, ridge) || add_fan(facet, ridge);
-    } else {
-      is_known = before < kMostAsked && (!may_touch(ridge, lines) || add_fan(facet, ridge));
-    }
+    if (ridges_.insert(pair_key(a, b)) < before) return is_in_fan(facet, ridge) || add_fan(facet, ridge);
+    return before < kMostAsked && (!may_touch(ridge, lines) || add_fan(facet, ridge));
   });
-  return is_known;
 }
 
 template <int D>

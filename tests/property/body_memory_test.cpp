@@ -94,6 +94,51 @@ TEST_F(BodyMemoryTest, MovingManyBodies) {
   EXPECT_GT(refusals, 2u);
 }
 
+/// A wire through many cells goes on until something stops it.
+TEST_F(BodyMemoryTest, MovingTogether) {
+  for (const bool tetrahedra : {false, true}) {
+    const double unit = tetrahedra ? 4 : 1;  // as large as a cell
+    BodyPlan wire;
+    for (uint32_t i = 0; i < 4; ++i) {
+      wire.at.push_back({unit * (0.6 + 0.9 * i), unit * (1.1 + 0.3 * i), unit * (0.8 + 0.2 * i)});
+      if (i > 0) wire.edges.push_back({{i - 1, i}});
+    }
+    if (tetrahedra) {
+      scene_.reset();
+      Rng rng(3);
+      place_ = place_of(delaunay(rng, 400, 16), 0, context_.get());
+      ASSERT_PLACE(place_);
+      scene_ = make_scene(place_.get());
+    } else {
+      mark_wall(2, 2, 1);
+    }
+    for (const dsw_together_stop stop : {DSW_TOGETHER_STOP_ALL, DSW_TOGETHER_STOP_FEATURE}) {
+      dsw_together_options options = defaults(dsw_together_options_init);
+      options.stop = stop;
+      const dsw_body_id body = make(wire), twin = make(wire);
+      ASSERT_FALSE(HasFailure());
+      size_t refusals = 0;
+      dsw_move_report report = {};
+      for (int step = 1; step <= 8; ++step) {
+        std::vector<Vec> targets;
+        for (const Vec& p : wire.at) {
+          targets.push_back({p[0] + 0.07 * step * unit, p[1] + 0.31 * step * unit, p[2] + 0.23 * step * unit});
+        }
+        const auto move = [&](dsw_body_id id) {
+          return dsw_scene_move_together(scene(), &id, 1, targets[0].data(), targets.size(), 0, &options, &report);
+        };
+        const std::string before = bits_of(read(body));
+        refusals += until_it_succeeds([&] { return move(body); }, [&] { return bits_of(read(body)) == before; });
+        // What failed before leaves no trace in the answer.
+        ASSERT_EQ(move(twin), DSW_STATUS_OK);
+        EXPECT_EQ(bits_of(read(body)), bits_of(read(twin)));
+      }
+      EXPECT_GT(refusals, 20u);
+      EXPECT_LT(report.fraction, 1);
+    }
+  }
+}
+
 TEST_F(BodyMemoryTest, AMoveThatFailedLeavesContactsAndTheirHistory) {
   mark_wall(0, 0, 0);
   const dsw_body_id body = make(segment({0.5, 0.5, 0.5}, {0.75, 0.5, 0.5}));

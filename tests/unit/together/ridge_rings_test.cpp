@@ -177,6 +177,20 @@ TEST(RidgeRings, KnowConvexCellsOfAllForms) {
   EXPECT_GE(known, all / 2);
 }
 
+/** Along a row of boxes: each one that is entered has four more ridges to ask about. */
+TEST(RidgeRings, GiveUpWhereTooManyRidgesAreAsked) {
+  Mesh3 mesh;
+  add_boxes(mesh, 200, 1, 1);
+  const auto env = mesh.build();
+  KnownRings<3> rings(*env);
+  for (const double end : {10.0, 30.0, 60.0, 190.0, 20.0}) {
+    const Way<3> way{{{0.5, 0.4, 0.6}, {0.7, 0.5, 0.5}}, {{end + 0.5, 0.4, 0.6}, {end + 0.7, 0.5, 0.5}}};
+    const Way<3> back{{way.to[0], way.to[1]}, {way.from[0], way.from[1]}};
+    EXPECT_EQ(rings.are_free(way, env->map.cell(0)), end < 40) << end;
+    EXPECT_EQ(rings.are_free(back, env->map.cell(static_cast<uint32_t>(end))), end < 40) << end;
+  }
+}
+
 /** One end goes straight through a polygon that is not convex, and passes two of its sides. The edge passes both at all
  * times after that, and yet a corner of the polygon comes in its way. */
 TEST(RidgeRings, KnowNothingOfWhatIsNotConvex) {

@@ -19,8 +19,7 @@ uint64_t from_environment(const char* name, uint64_t otherwise) {
   return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
-/** Boxes in a row, which rings know nothing of: an end that comes from one of them or goes to it makes the sequence longer or
- * shorter. */
+/** Boxes in a row: an end that comes from one of them or goes to it makes the sequence longer or shorter. */
 TEST(Sleeves, KeepToBoxes) {
   Mesh3 mesh;
   add_boxes(mesh, 4, 1, 1);
