@@ -5,8 +5,8 @@
 //
 // So the search starts with the paths and with the facets that the edge passes at its start. Facets that all four lines
 // certainly pass are left out: the edge touches none of their ridges. Each ridge of a facet is asked about. It is skipped if
-// its box is apart from that of the edge's way, or if all four lines pass it on one side. Else all facets round it are
-// added, up to walls. If there is a wall or a mark at the ridge, it is a feature that the edge may touch.
+// its box is apart from that of the edge's way, or if all four lines pass it on one side. If there is a wall or a mark at
+// the ridge, it is a feature that the edge may touch: nothing behind it matters. Else all facets round it are added.
 //
 // By induction over these changes, each facet that the edge passes before its first wall was left out or is in the list. So
 // the ridge that it passes first is found. What it only touches may not be found: for example a ridge between two walls of
@@ -126,10 +126,11 @@ bool RidgeRings<D>::is_in_fan(HalfFacet facet, const Ridge& ridge) const {
   return !any;
 }
 
-/** Takes in all facets at a ridge of one, up to walls. False: not known. */
+/** Notes the fan of a facet, or takes in all facets round a ridge that has no walls or marks. False: not known. */
 template <int D>
 bool RidgeRings<D>::add_fan(HalfFacet facet, const Ridge& ridge) {
   const Map<D>& map = env_.map;
+  const size_t known = facets_.size();
   Fan fan{ridge, {}, map.cell_of(facet)};
   const auto take_in = [&](Cell c, HalfFacet left) {
     if (map.index(c) < map.index(fan.cell)) fan.cell = c;
@@ -140,7 +141,10 @@ bool RidgeRings<D>::add_fan(HalfFacet facet, const Ridge& ridge) {
   if (has_walls && !go_round(map.opposite(facet), ridge, fan.walls[1], take_in)) return false;
   const bool is_marked = D == 3 ? env_.marked_edges != 0 && edge_marked(env_, ridge.vertices[0], ridge.vertices[1])
                                 : vertex_marked(env_, ridge.vertices[0]);
-  if (has_walls || is_marked) fans_.push_back(fan);
+  if (has_walls || is_marked) {
+    fans_.push_back(fan);
+    facets_.resize(known);
+  }
   return true;
 }
 
@@ -149,7 +153,7 @@ template <int D>
 bool RidgeRings<D>::add_ridges(HalfFacet facet, const Lines& lines) {
   constexpr uint32_t kMostAsked = 160;
   const ConvexCells<D> cells{env_.map};
-  if (!cells.suits(env_.map.cell_of(facet)) || !cells.suits(env_.map.cell_of(env_.map.opposite(facet)))) return false;
+  if (!cells.suits(env_.map.cell_of(facet))) return false;
   return cells.for_each_ridge(facet, [&](uint32_t a, uint32_t b) {
     const Ridge ridge{{std::min(a, b), std::max(a, b)}};
     const uint32_t before = ridges_.size();

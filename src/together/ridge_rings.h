@@ -15,7 +15,8 @@ class RidgeRings {
 
   /** Finds the ridges of walls that an edge may touch first. False: a cell is not exactly convex, or too many ridges would
    * be asked about. Throws std::bad_alloc.
-   * @param sequence that of the edge at its start, in the present version.
+   * @param sequence that of the edge at its start, in the present version. Cells at its ends are exactly convex, and where
+   * the paths end.
    * @param paths the facets that both ends pass on their ways, and maybe more of them. */
   bool find(const EdgeSequence<D>& sequence, const EdgeWay& edge, const Array<uint32_t> (&paths)[2]);
   /** What was found last, until the next search. */

@@ -128,6 +128,33 @@ TYPED_TEST(RidgeRingsTest, TheOuterBoundaryCounts) {
   EXPECT_FALSE(this->are_free()) << "two fans touch each other in the ridge";
 }
 
+/** Two walls divide what is round the ridge into two fans, and the paths of the ends come through both. Which one comes first
+ * does not matter. */
+TYPED_TEST(RidgeRingsTest, AllFansThatAreReachedCount) {
+  constexpr int kAxes = TestFixture::D;
+  Environment<kAxes>& env = *this->env_;
+  for (const uint32_t wall : {0u, 4u}) set_facet_mark(env, this->facet_after(wall), true);
+  RidgeRings<kAxes> rings(env);
+  std::vector<std::vector<uint32_t>> found;
+  for (const bool swapped : {false, true}) {
+    const HalfFacet through[2] = {this->facet_after(2), this->facet_after(6)};
+    const Array<uint32_t> paths[2] = {{{through[swapped ? 1 : 0].word}, nullptr},
+                                      {{through[swapped ? 0 : 1].word}, nullptr}};
+    const double from[3] = {-1.5, -0.05, 1}, from_to[3] = {-1.45, 0.06, 1}, to[3] = {1.4, -0.05, 1},
+                 to_to[3] = {1.42, 0.06, 1};
+    ASSERT_TRUE(rings.find(KnownRings<kAxes>::none(), EdgeWay::of_both(from, from_to, to, to_to), paths));
+    const Touchables<kAxes> features = rings.features();
+    const Touchable* const ridge = std::find_if(features.begin(), features.end(), [](const Touchable& each) {
+      return each.name.vertices[0] == 0 && each.name.vertices[1] == (kAxes == 3 ? 1u : 0u);
+    });
+    ASSERT_NE(ridge, features.end());
+    EXPECT_EQ(ridge->plane_end - ridge->first_plane, 4u) << "each wall from both sides";
+    found.push_back(
+        {static_cast<uint32_t>(features.last - features.first), canonical(env.map, ridge->name.facet).word});
+  }
+  EXPECT_EQ(found[0], found[1]);
+}
+
 TYPED_TEST(RidgeRingsTest, CellsThatAreNotValidAnyMoreCount) {
   constexpr int kAxes = TestFixture::D;
   Environment<kAxes>& env = *this->env_;

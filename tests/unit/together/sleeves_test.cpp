@@ -60,6 +60,41 @@ TEST(Sleeves, KeepToBoxes) {
   }
 }
 
+/** An end comes into a polygon that is not convex, and is blocked there. */
+TEST(Sleeves, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
+  Mesh2 mesh;
+  for (const double y : {0.0, 1.0, 2.0}) {
+    for (const double x : {-2.0, 0.0, 1.0, 2.0}) mesh.point({x, y});
+  }
+  mesh.cell(kQuad, {4, 5, 9, 8});
+  mesh.cell(kPolygon, {1, 2, 3, 7, 6, 10, 9, 5});
+  const auto env = mesh.build();
+  Sleeves<2> sleeves(*env);
+  for (const double end : {0.6, 1.6}) {
+    Body<2> body(nullptr);
+    reserve(body, 2, 1, 0);
+    Traveller<2> of(nullptr);
+    of.body = &body;
+    of.ends.resize(4);
+    of.arrivals.resize(2);
+    of.crossed.resize(2);
+    const double at[2][2] = {{-0.5, 1.5}, {-1.5, 1.4}}, to[2] = {end, 1.5};
+    const Cell start = env->map.cell(0);
+    for (uint32_t i = 0; i < 2; ++i) {
+      add_vertex(body, at[i], start);
+      std::copy_n(i == 0 ? to : at[i], 2, of.end(i));
+      of.arrivals[i] = start;
+    }
+    add_edge(body, 0, 1);
+    const CastResult path = cast(*env, at[0], to, start);
+    of.arrivals[0] = path.end == CastEnd::kReached ? path.cell : Cell{};
+    of.crossed[0] = path_facets(env->map, start, path);
+    ASSERT_EQ(of.arrivals[0].valid(), end < 1);
+    ASSERT_EQ(of.crossed[0].count, 1u);
+    EXPECT_EQ(sleeves.ask(of, 0, {of.end(0), of.end(1)}, true), Sleeves<2>::Answer::kUnknown);
+  }
+}
+
 class SleevesTest : public testing::TestWithParam<Kind> {
  protected:
   template <int D>
