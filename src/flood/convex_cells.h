@@ -11,7 +11,6 @@ template <int D>
 struct ConvexCells {
   const Map<D>& map;
 
-  bool suits(Cell c) const noexcept { return map.convex(c); }
   /** Calls visit(a, b) for the ridges of a facet, counter-clockwise seen from outside, until it returns false. a and b are
    * the ridge's vertices, in the plane both the same. Whether no call returned false. */
   template <class Visit>

@@ -96,7 +96,6 @@ bool RidgeRings<D>::go_round(HalfFacet facet, const Ridge& ridge, HalfFacet& wal
   HalfFacet entered = facet;
   for (size_t count = 0; count < kMostCells; ++count) {
     const Cell c = env_.map.cell_of(entered);
-    if (!cells.suits(c)) return false;
     const HalfFacet next = cells.other(c, entered, pivot);
     if (!next.valid()) return false;
     if (is_impassable(env_, next)) {
@@ -153,7 +152,7 @@ template <int D>
 bool RidgeRings<D>::add_ridges(HalfFacet facet, const Lines& lines) {
   constexpr uint32_t kMostAsked = 160;
   const ConvexCells<D> cells{env_.map};
-  if (!cells.suits(env_.map.cell_of(facet))) return false;
+  if (!env_.map.convex(env_.map.cell_of(facet))) return false;
   return cells.for_each_ridge(facet, [&](uint32_t a, uint32_t b) {
     const Ridge ridge{{std::min(a, b), std::max(a, b)}};
     const uint32_t before = ridges_.size();
