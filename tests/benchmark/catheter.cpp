@@ -1,5 +1,5 @@
 // A catheter in a vessel of 200,000 tetrahedra: long edges against Embree, and sliding along the wall. (Figure 9 of
-// [JCD10] is examples/paper/catheter_length.)
+// [JCD10] is examples/paper/catheter_length.cpp.)
 #include "parts.h"
 
 #include "chain_case.h"
