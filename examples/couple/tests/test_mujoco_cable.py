@@ -32,7 +32,7 @@ def test_a_cable_that_breaks_through_comes_back(steps: int, speed: float) -> Non
 
 
 def test_mujoco_alone_does_not_hold_it() -> None:
-    """A mesh is convex in MuJoCo, so the cable starts inside of the wall and is pushed out."""
+    """A geom of type mesh is the convex hull of its mesh, so the cable starts inside of the wall and is pushed out."""
     links = 40
     straight = links * LINK + LAYER
     points, cells = tube(*winding_axis(straight, 0.14))

@@ -103,6 +103,13 @@ class Page(unittest.TestCase):
             ElementTree.parse(self.path / f"{name}.svg")
         self.assertEqual(self.structure.tags.count("svg"), 10)
 
+    def test_counts_its_curves_and_names_dials_without_one(self):
+        self.assertIn("8 curves of dials are here", self.html)
+        claim = re.search(r"<li>That every dial has a curve\..*?</li>", self.html, re.S)[0]
+        headers = "".join(path.read_text(encoding="utf-8") for path in (HERE.parents[2] / "include/dartsweep").glob("*.h"))
+        for name in re.findall(r"<code>(\w+)</code>", claim):
+            self.assertRegex(headers, rf"\b{name}\b")
+
     def test_draws_every_point_and_says_what_it_is(self):
         tips = re.findall(r"<title>([^<]*)</title>", (self.path / "curve_0.svg").read_text(encoding="utf-8"))
         self.assertEqual(len([tip for tip in tips if " per sweep, " in tip]), 16)
