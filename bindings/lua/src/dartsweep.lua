@@ -37,6 +37,10 @@ for name, class in pairs(core) do
   if type(class) == "table" and getmetatable(class) then
     local meta, methods = parts_of(class)
     methods.__disown = nil -- SWIG's, of no use here
+    for static in next, class do
+      local second = name .. "_" .. static -- that SWIG also gives it
+      if core[second] then core[second] = nil end
+    end
     meta.__eq = (name:find("Id$") or name == "Cell") and same_members or nil
     local members = {}
     for member in pairs(meta[".get"]) do members[#members + 1] = member end

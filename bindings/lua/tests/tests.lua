@@ -561,6 +561,14 @@ function TestValues:test_a_bug_report_is_one_call()
   os.remove(path)
 end
 
+function TestValues:test_static_functions_have_one_name()
+  lu.assertIsFunction(dsw.Environment.load)
+  for name in pairs(dsw) do
+    local class, method = name:match("^(%u%w*%l%w*)_(%l[%w_]*)$")
+    lu.assertFalse(class ~= nil and dsw[class] ~= nil, name)
+  end
+end
+
 function TestValues:test_versions_agree()
   lu.assertEquals(dsw.version(), 1000000 * dsw.VERSION_MAJOR + 1000 * dsw.VERSION_MINOR + dsw.VERSION_PATCH)
   lu.assertEquals(dsw._VERSION, ("Dartsweep %d.%d.%d"):format(dsw.VERSION_MAJOR, dsw.VERSION_MINOR, dsw.VERSION_PATCH))
