@@ -21,6 +21,7 @@ class Facets<2> {
   Facets(const Environment<2>& env, double room, BuildReport&) : env_(env), hanging_(env, OuterFacets<2>(env), room) {}
 
   bool has_changes() const { return !hanging_.empty(); }
+  bool may_change(Cell c) const { return hanging_.may_have_ends(c); }
   /** Appends the facets of a cell that take the place of facet f. */
   void append(Cell c, const Shape&, uint32_t f, Loops& out) const {
     const uint32_t count = env_.map.vertices_of(c);
@@ -52,6 +53,14 @@ class Facets<3> {
   }
 
   bool has_changes() const { return !hanging_.empty() || parts_.count() != 0; }
+  /** False: nothing of a cell changes. */
+  bool may_change(Cell c) const {
+    bool is_split = false;
+    for (uint32_t f = 0, count = parts_of_.size() == 0 ? 0 : env_.map.facets_of(c); f < count && !is_split; ++f) {
+      is_split = parts_of_.find(env_.map.half_facet(c, f).word) != KeyTable::kNone;
+    }
+    return is_split || hanging_.may_have_ends(c);
+  }
   /** Appends the facets of a cell that take the place of facet f. */
   void append(Cell c, const Shape& shape, uint32_t f, Loops& out) const {
     const uint32_t i = parts_of_.find(env_.map.half_facet(c, f).word);
@@ -145,9 +154,10 @@ class Facets<3> {
     Array<uint32_t> partners{env_.memory};
     for (uint32_t i = 0; i < outer_.count(); ++i) {
       partners.clear();
-      const ClosedBox<3> box = outer_.box(i, room_);
+      ClosedBox<3> box = outer_.box(i);
+      box.widen(room_);
       tree.for_each(box.lower, box.upper, [&](uint32_t j) {
-        if (outer_.cell(j) != outer_.cell(i)) partners.push_back(j);
+        if (outer_.may_overlap(box, j) && outer_.cell(j) != outer_.cell(i)) partners.push_back(j);
       });
       if (partners.empty()) continue;
       std::sort(partners.begin(), partners.end());
@@ -191,6 +201,7 @@ class Facets<3> {
 /** The facets of a cell as they will be, and whether they are others than they were. */
 template <int D>
 bool read_cell(const Environment<D>& env, const Facets<D>& facets, Cell c, Loops& out) {
+  if (env.map.form(c) != Form::kGeneral && !facets.may_change(c)) return false;
   out.vertices.clear();
   out.first.assign(1, 0);
   const Shape shape = env.map.shape(c);

@@ -53,7 +53,8 @@ struct Boundary {
 
 template <int D>
 HangingPoints<D>::HangingPoints(const Environment<D>& env, const OuterFacets<D>& outer, double room)
-    : edges_(env.memory),
+    : env_(env),
+      edges_(env.memory),
       first_(env.memory),
       points_(env.memory),
       ends_((size_t{env.map.vertex_count} + 63) / 64, 0, env.memory) {
@@ -72,10 +73,7 @@ HangingPoints<D>::HangingPoints(const Environment<D>& env, const OuterFacets<D>&
     ClosedBox<D> box;
     box.add(a);
     box.add(b);
-    for (int k = 0; k < D; ++k) {
-      box.lower[k] -= room;
-      box.upper[k] += room;
-    }
+    box.widen(room);
     const size_t before = points_.size();
     const int axis = longest_axis<D>(a, b);
     tree.for_each(box.lower, box.upper, [&](uint32_t i) {

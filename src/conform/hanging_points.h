@@ -14,6 +14,12 @@ class HangingPoints {
   HangingPoints(const Environment<D>& env, const OuterFacets<D>& outer, double room);
 
   bool empty() const { return points_.empty(); }
+  /** Whether a cell has two vertices or more that are ends of edges with points. */
+  bool may_have_ends(Cell c) const {
+    uint32_t count = 0;
+    env_.map.for_each_vertex(c, [&](uint32_t v) { count += may_have(v) ? 1u : 0u; });
+    return count >= 2;
+  }
   /** Appends u, and then the points that lie between u and v, in this order. */
   void append(uint32_t u, uint32_t v, Array<uint32_t>& loop) const;
 
@@ -25,6 +31,7 @@ class HangingPoints {
 
   bool may_have(uint32_t vertex) const { return (ends_[vertex / 64] >> vertex % 64 & 1) != 0; }
 
+  const Environment<D>& env_;
   KeyTable edges_;         // that have points
   Array<uint32_t> first_;  // of each edge in points_; and where the last one ends
   Array<Point> points_;    // from the end of the lower index to the other one

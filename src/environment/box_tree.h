@@ -20,6 +20,19 @@ struct ClosedBox {
     }
     is_empty = false;
   }
+  void widen(double room) noexcept {
+    for (int k = 0; k < D; ++k) {
+      lower[k] -= room;
+      upper[k] += room;
+    }
+  }
+  /** Whether both have a length in common along so many axes, or more. */
+  bool overlaps(const ClosedBox& other, int axes) const noexcept {
+    int count = 0;
+    for (int k = 0; k < D; ++k)
+      count += std::max(lower[k], other.lower[k]) < std::min(upper[k], other.upper[k]) ? 1 : 0;
+    return count >= axes;
+  }
   bool meets(const double* other_lower, const double* other_upper) const noexcept {
     for (int k = 0; k < D; ++k) {
       if (upper[k] < other_lower[k] || lower[k] > other_upper[k]) return false;

@@ -27,7 +27,8 @@ class OuterFacets {
         loop_first_(env.memory),
         loops_(env.memory),
         simplex_first_(env.memory),
-        simplices_(env.memory) {
+        simplices_(env.memory),
+        boxes_(env.memory) {
     for_each_cell(env.map, [&](Cell c) {
       const Shape shape = env.map.shape(c);
       for (uint32_t f = 0; f < shape.facet_count(); ++f) {
@@ -46,19 +47,13 @@ class OuterFacets {
   VertexRange loop(uint32_t i) const { return range(loops_, loop_first_, i); }
   /** Its simplices, D vertices each. */
   VertexRange simplices(uint32_t i) const { return range(simplices_, simplex_first_, i); }
-  /** Widened by `room`. */
-  ClosedBox<D> box(uint32_t i, double room = 0) const {
-    ClosedBox<D> box;
-    for (const uint32_t v : loop(i)) box.add(env_.point(v));
-    for (int k = 0; k < D; ++k) {
-      box.lower[k] -= room;
-      box.upper[k] += room;
-    }
-    return box;
-  }
+  const ClosedBox<D>& box(uint32_t i) const { return boxes_[i]; }
+  /** Whether the boxes of two facets, of which one is widened, have so much in common that the facets may overlap: along all
+   * axes but one. */
+  bool may_overlap(const ClosedBox<D>& box, uint32_t i) const { return box.overlaps(boxes_[i], D - 1); }
   BoxTree<D> tree() const {
     return BoxTree<D>(
-        count(), [this](uint32_t i) { return box(i); }, env_.memory);
+        count(), [this](uint32_t i) -> const ClosedBox<D>& { return boxes_[i]; }, env_.memory);
   }
 
  private:
@@ -66,7 +61,11 @@ class OuterFacets {
     facets_.push_back(h);
     loop_first_.push_back(static_cast<uint32_t>(loops_.size()));
     simplex_first_.push_back(static_cast<uint32_t>(simplices_.size()));
-    for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { loops_.push_back(env_.map.vertex(c, local)); });
+    boxes_.push_back({});
+    for_each_facet_vertex<D>(shape, f, [&](uint32_t local) {
+      loops_.push_back(env_.map.vertex(c, local));
+      boxes_.back().add(env_.point(loops_.back()));
+    });
     for (uint32_t k = D * shape.simplex_first(f); k < D * shape.simplex_first(f + 1); ++k) {
       simplices_.push_back(env_.map.vertex(c, shape.simplices()[k]));
     }
@@ -78,6 +77,7 @@ class OuterFacets {
   const Environment<D>& env_;
   Array<HalfFacet> facets_;
   Array<uint32_t> loop_first_, loops_, simplex_first_, simplices_;
+  Array<ClosedBox<D>> boxes_;
 };
 
 }  // namespace dsw

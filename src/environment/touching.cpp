@@ -60,10 +60,11 @@ Touching find_touching(const Environment<D>& env) {
   const BoxTree<D> tree = outer.tree();
   Touching found;
   for (uint32_t i = 0; i < outer.count(); ++i) {
-    const ClosedBox<D> box = outer.box(i);
+    const ClosedBox<D>& box = outer.box(i);
     uint32_t least = outer.count();  // of those that facet i lies on
     tree.for_each(box.lower, box.upper, [&](uint32_t j) {
-      if (j < least && outer.cell(j) != outer.cell(i) && facets_touch(env, outer, i, j)) least = j;
+      if (j < least && outer.may_overlap(box, j) && outer.cell(j) != outer.cell(i) && facets_touch(env, outer, i, j))
+        least = j;
     });
     if (least == outer.count()) continue;
     if (found.count++ == 0) {
