@@ -57,7 +57,7 @@ AT(dsw_context_desc, kernel, 48);
 AT(dsw_context_desc, reserved, 52);
 GROWS(dsw_context_desc, reserved);
 
-SIZE(dsw_environment_desc, 128);
+SIZE(dsw_environment_desc, 136);
 AT(dsw_environment_desc, struct_size, 0);
 AT(dsw_environment_desc, dimension, 4);
 AT(dsw_environment_desc, flags, 8);
@@ -77,9 +77,10 @@ AT(dsw_environment_desc, regions, 104);
 AT(dsw_environment_desc, tags, 112);
 AT(dsw_environment_desc, uniform_cell_type, 120);
 AT(dsw_environment_desc, reserved, 124);
+AT(dsw_environment_desc, merge_distance, 128);
 GROWS(dsw_environment_desc, reserved);
 
-SIZE(dsw_build_report, 64);
+SIZE(dsw_build_report, 136);
 AT(dsw_build_report, struct_size, 0);
 AT(dsw_build_report, status, 4);
 AT(dsw_build_report, offender_count, 8);
@@ -89,6 +90,13 @@ AT(dsw_build_report, part_count, 48);
 AT(dsw_build_report, unused_point_count, 52);
 AT(dsw_build_report, boundary_face_count, 56);
 AT(dsw_build_report, convex_volume_count, 60);
+AT(dsw_build_report, reoriented_face_count, 64);
+AT(dsw_build_report, merged_point_count, 68);
+AT(dsw_build_report, changed_count, 72);
+AT(dsw_build_report, changed, 76);
+AT(dsw_build_report, touching_face_count, 108);
+AT(dsw_build_report, touching_face, 112);
+AT(dsw_build_report, touched_face, 124);
 GROWS(dsw_build_report, convex_volume_count);
 
 SIZE(dsw_environment_info, 96);

@@ -191,6 +191,7 @@ DSW_NUMBERS(std::size_t, long, jlongArray)
   }
 
 %immutable dsw_build_report::offenders;
+%immutable dsw_build_report::changed;
 %immutable dsw_body_contact::fixed;
 %immutable dsw_near_row::vertices;
 %immutable dsw_near_row::obstacle_vertices;

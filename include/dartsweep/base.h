@@ -123,6 +123,8 @@ typedef enum dsw_status {
   DSW_STATUS_DUPLICATE_PART = 37,     /**< A body has an edge or face twice. */
   DSW_STATUS_NOT_MANIFOLD = 38,       /**< A body would not be a manifold. */
   DSW_STATUS_NOT_ORIENTED = 39,       /**< Faces of a body are turned against each other. */
+  /** Parts of a mesh lie on each other and can't be sewn. @since 2.1 */
+  DSW_STATUS_NOT_CONFORMING = 40,
   DSW_STATUS_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_status;
 

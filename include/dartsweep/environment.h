@@ -43,7 +43,8 @@ enum {
   /** Retains `points`, without gaps, instead of a copy. The host leaves them unchanged until the
    * environment is destroyed or deformed (deform.h). */
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
-  /** Mirrors cells that are inside out. Meshes differ in the order of wedges. */
+  /** Mirrors cells that are inside out (meshes differ in the order of wedges), and turns faces of a
+   * polyhedron that are turned against most of its other faces. */
   DSW_ENVIRONMENT_REORIENT = 0x2,
   /** Builds the search structure of dsw_environment_locate at creation: 18 bytes a volume, in the
    * plane 14. By default a later locate builds it, after a few that scan all cells. */
@@ -52,7 +53,20 @@ enum {
   DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8,
   /** Never builds the search structure, whatever DSW_ENVIRONMENT_LOCATE_TREE says. Snapshots do not
    * keep this flag. */
-  DSW_ENVIRONMENT_NO_LOCATE_TREE = 0x10
+  DSW_ENVIRONMENT_NO_LOCATE_TREE = 0x10,
+  /** Points at exactly one place count as one, and so do points within `merge_distance` of each
+   * other, with all that a chain of such points joins. The lowest index stands for all of them; the
+   * others count as unused. A cell that loses a corner so is DSW_STATUS_BAD_CELL. @since 2.1 */
+  DSW_ENVIRONMENT_MERGE_POINTS = 0x20,
+  /** Sews parts that lie on each other: merges points as DSW_ENVIRONMENT_MERGE_POINTS, and splits
+   * faces of the boundary where faces of other cells cover them, at points that exist. Cells whose
+   * faces are split become polyhedra, in the plane polygons; they keep their indices. Points within
+   * `merge_distance` of an edge or face lie on it. Cost: less than that of two creations more.
+   * @since 2.1 */
+  DSW_ENVIRONMENT_CONFORM = 0x40,
+  /** Counts faces of the boundary that lie on, or overlap, faces of other cells, in the report: casts
+   * stop there. Cost: O(f log f) expected for f faces of the boundary. @since 2.1 */
+  DSW_ENVIRONMENT_FIND_TOUCHING = 0x80
 };
 
 /** Describes an environment. */
@@ -84,6 +98,9 @@ typedef struct dsw_environment_desc {
   /** Type of all cells if cell_types is null; hexahedra by default, never polyhedra. */
   uint32_t uniform_cell_type;
   uint32_t reserved; /**< 0. */
+  /** Not negative: how far points may be apart that DSW_ENVIRONMENT_MERGE_POINTS or
+   * DSW_ENVIRONMENT_CONFORM takes for one; 0: at exactly one place. @since 2.1 */
+  double merge_distance;
 } dsw_environment_desc;
 
 /** What creation or dsw_environment_check found, also on failure. */
@@ -93,12 +110,22 @@ typedef struct dsw_build_report {
   uint32_t offender_count; /**< Entries of offenders. */
   /** The first wrong cells, by index; for NON_FINITE points. */
   uint32_t offenders[8];
-  uint32_t reoriented_count;    /**< Cells that were mirrored. */
+  uint32_t reoriented_count;    /**< Cells that were mirrored, or of which faces were turned. */
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t unused_point_count;  /**< Points that no cell names. */
   uint32_t boundary_face_count; /**< Faces with one volume. */
   /** Convex volumes with flat faces, which casts cross fastest. */
   uint32_t convex_volume_count;
+  /** Faces of polyhedra that were turned against the others of their cell. @since 2.1 */
+  uint32_t reoriented_face_count;
+  uint32_t merged_point_count; /**< Points that count as another one. @since 2.1 */
+  uint32_t changed_count;      /**< Cells that DSW_ENVIRONMENT_CONFORM changed. @since 2.1 */
+  uint32_t changed[8];         /**< The first of them, by index; then zeros. @since 2.1 */
+  /** Faces of the boundary that lie on, or overlap, faces of other cells
+   * (DSW_ENVIRONMENT_FIND_TOUCHING, dsw_environment_check). @since 2.1 */
+  uint32_t touching_face_count;
+  dsw_face_id touching_face; /**< The first of them, or null. @since 2.1 */
+  dsw_face_id touched_face;  /**< A face that it lies on, or null. @since 2.1 */
 } dsw_build_report;
 
 /** Numbers about an environment. */
@@ -127,7 +154,8 @@ DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
  * outer boundary is passable.
  * @param report may be null; filled unless an argument is wrong.
  * @return DSW_STATUS_TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL, INVERTED_CELL,
- * INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES.
+ * INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES; NOT_CONFORMING: `offenders` are two
+ * cells whose faces overlap where DSW_ENVIRONMENT_CONFORM finds no points to split both at.
  * @note Cost: O(n) expected. Thread: any. Source: [JCD10] 3.1, 3.2. @since 2.0 */
 DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_environment_desc *desc,
                                           dsw_environment **environment, dsw_build_report *report);
@@ -143,7 +171,7 @@ DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment,
                                             dsw_environment_info *info);
 
 /** Proves that the cells are a partition: they are linked and valid, and the outer boundary does
- * not pass through itself (it may touch itself).
+ * not pass through itself. It may touch itself: the report counts the faces that do.
  * @param report may be null.
  * @return DSW_STATUS_INVALID_CELL, DSW_STATUS_BOUNDARY_CROSSES; DSW_STATUS_INTERNAL: wrong links.
  * @note Cost: O(n log n) expected. @since 2.0 */

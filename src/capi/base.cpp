@@ -50,6 +50,7 @@ const char* dsw_status_string(dsw_status status) {
     DSW_NAME(DSW_STATUS_DUPLICATE_PART);
     DSW_NAME(DSW_STATUS_NOT_MANIFOLD);
     DSW_NAME(DSW_STATUS_NOT_ORIENTED);
+    DSW_NAME(DSW_STATUS_NOT_CONFORMING);
 #undef DSW_NAME
     case DSW_STATUS_FORCE_INT32:
       break;

@@ -5,6 +5,7 @@
 
 #include "capi/convert.h"
 #include "capi/recorded.h"
+#include "conform/conform.h"
 #include "environment/builder.h"
 #include "environment/find_facets.h"
 #include "environment/mesh_reader.h"
@@ -18,6 +19,7 @@ namespace {
 template <class Body>
 void with_report(dsw_build_report* out, const Body& body) {
   dsw::BuildReport found;
+  dsw_face_id touching[2] = {};
   const auto write = [&](dsw_status status, uint32_t part_count, uint32_t boundary_face_count) {
     if (out == nullptr) return;
     dsw_build_report r{};
@@ -29,10 +31,21 @@ void with_report(dsw_build_report* out, const Body& body) {
     r.convex_volume_count = found.convex_volume_count;
     r.part_count = part_count;
     r.boundary_face_count = boundary_face_count;
+    r.reoriented_face_count = found.turned_face_count;
+    r.merged_point_count = found.merged_point_count;
+    r.changed_count = found.changed_count;
+    std::copy_n(found.changed.index, found.changed.count, r.changed);
+    r.touching_face_count = found.touching.count;
+    r.touching_face = touching[0];
+    r.touched_face = touching[1];
     capi::write_struct(out, r);
   };
   try {
     const auto& env = body(found);
+    if (found.touching.count != 0) {
+      touching[0] = dsw::face_id(env.map, canonical(env.map, found.touching.first));
+      touching[1] = dsw::face_id(env.map, canonical(env.map, found.touching.other));
+    }
     write(DSW_STATUS_OK, env.part_count, env.map.boundary_facet_count);
   } catch (const dsw::Error& error) {
     write(error.status(), 0, 0);
@@ -43,6 +56,31 @@ void with_report(dsw_build_report* out, const Body& body) {
   }
 }
 
+template <int D>
+dsw::Environment<D>& engine_of(capi::EnvironmentOwner& owner) {
+  return std::get<dsw::Environment<D>>(owner->engine);
+}
+
+/** Splits facets that cover each other: then `owner` is another environment, which is read, too. */
+template <int D>
+void conform(capi::EnvironmentOwner& owner, dsw_context* context, const dsw_environment_desc& desc,
+             dsw::BuildReport& found) {
+  const dsw::ConformedMesh<D> mesh(engine_of<D>(owner), desc.merge_distance, found);
+  if (!mesh.has_changed()) return;
+  owner = capi::make_environment(context, D);
+  read_mesh(engine_of<D>(owner), mesh.description(desc), found);
+}
+
+/** Fails if parts lie on each other that could not be sewn. */
+template <int D>
+void require_sewn(const dsw::Environment<D>& env, dsw::BuildReport& found) {
+  const dsw::Touching touching = find_touching(env);
+  if (touching.count == 0) return;
+  const uint32_t a = env.map.index(env.map.cell_of(touching.first)), b = env.map.index(env.map.cell_of(touching.other));
+  found.offenders = {2, {a, b}};
+  fail(DSW_STATUS_NOT_CONFORMING, "faces of cells %u and %u lie on each other and can't be sewn", a, b);
+}
+
 /** Makes an environment; `report` may be null and is filled once the description was found sound. */
 template <int D>
 dsw_environment* build_environment(dsw_context* context, const dsw_environment_desc& desc, dsw_build_report* report) {
@@ -51,8 +89,11 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
   with_report(
       report, [&](dsw::BuildReport & found) -> const auto& {
         owner = capi::make_environment(context, D);
-        auto& env = std::get<dsw::Environment<D>>(owner->engine);
-        build(env, d, found);
+        read_mesh(engine_of<D>(owner), d, found);
+        if ((d.flags & DSW_ENVIRONMENT_CONFORM) != 0) conform<D>(owner, context, d, found);
+        auto& env = engine_of<D>(owner);
+        finish_mesh(env, d, found);
+        if ((d.flags & DSW_ENVIRONMENT_CONFORM) != 0) require_sewn(env, found);
         if (found.reoriented_count != 0) {
           capi::log_line(context, DSW_LOG_WARNING,
                          "dsw_environment_create: %u cells were inside out and have been mirrored",

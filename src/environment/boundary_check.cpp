@@ -13,6 +13,7 @@
 #include "base/dimensions.h"
 #include "environment/boundary_surface.h"
 #include "predicates/filtered.h"
+#include "predicates/turn.h"
 
 namespace dsw {
 namespace {
@@ -82,15 +83,13 @@ class Overlap<3> {
 
   /** Turn of a, b, c with coordinate `axis` left out. */
   int turn(uint32_t a, uint32_t b, uint32_t c, int axis) const {
-    if (c == a || c == b) return 0;
-    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    const double pa[2] = {at(a)[i], at(a)[j]}, pb[2] = {at(b)[i], at(b)[j]}, pc[2] = {at(c)[i], at(c)[j]};
-    const double* edge[2] = {pa, pb};
-    return -orient<2>(edge, pc);  // orient<2> is positive on the right
+    return c == a || c == b ? 0 : turn_sign<3>(at(a), at(b), at(c), axis);
   }
   int turn(const Triangle& t, int axis) const { return turn(t.vertex[0], t.vertex[1], t.vertex[2], axis); }
-  /** A coordinate that can be left out without making the triangle flat. */
-  int projection(const Triangle& t) const { return turn(t, 0) != 0 ? 0 : turn(t, 1) != 0 ? 1 : 2; }
+  int projection(const Triangle& t) const {
+    const double* const points[3] = {at(t.vertex[0]), at(t.vertex[1]), at(t.vertex[2])};
+    return dsw::projection(points);
+  }
 
   /** Each crosses the other's plane. On the common line the ends of both intervals lie on the two edges at the vertex
    * that is alone on its side, and orient3 of two such edges compares two ends, always in the same sense. */
@@ -208,9 +207,7 @@ class Overlap<2> {
 
   /** Of v against a -> b: positive on the left. */
   int turn(uint32_t a, uint32_t b, uint32_t v) const {
-    if (v == a || v == b) return 0;
-    const double* edge[2] = {at(a), at(b)};
-    return -orient<2>(edge, at(v));  // orient<2> is positive on the right
+    return v == a || v == b ? 0 : turn_sign<2>(at(a), at(b), at(v));
   }
   int side(const Side& s, uint32_t v) const { return turn(s.vertex[0], s.vertex[1], v); }
 
@@ -269,7 +266,8 @@ struct Weights<3> {
 template <int D>
 class Check {
  public:
-  explicit Check(const Environment<D>& env) : env_(env), surface_(env), tree_(env, surface_), overlap_(env, surface_) {
+  explicit Check(const Environment<D>& env)
+      : env_(env), surface_(env), tree_(tree_of(env, surface_)), overlap_(env, surface_) {
     std::copy_n(at(surface_.simplices[0].vertex[0]), D, lower_);
     std::copy_n(lower_, D, upper_);
     for (const Simplex& t : surface_.simplices) {
@@ -396,7 +394,7 @@ class Check {
 
   const Environment<D>& env_;
   BoundarySurface<D> surface_;
-  BoundaryTree<D> tree_;
+  BoxTree<D> tree_;
   Overlap<D> overlap_;
   Array<uint32_t> bad_cells_{env_.memory};
   double lower_[D], upper_[D];  // of the surface, which is that of all points that cells use

@@ -1,14 +1,12 @@
 #include "environment/boundary_surface.h"
 
 #include <algorithm>
-#include <utility>
 
+#include "base/dimensions.h"
 #include "base/disjoint_sets.h"
 
 namespace dsw {
 namespace {
-
-constexpr uint32_t kLeaf = 4;
 
 /** Simplices of facets, so that a dart finds its simplex again. */
 struct FacetStart {
@@ -107,59 +105,17 @@ BoundarySurface<D>::BoundarySurface(const Environment<D>& env) : simplices(env.m
 }
 
 template <int D>
-BoundaryTree<D>::BoundaryTree(const Environment<D>& env, const BoundarySurface<D>& surface)
-    : nodes_(env.memory), order_(surface.simplices.size(), 0, env.memory) {
-  const uint32_t count = static_cast<uint32_t>(order_.size());
-  if (count == 0) return;
-  for (uint32_t i = 0; i < count; ++i) order_[i] = i;
-  const auto box_of = [&](Node& node) {
-    for (uint32_t i = 0; i < node.count; ++i) {
-      for (const uint32_t v : surface.simplices[order_[node.first + i]].vertex) {
-        const double* p = env.point(v);
-        const bool start = i == 0 && v == surface.simplices[order_[node.first]].vertex[0];
-        for (int k = 0; k < D; ++k) {
-          node.lower[k] = start ? p[k] : std::min(node.lower[k], p[k]);
-          node.upper[k] = start ? p[k] : std::max(node.upper[k], p[k]);
-        }
-      }
-    }
+BoxTree<D> tree_of(const Environment<D>& env, const BoundarySurface<D>& surface) {
+  const auto box_of = [&](uint32_t i) {
+    ClosedBox<D> box;
+    for (const uint32_t v : surface.simplices[i].vertex) box.add(env.point(v));
+    return box;
   };
-  nodes_.push_back({{}, {}, 0, count});
-  for (size_t at = 0; at < nodes_.size(); ++at) {  // nodes are appended behind while they are split
-    box_of(nodes_[at]);
-    const Node node = nodes_[at];
-    if (node.count <= kLeaf) continue;
-    int axis = 0;
-    double widest = -1;
-    for (int k = 0; k < D; ++k) {
-      const double width = node.upper[k] / 2 - node.lower[k] / 2;
-      if (width > widest) {
-        widest = width;
-        axis = k;
-      }
-    }
-    const auto lowest = [&](uint32_t t) {
-      double least = env.point(surface.simplices[t].vertex[0])[axis];
-      for (const uint32_t v : surface.simplices[t].vertex) least = std::min(least, env.point(v)[axis]);
-      return least;
-    };
-    uint32_t* const begin = order_.data() + node.first;
-    const uint32_t half = node.count / 2;
-    // Which ones are in each half is certain, in what order is not: visitors do not depend on it.
-    std::nth_element(begin, begin + half, begin + node.count, [&](uint32_t a, uint32_t b) {
-      return std::make_pair(lowest(a), a) < std::make_pair(lowest(b), b);
-    });
-    const uint32_t child = static_cast<uint32_t>(nodes_.size());
-    nodes_.push_back({{}, {}, node.first, half});
-    nodes_.push_back({{}, {}, node.first + half, node.count - half});
-    nodes_[at].first = child;
-    nodes_[at].count = 0;
-  }
+  return BoxTree<D>(static_cast<uint32_t>(surface.simplices.size()), box_of, env.memory);
 }
 
 template struct BoundarySurface<2>;
 template struct BoundarySurface<3>;
-template class BoundaryTree<2>;
-template class BoundaryTree<3>;
+DSW_INSTANTIATE(tree_of);
 
 }  // namespace dsw

@@ -1,6 +1,7 @@
 #include "environment/builder.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/dimensions.h"
 #include "base/disjoint_sets.h"
@@ -22,21 +23,37 @@ void reorient(Environment<D>& env, BuildReport& report) {
     const Cell c = env.map.cell(i);
     if (check_cell(env, c) != CellState::kInverted) continue;
     mirror_cell(env, c);
-    ++report.reoriented_count;
+    if (!std::binary_search(report.with_turned_faces.begin(), report.with_turned_faces.end(), i))
+      ++report.reoriented_count;
   }
+}
+
+/** Throws if cells are turned inside out: counts them and names the flag that turns them back. */
+template <int D>
+void fail_inverted(const Environment<D>& env, BuildReport& report) {
+  uint32_t count = 0;
+  Offenders inverted;
+  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
+    if (check_cell(env, env.map.cell(i)) != CellState::kInverted) continue;
+    inverted.add(i);
+    ++count;
+  }
+  if (count == 0) return;
+  report.offenders = inverted;
+  if (count == 1) {
+    fail(DSW_STATUS_INVERTED_CELL, "cell %u is turned inside out; DSW_ENVIRONMENT_REORIENT turns it back",
+         inverted.index[0]);
+  }
+  fail(DSW_STATUS_INVERTED_CELL,
+       "%u of %u cells are turned inside out, first cell %u; DSW_ENVIRONMENT_REORIENT turns them back", count,
+       env.map.cell_count, inverted.index[0]);
 }
 
 /** Two cells on one side of a face are mostly one inverted cell: that is said first, since it is the cause. */
 template <int D>
 [[noreturn]] void fail_match(const Environment<D>& env, MatchDefect defect, const Offenders& offenders,
                              BuildReport& report) {
-  if (defect == MatchDefect::kSameSide) {
-    for (uint32_t i = 0; i < env.map.cell_count; ++i) {
-      if (check_cell(env, env.map.cell(i)) == CellState::kInverted) report.offenders.add(i);
-    }
-    if (report.offenders.count != 0)
-      fail(DSW_STATUS_INVERTED_CELL, "cell %u is turned inside out", report.offenders.index[0]);
-  }
+  if (defect == MatchDefect::kSameSide) fail_inverted(env, report);
   report.offenders = offenders;
   std::sort(report.offenders.index, report.offenders.index + report.offenders.count);
   const uint32_t a = offenders.index[0], b = offenders.index[1];
@@ -77,16 +94,13 @@ void validate(Environment<D>& env, BuildReport& report) {
     if (was_convex != (state == CellState::kValidConvex)) report.convex_volume_count += was_convex ? ~0u : 1u;
     settle(c, state);
   }
-  const auto raise = [&](Offenders& offenders, dsw_status status, const char* what) {
-    if (offenders.count == 0) return;
-    std::sort(offenders.index, offenders.index + offenders.count);
-    offenders.count =
-        static_cast<uint32_t>(std::unique(offenders.index, offenders.index + offenders.count) - offenders.index);
-    report.offenders = offenders;
-    fail(status, "cell %u %s", offenders.index[0], what);
-  };
-  raise(inverted, DSW_STATUS_INVERTED_CELL, "is turned inside out");
-  raise(invalid, DSW_STATUS_INVALID_CELL, "is flat, folded, or not seen whole from the mean of its vertices");
+  if (inverted.count != 0) fail_inverted(env, report);
+  if (invalid.count == 0) return;
+  std::sort(invalid.index, invalid.index + invalid.count);
+  invalid.count = static_cast<uint32_t>(std::unique(invalid.index, invalid.index + invalid.count) - invalid.index);
+  report.offenders = invalid;
+  fail(DSW_STATUS_INVALID_CELL, "cell %u is flat, folded, or not seen whole from the mean of its vertices",
+       invalid.index[0]);
 }
 
 template <int D>
@@ -126,6 +140,17 @@ void check_points(const dsw_environment_desc& d) {
   }
 }
 
+void check_merging(const dsw_environment_desc& d) {
+  if (!std::isfinite(d.merge_distance)) fail(DSW_STATUS_NON_FINITE, "desc->merge_distance is not finite");
+  if (d.merge_distance < 0) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->merge_distance is %g, must not be negative", d.merge_distance);
+  }
+  if (d.merge_distance > 0 && !merges_points(d)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->merge_distance is %g, which needs DSW_ENVIRONMENT_MERGE_POINTS or _CONFORM",
+         d.merge_distance);
+  }
+}
+
 TreeUse tree_use(uint32_t flags) {
   if ((flags & DSW_ENVIRONMENT_NO_LOCATE_TREE) != 0) return TreeUse::kLeftOut;
   return (flags & DSW_ENVIRONMENT_LOCATE_TREE) != 0 ? TreeUse::kAtOnce : TreeUse::kAtNeed;
@@ -144,9 +169,11 @@ template <int D>
 dsw_environment_desc check_description(dsw_environment_desc d) {
   check_flags(d.flags,
               DSW_ENVIRONMENT_BORROW_POINTS | DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_TREE |
-                  DSW_ENVIRONMENT_CHECK_BOUNDARY | DSW_ENVIRONMENT_NO_LOCATE_TREE,
+                  DSW_ENVIRONMENT_CHECK_BOUNDARY | DSW_ENVIRONMENT_NO_LOCATE_TREE | DSW_ENVIRONMENT_MERGE_POINTS |
+                  DSW_ENVIRONMENT_CONFORM | DSW_ENVIRONMENT_FIND_TOUCHING,
               "desc->flags");
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
+  check_merging(d);
   check_points<D>(d);
   check_cells<D>(d);
   if (d.point_stride_bytes == 0) d.point_stride_bytes = D * sizeof(double);
@@ -155,13 +182,17 @@ dsw_environment_desc check_description(dsw_environment_desc d) {
 }
 
 template <int D>
-void build(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
+void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
   read_points(env, input, report);
   read_cells(env, input, report);
   if ((input.flags & DSW_ENVIRONMENT_REORIENT) != 0) reorient(env, report);
   Offenders offenders;
   const MatchDefect defect = match_facets(env, offenders);
   if (defect != MatchDefect::kNone) fail_match(env, defect, offenders, report);
+}
+
+template <int D>
+void finish_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
   validate(env, report);
   if (input.regions != nullptr) env.regions.assign(input.regions, input.regions + input.volume_count);
   if (input.tags != nullptr) env.tags.assign(input.tags, input.tags + input.volume_count);
@@ -169,6 +200,7 @@ void build(Environment<D>& env, const dsw_environment_desc& input, BuildReport& 
   env.index.set_use(tree_use(input.flags));
   if (env.index.use() == TreeUse::kAtOnce) env.index.build(env);
   if ((input.flags & DSW_ENVIRONMENT_CHECK_BOUNDARY) != 0) check_boundary(env, report.offenders);
+  if ((input.flags & DSW_ENVIRONMENT_FIND_TOUCHING) != 0) report.touching = find_touching(env);
 }
 
 template <int D>
@@ -184,6 +216,7 @@ void prove(const Environment<D>& env, BuildReport& report) {
     fail(DSW_STATUS_INVALID_CELL, "cell %u is not valid", report.offenders.index[0]);
   }
   check_boundary(env, report.offenders);
+  report.touching = find_touching(env);
 }
 
 template <int D>
@@ -231,7 +264,8 @@ void finish_topology(Environment<D>& env, BuildReport* report) {
   if (report != nullptr) report->unused_point_count = unused;
 }
 
-DSW_INSTANTIATE(build);
+DSW_INSTANTIATE(read_mesh);
+DSW_INSTANTIATE(finish_mesh);
 DSW_INSTANTIATE(prove);
 template dsw_environment_desc check_description<2>(dsw_environment_desc);
 template dsw_environment_desc check_description<3>(dsw_environment_desc);

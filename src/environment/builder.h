@@ -1,8 +1,11 @@
 #pragma once
 // Creation: from the arrays of a mesh to a validated environment, in one pass over the cells and expected linear time.
 
+#include <vector>
+
 #include "dartsweep/environment.h"
 #include "environment/environment.h"
+#include "environment/touching.h"
 
 namespace dsw {
 
@@ -19,17 +22,32 @@ struct Offenders {
 struct BuildReport {
   Offenders offenders;
   uint32_t reoriented_count = 0, unused_point_count = 0, convex_volume_count = 0;
+  uint32_t turned_face_count = 0;           // of polyhedra, against the other faces of their cell
+  std::vector<uint32_t> with_turned_faces;  // cells, ascending
+  uint32_t merged_point_count = 0;          // that count as another one
+  Offenders changed;                        // cells that were made to conform
+  uint32_t changed_count = 0;
+  Touching touching;
 };
+
+/** Whether points that lie at one place, or nearly, count as one. */
+inline bool merges_points(const dsw_environment_desc& desc) {
+  return (desc.flags & (DSW_ENVIRONMENT_MERGE_POINTS | DSW_ENVIRONMENT_CONFORM)) != 0;
+}
 
 /** A description whose sizes and pointers fit each other, with its defaults in place of zeros. Throws Error. */
 template <int D>
 dsw_environment_desc check_description(dsw_environment_desc desc);
 
-/** Fills an empty environment from a description that was checked; throws Error (and leaves the environment useless)
- * on the first kind of defect found, with the first offenders of that kind in the report. Order of checks: sizes,
- * points finite, cells well-formed, facets matched, cells valid. */
+/** Fills an empty environment from a description that was checked: points, cells, and links of their facets. Throws Error
+ * (and leaves the environment useless) on the first kind of defect found, with the first offenders of that kind in the report.
+ * Order of checks: sizes, points finite, cells well-formed, facets matched. */
 template <int D>
-void build(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
+void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
+
+/** Proves the cells of a mesh that was read valid, and adds what the description asks for. Throws as read_mesh. */
+template <int D>
+void finish_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
 
 /** Proves everything again; throws as build. */
 template <int D>

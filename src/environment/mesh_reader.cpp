@@ -8,6 +8,8 @@
 
 #include "base/dimensions.h"
 #include "base/error.h"
+#include "environment/merged_points.h"
+#include "environment/turned_loops.h"
 
 namespace dsw {
 namespace {
@@ -52,7 +54,12 @@ class Reader {
         in_(input),
         report_(report),
         offsets_(input.offsets, input.index_bytes),
-        connectivity_(input.connectivity, input.index_bytes) {}
+        connectivity_(input.connectivity, input.index_bytes),
+        merged_(env.memory) {
+    if (!merges_points(input)) return;
+    merged_ = merged_points<D>(env.points, map_.vertex_count, input.merge_distance, env.memory);
+    for (uint32_t i = 0; i < map_.vertex_count; ++i) report.merged_point_count += merged_[i] != i ? 1u : 0u;
+  }
 
   void read() {
     scan_types();
@@ -66,7 +73,9 @@ class Reader {
       }
     }
     raise(DSW_STATUS_INDEX_OUT_OF_RANGE, bad_index_, "names a point that does not exist");
-    raise(DSW_STATUS_BAD_CELL, bad_cell_, "repeats a point, or its faces do not close a sphere");
+    raise(DSW_STATUS_BAD_CELL, bad_cell_,
+          merged_.empty() ? "repeats a point, or its faces do not close a sphere"
+                          : "repeats a point once points are merged, or its faces do not close a sphere");
   }
 
  private:
@@ -161,13 +170,13 @@ class Reader {
     return general_units<D>(std::max(1u, facets), vertices);
   }
 
-  /** A point index, or recorded as an offence of cell i. */
+  /** A point index, that of the point that it is merged with, or recorded as an offence of cell i. */
   uint32_t checked(uint32_t i, int64_t point) {
     if (point < 0 || static_cast<uint64_t>(point) >= map_.vertex_count) {
       if (laid_out_) bad_index_.add(i);
       return 0;
     }
-    return static_cast<uint32_t>(point);
+    return merged_.empty() ? static_cast<uint32_t>(point) : merged_[static_cast<size_t>(point)];
   }
 
   void read_standard(uint32_t i, Form form) {
@@ -234,6 +243,7 @@ class Reader {
     const uint32_t offenders = bad_index_.count;
     const bool sound = parse_stream(i);
     if (bad_index_.count != offenders) return;
+    if (sound && (in_.flags & DSW_ENVIRONMENT_REORIENT) != 0) turn_faces(i);
     base_.assign(loop_first_.size(), 0);
     for (size_t f = 0; f + 1 < loop_first_.size(); ++f) {
       for (uint32_t k = loop_first_[f]; k < loop_first_[f + 1]; ++k) {
@@ -253,6 +263,15 @@ class Reader {
     }
     map_.shape_offsets.push_back(table);
     write_general(i, static_cast<uint32_t>(map_.shape_offsets.size() - 1));
+  }
+
+  /** Turns faces of a polyhedron back that are turned against most of its others. */
+  void turn_faces(uint32_t i) {
+    const uint32_t turned = turn_loops(loop_vertices_, loop_first_);
+    if (turned == 0) return;
+    report_.turned_face_count += turned;
+    report_.with_turned_faces.push_back(i);
+    ++report_.reoriented_count;
   }
 
   void read_polygon(uint32_t i) {
@@ -306,6 +325,7 @@ class Reader {
   std::vector<uint16_t> loop_vertices_, loop_first_, base_, local_of_point_;
   std::vector<uint32_t> local_to_point_;
   std::vector<uint32_t> polygon_shapes_;  // by the number of corners
+  Array<uint32_t> merged_;                // of each point the one that it counts as; empty: itself
 };
 
 }  // namespace

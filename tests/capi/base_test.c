@@ -22,7 +22,7 @@ static void every_status_has_its_name(void) {
 }
 
 static void an_unknown_status_has_a_text(void) {
-  CHECK(strcmp(dsw_status_string((dsw_status)(DSW_STATUS_NOT_ORIENTED + 1)), "unknown status") == 0);
+  CHECK(strcmp(dsw_status_string((dsw_status)(DSW_STATUS_NOT_CONFORMING + 1)), "unknown status") == 0);
   CHECK(strcmp(dsw_status_string(DSW_STATUS_FORCE_INT32), "unknown status") == 0);
 }
 

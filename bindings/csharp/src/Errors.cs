@@ -62,6 +62,7 @@ namespace Dartsweep
         case Status.DuplicatePart: return new DuplicatePartException(message);
         case Status.NotManifold: return new NotManifoldException(message);
         case Status.NotOriented: return new NotOrientedException(message);
+        case Status.NotConforming: return new NotConformingException(message);
         default: return new InternalException(message);
       }
     }
@@ -305,5 +306,11 @@ namespace Dartsweep
   public sealed class NotOrientedException : DartsweepException
   {
     internal NotOrientedException(string message) : base(Status.NotOriented, message) { }
+  }
+
+  /// <summary>Parts of a mesh lie on each other and can't be sewn.</summary>
+  public sealed class NotConformingException : DartsweepException
+  {
+    internal NotConformingException(string message) : base(Status.NotConforming, message) { }
   }
 }

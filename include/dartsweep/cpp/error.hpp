@@ -48,7 +48,8 @@
   X(REPEATED_VERTEX, RepeatedVertex)     \
   X(DUPLICATE_PART, DuplicatePart)       \
   X(NOT_MANIFOLD, NotManifold)           \
-  X(NOT_ORIENTED, NotOriented)
+  X(NOT_ORIENTED, NotOriented)           \
+  X(NOT_CONFORMING, NotConforming)
 
 namespace dartsweep {
 

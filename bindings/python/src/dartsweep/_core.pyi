@@ -249,6 +249,13 @@ class BuildReport:
     unused_point_count: int
     boundary_face_count: int
     convex_volume_count: int
+    reoriented_face_count: int
+    merged_point_count: int
+    changed_count: int
+    changed: NDArray[np.uint32]
+    touching_face_count: int
+    touching_face: FaceId
+    touched_face: FaceId
 
 class EnvironmentInfo:
     dimension: int
@@ -346,6 +353,7 @@ class EnvironmentDesc:
     dimension: int
     flags: int
     uniform_cell_type: int
+    merge_distance: float
 
 class SceneDesc:
     features: int

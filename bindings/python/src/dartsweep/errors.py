@@ -246,6 +246,12 @@ class NotOriented(Error):
     status = Status.NOT_ORIENTED
 
 
+class NotConforming(Error):
+    """Parts of a mesh lie on each other and can't be sewn."""
+
+    status = Status.NOT_CONFORMING
+
+
 class Closed(NullArgument):
     """The object was closed before."""
 

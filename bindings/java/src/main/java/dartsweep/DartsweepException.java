@@ -56,6 +56,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
       case DUPLICATE_PART -> new DuplicatePart(message);
       case NOT_MANIFOLD -> new NotManifold(message);
       case NOT_ORIENTED -> new NotOriented(message);
+      case NOT_CONFORMING -> new NotConforming(message);
       case OK -> throw new AssertionError(message);
     };
   }
@@ -337,6 +338,13 @@ public abstract sealed class DartsweepException extends RuntimeException {
   public static final class NotOriented extends DartsweepException {
     private NotOriented(String message) {
       super(Status.NOT_ORIENTED, message);
+    }
+  }
+
+  /** Parts of a mesh lie on each other and can't be sewn. */
+  public static final class NotConforming extends DartsweepException {
+    private NotConforming(String message) {
+      super(Status.NOT_CONFORMING, message);
     }
   }
 }

@@ -1,0 +1,83 @@
+#pragma once
+// The facets that have one cell, with their loops, triangles and boxes.
+
+#include "environment/box_tree.h"
+#include "environment/environment.h"
+
+namespace dsw {
+
+/** Items of a list in which they follow each other. */
+struct VertexRange {
+  const uint32_t *first, *last;
+  const uint32_t* begin() const { return first; }
+  const uint32_t* end() const { return last; }
+  uint32_t size() const { return static_cast<uint32_t>(last - first); }
+  uint32_t operator[](uint32_t i) const { return first[i]; }
+  /** The item after number i, round the loop. */
+  uint32_t after(uint32_t i) const { return first[i + 1 == size() ? 0 : i + 1]; }
+};
+
+template <int D>
+class OuterFacets {
+ public:
+  /** In the order of cells. Throws std::bad_alloc. */
+  explicit OuterFacets(const Environment<D>& env)
+      : env_(env),
+        facets_(env.memory),
+        loop_first_(env.memory),
+        loops_(env.memory),
+        simplex_first_(env.memory),
+        simplices_(env.memory),
+        boxes_(env.memory) {
+    for_each_cell(env.map, [&](Cell c) {
+      const Shape shape = env.map.shape(c);
+      for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+        const HalfFacet h = env.map.half_facet(c, f);
+        if (!env.map.opposite(h).valid()) add(c, shape, f, h);
+      }
+    });
+    loop_first_.push_back(static_cast<uint32_t>(loops_.size()));
+    simplex_first_.push_back(static_cast<uint32_t>(simplices_.size()));
+  }
+
+  uint32_t count() const { return static_cast<uint32_t>(facets_.size()); }
+  HalfFacet facet(uint32_t i) const { return facets_[i]; }
+  Cell cell(uint32_t i) const { return env_.map.cell_of(facets_[i]); }
+  /** Its vertices, counter-clockwise seen from outside; in the plane its two ends, the cell on the left. */
+  VertexRange loop(uint32_t i) const { return range(loops_, loop_first_, i); }
+  /** Its simplices, D vertices each. */
+  VertexRange simplices(uint32_t i) const { return range(simplices_, simplex_first_, i); }
+  const ClosedBox<D>& box(uint32_t i) const { return boxes_[i]; }
+  /** Whether the boxes of two facets, of which one is widened, have so much in common that the facets may overlap: along all
+   * axes but one. */
+  bool may_overlap(const ClosedBox<D>& box, uint32_t i) const { return box.overlaps(boxes_[i], D - 1); }
+  BoxTree<D> tree() const {
+    return BoxTree<D>(
+        count(), [this](uint32_t i) -> const ClosedBox<D>& { return boxes_[i]; }, env_.memory);
+  }
+
+ private:
+  void add(Cell c, const Shape& shape, uint32_t f, HalfFacet h) {
+    facets_.push_back(h);
+    loop_first_.push_back(static_cast<uint32_t>(loops_.size()));
+    simplex_first_.push_back(static_cast<uint32_t>(simplices_.size()));
+    boxes_.push_back({});
+    for_each_facet_vertex<D>(shape, f, [&](uint32_t local) {
+      loops_.push_back(env_.map.vertex(c, local));
+      boxes_.back().add(env_.point(loops_.back()));
+    });
+    for (uint32_t k = D * shape.simplex_first(f); k < D * shape.simplex_first(f + 1); ++k) {
+      simplices_.push_back(env_.map.vertex(c, shape.simplices()[k]));
+    }
+  }
+  static VertexRange range(const Array<uint32_t>& all, const Array<uint32_t>& first, uint32_t i) {
+    return {all.data() + first[i], all.data() + first[i + 1]};
+  }
+
+  const Environment<D>& env_;
+  Array<HalfFacet> facets_;
+  Array<uint32_t> loop_first_, loops_, simplex_first_, simplices_;
+  Array<ClosedBox<D>> boxes_;
+};
+
+}  // namespace dsw

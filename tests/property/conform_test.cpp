@@ -1,0 +1,357 @@
+// Meshes whose parts lie on each other: octrees, interfaces of unlike faces, points of their own. Every cell is known as a
+// box or prism from which the mesh was made, so where casts end and which cell holds a point is known without the engine.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "../effort.h"
+#include "dartsweep/dartsweep.h"
+
+namespace dsw {
+namespace {
+
+using Vec3 = std::array<double, 3>;
+
+struct Destroy {
+  void operator()(dsw_environment* environment) const { dsw_environment_destroy(environment); }
+};
+using Owner = std::unique_ptr<dsw_environment, Destroy>;
+
+/** A mesh in which no two cells have points in common. */
+struct LooseMesh {
+  unsigned dimension = 3;
+  std::vector<double> points;
+  std::vector<uint8_t> types;
+  std::vector<int64_t> offsets{0}, connectivity;
+
+  void add(dsw_cell_type type, const std::vector<Vec3>& corners) {
+    types.push_back(static_cast<uint8_t>(type));
+    for (const Vec3& corner : corners) {
+      connectivity.push_back(static_cast<int64_t>(points.size() / dimension));
+      points.insert(points.end(), corner.begin(), corner.begin() + dimension);
+    }
+    offsets.push_back(static_cast<int64_t>(connectivity.size()));
+  }
+  void add_box(const Vec3& low, const Vec3& high) {
+    std::vector<Vec3> corners;
+    for (const double z : {low[2], high[2]}) {
+      corners.push_back({low[0], low[1], z});
+      corners.push_back({high[0], low[1], z});
+      corners.push_back({high[0], high[1], z});
+      corners.push_back({low[0], high[1], z});
+    }
+    if (dimension == 3) {
+      add(DSW_CELL_TYPE_HEXAHEDRON, corners);
+    } else {
+      corners.resize(4);
+      add(DSW_CELL_TYPE_QUAD, corners);
+    }
+  }
+  Owner create(uint32_t flags, dsw_build_report& report, double distance = 0) const {
+    dsw_environment_desc desc;
+    dsw_environment_desc_init(&desc, sizeof desc);
+    desc.dimension = dimension;
+    desc.flags = flags;
+    desc.points = points.data();
+    desc.point_count = points.size() / dimension;
+    desc.cell_types = types.data();
+    desc.volume_count = types.size();
+    desc.offsets = offsets.data();
+    desc.connectivity = connectivity.data();
+    desc.connectivity_count = connectivity.size();
+    desc.merge_distance = distance;
+    report = {};
+    report.struct_size = sizeof report;
+    dsw_environment* made = nullptr;
+    dsw_environment_create(nullptr, &desc, &made, &report);
+    return Owner(made);
+  }
+};
+
+double uniform(std::mt19937_64& random, double low = 0, double high = 1) {
+  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
+struct Box {
+  Vec3 low, high;
+  bool holds(const Vec3& p, unsigned dimension) const {
+    for (unsigned k = 0; k < dimension; ++k) {
+      if (p[k] < low[k] || p[k] > high[k]) return false;
+    }
+    return true;
+  }
+};
+
+/** The boxes of a tree in which each box is 1, 1/2, 1/4 ... of one of side 1, halved at random. */
+void refine(const Box& box, unsigned dimension, int levels, double share, std::mt19937_64& random,
+            std::vector<Box>& out) {
+  if (levels == 0 || uniform(random) >= share) {
+    out.push_back(box);
+    return;
+  }
+  for (unsigned part = 0; part < 1u << dimension; ++part) {
+    Box child = box;
+    for (unsigned k = 0; k < dimension; ++k) {
+      const double middle = (box.low[k] + box.high[k]) / 2;
+      ((part >> k & 1) != 0 ? child.low[k] : child.high[k]) = middle;
+    }
+    refine(child, dimension, levels - 1, share, random, out);
+  }
+}
+
+/** Casts between random places end where they were to, in a cell that holds the place. */
+void expect_no_walls(const dsw_environment* environment, const std::vector<Box>& boxes, unsigned dimension, double side,
+                     std::mt19937_64& random) {
+  for (int i = 0; i < 200; ++i) {
+    Vec3 from{}, to{};
+    for (unsigned k = 0; k < dimension; ++k) {
+      from[k] = uniform(random, 0, side);
+      // Also along planes, edges and through corners of cells.
+      to[k] = random() % 3 == 0 ? std::floor(uniform(random, 0, 4 * side)) / 4 : uniform(random, 0, side);
+      if (random() % 5 == 0) from[k] = std::floor(from[k] * 4) / 4;
+      from[k] = std::max(from[k], 0x1p-20);
+      to[k] = std::max(to[k], 0x1p-20);
+    }
+    dsw_flight flight;
+    ASSERT_EQ(dsw_environment_cast(environment, {0, 0}, from.data(), to.data(), nullptr, &flight), DSW_STATUS_OK)
+        << dsw_last_error_message();
+    ASSERT_EQ(flight.outcome, DSW_OUTCOME_REACHED) << "from " << from[0] << " " << from[1] << " " << from[2];
+    ASSERT_TRUE(boxes[flight.volume.index].holds(to, dimension));
+  }
+}
+
+class ConformTest : public testing::TestWithParam<unsigned> {};
+INSTANTIATE_TEST_SUITE_P(All, ConformTest, testing::Values(2u, 3u),
+                         [](const auto& value) { return value.param == 2 ? "plane" : "space"; });
+
+TEST_P(ConformTest, AnOctreeIsOnePart) {
+  const unsigned dimension = GetParam();
+  for (int round = 0; round < effort_of(12); ++round) {
+    std::mt19937_64 random(seed_of(700 + static_cast<unsigned>(round)));
+    LooseMesh mesh;
+    mesh.dimension = dimension;
+    std::vector<Box> boxes;
+    const int side = 3;
+    for (int z = 0; z < (dimension == 3 ? side : 1); ++z) {
+      for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+          const Vec3 low{double(x), double(y), double(z)};
+          refine({low, {low[0] + 1, low[1] + 1, low[2] + 1}}, dimension, 2, 0.4, random, boxes);
+        }
+      }
+    }
+    for (const Box& box : boxes) mesh.add_box(box.low, box.high);
+    dsw_build_report report;
+    const Owner loose = mesh.create(DSW_ENVIRONMENT_FIND_TOUCHING, report);
+    ASSERT_EQ(report.status, DSW_STATUS_OK);
+    EXPECT_EQ(report.part_count, boxes.size());
+    EXPECT_GT(report.touching_face_count, boxes.size());
+    const Owner sewn = mesh.create(DSW_ENVIRONMENT_CONFORM | DSW_ENVIRONMENT_FIND_TOUCHING, report);
+    ASSERT_EQ(report.status, DSW_STATUS_OK) << dsw_last_error_message();
+    EXPECT_EQ(report.part_count, 1u);
+    EXPECT_EQ(report.touching_face_count, 0u);
+    EXPECT_EQ(report.convex_volume_count, boxes.size());
+    EXPECT_EQ(dsw_environment_check(sewn.get(), nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+    expect_no_walls(sewn.get(), boxes, dimension, side, random);
+  }
+}
+
+/** Boxes of a grid; sides between them that are planted have points of their own, one in `finer` has half the width. */
+TEST_P(ConformTest, PlantedPartsAreAllCounted) {
+  const unsigned dimension = GetParam();
+  for (int round = 0; round < effort_of(100); ++round) {
+    std::mt19937_64 random(seed_of(9000 + static_cast<unsigned>(round)));
+    const int n[3] = {3, 3, dimension == 3 ? 3 : 1};
+    LooseMesh mesh;
+    mesh.dimension = dimension;
+    std::vector<int> part(static_cast<size_t>(n[0] * n[1] * n[2]));
+    for (int& each : part) each = static_cast<int>(random() % 3);
+    const auto part_at = [&](int x, int y, int z) { return part[static_cast<size_t>(x + n[0] * (y + n[1] * z))]; };
+    std::map<std::array<int, 4>, int64_t> points;  // of each part its own
+    uint32_t planted = 0;
+    for (int z = 0; z < n[2]; ++z) {
+      for (int y = 0; y < n[1]; ++y) {
+        for (int x = 0; x < n[0]; ++x) {
+          const int own = part_at(x, y, z);
+          if (x > 0 && part_at(x - 1, y, z) != own) planted += 2;
+          if (y > 0 && part_at(x, y - 1, z) != own) planted += 2;
+          if (z > 0 && part_at(x, y, z - 1) != own) planted += 2;
+          static constexpr int kCorners[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+          for (unsigned k = 0; k < (dimension == 3 ? 8u : 4u); ++k) {
+            const std::array<int, 4> key{x + kCorners[k][0], y + kCorners[k][1], z + kCorners[k][2], own};
+            const auto [at, is_new] = points.emplace(key, static_cast<int64_t>(mesh.points.size() / dimension));
+            for (unsigned c = 0; c < dimension && is_new; ++c) mesh.points.push_back(0.1 * key[c]);
+            mesh.connectivity.push_back(at->second);
+          }
+          mesh.types.push_back(dimension == 3 ? DSW_CELL_TYPE_HEXAHEDRON : DSW_CELL_TYPE_QUAD);
+          mesh.offsets.push_back(static_cast<int64_t>(mesh.connectivity.size()));
+        }
+      }
+    }
+    dsw_build_report report;
+    const Owner made = mesh.create(DSW_ENVIRONMENT_FIND_TOUCHING, report);
+    ASSERT_EQ(report.status, DSW_STATUS_OK) << dsw_last_error_message();
+    EXPECT_EQ(report.touching_face_count, planted);
+    EXPECT_EQ(report.touching_face.generation != 0, planted != 0);
+    const Owner merged = mesh.create(DSW_ENVIRONMENT_MERGE_POINTS | DSW_ENVIRONMENT_FIND_TOUCHING, report);
+    ASSERT_EQ(report.status, DSW_STATUS_OK) << dsw_last_error_message();
+    EXPECT_EQ(report.touching_face_count, 0u);
+    EXPECT_EQ(report.part_count, 1u);
+    dsw_build_report checked{};
+    checked.struct_size = sizeof checked;
+    EXPECT_EQ(dsw_environment_check(made.get(), &checked), DSW_STATUS_OK);
+    EXPECT_EQ(checked.touching_face_count, planted);
+  }
+}
+
+/** A triangulation of the points of a square grid, as prisms between two heights. */
+void add_prisms(LooseMesh& mesh, int n, double low, double high, const std::vector<int>& diagonals) {
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      const double a = x, b = x + 1, c = y, d = y + 1;
+      const bool rising = diagonals[static_cast<size_t>(x + n * y)] != 0;
+      using Triangle = std::array<std::array<double, 2>, 3>;
+      const Triangle triangles[2] = {rising ? Triangle{{{a, c}, {b, c}, {b, d}}} : Triangle{{{a, c}, {b, c}, {a, d}}},
+                                     rising ? Triangle{{{a, c}, {b, d}, {a, d}}} : Triangle{{{b, c}, {b, d}, {a, d}}}};
+      for (const Triangle& t : triangles) {  // 0 1 2 counter-clockwise seen from outside, below
+        std::vector<Vec3> corners;
+        for (const double z : {low, high}) {
+          for (const int k : {0, 2, 1}) corners.push_back({t[size_t(k)][0], t[size_t(k)][1], z});
+        }
+        mesh.add(DSW_CELL_TYPE_WEDGE, corners);
+      }
+    }
+  }
+}
+
+TEST(ConformSpaceTest, QuadsLieOnTrianglesOfEitherDiagonal) {
+  for (int round = 0; round < effort_of(10); ++round) {
+    std::mt19937_64 random(seed_of(40 + static_cast<unsigned>(round)));
+    const int n = 4;
+    LooseMesh mesh;
+    std::vector<Box> boxes;
+    for (int y = 0; y < n; ++y) {
+      for (int x = 0; x < n; ++x) {
+        boxes.push_back({{double(x), double(y), 0}, {x + 1.0, y + 1.0, 1}});
+        mesh.add_box(boxes.back().low, boxes.back().high);
+      }
+    }
+    std::vector<int> diagonals;
+    for (int i = 0; i < n * n; ++i) diagonals.push_back(static_cast<int>(random() & 1));
+    add_prisms(mesh, n, 1, 2, diagonals);
+    for (int i = 0; i < n * n; ++i) {  // a prism lies in the box of its square
+      const Box square{{double(i % n), double(i / n), 1}, {i % n + 1.0, i / n + 1.0, 2}};
+      boxes.push_back(square);
+      boxes.push_back(square);
+    }
+    dsw_build_report report;
+    const Owner sewn = mesh.create(DSW_ENVIRONMENT_CONFORM, report);
+    ASSERT_EQ(report.status, DSW_STATUS_OK) << dsw_last_error_message();
+    EXPECT_EQ(report.part_count, 1u);
+    EXPECT_EQ(report.changed_count, uint32_t{n * n});
+    EXPECT_EQ(dsw_environment_check(sewn.get(), nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+    expect_no_walls(sewn.get(), boxes, 3, 2, random);
+  }
+}
+
+TEST(ConformSpaceTest, TrianglesThatCrossAreRefusedAndNamed) {
+  for (int round = 0; round < effort_of(10); ++round) {
+    std::mt19937_64 random(seed_of(80 + static_cast<unsigned>(round)));
+    const int n = 3;
+    std::vector<int> below, above;
+    for (int i = 0; i < n * n; ++i) {
+      below.push_back(static_cast<int>(random() & 1));
+      above.push_back(round == 0 ? below.back() : static_cast<int>(random() & 1));
+    }
+    LooseMesh mesh;
+    add_prisms(mesh, n, 0, 1, below);
+    add_prisms(mesh, n, 1, 2, above);
+    dsw_build_report report;
+    const Owner made = mesh.create(DSW_ENVIRONMENT_CONFORM, report);
+    if (below == above) {
+      EXPECT_EQ(report.status, DSW_STATUS_OK);
+      EXPECT_EQ(report.part_count, 1u);
+      continue;
+    }
+    EXPECT_EQ(report.status, DSW_STATUS_NOT_CONFORMING);
+    ASSERT_EQ(report.offender_count, 2u);
+    const uint32_t square = report.offenders[0] / 2;  // the first whose diagonals cross
+    EXPECT_EQ(square,
+              static_cast<uint32_t>(std::mismatch(below.begin(), below.end(), above.begin()).first - below.begin()));
+    EXPECT_EQ(report.offenders[1] / 2, uint32_t{n * n} + square);
+  }
+}
+
+/** Boxes that are shifted against each other by half of their width, and a small one in the middle of a large face. */
+TEST(ConformSpaceTest, FacesThatDoNotNestAreSplitAtPointsThatExist) {
+  LooseMesh bricks;
+  std::vector<Box> boxes{{{0, 0, 0}, {2, 2, 1}},
+                         {{2, 0, 0}, {4, 2, 1}},
+                         {{0, 0, 1}, {1, 2, 2}},
+                         {{1, 0, 1}, {3, 2, 2}},
+                         {{3, 0, 1}, {4, 2, 2}}};
+  for (const Box& box : boxes) bricks.add_box(box.low, box.high);
+  dsw_build_report report;
+  Owner sewn = bricks.create(DSW_ENVIRONMENT_CONFORM, report);
+  ASSERT_EQ(report.status, DSW_STATUS_OK) << dsw_last_error_message();
+  EXPECT_EQ(report.part_count, 1u);
+  EXPECT_EQ(report.changed_count, 3u);
+  EXPECT_EQ(dsw_environment_check(sewn.get(), nullptr), DSW_STATUS_OK);
+  std::mt19937_64 random(seed_of(5));
+  expect_no_walls(sewn.get(), boxes, 3, 2, random);
+
+  LooseMesh tower;
+  boxes = {{{0, 0, 0}, {3, 3, 1}}, {{1, 1, 1}, {2, 2, 2}}};
+  for (const Box& box : boxes) tower.add_box(box.low, box.high);
+  sewn = tower.create(DSW_ENVIRONMENT_CONFORM, report);
+  ASSERT_EQ(report.status, DSW_STATUS_OK) << dsw_last_error_message();
+  EXPECT_EQ(report.part_count, 1u);
+  EXPECT_EQ(dsw_environment_check(sewn.get(), nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+  const Vec3 from{1.5, 1.25, 0.5}, up{1.5, 1.25, 1.75}, beside{0.5, 0.25, 1.75};
+  dsw_flight flight;
+  ASSERT_EQ(dsw_environment_cast(sewn.get(), {0, 0}, from.data(), up.data(), nullptr, &flight), DSW_STATUS_OK);
+  EXPECT_EQ(flight.outcome, DSW_OUTCOME_REACHED);
+  ASSERT_EQ(dsw_environment_cast(sewn.get(), {0, 0}, from.data(), beside.data(), nullptr, &flight), DSW_STATUS_OK);
+  EXPECT_EQ(flight.outcome, DSW_OUTCOME_CONTACT);
+  EXPECT_EQ(flight.position[2], 1);
+}
+
+/** Points of both sides differ by rounding: they are one within a distance, and points on edges and faces, too. */
+TEST(ConformSpaceTest, PointsThatDifferByRoundingAreOneWithinADistance) {
+  for (int round = 0; round < effort_of(10); ++round) {
+    std::mt19937_64 random(seed_of(60 + static_cast<unsigned>(round)));
+    LooseMesh mesh;
+    std::vector<Box> boxes;
+    for (int x = 0; x < 2; ++x) refine({{double(x), 0, 0}, {x + 1.0, 1, 1}}, 3, x + 1, 1, random, boxes);
+    for (const Box& box : boxes) mesh.add_box(box.low, box.high);
+    // Turned, so that nothing is exactly on a line or in a plane; points at one place may differ afterwards.
+    for (size_t i = 0; i < mesh.points.size(); i += 3) {
+      double* const p = &mesh.points[i];
+      const double x = 0.6 * p[0] - 0.7 * p[1] + 0.1 * p[2], y = 0.5 * p[0] + 0.6 * p[1] - 0.3 * p[2],
+                   z = 0.2 * p[0] + 0.3 * p[1] + 0.9 * p[2];
+      p[0] = x + uniform(random, -1e-13, 1e-13);
+      p[1] = y + uniform(random, -1e-13, 1e-13);
+      p[2] = z + uniform(random, -1e-13, 1e-13);
+    }
+    dsw_build_report report;
+    const Owner exact = mesh.create(DSW_ENVIRONMENT_CONFORM, report);
+    EXPECT_TRUE(report.status != DSW_STATUS_OK || report.part_count > 1);
+    const Owner sewn = mesh.create(DSW_ENVIRONMENT_CONFORM, report, 1e-9);
+    ASSERT_EQ(report.status, DSW_STATUS_OK) << dsw_last_error_message();
+    EXPECT_EQ(report.part_count, 1u);
+    EXPECT_EQ(report.boundary_face_count, 5u * 4u + 5u * 16u);  // five sides of each half
+    EXPECT_EQ(dsw_environment_check(sewn.get(), nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+  }
+}
+
+}  // namespace
+}  // namespace dsw
