@@ -204,6 +204,23 @@ TEST(BoundedFlood, AtAnyScale) {
   }
 }
 
+/** Both lips of a crack are equally near. The flood comes to the lip of the triangle, because the way to the other lip, which
+ * has the lower name, is longer than the answer. */
+TEST(BoundedFlood, OfTwoLipsTheOneThatIsReachedIsNamed) {
+  Mesh2 mesh;
+  const int64_t tip = mesh.point({0, 0}), right = mesh.point({16, -8}), left = mesh.point({-8, 8});
+  mesh.cell(kQuad, {tip, mesh.point({-8, 0}), mesh.point({-8, -8}), right});
+  mesh.cell(kTriangle, {tip, left, mesh.point({-8, 0})});
+  mesh.cell(kQuad, {tip, right, mesh.point({16, 8}), left});
+  const auto env = mesh.build();
+  const double p[2] = {-2, 4};
+  BoundedNotes notes(env->memory);
+  NearestResult near;
+  ASSERT_TRUE(find_nearest_far(*env, p, env->map.cell(2), kNoLimit, notes, near));
+  EXPECT_EQ(near.distance, 4);
+  EXPECT_EQ(env->map.index(near.feature.cell), 1u);
+}
+
 /** Triangles of any shape: also slivers, needles and those that are far away. */
 void any_triangle(Random& random, double* corners) {
   const double away = std::ldexp(1.0, random.below(3) == 0 ? random.below(30) : 0);
