@@ -24,7 +24,7 @@ namespace dsw {
 template <int D>
 struct SegmentFrame {
   double first[3] = {};   // the segment's first point
-  float axes[3][3] = {};  // along the segment and across, orthonormal up to rounding
+  float axes[3][3] = {};  // along the segment and across, orthonormal up to rounding; in the plane the third leaves it
   float half = 0;         // of the segment's scaled length
   double scale = 1;       // of all lengths here
 

@@ -128,7 +128,7 @@ static void bodies_of_the_plane_meet(void) {
   CHECK(count == 2 && partners[0].body.index == block.index && partners[0].body.generation == block.generation);
   CHECK(partners[0].edge.generation == 1 && partners[0].vertex.generation == 0 && partners[0].face.generation == 0);
   CHECK_OK(dsw_body_get_positions(scene, polyline, now, 2, 0, NULL, &count));
-  CHECK(now[0] < 2 && now[2] < 2 && (now[0] > 1.9 || now[2] > 1.9));
+  CHECK(now[0] < 2 && now[0] > 1.9 && now[2] < 2 && now[2] > 1.9);
   CHECK_OK(dsw_body_destroy(scene, polyline));
   d = line_desc(line, 3, 0, DSW_LEVEL_EDGES), d.flags = DSW_BODY_SELF_CONTACTS;
   CHECK_OK(dsw_body_create(scene, &d, &polyline));

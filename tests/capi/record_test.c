@@ -444,12 +444,13 @@ static void memory_may_run_out(void) {
       dsw_replay_report report;
       status = dsw_replay_step(replay, &report);
       if (status == DSW_STATUS_OK) {
+        CHECK(report.status == (h.calls < refuse ? DSW_STATUS_OK : DSW_STATUS_OUT_OF_MEMORY));
         CHECK(report.outcome == (report.status == DSW_STATUS_OK ? DSW_REPLAY_SAME : DSW_REPLAY_DIFFERENT));
         done = report.status == DSW_STATUS_OK && h.calls < refuse;
       }
       CHECK_OK(dsw_replay_destroy(replay));
     }
-    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
+    CHECK(status == DSW_STATUS_OK || (status == DSW_STATUS_OUT_OF_MEMORY && h.calls >= refuse));
     h.refuse = 0;
     end_context(context, &h);
   }
@@ -457,11 +458,16 @@ static void memory_may_run_out(void) {
   end_scene(scene);
 }
 
+/* A recording's own buffers say that nothing was written. */
+static int is_refusal(dsw_status status) {
+  return status == DSW_STATUS_OUT_OF_MEMORY || status == DSW_STATUS_WRITE_FAILED;
+}
+
 /* Every allocation of a recording in memory and of a report refused in turn: calls are made all the same, the report is
    written or not. */
 static void reports_may_run_out_of_memory(void) {
   const double from[3] = {0.5, 0.5, 0.5}, to[3] = {1.5, 0.5, 0.25};
-  size_t refuse, reports = 0;
+  size_t refuse, before, reports = 0;
   int done = 0;
   for (refuse = 1; !done && refuse < 2000; ++refuse) {
     host h;
@@ -487,10 +493,11 @@ static void reports_may_run_out_of_memory(void) {
     h.calls = 0;
     h.refuse = refuse;
     status = dsw_scene_start_recording(scene, &latest);
-    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY || status == DSW_STATUS_WRITE_FAILED);
+    CHECK(h.calls < refuse ? status == DSW_STATUS_OK : is_refusal(status));
     CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
+    before = h.calls;
     status = dsw_scene_write_bug_report(scene, &desc, NULL);
-    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY || status == DSW_STATUS_WRITE_FAILED);
+    CHECK(status == DSW_STATUS_OK || (before < refuse && h.calls >= refuse && is_refusal(status)));
     reports += status == DSW_STATUS_OK ? 1u : 0u;
     done = h.calls < refuse;
     h.refuse = 0;

@@ -186,7 +186,7 @@ TEST(DefectTest, DuplicateCells) {
   Mesh mesh = cubes();
   mesh.cells.push_back(mesh.cells[1]);
   Outcome o = create(mesh);
-  EXPECT_TRUE(o.status == DSW_STATUS_DUPLICATE_CELL || o.status == DSW_STATUS_SHARED_FACE);
+  EXPECT_EQ(o.status, DSW_STATUS_DUPLICATE_CELL);
   Mesh lone = cubes(1);
   lone.cells.push_back(lone.cells[0]);
   o = create(lone);
@@ -210,8 +210,7 @@ TEST(DefectTest, AFaceOfThreeCells) {
   mesh.add_standard(DSW_CELL_TYPE_TETRA, {0, 1, 2, 5});
   const Outcome o = create(mesh);
   EXPECT_EQ(o.status, DSW_STATUS_SHARED_FACE);
-  // All three, or the two that lie on the same side.
-  EXPECT_TRUE(o.offenders == (List{0, 1, 2}) || o.offenders == (List{0, 2}));
+  EXPECT_EQ(o.offenders, (List{0, 2}));
 }
 
 TEST(DefectTest, ABoundaryThatCrossesItself) {
@@ -266,20 +265,19 @@ TEST(DefectTest, WrongSizesAndOffsets) {
   EXPECT_EQ(create(desc).status, DSW_STATUS_WRONG_SIZE);
   desc = good.desc;
   desc.index_bytes = 3;
-  const dsw_status width = create(desc).status;
-  EXPECT_TRUE(width == DSW_STATUS_OUT_OF_RANGE || width == DSW_STATUS_UNSUPPORTED) << dsw_status_string(width);
+  EXPECT_EQ(create(desc).status, DSW_STATUS_OUT_OF_RANGE);
   desc = good.desc;
   desc.point_count = size_t{1} << 28;
   EXPECT_EQ(create(desc).status, DSW_STATUS_TOO_LARGE);
   desc = good.desc;
   desc.volume_count = 0;
-  EXPECT_NE(create(desc).status, DSW_STATUS_OK);
+  EXPECT_EQ(create(desc).status, DSW_STATUS_WRONG_SIZE);
   desc = good.desc;
   desc.flags = 0x40000000u;
   EXPECT_EQ(create(desc).status, DSW_STATUS_UNSUPPORTED);
   desc = good.desc;
   desc.dimension = 4;
-  EXPECT_NE(create(desc).status, DSW_STATUS_OK);
+  EXPECT_EQ(create(desc).status, DSW_STATUS_OUT_OF_RANGE);
 }
 
 TEST(DefectTest, DamagedFaceStreams) {

@@ -238,16 +238,23 @@ TEST_F(SceneInGridTest, ABentEnvironmentGoesOnBending) {
   ids.bodies.push_back(make({{{1.9, 1.5, 1.25}, {1.9, 1.6, 1.75}, {1.6, 1.5, 1.5}}, {}, {{0, 1, 2}}}, DSW_LEVEL_FACES));
   ids.bodies.push_back(make({{{2.1, 1.5, 1.25}, {3.4, 1.6, 1.75}}, {{0, 1}}, {}}, DSW_LEVEL_EDGES, kAllFlags));
   std::vector<double> arrays[2][2];  // lent, of the one and of its copy
-  const auto bend = [&](dsw_scene* scene, std::vector<double>& next, double by) {
-    next = bent(points_of(dsw_scene_get_environment(scene)), by);
-    EXPECT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene), next.data(), next.size() / 3, nullptr, nullptr),
-              DSW_STATUS_OK);
-    const dsw_wall_contact* contacts = nullptr;
+  dsw_status status = DSW_STATUS_OK;
+  const auto bend = [&](dsw_scene* scene, std::vector<double>(&lent)[2], double by) {
+    dsw_environment* const environment = dsw_scene_get_environment(scene);
+    const double* now = nullptr;
     size_t count = 0;
-    EXPECT_EQ(dsw_environment_get_wall_contacts(dsw_scene_get_environment(scene), &contacts, &count), DSW_STATUS_OK);
-    return std::string(reinterpret_cast<const char*>(contacts), count * sizeof *contacts);
+    EXPECT_EQ(dsw_environment_get_points(environment, &now, &count), DSW_STATUS_OK);
+    std::vector<double>& next = lent[now == lent[0].data() ? 1 : 0];
+    next = bent(points_of(environment), by);
+    status = dsw_environment_deform(environment, next.data(), next.size() / 3, nullptr, nullptr);
+    const dsw_wall_contact* contacts = nullptr;
+    EXPECT_EQ(dsw_environment_get_wall_contacts(environment, &contacts, &count), DSW_STATUS_OK);
+    return std::to_string(status) + std::string(reinterpret_cast<const char*>(contacts), count * sizeof *contacts);
   };
-  for (int i = 0; i < 3; ++i) bend(scene(), arrays[0][i % 2], 0.03);
+  for (int i = 0; i < 3; ++i) {
+    bend(scene(), arrays[0], 0.03);
+    ASSERT_EQ(status, DSW_STATUS_OK);
+  }
   // Invalid where nobody is.
   std::vector<double> next = points_of(place_.get());
   next[3 * point(0, 4, 3)] = std::nan("");
@@ -261,7 +268,9 @@ TEST_F(SceneInGridTest, ABentEnvironmentGoesOnBending) {
   EXPECT_EQ(valid, 0);
   Rng rng(5), other(5);
   for (int i = 0; i < 6; ++i) {
-    ASSERT_EQ(bend(scene(), arrays[0][i % 2], -0.05), bend(copy.scene.get(), arrays[1][i % 2], -0.05)) << i;
+    ASSERT_EQ(bend(scene(), arrays[0], -0.05), bend(copy.scene.get(), arrays[1], -0.05)) << i;
+    ASSERT_TRUE(status == DSW_STATUS_OK || (status == DSW_STATUS_NON_FINITE && i > 0))
+        << "a body can come near the point";
     ASSERT_EQ(move_all(scene(), *place_.world, rng, ids), move_all(copy.scene.get(), *place_.world, other, ids)) << i;
   }
   EXPECT_TRUE(saved(copy.environment.get()) == saved(place_.get()));

@@ -143,7 +143,7 @@ TEST(SweptFaceTest, TheFirstVertexIsFound) {
 TEST(SweptFaceTest, TiesOnALattice) {
   static const Shares shares[] = {{0, 0, 0, 0.2}, {0, 0, 0.1, 0.1}, {0, 0.05, 0.05, 0.05}};
   Count count;
-  for (uint64_t seed = 1; seed <= seeds_of(3); ++seed) {
+  for (uint64_t seed = 1; seed <= static_cast<uint64_t>(at_least(3)); ++seed) {
     Rng rng(seed);
     const auto env = environment_of(oracle::hex_grid(oracle::axis(5, 1), oracle::axis(5, 1), oracle::axis(5, 1)));
     ASSERT_NE(env, nullptr);
