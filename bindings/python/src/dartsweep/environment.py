@@ -65,7 +65,7 @@ class Environment:
     region_names: names of labels, which calls then take in place of these. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
     """
 
-    __slots__ = ("_core", "_log", "_region_names", "__weakref__")
+    __slots__ = ("_core", "_log", "_notes", "_region_names", "__weakref__")
 
     def __init__(
         self,
@@ -92,6 +92,7 @@ class Environment:
         elif types is None:
             raise ValueError("cells in one dimension need `types`; rows, such as (n, 4) for tetrahedra, need none")
         self._region_names = dict(region_names or {})
+        self._notes: tuple[str, ...] = ()
         self._log = None if log is None else _core.Log(log)
         context = None if log is None and threads == 0 else _core.Context(threads, self._log)
         self._core: Any = _core.Environment(
@@ -101,7 +102,7 @@ class Environment:
     @classmethod
     def _of(cls, core: Any, log: Any = None, region_names: Mapping[str, int] | None = None) -> Environment:
         made = cls.__new__(cls)
-        made._core, made._log, made._region_names = core, log, dict(region_names or {})
+        made._core, made._log, made._region_names, made._notes = core, log, dict(region_names or {}), ()
         return made
 
     @classmethod
@@ -141,6 +142,11 @@ class Environment:
     def dimension(self) -> int:
         """2 in the plane, else 3: how many coordinates points have."""
         return self._core.dimension()  # type: ignore[no-any-return]
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was changed or left out when the mesh was read: one sentence each, empty if nothing was."""
+        return self._notes
 
     @property
     def info(self) -> EnvironmentInfo:
