@@ -15,7 +15,7 @@ from .mesh import Indices
 from .ragged import offsets_of
 from .raw import Raw
 
-_SOLID = {4: 10, 5: 14, 6: 13, 8: 12, 10: 24, 13: 27, 15: 26, 20: 25, 27: 29}  # by the number of nodes: VTK's type
+_SOLID = {4: 10, 5: 14, 6: 13, 8: 12, 10: 24, 13: 27, 15: 26, 18: 32, 20: 25, 27: 29}  # by the number of nodes: VTK's type
 _SHELL = {3: 5, 4: 9, 6: 22, 7: 34, 8: 23, 9: 28}
 _LINE = {2: 3, 3: 21}
 _SIDES = {  # of VTK's types: corners of the sides S1, S2, ...
@@ -74,8 +74,13 @@ class _Reading:
         name = options.get("TYPE", "").upper()
         kind, width = self._type_of(name)
         numbers = np.array(" ".join(rows).replace(",", " ").split(), np.int64)
-        if len(numbers) % (width + 1):
-            raise MeshError(self.source, f"elements of type {name} have other numbers of nodes than {width}", _WAY_ON)
+        count = sum(not before.endswith(",") for before in ["", *rows[:-1]]) if rows else 0
+        if count and len(numbers) != count * (width + 1):
+            width = len(numbers) // count - 1
+            of_width = _SOLID if linear.DIMENSION[kind] == 3 else _SHELL
+            if len(numbers) % count or width not in of_width:
+                raise MeshError(self.source, f"elements of type {name} have {width} nodes", _WAY_ON)
+            kind = of_width[width]  # Gmsh calls wedges of 15 nodes C3D6
         numbers = numbers.reshape(-1, width + 1)
         self.elements.append((kind, width, [numbers]))
         if "ELSET" in options:
@@ -169,7 +174,7 @@ def _blocks(path: str) -> Iterator[tuple[str, dict[str, str], list[str]]]:
             if line.startswith("**") or not line.strip():
                 continue
             if not line.startswith("*"):
-                rows.append(line.strip().rstrip(","))
+                rows.append(line.strip())
                 continue
             yield keyword, options, rows
             keyword, options = _keyword(line)
