@@ -35,7 +35,7 @@ def state(environment: ds.Environment) -> dict[str, Any]:
         "tags": [environment.tag(volume) for volume in volumes],
         "marked": [environment.is_marked(volume) for volume in volumes],
         "marked faces": sorted({tuple(corners(face)) for each in faces for face in each if environment.is_marked(face)}),
-        "marks": [environment.mark_count(kind) for kind in (ds.CellKind.VERTEX, ds.CellKind.EDGE, ds.CellKind.FACE, ds.CellKind.VOLUME)],
+        "marks": [environment.mark_count(kind) for kind in ds.CellKind if kind and (kind != ds.CellKind.EDGE or environment.dimension == 3)],
         "region groups": environment.region_groups,
         "surface names": environment.surface_names,
         "surfaces": {name: sorted(corners(face) for face in environment.faces(name)) for name in environment.surface_names},
@@ -45,7 +45,7 @@ def state(environment: ds.Environment) -> dict[str, Any]:
 
 def every_type() -> ds.Environment:
     """A hexahedron, a pyramid on it, a tetrahedron beside that, a wedge, and a polyhedron, which a cut makes of another hexahedron."""
-    points = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1, 2, 3)]
+    points = [(float(x), float(y), float(z)) for z in (0, 1) for y in (0, 1) for x in (0, 1, 2, 3)]
     points += [(0.5, 0.5, 2.0), (1.5, 0.5, 2.25)]
     cells: list[tuple[ds.CellType, list[int]]] = [
         (ds.CellType.HEXAHEDRON, [0, 1, 5, 4, 8, 9, 13, 12]),

@@ -96,11 +96,11 @@ class Surfaces:
             for number in order:
                 owner[list(self.members.values())[number]] = number
             keys = _keys(ids)
-            kept: NDArray[np.int64] = np.flatnonzero((ids["generation"] != 0) & (owner >= 0))
+            there = np.flatnonzero((ids["generation"] != 0) & (owner >= 0))
             # Of faces that are listed twice the one of fewest faces is last; a stable sort keeps it there.
             rank = np.empty(len(self.members) + 1, np.int64)
             rank[order] = np.arange(len(order))
-            kept = kept[np.lexsort((rank[owner[kept]], keys[kept]))]
+            kept = there[np.lexsort((rank[owner[there]], keys[there]))]
             self._owners = keys[kept], ids["generation"][kept].astype(np.uint32), owner[kept]
         keys, generations, owner = self._owners
         if len(keys) == 0:

@@ -76,7 +76,7 @@ def volumes_of(environment: Environment) -> Any:
 def _marked(environment: Environment, kind: CellKind) -> list[Indices]:
     """Vertices of each face or edge that has a mark of its own."""
     found: dict[tuple[int, ...], Indices] = {}
-    if environment.mark_count(kind) == 0:
+    if (kind == CellKind.EDGE and environment.dimension == 2) or environment.mark_count(kind) == 0:  # there are no edges in the plane
         return []
     id_of = environment.face_id if kind == CellKind.FACE else environment.edge_id
     for volume in volumes_of(environment):
