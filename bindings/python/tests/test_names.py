@@ -120,7 +120,7 @@ def test_hosts_name_surfaces() -> None:
 def test_faces_that_are_none_are_told() -> None:
     offsets, corners = np.array([0, 4, 8]), np.array([0, 1, 4, 3, 0, 1, 2, 44])
     with make(face_offsets=offsets, face_vertices=corners, face_groups={"lost": np.arange(2)}, face_numbers={}) as environment:
-        assert environment.notes == ("1 of 2 faces of the surface 'lost' are faces of no cell.",)
+        assert environment.notes == ("1 of 2 faces of the surface 'lost' are faces of no cell",)
         assert len(environment.faces("lost")) == 1
 
 
@@ -222,7 +222,7 @@ def test_groups_and_labels() -> None:
     with make(regions=labels, region_names={"wall": 3}, cell_groups={"part": np.arange(4, 12)}) as environment:
         assert environment.mark_region("part") == (8, 0) and environment.mark_region("wall") == (8, 0)
         assert of_cells(environment)[4:8] == [7] * 4 and len(environment.regions()) == 4
-        assert [note.partition(" into")[0] for note in environment.notes] == ["Region 3 is divided", "Region 7 is divided"]
+        assert [note.partition(" into")[0] for note in environment.notes] == ["region 3 is divided", "region 7 is divided"]
 
 
 @pytest.mark.parametrize("name", ["tetgen:ref", "nastran:ref", "netgen:index", "CellEntityIds", "material", "attribute", "gmsh:physical", "medit:ref", "cell_tags"])
@@ -247,7 +247,7 @@ def test_a_wrong_array_lists_those_that_exist() -> None:
 
 def test_numbers_that_are_no_labels_are_told() -> None:
     with make(cell_data={"material": np.linspace(0, 1, 16)}) as environment:
-        assert environment.regions() == [0] and environment.notes == ("The array 'material' has no integers: it is not taken as labels.",)
+        assert environment.regions() == [0] and environment.notes == ("the array 'material' has no integers: it is not taken as labels",)
 
 
 def test_damaged_groups_are_errors() -> None:

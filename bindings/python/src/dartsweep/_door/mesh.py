@@ -49,6 +49,8 @@ class Mesh:
     """Numbers that the file gives to some groups of faces."""
     face_data: dict[str, NDArray[Any]] = dataclasses.field(default_factory=dict)
     """Arrays of the file with one row for each face, unchanged."""
+    fields: dict[str, Any] = dataclasses.field(default_factory=dict)
+    """What the file says of the mesh as a whole: arrays, or lists of texts."""
     notes: list[str] = dataclasses.field(default_factory=list)
     """What was changed or left out on the way, one sentence each."""
     source: str = "the mesh"

@@ -104,7 +104,7 @@ def _marked_vertices(environment: Environment) -> Indices:
 
 def restored(mesh: Mesh) -> Mesh:
     """A mesh whose file plot.grid has made, with what it says of itself; any other as it is."""
-    fields = getattr(mesh, "fields", {})
+    fields = mesh.fields
     if NAMES not in fields or not {"region", "tag", "marked"} <= set(mesh.cell_data):
         return mesh
     try:
@@ -128,7 +128,7 @@ def mark(environment: Environment, mesh: Mesh) -> None:
     """Sets the marks that a file of plot.grid has, and says where its plane lay."""
     if TAGS not in mesh.cell_data:
         return
-    fields: dict[str, Any] = getattr(mesh, "fields", {})
+    fields: dict[str, Any] = mesh.fields
     for index in np.flatnonzero(mesh.cell_data["marked"]).tolist():
         environment.mark_volumes(environment.volume_id(index))
     if _MARKED_FACES in fields:
