@@ -137,7 +137,7 @@ def test_a_damaged_field_is_an_error(tmp_path: pathlib.Path) -> None:
     path = str(tmp_path / "own.vtu")
     with environment_of(mesh(), None, {}) as environment:
         grid = plot.grid(environment)
-    grid.field_data["dartsweep"] = grid.field_data["dartsweep"][:-5]
+    grid.field_data["dartsweep"] = np.array(grid.field_data["dartsweep"])[:-5]
     grid.save(path)
     with pytest.raises(ds.errors.MeshError, match=r"own.vtu'.*field 'dartsweep' is damaged.*"):
         ds.meshes.read(path)

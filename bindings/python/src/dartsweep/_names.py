@@ -102,12 +102,12 @@ class Surfaces:
             rank[order] = np.arange(len(order))
             kept = there[np.lexsort((rank[owner[there]], keys[there]))]
             self._owners = keys[kept], ids["generation"][kept].astype(np.uint32), owner[kept]
-        keys, generations, owner = self._owners
+        keys, generations, surface = self._owners
         if len(keys) == 0:
             return np.full(len(faces), -1, np.int64)
         place = np.searchsorted(keys, _keys(faces), side="right") - 1
         found = (place >= 0) & (keys[place] == _keys(faces)) & (generations[place] == faces["generation"])
-        return np.where(found, owner[place], -1)
+        return np.where(found, surface[place], -1)
 
     def _follow(self, environment: Environment) -> None:
         """Adds the parts of faces that were cut since ids were found: faces of changed cells whose vertices all come from one face."""
@@ -269,7 +269,7 @@ class Named:
         owners = self._names.surfaces.of(cast("Environment", self), np.atleast_1d(_walls(contacts)))
         told = np.empty(len(owners), made)
         told["tag"], told["name"] = tags[owners], np.array([*names, ""], made["name"])[owners]
-        return told if np.ndim(contacts) == 1 else told[0]  # type: ignore[no-any-return]
+        return told if np.ndim(contacts) == 1 else told[0]
 
     def _surfaces(self, surface: int | str) -> list[str]:
         tags = self._names.surfaces.tags

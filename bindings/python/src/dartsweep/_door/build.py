@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -38,7 +39,7 @@ def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> 
         raise MeshError(mesh.source, str(error), _way_on(error)) from error
 
 
-def _created(mesh: Mesh, create: Any) -> Environment:
+def _created(mesh: Mesh, create: Callable[[Mesh], Environment]) -> Environment:
     try:
         return orient.created(mesh, create)
     except errors.BadCell:

@@ -138,5 +138,4 @@ def mark(environment: Environment, mesh: Mesh) -> None:
     if _MARKED_VERTICES in fields:
         environment.mark_vertices([environment.vertex_id(int(index)) for index in fields[_MARKED_VERTICES]])
     plane = json.loads(np.asarray(fields[NAMES]).astype(np.uint8).tobytes()).get("plane")
-    if plane is not None:
-        environment._names.plane = PlaneFrame(np.array(plane[0]), np.array(plane[1]))
+    environment._names.plane = None if plane is None else PlaneFrame(np.array(plane[0]), np.array(plane[1]))
