@@ -14,7 +14,7 @@ import numpy as np
 
 from . import surfaces
 from ._core import Change
-from ._door import build, files, gmsh_reader, linear, meshio_reader, table, vtk_data
+from ._door import build, files, gmsh_reader, linear, meshio_reader, plane, table, vtk_data
 from ._door.mesh import Mesh
 from ._door.raw import mesh_of
 from .body import Body
@@ -67,27 +67,34 @@ def from_surface(
     largest_hole: float = math.inf,
     parts: str = "one",
     scale: float = 1.0,
+    repair: bool = False,
     **options: Any,
 ) -> Environment:
-    """An environment of a surface, filled with tetrahedra: the path of an STL, OBJ or PLY file, or points (n, 3) and triangles (m, 3) as a pair
-    or as `vertices` and `faces` of an object. Open ends are closed. The triangles of the surface are the wall of the lumen.
+    """An environment of a surface, filled with tetrahedra: the path of an STL, OBJ, PLY, VTP or VTK file, points (n, 3) and triangles (m, 3) as
+    a pair or as `vertices` and `faces` of an object, or a PolyData. Open ends are closed. The triangles of the surface are the wall of the
+    lumen. They are the environment's surface "wall" (tag 1), caps are its surface "caps" (tag 2).
 
     outside: "nothing", or "tissue", with which a box round the surface is filled, too. Tissue is impassable. Regions are "lumen" (1) and
     "tissue" (2), and tags the same numbers, so the tag of a contact tells what is behind the wall. size, thickness, largest_hole, parts,
-    scale, errors and cost: as of dartsweep.surfaces.fill. options: as of Environment.
+    scale, repair, errors and cost: as of dartsweep.surfaces.fill; `notes` of the environment say what a repair has changed. options: as of
+    Environment.
     """
     filled = surfaces.fill(
-        surface, outside, size=size, thickness=thickness, largest_hole=largest_hole, parts=parts, scale=scale
+        surface, outside, size=size, thickness=thickness, largest_hole=largest_hole, parts=parts, scale=scale, repair=repair
     )
     names = {"lumen": surfaces.LUMEN, "tissue": surfaces.TISSUE}
     made = Environment(filled.points, filled.cells, regions=filled.regions, tags=filled.regions, region_names=names, **options)
+    made._names.notes = filled.notes
+    groups = {"wall": np.flatnonzero(~filled.is_cap), "caps": np.flatnonzero(filled.is_cap)}
+    offsets = np.arange(0, filled.wall.size + 1, 3)
+    made._names.surfaces.add(offsets, filled.wall.ravel(), {name: faces for name, faces in groups.items() if len(faces)}, {})
     if outside == "tissue":
         made.mark_region("tissue")
     return made
 
 
 def _environment(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> Environment:
-    if not build.is_surface(mesh):
+    if not (plane.is_of_surface(mesh) and not plane.is_flat(mesh)):
         return build.environment_of(mesh, regions, options)
     triangles = linear.triangles(mesh.offsets, mesh.connectivity)
     try:
@@ -95,7 +102,7 @@ def _environment(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> En
     except surfaces.SurfaceError as error:
         found = str(error).partition("surface: ")[2]
         raise MeshError(mesh.source, f"it is a surface in space that can't be filled: {found}", "from_surface tells what it needs") from error
-    made._notes = (*mesh.notes, "it is a surface in space: its inside was filled with tetrahedra")
+    made._names.notes = (*mesh.notes, "it is a surface in space: its inside was filled with tetrahedra", *made.notes)
     return made
 
 
