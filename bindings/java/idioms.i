@@ -32,6 +32,13 @@
     return flights;
   }
 
+  /** The nearest place that is inside for each point (x, y, z); those that move lie `by` from the boundary. */
+  public double[] findInside(double[] points, double by) {
+    double[] inside = new double[points.length];
+    findInside(DoubleBuffer.wrap(points), by, null, DoubleBuffer.wrap(inside));
+    return inside;
+  }
+
   /** What is nearest to each point (x, y, z) within a radius. */
   public NearestArray findNearestToPoints(double[] points, double radius) {
     NearestArray nearest = new NearestArray(points.length / dimension());

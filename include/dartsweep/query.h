@@ -105,8 +105,12 @@ typedef struct dsw_nearest {
 
 /** Finds the nearest impassable face, marked edge or vertex that can be seen through passable
  * volumes; if several, the lowest canonical one.
+ *
+ * A point exactly on the boundary of passable space has the distance 0, also where the shift puts
+ * it outside. Then the answer is what it lies on: the lowest dimension, then the lowest canonical
+ * cell.
  * @param volume that of the point, or null. @param radius at least 0; may be infinite.
- * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
+ * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE: the point is not on the boundary either.
  * @note Cost: O(volumes within the distance). Far calls build a search structure when they have
  * taken as long, unless DSW_ENVIRONMENT_NO_LOCATE_TREE forbids; then O(log n) expected, and the
  * volumes on the way. Rounding: a few units in the last place. @since 2.0 */
@@ -117,8 +121,8 @@ DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environme
 /** Finds what is nearest to each of many points, as dsw_environment_find_nearest.
  * @param hints may be null. Each entry is a volume near its point, or the null id.
  * @param radius at least 0; may be infinite.
- * @param nearest if a point lies outside, or in an impassable volume: infinite distance, no cell.
- * `volumes_visited` also depends on threads.
+ * @param nearest if a point lies outside, or in an impassable volume, and not on its boundary:
+ * infinite distance, no cell. `volumes_visited` also depends on threads.
  * @param volumes those of the points, null outside; may be null, and may be `hints`.
  * @param locations may be null.
  * @return DSW_STATUS_OUT_OF_MEMORY: some answers may be written.
@@ -157,6 +161,24 @@ DSW_API dsw_status dsw_environment_find_nearest_to_segments(
     const dsw_environment *environment, size_t count, const dsw_volume_id *hints,
     const double *from, const double *to, size_t stride_bytes, double radius,
     dsw_segment_nearest *nearest, dsw_volume_id *volumes, dsw_location *locations);
+
+/** Finds for each of many points the nearest place that is inside: in a passable volume, and on
+ * nothing impassable. A point that is inside stays as it is. A point on the boundary of passable
+ * space, or beyond the boundary, goes to the nearest place of the boundary (rounded), and from there
+ * `by` farther along the face's inward normal. If the volumes there leave no room for that, the
+ * point goes towards the centre of the volume at the face instead, at most to the centre. A body
+ * that begins on an inlet needs this.
+ * @param hints may be null. Each entry is a volume near its point, or the null id.
+ * @param by finite, at least 0; 0: as little as rounding allows.
+ * @param inside `count` points without gaps; may be `points` if these have no gaps.
+ * @param volumes those of the places, null where there is none: then the point stays as it is.
+ * May be null, and may be `hints`.
+ * @note Cost: as dsw_environment_locate, and for a point beyond the boundary O(log n) expected with
+ * a search structure, else O(n). Batch. @since 2.1 */
+DSW_API dsw_status dsw_environment_find_inside(const dsw_environment *environment,
+                                               const double *points, size_t count,
+                                               size_t stride_bytes, const dsw_volume_id *hints,
+                                               double by, double *inside, dsw_volume_id *volumes);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,7 @@
 #include "dartsweep/query.h"
 
+#include <cmath>
+
 #include "capi/convert.h"
 #include "locate/classify.h"
 #include "scene/locations.h"
@@ -105,17 +107,11 @@ dsw_status dsw_environment_cast_path(const dsw_environment* environment, dsw_vol
 dsw_status dsw_environment_find_nearest(const dsw_environment* environment, const double* point, dsw_volume_id volume,
                                         double radius, dsw_nearest* nearest) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
     dsw::to_finite_point(env.kDimension, point, "point");
     dsw::require(nearest, "nearest");
     check_radius(radius);
     capi::check_hint(env.map, volume, "volume");
     const dsw::Cell c = dsw::is_null(volume) ? locate_point(env, point, volume) : env.map.cell(volume.index);
-    if (!c.valid()) fail(DSW_STATUS_OUTSIDE, "point %s lies in no volume", dsw::PointText(point, D).text);
-    if (is_closed(env, c)) {
-      fail(DSW_STATUS_IMPASSABLE, "point %s lies in volume %u, which is impassable", dsw::PointText(point, D).text,
-           env.map.index(c));
-    }
     *nearest = nearest_to_point(env, point, c, radius);
   });
 }
@@ -144,5 +140,17 @@ dsw_status dsw_environment_find_nearest_to_segments(const dsw_environment* envir
     check_radius(radius);
     capi::check_hints(env.map, hints, count, "hints");
     nearest_to_segments(env, environment->parallel, count, first, last, hints, radius, {nearest, volumes, locations});
+  });
+}
+
+dsw_status dsw_environment_find_inside(const dsw_environment* environment, const double* points, size_t count,
+                                       size_t stride_bytes, const dsw_volume_id* hints, double by, double* inside,
+                                       dsw_volume_id* volumes) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
+    const dsw::PointArray array = dsw::to_finite_points(env.kDimension, points, count, stride_bytes, "points");
+    dsw::require_array(inside, count, "inside");
+    if (!(by >= 0 && std::isfinite(by))) fail(DSW_STATUS_OUT_OF_RANGE, "by is %g, must be finite and at least 0", by);
+    capi::check_hints(env.map, hints, count, "hints");
+    find_inside(env, environment->parallel, count, array, hints, by, inside, volumes);
   });
 }

@@ -44,6 +44,9 @@ bool on_triangle(const double* const (&t)[3], const double* p) noexcept {
   return false;
 }
 
+bool on_simplex(const double* const (&side)[2], const double* p) noexcept { return on_segment<2>(side[0], side[1], p); }
+bool on_simplex(const double* const (&triangle)[3], const double* p) noexcept { return on_triangle(triangle, p); }
+
 /** The edge or facet of a cell on which a point lies that is no vertex; invalid if there is none. */
 FeatureRef on_boundary(const Environment<2>& env, Cell c, const Shape& shape, const double* point) noexcept {
   const double* side[2];
@@ -83,6 +86,26 @@ FeatureRef classify(const Environment<D>& env, const double* point, Cell c, bool
   return {D, c, 0};
 }
 
+template <int D>
+bool lies_on(const Environment<D>& env, const FeatureRef& feature, const double* point) noexcept {
+  const Cell c = feature.cell;
+  if (feature.dimension == 0) return std::equal(point, point + D, env.point(c, feature.local));
+  const Shape shape = env.map.shape(c);
+  if constexpr (D == 3) {
+    for (uint32_t d = 0; feature.dimension == 1 && d < shape.dart_count(); ++d) {
+      if (shape.dart_edge(d) != feature.local) continue;
+      return on_segment<3>(env.point(c, shape.dart_vertex(d)), env.point(c, shape.dart_vertex(shape.beta1(d))), point);
+    }
+  }
+  for (uint32_t s = shape.simplex_first(feature.local); s < shape.simplex_first(feature.local + 1); ++s) {
+    const double* simplex[D];
+    simplex_points(env, c, shape, s, simplex);
+    if (on_simplex(simplex, point)) return true;
+  }
+  return false;
+}
+
 DSW_INSTANTIATE(classify);
+DSW_INSTANTIATE(lies_on);
 
 }  // namespace dsw

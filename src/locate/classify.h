@@ -19,4 +19,8 @@ struct FeatureRef {
 template <int D>
 FeatureRef classify(const Environment<D>& env, const double* point, Cell c, bool* inside) noexcept;
 
+/** Whether a point lies exactly on a vertex, edge or facet, without the shift. */
+template <int D>
+bool lies_on(const Environment<D>& env, const FeatureRef& feature, const double* point) noexcept;
+
 }  // namespace dsw

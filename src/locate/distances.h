@@ -83,10 +83,14 @@ class Distances {
   Way to_facet(Cell c, const Shape& shape, uint32_t f, double limit = HUGE_VAL) const {
     Way best{};
     for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-      const Way at = to_simplex(c, shape.simplices() + static_cast<uint32_t>(D) * s, limit);
+      const Way at = to_simplex(c, shape, s, limit);
       if (s == shape.simplex_first(f) || From::squared(at) < From::squared(best)) best = at;
     }
     return best;
+  }
+  /** To a simplex of a cell's boundary. */
+  Way to_simplex(Cell c, const Shape& shape, uint32_t s, double limit = HUGE_VAL) const {
+    return to_simplex(c, shape.simplices() + static_cast<uint32_t>(D) * s, limit);
   }
   /** To an impassable facet, computed by its name: both sides get the same bits. */
   Way to_obstacle(const FeatureRef& name, double limit = HUGE_VAL) const {

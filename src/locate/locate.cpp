@@ -7,24 +7,6 @@
 namespace dsw {
 namespace {
 
-/** Whether the closed box of a cell's vertices, which holds the cell, holds the point. */
-template <int D>
-bool box_holds(const Environment<D>& env, Cell c, const double* point) noexcept {
-  const uint32_t n = env.map.vertices_of(c);
-  bool above[D] = {}, below[D] = {};
-  for (uint32_t i = 0; i < n; ++i) {
-    const double* p = env.point(c, i);
-    for (int k = 0; k < D; ++k) {
-      above[k] = above[k] || p[k] >= point[k];
-      below[k] = below[k] || p[k] <= point[k];
-    }
-  }
-  for (int k = 0; k < D; ++k) {
-    if (!above[k] || !below[k]) return false;
-  }
-  return true;
-}
-
 template <int D>
 bool holds(const Environment<D>& env, Cell c, const double* point) noexcept {
   return c.valid() && box_holds(env, c, point) && admits(env, c) && contains(env, c, point);

@@ -1,7 +1,11 @@
 #include "scene/locations.h"
 
+#include <cstdio>
+
 #include "base/dimensions.h"
+#include "base/points.h"
 #include "contact/names.h"
+#include "locate/inside.h"
 
 namespace dsw {
 
@@ -25,6 +29,39 @@ dsw_cell name_feature(const Environment<D>& env, const FeatureRef& feature) noex
   return {DSW_CELL_VOLUME, map.index(feature.cell), map.generation(feature.cell), 0};
 }
 
+namespace {
+
+/** A vertex, edge or face as messages give it. */
+struct CellText {
+  char text[64];
+  explicit CellText(const dsw_cell& cell) noexcept {
+    if (cell.kind == DSW_CELL_VERTEX) {
+      std::snprintf(text, sizeof text, "vertex %u", cell.index);
+    } else {
+      const char* const kind = cell.kind == DSW_CELL_EDGE ? "edge" : "face";
+      std::snprintf(text, sizeof text, "%s %u of volume %u", kind, cell.local, cell.index);
+    }
+  }
+};
+
+}  // namespace
+
+template <int D>
+void fail_not_free(const Environment<D>& env, const char* name, const double* point, Cell c) {
+  const PointText at(point, D);
+  const SeenObstacle seen = find_touched(env, point, c);
+  if (seen.cell.valid()) {
+    fail(
+        c.valid() ? DSW_STATUS_IMPASSABLE : DSW_STATUS_OUTSIDE,
+        "%s %s is on the boundary, at %s, where the shift puts it %s; dsw_environment_find_inside gives a place inside",
+        name, at.text, CellText(name_feature(env, seen.feature)).text,
+        c.valid() ? "in an impassable volume" : "outside");
+  }
+  if (!c.valid()) fail(DSW_STATUS_OUTSIDE, "%s %s lies in no volume", name, at.text);
+  fail(DSW_STATUS_IMPASSABLE, "%s %s lies in volume %u, which is impassable", name, at.text, env.map.index(c));
+}
+
 DSW_INSTANTIATE(name_feature);
+DSW_INSTANTIATE(fail_not_free);
 
 }  // namespace dsw

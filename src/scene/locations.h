@@ -13,6 +13,11 @@ dsw_location location_of(const Environment<D>& env, Cell c) noexcept {
   return !c.valid() ? DSW_LOCATION_OUTSIDE : is_closed(env, c) ? DSW_LOCATION_IMPASSABLE : DSW_LOCATION_PASSABLE;
 }
 
+/** Throws OUTSIDE or IMPASSABLE: a point lies in no passable cell. The text says where it lies: c is what locate has
+ * found. */
+template <int D>
+[[noreturn]] void fail_not_free(const Environment<D>& env, const char* name, const double* point, Cell c);
+
 /** The public id of what classify and find_nearest name. */
 template <int D>
 dsw_cell name_feature(const Environment<D>& env, const FeatureRef& feature) noexcept;

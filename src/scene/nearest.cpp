@@ -11,6 +11,7 @@
 #include "base/vec.h"
 #include "contact/names.h"
 #include "locate/bounded_flood.h"
+#include "locate/inside.h"
 #include "locate/locate.h"
 #include "predicates/plane_hit.h"
 #include "scene/locations.h"
@@ -65,6 +66,16 @@ dsw_nearest report_nearest(const Environment<D>& env, const NearestResult& found
   return answer;
 }
 
+/** An obstacle on which a point lies exactly. */
+template <int D>
+dsw_nearest report_touched(const Environment<D>& env, const SeenObstacle& seen, const double* point) {
+  dsw_nearest answer{};
+  std::copy_n(point, D, answer.point);
+  answer.cell = name_feature(env, seen.feature);
+  if (seen.side.valid()) answer.tag = obstacle_tag(env, seen.side, seen.cell);
+  return answer;
+}
+
 /** Asks for points or segments of a batch one after the other. */
 template <int D>
 class NearestOfBatch {
@@ -113,6 +124,12 @@ class NearestOfBatch {
 
 dsw_nearest& nearest_of(dsw_nearest& answer) { return answer; }
 dsw_nearest& nearest_of(dsw_segment_nearest& answer) { return answer.nearest; }
+template <int D>
+void set_segment_point(dsw_nearest&, const double*) {}
+template <int D>
+void set_segment_point(dsw_segment_nearest& answer, const double* from) {
+  std::copy_n(from, D, answer.segment_point);
+}
 
 /** Calls ask(batch, index, start) for what starts in a passable cell. */
 template <int D, class Nearest, class IsSame, class Ask>
@@ -132,7 +149,9 @@ void for_each_nearest(const Environment<D>& env, const Parallel& parallel, size_
           ask(batch, i, start);
         } else {
           answers.nearest[i] = {};
-          nearest_of(answers.nearest[i]) = nothing_near();
+          const SeenObstacle seen = find_touched(env, from[i], start);
+          nearest_of(answers.nearest[i]) = seen.cell.valid() ? report_touched(env, seen, from[i]) : nothing_near();
+          if (seen.cell.valid()) set_segment_point<D>(answers.nearest[i], from[i]);
           batch.forget();
         }
         if (answers.volumes != nullptr) answers.volumes[i] = volume_id(env.map, start);
@@ -150,6 +169,11 @@ void for_each_nearest(const Environment<D>& env, const Parallel& parallel, size_
 
 template <int D>
 dsw_nearest nearest_to_point(const Environment<D>& env, const double* point, Cell c, double radius) {
+  if (!c.valid() || is_closed(env, c)) {
+    const SeenObstacle seen = find_touched(env, point, c);
+    if (!seen.cell.valid()) fail_not_free(env, "point", point, c);
+    return report_touched(env, seen, point);
+  }
   dsw_nearest answer;
   NearestOfBatch<D>(env, radius).ask(point, c, answer);
   return answer;
@@ -176,6 +200,23 @@ void nearest_to_segments(const Environment<D>& env, const Parallel& parallel, si
                    });
 }
 
+template <int D>
+void find_inside(const Environment<D>& env, const Parallel& parallel, size_t count, PointArray points,
+                 const dsw_volume_id* hints, double by, double* inside, dsw_volume_id* volumes) {
+  auto body = [&](size_t begin, size_t end) noexcept {
+    for (size_t i = begin; i < end; ++i) {
+      const Cell hint = hints == nullptr || is_null(hints[i]) ? Cell{} : env.map.cell(hints[i].index);
+      const Cell c = find_inside(env, points[i], hint, by, inside + i * D);
+      if (volumes != nullptr) volumes[i] = volume_id(env.map, c);
+    }
+  };
+  share_out(parallel, count, body);
+}
+
+template void find_inside(const Environment<2>&, const Parallel&, size_t, PointArray, const dsw_volume_id*, double,
+                          double*, dsw_volume_id*);
+template void find_inside(const Environment<3>&, const Parallel&, size_t, PointArray, const dsw_volume_id*, double,
+                          double*, dsw_volume_id*);
 DSW_INSTANTIATE(nearest_to_point);
 DSW_INSTANTIATE(nearest_to_points);
 DSW_INSTANTIATE(nearest_to_segments);

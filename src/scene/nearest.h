@@ -8,9 +8,15 @@
 
 namespace dsw {
 
-/** The nearest obstacle within `radius` of a point in a passable cell. Throws std::bad_alloc. */
+/** The nearest obstacle within `radius` of a point in cell c, which locate has given. A point in no passable cell has to
+ * lie on an obstacle, at distance 0; else OUTSIDE or IMPASSABLE is thrown. Throws std::bad_alloc. */
 template <int D>
 dsw_nearest nearest_to_point(const Environment<D>& env, const double* point, Cell c, double radius);
+
+/** For each point the nearest place inside (locate/inside.h), and its cell. `volumes` may be null, or the hints. */
+template <int D>
+void find_inside(const Environment<D>& env, const Parallel& parallel, size_t count, PointArray points,
+                 const dsw_volume_id* hints, double by, double* inside, dsw_volume_id* volumes);
 
 /** Where the answers of a batch go. */
 template <class Nearest>

@@ -47,14 +47,10 @@ template <int D>
 void check_places(const Scene<D>& scene, PointArray positions, size_t count, const Cell* cells, bool indexed,
                   size_t* offender) {
   for (size_t i = 0; i < count; ++i) {
-    const bool inside = cells[i].valid();
-    if (inside && !is_closed(scene.env, cells[i])) continue;
+    if (cells[i].valid() && !is_closed(scene.env, cells[i])) continue;
     set_offender(offender, i);
-    const ElementName name({indexed ? "positions" : "position", indexed}, i);
-    const PointText at(positions[i], D);
-    if (!inside) fail(DSW_STATUS_OUTSIDE, "%s %s lies in no volume", name.text, at.text);
-    fail(DSW_STATUS_IMPASSABLE, "%s %s lies in volume %u, which is impassable", name.text, at.text,
-         scene.env.map.index(cells[i]));
+    fail_not_free(scene.env, ElementName({indexed ? "positions" : "position", indexed}, i).text, positions[i],
+                  cells[i]);
   }
 }
 

@@ -125,6 +125,16 @@ TEST(Cpp, WhatIsNearestIsFoundInBatches) {
   EXPECT_THROW(environment.find_nearest_to_points(from, -1, {}, points), OutOfRange);
 }
 
+TEST(Cpp, PlacesInsideAreFound) {
+  const Environment environment = cube();
+  std::vector<double> inside(6);
+  std::vector<dsw_volume_id> volumes(2);
+  environment.find_inside(std::vector<double>{0.5, 0.5, 1, 0.5, 0.5, 3}, 0.25, {}, inside, volumes);
+  EXPECT_EQ(inside, (std::vector<double>{0.5, 0.5, 0.75, 0.5, 0.5, 0.75}));
+  EXPECT_EQ(volumes[1].generation, 1u);
+  EXPECT_THROW(environment.find_inside(std::vector<double>(3), 0, {}, inside), WrongSize);
+}
+
 TEST(Cpp, PairsAreSwept) {
   const std::vector<Row> from = {{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0},  {0, 1, 0},
                                  {-1, 0, 1},      {1, 0, 1}, {0, -1, 0}, {0, 1, 0}};

@@ -246,6 +246,7 @@ dsw_status Calls::ask() {
   dsw_sweep sweeps[2];
   dsw_nearest nearest[2];
   dsw_segment_nearest segments[2];
+  double inside[6];
   const double radius = std::fabs(bytes_.number());
   const uint8_t kind = static_cast<uint8_t>(cast.flags);
   dsw_pair_touch touch;
@@ -259,6 +260,7 @@ dsw_status Calls::ask() {
           << dsw_environment_find_nearest(e, from, starts[0], radius, nearest)
           << dsw_environment_find_nearest_to_points(e, points, 2, 0, starts, radius, nearest, volumes, locations)
           << dsw_environment_find_nearest_to_segments(e, 2, starts, from, to, 0, radius, segments, nullptr, locations)
+          << dsw_environment_find_inside(e, points, 2, 0, starts, radius, inside, volumes)
           << dsw_sweep_pairs(nullptr, static_cast<uint32_t>(dimension_), 1, &kind, from, to, 0, cast.max_volumes,
                              &touch);
   return answers << copy_all<dsw_crossing>([&](dsw_crossing* out, size_t capacity, size_t* count) {

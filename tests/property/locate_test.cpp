@@ -1,7 +1,6 @@
 // Where is a point: with the shift (locate) and without it (classify), against exact arithmetic.
+#include "exact_places.h"
 #include "support.h"
-
-#include <gmpxx.h>
 
 namespace dsw::oracle {
 namespace {
@@ -54,27 +53,6 @@ TEST_P(LocateTest, BatchIsTheSameAsOneByOne) {
   }
 }
 
-using Q3 = std::array<mpq_class, 3>;
-Q3 minus(const Vec& a, const Vec& b) {
-  return {mpq_class(a[0]) - mpq_class(b[0]), mpq_class(a[1]) - mpq_class(b[1]), mpq_class(a[2]) - mpq_class(b[2])};
-}
-Q3 cross(const Q3& a, const Q3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-mpq_class dot(const Q3& a, const Q3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-bool zero(const Q3& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
-
-bool on_segment(const Vec& p, const Vec& a, const Vec& b) {
-  const Q3 u = minus(b, a), v = minus(p, a);
-  return zero(cross(u, v)) && dot(u, v) >= 0 && dot(u, v) <= dot(u, u);
-}
-bool on_triangle(const Vec& p, const Vec& a, const Vec& b, const Vec& c) {
-  const Q3 n = cross(minus(b, a), minus(c, a));
-  if (dot(n, minus(p, a)) != 0) return false;
-  return dot(n, cross(minus(b, a), minus(p, a))) >= 0 && dot(n, cross(minus(c, b), minus(p, b))) >= 0 &&
-         dot(n, cross(minus(a, c), minus(p, c))) >= 0;
-}
-
 /// The unshifted answer, over the whole environment; among several cells of one dimension any may be named.
 std::vector<dsw_cell> exact_places(const World& world, const Edges& edges, const dsw_environment* environment,
                                    const Vec& p, int cell) {
@@ -92,14 +70,14 @@ std::vector<dsw_cell> exact_places(const World& world, const Edges& edges, const
   }
   for (int e : edges.of_cell[c]) {
     const auto& ends = edges.edges[static_cast<size_t>(e)].ends;
-    if (on_segment(p, point(ends[0]), point(ends[1]))) {
+    if (exact::on_segment(p, point(ends[0]), point(ends[1]))) {
       found.push_back(cell_of(edges.id(world, e)));
       return found;
     }
   }
   for (int t : world.cell_triangles[c]) {
     const Triangle& tri = world.triangles[static_cast<size_t>(t)];
-    if (on_triangle(p, point(tri.v[0]), point(tri.v[1]), point(tri.v[2]))) {
+    if (exact::on_triangle(p, point(tri.v[0]), point(tri.v[1]), point(tri.v[2]))) {
       found.push_back(cell_of(face_id(world, tri.face)));
       return found;
     }
@@ -141,6 +119,64 @@ TEST_P(LocateTest, ClassifyRefusesAPointThatTheVolumeDoesNotHold) {
   dsw_cell got;
   for (dsw_volume_id id : place.world->ids) {
     EXPECT_EQ(dsw_environment_classify(place.get(), far.data(), id, &got), DSW_STATUS_OUTSIDE);
+  }
+}
+
+/** Corners of the outer boundary have the distance 0, wherever the shift puts them. */
+void check_at_corner(const Place& place, const double* corner, dsw_volume_id volume, double least) {
+  dsw_nearest nearest;
+  ASSERT_EQ(dsw_environment_find_nearest(place.get(), corner, {0, 0}, 1, &nearest), DSW_STATUS_OK);
+  EXPECT_EQ(nearest.distance, 0);
+  EXPECT_GT(least, 0);
+  EXPECT_NE(volume.generation, 0u);
+}
+
+TEST_P(LocateTest, APlaceInsideIsFreeAndStaysAsItIs) {
+  for (uint32_t flags : {uint32_t{DSW_ENVIRONMENT_LOCATE_TREE}, uint32_t{DSW_ENVIRONMENT_NO_LOCATE_TREE}}) {
+    const Place place = make_place(GetParam(), 47, flags);
+    ASSERT_PLACE(place);
+    Rng rng(47);
+    Motions motions(*place.world, rng);
+    std::vector<Vec> points;
+    for (int i = 0; i < 40; ++i) points.push_back(i % 2 == 0 ? motions.site() : motions.target(motions.site()));
+    size_t corners = 0;
+    for (uint32_t c = 0; c < place.world->ids.size() && corners < 40; ++c) {
+      for (uint32_t f = 0; f < 4; ++f) {
+        dsw_volume_id behind;
+        const dsw_volume_id id = place.world->ids[c];
+        ASSERT_EQ(dsw_environment_get_neighbour(place.get(), id, f, &behind, nullptr), DSW_STATUS_OK);
+        dsw_face_id face;
+        ASSERT_EQ(dsw_environment_get_face_id(place.get(), id, f, &face), DSW_STATUS_OK);
+        dsw_vertex_id corner[64];
+        size_t count = 0;
+        const dsw_cell cell{DSW_CELL_FACE, face.volume, face.generation, face.local};
+        ASSERT_EQ(dsw_environment_copy_vertices(place.get(), cell, corner, 64, &count), DSW_STATUS_OK);
+        Vec at;
+        ASSERT_EQ(dsw_environment_get_vertex_position(place.get(), corner[0], at.data()), DSW_STATUS_OK);
+        if (behind.generation == 0) points.insert(points.begin() + static_cast<std::ptrdiff_t>(corners++), at);
+      }
+    }
+    std::vector<double> in(3 * points.size()), again(in.size());
+    std::vector<dsw_volume_id> volumes(points.size());
+    for (const double by : {0.0, place.world->size / 64}) {
+      ASSERT_EQ(dsw_environment_find_inside(place.get(), points[0].data(), points.size(), 0, nullptr, by, in.data(),
+                                            volumes.data()),
+                DSW_STATUS_OK);
+      ASSERT_EQ(dsw_environment_find_inside(place.get(), in.data(), points.size(), 0, volumes.data(), by, again.data(),
+                                            nullptr),
+                DSW_STATUS_OK);
+      EXPECT_EQ(in, again);
+      for (size_t i = 0; i < points.size(); ++i) {
+        dsw_volume_id volume;
+        dsw_location where;
+        ASSERT_EQ(dsw_environment_locate(place.get(), &in[3 * i], {0, 0}, &volume, &where), DSW_STATUS_OK);
+        EXPECT_EQ(where, DSW_LOCATION_PASSABLE) << hex(points[i]);
+        EXPECT_TRUE(same(volume, volumes[i]));
+        double way = 0;
+        for (size_t k = 0; k < 3; ++k) way += std::fabs(in[3 * i + k] - points[i][k]);
+        if (i < corners) check_at_corner(place, points[i].data(), volumes[i], way);
+      }
+    }
   }
 }
 

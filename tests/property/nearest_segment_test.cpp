@@ -164,8 +164,10 @@ TEST_P(NearestSegmentTest, IsTheNearestOfAll) {
       const Walk walk = world.cast(world.body(p.data()), world.body(q.data()));
       if (walk.outcome == Walk::kOutside || walk.outcome == Walk::kImpassable) {
         EXPECT_EQ(location, walk.outcome == Walk::kOutside ? DSW_LOCATION_OUTSIDE : DSW_LOCATION_IMPASSABLE);
-        EXPECT_EQ(near.nearest.distance, kNoLimit);
-        EXPECT_EQ(near.nearest.cell.kind, DSW_CELL_NONE);
+        const dsw_cell touched = obstacles.touched(p);
+        EXPECT_EQ(near.nearest.distance, touched.kind == DSW_CELL_NONE ? kNoLimit : 0);
+        EXPECT_TRUE(same(near.nearest.cell, touched)) << near.nearest.cell << " for " << touched;
+        EXPECT_EQ(near.segment_parameter, 0);
         continue;
       }
       EXPECT_EQ(location, DSW_LOCATION_PASSABLE);
@@ -299,10 +301,10 @@ TEST_P(NearestSegmentTest, BatchesAreTheSameAsOneByOne) {
               DSW_STATUS_OK);
     EXPECT_EQ(std::memcmp(&one, &segments[i], sizeof one), 0) << i;
     dsw_nearest point;
-    if (location != DSW_LOCATION_PASSABLE) {
-      EXPECT_EQ(points[i].distance, kNoLimit);
+    EXPECT_TRUE(location == DSW_LOCATION_PASSABLE || points[i].volumes_visited == 0);
+    if (location != DSW_LOCATION_PASSABLE && points[i].distance == kNoLimit) {
       EXPECT_EQ(points[i].cell.kind, DSW_CELL_NONE);
-      EXPECT_EQ(points[i].volumes_visited, 0u);
+      EXPECT_EQ(obstacles.touched({p[0], p[1], p[2]}).kind, DSW_CELL_NONE);
       continue;
     }
     ASSERT_EQ(dsw_environment_find_nearest(place.get(), p, volume, radius, &point), DSW_STATUS_OK);
@@ -362,10 +364,18 @@ TEST(NearestSegmentSliverTest, OverAThinTriangle) {
   EXPECT_GT(asked, 1000);
 }
 
+/// Whether a point of the plane lies on a side.
+bool lies_on(const double* p, const Q3& a, const Q3& b) {
+  const Q x(p[0]), y(p[1]);
+  if ((b[0] - a[0]) * (y - a[1]) != (b[1] - a[1]) * (x - a[0])) return false;
+  return (x - a[0]) * (x - b[0]) <= 0 && (y - a[1]) * (y - b[1]) <= 0;
+}
+
 /// Impassable sides and marked vertices of a grid of the plane.
 struct PlaneObstacle {
   dsw_cell cell;
   Q3 a, b;
+  bool is_seen = false;  // a side of a passable square
 };
 std::vector<PlaneObstacle> mark_plane(dsw_environment* environment, uint32_t sides_of_each, Rng& rng) {
   const double* points = nullptr;
@@ -393,7 +403,11 @@ std::vector<PlaneObstacle> mark_plane(dsw_environment* environment, uint32_t sid
     int impassable = 0;
     EXPECT_EQ(dsw_environment_is_impassable(environment, cell_of(side), &impassable), DSW_STATUS_OK);
     const std::vector<dsw_vertex_id> ends = vertices_of(environment, cell_of(side));
-    if (impassable != 0) obstacles.push_back({cell_of(side), at(ends[0]), at(ends[1])});
+    if (impassable == 0) continue;
+    int is_closed = 0;
+    const dsw_cell square = cell_of(dsw_volume_id{side.volume, side.generation});
+    EXPECT_EQ(dsw_environment_is_impassable(environment, square, &is_closed), DSW_STATUS_OK);
+    obstacles.push_back({cell_of(side), at(ends[0]), at(ends[1]), is_closed == 0});
   }
   for (uint32_t v = 0; v < count; ++v) {
     dsw_vertex_id id;
@@ -426,7 +440,10 @@ TEST(NearestSegmentPlaneTest, IsTheNearestOfAll) {
       dsw_flight flight;
       ASSERT_EQ(dsw_environment_cast(environment.get(), {0, 0}, from, to, nullptr, &flight), DSW_STATUS_OK);
       if (location != DSW_LOCATION_PASSABLE) {
-        EXPECT_EQ(near.nearest.distance, kNoLimit);
+        const bool touches = std::any_of(obstacles.begin(), obstacles.end(), [&](const PlaneObstacle& each) {
+          return each.is_seen && lies_on(from, each.a, each.b);
+        });
+        EXPECT_EQ(near.nearest.distance, touches ? 0 : kNoLimit);
         continue;
       }
       if (flight.outcome == DSW_OUTCOME_CONTACT) {

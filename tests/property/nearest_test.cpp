@@ -39,6 +39,7 @@ long double to_triangle(const Vec& p, const Vec& a, const Vec& b, const Vec& c) 
 
 TEST_P(NearestTest, DistanceIsThatOfTheNearestOfAll) {
   const bool thin = GetParam().find("thin") != std::string::npos || GetParam().find("sliver") != std::string::npos;
+  int touching = 0;
   for (uint64_t seed = 61; seed < 61 + seeds_of(4); ++seed) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
@@ -54,12 +55,16 @@ TEST_P(NearestTest, DistanceIsThatOfTheNearestOfAll) {
           cell >= 0 && rng.chance(0.5) ? world.ids[static_cast<size_t>(cell)] : dsw_volume_id{0, 0};
       const dsw_status status =
           dsw_environment_find_nearest(place.get(), p.data(), start, std::numeric_limits<double>::infinity(), &near);
-      if (cell < 0) {
-        EXPECT_EQ(status, DSW_STATUS_OUTSIDE);
-        continue;
-      }
-      if (world.cell_marked[static_cast<size_t>(cell)] != 0) {
-        EXPECT_EQ(status, DSW_STATUS_IMPASSABLE);
+      if (cell < 0 || world.cell_marked[static_cast<size_t>(cell)] != 0) {
+        const dsw_cell touched = obstacles.touched(p);
+        if (touched.kind == DSW_CELL_NONE) {
+          EXPECT_EQ(status, cell < 0 ? DSW_STATUS_OUTSIDE : DSW_STATUS_IMPASSABLE);
+        } else {
+          ++touching;
+          EXPECT_EQ(status, DSW_STATUS_OK) << hex(p) << dsw_last_error_message();
+          EXPECT_EQ(near.distance, 0);
+          EXPECT_TRUE(same(near.cell, touched)) << hex(p) << " names " << near.cell << " for " << touched;
+        }
         continue;
       }
       ASSERT_EQ(status, DSW_STATUS_OK) << dsw_last_error_message();
@@ -102,6 +107,7 @@ TEST_P(NearestTest, DistanceIsThatOfTheNearestOfAll) {
       EXPECT_EQ(again.cell.kind, DSW_CELL_NONE);
     }
   }
+  EXPECT_GT(touching, 0);
 }
 
 TEST(NearestArgumentTest, BadRadiusAndPoint) {

@@ -1,8 +1,10 @@
 // What is impassable in a place, for questions for the nearest of it.
 #pragma once
 
+#include "exact_places.h"
 #include "support.h"
 
+#include <tuple>
 #include <vector>
 
 namespace dsw::oracle {
@@ -73,6 +75,36 @@ class Obstacles {
       for (const int v : vertices) corners.push_back(place_.world->mesh.points[static_cast<size_t>(v)]);
       visit(cell, corners);
     });
+  }
+
+  /// The obstacle at a passable cell on which a point lies exactly: the lowest dimension, then the lowest cell. None: NONE.
+  dsw_cell touched(const Vec& p) const {
+    const World& world = *place_.world;
+    dsw_cell best{};
+    const auto offer = [&](const dsw_cell& next) {
+      const auto rank = [](const dsw_cell& c) { return std::make_tuple(c.kind, c.index, c.local); };
+      if (best.kind == DSW_CELL_NONE || rank(next) < rank(best)) best = next;
+    };
+    const auto at = [&](int v) -> const Vec& { return world.mesh.points[static_cast<size_t>(v)]; };
+    for (size_t c = 0; c < world.ids.size(); ++c) {
+      if (world.cell_marked[c] != 0) continue;
+      for (const int t : world.cell_triangles[c]) {
+        const Triangle& triangle = world.triangles[static_cast<size_t>(t)];
+        const auto& v = triangle.v;
+        for (const int corner : v) {
+          if (vertex_marked_[static_cast<size_t>(corner)] && at(corner) == p)
+            offer(cell_of(vertex_id(static_cast<size_t>(corner))));
+        }
+        if (world.impassable(triangle.face) && exact::on_triangle(p, at(v[0]), at(v[1]), at(v[2])))
+          offer(cell_of(face_id(world, triangle.face)));
+      }
+      for (const int e : edges_.of_cell[c]) {
+        const auto& ends = edges_.edges[static_cast<size_t>(e)].ends;
+        if (edge_marked_[static_cast<size_t>(e)] && exact::on_segment(p, at(ends[0]), at(ends[1])))
+          offer(cell_of(edges_.id(world, e)));
+      }
+    }
+    return best;
   }
 
  private:

@@ -25,6 +25,14 @@ namespace Dartsweep
       return flights;
     }
 
+    /// <summary>The nearest place that is inside for each point; those that move lie `by` from the boundary.</summary>
+    public double[] FindInside(double[] points, double by)
+    {
+      double[] inside = new double[points.Length];
+      FindInside(points, by, null, inside);
+      return inside;
+    }
+
     /// <summary>What is nearest to each point within a radius.</summary>
     public Nearest[] FindNearestToPoints(double[] points, double radius)
     {

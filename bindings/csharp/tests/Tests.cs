@@ -162,6 +162,17 @@ static class Tests
     }
   }
 
+  public static void PlacesInsideAreFound()
+  {
+    using (Environment environment = Scenario.Create())
+    {
+      double[] places = environment.FindInside(new double[] { 24, 24, 900, 24, 24, 48 }, 0.5);
+      Same(24.0, places[3]);
+      Same(48.0, places[5]);
+      True(environment.FindNearestToPoints(places, 20)[0].Distance > 0);
+    }
+  }
+
   public static void WhatIsNearestToPointsAndSegmentsIsFound()
   {
     using (Environment environment = Scenario.Create())

@@ -168,6 +168,14 @@ function Environment:cast_segments(from, to, starts, options, flights)
   return flights
 end
 
+local find_inside = Environment.find_inside
+function Environment:find_inside(points, by, hints, volumes)
+  points = core.points(points, self:dimension())
+  local inside = core.DoubleArray(#points)
+  find_inside(self, points, by or 0, hints, inside, volumes)
+  return inside
+end
+
 local find_nearest_to_points = Environment.find_nearest_to_points
 function Environment:find_nearest_to_points(points, radius, hints, nearest, volumes, locations)
   points = core.points(points, self:dimension())

@@ -302,6 +302,16 @@ function TestValues:test_nearest_of_points_and_segments()
   lu.assertEquals(#segments[1].segment_point, 3)
 end
 
+function TestValues:test_places_inside()
+  local environment <close> = scenario.create()
+  local outside = {{24, 24, 900}, INSIDE}
+  local volumes = dsw.VolumeIdArray(2)
+  local inside = environment:find_inside(outside, 0.5, nil, volumes)
+  lu.assertEquals({inside[4], inside[5], inside[6]}, INSIDE)
+  local _, location = environment:locate({inside[1], inside[2], inside[3]})
+  lu.assertEquals(location, dsw.LOCATION_PASSABLE)
+end
+
 function TestValues:test_pairs()
   local function at(first, second, third) -- three pairs whose first features are at these heights
     return {

@@ -49,6 +49,12 @@ class Environment extends native.Environment {
     return flights;
   }
 
+  findInside(points, by = 0, { hints, volumes } = {}) {
+    const inside = new Float64Array(points.length);
+    super.findInside(points, by, hints, inside, volumes);
+    return inside;
+  }
+
   findNearestToPoints(points, radius, { hints, volumes, locations, nearest = new arrays.NearestArray(Math.trunc(points.length / this.dimension())) } = {}) {
     super.findNearestToPoints(points, radius, hints, nearest, volumes, locations);
     return nearest;

@@ -113,6 +113,8 @@ export class Environment {
   /** `flights` is filled where it is given. */
   castSegments(from: Points, to: Points, options?: CastOptions & { starts?: Structs<VolumeId>; flights?: FlightArray }): FlightArray;
   findNearest(point: Point, radius: number, volume?: VolumeId | null): Nearest;
+  /** The nearest places inside, `by` from the boundary. `volumes`, of the places, are filled where they are given. */
+  findInside(points: Points, by?: number, options?: { hints?: Structs<VolumeId>; volumes?: VolumeIdArray }): Float64Array;
   /** `volumes`, of the points, `locations`, of type Location, and `nearest` are filled where they are given. */
   findNearestToPoints(points: Points, radius: number,
     options?: { hints?: Structs<VolumeId>; volumes?: VolumeIdArray; locations?: Int32Array; nearest?: NearestArray }): NearestArray;

@@ -38,6 +38,14 @@ test('what is nearest to points and segments is found', () => {
   assert.equal(environment.findNearestToSegments(from, to, 20, { nearest }), nearest);
 });
 
+test('places inside are found', () => {
+  const environment = createEnvironment();
+  const volumes = new dsw.VolumeIdArray(2);
+  const places = environment.findInside([24, 24, 900, ...inside], 0.5, { volumes });
+  assert.deepEqual([...places.subarray(3)], [...inside]);
+  assert.equal(environment.locate(places.subarray(0, 3)).location, dsw.Location.Passable);
+});
+
 test('memory that is shared between threads is read in place', async () => {
   const environment = createEnvironment();
   const points = new Float64Array(new SharedArrayBuffer(48));

@@ -187,5 +187,5 @@ def test_meshes_of_meshio() -> None:
             assert environment.region(environment.volume_id(1)) == 2
     with pytest.raises(ValueError, match="triangle6"):
         ds.from_meshio(meshio.Mesh(SQUARE, [("triangle6", [[0, 1, 2, 0, 1, 2]])]))
-    with pytest.raises(ValueError, match="no volume cells, and no triangles, quads or polygons with z = 0"):
-        ds.from_meshio(meshio.Mesh([(*point, 1.0) for point in SQUARE], triangles))
+    with ds.from_meshio(meshio.Mesh([(*point, 1.0) for point in SQUARE], triangles)) as environment:
+        assert environment.dimension == 2 and environment.notes == ("the mesh lies in the plane z = 1; its coordinates are x and y",)

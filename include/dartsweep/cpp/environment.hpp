@@ -278,6 +278,17 @@ class Environment {
         self.handle, from.count, hints.data, from.data, to.data, stride, radius, nearest.data,
         volumes.data, reinterpret_cast<dsw_location *>(locations.data)));
   }
+  void find_inside(Points points, double by, View<const dsw_volume_id> hints, PointsOut inside,
+                   View<dsw_volume_id> volumes = {}) const {
+    count_points(dimension(), points);
+    count_points(dimension(), inside);
+    optional_count("hints", hints, points.count);
+    same_count("inside", inside.count, points.count);
+    optional_count("volumes", volumes, points.count);
+    const EnvironmentReading self(*state_);
+    check(dsw_environment_find_inside(self.handle, points.data, points.count, points.stride_bytes,
+                                      hints.data, by, inside.data, volumes.data));
+  }
   void sweep_edges(Points from, Points to, Points fixed, View<const dsw_volume_id> starts,
                    const dsw_sweep_options *options, View<dsw_sweep> sweeps) const {
     count_points(dimension(), from, to, fixed);

@@ -69,8 +69,8 @@ from .enums import (
     WallResponse,
 )
 from .environment import Environment
-from .errors import Closed, Error
-from .meshes import from_meshio, from_surface
+from .errors import Closed, Error, MeshError
+from .meshes import from_gmsh, from_meshio, from_pyvista, from_surface, read
 from .options import options, version
 from .pairs import sweep_pairs
 from .scene import Scene
@@ -116,6 +116,7 @@ __all__ = [
     "LogLevel",
     "Mark",
     "MarkFlag",
+    "MeshError",
     "MoveFlag",
     "MoveOptions",
     "NearFlag",
@@ -143,10 +144,13 @@ __all__ = [
     "cell_of",
     "dtypes",
     "errors",
+    "from_gmsh",
     "from_meshio",
+    "from_pyvista",
     "from_surface",
     "meshes",
     "options",
+    "read",
     "surfaces",
     "sweep_pairs",
     "version",

@@ -20,6 +20,7 @@ Indices = NDArray[np.int64]
 
 LUMEN, TISSUE = 1, 2  # as in surfaces.py
 SIZE = 0.8  # of edges by default, over the lumen's width: a few cells lie side by side across it
+PLACES = 5  # that messages name at most
 FLAT = 1e-9  # volume over the power 3/2 of the area; TetGen takes what is flatter for a sheet
 
 
@@ -46,14 +47,22 @@ def _work(
     outside: str,
     size: float | None,
     thickness: float | None,
+    repair: bool = False,
 ) -> tuple[Any, ...]:
     """The members of FilledSurface."""
     points, triangles = _merged(points * scale, triangles)
     triangles, part_count = _chosen(points, triangles, parts)
     points, triangles = _used(points, triangles)
-    points, wall, hole_count = _closed(points, triangles, largest_hole)
+    notes: tuple[str, ...] = ()
+    try:
+        points, wall, hole_count = _closed(points, triangles, largest_hole)
+    except Refused as reason:
+        if not repair:
+            raise
+        points, triangles, made, notes = _repaired(points, triangles, largest_hole, reason)
+        points, wall, hole_count = _closed(points, np.concatenate([triangles, made]), largest_hole, len(triangles))
     is_cap = np.arange(len(wall)) >= len(triangles)
-    return *_filled(points, wall, outside, size, thickness), is_cap, hole_count, part_count
+    return *_filled(points, wall, outside, size, thickness), is_cap, hole_count, part_count, notes
 
 
 def _at(place: Points) -> str:
@@ -179,9 +188,10 @@ def _inside_volumes(points: Points, triangles: Indices) -> Points:
 # --- closed
 
 
-def _closed(points: Points, triangles: Indices, largest_hole: float) -> tuple[Points, Indices, int]:
-    """Points and triangles with caps on the open ends, normals out of the inside of each sheet; and how many open ends there were."""
-    count = len(triangles)
+def _closed(points: Points, triangles: Indices, largest_hole: float, surface_count: int | None = None) -> tuple[Points, Indices, int]:
+    """Points and triangles with caps on the open ends, normals out of the inside of each sheet; and how many open ends there were.
+    Triangles from `surface_count` on are caps already."""
+    count = len(triangles) if surface_count is None else surface_count
     triangles, _, rim = _turned(points, triangles)
     holes = _loops(points, triangles, rim)
     for hole in holes:
@@ -300,7 +310,59 @@ def _check_crossings(points: Points, triangles: Indices, surface_count: int) -> 
     number = _numbers(np.concatenate([triangles, crossing]), len(points))
     of_caps = np.isin(number[len(triangles) :], number[surface_count : len(triangles)]).sum()
     caps = f", {of_caps} of them in caps of open ends" if of_caps > 0 else ""
-    raise Refused(f"{len(found)} of its triangles cross others{caps}, one at {_at(points[crossing[0]].mean(axis=0))}")
+    raise Refused(f"{len(found)} of its triangles cross others{caps}, {_places(points, crossing)}; repair=True lets MeshFix mend it")
+
+
+def _places(points: Points, triangles: Indices) -> str:
+    """The middle of each connected set of triangles; the largest sets first."""
+    label = _components(len(points), triangles[:, :2].ravel(), triangles[:, 1:].ravel())[triangles[:, 0]]
+    sets, sizes = np.unique(label, return_counts=True)
+    order = np.argsort(-sizes, kind="stable")
+    middles = [_at(points[triangles[label == sets[i]]].mean(axis=(0, 1))) for i in order[:PLACES]]
+    return f"at {', '.join(middles)}" + (f" and at {len(sets) - PLACES} more places" if len(sets) > PLACES else "")
+
+
+# --- repaired
+
+
+def _repaired(points: Points, triangles: Indices, largest_hole: float, reason: Refused) -> tuple[Points, Indices, Indices, tuple[str, ...]]:
+    """Points, those triangles that MeshFix leaves, those that it makes, and what is to be said of it. Each part is repaired by itself:
+    MeshFix would keep the largest part alone."""
+    part = _components(len(points), triangles[:, :2].ravel(), triangles[:, 1:].ravel())[triangles[:, 0]]
+    kept, made = [], []
+    for label in np.unique(part):
+        mine = triangles[part == label]
+        tool = _meshfix(points, mine)
+        tool.fill_small_boundaries(0, True)
+        tool.clean(10, 3)
+        every, its = _of_meshfix(points, tool)
+        number = _numbers(np.concatenate([mine, its]), len(every))
+        kept.append(mine[np.isin(number[: len(mine)], number[len(mine) :])])
+        new = its[~np.isin(number[len(mine) :], number[: len(mine)])]
+        made.append(new)
+        points = every
+    left, new = np.concatenate(kept), np.concatenate(made)
+    if len(left) + len(new) == 0:
+        raise Refused(f"{reason}; MeshFix leaves nothing of it")
+    number = _numbers(np.concatenate([triangles, left]), len(points))
+    gone = triangles[~np.isin(number[: len(triangles)], number[len(triangles) :])]
+    notes = [f"The surface could not be filled: {str(reason).partition('; repair=')[0]}."]
+    if len(gone):
+        notes.append(f"MeshFix has taken away {len(gone)} of {len(triangles)} triangles, {_places(points, gone)}.")
+    if len(new):
+        _check_widths(points, new, largest_hole)
+        notes.append(f"MeshFix has put in {len(new)} triangles, {_places(points, new)}.")
+    return points, left, new, tuple(notes)
+
+
+def _check_widths(points: Points, triangles: Indices, largest_hole: float) -> None:
+    label = _components(len(points), triangles[:, :2].ravel(), triangles[:, 1:].ravel())[triangles[:, 0]]
+    for each in np.unique(label) if largest_hole < math.inf else ():
+        corners = points[triangles[label == each]].reshape(-1, 3)
+        middle = corners.mean(axis=0)
+        width = 2 * np.linalg.norm(corners - middle, axis=1).max()
+        if width > largest_hole:
+            raise Refused(f"MeshFix would close {width:g} of it at {_at(middle)}, and largest_hole is {largest_hole:g}")
 
 
 def _numbers(rows: Indices, point_count: int) -> Indices:

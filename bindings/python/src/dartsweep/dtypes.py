@@ -156,6 +156,12 @@ VERTEX_ORIGIN = _struct(("vertex", VERTEX_ID), ("from", VERTEX_ID, 2), ("weights
 CUT_FACE = _struct(("front", FACE_ID), ("back", FACE_ID))
 FACE_ORIGIN = _struct(("face", FACE_ID), ("volume", VOLUME_ID))
 
+
+def surface(length: int) -> np.dtype[np.void]:
+    """The type of what Environment.surfaces_of tells: a tag and a name of at most this length."""
+    return np.dtype([("tag", np.int64), ("name", f"U{length}")])
+
+
 _core.set_dtype_Cell(CELL)
 _core.set_dtype_VertexId(VERTEX_ID)
 _core.set_dtype_VolumeId(VOLUME_ID)

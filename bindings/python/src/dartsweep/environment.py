@@ -31,6 +31,7 @@ from ._core import (
     VolumeCounts,
     VolumeId,
 )
+from ._names import Labels, Named, Names, changes_topology
 from .enums import CellType, Location, Mark
 from .options import options as described
 
@@ -54,18 +55,18 @@ def _rows(cells: NDArray[Any], dimension: int) -> tuple[CellType, ArrayLike | No
     return known[width], None, None
 
 
-class Environment:
+class Environment(Named):
     """A volume mesh in which particles and bodies move, or a mesh of polygons in the plane. Close it, or use it in a `with` statement; scenes of it go on
     until they are closed, too.
 
     points: (n, 3) float64. cells: integers of shape (n, 4), (n, 5), (n, 6) or (n, 8), tetrahedra, pyramids, wedges or hexahedra
-    numbered as in VTK; or in one dimension, with `types` (CellType of each) and, but for face streams of polyhedra in `faces`,
+    in the orders that CellType tells, which are those of VTK but for its wedges from 9.7 on; or in one dimension, with `types` (CellType of each) and, but for face streams of polyhedra in `faces`,
     `offsets` as in VTK's unstructured grids. In the plane points are (n, 2), cells (n, 3) or more, triangles, quads or polygons; they are the
     "volumes" and their sides the "faces", and wherever points are asked for they have two coordinates. regions, tags: a label and a host's tag for each cell. flags: EnvironmentFlag.
-    region_names: names of labels, which calls then take in place of these. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
+    region_names: names of labels, which calls then take in place of these; a name may have several labels. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
     """
 
-    __slots__ = ("_core", "_log", "_region_names", "__weakref__")
+    __slots__ = ("_core", "_log", "_names", "__weakref__")
 
     def __init__(
         self,
@@ -79,7 +80,7 @@ class Environment:
         faces: ArrayLike | None = None,
         face_locations: ArrayLike | None = None,
         flags: int = 0,
-        region_names: Mapping[str, int] | None = None,
+        region_names: Mapping[str, Labels] | None = None,
         threads: int = 0,
         log: Callable[[int, str], object] | None = None,
     ) -> None:
@@ -91,7 +92,7 @@ class Environment:
             desc.uniform_cell_type = int(kind)
         elif types is None:
             raise ValueError("cells in one dimension need `types`; rows, such as (n, 4) for tetrahedra, need none")
-        self._region_names = dict(region_names or {})
+        self._names = Names(region_names)
         self._log = None if log is None else _core.Log(log)
         context = None if log is None and threads == 0 else _core.Context(threads, self._log)
         self._core: Any = _core.Environment(
@@ -99,22 +100,24 @@ class Environment:
         )
 
     @classmethod
-    def _of(cls, core: Any, log: Any = None, region_names: Mapping[str, int] | None = None) -> Environment:
+    def _of(cls, core: Any, names: Names, log: Any = None) -> Environment:
         made = cls.__new__(cls)
-        made._core, made._log, made._region_names = core, log, dict(region_names or {})
+        made._core, made._log, made._names = core, log, names
         return made
 
     @classmethod
-    def load(cls, block: bytes, region_names: Mapping[str, int] | None = None) -> Environment:
-        """Loads a snapshot that `save` made: the same cells, ids and bits. A snapshot has labels of regions, but not their names."""
-        return cls._of(_core.Environment.load(block), None, region_names)
+    def load(cls, block: bytes, region_names: Mapping[str, Labels] | None = None) -> Environment:
+        """Loads a snapshot that `save` made: the same cells, ids and bits. A snapshot has labels of regions, but no names. Pickling keeps
+        all names."""
+        return cls._of(_core.Environment.load(block), Names(region_names))
 
     def save(self) -> bytes:
         """A snapshot, which pickle and copy use as well. Threads and log are not saved."""
         return self._core.save()  # type: ignore[no-any-return]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Environment.load, (self.save(), self._region_names)
+        self._names.surfaces.ids(self)  # changes of the topology are not pickled
+        return _loaded, (self.save(), self._names.copy())
 
     def close(self) -> None:
         """Closes the environment. A second close is allowed; any other call then raises Closed."""
@@ -154,7 +157,8 @@ class Environment:
     def coarsen(self, options: CoarsenOptions | None = None) -> tuple[Environment, NDArray[np.uint32]]:
         """A coarser environment with the same obstacles and merged tetrahedra; and for each volume index the index of its new volume."""
         volume_map = np.empty(self.info.volume_index_count, np.uint32)
-        return Environment._of(self._core.coarsen(options, volume_map), self._log, self._region_names), volume_map
+        self._names.surfaces.ids(self)
+        return Environment._of(self._core.coarsen(options, volume_map), self._names.copy(), self._log), volume_map
 
     # --- cells
 
@@ -274,6 +278,17 @@ class Environment:
         """The nearest impassable thing within a radius that can be seen from a point."""
         return self._core.find_nearest(point, radius, volume)  # type: ignore[no-any-return]
 
+    def inside(self, points: ArrayLike, by: float = 0.0, hints: Ids | None = None, volumes: Records | None = None) -> NDArray[np.float64]:
+        """The nearest place that is inside for each point, of shape (n, 3) or (3,): in a passable volume and on nothing impassable. Points
+        inside stay as they are. Others go to the nearest place of the boundary and from there `by` along its normal, or where that is
+        not free towards the middle of the volume there; 0 is as little as rounding allows. `volumes`, of the places, are filled where
+        they are given; a null id says that there is none."""
+        given = np.asarray(points, np.float64)
+        rows = given.reshape(-1, given.shape[-1])
+        found = np.empty(rows.shape)
+        self._core.find_inside(rows, by, hints, found, volumes)
+        return found.reshape(given.shape)
+
     def find_nearest_to_points(
         self,
         points: ArrayLike,
@@ -343,40 +358,6 @@ class Environment:
         """Sets the mark of vertices."""
         self._core.mark_vertices(vertices, mark)
 
-    def mark_region(self, region: int | str, mark: int = Mark.IMPASSABLE, flags: int = 0) -> tuple[int, int]:
-        """Sets the mark of all volumes of a region, by label or name; returns how many have the mark now, and how many were
-        skipped. Raises ValueError where no volume has the label."""
-        both = self._core.mark_region(self._label(region), mark, flags)
-        if both.marked == both.skipped == 0:
-            raise ValueError(f"no volume has region {region!r}; {self._known_regions()}")
-        return both.marked, both.skipped
-
-    def mark_between(self, a: int | str, b: int | str, mark: int = Mark.IMPASSABLE) -> int:
-        """Sets the mark of all faces between two regions, by label or name; returns their number."""
-        return self._core.mark_between(self._label(a), self._label(b), mark)  # type: ignore[no-any-return]
-
-    def regions(self) -> list[int]:
-        """The labels of all regions that have volumes."""
-        return self._core.get_region_labels().tolist()  # type: ignore[no-any-return]
-
-    @property
-    def region_names(self) -> dict[str, int]:
-        """The label of each region that has a name."""
-        return dict(self._region_names)
-
-    def _label(self, region: int | str) -> int:
-        if not isinstance(region, str):
-            return region
-        if region not in self._region_names:
-            raise ValueError(f"no region is called {region!r}; {self._known_regions()}")
-        return self._region_names[region]
-
-    def _known_regions(self) -> str:
-        name_of = {label: f" ({name})" for name, label in self._region_names.items()}
-        labels = self.regions()
-        shown = ", ".join(f"{label}{name_of.get(label, '')}" for label in labels[:20])
-        return f"regions are {shown}{', ...' if len(labels) > 20 else ''}"
-
     def is_marked(self, cell: Any) -> bool:
         """Whether the cell itself carries a mark."""
         return self._core.is_marked(_cell(cell))  # type: ignore[no-any-return]
@@ -391,50 +372,61 @@ class Environment:
 
     # --- topology and surgery
 
+    @changes_topology
     def sew_faces(self, a: Ids, b: Ids) -> None:
         """Two faces on the outer boundary with the same vertices become one, for each pair."""
         self._core.sew_faces(a, b)
 
+    @changes_topology
     def unsew_face(self, face: Any) -> None:
         """One face between two volumes becomes two faces of the outer boundary, which nothing passes."""
         self._core.unsew_face(face)
 
+    @changes_topology
     def remove_volumes(self, volumes: IdOrIds) -> None:
         """Removes volumes; the faces that they shared with others are then on the outer boundary."""
         self._core.remove_volumes(volumes)
 
+    @changes_topology
     def merge_volumes(self, face: Any) -> VolumeId:
         """Merges the two volumes of a face."""
         return self._core.merge_volumes(face)  # type: ignore[no-any-return]
 
+    @changes_topology
     def split_volume(self, volume: Any, loop: Ids) -> tuple[VolumeId, VolumeId, FaceId]:
         """Splits a volume along a loop of its vertices: the part to the left, the other, the new face."""
         parts = self._core.split_volume(volume, loop)
         return parts.left, parts.right, parts.face
 
+    @changes_topology
     def merge_faces(self, edge: Any) -> FaceId:
         """Merges the two faces of an edge that has no others."""
         return self._core.merge_faces(edge)  # type: ignore[no-any-return]
 
+    @changes_topology
     def split_face(self, face: Any, a: Any, b: Any) -> tuple[FaceId, FaceId, EdgeId]:
         """Splits a face between two of its vertices: the part from a to b, the other, the new edge."""
         parts = self._core.split_face(face, a, b)
         return parts.left, parts.right, parts.edge
 
+    @changes_topology
     def split_edge(self, edge: Any, edge_parameter: float = 0.5) -> tuple[VertexId, EdgeId, EdgeId]:
         """Splits an edge, in the plane a side by an EdgeId: the new vertex, and the parts at the first and the second of its vertices.
         The parameter is the place on the edge, 0 to 1 from its first vertex."""
         parts = self._core.split_edge(edge, edge_parameter)
         return parts.vertex, parts.first, parts.second
 
+    @changes_topology
     def merge_edges(self, edge: Any, vertex: Any) -> EdgeId:
         """Merges the two edges of a vertex that has no others, and removes the vertex."""
         return self._core.merge_edges(edge, vertex)  # type: ignore[no-any-return]
 
+    @changes_topology
     def collapse_edge(self, edge: Any, vertex: Any) -> None:
         """Merges an end of an edge, `vertex`, into the other."""
         self._core.collapse_edge(edge, vertex)
 
+    @changes_topology
     def add_volumes(
         self, vertices: Ids, points: ArrayLike, cells: ArrayLike, *, regions: ArrayLike | None = None,
         tags: ArrayLike | None = None, sew_to: Ids | None = None,
@@ -445,6 +437,7 @@ class Environment:
         desc = described(_core.VolumesDesc, uniform_cell_type=int(kind))
         return self._core.add_volumes(vertices, points, cells, offsets, types, regions, tags, sew_to, desc)  # type: ignore[no-any-return]
 
+    @changes_topology
     def cut(self, blade: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> Change:
         """Cuts along the surface that a blade sweeps: points of shape (rows, columns, 3); in the plane along a line of points (n, 2)."""
         blade = np.ascontiguousarray(blade, np.float64)
@@ -457,15 +450,18 @@ class Environment:
             desc.start = start
         return self._core.cut(blade.reshape(-1, blade.shape[2]), blade.shape[0], blade.shape[1], desc)  # type: ignore[no-any-return]
 
+    @changes_topology
     def tear_faces(self, faces: Ids, loads: ArrayLike, threshold: float) -> Change:
         """Unsews faces with a load above the threshold; the change has them in `faces`."""
         return self._core.tear_faces(faces, loads, threshold)  # type: ignore[no-any-return]
 
+    @changes_topology
     def open_crack(self, faces: Records, width: float, *, region: int = 0, tag: int = 0) -> Change:
         """Opens a crack (faces as in `faces` of a change) by a width."""
         desc = described(_core.OpenCrackDesc, width=width, region=region, tag=tag)
         return self._core.open_crack(faces, desc)  # type: ignore[no-any-return]
 
+    @changes_topology
     def carve(self, points: ArrayLike, triangles: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> Change:
         """Makes the inside of a closed surface passable; in the plane `triangles` are segments, (n, 2), of closed lines."""
         desc = described(_core.CarveDesc, flags=int(flags), snap=snap)
@@ -473,6 +469,7 @@ class Environment:
             desc.start = start
         return self._core.carve(points, rows_of(triangles, self.dimension, "triangles"), desc)  # type: ignore[no-any-return]
 
+    @changes_topology
     def tie(self, loop: ArrayLike, *, start: Any = None, snap: float = 0.0) -> Change:
         """Closes passable space along a closed loop of points, in the plane along a line of points."""
         desc = described(_core.TieDesc, snap=snap)
@@ -480,6 +477,7 @@ class Environment:
             desc.start = start
         return self._core.tie(loop, desc)  # type: ignore[no-any-return]
 
+    @changes_topology
     def remesh(
         self, volumes: Ids | None = None, next: ArrayLike | None = None, *, radius: int = 0, max_faces: int = 0
     ) -> Change:
@@ -487,6 +485,7 @@ class Environment:
         desc = described(_core.RemeshDesc, radius=radius, max_faces=max_faces)
         return self._core.remesh(volumes, next, desc)  # type: ignore[no-any-return]
 
+    @changes_topology
     def detach(self, volume: Any, max_volumes: int = 0, **values: Any) -> tuple[BodyId, Change]:
         """Makes a body of the piece of impassable volumes round one: `scene.body` gives the body of the id. `values` are members of
         DetachDesc."""
@@ -519,6 +518,10 @@ class Environment:
     def invalid_volumes(self) -> Records:
         """Volumes that the last deformation kept from becoming invalid."""
         return self._core.get_invalid_volumes()  # type: ignore[no-any-return]
+
+
+def _loaded(block: bytes, names: Names) -> Environment:
+    return Environment._of(_core.Environment.load(block), names)
 
 
 def rows_of(indices: ArrayLike, width: int, name: str) -> NDArray[Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from . import _core
+from ._door.error import MeshError as MeshError
 from .enums import Status
 
 

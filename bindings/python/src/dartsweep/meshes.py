@@ -1,5 +1,5 @@
-"""Meshes of other libraries: volumes by meshio (the extra `mesh`), surfaces by trimesh (the extra `trimesh`), and closed surfaces that are
-filled with volumes (the extra `surfaces`).
+"""Meshes of files and of other libraries (the extras `vtk`, `mesh`, `gmsh`, `mfem`, `moab`, or all with `meshes`), surfaces by trimesh (the extra
+`trimesh`), and closed surfaces that are filled with volumes (the extra `surfaces`).
 
 Meshes are taken by their attributes, so that nothing is imported but where a library has to read or to make one.
 """
@@ -7,50 +7,55 @@ Meshes are taken by their attributes, so that nothing is imported but where a li
 from __future__ import annotations
 
 import math
+import os
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import surfaces
 from ._core import Change
+from ._door import build, files, gmsh_reader, linear, meshio_reader, plane, table, vtk_data
+from ._door.mesh import Mesh
+from ._door.raw import mesh_of
 from .body import Body
-from .enums import CellType
 from .environment import Environment
+from .errors import MeshError
 from .scene import Scene
 from .trace import Trace
 
 if TYPE_CHECKING:
     import trimesh
 
-_TYPES = {
-    "tetra": CellType.TETRA,
-    "hexahedron": CellType.HEXAHEDRON,
-    "wedge": CellType.WEDGE,
-    "pyramid": CellType.PYRAMID,
-}
-_PLANAR_TYPES = {"triangle": CellType.TRIANGLE, "quad": CellType.QUAD, "polygon": CellType.POLYGON}
-_REGION_NAMES = ("gmsh:physical", "region", "medit:ref", "cell_tags")
+def read(path: str | os.PathLike[str], *, regions: str | None = None, quadratic: str = "corners", **options: Any) -> Environment:
+    """An environment of a file: a mesh of volumes, a mesh of the plane, or a surface in space, whose inside is filled as by from_surface.
 
+    bindings/docs/meshes.md says which library reads which files, and what is kept; a file may be compressed (.gz, .bz2, .xz), and an
+    OpenFOAM case may be its folder. Cells stay in the order of the file. Types of which all cells are inside out are turned back; `notes`
+    of the environment tells that, and all else that was changed. Options of from_surface, such as parts="largest", go to it.
+    regions: name of the cell data that labels cells; by default what the format calls so. quadratic: "corners" takes cells of higher
+    order by their corners, "split" divides quadratic ones so that they follow the curves. options: as of Environment.
 
-def read(path: str, *, regions: str | None = None, **options: Any) -> Environment:
-    """An environment of a file in any format that meshio knows; see from_meshio. from_surface reads files of surfaces."""
-    import meshio
-
-    try:
-        mesh = meshio.read(path)
-    except SystemExit as error:  # so meshio ends; it has printed why
-        raise ValueError(f"meshio can't read mesh '{path}'") from error
-    return _environment(mesh, f"mesh '{path}'", regions, options)
-
-
-def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Environment:
-    """An environment of a meshio.Mesh: its linear volume cells, in their order; surfaces, lines and points are left out. A mesh without
-    volumes in two dimensions, or with z = 0 everywhere, is one of the plane: of its triangles, quads and polygons.
-
-    regions: name of the cell data that labels cells; by default the usual names are looked for, then groups of cells that do not overlap.
-    Names of groups can be used in place of labels. options: as of Environment.
+    Raises MeshError if the file can't be read, or has no such mesh; its text says why, and what to do. Raises OSError if there is no file.
     """
-    return _environment(mesh, "the mesh", regions, options)
+    if table.is_surface(path):
+        return from_surface(path, **options)
+    return _environment(files.read(path, quadratic), regions, options)
+
+
+def from_meshio(mesh: Any, *, regions: str | None = None, quadratic: str = "corners", **options: Any) -> Environment:
+    """An environment of a meshio.Mesh. Its wedges are taken as Gmsh numbers them; arguments and errors: as of read."""
+    return _environment(mesh_of(meshio_reader.raw_of(mesh, "the mesh"), quadratic), regions, options)
+
+
+def from_pyvista(dataset: Any, *, regions: str | None = None, quadratic: str = "corners", **options: Any) -> Environment:
+    """An environment of a data set of PyVista or VTK, also of one with blocks. Its wedges are taken as the installed VTK numbers them;
+    arguments and errors: as of read."""
+    return _environment(mesh_of(vtk_data.raw_of(dataset, "the data set", "VTK"), quadratic), regions, options)
+
+
+def from_gmsh(*, regions: str | None = None, quadratic: str = "corners", **options: Any) -> Environment:
+    """An environment of the mesh of the current model of the module `gmsh`; arguments and errors: as of read."""
+    return _environment(mesh_of(gmsh_reader.raw_of_model("the model of Gmsh"), quadratic), regions, options)
 
 
 def from_surface(
@@ -62,86 +67,43 @@ def from_surface(
     largest_hole: float = math.inf,
     parts: str = "one",
     scale: float = 1.0,
+    repair: bool = False,
     **options: Any,
 ) -> Environment:
-    """An environment of a surface, filled with tetrahedra: the path of an STL, OBJ or PLY file, or points (n, 3) and triangles (m, 3) as a pair
-    or as `vertices` and `faces` of an object. Open ends are closed. The triangles of the surface are the wall of the lumen.
+    """An environment of a surface, filled with tetrahedra: the path of an STL, OBJ, PLY, VTP or VTK file, points (n, 3) and triangles (m, 3) as
+    a pair or as `vertices` and `faces` of an object, or a PolyData. Open ends are closed. The triangles of the surface are the wall of the
+    lumen. They are the environment's surface "wall" (tag 1), caps are its surface "caps" (tag 2).
 
     outside: "nothing", or "tissue", with which a box round the surface is filled, too. Tissue is impassable. Regions are "lumen" (1) and
     "tissue" (2), and tags the same numbers, so the tag of a contact tells what is behind the wall. size, thickness, largest_hole, parts,
-    scale, errors and cost: as of dartsweep.surfaces.fill. options: as of Environment.
+    scale, repair, errors and cost: as of dartsweep.surfaces.fill; `notes` of the environment say what a repair has changed. options: as of
+    Environment.
     """
     filled = surfaces.fill(
-        surface, outside, size=size, thickness=thickness, largest_hole=largest_hole, parts=parts, scale=scale
+        surface, outside, size=size, thickness=thickness, largest_hole=largest_hole, parts=parts, scale=scale, repair=repair
     )
     names = {"lumen": surfaces.LUMEN, "tissue": surfaces.TISSUE}
     made = Environment(filled.points, filled.cells, regions=filled.regions, tags=filled.regions, region_names=names, **options)
+    made._names.notes = filled.notes
+    groups = {"wall": np.flatnonzero(~filled.is_cap), "caps": np.flatnonzero(filled.is_cap)}
+    offsets = np.arange(0, filled.wall.size + 1, 3)
+    made._names.surfaces.add(offsets, filled.wall.ravel(), {name: faces for name, faces in groups.items() if len(faces)}, {})
     if outside == "tissue":
         made.mark_region("tissue")
     return made
 
 
-def _environment(mesh: Any, title: str, regions: str | None, options: dict[str, Any]) -> Environment:
-    name = regions or next((known for known in _REGION_NAMES if known in mesh.cell_data), None)
-    groups = {} if name is not None else _disjoint_groups(mesh)
-    types, sizes, connectivity, labels = [], [], [], []
-    points = np.ascontiguousarray(mesh.points, np.float64)
-    is_planar = not np.any(points[:, 2:]) and not any(getattr(block, "dim", 3) == 3 for block in mesh.cells)
-    known = _PLANAR_TYPES if is_planar else _TYPES
-    for i, block in enumerate(mesh.cells):
-        if block.type not in known:
-            if getattr(block, "dim", 3) == (2 if is_planar else 3):
-                kinds = "triangles, quads and polygons" if is_planar else "linear volumes"
-                raise ValueError(f"{title} has cells of type '{block.type}': {kinds} are supported")
-            continue
-        data = np.asarray(block.data, np.int64)
-        types.append(np.full(len(data), known[block.type], np.uint8))
-        sizes.append(np.full(len(data), data.shape[1], np.int64))
-        connectivity.append(data.ravel())
-        if name is not None:
-            labels.append(np.asarray(mesh.cell_data[name][i], np.int32))
-        elif groups:
-            labels.append(_labels_of(groups, i, len(data)))
-    if not types:
-        hint = "; dartsweep.from_surface fills a surface of triangles" if any(block.type == "triangle" for block in mesh.cells) else ""
-        raise ValueError(f"{title} has no volume cells, and no triangles, quads or polygons with z = 0{hint}")
-    return Environment(
-        np.ascontiguousarray(points[:, :2]) if is_planar else points,
-        np.concatenate(connectivity),
-        np.concatenate(types),
-        np.concatenate([np.zeros(1, np.int64), np.cumsum(np.concatenate(sizes))]),
-        regions=np.concatenate(labels) if labels else None,
-        region_names=_names_of(mesh, 2 if is_planar else 3) if name is not None else {key: i for i, key in enumerate(groups, 1)},
-        **options,
-    )
-
-
-def _names_of(mesh: Any, dimension: int) -> dict[str, int]:
-    """Names of labels as Gmsh has them: (label, dimension) of each."""
-    pairs = {name: np.ravel(data) for name, data in getattr(mesh, "field_data", {}).items()}
-    return {name: int(pair[0]) for name, pair in pairs.items() if len(pair) == 2 and pair[1] == dimension}
-
-
-def _disjoint_groups(mesh: Any) -> dict[str, Any]:
-    """Named groups of cells: for each an array of cells of each block, or None. Empty where groups overlap: no label could tell them."""
-    groups = {name: blocks for name, blocks in getattr(mesh, "cell_sets", {}).items() if not name.startswith("gmsh:")}
-    for i, block in enumerate(mesh.cells):
-        taken = np.zeros(len(block.data), np.int32)
-        for blocks in groups.values():
-            if blocks[i] is not None:
-                np.add.at(taken, np.asarray(blocks[i], np.int64), 1)
-        if np.any(taken > 1):
-            return {}
-    return groups
-
-
-def _labels_of(groups: dict[str, Any], block: int, count: int) -> Any:
-    """The number of each cell's group, from 1 on; 0 for cells of none."""
-    labels = np.zeros(count, np.int32)
-    for label, blocks in enumerate(groups.values(), 1):
-        if blocks[block] is not None:
-            labels[np.asarray(blocks[block], np.int64)] = label
-    return labels
+def _environment(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> Environment:
+    if not (plane.is_of_surface(mesh) and not plane.is_flat(mesh)):
+        return build.environment_of(mesh, regions, options)
+    triangles = linear.triangles(mesh.offsets, mesh.connectivity)
+    try:
+        made = from_surface((mesh.points, triangles), **options)
+    except surfaces.SurfaceError as error:
+        found = str(error).partition("surface: ")[2]
+        raise MeshError(mesh.source, f"it is a surface in space that can't be filled: {found}", "from_surface tells what it needs") from error
+    made._names.notes = (*mesh.notes, "it is a surface in space: its inside was filled with tetrahedra", *made.notes)
+    return made
 
 
 def body_from_trimesh(scene: Scene, mesh: Any, **options: Any) -> Body:

@@ -11,40 +11,41 @@ import numpy as np
 import pyvista
 from numpy.typing import NDArray
 
+from ._door import own, vtk_data
 from .body import Body
 from .enums import CellType
 from .environment import Environment, Records
-from .errors import NotFound
 from .scene import Scene
 from .trace import Trace
 
 
 def grid(environment: Environment) -> pyvista.UnstructuredGrid:
-    """The volumes of an environment where they are now, with `volume` (its index), `region`, `tag` and `impassable` of each.
+    """The volumes of an environment where they are now, with `volume` (its index), `region`, `tag`, `marked` (by its own mark) and
+    `impassable` of each. Wedges are numbered as in the installed VTK. Names and the marks of faces, edges and vertices are fields. A file of it, in .vtu, .vtk or .vtkhdf, is read as
+    the same environment.
 
     For pictures and files: every volume is asked for, one by one.
     """
-    info = environment.info
-    cells, types, volumes = [], [], []
-    for index in range(info.volume_index_count):
-        try:
-            volume = environment.volume_id(index)
-        except NotFound:  # removed
-            continue
+    volumes = list(own.volumes_of(environment))
+    cells, types = [], []
+    for volume in volumes:
         counts = environment.volume_counts(volume)
         if counts.type == CellType.POLYHEDRON:
             faces = [environment.vertices(environment.face_id(volume, i))["index"] for i in range(counts.faces)]
             cell = np.concatenate([[len(faces)], *(np.insert(face, 0, len(face)) for face in faces)])
         else:
             cell = environment.vertices(volume)["index"]
+            cell = vtk_data.wedge(cell) if counts.type == CellType.WEDGE else cell
         cells.append(np.insert(cell.astype(np.int64), 0, len(cell)))
         types.append(counts.type)
-        volumes.append(volume)
     made = pyvista.UnstructuredGrid(np.concatenate(cells), np.array(types, np.uint8), _in_space(environment.points()))
     made.cell_data["volume"] = [volume.index for volume in volumes]
     made.cell_data["region"] = [environment.region(volume) for volume in volumes]
     made.cell_data["tag"] = [environment.tag(volume) for volume in volumes]
-    made.cell_data["impassable"] = [environment.is_impassable(volume) for volume in volumes]
+    for name, is_so in (("marked", environment.is_marked), ("impassable", environment.is_impassable)):
+        made.cell_data[name] = np.array([is_so(volume) for volume in volumes], np.uint8)  # files have no truth values
+    for name, array in own.fields_of(environment).items():
+        made.field_data[name] = array
     return made
 
 

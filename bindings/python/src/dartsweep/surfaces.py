@@ -1,5 +1,5 @@
-"""Closed surfaces, filled with tetrahedra (the extra `surfaces`): trimesh reads files, MeshFix closes open ends and finds triangles that
-cross, TetGen fills.
+"""Closed surfaces, filled with tetrahedra (the extra `surfaces`): trimesh and PyVista read files, MeshFix closes open ends, finds triangles
+that cross and repairs them, TetGen fills.
 
 The inside of the surface is the lumen; outside there is nothing, or a box of tissue. dartsweep.from_surface makes an environment of
 what `fill` makes. This module needs nothing of the compiled library, so tools can use it without the package.
@@ -14,6 +14,7 @@ import os
 import pickle
 import subprocess
 import sys
+import warnings
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,7 @@ LUMEN = 1
 TISSUE = 2
 """The region of cells outside the surface."""
 
-_ENDINGS = (".obj", ".ply", ".stl")
+_ENDINGS = (".obj", ".ply", ".stl", ".vtk", ".vtp")
 
 _START = "import runpy, sys; sys.path[:] = sys.argv[2:]; runpy.run_path(sys.argv[1], run_name='__main__')"
 
@@ -51,11 +52,13 @@ class FilledSurface:
     """(k, 3) indices of points: the triangles of the surface in their order, then those of caps. They are faces of cells, and their
     normals point out of the lumen."""
     is_cap: NDArray[np.bool_]
-    """(k,) whether a triangle of the wall closes an open end."""
+    """(k,) whether a triangle of the wall closes an open end, or was put in by a repair."""
     hole_count: int
     """How many open ends were closed."""
     part_count: int
     """How many connected parts the surface has, also those that were left out."""
+    notes: tuple[str, ...] = ()
+    """What a repair has changed, a sentence each."""
 
 
 def fill(
@@ -67,11 +70,13 @@ def fill(
     largest_hole: float = math.inf,
     parts: str = "one",
     scale: float = 1.0,
+    repair: bool = False,
 ) -> FilledSurface:
     """Fills a surface with tetrahedra. Triangles of the surface stay as they are: they are the wall. Lengths are those after `scale`.
 
-    surface: path of an STL, OBJ or PLY file; or a pair of points (n, 3) and triangles (m, 3); or an object with `vertices` and `faces`,
-    such as one of trimesh. Triangles may be turned either way. Points at the same place become one.
+    surface: path of an STL, OBJ, PLY, VTP or VTK file; or a pair of points (n, 3) and triangles (m, 3); or an object with `vertices` and
+    `faces`, such as one of trimesh; or a PolyData of PyVista or VTK. Triangles may be turned either way, and normals do not count. Polygons
+    are divided into triangles. Points at the same place become one.
     outside: "nothing", or "tissue": a box round the surface, filled as well.
     size: length of edges within the lumen, about; by default 0.8 of its width, which is 4 volumes over the area. The triangles of the surface
     are not divided, so cells beside them are about as large as they. Cells of tissue grow with their distance.
@@ -80,6 +85,8 @@ def fill(
     parts: what to do with a surface of several connected parts. "one": it is an error. "largest": the part of largest area is filled.
     "all": all are; what two of them enclose is outside, so the two surfaces of a thick wall give the wall.
     scale: all points are multiplied by it, such as 0.001 for a file in millimetres and an environment in metres.
+    repair: MeshFix mends a surface that can't be filled: triangles that cross, edges of three triangles, slivers. `notes` say what it has
+    changed. A surface that can be filled stays as it is. What MeshFix closes may not be wider than largest_hole either.
 
     Raises SurfaceError with the name of the surface if it has no triangles, indices out of range, points that are not finite, an edge of
     three triangles, triangles that cross, one side only, no volume, or an open end or parts that are not allowed. Raises OSError if there
@@ -99,7 +106,7 @@ def fill(
         raise ValueError(f"largest_hole is not negative, not {largest_hole}")
     try:
         points, triangles = _arrays(surface)
-        return FilledSurface(*_in_own_process(points, triangles, scale, parts, largest_hole, outside, size, thickness))
+        return FilledSurface(*_in_own_process(points, triangles, scale, parts, largest_hole, outside, size, thickness, repair))
     except SurfaceError as error:
         raise _named(error, surface) from error.__cause__
 
@@ -133,6 +140,8 @@ def _in_own_process(*arguments: Any) -> tuple[Any, ...]:
 def _arrays(surface: Any) -> tuple[Points, NDArray[Any]]:
     if isinstance(surface, (str, os.PathLike)):
         points, triangles = _read(surface)
+    elif hasattr(surface, "GetPolys"):
+        points, triangles = _of_polydata(surface)
     elif hasattr(surface, "vertices") and hasattr(surface, "faces"):
         points, triangles = surface.vertices, surface.faces
     elif isinstance(surface, (tuple, list)) and len(surface) == 2:
@@ -151,6 +160,8 @@ def _read(path: str | os.PathLike[str]) -> tuple[Any, Any]:
     ending = os.path.splitext(path)[1].lower()
     if ending not in _ENDINGS:
         raise SurfaceError(f"files ending in '{ending}' are not read, {', '.join(_ENDINGS)} are; dartsweep.meshes.read reads volume meshes")
+    if ending in (".vtk", ".vtp"):
+        return _by_pyvista(path)
     try:
         import trimesh
     except ImportError as error:
@@ -158,7 +169,60 @@ def _read(path: str | os.PathLike[str]) -> tuple[Any, Any]:
     try:
         mesh = trimesh.load_mesh(os.fspath(path), process=False, skip_materials=True)
     except Exception as error:  # of many kinds: the reader does not check what it reads
+        if ending == ".ply" and _has_pyvista():  # trimesh reads no binary PLY of triangles and quads
+            try:
+                return _by_pyvista(path)
+            except SurfaceError:
+                pass
         raise SurfaceError(f"trimesh can't read it ({error})") from error
     if len(getattr(mesh, "faces", ())) == 0:
         raise SurfaceError("trimesh finds no triangles in it")
+    if ending != ".stl" and _has_polygons(path, mesh) and _has_pyvista():
+        return _by_pyvista(path)  # trimesh makes a fan of each polygon, which folds over itself where the polygon is not convex
     return mesh.vertices, mesh.faces
+
+
+def _has_pyvista() -> bool:
+    return importlib.util.find_spec("pyvista") is not None
+
+
+def _has_polygons(path: str | os.PathLike[str], mesh: Any) -> bool:
+    """Whether a file has faces of more than three points."""
+    if os.path.splitext(path)[1].lower() == ".obj":
+        with open(path, "rb") as lines:
+            return any(line.startswith(b"f ") and len(line.split()) > 4 for line in lines)
+    faces = mesh.metadata.get("_ply_raw", {}).get("face", {}).get("data", {})
+    rows = next(iter(faces.values()), ()) if isinstance(faces, dict) else ()
+    return any(np.size(row) > 3 for row in rows)
+
+
+def _by_pyvista(path: str | os.PathLike[str]) -> tuple[Any, Any]:
+    try:
+        import pyvista
+    except ImportError as error:
+        raise _missing("pyvista") from error
+    try:
+        with pyvista.VtkErrorCatcher(raise_errors=True, send_to_logging=False), warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # they repeat the error
+            return _of_polydata(pyvista.read(path))
+    except SurfaceError:
+        raise
+    except Exception as error:  # of many kinds
+        raise SurfaceError(f"PyVista can't read it ({error})") from error
+
+
+def _of_polydata(data: Any) -> tuple[Any, Any]:
+    """Points and triangles of a data set of PyVista or VTK. Strips and polygons are divided."""
+    try:
+        import pyvista
+    except ImportError as error:
+        raise _missing("pyvista") from error
+    data = pyvista.wrap(data)
+    if isinstance(data, pyvista.UnstructuredGrid) and any(cell not in (3, 5, 6, 7, 9) for cell in np.unique(data.celltypes)):
+        raise SurfaceError("it has volume cells; dartsweep.meshes.read reads volume meshes")
+    if not isinstance(data, pyvista.PolyData):
+        data = data.extract_geometry()
+    triangles = data.triangulate()
+    if len(triangles.faces) == 0:
+        raise SurfaceError("PyVista finds no triangles in it")
+    return triangles.points, triangles.faces.reshape(-1, 4)[:, 1:]

@@ -122,6 +122,15 @@ class OwnershipTest {
   }
 
   @Test
+  void placesInsideAreFound() {
+    try (Environment environment = Scenario.create()) {
+      double[] places = environment.findInside(new double[] {24, 24, 900, 24, 24, 48}, 0.5);
+      assertEquals(48, places[5]);
+      assertTrue(environment.findNearestToPoints(places, 20).get(0).getDistance() > 0);
+    }
+  }
+
+  @Test
   void whatIsNearestToPointsAndSegmentsIsFound() {
     try (Environment environment = Scenario.create()) {
       double[] from = {24, 24, 48, 25, 25, 50}, to = {24, 24, 50, 25, 27, 50};

@@ -1,0 +1,245 @@
+"""Files that Gmsh reads, and its current model. Gmsh runs files that it does not know as scripts, so it only gets those that the table knows."""
+
+from __future__ import annotations
+
+import contextlib
+import mmap
+import os
+import pickle
+import re
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .error import MeshError
+from . import linear
+from .linear import Cells
+from .mesh import Indices
+from .raw import Raw
+
+_TYPES = {  # of Gmsh: VTK's type, and VTK's order of nodes where it is another
+    **{15: (1, None), 1: (3, None), 2: (5, None), 3: (9, None), 4: (10, None), 5: (12, None), 6: (13, None), 7: (14, None)},
+    **{8: (21, None), 9: (22, None), 10: (28, None), 16: (23, None), 14: (37, [0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12, 13])},
+    11: (24, [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]),
+    12: (29, [*range(8), 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26]),
+    17: (25, [*range(8), 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15]),
+    13: (32, [*range(6), 6, 9, 7, 12, 14, 13, 8, 10, 11, 15, 17, 16]),
+    18: (26, [*range(6), 6, 9, 7, 12, 14, 13, 8, 10, 11]),
+    19: (27, [0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12]),
+}
+_LAGRANGE = {(1, 2): 68, (2, 3): 69, (2, 4): 70, (3, 4): 71, (3, 8): 72, (3, 6): 73, (3, 5): 74}
+_START = "import sys; sys.path[:] = sys.argv[4:]; from dartsweep._door import gmsh_reader; gmsh_reader.write_to_stdout(*sys.argv[1:4])"
+_ELEMENT_OF_NASTRAN = re.compile(r"C(?:TETRA|PENTA|HEXA|PYRAM?|TRIA[R36]|QUAD[R48]?)\b", re.IGNORECASE)
+_WAY_ON = "Gmsh can write the mesh anew"
+
+
+def read(path: str, source: str, format: str) -> Raw:
+    """The cells of a file; format: the ending by which Gmsh knows it."""
+    import gmsh
+
+    if gmsh.isInitialized():  # its models stay as they are: MED's files would be added to one of the same name
+        return _in_own_process(path, source, format)
+    gmsh.initialize(readConfigFiles=False, interruptible=False)
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        with _known_ending(path, format) as known:
+            return _read(gmsh, path, known, source, format)
+    finally:
+        gmsh.finalize()
+
+
+def _read(gmsh: Any, path: str, known: str, source: str, format: str) -> Raw:
+    gmsh.logger.start()
+    try:
+        gmsh.merge(known)
+        raw = raw_of_model(source)
+        if format == "bdf" and raw.regions is None:
+            _label_entities(gmsh, raw)
+        _check_count(path, format, len(raw.cells.types), source)
+        return raw
+    except MeshError:
+        raise
+    except Exception as error:
+        raise MeshError(source, f"Gmsh can't read it ({_reason(gmsh, error)})", _WAY_ON) from error
+
+
+def _in_own_process(*arguments: str) -> Raw:
+    done = subprocess.run([sys.executable, "-c", _START, *arguments, *sys.path], capture_output=True, check=False)
+    if done.returncode != 0:
+        reason = done.stderr.decode(errors="replace").strip().rpartition("\n")[2]
+        raise MeshError(arguments[1], f"Gmsh has crashed ({reason})", _WAY_ON)
+    found = pickle.loads(done.stdout)
+    if isinstance(found, tuple):
+        raise MeshError(*found)
+    raw: Raw = found
+    return raw
+
+
+def write_to_stdout(*arguments: str) -> None:
+    """What _in_own_process starts: a pickle of what was read, or of the arguments of a MeshError."""
+    try:
+        found: Any = read(*arguments)
+    except MeshError as error:
+        found = (error.file, error.found, error.way_on)
+    sys.stdout.buffer.write(pickle.dumps(found))
+
+
+def _label_entities(gmsh: Any, raw: Raw) -> None:
+    """Nastran's properties: Gmsh makes an entity of each."""
+    tags = raw.data["gmsh:tag"]
+    raw.regions = np.zeros(len(tags), np.int32)
+    for dimension, number in gmsh.model.getEntities():
+        for own in gmsh.model.mesh.getElements(dimension, number)[1]:
+            raw.regions[np.searchsorted(tags, np.asarray(own, np.int64))] = number
+
+
+def _check_count(path: str, format: str, count: int, source: str) -> None:
+    """Gmsh leaves out elements of types that it does not know, and keeps one of several with the same number, without a word."""
+    declared = 0
+    if format == "bdf":
+        with open(path, encoding="latin-1") as lines:
+            declared = sum(_ELEMENT_OF_NASTRAN.match(line) is not None for line in lines)
+    elif format == "unv":
+        declared = _declared_in_unv(path)
+    elif format == "msh" and os.path.getsize(path) > 0:
+        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
+            at = max(text.find(b"\n$Elements"), text.find(b"\n$ELM"))
+            head = text[at + 1 : at + 300] if at >= 0 else b""
+            version = text[:200].split(b"$MeshFormat")[-1].split()[:2]
+        declared = _declared(head.partition(b"\n")[2], version)
+    if declared > count:
+        raise MeshError(source, f"Gmsh keeps {count} of {declared} elements, without a word", "others have the same number or an unknown type")
+
+
+def _declared(head: bytes, version: list[bytes]) -> int:
+    """How many elements a file says that it has."""
+    is_fourth = len(version) == 2 and version[0].startswith(b"4")
+    if is_fourth and version[1] == b"1":
+        return int(np.frombuffer(head[8:16], "<u8")[0])
+    numbers = head.partition(b"\n")[0].split()
+    return int(numbers[1 if is_fourth else 0]) if len(numbers) > is_fourth else 0
+
+
+def _declared_in_unv(path: str) -> int:
+    """How many elements the data sets 2412 and 780 have: two lines each, three for beams, more for many nodes."""
+    count, is_in, left = 0, False, 0
+    with open(path, encoding="latin-1") as file:
+        before = ""
+        for line in file:
+            words = line.split()
+            if before == "-1" and words in (["2412"], ["780"]):
+                is_in = True
+            elif words == ["-1"]:
+                is_in = False
+            elif is_in and left > 0:
+                left -= 1
+            elif is_in and len(words) >= 6:
+                count += 1
+                left = -(-int(words[-1]) // 8) + (int(words[1]) in (11, 21, 22, 23, 24))
+            before = words[0] if len(words) == 1 else ""
+    return count
+
+
+def _reason(gmsh: Any, error: Exception) -> str:
+    errors = [line.partition(":")[2].strip() for line in gmsh.logger.get() if line.startswith("Error")]
+    return (errors or [str(error)])[0]
+
+
+@contextlib.contextmanager
+def _known_ending(path: str, ending: str) -> Iterator[str]:
+    """A name by which Gmsh takes the file for what it is. Beside that name there is no file of options, which Gmsh would run."""
+    with tempfile.TemporaryDirectory() as folder:
+        known = os.path.join(folder, f"mesh.{ending}")
+        try:
+            os.symlink(os.path.abspath(path), known)
+        except OSError:  # Windows without the right to
+            import shutil
+
+            shutil.copyfile(path, known)
+        yield known
+
+
+def raw_of_model(source: str) -> Raw:
+    """The mesh of the current model: all its elements by their tags, with its physical groups."""
+    import gmsh
+
+    tags, coordinates, _ = gmsh.model.mesh.getNodes(returnParametricCoord=False)
+    points, index = np.reshape(coordinates, (-1, 3)), _index_of(tags)
+    parts: list[Cells] = []
+    elements: list[Any] = []
+    rows: dict[tuple[int, int], list[tuple[int, int]]] = {}  # of each entity: where its elements begin and end
+    count = 0
+    for entity in gmsh.model.getEntities():
+        for kind, own, nodes in zip(*gmsh.model.mesh.getElements(*entity)):
+            parts.append(_cells_of(gmsh, int(kind), index[np.asarray(nodes, np.int64)], len(own), source))
+            elements.append(np.asarray(own, np.int64))
+            rows.setdefault(tuple(entity), []).append((count, count + len(own)))
+            count += len(own)
+    raw = Raw(points, linear.joined(parts), source=source, reader="Gmsh")
+    place = _in_order(raw, np.concatenate(elements) if elements else np.empty(0, np.int64))
+    _add_groups(gmsh, raw, rows, place)
+    return raw
+
+
+def _index_of(tags: Any) -> Indices:
+    """Where the node of each tag is."""
+    index = np.full(int(np.max(tags, initial=0)) + 1, -1, np.int64)
+    index[np.asarray(tags, np.int64)] = np.arange(len(tags))
+    return index
+
+
+def _cells_of(gmsh: Any, kind: int, nodes: Indices, count: int, source: str) -> Cells:
+    name, dimension, _, width, _, corners = gmsh.model.mesh.getElementProperties(kind)
+    known, order = _TYPES.get(kind, (_LAGRANGE.get((dimension, corners), 0), None))
+    if known == 0:
+        raise MeshError(source, f"{count} cells have the type '{name}'", "its cells have to be divided into linear ones first")
+    rows = nodes.reshape(count, width)
+    return linear.uniform(known, rows if order is None else rows[:, order])
+
+
+def _in_order(raw: Raw, tags: Indices) -> Indices | None:
+    """Cells by their tags, as in the file; gives where each cell has gone, None if all stay."""
+    raw.data["gmsh:tag"] = tags
+    if not np.any(tags[1:] < tags[:-1]):
+        return None
+    order = np.argsort(tags, kind="stable")
+    raw.cells, raw.data["gmsh:tag"] = raw.cells.some(order), tags[order]
+    place = np.empty(len(order), np.int64)
+    place[order] = np.arange(len(order))
+    return place
+
+
+def _add_groups(gmsh: Any, raw: Raw, rows: dict[tuple[int, int], list[tuple[int, int]]], place: Indices | None) -> None:
+    """Physical groups; those of cells are regions where no cell is in two of them."""
+    labels, is_in_two = np.zeros(len(raw.cells.types), np.int32), False
+    highest = max((dimension for dimension, _ in rows), default=0)
+    for dimension, number in gmsh.model.getPhysicalGroups():
+        if dimension not in (highest, highest - 1):
+            continue
+        entities = gmsh.model.getEntitiesForPhysicalGroup(dimension, number)
+        members = _members([part for entity in entities for part in rows.get((dimension, int(entity)), ())], place)
+        if len(members) == 0:
+            continue
+        name = gmsh.model.getPhysicalName(dimension, number).strip()  # MED's are padded
+        before = raw.groups.get(name or str(number))
+        raw.groups[name or str(number)] = members if before is None else np.concatenate([before, members])
+        if dimension != highest:
+            raw.numbers[name or str(number)] = number
+            continue
+        is_in_two = is_in_two or bool(np.any(labels[members] != 0))
+        labels[members] = number
+        if name:
+            raw.region_names[name] = number
+    if np.any(labels) and not is_in_two:
+        raw.regions = labels
+    else:
+        raw.region_names = {}
+
+
+def _members(parts: list[tuple[int, int]], place: Indices | None) -> Indices:
+    found = np.concatenate([np.empty(0, np.int64), *(np.arange(first, end) for first, end in parts)])
+    return found if place is None else place[found]

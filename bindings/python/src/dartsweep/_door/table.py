@@ -1,0 +1,107 @@
+"""Which library reads a file: by its ending and its first bytes. The table of bindings/docs/meshes.md is this one."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import re
+
+_KNOWN_BY_BYTES = 4096
+
+
+@dataclasses.dataclass(frozen=True)
+class Reader:
+    """One way to read a file."""
+
+    library: str
+    """A key of LIBRARIES."""
+    format: str
+    """What the reader calls the format."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Dialect:
+    """Files of one kind."""
+
+    name: str
+    endings: tuple[str, ...]
+    readers: tuple[Reader, ...]
+    """The one that loses least first; the next where that is not installed."""
+    kept: str
+    """What is kept besides cells."""
+    begins: str = ""
+    """A regular expression for the first bytes, where one ending has several kinds."""
+
+
+LIBRARIES = {  # module to import, extra, title
+    "vtk": ("vtkmodules", "vtk", "VTK"),
+    "meshio": ("meshio", "mesh", "meshio"),
+    "gmsh": ("gmsh", "gmsh", "Gmsh"),
+    "mfem": ("mfem", "mfem", "PyMFEM"),
+    "moab": ("h5py", "moab", "h5py"),
+    "abaqus": ("numpy", "", "NumPy"),
+    "surface": ("trimesh", "surfaces", "trimesh, TetGen"),
+}
+
+_XML = (".vtu", ".vtp", ".vts", ".vtr", ".vti", ".vtm", ".vtmb", ".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti")
+_EXODUS = (".e", ".exo", ".ex2", ".exii", ".exd", ".g", ".gen", ".ncdf", ".nc")
+
+
+def _dialect(name: str, endings: str | tuple[str, ...], readers: str, kept: str, begins: str = "") -> Dialect:
+    ways = tuple(Reader(*way.split(":")) for way in readers.split())
+    return Dialect(name, tuple(endings.split()) if isinstance(endings, str) else endings, ways, kept, begins)
+
+
+DIALECTS = (
+    _dialect("VTK, legacy", ".vtk", "vtk:legacy meshio:vtk", "cell data; polyhedra", r"\s*# vtk DataFile"),
+    _dialect("VTK, XML", _XML, "vtk:xml", "cell data; polyhedra; blocks as groups; pieces are sewn, their ghost cells left out"),
+    _dialect("VTK, collection", ".pvd", "vtk:pvd", "the first time; parts as groups"),
+    _dialect("VTK HDF", ".vtkhdf .hdf .hdf5 .h5", "vtk:hdf", "cell data; polyhedra; blocks as groups", r"\x89HDF(?s:.*)VTKHDF"),
+    _dialect("Exodus II", _EXODUS, "vtk:exodus meshio:exodus", "blocks as regions, with names; side sets"),
+    _dialect("CGNS", ".cgns", "vtk:cgns", "zones as regions; boundary conditions by name"),
+    _dialect("EnSight", ".case .encas", "vtk:ensight", "parts as regions and patches"),
+    _dialect("OpenFOAM", ".foam", "vtk:foam", "patches; polyhedra"),
+    _dialect("AVS UCD", ".ucd .inp .avs", "vtk:ucd", "materials", r"(?:\s*#[^\n]*\n)*\s*\d+ +\d+ +\d+ +\d+ +\d+|\x07"),
+    _dialect("Tecplot", ".tec .dat .plt", "meshio:tecplot vtk:tecplot", "cell data", r"(?is)(?:\s*#[^\n]*\n)*\s*(?:TITLE|VARIABLES|ZONE)"),
+    _dialect("Gmsh", ".msh .msh2 .msh4 .mesh", "gmsh:msh meshio:gmsh", "physical groups, also overlapping ones; partitions", r"\s*\$(?!.*DOLFIN)"),
+    _dialect("ANSYS Fluent", ".msh .cas", "vtk:fluent meshio:ansys", "zones", r"\s*\("),
+    _dialect("I-deas", ".unv", "gmsh:unv", "groups", r"\s*-1\s"),
+    _dialect("MED", ".med", "gmsh:med meshio:med", "groups", r"\x89HDF"),
+    _dialect("Nastran", ".bdf .nas .fem", "gmsh:bdf meshio:nastran", "properties as regions"),
+    _dialect("Abaqus", ".inp", "abaqus:inp", "sets of elements; surfaces", r"\s*\*"),
+    _dialect("Diffpack", ".diff", "gmsh:diff", "materials"),
+    _dialect("MFEM", ".mesh .mfem", "mfem:mfem", "attributes as regions and surfaces, with names; curves", r"\s*MFEM "),
+    _dialect("Netgen, neutral", ".mesh", "mfem:netgen", "sub-domains", r"\s*(?:NETGEN|areamesh2|curved_areamesh2)"),
+    _dialect("Medit", ".mesh .meshb", "meshio:medit gmsh:mesh", "references as regions and surfaces", r"(?:\s*#[^\n]*\n)*\s*MeshVersionFormatted|\x01\0\0\0|\0\0\0\x01"),
+    _dialect("MOAB", ".h5m", "moab:h5m", "material sets as regions; Neumann sets; sets by name", r"\x89HDF"),
+    _dialect("XDMF", ".xdmf .xmf", "meshio:xdmf", "cell data", r"\s*<"),
+    _dialect("Netgen", ".vol", "meshio:netgen", "domains", r"\s*(?:#[^\n]*\n\s*)*mesh3d"),
+    _dialect("TetGen", ".ele .node", "meshio:tetgen", "attributes"),
+    _dialect("SU2", ".su2", "meshio:su2", "markers"),
+    _dialect("DOLFIN", ".xml", "meshio:dolfin-xml", "cell data", r"(?s)\s*<.*<dolfin"),
+    _dialect("FLAC3D", ".f3grid", "meshio:flac3d", "groups"),
+    _dialect("Kratos", ".mdpa", "meshio:mdpa", "cell data"),
+    _dialect("PERMAS", ".post .dato", "meshio:permas", "cells only"),
+    _dialect("AFLR", ".ugrid", "meshio:ugrid", "references"),
+    _dialect("H5M of meshio", ".hmf", "meshio:hmf", "cell data"),
+    _dialect("OFF", ".off", "meshio:off", "triangles"),
+    _dialect("Surfaces", ".stl .obj .ply", "surface:surface", "the wall; the inside is filled with tetrahedra"),
+)
+
+
+def dialects_of(path: str) -> list[Dialect]:
+    """Kinds of files that a file may be, by its ending and by its first bytes."""
+    ending = os.path.splitext(path)[1].lower()
+    with open(path, "rb") as file:
+        head = file.read(_KNOWN_BY_BYTES).decode("latin-1")
+    return [dialect for dialect in DIALECTS if ending in dialect.endings and re.match(dialect.begins, head)]
+
+
+def is_surface(path: str | os.PathLike[str]) -> bool:
+    """Whether a file holds a surface by its ending."""
+    return os.path.splitext(os.fspath(path))[1].lower() in DIALECTS[-1].endings
+
+
+def endings() -> list[str]:
+    """All endings that are known."""
+    return sorted({ending for dialect in DIALECTS for ending in dialect.endings})

@@ -1,0 +1,202 @@
+"""Files that VTK reads. Its messages are caught: they are the reason in a MeshError."""
+
+from __future__ import annotations
+
+import os
+import re
+import xml.etree.ElementTree
+from collections.abc import Callable
+from typing import Any
+
+from .error import MeshError
+from . import blocks, vtk_data
+from .raw import Raw
+
+_WEDGES_AS_IN_GMSH = {"foam": False, "cgns": True, "exodus": True}  # readers that give one order with every VTK
+_WAY_ON = "a program that reads the file can write it anew, such as ParaView or meshio"
+
+
+def read(path: str, source: str, format: str) -> Raw:
+    """The cells of a file; format: a key of the table below."""
+    if format == "pvd":
+        return _collection(path, source)
+    data = _caught(source, lambda: _READERS[format](path))
+    raw = vtk_data.raw_of(data, source, "VTK", _WEDGES_AS_IN_GMSH.get(format))
+    if format == "exodus":
+        _name_exodus(raw)
+    if format == "ucd":
+        raw.regions = raw.data.get("Material Id")
+    return raw
+
+
+def _caught(source: str, run: Callable[[], Any]) -> Any:
+    """What `run` gives; a MeshError with VTK's reason if VTK reports an error, even if it gives a part of the data."""
+    from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+
+    window, before, verbosity = vtkStringOutputWindow(), vtkOutputWindow.GetInstance(), vtkLogger.GetCurrentVerbosityCutoff()
+    vtkOutputWindow.SetInstance(window)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # it prints what the window gets
+    try:
+        data = run()
+    finally:
+        vtkOutputWindow.SetInstance(before)
+        vtkLogger.SetStderrVerbosity(verbosity)
+    reason = _reason(window.GetOutput() or "")
+    if reason or data is None:
+        raise MeshError(source, f"VTK can't read it ({reason or 'it gives no data'})", _WAY_ON)
+    return data
+
+
+def _reason(output: str) -> str:
+    """The first error of VTK's output, without places in its source and addresses."""
+    found = re.search(r"(?ms)^ERROR:(.*?)(?=^(?:ERROR|Warning|Generic)|\Z)", output)
+    if found is None:
+        return ""
+    lines = [line.strip() for line in found.group(1).strip().splitlines() if line.strip()]
+    lines = [line for line in lines if not line.startswith("In ")] or lines
+    text = re.sub(r"^\w+ ?\(0x[0-9a-f]+\): *", "", " ".join(lines)).strip(" .|")
+    return "".join(c if c.isprintable() and c.isascii() else "?" for c in text)[:300]
+
+
+def _output(reader: Any) -> Any:
+    reader.Update()
+    return reader.GetOutputDataObject(0)
+
+
+def _legacy(path: str) -> Any:
+    from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
+
+    reader = vtkGenericDataObjectReader()
+    reader.SetFileName(path)
+    for kind in ("Scalars", "Vectors", "Normals", "Tensors", "ColorScalars", "TCoords", "Fields"):
+        getattr(reader, f"ReadAll{kind}On")()  # by default only the first array of each kind
+    return _output(reader)
+
+
+def _xml(path: str) -> Any:
+    from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
+
+    reader = vtkXMLGenericDataObjectReader()
+    reader.SetFileName(path)
+    return _output(reader)
+
+
+def _hdf(path: str) -> Any:
+    from vtkmodules.vtkIOHDF import vtkHDFReader
+
+    reader = vtkHDFReader()
+    reader.SetFileName(path)
+    return _output(reader)
+
+
+def _exodus(path: str) -> Any:
+    from vtkmodules.vtkIOExodus import vtkExodusIIReader
+
+    reader = vtkExodusIIReader()
+    reader.SetFileName(path)
+    reader.UpdateInformation()
+    reader.GenerateGlobalNodeIdArrayOn()
+    for kind in (reader.ELEM_BLOCK, reader.FACE_BLOCK, reader.SIDE_SET, reader.FACE_SET, reader.ELEM_SET):
+        for i in range(reader.GetNumberOfObjects(kind)):
+            reader.SetObjectStatus(kind, i, 1)
+    return _output(reader)
+
+
+def _cgns(path: str) -> Any:
+    from vtkmodules.vtkIOCGNSReader import vtkCGNSReader
+
+    reader = vtkCGNSReader()
+    reader.SetFileName(path)
+    reader.UpdateInformation()
+    reader.LoadBndPatchOn()
+    reader.GetBaseSelection().EnableAllArrays()
+    reader.EnableAllFamilies()
+    return _output(reader)
+
+
+def _ensight(path: str) -> Any:
+    from vtkmodules.vtkIOEnSight import vtkGenericEnSightReader
+
+    reader = vtkGenericEnSightReader()
+    reader.SetCaseFileName(path)
+    reader.ReadAllVariablesOn()
+    return _output(reader)
+
+
+def _foam(path: str) -> Any:
+    from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader
+
+    reader = vtkOpenFOAMReader()
+    reader.SetFileName(path)
+    if hasattr(reader, "SetDecomposePolyhedra"):  # before VTK 9.5
+        reader.SetDecomposePolyhedra(0)
+    reader.ReadZonesOn()
+    reader.CacheMeshOff()
+    reader.UpdateInformation()
+    reader.EnableAllPatchArrays()
+    reader.DisableAllCellArrays()
+    return _output(reader)
+
+
+def _ucd(path: str) -> Any:
+    from vtkmodules.vtkIOGeometry import vtkAVSucdReader
+
+    reader = vtkAVSucdReader()
+    reader.SetFileName(path)
+    return _output(reader)
+
+
+def _tecplot(path: str) -> Any:
+    from vtkmodules.vtkIOGeometry import vtkTecplotReader
+
+    reader = vtkTecplotReader()
+    reader.SetFileName(path)
+    return _output(reader)
+
+
+def _fluent(path: str) -> Any:
+    from vtkmodules.vtkIOGeometry import vtkFLUENTReader
+
+    reader = vtkFLUENTReader()
+    reader.SetFileName(path)
+    return _output(reader)
+
+
+_READERS: dict[str, Callable[[str], Any]] = {
+    "legacy": _legacy,
+    "xml": _xml,
+    "hdf": _hdf,
+    "exodus": _exodus,
+    "cgns": _cgns,
+    "ensight": _ensight,
+    "foam": _foam,
+    "ucd": _ucd,
+    "tecplot": _tecplot,
+    "fluent": _fluent,
+}
+
+
+def _name_exodus(raw: Raw) -> None:
+    """VTK writes 'Unnamed block ID: 2' for a block without a name."""
+    def short(name: str) -> str:
+        found = re.match(r"Unnamed (?:block|set) ID: (\d+)", name)
+        return found.group(1) if found else name
+
+    raw.groups = {short(name): members for name, members in raw.groups.items()}
+    raw.region_names = {short(name): label for name, label in raw.region_names.items()}
+
+
+def _collection(path: str, source: str) -> Raw:
+    """The pieces of the first time of a .pvd file."""
+    try:
+        entries = [entry.attrib for entry in xml.etree.ElementTree.parse(path).iter("DataSet")]
+    except xml.etree.ElementTree.ParseError as error:
+        raise MeshError(source, f"its XML is damaged ({error})", _WAY_ON) from error
+    chosen = [entry for entry in entries if entry.get("timestep", "0") == entries[0].get("timestep", "0")]
+    if not chosen:
+        raise MeshError(source, "it names no files", _WAY_ON)
+    parts = []
+    for entry in chosen:
+        piece = os.path.join(os.path.dirname(path), entry["file"])
+        parts.append((entry.get("name") or entry.get("part") or "0", read(piece, f"{source}, file '{entry['file']}'", "xml")))
+    return blocks.joined(parts) if len(parts) > 1 else parts[0][1]
