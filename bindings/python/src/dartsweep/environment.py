@@ -32,7 +32,7 @@ from ._core import (
     VolumeId,
 )
 from ._names import Labels, Named, Names, changes_topology
-from .enums import CellType, Location, Mark
+from .enums import CellType, EnvironmentFlag, Location, Mark
 from .options import options as described
 
 Records = NDArray[np.void]
@@ -63,6 +63,9 @@ class Environment(Named):
     in the orders that CellType tells, which are those of VTK but for its wedges from 9.7 on; or in one dimension, with `types` (CellType of each) and, but for face streams of polyhedra in `faces`,
     `offsets` as in VTK's unstructured grids. In the plane points are (n, 2), cells (n, 3) or more, triangles, quads or polygons; they are the
     "volumes" and their sides the "faces", and wherever points are asked for they have two coordinates. regions, tags: a label and a host's tag for each cell. flags: EnvironmentFlag.
+    Parts of a mesh that lie on each other are walls unless they are sewn. merge_points: points within this distance count as one, 0.0: points
+    at one place. conform: faces that faces of other cells cover are split, too, so that both sides sew (merge_points then also tells how far a
+    point may be from an edge or face that it lies on).
     region_names: names of labels, which calls then take in place of these; a name may have several labels. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
     """
 
@@ -80,13 +83,20 @@ class Environment(Named):
         faces: ArrayLike | None = None,
         face_locations: ArrayLike | None = None,
         flags: int = 0,
+        merge_points: float | None = None,
+        conform: bool = False,
         region_names: Mapping[str, Labels] | None = None,
         threads: int = 0,
         log: Callable[[int, str], object] | None = None,
     ) -> None:
         points, cells = np.asarray(points), np.asarray(cells)
         dimension = 2 if points.ndim == 2 and points.shape[1] == 2 else 3
-        desc = described(_core.EnvironmentDesc, flags=int(flags), dimension=dimension)
+        flags = int(flags)
+        if merge_points is not None:
+            flags |= EnvironmentFlag.MERGE_POINTS
+        if conform:
+            flags |= EnvironmentFlag.CONFORM
+        desc = described(_core.EnvironmentDesc, flags=flags, dimension=dimension, merge_distance=merge_points or 0.0)
         if cells.ndim == 2 and types is None:
             kind, types, offsets = _rows(cells, dimension)
             desc.uniform_cell_type = int(kind)

@@ -1,0 +1,44 @@
+"""Parts of a mesh that lie on each other, sewn when an environment is made."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import dartsweep as ds
+
+CUBE = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], float)
+
+
+def _beside(*parts: tuple[tuple[float, float, float], float]) -> tuple[np.ndarray, np.ndarray]:
+    """A unit cube and others of a place and a size, each with points of its own."""
+    points = np.concatenate([CUBE] + [np.asarray(place) + size * CUBE for place, size in parts])
+    return points, np.arange(len(points)).reshape(-1, 8)
+
+
+def _passes(environment: ds.Environment) -> bool:
+    return environment.cast((0.25, 0.5, 0.5), (1.375, 0.375, 0.25)).outcome == ds.Outcome.REACHED
+
+
+def test_points_are_merged_within_a_distance() -> None:
+    points, cells = _beside(((1 + 1e-10, 0, 0), 1))
+    for distance, parts in ((None, 2), (0.0, 2), (1e-9, 1)):
+        with ds.Environment(points, cells, merge_points=distance) as environment:
+            assert environment.info.part_count == parts
+            assert _passes(environment) == (parts == 1)
+
+
+def test_faces_that_smaller_ones_cover_are_split() -> None:
+    points, cells = _beside(*[((1, y, z), 0.5) for y in (0, 0.5) for z in (0, 0.5)])
+    with ds.Environment(points, cells, flags=ds.EnvironmentFlag.FIND_TOUCHING) as loose:
+        assert loose.info.part_count == 5 and not _passes(loose)
+    with ds.Environment(points, cells, conform=True) as environment:
+        assert environment.info.part_count == 1 and _passes(environment)
+        assert environment.volume_counts(environment.volume_id(0)).faces == 9
+        environment.check()
+
+
+def test_faces_that_cross_are_refused() -> None:
+    points, cells = _beside(((1, 0.25, 0.25), 1))
+    with pytest.raises(ds.errors.NotConforming, match="faces of cells 0 and 1 overlap"):
+        ds.Environment(points, cells, conform=True)
