@@ -208,12 +208,12 @@ TEST(BoundedFlood, AtAnyScale) {
  * has the lower name, is longer than the answer. */
 TEST(BoundedFlood, OfTwoLipsTheOneThatIsReachedIsNamed) {
   Mesh2 mesh;
-  const int64_t tip = mesh.point({0, 0}), right = mesh.point({16, -8}), left = mesh.point({-8, 8});
-  mesh.cell(kQuad, {tip, mesh.point({-8, 0}), mesh.point({-8, -8}), right});
-  mesh.cell(kTriangle, {tip, left, mesh.point({-8, 0})});
-  mesh.cell(kQuad, {tip, right, mesh.point({16, 8}), left});
+  const int64_t tip = mesh.point({-4, 0.5}), above = mesh.point({4.2, 60}), below = mesh.point({0, -12});
+  mesh.cell(kQuad, {tip, above, mesh.point({-16, -8}), mesh.point({-4, -8})});
+  mesh.cell(kTriangle, {tip, mesh.point({-4, -8}), below});
+  mesh.cell(kPolygon, {tip, below, mesh.point({8, -12}), mesh.point({8, 16}), above});
   const auto env = mesh.build();
-  const double p[2] = {-2, 4};
+  const double p[2] = {0, 0};
   BoundedNotes notes(env->memory);
   NearestResult near;
   ASSERT_TRUE(find_nearest_far(*env, p, env->map.cell(2), kNoLimit, notes, near));
