@@ -60,7 +60,7 @@ AT(dsw_detach_desc, volume, 40);
 AT(dsw_detach_desc, max_volumes, 48);
 GROWS(dsw_detach_desc, max_volumes);
 
-SIZE(dsw_deform_options, 48);
+SIZE(dsw_deform_options, 56);
 AT(dsw_deform_options, struct_size, 0);
 AT(dsw_deform_options, flags, 4);
 AT(dsw_deform_options, method, 8);
@@ -71,7 +71,9 @@ AT(dsw_deform_options, min_part, 24);
 AT(dsw_deform_options, point_room, 32);
 AT(dsw_deform_options, remesh_radius, 40);
 AT(dsw_deform_options, remesh_max_faces, 44);
-GROWS(dsw_deform_options, remesh_max_faces);
+AT(dsw_deform_options, max_holds, 48);
+AT(dsw_deform_options, reserved, 52);
+GROWS(dsw_deform_options, reserved);
 
 SIZE(dsw_remesh_desc, 48);
 AT(dsw_remesh_desc, struct_size, 0);

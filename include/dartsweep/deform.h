@@ -55,6 +55,9 @@ typedef enum dsw_deform_outcome {
   DSW_DEFORM_HELD = 1,     /**< All except those of dsw_environment_get_held_vertices. */
   DSW_DEFORM_FRACTION = 2, /**< All vertices made the same part of their way. */
   DSW_DEFORM_REFUSED = 3,  /**< Nothing has moved. */
+  /** The work limit `max_holds` was reached: as HELD, with DSW_WALL_STOP as FRACTION 0.
+   * @since 2.1 */
+  DSW_DEFORM_LIMITED = 4,
   DSW_DEFORM_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_deform_outcome;
 
@@ -72,6 +75,11 @@ typedef struct dsw_deform_options {
   size_t point_room;
   uint32_t remesh_radius;    /**< REMESH: `radius` of dsw_remesh_desc. */
   uint32_t remesh_max_faces; /**< REMESH: `max_faces` of dsw_remesh_desc. */
+  /** SWEPT: work limit. How often a vertex may stay in its turn, in all steps together; then every
+   * vertex that moves one at a time stays where it is. 0 means 65,536, which is 64 vertices that
+   * stay in each of 1,024 steps. @since 2.1 */
+  uint32_t max_holds;
+  uint32_t reserved; /**< 0. */
 } dsw_deform_options;
 
 /** What a deformation did. */
@@ -118,7 +126,8 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
  * @param report may be null.
  * @return DSW_STATUS_NOT_ENABLED; IN_USE: `next` is the present array; WRONG_SIZE: point_count,
  * point_room; NON_FINITE: only near bodies and particles.
- * @note Cost: O(bodies + particles + volumes met). Source: [JCD10] 5.1. @since 2.0 */
+ * @note Cost: O(bodies + particles + volumes met), for each step; up to 2^(k + 1) steps, and
+ * `max_holds`. Source: [JCD10] 5.1. @since 2.0 */
 DSW_API dsw_status dsw_environment_deform(dsw_environment *environment, double *next,
                                           size_t point_count, const dsw_deform_options *options,
                                           dsw_deform_report *report);

@@ -35,6 +35,12 @@ bool all_finite(const double* values, size_t count) noexcept {
   return rest == 0 && (all[0] | all[1]) == 0;
 }
 
+/** Refuses a count that no array can have: such a count is below zero elsewhere, or a product that did not fit. */
+void check_entries(size_t count, size_t entry_bytes, const char* name) {
+  constexpr size_t kAddresses = sizeof(size_t) == 8 ? size_t{PTRDIFF_MAX} >> 7 : size_t{PTRDIFF_MAX};  // 2^56 bytes
+  if (count > kAddresses / entry_bytes) fail(DSW_STATUS_WRONG_SIZE, "%s cannot have %zu entries", name, count);
+}
+
 }  // namespace
 
 ElementName::ElementName(ArgumentName argument, size_t index) noexcept {
@@ -72,26 +78,25 @@ void fail_non_finite(PointArray points, size_t index, int dimension, ArgumentNam
                         : "-inf");
 }
 
-void require_array(const void* array, size_t count, const char* name) {
+void require_array(const void* array, size_t count, size_t entry_bytes, const char* name) {
   if (count != 0) require(array, name);
-  // No array is so long: what a host gets that counts in signed numbers and ends below zero.
-  if (count > PTRDIFF_MAX) fail(DSW_STATUS_WRONG_SIZE, "%s cannot have %zu entries", name, count);
+  check_entries(count, entry_bytes, name);
 }
 
-size_t to_step(int dimension, size_t count, size_t stride_bytes) {
+size_t to_step(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name) {
   const size_t point = static_cast<size_t>(dimension) * sizeof(double);
   if (stride_bytes == 0) stride_bytes = point;
-  if (stride_bytes < point || stride_bytes % sizeof(double) != 0 || (count != 0 && stride_bytes > SIZE_MAX / count)) {
+  if (stride_bytes < point || stride_bytes % sizeof(double) != 0) {
     fail(DSW_STATUS_WRONG_SIZE, "stride_bytes is %zu, must be 0 or a multiple of %zu from %zu on", stride_bytes,
          sizeof(double), point);
   }
+  if (points != nullptr) check_entries(count, stride_bytes, name);
   return stride_bytes / sizeof(double);
 }
 
 PointArray to_points(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name) {
-  const size_t step = to_step(dimension, count, stride_bytes);
-  require_array(points, count, name);
-  return {points, step};
+  if (count != 0) require(points, name);
+  return {points, to_step(dimension, points, count, stride_bytes, name)};
 }
 
 PointArray to_finite_points(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name) {

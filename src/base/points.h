@@ -69,11 +69,15 @@ inline void check_flags(uint32_t flags, uint32_t known, const char* name, const 
   fail(DSW_STATUS_UNSUPPORTED, "%s%s is 0x%x, this version knows 0x%x", name, member, flags, known);
 }
 
-/** An array of `count` things; null is allowed when there are none. A count that no array can have is WRONG_SIZE. */
-void require_array(const void* array, size_t count, const char* name);
+/** An array of `count` entries; null is allowed when there are none. A count that no array can have is WRONG_SIZE. */
+void require_array(const void* array, size_t count, size_t entry_bytes, const char* name);
+template <class T>
+void require_array(const T* array, size_t count, const char* name) {
+  require_array(array, count, sizeof(T), name);
+}
 
-/** The host's stride in doubles. */
-size_t to_step(int dimension, size_t count, size_t stride_bytes);
+/** The host's stride in doubles. `points` may be null. */
+size_t to_step(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name);
 /** An array of points with the host's stride, not yet checked to be finite. */
 PointArray to_points(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name);
 /** Likewise, and finite. */

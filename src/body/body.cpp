@@ -133,6 +133,23 @@ void keep_sequences(Body<D>& body, size_t edges) {
 }
 
 template <int D>
+void keep_forecasts(Body<D>& body) {
+  body.kept_clearances.assign(body.clearances.begin(), body.clearances.end());
+  body.kept_credit = body.clearance_credit;
+  body.kept_touched = body.touched.size();
+  ++body.call;
+}
+
+template <int D>
+void restore_forecasts(Body<D>& body) noexcept {
+  for (EdgeSequence<D>& each : body.sequences) each.go_back(body.call);
+  body.touched.erase(body.touched.begin() + static_cast<std::ptrdiff_t>(body.kept_touched), body.touched.end());
+  for (TouchedLines& each : body.touched) each.go_back(body.call);
+  std::copy(body.kept_clearances.begin(), body.kept_clearances.end(), body.clearances.begin());
+  body.clearance_credit = body.kept_credit;
+}
+
+template <int D>
 void measure_lengths(Body<D>& body) {
   body.lengths.clear();
   if (!body.keeps_lengths()) return;
@@ -262,6 +279,8 @@ void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
 
 DSW_INSTANTIATE(reserve);
 DSW_INSTANTIATE(keep_sequences);
+DSW_INSTANTIATE(keep_forecasts);
+DSW_INSTANTIATE(restore_forecasts);
 DSW_INSTANTIATE(measure_lengths);
 DSW_INSTANTIATE(put_vertex);
 DSW_INSTANTIATE(put_vertices);

@@ -102,6 +102,11 @@ struct Body {
   mutable Array<TouchedLines> touched;
   Array<Clearance<D>> clearances;  // by vertex, if they are kept
   int64_t clearance_credit = 0;    // what measuring them may cost, see sweep/clearance.h
+  // What restore_forecasts needs of the call that began last.
+  uint64_t call = 0;  // its number
+  size_t kept_touched = 0;
+  Array<Clearance<D>> kept_clearances;
+  int64_t kept_credit = 0;
   // One, if bodies meet each other; else none. Moves note in it when it is asked: read it through fresh_boxes.
   mutable Array<BodyBoxes<D>> boxes;
   Array<RigidShape<D>> shape;  // one, if walls move the body as a whole; else none
@@ -122,6 +127,7 @@ struct Body {
         sequences(memory),
         touched(memory),
         clearances(memory),
+        kept_clearances(memory),
         boxes(memory),
         shape(memory),
         lengths(memory) {}
@@ -135,12 +141,13 @@ struct Body {
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
     uint64_t of_parts = array_bytes(sequences);
-    for (const EdgeSequence<D>& each : sequences) of_parts += array_bytes(each.facets) + each.rows.memory_bytes();
+    for (const EdgeSequence<D>& each : sequences)
+      of_parts += array_bytes(each.facets) + array_bytes(each.kept) + each.rows.memory_bytes();
     for (const BodyBoxes<D>& each : boxes) of_parts += sizeof each + each.memory_bytes();
     for (const RigidShape<D>& each : shape) of_parts += sizeof each + each.memory_bytes();
-    return of_parts + array_bytes(touched) + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) +
-           array_bytes(faces) + array_bytes(inserted) + array_bytes(lengths) + vertex_slots.memory_bytes() +
-           edge_slots.memory_bytes() + face_slots.memory_bytes();
+    return of_parts + array_bytes(touched) + array_bytes(clearances) + array_bytes(kept_clearances) +
+           array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) + array_bytes(inserted) +
+           array_bytes(lengths) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();
   }
 };
 
@@ -197,6 +204,12 @@ void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more
 /** Gives every edge room for its sequence, after the level has been raised. */
 template <int D>
 void keep_sequences(Body<D>& body, size_t edges);
+/** A call begins that may change what is remembered from move to move. Throws std::bad_alloc. */
+template <int D>
+void keep_forecasts(Body<D>& body);
+/** The call has failed: what is remembered is what it was. The body has the parts that it had. */
+template <int D>
+void restore_forecasts(Body<D>& body) noexcept;
 /** Lets edges have the lengths that they have now, if lengths are kept. */
 template <int D>
 void measure_lengths(Body<D>& body);

@@ -31,19 +31,30 @@ struct TouchedFan {
 struct TouchedLines {
   static constexpr uint32_t kCount = 4;
   TouchedLine lines[kCount];
-  TouchedFan fan;  // of the first, if it is known
+  TouchedFan fan;            // of the first, if it is known
+  TouchedLine kept[kCount];  // as they were when a call on the body began, if they have changed since
+  uint64_t kept_in = 0;      // the number of that call
 
   /** Whether `line` is the first one and its fan is known in this version, with `passed` as a facet inside. */
   bool knows_fan(const TouchedLine& line, HalfFacet passed, uint64_t version) const noexcept {
     return fan.passed == passed && fan.version == version && lines[0] == line;
   }
-  /** Brings a line to the front; if it is new, the last one is dropped. */
-  void note(const TouchedLine& line) noexcept {
+  /** Brings a line to the front in a call; if it is new, the last one is dropped. */
+  void note(const TouchedLine& line, uint64_t call) noexcept {
     if (lines[0] == line) return;
+    if (kept_in != call) std::copy_n(lines, kCount, kept);
+    kept_in = call;
     TouchedLine* const last = std::find(lines, lines + kCount - 1, line);
     std::copy_backward(lines, last, last + 1);
     lines[0] = line;
     fan.version = ~uint64_t{0};
+  }
+  /** Makes the lines those of before the call. */
+  void go_back(uint64_t call) noexcept {
+    if (kept_in != call) return;
+    std::copy_n(kept, kCount, lines);
+    fan.version = ~uint64_t{0};
+    kept_in = 0;
   }
 };
 

@@ -208,7 +208,7 @@ dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, doub
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
     const auto& b = of.body;
-    const size_t step = dsw::to_step(of.kDimension, b.vertices.size(), stride_bytes);
+    const size_t step = dsw::to_step(of.kDimension, positions, b.vertices.size(), stride_bytes, "positions");
     capi::check_capacity(b.vertices.size(), capacity, positions, count);
     for (size_t i = 0; i < b.vertices.size(); ++i) {
       std::copy_n(b.vertices[i].position, D, positions + i * step);

@@ -74,7 +74,7 @@ void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* 
     *count = needed;
     fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity is %zu, %zu are needed", capacity, needed);
   }
-  require_array(buffer, needed, "buffer");
+  if (needed != 0) require(buffer, "buffer");
   *count = needed;
 }
 

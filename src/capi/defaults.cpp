@@ -31,7 +31,7 @@ void init_struct(T* out, size_t size) noexcept {
   defaults.struct_size = static_cast<uint32_t>(std::min<size_t>(size, UINT32_MAX));
   auto* const bytes = reinterpret_cast<unsigned char*>(out);
   std::memcpy(bytes, &defaults, std::min(size, sizeof(T)));
-  if (size > sizeof(T)) std::memset(bytes + sizeof(T), 0, size - sizeof(T));
+  if (size > sizeof(T) && size <= dsw::capi::kLargestStruct) std::memset(bytes + sizeof(T), 0, size - sizeof(T));
 }
 
 }  // namespace

@@ -319,7 +319,7 @@ dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t
     size_t absent = 0;
     if (count != 0) {
       dsw::require_array(offsets, count, "offsets");
-      dsw::require(faces, "faces");
+      dsw::require_array(faces, count, "faces");
       for (size_t i = 0; i < count; ++i) {
         if (offsets[i] > offsets[i + 1]) {
           fail(DSW_STATUS_WRONG_SIZE, "offsets[%zu] is %zu, must be at least offsets[%zu], which is %zu", i + 1,
@@ -344,8 +344,8 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
     const dsw::Map<3>& map = env.map;
     size_t absent = 0;
     if (count != 0) {
-      dsw::require_array(indices, count, "indices");
-      dsw::require(edges, "edges");
+      dsw::require_array(indices, count, 2 * sizeof *indices, "indices");
+      dsw::require_array(edges, count, "edges");
       dsw::Array<dsw::Dart> found(count, dsw::Dart{}, env.memory);
       find_edges(env, count, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {

@@ -44,6 +44,7 @@ dsw::MoveOrder to_order(const dsw::Scene<D>& scene, const dsw::Body<D>& body, co
     if (o.order_count != 0) fail(DSW_STATUS_NULL_ARGUMENT, "options->order is null and order_count %zu", o.order_count);
     return {};
   }
+  dsw::require_array(o.order, o.order_count, "options->order");
   dsw::Array<bool> seen(body.vertices.size(), false, scene.memory);
   for (size_t i = 0; i < o.order_count; ++i) {
     const uint32_t v = o.order[i];

@@ -91,7 +91,7 @@ dsw_status dsw_scene_get_particle_positions(const dsw_scene* scene, const dsw_pa
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     dsw::require_array(particles, count, "particles");
-    const size_t step = dsw::to_step(s.kDimension, count, stride_bytes);
+    const size_t step = dsw::to_step(s.kDimension, positions, count, stride_bytes, "positions");
     check_particles(s, particles, count);
     for (size_t i = 0; i < count; ++i) {
       const auto& state = s.particles[particles[i].index];

@@ -290,6 +290,7 @@ dsw_status dsw_replay_create(dsw_context* context, const void* recording, size_t
   return capi::guard(__func__, [&] {
     capi::check_context(context);
     dsw::require(recording, "recording");
+    dsw::require_array(recording, size_bytes, 1, "recording");
     dsw::require(replay, "replay");
     capi::ReplayOwner made(capi::create_object<dsw_replay>(capi::memory_of(context), context,
                                                            static_cast<const uint8_t*>(recording), size_bytes));

@@ -20,7 +20,7 @@ void check_arrays(const dsw_volumes_desc& d) {
     fail(DSW_STATUS_TOO_LARGE, "desc->volume_count is %zu and desc->point_count is %zu, must be below 2^28",
          d.volume_count, d.point_count);
   }
-  dsw::require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
+  dsw::require_array(d.connectivity, d.connectivity_count, capi::index_bytes(d), "desc->connectivity");
   const dsw::CellType type = dsw::cell_type<D>(d.uniform_cell_type);
   if (d.offsets == nullptr && (d.cell_types != nullptr || (type.known && type.vertex_count == 0))) {
     fail(DSW_STATUS_NULL_ARGUMENT, "desc->offsets is null, which needs one uniform type with a fixed number of points");

@@ -120,8 +120,9 @@ void check_cells(const dsw_environment_desc& d) {
   } else if (d.offsets == nullptr) {
     fail(DSW_STATUS_NULL_ARGUMENT, "desc->offsets is null, which needs a uniform cell type");
   }
-  require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
-  require_array(d.faces, d.faces_count, "desc->faces");
+  const size_t index_bytes = d.index_bytes == 4 ? 4 : 8;
+  require_array(d.connectivity, d.connectivity_count, index_bytes, "desc->connectivity");
+  require_array(d.faces, d.faces_count, index_bytes, "desc->faces");
   if ((d.faces == nullptr) != (d.face_locations == nullptr)) {
     fail(DSW_STATUS_WRONG_SIZE, "desc->faces and desc->face_locations must be set both or none");
   }

@@ -204,10 +204,13 @@ bool is_plainly_valid(const Environment<3>& env, Cell c) noexcept {
 
 bool is_plainly_valid(const Environment<2>&, Cell) noexcept { return false; }
 
-/** Whether the filter alone proves what check_simplices() proves. One bound serves all determinants of the star. */
-bool is_plainly_star(const Shape& shape, const CellPoints<3>& at, const double* apex) noexcept {
+/** What the filter alone proves of what check_simplices() proves. */
+enum class Plainly { kStar, kNoStar, kUnknown };
+
+/** One bound serves all determinants of the star. */
+Plainly look_at_star(const Shape& shape, const CellPoints<3>& at, const double* apex) noexcept {
   const uint32_t count = shape.vertex_count();
-  if (count > CellPoints<3>::kMost) return false;
+  if (count > CellPoints<3>::kMost) return Plainly::kUnknown;
   const uint16_t* local = shape.simplices();
   const double* const first[3] = {at[local[0]], at[local[1]], at[local[2]]};
   double through[3];
@@ -219,35 +222,41 @@ bool is_plainly_star(const Shape& shape, const CellPoints<3>& at, const double* 
     across[i] = filter::cross(ray, of[i]);
     m = filter::extent(m, of[i]);
   }
-  if (!(filter::lowest(m) >= kFilterMin && filter::highest(m) <= kFilterMax)) return false;
+  if (!(filter::lowest(m) >= kFilterMin && filter::highest(m) <= kFilterMax)) return Plainly::kUnknown;
   const double bound = filter::bound(m);
   uint32_t pierced = 0;
   bool sure = true;
   for (const uint16_t* const end = local + 3 * shape.simplex_count(); local != end; local += 3) {
     const filter::Vec<3>&p = of[local[0]], &q = of[local[1]], &r = of[local[2]];
-    sure &= filter::dot(filter::cross(p, q), r) > bound;
+    const double volume = filter::dot(filter::cross(p, q), r);
+    if (volume < -bound) return Plainly::kNoStar;
+    sure &= volume > bound;
     const double sides[3] = {filter::dot(across[local[0]], q), filter::dot(across[local[1]], r),
                              filter::dot(across[local[2]], p)};
     if (sides[0] < -bound || sides[1] < -bound || sides[2] < -bound) continue;
     sure &= sides[0] > bound && sides[1] > bound && sides[2] > bound;
     ++pierced;
   }
-  return sure && pierced == 1;
+  return sure && pierced == 1 ? Plainly::kStar : Plainly::kUnknown;
 }
 
-bool is_plainly_star(const Shape&, const CellPoints<2>&, const double*) noexcept { return false; }
+Plainly look_at_star(const Shape&, const CellPoints<2>&, const double*) noexcept { return Plainly::kUnknown; }
 
-/** As check_cell, but does not look whether a valid cell is convex. */
+/** As check_cell, but does not look whether a valid cell is convex.
+ * @param tells_inverted else an inverted cell may be called invalid. */
 template <int D>
-CellState check_star(const Environment<D>& env, Cell c, const Shape& shape, const CellPoints<D>& at,
-                     const double* apex) noexcept {
+CellState check_star(const Environment<D>& env, Cell c, const Shape& shape, const CellPoints<D>& at, const double* apex,
+                     bool tells_inverted) noexcept {
   if (env.map.form(c) == Form::kSimplex) {
     const double* points[D];
     at.read(shape, 0, points);
     const int side = orient<D>(points, at[2]);  // facet 0 joins vertices 0 1 (3): vertex 2 is the apex
     return side < 0 ? CellState::kValidConvex : side > 0 ? CellState::kInverted : CellState::kInvalid;
   }
-  if (is_plainly_valid(env, c) || is_plainly_star(shape, at, apex)) return CellState::kValid;
+  if (is_plainly_valid(env, c)) return CellState::kValid;
+  const Plainly plainly = look_at_star(shape, at, apex);
+  if (plainly == Plainly::kStar) return CellState::kValid;
+  if (plainly == Plainly::kNoStar && !tells_inverted) return CellState::kInvalid;
   return check_simplices<D>(
       shape.simplex_count(), [&](uint32_t s, const double*(&points)[D]) { at.read(shape, s, points); }, apex);
 }
@@ -264,7 +273,7 @@ bool is_valid(const Environment<D>& env, Cell c) noexcept {
   const CellPoints<D> at(env, c, shape);
   double apex[D];
   at.centre(shape, apex);
-  const CellState state = check_star(env, c, shape, at, apex);
+  const CellState state = check_star(env, c, shape, at, apex, false);
   return state == CellState::kValid || state == CellState::kValidConvex;
 }
 
@@ -281,7 +290,7 @@ CellState check_cell(const Environment<D>& env, Cell c) noexcept {
   const CellPoints<D> at(env, c, shape);
   double apex[D];
   at.centre(shape, apex);
-  const CellState state = check_star(env, c, shape, at, apex);
+  const CellState state = check_star(env, c, shape, at, apex, true);
   if (state != CellState::kValid) return state;
   return is_flat_and_convex(shape, at, apex) ? CellState::kValidConvex : state;
 }

@@ -59,6 +59,30 @@ struct EdgeSequence {
   Place places[2];  // the last two: where an edge stands, and where it goes
   uint32_t place_count = 0, last_place = 0;
 
+  // The facets as they were when a call on the body began, if they have changed since; see keep_forecasts.
+  Array<uint32_t> kept;
+  uint64_t kept_in = 0;  // the number of that call
+  bool kept_in_rows = true;
+
+  /** Before the facets change in a call. Throws std::bad_alloc. */
+  void keep(uint64_t call) {
+    if (kept_in == call) return;
+    kept.assign(facets.begin(), facets.end());
+    kept_in_rows = in_rows;
+    kept_in = call;
+  }
+  /** Makes the facets those of before the call. */
+  void go_back(uint64_t call) noexcept {
+    if (kept_in != call) return;
+    facets.swap(kept);
+    in_rows = kept_in_rows;
+    kept_in = 0;
+    rows.clear();
+    if (in_rows) rows.replace(0, 0, facets.size());  // read anew with the passage, as its version says
+    passage = {};
+    place_count = 0;
+  }
+
   bool has_place(uint64_t of_version, const double* from, const double* to, Cell first, Cell last) const noexcept {
     if (place_count == 0 || passage.version != of_version) return false;
     return places[last_place].is(from, to, first, last) ||
@@ -76,7 +100,7 @@ struct EdgeSequence {
     place.last = last;
   }
 
-  explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), rows(allocator) {}
+  explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), rows(allocator), kept(allocator) {}
 
   void clear() noexcept {
     facets.clear();

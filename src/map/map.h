@@ -108,6 +108,8 @@ struct Map {
   uint32_t convex_bit = kConvexBit;  // 0 once points have moved: then records say of simplices alone that they are
                                      // convex
 
+  bool is_as_created = true;  // no change has been finished: what a snapshot needs is what it needed before
+
   explicit Map(const Memory* memory)
       : words(memory),
         shape_tables(memory),

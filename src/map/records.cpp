@@ -58,6 +58,7 @@ class OwnShapes {
 
   void apply(Map<D>& map) noexcept {
     if (offsets_.empty()) return;
+    map.is_as_created = false;
     uint32_t number = 0;
     for_each_cell(map, [&](Cell c) {
       uint32_t& word0 = map.record(c)[0];

@@ -35,6 +35,7 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
   star_.simplices.max_volumes = settings.max_volumes;
   start(body, targets, order);
   const bool edits = settings.may_edit();
+  keep_forecasts(body);
   before_.assign(body.vertices.begin(), body.vertices.end());
   Body<D> whole(env_.memory);
   if (edits) whole = body;
@@ -64,6 +65,7 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     if (settings.noise_share > 0) remove_noise(body, settings.noise_share, record);
   } catch (...) {
     go_back();
+    restore_forecasts(body);
     throw;
   }
   record.moved = static_cast<uint32_t>(course_.order.size());
@@ -74,6 +76,7 @@ template <int D>
 void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
   record.clear();
   star_.simplices.max_volumes = 0;
+  keep_forecasts(body);
   before_.assign(body.vertices.begin(), body.vertices.end());
   places_.resize(D * body.vertices.size());
   double fraction = 1;
@@ -85,6 +88,7 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
     }
   } catch (...) {
     put_vertices(body, before_.data());
+    restore_forecasts(body);
     throw;
   }
   const bool stays = std::equal(

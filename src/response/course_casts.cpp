@@ -64,7 +64,10 @@ void CourseCasts<D>::run_edges() {
   run();
   if (course_.body->keeps_sequences()) {
     for (uint32_t i = 0; i < packet_.count(); ++i) {
-      if (packet_.reached(i)) writers_[i].finish(course_.body->sequences[edges_[i]]);
+      if (!packet_.reached(i)) continue;
+      EdgeSequence<D>& sequence = course_.body->sequences[edges_[i]];
+      sequence.keep(course_.body->call);
+      writers_[i].finish(sequence);
     }
   }
   packet_.clear();

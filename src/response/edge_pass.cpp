@@ -114,7 +114,10 @@ void EdgePass<D>::sweep_chunk() {
     const uint32_t moves = (a.rank != kNone ? 1u : 0u) + (b.rank != kNone ? 1u : 0u);
     sweeps_.counts.swept += moves;
     sweeps_.counts.skipped += moves * (inside ? inside_counts : keeping_counts);
-    if (inside && !body.sequences[e].facets.empty()) body.sequences[e].clear();
+    if (inside && !body.sequences[e].facets.empty()) {
+      body.sequences[e].keep(body.call);
+      body.sequences[e].clear();
+    }
   }
 }
 

@@ -22,6 +22,7 @@ BodyMove<D>& mover_of(Scene<D>& scene) {
 template <int D>
 void begin_move(const Scene<D>& scene, BodyRecord<D>& of) {
   follow_changes(scene, of);
+  keep_forecasts(of.body);
   of.before.assign(of.body.vertices.begin(), of.body.vertices.end());
   of.touches.prepare(of.record);
 }
@@ -115,6 +116,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
         std::swap(body.body, wholes[i]);
       } else {
         put_vertices(body.body, body.before.data());
+        restore_forecasts(body.body);
       }
     }
     throw std::bad_alloc();

@@ -40,6 +40,7 @@ void gather(Scene<D>& scene) {
     if (!scene.body_slots.alive(slot, generation)) continue;
     BodyRecord<D>& body = scene.bodies[slot];
     follow_changes(scene, body);
+    keep_forecasts(body.body);
     d.all.bodies[slot] = {&body.body, &body.next, {slot, generation}};
     body.next.edits.clear();
     if (scene.features.contacts) d.partners.add({&body.body, slot, generation});
@@ -52,10 +53,17 @@ template <int D>
 void deform(Scene<D>& scene, double* next, const WallSettings& settings) {
   Deformation<D>& d = *scene.deformation.get();
   gather(scene);
-  if (settings.end_state) {
-    d.end_state.run(next, settings, d.next);
-  } else {
-    d.swept.run(next, settings, d.next);
+  try {
+    if (settings.end_state) {
+      d.end_state.run(next, settings, d.next);
+    } else {
+      d.swept.run(next, settings, d.next);
+    }
+  } catch (...) {
+    for (const typename Occupants<D>::Owner& owner : d.all.bodies) {
+      if (owner.body != nullptr) restore_forecasts(*owner.body);
+    }
+    throw;
   }
   if (d.env.points == next) {
     d.env.lent = settings.point_room == 0 ? nullptr : next;

@@ -1,5 +1,7 @@
 #include "scene/rigid_moves.h"
 
+#include <utility>
+
 namespace dsw {
 
 template <int D>
@@ -18,9 +20,15 @@ void move_rigid(Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, 
   if (!of.body.is_rigid()) {
     return move_body_together(scene, of, RigidMove<D>::place, &motion, order, motion.reach(of.body));
   }
+  RigidShape<D> before = of.body.shape[0];
   keep_shape(of.body);
   const ShapeMove<D> kept{motion, of.body.shape[0]};
-  move_body_together(scene, of, ShapeMove<D>::place, &kept, order, motion.reach(of.body));
+  try {
+    move_body_together(scene, of, ShapeMove<D>::place, &kept, order, motion.reach(of.body));
+  } catch (...) {
+    std::swap(of.body.shape[0], before);
+    throw;
+  }
   if (of.record.fraction > 0) of.body.shape[0].moved = kept.moved(of.record.fraction);
 }
 

@@ -222,7 +222,9 @@ void Call<D>::take_back() {
   if (env_.points != start_) read_points(start_);
   env_.set_moved(had_moved_);
   for (const Traveller<D>& of : travellers_) {
-    if (of.body != &particles_) put_vertices(*of.body, scene_.bodies[of.name.index].before.data());
+    if (of.body == &particles_) continue;
+    put_vertices(*of.body, scene_.bodies[of.name.index].before.data());
+    restore_forecasts(*of.body);
   }
 }
 

@@ -69,7 +69,10 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
       travellers.clear();
     }
   } catch (...) {
-    for (size_t i = 0; i < count; ++i) put_vertices(bodies[i]->body, bodies[i]->before.data());
+    for (size_t i = 0; i < count; ++i) {
+      put_vertices(bodies[i]->body, bodies[i]->before.data());
+      restore_forecasts(bodies[i]->body);
+    }
     throw;
   }
   for (size_t i = 0; i < count; ++i) end_move(scene, *bodies[i], i == 0 ? casts : CastCounters{});

@@ -56,7 +56,7 @@ uint64_t bytes_of(const Array<T>& array) {
 template <int D>
 BlockHeader header_of(const Environment<D>& env) {
   const Map<D>& map = env.map;
-  const bool changed = map.has_changed(), moving = env.has_moved();
+  const bool changed = map.has_changed() && !map.is_as_created, moving = env.has_moved();
   BlockHeader h;
   const bool tree = env.index.use() == TreeUse::kAtOnce && !moving;
   h.flags = (tree ? kHasTree : 0) | (changed ? kHasChanged : 0) | (moving ? kPointsMove : 0);
@@ -326,6 +326,7 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   check_sizes<D>(h, wide ? kWideUnitWords : kUnitWords<D>);
   const bool changed = (h.flags & kHasChanged) != 0, moving = (h.flags & kPointsMove) != 0;
   Map<D>& map = env.map;
+  map.is_as_created = !changed;
   map.vertex_count = h.counts[0];
   map.cell_count = h.counts[1];
   Array<uint64_t> edges{env.memory};

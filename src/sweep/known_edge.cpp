@@ -77,6 +77,7 @@ struct Follower {
   EdgeScratch<D>& scratch;
   EdgeSequence<D>& sequence;
   const BodyVertex<D>& from;
+  const uint64_t call;
   const bool first;  // the sequence begins at the moving end
 
   Follower(const Environment<D>& environment, const Body<D>& body, const EdgeSweep& edge, EdgeScratch<D>& used)
@@ -85,6 +86,7 @@ struct Follower {
         scratch(used),
         sequence(body.sequences[edge.e]),
         from(body.vertices[edge.v]),
+        call(body.call),
         first(body.edges[edge.e].ends[0] == edge.v) {}
 
   /** With the moving end at p. */
@@ -118,6 +120,7 @@ struct Follower {
     scratch.writer.attach(env, request);
     const CastResult result = cast(env, request, scratch.counters);
     if (result.end != CastEnd::kReached || result.cell != request.end) return false;
+    sequence.keep(call);
     scratch.writer.finish(sequence);
     return sequence.known();
   }
@@ -130,7 +133,10 @@ struct Follower {
     }
     return cell == sweep.arrival;
   }
-  void save() const { scratch.before = sequence.facets; }
+  void save() const {
+    sequence.keep(call);
+    scratch.before = sequence.facets;
+  }
   void restore() const {
     if (sequence.facets != scratch.before) sequence.assign(env, scratch.before);
   }

@@ -49,7 +49,10 @@ class SimplexSweep {
     if ((skipping.by_environment || keeps) && from == sweep.arrival && from == sweep.fixed) {
       const bool convex = env_.map.convex(from);
       if (convex || is_seen(env_, body.level, sweep, counters)) {
-        if (keeps) body.sequences[sweep.e].clear();
+        if (keeps) {
+          body.sequences[sweep.e].keep(body.call);
+          body.sequences[sweep.e].clear();
+        }
         counts.skipped += skipping.by_environment ? 1 : 0;
         return convex ? Settled::kInside : Settled::kSeen;
       }

@@ -91,7 +91,7 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
   if (contact.event.kind != EventKind::kEdge || !contact.facet.valid() || contact.dart == kNoFacet) return;
   const auto vertex = [&](int i) { return static_cast<uint32_t>((contact.event.points[i] - env.points) / 3); };
   TouchedLines* const kept = make_lines(body, e, v);
-  if (kept != nullptr) kept->note({{std::min(vertex(1), vertex(2)), std::max(vertex(1), vertex(2))}});
+  if (kept != nullptr) kept->note({{std::min(vertex(1), vertex(2)), std::max(vertex(1), vertex(2))}}, body.call);
 }
 
 bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept {
@@ -133,7 +133,7 @@ bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep
     if (!find_fan(env, m, ridge.facet, line, fan)) return false;
     kept = make_lines(body, sweep.e, sweep.v);
     if (kept != nullptr) {
-      kept->note(line);
+      kept->note(line, body.call);
       kept->fan = fan;
     }
   }

@@ -66,8 +66,9 @@ bool Sleeves<D>::is_of(const EdgeSequence<D>& sequence, const End& a, const End&
 
 /** Notes the sequence of the edge where it starts. */
 template <int D>
-bool Sleeves<D>::note_start(EdgeSequence<D>& sequence, const End& a, const End& b) {
+bool Sleeves<D>::note_start(EdgeSequence<D>& sequence, uint64_t call, const End& a, const End& b) {
   if (!cast_path(a.start, b.start, a.from, b.from)) return false;
+  sequence.keep(call);
   writer_.finish(sequence);
   return true;
 }
@@ -84,12 +85,12 @@ typename Sleeves<D>::Answer Sleeves<D>::ask(const Traveller<D>& of, uint32_t edg
   EdgeSequence<D>& sequence = body.sequences[edge];
   bool is_known = is_of(sequence, a, b);
   if (is_known) sequence.passage.version = env_.obstacle_version;  // one without facets is of all versions
-  if (is_known && are_ends && stays(sequence, a, b)) return Answer::kNothing;
+  if (is_known && are_ends && stays(sequence, body.call, a, b)) return Answer::kNothing;
   // What is found does not depend on what was noted before.
   is_known = is_known && follows(env_, sequence, a.start, b.start, a.from, b.from);
   if (!is_known) {
-    if (!note_start(sequence, a, b)) return Answer::kUnknown;
-    if (are_ends && stays(sequence, a, b)) return Answer::kNothing;
+    if (!note_start(sequence, body.call, a, b)) return Answer::kUnknown;
+    if (are_ends && stays(sequence, body.call, a, b)) return Answer::kNothing;
   }
   if (!rings_.find(sequence, EdgeWay::of_both(a.start, places[0], b.start, places[1]), paths_)) return Answer::kUnknown;
   const Touchables<D> found = features();
@@ -101,8 +102,9 @@ typename Sleeves<D>::Answer Sleeves<D>::ask(const Traveller<D>& of, uint32_t edg
 /** Whether the edge keeps to its sequence, or to one more facet at either end. The sequence becomes that of the end. If the
  * edge may leave it, it stays that of the start. */
 template <int D>
-bool Sleeves<D>::stays(EdgeSequence<D>& sequence, const End& a, const End& b) {
+bool Sleeves<D>::stays(EdgeSequence<D>& sequence, uint64_t call, const End& a, const End& b) {
   if (a.path.size() > 1 || b.path.size() > 1) return false;
+  if (!a.path.empty() || !b.path.empty()) sequence.keep(call);
   const auto extend = [&](const End& end, bool first) {
     return !end.path.empty() && !sequence.has_at(env_, {end.path[0]}, first) &&
            sequence.pass(env_, {end.path[0]}, first);
@@ -132,6 +134,7 @@ void Sleeves<D>::go_on(const Traveller<D>& of, uint32_t edge) {
   const End a = end_of(of, edge, 0), b = end_of(of, edge, 1);
   if (!a.to.valid() || !b.to.valid()) return;
   EdgeSequence<D>& sequence = of.body->sequences[edge];
+  sequence.keep(of.body->call);
   for (const uint32_t passed : a.path) sequence.pass(env_, {passed}, true);
   for (const uint32_t passed : b.path) sequence.pass(env_, {passed}, false);
   constexpr int kMostTurns = 16;

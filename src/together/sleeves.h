@@ -37,8 +37,8 @@ class Sleeves {
   bool find_path(const Traveller<D>& of, uint32_t v, const double* place, Array<uint32_t>& path);
   bool cast_path(const double* from, const double* to, Cell start, Cell end);
   bool is_of(const EdgeSequence<D>& sequence, const End& a, const End& b) const;
-  bool note_start(EdgeSequence<D>& sequence, const End& a, const End& b);
-  bool stays(EdgeSequence<D>& sequence, const End& a, const End& b);
+  bool note_start(EdgeSequence<D>& sequence, uint64_t call, const End& a, const End& b);
+  bool stays(EdgeSequence<D>& sequence, uint64_t call, const End& a, const End& b);
   bool passes_all(EdgeSequence<D>& sequence, const End& a, const End& b) const;
 
   const Environment<D>& env_;

@@ -130,6 +130,7 @@ void Edit<D>::finish() noexcept {
   map_.facet_count = static_cast<uint32_t>(map_.facet_count + (sides_ + boundary_) / 2);
   map_.boundary_facet_count = static_cast<uint32_t>(map_.boundary_facet_count + boundary_);
   env_.marked_facets = static_cast<uint64_t>(static_cast<int64_t>(env_.marked_facets) + marked_ / 2);
+  map_.is_as_created = false;
   finished_ = true;
 }
 

@@ -5,7 +5,8 @@
 
 namespace dsw {
 
-enum class Went { kThrough, kStopped, kInvalid, kRefused };
+/** kLimited: as kStopped, and no other way is tried. */
+enum class Went { kThrough, kStopped, kInvalid, kRefused, kLimited };
 
 /** Tries the whole way; where it is stopped half of it, a quarter, ... and at last none. try_way(way) tells how it
  * went; take_back() puts the environment to where it was, this the occupants. Whether one was made: `record` has its
@@ -37,7 +38,7 @@ bool find_way(Occupants<D>& all, bool whole, WallRecord& record, TryWay try_way,
     }
     contacts.swap(record.contacts);
     invalid.swap(record.invalid);
-    way = halvings == kMostHalvings ? 0 : way / 2;
+    way = halvings == kMostHalvings || went == Went::kLimited ? 0 : way / 2;
   }
 }
 

@@ -11,9 +11,10 @@ struct WallSettings {
   dsw_wall_response response = DSW_WALL_PUSH;
   bool end_state = false;
   bool refuses_invalid = false;
-  uint32_t most_halvings = 10;  // of the steps
-  double min_part = 0.25;       // of an edge, that a split leaves
-  size_t point_room = 0;        // of the array that is lent, in vertices; 0: no more than there are
+  uint32_t most_halvings = 10;   // of the steps
+  uint32_t max_holds = 1 << 16;  // turns in which a vertex stays, in all tries together
+  double min_part = 0.25;        // of an edge, that a split leaves
+  size_t point_room = 0;         // of the array that is lent, in vertices; 0: no more than there are
 };
 
 /** What a deformation leaves for the host to read. */

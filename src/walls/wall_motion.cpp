@@ -11,6 +11,8 @@ WallMotion<D>::WallMotion(Environment<D>& env, Occupants<D>& all)
 template <int D>
 void WallMotion<D>::run(double* next, const WallSettings& settings, WallRecord& record) {
   const bool inserts = settings.response == DSW_WALL_INSERT;
+  holds_ = 0;
+  is_limited_ = false;
   const auto take_back = [&] { around_.points().take_back(); };
   const auto try_way = [&](double way) {
     for (uint32_t halvings = 0;; ++halvings) {
@@ -39,6 +41,7 @@ Went WallMotion<D>::try_steps(double* next, double way, uint32_t halvings, const
   const bool last = halvings == settings.most_halvings;
   around_.find_occupants();
   around_.begin(next);
+  move_.begin();
   record.steps = steps;
   for (uint32_t s = 0; s < steps; ++s) {
     const double before = way * s / steps, after = way * (s + 1) / steps;
@@ -52,12 +55,20 @@ Went WallMotion<D>::try_steps(double* next, double way, uint32_t halvings, const
           record.invalid.clear();  // that did not stop it
           return Went::kStopped;
         }
-        if (moved != WallMove<D>::Moved::kInvalid) continue;
-        if (!last) return Went::kInvalid;
-        move_.find_invalid(v, to, record.invalid);
-        if (!settings.refuses_invalid) continue;
-        if (record.invalid.empty()) move_.find_around(record.invalid);
-        return Went::kRefused;
+        if (moved == WallMove<D>::Moved::kYes) continue;
+        if (moved == WallMove<D>::Moved::kInvalid) {
+          if (!last) return Went::kInvalid;
+          move_.find_invalid(v, to, record.invalid);
+          if (settings.refuses_invalid) {
+            if (record.invalid.empty()) move_.find_around(record.invalid);
+            return Went::kRefused;
+          }
+        }
+        if (++holds_ < settings.max_holds) continue;
+        is_limited_ = true;
+        if (settings.response == DSW_WALL_STOP) return Went::kLimited;
+        around_.end_step(way);  // near vertices stay where they are now
+        return Went::kThrough;
       }
     }
     around_.end_step(after);
@@ -75,7 +86,10 @@ void WallMotion<D>::finish(WallRecord& record) {
     points.at(v, way, to);
     if (!std::equal(to, to + D, env_.point(v))) record.held.push_back({v, env_.map.vertex_generation(v)});
   }
-  record.outcome = way != 1 ? DSW_DEFORM_FRACTION : record.held.empty() ? DSW_DEFORM_DONE : DSW_DEFORM_HELD;
+  record.outcome = is_limited_           ? DSW_DEFORM_LIMITED
+                   : way != 1            ? DSW_DEFORM_FRACTION
+                   : record.held.empty() ? DSW_DEFORM_DONE
+                                         : DSW_DEFORM_HELD;
   if (way != 1) points.shorten(way);
   points.finish();
 }

@@ -35,6 +35,8 @@ class WallMotion {
   Neighbourhood<D> around_;
   WallMove<D> move_;
   Array<uint32_t> turns_{env_.memory};
+  uint32_t holds_ = 0;  // turns in this call in which a vertex has stayed
+  bool is_limited_ = false;
 };
 
 }  // namespace dsw

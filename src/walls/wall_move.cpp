@@ -213,23 +213,34 @@ void WallMove<D>::restore_locations() noexcept {
 }
 
 template <int D>
+Box<D> WallMove<D>::box_of(Cell c) const noexcept {
+  Box<D> box;
+  env_.map.for_each_vertex(c, [&](uint32_t v) { box.add(env_.point(v)); });
+  return box;
+}
+
+template <int D>
 Cell WallMove<D>::find_cell(const Feature& point) const {
   const double* const at = position(all_, point);
   const Cell old = cell_of(all_, point);
   if (admits(env_, old) && contains(env_, old, at)) return old;
   for (const Cell c : *star_) {
-    if (c != old && !is_closed(env_, c) && contains(env_, c, at)) return c;
+    // What a valid cell contains lies in its box, which is sooner asked than whether the cell is valid.
+    if (c != old && box_of(c).contains(at) && !is_closed(env_, c) && contains(env_, c, at)) return c;
   }
   return {};
 }
 
 template <int D>
 void WallMove<D>::find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid) {
+  if (std::all_of(star_->begin(), star_->end(), [&](Cell c) { return told_.contains(c); })) return;
   double from[D];
   std::copy_n(env_.point(v), D, from);
   put(v, to);
   for (const Cell c : *star_) {
-    if (!admits(env_, c)) invalid.push_back(volume_id(env_.map, c));
+    if (told_.contains(c) || admits(env_, c)) continue;
+    told_.insert(c);
+    invalid.push_back(volume_id(env_.map, c));
   }
   put(v, from);
 }

@@ -15,10 +15,13 @@ class WallMove {
    * into its new cell. In both cases the vertex stays. kStopped: as kHeld, and nothing has been pushed. */
   enum class Moved { kYes, kHeld, kInvalid, kStopped };
 
+  /** Other points move now, from the start of a way. */
+  void begin() noexcept { told_.clear(); }
   /** Moves near vertex v. Contacts go to the record. Throws std::bad_alloc, with a state that holds no more. */
   Moved move(uint32_t v, const double* to, const WallSettings& settings, WallRecord& record);
 
-  /** Cells round the vertex that was moved last which are not valid with it at `to`. */
+  /** Cells round the vertex that was moved last which are not valid with it at `to`, but for those that have been told
+   * since the way began. */
   void find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid);
   /** All cells round that vertex: where they would be valid, but what lies in them cannot be followed there. */
   void find_around(Array<dsw_volume_id>& cells) const;
@@ -43,6 +46,7 @@ class WallMove {
   void restore_locations() noexcept;
   bool is_star_valid() const noexcept;
   bool has_thick() const noexcept;
+  Box<D> box_of(Cell c) const noexcept;
   Cell find_cell(const Feature& point) const;
 
   Environment<D>& env_;
@@ -61,6 +65,7 @@ class WallMove {
     Cell cell;
   };
   Array<Location> before_{env_.memory};  // cells of the star's points
+  CellQueue told_{env_.memory};          // those of find_invalid
 };
 
 }  // namespace dsw

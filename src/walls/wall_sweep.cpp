@@ -96,10 +96,11 @@ void WallSweep<D>::start(uint32_t vertex, const Array<Cell>& star) {
     if (!front_.valid() || map.marked(front_)) front_ = c;
     if (map.marked(c)) continue;
     const Shape shape = map.shape(c);
+    uint32_t own = 0;
+    while (map.vertex(c, own) != vertex) ++own;
     for (uint32_t facet = 0; facet < shape.facet_count(); ++facet) {
       bool is_at_vertex = false;
-      for_each_facet_vertex<D>(shape, facet,
-                               [&](uint32_t local) { is_at_vertex = is_at_vertex || map.vertex(c, local) == vertex; });
+      for_each_facet_vertex<D>(shape, facet, [&](uint32_t local) { is_at_vertex = is_at_vertex || local == own; });
       if (!is_at_vertex) continue;
       const HalfFacet h = map.half_facet(c, facet), o = map.opposite(h);
       // One that is passable on both sides is met from both.

@@ -12,9 +12,10 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   Options options;
   std::string json = "benchmark.json";
-  const std::vector<std::string> known = {"hex",    "threads", "kernels",  "tet",     "vessel",  "change", "create",
-                                          "fig11",  "fig12",   "catheter", "deform",  "coarsen", "cut",    "obstacles",
-                                          "remesh", "self",    "plane",    "figure5", "locate",  "near",   "together"};
+  const std::vector<std::string> known = {"hex",    "threads",   "kernels",  "tet",      "vessel", "change",
+                                          "create", "fig11",     "fig12",    "catheter", "deform", "coarsen",
+                                          "cut",    "obstacles", "remesh",   "self",     "plane",  "figure5",
+                                          "locate", "near",      "together", "work"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");
@@ -45,6 +46,7 @@ int main(int argc, char** argv) {
       run_knot(report);
     }
     if (wanted("figure5")) run_figure5(options, report);
+    if (wanted("work")) run_work(options, report);
     if (wanted("remesh")) run_remesh(options, report);
     if (wanted("plane")) run_plane(options, report);
     if (wanted("kernels")) run_kernels(options, report);

@@ -27,6 +27,7 @@ void run_cut(const Options& options, Report& report);
 void run_obstacles(const Options& options, Report& report);
 void run_self(const Options& options, Report& report);
 void run_together(const Options& options, Report& report);
+void run_work(const Options& options, Report& report);
 void run_figure5(const Options& options, Report& report);
 void run_knot(Report& report);
 void run_remesh(const Options& options, Report& report);

@@ -25,7 +25,6 @@ constexpr unsigned char kUntouched = 0xa5;
 /** One parameter of a call that is about to be made. */
 struct Argument {
   std::string_view function, name;
-  bool has_stride;  // beside it
   Host* host;
   unsigned char* scratch;  // memory of its own
   bool called(const char* other) const { return name == other; }
@@ -176,8 +175,16 @@ bool bad_handle(const Argument& a, size_t k, T** handle, int* wanted) {
   return k < 5;
 }
 
-/** Their size is more than there are addresses. */
-inline size_t too_many_points(const Argument& a) { return SIZE_MAX / (a.host->dimension * sizeof(double)) + 1; }
+/** Counts and sizes that nothing in memory has. Where addresses have 64 bits, some times the size of an entry fit into
+ * a size_t again. */
+constexpr size_t kHuge[] = {SIZE_MAX,          SIZE_MAX - 1,    SIZE_MAX - 7,      SIZE_MAX / 2 + 1, SIZE_MAX / 8,
+                            SIZE_MAX / 16 + 1,
+#if SIZE_MAX > UINT32_MAX
+                            SIZE_MAX / 16,     SIZE_MAX / 24,   SIZE_MAX / 24 + 1, SIZE_MAX / 32,    SIZE_MAX / 48,
+                            SIZE_MAX / 152,    size_t{1} << 61, size_t{1} << 57
+#endif
+};
+constexpr size_t kHugeCount = sizeof kHuge / sizeof *kHuge;
 
 /** A struct with its size: sizes that never were, one of a later version, and what is wrong in it. */
 template <class T>
@@ -205,22 +212,23 @@ bool bad_struct(const Argument& a, size_t k, T** value, int* wanted) {
   }
   if constexpr (!is_description<T>) return false;
   k -= 2;
-  constexpr size_t kWays = 4;
-  size_t at = k / kWays;
   for (const Member& m : kMembers) {
-    if (m.type != name_of<T> || at-- != 0) continue;
-    *wanted = kAnything;
+    if (m.type != name_of<T>) continue;
+    const double numbers[] = {std::nan(""), HUGE_VAL, -1, 1e300};
+    const uint32_t words[] = {UINT32_MAX, 77, 0x7ffffffe, 0}, ids[][2] = {{0, 2}, {UINT32_MAX, 1}, {1, 0}, {77, 1}};
+    const size_t ways = m.kind == Kind::SIZE ? kHugeCount + 1 : m.kind == Kind::POINTER ? 1 : 4;
+    if (k >= ways) {
+      k -= ways;
+      continue;
+    }
+    const bool is_count = m.name.size() > 6 && m.name.substr(m.name.size() - 6) == "_count";
+    *wanted = m.kind == Kind::SIZE && is_count && k < kHugeCount ? kRefused : kAnything;
     auto* const to = reinterpret_cast<unsigned char*>(*value) + m.offset;
-    const double numbers[kWays] = {std::nan(""), HUGE_VAL, -1, 1e300};
-    const bool strided = m.name == "point_count";  // what can be seen is that count * stride is too much
-    const size_t sizes[kWays] = {0, SIZE_MAX, SIZE_MAX - 7, strided ? too_many_points(a) : SIZE_MAX / 2 + 1};
-    const uint32_t words[kWays] = {UINT32_MAX, 77, 0x7ffffffe, 0},
-                   ids[kWays][2] = {{0, 2}, {UINT32_MAX, 1}, {1, 0}, {77, 1}};
-    if (m.kind == Kind::POINTER) std::memset(to, 0, m.size);
-    if (m.kind == Kind::NUMBER) std::memcpy(to, numbers + k % kWays, m.size);
-    if (m.kind == Kind::SIZE) std::memcpy(to, sizes + k % kWays, m.size);
-    if (m.kind == Kind::WORD) std::memcpy(to, words + k % kWays, m.size);
-    if (m.kind == Kind::ID) std::memcpy(to, ids + k % kWays, m.size);
+    if (m.kind == Kind::POINTER || m.kind == Kind::SIZE) std::memset(to, 0, m.size);
+    if (m.kind == Kind::NUMBER) std::memcpy(to, numbers + k, m.size);
+    if (m.kind == Kind::SIZE && k < kHugeCount) std::memcpy(to, kHuge + k, m.size);
+    if (m.kind == Kind::WORD) std::memcpy(to, words + k, m.size);
+    if (m.kind == Kind::ID) std::memcpy(to, ids + k, m.size);
     return true;
   }
   return false;
@@ -324,26 +332,15 @@ inline size_t good_size(const Argument& a) {
 
 inline bool bad_size(const Argument& a, size_t k, size_t* value, int* wanted) {
   *wanted = kAnything;
-  if (a.called("size_bytes") || a.called("size")) {
-    const size_t sizes[] = {0, 1, 4, 8, *value - 1};
-    *value = sizes[k % 5];
-    return k < 5;
-  }
-  if (a.called("capacity") || a.called("capacity_bytes")) {
-    *value = k;
-    return k < 2;
-  }
-  const bool stride = a.called("stride_bytes");
-  if (k == 0) {
-    *value = stride ? 24 : 0;
-    return true;
-  }
-  // No array is so long, and no two points are so far apart. Where there is a stride, less is too much as well.
-  const size_t counts[] = {SIZE_MAX, SIZE_MAX / 2 + 1, too_many_points(a)},
-               strides[] = {1, 8, 23, 25, SIZE_MAX, SIZE_MAX - 7};
-  *wanted = kRefused;
-  if (k > (stride ? 6u : a.has_stride ? 3u : 2u)) return false;
-  *value = stride ? strides[k - 1] : counts[k - 1];
+  // What fits, and then what no memory has. Room may be as large as it likes: no more is written than there is.
+  const bool is_size = a.called("size_bytes") || a.called("size"),
+             is_room = a.called("capacity") || a.ends_with("_bytes"), is_stride = a.called("stride_bytes");
+  const size_t sizes[] = {0, 1, 4, 8, *value - 1}, rooms[] = {0, 1}, strides[] = {24, 1, 8, 23, 25};
+  const size_t* const few = is_size ? sizes : is_stride ? strides : rooms;
+  const size_t few_count = is_size || is_stride ? 5 : is_room ? 2 : 1;
+  if (k >= few_count + kHugeCount) return false;
+  *value = k < few_count ? few[k] : kHuge[k - few_count];
+  if (k < few_count ? is_stride && k != 0 : !is_room || is_size || is_stride) *wanted = kRefused;
   return true;
 }
 

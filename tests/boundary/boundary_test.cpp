@@ -57,12 +57,10 @@ class Caller {
     if (mutex_ != nullptr && !writes) together = std::shared_lock<std::shared_mutex>(*mutex_);
 
     size_t next = 0;
-    const bool has_stride = parameters.find("stride_bytes") != std::string_view::npos &&
-                            parameters.find("target_count") == std::string_view::npos;
     std::array<Argument, kMostParameters> about;
     for (size_t i = 0; i < sizeof...(A); ++i) {
       const size_t end = parameters.find(',', next);
-      about[i] = {name, parameters.substr(next, end - next), has_stride, &host_, scratch_.data() + i * kScratchBytes};
+      about[i] = {name, parameters.substr(next, end - next), &host_, scratch_.data() + i * kScratchBytes};
       next = end + 1;
     }
     std::tuple<A...> arguments = all_good<A...>(about, std::index_sequence_for<A...>());

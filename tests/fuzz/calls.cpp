@@ -312,6 +312,7 @@ dsw_status Calls::deform() {
   o.response = static_cast<dsw_wall_response>(bytes_.below(4));
   o.invalid = static_cast<dsw_invalid_response>(bytes_.below(3));
   o.most_halvings = 1 + bytes_.below(4);
+  o.max_holds = o.most_halvings == 4 ? 3 : 0;
   o.point_room = bytes_.below(2) == 0 ? 0 : count + 40;
   next.assign(dimension_ * (count + 40), 0);
   std::copy_n(now, dimension_ * count, next.begin());

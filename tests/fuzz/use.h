@@ -60,7 +60,7 @@ struct World {
 /** One of a few, by a byte. */
 World world_of(uint8_t byte);
 /** Some of its corners are moved, so that faces are warped; the cell in the middle is a wall. */
-dsw_environment* make_world(const World& world);
+dsw_environment* make_world(const World& world, dsw_context* context = nullptr);
 /** The environment of all saved scenes: hexahedra, or quads. */
 dsw_environment* make_home(bool is_planar);
 /** Bodies at every level and particles in it, moved a little; some are gone again. */

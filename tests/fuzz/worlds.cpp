@@ -50,7 +50,7 @@ World world_of(uint8_t byte) {
   return {{size[0], size[1], size[2]}, types[byte / 8 % 8]};
 }
 
-dsw_environment* make_world(const World& world) {
+dsw_environment* make_world(const World& world, dsw_context* context) {
   const uint32_t nx = world.boxes[0], ny = world.boxes[1], nz = world.boxes[2];
   std::vector<double> points;
   for (uint32_t z = 0; z <= nz; ++z) {
@@ -99,7 +99,7 @@ dsw_environment* make_world(const World& world) {
   desc.connectivity = connectivity.data();
   desc.connectivity_count = connectivity.size();
   dsw_environment* environment = nullptr;
-  require(dsw_environment_create(nullptr, &desc, &environment, nullptr) == DSW_STATUS_OK, "a world");
+  require(dsw_environment_create(context, &desc, &environment, nullptr) == DSW_STATUS_OK, "a world");
   const dsw_volume_id wall = {static_cast<uint32_t>(types.size() / 2), 1};  // in the middle
   require(types.size() == 1 ||
               dsw_environment_mark_volumes(environment, &wall, 1, DSW_MARK_IMPASSABLE, 0, nullptr) == DSW_STATUS_OK,

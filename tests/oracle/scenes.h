@@ -32,7 +32,7 @@ std::vector<double> axis(int n, double s);
 Mesh delaunay(Rng& rng, int points, int size);
 /// Voronoi cells of random points; `share`: how far their vertices are drawn away from where they belong, which leaves
 /// no face flat.
-Mesh voronoi(Rng& rng, double share);
+Mesh voronoi(Rng& rng, double share, int points = 28);
 /// Whether some face has no triangulation that keeps the stars of its volumes positive: then creation may refuse the
 /// mesh.
 bool may_be_refused(const Mesh& mesh);

@@ -77,9 +77,9 @@ Mesh dual(const Mesh& tets, double share) {
 
 }  // namespace
 
-Mesh voronoi(Rng& rng, double share) {
+Mesh voronoi(Rng& rng, double share, int count) {
   for (;;) {
-    Mesh mesh = dual(delaunay(rng, 28, 4096), share);
+    Mesh mesh = dual(delaunay(rng, count, 4096), share);
     if (mesh.cells.size() < 3 || may_be_refused(mesh)) continue;
     // Points of no cell are left out.
     std::vector<int> number(mesh.points.size(), -1);

@@ -1,6 +1,7 @@
 // Deformations: memory that runs out at every single point, and the same bits twice.
 #include "deform_support.h"
 #include "host_memory.h"
+#include "snapshot_support.h"
 
 namespace dsw::oracle {
 namespace {
@@ -74,6 +75,38 @@ TEST_F(DeformTest, CostsNothingWhereNothingLies) {
   EXPECT_EQ(report.near_count, 0u);
   EXPECT_EQ(report.outcome, DSW_DEFORM_DONE);
   EXPECT_EQ(points_of(place_.get()), next);
+}
+
+/// A cell with a body is folded over: its vertices stay, however small the steps are.
+TEST_F(DeformTest, StopsAtTheWorkLimit) {
+  dsw_environment* const environment = dsw_scene_get_environment(scene());
+  const dsw_body_id body = make(tetrahedron({2.05, 1.5, 1.25}, 0.5), DSW_LEVEL_FACES);
+  const std::string before = bits_of(read(body));
+  const std::vector<double> from = points_of(place_.get());
+  const auto fold = [&](std::vector<double>& next, uint32_t max_holds) {
+    next = from;
+    for (const uint32_t v : {point(2, 1, 1), point(2, 2, 1)}) next[3 * v + 2] += 1.5;
+    dsw_deform_options options = defaults(dsw_deform_options_init);
+    options.response = DSW_WALL_HOLD;
+    options.max_holds = max_holds;
+    dsw_deform_report report;
+    EXPECT_EQ(dsw_environment_deform(environment, next.data(), next.size() / 3, &options, &report), DSW_STATUS_OK);
+    EXPECT_GT(report.held_count, 0u);
+    EXPECT_EQ(bits_of(read(body)), before);
+    load_both(saved(environment), saved(scene()));  // which looks whether all is free
+    return report;
+  };
+  std::vector<double> next[2], back[2] = {from, from};
+  for (int limited = 0; limited < 2; ++limited) {
+    const dsw_deform_report report = fold(next[limited], limited == 0 ? 0 : 5);
+    EXPECT_EQ(report.outcome, limited == 0 ? DSW_DEFORM_HELD : DSW_DEFORM_LIMITED);
+    EXPECT_EQ(report.steps, limited == 0 ? 1024u : report.steps);
+    if (limited != 0) {
+      EXPECT_LE(report.contact_count, 5u);  // each is a hold
+    }
+    ASSERT_EQ(dsw_environment_deform(environment, back[limited].data(), from.size() / 3, nullptr, nullptr),
+              DSW_STATUS_OK);
+  }
 }
 
 class DeformMemoryTest : public MemoryTest {

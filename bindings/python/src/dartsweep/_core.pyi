@@ -448,6 +448,7 @@ class DeformOptions:
     point_room: int
     remesh_radius: int
     remesh_max_faces: int
+    max_holds: int
 
 class CoarsenOptions:
     max_faces: int

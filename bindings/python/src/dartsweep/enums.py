@@ -260,6 +260,7 @@ class DeformOutcome(Constant):
     HELD = _core.DEFORM_HELD
     FRACTION = _core.DEFORM_FRACTION
     REFUSED = _core.DEFORM_REFUSED
+    LIMITED = _core.DEFORM_LIMITED
 
 
 class EnvironmentFlag(Flags):
