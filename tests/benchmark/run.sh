@@ -83,11 +83,11 @@ mkdir -p "$tree"
 cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
   -DDSW_BUILD_EXAMPLES=ON -DDSW_WITH_LIBCCD=ON > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
 cmake --build "$tree" -j "$(nproc)" \
-  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_walk_counted dartsweep_bench_predicates dartsweep_pairs dartsweep_oracle dartsweep_core edits_tests together_tests together_deform_tests cross_check_tests paper_catheter_length
+  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_walk_counted dartsweep_bench_predicates dartsweep_pairs dartsweep_oracle dartsweep_core edits_tests together_tests together_deform_tests near_tests cross_check_tests paper_catheter_length
 
 bench=$tree/tests/benchmark
-if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 edits=5000 cases=110000 pairs=20000 rounds=10 moves=2000
-else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 edits=100000 cases=500000 pairs=1000000 rounds=600 moves=30000; fi
+if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 edits=5000 cases=110000 pairs=20000 rounds=10 moves=2000 near=24
+else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 edits=100000 cases=500000 pairs=1000000 rounds=600 moves=30000 near=5500; fi
 "$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}" "${folder[@]}"
 rm -rf "$tree/moves" # of an older run
 mkdir -p "$tree/moves"
@@ -114,8 +114,9 @@ fi
 DSW_EDITS=$edits "$tree/tests/property/edits_tests" --gtest_output="json:$tree/edits.json" > "$tree/edits.log" || failed=1
 DSW_TOGETHER_ROUNDS=$rounds "$tree/tests/property/together_tests" --gtest_output="json:$tree/together.json" > "$tree/together.log" || failed=1
 DSW_TOGETHER_MOVES=$moves "$tree/tests/property/together_deform_tests" --gtest_output="json:$tree/together_deform.json" > "$tree/together_deform.log" || failed=1
+DSW_NEAR_BODIES=$near "$tree/tests/property/near_tests" --gtest_output="json:$tree/near.json" > "$tree/near.log" || failed=1
 
 "$tree/tests/property/cross_check_tests" --gtest_output="json:$tree/normals.json" > "$tree/normals.log" || failed=1
-python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/normals.json" "$tree/together.json" "$tree/together_deform.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/walk_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/exact_pairs.json" "$tree/pairs_instructions.json" "$tree/oracle.json"
+python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/normals.json" "$tree/together.json" "$tree/together_deform.json" "$tree/near.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/walk_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/exact_pairs.json" "$tree/pairs_instructions.json" "$tree/oracle.json"
 echo "wrote $json"
 exit $failed

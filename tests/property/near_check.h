@@ -34,19 +34,25 @@ struct NearTally {
   uint64_t rows = 0, missed = 0, phantom = 0, hidden = 0, overlapped = 0;
 };
 
+/// Properties of the running test.
+inline void record(const NearTally& tally) {
+  testing::Test::RecordProperty("rows", std::to_string(tally.rows));
+  testing::Test::RecordProperty("phantom", std::to_string(tally.phantom));
+  testing::Test::RecordProperty("missed", std::to_string(tally.missed));
+}
+
 /// What the points of a row must be, up to rounding. `size`: the largest coordinate.
 inline void check_numbers(const dsw_near_row& row, const NearTruth::Row& truth, double size) {
   const double bound = 0x1p-44 * size;
   EXPECT_NEAR(row.distance, truth.distance, bound);
-  double length = 0, way = 0, along = 0;
+  double length = 0, along = 0, way[3];
   for (int k = 0; k < 3; ++k) {
-    const double w = row.point[k] - row.obstacle_point[k];
+    way[k] = row.point[k] - row.obstacle_point[k];
     length += row.normal[k] * row.normal[k];
-    way += w * w;
-    along += w * row.normal[k];
+    along += way[k] * row.normal[k];
   }
   EXPECT_NEAR(length, 1, 1e-14);
-  EXPECT_NEAR(std::sqrt(way), truth.distance, bound);
+  EXPECT_NEAR(std::hypot(way[0], way[1], way[2]), truth.distance, bound);
   EXPECT_NEAR(along, truth.distance, bound);
   double sum = 0, obstacle_sum = 0;
   for (int i = 0; i < 3; ++i) {
