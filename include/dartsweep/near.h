@@ -20,9 +20,11 @@
  * edge that passes a corner that sticks out has one row at this corner. If an edge is parallel to a
  * wall, its ends have the rows.
  *
- * The first three conditions are decided exactly. With respect to the environment a vertex is
- * shifted (base.h), so that a vertex that touches a wall sees the other walls there. Points,
- * distances and normals are rounded.
+ * The first four conditions are decided exactly, also where the nearest points are not doubles. With
+ * respect to the environment a body is shifted (base.h). So a vertex that touches a wall sees the
+ * other walls there, and a segment that touches a wall without passing it is free or not as the
+ * shift says. Two walls in one place, as at a closed slit, hide each other. Points, distances and
+ * normals are rounded.
  *
  * With DSW_FEATURE_BODY_CONTACTS the same holds for obstacles that are parts of other bodies, if
  * the filters match, and of the same body with DSW_BODY_SELF_CONTACTS. Nothing but the environment
@@ -89,8 +91,7 @@ DSW_API void dsw_near_options_init(dsw_near_options *options, size_t size);
 /** Finds the near rows of a body, and keeps them with the body until the next call for it.
  *
  * All rows are given, apart from rounding: a row may be present or absent if its distance differs
- * from its limit, or the segment between its points passes an impassable cell, by at most 2^-40 of
- * the largest coordinate of the points that are involved.
+ * from its limit by at most 2^-40 of the largest coordinate of the points that are involved.
  * @param options null means the defaults.
  * @param row_count may be null.
  * @return DSW_STATUS_OUT_OF_RANGE: margin or radius. DSW_STATUS_OUT_OF_MEMORY: there are no rows

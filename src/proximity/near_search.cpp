@@ -1,9 +1,9 @@
 #include "proximity/near_search.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "predicates/near_signs.h"
+#include "proximity/sight.h"
 
 namespace dsw {
 namespace {
@@ -14,20 +14,6 @@ PointArray points_of(const Body<D>& body) noexcept {
   static_assert(sizeof(BodyVertex<D>) % sizeof(double) == 0);
   if (body.vertices.empty()) return {};
   return {body.vertices[0].position, sizeof(BodyVertex<D>) / sizeof(double)};
-}
-
-/** Whether the obstacle of a pair has a vertex. */
-template <int D>
-bool is_corner(const NearPair<D>& pair, uint32_t vertex) noexcept {
-  return std::find(pair.obstacle_vertices, pair.obstacle_vertices + 3, vertex) != pair.obstacle_vertices + 3;
-}
-
-/** What is closer to an obstacle than this does not hide it. */
-template <int D>
-double sight_room(const NearPair<D>& pair) noexcept {
-  double size = 0;
-  for (int k = 0; k < D; ++k) size = std::max({size, std::fabs(pair.point[k]), std::fabs(pair.obstacle_point[k])});
-  return 0x1p-42 * size;
 }
 
 /** The parts that are asked for with a simplex: the simplex itself, edges whose first face it is, and vertices at the
@@ -78,114 +64,28 @@ class CoveredParts {
 
 template <int D>
 NearSearch<D>::NearSearch(const Environment<D>& env, const Body<D>& body, NearNotes<D>& notes)
-    : env_(env),
-      body_(body),
-      notes_(notes),
-      lists_(env),
-      others_(env.memory),
-      near_others_(env.memory),
-      around_(env.memory),
-      cells_(env.memory) {}
+    : env_(env), body_(body), notes_(notes), lists_(env), others_(env.memory), near_others_(env.memory) {}
 
-/** The first cast goes a little beyond the obstacle. If something else is met, another one goes a little less than all the
- * way. */
+/** The way from the part's first vertex to its nearest point lies in the part, which is free. From there another one
+ * leads to the obstacle. */
 template <int D>
-bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearPair<D>& pair) {
-  const double room = sight_room(pair) / pair.distance;
-  Cell start = body_.vertices[part.corners.vertices[0]].cell;
-  if (part.corners.count > 1) {
-    const CastResult in_part = cast(env_, part.points[0], pair.point, start);
-    if (in_part.end == CastEnd::kHit) return true;  // the rounded point lies behind what the part touches
-    start = in_part.cell;
+bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearList<D>& list, const NearPair<D>& pair) {
+  const bool is_of_body = &list == &others_;
+  SimplexPoints obstacle{{}, pair.feature.count}, of_part{{}, part.corners.count};
+  for (uint32_t i = 0; i < obstacle.count; ++i) obstacle.at[i] = list.point(pair.feature.corners[i]);
+  std::copy_n(part.points, of_part.count, of_part.at);
+  const SightEnd<D> point(of_part, obstacle, EndShift::kWhole);
+  SightResult at{false, body_.vertices[part.corners.vertices[0]].cell};
+  if (of_part.count > 1) {
+    Sightline<D> in_part(SightEnd<D>({{part.points[0]}, 1}, obstacle, EndShift::kWhole), point);
+    at = walk_along(env_, in_part, at.cell, nullptr, 0);
+    if (at.is_hit) return false;
   }
-  const bool is_of_body = !pair.wall.valid() && !pair.cell.valid();
-  if (!(room < 1)) return is_of_body || is_reached(start, part, pair);
-  const auto cast_to = [&](double from_obstacle) {
-    double end[3];
-    for (int k = 0; k < D; ++k) {
-      end[k] = pair.obstacle_point[k] + from_obstacle * (pair.point[k] - pair.obstacle_point[k]);
-    }
-    return cast(env_, pair.point, end, start);
-  };
-  if (is_of_body) return cast_to(room).end != CastEnd::kHit;
-  const CastResult beyond = cast_to(-room);
-  if (beyond.end != CastEnd::kHit || is_at(beyond, pair)) return true;
-  const CastResult before = cast_to(room);
-  return before.end != CastEnd::kHit ? is_reached(before.cell, part, pair) : is_at(before, pair);
-}
-
-/** Whether a hit is on a wall at the obstacle of a pair. */
-template <int D>
-bool NearSearch<D>::is_at(const CastResult& hit, const NearPair<D>& pair) const noexcept {
-  const Shape shape = env_.map.shape(hit.cell);
-  uint32_t shared = 0;
-  for (uint32_t i = 0; pair.wall.valid() && i < D; ++i) {
-    const uint32_t v = env_.map.vertex(hit.cell, shape.simplices()[size_t{hit.simplex} * D + i]);
-    shared += is_corner(pair, v);
-  }
-  return shared == pair.feature.count;
-}
-
-/** Rounded points cannot decide here. The obstacle counts as seen if a small flood from `start` reaches it and nothing at
- * it comes closer, reached or not. */
-template <int D>
-bool NearSearch<D>::is_reached(Cell start, const Part<D>& part, const NearPair<D>& pair) {
-  const double* const at = pair.obstacle_point;
-  const NearList<D>& list = lists_.in(start, NearRegion<D>(&at, 1, 2 * sight_room(pair)));
-  const auto has_feature = [&](const NearObstacle<D>& o) {
-    uint32_t shared = 0;
-    for (uint32_t i = 0; i < o.count; ++i) shared += is_corner(pair, list.name(o.vertices[i]));
-    return shared == pair.feature.count;
-  };
-  return std::any_of(list.obstacles().begin(), list.obstacles().end(), has_feature) && is_least_of_all(part, pair);
-}
-
-/** Whether the obstacle of a pair is a local minimum among all obstacles there, reached or not. If the way between both
- * points is free, it is. */
-template <int D>
-bool NearSearch<D>::is_least_of_all(const Part<D>& part, const NearPair<D>& pair) {
-  if (pair.feature.count == D) return true;  // nothing is beside a whole wall
-  collect_around(pair);
-  return std::all_of(around_.features().begin(), around_.features().end(), [&](const NearFeature& f) {
-    bool is_same = f.count == pair.feature.count;
-    for (uint32_t i = 0; is_same && i < f.count; ++i) is_same = around_.name(f.corners[i]) == pair.obstacle_vertices[i];
-    return !is_same || PairSearch<D>::is_local_minimum(around_, true, part, f);
-  });
-}
-
-/** Lists the obstacles that have all corners of a pair's obstacle, also between two impassable cells. At a pinched
- * boundary there can be others. */
-template <int D>
-void NearSearch<D>::collect_around(const NearPair<D>& pair) {
-  const Map<D>& map = env_.map;
-  around_.clear();
-  cells_.clear();
-  cells_.insert(pair.wall.valid() ? map.cell_of(pair.wall) : pair.cell);
-  for_each_cell_at_vertex(map, pair.obstacle_vertices[0], cells_, [&](Cell c) {
-    const Shape shape = map.shape(c);
-    const auto add = [&](NearObstacle<D> o) {
-      uint32_t shared = 0;
-      for (uint32_t i = 0; i < o.count; ++i) shared += is_corner(pair, o.vertices[i]);
-      if (shared == pair.feature.count) around_.add(o);
-    };
-    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-      const HalfFacet h = map.half_facet(c, f);
-      if (!is_impassable(env_, h)) continue;
-      for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-        NearObstacle<D> triangle{{}, D, h, {}};
-        for (uint32_t k = 0; k < uint32_t{D}; ++k) {
-          triangle.vertices[k] = map.vertex(c, shape.simplices()[size_t{s} * D + k]);
-        }
-        add(triangle);
-      }
-    }
-    if constexpr (D == 3) {
-      for_each_marked_edge(env_, c, shape, [&](uint32_t d) {
-        add({{map.vertex(c, shape.dart_vertex(d)), map.vertex(c, shape.dart_vertex(shape.beta1(d)))}, 2, {}, c});
-      });
-    }
-  });
-  around_.finish({env_.points, D});
+  const EndShift shift = is_of_body ? EndShift::kWhole : of_part.count == 1 ? EndShift::kFoot : EndShift::kStill;
+  const uint32_t known = is_of_body ? 0 : obstacle.count;
+  Sightline<D> line(point, SightEnd<D>(obstacle, of_part, shift));
+  at = walk_along(env_, line, at.cell, pair.obstacle_vertices, known);
+  return !at.is_hit && has_vertices(env_.map, at.cell, pair.obstacle_vertices, known);
 }
 
 template <int D>
@@ -202,7 +102,7 @@ void NearSearch<D>::find_walls(double reach, Array<FoundPair<D>>& found) {
       search.find(
           part, place, [](const NearFeature&) { return true; },
           [&](const NearPair<D>& pair) {
-            if (is_in_sight(part, pair)) found.push_back({pair, kNone});
+            if (is_in_sight(part, view.list, pair)) found.push_back({pair, kNone});
           });
     });
     return true;
@@ -277,7 +177,7 @@ void NearSearch<D>::find_partner(const Partners<D>& partners, uint32_t number, d
             return is_accepted(other, part, names, f.count);
           },
           [&](const NearPair<D>& pair) {
-            if (is_in_sight(part, pair)) found.push_back({pair, number});
+            if (is_in_sight(part, others_, pair)) found.push_back({pair, number});
           });
     });
     return true;

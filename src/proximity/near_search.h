@@ -1,11 +1,9 @@
 #pragma once
 // All near pairs of a body: which obstacles are near each of its parts is remembered from call to call.
 
-#include "map/cell_queue.h"
 #include "pairs/partners.h"
 #include "proximity/near_lists.h"
 #include "proximity/near_pair.h"
-#include "walk/cast.h"
 
 namespace dsw {
 
@@ -26,11 +24,8 @@ class NearSearch {
   void find_partner(const Partners<D>& partners, uint32_t number, double reach, Array<FoundPair<D>>& found);
 
  private:
-  bool is_in_sight(const Part<D>& part, const NearPair<D>& pair);
-  bool is_at(const CastResult& hit, const NearPair<D>& pair) const noexcept;
-  bool is_reached(Cell start, const Part<D>& part, const NearPair<D>& pair);
-  bool is_least_of_all(const Part<D>& part, const NearPair<D>& pair);
-  void collect_around(const NearPair<D>& pair);
+  /** Whether the segment between the nearest points of a pair passes nothing impassable. Exact. */
+  bool is_in_sight(const Part<D>& part, const NearList<D>& list, const NearPair<D>& pair);
   bool is_accepted(const Body<D>& other, const Part<D>& part, const uint32_t* corners, uint32_t count) const noexcept;
   void collect(const Body<D>& other, const Part<D>& cover, double reach);
 
@@ -40,8 +35,6 @@ class NearSearch {
   NearLists<D> lists_;
   NearList<D> others_;  // of a partner
   NearSelection<D> near_others_;
-  NearList<D> around_;  // all obstacles at that of a pair
-  CellQueue cells_;     // there
 };
 
 }  // namespace dsw

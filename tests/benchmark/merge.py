@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Puts the figures of all parts into one flat object: merge.py OUT LIBRARY EDITS NORMALS TOGETHER DEFORM PART...
+"""Puts the figures of all parts into one flat object: merge.py OUT LIBRARY EDITS NORMALS TOGETHER DEFORM NEAR PART...
 
 Adds core.needed_libraries: what the dynamic section of LIBRARY names beyond the C and C++ runtimes, and
-topology.*, contact.normal_* and together.*: what the tests say of random changes in EDITS, of libccd's cross-checks in
-NORMALS, and of moves in which all vertices go at once in TOGETHER and DEFORM. These are reports as GoogleTest writes
+topology.*, contact.normal_*, together.*, near.phantom and near.missed: what the tests say of random changes in EDITS, of
+libccd's cross-checks in NORMALS, of moves in which all vertices go at once in TOGETHER and DEFORM, and of near rows in NEAR. These are reports as GoogleTest writes
 them."""
 import json
 import re
@@ -20,7 +20,7 @@ def read_report(path):
 
 
 def main():
-    out, library, edits, normals, together, deform, *parts = sys.argv[1:]
+    out, library, edits, normals, together, deform, near, *parts = sys.argv[1:]
     figures = {}
     for part in parts:
         with open(part, encoding="utf-8") as file:
@@ -38,15 +38,19 @@ def main():
         figures["contact.normal_vs_libccd_deg_p99"] = max(float(test["deg_p99"]) for test in asked)
         cross_checks = sum(int(test["cross_checks"]) for test in asked)
         figures["contact.normal_qualified_share"] = cross_checks / sum(int(test["contacts"]) for test in asked)
-    recorded = read_report(together)[1] + read_report(deform)[1]
 
-    def sum_of(name):
-        return sum(int(test.get(name, 0)) for test in recorded)
+    def sum_of(tests, name):
+        return sum(int(test.get(name, 0)) for test in tests)
 
-    figures["together.property_moves"] = sum_of("moves")
-    figures["together.missed"] = sum_of("missed")
-    figures["together.not_free_after"] = sum_of("not_free")
-    figures["together.numbering_changes_result"] = sum_of("different")
+    moved = read_report(together)[1] + read_report(deform)[1]
+    figures["together.property_moves"] = sum_of(moved, "moves")
+    figures["together.missed"] = sum_of(moved, "missed")
+    figures["together.not_free_after"] = sum_of(moved, "not_free")
+    figures["together.numbering_changes_result"] = sum_of(moved, "different")
+    seen = read_report(near)[1]
+    figures["near.rows_checked"] = sum_of(seen, "rows")
+    figures["near.phantom"] = sum_of(seen, "phantom")
+    figures["near.missed"] = sum_of(seen, "missed")
     dynamic = subprocess.run(["readelf", "-d", library], check=True, capture_output=True, text=True).stdout
     needed = re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic)
     figures["core.needed_libraries"] = sum(1 for name in needed if not RUNTIMES.match(name))

@@ -24,10 +24,11 @@ class NearTruth {
     std::vector<Ids> obstacles;
     std::vector<Vec> wall_points;
     std::vector<Ids> walls;
-    double tolerance = 0;    // of what hides what
     bool is_shifted = true;  // by Simulation of Simplicity: of the environment
+    /// The triangles of each passable volume. Only needed if walls with other points lie in one place.
+    std::vector<std::vector<Ids>> volumes;
   };
-  enum class Sight { kClear, kDoubtful, kHidden };
+  enum class Sight { kClear, kHidden };
   struct Row {
     double distance;
     std::array<double, 3> point, obstacle_point;
@@ -53,11 +54,12 @@ class NearTruth {
     }
     for (const Ids& wall : scene.walls) wall_boxes_.push_back(box_of(scene.wall_points, wall));
     power_ = power_of(scene.wall_points, power_of(scene.points, 0));
+    size_ = bits_of(scene.wall_points, bits_of(scene.points, 0));
   }
 
   /// All pairs of a part with obstacles not farther than `limit`, and a little more.
   Rows rows_of(const std::vector<Vec>& part, double limit) const {
-    const Asked asked{part, 1.001 * limit + 1e-300, power_of(part, power_)};
+    const Asked asked{part, 1.001 * limit + 1e-300, power_of(part, power_), bits_of(part, size_)};
     const Box box = box_of(part);
     Rows rows;
     for (const auto& [ids, feature] : features_) {
@@ -128,6 +130,17 @@ class NearTruth {
     }
     return least;
   }
+  /// The least n not below `least` so that no coordinate reaches 2^n.
+  static int bits_of(const std::vector<Vec>& points, int least) {
+    for (const Vec& p : points) {
+      for (const double x : p) {
+        int exponent = 0;
+        std::frexp(x, &exponent);
+        least = std::max(least, exponent);
+      }
+    }
+    return least;
+  }
   /// Times 2^power, which makes integers.
   static Z exact(double x, int power) {
     int exponent = 0;
@@ -146,7 +159,12 @@ class NearTruth {
   struct Asked {
     const std::vector<Vec>& part;
     double limit;
-    int power;
+    int power, size;
+
+    /// e is 2^-this: so small that no sign in here needs less that is not 0. Signs are those of sums of products of
+    /// less than 12 coordinates.
+    int tiny() const { return 12 * (power + size) + 400; }
+    int fine_power() const { return 3 * tiny(); }
   };
   /// Where a part and an obstacle are nearest. Weights have the sum `over`; points are multiplied by it.
   struct Nearest {
@@ -212,32 +230,52 @@ class NearTruth {
     return !(before && behind);  // else it runs along two faces there
   }
 
-  bool measure(const Asked& asked, const Ids& ids, const Ids& neighbours, Row& row) const {
-    Points p = exact(asked.part, asked.power), a = exact(chosen_of(scene_.points, ids), asked.power);
-    Points beside = exact(chosen_of(scene_.points, neighbours), asked.power);
+  /// What a part and an obstacle are at a power.
+  struct Pair {
+    Points p, a, beside;
     Nearest nearest;
-    bool tie = false, is_inside = solve(p, a, nearest, tie);
-    bool is_least = is_inside && is_minimum(nearest, p, a, beside, tie);
-    if (tie && (is_least || !is_inside) && asked.part.size() == 1 && scene_.is_shifted) {
-      // Simulation of Simplicity: a vertex is shifted, by less than any sign needs that is not 0.
-      constexpr unsigned kFiner = 2400 * 3;
-      for (Points* each : {&p, &a, &beside}) {
-        for (Z3& v : *each) v = times(Z(1) << kFiner, v);
-      }
-      const Z3 unshifted = p[0];
-      for (size_t k = 0; k < static_cast<size_t>(scene_.dimension); ++k) {
-        p[0][k] += Z(1) << static_cast<unsigned>(kFiner - 2400 * (k + 1));
-      }
-      is_inside = solve(p, a, nearest, tie);
-      is_least = is_inside && is_minimum(nearest, p, a, beside, tie);
-      nearest.x = times(nearest.over, unshifted);
-      nearest.over <<= kFiner;
-      for (Z& w : nearest.s) w <<= kFiner;
-      for (Z& w : nearest.t) w <<= kFiner;
+  };
+  Pair pair_of(const Asked& asked, const Ids& ids, const Ids& neighbours, int power) const {
+    return {exact(asked.part, power),
+            exact(chosen_of(scene_.points, ids), power),
+            exact(chosen_of(scene_.points, neighbours), power),
+            {}};
+  }
+  /// Adds (e, e^2, e^3) times `by` at the fine power.
+  void shift(const Asked& asked, const Z& by, Z3& x) const {
+    for (int k = 0; k < scene_.dimension; ++k) {
+      x[static_cast<size_t>(k)] += by << static_cast<unsigned>(asked.fine_power() - (k + 1) * asked.tiny());
     }
-    if (!is_inside || (!is_least && asked.part.size() == 1)) return false;
+  }
+  /// With a shifted part: a vertex takes its nearest point along. Else the obstacle's point stands still, or is a
+  /// body's.
+  Pair shifted_pair(const Asked& asked, const Ids& ids, const Ids& neighbours) const {
+    Pair pair = pair_of(asked, ids, neighbours, asked.fine_power());
+    const bool takes_along = scene_.is_shifted && asked.part.size() == 1;
+    bool tie = false;
+    if (takes_along) shift(asked, 1, pair.p[0]);
+    solve(pair.p, pair.a, pair.nearest, tie);
+    if (takes_along) return pair;
+    shift(asked, pair.nearest.over, pair.nearest.x);
+    if (!scene_.is_shifted) shift(asked, pair.nearest.over, pair.nearest.y);
+    return pair;
+  }
+
+  bool measure(const Asked& asked, const Ids& ids, const Ids& neighbours, Row& row) const {
+    Pair pair = pair_of(asked, ids, neighbours, asked.power);
+    bool tie = false, is_inside = solve(pair.p, pair.a, pair.nearest, tie);
+    bool is_least = is_inside && is_minimum(pair.nearest, pair.p, pair.a, pair.beside, tie);
+    int power = asked.power;
+    if (tie && (is_least || !is_inside) && asked.part.size() == 1 && scene_.is_shifted) {
+      pair = shifted_pair(asked, ids, neighbours);
+      power = asked.fine_power();
+      is_inside = solve(pair.p, pair.a, pair.nearest, tie);
+      is_least = is_inside && is_minimum(pair.nearest, pair.p, pair.a, pair.beside, tie);
+    }
+    if (!is_inside || !is_least) return false;
+    const Nearest& nearest = pair.nearest;
     const Z3 way = minus(nearest.x, nearest.y);
-    const Z over = nearest.over << static_cast<unsigned>(asked.power);
+    const Z over = nearest.over << static_cast<unsigned>(power);
     row.distance = root(dot(way, way), over * over);
     if (row.distance > asked.limit) return false;
     for (size_t k = 0; k < 3; ++k) {
@@ -246,73 +284,78 @@ class NearTruth {
     }
     for (const Z& w : nearest.s) row.weights.push_back(ratio(w, nearest.over));
     for (const Z& w : nearest.t) row.obstacle_weights.push_back(ratio(w, nearest.over));
-    const std::vector<Points> walls = walls_at(row, asked.power);
-    row.sight = Sight::kClear;
-    for (const Points& wall : walls) row.sight = std::max(row.sight, past(nearest, row.distance, wall, asked.power));
-    if (is_least) return true;
-    // What lies exactly on a wall is shifted to one side of it. It does not see what comes closer on the other side.
-    row.sight = std::max(row.sight, Sight::kDoubtful);
-    return std::any_of(walls.begin(), walls.end(), [&](const Points& wall) { return is_on(nearest, wall); });
+    row.sight = is_hidden(asked, ids, neighbours, pair, power, row) ? Sight::kHidden : Sight::kClear;
+    return true;
   }
 
-  /// Those whose boxes the way of a row comes to, as triangles: in the plane the third corner is above.
-  std::vector<Points> walls_at(const Row& row, int power) const {
+  /// Whether a wall stands between both points. Walls that have the whole obstacle end at it.
+  bool is_hidden(const Asked& asked, const Ids& ids, const Ids& neighbours, const Pair& pair, int power,
+                 const Row& row) const {
     const Box way = box_of({row.point, row.obstacle_point});
-    std::vector<Points> walls;
+    std::vector<size_t> open;
     for (size_t i = 0; i < scene_.walls.size(); ++i) {
-      if (apart(way, wall_boxes_[i]) > 1e-6 * row.distance + 2 * scene_.tolerance) continue;
-      Points wall = exact(chosen_of(scene_.wall_points, scene_.walls[i]), power);
-      if (scene_.dimension == 2) wall.push_back({wall[0][0], wall[0][1], 1});
-      walls.push_back(wall);
+      const Ids& wall = scene_.walls[i];
+      if (apart(way, wall_boxes_[i]) > 1e-6 * row.distance + std::ldexp(1, asked.size - 40)) continue;
+      if (scene_.is_shifted && std::all_of(ids.begin(), ids.end(), [&](int v) { return has(wall, v); })) continue;
+      const Past past = passes(pair.nearest, exact(chosen_of(scene_.wall_points, wall), power));
+      if (past == Past::kThrough) return true;
+      if (past == Past::kOpen) open.push_back(i);
     }
-    return walls;
+    if (open.empty()) return false;
+    const Pair shifted = shifted_pair(asked, ids, neighbours);
+    bool ends_at_other = false;
+    for (const size_t i : open) {
+      const Points wall = exact(chosen_of(scene_.wall_points, scene_.walls[i]), asked.fine_power());
+      const Past past = passes(shifted.nearest, wall);
+      if (past == Past::kThrough) return true;
+      ends_at_other = ends_at_other || past == Past::kOpen;
+    }
+    return ends_at_other && !scene_.volumes.empty() && !arrives(asked, shifted.nearest, ids);
   }
-  /// Whether the part's point is on a wall.
-  bool is_on(const Nearest& nearest, const Points& a) const {
-    const Z3 x = minus(nearest.x, times(nearest.over, a[0])), u = minus(a[1], a[0]);
-    if (scene_.dimension == 2) {
-      const Z along = dot(u, x);
-      return cross(u, x)[2] == 0 && along >= 0 && along <= nearest.over * dot(u, u);
-    }
-    const Z3 n = cross(u, minus(a[2], a[0]));
-    bool inside = dot(n, x) == 0;
-    for (size_t i = 0; inside && i < 3; ++i) {
-      const Z3 from = minus(nearest.x, times(nearest.over, a[i]));
-      inside = dot(n, cross(minus(a[(i + 1) % 3], a[i]), from)) >= 0;
-    }
-    return inside;
+
+  /// Whether a segment passes a wall. Open: at least one of its ends or the wall's rim is touched.
+  enum class Past { kClear, kOpen, kThrough };
+  static int plane_sign(const Z3& x, const Z& over, const Points& a) {
+    const Z3 from = minus(x, times(over, a[0])), u = minus(a[1], a[0]);
+    return sgn(a.size() == 2 ? cross(u, from)[2] : dot(cross(u, minus(a[2], a[0])), from));
   }
-  /// Whether one wall hides y from x. What passes its rim within the tolerance, or begins or ends at it, is in doubt.
-  Sight past(const Nearest& nearest, double distance, const Points& a, int power) const {
+  static Past passes(const Nearest& nearest, const Points& a) {
     const auto& [s, t, over, x, y] = nearest;
-    const Z3 n = cross(minus(a[1], a[0]), minus(a[2], a[0]));
-    Z at_x = dot(n, minus(x, times(over, a[0]))), at_y = dot(n, minus(y, times(over, a[0])));
-    if (at_x == 0 && at_y == 0) return Sight::kDoubtful;
-    if (sgn(at_x) * sgn(at_y) > 0) return Sight::kClear;
-    if (at_x < 0 || at_y > 0) {
-      at_x = -at_x;
-      at_y = -at_y;
+    const int at_x = plane_sign(x, over, a), at_y = plane_sign(y, over, a);
+    if (at_x * at_y > 0) return Past::kClear;
+    int least = 1, most = -1;
+    for (size_t i = 0; i < a.size(); ++i) {
+      const Z3 by = cross(minus(x, times(over, a[i])), minus(y, times(over, a[i])));
+      // In the plane both ends of the wall, on sides that have to differ.
+      const int side = a.size() == 2 ? (i == 0 ? 1 : -1) * sgn(by[2]) : sgn(dot(by, minus(a[(i + 1) % 3], a[i])));
+      least = std::min(least, side);
+      most = std::max(most, side);
     }
-    // Where the way meets the wall's plane, and how far inside of each side. `m` is multiplied by `by`.
-    const Z whole = at_x - at_y, by = whole * over, unit = Z(1) << static_cast<unsigned>(2 * power);
-    const Z3 m = minus(times(at_x, y), times(at_y, x));
-    double inside = HUGE_VAL;
-    if (scene_.dimension == 2) {
-      const Z3 u = minus(a[1], a[0]);
-      const Z square = dot(u, u), along = dot(minus(m, times(by, a[0])), u);
-      inside = root(square, unit) * std::min(ratio(along, by * square), ratio(by * square - along, by * square));
-    } else {
-      const Z square = dot(n, n);
-      for (size_t i = 0; i < 3; ++i) {
-        const Z3 &from = a[(i + 1) % 3], side = minus(a[(i + 2) % 3], from);
-        const Z share = dot(n, cross(side, minus(m, times(by, from))));
-        inside = std::min(inside, ratio(share, by * square) * root(square, dot(side, side) * unit));
-      }
-    }
-    if (inside < -scene_.tolerance) return Sight::kClear;
-    if (at_y == 0) return Sight::kClear;  // it ends there
-    const double from_x = ratio(at_x, whole) * distance, from_y = ratio(-at_y, whole) * distance;
-    return std::min({inside, from_x, from_y}) < scene_.tolerance ? Sight::kDoubtful : Sight::kHidden;
+    if (least < 0 && most > 0) return Past::kClear;
+    return at_x * at_y < 0 && least * most > 0 ? Past::kThrough : Past::kOpen;
+  }
+
+  /// Whether the segment comes to its end through a volume that has the obstacle.
+  bool arrives(const Asked& asked, const Nearest& nearest, const Ids& ids) const {
+    const auto bits = static_cast<unsigned>(asked.tiny());
+    Z3 before = times((Z(1) << bits) - 1, nearest.y);
+    for (size_t k = 0; k < 3; ++k) before[k] += nearest.x[k];
+    Nearest ray{{}, {}, nearest.over << bits, before, before};
+    const Z far = ray.over << static_cast<unsigned>(asked.size + asked.fine_power() + 4);
+    for (size_t k = 0; k < static_cast<size_t>(scene_.dimension); ++k) ray.y[k] += far * std::array{1009, 613, 389}[k];
+    return std::any_of(scene_.volumes.begin(), scene_.volumes.end(), [&](const std::vector<Ids>& triangles) {
+      const auto is_there = [&](int v) {
+        return std::any_of(triangles.begin(), triangles.end(), [&](const Ids& each) { return has(each, v); });
+      };
+      if (!std::all_of(ids.begin(), ids.end(), is_there)) return false;
+      return std::count_if(triangles.begin(), triangles.end(),
+                           [&](const Ids& each) {
+                             const Points wall = exact(chosen_of(scene_.wall_points, each), asked.fine_power());
+                             return passes(ray, wall) == Past::kThrough;
+                           }) %
+                 2 ==
+             1;
+    });
   }
 
   /// A vertex, edge or triangle of obstacles.
@@ -324,7 +367,7 @@ class NearTruth {
   const Scene& scene_;
   std::map<Ids, Feature> features_;
   std::vector<Box> wall_boxes_;
-  int power_;
+  int power_, size_;
 };
 
 }  // namespace dsw::oracle
