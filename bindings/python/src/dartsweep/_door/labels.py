@@ -74,14 +74,13 @@ def _atoms(labels: NDArray[Any] | None, groups: dict[str, Indices], mesh: Mesh) 
     for name, cells in groups.items():
         if len(cells) and not (0 <= np.min(cells) and np.max(cells) < count):
             raise MeshError(mesh.source, f"the group {name!r} names cell {int(np.max(cells))}, there are {count}", "the program that made it may be asked again")
-    member = np.zeros((count, len(groups)), bool)
+    member = np.zeros((count, len(groups)), bool, order="F")
     for i, cells in enumerate(groups.values()):
         member[cells, i] = True
     if labels is None and not (member.sum(axis=1) > 1).any():
         return (member @ np.arange(1, len(groups) + 1)).astype(np.int32), {**names, **{name: i for i, name in enumerate(groups, 1)}}
     base = np.zeros(count, np.int64) if labels is None else labels.astype(np.int64)
-    kinds, kind = np.unique(np.column_stack([base, ~member]), axis=0, return_inverse=True)  # of each label first what most groups have
-    kind = kind.ravel()
+    kinds, kind = _kinds(base, member)  # of each label first what most groups have
     if labels is None:
         number = np.cumsum((kinds[:, 1:] == 0).any(axis=1)) * (kinds[:, 1:] == 0).any(axis=1)
     else:
@@ -96,3 +95,25 @@ def _atoms(labels: NDArray[Any] | None, groups: dict[str, Indices], mesh: Mesh) 
         held = number[kinds[:, 1 + i] == 0].tolist()
         names[name] = held[0] if len(held) == 1 else tuple(held)
     return number[kind].astype(np.int32), {name: value for name, value in names.items() if value != ()}
+
+
+def _kinds(base: NDArray[Any], member: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+    """The different rows of labels and absences, in order, and which of them each cell has."""
+    code = _dense(base)
+    for column in range(member.shape[1]):
+        code = _dense(2 * code + member[:, column])
+    first = np.empty(int(code.max(initial=-1)) + 1, np.int64)
+    first[code[::-1]] = np.arange(len(code) - 1, -1, -1)
+    rows = np.column_stack([base[first], ~member[first]])
+    order = np.lexsort(rows.T[::-1])
+    place = np.empty(len(order), np.int64)
+    place[order] = np.arange(len(order))
+    return rows[order], place[code]
+
+
+def _dense(values: NDArray[Any]) -> NDArray[Any]:
+    """Numbers from 0 on in place of values, in their order."""
+    shifted = values - values.min(initial=0)
+    if int(shifted.max(initial=0)) > 4 * len(values) + 1024:
+        return np.unique(values, return_inverse=True)[1].ravel()
+    return (np.cumsum(np.bincount(shifted) > 0) - 1)[shifted]
