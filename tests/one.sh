@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # A source of the engine has changed: tests/one.sh SOURCE builds it and runs the first tests of its module (tests/modules.txt)
 #
-# Takes up to 15 seconds on two cores, if only this source has changed since the last run. The first run compiles the engine. The build
-# in build/one compiles each source by itself and at -O1. Exit code 2: no source of a module; 1: the build or a test failed.
+# It is meant to take up to 15 seconds on two cores, if only this source has changed since the last run. The first run compiles the
+# engine in build/one, each source by itself and at -O1. Random cases are a quarter of the suite's. Exit code 2: no source of a module;
+# 1: the build or a test failed.
 set -euo pipefail
 case "${1:-}" in
   '' | -h | --help)
-    sed -n '2,5s/^# \{0,1\}//p' "$0"
+    sed -n '2,6s/^# \{0,1\}//p' "$0"
     [ -n "${1:-}" ] || exit 2
     exit 0
     ;;
@@ -33,6 +34,6 @@ run() {
   said=$("$file" 2>&1) || { printf '%s\n%s failed\n' "$said" "$1"; return 1; }
   echo "$1 passed"
 }
-export tree
+export tree DSW_SHARE=${DSW_SHARE:-4} DSW_PREDICATE_CASES=${DSW_PREDICATE_CASES:-30000}
 export -f run
 printf '%s\n' $programs | sort -u | xargs -P "$jobs" -I{} bash -c 'run {}'
