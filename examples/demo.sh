@@ -56,13 +56,14 @@ ldconfig -p 2> /dev/null | grep -q 'libOSMesa\.so' || /sbin/ldconfig -p | grep -
   missing+=(libosmesa6)
 install_missing
 
-make_venv "$venv" python3 "$source/requirements.txt" "$insertion/requirements.txt" "$insertion/page/requirements.txt"
-
 echo "building the library and the examples"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 quietly "configuring" \
   cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON
-quietly "building" cmake --build "$tree" --target dartsweep_insertion example_demo example_plane example_replay
+quietly "building" cmake --build "$tree" --target dartsweep_insertion example_demo example_plane example_replay &
+build=$!
+make_venv "$venv" python3 "$source/requirements.txt" "$insertion/requirements.txt" "$insertion/page/requirements.txt"
+wait $build || exit 1
 
 rm -rf "$out"/*.png "$out"/*.svg "$out"/*.vtu "$out"/*.csv "$out"/*.html "$out"/summary.txt "$out/insertion" "$out/haptic.txt" "$out/rod.txt"
 mkdir "$out/insertion"
@@ -89,6 +90,9 @@ insert=$tree/examples/insertion/dartsweep_insertion
 "$insert" "${input[@]}" "${source_name[@]}" --out "$out/insertion" --record "$out/insertion/calls.dswrec"
 quietly "making the recording again" "$tree/examples/dartsweep_replay" "$out/insertion/calls.dswrec" --quiet
 echo "replay.bit_identical 1"
+"$venv/bin/python" "$insertion/draw.py" "$out/insertion/insertion.json" "$out/insertion.png"
+quietly "making the page" \
+  "$venv/bin/python" "$insertion/build_page.py" "$out/insertion/insertion.json" "$out/insertion.html"
 echo
 echo "a rod of 200 edges with a radius, at haptic rate; of these figures:"
 "$insert" --preset haptic "${input[@]}" > "$out/haptic.txt"
@@ -97,9 +101,6 @@ echo
 echo "the same rod to the end of its way:"
 "$insert" --physics rod --vertices 201 --no-statistics "${input[@]}" > "$out/rod.txt"
 grep -E '^demo\.(steps|exactly_free_steps|lost|reached_share|largest_stretch) ' "$out/rod.txt"
-"$venv/bin/python" "$insertion/draw.py" "$out/insertion/insertion.json" "$out/insertion.png"
-quietly "making the page" \
-  "$venv/bin/python" "$insertion/build_page.py" "$out/insertion/insertion.json" "$out/insertion.html"
 
 echo
 echo "the other scenes:"
