@@ -34,6 +34,6 @@ run() {
   said=$("$file" 2>&1) || { printf '%s\n%s failed\n' "$said" "$1"; return 1; }
   echo "$1 passed"
 }
-export tree DSW_SHARE=${DSW_SHARE:-4} DSW_PREDICATE_CASES=${DSW_PREDICATE_CASES:-30000}
+export tree DSW_EFFORT=${DSW_EFFORT:-1/4}
 export -f run
 printf '%s\n' $programs | sort -u | xargs -P "$jobs" -I{} bash -c 'run {}'
