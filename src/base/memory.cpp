@@ -1,8 +1,5 @@
 #include "base/memory.h"
 
-#include <algorithm>
-#include <stdexcept>
-
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
@@ -55,33 +52,6 @@ void release_bytes(const Memory* memory, void* block, size_t size_bytes, size_t 
   } else {
     memory->release(memory->user, block, size_bytes, alignment_bytes);
   }
-}
-
-size_t grown_count(size_t count, size_t more, size_t element_bytes) {
-  const size_t most = SIZE_MAX / 2 / element_bytes;
-  if (more > most - count) throw std::length_error("array");
-  return std::min(count + std::max(count, more), most);
-}
-
-void move_block(ArrayBlock& array, size_t count, size_t element_bytes) {
-  if (count > SIZE_MAX / 2 / element_bytes) throw std::length_error("array");
-  const size_t bytes = count * element_bytes, used = array.used();
-  char* const block = static_cast<char*>(allocate_bytes(array.memory, bytes, block_alignment(bytes)));
-  if (array.first != nullptr) {
-    std::memcpy(block, array.first, used);
-    release_block(array);
-  }
-  array.first = block;
-  array.last = block + used;
-  array.limit = block + bytes;
-}
-
-void grow_block(ArrayBlock& array, size_t more, size_t element_bytes) {
-  move_block(array, grown_count(array.used() / element_bytes, more, element_bytes), element_bytes);
-}
-
-void release_block(const ArrayBlock& array) noexcept {
-  release_bytes(array.memory, array.first, array.room(), block_alignment(array.room()));
 }
 
 }  // namespace dsw

@@ -51,11 +51,11 @@ std::vector<Link> links_of(const std::vector<Side>& sides) {
   return links;
 }
 
-constexpr uint8_t kUnknown = 2;
+constexpr uint8_t kNotReached = 2;
 
 /** For each loop whether it is turned against loop 0; empty where that is not certain of all. */
 std::vector<uint8_t> turns_of(const std::vector<Link>& links, uint32_t loops) {
-  std::vector<uint8_t> turned(loops, kUnknown);
+  std::vector<uint8_t> turned(loops, kNotReached);
   std::vector<uint32_t> reached{0};
   turned[0] = 0;
   for (size_t at = 0; at < reached.size(); ++at) {
@@ -63,7 +63,7 @@ std::vector<uint8_t> turns_of(const std::vector<Link>& links, uint32_t loops) {
     for (auto link = std::lower_bound(links.begin(), links.end(), Link{loop, 0, false});
          link != links.end() && link->loop == loop; ++link) {
       const uint8_t wanted = turned[loop] ^ static_cast<uint8_t>(link->is_turned);
-      if (turned[link->other] == kUnknown) {
+      if (turned[link->other] == kNotReached) {
         turned[link->other] = wanted;
         reached.push_back(link->other);
       } else if (turned[link->other] != wanted) {
