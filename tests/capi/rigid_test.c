@@ -214,7 +214,8 @@ static void another_body_is_in_the_way(unsigned dimension) {
 }
 
 static double random_share(void) {
-  static uint64_t state = 88172645463325252u;
+  static uint64_t state = 0;
+  if (state == 0) state = seed_of(88172645463325252u);
   state ^= state << 13;
   state ^= state >> 7;
   state ^= state << 17;

@@ -276,7 +276,8 @@ TEST_P(DetachTest, ItsSurfaceIsAFreeBodyWhereItWas) {
   for (int kind = 0; kind < 3; ++kind) {
     RecordProperty("refused" + std::to_string(kind),
                    std::to_string(refused[kind]) + " of " + std::to_string(tried[kind]));
-    if (effort_of(1) > 1) std::cout << "kind " << kind << ": " << refused[kind] << " of " << tried[kind] << " refused\n";
+    if (effort_of(1) > 1)
+      std::cout << "kind " << kind << ": " << refused[kind] << " of " << tried[kind] << " refused\n";
   }
   EXPECT_GT(done, 0u);
 }

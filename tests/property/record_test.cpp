@@ -188,6 +188,7 @@ void keep_recording(const std::string& kind, const std::string& recording) {
 }
 
 TEST(RecordedCallsTest, EveryCallIsMadeAgain) {
+  if (seed_of(0) != 0) GTEST_SKIP() << "its calls fit what DSW_SEED=0 draws";
   std::set<std::string> functions;
   for (const char* kind : {"hex", "tet_kuhn", "polyhedra"}) {
     for (uint64_t seed = 1; seed <= 8; ++seed) {

@@ -60,8 +60,12 @@ void mark(Environment<D>& env, Rng& rng, const Shares& shares) {
       set_edge_mark(env, map.vertex(c, shape.dart_vertex(d)), map.vertex(c, shape.dart_vertex(shape.beta1(d))), true);
     }
   }
+  std::vector<bool> is_used(map.vertex_count);  // a point that no cell has is no obstacle
+  for_each_cell(map, [&](Cell c) {
+    for (uint32_t i = 0; i < map.vertices_of(c); ++i) is_used[map.vertex(c, i)] = true;
+  });
   for (uint32_t v = 0; v < map.vertex_count; ++v) {
-    if (rng.chance(shares.vertices)) set_vertex_mark(env, v, true);
+    if (rng.chance(shares.vertices) && is_used[v]) set_vertex_mark(env, v, true);
   }
 }
 

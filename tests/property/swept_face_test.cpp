@@ -131,10 +131,10 @@ TEST(SweptFaceTest, TheFirstVertexIsFound) {
                     });
                     contacts[ground.kind] += total.contacts - before;
                   });
-  for (const SceneKind& kind : oracle::sweep_scenes()) EXPECT_GT(contacts[kind.name], effort_of(30)) << kind.name;
+  for (const SceneKind& kind : oracle::sweep_scenes()) EXPECT_GT(contacts[kind.name], effort_of(15)) << kind.name;
   EXPECT_GT(total.contacts, effort_of(2000));
   EXPECT_GT(total.lone, effort_of(500));
-  EXPECT_GT(total.ties, effort_of(20) == 20 ? 20 : 0) << "vertices met at once, but for the shift: too rare for shares";
+  EXPECT_GT(total.ties, 0) << "vertices met at once, but for the shift";
   EXPECT_GT(total.later, effort_of(500)) << "an edge meets something earlier";
   EXPECT_GT(total.checked_before, effort_of(5000));
 }
