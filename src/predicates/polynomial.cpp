@@ -1,6 +1,5 @@
 #include "predicates/polynomial.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace dsw {
@@ -149,52 +148,6 @@ struct SturmSequence {
   }
 };
 
-// How often the coefficients of p in the basis of Bernstein change their sign.
-// So many roots lie between 0 and 1, or fewer by an even number (Descartes' rule).
-int count_changes(const Polynomial& p) {
-  Integer sum = p.c[0];
-  int changes = 0, before = 0;
-  const auto look = [&](int sign) {
-    if (sign == 0) return;
-    changes += sign * before < 0 ? 1 : 0;
-    before = sign;
-  };
-  const auto twice = [](const Integer& a) { return shifted(a, 1); };
-  look(sum.sign());
-  if (p.degree == 2) look((twice(p.c[0]) + p.c[1]).sign());
-  if (p.degree == 3) {
-    const Integer three = twice(p.c[0]) + p.c[0];
-    look((three + p.c[1]).sign());
-    look((three + twice(p.c[1]) + p.c[2]).sign());
-  }
-  for (int i = 1; i <= p.degree; ++i) sum = sum + p.c[i];
-  look(sum.sign());
-  return changes;
-}
-
-// p(x t), times a power of two.
-Polynomial stretched(const Polynomial& p, const Dyadic& x) {
-  Polynomial r = p;
-  Integer power = x.numerator;
-  for (int i = 1; i <= p.degree; ++i) {
-    r.c[i] = shifted(p.c[i] * power, x.shift * (p.degree - i));
-    if (i != p.degree) power = power * x.numerator;
-  }
-  r.c[0] = shifted(p.c[0], x.shift * p.degree);
-  return r;
-}
-
-// p(1 - t).
-Polynomial mirrored(const Polynomial& p) {
-  Polynomial r = p;
-  // Horner's rule: a polynomial in 1 - t, one coefficient after the other.
-  for (int i = 0; i < p.degree; ++i) {
-    for (int k = p.degree - 1; k >= i; --k) r.c[k] = r.c[k] + r.c[k + 1];
-  }
-  for (int i = 1; i <= p.degree; i += 2) r.c[i] = -r.c[i];
-  return r;
-}
-
 // The same polynomial in doubles, times a power of two: the largest coefficient is near 1.
 struct Rounded {
   int degree;
@@ -247,36 +200,10 @@ double guess_root(const Rounded& p, double low, double high, bool rising) noexce
   return t;
 }
 
-// Roots of a polynomial that is not 0 at 0 and 1, without a sequence of Sturm: they are told apart by signs at doubles near
-// to the turning points. Nearly always that is enough.
 class RootFinder {
  public:
-  RootFinder(IntegerPool& pool, const Polynomial& p, Root* roots)
-      : pool_(pool), p_(p), sturm_(nullptr), roots_(roots), rounded_(p) {}
   RootFinder(IntegerPool& pool, const Polynomial& p, const SturmSequence& sturm, Root* roots)
-      : pool_(pool), p_(p), sturm_(&sturm), roots_(roots), rounded_(p) {}
-
-  // The number of roots, or -1 if they are not told apart.
-  int find_by_signs() {
-    const int most = count_changes(p_);
-    if (most <= 1) {
-      if (most == 1) refine(0, 1);
-      return most;
-    }
-    double ends[4] = {0};
-    const int count = turning_points(ends);
-    for (int i = 1; i < count; ++i) {
-      const Dyadic middle = dyadic_of(pool_, ends[i]);
-      if (sign_at(p_, middle) == 0) continue;
-      const Dyadic rest = {shifted(integer_of(pool_, 1), middle.shift) - middle.numerator, middle.shift};
-      const int first = count_changes(stretched(p_, middle)), second = count_changes(stretched(mirrored(p_), rest));
-      if (first > 1 || second > 1) continue;
-      if (first == 1) refine(0, ends[i]);
-      if (second == 1) refine(ends[i], 1);
-      return first + second;
-    }
-    return -1;
-  }
+      : pool_(pool), p_(p), sturm_(sturm), roots_(roots), rounded_(p) {}
 
   int find() {
     const Dyadic start;
@@ -285,19 +212,14 @@ class RootFinder {
     int count = 1;
     if (p_.degree > 1) count = turning_points(ends);
     ends[count++] = 1;
-    int before = sturm_->variations(start);
-    const int last = sturm_->variations(dyadic_of(pool_, 1));
+    int before = sturm_.variations(start);
+    const int last = sturm_.variations(dyadic_of(pool_, 1));
     for (int i = 1; i < count && before != last; ++i) {
-      const int after = i + 1 == count ? last : sturm_->variations(dyadic_of(pool_, ends[i]));
+      const int after = i + 1 == count ? last : sturm_.variations(dyadic_of(pool_, ends[i]));
       isolate(ends[i - 1], ends[i], before, after);
       before = after;
     }
     return found_;
-  }
-
-  static Dyadic half_way(const Dyadic& a, const Dyadic& b) {
-    const int shift = a.shift > b.shift ? a.shift : b.shift;
-    return {shifted(a.numerator, shift - a.shift) + shifted(b.numerator, shift - b.shift), shift + 1};
   }
 
  private:
@@ -329,7 +251,7 @@ class RootFinder {
       const std::uint64_t a = bits_of(low), b = bits_of(high);
       if (b - a == 1) return isolate_within(low, dyadic_of(pool_, low), dyadic_of(pool_, high), before, after, high);
       const double middle = of_bits(a + (b - a) / 2);
-      const int between = sturm_->variations(dyadic_of(pool_, middle));
+      const int between = sturm_.variations(dyadic_of(pool_, middle));
       if (between == after) {
         high = middle;
         continue;
@@ -345,7 +267,7 @@ class RootFinder {
   void isolate_within(double floor, Dyadic low, Dyadic high, int before, int after, double next) {
     while (before - after > 1) {
       const Dyadic middle = half_way(low, high);
-      const int between = sturm_->variations(middle);
+      const int between = sturm_.variations(middle);
       if (between == after) {
         high = middle;
         continue;
@@ -361,6 +283,11 @@ class RootFinder {
     } else {
       add(low, high, floor);
     }
+  }
+
+  static Dyadic half_way(const Dyadic& a, const Dyadic& b) {
+    const int shift = a.shift > b.shift ? a.shift : b.shift;
+    return {shifted(a.numerator, shift - a.shift) + shifted(b.numerator, shift - b.shift), shift + 1};
   }
 
   // The root with low < root <= high, between two neighbouring doubles.
@@ -404,7 +331,7 @@ class RootFinder {
 
   IntegerPool& pool_;
   const Polynomial& p_;
-  const SturmSequence* sturm_;
+  const SturmSequence& sturm_;
   Root* roots_;
   Rounded rounded_;
   int found_ = 0;
@@ -419,86 +346,6 @@ int compare(const Root& root, const Dyadic& x) {
   if (compare(x, root.high) >= 0) return -1;
   const int sign = sign_at(root.of, x);
   return sign == 0 ? 0 : sign == sign_after(pool_of(root.of), root.of, root.low) ? 1 : -1;
-}
-
-void divide_by_time(Polynomial& p) noexcept {
-  std::copy(p.c + 1, p.c + p.degree + 1, p.c);
-  --p.degree;
-}
-
-// Divides by 1 - t as often as 1 is a root. Whether it is one.
-bool divide_by_rest(Polynomial& p) {
-  for (bool any = false;; any = true) {
-    Polynomial sums = p;
-    for (int i = 1; i <= p.degree; ++i) sums.c[i] = sums.c[i - 1] + p.c[i];
-    if (sums.c[p.degree].sign() != 0) return any;
-    p = sums;
-    --p.degree;
-  }
-}
-
-// Roots in (0,1) of a polynomial that is not 0 at 0 and 1.
-int find_inner_roots(IntegerPool& pool, const Polynomial& p, Root* roots) {
-  const int count = RootFinder(pool, p, roots).find_by_signs();
-  if (count >= 0) return count;
-  const SturmSequence sturm(p, derivative(pool, p));
-  if (sturm.last().degree == 0) return RootFinder(pool, p, sturm, roots).find();
-  const Polynomial simple = quotient(p, sturm.last());
-  return RootFinder(pool, simple, SturmSequence(simple, derivative(pool, simple)), roots).find();
-}
-
-constexpr std::uint64_t kPrime = 0x7fffffffffffffe7u;  // 2^63 - 25
-
-std::uint64_t reduced(Uint128 x) noexcept { return static_cast<std::uint64_t>(x - x / kPrime * kPrime); }
-std::uint64_t reduced(const Integer& a) noexcept {
-  std::uint64_t rest = 0;
-  for (int i = a.size - 1; i >= 0; --i)
-    rest = reduced(static_cast<Uint128>(rest) << 64 | static_cast<Uint128>(a.limb[i]));
-  return a.negative && rest != 0 ? kPrime - rest : rest;
-}
-
-// Whether two polynomials certainly have no root in common: their remainders by a prime have none. If the prime divides a
-// leading coefficient, nothing is known.
-bool are_coprime(const Polynomial& a, const Polynomial& b) noexcept {
-  const auto times = [](std::uint64_t x, std::uint64_t y) {
-    return reduced(static_cast<Uint128>(x) * static_cast<Uint128>(y));
-  };
-  std::uint64_t rest[2][Polynomial::kMostDegree + 1];
-  int degree[2] = {a.degree, b.degree};
-  for (int i = 0; i <= a.degree; ++i) rest[0][i] = reduced(a.c[i]);
-  for (int i = 0; i <= b.degree; ++i) rest[1][i] = reduced(b.c[i]);
-  if (rest[0][degree[0]] == 0 || rest[1][degree[1]] == 0) return false;
-  while (degree[0] > 0 && degree[1] > 0) {
-    const int longer = degree[0] >= degree[1] ? 0 : 1;
-    std::uint64_t *const x = rest[longer], *const y = rest[1 - longer];
-    const int n = degree[longer], m = degree[1 - longer];
-    const std::uint64_t of_x = y[m], of_y = kPrime - x[n];
-    for (int i = 0; i < n; ++i) {
-      const std::uint64_t part = i >= n - m ? times(of_y, y[i - (n - m)]) : 0;
-      x[i] = reduced(static_cast<Uint128>(times(of_x, x[i])) + static_cast<Uint128>(part));
-    }
-    degree[longer] = n - 1;
-    while (degree[longer] >= 0 && x[degree[longer]] == 0) --degree[longer];
-    if (degree[longer] < 0) return false;
-  }
-  return true;
-}
-
-// Halves the interval of a root until it is clear which sign another polynomial has there; 0: it is not yet.
-int sign_near(IntegerPool& pool, const Polynomial& p, const Root& root) {
-  constexpr int kMostSteps = 200;
-  Dyadic low = root.low, high = root.high;
-  const int before = sign_after(pool, root.of, low);
-  for (int i = 0; i < kMostSteps; ++i) {
-    const Dyadic middle = RootFinder::half_way(low, high);
-    const int sign = sign_at(root.of, middle);
-    if (sign == 0) return sign_at(p, middle);
-    (sign == before ? low : high) = middle;
-    const IntegerPool::Scope scope(pool);
-    const int clear = clear_sign(pool, p, low, high);
-    if (clear != 0) return clear;
-  }
-  return 0;
 }
 
 }  // namespace
@@ -528,20 +375,12 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   return r;
 }
 
-int find_roots(IntegerPool& pool, const Polynomial& given, Root (&roots)[3]) {
-  if (given.degree == 0) return 0;
-  Polynomial p = given;
-  int count = 0;
-  if (p.c[0].sign() == 0) roots[count++] = root_at_start();
-  while (p.c[0].sign() == 0) divide_by_time(p);
-  const bool ends = divide_by_rest(p);
-  if (p.degree > 0) count += find_inner_roots(pool, p, roots + count);
-  if (ends) {
-    roots[count] = root_at_start();
-    roots[count].low = dyadic_of(pool, 1);
-    roots[count++].floor = 1;
-  }
-  return count;
+int find_roots(IntegerPool& pool, const Polynomial& p, Root (&roots)[3]) {
+  if (p.degree == 0) return 0;
+  const SturmSequence sturm(p, derivative(pool, p));
+  if (sturm.last().degree == 0) return RootFinder(pool, p, sturm, roots).find();
+  const Polynomial simple = quotient(p, sturm.last());
+  return RootFinder(pool, simple, SturmSequence(simple, derivative(pool, simple)), roots).find();
 }
 
 Root root_at_start() {
@@ -559,10 +398,6 @@ int sign_at(const Polynomial& p, const Root& root) {
   const IntegerPool::Scope scope(pool);
   const int clear = clear_sign(pool, p, root.low, root.high);
   if (clear != 0) return clear;
-  if (are_coprime(root.of, p)) {
-    const int near = sign_near(pool, p, root);
-    if (near != 0) return near;
-  }
   // Zero, if the common factor changes its sign between low and high.
   const Polynomial common = SturmSequence(root.of, p).last();
   if (common.degree > 0 && sign_after(pool, common, root.low) != sign_at(common, root.high)) return 0;

@@ -190,9 +190,15 @@ void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint3
   const Neighbours<D> neighbours(scene, body);
   StarSweep<D> sweeps(scene.env);
   sweeps.partners = neighbours.partners();
-  if (!merge_vertex(sweeps, body, edge, vertex, edit)) {
-    fail(DSW_STATUS_OCCUPIED, "the path from vertex %u to vertex %u is not free", vertex,
-         body.edges[edge].other(vertex));
+  keep_forecasts(body);
+  try {
+    if (!merge_vertex(sweeps, body, edge, vertex, edit)) {
+      fail(DSW_STATUS_OCCUPIED, "the path from vertex %u to vertex %u is not free", vertex,
+           body.edges[edge].other(vertex));
+    }
+  } catch (...) {
+    restore_forecasts(body);
+    throw;
   }
 }
 

@@ -212,6 +212,7 @@ void mark_edges(Environment<D>& env, Scene<D>* scene, const Dart* edges, size_t 
 template <int D>
 void mark_vertices(Environment<D>& env, Scene<D>* scene, const uint32_t* vertices, size_t count, bool marked) {
   if (marked && count != 0) reserve_vertex_marks(env);
+  const uint64_t version = env.obstacle_version;
   Array<uint32_t> changed{env.memory};
   changed.reserve(scene != nullptr && marked ? count : 0);
   for (size_t i = 0; i < count; ++i) {
@@ -221,6 +222,7 @@ void mark_vertices(Environment<D>& env, Scene<D>* scene, const uint32_t* vertice
   Array<Box<D>> boxes{env.memory};
   const auto take_back = [&] {
     for (const uint32_t v : changed) set_vertex_mark(env, v, false);
+    env.give_back_version(version);
   };
   try {
     for (const uint32_t v : changed) {
