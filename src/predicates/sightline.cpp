@@ -323,6 +323,20 @@ bool Sightline<D>::pierces(const double* const* simplex) {
 }
 
 template <int D>
+bool Sightline<D>::ends_on(const double* const* simplex) {
+  if (certain_plane_side(to_, simplex) != 0 || exact_plane_side(true, simplex) != 0) return false;
+  // The line meets the plane at the end, so it passes all ridges on the side of the simplex, or touches them.
+  int least = 1, most = -1;
+  for (int i = 0; i < D; ++i) {
+    const double* const ridge[] = {simplex[i], simplex[(i + 1) % D]};
+    const int side = D == 2 && i == 0 ? -ridge_side(ridge) : ridge_side(ridge);
+    least = std::min(least, side);
+    most = std::max(most, side);
+  }
+  return least >= 0 || most <= 0;
+}
+
+template <int D>
 bool Sightline<D>::passes_before(const double* const* a, const double* const* b) {
   const auto value_of = [](const SightEnd<D>& end, const double* const* simplex) {
     Tuple<Bounded, D> way = difference_of<D>(end.near, simplex[0]);

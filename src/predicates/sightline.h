@@ -43,6 +43,8 @@ class Sightline {
   bool starts_beyond(const double* const* simplex);
   /** Whether the line passes inside of a simplex. The end lies beyond its plane, the start does not. */
   bool pierces(const double* const* simplex);
+  /** Whether the end lies on a simplex, its border included. */
+  bool ends_on(const double* const* simplex);
   /** Whether the line passes the plane of `a` before that of `b`. The end lies beyond both, the start beyond none. */
   bool passes_before(const double* const* a, const double* const* b);
 

@@ -64,7 +64,13 @@ class CoveredParts {
 
 template <int D>
 NearSearch<D>::NearSearch(const Environment<D>& env, const Body<D>& body, NearNotes<D>& notes)
-    : env_(env), body_(body), notes_(notes), lists_(env), others_(env.memory), near_others_(env.memory) {}
+    : env_(env),
+      body_(body),
+      notes_(notes),
+      lists_(env),
+      others_(env.memory),
+      near_others_(env.memory),
+      cells_(env.memory) {}
 
 /** The way from the part's first vertex to its nearest point lies in the part, which is free. From there another one
  * leads to the obstacle. */
@@ -85,7 +91,7 @@ bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearList<D>& list, co
   const uint32_t known = is_of_body ? 0 : obstacle.count;
   Sightline<D> line(point, SightEnd<D>(obstacle, of_part, shift));
   at = walk_along(env_, line, at.cell, pair.obstacle_vertices, known);
-  return !at.is_hit && has_vertices(env_.map, at.cell, pair.obstacle_vertices, known);
+  return !at.is_hit && (is_of_body || ends_at(env_, line, at.cell, pair.obstacle_vertices, known, cells_));
 }
 
 template <int D>

@@ -1,6 +1,7 @@
 #pragma once
 // All near pairs of a body: which obstacles are near each of its parts is remembered from call to call.
 
+#include "map/cell_queue.h"
 #include "pairs/partners.h"
 #include "proximity/near_lists.h"
 #include "proximity/near_pair.h"
@@ -35,6 +36,7 @@ class NearSearch {
   NearLists<D> lists_;
   NearList<D> others_;  // of a partner
   NearSelection<D> near_others_;
+  CellQueue cells_;  // at the end of a sightline
 };
 
 }  // namespace dsw

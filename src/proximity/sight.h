@@ -2,6 +2,7 @@
 // Whether the nearest point of an obstacle is seen from that of a part: a walk through cells along the exact segment.
 
 #include "environment/environment.h"
+#include "map/cell_queue.h"
 #include "predicates/sightline.h"
 
 namespace dsw {
@@ -19,8 +20,11 @@ template <int D>
 SightResult walk_along(const Environment<D>& env, Sightline<D>& line, Cell start, const uint32_t* target,
                        uint32_t target_count);
 
-/** Whether a cell has all of some vertices. */
+/** Whether a line that ends in a cell ends at an obstacle with these vertices, or at no wall. A closed slit has walls in one
+ * place with vertices of their own: then the end lies on a wall, and no cell there has the obstacle.
+ * @param cells is overwritten. Throws std::bad_alloc. */
 template <int D>
-bool has_vertices(const Map<D>& map, Cell c, const uint32_t* vertices, uint32_t count) noexcept;
+bool ends_at(const Environment<D>& env, Sightline<D>& line, Cell end, const uint32_t* vertices, uint32_t count,
+             CellQueue& cells);
 
 }  // namespace dsw
