@@ -1,5 +1,7 @@
-// A small generator with a fixed sequence: the same scenes and casts on every machine.
+// A small generator: the same scenes and casts on every machine. DSW_SEED draws others (../effort.h).
 #pragma once
+
+#include "../effort.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +10,7 @@ namespace dsw::oracle {
 
 class Rng {
  public:
-  explicit Rng(uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15ull + 0x2545f4914f6cdd1dull) {}
+  explicit Rng(uint64_t seed) : state_(seed_of(seed) * 0x9e3779b97f4a7c15ull + 0x2545f4914f6cdd1dull) {}
 
   uint64_t next() {
     uint64_t z = (state_ += 0x9e3779b97f4a7c15ull);

@@ -137,7 +137,7 @@ TEST(AdversarialTest, AnEnvironmentOfDenormals) {
   report.begin("denormal", "denormal grid");
   Checker checker(*place.world, place.get(), report);
   Rng rng(5);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < at_least(2000); ++i) {
     Vec p, q;
     for (size_t k = 0; k < 3; ++k) {
       p[k] = rng.between(0, 12) * DBL_TRUE_MIN;

@@ -130,7 +130,7 @@ TEST_F(BodyMoveTest, SkippedEdgesKeepTheirSequences) {
     const uint32_t keeps = i == 0 ? 0 : DSW_BODY_SEQUENCES;
     const dsw_body_id body = make(plan, DSW_LEVEL_EDGES, DSW_BODY_SKIP_SIMILAR_MOTION | keeps);
     Rng rng(3);
-    for (int step = 0; step < 50; ++step) {
+    for (int step = 0; step < at_least(50); ++step) {
       std::vector<Vec> targets = read(body).at;
       // The first ones move alike, the others do not.
       const double y = rng.range(-0.2, 0.2);
@@ -223,7 +223,7 @@ TEST_F(BodyMoveTest, HalvingEndsBetweenAFreePlaceAndOneThatIsNot) {
   options.bisection_depth = 12;
   options.stand_off = exact.stand_off = -1;
   int of_paths = 0, of_edges = 0, of_faces = 0, far = 0;
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < at_least(600); ++i) {
     const dsw_level level = static_cast<dsw_level>(1 + i % 4);
     const auto inside = [&] { return Vec{rng.range(0.1, 3.9), rng.range(0.1, 3.9), rng.range(0.1, 3.9)}; };
     const BodyPlan plan = {{inside(), inside(), inside()}, {}, {{0, 1, 2}}};
@@ -319,7 +319,7 @@ TEST(BodySlideTest, TargetsAtTheEndOfTheDoublesLeaveNumbers) {
   dsw_move_options options = defaults(dsw_move_options_init);
   options.vertex_response = DSW_RESPONSE_SLIDE;
   options.edge_response = DSW_RESPONSE_SLIDE;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < at_least(200); ++i) {
     BodyPlan plan;
     for (int v = 0; v < 2; ++v) plan.at.push_back({rng.range(16, 48), rng.range(16, 48), rng.range(16, 48)});
     plan.edges = {{0, 1}};

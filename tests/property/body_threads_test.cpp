@@ -107,7 +107,7 @@ TEST_P(BodyThreadsTest, TogetherIsTheSameAsOneByOneForAnyThreads) {
     const ContextPtr context = context_with(threads, nullptr);
     EXPECT_TRUE(answers(GetParam(), context.get(), true, &contacts) == want);
   }
-  const auto seeds = static_cast<uint64_t>(std::max(1, share_of(3)));
+  const auto seeds = static_cast<uint64_t>(std::max(1, effort_of(3)));
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     Shuffler shuffler;
     shuffler.seed = seed;

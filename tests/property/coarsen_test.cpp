@@ -110,7 +110,7 @@ TEST_P(CoarsenTest, CastsMeetTheSameFacesAtTheSameTimes) {
       const Coarse coarse = coarsened(place_, max_faces);
       ASSERT_NE(coarse.environment, nullptr);
       Motions motions(*place_.world, rng);
-      for (int i = 0; i < 400; ++i) {
+      for (int i = 0; i < at_least(400); ++i) {
         const Vec p = motions.start(), q = motions.target(p);
         dsw_flight fine, other;
         ASSERT_EQ(dsw_environment_cast(place_.get(), {0, 0}, p.data(), q.data(), nullptr, &fine), DSW_STATUS_OK);
@@ -167,7 +167,7 @@ TEST_P(CoarsenTest, BodiesMoveAsFarAndStayFree) {
   dsw_environment* const both[2] = {place_.get(), coarse.environment.get()};
   ScenePtr scenes[2] = {make_scene(both[0]), make_scene(both[1])};
   int moved = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < at_least(60); ++i) {
     const Vec p = motions.start(), q = motions.target(p);
     BodyState states[2];
     dsw_status made[2];

@@ -105,7 +105,7 @@ DSW_FOR_ALL_SCENES(CutTest);
 
 TEST_P(CutTest, NothingIsOnBothSidesOfThePlaneButWhatStayedWhole) {
   size_t split = 0, whole = 0;
-  for (uint64_t seed = 1; seed <= 12; ++seed) {
+  for (uint64_t seed = 1; seed <= seeds_of(12); ++seed) {
     cut(seed);
     if (place_.environment == nullptr) continue;
     ASSERT_FALSE(HasFatalFailure());

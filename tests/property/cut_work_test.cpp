@@ -35,7 +35,7 @@ std::vector<double> some_blade(uint32_t rows, uint32_t columns, int dimension, d
 template <int D>
 void check_distances() {
   Rng rng(11);
-  for (int round = 0; round < share_of(400); ++round) {
+  for (int round = 0; round < effort_of(400); ++round) {
     const uint32_t rows = 2 + rng.below(30u), columns = D == 3 ? 2 + rng.below(6u) : 1;
     const std::vector<double> points = some_blade(rows, columns, D, 1, rng);
     const auto blade = Blade<D>::of_grid(nullptr, {points.data(), D}, rows, columns);
@@ -108,7 +108,7 @@ DSW_FOR_ALL_SCENES(CutWorkTest);
 
 TEST_P(CutWorkTest, TheSearchAndTheTreesFindWhatLookingAtAllFinds) {
   size_t met = 0, missed = 0;
-  for (uint64_t seed = 1; seed <= 6; ++seed) {
+  for (uint64_t seed = 1; seed <= seeds_of(6); ++seed) {
     const uint32_t flags[3] = {0, DSW_ENVIRONMENT_LOCATE_TREE, DSW_ENVIRONMENT_NO_LOCATE_TREE};
     const Place place = make_place(GetParam(), seed, flags[seed % 3]);
     if (place.environment == nullptr) continue;

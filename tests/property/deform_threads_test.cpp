@@ -13,7 +13,7 @@ TEST(DeformThreads, FindOutTogetherWhichVolumesAreValid) {
   std::vector<dsw_flight> flights[3];
   Rng rng(5);
   std::vector<double> from, to;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < at_least(3000); ++i) {
     for (int k = 0; k < 3; ++k) from.push_back(rng.range(0.5, 7.5)), to.push_back(rng.range(-1, 9));
   }
   const uint32_t threads[] = {1, 4, 4};

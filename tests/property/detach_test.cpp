@@ -1,5 +1,5 @@
 // Pieces of every kind of cell come off: random blobs, in what is passable, beside what is not, or cut out of what is
-// impassable all round. DSW_PIECES sets how many a scene has.
+// impassable all round.
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -227,8 +227,7 @@ class DetachTest : public SceneTest {
 DSW_FOR_ALL_SCENES(DetachTest);
 
 TEST_P(DetachTest, ItsSurfaceIsAFreeBodyWhereItWas) {
-  const char* const text = std::getenv("DSW_PIECES");
-  const size_t wanted = text == nullptr ? 12 : std::strtoull(text, nullptr, 10);
+  const auto wanted = seeds_of(12);
   size_t done = 0, refused[3] = {}, tried[3] = {};
   for (uint64_t seed = 1; seed <= wanted; ++seed) {
     rng_ = Rng(seed ^ 0xde7ac4);
@@ -323,8 +322,7 @@ std::unique_ptr<World> world_now(const dsw_environment* environment) {
 
 /// What cuts leave of something impassable comes off, piece by piece.
 TEST_P(DetachTest, WhatCutsPartComesOff) {
-  const char* const text = std::getenv("DSW_PIECES");
-  const size_t wanted = text == nullptr ? 6 : std::strtoull(text, nullptr, 10);
+  const auto wanted = seeds_of(6);
   size_t done = 0, refused = 0;
   for (uint64_t seed = 1; seed <= wanted; ++seed) {
     rng_ = Rng(seed ^ 0xc07);

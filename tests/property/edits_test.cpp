@@ -1,5 +1,4 @@
-// Random changes of the topology on every kind of cell, with particles and bodies inside. DSW_EDITS sets how many calls
-// succeed over all scenes; a few thousand where it is not set.
+// Random changes of the topology on every kind of cell, with particles and bodies inside.
 #include <cstdlib>
 #include <iostream>
 
@@ -11,9 +10,7 @@ namespace {
 
 template <int D>
 size_t wanted_edits() {
-  const char* const text = std::getenv("DSW_EDITS");
-  const size_t all = text == nullptr ? 4000 : std::strtoull(text, nullptr, 10);
-  return all / (D == 2 ? plane::kinds().size() : scene_kinds().size()) + 1;
+  return static_cast<size_t>(effort_of(4000)) / (D == 2 ? plane::kinds().size() : scene_kinds().size()) + 1;
 }
 
 template <int D>
@@ -55,7 +52,7 @@ void keeps_everything_in_its_place(const std::string& scene) {
   for (size_t i = 0; i < std::size(sums); ++i) {
     testing::Test::RecordProperty(name_of(static_cast<Operation>(i)), static_cast<int>(sums[i].done));
   }
-  if (std::getenv("DSW_EDITS") == nullptr) return;
+  if (effort_of(1) == 1) return;
   std::cout << exact_checks << " exact checks of a partition\n";
   for (size_t i = 0; i < std::size(sums); ++i) {
     std::cout << name_of(static_cast<Operation>(i)) << ": " << sums[i].tried << " tried, " << sums[i].done << " done, "
@@ -96,8 +93,8 @@ std::string saved_without_features(const RandomEdits<D>& edits) {
 template <int D>
 void answers_alike_whatever_is_kept(const std::string& scene) {
   size_t occupied = 0;
-  const auto seeds = static_cast<uint64_t>(std::max(3, share_of(6)));  // one of three has other features
-  const int calls = std::max(30, share_of(60));
+  const auto seeds = static_cast<uint64_t>(std::max(3, effort_of(6)));  // one of three has other features
+  const int calls = std::clamp(effort_of(60), 30, 60);
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     const uint32_t features = seed % 3 == 0 ? DSW_FEATURE_BODY_CONTACTS : 0;
     RandomEdits<D> plain(scene, seed, nullptr, features);
@@ -121,8 +118,8 @@ void answers_alike_whatever_is_kept(const std::string& scene) {
 
 template <int D>
 void goes_on_with_the_same_bits(const std::string& scene) {
-  const auto seeds = static_cast<uint64_t>(std::max(2, share_of(4)));
-  const int rounds = std::max(3, share_of(5));
+  const auto seeds = static_cast<uint64_t>(std::max(2, effort_of(4)));
+  const int rounds = std::clamp(effort_of(5), 3, 5);
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     const uint32_t features = seed % 2 == 0 ? DSW_FEATURE_LIVE_CHANGES : 0;
     RandomEdits<D> edits(scene, seed, nullptr, features), copy(scene, seed, nullptr, features);
@@ -148,7 +145,7 @@ void refuses_damage(const std::string& scene) {
   size_t size = 0;
   ASSERT_EQ(dsw_environment_save(edits.environment(), nullptr, 0, &size), DSW_STATUS_OK);
   Rng rng(31);
-  for (int round = 0; round < share_of(1500); ++round) {
+  for (int round = 0; round < effort_of(1500); ++round) {
     std::vector<uint8_t> block(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(size));
     for (int n = rng.between(1, 3); n > 0; --n) {
       const size_t at = kAtFlags + 4 * rng.below((size - kAtFlags) / 4);

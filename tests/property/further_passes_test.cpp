@@ -68,7 +68,7 @@ class FurtherPassesTest : public BodyTest {
   /// Moves random bodies with and without further passes, which leave at most `share` of what is left without.
   void press_all(double share);
 
-  std::mt19937 random_{20};
+  std::mt19937 random_{static_cast<uint32_t>(seed_of(20))};
   uint32_t flags_ = 0;  // of bodies
 };
 
@@ -80,7 +80,7 @@ void FurtherPassesTest::press_all(double share) {
   more.passes = 8;
   double left = 0, left_with_passes = 0;
   int moves = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < at_least(400); ++i) {
     const dsw_level level = i % 2 == 0 ? DSW_LEVEL_EDGES : DSW_LEVEL_EDGES_SWEPT;
     const BodyPlan plan = line();
     dsw_body_id probe = {0, 0};

@@ -11,7 +11,7 @@ DSW_FOR_ALL_SCENES(LocateTest);
 
 TEST_P(LocateTest, AgreesWithBruteForceWithAndWithoutHintAndGrid) {
   for (uint32_t flags : {0u, uint32_t{DSW_ENVIRONMENT_LOCATE_TREE}, uint32_t{DSW_ENVIRONMENT_NO_LOCATE_TREE}}) {
-    for (uint64_t seed = 31; seed <= 33; ++seed) {
+    for (uint64_t seed = 31; seed < 31 + seeds_of(3); ++seed) {
       const Place place = make_place(GetParam(), seed, flags);
       ASSERT_PLACE(place);
       Report report;
@@ -37,7 +37,7 @@ TEST_P(LocateTest, BatchIsTheSameAsOneByOne) {
   std::vector<double> points;
   std::vector<dsw_volume_id> hints, volumes(300);
   std::vector<dsw_location> locations(300);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < at_least(300); ++i) {
     const Vec p = motions.site();
     points.insert(points.end(), {p[0], p[1], p[2], 0});
     hints.push_back(rng.chance(0.5) ? dsw_volume_id{0, 0} : place.world->ids[rng.below(place.world->ids.size())]);
@@ -110,7 +110,7 @@ std::vector<dsw_cell> exact_places(const World& world, const Edges& edges, const
 
 TEST_P(LocateTest, ClassifyIsExact) {
   int kinds[5] = {0, 0, 0, 0, 0};
-  for (uint64_t seed = 41; seed <= 42; ++seed) {
+  for (uint64_t seed = 41; seed < 41 + seeds_of(2); ++seed) {
     const Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     const Edges edges(*place.world);

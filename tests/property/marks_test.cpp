@@ -113,7 +113,7 @@ TEST_P(MarksTest, ClosureIsDerivedAndUnmarkingTakesOnlyWhatWasSet) {
   Marks marks(place);
   marks.compare();
   Rng rng(51);
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < at_least(12); ++round) {
     for (int i = 0; i < 6; ++i) marks.random_change(rng);
     marks.compare();
   }
@@ -240,7 +240,7 @@ TEST_P(MarksTest, OccupiedVolumesRefuseAndSkip) {
   Report report;
   report.begin(GetParam(), GetParam());
   Checker checker(world, place.get(), report);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < at_least(60); ++i) {
     const dsw_particle_id id = particles[rng.below(3u)];
     Vec from;
     ASSERT_EQ(dsw_particle_get_position(scene.get(), id, from.data(), nullptr), DSW_STATUS_OK);

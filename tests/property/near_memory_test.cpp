@@ -54,7 +54,7 @@ TEST_P(NearMemoryTest, ChangesNothing) {
   // Their walls lie closer together than rounded points tell.
   if (GetParam() == "tet_slivers") GTEST_SKIP() << "what hides what is not told among slivers of 1e-12";
   size_t rows_seen = 0;
-  for (uint64_t seed = 71; seed < 71 + from_environment("DSW_NEAR_ROUNDS", 1); ++seed) {
+  for (uint64_t seed = 71; seed < 71 + static_cast<uint64_t>(effort_of(1)); ++seed) {
     size_t bodies = 0;
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);

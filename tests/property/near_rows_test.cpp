@@ -165,7 +165,7 @@ BodyPlan any_plan(Motions& motions, Rng& rng) {
 TEST_P(NearRowsTest, AreAllThatAreNear) {
   Tally tally;
   const bool is_warped = std::string(GetParam()).find("warped") != std::string::npos;
-  const uint64_t rounds = from_environment("DSW_NEAR_ROUNDS", 1);
+  const auto rounds = static_cast<uint64_t>(effort_of(1));
   // Seeds that found rows with what is hidden, at distances of 0 and 1e-25.
   const std::map<std::string, uint64_t> found{{"tet_slivers", 44}, {"prisms_warped", 50}};
   std::set<uint64_t> seeds;
@@ -193,7 +193,7 @@ TEST_P(NearRowsTest, AreAllThatAreNear) {
     const NearTruth truth(scene_truth);
     const ScenePtr scene = make_scene(place.get());
     // What brute force costs grows with what there is.
-    const int most = share_of(scene_truth.obstacles.size() > 2000 ? 5 : 25);
+    const int usual = scene_truth.obstacles.size() > 2000 ? 5 : 25, most = std::min(usual, effort_of(usual));
     int made = 0;
     for (int i = 0; i < 400 && made < most; ++i) {
       const BodyPlan plan = any_plan(motions, rng);
@@ -223,7 +223,7 @@ TEST_P(NearRowsTest, AreAllThatAreNear) {
   RecordProperty("rows", std::to_string(tally.rows));
   EXPECT_EQ(tally.missed, 0u);
   EXPECT_EQ(tally.phantom, 0u);
-  EXPECT_GT(tally.rows, static_cast<uint64_t>(share_of(100)));
+  EXPECT_GT(tally.rows, static_cast<uint64_t>(effort_of(100)));
   EXPECT_LE(tally.overlapped, tally.rows / 1000);
 }
 
@@ -231,7 +231,7 @@ TEST_P(NearRowsTest, AreAllThatAreNear) {
 TEST(NearBodiesTest, AreAllThatAreNear) {
   Tally tally;
   uint64_t own = 0;
-  for (uint64_t seed = 1; seed <= static_cast<uint64_t>(share_of(120)); ++seed) {
+  for (uint64_t seed = 1; seed <= static_cast<uint64_t>(effort_of(120)); ++seed) {
     Place place = place_of(hex_grid(axis(4, 1), axis(4, 1), axis(3, 1)));
     ASSERT_PLACE(place);
     Rng rng(seed);
@@ -312,8 +312,8 @@ TEST(NearBodiesTest, AreAllThatAreNear) {
       }
     }
   }
-  EXPECT_GT(tally.rows, static_cast<uint64_t>(share_of(1000)));
-  EXPECT_GT(own, static_cast<uint64_t>(share_of(100)));
+  EXPECT_GT(tally.rows, static_cast<uint64_t>(effort_of(1000)));
+  EXPECT_GT(own, static_cast<uint64_t>(effort_of(100)));
 }
 
 /// Chains of the plane among impassable triangles, sides and marked vertices.
@@ -364,7 +364,7 @@ TEST(NearPlaneTest, AreAllThatAreNear) {
   const NearTruth truth(known);
   const ScenePtr scene = make_scene(environment.get());
   Tally tally;
-  for (int i = 0; i < share_of(2000); ++i) {
+  for (int i = 0; i < effort_of(2000); ++i) {
     std::vector<double> at;
     const size_t vertices = 1 + rng.below(4);
     for (size_t k = 0; k < 2 * vertices; ++k) {
@@ -389,7 +389,7 @@ TEST(NearPlaneTest, AreAllThatAreNear) {
     if (testing::Test::HasFailure()) return;
     ASSERT_EQ(dsw_body_destroy(scene.get(), body), DSW_STATUS_OK);
   }
-  EXPECT_GT(tally.rows, static_cast<uint64_t>(share_of(300)));
+  EXPECT_GT(tally.rows, static_cast<uint64_t>(effort_of(300)));
 }
 
 /// A plate in the middle of a box, which leaves a gap at x > 2.
@@ -460,7 +460,7 @@ TEST(NearlyParallelTest, EdgesHaveTheirRows) {
   ASSERT_PLACE(place);
   Rng rng(3);
   int asked = 0;
-  for (int i = 0; i < share_of(2000); ++i) {
+  for (int i = 0; i < effort_of(2000); ++i) {
     const ScenePtr scene = make_scene(place.get(), DSW_FEATURE_BODY_CONTACTS);
     const double tilt = std::ldexp(rng.range(0.5, 1), -static_cast<int>(rng.between(2, 50)));
     const double apart = std::ldexp(rng.range(0.5, 1), -static_cast<int>(rng.between(1, 20)));
@@ -487,7 +487,7 @@ TEST(NearlyParallelTest, EdgesHaveTheirRows) {
     check_numbers(*row->second, expected->second, 4);
     EXPECT_NEAR(row->second->weights[1], expected->second.weights[1], 1e-11);
   }
-  EXPECT_GT(asked, share_of(1000));
+  EXPECT_GT(asked, effort_of(1000));
 }
 
 }  // namespace

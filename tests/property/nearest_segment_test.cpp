@@ -142,7 +142,7 @@ bool is_root(double d, const Q& squared, double bound) {
 
 TEST_P(NearestSegmentTest, IsTheNearestOfAll) {
   int passing = 0, free = 0;
-  for (uint64_t seed = 71; seed <= 73; ++seed) {
+  for (uint64_t seed = 71; seed < 71 + seeds_of(3); ++seed) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     World& world = *place.world;
@@ -315,7 +315,7 @@ TEST_P(NearestSegmentTest, BatchesAreTheSameAsOneByOne) {
 TEST(NearestSegmentSliverTest, OverAThinTriangle) {
   Rng rng(91);
   int asked = 0;
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < at_least(4000); ++i) {
     const double height = std::ldexp(1.0, -static_cast<int>(rng.between(10, 20)));
     const auto any = [&] { return Vec{rng.range(-1, 1), rng.range(-1, 1), rng.range(-1, 1)}; };
     const auto sum = [](const Vec& a, double s, const Vec& u) {
@@ -412,7 +412,7 @@ TEST(NearestSegmentPlaneTest, IsTheNearestOfAll) {
     const EnvironmentPtr environment = make_squares(kSquares, cut);
     Rng rng(81);
     const std::vector<PlaneObstacle> obstacles = mark_plane(environment.get(), cut ? 3 : 4, rng);
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < at_least(600); ++i) {
       double from[2], to[2];
       for (double& x : from) x = rng.chance(0.1) ? rng.between(0, kSquares) : rng.range(0, kSquares);
       const double length = rng.chance(0.5) ? 0.2 : rng.chance(0.1) ? 0 : 4;

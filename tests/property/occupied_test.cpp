@@ -408,7 +408,7 @@ TEST_P(OccupiedTest, RefusedOrLeftOutIfAndOnlyIfSomethingIsInTheWay) {
     Trial trial(place, seed, seed == 61 ? 0 : DSW_FEATURE_LIVE_CHANGES);
     for (int tries = 0; tries < 30 && trial.body_count() < 4; ++tries) trial.add_body();
     trial.add_particle();
-    for (int round = 0; round < 40 && !HasFatalFailure(); ++round) {
+    for (int round = 0; round < at_least(40) && !HasFatalFailure(); ++round) {
       if (round % 3 == 0) trial.move_a_body();
       if (round % 8 == 7) trial.add_body();
       trial.call(trial.random_request());

@@ -186,7 +186,7 @@ class OpenTest : public OpenTissueTest, public testing::WithParamInterface<std::
 DSW_FOR_ALL_SCENES(OpenTest);
 
 TEST_P(OpenTest, ParticlesEnterTheCut) {
-  for (uint64_t seed = 1; seed <= 15; ++seed) {
+  for (uint64_t seed = 1; seed <= seeds_of(15); ++seed) {
     place_ = make_place(GetParam(), seed);
     if (place_.environment == nullptr) continue;
     Rng rng(seed);
@@ -199,7 +199,7 @@ TEST_P(OpenTest, ParticlesEnterTheCut) {
 }
 
 TEST_F(OpenTissueTest, TheWholeCutIsEnteredWhereVolumesAreSmall) {
-  for (uint64_t seed = 1; seed <= 5; ++seed) {
+  for (uint64_t seed = 1; seed <= seeds_of(5); ++seed) {
     Rng rng(seed);
     place_ = place_of(block_of_tets(6, rng));
     ASSERT_NE(place_.environment, nullptr);

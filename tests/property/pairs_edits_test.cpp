@@ -226,7 +226,7 @@ class Loom {
   }
 
   Case case_;
-  Rng rng_{from_environment("DSW_PAIR_SEED", 23)};
+  Rng rng_{23};
   Knit<D> knit_;
   Partners<D> partners_{nullptr};
   int bent_ = 0, not_bent_ = 0, merged_ = 0, not_merged_ = 0;
@@ -242,8 +242,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& i) { return i.param.name; });
 
 TEST_P(PairEditsTest, AnEdgeIsBentAndAVertexMergedIfNothingIsTouched) {
-  // Rationals are slow: DSW_PAIR_EDITS and DSW_PAIR_SEED ask for more and for others.
-  const int rounds = static_cast<int>(from_environment("DSW_PAIR_EDITS", static_cast<uint64_t>(share_of(120))));
+  const int rounds = effort_of(120);  // rationals are slow
   if (GetParam().dimension == 2) {
     Loom<2>(GetParam()).run(rounds);
   } else {

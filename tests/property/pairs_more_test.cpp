@@ -107,7 +107,7 @@ TEST_F(TwoBodiesTest, WallsThatMovePushNoBodyIntoAnother) {
     for (size_t i = 0; i < 3; ++i) bodies[i].id = make(plans[i], DSW_LEVEL_FACES);
     std::vector<std::vector<double>> arrays;  // all lent
     Rng rng(9);
-    for (int step = 0; step < 12; ++step) {
+    for (int step = 0; step < at_least(12); ++step) {
       arrays.push_back(points_of(place_.get()));
       // The walls close in on what is between them.
       for (size_t i = 0; i < arrays.back().size(); i += 3) {
@@ -310,7 +310,7 @@ TEST_F(TwoBodiesTest, AWallBendsABodyThatMeetsItselfUpToItself) {
                      polyline.level, DSW_BODY_SELF_CONTACTS);
   std::vector<std::vector<double>> arrays;  // all lent
   size_t held = 0, inserted = 0;
-  for (int step = 0; step < 12; ++step) {
+  for (int step = 0; step < at_least(12); ++step) {
     arrays.push_back(points_of(place_.get()));
     arrays.back()[3 * point(2, 2, 1)] = 2 + 0.04 * (step + 1);
     dsw_deform_options options = defaults(dsw_deform_options_init);

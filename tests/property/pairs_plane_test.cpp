@@ -134,7 +134,7 @@ TEST_F(PlanePairsTest, NothingLeavesAClosedCurve) {
   outer.id = ring;
   Rng rng(3);
   size_t contacts = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < at_least(200); ++i) {
     dsw_move_options options = defaults(dsw_move_options_init);
     if (i % 2 == 0) options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
     std::vector<Vec> targets = read(inner.id).at;
@@ -188,7 +188,7 @@ TEST_F(PlanePairsTest, AnEdgeIsBentOverNothing) {
   // be bent to.
   Rng rng(11);
   int bent = 0, refused = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < at_least(300); ++i) {
     const Vec low = {rng.range(0.01, 0.1), rng.range(0.01, 0.1), 0}, high = {rng.range(3, 3.9), rng.range(3, 3.9), 0};
     const dsw_body_id edge = make(segment(low, high));
     std::vector<Vec> beside;

@@ -201,7 +201,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
   }
 
   double scale_ = 1;
-  Rng rng_{from_environment("DSW_PAIR_SEED", 17)};
+  Rng rng_{17};
   Place place_;
   ScenePtr scene_;
   std::vector<Meeting> bodies_;
@@ -221,9 +221,7 @@ TEST_P(PairsTest, EveryMoveEndsAsAllPartsAgainstAllPartsSay) {
   fill(12);
   ASSERT_GT(bodies_.size(), 4u);
   EXPECT_GT(refused_, 0);
-  // Rationals are slow: DSW_PAIR_MOVES and DSW_PAIR_SEED ask for more and for others.
-  const int moves =
-      static_cast<int>(from_environment("DSW_PAIR_MOVES", static_cast<uint64_t>(share_of(plane() ? 400 : 80))));
+  const int moves = effort_of(plane() ? 400 : 80);  // rationals are slow
   for (int i = 0; i < moves && !HasFatalFailure(); ++i) {
     SCOPED_TRACE(i);
     const size_t b = rng_.below(bodies_.size());
@@ -244,7 +242,7 @@ TEST_P(PairsTest, BodiesStayApartWhateverTheResponse) {
   fill(12);
   ASSERT_GT(bodies_.size(), 4u);
   size_t contacts = 0, edits = 0;
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < at_least(10); ++round) {
     SCOPED_TRACE(round);
     dsw_move_options options = defaults(dsw_move_options_init);
     options.vertex_response = round % 2 == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;

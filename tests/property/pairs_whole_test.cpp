@@ -139,7 +139,7 @@ TEST_P(WholeTest, AMoveOfAllVerticesHasTheBitsOfOneAfterTheOther) {
                                  {DSW_RESPONSE_STOP, DSW_RESPONSE_ADAPTIVE_ONE},
                                  {DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_SLIDE},
                                  {DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_MANY}};
-  const auto wanted = static_cast<size_t>(std::max(10, share_of(25)));  // twice each answer
+  const auto wanted = static_cast<size_t>(std::max(10, effort_of(25)));  // twice each answer
   size_t contacts = 0, inserted = 0, bodies = 0;
   for (int round = 0; round < 60 && bodies < wanted; ++round) {
     BodyPlan made = GetParam().shape == 2 ? strip() : plan();

@@ -98,9 +98,8 @@ TEST_F(BladeTest, APathMeetsWhatItsSegmentsMeet) {
   RecordProperty("crossed", static_cast<int>(crossed));
   RecordProperty("twice", static_cast<int>(twice));
   RecordProperty("ties", static_cast<int>(ties));
-  if (!enough_worlds()) return;
-  EXPECT_GT(crossed, 2000u);
-  EXPECT_GT(twice, 300u);
+  EXPECT_GT(crossed, static_cast<size_t>(effort_of(2000)));
+  EXPECT_GT(twice, static_cast<size_t>(effort_of(300)));
 }
 
 TEST_F(BladeTest, WhatClosedLinesHold) {
@@ -171,9 +170,8 @@ TEST_F(BladeTest, WhatClosedLinesHold) {
   });
   RecordProperty("inside", static_cast<int>(inside));
   RecordProperty("carved", static_cast<int>(carved_cells));
-  if (!enough_worlds()) return;
-  EXPECT_GT(inside, 1000u);
-  EXPECT_GT(carved_cells, 500u);
+  EXPECT_GT(inside, static_cast<size_t>(effort_of(1000)));
+  EXPECT_GT(carved_cells, static_cast<size_t>(effort_of(500)));
 }
 
 /// A way that begins and ends in cells that the line did not meet, and crosses it once, is stopped.
@@ -223,13 +221,12 @@ TEST_F(BladeTest, NothingGetsPastATie) {
   });
   RecordProperty("flights", static_cast<int>(flights));
   RecordProperty("free_before", static_cast<int>(free_before));
-  if (!enough_worlds()) return;
-  EXPECT_GT(free_before, 200u);
+  EXPECT_GT(free_before, static_cast<size_t>(effort_of(200)));
 }
 
 TEST_F(BladeTest, TheTreeFindsWhatOverlaps) {
   Rng rng(5);
-  for (int round = 0; round < 50; ++round) {
+  for (int round = 0; round < at_least(50); ++round) {
     std::vector<double> points;
     const uint32_t count = 2 + rng.below(60u);
     for (uint32_t i = 0; i < 2 * count; ++i) points.push_back(rng.below(20u));

@@ -396,7 +396,7 @@ TEST_P(PlaneBodies, DoWhatTheyDoBetweenWallsInSpace) {
   for (int i = 0; i < 12; ++i) add_body(level, flags);
   ASSERT_EQ(sides_[0].bodies.size(), sides_[1].bodies.size());
   if (sides_[0].bodies.empty()) return;
-  for (int step = 0; step < 200 && !HasFailure(); ++step) {
+  for (int step = 0; step < at_least(200) && !HasFailure(); ++step) {
     SCOPED_TRACE(step);
     if (rng_.chance(0.2)) mark_something();
     const size_t b = rng_.below(sides_[0].bodies.size());

@@ -22,21 +22,17 @@ inline std::vector<dsw_cut_face> cut_faces(const EnvironmentPtr& environment) {
   return {faces, faces + count};
 }
 
-/// Calls use(turn, seed) for all kinds of meshes in all sizes, so many rounds. DSW_PLANE_WORLDS asks for another number
-/// of worlds, DSW_PLANE_SEED for those from a seed on.
+/// Calls use(turn, seed) for all kinds of meshes in all sizes, so many rounds.
 template <class Use>
 void for_each_turn(uint64_t rounds, const Use& use) {
   const std::vector<plane::Turn> turns = plane::turns("");
-  const uint64_t first = from_environment("DSW_PLANE_SEED", 1),
-                 count = from_environment("DSW_PLANE_WORLDS", rounds * turns.size());
-  for (uint64_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
+  const int count = effort_of(static_cast<int>(rounds * turns.size()));
+  for (uint64_t seed = 1; seed <= static_cast<uint64_t>(count) && !testing::Test::HasFailure(); ++seed) {
     const plane::Turn& turn = turns[(seed - 1) % turns.size()];
     SCOPED_TRACE(turn.name() + ", seed " + std::to_string(seed));
     use(turn, seed);
   }
 }
-/// Not if their number was asked for.
-inline bool enough_worlds() { return std::getenv("DSW_PLANE_WORLDS") == nullptr; }
 
 class PlaneCuts {
  public:

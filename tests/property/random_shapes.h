@@ -23,10 +23,4 @@ ClosedSurface some_surface(const Environment<3>& env, double size, Rng& rng);
 /// Points of a loop, nearly round or not at all.
 std::vector<double> some_loop(const Environment<3>& env, double size, Rng& rng);
 
-/// How many scenes of each kind shapes and loops are tried in; DSW_CARVINGS asks for more.
-inline uint64_t wanted_shape_seeds() {
-  const char* const text = std::getenv("DSW_CARVINGS");
-  return text == nullptr ? 6 : std::strtoull(text, nullptr, 10);
-}
-
 }  // namespace dsw::oracle

@@ -17,7 +17,7 @@ DSW_FOR_ALL_PLANE_SCENES(PlaneRecordTest);
 template <int D>
 void is_made_again(const std::string& scene) {
   size_t calls = 0;
-  const auto seeds = static_cast<uint64_t>(std::max(3, share_of(4)));  // for each kind of features
+  const auto seeds = static_cast<uint64_t>(std::max(3, effort_of(4)));  // for each kind of features
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     const uint32_t features = seed == 2   ? uint32_t{DSW_FEATURE_LIVE_CHANGES}
                               : seed == 3 ? DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_STATISTICS
@@ -35,14 +35,14 @@ void is_made_again(const std::string& scene) {
       }
     };
     ASSERT_EQ(start(edits.handle(), &recording), DSW_STATUS_OK) << dsw_last_error_message();
-    change(std::max(12, share_of(30)));
+    change(std::clamp(effort_of(30), 12, 30));
     ASSERT_EQ(dsw_scene_stop_recording(edits.handle()), DSW_STATUS_OK);
     const ReplayPtr replay = open_replay(recording);
     calls += replay_all(replay);
     ASSERT_TRUE(saved_both(scene_of(replay)) == edits.saved()) << "scene seed " << seed;
     // Now that the points are the host's.
     ASSERT_EQ(start(edits.handle(), &later), DSW_STATUS_OK);
-    change(std::max(8, share_of(20)));
+    change(std::clamp(effort_of(20), 8, 20));
     ASSERT_EQ(dsw_scene_stop_recording(edits.handle()), DSW_STATUS_OK);
     const ReplayPtr second = open_replay(later);
     calls += replay_all(second);

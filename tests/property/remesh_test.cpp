@@ -135,7 +135,7 @@ class RemeshTest : public SceneTest {
 DSW_FOR_ALL_SCENES(RemeshTest);
 
 TEST_P(RemeshTest, WhatIsRepairedIsValidBeforeAndAfter) {
-  for (uint64_t seed = 1; seed <= 3; ++seed) {
+  for (uint64_t seed = 1; seed <= seeds_of(3); ++seed) {
     begin(seed);
     if (place_.environment == nullptr) continue;
     const size_t invalid = count_invalid(next_.data());
@@ -156,7 +156,7 @@ TEST_P(RemeshTest, WhatIsRepairedIsValidBeforeAndAfter) {
 TEST_P(RemeshTest, DeformationsGoFartherWithIt) {
   size_t held[2] = {}, walls[2] = {};
   for (const dsw_deform_method method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {
-    for (uint64_t seed = 1; seed <= 2; ++seed) {
+    for (uint64_t seed = 1; seed <= seeds_of(2); ++seed) {
       for (const dsw_invalid_response invalid : {DSW_INVALID_HOLD, DSW_INVALID_REMESH}) {
         begin(seed);
         if (place_.environment == nullptr) continue;

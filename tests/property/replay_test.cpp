@@ -40,7 +40,7 @@ TEST(KilledProcessTest, LeavesARecordingOfAllItHasDone) {
   const std::string path = temporary_path("dartsweep_killed_");
   Rng rng(7);
   size_t finished = 0;
-  for (uint64_t seed = 1; seed <= 6; ++seed) {
+  for (uint64_t seed = 1; seed <= seeds_of(6); ++seed) {
     std::remove(path.c_str());
     const pid_t child = fork();
     ASSERT_GE(child, 0);

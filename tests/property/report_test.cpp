@@ -42,7 +42,7 @@ DSW_FOR_ALL_SCENES(ReportTest);
 
 TEST_P(ReportTest, TheLastCallIsValidated) {
   const std::string path = temporary_path("dartsweep_report_");
-  for (uint64_t seed = 1; seed <= 2; ++seed) {
+  for (uint64_t seed = 1; seed <= seeds_of(2); ++seed) {
     RandomEdits<3> edits(GetParam(), seed);
     if (edits.environment() == nullptr) continue;
     dsw_recording_desc desc = defaults(dsw_recording_desc_init);
@@ -102,7 +102,7 @@ TEST(BugReportTest, OnlyTheLatestCallsAreKept) {
 
 // A vertex that something has put behind a wall: the scene is not what its calls have made; the validation names that.
 TEST(BugReportTest, WhatIsWrongIsNamed) {
-  for (uint64_t seed = 1; seed <= 20; ++seed) {
+  for (uint64_t seed = 1; seed <= seeds_of(20); ++seed) {
     RandomEdits<3> edits("hex", seed);
     dsw_scene& scene = *edits.handle();
     std::string report;

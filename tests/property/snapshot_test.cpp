@@ -78,7 +78,7 @@ TEST_P(SnapshotTest, RoundTripGivesTheSameBytesMarksAndAnswers) {
   }
   Rng rng(71);
   Motions motions(world, rng);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < at_least(200); ++i) {
     const Vec p = motions.start(), q = motions.target(p);
     dsw_flight a, b;
     ASSERT_EQ(dsw_environment_cast(place.get(), {0, 0}, p.data(), q.data(), nullptr, &a), DSW_STATUS_OK);

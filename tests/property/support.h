@@ -1,7 +1,7 @@
 // Environments for the property tests and what topology says of them, worked out from the mesh alone.
 #pragma once
 
-#include "../share.h"
+#include "../effort.h"
 #include "check.h"
 #include "run.h"
 
@@ -22,11 +22,8 @@ inline std::ostream& operator<<(std::ostream& out, const dsw_cell& c) {
 
 namespace dsw::oracle {
 
-/// A number that an environment variable asks for.
-inline uint64_t from_environment(const char* name, uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
+/// How many seeds a test goes through where less effort leaves none out.
+inline uint64_t seeds_of(int count) { return static_cast<uint64_t>(at_least(count)); }
 
 struct ContextDelete {
   void operator()(dsw_context* c) const { dsw_context_destroy(c); }

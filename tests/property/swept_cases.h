@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "../share.h"
+#include "../effort.h"
 #include "base/error.h"
 #include "environment/builder.h"
 #include "environment/marking.h"
@@ -136,7 +136,7 @@ struct Ground {
   /// Calls visit(points, generic) with so many draws of body points.
   template <class Visit>
   void draw(int count, const Visit& visit) {
-    for (int i = 0; i < share_of(count) && !testing::Test::HasFatalFailure(); ++i) {
+    for (int i = 0; i < effort_of(count) && !testing::Test::HasFatalFailure(); ++i) {
       Vec x[4];
       const bool generic = bodies.draw(x);
       SCOPED_TRACE(kind + " " + std::to_string(seed) + " " + std::to_string(i));

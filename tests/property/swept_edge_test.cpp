@@ -74,10 +74,10 @@ TEST(SweptEdgeTest, AllContactsInTheirOrder) {
     ground.draw(
         1000, [&](const Vec(&x)[4], bool) { check_all(ground.env, ground.truth, flood, x, ground.seed == 1, count); });
   });
-  EXPECT_GT(count.sweeps, share_of(10000));
-  EXPECT_GT(count.many, share_of(2000));
+  EXPECT_GT(count.sweeps, effort_of(10000));
+  EXPECT_GT(count.many, effort_of(2000));
   EXPECT_GT(count.most, 20);
-  EXPECT_GT(count.full, share_of(300));
+  EXPECT_GT(count.full, effort_of(300));
 }
 
 /** What a segment passes, if it reaches its end and passes every facet where `follows` can tell; *known says so. */
@@ -129,7 +129,7 @@ TEST(SweptEdgeTest, ALineBetweenNeighboursPassesOneFacet) {
       ASSERT_TRUE(one && path.cell == second);
     });
   });
-  EXPECT_GT(passed, share_of(1000));
+  EXPECT_GT(passed, effort_of(1000));
   EXPECT_GT(of_neighbours, passed) << "it knows of standard forms only";
 }
 
@@ -190,11 +190,11 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
       }
     });
   });
-  EXPECT_GT(settled, share_of(5000));
-  EXPECT_GT(of_many_cells, share_of(500));
-  EXPECT_GT(free_but_open, share_of(500));
-  EXPECT_GT(kept, share_of(500));
-  EXPECT_GT(turned, share_of(50));
+  EXPECT_GT(settled, effort_of(5000));
+  EXPECT_GT(of_many_cells, effort_of(500));
+  EXPECT_GT(free_but_open, effort_of(500));
+  EXPECT_GT(kept, effort_of(500));
+  EXPECT_GT(turned, effort_of(50));
 }
 
 }  // namespace

@@ -131,26 +131,26 @@ TEST(SweptFaceTest, TheFirstVertexIsFound) {
                     });
                     contacts[ground.kind] += total.contacts - before;
                   });
-  for (const SceneKind& kind : oracle::sweep_scenes()) EXPECT_GT(contacts[kind.name], share_of(30)) << kind.name;
-  EXPECT_GT(total.contacts, share_of(2000));
-  EXPECT_GT(total.lone, share_of(500));
-  EXPECT_GT(total.ties, share_of(20) == 20 ? 20 : 0) << "vertices met at once, but for the shift: too rare for shares";
-  EXPECT_GT(total.later, share_of(500)) << "an edge meets something earlier";
-  EXPECT_GT(total.checked_before, share_of(5000));
+  for (const SceneKind& kind : oracle::sweep_scenes()) EXPECT_GT(contacts[kind.name], effort_of(30)) << kind.name;
+  EXPECT_GT(total.contacts, effort_of(2000));
+  EXPECT_GT(total.lone, effort_of(500));
+  EXPECT_GT(total.ties, effort_of(20) == 20 ? 20 : 0) << "vertices met at once, but for the shift: too rare for shares";
+  EXPECT_GT(total.later, effort_of(500)) << "an edge meets something earlier";
+  EXPECT_GT(total.checked_before, effort_of(5000));
 }
 
 /// Body points on the half-way points of a lattice of marked vertices, edges and faces.
 TEST(SweptFaceTest, TiesOnALattice) {
   static const Shares shares[] = {{0, 0, 0, 0.2}, {0, 0, 0.1, 0.1}, {0, 0.05, 0.05, 0.05}};
   Count count;
-  for (uint64_t seed = 1; seed <= 3; ++seed) {
+  for (uint64_t seed = 1; seed <= seeds_of(3); ++seed) {
     Rng rng(seed);
     const auto env = environment_of(oracle::hex_grid(oracle::axis(5, 1), oracle::axis(5, 1), oracle::axis(5, 1)));
     ASSERT_NE(env, nullptr);
     mark(*env, rng, shares[seed - 1]);
     SweptTruth truth(*env);
     SweepFlood<3> flood(*env);
-    for (int i = 0; i < share_of(20000); ++i) {
+    for (int i = 0; i < effort_of(20000); ++i) {
       Vec x[4];
       for (double& c : x[0]) c = 0.5 * rng.between(0, 10);
       for (int j = 1; j < 4; ++j) {
@@ -161,8 +161,8 @@ TEST(SweptFaceTest, TiesOnALattice) {
       if (HasFatalFailure()) return;
     }
   }
-  EXPECT_GT(count.contacts, share_of(500));
-  EXPECT_GT(count.ties, share_of(60));
+  EXPECT_GT(count.contacts, effort_of(500));
+  EXPECT_GT(count.ties, effort_of(60));
 }
 
 /// What is swept in a box that is free, from any of the cells that the probe has entered.
@@ -189,9 +189,9 @@ TEST(SweptFaceTest, NothingIsMetInAFreeBox) {
       }
     });
   });
-  EXPECT_GT(free, share_of(1000));
-  EXPECT_GT(of_many_cells, share_of(1000));
-  EXPECT_GT(from_elsewhere, share_of(500));
+  EXPECT_GT(free, effort_of(1000));
+  EXPECT_GT(of_many_cells, effort_of(1000));
+  EXPECT_GT(from_elsewhere, effort_of(500));
 }
 
 }  // namespace

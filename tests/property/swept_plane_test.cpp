@@ -184,7 +184,7 @@ TEST(SweptPlane, WhatIsSettledMeetsNothing) {
     std::unique_ptr<SimplexSweep<2>> star;
     std::unique_ptr<SweepFlood<2>> flood;
     const Environment<2>* last = nullptr;
-    for_each_draw(5, share_of(400), [&](const Environment<2>& env, const Draw& x) {
+    for_each_draw(5, effort_of(400), [&](const Environment<2>& env, const Draw& x) {
       if (last != &env || star == nullptr) {
         star = std::make_unique<SimplexSweep<2>>(env);
         flood = std::make_unique<SweepFlood<2>>(env);
@@ -210,18 +210,18 @@ TEST(SweptPlane, WhatIsSettledMeetsNothing) {
                                   std::to_string(count(Settled::kSleeve)) + " sleeve, " +
                                   std::to_string(count(Settled::kTurned)) + " turned; " + std::to_string(open) +
                                   " free and open, " + std::to_string(hit) + " hit");
-    EXPECT_GT(count(Settled::kInside), share_of(500));
-    EXPECT_GT(count(Settled::kSeen), share_of(50));
-    EXPECT_GT(count(Settled::kSleeve), share_of(5000));
-    EXPECT_GT(count(Settled::kTurned), share_of(1000));
-    EXPECT_GT(long_ones, share_of(1000));
-    EXPECT_GT(hit, share_of(500));
+    EXPECT_GT(count(Settled::kInside), effort_of(500));
+    EXPECT_GT(count(Settled::kSeen), effort_of(50));
+    EXPECT_GT(count(Settled::kSleeve), effort_of(5000));
+    EXPECT_GT(count(Settled::kTurned), effort_of(1000));
+    EXPECT_GT(long_ones, effort_of(1000));
+    EXPECT_GT(hit, effort_of(500));
   }
 }
 
 TEST(SweptPlane, ALineBetweenNeighboursPassesOneSide) {
   int passed = 0, of_neighbours = 0;
-  for_each_draw(5, share_of(300), [&](const Environment<2>& env, const Draw& x) {
+  for_each_draw(5, effort_of(300), [&](const Environment<2>& env, const Draw& x) {
     const Cell first = locate(env, x.p.data(), Cell{}, nullptr).cell,
                second = locate(env, x.q.data(), Cell{}, nullptr).cell;
     if (!first.valid() || !second.valid() || first == second || env.map.marked(first)) return;
@@ -232,7 +232,7 @@ TEST(SweptPlane, ALineBetweenNeighboursPassesOneSide) {
     ++passed;
     ASSERT_TRUE(one && path.cell == second);
   });
-  EXPECT_GT(passed, share_of(1000));
+  EXPECT_GT(passed, effort_of(1000));
   EXPECT_GT(of_neighbours, passed) << "not all cells are convex";
 }
 

@@ -246,7 +246,7 @@ TEST_F(ThickBodyTest, RigidMovesKeepEveryDistance) {
   }
   ASSERT_GE(scene.bodies.size(), 6u);
   int stopped = 0;
-  for (int round = 0; round < share_of(400) && !HasFailure(); ++round) {
+  for (int round = 0; round < effort_of(400) && !HasFailure(); ++round) {
     const size_t i = rng.below(scene.bodies.size());
     dsw_rigid_motion motion{};
     for (double& x : motion.rotation) x = rng.range(-0.2, 0.2);
@@ -261,7 +261,7 @@ TEST_F(ThickBodyTest, RigidMovesKeepEveryDistance) {
     scene.read(i);
     EXPECT_EQ(scene.too_near(i), "");
   }
-  EXPECT_GT(stopped, share_of(50));
+  EXPECT_GT(stopped, effort_of(50));
 }
 
 /// A wire that meets itself, pulled about in a narrow box.
@@ -277,7 +277,7 @@ TEST_F(ThickBodyTest, AKnotKeepsItsRadius) {
   Meeting self{scene.bodies[0].id, DSW_LEVEL_EDGES_SWEPT, true, 3, {}};
   Rng rng(11);
   size_t contacts = 0;
-  for (int round = 0; round < share_of(400) && !HasFailure(); ++round) {
+  for (int round = 0; round < effort_of(400) && !HasFailure(); ++round) {
     dsw_move_options options = defaults(dsw_move_options_init);
     if (round % 2 == 1) options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
     std::vector<Vec> targets = scene.bodies[0].state.at;
@@ -289,7 +289,7 @@ TEST_F(ThickBodyTest, AKnotKeepsItsRadius) {
     self.state = scene.bodies[0].state;
     EXPECT_TRUE(are_apart(self, self)) << round;
   }
-  EXPECT_GT(contacts, static_cast<size_t>(share_of(200)));
+  EXPECT_GT(contacts, static_cast<size_t>(effort_of(200)));
 }
 
 /// Every allocation is refused once; nothing has changed then.

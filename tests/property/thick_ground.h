@@ -90,13 +90,8 @@ inline uint64_t least_of(const std::string& scene, int count) {
   return scene == "tet_slivers" ? 0 : static_cast<uint64_t>(count);
 }
 
-/// The seeds that a test goes through: `count` of them, or those that the environment variables ask for.
-struct ThickSeeds {
-  explicit ThickSeeds(int count)
-      : first(from_environment("DSW_THICK_SEED", 1)),
-        end(first + from_environment("DSW_THICK_SEEDS", static_cast<uint64_t>(std::max(2, share_of(count))))) {}
-  uint64_t first, end;
-};
+/// The seeds that a test goes through are 1 and those up to this one.
+inline uint64_t last_thick_seed(int count) { return static_cast<uint64_t>(std::max(2, effort_of(count))); }
 
 /// Null where creation may refuse the mesh.
 inline std::unique_ptr<ThickGround> space_ground(const std::string& scene, Transform transform, Rng& rng) {

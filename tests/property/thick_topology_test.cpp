@@ -20,9 +20,8 @@ void follow_all(ThickScene& scene) {
 
 template <int D>
 void keeps_every_distance(const std::string& name, TopologyTally& tally) {
-  const auto first = from_environment("DSW_THICK_SEED", 1);
-  const auto seeds = from_environment("DSW_THICK_SEEDS", static_cast<uint64_t>(std::max(2, share_of(4))));
-  for (uint64_t seed = first; seed < first + seeds && !testing::Test::HasFailure(); ++seed) {
+  const auto seeds = static_cast<uint64_t>(std::max(2, effort_of(4)));
+  for (uint64_t seed = 1; seed <= seeds && !testing::Test::HasFailure(); ++seed) {
     RandomEdits<D> edits(name, seed, nullptr, seed % 2 == 0 ? DSW_FEATURE_LIVE_CHANGES : 0);
     if (edits.environment() == nullptr) continue;
     ThickScene scene(edits.handle(), false);
@@ -34,7 +33,7 @@ void keeps_every_distance(const std::string& name, TopologyTally& tally) {
       EXPECT_EQ(scene.set_radius(i, room * rng.range(0.1, 0.99)), DSW_STATUS_OK);
       ++tally.thick;
     }
-    for (int call = 0; call < share_of(120) && !testing::Test::HasFailure(); ++call) {
+    for (int call = 0; call < std::min(120, effort_of(120)) && !testing::Test::HasFailure(); ++call) {
       SCOPED_TRACE("seed " + std::to_string(seed) + " call " + std::to_string(call));
       ASSERT_EQ(edits.step(), "");
       tally.occupied += edits.occupants().empty() ? 0u : 1u;

@@ -170,7 +170,7 @@ TEST_P(ThreadsTest, AnyNumberOfThreadsGivesTheSameBits) {
 TEST_P(ThreadsTest, AHostsParallelForInAnyOrderGivesTheSameBits) {
   const ContextPtr one = context_with(1, nullptr);
   const Answers want = answers(GetParam(), one.get());
-  const auto seeds = static_cast<uint64_t>(std::max(1, share_of(3)));
+  const auto seeds = static_cast<uint64_t>(std::max(1, effort_of(3)));
   for (int threads : {1, 4}) {
     for (uint64_t seed = 1; seed <= seeds; ++seed) {
       Shuffler shuffler;
@@ -190,7 +190,7 @@ TEST(ThreadsSharedTest, ManyReadersOfOneEnvironment) {
   Motions motions(*place.world, rng);
   std::vector<Vec> from, to;
   std::vector<std::string> want;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < at_least(400); ++i) {
     from.push_back(motions.start());
     to.push_back(motions.target(from.back()));
     dsw_flight f;

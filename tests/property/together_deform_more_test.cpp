@@ -309,7 +309,7 @@ TEST_F(TogetherDeformMoreTest, ARecordingIsMadeAgain) {
   Rng rng(8);
   std::deque<std::vector<double>> arrays;
   size_t calls = 0, stops = 0, halved = 0, failed = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < at_least(60); ++round) {
     std::vector<double>& array = arrays.emplace_back(points_now());
     const double reach = round % 3 == 0 ? 0.4 : 0.05;
     for (size_t v = 0; v < array.size() / 3; ++v) {

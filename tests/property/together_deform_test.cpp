@@ -1,5 +1,5 @@
 // An environment bends while bodies move, all at once: nothing is missed, nothing is passed, all is free afterwards.
-// Figures are printed. DSW_TOGETHER_MOVES: about how many moves all kinds make together.
+// Figures are printed.
 #include "together_deform_support.h"
 
 #include <cmath>
@@ -19,15 +19,10 @@ std::ostream& operator<<(std::ostream& out, const Kind& each) { return out << ea
 
 class TogetherDeformTest : public WaysTest<Kind> {
  protected:
-  TogetherDeformTest() : WaysTest(from_environment("DSW_TOGETHER_SEED", 5)) {}
+  TogetherDeformTest() : WaysTest(5) {}
 
   static constexpr int kSteps = 6;
 
-  /// How many rounds of `kSteps` moves a kind makes.
-  static int round_count(int usual) {
-    const uint64_t moves = from_environment("DSW_TOGETHER_MOVES", 0);
-    return moves == 0 ? share_of(usual) : static_cast<int>(moves / (kKinds * kSteps));
-  }
   Ground make(Rng& rng, bool ties = false) {
     if (GetParam().boxes) return make_box_ground(dimension(), 3, ties ? 0 : 0.1, GetParam().marked, rng);
     Ground ground = make_ground(dimension(), 3, ties ? 0 : 0.2, GetParam().marked, GetParam().thin, rng);
@@ -137,7 +132,6 @@ class TogetherDeformTest : public WaysTest<Kind> {
     return dimension() == 2 ? stay_valid<2>(ground, exact, held) : stay_valid<3>(ground, exact, held);
   }
 
-  static const size_t kKinds;
   bool is_coarse_ = true;
   double speed_ = 0;  // of the last move: how far things come nearer to each other
 };
@@ -147,7 +141,7 @@ TEST_P(TogetherDeformTest, MissesNothingAndPassesNothing) {
          short_if_rounded = 0, halvings = 0, halved_for_nothing = 0, misplaced_vertices = 0, faults = 0, refused = 0,
          folded = 0, after = 0, turned = 0;
   double worst = 0;  // of what nobody has gone although nothing was in the way
-  const int rounds = round_count(40);
+  const int rounds = effort_of(40);
   for (int round = 0; round < rounds; ++round) {
     std::deque<std::vector<double>> arrays;
     Ground ground = make(rng_);
@@ -248,7 +242,7 @@ TEST_P(TogetherDeformTest, MissesNothingAndPassesNothing) {
 
 TEST_P(TogetherDeformTest, ACommonMotionNeverStops) {
   size_t moves = 0, stopped = 0, faults = 0, misplaced_vertices = 0, occupied = 0;
-  const int rounds = round_count(60);
+  const int rounds = effort_of(60);
   for (int round = 0; round < rounds; ++round) {
     std::deque<std::vector<double>> arrays;
     Ground ground = make(rng_);
@@ -279,7 +273,7 @@ TEST_P(TogetherDeformTest, ACommonMotionNeverStops) {
 
 TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
   size_t moves = 0, contacts = 0, different = 0, refused = 0, faults = 0, occupied = 0;
-  const int rounds = round_count(30);
+  const int rounds = effort_of(30);
   for (int round = 0; round < rounds; ++round) {
     // Half of them on a lattice, where many things happen at the same time.
     const bool ties = round % 2 == 1;
@@ -376,7 +370,7 @@ TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
 
 TEST_P(TogetherDeformTest, WhatRestsOnWallsIsCarried) {
   size_t moves = 0, stopped = 0, faults = 0, occupied = 0, resting = 0, carried = 0, stopped_again = 0;
-  const int rounds = round_count(60);
+  const int rounds = effort_of(60);
   for (int round = 0; round < rounds; ++round) {
     std::deque<std::vector<double>> arrays;
     // On a lattice: exactly on walls, and carried exactly.
@@ -453,7 +447,7 @@ Vec shifted(const Vec& p, int dimension) {
 
 TEST_P(TogetherDeformTest, TiesAreThoseOfTheShift) {
   size_t moves = 0, touches = 0, missed = 0, made_up = 0, early = 0, halved = 0, faults = 0, occupied = 0;
-  const int rounds = round_count(200);
+  const int rounds = effort_of(200);
   for (int round = 0; round < rounds; ++round) {
     std::vector<double> array;
     Ground ground = make(rng_, true);
@@ -518,7 +512,6 @@ const Kind kAllKinds[] = {{"Points", 3, DSW_LEVEL_POINTS, 0.1, false, false, 0.8
                           {"PlaneEdges", 2, DSW_LEVEL_EDGES, 0.1, true, false, 0.4, 0.12},
                           {"PlaneEdgesSwept", 2, DSW_LEVEL_EDGES_SWEPT, 0.05, true, false, 0.15, 0.3},
                           {"PlaneBoxes", 2, DSW_LEVEL_EDGES_SWEPT, 0.1, false, true, 0.3, 0.2}};
-const size_t TogetherDeformTest::kKinds = std::size(kAllKinds);
 
 INSTANTIATE_TEST_SUITE_P(All, TogetherDeformTest, testing::ValuesIn(kAllKinds),
                          [](const testing::TestParamInfo<Kind>& i) { return std::string(i.param.name); });

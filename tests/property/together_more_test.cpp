@@ -84,7 +84,7 @@ TEST_F(TogetherMoreTest, WhatIsCarriedRigidlyNeverStopsItself) {
                         {"rolled cloth", {roll(160)}, DSW_LEVEL_FACES}};
   for (const Case& each : cases) {
     size_t moves = 0, stops[2] = {0, 0};
-    for (int round = 0; round < share_of(20); ++round) {
+    for (int round = 0; round < effort_of(20); ++round) {
       const Vec axis = random_axis(rng_), way = {rng_.range(-0.5, 0.5), rng_.range(-0.5, 0.5), rng_.range(-0.5, 0.5)};
       const double angle = rng_.range(-2, 2);
       for (int mode = 0; mode < 2; ++mode) {
@@ -208,7 +208,7 @@ EnvironmentPtr four_wedges(const std::vector<double>& points, bool is_marked) {
 TEST_F(TogetherMoreTest, WhatSlidesFarFromTheOriginPassesNothing) {
   constexpr double kFar = 0x3p20;  // neighbouring doubles are 2^-31 apart here
   size_t moves = 0, in_the_way = 0, passed = 0;
-  for (; moves < static_cast<size_t>(share_of(40)); ++moves) {
+  for (; moves < static_cast<size_t>(effort_of(40)); ++moves) {
     const double x = (32 + rng_.below(64u)) / 64.0, y = (32 + rng_.below(64u)) / 64.0;
     const std::vector<Vec> from = {{-1 - 3 * x, kFar - 3 * y, 0.25}, {-1, kFar, 0.25}, {7, kFar + 5, 1}};
     const std::vector<Vec> to = {
@@ -291,7 +291,7 @@ BodyPlan tangle(Rng& rng, bool surface) {
 
 TEST_F(TogetherMoreTest, FeaturesThatStopPassNothing) {
   size_t moves = 0, passed = 0, wrong = 0, reached = 0, stopped = 0;
-  for (int round = 0; round < share_of(40); ++round) {
+  for (int round = 0; round < effort_of(40); ++round) {
     const Ground ground = make_ground(3, 4, 0.15, 0.05, false, rng_);
     const bool surface = round % 2 == 0;
     const dsw_level level = surface ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT;
@@ -397,7 +397,7 @@ Ground cubes(int n, double marked, Rng& rng) {
 
 TEST_F(TogetherMoreTest, HexahedraToo) {
   size_t moves = 0, touches = 0, missed = 0, made_up = 0, wrong = 0, passed = 0;
-  for (int round = 0; round < share_of(200); ++round) {
+  for (int round = 0; round < effort_of(200); ++round) {
     const Ground ground = cubes(4, 0.1, rng_);
     const bool surface = round % 2 == 0;
     const dsw_level level = surface ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT;
@@ -445,7 +445,7 @@ TEST_F(TogetherMoreTest, HexahedraToo) {
 
 TEST_F(TogetherMoreTest, WhatIsRememberedDoesNotMatter) {
   size_t moves = 0, different = 0, contacts = 0;
-  for (int round = 0; round < share_of(20); ++round) {
+  for (int round = 0; round < effort_of(20); ++round) {
     const Ground ground = make_ground(3, 4, 0.15, 0.05, round % 2 == 0, rng_);
     const bool surface = round % 4 < 2;
     const dsw_level level = surface ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT;

@@ -1,5 +1,5 @@
 // All vertices of bodies move at once: nothing is missed, nothing is passed, all is free afterwards. Figures are
-// printed; DSW_TOGETHER_ROUNDS=600 asks ten times as much, DSW_TOGETHER_SEED something else.
+// printed.
 #include "together_support.h"
 
 #include <cmath>
@@ -19,7 +19,7 @@ std::ostream& operator<<(std::ostream& out, const Kind& each) { return out << ea
 
 class TogetherTest : public WaysTest<Kind> {
  protected:
-  TogetherTest() : WaysTest(from_environment("DSW_TOGETHER_SEED", 11)) {}
+  TogetherTest() : WaysTest(11) {}
 
   std::vector<Walker> make_walkers(dsw_scene* scene, size_t count) {
     std::vector<Walker> walkers;
@@ -61,7 +61,7 @@ class TogetherTest : public WaysTest<Kind> {
 
 TEST_P(TogetherTest, StopAllMissesNothingAndPassesNothing) {
   size_t moves = 0, touches = 0, missed = 0, made_up = 0, wrong_time = 0, passed = 0, not_free = 0, short_of = 0;
-  const int rounds = share_of(static_cast<int>(from_environment("DSW_TOGETHER_ROUNDS", 60)));
+  const int rounds = effort_of(60);
   for (int round = 0; round < rounds; ++round) {
     const Ground ground = make_ground(dimension(), 3, 0.15, GetParam().marked, GetParam().thin, rng_);
     ASSERT_NE(ground.environment, nullptr);
@@ -104,7 +104,7 @@ TEST_P(TogetherTest, StopAllMissesNothingAndPassesNothing) {
 
 TEST_P(TogetherTest, WhatGoesOnIsFreeToo) {
   size_t moves = 0, contacts = 0, passed = 0, not_free = 0, reached = 0;
-  const int rounds = share_of(static_cast<int>(from_environment("DSW_TOGETHER_ROUNDS", 60)));
+  const int rounds = effort_of(60);
   for (int round = 0; round < rounds; ++round) {
     const Ground ground = make_ground(dimension(), 3, 0.15, GetParam().marked, GetParam().thin, rng_);
     ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
@@ -154,7 +154,7 @@ BodyPlan renumbered(const BodyPlan& plan, Rng& rng, std::vector<uint32_t>& new_o
 
 TEST_P(TogetherTest, NumbersDoNotMatter) {
   size_t moves = 0, contacts = 0, different = 0, stopped = 0;
-  const int rounds = share_of(static_cast<int>(from_environment("DSW_TOGETHER_ROUNDS", 60)));
+  const int rounds = effort_of(60);
   for (int round = 0; round < rounds; ++round) {
     // Half of them on a lattice, where many things happen at the same time.
     const bool ties = round % 2 == 1;
@@ -228,7 +228,7 @@ Vec shifted(const Vec& p, int dimension) {
 
 TEST_P(TogetherTest, TiesAreThoseOfTheShift) {
   size_t moves = 0, touches = 0, missed = 0, made_up = 0, stopped_at_once = 0, early = 0;
-  const int rounds = share_of(static_cast<int>(5 * from_environment("DSW_TOGETHER_ROUNDS", 60)));
+  const int rounds = effort_of(300);
   for (int round = 0; round < rounds; ++round) {
     const Ground ground = make_ground(dimension(), 3, 0, GetParam().marked, GetParam().thin, rng_);
     ScenePtr scene = make_scene(ground.environment.get());  // bodies do not meet: among them the shift cancels

@@ -26,7 +26,7 @@ bool same_cycle(std::vector<int> a, const std::vector<int>& b) {
 }
 
 TEST_P(TopologyTest, CountsAndTypesAreTheMeshs) {
-  for (uint64_t seed = 1; seed <= 3; ++seed) {
+  for (uint64_t seed = 1; seed <= seeds_of(3); ++seed) {
     const Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     dsw_environment_info info;
@@ -167,7 +167,7 @@ TEST_P(TopologyTest, EulerCharacteristicIsThatOfABall) {
 }
 
 TEST_P(TopologyTest, CellVolumesAddUpToTheOuterBoundary) {
-  for (uint64_t seed = 11; seed <= 14; ++seed) {
+  for (uint64_t seed = 11; seed < 11 + seeds_of(4); ++seed) {
     const Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     Big sum = 0;
@@ -222,7 +222,7 @@ TEST_P(TopologyTest, FacesAndEdgesAreFoundByTheirVertices) {
 }
 
 TEST_P(TopologyTest, CheckPassesOnValidMeshes) {
-  for (uint64_t seed = 20; seed <= 22; ++seed) {
+  for (uint64_t seed = 20; seed < 20 + seeds_of(3); ++seed) {
     const Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     EXPECT_EQ(dsw_environment_check(place.get(), nullptr), DSW_STATUS_OK) << dsw_last_error_message();

@@ -52,9 +52,9 @@ TEST(ValidationTest, ClaimsAreTrueWhereExactArithmeticSaysSo) {
     if (ground.env.map.cell_count > 2000) return;
     ground.draw(60, [&](const Vec(&x)[4], bool) { check(ground.env, ground.truth, x, seen); });
   });
-  EXPECT_GT(seen.segments, share_of(100));
-  EXPECT_GT(seen.triangles, share_of(100));
-  EXPECT_GT(seen.inside, share_of(400));
+  EXPECT_GT(seen.segments, effort_of(100));
+  EXPECT_GT(seen.triangles, effort_of(100));
+  EXPECT_GT(seen.inside, effort_of(400));
 }
 
 }  // namespace

@@ -339,14 +339,12 @@ constexpr dsw_level kLevels[] = {DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEV
                                  DSW_LEVEL_FACES};
 
 TEST_P(WarmContactsTest, HaveTheBitsOfFloods) {
-  const auto some = static_cast<uint64_t>(std::max(2, share_of(5)));
-  const int steps = std::max(8, share_of(12));
-  const uint64_t rounds = from_environment("DSW_WARM_ROUNDS", some), first = from_environment("DSW_WARM_SEED", 1);
+  const auto rounds = static_cast<uint64_t>(std::max(2, effort_of(5)));
+  const int steps = std::clamp(effort_of(12), 8, 12);
   size_t contacts = 0, at_edges = 0, repeated = 0, changed = 0, bodies = 0;
   for (const char* const scene : GetParam().scenes) {
     const std::vector<SweepTurn> turns = sweep_turns(scene);
-    for (uint64_t round = 0; round < rounds; ++round) {
-      const uint64_t seed = first + round;
+    for (uint64_t seed = 1; seed <= rounds; ++seed) {
       Rng rng(seed);
       SweepReport report;
       const std::unique_ptr<Stage> stage = make_stage(turns[rng.below(turns.size())], seed, rng, report);
@@ -447,11 +445,11 @@ TEST(WarmContactsOfTetrahedraTest, WhatWasOpenedStopsNobody) {
 }
 
 TEST(WarmContactsInThePlaneTest, HaveTheBitsOfFloods) {
-  const uint64_t rounds = from_environment("DSW_WARM_ROUNDS", 30), first = from_environment("DSW_WARM_SEED", 1);
+  const auto rounds = seeds_of(30);
   const std::vector<plane::Turn> turns = plane::turns("");
   size_t contacts = 0, repeated = 0;
-  for (uint64_t round = 0; round < rounds; ++round) {
-    Rng rng(first + round);
+  for (uint64_t seed = 1; seed <= rounds; ++seed) {
+    Rng rng(seed);
     const plane::Turn& turn = turns[rng.below(turns.size())];
     plane::World world = plane::make_world(turn, rng);
     const EnvironmentPtr environment = plane::make_environment(turn, world, rng);
@@ -461,7 +459,7 @@ TEST(WarmContactsInThePlaneTest, HaveTheBitsOfFloods) {
     PlaneArena arena(world, marked);
     PlanePlaces places(world, arena, marked, rng);
     Course course(arena, places, environment.get(), rng);
-    course.name = turn.name() + " seed " + std::to_string(first + round);
+    course.name = turn.name() + " seed " + std::to_string(seed);
     for (const Change change : {Change::kNone, Change::kMarks, Change::kShape}) {
       for (const dsw_level level : {DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT}) {
         ASSERT_NO_FATAL_FAILURE(course.run(level, change, 12));

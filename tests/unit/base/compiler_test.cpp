@@ -1,6 +1,8 @@
 // The portable forms give what the compiler's own give.
 #include "base/compiler.h"
 
+#include "../../effort.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +21,7 @@ std::vector<uint64_t> words() {
     const uint64_t one = uint64_t{1} << i;
     for (const uint64_t x : {one, one - 1, ~one, ~(one - 1)}) all.push_back(x);
   }
-  std::mt19937_64 random(3);
+  std::mt19937_64 random(seed_of(3));
   for (int i = 0; i < 100; ++i) {
     const uint64_t x = random();
     for (const uint64_t part : {x, x >> 32, x << 32, x >> (x & 63u)}) all.push_back(part);
@@ -80,9 +82,9 @@ Int128 native(const plain::Int128& x) { return static_cast<Int128>(native(plain:
 
 TEST(Compiler, IntegersOfTwoWordsAreThoseOfTheCompiler) {
   const std::vector<uint64_t> all = words();
-  std::mt19937_64 random(4);
+  std::mt19937_64 random(seed_of(4));
   const auto any = [&] { return all[random() % all.size()]; };
-  for (int i = 0; i < 200000; ++i) {
+  for (int i = 0; i < at_least(200000); ++i) {
     const uint64_t word[4] = {any(), any(), any(), any()};
     const plain::Uint128 a(word[0], word[1]), b(word[2], word[3]);
     const Uint128 x = native(a), y = native(b);
@@ -132,7 +134,7 @@ std::vector<double> numbers() {
   const double infinite = std::numeric_limits<double>::infinity();
   std::vector<double> all = {0.0,        -0.0,  1,      -1,       3,         0x1p-1074,
                              -0x1p-1074, 1e308, -1e308, infinite, -infinite, std::nan("")};
-  std::mt19937 random(5);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(5)));
   for (int i = 0; i < 20; ++i) all.push_back(std::ldexp(static_cast<double>(random()) - 0x1p31, i - 40));
   return all;
 }
@@ -179,8 +181,8 @@ template <class Eight>
 void expect_eight(const Eight& two) {
   static_assert(sizeof(Eight) == 16 && alignof(Eight) == 16);
   const int16_t ends[] = {INT16_MIN, INT16_MIN + 1, -1, 0, 1, INT16_MAX};
-  std::mt19937 random(6);
-  for (int i = 0; i < 1000; ++i) {
+  std::mt19937 random(static_cast<uint32_t>(seed_of(6)));
+  for (int i = 0; i < at_least(1000); ++i) {
     Eight a{}, b{};
     for (uint32_t k = 0; k < 8; ++k) {
       a[k] = ends[random() % 6];

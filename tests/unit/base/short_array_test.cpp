@@ -1,6 +1,8 @@
 // Few numbers in place: what a vector would hold, however it is moved, copied and cut, and whenever it grows beyond.
 #include "base/short_array.h"
 
+#include "../../effort.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -18,11 +20,11 @@ void expect_same(const Short& array, const std::vector<uint32_t>& expected) {
 }
 
 TEST(ShortArray, HoldsWhatAVectorHolds) {
-  std::mt19937 random(3);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(3)));
   const Memory* const memory = nullptr;
   Short array(memory), other(memory);
   std::vector<uint32_t> expected, of_other;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < at_least(20000); ++i) {
     const auto value = static_cast<uint32_t>(random() % 9);
     const size_t at = expected.empty() ? 0 : random() % (expected.size() + 1);
     switch (random() % 12) {

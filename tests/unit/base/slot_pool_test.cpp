@@ -7,6 +7,8 @@
 
 #include "../../aligned_memory.h"
 
+#include "../../effort.h"
+
 namespace {
 
 using dsw::SlotPool;
@@ -110,9 +112,9 @@ TEST(SlotPool, AfterReserveNothingAllocates) {
 
 TEST(SlotPool, AgreesWithAPlainModelOverManyRandomCalls) {
   SlotPool pool(nullptr, 4);
-  std::mt19937 random(7);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(7)));
   std::vector<SlotPool::Slot> alive, dead;
-  for (int step = 0; step < 20000; ++step) {
+  for (int step = 0; step < at_least(20000); ++step) {
     if (alive.empty() || random() % 2 == 0) {
       pool.reserve(1);
       alive.push_back(pool.acquire());

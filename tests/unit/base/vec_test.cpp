@@ -1,6 +1,8 @@
 // Eigen adds and multiplies in the order that results had before it, whatever its version and the processor.
 #include "base/vec.h"
 
+#include "../../effort.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -25,9 +27,9 @@ TEST(Vec, IsZeroUnlessItIsGivenNumbers) {
 }
 
 TEST(Vec, HasTheBitsOfWrittenOutSums) {
-  std::mt19937_64 random(1);
+  std::mt19937_64 random(seed_of(1));
   std::uniform_real_distribution<double> number(-3, 3);
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < at_least(10000); ++i) {
     double a[3], b[3];
     for (int k = 0; k < 3; ++k) a[k] = number(random), b[k] = number(random);
     const double products[] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -44,9 +46,9 @@ TEST(Vec, HasTheBitsOfWrittenOutSums) {
 }
 
 TEST(Quaternion, IsDividedByALengthThatIsSummedInPairs) {
-  std::mt19937_64 random(2);
+  std::mt19937_64 random(seed_of(2));
   std::uniform_real_distribution<double> number(-3, 3);
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < at_least(10000); ++i) {
     double q[4];
     for (double& each : q) each = number(random);
     Eigen::Quaterniond quaternion(q);  // x y z w

@@ -10,6 +10,8 @@
 #include "base/error.h"
 #include "capi/words.h"
 
+#include "../../effort.h"
+
 namespace dsw::capi {
 
 /// As a struct of the interface is where pointers have 4 bytes.
@@ -81,7 +83,7 @@ class RecordedStruct : public testing::Test {
   }
 
  private:
-  std::mt19937 random_{7};
+  std::mt19937 random_{static_cast<uint32_t>(seed_of(7))};
 };
 using All = testing::Types<dsw_volumes_desc, dsw_cut_desc, dsw_open_crack_desc, dsw_carve_desc, dsw_tie_desc,
                            dsw_detach_desc, dsw_remesh_desc, dsw_deform_options, dsw_body_desc, dsw_move_options,
@@ -90,7 +92,7 @@ TYPED_TEST_SUITE(RecordedStruct, All, testing::internal::DefaultNameGenerator);
 
 TYPED_TEST(RecordedStruct, IsWhatLiesInMemoryWherePointersHave8Bytes) {
   if (sizeof(void*) != 8) GTEST_SKIP() << "pointers have another size";
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < at_least(50); ++i) {
     const TypeParam value = this->random_value();
     EXPECT_EQ(translated(value), in_memory(value));
     use_recorded(value, [&](const void* bytes, size_t size) {

@@ -1,6 +1,8 @@
 // Sides of normals that rounding could turn, against rationals.
 #include "contact/normals.h"
 
+#include "../../effort.h"
+
 #include <gtest/gtest.h>
 
 #include <gmpxx.h>
@@ -14,10 +16,10 @@ using namespace dsw;
 
 // An edge that moves all but along itself: what its motion has across it is lost in the rounding of a normal.
 TEST(SwingNormal, LooksToWhereTheEdgeComesFrom) {
-  std::mt19937_64 random(1);
+  std::mt19937_64 random(seed_of(1));
   std::uniform_real_distribution<double> place(-8, 8);
   int nearly_along = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < at_least(20000); ++i) {
     const double p[2] = {place(random), place(random)}, q[2] = {place(random), place(random)};
     const double far = place(random), share = std::fabs(place(random)) / 8;
     double to[2], at[2];

@@ -98,7 +98,7 @@ TEST(Crossings, AreThoseOfEveryEdgeAskedAlone) {
   const uint32_t corners[12] = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
   size_t meetings = 0, rims = 0, edges = 0;
   for (const double scale : {1.0, 0x1p-400, 0x1p+345}) {
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < at_least(60); ++round) {
       Lattice lattice(scale, round % 2 == 1, static_cast<uint64_t>(round));
       const std::vector<double> points = lattice.points(round % 4 < 2);
       const auto blade = Blade<3>::of_simplices(nullptr, {points.data(), 3}, 5, corners, 4);

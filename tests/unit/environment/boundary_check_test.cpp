@@ -62,7 +62,7 @@ TEST(BoundaryCheck, EveryPlaceOfTwoBoxes) {
 TEST(BoundaryCheck, VoxelsOverlapAsSetsDo) {
   Random random(7);
   int with = 0, without = 0;
-  for (int round = 0; round < 1500; ++round) {
+  for (int round = 0; round < at_least(1500); ++round) {
     const int density = 1 + random.below(7);
     std::set<std::array<int, 3>> fine;
     Mesh3 mesh;
@@ -132,7 +132,7 @@ bool tets_overlap(const std::array<Int3, 4>& a, const std::array<Int3, 4>& b) {
 TEST(BoundaryCheck, TetrahedraOverlapUnlessAPlaneSeparatesThem) {
   Random random(11);
   int with = 0, without = 0;
-  for (int round = 0; round < 40000; ++round) {
+  for (int round = 0; round < at_least(40000); ++round) {
     const int size = 2 + random.below(3);
     std::array<Int3, 4> t[2];
     Mesh3 mesh;

@@ -86,7 +86,7 @@ TEST(CellIndex, NamesFewCellsAlsoWhereCellsDiffer) {
   env->index.build(*env);
   expect_every_cell_named(*env);
   Random random(3);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < at_least(1000); ++i) {
     const double p[3] = {16 * random.unit(), 16 * random.unit(), 16 * random.unit()};
     EXPECT_LE(named_at(*env, p).size(), 8u);
     const double high[3] = {p[0], p[1], 20 + p[2]};
@@ -118,7 +118,7 @@ TEST(CellIndex, FollowsPointsThatMove) {
   env->index.build(*env);
   let_points_move(*env);
   Random random(9);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < at_least(10); ++round) {
     std::vector<double> moved = mesh.points;  // by as much as the mesh is large, so that cells turn inside out
     for (double& x : moved) x += 100 * round + (random.unit() - 0.5) * round;
     env->points = moved.data();

@@ -11,6 +11,8 @@
 
 #include "environment/builder.h"
 
+#include "../../effort.h"
+
 namespace {
 
 using namespace dsw;
@@ -92,11 +94,11 @@ TYPED_TEST_SUITE(MarkingTest, Dimensions, );
 
 TYPED_TEST(MarkingTest, CountsStayExactOverRandomMarks) {
   auto& env = this->env_;
-  std::mt19937 random(3);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(3)));
   std::vector<HalfFacet> facets;
   for_each_facet(env, [&](HalfFacet h) { facets.push_back(h); });
   reserve_vertex_marks(env);
-  for (int step = 0; step < 5000; ++step) {
+  for (int step = 0; step < at_least(5000); ++step) {
     const bool mark = random() % 2 == 0;
     const Cell c = env.map.cell(static_cast<uint32_t>(random() % env.map.cell_count));
     const HalfFacet h = facets[random() % facets.size()];
@@ -160,8 +162,8 @@ TYPED_TEST(MarkingTest, RegionsAndTheFacetsBetweenThem) {
 
 TYPED_TEST(MarkingTest, AVertexIsImpassableThroughItsFacets) {
   auto& env = this->env_;
-  std::mt19937 random(5);
-  for (int round = 0; round < 20; ++round) {
+  std::mt19937 random(static_cast<uint32_t>(seed_of(5)));
+  for (int round = 0; round < at_least(20); ++round) {
     for_each_facet(env, [&](HalfFacet h) { set_facet_mark(env, h, random() % 24 == 0); });
     for (uint32_t i = 0; i < env.map.cell_count; ++i) set_cell_mark(env, env.map.cell(i), random() % 24 == 0);
     std::vector<bool> wanted(env.map.vertex_count, false);
@@ -176,9 +178,9 @@ TYPED_TEST(MarkingTest, AVertexIsImpassableThroughItsFacets) {
 TEST(Marking, AnEdgeIsImpassableThroughTheFacesRoundIt) {
   Lattice<3> lattice;
   Environment<3>& env = lattice.env;
-  std::mt19937 random(11);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(11)));
   size_t passable = 0, impassable = 0;
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < at_least(10); ++round) {
     for_each_facet(env, [&](HalfFacet h) { set_facet_mark(env, h, random() % 24 == 0); });
     std::vector<std::pair<uint32_t, uint32_t>> blocked;
     const auto key = [](uint32_t a, uint32_t b) { return std::make_pair(std::min(a, b), std::max(a, b)); };

@@ -36,7 +36,7 @@ bool is_separated(const Triangle& t, const Triangle& other) {
 TEST(PlaneBoundaryCheck, PairsOfTriangles) {
   Random random(1);
   int overlaps = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < at_least(20000); ++i) {
     std::array<Triangle, 2> pair;
     for (Triangle& t : pair) {
       do {
@@ -63,7 +63,7 @@ TEST(PlaneBoundaryCheck, SetsOfPixels) {
   Random random(2);
   constexpr int kSize = 5;
   int overlaps = 0, apart = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < at_least(3000); ++i) {
     Mesh2 mesh;
     std::set<int> taken;
     bool overlap = false;

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "../../effort.h"
 #include "environment/builder.h"
 
 namespace dsw::test {
@@ -17,7 +18,7 @@ constexpr uint8_t kTriangle = 5, kPolygon = 7, kQuad = 9;
 /** Whole numbers, the same in every run. */
 class Random {
  public:
-  explicit Random(uint64_t seed) : engine_(seed) {}
+  explicit Random(uint64_t seed) : engine_(seed_of(seed)) {}
   int below(int n) { return static_cast<int>(engine_() % static_cast<uint64_t>(n)); }
   double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 

@@ -46,7 +46,7 @@ TEST(Validity, FewQuestionsAndAllOfThemGiveOneAnswer) {
   int valid = 0, invalid = 0;
   for (int turn = 0; turn < 8; ++turn) {
     MovingBox box(turn);
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < at_least(4000); ++i) {
       const double reach = 0.25 * (i % 8 + 1), scale = i % 3 == 0 ? 0x1p-330 : i % 3 == 1 ? 0x1p+350 : 1;
       const bool coarse = i % 2 == 0;  // many volumes that are exactly 0
       for (size_t k = 0; k < 24; ++k) {
@@ -107,7 +107,7 @@ TEST(Validity, ConvexIfNoVertexIsBeyondAFacet) {
   ASSERT_EQ(check_cell(*env, c), CellState::kValidConvex);
   Random random(8);
   int convex = 0, others = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < at_least(20000); ++i) {
     const double scale = i % 3 == 0 ? 0x1p-330 : i % 3 == 1 ? 0x1p+350 : 1;
     for (size_t k = 0; k < 30; ++k) {
       const int shift = random.below(8) == 0 ? random.below(3) - 1 : 0;

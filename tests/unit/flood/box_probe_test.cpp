@@ -77,11 +77,11 @@ TEST_F(BoxProbeTest, MarkedEdgesAndVerticesAreNotLookedFor) {
 TEST(FacetsInBox, AreTheSameForAllInstructionSets) {
 #if DSW_X86_64
   if (!DSW_CPU_HAS("avx2")) GTEST_SKIP();
-  std::mt19937 random(5);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(5)));
   const auto coordinate = [&] { return static_cast<double>(random() % 8) - 3.5; };
   const uint32_t vertices[8] = {7, 6, 5, 4, 3, 2, 1, 0};
   uint32_t seen = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < at_least(20000); ++i) {
     double points[24], low[3], high[3];
     for (double& x : points) x = coordinate();
     for (double& x : low) x = coordinate() / 2;

@@ -65,7 +65,7 @@ struct Noted {
 
 TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
   int turned = 0, of_several = 0, refused = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < at_least(60); ++round) {
     Random random(static_cast<uint64_t>(round + 1));
     const auto env = make_ground(random, round % 2 == 0);
     const Map<3>& map = env->map;
@@ -133,7 +133,7 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
 
 TEST(Passage, WhoKeepsToItFollowsTheFacetsAndSweepsNothing) {
   int kept[2] = {0, 0}, left = 0;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < at_least(40); ++round) {
     Random random(static_cast<uint64_t>(round + 101));
     const auto env = make_ground(random, round % 2 == 0);
     SweepFlood<3> flood(*env);

@@ -98,7 +98,7 @@ TEST_P(SweepUntil, FindsTheContactOfASweepThatComesBeforeTheEnd) {
   constexpr int kSize = 4;
   int contacts = 0, shorter = 0;
   uint64_t all_cells = 0, cells = 0;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < at_least(40); ++round) {
     Random random(static_cast<uint64_t>(100 * round + 7));
     const auto env = make_ground(GetParam(), kSize, random);
     mark_some(*env, random);
@@ -278,7 +278,7 @@ void note_start(const Environment<3>& env, const EdgeMotion& m, Cell start, bool
 TEST(FirstRidge, IsThatOfAll) {
   constexpr int kSize = 4;
   int met = 0, none = 0, added_counts = 0, left_before = 0;
-  for (int round = 0; round < 240; ++round) {
+  for (int round = 0; round < at_least(240); ++round) {
     Random random(static_cast<uint64_t>(round + 77));
     const auto env = make_ground(round % 2 == 0 ? Kind::kTetrahedra : Kind::kUneven, kSize, random);
     const Map<3>& map = env->map;
@@ -351,7 +351,7 @@ EdgeSequence<3> passed_by(const Environment<3>& env, const double* from, const d
 TEST(KeepsToRows, WhereCastsPassTheSameFacetsBeforeBetweenAndAfter) {
   constexpr int kSize = 4;
   int kept = 0, before = 0, between = 0, after = 0;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < at_least(40); ++round) {
     Random random(static_cast<uint64_t>(round + 13));
     const auto env = make_ground(Kind::kUneven, kSize, random);
     for (int i = 0; i < 600; ++i) {
@@ -392,7 +392,7 @@ class PassesBefore : public testing::TestWithParam<Kind> {};
 TEST_P(PassesBefore, AsEveryRidgeSays) {
   constexpr int kSize = 4;
   int asked = 0, passed = 0, passed_by_time = 0;
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < at_least(20); ++round) {
     Random random(static_cast<uint64_t>(round + 31));
     const auto env = make_ground(GetParam(), kSize, random);
     const Map<3>& map = env->map;

@@ -76,7 +76,7 @@ TEST(Locate, EveryPointHasExactlyOneCell) {
   const auto env = mixed_mesh().build();
   Random random(17);
   uint32_t inside = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < at_least(2000); ++i) {
     const double p[3] = {random.below(17) * 0.25 - 1, random.below(17) * 0.25 - 1.5, random.below(17) * 0.25 - 1.5};
     Cell holder;
     for (uint32_t c = 0; c < env->map.cell_count; ++c) {
@@ -118,7 +118,7 @@ void expect_the_first_of_all(Environment<D>& env, const std::vector<double>& poi
   env.index.build(env);
   let_points_move(env);
   int inside = 0, bad = 0;
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < at_least(12); ++round) {
     std::vector<double> moved = points;
     for (double& x : moved) x += 0.2 * round * (random.unit() - 0.5) + 7 * round;
     if (round % 3 == 2) moved[static_cast<size_t>(random.below(50))] = std::nan("");

@@ -9,7 +9,7 @@
 #include <limits>
 #include <thread>
 
-#include "../../share.h"
+#include "../../effort.h"
 #include "environment/moving.h"
 #include "environment/test_mesh.h"
 #include "locate/bounded_flood.h"
@@ -98,14 +98,15 @@ void agrees(Mesh& mesh, uint64_t seed, int marks, Tally& tally) {
   mark_some(*env, random, marks, true);
   env->obstacles.build(*env);
   for (int round = 0; round < 8; ++round) {
-    ASSERT_NO_FATAL_FAILURE(ask_everywhere(*env, random, share_of(60), tally)) << "seed " << seed << " round " << round;
+    ASSERT_NO_FATAL_FAILURE(ask_everywhere(*env, random, std::min(60, effort_of(60)), tally))
+        << "seed " << seed << " round " << round;
     mark_some(*env, random, 1 + marks / 4, round % 2 == 0);
     ASSERT_NO_FATAL_FAILURE(expect_every_obstacle_known(*env)) << "seed " << seed << " round " << round;
   }
 }
 
 void expect_few_unknown(const Tally& tally) {
-  EXPECT_GT(tally.found, share_of(1000));
+  EXPECT_GT(tally.found, effort_of(1000));
   EXPECT_LT(tally.unknown, (tally.found + tally.nothing) / 50) << "found " << tally.found;
 }
 
@@ -160,7 +161,7 @@ TEST(NearestFar, WhatIsNearerInAPartThatOverlapsIsNotReached) {
   const auto env = mesh.build();
   env->obstacles.build(*env);
   Random random(4);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < at_least(300); ++i) {
     const double p[3] = {8 * random.unit(), 8 * random.unit(), 8 * random.unit()};
     const Cell start = cell_of(*env, p);  // the first part has the lower indices
     ASSERT_LT(env->map.index(start), 512u);

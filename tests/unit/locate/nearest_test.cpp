@@ -32,7 +32,7 @@ TEST(Nearest, WallsOfALatticeBoxByTheirCoordinates) {
   add_boxes(mesh, 4, 3, 5);
   const auto env = mesh.build();
   Random random(2);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < at_least(500); ++i) {
     const double p[3] = {4 * random.unit(), 3 * random.unit(), 5 * random.unit()}, size[3] = {4, 3, 5};
     double expected = kInfinity;
     for (int k = 0; k < 3; ++k) expected = std::min({expected, p[k], size[k] - p[k]});

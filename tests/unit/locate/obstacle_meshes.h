@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "../../share.h"
+#include "../../effort.h"
 #include "environment/marking.h"
 #include "environment/test_mesh.h"
 #include "locate/nearest.h"
@@ -78,7 +78,7 @@ void mark_some(Environment<D>& env, Random& random, int count, bool marked) {
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /** At least four: how much is marked goes by that. */
-inline uint64_t seeds(int count) { return static_cast<uint64_t>(std::max(4, share_of(count))); }
+inline uint64_t seeds(int count) { return static_cast<uint64_t>(std::max(4, effort_of(count))); }
 
 /** The same bits. */
 template <int D>

@@ -156,7 +156,7 @@ TEST(Integrity, NoBitOfAMapIsFree) {
 TEST(Integrity, AnyBytesAreSafe) {
   Random random(5);
   int accepted = 0;
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0; round < at_least(20000); ++round) {
     const auto env = (round % 2 == 0 ? boxes() : mixed_mesh()).build();
     Map<3>& map = env->map;
     for (int changes = 1 + random.below(3); changes > 0; --changes) {

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
+
+#include "../../effort.h"
 
 namespace dsw {
 
 // splitmix64: the same stream everywhere, unlike the distributions of <random>.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  explicit Random(std::uint64_t seed) : state_(seed_of(seed)) {}
 
   std::uint64_t next() {
     state_ += 0x9e3779b97f4a7c15u;
@@ -27,12 +28,8 @@ class Random {
   std::uint64_t state_;
 };
 
-// How many cases of each family a test looks at; DSW_PREDICATE_CASES asks for more or fewer.
-inline std::uint64_t case_count() {
-  const char* text = std::getenv("DSW_PREDICATE_CASES");
-  const std::uint64_t count = text != nullptr ? std::strtoull(text, nullptr, 10) : 0;
-  return count > 0 ? count : 100000;
-}
+// How many cases of each family a test looks at.
+inline std::uint64_t case_count() { return static_cast<std::uint64_t>(effort_of(40000)); }
 
 constexpr int kMaxPoints = 8;
 

@@ -19,7 +19,7 @@ template <int D>
 void count_generic(CountingTally& tally, Scale scale) {
   Random random(11);
   PointSet<D> s;
-  for (int i = 0; i < 50000; ++i) {
+  for (int i = 0; i < at_least(50000); ++i) {
     draw(random, Shape::kUniform, scale, 2 + 2 * D, s);
     plane_side<D>(s.at, s.at[D], tally);
     line_side<D>(s.at[0], s.at[1], s.at + 2, tally);
@@ -43,7 +43,7 @@ TEST(Filter, SeesWhatIsInsideOfATetrahedron) {
   Random random(12);
   PointSet<3> s;
   int seen = 0, inside = 0;
-  for (int i = 0; i < 40000; ++i) {
+  for (int i = 0; i < at_least(40000); ++i) {
     draw(random, i % 2 == 0 ? Shape::kUniform : Shape::kLattice, Scale::kOne, 5, s);
     const double* corners[4] = {s.at[0], s.at[1], s.at[2], s.at[3]};
     const double* const last[3] = {corners[0], corners[1], corners[3]};
@@ -112,7 +112,7 @@ TEST(Filter, KnowsMostOfShortMoves) {
   Random random(19);
   PointSet<3> s;
   SweptCounts counts;
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < at_least(10000); ++i) {
     draw(random, Shape::kUniform, Scale::kOne, 5, s);
     for (int k = 0; k < 3; ++k) s.x[1][k] = s.x[0][k] + 0x1p-30 * s.x[1][k];
     ASSERT_NO_FATAL_FAILURE(check_swept(s, counts)) << i;

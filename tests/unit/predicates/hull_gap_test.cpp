@@ -3,6 +3,8 @@
 
 #include "thick_truth.h"
 
+#include "../../effort.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -63,7 +65,7 @@ class HullGapTest : public testing::TestWithParam<Family> {
   }
   double exact(const Points& a, const Points& b) { return oracle::root(square_of_distance(a, b)).get_d(); }
 
-  std::mt19937_64 random_{7};
+  std::mt19937_64 random_{seed_of(7)};
 };
 
 /// The distance of two points with these weights.
@@ -80,7 +82,7 @@ double between(const Points& a, const double* weights, const Points& b, const do
 }
 
 TEST_P(HullGapTest, BoundsTheDistanceFromBelowAndClosely) {
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < at_least(400); ++i) {
     Points a, b;
     draw(4, a, b);
     const HullGap gap = find_gap<3>(hull_of(a), hull_of(b), HUGE_VAL, 0);
@@ -100,7 +102,7 @@ TEST_P(HullGapTest, BoundsTheDistanceFromBelowAndClosely) {
 }
 
 TEST_P(HullGapTest, AHullGrowsUntilItComesTooNear) {
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < at_least(400); ++i) {
     Points a, b;
     draw(3, a, b);
     const oracle::Vec to = point();

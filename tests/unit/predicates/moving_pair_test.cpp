@@ -1,5 +1,5 @@
-// First times of moving pairs against moving_pair_truth.h. With DSW_PREDICATE_CASES=7000000 about a million times are
-// compared.
+// First times of moving pairs against moving_pair_truth.h. With DSW_EFFORT=175 about a million
+// times are compared.
 
 #include "predicates/moving_pair.h"
 

@@ -94,7 +94,7 @@ void check_normals() {
   Random random(17);
   PointSet<D> s;
   int checked = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < at_least(20000); ++i) {
     draw(random, D + 2, s);
     double unit[D];
     unit_normal<D>(s.at, unit);
@@ -124,10 +124,10 @@ TEST(PlaneHit, NormalInSpaceIsAccurateAtEveryScale) { check_normals<3>(); }
 /** Random flights through random triangles, ordinary ones: general ones, or flat across an axis as the walls of a
  * lattice. */
 void check_certified(bool across_an_axis) {
-  std::mt19937_64 random(23);
+  std::mt19937_64 random(seed_of(23));
   std::uniform_real_distribution<double> coordinate(-1, 1);
   int contacts = 0, settled = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < at_least(20000); ++i) {
     double x[5][3];
     for (auto& point : x) {
       for (double& c : point) c = coordinate(random);
@@ -166,7 +166,7 @@ TEST(PlaneHit, WallsAcrossAnAxisAreSettledWithoutIntegers) { check_certified(tru
 
 /** Flights through random triangles at every scale, on lattices too, where times are doubles and components 0. */
 TEST(PlaneHit, FlightsSideBySideAreThoseOneByOne) {
-  std::mt19937_64 random(29);
+  std::mt19937_64 random(seed_of(29));
   std::uniform_real_distribution<double> coordinate(-1, 1);
   const double scales[] = {1, 1, 1, 1e3, 1e-60, 1e60, 1e-150, 1e200};
   std::vector<std::array<std::array<double, 3>, 5>> points;

@@ -138,7 +138,7 @@ TEST(Signs, NonFiniteCoordinatesOnlyMakeTheAnswerMeaningless) {
   const double odd[] = {infinity, -infinity, std::numeric_limits<double>::quiet_NaN(), 4.9406564584124654e-324};
   Random random(4);
   PointSet<3> s;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < at_least(2000); ++i) {
     draw(random, kMaxPoints, s);
     for (int k = 0; k < 8; ++k) s.x[random.below(kMaxPoints)][random.below(3)] = odd[random.below(4)];
     ASSERT_LE(std::abs(plane_side<3>(s.at, s.at[3], NoTally{}).sign), 1);

@@ -228,7 +228,7 @@ TEST(SweepEvents, SidesOfTheSweptPlaneAreThoseOfThePolynomials) {
   Random random(43);
   PointSet<3> s;
   int ties = 0;
-  for (int i = 0; i < 30000; ++i) {
+  for (int i = 0; i < at_least(30000); ++i) {
     draw(random, 4, s);
     const EdgeMotion m{s.at[0], s.at[1], s.at[2]};
     const Point<3> p = shifted<3>(m.p);

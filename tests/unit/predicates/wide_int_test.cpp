@@ -53,7 +53,7 @@ void check_arithmetic(Random& random) {
 
 TEST(WideInt, ArithmeticAgreesWithGmp) {
   Random random(1);
-  for (int i = 0; i < 50000; ++i) {
+  for (int i = 0; i < at_least(50000); ++i) {
     check_arithmetic<1, 1>(random);
     check_arithmetic<3, 3>(random);
     check_arithmetic<9, 4>(random);
@@ -65,7 +65,7 @@ TEST(WideInt, ArithmeticAgreesWithGmp) {
 
 TEST(WideInt, ConstructionShiftsAMagnitude) {
   Random random(2);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < at_least(20000); ++i) {
     const std::uint64_t m = random.next() >> random.below(64);
     const int shift = random.below(500);
     const bool negative = random.below(2) != 0;
@@ -91,7 +91,7 @@ TEST(WideInt, ZeroHasNoSignHoweverItIsMade) {
 // Quotients next to an integer are where an estimate goes wrong.
 TEST(WideInt, ScaledQuotientIsTheFloor) {
   Random random(3);
-  for (int i = 0; i < 50000; ++i) {
+  for (int i = 0; i < at_least(50000); ++i) {
     WideInt<12> b = any<12>(random);
     if (b.sign() == 0) continue;
     const std::uint64_t quotient = random.next() >> random.between(4, 63);

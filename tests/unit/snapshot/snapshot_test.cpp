@@ -17,6 +17,8 @@
 #include "small_meshes.h"
 #include "snapshot/bytes.h"
 
+#include "../../effort.h"
+
 namespace {
 
 using namespace dsw;
@@ -221,7 +223,7 @@ void expect_answered(const std::vector<uint8_t>& damaged, size_t* accepted) {
 template <int D>
 void damage_behind_the_checksum(const SmallMesh& mesh, uint32_t seed, size_t* accepted) {
   SCOPED_TRACE(mesh.name);
-  std::mt19937 random(seed);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(seed)));
   Environment<D> env(nullptr);
   make(env, mesh, true, true);
   const std::vector<uint8_t> block = saved(env);
@@ -235,7 +237,7 @@ void damage_behind_the_checksum(const SmallMesh& mesh, uint32_t seed, size_t* ac
     damaged[at] = block[at];
   }
   const uint32_t words = static_cast<uint32_t>(env.map.words.size());
-  for (int round = 0; round < 500; ++round) {
+  for (int round = 0; round < at_least(500); ++round) {
     for (int n = 0; n < 3; ++n) {
       const size_t at = kAtFlags + 4 * (random() % ((block.size() - kAtFlags) / 4));
       put(damaged, at, static_cast<uint32_t>(round % 2 == 0 ? random() % (words + 2) : random()));

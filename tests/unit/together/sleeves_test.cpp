@@ -1,6 +1,6 @@
 // Long edges whose ends go on and on, each move from where the last one led: what is said to meet nothing touches nothing,
 // says first_touch of the edge and each feature of each wall, and what is kept of an edge is what a cast from end to end
-// passes. Figures are printed; DSW_SLEEVES_ROUNDS=100 asks ten times as much, DSW_SLEEVES_SEED something else.
+// passes. Figures are printed.
 #include "together/sleeves.h"
 
 #include <gtest/gtest.h>
@@ -8,16 +8,11 @@
 #include <cstdlib>
 #include <string>
 
-#include "../../share.h"
+#include "../../effort.h"
 #include "edge_of_ground.h"
 
 namespace dsw::test {
 namespace {
-
-uint64_t from_environment(const char* name, uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 /** Boxes in a row: an end that comes from one of them or goes to it makes the sequence longer or shorter. */
 TEST(Sleeves, KeepToBoxes) {
@@ -99,10 +94,8 @@ class SleevesTest : public testing::TestWithParam<Kind> {
  protected:
   template <int D>
   void run(Counts& counts) {
-    const int rounds = static_cast<int>(from_environment("DSW_SLEEVES_ROUNDS", 10));
-    const uint64_t seed = from_environment("DSW_SLEEVES_SEED", 1);
-    for (int round = 0; round < rounds && !HasFatalFailure(); ++round) {
-      EdgeOfGround<D>(GetParam(), 1000 * seed + static_cast<uint64_t>(round), counts).run(share_of(40), 10);
+    for (int round = 0; round < effort_of(10) && !HasFatalFailure(); ++round) {
+      EdgeOfGround<D>(GetParam(), 1000 + static_cast<uint64_t>(round), counts).run(40, 10);
     }
   }
 };

@@ -12,7 +12,7 @@ TEST(Draft, NumbersAreThoseOfFirstUse) {
   Array<uint32_t> listed, expected;
   Numbering number(listed);
   Random random(2);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < at_least(2000); ++i) {
     const uint32_t vertex = static_cast<uint32_t>(64 * random.below(40) + random.below(3));
     const auto at = static_cast<uint32_t>(std::find(expected.begin(), expected.end(), vertex) - expected.begin());
     if (at == expected.size()) expected.push_back(vertex);

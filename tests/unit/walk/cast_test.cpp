@@ -11,6 +11,8 @@
 #include "small_meshes.h"
 #include "walk/packet.h"
 
+#include "../../effort.h"
+
 namespace {
 
 using namespace dsw;
@@ -96,7 +98,7 @@ template <int D>
 void expect_to_stay(const SmallMesh& mesh, const uint32_t (&ends)[D]) {
   Environment<D> env(nullptr);
   build_mesh(env, mesh);
-  std::mt19937 random(7);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(7)));
   std::uniform_real_distribution<double> part(-0.2, 1.2);
   uint32_t seen = 0, unseen = 0;
   for_each_cell(env.map, [&](Cell c) {
@@ -134,7 +136,7 @@ TEST(Cast, StaysInACellThatItsStartSeesAllOf) { expect_to_stay<3>(lattice(5, kHe
 TEST(Cast, StaysInAPolygonThatItsStartSeesAllOf) {
   SmallMesh mesh;
   mesh.dimension = 2;
-  std::mt19937 random(3);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(3)));
   std::uniform_real_distribution<double> depth(0.05, 0.3), height(0.4, 0.6);
   for (int64_t i = 0; i < 60; ++i) {  // arrowheads
     const double x = 2.0 * static_cast<double>(i);

@@ -15,6 +15,8 @@
 #include "small_meshes.h"
 #include "walks.h"
 
+#include "../../effort.h"
+
 namespace {
 
 using namespace dsw;
@@ -132,7 +134,7 @@ TEST_P(CuboidsTest, EndCastsAsBentHexahedraDo) {
   for (double& x : mesh.points) x *= scale;
   Environment<3> env(nullptr);
   build_mesh(env, mesh);
-  std::mt19937 random(21);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(21)));
   const auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };
   for (uint32_t i = 0; i < env.map.cell_count; ++i) {
     const Cell c = env.map.cell(i);

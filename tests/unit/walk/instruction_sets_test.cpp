@@ -16,6 +16,8 @@
 #include "walk/shear.h"
 #include "walks.h"
 
+#include "../../effort.h"
+
 namespace {
 
 using namespace dsw;
@@ -214,9 +216,9 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
     }
     CastCounters total;
     uint32_t hits = 0, wanted = 1, full = 0;
-    std::mt19937 sizes(seed);
+    std::mt19937 sizes(static_cast<uint32_t>(seed_of(seed)));
     Group group;
-    for (int n = 0; n < kCasts; ++n) {
+    for (int n = 0; n < at_least(kCasts); ++n) {
       Flown& cast = group.casts[group.count];
       points.next(cast.from, n % 2 == 0, 0);
       points.next(cast.to, n % 4 < 2, n % 3 == 0 ? 1 : 0);
@@ -273,10 +275,10 @@ TEST(InstructionSets, TrianglesAreMissedWithTheSameBits) {
     sets.push_back(missed_triangles_avx512);
     pass_sets.push_back(passes_triangles_avx512);
   }
-  std::mt19937_64 random(5);
+  std::mt19937_64 random(seed_of(5));
   std::uniform_real_distribution<double> coordinate(-1, 1), distance(0.5, 1);
   size_t passed = 0, missed = 0, many_passed = 0;
-  for (int round = 0; round < 6000; ++round) {
+  for (int round = 0; round < at_least(6000); ++round) {
     const double scale = std::ldexp(1.0, round % 7 * 180 - 540);
     const bool in_range = round % 7 != 0 && round % 7 != 6;
     // The line of an axis, either way, and nearly so.

@@ -22,6 +22,8 @@ namespace lines {
 namespace planes {
 #define DSW_FAR_EDGES 1e300
 #include "walk/walk.inl"
+
+#include "../../effort.h"
 #undef DSW_FAR_EDGES
 }  // namespace planes
 }  // namespace dsw
@@ -41,7 +43,7 @@ enum class Asks { kNothing, kSomething };
 class LineWalkTest : public testing::TestWithParam<double> {
  protected:
   void compare(const Environment<3>& env, double scale, Asks asks) {
-    std::mt19937 random(5), sizes(6);
+    std::mt19937 random(static_cast<uint32_t>(seed_of(5))), sizes(static_cast<uint32_t>(seed_of(6)));
     const auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };
     const auto place = [&](double(&p)[3], bool tie, double margin) {
       for (double& x : p) {
@@ -55,7 +57,7 @@ class LineWalkTest : public testing::TestWithParam<double> {
     std::vector<Crossing> expected_crossings[kPacket], crossings[kPacket];
     uint32_t count = 0, wanted = 1, full = 0;
     size_t visited = 0, hits = 0, compared = 0;
-    for (int n = 0; n < kCasts; ++n) {
+    for (int n = 0; n < at_least(kCasts); ++n) {
       place(from[count], n % 5 == 0, 0);
       place(to[count], n % 3 == 0, n % 4 == 0 ? 2 : 0);
       const Cell start = locate(env, from[count], Cell{}, nullptr).cell;
@@ -111,7 +113,7 @@ TEST_P(LineWalkTest, EndsAsByPlanes) {
     for (double& x : mesh.points) x *= scale;
     Environment<3> env(nullptr);
     build_mesh(env, mesh);
-    std::mt19937 random(7);
+    std::mt19937 random(static_cast<uint32_t>(seed_of(7)));
     for (uint32_t i = 0; i < env.map.cell_count; ++i) {
       const Cell c = env.map.cell(i);
       if (random() % 60 == 0) set_cell_mark(env, c, true);

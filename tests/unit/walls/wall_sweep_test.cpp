@@ -202,10 +202,10 @@ TYPED_TEST_SUITE(WallSweepTest, Dimensions, DimensionNames);
 
 TYPED_TEST(WallSweepTest, FindsWhatIsTouched) {
   constexpr int D = TypeParam::value;
-  std::mt19937 random(1);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(1)));
   std::uniform_int_distribution<int> place(2, 14);
   int met[3] = {}, free = 0, with_ties = 0;
-  for (int scene = 0; scene < 100; ++scene) {
+  for (int scene = 0; scene < at_least(100); ++scene) {
     this->build(random);
     this->mark(random);
     this->find_walls();
@@ -222,7 +222,7 @@ TYPED_TEST(WallSweepTest, FindsWhatIsTouched) {
     WallSweep<D> walls(*this->env_);
     walls.start(this->kMiddle, this->star_);
     ASSERT_EQ(walls.has_walls(), !this->ridges_.empty() || vertex_marked(*this->env_, this->kMiddle));
-    for (int move = 0; move < 60; ++move) {
+    for (int move = 0; move < at_least(60); ++move) {
       double from[D], to[D];
       for (int k = 0; k < D; ++k) {
         from[k] = this->env_->point(this->kMiddle)[k];
@@ -273,7 +273,7 @@ TYPED_TEST(WallSweepTest, FindsWhatIsTouched) {
 
 TYPED_TEST(WallSweepTest, MeetsWhatStandsAloneFromEdgesSweptOn) {
   constexpr int D = TypeParam::value;
-  std::mt19937 random(2);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(2)));
   this->build(random);
   if (D == 3) set_edge_mark(*this->env_, this->kMiddle, 14, true);
   if (D == 2) set_vertex_mark(*this->env_, this->kMiddle, true);
@@ -301,7 +301,7 @@ TYPED_TEST(WallSweepTest, MeetsWhatStandsAloneFromEdgesSweptOn) {
 TYPED_TEST(WallSweepTest, DescribesTheTouch) {
   constexpr int D = TypeParam::value;
   constexpr int kUp = D - 1;
-  std::mt19937 random(3);
+  std::mt19937 random(static_cast<uint32_t>(seed_of(3)));
   this->build(random);
   const uint32_t lower = this->kCells / 2;
   for (uint32_t i = 0; i < lower; ++i) set_cell_mark(*this->env_, this->env_->map.cell(i), true);
