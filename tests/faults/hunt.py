@@ -58,20 +58,21 @@ class Tests:
 
         process = subprocess.Popen(command, cwd=folder, env=environment, preexec_fn=limits, stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        end = time.monotonic() + 60 + 30 * limit
+        start = time.monotonic()
         while True:
             pid, status, usage = os.wait4(process.pid, os.WNOHANG)
             if pid:
                 process.returncode = os.waitstatus_to_exitcode(status)
                 return process.returncode == 0, usage.ru_utime + usage.ru_stime
-            if time.monotonic() > end:
+            lasted = time.monotonic() - start
+            if lasted > 60 + 30 * limit:
                 os.killpg(process.pid, 9)
-            time.sleep(0.002)
+            time.sleep(0.002 + min(lasted / 50, 0.05))
 
 
 class Hunt:
-    def __init__(self, build, programs, until):
-        self.file = build / "hunt.json"
+    def __init__(self, build, programs, file, until):
+        self.file = file or build / "hunt.json"
         self.tests = Tests(build, programs)
         faults = json.loads((build.parent.parent / "faults.json").read_text())
         self.faults = {f["number"]: f for f in faults["faults"]}
@@ -172,13 +173,14 @@ def main():
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("what", choices=("measure", "hunt", "report"))
     parser.add_argument("--programs", type=pathlib.Path, help="a build without faults, whose programs run with the library of BUILD; unit tests are of BUILD")
+    parser.add_argument("--notes", type=pathlib.Path, help="a file in place of BUILD/hunt.json, where tests run otherwise")
     parser.add_argument("--tests", default=".", help="a pattern of names")
     parser.add_argument("--limit", type=float, default=600, help="measure: most seconds of processor for a test")
     parser.add_argument("--slowest", type=float, default=1e9, help="hunt: only tests that take at most so many seconds")
     parser.add_argument("--jobs", type=int, default=1, help="tests at a time")
     parser.add_argument("--minutes", type=float, default=1e9, help="end after so long")
     args = parser.parse_args()
-    hunt = Hunt(args.build.resolve(), args.programs and args.programs.resolve(), time.time() + 60 * args.minutes)
+    hunt = Hunt(args.build.resolve(), args.programs and args.programs.resolve(), args.notes, time.time() + 60 * args.minutes)
     if args.what == "measure":
         hunt.measure(args.tests, args.limit, args.jobs)
     elif args.what == "hunt":
