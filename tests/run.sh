@@ -2,8 +2,8 @@
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
 # usage: tests/run.sh [STEP...]    none means all_steps below
-# Steps to be asked for: long, before a release: random tests with four times the cases that release has (or DSW_EFFORT times those
-# that they are written for), the longest tests, and ten times the runs of the fuzz targets; clang; for other targets arm64 (tests under qemu), windows (tests under wine) and wasm (tests in Node);
+# Steps to be asked for: long, before a release: the longest tests, with all cases that they are written for, and ten times the runs
+# of the fuzz targets; clang; for other targets arm64 (tests under qemu), windows (tests under wine) and wasm (tests in Node);
 # portable, which compares the bits of all targets whose step has run; packages of these targets; browser, the page.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -137,13 +137,13 @@ make_python() {
 
 # step_NAME: all of a step.
 step_release() {
-  DSW_EFFORT=${DSW_EFFORT:-1/4} preset release all && python3 -B abi/check_abi.py symbols build/release/src/libdartsweep.so &&
+  preset release all && ctest --preset release_long && python3 -B abi/check_abi.py symbols build/release/src/libdartsweep.so &&
     rm -rf build/dartsweep-static && ln -s release/tests/package/static build/dartsweep-static && touch build/static.made
 }
-step_long() { # what is long and rare
-  DSW_EFFORT=${DSW_EFFORT:-1} preset release all && "${plain_addresses[@]}" ctest --preset long &&
+step_long() { # DSW_EFFORT=10 asks for ten times the cases
+  one_at_a_time make_programs && "${plain_addresses[@]}" ctest --preset long &&
     cmake --preset dev -DDSW_FUZZ_EFFORT=10 && cmake --build --preset dev --target fuzz_programs &&
-    "${plain_addresses[@]}" ctest --preset dev -L fuzz
+    "${plain_addresses[@]}" ctest --preset dev -L fuzz && cmake --preset dev -DDSW_FUZZ_EFFORT=1
 }
 step_clang() { preset clang all; }
 step_dev() { preset dev all && with_library dev_library "$(clang -print-file-name=libclang_rt.asan-x86_64.so)"; }
