@@ -82,7 +82,7 @@ class Source:
         """The statements between two braces, and the conditions of if, while and for. Blocks in them are read for themselves."""
         while at < end:
             word = self.word(at)
-            if word in ("if", "while", "for", "switch", "catch"):
+            if word in ("if", "while", "for", "switch"):
                 at = self.read_head(at)
             elif word in ("else", "do", "try", ";", "}"):
                 at += 1
