@@ -2,7 +2,8 @@
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
 # usage: tests/run.sh [STEP...]    none means all_steps below
-# Steps to be asked for: clang; for other targets arm64 (tests under qemu), windows (tests under wine) and wasm (tests in Node);
+# Steps to be asked for: long, before a release: the longest tests, with all cases that they are written for, and ten times the runs
+# of the fuzz targets; clang; for other targets arm64 (tests under qemu), windows (tests under wine) and wasm (tests in Node);
 # portable, which compares the bits of all targets whose step has run; packages of these targets; browser, the page.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -18,7 +19,7 @@ declare -A packages_of=( # of steps for other targets
   [packages]="g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix wine64 emscripten")
 all_steps=(release dev tsan page python node java csharp lua docs report format)
 # clang is a step to ask for: before a release, where bits may differ, or where a source of the engine may miss a header.
-# It builds what dev builds without sanitizers, and each source of the engine by itself.
+# It compiles each source of the engine by itself, and tests without sanitizers.
 steps=("$@")
 [ ${#steps[@]} -gt 0 ] || steps=("${all_steps[@]}")
 jobs=$(nproc)
@@ -86,6 +87,12 @@ preset() {
   cmake --preset "$name" && cmake --build --preset "$name" --target "$@" && "${plain_addresses[@]}" ctest --preset "$name" --no-tests=error
 }
 
+# with_library PRESET RUNTIME: programs of release with a library that is compiled otherwise, and the runtime of its sanitizer.
+with_library() {
+  one_at_a_time make_programs && LD_LIBRARY_PATH=build/${1%_library}/src ldd build/release/tests/capi/capi_base_test | grep "build/${1%_library}/src" && DSW_PRELOADED=$2 "${plain_addresses[@]}" ctest --preset "$1" --no-tests=error
+}
+make_programs() { cmake --preset release && cmake --build --preset release; }
+
 # target NAME: the tests of another target, compiled here and run by its emulator.
 target() { tests/make_gmp.sh "$1" "build/gmp/$1" && preset "$1" all; }
 
@@ -129,10 +136,18 @@ make_python() {
 }
 
 # step_NAME: all of a step.
-step_release() { preset release all && python3 -B abi/check_abi.py symbols build/release/src/libdartsweep.so; }
+step_release() {
+  preset release all && ctest --preset release_long && python3 -B abi/check_abi.py symbols build/release/src/libdartsweep.so &&
+    rm -rf build/dartsweep-static && ln -s release/tests/package/static build/dartsweep-static && touch build/static.made
+}
+step_long() { # DSW_EFFORT=10 asks for ten times the cases
+  one_at_a_time make_programs && "${plain_addresses[@]}" ctest --preset long &&
+    cmake --preset dev -DDSW_FUZZ_EFFORT=10 && cmake --build --preset dev --target fuzz_programs &&
+    "${plain_addresses[@]}" ctest --preset dev -L fuzz && cmake --preset dev -DDSW_FUZZ_EFFORT=1
+}
 step_clang() { preset clang all; }
-step_dev() { preset dev all; }
-step_tsan() { preset tsan threads_tests; }
+step_dev() { preset dev all && with_library dev_library "$(clang -print-file-name=libclang_rt.asan-x86_64.so)"; }
+step_tsan() { cmake --preset tsan && cmake --build --preset tsan && with_library tsan "$(g++ -print-file-name=libtsan.so)"; }
 step_arm64() { target arm64; }
 step_windows() { start_wine && target windows; }
 step_wasm() {

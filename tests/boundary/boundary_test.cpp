@@ -1,8 +1,10 @@
 // Every exported function is called with one thing wrong after the other, from several threads at once: it answers a
 // status, says in which function, leaves its out-arguments alone, and nothing has changed. First each thread has a
 // world of its own; then all share one, readers together and writers alone, as the headers promise. All of it in the
-// plane, then in space. The list of functions is that of abi/symbols.txt. usage: boundary_test [THREADS]
+// plane, then in space. The list of functions is that of abi/symbols.txt. usage: boundary_test [THREADS],
+// without which they are as many as DSW_EFFORT asks for.
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdlib>
@@ -12,6 +14,7 @@
 #include <thread>
 #include <tuple>
 
+#include "../effort.h"
 #include "arguments.h"
 
 namespace boundary {
@@ -206,7 +209,7 @@ void on_all_threads(size_t count, uint32_t dimension, bool shared) {
 
 int main(int argc, char** argv) {
   using namespace boundary;
-  const size_t threads = argc == 2 ? std::strtoul(argv[1], nullptr, 10) : 8;
+  const auto threads = static_cast<size_t>(argc == 2 ? std::atoi(argv[1]) : std::max(3, effort_of(8)));
   graveyard();
   bool passed = true;
   for (const uint32_t dimension : {2u, 3u}) {

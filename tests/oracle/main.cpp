@@ -4,7 +4,8 @@
 // Casts, locates and particle moves, swept edges, and moves of bodies (N: of single vertices, at each level), in many
 // small environments, each compared with exact arithmetic; --plane: casts and particle moves in the plane;
 // --back-edges: moves of closed bodies with back-edge elimination; --plane-sweeps: swept edges and bodies there;
-// --plane-deformations: with walls that move. Without any of these: casts.
+// --plane-deformations: with walls that move. Without any of these: casts. DSW_EFFORT scales what N says.
+#include "../effort.h"
 #include "back_edges.h"
 #include "body_run.h"
 #include "deform_run.h"
@@ -15,6 +16,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+
+static uint64_t count_of(const char* text) { return static_cast<uint64_t>(effort_of(std::atoi(text))); }
 
 int main(int argc, char** argv) {
   dsw::oracle::RunOptions options;
@@ -30,22 +33,22 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const bool more = i + 1 < argc;
     if (std::strcmp(argv[i], "--casts") == 0 && more) {
-      options.casts = std::strtoull(argv[++i], nullptr, 10);
+      options.casts = count_of(argv[++i]);
       casts_given = true;
     } else if (std::strcmp(argv[i], "--plane") == 0 && more) {
-      plane.casts = std::strtoull(argv[++i], nullptr, 10);
+      plane.casts = count_of(argv[++i]);
     } else if (std::strcmp(argv[i], "--plane-sweeps") == 0 && more) {
-      plane.sweeps = std::strtoull(argv[++i], nullptr, 10);
+      plane.sweeps = count_of(argv[++i]);
     } else if (std::strcmp(argv[i], "--plane-deformations") == 0 && more) {
-      plane_deformations = std::strtoull(argv[++i], nullptr, 10);
+      plane_deformations = count_of(argv[++i]);
     } else if (std::strcmp(argv[i], "--sweeps") == 0 && more) {
-      sweeps.sweeps = std::strtoull(argv[++i], nullptr, 10);
+      sweeps.sweeps = count_of(argv[++i]);
     } else if (std::strcmp(argv[i], "--bodies") == 0 && more) {
-      bodies.steps = std::strtoull(argv[++i], nullptr, 10);
+      bodies.steps = count_of(argv[++i]);
     } else if (std::strcmp(argv[i], "--back-edges") == 0 && more) {
-      back_edges = std::strtoull(argv[++i], nullptr, 10);
+      back_edges = count_of(argv[++i]);
     } else if (std::strcmp(argv[i], "--deformations") == 0 && more) {
-      deformations.steps = std::strtoull(argv[++i], nullptr, 10);
+      deformations.steps = count_of(argv[++i]);
     } else if (std::strcmp(argv[i], "--scene-seed") == 0 && more) {
       bodies.scene_seed = deformations.scene_seed = plane.scene_seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--level") == 0 && more) {
