@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import dartsweep as ds
-from dartsweep._door import build, files, table
+from dartsweep._door import build, files, raw, table
 from volumes import CUBE, PRISM, TETRA, box, content, volume_of
 
 DOCS = pathlib.Path(__file__).parents[2] / "docs" / "meshes.md"
@@ -134,7 +134,7 @@ def test_every_reader_that_can_read_a_file_gives_the_same_mesh(tmp_path: pathlib
         if ending == "bdf":  # Gmsh leaves out half of what meshio writes, without a word
             with pytest.raises(ds.MeshError, match="Gmsh keeps 8 of 16 elements"):
                 files._raw(str(path), "the file", ways.pop(0), "corners")
-        meshes = [files.mesh_of(files._raw(str(path), "the file", reader, "corners")) for reader in ways]
+        meshes = [raw.mesh_of(files._raw(str(path), "the file", reader, "corners")) for reader in ways]
         assert all(len(mesh.types) == len(rows) for mesh in meshes)
         made = [build.environment_of(mesh, None, {}) for mesh in meshes]
         assert [volume_of(each) for each in made] == pytest.approx([6] * len(ways))
