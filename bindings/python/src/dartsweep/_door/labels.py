@@ -115,5 +115,6 @@ def _dense(values: NDArray[Any]) -> NDArray[Any]:
     """Numbers from 0 on in place of values, in their order."""
     shifted = values - values.min(initial=0)
     if int(shifted.max(initial=0)) > 4 * len(values) + 1024:
-        return np.unique(values, return_inverse=True)[1].ravel()
-    return (np.cumsum(np.bincount(shifted) > 0) - 1)[shifted]
+        shifted = np.unique(values, return_inverse=True)[1].ravel()
+    made: NDArray[Any] = (np.cumsum(np.bincount(shifted) > 0) - 1)[shifted]
+    return made
