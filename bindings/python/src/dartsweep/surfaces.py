@@ -85,8 +85,9 @@ def fill(
     parts: what to do with a surface of several connected parts. "one": it is an error. "largest": the part of largest area is filled.
     "all": all are; what two of them enclose is outside, so the two surfaces of a thick wall give the wall.
     scale: all points are multiplied by it, such as 0.001 for a file in millimetres and an environment in metres.
-    repair: MeshFix mends a surface that can't be filled: triangles that cross, edges of three triangles, slivers. `notes` say what it has
-    changed. A surface that can be filled stays as it is. What MeshFix closes may not be wider than largest_hole either.
+    repair: a surface that can't be filled is mended. Points nearer than a millionth of its extent become one; if that is not enough, MeshFix
+    takes away triangles that cross, edges of three triangles and slivers, and closes the openings. `notes` say what was changed. What MeshFix
+    closes may not be wider than largest_hole. A surface that can be filled stays as it is.
 
     Raises SurfaceError with the name of the surface if it has no triangles, indices out of range, points that are not finite, an edge of
     three triangles, triangles that cross, one side only, no volume, or an open end or parts that are not allowed. Raises OSError if there
