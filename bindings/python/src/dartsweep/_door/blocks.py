@@ -20,22 +20,47 @@ def joined(parts: list[tuple[str, Raw]]) -> Raw:
     points, index = _shared_points(raws)
     cells = linear.joined([_renumbered(raw.cells, index[i]) for i, raw in enumerate(raws)])
     starts = offsets_of([len(raw.cells.types) for raw in raws])
-    made = Raw(points, cells, source=raws[0].source, reader=raws[0].reader)
+    place, kept = _once(cells)
+    made = Raw(points, cells if kept is None else cells.some(kept), source=raws[0].source, reader=raws[0].reader)
     highest = [int(linear.DIMENSION[raw.cells.types].max(initial=0)) for raw in raws]
     made.data = _joined_data(raws, highest, starts)
+    if kept is not None:
+        made.data = {name: values[kept] for name, values in made.data.items()}
     volumes = [i for i, dimension in enumerate(highest) if dimension == max(highest)]
-    if len(volumes) > 1:
+    if len(volumes) > 1 and kept is None:
         names = {name: label for label, name in enumerate(dict.fromkeys(parts[i][0] for i in volumes), 1)}
         made.region_names = names
         made.regions = np.concatenate([np.full(len(raw.cells.types), names.get(name, 0)) for name, raw in parts])
     for i, (name, raw) in enumerate(parts):
-        own = np.arange(starts[i], starts[i + 1])
+        own = place[starts[i] : starts[i + 1]]
         made.groups[name] = np.concatenate([made.groups[name], own]) if name in made.groups else own
         for inner, members in raw.groups.items():
-            made.groups[inner] = np.concatenate([made.groups.get(inner, np.empty(0, np.int64)), starts[i] + members])
+            made.groups[inner] = np.concatenate([made.groups.get(inner, np.empty(0, np.int64)), own[members]])
         made.notes += [note for note in raw.notes if note not in made.notes]
         made.fields.update(raw.fields)
     return made
+
+
+def _once(cells: Cells) -> tuple[Indices, Indices | None]:
+    """Where each cell is once volumes that several blocks have, such as zones, are kept once; and which are kept, None if all are."""
+    count = len(cells.types)
+    is_volume = linear.DIMENSION[cells.types] == 3
+    mixed = cells.flat.astype(np.uint64) * np.uint64(0x9E3779B97F4A7C15)
+    key = np.add.reduceat((mixed ^ (mixed >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9), cells.offsets[:-1])
+    order = np.lexsort((np.arange(count), key))
+    first = np.arange(count)
+    like_before = (key[order][1:] == key[order][:-1]) & is_volume[order][1:] & is_volume[order][:-1]
+    for i in np.flatnonzero(like_before) + 1:  # keys may be equal by chance
+        a, b = int(first[order[i - 1]]), int(order[i])
+        rows = [np.sort(cells.flat[cells.offsets[cell] : cells.offsets[cell + 1]]) for cell in (a, b)]
+        if cells.types[a] == cells.types[b] and np.array_equal(*rows):
+            first[b] = a
+    if not np.any(first != np.arange(count)):
+        return first, None
+    kept = np.flatnonzero(first == np.arange(count))
+    place = np.full(count, -1, np.int64)
+    place[kept] = np.arange(len(kept))
+    return place[first], kept
 
 
 def _renumbered(cells: Cells, index: Indices) -> Cells:

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from ..errors import MeshError
-from . import gmsh_reader, meshio_reader, mfem_reader, moab_reader, vtk_files
+from . import abaqus_reader, gmsh_reader, meshio_reader, mfem_reader, moab_reader, vtk_files
 from .mesh import Mesh
 from .raw import Raw, mesh_of
 from .table import DIALECTS, LIBRARIES, Dialect, Reader, dialects_of, endings
@@ -64,7 +64,7 @@ def _foam_file(case: str) -> Iterator[str]:
 def _of_dialects(path: str, source: str, dialects: list[Dialect], quadratic: str) -> Mesh:
     ways = [(dialect, reader) for dialect in dialects for reader in dialect.readers]
     if not ways:
-        raise MeshError(source, _unknown(path), f"files that end in {' '.join(endings())} are read")
+        raise MeshError(source, *_unknown(path))
     installed = [(dialect, reader) for dialect, reader in ways if _is_installed(reader)]
     if not installed:
         raise MeshError(source, f"{ways[0][0].name} needs {LIBRARIES[ways[0][1].library][2]}, which is not installed", _extra(ways[0][1]))
@@ -95,6 +95,7 @@ def _raw(path: str, source: str, reader: Reader, quadratic: str) -> Raw:
     if reader.library == "mfem":
         return mfem_reader.read(path, source, reader.format, quadratic)
     modules: dict[str, Any] = {"vtk": vtk_files, "meshio": meshio_reader, "gmsh": gmsh_reader, "moab": moab_reader}
+    modules["abaqus"] = abaqus_reader
     if reader.library not in modules:
         raise MeshError(source, "it is a surface", "dartsweep.from_surface fills it with tetrahedra")
     raw: Raw = modules[reader.library].read(path, source, reader.format)
@@ -113,10 +114,11 @@ def _extra(reader: Reader) -> str:
     return f"pip install dartsweep[{LIBRARIES[reader.library][1]}]"
 
 
-def _unknown(path: str) -> str:
+def _unknown(path: str) -> tuple[str, str]:
     ending = os.path.splitext(path)[1].lower()
     if ending in endings():
         names = ", ".join(dialect.name for dialect in DIALECTS if ending in dialect.endings)
-        return f"its first bytes are not those of {names}"
+        return f"its first bytes are not those of {names}", "a program that reads the file can write it anew"
     near = difflib.get_close_matches(ending, endings(), 1)
-    return f"the ending '{ending}' is not known" + (f" ('{near[0]}' is)" if near else "")
+    found = f"the ending '{ending}' is not known" + (f" ('{near[0]}' is)" if near else "")
+    return found, f"files that end in {' '.join(endings())} are read"

@@ -40,6 +40,8 @@ def read(path: str, source: str, format: str) -> Raw:
         try:
             gmsh.merge(known)
             raw = raw_of_model(source)
+            if format == "bdf" and raw.regions is None:
+                _label_entities(gmsh, raw)
             _check_count(path, format, len(raw.cells.types), source)
         except MeshError:
             raise
@@ -50,17 +52,28 @@ def read(path: str, source: str, format: str) -> Raw:
     return raw
 
 
+def _label_entities(gmsh: Any, raw: Raw) -> None:
+    """Nastran's properties: Gmsh makes an entity of each."""
+    tags = raw.data["gmsh:tag"]
+    raw.regions = np.zeros(len(tags), np.int32)
+    for dimension, number in gmsh.model.getEntities():
+        for own in gmsh.model.mesh.getElements(dimension, number)[1]:
+            raw.regions[np.searchsorted(tags, np.asarray(own, np.int64))] = number
+
+
 def _check_count(path: str, format: str, count: int, source: str) -> None:
-    """Gmsh keeps one of several elements with the same number, without a word."""
-    if format != "msh" or os.path.getsize(path) == 0:
-        return
-    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
-        at = max(text.find(b"\n$Elements"), text.find(b"\n$ELM"))
-        head = text[at + 1 : at + 300] if at >= 0 else b""
-        version = text[:200].split(b"$MeshFormat")[-1].split()[:2]
-    declared = _declared(head.partition(b"\n")[2], version)
+    """Gmsh leaves out elements of types that it does not know, and keeps one of several with the same number, without a word."""
+    declared = 0
+    if format == "unv":
+        declared = _declared_in_unv(path)
+    elif format == "msh" and os.path.getsize(path) > 0:
+        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
+            at = max(text.find(b"\n$Elements"), text.find(b"\n$ELM"))
+            head = text[at + 1 : at + 300] if at >= 0 else b""
+            version = text[:200].split(b"$MeshFormat")[-1].split()[:2]
+        declared = _declared(head.partition(b"\n")[2], version)
     if declared > count:
-        raise MeshError(source, f"Gmsh keeps {count} of {declared} elements: some have the same number", _WAY_ON)
+        raise MeshError(source, f"Gmsh keeps {count} of {declared} elements, without a word", "others have the same number or an unknown type")
 
 
 def _declared(head: bytes, version: list[bytes]) -> int:
@@ -70,6 +83,26 @@ def _declared(head: bytes, version: list[bytes]) -> int:
         return int(np.frombuffer(head[8:16], "<u8")[0])
     numbers = head.partition(b"\n")[0].split()
     return int(numbers[1 if is_fourth else 0]) if len(numbers) > is_fourth else 0
+
+
+def _declared_in_unv(path: str) -> int:
+    """How many elements the data sets 2412 and 780 have: two lines each, three for beams, more for many nodes."""
+    count, is_in, left = 0, False, 0
+    with open(path, encoding="latin-1") as file:
+        before = ""
+        for line in file:
+            words = line.split()
+            if before == "-1" and words in (["2412"], ["780"]):
+                is_in = True
+            elif words == ["-1"]:
+                is_in = False
+            elif is_in and left > 0:
+                left -= 1
+            elif is_in and len(words) >= 6:
+                count += 1
+                left = -(-int(words[-1]) // 8) + (int(words[1]) in (11, 21, 22, 23, 24))
+            before = words[0] if len(words) == 1 else ""
+    return count
 
 
 def _reason(gmsh: Any, error: Exception) -> str:
@@ -119,21 +152,21 @@ def raw_of_model(source: str) -> Raw:
     """The mesh of the current model: all its elements by their tags, with its physical groups."""
     import gmsh
 
-    tags, coordinates, _ = gmsh.model.mesh.getNodes()
-    points = np.reshape(coordinates, (-1, 3))
-    index = _index_of(tags)
+    tags, coordinates, _ = gmsh.model.mesh.getNodes(returnParametricCoord=False)
+    points, index = np.reshape(coordinates, (-1, 3)), _index_of(tags)
     parts: list[Cells] = []
     elements: list[Any] = []
-    dimensions: list[int] = []
-    for kind in gmsh.model.mesh.getElementTypes():
-        own, nodes = gmsh.model.mesh.getElementsByType(kind)
-        cells, dimension = _cells_of(gmsh, int(kind), index[np.asarray(nodes, np.int64)], len(own), source)
-        parts.append(cells)
-        elements.append(own)
-        dimensions.append(dimension)
+    rows: dict[tuple[int, int], list[tuple[int, int]]] = {}  # of each entity: where its elements begin and end
+    count = 0
+    for entity in gmsh.model.getEntities():
+        for kind, own, nodes in zip(*gmsh.model.mesh.getElements(*entity)):
+            parts.append(_cells_of(gmsh, int(kind), index[np.asarray(nodes, np.int64)], len(own), source))
+            elements.append(np.asarray(own, np.int64))
+            rows.setdefault(tuple(entity), []).append((count, count + len(own)))
+            count += len(own)
     raw = Raw(points, linear.joined(parts), source=source, reader="Gmsh")
-    _in_order(raw, np.concatenate(elements) if elements else np.empty(0, np.int64))
-    _add_groups(gmsh, raw, max(dimensions, default=0))
+    place = _in_order(raw, np.concatenate(elements) if elements else np.empty(0, np.int64))
+    _add_groups(gmsh, raw, rows, place)
     return raw
 
 
@@ -144,37 +177,41 @@ def _index_of(tags: Any) -> Indices:
     return index
 
 
-def _cells_of(gmsh: Any, kind: int, nodes: Indices, count: int, source: str) -> tuple[Cells, int]:
+def _cells_of(gmsh: Any, kind: int, nodes: Indices, count: int, source: str) -> Cells:
     name, dimension, _, width, _, corners = gmsh.model.mesh.getElementProperties(kind)
     known, order = _TYPES.get(kind, (_LAGRANGE.get((dimension, corners), 0), None))
     if known == 0:
         raise MeshError(source, f"{count} cells have the type '{name}'", "its cells have to be divided into linear ones first")
     rows = nodes.reshape(count, width)
-    return linear.uniform(known, rows if order is None else rows[:, order]), dimension
+    return linear.uniform(known, rows if order is None else rows[:, order])
 
 
-def _in_order(raw: Raw, tags: Any) -> None:
-    """Cells by their tags, as in the file. The tags are kept to find the members of groups."""
-    tags = np.asarray(tags, np.int64)
-    if np.any(np.diff(tags) < 0):
-        order = np.argsort(tags, kind="stable")
-        raw.cells, tags = raw.cells.some(order), tags[order]
+def _in_order(raw: Raw, tags: Indices) -> Indices | None:
+    """Cells by their tags, as in the file; gives where each cell has gone, None if all stay."""
     raw.data["gmsh:tag"] = tags
+    if not np.any(tags[1:] < tags[:-1]):
+        return None
+    order = np.argsort(tags, kind="stable")
+    raw.cells, raw.data["gmsh:tag"] = raw.cells.some(order), tags[order]
+    place = np.empty(len(order), np.int64)
+    place[order] = np.arange(len(order))
+    return place
 
 
-def _add_groups(gmsh: Any, raw: Raw, highest: int) -> None:
+def _add_groups(gmsh: Any, raw: Raw, rows: dict[tuple[int, int], list[tuple[int, int]]], place: Indices | None) -> None:
     """Physical groups; those of cells are regions where no cell is in two of them."""
-    tags = raw.data["gmsh:tag"]
-    labels, is_in_two = np.zeros(len(tags), np.int32), False
+    labels, is_in_two = np.zeros(len(raw.cells.types), np.int32), False
+    highest = max((dimension for dimension, _ in rows), default=0)
     for dimension, number in gmsh.model.getPhysicalGroups():
         if dimension not in (highest, highest - 1):
             continue
         entities = gmsh.model.getEntitiesForPhysicalGroup(dimension, number)
-        members = _members(gmsh, dimension, entities, tags)
+        members = _members([part for entity in entities for part in rows.get((dimension, int(entity)), ())], place)
         if len(members) == 0:
             continue
-        name = gmsh.model.getPhysicalName(dimension, number)
-        raw.groups[name or str(number)] = np.union1d(raw.groups.get(name or str(number), members), members)
+        name = gmsh.model.getPhysicalName(dimension, number).strip()  # MED's are padded
+        before = raw.groups.get(name or str(number))
+        raw.groups[name or str(number)] = members if before is None else np.concatenate([before, members])
         if dimension != highest:
             raw.numbers[name or str(number)] = number
             continue
@@ -188,7 +225,6 @@ def _add_groups(gmsh: Any, raw: Raw, highest: int) -> None:
         raw.region_names = {}
 
 
-def _members(gmsh: Any, dimension: int, entities: Any, tags: Indices) -> Indices:
-    found = [np.concatenate(gmsh.model.mesh.getElements(dimension, int(entity))[1] or [np.empty(0)]) for entity in entities]
-    own = np.sort(np.concatenate(found).astype(np.int64)) if found else np.empty(0, np.int64)
-    return np.searchsorted(tags, own)
+def _members(parts: list[tuple[int, int]], place: Indices | None) -> Indices:
+    found = np.concatenate([np.empty(0, np.int64), *(np.arange(first, end) for first, end in parts)])
+    return found if place is None else place[found]

@@ -14,6 +14,13 @@ from .ragged import groups_by_number
 from .raw import Raw
 
 _TYPES = {0: (1, 1), 1: (3, 2), 2: (5, 3), 3: (9, 4), 4: (10, 4), 5: (12, 8), 6: (13, 6), 7: (14, 5)}  # of Geometry: VTK's, corners
+_SQUARE = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)]
+_TRIANGLE = [_SQUARE[0], _SQUARE[1], _SQUARE[3]]
+_TOP = (0.0, 0.0, 1.0)
+_REFERENCE = {  # corners of the reference elements
+    **{0: _SQUARE[:1], 1: _SQUARE[:2], 2: _TRIANGLE, 3: _SQUARE, 4: [*_TRIANGLE, _TOP], 7: [*_SQUARE, _TOP]},
+    **{5: [*_SQUARE, *((x, y, 1.0) for x, y, _ in _SQUARE)], 6: [*_TRIANGLE, *((x, y, 1.0) for x, y, _ in _TRIANGLE)]},
+}
 _WAY_ON = "a program of MFEM can write it anew"
 
 
@@ -22,10 +29,12 @@ def read(path: str, source: str, format: str, quadratic: str = "corners") -> Raw
     import mfem.ser as mfem
 
     try:
-        mesh = mfem.Mesh(path, 1, 0)
+        mesh = mfem.Mesh(path, 1, 0, False)  # cells stay as they are turned, and nothing is printed
     except Exception as error:
         reason = str(error).partition("MFEM abort:")[2].partition("...")[0].strip() or str(error)
         raise MeshError(source, f"MFEM can't read it ({' '.join(reason.split())})", _WAY_ON) from error
+    if mesh.SpaceDimension() < 2:
+        raise MeshError(source, "it is a mesh of lines in one dimension", "a mesh of volumes, or of triangles, quads or polygons, is needed")
     notes = []
     if mesh.GetNodes() is not None:
         mesh, notes = _linear(mfem, mesh, quadratic)
@@ -89,9 +98,12 @@ def _cells(found: list[tuple[int, Any]]) -> Cells:
 
 
 def _corners(mfem: Any, transformation: Any, geometry: int) -> NDArray[np.float64]:
-    places = mfem.DenseMatrix()
-    transformation.Transform(mfem.cvar.Geometries.GetVertices(geometry), places)
-    return np.array(places.GetDataArray()).T
+    point = mfem.IntegrationPoint()
+    made = np.empty((_TYPES[geometry][1], transformation.GetSpaceDim()))
+    for i, corner in enumerate(_REFERENCE[geometry]):
+        point.Set3(*corner)
+        made[i] = transformation.Transform(point)
+    return made
 
 
 def _add_names(mesh: Any, raw: Raw, count: int) -> None:

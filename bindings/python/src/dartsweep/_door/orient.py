@@ -100,7 +100,8 @@ def _turned_back(mesh: Mesh) -> Mesh | None:
         raise MeshError(
             mesh.source,
             f"{len(wrong)} of {np.isin(mesh.types, single).sum()} cells of type {names} are inside out, the first is cell {wrong[0]}",
-            "flags=EnvironmentFlag.REORIENT mirrors them",
+            ('quadratic="split" follows the curves of the cells; ' if any("split" in note for note in mesh.notes) else "")
+            + "flags=EnvironmentFlag.REORIENT mirrors them",
         )
     if not whole:
         return None

@@ -105,7 +105,8 @@ def _rows(values: NDArray[Any], rows: Indices | None) -> NDArray[Any]:
 def _children(members: Any, parents: Indices | None, count: int) -> Indices:
     """Indices of the cells that come from members."""
     if parents is None:
-        return np.sort(np.asarray(members, np.int64))
+        chosen = np.asarray(members, np.int64)
+        return np.sort(chosen) if np.any(chosen[1:] < chosen[:-1]) else chosen
     is_member = np.zeros(count, np.bool_)
     is_member[members] = True
     return np.flatnonzero(is_member[parents])

@@ -39,6 +39,7 @@ LIBRARIES = {  # module to import, extra, title
     "gmsh": ("gmsh", "gmsh", "Gmsh"),
     "mfem": ("mfem", "mfem", "PyMFEM"),
     "moab": ("h5py", "moab", "h5py"),
+    "abaqus": ("numpy", "", "NumPy"),
     "surface": ("trimesh", "surfaces", "trimesh, TetGen"),
 }
 
@@ -62,12 +63,13 @@ DIALECTS = (
     _dialect("OpenFOAM", ".foam", "vtk:foam", "patches; polyhedra"),
     _dialect("AVS UCD", ".ucd .inp .avs", "vtk:ucd", "materials", r"(?:\s*#[^\n]*\n)*\s*\d+ +\d+ +\d+ +\d+ +\d+|\x07"),
     _dialect("Tecplot", ".tec .dat .plt", "meshio:tecplot vtk:tecplot", "cell data", r"(?is)(?:\s*#[^\n]*\n)*\s*(?:TITLE|VARIABLES|ZONE)"),
-    _dialect("Gmsh", ".msh .msh2 .msh4", "gmsh:msh meshio:gmsh", "physical groups, also overlapping ones; partitions", r"\s*\$(?!.*DOLFIN)"),
+    _dialect("Gmsh", ".msh .msh2 .msh4 .mesh", "gmsh:msh meshio:gmsh", "physical groups, also overlapping ones; partitions", r"\s*\$(?!.*DOLFIN)"),
     _dialect("ANSYS Fluent", ".msh .cas", "vtk:fluent meshio:ansys", "zones", r"\s*\("),
     _dialect("I-deas", ".unv", "gmsh:unv", "groups", r"\s*-1\s"),
     _dialect("MED", ".med", "gmsh:med meshio:med", "groups", r"\x89HDF"),
     _dialect("Nastran", ".bdf .nas .fem", "gmsh:bdf meshio:nastran", "properties as regions"),
-    _dialect("Abaqus", ".inp", "gmsh:inp meshio:abaqus", "sets of elements", r"\s*\*"),
+    _dialect("Abaqus", ".inp", "abaqus:inp", "sets of elements; surfaces", r"\s*\*"),
+    _dialect("Diffpack", ".diff", "gmsh:diff", "materials"),
     _dialect("MFEM", ".mesh .mfem", "mfem:mfem", "attributes as regions and surfaces, with names; curves", r"\s*MFEM "),
     _dialect("Netgen, neutral", ".mesh", "mfem:netgen", "sub-domains", r"\s*(?:NETGEN|areamesh2|curved_areamesh2)"),
     _dialect("Medit", ".mesh .meshb", "meshio:medit gmsh:mesh", "references as regions and surfaces", r"(?:\s*#[^\n]*\n)*\s*MeshVersionFormatted|\x01\0\0\0|\0\0\0\x01"),
@@ -82,7 +84,8 @@ DIALECTS = (
     _dialect("PERMAS", ".post .dato", "meshio:permas", "cells only"),
     _dialect("AFLR", ".ugrid", "meshio:ugrid", "references"),
     _dialect("H5M of meshio", ".hmf", "meshio:hmf", "cell data"),
-    _dialect("Surfaces", ".stl .obj .ply .off", "surface:surface", "the wall; the inside is filled with tetrahedra"),
+    _dialect("OFF", ".off", "meshio:off", "triangles"),
+    _dialect("Surfaces", ".stl .obj .ply", "surface:surface", "the wall; the inside is filled with tetrahedra"),
 )
 
 

@@ -54,7 +54,7 @@ def _leaves(data: Any, name: str) -> Any:
         for i in range(_count(data)):
             child, own = _child(data, i)
             is_group = child is not None and not child.IsA("vtkDataSet")
-            yield from _leaves(child, name if own is None or is_group and name == "" and _count(data) == 1 else own)
+            yield from _leaves(child, name if own in (None, "Internal") or is_group and name == "" and _count(data) == 1 else own)
     elif data.IsA("vtkPartitionedDataSetCollection"):
         for i in range(data.GetNumberOfPartitionedDataSets()):
             yield from _leaves(data.GetPartitionedDataSet(i), _name_in(data, i) or f"{i}")

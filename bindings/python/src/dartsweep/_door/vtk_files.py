@@ -12,6 +12,7 @@ from ..errors import MeshError
 from . import blocks, vtk_data
 from .raw import Raw
 
+_WEDGES_AS_IN_GMSH = {"foam": False, "cgns": True, "exodus": True}  # readers that give one order with every VTK
 _WAY_ON = "a program that reads the file can write it anew, such as ParaView or meshio"
 
 
@@ -20,8 +21,7 @@ def read(path: str, source: str, format: str) -> Raw:
     if format == "pvd":
         return _collection(path, source)
     data = _caught(source, lambda: _READERS[format](path))
-    as_in_gmsh = False if format == "foam" else None  # its reader kept the order that VTK had before 9.7
-    raw = vtk_data.raw_of(data, source, "VTK", as_in_gmsh)
+    raw = vtk_data.raw_of(data, source, "VTK", _WEDGES_AS_IN_GMSH.get(format))
     if format == "exodus":
         _name_exodus(raw)
     return raw
@@ -126,7 +126,8 @@ def _foam(path: str) -> Any:
 
     reader = vtkOpenFOAMReader()
     reader.SetFileName(path)
-    reader.DecomposePolyhedraOff()
+    if hasattr(reader, "SetDecomposePolyhedra"):  # before VTK 9.5
+        reader.SetDecomposePolyhedra(0)
     reader.ReadZonesOn()
     reader.CacheMeshOff()
     reader.UpdateInformation()

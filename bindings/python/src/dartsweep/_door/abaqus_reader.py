@@ -1,0 +1,190 @@
+"""Input files of Abaqus and CalculiX: nodes, elements, sets of elements and surfaces of a flat file or of one part."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ..errors import MeshError
+from . import linear
+from .mesh import Indices
+from .ragged import offsets_of
+from .raw import Raw
+
+_SOLID = {4: 10, 5: 14, 6: 13, 8: 12, 10: 24, 13: 27, 15: 26, 18: 32, 20: 25, 27: 29}  # by the number of nodes: VTK's type
+_SHELL = {3: 5, 4: 9, 6: 22, 7: 34, 8: 23, 9: 28}
+_LINE = {2: 3, 3: 21}
+_SIDES = {  # of VTK's types: corners of the sides S1, S2, ...
+    10: [(0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)],
+    12: [(0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)],
+    13: [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)],
+    14: [(0, 1, 2, 3), (0, 4, 1), (1, 4, 2), (2, 4, 3), (3, 4, 0)],
+    5: [(0, 1), (1, 2), (2, 0)],
+    9: [(0, 1), (1, 2), (2, 3), (3, 0)],
+}
+_CORNERS_OF = {24: 10, 25: 12, 29: 12, 26: 13, 27: 14, 22: 5, 34: 5, 23: 9, 28: 9}
+_SOLIDS, _SHELLS = re.compile(r"(?:C|DC|AC|F|Q|EC|EMC|UC)3D(\d+)|(SC)(\d)"), re.compile(r"(?:CP[ES]|CPEG|CAX|S|STRI|M3D|SFM3D|DS|R3D|DC2D|AC2D|ACAX|DCAX)(\d)")
+_LINES, _POINTS = re.compile(r"(?:T[23]D|B[23]|R2D|CONN?3D|F[23]D|GAP|PIPE|DASHPOT|SPRING)"), re.compile(r"(?:MASS|ROTARY)")
+_WAY_ON = "the program that made it can write a flat file, or Exodus or VTK"
+
+
+def read(path: str, source: str, format: str) -> Raw:
+    """The cells of a file. Sets of elements and surfaces are groups."""
+    made = _Reading(path, source)
+    try:
+        made.run()
+        return made.raw()
+    except (ValueError, IndexError, KeyError, OSError) as error:
+        if isinstance(error, MeshError):
+            raise
+        raise MeshError(source, f"it is not as Abaqus writes it ({error})", _WAY_ON) from error
+
+
+class _Reading:
+    """What has been read of a file up to some line."""
+
+    def __init__(self, path: str, source: str) -> None:
+        self.path, self.source = path, source
+        self.nodes: list[str] = []
+        self.elements: list[tuple[int, int, list[str]]] = []  # type of VTK, nodes, rows
+        self.sets: dict[str, list[Any]] = {}  # numbers and names of other sets
+        self.surfaces: dict[str, list[list[str]]] = {}
+        self.parts = 0
+
+    def run(self) -> None:
+        for keyword, options, rows in _blocks(self.path):
+            if keyword == "NODE":
+                self.nodes += rows
+            elif keyword == "ELEMENT":
+                self._add_elements(options, rows)
+            elif keyword == "ELSET":
+                self._add_set(options, rows)
+            elif keyword == "SURFACE" and options.get("TYPE", "ELEMENT").upper() == "ELEMENT":
+                self.surfaces[options.get("NAME", "")] = [[word.strip() for word in row.split(",")] for row in rows]
+            elif keyword == "INSTANCE":
+                self.parts += 1
+                if self.parts > 1 or rows:
+                    raise MeshError(self.source, "it has parts that are placed several times or elsewhere", _WAY_ON)
+
+    def _add_elements(self, options: dict[str, str], rows: list[str]) -> None:
+        name = options.get("TYPE", "").upper()
+        kind, width = self._type_of(name)
+        numbers = np.array(" ".join(rows).replace(",", " ").split(), np.int64)
+        count = sum(not before.endswith(",") for before in ["", *rows[:-1]]) if rows else 0
+        if count and len(numbers) != count * (width + 1):
+            width = len(numbers) // count - 1
+            of_width = _SOLID if linear.DIMENSION[kind] == 3 else _SHELL
+            if len(numbers) % count or width not in of_width:
+                raise MeshError(self.source, f"elements of type {name} have {width} nodes", _WAY_ON)
+            kind = of_width[width]  # Gmsh calls wedges of 15 nodes C3D6
+        numbers = numbers.reshape(-1, width + 1)
+        self.elements.append((kind, width, [numbers]))
+        if "ELSET" in options:
+            self.sets.setdefault(options["ELSET"], []).append(numbers[:, 0])
+
+    def _type_of(self, name: str) -> tuple[int, int]:
+        solid, shell = _SOLIDS.match(name), _SHELLS.match(name)
+        if solid:
+            width = int(solid.group(1) or solid.group(3))
+            if width in _SOLID:
+                return _SOLID[width], width
+        elif shell and int(shell.group(1)) in _SHELL:
+            return _SHELL[int(shell.group(1))], int(shell.group(1))
+        elif _POINTS.match(name):
+            return 1, 1
+        elif _LINES.match(name):
+            width = 3 if name.startswith(("B32", "B22", "T3D3", "T2D3")) else 2
+            return _LINE[width], width
+        raise MeshError(self.source, f"elements have the type '{name}'", "its elements have to be exported as solids or shells")
+
+    def _add_set(self, options: dict[str, str], rows: list[str]) -> None:
+        own = self.sets.setdefault(options.get("ELSET", ""), [])
+        words = [[word.strip() for word in row.split(",") if word.strip()] for row in rows]
+        if "GENERATE" in options:
+            for row in words:
+                first, last = int(row[0]), int(row[1])
+                own.append(np.arange(first, last + 1, int(row[2]) if len(row) > 2 else 1))
+        else:
+            for word in (word for row in words for word in row):
+                own.append(np.array([int(word)]) if word.lstrip("-").isdigit() else word)
+
+    def raw(self) -> Raw:
+        table = np.array([row.split(",")[:4] for row in self.nodes], np.float64)
+        ids = table[:, 0].astype(np.int64)
+        index = _index_of(ids)
+        numbers = [block[2][0] for block in self.elements]
+        parts = [linear.uniform(kind, index[rows[:, 1:]]) for (kind, _, _), rows in zip(self.elements, numbers)]
+        raw = Raw(table[:, 1:], linear.joined(parts), source=self.source, reader="NumPy")
+        if len(raw.cells.flat) and raw.cells.flat.min() < 0:
+            raise MeshError(self.source, "an element names a node that is not there", "the file is damaged")
+        of_element = _index_of(np.concatenate([np.empty(0, np.int64), *(rows[:, 0] for rows in numbers)]))
+        for name in self.sets:
+            members = self._members(name, of_element, ())
+            if len(members):
+                raw.groups[name] = members
+        for name, rows in self.surfaces.items():
+            self._add_surface(raw, name, rows, of_element)
+        return raw
+
+    def _members(self, name: str, of_element: Indices, above: tuple[str, ...]) -> Indices:
+        found = [np.empty(0, np.int64)]
+        key = next((known for known in self.sets if known.upper() == name.upper()), None)
+        for part in self.sets[key] if key is not None and key not in above else ():
+            if isinstance(part, str):
+                found.append(self._members(part, of_element, (*above, name)))
+            else:
+                known = part[(part >= 0) & (part < len(of_element))]
+                found.append(of_element[known][of_element[known] >= 0])
+        return np.unique(np.concatenate(found))
+
+    def _add_surface(self, raw: Raw, name: str, rows: list[list[str]], of_element: Indices) -> None:
+        """Rows name an element or a set, and a side."""
+        faces: list[Indices] = []
+        for row in rows:
+            side = re.fullmatch(r"S(\d)", row[1].upper()) if len(row) > 1 else None
+            members = np.array([of_element[int(row[0])]]) if row[0].isdigit() else self._members(row[0], of_element, ())
+            if side is None:
+                if len(members) and np.all(linear.DIMENSION[raw.cells.types[members]] == 2):
+                    raw.groups[name] = np.union1d(raw.groups.get(name, members), members)
+                continue
+            for cell in members.tolist():
+                kind = int(raw.cells.types[cell])
+                sides = _SIDES.get(_CORNERS_OF.get(kind, kind), [])
+                if int(side.group(1)) <= len(sides):
+                    faces.append(raw.cells.flat[raw.cells.offsets[cell] + np.array(sides[int(side.group(1)) - 1])])
+        if faces:
+            raw.sides.append((name, offsets_of([len(face) for face in faces]), np.concatenate(faces)))
+
+
+def _index_of(ids: Indices) -> Indices:
+    index = np.full(int(ids.max(initial=0)) + 1, -1, np.int64)
+    index[ids] = np.arange(len(ids))
+    return index
+
+
+def _blocks(path: str) -> Iterator[tuple[str, dict[str, str], list[str]]]:
+    """Keywords with their options and rows, also those of included files."""
+    keyword, options, rows = "", dict[str, str](), list[str]()
+    with open(path, encoding="latin-1") as file:
+        for line in file:
+            if line.startswith("**") or not line.strip():
+                continue
+            if not line.startswith("*"):
+                rows.append(line.strip())
+                continue
+            yield keyword, options, rows
+            keyword, options = _keyword(line)
+            rows = []
+            if keyword == "INCLUDE":
+                yield from _blocks(os.path.join(os.path.dirname(path), options.get("INPUT", "")))
+    yield keyword, options, rows
+
+
+def _keyword(line: str) -> tuple[str, dict[str, str]]:
+    words = [word.strip() for word in line.strip()[1:].split(",")]
+    pairs = [word.partition("=") for word in words[1:]]
+    return words[0].upper(), {key.strip().upper(): value.strip().strip('"') for key, _, value in pairs}
