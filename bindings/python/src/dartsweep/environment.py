@@ -32,6 +32,7 @@ from ._core import (
     VolumeId,
 )
 from ._names import Labels, Named, Names, changes_topology
+from ._names import PlaneFrame as PlaneFrame
 from .enums import CellType, Location, Mark
 from .options import options as described
 

@@ -34,8 +34,21 @@ _ENDINGS = (".obj", ".ply", ".stl", ".vtk", ".vtp")
 _START = "import runpy, sys; sys.path[:] = sys.argv[2:]; runpy.run_path(sys.argv[1], run_name='__main__')"
 
 
-class SurfaceError(ValueError):
+try:
+    from .errors import MeshError
+except ImportError:  # this file alone, without the package
+    MeshError = ValueError  # type: ignore[misc, assignment]
+
+
+class SurfaceError(MeshError):
     """A surface can't be read or filled. The text names the surface and tells what is wrong and where."""
+
+    def __init__(self, found: str, file: str = "surface") -> None:
+        ValueError.__init__(self, found, file)
+        self.file, self.found, self.way_on = file, found, found.rpartition("; ")[2]
+
+    def __str__(self) -> str:
+        return f"{self.file}: {self.found}"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -109,12 +122,8 @@ def fill(
         points, triangles = _arrays(surface)
         return FilledSurface(*_in_own_process(points, triangles, scale, parts, largest_hole, outside, size, thickness, repair))
     except SurfaceError as error:
-        raise _named(error, surface) from error.__cause__
-
-
-def _named(error: SurfaceError, surface: Any) -> SurfaceError:
-    is_path = isinstance(surface, (str, os.PathLike))
-    return SurfaceError(f"surface '{os.fspath(surface)}': {error}" if is_path else f"surface: {error}")
+        is_path = isinstance(surface, (str, os.PathLike))
+        raise SurfaceError(error.found, f"surface '{os.fspath(surface)}'" if is_path else "surface") from error.__cause__
 
 
 def _missing(name: str) -> ImportError:
