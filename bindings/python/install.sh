@@ -15,6 +15,8 @@ if ! cmp -s "$out/requirements.txt" "$venv/installed.txt"; then
   "$venv/bin/pip" install -q --no-compile -r "$out/requirements.txt"
   cp "$out/requirements.txt" "$venv/installed.txt"
 fi
+other=$out/vtk-9.6.2 # wedges and polyhedra are tested with a release from before VTK 9.7, too
+[ -d "$other" ] || "$venv/bin/pip" install -q --no-compile --no-deps --target "$other" vtk==9.6.2
 export PATH=$venv/bin:$PATH # its SWIG rather than Debian's
 rm -rf "$out/dist"
 python -m build --no-isolation --outdir "$out/dist" \

@@ -5,6 +5,7 @@ cd "$(dirname "$0")/../.."
 python=$PWD/build/python/venv/bin/python
 tests=$PWD/build/python/tests.xml
 
+export DARTSWEEP_OTHER_VTK=$PWD/build/python/vtk-9.6.2
 "$python" -m pytest bindings/python --junitxml="$tests"
 for example in "$PWD"/bindings/python/examples/*.py; do (cd build/python && "$python" "$example"); done # one leaves a picture
 "$python" -m pytest examples/planning examples/insertion

@@ -11,7 +11,7 @@ import numpy as np
 import pyvista
 from numpy.typing import NDArray
 
-from ._door import own
+from ._door import own, vtk_data
 from .body import Body
 from .enums import CellType
 from .environment import Environment, Records
@@ -21,7 +21,7 @@ from .trace import Trace
 
 def grid(environment: Environment) -> pyvista.UnstructuredGrid:
     """The volumes of an environment where they are now, with `volume` (its index), `region`, `tag`, `marked` (by its own mark) and
-    `impassable` of each. Names and the marks of faces, edges and vertices are fields. A file of it, in .vtu, .vtk or .vtkhdf, is read as
+    `impassable` of each. Wedges are numbered as in the installed VTK. Names and the marks of faces, edges and vertices are fields. A file of it, in .vtu, .vtk or .vtkhdf, is read as
     the same environment.
 
     For pictures and files: every volume is asked for, one by one.
@@ -35,6 +35,7 @@ def grid(environment: Environment) -> pyvista.UnstructuredGrid:
             cell = np.concatenate([[len(faces)], *(np.insert(face, 0, len(face)) for face in faces)])
         else:
             cell = environment.vertices(volume)["index"]
+            cell = vtk_data.wedge(cell) if counts.type == CellType.WEDGE else cell
         cells.append(np.insert(cell.astype(np.int64), 0, len(cell)))
         types.append(counts.type)
     made = pyvista.UnstructuredGrid(np.concatenate(cells), np.array(types, np.uint8), _in_space(environment.points()))

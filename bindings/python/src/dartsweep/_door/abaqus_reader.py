@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import MeshError
+from .error import MeshError
 from . import linear
 from .mesh import Indices
 from .ragged import offsets_of

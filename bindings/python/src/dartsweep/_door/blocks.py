@@ -44,13 +44,12 @@ def joined(parts: list[tuple[str, Raw]]) -> Raw:
 def _once(cells: Cells) -> tuple[Indices, Indices | None]:
     """Where each cell is once volumes that several blocks have, such as zones, are kept once; and which are kept, None if all are."""
     count = len(cells.types)
-    is_volume = linear.DIMENSION[cells.types] == 3
-    mixed = cells.flat.astype(np.uint64) * np.uint64(0x9E3779B97F4A7C15)
+    mixed = (cells.flat.astype(np.uint64) + np.uint64(1)) * np.uint64(0x9E3779B97F4A7C15)
     key = np.add.reduceat((mixed ^ (mixed >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9), cells.offsets[:-1])
-    order = np.lexsort((np.arange(count), key))
+    volumes = np.flatnonzero(linear.DIMENSION[cells.types] == 3)
+    order = volumes[np.argsort(key[volumes], kind="stable")]
     first = np.arange(count)
-    like_before = (key[order][1:] == key[order][:-1]) & is_volume[order][1:] & is_volume[order][:-1]
-    for i in np.flatnonzero(like_before) + 1:  # keys may be equal by chance
+    for i in np.flatnonzero(key[order][1:] == key[order][:-1]) + 1:  # keys may be equal by chance
         a, b = int(first[order[i - 1]]), int(order[i])
         rows = [np.sort(cells.flat[cells.offsets[cell] : cells.offsets[cell + 1]]) for cell in (a, b)]
         if cells.types[a] == cells.types[b] and np.array_equal(*rows):

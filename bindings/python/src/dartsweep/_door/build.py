@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import errors
 from ..environment import Environment
-from ..errors import MeshError
+from .error import MeshError
 from . import collapsed, orient, own
 from .labels import FACE_LABELS, regions_of
 from .mesh import Indices, Mesh

@@ -14,7 +14,7 @@ import tempfile
 from collections.abc import Iterator
 from typing import Any
 
-from ..errors import MeshError
+from .error import MeshError
 from . import abaqus_reader, gmsh_reader, meshio_reader, mfem_reader, moab_reader, vtk_files
 from .mesh import Mesh
 from .raw import Raw, mesh_of

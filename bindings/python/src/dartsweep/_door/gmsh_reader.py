@@ -5,13 +5,17 @@ from __future__ import annotations
 import contextlib
 import mmap
 import os
+import pickle
+import re
+import subprocess
+import sys
 import tempfile
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
-from ..errors import MeshError
+from .error import MeshError
 from . import linear
 from .linear import Cells
 from .mesh import Indices
@@ -28,28 +32,60 @@ _TYPES = {  # of Gmsh: VTK's type, and VTK's order of nodes where it is another
     19: (27, [0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12]),
 }
 _LAGRANGE = {(1, 2): 68, (2, 3): 69, (2, 4): 70, (3, 4): 71, (3, 8): 72, (3, 6): 73, (3, 5): 74}
+_START = "import sys; sys.path[:] = sys.argv[4:]; from dartsweep._door import gmsh_reader; gmsh_reader.write_to_stdout(*sys.argv[1:4])"
+_ELEMENT_OF_NASTRAN = re.compile(r"C(?:TETRA|PENTA|HEXA|PYRAM?|TRIA[R36]|QUAD[R48]?)\b", re.IGNORECASE)
 _WAY_ON = "Gmsh can write the mesh anew"
 
 
 def read(path: str, source: str, format: str) -> Raw:
-    """The cells of a file, in a model of its own; format: the ending by which Gmsh knows it."""
+    """The cells of a file; format: the ending by which Gmsh knows it."""
     import gmsh
 
-    with _own_model(gmsh), _known_ending(path, format) as known:
-        gmsh.logger.start()
-        try:
-            gmsh.merge(known)
-            raw = raw_of_model(source)
-            if format == "bdf" and raw.regions is None:
-                _label_entities(gmsh, raw)
-            _check_count(path, format, len(raw.cells.types), source)
-        except MeshError:
-            raise
-        except Exception as error:
-            raise MeshError(source, f"Gmsh can't read it ({_reason(gmsh, error)})", _WAY_ON) from error
-        finally:
-            gmsh.logger.stop()
+    if gmsh.isInitialized():  # its models stay as they are: MED's files would be added to one of the same name
+        return _in_own_process(path, source, format)
+    gmsh.initialize(readConfigFiles=False, interruptible=False)
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        with _known_ending(path, format) as known:
+            return _read(gmsh, path, known, source, format)
+    finally:
+        gmsh.finalize()
+
+
+def _read(gmsh: Any, path: str, known: str, source: str, format: str) -> Raw:
+    gmsh.logger.start()
+    try:
+        gmsh.merge(known)
+        raw = raw_of_model(source)
+        if format == "bdf" and raw.regions is None:
+            _label_entities(gmsh, raw)
+        _check_count(path, format, len(raw.cells.types), source)
+        return raw
+    except MeshError:
+        raise
+    except Exception as error:
+        raise MeshError(source, f"Gmsh can't read it ({_reason(gmsh, error)})", _WAY_ON) from error
+
+
+def _in_own_process(*arguments: str) -> Raw:
+    done = subprocess.run([sys.executable, "-c", _START, *arguments, *sys.path], capture_output=True, check=False)
+    if done.returncode != 0:
+        reason = done.stderr.decode(errors="replace").strip().rpartition("\n")[2]
+        raise MeshError(arguments[1], f"Gmsh has crashed ({reason})", _WAY_ON)
+    found = pickle.loads(done.stdout)
+    if isinstance(found, tuple):
+        raise MeshError(*found)
+    raw: Raw = found
     return raw
+
+
+def write_to_stdout(*arguments: str) -> None:
+    """What _in_own_process starts: a pickle of what was read, or of the arguments of a MeshError."""
+    try:
+        found: Any = read(*arguments)
+    except MeshError as error:
+        found = (error.file, error.found, error.way_on)
+    sys.stdout.buffer.write(pickle.dumps(found))
 
 
 def _label_entities(gmsh: Any, raw: Raw) -> None:
@@ -64,7 +100,10 @@ def _label_entities(gmsh: Any, raw: Raw) -> None:
 def _check_count(path: str, format: str, count: int, source: str) -> None:
     """Gmsh leaves out elements of types that it does not know, and keeps one of several with the same number, without a word."""
     declared = 0
-    if format == "unv":
+    if format == "bdf":
+        with open(path, encoding="latin-1") as lines:
+            declared = sum(_ELEMENT_OF_NASTRAN.match(line) is not None for line in lines)
+    elif format == "unv":
         declared = _declared_in_unv(path)
     elif format == "msh" and os.path.getsize(path) > 0:
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
@@ -108,30 +147,6 @@ def _declared_in_unv(path: str) -> int:
 def _reason(gmsh: Any, error: Exception) -> str:
     errors = [line.partition(":")[2].strip() for line in gmsh.logger.get() if line.startswith("Error")]
     return (errors or [str(error)])[0]
-
-
-@contextlib.contextmanager
-def _own_model(gmsh: Any) -> Iterator[None]:
-    """A new model, silent; afterwards all is as before."""
-    was_running = bool(gmsh.isInitialized())
-    if not was_running:
-        gmsh.initialize(readConfigFiles=False, interruptible=False)
-    before = gmsh.model.getCurrent() if was_running else ""
-    options = {name: gmsh.option.getNumber(name) for name in ("General.Terminal", "Mesh.IgnorePeriodicity", "General.AbortOnError")}
-    gmsh.option.setNumber("General.Terminal", 0)
-    gmsh.model.add("dartsweep")
-    try:
-        yield
-    finally:
-        if was_running:
-            gmsh.model.setCurrent("dartsweep")
-            gmsh.model.remove()
-            for name, value in options.items():
-                gmsh.option.setNumber(name, value)
-            if before in gmsh.model.list():
-                gmsh.model.setCurrent(before)
-        else:
-            gmsh.finalize()
 
 
 @contextlib.contextmanager

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import MeshError
+from .error import MeshError
 from .mesh import Indices, Mesh
 
 LABELS = (

@@ -8,11 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..enums import CellType
-from ..errors import MeshError
+from .error import MeshError
 from . import quadratics
 from .mesh import Indices
 from .ragged import offsets_of, positions, take
+
+POLYHEDRON = 42
+"""VTK's number, and that of CellType."""
 
 DIMENSION = np.full(256, -1, np.int8)
 """Of cells of each of VTK's types; -1 for those that no reader gives."""
@@ -142,7 +144,7 @@ def _prisms(rows: Indices) -> Cells:
     stream[:, 2 : 2 + n] = rows[:, :n][:, ::-1]
     stream[:, 3 + n : 3 + 2 * n] = rows[:, n:]
     stream[:, 3 + 2 * n :] = np.where(is_point, rows[:, np.where(is_point, sides, 0)], 4)
-    return uniform(int(CellType.POLYHEDRON), stream)
+    return uniform(POLYHEDRON, stream)
 
 
 def _strips(cells: Cells) -> list[tuple[Cells, Indices]]:
@@ -158,7 +160,7 @@ def _quadratic_polygons(made: Made, cells: Cells) -> Cells:
     """Corners are followed by the nodes of the sides: "split" takes both."""
     sizes = np.diff(cells.offsets) // 2
     corners = positions(cells.offsets[:-1], sizes)
-    types = np.full(len(sizes), CellType.POLYGON, np.uint8)
+    types = np.full(len(sizes), 7, np.uint8)
     if made.quadratic != "split":
         return Cells(types, offsets_of(sizes), cells.flat[corners])
     both = np.stack([cells.flat[corners], cells.flat[corners + np.repeat(sizes, sizes)]], axis=1)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import MeshError
+from .error import MeshError
 from . import linear, polyhedra
 from .linear import Cells
 from .mesh import Indices

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import MeshError
+from .error import MeshError
 from . import linear
 from .linear import Cells
 from .ragged import groups_by_number

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from .. import errors
 from ..enums import CellType
-from ..errors import MeshError
+from .error import MeshError
 from .mesh import Indices, Mesh
 from .ragged import positions
 

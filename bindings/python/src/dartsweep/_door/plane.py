@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._names import PlaneFrame
-from ..errors import MeshError
+from .error import MeshError
 from . import linear
 from .mesh import Mesh
 

@@ -7,13 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..enums import CellType
-from ..errors import MeshError
-from .linear import Cells
+from .error import MeshError
+from .linear import POLYHEDRON, Cells
 from .mesh import Indices
 from .ragged import offsets_of, positions
-
-_POLYHEDRON = int(CellType.POLYHEDRON)
 
 
 def cells_of_faces(face_counts: Any, face_sizes: Any, points: Any) -> Cells:
@@ -28,7 +25,7 @@ def cells_of_faces(face_counts: Any, face_sizes: Any, points: Any) -> Cells:
     is_point[offsets[:-1]] = is_point[face_starts] = False
     flat[is_point] = points
     flat[offsets[:-1]], flat[face_starts] = face_counts, face_sizes
-    return Cells(np.full(len(face_counts), _POLYHEDRON, np.uint8), offsets, flat)
+    return Cells(np.full(len(face_counts), POLYHEDRON, np.uint8), offsets, flat)
 
 
 def faces_of_cells(cells: Cells, source: str) -> tuple[Indices, Indices, Indices]:
@@ -55,7 +52,7 @@ def faces_of_cells(cells: Cells, source: str) -> tuple[Indices, Indices, Indices
 
 def consistent(points: NDArray[np.float64], cells: Cells, source: str) -> tuple[Cells, int]:
     """Cells with all faces of polyhedra counter-clockwise seen from outside; and in how many polyhedra faces had to be turned."""
-    rows = np.flatnonzero(cells.types == _POLYHEDRON)
+    rows = np.flatnonzero(cells.types == POLYHEDRON)
     if len(rows) == 0:
         return cells, 0
     some = cells.some(rows)

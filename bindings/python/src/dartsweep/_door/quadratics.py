@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import MeshError
+from .error import MeshError
 from .mesh import Indices
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import MeshError
+from .error import MeshError
 from . import linear, polyhedra
 from .linear import Cells
 from .mesh import Indices, Mesh

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import MeshError
+from .error import MeshError
 from . import blocks, polyhedra
 from .linear import Cells
 from .mesh import Indices
@@ -29,6 +29,11 @@ def wedges_are_as_in_gmsh() -> bool:
     from vtkmodules.vtkCommonCore import vtkVersion
 
     return (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) >= (9, 7)
+
+
+def wedge(corners: NDArray[Any]) -> NDArray[Any]:
+    """A wedge of Environment in the order of the installed VTK."""
+    return corners[_TURNED[13]] if wedges_are_as_in_gmsh() else corners
 
 
 def raw_of(data: Any, source: str, reader: str, wedges_as_in_gmsh: bool | None = None) -> Raw:

@@ -8,7 +8,7 @@ import xml.etree.ElementTree
 from collections.abc import Callable
 from typing import Any
 
-from ..errors import MeshError
+from .error import MeshError
 from . import blocks, vtk_data
 from .raw import Raw
 
@@ -24,6 +24,8 @@ def read(path: str, source: str, format: str) -> Raw:
     raw = vtk_data.raw_of(data, source, "VTK", _WEDGES_AS_IN_GMSH.get(format))
     if format == "exodus":
         _name_exodus(raw)
+    if format == "ucd":
+        raw.regions = raw.data.get("Material Id")
     return raw
 
 

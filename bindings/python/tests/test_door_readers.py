@@ -1,0 +1,243 @@
+"""Files of meshio, Gmsh, MFEM, MOAB and Abaqus: cells, sums of volumes, regions and patches, against what a second reader says."""
+
+from __future__ import annotations
+
+import pathlib
+from collections.abc import Iterator
+from typing import Any
+
+import meshio
+import numpy as np
+import pytest
+
+import dartsweep as ds
+from volumes import CUBE, PRISM, TETRA, box, content, volume_of
+
+
+def model(gmsh: Any, recombine: bool, order: int = 1) -> None:
+    """A square pipe by extrusion, in two regions, with an inlet; one group holds both regions."""
+    face = gmsh.model.occ.addRectangle(0, 0, 0, 1, 1)
+    low = gmsh.model.occ.extrude([(2, face)], 0, 0, 1, numElements=[2], recombine=recombine)
+    high = gmsh.model.occ.extrude([low[0]], 0, 0, 1, numElements=[1], recombine=recombine)
+    gmsh.model.occ.synchronize()
+    gmsh.model.addPhysicalGroup(3, [low[1][1]], 7, "lumen")
+    gmsh.model.addPhysicalGroup(3, [high[1][1]], 9, "tissue")
+    gmsh.model.addPhysicalGroup(2, [face], 3, "inlet")
+    gmsh.option.setNumber("Mesh.MeshSizeMin", 0.6)
+    gmsh.model.mesh.generate(3)
+    gmsh.model.mesh.setOrder(order)
+
+
+@pytest.fixture
+def gmsh() -> Iterator[Any]:
+    module = pytest.importorskip("gmsh", reason="the module gmsh needs libraries of the screen", exc_type=(ImportError, OSError))
+    module.initialize(readConfigFiles=False)
+    module.option.setNumber("General.Terminal", 0)
+    module.model.add("test")
+    yield module
+    module.finalize()
+
+
+@pytest.mark.parametrize("recombine", [False, True])
+def test_formats_of_gmsh_keep_cells_regions_and_patches(gmsh: Any, tmp_path: pathlib.Path, recombine: bool) -> None:
+    model(gmsh, recombine)
+    models, tags = gmsh.model.list(), gmsh.model.mesh.getElements(3)[1]
+    count, inlet = sum(map(len, tags)), sum(map(len, gmsh.model.mesh.getElements(2, 1)[1]))
+    of_lumen = gmsh.model.getEntitiesForPhysicalGroup(3, 7)
+    lumen = sum(len(own) for entity in of_lumen for own in gmsh.model.mesh.getElements(3, int(entity))[1])
+    with ds.from_gmsh() as environment:
+        assert environment.info.volume_count == count and volume_of(environment) == pytest.approx(2) and environment.notes == ()
+        assert environment.region_names == {"lumen": 7, "tissue": 9} and len(environment.faces("inlet")) == inlet
+    assert gmsh.model.getCurrent() == "test"
+    files = [("msh", version, binary) for version in (2.2, 4.0, 4.1) for binary in (0, 1) if (version, binary) != (4.0, 1)] + [("unv", 4.1, 0), ("med", 4.1, 0), ("inp", 4.1, 0)]
+    for ending, version, binary in files:
+        gmsh.option.setNumber("Mesh.MshFileVersion", version)
+        gmsh.option.setNumber("Mesh.Binary", binary)
+        path = str(tmp_path / f"pipe{version}-{binary}.{ending}")
+        gmsh.write(path)
+        with ds.read(path) as environment:
+            assert environment.info.volume_count == count and volume_of(environment) == pytest.approx(2), path
+            assert environment.mark_region("lumen")[0] == lumen and len(environment.faces("inlet")) == inlet, path
+            assert not any("inside out" in note for note in environment.notes), path
+    assert gmsh.model.getCurrent() == "test" and gmsh.model.list() == models
+    for ending, version in (("msh", 1), ("bdf", 4.1), ("cgns", 4.1), ("su2", 4.1), ("vtk", 4.1)):
+        gmsh.option.setNumber("Mesh.MshFileVersion", version)
+        gmsh.option.setNumber("Mesh.Binary", 0)
+        gmsh.write(str(tmp_path / f"plain.{ending}"))
+        with ds.read(tmp_path / f"plain.{ending}") as environment:
+            assert environment.info.volume_count == count and volume_of(environment) == pytest.approx(2), ending
+
+
+def test_partitioned_and_overlapping_groups_of_gmsh(gmsh: Any, tmp_path: pathlib.Path) -> None:
+    model(gmsh, False)
+    gmsh.model.addPhysicalGroup(3, [tag for _, tag in gmsh.model.getEntities(3)], 1, "all")
+    count = sum(map(len, gmsh.model.mesh.getElements(3)[1]))
+    gmsh.write(str(tmp_path / "overlap.msh"))
+    gmsh.model.mesh.partition(3)
+    gmsh.write(str(tmp_path / "parts.msh"))
+    for name in ("overlap", "parts"):
+        with ds.read(tmp_path / f"{name}.msh") as environment:
+            assert environment.info.volume_count == count and environment.info.part_count == 1 and volume_of(environment) == pytest.approx(2)
+            assert environment.mark_region("all")[0] == count and 0 < environment.mark_region("lumen", mark=False)[0] < count
+
+
+def test_gmsh_runs_no_options_beside_a_file(gmsh: Any, tmp_path: pathlib.Path) -> None:
+    model(gmsh, False)
+    path = tmp_path / "pipe.msh"
+    gmsh.write(str(path))
+    (tmp_path / "pipe.msh.opt").write_text(f'SystemCall "touch {tmp_path / "ran"}";\n')
+    with ds.read(path) as environment:
+        assert environment.info.volume_count > 0
+    assert not (tmp_path / "ran").exists()
+
+
+def test_elements_that_gmsh_leaves_out_are_told(tmp_path: pathlib.Path) -> None:
+    pytest.importorskip("gmsh", exc_type=(ImportError, OSError))
+    nodes = "".join(f"{i} {x} {y} {z}\n" for i, (x, y, z) in enumerate([*TETRA, (0, 0, -1)], 1))
+    path = tmp_path / "same.msh"
+    path.write_text(f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n{nodes}$EndNodes\n$Elements\n2\n4 4 2 0 1 1 2 3 4\n4 4 2 0 1 1 3 2 5\n$EndElements\n")
+    with ds.read(path) as environment:
+        assert environment.info.volume_count == 2 and "meshio read it, after: Gmsh keeps 1 of 2 elements" in environment.notes[0]
+
+
+def test_what_meshio_would_leave_out_is_not_lost(tmp_path: pathlib.Path) -> None:
+    import pyvista
+
+    voxel = pyvista.UnstructuredGrid(np.array([8, *range(8), 8, *range(8, 16)]), [11, 12], np.concatenate([CUBE[[0, 1, 3, 2, 4, 5, 7, 6]], CUBE + (1, 0, 0)]))
+    voxel.save(tmp_path / "both.vtu")
+    with ds.read(tmp_path / "both.vtu") as environment:
+        assert environment.info.volume_count == 2 and volume_of(environment) == pytest.approx(2)
+    from dartsweep._door import meshio_reader
+
+    with pytest.raises(ds.MeshError, match="meshio would leave out a part"):
+        meshio_reader.read(str(tmp_path / "both.vtu"), "the file", "vtu")
+
+
+def test_polyhedra_of_meshio() -> None:
+    faces = [[0, 1, 5, 4], [1, 2, 6, 5], [7, 6, 2, 3], [3, 0, 4, 7], [0, 1, 2, 3], [4, 5, 6, 7]]  # turned both ways
+    with ds.from_meshio(meshio.Mesh(CUBE, [("polyhedron8", [[np.array(face) for face in faces]])])) as environment:
+        assert environment.volume_counts(environment.volume_id(0)).type == ds.CellType.POLYHEDRON and volume_of(environment) == pytest.approx(1)
+        assert "faces of 1 polyhedra were turned" in environment.notes[0]
+
+
+def test_sets_that_name_cells_that_are_not_there_are_errors() -> None:
+    both = meshio.Mesh(TETRA, [("triangle", [[0, 1, 2]]), ("tetra", [[0, 1, 2, 3]])], cell_sets={"default": [np.array([0, 1]), np.array([0])]})
+    with pytest.raises(ds.MeshError, match="the set 'default' names cell 1 of a block of 1 cells"):
+        ds.from_meshio(both)
+
+
+ABAQUS = """*HEADING
+two cells
+*NODE
+{nodes}
+*ELEMENT, TYPE=C3D8R
+1, 1, 2, 3, 4, 5, 6, 7, 8
+*ELEMENT, type=C3D6, ELSET=tissue
+2, 2, 9, 3,
+6, 10, 7
+*ELSET, ELSET=all, GENERATE
+1, 2, 1
+*ELSET, ELSET=both
+all, tissue
+*SURFACE, NAME=inlet, TYPE=ELEMENT
+1, S1
+tissue, S1
+** the end
+"""
+
+
+def test_sets_and_surfaces_of_abaqus(tmp_path: pathlib.Path) -> None:
+    nodes = "\n".join(f"{i}, {x}, {y}, {z}" for i, (x, y, z) in enumerate([*CUBE, (2, 0, 0), (2, 0, 1)], 1))
+    (tmp_path / "two.inp").write_text(ABAQUS.format(nodes=nodes))
+    with ds.read(tmp_path / "two.inp") as environment:
+        assert volume_of(environment) == pytest.approx(1.5) and environment.notes == ()
+        wedge = environment.volume_id(1)
+        assert environment.volume_counts(wedge).type == ds.CellType.WEDGE
+        assert environment.mark_region("tissue")[0] == 1 and environment.is_impassable(wedge)
+        assert environment.mark_region("both")[0] == 2 and len(environment.faces("inlet")) == 2
+
+
+MFEM = """MFEM mesh v1.3
+
+dimension
+3
+
+elements
+2
+1 6 0 1 2 3 4 5
+2 4 0 2 1 6
+
+attribute_sets
+1
+"tip" 1 2
+
+boundary
+1
+5 2 3 4 5
+
+bdr_attribute_sets
+1
+"outlet" 1 5
+
+vertices
+7
+3
+{nodes}
+
+mfem_mesh_end
+"""
+
+
+def test_attributes_and_curves_of_mfem(tmp_path: pathlib.Path) -> None:
+    mfem = pytest.importorskip("mfem.ser")
+    path = tmp_path / "two.mesh"
+    path.write_text(MFEM.format(nodes="\n".join("%g %g %g" % tuple(point) for point in [*PRISM, (0, 0, -1)])))
+    with ds.read(path) as environment:
+        assert volume_of(environment) == pytest.approx(0.5 + 1 / 6) and environment.regions() == [1, 2] and environment.notes == ()
+        assert environment.mark_region("tip")[0] == 1 and len(environment.faces("outlet")) == 1
+    second = mfem.Mesh(str(path), 1, 0)
+    assert sum(second.GetElementVolume(i) for i in range(second.GetNE())) == pytest.approx(0.5 + 1 / 6)
+    curved = mfem.Mesh.MakeCartesian2D(3, 3, mfem.Element.QUADRILATERAL, True, 3.0, 3.0)
+    curved.SetCurvature(2)
+    curved.Print(str(tmp_path / "curved.mesh"))
+    for quadratic, count in (("corners", 9), ("split", 36)):
+        with ds.read(tmp_path / "curved.mesh", quadratic=quadratic) as environment:
+            assert environment.info.volume_count == count and volume_of(environment) == pytest.approx(9)
+            assert ("degree 2" in "".join(environment.notes)) == (quadratic == "corners")
+
+
+def test_sets_of_moab(tmp_path: pathlib.Path) -> None:
+    h5py = pytest.importorskip("h5py")
+    with h5py.File(tmp_path / "two.h5m", "w") as file:
+
+        def put(name: str, data: Any, **attributes: Any) -> None:
+            file["tstt/" + name] = np.asarray(data)
+            file["tstt/" + name].attrs.update(attributes)
+
+        put("nodes/coordinates", [*PRISM, (0.0, 0.0, -1.0)], start_id=1)
+        put("elements/Prism6/connectivity", [[1, 2, 3, 4, 5, 6]], start_id=8)
+        put("elements/Tet4/connectivity", [[1, 3, 2, 7]], start_id=9)
+        put("elements/Tri3/connectivity", [[4, 5, 6]], start_id=10)
+        put("sets/list", [[1, -1, -1, 8], [2, -1, -1, 0], [3, -1, -1, 0]], start_id=11)
+        put("sets/contents", [8, 1, 9, 10])
+        put("tags/MATERIAL_SET/id_list", [11, 12])
+        put("tags/MATERIAL_SET/values", [4, 6])
+        put("tags/NEUMANN_SET/id_list", [13])
+        put("tags/NEUMANN_SET/values", [2])
+        put("tags/NAME/id_list", [12])
+        put("tags/NAME/values", np.array([b"tip"], "S32"))
+    with ds.read(tmp_path / "two.h5m") as environment:
+        assert volume_of(environment) == pytest.approx(0.5 + 1 / 6) and environment.notes == ()
+        assert environment.regions() == [4, 6] and environment.mark_region("tip")[0] == 1 and len(environment.faces("2")) == 1
+
+
+def test_cells_of_meshio_with_gmsh_vtk_and_mfem_are_one_environment(tmp_path: pathlib.Path) -> None:
+    """A box of wedges, written by meshio and read by all."""
+    points, cells = box()
+    wedges = np.concatenate([cells[:, [0, 1, 2, 4, 5, 6]], cells[:, [0, 2, 3, 4, 6, 7]]])
+    mesh = meshio.Mesh(points, [("wedge", wedges)])
+    with ds.from_meshio(mesh) as direct:
+        for ending, options in (("vtu", {}), ("vtk", {}), ("xdmf", {"data_format": "XML"}), ("msh", {"file_format": "gmsh"})):
+            mesh.write(tmp_path / f"box.{ending}", **options)
+            with ds.read(tmp_path / f"box.{ending}") as environment:
+                assert content(environment) == content(direct), ending

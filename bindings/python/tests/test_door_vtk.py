@@ -1,0 +1,198 @@
+"""Files of VTK and of the formats that VTK reads, by the installed release and by another."""
+
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+from typing import Any
+
+import meshio
+import numpy as np
+import pytest
+import pyvista
+
+import dartsweep as ds
+from dartsweep import plot
+from releases import grids, main
+from scenario import vessel
+from volumes import CUBE, CUBE_FACES, PRISM, TETRA, content, volume_of
+
+OTHER = os.environ.get("DARTSWEEP_OTHER_VTK", "")
+VOLUMES = {"wedge": 0.5, "wedge15": 0.5, "polyhedron": 2.0, "prism": 1.5 * 3**0.5, "voxel": 1.0}
+
+
+def by(release: str, what: str, folder: pathlib.Path) -> Any:
+    """What another release of VTK writes or reads, in a process of its own."""
+    path = os.pathsep.join([release, str(pathlib.Path(__file__).parent)])
+    program = pathlib.Path(__file__).parent / "releases.py"
+    done = subprocess.run(
+        [sys.executable, str(program), what, str(folder)], env={**os.environ, "PYTHONPATH": path}, capture_output=True, text=True, check=True
+    )
+    return json.loads(done.stdout) if what == "read" else None
+
+
+@pytest.mark.parametrize("name", VOLUMES)
+@pytest.mark.parametrize("ending", ["vtu", "vtk"])
+def test_cells_that_the_installed_vtk_writes_are_right(tmp_path: pathlib.Path, name: str, ending: str) -> None:
+    main("write", tmp_path)
+    (path,) = tmp_path.glob(f"{name}-*.{ending}")
+    with ds.read(path) as environment, ds.from_pyvista(grids()[name]) as direct:
+        assert volume_of(environment) == pytest.approx(VOLUMES[name]) and content(environment) == content(direct)
+        assert not any("inside out" in note for note in environment.notes)
+
+
+@pytest.mark.skipif(not os.path.isdir(OTHER), reason="DARTSWEEP_OTHER_VTK names no folder with another release of VTK")
+def test_two_releases_of_vtk_read_what_each_writes_as_the_same_environment(tmp_path: pathlib.Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main("write", tmp_path)
+    by(OTHER, "write", tmp_path)
+    other = by(OTHER, "read", tmp_path)
+    main("read", tmp_path)
+    own = json.loads(capsys.readouterr().out)
+    assert own["version"] != other["version"] and len(own["read"]) == 20
+    older = min((own, other), key=lambda each: tuple(map(int, each["version"].split("."))))
+    for name, found in own["read"].items():
+        kind = name.split("-")[0]
+        assert found[0] == pytest.approx(VOLUMES[kind]), name
+        if older is other and kind == "polyhedron" and len(other["read"][name]) == 1:
+            continue  # an older release may refuse what a newer one writes, but says so
+        assert other["read"][name][0] == pytest.approx(VOLUMES[kind]), name
+        if kind not in ("wedge", "wedge15"):
+            assert other["read"][name][2] == found[2], name
+    turned = {name for name, found in own["read"].items() if found[1] > (1 if "wedge15" in name else 0) - 0 and "wedge" in name}
+    assert all(other["version"] in name for name in turned)
+
+
+def test_plot_has_wedges_as_the_installed_vtk_numbers_them(tmp_path: pathlib.Path) -> None:
+    with ds.Environment(PRISM, [[0, 2, 1, 3, 5, 4]]) as wedge:
+        made = plot.grid(wedge)
+        assert made.compute_cell_sizes()["Volume"][0] == pytest.approx(0.5)
+        made.save(tmp_path / "wedge.vtu")
+        with ds.read(tmp_path / "wedge.vtu") as again:
+            assert content(again) == content(wedge) and again.notes == ()
+
+
+def test_structured_grids_images_and_surfaces_of_vtk(tmp_path: pathlib.Path) -> None:
+    image = pyvista.ImageData(dimensions=(3, 4, 5), spacing=(0.5, 1, 2))
+    image.cell_data["material"] = np.arange(24, dtype=np.int32) // 12
+    for data, ending in (
+        (image, "vti"),
+        (image, "vtk"),
+        (image.cast_to_rectilinear_grid(), "vtr"),
+        (image.cast_to_rectilinear_grid(), "vtk"),
+        (image.cast_to_structured_grid(), "vts"),
+        (image.cast_to_structured_grid(), "vtk"),
+    ):
+        path = tmp_path / f"grid.{ending}"
+        data.save(path)
+        with ds.read(path) as environment:
+            assert environment.info.volume_count == 24 and environment.info.part_count == 1
+            assert volume_of(environment) == pytest.approx(1 * 3 * 8) and environment.regions() == [0, 1]
+    plane = pyvista.Plane(i_resolution=3, j_resolution=2)
+    plane.save(tmp_path / "plane.vtp")
+    with ds.read(tmp_path / "plane.vtp") as environment:
+        assert environment.dimension == 2 and environment.info.volume_count == 6 and volume_of(environment) == pytest.approx(1)
+
+
+def test_pieces_and_blocks_are_sewn(tmp_path: pathlib.Path) -> None:
+    halves = [pyvista.UnstructuredGrid({12: np.array([range(8)])}, CUBE + (shift, 0, 0)) for shift in (0, 1)]
+    blocks = pyvista.MultiBlock({"lumen": halves[0], "tissue": halves[1]})
+    blocks.save(tmp_path / "both.vtm")
+    for made in (ds.from_pyvista(blocks), ds.read(tmp_path / "both.vtm")):
+        with made as environment:
+            assert environment.info.part_count == 1 and environment.info.vertex_count == 12
+            assert environment.region_names == {"lumen": 1, "tissue": 2} and environment.mark_region("tissue")[0] == 1
+    crack = pyvista.UnstructuredGrid({12: np.array([range(8), range(8, 16)])}, np.concatenate([CUBE, CUBE + (1, 0, 0)]))
+    with ds.from_pyvista(pyvista.MultiBlock({"cracked": crack, "behind": halves[1].translate((1, 0, 0))})) as environment:
+        assert environment.info.part_count == 2  # the lips of the crack stay apart
+
+
+def test_ghost_cells_are_left_out_and_told() -> None:
+    grid = pyvista.UnstructuredGrid({12: np.array([range(8), range(8, 16)])}, np.concatenate([CUBE, CUBE]))
+    grid.cell_data["vtkGhostType"] = np.array([0, 1], np.uint8)
+    with ds.from_pyvista(grid) as environment:
+        assert environment.info.volume_count == 1 and "1 cells are hidden or belong to another piece" in environment.notes[0]
+
+
+def test_polyhedra_that_are_not_closed_are_an_error() -> None:
+    open_box = pyvista.UnstructuredGrid(
+        np.array([26, 5, *(number for face in CUBE_FACES[:5] for number in (4, *face))]), [42], CUBE
+    )
+    with pytest.raises(ds.MeshError, match="the faces of polyhedron 0 do not close it"):
+        ds.from_pyvista(open_box)
+
+
+def test_vtkhdf_and_other_compressors(tmp_path: pathlib.Path) -> None:
+    from vtkmodules.vtkIOHDF import vtkHDFWriter
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
+    points, cells, regions = vessel()
+    grid = pyvista.UnstructuredGrid({12: np.asarray(cells)}, points)
+    grid.cell_data["region"] = np.asarray(regions, np.int32)
+    with ds.from_pyvista(grid) as direct:
+        for writer, name in ((vtkHDFWriter(), "vessel.vtkhdf"), (vtkXMLUnstructuredGridWriter(), "vessel.vtu")):
+            writer.SetInputData(grid)
+            writer.SetFileName(str(tmp_path / name))
+            if name.endswith("vtu"):
+                writer.SetCompressorTypeToLZ4()
+            writer.Write()
+            with ds.read(tmp_path / name) as environment:
+                assert content(environment) == content(direct)
+
+
+def test_blocks_and_side_sets_of_exodus(tmp_path: pathlib.Path) -> None:
+    pytest.importorskip("netCDF4")
+    meshio.Mesh([*PRISM, (0, 0, -1)], [("wedge", [[0, 1, 2, 3, 4, 5]]), ("tetra", [[0, 2, 1, 6]])]).write(tmp_path / "two.e")
+    with ds.read(tmp_path / "two.e") as environment:
+        assert volume_of(environment) == pytest.approx(0.5 + 1 / 6) and environment.info.part_count == 1
+        assert len(environment.region_names) == 2 and environment.notes == ()
+
+
+def foam_case(folder: pathlib.Path) -> pathlib.Path:
+    """Two cells: a prism and a tetrahedron below it, with patches and a zone of each kind."""
+    mesh = folder / "constant" / "polyMesh"
+    mesh.mkdir(parents=True)
+    (folder / "system").mkdir()
+
+    def write(name: str, kind: str, rows: list[str]) -> None:
+        head = f"FoamFile\n{{\n version 2.0;\n format ascii;\n class {kind};\n object {name};\n}}\n"
+        (mesh / name).write_text(head + f"{len(rows)}\n(\n" + "\n".join(rows) + "\n)\n")
+
+    faces = [[0, 2, 1], [1, 2, 5, 4], [3, 4, 5], [0, 3, 5, 2], [0, 1, 4, 3], [0, 1, 6], [1, 2, 6], [2, 0, 6]]
+    write("points", "vectorField", ["(%g %g %g)" % tuple(point) for point in [*PRISM, (0, 0, -1)]])
+    write("faces", "faceList", [f"{len(face)}({' '.join(map(str, face))})" for face in faces])
+    write("owner", "labelList", list("00000111"))
+    write("neighbour", "labelList", ["1"])
+    write("boundary", "polyBoundaryMesh", ["outlet{type patch; nFaces 4; startFace 1;}", "inlet{type patch; nFaces 3; startFace 5;}"])
+    write("cellZones", "regIOobject", ["tip\n{\n type cellZone;\ncellLabels List<label> \n1\n(\n1\n)\n;\n}"])
+    write("faceZones", "regIOobject", ["baffle\n{\n type faceZone;\nfaceLabels List<label> \n1\n(\n0\n)\n;\nflipMap List<bool> 1(0);\n}"])
+    head = "FoamFile\n{\n version 2.0;\n format ascii;\n class dictionary;\n object controlDict;\n}\n"
+    (folder / "system" / "controlDict").write_text(head + "startFrom startTime; startTime 0; endTime 1; deltaT 1; writeInterval 1;\n")
+    return folder
+
+
+def test_cases_of_openfoam_keep_patches_and_zones(tmp_path: pathlib.Path) -> None:
+    case = foam_case(tmp_path / "case")
+    (case / "case.foam").touch()
+    for path in (case, case / "case.foam"):
+        with ds.read(path) as environment:
+            assert volume_of(environment) == pytest.approx(0.5 + 1 / 6) and environment.info.volume_count == 2
+            assert {"outlet", "inlet", "baffle"} <= set(environment.surface_names)
+            assert len(environment.faces("inlet")) == 3 and environment.mark_region("tip")[0] == 1
+
+
+def test_ucd_of_avs_has_its_pyramids_apex_first(tmp_path: pathlib.Path) -> None:
+    points = "".join(f"{i} {x:g} {y:g} {z:g}\n" for i, (x, y, z) in enumerate([*CUBE[:4], (0.5, 0.5, 1.0), (0.5, 0.5, -1.0)], 1))
+    (tmp_path / "two.inp").write_text(f"# UCD\n6 2 0 0 0\n{points}1 4 pyr 5 1 2 3 4\n2 7 pyr 6 4 3 2 1\n")
+    with ds.read(tmp_path / "two.inp") as environment:
+        assert volume_of(environment) == pytest.approx(2 / 3) and environment.regions() == [4, 7] and environment.notes == ()
+
+
+def test_tetrahedra_of_pyvista_in_files_that_were_cut_are_errors(tmp_path: pathlib.Path) -> None:
+    pyvista.UnstructuredGrid({10: np.array([[0, 1, 2, 3]])}, TETRA).save(tmp_path / "whole.vtu")
+    whole = (tmp_path / "whole.vtu").read_bytes()
+    (tmp_path / "cut.vtu").write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(ds.MeshError, match="cut.vtu.*VTK can't read it"):
+        ds.read(tmp_path / "cut.vtu")

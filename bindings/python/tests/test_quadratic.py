@@ -1,0 +1,113 @@
+"""Quadratic cells: by their corners, or divided so that they follow a curved boundary."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import meshio
+import numpy as np
+import pytest
+
+import dartsweep as ds
+from dartsweep._door import build, linear, raw
+from volumes import CUBE, PRISM, TETRA, volume_of
+
+PYRAMID = np.array([*CUBE[:4], (0.5, 0.5, 1)])
+LOOP4, LOOP3 = [(0, 1), (1, 2), (2, 3), (3, 0)], [(0, 1), (1, 2), (2, 0)]
+EDGES = {
+    "tetra10": (TETRA, [*LOOP3, (0, 3), (1, 3), (2, 3)]),
+    "hexahedron20": (CUBE, [*LOOP4, (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]),
+    "wedge15": (PRISM, [*LOOP3, (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5)]),
+    "pyramid13": (PYRAMID, [*LOOP4, (0, 4), (1, 4), (2, 4), (3, 4)]),
+    "triangle6": (TETRA[:3], LOOP3),
+    "quad8": (CUBE[:4], LOOP4),
+}
+FACES = {
+    "hexahedron27": ("hexahedron20", [(0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (2, 3, 7, 6), (0, 1, 2, 3), (4, 5, 6, 7), tuple(range(8))]),
+    "wedge18": ("wedge15", [(0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)]),
+    "quad9": ("quad8", [(0, 1, 2, 3)]),
+}
+COUNTS = {"tetra10": 8, "hexahedron20": 8, "hexahedron27": 8, "wedge15": 8, "wedge18": 8, "pyramid13": 10, "triangle6": 4, "quad8": 4, "quad9": 4}
+VOLUMES = {"tetra": 1 / 6, "hexahedron": 1, "wedge": 0.5, "pyramid": 1 / 3, "triangle": 0.5, "quad": 1}
+
+
+TYPES = {
+    **{"tetra10": 24, "hexahedron20": 25, "wedge15": 26, "pyramid13": 27, "quad9": 28, "hexahedron27": 29, "wedge18": 32, "triangle6": 22},
+    "quad8": 23,
+}
+
+
+def made(kind: str, points: Any, quadratic: str = "corners", **more: Any) -> ds.Environment:
+    """An environment of cells of one type that follow each other."""
+    cells = linear.uniform(TYPES[kind], np.arange(len(points)).reshape(-1, len(cell(kind))))
+    return build.environment_of(raw.mesh_of(raw.Raw(points, cells, **more), quadratic), None, {})
+
+
+def cell(kind: str) -> Any:
+    """Nodes of one straight cell, in the order of VTK."""
+    base, faces = FACES.get(kind, (kind, []))
+    corners, edges = EDGES[base]
+    return np.array([*corners, *(corners[list(group)].mean(axis=0) for group in [*edges, *faces])])
+
+
+@pytest.mark.parametrize("kind", COUNTS)
+def test_straight_cells_keep_their_volume_and_are_divided(kind: str) -> None:
+    points = cell(kind)
+    expected = VOLUMES[kind.rstrip("0123456789")]
+    with made(kind, points) as corners, made(kind, points, "split") as divided:
+        assert corners.info.volume_count == 1 and volume_of(corners) == pytest.approx(expected)
+        assert "quadratic=\"split\" keeps their nodes" in corners.notes[0] and divided.notes == ()
+        assert divided.info.volume_count == COUNTS[kind] and divided.info.part_count == 1 and volume_of(divided) == pytest.approx(expected)
+        divided.check()
+
+
+@pytest.mark.parametrize("kind", COUNTS)
+def test_divided_cells_follow_the_curve(kind: str) -> None:
+    """Each node moves from the middle of its corners onto a map of degree 2; the division has the nodes as vertices."""
+    points = cell(kind)
+    curved = points + 0.1 * np.stack([points[:, 1] ** 2, points[:, 0] ** 2, 0 * points[:, 0]], axis=1)
+    with made(kind, curved, "split") as divided, made(kind, curved) as corners:
+        used = {int(i) for index in range(divided.info.volume_count) for i in divided.vertices(divided.volume_id(index))["index"]}
+        assert set(range(len(points))) <= used
+        assert "which lie up to 0.025 from" in corners.notes[0]
+        assert abs(volume_of(divided) - volume_of(corners)) > 1e-4 or kind not in ("tetra10", "wedge15", "wedge18", "triangle6")
+
+
+def test_cells_beside_each_other_share_the_middles_of_faces() -> None:
+    """Two hexahedra of 20 nodes, a wedge and a pyramid: the middles of their faces are made once."""
+
+    points: list[tuple[float, ...]] = []
+
+    def nodes(kind: str, corners: Any) -> list[int]:
+        edges = EDGES[kind][1]
+        places = [tuple(map(float, p)) for p in [*corners, *((np.array(corners[a]) + corners[b]) / 2 for a, b in edges)]]
+        for place in places:
+            if place not in points:
+                points.append(place)
+        return [points.index(place) for place in places]
+
+    parts = [
+        linear.uniform(25, [nodes("hexahedron20", CUBE), nodes("hexahedron20", CUBE + (1, 0, 0))]),
+        linear.uniform(26, [nodes("wedge15", np.array([(1, 1, 0), (0, 1, 0), (0, 2, 0), (1, 1, 1), (0, 1, 1), (0, 2, 1)])[[1, 0, 2, 4, 3, 5]])]),
+        linear.uniform(27, [nodes("pyramid13", np.array([(0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1), (0.5, 0.5, 2)]))]),
+    ]
+    mesh = raw.mesh_of(raw.Raw(np.array(points), linear.joined(parts)), "split")
+    with ds.Environment(mesh.points, mesh.connectivity, mesh.types, mesh.offsets) as environment:
+        assert environment.info.volume_count == 8 + 8 + 8 + 10 and environment.info.part_count == 1
+        assert volume_of(environment) == pytest.approx(2 + 0.5 + 1 / 3)
+        environment.check()
+    assert len({tuple(point) for point in mesh.points.tolist()}) == len(mesh.points)
+
+
+def test_data_and_groups_of_divided_cells_are_those_of_their_cells() -> None:
+    points = cell("tetra10")
+    with made("tetra10", np.concatenate([points, points + (5, 0, 0)]), "split", regions=np.array([4, 6])) as environment:
+        assert [environment.region(environment.volume_id(i)) for i in range(16)] == [4] * 8 + [6] * 8
+
+
+def test_cells_that_can_not_be_divided_name_the_way_on() -> None:
+    cubic = meshio.Mesh(np.random.default_rng(1).random((20, 3)), [("tetra20", [list(range(20))])])
+    with pytest.raises(ds.MeshError, match='not divided; take quadratic="corners"'):
+        ds.from_meshio(cubic, quadratic="split")
+    with pytest.raises(ValueError, match="corners"):
+        ds.read(__file__, quadratic="both")
