@@ -74,14 +74,16 @@ def _atoms(labels: NDArray[Any] | None, groups: dict[str, Indices], mesh: Mesh) 
     for name, cells in groups.items():
         if len(cells) and not (0 <= np.min(cells) and np.max(cells) < count):
             raise MeshError(mesh.source, f"the group {name!r} names cell {int(np.max(cells))}, there are {count}", "the program that made it may be asked again")
-    member = np.zeros((count, len(groups)), bool)
-    for i, cells in enumerate(groups.values()):
-        member[cells, i] = True
-    if labels is None and not (member.sum(axis=1) > 1).any():
-        return (member @ np.arange(1, len(groups) + 1)).astype(np.int32), {**names, **{name: i for i, name in enumerate(groups, 1)}}
+    taken = np.zeros(count, np.int32)
+    for cells in groups.values():
+        taken[cells] += 1
+    if labels is None and not (taken > 1).any():
+        single = np.zeros(count, np.int32)
+        for number, cells in enumerate(groups.values(), 1):
+            single[cells] = number
+        return single, {**names, **{name: i for i, name in enumerate(groups, 1)}}
     base = np.zeros(count, np.int64) if labels is None else labels.astype(np.int64)
-    kinds, kind = np.unique(np.column_stack([base, ~member]), axis=0, return_inverse=True)  # of each label first what most groups have
-    kind = kind.ravel()
+    kinds, kind = _kinds(base, list(groups.values()))
     if labels is None:
         number = np.cumsum((kinds[:, 1:] == 0).any(axis=1)) * (kinds[:, 1:] == 0).any(axis=1)
     else:
@@ -96,3 +98,25 @@ def _atoms(labels: NDArray[Any] | None, groups: dict[str, Indices], mesh: Mesh) 
         held = number[kinds[:, 1 + i] == 0].tolist()
         names[name] = held[0] if len(held) == 1 else tuple(held)
     return number[kind].astype(np.int32), {name: value for name, value in names.items() if value != ()}
+
+
+def _kinds(base: NDArray[np.int64], groups: list[Indices]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """What cells can be: rows of a label and, for each group, 0 for its cells and 1 for others, in ascending order, so that of each label what
+    most groups have is first; and the row of each cell. Each step numbers what there is anew, without sorting cells."""
+    low = int(base.min(initial=0))
+    spread = int(base.max(initial=0)) - low + 1
+    if spread <= 4 * len(base) + 1024:
+        present = np.bincount(base - low, minlength=1) > 0
+        values, kind = np.flatnonzero(present) + low, (np.cumsum(present) - 1)[base - low]
+    else:
+        values, kind = np.unique(base, return_inverse=True)
+    rows = values[:, np.newaxis]
+    for cells in groups:
+        outside = np.ones(len(base), np.int64)
+        outside[cells] = 0
+        step = 2 * kind + outside
+        present = np.bincount(step, minlength=1) > 0
+        there = np.flatnonzero(present)
+        rows = np.column_stack([rows[there // 2], there % 2])
+        kind = (np.cumsum(present) - 1)[step]
+    return rows, kind
