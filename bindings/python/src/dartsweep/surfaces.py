@@ -45,7 +45,7 @@ class SurfaceError(MeshError):
 
     def __init__(self, found: str, file: str = "surface") -> None:
         ValueError.__init__(self, found, file)
-        self.file, self.found, self.way_on = file, found, found.rpartition("; ")[2]
+        self.file, self.found, self.way_on = file, found, found.partition("; ")[2]
 
     def __str__(self) -> str:
         return f"{self.file}: {self.found}"
