@@ -18,10 +18,11 @@ extern "C" {
 /** Opaque. Scenes may share it while it does not change. */
 typedef struct dsw_environment dsw_environment;
 
-/** Cell types, with the numbers and the order of points of VTK:
+/** Cell types, with the numbers of VTK. Order of points:
  *  - tetra: 0 1 2 turn counter-clockwise seen from 3;
  *  - hexahedron: 0 1 2 3 counter-clockwise seen from 4 5 6 7, each of these above its counterpart;
- *  - wedge: 0 1 2 counter-clockwise seen from outside, 3 4 5 opposite them;
+ *  - wedge: 0 1 2 clockwise seen from 3 4 5, each of these above its counterpart. That is the order
+ *    of VTK up to 9.6. VTK from 9.7 on and Gmsh have 0 2 1 3 5 4;
  *  - pyramid: base 0 1 2 3 counter-clockwise seen from the apex 4;
  *  - polyhedron: a face stream: the number of faces, then for each face the number of its points
  *    and the points, counter-clockwise seen from outside. */
@@ -43,7 +44,7 @@ enum {
   /** Retains `points`, without gaps, instead of a copy. The host leaves them unchanged until the
    * environment is destroyed or deformed (deform.h). */
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
-  /** Mirrors cells that are inside out. Meshes differ in the order of wedges. */
+  /** Mirrors cells that are inside out, such as wedges in the order of VTK 9.7 or of Gmsh. */
   DSW_ENVIRONMENT_REORIENT = 0x2,
   /** Builds the search structure of dsw_environment_locate at creation: 18 bytes a volume, in the
    * plane 14. By default a later locate builds it, after a few that scan all cells. */

@@ -97,11 +97,12 @@ class CellKind(Constant):
 
 
 class CellType(Constant):
-    """Cell types, numbered as in VTK; so are the points of each:
+    """Cell types, with the numbers of VTK. The points of each:
 
     - tetrahedron 0 1 2 3: seen from 3, 0 1 2 turn counter-clockwise;
     - hexahedron: 0 1 2 3 counter-clockwise seen from 4 5 6 7, each of these above its counterpart;
-    - wedge: 0 1 2 counter-clockwise seen from outside, 3 4 5 opposite them;
+    - wedge: 0 1 2 clockwise seen from 3 4 5, each of these above its counterpart. That is the order of VTK up to 9.6; VTK from 9.7 on
+      and Gmsh have 0 2 1 3 5 4;
     - pyramid: base 0 1 2 3 counter-clockwise seen from the apex 4;
     - in the plane triangle, quad and polygon: their points counter-clockwise;
     - polyhedron: a face stream, the count of faces, then for each face the count of its points and the points, counter-clockwise

@@ -61,7 +61,7 @@ class Environment(Named):
     until they are closed, too.
 
     points: (n, 3) float64. cells: integers of shape (n, 4), (n, 5), (n, 6) or (n, 8), tetrahedra, pyramids, wedges or hexahedra
-    numbered as in VTK; or in one dimension, with `types` (CellType of each) and, but for face streams of polyhedra in `faces`,
+    in the orders that CellType tells, which are those of VTK but for its wedges from 9.7 on; or in one dimension, with `types` (CellType of each) and, but for face streams of polyhedra in `faces`,
     `offsets` as in VTK's unstructured grids. In the plane points are (n, 2), cells (n, 3) or more, triangles, quads or polygons; they are the
     "volumes" and their sides the "faces", and wherever points are asked for they have two coordinates. regions, tags: a label and a host's tag for each cell. flags: EnvironmentFlag.
     region_names: names of labels, which calls then take in place of these; a name may have several labels. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.

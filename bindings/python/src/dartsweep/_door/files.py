@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from .error import MeshError
-from . import abaqus_reader, gmsh_reader, meshio_reader, mfem_reader, moab_reader, vtk_files
+from . import abaqus_reader, gmsh_reader, meshio_reader, mfem_reader, moab_reader, netgen_reader, vtk_files
 from .mesh import Mesh
 from .raw import Raw, mesh_of
 from .table import DIALECTS, LIBRARIES, Dialect, Reader, dialects_of, endings
@@ -95,7 +95,7 @@ def _raw(path: str, source: str, reader: Reader, quadratic: str) -> Raw:
     if reader.library == "mfem":
         return mfem_reader.read(path, source, reader.format, quadratic)
     modules: dict[str, Any] = {"vtk": vtk_files, "meshio": meshio_reader, "gmsh": gmsh_reader, "moab": moab_reader}
-    modules["abaqus"] = abaqus_reader
+    modules |= {"abaqus": abaqus_reader, "netgen": netgen_reader}
     if reader.library not in modules:
         raise MeshError(source, "it is a surface", "dartsweep.from_surface fills it with tetrahedra")
     raw: Raw = modules[reader.library].read(path, source, reader.format)

@@ -94,6 +94,8 @@ def _turned_back(mesh: Mesh) -> Mesh | None:
     whole, single = [], []
     for kind in np.unique(mesh.types[sign < 0]):
         (single if np.any(sign[mesh.types == kind] > 0) else whole).append(int(kind))
+    ascending = [kind for kind in single if kind in (5, 10) and _is_ascending(mesh, kind)]
+    single = [kind for kind in single if kind not in ascending]
     if single:
         wrong = np.flatnonzero((sign < 0) & np.isin(mesh.types, single))
         names = " and ".join(CellType(kind).name.lower() for kind in single)
@@ -103,14 +105,24 @@ def _turned_back(mesh: Mesh) -> Mesh | None:
             ('quadratic="split" follows the curves of the cells; ' if any("split" in note for note in mesh.notes) else "")
             + "flags=EnvironmentFlag.REORIENT mirrors them",
         )
-    if not whole:
+    if not whole and not ascending:
         return None
     connectivity, notes = mesh.connectivity.copy(), list(mesh.notes)
     for kind in whole:
         rows = np.flatnonzero(mesh.types == kind)
         _mirror(mesh, rows, kind, connectivity)
         notes.append(f"all {len(rows)} cells of type {CellType(kind).name.lower()} were inside out and have been turned")
+    for kind in ascending:
+        rows = np.flatnonzero((mesh.types == kind) & (sign < 0))
+        _mirror(mesh, rows, kind, connectivity)
+        notes.append(f"{len(rows)} cells of type {CellType(kind).name.lower()} have been turned: points ascend in each, as in DOLFIN")
     return dataclasses.replace(mesh, connectivity=connectivity, notes=notes)
+
+
+def _is_ascending(mesh: Mesh, kind: int) -> bool:
+    """Whether the points of each cell of a type ascend: then their order does not tell how a cell is turned."""
+    corners = _rows_of(mesh, np.flatnonzero(mesh.types == kind))
+    return bool(np.all(corners[:, 1:] > corners[:, :-1]))
 
 
 def _mirror(mesh: Mesh, rows: Indices, kind: int, connectivity: Indices) -> None:

@@ -40,6 +40,7 @@ LIBRARIES = {  # module to import, extra, title
     "mfem": ("mfem", "mfem", "PyMFEM"),
     "moab": ("h5py", "moab", "h5py"),
     "abaqus": ("numpy", "", "NumPy"),
+    "netgen": ("numpy", "", "NumPy"),
     "surface": ("trimesh", "surfaces", "trimesh, TetGen"),
 }
 
@@ -75,7 +76,7 @@ DIALECTS = (
     _dialect("Medit", ".mesh .meshb", "meshio:medit gmsh:mesh", "references as regions and surfaces", r"(?:\s*#[^\n]*\n)*\s*MeshVersionFormatted|\x01\0\0\0|\0\0\0\x01"),
     _dialect("MOAB", ".h5m", "moab:h5m", "material sets as regions; Neumann sets; sets by name", r"\x89HDF"),
     _dialect("XDMF", ".xdmf .xmf", "meshio:xdmf", "cell data", r"\s*<"),
-    _dialect("Netgen", ".vol", "meshio:netgen", "domains", r"\s*(?:#[^\n]*\n\s*)*mesh3d"),
+    _dialect("Netgen", ".vol", "netgen:vol", "materials as regions; boundary conditions; both with names", r"\s*(?:#[^\n]*\n\s*)*mesh3d"),
     _dialect("TetGen", ".ele .node", "meshio:tetgen", "attributes"),
     _dialect("SU2", ".su2", "meshio:su2", "markers"),
     _dialect("DOLFIN", ".xml", "meshio:dolfin-xml", "cell data", r"(?s)\s*<.*<dolfin"),
