@@ -37,7 +37,7 @@ def test_a_point_on_the_boundary_is_told(place: tuple[float, float, float]) -> N
             assert f"is on the boundary, at face {near.cell.local} of volume {near.cell.index}" in str(error)
         for by in (0.0, 0.25):
             inside = environment.inside(place, by)
-            scene.create_body([inside, (1.0, 1.0, 2.0)], [(0, 1)])
+            scene.create_body(np.stack([inside, (1.0, 1.0, 2.0)]), [(0, 1)])
             assert inside.shape == (3,) and environment.find_nearest(inside).distance > 0
             assert np.linalg.norm(inside - place) == pytest.approx(by, rel=1e-12, abs=1e-14)
 

@@ -79,8 +79,8 @@ def _atoms(labels: NDArray[Any] | None, groups: dict[str, Indices], mesh: Mesh) 
         taken[cells] += 1
     if labels is None and not (taken > 1).any():
         single = np.zeros(count, np.int32)
-        for number, cells in enumerate(groups.values(), 1):
-            single[cells] = number
+        for i, cells in enumerate(groups.values(), 1):
+            single[cells] = i
         return single, {**names, **{name: i for i, name in enumerate(groups, 1)}}
     base = np.zeros(count, np.int64) if labels is None else labels.astype(np.int64)
     kinds, kind = _kinds(base, list(groups.values()))
