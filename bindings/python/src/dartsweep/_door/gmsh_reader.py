@@ -107,7 +107,7 @@ def _check_count(path: str, format: str, count: int, source: str) -> None:
         declared = _declared_in_unv(path)
     elif format == "msh" and os.path.getsize(path) > 0:
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
-            at = max(text.find(b"\n$Elements"), text.find(b"\n$ELM"))
+            at = text.find(b"\n$ELM" if text[:4] == b"$NOD" else b"\n$Elements")
             head = text[at + 1 : at + 300] if at >= 0 else b""
             version = text[:200].split(b"$MeshFormat")[-1].split()[:2]
         declared = _declared(head.partition(b"\n")[2], version)
