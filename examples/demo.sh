@@ -2,7 +2,7 @@
 # The main job: examples/demo.sh [MESH [SURFACE [ORGAN]]]
 #
 # Installs what is missing (Debian 12, as root), builds the library and the examples, and pushes a catheter through the
-# vessels of MESH: a volume mesh (.msh, .vtk or .vtu, also gzipped), or a surface (.stl, .obj or .ply) that is filled with
+# vessels of MESH: a volume mesh (any of bindings/docs/meshes.md, also gzipped), or a surface (.stl, .obj or .ply) that is filled with
 # tetrahedra first; without it through the embedded vessel. Every step is verified. Leaves figures, a picture and a page in
 # build/demo/. Then the other scenes: a cloud of 10,000 particles in the same vessels; SURFACE (.obj, closed, triangles) falls
 # among pyramids, without it $DARTSWEEP_DATA/surfaces/hand_12k.obj if there is one, else a ring; a scalpel cuts ORGAN (a volume

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 
 packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-config python3 binutils file dpkg-dev abigail-tools
   libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv
-  openjdk-17-jdk-headless maven mono-mcs mono-runtime doxygen libosmesa6
+  openjdk-17-jdk-headless maven mono-mcs mono-runtime doxygen libosmesa6 libglu1-mesa libxcursor1 libxft2 libxinerama1
   lua5.4 liblua5.4-dev lua-unit luarocks)
 declare -A packages_of=( # of steps for other targets
   [arm64]="g++-aarch64-linux-gnu qemu-user m4 make"

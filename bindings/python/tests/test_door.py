@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import dartsweep as ds
-from dartsweep._door import build, files, table
+from dartsweep._door import build, files, raw, table
 from volumes import CUBE, PRISM, TETRA, box, content, volume_of
 
 DOCS = pathlib.Path(__file__).parents[2] / "docs" / "meshes.md"
@@ -60,6 +60,7 @@ def test_errors_name_the_file_what_was_found_and_a_way_on(tmp_path: pathlib.Path
         ("mesh.vtu", "<VTKFile", "VTK can't read it"),
         ("mesh.med", "\x89HDF but no more", "Gmsh can't read it .*; meshio can't read it"),
         ("mesh.inp", "*NODE\n1, 0, 0, 0\n*ELEMENT, TYPE=XYZ\n1, 1\n", "elements have the type 'XYZ'"),
+        ("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "it is flat near"),
         ("mesh.e", "", "VTK can't read it"),
         ("mesh.mesh", "MFEM mesh v1.0\n\ndimension\n3\n\nelements\n1\n1 77 0 1\n", "MFEM can't read it .*geom = 77"),
     ):
@@ -134,7 +135,7 @@ def test_every_reader_that_can_read_a_file_gives_the_same_mesh(tmp_path: pathlib
         if ending == "bdf":  # Gmsh leaves out half of what meshio writes, without a word
             with pytest.raises(ds.MeshError, match="Gmsh keeps 8 of 16 elements"):
                 files._raw(str(path), "the file", ways.pop(0), "corners")
-        meshes = [files.mesh_of(files._raw(str(path), "the file", reader, "corners")) for reader in ways]
+        meshes = [raw.mesh_of(files._raw(str(path), "the file", reader, "corners")) for reader in ways]
         assert all(len(mesh.types) == len(rows) for mesh in meshes)
         made = [build.environment_of(mesh, None, {}) for mesh in meshes]
         assert [volume_of(each) for each in made] == pytest.approx([6] * len(ways))

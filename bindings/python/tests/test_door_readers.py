@@ -28,9 +28,17 @@ def model(gmsh: Any, recombine: bool, order: int = 1) -> None:
     gmsh.model.mesh.setOrder(order)
 
 
+def gmsh_or_skip() -> Any:
+    try:
+        import gmsh
+    except (ImportError, OSError) as error:
+        pytest.skip(f"the module gmsh needs libraries of the screen: {error}")
+    return gmsh
+
+
 @pytest.fixture
 def gmsh() -> Iterator[Any]:
-    module = pytest.importorskip("gmsh", reason="the module gmsh needs libraries of the screen", exc_type=(ImportError, OSError))
+    module = gmsh_or_skip()
     module.initialize(readConfigFiles=False)
     module.option.setNumber("General.Terminal", 0)
     module.model.add("test")
@@ -92,7 +100,7 @@ def test_gmsh_runs_no_options_beside_a_file(gmsh: Any, tmp_path: pathlib.Path) -
 
 
 def test_elements_that_gmsh_leaves_out_are_told(tmp_path: pathlib.Path) -> None:
-    pytest.importorskip("gmsh", exc_type=(ImportError, OSError))
+    gmsh_or_skip()
     nodes = "".join(f"{i} {x} {y} {z}\n" for i, (x, y, z) in enumerate([*TETRA, (0, 0, -1)], 1))
     path = tmp_path / "same.msh"
     path.write_text(f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n{nodes}$EndNodes\n$Elements\n2\n4 4 2 0 1 1 2 3 4\n4 4 2 0 1 1 3 2 5\n$EndElements\n")

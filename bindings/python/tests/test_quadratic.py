@@ -14,7 +14,7 @@ from volumes import CUBE, PRISM, TETRA, volume_of
 
 PYRAMID = np.array([*CUBE[:4], (0.5, 0.5, 1)])
 LOOP4, LOOP3 = [(0, 1), (1, 2), (2, 3), (3, 0)], [(0, 1), (1, 2), (2, 0)]
-EDGES = {
+EDGES: dict[str, tuple[Any, list[tuple[int, int]]]] = {
     "tetra10": (TETRA, [*LOOP3, (0, 3), (1, 3), (2, 3)]),
     "hexahedron20": (CUBE, [*LOOP4, (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]),
     "wedge15": (PRISM, [*LOOP3, (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5)]),
@@ -22,7 +22,7 @@ EDGES = {
     "triangle6": (TETRA[:3], LOOP3),
     "quad8": (CUBE[:4], LOOP4),
 }
-FACES = {
+FACES: dict[str, tuple[str, list[tuple[int, ...]]]] = {
     "hexahedron27": ("hexahedron20", [(0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (2, 3, 7, 6), (0, 1, 2, 3), (4, 5, 6, 7), tuple(range(8))]),
     "wedge18": ("wedge15", [(0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)]),
     "quad9": ("quad8", [(0, 1, 2, 3)]),
@@ -47,7 +47,8 @@ def cell(kind: str) -> Any:
     """Nodes of one straight cell, in the order of VTK."""
     base, faces = FACES.get(kind, (kind, []))
     corners, edges = EDGES[base]
-    return np.array([*corners, *(corners[list(group)].mean(axis=0) for group in [*edges, *faces])])
+    groups: list[tuple[int, ...]] = [*edges, *faces]
+    return np.array([*corners, *(corners[list(group)].mean(axis=0) for group in groups)])
 
 
 @pytest.mark.parametrize("kind", COUNTS)

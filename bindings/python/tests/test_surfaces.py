@@ -336,6 +336,9 @@ def test_bad_files_are_named(tmp_path: pathlib.Path) -> None:
 
 
 def test_readers_name_one_another(tmp_path: pathlib.Path) -> None:
+    trimesh.creation.box().export(tmp_path / "box.stl")
+    with ds.meshes.read(str(tmp_path / "box.stl")) as environment:
+        assert environment.region_names == {"lumen": 1, "tissue": 2} and environment.regions() == [1]
     tetra = meshio.Mesh(np.vstack([np.zeros(3), np.eye(3)]), [("tetra", [[0, 1, 2, 3]])])
     tetra.write(tmp_path / "box.vtu")
     with pytest.raises(ds.surfaces.SurfaceError, match=r"surface '.*box.vtu': .*dartsweep.meshes.read"):

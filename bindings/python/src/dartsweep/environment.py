@@ -48,7 +48,7 @@ def _rows(cells: NDArray[Any], dimension: int) -> tuple[CellType, ArrayLike | No
     """Of cells that are rows of points: their type, or where that does not tell their size the type and offset of each."""
     count, width = cells.shape
     if dimension == 2 and width > 4:
-        return CellType.NONE, np.full(count, CellType.POLYGON, np.uint8), np.arange(0, cells.size + 1, width, cells.dtype)
+        return CellType.NONE, np.full(count, CellType.POLYGON, np.uint8), np.arange(0, cells.size + 1, width).astype(cells.dtype)
     known = _PLANAR_TYPE_OF_WIDTH if dimension == 2 else _TYPE_OF_WIDTH
     if width not in known:
         hint = "; points of the plane have shape (n, 2)" if dimension == 3 and width == 3 else ""

@@ -26,6 +26,7 @@ from .trace import Trace
 if TYPE_CHECKING:
     import trimesh
 
+
 def read(path: str | os.PathLike[str], *, regions: str | None = None, quadratic: str = "corners", **options: Any) -> Environment:
     """An environment of a file: a mesh of volumes, a mesh of the plane, or a surface in space, whose inside is filled as by from_surface.
 
@@ -38,7 +39,10 @@ def read(path: str | os.PathLike[str], *, regions: str | None = None, quadratic:
     Raises MeshError if the file can't be read, or has no such mesh; its text says why, and what to do. Raises OSError if there is no file.
     """
     if table.is_surface(path):
-        return from_surface(path, **options)
+        try:
+            return from_surface(path, **options)
+        except surfaces.SurfaceError as error:
+            raise MeshError(f"mesh '{os.fspath(path)}'", str(error), "repair=True mends some faults, other programs mend more") from error
     return _environment(files.read(path, quadratic), regions, options)
 
 

@@ -102,4 +102,5 @@ def _in_space(points: NDArray[np.float64]) -> NDArray[np.float64]:
 def _polygons(corners: NDArray[np.uint32]) -> NDArray[np.int64]:
     """VTK's cells: their sizes among the indices; those of free slots left out."""
     used = corners[corners[:, 0] != np.iinfo(np.uint32).max].astype(np.int64)
-    return np.insert(used, 0, used.shape[1], axis=1).ravel()
+    made: NDArray[np.int64] = np.insert(used, 0, used.shape[1], axis=1).ravel()
+    return made

@@ -18,7 +18,7 @@ from .raw import Raw
 _SOLID = {4: 10, 5: 14, 6: 13, 8: 12, 10: 24, 13: 27, 15: 26, 18: 32, 20: 25, 27: 29}  # by the number of nodes: VTK's type
 _SHELL = {3: 5, 4: 9, 6: 22, 7: 34, 8: 23, 9: 28}
 _LINE = {2: 3, 3: 21}
-_SIDES = {  # of VTK's types: corners of the sides S1, S2, ...
+_SIDES: dict[int, list[tuple[int, ...]]] = {  # of VTK's types: corners of the sides S1, S2, ...
     10: [(0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)],
     12: [(0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)],
     13: [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)],
@@ -50,7 +50,7 @@ class _Reading:
     def __init__(self, path: str, source: str) -> None:
         self.path, self.source = path, source
         self.nodes: list[str] = []
-        self.elements: list[tuple[int, int, list[str]]] = []  # type of VTK, nodes, rows
+        self.elements: list[tuple[int, Any]] = []  # type of VTK; numbers and nodes
         self.sets: dict[str, list[Any]] = {}  # numbers and names of other sets
         self.surfaces: dict[str, list[list[str]]] = {}
         self.parts = 0
@@ -82,7 +82,7 @@ class _Reading:
                 raise MeshError(self.source, f"elements of type {name} have {width} nodes", _WAY_ON)
             kind = of_width[width]  # Gmsh calls wedges of 15 nodes C3D6
         numbers = numbers.reshape(-1, width + 1)
-        self.elements.append((kind, width, [numbers]))
+        self.elements.append((kind, numbers))
         if "ELSET" in options:
             self.sets.setdefault(options["ELSET"], []).append(numbers[:, 0])
 
@@ -116,12 +116,11 @@ class _Reading:
         table = np.array([row.split(",")[:4] for row in self.nodes], np.float64)
         ids = table[:, 0].astype(np.int64)
         index = _index_of(ids)
-        numbers = [block[2][0] for block in self.elements]
-        parts = [linear.uniform(kind, index[rows[:, 1:]]) for (kind, _, _), rows in zip(self.elements, numbers)]
+        parts = [linear.uniform(kind, index[rows[:, 1:]]) for kind, rows in self.elements]
         raw = Raw(table[:, 1:], linear.joined(parts), source=self.source, reader="NumPy")
         if len(raw.cells.flat) and raw.cells.flat.min() < 0:
             raise MeshError(self.source, "an element names a node that is not there", "the file is damaged")
-        of_element = _index_of(np.concatenate([np.empty(0, np.int64), *(rows[:, 0] for rows in numbers)]))
+        of_element = _index_of(np.concatenate([np.empty(0, np.int64), *(rows[:, 0] for _, rows in self.elements)]))
         for name in self.sets:
             members = self._members(name, of_element, ())
             if len(members):

@@ -51,8 +51,8 @@ def _once(cells: Cells) -> tuple[Indices, Indices | None]:
     first = np.arange(count)
     for i in np.flatnonzero(key[order][1:] == key[order][:-1]) + 1:  # keys may be equal by chance
         a, b = int(first[order[i - 1]]), int(order[i])
-        rows = [np.sort(cells.flat[cells.offsets[cell] : cells.offsets[cell + 1]]) for cell in (a, b)]
-        if cells.types[a] == cells.types[b] and np.array_equal(*rows):
+        own, other = (np.sort(cells.flat[cells.offsets[cell] : cells.offsets[cell + 1]]) for cell in (a, b))
+        if cells.types[a] == cells.types[b] and np.array_equal(own, other):
             first[b] = a
     if not np.any(first != np.arange(count)):
         return first, None

@@ -146,7 +146,7 @@ def _declared_in_unv(path: str) -> int:
 
 def _reason(gmsh: Any, error: Exception) -> str:
     errors = [line.partition(":")[2].strip() for line in gmsh.logger.get() if line.startswith("Error")]
-    return (errors or [str(error)])[0]
+    return str((errors or [error])[0])
 
 
 @contextlib.contextmanager

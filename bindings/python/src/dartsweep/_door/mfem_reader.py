@@ -35,7 +35,7 @@ def read(path: str, source: str, format: str, quadratic: str = "corners") -> Raw
         raise MeshError(source, f"MFEM can't read it ({' '.join(reason.split())})", _WAY_ON) from error
     if mesh.SpaceDimension() < 2:
         raise MeshError(source, "it is a mesh of lines in one dimension", "a mesh of volumes, or of triangles, quads or polygons, is needed")
-    notes = []
+    notes: list[str] = []
     if mesh.GetNodes() is not None:
         mesh, notes = _linear(mfem, mesh, quadratic)
     if mesh.Nonconforming():

@@ -16,7 +16,7 @@ from .mesh import Indices, Mesh
 from .ragged import positions
 
 _MIRRORED = {5: [0, 2, 1], 9: [0, 3, 2, 1], 10: [0, 2, 1, 3], 12: [0, 3, 2, 1, 4, 7, 6, 5], 13: [0, 2, 1, 3, 5, 4], 14: [0, 3, 2, 1, 4]}
-FACES = {  # counter-clockwise seen from outside
+FACES: dict[int, list[tuple[int, ...]]] = {  # counter-clockwise seen from outside
     10: [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)],
     12: [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)],
     13: [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)],
@@ -75,8 +75,8 @@ def _signs_of_areas(mesh: Mesh, rows: Indices) -> NDArray[np.int8]:
     following[np.cumsum(sizes) - 1] = starts
     origin = mesh.points[mesh.connectivity[starts]][cell]
     p, q = mesh.points[mesh.connectivity[at]] - origin, mesh.points[mesh.connectivity[following]] - origin
-    area = np.bincount(cell, p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0], len(rows))
-    size = np.bincount(cell, np.abs(p).sum(axis=1) * np.abs(q).sum(axis=1), len(rows))
+    area = np.bincount(cell, p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0], len(rows)).astype(np.float64)
+    size = np.bincount(cell, np.abs(p).sum(axis=1) * np.abs(q).sum(axis=1), len(rows)).astype(np.float64)
     return _sure(area, 64 * np.finfo(np.float64).eps * size)
 
 
@@ -91,7 +91,8 @@ def _turned_back(mesh: Mesh) -> Mesh | None:
 
     Raises MeshError if some cells of a type are inside out and others are not."""
     sign = signs(mesh)
-    whole, single = [], []
+    whole: list[int] = []
+    single: list[int] = []
     for kind in np.unique(mesh.types[sign < 0]):
         (single if np.any(sign[mesh.types == kind] > 0) else whole).append(int(kind))
     ascending = [kind for kind in single if kind in (5, 10) and _is_ascending(mesh, kind)]

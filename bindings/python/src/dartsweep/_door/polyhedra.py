@@ -123,4 +123,5 @@ def _fans(points: NDArray[np.float64], vertices: Indices, sizes: Indices, cell_o
     second = positions(starts + 1, counts)
     face = np.repeat(np.arange(len(sizes)), counts)
     p = [points[vertices[at]] - apex[face] for at in (np.repeat(starts, counts), second, second + 1)]
-    return np.bincount(face, np.einsum("ij,ij->i", p[0], np.cross(p[1], p[2])), len(sizes))
+    volumes: NDArray[np.float64] = np.einsum("ij,ij->i", p[0], np.cross(p[1], p[2]))
+    return np.bincount(face, volumes, len(sizes)).astype(np.float64)

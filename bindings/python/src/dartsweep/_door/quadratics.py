@@ -47,7 +47,7 @@ _HEX_SIDES = [(16, 15, 19, 11), (9, 18, 13, 17), (8, 17, 12, 16), (10, 19, 14, 1
 _WEDGE_FACES, _WEDGE_SIDES = [(0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)], [(6, 13, 9, 12), (7, 14, 10, 13), (8, 12, 11, 14)]
 
 # For each of VTK's types: nodes that are used, the faces whose middles are made with the nodes of their sides, and the cells.
-_Children = list[tuple[int, list[tuple[int, ...]]]]
+_Children = list[tuple[int, Any]]
 _SPLITS: dict[int, tuple[int, list[Any], list[Any], _Children]] = {
     21: (3, [], [], [(3, [(0, 2), (2, 1)])]),
     22: (6, [], [], [(5, _TRIANGLES)]),
@@ -127,7 +127,8 @@ def _split_tetra(made: Made, rows: Indices) -> _Found:
 
 def _volumes(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     a, b, c = (corners[:, i] - corners[:, 0] for i in (1, 2, 3))
-    return np.einsum("ij,ij->i", np.cross(a, b), c)
+    made: NDArray[np.float64] = np.einsum("ij,ij->i", np.cross(a, b), c)
+    return made
 
 
 def _full_hexahedra(made: Made, rows: Indices) -> Indices:

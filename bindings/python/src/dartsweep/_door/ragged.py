@@ -21,7 +21,8 @@ def positions(starts: Indices, sizes: Indices) -> Indices:
     """starts[0], starts[0] + 1, ... sizes[0] of them, then those of the next row."""
     ends = np.cumsum(sizes)
     total = int(ends[-1]) if len(ends) else 0
-    return np.arange(total) + np.repeat(starts - (ends - sizes), sizes)
+    made: Indices = np.arange(total) + np.repeat(starts - (ends - sizes), sizes)
+    return made
 
 
 def take(offsets: Indices, flat: Indices, rows: Indices) -> tuple[Indices, Indices]:

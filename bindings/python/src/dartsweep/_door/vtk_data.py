@@ -59,7 +59,8 @@ def _leaves(data: Any, name: str) -> Any:
         for i in range(_count(data)):
             child, own = _child(data, i)
             is_group = child is not None and not child.IsA("vtkDataSet")
-            yield from _leaves(child, name if own in (None, "Internal") or is_group and name == "" and _count(data) == 1 else own)
+            is_same = own is None or own == "Internal" or (is_group and name == "" and _count(data) == 1)
+            yield from _leaves(child, name if is_same or own is None else own)
     elif data.IsA("vtkPartitionedDataSetCollection"):
         for i in range(data.GetNumberOfPartitionedDataSets()):
             yield from _leaves(data.GetPartitionedDataSet(i), _name_in(data, i) or f"{i}")
