@@ -108,7 +108,7 @@ typedef struct dsw_nearest {
  *
  * A point exactly on the boundary of passable space has the distance 0, also where the shift puts
  * it outside. Then the answer is what it lies on: the lowest dimension, then the lowest canonical
- * cell.
+ * cell. This is decided exactly. Elsewhere, too, a distance may round to 0.
  * @param volume that of the point, or null. @param radius at least 0; may be infinite.
  * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE: the point is not on the boundary either.
  * @note Cost: O(volumes within the distance). Far calls build a search structure when they have
@@ -146,7 +146,8 @@ typedef struct dsw_segment_nearest {
  *
  * If the segment passes an impassable face, the first one on its way is the answer, exactly as for
  * dsw_environment_cast: the distance and the normal are 0, and segment_parameter is the time of the
- * contact. What lies behind that face is not looked at.
+ * contact. What lies behind that face is not looked at. An end exactly on the boundary of passable
+ * space, or on a marked edge or vertex, is at distance 0, too.
  *
  * Where cells do not overlap, the distance is that of the nearest of these cells, up to rounding.
  * Take the largest difference of a coordinate between `from` and `to`, the cell that is named, or

@@ -49,6 +49,13 @@ void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildRepo
 template <int D>
 void finish_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
 
+/** Reads and finishes. */
+template <int D>
+void build(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
+  read_mesh(env, input, report);
+  finish_mesh(env, input, report);
+}
+
 /** Proves everything again; throws as build. */
 template <int D>
 void prove(const Environment<D>& env, BuildReport& report);

@@ -80,6 +80,15 @@ SeenObstacle find_nearest_wall(const Environment<D>& env, const double* point, d
   return best.seen;
 }
 
+/** A unit in the last place of the largest coordinate. */
+template <int D>
+double rounding(const Environment<D>& env, const double* point) {
+  double size = 0;
+  for (int k = 0; k < D; ++k)
+    size = std::max({size, std::fabs(point[k]), std::fabs(env.lower[k]), std::fabs(env.upper[k])});
+  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+}
+
 /** The unit normal into a cell of the triangle, or side, of its facet that is nearest to a point. */
 template <int D>
 Vec inward_normal(const Environment<D>& env, HalfFacet h, const double* point) {
@@ -112,9 +121,8 @@ class Inward {
 
   /** The place's cell, or an invalid one. */
   Cell find(double by, double* inside) const {
-    const double most = length(to_centre_), size = largest(place_);
-    const double ulp = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
-    for (double step = std::max(by, ulp);; step *= 2) {
+    const double most = length(to_centre_);
+    for (double step = std::max(by, rounding(env_, place_.data()));; step *= 2) {
       for (const Vec& way : {Vec(step * normal_), Vec(std::min(step, most) * unit(to_centre_))}) {
         const Cell c = is_zero(way) ? Cell{} : free_cell(place_ + way, inside);
         if (c.valid()) return c;
@@ -171,6 +179,11 @@ SeenObstacle find_touched(const Environment<D>& env, const double* point, Cell c
 }
 
 template <int D>
+SeenObstacle find_touched_near(const Environment<D>& env, const double* point, Cell c, double distance) noexcept {
+  return distance <= 0x1p12 * rounding(env, point) ? find_touched(env, point, c) : SeenObstacle{};
+}
+
+template <int D>
 Cell find_inside(const Environment<D>& env, const double* point, Cell hint, double by, double* inside) {
   const Cell c = locate(env, point, hint, nullptr).cell;
   SeenObstacle seen = find_touched(env, point, c);
@@ -184,9 +197,10 @@ Cell find_inside(const Environment<D>& env, const double* point, Cell hint, doub
   return Inward<D>(env, seen, point).find(by, inside);
 }
 
-#define DSW_INSIDE(D)                                                                      \
-  template SeenObstacle find_touched(const Environment<D>&, const double*) noexcept;       \
-  template SeenObstacle find_touched(const Environment<D>&, const double*, Cell) noexcept; \
+#define DSW_INSIDE(D)                                                                                   \
+  template SeenObstacle find_touched(const Environment<D>&, const double*) noexcept;                    \
+  template SeenObstacle find_touched(const Environment<D>&, const double*, Cell) noexcept;              \
+  template SeenObstacle find_touched_near(const Environment<D>&, const double*, Cell, double) noexcept; \
   template Cell find_inside(const Environment<D>&, const double*, Cell, double, double*)
 DSW_INSIDE(2);
 DSW_INSIDE(3);

@@ -21,6 +21,10 @@ SeenObstacle find_touched(const Environment<D>& env, const double* point) noexce
 template <int D>
 SeenObstacle find_touched(const Environment<D>& env, const double* point, Cell c) noexcept;
 
+/** The same where a rounded distance to the nearest obstacle is known: far from all obstacles there is none. */
+template <int D>
+SeenObstacle find_touched_near(const Environment<D>& env, const double* point, Cell c, double distance) noexcept;
+
 /** The nearest place in passable space, and its cell. A point in passable space that lies on no obstacle stays where it
  * is. Another goes to the nearest wall, and `by` further along its normal; where that way is not free, as far towards
  * the centre of the cell there. So little as rounding allows is the least. An invalid cell, and the point as it is: there is no such place. */

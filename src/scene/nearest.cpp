@@ -97,8 +97,11 @@ class NearestOfBatch {
   void ask(const double* point, Cell start, dsw_nearest& answer) {
     last_ = start;
     NearestResult found;
-    answer =
-        find_nearest_far(env_, point, start, radius_, notes_, found) ? report_nearest(env_, found, {}) : nothing_near();
+    const bool is_near = find_nearest_far(env_, point, start, radius_, notes_, found);
+    const SeenObstacle seen = is_near ? find_touched_near(env_, point, start, found.distance) : SeenObstacle{};
+    answer = seen.cell.valid() ? report_touched(env_, seen, point)
+             : is_near         ? report_nearest(env_, found, {})
+                               : nothing_near();
     answer.volumes_visited = found.volumes_visited;
   }
   void ask(const double* from, const double* to, Cell start, dsw_segment_nearest& answer) {
@@ -110,11 +113,28 @@ class NearestOfBatch {
     answer.nearest.volumes_visited = found.volumes_visited;
     answer.segment_parameter = found.parameter;
     std::copy_n(found.segment_point, 3, answer.segment_point);
+    if (answer.nearest.cell.kind != DSW_CELL_NONE && !found.crossed.valid())
+      settle_ends(from, to, start, found, answer);
     last_ = found.last;
     is_end_known_ = !found.crossed.valid();
   }
 
  private:
+  /** A segment whose end lies exactly on an obstacle is at distance 0 from it. */
+  void settle_ends(const double* from, const double* to, Cell start, const SegmentNearest& found,
+                   dsw_segment_nearest& answer) const {
+    for (const double* end : {from, to}) {
+      const SeenObstacle seen = find_touched_near(env_, end, end == from ? start : found.last, found.distance);
+      if (!seen.cell.valid()) continue;
+      const uint32_t visited = answer.nearest.volumes_visited;
+      answer.nearest = report_touched(env_, seen, end);
+      answer.nearest.volumes_visited = visited;
+      answer.segment_parameter = end == from ? 0 : 1;
+      std::copy_n(end, D, answer.segment_point);
+      return;
+    }
+  }
+
   const Environment<D>& env_;
   double radius_;
   BoundedNotes notes_;

@@ -59,10 +59,8 @@ class Lattice {
     description.connectivity = connectivity_.data();
     description.connectivity_count = connectivity_.size();
     description.flags = DSW_ENVIRONMENT_NO_LOCATE_TREE;
-    const dsw_environment_desc checked = check_description<3>(description);
     BuildReport report;
-    read_mesh(env, checked, report);
-    finish_mesh(env, checked, report);
+    dsw::build(env, check_description<3>(description), report);
   }
 
  private:

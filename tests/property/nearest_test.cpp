@@ -68,6 +68,11 @@ TEST_P(NearestTest, DistanceIsThatOfTheNearestOfAll) {
         continue;
       }
       ASSERT_EQ(status, DSW_STATUS_OK) << dsw_last_error_message();
+      const dsw_cell touched = obstacles.touched(p);
+      if (touched.kind != DSW_CELL_NONE) {
+        EXPECT_EQ(near.distance, 0) << hex(p);
+        EXPECT_TRUE(same(near.cell, touched)) << hex(p) << " names " << near.cell;
+      }
       SCOPED_TRACE("seed " + std::to_string(seed) + " point " + hex(p) + " start " + std::to_string(start.index) + "." +
                    std::to_string(start.generation) + ", in " + std::to_string(cell));
       long double best = HUGE_VAL, named = HUGE_VAL;

@@ -78,6 +78,11 @@ def test_contacts_name_the_surface() -> None:
         assert name_of(environment, environment.find_nearest((1, 1.25, 3.9))) == (12, "outlet")
         near = environment.find_nearest_to_points([(1, 1.25, 3.9), (0.1, 1, 2)])
         assert environment.surfaces_of(near)["name"].tolist() == ["outlet", "wall"]
+        near = environment.find_nearest_to_segments([(1, 1.25, 3.9)], [(1, 1.25, 3.8)])
+        assert environment.surfaces_of(near)["name"].tolist() == ["outlet"]
+        path = environment.cast_path((0.5, 0.5, 0.5), (1.5, 0.5, 0.5))
+        environment.name_surface("between", [path[1]["face"]])
+        assert environment.surfaces_of(path)["name"].tolist() == ["", "between"]
         assert len(environment.surfaces_of(flights[:0])) == 0
         with pytest.raises(TypeError, match="ids of faces are needed, not int"):
             environment.surfaces_of(5)

@@ -17,15 +17,21 @@ from numpy.typing import NDArray
 
 Points = NDArray[np.float64]
 Indices = NDArray[np.int64]
+Closed = tuple[Points, Indices, int, int, int]
 
 LUMEN, TISSUE = 1, 2  # as in surfaces.py
 SIZE = 0.8  # of edges by default, over the lumen's width: a few cells lie side by side across it
 PLACES = 5  # that messages name at most
+NEAR = 1e-6  # of the extent: a repair makes points one that lie nearer; MeshFix rounds coordinates to 6 digits
 FLAT = 1e-9  # volume over the power 3/2 of the area; TetGen takes what is flatter for a sheet
 
 
 class Refused(Exception):
     """The surface can't be filled; the text says why."""
+
+
+class Mendable(Refused):
+    """A repair may help."""
 
 
 def _answer() -> None:
@@ -51,18 +57,23 @@ def _work(
 ) -> tuple[Any, ...]:
     """The members of FilledSurface."""
     points, triangles = _merged(points * scale, triangles)
-    triangles, part_count = _chosen(points, triangles, parts)
-    points, triangles = _used(points, triangles)
     notes: tuple[str, ...] = ()
     try:
-        points, wall, hole_count = _closed(points, triangles, largest_hole)
-    except Refused as reason:
+        points, wall, count, hole_count, part_count = _surface(points, triangles, parts, largest_hole)
+    except Mendable as reason:
         if not repair:
-            raise
-        points, triangles, made, notes = _repaired(points, triangles, largest_hole, reason)
-        points, wall, hole_count = _closed(points, np.concatenate([triangles, made]), largest_hole, len(triangles))
-    is_cap = np.arange(len(wall)) >= len(triangles)
+            raise Refused(f"{reason}; repair=True may mend it") from reason
+        (points, wall, count, hole_count, part_count), notes = _repaired(points, triangles, parts, largest_hole, reason)
+    is_cap = np.arange(len(wall)) >= count
     return *_filled(points, wall, outside, size, thickness), is_cap, hole_count, part_count, notes
+
+
+def _surface(points: Points, triangles: Indices, parts: str, largest_hole: float) -> Closed:
+    """The parts that are asked for, closed: points, triangles, how many of them are no caps, and how many open ends and parts there were."""
+    triangles, part_count = _chosen(points, triangles, parts)
+    points, triangles = _used(points, triangles)
+    points, wall, hole_count = _closed(points, triangles, largest_hole, len(triangles))
+    return points, wall, len(triangles), hole_count, part_count
 
 
 def _at(place: Points) -> str:
@@ -131,7 +142,7 @@ def _chosen(points: Points, triangles: Indices, parts: str) -> tuple[Indices, in
     part = _components(len(points), triangles[:, :2].ravel(), triangles[:, 1:].ravel())[triangles[:, 0]]
     count = len(np.unique(part))
     if count > 1 and parts == "one":
-        raise Refused(f"it has {count} parts that share no point: parts='largest' fills the largest, parts='all' fills all")
+        raise Mendable(f"it has {count} parts that share no point: parts='largest' fills the largest, parts='all' fills all")
     if parts == "largest":
         triangles = triangles[part == np.argmax(np.bincount(part, _areas(points, triangles)))]
     return triangles, count
@@ -150,7 +161,7 @@ def _turned(points: Points, triangles: Indices) -> tuple[Indices, Indices, Indic
     if len(crowded) > 0:
         which = "1 edge has" if len(crowded) == 1 else f"{len(crowded)} edges have"
         start, end = points[starts[crowded[0]]], points[ends[crowded[0]]]
-        raise Refused(f"{which} more than two triangles, the first from {_at(start)} to {_at(end)}: it has no inside")
+        raise Mendable(f"{which} more than two triangles, the first from {_at(start)} to {_at(end)}: it has no inside")
     shared, rim = first[uses == 2], order[first[uses == 1]]
     a, b = order[shared], order[shared + 1]
     # Each triangle is two nodes, for its two sides. Neighbours that run along their edge the same way have unlike sides.
@@ -160,7 +171,7 @@ def _turned(points: Points, triangles: Indices) -> tuple[Indices, Indices, Indic
     one_sided = np.flatnonzero(label[:count] == label[count:])
     if len(one_sided) > 0:
         place = points[triangles[one_sided[0]]].mean(axis=0)
-        raise Refused(f"it has only one side, as a Moebius strip has, near {_at(place)}: it has no inside")
+        raise Mendable(f"it has only one side, as a Moebius strip has, near {_at(place)}: it has no inside")
     is_turned = label[:count] > label[count:]
     rims = np.stack([starts[rim], ends[rim]], axis=1)
     rims[is_turned[rim // 3]] = rims[is_turned[rim // 3], ::-1]
@@ -188,10 +199,9 @@ def _inside_volumes(points: Points, triangles: Indices) -> Points:
 # --- closed
 
 
-def _closed(points: Points, triangles: Indices, largest_hole: float, surface_count: int | None = None) -> tuple[Points, Indices, int]:
+def _closed(points: Points, triangles: Indices, largest_hole: float, surface_count: int) -> tuple[Points, Indices, int]:
     """Points and triangles with caps on the open ends, normals out of the inside of each sheet; and how many open ends there were.
     Triangles from `surface_count` on are caps already."""
-    count = len(triangles) if surface_count is None else surface_count
     triangles, _, rim = _turned(points, triangles)
     holes = _loops(points, triangles, rim)
     for hole in holes:
@@ -200,10 +210,10 @@ def _closed(points: Points, triangles: Indices, largest_hole: float, surface_cou
         if width > largest_hole:
             raise Refused(f"its open end at {_at(middle)} is {width:g} wide, and largest_hole is {largest_hole:g}")
     try:
-        return *_outward(*_capped(points, triangles, holes), count), len(holes)
+        return *_outward(*_capped(points, triangles, holes), surface_count), len(holes)
     except Refused:
         try:  # a fan can cross the surface where a cap of MeshFix does not
-            return *_outward(*_capped_by_meshfix(points, triangles), count), len(holes)
+            return *_outward(*_capped_by_meshfix(points, triangles), surface_count), len(holes)
         except Refused:
             pass
         raise
@@ -213,11 +223,11 @@ def _outward(points: Points, triangles: Indices, surface_count: int) -> tuple[Po
     """The closed surface, checked, with normals out of the inside of each sheet. Triangles from `surface_count` on are caps."""
     triangles, sheet, rim = _turned(points, triangles)
     if len(rim) > 0:
-        raise Refused(f"its open end at {_at(points[rim].mean(axis=(0, 1)))} can't be closed")
+        raise Mendable(f"its open end at {_at(points[rim].mean(axis=(0, 1)))} can't be closed")
     volumes, areas = np.bincount(sheet, _inside_volumes(points, triangles)), np.bincount(sheet, _areas(points, triangles))
     flat = np.flatnonzero((areas > 0) & (np.abs(volumes) <= FLAT * areas**1.5))
     if len(flat) > 0:
-        raise Refused(f"it is flat near {_at(points[triangles[flat[0]]].mean(axis=0))}: it encloses no volume")
+        raise Mendable(f"it is flat near {_at(points[triangles[flat[0]]].mean(axis=0))}: it encloses no volume")
     _check_crossings(points, triangles, surface_count)
     return points, np.where((volumes[sheet] < 0)[:, np.newaxis], triangles[:, ::-1], triangles)
 
@@ -310,7 +320,7 @@ def _check_crossings(points: Points, triangles: Indices, surface_count: int) -> 
     number = _numbers(np.concatenate([triangles, crossing]), len(points))
     of_caps = np.isin(number[len(triangles) :], number[surface_count : len(triangles)]).sum()
     caps = f", {of_caps} of them in caps of open ends" if of_caps > 0 else ""
-    raise Refused(f"{len(found)} of its triangles cross others{caps}, {_places(points, crossing)}; repair=True lets MeshFix mend it")
+    raise Mendable(f"{len(found)} of its triangles cross others{caps}, {_places(points, crossing)}")
 
 
 def _places(points: Points, triangles: Indices) -> str:
@@ -325,34 +335,77 @@ def _places(points: Points, triangles: Indices) -> str:
 # --- repaired
 
 
-def _repaired(points: Points, triangles: Indices, largest_hole: float, reason: Refused) -> tuple[Points, Indices, Indices, tuple[str, ...]]:
-    """Points, those triangles that MeshFix leaves, those that it makes, and what is to be said of it. Each part is repaired by itself:
-    MeshFix would keep the largest part alone."""
+def _repaired(points: Points, triangles: Indices, parts: str, largest_hole: float, reason: Refused) -> tuple[Closed, tuple[str, ...]]:
+    """The surface, closed, after points that nearly touch have become one, and if that is not enough after MeshFix; and what has changed."""
+    label, count = _welded(points), len(points)
+    notes = [f"the surface could not be filled: {reason}"]
+    merged = label[triangles]
+    merged = merged[(merged != np.roll(merged, 1, axis=1)).all(axis=1)]
+    if len(np.unique(label)) < count and len(merged):
+        notes.append(f"{count - len(np.unique(label))} of {count} points lay nearer than {NEAR:g} of the extent to others and have become one with them")
+        points, triangles = _used(points, merged)
+        try:
+            return _surface(points, triangles, parts, largest_hole), tuple(notes)
+        except Mendable:
+            pass
+    triangles, part_count = _chosen(points, triangles, parts)
+    points, kept, made = _by_meshfix(points, triangles)
+    gone = len(triangles) - len(kept)
+    if _areas(points, kept).sum() < 0.5 * _areas(points, triangles).sum():
+        raise Refused(f"{reason}; MeshFix would take away {gone} of {len(triangles)} triangles")
+    if gone:
+        number = _numbers(np.concatenate([triangles, kept]), len(points))
+        places = _places(points, triangles[~np.isin(number[: len(triangles)], number[len(triangles) :])])
+        notes.append(f"MeshFix has taken away {gone} of {len(triangles)} triangles, {places}")
+    if len(made):
+        _check_widths(points, made, largest_hole)
+        notes.append(f"MeshFix has put in {len(made)} triangle{'s' * (len(made) > 1)}, {_places(points, made)}")
+    try:
+        points, every = _used(points, np.concatenate([kept, made]))
+        points, wall, hole_count = _closed(points, every, largest_hole, len(kept))
+    except Mendable as still:
+        raise Refused(f"{reason}; after MeshFix {str(still).removeprefix('its ').removeprefix('it ')}") from still
+    return (points, wall, len(kept), hole_count, part_count), tuple(notes)
+
+
+def _by_meshfix(points: Points, triangles: Indices) -> tuple[Points, Indices, Indices]:
+    """Points, those of the triangles that MeshFix leaves, and those that it makes. Each part is repaired by itself, because MeshFix keeps the
+    largest part alone."""
     part = _components(len(points), triangles[:, :2].ravel(), triangles[:, 1:].ravel())[triangles[:, 0]]
-    kept, made = [], []
-    for label in np.unique(part):
-        mine = triangles[part == label]
-        tool = _meshfix(points, mine)
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    unit = 2.0 ** np.floor(np.log2(np.ptp(points, axis=0).max())) / 1024  # MeshFix rounds to 6 digits behind the point, whatever the unit
+    kept, made = [np.empty((0, 3), np.int64)], [np.empty((0, 3), np.int64)]
+    for each in np.unique(part):
+        mine = triangles[part == each]
+        tool = _meshfix((points - middle) / unit, mine)
         tool.fill_small_boundaries(0, True)
         tool.clean(10, 3)
-        every, its = _of_meshfix(points, tool)
+        its_points, its_triangles = tool.return_arrays()
+        every = np.concatenate([points, its_points * unit + middle])
+        its = _welded(every)[len(points) :][its_triangles]
+        its = its[(its != np.roll(its, 1, axis=1)).all(axis=1)]
         number = _numbers(np.concatenate([mine, its]), len(every))
         kept.append(mine[np.isin(number[: len(mine)], number[len(mine) :])])
-        new = its[~np.isin(number[len(mine) :], number[: len(mine)])]
-        made.append(new)
+        made.append(its[~np.isin(number[len(mine) :], number[: len(mine)])])
         points = every
     left, new = np.concatenate(kept), np.concatenate(made)
     if len(left) + len(new) == 0:
-        raise Refused(f"{reason}; MeshFix leaves nothing of it")
-    number = _numbers(np.concatenate([triangles, left]), len(points))
-    gone = triangles[~np.isin(number[: len(triangles)], number[len(triangles) :])]
-    notes = [f"The surface could not be filled: {str(reason).partition('; repair=')[0]}."]
-    if len(gone):
-        notes.append(f"MeshFix has taken away {len(gone)} of {len(triangles)} triangles, {_places(points, gone)}.")
-    if len(new):
-        _check_widths(points, new, largest_hole)
-        notes.append(f"MeshFix has put in {len(new)} triangles, {_places(points, new)}.")
-    return points, left, new, tuple(notes)
+        raise Refused("MeshFix leaves nothing of it")
+    return points, left, new
+
+
+def _welded(points: Points) -> Indices:
+    """For each point the first one that lies nearer than NEAR of the extent; that may be itself."""
+    near = NEAR * float(np.ptp(points, axis=0).max())
+    label = np.arange(len(points))
+    at: dict[tuple[int, ...], list[int]] = {}
+    places = points.tolist()
+    for i, (x, y, z) in enumerate(np.floor(points / near).astype(np.int64).tolist() if near > 0 else ()):
+        beside = (j for a in (x - 1, x, x + 1) for b in (y - 1, y, y + 1) for c in (z - 1, z, z + 1) for j in at.get((a, b, c), ()))
+        label[i] = next((j for j in beside if math.dist(places[i], places[j]) < near), i)
+        if label[i] == i:
+            at.setdefault((x, y, z), []).append(i)
+    return label
 
 
 def _check_widths(points: Points, triangles: Indices, largest_hole: float) -> None:

@@ -262,7 +262,8 @@ class Named:
 
     def surfaces_of(self, contacts: Any) -> Records:
         """The surface of what was met: for each a `tag` and a `name` (dtypes.surface), 0 and "" where it is no named face. If several have the
-        face, the one of fewest faces. contacts: flights, sweeps, contacts, near rows, or ids of faces, as an array or a single object."""
+        face, the one of fewest faces. contacts: flights, sweeps, crossings, contacts, what is nearest, near rows, or ids of faces, as an array or
+        a single object."""
         names = list(self._names.surfaces.members)
         made = dtypes.surface(max((len(name) for name in names), default=1))
         tags = np.array([*(self._names.surfaces.tags[name] for name in names), 0], np.int64)
@@ -313,8 +314,8 @@ def _walls(contacts: Any) -> Any:
         names = contacts.dtype.names or ()
         if "contact" in names:
             return contacts["contact"]["wall"]
-        if "wall" in names:
-            return contacts["wall"]
+        if "wall" in names or "face" in names:
+            return contacts["wall" if "wall" in names else "face"]
         if "nearest" in names:
             contacts = contacts["nearest"]
         if "cell" in names or "nearest" in names:
@@ -324,7 +325,7 @@ def _walls(contacts: Any) -> Any:
     elif isinstance(contacts, (list, tuple)):
         return np.concatenate([np.atleast_1d(_walls(each)) for each in contacts]) if contacts else np.empty(0, dtypes.FACE_ID)
     else:
-        thing = getattr(contacts, "contact", contacts)
+        thing = getattr(contacts, "contact", getattr(contacts, "nearest", contacts))
         wall = getattr(thing, "wall", thing)
         if hasattr(wall, "cell"):
             wall = wall.cell

@@ -32,6 +32,7 @@ from ._core import (
     VolumeId,
 )
 from ._names import Labels, Named, Names, changes_topology
+from ._names import PlaneFrame as PlaneFrame
 from .enums import CellType, EnvironmentFlag, Location, Mark
 from .options import options as described
 
@@ -289,10 +290,10 @@ class Environment(Named):
         return self._core.find_nearest(point, radius, volume)  # type: ignore[no-any-return]
 
     def inside(self, points: ArrayLike, by: float = 0.0, hints: Ids | None = None, volumes: Records | None = None) -> NDArray[np.float64]:
-        """The nearest place that is inside for each point, of shape (n, 3) or (3,): in a passable volume and on nothing impassable. Points
-        inside stay as they are. Others go to the nearest place of the boundary and from there `by` along its normal, or where that is
-        not free towards the middle of the volume there; 0 is as little as rounding allows. `volumes`, of the places, are filled where
-        they are given; a null id says that there is none."""
+        """The nearest place that is inside for each point, of shape (n, 3) or (3,): in a passable volume and on nothing impassable. In C this
+        is dsw_environment_find_inside. Points inside stay as they are. Others go to the nearest place of the boundary and from there `by`
+        along its normal, or where that is not free towards the middle of the volume there; 0 is as little as rounding allows. `volumes`,
+        of the places, are filled where they are given; a null id says that there is none."""
         given = np.asarray(points, np.float64)
         rows = given.reshape(-1, given.shape[-1])
         found = np.empty(rows.shape)

@@ -104,8 +104,7 @@ def _environment(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> En
     try:
         made = from_surface((mesh.points, triangles), **options)
     except surfaces.SurfaceError as error:
-        found = str(error).partition("surface: ")[2]
-        raise MeshError(mesh.source, f"it is a surface in space that can't be filled: {found}", "from_surface tells what it needs") from error
+        raise MeshError(mesh.source, f"it is a surface in space that can't be filled: {error.found}", "from_surface tells what it needs") from error
     made._names.notes = (*mesh.notes, "it is a surface in space: its inside was filled with tetrahedra", *made.notes)
     return made
 

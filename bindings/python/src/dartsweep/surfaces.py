@@ -34,8 +34,21 @@ _ENDINGS = (".obj", ".ply", ".stl", ".vtk", ".vtp")
 _START = "import runpy, sys; sys.path[:] = sys.argv[2:]; runpy.run_path(sys.argv[1], run_name='__main__')"
 
 
-class SurfaceError(ValueError):
+try:
+    from .errors import MeshError
+except ImportError:  # this file alone, without the package
+    MeshError = ValueError  # type: ignore[misc, assignment]
+
+
+class SurfaceError(MeshError):
     """A surface can't be read or filled. The text names the surface and tells what is wrong and where."""
+
+    def __init__(self, found: str, file: str = "surface") -> None:
+        ValueError.__init__(self, found, file)
+        self.file, self.found, self.way_on = file, found, found.partition("; ")[2]
+
+    def __str__(self) -> str:
+        return f"{self.file}: {self.found}"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -85,8 +98,9 @@ def fill(
     parts: what to do with a surface of several connected parts. "one": it is an error. "largest": the part of largest area is filled.
     "all": all are; what two of them enclose is outside, so the two surfaces of a thick wall give the wall.
     scale: all points are multiplied by it, such as 0.001 for a file in millimetres and an environment in metres.
-    repair: MeshFix mends a surface that can't be filled: triangles that cross, edges of three triangles, slivers. `notes` say what it has
-    changed. A surface that can be filled stays as it is. What MeshFix closes may not be wider than largest_hole either.
+    repair: a surface that can't be filled is mended. Points nearer than a millionth of its extent become one; if that is not enough, MeshFix
+    takes away triangles that cross, edges of three triangles and slivers, and closes the openings. `notes` say what was changed. What MeshFix
+    closes may not be wider than largest_hole. A surface that can be filled stays as it is.
 
     Raises SurfaceError with the name of the surface if it has no triangles, indices out of range, points that are not finite, an edge of
     three triangles, triangles that cross, one side only, no volume, or an open end or parts that are not allowed. Raises OSError if there
@@ -108,12 +122,8 @@ def fill(
         points, triangles = _arrays(surface)
         return FilledSurface(*_in_own_process(points, triangles, scale, parts, largest_hole, outside, size, thickness, repair))
     except SurfaceError as error:
-        raise _named(error, surface) from error.__cause__
-
-
-def _named(error: SurfaceError, surface: Any) -> SurfaceError:
-    is_path = isinstance(surface, (str, os.PathLike))
-    return SurfaceError(f"surface '{os.fspath(surface)}': {error}" if is_path else f"surface: {error}")
+        is_path = isinstance(surface, (str, os.PathLike))
+        raise SurfaceError(error.found, f"surface '{os.fspath(surface)}'" if is_path else "surface") from error.__cause__
 
 
 def _missing(name: str) -> ImportError:

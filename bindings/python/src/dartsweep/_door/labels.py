@@ -74,13 +74,16 @@ def _atoms(labels: NDArray[Any] | None, groups: dict[str, Indices], mesh: Mesh) 
     for name, cells in groups.items():
         if len(cells) and not (0 <= np.min(cells) and np.max(cells) < count):
             raise MeshError(mesh.source, f"the group {name!r} names cell {int(np.max(cells))}, there are {count}", "the program that made it may be asked again")
-    member = np.zeros((count, len(groups)), bool, order="F")
-    for i, cells in enumerate(groups.values()):
-        member[cells, i] = True
-    if labels is None and not (member.sum(axis=1) > 1).any():
-        return (member @ np.arange(1, len(groups) + 1)).astype(np.int32), {**names, **{name: i for i, name in enumerate(groups, 1)}}
+    taken = np.zeros(count, np.int32)
+    for cells in groups.values():
+        taken[cells] += 1
+    if labels is None and not (taken > 1).any():
+        single = np.zeros(count, np.int32)
+        for i, cells in enumerate(groups.values(), 1):
+            single[cells] = i
+        return single, {**names, **{name: i for i, name in enumerate(groups, 1)}}
     base = np.zeros(count, np.int64) if labels is None else labels.astype(np.int64)
-    kinds, kind = _kinds(base, member)  # of each label first what most groups have
+    kinds, kind = _kinds(base, list(groups.values()))
     if labels is None:
         number = np.cumsum((kinds[:, 1:] == 0).any(axis=1)) * (kinds[:, 1:] == 0).any(axis=1)
     else:
@@ -97,24 +100,23 @@ def _atoms(labels: NDArray[Any] | None, groups: dict[str, Indices], mesh: Mesh) 
     return number[kind].astype(np.int32), {name: value for name, value in names.items() if value != ()}
 
 
-def _kinds(base: NDArray[Any], member: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """The different rows of labels and absences, in order, and which of them each cell has."""
-    code = _dense(base)
-    for column in range(member.shape[1]):
-        code = _dense(2 * code + member[:, column])
-    first = np.empty(int(code.max(initial=-1)) + 1, np.int64)
-    first[code[::-1]] = np.arange(len(code) - 1, -1, -1)
-    rows = np.column_stack([base[first], ~member[first]])
-    order = np.lexsort(rows.T[::-1])
-    place = np.empty(len(order), np.int64)
-    place[order] = np.arange(len(order))
-    return rows[order], place[code]
-
-
-def _dense(values: NDArray[Any]) -> NDArray[Any]:
-    """Numbers from 0 on in place of values, in their order."""
-    shifted = values - values.min(initial=0)
-    if int(shifted.max(initial=0)) > 4 * len(values) + 1024:
-        shifted = np.unique(values, return_inverse=True)[1].ravel()
-    made: NDArray[Any] = (np.cumsum(np.bincount(shifted) > 0) - 1)[shifted]
-    return made
+def _kinds(base: NDArray[np.int64], groups: list[Indices]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """What cells can be: rows of a label and, for each group, 0 for its cells and 1 for others, in ascending order, so that of each label what
+    most groups have is first; and the row of each cell. Each step numbers what there is anew, without sorting cells."""
+    low = int(base.min(initial=0))
+    spread = int(base.max(initial=0)) - low + 1
+    if spread <= 4 * len(base) + 1024:
+        present = np.bincount(base - low, minlength=1) > 0
+        values, kind = np.flatnonzero(present) + low, (np.cumsum(present) - 1)[base - low]
+    else:
+        values, kind = np.unique(base, return_inverse=True)
+    rows = values[:, np.newaxis]
+    for cells in groups:
+        outside = np.ones(len(base), np.int64)
+        outside[cells] = 0
+        step = 2 * kind + outside
+        present = np.bincount(step, minlength=1) > 0
+        there = np.flatnonzero(present)
+        rows = np.column_stack([rows[there // 2], there % 2])
+        kind = (np.cumsum(present) - 1)[step]
+    return rows, kind
