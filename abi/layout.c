@@ -78,7 +78,7 @@ AT(dsw_environment_desc, tags, 112);
 AT(dsw_environment_desc, uniform_cell_type, 120);
 AT(dsw_environment_desc, reserved, 124);
 AT(dsw_environment_desc, merge_distance, 128);
-GROWS(dsw_environment_desc, reserved);
+GROWS(dsw_environment_desc, merge_distance);
 
 SIZE(dsw_build_report, 136);
 AT(dsw_build_report, struct_size, 0);
@@ -97,7 +97,7 @@ AT(dsw_build_report, changed, 76);
 AT(dsw_build_report, touching_face_count, 108);
 AT(dsw_build_report, touching_face, 112);
 AT(dsw_build_report, touched_face, 124);
-GROWS(dsw_build_report, convex_volume_count);
+GROWS(dsw_build_report, touched_face);
 
 SIZE(dsw_environment_info, 96);
 AT(dsw_environment_info, struct_size, 0);

@@ -32,6 +32,7 @@ class Change : public Site<D> {
   }
   /** The change has been made. */
   void tell() {
+    this->env.map.keep_tables();
     call_->done(this->results);
     if (out_ != nullptr) write_struct(out_, this->results.change());
   }

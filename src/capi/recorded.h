@@ -65,7 +65,8 @@ class Recorded {
    * results can be left out. */
   template <class Row, class... Arguments>
   Recorded(dsw_scene* scene, const Row& row, const Arguments&... arguments) noexcept
-      : scene_(scene != nullptr && (scene->recording != nullptr || scene->watch != nullptr) ? scene : nullptr),
+      : host_(scene),
+        scene_(scene != nullptr && (scene->recording != nullptr || scene->watch != nullptr) ? scene : nullptr),
         with_environment_(changes_environment(row)) {
     if (scene_ == nullptr || scene_->recording == nullptr) return;
     typename Row::Given given{};
@@ -84,6 +85,7 @@ class Recorded {
   /** It has done what it should; `results` are what it answered or changed, whatever is quick to read. */
   template <class... Results>
   void done(const Results&... results) noexcept {
+    if (host_ != nullptr) visit(*host_->environment, [](auto& env) { env.map.keep_tables(); });
     if (scene_ == nullptr) return;
     Digest digest;
     [[maybe_unused]] const auto add = [&](const void* bytes, size_t count) { digest.put(bytes, count); };
@@ -110,6 +112,7 @@ class Recorded {
   void begin(uint64_t number, size_t size) noexcept;
   void finish(bool failed, uint64_t digest) noexcept;
 
+  dsw_scene* host_;   // null: an environment without one
   dsw_scene* scene_;  // null: nobody wants to know
   bool with_environment_;
 };

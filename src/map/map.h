@@ -108,7 +108,10 @@ struct Map {
   uint32_t convex_bit = kConvexBit;  // 0 once points have moved: then records say of simplices alone that they are
                                      // convex
 
-  bool is_as_created = true;  // no change has been finished: what a snapshot needs is what it needed before
+  bool is_as_created = true;  // tables for changes were made by calls that failed alone: a snapshot leaves them out
+
+  /** A call has succeeded: tables that were made stay. */
+  void keep_tables() noexcept { is_as_created = is_as_created && !has_changed(); }
 
   explicit Map(const Memory* memory)
       : words(memory),

@@ -23,6 +23,7 @@ SKIPPED = re.compile(r"\.git|build.*|out|node_modules|__pycache__|\.\w+_cache")
 LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?[^)]*\)|^\[[^\]]+\]:\s*(\S+)|\b(?:href|src)=[\"']([^\"']*)[\"']", re.M)
 PATH = re.compile(r"(?<![\w/.$}*-])(?:abi|bindings|examples|include|src|tests)/[\w./*<>{},+-]*[\w/*>}]")
 SOURCE = re.compile(r"(?:`|<code>)((?:[\w.*-]+/)*(?:[\w*-][\w.*-]*\.(?:h|hpp|inl|c|cpp|i|py|sh|cmake|ini|md)|[\w*-]+/))(?:`|</code>)")
+CODE = re.compile(r"<code>[^\n]*?</code>|`[^`\n]*`")
 ELSEWHERE = re.compile(r"\w+:|[{/]|$")  # of the web, of a template, of nothing
 JUDGED = re.compile(r"^(?!abi/clients/).*(?:\.(?:h|hpp|inl|c|cpp|i|cmake)|CMakeLists\.txt)$")
 
@@ -65,7 +66,7 @@ def violations(root):
         text = (root / name).read_text()
         above = [parent.as_posix() for parent in pathlib.PurePosixPath(name).parents]
 
-        def judge_all(pattern, is_sound, why):
+        def judge_all(pattern, is_sound, why, text=text):
             for match in pattern.finditer(text):
                 word = match[match.lastindex or 0]
                 if not is_sound(word):
@@ -81,7 +82,8 @@ def violations(root):
         if name != "CHANGELOG.md":
             judge_all(PATH, lambda path: all(is_there(one, above) for one in patterns(path)), "no such file or folder")
         if is_page:
-            judge_all(LINK, leads_somewhere, "no such file or heading")
+            without_code = CODE.sub(lambda code: " " * len(code[0]), text)  # which may look like a link
+            judge_all(LINK, leads_somewhere, "no such file or heading", without_code)
         if is_page and name != "CHANGELOG.md":
             judge_all(SOURCE, lambda path: PATH.match(path) or MADE.match(path) or all(
                 is_there(one, above) or fnmatch.filter(below, "*/" + one) for one in patterns(path)), "no such source or folder")
@@ -93,7 +95,7 @@ HEADING = "# Of `cells`, in two\n"
 TREES = {
     "sound": ({NEEDED: "[cells](src/map/README.md#of-cells-in-two) [here](#top) [far](https://x.y/z) [made](build/a.html)\n## Top\n`src/map`, "
                        "`src/{map,map/README.md}`, `map/`, `src/X/README.md`, `build/src/x.cpp`; `walk.h`, `{{x}}`\n",
-               "src/map/README.md": HEADING, "src/map/walk.h": "// See src/map/README.md.\n",
+               "src/map/README.md": HEADING, "src/map/walk.h": "// See src/map/README.md.\n", "c.md": "`[&](x)` <code>[&](y)</code>\n",
                "CHANGELOG.md": "src/motion, `gone.h`\n", "a/b.html": '<a href="../src">x</a><img src="data:x"><a href="{{ y }}">'}, 0),
     "link": ({NEEDED: "[a](src/b.md)\n"}, 2),
     "link by name": ({NEEDED: "[a][b]\n\n[b]: c.md\n"}, 1),

@@ -191,7 +191,7 @@ static void bad_members_are_refused(void) {
   refuses(DSW_STATUS_WRONG_SIZE, &d, "stride_bytes is 28");
   d.stride_bytes = 24;
   d.vertex_count = SIZE_MAX / 16;
-  refuses(DSW_STATUS_WRONG_SIZE, &d, "stride_bytes");
+  refuses(DSW_STATUS_WRONG_SIZE, &d, "desc->positions cannot have");
   d = pyramid(), d.positions = NULL;
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->positions is null");
   d = pyramid(), d.edges = NULL;

@@ -1,5 +1,6 @@
 /* Creation, its defects, and destruction. What an environment answers is in cells_test.c. */
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -92,14 +93,14 @@ static void sizes_are_understood(void) {
   dsw_build_report old;
   dsw_environment *environment = NULL;
   d.known = grid_desc(&g);
-  d.known.struct_size = sizeof(dsw_environment_desc) - 1;
+  d.known.struct_size = offsetof(dsw_environment_desc, merge_distance) - 1; /* less than the first release had */
   CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_create(NULL, &d.known, &environment, NULL));
   d.known.struct_size = sizeof d;
   d.unknown = (uint64_t)1 << 63;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_create(NULL, &d.known, &environment, NULL));
   d.unknown = 0;
   memset(&old, 0, sizeof old);
-  old.struct_size = sizeof old - 1;
+  old.struct_size = offsetof(dsw_build_report, reoriented_face_count) - 1;
   CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_create(NULL, &d.known, &environment, &old));
   CHECK_MESSAGE("report->struct_size");
   CHECK(environment == NULL);
@@ -120,7 +121,7 @@ static void unknown_values_are_refused(void) {
   dsw_environment *environment = NULL;
   CHECK_REFUSES(DSW_STATUS_BAD_CELL_TYPE, d, dimension, 2, CREATE);
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, dimension, 4, CREATE);
-  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 0x80, CREATE);
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 0x100, CREATE);
   CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, reserved, 1, CREATE);
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, index_bytes, 2, CREATE);
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, volume_count, 0, CREATE);
