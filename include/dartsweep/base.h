@@ -116,13 +116,13 @@ typedef enum dsw_status {
   DSW_STATUS_INTERNAL = 31,  /**< A bug; please report the message. */
   /** These cells do not allow the change; see the message. */
   DSW_STATUS_BAD_TOPOLOGY = 32,
-  DSW_STATUS_BORROWED = 33,           /**< The host's points have no room for more. */
-  DSW_STATUS_WRITE_FAILED = 34,       /**< A recording was not written. */
-  DSW_STATUS_NOT_CLOSED = 35,         /**< The body is not a closed surface. */
-  DSW_STATUS_REPEATED_VERTEX = 36,    /**< An edge or face of a body repeats a vertex. */
-  DSW_STATUS_DUPLICATE_PART = 37,     /**< A body has an edge or face twice. */
-  DSW_STATUS_NOT_MANIFOLD = 38,       /**< A body would not be a manifold. */
-  DSW_STATUS_NOT_ORIENTED = 39,       /**< Faces of a body are turned against each other. */
+  DSW_STATUS_BORROWED = 33,        /**< The host's points have no room for more. */
+  DSW_STATUS_WRITE_FAILED = 34,    /**< A recording was not written. */
+  DSW_STATUS_NOT_CLOSED = 35,      /**< The body is not a closed surface. */
+  DSW_STATUS_REPEATED_VERTEX = 36, /**< An edge or face of a body repeats a vertex. */
+  DSW_STATUS_DUPLICATE_PART = 37,  /**< A body has an edge or face twice. */
+  DSW_STATUS_NOT_MANIFOLD = 38,    /**< A body would not be a manifold. */
+  DSW_STATUS_NOT_ORIENTED = 39,    /**< Faces of a body are turned against each other. */
   /** Parts of a mesh lie on each other and can't be sewn. @since 2.1 */
   DSW_STATUS_NOT_CONFORMING = 40,
   DSW_STATUS_FORCE_INT32 = 0x7fffffff /**< Unused. */

@@ -59,10 +59,11 @@ class Grid {
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
 
+  const double* point(uint32_t i) const noexcept { return points_ + size_t{i} * D; }
   GridBox<D> box_of(uint32_t i) const noexcept {
     GridBox<D> box;
     for (int k = 0; k < D; ++k) {
-      const double x = points_[size_t{i} * D + k];
+      const double x = point(i)[k];
       box.at[k] = (distance_ > 0 ? std::floor(x / distance_ / 2) : x) + 0.0;  // without -0
     }
     return box;
@@ -87,7 +88,7 @@ class Grid {
   bool are_one(uint32_t i, uint32_t j) const noexcept {
     double sum = 0;
     for (int k = 0; k < D; ++k) {
-      const double d = points_[size_t{i} * D + k] - points_[size_t{j} * D + k];
+      const double d = point(i)[k] - point(j)[k];
       if (!(distance_ > 0) && d != 0) return false;
       const double share = distance_ > 0 ? d / distance_ : 0;
       sum += share * share;

@@ -233,10 +233,10 @@ template <int D>
 void BodyMove<D>::look_ahead([[maybe_unused]] bool slides) {
   star_.near = nullptr;
   if constexpr (D == 3) {
-    constexpr size_t kLeastEdges = 16, kLeastShare = 4;
+    constexpr size_t kLeastEdges = 16, kOneIn = 4;
     const Body<D>& body = *course_.body;
     if (star_.partners == nullptr || !body.filter.self || !covers_edges(body.level)) return;
-    if (body.edges.size() < kLeastEdges || course_.order.size() * kLeastShare < body.vertices.size()) return;
+    if (body.edges.size() < kLeastEdges || course_.order.size() * kOneIn < body.vertices.size()) return;
     if (!body.boxes[0].loners.empty()) return;
     try {
       near_.start(body, slides, [&](uint32_t v) { return course_.moves(v) ? course_.targets[v] : body.position(v); });
