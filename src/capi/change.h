@@ -28,6 +28,7 @@ class Change : public Site<D> {
   /** The arguments have been checked: the call is written if the scene is recorded. */
   template <class Row, class... Arguments>
   void record(const Row& row, const Arguments&... arguments) {
+    this->env.map.begin_call();
     call_.emplace(host_, row, arguments...);
   }
   /** The change has been made. */

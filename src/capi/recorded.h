@@ -68,6 +68,7 @@ class Recorded {
       : host_(scene),
         scene_(scene != nullptr && (scene->recording != nullptr || scene->watch != nullptr) ? scene : nullptr),
         with_environment_(changes_environment(row)) {
+    if (host_ != nullptr) visit(*host_->environment, [](auto& env) { env.map.begin_call(); });
     if (scene_ == nullptr || scene_->recording == nullptr) return;
     typename Row::Given given{};
     fill<1>(given, arguments...);

@@ -110,8 +110,12 @@ struct Map {
 
   bool is_as_created = true;  // tables for changes were made by calls that failed alone: a snapshot leaves them out
 
-  /** A call has succeeded: tables that were made stay. */
-  void keep_tables() noexcept { is_as_created = is_as_created && !has_changed(); }
+  bool has_asked_for_tables = false;  // the call that is under way
+
+  /** A call begins. */
+  void begin_call() noexcept { has_asked_for_tables = false; }
+  /** A call has succeeded: tables that it made, or would have made, stay. */
+  void keep_tables() noexcept { is_as_created = is_as_created && !has_asked_for_tables; }
 
   explicit Map(const Memory* memory)
       : words(memory),

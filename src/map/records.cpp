@@ -95,6 +95,7 @@ uint32_t shape_length(const Map<D>& map, uint32_t number) noexcept {
 
 template <int D>
 void make_ready(Map<D>& map) {
+  map.has_asked_for_tables = true;
   if (map.has_changed()) return;
   const auto allocator = map.words.get_allocator();
   const bool uniform = map.unit_of_cell.empty();
