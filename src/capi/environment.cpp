@@ -71,10 +71,10 @@ void conform(capi::EnvironmentOwner& owner, dsw_context* context, const dsw_envi
   read_mesh(engine_of<D>(owner), mesh.description(desc), found);
 }
 
-/** Fails if parts lie on each other that could not be sewn. */
+/** Fails if parts lie on each other that could not be sewn. `is_known`: the report says which. */
 template <int D>
-void require_sewn(const dsw::Environment<D>& env, dsw::BuildReport& found) {
-  const dsw::Touching touching = find_touching(env);
+void require_sewn(const dsw::Environment<D>& env, bool is_known, dsw::BuildReport& found) {
+  const dsw::Touching touching = is_known ? found.touching : find_touching(env);
   if (touching.count == 0) return;
   const uint32_t a = env.map.index(env.map.cell_of(touching.first)), b = env.map.index(env.map.cell_of(touching.other));
   found.offenders = {2, {a, b}};
@@ -93,7 +93,8 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
         if ((d.flags & DSW_ENVIRONMENT_CONFORM) != 0) conform<D>(owner, context, d, found);
         auto& env = engine_of<D>(owner);
         finish_mesh(env, d, found);
-        if ((d.flags & DSW_ENVIRONMENT_CONFORM) != 0) require_sewn(env, found);
+        if ((d.flags & DSW_ENVIRONMENT_CONFORM) != 0)
+          require_sewn(env, (d.flags & DSW_ENVIRONMENT_FIND_TOUCHING) != 0, found);
         if (found.reoriented_count != 0) {
           capi::log_line(context, DSW_LOG_WARNING,
                          "dsw_environment_create: %u cells were inside out and have been mirrored",
