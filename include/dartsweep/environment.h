@@ -67,7 +67,14 @@ enum {
   DSW_ENVIRONMENT_CONFORM = 0x40,
   /** Counts faces of the boundary that lie on, or overlap, faces of other cells, in the report: casts
    * stop there. Cost: O(f log f) expected for f faces of the boundary. @since 2.1 */
-  DSW_ENVIRONMENT_FIND_TOUCHING = 0x80
+  DSW_ENVIRONMENT_FIND_TOUCHING = 0x80,
+  /** Splits cells whose mean does not see all of their faces, such as an L of cubes: into parts that
+   * are valid, between the points that exist, or where that is not possible round one new point
+   * inside of the cell. The first part keeps the index of the cell; others, and new points, come
+   * after all that were given. A face whose triangles come to several parts becomes these triangles
+   * for both of its cells. Cells with repeated points are what is left without the faces that
+   * collapse. Then INVALID_CELL names a cell that can't be split, and why. @since 2.1 */
+  DSW_ENVIRONMENT_SPLIT = 0x100
 };
 
 /** Describes an environment. */
@@ -125,8 +132,10 @@ typedef struct dsw_build_report {
   /** Faces of the boundary that lie on, or overlap, faces of other cells
    * (DSW_ENVIRONMENT_FIND_TOUCHING, dsw_environment_check). @since 2.1 */
   uint32_t touching_face_count;
-  dsw_face_id touching_face; /**< The first of them, or null. @since 2.1 */
-  dsw_face_id touched_face;  /**< A face that it lies on, or null. @since 2.1 */
+  dsw_face_id touching_face;  /**< The first of them, or null. @since 2.1 */
+  dsw_face_id touched_face;   /**< A face that it lies on, or null. @since 2.1 */
+  uint32_t split_count;       /**< Cells that DSW_ENVIRONMENT_SPLIT has split. @since 2.1 */
+  uint32_t added_point_count; /**< New points in them. @since 2.1 */
 } dsw_build_report;
 
 /** Numbers about an environment. */
@@ -268,6 +277,15 @@ DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment
 /** Gives the host `tag` of a volume, 0 by default. @note Cost: O(1). @since 2.0 */
 DSW_API dsw_status dsw_environment_get_tag(const dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t *tag);
+
+/** Gives the cell of dsw_environment_desc that a volume is, or is a part of: without
+ * DSW_ENVIRONMENT_SPLIT the volume's own index. Where cells were split, what changes of the topology,
+ * cuts, repairs and coarsening make of a volume has its parent, and what they make of several volumes
+ * that of the one whose labels it gets.
+ * @return DSW_STATUS_NOT_FOUND: cells were split, and the volume was added later.
+ * @note Cost: O(1). @since 2.1 */
+DSW_API dsw_status dsw_environment_get_parent(const dsw_environment *environment,
+                                              dsw_volume_id volume, uint32_t *index);
 
 /** Sets the host `tag` of a volume, also while scenes use it. No result depends on tags.
  * @note Cost: O(1) amortised; the first tag takes 4 bytes a volume. @since 2.0 */

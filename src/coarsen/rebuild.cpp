@@ -200,6 +200,7 @@ class Rebuild {
   void copy_labels() {
     for (const uint32_t root : roots_) {
       if (!source_.regions.empty()) target_.regions.push_back(source_.regions[root]);
+      if (!source_.parents.empty()) target_.parents.push_back(source_.parents[root]);
       if (!source_.tags.empty()) target_.tags.push_back(source_.tags[root]);
     }
     Array<uint64_t> edges(source_.memory);

@@ -46,6 +46,7 @@ struct CellDraft {
   bool marked = false;
   int32_t region = 0;
   uint32_t tag = 0;
+  uint32_t parent = kNoCell;  // of `from`; set when the edit is prepared
 
   explicit CellDraft(const Memory* memory) : facets(memory), also(memory) {}
 };

@@ -1,0 +1,34 @@
+#pragma once
+// A mesh whose cells are split if they are not valid, so that their parts are.
+
+#include "environment/builder.h"
+
+namespace dsw {
+
+template <int D>
+class SplitMesh {
+ public:
+  /** `env` was read (read_mesh) from `input`, which stays where it is while this lives. Facets of `env` may be cut anew. Throws
+   * INVALID_CELL or INVERTED_CELL, with the first cells that can't be split in the report; std::bad_alloc. */
+  SplitMesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
+
+  /** Whether a cell was split. */
+  bool has_changed() const { return !types_.empty(); }
+  /** Of all parts: the first one of a cell has the index of the cell, others follow after all cells, in the order of these.
+   * It points into this. */
+  const dsw_environment_desc& description() const { return made_; }
+  /** Of each cell of the description, the cell that was given. */
+  const Array<uint32_t>& parents() const { return parents_; }
+
+ private:
+  class Writer;
+
+  Array<uint8_t> types_;
+  Array<int64_t> offsets_, connectivity_;
+  Array<double> points_;
+  Array<int32_t> regions_;
+  Array<uint32_t> tags_, parents_;
+  dsw_environment_desc made_{};
+};
+
+}  // namespace dsw
