@@ -115,12 +115,12 @@ SplitDefect CellParts<3>::split(Cell c) {
 }
 
 SplitDefect CellParts<3>::fill(const PartHull<3>& surface, Array<PartHull<3>>& parts) {
-  for (const PeelOrder order : kPeelOrders) {
+  for (uint32_t order = 0; order < kPeelOrders; ++order) {
     if (peel(at_, surface, order, false, parts)) return SplitDefect::kNone;
   }
   const uint32_t points_before = at_.end();
   bool is_filled = fill_round_point(at_, surface, parts);
-  for (const PeelOrder order : kPeelOrders) is_filled = is_filled || peel(at_, surface, order, true, parts);
+  for (uint32_t order = 0; order < kPeelOrders; ++order) is_filled = is_filled || peel(at_, surface, order, true, parts);
   if (!is_filled) return SplitDefect::kNotFilled;
   if (may_add_) return SplitDefect::kNone;
   at_.take_back(points_before);

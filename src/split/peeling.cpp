@@ -36,7 +36,7 @@ struct Corner {
 /** What is left of a surface. */
 class Rest {
  public:
-  Rest(const PartPoints<3>& at, const PartHull<3>& surface, PeelOrder order)
+  Rest(const PartPoints<3>& at, const PartHull<3>& surface, uint32_t order)
       : at_(at), order_(order), triangles_(surface), sides_(at.memory()), vertices_(at.memory()) {
     std::sort(triangles_.begin(), triangles_.end());
     for (uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -117,6 +117,20 @@ class Rest {
     return x.c != x.d && orient<3>(points, at_[x.d]) < 0;
   }
 
+  size_t triangles_at(uint32_t v) const {
+    const auto from = std::lower_bound(sides_.begin(), sides_.end(), Side{v, 0, 0});
+    return static_cast<size_t>(std::lower_bound(from, sides_.end(), Side{v + 1, 0, 0}) - from);
+  }
+  /** By the places of its edge among the vertices and the number of the order. */
+  double mixed(const Corner& x) const {
+    const auto place = [this](uint32_t v) {
+      return static_cast<uint32_t>(std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin());
+    };
+    uint32_t bits = (place(x.a) * 0x9e3779b1u + place(x.b)) * 0x85ebca77u + order_ * 0xc2b2ae3du;
+    bits = (bits ^ bits >> 15) * 0x2c1b3c6du;
+    return static_cast<double>(bits ^ bits >> 13);
+  }
+
   /** In units of its longest edge, so that no size overflows. */
   double merit_of(const Corner& x) const {
     const double* const p[4] = {at_[x.a], at_[x.b], at_[x.c], at_[x.d]};
@@ -140,9 +154,14 @@ class Rest {
                                     e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
                                     e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]));
     const double roundness = volume * volume / (squares * squares * squares);
-    if (order_ == PeelOrder::kRoundest) return roundness;
     const double size = scale / scale_;
-    return order_ == PeelOrder::kLargest ? volume * size * size * size : -roundness;
+    switch (static_cast<PeelOrder>(order_)) {
+      case PeelOrder::kFewest: return roundness - static_cast<double>(std::min(triangles_at(x.a), triangles_at(x.b)));
+      case PeelOrder::kRoundest: return roundness;
+      case PeelOrder::kLargest: return volume * size * size * size;
+      case PeelOrder::kFlattest: return -roundness;
+      default: return mixed(x);
+    }
   }
 
   /** Whether the surface that is left when a tetrahedron is taken off meets itself no more than before. */
@@ -175,7 +194,7 @@ class Rest {
   }
 
   const PartPoints<3>& at_;
-  PeelOrder order_;
+  uint32_t order_;
   double scale_ = 0;       // how far vertices are apart
   PartHull<3> triangles_;  // sorted
   Array<Side> sides_;      // sorted
@@ -197,7 +216,7 @@ bool fill_round_point(PartPoints<3>& at, const PartHull<3>& surface, Array<PartH
 
 /** Each tetrahedron is positive, and boundaries add up to the surface. So if the surface does not meet itself, they fill it
  * once, whatever was tried on the way. */
-bool peel(PartPoints<3>& at, const PartHull<3>& surface, PeelOrder order, bool may_add, Array<PartHull<3>>& parts) {
+bool peel(PartPoints<3>& at, const PartHull<3>& surface, uint32_t order, bool may_add, Array<PartHull<3>>& parts) {
   const size_t parts_before = parts.size();
   const uint32_t points_before = at.end();
   const auto take_back = [&] {

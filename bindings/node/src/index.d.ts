@@ -98,6 +98,7 @@ export class Environment {
   findFaces(offsets: BigUint64Array | readonly number[], indices: Numbers): FaceIdArray;
   findEdges(pairs: Numbers): EdgeIdArray;
   getRegion(volume: VolumeId): number;
+  getParent(volume: VolumeId): number;
   getTag(volume: VolumeId): number;
   setTag(volume: VolumeId, tag: number): void;
   isValid(volume: VolumeId): boolean;

@@ -189,6 +189,9 @@ class Environment {
     return out;
   }
 #endif
+  std::uint32_t get_parent(dsw_volume_id volume) const {
+    return one<std::uint32_t>(dsw_environment_get_parent, volume);
+  }
   std::uint32_t get_tag(dsw_volume_id volume) const {
     return one<std::uint32_t>(dsw_environment_get_tag, volume);
   }

@@ -256,6 +256,8 @@ class BuildReport:
     touching_face_count: int
     touching_face: FaceId
     touched_face: FaceId
+    split_count: int
+    added_point_count: int
 
 class EnvironmentInfo:
     dimension: int

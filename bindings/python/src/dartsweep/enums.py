@@ -273,6 +273,7 @@ class EnvironmentFlag(Flags):
     MERGE_POINTS = _core.ENVIRONMENT_MERGE_POINTS
     CONFORM = _core.ENVIRONMENT_CONFORM
     FIND_TOUCHING = _core.ENVIRONMENT_FIND_TOUCHING
+    SPLIT = _core.ENVIRONMENT_SPLIT
 
 
 class Feature(Flags):

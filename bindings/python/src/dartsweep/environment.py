@@ -67,6 +67,8 @@ class Environment(Named):
     Parts of a mesh that lie on each other are walls unless they are sewn. merge_points: points within this distance count as one, 0.0: points
     at one place. conform: faces that faces of other cells cover are split, too, so that both sides sew (merge_points then also tells how far a
     point may be from an edge or face that it lies on).
+    split: cells whose mean does not see all of their faces, such as an L, are split into parts; `parent` gives the cell of a part. Cells
+    with repeated points are what is left of them.
     region_names: names of labels, which calls then take in place of these; a name may have several labels. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
     """
 
@@ -86,6 +88,7 @@ class Environment(Named):
         flags: int = 0,
         merge_points: float | None = None,
         conform: bool = False,
+        split: bool = False,
         region_names: Mapping[str, Labels] | None = None,
         threads: int = 0,
         log: Callable[[int, str], object] | None = None,
@@ -97,6 +100,8 @@ class Environment(Named):
             flags |= EnvironmentFlag.MERGE_POINTS
         if conform:
             flags |= EnvironmentFlag.CONFORM
+        if split:
+            flags |= EnvironmentFlag.SPLIT
         desc = described(_core.EnvironmentDesc, flags=flags, dimension=dimension, merge_distance=merge_points or 0.0)
         if cells.ndim == 2 and types is None:
             kind, types, offsets = _rows(cells, dimension)
@@ -229,6 +234,11 @@ class Environment(Named):
     def region(self, volume: Any) -> int:
         """Region label of a volume."""
         return self._core.get_region(volume)  # type: ignore[no-any-return]
+
+    def parent(self, volume: Any) -> int:
+        """The index of the cell that was given of which a volume is all or a part. `NotFound`: it was added later to an environment
+        whose cells were split."""
+        return self._core.get_parent(volume)  # type: ignore[no-any-return]
 
     def tag(self, volume: Any) -> int:
         """A host's tag of a volume."""
