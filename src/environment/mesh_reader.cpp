@@ -90,7 +90,7 @@ class Reader {
   Form form_of(uint32_t i) {
     const CellType type = type_of(i);
     if (type.form == Form::kGeneral || !splits()) return type.form;
-    std::array<int64_t, 8> points;
+    std::array<int64_t, 8> points{};
     for (uint32_t k = 0; k < type.vertex_count; ++k) {
       const int64_t point = connectivity_[begin_of(i) + k];
       if (point < 0 || static_cast<uint64_t>(point) >= map_.vertex_count) return type.form;

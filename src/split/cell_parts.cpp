@@ -10,6 +10,7 @@ namespace dsw {
 namespace {
 
 constexpr size_t kMostTriangles = 1024;  // filling takes cubic time
+constexpr uint32_t kAttempts = 16;       // at other ways to cut the facets of a cell
 
 /** A side of a cell and the part that has it. */
 struct SideOwner {
@@ -94,37 +95,60 @@ void CellParts<2>::append(size_t cell, Cell, uint32_t part, PartLoops& out) cons
   out.end_loop();
 }
 
-SplitDefect CellParts<3>::split(Cell c) {
+PartHull<3> CellParts<3>::surface_of(Cell c) const {
   PartHull<3> surface(env_.memory);
   for (uint32_t f = 0; f < env_.map.facets_of(c); ++f) {
     const HalfFacet h = env_.map.half_facet(c, f);
-    const uint32_t i = cuts_.find(h);
-    if (!cuts_.is_sound(i)) return SplitDefect::kBadFacet;
-    cuts_.for_each_triangle(i, h, [&](const PartSide<3>& triangle) { surface.push_back(triangle); });
+    cuts_.for_each_triangle(cuts_.find(h), h, [&](const PartSide<3>& triangle) { surface.push_back(triangle); });
   }
-  if (surface.size() > kMostTriangles) return SplitDefect::kTooLarge;
+  return surface;
+}
+
+SplitDefect CellParts<3>::split(Cell c) {
+  for (uint32_t f = 0; f < env_.map.facets_of(c); ++f) {
+    if (!cuts_.is_sound(cuts_.find(env_.map.half_facet(c, f)))) return SplitDefect::kBadFacet;
+  }
   Array<PartHull<3>> parts(env_.memory);
-  const SplitDefect defect = fill(surface, parts);
-  if (defect == SplitDefect::kNotFilled && rounded_volume(env_, c) < 0) return SplitDefect::kInsideOut;
-  if (defect == SplitDefect::kNotFilled && meets_itself(at_, surface)) return SplitDefect::kMeetsItself;
+  const SplitDefect defect = fill(c, parts);
   if (defect != SplitDefect::kNone) return defect;
+  cuts_.keep(c);
   join_parts<3>(at_, parts);
   break_facets(c, parts);
   parts_.push_back(std::move(parts));
   return SplitDefect::kNone;
 }
 
-SplitDefect CellParts<3>::fill(const PartHull<3>& surface, Array<PartHull<3>>& parts) {
-  for (uint32_t order = 0; order < kPeelOrders; ++order) {
-    if (peel(at_, surface, order, false, parts)) return SplitDefect::kNone;
+SplitDefect CellParts<3>::fill(Cell c, Array<PartHull<3>>& parts) {
+  const PartHull<3> surface = surface_of(c);
+  if (surface.size() > kMostTriangles) return SplitDefect::kTooLarge;
+  if (fill_between_points(surface, parts)) return SplitDefect::kNone;
+  if (rounded_volume(env_, c) < 0) return SplitDefect::kInsideOut;
+  for (uint32_t attempt = 1; attempt <= kAttempts; ++attempt) {
+    cuts_.vary(c, attempt);
+    if (fill_between_points(surface_of(c), parts)) return SplitDefect::kNone;
   }
   const uint32_t points_before = at_.end();
-  bool is_filled = fill_round_point(at_, surface, parts);
-  for (uint32_t order = 0; order < kPeelOrders; ++order) is_filled = is_filled || peel(at_, surface, order, true, parts);
-  if (!is_filled) return SplitDefect::kNotFilled;
+  if (!fill_round_points(surface_of(c), parts)) {
+    return meets_itself(at_, surface) ? SplitDefect::kMeetsItself : SplitDefect::kNotFilled;
+  }
   if (may_add_) return SplitDefect::kNone;
   at_.take_back(points_before);
   return SplitDefect::kNeedsPoint;
+}
+
+bool CellParts<3>::fill_between_points(const PartHull<3>& surface, Array<PartHull<3>>& parts) {
+  for (uint32_t order = 0; order < kPeelOrders; ++order) {
+    if (peel(at_, surface, order, false, parts)) return true;
+  }
+  return false;
+}
+
+bool CellParts<3>::fill_round_points(const PartHull<3>& surface, Array<PartHull<3>>& parts) {
+  if (fill_round_point(at_, surface, parts)) return true;
+  for (uint32_t order = 0; order < kPeelOrders; ++order) {
+    if (peel(at_, surface, order, true, parts)) return true;
+  }
+  return false;
 }
 
 /** Facets whose triangles come to several parts, and all of a part that would have fewer than four facets. */

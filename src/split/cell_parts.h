@@ -61,7 +61,10 @@ class CellParts<3> {
   const PartPoints<3>& places() const { return at_; }
 
  private:
-  SplitDefect fill(const PartHull<3>& surface, Array<PartHull<3>>& parts);
+  SplitDefect fill(Cell c, Array<PartHull<3>>& parts);
+  bool fill_between_points(const PartHull<3>& surface, Array<PartHull<3>>& parts);
+  bool fill_round_points(const PartHull<3>& surface, Array<PartHull<3>>& parts);
+  PartHull<3> surface_of(Cell c) const;
   void break_facets(Cell c, const Array<PartHull<3>>& parts);
 
   const Environment<3>& env_;

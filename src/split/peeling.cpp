@@ -156,11 +156,16 @@ class Rest {
     const double roundness = volume * volume / (squares * squares * squares);
     const double size = scale / scale_;
     switch (static_cast<PeelOrder>(order_)) {
-      case PeelOrder::kFewest: return roundness - static_cast<double>(std::min(triangles_at(x.a), triangles_at(x.b)));
-      case PeelOrder::kRoundest: return roundness;
-      case PeelOrder::kLargest: return volume * size * size * size;
-      case PeelOrder::kFlattest: return -roundness;
-      default: return mixed(x);
+      case PeelOrder::kFewest:
+        return roundness - static_cast<double>(std::min(triangles_at(x.a), triangles_at(x.b)));
+      case PeelOrder::kRoundest:
+        return roundness;
+      case PeelOrder::kLargest:
+        return volume * size * size * size;
+      case PeelOrder::kFlattest:
+        return -roundness;
+      default:
+        return mixed(x);
     }
   }
 

@@ -439,5 +439,149 @@ TEST(SplitTest, CellsOfVoxelsAreWhatTheyWere) {
   std::printf("%u cells split, %u points added\n", split, added);
 }
 
+/** Casts between places inside a box end where they were to. */
+void expect_no_walls(const dsw_environment* environment, const Vec3& low, const Vec3& high, std::mt19937_64& random) {
+  for (int i = 0; i < 200; ++i) {
+    double from[3], to[3];
+    for (size_t k = 0; k < 3; ++k) {
+      from[k] = uniform(random, low[k], high[k]);
+      to[k] = uniform(random, low[k], high[k]);
+    }
+    dsw_flight flight;
+    ASSERT_EQ(dsw_environment_cast(environment, {0, 0}, from, to, nullptr, &flight), DSW_STATUS_OK);
+    ASSERT_EQ(flight.outcome, DSW_OUTCOME_REACHED);
+  }
+}
+
+/** Cells of voxels beside cells of voxels of half the size; no two cells have points in common, and some are turned. */
+TEST(SplitTest, LooseCellsAreSewnTurnedAndSplit) {
+  uint32_t split = 0;
+  for (int round = 0; round < effort_of(12); ++round) {
+    std::mt19937_64 random(seed_of(800 + static_cast<unsigned>(round)));
+    Cells loose;
+    std::vector<mpq_class> sizes;
+    for (const int side : {2, 4}) {
+      const Voxels voxels = random_voxels(side, 4, random);
+      const double scale = 2.0 / side, shift = side == 2 ? 0 : 2;
+      const mpq_class each = 6 * mpq_class(scale) * scale * scale;
+      for (size_t c = 0; c < voxels.cells.types.size(); ++c) {
+        std::map<int64_t, int64_t> own;
+        std::vector<int64_t> stream(voxels.cells.connectivity.begin() + voxels.cells.offsets[c],
+                                    voxels.cells.connectivity.begin() + voxels.cells.offsets[c + 1]);
+        Loops faces;
+        for (size_t k = 1; k < stream.size(); k += 5) {
+          std::vector<int64_t> face;
+          for (size_t j = k + 1; j < k + 5; ++j) {
+            const double* const p = &voxels.cells.points[3 * static_cast<size_t>(stream[j])];
+            if (own.count(stream[j]) == 0) {
+              own[stream[j]] = loose.add_point({shift + scale * p[0], scale * p[1], scale * p[2]});
+            }
+            face.push_back(own[stream[j]]);
+          }
+          if (random() % 10 == 0) std::reverse(face.begin(), face.end());
+          faces.push_back(face);
+        }
+        loose.add(faces);
+        sizes.push_back(0);
+      }
+      for (const auto& voxel : voxels.cell_of) {
+        sizes[sizes.size() - voxels.cells.types.size() + voxel.second] += each;
+      }
+    }
+    dsw_build_report report;
+    const Owner made = loose.create(
+        DSW_ENVIRONMENT_SPLIT | DSW_ENVIRONMENT_CONFORM | DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_FIND_TOUCHING,
+        report);
+    ASSERT_EQ(report.status, DSW_STATUS_OK) << dsw_last_error_message() << " round " << round;
+    EXPECT_EQ(report.part_count, 1u);
+    EXPECT_EQ(report.touching_face_count, 0u);
+    split += report.split_count;
+    expect_parts(made.get(), loose, sizes);
+    expect_no_walls(made.get(), {0, 0, 0}, {4, 2, 2}, random);
+  }
+  EXPECT_GT(split, 0u);
+}
+
+/** Hexahedra round a point that is moved anywhere: faces are warped, and cells lose their corner. What is accepted is a
+ * partition; without splitting fewer are accepted. */
+TEST(SplitTest, PushedCornersAreWhatTheyWere) {
+  int accepted = 0, valid_before = 0;
+  const int rounds = effort_of(100);
+  for (int round = 0; round < rounds; ++round) {
+    std::mt19937_64 random(seed_of(300 + static_cast<unsigned>(round)));
+    Cells cells;
+    for (int i = 0; i < 27; ++i) cells.add_point({double(i % 3), double(i / 3 % 3), double(i / 9)});
+    for (size_t k = 0; k < 3; ++k) cells.points[3 * 13 + k] = uniform(random, 0.2, 1.8);
+    for (int i = 0; i < 8; ++i) {
+      const int64_t first = i % 2 + 3 * (i / 2 % 2) + 9 * (i / 4);
+      cells.add(DSW_CELL_TYPE_HEXAHEDRON,
+                {first, first + 1, first + 4, first + 3, first + 9, first + 10, first + 13, first + 12});
+    }
+    dsw_build_report report;
+    valid_before += cells.create(0, report) != nullptr ? 1 : 0;
+    const Owner made = cells.create(DSW_ENVIRONMENT_SPLIT, report);
+    if (made == nullptr) {
+      EXPECT_TRUE(report.status == DSW_STATUS_INVALID_CELL || report.status == DSW_STATUS_INVERTED_CELL);
+      EXPECT_GT(report.offender_count, 0u);
+      continue;
+    }
+    ++accepted;
+    EXPECT_EQ(report.part_count, 1u);
+    ASSERT_EQ(dsw_environment_check(made.get(), nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+    expect_no_walls(made.get(), {0, 0, 0}, {2, 2, 2}, random);
+  }
+  std::printf("%d of %d accepted, %d without splitting\n", accepted, rounds, valid_before);
+  EXPECT_GT(accepted, valid_before);
+}
+
+/** Cuts, coarsening and snapshots of cells that were split: volumes keep a parent, and the whole stays a partition. */
+TEST(SplitTest, PartsAreCutCoarsenedAndKept) {
+  for (int round = 0; round < effort_of(6); ++round) {
+    std::mt19937_64 random(seed_of(900 + static_cast<unsigned>(round)));
+    const Voxels voxels = random_voxels(3, 5, random);
+    dsw_build_report report;
+    const Owner made = voxels.cells.create(DSW_ENVIRONMENT_SPLIT, report);
+    ASSERT_NE(made, nullptr) << dsw_last_error_message();
+    dsw_environment* coarse = nullptr;
+    std::vector<uint32_t> map(volume_count(made.get()));
+    ASSERT_EQ(dsw_environment_coarsen(made.get(), nullptr, &coarse, map.data(), map.size(), nullptr), DSW_STATUS_OK)
+        << dsw_last_error_message();
+    const Owner coarser(coarse);
+    for (uint32_t i = 0; i < volume_count(coarse); ++i) {
+      std::set<uint32_t> parents;
+      for (uint32_t j = 0; j < map.size(); ++j) {
+        if (map[j] == i) parents.insert(parent_of(made.get(), j));
+      }
+      ASSERT_TRUE(parents.count(parent_of(coarse, i)));
+    }
+    const double height = uniform(random, 0.3, 2.7), tilt = uniform(random, -0.2, 0.2);
+    const double blade[12] = {-1, -1, height - tilt, 4, -1, height, -1, 4, height, 4, 4, height + tilt};
+    dsw_cut_desc cut;
+    dsw_cut_desc_init(&cut, sizeof cut);
+    cut.points = blade;
+    cut.rows = cut.columns = 2;
+    dsw_change change{};
+    change.struct_size = sizeof change;
+    ASSERT_EQ(dsw_environment_cut(made.get(), &cut, &change), DSW_STATUS_OK) << dsw_last_error_message();
+    EXPECT_GT(volume_count(made.get()), map.size());
+    ASSERT_EQ(dsw_environment_check(made.get(), nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+    size_t size = 0;
+    ASSERT_EQ(dsw_environment_save(made.get(), nullptr, 0, &size), DSW_STATUS_OK);
+    std::vector<unsigned char> block(size);
+    ASSERT_EQ(dsw_environment_save(made.get(), block.data(), size, &size), DSW_STATUS_OK);
+    dsw_environment* again = nullptr;
+    ASSERT_EQ(dsw_environment_load(nullptr, block.data(), size, &again), DSW_STATUS_OK) << dsw_last_error_message();
+    const Owner loaded(again);
+    for (uint32_t i = 0; i < volume_count(made.get()); ++i) {
+      const uint32_t parent = parent_of(made.get(), i);
+      double centre[3];
+      ASSERT_EQ(dsw_environment_get_centre(made.get(), volume_at(made.get(), i), centre), DSW_STATUS_OK);
+      ASSERT_EQ(parent, parent_of(again, i));
+      const Voxel at{static_cast<int>(centre[0]), static_cast<int>(centre[1]), static_cast<int>(centre[2])};
+      ASSERT_EQ(voxels.cell_of.at(at), parent);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dsw
