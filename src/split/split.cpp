@@ -1,5 +1,7 @@
 #include "split/split.h"
 
+#include <optional>
+
 #include "base/dimensions.h"
 #include "base/error.h"
 #include "environment/mesh_reader.h"
@@ -8,15 +10,53 @@
 namespace dsw {
 namespace {
 
-/** Throws if there are such cells. */
-void fail_split(const Offenders& offenders, SplitDefect first, BuildReport& report) {
-  if (offenders.count == 0) return;
+[[noreturn]] void fail_split(const Offenders& offenders, SplitDefect first, BuildReport& report) {
   report.offenders = offenders;
   if (first == SplitDefect::kInsideOut) {
     fail(DSW_STATUS_INVERTED_CELL, "cell %u is turned inside out; DSW_ENVIRONMENT_REORIENT turns it back",
          offenders.index[0]);
   }
   fail(DSW_STATUS_INVALID_CELL, "cell %u can't be split: %s", offenders.index[0], text_of(first));
+}
+
+/** Adds what lies behind the facets of cells that could not be split: their facets need not stay then. False: all of that is
+ * there already. */
+template <int D>
+bool add_neighbours(const Environment<D>& env, const Array<Cell>& failed, Array<Cell>& cells) {
+  const size_t before = cells.size();
+  for (const Cell c : failed) {
+    for (uint32_t f = 0; f < env.map.facets_of(c); ++f) {
+      const HalfFacet other = env.map.opposite(env.map.half_facet(c, f));
+      if (other.valid()) cells.push_back(env.map.cell_of(other));
+    }
+  }
+  std::sort(cells.begin(), cells.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells.size() != before;
+}
+
+/** Splits cells, and more of them where that is needed. Throws as SplitMesh. */
+template <int D>
+void split_cells(const Environment<D>& env, bool may_add, Array<Cell>& cells, std::optional<CellParts<D>>& parts,
+                 BuildReport& report) {
+  constexpr int kMostRings = 3;
+  Offenders offenders;
+  SplitDefect first = SplitDefect::kNone;
+  for (int ring = 0;; ++ring) {
+    parts.emplace(env, cells, may_add);
+    Array<Cell> failed(env.memory);
+    for (const Cell c : cells) {
+      const SplitDefect defect = parts->split(c);
+      if (defect == SplitDefect::kNone) continue;
+      failed.push_back(c);
+      if (ring != 0) continue;
+      if (offenders.count == 0) first = defect;
+      offenders.add(env.map.index(c));
+    }
+    if (failed.empty()) return;
+    const bool may_help = D == 3 && (first == SplitDefect::kMeetsItself || first == SplitDefect::kNotFilled);
+    if (!may_help || ring == kMostRings || !add_neighbours(env, failed, cells)) fail_split(offenders, first, report);
+  }
 }
 
 }  // namespace
@@ -100,19 +140,19 @@ SplitMesh<D>::SplitMesh(Environment<D>& env, const dsw_environment_desc& input, 
       regions_(env.memory),
       tags_(env.memory),
       parents_(env.memory) {
-  const Array<Cell> cells = find_invalid(env);
+  Array<Cell> cells = find_invalid(env);
   if (cells.empty()) return;
-  CellParts<D> parts(env, cells, (input.flags & DSW_ENVIRONMENT_BORROW_POINTS) == 0);
-  Offenders offenders;
-  SplitDefect first = SplitDefect::kNone;
-  for (const Cell c : cells) {
-    const SplitDefect defect = parts.split(c);
-    if (defect == SplitDefect::kNone) continue;
-    if (offenders.count == 0) first = defect;
-    offenders.add(env.map.index(c));
-  }
-  fail_split(offenders, first, report);
+  std::optional<CellParts<D>> parts;
+  split_cells(env, (input.flags & DSW_ENVIRONMENT_BORROW_POINTS) == 0, cells, parts, report);
+  write(env, input, cells, *parts);
+  describe(env, input, parts->places());
+  for (uint32_t cell = 0; cell < cells.size(); ++cell) report.split_count += parts->count(cell) > 1 ? 1u : 0u;
+  report.added_point_count += static_cast<uint32_t>(parts->places().added().size() / D);
+}
 
+template <int D>
+void SplitMesh<D>::write(const Environment<D>& env, const dsw_environment_desc& input, const Array<Cell>& cells,
+                         const CellParts<D>& parts) {
   Writer writer(env, input, *this);
   PartLoops loops(env.memory);
   const auto write_part = [&](size_t cell, uint32_t part) {
@@ -137,7 +177,10 @@ SplitMesh<D>::SplitMesh(Environment<D>& env, const dsw_environment_desc& input, 
     for (uint32_t part = 1; part < parts.count(cell); ++part) write_part(cell, part);
   }
   writer.finish();
+}
 
+template <int D>
+void SplitMesh<D>::describe(const Environment<D>& env, const dsw_environment_desc& input, const PartPoints<D>& places) {
   made_ = input;
   made_.flags &=
       ~static_cast<uint32_t>(DSW_ENVIRONMENT_MERGE_POINTS | DSW_ENVIRONMENT_CONFORM | DSW_ENVIRONMENT_REORIENT);
@@ -151,10 +194,8 @@ SplitMesh<D>::SplitMesh(Environment<D>& env, const dsw_environment_desc& input, 
   made_.faces_count = 0;
   if (input.regions != nullptr) made_.regions = regions_.data();
   if (input.tags != nullptr) made_.tags = tags_.data();
-  report.split_count += static_cast<uint32_t>(cells.size());
-  const Array<double>& added = parts.places().added();
+  const Array<double>& added = places.added();
   if (added.empty()) return;
-  report.added_point_count += static_cast<uint32_t>(added.size() / D);
   points_.assign(env.points, env.points + size_t{env.map.vertex_count} * D);
   points_.insert(points_.end(), added.begin(), added.end());
   if (points_.size() / D > kVertexMask) fail(DSW_STATUS_TOO_LARGE, "there are more than %u points", kVertexMask);

@@ -6,6 +6,11 @@
 namespace dsw {
 
 template <int D>
+class CellParts;
+template <int D>
+class PartPoints;
+
+template <int D>
 class SplitMesh {
  public:
   /** `env` was read (read_mesh) from `input`, which stays where it is while this lives. Facets of `env` may be cut anew. Throws
@@ -22,6 +27,10 @@ class SplitMesh {
 
  private:
   class Writer;
+
+  void write(const Environment<D>& env, const dsw_environment_desc& input, const Array<Cell>& cells,
+             const CellParts<D>& parts);
+  void describe(const Environment<D>& env, const dsw_environment_desc& input, const PartPoints<D>& places);
 
   Array<uint8_t> types_;
   Array<int64_t> offsets_, connectivity_;
