@@ -68,12 +68,13 @@ enum {
   /** Counts faces of the boundary that lie on, or overlap, faces of other cells, in the report: casts
    * stop there. Cost: O(f log f) expected for f faces of the boundary. @since 2.1 */
   DSW_ENVIRONMENT_FIND_TOUCHING = 0x80,
-  /** Splits cells whose mean does not see all of their faces, such as an L of cubes: into parts that
-   * are valid, between the points that exist, or where that is not possible round one new point
-   * inside of the cell. The first part keeps the index of the cell; others, and new points, come
-   * after all that were given. A face whose triangles come to several parts becomes these triangles
-   * for both of its cells. Cells with repeated points are what is left without the faces that
-   * collapse. Then INVALID_CELL names a cell that can't be split, and why. @since 2.1 */
+  /** Splits cells whose mean does not see all of their faces, such as an L of cubes, into valid parts:
+   * between the points that exist, or where that is not possible round new points inside of a cell.
+   * The first part keeps the index of the cell; further parts, and new points, come after all that
+   * were given. A face whose triangles come to several parts becomes these triangles for both of its
+   * cells. Cells with repeated points are what is left without the faces that collapse. INVALID_CELL
+   * then names a cell that can't be split, and why. The rule: bindings/docs/exactness.md. Cost: one
+   * more proof that all cells are valid. @since 2.1 */
   DSW_ENVIRONMENT_SPLIT = 0x100
 };
 

@@ -265,6 +265,44 @@ static void changes_keep_parents(void) {
   CHECK_OK(dsw_environment_destroy(environment));
 }
 
+/* The corner that made an arrow head goes back, and parts bend with it, under way of a recording that does the same again. */
+static void parts_bend_and_are_recorded(void) {
+  static tape one;
+  dsw_environment_desc d = grid_of(3, 0.5, DSW_ENVIRONMENT_SPLIT);
+  dsw_environment *environment;
+  dsw_recording_desc to = to_tape(&one);
+  const double start[3] = {3, 1, 0.5}, target[3] = {0.25, 1.5, 0.75};
+  double next[18 * 3];
+  dsw_scene *scene;
+  dsw_particle_id particle;
+  dsw_deform_report deformed;
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  unsigned i, calls = 0;
+  create(&d, &environment);
+  scene = make_scene(environment, DSW_FEATURE_DEFORMING);
+  to.flags = DSW_RECORDING_STATES;
+  CHECK_OK(dsw_scene_start_recording(scene, &to));
+  CHECK_OK(dsw_particle_create(scene, start, no_volume, &particle));
+  memcpy(next, grid_points, sizeof next);
+  for (i = 4; i < 18; i += 9) next[3 * i] = next[3 * i + 1] = 0.75;
+  CHECK_OK(dsw_environment_deform(environment, next, 18, NULL, &deformed));
+  CHECK(deformed.outcome == DSW_DEFORM_DONE && deformed.invalid_count == 0);
+  CHECK_OK(dsw_particle_move(scene, particle, target, NULL, NULL));
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  for (;;) {
+    CHECK_OK(dsw_replay_step(replay, &report));
+    if (report.outcome == DSW_REPLAY_END) break;
+    CHECK(report.outcome == DSW_REPLAY_SAME);
+    if (++calls > 10) break;
+  }
+  CHECK(calls == 3);
+  CHECK_OK(dsw_replay_destroy(replay));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
 int main(void) {
   without_the_flag_a_cell_is_refused_and_the_flag_is_named();
   a_cell_is_split_and_its_parts_know_it();
@@ -274,5 +312,6 @@ int main(void) {
   repeated_corners_are_what_is_left();
   what_cannot_be_split_is_told();
   changes_keep_parents();
+  parts_bend_and_are_recorded();
   return check_result();
 }
