@@ -42,7 +42,7 @@ def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> 
 def _created(mesh: Mesh, create: Callable[[Mesh], Environment]) -> Environment:
     try:
         return orient.created(mesh, create)
-    except errors.BadCell:
+    except (errors.BadCell, errors.InvalidCell):
         opened = collapsed.opened(mesh)
         if opened is None:
             raise
