@@ -16,14 +16,14 @@ from typing import Any
 
 from .error import MeshError
 from . import abaqus_reader, exodus_reader, gambit_reader, gmsh_reader, kratos_reader, meshio_reader, mfem_reader, moab_reader, netgen_reader
-from . import off_reader, su2_reader, vtk_files
+from . import off_reader, su2_reader, ucd_reader, unv_reader, vtk_files
 from .mesh import Mesh
 from .raw import Raw, mesh_of
 from .table import DIALECTS, LIBRARIES, Dialect, Reader, dialects_of, endings
 
 _READERS: dict[str, Any] = {
     **{"vtk": vtk_files, "meshio": meshio_reader, "gmsh": gmsh_reader, "moab": moab_reader, "abaqus": abaqus_reader, "exodus": exodus_reader},
-    **{"gambit": gambit_reader, "kratos": kratos_reader, "netgen": netgen_reader, "off": off_reader, "su2": su2_reader},
+    **{"gambit": gambit_reader, "kratos": kratos_reader, "netgen": netgen_reader, "off": off_reader, "su2": su2_reader, "ucd": ucd_reader, "unv": unv_reader},
 }  # by the keys of LIBRARIES
 _COMPRESSED: dict[str, Any] = {".gz": gzip.open, ".bz2": bz2.open, ".xz": lzma.open}
 

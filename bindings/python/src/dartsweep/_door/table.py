@@ -39,7 +39,7 @@ LIBRARIES = {  # module to import, extra, title
     "gmsh": ("gmsh", "gmsh", "Gmsh"),
     "mfem": ("mfem", "mfem", "PyMFEM"),
     "moab": ("h5py", "moab", "h5py"),
-    **{name: ("numpy", "", "NumPy") for name in ("abaqus", "exodus", "gambit", "kratos", "netgen", "off", "su2")},
+    **{name: ("numpy", "", "NumPy") for name in ("abaqus", "exodus", "gambit", "kratos", "netgen", "off", "su2", "ucd", "unv")},
     "surface": ("trimesh", "surfaces", "trimesh, TetGen"),
 }
 
@@ -61,11 +61,11 @@ DIALECTS = (
     _dialect("CGNS", ".cgns", "vtk:cgns", "zones as regions; boundary conditions by name"),
     _dialect("EnSight", ".case .encas", "vtk:ensight", "parts as regions and patches"),
     _dialect("OpenFOAM", ".foam", "vtk:foam", "patches; polyhedra"),
-    _dialect("AVS UCD", ".ucd .inp .avs", "vtk:ucd", "materials", r"(?:\s*#[^\n]*\n)*\s*\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+|\x07"),
+    _dialect("AVS UCD", ".ucd .inp .avs", "ucd:ucd vtk:ucd", "materials", r"(?:\s*#[^\n]*\n)*\s*\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+|\x07"),
     _dialect("Tecplot", ".tec .dat .plt", "meshio:tecplot vtk:tecplot", "cell data", r"(?is)(?:\s*#[^\n]*\n)*\s*(?:TITLE|VARIABLES|ZONE)"),
     _dialect("Gmsh", ".msh .msh2 .msh4 .mesh", "gmsh:msh meshio:gmsh", "physical groups, also overlapping ones; partitions", r"\s*\$(?!.*DOLFIN)"),
     _dialect("ANSYS Fluent", ".msh .cas", "vtk:fluent meshio:ansys", "zones", r"\s*\("),
-    _dialect("I-deas", ".unv", "gmsh:unv", "groups", r"\s*-1\s"),
+    _dialect("I-deas", ".unv", "unv:unv", "groups; properties as regions", r"\s*-1\s"),
     _dialect("MED", ".med", "gmsh:med meshio:med", "groups", r"\x89HDF"),
     _dialect("Nastran", ".bdf .nas .fem", "gmsh:bdf meshio:nastran", "properties as regions"),
     _dialect("Gambit, neutral", ".neu", "gambit:neu", "groups as regions; boundary conditions", r"\s*CONTROL INFO"),
