@@ -36,6 +36,8 @@ def joined(parts: list[tuple[str, Raw]]) -> Raw:
         made.groups[name] = np.concatenate([made.groups[name], own]) if name in made.groups else own
         for inner, members in raw.groups.items():
             made.groups[inner] = np.concatenate([made.groups.get(inner, np.empty(0, np.int64)), own[members]])
+        made.sides += [(side, offsets, index[i][corners]) for side, offsets, corners in raw.sides]
+        made.numbers.update(raw.numbers)
         made.notes += [note for note in raw.notes if note not in made.notes]
         made.fields.update(raw.fields)
     return made

@@ -79,7 +79,7 @@ DIALECTS = (
     _dialect("Netgen", ".vol", "netgen:vol", "materials as regions; boundary conditions; both with names", r"\s*(?:#[^\n]*\n\s*)*mesh3d"),
     _dialect("TetGen", ".ele .node", "meshio:tetgen", "attributes"),
     _dialect("SU2", ".su2", "su2:su2", "markers by name; zones as regions"),
-    _dialect("DOLFIN", ".xml", "meshio:dolfin-xml", "cell data", r"(?s)\s*<.*<dolfin"),
+    _dialect("DOLFIN", ".xml", "meshio:dolfin-xml", "cell data", r"(?s)\s*<(?:.*<)?dolfin"),
     _dialect("FLAC3D", ".f3grid", "meshio:flac3d", "groups"),
     _dialect("Kratos", ".mdpa", "kratos:mdpa", "properties as regions; sub-model parts"),
     _dialect("PERMAS", ".post .dato", "meshio:permas", "cells only"),
