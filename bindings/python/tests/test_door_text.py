@@ -301,3 +301,25 @@ def test_abaqus_names_the_included_file_that_is_missing(tmp_path: pathlib.Path) 
     (tmp_path / "mesh.inc").write_text("*NODE\n1, 0, 0\n2, 1.,\n3, 0, 1\n4, 0, 0, 1\n*ELEMENT, TYPE=C3D4, ELSET=all\n1, 1, 2, 3, 4,\n")
     with ds.read(tmp_path / "main.inp") as environment:
         assert volume_of(environment) == pytest.approx(1 / 6) and environment.mark_region("all")[0] == 1
+
+
+def test_cells_that_are_in_a_file_once_for_each_group_are_kept_once() -> None:
+    """Version 2 of Gmsh's format has one group for each element, so one in two groups is there twice."""
+    points = np.array([*TETRA, (1, 1, 1.0)])
+    rows = np.array([[0, 1, 2, 3], [1, 2, 3, 4], [0, 1, 2, 3]])
+    mesh = meshio.Mesh(points, [("tetra", rows)], cell_sets={"all": [np.array([0, 1])], "lumen": [np.array([2])]})
+    with ds.from_meshio(mesh) as environment:
+        assert environment.info.volume_count == 2 and "1 cells are in the file again" in environment.notes[0]
+        assert environment.mark_region("lumen")[0] == 1 and environment.mark_region("all")[0] == 2
+    with pytest.raises(ds.MeshError, match="lie on the same side of a face"):
+        ds.from_meshio(meshio.Mesh(points, [("tetra", [[0, 1, 2, 3], [0, 1, 2, 4]])]))
+
+
+def test_blank_lines_in_netgen_and_two_dimensions_of_kratos(tmp_path: pathlib.Path) -> None:
+    (tmp_path / "one.vol").write_text("mesh3d\n\nsurfaceelements\n0\n\nvolumeelements\n1\n\n# part np nodes\n1 4 1 3 2 4\n\npoints\n4\n\n0 0 0\n\n1 0 0\n0 1 0\n0 0 1\n")
+    with ds.read(tmp_path / "one.vol") as environment:
+        assert volume_of(environment) == pytest.approx(1 / 6)
+    nodes = lines(CUBE[:4])
+    (tmp_path / "one.mdpa").write_text(f"Begin Nodes\n{nodes}End Nodes\nBegin Elements Element2D4N\n1 0 1 2 3 4\nEnd Elements\nBegin Conditions LineCondition2D2N\n1 0 1 2\nEnd Conditions\n")
+    with ds.read(tmp_path / "one.mdpa") as environment:
+        assert environment.dimension == 2 and volume_of(environment) == pytest.approx(1)

@@ -20,7 +20,7 @@ def joined(parts: list[tuple[str, Raw]]) -> Raw:
     points, index = _shared_points(raws)
     cells = linear.joined([renumbered(raw.cells, index[i]) for i, raw in enumerate(raws)])
     starts = offsets_of([len(raw.cells.types) for raw in raws])
-    place, kept = _once(cells)
+    place, kept = once(cells)
     made = Raw(points, cells if kept is None else cells.some(kept), source=raws[0].source, reader=raws[0].reader)
     highest = [int(linear.DIMENSION[raw.cells.types].max(initial=0)) for raw in raws]
     made.data = _joined_data(raws, highest, starts)
@@ -43,7 +43,7 @@ def joined(parts: list[tuple[str, Raw]]) -> Raw:
     return made
 
 
-def _once(cells: Cells) -> tuple[Indices, Indices | None]:
+def once(cells: Cells) -> tuple[Indices, Indices | None]:
     """Where each cell is once volumes that several blocks have, such as zones, are kept once; and which are kept, None if all are."""
     count = len(cells.types)
     if np.any(cells.offsets[1:] == cells.offsets[:-1]):  # a cell without points: what is to be read can't be told
