@@ -110,12 +110,13 @@ def supported(made: Made, cells: Cells) -> tuple[Cells, Indices | None]:
 
 def _without_small_polygons(cells: Cells) -> Cells:
     """Polygons of two points, as files of VTK have them, are lines, and those of one are points."""
-    sizes = np.diff(cells.offsets)
-    small = np.flatnonzero((cells.types == 7) & (sizes < 3))
+    polygons = np.flatnonzero(cells.types == 7)
+    sizes = cells.offsets[polygons + 1] - cells.offsets[polygons]
+    small, sizes = polygons[sizes < 3], sizes[sizes < 3]
     if len(small) == 0:
         return cells
     types = cells.types.copy()
-    types[small] = np.array([0, 1, 3], np.uint8)[sizes[small]]
+    types[small] = np.array([0, 1, 3], np.uint8)[sizes]
     return Cells(types, cells.offsets, cells.flat)
 
 
