@@ -65,7 +65,7 @@ const char* text_of(SplitDefect defect) {
   return "";
 }
 
-SplitDefect CellParts<2>::split(Cell c) {
+SplitDefect CellParts<2>::split(size_t cell, Cell c) {
   Array<uint32_t> loop(env_.memory), ears(env_.memory);
   env_.map.for_each_vertex(c, [&](uint32_t v) { loop.push_back(v); });
   const auto turn = [&](uint32_t u, uint32_t v, uint32_t w) {
@@ -81,7 +81,7 @@ SplitDefect CellParts<2>::split(Cell c) {
         PartHull<2>({make_simplex(v[0], v[1]), make_simplex(v[1], v[2]), make_simplex(v[2], v[0])}, env_.memory));
   }
   join_parts<2>(at_, parts);
-  parts_.push_back(std::move(parts));
+  parts_[cell] = std::move(parts);
   return SplitDefect::kNone;
 }
 
@@ -104,7 +104,7 @@ PartHull<3> CellParts<3>::surface_of(Cell c) const {
   return surface;
 }
 
-SplitDefect CellParts<3>::split(Cell c) {
+SplitDefect CellParts<3>::split(size_t cell, Cell c) {
   for (uint32_t f = 0; f < env_.map.facets_of(c); ++f) {
     if (!cuts_.is_sound(cuts_.find(env_.map.half_facet(c, f)))) return SplitDefect::kBadFacet;
   }
@@ -114,7 +114,7 @@ SplitDefect CellParts<3>::split(Cell c) {
   cuts_.keep(c);
   join_parts<3>(at_, parts);
   break_facets(c, parts);
-  parts_.push_back(std::move(parts));
+  parts_[cell] = std::move(parts);
   return SplitDefect::kNone;
 }
 

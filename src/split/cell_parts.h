@@ -25,12 +25,13 @@ class CellParts;
 template <>
 class CellParts<2> {
  public:
-  CellParts(const Environment<2>& env, const Array<Cell>&, bool) : env_(env), at_(env), parts_(env.memory) {}
+  CellParts(const Environment<2>& env, const Array<Cell>& cells, bool)
+      : env_(env), at_(env), parts_(cells.size(), Array<PartHull<2>>(env.memory), env.memory) {}
 
-  /** Cells are split one after the other. */
-  SplitDefect split(Cell c);
+  /** Splits a cell, which is number `cell` of them. */
+  SplitDefect split(size_t cell, Cell c);
   uint32_t count(size_t cell) const { return static_cast<uint32_t>(parts_[cell].size()); }
-  /** Appends the corners of part `part` of the cell that was split as number `cell`. */
+  /** Appends the corners of part `part` of cell number `cell`. */
   void append(size_t cell, Cell c, uint32_t part, PartLoops& out) const;
   bool changes_others() const { return false; }
   bool append_other(Cell, PartLoops&) const { return false; }
@@ -48,9 +49,13 @@ class CellParts<3> {
  public:
   /** `may_add`: there may be new points. */
   CellParts(const Environment<3>& env, const Array<Cell>& cells, bool may_add)
-      : env_(env), may_add_(may_add), at_(env), cuts_(env, cells), parts_(env.memory) {}
+      : env_(env),
+        may_add_(may_add),
+        at_(env),
+        cuts_(env, cells),
+        parts_(cells.size(), Array<PartHull<3>>(env.memory), env.memory) {}
 
-  SplitDefect split(Cell c);
+  SplitDefect split(size_t cell, Cell c);
   uint32_t count(size_t cell) const { return static_cast<uint32_t>(parts_[cell].size()); }
   /** Appends the facets of a part, once all cells are split. */
   void append(size_t cell, Cell c, uint32_t part, PartLoops& out) const;

@@ -35,27 +35,62 @@ bool add_neighbours(const Environment<D>& env, const Array<Cell>& failed, Array<
   return cells.size() != before;
 }
 
-/** Splits cells, and more of them where that is needed. Throws as SplitMesh. */
+/** Which cells are split before others, so that they choose how facets are cut. */
+class SplitOrder {
+ public:
+  explicit SplitOrder(const Memory* memory) : first_(memory) {}
+
+  Array<Cell> of(const Array<Cell>& cells) const {
+    Array<Cell> order(first_);
+    for (const Cell c : cells) {
+      if (!has(c)) order.push_back(c);
+    }
+    return order;
+  }
+  /** False: all of these come first already. */
+  bool move_up(const Array<Cell>& failed) {
+    Array<Cell> moved(failed);
+    for (const Cell c : first_) {
+      if (std::find(failed.begin(), failed.end(), c) == failed.end()) moved.push_back(c);
+    }
+    const bool has_moved = moved.size() != first_.size();
+    first_ = std::move(moved);
+    return has_moved;
+  }
+
+ private:
+  bool has(Cell c) const { return std::find(first_.begin(), first_.end(), c) != first_.end(); }
+
+  Array<Cell> first_;
+};
+
+/** Splits cells, again with those first that could not be split, and more of them where that is needed. Throws as
+ * SplitMesh. */
 template <int D>
 void split_cells(const Environment<D>& env, bool may_add, Array<Cell>& cells, std::optional<CellParts<D>>& parts,
                  BuildReport& report) {
-  constexpr int kMostRings = 3;
+  constexpr int kMostRounds = 12;
   Offenders offenders;
   SplitDefect first = SplitDefect::kNone;
-  for (int ring = 0;; ++ring) {
+  SplitOrder order(env.memory);
+  for (int round = 0;; ++round) {
     parts.emplace(env, cells, may_add);
     Array<Cell> failed(env.memory);
-    for (const Cell c : cells) {
-      const SplitDefect defect = parts->split(c);
+    for (const Cell c : order.of(cells)) {
+      const auto place =
+          std::lower_bound(cells.begin(), cells.end(), c, [](Cell a, Cell b) { return a.unit < b.unit; });
+      const SplitDefect defect = parts->split(static_cast<size_t>(place - cells.begin()), c);
       if (defect == SplitDefect::kNone) continue;
       failed.push_back(c);
-      if (ring != 0) continue;
+      if (round != 0) continue;
       if (offenders.count == 0) first = defect;
       offenders.add(env.map.index(c));
     }
     if (failed.empty()) return;
     const bool may_help = D == 3 && (first == SplitDefect::kMeetsItself || first == SplitDefect::kNotFilled);
-    if (!may_help || ring == kMostRings || !add_neighbours(env, failed, cells)) fail_split(offenders, first, report);
+    if (!may_help || round == kMostRounds || (!order.move_up(failed) && !add_neighbours(env, failed, cells))) {
+      fail_split(offenders, first, report);
+    }
   }
 }
 
