@@ -15,22 +15,6 @@ Mesh grid(Rng& rng) {
   return hex_grid(axis(nx, kSide), axis(ny, kSide), axis(nz, kSide));
 }
 
-/// An integer linear map with positive determinant: flat faces, ties, no axis.
-void shear(Mesh& mesh, Rng& rng) {
-  int m[3][3], det = 0;
-  do {
-    for (auto& row : m) {
-      for (int& x : row) x = rng.between(-2, 2);
-    }
-    det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  } while (det <= 0);
-  for (Vec& p : mesh.points) {
-    const Vec q = p;
-    for (size_t k = 0; k < 3; ++k) p[k] = m[k][0] * q[0] + m[k][1] * q[1] + m[k][2] * q[2];
-  }
-}
-
 void jitter_lattice(Mesh& mesh, Rng& rng, int most) {
   for (Vec& p : mesh.points) {
     for (double& x : p) x += rng.between(-most, most);
@@ -293,6 +277,21 @@ Mesh make_mixed_warped(Rng& rng) {
 }
 
 }  // namespace
+
+void shear(Mesh& mesh, Rng& rng) {
+  int m[3][3], det = 0;
+  do {
+    for (auto& row : m) {
+      for (int& x : row) x = rng.between(-2, 2);
+    }
+    det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  } while (det <= 0);
+  for (Vec& p : mesh.points) {
+    const Vec q = p;
+    for (size_t k = 0; k < 3; ++k) p[k] = m[k][0] * q[0] + m[k][1] * q[1] + m[k][2] * q[2];
+  }
+}
 
 std::vector<double> axis(int n, double s) {
   std::vector<double> a;
