@@ -25,6 +25,7 @@ class Facets<2> {
 
   bool has_changes() const { return hanging_.count() != 0; }
   bool may_change(Cell c) const { return hanging_.may_have_ends(c); }
+  Array<uint64_t> poor_fans() const { return hanging_.poor_fans(); }
   /** Appends the facets of a cell that take the place of facet f. */
   void append(Cell c, const Shape&, uint32_t f, Loops& out) const {
     const uint32_t count = env_.map.vertices_of(c);
@@ -55,6 +56,7 @@ class Facets<3> {
   bool has_changes() const { return hanging_.count() != 0 || parts_.count() != 0; }
   /** False: nothing of a cell changes. */
   bool may_change(Cell c) const { return is_split(c) || hanging_.may_have_ends(c); }
+  Array<uint64_t> poor_fans() const { return hanging_.poor_fans(); }
   /** Appends the facets of a cell that take the place of facet f. */
   void append(Cell c, const Shape& shape, uint32_t f, Loops& out) const {
     const HalfFacet h = env_.map.half_facet(c, f);
@@ -190,9 +192,14 @@ bool read_cell(const Environment<D>& env, const Facets<D>& facets, Cell c, Loops
 
 template <int D>
 ConformedMesh<D>::ConformedMesh(const Environment<D>& env, double room, BuildReport& report)
-    : types_(env.memory), has_changed_(env.memory), offsets_(env.memory), connectivity_(env.memory) {
+    : types_(env.memory),
+      has_changed_(env.memory),
+      offsets_(env.memory),
+      connectivity_(env.memory),
+      poor_fans_(env.memory) {
   const Facets<D> facets(env, room, report);
   if (!facets.has_changes()) return;
+  poor_fans_ = facets.poor_fans();
   const Map<D>& map = env.map;
   Loops loops(env.memory);
   types_.reserve(map.cell_count);
@@ -226,7 +233,7 @@ ConformedMesh<D>::ConformedMesh(const Environment<D>& env, double room, BuildRep
 template <int D>
 void ConformedMesh<D>::read(Environment<D>& env, const Environment<D>& from, const dsw_environment_desc& input,
                             BuildReport& report) const {
-  const LinkedBefore<D> before{from, has_changed_};
+  const LinkedBefore<D> before{from, has_changed_, poor_fans_};
   read_mesh(env, description(input), report, &before);
 }
 

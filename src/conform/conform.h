@@ -26,6 +26,7 @@ class ConformedMesh {
 
   Array<uint8_t> types_, has_changed_;  // of each cell; types of VTK
   Array<int64_t> offsets_, connectivity_;
+  Array<uint64_t> poor_fans_;  // as of HangingPoints
 };
 
 }  // namespace dsw

@@ -73,6 +73,17 @@ void HangingPoints<D>::append_points(uint32_t u, uint32_t v, Array<uint32_t>& lo
   if (u > v) std::reverse(loop.begin() + before, loop.end());
 }
 
+template <int D>
+Array<uint64_t> HangingPoints<D>::poor_fans() const {
+  Array<uint64_t> made(ends_);
+  for (uint32_t i : first_) {
+    for (const bool are_several = points_[i].next != kEnd; are_several && i != kEnd; i = points_[i].next) {
+      made[points_[i].vertex / 64] |= uint64_t{1} << points_[i].vertex % 64;
+    }
+  }
+  return made;
+}
+
 void find_hanging_points(const Environment<2>& env, const OuterFacets<2>& outer, double room, HangingPoints<2>& found) {
   KeyTable vertices(env.memory);
   for (uint32_t i = 0; i < outer.count(); ++i) {

@@ -30,6 +30,8 @@ class HangingPoints {
     env_.map.for_each_vertex(c, [&](uint32_t v) { count += may_have(v) ? 1u : 0u; });
     return count >= 2;
   }
+  /** Bits: vertices that make flat triangles with two points of one edge: its ends, and its points if there are several. */
+  Array<uint64_t> poor_fans() const;
   /** Appends u, and then the points that lie between u and v, in this order. */
   void append(uint32_t u, uint32_t v, Array<uint32_t>& loop) const {
     loop.push_back(u);

@@ -18,8 +18,8 @@ struct ItemPair {
 template <int D>
 class BoxPairs {
  public:
-  /** Takes `count` boxes. Pairs are those whose boxes, one of them widened by `room`, have a length
-   * in common along all axes but one, and meet along that one. Throws std::bad_alloc. */
+  /** Takes `count` boxes. Pairs are those that have a length in common along all axes but one, and meet along that one. Two
+   * intervals whose ends are less than `room` apart count as if they had a length in common. Throws std::bad_alloc. */
   BoxPairs(const ClosedBox<D>* boxes, uint32_t count, double room, const Memory* memory)
       : room_(room), order_(memory), bounds_(memory), nodes_(memory), level_first_(memory) {
     if (count == 0) return;
@@ -130,7 +130,7 @@ class BoxPairs {
   bool may_pair(const Bounds& a, const Bounds& b) const noexcept {
     int apart = 0, touching = 0;
     for (int k = 0; k < D; ++k) {
-      const double low = std::max(a.lower[k] - room_, b.lower[k]), high = std::min(a.upper[k] + room_, b.upper[k]);
+      const double low = std::max(a.lower[k], b.lower[k]), high = std::min(a.upper[k], b.upper[k]) + room_;
       apart += low > high ? 1 : 0;
       touching += low < high ? 0 : 1;
     }

@@ -13,6 +13,8 @@ template <int D>
 struct LinkedBefore {
   const Environment<D>& env;
   const Array<uint8_t>& is_other;  // of each cell: 1: it has other facets there
+  const Array<uint64_t>&
+      poor_fans;  // bits: vertices from which loops of five and more are not cut if another one is there
 };
 
 /** Links facets between such cells as they are linked there. */

@@ -57,8 +57,7 @@ class OuterFacets {
   /** Its simplices, D vertices each. */
   VertexRange simplices(uint32_t i) const { return range(simplices_, simplex_first_, i); }
   const ClosedBox<D>& box(uint32_t i) const { return boxes_[i]; }
-  /** Pairs of facets that may overlap, whose boxes have lengths in common along all axes but one, one of them widened by `room`.
-   * Throws std::bad_alloc. */
+  /** Pairs of facets that may overlap, or would if one of them moved by `room`. Throws std::bad_alloc. */
   BoxPairs<D> pairs(double room) const { return BoxPairs<D>(boxes_.data(), count(), room, env_.memory); }
 
  private:

@@ -279,9 +279,9 @@ std::vector<unsigned char> snapshot_of(const dsw_environment* environment) {
 Owner sewn_octree(unsigned dimension, std::mt19937_64& random, std::vector<Box>& boxes, uint32_t flags = 0) {
   LooseMesh mesh;
   mesh.dimension = dimension;
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 low{double(k & 1), double(k >> 1), 0};
-    refine({low, {low[0] + 1, low[1] + 1, 1}}, dimension, 2, 0.5, random, boxes);
+  for (int k = 0; k < 1 << dimension; ++k) {
+    const Vec3 low{double(k & 1), double(k >> 1 & 1), double(k >> 2)};
+    refine({low, {low[0] + 1, low[1] + 1, low[2] + 1}}, dimension, 2, 0.5, random, boxes);
   }
   for (const Box& box : boxes) mesh.add_box(box.low, box.high);
   dsw_build_report report;
@@ -315,6 +315,12 @@ TEST_P(ConformedLaterTest, ADeformationKeepsPartsTogether) {
     std::mt19937_64 random(seed_of(650 + static_cast<unsigned>(round)));
     std::vector<Box> boxes;
     const Owner made = sewn_octree(dimension, random, boxes);
+    dsw_scene_desc desc;
+    dsw_scene_desc_init(&desc, sizeof desc);
+    desc.features = DSW_FEATURE_DEFORMING;
+    dsw_scene* raw = nullptr;
+    ASSERT_EQ(dsw_scene_create(made.get(), &desc, &raw), DSW_STATUS_OK);
+    const oracle::ScenePtr scene(raw);
     dsw_environment_info info{};
     info.struct_size = sizeof info;
     ASSERT_EQ(dsw_environment_get_info(made.get(), &info), DSW_STATUS_OK);
