@@ -120,6 +120,7 @@ Mesh conformed(const Mesh& loose) {
   Mesh made;
   if (environment == nullptr) return made;
   made.points = loose.points;
+  made.loose = loose.cells;
   for (size_t c = 0; c < loose.cells.size(); ++c) {
     dsw_volume_id volume;
     dsw_cell_type type;

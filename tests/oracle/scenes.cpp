@@ -321,7 +321,13 @@ Mesh hex_grid(const std::vector<double>& x, const std::vector<double>& y, const 
 }
 
 void shuffle_cells(Mesh& mesh, Rng& rng) {
-  for (size_t i = mesh.cells.size(); i > 1; --i) std::swap(mesh.cells[i - 1], mesh.cells[rng.below(i)]);
+  std::vector<Cell>& cells = mesh.loose.empty() ? mesh.cells : mesh.loose;
+  for (size_t i = cells.size(); i > 1; --i) std::swap(cells[i - 1], cells[rng.below(i)]);
+  if (mesh.loose.empty()) return;
+  Mesh loose;  // faces of a cell are in the order of the cells beside it
+  loose.points = mesh.points;
+  loose.cells = mesh.loose;
+  mesh = conformed(loose);
 }
 
 namespace {
@@ -364,6 +370,7 @@ double transformed(double x, Transform t) {
 }
 
 void apply_transform(Mesh& mesh, Transform t) {
+  if (t != Transform::kNone && t != Transform::kPower) mesh.loose.clear();  // rounding would part what was sewn
   for (Vec& p : mesh.points) {
     for (double& x : p) x = transformed(x, t);
   }

@@ -55,6 +55,10 @@ def test_parts_that_touch_need_a_word() -> None:
         ds.Environment(points, cells, **options).close()  # type: ignore[arg-type]
     points, cells = _beside(((1.5, 0, 0), 1))
     ds.Environment(points, cells).close()
+    points, cells = _beside(*[((1, y, z), 0.5) for y in (0, 0.5) for z in (0, 0.5)])
+    with pytest.raises(ds.errors.TouchingParts, match="^5 faces"):  # the small cubes are sewn to each other
+        ds.Environment(points, cells, merge_points=0.0)
+    ds.Environment(points, cells, merge_points=0.0, inner_walls=True).close()
 
 
 def test_files_with_parts_that_touch_are_read_with_an_option() -> None:

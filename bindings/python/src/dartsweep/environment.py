@@ -50,9 +50,9 @@ class Environment(Named, Topology):
     `offsets` as in VTK's unstructured grids. In the plane points are (n, 2), cells (n, 3) or more, triangles, quads or polygons; they are the
     "volumes" and their sides the "faces", and wherever points are asked for they have two coordinates. regions, tags: a label and a host's tag for each cell. flags: EnvironmentFlag.
     Faces of a mesh that lie on faces of other cells without having their points are walls, and mostly nobody means that: TouchingParts is raised
-    unless one of three arguments says what they are. merge_points: points within this distance count as one, 0.0: points at one place.
-    conform: faces that faces of other cells cover are split, too, so that both sides sew (merge_points then also tells how far a point may be
-    from an edge or face that it lies on). inner_walls: they are walls.
+    if there are any, but for three arguments. merge_points: points within this distance count as one, 0.0: points at one place; then fewer
+    faces touch. conform: faces that faces of other cells cover are split, too, so that both sides sew (merge_points then also tells how far a
+    point may be from an edge or face that it lies on). inner_walls: they are walls.
     region_names: names of labels, which calls then take in place of these; a name may have several labels. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
     """
 
@@ -84,7 +84,7 @@ class Environment(Named, Topology):
             flags |= EnvironmentFlag.MERGE_POINTS
         if conform:
             flags |= EnvironmentFlag.CONFORM
-        must_not_touch = merge_points is None and not conform and not inner_walls
+        must_not_touch = not conform and not inner_walls
         if must_not_touch:
             flags |= EnvironmentFlag.FIND_TOUCHING
         desc = described(_core.EnvironmentDesc, flags=flags, dimension=dimension, merge_distance=merge_points or 0.0)

@@ -254,7 +254,7 @@ class NotConforming(Error):
 
 
 class TouchingParts(NotConforming):
-    """Faces of a mesh lie on faces of other cells, and no argument of Environment says whether they are walls."""
+    """Faces of a mesh lie on faces of other cells, and no argument of Environment says that they are walls."""
 
     way_on = (
         "merge_points=0.0 (or a distance) makes one of the points at one place, conform=True also splits faces that other faces cover, "
