@@ -2,8 +2,6 @@
 #include "environments.h"
 #include "scenes.h"
 
-#include <algorithm>
-
 namespace dsw::oracle {
 namespace {
 
@@ -95,13 +93,11 @@ std::vector<int> loop_of(const dsw_environment* environment, const dsw_cell& cel
   return vertices;
 }
 
+/// Each as the volume has it, from its first vertex on, so that edges are numbered as there.
 std::vector<Loop> loops_of(const dsw_environment* environment, const dsw_volume_id& volume, uint32_t count) {
   std::vector<Loop> faces;
   for (uint32_t f = 0; f < count; ++f) {
-    dsw_face_id id;
-    dsw_environment_get_face_id(environment, volume, f, &id);
-    faces.push_back(loop_of(environment, {DSW_CELL_FACE, id.volume, id.generation, id.local}));
-    if (id.volume != volume.index) std::reverse(faces.back().begin(), faces.back().end());
+    faces.push_back(loop_of(environment, {DSW_CELL_FACE, volume.index, volume.generation, f}));
   }
   return faces;
 }
