@@ -167,7 +167,7 @@ TEST(ConformSpaceTest, TrianglesThatCrossAreRefusedAndNamed) {
     const uint32_t square = report.offenders[0] / 2;  // the first whose diagonals cross
     EXPECT_EQ(square,
               static_cast<uint32_t>(std::mismatch(below.begin(), below.end(), above.begin()).first - below.begin()));
-    EXPECT_EQ(report.offenders[1] / 2, uint32_t{n * n} + square);
+    EXPECT_EQ(report.offenders[1] / 2, static_cast<uint32_t>(n * n) + square);
   }
 }
 
