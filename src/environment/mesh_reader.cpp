@@ -261,13 +261,22 @@ class Reader {
 
   /** From which place of a loop it is cut: the lowest vertex, so that both sides agree. */
   uint16_t base_of(uint32_t first, uint32_t end) const {
-    const auto rank = [&](uint32_t k) {
-      const uint32_t v = local_to_point_[loop_vertices_[k]];
-      const bool is_poor = poor_fans_ != nullptr && end - first > 4 && ((*poor_fans_)[v / 64] >> v % 64 & 1) != 0;
-      return is_poor ? uint64_t{v} << 32 : v;
-    };
+    if (poor_fans_ == nullptr || end - first < 5) return lowest_of(first, end, [](uint32_t v) { return v; });
+    return lowest_of(first, end, [this](uint32_t v) {
+      const bool is_poor = ((*poor_fans_)[v / 64] >> v % 64 & 1) != 0;
+      return is_poor ? uint64_t{v} + kMaxUnits : v;  // behind all vertices
+    });
+  }
+  template <class Rank>
+  uint16_t lowest_of(uint32_t first, uint32_t end, Rank rank) const {
     uint32_t best = first;
-    for (uint32_t k = first + 1; k < end; ++k) best = rank(k) < rank(best) ? k : best;
+    auto lowest = rank(local_to_point_[loop_vertices_[first]]);
+    for (uint32_t k = first + 1; k < end; ++k) {
+      const auto here = rank(local_to_point_[loop_vertices_[k]]);
+      if (!(here < lowest)) continue;
+      best = k;
+      lowest = here;
+    }
     return static_cast<uint16_t>(best - first);
   }
 

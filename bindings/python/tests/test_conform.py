@@ -52,7 +52,7 @@ def test_parts_that_touch_need_a_word() -> None:
         ds.Environment(points, cells)
     assert isinstance(pickle.loads(pickle.dumps(caught.value)), ds.errors.TouchingParts)
     for options in ({"inner_walls": True}, {"merge_points": 0.0}, {"conform": True}):
-        ds.Environment(points, cells, **options).close()  # type: ignore[arg-type]
+        ds.Environment(points, cells, **options).close()
     points, cells = _beside(((1.5, 0, 0), 1))
     ds.Environment(points, cells).close()
     points, cells = _beside(*[((1, y, z), 0.5) for y in (0, 0.5) for z in (0, 0.5)])

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.nio.DoubleBuffer;
-import java.nio.IntBuffer;
 import org.junit.jupiter.api.Test;
 
 /** Parts of a mesh that lie on each other: counted, and sewn. */
@@ -25,7 +24,7 @@ class TouchingTest {
     EnvironmentDesc desc = new EnvironmentDesc();
     desc.setFlags(flags);
     desc.setMergeDistance(distance);
-    return new Environment(DoubleBuffer.wrap(points), IntBuffer.wrap(cells), null, null, null, null, null, null, desc, null);
+    return new Environment(DoubleBuffer.wrap(points), cells, null, null, null, null, null, null, desc, null);
   }
 
   private static final double[][] ONE_BESIDE_FOUR = {
@@ -37,8 +36,8 @@ class TouchingTest {
     try (Environment environment = create(Dartsweep.ENVIRONMENT_FIND_TOUCHING, 0, ONE_BESIDE_FOUR)) {
       BuildReport report = environment.buildReport();
       assertEquals(13, report.getTouchingFaceCount());
-      assertEquals(0, report.getTouchingFace().getVolume());
-      assertEquals(1, report.getTouchedFace().getVolume());
+      assertEquals(0, report.getTouchingFace().volume());
+      assertEquals(1, report.getTouchedFace().volume());
     }
   }
 
