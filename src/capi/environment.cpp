@@ -77,8 +77,11 @@ class Creation {
   void conform() {
     const dsw::ConformedMesh<D> mesh(engine(), input_.merge_distance, found_);
     if (!mesh.has_changed()) return;
-    const dsw::Array<uint32_t> parents = engine().parents;
-    read_anew(mesh.description(input_), parents);
+    capi::EnvironmentOwner next = capi::make_environment(context_, D);
+    auto& env = std::get<dsw::Environment<D>>(next->engine);
+    mesh.read(env, engine(), input_, found_);
+    env.parents.assign(engine().parents.begin(), engine().parents.end());
+    owner_ = std::move(next);
   }
   /** Splits cells that are not valid, and parts of these that rounding spoils. */
   void split() {

@@ -19,6 +19,9 @@ struct Offenders {
   }
 };
 
+template <int D>
+struct LinkedBefore;
+
 struct BuildReport {
   Offenders offenders;
   uint32_t reoriented_count = 0, unused_point_count = 0, convex_volume_count = 0;
@@ -42,9 +45,10 @@ dsw_environment_desc check_description(dsw_environment_desc desc);
 
 /** Fills an empty environment from a description that was checked: points, cells, and links of their facets. Throws Error
  * (and leaves the environment useless) on the first kind of defect found, with the first offenders of that kind in the report.
- * Order of checks: sizes, points finite, cells well-formed, facets matched. */
+ * Order of checks: sizes, points finite, cells well-formed, facets matched. `before`: null, or from where links are taken. */
 template <int D>
-void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
+void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
+               const LinkedBefore<D>* before = nullptr);
 
 /** The cells of a mesh that was read that are neither valid nor turned inside out, however their facets are cut, in the
  * order of their records. Throws std::bad_alloc. */

@@ -37,6 +37,7 @@ from ._shapes import Records as Records
 from ._shapes import cell_of, contiguous, kind_of_rows
 from ._topology import Topology
 from .enums import EnvironmentFlag, Location, Mark
+from .errors import TouchingParts
 from .options import options as described
 
 
@@ -48,9 +49,10 @@ class Environment(Named, Topology):
     in the orders that CellType tells, which are those of VTK but for its wedges from 9.7 on; or in one dimension, with `types` (CellType of each) and, but for face streams of polyhedra in `faces`,
     `offsets` as in VTK's unstructured grids. In the plane points are (n, 2), cells (n, 3) or more, triangles, quads or polygons; they are the
     "volumes" and their sides the "faces", and wherever points are asked for they have two coordinates. regions, tags: a label and a host's tag for each cell. flags: EnvironmentFlag.
-    Parts of a mesh that lie on each other are walls unless they are sewn. merge_points: points within this distance count as one, 0.0: points
-    at one place. conform: faces that faces of other cells cover are split, too, so that both sides sew (merge_points then also tells how far a
-    point may be from an edge or face that it lies on).
+    Faces of a mesh that lie on faces of other cells without having their points are walls, and mostly nobody means that: TouchingParts is raised
+    if there are any, but for three arguments. merge_points: points within this distance count as one, 0.0: points at one place; then fewer
+    faces touch. conform: faces that faces of other cells cover are split, too, so that both sides sew (merge_points then also tells how far a
+    point may be from an edge or face that it lies on). inner_walls: they are walls.
     split: cells whose mean does not see all of their faces, such as an L, are split into parts; `parent` gives the cell of a part. Cells
     with repeated points are what is left of them.
     region_names: names of labels, which calls then take in place of these; a name may have several labels. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
@@ -73,6 +75,7 @@ class Environment(Named, Topology):
         merge_points: float | None = None,
         conform: bool = False,
         split: bool = False,
+        inner_walls: bool = False,
         region_names: Mapping[str, Labels] | None = None,
         threads: int = 0,
         log: Callable[[int, str], object] | None = None,
@@ -86,6 +89,9 @@ class Environment(Named, Topology):
             flags |= EnvironmentFlag.CONFORM
         if split:
             flags |= EnvironmentFlag.SPLIT
+        must_not_touch = not conform and not inner_walls
+        if must_not_touch:
+            flags |= EnvironmentFlag.FIND_TOUCHING
         desc = described(_core.EnvironmentDesc, flags=flags, dimension=dimension, merge_distance=merge_points or 0.0)
         if cells.ndim == 2 and types is None:
             kind, types, offsets = kind_of_rows(cells, dimension)
@@ -98,6 +104,14 @@ class Environment(Named, Topology):
         self._core: Any = _core.Environment(
             points, cells, offsets, types, regions, tags, faces, face_locations, desc, context
         )
+        if must_not_touch:
+            self._refuse_touching()
+
+    def _refuse_touching(self) -> None:
+        report = self._core.build_report()
+        if report.touching_face_count != 0:
+            self.close()
+            raise TouchingParts.of(report)
 
     @classmethod
     def _of(cls, core: Any, names: Names, log: Any = None) -> Environment:

@@ -16,6 +16,9 @@ from .mesh import Indices, Mesh
 from .plane import flatten
 
 
+_SAYS_WHAT_TOUCHES = ("merge_points", "conform", "inner_walls")
+
+
 def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> Environment:
     """An environment of a mesh of volumes or of the plane. regions: name of the array, or group, that labels cells. options: as of
     Environment."""
@@ -24,6 +27,8 @@ def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> 
     labels, names = regions_of(mesh, regions)
     options = {"tags": mesh.cell_data.get(own.TAGS), **options}
     options["region_names"] = {**names, **(options.get("region_names") or {})}
+    if mesh.hangs and not any(name in options for name in _SAYS_WHAT_TOUCHES):
+        options["conform"] = True
 
     def create(right: Mesh) -> Environment:
         made = Environment(right.points, right.connectivity, right.types, right.offsets, regions=labels, **options)
@@ -41,7 +46,8 @@ def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> 
         if different is None:
             raise MeshError(mesh.source, str(error), _way_on(error)) from error
     except (errors.Error, TypeError, OverflowError) as error:
-        raise MeshError(mesh.source, str(error), _way_on(error)) from error
+        found = error.found if isinstance(error, errors.TouchingParts) else str(error)
+        raise MeshError(mesh.source, found, _way_on(error)) from error
     return environment_of(different, regions, given)
 
 
@@ -56,6 +62,10 @@ def _created(mesh: Mesh, create: Callable[[Mesh], Environment]) -> Environment:
 
 
 def _way_on(error: Exception) -> str:
+    if isinstance(error, errors.TouchingParts):
+        return error.way_on
+    if isinstance(error, errors.NotConforming):
+        return "merge_points= says how far points may be apart, and inner_walls=True leaves such faces as walls"
     if isinstance(error, errors.InvertedCell):
         return "flags=EnvironmentFlag.REORIENT turns each cell that is inside out"
     if isinstance(error, (TypeError, OverflowError)):
