@@ -17,7 +17,7 @@ class ConformedMesh {
 
   /** Whether a cell is another one than it was. */
   bool has_changed() const { return !types_.empty(); }
-  /** Of all cells, in their order, with the points of `input`. It points into this. */
+  /** Describes all cells in their order, with the points of `input`. The description points into this mesh. */
   dsw_environment_desc description(const dsw_environment_desc& input) const;
 
  private:

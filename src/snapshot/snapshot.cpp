@@ -39,7 +39,7 @@ enum Section {
   kSectionCount
 };
 
-/** Those of the plane have been narrow since version 3; space has no reason to leave version 2. */
+/** Numbers of the plane's blocks have been narrow since version 3; space has no reason to leave version 2. */
 template <int D>
 constexpr BlockKind kKind = {"DSWENV\x1a\n", D == 2 ? 3 : 2, 2, kSectionCount, {kSectionCount, kSectionCount}};
 constexpr uint32_t kLastWideVersion = 2;
