@@ -1,24 +1,25 @@
 /** @file base.h
- * Export macro, version, statuses, last error message. What holds for all headers:
+ * Export macro, version, statuses, last error message, and what holds for all headers.
  *
  * Results:
  *  - Lengths are in scene units. A time of contact is a fraction in [0,1] of one move.
  *  - Exact arithmetic decides every sign, for all finite doubles. Simulation of Simplicity (H.
  *    Edelsbrunner, E. P. Muecke, ACM Transactions on Graphics 9, 1990) decides ties: "the shift"
- *    moves every other point than the environment's vertices by (e, e^2, e^3), with an
- *    infinitesimal e > 0. More: bindings/docs/exactness.md.
+ *    moves all points but the environment's vertices by (e, e^2, e^3), with an infinitesimal e > 0.
+ *    More: bindings/docs/exactness.md.
  *  - A thing is free if it meets nothing impassable. A wall is an impassable face.
  *  - A geometric outcome (no contact, stopped, outside) is never a status.
  *  - A call that fails changes nothing, unless its comment says otherwise.
  *
- * Common statuses, which any function can answer; comments list only others:
- * DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_RANGE, NON_FINITE, WRONG_SIZE, STALE_ID,
- * BUFFER_TOO_SMALL, OUT_OF_MEMORY, INTERNAL, and UNSUPPORTED: an unknown flag or enum value, a
- * `reserved` member that is not 0, or a function that does not serve the plane (dartsweep.h).
+ * Statuses that any function can answer, and that comments do not list: DSW_STATUS_NULL_ARGUMENT,
+ * BAD_STRUCT_SIZE, OUT_OF_RANGE, NON_FINITE, WRONG_SIZE, STALE_ID, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
+ * INTERNAL; NOT_ENABLED: the scene lacks a feature that the comment names; UNSUPPORTED: an unknown
+ * flag or enum value, a `reserved` member that is not 0, or no function of the plane (dartsweep.h).
  *
  * Arguments:
  *  - A pointer is used during the call only, unless a comment says "retained". It must not be null,
- *    unless a comment says "may be null". `context` and `options` may be null, for the defaults.
+ *    unless a comment says "may be null". These always may be: `context` and `options` (null: the
+ *    defaults), `hints`, `starts`, `locations`, and `report` and `reports` except in record.h.
  *  - A created object belongs to the caller until its `_destroy` function, which accepts null.
  *  - `point`, `points`, `position`, `positions`, `from`, `to`, `target`, `targets`, `xyz`: a point
  *    is `dimension` finite doubles. `stride_bytes` from one point to the next is a multiple of 8; 0
@@ -28,23 +29,23 @@
  *  - Arrays have `count` entries, unless a comment says otherwise. An array of unknown length has
  *    `capacity` entries, or `capacity_bytes` bytes; *count, or *size_bytes, is set to what is
  *    needed, also on DSW_STATUS_BUFFER_TOO_SMALL. Capacity 0 only asks, and the array may be null.
- *  - A `hint` or `start` is a volume near the point, or the null id. `flags` are bits of the
- *    header's enum.
+ *  - A `hint` or `start`, also in an array, is a volume near the point, or the null id. `flags` are
+ *    bits of the header's enum.
  *  - A struct with struct_size, set by the caller or its `_init` function, may be of an older or a
  *    newer version than the library. Members that the caller's struct lacks count as 0. Members
  *    that the library does not know must be 0 in a description, and are set to 0 in a report.
- *  - An `_init` function writes the defaults into at most `size` bytes, the sizeof of the struct.
- *    Cost: O(1). Thread: any.
+ *  - An `_init` function writes the defaults into at most `size` bytes, the struct's sizeof.
  *
- * Threads: the signature tells what a call writes. With a `dsw_environment *` that is not const it
- * writes the environment and its scene, with a `dsw_scene *` the scene, with any other handle that
- * is not const that object. It reads the rest. Calls that only read an object may run side by side;
- * a call that writes it runs alone. "Thread: any": the call may run beside all others. A "batch"
- * uses the parallel-for of the context: results do not depend on threads, and the error message
- * names the first wrong entry.
+ * Threads: the signature tells what a call writes: through a `dsw_environment *` that is not const
+ * the environment and its scene, through a `dsw_scene *` the scene, through another handle that is
+ * not const that object. It reads the rest. Calls that only read an object may run side by side; a
+ * call that writes it runs alone. "Thread: any": the call may run beside all others. A "batch" uses
+ * the parallel-for of the context: results do not depend on threads, and the error message names
+ * the first wrong entry.
  *
- * Costs: n counts the cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd, "Edge
- * collision detection in complex deformable environments", 2010.
+ * A function costs O(1) and is of version 2.0, unless its comment says otherwise. Costs: n counts
+ * the cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd, "Edge collision
+ * detection in complex deformable environments", 2010.
  */
 #ifndef DARTSWEEP_BASE_H
 #define DARTSWEEP_BASE_H
@@ -67,7 +68,7 @@
 #define DSW_API
 #endif
 
-#define DSW_VERSION_MAJOR 2 /**< Of this header. dsw_version() tells the library's. */
+#define DSW_VERSION_MAJOR 2 /**< The header's; dsw_version() tells the library's. */
 #define DSW_VERSION_MINOR 1 /**< Grows with additions. */
 #define DSW_VERSION_PATCH 0 /**< Grows with corrections. */
 
@@ -75,11 +76,11 @@
 extern "C" {
 #endif
 
-/** The result of a call. Values are stable; new values are only appended. */
+/** The result of a call. Values are stable, and new ones are only appended. */
 typedef enum dsw_status {
   DSW_STATUS_OK = 0,            /**< Done. */
   DSW_STATUS_NULL_ARGUMENT = 1, /**< A required pointer is null. */
-  /** struct_size is below the first release's. */
+  /** struct_size is too small. */
   DSW_STATUS_BAD_STRUCT_SIZE = 2,
   DSW_STATUS_UNSUPPORTED = 3, /**< Not supported. */
   /** A number or index is out of range. */
@@ -125,22 +126,22 @@ typedef enum dsw_status {
   DSW_STATUS_NOT_ORIENTED = 39,    /**< Faces of a body are turned against each other. */
   /** Parts of a mesh lie on each other and can't be sewn. @since 2.1 */
   DSW_STATUS_NOT_CONFORMING = 40,
-  DSW_STATUS_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_STATUS_FORCE_INT32 = 0x7fffffff
 } dsw_status;
 
 /** Returns the version of the loaded library.
  * @return major * 1000000 + minor * 1000 + patch.
- * @note Cost: O(1). Thread: any. @since 2.0 */
+ * @note Thread: any. */
 DSW_API uint32_t dsw_version(void);
 
-/** Returns the name of a status, for example "DSW_STATUS_OUTSIDE".
+/** Returns the name of a status, such as "DSW_STATUS_OUTSIDE".
  * @return static text; "unknown status" for other values.
- * @note Cost: O(1). Thread: any. @since 2.0 */
+ * @note Thread: any. */
 DSW_API const char *dsw_status_string(dsw_status status);
 
 /** Describes the last failure on this thread: function, argument, index, value, accepted range.
- * @return text, empty before the first failure, valid until the next failure on this thread.
- * @note Cost: O(1). Thread: any. @since 2.0 */
+ * @return text, empty before the first failure, valid until the next one on this thread.
+ * @note Thread: any. */
 DSW_API const char *dsw_last_error_message(void);
 
 #ifdef __cplusplus

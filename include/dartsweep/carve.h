@@ -18,7 +18,7 @@ typedef enum dsw_carve_flag {
 
 /** A shape, given by its closed surface. A point is inside if its winding number is not 0. */
 typedef struct dsw_carve_desc {
-  uint32_t struct_size;      /**< sizeof(dsw_carve_desc). */
+  uint32_t struct_size;
   uint32_t flags;            /**< DSW_CARVE_... */
   const double *points;      /**< Finite points. */
   size_t point_count;        /**< Below 2^28. */
@@ -32,22 +32,21 @@ typedef struct dsw_carve_desc {
   double snap; /**< As in dsw_cut_desc. */
 } dsw_carve_desc;
 
-/** Writes the defaults. @since 2.0 */
+/** Writes the defaults. */
 DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
 
 /** Splits impassable volumes that the surface crosses, as dsw_environment_cut does. Then makes
  * volumes with their centre inside passable.
  * @return DSW_STATUS_INDEX_OUT_OF_RANGE; BORROWED: no room for vertices; BAD_TOPOLOGY: the surface
  * is not closed, or a triangle repeats a point.
- * @note Cost: O(volumes crossed or inside * log triangles); without `start` also O(n).
- * @since 2.0 */
+ * @note Cost: O(volumes crossed or inside * log triangles); without `start` also O(n). */
 DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw_carve_desc *desc,
                                          dsw_change *change);
 
 /** A closed loop of points round a vessel. Its surface has a triangle for each two neighbouring
  * points and the mean of all points. From the front the loop is counter-clockwise. */
 typedef struct dsw_tie_desc {
-  uint32_t struct_size;      /**< sizeof(dsw_tie_desc). */
+  uint32_t struct_size;
   uint32_t flags;            /**< 0. */
   const double *points;      /**< Finite points. */
   size_t point_count;        /**< At least 3, below 2^28. */
@@ -58,13 +57,13 @@ typedef struct dsw_tie_desc {
   double snap; /**< As in dsw_cut_desc. */
 } dsw_tie_desc;
 
-/** Writes the defaults. @since 2.0 */
+/** Writes the defaults. */
 DSW_API void dsw_tie_desc_init(dsw_tie_desc *desc, size_t size);
 
 /** Closes passable space along the surface of a loop. Passable volumes that the surface crosses are
  * split and unsewn, as by DSW_CUT_UNSEW. Those that stay whole or hold the loop become impassable.
  * @return DSW_STATUS_BORROWED: no room for vertices.
- * @note Cost: as dsw_environment_cut; without `start` O(n log triangles). @since 2.0 */
+ * @note Cost: as dsw_environment_cut; without `start` O(n log triangles). */
 DSW_API dsw_status dsw_environment_tie(dsw_environment *environment, const dsw_tie_desc *desc,
                                        dsw_change *change);
 

@@ -13,7 +13,7 @@ extern "C" {
 
 /** What is merged. */
 typedef struct dsw_coarsen_options {
-  uint32_t struct_size; /**< sizeof(dsw_coarsen_options). */
+  uint32_t struct_size;
   /** Most faces of a merged volume, 4 to 28; 0 means 16. Above 16 the result takes much memory. */
   uint32_t max_faces;
   uint64_t max_trials; /**< Work limit: unions looked at, best first; 0: none. */
@@ -21,7 +21,7 @@ typedef struct dsw_coarsen_options {
 
 /** What coarsening did. Pairs are before and after. */
 typedef struct dsw_coarsen_report {
-  uint32_t struct_size;     /**< sizeof(dsw_coarsen_report). */
+  uint32_t struct_size;
   uint32_t complete;        /**< 0: the work limit ended the merging. */
   uint32_t volume_count[2]; /**< Volumes. */
   uint32_t face_count[2];   /**< Faces; those between two volumes count once. */
@@ -31,7 +31,7 @@ typedef struct dsw_coarsen_report {
   uint64_t trials; /**< Unions looked at. */
 } dsw_coarsen_report;
 
-/** Writes the defaults. @since 2.0 */
+/** Writes the defaults. */
 DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size);
 
 /** Creates a coarser copy of an environment. Merged volumes are valid polyhedra. Casts and sweeps
@@ -43,7 +43,7 @@ DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size)
  * @param capacity volume_index_count of the source.
  * @param report may be null.
  * @return DSW_STATUS_TOO_LARGE.
- * @note Cost: O(n log n). Source: [JCD10] 3.2. @since 2.0 */
+ * @note Cost: O(n log n). Source: [JCD10] 3.2. */
 DSW_API dsw_status dsw_environment_coarsen(const dsw_environment *source,
                                            const dsw_coarsen_options *options,
                                            dsw_environment **environment, uint32_t *volume_map,

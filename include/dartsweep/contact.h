@@ -16,16 +16,16 @@ typedef enum dsw_outcome {
   DSW_OUTCOME_OUTSIDE = 4,    /**< Not begun: the start lies in no volume. */
   /** Not begun: the start, or the swept edge there, is not free. */
   DSW_OUTCOME_IMPASSABLE = 5,
-  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff
 } dsw_outcome;
 
 /** What part of the obstacle was touched. */
 typedef enum dsw_contact_kind {
-  DSW_CONTACT_NONE = 0,                     /**< None. */
-  DSW_CONTACT_PLANE = 1,                    /**< The inside of a face, also its diagonals. */
-  DSW_CONTACT_EDGE = 2,                     /**< An edge. */
-  DSW_CONTACT_VERTEX = 3,                   /**< A vertex. */
-  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_CONTACT_NONE = 0,   /**< None. */
+  DSW_CONTACT_PLANE = 1,  /**< The inside of a face, also its diagonals. */
+  DSW_CONTACT_EDGE = 2,   /**< An edge. */
+  DSW_CONTACT_VERTEX = 3, /**< A vertex. */
+  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff
 } dsw_contact_kind;
 
 /** What was touched. Every report below, and dsw_wall_contact, holds one. Without a contact all
@@ -78,10 +78,10 @@ typedef struct dsw_sweep {
 /** Whether the same cell stopped the vertex in the body's previous move. The next face of a wall is
  * another cell; see `touching` of dsw_previous_contact. */
 typedef enum dsw_contact_history {
-  DSW_HISTORY_NONE = 0,                /**< No contact. */
-  DSW_HISTORY_NEW = 1,                 /**< No. */
-  DSW_HISTORY_LASTING = 2,             /**< Yes. */
-  DSW_HISTORY_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_HISTORY_NONE = 0,    /**< No contact. */
+  DSW_HISTORY_NEW = 1,     /**< No. */
+  DSW_HISTORY_LASTING = 2, /**< Yes. */
+  DSW_HISTORY_FORCE_INT32 = 0x7fffffff
 } dsw_contact_history;
 
 /** A contact of a body: a moving vertex, or one of its edges or faces, touched something. */
@@ -99,7 +99,7 @@ typedef struct dsw_body_contact {
   dsw_body_edge_id edge;       /**< The touching edge, or null. */
   dsw_body_face_id face;       /**< The touching face, or null. */
   dsw_contact_history history; /**< Whether the contact is new. */
-  uint32_t reserved;           /**< 0. */
+  uint32_t reserved;
 } dsw_body_contact;
 
 /** The previous contact of a vertex. If `since` is 1, the vertex rests or slides; above 1, it
@@ -113,7 +113,7 @@ typedef struct dsw_previous_contact {
   uint32_t since;    /**< Moves ago: 1 the move before, 0 never. */
   uint32_t moves;    /**< Moves in a row that this obstacle stopped. */
   uint32_t touching; /**< Moves in a row that anything stopped. */
-  uint32_t reserved; /**< 0. */
+  uint32_t reserved;
 } dsw_previous_contact;
 
 /** The body that a contact touched; all null for a contact with the environment. */

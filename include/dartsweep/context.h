@@ -25,11 +25,11 @@ typedef void (*dsw_release_fn)(void *user, void *memory, size_t size_bytes, size
 
 /** Severity of a log line. */
 typedef enum dsw_log_level {
-  DSW_LOG_NONE = 0,                /**< No line. */
-  DSW_LOG_ERROR = 1,               /**< Something went wrong. */
-  DSW_LOG_WARNING = 2,             /**< A host may want to change something. */
-  DSW_LOG_INFO = 3,                /**< Progress. */
-  DSW_LOG_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_LOG_NONE = 0,    /**< No line. */
+  DSW_LOG_ERROR = 1,   /**< Something went wrong. */
+  DSW_LOG_WARNING = 2, /**< A host may want to change something. */
+  DSW_LOG_INFO = 3,    /**< Progress. */
+  DSW_LOG_FORCE_INT32 = 0x7fffffff
 } dsw_log_level;
 
 /** Receives one line, valid during the call. Called on the thread of the dsw call; no lock is
@@ -52,15 +52,15 @@ typedef enum dsw_kernel {
   /** The kernel that is fastest on this processor, for each kind of volumes. The first environment
    * in space that asks for it measures all kernels, once a process, in about 5 ms. */
   DSW_KERNEL_FASTEST = 0,
-  DSW_KERNEL_PORTABLE = 1,            /**< Instructions that every processor has. */
-  DSW_KERNEL_AVX2 = 2,                /**< x86-64 with AVX2. */
-  DSW_KERNEL_AVX512 = 3,              /**< x86-64 with AVX-512 F, DQ and VL. */
-  DSW_KERNEL_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_KERNEL_PORTABLE = 1, /**< Instructions that every processor has. */
+  DSW_KERNEL_AVX2 = 2,     /**< x86-64 with AVX2. */
+  DSW_KERNEL_AVX512 = 3,   /**< x86-64 with AVX-512 F, DQ and VL. */
+  DSW_KERNEL_FORCE_INT32 = 0x7fffffff
 } dsw_kernel;
 
 /** Describes a context. */
 typedef struct dsw_context_desc {
-  uint32_t struct_size; /**< sizeof(dsw_context_desc). */
+  uint32_t struct_size;
   /** For the built-in parallel-for: 1 .. 256; 0: one per processor. */
   uint32_t thread_count;
   void *user;                       /**< First argument of every callback. */
@@ -69,22 +69,21 @@ typedef struct dsw_context_desc {
   dsw_log_fn log;                   /**< Null: no log. */
   dsw_parallel_for_fn parallel_for; /**< Null: built in. */
   uint32_t kernel;                  /**< dsw_kernel. @since 2.1 */
-  uint32_t reserved;                /**< 0. */
+  uint32_t reserved;
 } dsw_context_desc;
 
-/** Writes the defaults. @since 2.0 */
+/** Writes the defaults. */
 DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 
 /** Creates a context.
  * @param desc null: all defaults; the callbacks are retained.
  * @return DSW_STATUS_OUT_OF_RANGE: also if only one of allocate and release is set.
  * DSW_STATUS_UNSUPPORTED: also for a kernel that the processor or this library has not.
- * @note Cost: O(1). Thread: any. @since 2.0 */
+ * @note Thread: any. */
 DSW_API dsw_status dsw_context_create(const dsw_context_desc *desc, dsw_context **context);
 
 /** Destroys a context.
- * @return DSW_STATUS_IN_USE: objects of the context exist.
- * @note Cost: O(1). @since 2.0 */
+ * @return DSW_STATUS_IN_USE: objects of the context exist. */
 DSW_API dsw_status dsw_context_destroy(dsw_context *context);
 
 #ifdef __cplusplus

@@ -23,7 +23,7 @@ typedef enum dsw_deform_method {
    * that moves farther than the thickness of a volume can pass them. Walls do not push a thick body
    * for its radius: the way is shortened. */
   DSW_DEFORM_END_STATE = 1,
-  DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff
 } dsw_deform_method;
 
 /** What happens if a wall meets something. */
@@ -37,7 +37,7 @@ typedef enum dsw_wall_response {
   DSW_WALL_HOLD = 2,
   /** The whole environment stops at 1/2, 1/4, ... of its way. */
   DSW_WALL_STOP = 3,
-  DSW_WALL_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_WALL_RESPONSE_FORCE_INT32 = 0x7fffffff
 } dsw_wall_response;
 
 /** What happens if a volume that is met would become invalid. */
@@ -46,7 +46,7 @@ typedef enum dsw_invalid_response {
   DSW_INVALID_REFUSE = 1, /**< Nothing moves; see dsw_environment_get_invalid_volumes. */
   /** dsw_environment_remesh repairs such volumes first; then as HOLD. */
   DSW_INVALID_REMESH = 2,
-  DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff
 } dsw_invalid_response;
 
 /** How a deformation ended. */
@@ -58,12 +58,12 @@ typedef enum dsw_deform_outcome {
   /** The work limit `max_holds` was reached: as HELD, with DSW_WALL_STOP as FRACTION 0.
    * @since 2.1 */
   DSW_DEFORM_LIMITED = 4,
-  DSW_DEFORM_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_DEFORM_OUTCOME_FORCE_INT32 = 0x7fffffff
 } dsw_deform_outcome;
 
 /** Options of a deformation. */
 typedef struct dsw_deform_options {
-  uint32_t struct_size;         /**< sizeof(dsw_deform_options). */
+  uint32_t struct_size;
   uint32_t flags;               /**< 0. */
   dsw_deform_method method;     /**< Default SWEPT. */
   dsw_wall_response response;   /**< Default PUSH. */
@@ -79,7 +79,7 @@ typedef struct dsw_deform_options {
    * vertex that moves one at a time stays where it is. 0 means 32,768, which is 32 vertices that
    * stay in each of 1,024 steps. @since 2.1 */
   uint32_t max_holds;
-  uint32_t reserved; /**< 0. */
+  uint32_t reserved;
 } dsw_deform_options;
 
 /** What a deformation did. */
@@ -112,10 +112,10 @@ typedef struct dsw_wall_contact {
   dsw_body_edge_id edge;      /**< Its touched edge, or null. */
   dsw_body_face_id face;      /**< Its touched face, or null. */
   dsw_wall_response response; /**< What was done. */
-  uint32_t reserved;          /**< 0. */
+  uint32_t reserved;
 } dsw_wall_contact;
 
-/** Writes the defaults. @since 2.0 */
+/** Writes the defaults. */
 DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
 
 /** Takes the environment of a scene with DSW_FEATURE_DEFORMING to new positions. Bodies and
@@ -127,36 +127,33 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
  * @return DSW_STATUS_NOT_ENABLED; IN_USE: `next` is the present array; WRONG_SIZE: point_count,
  * point_room; NON_FINITE: only near bodies and particles.
  * @note Cost: O(bodies + particles + volumes met), for each step; up to 2^(k + 1) steps, and
- * `max_holds`. Source: [JCD10] 5.1. @since 2.0 */
+ * `max_holds`. Source: [JCD10] 5.1. */
 DSW_API dsw_status dsw_environment_deform(dsw_environment *environment, double *next,
                                           size_t point_count, const dsw_deform_options *options,
                                           dsw_deform_report *report);
 
-/** Gives the contacts of the last deformation, in order. @note Cost: O(1). @since 2.0 */
+/** Gives the contacts of the last deformation, in order. */
 DSW_API dsw_status dsw_environment_get_wall_contacts(const dsw_environment *environment,
                                                      const dsw_wall_contact **contacts,
                                                      size_t *count);
 
-/** Gives the vertices that the last deformation did not take to their targets, by index.
- * @note Cost: O(1). @since 2.0 */
+/** Gives the vertices that the last deformation did not take to their targets, by index. */
 DSW_API dsw_status dsw_environment_get_held_vertices(const dsw_environment *environment,
                                                      const dsw_vertex_id **vertices, size_t *count);
 
-/** Gives the volumes that the last deformation kept from becoming invalid, by index.
- * @note Cost: O(1). @since 2.0 */
+/** Gives the volumes that the last deformation kept from becoming invalid, by index. */
 DSW_API dsw_status dsw_environment_get_invalid_volumes(const dsw_environment *environment,
                                                        const dsw_volume_id **volumes,
                                                        size_t *count);
 
 /** Tells whether a volume is valid now.
  * @param valid 0 or 1.
- * @note Cost: O(faces of the volume). @since 2.0 */
+ * @note Cost: O(faces of the volume). */
 DSW_API dsw_status dsw_environment_is_valid(const dsw_environment *environment,
                                             dsw_volume_id volume, int *valid);
 
 /** Gives the positions that an environment reads, by vertex.
- * @param points owned by the environment, or the host's array.
- * @note Cost: O(1). @since 2.0 */
+ * @param points owned by the environment, or the host's array. */
 DSW_API dsw_status dsw_environment_get_points(const dsw_environment *environment,
                                               const double **points, size_t *count);
 

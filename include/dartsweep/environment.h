@@ -27,16 +27,16 @@ typedef struct dsw_environment dsw_environment;
  *  - polyhedron: a face stream: the number of faces, then for each face the number of its points
  *    and the points, counter-clockwise seen from outside. */
 typedef enum dsw_cell_type {
-  DSW_CELL_TYPE_NONE = 0,                /**< No type. */
-  DSW_CELL_TYPE_TRIANGLE = 5,            /**< 3 vertices, in the plane. */
-  DSW_CELL_TYPE_POLYGON = 7,             /**< Any other cell of the plane. */
-  DSW_CELL_TYPE_QUAD = 9,                /**< 4 vertices, in the plane. */
-  DSW_CELL_TYPE_TETRA = 10,              /**< 4 vertices. */
-  DSW_CELL_TYPE_HEXAHEDRON = 12,         /**< 8 vertices. */
-  DSW_CELL_TYPE_WEDGE = 13,              /**< 6 vertices. */
-  DSW_CELL_TYPE_PYRAMID = 14,            /**< 5 vertices. */
-  DSW_CELL_TYPE_POLYHEDRON = 42,         /**< Any other volume. */
-  DSW_CELL_TYPE_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_CELL_TYPE_NONE = 0,        /**< No type. */
+  DSW_CELL_TYPE_TRIANGLE = 5,    /**< 3 vertices, in the plane. */
+  DSW_CELL_TYPE_POLYGON = 7,     /**< Any other cell of the plane. */
+  DSW_CELL_TYPE_QUAD = 9,        /**< 4 vertices, in the plane. */
+  DSW_CELL_TYPE_TETRA = 10,      /**< 4 vertices. */
+  DSW_CELL_TYPE_HEXAHEDRON = 12, /**< 8 vertices. */
+  DSW_CELL_TYPE_WEDGE = 13,      /**< 6 vertices. */
+  DSW_CELL_TYPE_PYRAMID = 14,    /**< 5 vertices. */
+  DSW_CELL_TYPE_POLYHEDRON = 42, /**< Any other volume. */
+  DSW_CELL_TYPE_FORCE_INT32 = 0x7fffffff
 } dsw_cell_type;
 
 /** Flags of dsw_environment_desc. */
@@ -72,9 +72,9 @@ enum {
 
 /** Describes an environment. */
 typedef struct dsw_environment_desc {
-  uint32_t struct_size; /**< sizeof(dsw_environment_desc). */
-  uint32_t dimension;   /**< 3, also given as 0; 2 in the plane. */
-  uint32_t flags;       /**< DSW_ENVIRONMENT_... */
+  uint32_t struct_size;
+  uint32_t dimension; /**< 3, also given as 0; 2 in the plane. */
+  uint32_t flags;     /**< DSW_ENVIRONMENT_... */
   /** Size of the integers in arrays of void, signed: 4 or 8; 0 means 8. */
   uint32_t index_bytes;
   const double *points;      /**< The points. */
@@ -98,7 +98,7 @@ typedef struct dsw_environment_desc {
   const uint32_t *tags;
   /** Type of all cells if cell_types is null; hexahedra by default, never polyhedra. */
   uint32_t uniform_cell_type;
-  uint32_t reserved; /**< 0. */
+  uint32_t reserved;
   /** Not negative: how far points may be apart that DSW_ENVIRONMENT_MERGE_POINTS or
    * DSW_ENVIRONMENT_CONFORM takes for one; 0: at exactly one place. @since 2.1 */
   double merge_distance;
@@ -106,7 +106,7 @@ typedef struct dsw_environment_desc {
 
 /** What creation or dsw_environment_check found, also on failure. */
 typedef struct dsw_build_report {
-  uint32_t struct_size;    /**< sizeof(dsw_build_report). */
+  uint32_t struct_size;
   dsw_status status;       /**< As returned. */
   uint32_t offender_count; /**< Entries of offenders. */
   /** The first wrong cells, by index; for NON_FINITE points. */
@@ -131,7 +131,7 @@ typedef struct dsw_build_report {
 
 /** Numbers about an environment. */
 typedef struct dsw_environment_info {
-  uint32_t struct_size;         /**< sizeof(dsw_environment_info). */
+  uint32_t struct_size;
   uint32_t dimension;           /**< 3, or 2 in the plane. */
   uint32_t vertex_count;        /**< Vertices, also unused points. */
   uint32_t volume_count;        /**< Volumes. */
@@ -148,7 +148,7 @@ typedef struct dsw_environment_info {
   uint32_t vertex_index_count; /**< Likewise for vertices. */
 } dsw_environment_info;
 
-/** Writes the defaults: 3 dimensions, hexahedra, 8-byte indices. @since 2.0 */
+/** Writes the defaults: 3 dimensions, hexahedra, 8-byte indices. */
 DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
 
 /** Creates an environment and proves every cell valid (bindings/docs/exactness.md). All but the
@@ -157,17 +157,16 @@ DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
  * @return DSW_STATUS_TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL, INVERTED_CELL,
  * INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES; NOT_CONFORMING: `offenders` are two
  * cells whose faces overlap where DSW_ENVIRONMENT_CONFORM finds no points to split both at.
- * @note Cost: O(n) expected. Thread: any. Source: [JCD10] 3.1, 3.2. @since 2.0 */
+ * @note Cost: O(n) expected. Thread: any. Source: [JCD10] 3.1, 3.2. */
 DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_environment_desc *desc,
                                           dsw_environment **environment, dsw_build_report *report);
 
 /** Destroys an environment.
- * @return DSW_STATUS_IN_USE: scenes use it.
- * @note Cost: O(1). @since 2.0 */
+ * @return DSW_STATUS_IN_USE: scenes use it. */
 DSW_API dsw_status dsw_environment_destroy(dsw_environment *environment);
 
 /** Gives numbers about an environment.
- * @note Cost: O(1), or O(n) once the topology has changed. @since 2.0 */
+ * @note Cost: O(1), or O(n) once the topology has changed. */
 DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment,
                                             dsw_environment_info *info);
 
@@ -175,55 +174,52 @@ DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment,
  * not pass through itself. It may touch itself: the report counts the faces that do.
  * @param report may be null.
  * @return DSW_STATUS_INVALID_CELL, DSW_STATUS_BOUNDARY_CROSSES; DSW_STATUS_INTERNAL: wrong links.
- * @note Cost: O(n log n) expected. @since 2.0 */
+ * @note Cost: O(n log n) expected. */
 DSW_API dsw_status dsw_environment_check(const dsw_environment *environment,
                                          dsw_build_report *report);
 
 /** Gives the id of volume `index`.
- * @return DSW_STATUS_NOT_FOUND: removed.
- * @note Cost: O(1). @since 2.0 */
+ * @return DSW_STATUS_NOT_FOUND: removed. */
 DSW_API dsw_status dsw_environment_get_volume_id(const dsw_environment *environment, uint32_t index,
                                                  dsw_volume_id *volume);
 
 /** Gives the id of vertex `index`.
- * @return DSW_STATUS_NOT_FOUND: removed.
- * @note Cost: O(1). @since 2.0 */
+ * @return DSW_STATUS_NOT_FOUND: removed. */
 DSW_API dsw_status dsw_environment_get_vertex_id(const dsw_environment *environment, uint32_t index,
                                                  dsw_vertex_id *vertex);
 
-/** Gives the position of a vertex. @note Cost: O(1). @since 2.0 */
+/** Gives the position of a vertex. */
 DSW_API dsw_status dsw_environment_get_vertex_position(const dsw_environment *environment,
                                                        dsw_vertex_id vertex, double *xyz);
 
 /** Gives type, `vertices`, `edges` and `faces` of a volume; each may be null.
- * @note Cost: O(vertices of the volume). @since 2.0 */
+ * @note Cost: O(vertices of the volume). */
 DSW_API dsw_status dsw_environment_get_volume_counts(const dsw_environment *environment,
                                                      dsw_volume_id volume, dsw_cell_type *type,
                                                      uint32_t *vertices, uint32_t *edges,
                                                      uint32_t *faces);
 
-/** Gives the canonical id of face `local` of a volume. @note Cost: O(1). @since 2.0 */
+/** Gives the canonical id of face `local` of a volume. */
 DSW_API dsw_status dsw_environment_get_face_id(const dsw_environment *environment,
                                                dsw_volume_id volume, uint32_t local,
                                                dsw_face_id *face);
 
 /** Gives the canonical id of edge `local` of a volume.
- * @note Cost: O(volumes round the edge). @since 2.0 */
+ * @note Cost: O(volumes round the edge). */
 DSW_API dsw_status dsw_environment_get_edge_id(const dsw_environment *environment,
                                                dsw_volume_id volume, uint32_t local,
                                                dsw_edge_id *edge);
 
 /** Copies the vertices of a cell: of a face as seen from outside of the volume in its id, of a
  * volume in the order of its type, of a polyhedron in order of first use.
- * @note Cost: O(vertices of the volume). @since 2.0 */
+ * @note Cost: O(vertices of the volume). */
 DSW_API dsw_status dsw_environment_copy_vertices(const dsw_environment *environment, dsw_cell cell,
                                                  dsw_vertex_id *vertices, size_t capacity,
                                                  size_t *count);
 
 /** Gives the two volumes of a face.
  * @param near_side the volume in the id; may be null.
- * @param far_side null at the outer boundary; may be null.
- * @note Cost: O(1). @since 2.0 */
+ * @param far_side null at the outer boundary; may be null. */
 DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *environment,
                                                     dsw_face_id face, dsw_volume_id *near_side,
                                                     dsw_volume_id *far_side);
@@ -231,15 +227,14 @@ DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *envir
 /** Gives what lies behind face `local` of a volume.
  * @param neighbour null at the outer boundary; may be null.
  * @param impassable 0 or 1: whether the face is; may be null.
- * @return DSW_STATUS_OUT_OF_RANGE.
- * @note Cost: O(1). @since 2.0 */
+ * @return DSW_STATUS_OUT_OF_RANGE. */
 DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environment,
                                                  dsw_volume_id volume, uint32_t local,
                                                  dsw_volume_id *neighbour, int *impassable);
 
 /** Gives the centre of a volume, the rounded mean of its vertices. It lies strictly inside, unless
  * a tetrahedron is thinner than rounding.
- * @note Cost: O(vertices of the volume). @since 2.0 */
+ * @note Cost: O(vertices of the volume). */
 DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment,
                                               dsw_volume_id volume, double *xyz);
 
@@ -248,7 +243,7 @@ DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment
  * @param offsets count + 1 ascending values. @param faces canonical ids, null where there is
  * none.
  * @param missing how many are null; may be null. @return DSW_STATUS_WRONG_SIZE: offsets descend.
- * @note Cost: O(n + indices) expected. @since 2.0 */
+ * @note Cost: O(n + indices) expected. */
 DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment, size_t count,
                                               const size_t *offsets, const uint32_t *indices,
                                               dsw_face_id *faces, size_t *missing);
@@ -256,21 +251,21 @@ DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment
 /** Finds edges by their vertices. Edge i joins vertices `indices`[2 i] and [2 i + 1].
  * @param edges canonical ids, null where there is none.
  * @param missing how many are null; may be null.
- * @note Cost: O(n + count) expected. @since 2.0 */
+ * @note Cost: O(n + count) expected. */
 DSW_API dsw_status dsw_environment_find_edges(const dsw_environment *environment, size_t count,
                                               const uint32_t *indices, dsw_edge_id *edges,
                                               size_t *missing);
 
-/** Gives the `region` label of a volume, 0 by default. @note Cost: O(1). @since 2.0 */
+/** Gives the `region` label of a volume, 0 by default. */
 DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment,
                                               dsw_volume_id volume, int32_t *region);
 
-/** Gives the host `tag` of a volume, 0 by default. @note Cost: O(1). @since 2.0 */
+/** Gives the host `tag` of a volume, 0 by default. */
 DSW_API dsw_status dsw_environment_get_tag(const dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t *tag);
 
 /** Sets the host `tag` of a volume, also while scenes use it. No result depends on tags.
- * @note Cost: O(1) amortised; the first tag takes 4 bytes a volume. @since 2.0 */
+ * @note Cost: O(1) amortised; the first tag takes 4 bytes a volume. */
 DSW_API dsw_status dsw_environment_set_tag(dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t tag);
 

@@ -14,14 +14,14 @@ extern "C" {
 
 /** A vertex of an environment; at first its index is that of its point. */
 typedef struct dsw_vertex_id {
-  uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Generation. */
+  uint32_t index;
+  uint32_t generation;
 } dsw_vertex_id;
 
 /** A volume of an environment; at first its index is that of its cell. */
 typedef struct dsw_volume_id {
-  uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Generation. */
+  uint32_t index;
+  uint32_t generation;
 } dsw_volume_id;
 
 /** A face: face number `local` of a volume, in VTK's order of the cell type, or that of the face
@@ -44,42 +44,42 @@ typedef struct dsw_edge_id {
 
 /** A particle of a scene. */
 typedef struct dsw_particle_id {
-  uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Generation. */
+  uint32_t index;
+  uint32_t generation;
 } dsw_particle_id;
 
 /** A body of a scene. */
 typedef struct dsw_body_id {
-  uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Generation. */
+  uint32_t index;
+  uint32_t generation;
 } dsw_body_id;
 
 /** A vertex of a body; its index is its place in arrays. */
 typedef struct dsw_body_vertex_id {
-  uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Generation. */
+  uint32_t index;
+  uint32_t generation;
 } dsw_body_vertex_id;
 
 /** An edge of a body. */
 typedef struct dsw_body_edge_id {
-  uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Generation. */
+  uint32_t index;
+  uint32_t generation;
 } dsw_body_edge_id;
 
 /** A triangle of a body. */
 typedef struct dsw_body_face_id {
-  uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Generation. */
+  uint32_t index;
+  uint32_t generation;
 } dsw_body_face_id;
 
 /** Kind of a cell. */
 typedef enum dsw_cell_kind {
-  DSW_CELL_NONE = 0,                     /**< No cell. */
-  DSW_CELL_VERTEX = 1,                   /**< A dsw_vertex_id. */
-  DSW_CELL_EDGE = 2,                     /**< A dsw_edge_id. */
-  DSW_CELL_FACE = 3,                     /**< A dsw_face_id. */
-  DSW_CELL_VOLUME = 4,                   /**< A dsw_volume_id. */
-  DSW_CELL_KIND_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_CELL_NONE = 0,   /**< No cell. */
+  DSW_CELL_VERTEX = 1, /**< A dsw_vertex_id. */
+  DSW_CELL_EDGE = 2,   /**< A dsw_edge_id. */
+  DSW_CELL_FACE = 3,   /**< A dsw_face_id. */
+  DSW_CELL_VOLUME = 4, /**< A dsw_volume_id. */
+  DSW_CELL_KIND_FORCE_INT32 = 0x7fffffff
 } dsw_cell_kind;
 
 /** A cell of any kind, with the numbers of its id; `local` is 0 for vertices and volumes. */

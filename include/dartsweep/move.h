@@ -21,7 +21,7 @@ typedef enum dsw_search {
   /** Dichotomic: halves the way between a free position and one that is not, which the contact
    * describes. At DSW_LEVEL_EDGES another contact may come first. */
   DSW_SEARCH_BISECTION = 2,
-  DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_SEARCH_FORCE_INT32 = 0x7fffffff
 } dsw_search;
 
 /** What happens at a contact [JCD10] 4.2, figure 5. A moving vertex inserts at most 64 vertices,
@@ -39,7 +39,7 @@ typedef enum dsw_response {
   DSW_RESPONSE_SLIDE = 4,
   /** ADAPTIVE_ONE, or SLIDE where no vertex can be inserted. */
   DSW_RESPONSE_ADAPTIVE_SLIDE = 5,
-  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff
 } dsw_response;
 
 /** Flags of a move. */
@@ -51,7 +51,7 @@ enum {
 
 /** Options of a move. */
 typedef struct dsw_move_options {
-  uint32_t struct_size;         /**< sizeof(dsw_move_options). */
+  uint32_t struct_size;
   uint32_t flags;               /**< DSW_MOVE_... */
   dsw_response vertex_response; /**< Of the moving vertex: STOP (default) or SLIDE. */
   dsw_response edge_response;   /**< Of its edges and faces: any; default STOP. */
@@ -88,10 +88,10 @@ typedef struct dsw_move_report {
   uint32_t edges_swept;      /**< Sweeps of edges, from both ends; depends on earlier moves. */
   uint32_t edges_skipped;    /**< Those saved by flags. */
   uint32_t vertices_limited; /**< Stopped by the work limit. */
-  uint32_t reserved;         /**< 0. */
+  uint32_t reserved;
 } dsw_move_report;
 
-/** Writes the defaults. @since 2.0 */
+/** Writes the defaults. */
 DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
 /** Moves the vertices of a body to their targets, one after the other.
@@ -100,7 +100,7 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
  * @return DSW_STATUS_DUPLICATE_ID: in `order`.
  * @note Cost: O(volumes met + bodies near the way). In each pass a vertex searches
  * at most 73 times: once, once for each slide and once for each new vertex.
- * Source: [JCD10] 4. @since 2.0 */
+ * Source: [JCD10] 4. */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,
                                  const dsw_move_options *options, dsw_move_report *report);
@@ -109,7 +109,7 @@ DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const doubl
  * @param bodies distinct.
  * @param targets `target_count` points, body after body.
  * @param options `order` must be null.
- * @note Cost: as dsw_body_move. Batch. @since 2.0 */
+ * @note Cost: as dsw_body_move. Batch. */
 DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
                                          const double *targets, size_t target_count,
                                          size_t stride_bytes, const dsw_move_options *options,
@@ -125,30 +125,28 @@ typedef struct dsw_rigid_motion {
 /** Moves a body rigidly. The motion is halved, up to 52 times, until all vertices can make it, one
  * after the other.
  * @param options only `order`, of all vertices, counts.
- * @note Cost: as dsw_body_move, for each fraction tried. @since 2.0 */
+ * @note Cost: as dsw_body_move, for each fraction tried. */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);
 
-/** Gives the contacts of the last move of a body, in order. @note Cost: O(1). @since 2.0 */
+/** Gives the contacts of the last move of a body, in order. */
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body,
                                          const dsw_body_contact **contacts, size_t *count);
 
 /** Gives the other body of each contact.
- * @return DSW_STATUS_NOT_ENABLED: DSW_FEATURE_BODY_CONTACTS.
- * @note Cost: O(1). @since 2.0 */
+ * @return DSW_STATUS_NOT_ENABLED: DSW_FEATURE_BODY_CONTACTS. */
 DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_body_id body,
                                                  const dsw_contact_partner **partners,
                                                  size_t *count);
 
 /** Gives what the vertex of each contact touched before.
- * @note Cost: O(1). Source: [JCD10] 3.1. @since 2.0 */
+ * @note Source: [JCD10] 3.1. */
 DSW_API dsw_status dsw_body_get_previous_contacts(const dsw_scene *scene, dsw_body_id body,
                                                   const dsw_previous_contact **pasts,
                                                   size_t *count);
 
-/** Gives the vertices that the last move of a body inserted and removed, in order.
- * @note Cost: O(1). @since 2.0 */
+/** Gives the vertices that the last move of a body inserted and removed, in order. */
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body,
                                       const dsw_body_edit **edits, size_t *count);
 

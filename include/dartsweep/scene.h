@@ -34,15 +34,15 @@ enum {
 
 /** Describes a scene. */
 typedef struct dsw_scene_desc {
-  uint32_t struct_size; /**< sizeof(dsw_scene_desc). */
-  uint32_t features;    /**< DSW_FEATURE_...; 0: none. */
+  uint32_t struct_size;
+  uint32_t features; /**< DSW_FEATURE_...; 0: none. */
 } dsw_scene_desc;
 
 /** Counters since creation or reset, the same for any number of threads. */
 typedef struct dsw_statistics {
-  uint32_t struct_size; /**< sizeof(dsw_statistics). */
-  uint32_t reserved;    /**< 0. */
-  uint64_t casts;       /**< Casts, also those that verify a stop. */
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t casts; /**< Casts, also those that verify a stop. */
   /** Volumes entered by casts or visited by sweeps. */
   uint64_t volumes_visited;
   uint64_t orientation_tests; /**< Plane and line tests of casts, without sweeps. */
@@ -56,37 +56,34 @@ typedef struct dsw_statistics {
   uint64_t occupants_tested;
 } dsw_statistics;
 
-/** Writes the defaults. @since 2.0 */
+/** Writes the defaults. */
 DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 
 /** Creates a scene.
  * @param environment retained. @param desc null: no features.
  * @return DSW_STATUS_IN_USE: two scenes would share an environment that can deform.
- * @note Cost: O(1), the first time with DSW_FEATURE_DEFORMING O(n). @since 2.0 */
+ * @note Cost: O(1), the first time with DSW_FEATURE_DEFORMING O(n). */
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc,
                                     dsw_scene **scene);
 
 /** Destroys a scene with all that it holds. Stop a recording first, to know whether it is complete.
  * @return DSW_STATUS_IN_USE: the scene belongs to a replay.
- * @note Cost: O(1). Thread: writer of the environment. @since 2.0 */
+ * @note Thread: writer of the environment. */
 DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);
 
 /** Returns the environment of a scene.
- * @return null for a null scene.
- * @note Cost: O(1). @since 2.0 */
+ * @return null for a null scene. */
 DSW_API dsw_environment *dsw_scene_get_environment(const dsw_scene *scene);
 
 /** Copies the counters.
- * @return DSW_STATUS_NOT_ENABLED.
- * @note Cost: O(1). @since 2.0 */
+ * @return DSW_STATUS_NOT_ENABLED. */
 DSW_API dsw_status dsw_scene_get_statistics(const dsw_scene *scene, dsw_statistics *statistics);
 
 /** Sets the counters to zero.
- * @return DSW_STATUS_NOT_ENABLED.
- * @note Cost: O(1). @since 2.0 */
+ * @return DSW_STATUS_NOT_ENABLED. */
 DSW_API dsw_status dsw_scene_reset_statistics(dsw_scene *scene);
 
-/** Gives the memory of a scene in `bytes`, without its environment. @note Cost: O(1). @since 2.0 */
+/** Gives the memory of a scene in `bytes`, without its environment. */
 DSW_API dsw_status dsw_scene_get_memory_bytes(const dsw_scene *scene, uint64_t *bytes);
 
 #ifdef __cplusplus

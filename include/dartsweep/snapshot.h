@@ -12,19 +12,19 @@
 extern "C" {
 #endif
 
-/** Saves an environment without its last dsw_change. @note Cost: O(n). @since 2.0 */
+/** Saves an environment without its last dsw_change. @note Cost: O(n). */
 DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void *block,
                                         size_t capacity_bytes, size_t *size_bytes);
 
 /** Loads an environment, which owns its points. Cells may be invalid only if it had been deformed.
  * @return DSW_STATUS_TRUNCATED, BAD_VERSION, CORRUPT.
- * @note Cost: O(n). Thread: any. @since 2.0 */
+ * @note Cost: O(n). Thread: any. */
 DSW_API dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes,
                                         dsw_environment **environment);
 
 /** Saves a scene without its environment. Of the results of earlier calls, only the contacts of
  * each body's last move are saved.
- * @note Cost: O(contents of the scene). @since 2.0 */
+ * @note Cost: O(contents of the scene). */
 DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t capacity_bytes,
                                   size_t *size_bytes);
 
@@ -33,7 +33,7 @@ DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t ca
  * @param environment retained.
  * @return DSW_STATUS_TRUNCATED, BAD_VERSION; CORRUPT, also if saved in another environment; IN_USE
  * as dsw_scene_create.
- * @note Cost: O(contents of the scene); clearances are measured again. @since 2.0 */
+ * @note Cost: O(contents of the scene); clearances are measured again. */
 DSW_API dsw_status dsw_scene_load(dsw_environment *environment, const void *block,
                                   size_t size_bytes, dsw_scene **scene);
 

@@ -26,8 +26,8 @@ typedef enum dsw_cut_flag {
  * 11} and {00, 11, 10} of the blade (row, point), counter-clockwise seen from its front. Only
  * volumes connected with the first one that the blade meets are cut. */
 typedef struct dsw_cut_desc {
-  uint32_t struct_size; /**< sizeof(dsw_cut_desc). */
-  uint32_t flags;       /**< DSW_CUT_... */
+  uint32_t struct_size;
+  uint32_t flags; /**< DSW_CUT_... */
   /** Rows of points: each row is the edge of the blade at one moment. */
   const double *points;
   size_t point_stride_bytes; /**< As every stride. */
@@ -40,28 +40,28 @@ typedef struct dsw_cut_desc {
   double snap;
 } dsw_cut_desc;
 
-/** Writes the defaults. @since 2.0 */
+/** Writes the defaults. */
 DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
 /** Cuts an environment along a blade. In a split volume the part in front keeps the index.
  * @return DSW_STATUS_BORROWED.
  * @note Cost: O(pairs of a triangle and a volume that meet, and on the way to the blade), and
- * local. @since 2.0 */
+ * local. */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc,
                                        dsw_change *change);
 
 /** Unsews faces with a load above a threshold. Faces of the outer boundary stay.
  * @param faces an id may occur twice.
  * @param loads, threshold in the host's unit; may be infinite.
- * @note Cost: O(count), and local. @since 2.0 */
+ * @note Cost: O(count), and local. */
 DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment,
                                               const dsw_face_id *faces, const double *loads,
                                               size_t count, double threshold, dsw_change *change);
 
 /** Describes how a crack opens. */
 typedef struct dsw_open_crack_desc {
-  uint32_t struct_size; /**< sizeof(dsw_open_crack_desc). */
-  uint32_t flags;       /**< 0. */
+  uint32_t struct_size;
+  uint32_t flags; /**< 0. */
   /** The crack, as in dsw_change: pairs of faces of the outer boundary that lie on each other, or
    * faces between two volumes, by any id. */
   const dsw_cut_face *faces;
@@ -73,7 +73,7 @@ typedef struct dsw_open_crack_desc {
   uint32_t tag; /**< Host tag of the gap. */
 } dsw_open_crack_desc;
 
-/** Writes the defaults; `width` has none. @since 2.0 */
+/** Writes the defaults; `width` has none. */
 DSW_API void dsw_open_crack_desc_init(dsw_open_crack_desc *desc, size_t size);
 
 /** Opens a crack. Its lips move apart, and a passable volume for each face that opens fills the
@@ -84,7 +84,7 @@ DSW_API void dsw_open_crack_desc_init(dsw_open_crack_desc *desc, size_t size);
  * volumes at the end of `volumes`, have the order of `faces`.
  * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces of a pair do not lie on each
  * other, are of one volume, or are not on the outer boundary.
- * @note Cost: O(volumes at the crack), and local. Source: [JCD10] 5.2. @since 2.0 */
+ * @note Cost: O(volumes at the crack), and local. Source: [JCD10] 5.2. */
 DSW_API dsw_status dsw_environment_open_crack(dsw_environment *environment,
                                               const dsw_open_crack_desc *desc, dsw_change *change);
 

@@ -24,7 +24,7 @@ typedef enum dsw_level {
   DSW_LEVEL_EDGES_SWEPT = 3,
   /** For bodies: also the tetrahedra that faces p q r sweep, and marked vertices. */
   DSW_LEVEL_FACES = 4,
-  DSW_LEVEL_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_LEVEL_FORCE_INT32 = 0x7fffffff
 } dsw_level;
 
 /** Flags of a sweep. */
@@ -37,20 +37,20 @@ enum {
 
 /** Options of a sweep. */
 typedef struct dsw_sweep_options {
-  uint32_t struct_size; /**< sizeof(dsw_sweep_options). */
+  uint32_t struct_size;
   uint32_t flags;       /**< DSW_SWEEP_... */
   dsw_level level;      /**< DSW_LEVEL_EDGES_SWEPT by default. */
   uint32_t max_volumes; /**< Volumes visited before DSW_OUTCOME_WORK_LIMIT; 0: no limit. */
 } dsw_sweep_options;
 
-/** Writes the defaults. @since 2.0 */
+/** Writes the defaults. */
 DSW_API void dsw_sweep_options_init(dsw_sweep_options *options, size_t size);
 
 /** Sweeps edges, each as if alone. At DSW_LEVEL_EDGES_SWEPT a contact is reported if and only if
  * the triangle, under the shift, meets something impassable.
  * @param starts hints for the moving ends, see DSW_SWEEP_START_KNOWN; may be null.
  * @param from, to, fixed p, p' and q. @param sweeps undefined on failure.
- * @note Cost: O(volumes that the triangle meets). Batch. Source: [JCD10] 4.1. @since 2.0 */
+ * @note Cost: O(volumes that the triangle meets). Batch. Source: [JCD10] 4.1. */
 DSW_API dsw_status dsw_environment_sweep_edges(const dsw_environment *environment, size_t count,
                                                const dsw_volume_id *starts, const double *from,
                                                const double *to, const double *fixed,

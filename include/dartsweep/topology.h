@@ -57,8 +57,8 @@ typedef struct dsw_face_origin {
 /** What the last successful change of the topology did. All ids but `before` and `from` are those
  * after the change. What does not apply is 0 or empty. */
 typedef struct dsw_change {
-  uint32_t struct_size; /**< sizeof(dsw_change). */
-  uint32_t is_closed;   /**< Ligature: 0 if a way leads past the loop. */
+  uint32_t struct_size;
+  uint32_t is_closed; /**< Ligature: 0 if a way leads past the loop. */
   /** Cut: largest distance of a new vertex from the blade, and of the blade from the cut in split
    * volumes. Detached body: of a vertex from its origin. */
   double distance;
@@ -77,7 +77,7 @@ typedef struct dsw_change {
   uint32_t volumes_added;      /**< Repair: their replacements. */
   uint32_t patch_count;        /**< Repair: patches. */
   uint32_t most_faces;         /**< Repair: of an added volume. */
-  uint32_t reserved;           /**< 0. */
+  uint32_t reserved;
   const dsw_volume_change *volumes;  /**< What became of each volume. */
   size_t volume_count;               /**< Entries. */
   const dsw_vertex_origin *vertices; /**< New vertices of a cut or crack. */
@@ -98,7 +98,7 @@ typedef struct dsw_change {
   size_t body_face_count;                 /**< Entries. */
 } dsw_change;
 
-/** Gives the last change. @note Cost: O(1). @since 2.0 */
+/** Gives the last change. */
 DSW_API dsw_status dsw_environment_get_change(const dsw_environment *environment,
                                               dsw_change *change);
 
@@ -106,19 +106,19 @@ DSW_API dsw_status dsw_environment_get_change(const dsw_environment *environment
  * face, marked if either was. If their triangles differ, one of the two volumes changes; other ids
  * stay valid.
  * @return DSW_STATUS_DUPLICATE_ID.
- * @note Cost: local. @since 2.0 */
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_sew_faces(dsw_environment *environment,
                                              const dsw_face_id *faces_a, const dsw_face_id *faces_b,
                                              size_t count);
 
 /** Unsews a face between two volumes into two faces of the outer boundary, with its mark. All ids
  * stay valid.
- * @note Cost: local. @since 2.0 */
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_unsew_face(dsw_environment *environment, dsw_face_id face);
 
 /** Describes new volumes. */
 typedef struct dsw_volumes_desc {
-  uint32_t struct_size; /**< sizeof(dsw_volumes_desc). */
+  uint32_t struct_size;
   /** Size of integers in arrays of void: 4 or 8; 0 means 8. */
   uint32_t index_bytes;
   /** Old vertices, 0 .. vertex_count-1 in connectivity. */
@@ -140,28 +140,28 @@ typedef struct dsw_volumes_desc {
   size_t sew_count; /**< Number of these. */
   /** Type of all volumes if cell_types is null; hexahedra by default, never polyhedra. */
   uint32_t uniform_cell_type;
-  uint32_t reserved; /**< 0. */
+  uint32_t reserved;
 } dsw_volumes_desc;
 
-/** Writes the defaults: hexahedra, 8-byte indices. @since 2.0 */
+/** Writes the defaults: hexahedra, 8-byte indices. */
 DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
 
 /** Adds passable volumes, sewn to each other where they share faces. They must overlap nothing
  * (dsw_environment_check).
  * @return DSW_STATUS_BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE, BORROWED;
  * NOT_FOUND: no new volume has a face of sew_to.
- * @note Cost: local. @since 2.0 */
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_add_volumes(dsw_environment *environment,
                                                const dsw_volumes_desc *desc, dsw_volume_id *volumes,
                                                dsw_vertex_id *vertices);
 
-/** Removes volumes, but not all. An id may occur twice. @note Cost: local. @since 2.0 */
+/** Removes volumes, but not all. An id may occur twice. @note Cost: local. */
 DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment,
                                                   const dsw_volume_id *volumes, size_t count);
 
 /** Merges two volumes, both marked or both not. All faces between them go.
  * @param face a face between them; its id names the volume whose index, region label and tag stay.
- * @note Cost: local. @since 2.0 */
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, dsw_face_id face,
                                                  dsw_volume_id *volume);
 
@@ -169,14 +169,14 @@ DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, d
  * @param loop 3 or more different vertices.
  * @param volumes 2 ids: the part left of the loop seen from outside, with the old index, and the
  * other.
- * @note Cost: local. @since 2.0 */
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, dsw_volume_id volume,
                                                 const dsw_vertex_id *loop, size_t count,
                                                 dsw_volume_id *volumes, dsw_face_id *face);
 
 /** Merges the two faces of an edge that has no others, both marked or both not. Their triangles
  * stay.
- * @note Cost: local. @since 2.0 */
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_face_id *face);
 
@@ -185,7 +185,7 @@ DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw
  * @param a, b vertices of the face that no edge joins.
  * @param faces 2 ids: the part from a to b, seen from outside of the volume in the face id, and
  * the other.
- * @note Cost: local. @since 2.0 */
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_face_id face,
                                               dsw_vertex_id a, dsw_vertex_id b, dsw_face_id *faces,
                                               dsw_edge_id *edge);
@@ -194,7 +194,7 @@ DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_
  * @param edge_parameter above 0, below 1, from the first to the second vertex
  * (dsw_environment_copy_vertices).
  * @param edges 2 ids: the parts at the first and second vertex. @return DSW_STATUS_BORROWED.
- * @note Cost: local. @since 2.0 */
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_edge_id edge,
                                               double edge_parameter, dsw_vertex_id *vertex,
                                               dsw_edge_id *edges);
@@ -202,14 +202,14 @@ DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_
 /** Merges the two edges of a vertex that has no others. The new edge runs straight, and the outer
  * boundary moves with it.
  * @param vertex the end of `edge` that goes.
- * @note Cost: local. @since 2.0 */
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_merge_edges(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_vertex_id vertex, dsw_edge_id *merged);
 
 /** Merges one end of an edge into the other, if the outer boundary keeps its form. Tetrahedra at
  * the edge vanish with their marks; their two other faces become one, marked if either was.
  * @param vertex the end that goes.
- * @note Cost: local. @since 2.0 */
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_collapse_edge(dsw_environment *environment, dsw_edge_id edge,
                                                  dsw_vertex_id vertex);
 
