@@ -39,12 +39,12 @@ typedef struct dsw_near_options {
 
 /** A part of a body and what it is near to. */
 typedef struct dsw_near_row {
-  double point[3];          /**< Nearest point of the part. */
-  double obstacle_point[3]; /**< Nearest point of the obstacle. */
-  double normal[3];         /**< Unit, from the obstacle towards the part. */
-  double distance;          /**< Between both points. */
-  double gap;        /**< Distance less the radius, and less that of the other body. */
-  double weights[3]; /**< Weights of `vertices`, or 0; they sum to 1 and give `point`. */
+  double point[3];            /**< Nearest point of the part. */
+  double obstacle_point[3];   /**< Nearest point of the obstacle. */
+  double normal[3];           /**< Unit, from the obstacle towards the part. */
+  double distance;            /**< Between both points. */
+  double gap;                 /**< Distance less the radius, and less that of the other body. */
+  double weights[3];          /**< Weights of `vertices`, or 0; they sum to 1 and give `point`. */
   double obstacle_weights[3]; /**< Weights of `obstacle_vertices`, or 0; they sum to 1. */
   uint32_t vertices[3];       /**< The part's 1 to 3 vertices, then UINT32_MAX. */
   /** The obstacle's: indices in the environment or the other body. */

@@ -128,7 +128,8 @@ DSW_API dsw_status dsw_environment_find_nearest_to_points(
 typedef struct dsw_segment_nearest {
   dsw_nearest nearest;      /**< Its normal points towards segment_point. */
   double segment_parameter; /**< Where segment_point is: 0 at `from`, 1 at `to`. */
-  double segment_point[3];  /**< The segment's nearest point, rounded. Both are 0 if nothing is near. */
+  double
+      segment_point[3]; /**< The segment's nearest point, rounded. Both are 0 if nothing is near. */
 } dsw_segment_nearest;
 
 /** Finds for each of many segments the nearest impassable face, marked edge or vertex that can be

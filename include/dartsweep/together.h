@@ -40,6 +40,11 @@ typedef struct dsw_together_options {
   uint32_t flags;         /**< 0. */
   dsw_together_stop stop; /**< Default ALL. */
   uint32_t max_rounds;    /**< Rounds of FEATURE, up to 65536; 0 means 64. */
+  /** Work limit for exact integers: thousands of products of 64-bit words, for each vertex slot of
+   * what moves together (with ALL all bodies, else an island); 0 means 8192, about 0.02 s. Only
+   * coordinates of very different magnitude need as many. At the limit these bodies stay, free, and
+   * `vertices_limited` counts their vertices that have other targets. */
+  uint32_t max_work;
 } dsw_together_options;
 
 /** Writes the defaults. @since 2.1 */
@@ -53,12 +58,12 @@ DSW_API void dsw_together_options_init(dsw_together_options *options, size_t siz
  * slots are not read.
  * @param reports `fraction`: part of the motion up to the first contact that stopped a vertex of
  * the island, rounded; `vertices_moved`: living vertices; `edges_swept`, `edges_skipped`: those of
- * the island, for its first body; edits and limits 0.
+ * the island, for its first body; edits 0.
  * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has.
  * @note dsw_body_get_contacts lists all that touch at the same exact time; of an edge or face and
  * its corner that touch walls, the corner. `fixed` has the other ends at that time.
  * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact
- * anew. There is no work limit. Thread: one. @since 2.1 */
+ * anew; see `max_work`. Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *bodies,
                                            size_t count, const double *targets, size_t target_count,
                                            size_t stride_bytes, const dsw_together_options *options,
@@ -73,13 +78,14 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  * @param bodies distinct.
  * @param targets as in dsw_scene_move_together.
  * @param options only `point_room` counts.
- * @param report `outcome`: DONE, FRACTION or REFUSED. Of its contacts `from` and `to` are those of
- * the vertex `moving`, and `response` is DSW_WALL_STOP.
+ * @param report `outcome`: DONE, FRACTION, REFUSED, or LIMITED: the default of `max_work` was
+ * reached, and nothing has moved. Of its contacts `from` and `to` are those of the vertex `moving`,
+ * and `response` is DSW_WALL_STOP.
  * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body of the scene has a radius; else as
  * dsw_environment_deform, WRONG_SIZE: also target_count.
  * @note Cost: O(bodies + particles + volumes met + pairs of parts whose ways come near each other);
- * O(n) each time that all ways are shortened, at most 53 times. Writes the environment, too. @since
- * 2.1 */
+ * O(n) each time that all ways are shortened, at most 53 times. Writes the environment, too.
+ * @since 2.1 */
 DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point_count,
                                     const dsw_body_id *bodies, size_t count, const double *targets,
                                     size_t target_count, size_t stride_bytes,

@@ -432,6 +432,7 @@ class TogetherOptions:
     flags: int
     stop: int
     max_rounds: int
+    max_work: int
 
 class NearOptions:
     flags: int
