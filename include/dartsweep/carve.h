@@ -1,6 +1,6 @@
 /** @file carve.h
- * Carving removes the material inside of a shape; a ligature closes a vessel. What surgery.h and
- * topology.h say holds here, too. More: bindings/docs/carving.md.
+ * Carving removes the material inside of a shape; a ligature closes a vessel. surgery.h and
+ * topology.h hold here, too. More: bindings/docs/carving.md.
  */
 #ifndef DARTSWEEP_CARVE_H
 #define DARTSWEEP_CARVE_H
@@ -16,7 +16,7 @@ typedef enum dsw_carve_flag {
   DSW_CARVE_WHOLE = 1 /**< Splits no volume. */
 } dsw_carve_flag;
 
-/** A shape, given by its closed surface. A point is inside if its winding number is not 0. */
+/** A shape by its closed surface. A point is inside if its winding number is not 0. */
 typedef struct dsw_carve_desc {
   uint32_t struct_size;
   uint32_t flags;            /**< DSW_CARVE_... */
@@ -29,7 +29,7 @@ typedef struct dsw_carve_desc {
   /** Null: all volumes are searched. Else the search spreads from here through volumes inside or
    * crossed. */
   dsw_volume_id start;
-  double snap; /**< As in dsw_cut_desc. */
+  double snap; /**< See dsw_cut_desc. */
 } dsw_carve_desc;
 
 /** Writes the defaults. */
@@ -43,8 +43,8 @@ DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
 DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw_carve_desc *desc,
                                          dsw_change *change);
 
-/** A closed loop of points round a vessel. Its surface has a triangle for each two neighbouring
- * points and the mean of all points. From the front the loop is counter-clockwise. */
+/** A closed loop of points round a vessel, counter-clockwise from the front. Its surface has a
+ * triangle for each two neighbouring points and the mean of all. */
 typedef struct dsw_tie_desc {
   uint32_t struct_size;
   uint32_t flags;            /**< 0. */
@@ -54,7 +54,7 @@ typedef struct dsw_tie_desc {
   /** Null: all volumes are searched. Else the search spreads from the first volume met on the way
    * from here. */
   dsw_volume_id start;
-  double snap; /**< As in dsw_cut_desc. */
+  double snap; /**< See dsw_cut_desc. */
 } dsw_tie_desc;
 
 /** Writes the defaults. */

@@ -25,7 +25,7 @@ typedef struct dsw_coarsen_report {
   uint32_t complete;        /**< 0: the work limit ended the merging. */
   uint32_t volume_count[2]; /**< Volumes. */
   uint32_t face_count[2];   /**< Faces; those between two volumes count once. */
-  uint64_t memory_bytes[2]; /**< As in dsw_environment_info. */
+  uint64_t memory_bytes[2]; /**< See dsw_environment_info. */
   /** Area of passable faces, rounded; infinity above DBL_MAX. */
   double passable_area[2];
   uint64_t trials; /**< Unions looked at. */

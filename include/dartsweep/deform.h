@@ -99,7 +99,7 @@ typedef struct dsw_deform_report {
 typedef struct dsw_wall_contact {
   double from[3];        /**< Start of the vertex. */
   double to[3];          /**< Its target. */
-  double time;           /**< As in dsw_sweep. */
+  double time;           /**< See dsw_flight. */
   double point[3];       /**< Where the wall touches, rounded. */
   double edge_parameter; /**< Where `point` is on the touched edge: 0 first end, 1 second end. */
   dsw_contact contact;   /**< The part of the wall that touches. */

@@ -18,10 +18,10 @@ typedef struct dsw_detach_desc {
   uint32_t struct_size;
   uint32_t flags;      /**< DSW_BODY_... of the body. */
   dsw_level level;     /**< DSW_LEVEL_EDGES_SWEPT by default. */
-  uint32_t category;   /**< As in dsw_body_desc. */
-  uint32_t mask;       /**< As in dsw_body_desc. */
+  uint32_t category;   /**< See dsw_body_desc. */
+  uint32_t mask;       /**< See dsw_body_desc. */
   uint32_t halvings;   /**< Most halvings and doublings of `gap`, up to 40; 0 means 32. */
-  double motion_share; /**< As in dsw_body_desc. */
+  double motion_share; /**< See dsw_body_desc. */
   /** First distance from the walls: a share of the shortest edge, up to 0.25; 0 means 0.01. */
   double gap;
   dsw_volume_id volume; /**< Any volume of the piece. */

@@ -1,13 +1,13 @@
 /** @file marking.h
- * Marks: which cells are passable. A mark belongs to one cell. Faces of an impassable volume are
- * impassable, too, and so are edges and vertices of an impassable face, until the mark is removed.
- * The outer boundary (faces with one volume) is always impassable. A marked edge or vertex stops no
- * particle, only edges and faces of bodies (dsw_level). More: bindings/docs/topology.md.
+ * Marks: which cells are passable. A mark belongs to one cell. Faces of an impassable volume, and
+ * edges and vertices of an impassable face, are impassable, too. The outer boundary (faces with one
+ * volume) is always impassable. A marked edge or vertex stops no particle, only edges and faces of
+ * bodies (dsw_level). More: bindings/docs/topology.md.
  *
- * Marking answers DSW_STATUS_SHARED if several scenes use the environment, and DSW_STATUS_OCCUPIED
- * if particles or bodies lie in or cross the cells; dsw_scene_get_occupants and
- * dsw_scene_get_occupant_bodies tell which. Edges of bodies count from DSW_LEVEL_EDGES on, faces at
- * DSW_LEVEL_FACES.
+ * Marking answers DSW_STATUS_SHARED if several scenes use the environment, and OCCUPIED if particles
+ * or bodies lie in or cross the cells: dsw_scene_get_occupants and dsw_scene_get_occupant_bodies
+ * tell which. Edges of bodies count from DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES. `marked` and
+ * `skipped` may be null.
  */
 #ifndef DARTSWEEP_MARKING_H
 #define DARTSWEEP_MARKING_H
@@ -27,12 +27,12 @@ typedef enum dsw_mark {
 
 /** Flags of the marking calls. */
 enum {
-  /** Occupied volumes keep their mark; the call does not fail. */
+  /** Occupied volumes keep their mark; the call succeeds. */
   DSW_MARK_SKIP_OCCUPIED = 0x1
 };
 
 /** Sets the mark of volumes. An id may occur twice.
- * @param skipped number of occupied volumes that kept their mark; may be null.
+ * @param skipped occupied volumes that kept their mark.
  * @note Cost: O(count + particles + bodies). */
 DSW_API dsw_status dsw_environment_mark_volumes(dsw_environment *environment,
                                                 const dsw_volume_id *volumes, size_t count,
@@ -57,15 +57,15 @@ DSW_API dsw_status dsw_environment_mark_vertices(dsw_environment *environment,
                                                  dsw_mark mark);
 
 /** Sets the mark of every volume with the label `region`.
- * @param marked number of volumes with the label that have the mark now; may be null.
- * @param skipped as dsw_environment_mark_volumes.
+ * @param marked volumes with the label that have the mark now.
+ * @param skipped as in dsw_environment_mark_volumes.
  * @note Cost: O(volumes + particles + bodies). */
 DSW_API dsw_status dsw_environment_mark_region(dsw_environment *environment, int32_t region,
                                                dsw_mark mark, uint32_t flags, size_t *marked,
                                                size_t *skipped);
 
 /** Sets the mark of every face between region `a` and region `b`.
- * @param marked number of these faces; may be null.
+ * @param marked these faces.
  * @note Cost: O(volumes + bodies). */
 DSW_API dsw_status dsw_environment_mark_between(dsw_environment *environment, int32_t a, int32_t b,
                                                 dsw_mark mark, size_t *marked);

@@ -15,15 +15,14 @@ extern "C" {
 #endif
 
 /** Creates a particle.
- * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
+ * @return DSW_STATUS_OUTSIDE, IMPASSABLE.
  * @note Cost: as dsw_environment_locate. */
 DSW_API dsw_status dsw_particle_create(dsw_scene *scene, const double *position, dsw_volume_id hint,
                                        dsw_particle_id *particle);
 
 /** Creates many particles, or none.
- * @param hints may be null.
  * @param offender index of the first wrong position or hint; may be null.
- * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
+ * @return DSW_STATUS_OUTSIDE, IMPASSABLE.
  * @note Cost: as dsw_environment_locate. Batch. */
 DSW_API dsw_status dsw_scene_create_particles(dsw_scene *scene, const double *positions,
                                               size_t count, size_t stride_bytes,
@@ -55,7 +54,7 @@ DSW_API dsw_status dsw_scene_get_particle_positions(const dsw_scene *scene,
 
 /** Moves a particle towards a target, which may be as far as 1e300. The reported volume contains
  * the reported position.
- * @param options DSW_CAST_START_KNOWN has no effect; DSW_CAST_NO_DETAIL leaves out the `contact`.
+ * @param options DSW_CAST_START_KNOWN has no effect; DSW_CAST_NO_DETAIL leaves out `contact`.
  * @param flight may be null.
  * @note Cost: O(volumes crossed), twice at a contact. Source: [JCD10] 3.3. */
 DSW_API dsw_status dsw_particle_move(dsw_scene *scene, dsw_particle_id particle,
@@ -70,9 +69,8 @@ DSW_API dsw_status dsw_scene_move_particles(dsw_scene *scene, const dsw_particle
                                             size_t stride_bytes, const dsw_cast_options *options,
                                             dsw_flight *flights);
 
-/** Casts segments from particles to points. No particle moves; statistics change. An id may occur
- * many times.
- * @note Cost: as dsw_environment_cast. Batch. */
+/** Casts segments from particles to points. No particle moves. An id may occur many times.
+ * @note Cost: as dsw_environment_cast. Batch. Statistics change. */
 DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_particle_id *particles,
                                                  size_t count, const double *to,
                                                  size_t stride_bytes,
@@ -80,12 +78,11 @@ DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_par
                                                  dsw_flight *flights);
 
 /** Gives the volumes that the last move call entered, with DSW_FEATURE_CROSSINGS. Flight i of
- * `flight_count` has crossings[`first`[i] .. first[i+1]-1].
- * @return DSW_STATUS_NOT_ENABLED. */
+ * `flight_count` has crossings[`first`[i] .. first[i+1]-1]. */
 DSW_API dsw_status dsw_scene_get_crossings(const dsw_scene *scene, const dsw_crossing **crossings,
                                            const size_t **first, size_t *flight_count);
 
-/** Gives the particles that were in the way of the last marking call or change of the topology. */
+/** Gives the particles in the way of the last marking call or change of the topology. */
 DSW_API dsw_status dsw_scene_get_occupants(const dsw_scene *scene,
                                            const dsw_particle_id **particles, size_t *count);
 

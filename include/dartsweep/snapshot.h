@@ -1,6 +1,6 @@
 /** @file snapshot.h
- * Environments and scenes as blocks of bytes, the same on every machine. What is loaded goes on
- * with the ids and bits of what was saved. A `block` of `size_bytes` needs no alignment. It is not
+ * Environments and scenes as blocks of bytes, the same on every machine. What is loaded goes on with
+ * the ids and bits of what was saved. A `block` of `size_bytes` needs no alignment, and is not
  * trusted: lengths, checksum, links, every cell, particle and body are checked.
  */
 #ifndef DARTSWEEP_SNAPSHOT_H
@@ -22,17 +22,17 @@ DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void
 DSW_API dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes,
                                         dsw_environment **environment);
 
-/** Saves a scene without its environment. Of the results of earlier calls, only the contacts of
- * each body's last move are saved.
+/** Saves a scene without its environment. Of earlier results it has only the contacts of each
+ * body's last move.
  * @note Cost: O(contents of the scene). */
 DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t capacity_bytes,
                                   size_t *size_bytes);
 
 /** Loads a scene into its environment, unchanged since then, or into one loaded from a snapshot of
- * it.
+ * that.
  * @param environment retained.
- * @return DSW_STATUS_TRUNCATED, BAD_VERSION; CORRUPT, also if saved in another environment; IN_USE
- * as dsw_scene_create.
+ * @return DSW_STATUS_TRUNCATED, BAD_VERSION; CORRUPT, also in another environment; IN_USE: as
+ * dsw_scene_create.
  * @note Cost: O(contents of the scene); clearances are measured again. */
 DSW_API dsw_status dsw_scene_load(dsw_environment *environment, const void *block,
                                   size_t size_bytes, dsw_scene **scene);

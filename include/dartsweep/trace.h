@@ -1,7 +1,6 @@
 /** @file trace.h
- * Geometry for viewers: a trace collects dots, segments and triangles of cells, casts and contacts
- * in plain arrays. Each has the `label` with which it was added. Normals are drawn `normal_length`
- * long.
+ * Geometry for viewers: dots, segments and triangles of cells, casts and contacts in plain arrays,
+ * each with the `label` that it was added with. Normals are drawn `normal_length` long.
  */
 #ifndef DARTSWEEP_TRACE_H
 #define DARTSWEEP_TRACE_H
@@ -23,7 +22,7 @@ typedef struct dsw_trace_data {
   uint32_t reserved;
   const double *points;            /**< 3 doubles each. */
   size_t point_count;              /**< Points. */
-  const uint32_t *vertices;        /**< Dots: an index of a point each. */
+  const uint32_t *vertices;        /**< Dots: an index each. */
   const uint32_t *vertex_labels;   /**< A label each. */
   size_t vertex_count;             /**< Dots. */
   const uint32_t *segments;        /**< Two indices each. */
@@ -48,7 +47,7 @@ DSW_API dsw_status dsw_trace_add_volumes(dsw_trace *trace, const dsw_environment
                                          const dsw_volume_id *volumes, size_t count,
                                          uint32_t label);
 
-/** Adds everything impassable that borders a passable volume: faces as triangles, marked edges as
+/** Adds all that is impassable and borders a passable volume: faces as triangles, marked edges as
  * segments, marked vertices as dots.
  * @param with_boundary 0 leaves out the outer boundary.
  * @note Cost: O(volumes). */
@@ -63,7 +62,7 @@ DSW_API dsw_status dsw_trace_add_walk(dsw_trace *trace, const dsw_environment *e
                                       const dsw_cast_options *options, double normal_length,
                                       uint32_t label);
 
-/** Adds a dot at flight->position and a segment along the normal, if the flight ended at a contact.
+/** Adds a dot at flight->position and a segment along the normal, if there was a contact.
  * @note Cost: O(1) amortised. */
 DSW_API dsw_status dsw_trace_add_contact(dsw_trace *trace, const dsw_flight *flight,
                                          double normal_length, uint32_t label);
