@@ -56,14 +56,14 @@ typedef struct dsw_body_desc {
   size_t stride_bytes;        /**< Of positions; see base.h. */
   const dsw_volume_id *hints; /**< May be null; a hint for each vertex. */
   const uint32_t *edges;      /**< Two vertices each; not necessary for faces. */
-  size_t edge_count;          /**< Edges. */
+  size_t edge_count;
   /** Face i has the corners face_corners[face_offsets[i] .. face_offsets[i+1]-1]. Polygons become
    * fans of triangles round their first corner. */
   const uint32_t *face_offsets;
   const uint32_t *face_corners; /**< Vertices. */
   size_t face_count;            /**< Faces; face_offsets has one more entry. */
-  size_t face_corner_count;     /**< Entries of face_corners. */
-  double motion_share;          /**< For DSW_BODY_SKIP_SIMILAR_MOTION; 0 means 0.1. */
+  size_t face_corner_count;
+  double motion_share; /**< For DSW_BODY_SKIP_SIMILAR_MOTION; 0 means 0.1. */
   /** Two bodies can meet if the category of each has a bit of the other's mask. 0 means 1. Category
    * and mask need DSW_FEATURE_BODY_CONTACTS. */
   uint32_t category;

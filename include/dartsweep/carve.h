@@ -19,10 +19,10 @@ typedef enum dsw_carve_flag {
 /** A shape by its closed surface. A point is inside if its winding number is not 0. */
 typedef struct dsw_carve_desc {
   uint32_t struct_size;
-  uint32_t flags;            /**< DSW_CARVE_... */
-  const double *points;      /**< Finite points. */
-  size_t point_count;        /**< Below 2^28. */
-  size_t point_stride_bytes; /**< See base.h. */
+  uint32_t flags;       /**< DSW_CARVE_... */
+  const double *points; /**< Finite points. */
+  size_t point_count;   /**< Below 2^28. */
+  size_t point_stride_bytes;
   /** 3 indices each; neighbours are turned alike. */
   const uint32_t *triangles;
   size_t triangle_count; /**< Below 2^28. */
@@ -47,10 +47,10 @@ DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw
  * triangle for each two neighbouring points and the mean of all. */
 typedef struct dsw_tie_desc {
   uint32_t struct_size;
-  uint32_t flags;            /**< 0. */
-  const double *points;      /**< Finite points. */
-  size_t point_count;        /**< At least 3, below 2^28. */
-  size_t point_stride_bytes; /**< See base.h. */
+  uint32_t flags;       /**< 0. */
+  const double *points; /**< Finite points. */
+  size_t point_count;   /**< At least 3, below 2^28. */
+  size_t point_stride_bytes;
   /** Null: all volumes are searched. Else the search spreads from the first volume met on the way
    * from here. */
   dsw_volume_id start;

@@ -14,12 +14,12 @@ extern "C" {
 /** What is merged. */
 typedef struct dsw_coarsen_options {
   uint32_t struct_size;
-  /** Most faces of a merged volume, 4 to 28; 0 means 16. Above 16 the result takes much memory. */
+  /** Most faces of a merged volume, 4 to 28; 0 means 16. Above 16 takes much memory. */
   uint32_t max_faces;
   uint64_t max_trials; /**< Work limit: unions looked at, best first; 0: none. */
 } dsw_coarsen_options;
 
-/** What coarsening did. Pairs are before and after. */
+/** What coarsening did; pairs are before and after. */
 typedef struct dsw_coarsen_report {
   uint32_t struct_size;
   uint32_t complete;        /**< 0: the work limit ended the merging. */
@@ -41,7 +41,6 @@ DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size)
  * @param environment has the source's context.
  * @param volume_map may be null; the new index of each volume index, or UINT32_MAX.
  * @param capacity volume_index_count of the source.
- * @param report may be null.
  * @return DSW_STATUS_TOO_LARGE.
  * @note Cost: O(n log n). Source: [JCD10] 3.2. */
 DSW_API dsw_status dsw_environment_coarsen(const dsw_environment *source,

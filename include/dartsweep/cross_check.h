@@ -14,10 +14,10 @@ extern "C" {
 
 /** What libccd compared. */
 typedef enum dsw_cross_check_kind {
-  DSW_CROSS_CHECK_NONE = 0,  /**< Nothing, see `reason`. */
-  DSW_CROSS_CHECK_PLANE = 1, /**< Touching point and volume behind the wall. */
-  DSW_CROSS_CHECK_EDGE = 2, /**< Touching segment and tetrahedron at the wall's edge or diagonal. */
-  DSW_CROSS_CHECK_VERTEX = 3, /**< Touching triangle and volume at the wall's corner. */
+  DSW_CROSS_CHECK_NONE = 0,   /**< Nothing, see `reason`. */
+  DSW_CROSS_CHECK_PLANE = 1,  /**< Touching point and volume behind the wall. */
+  DSW_CROSS_CHECK_EDGE = 2,   /**< Touching segment and tetrahedron at the wall. */
+  DSW_CROSS_CHECK_VERTEX = 3, /**< Touching triangle and volume at the corner. */
   DSW_CROSS_CHECK_FORCE_INT32 = 0x7fffffff
 } dsw_cross_check_kind;
 
@@ -28,7 +28,7 @@ typedef enum dsw_no_cross_check {
   DSW_NO_CROSS_CHECK_PARALLEL = 2,      /**< The edges are almost parallel. */
   DSW_NO_CROSS_CHECK_OUTSIDE_CONE = 3,  /**< The wall rises above the plane across the normal. */
   DSW_NO_CROSS_CHECK_NOT_CONVERGED = 4, /**< libccd found no way out of this contact. */
-  DSW_NO_CROSS_CHECK_NOT_UNIQUE = 5,    /**< Both normals are right, at the border of a feature. */
+  DSW_NO_CROSS_CHECK_NOT_UNIQUE = 5,    /**< Both normals are right, at a border. */
   DSW_NO_CROSS_CHECK_FORCE_INT32 = 0x7fffffff
 } dsw_no_cross_check;
 

@@ -22,7 +22,7 @@ typedef struct dsw_detach_desc {
   uint32_t mask;       /**< See dsw_body_desc. */
   uint32_t halvings;   /**< Most halvings and doublings of `gap`, up to 40; 0 means 32. */
   double motion_share; /**< See dsw_body_desc. */
-  /** First distance from the walls: a share of the shortest edge, up to 0.25; 0 means 0.01. */
+  /** First distance from walls: share of the shortest edge, up to 0.25; 0 means 0.01. */
   double gap;
   dsw_volume_id volume; /**< Any volume of the piece. */
   /** Most volumes of the piece; 0: no limit. */

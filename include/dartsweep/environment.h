@@ -77,9 +77,9 @@ typedef struct dsw_environment_desc {
   uint32_t flags;     /**< DSW_ENVIRONMENT_... */
   /** Size of the integers in arrays of void, signed: 4 or 8; 0 means 8. */
   uint32_t index_bytes;
-  const double *points;      /**< The points. */
-  size_t point_count;        /**< 1 .. 2^28-1. Unused points are allowed. */
-  size_t point_stride_bytes; /**< As every stride. */
+  const double *points; /**< The points. */
+  size_t point_count;   /**< 1 .. 2^28-1. Unused points are allowed. */
+  size_t point_stride_bytes;
   const uint8_t *cell_types; /**< dsw_cell_type of each; null: uniform_cell_type. */
   size_t volume_count;       /**< At least 1. */
   /** volume_count + 1 integers: cell i has connectivity[offsets[i] .. offsets[i+1]-1]. Null if
@@ -87,9 +87,9 @@ typedef struct dsw_environment_desc {
   const void *offsets;
   /** Indices of points; face streams of polyhedra, unless in `faces`. */
   const void *connectivity;
-  size_t connectivity_count; /**< Its integers. */
-  const void *faces;         /**< Null, or face streams of polyhedra. */
-  size_t faces_count;        /**< Its integers. */
+  size_t connectivity_count;
+  const void *faces; /**< Null, or face streams of polyhedra. */
+  size_t faces_count;
   /** Where the stream of each cell starts in `faces`; read for polyhedra. */
   const void *face_locations;
   /** Null, or region labels (lumen, tissue, ...). */
@@ -107,7 +107,7 @@ typedef struct dsw_environment_desc {
 /** What creation or dsw_environment_check found, also on failure. */
 typedef struct dsw_build_report {
   uint32_t struct_size;
-  dsw_status status;       /**< As returned. */
+  dsw_status status;       /**< What the call returned. */
   uint32_t offender_count; /**< Entries of offenders. */
   /** The first wrong cells, by index; for NON_FINITE points. */
   uint32_t offenders[8];
@@ -132,9 +132,9 @@ typedef struct dsw_build_report {
 /** Numbers about an environment. */
 typedef struct dsw_environment_info {
   uint32_t struct_size;
-  uint32_t dimension;           /**< 3, or 2 in the plane. */
-  uint32_t vertex_count;        /**< Vertices, also unused points. */
-  uint32_t volume_count;        /**< Volumes. */
+  uint32_t dimension;    /**< 3, or 2 in the plane. */
+  uint32_t vertex_count; /**< Vertices, also unused points. */
+  uint32_t volume_count;
   uint32_t face_count;          /**< Faces; those between two volumes count once. */
   uint32_t boundary_face_count; /**< Faces with one volume. */
   uint32_t part_count;          /**< Parts connected through faces. */
@@ -143,9 +143,9 @@ typedef struct dsw_environment_info {
   /** Lowest corner of the box of all points that volumes have used, before deformations. */
   double lower[3];
   double upper[3]; /**< Highest corner. */
-  /** All volume indices are below it, also those of removed volumes. */
+  /** All volume indices are below it. */
   uint32_t volume_index_count;
-  uint32_t vertex_index_count; /**< Likewise for vertices. */
+  uint32_t vertex_index_count; /**< All vertex indices are below it. */
 } dsw_environment_info;
 
 /** Writes the defaults: 3 dimensions, hexahedra, 8-byte indices. */

@@ -1,8 +1,7 @@
 /** @file move.h
  * Moves of bodies, one vertex at a time. Contacts are exact for that order. After each call the
- * parts that the level covers are free. Without lossy flags, they have passed nothing that the
- * level sees. `report` and `reports` may be null. More: bindings/docs/moving_bodies.md.
- * Source: [JCD10] 4.1, 4.2.
+ * parts that the level covers are free, and without lossy flags they have passed nothing that the
+ * level sees. More: bindings/docs/moving_bodies.md. Source: [JCD10] 4.1, 4.2.
  */
 #ifndef DARTSWEEP_MOVE_H
 #define DARTSWEEP_MOVE_H
@@ -31,13 +30,13 @@ typedef enum dsw_response {
   DSW_RESPONSE_STOP = 0,
   /** "Adaptive": the edge gets a vertex at each contact in turn. */
   DSW_RESPONSE_ADAPTIVE_ONE = 1,
-  /** "Adaptive": the edge gets a vertex at each obstacle under it at once. */
+  /** "Adaptive": a vertex at each obstacle under the edge at once. */
   DSW_RESPONSE_ADAPTIVE_MANY = 2,
-  /** "Hybrid": the edge gets one vertex; its parts are static. */
+  /** "Hybrid": one vertex; the edge's parts are static. */
   DSW_RESPONSE_HYBRID = 3,
   /** The vertex moves on along the obstacle. */
   DSW_RESPONSE_SLIDE = 4,
-  /** ADAPTIVE_ONE, or SLIDE where no vertex can be inserted. */
+  /** ADAPTIVE_ONE, or SLIDE where that is impossible. */
   DSW_RESPONSE_ADAPTIVE_SLIDE = 5,
   DSW_RESPONSE_FORCE_INT32 = 0x7fffffff
 } dsw_response;
@@ -53,15 +52,15 @@ enum {
 typedef struct dsw_move_options {
   uint32_t struct_size;
   uint32_t flags;               /**< DSW_MOVE_... */
-  dsw_response vertex_response; /**< Of the moving vertex: STOP (default) or SLIDE. */
-  dsw_response edge_response;   /**< Of its edges and faces: any; default STOP. */
+  dsw_response vertex_response; /**< For the moving vertex: STOP (default) or SLIDE. */
+  dsw_response edge_response;   /**< For its edges and faces; default STOP. */
   dsw_search search;            /**< Default EXACT. */
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
-  /** Work limit: volumes that one sweep may visit; 0: none. At the limit the vertex stops, free. */
+  /** Work limit: volumes that one sweep may visit, then the vertex stops, free; 0: none. */
   uint32_t max_volumes;
-  /** Further passes over the vertices that have stopped, up to 64. A vertex gets another turn if it
-   * moved in its last turn, or if a neighbour has moved since; for bodies that meet bodies, if any
-   * vertex has. 0: none. */
+  /** Further passes over vertices that have stopped, 0 to 64. A vertex gets another turn if it
+   * moved in its last one, or if since then a neighbour moved; for bodies that meet bodies, any
+   * vertex. */
   uint32_t passes;
   double min_part;   /**< Least share of an edge in a part; up to 0.5, 0 means 0.25. */
   double min_length; /**< Least length of a part; 0: none. */
@@ -71,22 +70,22 @@ typedef struct dsw_move_options {
   /** An inserted vertex is removed if its distance from the line between its neighbours is at most
    * this share of the line. 0: never. */
   double noise_share;
-  /** Distinct indices of the vertices that move, in order; null: all, by index. Of a string that is
-   * pulled the pulled end goes first. */
+  /** Distinct indices of the vertices that move, in order; null: all, by index. The pulled end of a
+   * string goes first. */
   const uint32_t *order;
-  size_t order_count; /**< Its entries. */
+  size_t order_count;
 } dsw_move_options;
 
 /** What a move did. */
 typedef struct dsw_move_report {
-  /** Part of the motion that dsw_body_move_rigid or a function of together.h made; else 1. */
+  /** Part of the motion made by dsw_body_move_rigid or together.h; else 1. */
   double fraction;
   uint32_t vertices_moved;   /**< Vertices that had to move. */
-  uint32_t vertices_stopped; /**< Of these, not at their targets, also by a slide. */
+  uint32_t vertices_stopped; /**< Vertices not at their targets, also by a slide. */
   uint32_t contact_count;    /**< See dsw_body_get_contacts. */
   uint32_t edit_count;       /**< See dsw_body_get_edits. */
   uint32_t edges_swept;      /**< Sweeps of edges, from both ends; depends on earlier moves. */
-  uint32_t edges_skipped;    /**< Those saved by flags. */
+  uint32_t edges_skipped;    /**< Sweeps saved by flags. */
   uint32_t vertices_limited; /**< Stopped by the work limit. */
   uint32_t reserved;
 } dsw_move_report;
@@ -95,12 +94,11 @@ typedef struct dsw_move_report {
 DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
 /** Moves the vertices of a body to their targets, one after the other.
- * @param targets `target_count` points, one for each vertex slot; only those of moving vertices
- * are read.
+ * @param targets `target_count` points, one for each vertex slot; only those of moving vertices are
+ * read.
  * @return DSW_STATUS_DUPLICATE_ID: in `order`.
- * @note Cost: O(volumes met + bodies near the way). In each pass a vertex searches
- * at most 73 times: once, once for each slide and once for each new vertex.
- * Source: [JCD10] 4. */
+ * @note Cost: O(volumes met + bodies near the way). In each pass a vertex searches at most 73
+ * times: once, and for each slide and new vertex. Source: [JCD10] 4. */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,
                                  const dsw_move_options *options, dsw_move_report *report);
@@ -134,14 +132,12 @@ DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body,
                                          const dsw_body_contact **contacts, size_t *count);
 
-/** Gives the other body of each contact.
- * @return DSW_STATUS_NOT_ENABLED: DSW_FEATURE_BODY_CONTACTS. */
+/** Gives the other body of each contact, with DSW_FEATURE_BODY_CONTACTS. */
 DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_body_id body,
                                                  const dsw_contact_partner **partners,
                                                  size_t *count);
 
-/** Gives what the vertex of each contact touched before.
- * @note Source: [JCD10] 3.1. */
+/** Gives what the vertex of each contact touched before. @note Source: [JCD10] 3.1. */
 DSW_API dsw_status dsw_body_get_previous_contacts(const dsw_scene *scene, dsw_body_id body,
                                                   const dsw_previous_contact **pasts,
                                                   size_t *count);

@@ -1,7 +1,7 @@
 /** @file record.h
- * Recordings: a scene writes each call that changes it before the call is made. A replay makes the
- * calls again, with the same bits. A bug report is a recording of one call with a validation. More:
- * bindings/docs/bug_reports.md.
+ * Recordings: a scene writes each call that changes it before the call is made, and a replay makes
+ * the calls again, with the same bits. A bug report is a recording of one call with a validation.
+ * More: bindings/docs/bug_reports.md.
  */
 #ifndef DARTSWEEP_RECORD_H
 #define DARTSWEEP_RECORD_H
@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/** Takes the next bytes. Must not call dsw functions. Returns 0; anything else ends the
+/** Takes the next bytes, without calling dsw functions. Returns 0; anything else ends the
  * recording. */
 typedef int (*dsw_write_fn)(void *user, const void *bytes, size_t size_bytes);
 
@@ -22,7 +22,7 @@ enum {
   DSW_RECORDING_STATES = 1,
   /** Keeps the latest calls in memory, for dsw_scene_write_bug_report. */
   DSW_RECORDING_LATEST = 2,
-  /** Only in dsw_replay_info: a bug report. */
+  /** Only in dsw_replay_info. */
   DSW_RECORDING_BUG_REPORT = 4
 };
 
@@ -39,15 +39,14 @@ typedef struct dsw_recording_desc {
 /** Writes the defaults. */
 DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
 
-/** Begins to record a scene. Snapshots of environment and scene are written, then calls and
- * results.
+/** Begins to record a scene: snapshots of environment and scene, then calls and results.
  * @return DSW_STATUS_IN_USE: a recording is under way; UNSUPPORTED: two of `path`, `write`,
  * DSW_RECORDING_LATEST; WRITE_FAILED.
  * @note Cost: O(environment), then O(arguments) a call. Thread: writer of the environment. */
 DSW_API dsw_status dsw_scene_start_recording(dsw_scene *scene, const dsw_recording_desc *desc);
 
 /** Ends the recording of a scene.
- * @return DSW_STATUS_WRITE_FAILED: the recording is incomplete. */
+ * @return DSW_STATUS_WRITE_FAILED: it is incomplete. */
 DSW_API dsw_status dsw_scene_stop_recording(dsw_scene *scene);
 
 /** Opaque. A recording whose calls are made again. */
@@ -66,10 +65,10 @@ typedef enum dsw_replay_outcome {
 /** One step of a replay. */
 typedef struct dsw_replay_report {
   uint64_t call;              /**< Number of the call, from 0. */
-  const char *function;       /**< Its name, static text; null at the end. */
+  const char *function;       /**< Its name, or null at the end. */
   dsw_replay_outcome outcome; /**< What the step shows. */
   dsw_status status;          /**< Its status now. */
-  uint32_t has_failed;        /**< 1: the recorded call failed. */
+  uint32_t has_failed;        /**< 1: the recorded one failed. */
   uint32_t differs;           /**< DSW_DIFFERS_... if DIFFERENT; else 0. */
 } dsw_replay_report;
 
@@ -93,7 +92,7 @@ DSW_API dsw_status dsw_replay_create(dsw_context *context, const void *recording
  * @note Cost: O(its size). */
 DSW_API dsw_status dsw_replay_destroy(dsw_replay *replay);
 
-/** Gives the scene after the last step. It belongs to the replay, and the host must not change it. */
+/** Gives the scene after the last step. The host must not change it. */
 DSW_API dsw_status dsw_replay_get_scene(const dsw_replay *replay, dsw_scene **scene);
 
 /** Makes the next call.
@@ -103,28 +102,28 @@ DSW_API dsw_status dsw_replay_step(dsw_replay *replay, dsw_replay_report *report
 
 /** Describes the arguments of the next call in words.
  * @param text cut to `capacity`, ends with 0.
- * @param size size of the whole text.
+ * @param size of the whole text.
  * @return DSW_STATUS_CORRUPT: as dsw_replay_step.
  * @note Cost: O(arguments). */
 DSW_API dsw_status dsw_replay_describe_next(dsw_replay *replay, char *text, size_t capacity,
                                             size_t *size);
 
-/** A validation of the result of a call, by exact integers and against every obstacle. */
+/** A validation of a call's result, by exact integers and against every obstacle. */
 typedef struct dsw_validation {
   uint32_t struct_size;
   uint32_t is_right; /**< 1: nothing is wrong. */
   uint64_t places;   /**< Particles and vertices of bodies. */
-  uint64_t lost;     /**< Of these, outside of their volumes. */
+  uint64_t lost;     /**< Places outside of their volumes. */
   uint64_t edges;    /**< Edges from DSW_LEVEL_EDGES on. */
-  uint64_t crossing; /**< Of these, not free. */
+  uint64_t crossing; /**< Of those before. */
   uint64_t faces;    /**< Faces at DSW_LEVEL_FACES. */
-  uint64_t pierced;  /**< Of these, not free. */
+  uint64_t pierced;  /**< Of those before. */
   /** Ways reported free; from DSW_LEVEL_EDGES_SWEPT on with what edges swept. */
   uint64_t ways;
-  uint64_t missed;        /**< Of these, not free. */
+  uint64_t missed;        /**< Of those before. */
   uint64_t contacts;      /**< First contacts with the environment. */
-  uint64_t wrong;         /**< Of these, with a wrong time. */
-  uint64_t not_validated; /**< Contacts and ways that were not validated. */
+  uint64_t wrong;         /**< Contacts with a wrong time. */
+  uint64_t not_validated; /**< Contacts and ways left out. */
   char text[128];         /**< The first error, or empty. */
 } dsw_validation;
 
@@ -135,11 +134,11 @@ typedef struct dsw_replay_info {
   uint32_t version; /**< dsw_version() of the recording library. */
   uint32_t reserved;
   uint64_t calls; /**< Calls made. */
-  /** Bytes not yet read; at the end, those of an incomplete entry. */
+  /** Bytes not yet read; at the end, of an incomplete entry. */
   uint64_t bytes_left;
-  /** Note of a bug report; null before its end. */
+  /** Of a bug report; null before its end. */
   const char *note;
-  /** Validation of a bug report; null before its end. */
+  /** Of a bug report; null before its end. */
   const dsw_validation *validation;
 } dsw_replay_info;
 
@@ -166,7 +165,7 @@ typedef struct dsw_bug_report_desc {
 DSW_API void dsw_bug_report_desc_init(dsw_bug_report_desc *desc, size_t size);
 
 /** Writes a bug report: the scene before its last recorded call, the call, its results, the note,
- * and a validation. Without a recording in a file or in memory there is no call.
+ * and a validation; without a recording in a file or in memory, no call.
  * @param validation may be null.
  * @return DSW_STATUS_WRITE_FAILED; NOT_FOUND: the recording cannot be read; CORRUPT: the replay
  * ends early or in another state; the report is written up to there.

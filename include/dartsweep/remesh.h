@@ -17,9 +17,9 @@ typedef struct dsw_remesh_desc {
   uint32_t flags; /**< 0. */
   /** Volumes to repair if invalid now or at `next`; null: all. */
   const dsw_volume_id *volumes;
-  size_t volume_count; /**< Volumes. */
-  const double *next;  /**< Null, or next positions, to repair before a deformation. */
-  size_t point_count;  /**< Vertices; 0 without `next`. */
+  size_t volume_count;
+  const double *next; /**< Null, or next positions, to repair before a deformation. */
+  size_t point_count; /**< Vertices; 0 without `next`. */
   /** Rings of neighbours, by vertices, that may be replaced, 1 to 8; 0 means 1. */
   uint32_t radius;
   uint32_t max_faces; /**< Most faces of a patch, 4 to 128; 0 means 48. */

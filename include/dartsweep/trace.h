@@ -20,17 +20,17 @@ typedef struct dsw_trace dsw_trace;
 typedef struct dsw_trace_data {
   uint32_t struct_size;
   uint32_t reserved;
-  const double *points;            /**< 3 doubles each. */
-  size_t point_count;              /**< Points. */
-  const uint32_t *vertices;        /**< Dots: an index each. */
-  const uint32_t *vertex_labels;   /**< A label each. */
-  size_t vertex_count;             /**< Dots. */
-  const uint32_t *segments;        /**< Two indices each. */
-  const uint32_t *segment_labels;  /**< A label each. */
-  size_t segment_count;            /**< Segments. */
+  const double *points; /**< 3 doubles each. */
+  size_t point_count;
+  const uint32_t *vertices;      /**< Dots: an index each. */
+  const uint32_t *vertex_labels; /**< A label each. */
+  size_t vertex_count;
+  const uint32_t *segments;       /**< Two indices each. */
+  const uint32_t *segment_labels; /**< A label each. */
+  size_t segment_count;
   const uint32_t *triangles;       /**< Three indices each, counter-clockwise from outside. */
   const uint32_t *triangle_labels; /**< A label each. */
-  size_t triangle_count;           /**< Triangles. */
+  size_t triangle_count;
 } dsw_trace_data;
 
 /** Creates an empty trace. @note Thread: any. */
