@@ -10,6 +10,9 @@
  *  - A thing is free if it meets nothing impassable. A wall is an impassable face.
  *  - A geometric outcome (no contact, stopped, outside) is never a status.
  *  - A call that fails changes nothing, unless its comment says otherwise.
+ *  - A function costs O(1) and is of version 2.0, unless its comment says otherwise; n counts the
+ *    cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd, "Edge collision detection
+ *    in complex deformable environments", 2010.
  *
  * Statuses that any function can answer, and that comments do not list: DSW_STATUS_NULL_ARGUMENT,
  * BAD_STRUCT_SIZE, OUT_OF_RANGE, NON_FINITE, WRONG_SIZE, STALE_ID, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
@@ -18,21 +21,21 @@
  *
  * Arguments:
  *  - A pointer is used during the call only, unless a comment says "retained". It must not be null,
- *    unless a comment says "may be null". These always may be: `context` and `options` (null: the
- *    defaults), `hints`, `starts`, `locations`, and `report` and `reports` except in record.h.
+ *    unless a comment says "may be null". These may be: `context` and `options` (null: the
+ *    defaults), `hints`, `starts`, `locations`, and outside of record.h `report` and `reports`.
  *  - A created object belongs to the caller until its `_destroy` function, which accepts null.
  *  - `point`, `points`, `position`, `positions`, `from`, `to`, `target`, `targets`, `xyz`: a point
- *    is `dimension` finite doubles. `stride_bytes` from one point to the next is a multiple of 8; 0
- *    means no gaps.
+ *    is `dimension` finite doubles. `stride_bytes` (`point_stride_bytes`) from one to the next is a
+ *    multiple of 8; 0 means no gaps.
  *  - A `const T **` result, and a pointer in a report, belongs to the object. It is valid until the
  *    next call that writes the environment or the scene of the object.
- *  - Arrays have `count` entries, unless a comment says otherwise. An array of unknown length has
- *    `capacity` entries, or `capacity_bytes` bytes; *count, or *size_bytes, is set to what is
- *    needed, also on DSW_STATUS_BUFFER_TOO_SMALL. Capacity 0 only asks, and the array may be null.
+ *  - Arrays have `count` entries, or as many as the member `..._count` says. An array of unknown
+ *    length has `capacity` entries, or `capacity_bytes` bytes; *count, or *size_bytes, is set to
+ *    what is needed, also on BUFFER_TOO_SMALL. Capacity 0 only asks, and the array may be null.
  *  - A `hint` or `start`, also in an array, is a volume near the point, or the null id. `flags` are
  *    bits of the header's enum.
- *  - A struct with struct_size, set by the caller or its `_init` function, may be of an older or a
- *    newer version than the library. Members that the caller's struct lacks count as 0. Members
+ *  - `struct_size`, set by the caller or an `_init` function, is the struct's sizeof, in an older or
+ *    a newer version than the library's. Members that the caller's struct lacks count as 0; members
  *    that the library does not know must be 0 in a description, and are set to 0 in a report.
  *  - An `_init` function writes the defaults into at most `size` bytes, the struct's sizeof.
  *
@@ -42,10 +45,6 @@
  * call that writes it runs alone. "Thread: any": the call may run beside all others. A "batch" uses
  * the parallel-for of the context: results do not depend on threads, and the error message names
  * the first wrong entry.
- *
- * A function costs O(1) and is of version 2.0, unless its comment says otherwise. Costs: n counts
- * the cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd, "Edge collision
- * detection in complex deformable environments", 2010.
  */
 #ifndef DARTSWEEP_BASE_H
 #define DARTSWEEP_BASE_H

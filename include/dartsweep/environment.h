@@ -1,10 +1,7 @@
-/** @file environment.h
- * An environment: volumes that partition a bounded part of space.
- *
- * A volume that is no tetrahedron is the star of its centre, the rounded mean of its vertices:
- * tetrahedra from the centre to the triangles of the boundary. So faces may be warped, and volumes
- * need not be convex. A face with more than three vertices has the same triangles for both volumes.
- */
+/** @file environment.h An environment: volumes that partition a bounded part of space. A volume
+ * that is no tetrahedron is the star of its centre, the rounded mean of its vertices: tetrahedra
+ * from the centre to the triangles of the boundary. So faces may be warped, and volumes need not be
+ * convex. A face with more than three vertices has the same triangles for both volumes. */
 #ifndef DARTSWEEP_ENVIRONMENT_H
 #define DARTSWEEP_ENVIRONMENT_H
 
@@ -18,14 +15,10 @@ extern "C" {
 /** Opaque. Scenes may share it while it does not change. */
 typedef struct dsw_environment dsw_environment;
 
-/** Cell types, with the numbers of VTK. Order of points:
- *  - tetra: 0 1 2 turn counter-clockwise seen from 3;
- *  - hexahedron: 0 1 2 3 counter-clockwise seen from 4 5 6 7, each of these above its counterpart;
- *  - wedge: 0 1 2 clockwise seen from 3 4 5, each of these above its counterpart. That is the order
- *    of VTK up to 9.6. VTK from 9.7 on and Gmsh have 0 2 1 3 5 4;
- *  - pyramid: base 0 1 2 3 counter-clockwise seen from the apex 4;
- *  - polyhedron: a face stream: the number of faces, then for each face the number of its points
- *    and the points, counter-clockwise seen from outside. */
+/** Cell types, with the numbers of VTK and its order of points up to 9.6 (bindings/docs/meshes.md):
+ * in a wedge 0 1 2 turn clockwise seen from 3 4 5, where VTK from 9.7 on and Gmsh have 0 2 1 3 5 4.
+ * A polyhedron is a face stream: the number of faces, then for each face the number of its points
+ * and the points, counter-clockwise seen from outside. */
 typedef enum dsw_cell_type {
   DSW_CELL_TYPE_NONE = 0,        /**< No type. */
   DSW_CELL_TYPE_TRIANGLE = 5,    /**< 3 vertices, in the plane. */
@@ -44,16 +37,15 @@ enum {
   /** Retains `points`, without gaps, instead of a copy. The host leaves them unchanged until the
    * environment is destroyed or deformed (deform.h). */
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
-  /** Mirrors cells that are inside out, such as wedges in the order of VTK 9.7 or of Gmsh, and turns
-   * faces of a polyhedron that are turned against most of its other faces. */
+  /** Mirrors cells that are inside out, and turns faces of a polyhedron that are turned against
+   * most of its others. */
   DSW_ENVIRONMENT_REORIENT = 0x2,
-  /** Builds the search structure of dsw_environment_locate at creation: 18 bytes a volume, in the
-   * plane 14. By default a later locate builds it, after a few that scan all cells. */
+  /** Builds the search structure of dsw_environment_locate at creation, else a later locate does:
+   * 18 bytes a volume, in the plane 14. */
   DSW_ENVIRONMENT_LOCATE_TREE = 0x4,
   /** Also proves that the outer boundary does not pass through itself, at ten times the cost. */
   DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8,
-  /** Never builds the search structure, whatever DSW_ENVIRONMENT_LOCATE_TREE says. Snapshots do not
-   * keep this flag. */
+  /** Never builds the search structure. Snapshots do not keep this flag. */
   DSW_ENVIRONMENT_NO_LOCATE_TREE = 0x10,
   /** Points at exactly one place count as one, and so do points within `merge_distance` of each
    * other, with all that a chain of such points joins. The lowest index stands for all of them; the
@@ -96,11 +88,11 @@ typedef struct dsw_environment_desc {
   const int32_t *regions;
   /** Null, or host tags (friction, material, ...). */
   const uint32_t *tags;
-  /** Type of all cells if cell_types is null; hexahedra by default, never polyhedra. */
+  /** Type of all cells if cell_types is null; default hexahedra, never polyhedra. */
   uint32_t uniform_cell_type;
   uint32_t reserved;
-  /** Not negative: how far points may be apart that DSW_ENVIRONMENT_MERGE_POINTS or
-   * DSW_ENVIRONMENT_CONFORM takes for one; 0: at exactly one place. @since 2.1 */
+  /** At least 0: how far points may be apart that DSW_ENVIRONMENT_MERGE_POINTS or
+   * DSW_ENVIRONMENT_CONFORM takes for one. @since 2.1 */
   double merge_distance;
 } dsw_environment_desc;
 
@@ -140,7 +132,7 @@ typedef struct dsw_environment_info {
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t scene_count;         /**< Scenes that use the environment. */
   uint64_t memory_bytes;        /**< Its memory, with borrowed points. */
-  /** Lowest corner of the box of all points that volumes have used, before deformations. */
+  /** Lowest corner of the box of all points of volumes, before deformations. */
   double lower[3];
   double upper[3]; /**< Highest corner. */
   /** All volume indices are below it. */
@@ -151,9 +143,9 @@ typedef struct dsw_environment_info {
 /** Writes the defaults: 3 dimensions, hexahedra, 8-byte indices. */
 DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
 
-/** Creates an environment and proves every cell valid (bindings/docs/exactness.md). All but the
- * outer boundary is passable.
- * @param report may be null; filled unless an argument is wrong.
+/** Creates an environment and proves every cell valid (bindings/docs/exactness.md). Only the outer
+ * boundary is impassable.
+ * @param report filled unless an argument is wrong.
  * @return DSW_STATUS_TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL, INVERTED_CELL,
  * INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES; NOT_CONFORMING: `offenders` are two
  * cells whose faces overlap where DSW_ENVIRONMENT_CONFORM finds no points to split both at.
@@ -165,15 +157,13 @@ DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_enviro
  * @return DSW_STATUS_IN_USE: scenes use it. */
 DSW_API dsw_status dsw_environment_destroy(dsw_environment *environment);
 
-/** Gives numbers about an environment.
- * @note Cost: O(1), or O(n) once the topology has changed. */
+/** Gives numbers about an environment. @note Cost: O(n) once the topology has changed. */
 DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment,
                                             dsw_environment_info *info);
 
-/** Proves that the cells are a partition: they are linked and valid, and the outer boundary does
- * not pass through itself. It may touch itself: the report counts the faces that do.
- * @param report may be null.
- * @return DSW_STATUS_INVALID_CELL, DSW_STATUS_BOUNDARY_CROSSES; DSW_STATUS_INTERNAL: wrong links.
+/** Proves that the cells are a partition: linked and valid, with an outer boundary that does not
+ * pass through itself. The report counts faces that touch each other.
+ * @return DSW_STATUS_INVALID_CELL, BOUNDARY_CROSSES; INTERNAL: wrong links.
  * @note Cost: O(n log n) expected. */
 DSW_API dsw_status dsw_environment_check(const dsw_environment *environment,
                                          dsw_build_report *report);
@@ -210,8 +200,8 @@ DSW_API dsw_status dsw_environment_get_edge_id(const dsw_environment *environmen
                                                dsw_volume_id volume, uint32_t local,
                                                dsw_edge_id *edge);
 
-/** Copies the vertices of a cell: of a face as seen from outside of the volume in its id, of a
- * volume in the order of its type, of a polyhedron in order of first use.
+/** Copies the vertices of a cell: of a face seen from outside of its id's volume, of a volume in
+ * the order of its type, of a polyhedron in order of first use.
  * @note Cost: O(vertices of the volume). */
 DSW_API dsw_status dsw_environment_copy_vertices(const dsw_environment *environment, dsw_cell cell,
                                                  dsw_vertex_id *vertices, size_t capacity,
@@ -226,30 +216,30 @@ DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *envir
 
 /** Gives what lies behind face `local` of a volume.
  * @param neighbour null at the outer boundary; may be null.
- * @param impassable 0 or 1: whether the face is; may be null.
- * @return DSW_STATUS_OUT_OF_RANGE. */
+ * @param impassable 0 or 1: whether the face is; may be null. */
 DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environment,
                                                  dsw_volume_id volume, uint32_t local,
                                                  dsw_volume_id *neighbour, int *impassable);
 
-/** Gives the centre of a volume, the rounded mean of its vertices. It lies strictly inside, unless
- * a tetrahedron is thinner than rounding.
+/** Gives the centre of a volume, the rounded mean of its vertices: strictly inside, unless a
+ * tetrahedron is thinner than rounding.
  * @note Cost: O(vertices of the volume). */
 DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment,
                                               dsw_volume_id volume, double *xyz);
 
-/** Finds faces by vertices in any order, for example boundary groups of a mesh file. Face i has the
+/** Finds faces by vertices in any order, such as boundary groups of a mesh file. Face i has the
  * vertices `indices`[offsets[i] .. offsets[i+1]-1].
- * @param offsets count + 1 ascending values. @param faces canonical ids, null where there is
- * none.
- * @param missing how many are null; may be null. @return DSW_STATUS_WRONG_SIZE: offsets descend.
+ * @param offsets count + 1 ascending values.
+ * @param faces canonical, or null where there is none.
+ * @param missing how many are null; may be null.
+ * @return DSW_STATUS_WRONG_SIZE: offsets descend.
  * @note Cost: O(n + indices) expected. */
 DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment, size_t count,
                                               const size_t *offsets, const uint32_t *indices,
                                               dsw_face_id *faces, size_t *missing);
 
-/** Finds edges by their vertices. Edge i joins vertices `indices`[2 i] and [2 i + 1].
- * @param edges canonical ids, null where there is none.
+/** Finds edges by their vertices `indices`[2 i] and [2 i + 1].
+ * @param edges canonical, or null where there is none.
  * @param missing how many are null; may be null.
  * @note Cost: O(n + count) expected. */
 DSW_API dsw_status dsw_environment_find_edges(const dsw_environment *environment, size_t count,
@@ -264,8 +254,8 @@ DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment
 DSW_API dsw_status dsw_environment_get_tag(const dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t *tag);
 
-/** Sets the host `tag` of a volume, also while scenes use it. No result depends on tags.
- * @note Cost: O(1) amortised; the first tag takes 4 bytes a volume. */
+/** Sets the host `tag` of a volume, also while scenes use it. Results do not depend on tags.
+ * @note The first tag takes 4 bytes a volume. */
 DSW_API dsw_status dsw_environment_set_tag(dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t tag);
 

@@ -3,16 +3,10 @@
  * for a solver: vertices with weights, nearest points, a unit normal and the gap.
  *
  * A *part* is a vertex, an edge or a face that the body's level covers. An *obstacle* is an
- * impassable face (cut into triangles), an edge or a vertex of one, or a marked edge or vertex; also
- * a part of another body, or of the same body, that the part could touch. Both make a row if
- * - their nearest points are unique and lie in the inside of both,
- * - the point on the obstacle is a local minimum,
- * - an edge does not run parallel to both faces at an edge that it passes,
- * - the segment between the points passes nothing impassable,
- * - the gap is at most the margin.
- *
- * The first four are decided exactly, under the shift (base.h). Obstacles behind walls have no row.
- * More: bindings/docs/near_rows.md.
+ * impassable face, edge or vertex, or a part of a body that the part could touch. Both make a row
+ * if their nearest points are unique, lie in the inside of both, are locally nearest on the
+ * obstacle, see each other past everything impassable, and if the gap is at most the margin. All of
+ * this but the gap is decided exactly, under the shift (base.h). More: bindings/docs/near_rows.md.
  */
 #ifndef DARTSWEEP_NEAR_H
 #define DARTSWEEP_NEAR_H
@@ -59,9 +53,8 @@ typedef struct dsw_near_row {
   /** Names the row of its body: the same part and obstacle have the same key later, until one is
    * cut or renumbered. Rows are sorted by keys. */
   uint32_t key[4];
-  /** For a warm start: number of the row before that this row continues: that with the same key, or
-   * the nearest of the same part whose key is gone and whose normal is at most 60 degrees away.
-   * Else UINT32_MAX. */
+  /** For a warm start: number of the row before with the same key, or the nearest of the same part
+   * whose key is gone and whose normal is at most 60 degrees away. Else UINT32_MAX. */
   uint32_t previous;
   uint32_t reserved;
 } dsw_near_row;
@@ -69,12 +62,11 @@ typedef struct dsw_near_row {
 /** Writes the defaults. @since 2.1 */
 DSW_API void dsw_near_options_init(dsw_near_options *options, size_t size);
 
-/** Finds the near rows of a body, and keeps them until the next call for it. A row may be missing
- * or there if its distance differs from its limit by at most 2^-40 of the largest coordinate of its
- * points.
+/** Finds the near rows of a body, and keeps them until the next call for it. At a limit a distance
+ * counts up to 2^-40 of the largest coordinate of its points.
  * @param row_count may be null.
  * @return DSW_STATUS_OUT_OF_MEMORY: there are no rows then; other failures keep the old ones.
- * @note Cost: O(volumes within the limit). Obstacles near each edge are remembered until it leaves
+ * @note Cost: O(volumes within the limit); obstacles near an edge are remembered until it leaves
  * their room, or the environment changes. Writes the scene. @since 2.1 */
 DSW_API dsw_status dsw_body_find_near_rows(dsw_scene *scene, dsw_body_id body,
                                            const dsw_near_options *options, size_t *row_count);
@@ -85,8 +77,8 @@ DSW_API dsw_status dsw_body_get_near_rows(const dsw_scene *scene, dsw_body_id bo
                                           const dsw_near_row **rows, size_t *count);
 
 /** Gives where the rows of the Jacobian begin: the derivatives of the gaps by the coordinates of
- * the body's vertices, as compressed sparse rows. Row i has the entries offsets[i] ..
- * offsets[i+1]-1. Vertices of the obstacle have entries if it is of the same body.
+ * the body's vertices. Row i has the entries offsets[i] .. offsets[i+1]-1. Vertices of the obstacle
+ * have entries if it is of the same body.
  * @param offsets valid as the rows.
  * @param count rows + 1; 0 without DSW_NEAR_JACOBIAN. @since 2.1 */
 DSW_API dsw_status dsw_body_get_near_offsets(const dsw_scene *scene, dsw_body_id body,

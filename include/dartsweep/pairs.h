@@ -46,8 +46,8 @@ enum {
  * @param count pairs, at most 2^28.
  * @param kinds dsw_pair_kind of each pair.
  * @param from starts of the points: `dimension + 1` for each pair, pair after pair.
- * @param to ends of the points, in the same order.
- * @return DSW_STATUS_UNSUPPORTED: also a kind that the dimension has not; TOO_LARGE: count;
+ * @param to ends of the points.
+ * @return DSW_STATUS_UNSUPPORTED: also a kind of another dimension; TOO_LARGE: count;
  * OUT_OF_MEMORY: some answers may be written.
  * @note Cost: mostly below a microsecond a pair, ties some, extreme ranges of doubles up to half a
  * second. Ranks: O(count log count). Batch. Thread: any. @since 2.1 */

@@ -99,9 +99,8 @@ typedef struct dsw_nearest {
 } dsw_nearest;
 
 /** Finds the nearest impassable face, marked edge or vertex that can be seen through passable
- * volumes; if several, the lowest canonical one. A point exactly on the boundary of passable space
- * has distance 0: the answer is the cell of the lowest dimension on which it lies, then the lowest
- * canonical one. Other distances may round to 0, too.
+ * volumes; of equals, the lowest canonical one. A point exactly on the boundary of passable space
+ * has distance 0: the answer is what it lies on. More: bindings/docs/exactness.md.
  * @param volume that of the point, or null.
  * @param radius at least 0; may be infinite.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE: nor is the point on the boundary.
@@ -133,11 +132,10 @@ typedef struct dsw_segment_nearest {
 } dsw_segment_nearest;
 
 /** Finds for each of many segments the nearest impassable face, marked edge or vertex that can be
- * reached from it through passable volumes that are no farther away; if several have the same
- * rounded distance, the one of the lowest dimension, then the lowest canonical one. If the segment
- * passes an impassable face, the first one is the answer, exactly: distance and normal are 0, and
- * segment_parameter is the time of the contact. An end exactly on the boundary of passable space,
- * or on a marked edge or vertex, is at distance 0, too. Rounding: bindings/docs/exactness.md.
+ * reached from it through passable volumes that are no farther away; of equals, the lowest
+ * dimension, then the lowest canonical one. An impassable face that the segment passes is the
+ * answer exactly: distance and normal are 0, and segment_parameter is the time of the contact.
+ * More: bindings/docs/exactness.md.
  * @param hints for `from`. A segment that begins where the one before ends needs none.
  * @param radius, nearest, volumes as in dsw_environment_find_nearest_to_points, for `from`.
  * @return DSW_STATUS_OUT_OF_MEMORY: some answers may be written.
@@ -150,12 +148,11 @@ DSW_API dsw_status dsw_environment_find_nearest_to_segments(
 
 /** Finds for each of many points the nearest place inside: in a passable volume, on nothing
  * impassable. A point inside stays. Any other goes to the nearest place of the boundary of passable
- * space (rounded), and `by` farther along the face's inward normal; without room there, towards the
- * centre of the volume at the face, at most to it.
+ * space (rounded), and `by` along the face's inward normal; without room, towards the centre of the
+ * volume there.
  * @param by finite, at least 0; 0: as little as rounding allows.
- * @param inside `count` points without gaps; may be `points` if these have none.
- * @param volumes those of the places, null where there is none and the point stays; may be null or
- * `hints`.
+ * @param inside `count` points without gaps; may be `points`.
+ * @param volumes of the places; null: there is none, and the point stays. May be null or `hints`.
  * @note Cost: as dsw_environment_locate; beyond the boundary O(log n) expected with a search
  * structure, else O(n). Batch. @since 2.1 */
 DSW_API dsw_status dsw_environment_find_inside(const dsw_environment *environment,

@@ -1,16 +1,13 @@
 /** @file together.h
- * Moves of bodies in which all vertices move at once, each straight and steadily to its target. So
- * a body that is carried along never meets itself only because some vertices went first, and no
- * result depends on how vertices or bodies are numbered.
+ * Moves of bodies in which all vertices move at once, each straight and steadily to its target. No
+ * result depends on how vertices or bodies are numbered. What a body's level covers is swept on its
+ * whole way, at DSW_LEVEL_EDGES edges, too. Vertices stop at rounded positions just before a
+ * contact, and the ways there are swept again: after the call all is free, and nothing was passed.
  *
- * What a body's level covers is swept on its whole way, at DSW_LEVEL_EDGES edges, too. A touch of
- * bodies that can meet is a contact; a touch with the environment, if it remains one under the shift
- * (base.h). Vertices stop at rounded positions just before a contact, and the ways there are swept
- * again: after the call all is free, and nothing was passed. `time`, `from` and `to` of a contact
- * are those of the way on which it was found, which can be a part of the motion.
- *
- * A body with DSW_BODY_RIGID keeps its shape only if its targets do and no vertex stops alone.
- * More: bindings/docs/moving_together.md.
+ * A touch of bodies that can meet is a contact; a touch with the environment, if it remains one
+ * under the shift (base.h). `time`, `from` and `to` of a contact are those of the way on which it was
+ * found, which can be a part of the motion. A body with DSW_BODY_RIGID keeps its shape only if its
+ * targets do and no vertex stops alone. More: bindings/docs/moving_together.md.
  */
 #ifndef DARTSWEEP_TOGETHER_H
 #define DARTSWEEP_TOGETHER_H
@@ -27,9 +24,8 @@ typedef enum dsw_together_stop {
   DSW_TOGETHER_STOP_ALL = 0, /**< All bodies of the call. */
   /** The bodies of an island, see dsw_scene_move_together. */
   DSW_TOGETHER_STOP_ISLAND = 1,
-  /** The vertices of the parts that touch: their targets are then just before the touch. This is
-   * repeated, up to `max_rounds` times, until nothing is touched. If something still is, the island
-   * stops as a whole. */
+  /** The vertices of the parts that touch, just before the touch. This is repeated, up to
+   * `max_rounds` times, until nothing is touched; else the island stops. */
   DSW_TOGETHER_STOP_FEATURE = 2,
   DSW_TOGETHER_STOP_FORCE_INT32 = 0x7fffffff
 } dsw_together_stop;
@@ -69,20 +65,18 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
                                            size_t stride_bytes, const dsw_together_options *options,
                                            dsw_move_report *reports);
 
-/** Takes the environment of a scene with DSW_FEATURE_DEFORMING to new positions and bodies to their
- * targets, all at once, also each vertex of the environment straight and steadily. Other bodies and
- * particles stand still. At the first contact of anything everything stops. A volume that holds or
- * nears a body or particle has to stay valid on the whole way; else all ways end at 1/2, 1/4, ...
- * of it.
+/** Takes the environment of a scene with DSW_FEATURE_DEFORMING and bodies to new positions, all at
+ * once. Other bodies and particles stand still. At the first contact of anything everything stops.
+ * A volume that holds or nears a body or particle has to stay valid on the whole way; else all ways
+ * end at 1/2, 1/4, ... of it.
  * @param next as in dsw_environment_deform; overwritten if the outcome is FRACTION.
- * @param bodies distinct.
- * @param targets as in dsw_scene_move_together.
+ * @param bodies, targets as in dsw_scene_move_together.
  * @param options only `point_room` counts.
- * @param report `outcome`: DONE, FRACTION, REFUSED, or LIMITED: the default of `max_work` was
- * reached, and nothing has moved. Of its contacts `from` and `to` are those of the vertex `moving`,
- * and `response` is DSW_WALL_STOP.
- * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body of the scene has a radius; else as
- * dsw_environment_deform, WRONG_SIZE: also target_count.
+ * @param report `outcome`: DONE, FRACTION, REFUSED, or LIMITED: at the default of `max_work`, and
+ * nothing has moved. Of its contacts `from` and `to` are those of the vertex `moving`, and
+ * `response` is DSW_WALL_STOP.
+ * @return as dsw_environment_deform; DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body of the scene has
+ * a radius; WRONG_SIZE: also target_count.
  * @note Cost: O(bodies + particles + volumes met + pairs of parts whose ways come near each other);
  * O(n) each time that all ways are shortened, at most 53 times. Writes the environment, too.
  * @since 2.1 */
