@@ -75,55 +75,55 @@
 extern "C" {
 #endif
 
-/** The result of a call. Values are stable, and new ones are only appended. */
+/** The result of a call. Values are stable; new ones are appended. */
 typedef enum dsw_status {
   DSW_STATUS_OK = 0,            /**< Done. */
-  DSW_STATUS_NULL_ARGUMENT = 1, /**< A required pointer is null. */
+  DSW_STATUS_NULL_ARGUMENT = 1, /**< A pointer is null. */
   /** struct_size is too small. */
   DSW_STATUS_BAD_STRUCT_SIZE = 2,
   DSW_STATUS_UNSUPPORTED = 3, /**< Not supported. */
-  /** A number or index is out of range. */
+  /** Out of range. */
   DSW_STATUS_OUT_OF_RANGE = 4,
-  DSW_STATUS_NON_FINITE = 5,          /**< A number is NaN or infinite. */
-  DSW_STATUS_WRONG_SIZE = 6,          /**< Sizes, strides or offsets are wrong. */
-  DSW_STATUS_STALE_ID = 7,            /**< The object of the id does not exist. */
-  DSW_STATUS_BUFFER_TOO_SMALL = 8,    /**< `count` holds the capacity that is needed. */
-  DSW_STATUS_OUT_OF_MEMORY = 9,       /**< The allocator returned null. */
+  DSW_STATUS_NON_FINITE = 5,          /**< NaN or infinite. */
+  DSW_STATUS_WRONG_SIZE = 6,          /**< A size, stride or offset. */
+  DSW_STATUS_STALE_ID = 7,            /**< The id's object is gone. */
+  DSW_STATUS_BUFFER_TOO_SMALL = 8,    /**< `count` is what is needed. */
+  DSW_STATUS_OUT_OF_MEMORY = 9,       /**< No memory. */
   DSW_STATUS_TOO_LARGE = 10,          /**< More cells or points than 2^28. */
-  DSW_STATUS_INDEX_OUT_OF_RANGE = 11, /**< A cell names a point that does not exist. */
-  DSW_STATUS_BAD_CELL_TYPE = 12,      /**< A cell type is unknown. */
-  /** A cell repeats points, or its faces form no sphere. */
+  DSW_STATUS_INDEX_OUT_OF_RANGE = 11, /**< A cell names no point. */
+  DSW_STATUS_BAD_CELL_TYPE = 12,      /**< An unknown cell type. */
+  /** A cell repeats points, or has no closed surface. */
   DSW_STATUS_BAD_CELL = 13,
-  DSW_STATUS_INVERTED_CELL = 14, /**< A cell is turned inside out. */
+  DSW_STATUS_INVERTED_CELL = 14, /**< A cell is inside out. */
   /** A cell is flat, folded, or no star of its centre. */
   DSW_STATUS_INVALID_CELL = 15,
-  DSW_STATUS_DUPLICATE_CELL = 16,   /**< Two cells are on one side of a face. */
-  DSW_STATUS_SHARED_FACE = 17,      /**< A face belongs to three cells or more. */
+  DSW_STATUS_DUPLICATE_CELL = 16,   /**< Two cells on one side of a face. */
+  DSW_STATUS_SHARED_FACE = 17,      /**< A face of three cells or more. */
   DSW_STATUS_BOUNDARY_CROSSES = 18, /**< The outer boundary passes through itself. */
   DSW_STATUS_OUTSIDE = 19,          /**< The point lies in no cell. */
   DSW_STATUS_IMPASSABLE = 20,       /**< The point lies in an impassable volume. */
-  DSW_STATUS_OCCUPIED = 21,         /**< A particle or body is in the way of the change. */
-  DSW_STATUS_IN_USE = 22,           /**< Another object still uses the object. */
-  DSW_STATUS_SHARED = 23,           /**< Several scenes share the environment. */
-  DSW_STATUS_DUPLICATE_ID = 24,     /**< A batch names an id twice. */
-  DSW_STATUS_NOT_FOUND = 25,        /**< What is asked for does not exist. */
-  DSW_STATUS_TRUNCATED = 26,        /**< The block of bytes ends early. */
-  DSW_STATUS_CORRUPT = 27,          /**< The block of bytes is damaged. */
-  DSW_STATUS_BAD_VERSION = 28,      /**< The block has an unknown format version. */
-  /** The scene has not enabled the feature. */
+  DSW_STATUS_OCCUPIED = 21,         /**< A particle or body is in the way. */
+  DSW_STATUS_IN_USE = 22,           /**< Another object uses it. */
+  DSW_STATUS_SHARED = 23,           /**< Several scenes share it. */
+  DSW_STATUS_DUPLICATE_ID = 24,     /**< An id occurs twice. */
+  DSW_STATUS_NOT_FOUND = 25,        /**< There is none. */
+  DSW_STATUS_TRUNCATED = 26,        /**< Bytes end early. */
+  DSW_STATUS_CORRUPT = 27,          /**< Bytes are damaged. */
+  DSW_STATUS_BAD_VERSION = 28,      /**< An unknown format version. */
+  /** The scene lacks the feature. */
   DSW_STATUS_NOT_ENABLED = 29,
-  DSW_STATUS_NOT_BUILT = 30, /**< The library was built without it. */
+  DSW_STATUS_NOT_BUILT = 30, /**< Built without it. */
   DSW_STATUS_INTERNAL = 31,  /**< A bug; please report the message. */
-  /** These cells do not allow the change; see the message. */
+  /** These cells do not allow the change. */
   DSW_STATUS_BAD_TOPOLOGY = 32,
-  DSW_STATUS_BORROWED = 33,        /**< The host's points have no room for more. */
+  DSW_STATUS_BORROWED = 33,        /**< The host's points have no room. */
   DSW_STATUS_WRITE_FAILED = 34,    /**< A recording was not written. */
-  DSW_STATUS_NOT_CLOSED = 35,      /**< The body is not a closed surface. */
-  DSW_STATUS_REPEATED_VERTEX = 36, /**< An edge or face of a body repeats a vertex. */
-  DSW_STATUS_DUPLICATE_PART = 37,  /**< A body has an edge or face twice. */
+  DSW_STATUS_NOT_CLOSED = 35,      /**< The body is no closed surface. */
+  DSW_STATUS_REPEATED_VERTEX = 36, /**< A part of a body repeats a vertex. */
+  DSW_STATUS_DUPLICATE_PART = 37,  /**< A body has a part twice. */
   DSW_STATUS_NOT_MANIFOLD = 38,    /**< A body would not be a manifold. */
-  DSW_STATUS_NOT_ORIENTED = 39,    /**< Faces of a body are turned against each other. */
-  /** Parts of a mesh lie on each other and can't be sewn. @since 2.1 */
+  DSW_STATUS_NOT_ORIENTED = 39,    /**< Faces are turned against each other. */
+  /** Parts of a mesh that lie on each other can't be sewn. @since 2.1 */
   DSW_STATUS_NOT_CONFORMING = 40,
   DSW_STATUS_FORCE_INT32 = 0x7fffffff
 } dsw_status;
@@ -139,7 +139,7 @@ DSW_API uint32_t dsw_version(void);
 DSW_API const char *dsw_status_string(dsw_status status);
 
 /** Describes the last failure on this thread: function, argument, index, value, accepted range.
- * @return text, empty before the first failure, valid until the next one on this thread.
+ * @return text, empty before the first failure, valid until the next.
  * @note Thread: any. */
 DSW_API const char *dsw_last_error_message(void);
 

@@ -8,8 +8,9 @@
  * meet. With DSW_BODY_SELF_CONTACTS its own parts keep two radii apart, unless a way of at most 4
  * radii along its edges joins them. All this holds up to 2^-34 of the distance.
  *
- * Arrays by vertex have an entry for each slot. Removed parts leave free slots. `edit` may be null.
- * More: bindings/docs/moving_bodies.md.
+ * Arrays by vertex have an entry for each slot; removed parts leave free slots. `edit` may be null.
+ * Cost, unless a comment says more: to copy arrays O(slots), to remove parts O(parts there), to add
+ * or change them O(volumes met). More: bindings/docs/moving_bodies.md.
  */
 #ifndef DARTSWEEP_BODY_H
 #define DARTSWEEP_BODY_H
@@ -22,8 +23,7 @@
 extern "C" {
 #endif
 
-/** Flags of a body. Lossless flags only save time; with lossy flags contacts on the way may be
- * missed. */
+/** Flags of a body. Lossless flags only save time; lossy ones can miss contacts on the way. */
 enum {
   /** Lossless. Skips edges that still cross the same faces. */
   DSW_BODY_SEQUENCES = 0x1,
@@ -31,8 +31,8 @@ enum {
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
   /** Lossless. Skips edges that sweep inside of a ball known to be free. */
   DSW_BODY_SKIP_BY_CLEARANCE = 0x4,
-  /** Lossy, at DSW_LEVEL_EDGES. Tests edges whose ends move alike (`motion_share`) only at their
-   * targets. */
+  /** Lossy, at DSW_LEVEL_EDGES. Tests edges whose ends move alike (`motion_share`) only at the
+   * end. */
   DSW_BODY_SKIP_SIMILAR_MOTION = 0x8,
   /** Parts of the body without a common vertex must not touch [JCD10] 4.4. Needs
    * DSW_FEATURE_BODY_CONTACTS. */
@@ -54,8 +54,8 @@ typedef struct dsw_body_desc {
   const double *positions;    /**< Points, one for each vertex. */
   size_t vertex_count;        /**< At least 1. */
   size_t stride_bytes;        /**< Of positions; see base.h. */
-  const dsw_volume_id *hints; /**< May be null; a hint for each vertex. */
-  const uint32_t *edges;      /**< Two vertices each; not necessary for faces. */
+  const dsw_volume_id *hints; /**< Null, or a hint for each vertex. */
+  const uint32_t *edges;      /**< Two vertices each; not needed for faces. */
   size_t edge_count;
   /** Face i has the corners face_corners[face_offsets[i] .. face_offsets[i+1]-1]. Polygons become
    * fans of triangles round their first corner. */
@@ -64,11 +64,11 @@ typedef struct dsw_body_desc {
   size_t face_count;            /**< Faces; face_offsets has one more entry. */
   size_t face_corner_count;
   double motion_share; /**< For DSW_BODY_SKIP_SIMILAR_MOTION; 0 means 0.1. */
-  /** Two bodies can meet if the category of each has a bit of the other's mask. 0 means 1. Category
-   * and mask need DSW_FEATURE_BODY_CONTACTS. */
+  /** Two bodies can meet if the category of each has a bit of the other's mask; 0 means 1. Both
+   * need DSW_FEATURE_BODY_CONTACTS. */
   uint32_t category;
   uint32_t mask; /**< 0 means all bits. */
-  double radius; /**< How thick the body is; finite, at least 0 (default). @since 2.1 */
+  double radius; /**< Finite, at least 0 (default): how thick it is. @since 2.1 */
 } dsw_body_desc;
 
 /** Numbers of parts. All indices are below the number of slots. */
@@ -86,12 +86,12 @@ typedef struct dsw_body_counts {
 /** Writes the defaults. */
 DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
 
-/** Creates a body. Vertices and edges keep their indices; other edges of faces follow. Triangles of
- * faces are numbered in order.
- * @return DSW_STATUS_OUTSIDE, IMPASSABLE: a vertex; INDEX_OUT_OF_RANGE, REPEATED_VERTEX,
- * DUPLICATE_PART, NOT_ORIENTED; NOT_MANIFOLD: three triangles at an edge, several fans at a vertex;
- * OCCUPIED: not free, or too near for the radius. For DSW_BODY_SKIP_BACK_EDGES also NOT_CLOSED;
- * NOT_ORIENTED: no volume inside.
+/** Creates a body. Vertices and edges keep their indices; other edges of faces follow; triangles
+ * are numbered in order.
+ * @return DSW_STATUS_OUTSIDE, IMPASSABLE, INDEX_OUT_OF_RANGE, REPEATED_VERTEX, DUPLICATE_PART,
+ * NOT_ORIENTED; NOT_MANIFOLD: three triangles at an edge, several fans at a vertex; OCCUPIED: not
+ * free, or too near for the radius; for DSW_BODY_SKIP_BACK_EDGES NOT_CLOSED, NOT_ORIENTED: no
+ * volume inside.
  * @note Cost: O(vertices + volumes that edges cross). Batch. Source: [JCD10] 4. */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
 
@@ -101,11 +101,11 @@ DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, 
 DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices,
                                                  size_t *count);
 
-/** Gives the bodies that were in the way of the last marking call. */
+/** Gives the bodies in the way of the last marking call. */
 DSW_API dsw_status dsw_scene_get_occupant_bodies(const dsw_scene *scene, const dsw_body_id **bodies,
                                                  size_t *count);
 
-/** Removes a body. Its ids become stale. @note Cost: O(body). */
+/** Removes a body. */
 DSW_API dsw_status dsw_body_destroy(dsw_scene *scene, dsw_body_id body);
 
 /** Counts the bodies of a scene. */
@@ -140,37 +140,36 @@ DSW_API dsw_status dsw_body_set_filter(dsw_scene *scene, dsw_body_id body, uint3
 /** Gives the `radius` of a body. @since 2.1 */
 DSW_API dsw_status dsw_body_get_radius(const dsw_scene *scene, dsw_body_id body, double *radius);
 
-/** Changes the radius of a body, finite and at least 0.
- * @param radius scene units.
+/** Changes the radius of a body.
+ * @param radius finite, at least 0.
  * @return DSW_STATUS_OCCUPIED: something is too near.
  * @note Cost: as creation. @since 2.1 */
 DSW_API dsw_status dsw_body_set_radius(dsw_scene *scene, dsw_body_id body, double radius);
 
 /** Gives a lower bound of the least gap of a body: distance less radii, over all that it must not
  * touch.
- * @param limit finite, at least 0. Larger gaps are not looked at.
+ * @param limit finite, at least 0; larger gaps are not looked at.
  * @param gap at most `limit`; negative by at most 2^-34 of the radii.
  * @note Cost: O(volumes within the limit). Writes the scene. @since 2.1 */
 DSW_API dsw_status dsw_body_find_least_gap(dsw_scene *scene, dsw_body_id body, double limit,
                                            double *gap);
 
 /** Copies the positions of all vertex slots, zeros for free ones.
- * @param volumes may be null; those that hold the vertices.
- * @note Cost: O(slots). */
+ * @param volumes may be null; those with the vertices. */
 DSW_API dsw_status dsw_body_get_positions(const dsw_scene *scene, dsw_body_id body,
                                           double *positions, size_t capacity, size_t stride_bytes,
                                           dsw_volume_id *volumes, size_t *count);
 
-/** Copies the ids of all living vertices, by index. @note Cost: O(slots). */
+/** Copies the ids of all vertices, by index. */
 DSW_API dsw_status dsw_body_get_vertex_ids(const dsw_scene *scene, dsw_body_id body,
                                            dsw_body_vertex_id *vertices, size_t capacity,
                                            size_t *count);
 
-/** Copies the ids of all living edges, by index. @note Cost: O(slots). */
+/** Copies the ids of all edges, by index. */
 DSW_API dsw_status dsw_body_get_edge_ids(const dsw_scene *scene, dsw_body_id body,
                                          dsw_body_edge_id *edges, size_t capacity, size_t *count);
 
-/** Copies the ids of all living triangles, by index. @note Cost: O(slots). */
+/** Copies the ids of all triangles, by index. */
 DSW_API dsw_status dsw_body_get_face_ids(const dsw_scene *scene, dsw_body_id body,
                                          dsw_body_face_id *faces, size_t capacity, size_t *count);
 
@@ -187,14 +186,12 @@ DSW_API dsw_status dsw_body_get_vertex_id(const dsw_scene *scene, dsw_body_id bo
                                           dsw_body_vertex_id *vertex);
 
 /** Copies two vertex indices for each edge slot, UINT32_MAX for a free one.
- * @param vertices 2 * `capacity` numbers.
- * @note Cost: O(slots). */
+ * @param vertices 2 * `capacity` numbers. */
 DSW_API dsw_status dsw_body_get_edge_indices(const dsw_scene *scene, dsw_body_id body,
                                              uint32_t *vertices, size_t capacity, size_t *count);
 
 /** Copies three vertex indices for each triangle slot, UINT32_MAX for a free one.
- * @param vertices 3 * `capacity` numbers.
- * @note Cost: O(slots). */
+ * @param vertices 3 * `capacity` numbers. */
 DSW_API dsw_status dsw_body_get_face_indices(const dsw_scene *scene, dsw_body_id body,
                                              uint32_t *vertices, size_t capacity, size_t *count);
 
@@ -205,41 +202,36 @@ DSW_API dsw_status dsw_body_add_vertex(dsw_scene *scene, dsw_body_id body, const
                                        dsw_volume_id hint, dsw_body_vertex_id *vertex);
 
 /** Adds an edge between two vertices.
- * @return DSW_STATUS_REPEATED_VERTEX, DUPLICATE_PART; OCCUPIED: not free.
- * @note Cost: O(volumes met). */
+ * @return DSW_STATUS_REPEATED_VERTEX, DUPLICATE_PART; OCCUPIED: not free. */
 DSW_API dsw_status dsw_body_add_edge(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a,
                                      dsw_body_vertex_id b, dsw_body_edge_id *edge);
 
 /** Adds a triangle and its missing edges.
- * @return as dsw_body_add_edge; DSW_STATUS_NOT_MANIFOLD, NOT_ORIENTED.
- * @note Cost: O(volumes met). */
+ * @return as dsw_body_add_edge; DSW_STATUS_NOT_MANIFOLD, NOT_ORIENTED. */
 DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a,
                                      dsw_body_vertex_id b, dsw_body_vertex_id c,
                                      dsw_body_face_id *face);
 
-/** Removes a face. @note Cost: O(parts there). */
+/** Removes a face. */
 DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
 
 /** Removes an edge and its faces.
- * @return DSW_STATUS_OCCUPIED: parts of a thick body that meets itself would be too near.
- * @note Cost: O(parts there). */
+ * @return DSW_STATUS_OCCUPIED: parts of a thick body that meets itself would be too near. */
 DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);
 
 /** Removes a vertex, its edges and faces.
- * @return as dsw_body_remove_edge.
- * @note Cost: O(parts there). */
+ * @return as dsw_body_remove_edge. */
 DSW_API dsw_status dsw_body_remove_vertex(dsw_scene *scene, dsw_body_id body,
                                           dsw_body_vertex_id vertex);
 
-/** A split of an edge at a new vertex, or a merge of a vertex into another. */
+/** A split of an edge, or a merge of a vertex into another. */
 typedef struct dsw_body_edit {
-  dsw_body_vertex_id vertex; /**< Split: the new vertex. Merge: the removed vertex. */
-  /** Split: ends of the edge. Merge: ends[0] is the vertex that stays. */
+  dsw_body_vertex_id vertex; /**< The new vertex, or that removed. */
+  /** The edge's ends. Merge: ends[0] stays. */
   dsw_body_vertex_id ends[2];
-  dsw_body_edge_id
-      edge; /**< Split: the part at ends[0], with the old id. Merge: the removed edge. */
-  dsw_body_edge_id rest; /**< Split: the new edge at ends[1]. */
-  double edge_parameter; /**< Split: where on the edge; the weight of ends[1]. */
+  dsw_body_edge_id edge; /**< Split: the part at ends[0], with the old id. */
+  dsw_body_edge_id rest; /**< Split: the part at ends[1]. */
+  double edge_parameter; /**< Split: the weight of ends[1]. */
   uint32_t inserted;     /**< 1: split; 0: merge. */
   uint32_t reserved;
 } dsw_body_edit;
@@ -247,13 +239,12 @@ typedef struct dsw_body_edit {
 /** Splits an edge and its faces at ends[0] + `edge_parameter` * (ends[1] - ends[0]), rounded; the
  * parameter is in (0,1).
  * @return DSW_STATUS_OCCUPIED: a part is not free.
- * @note Cost: O(volumes met). Source: [JCD10] 4.2. */
+ * @note Source: [JCD10] 4.2. */
 DSW_API dsw_status dsw_body_split_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
                                        double edge_parameter, dsw_body_edit *edit);
 
 /** Moves `vertex` to the other end of `edge`, if the way is free, and merges the two.
- * @return DSW_STATUS_NOT_FOUND: `vertex` is no end of `edge`; NOT_MANIFOLD; OCCUPIED.
- * @note Cost: O(volumes met). */
+ * @return DSW_STATUS_NOT_FOUND: `vertex` is no end of `edge`; NOT_MANIFOLD; OCCUPIED. */
 DSW_API dsw_status dsw_body_collapse_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
                                           dsw_body_vertex_id vertex, dsw_body_edit *edit);
 

@@ -34,9 +34,9 @@ typedef struct dsw_coarsen_report {
 /** Writes the defaults. */
 DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size);
 
-/** Creates a coarser copy of an environment. Merged volumes are valid polyhedra. Casts and sweeps
- * meet the same faces, by their vertices, at the same times. Regions, tags, marks and vertex
- * indices stay.
+/** Creates a coarser copy of an environment, with merged volumes that are valid polyhedra. Casts
+ * and sweeps meet the same faces, by their vertices, at the same times. Regions, tags, marks and
+ * vertex indices stay.
  * @param source must never have been deformed.
  * @param environment has the source's context.
  * @param volume_map may be null; the new index of each volume index, or UINT32_MAX.

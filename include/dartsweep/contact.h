@@ -28,8 +28,8 @@ typedef enum dsw_contact_kind {
   DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff
 } dsw_contact_kind;
 
-/** What was touched; in every report below, and in dsw_wall_contact. All members are 0 without a
- * contact; at a body all but `normal`, `front` and `kind`. */
+/** What was touched. All members are 0 without a contact; at a body all but `normal`, `front` and
+ * `kind`. */
 typedef struct dsw_contact {
   double normal[3];    /**< Unit normal, out of the obstacle. */
   dsw_cell obstacle;   /**< Touched face, edge or vertex, canonical. */
@@ -57,7 +57,7 @@ typedef struct dsw_flight {
 /** One volume of a flight. */
 typedef struct dsw_crossing {
   dsw_volume_id volume; /**< The volume. */
-  dsw_face_id face;     /**< Its face of entry, canonical; null for the first. */
+  dsw_face_id face;     /**< Its face of entry, canonical; at first null. */
   double time;          /**< Time of entry, rounded down. */
 } dsw_crossing;
 
@@ -69,7 +69,7 @@ typedef struct dsw_sweep {
   double point[3];          /**< Where the edge touches, rounded. */
   double edge_parameter;    /**< Place of `point`: 0 moving end, 1 fixed end. */
   dsw_contact contact;      /**< What the edge touched. */
-  dsw_volume_id volume;     /**< Volume of the moving end, unless REACHED at the start. */
+  dsw_volume_id volume;     /**< Volume of the moving end; without REACHED, of its start. */
   dsw_outcome outcome;      /**< How the sweep ended. */
   uint32_t volumes_visited; /**< Volumes looked at. */
 } dsw_sweep;
@@ -108,18 +108,18 @@ typedef struct dsw_previous_contact {
   double normal[3];  /**< Normal there. */
   dsw_cell obstacle; /**< Touched cell; null for a body. */
   dsw_body_id body;  /**< Touched body, or null. */
-  uint32_t since;    /**< Moves ago: 1 the move before, 0 never. */
-  uint32_t moves;    /**< Moves in a row that this obstacle stopped. */
+  uint32_t since;    /**< Moves ago: 1 the last, 0 never. */
+  uint32_t moves;    /**< Moves in a row that this stopped. */
   uint32_t touching; /**< Moves in a row that anything stopped. */
   uint32_t reserved;
 } dsw_previous_contact;
 
-/** The body that a contact touched; null for the environment. */
+/** The body that a contact touched, and the part; null where there is none. */
 typedef struct dsw_contact_partner {
-  dsw_body_id body;          /**< The body; maybe the moving one. */
-  dsw_body_vertex_id vertex; /**< Its touched vertex, or null. */
-  dsw_body_edge_id edge;     /**< Its touched edge, or null. */
-  dsw_body_face_id face;     /**< Its touched face, or null. */
+  dsw_body_id body;          /**< Maybe the moving one. */
+  dsw_body_vertex_id vertex; /**< The vertex. */
+  dsw_body_edge_id edge;     /**< The edge. */
+  dsw_body_face_id face;     /**< The face. */
 } dsw_contact_partner;
 
 #endif

@@ -26,7 +26,7 @@ typedef void (*dsw_release_fn)(void *user, void *memory, size_t size_bytes, size
 typedef enum dsw_log_level {
   DSW_LOG_NONE = 0,    /**< No line. */
   DSW_LOG_ERROR = 1,   /**< Something went wrong. */
-  DSW_LOG_WARNING = 2, /**< A host may want to change something. */
+  DSW_LOG_WARNING = 2, /**< Worth a change. */
   DSW_LOG_INFO = 3,    /**< Progress. */
   DSW_LOG_FORCE_INT32 = 0x7fffffff
 } dsw_log_level;
@@ -43,11 +43,11 @@ typedef void (*dsw_parallel_for_fn)(void *user, dsw_task_fn task, void *task_dat
                                     size_t task_count);
 
 /** What computes casts in space, always with the same bits.
- * @note The environment variable DARTSWEEP_KERNEL replaces FASTEST if it names a kernel that the
- * processor has: "portable", "avx2" or "avx512". All else then uses no newer instructions. */
+ * @note The environment variable DARTSWEEP_KERNEL replaces FASTEST if it names a kernel of the
+ * processor: "portable", "avx2" or "avx512". All else then uses no newer instructions. */
 typedef enum dsw_kernel {
-  /** The fastest on this processor for each kind of volume. The first environment in space that
-   * asks for it measures all, once a process, in about 5 ms. */
+  /** The fastest on this processor for each kind of volume; the first environment in space measures
+   * all, once a process, in about 5 ms. */
   DSW_KERNEL_FASTEST = 0,
   DSW_KERNEL_PORTABLE = 1, /**< For every processor. */
   DSW_KERNEL_AVX2 = 2,     /**< x86-64 with AVX2. */
@@ -73,14 +73,14 @@ typedef struct dsw_context_desc {
 DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 
 /** Creates a context.
- * @param desc null: all defaults. Callbacks are retained.
+ * @param desc null: the defaults. Callbacks are retained.
  * @return DSW_STATUS_OUT_OF_RANGE: also only one of allocate and release; UNSUPPORTED: also a
- * kernel that the processor or library has not.
+ * kernel that is not there.
  * @note Thread: any. */
 DSW_API dsw_status dsw_context_create(const dsw_context_desc *desc, dsw_context **context);
 
 /** Destroys a context.
- * @return DSW_STATUS_IN_USE: objects of the context exist. */
+ * @return DSW_STATUS_IN_USE: its objects exist. */
 DSW_API dsw_status dsw_context_destroy(dsw_context *context);
 
 #ifdef __cplusplus

@@ -19,8 +19,8 @@ typedef enum dsw_deform_method {
    * anything. */
   DSW_DEFORM_SWEPT = 0,
   /** An approximation: all vertices move at once; bodies and particles are located again. A wall
-   * that moves farther than a volume is thick can pass them. Walls do not push a thick body for its
-   * radius: the way is shortened. */
+   * that moves farther than a volume is thick can pass them. Walls do not push for a radius: the
+   * way is shortened. */
   DSW_DEFORM_END_STATE = 1,
   DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff
 } dsw_deform_method;
@@ -87,14 +87,14 @@ typedef struct dsw_deform_report {
   dsw_deform_outcome outcome; /**< The outcome. */
   uint32_t steps;             /**< SWEPT: 2^k. END_STATE: 0. */
   uint32_t near_count;        /**< SWEPT: vertices moved one at a time. */
-  uint32_t held_count;        /**< See dsw_environment_get_held_vertices. */
-  uint32_t contact_count;     /**< See dsw_environment_get_wall_contacts. */
-  uint32_t invalid_count;     /**< See dsw_environment_get_invalid_volumes. */
+  uint32_t held_count;        /**< Held vertices. */
+  uint32_t contact_count;     /**< Contacts of walls. */
+  uint32_t invalid_count;     /**< Volumes kept valid. */
   uint32_t pushed_count;      /**< Moves made by walls. */
   uint32_t remeshed_count;    /**< REMESH: volumes replaced. */
 } dsw_deform_report;
 
-/** A wall at a vertex of the environment that moved touched something. */
+/** A wall at a moving vertex of the environment touched something. */
 typedef struct dsw_wall_contact {
   double from[3];        /**< Start of the vertex. */
   double to[3];          /**< Its target. */
@@ -105,11 +105,11 @@ typedef struct dsw_wall_contact {
   dsw_vertex_id moving;  /**< The vertex that moved. */
   /** Other corners of the touching triangle or edge, or null. */
   dsw_vertex_id others[2];
-  dsw_particle_id particle;   /**< Touched particle, or null. */
-  dsw_body_id body;           /**< Touched body, or null. */
-  dsw_body_vertex_id vertex;  /**< Its touched vertex, or null. */
-  dsw_body_edge_id edge;      /**< Its touched edge, or null. */
-  dsw_body_face_id face;      /**< Its touched face, or null. */
+  dsw_particle_id particle;   /**< Touched, or null. */
+  dsw_body_id body;           /**< Touched, or null. */
+  dsw_body_vertex_id vertex;  /**< Its vertex, or null. */
+  dsw_body_edge_id edge;      /**< Its edge, or null. */
+  dsw_body_face_id face;      /**< Its face, or null. */
   dsw_wall_response response; /**< What was done. */
   uint32_t reserved;
 } dsw_wall_contact;
@@ -118,7 +118,7 @@ typedef struct dsw_wall_contact {
 DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
 
 /** Takes the environment of a scene with DSW_FEATURE_DEFORMING to new positions. Bodies and
- * particles move only if walls push them. All stay free.
+ * particles move only if walls push them, and stay free.
  * @param next `point_count` points, one for each vertex; retained until the next deformation or the
  * end of the environment, unless REFUSED. The array before is free again. Written for vertices that
  * do not arrive.
@@ -135,7 +135,7 @@ DSW_API dsw_status dsw_environment_get_wall_contacts(const dsw_environment *envi
                                                      const dsw_wall_contact **contacts,
                                                      size_t *count);
 
-/** Gives the vertices that the last deformation did not take to their targets, by index. */
+/** Gives the vertices that the last deformation held, by index. */
 DSW_API dsw_status dsw_environment_get_held_vertices(const dsw_environment *environment,
                                                      const dsw_vertex_id **vertices, size_t *count);
 

@@ -1,7 +1,7 @@
 /** @file environment.h An environment: volumes that partition a bounded part of space. A volume
  * that is no tetrahedron is the star of its centre, the rounded mean of its vertices: tetrahedra
- * from the centre to the triangles of the boundary. So faces may be warped, and volumes need not be
- * convex. A face with more than three vertices has the same triangles for both volumes. */
+ * from there to the triangles of the boundary. So faces may be warped, and volumes need not be
+ * convex. Both volumes of a face have the same triangles. */
 #ifndef DARTSWEEP_ENVIRONMENT_H
 #define DARTSWEEP_ENVIRONMENT_H
 
@@ -103,19 +103,18 @@ typedef struct dsw_build_report {
   uint32_t offender_count; /**< Entries of offenders. */
   /** The first wrong cells, by index; for NON_FINITE points. */
   uint32_t offenders[8];
-  uint32_t reoriented_count;    /**< Cells that were mirrored, or of which faces were turned. */
+  uint32_t reoriented_count;    /**< Cells that were mirrored or got faces turned. */
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t unused_point_count;  /**< Points that no cell names. */
   uint32_t boundary_face_count; /**< Faces with one volume. */
-  /** Convex volumes with flat faces, which casts cross fastest. */
+  /** Convex volumes with flat faces, the fastest. */
   uint32_t convex_volume_count;
-  /** Faces of polyhedra that were turned against the others of their cell. @since 2.1 */
+  /** Faces of polyhedra that were turned. @since 2.1 */
   uint32_t reoriented_face_count;
   uint32_t merged_point_count; /**< Points that count as another one. @since 2.1 */
   uint32_t changed_count;      /**< Cells that DSW_ENVIRONMENT_CONFORM changed. @since 2.1 */
   uint32_t changed[8];         /**< The first of them, by index; then zeros. @since 2.1 */
-  /** Faces of the boundary that lie on, or overlap, faces of other cells
-   * (DSW_ENVIRONMENT_FIND_TOUCHING, dsw_environment_check). @since 2.1 */
+  /** Faces of the boundary that lie on, or overlap, faces of other cells. @since 2.1 */
   uint32_t touching_face_count;
   dsw_face_id touching_face; /**< The first of them, or null. @since 2.1 */
   dsw_face_id touched_face;  /**< A face that it lies on, or null. @since 2.1 */
@@ -207,16 +206,16 @@ DSW_API dsw_status dsw_environment_copy_vertices(const dsw_environment *environm
                                                  dsw_vertex_id *vertices, size_t capacity,
                                                  size_t *count);
 
-/** Gives the two volumes of a face.
- * @param near_side the volume in the id; may be null.
- * @param far_side null at the outer boundary; may be null. */
+/** Gives the two volumes of a face; each may be null.
+ * @param near_side that in the id.
+ * @param far_side null at the outer boundary. */
 DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *environment,
                                                     dsw_face_id face, dsw_volume_id *near_side,
                                                     dsw_volume_id *far_side);
 
-/** Gives what lies behind face `local` of a volume.
- * @param neighbour null at the outer boundary; may be null.
- * @param impassable 0 or 1: whether the face is; may be null. */
+/** Gives what lies behind face `local` of a volume; each may be null.
+ * @param neighbour null at the outer boundary.
+ * @param impassable 0 or 1: whether the face is. */
 DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environment,
                                                  dsw_volume_id volume, uint32_t local,
                                                  dsw_volume_id *neighbour, int *impassable);
@@ -227,8 +226,8 @@ DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environm
 DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment,
                                               dsw_volume_id volume, double *xyz);
 
-/** Finds faces by vertices in any order, such as boundary groups of a mesh file. Face i has the
- * vertices `indices`[offsets[i] .. offsets[i+1]-1].
+/** Finds faces by vertices in any order. Face i has the vertices `indices`[offsets[i] ..
+ * offsets[i+1]-1].
  * @param offsets count + 1 ascending values.
  * @param faces canonical, or null where there is none.
  * @param missing how many are null; may be null.
@@ -254,7 +253,7 @@ DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment
 DSW_API dsw_status dsw_environment_get_tag(const dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t *tag);
 
-/** Sets the host `tag` of a volume, also while scenes use it. Results do not depend on tags.
+/** Sets the host `tag` of a volume, also while scenes use it; no result depends on it.
  * @note The first tag takes 4 bytes a volume. */
 DSW_API dsw_status dsw_environment_set_tag(dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t tag);

@@ -35,8 +35,8 @@ typedef struct dsw_face_id {
 } dsw_face_id;
 
 /** An edge: edge number `local` of a volume, counted where it first occurs on the faces in their
- * order, each run round as seen from outside. The canonical id is that of the volume with the
- * lowest index. */
+ * order, each run round as seen from outside. The canonical id is of the volume with the lowest
+ * index. */
 typedef struct dsw_edge_id {
   uint32_t volume;
   uint32_t generation;

@@ -44,7 +44,7 @@ typedef enum dsw_response {
 /** Flags of a move. */
 enum {
   /** Slides stay before the last six walls that the vertex has touched in this move, and end in a
-   * corner. Without the flag a slide knows the last two walls. There are up to 8 slides. */
+   * corner; without the flag, the last two. There are up to 8 slides. */
   DSW_MOVE_KEEP_WALLS = 0x1
 };
 
@@ -59,8 +59,7 @@ typedef struct dsw_move_options {
   /** Work limit: volumes that one sweep may visit, then the vertex stops, free; 0: none. */
   uint32_t max_volumes;
   /** Further passes over vertices that have stopped, 0 to 64. A vertex gets another turn if it
-   * moved in its last one, or if since then a neighbour moved; for bodies that meet bodies, any
-   * vertex. */
+   * moved in its last one, or a neighbour since; for bodies that meet bodies, any vertex. */
   uint32_t passes;
   double min_part;   /**< Least share of an edge in a part; up to 0.5, 0 means 0.25. */
   double min_length; /**< Least length of a part; 0: none. */
@@ -82,8 +81,8 @@ typedef struct dsw_move_report {
   double fraction;
   uint32_t vertices_moved;   /**< Vertices that had to move. */
   uint32_t vertices_stopped; /**< Vertices not at their targets, also by a slide. */
-  uint32_t contact_count;    /**< See dsw_body_get_contacts. */
-  uint32_t edit_count;       /**< See dsw_body_get_edits. */
+  uint32_t contact_count;    /**< Contacts. */
+  uint32_t edit_count;       /**< Edits. */
   uint32_t edges_swept;      /**< Sweeps of edges, from both ends; depends on earlier moves. */
   uint32_t edges_skipped;    /**< Sweeps saved by flags. */
   uint32_t vertices_limited; /**< Stopped by the work limit. */
@@ -94,8 +93,7 @@ typedef struct dsw_move_report {
 DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
 /** Moves the vertices of a body to their targets, one after the other.
- * @param targets `target_count` points, one for each vertex slot; only those of moving vertices are
- * read.
+ * @param targets `target_count` points, one for each vertex slot; only moving ones are read.
  * @return DSW_STATUS_DUPLICATE_ID: in `order`.
  * @note Cost: O(volumes met + bodies near the way). In each pass a vertex searches at most 73
  * times: once, and for each slide and new vertex. Source: [JCD10] 4. */

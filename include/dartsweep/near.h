@@ -62,8 +62,8 @@ typedef struct dsw_near_row {
 /** Writes the defaults. @since 2.1 */
 DSW_API void dsw_near_options_init(dsw_near_options *options, size_t size);
 
-/** Finds the near rows of a body, and keeps them until the next call for it. At a limit a distance
- * counts up to 2^-40 of the largest coordinate of its points.
+/** Finds the near rows of a body, and keeps them until the next call. At a limit a distance counts
+ * up to 2^-40 of the largest coordinate of its points.
  * @param row_count may be null.
  * @return DSW_STATUS_OUT_OF_MEMORY: there are no rows then; other failures keep the old ones.
  * @note Cost: O(volumes within the limit); obstacles near an edge are remembered until it leaves
@@ -72,28 +72,26 @@ DSW_API dsw_status dsw_body_find_near_rows(dsw_scene *scene, dsw_body_id body,
                                            const dsw_near_options *options, size_t *row_count);
 
 /** Gives the rows of the last dsw_body_find_near_rows.
- * @param rows valid until the next call that writes this body. @since 2.1 */
+ * @param rows valid until the next call that writes the body. @since 2.1 */
 DSW_API dsw_status dsw_body_get_near_rows(const dsw_scene *scene, dsw_body_id body,
                                           const dsw_near_row **rows, size_t *count);
 
 /** Gives where the rows of the Jacobian begin: the derivatives of the gaps by the coordinates of
- * the body's vertices. Row i has the entries offsets[i] .. offsets[i+1]-1. Vertices of the obstacle
- * have entries if it is of the same body.
+ * the body's vertices. Row i has the entries offsets[i] .. offsets[i+1]-1. Vertices of an obstacle
+ * of the same body have entries, too.
  * @param offsets valid as the rows.
  * @param count rows + 1; 0 without DSW_NEAR_JACOBIAN. @since 2.1 */
 DSW_API dsw_status dsw_body_get_near_offsets(const dsw_scene *scene, dsw_body_id body,
                                              const uint32_t **offsets, size_t *count);
 
 /** Gives the columns of the Jacobian's entries: dimension * vertex + axis, ascending in each row.
- * @param columns valid as the rows.
- * @param count entries. @since 2.1 */
+ * @param columns, count as many as entries; valid as the rows. @since 2.1 */
 DSW_API dsw_status dsw_body_get_near_columns(const dsw_scene *scene, dsw_body_id body,
                                              const uint32_t **columns, size_t *count);
 
 /** Gives the values of the Jacobian's entries: weight times normal, negative for the obstacle's
  * vertices.
- * @param values valid as the rows.
- * @param count entries. @since 2.1 */
+ * @param values, count as for the columns. @since 2.1 */
 DSW_API dsw_status dsw_body_get_near_values(const dsw_scene *scene, dsw_body_id body,
                                             const double **values, size_t *count);
 

@@ -29,9 +29,9 @@ typedef enum dsw_pair_kind {
 typedef struct dsw_pair_touch {
   /** The largest double not later than the first touch; 0 without one. */
   double time;
-  uint32_t touches; /**< 1 if the pair touches in [0,1], else 0. */
-  /** With DSW_PAIRS_RANK: how many pairs of the batch touch earlier, exactly; equal for equal
-   * times. Without a touch: how many pairs touch. Else 0. */
+  uint32_t touches; /**< 1: the pair touches in [0,1]. */
+  /** With DSW_PAIRS_RANK: how many pairs of the batch touch earlier, exactly; without a touch, how
+   * many touch. */
   uint32_t rank;
 } dsw_pair_touch;
 

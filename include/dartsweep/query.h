@@ -44,9 +44,8 @@ DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
 /** Finds the volume that contains a point.
  * @param volume null if outside.
  * @param location may be null.
- * @note Cost: O(volumes from hint to point). Without a way from the hint: O(log n) expected with
- * the search structure (DSW_ENVIRONMENT_LOCATE_TREE), O(n) before it is built and once after a
- * deformation. */
+ * @note Cost: O(volumes from hint to point); without such a way O(log n) expected with the search
+ * structure (DSW_ENVIRONMENT_LOCATE_TREE), O(n) before it is built and once after a deformation. */
 DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, const double *point,
                                           dsw_volume_id hint, dsw_volume_id *volume,
                                           dsw_location *location);
@@ -113,9 +112,9 @@ DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environme
 
 /** Finds what is nearest to each of many points, as dsw_environment_find_nearest does.
  * @param radius at least 0; may be infinite.
- * @param nearest infinite distance and no cell where find_nearest fails. `volumes_visited` also
- * depends on threads.
- * @param volumes those of the points, or null ids; may be null or `hints`.
+ * @param nearest infinite distance and no cell where that fails. `volumes_visited` also depends on
+ * threads.
+ * @param volumes of the points, or null ids; may be null or `hints`.
  * @return DSW_STATUS_OUT_OF_MEMORY: some answers may be written.
  * @note Cost, rounding: as dsw_environment_find_nearest. Batch. @since 2.1 */
 DSW_API dsw_status dsw_environment_find_nearest_to_points(
@@ -133,10 +132,10 @@ typedef struct dsw_segment_nearest {
 
 /** Finds for each of many segments the nearest impassable face, marked edge or vertex that can be
  * reached from it through passable volumes that are no farther away; of equals, the lowest
- * dimension, then the lowest canonical one. An impassable face that the segment passes is the
- * answer exactly: distance and normal are 0, and segment_parameter is the time of the contact.
- * More: bindings/docs/exactness.md.
- * @param hints for `from`. A segment that begins where the one before ends needs none.
+ * dimension, then the lowest canonical one. An impassable face that it passes is the answer
+ * exactly, with distance and normal 0, and segment_parameter is the time of the contact. More:
+ * bindings/docs/exactness.md.
+ * @param hints for `from`; not needed for a segment that begins where the last ends.
  * @param radius, nearest, volumes as in dsw_environment_find_nearest_to_points, for `from`.
  * @return DSW_STATUS_OUT_OF_MEMORY: some answers may be written.
  * @note Cost: O(volumes that the segment enters or that are within the distance). Batch. @since

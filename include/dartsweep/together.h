@@ -37,9 +37,9 @@ typedef struct dsw_together_options {
   dsw_together_stop stop; /**< Default ALL. */
   uint32_t max_rounds;    /**< Rounds of FEATURE, up to 65536; 0 means 64. */
   /** Work limit for exact integers: thousands of products of 64-bit words, for each vertex slot of
-   * what moves together (with ALL all bodies, else an island); 0 means 8192, about 0.02 s. Only
-   * coordinates of very different magnitude need as many. At the limit these bodies stay, free, and
-   * `vertices_limited` counts their vertices that have other targets. */
+   * what moves together; 0 means 8192, about 0.02 s. Only coordinates of very different magnitude
+   * need as many. At the limit these bodies stay, free; `vertices_limited` counts their vertices
+   * that have other targets. */
   uint32_t max_work;
 } dsw_together_options;
 
@@ -54,12 +54,12 @@ DSW_API void dsw_together_options_init(dsw_together_options *options, size_t siz
  * slots are not read.
  * @param reports `fraction`: part of the motion up to the first contact that stopped a vertex of
  * the island, rounded; `vertices_moved`: living vertices; `edges_swept`, `edges_skipped`: those of
- * the island, for its first body; edits 0.
+ * the island, for its first body.
  * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has.
  * @note dsw_body_get_contacts lists all that touch at the same exact time; of an edge or face and
  * its corner that touch walls, the corner. `fixed` has the other ends at that time.
- * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact
- * anew; see `max_work`. Thread: one. @since 2.1 */
+ * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact;
+ * see `max_work`. Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *bodies,
                                            size_t count, const double *targets, size_t target_count,
                                            size_t stride_bytes, const dsw_together_options *options,

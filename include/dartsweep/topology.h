@@ -1,21 +1,19 @@
 /** @file topology.h
  * The basic changes of the topology [JCD10] 5.2: volumes are added and removed, faces sewn and
- * unsewn, volumes, faces and edges split and merged, edges collapsed. bindings/docs/topology.md
- * tells when each is refused. Particles and bodies follow. Pointers for new ids may be null, and so
- * may `change`, except in dsw_environment_get_change.
+ * unsewn, volumes, faces and edges split and merged, edges collapsed. Particles and bodies follow.
+ * When each is refused: bindings/docs/topology.md. Pointers for new ids may be null, and so may
+ * `change`, except in dsw_environment_get_change.
  *
  * Each new volume is exactly valid, and new volumes fill the space of the old ones, unless a comment
  * says that the outer boundary moves: dsw_environment_check tells whether it then crosses itself. A
- * volume that changes keeps index, region label, tag and mark, and gets a new generation: its id,
- * and those of its faces and edges, become stale. dsw_environment_get_change gives the new ids.
+ * volume that changes keeps index, region label, tag and mark; its id, and those of its faces and
+ * edges, become stale. dsw_environment_get_change gives the new ids.
  *
- * Any change can answer DSW_STATUS_SHARED (several scenes), OCCUPIED (a particle or vertex of a body
- * would be in no passable volume, or a body not free; see marking.h), BAD_TOPOLOGY, BAD_CELL,
- * INVALID_CELL, TOO_LARGE.
- *
- * Cost, unless a comment says more: O(faces of the volumes that change), and a pass over particles
- * and bodies (with DSW_FEATURE_LIVE_CHANGES only those near). The first change makes tables: 24
- * bytes a volume, 12 a vertex.
+ * Any change can answer DSW_STATUS_SHARED, OCCUPIED (a particle or vertex of a body would be in no
+ * passable volume, or a body not free), BAD_TOPOLOGY, BAD_CELL, INVALID_CELL, TOO_LARGE. Cost,
+ * unless a comment says more: O(faces of the volumes that change), and a pass over particles and
+ * bodies (with DSW_FEATURE_LIVE_CHANGES only those near). The first change makes tables: 24 bytes a
+ * volume, 12 a vertex.
  */
 #ifndef DARTSWEEP_TOPOLOGY_H
 #define DARTSWEEP_TOPOLOGY_H
