@@ -22,7 +22,8 @@
  * Arguments:
  *  - A pointer is used during the call only, unless a comment says "retained". It must not be null,
  *    unless a comment says "may be null". These may be: `context` and `options` (null: the
- *    defaults), `hints`, `starts`, `locations`, and outside of record.h `report` and `reports`.
+ *    defaults), `hints`, `starts`, `location`, `locations`, `missing`, `offender`, `row_count`, and
+ *    outside of record.h `report` and `reports`.
  *  - A created object belongs to the caller until its `_destroy` function, which accepts null.
  *  - `point`, `points`, `position`, `positions`, `from`, `to`, `target`, `targets`, `xyz`: a point
  *    is `dimension` finite doubles. `stride_bytes` (`point_stride_bytes`) from one to the next is a
@@ -33,18 +34,17 @@
  *    length has `capacity` entries, or `capacity_bytes` bytes; *count, or *size_bytes, is set to
  *    what is needed, also on BUFFER_TOO_SMALL. Capacity 0 only asks, and the array may be null.
  *  - A `hint` or `start`, also in an array, is a volume near the point, or the null id. `flags` are
- *    bits of the header's enum.
+ *    bits of the header's enum, or 0.
  *  - `struct_size`, set by the caller or an `_init` function, is the struct's sizeof, in an older or
  *    a newer version than the library's. Members that the caller's struct lacks count as 0; members
  *    that the library does not know must be 0 in a description, and are set to 0 in a report.
  *  - An `_init` function writes the defaults into at most `size` bytes, the struct's sizeof.
  *
- * Threads: the signature tells what a call writes: through a `dsw_environment *` that is not const
- * the environment and its scene, through a `dsw_scene *` the scene, through another handle that is
- * not const that object. It reads the rest. Calls that only read an object may run side by side; a
- * call that writes it runs alone. "Thread: any": the call may run beside all others. A "batch" uses
- * the parallel-for of the context: results do not depend on threads, and the error message names
- * the first wrong entry.
+ * Threads: a call writes what its signature has without const: an environment with its scene, a
+ * scene, or another object. It reads the rest. Calls that only read an object may run side by side;
+ * a call that writes it runs alone. "Thread: any": the call may run beside all others. A "batch"
+ * uses the parallel-for of the context: results do not depend on threads, and the error message
+ * names the first wrong entry.
  */
 #ifndef DARTSWEEP_BASE_H
 #define DARTSWEEP_BASE_H
@@ -82,13 +82,13 @@ typedef enum dsw_status {
   /** struct_size is too small. */
   DSW_STATUS_BAD_STRUCT_SIZE = 2,
   DSW_STATUS_UNSUPPORTED = 3, /**< Not supported. */
-  /** Out of range. */
+  /** A number is out of range. */
   DSW_STATUS_OUT_OF_RANGE = 4,
-  DSW_STATUS_NON_FINITE = 5,          /**< NaN or infinite. */
-  DSW_STATUS_WRONG_SIZE = 6,          /**< A size, stride or offset. */
+  DSW_STATUS_NON_FINITE = 5,          /**< A number is NaN or infinite. */
+  DSW_STATUS_WRONG_SIZE = 6,          /**< A size, stride or offset is wrong. */
   DSW_STATUS_STALE_ID = 7,            /**< The id's object is gone. */
   DSW_STATUS_BUFFER_TOO_SMALL = 8,    /**< `count` is what is needed. */
-  DSW_STATUS_OUT_OF_MEMORY = 9,       /**< No memory. */
+  DSW_STATUS_OUT_OF_MEMORY = 9,       /**< The allocator returned null. */
   DSW_STATUS_TOO_LARGE = 10,          /**< More cells or points than 2^28. */
   DSW_STATUS_INDEX_OUT_OF_RANGE = 11, /**< A cell names no point. */
   DSW_STATUS_BAD_CELL_TYPE = 12,      /**< An unknown cell type. */
@@ -106,13 +106,13 @@ typedef enum dsw_status {
   DSW_STATUS_IN_USE = 22,           /**< Another object uses it. */
   DSW_STATUS_SHARED = 23,           /**< Several scenes share it. */
   DSW_STATUS_DUPLICATE_ID = 24,     /**< An id occurs twice. */
-  DSW_STATUS_NOT_FOUND = 25,        /**< There is none. */
-  DSW_STATUS_TRUNCATED = 26,        /**< Bytes end early. */
-  DSW_STATUS_CORRUPT = 27,          /**< Bytes are damaged. */
+  DSW_STATUS_NOT_FOUND = 25,        /**< What is asked for does not exist. */
+  DSW_STATUS_TRUNCATED = 26,        /**< The bytes end early. */
+  DSW_STATUS_CORRUPT = 27,          /**< The bytes are damaged. */
   DSW_STATUS_BAD_VERSION = 28,      /**< An unknown format version. */
   /** The scene lacks the feature. */
   DSW_STATUS_NOT_ENABLED = 29,
-  DSW_STATUS_NOT_BUILT = 30, /**< Built without it. */
+  DSW_STATUS_NOT_BUILT = 30, /**< The library was built without it. */
   DSW_STATUS_INTERNAL = 31,  /**< A bug; please report the message. */
   /** These cells do not allow the change. */
   DSW_STATUS_BAD_TOPOLOGY = 32,

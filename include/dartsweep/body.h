@@ -48,7 +48,7 @@ enum {
 /** Describes a body. */
 typedef struct dsw_body_desc {
   uint32_t struct_size;
-  uint32_t flags;  /**< DSW_BODY_... */
+  uint32_t flags;
   dsw_level level; /**< DSW_LEVEL_EDGES_SWEPT by default. */
   uint32_t reserved;
   const double *positions;    /**< Points, one for each vertex. */
@@ -71,19 +71,19 @@ typedef struct dsw_body_desc {
   double radius; /**< Finite, at least 0 (default): how thick it is. @since 2.1 */
 } dsw_body_desc;
 
-/** Numbers of parts. All indices are below the number of slots. */
+/** Numbers of living parts, and of slots (`vertex_slots`, `edge_slots`, `face_slots`). Indices are
+ * below these. */
 typedef struct dsw_body_counts {
   uint32_t struct_size;
-  uint32_t vertex_count; /**< Living vertices. */
-  uint32_t edge_count;   /**< Living edges. */
-  uint32_t face_count;   /**< Living triangles. */
-  uint32_t vertex_slots; /**< Slots of vertices. */
-  uint32_t edge_slots;   /**< Slots of edges. */
-  uint32_t face_slots;   /**< Slots of triangles. */
+  uint32_t vertex_count;
+  uint32_t edge_count;
+  uint32_t face_count;
+  uint32_t vertex_slots;
+  uint32_t edge_slots;
+  uint32_t face_slots;
   uint32_t reserved;
 } dsw_body_counts;
 
-/** Writes the defaults. */
 DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
 
 /** Creates a body. Vertices and edges keep their indices; other edges of faces follow; triangles

@@ -22,24 +22,23 @@ typedef struct dsw_coarsen_options {
 /** What coarsening did; pairs are before and after. */
 typedef struct dsw_coarsen_report {
   uint32_t struct_size;
-  uint32_t complete;        /**< 0: the work limit ended the merging. */
+  uint32_t complete;        /**< 0: the work limit ended it. */
   uint32_t volume_count[2]; /**< Volumes. */
-  uint32_t face_count[2];   /**< Faces; those between two volumes count once. */
+  uint32_t face_count[2];   /**< Faces, each once. */
   uint64_t memory_bytes[2]; /**< See dsw_environment_info. */
   /** Area of passable faces, rounded; infinity above DBL_MAX. */
   double passable_area[2];
   uint64_t trials; /**< Unions looked at. */
 } dsw_coarsen_report;
 
-/** Writes the defaults. */
 DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size);
 
 /** Creates a coarser copy of an environment, with merged volumes that are valid polyhedra. Casts
  * and sweeps meet the same faces, by their vertices, at the same times. Regions, tags, marks and
  * vertex indices stay.
  * @param source must never have been deformed.
- * @param environment has the source's context.
- * @param volume_map may be null; the new index of each volume index, or UINT32_MAX.
+ * @param environment has its context.
+ * @param volume_map may be null; new indices by old ones, or UINT32_MAX.
  * @param capacity volume_index_count of the source.
  * @return DSW_STATUS_TOO_LARGE.
  * @note Cost: O(n log n). Source: [JCD10] 3.2. */

@@ -54,11 +54,11 @@ typedef struct dsw_flight {
   uint32_t volumes_visited; /**< Volumes entered. */
 } dsw_flight;
 
-/** One volume of a flight. */
+/** One `volume` of a flight. */
 typedef struct dsw_crossing {
-  dsw_volume_id volume; /**< The volume. */
-  dsw_face_id face;     /**< Its face of entry, canonical; at first null. */
-  double time;          /**< Time of entry, rounded down. */
+  dsw_volume_id volume;
+  dsw_face_id face; /**< Its face of entry, canonical; at first null. */
+  double time;      /**< Time of entry, rounded down. */
 } dsw_crossing;
 
 /** Report of one swept edge. */
@@ -83,15 +83,15 @@ typedef enum dsw_contact_history {
   DSW_HISTORY_FORCE_INT32 = 0x7fffffff
 } dsw_contact_history;
 
-/** A contact of a body: a moving vertex, or an edge or face at it, touched something. */
+/** A contact of a body: a moving vertex, or an edge or face at it, touched. */
 typedef struct dsw_body_contact {
-  double from[3];              /**< Start of the moving vertex, or of its slide. */
+  double from[3];              /**< Start of the vertex, or of its slide. */
   double to[3];                /**< End of that way, unstopped. */
   double fixed[2][3];          /**< Other ends of the touching edge or face, or 0. */
   double position[3];          /**< Moving vertex at `time`, rounded. */
   double time;                 /**< Fraction of that way; by bisection, when the body is free. */
   double point[3];             /**< Where the body touches, rounded. */
-  double edge_parameter;       /**< Place of `point`: 0 moving vertex, 1 other end. */
+  double edge_parameter;       /**< Place of `point`: 0 `vertex`, 1 other end. */
   double distance_left;        /**< From where it stopped to the target of the call. */
   dsw_contact contact;         /**< What the body touched. */
   dsw_body_vertex_id vertex;   /**< The moving vertex. */
@@ -103,7 +103,7 @@ typedef struct dsw_body_contact {
 
 /** The previous contact of a vertex. It rests or slides if `since` is 1, and bounces above 1. */
 typedef struct dsw_previous_contact {
-  /** Where this obstacle, or else anything, stopped the vertex before. */
+  /** Where this obstacle, or else anything, stopped it before. */
   double point[3];
   double normal[3];  /**< Normal there. */
   dsw_cell obstacle; /**< Touched cell; null for a body. */
@@ -114,12 +114,13 @@ typedef struct dsw_previous_contact {
   uint32_t reserved;
 } dsw_previous_contact;
 
-/** The body that a contact touched, and the part; null where there is none. */
+/** The `body` that a contact touched, and its `vertex`, `edge` or `face`; null where there is
+ * none. */
 typedef struct dsw_contact_partner {
-  dsw_body_id body;          /**< Maybe the moving one. */
-  dsw_body_vertex_id vertex; /**< The vertex. */
-  dsw_body_edge_id edge;     /**< The edge. */
-  dsw_body_face_id face;     /**< The face. */
+  dsw_body_id body;
+  dsw_body_vertex_id vertex;
+  dsw_body_edge_id edge;
+  dsw_body_face_id face;
 } dsw_contact_partner;
 
 #endif

@@ -26,7 +26,7 @@ typedef void (*dsw_release_fn)(void *user, void *memory, size_t size_bytes, size
 typedef enum dsw_log_level {
   DSW_LOG_NONE = 0,    /**< No line. */
   DSW_LOG_ERROR = 1,   /**< Something went wrong. */
-  DSW_LOG_WARNING = 2, /**< Worth a change. */
+  DSW_LOG_WARNING = 2, /**< A host may want to change something. */
   DSW_LOG_INFO = 3,    /**< Progress. */
   DSW_LOG_FORCE_INT32 = 0x7fffffff
 } dsw_log_level;
@@ -69,7 +69,6 @@ typedef struct dsw_context_desc {
   uint32_t reserved;
 } dsw_context_desc;
 
-/** Writes the defaults. */
 DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 
 /** Creates a context.

@@ -24,10 +24,10 @@ typedef enum dsw_cross_check_kind {
 /** Why there is no cross-check. */
 typedef enum dsw_no_cross_check {
   DSW_NO_CROSS_CHECK_NONE = 0,          /**< There is one. */
-  DSW_NO_CROSS_CHECK_MARKED = 1,        /**< A marked edge or vertex has no volume. */
+  DSW_NO_CROSS_CHECK_MARKED = 1,        /**< A marked cell has no volume. */
   DSW_NO_CROSS_CHECK_PARALLEL = 2,      /**< The edges are almost parallel. */
-  DSW_NO_CROSS_CHECK_OUTSIDE_CONE = 3,  /**< The wall rises above the plane across the normal. */
-  DSW_NO_CROSS_CHECK_NOT_CONVERGED = 4, /**< libccd found no way out of this contact. */
+  DSW_NO_CROSS_CHECK_OUTSIDE_CONE = 3,  /**< The wall rises above the normal's plane. */
+  DSW_NO_CROSS_CHECK_NOT_CONVERGED = 4, /**< libccd found no way out. */
   DSW_NO_CROSS_CHECK_NOT_UNIQUE = 5,    /**< Both normals are right, at a border. */
   DSW_NO_CROSS_CHECK_FORCE_INT32 = 0x7fffffff
 } dsw_no_cross_check;

@@ -63,7 +63,7 @@ typedef enum dsw_deform_outcome {
 /** Options of a deformation. */
 typedef struct dsw_deform_options {
   uint32_t struct_size;
-  uint32_t flags;               /**< 0. */
+  uint32_t flags;
   dsw_deform_method method;     /**< Default SWEPT. */
   dsw_wall_response response;   /**< Default PUSH. */
   dsw_invalid_response invalid; /**< Default HOLD. */
@@ -87,14 +87,15 @@ typedef struct dsw_deform_report {
   dsw_deform_outcome outcome; /**< The outcome. */
   uint32_t steps;             /**< SWEPT: 2^k. END_STATE: 0. */
   uint32_t near_count;        /**< SWEPT: vertices moved one at a time. */
-  uint32_t held_count;        /**< Held vertices. */
-  uint32_t contact_count;     /**< Contacts of walls. */
-  uint32_t invalid_count;     /**< Volumes kept valid. */
+  uint32_t held_count;        /**< See dsw_environment_get_held_vertices. */
+  uint32_t contact_count;     /**< See dsw_environment_get_wall_contacts. */
+  uint32_t invalid_count;     /**< See dsw_environment_get_invalid_volumes. */
   uint32_t pushed_count;      /**< Moves made by walls. */
   uint32_t remeshed_count;    /**< REMESH: volumes replaced. */
 } dsw_deform_report;
 
-/** A wall at a moving vertex of the environment touched something. */
+/** A wall at a moving vertex of the environment touched something: a `particle`, or a `body` and
+ * its `vertex`, `edge` or `face`; the others are null. */
 typedef struct dsw_wall_contact {
   double from[3];        /**< Start of the vertex. */
   double to[3];          /**< Its target. */
@@ -105,16 +106,15 @@ typedef struct dsw_wall_contact {
   dsw_vertex_id moving;  /**< The vertex that moved. */
   /** Other corners of the touching triangle or edge, or null. */
   dsw_vertex_id others[2];
-  dsw_particle_id particle;   /**< Touched, or null. */
-  dsw_body_id body;           /**< Touched, or null. */
-  dsw_body_vertex_id vertex;  /**< Its vertex, or null. */
-  dsw_body_edge_id edge;      /**< Its edge, or null. */
-  dsw_body_face_id face;      /**< Its face, or null. */
+  dsw_particle_id particle;
+  dsw_body_id body;
+  dsw_body_vertex_id vertex;
+  dsw_body_edge_id edge;
+  dsw_body_face_id face;
   dsw_wall_response response; /**< What was done. */
   uint32_t reserved;
 } dsw_wall_contact;
 
-/** Writes the defaults. */
 DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
 
 /** Takes the environment of a scene with DSW_FEATURE_DEFORMING to new positions. Bodies and

@@ -66,7 +66,7 @@ enum {
 typedef struct dsw_environment_desc {
   uint32_t struct_size;
   uint32_t dimension; /**< 3, also given as 0; 2 in the plane. */
-  uint32_t flags;     /**< DSW_ENVIRONMENT_... */
+  uint32_t flags;
   /** Size of the integers in arrays of void, signed: 4 or 8; 0 means 8. */
   uint32_t index_bytes;
   const double *points; /**< The points. */
@@ -101,7 +101,7 @@ typedef struct dsw_build_report {
   uint32_t struct_size;
   dsw_status status;       /**< What the call returned. */
   uint32_t offender_count; /**< Entries of offenders. */
-  /** The first wrong cells, by index; for NON_FINITE points. */
+  /** The first wrong cells (NON_FINITE: points), by index. */
   uint32_t offenders[8];
   uint32_t reoriented_count;    /**< Cells that were mirrored or got faces turned. */
   uint32_t part_count;          /**< Parts connected through faces. */
@@ -120,23 +120,22 @@ typedef struct dsw_build_report {
   dsw_face_id touched_face;  /**< A face that it lies on, or null. @since 2.1 */
 } dsw_build_report;
 
-/** Numbers about an environment. */
+/** Numbers about an environment. `lower` and `upper` bound all points of volumes, before
+ * deformations; all indices are below `volume_index_count` and `vertex_index_count`. */
 typedef struct dsw_environment_info {
   uint32_t struct_size;
   uint32_t dimension;    /**< 3, or 2 in the plane. */
   uint32_t vertex_count; /**< Vertices, also unused points. */
   uint32_t volume_count;
-  uint32_t face_count;          /**< Faces; those between two volumes count once. */
+  uint32_t face_count;          /**< Faces, each once. */
   uint32_t boundary_face_count; /**< Faces with one volume. */
   uint32_t part_count;          /**< Parts connected through faces. */
-  uint32_t scene_count;         /**< Scenes that use the environment. */
-  uint64_t memory_bytes;        /**< Its memory, with borrowed points. */
-  /** Lowest corner of the box of all points of volumes, before deformations. */
+  uint32_t scene_count;         /**< Scenes that use it. */
+  uint64_t memory_bytes;        /**< With borrowed points. */
   double lower[3];
-  double upper[3]; /**< Highest corner. */
-  /** All volume indices are below it. */
+  double upper[3];
   uint32_t volume_index_count;
-  uint32_t vertex_index_count; /**< All vertex indices are below it. */
+  uint32_t vertex_index_count;
 } dsw_environment_info;
 
 /** Writes the defaults: 3 dimensions, hexahedra, 8-byte indices. */
@@ -161,7 +160,7 @@ DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment,
                                             dsw_environment_info *info);
 
 /** Proves that the cells are a partition: linked and valid, with an outer boundary that does not
- * pass through itself. The report counts faces that touch each other.
+ * pass through itself. The report counts its faces that touch.
  * @return DSW_STATUS_INVALID_CELL, BOUNDARY_CROSSES; INTERNAL: wrong links.
  * @note Cost: O(n log n) expected. */
 DSW_API dsw_status dsw_environment_check(const dsw_environment *environment,
@@ -182,7 +181,7 @@ DSW_API dsw_status dsw_environment_get_vertex_position(const dsw_environment *en
                                                        dsw_vertex_id vertex, double *xyz);
 
 /** Gives type, `vertices`, `edges` and `faces` of a volume; each may be null.
- * @note Cost: O(vertices of the volume). */
+ * @note Cost: O(vertices). */
 DSW_API dsw_status dsw_environment_get_volume_counts(const dsw_environment *environment,
                                                      dsw_volume_id volume, dsw_cell_type *type,
                                                      uint32_t *vertices, uint32_t *edges,
@@ -220,17 +219,15 @@ DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environm
                                                  dsw_volume_id volume, uint32_t local,
                                                  dsw_volume_id *neighbour, int *impassable);
 
-/** Gives the centre of a volume, the rounded mean of its vertices: strictly inside, unless a
- * tetrahedron is thinner than rounding.
- * @note Cost: O(vertices of the volume). */
+/** Gives the centre of a volume: strictly inside, unless a tetrahedron is thinner than rounding.
+ * @note Cost: O(vertices). */
 DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment,
                                               dsw_volume_id volume, double *xyz);
 
-/** Finds faces by vertices in any order. Face i has the vertices `indices`[offsets[i] ..
- * offsets[i+1]-1].
+/** Finds faces by vertices in any order. Face i has `indices`[offsets[i] .. offsets[i+1]-1].
  * @param offsets count + 1 ascending values.
- * @param faces canonical, or null where there is none.
- * @param missing how many are null; may be null.
+ * @param faces canonical, or null.
+ * @param missing how many are null.
  * @return DSW_STATUS_WRONG_SIZE: offsets descend.
  * @note Cost: O(n + indices) expected. */
 DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment, size_t count,
@@ -238,8 +235,8 @@ DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment
                                               dsw_face_id *faces, size_t *missing);
 
 /** Finds edges by their vertices `indices`[2 i] and [2 i + 1].
- * @param edges canonical, or null where there is none.
- * @param missing how many are null; may be null.
+ * @param edges canonical, or null.
+ * @param missing how many are null.
  * @note Cost: O(n + count) expected. */
 DSW_API dsw_status dsw_environment_find_edges(const dsw_environment *environment, size_t count,
                                               const uint32_t *indices, dsw_edge_id *edges,

@@ -1,7 +1,8 @@
 /** @file move.h
  * Moves of bodies, one vertex at a time. Contacts are exact for that order. After each call the
  * parts that the level covers are free, and without lossy flags they have passed nothing that the
- * level sees. More: bindings/docs/moving_bodies.md. Source: [JCD10] 4.1, 4.2.
+ * level sees. `targets`: `target_count` points, body after body, one for each vertex slot; those of
+ * free slots are not read. More: bindings/docs/moving_bodies.md. Source: [JCD10] 4.1, 4.2.
  */
 #ifndef DARTSWEEP_MOVE_H
 #define DARTSWEEP_MOVE_H
@@ -51,7 +52,7 @@ enum {
 /** Options of a move. */
 typedef struct dsw_move_options {
   uint32_t struct_size;
-  uint32_t flags;               /**< DSW_MOVE_... */
+  uint32_t flags;
   dsw_response vertex_response; /**< For the moving vertex: STOP (default) or SLIDE. */
   dsw_response edge_response;   /**< For its edges and faces; default STOP. */
   dsw_search search;            /**< Default EXACT. */
@@ -81,19 +82,18 @@ typedef struct dsw_move_report {
   double fraction;
   uint32_t vertices_moved;   /**< Vertices that had to move. */
   uint32_t vertices_stopped; /**< Vertices not at their targets, also by a slide. */
-  uint32_t contact_count;    /**< Contacts. */
-  uint32_t edit_count;       /**< Edits. */
+  uint32_t contact_count;    /**< See dsw_body_get_contacts. */
+  uint32_t edit_count;       /**< See dsw_body_get_edits. */
   uint32_t edges_swept;      /**< Sweeps of edges, from both ends; depends on earlier moves. */
   uint32_t edges_skipped;    /**< Sweeps saved by flags. */
   uint32_t vertices_limited; /**< Stopped by the work limit. */
   uint32_t reserved;
 } dsw_move_report;
 
-/** Writes the defaults. */
 DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
-/** Moves the vertices of a body to their targets, one after the other.
- * @param targets `target_count` points, one for each vertex slot; only moving ones are read.
+/** Moves the vertices of a body to their targets, one after the other. Only targets of moving
+ * vertices are read.
  * @return DSW_STATUS_DUPLICATE_ID: in `order`.
  * @note Cost: O(volumes met + bodies near the way). In each pass a vertex searches at most 73
  * times: once, and for each slide and new vertex. Source: [JCD10] 4. */
@@ -103,7 +103,6 @@ DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const doubl
 
 /** Moves many bodies, each as dsw_body_move. Bodies that can meet move in the order of `bodies`.
  * @param bodies distinct.
- * @param targets `target_count` points, body after body.
  * @param options `order` must be null.
  * @note Cost: as dsw_body_move. Batch. */
 DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
@@ -111,17 +110,18 @@ DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bo
                                          size_t stride_bytes, const dsw_move_options *options,
                                          dsw_move_report *reports);
 
-/** A rigid motion: x becomes rotation * (x - centre) + centre + translation. */
+/** A rigid motion: x becomes `rotation` * (x - `centre`) + `centre` + `translation`, the rotation a
+ * quaternion x, y, z, w that is not 0. */
 typedef struct dsw_rigid_motion {
-  double rotation[4];    /**< Quaternion x, y, z, w, not zero. */
-  double centre[3];      /**< Fixed point of the rotation. */
-  double translation[3]; /**< Added after the rotation. */
+  double rotation[4];
+  double centre[3];
+  double translation[3];
 } dsw_rigid_motion;
 
 /** Moves a body rigidly. The motion is halved, up to 52 times, until all vertices can make it, one
  * after the other.
  * @param options only `order`, of all vertices, counts.
- * @note Cost: as dsw_body_move, for each fraction tried. */
+ * @note Cost: as dsw_body_move, for each fraction. */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);

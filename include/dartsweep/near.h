@@ -26,22 +26,24 @@ enum {
 /** What counts as near. */
 typedef struct dsw_near_options {
   uint32_t struct_size;
-  uint32_t flags; /**< DSW_NEAR_... */
-  double margin;  /**< Largest gap of a row; finite, at least 0 (default). */
-  double radius;  /**< Added to the body's radius; finite, at least 0 (default). */
+  uint32_t flags;
+  double margin; /**< Largest gap of a row; finite, at least 0 (default). */
+  double radius; /**< Added to the body's radius; finite, at least 0 (default). */
 } dsw_near_options;
 
-/** A part of a body and what it is near to. */
+/** A part of a body with `vertices` (1 to 3, then UINT32_MAX), and an obstacle with
+ * `obstacle_vertices` (of the environment or the other body). Their `weights` and
+ * `obstacle_weights` sum to 1; unused ones are 0. They give the nearest points `point` and
+ * `obstacle_point`. */
 typedef struct dsw_near_row {
-  double point[3];            /**< Nearest point of the part. */
-  double obstacle_point[3];   /**< Nearest point of the obstacle. */
-  double normal[3];           /**< Unit, from the obstacle towards the part. */
-  double distance;            /**< Between both points. */
-  double gap;                 /**< Distance less the radius, and less that of the other body. */
-  double weights[3];          /**< Weights of `vertices`, or 0; they sum to 1 and give `point`. */
-  double obstacle_weights[3]; /**< Weights of `obstacle_vertices`, or 0; they sum to 1. */
-  uint32_t vertices[3];       /**< The part's 1 to 3 vertices, then UINT32_MAX. */
-  /** The obstacle's: indices in the environment or the other body. */
+  double point[3];
+  double obstacle_point[3];
+  double normal[3]; /**< Unit, from the obstacle towards the part. */
+  double distance;  /**< Between both points. */
+  double gap;       /**< Distance less the radius, and less that of the other body. */
+  double weights[3];
+  double obstacle_weights[3];
+  uint32_t vertices[3];
   uint32_t obstacle_vertices[3];
   /** The face (also for a diagonal), edge or vertex, canonical. At a body: none. */
   dsw_cell obstacle;
@@ -64,7 +66,6 @@ DSW_API void dsw_near_options_init(dsw_near_options *options, size_t size);
 
 /** Finds the near rows of a body, and keeps them until the next call. At a limit a distance counts
  * up to 2^-40 of the largest coordinate of its points.
- * @param row_count may be null.
  * @return DSW_STATUS_OUT_OF_MEMORY: there are no rows then; other failures keep the old ones.
  * @note Cost: O(volumes within the limit); obstacles near an edge are remembered until it leaves
  * their room, or the environment changes. Writes the scene. @since 2.1 */

@@ -21,7 +21,7 @@ DSW_API dsw_status dsw_particle_create(dsw_scene *scene, const double *position,
                                        dsw_particle_id *particle);
 
 /** Creates many particles, or none.
- * @param offender index of the first wrong position or hint; may be null.
+ * @param offender index of the first wrong position or hint.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE.
  * @note Cost: as dsw_environment_locate. Batch. */
 DSW_API dsw_status dsw_scene_create_particles(dsw_scene *scene, const double *positions,
@@ -69,8 +69,8 @@ DSW_API dsw_status dsw_scene_move_particles(dsw_scene *scene, const dsw_particle
                                             size_t stride_bytes, const dsw_cast_options *options,
                                             dsw_flight *flights);
 
-/** Casts segments from particles to points. No particle moves. An id may occur many times.
- * @note Cost: as dsw_environment_cast. Batch. Statistics change. */
+/** Casts segments from particles to points. An id may occur many times.
+ * @note Cost: as dsw_environment_cast. Batch. Changes statistics. */
 DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_particle_id *particles,
                                                  size_t count, const double *to,
                                                  size_t stride_bytes,

@@ -33,17 +33,15 @@ enum {
 /** Options of a cast. */
 typedef struct dsw_cast_options {
   uint32_t struct_size;
-  uint32_t flags;       /**< DSW_CAST_... */
+  uint32_t flags;
   uint32_t max_volumes; /**< Volumes entered before WORK_LIMIT; 0: no limit. */
   uint32_t reserved;
 } dsw_cast_options;
 
-/** Writes the defaults. */
 DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
 
 /** Finds the volume that contains a point.
  * @param volume null if outside.
- * @param location may be null.
  * @note Cost: O(volumes from hint to point); without such a way O(log n) expected with the search
  * structure (DSW_ENVIRONMENT_LOCATE_TREE), O(n) before it is built and once after a deformation. */
 DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, const double *point,
@@ -105,7 +103,7 @@ typedef struct dsw_nearest {
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE: nor is the point on the boundary.
  * @note Cost: O(volumes within the distance). Far calls build a search structure when they have
  * taken as long, unless DSW_ENVIRONMENT_NO_LOCATE_TREE forbids; then O(log n) expected, and the
- * volumes on the way. Rounding: a few units in the last place. */
+ * volumes on the way. */
 DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environment,
                                                 const double *point, dsw_volume_id volume,
                                                 double radius, dsw_nearest *nearest);

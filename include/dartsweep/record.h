@@ -29,17 +29,16 @@ enum {
 /** Describes a recording. */
 typedef struct dsw_recording_desc {
   uint32_t struct_size;
-  uint32_t flags; /**< DSW_RECORDING_... */
-  /** A file, replaced; written calls outlive the process. */
+  uint32_t flags;
+  /** A file, replaced; calls outlive the process. */
   const char *path;
   dsw_write_fn write; /**< Instead of `path`; retained until the recording ends. */
   void *user;         /**< Passed to `write`. */
 } dsw_recording_desc;
 
-/** Writes the defaults. */
 DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
 
-/** Begins to record a scene: snapshots of environment and scene, then calls and results.
+/** Begins to record a scene: snapshots, then calls and results.
  * @return DSW_STATUS_IN_USE: a recording is under way; UNSUPPORTED: two of `path`, `write`,
  * DSW_RECORDING_LATEST; WRITE_FAILED.
  * @note Cost: O(environment), then O(arguments) a call. Thread: writer of the environment. */
@@ -64,7 +63,7 @@ typedef enum dsw_replay_outcome {
 
 /** One step of a replay. */
 typedef struct dsw_replay_report {
-  uint64_t call;              /**< Number of the call, from 0. */
+  uint64_t call;              /**< Its number, from 0. */
   const char *function;       /**< Its name, or null at the end. */
   dsw_replay_outcome outcome; /**< What the step shows. */
   dsw_status status;          /**< Its status now. */
@@ -88,7 +87,7 @@ DSW_API dsw_status dsw_replay_create(dsw_context *context, const void *recording
                                      dsw_replay **replay);
 
 /** Destroys a replay with its scene and environment.
- * @return DSW_STATUS_IN_USE: other scenes use the environment.
+ * @return DSW_STATUS_IN_USE: other scenes use it.
  * @note Cost: O(its size). */
 DSW_API dsw_status dsw_replay_destroy(dsw_replay *replay);
 
@@ -108,21 +107,24 @@ DSW_API dsw_status dsw_replay_step(dsw_replay *replay, dsw_replay_report *report
 DSW_API dsw_status dsw_replay_describe_next(dsw_replay *replay, char *text, size_t capacity,
                                             size_t *size);
 
-/** A validation of a call's result, by exact integers and against every obstacle. */
+/** A validation of a call's result, by exact integers and against every obstacle: how many `places`
+ * (particles and vertices of bodies) are `lost` outside of their volumes; how many `edges` (from
+ * DSW_LEVEL_EDGES on) are `crossing`, `faces` (at DSW_LEVEL_FACES) are `pierced` and `ways`
+ * (reported free, from DSW_LEVEL_EDGES_SWEPT on with what edges swept) are `missed`, so not free;
+ * how many first `contacts` with the environment have a `wrong` time. */
 typedef struct dsw_validation {
   uint32_t struct_size;
   uint32_t is_right; /**< 1: nothing is wrong. */
-  uint64_t places;   /**< Particles and vertices of bodies. */
-  uint64_t lost;     /**< Places outside of their volumes. */
-  uint64_t edges;    /**< Edges from DSW_LEVEL_EDGES on. */
-  uint64_t crossing; /**< Of those before. */
-  uint64_t faces;    /**< Faces at DSW_LEVEL_FACES. */
-  uint64_t pierced;  /**< Of those before. */
-  /** Ways reported free; from DSW_LEVEL_EDGES_SWEPT on with what edges swept. */
+  uint64_t places;
+  uint64_t lost;
+  uint64_t edges;
+  uint64_t crossing;
+  uint64_t faces;
+  uint64_t pierced;
   uint64_t ways;
-  uint64_t missed;        /**< Of those before. */
-  uint64_t contacts;      /**< First contacts with the environment. */
-  uint64_t wrong;         /**< Contacts with a wrong time. */
+  uint64_t missed;
+  uint64_t contacts;
+  uint64_t wrong;
   uint64_t not_validated; /**< Contacts and ways left out. */
   char text[128];         /**< The first error, or empty. */
 } dsw_validation;
@@ -146,22 +148,21 @@ typedef struct dsw_replay_info {
 DSW_API dsw_status dsw_replay_get_info(const dsw_replay *replay, dsw_replay_info *info);
 
 /** Makes the next call and validates its results and the state.
- * @return as dsw_replay_step. After OUT_OF_MEMORY a call was made if `report->function` is set.
+ * @return as dsw_replay_step; after OUT_OF_MEMORY a call was made if `report->function` is set.
  * @note Cost: O(obstacles * parts validated). */
 DSW_API dsw_status dsw_replay_step_validated(dsw_replay *replay, dsw_replay_report *report,
                                              dsw_validation *validation);
 
-/** Describes a bug report. */
+/** Describes a bug report; `path`, `write` and `user` as in dsw_recording_desc. */
 typedef struct dsw_bug_report_desc {
   uint32_t struct_size;
-  uint32_t flags;     /**< 0. */
-  const char *path;   /**< A file, replaced. */
-  dsw_write_fn write; /**< Instead of `path`. */
-  void *user;         /**< Passed to `write`. */
-  const char *note;   /**< Words of the host; may be null. */
+  uint32_t flags;
+  const char *path;
+  dsw_write_fn write;
+  void *user;
+  const char *note; /**< Words of the host; may be null. */
 } dsw_bug_report_desc;
 
-/** Writes the defaults. */
 DSW_API void dsw_bug_report_desc_init(dsw_bug_report_desc *desc, size_t size);
 
 /** Writes a bug report: the scene before its last recorded call, the call, its results, the note,

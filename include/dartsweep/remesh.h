@@ -14,7 +14,7 @@ extern "C" {
 /** What is repaired. */
 typedef struct dsw_remesh_desc {
   uint32_t struct_size;
-  uint32_t flags; /**< 0. */
+  uint32_t flags;
   /** Volumes to repair if invalid now or at `next`; null: all. */
   const dsw_volume_id *volumes;
   size_t volume_count;
@@ -25,7 +25,6 @@ typedef struct dsw_remesh_desc {
   uint32_t max_faces; /**< Most faces of a patch, 4 to 128; 0 means 48. */
 } dsw_remesh_desc;
 
-/** Writes the defaults. */
 DSW_API void dsw_remesh_desc_init(dsw_remesh_desc *desc, size_t size);
 
 /** Repairs invalid volumes. Marks, regions and tags stay.

@@ -27,7 +27,7 @@ enum {
    * vertex, edge and face. */
   DSW_FEATURE_BODY_CONTACTS = 0x8,
   /** Marks and changes of the topology check only particles and bodies that are near: about 24
-   * bytes a particle, the 64 bytes of DSW_FEATURE_BODY_CONTACTS once for both, and up to 1 MB after
+   * bytes a particle, the 64 bytes of DSW_FEATURE_BODY_CONTACTS once for both, up to 1 MB after
    * many changes. */
   DSW_FEATURE_LIVE_CHANGES = 0x10
 };
@@ -56,7 +56,6 @@ typedef struct dsw_statistics {
   uint64_t occupants_tested;
 } dsw_statistics;
 
-/** Writes the defaults. */
 DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 
 /** Creates a scene.
@@ -67,8 +66,8 @@ DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc,
                                     dsw_scene **scene);
 
-/** Destroys a scene with all that it holds. Only dsw_scene_stop_recording tells whether a recording
- * is complete.
+/** Destroys a scene with all in it. Only dsw_scene_stop_recording tells whether a recording is
+ * complete.
  * @return DSW_STATUS_IN_USE: it belongs to a replay.
  * @note Thread: writer of the environment. */
 DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);

@@ -22,16 +22,15 @@ DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void
 DSW_API dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes,
                                         dsw_environment **environment);
 
-/** Saves a scene without its environment. Of earlier results it has only the contacts of each
- * body's last move.
+/** Saves a scene without its environment; of earlier results only the contacts of each body's last
+ * move.
  * @note Cost: O(contents of the scene). */
 DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t capacity_bytes,
                                   size_t *size_bytes);
 
-/** Loads a scene into its environment, unchanged since then, or into one loaded from a snapshot of
- * that.
+/** Loads a scene into its environment, unchanged since then, or loaded from a snapshot of that.
  * @param environment retained.
- * @return DSW_STATUS_TRUNCATED, BAD_VERSION; CORRUPT, also in another environment; IN_USE: as
+ * @return DSW_STATUS_TRUNCATED, BAD_VERSION; CORRUPT: also another environment; IN_USE: as
  * dsw_scene_create.
  * @note Cost: O(contents of the scene); clearances are measured again. */
 DSW_API dsw_status dsw_scene_load(dsw_environment *environment, const void *block,

@@ -27,7 +27,7 @@ typedef enum dsw_cut_flag {
  * the blade (row, point), counter-clockwise seen from its front. */
 typedef struct dsw_cut_desc {
   uint32_t struct_size;
-  uint32_t flags; /**< DSW_CUT_... */
+  uint32_t flags;
   /** Rows of points: the edge of the blade at one moment each. */
   const double *points;
   size_t point_stride_bytes;
@@ -40,7 +40,6 @@ typedef struct dsw_cut_desc {
   double snap;
 } dsw_cut_desc;
 
-/** Writes the defaults. */
 DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
 /** Cuts an environment along a blade. In a split volume the part in front keeps the index.
@@ -60,7 +59,7 @@ DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment,
 /** Describes how a crack opens. */
 typedef struct dsw_open_crack_desc {
   uint32_t struct_size;
-  uint32_t flags; /**< 0. */
+  uint32_t flags;
   /** The crack, as in dsw_change: pairs of faces of the outer boundary that lie on each other, or
    * faces between two volumes, by any id. */
   const dsw_cut_face *faces;

@@ -38,12 +38,11 @@ enum {
 /** Options of a sweep. */
 typedef struct dsw_sweep_options {
   uint32_t struct_size;
-  uint32_t flags;       /**< DSW_SWEEP_... */
+  uint32_t flags;
   dsw_level level;      /**< Default DSW_LEVEL_EDGES_SWEPT. */
   uint32_t max_volumes; /**< Volumes visited before WORK_LIMIT; 0: no limit. */
 } dsw_sweep_options;
 
-/** Writes the defaults. */
 DSW_API void dsw_sweep_options_init(dsw_sweep_options *options, size_t size);
 
 /** Sweeps edges, each as if alone. At DSW_LEVEL_EDGES_SWEPT a contact is reported if and only if

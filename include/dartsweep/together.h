@@ -33,7 +33,7 @@ typedef enum dsw_together_stop {
 /** Options of dsw_scene_move_together. */
 typedef struct dsw_together_options {
   uint32_t struct_size;
-  uint32_t flags;         /**< 0. */
+  uint32_t flags;
   dsw_together_stop stop; /**< Default ALL. */
   uint32_t max_rounds;    /**< Rounds of FEATURE, up to 65536; 0 means 64. */
   /** Work limit for exact integers: thousands of products of 64-bit words, for each vertex slot of
@@ -46,12 +46,10 @@ typedef struct dsw_together_options {
 /** Writes the defaults. @since 2.1 */
 DSW_API void dsw_together_options_init(dsw_together_options *options, size_t size);
 
-/** Moves all vertices of some bodies to their targets, all at once. Bodies of the call that could
- * meet each other on their ways, directly or through others, are an island. Other bodies stand
- * still, and are met.
+/** Moves all vertices of some bodies to their targets (move.h), all at once. Bodies of the call
+ * that could meet each other on their ways, directly or through others, are an island. Other bodies
+ * stand still, and are met.
  * @param bodies distinct.
- * @param targets `target_count` points, body after body, one for each vertex slot; those of free
- * slots are not read.
  * @param reports `fraction`: part of the motion up to the first contact that stopped a vertex of
  * the island, rounded; `vertices_moved`: living vertices; `edges_swept`, `edges_skipped`: those of
  * the island, for its first body.
@@ -70,16 +68,15 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  * A volume that holds or nears a body or particle has to stay valid on the whole way; else all ways
  * end at 1/2, 1/4, ... of it.
  * @param next as in dsw_environment_deform; overwritten if the outcome is FRACTION.
- * @param bodies, targets as in dsw_scene_move_together.
+ * @param bodies distinct.
  * @param options only `point_room` counts.
  * @param report `outcome`: DONE, FRACTION, REFUSED, or LIMITED: at the default of `max_work`, and
  * nothing has moved. Of its contacts `from` and `to` are those of the vertex `moving`, and
  * `response` is DSW_WALL_STOP.
  * @return as dsw_environment_deform; DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body of the scene has
  * a radius; WRONG_SIZE: also target_count.
- * @note Cost: O(bodies + particles + volumes met + pairs of parts whose ways come near each other);
- * O(n) each time that all ways are shortened, at most 53 times. Writes the environment, too.
- * @since 2.1 */
+ * @note Cost: as dsw_scene_move_together, and O(particles); O(n) each time that all ways are
+ * shortened, at most 53 times. Writes the environment, too. @since 2.1 */
 DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point_count,
                                     const dsw_body_id *bodies, size_t count, const double *targets,
                                     size_t target_count, size_t stride_bytes,

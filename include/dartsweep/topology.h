@@ -24,10 +24,11 @@
 extern "C" {
 #endif
 
-/** What became of a volume. A split gives two with one `before`, a merge two with one `after`. */
+/** What became of a volume: `before` is null if it was added, `after` if it was removed. A split
+ * gives two with one `before`, a merge two with one `after`. */
 typedef struct dsw_volume_change {
-  dsw_volume_id before; /**< Null: added. */
-  dsw_volume_id after;  /**< Null: removed. */
+  dsw_volume_id before;
+  dsw_volume_id after;
 } dsw_volume_change;
 
 /** Origin of a new vertex: weights[0] from[0] + weights[1] from[1], rounded. */
@@ -37,10 +38,11 @@ typedef struct dsw_vertex_origin {
   double weights[2];     /**< Their sum is 1. */
 } dsw_vertex_origin;
 
-/** A face of a cut: one face, or two that lie on each other. */
+/** A face of a cut, with its ids from the volumes in `front` of the blade and in its `back`: one
+ * face, or two that lie on each other. */
 typedef struct dsw_cut_face {
-  dsw_face_id front; /**< Its id in front of the blade. */
-  dsw_face_id back;  /**< Its id behind the blade. */
+  dsw_face_id front;
+  dsw_face_id back;
 } dsw_cut_face;
 
 /** Origin of a face of a detached body. */
@@ -109,10 +111,10 @@ DSW_API dsw_status dsw_environment_sew_faces(dsw_environment *environment,
  * stay valid. */
 DSW_API dsw_status dsw_environment_unsew_face(dsw_environment *environment, dsw_face_id face);
 
-/** Describes new volumes. */
+/** Describes new volumes; `index_bytes`, `cell_types`, `offsets`, `connectivity`, `regions`, `tags`
+ * and `uniform_cell_type` as in dsw_environment_desc. */
 typedef struct dsw_volumes_desc {
   uint32_t struct_size;
-  /** Size of integers in arrays of void: 4 or 8; 0 means 8. */
   uint32_t index_bytes;
   /** Old vertices, 0 .. vertex_count-1 in connectivity. */
   const dsw_vertex_id *vertices;
@@ -120,18 +122,16 @@ typedef struct dsw_volumes_desc {
   const double *points; /**< New vertices, from vertex_count on in connectivity. */
   size_t point_count;   /**< 0 if borrowed points have no room (deform.h). */
   size_t point_stride_bytes;
-  /** dsw_cell_type of each; null: uniform_cell_type. */
   const uint8_t *cell_types;
-  size_t volume_count;      /**< At least 1. */
-  const void *offsets;      /**< See dsw_environment_desc. */
-  const void *connectivity; /**< Indices; for a polyhedron its face stream. */
+  size_t volume_count;
+  const void *offsets;
+  const void *connectivity;
   size_t connectivity_count;
-  const int32_t *regions; /**< Null, or labels. */
-  const uint32_t *tags;   /**< Null, or host tags. */
+  const int32_t *regions;
+  const uint32_t *tags;
   /** Faces of the outer boundary to sew to new faces. Others stay apart. */
   const dsw_face_id *sew_to;
   size_t sew_count;
-  /** Type of all volumes if cell_types is null; default hexahedra, never polyhedra. */
   uint32_t uniform_cell_type;
   uint32_t reserved;
 } dsw_volumes_desc;

@@ -16,20 +16,22 @@ extern "C" {
 /** Opaque. */
 typedef struct dsw_trace dsw_trace;
 
-/** Arrays of a trace, valid until it changes. */
+/** Arrays of a trace, valid until it changes: `points` of 3 doubles; dots (`vertices`), `segments`
+ * and `triangles` (counter-clockwise from outside) of 1, 2 and 3 indices; a label for each in
+ * `vertex_labels`, `segment_labels` and `triangle_labels`. */
 typedef struct dsw_trace_data {
   uint32_t struct_size;
   uint32_t reserved;
-  const double *points; /**< 3 doubles each. */
+  const double *points;
   size_t point_count;
-  const uint32_t *vertices;      /**< Dots: an index each. */
-  const uint32_t *vertex_labels; /**< A label each. */
+  const uint32_t *vertices;
+  const uint32_t *vertex_labels;
   size_t vertex_count;
-  const uint32_t *segments;       /**< Two indices each. */
-  const uint32_t *segment_labels; /**< A label each. */
+  const uint32_t *segments;
+  const uint32_t *segment_labels;
   size_t segment_count;
-  const uint32_t *triangles;       /**< Three indices each, counter-clockwise from outside. */
-  const uint32_t *triangle_labels; /**< A label each. */
+  const uint32_t *triangles;
+  const uint32_t *triangle_labels;
   size_t triangle_count;
 } dsw_trace_data;
 
@@ -49,21 +51,20 @@ DSW_API dsw_status dsw_trace_add_volumes(dsw_trace *trace, const dsw_environment
 
 /** Adds all that is impassable and borders a passable volume: faces as triangles, marked edges as
  * segments, marked vertices as dots.
- * @param with_boundary 0 leaves out the outer boundary.
+ * @param with_boundary 0: without the outer boundary.
  * @note Cost: O(volumes). */
 DSW_API dsw_status dsw_trace_add_impassable(dsw_trace *trace, const dsw_environment *environment,
                                             int with_boundary, uint32_t label);
 
-/** Casts a segment and adds a dot where each volume is entered, the segments between, and the
- * contact as dsw_trace_add_contact does.
+/** Casts a segment and adds dots where volumes are entered, the segments between, and the contact
+ * as dsw_trace_add_contact does.
  * @note Cost: as dsw_environment_cast. */
 DSW_API dsw_status dsw_trace_add_walk(dsw_trace *trace, const dsw_environment *environment,
                                       dsw_volume_id start, const double *from, const double *to,
                                       const dsw_cast_options *options, double normal_length,
                                       uint32_t label);
 
-/** Adds a dot at flight->position and a segment along the normal, if there was a contact.
- * @note Cost: O(1) amortised. */
+/** Adds a dot at flight->position and a segment along the normal, if there was a contact. */
 DSW_API dsw_status dsw_trace_add_contact(dsw_trace *trace, const dsw_flight *flight,
                                          double normal_length, uint32_t label);
 
