@@ -128,7 +128,7 @@ typedef enum dsw_status {
   DSW_STATUS_FORCE_INT32 = 0x7fffffff
 } dsw_status;
 
-/** Returns the version of the loaded library.
+/** Returns the loaded library's version.
  * @return major * 1000000 + minor * 1000 + patch.
  * @note Thread: any. */
 DSW_API uint32_t dsw_version(void);
@@ -138,7 +138,7 @@ DSW_API uint32_t dsw_version(void);
  * @note Thread: any. */
 DSW_API const char *dsw_status_string(dsw_status status);
 
-/** Describes the last failure on this thread: function, argument, index, value, accepted range.
+/** Describes this thread's last failure: function, argument, index, value, accepted range.
  * @return text, empty before the first failure, valid until the next.
  * @note Thread: any. */
 DSW_API const char *dsw_last_error_message(void);

@@ -29,7 +29,7 @@ enum {
   DSW_BODY_SEQUENCES = 0x1,
   /** Lossless [JCD10] 6.1. Skips edges that sweep inside of one convex volume. */
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
-  /** Lossless. Skips edges that sweep inside of a ball known to be free. */
+  /** Lossless. Skips edges that sweep inside of a free ball. */
   DSW_BODY_SKIP_BY_CLEARANCE = 0x4,
   /** Lossy, at DSW_LEVEL_EDGES. Tests edges whose ends move alike (`motion_share`) only at the
    * end. */
@@ -40,7 +40,7 @@ enum {
   /** Lossy, at DSW_LEVEL_EDGES, for closed surfaces turned outwards: back-edge elimination [JCD10]
    * 6.2. */
   DSW_BODY_SKIP_BACK_EDGES = 0x20,
-  /** Walls push the body by rigid motions, or wait [JCD10] 5.1. Pushes and dsw_body_move_rigid add
+  /** Walls push the body by rigid motions, or wait [JCD10] 5.1. These and dsw_body_move_rigid add
    * up no rounding of the shape. Responses insert no vertices. */
   DSW_BODY_RIGID = 0x40
 };
@@ -53,7 +53,7 @@ typedef struct dsw_body_desc {
   uint32_t reserved;
   const double *positions;    /**< Points, one for each vertex. */
   size_t vertex_count;        /**< At least 1. */
-  size_t stride_bytes;        /**< Of positions; see base.h. */
+  size_t stride_bytes;        /**< From position to position; see base.h. */
   const dsw_volume_id *hints; /**< Null, or a hint for each vertex. */
   const uint32_t *edges;      /**< Two vertices each; not needed for faces. */
   size_t edge_count;
@@ -90,13 +90,11 @@ DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
  * are numbered in order.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE, INDEX_OUT_OF_RANGE, REPEATED_VERTEX, DUPLICATE_PART,
  * NOT_ORIENTED; NOT_MANIFOLD: three triangles at an edge, several fans at a vertex; OCCUPIED: not
- * free, or too near for the radius; for DSW_BODY_SKIP_BACK_EDGES NOT_CLOSED, NOT_ORIENTED: no
- * volume inside.
+ * free, or too near; for DSW_BODY_SKIP_BACK_EDGES NOT_CLOSED, NOT_ORIENTED: no volume inside.
  * @note Cost: O(vertices + volumes that edges cross). Batch. Source: [JCD10] 4. */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
 
-/** Gives the edges for which the last dsw_body_create or dsw_body_set_... answered
- * DSW_STATUS_OCCUPIED.
+/** Gives the edges that made the last dsw_body_create or dsw_body_set_... answer OCCUPIED.
  * @param vertices two indices for each edge, equal for a lone vertex. */
 DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices,
                                                  size_t *count);

@@ -19,13 +19,13 @@ typedef struct dsw_coarsen_options {
   uint64_t max_trials; /**< Work limit: unions looked at, best first; 0: none. */
 } dsw_coarsen_options;
 
-/** What coarsening did; pairs are before and after. */
+/** What coarsening did; pairs are before and after. `memory_bytes` as in dsw_environment_info. */
 typedef struct dsw_coarsen_report {
   uint32_t struct_size;
-  uint32_t complete;        /**< 0: the work limit ended it. */
-  uint32_t volume_count[2]; /**< Volumes. */
-  uint32_t face_count[2];   /**< Faces, each once. */
-  uint64_t memory_bytes[2]; /**< See dsw_environment_info. */
+  uint32_t complete; /**< 0: the work limit ended it. */
+  uint32_t volume_count[2];
+  uint32_t face_count[2];
+  uint64_t memory_bytes[2];
   /** Area of passable faces, rounded; infinity above DBL_MAX. */
   double passable_area[2];
   uint64_t trials; /**< Unions looked at. */

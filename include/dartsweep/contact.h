@@ -28,30 +28,31 @@ typedef enum dsw_contact_kind {
   DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff
 } dsw_contact_kind;
 
-/** What was touched. All members are 0 without a contact; at a body all but `normal`, `front` and
- * `kind`. */
+/** What was touched, and what `kind` of part. All members are 0 without a contact; at a body all
+ * but `normal`, `front` and `kind`. */
 typedef struct dsw_contact {
-  double normal[3];    /**< Unit normal, out of the obstacle. */
-  dsw_cell obstacle;   /**< Touched face, edge or vertex, canonical. */
-  dsw_face_id wall;    /**< An impassable face there, canonical; null at a marked edge or vertex. */
-  dsw_volume_id front; /**< Passable volume at `obstacle`; at a body, that of the vertex. */
-  dsw_volume_id behind;  /**< Volume beyond `wall`; null at the outer boundary. */
-  dsw_contact_kind kind; /**< What part of the obstacle was touched. */
+  double normal[3];  /**< Unit normal, out of the obstacle. */
+  dsw_cell obstacle; /**< Touched face, edge or vertex, canonical. */
+  dsw_face_id wall;  /**< An impassable face there, canonical; null at marked edges and vertices. */
+  dsw_volume_id front;  /**< Passable volume at `obstacle`; at a body, that of the vertex. */
+  dsw_volume_id behind; /**< Volume beyond `wall`; null at the outer boundary. */
+  dsw_contact_kind kind;
   /** Kind of the marked cell: VOLUME if only `behind` is marked, FACE also at the outer boundary. */
   dsw_cell_kind marked_kind;
   uint32_t tag; /**< Tag of `behind`; at the outer boundary, of the volume there. */
 } dsw_contact;
 
-/** Report of a cast or a particle's move. */
+/** Report of a cast or a particle's move. It ended in `volume`, with an `outcome` and perhaps a
+ * `contact`, after `volumes_visited`. */
 typedef struct dsw_flight {
-  /** End of the flight: for a particle verified to be free, for a cast rounded. */
+  /** End: for a particle verified to be free, for a cast rounded. */
   double position[3];
   /** Fraction of the move; at a contact the largest double not later than the exact time. */
   double time;
-  dsw_contact contact;      /**< What ended the flight. */
-  dsw_volume_id volume;     /**< Volume at the end of the flight. */
-  dsw_outcome outcome;      /**< How the flight ended. */
-  uint32_t volumes_visited; /**< Volumes entered. */
+  dsw_contact contact;
+  dsw_volume_id volume;
+  dsw_outcome outcome;
+  uint32_t volumes_visited;
 } dsw_flight;
 
 /** One `volume` of a flight. */
@@ -61,17 +62,17 @@ typedef struct dsw_crossing {
   double time;      /**< Time of entry, rounded down. */
 } dsw_crossing;
 
-/** Report of one swept edge. */
+/** Report of one swept edge; `contact`, `outcome` and `volumes_visited` as in dsw_flight. */
 typedef struct dsw_sweep {
   double position[3]; /**< Moving end at `time`, rounded. */
   /** That of dsw_flight; 0 if the edge could not start, or at the work limit. */
   double time;
-  double point[3];          /**< Where the edge touches, rounded. */
-  double edge_parameter;    /**< Place of `point`: 0 moving end, 1 fixed end. */
-  dsw_contact contact;      /**< What the edge touched. */
-  dsw_volume_id volume;     /**< Volume of the moving end; without REACHED, of its start. */
-  dsw_outcome outcome;      /**< How the sweep ended. */
-  uint32_t volumes_visited; /**< Volumes looked at. */
+  double point[3];       /**< Where the edge touches, rounded. */
+  double edge_parameter; /**< Place of `point`: 0 moving end, 1 fixed end. */
+  dsw_contact contact;
+  dsw_volume_id volume; /**< Volume of the moving end; without REACHED, of its start. */
+  dsw_outcome outcome;
+  uint32_t volumes_visited;
 } dsw_sweep;
 
 /** Whether the same cell stopped the vertex in the body's previous move. The next face of a wall is
@@ -83,20 +84,21 @@ typedef enum dsw_contact_history {
   DSW_HISTORY_FORCE_INT32 = 0x7fffffff
 } dsw_contact_history;
 
-/** A contact of a body: a moving vertex, or an edge or face at it, touched. */
+/** A contact of a body: a moving `vertex`, or an `edge` or `face` at it (else null), touched
+ * something. */
 typedef struct dsw_body_contact {
-  double from[3];              /**< Start of the vertex, or of its slide. */
-  double to[3];                /**< End of that way, unstopped. */
-  double fixed[2][3];          /**< Other ends of the touching edge or face, or 0. */
-  double position[3];          /**< Moving vertex at `time`, rounded. */
-  double time;                 /**< Fraction of that way; by bisection, when the body is free. */
-  double point[3];             /**< Where the body touches, rounded. */
-  double edge_parameter;       /**< Place of `point`: 0 `vertex`, 1 other end. */
-  double distance_left;        /**< From where it stopped to the target of the call. */
-  dsw_contact contact;         /**< What the body touched. */
-  dsw_body_vertex_id vertex;   /**< The moving vertex. */
-  dsw_body_edge_id edge;       /**< The touching edge, or null. */
-  dsw_body_face_id face;       /**< The touching face, or null. */
+  double from[3];        /**< Start of the vertex, or of its slide. */
+  double to[3];          /**< End of that way, unstopped. */
+  double fixed[2][3];    /**< Other ends of the touching edge or face, or 0. */
+  double position[3];    /**< Moving vertex at `time`, rounded. */
+  double time;           /**< Fraction of that way; by bisection, when the body is free. */
+  double point[3];       /**< Where the body touches, rounded. */
+  double edge_parameter; /**< Place of `point`: 0 `vertex`, 1 other end. */
+  double distance_left;  /**< From where it stopped to the target of the call. */
+  dsw_contact contact;   /**< What the body touched. */
+  dsw_body_vertex_id vertex;
+  dsw_body_edge_id edge;
+  dsw_body_face_id face;
   dsw_contact_history history; /**< Whether the contact is new. */
   uint32_t reserved;
 } dsw_body_contact;

@@ -15,8 +15,8 @@ extern "C" {
 /** Opaque. */
 typedef struct dsw_context dsw_context;
 
-/** Returns `size_bytes` (never 0) of memory aligned to `alignment_bytes` (a power of two, at most
- * 64), or null. Called on the thread of the dsw call or of the parallel-for. */
+/** Returns `size_bytes` (never 0) of memory aligned to `alignment_bytes` (a power of two up to 64),
+ * or null, on the thread of the dsw call or of the parallel-for. */
 typedef void *(*dsw_allocate_fn)(void *user, size_t size_bytes, size_t alignment_bytes);
 
 /** Releases memory (never null) from dsw_allocate_fn, with the same sizes. */
@@ -37,8 +37,8 @@ typedef void (*dsw_log_fn)(void *user, dsw_log_level level, const char *text);
 /** Does task number `task`; never throws. */
 typedef void (*dsw_task_fn)(void *task_data, size_t task);
 
-/** Runs task(task_data, i) once for each i below task_count, in any order, on any threads, and
- * returns when all are done. */
+/** Runs task(task_data, i) once for each i below task_count, in any order and threads; returns when
+ * all are done. */
 typedef void (*dsw_parallel_for_fn)(void *user, dsw_task_fn task, void *task_data,
                                     size_t task_count);
 
@@ -58,7 +58,7 @@ typedef enum dsw_kernel {
 /** Describes a context. */
 typedef struct dsw_context_desc {
   uint32_t struct_size;
-  /** Of the built-in parallel-for: 1 .. 256; 0: one per processor. */
+  /** Threads of the built-in parallel-for: 1 .. 256; 0: one per processor. */
   uint32_t thread_count;
   void *user;                       /**< First argument of callbacks. */
   dsw_allocate_fn allocate;         /**< Null: the C++ runtime's; with release. */

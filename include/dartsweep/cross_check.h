@@ -32,14 +32,14 @@ typedef enum dsw_no_cross_check {
   DSW_NO_CROSS_CHECK_FORCE_INT32 = 0x7fffffff
 } dsw_no_cross_check;
 
-/** Result of a cross-check. */
+/** Result of a cross-check, of a `kind`, or the `reason` why there is none. */
 typedef struct dsw_cross_check {
-  double normal[3];          /**< libccd's unit normal, out of the obstacle. */
-  double depth;              /**< Penetration measured by libccd. */
-  double pushed_in;          /**< Penetration made for the test. */
-  double angle_rad;          /**< Angle between the normals. */
-  dsw_cross_check_kind kind; /**< What was compared. */
-  dsw_no_cross_check reason; /**< Why there is no cross-check. */
+  double normal[3]; /**< libccd's unit normal, out of the obstacle. */
+  double depth;     /**< Penetration measured by libccd. */
+  double pushed_in; /**< Penetration made for the test. */
+  double angle_rad; /**< Angle between the normals. */
+  dsw_cross_check_kind kind;
+  dsw_no_cross_check reason;
 } dsw_cross_check;
 
 /** Computes the normal of a contact a second time with libccd.

@@ -1,6 +1,6 @@
 /** @file dartsweep.h All headers of Dartsweep: exact contacts of moving points, edges and surfaces
- * with a volume mesh. base.h says what all functions share, the end of this file what changes in
- * the plane. */
+ * with a volume mesh. base.h says what all share, the end of this file what changes in the
+ * plane. */
 #ifndef DARTSWEEP_DARTSWEEP_H
 #define DARTSWEEP_DARTSWEEP_H
 

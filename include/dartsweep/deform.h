@@ -39,7 +39,7 @@ typedef enum dsw_wall_response {
   DSW_WALL_RESPONSE_FORCE_INT32 = 0x7fffffff
 } dsw_wall_response;
 
-/** What happens if a volume that is met would become invalid. */
+/** What happens if a volume would become invalid. */
 typedef enum dsw_invalid_response {
   DSW_INVALID_HOLD = 0,   /**< The vertex stays; END_STATE: as DSW_WALL_STOP. */
   DSW_INVALID_REFUSE = 1, /**< Nothing moves. */
@@ -74,24 +74,23 @@ typedef struct dsw_deform_options {
   size_t point_room;
   uint32_t remesh_radius;    /**< REMESH: see dsw_remesh_desc. */
   uint32_t remesh_max_faces; /**< REMESH: see dsw_remesh_desc. */
-  /** SWEPT: work limit. How often a vertex may stay in its turn, in all steps together; then every
-   * vertex that moves one at a time stays where it is. 0 means 16,384, which is 16 vertices that
-   * stay in each of 1,024 steps. @since 2.1 */
+  /** SWEPT: work limit: how often a vertex may stay in its turn, in all steps; then all that move
+   * one at a time stay. 0 means 16,384: 16 vertices in each of 1,024 steps. @since 2.1 */
   uint32_t max_holds;
   uint32_t reserved;
 } dsw_deform_options;
 
-/** What a deformation did. */
+/** What a deformation did, with its `outcome`. */
 typedef struct dsw_deform_report {
-  double fraction;            /**< Part of the way made; 1 if vertices were held. */
-  dsw_deform_outcome outcome; /**< The outcome. */
-  uint32_t steps;             /**< SWEPT: 2^k. END_STATE: 0. */
-  uint32_t near_count;        /**< SWEPT: vertices moved one at a time. */
-  uint32_t held_count;        /**< See dsw_environment_get_held_vertices. */
-  uint32_t contact_count;     /**< See dsw_environment_get_wall_contacts. */
-  uint32_t invalid_count;     /**< See dsw_environment_get_invalid_volumes. */
-  uint32_t pushed_count;      /**< Moves made by walls. */
-  uint32_t remeshed_count;    /**< REMESH: volumes replaced. */
+  double fraction; /**< Part of the way made; 1 if vertices were held. */
+  dsw_deform_outcome outcome;
+  uint32_t steps;          /**< SWEPT: 2^k. END_STATE: 0. */
+  uint32_t near_count;     /**< SWEPT: vertices moved one at a time. */
+  uint32_t held_count;     /**< See dsw_environment_get_held_vertices. */
+  uint32_t contact_count;  /**< See dsw_environment_get_wall_contacts. */
+  uint32_t invalid_count;  /**< See dsw_environment_get_invalid_volumes. */
+  uint32_t pushed_count;   /**< Moves made by walls. */
+  uint32_t remeshed_count; /**< REMESH: volumes replaced. */
 } dsw_deform_report;
 
 /** A wall at a moving vertex of the environment touched something: a `particle`, or a `body` and
@@ -125,7 +124,7 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
  * @return DSW_STATUS_IN_USE: `next` is the present array; WRONG_SIZE: point_count, point_room;
  * NON_FINITE: only near bodies and particles.
  * @note Cost: O(bodies + particles + volumes met), for each step; up to 2^(k + 1) steps, and
- * `max_holds`. Source: [JCD10] 5.1. */
+ * `max_holds`. */
 DSW_API dsw_status dsw_environment_deform(dsw_environment *environment, double *next,
                                           size_t point_count, const dsw_deform_options *options,
                                           dsw_deform_report *report);

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/** Opaque. Scenes may share it while it does not change. */
+/** Opaque. Scenes may share it unchanged. */
 typedef struct dsw_environment dsw_environment;
 
 /** Cell types, with the numbers of VTK and its order of points up to 9.6 (bindings/docs/meshes.md):
@@ -47,9 +47,9 @@ enum {
   DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8,
   /** Never builds the search structure. Snapshots do not keep this flag. */
   DSW_ENVIRONMENT_NO_LOCATE_TREE = 0x10,
-  /** Points at exactly one place count as one, and so do points within `merge_distance` of each
-   * other, with all that a chain of such points joins. The lowest index stands for all of them; the
-   * others count as unused. A cell that loses a corner so is DSW_STATUS_BAD_CELL. @since 2.1 */
+  /** Points at exactly one place, or within `merge_distance` of each other, with all that a chain
+   * of such points joins, count as the one with the lowest index; the others count as unused. A
+   * cell that loses a corner so is DSW_STATUS_BAD_CELL. @since 2.1 */
   DSW_ENVIRONMENT_MERGE_POINTS = 0x20,
   /** Sews parts that lie on each other: merges points as DSW_ENVIRONMENT_MERGE_POINTS, and splits
    * faces of the boundary where faces of other cells cover them, at points that exist. Cells whose
@@ -57,8 +57,8 @@ enum {
    * `merge_distance` of an edge or face lie on it. Cost: less than that of two creations more.
    * @since 2.1 */
   DSW_ENVIRONMENT_CONFORM = 0x40,
-  /** Counts faces of the boundary that lie on, or overlap, faces of other cells, in the report: casts
-   * stop there. Cost: O(f log f) expected for f faces of the boundary. @since 2.1 */
+  /** Counts in the report faces of the boundary that lie on, or overlap, faces of other cells:
+   * casts stop there. Cost: O(f log f) expected for f faces of the boundary. @since 2.1 */
   DSW_ENVIRONMENT_FIND_TOUCHING = 0x80
 };
 
@@ -67,7 +67,7 @@ typedef struct dsw_environment_desc {
   uint32_t struct_size;
   uint32_t dimension; /**< 3, also given as 0; 2 in the plane. */
   uint32_t flags;
-  /** Size of the integers in arrays of void, signed: 4 or 8; 0 means 8. */
+  /** Size of integers in arrays of void, signed: 4 or 8; 0 means 8. */
   uint32_t index_bytes;
   const double *points; /**< The points. */
   size_t point_count;   /**< 1 .. 2^28-1. Unused points are allowed. */
@@ -77,7 +77,7 @@ typedef struct dsw_environment_desc {
   /** volume_count + 1 integers: cell i has connectivity[offsets[i] .. offsets[i+1]-1]. Null if
    * cells of uniform_cell_type follow each other. */
   const void *offsets;
-  /** Indices of points; face streams of polyhedra, unless in `faces`. */
+  /** Points; face streams of polyhedra, unless in `faces`. */
   const void *connectivity;
   size_t connectivity_count;
   const void *faces; /**< Null, or face streams of polyhedra. */
@@ -127,11 +127,11 @@ typedef struct dsw_environment_info {
   uint32_t dimension;    /**< 3, or 2 in the plane. */
   uint32_t vertex_count; /**< Vertices, also unused points. */
   uint32_t volume_count;
-  uint32_t face_count;          /**< Faces, each once. */
-  uint32_t boundary_face_count; /**< Faces with one volume. */
-  uint32_t part_count;          /**< Parts connected through faces. */
-  uint32_t scene_count;         /**< Scenes that use it. */
-  uint64_t memory_bytes;        /**< With borrowed points. */
+  uint32_t face_count; /**< Faces, each once. */
+  uint32_t boundary_face_count;
+  uint32_t part_count;
+  uint32_t scene_count;
+  uint64_t memory_bytes; /**< With borrowed points. */
   double lower[3];
   double upper[3];
   uint32_t volume_index_count;
@@ -146,7 +146,7 @@ DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
  * @param report filled unless an argument is wrong.
  * @return DSW_STATUS_TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL, INVERTED_CELL,
  * INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES; NOT_CONFORMING: `offenders` are two
- * cells whose faces overlap where DSW_ENVIRONMENT_CONFORM finds no points to split both at.
+ * cells whose faces overlap where DSW_ENVIRONMENT_CONFORM finds no points.
  * @note Cost: O(n) expected. Thread: any. Source: [JCD10] 3.1, 3.2. */
 DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_environment_desc *desc,
                                           dsw_environment **environment, dsw_build_report *report);

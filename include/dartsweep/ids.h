@@ -1,8 +1,8 @@
 /** @file ids.h
- * Ids: an index, and a generation that counts the uses of the index from 1 on. The null id is all
- * zeros. An id becomes stale when its object is removed, or its volume rebuilt by a change of the
- * topology (topology.h). Pass an id with the environment or scene that gave it. Members:
- * `index`: the slot; `volume`: the index of the volume; `generation`: that of the slot or volume.
+ * Ids: an `index`, and a `generation` that counts the uses of the index from 1 on. `volume` is the
+ * index of a volume. The null id is all zeros. An id becomes stale when its object is removed, or
+ * its volume rebuilt by a change of the topology (topology.h). Pass an id with the environment or
+ * scene that gave it.
  */
 #ifndef DARTSWEEP_IDS_H
 #define DARTSWEEP_IDS_H
@@ -13,13 +13,13 @@
 extern "C" {
 #endif
 
-/** A vertex of an environment, at first with the index of its point. */
+/** A vertex of an environment, at first with its point's index. */
 typedef struct dsw_vertex_id {
   uint32_t index;
   uint32_t generation;
 } dsw_vertex_id;
 
-/** A volume of an environment, at first with the index of its cell. */
+/** A volume of an environment, at first with its cell's index. */
 typedef struct dsw_volume_id {
   uint32_t index;
   uint32_t generation;
@@ -35,7 +35,7 @@ typedef struct dsw_face_id {
 } dsw_face_id;
 
 /** An edge: edge number `local` of a volume, counted where it first occurs on the faces in their
- * order, each run round as seen from outside. The canonical id is of the volume with the lowest
+ * order, each run round as seen from outside. Canonical is that of the volume with the lowest
  * index. */
 typedef struct dsw_edge_id {
   uint32_t volume;

@@ -7,8 +7,7 @@
  * Marking answers DSW_STATUS_SHARED if several scenes use the environment, and OCCUPIED if particles
  * or bodies lie in or cross the cells: dsw_scene_get_occupants and dsw_scene_get_occupant_bodies
  * tell which. Edges of bodies count from DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES. Cost: O(count
- * + bodies), for volumes also O(particles), by regions O(volumes). `marked` and `skipped` may be
- * null.
+ * + bodies), for volumes also O(particles), by regions O(volumes). `marked`, `skipped` may be null.
  */
 #ifndef DARTSWEEP_MARKING_H
 #define DARTSWEEP_MARKING_H

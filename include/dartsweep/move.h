@@ -57,7 +57,7 @@ typedef struct dsw_move_options {
   dsw_response edge_response;   /**< For its edges and faces; default STOP. */
   dsw_search search;            /**< Default EXACT. */
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
-  /** Work limit: volumes that one sweep may visit, then the vertex stops, free; 0: none. */
+  /** Work limit: volumes that one sweep may visit before the vertex stops, free; 0: none. */
   uint32_t max_volumes;
   /** Further passes over vertices that have stopped, 0 to 64. A vertex gets another turn if it
    * moved in its last one, or a neighbour since; for bodies that meet bodies, any vertex. */
@@ -65,7 +65,7 @@ typedef struct dsw_move_options {
   double min_part;   /**< Least share of an edge in a part; up to 0.5, 0 means 0.25. */
   double min_length; /**< Least length of a part; 0: none. */
   /** Distance to keep from a touched wall, not guaranteed; 0 means 1e-9 of the size of the volume
-   * in front; negative: none. */
+   * there; negative: none. */
   double stand_off;
   /** An inserted vertex is removed if its distance from the line between its neighbours is at most
    * this share of the line. 0: never. */
@@ -96,7 +96,7 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
  * vertices are read.
  * @return DSW_STATUS_DUPLICATE_ID: in `order`.
  * @note Cost: O(volumes met + bodies near the way). In each pass a vertex searches at most 73
- * times: once, and for each slide and new vertex. Source: [JCD10] 4. */
+ * times: once, and for each slide and new vertex. */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,
                                  const dsw_move_options *options, dsw_move_report *report);

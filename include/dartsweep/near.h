@@ -1,12 +1,12 @@
 /** @file near.h
- * Near rows: where a body is close to the environment, to other bodies or to itself. A row is ready
- * for a solver: vertices with weights, nearest points, a unit normal and the gap.
+ * Near rows: where a body is close to the environment, to other bodies or to itself, ready for a
+ * solver: vertices with weights, nearest points, a unit normal and the gap.
  *
  * A *part* is a vertex, an edge or a face that the body's level covers. An *obstacle* is an
  * impassable face, edge or vertex, or a part of a body that the part could touch. Both make a row
  * if their nearest points are unique, lie in the inside of both, are locally nearest on the
- * obstacle, see each other past everything impassable, and if the gap is at most the margin. All of
- * this but the gap is decided exactly, under the shift (base.h). More: bindings/docs/near_rows.md.
+ * obstacle, and have nothing impassable between them, and if the gap is at most the margin. All but
+ * the gap is decided exactly, under the shift (base.h). More: bindings/docs/near_rows.md.
  */
 #ifndef DARTSWEEP_NEAR_H
 #define DARTSWEEP_NEAR_H
@@ -32,9 +32,8 @@ typedef struct dsw_near_options {
 } dsw_near_options;
 
 /** A part of a body with `vertices` (1 to 3, then UINT32_MAX), and an obstacle with
- * `obstacle_vertices` (of the environment or the other body). Their `weights` and
- * `obstacle_weights` sum to 1; unused ones are 0. They give the nearest points `point` and
- * `obstacle_point`. */
+ * `obstacle_vertices` (of the environment or the other body). `weights` and `obstacle_weights`
+ * (unused ones 0) sum to 1, and give the nearest points `point` and `obstacle_point`. */
 typedef struct dsw_near_row {
   double point[3];
   double obstacle_point[3];
@@ -56,7 +55,7 @@ typedef struct dsw_near_row {
    * cut or renumbered. Rows are sorted by keys. */
   uint32_t key[4];
   /** For a warm start: number of the row before with the same key, or the nearest of the same part
-   * whose key is gone and whose normal is at most 60 degrees away. Else UINT32_MAX. */
+   * whose key is gone and whose normal is at most 60 degrees away; else UINT32_MAX. */
   uint32_t previous;
   uint32_t reserved;
 } dsw_near_row;

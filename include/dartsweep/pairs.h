@@ -1,8 +1,8 @@
 /** @file pairs.h
  * Continuous collision detection of single pairs, without an environment or a scene. All points of a
- * pair move at once, each straight and steadily. Answers are exact for all finite doubles, also
- * where points lie in one plane or line and features have no extent. There is no shift (base.h):
- * features that only touch do touch. More: bindings/docs/pairs.md.
+ * pair move at once, each straight and steadily. Answers are exact for all finite doubles, also if
+ * features are parallel or have no extent. There is no shift (base.h): features that only touch do
+ * touch. More: bindings/docs/pairs.md.
  */
 #ifndef DARTSWEEP_PAIRS_H
 #define DARTSWEEP_PAIRS_H
@@ -14,7 +14,7 @@ extern "C" {
 #endif
 
 /** A pair of features, and the order of its points. Edges include their ends, triangles their sides
- * and corners. An edge whose ends are equal is a vertex. */
+ * and corners. Equal ends make a vertex. */
 typedef enum dsw_pair_kind {
   /** In space: the vertex, then the corners of the triangle. */
   DSW_PAIR_VERTEX_FACE = 0,
@@ -45,11 +45,11 @@ enum {
  * @param dimension 3, or 2 for the plane.
  * @param count pairs, at most 2^28.
  * @param kinds dsw_pair_kind of each pair.
- * @param from starts of the points: `dimension + 1` for each pair, pair after pair.
+ * @param from starts of the points: `dimension + 1` for each pair.
  * @param to ends of the points.
  * @return DSW_STATUS_UNSUPPORTED: also a kind of another dimension; TOO_LARGE: count;
  * OUT_OF_MEMORY: some answers may be written.
- * @note Cost: mostly below a microsecond a pair, ties some, extreme ranges of doubles up to half a
+ * @note Cost: mostly below a microsecond a pair, with extreme ranges of doubles up to half a
  * second. Ranks: O(count log count). Batch. Thread: any. @since 2.1 */
 DSW_API dsw_status dsw_sweep_pairs(const dsw_context *context, uint32_t dimension, size_t count,
                                    const uint8_t *kinds, const double *from, const double *to,

@@ -1,6 +1,6 @@
 /** @file particle.h
  * Particles: points that are followed from volume to volume. A particle moves straight to its
- * target or to the first impassable face. There it is pulled back until a cast proves its move
+ * target or to the first impassable face, and is pulled back there until a cast proves its move
  * free: no particle is ever inside or behind anything impassable.
  */
 #ifndef DARTSWEEP_PARTICLE_H

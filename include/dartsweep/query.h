@@ -1,6 +1,7 @@
 /** @file query.h
  * Queries without a scene: where a point is, what a segment meets, what is near. By the shift
  * (base.h) a point lies in at most one volume, and a segment pierces one triangle at a time.
+ * Batches that run out of memory may have written some answers. More: bindings/docs/exactness.md.
  */
 #ifndef DARTSWEEP_QUERY_H
 #define DARTSWEEP_QUERY_H
@@ -97,7 +98,7 @@ typedef struct dsw_nearest {
 
 /** Finds the nearest impassable face, marked edge or vertex that can be seen through passable
  * volumes; of equals, the lowest canonical one. A point exactly on the boundary of passable space
- * has distance 0: the answer is what it lies on. More: bindings/docs/exactness.md.
+ * has distance 0: the answer is what it lies on.
  * @param volume that of the point, or null.
  * @param radius at least 0; may be infinite.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE: nor is the point on the boundary.
@@ -113,8 +114,7 @@ DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environme
  * @param nearest infinite distance and no cell where that fails. `volumes_visited` also depends on
  * threads.
  * @param volumes of the points, or null ids; may be null or `hints`.
- * @return DSW_STATUS_OUT_OF_MEMORY: some answers may be written.
- * @note Cost, rounding: as dsw_environment_find_nearest. Batch. @since 2.1 */
+ * @note Cost: as dsw_environment_find_nearest. Batch. @since 2.1 */
 DSW_API dsw_status dsw_environment_find_nearest_to_points(
     const dsw_environment *environment, const double *points, size_t count, size_t stride_bytes,
     const dsw_volume_id *hints, double radius, dsw_nearest *nearest, dsw_volume_id *volumes,
@@ -131,11 +131,9 @@ typedef struct dsw_segment_nearest {
 /** Finds for each of many segments the nearest impassable face, marked edge or vertex that can be
  * reached from it through passable volumes that are no farther away; of equals, the lowest
  * dimension, then the lowest canonical one. An impassable face that it passes is the answer
- * exactly, with distance and normal 0, and segment_parameter is the time of the contact. More:
- * bindings/docs/exactness.md.
+ * exactly, with distance and normal 0, and segment_parameter is the time of the contact.
  * @param hints for `from`; not needed for a segment that begins where the last ends.
  * @param radius, nearest, volumes as in dsw_environment_find_nearest_to_points, for `from`.
- * @return DSW_STATUS_OUT_OF_MEMORY: some answers may be written.
  * @note Cost: O(volumes that the segment enters or that are within the distance). Batch. @since
  * 2.1 */
 DSW_API dsw_status dsw_environment_find_nearest_to_segments(

@@ -61,14 +61,14 @@ typedef enum dsw_replay_outcome {
   DSW_REPLAY_OUTCOME_FORCE_INT32 = 0x7fffffff
 } dsw_replay_outcome;
 
-/** One step of a replay. */
+/** One step of a replay: the number of the `call` (from 0), its `status` now, and the `outcome`. */
 typedef struct dsw_replay_report {
-  uint64_t call;              /**< Its number, from 0. */
-  const char *function;       /**< Its name, or null at the end. */
-  dsw_replay_outcome outcome; /**< What the step shows. */
-  dsw_status status;          /**< Its status now. */
-  uint32_t has_failed;        /**< 1: the recorded one failed. */
-  uint32_t differs;           /**< DSW_DIFFERS_... if DIFFERENT; else 0. */
+  uint64_t call;
+  const char *function; /**< Its name, or null at the end. */
+  dsw_replay_outcome outcome;
+  dsw_status status;
+  uint32_t has_failed; /**< 1: the recorded one failed. */
+  uint32_t differs;    /**< DSW_DIFFERS_... if DIFFERENT; else 0. */
 } dsw_replay_report;
 
 /** What differs in a step. */
@@ -138,9 +138,9 @@ typedef struct dsw_replay_info {
   uint64_t calls; /**< Calls made. */
   /** Bytes not yet read; at the end, of an incomplete entry. */
   uint64_t bytes_left;
-  /** Of a bug report; null before its end. */
+  /** The host's; null before the end of a bug report. */
   const char *note;
-  /** Of a bug report; null before its end. */
+  /** Null before the end of a bug report. */
   const dsw_validation *validation;
 } dsw_replay_info;
 
@@ -169,7 +169,7 @@ DSW_API void dsw_bug_report_desc_init(dsw_bug_report_desc *desc, size_t size);
  * and a validation; without a recording in a file or in memory, no call.
  * @param validation may be null.
  * @return DSW_STATUS_WRITE_FAILED; NOT_FOUND: the recording cannot be read; CORRUPT: the replay
- * ends early or in another state; the report is written up to there.
+ * ends early or in another state, and the report there.
  * @note Cost: O(environment + recorded calls). Thread: writer of the environment. */
 DSW_API dsw_status dsw_scene_write_bug_report(dsw_scene *scene, const dsw_bug_report_desc *desc,
                                               dsw_validation *validation);

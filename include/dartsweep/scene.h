@@ -21,7 +21,7 @@ enum {
   /** Moves record crossings: dsw_scene_get_crossings. */
   DSW_FEATURE_CROSSINGS = 0x2,
   /** The environment can deform (deform.h) and belongs to this scene alone: about 12 bytes a volume
-   * and 4 a vertex. From then on, also without the scene, hexahedra count as warped in casts. */
+   * and 4 a vertex. From then on, also without the scene, casts take hexahedra as warped. */
   DSW_FEATURE_DEFORMING = 0x4,
   /** Bodies meet each other, with DSW_BODY_SELF_CONTACTS also themselves: about 64 bytes for each
    * vertex, edge and face. */
@@ -52,7 +52,7 @@ typedef struct dsw_statistics {
   uint64_t forecast_hits; /**< Moves that left their first volume as expected. */
   uint64_t contacts;      /**< Casts that ended at something impassable. */
   uint64_t candidates;    /**< Positions tried at stops of particles. */
-  /** Particles and parts of bodies that successful changes checked. */
+  /** Particles and parts of bodies checked by successful changes. */
   uint64_t occupants_tested;
 } dsw_statistics;
 
@@ -66,8 +66,7 @@ DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc,
                                     dsw_scene **scene);
 
-/** Destroys a scene with all in it. Only dsw_scene_stop_recording tells whether a recording is
- * complete.
+/** Destroys a scene. Only dsw_scene_stop_recording tells whether a recording is complete.
  * @return DSW_STATUS_IN_USE: it belongs to a replay.
  * @note Thread: writer of the environment. */
 DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);

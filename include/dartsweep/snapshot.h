@@ -1,7 +1,7 @@
 /** @file snapshot.h
  * Environments and scenes as blocks of bytes, the same on every machine. What is loaded goes on with
  * the ids and bits of what was saved. A `block` of `size_bytes` needs no alignment, and is not
- * trusted: lengths, checksum, links, every cell, particle and body are checked.
+ * trusted: lengths, checksum, links, cells, particles and bodies are checked.
  */
 #ifndef DARTSWEEP_SNAPSHOT_H
 #define DARTSWEEP_SNAPSHOT_H

@@ -1,11 +1,8 @@
 /** @file surgery.h
  * Cuts along the surface that a blade sweeps, tears, cracks that open. topology.h holds here, too.
- * More: bindings/docs/cutting.md.
- *
  * The blade is exact under the shift, and may lie anywhere: along edges and faces, folded, outside.
- * Volumes that it crosses completely are split, passable or not. A volume stays whole if the blade
- * ends inside, crosses one of its edges twice, or would leave an invalid part. It can still get
- * vertices and edges from neighbours.
+ * Volumes that it crosses completely are split, passable or not; others stay whole, and can get
+ * vertices and edges from neighbours. More: bindings/docs/cutting.md.
  */
 #ifndef DARTSWEEP_SURGERY_H
 #define DARTSWEEP_SURGERY_H
@@ -23,8 +20,8 @@ typedef enum dsw_cut_flag {
 } dsw_cut_flag;
 
 /** Describes a cut of the volumes connected with the first one that the blade meets. Two
- * neighbouring points of two neighbouring rows span the triangles {00, 01, 11} and {00, 11, 10} of
- * the blade (row, point), counter-clockwise seen from its front. */
+ * neighbouring points of two neighbouring rows span triangles {00, 01, 11} and {00, 11, 10} (row,
+ * point), counter-clockwise seen from the blade's front. */
 typedef struct dsw_cut_desc {
   uint32_t struct_size;
   uint32_t flags;
@@ -74,15 +71,15 @@ typedef struct dsw_open_crack_desc {
 /** Writes the defaults; `width` has none. */
 DSW_API void dsw_open_crack_desc_init(dsw_open_crack_desc *desc, size_t size);
 
-/** Opens a crack. Its lips move apart, and a passable volume for each face that opens fills the
- * gap, sewn to its neighbours and to lips without marks. A vertex comes apart where the crack
- * divides the volumes round it into two sets, and less where a volume would become invalid. Faces
- * between impassable volumes alone open into passable ones at the rim. In `change` both copies are
- * new vertices, with the old one twice in `from`; lips, and added volumes last in `volumes`, have
- * the order of `faces`.
- * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: faces of a pair do not lie on each
- * other, are of one volume, or not on the outer boundary.
- * @note Cost: also O(volumes at the crack). Source: [JCD10] 5.2. */
+/** Opens a crack [JCD10] 5.2. Its lips move apart, and a passable volume for each face that opens
+ * fills the gap, sewn to its neighbours and to lips without marks. A vertex comes apart where the
+ * crack divides the volumes round it into two sets, and less where a volume would become invalid.
+ * Faces between impassable volumes alone open into passable ones at the rim. In `change` both
+ * copies are new vertices, with the old one twice in `from`; lips, and added volumes last in
+ * `volumes`, have the order of `faces`.
+ * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: a pair's faces do not lie on each other,
+ * are of one volume, or not on the outer boundary.
+ * @note Cost: also O(volumes at the crack). */
 DSW_API dsw_status dsw_environment_open_crack(dsw_environment *environment,
                                               const dsw_open_crack_desc *desc, dsw_change *change);
 

@@ -5,9 +5,9 @@
  * contact, and the ways there are swept again: after the call all is free, and nothing was passed.
  *
  * A touch of bodies that can meet is a contact; a touch with the environment, if it remains one
- * under the shift (base.h). `time`, `from` and `to` of a contact are those of the way on which it was
- * found, which can be a part of the motion. A body with DSW_BODY_RIGID keeps its shape only if its
- * targets do and no vertex stops alone. More: bindings/docs/moving_together.md.
+ * under the shift (base.h). Contacts are of the way on which they were found, which can be a part of
+ * the motion. DSW_BODY_RIGID keeps the shape only if the targets do and no vertex stops alone.
+ * More: bindings/docs/moving_together.md.
  */
 #ifndef DARTSWEEP_TOGETHER_H
 #define DARTSWEEP_TOGETHER_H
@@ -38,8 +38,8 @@ typedef struct dsw_together_options {
   uint32_t max_rounds;    /**< Rounds of FEATURE, up to 65536; 0 means 64. */
   /** Work limit for exact integers: thousands of products of 64-bit words, for each vertex slot of
    * what moves together; 0 means 8192, about 0.02 s. Only coordinates of very different magnitude
-   * need as many. At the limit these bodies stay, free; `vertices_limited` counts their vertices
-   * that have other targets. */
+   * need as many. At the limit these bodies stay, free; `vertices_limited` counts vertices with
+   * other targets. */
   uint32_t max_work;
 } dsw_together_options;
 
@@ -54,8 +54,8 @@ DSW_API void dsw_together_options_init(dsw_together_options *options, size_t siz
  * the island, rounded; `vertices_moved`: living vertices; `edges_swept`, `edges_skipped`: those of
  * the island, for its first body.
  * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has.
- * @note dsw_body_get_contacts lists all that touch at the same exact time; of an edge or face and
- * its corner that touch walls, the corner. `fixed` has the other ends at that time.
+ * @note Contacts are all that touch at the same exact time; of an edge or face and its corner that
+ * touch walls, the corner. `fixed` has the other ends then.
  * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact;
  * see `max_work`. Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *bodies,
@@ -71,8 +71,7 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  * @param bodies distinct.
  * @param options only `point_room` counts.
  * @param report `outcome`: DONE, FRACTION, REFUSED, or LIMITED: at the default of `max_work`, and
- * nothing has moved. Of its contacts `from` and `to` are those of the vertex `moving`, and
- * `response` is DSW_WALL_STOP.
+ * nothing has moved. Contacts have the way of the vertex `moving`, and `response` DSW_WALL_STOP.
  * @return as dsw_environment_deform; DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body of the scene has
  * a radius; WRONG_SIZE: also target_count.
  * @note Cost: as dsw_scene_move_together, and O(particles); O(n) each time that all ways are

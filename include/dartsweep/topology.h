@@ -5,7 +5,7 @@
  * `change`, except in dsw_environment_get_change.
  *
  * Each new volume is exactly valid, and new volumes fill the space of the old ones, unless a comment
- * says that the outer boundary moves: dsw_environment_check tells whether it then crosses itself. A
+ * says that the outer boundary moves; then dsw_environment_check tells whether it crosses itself. A
  * volume that changes keeps index, region label, tag and mark; its id, and those of its faces and
  * edges, become stale. dsw_environment_get_change gives the new ids.
  *
@@ -52,12 +52,12 @@ typedef struct dsw_face_origin {
 } dsw_face_origin;
 
 /** What the last successful change of the topology did. All ids but `before` and `from` are those
- * after the change. What does not apply is 0 or empty. */
+ * after it. What does not apply is 0 or empty. */
 typedef struct dsw_change {
   uint32_t struct_size;
   uint32_t is_closed; /**< Ligature: 0 if a way leads past the loop. */
-  /** Cut: largest distance of a new vertex from the blade, and of the blade from the cut in split
-   * volumes. Detached body: of a vertex from its origin. */
+  /** Cut: largest distance between the blade and new vertices, and in split volumes the cut.
+   * Detached body: of a vertex from its origin. */
   double distance;
   double smallest_width;       /**< Crack: smallest opening, or 0. */
   double largest_width;        /**< Crack: largest opening. */
@@ -89,9 +89,9 @@ typedef struct dsw_change {
   size_t unrepaired_count;
   const dsw_volume_id *detached; /**< Volumes of the detached piece. */
   size_t detached_count;
-  const dsw_vertex_origin *body_vertices; /**< Of the detached body, by index. */
+  const dsw_vertex_origin *body_vertices; /**< The detached body's, by index. */
   size_t body_vertex_count;
-  const dsw_face_origin *body_faces; /**< Of the detached body, by index. */
+  const dsw_face_origin *body_faces; /**< The detached body's, by index. */
   size_t body_face_count;
 } dsw_change;
 
@@ -172,8 +172,7 @@ DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw
 /** Splits a face by a new edge. A warped face can get other triangles, which changes the space of
  * its volumes or the outer boundary.
  * @param a, b vertices of the face that no edge joins.
- * @param faces 2 ids: the part from a to b, seen from outside of the volume in the face id, and the
- * other. */
+ * @param faces 2 ids: the part from a to b, seen from outside of the id's volume, and the other. */
 DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_face_id face,
                                               dsw_vertex_id a, dsw_vertex_id b, dsw_face_id *faces,
                                               dsw_edge_id *edge);
@@ -181,7 +180,7 @@ DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_
 /** Splits an edge by a new vertex. The vertex is rounded, and the outer boundary moves with it.
  * @param edge_parameter in (0,1), from the first to the second vertex
  * (dsw_environment_copy_vertices).
- * @param edges 2 ids: at the first and second vertex.
+ * @param edges 2 ids: at each of these.
  * @return DSW_STATUS_BORROWED. */
 DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_edge_id edge,
                                               double edge_parameter, dsw_vertex_id *vertex,
