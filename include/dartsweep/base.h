@@ -11,8 +11,8 @@
  *  - A geometric outcome (no contact, stopped, outside) is never a status.
  *  - A call that fails changes nothing, unless its comment says otherwise.
  *  - A function costs O(1) and is of version 2.0, unless its comment says otherwise; n counts the
- *    cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd, "Edge collision detection
- *    in complex deformable environments", 2010.
+ *    cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd, "Edge collision
+ *    detection in complex deformable environments", 2010.
  *
  * Statuses that any function can answer, and that comments do not list: DSW_STATUS_NULL_ARGUMENT,
  * BAD_STRUCT_SIZE, OUT_OF_RANGE, NON_FINITE, WRONG_SIZE, STALE_ID, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
@@ -35,9 +35,10 @@
  *    what is needed, also on BUFFER_TOO_SMALL. Capacity 0 only asks, and the array may be null.
  *  - A `hint` or `start`, also in an array, is a volume near the point, or the null id. `flags` are
  *    bits of the header's enum, or 0.
- *  - `struct_size`, set by the caller or an `_init` function, is the struct's sizeof, in an older or
- *    a newer version than the library's. Members that the caller's struct lacks count as 0; members
- *    that the library does not know must be 0 in a description, and are set to 0 in a report.
+ *  - `struct_size`, set by the caller or an `_init` function, is the struct's sizeof, in an older
+ *    or a newer version than the library's. Members that the caller's struct lacks count as 0;
+ *    members that the library does not know must be 0 in a description, and are set to 0 in a
+ *    report.
  *  - An `_init` function writes the defaults into at most `size` bytes, the struct's sizeof.
  *
  * Threads: a call writes what its signature has without const: an environment with its scene, a

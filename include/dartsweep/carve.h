@@ -16,8 +16,8 @@ typedef enum dsw_carve_flag {
   DSW_CARVE_WHOLE = 1 /**< Splits no volume. */
 } dsw_carve_flag;
 
-/** A shape by its closed surface. A point is inside if its winding number is not 0. `snap` as in
- * dsw_cut_desc. */
+/** A shape by its closed surface, `triangles` of `points`. A point is inside if its winding number
+ * is not 0. `snap` as in dsw_cut_desc. */
 typedef struct dsw_carve_desc {
   uint32_t struct_size;
   uint32_t flags;
@@ -42,7 +42,7 @@ DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
 DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw_carve_desc *desc,
                                          dsw_change *change);
 
-/** A closed loop of points round a vessel, counter-clockwise from the front. Its surface has a
+/** A closed loop of `points` round a vessel, counter-clockwise from the front. Its surface has a
  * triangle for each two neighbouring points and the mean of all. `snap` as in dsw_cut_desc. */
 typedef struct dsw_tie_desc {
   uint32_t struct_size;

@@ -31,13 +31,13 @@ typedef enum dsw_contact_kind {
 /** What was touched, and what `kind` of part. All members are 0 without a contact; at a body all
  * but `normal`, `front` and `kind`. */
 typedef struct dsw_contact {
-  double normal[3];  /**< Unit normal, out of the obstacle. */
-  dsw_cell obstacle; /**< Touched face, edge or vertex, canonical. */
-  dsw_face_id wall;  /**< An impassable face there, canonical; null at marked edges and vertices. */
+  double normal[3];     /**< Unit normal, out of the obstacle. */
+  dsw_cell obstacle;    /**< Touched face, edge or vertex, canonical. */
+  dsw_face_id wall;     /**< A wall there, canonical; null at a marked edge or vertex. */
   dsw_volume_id front;  /**< Passable volume at `obstacle`; at a body, that of the vertex. */
   dsw_volume_id behind; /**< Volume beyond `wall`; null at the outer boundary. */
   dsw_contact_kind kind;
-  /** Kind of the marked cell: VOLUME if only `behind` is marked, FACE also at the outer boundary. */
+  /** Kind of the marked cell: VOLUME if only `behind` is marked, FACE also at the boundary. */
   dsw_cell_kind marked_kind;
   uint32_t tag; /**< Tag of `behind`; at the outer boundary, of the volume there. */
 } dsw_contact;

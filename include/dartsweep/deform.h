@@ -19,8 +19,8 @@ typedef enum dsw_deform_method {
    * anything. */
   DSW_DEFORM_SWEPT = 0,
   /** An approximation: all vertices move at once; bodies and particles are located again. A wall
-   * that moves farther than a volume is thick can pass them. Walls do not push for a radius: the
-   * way is shortened. */
+   * that moves farther than a volume is thick can pass them. Walls do not push a thick body for its
+   * radius. */
   DSW_DEFORM_END_STATE = 1,
   DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff
 } dsw_deform_method;

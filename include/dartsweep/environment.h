@@ -15,10 +15,10 @@ extern "C" {
 /** Opaque. Scenes may share it unchanged. */
 typedef struct dsw_environment dsw_environment;
 
-/** Cell types, with the numbers of VTK and its order of points up to 9.6 (bindings/docs/meshes.md):
- * in a wedge 0 1 2 turn clockwise seen from 3 4 5, where VTK from 9.7 on and Gmsh have 0 2 1 3 5 4.
- * A polyhedron is a face stream: the number of faces, then for each face the number of its points
- * and the points, counter-clockwise seen from outside. */
+/** Cell types, with the numbers of VTK and its order of points up to 9.6; later wedges, and those
+ * of Gmsh, are others (bindings/docs/meshes.md). A polyhedron is a face stream: the number of
+ * faces, then for each face the number of its points and the points, counter-clockwise seen from
+ * outside. */
 typedef enum dsw_cell_type {
   DSW_CELL_TYPE_NONE = 0,        /**< No type. */
   DSW_CELL_TYPE_TRIANGLE = 5,    /**< 3 vertices, in the plane. */
@@ -114,7 +114,7 @@ typedef struct dsw_build_report {
   uint32_t merged_point_count; /**< Points that count as another one. @since 2.1 */
   uint32_t changed_count;      /**< Cells that DSW_ENVIRONMENT_CONFORM changed. @since 2.1 */
   uint32_t changed[8];         /**< The first of them, by index; then zeros. @since 2.1 */
-  /** Faces of the boundary that lie on, or overlap, faces of other cells. @since 2.1 */
+  /** Boundary faces that lie on, or overlap, faces of other cells. @since 2.1 */
   uint32_t touching_face_count;
   dsw_face_id touching_face; /**< The first of them, or null. @since 2.1 */
   dsw_face_id touched_face;  /**< A face that it lies on, or null. @since 2.1 */

@@ -4,10 +4,11 @@
  * volume) is always impassable. A marked edge or vertex stops no particle, only edges and faces of
  * bodies (dsw_level). More: bindings/docs/topology.md.
  *
- * Marking answers DSW_STATUS_SHARED if several scenes use the environment, and OCCUPIED if particles
- * or bodies lie in or cross the cells: dsw_scene_get_occupants and dsw_scene_get_occupant_bodies
- * tell which. Edges of bodies count from DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES. Cost: O(count
- * + bodies), for volumes also O(particles), by regions O(volumes). `marked`, `skipped` may be null.
+ * Marking answers DSW_STATUS_SHARED if several scenes use the environment, and OCCUPIED if
+ * particles or bodies lie in or cross the cells: dsw_scene_get_occupants and
+ * dsw_scene_get_occupant_bodies tell which. Edges of bodies count from DSW_LEVEL_EDGES on, faces at
+ * DSW_LEVEL_FACES. Cost: O(count + bodies), for volumes also O(particles), by regions O(volumes).
+ * `marked`, `skipped` may be null.
  */
 #ifndef DARTSWEEP_MARKING_H
 #define DARTSWEEP_MARKING_H

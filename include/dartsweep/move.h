@@ -18,8 +18,8 @@ typedef enum dsw_search {
   DSW_SEARCH_EXACT = 0, /**< The first contact. */
   /** All obstacles on the whole way, by time. */
   DSW_SEARCH_EXHAUSTIVE = 1,
-  /** Dichotomic: halves the way between a free position and one that is not, which the contact
-   * describes. At DSW_LEVEL_EDGES another contact may come first. */
+  /** Dichotomic: halves the way between a free position and one that is not. At DSW_LEVEL_EDGES
+   * another contact may come first. */
   DSW_SEARCH_BISECTION = 2,
   DSW_SEARCH_FORCE_INT32 = 0x7fffffff
 } dsw_search;
@@ -44,8 +44,8 @@ typedef enum dsw_response {
 
 /** Flags of a move. */
 enum {
-  /** Slides stay before the last six walls that the vertex has touched in this move, and end in a
-   * corner; without the flag, the last two. There are up to 8 slides. */
+  /** Slides stay before the last six walls touched in this move, and end in a corner; without the
+   * flag, before the last two. There are up to 8 slides. */
   DSW_MOVE_KEEP_WALLS = 0x1
 };
 
@@ -59,8 +59,7 @@ typedef struct dsw_move_options {
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
   /** Work limit: volumes that one sweep may visit before the vertex stops, free; 0: none. */
   uint32_t max_volumes;
-  /** Further passes over vertices that have stopped, 0 to 64. A vertex gets another turn if it
-   * moved in its last one, or a neighbour since; for bodies that meet bodies, any vertex. */
+  /** Further passes over vertices that have stopped and may get farther, 0 to 64. */
   uint32_t passes;
   double min_part;   /**< Least share of an edge in a part; up to 0.5, 0 means 0.25. */
   double min_length; /**< Least length of a part; 0: none. */
@@ -81,7 +80,7 @@ typedef struct dsw_move_report {
   /** Part of the motion made by dsw_body_move_rigid or together.h; else 1. */
   double fraction;
   uint32_t vertices_moved;   /**< Vertices that had to move. */
-  uint32_t vertices_stopped; /**< Vertices not at their targets, also by a slide. */
+  uint32_t vertices_stopped; /**< Vertices not at their targets. */
   uint32_t contact_count;    /**< See dsw_body_get_contacts. */
   uint32_t edit_count;       /**< See dsw_body_get_edits. */
   uint32_t edges_swept;      /**< Sweeps of edges, from both ends; depends on earlier moves. */

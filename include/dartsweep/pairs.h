@@ -1,8 +1,8 @@
 /** @file pairs.h
- * Continuous collision detection of single pairs, without an environment or a scene. All points of a
- * pair move at once, each straight and steadily. Answers are exact for all finite doubles, also if
- * features are parallel or have no extent. There is no shift (base.h): features that only touch do
- * touch. More: bindings/docs/pairs.md.
+ * Continuous collision detection of single pairs, without an environment or a scene. All points of
+ * a pair move at once, each straight and steadily. Answers are exact for all finite doubles, also
+ * if features are parallel or have no extent. There is no shift (base.h): features that only touch
+ * do touch. More: bindings/docs/pairs.md.
  */
 #ifndef DARTSWEEP_PAIRS_H
 #define DARTSWEEP_PAIRS_H

@@ -109,8 +109,8 @@ DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environme
                                                 const double *point, dsw_volume_id volume,
                                                 double radius, dsw_nearest *nearest);
 
-/** Finds what is nearest to each of many points, as dsw_environment_find_nearest does.
- * @param radius at least 0; may be infinite.
+/** Finds what is nearest to each of many points, as dsw_environment_find_nearest does with
+ * `radius`.
  * @param nearest infinite distance and no cell where that fails. `volumes_visited` also depends on
  * threads.
  * @param volumes of the points, or null ids; may be null or `hints`.
@@ -124,8 +124,7 @@ DSW_API dsw_status dsw_environment_find_nearest_to_points(
 typedef struct dsw_segment_nearest {
   dsw_nearest nearest;      /**< Its normal points towards segment_point. */
   double segment_parameter; /**< Where segment_point is: 0 at `from`, 1 at `to`. */
-  double
-      segment_point[3]; /**< The segment's nearest point, rounded. Both are 0 if nothing is near. */
+  double segment_point[3];  /**< The nearest point of the segment; both are 0 if nothing is near. */
 } dsw_segment_nearest;
 
 /** Finds for each of many segments the nearest impassable face, marked edge or vertex that can be
@@ -134,8 +133,8 @@ typedef struct dsw_segment_nearest {
  * exactly, with distance and normal 0, and segment_parameter is the time of the contact.
  * @param hints for `from`; not needed for a segment that begins where the last ends.
  * @param radius, nearest, volumes as in dsw_environment_find_nearest_to_points, for `from`.
- * @note Cost: O(volumes that the segment enters or that are within the distance). Batch. @since
- * 2.1 */
+ * @note Cost: O(volumes that the segment enters or that are within the distance). Batch.
+ * @since 2.1 */
 DSW_API dsw_status dsw_environment_find_nearest_to_segments(
     const dsw_environment *environment, size_t count, const dsw_volume_id *hints,
     const double *from, const double *to, size_t stride_bytes, double radius,

@@ -64,7 +64,7 @@ typedef enum dsw_replay_outcome {
 /** One step of a replay: the number of the `call` (from 0), its `status` now, and the `outcome`. */
 typedef struct dsw_replay_report {
   uint64_t call;
-  const char *function; /**< Its name, or null at the end. */
+  const char *function; /**< Its name, static; null at the end. */
   dsw_replay_outcome outcome;
   dsw_status status;
   uint32_t has_failed; /**< 1: the recorded one failed. */
@@ -91,7 +91,7 @@ DSW_API dsw_status dsw_replay_create(dsw_context *context, const void *recording
  * @note Cost: O(its size). */
 DSW_API dsw_status dsw_replay_destroy(dsw_replay *replay);
 
-/** Gives the scene after the last step. The host must not change it. */
+/** Gives the scene after the last step: the replay's, which the host must not change. */
 DSW_API dsw_status dsw_replay_get_scene(const dsw_replay *replay, dsw_scene **scene);
 
 /** Makes the next call.
@@ -138,7 +138,7 @@ typedef struct dsw_replay_info {
   uint64_t calls; /**< Calls made. */
   /** Bytes not yet read; at the end, of an incomplete entry. */
   uint64_t bytes_left;
-  /** The host's; null before the end of a bug report. */
+  /** The host's note; null before the end of a bug report. */
   const char *note;
   /** Null before the end of a bug report. */
   const dsw_validation *validation;

@@ -38,7 +38,7 @@ typedef struct dsw_scene_desc {
   uint32_t features; /**< DSW_FEATURE_...; 0: none. */
 } dsw_scene_desc;
 
-/** Counters since creation or reset, for any number of threads the same. */
+/** Counters since creation or reset, for any number of threads. */
 typedef struct dsw_statistics {
   uint32_t struct_size;
   uint32_t reserved;

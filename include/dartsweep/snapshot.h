@@ -1,6 +1,6 @@
 /** @file snapshot.h
- * Environments and scenes as blocks of bytes, the same on every machine. What is loaded goes on with
- * the ids and bits of what was saved. A `block` of `size_bytes` needs no alignment, and is not
+ * Environments and scenes as blocks of bytes, the same on every machine. What is loaded goes on
+ * with the ids and bits of what was saved. A `block` of `size_bytes` needs no alignment, and is not
  * trusted: lengths, checksum, links, cells, particles and bodies are checked.
  */
 #ifndef DARTSWEEP_SNAPSHOT_H
@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/** Saves an environment without its last dsw_change. @note Cost: O(n). */
+/** Saves an environment without its last change. @note Cost: O(n). */
 DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void *block,
                                         size_t capacity_bytes, size_t *size_bytes);
 

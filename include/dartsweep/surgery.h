@@ -74,9 +74,8 @@ DSW_API void dsw_open_crack_desc_init(dsw_open_crack_desc *desc, size_t size);
 /** Opens a crack [JCD10] 5.2. Its lips move apart, and a passable volume for each face that opens
  * fills the gap, sewn to its neighbours and to lips without marks. A vertex comes apart where the
  * crack divides the volumes round it into two sets, and less where a volume would become invalid.
- * Faces between impassable volumes alone open into passable ones at the rim. In `change` both
- * copies are new vertices, with the old one twice in `from`; lips, and added volumes last in
- * `volumes`, have the order of `faces`.
+ * Faces between impassable volumes alone open into passable ones at the rim. Both copies of a
+ * vertex are new ones in `change`.
  * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: a pair's faces do not lie on each other,
  * are of one volume, or not on the outer boundary.
  * @note Cost: also O(volumes at the crack). */

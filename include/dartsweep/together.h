@@ -5,8 +5,8 @@
  * contact, and the ways there are swept again: after the call all is free, and nothing was passed.
  *
  * A touch of bodies that can meet is a contact; a touch with the environment, if it remains one
- * under the shift (base.h). Contacts are of the way on which they were found, which can be a part of
- * the motion. DSW_BODY_RIGID keeps the shape only if the targets do and no vertex stops alone.
+ * under the shift (base.h). Contacts are of the way on which they were found, which can be a part
+ * of the motion. DSW_BODY_RIGID keeps the shape only if the targets do and no vertex stops alone.
  * More: bindings/docs/moving_together.md.
  */
 #ifndef DARTSWEEP_TOGETHER_H
@@ -37,19 +37,19 @@ typedef struct dsw_together_options {
   dsw_together_stop stop; /**< Default ALL. */
   uint32_t max_rounds;    /**< Rounds of FEATURE, up to 65536; 0 means 64. */
   /** Work limit for exact integers: thousands of products of 64-bit words, for each vertex slot of
-   * what moves together; 0 means 8192, about 0.02 s. Only coordinates of very different magnitude
-   * need as many. At the limit these bodies stay, free; `vertices_limited` counts vertices with
-   * other targets. */
+   * what moves together; 0 means 8192, about 0.02 s. At the limit these bodies stay, free;
+   * `vertices_limited` counts vertices with other targets. */
   uint32_t max_work;
 } dsw_together_options;
 
 /** Writes the defaults. @since 2.1 */
 DSW_API void dsw_together_options_init(dsw_together_options *options, size_t size);
 
-/** Moves all vertices of some bodies to their targets (move.h), all at once. Bodies of the call
- * that could meet each other on their ways, directly or through others, are an island. Other bodies
- * stand still, and are met.
+/** Moves all vertices of some bodies to their targets, all at once. Bodies of the call that could
+ * meet each other on their ways, directly or through others, are an island. Other bodies stand
+ * still, and are met.
  * @param bodies distinct.
+ * @param targets `target_count` points as in move.h.
  * @param reports `fraction`: part of the motion up to the first contact that stopped a vertex of
  * the island, rounded; `vertices_moved`: living vertices; `edges_swept`, `edges_skipped`: those of
  * the island, for its first body.
@@ -67,8 +67,10 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  * once. Other bodies and particles stand still. At the first contact of anything everything stops.
  * A volume that holds or nears a body or particle has to stay valid on the whole way; else all ways
  * end at 1/2, 1/4, ... of it.
- * @param next as in dsw_environment_deform; overwritten if the outcome is FRACTION.
+ * @param next `point_count` points as in dsw_environment_deform; overwritten if the outcome is
+ * FRACTION.
  * @param bodies distinct.
+ * @param targets `target_count` points.
  * @param options only `point_room` counts.
  * @param report `outcome`: DONE, FRACTION, REFUSED, or LIMITED: at the default of `max_work`, and
  * nothing has moved. Contacts have the way of the vertex `moving`, and `response` DSW_WALL_STOP.

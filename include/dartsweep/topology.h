@@ -4,10 +4,10 @@
  * When each is refused: bindings/docs/topology.md. Pointers for new ids may be null, and so may
  * `change`, except in dsw_environment_get_change.
  *
- * Each new volume is exactly valid, and new volumes fill the space of the old ones, unless a comment
- * says that the outer boundary moves; then dsw_environment_check tells whether it crosses itself. A
- * volume that changes keeps index, region label, tag and mark; its id, and those of its faces and
- * edges, become stale. dsw_environment_get_change gives the new ids.
+ * Each new volume is exactly valid, and new volumes fill the space of the old ones, unless a
+ * comment says that the outer boundary moves; then dsw_environment_check tells whether it crosses
+ * itself. A volume that changes keeps index, region label, tag and mark; its id, and those of its
+ * faces and edges, become stale. dsw_environment_get_change gives the new ids.
  *
  * Any change can answer DSW_STATUS_SHARED, OCCUPIED (a particle or vertex of a body would be in no
  * passable volume, or a body not free), BAD_TOPOLOGY, BAD_CELL, INVALID_CELL, TOO_LARGE. Cost,
