@@ -87,19 +87,19 @@ typedef enum dsw_status {
   DSW_STATUS_OUT_OF_RANGE = 4,
   DSW_STATUS_NON_FINITE = 5,          /**< A number is NaN or infinite. */
   DSW_STATUS_WRONG_SIZE = 6,          /**< A size, stride or offset is wrong. */
-  DSW_STATUS_STALE_ID = 7,            /**< The id's object is gone. */
-  DSW_STATUS_BUFFER_TOO_SMALL = 8,    /**< `count` is what is needed. */
+  DSW_STATUS_STALE_ID = 7,            /**< The object of the id is gone. */
+  DSW_STATUS_BUFFER_TOO_SMALL = 8,    /**< `count` is the capacity that is needed. */
   DSW_STATUS_OUT_OF_MEMORY = 9,       /**< The allocator returned null. */
   DSW_STATUS_TOO_LARGE = 10,          /**< More cells or points than 2^28. */
-  DSW_STATUS_INDEX_OUT_OF_RANGE = 11, /**< A cell names no point. */
-  DSW_STATUS_BAD_CELL_TYPE = 12,      /**< An unknown cell type. */
-  /** A cell repeats points, or has no closed surface. */
+  DSW_STATUS_INDEX_OUT_OF_RANGE = 11, /**< A cell names a point that is not there. */
+  DSW_STATUS_BAD_CELL_TYPE = 12,      /**< A cell type is unknown. */
+  /** A cell repeats points, or its faces form no sphere. */
   DSW_STATUS_BAD_CELL = 13,
   DSW_STATUS_INVERTED_CELL = 14, /**< A cell is inside out. */
   /** A cell is flat, folded, or no star of its centre. */
   DSW_STATUS_INVALID_CELL = 15,
-  DSW_STATUS_DUPLICATE_CELL = 16,   /**< Two cells on one side of a face. */
-  DSW_STATUS_SHARED_FACE = 17,      /**< A face of three cells or more. */
+  DSW_STATUS_DUPLICATE_CELL = 16,   /**< Two cells are on one side of a face. */
+  DSW_STATUS_SHARED_FACE = 17,      /**< A face belongs to three cells or more. */
   DSW_STATUS_BOUNDARY_CROSSES = 18, /**< The outer boundary passes through itself. */
   DSW_STATUS_OUTSIDE = 19,          /**< The point lies in no cell. */
   DSW_STATUS_IMPASSABLE = 20,       /**< The point lies in an impassable volume. */
@@ -110,7 +110,7 @@ typedef enum dsw_status {
   DSW_STATUS_NOT_FOUND = 25,        /**< What is asked for does not exist. */
   DSW_STATUS_TRUNCATED = 26,        /**< The bytes end early. */
   DSW_STATUS_CORRUPT = 27,          /**< The bytes are damaged. */
-  DSW_STATUS_BAD_VERSION = 28,      /**< An unknown format version. */
+  DSW_STATUS_BAD_VERSION = 28,      /**< The format version is unknown. */
   /** The scene lacks the feature. */
   DSW_STATUS_NOT_ENABLED = 29,
   DSW_STATUS_NOT_BUILT = 30, /**< The library was built without it. */

@@ -9,8 +9,7 @@
  * radii along its edges joins them. All this holds up to 2^-34 of the distance.
  *
  * Arrays by vertex have an entry for each slot; removed parts leave free slots. `edit` may be null.
- * Cost, unless a comment says more: to copy arrays O(slots), to remove parts O(parts there), to add
- * or change them O(volumes met). More: bindings/docs/moving_bodies.md.
+ * More: bindings/docs/moving_bodies.md.
  */
 #ifndef DARTSWEEP_BODY_H
 #define DARTSWEEP_BODY_H
@@ -71,8 +70,7 @@ typedef struct dsw_body_desc {
   double radius; /**< Finite, at least 0 (default): how thick it is. @since 2.1 */
 } dsw_body_desc;
 
-/** Numbers of living parts, and of slots (`vertex_slots`, `edge_slots`, `face_slots`). Indices are
- * below these. */
+/** Numbers of living parts, and of slots: `vertex_slots`, `edge_slots`, `face_slots`. */
 typedef struct dsw_body_counts {
   uint32_t struct_size;
   uint32_t vertex_count;
@@ -86,8 +84,7 @@ typedef struct dsw_body_counts {
 
 DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
 
-/** Creates a body. Vertices and edges keep their indices; other edges of faces follow; triangles
- * are numbered in order.
+/** Creates a body. Vertices and edges keep their indices; other edges of faces follow.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE, INDEX_OUT_OF_RANGE, REPEATED_VERTEX, DUPLICATE_PART,
  * NOT_ORIENTED; NOT_MANIFOLD: three triangles at an edge, several fans at a vertex; OCCUPIED: not
  * free, or too near; for DSW_BODY_SKIP_BACK_EDGES NOT_CLOSED, NOT_ORIENTED: no volume inside.
@@ -103,7 +100,7 @@ DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const u
 DSW_API dsw_status dsw_scene_get_occupant_bodies(const dsw_scene *scene, const dsw_body_id **bodies,
                                                  size_t *count);
 
-/** Removes a body. */
+/** Removes a body. @note Cost: O(body). */
 DSW_API dsw_status dsw_body_destroy(dsw_scene *scene, dsw_body_id body);
 
 /** Counts the bodies of a scene. */
@@ -122,7 +119,7 @@ DSW_API dsw_status dsw_body_get_level(const dsw_scene *scene, dsw_body_id body, 
 
 /** Changes the level of a body.
  * @return DSW_STATUS_OCCUPIED: not free at that level.
- * @note Cost: to raise it, as creation. */
+ * @note Cost: O(1) to lower, as creation to raise. */
 DSW_API dsw_status dsw_body_set_level(dsw_scene *scene, dsw_body_id body, dsw_level level);
 
 /** Gives `category` and `mask` of a body, with DSW_FEATURE_BODY_CONTACTS. */
@@ -153,21 +150,22 @@ DSW_API dsw_status dsw_body_find_least_gap(dsw_scene *scene, dsw_body_id body, d
                                            double *gap);
 
 /** Copies the positions of all vertex slots, zeros for free ones.
- * @param volumes may be null; those with the vertices. */
+ * @param volumes may be null; those with the vertices.
+ * @note Cost: O(slots). */
 DSW_API dsw_status dsw_body_get_positions(const dsw_scene *scene, dsw_body_id body,
                                           double *positions, size_t capacity, size_t stride_bytes,
                                           dsw_volume_id *volumes, size_t *count);
 
-/** Copies the ids of all vertices, by index. */
+/** Copies the ids of all vertices, by index. @note Cost: O(slots). */
 DSW_API dsw_status dsw_body_get_vertex_ids(const dsw_scene *scene, dsw_body_id body,
                                            dsw_body_vertex_id *vertices, size_t capacity,
                                            size_t *count);
 
-/** Copies the ids of all edges, by index. */
+/** Copies the ids of all edges, by index. @note Cost: O(slots). */
 DSW_API dsw_status dsw_body_get_edge_ids(const dsw_scene *scene, dsw_body_id body,
                                          dsw_body_edge_id *edges, size_t capacity, size_t *count);
 
-/** Copies the ids of all triangles, by index. */
+/** Copies the ids of all triangles, by index. @note Cost: O(slots). */
 DSW_API dsw_status dsw_body_get_face_ids(const dsw_scene *scene, dsw_body_id body,
                                          dsw_body_face_id *faces, size_t capacity, size_t *count);
 
@@ -184,12 +182,14 @@ DSW_API dsw_status dsw_body_get_vertex_id(const dsw_scene *scene, dsw_body_id bo
                                           dsw_body_vertex_id *vertex);
 
 /** Copies two vertex indices for each edge slot, UINT32_MAX for a free one.
- * @param vertices 2 * `capacity` numbers. */
+ * @param vertices 2 * `capacity` numbers.
+ * @note Cost: O(slots). */
 DSW_API dsw_status dsw_body_get_edge_indices(const dsw_scene *scene, dsw_body_id body,
                                              uint32_t *vertices, size_t capacity, size_t *count);
 
 /** Copies three vertex indices for each triangle slot, UINT32_MAX for a free one.
- * @param vertices 3 * `capacity` numbers. */
+ * @param vertices 3 * `capacity` numbers.
+ * @note Cost: O(slots). */
 DSW_API dsw_status dsw_body_get_face_indices(const dsw_scene *scene, dsw_body_id body,
                                              uint32_t *vertices, size_t capacity, size_t *count);
 
@@ -200,25 +200,29 @@ DSW_API dsw_status dsw_body_add_vertex(dsw_scene *scene, dsw_body_id body, const
                                        dsw_volume_id hint, dsw_body_vertex_id *vertex);
 
 /** Adds an edge between two vertices.
- * @return DSW_STATUS_REPEATED_VERTEX, DUPLICATE_PART; OCCUPIED: not free. */
+ * @return DSW_STATUS_REPEATED_VERTEX, DUPLICATE_PART; OCCUPIED: not free.
+ * @note Cost: O(volumes met). */
 DSW_API dsw_status dsw_body_add_edge(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a,
                                      dsw_body_vertex_id b, dsw_body_edge_id *edge);
 
 /** Adds a triangle and its missing edges.
- * @return as dsw_body_add_edge; DSW_STATUS_NOT_MANIFOLD, NOT_ORIENTED. */
+ * @return as dsw_body_add_edge; DSW_STATUS_NOT_MANIFOLD, NOT_ORIENTED.
+ * @note Cost: O(volumes met). */
 DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a,
                                      dsw_body_vertex_id b, dsw_body_vertex_id c,
                                      dsw_body_face_id *face);
 
-/** Removes a face. */
+/** Removes a face. @note Cost: O(parts there). */
 DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
 
 /** Removes an edge and its faces.
- * @return DSW_STATUS_OCCUPIED: parts of a thick body that meets itself would be too near. */
+ * @return DSW_STATUS_OCCUPIED: parts of a thick body that meets itself would be too near.
+ * @note Cost: O(parts there). */
 DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);
 
 /** Removes a vertex, its edges and faces.
- * @return as dsw_body_remove_edge. */
+ * @return as dsw_body_remove_edge.
+ * @note Cost: O(parts there). */
 DSW_API dsw_status dsw_body_remove_vertex(dsw_scene *scene, dsw_body_id body,
                                           dsw_body_vertex_id vertex);
 
@@ -237,12 +241,13 @@ typedef struct dsw_body_edit {
 /** Splits an edge and its faces at ends[0] + `edge_parameter` * (ends[1] - ends[0]), rounded; the
  * parameter is in (0,1).
  * @return DSW_STATUS_OCCUPIED: a part is not free.
- * @note Source: [JCD10] 4.2. */
+ * @note Cost: O(volumes met). Source: [JCD10] 4.2. */
 DSW_API dsw_status dsw_body_split_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
                                        double edge_parameter, dsw_body_edit *edit);
 
 /** Moves `vertex` to the other end of `edge`, if the way is free, and merges the two.
- * @return DSW_STATUS_NOT_FOUND: `vertex` is no end of `edge`; NOT_MANIFOLD; OCCUPIED. */
+ * @return DSW_STATUS_NOT_FOUND: `vertex` is no end of `edge`; NOT_MANIFOLD; OCCUPIED.
+ * @note Cost: O(volumes met). */
 DSW_API dsw_status dsw_body_collapse_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
                                           dsw_body_vertex_id vertex, dsw_body_edit *edit);
 

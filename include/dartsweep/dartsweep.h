@@ -37,9 +37,8 @@
  * sides: face i runs from corner i to the next. Points have 2 doubles; third numbers in structs are
  * 0. The shift is (e, e^2). There are no edges but in topology.h, where an edge id names a side.
  * Bodies meet vertices instead of edges. A blade has 1 column: the path of a point, with its front
- * on the right. Shapes and loops of carve.h are lines of segments. coarsen.h, remesh.h, detach.h,
- * cross_check.h, edges elsewhere and faces of bodies answer DSW_STATUS_UNSUPPORTED.
- * More: bindings/docs/plane.md.
+ * on the right. coarsen.h, remesh.h, detach.h, cross_check.h, edges elsewhere and faces of bodies
+ * answer DSW_STATUS_UNSUPPORTED. More: bindings/docs/plane.md.
  */
 
 #endif

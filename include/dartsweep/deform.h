@@ -19,8 +19,7 @@ typedef enum dsw_deform_method {
    * anything. */
   DSW_DEFORM_SWEPT = 0,
   /** An approximation: all vertices move at once; bodies and particles are located again. A wall
-   * that moves farther than a volume is thick can pass them. Walls do not push a thick body for its
-   * radius. */
+   * that moves farther than a volume is thick can pass them. */
   DSW_DEFORM_END_STATE = 1,
   DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff
 } dsw_deform_method;
@@ -75,7 +74,7 @@ typedef struct dsw_deform_options {
   uint32_t remesh_radius;    /**< REMESH: see dsw_remesh_desc. */
   uint32_t remesh_max_faces; /**< REMESH: see dsw_remesh_desc. */
   /** SWEPT: work limit: how often a vertex may stay in its turn, in all steps; then all that move
-   * one at a time stay. 0 means 16,384: 16 vertices in each of 1,024 steps. @since 2.1 */
+   * one at a time stay. 0 means 16,384. @since 2.1 */
   uint32_t max_holds;
   uint32_t reserved;
 } dsw_deform_options;

@@ -155,7 +155,7 @@ DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_enviro
  * @return DSW_STATUS_IN_USE: scenes use it. */
 DSW_API dsw_status dsw_environment_destroy(dsw_environment *environment);
 
-/** Gives numbers about an environment. @note Cost: O(n) once the topology has changed. */
+/** Gives numbers about an environment. @note Cost: O(1), or O(n) once the topology has changed. */
 DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment,
                                             dsw_environment_info *info);
 

@@ -7,8 +7,7 @@
  * Marking answers DSW_STATUS_SHARED if several scenes use the environment, and OCCUPIED if
  * particles or bodies lie in or cross the cells: dsw_scene_get_occupants and
  * dsw_scene_get_occupant_bodies tell which. Edges of bodies count from DSW_LEVEL_EDGES on, faces at
- * DSW_LEVEL_FACES. Cost: O(count + bodies), for volumes also O(particles), by regions O(volumes).
- * `marked`, `skipped` may be null.
+ * DSW_LEVEL_FACES. `marked` and `skipped` may be null.
  */
 #ifndef DARTSWEEP_MARKING_H
 #define DARTSWEEP_MARKING_H
@@ -33,36 +32,40 @@ enum {
 };
 
 /** Sets the mark of volumes. An id may occur twice.
- * @param skipped occupied volumes that kept their mark. */
+ * @param skipped occupied volumes that kept their mark.
+ * @note Cost: O(count + particles + bodies). */
 DSW_API dsw_status dsw_environment_mark_volumes(dsw_environment *environment,
                                                 const dsw_volume_id *volumes, size_t count,
                                                 dsw_mark mark, uint32_t flags, size_t *skipped);
 
-/** Sets the mark of faces. */
+/** Sets the mark of faces. @note Cost: O(count + bodies). */
 DSW_API dsw_status dsw_environment_mark_faces(dsw_environment *environment,
                                               const dsw_face_id *faces, size_t count,
                                               dsw_mark mark);
 
-/** Sets the mark of edges, at about 16 bytes each. */
+/** Sets the mark of edges, at about 16 bytes each. @note Cost: O(count + bodies) expected. */
 DSW_API dsw_status dsw_environment_mark_edges(dsw_environment *environment,
                                               const dsw_edge_id *edges, size_t count,
                                               dsw_mark mark);
 
 /** Sets the mark of vertices. Only thick bodies can be in the way. The first mark takes a bit for
- * every vertex. */
+ * every vertex.
+ * @note Cost: O(count + thick bodies). */
 DSW_API dsw_status dsw_environment_mark_vertices(dsw_environment *environment,
                                                  const dsw_vertex_id *vertices, size_t count,
                                                  dsw_mark mark);
 
 /** Sets the mark of every volume with the label `region`.
  * @param marked those that have the mark now.
- * @param skipped as in dsw_environment_mark_volumes. */
+ * @param skipped as in dsw_environment_mark_volumes.
+ * @note Cost: O(volumes + particles + bodies). */
 DSW_API dsw_status dsw_environment_mark_region(dsw_environment *environment, int32_t region,
                                                dsw_mark mark, uint32_t flags, size_t *marked,
                                                size_t *skipped);
 
 /** Sets the mark of every face between region `a` and region `b`.
- * @param marked how many. */
+ * @param marked how many.
+ * @note Cost: O(volumes + bodies). */
 DSW_API dsw_status dsw_environment_mark_between(dsw_environment *environment, int32_t a, int32_t b,
                                                 dsw_mark mark, size_t *marked);
 

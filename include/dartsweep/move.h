@@ -45,7 +45,7 @@ typedef enum dsw_response {
 /** Flags of a move. */
 enum {
   /** Slides stay before the last six walls touched in this move, and end in a corner; without the
-   * flag, before the last two. There are up to 8 slides. */
+   * flag, before the last two. */
   DSW_MOVE_KEEP_WALLS = 0x1
 };
 

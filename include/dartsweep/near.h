@@ -51,11 +51,11 @@ typedef struct dsw_near_row {
   dsw_face_id wall;
   uint32_t tag;     /**< The tag at `wall`; see dsw_contact. */
   dsw_body_id body; /**< The other body, or null. */
-  /** Names the row of its body: the same part and obstacle have the same key later, until one is
-   * cut or renumbered. Rows are sorted by keys. */
+  /** Names the row of its body in later calls, until the part or the obstacle is cut or renumbered.
+   * Rows are sorted by keys. */
   uint32_t key[4];
-  /** For a warm start: number of the row before with the same key, or the nearest of the same part
-   * whose key is gone and whose normal is at most 60 degrees away; else UINT32_MAX. */
+  /** For a warm start: number of the row before that this row continues
+   * (bindings/docs/near_rows.md), or UINT32_MAX. */
   uint32_t previous;
   uint32_t reserved;
 } dsw_near_row;
@@ -66,8 +66,8 @@ DSW_API void dsw_near_options_init(dsw_near_options *options, size_t size);
 /** Finds the near rows of a body, and keeps them until the next call. At a limit a distance counts
  * up to 2^-40 of the largest coordinate of its points.
  * @return DSW_STATUS_OUT_OF_MEMORY: there are no rows then; other failures keep the old ones.
- * @note Cost: O(volumes within the limit); obstacles near an edge are remembered until it leaves
- * their room, or the environment changes. Writes the scene. @since 2.1 */
+ * @note Cost: O(volumes within the limit), less where the body has moved little since the last
+ * call. Writes the scene. @since 2.1 */
 DSW_API dsw_status dsw_body_find_near_rows(dsw_scene *scene, dsw_body_id body,
                                            const dsw_near_options *options, size_t *row_count);
 

@@ -52,10 +52,9 @@ DSW_API dsw_status dsw_scene_get_particle_positions(const dsw_scene *scene,
                                                     double *positions, size_t stride_bytes,
                                                     dsw_volume_id *volumes);
 
-/** Moves a particle towards a target, as far as 1e300. The reported volume contains the reported
- * position.
+/** Moves a particle towards a target, as far as 1e300.
  * @param options DSW_CAST_START_KNOWN has no effect; DSW_CAST_NO_DETAIL leaves out `contact`.
- * @param flight may be null.
+ * @param flight may be null; its volume contains its position.
  * @note Cost: O(volumes crossed), twice at a contact. Source: [JCD10] 3.3. */
 DSW_API dsw_status dsw_particle_move(dsw_scene *scene, dsw_particle_id particle,
                                      const double *target, const dsw_cast_options *options,

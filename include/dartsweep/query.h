@@ -103,8 +103,7 @@ typedef struct dsw_nearest {
  * @param radius at least 0; may be infinite.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE: nor is the point on the boundary.
  * @note Cost: O(volumes within the distance). Far calls build a search structure when they have
- * taken as long, unless DSW_ENVIRONMENT_NO_LOCATE_TREE forbids; then O(log n) expected, and the
- * volumes on the way. */
+ * taken as long; then O(log n) expected, and the volumes on the way. */
 DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environment,
                                                 const double *point, dsw_volume_id volume,
                                                 double radius, dsw_nearest *nearest);

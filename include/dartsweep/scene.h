@@ -62,7 +62,7 @@ DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
  * @param environment retained.
  * @param desc null: no features.
  * @return DSW_STATUS_IN_USE: two scenes would share an environment that can deform.
- * @note Cost: the first time with DSW_FEATURE_DEFORMING O(n). */
+ * @note Cost: O(1), the first time with DSW_FEATURE_DEFORMING O(n). */
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc,
                                     dsw_scene **scene);
 

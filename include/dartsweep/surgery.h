@@ -41,14 +41,15 @@ DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
 /** Cuts an environment along a blade. In a split volume the part in front keeps the index.
  * @return DSW_STATUS_BORROWED.
- * @note Cost: also O(pairs of a triangle and a volume that meet, and on the way to the blade). */
+ * @note Cost: O(pairs of a triangle and a volume that meet, and on the way to the blade), and
+ * local. */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc,
                                        dsw_change *change);
 
 /** Unsews faces with a load above a threshold. Faces of the outer boundary stay.
  * @param faces an id may occur twice.
  * @param loads, threshold in the host's unit; may be infinite.
- * @note Cost: also O(count). */
+ * @note Cost: O(count), and local. */
 DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment,
                                               const dsw_face_id *faces, const double *loads,
                                               size_t count, double threshold, dsw_change *change);
@@ -74,11 +75,10 @@ DSW_API void dsw_open_crack_desc_init(dsw_open_crack_desc *desc, size_t size);
 /** Opens a crack [JCD10] 5.2. Its lips move apart, and a passable volume for each face that opens
  * fills the gap, sewn to its neighbours and to lips without marks. A vertex comes apart where the
  * crack divides the volumes round it into two sets, and less where a volume would become invalid.
- * Faces between impassable volumes alone open into passable ones at the rim. Both copies of a
- * vertex are new ones in `change`.
+ * Faces between impassable volumes alone open into passable ones at the rim.
  * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: a pair's faces do not lie on each other,
  * are of one volume, or not on the outer boundary.
- * @note Cost: also O(volumes at the crack). */
+ * @note Cost: O(volumes at the crack), and local. */
 DSW_API dsw_status dsw_environment_open_crack(dsw_environment *environment,
                                               const dsw_open_crack_desc *desc, dsw_change *change);
 

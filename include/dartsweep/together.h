@@ -54,8 +54,7 @@ DSW_API void dsw_together_options_init(dsw_together_options *options, size_t siz
  * the island, rounded; `vertices_moved`: living vertices; `edges_swept`, `edges_skipped`: those of
  * the island, for its first body.
  * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has.
- * @note Contacts are all that touch at the same exact time; of an edge or face and its corner that
- * touch walls, the corner. `fixed` has the other ends then.
+ * @note Contacts are all that touch at the same exact time. `fixed` has the other ends then.
  * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact;
  * see `max_work`. Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *bodies,
@@ -73,7 +72,7 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  * @param targets `target_count` points.
  * @param options only `point_room` counts.
  * @param report `outcome`: DONE, FRACTION, REFUSED, or LIMITED: at the default of `max_work`, and
- * nothing has moved. Contacts have the way of the vertex `moving`, and `response` DSW_WALL_STOP.
+ * nothing has moved. Contacts have `response` DSW_WALL_STOP.
  * @return as dsw_environment_deform; DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body of the scene has
  * a radius; WRONG_SIZE: also target_count.
  * @note Cost: as dsw_scene_move_together, and O(particles); O(n) each time that all ways are

@@ -10,10 +10,11 @@
  * faces and edges, become stale. dsw_environment_get_change gives the new ids.
  *
  * Any change can answer DSW_STATUS_SHARED, OCCUPIED (a particle or vertex of a body would be in no
- * passable volume, or a body not free), BAD_TOPOLOGY, BAD_CELL, INVALID_CELL, TOO_LARGE. Cost,
- * unless a comment says more: O(faces of the volumes that change), and a pass over particles and
- * bodies (with DSW_FEATURE_LIVE_CHANGES only those near). The first change makes tables: 24 bytes a
- * volume, 12 a vertex.
+ * passable volume, or a body not free), BAD_TOPOLOGY, BAD_CELL, INVALID_CELL, TOO_LARGE.
+ *
+ * "Local" cost: O(faces of the volumes that change), and a pass over particles and bodies (with
+ * DSW_FEATURE_LIVE_CHANGES only those near). The first change makes tables: 24 bytes a volume, 12 a
+ * vertex.
  */
 #ifndef DARTSWEEP_TOPOLOGY_H
 #define DARTSWEEP_TOPOLOGY_H
@@ -56,8 +57,7 @@ typedef struct dsw_face_origin {
 typedef struct dsw_change {
   uint32_t struct_size;
   uint32_t is_closed; /**< Ligature: 0 if a way leads past the loop. */
-  /** Cut: largest distance between the blade and new vertices, and in split volumes the cut.
-   * Detached body: of a vertex from its origin. */
+  /** Cut: largest distance between blade and cut. Detached body: of a vertex from its origin. */
   double distance;
   double smallest_width;       /**< Crack: smallest opening, or 0. */
   double largest_width;        /**< Crack: largest opening. */
@@ -102,13 +102,15 @@ DSW_API dsw_status dsw_environment_get_change(const dsw_environment *environment
 /** Sews `faces_a`[i] and `faces_b`[i], faces of the outer boundary with the same vertices, into one
  * face, marked if either was. If their triangles differ, one of the two volumes changes; other ids
  * stay valid.
- * @return DSW_STATUS_DUPLICATE_ID. */
+ * @return DSW_STATUS_DUPLICATE_ID.
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_sew_faces(dsw_environment *environment,
                                              const dsw_face_id *faces_a, const dsw_face_id *faces_b,
                                              size_t count);
 
 /** Unsews a face between two volumes into two faces of the outer boundary, with its mark. All ids
- * stay valid. */
+ * stay valid.
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_unsew_face(dsw_environment *environment, dsw_face_id face);
 
 /** Describes new volumes; `index_bytes`, `cell_types`, `offsets`, `connectivity`, `regions`, `tags`
@@ -142,37 +144,42 @@ DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
 /** Adds passable volumes, sewn to each other where they share faces. They must overlap nothing
  * (dsw_environment_check).
  * @return DSW_STATUS_BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE, BORROWED;
- * NOT_FOUND: no new volume has a face of sew_to. */
+ * NOT_FOUND: no new volume has a face of sew_to.
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_add_volumes(dsw_environment *environment,
                                                const dsw_volumes_desc *desc, dsw_volume_id *volumes,
                                                dsw_vertex_id *vertices);
 
-/** Removes volumes, but not all. An id may occur twice. */
+/** Removes volumes, but not all. An id may occur twice. @note Cost: local. */
 DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment,
                                                   const dsw_volume_id *volumes, size_t count);
 
 /** Merges two volumes, both marked or both not. All faces between them go.
- * @param face one of these; its id names the volume whose index, region label and tag stay. */
+ * @param face one of these; its id names the volume whose index, region label and tag stay.
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, dsw_face_id face,
                                                  dsw_volume_id *volume);
 
 /** Splits a volume by a new face, cut into triangles, along a closed loop of its edges.
  * @param loop 3 or more different vertices.
  * @param volumes 2 ids: the part left of the loop seen from outside, with the old index, and the
- * other. */
+ * other.
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, dsw_volume_id volume,
                                                 const dsw_vertex_id *loop, size_t count,
                                                 dsw_volume_id *volumes, dsw_face_id *face);
 
 /** Merges the two faces of an edge that has no others, both marked or both not. Their triangles
- * stay. */
+ * stay.
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_face_id *face);
 
 /** Splits a face by a new edge. A warped face can get other triangles, which changes the space of
  * its volumes or the outer boundary.
  * @param a, b vertices of the face that no edge joins.
- * @param faces 2 ids: the part from a to b, seen from outside of the id's volume, and the other. */
+ * @param faces 2 ids: the part from a to b, seen from outside of the id's volume, and the other.
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_face_id face,
                                               dsw_vertex_id a, dsw_vertex_id b, dsw_face_id *faces,
                                               dsw_edge_id *edge);
@@ -181,20 +188,23 @@ DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_
  * @param edge_parameter in (0,1), from the first to the second vertex
  * (dsw_environment_copy_vertices).
  * @param edges 2 ids: at each of these.
- * @return DSW_STATUS_BORROWED. */
+ * @return DSW_STATUS_BORROWED.
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_edge_id edge,
                                               double edge_parameter, dsw_vertex_id *vertex,
                                               dsw_edge_id *edges);
 
 /** Merges the two edges of a vertex that has no others. The new edge runs straight, and the outer
  * boundary moves with it.
- * @param vertex the end of `edge` that goes. */
+ * @param vertex the end of `edge` that goes.
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_merge_edges(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_vertex_id vertex, dsw_edge_id *merged);
 
 /** Merges one end of an edge into the other, if the outer boundary keeps its form. Tetrahedra at
  * the edge vanish with their marks; their two other faces become one, marked if either was.
- * @param vertex the end that goes. */
+ * @param vertex the end that goes.
+ * @note Cost: local. */
 DSW_API dsw_status dsw_environment_collapse_edge(dsw_environment *environment, dsw_edge_id edge,
                                                  dsw_vertex_id vertex);
 
