@@ -10,7 +10,7 @@ import numpy as np
 from .. import errors
 from ..environment import Environment
 from .error import MeshError
-from . import collapsed, orient, own
+from . import collapsed, orient, own, repeated
 from .labels import FACE_LABELS, regions_of
 from .mesh import Indices, Mesh
 from .plane import flatten
@@ -19,6 +19,7 @@ from .plane import flatten
 def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> Environment:
     """An environment of a mesh of volumes or of the plane. regions: name of the array, or group, that labels cells. options: as of
     Environment."""
+    given = options
     mesh, plane = flatten(own.restored(mesh))
     labels, names = regions_of(mesh, regions)
     options = {"tags": mesh.cell_data.get(own.TAGS), **options}
@@ -35,14 +36,19 @@ def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> 
         return _created(mesh, create)
     except errors.OutOfMemory:
         raise
+    except errors.DuplicateCell as error:
+        different = repeated.left_out(mesh)
+        if different is None:
+            raise MeshError(mesh.source, str(error), _way_on(error)) from error
     except (errors.Error, TypeError, OverflowError) as error:
         raise MeshError(mesh.source, str(error), _way_on(error)) from error
+    return environment_of(different, regions, given)
 
 
 def _created(mesh: Mesh, create: Callable[[Mesh], Environment]) -> Environment:
     try:
         return orient.created(mesh, create)
-    except errors.BadCell:
+    except (errors.BadCell, errors.InvalidCell):
         opened = collapsed.opened(mesh)
         if opened is None:
             raise

@@ -124,7 +124,8 @@ def _add_faces(mesh: Mesh, raw: Raw, cells: Cells, parents: Indices | None, dime
     for name, offsets, side_vertices in raw.sides:
         parts.append(side_vertices)
         part_sizes.append(np.diff(offsets))
-        mesh.face_groups[name] = np.arange(count, count + len(offsets) - 1)
+        own = np.arange(count, count + len(offsets) - 1)
+        mesh.face_groups[name] = np.concatenate([mesh.face_groups[name], own]) if name in mesh.face_groups else own
         count += len(offsets) - 1
     for name, values in mesh.face_data.items():  # faces of `sides` have no data
         if count != len(values):
