@@ -104,7 +104,7 @@ dsw_status guarded_visit(const char* function, Handle* handle, const Body& body)
   return guard(function, [&] { visit(check_handle(handle), body); });
 }
 
-/** Of an engine as visit gives it. */
+/** The dimension of an engine as visit passes it. */
 template <class Engine>
 constexpr int kDimension = std::decay_t<Engine>::kDimension;
 
@@ -171,7 +171,7 @@ void for_each_scene(const dsw_environment& environment, const Use& use) {
   const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
   for (dsw_scene* scene = environment.first_scene; scene != nullptr; scene = scene->next) use(*scene);
 }
-/** Of a scene of an environment; null for a null scene. */
+/** Gives the engine of a scene whose environment is given; null for a null scene. */
 template <int D>
 Scene<D>* engine_of(dsw_scene* scene, const Environment<D>&) {
   return scene == nullptr ? nullptr : &std::get<Scene<D>>(scene->engine);

@@ -137,7 +137,7 @@ class Rebuild {
     return merging_.polyhedron(root) != nullptr || from_.form(from_.cell(root)) == Form::kGeneral;
   }
 
-  /** As at creation: there are tables both ways only where records differ, or may. */
+  /** Gives each cell its units as creation does: the tables between cells and units exist only if records may differ. */
   void lay_out() {
     const uint32_t first_units = units_of(roots_[0]);
     uint64_t units = 0;

@@ -141,7 +141,7 @@ inline bool is_closed(const Environment<D>& env, Cell c) noexcept {
   return env.map.marked(c) || !admits(env, c);
 }
 
-/** As of the map, and by invalid cells on either side. */
+/** Tells whether a half-facet is impassable in the map, or has an invalid cell on either side. */
 template <int D>
 inline bool is_impassable(const Environment<D>& env, HalfFacet h) noexcept {
   if (is_impassable(env.map, h)) return true;

@@ -21,7 +21,7 @@ class CellPoints {
     env.map.for_each_vertex(c, [&](uint32_t vertex) { *at++ = env.point(vertex); });
   }
   const double* operator[](uint32_t local) const { return is_kept_ ? at_[local] : env_.point(cell_, local); }
-  /** As centre() of the cell. */
+  /** Computes the cell's centre as centre() does. */
   void centre(const Shape& shape, double* out) const {
     mean_point<D>(
         shape.vertex_count(), [&](uint32_t i) { return (*this)[i]; }, out);
@@ -253,7 +253,7 @@ Plainly look_at_star(const Shape& shape, const CellPoints<3>& at, const double* 
 
 Plainly look_at_star(const Shape&, const CellPoints<2>&, const double*) noexcept { return Plainly::kUnknown; }
 
-/** As check_cell, but does not look whether a valid cell is convex.
+/** Checks a cell as check_cell does, but does not look whether a valid cell is convex.
  * @param tells_inverted else an inverted cell may be called invalid. */
 template <int D>
 CellState check_star(const Environment<D>& env, Cell c, const Shape& shape, const CellPoints<D>& at, const double* apex,

@@ -26,7 +26,7 @@ struct ChangeResults {
         unrepaired(memory),
         detached(memory),
         body_faces(memory) {}
-  /** As the host reads it. */
+  /** The change as the host reads it. */
   dsw_change change() const noexcept;
   uint64_t memory_bytes() const noexcept;
 };

@@ -94,7 +94,7 @@ class Followers {
   void finish() noexcept { count_looked_at(scene_, looked_at_); }
 
  private:
-  /** Of a particle, or of a vertex of a body. */
+  /** Where a particle, or a vertex of a body, is before and after the edit. */
   struct Location {
     uint32_t body, place;
     Cell before, after;

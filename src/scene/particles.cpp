@@ -54,7 +54,7 @@ void check_places(const Scene<D>& scene, PointArray positions, size_t count, con
   }
 }
 
-/** Those in one cell. */
+/** Adds the particles in one cell to scene.occupants. */
 template <int D>
 void add_occupants(Scene<D>& scene, Cell cell) {
   scene.live.get()->particles.for_each(cell, [&](uint32_t slot) {

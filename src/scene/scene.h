@@ -150,7 +150,7 @@ void note_particle(Scene<D>& scene, uint32_t slot) noexcept {
 /** Collects into scene.occupants the particles whose cell is among `cells`. Returns how many were looked at. */
 template <int D>
 size_t find_occupants(Scene<D>& scene, const Cell* cells, size_t count);
-/** The same for all cells with a region label. */
+/** Collects into scene.occupants the particles in all cells with a region label. Returns how many were looked at. */
 template <int D>
 size_t find_occupants_of_region(Scene<D>& scene, int32_t region);
 

@@ -40,8 +40,8 @@ enum Section {
   kSectionCount
 };
 
-/** Those of the plane have been narrow since version 3. The last version is written where cells were split, else the one
- * before it. */
+/** Numbers of the plane's blocks have been narrow since version 3. The last version is written where cells were split, else the
+ * version before it. */
 template <int D>
 constexpr BlockKind kKind = {"DSWENV\x1a\n", D == 2 ? 4 : 3, 2, kSectionCount, {kParents, kParents}};
 template <int D>

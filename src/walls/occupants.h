@@ -68,7 +68,7 @@ struct Feature {
   bool is_point() const { return kind <= kVertex; }
 };
 
-/** Of a body. */
+/** The simplex of a body that a feature is. */
 inline Simplex simplex_of(const Feature& feature) {
   return {static_cast<Simplex::Kind>(feature.kind - Feature::kVertex), feature.index};
 }
