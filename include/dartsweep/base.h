@@ -68,7 +68,7 @@
 #define DSW_API
 #endif
 
-#define DSW_VERSION_MAJOR 2 /**< The header's; dsw_version() tells the library's. */
+#define DSW_VERSION_MAJOR 2 /**< dsw_version() gives those of the library. */
 #define DSW_VERSION_MINOR 1 /**< Grows with additions. */
 #define DSW_VERSION_PATCH 0 /**< Grows with corrections. */
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "capi/recorded.h"
+#include "capi/scene_handle.h"
 #include "scene/change.h"
 
 namespace dsw::capi {

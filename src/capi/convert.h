@@ -13,6 +13,10 @@
 #include "query/sweeps.h"
 #include "topology/edit.h"
 
+namespace dsw {
+struct RepairSettings;
+}
+
 namespace dsw::capi {
 
 /** Throws STALE_ID, with the id of a volume or a vertex; `kind` is its name, `count` how many are alive. */

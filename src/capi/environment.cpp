@@ -6,6 +6,7 @@
 
 #include "capi/convert.h"
 #include "capi/recorded.h"
+#include "capi/scene_handle.h"
 #include "conform/conform.h"
 #include "environment/builder.h"
 #include "environment/find_facets.h"

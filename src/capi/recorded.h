@@ -8,6 +8,7 @@
 #include "base/owned.h"
 #include "capi/calls.h"
 #include "capi/convert.h"
+#include "capi/scene_handle.h"
 #include "record/record.h"
 #include "snapshot/scene_snapshot.h"
 

@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "capi/replay.h"
+#include "capi/scene_handle.h"
+#include "scene/deformation.h"
 #include "scene/near_bodies.h"
 #include "validation/validation.h"
 

@@ -8,7 +8,7 @@
 #include "base/points.h"
 #include "body/body.h"
 #include "capi/fields.h"
-#include "scene/change.h"
+#include "scene/change_results.h"
 
 namespace dsw::capi {
 

@@ -6,6 +6,7 @@
 
 #include "base/dimensions.h"
 #include "map/cell_queue.h"
+#include "scene/live_register.h"
 #include "scene/near_bodies.h"
 #include "scene/occupation.h"
 #include "sweep/body_probe.h"

@@ -6,6 +6,8 @@
 #include "base/dimensions.h"
 #include "environment/marking.h"
 #include "locate/locate.h"
+#include "query/locations.h"
+#include "scene/live_register.h"
 #include "scene/scene.h"
 
 namespace dsw {

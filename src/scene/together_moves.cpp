@@ -5,6 +5,7 @@
 #include "base/dimensions.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
+#include "together/together_move.h"
 
 namespace dsw {
 namespace {

@@ -8,7 +8,7 @@ namespace dsw {
 
 class FacetCuts {
  public:
-  /** Of the facets of `cells`, ordered by their records. A facet of another cell keeps its triangles; so does one whose
+  /** Cuts the facets of `cells`, which are ordered by their records. A facet of another cell keeps its triangles; so does one whose
    * triangles are all turned alike, seen along the axis along which it is largest. Else its ears are cut off, seen along an
    * axis along which that is possible. Throws std::bad_alloc. */
   FacetCuts(const Environment<3>& env, const Array<Cell>& cells);

@@ -18,7 +18,7 @@ Array<uint32_t> vertices_of(const PartHull<D>& boundary) {
   return vertices;
 }
 
-/** Of a boundary of D + 1 simplices: whether these close a simplex with a volume. */
+/** Tells whether the boundary is that of a simplex with a volume. */
 template <int D>
 bool is_positive(const PartPoints<D>& at, const PartHull<D>& boundary, const Array<uint32_t>& vertices) {
   if (vertices.size() != D + 1) return false;

@@ -103,7 +103,7 @@ class SplitMesh<D>::Writer {
   Writer(const Environment<D>& env, const dsw_environment_desc& input, SplitMesh& mesh)
       : env_(env), input_(input), mesh_(mesh) {}
 
-  /** As it is. */
+  /** Adds a cell that is not split. */
   void add(Cell c) {
     const Form form = env_.map.form(c);
     if (form == Form::kGeneral && D == 3) {

@@ -19,10 +19,10 @@ class SplitMesh {
 
   /** Whether a cell was split. */
   bool has_changed() const { return !types_.empty(); }
-  /** Of all parts: the first one of a cell has the index of the cell, others follow after all cells, in the order of these.
-   * It points into this. */
+  /** Describes all parts: the first one of a cell has the index of the cell, others follow after all cells, in the order of these.
+   * The description points into this mesh. */
   const dsw_environment_desc& description() const { return made_; }
-  /** Of each cell of the description, the cell that was given. */
+  /** Gives for each cell of the description the cell that was given. */
   const Array<uint32_t>& parents() const { return parents_; }
 
  private:

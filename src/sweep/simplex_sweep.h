@@ -6,6 +6,7 @@
 #include "body/body.h"
 #include "flood/box_probe.h"
 #include "flood/sweep.h"
+#include "sweep/counts.h"
 #include "sweep/known_edge.h"
 #include "sweep/touched_line.h"
 
@@ -19,11 +20,6 @@ struct FaceSweep {
   const double *q, *r;
   Cell q_cell, r_cell;
   bool reached = true;  // false: the path of v meets a wall
-};
-
-/** How many sweeps of edges were asked for, and how many of those were left out. */
-struct SweepCounts {
-  uint32_t swept = 0, skipped = 0;
 };
 
 /** Sweeps simplices; one for each thread. Throws std::bad_alloc. */

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "capi/handle.h"
+#include "capi/scene_handle.h"
 #include "deform_support.h"
 #include "host_memory.h"
 #include "map/dart.h"
