@@ -5,7 +5,7 @@
 #include <memory>
 #include <tuple>
 
-#include "capi/handle.h"
+#include "capi/scene_handle.h"
 #include "capi/words.h"
 
 namespace dsw::capi {
