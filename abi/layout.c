@@ -371,12 +371,13 @@ AT(dsw_near_options, margin, 8);
 AT(dsw_near_options, radius, 16);
 GROWS(dsw_near_options, radius);
 
-SIZE(dsw_together_options, 16);
+SIZE(dsw_together_options, 20);
 AT(dsw_together_options, struct_size, 0);
 AT(dsw_together_options, flags, 4);
 AT(dsw_together_options, stop, 8);
 AT(dsw_together_options, max_rounds, 12);
-GROWS(dsw_together_options, max_rounds);
+AT(dsw_together_options, max_work, 16);
+GROWS(dsw_together_options, max_work);
 
 SIZE(dsw_near_row, 224);
 AT(dsw_near_row, point, 0);

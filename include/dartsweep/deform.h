@@ -76,7 +76,7 @@ typedef struct dsw_deform_options {
   uint32_t remesh_radius;    /**< REMESH: `radius` of dsw_remesh_desc. */
   uint32_t remesh_max_faces; /**< REMESH: `max_faces` of dsw_remesh_desc. */
   /** SWEPT: work limit. How often a vertex may stay in its turn, in all steps together; then every
-   * vertex that moves one at a time stays where it is. 0 means 32,768, which is 32 vertices that
+   * vertex that moves one at a time stays where it is. 0 means 16,384, which is 16 vertices that
    * stay in each of 1,024 steps. @since 2.1 */
   uint32_t max_holds;
   uint32_t reserved; /**< 0. */

@@ -46,6 +46,11 @@ typedef struct dsw_together_options {
   uint32_t flags;         /**< 0. */
   dsw_together_stop stop; /**< Default DSW_TOGETHER_STOP_ALL. */
   uint32_t max_rounds;    /**< Of DSW_TOGETHER_STOP_FEATURE, up to 65536; 0 means 64. */
+  /** Work limit for exact integers: products of 64-bit words, in thousands for each vertex slot of
+   * what moves together (with STOP_ALL all bodies, else an island); 0 means 8192, about 0.02 s.
+   * Only coordinates of very different magnitude need as many. At the limit these bodies stay where
+   * they are, free; `vertices_limited` counts their vertices that have other targets. */
+  uint32_t max_work;
 } dsw_together_options;
 
 /** Writes the defaults. @since 2.1 */
@@ -58,14 +63,13 @@ DSW_API void dsw_together_options_init(dsw_together_options *options, size_t siz
  * slots are not read.
  * @param reports may be null; `fraction`: part of the motion up to the first contact that stopped a
  * vertex of the body's island, rounded. `vertices_moved`: all living vertices. `edges_swept`,
- * `edges_skipped`: of the whole island, in the report of its first body. Members on edits and
- * limits are 0.
+ * `edges_skipped`: of the whole island, in the report of its first body. Members on edits are 0.
  * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has.
  * @note dsw_body_get_contacts gives the contacts of each body. All that touch at the same exact
  * time are listed; of an edge or face and its corner that touch walls, the corner. `fixed` has the
  * other ends at that time.
  * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact
- * anew. There is no work limit. Thread: one. @since 2.1 */
+ * anew; see `max_work`. Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *bodies,
                                            size_t count, const double *targets, size_t target_count,
                                            size_t stride_bytes, const dsw_together_options *options,
@@ -84,7 +88,8 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  * @param bodies distinct.
  * @param targets `target_count` points, as in dsw_scene_move_together.
  * @param options may be null; only `point_room` counts, all else is ignored.
- * @param report may be null; `outcome`: DONE, FRACTION or REFUSED. Its contacts are those with the
+ * @param report may be null; `outcome`: DONE, FRACTION, REFUSED, or LIMITED: the default of
+ * `max_work` was reached, and nothing has moved. Its contacts are those with the
  * environment; `from` and `to` are those of the vertex `moving`, and `response` is DSW_WALL_STOP.
  * @param reports may be null.
  * @return DSW_STATUS_NOT_ENABLED; DUPLICATE_ID; IN_USE: `next` is the present array; WRONG_SIZE:

@@ -17,6 +17,7 @@ dsw::TogetherSettings to_settings(const dsw_together_options& o) {
   dsw::TogetherSettings s;
   s.stop = static_cast<dsw::TogetherStop>(capi::to_number(o.stop, DSW_TOGETHER_STOP_FEATURE, "options->stop"));
   s.rounds = capi::to_count(o.max_rounds, kMostRounds, s.rounds, "options->max_rounds");
+  s.kilo_products = capi::to_count(o.max_work, UINT32_MAX, s.kilo_products, "options->max_work");
   return s;
 }
 

@@ -23,6 +23,8 @@ class IntegerPool {
   }
   void keep(int size) noexcept { next_ += size; }
 
+  std::uint64_t products = 0;  // of two limbs, in all multiplications so far
+
   // Gives back, at its end, what was taken since it began.
   class Scope {
    public:
@@ -142,6 +144,7 @@ inline Integer operator*(const Integer& a, const Integer& b) {
   std::uint64_t* const r = a.pool->room(a.size + b.size);
   const int size = limbs::multiply(r, a.limb, a.size, b.limb, b.size);
   a.pool->keep(size);
+  a.pool->products += static_cast<std::uint64_t>(a.size) * static_cast<std::uint64_t>(b.size);
   return {a.pool, r, size, a.negative != b.negative};
 }
 

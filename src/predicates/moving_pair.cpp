@@ -7,22 +7,32 @@ namespace dsw {
 
 namespace {
 
+void add(const IntegerPool& pool, PairWork* work) {
+  if (work == nullptr) return;
+  work->done += pool.products;
+  if (work->done > work->most) throw WorkOver();
+}
+
 template <int D>
-DSW_COLD FirstTouch first_touch_by_integers(const MovingPair<D>& pair) {
+DSW_COLD FirstTouch first_touch_by_integers(const MovingPair<D>& pair, PairWork* work) {
   IntegerPool pool;
   ExactPair<D> exact(pool, pair);
   Root first;
-  if (!exact.find_first(&first)) return {false, 0};
+  const bool touches = exact.find_first(&first);
+  add(pool, work);
+  if (!touches) return {false, 0};
   return {true, first.floor, first.is_floor};
 }
 
 template <int D>
-DSW_COLD int compare_by_integers(const MovingPair<D>& a, const MovingPair<D>& b) {
+DSW_COLD int compare_by_integers(const MovingPair<D>& a, const MovingPair<D>& b, PairWork* work) {
   IntegerPool pool;
   Root first[2];
   ExactPair<D>(pool, a).find_first(&first[0]);
   ExactPair<D>(pool, b).find_first(&first[1]);
-  return compare(first[0], first[1]);
+  const int order = compare(first[0], first[1]);
+  add(pool, work);
+  return order;
 }
 
 template <int D>
@@ -34,18 +44,18 @@ DSW_COLD int kept_side_by_integers(const MovingPair<D>& points) {
 }  // namespace
 
 template <int D>
-FirstTouch first_touch(const MovingPair<D>& pair) {
+FirstTouch first_touch(const MovingPair<D>& pair, PairWork* work) {
   double time = 0;
   const Filtered answer = filter_first_touch(pair, &time);
-  if (answer == Filtered::kUnknown) return first_touch_by_integers(pair);
+  if (answer == Filtered::kUnknown) return first_touch_by_integers(pair, work);
   return answer == Filtered::kApart ? FirstTouch{false, 0} : FirstTouch{true, time};
 }
 
 template <int D>
 int compare_first_touches(const MovingPair<D>& a, const FirstTouch& first_a, const MovingPair<D>& b,
-                          const FirstTouch& first_b) {
+                          const FirstTouch& first_b, PairWork* work) {
   if (first_a.time != first_b.time) return first_a.time < first_b.time ? -1 : 1;
-  return first_a.is_exact && first_b.is_exact ? 0 : compare_by_integers(a, b);
+  return first_a.is_exact && first_b.is_exact ? 0 : compare_by_integers(a, b, work);
 }
 
 template <int D>
@@ -55,10 +65,12 @@ int kept_side(const MovingPair<D>& points) {
   return is_sure ? side : kept_side_by_integers(points);
 }
 
-template FirstTouch first_touch(const MovingPair<2>&);
-template FirstTouch first_touch(const MovingPair<3>&);
-template int compare_first_touches(const MovingPair<2>&, const FirstTouch&, const MovingPair<2>&, const FirstTouch&);
-template int compare_first_touches(const MovingPair<3>&, const FirstTouch&, const MovingPair<3>&, const FirstTouch&);
+template FirstTouch first_touch(const MovingPair<2>&, PairWork*);
+template FirstTouch first_touch(const MovingPair<3>&, PairWork*);
+template int compare_first_touches(const MovingPair<2>&, const FirstTouch&, const MovingPair<2>&, const FirstTouch&,
+                                   PairWork*);
+template int compare_first_touches(const MovingPair<3>&, const FirstTouch&, const MovingPair<3>&, const FirstTouch&,
+                                   PairWork*);
 template int kept_side(const MovingPair<2>&);
 template int kept_side(const MovingPair<3>&);
 

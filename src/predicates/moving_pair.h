@@ -27,14 +27,21 @@ struct FirstTouch {
   bool is_exact = false;  // whether it is known to be the first time
 };
 
-// Takes memory only if coordinates of one axis spread over hundreds of bits. Throws std::bad_alloc.
+// What integers cost, in products of two words of 64 bits. It depends on the pairs alone.
+struct PairWork {
+  std::uint64_t most = UINT64_MAX;
+  std::uint64_t done = 0;
+};
+struct WorkOver {};  // thrown if more than `most` is done
+
+// Takes memory only if coordinates of one axis spread over hundreds of bits. Throws std::bad_alloc, and WorkOver if there is `work`.
 template <int D>
-FirstTouch first_touch(const MovingPair<D>& pair);
+FirstTouch first_touch(const MovingPair<D>& pair, PairWork* work = nullptr);
 
 // Sign of a's first time minus b's, exactly. Both touch, as first_touch has said.
 template <int D>
 int compare_first_touches(const MovingPair<D>& a, const FirstTouch& first_a, const MovingPair<D>& b,
-                          const FirstTouch& first_b);
+                          const FirstTouch& first_b, PairWork* work = nullptr);
 
 // The sign of det(p1 - p0, ..., pD - p0) if it never changes and is never 0 in [0,1]; else 0.
 template <int D>

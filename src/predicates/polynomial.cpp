@@ -50,8 +50,8 @@ Polynomial remainder(Polynomial a, const Polynomial& b) {
   return a;
 }
 
-// A positive multiple of a / b, where b divides a.
-Polynomial quotient(Polynomial a, const Polynomial& b) {
+// A positive multiple of a / b, and of the remainder, which takes the place of a.
+Polynomial divide(Polynomial& a, const Polynomial& b) {
   Polynomial r;
   r.degree = a.degree - b.degree;
   Integer lead = b.c[b.degree];
@@ -106,6 +106,21 @@ int clear_sign(IntegerPool& pool, const Polynomial& p, const Dyadic& low, const 
   return (shifted(value, shift) - shifted(slope * width, low.shift * p.degree)).sign() > 0 ? sign : 0;
 }
 
+// Sign of p at the zero of a polynomial of degree 1.
+int sign_at_zero(const Polynomial& p, const Polynomial& line) {
+  if (p.degree < 0) return 0;
+  const bool falls = line.c[1].negative;
+  const Integer numerator = falls ? line.c[0] : -line.c[0];
+  Integer denominator = line.c[1];
+  denominator.negative = false;
+  Integer sum = p.c[p.degree], weight = denominator;
+  for (int i = p.degree - 1; i >= 0; --i) {
+    sum = sum * numerator + p.c[i] * weight;
+    if (i > 0) weight = weight * denominator;
+  }
+  return sum.sign();
+}
+
 // A sequence of Sturm: each member is a negative multiple of the remainder of the two before, down to the last that is not 0.
 struct SturmSequence {
   Polynomial member[4];
@@ -126,20 +141,10 @@ struct SturmSequence {
 
   // Changes of sign along the sequence at x.
   int variations(const Dyadic& x) const {
-    return changes([&](const Polynomial& p) { return sign_at(p, x); });
-  }
-  // A little after x, which may be a root.
-  int variations_after(IntegerPool& pool, const Dyadic& x) const {
-    return changes([&](const Polynomial& p) { return sign_after(pool, p, x); });
-  }
-
- private:
-  template <class Sign>
-  int changes(const Sign& sign_of) const {
     int number = 0;
     int before = 0;
     for (int i = 0; i < count; ++i) {
-      const int sign = sign_of(member[i]);
+      const int sign = sign_at(member[i], x);
       if (sign == 0) continue;
       number += sign * before < 0 ? 1 : 0;
       before = sign;
@@ -200,29 +205,89 @@ double guess_root(const Rounded& p, double low, double high, bool rising) noexce
   return t;
 }
 
+// The blossom of p at a, ..., a, b, times a positive number: a coefficient of p in the basis of Bernstein over [a, b]. The degree
+// is 2 or 3.
+Integer near_coefficient(IntegerPool& pool, const Polynomial& p, const Dyadic& a, const Dyadic& b) {
+  const int shift = a.shift > b.shift ? a.shift : b.shift;
+  const Integer x = shifted(a.numerator, shift - a.shift), y = shifted(b.numerator, shift - b.shift);
+  const Integer number = integer_of(pool, static_cast<std::uint64_t>(p.degree));
+  const Integer constant = shifted(p.c[0] * number, shift * p.degree);
+  if (p.degree == 2) return constant + shifted(p.c[1] * (x + y), shift) + p.c[2] * shifted(x * y, 1);
+  const Integer linear = shifted(p.c[1] * (shifted(x, 1) + y), 2 * shift);
+  const Integer square = shifted(p.c[2] * (x * (x + shifted(y, 1))), shift);
+  return constant + linear + square + p.c[3] * (number * (x * x * y));
+}
+
+// Changes of sign among the coefficients of p in the basis of Bernstein: by Descartes' rule the roots with low < root < high are that
+// many, or fewer by an even number. *last is the sign of p at high.
+int count_changes(IntegerPool& pool, const Polynomial& p, const Dyadic& low, const Dyadic& high, int* last) {
+  int signs[4] = {sign_at(p, low)};
+  if (p.degree > 1) signs[1] = near_coefficient(pool, p, low, high).sign();
+  if (p.degree > 2) signs[2] = near_coefficient(pool, p, high, low).sign();
+  signs[p.degree] = *last = sign_at(p, high);
+  int number = 0, before = 0;
+  for (int i = 0; i <= p.degree; ++i) {
+    number += signs[i] * before < 0 ? 1 : 0;
+    if (signs[i] != 0) before = signs[i];
+  }
+  return number;
+}
+
 class RootFinder {
  public:
-  RootFinder(IntegerPool& pool, const Polynomial& p, const SturmSequence& sturm, Root* roots)
-      : pool_(pool), p_(p), sturm_(sturm), roots_(roots), rounded_(p) {}
+  RootFinder(IntegerPool& pool, const Polynomial& p, Root* roots) : pool_(pool), p_(p), roots_(roots), rounded_(p) {
+    if (p_.c[0].sign() == 0) add_exact({}, 0);
+  }
 
-  int find() {
-    const Dyadic start;
-    if (p_.c[0].sign() == 0) add_exact(start, 0);
+  int found() const noexcept { return found_; }
+
+  // Whether Descartes' rule of signs separates the roots.
+  bool find_by_signs() {
+    if (find_between(0, 1)) return true;
     double ends[4] = {0};
-    int count = 1;
-    if (p_.degree > 1) count = turning_points(ends);
-    ends[count++] = 1;
-    int before = sturm_.variations(start);
-    const int last = sturm_.variations(dyadic_of(pool_, 1));
+    const int count = find_ends(ends);
+    for (int i = 1; i < count; ++i) {
+      if (!find_between(ends[i - 1], ends[i])) return false;
+    }
+    return true;
+  }
+
+  // No root is repeated.
+  void find_by_sturm(const SturmSequence& sturm) {
+    sturm_ = &sturm;
+    double ends[4] = {0};
+    const int count = find_ends(ends);
+    int before = sturm.variations({});
+    const int last = sturm.variations(dyadic_of(pool_, 1));
     for (int i = 1; i < count && before != last; ++i) {
-      const int after = i + 1 == count ? last : sturm_.variations(dyadic_of(pool_, ends[i]));
+      const int after = i + 1 == count ? last : sturm.variations(dyadic_of(pool_, ends[i]));
       isolate(ends[i - 1], ends[i], before, after);
       before = after;
     }
-    return found_;
   }
 
  private:
+  // 0, the turning points, and 1. Returns their number.
+  int find_ends(double (&ends)[4]) const noexcept {
+    int count = 1;
+    if (p_.degree > 1) count = turning_points(ends);
+    ends[count++] = 1;
+    return count;
+  }
+
+  // Finds the roots with low < root <= high, unless the rule leaves their number open.
+  bool find_between(double low, double high) {
+    int changes = 0, last = 0;
+    {
+      const IntegerPool::Scope scope(pool_);
+      changes = count_changes(pool_, p_, dyadic_of(pool_, low), dyadic_of(pool_, high), &last);
+    }
+    if (changes > 1 || (changes == 1 && last == 0)) return false;
+    if (changes == 1) refine(low, high);
+    if (last == 0) add_exact(dyadic_of(pool_, high), high);
+    return true;
+  }
+
   // Appends the rounded roots of p' in (0,1), ascending. Between them p has at most one root, nearly always.
   int turning_points(double (&ends)[4]) const noexcept {
     int count = 1;
@@ -251,7 +316,7 @@ class RootFinder {
       const std::uint64_t a = bits_of(low), b = bits_of(high);
       if (b - a == 1) return isolate_within(low, dyadic_of(pool_, low), dyadic_of(pool_, high), before, after, high);
       const double middle = of_bits(a + (b - a) / 2);
-      const int between = sturm_.variations(dyadic_of(pool_, middle));
+      const int between = sturm_->variations(dyadic_of(pool_, middle));
       if (between == after) {
         high = middle;
         continue;
@@ -267,7 +332,7 @@ class RootFinder {
   void isolate_within(double floor, Dyadic low, Dyadic high, int before, int after, double next) {
     while (before - after > 1) {
       const Dyadic middle = half_way(low, high);
-      const int between = sturm_.variations(middle);
+      const int between = sturm_->variations(middle);
       if (between == after) {
         high = middle;
         continue;
@@ -331,9 +396,9 @@ class RootFinder {
 
   IntegerPool& pool_;
   const Polynomial& p_;
-  const SturmSequence& sturm_;
   Root* roots_;
   Rounded rounded_;
+  const SturmSequence* sturm_ = nullptr;
   int found_ = 0;
 };
 
@@ -346,6 +411,17 @@ int compare(const Root& root, const Dyadic& x) {
   if (compare(x, root.high) >= 0) return -1;
   const int sign = sign_at(root.of, x);
   return sign == 0 ? 0 : sign == sign_after(pool_of(root.of), root.of, root.low) ? 1 : -1;
+}
+
+// Sign at the root of a polynomial of degree 1 at most. The root is not its `low`.
+int sign_of_line(IntegerPool& pool, const Polynomial& line, const Root& root) {
+  if (line.degree < 1) return line.degree < 0 ? 0 : line.c[0].sign();
+  const int at_low = sign_at(line, root.low), at_high = sign_at(line, root.high);
+  if (at_low == at_high || at_high == 0) return at_low;
+  if (at_low == 0) return at_high;
+  const int at_zero = sign_at_zero(root.of, line);
+  if (at_zero == 0) return 0;
+  return at_zero == sign_after(pool, root.of, root.low) ? at_high : at_low;
 }
 
 }  // namespace
@@ -377,10 +453,15 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
 
 int find_roots(IntegerPool& pool, const Polynomial& p, Root (&roots)[3]) {
   if (p.degree == 0) return 0;
+  RootFinder by_signs(pool, p, roots);
+  if (by_signs.find_by_signs()) return by_signs.found();
   const SturmSequence sturm(p, derivative(pool, p));
-  if (sturm.last().degree == 0) return RootFinder(pool, p, sturm, roots).find();
-  const Polynomial simple = quotient(p, sturm.last());
-  return RootFinder(pool, simple, SturmSequence(simple, derivative(pool, simple)), roots).find();
+  const bool is_simple = sturm.last().degree == 0;
+  Polynomial rest = p;
+  const Polynomial simple = is_simple ? p : divide(rest, sturm.last());
+  RootFinder finder(pool, simple, roots);
+  finder.find_by_sturm(is_simple ? sturm : SturmSequence(simple, derivative(pool, simple)));
+  return finder.found();
 }
 
 Root root_at_start() {
@@ -398,12 +479,13 @@ int sign_at(const Polynomial& p, const Root& root) {
   const IntegerPool::Scope scope(pool);
   const int clear = clear_sign(pool, p, root.low, root.high);
   if (clear != 0) return clear;
-  // Zero, if the common factor changes its sign between low and high.
-  const Polynomial common = SturmSequence(root.of, p).last();
-  if (common.degree > 0 && sign_after(pool, common, root.low) != sign_at(common, root.high)) return 0;
-  // Tarski: the signs of p at the roots of `of` after low and up to high, added up.
-  const SturmSequence signs(root.of, derivative(pool, root.of) * p);
-  return signs.variations_after(pool, root.low) - signs.variations(root.high);
+  const Polynomial rest = p.degree < root.of.degree ? p : remainder(p, root.of);
+  if (rest.degree < 2) return sign_of_line(pool, rest, root);
+  // `of` is the line times `rest`, and a remainder. It is 0 at the root.
+  Polynomial left = root.of;
+  const Polynomial line = divide(left, rest);
+  const int side = sign_of_line(pool, line, root);
+  return side == 0 ? sign_at_zero(rest, line) : -side * sign_of_line(pool, left, root);
 }
 
 int compare(const Root& a, const Root& b) {

@@ -63,7 +63,7 @@ int multiply(std::uint64_t* r, const std::uint64_t* a, int a_size, const std::ui
   for (int i = 0; i < a_size; ++i) {
     std::uint64_t carry = 0;
     const Uint128 factor = a[i];
-    for (int j = 0; j < b_size; ++j) {
+    for (int j = 0; j < b_size && factor != 0; ++j) {
       const Uint128 t = factor * b[j] + r[i + j] + carry;
       r[i + j] = static_cast<std::uint64_t>(t);
       carry = static_cast<std::uint64_t>(t >> 64);

@@ -7,6 +7,7 @@
 #include "scene/meeting.h"
 #include "scene/scene.h"
 #include "together/place_on_way.h"
+#include "together/together_move.h"
 
 namespace dsw {
 namespace {
@@ -34,6 +35,7 @@ class Call {
   static constexpr int kMostHalvings = 52;
 
   void add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record);
+  uint64_t most_work() const noexcept;
   void add_particles();
   bool try_way();
   void forget_touches();
@@ -119,12 +121,21 @@ void Call<D>::add_particles() {
   made.record = &still_record_;
 }
 
+/** That of all vertices, in all halvings together. */
+template <int D>
+uint64_t Call<D>::most_work() const noexcept {
+  uint64_t vertices = 0;
+  for (const Traveller<D>& of : travellers_) vertices += of.body->vertices.size();
+  return 1000 * uint64_t{TogetherSettings().kilo_products} * vertices;
+}
+
 /** Tries the whole way. While a cell on it does not stay valid, halves the way. */
 template <int D>
 void Call<D>::run() {
   Array<dsw_volume_id> invalid(scene_.memory);
   record_.clear();
   try {
+    ways_.set_most_work(most_work());
     double way = 1;
     bool has_gone = try_way();
     for (int halvings = 0; !has_gone && halvings < kMostHalvings; ++halvings) {
@@ -143,6 +154,14 @@ void Call<D>::run() {
       record_.fraction = 0;
     }
     for (Traveller<D>& of : travellers_) of.record->fraction = record_.fraction;
+  } catch (const WorkOver&) {
+    forget_touches();
+    record_.clear();
+    record_.fraction = 0;
+    record_.outcome = DSW_DEFORM_LIMITED;
+    for (Traveller<D>& of : travellers_) of.record->fraction = 0;
+    take_back();
+    return;
   } catch (...) {
     take_back();
     throw;

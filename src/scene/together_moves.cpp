@@ -1,5 +1,7 @@
 #include "scene/together_moves.h"
 
+#include <algorithm>
+
 #include "base/dimensions.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
@@ -30,6 +32,36 @@ Traveller<D> traveller_of(const Scene<D>& scene, BodyRecord<D>& of, const Partne
   made.record = &of.next;
   made.still = still;
   return made;
+}
+
+/** The body's vertices are where they were before the call. */
+template <int D>
+void take_back(BodyRecord<D>& of) {
+  put_vertices(of.body, of.before.data());
+  restore_forecasts(of.body);
+}
+
+/** Moves bodies that depend on nobody else that moves. At the work limit they stay where they are. */
+template <int D>
+void move_island(TogetherMove<D>& move, Array<Traveller<D>>& travellers, BodyRecord<D>* const* bodies,
+                 const uint32_t* numbers, bool bodies_meet, const TogetherSettings& settings) {
+  try {
+    move.move(travellers, bodies_meet, settings);
+  } catch (const WorkOver&) {
+    for (size_t k = 0; k < travellers.size(); ++k) {
+      BodyRecord<D>& of = *bodies[numbers[k]];
+      take_back(of);
+      of.next.clear();
+      of.next.fraction = 0;
+      for (uint32_t v = 0; v < of.body.vertices.size(); ++v) {
+        if (!of.body.has_vertex(v)) continue;
+        ++of.next.moved;
+        const double* const target = travellers[k].targets[v];
+        of.next.limited += std::equal(target, target + D, of.body.position(v)) ? 0 : 1;
+      }
+      of.next.stopped = of.next.limited;
+    }
+  }
 }
 
 }  // namespace
@@ -65,14 +97,13 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
             traveller_of(scene, *bodies[i], still, {targets.data + first[i] * targets.step, targets.step}));
       }
       if (settings.stop == TogetherStop::kAll && island + 1 != islands.count()) continue;
-      move.move(travellers, scene.features.contacts, settings);
+      // The bodies of islands stand one after the other, as the travellers do.
+      move_island(move, travellers, bodies, islands.bodies.data() + islands.first[island + 1] - travellers.size(),
+                  scene.features.contacts, settings);
       travellers.clear();
     }
   } catch (...) {
-    for (size_t i = 0; i < count; ++i) {
-      put_vertices(bodies[i]->body, bodies[i]->before.data());
-      restore_forecasts(bodies[i]->body);
-    }
+    for (size_t i = 0; i < count; ++i) take_back(*bodies[i]);
     throw;
   }
   for (size_t i = 0; i < count; ++i) end_move(scene, *bodies[i], i == 0 ? casts : CastCounters{});

@@ -278,7 +278,7 @@ bool BodyWays<D>::visit_pair(const Array<Traveller<D>>& travellers, const Pair& 
     }
   }
   if (!moves || !boxes_overlap(touch.pair)) return true;
-  touch.first = first_touch(touch.pair);
+  touch.first = first_touch(touch.pair, work);
   if (!touch.first.touches) return true;
   const uint32_t mover = pair.sides[0].traveller != kNone ? 0 : 1;
   touch.traveller = pair.sides[mover].traveller;

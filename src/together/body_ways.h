@@ -7,7 +7,7 @@
 
 namespace dsw {
 
-/** Keeps its memory from call to call; one for each thread. Throws std::bad_alloc. */
+/** Keeps its memory from call to call; one for each thread. Throws std::bad_alloc and WorkOver. */
 template <int D>
 class BodyWays {
  public:
@@ -22,6 +22,8 @@ class BodyWays {
   void find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) const;
   /** Appends what each pair touches first. */
   void find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all) const;
+
+  PairWork* work = nullptr;
 
  private:
   /** A part of a traveller, or of a body that stands still. */

@@ -166,7 +166,7 @@ bool MovingWalls<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit 
     for (uint32_t i = near.first_feature; i < near.feature_end; ++i) {
       WayTouch<D> touch{};
       if (!set_pair(of, near, features_[i], touch) || !boxes_overlap(touch.pair)) continue;
-      touch.first = first_touch(touch.pair);
+      touch.first = first_touch(touch.pair, work);
       if (!touch.first.touches || stays_free(touch, 1 + static_cast<uint32_t>(near.part.kind))) continue;
       touch.traveller = near.traveller;
       touch.part = near.part;

@@ -7,7 +7,7 @@
 
 namespace dsw {
 
-/** Stands for WallWays in WholeWays. Throws std::bad_alloc. */
+/** Stands for WallWays in WholeWays. Throws std::bad_alloc and WorkOver. */
 template <int D>
 class MovingWalls {
   const Environment<D>& env_;
@@ -40,6 +40,7 @@ class MovingWalls {
   void describe(const Array<Traveller<D>>& travellers, const FirstTouches<D>& first);
   Array<dsw_wall_contact> contacts{env_.memory};  // that were kept last
   SweepCounts counts;                             // of edges and faces
+  PairWork* work = nullptr;
 
  private:
   /** A part that moves, or that something may come near. */

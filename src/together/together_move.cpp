@@ -3,9 +3,20 @@
 #include <algorithm>
 
 namespace dsw {
+namespace {
+
+template <int D>
+uint64_t most_work(const Array<Traveller<D>>& travellers, const TogetherSettings& settings) noexcept {
+  uint64_t vertices = 0;
+  for (const Traveller<D>& of : travellers) vertices += of.body->vertices.size();
+  return 1000 * uint64_t{settings.kilo_products} * vertices;
+}
+
+}  // namespace
 
 template <int D>
 void TogetherMove<D>::move(Array<Traveller<D>>& travellers, bool bodies_meet, const TogetherSettings& settings) {
+  ways_.set_most_work(most_work(travellers, settings));
   ways_.start(travellers, bodies_meet);
   ways_.walls.limits_parts = false;
   constexpr uint32_t kMostDepartures = 8;

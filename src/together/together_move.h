@@ -11,7 +11,8 @@ enum class TogetherStop : uint32_t { kAll, kIsland, kFeature };
 
 struct TogetherSettings {
   TogetherStop stop = TogetherStop::kAll;
-  uint32_t rounds = 64;  // most rounds of kFeature
+  uint32_t rounds = 64;           // most rounds of kFeature
+  uint32_t kilo_products = 8192;  // most work for each vertex, in thousands of PairWork's products
 };
 
 /** Moves bodies; one for each thread. */
@@ -23,7 +24,7 @@ class TogetherMove {
   TogetherMove& operator=(const TogetherMove&) = delete;
 
   /** Moves bodies that depend on nobody else that moves. They begin with their records cleared. Throws std::bad_alloc
-   * with some vertices moved.
+   * and WorkOver with some vertices moved.
    * @param bodies_meet whether bodies can touch at all. */
   void move(Array<Traveller<D>>& travellers, bool bodies_meet, const TogetherSettings& settings);
 

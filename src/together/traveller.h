@@ -72,11 +72,13 @@ template <int D>
 struct FirstTouches {
   Array<WayTouch<D>> all;
 
+  PairWork* work = nullptr;
+
   explicit FirstTouches(const Memory* memory) : all(memory) {}
-  /** Notes one that is not later than those before. Throws std::bad_alloc. */
+  /** Notes one that is not later than those before. Throws std::bad_alloc and WorkOver. */
   void add(const WayTouch<D>& touch) {
     if (!all.empty()) {
-      const int order = compare_first_touches<D>(touch.pair, touch.first, all[0].pair, all[0].first);
+      const int order = compare_first_touches<D>(touch.pair, touch.first, all[0].pair, all[0].first, work);
       if (order > 0) return;
       if (order < 0) all.clear();
     }

@@ -119,7 +119,7 @@ WayTouch<D> WallWays<D>::touch_of(const Traveller<D>& of, const Blocked& blocked
     boundary_points(env_, c, s, corners);
     WayTouch<D> other = touch;
     for (int i = 0; i < D; ++i) other.pair.start[i + 1] = other.pair.end[i + 1] = corners[i];
-    other.first = first_touch(other.pair);
+    other.first = first_touch(other.pair, work);
     if (!touch.first.touches || (other.first.touches && other.first.time < touch.first.time)) touch = other;
   }
   touch.traveller = blocked.traveller;
@@ -242,7 +242,7 @@ bool WallWays<D>::visit_features(const PartWay& way, const Touchables<D>& near, 
     WayTouch<D> found = touch;
     found.wall = feature.name;
     for (uint32_t k = 0; k < count; ++k) found.pair.end[first + k] = way.of.end(way.corners.vertices[k]);
-    found.first = first_touch(found.pair);
+    found.first = first_touch(found.pair, work);
     if (found.first.touches && found.first.time <= way.limit && !visit(found)) return false;
   }
   return true;

@@ -8,7 +8,7 @@
 
 namespace dsw {
 
-/** Keeps its memory from call to call; one for each thread. Throws std::bad_alloc. */
+/** Keeps its memory from call to call; one for each thread. Throws std::bad_alloc and WorkOver. */
 template <int D>
 class WallWays {
  public:
@@ -28,6 +28,7 @@ class WallWays {
   /** Whether parts at a vertex that is blocked are looked at up to just before that alone. What comes later is of no
    * use where such a vertex gets a new goal. */
   bool limits_parts = false;
+  PairWork* work = nullptr;
 
   // The environment stands still.
   void set_end(double) noexcept {}

@@ -93,7 +93,7 @@ void WholeWays<D, Walls>::retreat(Array<Traveller<D>>& travellers) {
   constexpr int kMostTries = 60;
   // What was touched has to stay apart even without the shift. So a vertex does not come to lie exactly on a wall, where it
   // would touch that wall at the start of the next way.
-  const auto touches = [](const WayTouch<D>& each) { return first_touch(each.pair).touches; };
+  const auto touches = [&](const WayTouch<D>& each) { return first_touch(each.pair, &work_).touches; };
   for (int tries = 0; tries < kMostTries && step < time; ++tries, step *= 2) {
     set_ends(travellers, time - step);
     if (std::any_of(first.all.begin(), first.all.end(), touches)) continue;

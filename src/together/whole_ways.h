@@ -5,17 +5,21 @@
 
 namespace dsw {
 
-/** One for each thread. Throws std::bad_alloc.
+/** One for each thread. Throws std::bad_alloc and WorkOver.
  * @tparam Walls what of the environment is touched: WallWays, or MovingWalls. */
 template <int D, class Walls>
 class WholeWays {
   const Environment<D>& env_;  // the initializers below use it
 
  public:
-  explicit WholeWays(const Environment<D>& env) : env_(env), walls(env), bodies(env.memory) {}
+  explicit WholeWays(const Environment<D>& env) : env_(env), walls(env), bodies(env.memory) {
+    walls.work = bodies.work = first.work = &work_;
+  }
   WholeWays(const WholeWays&) = delete;
   WholeWays& operator=(const WholeWays&) = delete;
 
+  /** The most work of the next call, as of PairWork. */
+  void set_most_work(uint64_t most) noexcept { work_ = {most, 0}; }
   /** Finds what comes near the ways to the targets, which become the goals.
    * @param bodies_meet whether bodies can touch at all. */
   void start(Array<Traveller<D>>& travellers, bool bodies_meet);
@@ -42,6 +46,7 @@ class WholeWays {
   void drop_covering(const Array<Traveller<D>>& travellers);
   void retreat(Array<Traveller<D>>& travellers);
 
+  PairWork work_;
   double time_ = 1;
 };
 

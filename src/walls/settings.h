@@ -12,7 +12,7 @@ struct WallSettings {
   bool end_state = false;
   bool refuses_invalid = false;
   uint32_t most_halvings = 10;   // of the steps
-  uint32_t max_holds = 1 << 15;  // turns in which a vertex stays, in all tries together
+  uint32_t max_holds = 1 << 14;  // turns in which a vertex stays, in all tries together
   double min_part = 0.25;        // of an edge, that a split leaves
   size_t point_room = 0;         // of the array that is lent, in vertices; 0: no more than there are
 };

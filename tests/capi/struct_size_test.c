@@ -27,7 +27,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_environment_info upper
 #define LAST_dsw_move_options order_count
 #define LAST_dsw_near_options radius
-#define LAST_dsw_together_options max_rounds
+#define LAST_dsw_together_options max_work
 #define LAST_dsw_open_crack_desc tag
 #define LAST_dsw_recording_desc user
 #define LAST_dsw_remesh_desc max_faces
@@ -276,7 +276,7 @@ FILL(dsw_body_desc) {
 }
 FILL(dsw_move_options) { s->max_volumes = 99; }
 FILL(dsw_near_options) { s->margin = 0.75; }
-FILL(dsw_together_options) { s->max_rounds = 5; }
+FILL(dsw_together_options) { s->max_work = 5; }
 FILL(dsw_deform_options) { s->most_halvings = 3; }
 FILL(dsw_remesh_desc) { s->radius = 1; }
 FILL(dsw_volumes_desc) {

@@ -34,7 +34,8 @@ static void bad_arguments_are_refused(void) {
   bodies[1] = make_edge_body(scene, bad, DSW_LEVEL_EDGES_SWEPT);
   memset(reports, 0x55, sizeof reports);
   memcpy(before, reports, sizeof reports);
-  CHECK(o.struct_size == sizeof o && o.flags == 0 && o.stop == DSW_TOGETHER_STOP_ALL && o.max_rounds == 0);
+  CHECK(o.struct_size == sizeof o && o.flags == 0 && o.stop == DSW_TOGETHER_STOP_ALL);
+  CHECK(o.max_rounds == 0 && o.max_work == 0);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_move_together(NULL, bodies, 2, good, 4, 0, &o, reports));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_move_together(scene, NULL, 2, good, 4, 0, &o, reports));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_move_together(scene, bodies, 2, NULL, 4, 0, &o, reports));
@@ -157,11 +158,40 @@ static void memory_runs_out(dsw_together_stop stop) {
   end_context(context, &h);
 }
 
+/* Corners that touch need integers, and these are long where the least double stands beside 1. */
+static void too_much_work_leaves_all_where_it_is(void) {
+  const double least = 5e-324, at[6] = {0.5, 0.5, 0.5, least, 1.5, 0.5}, targets[6] = {1.5, 0.5, 0.5, 1, 1.5, 0.5},
+               other[6] = {1, 0.5, 0.5, 1.5, least, least};
+  dsw_environment *environment = make_environment(NULL, 3, 3, 3);
+  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  const dsw_body_id body = make_edge_body(scene, at, DSW_LEVEL_EDGES_SWEPT);
+  dsw_together_options o = together_options();
+  dsw_move_report report;
+  double p[6];
+  size_t count = 0;
+  int stop;
+  make_edge_body(scene, other, DSW_LEVEL_EDGES_SWEPT);
+  o.max_work = 1;
+  for (stop = DSW_TOGETHER_STOP_ALL; stop <= DSW_TOGETHER_STOP_FEATURE; ++stop) {
+    o.stop = (dsw_together_stop)stop;
+    CHECK_OK(move_one(scene, body, targets, &o, &report));
+    CHECK(report.fraction == 0 && report.vertices_moved == 2 && report.vertices_stopped == 2);
+    CHECK(report.vertices_limited == 2 && report.contact_count == 0);
+    CHECK_OK(dsw_body_get_positions(scene, body, p, 2, 0, NULL, &count));
+    CHECK(memcmp(p, at, sizeof p) == 0);
+  }
+  CHECK_OK(move_one(scene, body, targets, NULL, &report));
+  CHECK(report.vertices_limited == 0 && report.vertices_stopped == 2 && report.contact_count == 1);
+  CHECK(report.fraction > 0.499 && report.fraction <= 0.5);
+  end_scene(scene);
+}
+
 int main(void) {
   bad_arguments_are_refused();
   a_wall_stops_it();
   two_segments_meet_in_the_plane();
   memory_runs_out(DSW_TOGETHER_STOP_ALL);
   memory_runs_out(DSW_TOGETHER_STOP_FEATURE);
+  too_much_work_leaves_all_where_it_is();
   return check_result();
 }

@@ -172,6 +172,7 @@ dsw_status Calls::move_bodies(uint32_t which) {
     dsw_together_options_init(&o, sizeof o);
     o.stop = static_cast<dsw_together_stop>(bytes_.below(4));
     o.max_rounds = bytes_.below(8);
+    o.max_work = bytes_.below(4);
     return dsw_scene_move_together(scene_, ids, count, targets.data(), targets.size() / dimension_, 0, &o, nullptr);
   }
   dsw_move_options o = options();

@@ -53,11 +53,16 @@ inline Place place_of(Mesh mesh, uint32_t flags = 0, dsw_context* context = null
   return place;
 }
 
+/// Where the mesh of a seed has inverted cells, as some warped ones do, the next one is drawn.
 inline Place make_place(const std::string& name, uint64_t seed, uint32_t flags = 0, dsw_context* context = nullptr) {
   Rng rng(seed);
-  Mesh mesh = kind_named(name).make(rng);
-  shuffle_cells(mesh, rng);
-  return place_of(std::move(mesh), flags, context);
+  Place place;
+  do {
+    Mesh mesh = kind_named(name).make(rng);
+    shuffle_cells(mesh, rng);
+    place = place_of(std::move(mesh), flags, context);
+  } while (place.environment == nullptr && may_be_refused(place.mesh));
+  return place;
 }
 
 #define ASSERT_PLACE(place)                \
