@@ -16,8 +16,8 @@ declared = set(headers.functions)
 sources = [*(root / "include/dartsweep/cpp").glob("*.hpp"), *(root / "bindings/common").glob("*.i")]
 layer = "".join(path.read_text() for path in sources)
 used = set(re.findall(r"\bdsw_\w+", layer))
-# Made from the lists of elements.i, or wrapped as it is.
-used |= {name + "_init" for name in re.findall(r"X\((dsw_\w+),", layer)}
+# Called by macros for all descriptions, or wrapped as it is.
+used |= {name + "_init" for name in headers.listed("DESCRIPTION")}
 used |= {"dsw_version", "dsw_status_string"}
 # What a host gets otherwise: a scene knows its environment.
 used.add("dsw_scene_get_environment")

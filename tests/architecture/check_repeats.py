@@ -3,10 +3,12 @@
 them, and lists elsewhere. Fails above a bound, and where another file begins to repeat them.
 
 usage: check_repeats.py ROOT [-v]
+       check_repeats.py --self-test
 """
 import pathlib
 import re
 import sys
+import tempfile
 
 BOUND = 500
 # Files, whole. Those that have gone stand here so that they don't come back uncounted.
@@ -40,7 +42,7 @@ def counted(root: pathlib.Path) -> dict[str, int]:
 
 
 def strangers(root: pathlib.Path, known: set[str]) -> list[str]:
-    """Other files that name a third of all statuses, or declare a third of all structs."""
+    """Other files that name more than a third of all statuses, or declare more than a third of all structs."""
     headers = "\n".join(path.read_text() for path in sorted((root / "include/dartsweep").glob("*.h")))
     statuses = re.findall(r"\bDSW_STATUS_(\w+) = \d", headers)
     structs = re.findall(r"^typedef struct dsw_(\w+) \{", headers, re.M)
@@ -58,16 +60,44 @@ def strangers(root: pathlib.Path, known: set[str]) -> list[str]:
     return wrong
 
 
+def problems(root: pathlib.Path, found: dict[str, int]) -> list[str]:
+    total = sum(found.values())
+    print(f"{total} lines repeat statuses, enumerators and structs by hand")
+    return strangers(root, set(found)) + ([f"at most {BOUND} are allowed"] if total > BOUND else [])
+
+
+def self_test() -> None:
+    """What repeats the headers is refused: in a file that is listed, and in another one."""
+    header = "".join(f"  DSW_STATUS_KIND_{letter} = 1,\n" for letter in "ABCDEFGH")
+    repeated = "class KindA\nclass KindB\nclass KindCError\n"
+    cases = {
+        "nothing": ("bindings/any/src/a.py", "x = 1\n", 0),
+        "two statuses": ("bindings/any/src/a.py", "KIND_A, KIND_B", 0),
+        "a third of the statuses": ("bindings/any/src/a.py", "KIND_A, KIND_B, KIND_C", 1),
+        "classes for a third": ("bindings/any/src/deep/a.ts", repeated, 1),
+        "lines that are listed": ("bindings/common/a.i", "X(dsw_a, A)\n" * BOUND, 0),
+        "too many": ("bindings/common/a.i", "X(dsw_a, A)\n" * (BOUND + 1), 1),
+        "too many elsewhere": ("bindings/any/typemaps.i", "%ignore dsw_a::b;\n" * (BOUND + 1), 1),
+    }
+    for case, (name, text, wanted) in cases.items():
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for path, content in (("include/dartsweep/base.h", header), (name, text)):
+                (root / path).parent.mkdir(parents=True, exist_ok=True)
+                (root / path).write_text(content)
+            wrong = problems(root, counted(root))
+            if len(wrong) != wanted:
+                sys.exit(f"{case}: {wrong}")
+
+
 def main() -> None:
+    if sys.argv[1:] == ["--self-test"]:
+        return self_test()
     root = pathlib.Path(sys.argv[1])
     found = counted(root)
     if "-v" in sys.argv:
         print("\n".join(f"{number:5} {name}" for name, number in found.items()))
-    total = sum(found.values())
-    print(f"{total} lines repeat statuses, enumerators and structs by hand")
-    wrong = strangers(root, set(found))
-    if total > BOUND:
-        wrong.append(f"at most {BOUND} are allowed")
+    wrong = problems(root, found)
     if wrong:
         sys.exit("\n".join(wrong))
 
