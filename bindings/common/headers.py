@@ -189,12 +189,12 @@ class Headers:
         for comment, c_name, body in re.findall(r"/\*\*((?:(?!\*/).)*)\*/\s*(?:typedef )?enum (\w*) ?\{(.*?)\n?\}", text, re.S):
             items = []
             for declaration, words in pieces(body):
-                item = re.fullmatch(r"DSW_(\w+) = (\w+),?", declaration)
-                assert item, declaration
-                if not item[1].endswith("FORCE_INT32"):
-                    items.append(Item(item[1], item[1], int(item[2], 0), words))
+                parts = re.fullmatch(r"DSW_(\w+) = (\w+),?", declaration)
+                assert parts, declaration
+                if not parts[1].endswith("FORCE_INT32"):
+                    items.append(Item(parts[1], parts[1], int(parts[2], 0), words))
             flags = next((prefix for prefix in prefixes if all(item.name.startswith(prefix) for item in items)), None)
-            is_flags = flags is not None and (not c_name or self._enum_names[c_name] == prefixes[flags])
+            is_flags = flags is not None and (not c_name or self._enum_names.get(c_name) == prefixes[flags])
             if c_name in self._enum_names:
                 shared = items[0].name
                 for item in items:
@@ -211,10 +211,12 @@ class Headers:
         self.constants += [Item(name, name, int(value), "") for name, value in re.findall(r"#define DSW_(VERSION_\w+) (\d+)", self.text)]
         unknown = set(prefixes.values()) - {enum.name for enum in self.flags}
         assert not unknown, f"elements.i lists {unknown}, which no header has"
+        assert len(self.enums) == len(order), "an enum has no comment"
 
     @staticmethod
     def _shortened(c_name: str, name: str, comment: str, items: list[Item], prefix: str) -> Enum:
-        return Enum(c_name, name, tidy(f"/**{comment}*/"), in_lines(comment), [Item(i.name, i.name[len(prefix) :], i.value, i.comment) for i in items])
+        short = [Item(item.name, item.name[len(prefix) :], item.value, item.comment) for item in items]
+        return Enum(c_name, name, tidy(f"/**{comment}*/"), in_lines(comment), short)
 
     def enum(self, name: str) -> Enum:
         return next(enum for enum in self.enums if enum.name == name)
@@ -308,7 +310,7 @@ class Machine:
                 nested = {used for used in re.findall(r"dsw_\w+", re.sub(r"/\*.*?\*/", "", bodies[c_name], flags=re.S)) if used in wanted}
                 if c_name not in self.structs and nested <= self.structs.keys():
                     self._add(c_name, name, kind, bodies[c_name])
-        self.listed = [self.structs[c_name] for c_name in wanted]  # in the order of elements.i
+        self.listed = [self.structs[c_name] for c_name in wanted]  # ids first
         for name, body in results.items():
             self._add("dartsweep::" + name, name, "RESULT", body)
             self.listed.append(self.structs["dartsweep::" + name])
