@@ -44,6 +44,8 @@ size_t mark_wall(dsw_environment *environment, const demo_mesh *mesh) {
 dsw_environment *create_environment(dsw_context *context, const demo_mesh *mesh) {
   dsw_environment_desc desc;
   dsw_environment *environment = NULL;
+  dsw_build_report report = {0};
+  report.struct_size = sizeof report;
   dsw_environment_desc_init(&desc, sizeof desc);
   desc.points = mesh->points;
   desc.point_count = mesh->point_count;
@@ -53,7 +55,12 @@ dsw_environment *create_environment(dsw_context *context, const demo_mesh *mesh)
   desc.connectivity = mesh->connectivity;
   desc.connectivity_count = mesh->connectivity_count;
   desc.regions = mesh->regions;
-  desc.flags = DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_TREE;
-  require(dsw_environment_create(context, &desc, &environment, NULL), "the mesh cannot be used", kBadInput);
+  desc.flags = DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_TREE | DSW_ENVIRONMENT_FIND_TOUCHING;
+  require(dsw_environment_create(context, &desc, &environment, &report), "the mesh cannot be used", kBadInput);
+  if (report.touching_face_count != 0) {
+    fprintf(stderr,
+            "demo: %u faces of the mesh lie on faces of other cells and are walls; the first is a face of cell %u\n",
+            report.touching_face_count, report.touching_face.volume);
+  }
   return environment;
 }

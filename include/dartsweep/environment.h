@@ -62,8 +62,8 @@ enum {
   /** Sews parts that lie on each other: merges points as DSW_ENVIRONMENT_MERGE_POINTS, and splits
    * faces of the boundary where faces of other cells cover them, at points that exist. Cells whose
    * faces are split become polyhedra, in the plane polygons; they keep their indices. Points within
-   * `merge_distance` of an edge or face lie on it. Cost: less than that of two creations more.
-   * @since 2.1 */
+   * `merge_distance` of an edge or face lie on it. Cost: that of a second creation, and O(f log f)
+   * expected for f faces of the boundary. @since 2.1 */
   DSW_ENVIRONMENT_CONFORM = 0x40,
   /** Counts faces of the boundary that lie on, or overlap, faces of other cells, in the report: casts
    * stop there. Cost: O(f log f) expected for f faces of the boundary. @since 2.1 */

@@ -67,8 +67,9 @@ void conform(capi::EnvironmentOwner& owner, dsw_context* context, const dsw_envi
              dsw::BuildReport& found) {
   const dsw::ConformedMesh<D> mesh(engine_of<D>(owner), desc.merge_distance, found);
   if (!mesh.has_changed()) return;
-  owner = capi::make_environment(context, D);
-  read_mesh(engine_of<D>(owner), mesh.description(desc), found);
+  capi::EnvironmentOwner made = capi::make_environment(context, D);
+  mesh.read(engine_of<D>(made), engine_of<D>(owner), desc, found);
+  owner = std::move(made);
 }
 
 /** Fails if parts lie on each other that could not be sewn. `is_known`: the report says which. */

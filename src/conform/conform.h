@@ -17,12 +17,16 @@ class ConformedMesh {
 
   /** Whether a cell is another one than it was. */
   bool has_changed() const { return !types_.empty(); }
-  /** Of all cells, in their order, with the points of `input`. It points into this. */
-  dsw_environment_desc description(const dsw_environment_desc& input) const;
+  /** Makes the mesh of an empty environment, over the points of `input`, of which `from` was made. Throws as read_mesh. */
+  void read(Environment<D>& env, const Environment<D>& from, const dsw_environment_desc& input,
+            BuildReport& report) const;
 
  private:
-  Array<uint8_t> types_;
+  dsw_environment_desc description(const dsw_environment_desc& input) const;
+
+  Array<uint8_t> types_, has_changed_;  // of each cell; types of VTK
   Array<int64_t> offsets_, connectivity_;
+  Array<uint64_t> poor_fans_;  // as of HangingPoints
 };
 
 }  // namespace dsw

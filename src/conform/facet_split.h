@@ -1,29 +1,9 @@
 #pragma once
 // One facet of a polyhedron, split along segments between points that lie in it.
 
-#include "environment/outer_facets.h"
+#include "conform/facet_pairs.h"
 
 namespace dsw {
-
-/** Loops of vertices, one after the other. */
-struct Loops {
-  Array<uint32_t> vertices, first;  // first: of each loop, and where the last one ends
-
-  explicit Loops(const Memory* memory) : vertices(memory), first(memory) { first.push_back(0); }
-  uint32_t count() const { return static_cast<uint32_t>(first.size() - 1); }
-  VertexRange operator[](uint32_t i) const { return {vertices.data() + first[i], vertices.data() + first[i + 1]}; }
-  void end_loop() { first.push_back(static_cast<uint32_t>(vertices.size())); }
-  void add(VertexRange loop) {
-    vertices.insert(vertices.end(), loop.begin(), loop.end());
-    end_loop();
-  }
-};
-
-/** The plane in which a loop is looked at: a coordinate is left out. */
-struct LoopView {
-  int axis = 2;
-  int sense = 1;  // of the loop, counter-clockwise seen from outside, in that plane
-};
 
 /** Where something lies of a loop. */
 enum class LoopPlace { kOutside, kCorner, kInside };

@@ -1,7 +1,9 @@
 #include "conform/hanging_points.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "environment/box_tree.h"
 #include "predicates/turn.h"
 
 namespace dsw {
@@ -16,9 +18,13 @@ int longest_axis(const double* a, const double* b) noexcept {
   return axis;
 }
 
-/** Whether a point lies between the ends of an edge and is not farther from it than `room`. 0: exactly on it. */
+}  // namespace
+
 template <int D>
-bool lies_on(const double* a, const double* b, const double* p, double room) noexcept {
+bool lies_on_edge(const double* a, const double* b, const double* p, double room) noexcept {
+  for (int k = 0; k < D; ++k) {  // most points are seen to lie elsewhere by one coordinate
+    if ((p[k] < a[k] - room && p[k] < b[k] - room) || (p[k] > a[k] + room && p[k] > b[k] + room)) return false;
+  }
   const int axis = longest_axis<D>(a, b);
   const bool is_between =
       a[axis] < b[axis] ? a[axis] < p[axis] && p[axis] < b[axis] : b[axis] < p[axis] && p[axis] < a[axis];
@@ -33,78 +39,77 @@ bool lies_on(const double* a, const double* b, const double* p, double room) noe
   return sum <= 1;
 }
 
-/** Edges of all loops and their ends, each once. */
 template <int D>
-struct Boundary {
-  KeyTable edges, vertices;
+void HangingPoints<D>::add(uint32_t u, uint32_t v, uint32_t vertex) {
+  const uint32_t edge = edges_.insert(pair_key(u, v));
+  if (edge == first_.size()) {
+    first_.push_back(kEnd);
+    for (const uint32_t end : {u, v}) ends_[end / 64] |= uint64_t{1} << end % 64;
+  }
+  const double *const low = env_.point(std::min(u, v)), *const high = env_.point(std::max(u, v));
+  const int axis = longest_axis<D>(low, high);
+  const double at = env_.point(vertex)[axis], along = low[axis] < high[axis] ? at : -at;
+  uint32_t before = kEnd, after = first_[edge];
+  while (after != kEnd && points_[after].along < along) {
+    before = after;
+    after = points_[after].next;
+  }
+  for (uint32_t same = after; same != kEnd && !(along < points_[same].along); same = points_[same].next) {
+    if (points_[same].vertex == vertex) return;
+    if (points_[same].vertex > vertex) continue;
+    before = same;
+    after = points_[same].next;
+  }
+  points_.push_back({vertex, after, along});
+  (before == kEnd ? first_[edge] : points_[before].next) = count() - 1;
+}
 
-  Boundary(const OuterFacets<D>& outer, const Memory* memory) : edges(memory), vertices(memory) {
-    for (uint32_t i = 0; i < outer.count(); ++i) {
-      const VertexRange loop = outer.loop(i);
-      for (uint32_t k = 0; k < loop.size(); ++k) {
-        edges.insert(pair_key(loop[k], loop.after(k)));
-        vertices.insert(loop[k]);
-      }
+template <int D>
+void HangingPoints<D>::append_points(uint32_t u, uint32_t v, Array<uint32_t>& loop) const {
+  const uint32_t edge = edges_.find(pair_key(u, v));
+  if (edge == KeyTable::kNone) return;
+  const auto before = static_cast<std::ptrdiff_t>(loop.size());
+  for (uint32_t i = first_[edge]; i != kEnd; i = points_[i].next) loop.push_back(points_[i].vertex);
+  if (u > v) std::reverse(loop.begin() + before, loop.end());
+}
+
+template <int D>
+Array<uint64_t> HangingPoints<D>::poor_fans() const {
+  Array<uint64_t> made(ends_);
+  for (uint32_t i : first_) {
+    for (const bool are_several = points_[i].next != kEnd; are_several && i != kEnd; i = points_[i].next) {
+      made[points_[i].vertex / 64] |= uint64_t{1} << points_[i].vertex % 64;
     }
   }
-};
+  return made;
+}
 
-}  // namespace
-
-template <int D>
-HangingPoints<D>::HangingPoints(const Environment<D>& env, const OuterFacets<D>& outer, double room)
-    : env_(env),
-      edges_(env.memory),
-      first_(env.memory),
-      points_(env.memory),
-      ends_((size_t{env.map.vertex_count} + 63) / 64, 0, env.memory) {
-  const Boundary<D> boundary(outer, env.memory);
-  const auto at = [&](uint32_t i) { return env.point(static_cast<uint32_t>(boundary.vertices[i])); };
+void find_hanging_points(const Environment<2>& env, const OuterFacets<2>& outer, double room, HangingPoints<2>& found) {
+  KeyTable vertices(env.memory);
+  for (uint32_t i = 0; i < outer.count(); ++i) {
+    for (const uint32_t v : outer.loop(i)) vertices.insert(v);
+  }
+  const auto at = [&](uint32_t i) { return env.point(static_cast<uint32_t>(vertices[i])); };
   const auto box_of = [&](uint32_t i) {
-    ClosedBox<D> box;
+    ClosedBox<2> box;
     box.add(at(i));
     return box;
   };
-  const BoxTree<D> tree(boundary.vertices.size(), box_of, env.memory);
-  for (uint32_t e = 0; e < boundary.edges.size(); ++e) {
-    const uint64_t key = boundary.edges[e];
-    const uint32_t ends[2] = {static_cast<uint32_t>(key >> 32), static_cast<uint32_t>(key)};
-    const double *const a = env.point(ends[0]), *const b = env.point(ends[1]);
-    ClosedBox<D> box;
-    box.add(a);
-    box.add(b);
+  const BoxTree<2> tree(vertices.size(), box_of, env.memory);
+  for (uint32_t i = 0; i < outer.count(); ++i) {
+    const uint32_t u = outer.loop(i)[0], v = outer.loop(i)[1];
+    ClosedBox<2> box = outer.box(i);
     box.widen(room);
-    const size_t before = points_.size();
-    const int axis = longest_axis<D>(a, b);
-    tree.for_each(box.lower, box.upper, [&](uint32_t i) {
-      const auto vertex = static_cast<uint32_t>(boundary.vertices[i]);
-      if (vertex == ends[0] || vertex == ends[1] || !lies_on<D>(a, b, at(i), room)) return;
-      points_.push_back({edges_.size(), vertex, at(i)[axis]});
+    tree.for_each(box.lower, box.upper, [&](uint32_t k) {
+      const auto vertex = static_cast<uint32_t>(vertices[k]);
+      if (vertex == u || vertex == v || !lies_on_edge<2>(env.point(u), env.point(v), at(k), room)) return;
+      found.add(u, v, vertex);
     });
-    if (points_.size() == before) continue;
-    first_.push_back(static_cast<uint32_t>(before));
-    edges_.insert(key);
-    for (const uint32_t end : ends) ends_[end / 64] |= uint64_t{1} << end % 64;
-    const bool is_rising = a[axis] < b[axis];
-    std::sort(points_.begin() + static_cast<std::ptrdiff_t>(before), points_.end(),
-              [is_rising](const Point& p, const Point& q) {
-                if (p.along != q.along) return (p.along < q.along) == is_rising;
-                return p.vertex < q.vertex;
-              });
   }
-  first_.push_back(static_cast<uint32_t>(points_.size()));
 }
 
-template <int D>
-void HangingPoints<D>::append(uint32_t u, uint32_t v, Array<uint32_t>& loop) const {
-  loop.push_back(u);
-  if (!may_have(u) || !may_have(v)) return;
-  const uint32_t edge = edges_.find(pair_key(u, v));
-  if (edge == KeyTable::kNone) return;
-  const uint32_t first = first_[edge], end = first_[edge + 1];
-  for (uint32_t i = 0; i < end - first; ++i) loop.push_back(points_[u < v ? first + i : end - 1 - i].vertex);
-}
-
+template bool lies_on_edge<2>(const double*, const double*, const double*, double) noexcept;
+template bool lies_on_edge<3>(const double*, const double*, const double*, double) noexcept;
 template class HangingPoints<2>;
 template class HangingPoints<3>;
 

@@ -183,12 +183,14 @@ dsw_environment_desc check_description(dsw_environment_desc d) {
 }
 
 template <int D>
-void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
+void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
+               const LinkedBefore<D>* before) {
   read_points(env, input, report);
-  read_cells(env, input, report);
+  read_cells(env, input, report, before == nullptr ? nullptr : &before->poor_fans);
   if ((input.flags & DSW_ENVIRONMENT_REORIENT) != 0) reorient(env, report);
+  if (before != nullptr) copy_links(env, *before);
   Offenders offenders;
-  const MatchDefect defect = match_facets(env, offenders);
+  const MatchDefect defect = match_facets(env, offenders, before != nullptr);
   if (defect != MatchDefect::kNone) fail_match(env, defect, offenders, report);
 }
 

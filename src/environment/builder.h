@@ -19,6 +19,9 @@ struct Offenders {
   }
 };
 
+template <int D>
+struct LinkedBefore;
+
 struct BuildReport {
   Offenders offenders;
   uint32_t reoriented_count = 0, unused_point_count = 0, convex_volume_count = 0;
@@ -41,9 +44,10 @@ dsw_environment_desc check_description(dsw_environment_desc desc);
 
 /** Fills an empty environment from a description that was checked: points, cells, and links of their facets. Throws Error
  * (and leaves the environment useless) on the first kind of defect found, with the first offenders of that kind in the report.
- * Order of checks: sizes, points finite, cells well-formed, facets matched. */
+ * Order of checks: sizes, points finite, cells well-formed, facets matched. `before`: null, or from where links are taken. */
 template <int D>
-void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
+void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
+               const LinkedBefore<D>* before = nullptr);
 
 /** Proves the cells of a mesh that was read valid, and adds what the description asks for. Throws as read_mesh. */
 template <int D>

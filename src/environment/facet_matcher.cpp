@@ -63,11 +63,29 @@ bool same_cycle(const Map<2>&, HalfFacet, Cell, HalfFacet, uint32_t, bool) { ret
 }  // namespace
 
 template <int D>
-MatchDefect match_facets(Environment<D>& env, Offenders& offenders) {
+void copy_links(Environment<D>& env, const LinkedBefore<D>& before) {
+  Map<D>& map = env.map;
+  const Map<D>& from = before.env.map;
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    if (before.is_other[i] != 0) continue;
+    const Cell c = map.cell(i), was = from.cell(i);
+    for (uint32_t f = 0, count = from.facets_of(was); f < count; ++f) {
+      const HalfFacet o = from.opposite(from.half_facet(was, f));
+      if (!o.valid()) continue;
+      const Cell beyond = from.cell_of(o);
+      const uint32_t j = from.index(beyond);
+      if (before.is_other[j] != 0) continue;
+      map.words[map.half_facet(c, f).word] = map.half_facet(map.cell(j), from.local_of(o, beyond)).word;
+    }
+  }
+}
+
+template <int D>
+MatchDefect match_facets(Environment<D>& env, Offenders& offenders, bool has_links) {
   Map<D>& map = env.map;
   Array<uint32_t> chain(map.vertex_count, kEnd, env.memory);
   Array<Candidate> candidates{env.memory};
-  candidates.reserve(size_t{map.cell_count} * (D + 1));
+  if (!has_links) candidates.reserve(size_t{map.cell_count} * (D + 1));
   MatchDefect defect = MatchDefect::kNone;
   const auto offend = [&](MatchDefect kind, uint32_t first, uint32_t second) {
     if (defect != MatchDefect::kNone) {
@@ -78,12 +96,16 @@ MatchDefect match_facets(Environment<D>& env, Offenders& offenders) {
     offenders.add(first);
     offenders.add(second);
   };
-  uint32_t matched = 0;
+  uint32_t matched = 0, linked = 0;  // linked: sides that had a link
   for (uint32_t i = 0; i < map.cell_count; ++i) {
     const Cell c = map.cell(i);
     const Shape shape = map.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const HalfFacet h = map.half_facet(c, f);
+      if (has_links && map.opposite(h).valid()) {
+        ++linked;
+        continue;
+      }
       const Loop loop = read_loop(map, c, shape, f);
       uint32_t n = chain[loop.lowest];
       bool opposite = false, same = false;
@@ -114,9 +136,11 @@ MatchDefect match_facets(Environment<D>& env, Offenders& offenders) {
   }
   map.facet_count = static_cast<uint32_t>(candidates.size());
   map.boundary_facet_count = map.facet_count - matched;
+  map.facet_count += linked / 2;
   return defect;
 }
 
+DSW_INSTANTIATE(copy_links);
 DSW_INSTANTIATE(match_facets);
 
 }  // namespace dsw

@@ -48,13 +48,14 @@ uint32_t cuts_of(Form form, const uint32_t* vertices) {
 template <int D>
 class Reader {
  public:
-  Reader(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report)
+  Reader(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report, const Array<uint64_t>* poor_fans)
       : env_(env),
         map_(env.map),
         in_(input),
         report_(report),
         offsets_(input.offsets, input.index_bytes),
         connectivity_(input.connectivity, input.index_bytes),
+        poor_fans_(poor_fans),
         merged_(env.memory) {
     if (!merges_points(input)) return;
     merged_ = merged_points<D>(env.points, map_.vertex_count, input.merge_distance, env.memory);
@@ -245,14 +246,7 @@ class Reader {
     if (bad_index_.count != offenders) return;
     if (sound && (in_.flags & DSW_ENVIRONMENT_REORIENT) != 0) turn_faces(i);
     base_.assign(loop_first_.size(), 0);
-    for (size_t f = 0; f + 1 < loop_first_.size(); ++f) {
-      for (uint32_t k = loop_first_[f]; k < loop_first_[f + 1]; ++k) {
-        const uint32_t best = loop_first_[f] + base_[f];
-        if (local_to_point_[loop_vertices_[k]] < local_to_point_[loop_vertices_[best]]) {
-          base_[f] = static_cast<uint16_t>(k - loop_first_[f]);
-        }
-      }
-    }
+    for (size_t f = 0; f + 1 < loop_first_.size(); ++f) base_[f] = base_of(loop_first_[f], loop_first_[f + 1]);
     const uint32_t facets = static_cast<uint32_t>(loop_first_.size() - 1);
     const uint32_t table = static_cast<uint32_t>(map_.shape_tables.size());
     const FacetLoops loops{loop_vertices_.data(), loop_first_.data(), facets,
@@ -263,6 +257,27 @@ class Reader {
     }
     map_.shape_offsets.push_back(table);
     write_general(i, static_cast<uint32_t>(map_.shape_offsets.size() - 1));
+  }
+
+  /** From which place of a loop it is cut: the lowest vertex, so that both sides agree. */
+  uint16_t base_of(uint32_t first, uint32_t end) const {
+    if (poor_fans_ == nullptr || end - first < 5) return lowest_of(first, end, [](uint32_t v) { return v; });
+    return lowest_of(first, end, [this](uint32_t v) {
+      const bool is_poor = ((*poor_fans_)[v / 64] >> v % 64 & 1) != 0;
+      return is_poor ? uint64_t{v} + kMaxUnits : v;  // behind all vertices
+    });
+  }
+  template <class Rank>
+  uint16_t lowest_of(uint32_t first, uint32_t end, Rank rank) const {
+    uint32_t best = first;
+    auto lowest = rank(local_to_point_[loop_vertices_[first]]);
+    for (uint32_t k = first + 1; k < end; ++k) {
+      const auto here = rank(local_to_point_[loop_vertices_[k]]);
+      if (!(here < lowest)) continue;
+      best = k;
+      lowest = here;
+    }
+    return static_cast<uint16_t>(best - first);
   }
 
   /** Turns faces of a polyhedron back that are turned against most of its others. */
@@ -321,6 +336,7 @@ class Reader {
   Integers offsets_, connectivity_;
   size_t uniform_vertices_ = 0;
   bool laid_out_ = false;  // offences are recorded by the second pass only
+  const Array<uint64_t>* poor_fans_;
   Offenders bad_index_, bad_cell_;
   std::vector<uint16_t> loop_vertices_, loop_first_, base_, local_of_point_;
   std::vector<uint32_t> local_to_point_;
@@ -365,8 +381,9 @@ void read_points(Environment<D>& env, const dsw_environment_desc& input, BuildRe
 }
 
 template <int D>
-void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
-  Reader<D>(env, input, report).read();
+void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
+                const Array<uint64_t>* poor_fans) {
+  Reader<D>(env, input, report, poor_fans).read();
 }
 
 template <int D>

@@ -1,7 +1,7 @@
 #pragma once
 // The facets that have one cell, with their loops, triangles and boxes.
 
-#include "environment/box_tree.h"
+#include "environment/box_pairs.h"
 #include "environment/environment.h"
 
 namespace dsw {
@@ -43,18 +43,22 @@ class OuterFacets {
   uint32_t count() const { return static_cast<uint32_t>(facets_.size()); }
   HalfFacet facet(uint32_t i) const { return facets_[i]; }
   Cell cell(uint32_t i) const { return env_.map.cell_of(facets_[i]); }
+  /** The number of an outer facet. O(log n). */
+  uint32_t find(HalfFacet h) const {
+    const uint32_t wanted = env_.map.index(env_.map.cell_of(h));
+    const auto first = std::partition_point(facets_.begin(), facets_.end(), [&](HalfFacet each) {
+      return env_.map.index(env_.map.cell_of(each)) < wanted;
+    });
+    const auto at = std::find_if(first, facets_.end(), [h](HalfFacet each) { return each.word == h.word; });
+    return static_cast<uint32_t>(at - facets_.begin());
+  }
   /** Its vertices, counter-clockwise seen from outside; in the plane its two ends, the cell on the left. */
   VertexRange loop(uint32_t i) const { return range(loops_, loop_first_, i); }
   /** Its simplices, D vertices each. */
   VertexRange simplices(uint32_t i) const { return range(simplices_, simplex_first_, i); }
   const ClosedBox<D>& box(uint32_t i) const { return boxes_[i]; }
-  /** Whether the boxes of two facets, of which one is widened, have so much in common that the facets may overlap: along all
-   * axes but one. */
-  bool may_overlap(const ClosedBox<D>& box, uint32_t i) const { return box.overlaps(boxes_[i], D - 1); }
-  BoxTree<D> tree() const {
-    return BoxTree<D>(
-        count(), [this](uint32_t i) -> const ClosedBox<D>& { return boxes_[i]; }, env_.memory);
-  }
+  /** Pairs of facets that may overlap, or would if one of them moved by `room`. Throws std::bad_alloc. */
+  BoxPairs<D> pairs(double room) const { return BoxPairs<D>(boxes_.data(), count(), room, env_.memory); }
 
  private:
   void add(Cell c, const Shape& shape, uint32_t f, HalfFacet h) {

@@ -57,21 +57,22 @@ bool facets_touch(const Environment<D>& env, const OuterFacets<D>& outer, uint32
 template <int D>
 Touching find_touching(const Environment<D>& env) {
   const OuterFacets<D> outer(env);
-  const BoxTree<D> tree = outer.tree();
+  const auto touch = [&](uint32_t i, uint32_t j) {
+    return outer.cell(i) != outer.cell(j) && facets_touch(env, outer, i, j);
+  };
+  Array<uint8_t> touches(outer.count(), 0, env.memory);
+  outer.pairs(0).for_each([&](uint32_t i, uint32_t j) {
+    if ((touches[i] & touches[j]) != 0 || !touch(i, j)) return;
+    touches[i] = touches[j] = 1;
+  });
   Touching found;
-  for (uint32_t i = 0; i < outer.count(); ++i) {
-    const ClosedBox<D>& box = outer.box(i);
-    uint32_t least = outer.count();  // of those that facet i lies on
-    tree.for_each(box.lower, box.upper, [&](uint32_t j) {
-      if (j < least && outer.may_overlap(box, j) && outer.cell(j) != outer.cell(i) && facets_touch(env, outer, i, j))
-        least = j;
-    });
-    if (least == outer.count()) continue;
-    if (found.count++ == 0) {
-      found.first = outer.facet(i);
-      found.other = outer.facet(least);
-    }
-  }
+  found.count = static_cast<uint32_t>(std::count(touches.begin(), touches.end(), 1));
+  if (found.count == 0) return found;
+  const auto first = static_cast<uint32_t>(std::find(touches.begin(), touches.end(), 1) - touches.begin());
+  uint32_t other = first + 1;
+  while (touches[other] == 0 || !outer.box(first).overlaps(outer.box(other), D - 1) || !touch(first, other)) ++other;
+  found.first = outer.facet(first);
+  found.other = outer.facet(other);
   return found;
 }
 

@@ -65,10 +65,20 @@ class FacetPlane {
         bound_(bound) {}
   int side(const double* q) const noexcept {
     const double det = filter::dot(normal_, filter::difference<3>(q, triangle_[0]));
-    return std::fabs(det) > bound_ ? filter::sign_of(det) : orient<3>(triangle_, q);
+    if (std::fabs(det) > bound_) return filter::sign_of(det);
+    return is_level(q) ? 0 : orient<3>(triangle_, q);
   }
 
  private:
+  /** Whether a plane across an axis holds all four points: many facets lie in such planes, and many points in those. */
+  bool is_level(const double* q) const noexcept {
+    for (int k = 0; k < 3; ++k) {
+      const double at = triangle_[0][k];
+      if (triangle_[1][k] == at && triangle_[2][k] == at && q[k] == at) return true;
+    }
+    return false;
+  }
+
   const double* triangle_[3];
   filter::Vec<3> normal_;
   double bound_;
@@ -160,9 +170,9 @@ CellState check_simplices(uint32_t simplex_count, Read read, const double* apex)
     const int side = orient<D>(points, apex);
     inside += side < 0 ? 1u : 0u;
     outside += side > 0 ? 1u : 0u;
+    if (inside != s + 1 && outside != s + 1) return CellState::kInvalid;  // neither all of them nor none can be inside
   }
   if (outside == simplex_count) return CellState::kInverted;
-  if (inside != simplex_count) return CellState::kInvalid;
 
   read(0, points);
   double through[D];

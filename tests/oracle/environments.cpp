@@ -7,7 +7,7 @@ namespace dsw::oracle {
 
 EnvironmentPtr create_environment(const Mesh& mesh, const Layout& layout, uint32_t flags, dsw_context* context) {
   DescArrays arrays(mesh, layout);
-  arrays.desc.flags = flags;
+  arrays.desc.flags |= flags;
   dsw_build_report report;
   std::memset(&report, 0, sizeof report);
   report.struct_size = sizeof report;

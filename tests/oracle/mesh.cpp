@@ -65,7 +65,8 @@ DescArrays::DescArrays(const Mesh& mesh, const Layout& layout) {
     std::memcpy(points.data() + i * layout.stride, mesh.points[i].data(), 24);
   }
   offsets.push_back(0);
-  for (const Cell& cell : mesh.cells) {
+  if (!mesh.loose.empty()) desc.flags = DSW_ENVIRONMENT_CONFORM;
+  for (const Cell& cell : mesh.loose.empty() ? mesh.cells : mesh.loose) {
     types.push_back(static_cast<uint8_t>(cell.type));
     locations.push_back(0);
     if (cell.type != DSW_CELL_TYPE_POLYHEDRON) {

@@ -24,6 +24,8 @@ struct Mesh {
   std::vector<Cell> cells;
   std::vector<int32_t> regions;  // empty, or one for each cell
   std::vector<uint32_t> tags;    // likewise
+  /// Empty, or cells of which DSW_ENVIRONMENT_CONFORM makes `cells`: then it is given these.
+  std::vector<Cell> loose;
 
   void add_standard(int type, std::vector<int> vertices);
   void add_polyhedron(std::vector<Loop> faces);

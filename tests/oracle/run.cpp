@@ -16,7 +16,7 @@ struct Turn {
 
 std::vector<Turn> turns(const std::string& only) {
   std::vector<Turn> list;
-  for (const SceneKind& kind : scene_kinds()) {
+  for (const SceneKind& kind : all_kinds()) {
     const std::string name = kind.name;
     if (!only.empty() && name != only) continue;
     const bool fine = name == "hex_thin" || name == "tet_slivers" || name == "waist_slivers";

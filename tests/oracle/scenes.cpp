@@ -15,22 +15,6 @@ Mesh grid(Rng& rng) {
   return hex_grid(axis(nx, kSide), axis(ny, kSide), axis(nz, kSide));
 }
 
-/// An integer linear map with positive determinant: flat faces, ties, no axis.
-void shear(Mesh& mesh, Rng& rng) {
-  int m[3][3], det = 0;
-  do {
-    for (auto& row : m) {
-      for (int& x : row) x = rng.between(-2, 2);
-    }
-    det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  } while (det <= 0);
-  for (Vec& p : mesh.points) {
-    const Vec q = p;
-    for (size_t k = 0; k < 3; ++k) p[k] = m[k][0] * q[0] + m[k][1] * q[1] + m[k][2] * q[2];
-  }
-}
-
 void jitter_lattice(Mesh& mesh, Rng& rng, int most) {
   for (Vec& p : mesh.points) {
     for (double& x : p) x += rng.between(-most, most);
@@ -294,6 +278,21 @@ Mesh make_mixed_warped(Rng& rng) {
 
 }  // namespace
 
+void shear(Mesh& mesh, Rng& rng) {
+  int m[3][3], det = 0;
+  do {
+    for (auto& row : m) {
+      for (int& x : row) x = rng.between(-2, 2);
+    }
+    det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  } while (det <= 0);
+  for (Vec& p : mesh.points) {
+    const Vec q = p;
+    for (size_t k = 0; k < 3; ++k) p[k] = m[k][0] * q[0] + m[k][1] * q[1] + m[k][2] * q[2];
+  }
+}
+
 std::vector<double> axis(int n, double s) {
   std::vector<double> a;
   for (int i = 0; i <= n; ++i) a.push_back(i * s);
@@ -322,7 +321,13 @@ Mesh hex_grid(const std::vector<double>& x, const std::vector<double>& y, const 
 }
 
 void shuffle_cells(Mesh& mesh, Rng& rng) {
-  for (size_t i = mesh.cells.size(); i > 1; --i) std::swap(mesh.cells[i - 1], mesh.cells[rng.below(i)]);
+  std::vector<Cell>& cells = mesh.loose.empty() ? mesh.cells : mesh.loose;
+  for (size_t i = cells.size(); i > 1; --i) std::swap(cells[i - 1], cells[rng.below(i)]);
+  if (mesh.loose.empty()) return;
+  Mesh loose;  // faces of a cell are in the order of the cells beside it
+  loose.points = mesh.points;
+  loose.cells = mesh.loose;
+  mesh = conformed(loose);
 }
 
 namespace {
@@ -365,6 +370,7 @@ double transformed(double x, Transform t) {
 }
 
 void apply_transform(Mesh& mesh, Transform t) {
+  if (t != Transform::kNone && t != Transform::kPower) mesh.loose.clear();  // rounding would part what was sewn
   for (Vec& p : mesh.points) {
     for (double& x : p) x = transformed(x, t);
   }

@@ -22,6 +22,14 @@ struct SceneKind {
 };
 
 const std::vector<SceneKind>& scene_kinds();
+/// Kinds that the library made of parts that lie on each other.
+const std::vector<SceneKind>& conformed_kinds();
+/// Both, one after the other.
+const std::vector<SceneKind>& all_kinds();
+/// The cells that DSW_ENVIRONMENT_CONFORM makes of a mesh; none if it is refused.
+Mesh conformed(const Mesh& loose);
+/// An integer linear map with positive determinant: flat faces, ties, no axis.
+void shear(Mesh& mesh, Rng& rng);
 void apply_transform(Mesh& mesh, Transform t);
 
 /// Rectilinear hexahedra over three ascending coordinate lists.

@@ -34,6 +34,7 @@ const std::vector<SceneKind>& sweep_scenes() {
     all.push_back({"wide_hexes", wide_hexes, false});
     all.push_back({"wide_warped", wide_warped, false});
     all.push_back({"wide_delaunay", wide_delaunay, false});
+    all.insert(all.end(), conformed_kinds().begin(), conformed_kinds().end());
     return all;
   }();
   return kinds;

@@ -39,7 +39,7 @@ struct Place {
 };
 
 inline const SceneKind& kind_named(const std::string& name) {
-  for (const SceneKind& kind : scene_kinds()) {
+  for (const SceneKind& kind : all_kinds()) {
     if (name == kind.name) return kind;
   }
   throw std::runtime_error("no scene " + name);
@@ -195,7 +195,7 @@ inline std::vector<dsw_vertex_id> vertices_of(const dsw_environment* environment
 
 inline std::vector<std::string> scene_names() {
   std::vector<std::string> names;
-  for (const SceneKind& kind : scene_kinds()) names.emplace_back(kind.name);
+  for (const SceneKind& kind : all_kinds()) names.emplace_back(kind.name);
   return names;
 }
 

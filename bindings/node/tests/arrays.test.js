@@ -166,6 +166,30 @@ test('cells of several types, of 8 bytes an index', () => {
   assert.throws(() => environment.findFaces(new Uint32Array([0, 4]), [0, 1, 2, 3]), /BigUint64Array/);
 });
 
+// Cubes with points of their own; each is x, y, z and a width.
+function cubes(options, ...all) {
+  const corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]];
+  const points = all.flatMap((cube) => corners.flatMap((corner) => corner.map((at, k) => cube[k] + cube[3] * at)));
+  const cells = Int32Array.from({ length: 8 * all.length }, (_, i) => i);
+  return new dsw.Environment(points, cells, { type: dsw.CellType.Hexahedron, ...options });
+}
+
+test('parts that touch are counted and sewn', () => {
+  const one = [0, 0, 0, 1], four = [[1, 0, 0, 0.5], [1, 0.5, 0, 0.5], [1, 0, 0.5, 0.5], [1, 0.5, 0.5, 0.5]];
+  const loose = cubes({ flags: dsw.ENVIRONMENT_FIND_TOUCHING }, one, ...four).buildReport();
+  assert.equal(loose.touchingFaceCount, 13);
+  assert.equal(loose.touchingFace.volume, 0);
+  assert.equal(loose.touchedFace.volume, 1);
+  const sewn = cubes({ flags: dsw.ENVIRONMENT_CONFORM | dsw.ENVIRONMENT_FIND_TOUCHING }, one, ...four);
+  assert.equal(sewn.buildReport().partCount, 1);
+  assert.equal(sewn.buildReport().changedCount, 1);
+  assert.equal(sewn.buildReport().touchingFaceCount, 0);
+  assert.equal(sewn.cast([0.25, 0.5, 0.5], [1.375, 0.375, 0.25]).outcome, dsw.Outcome.Reached);
+  const near = cubes({ flags: dsw.ENVIRONMENT_MERGE_POINTS, mergeDistance: 1e-9 }, one, [1 + 1e-10, 0, 0, 1]);
+  assert.equal(near.buildReport().mergedPointCount, 4);
+  assert.throws(() => cubes({ flags: dsw.ENVIRONMENT_CONFORM }, one, [1, 0.25, 0.25, 1]), /faces of cells 0 and 1 overlap/);
+});
+
 test('enumerators have names', () => {
   assert.equal(dsw.Outcome[dsw.Outcome.Reached], 'Reached');
   assert.throws(() => { dsw.Outcome.Reached = 5; }, TypeError);

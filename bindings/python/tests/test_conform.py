@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -22,7 +24,7 @@ def _passes(environment: ds.Environment) -> bool:
 
 def test_points_are_merged_within_a_distance() -> None:
     points, cells = _beside(((1 + 1e-10, 0, 0), 1))
-    for distance, parts in ((None, 2), (0.0, 2), (1e-9, 1)):
+    for distance, parts in ((0.0, 2), (1e-9, 1)):
         with ds.Environment(points, cells, merge_points=distance) as environment:
             assert environment.info.part_count == parts
             assert _passes(environment) == (parts == 1)
@@ -30,7 +32,7 @@ def test_points_are_merged_within_a_distance() -> None:
 
 def test_faces_that_smaller_ones_cover_are_split() -> None:
     points, cells = _beside(*[((1, y, z), 0.5) for y in (0, 0.5) for z in (0, 0.5)])
-    with ds.Environment(points, cells, flags=ds.EnvironmentFlag.FIND_TOUCHING) as loose:
+    with ds.Environment(points, cells, inner_walls=True) as loose:
         assert loose.info.part_count == 5 and not _passes(loose)
     with ds.Environment(points, cells, conform=True) as environment:
         assert environment.info.part_count == 1 and _passes(environment)
@@ -42,3 +44,30 @@ def test_faces_that_cross_are_refused() -> None:
     points, cells = _beside(((1, 0.25, 0.25), 1))
     with pytest.raises(ds.errors.NotConforming, match="faces of cells 0 and 1 overlap"):
         ds.Environment(points, cells, conform=True)
+
+
+def test_parts_that_touch_need_a_word() -> None:
+    points, cells = _beside(((1, 0, 0), 1))
+    with pytest.raises(ds.errors.TouchingParts, match="^2 faces of the boundary .* first face 1 of cell 0, on face 0 of cell 1; merge_points") as caught:
+        ds.Environment(points, cells)
+    assert isinstance(pickle.loads(pickle.dumps(caught.value)), ds.errors.TouchingParts)
+    for options in ({"inner_walls": True}, {"merge_points": 0.0}, {"conform": True}):
+        ds.Environment(points, cells, **options).close()
+    points, cells = _beside(((1.5, 0, 0), 1))
+    ds.Environment(points, cells).close()
+    points, cells = _beside(*[((1, y, z), 0.5) for y in (0, 0.5) for z in (0, 0.5)])
+    with pytest.raises(ds.errors.TouchingParts, match="^5 faces"):  # the small cubes are sewn to each other
+        ds.Environment(points, cells, merge_points=0.0)
+    ds.Environment(points, cells, merge_points=0.0, inner_walls=True).close()
+
+
+def test_files_with_parts_that_touch_are_read_with_an_option() -> None:
+    meshio = pytest.importorskip("meshio")
+    points, cells = _beside(*[((1, y, z), 0.5) for y in (0, 0.5) for z in (0, 0.5)])
+    mesh = meshio.Mesh(points, [("hexahedron", cells)])
+    with pytest.raises(ds.errors.MeshError, match="13 faces of the boundary .* conform=True"):
+        ds.from_meshio(mesh)
+    with ds.from_meshio(mesh, conform=True) as environment:
+        assert environment.info.part_count == 1 and _passes(environment)
+    with ds.from_meshio(mesh, inner_walls=True) as environment:
+        assert environment.info.part_count == 5

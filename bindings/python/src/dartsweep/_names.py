@@ -14,7 +14,8 @@ from .enums import CellKind, Mark
 from .errors import NotFound
 
 if TYPE_CHECKING:
-    from .environment import Environment, Ids, Records
+    from ._shapes import Ids, Records
+    from .environment import Environment
 
 Labels = Union[int, Sequence[int]]
 Method = TypeVar("Method", bound=Callable[..., Any])

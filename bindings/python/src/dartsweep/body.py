@@ -14,7 +14,7 @@ from .errors import Error
 from .options import options as described
 
 if TYPE_CHECKING:
-    from .environment import Records
+    from ._shapes import Records
 
 
 class _SparseRows(NamedTuple):

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from types import TracebackType
-from typing import Any, Union
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,10 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core, dtypes
 from ._core import (
     BodyContact,
-    BodyId,
     CastOptions,
     Cell,
-    Change,
     CoarsenOptions,
     CrossCheck,
     DeformOptions,
@@ -31,32 +29,19 @@ from ._core import (
     VolumeCounts,
     VolumeId,
 )
-from ._names import Labels, Named, Names, changes_topology
+from ._names import Labels, Named, Names
 from ._names import PlaneFrame as PlaneFrame
-from .enums import CellType, EnvironmentFlag, Location, Mark
+from ._shapes import IdOrIds as IdOrIds
+from ._shapes import Ids as Ids
+from ._shapes import Records as Records
+from ._shapes import cell_of, contiguous, kind_of_rows
+from ._topology import Topology
+from .enums import EnvironmentFlag, Location, Mark
+from .errors import TouchingParts
 from .options import options as described
 
-Records = NDArray[np.void]
-Ids = Union[Records, Sequence[Any]]
-IdOrIds = Union[Ids, np.void, VertexId, EdgeId, FaceId, VolumeId, Cell]
 
-_TYPE_OF_WIDTH = {4: CellType.TETRA, 5: CellType.PYRAMID, 6: CellType.WEDGE, 8: CellType.HEXAHEDRON}
-_PLANAR_TYPE_OF_WIDTH = {3: CellType.TRIANGLE, 4: CellType.QUAD}
-
-
-def _rows(cells: NDArray[Any], dimension: int) -> tuple[CellType, ArrayLike | None, ArrayLike | None]:
-    """Of cells that are rows of points: their type, or where that does not tell their size the type and offset of each."""
-    count, width = cells.shape
-    if dimension == 2 and width > 4:
-        return CellType.NONE, np.full(count, CellType.POLYGON, np.uint8), np.arange(0, cells.size + 1, width).astype(cells.dtype)
-    known = _PLANAR_TYPE_OF_WIDTH if dimension == 2 else _TYPE_OF_WIDTH
-    if width not in known:
-        hint = "; points of the plane have shape (n, 2)" if dimension == 3 and width == 3 else ""
-        raise ValueError(f"cells of {width} points need `types`{hint}")
-    return known[width], None, None
-
-
-class Environment(Named):
+class Environment(Named, Topology):
     """A volume mesh in which particles and bodies move, or a mesh of polygons in the plane. Close it, or use it in a `with` statement; scenes of it go on
     until they are closed, too.
 
@@ -64,9 +49,10 @@ class Environment(Named):
     in the orders that CellType tells, which are those of VTK but for its wedges from 9.7 on; or in one dimension, with `types` (CellType of each) and, but for face streams of polyhedra in `faces`,
     `offsets` as in VTK's unstructured grids. In the plane points are (n, 2), cells (n, 3) or more, triangles, quads or polygons; they are the
     "volumes" and their sides the "faces", and wherever points are asked for they have two coordinates. regions, tags: a label and a host's tag for each cell. flags: EnvironmentFlag.
-    Parts of a mesh that lie on each other are walls unless they are sewn. merge_points: points within this distance count as one, 0.0: points
-    at one place. conform: faces that faces of other cells cover are split, too, so that both sides sew (merge_points then also tells how far a
-    point may be from an edge or face that it lies on).
+    Faces of a mesh that lie on faces of other cells without having their points are walls, and mostly nobody means that: TouchingParts is raised
+    if there are any, but for three arguments. merge_points: points within this distance count as one, 0.0: points at one place; then fewer
+    faces touch. conform: faces that faces of other cells cover are split, too, so that both sides sew (merge_points then also tells how far a
+    point may be from an edge or face that it lies on). inner_walls: they are walls.
     region_names: names of labels, which calls then take in place of these; a name may have several labels. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
     """
 
@@ -86,6 +72,7 @@ class Environment(Named):
         flags: int = 0,
         merge_points: float | None = None,
         conform: bool = False,
+        inner_walls: bool = False,
         region_names: Mapping[str, Labels] | None = None,
         threads: int = 0,
         log: Callable[[int, str], object] | None = None,
@@ -97,9 +84,12 @@ class Environment(Named):
             flags |= EnvironmentFlag.MERGE_POINTS
         if conform:
             flags |= EnvironmentFlag.CONFORM
+        must_not_touch = not conform and not inner_walls
+        if must_not_touch:
+            flags |= EnvironmentFlag.FIND_TOUCHING
         desc = described(_core.EnvironmentDesc, flags=flags, dimension=dimension, merge_distance=merge_points or 0.0)
         if cells.ndim == 2 and types is None:
-            kind, types, offsets = _rows(cells, dimension)
+            kind, types, offsets = kind_of_rows(cells, dimension)
             desc.uniform_cell_type = int(kind)
         elif types is None:
             raise ValueError("cells in one dimension need `types`; rows, such as (n, 4) for tetrahedra, need none")
@@ -109,6 +99,14 @@ class Environment(Named):
         self._core: Any = _core.Environment(
             points, cells, offsets, types, regions, tags, faces, face_locations, desc, context
         )
+        if must_not_touch:
+            self._refuse_touching()
+
+    def _refuse_touching(self) -> None:
+        report = self._core.build_report()
+        if report.touching_face_count != 0:
+            self.close()
+            raise TouchingParts.of(report)
 
     @classmethod
     def _of(cls, core: Any, names: Names, log: Any = None) -> Environment:
@@ -207,7 +205,7 @@ class Environment(Named):
 
     def vertices(self, cell: Any) -> Records:
         """Ids of the vertices of a cell: a Cell, or any id of vertex, edge, face or volume."""
-        return self._core.copy_vertices(_cell(cell))  # type: ignore[no-any-return]
+        return self._core.copy_vertices(cell_of(cell))  # type: ignore[no-any-return]
 
     def face_volumes(self, face: Any) -> tuple[VolumeId, VolumeId]:
         """The two volumes of a face; the second id is null at the outer boundary."""
@@ -274,7 +272,7 @@ class Environment(Named):
         out: Records | None = None,
     ) -> Records:
         """Flights (dtypes.FLIGHT) of many segments, written to `out` where it is given."""
-        starts, ends = _contiguous(starts), _contiguous(ends)
+        starts, ends = contiguous(starts), contiguous(ends)
         flights = np.empty(len(starts), dtypes.FLIGHT) if out is None else out
         self._core.cast_segments(starts, ends, volumes, options, flights)
         return flights
@@ -327,7 +325,7 @@ class Environment(Named):
         locations: NDArray[np.int32] | None = None,
     ) -> Records:
         """What is nearest to each segment (dtypes.SEGMENT_NEAREST); `hints`, `volumes` and `locations` are of the starts."""
-        starts, ends = _contiguous(starts), _contiguous(ends)
+        starts, ends = contiguous(starts), contiguous(ends)
         nearest = np.empty(len(starts), dtypes.SEGMENT_NEAREST) if out is None else out
         self._core.find_nearest_to_segments(starts, ends, radius, hints, nearest, volumes, locations)
         return nearest
@@ -342,7 +340,7 @@ class Environment(Named):
         out: Records | None = None,
     ) -> Records:
         """Reports (dtypes.SWEEP) of edges whose first end moves from `starts` to `ends` while the other stays at `fixed`."""
-        starts, ends, fixed = _contiguous(starts), _contiguous(ends), _contiguous(fixed)
+        starts, ends, fixed = contiguous(starts), contiguous(ends), contiguous(fixed)
         sweeps = np.empty(len(starts), dtypes.SWEEP) if out is None else out
         self._core.sweep_edges(starts, ends, fixed, volumes, options, sweeps)
         return sweeps
@@ -371,141 +369,15 @@ class Environment(Named):
 
     def is_marked(self, cell: Any) -> bool:
         """Whether the cell itself carries a mark."""
-        return self._core.is_marked(_cell(cell))  # type: ignore[no-any-return]
+        return self._core.is_marked(cell_of(cell))  # type: ignore[no-any-return]
 
     def is_impassable(self, cell: Any) -> bool:
         """Whether a cell is impassable, by its own mark or because of others."""
-        return self._core.is_impassable(_cell(cell))  # type: ignore[no-any-return]
+        return self._core.is_impassable(cell_of(cell))  # type: ignore[no-any-return]
 
     def mark_count(self, kind: int) -> int:
         """How many cells of a CellKind carry a mark."""
         return self._core.get_mark_count(kind)  # type: ignore[no-any-return]
-
-    # --- topology and surgery
-
-    @changes_topology
-    def sew_faces(self, a: Ids, b: Ids) -> None:
-        """Two faces on the outer boundary with the same vertices become one, for each pair."""
-        self._core.sew_faces(a, b)
-
-    @changes_topology
-    def unsew_face(self, face: Any) -> None:
-        """One face between two volumes becomes two faces of the outer boundary, which nothing passes."""
-        self._core.unsew_face(face)
-
-    @changes_topology
-    def remove_volumes(self, volumes: IdOrIds) -> None:
-        """Removes volumes; the faces that they shared with others are then on the outer boundary."""
-        self._core.remove_volumes(volumes)
-
-    @changes_topology
-    def merge_volumes(self, face: Any) -> VolumeId:
-        """Merges the two volumes of a face."""
-        return self._core.merge_volumes(face)  # type: ignore[no-any-return]
-
-    @changes_topology
-    def split_volume(self, volume: Any, loop: Ids) -> tuple[VolumeId, VolumeId, FaceId]:
-        """Splits a volume along a loop of its vertices: the part to the left, the other, the new face."""
-        parts = self._core.split_volume(volume, loop)
-        return parts.left, parts.right, parts.face
-
-    @changes_topology
-    def merge_faces(self, edge: Any) -> FaceId:
-        """Merges the two faces of an edge that has no others."""
-        return self._core.merge_faces(edge)  # type: ignore[no-any-return]
-
-    @changes_topology
-    def split_face(self, face: Any, a: Any, b: Any) -> tuple[FaceId, FaceId, EdgeId]:
-        """Splits a face between two of its vertices: the part from a to b, the other, the new edge."""
-        parts = self._core.split_face(face, a, b)
-        return parts.left, parts.right, parts.edge
-
-    @changes_topology
-    def split_edge(self, edge: Any, edge_parameter: float = 0.5) -> tuple[VertexId, EdgeId, EdgeId]:
-        """Splits an edge, in the plane a side by an EdgeId: the new vertex, and the parts at the first and the second of its vertices.
-        The parameter is the place on the edge, 0 to 1 from its first vertex."""
-        parts = self._core.split_edge(edge, edge_parameter)
-        return parts.vertex, parts.first, parts.second
-
-    @changes_topology
-    def merge_edges(self, edge: Any, vertex: Any) -> EdgeId:
-        """Merges the two edges of a vertex that has no others, and removes the vertex."""
-        return self._core.merge_edges(edge, vertex)  # type: ignore[no-any-return]
-
-    @changes_topology
-    def collapse_edge(self, edge: Any, vertex: Any) -> None:
-        """Merges an end of an edge, `vertex`, into the other."""
-        self._core.collapse_edge(edge, vertex)
-
-    @changes_topology
-    def add_volumes(
-        self, vertices: Ids, points: ArrayLike, cells: ArrayLike, *, regions: ArrayLike | None = None,
-        tags: ArrayLike | None = None, sew_to: Ids | None = None,
-    ) -> Records:
-        """Adds cells of one type, as in the constructor, of vertices (0 .. len(vertices) - 1) and new points (from there on)."""
-        cells = np.asarray(cells)
-        kind, types, offsets = _rows(cells, self.dimension)
-        desc = described(_core.VolumesDesc, uniform_cell_type=int(kind))
-        return self._core.add_volumes(vertices, points, cells, offsets, types, regions, tags, sew_to, desc)  # type: ignore[no-any-return]
-
-    @changes_topology
-    def cut(self, blade: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> Change:
-        """Cuts along the surface that a blade sweeps: points of shape (rows, columns, 3); in the plane along a line of points (n, 2)."""
-        blade = np.ascontiguousarray(blade, np.float64)
-        if self.dimension == 2 and blade.ndim == 2:
-            blade = blade[:, np.newaxis]
-        if blade.ndim != 3:
-            raise ValueError("a blade has shape (rows, columns, 3), or (n, 2) in the plane")
-        desc = described(_core.CutDesc, flags=int(flags), snap=snap)
-        if start is not None:
-            desc.start = start
-        return self._core.cut(blade.reshape(-1, blade.shape[2]), blade.shape[0], blade.shape[1], desc)  # type: ignore[no-any-return]
-
-    @changes_topology
-    def tear_faces(self, faces: Ids, loads: ArrayLike, threshold: float) -> Change:
-        """Unsews faces with a load above the threshold; the change has them in `faces`."""
-        return self._core.tear_faces(faces, loads, threshold)  # type: ignore[no-any-return]
-
-    @changes_topology
-    def open_crack(self, faces: Records, width: float, *, region: int = 0, tag: int = 0) -> Change:
-        """Opens a crack (faces as in `faces` of a change) by a width."""
-        desc = described(_core.OpenCrackDesc, width=width, region=region, tag=tag)
-        return self._core.open_crack(faces, desc)  # type: ignore[no-any-return]
-
-    @changes_topology
-    def carve(self, points: ArrayLike, triangles: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> Change:
-        """Makes the inside of a closed surface passable; in the plane `triangles` are segments, (n, 2), of closed lines."""
-        desc = described(_core.CarveDesc, flags=int(flags), snap=snap)
-        if start is not None:
-            desc.start = start
-        return self._core.carve(points, rows_of(triangles, self.dimension, "triangles"), desc)  # type: ignore[no-any-return]
-
-    @changes_topology
-    def tie(self, loop: ArrayLike, *, start: Any = None, snap: float = 0.0) -> Change:
-        """Closes passable space along a closed loop of points, in the plane along a line of points."""
-        desc = described(_core.TieDesc, snap=snap)
-        if start is not None:
-            desc.start = start
-        return self._core.tie(loop, desc)  # type: ignore[no-any-return]
-
-    @changes_topology
-    def remesh(
-        self, volumes: Ids | None = None, next: ArrayLike | None = None, *, radius: int = 0, max_faces: int = 0
-    ) -> Change:
-        """Repairs volumes that are invalid, now or with the positions `next`; all of them by default."""
-        desc = described(_core.RemeshDesc, radius=radius, max_faces=max_faces)
-        return self._core.remesh(volumes, next, desc)  # type: ignore[no-any-return]
-
-    @changes_topology
-    def detach(self, volume: Any, max_volumes: int = 0, **values: Any) -> tuple[BodyId, Change]:
-        """Makes a body of the piece of impassable volumes round one: `scene.body` gives the body of the id. `values` are members of
-        DetachDesc."""
-        body = self._core.detach(described(_core.DetachDesc, volume=volume, max_volumes=max_volumes, **values))
-        return body, self.change()
-
-    def change(self) -> Change:
-        """The last change of the topology: numbers, and arrays of volumes, vertices and faces."""
-        return self._core.get_change()  # type: ignore[no-any-return]
 
     # --- deformation, with Feature.DEFORMING of a scene
 
@@ -533,43 +405,3 @@ class Environment(Named):
 
 def _loaded(block: bytes, names: Names) -> Environment:
     return Environment._of(_core.Environment.load(block), names)
-
-
-def rows_of(indices: ArrayLike, width: int, name: str) -> NDArray[Any]:
-    """Indices as they are: of another width they would be read as other rows."""
-    rows = np.asarray(indices)
-    if rows.size and rows.shape[1:] != (width,):
-        raise ValueError(f"{name} have shape (n, {width})")
-    return rows
-
-
-def _contiguous(points: ArrayLike) -> NDArray[np.float64]:
-    """The library takes one stride for all arrays of a call."""
-    return np.ascontiguousarray(points, np.float64)
-
-
-def _cell(cell: Any) -> Any:
-    """The cell that a Cell, an id, or an entry of an array of one of these names."""
-    if isinstance(cell, Cell):
-        return cell
-    if isinstance(cell, np.ndarray) and cell.ndim == 0:
-        cell = cell[()]
-    if isinstance(cell, np.void):
-        if cell.dtype == dtypes.CELL:
-            made = Cell()
-            for name, value in zip(("kind", "index", "generation", "local"), cell.item()):
-                setattr(made, name, value)
-            return made
-        cell = _id(cell)
-    if isinstance(cell, (VertexId, EdgeId, FaceId, VolumeId)):
-        return _core.cell_of(cell)
-    raise TypeError(f"a Cell, or the id of a vertex, edge, face or volume is needed, not {type(cell).__name__}")
-
-
-def _id(entry: np.void) -> Any:
-    """The id that an entry of an array is. Arrays that NumPy made of others do not tell."""
-    metadata: Any = entry.dtype.metadata or {}
-    kind = metadata.get("id")
-    if kind is None:
-        raise TypeError("this entry does not tell what it names: make an id of it, such as VolumeId(*entry)")
-    return getattr(_core, kind)(*entry.item())

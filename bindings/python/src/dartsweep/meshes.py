@@ -34,7 +34,8 @@ def read(path: str | os.PathLike[str], *, regions: str | None = None, quadratic:
     OpenFOAM case may be its folder. Cells stay in the order of the file. Types of which all cells are inside out are turned back; `notes`
     of the environment tells that, and all else that was changed. Options of from_surface, such as parts="largest", go to it.
     regions: name of the cell data that labels cells; by default what the format calls so. quadratic: "corners" takes cells of higher
-    order by their corners, "split" divides quadratic ones so that they follow the curves. options: as of Environment.
+    order by their corners, "split" divides quadratic ones so that they follow the curves. options: as of Environment. If parts of a mesh lie on
+    each other, one of its options has to say what they are: merge_points, conform or inner_walls.
 
     Raises MeshError if the file can't be read, or has no such mesh; its text says why, and what to do. Raises OSError if there is no file.
     """

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core, dtypes
 from .enums import PairFlag, PairKind
-from .environment import Records
+from ._shapes import Records
 
 
 def sweep_pairs(

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from ._door import own, vtk_data
 from .body import Body
 from .enums import CellType
-from .environment import Environment, Records
+from ._shapes import Records
+from .environment import Environment
 from .scene import Scene
 from .trace import Trace
 

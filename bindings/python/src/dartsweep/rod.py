@@ -29,7 +29,7 @@ from ._chain import BAND, Array, add_bending, add_stretching, carried, frames, g
 from ._core import MoveOptions
 from .body import Body
 from .enums import MoveFlag, Outcome, Response
-from .environment import Records
+from ._shapes import Records
 from .options import options
 from .scene import Scene
 

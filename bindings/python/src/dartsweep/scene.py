@@ -25,7 +25,8 @@ from ._core import (
 )
 from .body import Body
 from .enums import Level, RecordingFlag
-from .environment import Environment, Ids, Records, rows_of
+from ._shapes import Ids, Records, rows_of
+from .environment import Environment
 from .options import options as described
 
 

@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import Flight
-from .environment import Environment, Ids
+from ._shapes import Ids
+from .environment import Environment
 
 Part = tuple[NDArray[np.uint32], NDArray[np.uint32]]
 

@@ -26,9 +26,8 @@ _SIDES: dict[int, list[tuple[int, ...]]] = {  # of VTK's types: corners of the s
     5: [(0, 1), (1, 2), (2, 0)],
     9: [(0, 1), (1, 2), (2, 3), (3, 0)],
 }
-_CORNERS_OF = {24: 10, 25: 12, 29: 12, 26: 13, 27: 14, 22: 5, 34: 5, 23: 9, 28: 9}
 _SOLIDS, _SHELLS = re.compile(r"(?:C|DC|AC|F|Q|EC|EMC|UC)3D(\d+)|(SC)(\d)"), re.compile(r"(?:CP[ES]|CPEG|CAX|S|STRI|M3D|SFM3D|DS|R3D|DC2D|AC2D|ACAX|DCAX)(\d)")
-_LINES, _POINTS = re.compile(r"(?:T[23]D|B[23]|R2D|CONN?3D|F[23]D|GAP|PIPE|DASHPOT|SPRING)"), re.compile(r"(?:MASS|ROTARY)")
+_LINES, _POINTS = re.compile(r"(?:D$|T[23]D|B[23]|R2D|CONN?3D|F[23]D|GAP|PIPE|DASHPOT|SPRING)"), re.compile(r"(?:MASS|ROTARY)")
 _WAY_ON = "the program that made it can write a flat file, or Exodus or VTK"
 
 
@@ -75,7 +74,7 @@ class _Reading:
         kind, width = self._type_of(name)
         numbers = np.array(" ".join(rows).replace(",", " ").split(), np.int64)
         count = sum(not before.endswith(",") for before in ["", *rows[:-1]]) if rows else 0
-        if count and len(numbers) != count * (width + 1):
+        if count and len(numbers) not in (count * (width + 1), len(rows) * (width + 1)):
             width = len(numbers) // count - 1
             of_width = _SOLID if linear.DIMENSION[kind] == 3 else _SHELL
             if len(numbers) % count or width not in of_width:
@@ -113,7 +112,7 @@ class _Reading:
                 own.append(np.array([int(word)]) if word.lstrip("-").isdigit() else word)
 
     def raw(self) -> Raw:
-        table = np.array([row.split(",")[:4] for row in self.nodes], np.float64)
+        table = np.array([_four(row) for row in self.nodes], np.float64)
         ids = table[:, 0].astype(np.int64)
         index = _index_of(ids)
         parts = [linear.uniform(kind, index[rows[:, 1:]]) for kind, rows in self.elements]
@@ -152,11 +151,17 @@ class _Reading:
                 continue
             for cell in members.tolist():
                 kind = int(raw.cells.types[cell])
-                sides = _SIDES.get(_CORNERS_OF.get(kind, kind), [])
+                sides = _SIDES.get(linear.corner_type(kind), [])
                 if int(side.group(1)) <= len(sides):
                     faces.append(raw.cells.flat[raw.cells.offsets[cell] + np.array(sides[int(side.group(1)) - 1])])
         if faces:
             raw.sides.append((name, offsets_of([len(face) for face in faces]), np.concatenate(faces)))
+
+
+def _four(row: str) -> list[str]:
+    """Number and coordinates of a node; those that are left out are 0."""
+    words = [word.strip() or "0" for word in row.split(",")[:4]]
+    return words + ["0"] * (4 - len(words))
 
 
 def _index_of(ids: Indices) -> Indices:
@@ -179,7 +184,10 @@ def _blocks(path: str) -> Iterator[tuple[str, dict[str, str], list[str]]]:
             keyword, options = _keyword(line)
             rows = []
             if keyword == "INCLUDE":
-                yield from _blocks(os.path.join(os.path.dirname(path), options.get("INPUT", "")))
+                included = os.path.join(os.path.dirname(path), options.get("INPUT", ""))
+                if not os.path.isfile(included):
+                    raise ValueError(f"it includes '{options.get('INPUT', '')}', which is not there")
+                yield from _blocks(included)
     yield keyword, options, rows
 
 

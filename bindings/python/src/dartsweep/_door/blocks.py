@@ -18,9 +18,9 @@ def joined(parts: list[tuple[str, Raw]]) -> Raw:
     """One mesh of named blocks, each a group. Blocks of the highest dimension are regions, from 1 on, if there are several."""
     raws = [raw for _, raw in parts]
     points, index = _shared_points(raws)
-    cells = linear.joined([_renumbered(raw.cells, index[i]) for i, raw in enumerate(raws)])
+    cells = linear.joined([renumbered(raw.cells, index[i]) for i, raw in enumerate(raws)])
     starts = offsets_of([len(raw.cells.types) for raw in raws])
-    place, kept = _once(cells)
+    place, kept = once(cells)
     made = Raw(points, cells if kept is None else cells.some(kept), source=raws[0].source, reader=raws[0].reader)
     highest = [int(linear.DIMENSION[raw.cells.types].max(initial=0)) for raw in raws]
     made.data = _joined_data(raws, highest, starts)
@@ -36,14 +36,18 @@ def joined(parts: list[tuple[str, Raw]]) -> Raw:
         made.groups[name] = np.concatenate([made.groups[name], own]) if name in made.groups else own
         for inner, members in raw.groups.items():
             made.groups[inner] = np.concatenate([made.groups.get(inner, np.empty(0, np.int64)), own[members]])
+        made.sides += [(side, offsets, index[i][corners]) for side, offsets, corners in raw.sides]
+        made.numbers.update(raw.numbers)
         made.notes += [note for note in raw.notes if note not in made.notes]
         made.fields.update(raw.fields)
     return made
 
 
-def _once(cells: Cells) -> tuple[Indices, Indices | None]:
+def once(cells: Cells) -> tuple[Indices, Indices | None]:
     """Where each cell is once volumes that several blocks have, such as zones, are kept once; and which are kept, None if all are."""
     count = len(cells.types)
+    if np.any(cells.offsets[1:] == cells.offsets[:-1]):  # a cell without points: what is to be read can't be told
+        return np.arange(count), None
     mixed = (cells.flat.astype(np.uint64) + np.uint64(1)) * np.uint64(0x9E3779B97F4A7C15)
     key = np.add.reduceat((mixed ^ (mixed >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9), cells.offsets[:-1])
     volumes = np.flatnonzero(linear.DIMENSION[cells.types] == 3)
@@ -62,7 +66,8 @@ def _once(cells: Cells) -> tuple[Indices, Indices | None]:
     return place[first], kept
 
 
-def _renumbered(cells: Cells, index: Indices) -> Cells:
+def renumbered(cells: Cells, index: Indices) -> Cells:
+    """The cells with index[i] in place of point i, also in face streams."""
     streams = np.flatnonzero(cells.types == 42)
     if len(streams) == 0:
         return Cells(cells.types, cells.offsets, index[cells.flat])

@@ -10,19 +10,25 @@ import numpy as np
 from .. import errors
 from ..environment import Environment
 from .error import MeshError
-from . import collapsed, orient, own
+from . import collapsed, orient, own, repeated
 from .labels import FACE_LABELS, regions_of
 from .mesh import Indices, Mesh
 from .plane import flatten
 
 
+_SAYS_WHAT_TOUCHES = ("merge_points", "conform", "inner_walls")
+
+
 def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> Environment:
     """An environment of a mesh of volumes or of the plane. regions: name of the array, or group, that labels cells. options: as of
     Environment."""
+    given = options
     mesh, plane = flatten(own.restored(mesh))
     labels, names = regions_of(mesh, regions)
     options = {"tags": mesh.cell_data.get(own.TAGS), **options}
     options["region_names"] = {**names, **(options.get("region_names") or {})}
+    if mesh.hangs and not any(name in options for name in _SAYS_WHAT_TOUCHES):
+        options["conform"] = True
 
     def create(right: Mesh) -> Environment:
         made = Environment(right.points, right.connectivity, right.types, right.offsets, regions=labels, **options)
@@ -35,14 +41,20 @@ def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> 
         return _created(mesh, create)
     except errors.OutOfMemory:
         raise
+    except errors.DuplicateCell as error:
+        different = repeated.left_out(mesh)
+        if different is None:
+            raise MeshError(mesh.source, str(error), _way_on(error)) from error
     except (errors.Error, TypeError, OverflowError) as error:
-        raise MeshError(mesh.source, str(error), _way_on(error)) from error
+        found = error.found if isinstance(error, errors.TouchingParts) else str(error)
+        raise MeshError(mesh.source, found, _way_on(error)) from error
+    return environment_of(different, regions, given)
 
 
 def _created(mesh: Mesh, create: Callable[[Mesh], Environment]) -> Environment:
     try:
         return orient.created(mesh, create)
-    except errors.BadCell:
+    except (errors.BadCell, errors.InvalidCell):
         opened = collapsed.opened(mesh)
         if opened is None:
             raise
@@ -50,6 +62,10 @@ def _created(mesh: Mesh, create: Callable[[Mesh], Environment]) -> Environment:
 
 
 def _way_on(error: Exception) -> str:
+    if isinstance(error, errors.TouchingParts):
+        return error.way_on
+    if isinstance(error, errors.NotConforming):
+        return "merge_points= says how far points may be apart, and inner_walls=True leaves such faces as walls"
     if isinstance(error, errors.InvertedCell):
         return "flags=EnvironmentFlag.REORIENT turns each cell that is inside out"
     if isinstance(error, (TypeError, OverflowError)):

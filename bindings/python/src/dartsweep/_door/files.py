@@ -15,11 +15,16 @@ from collections.abc import Iterator
 from typing import Any
 
 from .error import MeshError
-from . import abaqus_reader, gmsh_reader, meshio_reader, mfem_reader, moab_reader, netgen_reader, vtk_files
+from . import abaqus_reader, exodus_reader, gambit_reader, gmsh_reader, kratos_reader, meshio_reader, mfem_reader, moab_reader, netgen_reader
+from . import off_reader, su2_reader, ucd_reader, unv_reader, vtk_files
 from .mesh import Mesh
 from .raw import Raw, mesh_of
 from .table import DIALECTS, LIBRARIES, Dialect, Reader, dialects_of, endings
 
+_READERS: dict[str, Any] = {
+    **{"vtk": vtk_files, "meshio": meshio_reader, "gmsh": gmsh_reader, "moab": moab_reader, "abaqus": abaqus_reader, "exodus": exodus_reader},
+    **{"gambit": gambit_reader, "kratos": kratos_reader, "netgen": netgen_reader, "off": off_reader, "su2": su2_reader, "ucd": ucd_reader, "unv": unv_reader},
+}  # by the keys of LIBRARIES
 _COMPRESSED: dict[str, Any] = {".gz": gzip.open, ".bz2": bz2.open, ".xz": lzma.open}
 
 
@@ -71,10 +76,11 @@ def _of_dialects(path: str, source: str, dialects: list[Dialect], quadratic: str
     failed: list[MeshError] = []
     for dialect, reader in installed:
         try:
-            mesh = mesh_of(_raw(path, source, reader, quadratic), quadratic)
+            raw = _raw(path, source, reader, quadratic)
         except MeshError as error:
             failed.append(error)
             continue
+        mesh = mesh_of(raw, quadratic)
         if (dialect, reader) != ways[0]:
             mesh.notes += _why_not_first(ways, installed, failed, reader)
         return mesh
@@ -94,11 +100,9 @@ def _why_not_first(ways: Any, installed: Any, failed: list[MeshError], reader: R
 def _raw(path: str, source: str, reader: Reader, quadratic: str) -> Raw:
     if reader.library == "mfem":
         return mfem_reader.read(path, source, reader.format, quadratic)
-    modules: dict[str, Any] = {"vtk": vtk_files, "meshio": meshio_reader, "gmsh": gmsh_reader, "moab": moab_reader}
-    modules |= {"abaqus": abaqus_reader, "netgen": netgen_reader}
-    if reader.library not in modules:
+    if reader.library not in _READERS:
         raise MeshError(source, "it is a surface", "dartsweep.from_surface fills it with tetrahedra")
-    raw: Raw = modules[reader.library].read(path, source, reader.format)
+    raw: Raw = _READERS[reader.library].read(path, source, reader.format)
     return raw
 
 

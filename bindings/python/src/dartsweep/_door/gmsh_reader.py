@@ -103,8 +103,6 @@ def _check_count(path: str, format: str, count: int, source: str) -> None:
     if format == "bdf":
         with open(path, encoding="latin-1") as lines:
             declared = sum(_ELEMENT_OF_NASTRAN.match(line) is not None for line in lines)
-    elif format == "unv":
-        declared = _declared_in_unv(path)
     elif format == "msh" and os.path.getsize(path) > 0:
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
             at = text.find(b"\n$ELM" if text[:4] == b"$NOD" else b"\n$Elements")
@@ -122,26 +120,6 @@ def _declared(head: bytes, version: list[bytes]) -> int:
         return int(np.frombuffer(head[8:16], "<u8")[0])
     numbers = head.partition(b"\n")[0].split()
     return int(numbers[1 if is_fourth else 0]) if len(numbers) > is_fourth else 0
-
-
-def _declared_in_unv(path: str) -> int:
-    """How many elements the data sets 2412 and 780 have: two lines each, three for beams, more for many nodes."""
-    count, is_in, left = 0, False, 0
-    with open(path, encoding="latin-1") as file:
-        before = ""
-        for line in file:
-            words = line.split()
-            if before == "-1" and words in (["2412"], ["780"]):
-                is_in = True
-            elif words == ["-1"]:
-                is_in = False
-            elif is_in and left > 0:
-                left -= 1
-            elif is_in and len(words) >= 6:
-                count += 1
-                left = -(-int(words[-1]) // 8) + (int(words[1]) in (11, 21, 22, 23, 24))
-            before = words[0] if len(words) == 1 else ""
-    return count
 
 
 def _reason(gmsh: Any, error: Exception) -> str:

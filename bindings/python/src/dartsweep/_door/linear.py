@@ -40,6 +40,11 @@ _ORDER = {8: (9, [0, 1, 3, 2]), 11: (12, [0, 1, 3, 2, 4, 5, 7, 6]), 13: (13, [0,
 _PRISM_SIDES = {15: 5, 16: 6}
 
 
+def corner_type(kind: int) -> int:
+    """The linear type of one of VTK's types."""
+    return _CORNERS.get(kind, (kind, 0))[0]
+
+
 @dataclasses.dataclass
 class Cells:
     """Cells one after the other: cell i has type types[i] and the points, or the face stream, flat[offsets[i] : offsets[i + 1]]."""
@@ -87,6 +92,7 @@ def supported(made: Made, cells: Cells) -> tuple[Cells, Indices | None]:
     """Cells of types that Environment takes, and of which cell each is made; None: all cells are kept, in their order."""
     if len(cells.flat) and not 0 <= int(cells.flat.min()):
         raise MeshError(made.source, "a cell names a point with a negative index", "the file is damaged")
+    cells = _without_small_polygons(cells)
     present = np.flatnonzero(np.bincount(cells.types, minlength=256))
     if bool(np.all(_KEPT[present])):
         return cells, None
@@ -100,6 +106,18 @@ def supported(made: Made, cells: Cells) -> tuple[Cells, Indices | None]:
     everything, parent = joined(parts), np.concatenate([np.empty(0, np.int64), *parents])
     order = np.argsort(parent, kind="stable")
     return everything.some(order), parent[order]
+
+
+def _without_small_polygons(cells: Cells) -> Cells:
+    """Polygons of two points, as files of VTK have them, are lines, and those of one are points."""
+    polygons = np.flatnonzero(cells.types == 7)
+    sizes = cells.offsets[polygons + 1] - cells.offsets[polygons]
+    small, sizes = polygons[sizes < 3], sizes[sizes < 3]
+    if len(small) == 0:
+        return cells
+    types = cells.types.copy()
+    types[small] = np.array([0, 1, 3], np.uint8)[sizes]
+    return Cells(types, cells.offsets, cells.flat)
 
 
 def _converted(made: Made, kind: int, cells: Cells) -> list[tuple[Cells, Indices]]:

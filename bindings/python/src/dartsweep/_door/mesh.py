@@ -51,6 +51,8 @@ class Mesh:
     """Arrays of the file with one row for each face, unchanged."""
     fields: dict[str, Any] = dataclasses.field(default_factory=dict)
     """What the file says of the mesh as a whole: arrays, or lists of texts."""
+    hangs: bool = False
+    """Whether the format itself says that faces lie on several smaller ones, and that these are no walls."""
     notes: list[str] = dataclasses.field(default_factory=list)
     """What was changed or left out on the way, one sentence each."""
     source: str = "the mesh"

@@ -30,8 +30,7 @@ _WAY_ON = "a program that reads the file can write it anew, such as ParaView or 
 _LOSES_CELLS = re.compile(
     r"cannot handle|Unsupported \S+ element|know (?:keyword |Gmf)?(?:Tetra|Hexa|Pri|Pyr|Wedge|Tri|Quad)|geomtype|[Ss]kipping (?:2D|those)|could not parse"
 )
-_MIRRORED_BY_FORMAT = {  # SU2 has the wedges of VTK before 9.7
-    "su2": {13: [0, 2, 1, 3, 5, 4]},
+_MIRRORED_BY_FORMAT = {
     "med": {10: [0, 2, 1, 3], 12: [0, 3, 2, 1, 4, 7, 6, 5], 13: [0, 2, 1, 3, 5, 4], 14: [0, 3, 2, 1, 4]},
 }
 

@@ -39,9 +39,9 @@ def read(path: str, source: str, format: str, quadratic: str = "corners") -> Raw
     if mesh.GetNodes() is not None:
         mesh, notes = _linear(mfem, mesh, quadratic)
     if mesh.Nonconforming():
-        notes.append("cells were refined beside others: their faces do not match where the sizes change")
+        notes.append("cells were refined beside others: faces between cells of different size are split, unless an option says otherwise")
     points, cells, boundary = _places(mfem, mesh)
-    raw = Raw(points, linear.joined([cells, boundary]), source=source, reader="MFEM", notes=notes)
+    raw = Raw(points, linear.joined([cells, boundary]), source=source, reader="MFEM", notes=notes, hangs=bool(mesh.Nonconforming()))
     attributes = [mesh.GetAttribute(i) for i in range(mesh.GetNE())], [mesh.GetBdrAttribute(i) for i in range(mesh.GetNBE())]
     raw.regions = np.array(attributes[0] + attributes[1], np.int64)
     _add_names(mesh, raw, len(attributes[0]))

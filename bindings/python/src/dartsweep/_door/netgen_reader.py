@@ -26,7 +26,7 @@ _WAY_ON = "Netgen can write it for Gmsh or Abaqus"
 def read(path: str, source: str, format: str) -> Raw:
     """The cells of a file. Materials are regions, boundary conditions are groups of faces, both with their names."""
     with open(path, encoding="latin-1") as file:
-        lines = [line.strip() for line in file]
+        lines = [line for line in (line.strip() for line in file) if line and not line.startswith("#")]
     parts, labels = [], []
     try:
         points = np.array([line.split() for line in _section(lines, "points")], np.float64).reshape(-1, 3)

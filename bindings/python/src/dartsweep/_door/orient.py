@@ -30,11 +30,17 @@ def created(mesh: Mesh, create: Callable[[Mesh], _Made]) -> _Made:
     cells are valid; this only looks for whole types once one is not."""
     try:
         return create(mesh)
-    except (errors.InvertedCell, errors.InvalidCell, errors.SharedFace):
+    except (errors.InvertedCell, errors.InvalidCell, errors.DuplicateCell, errors.SharedFace):
         turned = _turned_back(mesh)
         if turned is None:
             raise
-    return create(turned)
+    try:
+        return create(turned)
+    except (errors.DuplicateCell, errors.SharedFace) as error:
+        is_mixed = bool(np.any(signs(turned) * signs(mesh) > 0))
+        if mesh.points.shape[1] == 3 or not is_mixed:
+            raise
+        raise _single_cells(mesh, signs(mesh), np.unique(mesh.types).tolist()) from error
 
 
 def signs(mesh: Mesh) -> NDArray[np.int8]:
@@ -96,28 +102,48 @@ def _turned_back(mesh: Mesh) -> Mesh | None:
     for kind in np.unique(mesh.types[sign < 0]):
         (single if np.any(sign[mesh.types == kind] > 0) else whole).append(int(kind))
     ascending = [kind for kind in single if kind in (5, 10) and _is_ascending(mesh, kind)]
-    single = [kind for kind in single if kind not in ascending]
+    is_plane = mesh.points.shape[1] == 2
+    single = [kind for kind in single if kind not in ascending and not is_plane]
     if single:
-        wrong = np.flatnonzero((sign < 0) & np.isin(mesh.types, single))
-        names = " and ".join(CellType(kind).name.lower() for kind in single)
-        raise MeshError(
-            mesh.source,
-            f"{len(wrong)} of {np.isin(mesh.types, single).sum()} cells of type {names} are inside out, the first is cell {wrong[0]}",
-            ('quadratic="split" follows the curves of the cells; ' if any("split" in note for note in mesh.notes) else "")
-            + "flags=EnvironmentFlag.REORIENT mirrors them",
-        )
-    if not whole and not ascending:
+        raise _single_cells(mesh, sign, single)
+    if not np.any(sign < 0):
         return None
     connectivity, notes = mesh.connectivity.copy(), list(mesh.notes)
     for kind in whole:
         rows = np.flatnonzero(mesh.types == kind)
         _mirror(mesh, rows, kind, connectivity)
         notes.append(f"all {len(rows)} cells of type {CellType(kind).name.lower()} were inside out and have been turned")
-    for kind in ascending:
+    if is_plane:
+        _turn_in_the_plane(mesh, sign, connectivity, notes)
+    for kind in () if is_plane else ascending:
         rows = np.flatnonzero((mesh.types == kind) & (sign < 0))
         _mirror(mesh, rows, kind, connectivity)
         notes.append(f"{len(rows)} cells of type {CellType(kind).name.lower()} have been turned: points ascend in each, as in DOLFIN")
     return dataclasses.replace(mesh, connectivity=connectivity, notes=notes)
+
+
+def _single_cells(mesh: Mesh, sign: NDArray[np.int8], kinds: list[int]) -> MeshError:
+    """The error about cells of some types that are inside out while others are not."""
+    wrong = np.flatnonzero((sign < 0) & np.isin(mesh.types, kinds))
+    names = " and ".join(CellType(kind).name.lower() for kind in kinds if kind in mesh.types[wrong])
+    count = int(np.isin(mesh.types, kinds).sum())
+    return MeshError(
+        mesh.source,
+        f"{len(wrong)} of {count} cells of type {names} are inside out, the first is cell {wrong[0]}",
+        ('quadratic="split" follows the curves of the cells; ' if any("split" in note for note in mesh.notes) else "")
+        + "flags=EnvironmentFlag.REORIENT mirrors them",
+    )
+
+
+def _turn_in_the_plane(mesh: Mesh, sign: NDArray[np.int8], connectivity: Indices, notes: list[str]) -> None:
+    """Writers turn cells of the plane as the surface is turned that they lie on. A cell that is folded over others stays an error:
+    once it is turned it lies on the same side of an edge as its neighbour."""
+    rows = np.flatnonzero(sign < 0)
+    mixed = [kind for kind in np.unique(mesh.types[rows]).tolist() if np.any(sign[mesh.types == kind] > 0)]
+    for kind in mixed:
+        own = rows[mesh.types[rows] == kind]
+        _mirror(mesh, own, kind, connectivity)
+        notes.append(f"{len(own)} cells of type {CellType(kind).name.lower()} were clockwise and have been turned")
 
 
 def _is_ascending(mesh: Mesh, kind: int) -> bool:

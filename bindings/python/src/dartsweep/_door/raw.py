@@ -36,6 +36,8 @@ class Raw:
     sides: list[tuple[str, Indices, Indices]] = dataclasses.field(default_factory=list)
     """Named groups of faces that are no cells: name, offsets and points of each."""
     fields: dict[str, Any] = dataclasses.field(default_factory=dict)
+    hangs: bool = False
+    """As of Mesh."""
     notes: list[str] = dataclasses.field(default_factory=list)
     source: str = "the mesh"
     reader: str = ""
@@ -56,7 +58,7 @@ def mesh_of(raw: Raw, quadratic: str = "corners") -> Mesh:
     if dimension < 2:
         raise MeshError(raw.source, _what_there_is(cells), "a mesh of volumes, or of triangles, quads or polygons, is needed")
     mesh = Mesh(made.points, *_of_dimension(cells, dimensions, dimension), source=raw.source, reader=raw.reader, notes=made.notes)
-    mesh.fields = dict(raw.fields)
+    mesh.fields, mesh.hangs = dict(raw.fields), raw.hangs
     _add_data(mesh, raw, parents, dimensions, dimension)
     _add_faces(mesh, raw, cells, parents, dimensions, dimension)
     return mesh
@@ -124,7 +126,8 @@ def _add_faces(mesh: Mesh, raw: Raw, cells: Cells, parents: Indices | None, dime
     for name, offsets, side_vertices in raw.sides:
         parts.append(side_vertices)
         part_sizes.append(np.diff(offsets))
-        mesh.face_groups[name] = np.arange(count, count + len(offsets) - 1)
+        own = np.arange(count, count + len(offsets) - 1)
+        mesh.face_groups[name] = np.concatenate([mesh.face_groups[name], own]) if name in mesh.face_groups else own
         count += len(offsets) - 1
     for name, values in mesh.face_data.items():  # faces of `sides` have no data
         if count != len(values):

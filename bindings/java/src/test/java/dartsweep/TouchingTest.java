@@ -1,0 +1,71 @@
+package dartsweep;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.nio.DoubleBuffer;
+import org.junit.jupiter.api.Test;
+
+/** Parts of a mesh that lie on each other: counted, and sewn. */
+class TouchingTest {
+  private static final double[][] CORNERS = {
+    {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}
+  };
+
+  /** Cubes with points of their own; each is x, y, z and a width. */
+  private static Environment create(int flags, double distance, double[]... cubes) {
+    double[] points = new double[24 * cubes.length];
+    int[] cells = new int[8 * cubes.length];
+    for (int i = 0; i < cells.length; ++i) {
+      double[] cube = cubes[i / 8];
+      for (int k = 0; k < 3; ++k) points[3 * i + k] = cube[k] + cube[3] * CORNERS[i % 8][k];
+      cells[i] = i;
+    }
+    EnvironmentDesc desc = new EnvironmentDesc();
+    desc.setFlags(flags);
+    desc.setMergeDistance(distance);
+    return new Environment(DoubleBuffer.wrap(points), cells, null, null, null, null, null, null, desc, null);
+  }
+
+  private static final double[][] ONE_BESIDE_FOUR = {
+    {0, 0, 0, 1}, {1, 0, 0, 0.5}, {1, 0.5, 0, 0.5}, {1, 0, 0.5, 0.5}, {1, 0.5, 0.5, 0.5}
+  };
+
+  @Test
+  void facesThatTouchAreCounted() {
+    try (Environment environment = create(Dartsweep.ENVIRONMENT_FIND_TOUCHING, 0, ONE_BESIDE_FOUR)) {
+      BuildReport report = environment.buildReport();
+      assertEquals(13, report.getTouchingFaceCount());
+      assertEquals(0, report.getTouchingFace().volume());
+      assertEquals(1, report.getTouchedFace().volume());
+    }
+  }
+
+  @Test
+  void aFaceIsSplitByThoseThatCoverIt() {
+    int flags = Dartsweep.ENVIRONMENT_CONFORM | Dartsweep.ENVIRONMENT_FIND_TOUCHING;
+    try (Environment environment = create(flags, 0, ONE_BESIDE_FOUR)) {
+      BuildReport report = environment.buildReport();
+      assertEquals(1, report.getPartCount());
+      assertEquals(1, report.getChangedCount());
+      assertEquals(0, report.getTouchingFaceCount());
+      assertEquals(Outcome.REACHED, environment.cast(new double[] {0.25, 0.5, 0.5}, new double[] {1.375, 0.375, 0.25}).getOutcome());
+    }
+  }
+
+  @Test
+  void pointsAreMergedWithinADistance() {
+    double[][] cubes = {{0, 0, 0, 1}, {1 + 1e-10, 0, 0, 1}};
+    try (Environment environment = create(Dartsweep.ENVIRONMENT_MERGE_POINTS, 1e-9, cubes)) {
+      assertEquals(4, environment.buildReport().getMergedPointCount());
+      assertEquals(1, environment.buildReport().getPartCount());
+    }
+    assertThrows(DartsweepException.OutOfRange.class, () -> create(0, 1e-9, cubes));
+  }
+
+  @Test
+  void facesThatCrossAreRefused() {
+    double[][] cubes = {{0, 0, 0, 1}, {1, 0.25, 0.25, 1}};
+    assertThrows(DartsweepException.NotConforming.class, () -> create(Dartsweep.ENVIRONMENT_CONFORM, 0, cubes));
+  }
+}
