@@ -80,7 +80,7 @@ AT(dsw_environment_desc, reserved, 124);
 AT(dsw_environment_desc, merge_distance, 128);
 GROWS(dsw_environment_desc, merge_distance);
 
-SIZE(dsw_build_report, 136);
+SIZE(dsw_build_report, 144);
 AT(dsw_build_report, struct_size, 0);
 AT(dsw_build_report, status, 4);
 AT(dsw_build_report, offender_count, 8);
@@ -97,7 +97,9 @@ AT(dsw_build_report, changed, 76);
 AT(dsw_build_report, touching_face_count, 108);
 AT(dsw_build_report, touching_face, 112);
 AT(dsw_build_report, touched_face, 124);
-GROWS(dsw_build_report, touched_face);
+AT(dsw_build_report, split_count, 136);
+AT(dsw_build_report, added_point_count, 140);
+GROWS(dsw_build_report, added_point_count);
 
 SIZE(dsw_environment_info, 96);
 AT(dsw_environment_info, struct_size, 0);

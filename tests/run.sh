@@ -117,7 +117,7 @@ make_library() {
     cmake --install build/release --prefix build/dartsweep
 }
 
-# The same, static, in build/dartsweep-static/prefix, once for all steps.
+# The static library as others find it, in build/dartsweep-static/prefix, once for all steps.
 install_static_library() { one_at_a_time make_static_library; }
 make_static_library() {
   [ ! -e build/static.made ] || return 0

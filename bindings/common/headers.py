@@ -92,7 +92,7 @@ class Parameter:
 
     @property
     def element(self) -> str:
-        """Of an array, without const."""
+        """The type of an array's entries, without const."""
         return re.sub(r"^View<(?:const )?(.*)>$", r"\1", self.type)
 
 
@@ -269,9 +269,9 @@ class Headers:
         return tidy(f"/**{found[1]}*/") if found else ""
 
     def cost(self, function: str) -> str:
-        """What the comment of a function says of its cost."""
+        """What the comment of a function says of its cost; where it says nothing, it is O(1)."""
         found = re.search(r"Cost: ([^@]*?)(?= Thread|@|$)", self.function_comment(function))
-        return found[1] if found else ""
+        return found[1] if found else "O(1)"
 
     def sentence(self, method: Method) -> str:
         """What a method does: the first sentence of its function's comment."""

@@ -17,7 +17,8 @@
 
 namespace dartsweep_csharp {
 
-// Of a status; of ArgumentException where that is -1. `closed` is not 0 for objects that are.
+// The function of C# that sets the error of a status, or ArgumentException if `status` is -1. `closed` is not 0 if the
+// object is closed.
 using ErrorCallback = void(DSW_CALLBACK *)(int status, int closed, const char *message);
 inline ErrorCallback set_error = nullptr;
 

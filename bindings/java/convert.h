@@ -156,7 +156,8 @@ class Reference {
   }
   jobject get() const { return object_; }
 
-  // Of this thread, which becomes one of Java's where it is not: null only when the machine is going down.
+  // Gives the environment of this thread, which becomes one of Java's threads if it is none. Null only when the machine
+  // is going down.
   JNIEnv *environment() const {
     void *env = nullptr;
     if (machine_->GetEnv(&env, JNI_VERSION_1_8) == JNI_OK) return static_cast<JNIEnv *>(env);

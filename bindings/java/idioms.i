@@ -7,12 +7,13 @@
 %rename(createBodyId) dartsweep::Scene::create_body;
 
 %typemap(javacode) dartsweep::Environment %{
-  /** Of cells of one type: points as x, y, z, in the plane (triangles, quads) as x, y, and the indices of each cell's points as in VTK; a region for each cell, or null. */
+  /** Makes an environment of cells of one type: points as x, y, z, in the plane (triangles, quads) as x, y; the indices
+   * of each cell's points as in VTK; a region for each cell, or null. */
   public Environment(double[] points, int[] cells, CellType type, int[] regions) {
     this(points, cells, type, regions, null);
   }
 
-  /** The same with threads and a log of the context's. */
+  /** Makes an environment of cells of one type, with the threads and the log of a context. */
   public Environment(double[] points, int[] cells, CellType type, int[] regions, Context context) {
     this(DoubleBuffer.wrap(points), cells, null, null, regions, null, null, null, describe(type), context);
   }

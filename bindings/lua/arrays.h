@@ -14,8 +14,8 @@ namespace dartsweep_lua {
 inline constexpr char kArrayClass[] = "dartsweep.Array";
 
 struct Kind {
-  const char *name;  // Of the arrays, as DoubleArray.
-  std::size_t size;  // Of an element.
+  const char *name;  // The name of the arrays, such as DoubleArray.
+  std::size_t size;  // The size of an element in bytes.
   bool (*read)(lua_State *L, int index, void *element);
   void (*push)(lua_State *L, const void *element);
 };

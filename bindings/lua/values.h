@@ -90,7 +90,7 @@ inline bool make_from_members(lua_State *L, int index, void *made, swig_type_inf
   return true;
 }
 
-using FewNumbers = std::array<double, 4>;  // Of a member.
+using FewNumbers = std::array<double, 4>;  // The numbers of a member.
 
 // Numbers of a table, all of them.
 template <class T>
@@ -114,7 +114,7 @@ inline bool to_point(lua_State *L, int index, const char *argument, dartsweep::P
 
 // --- results
 template <class T>
-swig_type_info *descriptor();  // Of classes: in typemaps.i.
+swig_type_info *descriptor();  // The type of a class; defined in typemaps.i.
 
 template <class T>
 void push(lua_State *L, const T &value) {

@@ -222,7 +222,7 @@ def ts_method(method: Method) -> str:
 
 
 def methods(owner: str) -> str:
-    """Of a class: those that make arrays, and those that are not there by hand."""
+    """The methods of a class that make arrays, and those that are not there by hand."""
     by_hand = (sources / "index.d.ts").read_text().partition(f"export class {owner} ")[2].partition("\n}\n")[0]
     known = {lower_camel(owner), *re.findall(r"^  (?:static )?(\w+)\(", by_hand, re.M)}
     lines = []

@@ -60,3 +60,11 @@ DSW_DTYPE(dsw_cell, Cell)
 %template(set_enum_##name) dartsweep_python::set_enum<type>;
 %enddef
 DSW_EACH_ENUM(DSW_SET_ENUM)
+
+// A member that the comment of its struct describes has these words.
+%pythoncode %{
+for _kind in [kind for kind in globals().values() if isinstance(kind, type)]:
+    for _member in vars(_kind).values():
+        if isinstance(_member, property) and not _member.__doc__:
+            _member.__doc__ = _kind.__doc__
+%}

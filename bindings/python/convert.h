@@ -373,7 +373,7 @@ PyObject *copy_to_python(const T *values, npy_intp count) {
   return made;
 }
 
-// Of a struct without padding; never -1, which means an error.
+// Gives the hash of a struct without padding; never -1, which means an error.
 inline long hash(const void *value, std::size_t bytes) {
   PyObject *text = PyBytes_FromStringAndSize(static_cast<const char *>(value), static_cast<Py_ssize_t>(bytes));
   const Py_hash_t made = text ? PyObject_Hash(text) : -1;

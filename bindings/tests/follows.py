@@ -9,15 +9,16 @@ import subprocess
 import sys
 import tempfile
 
+COMMENT = r"/\*\*(?:(?!\*/)[\s\S])*\*/\s*"
 ADDED = [  # file, what stands before, what is added
     ("base.h", "  DSW_STATUS_FORCE_INT32", "  DSW_STATUS_LATE = 77, /**< It was late. */\n"),
     ("cpp/error.hpp", r"(?<=\))(?=\n\nnamespace)", " \\\\\n  X(LATE, Late)"),
-    ("sweep.h", r"/\*\* Flags of a sweep", "/** How late. */\ntypedef enum dsw_late {\n  DSW_LATE_NONE = 0, /**< Not. */\n  DSW_LATE_VERY = 3 /**< Very. */\n} dsw_late;\n\n"),
+    ("sweep.h", COMMENT + r"enum \{\s*(?:" + COMMENT + r")?DSW_SWEEP_", "/** How late. */\ntypedef enum dsw_late {\n  DSW_LATE_NONE = 0, /**< Not. */\n  DSW_LATE_VERY = 3 /**< Very. */\n} dsw_late;\n\n"),
     ("query.h", "  DSW_CAST_START_KNOWN", "  /** Late. */\n  DSW_CAST_LATE = 0x400,\n"),
-    ("contact.h", r"/\*\* One volume of a flight",
+    ("contact.h", COMMENT + r"typedef struct dsw_crossing \{",
      "/** Something new. */\ntypedef struct dsw_new_thing {\n  double place[3]; /**< Where. */\n  dsw_cell cell; /**< What. */\n"
      "  double share; /**< How much. */\n} dsw_new_thing;\n\n"),
-    ("query.h", r"/\*\* (?:(?!\*/)[\s\S])*\*/\s*DSW_API dsw_status dsw_environment_find_inside",
+    ("query.h", COMMENT + r"DSW_API dsw_status dsw_environment_find_inside",
      "/** Finds new things at points.\n * @note Cost: O(n). */\nDSW_API dsw_status dsw_environment_find_things(const dsw_environment *environment, size_t count,\n"
      "    const double *points, dsw_new_thing *things);\n\n"),
     ("cpp/environment.hpp", "  void find_inside",

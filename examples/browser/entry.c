@@ -36,7 +36,7 @@ int find_entry(scene *s, double *clearance) {
   return *clearance > 0 ? 1 : fail("there is no room for a wire at the narrow end of the longest side");
 }
 
-/* Of the 26 directions of a lattice, the one in which it is widest at some distance. */
+/* Finds the one of the 26 directions of a lattice in which the vessel is widest at some distance. */
 int find_direction(scene *s, double far) {
   const dsw_volume_id none = {0, 0};
   double best = 0;

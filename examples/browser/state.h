@@ -21,8 +21,8 @@ struct scene {
   dsw_trace *trace;
   wire wire;
   scene_size size;
-  /* Of the environment's vertices: places at rest; ways of the beat, and of a cut that opens, for each of its steps; positions, of
-   * which the environment reads `now`. */
+  /* These arrays belong to the environment's vertices: places at rest; ways of the beat, and of a cut that opens, for
+   * each of its steps; positions, of which the environment reads `now`. */
   double *rest, *ways, *opening, *lent[2];
   size_t point_count, point_room, most_vertices, slots; /* slots: of the body's vertices */
   int now, with_boundary, is_vessel, traced, opening_steps, wall_moves;

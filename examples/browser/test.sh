@@ -36,7 +36,7 @@ cmake -S "$root" -B "$build/native" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_
 cmake --build "$build/native" --target browser_session
 export SESSION=$build/native/examples/browser/browser_session
 
-# The same steps in both.
+# Both programs make the same steps.
 "$SESSION" "$here/test/session.txt" "$build/native.states"
 "${node[@]}" "$here/test/session.mjs" "$build/dartsweep.js" "$here/test/session.txt" "$build/node.states"
 cmp "$build/native.states" "$build/node.states"

@@ -83,7 +83,7 @@ static void find_bend(const wire *w, double *bend) {
   }
 }
 
-/* As if the wire slid along itself. */
+/* Aims each vertex where it would be if the wire slid along itself. */
 static void slide(wire *w, double push) {
   const size_t free = w->count - kHeld;
   size_t i, k;

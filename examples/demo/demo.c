@@ -101,7 +101,7 @@ static int read_options(int argc, char **argv, demo_options *options) {
   return 0;
 }
 
-/* The same catheter with three responses of its edges. */
+/* Runs one catheter three times, each time with another response of its edges. */
 static void run_catheters(demo_catheter *catheters, const demo_run *run, size_t steps, FILE *csv) {
   static const struct {
     const char *name;

@@ -70,7 +70,7 @@ def draw_vessel(folder, title, rows):
 
 
 def frame_of(points):
-    """As view_axes, and the box of the points along these axes."""
+    """The axes of view_axes, and the box of the points along them."""
     axes = view_axes(points)
     low, high = (np.array([pick(points @ axis) for axis in axes]) for pick in (np.min, np.max))
     return (*axes, low, high)

@@ -26,7 +26,7 @@ struct Totals {
   std::size_t inserted = 0, removed = 0, most_vertices = 0;
   std::uint64_t most_cells = 0, cells = 0, orientation_tests = 0;
   double detection_seconds = 0, step_seconds = 0, reached = 0, largest_stretch = 0;
-  // Of the steps with all links in; of all steps if that never came.
+  // These count the steps with all links in, or all steps if the links were never all in.
   std::size_t whole_steps = 0, whole_contacts = 0, whole_edges = 0;
   Wire::RodPart rod;                    // sums
   std::vector<double> whole_detection;  // seconds, step by step
@@ -44,7 +44,7 @@ class Run {
   const physics::CatheterOptions& made_of() const { return made_of_; }
   // Throws BadInput where not all of it could be written.
   void stop_recording();
-  // Of the last step.
+  // The contacts of the last step.
   const dsw_body_contact* contacts(std::size_t* count) const;
   bool good() const { return totals_.steps == totals_.exactly_free && totals_.refused == 0; }
 

@@ -28,7 +28,7 @@ class Vessel {
   const demo_flow& flow() const { return *flow_; }
   const physics::Route& route() const { return *route_; }
   const dsw_environment_info& info() const { return info_; }
-  // Of the lumen, as the demo estimates it.
+  // The radius of the lumen, as the demo estimates it.
   double radius() const { return flow_->radius; }
 
  private:

@@ -61,7 +61,7 @@ class RodWire : public Wire {
   physics::RodCatheter catheter_;
 };
 
-// As fast, as large and as heavy as the catheter of springs.
+// Makes a rod as fast, as large and as heavy as the catheter of springs.
 physics::RodCatheterOptions rod_of(const Options& options, const physics::CatheterOptions& made_of, double scale) {
   physics::RodCatheterOptions usual;
   usual.links = made_of.links;

@@ -15,8 +15,8 @@ class Wire {
   virtual void step(double dt) = 0;
   virtual dsw_body_id id() const = 0;
   virtual const physics::StepReport& report() const = 0;
-  // Of the last step, if the physics is a rod: seconds for finding rows and for the rod itself, rows, and those that
-  // press.
+  // What the rod did in the last step, if the physics is a rod: seconds for finding rows and for the rod itself, rows,
+  // and rows that press.
   struct RodPart {
     double rows_seconds = 0, rod_seconds = 0;
     std::size_t rows = 0, pressing = 0;

@@ -25,7 +25,8 @@ struct CatheterOptions {
   SoftBodyOptions body;
 };
 
-// The same catheter where a mm is `scale` units of length: it does the same motion, larger. (Its mass stays; its density does not.)
+// Gives the options of a catheter where a mm is `scale` units of length: it does the same motion, larger. (Its mass
+// stays; its density does not.)
 CatheterOptions scaled(CatheterOptions options, double scale);
 
 class Catheter {

@@ -32,7 +32,8 @@ double processor_seconds();
 // A number in a sentence: two digits or a little more.
 std::string in_words(double number);
 
-// Of the points of a method, in order of cost, the first whose error is at most `error`; null if none is.
+// Finds the cheapest point of a method whose error is at most `error`; null if there is none. The points stand in the
+// order of their cost.
 const CurvePoint* cheapest_within(const CurvePanel& panel, const std::string& method, double error);
 
 }  // namespace physics

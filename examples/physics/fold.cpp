@@ -108,7 +108,7 @@ BodyMesh make_body(const FoldOptions& options) {
   }
 }
 
-// The same parts in an order of their own: each begins with its lowest index, in an edge the ends go up.
+// Sorts parts: each part begins with its lowest index, and the ends of an edge go up.
 std::vector<std::uint32_t> in_order(const std::vector<std::uint32_t>& parts, std::size_t size) {
   std::vector<std::vector<std::uint32_t>> sorted;
   for (std::size_t k = 0; k < parts.size(); k += size) {

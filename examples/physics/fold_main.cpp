@@ -22,7 +22,7 @@ using physics::Fold;
 using physics::FoldOptions;
 using physics::FoldStep;
 
-// Of the shape at the end: how far an original vertex may be from where it was at rest, over the radius.
+// How far an original vertex may be at the end from where it was at rest, over the radius of the shape.
 constexpr double kTolerance = 1e-3;
 
 int usage() {

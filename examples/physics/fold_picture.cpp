@@ -7,7 +7,7 @@
 namespace physics {
 namespace {
 
-// Of the picture, in its units.
+// Sizes in the picture, in its units.
 constexpr double kViewWidth = 300, kViewHeight = 300, kScale = 44, kHead = 30, kChartHeight = 150, kMargin = 50;
 const char* const kBlue = "#1f5fa8";
 const char* const kRed = "#c0392b";

@@ -41,7 +41,7 @@ class ShapeMatching {
   // The goal of each point, R v0_i + T; free slots get zeros. O(points).
   void find_goals(const Positions& at, Positions* goals);
 
-  // Of the last goals.
+  // The rotation R of the last goals.
   const Eigen::Matrix3d& rotation() const { return rotation_; }
   // Radius of the shape at rest: the largest distance of an original point from their centre.
   double radius() const { return radius_; }

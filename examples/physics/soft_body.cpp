@@ -83,7 +83,8 @@ void SoftBody::stay_off_known_walls(double dt, Points* next) {
   }
 }
 
-// Those that have pressed go on; those whose vertices are gone, or that have been known for long, do not.
+// Remembers the contacts that have pressed. Contacts whose vertices are gone, or that have been known for long, are
+// forgotten.
 void SoftBody::remember_contacts() {
   const auto is_over = [this](Touch& touch) {
     const auto is_gone = [this](std::size_t i) { return points.mass[i] == 0; };

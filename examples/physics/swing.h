@@ -22,7 +22,7 @@ struct Swing {
 double run(const Swing& swing, const IntegratorOptions& options, double dt, double seconds,
            std::vector<Positions>* trace);
 
-// The same by the classical method of Runge and Kutta, of fourth order: with a small step, the truth.
+// Runs the swing by the classical method of Runge and Kutta, of fourth order: with a small step, the truth.
 void run_reference(const Swing& swing, double dt, double seconds, std::vector<Positions>* trace);
 
 // Largest distance between points of the same index at the same time; what is no number is the largest.

@@ -22,8 +22,9 @@ struct WallOptions {
 
 class Walls {
  public:
-  // Of the environment of a scene with DSW_FEATURE_DEFORMING. It reads its points from here from the first step on: the walls have to be there
-  // as long as the environment is. O(volumes). Throws LibraryError.
+  // Makes the walls of the environment of a scene with DSW_FEATURE_DEFORMING. The environment reads its points from
+  // here from the first step on: the walls have to be there as long as the environment is. O(volumes). Throws
+  // LibraryError.
   Walls(dsw_scene* scene, const WallOptions& options);
   Walls(const Walls&) = delete;
   Walls& operator=(const Walls&) = delete;

@@ -27,7 +27,7 @@ class World {
 
   dsw_scene* scene() const { return scene_.get(); }
   const std::vector<std::unique_ptr<SoftBody>>& bodies() const { return bodies_; }
-  // Of the last step.
+  // The reports of the last step.
   const StepReport& report(std::size_t body) const { return reports_[body]; }
   const dsw_deform_report& wall_report() const { return wall_report_; }
 

@@ -13,7 +13,7 @@ enum { kHouses = 7, kLinks = 60, kSteps = 900, kCorners = 8 };
 
 static const double kHouse = 1.0, kStreet = 0.3, kCut = 0.2, kLink = 0.12, kSpeed = 0.02;
 
-/* The same picture each time, whatever the machine. */
+/* Gives a small offset; the picture is the same each time, whatever the machine. */
 static double jitter(uint32_t *state) {
   *state = *state * 1664525u + 1013904223u;
   return ((double)(*state >> 8) / 16777216.0 - 0.5) * 0.16;

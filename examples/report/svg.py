@@ -20,7 +20,7 @@ def to_svg(figure, tips, title):
 
 
 def inline(svg, name, title):
-    """The same for the page: no prologue, ids of its own, colours by name so that they follow the theme."""
+    """Makes of an SVG document a part of the page: without prologue, with ids of its own, with colours by name so that they follow the theme."""
     svg = svg[svg.index("<svg"):]
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.S)
     svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)

@@ -1,6 +1,6 @@
 /** @file carve.h
- * Carving removes the material inside of a shape; a ligature closes a vessel. What surgery.h and
- * topology.h say holds here, too. More: bindings/docs/carving.md.
+ * Carving removes the material inside of a shape; a ligature closes a vessel. surgery.h and
+ * topology.h hold here, too. More: bindings/docs/carving.md.
  */
 #ifndef DARTSWEEP_CARVE_H
 #define DARTSWEEP_CARVE_H
@@ -16,55 +16,51 @@ typedef enum dsw_carve_flag {
   DSW_CARVE_WHOLE = 1 /**< Splits no volume. */
 } dsw_carve_flag;
 
-/** A shape, given by its closed surface. A point is inside if its winding number is not 0. */
+/** A shape by its closed surface, `triangles` of `points`. A point is inside if its winding number
+ * is not 0. `snap` as in dsw_cut_desc. */
 typedef struct dsw_carve_desc {
-  uint32_t struct_size;      /**< sizeof(dsw_carve_desc). */
-  uint32_t flags;            /**< DSW_CARVE_... */
-  const double *points;      /**< Finite points. */
-  size_t point_count;        /**< Below 2^28. */
-  size_t point_stride_bytes; /**< See base.h. */
+  uint32_t struct_size;
+  uint32_t flags;
+  const double *points;
+  size_t point_count; /**< Below 2^28. */
+  size_t point_stride_bytes;
   /** 3 indices each; neighbours are turned alike. */
   const uint32_t *triangles;
   size_t triangle_count; /**< Below 2^28. */
-  /** Null: all volumes are searched. Else the search spreads from here through volumes inside or
-   * crossed. */
+  /** Null: all volumes are searched; else from here through volumes inside or crossed. */
   dsw_volume_id start;
-  double snap; /**< As in dsw_cut_desc. */
+  double snap;
 } dsw_carve_desc;
 
-/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
 
-/** Splits impassable volumes that the surface crosses, as dsw_environment_cut does. Then makes
+/** Splits impassable volumes that the surface crosses, as dsw_environment_cut does, then makes
  * volumes with their centre inside passable.
- * @return DSW_STATUS_INDEX_OUT_OF_RANGE; BORROWED: no room for vertices; BAD_TOPOLOGY: the surface
- * is not closed, or a triangle repeats a point.
- * @note Cost: O(volumes crossed or inside * log triangles); without `start` also O(n).
- * @since 2.0 */
+ * @return DSW_STATUS_INDEX_OUT_OF_RANGE, BORROWED; BAD_TOPOLOGY: the surface is not closed, or a
+ * triangle repeats a point.
+ * @note Cost: O(volumes crossed or inside * log triangles); without `start` also O(n). */
 DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw_carve_desc *desc,
                                          dsw_change *change);
 
-/** A closed loop of points round a vessel. Its surface has a triangle for each two neighbouring
- * points and the mean of all points. From the front the loop is counter-clockwise. */
+/** A closed loop of `points` round a vessel, counter-clockwise from the front. Its surface has a
+ * triangle for each two neighbouring points and the mean of all. `snap` as in dsw_cut_desc. */
 typedef struct dsw_tie_desc {
-  uint32_t struct_size;      /**< sizeof(dsw_tie_desc). */
-  uint32_t flags;            /**< 0. */
-  const double *points;      /**< Finite points. */
-  size_t point_count;        /**< At least 3, below 2^28. */
-  size_t point_stride_bytes; /**< See base.h. */
-  /** Null: all volumes are searched. Else the search spreads from the first volume met on the way
-   * from here. */
+  uint32_t struct_size;
+  uint32_t flags;
+  const double *points;
+  size_t point_count; /**< At least 3, below 2^28. */
+  size_t point_stride_bytes;
+  /** Null: all volumes are searched; else from the first volume met on the way from here. */
   dsw_volume_id start;
-  double snap; /**< As in dsw_cut_desc. */
+  double snap;
 } dsw_tie_desc;
 
-/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_tie_desc_init(dsw_tie_desc *desc, size_t size);
 
-/** Closes passable space along the surface of a loop. Passable volumes that the surface crosses are
- * split and unsewn, as by DSW_CUT_UNSEW. Those that stay whole or hold the loop become impassable.
- * @return DSW_STATUS_BORROWED: no room for vertices.
- * @note Cost: as dsw_environment_cut; without `start` O(n log triangles). @since 2.0 */
+/** Closes passable space along the surface of a loop. Passable volumes that it crosses are split
+ * and unsewn, as by DSW_CUT_UNSEW; those that stay whole or hold the loop become impassable.
+ * @return DSW_STATUS_BORROWED.
+ * @note Cost: as dsw_environment_cut; without `start` O(n log triangles). */
 DSW_API dsw_status dsw_environment_tie(dsw_environment *environment, const dsw_tie_desc *desc,
                                        dsw_change *change);
 

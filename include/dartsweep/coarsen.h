@@ -13,37 +13,35 @@ extern "C" {
 
 /** What is merged. */
 typedef struct dsw_coarsen_options {
-  uint32_t struct_size; /**< sizeof(dsw_coarsen_options). */
-  /** Most faces of a merged volume, 4 to 28; 0 means 16. Above 16 the result takes much memory. */
+  uint32_t struct_size;
+  /** Most faces of a merged volume, 4 to 28; 0 means 16. Above 16 takes much memory. */
   uint32_t max_faces;
   uint64_t max_trials; /**< Work limit: unions looked at, best first; 0: none. */
 } dsw_coarsen_options;
 
-/** What coarsening did. Pairs are before and after. */
+/** What coarsening did; pairs are before and after. `memory_bytes` as in dsw_environment_info. */
 typedef struct dsw_coarsen_report {
-  uint32_t struct_size;     /**< sizeof(dsw_coarsen_report). */
-  uint32_t complete;        /**< 0: the work limit ended the merging. */
-  uint32_t volume_count[2]; /**< Volumes. */
-  uint32_t face_count[2];   /**< Faces; those between two volumes count once. */
-  uint64_t memory_bytes[2]; /**< As in dsw_environment_info. */
+  uint32_t struct_size;
+  uint32_t complete; /**< 0: the work limit ended it. */
+  uint32_t volume_count[2];
+  uint32_t face_count[2];
+  uint64_t memory_bytes[2];
   /** Area of passable faces, rounded; infinity above DBL_MAX. */
   double passable_area[2];
   uint64_t trials; /**< Unions looked at. */
 } dsw_coarsen_report;
 
-/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size);
 
-/** Creates a coarser copy of an environment. Merged volumes are valid polyhedra. Casts and sweeps
- * meet the same faces, by their vertices, at the same times. Regions, tags, marks and vertex
- * indices stay.
+/** Creates a coarser copy of an environment, with merged volumes that are valid polyhedra. Casts
+ * and sweeps meet the same faces, by their vertices, at the same times. Regions, tags, marks and
+ * vertex indices stay.
  * @param source must never have been deformed.
- * @param environment has the source's context.
- * @param volume_map may be null; the new index of each volume index, or UINT32_MAX.
+ * @param environment has its context.
+ * @param volume_map may be null; new indices by old ones, or UINT32_MAX.
  * @param capacity volume_index_count of the source.
- * @param report may be null.
  * @return DSW_STATUS_TOO_LARGE.
- * @note Cost: O(n log n). Source: [JCD10] 3.2. @since 2.0 */
+ * @note Cost: O(n log n). Source: [JCD10] 3.2. */
 DSW_API dsw_status dsw_environment_coarsen(const dsw_environment *source,
                                            const dsw_coarsen_options *options,
                                            dsw_environment **environment, uint32_t *volume_map,

@@ -1,7 +1,6 @@
-/** @file dartsweep.h
- * All headers of Dartsweep: exact contacts of moving points, edges and surfaces with a volume mesh.
- * base.h says what all functions share. The end of this file says what changes in the plane.
- */
+/** @file dartsweep.h All headers of Dartsweep: exact contacts of moving points, edges and surfaces
+ * with a volume mesh. base.h says what all share, the end of this file what changes in the
+ * plane. */
 #ifndef DARTSWEEP_DARTSWEEP_H
 #define DARTSWEEP_DARTSWEEP_H
 
@@ -34,22 +33,12 @@
 
 /* In the plane
  *
- * With `dimension` 2 the headers read so (more: bindings/docs/plane.md):
- *  - Volumes are polygons with counter-clockwise corners. Faces are their sides: face i runs from
- *    corner i to the next.
- *  - Points have 2 doubles. Third numbers in structs are 0. The shift is (e, e^2). x and y of a
- *    rotation are 0.
- *  - In topology.h an edge id names a side, by the numbers of its face id. Elsewhere there are no
- *    edges.
- *  - DSW_STATUS_UNSUPPORTED: coarsen.h, remesh.h, detach.h, cross_check.h, edges elsewhere,
- *    dsw_environment_merge_faces, dsw_environment_split_face, faces of bodies, DSW_LEVEL_FACES,
- *    DSW_BODY_SKIP_BACK_EDGES, DSW_INVALID_REMESH.
- *  - Edges of bodies meet vertices (DSW_CONTACT_VERTEX) instead of edges, also marked vertices.
- *    `contact.obstacle` is that vertex; the normal is that of the edge.
- *  - dsw_environment_split_volume takes 2 corners that no side joins; the first part is left of the
- *    way between them.
- *  - A blade has 1 column: the path of a point, with its front on the right.
- *  - Shapes of carve.h are bounded by segments. A vessel is tied along a line from wall to wall.
+ * With `dimension` 2 volumes are polygons with counter-clockwise corners, and faces are their
+ * sides: face i runs from corner i to the next. Points have 2 doubles; third numbers in structs are
+ * 0. The shift is (e, e^2). There are no edges but in topology.h, where an edge id names a side.
+ * Bodies meet vertices instead of edges. A blade has 1 column: the path of a point, with its front
+ * on the right. coarsen.h, remesh.h, detach.h, cross_check.h, edges elsewhere and faces of bodies
+ * answer DSW_STATUS_UNSUPPORTED. More: bindings/docs/plane.md.
  */
 
 #endif

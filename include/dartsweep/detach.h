@@ -13,32 +13,30 @@
 extern "C" {
 #endif
 
-/** Describes a piece. */
+/** Describes a piece; `category`, `mask` and `motion_share` as in dsw_body_desc. */
 typedef struct dsw_detach_desc {
-  uint32_t struct_size; /**< sizeof(dsw_detach_desc). */
-  uint32_t flags;       /**< DSW_BODY_... of the body. */
-  dsw_level level;      /**< DSW_LEVEL_EDGES_SWEPT by default. */
-  uint32_t category;    /**< As in dsw_body_desc. */
-  uint32_t mask;        /**< As in dsw_body_desc. */
-  uint32_t halvings;    /**< Most halvings and doublings of `gap`, up to 40; 0 means 32. */
-  double motion_share;  /**< As in dsw_body_desc. */
-  /** First distance from the walls: a share of the shortest edge, up to 0.25; 0 means 0.01. */
+  uint32_t struct_size;
+  uint32_t flags;  /**< DSW_BODY_... of the body. */
+  dsw_level level; /**< DSW_LEVEL_EDGES_SWEPT by default. */
+  uint32_t category;
+  uint32_t mask;
+  uint32_t halvings; /**< Most halvings and doublings of `gap`, up to 40; 0 means 32. */
+  double motion_share;
+  /** First distance from walls: share of the shortest edge, up to 0.25; 0 means 0.01. */
   double gap;
   dsw_volume_id volume; /**< Any volume of the piece. */
   /** Most volumes of the piece; 0: no limit. */
   size_t max_volumes;
 } dsw_detach_desc;
 
-/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_detach_desc_init(dsw_detach_desc *desc, size_t size);
 
 /** Detaches a piece: impassable volumes that only cracks join to other impassable volumes. They
  * become passable, and cracks round them are sewn. Their surface, drawn a little off the walls,
  * becomes a closed body.
- * @return DSW_STATUS_SHARED; BAD_TOPOLOGY: the volume is passable; TOO_LARGE: more than
- * max_volumes; INVALID_CELL; NOT_ENABLED: as dsw_body_create; OCCUPIED: a vertex has no free
- * position.
- * @note Cost: O(piece + particles + bodies), expected, or O(n). @since 2.0 */
+ * @return DSW_STATUS_SHARED, INVALID_CELL; BAD_TOPOLOGY: the volume is passable; TOO_LARGE: more
+ * than max_volumes; NOT_ENABLED: as dsw_body_create; OCCUPIED: a vertex has no free position.
+ * @note Cost: O(piece + particles + bodies) expected, or O(n). */
 DSW_API dsw_status dsw_environment_detach(dsw_environment *environment, const dsw_detach_desc *desc,
                                           dsw_body_id *body, dsw_change *change);
 

@@ -1,8 +1,8 @@
 /** @file move.h
  * Moves of bodies, one vertex at a time. Contacts are exact for that order. After each call the
- * parts that the level covers are free. Without lossy flags, they have passed nothing that the
- * level sees. `report` and `reports` may be null. More: bindings/docs/moving_bodies.md.
- * Source: [JCD10] 4.1, 4.2.
+ * parts that the level covers are free, and without lossy flags they have passed nothing that the
+ * level sees. `targets`: `target_count` points, body after body, one for each vertex slot; those of
+ * free slots are not read. More: bindings/docs/moving_bodies.md. Source: [JCD10] 4.1, 4.2.
  */
 #ifndef DARTSWEEP_MOVE_H
 #define DARTSWEEP_MOVE_H
@@ -18,10 +18,10 @@ typedef enum dsw_search {
   DSW_SEARCH_EXACT = 0, /**< The first contact. */
   /** All obstacles on the whole way, by time. */
   DSW_SEARCH_EXHAUSTIVE = 1,
-  /** Dichotomic: halves the way between a free position and one that is not, which the contact
-   * describes. At DSW_LEVEL_EDGES another contact may come first. */
+  /** Dichotomic: halves the way between a free position and one that is not. At DSW_LEVEL_EDGES
+   * another contact may come first. */
   DSW_SEARCH_BISECTION = 2,
-  DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_SEARCH_FORCE_INT32 = 0x7fffffff
 } dsw_search;
 
 /** What happens at a contact [JCD10] 4.2, figure 5. A moving vertex inserts at most 64 vertices,
@@ -31,124 +31,115 @@ typedef enum dsw_response {
   DSW_RESPONSE_STOP = 0,
   /** "Adaptive": the edge gets a vertex at each contact in turn. */
   DSW_RESPONSE_ADAPTIVE_ONE = 1,
-  /** "Adaptive": the edge gets a vertex at each obstacle under it at once. */
+  /** "Adaptive": a vertex at each obstacle under the edge at once. */
   DSW_RESPONSE_ADAPTIVE_MANY = 2,
-  /** "Hybrid": the edge gets one vertex; its parts are static. */
+  /** "Hybrid": one vertex; the edge's parts are static. */
   DSW_RESPONSE_HYBRID = 3,
   /** The vertex moves on along the obstacle. */
   DSW_RESPONSE_SLIDE = 4,
-  /** ADAPTIVE_ONE, or SLIDE where no vertex can be inserted. */
+  /** ADAPTIVE_ONE, or SLIDE where that is impossible. */
   DSW_RESPONSE_ADAPTIVE_SLIDE = 5,
-  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff
 } dsw_response;
 
 /** Flags of a move. */
 enum {
-  /** Slides stay before the last six walls that the vertex has touched in this move, and end in a
-   * corner. Without the flag a slide knows the last two walls. There are up to 8 slides. */
+  /** Slides stay before the last six walls touched in this move, and end in a corner; without the
+   * flag, before the last two. */
   DSW_MOVE_KEEP_WALLS = 0x1
 };
 
 /** Options of a move. */
 typedef struct dsw_move_options {
-  uint32_t struct_size;         /**< sizeof(dsw_move_options). */
-  uint32_t flags;               /**< DSW_MOVE_... */
-  dsw_response vertex_response; /**< Of the moving vertex: STOP (default) or SLIDE. */
-  dsw_response edge_response;   /**< Of its edges and faces: any; default STOP. */
+  uint32_t struct_size;
+  uint32_t flags;
+  dsw_response vertex_response; /**< For the moving vertex: STOP (default) or SLIDE. */
+  dsw_response edge_response;   /**< For its edges and faces; default STOP. */
   dsw_search search;            /**< Default EXACT. */
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
-  /** Work limit: volumes that one sweep may visit; 0: none. At the limit the vertex stops, free. */
+  /** Work limit: volumes that one sweep may visit before the vertex stops, free; 0: none. */
   uint32_t max_volumes;
-  /** Further passes over the vertices that have stopped, up to 64. A vertex gets another turn if it
-   * moved in its last turn, or if a neighbour has moved since; for bodies that meet bodies, if any
-   * vertex has. 0: none. */
+  /** Further passes over vertices that have stopped and may get farther, 0 to 64. */
   uint32_t passes;
   double min_part;   /**< Least share of an edge in a part; up to 0.5, 0 means 0.25. */
   double min_length; /**< Least length of a part; 0: none. */
   /** Distance to keep from a touched wall, not guaranteed; 0 means 1e-9 of the size of the volume
-   * in front; negative: none. */
+   * there; negative: none. */
   double stand_off;
   /** An inserted vertex is removed if its distance from the line between its neighbours is at most
    * this share of the line. 0: never. */
   double noise_share;
-  /** Distinct indices of the vertices that move, in order; null: all, by index. Of a string that is
-   * pulled the pulled end goes first. */
+  /** Distinct indices of the vertices that move, in order; null: all, by index. The pulled end of a
+   * string goes first. */
   const uint32_t *order;
-  size_t order_count; /**< Its entries. */
+  size_t order_count;
 } dsw_move_options;
 
 /** What a move did. */
 typedef struct dsw_move_report {
-  /** Part of the motion that dsw_body_move_rigid or a function of together.h made; else 1. */
+  /** Part of the motion made by dsw_body_move_rigid or together.h; else 1. */
   double fraction;
   uint32_t vertices_moved;   /**< Vertices that had to move. */
-  uint32_t vertices_stopped; /**< Of these, not at their targets, also by a slide. */
+  uint32_t vertices_stopped; /**< Vertices not at their targets. */
   uint32_t contact_count;    /**< See dsw_body_get_contacts. */
   uint32_t edit_count;       /**< See dsw_body_get_edits. */
   uint32_t edges_swept;      /**< Sweeps of edges, from both ends; depends on earlier moves. */
-  uint32_t edges_skipped;    /**< Those saved by flags. */
+  uint32_t edges_skipped;    /**< Sweeps saved by flags. */
   uint32_t vertices_limited; /**< Stopped by the work limit. */
-  uint32_t reserved;         /**< 0. */
+  uint32_t reserved;
 } dsw_move_report;
 
-/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
-/** Moves the vertices of a body to their targets, one after the other.
- * @param targets `target_count` points, one for each vertex slot; only those of moving vertices
- * are read.
+/** Moves the vertices of a body to their targets, one after the other. Only targets of moving
+ * vertices are read.
  * @return DSW_STATUS_DUPLICATE_ID: in `order`.
- * @note Cost: O(volumes met + bodies near the way). In each pass a vertex searches
- * at most 73 times: once, once for each slide and once for each new vertex.
- * Source: [JCD10] 4. @since 2.0 */
+ * @note Cost: O(volumes met + bodies near the way). In each pass a vertex searches at most 73
+ * times: once, and for each slide and new vertex. */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,
                                  const dsw_move_options *options, dsw_move_report *report);
 
 /** Moves many bodies, each as dsw_body_move. Bodies that can meet move in the order of `bodies`.
  * @param bodies distinct.
- * @param targets `target_count` points, body after body.
  * @param options `order` must be null.
- * @note Cost: as dsw_body_move. Batch. @since 2.0 */
+ * @note Cost: as dsw_body_move. Batch. */
 DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
                                          const double *targets, size_t target_count,
                                          size_t stride_bytes, const dsw_move_options *options,
                                          dsw_move_report *reports);
 
-/** A rigid motion: x becomes rotation * (x - centre) + centre + translation. */
+/** A rigid motion: x becomes `rotation` * (x - `centre`) + `centre` + `translation`, the rotation a
+ * quaternion x, y, z, w that is not 0. */
 typedef struct dsw_rigid_motion {
-  double rotation[4];    /**< Quaternion x, y, z, w, not zero. */
-  double centre[3];      /**< Fixed point of the rotation. */
-  double translation[3]; /**< Added after the rotation. */
+  double rotation[4];
+  double centre[3];
+  double translation[3];
 } dsw_rigid_motion;
 
 /** Moves a body rigidly. The motion is halved, up to 52 times, until all vertices can make it, one
  * after the other.
  * @param options only `order`, of all vertices, counts.
- * @note Cost: as dsw_body_move, for each fraction tried. @since 2.0 */
+ * @note Cost: as dsw_body_move, for each fraction. */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);
 
-/** Gives the contacts of the last move of a body, in order. @note Cost: O(1). @since 2.0 */
+/** Gives the contacts of the last move of a body, in order. */
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body,
                                          const dsw_body_contact **contacts, size_t *count);
 
-/** Gives the other body of each contact.
- * @return DSW_STATUS_NOT_ENABLED: DSW_FEATURE_BODY_CONTACTS.
- * @note Cost: O(1). @since 2.0 */
+/** Gives the other body of each contact, with DSW_FEATURE_BODY_CONTACTS. */
 DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_body_id body,
                                                  const dsw_contact_partner **partners,
                                                  size_t *count);
 
-/** Gives what the vertex of each contact touched before.
- * @note Cost: O(1). Source: [JCD10] 3.1. @since 2.0 */
+/** Gives what the vertex of each contact touched before. @note Source: [JCD10] 3.1. */
 DSW_API dsw_status dsw_body_get_previous_contacts(const dsw_scene *scene, dsw_body_id body,
                                                   const dsw_previous_contact **pasts,
                                                   size_t *count);
 
-/** Gives the vertices that the last move of a body inserted and removed, in order.
- * @note Cost: O(1). @since 2.0 */
+/** Gives the vertices that the last move of a body inserted and removed, in order. */
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body,
                                       const dsw_body_edit **edits, size_t *count);
 

@@ -1,6 +1,6 @@
 /** @file particle.h
  * Particles: points that are followed from volume to volume. A particle moves straight to its
- * target or to the first impassable face. There it is pulled back until a cast proves its move
+ * target or to the first impassable face, and is pulled back there until a cast proves its move
  * free: no particle is ever inside or behind anything impassable.
  */
 #ifndef DARTSWEEP_PARTICLE_H
@@ -15,65 +15,61 @@ extern "C" {
 #endif
 
 /** Creates a particle.
- * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
- * @note Cost: as dsw_environment_locate. @since 2.0 */
+ * @return DSW_STATUS_OUTSIDE, IMPASSABLE.
+ * @note Cost: as dsw_environment_locate. */
 DSW_API dsw_status dsw_particle_create(dsw_scene *scene, const double *position, dsw_volume_id hint,
                                        dsw_particle_id *particle);
 
 /** Creates many particles, or none.
- * @param hints may be null.
- * @param offender index of the first wrong position or hint; may be null.
- * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
- * @note Cost: as dsw_environment_locate. Batch. @since 2.0 */
+ * @param offender index of the first wrong position or hint.
+ * @return DSW_STATUS_OUTSIDE, IMPASSABLE.
+ * @note Cost: as dsw_environment_locate. Batch. */
 DSW_API dsw_status dsw_scene_create_particles(dsw_scene *scene, const double *positions,
                                               size_t count, size_t stride_bytes,
                                               const dsw_volume_id *hints,
                                               dsw_particle_id *particles, size_t *offender);
 
-/** Removes a particle. @note Cost: O(1). @since 2.0 */
+/** Removes a particle. */
 DSW_API dsw_status dsw_particle_destroy(dsw_scene *scene, dsw_particle_id particle);
 
-/** Counts the particles. @note Cost: O(1). @since 2.0 */
+/** Counts the particles. */
 DSW_API dsw_status dsw_scene_get_particle_count(const dsw_scene *scene, size_t *count);
 
-/** Copies the ids of all particles, by index. @note Cost: O(particles). @since 2.0 */
+/** Copies the ids of all particles, by index. @note Cost: O(particles). */
 DSW_API dsw_status dsw_scene_get_particle_ids(const dsw_scene *scene, dsw_particle_id *particles,
                                               size_t capacity, size_t *count);
 
 /** Gives the position and volume of a particle.
- * @param position, volume may be null.
- * @note Cost: O(1). @since 2.0 */
+ * @param position, volume may be null. */
 DSW_API dsw_status dsw_particle_get_position(const dsw_scene *scene, dsw_particle_id particle,
                                              double *position, dsw_volume_id *volume);
 
 /** Gives positions and volumes of particles. An id may occur many times.
  * @param positions, volumes may be null.
- * @note Cost: O(count). @since 2.0 */
+ * @note Cost: O(count). */
 DSW_API dsw_status dsw_scene_get_particle_positions(const dsw_scene *scene,
                                                     const dsw_particle_id *particles, size_t count,
                                                     double *positions, size_t stride_bytes,
                                                     dsw_volume_id *volumes);
 
-/** Moves a particle towards a target, which may be as far as 1e300. The reported volume contains
- * the reported position.
- * @param options DSW_CAST_START_KNOWN has no effect; DSW_CAST_NO_DETAIL leaves out the `contact`.
- * @param flight may be null.
- * @note Cost: O(volumes crossed), twice at a contact. Source: [JCD10] 3.3. @since 2.0 */
+/** Moves a particle towards a target, as far as 1e300.
+ * @param options DSW_CAST_START_KNOWN has no effect; DSW_CAST_NO_DETAIL leaves out `contact`.
+ * @param flight may be null; its volume contains its position.
+ * @note Cost: O(volumes crossed), twice at a contact. Source: [JCD10] 3.3. */
 DSW_API dsw_status dsw_particle_move(dsw_scene *scene, dsw_particle_id particle,
                                      const double *target, const dsw_cast_options *options,
                                      dsw_flight *flight);
 
 /** Moves particles, each to its own target, or none.
  * @param particles distinct. @param flights may be null. @return DSW_STATUS_DUPLICATE_ID.
- * @note Cost: as dsw_particle_move. Batch. @since 2.0 */
+ * @note Cost: as dsw_particle_move. Batch. */
 DSW_API dsw_status dsw_scene_move_particles(dsw_scene *scene, const dsw_particle_id *particles,
                                             size_t count, const double *targets,
                                             size_t stride_bytes, const dsw_cast_options *options,
                                             dsw_flight *flights);
 
-/** Casts segments from particles to points. No particle moves; statistics change. An id may occur
- * many times.
- * @note Cost: as dsw_environment_cast. Batch. @since 2.0 */
+/** Casts segments from particles to points. An id may occur many times.
+ * @note Cost: as dsw_environment_cast. Batch. Changes statistics. */
 DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_particle_id *particles,
                                                  size_t count, const double *to,
                                                  size_t stride_bytes,
@@ -81,14 +77,11 @@ DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_par
                                                  dsw_flight *flights);
 
 /** Gives the volumes that the last move call entered, with DSW_FEATURE_CROSSINGS. Flight i of
- * `flight_count` has crossings[`first`[i] .. first[i+1]-1].
- * @return DSW_STATUS_NOT_ENABLED.
- * @note Cost: O(1). @since 2.0 */
+ * `flight_count` has crossings[`first`[i] .. first[i+1]-1]. */
 DSW_API dsw_status dsw_scene_get_crossings(const dsw_scene *scene, const dsw_crossing **crossings,
                                            const size_t **first, size_t *flight_count);
 
-/** Gives the particles that were in the way of the last marking call or change of the topology.
- * @note Cost: O(1). @since 2.0 */
+/** Gives the particles in the way of the last marking call or change of the topology. */
 DSW_API dsw_status dsw_scene_get_occupants(const dsw_scene *scene,
                                            const dsw_particle_id **particles, size_t *count);
 

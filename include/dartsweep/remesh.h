@@ -13,26 +13,24 @@ extern "C" {
 
 /** What is repaired. */
 typedef struct dsw_remesh_desc {
-  uint32_t struct_size; /**< sizeof(dsw_remesh_desc). */
-  uint32_t flags;       /**< 0. */
-  /** Volumes to repair if they are invalid, now or at `next`; null: all. */
+  uint32_t struct_size;
+  uint32_t flags;
+  /** Volumes to repair if invalid now or at `next`; null: all. */
   const dsw_volume_id *volumes;
-  size_t volume_count; /**< Volumes. */
-  const double *next;  /**< Null, or the next positions, to repair before a deformation. */
-  size_t point_count;  /**< Vertices of the environment; 0 if `next` is null. */
+  size_t volume_count;
+  const double *next; /**< Null, or next positions, to repair before a deformation. */
+  size_t point_count; /**< Vertices; 0 without `next`. */
   /** Rings of neighbours, by vertices, that may be replaced, 1 to 8; 0 means 1. */
   uint32_t radius;
   uint32_t max_faces; /**< Most faces of a patch, 4 to 128; 0 means 48. */
 } dsw_remesh_desc;
 
-/** Writes the defaults. @since 2.0 */
 DSW_API void dsw_remesh_desc_init(dsw_remesh_desc *desc, size_t size);
 
 /** Repairs invalid volumes. Marks, regions and tags stay.
- * @param desc null: all defaults.
+ * @param desc null: the defaults.
  * @return DSW_STATUS_WRONG_SIZE: point_count.
- * @note Cost: O(volumes replaced and their neighbours), or O(n) for all. Source: [JCD10] 5.2.
- * @since 2.0 */
+ * @note Cost: O(volumes replaced and their neighbours), or O(n) for all. Source: [JCD10] 5.2. */
 DSW_API dsw_status dsw_environment_remesh(dsw_environment *environment, const dsw_remesh_desc *desc,
                                           dsw_change *change);
 

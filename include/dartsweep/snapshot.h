@@ -1,7 +1,7 @@
 /** @file snapshot.h
  * Environments and scenes as blocks of bytes, the same on every machine. What is loaded goes on
- * with the ids and bits of what was saved. A `block` of `size_bytes` needs no alignment. It is not
- * trusted: lengths, checksum, links, every cell, particle and body are checked.
+ * with the ids and bits of what was saved. A `block` of `size_bytes` needs no alignment, and is not
+ * trusted: lengths, checksum, links, cells, particles and bodies are checked.
  */
 #ifndef DARTSWEEP_SNAPSHOT_H
 #define DARTSWEEP_SNAPSHOT_H
@@ -12,28 +12,27 @@
 extern "C" {
 #endif
 
-/** Saves an environment without its last dsw_change. @note Cost: O(n). @since 2.0 */
+/** Saves an environment without its last change. @note Cost: O(n). */
 DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void *block,
                                         size_t capacity_bytes, size_t *size_bytes);
 
 /** Loads an environment, which owns its points. Cells may be invalid only if it had been deformed.
  * @return DSW_STATUS_TRUNCATED, BAD_VERSION, CORRUPT.
- * @note Cost: O(n). Thread: any. @since 2.0 */
+ * @note Cost: O(n). Thread: any. */
 DSW_API dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes,
                                         dsw_environment **environment);
 
-/** Saves a scene without its environment. Of the results of earlier calls, only the contacts of
- * each body's last move are saved.
- * @note Cost: O(contents of the scene). @since 2.0 */
+/** Saves a scene without its environment; of earlier results only the contacts of each body's last
+ * move.
+ * @note Cost: O(contents of the scene). */
 DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t capacity_bytes,
                                   size_t *size_bytes);
 
-/** Loads a scene into its environment, unchanged since then, or into one loaded from a snapshot of
- * it.
+/** Loads a scene into its environment, unchanged since then, or loaded from a snapshot of that.
  * @param environment retained.
- * @return DSW_STATUS_TRUNCATED, BAD_VERSION; CORRUPT, also if saved in another environment; IN_USE
- * as dsw_scene_create.
- * @note Cost: O(contents of the scene); clearances are measured again. @since 2.0 */
+ * @return DSW_STATUS_TRUNCATED, BAD_VERSION; CORRUPT: also another environment; IN_USE: as
+ * dsw_scene_create.
+ * @note Cost: O(contents of the scene); clearances are measured again. */
 DSW_API dsw_status dsw_scene_load(dsw_environment *environment, const void *block,
                                   size_t size_bytes, dsw_scene **scene);
 

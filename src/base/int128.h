@@ -13,13 +13,13 @@ inline uint32_t bit_count(uint64_t x) noexcept {
   for (; x != 0; x &= x - 1) ++count;
   return count;
 }
-/** Of 0: 63. */
+/** Returns the place of the highest 1 bit of x, counted from the lowest bit; returns 63 for x = 0. */
 inline uint32_t highest_bit(uint64_t x) noexcept {
   uint32_t at = 63;
   while (at != 0 && x >> at == 0) --at;
   return x == 0 ? 63 : at;
 }
-/** Of 0: 63. */
+/** Returns the place of the lowest 1 bit of x; returns 63 for x = 0. */
 inline uint32_t lowest_bit(uint64_t x) noexcept { return highest_bit(x & (~x + 1)); }
 
 struct Int128;

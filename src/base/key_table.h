@@ -59,7 +59,7 @@ class KeyTable {
   Array<uint32_t> slots_;  // numbers of keys by hash, linear probing
 };
 
-/** Of two numbers whose order does not matter. */
+/** Packs two numbers into one key; the order of a and b does not matter. */
 inline uint64_t pair_key(uint32_t a, uint32_t b) { return a < b ? uint64_t{a} << 32 | b : uint64_t{b} << 32 | a; }
 
 }  // namespace dsw

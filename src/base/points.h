@@ -37,7 +37,7 @@ struct PointText {
   PointText(const double* point, int dimension) noexcept;
 };
 
-/** Of a point of D coordinates. */
+/** Tells whether all D coordinates of a point are finite. */
 template <int D>
 bool is_finite(const double* point) noexcept {
   if constexpr (D == 3) {
@@ -80,7 +80,7 @@ void require_array(const T* array, size_t count, const char* name) {
 size_t to_step(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name);
 /** An array of points with the host's stride, not yet checked to be finite. */
 PointArray to_points(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name);
-/** Likewise, and finite. */
+/** Returns an array of points with the host's stride, and throws unless all coordinates are finite. */
 PointArray to_finite_points(int dimension, const double* points, size_t count, size_t stride_bytes, const char* name);
 /** One point, which is finite. */
 PointArray to_finite_point(int dimension, const double* point, const char* name);

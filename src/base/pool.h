@@ -6,7 +6,7 @@
 
 namespace dsw {
 
-/** Of one thread at a time. */
+/** A pool of memory that one thread at a time may use. */
 class Pool {
  public:
   explicit Pool(const Memory* source) : source_(source), hooks_{this, allocate, release} {}

@@ -34,7 +34,7 @@ bool has_avx2_and_fma() noexcept;
 struct Kernels {
   Instructions of[16];  // by the four bits of a record's first word that hold a cell's form and whether it is flat
 };
-/** The same for all. */
+/** Returns the table in which cells of every kind are walked through by `instructions`. */
 const Kernels& kernels_of(Instructions instructions) noexcept;
 
 }  // namespace dsw

@@ -51,7 +51,7 @@ class SlotPool {
     const size_t fresh = more > free_.size() ? more - free_.size() : 0;
     reserve(more, words_.size() + fresh - free_.size());
   }
-  /** Likewise, but for `releases` more releases only. */
+  /** Makes room for `more` calls of acquire and for `releases` releases, so that none of them can fail. */
   void reserve(size_t more, size_t releases) {
     const size_t fresh = more > free_.size() ? more - free_.size() : 0;
     if (fresh > UINT32_MAX - words_.size()) throw std::bad_alloc();

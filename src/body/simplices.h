@@ -44,7 +44,8 @@ bool for_each_simplex(const Body<D>& body, Visit visit) {
   return true;
 }
 
-/** The same for those at one vertex. */
+/** Calls visit(simplex) for vertex v, then for the edges and faces at v that the body's level covers. Stops when visit
+ * returns false; returns whether it never did. */
 template <int D, class Visit>
 bool for_each_simplex_at(const Body<D>& body, uint32_t v, Visit visit) {
   bool go_on = visit(Simplex{Simplex::kVertex, v});
@@ -71,7 +72,7 @@ bool is_covered(const Body<D>& body, const Simplex& simplex) {
   return false;
 }
 
-/** As for_each_simplex, for those that no other one covers. */
+/** Calls visit(simplex) for those simplices of for_each_simplex that no other simplex covers. */
 template <int D, class Visit>
 bool for_each_outer(const Body<D>& body, Visit visit) {
   return for_each_simplex(body, [&](const Simplex& each) { return is_covered(body, each) || visit(each); });

@@ -2,6 +2,7 @@
 // Bodies and their parts as a host names them.
 
 #include "capi/convert.h"
+#include "capi/scene_handle.h"
 #include "contact/describe.h"
 
 namespace dsw::capi {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "capi/replay.h"
+#include "capi/scene_handle.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;

@@ -12,7 +12,7 @@ void check_count(size_t count, size_t least, const char* name) {
   if (count >= dsw::kVertexMask) fail(DSW_STATUS_TOO_LARGE, "desc->%s is %zu, must be below 2^28", name, count);
 }
 
-/** Of triangles; in the plane of segments. */
+/** Reads the shape as a blade of triangles, in the plane of segments. */
 template <int D>
 dsw::Blade<D> read_shape(const dsw::Memory* memory, const dsw_carve_desc& d) {
   const char* const simplex = D == 3 ? "triangle" : "segment";

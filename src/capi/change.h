@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "capi/recorded.h"
+#include "capi/scene_handle.h"
 #include "scene/change.h"
 
 namespace dsw::capi {
@@ -38,7 +39,7 @@ class Change : public Site<D> {
     if (out_ != nullptr) write_struct(out_, this->results.change());
   }
 
-  /** Likewise, of a change that is written as an edit here. */
+  /** Records the call, as record() does, for a change that is written here as an edit; returns the empty edit. */
   template <class Row, class... Arguments>
   Edit<D>& begin(const Row& row, const Arguments&... arguments) {
     record(row, arguments...);
@@ -81,8 +82,8 @@ dsw_status guarded_change(const char* function, dsw_environment* environment, ds
     body(change);
   });
 }
-/** Likewise, for functions of space. `instead`: null, or the function for sides of the plane, which are faces without
- * edges inside. */
+/** Runs the body of an entry point as guarded_change does, and refuses an environment of the plane. `instead`: null, or
+ * the function for sides of the plane, which are faces without edges inside. */
 template <class Body>
 dsw_status guarded_change_of_space(const char* function, dsw_environment* environment, const char* instead,
                                    dsw_change* out, const Body& body) noexcept {

@@ -13,6 +13,10 @@
 #include "query/sweeps.h"
 #include "topology/edit.h"
 
+namespace dsw {
+struct RepairSettings;
+}
+
 namespace dsw::capi {
 
 /** Throws STALE_ID, with the id of a volume or a vertex; `kind` is its name, `count` how many are alive. */
@@ -85,7 +89,7 @@ template <int D>
 void check_hint(const Map<D>& map, dsw_volume_id id, ArgumentName argument, size_t index = 0) {
   if (!is_null(id)) to_engine(map, id, argument, index);
 }
-/** Likewise; null gives a cell that is not valid. */
+/** Gives the cell of a hint, which is alive or null; a null hint gives a cell that is not valid. */
 template <int D>
 Cell to_hint(const Map<D>& map, dsw_volume_id id, const char* name) {
   return is_null(id) ? Cell{} : to_engine(map, id, name);
@@ -157,7 +161,7 @@ uint32_t raw_value(const Enum& given) noexcept {
   std::memcpy(&value, &given, sizeof value);
   return value;
 }
-/** Likewise; refuses what is above `last`. */
+/** Gives the number in an enum that a host has set, and refuses a number above `last`. */
 template <class Enum>
 uint32_t to_number(const Enum& given, uint32_t last, const char* name) {
   const uint32_t value = raw_value(given);

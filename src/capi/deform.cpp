@@ -3,6 +3,8 @@
 #include "capi/convert.h"
 #include "capi/moved_points.h"
 #include "capi/recorded.h"
+#include "remesh/repair.h"
+#include "scene/deformation.h"
 #include "scene/surgery.h"
 
 namespace capi = dsw::capi;

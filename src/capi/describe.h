@@ -62,7 +62,7 @@ void check_size(uint32_t size, const char* name) {
     fail(DSW_STATUS_UNSUPPORTED, "%s->struct_size is %u, this version knows %zu", name, size, kKnown);
   }
 }
-/** Likewise, that of a caller's struct. */
+/** Checks the struct_size of a caller's struct. */
 template <class T>
 void check_size(const T* given, const char* name) {
   static_assert(offsetof(T, struct_size) == 0);
@@ -95,7 +95,7 @@ T read_struct(const T* given, const char* name) {
   return own;
 }
 
-/** As read_struct; null: every member is 0. */
+/** Reads a caller's struct as read_struct does; null gives a struct in which every other member is 0. */
 template <class T>
 T read_optional(const T* given, const char* name) {
   if (given != nullptr) return read_struct(given, name);
@@ -103,14 +103,14 @@ T read_optional(const T* given, const char* name) {
   own.struct_size = sizeof(T);
   return own;
 }
-/** Likewise, and refuses flags that are not known. */
+/** Reads a caller's struct, which may be null, and refuses flags that are not known. */
 template <class T>
 T read_optional(const T* given, const char* name, uint32_t known_flags) {
   const T own = read_optional(given, name);
   check_flags(own.flags, known_flags, name, "->flags");
   return own;
 }
-/** Likewise; null is refused. */
+/** Reads a caller's struct and refuses null. */
 template <class T, class... KnownFlags>
 T read_required(const T* given, const char* name, KnownFlags... known) {
   require(given, name);

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <new>
+#include <vector>
 
 #include "capi/convert.h"
 #include "capi/recorded.h"
+#include "capi/scene_handle.h"
 #include "conform/conform.h"
 #include "environment/builder.h"
 #include "environment/find_facets.h"
 #include "environment/mesh_reader.h"
+#include "split/split.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -38,6 +41,8 @@ void with_report(dsw_build_report* out, const Body& body) {
     r.touching_face_count = found.touching.count;
     r.touching_face = touching[0];
     r.touched_face = touching[1];
+    r.split_count = found.split_count;
+    r.added_point_count = found.added_point_count;
     capi::write_struct(out, r);
   };
   try {
@@ -56,21 +61,57 @@ void with_report(dsw_build_report* out, const Body& body) {
   }
 }
 
+/** An environment that is read, and read again as what its cells become. */
 template <int D>
-dsw::Environment<D>& engine_of(capi::EnvironmentOwner& owner) {
-  return std::get<dsw::Environment<D>>(owner->engine);
-}
+class Creation {
+ public:
+  /** Reads what `input`, which was checked, describes. */
+  Creation(dsw_context* context, const dsw_environment_desc& input, dsw::BuildReport& found)
+      : context_(context), input_(input), found_(found) {
+    owner_ = capi::make_environment(context_, D);
+    read_mesh(engine(), input_, found_);
+  }
+  dsw::Environment<D>& engine() { return std::get<dsw::Environment<D>>(owner_->engine); }
+  capi::EnvironmentOwner& owner() { return owner_; }
 
-/** Splits facets that cover each other: then `owner` is another environment, which is read, too. */
-template <int D>
-void conform(capi::EnvironmentOwner& owner, dsw_context* context, const dsw_environment_desc& desc,
-             dsw::BuildReport& found) {
-  const dsw::ConformedMesh<D> mesh(engine_of<D>(owner), desc.merge_distance, found);
-  if (!mesh.has_changed()) return;
-  capi::EnvironmentOwner made = capi::make_environment(context, D);
-  mesh.read(engine_of<D>(made), engine_of<D>(owner), desc, found);
-  owner = std::move(made);
-}
+  /** Splits facets that cover each other. */
+  void conform() {
+    const dsw::ConformedMesh<D> mesh(engine(), input_.merge_distance, found_);
+    if (!mesh.has_changed()) return;
+    capi::EnvironmentOwner next = capi::make_environment(context_, D);
+    auto& env = std::get<dsw::Environment<D>>(next->engine);
+    mesh.read(env, engine(), input_, found_);
+    env.parents.assign(engine().parents.begin(), engine().parents.end());
+    owner_ = std::move(next);
+  }
+  /** Splits cells that are not valid, and parts of these that rounding spoils. */
+  void split() {
+    constexpr int kMostPasses = 4;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+      dsw::SplitMesh<D> mesh(engine(), input_, found_);
+      if (!mesh.has_changed()) return;
+      read_anew(mesh.description(), mesh.parents());
+      input_ = mesh.description();
+      meshes_.push_back(std::move(mesh));
+    }
+  }
+  void finish() { finish_mesh(engine(), input_, found_); }
+
+ private:
+  void read_anew(const dsw_environment_desc& made, const dsw::Array<uint32_t>& parents) {
+    capi::EnvironmentOwner next = capi::make_environment(context_, D);
+    auto& env = std::get<dsw::Environment<D>>(next->engine);
+    read_mesh(env, made, found_);
+    env.parents.assign(parents.begin(), parents.end());
+    owner_ = std::move(next);
+  }
+
+  dsw_context* context_;
+  dsw_environment_desc input_;
+  dsw::BuildReport& found_;
+  capi::EnvironmentOwner owner_;
+  std::vector<dsw::SplitMesh<D>> meshes_;  // input_ points into them
+};
 
 /** Fails if parts lie on each other that could not be sewn. `is_known`: the report says which. */
 template <int D>
@@ -89,13 +130,15 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
   capi::EnvironmentOwner owner;
   with_report(
       report, [&](dsw::BuildReport & found) -> const auto& {
-        owner = capi::make_environment(context, D);
-        read_mesh(engine_of<D>(owner), d, found);
-        if ((d.flags & DSW_ENVIRONMENT_CONFORM) != 0) conform<D>(owner, context, d, found);
-        auto& env = engine_of<D>(owner);
-        finish_mesh(env, d, found);
-        if ((d.flags & DSW_ENVIRONMENT_CONFORM) != 0)
-          require_sewn(env, (d.flags & DSW_ENVIRONMENT_FIND_TOUCHING) != 0, found);
+        const bool splits = (d.flags & DSW_ENVIRONMENT_SPLIT) != 0, conforms = (d.flags & DSW_ENVIRONMENT_CONFORM) != 0;
+        Creation<D> creation(context, d, found);
+        if (splits) creation.split();
+        if (conforms) creation.conform();
+        if (splits && conforms) creation.split();
+        creation.finish();
+        owner = std::move(creation.owner());
+        auto& env = std::get<dsw::Environment<D>>(owner->engine);
+        if (conforms) require_sewn(env, (d.flags & DSW_ENVIRONMENT_FIND_TOUCHING) != 0, found);
         if (found.reoriented_count != 0) {
           capi::log_line(context, DSW_LOG_WARNING,
                          "dsw_environment_create: %u cells were inside out and have been mirrored",
@@ -361,6 +404,14 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
 dsw_status dsw_environment_get_region(const dsw_environment* environment, dsw_volume_id volume, int32_t* region) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     capi::give(region, "region", env.region(capi::to_engine(env.map, volume, "volume")));
+  });
+}
+
+dsw_status dsw_environment_get_parent(const dsw_environment* environment, dsw_volume_id volume, uint32_t* index) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
+    const uint32_t parent = env.parent(capi::to_engine(env.map, volume, "volume"));
+    if (parent == dsw::kNoCell) fail(DSW_STATUS_NOT_FOUND, "volume %u was added later", volume.index);
+    capi::give(index, "index", parent);
   });
 }
 

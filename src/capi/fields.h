@@ -41,7 +41,7 @@ constexpr size_t recorded_size() {
   for (const Field& each : Fields<T>::all) size += each.recorded;
   return size;
 }
-/** Likewise, of the release that introduced the struct. */
+/** Bytes in a recording of a struct as it was in the release that introduced it. */
 template <class T>
 constexpr size_t recorded_first_size() {
   size_t size = 0;

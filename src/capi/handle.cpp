@@ -6,7 +6,9 @@
 #include <thread>
 
 #include "capi/recorded.h"
+#include "capi/scene_handle.h"
 #include "environment/moving.h"
+#include "scene/deformation.h"
 #include "walk/fastest.h"
 
 dsw_environment::dsw_environment(dsw_context* owner, uint32_t dimension)

@@ -13,12 +13,8 @@
 #include "base/compiler.h"
 #include "capi/guard.h"
 #include "dartsweep/scene.h"
-#include "scene/change.h"
-
-namespace dsw::capi {
-struct Recording;
-struct CallWatch;
-}  // namespace dsw::capi
+#include "environment/environment.h"
+#include "scene/change_results.h"
 
 struct dsw_context {
   static constexpr const char* kName = "context";
@@ -46,23 +42,6 @@ struct dsw_environment {
 
   /** `dimension`: 2 or 3. */
   dsw_environment(dsw_context* owner, uint32_t dimension);
-};
-
-struct dsw_scene {
-  static constexpr const char* kName = "scene";
-  static constexpr uint64_t kMagic = 0x6473775f73636e31u;
-  uint64_t magic = kMagic;
-  dsw_environment* environment;
-  dsw::capi::Recording* recording = nullptr;  // owned; see recorded.h
-  dsw::capi::CallWatch* watch = nullptr;      // of the replay that it belongs to
-  dsw_scene* previous = nullptr;              // of the same environment
-  dsw_scene* next = nullptr;
-  std::variant<dsw::Scene<3>, dsw::Scene<2>> engine;  // of the dimension of its environment
-
-  /** `env` is that of `home`. */
-  template <int D>
-  dsw_scene(dsw_environment* home, const dsw::Environment<D>& env, dsw::SceneFeatures features);
-  ~dsw_scene();
 };
 
 namespace dsw::capi {
@@ -104,7 +83,7 @@ dsw_status guarded_visit(const char* function, Handle* handle, const Body& body)
   return guard(function, [&] { visit(check_handle(handle), body); });
 }
 
-/** Of an engine as visit gives it. */
+/** The dimension of an engine as visit passes it. */
 template <class Engine>
 constexpr int kDimension = std::decay_t<Engine>::kDimension;
 
@@ -140,24 +119,16 @@ void release(dsw_context* context) noexcept;
 
 /** Gives back an environment handle that no scene uses. */
 void destroy_environment(dsw_environment* environment) noexcept;
-/** Gives back a scene handle that its environment does not know. */
-void destroy_scene(dsw_scene* scene) noexcept;
 
-/** Handles that are being made: gone again unless they are released. */
-struct DestroyHandle {
+/** A handle that is being made: gone again unless it is released. */
+struct DestroyEnvironment {
   void operator()(dsw_environment* environment) const noexcept { destroy_environment(environment); }
-  void operator()(dsw_scene* scene) const noexcept { destroy_scene(scene); }
 };
-using EnvironmentOwner = std::unique_ptr<dsw_environment, DestroyHandle>;
-using SceneOwner = std::unique_ptr<dsw_scene, DestroyHandle>;
+using EnvironmentOwner = std::unique_ptr<dsw_environment, DestroyEnvironment>;
 EnvironmentOwner make_environment(dsw_context* context, uint32_t dimension);
-SceneOwner make_scene(dsw_environment& home, SceneFeatures features);
-/** The environment knows of the scene from here on. Throws as `attach` and `let_points_move`. */
-dsw_scene* enter(SceneOwner scene);
 
 /** Makes what was saved. Throws as the engine's load. */
 dsw_environment* load_environment(dsw_context* context, const uint8_t* block, size_t size);
-dsw_scene* load_scene(dsw_environment& home, const uint8_t* block, size_t size);
 
 /** All memory that an environment holds; borrowed points included. */
 uint64_t memory_bytes(const dsw_environment& environment);
@@ -165,24 +136,6 @@ uint64_t memory_bytes(const dsw_environment& environment);
 uint32_t scene_count(const dsw_environment& environment);
 /** The only scene; null if there is none. Throws if there are several. */
 dsw_scene* only_scene(const dsw_environment& environment);
-/** Calls use(scene) for each scene of an environment. */
-template <class Use>
-void for_each_scene(const dsw_environment& environment, const Use& use) {
-  const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
-  for (dsw_scene* scene = environment.first_scene; scene != nullptr; scene = scene->next) use(*scene);
-}
-/** Of a scene of an environment; null for a null scene. */
-template <int D>
-Scene<D>* engine_of(dsw_scene* scene, const Environment<D>&) {
-  return scene == nullptr ? nullptr : &std::get<Scene<D>>(scene->engine);
-}
-inline SceneFeatures features_of(const dsw_scene& scene) {
-  return visit(scene, [](const auto& engine) { return engine.features; });
-}
-/** Throws IN_USE where a scene that deforms the environment would not be its only one. */
-void attach(dsw_scene& scene);
-void detach(dsw_scene& scene);
-
 /** One line to the host's log, if it has one. */
 DSW_PRINTF(3, 4) void log_line(const dsw_context* context, dsw_log_level level, const char* format, ...) noexcept;
 

@@ -2,6 +2,7 @@
 
 #include "capi/convert.h"
 #include "capi/recorded.h"
+#include "capi/scene_handle.h"
 #include "scene/occupation.h"
 
 namespace capi = dsw::capi;

@@ -4,6 +4,7 @@
 
 #include "capi/convert.h"
 #include "capi/recorded.h"
+#include "capi/scene_handle.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;

@@ -4,8 +4,8 @@
 
 #include "capi/convert.h"
 #include "locate/classify.h"
-#include "scene/locations.h"
-#include "scene/nearest.h"
+#include "query/locations.h"
+#include "query/nearest.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;

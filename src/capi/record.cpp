@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "capi/recorded.h"
+#include "capi/scene_handle.h"
 #include "snapshot/bytes.h"
 #include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"

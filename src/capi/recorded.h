@@ -8,6 +8,7 @@
 #include "base/owned.h"
 #include "capi/calls.h"
 #include "capi/convert.h"
+#include "capi/scene_handle.h"
 #include "record/record.h"
 #include "snapshot/scene_snapshot.h"
 
@@ -46,8 +47,8 @@ struct CallResult {
 /** What a replay and its scene tell each other. */
 struct CallWatch {
   bool wants_state = false;
-  /** Of the snapshots whose checksums are the states. Those before kOldestStateFormat have forecasts, which are made
-   * anew. */
+  /** The format of the snapshots whose checksums are the states. Snapshots before kOldestStateFormat hold forecasts,
+   * which are made anew. */
   uint32_t state_format = kSceneFormat;
   /** For how many vertices the recorded host's points had room, and those of the deformation that is being made; there
    * is memory for as many as have been needed. */

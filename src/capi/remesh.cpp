@@ -1,4 +1,5 @@
 #include "capi/change.h"
+#include "remesh/repair.h"
 #include "scene/surgery.h"
 
 namespace capi = dsw::capi;

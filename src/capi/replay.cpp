@@ -3,6 +3,7 @@
 #include <cinttypes>
 #include <cstdarg>
 
+#include "capi/scene_handle.h"
 #include "environment/moving.h"
 #include "snapshot/block.h"
 #include "snapshot/scene_snapshot.h"

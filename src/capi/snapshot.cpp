@@ -1,6 +1,7 @@
 #include "dartsweep/snapshot.h"
 
 #include "capi/handle.h"
+#include "capi/scene_handle.h"
 #include "snapshot/block.h"
 #include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"

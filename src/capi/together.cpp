@@ -3,6 +3,7 @@
 #include "capi/moved_bodies.h"
 #include "capi/moved_points.h"
 #include "capi/recorded.h"
+#include "scene/deformation.h"
 #include "scene/together_deform.h"
 #include "scene/together_moves.h"
 

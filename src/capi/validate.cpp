@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "capi/replay.h"
+#include "capi/scene_handle.h"
+#include "scene/deformation.h"
 #include "scene/near_bodies.h"
 #include "validation/validation.h"
 
@@ -88,7 +90,7 @@ class CallValidator {
         is_met = is_met || claims[i].is_met;
         time = std::min(time, claims[i].time);
       }
-      // Of a particle's contact it is known that there was one, no more.
+      // A particle's contact says only that something was met, and not where.
       const bool is_wrong = subject.said != &kContactAt ? is_met
                             : subject.part == kNone     ? !is_met
                                                         : !is_met || subject.time != time;

@@ -8,7 +8,7 @@
 #include "base/points.h"
 #include "body/body.h"
 #include "capi/fields.h"
-#include "scene/change.h"
+#include "scene/change_results.h"
 
 namespace dsw::capi {
 
@@ -22,7 +22,7 @@ template <class T>
 Items<T> items_of(const Array<T>& array) noexcept {
   return {array.data(), array.size()};
 }
-/** As a result: an empty array says the same whether there was ever memory for it or not. */
+/** Gives an array as a result: an empty array has the same words whether memory was allocated for it or not. */
 template <class T>
 Items<T> as_result(const Items<T>& array) noexcept {
   return {array.count == 0 ? nullptr : array.items, array.count};

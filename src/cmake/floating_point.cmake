@@ -21,7 +21,7 @@ function(dsw_find_bad_flag out)
   endforeach()
 endfunction()
 
-# The same of all that CMake gives to a compiler of C++ here.
+# Refuses bad flags among all that CMake gives to a compiler of C++ here.
 function(dsw_refuse_bad_flags)
   string(TOUPPER "${CMAKE_BUILD_TYPE};${CMAKE_CONFIGURATION_TYPES}" types)
   get_directory_property(inherited COMPILE_OPTIONS)

@@ -137,7 +137,7 @@ class Rebuild {
     return merging_.polyhedron(root) != nullptr || from_.form(from_.cell(root)) == Form::kGeneral;
   }
 
-  /** As at creation: there are tables both ways only where records differ, or may. */
+  /** Gives each cell its units as creation does: the tables between cells and units exist only if records may differ. */
   void lay_out() {
     const uint32_t first_units = units_of(roots_[0]);
     uint64_t units = 0;
@@ -200,6 +200,7 @@ class Rebuild {
   void copy_labels() {
     for (const uint32_t root : roots_) {
       if (!source_.regions.empty()) target_.regions.push_back(source_.regions[root]);
+      if (!source_.parents.empty()) target_.parents.push_back(source_.parents[root]);
       if (!source_.tags.empty()) target_.tags.push_back(source_.tags[root]);
     }
     Array<uint64_t> edges(source_.memory);

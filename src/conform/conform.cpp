@@ -237,7 +237,7 @@ void ConformedMesh<D>::read(Environment<D>& env, const Environment<D>& from, con
   read_mesh(env, description(input), report, &before);
 }
 
-/** Of all cells, in their order, with the points of `input`. It points into this. */
+/** Describes all cells in their order, with the points of `input`. The description points into this mesh. */
 template <int D>
 dsw_environment_desc ConformedMesh<D>::description(const dsw_environment_desc& input) const {
   dsw_environment_desc made = input;

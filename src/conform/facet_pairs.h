@@ -37,9 +37,9 @@ class FacetPairs {
    * Expected O(n log n) for n facets of like size. Throws std::bad_alloc. */
   FacetPairs(const Environment<3>& env, const OuterFacets<3>& outer, double room, HangingPoints<3>& hanging);
 
-  /** Those that make a pair with facet i, ascending. */
+  /** Gives the facets that make a pair with facet i, ascending. */
   VertexRange partners(uint32_t i) const { return {partners_.data() + first_[i], partners_.data() + first_[i + 1]}; }
-  /** Of facet i, with all points that lie on its edges. */
+  /** Gives the loop of facet i, with all points that lie on its edges. */
   VertexRange loop(uint32_t i) const { return loops_[i]; }
   LoopView view(uint32_t i) const { return faces_[i].view; }
 

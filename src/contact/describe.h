@@ -23,8 +23,8 @@ template <int D>
 dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
                           const StarContact& met);
 
-/** The same where one of its edges, in its place with v at `end`, runs into a wall: what a cast along that edge has met
- * first. The face is the obstacle, and the normal that of its triangle. `time` and `position` are not written. */
+/** Describes the contact of an edge that runs into a wall when v is at `end`: `hit` is what a cast along the edge met
+ * first. The face is the obstacle, and the normal is that of its triangle. `time` and `position` are not written. */
 template <int D>
 dsw_body_contact describe_cast(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
                                uint32_t edge, const double* end, const CastResult& hit);

@@ -59,7 +59,7 @@ Vec describe_edge(const PairContact<3>& met, const EdgeMotion& m, const Touched<
   return back_across(move, edge, are_collinear(m.p, m.to, m.q));
 }
 
-/** The same in the plane. */
+/** Finds the point and normal of an edge, or of a vertex alone, that touches an edge or a vertex in the plane. */
 Vec describe_edge(const PairContact<2>& met, const EdgeMotion& m, const Touched<2>& touched,
                   dsw_body_contact& contact) {
   if (met.edge == kNone) return normal_on<2>(orient<2>(touched.at, m.p), touched.at, difference<2>(m.to, m.p));

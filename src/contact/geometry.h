@@ -13,7 +13,7 @@ struct ContactGeometry {
   double normal[3] = {};    // unit, out of the obstacle; see dsw_sweep and dsw_body_contact
 };
 
-/** Of a contact on the way of a vertex from p to `to`. */
+/** Finds the geometry of a contact on the way of a vertex from p to `to`. */
 template <int D>
 ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to,
                                  const SweepContact& contact);

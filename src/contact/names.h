@@ -23,7 +23,7 @@ dsw_face_id face_id(const Map<D>& map, HalfFacet h) noexcept {
 template <int D>
 dsw_edge_id edge_id(const Map<D>& map, Dart d) noexcept;
 
-/** The same; `lowest` is the dart of that volume. */
+/** Names an edge canonically; `lowest` is its dart in the volume with the lowest index. */
 template <int D>
 dsw_edge_id id_of_lowest(const Map<D>& map, Dart lowest) noexcept {
   const Cell c = lowest.cell;

@@ -28,9 +28,9 @@ class BladeSimplex<3> {
     const EdgeMotion& m = swept_.motion();
     return {filter::difference<3>(v, m.p), filter::difference<3>(v, m.to)};
   }
-  /** Of all determinants below, for the points in a box: one extent serves all of them, see filter_bounds.h. No view
-   * of such a point reaches farther than those of the box's ends, since rounding is monotone. Infinite if the filter is
-   * not to be used. */
+  /** The error bound of all determinants below for the points in a box: one extent serves all of them, see
+   * filter_bounds.h. No view of such a point reaches farther than those of the box's ends, since rounding is monotone.
+   * Infinite if the filter is not to be used. */
   double bound(const double* lower, const double* upper) const {
     const View low = view(lower), high = view(upper);
     const filter::Vec<3> m = filter::extent(swept_.reach(), swept_.new_edge(), low.from_first, low.from_second,

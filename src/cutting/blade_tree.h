@@ -14,7 +14,7 @@ class BladeTree {
     double lower[D], upper[D];
 
     Box();
-    /** Of the vertices of a cell. */
+    /** The box round the vertices of a cell. */
     Box(const Environment<D>& env, Cell c);
     void add(const double* point);
     bool overlaps(const Box& other) const;
@@ -24,7 +24,7 @@ class BladeTree {
   /** O(n log² n). Throws std::bad_alloc. */
   BladeTree(const Memory* memory, const Blade<D>& blade);
 
-  /** Of the whole blade. */
+  /** The box round the whole blade. */
   const Box& box() const { return nodes_[0].box; }
 
   /** The least distance_to_simplex() of all. `nearest` is where it may be, and where it was then. */

@@ -17,7 +17,7 @@ Vec facet_normal(const Environment<D>& env, HalfFacet h) {
     Vec sum;
     for (size_t t = 0; t < facet.triangles.size(); t += 3) {
       const double* const p = env.point(facet.triangles[t]);
-      // Of unit length first: squares of very long or short edges are no doubles.
+      // Vectors get unit length first: the square of a very long or short edge is no double.
       const Vec a = unit(difference<D>(env.point(facet.triangles[t + 1]), p));
       sum += a.cross(unit(difference<D>(env.point(facet.triangles[t + 2]), p)));
     }
@@ -140,7 +140,7 @@ void Crack<D>::find_mouths() {
   }
 }
 
-/** Of the crack at a vertex, to either side, whichever facet of a pair comes first. */
+/** Finds a normal of the crack at a vertex; its side depends on which facet of a pair comes first. */
 template <int D>
 void Crack<D>::rough_normal(const Meeting& at, double* normal) const {
   Vec sum;
@@ -265,7 +265,8 @@ DisjointSets Crack<D>::join_ends(const Meeting& at, const CellQueue& around, con
   return sets;
 }
 
-/** Of the crack at a vertex, from the corners in the set `first` to the others; of unit length. False: it is zero. */
+/** Finds the unit normal of the crack at a vertex, from the corners in the set `first` to the others. False: the sum is
+ * zero. */
 template <int D>
 template <class RootAt>
 bool Crack<D>::find_normal(const Meeting& at, uint32_t first, RootAt root_at, double* out) const {

@@ -159,7 +159,7 @@ void Cut<D>::choose_cells() {
   first_on_edges_.push_back(static_cast<uint32_t>(on_edges_.size()));
 }
 
-/** As Section::nodes_on(), of any cell. */
+/** Finds for any cell what Section::nodes_on() gives for a met cell. */
 template <int D>
 void Cut<D>::look_up_nodes(Cell c, const Shape& shape, ShortArray<uint32_t, 64>& out) const {
   const DartEnds<D> darts(map_, c);
@@ -275,7 +275,7 @@ bool Cut<D>::split_cell(Edit<D>& edit, uint32_t cell, CellDraft& whole) {
   return true;
 }
 
-/** Of one part of a cell that was split. */
+/** Tells whether one part of a cell that was split lies before the blade. */
 template <int D>
 bool Cut<D>::is_before_blade(const CellDraft& part, const NodeLoop& nodes) const {
   const auto has = [&](uint32_t vertex) {
@@ -381,7 +381,7 @@ void Cut<D>::keep_whole(Cell c) {
   keep_whole_round(c);
 }
 
-/** Those that share with a cell a new vertex, or both ends of a line. */
+/** Keeps whole the cells that share a new vertex, or both ends of a line, with a cell. */
 template <int D>
 void Cut<D>::keep_whole_round(Cell c) {
   KeyTable near(env_.memory);  // nodes of the cell

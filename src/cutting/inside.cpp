@@ -135,7 +135,7 @@ int Inside<D>::crossings_of(uint32_t simplex, const double* from, const double* 
   return side < 0 ? 1 : -1;
 }
 
-/** The same of all simplices, for a way that lies in a cell. */
+/** Sums what all simplices in a cell add to the turns round a point whose way lies in that cell. */
 template <int D>
 int Inside<D>::crossings_in(Cell c, const double* from, const double* to) const {
   int sum = 0;

@@ -18,7 +18,8 @@ class Inside {
   /** Floods through cells that are inside or crossed, from a cell that is; else from the first that is crossed, see
    * start.h. O(facets of cells that are, with a search in a tree of simplices for each cell beside one). */
   void flood_from(Cell start, uint32_t* visited);
-  /** The same from all cells that are, which the tree of cells finds, or a scan where there is none yet. */
+  /** Floods from all cells that are inside or crossed. The tree of cells finds them, or a scan if there is no tree
+   * yet. */
   void flood_all();
 
   /** Cells that were looked at, and whether their centres are inside. */

@@ -15,7 +15,7 @@ constexpr double kLeastShare = 1.0 / 4096;  // below a copy does not move
 template <int D>
 class FacetCutter {
  public:
-  /** Of the first `drafts` drafts of an edit. */
+  /** Cuts the facets of the first `drafts` drafts of an edit. */
   FacetCutter(const Environment<D>& env, Edit<D>& edit, size_t drafts);
 
   /** A facet of draft i: what it needs. False: it has no triangles and there are none for it. */

@@ -76,7 +76,7 @@ class Opening {
   void shorten(Edit<D>& edit, const Array<uint32_t>& drafts);
   void write_record(Edit<D>& edit);
   uint32_t vertex_of(uint32_t copy, uint32_t before) const;
-  /** Of the edge from a to b; in the plane of vertex a. */
+  /** Names the edge from a to b, in the plane the vertex a. */
   static uint64_t ridge_key(uint32_t a, uint32_t b) { return pair_key(a, D == 3 ? b : a); }
   uint32_t at_start(Dart d) const { return vertex_of(crack_.copy_at_start(d), dart_vertex(map_, d)); }
   uint32_t at_end(Dart d) const { return vertex_of(crack_.copy_at_end(d), dart_target(map_, d)); }

@@ -48,7 +48,7 @@ class DartEnds {
   uint32_t vertices_[kMost];
 };
 
-/** Of one loop, in its order. */
+/** The nodes of one loop, in the loop's order. */
 using NodeLoop = ShortArray<uint32_t, 8>;
 
 /** A line across a facet that a loop takes; in the plane across a cell. */
@@ -84,7 +84,7 @@ class Section {
   }
   size_t chord_count() const { return chords_.size(); }
 
-  /** Of a met cell: the node on the edge of each of its darts, or KeyTable::kNone. Null if it is barred. */
+  /** Gives for a met cell the node on the edge of each dart, or KeyTable::kNone. Null if the cell is barred. */
   const uint32_t* nodes_on(uint32_t cell) const { return barred_[cell] ? nullptr : &nodes_on_[first_nodes_on_[cell]]; }
 
  private:

@@ -205,7 +205,7 @@ class Overlap<2> {
   const double* at(uint32_t v) const { return env_.point(v); }
   bool same(uint32_t v, uint32_t w) const { return std::equal(at(v), at(v) + 2, at(w)); }
 
-  /** Of v against a -> b: positive on the left. */
+  /** Tells on which side of the line a -> b the vertex v lies: positive on the left. */
   int turn(uint32_t a, uint32_t b, uint32_t v) const {
     return v == a || v == b ? 0 : turn_sign<2>(at(a), at(b), at(v));
   }

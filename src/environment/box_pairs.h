@@ -161,7 +161,7 @@ class BoxPairs {
       }
     }
   }
-  /** Of two nodes of one level whose boxes pair. */
+  /** Visits the pairs of two nodes of one level whose boxes pair. */
   template <class Visit>
   void visit_between(uint32_t level, uint32_t a, uint32_t b, const Visit& visit) const {
     const uint32_t end_a = last_child(level, a), end_b = last_child(level, b);

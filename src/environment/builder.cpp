@@ -17,11 +17,18 @@
 namespace dsw {
 namespace {
 
+/** Whether a cell is turned inside out; of cells that will be split `by_volume`, as their mean need not see them. */
 template <int D>
-void reorient(Environment<D>& env, BuildReport& report) {
+bool is_inverted(const Environment<D>& env, Cell c, bool by_volume) {
+  const CellState state = check_cell(env, c);
+  return state == CellState::kInverted || (state == CellState::kInvalid && by_volume && rounded_volume(env, c) < 0);
+}
+
+template <int D>
+void reorient(Environment<D>& env, bool by_volume, BuildReport& report) {
   for (uint32_t i = 0; i < env.map.cell_count; ++i) {
     const Cell c = env.map.cell(i);
-    if (check_cell(env, c) != CellState::kInverted) continue;
+    if (!is_inverted(env, c, by_volume)) continue;
     mirror_cell(env, c);
     if (!std::binary_search(report.with_turned_faces.begin(), report.with_turned_faces.end(), i))
       ++report.reoriented_count;
@@ -62,17 +69,14 @@ template <int D>
   fail(DSW_STATUS_SHARED_FACE, "cells %u and %u share a face with a third cell", a, b);
 }
 
-/** Validates all cells and notes which are convex. A cell that fails gets its facets cut anew, which can spoil a cell
- * seen before: those are looked at again. */
-template <int D>
-void validate(Environment<D>& env, BuildReport& report) {
+/** Looks at all cells and notes which are convex. A cell that fails gets its facets cut anew, which can spoil a cell seen
+ * before: those are looked at again. Calls settle(cell, state), for some cells twice; what it says last counts. */
+template <int D, class Settle>
+void look_at_cells(Environment<D>& env, BuildReport& report, const Settle& settle) {
   Map<D>& map = env.map;
   Array<Cell> changed{env.memory};
-  Offenders inverted, invalid;
-  const auto settle = [&](Cell c, CellState state) {
-    const uint32_t i = map.index(c);
-    if (state == CellState::kInverted) inverted.add(i);
-    if (state == CellState::kInvalid) invalid.add(i);
+  const auto note = [&](Cell c, CellState state) {
+    settle(c, state);
     uint32_t& word0 = map.record(c)[0];
     if (map.form(c) != Form::kSimplex) {
       word0 = state == CellState::kValidConvex ? word0 | kConvexBit : word0 & ~kConvexBit;
@@ -85,22 +89,32 @@ void validate(Environment<D>& env, BuildReport& report) {
       recut_cell(env, c, changed);
       state = check_cell(env, c);
     }
-    settle(c, state);
+    note(c, state);
     if (state == CellState::kValidConvex) ++report.convex_volume_count;
   }
   for (const Cell c : changed) {
     const bool was_convex = map.convex(c);
     const CellState state = check_cell(env, c);
     if (was_convex != (state == CellState::kValidConvex)) report.convex_volume_count += was_convex ? ~0u : 1u;
-    settle(c, state);
+    note(c, state);
   }
+}
+
+/** Throws unless all cells are valid. */
+template <int D>
+void validate(Environment<D>& env, bool was_split, BuildReport& report) {
+  Offenders inverted, invalid;
+  look_at_cells(env, report, [&](Cell c, CellState state) {
+    if (state == CellState::kInverted) inverted.add(env.map.index(c));
+    if (state == CellState::kInvalid) invalid.add(env.map.index(c));
+  });
   if (inverted.count != 0) fail_inverted(env, report);
   if (invalid.count == 0) return;
   std::sort(invalid.index, invalid.index + invalid.count);
   invalid.count = static_cast<uint32_t>(std::unique(invalid.index, invalid.index + invalid.count) - invalid.index);
   report.offenders = invalid;
-  fail(DSW_STATUS_INVALID_CELL, "cell %u is flat, folded, or not seen whole from the mean of its vertices",
-       invalid.index[0]);
+  fail(DSW_STATUS_INVALID_CELL, "cell %u is flat, folded, or not seen whole from the mean of its vertices%s",
+       invalid.index[0], was_split ? "" : "; DSW_ENVIRONMENT_SPLIT splits cells that have an inside");
 }
 
 template <int D>
@@ -171,7 +185,7 @@ dsw_environment_desc check_description(dsw_environment_desc d) {
   check_flags(d.flags,
               DSW_ENVIRONMENT_BORROW_POINTS | DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_TREE |
                   DSW_ENVIRONMENT_CHECK_BOUNDARY | DSW_ENVIRONMENT_NO_LOCATE_TREE | DSW_ENVIRONMENT_MERGE_POINTS |
-                  DSW_ENVIRONMENT_CONFORM | DSW_ENVIRONMENT_FIND_TOUCHING,
+                  DSW_ENVIRONMENT_CONFORM | DSW_ENVIRONMENT_FIND_TOUCHING | DSW_ENVIRONMENT_SPLIT,
               "desc->flags");
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
   check_merging(d);
@@ -187,7 +201,7 @@ void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildRepo
                const LinkedBefore<D>* before) {
   read_points(env, input, report);
   read_cells(env, input, report, before == nullptr ? nullptr : &before->poor_fans);
-  if ((input.flags & DSW_ENVIRONMENT_REORIENT) != 0) reorient(env, report);
+  if ((input.flags & DSW_ENVIRONMENT_REORIENT) != 0) reorient(env, (input.flags & DSW_ENVIRONMENT_SPLIT) != 0, report);
   if (before != nullptr) copy_links(env, *before);
   Offenders offenders;
   const MatchDefect defect = match_facets(env, offenders, before != nullptr);
@@ -195,8 +209,23 @@ void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildRepo
 }
 
 template <int D>
+Array<Cell> find_invalid(Environment<D>& env) {
+  Array<Cell> failed{env.memory}, invalid{env.memory};
+  BuildReport unused;
+  look_at_cells(env, unused, [&](Cell c, CellState state) {
+    if (state == CellState::kInvalid) failed.push_back(c);
+  });
+  std::sort(failed.begin(), failed.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
+  for (const Cell c : failed) {
+    const bool is_new = invalid.empty() || invalid.back() != c;
+    if (is_new && check_cell(env, c) == CellState::kInvalid) invalid.push_back(c);
+  }
+  return invalid;
+}
+
+template <int D>
 void finish_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
-  validate(env, report);
+  validate(env, (input.flags & DSW_ENVIRONMENT_SPLIT) != 0, report);
   if (input.regions != nullptr) env.regions.assign(input.regions, input.regions + input.volume_count);
   if (input.tags != nullptr) env.tags.assign(input.tags, input.tags + input.volume_count);
   finish_topology(env, &report);
@@ -268,6 +297,7 @@ void finish_topology(Environment<D>& env, BuildReport* report) {
 }
 
 DSW_INSTANTIATE(read_mesh);
+DSW_INSTANTIATE(find_invalid);
 DSW_INSTANTIATE(finish_mesh);
 DSW_INSTANTIATE(prove);
 template dsw_environment_desc check_description<2>(dsw_environment_desc);

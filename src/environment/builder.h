@@ -30,6 +30,7 @@ struct BuildReport {
   uint32_t merged_point_count = 0;          // that count as another one
   Offenders changed;                        // cells that were made to conform
   uint32_t changed_count = 0;
+  uint32_t split_count = 0, added_point_count = 0;  // cells that were split; points for it
   Touching touching;
 };
 
@@ -48,6 +49,11 @@ dsw_environment_desc check_description(dsw_environment_desc desc);
 template <int D>
 void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
                const LinkedBefore<D>* before = nullptr);
+
+/** The cells of a mesh that was read that are neither valid nor turned inside out, however their facets are cut, in the
+ * order of their records. Throws std::bad_alloc. */
+template <int D>
+Array<Cell> find_invalid(Environment<D>& env);
 
 /** Proves the cells of a mesh that was read valid, and adds what the description asks for. Throws as read_mesh. */
 template <int D>

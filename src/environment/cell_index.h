@@ -28,8 +28,7 @@ class CellIndex {
     return ask(
         env, [&](const CellTree<D>& tree) { tree.visit(point, look); }, look);
   }
-  /** Likewise, with ask(tree) for what is wanted of the tree; look(index) is called for the cells that are not in
-   * it. */
+  /** Calls ask(tree), and look(index) for the cells that are not in the tree. False: there is no tree. */
   template <class Ask, class Look>
   bool ask(const Environment<D>& env, Ask&& ask, Look&& look) const {
     const CellTree<D>* tree = tree_.load(std::memory_order_acquire);

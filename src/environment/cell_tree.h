@@ -28,7 +28,7 @@ class CellTree {
 
   /** Sorts the cells that there are and fits their boxes. Throws std::bad_alloc. O(cells). */
   void build(const Environment<D>& env);
-  /** The same for some of the cells, by their indices. */
+  /** Sorts the cells with these indices and fits their boxes. Throws std::bad_alloc. O(cells). */
   void build(const Environment<D>& env, const Array<uint32_t>& cells);
   /** Fits all boxes to the points as they are now. O(cells). */
   void fit(const Environment<D>& env) noexcept;

@@ -29,6 +29,7 @@ struct Environment {
   size_t point_room = 0;
   Array<int32_t> regions{memory};        // by cell index; empty: none were given
   Array<uint32_t> tags{memory};          // by cell index; empty: none were given
+  Array<uint32_t> parents{memory};       // by cell index: the cell that it is a part of, or kNoCell; empty: itself
   EdgeMarks edge_marks{memory};          // marked edges, by their two vertices
   Array<uint64_t> vertex_marks{memory};  // bits; empty: none
   uint64_t marked_cells = 0, marked_facets = 0, marked_edges = 0, marked_vertices = 0;
@@ -76,12 +77,14 @@ struct Environment {
   const double* point(uint32_t vertex) const { return points + size_t{vertex} * D; }
   const double* point(Cell c, uint32_t local) const { return point(map.vertex(c, local)); }
   int32_t region(Cell c) const { return regions.empty() ? 0 : regions[map.index(c)]; }
+  /** The index of the cell that was given of which this is all or a part; kNoCell: it was added later. */
+  uint32_t parent(Cell c) const { return parents.empty() ? map.index(c) : parents[map.index(c)]; }
   uint32_t tag(Cell c) const { return tags.empty() ? 0 : tags[map.index(c)]; }
   uint64_t memory_bytes() const {
     const uint64_t borrowed = owned_points.empty() ? uint64_t{map.vertex_count} * D * sizeof(double) : 0;
     return sizeof(*this) + map.memory_bytes() + array_bytes(owned_points) + borrowed + array_bytes(regions) +
-           array_bytes(tags) + edge_marks.memory_bytes() + array_bytes(vertex_marks) + index.memory_bytes() +
-           obstacles.memory_bytes() + checked.memory_bytes() + array_bytes(local_points);
+           array_bytes(tags) + array_bytes(parents) + edge_marks.memory_bytes() + array_bytes(vertex_marks) +
+           index.memory_bytes() + obstacles.memory_bytes() + checked.memory_bytes() + array_bytes(local_points);
   }
 };
 
@@ -138,7 +141,7 @@ inline bool is_closed(const Environment<D>& env, Cell c) noexcept {
   return env.map.marked(c) || !admits(env, c);
 }
 
-/** As of the map, and by invalid cells on either side. */
+/** Tells whether a half-facet is impassable in the map, or has an invalid cell on either side. */
 template <int D>
 inline bool is_impassable(const Environment<D>& env, HalfFacet h) noexcept {
   if (is_impassable(env.map, h)) return true;

@@ -5,7 +5,8 @@
 namespace dsw {
 
 void keep_local_points(Environment<3>& env) {
-  // Of what does not fit as much is read as of what does, before that is seen.
+  // The end has room to spare: a reader that has not yet seen that a cell does not fit reads as much as for a cell that
+  // does.
   env.local_points.assign(env.map.words.size() + kOriginWords + 3 * kMostLocalPoints, 0.0f);
   for_each_cell(env.map, [&](Cell c) {
     if (env.map.form(c) != Form::kGeneral) return;

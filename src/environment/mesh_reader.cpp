@@ -1,6 +1,7 @@
 #include "environment/mesh_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -8,6 +9,7 @@
 
 #include "base/dimensions.h"
 #include "base/error.h"
+#include "environment/collapsed_loops.h"
 #include "environment/merged_points.h"
 #include "environment/turned_loops.h"
 
@@ -66,7 +68,7 @@ class Reader {
     scan_types();
     lay_out();
     for (uint32_t i = 0; i < map_.cell_count; ++i) {
-      const Form form = type_of(i).form;
+      const Form form = form_of(i);
       if (form == Form::kGeneral) {
         D == 3 ? read_polyhedron(i) : read_polygon(i);
       } else {
@@ -75,13 +77,28 @@ class Reader {
     }
     raise(DSW_STATUS_INDEX_OUT_OF_RANGE, bad_index_, "names a point that does not exist");
     raise(DSW_STATUS_BAD_CELL, bad_cell_,
-          merged_.empty() ? "repeats a point, or its faces do not close a sphere"
-                          : "repeats a point once points are merged, or its faces do not close a sphere");
+          splits()          ? "has nothing left without what collapses, or its faces do not close a sphere"
+          : merged_.empty() ? "repeats a point, or its faces do not close a sphere"
+                            : "repeats a point once points are merged, or its faces do not close a sphere");
   }
 
  private:
   CellType type_of(uint32_t i) const {
     return cell_type<D>(in_.cell_types != nullptr ? in_.cell_types[i] : in_.uniform_cell_type);
+  }
+  bool splits() const { return (in_.flags & DSW_ENVIRONMENT_SPLIT) != 0; }
+  /** Cells with repeated points are polyhedra or polygons, if cells are split; all other ones are what their type says. */
+  Form form_of(uint32_t i) {
+    const CellType type = type_of(i);
+    if (type.form == Form::kGeneral || !splits()) return type.form;
+    std::array<int64_t, 8> points{};
+    for (uint32_t k = 0; k < type.vertex_count; ++k) {
+      const int64_t point = connectivity_[begin_of(i) + k];
+      if (point < 0 || static_cast<uint64_t>(point) >= map_.vertex_count) return type.form;
+      points[k] = merged_.empty() ? point : merged_[static_cast<size_t>(point)];
+      if (std::find(points.begin(), points.begin() + k, points[k]) != points.begin() + k) return Form::kGeneral;
+    }
+    return type.form;
   }
   size_t begin_of(uint32_t i) const {
     return in_.offsets != nullptr ? static_cast<size_t>(offsets_[i]) : size_t{i} * uniform_vertices_;
@@ -135,7 +152,7 @@ class Reader {
     const uint32_t first_units = units_of(0);
     for (uint32_t i = 0; i < map_.cell_count; ++i) {
       const uint32_t n = units_of(i);
-      const bool still = uniform && n == first_units && type_of(i).form != Form::kGeneral;
+      const bool still = uniform && n == first_units && form_of(i) != Form::kGeneral;
       if (uniform && !still) {
         map_.unit_of_cell.resize(map_.cell_count);
         for (uint32_t j = 0; j < i; ++j) map_.unit_of_cell[j] = j * first_units;
@@ -158,13 +175,13 @@ class Reader {
   }
 
   uint32_t units_of(uint32_t i) {
-    const CellType type = type_of(i);
-    if (type.form == Form::kSimplex) return 1;
-    if (type.form != Form::kGeneral) return 2;
+    const Form form = form_of(i);
+    if (form == Form::kSimplex) return 1;
+    if (form != Form::kGeneral) return 2;
     uint32_t vertices = 0, facets = 0;
     if (D == 2) {
       vertices = facets = static_cast<uint32_t>(std::min<size_t>(end_of(i) - begin_of(i), UINT16_MAX));
-    } else if (parse_stream(i)) {
+    } else if (parse_cell(i)) {
       vertices = static_cast<uint32_t>(local_to_point_.size());
       facets = static_cast<uint32_t>(loop_first_.size() - 1);
     }
@@ -206,11 +223,53 @@ class Reader {
     if (D == 3) w[0] |= cuts_of(form, vertices);
   }
 
-  /** Splits a face stream into loops of local vertices; false when it is malformed. */
-  bool parse_stream(uint32_t i) {
+  /** Splits a polyhedron into loops of local vertices; false when its face stream is malformed. */
+  bool parse_cell(uint32_t i) {
     loop_vertices_.clear();
     loop_first_.assign(1, 0);
     local_to_point_.clear();
+    const Form form = type_of(i).form;
+    if (form == Form::kGeneral && !parse_stream(i)) return false;
+    if (form != Form::kGeneral) parse_standard(i, form);
+    if (splits()) leave_out_collapsed();
+    return loop_first_.size() > 4;
+  }
+
+  /** The loops of a standard cell with repeated points. */
+  void parse_standard(uint32_t i, Form form) {
+    const Shape shape = standard_shape(form, 0);
+    std::array<uint16_t, 8> local{};
+    for (uint32_t k = 0; k < shape.vertex_count(); ++k) {
+      const uint32_t point = checked(i, connectivity_[begin_of(i) + k]);
+      const auto known = std::find(local_to_point_.begin(), local_to_point_.end(), point);
+      local[k] = static_cast<uint16_t>(known - local_to_point_.begin());
+      if (known == local_to_point_.end()) local_to_point_.push_back(point);
+    }
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+        loop_vertices_.push_back(local[shape.dart_vertex(d)]);
+      }
+      loop_first_.push_back(static_cast<uint16_t>(loop_vertices_.size()));
+    }
+  }
+
+  /** Then vertices are numbered anew, those that are left. */
+  void leave_out_collapsed() {
+    clean_loops(loop_vertices_, loop_first_);
+    const std::vector<uint32_t> points = std::move(local_to_point_);
+    std::vector<uint16_t> number(points.size(), UINT16_MAX);
+    local_to_point_.clear();
+    for (uint16_t& v : loop_vertices_) {
+      if (number[v] == UINT16_MAX) {
+        number[v] = static_cast<uint16_t>(local_to_point_.size());
+        local_to_point_.push_back(points[v]);
+      }
+      v = number[v];
+    }
+  }
+
+  /** Splits a face stream into loops; false when it is malformed. */
+  bool parse_stream(uint32_t i) {
     const bool separate = in_.faces != nullptr;
     const Integers stream(separate ? in_.faces : in_.connectivity, in_.index_bytes);
     int64_t at = static_cast<int64_t>(begin_of(i)), end = static_cast<int64_t>(end_of(i));
@@ -242,7 +301,7 @@ class Reader {
 
   void read_polyhedron(uint32_t i) {
     const uint32_t offenders = bad_index_.count;
-    const bool sound = parse_stream(i);
+    const bool sound = parse_cell(i);
     if (bad_index_.count != offenders) return;
     if (sound && (in_.flags & DSW_ENVIRONMENT_REORIENT) != 0) turn_faces(i);
     base_.assign(loop_first_.size(), 0);
@@ -295,6 +354,7 @@ class Reader {
     local_to_point_.clear();
     for (size_t k = 0; k < n && k < UINT16_MAX; ++k) local_to_point_.push_back(checked(i, connectivity_[begin + k]));
     if (bad_index_.count != offenders) return;
+    if (splits()) clean_loop(local_to_point_);
     std::vector<uint32_t> sorted = local_to_point_;
     std::sort(sorted.begin(), sorted.end());
     const bool repeats = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();

@@ -33,7 +33,7 @@ struct CellType {
   bool known;
 };
 
-/** Of a VTK number. */
+/** Gives the cell type that a VTK number stands for. */
 template <int D>
 CellType cell_type(uint32_t vtk);
 /** The VTK number of a form that the dimension has. */

@@ -1,5 +1,6 @@
 #include "environment/validity.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/dimensions.h"
@@ -20,7 +21,7 @@ class CellPoints {
     env.map.for_each_vertex(c, [&](uint32_t vertex) { *at++ = env.point(vertex); });
   }
   const double* operator[](uint32_t local) const { return is_kept_ ? at_[local] : env_.point(cell_, local); }
-  /** As centre() of the cell. */
+  /** Computes the cell's centre as centre() does. */
   void centre(const Shape& shape, double* out) const {
     mean_point<D>(
         shape.vertex_count(), [&](uint32_t i) { return (*this)[i]; }, out);
@@ -252,7 +253,7 @@ Plainly look_at_star(const Shape& shape, const CellPoints<3>& at, const double* 
 
 Plainly look_at_star(const Shape&, const CellPoints<2>&, const double*) noexcept { return Plainly::kUnknown; }
 
-/** As check_cell, but does not look whether a valid cell is convex.
+/** Checks a cell as check_cell does, but does not look whether a valid cell is convex.
  * @param tells_inverted else an inverted cell may be called invalid. */
 template <int D>
 CellState check_star(const Environment<D>& env, Cell c, const Shape& shape, const CellPoints<D>& at, const double* apex,
@@ -343,6 +344,40 @@ bool is_valid_star(const double* const* vertices, uint32_t vertex_count, const u
   return check_simplices<3>(triangle_count, read, apex) == CellState::kValid;
 }
 
+template <int D>
+bool is_valid_star(const double* const* simplices, uint32_t simplex_count, const double* apex) noexcept {
+  const auto read = [&](uint32_t s, const double*(&points)[D]) { std::copy_n(simplices + size_t{s} * D, D, points); };
+  return check_simplices<D>(simplex_count, read, apex) == CellState::kValid;
+}
+
+/** Summed over the simplices of its facets, seen from a vertex, in units of the cell's largest extent. */
+template <int D>
+double rounded_volume(const Environment<D>& env, Cell c) noexcept {
+  const Shape shape = env.map.shape(c);
+  const double* const origin = env.point(c, 0);
+  double scale = 0;
+  env.map.for_each_vertex(c, [&](uint32_t v) {
+    for (int k = 0; k < D; ++k) scale = std::max(scale, std::fabs(env.point(v)[k] / 2 - origin[k] / 2));
+  });
+  double sum = 0;
+  for (uint32_t s = 0; s < shape.simplex_count() && scale > 0; ++s) {
+    const double* points[D];
+    simplex_points(env, c, shape, s, points);
+    double of[D][D];
+    for (int i = 0; i < D; ++i) {
+      for (int k = 0; k < D; ++k) of[i][k] = (points[i][k] / 2 - origin[k] / 2) / scale;
+    }
+    if constexpr (D == 2) {
+      sum += of[0][0] * of[1][1] - of[0][1] * of[1][0];
+    } else {
+      sum += of[0][0] * (of[1][1] * of[2][2] - of[1][2] * of[2][1]) +
+             of[0][1] * (of[1][2] * of[2][0] - of[1][0] * of[2][2]) +
+             of[0][2] * (of[1][0] * of[2][1] - of[1][1] * of[2][0]);
+    }
+  }
+  return sum;
+}
+
 /** Along each axis the vertices lie in two planes, four in each. These are the vertices of two opposite facets, of
  * another pair for each axis. The centre must lie between the planes: rounding can put that of a thin cuboid on one. */
 bool is_cuboid(const Environment<3>& env, Cell c) noexcept {
@@ -390,5 +425,8 @@ CheckedCells::Known find_out_validity(const Environment<D>& env, Cell c) noexcep
 DSW_INSTANTIATE(find_out_validity);
 DSW_INSTANTIATE(check_cell);
 DSW_INSTANTIATE(stays_valid);
+DSW_INSTANTIATE(rounded_volume);
+template bool is_valid_star<2>(const double* const*, uint32_t, const double*) noexcept;
+template bool is_valid_star<3>(const double* const*, uint32_t, const double*) noexcept;
 
 }  // namespace dsw

@@ -23,4 +23,13 @@ bool stays_valid(const Environment<D>& env, Cell c, const double* next);
 bool is_valid_star(const double* const* vertices, uint32_t vertex_count, const uint8_t* triangles,
                    uint32_t triangle_count) noexcept;
 
+/** Whether simplices that close a surface are a valid star of `apex`: D points each, oriented as facets. */
+template <int D>
+bool is_valid_star(const double* const* simplices, uint32_t simplex_count, const double* apex) noexcept;
+
+/** The volume of a cell times 6, in the plane its area times 2; negative if it is inside out. Rounded, up to a positive
+ * factor. */
+template <int D>
+double rounded_volume(const Environment<D>& env, Cell c) noexcept;
+
 }  // namespace dsw

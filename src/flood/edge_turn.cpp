@@ -12,7 +12,7 @@ namespace {
 struct Ring {
   uint32_t vertices[4];
 
-  /** Of a cell with standard facets. */
+  /** Reads the corners of a facet of a cell with standard facets. */
   Ring(const Map<3>& map, Cell c, uint32_t facet) noexcept { standard_corners(map.record(c), facet, vertices); }
 };
 
@@ -34,7 +34,7 @@ bool find_missed(const Environment<3>& env, const Ring& ring, const double* from
   return true;
 }
 
-/** Those of a few forms, for turn_at. */
+/** The cells of the few forms that turn_at can turn among. */
 struct StandardCells : ConvexCells<3> {
   explicit StandardCells(const Map<3>& map_of_cells) : ConvexCells<3>{map_of_cells} {}
 

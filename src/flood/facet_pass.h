@@ -12,7 +12,7 @@ namespace dsw {
 using PassesFacet = bool (*)(const double* const* corners, const double* from, const double* to) noexcept;
 bool passes_facet(const double* const* corners, const double* from, const double* to) noexcept;
 #if DSW_X86_64
-/** The same arithmetic, a ridge in each lane: the same answers. */
+/** Computes passes_facet with the same arithmetic, one ridge in each lane, and gives the same answers. */
 bool passes_facet_avx2(const double* const* corners, const double* from, const double* to) noexcept;
 #endif
 extern const PassesFacet kPassesFacet;  // the fastest of this processor
@@ -38,7 +38,8 @@ bool keeps_to_facet_avx2(const double* const* corners, const EdgeWay& edge) noex
 #endif
 extern const KeepsToFacet kKeepsToFacet;
 
-/** As passes_facet, of one ridge from x to y; `way` is the rounded difference of the line's points. */
+/** Tells for one ridge from x to y what passes_facet tells for all ridges of a facet; `way` is the rounded difference
+ * of the line's points. */
 inline bool passes_ridge(const double* x, const double* y, const double* from, const filter::Vec<3>& way) noexcept {
   const filter::Vec<3> a = filter::difference<3>(x, from), b = filter::difference<3>(y, from);
   const double det = filter::dot(filter::cross(a, b), way);

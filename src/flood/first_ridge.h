@@ -12,8 +12,8 @@ struct FirstRidge {
   SweepEvent event;
 };
 
-/** Of a sequence in rows, of the present version: which of its ridges edge p q meets first while p goes to `to`. The
- * sequence is that of the edge at the start; facets that the path of p passes have been removed, or added: at most two.
+/** Finds the ridge that edge p q meets first while p goes to `to`. The sequence is in rows and of the present version.
+ * It is that of the edge at the start; facets that the path of p passes have been removed, or added: at most two.
  *
  * On which side the line through p and q passes a ridge is linear in time. All ridges that the edge passes at the start
  * have the right side. So one that has the right side at the end is never met, and one that has not is met just once.

@@ -74,7 +74,7 @@ void read_rows(const Environment<D>& env, EdgeSequence<D>& sequence, size_t begi
   }
 }
 
-/** Of facets in rows: whether all are, and the cells valid, and in the plane still convex. */
+/** Tells of facets in rows whether all are passable and their cells valid, in the plane also still convex. */
 template <int D>
 bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noexcept {
   const Map<D>& map = env.map;
@@ -89,7 +89,7 @@ bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noex
          std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
 }
 
-/** Of facets that are not in rows: whether all are passable, and the cells valid. */
+/** Tells of facets that are not in rows whether all are passable and their cells valid. */
 bool are_open(const Environment<3>& env, const Array<uint32_t>& facets) noexcept {
   const Map<3>& map = env.map;
   return std::all_of(facets.begin(), facets.end(), [&](uint32_t f) {
@@ -403,7 +403,7 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
   const bool in_rows = sequence.in_rows && sequence.passage.version == env.obstacle_version;
   if (D == 2 && !in_rows) return false;
   FacetRidge later{nullptr, nullptr, 0};  // the last that was found to be met later: the next facet may have it, too
-  // Of facets in rows those are asked one by one that are not passed for certain; of others all.
+  // If facets are in rows, only those that are not certainly passed are asked one by one; otherwise all facets are.
   for (size_t begin = 0; begin < count; begin += kMostMissed) {
     const size_t some = std::min(kMostMissed, count - begin);
     uint64_t ask = ~uint64_t{0} >> (kMostMissed - some);

@@ -22,8 +22,8 @@ struct Passage {
 
   uint64_t version = kNever;
   Cell front, back;  // invalid: no way is known, or it passes no facet
-  /** Of a facet that is the only one: in its order, a triangle repeats the last. kInRows: there are several
-   * in rows. kNoCorner: there is no facet, or they are of other cells. */
+  /** The corners of the only facet, in its order; a triangle repeats the last one. kInRows: there are several in rows.
+   * kNoCorner: there is no facet, or they are of other cells. */
   uint32_t corners[D == 3 ? 4 : 2];
 
   Passage() noexcept { forget(); }
@@ -152,7 +152,7 @@ struct EdgeSequence {
 template <int D>
 bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
                    Cell first, Cell last) noexcept;
-/** As passes_facets, but true at once for the last two places that have passed several facets. */
+/** Asks passes_facets, but returns true at once for the last two places that have passed several facets. */
 template <int D>
 bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept {
@@ -184,7 +184,8 @@ bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, cons
  * @param swept whether the edge must pass the facets where it starts, too. */
 template <int D>
 bool keeps_to_rows(EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) noexcept;
-/** The same of facets that are not in rows, which are passable in the present version. */
+/** Tells whether an edge passes all facets of a sequence between and after the moves of its ends, as keeps_to_rows
+ * does, if the facets are not in rows and are passable in the present version. */
 template <int D>
 bool keeps_to_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept;
 
@@ -207,8 +208,8 @@ struct PathFacets {
 template <int D>
 PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;
 
-/** Of an edge both ends of which move at once, and of a sequence of at most kMostMissed facets: bit n is set unless all of
- * its lines certainly pass facet n. */
+/** Looks at an edge both of whose ends move at once, and at a sequence of at most kMostMissed facets: bit n is set
+ * unless all lines of the edge certainly pass facet n. */
 template <int D>
 uint64_t missed_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept;
 

@@ -44,7 +44,7 @@ struct SolidSweep<3>::Solid {
     return SweptTriangle(EdgeMotion{at[kFaces[i][0]], at[kFaces[i][1]], at[kFaces[i][2]]});
   }
 
-  /** As that of a triangle; faces 0 and 3 have all vertices. */
+  /** Bits of the sides of the solid's box that v lies beyond. Faces 0 and 3 together have all vertices. */
   uint32_t beyond_box(const double* v) const { return faces[0].beyond_box(v) & faces[3].beyond_box(v); }
 
   /** Bit i: beyond face i. 0: inside. */

@@ -345,8 +345,8 @@ bool SweepFlood<3>::is_one_fan(const SweepContact& contact) const {
   return passable <= 0;
 }
 
-/** Of each event the contact that counts, and these in their order. No two are equivalent in either, so no result
- * depends on how they are sorted. */
+/** Keeps for each event the contact that counts, and sorts these contacts. No two are equivalent in either order, so no
+ * result depends on the way of sorting. */
 void SweepFlood<3>::sort_found() {
   const auto before = [this](const SweepContact& a, const SweepContact& b) {
     return comes_before(map_, triangle_->motion().p, triangle_->motion().to, a, b);

@@ -16,7 +16,7 @@ class SweepFlood<2> : public SolidSweep<2> {
   using SolidSweep<2>::SolidSweep;
 };
 
-/** As SolidSweep, also for the triangle that an edge sweeps in space. */
+/** A SolidSweep that also floods the triangle that an edge sweeps in space. */
 template <>
 class SweepFlood<3> : public SolidSweep<3> {
  public:
@@ -28,8 +28,8 @@ class SweepFlood<3> : public SolidSweep<3> {
    * are collinear: the path of p is the sweep then. With `collect`, all() has every contact afterwards. Throws
    * std::bad_alloc. O(cells met). */
   SweepResult sweep(const EdgeMotion& m, Cell start, uint32_t max_volumes, bool collect = false);
-  /** As sweep(), but only a contact before `end`, a time in [0,1], is certain to be found. O(cells met before the first
-   * contact, and a few more). */
+  /** Sweeps as sweep() does, but only a contact before `end`, a time in [0,1], is certain to be found. O(cells met
+   * before the first contact, and a few more). */
   SweepResult sweep_until(const EdgeMotion& m, Cell start, double end);
 
  private:

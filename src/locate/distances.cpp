@@ -21,8 +21,8 @@ Vec without(const Vec& v, const Vec& d, double length) {
 
 namespace {
 
-/** The same, ab the longest edge. In coordinates x along ab and y along the height over it the foot of the origin is
- * found to a rounding error over the height, where barycentric coordinates lose it twice. */
+/** Finds the foot of the origin on triangle a b c, whose longest edge is ab. In coordinates x along ab and y along the
+ * height over ab the foot is found to a rounding error over the height, where barycentric coordinates lose it twice. */
 bool foot_over_longest(const Vec& a, const Vec& b, const Vec& c, Vec& foot) {
   const Vec ab = b - a, ac = c - a;
   const double length = dot(ab, ab);

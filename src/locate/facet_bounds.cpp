@@ -20,7 +20,7 @@ struct Lanes {
   static Lanes all(float a) noexcept {
     return each([&](int) { return a; });
   }
-  // As the processors' instructions: the second if they are not ordered.
+  // Lanes take the minimum as the processors' instructions do: the second number if the two are not ordered.
   static Lanes min(const Lanes& a, const Lanes& b) noexcept {
     return each([&](int i) { return a.x[i] < b.x[i] ? a.x[i] : b.x[i]; });
   }

@@ -32,15 +32,16 @@ struct SegmentFrame {
   SegmentFrame(const double* from, const Vec& along, double largest);
 };
 
-/** Of eight triangles, scaled. A lower bound may be negative. */
+/** Bounds of the distances of eight triangles, scaled. A lower bound may be negative. */
 struct FacetBounds {
   float lower[8], upper[8];
 };
 
-/** Of one instruction set; all give the same bits. */
+/** The functions of one instruction set; all instruction sets give the same bits. */
 template <int D>
 struct BoundsKernel {
-  /** Of eight triangles: corner k of triangle i is corners[8 k + i]. In the plane of eight sides, two corners each. */
+  /** Bounds the distances of eight triangles: corner k of triangle i is corners[8 k + i]. In the plane there are eight
+   * sides with two corners each. */
   void (*of_triangles)(const SegmentFrame<D>& frame, const double* const* corners, FacetBounds& bounds) noexcept;
   /** In space of the facets of two tetrahedra, four vertices each. */
   void (*of_tetrahedra)(const SegmentFrame<3>& frame, const double* const* vertices, FacetBounds& bounds) noexcept;

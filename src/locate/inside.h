@@ -17,11 +17,13 @@ struct SeenObstacle {
 template <int D>
 SeenObstacle find_touched(const Environment<D>& env, const double* point) noexcept;
 
-/** The same for a point of which locate has said that its cell is c; invalid: none. Mostly O(1) where c is valid. */
+/** Finds the obstacle on which a point lies exactly, if locate has found the point's cell c; an invalid c: no cell
+ * contains it. Mostly O(1) if c is valid. */
 template <int D>
 SeenObstacle find_touched(const Environment<D>& env, const double* point, Cell c) noexcept;
 
-/** The same where a rounded distance to the nearest obstacle is known: far from all obstacles there is none. */
+/** Finds the obstacle on which a point lies exactly, if a rounded distance to the nearest obstacle is known: a point
+ * that is far from all obstacles lies on none. */
 template <int D>
 SeenObstacle find_touched_near(const Environment<D>& env, const double* point, Cell c, double distance) noexcept;
 

@@ -158,7 +158,7 @@ bool find_nearest_far(const Environment<D>& env, const double* point, Cell start
 
 namespace {
 
-/** As find_nearest_far, without the tree: the work is that of the cells nearer than the answer. */
+/** Answers as find_nearest_far does, without the tree: it visits the cells that are nearer than the answer. */
 template <int D>
 bool find_nearest_near(const Environment<D>& env, const double* point, Cell start, double radius, BoundedNotes& notes,
                        NearestResult& result, bool by_flood) {

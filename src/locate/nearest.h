@@ -84,15 +84,16 @@ bool find_nearest_by_flood(const Environment<D>& env, const double* point, Cell 
 
 class BoundedNotes;
 
-/** The same answer, mostly sooner. Bounds are tried first (bounded_flood.h). After a few cells the environment's tree of
- * obstacles is asked, if there is one (nearest_search.h). */
+/** Gives the answer of find_nearest, mostly sooner. Bounds are tried first (bounded_flood.h). After a few cells the
+ * environment's tree of obstacles is asked, if there is one (nearest_search.h). */
 template <int D>
 bool find_nearest_far(const Environment<D>& env, const double* point, Cell start, double radius, BoundedNotes& notes,
                       NearestResult& result);
 
-/** The same for a segment whose first point is in `start`. If it passes an impassable facet, that is the answer, at
- * distance 0: the first one. Else the answer is what the flood finds that begins in all cells which the segment enters
- * under the shift; bounded_flood.h finds it faster in most cases. A segment without a length is asked as a point.
+/** Finds the impassable thing that is nearest to a segment whose first point is in `start`. If the segment passes
+ * impassable facets, the first of them is the answer, at distance 0. Else the answer is what the flood finds that
+ * begins in all cells which the segment enters under the shift; bounded_flood.h finds it faster in most cases. A
+ * segment without a length is asked as a point.
  * @param by_flood asks the flood alone. */
 template <int D>
 bool find_nearest_to_segment(const Environment<D>& env, const double* from, const double* to, Cell start, double radius,

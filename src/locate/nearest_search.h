@@ -27,7 +27,7 @@ enum class SearchEnd { kFound, kNothing, kUnknown };
 template <int D>
 class NearestSearch {
  public:
-  /** Of distances whose scale is 1. */
+  /** The scale of the distances must be 1. */
   NearestSearch(const Distances<D>& distances, const CellTree<D>& tree, const double* point, Cell start, double radius);
 
   /** Unknown if it is too much work, or if no near obstacle is reached. Then only the flood knows. */

@@ -84,7 +84,8 @@ void for_each_volume_round_edge(const Map<3>& map, Dart d, Visit visit) {
   }
 }
 
-/** The same for a side of a polygon: its dart, and that on the other side unless that is the outside. */
+/** Calls visit(dart) for a side of a polygon: for its dart, then for the dart on the other side unless that side is the
+ * outside. */
 template <class Visit>
 void for_each_volume_round_edge(const Map<2>& map, Dart d, Visit visit) {
   if (!visit(d)) return;

@@ -138,7 +138,7 @@ bool lists_sound(const Array<uint32_t>& heads, size_t count, SizeOf size_of, Nex
   return count == 0;
 }
 
-/** Of a map of the plane that has changed: where there are shapes of a length, one of them is noted. */
+/** Tells of a map of the plane that has changed whether each length that shapes have is noted with one such shape. */
 template <int D>
 bool shared_shapes_sound(const Map<D>& map) {
   for (uint32_t i = 0; i < map.shape_offsets.size(); ++i) {
@@ -152,8 +152,8 @@ bool shared_shapes_sound(const Map<D>& map) {
   return true;
 }
 
-/** Of a map that has changed: what is free is in the lists of what is free. Records are sound; `records` of them and
- * `shapes` of their shapes are free. */
+/** Checks that the lists of a map that has changed hold all that is free. Records are known to be sound; `records` of
+ * them and `shapes` of their shapes are free. */
 template <int D>
 const char* check_free(const Map<D>& map, size_t records, size_t shapes) {
   const auto units_of_free = [&](uint32_t unit) {
@@ -176,7 +176,7 @@ const char* check_free(const Map<D>& map, size_t records, size_t shapes) {
   return nullptr;
 }
 
-/** Of a map that has changed: slots and uses. Records and tables are sound. */
+/** Checks the slots and uses of a map that has changed. Records and tables are known to be sound. */
 template <int D>
 const char* check_slots(const Map<D>& map) {
   if (map.cell_slots.alive_count() != map.cell_count) return "cells are counted wrongly";

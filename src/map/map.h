@@ -35,7 +35,8 @@ constexpr uint32_t kNoCell = 0xffffffffu;
 /** 32 bytes in space, 24 in the plane. */
 template <int D>
 constexpr uint32_t kUnitWords = 2 * (D + 1);
-/** Of a general cell: how many links and vertices are in a unit, the units that so many take, the word of one. */
+/** How many links or vertices of a general cell are in a unit; below, how many units they take and which word one
+ * has. */
 template <int D>
 constexpr uint32_t kUnitItems = kUnitWords<D> - 1;
 template <int D>
@@ -156,7 +157,7 @@ struct Map {
   /** The form of a cell and its convex bit, which a simplex has not. */
   uint32_t kind_bits(Cell c) const { return (record(c)[0] & (7u << kFormShift | convex_bit)) >> (kFormShift - 1); }
   Shape shape(Cell c) const;
-  /** Of a cell of general form, by word 0 of its record. */
+  /** Gives the shape of a cell of general form, by word 0 of its record. */
   Shape general_shape(uint32_t word0) const { return Shape(shape_tables.data() + shape_offsets[word0 & kShapeMask]); }
 
   /** Facets of the standard forms; general cells have as many as their shape says. */

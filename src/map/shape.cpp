@@ -21,7 +21,7 @@ class Scratch {
     taken_ += count;
     return words;
   }
-  /** Likewise, all with one value. */
+  /** Takes the next `count` words and sets all of them to `value`. */
   T* take(size_t count, T value) {
     T* const words = take(count);
     std::fill_n(words, count, value);
@@ -82,7 +82,8 @@ bool link_few(const Darts& darts) {
   return darts.for_each(take) && darts.for_each(link);
 }
 
-/** Likewise, by sorting the undirected edges, in `pairs`: two for each dart. */
+/** Links darts to their opposites inside the cell, also of many vertices: it sorts the undirected edges. `pairs` holds
+ * two words for each dart. */
 bool link_many(const Darts& darts, uint64_t* pairs, Scratch<uint32_t>& scratch) {
   const uint32_t n = darts.count;
   if (n % 2 != 0) return false;

@@ -55,7 +55,7 @@ class NearEdges {
   bool all_keep(uint32_t v, const double* to) const noexcept {
     return active_ && stray_count_ == 0 && v < of_vertices_.size() && of_vertices_[v].contains(to);
   }
-  /** Of determinants of the body's points and `to` if all_keep(v, to), see swept_plane.h. */
+  /** The error bound of determinants of the body's points and `to`, if all_keep(v, to); see swept_plane.h. */
   double bound() const noexcept { return bound_; }
   /** Notes that a vertex was put in another place: makes strays of edges that leave their boxes. */
   void follow(const Body<3>& body, uint32_t v) noexcept {

@@ -113,10 +113,10 @@ class StarTouches {
     return passes_neighbours_ && chain.is_alone(*near_, to_, all_keep_) && !covers_faces(body_.level);
   }
 
-  // Of its own parts, on the way into another vertex k. The path lies on edge v k, which was apart from all that has no
-  // vertex in common; that edge and the faces at it only shrink. The other edges v q sweep triangles v k q: what has a
-  // vertex in common with that starts there, and enters it only if it ends inside, or leaves it through a side that was
-  // apart from it. Faces sweep tetrahedra.
+  // Meets the body's own parts when vertex v moves into another vertex k. The path of v lies on edge v k, which was
+  // apart from all that has no vertex in common; that edge and the faces at it only shrink. The other edges v q sweep
+  // triangles v k q: what has a vertex in common with that starts there, and enters it only if it ends inside, or
+  // leaves it through a side that was apart from it. Faces sweep tetrahedra.
   bool merge() {
     if (!covers_edges(body_.level)) {
       return fresh_boxes(body_).vertices.visit(path_box(), [&](uint32_t w) {
@@ -241,8 +241,8 @@ class StarTouches {
     });
   }
 
-  /** Of its own edges those that have a vertex in common with edge e, and those that may come near; most are seen to
-   * stay beside what is swept. */
+  /** Meets the body's own edges that have a vertex in common with edge e, and those that may come near. Most are seen
+   * to stay beside what is swept. */
   template <class Meet>
   bool meet_near(uint32_t e, const EdgeMotion& m, Meet meet) {
     if (!passes_neighbours_ && !meet_neighbours(e, SweptPlane(m, bound_), meet)) return false;
@@ -322,7 +322,7 @@ class StarTouches {
   Visit visit_;
   const Partner<D>* other_ = nullptr;
   bool self_ = false;
-  // Of its own edges, while a list of near ones is active.
+  // Whether all edges of the body keep to their boxes; false unless a list of near edges is active.
   bool all_keep_ = false;
   double bound_ = kNoBound;
   bool passes_neighbours_ = false;  // its edges touch none of those that have a vertex in common with them

@@ -12,7 +12,7 @@ bool is_corner(const BodyFace& face, uint32_t v) {
   return face.corners[0] == v || face.corners[1] == v || face.corners[2] == v;
 }
 
-/** Of one body, the segment's own if `self`. */
+/** A segment that is compared with the parts of one body, which is the segment's own if `self`. */
 template <int D>
 class Segment {
  public:
@@ -125,15 +125,15 @@ bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const Soli
   });
 }
 
-// Of the body's own parts. Think of the edge p q as split where it is, at m0, and of m0 as moved to m. A simplicial
-// complex of which no two parts without a common vertex touch stays one when it is split. So m gets to its place if no
-// part at m touches, on the way, a part that stays and has no vertex in common with it. Those at m sweep parts of the
-// triangle p m q and, for each face p q r, of the tetrahedron p m q r. A part that stays and has a vertex in common
-// with that enters it there: it leaves it through the side opposite of the vertex, which is tested with the whole of
-// the part, or it ends inside, and then its other end is found there. So the tests are those of any segment, triangle
-// and solid of the body. Those are for m where it is, whatever m0 was: rounding may have put m on the edge, beside it
-// or in its line beyond an end. Below FACES the edge m r cuts a face that is not covered: it is compared where it is
-// then, since nothing stood for it before.
+// This compares the bend with the body's own parts. Think of the edge p q as split where it is, at m0, and of m0 as
+// moved to m. A simplicial complex of which no two parts without a common vertex touch stays one when it is split. So m
+// gets to its place if no part at m touches, on the way, a part that stays and has no vertex in common with it. Those
+// at m sweep parts of the triangle p m q and, for each face p q r, of the tetrahedron p m q r. A part that stays and
+// has a vertex in common with that enters it there: it leaves it through the side opposite of the vertex, which is
+// tested with the whole of the part, or it ends inside, and then its other end is found there. So the tests are those
+// of any segment, triangle and solid of the body. Those are for m where it is, whatever m0 was: rounding may have put m
+// on the edge, beside it or in its line beyond an end. Below FACES the edge m r cuts a face that is not covered: it is
+// compared where it is then, since nothing stood for it before.
 template <int D>
 bool is_bend_apart(const Partners<D>& partners, const Body<D>& body, uint32_t edge, const double* point) noexcept {
   if (!partners.reach.contains(point)) return false;

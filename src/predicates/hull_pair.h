@@ -44,9 +44,9 @@ class HullPair {
   Vec most_ = Vec::Zero();
 };
 
-/** Of all directions that can be the one in which the hulls are farthest apart the best one: normals of faces, common
- * normals of edges, ways from vertices across edges and to vertices. All is reckoned in double-doubles, so a bound loses
- * 2^-49 of itself and some 2^-70 of the size. Some twenty times as slow as a search. */
+/** Finds the direction in which the hulls are farthest apart. It tries all that can be: normals of faces, common
+ * normals of edges, ways from vertices across edges and to vertices. All is computed in double-doubles, so a bound
+ * loses 2^-49 of itself and some 2^-70 of the size. Some twenty times as slow as a search. */
 template <int D>
 HullDirection look_everywhere(const HullPair<D>& pair) noexcept;
 

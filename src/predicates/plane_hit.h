@@ -25,11 +25,11 @@ struct PlaneFlight {
   const double* simplex[D];
 };
 
-// The same for several flights side by side.
+// Computes plane_hit for several flights side by side.
 template <int D>
 void plane_hits(const PlaneFlight<D>* flights, uint32_t count, PlaneHit<D>* hits) noexcept;
 
-// The same time, without the normal.
+// Computes the time of plane_hit, without the normal.
 template <int D>
 double crossing_time(const double* p, const double* q, const double* const* simplex) noexcept;
 

@@ -153,7 +153,7 @@ struct SturmSequence {
   }
 };
 
-// The same polynomial in doubles, times a power of two: the largest coefficient is near 1.
+// A polynomial in doubles, times a power of two: the largest coefficient is near 1.
 struct Rounded {
   int degree;
   double c[6];
@@ -328,7 +328,7 @@ class RootFinder {
     if (before != after) refine(low, high);
   }
 
-  // The same for roots between two neighbouring doubles.
+  // Isolates roots between two neighbouring doubles.
   void isolate_within(double floor, Dyadic low, Dyadic high, int before, int after, double next) {
     while (before - after > 1) {
       const Dyadic middle = half_way(low, high);

@@ -42,7 +42,7 @@ Bounded operator*(const Bounded& a, const Bounded& b) noexcept {
   const double error = std::fabs(a.value) * b.error + (std::fabs(b.value) + b.error) * a.error + kTiny;
   return with_rounding(a.value * b.value, error * kMore);
 }
-// Of a positive b.
+// The divisor b is positive.
 Bounded operator/(const Bounded& a, const Bounded& b) noexcept {
   if (a.is_zero()) return a;
   const double least = b.value - b.error;

@@ -34,7 +34,8 @@ class Sightline {
  public:
   Sightline(const SightEnd<D>& from, const SightEnd<D>& to) noexcept : from_(from), to_(to) {}
 
-  // Of simplices of a cell's boundary (README.md). All throw std::bad_alloc, as Integer does.
+  // These functions ask about simplices of a cell's boundary (README.md). Those that are not noexcept throw
+  // std::bad_alloc, as Integer does.
 
   /** +1 if the end certainly lies beyond a plane, -1 if on this side, 0 if doubles do not tell. Throws nothing. */
   int certain_end_side(const double* const* simplex) const noexcept;

@@ -32,7 +32,7 @@ constexpr int kSecond = kFirst + D;
 template <int D>
 constexpr int kCount = kFirst + 2 * D;
 
-// Of one event: the values without the shift and the coefficients of its components.
+// The numbers of one event: its values without the shift, and the coefficients of the shift's components.
 template <class R, int D>
 struct Coefficients {
   using Value = decltype(wide(typename Kind<R, D>::Value{}) - wide(typename Kind<R, D>::Value{}));
@@ -99,7 +99,7 @@ int compare_shifted(const Coefficients<Large, D>& a, const Coefficients<Large, D
     return (product(a.n0, b.d.v[k]) + product(a.n.v[k], b.d0)) - (product(b.n0, a.d.v[k]) + product(b.n.v[k], a.d0));
   };
   const auto two = [&](int i, int j) { return product(a.n.v[i], b.d.v[j]) - product(b.n.v[i], a.d.v[j]); };
-  // Of equal degree: `single` 2^g + `twice` 2^2g, without the common factor.
+  // Two coefficients of equal degree are added: `single` 2^g + `twice` 2^2g, without the common factor.
   const auto mixed = [&](const auto& single, const auto& twice) {
     const WideInt<36> up(1, false, g > 0 ? g : 0), down(1, false, g < 0 ? -g : 0);
     return (single * down + twice * up).sign();

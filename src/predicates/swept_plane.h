@@ -22,7 +22,7 @@ constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 namespace filter {
 
-/** Of one vector of a determinant. */
+/** The largest magnitude in one vector of a determinant. */
 inline double largest(const Vec<3>& a) noexcept { return highest(extent(a)); }
 inline bool in_range(double size) noexcept { return kFilterMin <= size && size <= kFilterMax; }
 

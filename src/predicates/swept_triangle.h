@@ -34,7 +34,7 @@ class SweptTriangle {
   // Bits of the sides of its box that v lies beyond, see PointBox.
   std::uint32_t beyond_box(const double* v) const noexcept { return box_.beyond(v); }
 
-  // As swept_side.
+  // Tells the side of v as swept_side does.
   int side(const double* v) const noexcept {
     const filter::Vec<3> w = filter::difference<3>(v, m_.p);
     const double det = filter::dot(normal_, w);

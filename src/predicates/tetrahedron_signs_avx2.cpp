@@ -76,7 +76,7 @@ struct Tested {
   }
 };
 
-/** As SweptTriangle::is_later, with b on the positive side. */
+/** Tells in each lane what SweptTriangle::is_later tells, with b on the positive side. */
 inline unsigned later(const Tested& first, const Tested& last, double end) noexcept {
   const Lanes det = all(1 - end) * first.det + all(end) * last.det,
               size = all(4 * kUnitRoundoff) * (absolute(first.det) + absolute(last.det)),

@@ -14,7 +14,8 @@ constexpr uint32_t kSharing = 8;
 constexpr double kLessFlooded = 0.75;
 // How far obstacles are listed and selected beyond the reach, times the reach. Longer lists are made less often.
 constexpr double kListedMore = 2, kSelectedMore = 1;
-// The same where the environment has changed since the last list was made, as it may do so again.
+// Obstacles are listed less far beyond the reach if the environment has changed since the last list, as it may change
+// again.
 constexpr double kListedMoreAfterChange = 0.25;
 
 /** From 0.6 to 1.4, spread evenly over successive numbers. What was found for a body at one time is out of date at

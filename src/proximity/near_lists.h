@@ -82,7 +82,7 @@ class NearLists {
    * @param wanted how far to look where it has to look. More than `reach` lets it look less often. */
   NearView<D> near(const Body<D>& body, const Part<D>& part, uint32_t places, double reach, NearNotes<D>& notes,
                    double wanted = 0);
-  /** Those in a region; remembers nothing. */
+  /** Finds the obstacles in a region; remembers nothing. */
   const NearList<D>& in(Cell start, const NearRegion<D>& region);
 
  private:

@@ -61,7 +61,7 @@ class PairSearch {
    * whose passable side the point is seen, else the lowest one. What else is in the list does not matter. Returns the
    * number of the obstacle. */
   uint32_t find_wall(const NearFeature& f, NearPair<D>& pair) const noexcept;
-  /** Of an obstacle with a facet, into the passable cell. */
+  /** The normal of an obstacle that has a facet, into the passable cell. */
   Vec normal_of(uint32_t obstacle) const noexcept;
   static void corners_of(const NearList<D>& list, const NearFeature& f, const double** out) noexcept {
     for (uint32_t i = 0; i < f.count; ++i) out[i] = list.point(f.corners[i]);

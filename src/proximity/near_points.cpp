@@ -101,7 +101,7 @@ NearPoints point_to_simplex(const double* x, const double* const* a, uint32_t co
   return n;
 }
 
-/** The same the other way round. */
+/** Exchanges the part and the obstacle. */
 void turn_round(NearPoints& n) {
   std::swap(n.weights, n.obstacle_weights);
   std::swap(n.point, n.obstacle_point);

@@ -13,7 +13,8 @@ struct NearPoints {
   bool has_normal = true;  // else the points are too close to tell it
 };
 
-/** Of a part with the points p and an obstacle with the points a: of one of them, or two edges of space. */
+/** Finds the nearest points of a part with the points p and an obstacle with the points a. One of the two is a single
+ * point, or both are edges of space. */
 template <int D>
 NearPoints find_near_points(const double* const* p, uint32_t count, const double* const* a, uint32_t obstacle_count);
 

@@ -54,9 +54,9 @@ class NearRegion {
   }
 
  private:
-  /** Of a coordinate of a point. The axes have length 1 up to 4 roundings. A difference loses one, and each of three
-   * products and two sums one more. So 2^-48 of the sum of the differences is enough, and pays for what the box itself
-   * loses. */
+  /** The error of a coordinate of a point. The axes have length 1 up to 4 roundings. A difference loses one, and each
+   * of three products and two sums one more. So 2^-48 of the sum of the differences is enough, and pays for what the
+   * box itself loses. */
   static double error_of(const Vec& at) noexcept {
     return 0x1p-48 * (std::fabs(at.x()) + std::fabs(at.y()) + std::fabs(at.z())) + 0x1p-1070;
   }

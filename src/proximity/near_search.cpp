@@ -139,7 +139,8 @@ void NearSearch<D>::collect(const Body<D>& other, const Part<D>& cover, double r
   if (!others_.empty()) others_.finish(points_of(other));
 }
 
-/** Of a body with itself each pair counts once, and neighbours do not. `corners` are vertices of the other body. */
+/** Tells whether a pair counts. If a body meets itself, each pair counts once, and neighbours do not count. `corners`
+ * are vertices of the other body. */
 template <int D>
 bool NearSearch<D>::is_accepted(const Body<D>& other, const Part<D>& part, const uint32_t* corners,
                                 uint32_t count) const noexcept {

@@ -21,7 +21,7 @@ class NearSearch {
 
   /** Appends the pairs with obstacles of the environment within a distance. Throws std::bad_alloc. */
   void find_walls(double reach, Array<FoundPair<D>>& found);
-  /** The same with parts of a partner, which may be the body itself. */
+  /** Appends the pairs with parts of a partner, which may be the body itself, within a distance. */
   void find_partner(const Partners<D>& partners, uint32_t number, double reach, Array<FoundPair<D>>& found);
 
  private:

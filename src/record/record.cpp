@@ -16,7 +16,7 @@ constexpr size_t kEntryBytes = 16;   // kind, sum of kind and size, size
 /** What structs look like: as where a pointer has 8 bytes, and the order of bytes. */
 constexpr uint32_t kLayout = 8u | (kBigEndian ? 0x100u : 0u);
 
-/** Of an entry's kind and size, which have to be right before its bytes are looked at. */
+/** The checksum of an entry's kind and size, which must be right before its bytes are looked at. */
 uint32_t sum_of(uint32_t kind, uint64_t size) noexcept {
   const uint64_t both[2] = {kind, size};
   Digest sum;

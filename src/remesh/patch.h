@@ -40,8 +40,8 @@ class RimSurface {
   bool read(const Rim& rim, uint32_t most_facets);
   /** Triangles that one cell in place of the patch would see from their wrong side, in all positions. */
   uint32_t count_wrong(const Geometry& geometry);
-  /** Likewise that a vertex of the rim sees, the one with the fewest; `most` if that is not fewer, or there are other
-   * facets than triangles. */
+  /** Counts the triangles that a vertex of the rim sees from their wrong side, for the vertex with the fewest. Returns
+   * `most` if these are not fewer, or if there are other facets than triangles. */
   uint32_t count_wrong_from_vertex(const Geometry& geometry, uint32_t most);
   /** Whether it closes one sphere. */
   bool is_sphere();

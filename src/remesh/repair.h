@@ -33,7 +33,7 @@ class Repair {
 
   /** Wants a cell repaired, if it is invalid now or next. */
   void want(Cell c);
-  /** Likewise all that are. O(cells). */
+  /** Wants all cells repaired that are invalid now or next. O(cells). */
   void want_all();
   /** Looks for what repairs them, the lowest index first, and prepares an edit that does; none if nothing was found.
    * Throws as Edit::prepare, but for what is wrong with cells. */

@@ -1,14 +1,14 @@
 #pragma once
 // A whole body moved: its vertices go to their targets one after the other.
 
+#include "pairs/near_edges.h"
+#include "pairs/partners.h"
 #include "response/edge_pass.h"
 #include "response/settings.h"
 #include "response/turns.h"
+#include "sweep/star.h"
 
 namespace dsw {
-
-/** Where a vertex that was at `from` is at a fraction of a motion of the whole body. */
-using PlaceFn = void (*)(const void* user, uint32_t vertex, const double* from, double fraction, double* to);
 
 /** Moves bodies; one for each thread. */
 template <int D>

@@ -2,15 +2,10 @@
 // One move of a body: where its vertices go, in which order, and what is known of their ways if nobody meets anything.
 
 #include "base/points.h"
+#include "response/settings.h"
 #include "sweep/simplex_sweep.h"
 
 namespace dsw {
-
-/** Which vertices move, and in which order. */
-struct MoveOrder {
-  const uint32_t* vertices = nullptr;  // null: all living ones by index
-  size_t count = 0;
-};
 
 template <int D>
 struct Course {

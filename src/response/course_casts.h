@@ -29,7 +29,7 @@ class CourseCasts {
   /** To see whether edge e is free in a new place, and which cells it crosses there.
    * @param v whose way is in doubt if it is not; kNone: that of both ends. */
   void add_edge(uint32_t e, uint32_t v, const End& from, const End& to);
-  /** The same where no sequences are kept. */
+  /** Adds the new place of edge e if no sequences are kept: only whether the edge is free there is asked. */
   void add_place(uint32_t e, uint32_t v, const End& from, const End& to) {
     vertices_[packet_.count()] = v;
     edges_[packet_.count()] = e;

@@ -36,7 +36,8 @@ struct ShapeMove {
 
   /** All of them, with a fraction of this one. */
   RigidMotion<D> moved(double fraction) const noexcept;
-  /** As RigidMove::place. */
+  /** Finds where a point is at a fraction of the motion, as RigidMove::place does: a PlaceFn whose `user` is this
+   * ShapeMove. */
   static void place(const void* user, uint32_t vertex, const double* from, double fraction, double* to) noexcept;
 };
 

@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "dartsweep/body.h"
 #include "dartsweep/contact.h"
-#include "sweep/star.h"
+#include "sweep/counts.h"
 
 namespace dsw {
 
@@ -31,6 +31,15 @@ struct MoveSettings {
            edge == Response::kAdaptiveSlide;
   }
 };
+
+/** Which vertices move, and in which order. */
+struct MoveOrder {
+  const uint32_t* vertices = nullptr;  // null: all living ones by index
+  size_t count = 0;
+};
+
+/** Where a vertex that was at `from` is at a fraction of a motion of the whole body. */
+using PlaceFn = void (*)(const void* user, uint32_t vertex, const double* from, double fraction, double* to);
 
 /** What a move leaves for the host to read. */
 struct MoveRecord {

@@ -147,8 +147,8 @@ dsw_body_contact VertexMove<D>::record_too_near(uint32_t v, const double* to, co
   return contact;
 }
 
-/** Of what is met of the environment, which may be null, and of other bodies. Returns the first. Notes what is under
- * the touching edge, if the response wants that. */
+/** Records what a vertex meets of the environment (`first`, which may be null) and of other bodies. Returns the contact
+ * that comes first. Notes what is under the touching edge, if the response wants that. */
 template <int D>
 dsw_body_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const StarContact* first,
                                                 const PairContact<D>& pair) {

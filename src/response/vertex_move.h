@@ -2,8 +2,11 @@
 // One vertex of a body on its way to a target, with the responses to what it meets [JCD10] 4.2.
 
 #include "base/vec.h"
+#include "body/body.h"
+#include "environment/environment.h"
 #include "response/settings.h"
 #include "response/touched_walls.h"
+#include "sweep/star.h"
 
 namespace dsw {
 

@@ -7,6 +7,7 @@
 
 #include "base/dimensions.h"
 #include "scene/distances.h"
+#include "scene/live_register.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
 #include "sweep/body_probe.h"

@@ -2,7 +2,7 @@
 // The bodies of a scene: their creation, changes and moves. Functions that throw do so before they change anything.
 
 #include "base/points.h"
-#include "response/body_move.h"
+#include "response/settings.h"
 #include "scene/near_rows.h"
 #include "scene/touch_history.h"
 

@@ -44,7 +44,7 @@ class Neighbours {
     if (!meet_ || !covers_faces(body_.level) || is_triangle_apart(partners_, body_, corners)) return;
     fail(DSW_STATUS_OCCUPIED, "triangle (%u, %u, %u) touches a body", c[0], c[1], c[2]);
   }
-  /** Of a part with these corners. */
+  /** Checks the distances of a new part with these corners. */
   void check_distances(std::initializer_list<uint32_t> corners) {
     ConvexHull hull;
     WayAlong from[3];

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/dimensions.h"
+#include "response/body_move.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
 

@@ -2,34 +2,10 @@
 // What a change of the topology leaves for the host to read, whatever made the change.
 
 #include "cutting/cut.h"
-#include "dartsweep/topology.h"
+#include "scene/change_results.h"
 #include "scene/edits.h"
 
 namespace dsw {
-
-/** The last change. */
-struct ChangeResults {
-  dsw_change numbers{};  // without its arrays
-  Array<dsw_volume_change> volumes;
-  Array<dsw_vertex_origin> vertices, body_vertices;
-  Array<dsw_cut_face> faces;
-  Array<dsw_volume_id> whole, carved, unrepaired, detached;
-  Array<dsw_face_origin> body_faces;
-
-  explicit ChangeResults(const Memory* memory)
-      : volumes(memory),
-        vertices(memory),
-        body_vertices(memory),
-        faces(memory),
-        whole(memory),
-        carved(memory),
-        unrepaired(memory),
-        detached(memory),
-        body_faces(memory) {}
-  /** As the host reads it. */
-  dsw_change change() const noexcept;
-  uint64_t memory_bytes() const noexcept;
-};
 
 /** What is told of a change besides its volumes. */
 struct Told {

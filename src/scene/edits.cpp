@@ -6,6 +6,7 @@
 
 #include "base/dimensions.h"
 #include "map/cell_queue.h"
+#include "scene/live_register.h"
 #include "scene/near_bodies.h"
 #include "scene/occupation.h"
 #include "sweep/body_probe.h"
@@ -94,7 +95,7 @@ class Followers {
   void finish() noexcept { count_looked_at(scene_, looked_at_); }
 
  private:
-  /** Of a particle, or of a vertex of a body. */
+  /** Where a particle, or a vertex of a body, is before and after the edit. */
   struct Location {
     uint32_t body, place;
     Cell before, after;

@@ -12,7 +12,7 @@ namespace dsw {
  * changed. O(what changes + particles and size of the bodies; what of them is near if the scene keeps that). */
 template <int D>
 void carry_out(Edit<D>& edit, Scene<D>* scene);
-/** The same with an edit that is prepared. */
+/** Carries out, as carry_out does, an edit that is already prepared. */
 template <int D>
 void carry_out_prepared(Edit<D>& edit, Scene<D>* scene);
 
@@ -21,8 +21,9 @@ struct Meanwhile {
   bool (*run)(void* user);
   void* user;
 };
-/** Likewise, with something done meanwhile unless that is null. Returns whether the change stays. Ids are the old ones
- * then: the cells that come have the indices that they will have, and the generations of those that had them. */
+/** Carries out an edit that is prepared, and runs `meanwhile` unless it is null. Returns whether the change stays. Ids
+ * are still the old ones while it runs: the cells that come have the indices that they will have, and the generations
+ * of those that had them. */
 template <int D>
 bool carry_out_prepared(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhile);
 

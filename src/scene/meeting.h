@@ -8,7 +8,7 @@ namespace dsw {
 /** Notes where a body is, after it has been made or has moved, if that is kept. Room has been made. */
 template <int D>
 void note_body(Scene<D>& scene, uint32_t slot) noexcept;
-/** The same, with bounds that fit again. */
+/** Notes where a body is, as note_body does, with bounds that fit the body tightly again. */
 template <int D>
 void settle_body(Scene<D>& scene, BodyRecord<D>& of) noexcept;
 
@@ -23,7 +23,7 @@ Box<D> reach_of(const Body<D>& body) noexcept;
 template <int D>
 void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners);
 
-/** Those of a body that stands still, within a limit. The body may not be in the scene yet. */
+/** Finds the bodies that a body at rest may meet within a limit. The body may not be in the scene yet. */
 template <int D>
 void find_partners_at_rest(const Scene<D>& scene, const Body<D>& body, double limit, Partners<D>& partners);
 
@@ -42,7 +42,8 @@ struct Islands {
   size_t count() const { return first.size() - 1; }
 };
 
-/** Of bodies that go to targets, which stand one after the other and begin at first_target. Throws std::bad_alloc. */
+/** Finds the islands of bodies that go to targets. The targets of a body follow each other and begin at its
+ * first_target. Throws std::bad_alloc. */
 template <int D>
 void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, PointArray targets,
                   const size_t* first_target, bool slides, Islands<D>& islands);

@@ -30,7 +30,7 @@ class NearBodies {
   /** By slot. */
   const Near* begin() const { return bodies_.data(); }
   const Near* end() const { return bodies_.data() + bodies_.size(); }
-  /** Of a body that is among them. */
+  /** The places of a body that is among these. */
   const Places<D>& places_of(uint32_t slot) const;
 
  private:

@@ -6,6 +6,8 @@
 #include "base/dimensions.h"
 #include "environment/marking.h"
 #include "locate/locate.h"
+#include "query/locations.h"
+#include "scene/live_register.h"
 #include "scene/scene.h"
 
 namespace dsw {
@@ -54,7 +56,7 @@ void check_places(const Scene<D>& scene, PointArray positions, size_t count, con
   }
 }
 
-/** Those in one cell. */
+/** Adds the particles in one cell to scene.occupants. */
 template <int D>
 void add_occupants(Scene<D>& scene, Cell cell) {
   scene.live.get()->particles.for_each(cell, [&](uint32_t slot) {

@@ -13,10 +13,6 @@
 #include "environment/environment.h"
 #include "query/report.h"
 #include "scene/bodies.h"
-#include "scene/cell_particles.h"
-#include "scene/deformation.h"
-#include "scene/gone_facets.h"
-#include "together/together_move.h"
 #include "walk/move.h"
 #include "walk/particle_state.h"
 
@@ -39,15 +35,14 @@ struct SceneFeatures {
   bool statistics = false, crossings = false, deforming = false, contacts = false, live = false;
 };
 
-/** What a scene keeps beside the boxes of its bodies to find who is where the environment changes. */
 template <int D>
-struct LiveRegister {
-  CellParticles particles;
-  GoneFacets<D> gone;
-
-  explicit LiveRegister(const Memory* memory) : particles(memory), gone(memory) {}
-  uint64_t memory_bytes() const { return sizeof(*this) + particles.memory_bytes() + gone.memory_bytes(); }
-};
+class BodyMove;
+template <int D>
+class TogetherMove;
+template <int D>
+struct Deformation;
+template <int D>
+struct LiveRegister;
 
 template <int D>
 struct Scene {
@@ -70,33 +65,21 @@ struct Scene {
   Array<BodyRecord<D>> bodies{memory};              // by slot
   SlotPool body_slots{memory};
   BoxGrid<D> body_boxes{memory};              // by slot, if bodies keep boxes
-  Owned<BodyMove<D>> mover{memory};           // if one has moved: what moves of single bodies keep from call to call
-  Owned<TogetherMove<D>> together{memory};    // likewise, of moves of all vertices at once
+  // Engines that are made when they are needed first. Sources that use one include its header.
+  Owned<BodyMove<D>> mover{memory};         // what moves of single bodies keep from call to call
+  Owned<TogetherMove<D>> together{memory};  // what moves of all vertices at once keep from call to call
   Array<uint32_t> offending{memory};          // pairs of vertices of edges that were found not free
   Owned<Deformation<D>> deformation{memory};  // if enabled
   Owned<LiveRegister<D>> live{memory};        // if enabled
 
-  Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted)
-      : env(environment), memory(source), parallel(sharing), features(wanted) {
-    if (features.live) live.make(source);
-    if (features.crossings) crossing_first.push_back(0);
-  }
+  Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted);
+  ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
   /** Whether the boxes of bodies and their parts are kept. */
   bool keeps_boxes() const { return features.contacts || features.live; }
-  uint64_t memory_bytes() const {
-    uint64_t of_bodies = array_bytes(bodies) + (mover.get() != nullptr ? sizeof(BodyMove<D>) : 0) +
-                         (together.get() != nullptr ? sizeof(TogetherMove<D>) : 0) + body_slots.memory_bytes() +
-                         body_boxes.memory_bytes() + array_bytes(offending);
-    for (const BodyRecord<D>& each : bodies) of_bodies += each.memory_bytes();
-    if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();
-    if (live.get() != nullptr) of_bodies += live.get()->memory_bytes();
-    return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
-           array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) +
-           array_bytes(occupants) + array_bytes(occupant_bodies) + of_bodies;
-  }
+  uint64_t memory_bytes() const;
 };
 
 struct FlightOptions {
@@ -143,14 +126,12 @@ void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t cou
 
 /** Notes the cell of a particle that has been put there, if that is kept. */
 template <int D>
-void note_particle(Scene<D>& scene, uint32_t slot) noexcept {
-  if (scene.features.live) scene.live.get()->particles.put(slot, scene.particles[slot].cell);
-}
+void note_particle(Scene<D>& scene, uint32_t slot) noexcept;
 
 /** Collects into scene.occupants the particles whose cell is among `cells`. Returns how many were looked at. */
 template <int D>
 size_t find_occupants(Scene<D>& scene, const Cell* cells, size_t count);
-/** The same for all cells with a region label. */
+/** Collects into scene.occupants the particles in all cells with a region label. Returns how many were looked at. */
 template <int D>
 size_t find_occupants_of_region(Scene<D>& scene, int32_t region);
 

@@ -3,6 +3,7 @@
 #include "base/vec.h"
 #include "contact/names.h"
 #include "cutting/start.h"
+#include "scene/deformation.h"
 #include "topology/operations.h"
 
 namespace dsw {

@@ -5,6 +5,7 @@
 #include "cutting/opening.h"
 #include "remesh/repair.h"
 #include "scene/change.h"
+#include "walls/settings.h"
 
 namespace dsw {
 

@@ -6,8 +6,11 @@
 #include "environment/moving.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
+#include "scene/deformation.h"
+#include "together/moving_walls.h"
 #include "together/place_on_way.h"
-#include "together/together_move.h"
+#include "together/settings.h"
+#include "together/whole_ways.h"
 
 namespace dsw {
 namespace {

@@ -2,8 +2,6 @@
 // An environment bends and bodies move, all at once.
 
 #include "scene/bodies.h"
-#include "together/moving_walls.h"
-#include "together/whole_ways.h"
 
 namespace dsw {
 

@@ -5,11 +5,12 @@
 #include "base/dimensions.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
+#include "together/together_move.h"
 
 namespace dsw {
 namespace {
 
-/** Of the islands: the bodies that do not move, for each that moves. */
+/** Leaves only bodies that stand still as partners of the islands. Refuses islands that can meet a thick body. */
 template <int D>
 void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Islands<D>& islands) {
   Array<bool> moves(scene.bodies.size(), false, scene.memory);

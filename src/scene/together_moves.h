@@ -2,7 +2,7 @@
 // Bodies of which all vertices move at once.
 
 #include "scene/bodies.h"
-#include "together/together_move.h"
+#include "together/settings.h"
 
 namespace dsw {
 

@@ -73,7 +73,7 @@ class BlockReader {
   BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_t* block, size_t size);
 
   const BlockHeader& header() const noexcept { return header_; }
-  /** Of the block's format. */
+  /** The format of the block. */
   uint32_t version() const noexcept { return version_; }
 
   /** The next section, whole. Throws std::bad_alloc too. */

@@ -3,6 +3,7 @@
 #include <initializer_list>
 
 #include "base/dimensions.h"
+#include "scene/live_register.h"
 #include "scene/scene.h"
 #include "snapshot/body_format.h"
 

@@ -11,14 +11,14 @@ namespace dsw {
 constexpr uint32_t kHistoryFormat = 3, kTouchedFormat = 4, kRadiusFormat = 5;
 
 struct SceneImage {
-  // Of the scene. The numbers are the counters of its statistics, then what its environment had of cells, indices and
-  // vertices.
+  // These arrays belong to the scene. The numbers are the counters of its statistics, then what its environment had of
+  // cells, indices and vertices.
   Array<uint64_t> numbers;
   Array<double> particle_places;
   Array<uint32_t> particles;  // cell and forecast
   Array<uint32_t> particle_slots, free_particles;
   Array<uint32_t> body_slots, free_bodies;
-  // Of its bodies, one after the other.
+  // These arrays belong to the bodies, one after the other.
   Array<uint64_t> bodies;  // see body_format.h
   Array<double> vertex_places;
   Array<uint32_t> vertices;  // cell and first edge
@@ -103,7 +103,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& 
 template <int D>
 class BodyReader {
  public:
-  /** Of an image in this format. */
+  /** Reads the bodies of an image that was written in this format. */
   BodyReader(const Environment<D>& env, const SceneImage& image, uint32_t format)
       : env_(env), image_(image), format_(format) {}
 

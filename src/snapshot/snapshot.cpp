@@ -36,13 +36,22 @@ enum Section {
   kShapeOffsets,
   kFreeRecords,
   kFreeShapes,
+  kParents,  // where cells were split: since version 4, in space 3
   kSectionCount
 };
 
-/** Those of the plane have been narrow since version 3; space has no reason to leave version 2. */
+/** Numbers of the plane's blocks have been narrow since version 3. The last version is written where cells were split, else the
+ * version before it. */
 template <int D>
-constexpr BlockKind kKind = {"DSWENV\x1a\n", D == 2 ? 3 : 2, 2, kSectionCount, {kSectionCount, kSectionCount}};
+constexpr BlockKind kKind = {"DSWENV\x1a\n", D == 2 ? 4 : 3, 2, kSectionCount, {kParents, kParents}};
+template <int D>
+constexpr BlockKind kUnsplitKind = {"DSWENV\x1a\n", D == 2 ? 3 : 2, 2, kParents, {kParents, kParents}};
 constexpr uint32_t kLastWideVersion = 2;
+
+template <int D>
+const BlockKind& kind_of(const Environment<D>& env) {
+  return env.parents.empty() ? kUnsplitKind<D> : kKind<D>;
+}
 constexpr uint32_t kHasTree = 1, kHasChanged = 2, kPointsMove = 4;
 constexpr uint64_t kMostUnits = uint64_t{1} << 28;
 
@@ -67,6 +76,7 @@ BlockHeader header_of(const Environment<D>& env) {
   h.bytes[kPoints] = uint64_t{map.vertex_count} * D * sizeof(double);
   h.bytes[kRegions] = bytes_of(env.regions);
   h.bytes[kTags] = bytes_of(env.tags);
+  h.bytes[kParents] = bytes_of(env.parents);
   h.bytes[kEdgeMarks] = env.edge_marks.size() * sizeof(uint64_t);
   h.bytes[kVertexMarks] = env.marked_vertices == 0 ? 0 : bytes_of(env.vertex_marks);
   h.bytes[kBox] = changed || moving ? sizeof env.lower + sizeof env.upper : 0;
@@ -99,14 +109,14 @@ void check_sizes(const BlockHeader& h, uint32_t unit_words) {
   if (h.bytes[kShapes] / sizeof(uint16_t) > UINT32_MAX) fail_corrupt("shapes: size");
   if (h.bytes[kPoints] != vertices * D * sizeof(double)) fail_corrupt("points: size");
   const uint64_t label_bytes = changed ? h.bytes[kCellUnits] : cells * sizeof(uint32_t);
-  for (const Section s : {kRegions, kTags}) {
+  for (const Section s : {kRegions, kTags, kParents}) {
     if (h.bytes[s] != 0 && h.bytes[s] != label_bytes) fail_corrupt("labels: size");
   }
   if (h.bytes[kVertexMarks] != 0 && h.bytes[kVertexMarks] != vertex_mark_words(vertices) * sizeof(uint64_t)) {
     fail_corrupt("marked vertices: size");
   }
   if (h.bytes[kBox] != (changed || moving ? 2 * D * sizeof(double) : 0)) fail_corrupt("box: size");
-  for (uint32_t s = kCellUnits; s < kSectionCount; ++s) {
+  for (uint32_t s = kCellUnits; s < kParents; ++s) {
     if (!changed && h.bytes[s] != 0) fail_corrupt("changes of what has not changed");
   }
   if (!changed) return;
@@ -279,7 +289,7 @@ void read_slots(BlockReader& reader, SlotPool& slots, const Memory* memory) {
 
 template <int D>
 size_t snapshot_bytes(const Environment<D>& env) {
-  return block_bytes(kKind<D>, header_of(env));
+  return block_bytes(kind_of(env), header_of(env));
 }
 
 template <int D>
@@ -290,7 +300,7 @@ void save(const Environment<D>& env, uint8_t* out) {
   edges.reserve(env.edge_marks.size());
   env.edge_marks.copy_sorted(edges);
 
-  BlockWriter writer(kKind<D>, h, D, out);
+  BlockWriter writer(kind_of(env), h, D, out);
   const auto write = [&](Section section, const auto* values) {
     writer.write(values, static_cast<size_t>(h.bytes[section] / sizeof(*values)));
     writer.end_section();
@@ -315,6 +325,7 @@ void save(const Environment<D>& env, uint8_t* out) {
   write(kShapeOffsets, map.shape_offsets.data());
   write(kFreeRecords, map.free_records.data());
   write(kFreeShapes, map.free_shapes.data());
+  if (!env.parents.empty()) write(kParents, env.parents.data());
   writer.finish();
 }
 
@@ -325,6 +336,8 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   const bool wide = D == 2 && reader.version() <= kLastWideVersion;
   check_sizes<D>(h, wide ? kWideUnitWords : kUnitWords<D>);
   const bool changed = (h.flags & kHasChanged) != 0, moving = (h.flags & kPointsMove) != 0;
+  const bool has_parents = reader.version() == kKind<D>.version;
+  if (has_parents && h.bytes[kParents] == 0) fail_corrupt("parents: size");
   Map<D>& map = env.map;
   map.is_as_created = !changed;
   map.vertex_count = h.counts[0];
@@ -345,6 +358,7 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   reader.read(map.shape_offsets);
   reader.read(map.free_records);
   reader.read(map.free_shapes);
+  if (has_parents) reader.read(env.parents);
   env.points = env.owned_points.data();
   const auto is_finite = [](double x) { return std::isfinite(x); };
   if (!moving && !std::all_of(env.owned_points.begin(), env.owned_points.end(), is_finite)) {

@@ -30,7 +30,7 @@ CastResult SimplexSweep<D>::cast_path(const Body<D>& body, uint32_t v, const dou
   return path;
 }
 
-/** Of an edge whose moving end meets a wall: that it meets nothing before. */
+/** Tells of an edge whose moving end meets a wall whether the edge is known to meet nothing before. */
 template <int D>
 Settled SimplexSweep<D>::settle_before_wall(const Body<D>& body, const EdgeSweep& sweep) const {
   const BodyVertex<D>& fixed = body.vertices[body.edges[sweep.e].other(sweep.v)];

@@ -6,6 +6,7 @@
 #include "body/body.h"
 #include "flood/box_probe.h"
 #include "flood/sweep.h"
+#include "sweep/counts.h"
 #include "sweep/known_edge.h"
 #include "sweep/touched_line.h"
 
@@ -19,11 +20,6 @@ struct FaceSweep {
   const double *q, *r;
   Cell q_cell, r_cell;
   bool reached = true;  // false: the path of v meets a wall
-};
-
-/** How many sweeps of edges were asked for, and how many of those were left out. */
-struct SweepCounts {
-  uint32_t swept = 0, skipped = 0;
 };
 
 /** Sweeps simplices; one for each thread. Throws std::bad_alloc. */
@@ -61,7 +57,7 @@ class SimplexSweep {
     return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls, ridge) : Settled::kNo;
   }
   Settled settle(const Body<D>& body, const FaceSweep& sweep) const;
-  /** The same for an edge that is known to lie, with what it sweeps, in a free box. */
+  /** Settles an edge that is known to lie, with what it sweeps, in a free box. */
   Settled settle_boxed(const Body<D>& body) {
     ++counts.swept;
     counts.skipped += body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
@@ -73,8 +69,8 @@ class SimplexSweep {
   bool passes(const Body<D>& body, const Sweep& sweep) {
     return settle(body, sweep) != Settled::kNo || is_free(body, sweep);
   }
-  /** The same of one that is not settled. At EDGES its new place is all that counts: the
-   * path of v is free. */
+  /** Tells whether a sweep that is not settled meets nothing. At EDGES only the edge's new place counts: the path of v
+   * is free. */
   bool is_free(const Body<D>& body, const EdgeSweep& sweep);
   bool is_free(const Body<D>& body, const FaceSweep& sweep);
 

@@ -33,7 +33,8 @@ class StarSweep {
   bool is_free(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
     return try_way(body, v, to, cell).end == SweepEnd::kFree;
   }
-  /** The same; says what was found first in the order path, edges, faces, partners, distances, which need not be met first. */
+  /** Tries whether vertex v can go to `to`, and says what was found. It looks in the order path, edges, faces,
+   * partners, distances; what it finds need not be what is met first. */
   StarTry try_way(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
     StarTry tried = try_walls(body, v, to, cell);
     if (tried.end == SweepEnd::kFree && !is_apart(body, v, to)) {

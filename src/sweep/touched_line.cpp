@@ -26,7 +26,8 @@ TouchedLines* lines_of(const Body<3>& body, uint32_t e, uint32_t v) noexcept {
   return slot < body.touched.size() ? &body.touched[slot] : nullptr;
 }
 
-/** The same, with room for it; null: there is no memory. */
+/** Gives the slot for what an edge has touched while one end moves, and makes it if there is none; null: there is no
+ * memory. */
 TouchedLines* make_lines(const Body<3>& body, uint32_t e, uint32_t v) noexcept {
   try {
     if (body.touched.size() < 2 * body.edges.size()) body.touched.resize(2 * body.edges.size());

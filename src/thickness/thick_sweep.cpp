@@ -69,7 +69,7 @@ double ThickSweep<D>::least_of(const Swept& swept, double wanted) noexcept {
   return swept.is_at_rest ? least_at_rest(wanted) : least_kept(wanted);
 }
 
-/** Of the parts at a vertex, those that no other one covers. */
+/** Visits the sweeps of the parts at a vertex that no other part covers. */
 template <int D>
 template <class Visit>
 bool ThickSweep<D>::for_each_swept(const Body<D>& body, uint32_t v, const double* to, Visit visit) const {

@@ -23,7 +23,7 @@ struct TooNear {
   Vec normal;                    // unit, from the obstacle to the part
   uint32_t partner = kNone;      // its number; kNone: the environment
   Simplex other{};               // its part
-  // Of the environment: corners, ascending, of which `weights` are those of the nearest point.
+  // The obstacle's corners, ascending, if it is of the environment; `weights` are those of its nearest point.
   uint32_t vertices[3] = {kNone, kNone, kNone};
   double weights[3] = {};
   HalfFacet facet;  // as NearObstacle
@@ -36,7 +36,7 @@ class ThickSweep {
  public:
   explicit ThickSweep(const Environment<D>& env) : env_(env), lists_(env, false), joined_(env.memory) {}
 
-  /** Of the body that is asked about: what is remembered of what is near. Null: nothing. */
+  /** What is remembered of the things near the body that is asked about. Null: nothing is remembered. */
   NearNotes<D>* notes = nullptr;
 
   /** Whether a body has distances to keep from anything. `partners` may be null, here and below. */
@@ -53,8 +53,8 @@ class ThickSweep {
   bool keeps_at_rest(const Partners<D>* partners, const Body<D>& body, const Simplex& part);
   /** Whether all parts do. */
   bool keep_at_rest(const Partners<D>* partners, const Body<D>& body);
-  /** The same of a part that the body does not have yet; `start` contains a point of it. `from`: what is joined to it,
-   * and how far along the body. */
+  /** Tells whether a part that the body does not have yet would keep its distances; `start` contains a point of the
+   * part. `from`: what is joined to the part, and how far along the body. */
   bool keeps_at_rest(const Partners<D>* partners, const Body<D>& body, const ConvexHull& part, Cell start,
                      const WayAlong* from, uint32_t from_count);
   /** Appends the walls that are too near to a part at rest, as facets that are seen from passable cells. */

@@ -1,5 +1,5 @@
-// As pairs/pair_sweep.cpp: edges against edges and vertices against faces find every first touch; in the plane vertices
-// against edges. Vertices without edges are edges of no length.
+// First touches are found as in pairs/pair_sweep.cpp: edges against edges and vertices against faces find every first
+// touch; in the plane vertices against edges. Vertices without edges are edges of no length.
 
 #include "together/body_ways.h"
 
@@ -153,8 +153,8 @@ void BodyWays<D>::find_solids(const Array<Traveller<D>>& travellers) {
   }
 }
 
-/** Of edges that share a vertex, the far ends can touch the other edge. In the plane vertices meet all edges anyhow. Both
- * ends of an edge that stands alone can touch each other; of other edges another one touches then, too. */
+/** If edges share a vertex, the far end of each can touch the other edge. In the plane vertices meet all edges anyhow.
+ * Both ends of an edge that stands alone can touch each other; of other edges another one touches then, too. */
 template <int D>
 void BodyWays<D>::find_hinges(const Array<Traveller<D>>& travellers) {
   for (uint32_t t = 0; t < travellers.size(); ++t) {

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/memory.h"
 #include "environment/marking.h"
 #include "walk/shear.h"
 

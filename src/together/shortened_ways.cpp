@@ -60,7 +60,7 @@ typename ShortenedWays<D>::End ShortenedWays<D>::run(Array<Traveller<D>>& travel
   return End::kRoundsOver;
 }
 
-/** Of all that is new, by time. */
+/** Finds all touches that are new, and sorts them by time. */
 template <int D>
 void ShortenedWays<D>::find_touches(const Array<Traveller<D>>& travellers) {
   touches_.clear();

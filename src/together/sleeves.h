@@ -20,8 +20,8 @@ class Sleeves {
   Answer ask(const Traveller<D>& of, uint32_t edge, const double* const (&places)[2], bool are_ends);
   /** What the last edge may touch. */
   Touchables<D> features() const noexcept { return rings_.features(); }
-  /** Of the last edge: its sequence becomes that of the ends of its ways, if a few turns are enough. Nothing is done if an
-   * end is blocked. */
+  /** Takes the last edge on: its sequence becomes that of the ends of its ways, if a few turns are enough. Nothing is
+   * done if an end is blocked. */
   void go_on(const Traveller<D>& of, uint32_t edge);
 
   CastCounters* counters = nullptr;

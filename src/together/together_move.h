@@ -1,19 +1,11 @@
 #pragma once
 // Bodies of which all vertices move at once, until something is touched.
 
+#include "together/settings.h"
 #include "together/shortened_ways.h"
 #include "together/whole_ways.h"
 
 namespace dsw {
-
-/** Who stops at a contact; see dsw_together_stop. */
-enum class TogetherStop : uint32_t { kAll, kIsland, kFeature };
-
-struct TogetherSettings {
-  TogetherStop stop = TogetherStop::kAll;
-  uint32_t rounds = 64;           // most rounds of kFeature
-  uint32_t kilo_products = 8192;  // most work for each vertex, in thousands of PairWork's products
-};
 
 /** Moves bodies; one for each thread. */
 template <int D>

@@ -54,8 +54,9 @@ bool WholeWays<D, Walls>::is_free(Array<Traveller<D>>& travellers) {
   return walls.is_free(travellers) && bodies.is_free(travellers);
 }
 
-/** Of what touches the environment, drops edges and faces with a corner or a side that touches it at the same time. These
- * may go on as soon as that corner has stopped. If they touch something else, too, the next round finds that. */
+/** Drops those touches of the environment by edges and faces of which a corner or a side touches it at the same time.
+ * Such edges and faces may go on as soon as that corner has stopped. If they touch something else, too, the next round
+ * finds that. */
 template <int D, class Walls>
 void WholeWays<D, Walls>::drop_covering(const Array<Traveller<D>>& travellers) {
   using Name = std::tuple<uint32_t, uint32_t, uint32_t>;

@@ -10,7 +10,7 @@ namespace dsw {
 
 constexpr uint32_t kNoPair = 0xffffffffu;
 
-/** Of one facet: seldom more than a dozen. */
+/** The vertices of one facet: seldom more than a dozen. */
 using Vertices = ShortArray<uint32_t, 12>;
 
 /** One facet. Vertices are those of the environment. A side of the plane's polygons has its two ends for a loop, in the
@@ -46,6 +46,7 @@ struct CellDraft {
   bool marked = false;
   int32_t region = 0;
   uint32_t tag = 0;
+  uint32_t parent = kNoCell;  // of `from`; set when the edit is prepared
 
   explicit CellDraft(const Memory* memory) : facets(memory), also(memory) {}
 };
@@ -71,7 +72,7 @@ bool cut_alike(const FacetDraft& a, const FacetDraft& b);
 /** Gives a facet the triangles of the one that it faces. */
 void cut_like(FacetDraft& facet, const FacetDraft& other);
 
-/** The same facet seen from the other side. */
+/** Gives a facet as it is seen from the other side. */
 FacetDraft turned(const FacetDraft& facet);
 
 /** The part of a facet's loop from one of its vertices to another, without triangles. */
@@ -80,7 +81,8 @@ FacetDraft part_of(const FacetDraft& whole, uint32_t from, uint32_t to);
 bool share_triangles(const FacetDraft& whole, FacetDraft& a, FacetDraft& b);
 /** Puts a vertex between two neighbours of a facet's loop, into the triangle there; whether they are neighbours. */
 bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle);
-/** Likewise, for the two facets at a dart of the cell that was drafted, if the draft has its facets in their order. */
+/** Puts a vertex on an edge of a draft: into the two facets at a dart of the cell that was drafted. The draft has the
+ * cell's facets in their order. */
 void insert_vertex(CellDraft& draft, const Shape& shape, uint32_t dart, uint32_t a, uint32_t b, uint32_t middle);
 /** Puts a vertex on the edge that joins two vertices, if the cell has it; in the plane a side, which becomes two. */
 void insert_vertex(CellDraft& draft, uint32_t a, uint32_t b, uint32_t middle);

@@ -440,6 +440,8 @@ void Edit<D>::reserve_labels() {
       env_.regions, [](const CellDraft& draft) { return draft.region; }, made_regions_);
   reserve(
       env_.tags, [](const CellDraft& draft) { return draft.tag; }, made_tags_);
+  for (CellDraft& draft : drafts_) draft.parent = draft.from.valid() ? env_.parent(draft.from) : kNoCell;
+  if (!env_.parents.empty()) reserve_more(env_.parents, fresh_);
 }
 
 template class Edit<2>;

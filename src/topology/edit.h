@@ -38,7 +38,8 @@ class Edit {
   CellDraft* find_draft(Cell c);
   /** A vertex with this position. Throws BORROWED where points are the host's without room for it. */
   uint32_t add_vertex(const double* position);
-  /** Likewise, at `share` of the way along an edge; the edge's mark goes to both of its parts. */
+  /** Adds a vertex at `share` of the way along an edge from a to b; the edge's mark goes to both of its parts. Throws
+   * BORROWED as above. */
   uint32_t add_vertex(uint32_t a, uint32_t b, double share);
   /** Links of cells that stay: the half-facet leads to another (which is told separately) or to the outside. */
   void set_link(HalfFacet h, HalfFacet to, bool marked);

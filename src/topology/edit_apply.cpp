@@ -102,6 +102,7 @@ void Edit<D>::finish() noexcept {
     if (index < map_.unit_of_cell.size()) continue;
     map_.unit_of_cell.push_back(kNoCell);
     if (!env_.regions.empty()) env_.regions.push_back(0);
+    if (!env_.parents.empty()) env_.parents.push_back(kNoCell);
     if (!env_.tags.empty()) env_.tags.push_back(0);
   }
   for (const Cell c : removed_) map_.unit_of_cell[map_.index(c)] = kNoCell;
@@ -112,6 +113,7 @@ void Edit<D>::finish() noexcept {
     env_.index.add(index);
     if (draft.from.valid() && map_.index(draft.from) == index) map_.cell_slots.renew(index);
     if (!env_.regions.empty()) env_.regions[index] = draft.region;
+    if (!env_.parents.empty()) env_.parents[index] = draft.parent;
     if (!env_.tags.empty()) env_.tags[index] = draft.tag;
     env_.marked_cells += draft.marked ? 1u : 0u;
     const SlotPool::Slot after{index, map_.cell_slots.generation(index)};

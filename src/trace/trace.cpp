@@ -28,7 +28,7 @@ class Addition {
   Addition(const Addition&) = delete;
   Addition& operator=(const Addition&) = delete;
 
-  /** Of the plane with 0 as its third coordinate. */
+  /** Adds a point; a point of the plane gets 0 as its third coordinate. */
   template <int D>
   uint32_t point(const double* p) {
     const size_t index = trace_.point_count();

@@ -52,7 +52,7 @@ struct VerticesAbreast {
   }
 };
 
-/** Of cells that are convex with flat facets. */
+/** The looks of cells that are convex with flat facets, side by side. */
 struct Sides {
   uint32_t looks[kAbreast];  // words of Looks
   uint32_t one;              // a bit for each cell with q outside of exactly one facet

@@ -1,6 +1,6 @@
 // Cells where points have moved: whether they may be entered, and what is asked of the memory before.
 
-/** As known_of. `apex`: the cell's centre. */
+/** Finds what known_of finds; `apex` is the cell's centre. */
 template <int D>
 CheckedCells::Known known_with_centre(const Environment<D>& env, Cell c, const double* apex) noexcept {
   const uint32_t index = env.map.index(c);
@@ -31,14 +31,14 @@ DSW_HOT bool find_out_cuboid(const Environment<D>& env, Cell c) noexcept {
   return true;
 }
 
-/** As admits; gives the cell's centre, too. */
+/** Tells whether a cell admits a cast, as `admits` does, and gives the cell's centre. */
 template <int D>
 bool admits_with_centre(const Environment<D>& env, Cell c, double* apex) noexcept {
   centre(env, c, apex);
   return !env.has_moved() || CheckedCells::is_valid(known_with_centre(env, c, apex));
 }
 
-/** As known_of, with the lanes of this walk. */
+/** Finds what known_of finds, with the lanes of this walk. */
 template <int D>
 DSW_NOINLINE CheckedCells::Known known_moving(const Environment<D>& env, Cell c) noexcept {
   const CheckedCells::Known known = env.checked.known(env.map.index(c));

@@ -1,6 +1,6 @@
 // Hexahedra that need not be convex, kAbreast casts at a time, a lane for each: the signs of box.inl bit for bit.
 
-/** Of boxes that need not be convex: BoxExits. */
+/** The BoxExits of boxes that need not be convex, side by side. */
 struct WarpedBoxExits {
   uint32_t sure;             // a bit for each box for which the filter settled all that matters
   uint32_t one;              // a bit for each such box of which one facet is pierced outwards

@@ -10,7 +10,7 @@
 namespace dsw {
 namespace {
 
-// Those that this library has; a kernel that it has not is never chosen.
+// The walks that this library has; a kernel that it does not have is never chosen.
 constexpr const Walk<3>* kSpaceWalks[] = {
     &kPortableWalk,
 #if DSW_X86_64

@@ -71,8 +71,8 @@ CastResult cast(const Environment<D>& env, const double* from, const double* to,
 
 constexpr uint32_t kPacket = 128;  // most casts that run side by side
 
-/** The same for `count` <= kPacket casts, which together take half the time or less. Results and counters do not depend
- * on how casts are grouped. */
+/** Casts `count` <= kPacket segments, which together take half the time of single casts or less. Results and counters
+ * do not depend on how casts are grouped. */
 template <int D>
 void cast_side_by_side(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
                        CastCounters* counters) noexcept;
@@ -90,7 +90,8 @@ bool contains(const Environment<D>& env, Cell cell, const double* point) noexcep
 template <int D>
 bool sees_all(const Environment<D>& env, Cell cell, const double* point, CastCounters* counters) noexcept;
 
-/** As `admits`; gives the cell's centre, too. Looking at a hexahedron of moving points takes half the time. */
+/** Tells whether a cell admits a cast, as `admits` does, and gives the cell's centre. Looking at a hexahedron of moving
+ * points takes half the time. */
 template <int D>
 bool admits_with_centre(const Environment<D>& env, Cell cell, double* centre) noexcept;
 

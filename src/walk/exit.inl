@@ -151,8 +151,8 @@ class ExitFinder {
 
   // Cells that are convex with flat facets: one plane a facet, and p is inside all of them.
 
-  /** Of two facets that share a ridge and both have q outside: whether the segment passes it on the side of f. 0: they
-   * share none. For the same forms. */
+  /** Tells of two facets that both have q outside whether the segment passes their common ridge on the side of f. 0:
+   * the facets share no ridge. The cell is a tetrahedron, a pyramid or a box. */
   DSW_HOT int keeps(Cell c, uint32_t f, uint32_t g) noexcept {
     const uint32_t* w = map_.record(c);
     const Form form = form_of(w[0]);
@@ -260,8 +260,8 @@ class ExitFinder {
     return best.exit;
   }
 
-  /** Of the triangles that the line pierces outwards: a segment that is in the cell can leave it nowhere else, so of a
-   * single one nothing but the target is asked. */
+  /** Finds the exit among the triangles that the line pierces outwards. A segment in the cell can leave it nowhere
+   * else, so if there is a single triangle, only the target is asked about it. */
   DSW_HOT Exit exit_along(Cell c, const CastLine& line, const Entry& entry) noexcept {
     const uint32_t pierced = line.pierced;
     if (DSW_UNLIKELY((pierced & (pierced - 1)) != 0)) return apart().earliest_of(c, pierced, entry);

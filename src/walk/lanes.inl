@@ -38,7 +38,7 @@ inline Lanes operator+(Lanes a, Lanes b) noexcept { return {_mm512_add_pd(a.v, b
 inline Lanes operator-(Lanes a, Lanes b) noexcept { return {_mm512_sub_pd(a.v, b.v)}; }
 inline Lanes operator*(Lanes a, Lanes b) noexcept { return {_mm512_mul_pd(a.v, b.v)}; }
 
-/** Of two points side by side. */
+/** Takes the larger extent of two points that stand side by side, component by component. */
 inline Extent larger_extent(__m512d m) noexcept {
   const __m256d half = _mm256_max_pd(_mm512_castpd512_pd256(m), _mm512_extractf64x4_pd(m, 1));
   const __m128d xy = _mm256_castpd256_pd128(half);

@@ -60,7 +60,7 @@ class LineWalk<3> {
  private:
   static constexpr uint32_t kInUnit = kUnitWords<3> - 1;
 
-  /** Of the tetrahedron that a cast is in. */
+  /** The record of the tetrahedron that a cast is in. */
   const uint32_t* record(uint32_t slot) const noexcept { return map_.words.data() + (through_[slot] & ~kInUnit); }
   static uint32_t local(uint32_t facet) noexcept { return local_in_tetrahedron({facet}); }
 

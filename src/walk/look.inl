@@ -10,7 +10,7 @@ struct Exit {
 enum class LookKind : uint8_t { kNothing, kPlanes, kBox, kLines };
 constexpr uint8_t kNotKnown = 0xff;
 
-/** Of a tetrahedron, a pyramid and a box, by facet. */
+/** The first simplex of each facet of a tetrahedron, a pyramid and a box. */
 constexpr uint8_t kFirstSimplices[3][6] = {{0, 1, 2, 3}, {0, 2, 3, 4, 5}, {0, 2, 4, 6, 8, 10}};
 
 /** A facet of a cell of these forms: links end its first unit. */
@@ -22,13 +22,14 @@ HalfFacet linked_facet(Cell c, uint32_t facet_count, uint32_t facet) {
 /** What the planes of a cell say about the target, or its triangles about the line. */
 class Look {
  public:
-  /** Of a tetrahedron, a pyramid or a box: facets with the target outside, or kNotSettled or more. */
+  /** Makes the look of a tetrahedron, a pyramid or a box: `outside` has the facets with the target outside, or is
+   * kNotSettled or more. */
   static Look of_planes(uint32_t outside, uint32_t facet_count, bool is_far = false) {
     return Look(outside | of_cell(facet_count) | (is_far ? kFlag : 0));
   }
   /** The word of such a look without facets and flag. */
   static constexpr uint32_t of_cell(uint32_t facet_count) { return word(facet_count, LookKind::kPlanes); }
-  /** Of a box that need not be convex. */
+  /** Makes the look of a box that need not be convex. */
   template <class Tally>
   static Look of_box(const BoxExits& exits, Tally& tally) {
     tally.tests(12 + 4 * bit_count(exits.candidates));
@@ -44,7 +45,7 @@ class Look {
   }
   /** This look of a box, but with several exits. */
   Look with_several() const { return Look(word_ & ~kFlag); }
-  /** Of a polyhedron. `is_settled`: the filter settled all triangles. */
+  /** Makes the look of a polyhedron. `is_settled`: the filter settled all triangles. */
   static Look of_lines(bool stays, bool is_settled) {
     return Look((stays ? 0 : kNotKnown) | word(0, LookKind::kLines) | (is_settled ? kFlag : 0));
   }
@@ -58,28 +59,28 @@ class Look {
   /** False for planes side by side of which the filter left some open: ask again. */
   bool is_settled() const { return kind() != LookKind::kPlanes || facets() < kNotSettled; }
 
-  /** Of planes: how many facets the cell has. */
+  /** How many facets the cell has; for looks of planes. */
   uint32_t facet_count() const { return word_ >> 8 & 0xffu; }
-  /** Of planes: a facet and its first simplex. */
+  /** Gives the exit by a facet, through its first simplex; for looks of planes. */
   Exit exit_by(uint32_t facet) const { return {facet, kFirstSimplices[facet_count() - 4][facet]}; }
-  /** Of planes, those of a tetrahedron: as simplex.inl says. */
+  /** Tells whether the target of a cast in a tetrahedron is far away, as simplex.inl says; for looks of planes. */
   bool is_far() const { return has_flag(); }
-  /** Of planes: a facet of the cell. */
+  /** Gives a facet of the cell; for looks of planes. */
   template <int D>
   HalfFacet half_facet(Cell c, uint32_t facet) const {
     return linked_facet<D>(c, facet_count(), facet);
   }
 
-  /** Of a box: at most one facet is pierced, for certain. */
+  /** At most one facet is pierced, for certain; for looks of boxes. */
   bool has_one_exit() const { return has_flag(); }
-  /** Of a box with one exit. */
+  /** Gives the exit of a box that has one exit. */
   Exit exit_of_box() const {
     const uint32_t f = lowest_bit(facets());
     return {f, 2 * f + is_second(f)};
   }
-  /** Of a box: whether a facet is pierced through its second triangle. */
+  /** Tells whether a facet of a box is pierced through its second triangle. */
   uint32_t is_second(uint32_t facet) const { return word_ >> (8 + facet) & 1u; }
-  /** Of lines: the filter settled all triangles. */
+  /** The filter settled all triangles; for looks of lines. */
   bool is_sure() const { return has_flag(); }
 
   static constexpr uint32_t kFlag = 1u << 24;  // of planes is_far, of boxes has_one_exit, of lines is_sure

@@ -54,7 +54,7 @@ class ConvexPolygon {
     return line_side<2>(p_, q_, &vertex, tally_).sign > 0;
   }
 
-  /** Of `count` sides in a row, from `first` on, the one that the line leaves through. */
+  /** Finds the side that the line leaves through among `count` sides in a row, from `first` on. */
   uint32_t pierced(uint32_t first, uint32_t count) noexcept {
     while (count > 1) {
       const uint32_t half = count / 2, middle = (first + half) % size_;

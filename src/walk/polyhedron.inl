@@ -182,7 +182,8 @@ DSW_NOINLINE inline LineExits line_exits(const Environment<3>& env, const uint32
   return line_exits_of<kMostCorners, kMostTriangles>(env, w, shape, line);
 }
 
-/** Of 16 triangles, three 16-bit numbers each: the pair that a corner is in, and how far it is shifted there. */
+/** Picks the corners of 16 triangles, three 16-bit numbers each: `pair` is the pair that a corner is in, and `shift`
+ * how far it is shifted there. */
 struct CornerPicks {
   alignas(64) int32_t pair[3][16] = {}, shift[3][16] = {};
 
@@ -201,7 +202,7 @@ DSW_HOT __m512 side(__m512 ai, __m512 aj, __m512 bi, __m512 bj) noexcept {
   return _mm512_sub_ps(_mm512_mul_ps(ai, bj), _mm512_mul_ps(aj, bi));
 }
 
-/** As line_exits, from local points. */
+/** Computes line_exits from local points. */
 DSW_NOINLINE inline LineExits near_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
                                          const Shear& line) noexcept {
   const uint32_t vertices = shape.vertex_count(), count = shape.simplex_count();
@@ -276,7 +277,7 @@ DSW_NOINLINE inline LineExits line_exits(const Environment<3>& env, const uint32
   return exits;
 }
 
-/** As line_exits, from local points. */
+/** Computes line_exits from local points. */
 DSW_NOINLINE inline LineExits near_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
                                          const Shear& line) noexcept {
   const uint32_t count = shape.vertex_count();

@@ -20,7 +20,7 @@ constexpr RidgesBySet ridges_by_set(const RidgeTable<Facets>& ridges, uint32_t f
   }
   return table;
 }
-/** Of cells with four, five and six facets. */
+/** The ridges of cells with four, five and six facets. */
 constexpr RidgesBySet kRidgesBySet[3] = {ridges_by_set(kTetrahedronRidges, 0),
                                          ridges_by_set(kPyramidRidges, kUnitWords<3>),
                                          ridges_by_set(kBoxRidges, kUnitWords<3>)};

@@ -48,7 +48,7 @@ class Shear {
    * for all. */
   void pass(const Point& a, const Point& b) noexcept { lowest_ = std::min(lowest_, side(a, b)); }
 
-  /** Of all tests, and of all components of points. */
+  /** The lowest side of all tests, and the largest component of all points. */
   double lowest() const noexcept { return lowest_; }
   double largest() const noexcept { return largest_; }
 
@@ -68,7 +68,7 @@ class Shear {
   bool turned() const noexcept { return turned_; }
   /** The axes i, j and k by their order: 0 1 2 is order 4. */
   int order() const noexcept { return 2 * k_ + (turned_ ? 1 : 0); }
-  /** Those of i and j, one after the other. */
+  /** The slopes along i and j, one after the other. */
   const double* slopes() const noexcept { return slopes_; }
 
  private:

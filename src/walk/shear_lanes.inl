@@ -28,7 +28,7 @@ class ShearLanes {
     return missed;
   }
 
-  /** As Shear::passed_all after `missed` has found none. In range no number is undefined. */
+  /** Tells what Shear::passed_all tells, after `missed` has found no triangle. In range no number is undefined. */
   bool pass_all(const FacetSpan<3>& triangles) const noexcept {
     const size_t count = triangles.size();
     const Corner corners[3] = {corner(triangles, 0), corner(triangles, 1), corner(triangles, 2)};
@@ -78,7 +78,7 @@ class ShearLanes {
   Points read_some(const Corner& corner, Mask these) const noexcept {
     return shear(Lanes::load(corner.i, these), Lanes::load(corner.j, these), Lanes::load(corner.k, these));
   }
-  /** Of fewer triangles than lanes: the others count as passed, by nothing. */
+  /** Tests fewer triangles than there are lanes: the other lanes count as passed, by nothing. */
   uint64_t some_missed(const Corner (&corners)[3], size_t count) noexcept {
     const auto these = Lanes::first(count);
     const Points a = read_some(corners[0], these), b = read_some(corners[1], these), c = read_some(corners[2], these);

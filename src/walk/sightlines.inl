@@ -16,9 +16,9 @@ class Sightlines {
     uint32_t leaves, stays;
   };
 
-  /** Of kAbreast casts: p -> q, and the triangles that they came in through, the corners of each counter-clockwise seen
-   * from where the cast comes. `vertex(lane, corner)` is a corner's number. @return for which of them the
-   * filter proves that the line passes the triangle. */
+  /** Starts kAbreast casts p -> q in the triangles that they came in through, whose corners are counter-clockwise seen
+   * from where the cast comes. `vertex(lane, corner)` is a corner's number.
+   * @return for which of them the filter proves that the line passes the triangle. */
   template <class From, class To, class Vertex>
   DSW_HOT uint32_t start(uint32_t first, const double* points, From from, To to, Vertex vertex) noexcept {
     const PointsOf<Row> p = load_points(from), q = load_points(to);
@@ -73,8 +73,8 @@ class Sightlines {
     put(kTipI, first, tip.i), put(kTipJ, first, tip.j), put(kTipZ, first, tip.z);
   }
 
-  /** Of kAbreast slots that have read: what the new vertices say. Then each slot holds the facet that its cast leaves
-   * through. */
+  /** Tells what the new vertices of kAbreast slots say, after the slots have read. Then each slot holds the facet that
+   * its cast leaves through. */
   DSW_HOT Steps step(uint32_t first) noexcept {
     const Corner tip = {get(kTipI, first), get(kTipJ, first), get(kTipZ, first)};
     const Row largest = get(kLargest, first), bound = side_bound(largest), minus_bound = Row::all(0) - bound;

@@ -5,7 +5,7 @@
 
 namespace dsw {
 
-/** As standard_shape has them. */
+/** The corners of a tetrahedron's facets, as standard_shape has them. */
 constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
 /** The vertex that each of them has not. */
 constexpr uint8_t kTetrahedronTips[4] = {2, 0, 1, 3};

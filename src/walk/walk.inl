@@ -31,7 +31,7 @@ constexpr uint32_t kAbreast = 2;
  * are not noted. */
 inline uint64_t visit_bit(Cell c) { return uint64_t{1} << ((c.unit * 0x9e3779b1u) >> 26); }
 
-/** As Map::convex, by word 0 of a record and the map's bit. */
+/** Tells what Map::convex tells, by word 0 of a record and the map's bit. */
 inline bool is_convex(uint32_t word, uint32_t convex_bit) {
   return form_of(word) == Form::kSimplex || (word & convex_bit) != 0;
 }

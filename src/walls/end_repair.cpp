@@ -144,7 +144,7 @@ bool EndRepair<D>::find_way(const Body<D>& body, uint32_t edge, Way* way) const 
   }
   const Vec line = unit(difference<D>(q->position, p->position));
   normal = across(normal, line);
-  // Of normals that are opposite but for rounding nothing is left that means anything.
+  // If the normals are opposite but for rounding, nothing meaningful is left of their sum.
   if (!(length(normal) > 0x1p-20)) normal = across(unit(motion), line);
   normal = unit(normal);
   if (is_zero(normal)) return true;

@@ -7,7 +7,7 @@
 
 namespace dsw {
 
-/** As point_at, but at both ends to the bit. */
+/** Finds the point at a fraction of the way as point_at does, and gives both ends of the way to the bit. */
 template <int D>
 inline void point_on_way(const double* start, const double* target, double fraction, double* out) noexcept {
   if (fraction == 0 || fraction == 1) {
@@ -17,7 +17,8 @@ inline void point_on_way(const double* start, const double* target, double fract
   }
 }
 
-/** Those near bodies are taken there step by step; all others are there at once: nobody looks at them on the way. */
+/** Points near bodies are taken along their ways step by step. All others are at the end at once: nobody looks at them
+ * on the way. */
 template <int D>
 class MovingPoints {
  public:

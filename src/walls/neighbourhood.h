@@ -46,12 +46,12 @@ class Neighbourhood {
   void note_point(const Feature& point) { note(cell_of(all_, point), point); }
   /** Traces and notes a body's edges and faces at a vertex, and itself. Whether all are free. */
   bool note_vertex(uint32_t owner, uint32_t v);
-  /** The same of a whole body, each part once. */
+  /** Traces and notes a whole body, each edge and face once. Whether all are free. */
   bool note_body(uint32_t owner);
   /** Lets the cells be entered that can be reached from those of a feature through passable
    * facets without leaving a box; whether there are any that could not. */
   bool open_reach(const Feature& feature, const Box<D>& box);
-  /** The same for all parts of a thick body at a vertex, and what comes near them when the vertex goes to a target. */
+  /** Opens the reach, as open_reach does, of each part of a thick body at a vertex, also round the vertex's target. */
   void open_ways(uint32_t owner, uint32_t v, const double* target);
 
   uint64_t memory_bytes() const noexcept;

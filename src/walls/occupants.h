@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "body/simplices.h"
+#include "pairs/partners.h"
 #include "response/settings.h"
 #include "walk/particle_state.h"
 
@@ -68,7 +69,7 @@ struct Feature {
   bool is_point() const { return kind <= kVertex; }
 };
 
-/** Of a body. */
+/** The simplex of a body that a feature is. */
 inline Simplex simplex_of(const Feature& feature) {
   return {static_cast<Simplex::Kind>(feature.kind - Feature::kVertex), feature.index};
 }

@@ -4,6 +4,7 @@
 // this we try a few, each verified as it is.
 
 #include "base/vec.h"
+#include "sweep/star.h"
 #include "walls/neighbourhood.h"
 #include "walls/wall_sweep.h"
 

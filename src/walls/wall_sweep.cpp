@@ -25,7 +25,7 @@ bool are_apart(const double* const* a, int count_a, const double* const* b, int 
 /** Whether a body point, shifted, lies inside of D + 1 points of the environment; a flat one holds nothing. */
 template <int D>
 bool is_inside(const double* const (&simplex)[D + 1], const double* x) noexcept {
-  // Of a corner against the others in their order: it turns round from each corner to the one before.
+  // The side of a corner against the other corners in their order changes from each corner to the one before.
   int side = orient<D>(simplex, simplex[D]);
   if (side == 0) return false;
   for (int corner = D; corner >= 0; --corner, side = -side) {
@@ -131,7 +131,7 @@ void WallSweep<D>::add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t f
   }
 }
 
-/** Those that are impassable by their own marks. */
+/** Adds the ridges that are impassable by their own marks. */
 template <int D>
 void WallSweep<D>::add_lone_ridges(const Array<Cell>& star) {
   if constexpr (D == 2) {

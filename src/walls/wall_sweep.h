@@ -17,8 +17,8 @@ struct WallHit {
   HalfFacet wall;                       // impassable; invalid for a marked edge and a marked vertex
   Cell cell;                            // at the wall, the edge or the vertex
   uint32_t others[2] = {kNone, kNone};  // with the vertex the part of the wall that touches; kNone beyond that
-  // Of a thick body that the wall comes too near to: weights of the feature's corners, and the direction out of the
-  // wall. Else no weights.
+  // If the wall comes too near to a thick body: weights of the feature's corners, and the direction out of the wall.
+  // Otherwise the weights are 0.
   double shares[3] = {};
   double normal[3] = {};
 

@@ -19,20 +19,12 @@ import judge
 
 NEEDED = "README.md"
 MADE = re.compile(r"(?:build|out)[\w-]*(?:/|$)|_core\.py$")
-SKIPPED = re.compile(r"\.git|build.*|out|node_modules|__pycache__|\.\w+_cache")
 LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?[^)]*\)|^\[[^\]]+\]:\s*(\S+)|\b(?:href|src)=[\"']([^\"']*)[\"']", re.M)
 PATH = re.compile(r"(?<![\w/.$}*-])(?:abi|bindings|examples|include|src|tests)/[\w./*<>{},+-]*[\w/*>}]")
 SOURCE = re.compile(r"(?:`|<code>)((?:[\w.*-]+/)*(?:[\w*-][\w.*-]*\.(?:h|hpp|inl|c|cpp|i|py|sh|cmake|ini|md)|[\w*-]+/))(?:`|</code>)")
 CODE = re.compile(r"<code>[^\n]*?</code>|`[^`\n]*`")
 ELSEWHERE = re.compile(r"\w+:|[{/]|$")  # of the web, of a template, of nothing
 JUDGED = re.compile(r"^(?!abi/clients/).*(?:\.(?:h|hpp|inl|c|cpp|i|cmake)|CMakeLists\.txt)$")
-
-
-def files_of(root):
-    for folder, folders, names in os.walk(root):
-        folders[:] = [name for name in folders if not SKIPPED.fullmatch(name)]
-        for name in names:
-            yield pathlib.Path(folder, name).relative_to(root).as_posix()
 
 
 def patterns(path):
@@ -44,13 +36,13 @@ def patterns(path):
 
 
 def anchors(text):
-    """Of the headings of a page in Markdown, as they are made on GitHub."""
+    """The anchors of the headings of a page in Markdown, as they are made on GitHub."""
     headings = re.findall(r"^#+\s+(.*?)\s*$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), re.M)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings} | set(re.findall(r"\bid=\"([^\"]+)\"", text))
 
 
 def violations(root):
-    files = set(files_of(root))
+    files = set(judge.files_of(root))
     known = files | {parent.as_posix() for file in files for parent in pathlib.PurePosixPath(file).parents}
     below = {"/" + path for path in known}
 

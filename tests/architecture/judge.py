@@ -1,7 +1,19 @@
 """What scripts have in common that judge the sources of a tree, or small bad trees with --self-test."""
+import os
 import pathlib
+import re
 import sys
 import tempfile
+
+MADE = re.compile(r"\.git|build.*|out|obj|bin|target|node_modules|__pycache__|\.\w+_cache")
+
+
+def files_of(root):
+    """The paths of all files of a tree, but for what builds make."""
+    for folder, folders, names in os.walk(root):
+        folders[:] = [name for name in folders if not MADE.fullmatch(name)]
+        for name in names:
+            yield pathlib.Path(folder, name).relative_to(root).as_posix()
 
 
 def test_itself(violations, trees):

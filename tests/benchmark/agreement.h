@@ -16,7 +16,7 @@ struct Tolerance {
   double relative = 0.0;  // of a wall's edges: what its triangle test lets in on purpose
 };
 
-/** Of the peers, by the first word of their names. */
+/** Gives the tolerance of a peer, by the first word of its name. */
 Tolerance tolerance_of(const std::string& peer, const WallMesh& walls);
 
 class Agreement {

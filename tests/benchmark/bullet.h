@@ -16,7 +16,7 @@ enum class BulletKind {
 
 std::unique_ptr<Engine> make_bullet(BulletKind kind, const WallMesh& walls);
 
-/** Those that walk a tree with the segment, or those that ask a tree for the segment's box. */
+/** Makes the kinds that ask a tree for the segment's box, or else those that walk a tree with the segment. */
 std::vector<std::unique_ptr<Engine>> make_bullets(const WallMesh& walls, bool box);
 
 }  // namespace dsw::bench

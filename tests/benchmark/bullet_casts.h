@@ -63,7 +63,8 @@ class BulletCasts {
     }
   }
 
-  /** Likewise with a tree whose leaves hold the numbers of triangles.
+  /** Runs casts with a tree whose leaves hold the numbers of triangles. `box` asks for the segment's box instead of
+   * walking the tree with the segment.
    * @param corners (triangle, btVector3 room[3]) -> its three corners, there or elsewhere. */
   template <class Corners>
   void run(const btDbvt& tree, bool box, std::size_t first, std::size_t count, const Corners& corners) {

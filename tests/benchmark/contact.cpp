@@ -83,7 +83,7 @@ Measured replay(dsw_environment* environment, const CatheterMoves& moves, std::s
   return measured;
 }
 
-/** Those that the folder keeps, if it has as many; else recorded now, and kept there. */
+/** Gives the moves that the folder keeps, if it has `most`; otherwise records moves now, and keeps them there. */
 CatheterMoves moves_of(const insertion::Vessel& vessel, const insertion::Options& catheter,
                        const ContactOptions& options, std::size_t most) {
   const std::string path = options.moves + (catheter.mesh.empty() ? "/generated.moves" : "/phantom.moves");
@@ -154,7 +154,7 @@ extern "C" __attribute__((noinline)) void dsw_bench_counted(const std::function<
 
 namespace {
 
-/** The same moves for valgrind, without clocks and hashes: the first are not counted. */
+/** Makes moves for valgrind, without clocks and hashes. The first moves are not counted. */
 void count_instructions(const ContactOptions& options, Report& report) {
   double contacts = 0;
   const auto count = [&](dsw_scene* scene, dsw_body_id body) {

@@ -69,7 +69,7 @@ class GridChanging final : public ChangingEngine {
   Grid grid_;
 };
 
-/** Of the peers' static structures, every way that answers. */
+/** Every way in which the peers' static structures answer. */
 std::map<std::string, std::vector<Make>> peers() {
   std::map<std::string, std::vector<Make>> made;
   for (const BulletKind kind : {BulletKind::kQuantizedRay, BulletKind::kPlainRay, BulletKind::kTreeRay}) {
@@ -93,7 +93,7 @@ std::map<std::string, std::vector<Make>> peers() {
   return made;
 }
 
-/** Of the median step, a cast. */
+/** Measures the time of a cast in the median step. */
 double time_steps(Engine& engine, const Segments& segments) {
   std::vector<double> ns;
   for (std::size_t first = 0; first < segments.count(); first += segments.batch) {
@@ -270,7 +270,8 @@ class Contest {
     return bodies_world_.environment();
   }
 
-  /** As time_period, of our bodies. Their environment is their own: a mark costs more beside bodies. */
+  /** Measures one period, as time_period does, of our bodies. They have an environment of their own: a mark costs more
+   * beside bodies. */
   double time_bodies(std::size_t period) {
     return cpu_time_ns([&] {
              for (const WallChange& change : script_.changes[period]) mark(bodies_world_, change);

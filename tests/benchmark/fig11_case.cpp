@@ -60,7 +60,7 @@ class Obstacles {
   Obstacles(const scenes::HexGrid& grid, const World& world, const WallMesh& walls)
       : grid_(grid), world_(world), list_(grid, world, walls) {}
 
-  /** Those of the last time vanish, others appear where no body is. */
+  /** Removes the obstacles of the last time, and adds others where no body is. */
   std::array<WallChange, 2> change(const std::vector<double>& positions) {
     std::array<WallChange, 2> made;
     made[0] = list_.turn(added_, false);

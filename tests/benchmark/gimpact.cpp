@@ -68,7 +68,7 @@ class Base : public Gimpact {
   std::size_t hits() const override { return static_cast<std::size_t>(std::count(met_.begin(), met_.end(), 1)); }
 
  protected:
-  /** Of casts first .. first+count-1: the first corner. */
+  /** The first corner of the casts from number `cast` on. */
   std::size_t corner_of(std::size_t cast) const { return cast / casts_ * (casts_ - 1) * 3; }
 
   std::size_t casts_;

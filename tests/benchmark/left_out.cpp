@@ -47,7 +47,7 @@ Setting feature(const char* name, std::uint32_t bits) {
   return made;
 }
 
-/** Of bodies at DSW_LEVEL_EDGES, where all of these do something. */
+/** Sets flags of bodies at DSW_LEVEL_EDGES, where all of these flags do something. */
 Setting flag(const char* name, std::uint32_t bits) {
   Setting made{name, "on"};
   made.level = DSW_LEVEL_EDGES;

@@ -45,7 +45,7 @@ struct Destroy {
 };
 using EnvironmentOwner = std::unique_ptr<dsw_environment, Destroy>;
 
-/** The same tetrahedra for both: cell i of the mesh has i as CGAL's info. */
+/** Tetrahedra that both libraries get: cell i of the mesh has i as CGAL's info. */
 struct Tetrahedra {
   Delaunay delaunay;
   std::vector<double> points;

@@ -149,7 +149,7 @@ struct Bodies {
   std::vector<std::size_t> numbers;
 };
 
-/** Of eight vertices and twelve edges. */
+/** Makes bodies of eight vertices and twelve edges. */
 Bodies make_bodies(const HexCase& at, dsw_scene* scene, const std::vector<double>& starts) {
   std::vector<std::uint32_t> edges;
   for (const auto& edge : scenes::kEdgeVertices) edges.insert(edges.end(), {edge[0], edge[1]});

@@ -27,7 +27,7 @@ inline void check(dsw_status status) {
   if (status != DSW_STATUS_OK) throw std::runtime_error(dsw_last_error_message());
 }
 
-/** The same triangles for both. */
+/** Triangles that both libraries get. */
 struct Triangles {
   Delaunay delaunay;
   dsw_environment* environment = nullptr;

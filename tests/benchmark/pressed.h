@@ -30,7 +30,8 @@ struct PressedScene {
   std::size_t steps = 0, first = 0;  // in all, and those that only press the body to where it is to be
   /** Where the vertices are to go in this step. */
   std::function<Points(std::size_t step, const Points& at, scenes::Random& random)> targets;
-  /** Of the way of a vertex that is pressed on the walls. Without it: what the walls leave that were met, as planes. */
+  /** What the walls leave of the way of a vertex that is pressed on them. Without this function: what the walls that
+   * were met leave, as planes. */
   std::function<Allowed(const Point& from, const Point& to)> allowed;
 };
 

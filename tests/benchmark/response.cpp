@@ -63,7 +63,7 @@ class PressedBody {
 
   const Points& at() const { return at_; }
 
-  /** Of vertices that met something, what they made and could have made. */
+  /** Moves all vertices. `shares` gets what the vertices that met something made and could have made. */
   void move(const Points& wanted, const PressedScene& scene, bool counts, Shares& shares) {
     const Points targets = out(wanted), before = at_;
     check(dsw_body_move(world_.scene(), body_, targets.front().data(), targets.size(), sizeof(Point), &options_,

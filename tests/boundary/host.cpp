@@ -32,7 +32,7 @@ dsw_environment* make_environment(dsw_context* context, uint32_t dimension) {
   return environment;
 }
 
-// Of what is destroyed the memory stays, and somebody knows of it.
+// Allocates memory that stays after its owner is destroyed: `user` keeps it.
 void* take_for_good(void* user, size_t size, size_t alignment) {
   auto& all = *static_cast<std::vector<std::unique_ptr<unsigned char[]>>*>(user);
   all.emplace_back(new unsigned char[size + alignment]);

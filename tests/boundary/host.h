@@ -32,7 +32,7 @@ class Host {
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /** As it was when it was new, whatever calls have made of it. */
+  /** Makes the host anew, as it was before any call. */
   void renew() {
     clear();
     make();

@@ -20,7 +20,7 @@ extern block_numbers g_block;
 extern dsw_environment *g_env;
 /* Points of the last blade: two rows of two points, in the plane two points. */
 extern double g_blade[12];
-/* Of the last cut of `cut`, and the faces that keep_faces kept. */
+/* The report of the last cut by `cut`, and the faces that keep_faces kept. */
 extern dsw_change g_cut;
 extern dsw_cut_face g_faces[64];
 
@@ -41,7 +41,7 @@ double x_of(dsw_vertex_id vertex);
 double fly_between(const double *from, const double *to);
 /* In space z goes from 1.4 to 1.6. */
 double fly(double x, double y, double to_x, double to_y);
-/* The same in the plane; in space y goes from 1.4 to 1.6, and z from `height` to `to_height`. */
+/* Flies downwards in the plane; in space y goes from 1.4 to 1.6, and z from `height` to `to_height`. */
 double fly_down(double x, double height, double to_x, double to_height);
 
 #endif

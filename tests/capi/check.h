@@ -8,7 +8,7 @@
 #define CHECK_OK(call) check_status(DSW_STATUS_OK, (call), #call, __FILE__, __LINE__)
 /* Also checks that the message begins with the name of the function that was called. */
 #define CHECK_FAILS(status, call) check_status((status), (call), #call, __FILE__, __LINE__)
-/* As CHECK_FAILS, where the variable `bad` becomes a copy of `desc` with another value of one member. */
+/* Checks as CHECK_FAILS does, after the variable `bad` has become a copy of `desc` with another value of one member. */
 #define CHECK_REFUSES(status, desc, member, value, call) \
   (bad = (desc), bad.member = (value), check_status((status), (call), #call, __FILE__, __LINE__))
 /* The message of the last failure contains `text`. */

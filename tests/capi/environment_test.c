@@ -121,7 +121,7 @@ static void unknown_values_are_refused(void) {
   dsw_environment *environment = NULL;
   CHECK_REFUSES(DSW_STATUS_BAD_CELL_TYPE, d, dimension, 2, CREATE);
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, dimension, 4, CREATE);
-  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 0x100, CREATE);
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 0x200, CREATE);
   CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, reserved, 1, CREATE);
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, index_bytes, 2, CREATE);
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, volume_count, 0, CREATE);

@@ -215,7 +215,7 @@ static int nothing_is_bent(const double *points, dsw_particle_id particle, const
   CHECK_OK(dsw_body_get_positions(g_scene, body, of_body, 3, 0, NULL, &count));
   CHECK(count == 2);
   CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
-  /* As it was: the height of the first point of the row that rises. */
+  /* The height of the first point of the row that rises is as it was. */
   CHECK(read != points && read[dimension == 2 ? 21 : 152] == 2);
   return memcmp(now, at, dimension * sizeof *at) == 0 && memcmp(of_body, line, 2 * dimension * sizeof *line) == 0;
 }

@@ -40,7 +40,7 @@ static void mark_lower_half(void) {
   CHECK_OK(dsw_environment_mark_volumes(g_env, v, g_block.cells / 2, DSW_MARK_IMPASSABLE, 0, NULL));
 }
 
-/* Of the faces of a cut, keeps those at marked volumes. */
+/* Keeps those faces of a cut that lie at marked volumes. */
 static size_t cut_tissue(double x, double y_end) {
   const size_t count = cut_at(x, y_end, 0);
   size_t i, k = 0;
@@ -339,7 +339,7 @@ static void running_out_of_memory(void) {
   end_context(context, &h);
 }
 
-/* As large and as small as doubles allow. */
+/* A block is cut and opened at sizes as large and as small as doubles allow. */
 static void any_size(void) {
   static const double sizes[] = {1e-200, 1e-165, 1e155, 1e200};
   const block_numbers b = g_block;

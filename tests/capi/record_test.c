@@ -15,7 +15,7 @@ static void record_latest(dsw_scene *scene) {
   CHECK_OK(dsw_scene_start_recording(scene, &latest));
 }
 
-/* Of what is on a tape. */
+/* Makes the replay of what is on a tape. */
 static dsw_replay *replay_of(const tape *t) {
   dsw_replay *replay = NULL;
   CHECK_OK(dsw_replay_create(NULL, t->bytes, t->size, &replay));

@@ -216,7 +216,7 @@ RUN(dsw_scene_start_recording, dsw_recording_desc) { return dsw_scene_start_reco
 
 static tape g_tape;
 
-/* Of a particle that is created. */
+/* Makes the replay of a recording in which a particle is created. */
 static dsw_replay *replay(void) {
   const dsw_recording_desc desc = to_tape(&g_tape);
   dsw_replay *r = NULL;

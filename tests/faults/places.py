@@ -71,7 +71,7 @@ class Source:
         return before in ("else", "do", "try")
 
     def is_constant(self, i):
-        """Of a function that says constexpr or consteval in its head."""
+        """Whether token i belongs to a function that says constexpr or consteval in its head."""
         while i > 0 and self.word(i - 1) not in (";", "}", "{"):
             i -= 1
             if self.word(i) in ("constexpr", "consteval") and self.word(i - 1) != "if":

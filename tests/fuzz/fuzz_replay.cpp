@@ -8,7 +8,8 @@
 
 namespace {
 
-// As src/record/README.md and capi/words.h have them. The host is taken to be little endian, as all are that fuzz.
+// These numbers are those of src/record/README.md and capi/words.h. The host is taken to be little endian, as all are
+// that fuzz.
 constexpr uint32_t kCall = 3;  // a kind of entry
 constexpr size_t kHeaderWords = 2, kHeadWords = 2;
 

@@ -41,7 +41,7 @@ bool run(const uint8_t* data, size_t size) {
   dsw_environment_destroy(copy);
 
   const dsw_status check = dsw_environment_check(environment, nullptr);
-  // Of points that move cells may be invalid.
+  // If points move, cells may be invalid.
   dsw_fuzz::require(check == DSW_STATUS_OK || check == DSW_STATUS_BOUNDARY_CROSSES ||
                         check == DSW_STATUS_INVALID_CELL || check == DSW_STATUS_INVERTED_CELL,
                     "what was loaded is sound");

@@ -12,7 +12,7 @@
 
 namespace {
 
-// As in fuzz_create.
+// These enums are those of fuzz_create.
 enum Type : uint8_t { kHexahedron = 0, kTetra = 1, kWedge = 2, kPyramid = 3, kPolyhedron = 4 };
 enum PlaneType : uint8_t { kQuad = 0, kTriangle = 1, kPolygon = 2 };
 enum Layout : uint8_t {

@@ -102,7 +102,7 @@ class Round {
   void call(dsw_fuzz::Calls& calls, dsw_fuzz::Bytes& bytes, Tally& tally) {
     const dsw_fuzz::Bytes begin = bytes;
     const Saved before(scene_);
-    // Of many allocations not each is refused.
+    // If there are many allocations, some are left out.
     for (size_t n = 0;; n += 1 + n / 16) {
       bytes = begin;
       host_.refused = host_.calls + n + 1;

@@ -19,7 +19,7 @@ void use_body(dsw_scene* scene, bool is_partition, Bytes* bytes);
 
 /** The radius of a body, which lives. It keeps its radius from everything, and the sum of both from other bodies. */
 double check_radius(dsw_scene* scene, dsw_body_id body);
-/** The same of all bodies. */
+/** Checks the radii of all bodies, as check_radius does. */
 void check_radii(dsw_scene* scene);
 
 /** Casts one segment and checks what a report always promises. */

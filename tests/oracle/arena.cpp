@@ -8,7 +8,7 @@
 namespace dsw::oracle {
 namespace {
 
-/// Of a point from segment a b.
+/// The distance of a point from segment a b.
 double distance(const Vec& a, const Vec& b, const double* point) {
   double most = DBL_MIN;
   for (size_t k = 0; k < 3; ++k) most = std::max({most, std::fabs(b[k] - a[k]), std::fabs(point[k] - a[k])});
@@ -30,7 +30,7 @@ double largest(const Sweep& s) {
   return most;
 }
 
-/// Of the moving end at the time of a report.
+/// What is wrong with the position of the moving end at the time of a report.
 std::string wrong_position(const Sweep& s, const dsw_sweep& got) {
   for (size_t k = 0; k < 3; ++k) {
     const double way = got.time * (s.to[k] - s.from[k]), at = s.from[k] + way;

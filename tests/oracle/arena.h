@@ -37,7 +37,8 @@ class Arena {
 
   /// What is wrong with a reported contact if `event` is the true one; empty if nothing is.
   std::string wrong_event(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
-  /// The same of a body's; `flight` has the event's own edge or face alone.
+  /// What is wrong with a body's reported contact if `event` is the true one. `flight` has the event's own edge or face
+  /// alone.
   std::string wrong_contact(const VertexMove& flight, const SweepEvent& event, const dsw_body_contact& contact) const;
   /// What is wrong with a sweep's truth in the eyes of another oracle; empty if nothing is.
   virtual std::string second_normal(const Sweep& sweep) = 0;
@@ -48,16 +49,17 @@ class Arena {
     bool marked;
   };
 
-  /// Of faces (in the plane: sides) by number.
+  /// The walls, faces and tags by number; in the plane faces are sides.
   virtual Wall wall(int face) const = 0;
   virtual const std::vector<int>& faces_of(int cell) const = 0;
   virtual uint32_t tag(int cell) const = 0;
-  /// Of an event at the moving vertex: its face, as seen from cell[0] of what was met, and whether the normal is that.
+  /// These describe an event at the moving vertex: its face, as seen from cell[0] of what was met, and whether the
+  /// normal fits the face.
   virtual int face_of(const SweepEvent& event) const = 0;
   virtual Wall met(const SweepEvent& event) const = 0;
   virtual bool normal_fits(const SweepEvent& event, const double* normal) const = 0;
-  /// Of an event at an edge: the faces round the obstacle, its ends (twice the same: a vertex), its direction, and what
-  /// of kind and name is wrong.
+  /// These describe an event at an edge: the faces round the obstacle, its ends (twice the same: a vertex), its
+  /// direction, and what of kind and name is wrong.
   virtual std::vector<int> faces_round(const SweepEvent& event) const = 0;
   virtual std::array<Vec, 2> ends_of(const SweepEvent& event) const = 0;
   virtual std::string wrong_name(const SweepEvent& event, const dsw_sweep& got) const = 0;

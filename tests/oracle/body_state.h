@@ -30,7 +30,7 @@ struct BodyState {
                     std::vector<size_t>* faces_of = nullptr) const;
 };
 
-/// As dsw_body_create is to make of a plan; volumes, and generations of ids, are left out.
+/// The state that dsw_body_create must make of a plan; volumes, and generations of ids, are left out.
 BodyState state_of(const BodyPlan& plan);
 
 dsw_status create_body(dsw_scene* scene, const BodyPlan& plan, dsw_level level, uint32_t flags,

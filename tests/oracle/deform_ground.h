@@ -48,7 +48,7 @@ class Ground {
  public:
   virtual ~Ground() = default;
   virtual dsw_environment* environment() const = 0;
-  /// As it was made; its marks stay.
+  /// The environment as it was made; its marks stay.
   virtual Arena& arena() = 0;
   virtual Places& places() = 0;
   virtual const std::vector<Vec>& points() const = 0;
@@ -57,7 +57,7 @@ class Ground {
   /// A vertex of a cell.
   virtual int corner(int cell, Rng& rng) const = 0;
   virtual std::unique_ptr<Picture> picture(const std::vector<Vec>& points) const = 0;
-  /// Of what was passed, and of contacts that are none.
+  /// Validates what was passed, and contacts that are none.
   virtual Validation validate(const Deformed&, const std::vector<Part>&) { return {}; }
 };
 

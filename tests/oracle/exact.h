@@ -62,7 +62,7 @@ struct SweepTruth {
   bool tie = false;                     // a value that had to be looked at was zero without the shift
 };
 
-/// Of space or the plane, in which the third coordinate is 0.
+/// Exact sweeps in space or in the plane, in which the third coordinate is 0.
 class ExactSweeps {
  public:
   virtual ~ExactSweeps() = default;

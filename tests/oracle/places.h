@@ -21,7 +21,7 @@ class Places {
   Vec along_axis(const Vec& from, double share);
   uint32_t any_axis() { return rng_.below(dimension_); }
 
-  /// Of something small that is impassable; `exactly`: how often it is a vertex.
+  /// A place at something small that is impassable; `exactly`: how often it is a vertex.
   virtual Vec obstacle(double /*exactly*/) { return site(); }
   /// A place at something impassable to put a small triangle round, with two directions for it. True: exactly on it.
   virtual bool round_obstacle(Vec& site, std::array<Vec, 2>& span);
@@ -30,7 +30,7 @@ class Places {
 
  protected:
   virtual Vec vertex() = 0;
-  /// Of an edge or a diagonal of the mesh.
+  /// The ends of an edge or a diagonal of the mesh.
   virtual std::array<Vec, 2> ends() = 0;
 
   const size_t dimension_;

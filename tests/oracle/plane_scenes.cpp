@@ -133,7 +133,8 @@ void stretch(World& world, double x, double y) {
   for (Vec& p : world.points) p = {p[0] * x, p[1] * y};
 }
 
-/// Of the circumcentres round each point that has triangles all round; rounded, so that no three need be in line.
+/// Makes a cell of the circumcentres round each point that has triangles all round. The circumcentres are rounded, so
+/// three of them need not be in line.
 void dual(const World& of, World& world) {
   std::vector<std::map<int, std::pair<int, int>>> fans(
       of.points.size());  // by point: from one neighbour to triangle and next one

@@ -55,7 +55,7 @@ class Shift {
   bool start_free() const { return met(p_, q_, false).empty(); }
   bool new_edge_hit() const { return !met(to_, q_, false).empty(); }
   std::vector<Meeting> path() const { return met(p_, to_, true); }
-  /// Of the edge's inside.
+  /// What the inside of the edge meets.
   std::vector<Meeting> inside_met() const {
     std::vector<Meeting> list;
     const Point u = minus(to_, p_), back = minus(p_, q_);

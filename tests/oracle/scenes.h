@@ -44,7 +44,7 @@ Mesh voronoi(Rng& rng, double share, int points = 28);
 /// Whether some face has no triangulation that keeps the stars of its volumes positive: then creation may refuse the
 /// mesh.
 bool may_be_refused(const Mesh& mesh);
-/// The same mesh with its cells in another order.
+/// Puts the cells of a mesh into another order.
 void shuffle_cells(Mesh& mesh, Rng& rng);
 
 }  // namespace dsw::oracle

@@ -6,7 +6,7 @@
 
 namespace dsw::oracle {
 
-/// Of a stage with its marks.
+/// Makes the ground of a stage with its marks.
 std::unique_ptr<Ground> make_ground(std::unique_ptr<Stage> stage, Rng& rng);
 
 }  // namespace dsw::oracle

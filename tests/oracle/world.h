@@ -59,8 +59,8 @@ struct Walk {
 
 class World {
  public:
-  /// Of an environment whose topology has changed: cell i of the mesh is volumes[i], and its face f lies on the outer
-  /// boundary if outer[i][f] says so, also where another face has the same vertices.
+  /// An environment whose topology has changed: cell i of the mesh is volumes[i], and the cell's face f lies on the
+  /// outer boundary if outer[i][f] says so, also where another face has the same vertices.
   struct Changed {
     std::vector<dsw_volume_id> volumes;
     std::vector<std::vector<char>> outer;

@@ -95,7 +95,7 @@ class Life {
   dsw_environment* environment() const { return ground_.environment.get(); }
   Vec some_way(double length);
   dsw_volume_id some_volume();
-  /// Of a volume; false: there is none.
+  /// Finds the centre of a volume; false: there is no such volume.
   bool centre_of(dsw_volume_id volume, Vec& centre);
   void append(std::vector<double>& list, const Vec& p) const;
   Mover* some_mover();

@@ -8,7 +8,7 @@ constexpr Vec kA = {0.5, 0.5, 0.5}, kB = {0.75, 0.5, 0.5}, kC = {0.5, 0.75, 0.5}
 
 class BodyEditTest : public BodyTest {
  protected:
-  /// The same bits after a call that must fail.
+  /// Expects that a call fails and that the body has the same bits after it.
   template <class Call>
   void refuse(dsw_status status, dsw_body_id body, Call call) {
     const std::string before = bits_of(read(body));

@@ -74,8 +74,8 @@ class DetachTest : public SceneTest {
     return info.boundary_face_count;
   }
 
-  /// Of the piece as a solid that is pulled apart where it touches itself: corners, edges, faces and cells of all its
-  /// cells, each once for those that hang together through faces of the piece.
+  /// The Euler number of the piece as a solid that is pulled apart where it touches itself. Corners, edges, faces and
+  /// cells of all its cells count, each once for the cells that hang together through faces of the piece.
   int euler_number(const std::set<int>& piece) {
     std::map<std::array<int, 2>, size_t> corners;
     std::map<std::array<int, 3>, size_t> edges;

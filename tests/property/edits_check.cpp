@@ -13,7 +13,7 @@
 #include "map/integrity.h"
 #include "plane_truth.h"
 #include "random_edits.h"
-#include "scene/locations.h"
+#include "query/locations.h"
 #include "space_arena.h"
 #include "sweep/body_probe.h"
 

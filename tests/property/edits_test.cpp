@@ -79,7 +79,7 @@ void changes_nothing_out_of_memory(const std::string& scene) {
   }
 }
 
-/// As bytes, but for the flags that name the features of the scene, and the checksum.
+/// The saved bytes, without the flags that name the features of the scene, and without the checksum.
 template <int D>
 std::string saved_without_features(const RandomEdits<D>& edits) {
   constexpr size_t kAtChecksum = 24, kAtFlags = 32;

@@ -171,7 +171,7 @@ inline BodyPlan any_plan(Motions& motions, Rng& rng) {
   BodyPlan plan;
   plan.at.push_back(rng.chance(0.5) ? motions.start() : motions.site());
   const size_t more = 1 + rng.below(3);
-  // Of flat scenes only what lies between two points of them lies in them.
+  // In a flat scene a place must lie between two points of the scene to lie in it.
   const bool flat = rng.chance(0.5);
   for (size_t i = 0; i < more; ++i) {
     const Vec& last = plan.at.back();

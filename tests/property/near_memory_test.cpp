@@ -34,7 +34,7 @@ Vec shifted(const Vec& at, const Vec& way) { return {at[0] + way[0], at[1] + way
 BodyPlan long_plan(Motions& motions, Rng& rng, size_t links, double link) {
   BodyPlan plan;
   plan.at.push_back(motions.start());
-  // Of flat scenes only what lies between two points of them lies in them.
+  // In a flat scene a place must lie between two points of the scene to lie in it.
   const bool is_straight = rng.chance(0.3);
   const Vec to = is_straight ? motions.start() : motions.near(plan.at[0], link);
   const Vec way = way_between(plan.at[0], to);

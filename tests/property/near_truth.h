@@ -87,7 +87,7 @@ class NearTruth {
     return q;
   }
   static double ratio(const Z& a, const Z& b) { return quotient(a, b).get_d(); }
-  /// Of a quotient. Its own square may be out of the range of doubles.
+  /// The root of a quotient. The root's own square may be out of the range of doubles.
   static double root(const Z& a, const Z& b) {
     if (a == 0) return 0;
     mpf_class wide(0, 256);

@@ -67,7 +67,7 @@ class Obstacles {
       if (vertex_marked_[v]) visit(cell_of(vertex_id(v)), std::vector<int>{static_cast<int>(v)});
     }
   }
-  /// The same with points.
+  /// Calls visit(cell, corners) for the obstacles of for_each_simplex, with their points.
   template <class Visit>
   void for_each(Visit visit) const {
     for_each_simplex([&](const dsw_cell& cell, const std::vector<int>& vertices) {

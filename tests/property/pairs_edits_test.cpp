@@ -94,7 +94,7 @@ struct Knit {
     split_edge(split.body, edge, m);
     const auto is_touched = [&](const Numbers& moving) {
       for (const Numbers& still : split.parts()) {
-        // Of two faces an edge of one would touch the other.
+        // If two faces touched, an edge of one of them would touch the other.
         if (share_vertex(moving, still) || moving.size() + still.size() > 5) continue;
         const TouchTruth found = split.truth(moving, m, point, still);
         if (found.touches || found.at_start) return true;

@@ -44,7 +44,7 @@ inline void keep_first(TouchTruth& first, const TouchTruth& other) {
   first.time = other.time;
 }
 
-/// Of one moving part, which has vertex v, and one that stays.
+/// The first touch of one moving part, which has vertex v, and one part that stays.
 inline TouchTruth truth_of_parts(const Meeting& mover, const Part& moving, uint32_t v, const Vec& to,
                                  const Meeting& other, const Part& still) {
   std::vector<const double*> others, fixed;

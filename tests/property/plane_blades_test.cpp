@@ -137,7 +137,7 @@ TEST_F(BladeTest, WhatClosedLinesHold) {
       EXPECT_TRUE(known.count(i) != 0 || truth.turns(centres[i], ends) == 0);
       EXPECT_EQ(shape.holds(env().map.cell(i), centres[i].data()), truth.turns(centres[i], ends) != 0);
     }
-    // The same of what was carved: exactly what is inside then is passable.
+    // After carving, exactly the chosen cells that are inside are passable.
     std::vector<dsw_volume_id> volumes;
     for (uint32_t i = 0; i < centres.size(); ++i) {
       if (rng_.chance(0.8)) volumes.push_back({i, 1});

@@ -4,7 +4,7 @@
 
 #include "support.h"
 
-#include "capi/handle.h"
+#include "capi/scene_handle.h"
 #include "plane_scenes.h"
 #include "run.h"
 

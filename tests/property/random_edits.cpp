@@ -146,7 +146,8 @@ Operation RandomEdits<D>::choose() {
   }
 }
 
-/// The same call with its first allocation refused, then the second, and so on until it needs no more.
+/// Makes a call with its first allocation refused, then with its second, and so on until it needs no more. A call with
+/// many allocations leaves some out.
 template <int D>
 dsw_status RandomEdits<D>::call_without_memory(Operation operation, const std::string& before, std::string& wrong) {
   const Choices choices = choices_;

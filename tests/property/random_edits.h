@@ -3,7 +3,7 @@
 
 #include "edit_ground.h"
 
-#include "capi/handle.h"
+#include "capi/scene_handle.h"
 
 namespace dsw::oracle {
 

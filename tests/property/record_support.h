@@ -81,7 +81,7 @@ class Entries {
     std::memcpy(words_.data(), recording.data(), 8 * words_.size());
     for (size_t at = 2; at < words_.size(); at += words_[at + 1] / 8 + 3) entries_.push_back(at);
   }
-  /// Of the call with a number: its result's words.
+  /// Gives the words of the result of the call with a number.
   uint64_t* result(size_t call) {
     for (const size_t at : entries_) {
       if (static_cast<uint32_t>(words_[at]) == 4 && call-- == 0) return &words_[at + 2];

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "body_support.h"
-#include "capi/handle.h"
+#include "capi/scene_handle.h"
 
 namespace dsw::oracle {
 namespace {

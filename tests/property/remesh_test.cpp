@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "capi/handle.h"
+#include "capi/scene_handle.h"
 #include "deform_support.h"
 #include "host_memory.h"
 #include "map/dart.h"
@@ -30,7 +30,7 @@ std::vector<char> inner_vertices(const Environment<3>& env) {
 
 class RemeshTest : public SceneTest {
  protected:
-  /// The same for the same seed.
+  /// Makes a scene, the same for the same seed.
   void begin(uint64_t seed) {
     scene_.reset();
     place_ = make_place(GetParam(), seed);

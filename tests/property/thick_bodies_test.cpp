@@ -158,7 +158,7 @@ TEST_F(ThickBodyTest, TwoBallsStopAtTheSumOfTheirRadii) {
   dsw_body_id refused;
   EXPECT_EQ(create_body(scene(), ball(2.7, 1.5, 1.5), DSW_LEVEL_POINTS, 0, {}, &refused, 0.0625), DSW_STATUS_OCCUPIED);
   EXPECT_EQ(create_body(scene(), ball(2.8, 1.5, 1.5), DSW_LEVEL_POINTS, 0, {}, &refused, 0), DSW_STATUS_OCCUPIED);
-  // Those that cannot meet do not keep apart.
+  // Bodies that cannot meet do not keep apart.
   ASSERT_EQ(dsw_body_set_filter(scene(), still, 2, 2), DSW_STATUS_OK);
   const dsw_body_id other = make(ball(2.9, 1.5, 1.5), 0.25);
   EXPECT_NEAR(gap(other, 3), 0.85, 1e-9);

@@ -71,7 +71,7 @@ class ThickScene {
     dsw_trace_destroy(trace);
   }
 
-  /// Those of them that have all their corners among these points.
+  /// The obstacles that have all their corners among these points.
   std::vector<Hull> obstacles_among(const Hull& points) const {
     std::vector<Hull> found;
     for (const Obstacle& each : obstacles_) {

@@ -129,7 +129,7 @@ TEST_P(TogetherTest, WhatGoesOnIsFreeToo) {
   EXPECT_EQ(passed + not_free, 0u);
 }
 
-/// The same body with its vertices, edges and faces in another order; new_of[v] is what becomes of vertex v.
+/// Puts the vertices, edges and faces of a body into another order; new_of[v] is what becomes of vertex v.
 BodyPlan renumbered(const BodyPlan& plan, Rng& rng, std::vector<uint32_t>& new_of) {
   const auto shuffle = [&](auto& all) {
     for (size_t i = all.size(); i > 1; --i) std::swap(all[i - 1], all[rng.below(i)]);

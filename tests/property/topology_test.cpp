@@ -16,7 +16,7 @@ std::vector<int> indices(const std::vector<dsw_vertex_id>& ids) {
   return v;
 }
 
-/// The same cycle, wherever it starts.
+/// Tells whether two cycles are the same, wherever each starts.
 bool same_cycle(std::vector<int> a, const std::vector<int>& b) {
   for (size_t i = 0; i < a.size(); ++i) {
     if (a == b) return true;

@@ -1,4 +1,4 @@
-/* Of jni.h the part that depends on the machine, for Windows on 64 bits: JDKs for other systems do not have it. */
+/* This part of jni.h depends on the machine; it is for Windows on 64 bits: JDKs for other systems do not have it. */
 #pragma once
 
 #define JNIEXPORT __declspec(dllexport)

@@ -18,7 +18,7 @@ export type Structs<T> = StructArray<T> | readonly T[];
 
 /** The base of VolumeIdArray, FlightArray and so on: structs as C has them in `buffer`, which calls read and fill in place. */
 export class StructArray<T> implements Iterable<T> {
-  /** Of a number of entries, of memory that another one had (also on another thread), or of values. */
+  /** Makes an array of a number of entries, of the memory of another array (also on another thread), or of values. */
   constructor(source: number | ArrayBuffer | SharedArrayBuffer | Iterable<T>);
   readonly buffer: ArrayBuffer | SharedArrayBuffer;
   readonly length: number;
@@ -69,7 +69,8 @@ export class Environment {
   /** Throws BoundaryCrossesError where the boundary does. */
   checkAll(): void;
 
-  /** Of faces by their vertices, one after the other; `offsets` says where each begins, and the end. */
+  /** Finds faces by their vertices, which stand one after the other; `offsets` says where each face begins, and the
+   * end. */
   findFaces(offsets: BigUint64Array | readonly number[], indices: Numbers): FaceIdArray;
   findEdges(pairs: Numbers): EdgeIdArray;
   /** A copy. */
@@ -93,7 +94,7 @@ export class Environment {
   remesh(options?: RemeshDesc & { volumes?: Structs<VolumeId>; next?: Points }): Change;
   /** A piece becomes a body of the scene; getChange says more. */
   detach(options: DetachDesc): BodyId;
-  /** Of the last change of the topology. */
+  /** Tells about the last change of the topology. */
   getChange(): Change;
 
   /** Takes the environment to positions of its vertices: a copy, which getPoints reads. */
@@ -120,7 +121,7 @@ export class Change {
   getUnrepaired(): VolumeIdArray;
   /** Volumes of the detached piece. */
   getDetached(): VolumeIdArray;
-  /** Of the detached body, by index. */
+  /** Tells where the vertices of the detached body come from, by index. */
   getBodyVertices(): VertexOriginArray;
   getBodyFaces(): FaceOriginArray;
 }
@@ -132,7 +133,7 @@ export class Scene {
   /** May be repeated. Bodies of the scene are closed with it. */
   close(): void;
   [Symbol.dispose](): void;
-  /** Of its environment. */
+  /** The dimension of the scene's environment. */
   dimension(): number;
   /** Into a file; without a path the latest calls are kept for writeBugReport, which needs RECORDING_LATEST among the flags. */
   startRecording(path: string | null, flags?: number): void;
@@ -160,16 +161,16 @@ export class Scene {
 export class Body {
   constructor(scene: Scene, id: BodyId);
   id(): BodyId;
-  /** Of its scene's environment. */
+  /** The dimension of the scene's environment. */
   dimension(): number;
   /** The distance that the body keeps from everything. */
   getRadius(): number;
   /** A lower bound of the least gap: distance less the radii; at most `limit`. */
   findLeastGap(limit: number): number;
 
-  /** Of all vertices by index; the arrays are filled where they are given. */
+  /** Gives the positions of all vertices by index; the arrays are filled where they are given. */
   getPositions(positions?: Float64Array, volumes?: VolumeIdArray): Float64Array;
-  /** Of all edges by index, two indices of vertices for each; of triangles three. */
+  /** Gives two indices of vertices for each edge by index; for each triangle three. */
   getEdgeIndices(): Uint32Array;
 
   /** Vertices go to their targets, in `order` (all, by index, where that is left out), each as far as it goes. */
@@ -178,7 +179,7 @@ export class Body {
 
   /** Finds the parts that are near to something, and returns how many rows there are. */
   findNearRows(options?: NearOptions): number;
-  /** Of the Jacobian of the gaps, with NEAR_JACOBIAN: compressed sparse rows. */
+  /** Gives the Jacobian of the gaps, with NEAR_JACOBIAN, in compressed sparse rows. */
   getNearOffsets(): Uint32Array;
 
   // {methods of Body}
@@ -202,6 +203,6 @@ export function sweepPairs(dimension: 2 | 3, kinds: Uint8Array | readonly number
   options?: { flags?: number; touches?: PairTouchArray; context?: Context | null }): PairTouchArray;
 /** The cell that an id names. */
 export function cellOf(id: VertexId | EdgeId | FaceId | VolumeId): Cell;
-/** Of the library that is loaded: 1000000 major + 1000 minor + patch. */
+/** The version of the library that is loaded: 1000000 major + 1000 minor + patch. */
 export function version(): number;
 export function statusString(status: Status): string;

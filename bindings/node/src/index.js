@@ -7,7 +7,7 @@ const native = require('./native.js');
 const { Body, Scene } = require('./scene.js');
 const { constants, enums, ids } = require('./structs.js');
 
-// As TypeScript has them: names of values, too.
+// Makes an enum as TypeScript does: it also holds the names of its values.
 function enumOf(values) {
   const names = Object.fromEntries(Object.entries(values).map(([name, value]) => [value, name]));
   return Object.freeze({ ...names, ...values });

@@ -52,7 +52,8 @@ function write(struct, view, at, value, name = struct.name) {
 
 // The base of VolumeIdArray, FlightArray and so on.
 class StructArray {
-  // Of a number of entries, of memory that another one had (which may be from another thread), or of values.
+  // Makes an array of a number of entries, of the memory of another array (which may be from another thread), or of
+  // values.
   constructor(source) {
     const { size } = this.constructor.struct;
     if (typeof source === 'number') {

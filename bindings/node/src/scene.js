@@ -19,7 +19,7 @@ class Body extends native.Body {
   }
 }
 
-// Of bodies or their ids.
+// Gives the ids of bodies; ids may stand among the bodies.
 function idsOf(bodies) {
   return Array.isArray(bodies) ? bodies.map((body) => (body instanceof Body ? body.id() : body)) : bodies;
 }

@@ -34,7 +34,7 @@ class TouchingParts(NotConforming):
 
     @classmethod
     def of(cls, report: _core.BuildReport) -> TouchingParts:
-        """Of an environment in which faces touch."""
+        """Makes the error of an environment in which faces touch."""
         first, other = report.touching_face, report.touched_face
         return cls(
             f"{report.touching_face_count} faces of the boundary lie on faces of other cells, and casts would stop there: first face "

@@ -57,7 +57,7 @@ def test_points_beyond_the_boundary_go_to_the_nearest_place() -> None:
 
 
 def test_rounded_points_of_an_inlet() -> None:
-    """Of a turned mesh: rounding puts points of the inlet on either side of it. Those that are told to lie on it do so exactly."""
+    """In a turned mesh rounding puts points of the inlet on either side of it. Points that are told to lie on it do so exactly."""
     with tetrahedra(TURN) as environment:
         flat = np.insert(np.random.default_rng(0).uniform(0.1, 1.9, (3000, 2)), 2, 0, axis=1)
         points = flat @ TURN.T

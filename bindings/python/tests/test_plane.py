@@ -29,7 +29,7 @@ def test_points_have_two_coordinates() -> None:
         assert environment.centre(environment.volume_id(0)).shape == (2,)
         flight = environment.cast((0.5, 0.25), (0.5, 2.25))
         assert flight.time == 0.375 and flight.contact.normal.tolist() == [0.0, -1.0, 0.0]
-        # As points of structs have them.
+        # Points of structs have a third coordinate, too.
         assert environment.cast((0.5, 0.25, 0.0), (0.5, 2.25, 0.0)).time == 0.375
         wide = np.array([(0.5, 0.25, 9.0, 9.0)])
         assert environment.cast_segments(wide[:, :2], wide[:, :2] + (0, 2))["time"] == 0.375

@@ -36,7 +36,7 @@ struct RodCatheterOptions {
   }
 };
 
-// The same catheter where a mm is `scale` units of length, as `scaled` of catheter.h.
+// Gives the options of a catheter where a mm is `scale` units of length, as `scaled` of catheter.h does.
 RodCatheterOptions scaled(RodCatheterOptions options, double scale);
 
 class RodCatheter {
@@ -52,7 +52,7 @@ class RodCatheter {
   const StepReport& report() const { return report_; }
   const RodContactReport& contact_report() const { return contact_report_; }
   const NearRows& rows() const { return rows_; }
-  // Of the last step, on the wall clock: finding the rows, and the rod's own step.
+  // The seconds of the last step, on the wall clock: for finding the rows, and for the rod's own step.
   double rows_seconds() const { return rows_seconds_; }
   double rod_seconds() const { return rod_seconds_; }
   // How far along the route the tip is.

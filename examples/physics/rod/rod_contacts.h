@@ -65,7 +65,7 @@ class RodContacts {
   ChainFactor backward_;
   const ChainFactor* forward_ = nullptr;
   std::vector<Transfer> towards_last_;
-  // Of each pair: motion caused by impulses on earlier pairs, on later pairs, and on its own.
+  // The motion of each pair that is caused by impulses on earlier pairs, on later pairs, and on the pair itself.
   using Vector8 = Eigen::Matrix<double, 8, 1>;
   std::vector<Vector8> from_first_, from_last_, own_;
 };

@@ -209,7 +209,7 @@ void leave_out_empty(Arrays &...arrays) {
   ((arrays.data = arrays.count != 0 ? arrays.data : nullptr), ...);
 }
 
-/** Of one length with the others, or left out. */
+/** Leaves an empty array out, and throws unless any other has the expected length. */
 template <class Elements>
 void optional_count(const char *name, Elements &array, std::size_t expected) {
   leave_out_empty(array);

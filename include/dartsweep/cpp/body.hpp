@@ -10,7 +10,7 @@ class Body {
   Body(Scene &scene, dsw_body_id id) : state_(scene.state()), id_(id) {}
 
   dsw_body_id id() const { return id_; }
-  // Of its scene's environment.
+  // The dimension of the scene's environment.
   std::uint32_t dimension() const { return state_->environment->dimension; }
   void destroy() { change(dsw_body_destroy); }
 
@@ -67,7 +67,7 @@ class Body {
   Array<dsw_body_vertex_id> get_face_corners(dsw_body_face_id face) const {
     return corners(3, dsw_body_get_face_corners, face);
   }
-  // Of all at once, by index: 2 or 3 indices of vertices for each slot.
+  // These give 2 or 3 indices of vertices for each slot, for all edges or faces at once.
   Array<std::uint32_t> get_edge_indices() const {
     return all_corners(2, dsw_body_get_edge_indices);
   }

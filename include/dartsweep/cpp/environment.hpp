@@ -189,6 +189,9 @@ class Environment {
     return out;
   }
 #endif
+  std::uint32_t get_parent(dsw_volume_id volume) const {
+    return one<std::uint32_t>(dsw_environment_get_parent, volume);
+  }
   std::uint32_t get_tag(dsw_volume_id volume) const {
     return one<std::uint32_t>(dsw_environment_get_tag, volume);
   }
@@ -510,7 +513,7 @@ class Environment {
  private:
   Environment() : state_(std::make_shared<EnvironmentState>()) {}
 
-  /** Of `count` points or segments. */
+  /** Checks the arrays of a search for `count` points or segments. */
   static void check_nearest(std::size_t count, View<const dsw_volume_id> &hints,
                             std::size_t nearest_count, View<dsw_volume_id> &volumes,
                             View<std::int32_t> &locations) {

@@ -181,7 +181,7 @@ class SceneWriting {
   dsw_scene *handle;
 };
 
-/** Of a call that changes the environment, too. */
+/** Lock of one call that writes a scene and its environment. */
 class WholeWriting {
  public:
   explicit WholeWriting(SceneState &state)

@@ -39,7 +39,7 @@ class Scene {
    * is closed. */
   dsw_scene *handle() const { return state_->handle; }
 #endif
-  // Of its environment.
+  // The dimension of the scene's environment.
   std::uint32_t dimension() const { return state_->environment->dimension; }
 
   dsw_statistics get_statistics() const {

@@ -28,7 +28,8 @@ double distance_at(const Vec& from, const Vec& to, const mpq_class& time, const 
 /** A body of `vertices` (1: a point, 2: an edge, 3: a face) whose edges from the first are `length` long, and a move of
  * `step`, with its truth. */
 Move random_move(Place& place, Rng& rng, int vertices, double length, double step, dsw_level level);
-/** Likewise, with the first vertex near `start`; nothing where what is tried is not free. */
+/** Makes a body and a move, as random_move does, with the first vertex near `start`; nothing if the place that is tried
+ * is not free. */
 std::optional<Move> move_from(Place& place, Rng& rng, const Vec& start, int vertices, double length, double step,
                               dsw_level level);
 

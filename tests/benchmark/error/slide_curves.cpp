@@ -115,7 +115,7 @@ struct Gaps {
   std::size_t behind = 0, blocked = 0;  // vertices behind the plane they touched, edges that meet a wall
 };
 
-/** Of the vertices that touched a wall's plane last. */
+/** Judges the vertices that touched a wall's plane last. */
 Gaps judge(Place& place, const std::vector<Sheet>& sheets, const Slides& slides) {
   Gaps gaps;
   for (std::size_t i = 0; i < sheets.size(); ++i) {

@@ -1,4 +1,4 @@
-// The same fall as in main.c, in C++.
+// The fall of main.c, in C++.
 #include <cstdint>
 #include <vector>
 

@@ -14,7 +14,7 @@
 
 namespace dsw::capi {
 
-/// As a struct of the interface is where pointers have 4 bytes.
+/// A struct of the interface as it is where pointers have 4 bytes.
 struct NarrowDesc {
   uint32_t struct_size, flags;
   uint32_t points, point_count;

@@ -19,7 +19,7 @@ class Moving {
     start = end = now_ = rest;
   }
   bool stays(uint32_t cell) { return stays_valid(at(0), env_->map.cell(cell), end.data()); }
-  /** The same way from its end to its start. */
+  /** Asks stays() about the way from its end to its start. */
   bool stays_backwards(uint32_t cell) { return stays_valid(at(1), env_->map.cell(cell), start.data()); }
   bool is_valid(uint32_t cell, double time) {
     const CellState state = check_cell(at(time), env_->map.cell(cell));

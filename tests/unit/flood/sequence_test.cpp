@@ -182,7 +182,7 @@ TEST_P(PlaneSequence, DoesNotTurnRoundTheRim) {
   EXPECT_FALSE(turn({0.5, 1.1}, {-0.7, 2.9}));
 }
 
-/** Of points that have moved only triangles are known to be convex. */
+/** After points have moved, only triangles are known to be convex. */
 TEST_P(PlaneSequence, IsForgottenByPolygonsThatMove) {
   const double p[2] = {0.3, 1.5}, q[2] = {5.8, 1.4};
   assign(p, q);

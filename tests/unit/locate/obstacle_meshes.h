@@ -80,7 +80,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 /** At least four: how much is marked goes by that. */
 inline uint64_t seeds(int count) { return static_cast<uint64_t>(std::max(4, effort_of(count))); }
 
-/** The same bits. */
+/** Expects the same bits. */
 template <int D>
 void expect_same_nearest(const Environment<D>& env, const NearestResult& a, const NearestResult& b) {
   ASSERT_EQ(std::memcmp(&a.distance, &b.distance, sizeof a.distance), 0) << a.distance << " " << b.distance;

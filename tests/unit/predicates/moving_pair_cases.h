@@ -50,7 +50,7 @@ const char* name_of(MovingFamily family);
 template <int D>
 void draw(Random& random, MovingFamily family, PairKind kind, MovingCase<D>& drawn);
 
-// The same pair in other words: corners, ends, edges and axes in another order, axes reversed.
+// Says the pair in other words: corners, ends, edges and axes in another order, axes reversed.
 template <int D>
 void rename(Random& random, MovingCase<D>& renamed);
 // Moves one coordinate to a neighbouring double.

@@ -139,7 +139,7 @@ class MovingPairTest : public testing::TestWithParam<Asked> {
     differences.expect_none();
   }
 
-  /** Of pairs that have much in common, so that many first times are equal or nearly so. */
+  /** Pairs are compared that have much in common, so that many first times are equal or nearly so. */
   void comparisons_are_true() {
     for (std::uint64_t i = 0; i < cases_; ++i) {
       const MovingCase<D> a = next_that_touches();

@@ -69,7 +69,7 @@ class TouchTest : public testing::TestWithParam<bool> {
   Draw<D> draw_{GetParam() ? 3u : 5u};
   Seen seen_;
 
-  /** Of those with p = p' nothing is asked but what stands still. */
+  /** Cases with p = p' are used only if what stands still is asked. */
   template <class Check>
   void for_all(Check each, bool moving = true) {
     for (int i = 0; i < cases_; ++i) {

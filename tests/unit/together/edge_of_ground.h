@@ -175,7 +175,7 @@ class EdgeOfGround {
       if (how == 0 && place_of(0).valid()) {
         for (uint32_t i = 0; i < 2; ++i) ends[i] = rounded(beside(at(i), 0.2));
       } else if (how == 1) {
-        // Of a lattice often so that it touches the obstacle.
+        // An edge on a lattice is placed so that it often touches the obstacle.
         const Point<D> any = anywhere(), x = beside(of_obstacle(any), chance(0.5) ? 0 : chance(0.5) ? 0.2 : 1e-9);
         const double most = chance(0.5) ? 1 : 6;
         Point<D> way;
@@ -327,7 +327,7 @@ class EdgeOfGround {
     const bool rings = rings_.are_free(way_, place_of(0)), known = says_nothing(sleeves_, of_);
     check_features();
     SCOPED_TRACE(testing::Message() << describe());
-    // The same, of an edge of which nothing is known.
+    // Asks again about an edge of which nothing is known.
     of_other_.ends = of_.ends;
     of_other_.arrivals = of_.arrivals;
     of_other_.crossed = of_.crossed;

@@ -106,7 +106,7 @@ TEST(PlaneEdit, AVertexOfOnePolygonGoesWithItsCorner) {
   EXPECT_EQ(corners(map, cells[0]), (std::vector<uint32_t>{1, 3, 2}));
   EXPECT_EQ(map.form(cells[0]), Form::kSimplex);
   EXPECT_EQ(map.boundary_facet_count, 3u);
-  // Of a triangle nothing would be left.
+  // A triangle that lost a corner would leave nothing.
   EXPECT_EQ(status_of(*env, [&](Edit<2>& edit) { merge_edges(edit, side(map, 0, 1, 3), 1); }), DSW_STATUS_BAD_TOPOLOGY);
 }
 

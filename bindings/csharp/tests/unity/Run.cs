@@ -1,5 +1,6 @@
-// Of Unity what its sample uses, and a program that lets the sample run for 200 frames while the mouse goes from left to right: Unity
-// itself is not needed to see that the sample compiles, and that the wire stops at the block.
+// The file has what the sample uses of Unity, and a program that lets the sample run for 200 frames while the mouse
+// goes from left to right: Unity itself is not needed to see that the sample compiles, and that the wire stops at the
+// block.
 using System;
 using System.Reflection;
 

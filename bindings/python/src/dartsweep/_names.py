@@ -62,7 +62,7 @@ class Surfaces:
         self._owners: tuple[NDArray[np.uint64], NDArray[np.uint32], NDArray[np.int64]] | None = None
 
     def copy(self) -> Surfaces:
-        """The same names and faces, whose ids are to be found."""
+        """Copies names and faces, whose ids are to be found again."""
         made = Surfaces()
         made.tags, made.members = dict(self.tags), dict(self.members)
         made.offsets, made.vertices, made.changes = self.offsets, self.vertices, list(self.changes)
@@ -98,7 +98,7 @@ class Surfaces:
                 owner[list(self.members.values())[number]] = number
             keys = _keys(ids)
             there = np.flatnonzero((ids["generation"] != 0) & (owner >= 0))
-            # Of faces that are listed twice the one of fewest faces is last; a stable sort keeps it there.
+            # A face that several surfaces list gets the surface of fewest faces: that is last, and a stable sort keeps it there.
             rank = np.empty(len(self.members) + 1, np.int64)
             rank[order] = np.arange(len(order))
             kept = there[np.lexsort((rank[owner[there]], keys[there]))]

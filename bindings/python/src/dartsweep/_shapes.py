@@ -21,7 +21,7 @@ _PLANAR_TYPE_OF_WIDTH = {3: CellType.TRIANGLE, 4: CellType.QUAD}
 
 
 def kind_of_rows(cells: NDArray[Any], dimension: int) -> tuple[CellType, ArrayLike | None, ArrayLike | None]:
-    """Of cells that are rows of points: their type, or where that does not tell their size the type and offset of each."""
+    """The type of cells that are rows of points; if it does not tell their size, the type and offset of each."""
     count, width = cells.shape
     if dimension == 2 and width > 4:
         return CellType.NONE, np.full(count, CellType.POLYGON, np.uint8), np.arange(0, cells.size + 1, width).astype(cells.dtype)

@@ -53,6 +53,8 @@ class Environment(Named, Topology):
     if there are any, but for three arguments. merge_points: points within this distance count as one, 0.0: points at one place; then fewer
     faces touch. conform: faces that faces of other cells cover are split, too, so that both sides sew (merge_points then also tells how far a
     point may be from an edge or face that it lies on). inner_walls: they are walls.
+    split: cells whose mean does not see all of their faces, such as an L, are split into parts; `parent` gives the cell of a part. Cells
+    with repeated points are what is left of them.
     region_names: names of labels, which calls then take in place of these; a name may have several labels. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
     """
 
@@ -72,6 +74,7 @@ class Environment(Named, Topology):
         flags: int = 0,
         merge_points: float | None = None,
         conform: bool = False,
+        split: bool = False,
         inner_walls: bool = False,
         region_names: Mapping[str, Labels] | None = None,
         threads: int = 0,
@@ -84,6 +87,8 @@ class Environment(Named, Topology):
             flags |= EnvironmentFlag.MERGE_POINTS
         if conform:
             flags |= EnvironmentFlag.CONFORM
+        if split:
+            flags |= EnvironmentFlag.SPLIT
         must_not_touch = not conform and not inner_walls
         if must_not_touch:
             flags |= EnvironmentFlag.FIND_TOUCHING
@@ -227,6 +232,11 @@ class Environment(Named, Topology):
     def region(self, volume: Any) -> int:
         """Region label of a volume."""
         return self._core.get_region(volume)  # type: ignore[no-any-return]
+
+    def parent(self, volume: Any) -> int:
+        """The index of the cell that was given of which a volume is all or a part. `NotFound`: it was added later to an environment
+        whose cells were split."""
+        return self._core.get_parent(volume)  # type: ignore[no-any-return]
 
     def tag(self, volume: Any) -> int:
         """A host's tag of a volume."""

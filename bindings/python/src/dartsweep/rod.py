@@ -49,7 +49,7 @@ class StepReport(NamedTuple):
     pressing: int
     """Rows with an impulse."""
     sweeps: int
-    """Of Gauss-Seidel."""
+    """Sweeps of Gauss-Seidel."""
     off: float
     """By how much a row is off, or has moved in the last sweep, at most: a length."""
     contacts: int
@@ -121,7 +121,7 @@ class Rod:
         self.recovery = 0.2
         """Share of a negative gap that a step takes back."""
         self.most_sweeps = 60
-        """Of Gauss-Seidel in a step."""
+        """Most sweeps of Gauss-Seidel in a step."""
         self.tolerance = 1e-7 * radius
         """Sweeps end when no row is off, or moves in a sweep, by more."""
         self.report = StepReport(0, 0, 0, 0.0, 0)

@@ -19,7 +19,7 @@ LABELS = (
 """Arrays of cells that are labels: names as usual writers give them, the first that a file has."""
 
 FACE_LABELS = (*LABELS, "BoundaryIds", "boundary", "tetgen:marker", "patch", "PatchId", "ModelFaceID")
-"""Likewise for faces."""
+"""Arrays of faces that are labels, in the order in which they are looked for."""
 
 
 def regions_of(mesh: Mesh, name: str | None) -> tuple[NDArray[Any] | None, dict[str, Any]]:

@@ -17,7 +17,7 @@ POLYHEDRON = 42
 """VTK's number, and that of CellType."""
 
 DIMENSION = np.full(256, -1, np.int8)
-"""Of cells of each of VTK's types; -1 for those that no reader gives."""
+"""The dimension of cells of each of VTK's types; -1 for those that no reader gives."""
 for _dimension, _types in enumerate(
     (
         (1, 2),

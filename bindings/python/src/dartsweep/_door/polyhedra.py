@@ -29,7 +29,7 @@ def cells_of_faces(face_counts: Any, face_sizes: Any, points: Any) -> Cells:
 
 
 def faces_of_cells(cells: Cells, source: str) -> tuple[Indices, Indices, Indices]:
-    """Of polyhedra: numbers of faces; and where in `flat` the points of each face begin, and how many they are."""
+    """How many faces each polyhedron has; where in `flat` the points of each face begin, and how many they are."""
     starts, ends = cells.offsets[:-1], cells.offsets[1:]
     damaged = MeshError(source, "the faces of a polyhedron do not fill its stream", "the file is damaged")
     if np.any(ends == starts):

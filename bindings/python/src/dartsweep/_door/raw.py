@@ -37,7 +37,7 @@ class Raw:
     """Named groups of faces that are no cells: name, offsets and points of each."""
     fields: dict[str, Any] = dataclasses.field(default_factory=dict)
     hangs: bool = False
-    """As of Mesh."""
+    """Whether the mesh is said to have hanging nodes."""
     notes: list[str] = dataclasses.field(default_factory=list)
     source: str = "the mesh"
     reader: str = ""

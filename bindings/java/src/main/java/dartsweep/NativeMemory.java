@@ -27,7 +27,7 @@ final class NativeMemory {
     return copy;
   }
 
-  /** The same for C to write to. */
+  /** Gives memory as `of` does, for C to write to; refuses a buffer that is read-only. */
   static Object writable(DoubleBuffer buffer) {
     if (buffer != null && buffer.isReadOnly()) throw new ReadOnlyBufferException();
     return of(buffer);

@@ -1,4 +1,4 @@
-#include "scene/locations.h"
+#include "query/locations.h"
 
 #include <cstdio>
 

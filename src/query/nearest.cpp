@@ -1,4 +1,4 @@
-#include "scene/nearest.h"
+#include "query/nearest.h"
 
 #include <algorithm>
 #include <atomic>
@@ -14,7 +14,7 @@
 #include "locate/inside.h"
 #include "locate/locate.h"
 #include "predicates/plane_hit.h"
-#include "scene/locations.h"
+#include "query/locations.h"
 
 namespace dsw {
 namespace {
