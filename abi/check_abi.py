@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Checks of the binary interface, and what renews its lists. README.md says what each proves.
 
-usage: check_abi.py symbols LIBRARY        exported names = symbols.txt = names declared in the headers, all of the last
-                                           release among them
+usage: check_abi.py symbols LIBRARY        exported names = names declared in the headers, all of the last release among them
        check_abi.py needed LIBRARY [NAME]  nothing beyond the C and C++ runtimes, and NAME if the build asked for it,
                                            is needed; SONAME and symbol version follow VERSION
        check_abi.py abidiff C++_COMPILER   types and signatures that the headers declare against the last release
@@ -15,7 +14,7 @@ usage: check_abi.py symbols LIBRARY        exported names = symbols.txt = names 
                                            with what is in the folder
        check_abi.py describe C++_COMPILER LIBRARY
                                            makes a library with debug information of what the headers declare
-       check_abi.py write-symbols LIBRARY  renews symbols.txt
+       check_abi.py names                  prints the names declared in the headers, sorted
        check_abi.py next-version RELEASE [break]   renews VERSION and dartsweep.map for a release
 """
 import pathlib
@@ -26,7 +25,6 @@ import tempfile
 
 ABI = pathlib.Path(__file__).resolve().parent
 HEADERS = ABI.parent / "include" / "dartsweep"
-SYMBOLS = ABI / "symbols.txt"
 STRUCT_TEST = ABI.parent / "tests" / "capi" / "struct_size_test.c"
 RUNTIMES = re.compile(r"(libc|libm|libgcc_s|libstdc\+\+|libc\+\+|libc\+\+abi|libpthread|ld-linux[\w-]*)\.so(\.\d+)?$")
 
@@ -138,11 +136,9 @@ def describe(compiler, library, code="", link=()):
 
 
 def check_symbols(library):
-    names, symbols = exported(library), listed(SYMBOLS)
-    problems = []
-    for title, others in (("exported by the library", names), ("declared in the headers", functions(header_text()))):
-        problems += [f"{name} is in symbols.txt but not {title}" for name in sorted(set(symbols) - set(others))]
-        problems += [f"{name} is {title} but not in symbols.txt" for name in sorted(set(others) - set(symbols))]
+    names, declared = exported(library), functions(header_text())
+    problems = [f"{name} is declared in the headers but not exported by the library" for name in sorted(set(declared) - set(names))]
+    problems += [f"{name} is exported by the library but not declared in the headers" for name in sorted(set(names) - set(declared))]
     unprefixed = [name for name in names if not name.startswith("dsw_")]
     print(f"abi.unprefixed_symbols {len(unprefixed)}")
     problems += [f"{name} does not begin with dsw_" for name in unprefixed]
@@ -291,12 +287,9 @@ def check_refused(program, library, folder):
 # ---- what renews ------------------------------------------------------------------------------------------------------
 
 
-def write_symbols(library):
-    names = exported(library)
-    SYMBOLS.write_text("# What the shared library exports, sorted. README.md says how to change it.\n"
-                       + "".join(name + "\n" for name in names))
-    print(f"{len(names)} names written to {SYMBOLS}")
-    return []
+def print_names():
+    print("\n".join(sorted(functions(header_text()))))
+    sys.exit()
 
 
 def next_version(version, kind=None):
@@ -326,7 +319,7 @@ def next_version(version, kind=None):
 
 COMMANDS = {"symbols": check_symbols, "needed": check_needed, "abidiff": check_abidiff, "source": check_source,
             "layout": check_layout, "structs": check_structs, "versions": check_versions, "refused": check_refused,
-            "describe": describe, "write-symbols": write_symbols, "next-version": next_version}
+            "describe": describe, "names": print_names, "next-version": next_version}
 
 
 def main():

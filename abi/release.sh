@@ -38,14 +38,13 @@ python3 -B abi/check_abi.py next-version "$version" ${2:+"$2"}
 # The baseline. Where a type is defined tells public from private, so file names stay, without this machine's folders.
 cmake --preset release
 cmake --build --preset release --target dartsweep
-python3 -B abi/check_abi.py write-symbols build/release/src/libdartsweep.so
 mkdir -p build/release/abi/described
 library=build/release/abi/described/libdartsweep.so
 python3 -B abi/check_abi.py describe c++ "$library"
 baseline=abi/baseline/$version
 {
   echo "# What $version exports: $(grep -E '^(current|revision|age)' abi/VERSION | tr '\n' ' ')"
-  grep -v '^#' abi/symbols.txt
+  python3 -B abi/check_abi.py names
 } >"$baseline.symbols"
 abidw --headers-dir include --exported-interfaces-only --drop-private-types --no-corpus-path --no-comp-dir-path \
   --no-parameter-names --out-file build/release/abi/libdartsweep.abi "$library"

@@ -11,20 +11,4 @@ static inline type dartsweep_Change_##name##_get(const dartsweep::Change *change
   type name;
 }
 %enddef
-DSW_CHANGE_NUMBER(double, distance)
-DSW_CHANGE_NUMBER(double, smallest_width)
-DSW_CHANGE_NUMBER(double, largest_width)
-DSW_CHANGE_NUMBER(uint32_t, is_closed)
-DSW_CHANGE_NUMBER(uint32_t, volumes_visited)
-DSW_CHANGE_NUMBER(uint32_t, volumes_crossed)
-DSW_CHANGE_NUMBER(uint32_t, volumes_split)
-DSW_CHANGE_NUMBER(uint32_t, volumes_changed)
-DSW_CHANGE_NUMBER(uint32_t, vertices_parted)
-DSW_CHANGE_NUMBER(uint32_t, vertices_shortened)
-DSW_CHANGE_NUMBER(uint32_t, faces_sewn)
-DSW_CHANGE_NUMBER(uint32_t, faces_unsewn)
-DSW_CHANGE_NUMBER(uint32_t, volumes_invalid)
-DSW_CHANGE_NUMBER(uint32_t, volumes_removed)
-DSW_CHANGE_NUMBER(uint32_t, volumes_added)
-DSW_CHANGE_NUMBER(uint32_t, patch_count)
-DSW_CHANGE_NUMBER(uint32_t, most_faces)
+DSW_EACH_CHANGE_NUMBER(DSW_CHANGE_NUMBER)

@@ -7,6 +7,7 @@
 
 #include "common/host.h"
 #include "errors.h"
+#include "structs.h"
 
 namespace dartsweep_csharp {
 
@@ -75,16 +76,5 @@ DSW_CSHARP_API void dartsweep_set_callbacks(dartsweep_csharp::ErrorCallback erro
   dartsweep_csharp::write_log = log;
 }
 
-// Sizes of structs of C, in the order of elements.i, for tests.
-DSW_CSHARP_API std::size_t dartsweep_size_of(int index) {
-  static const std::size_t sizes[] = {
-      sizeof(dartsweep::Vec3),     sizeof(dsw_cell),          sizeof(dsw_vertex_id),       sizeof(dsw_volume_id),
-      sizeof(dsw_face_id),         sizeof(dsw_edge_id),       sizeof(dsw_particle_id),     sizeof(dsw_body_id),
-      sizeof(dsw_body_vertex_id),  sizeof(dsw_body_edge_id),  sizeof(dsw_body_face_id),    sizeof(dsw_contact),
-      sizeof(dsw_flight),          sizeof(dsw_crossing),      sizeof(dsw_sweep),           sizeof(dsw_nearest),
-      sizeof(dsw_segment_nearest), sizeof(dsw_body_contact),  sizeof(dsw_contact_partner), sizeof(dsw_previous_contact),
-      sizeof(dsw_body_edit),       sizeof(dsw_move_report),   sizeof(dsw_near_row),        sizeof(dsw_pair_touch),
-      sizeof(dsw_wall_contact),    sizeof(dsw_volume_change), sizeof(dsw_vertex_origin),   sizeof(dsw_cut_face),
-      sizeof(dsw_face_origin)};
-  return sizes[index];
-}
+// Sizes of structs of C, in the order of Structs.All, for tests.
+DSW_CSHARP_API std::size_t dartsweep_size_of(int index) { return dartsweep_csharp::sizes_of_structs[index]; }

@@ -1,5 +1,5 @@
 // How arrays, ids, points and errors look in C#; see bindings/README.md for what belongs here. Ids, reports and contacts are C# structs
-// laid out as C's (src/Structs.cs): they are passed by value, and arrays of them are pinned, not copied.
+// laid out as C's (Structs.cs, made by declare.py): they are passed by value, and arrays of them are pinned, not copied.
 
 // Instead of SWIG's callbacks, which are one for each class of exceptions: one, of errors.h.
 %insert(runtime) %{

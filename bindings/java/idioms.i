@@ -1,5 +1,5 @@
-// What Java's users expect beyond the shared methods: double[] where buffers would do, results made rather than filled. Points are x, y, z
-// of each, in the plane x, y.
+// What Java's users expect beyond the shared methods and those of fillers.i, which are made: double[] where buffers would do. Points are x,
+// y, z of each, in the plane x, y.
 
 %typemap(javaimports) dartsweep::Environment, dartsweep::Scene, dartsweep::Body "import java.nio.DoubleBuffer;"
 
@@ -26,48 +26,6 @@
     return desc;
   }
 
-  /** Flights of segments, from points to points (x, y, z). */
-  public FlightArray castSegments(double[] from, double[] to) {
-    FlightArray flights = new FlightArray(from.length / dimension());
-    castSegments(DoubleBuffer.wrap(from), DoubleBuffer.wrap(to), null, null, flights);
-    return flights;
-  }
-
-  /** The nearest place that is inside for each point (x, y, z); those that move lie `by` from the boundary. */
-  public double[] findInside(double[] points, double by) {
-    double[] inside = new double[points.length];
-    findInside(DoubleBuffer.wrap(points), by, null, DoubleBuffer.wrap(inside));
-    return inside;
-  }
-
-  /** What is nearest to each point (x, y, z) within a radius. */
-  public NearestArray findNearestToPoints(double[] points, double radius) {
-    NearestArray nearest = new NearestArray(points.length / dimension());
-    findNearestToPoints(DoubleBuffer.wrap(points), radius, null, nearest);
-    return nearest;
-  }
-
-  /** What is nearest to each segment, from points to points (x, y, z), within a radius. */
-  public SegmentNearestArray findNearestToSegments(double[] from, double[] to, double radius) {
-    SegmentNearestArray nearest = new SegmentNearestArray(from.length / dimension());
-    findNearestToSegments(DoubleBuffer.wrap(from), DoubleBuffer.wrap(to), radius, null, nearest);
-    return nearest;
-  }
-
-  /** Sweeps of edges: one end of each moves from a point to another, the other end is fixed. */
-  public SweepArray sweepEdges(double[] from, double[] to, double[] fixed) {
-    SweepArray sweeps = new SweepArray(from.length / dimension());
-    sweepEdges(DoubleBuffer.wrap(from), DoubleBuffer.wrap(to), DoubleBuffer.wrap(fixed), null, null, sweeps);
-    return sweeps;
-  }
-
-  /** Volumes that contain points (x, y, z); null ids outside. */
-  public VolumeIdArray locatePoints(double[] points) {
-    VolumeIdArray volumes = new VolumeIdArray(points.length / dimension());
-    locatePoints(DoubleBuffer.wrap(points), null, volumes);
-    return volumes;
-  }
-
   /** Cuts along a blade of rows * columns points (x, y, z), row by row. */
   public Change cut(double[] blade, int rows, int columns) {
     return cut(DoubleBuffer.wrap(blade), rows, columns);
@@ -89,20 +47,6 @@
     SceneDesc desc = new SceneDesc();
     desc.setFeatures(features);
     return desc;
-  }
-
-  /** New particles at points (x, y, z), all or none. */
-  public ParticleIdArray createParticles(double[] positions) {
-    ParticleIdArray particles = new ParticleIdArray(positions.length / dimension());
-    createParticles(DoubleBuffer.wrap(positions), null, particles);
-    return particles;
-  }
-
-  /** Moves particles to targets (x, y, z), each to the first wall in its way. */
-  public FlightArray moveParticles(ParticleIdArray particles, double[] targets) {
-    FlightArray flights = new FlightArray(particles.size());
-    moveParticles(particles, DoubleBuffer.wrap(targets), null, flights);
-    return flights;
   }
 
   /** Moves all vertices of bodies to targets (x, y, z; body after body), all at once; options may be null. */

@@ -350,3 +350,4 @@ DSW_EACH_ID(DSW_IDS)
 }
 
 %include "idioms.i"
+%include "fillers.i" // made by declare.py

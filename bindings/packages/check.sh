@@ -39,7 +39,7 @@ windows_zip() {
   fresh "$folder"
   (cd "$folder" && "$python" -m zipfile -e "$dist"/dartsweep-*-windows-x64.zip . && mv dartsweep-*/* .)
   diff <(x86_64-w64-mingw32-objdump -p "$folder/bin/dartsweep-2.dll" | sed -nE 's/^\s*\[ *[0-9]+\].* (dsw_\w+)$/\1/p' | sort) \
-    <(grep -o 'dsw_\w*' "$root/abi/symbols.txt" | sort -u)
+    <(python3 -B "$root/abi/check_abi.py" names | sort -u)
   cat >"$folder/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(hello C)

@@ -20,7 +20,7 @@ export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
 
 # All functions of the C API, and those of the scene.
 exported=$({
-  grep '^dsw_' "$root/abi/symbols.txt"
+  python3 -B "$root/abi/check_abi.py" names
   grep -o 'scene_[a-z_]*(' "$here/scene.h" | tr -d '('
   printf '%s\n' malloc free
 } | sed 's/^/_/' | paste -sd, -)

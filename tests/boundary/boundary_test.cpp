@@ -1,7 +1,7 @@
 // Every exported function is called with one thing wrong after the other, from several threads at once: it answers a
 // status, says in which function, leaves its out-arguments alone, and nothing has changed. First each thread has a
 // world of its own; then all share one, readers together and writers alone, as the headers promise. All of it in the
-// plane, then in space. The list of functions is that of abi/symbols.txt. usage: boundary_test [THREADS],
+// plane, then in space. The list of functions is that of the headers. usage: boundary_test [THREADS],
 // without which they are as many as DSW_EFFORT asks for.
 
 #include <algorithm>

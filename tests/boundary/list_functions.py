@@ -1,23 +1,22 @@
 #!/usr/bin/env python3
-"""Writes the exported functions and the structs that begin with their size as macros, for arguments.h and boundary_test.cpp.
+"""Writes the functions that the headers declare and the structs that begin with their size as macros, for arguments.h and boundary_test.cpp.
 
-usage: list_functions.py SYMBOLS HEADER_DIR
+usage: list_functions.py HEADER_DIR
 
 FUNCTION(name, "a,b") has the names of its parameters; REPORT(struct) is filled by the library; DESCRIPTION(struct) is read by it and has
-defaults, and MEMBER(struct, member) can be wrong. Fails when a name of SYMBOLS has no prototype, so that none is forgotten.
+defaults, and MEMBER(struct, member) can be wrong.
 """
 import pathlib
 import re
 import sys
 
-symbols, headers = map(pathlib.Path, sys.argv[1:])
+headers = pathlib.Path(sys.argv[1])
 text = "".join(path.read_text() for path in sorted(headers.glob("*.h")))
 text = re.sub(r"/\*.*?\*/|^#.*?$", "", text, flags=re.S | re.M)
-names = re.findall(r"^dsw_\w+", symbols.read_text(), re.M)
 prototypes = dict(re.findall(r"^DSW_API\b[^;(]*?(\w+)\(([^)]*)\);", text, re.M))
-missing = [name for name in names if name not in prototypes]
-if missing or not names:
-    sys.exit(f"no prototype of {missing}")
+names = sorted(prototypes)
+if len(re.findall(r"^DSW_API\b", text, re.M)) != len(names) or not names:
+    sys.exit("a declaration that is not understood")
 for name in names:
     parameters = [re.search(r"(\w+)\s*$", each)[1] for each in prototypes[name].split(",")]
     print(f'FUNCTION({name}, "{"" if parameters == ["void"] else ",".join(parameters)}")')

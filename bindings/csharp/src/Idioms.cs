@@ -1,4 +1,4 @@
-// What C#'s users expect beyond the shared methods: results made rather than filled, points as x, y, z of each, in the plane x, y.
+// What C#'s users expect beyond the shared methods and those of Fillers.cs, which are made: points are x, y, z of each, in the plane x, y.
 
 namespace Dartsweep
 {
@@ -16,54 +16,6 @@ namespace Dartsweep
       bool planar = type == CellType.Triangle || type == CellType.Quad || type == CellType.Polygon;
       return new EnvironmentDesc { UniformCellType = (uint)type, Dimension = planar ? 2u : 3u };
     }
-
-    /// <summary>Flights of segments, from points to points.</summary>
-    public Flight[] CastSegments(double[] from, double[] to)
-    {
-      Flight[] flights = new Flight[from.Length / Dimension()];
-      CastSegments(from, to, null, null, flights);
-      return flights;
-    }
-
-    /// <summary>The nearest place that is inside for each point; those that move lie `by` from the boundary.</summary>
-    public double[] FindInside(double[] points, double by)
-    {
-      double[] inside = new double[points.Length];
-      FindInside(points, by, null, inside);
-      return inside;
-    }
-
-    /// <summary>What is nearest to each point within a radius.</summary>
-    public Nearest[] FindNearestToPoints(double[] points, double radius)
-    {
-      Nearest[] nearest = new Nearest[points.Length / Dimension()];
-      FindNearestToPoints(points, radius, null, nearest);
-      return nearest;
-    }
-
-    /// <summary>What is nearest to each segment, from a point to a point, within a radius.</summary>
-    public SegmentNearest[] FindNearestToSegments(double[] from, double[] to, double radius)
-    {
-      SegmentNearest[] nearest = new SegmentNearest[from.Length / Dimension()];
-      FindNearestToSegments(from, to, radius, null, nearest);
-      return nearest;
-    }
-
-    /// <summary>Sweeps of edges: one end of each moves from a point to another, the other end is fixed.</summary>
-    public Sweep[] SweepEdges(double[] from, double[] to, double[] fixedEnds)
-    {
-      Sweep[] sweeps = new Sweep[from.Length / Dimension()];
-      SweepEdges(from, to, fixedEnds, null, null, sweeps);
-      return sweeps;
-    }
-
-    /// <summary>Volumes that contain points; null ids outside.</summary>
-    public VolumeId[] LocatePoints(double[] points)
-    {
-      VolumeId[] volumes = new VolumeId[points.Length / Dimension()];
-      LocatePoints(points, null, volumes);
-      return volumes;
-    }
   }
 
   public sealed unsafe partial class Scene
@@ -71,22 +23,6 @@ namespace Dartsweep
     /// <summary>A scene with features, the sum of Library.FEATURE_ constants.</summary>
     public Scene(Environment environment, uint features) : this(environment, new SceneDesc { Features = features })
     {
-    }
-
-    /// <summary>New particles at points, all or none.</summary>
-    public ParticleId[] CreateParticles(double[] positions)
-    {
-      ParticleId[] particles = new ParticleId[positions.Length / Dimension()];
-      CreateParticles(positions, null, particles);
-      return particles;
-    }
-
-    /// <summary>Moves particles to targets, each to the first wall in its way.</summary>
-    public Flight[] MoveParticles(ParticleId[] particles, double[] targets)
-    {
-      Flight[] flights = new Flight[particles.Length];
-      MoveParticles(particles, targets, null, flights);
-      return flights;
     }
 
     /// <summary>Moves all vertices of bodies to targets, body after body, all at once.</summary>

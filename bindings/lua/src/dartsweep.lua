@@ -146,6 +146,8 @@ function Scene:body(id) return core.Body(self, id) end
 
 -- --- calls that fill arrays: new ones, where none are given
 
+-- {fillers}
+
 local coarsen = Environment.coarsen
 function Environment:coarsen(options)
   local volume_map = core.UIntArray(self:info().volume_index_count)
@@ -160,46 +162,6 @@ function Environment:locate_points(points, hints, volumes, locations)
   return volumes, locations
 end
 
-local cast_segments = Environment.cast_segments
-function Environment:cast_segments(from, to, starts, options, flights)
-  from = core.points(from, self:dimension())
-  flights = flights or core.FlightArray(#from // self:dimension())
-  cast_segments(self, from, to, starts, options, flights)
-  return flights
-end
-
-local find_inside = Environment.find_inside
-function Environment:find_inside(points, by, hints, volumes)
-  points = core.points(points, self:dimension())
-  local inside = core.DoubleArray(#points)
-  find_inside(self, points, by or 0, hints, inside, volumes)
-  return inside
-end
-
-local find_nearest_to_points = Environment.find_nearest_to_points
-function Environment:find_nearest_to_points(points, radius, hints, nearest, volumes, locations)
-  points = core.points(points, self:dimension())
-  nearest = nearest or core.NearestArray(#points // self:dimension())
-  find_nearest_to_points(self, points, radius or math.huge, hints, nearest, volumes, locations)
-  return nearest
-end
-
-local find_nearest_to_segments = Environment.find_nearest_to_segments
-function Environment:find_nearest_to_segments(from, to, radius, hints, nearest, volumes, locations)
-  from = core.points(from, self:dimension())
-  nearest = nearest or core.SegmentNearestArray(#from // self:dimension())
-  find_nearest_to_segments(self, from, to, radius or math.huge, hints, nearest, volumes, locations)
-  return nearest
-end
-
-local sweep_edges = Environment.sweep_edges
-function Environment:sweep_edges(from, to, fixed, starts, options, sweeps)
-  from = core.points(from, self:dimension())
-  sweeps = sweeps or core.SweepArray(#from // self:dimension())
-  sweep_edges(self, from, to, fixed, starts, options, sweeps)
-  return sweeps
-end
-
 local sweep_pairs = core.sweep_pairs
 function core.sweep_pairs(dimension, kinds, from, to, flags, touches, context)
   touches = touches or core.PairTouchArray(#kinds)
@@ -207,47 +169,11 @@ function core.sweep_pairs(dimension, kinds, from, to, flags, touches, context)
   return touches
 end
 
-local create_particles = Scene.create_particles
-function Scene:create_particles(positions, hints, particles)
-  positions = core.points(positions, self:dimension())
-  particles = particles or core.ParticleIdArray(#positions // self:dimension())
-  create_particles(self, positions, hints, particles)
-  return particles
-end
-
 local get_particle_positions = Scene.get_particle_positions
 function Scene:get_particle_positions(particles, positions, volumes)
   positions, volumes = positions or core.DoubleArray(self:dimension() * #particles), volumes or core.VolumeIdArray(#particles)
   get_particle_positions(self, particles, positions, volumes)
   return positions, volumes
-end
-
-local move_particles = Scene.move_particles
-function Scene:move_particles(particles, targets, options, flights)
-  flights = flights or core.FlightArray(#particles)
-  move_particles(self, particles, targets, options, flights)
-  return flights
-end
-
-local cast_from_particles = Scene.cast_from_particles
-function Scene:cast_from_particles(particles, to, options, flights)
-  flights = flights or core.FlightArray(#particles)
-  cast_from_particles(self, particles, to, options, flights)
-  return flights
-end
-
-local move_bodies = Scene.move_bodies
-function Scene:move_bodies(bodies, targets, options, reports)
-  reports = reports or core.MoveReportArray(#bodies)
-  move_bodies(self, bodies, targets, options, reports)
-  return reports
-end
-
-local move_together = Scene.move_together
-function Scene:move_together(bodies, targets, options, reports)
-  reports = reports or core.MoveReportArray(#bodies)
-  move_together(self, bodies, targets, options, reports)
-  return reports
 end
 
 local deform = Scene.deform

@@ -44,36 +44,7 @@ class Environment extends native.Environment {
     return super.castPath(from, to, start, options);
   }
 
-  castSegments(from, to, { starts, flights = new arrays.FlightArray(Math.trunc(from.length / this.dimension())), ...options } = {}) {
-    super.castSegments(from, to, starts, options, flights);
-    return flights;
-  }
-
-  findInside(points, by = 0, { hints, volumes } = {}) {
-    const inside = new Float64Array(points.length);
-    super.findInside(points, by, hints, inside, volumes);
-    return inside;
-  }
-
-  findNearestToPoints(points, radius, { hints, volumes, locations, nearest = new arrays.NearestArray(Math.trunc(points.length / this.dimension())) } = {}) {
-    super.findNearestToPoints(points, radius, hints, nearest, volumes, locations);
-    return nearest;
-  }
-
-  findNearestToSegments(
-    from,
-    to,
-    radius,
-    { hints, volumes, locations, nearest = new arrays.SegmentNearestArray(Math.trunc(from.length / this.dimension())) } = {},
-  ) {
-    super.findNearestToSegments(from, to, radius, hints, nearest, volumes, locations);
-    return nearest;
-  }
-
-  sweepEdges(from, to, fixed, { starts, sweeps = new arrays.SweepArray(Math.trunc(from.length / this.dimension())), ...options } = {}) {
-    super.sweepEdges(from, to, fixed, starts, options, sweeps);
-    return sweeps;
-  }
+  // {fillers}
 
   markVolumes(volumes, mark, flags = 0) {
     return super.markVolumes(volumes, mark, flags);

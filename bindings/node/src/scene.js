@@ -29,26 +29,13 @@ class Scene extends native.Scene {
     return Object.setPrototypeOf(super.load(environment, block), this.prototype);
   }
 
-  createParticles(positions, { hints, particles = new arrays.ParticleIdArray(Math.trunc(positions.length / this.dimension())) } = {}) {
-    super.createParticles(positions, hints, particles);
-    return particles;
-  }
+  // {fillers}
 
   getParticlePositions(particles) {
     const positions = new Float64Array(this.dimension() * particles.length);
     const volumes = new arrays.VolumeIdArray(particles.length);
     super.getParticlePositions(particles, positions, volumes);
     return { positions, volumes };
-  }
-
-  moveParticles(particles, targets, { flights = new arrays.FlightArray(particles.length), ...options } = {}) {
-    super.moveParticles(particles, targets, options, flights);
-    return flights;
-  }
-
-  castFromParticles(particles, to, { flights = new arrays.FlightArray(particles.length), ...options } = {}) {
-    super.castFromParticles(particles, to, options, flights);
-    return flights;
   }
 
   createBody(positions, edges, { triangles, hints, ...desc } = {}) {
@@ -58,16 +45,6 @@ class Scene extends native.Scene {
 
   body(id) {
     return new Body(this, id);
-  }
-
-  moveBodies(bodies, targets, { reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
-    super.moveBodies(idsOf(bodies), targets, options, reports);
-    return reports;
-  }
-
-  moveTogether(bodies, targets, { reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
-    super.moveTogether(idsOf(bodies), targets, options, reports);
-    return reports;
   }
 
   deform(positions, { bodies = [], targets = [], reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
