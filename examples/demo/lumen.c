@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base.h"
 
@@ -44,7 +45,8 @@ size_t mark_wall(dsw_environment *environment, const demo_mesh *mesh) {
 dsw_environment *create_environment(dsw_context *context, const demo_mesh *mesh) {
   dsw_environment_desc desc;
   dsw_environment *environment = NULL;
-  dsw_build_report report = {0};
+  dsw_build_report report;
+  memset(&report, 0, sizeof report);
   report.struct_size = sizeof report;
   dsw_environment_desc_init(&desc, sizeof desc);
   desc.points = mesh->points;

@@ -328,6 +328,7 @@ class Reader {
   }
   template <class Rank>
   uint16_t lowest_of(uint32_t first, uint32_t end, Rank rank) const {
+    if (first == end) return 0;  // of a damaged stream
     uint32_t best = first;
     auto lowest = rank(local_to_point_[loop_vertices_[first]]);
     for (uint32_t k = first + 1; k < end; ++k) {

@@ -111,7 +111,7 @@ Sum& operator<<(Sum& sum, const dsw_statistics& statistics) {
 Sum& operator<<(Sum& sum, const dsw_build_report& report) {
   const auto& [struct_size, status, offender_count, offenders, reoriented_count, part_count, unused_point_count,
                boundary_face_count, convex_volume_count, reoriented_face_count, merged_point_count, changed_count,
-               changed, touching_face_count, touching_face, touched_face] =
+               changed, touching_face_count, touching_face, touched_face, split_count, added_point_count] =
       report;  // those since 2.1 are 0 in what is summed
   return sum.all(struct_size, status, offender_count, offenders, reoriented_count, part_count, unused_point_count,
                  boundary_face_count, convex_volume_count);

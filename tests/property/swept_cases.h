@@ -25,7 +25,8 @@ using oracle::SceneKind;
 using oracle::Vec;
 
 /// Null where creation may refuse the mesh, and does.
-inline std::unique_ptr<Environment<3>> environment_of(const oracle::Mesh& mesh) {
+inline std::unique_ptr<Environment<3>> environment_of(oracle::Mesh mesh) {
+  mesh.loose.clear();  // the cells that conforming makes, as they are
   const oracle::DescArrays arrays(mesh, {});
   const dsw_environment_desc& desc = arrays.desc;
   auto env = std::make_unique<Environment<3>>(nullptr);

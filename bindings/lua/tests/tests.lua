@@ -2,6 +2,7 @@
 local dsw = require "dartsweep"
 local lu = require "luaunit"
 local scenario = require "scenario"
+require "touching"
 
 local scenario_file = table.remove(arg, 1)
 local INSIDE, OUTSIDE = scenario.INSIDE, scenario.OUTSIDE
@@ -300,36 +301,6 @@ function TestValues:test_nearest_of_points_and_segments()
   lu.assertTrue(segments[1].nearest.distance <= points[1].distance)
   lu.assertTrue(segments[1].segment_parameter >= 0 and segments[1].segment_parameter <= 1)
   lu.assertEquals(#segments[1].segment_point, 3)
-end
-
--- Cubes with points of their own; each is x, y, z and a width.
-local function cubes(flags, merge_distance, ...)
-  local corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}
-  local points, cells = {}, {}
-  for i, cube in ipairs {...} do
-    cells[i] = {}
-    for k, corner in ipairs(corners) do
-      cells[i][k] = #points
-      points[#points + 1] = {cube[1] + cube[4] * corner[1], cube[2] + cube[4] * corner[2], cube[3] + cube[4] * corner[3]}
-    end
-  end
-  return dsw.Environment {points = points, cells = cells, flags = flags, merge_distance = merge_distance}
-end
-
-function TestValues:test_parts_that_touch_are_counted_and_sewn()
-  local one, four = {0, 0, 0, 1}, {{1, 0, 0, 0.5}, {1, 0.5, 0, 0.5}, {1, 0, 0.5, 0.5}, {1, 0.5, 0.5, 0.5}}
-  local loose <close> = cubes(dsw.ENVIRONMENT_FIND_TOUCHING, 0, one, table.unpack(four))
-  lu.assertEquals(loose:build_report().touching_face_count, 13)
-  lu.assertEquals(loose:build_report().touching_face.volume, 0)
-  lu.assertEquals(loose:build_report().touched_face.volume, 1)
-  local sewn <close> = cubes(dsw.ENVIRONMENT_CONFORM | dsw.ENVIRONMENT_FIND_TOUCHING, 0, one, table.unpack(four))
-  lu.assertEquals(sewn:build_report().part_count, 1)
-  lu.assertEquals(sewn:build_report().changed_count, 1)
-  lu.assertEquals(sewn:build_report().touching_face_count, 0)
-  lu.assertEquals(sewn:cast({0.25, 0.5, 0.5}, {1.375, 0.375, 0.25}).outcome, dsw.OUTCOME_REACHED)
-  local near <close> = cubes(dsw.ENVIRONMENT_MERGE_POINTS, 1e-9, one, {1 + 1e-10, 0, 0, 1})
-  lu.assertEquals(near:build_report().merged_point_count, 4)
-  lu.assertError(cubes, dsw.ENVIRONMENT_CONFORM, 0, one, {1, 0.25, 0.25, 1})
 end
 
 function TestValues:test_places_inside()

@@ -70,7 +70,7 @@ def main(what: str, folder: pathlib.Path) -> None:
     found = {}
     for path in sorted(folder.glob("*.vt?")):
         try:
-            with ds.read(path) as environment:
+            with ds.read(path, inner_walls=True) as environment:
                 found[path.name] = [volume_of(environment), len(environment.notes), content(environment)]
         except ds.MeshError as error:
             found[path.name] = [str(error)]

@@ -113,8 +113,9 @@ def test_what_meshio_would_leave_out_is_not_lost(tmp_path: pathlib.Path) -> None
 
     voxel = pyvista.UnstructuredGrid(np.array([8, *range(8), 8, *range(8, 16)]), [11, 12], np.concatenate([CUBE[[0, 1, 3, 2, 4, 5, 7, 6]], CUBE + (1, 0, 0)]))
     voxel.save(tmp_path / "both.vtu")
-    with ds.read(tmp_path / "both.vtu") as environment:
+    with ds.read(tmp_path / "both.vtu", merge_points=0.0) as environment:
         assert environment.info.volume_count == 2 and volume_of(environment) == pytest.approx(2)
+        assert environment.info.part_count == 1
     from dartsweep._door import meshio_reader
 
     with pytest.raises(ds.MeshError, match="meshio would leave out a part"):

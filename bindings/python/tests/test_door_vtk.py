@@ -39,7 +39,7 @@ def by(release: str, what: str, folder: pathlib.Path) -> Any:
 def test_cells_that_the_installed_vtk_writes_are_right(tmp_path: pathlib.Path, name: str, ending: str) -> None:
     main("write", tmp_path)
     (path,) = tmp_path.glob(f"{name}-*.{ending}")
-    with ds.read(path) as environment, ds.from_pyvista(grids()[name]) as direct:
+    with ds.read(path, inner_walls=True) as environment, ds.from_pyvista(grids()[name], inner_walls=True) as direct:
         assert volume_of(environment) == pytest.approx(VOLUMES[name]) and content(environment) == content(direct)
         assert not any("inside out" in note for note in environment.notes)
 
@@ -102,7 +102,7 @@ def test_pieces_and_blocks_are_sewn(tmp_path: pathlib.Path) -> None:
             assert environment.info.part_count == 1 and environment.info.vertex_count == 12
             assert environment.region_names == {"lumen": 1, "tissue": 2} and environment.mark_region("tissue")[0] == 1
     crack = pyvista.UnstructuredGrid({12: np.array([range(8), range(8, 16)])}, np.concatenate([CUBE, CUBE + (1, 0, 0)]))
-    with ds.from_pyvista(pyvista.MultiBlock({"cracked": crack, "behind": halves[1].translate((1, 0, 0))})) as environment:
+    with ds.from_pyvista(pyvista.MultiBlock({"cracked": crack, "behind": halves[1].translate((1, 0, 0))}), inner_walls=True) as environment:
         assert environment.info.part_count == 2  # the lips of the crack stay apart
 
 

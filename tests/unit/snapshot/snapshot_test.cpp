@@ -194,7 +194,9 @@ TEST(Snapshot, EveryDamagedByteIsSeenByTheChecksum) {
         block[at] = static_cast<uint8_t>(was ^ flip);
         const dsw_status status = load_status(block);
         ASSERT_TRUE(is_refusal(status)) << mesh.name << " byte " << at;
-        if (at / 4 == kAtVersion / 4) {
+        // Version 2 is written where no cell was split, and 3 is known as well: then the checksum tells.
+        const bool is_known = at == kAtVersion && block[at] == 3;
+        if (at / 4 == kAtVersion / 4 && !is_known) {
           EXPECT_EQ(status, DSW_STATUS_BAD_VERSION);
         } else if (at / 8 != kAtSize / 8) {
           EXPECT_EQ(status, DSW_STATUS_CORRUPT);

@@ -1,0 +1,42 @@
+// Tests of meshes whose parts lie on each other.
+using System;
+using System.Linq;
+using Dartsweep;
+using Environment = Dartsweep.Environment;
+
+static partial class Tests
+{
+  /// Cubes with points of their own; each is x, y, z and a width.
+  static Environment CreateCubes(uint flags, double distance, params double[][] cubes)
+  {
+    int[,] corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+    double[] points = new double[24 * cubes.Length];
+    int[] cells = Enumerable.Range(0, 8 * cubes.Length).ToArray();
+    for (int i = 0; i < points.Length; ++i) points[i] = cubes[i / 24][i % 3] + cubes[i / 24][3] * corners[i / 3 % 8, i % 3];
+    return new Environment(points, cells, null, null, null, null, null, null, new EnvironmentDesc { Flags = flags, MergeDistance = distance }, null);
+  }
+
+  public static void PartsThatTouchAreCountedAndSewn()
+  {
+    double[][] cubes = { new[] { 0.0, 0, 0, 1 }, new[] { 1, 0, 0, 0.5 }, new[] { 1, 0.5, 0, 0.5 }, new[] { 1, 0, 0.5, 0.5 }, new[] { 1, 0.5, 0.5, 0.5 } };
+    using (Environment environment = CreateCubes(Library.ENVIRONMENT_FIND_TOUCHING, 0, cubes))
+    {
+      BuildReport report = environment.BuildReport();
+      Same(13u, report.TouchingFaceCount);
+      Same(0u, report.TouchingFace.Volume);
+      Same(1u, report.TouchedFace.Volume);
+    }
+    using (Environment environment = CreateCubes(Library.ENVIRONMENT_CONFORM | Library.ENVIRONMENT_FIND_TOUCHING, 0, cubes))
+    {
+      BuildReport report = environment.BuildReport();
+      Same(1u, report.PartCount);
+      Same(1u, report.ChangedCount);
+      Same(0u, report.TouchingFaceCount);
+      Same(Outcome.Reached, environment.Cast(new Vec3(0.25, 0.5, 0.5), new Vec3(1.375, 0.375, 0.25)).Outcome);
+    }
+    double[][] near = { new[] { 0.0, 0, 0, 1 }, new[] { 1 + 1e-10, 0, 0, 1 } };
+    using (Environment environment = CreateCubes(Library.ENVIRONMENT_MERGE_POINTS, 1e-9, near))
+      Same(4u, environment.BuildReport().MergedPointCount);
+    Throws<NotConformingException>(() => CreateCubes(Library.ENVIRONMENT_CONFORM, 0, cubes[0], new[] { 1, 0.25, 0.25, 1 }));
+  }
+}
