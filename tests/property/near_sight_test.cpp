@@ -127,10 +127,13 @@ TEST_P(NearSightTest, AreAllThatAreSeenFromWhatTouchesWalls) {
     Mesh mesh = kind_named(name).make(rng);
     shuffle_cells(mesh, rng);
     const auto by = transforms[seed % 8];
+    // Rounding would move the points of conforming faces off them.
+    const bool conforms = !mesh.loose.empty();
+    const double factor = conforms ? std::ldexp(1, std::ilogb(by.factor)) : by.factor,
+                 offset = conforms ? 0 : by.offset;
     Mesh transformed = mesh;
     for (Vec& p : transformed.points) {
-      // Rounding would move the points of conforming faces off them.
-      for (double& x : p) x = x * by.factor + (mesh.loose.empty() ? by.offset : 0);
+      for (double& x : p) x = x * factor + offset;
     }
     Place place = place_of(transformed);
     if (place.environment == nullptr) place = place_of(mesh);  // no doubles there keep its volumes valid
