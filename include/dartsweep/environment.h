@@ -258,7 +258,7 @@ DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment
 DSW_API dsw_status dsw_environment_get_tag(const dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t *tag);
 
-/** Gives the cell of dsw_environment_desc that a volume is, or is a part of. Changes of the topology
+/** Gives the `index` of the cell that a volume is, or is a part of. Changes of the topology
  * keep it where they keep the labels of a volume.
  * @return DSW_STATUS_NOT_FOUND: cells were split, and the volume was added later. @since 2.1 */
 DSW_API dsw_status dsw_environment_get_parent(const dsw_environment *environment,

@@ -64,10 +64,10 @@ struct Scene {
   Array<dsw_body_id> occupant_bodies{memory};       // likewise
   Array<BodyRecord<D>> bodies{memory};              // by slot
   SlotPool body_slots{memory};
-  BoxGrid<D> body_boxes{memory};              // by slot, if bodies keep boxes
+  BoxGrid<D> body_boxes{memory};  // by slot, if bodies keep boxes
   // Engines that are made when they are needed first. Sources that use one include its header.
-  Owned<BodyMove<D>> mover{memory};         // what moves of single bodies keep from call to call
-  Owned<TogetherMove<D>> together{memory};  // what moves of all vertices at once keep from call to call
+  Owned<BodyMove<D>> mover{memory};           // what moves of single bodies keep from call to call
+  Owned<TogetherMove<D>> together{memory};    // what moves of all vertices at once keep from call to call
   Array<uint32_t> offending{memory};          // pairs of vertices of edges that were found not free
   Owned<Deformation<D>> deformation{memory};  // if enabled
   Owned<LiveRegister<D>> live{memory};        // if enabled

@@ -4,9 +4,9 @@
 
 #include "base/dimensions.h"
 #include "environment/moving.h"
+#include "scene/deformation.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
-#include "scene/deformation.h"
 #include "together/moving_walls.h"
 #include "together/place_on_way.h"
 #include "together/settings.h"

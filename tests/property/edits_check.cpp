@@ -12,8 +12,8 @@
 #include "locate/nearest_search.h"
 #include "map/integrity.h"
 #include "plane_truth.h"
-#include "random_edits.h"
 #include "query/locations.h"
+#include "random_edits.h"
 #include "space_arena.h"
 #include "sweep/body_probe.h"
 
