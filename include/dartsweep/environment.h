@@ -60,11 +60,10 @@ enum {
   /** Counts in the report faces of the boundary that lie on, or overlap, faces of other cells:
    * casts stop there. Cost: O(f log f) expected for f faces of the boundary. @since 2.1 */
   DSW_ENVIRONMENT_FIND_TOUCHING = 0x80,
-  /** Splits cells whose mean does not see all of their faces into valid parts, between the points
-   * that exist, or round new points inside of a cell (bindings/docs/exactness.md has the rule). The
-   * first part keeps the index of the cell; further parts and new points come last. Cells with
-   * repeated points lose the faces that collapse. INVALID_CELL then names a cell that can't be
-   * split, and why. Cost: one more proof that all cells are valid. @since 2.1 */
+  /** Splits cells whose mean does not see all of their faces into valid parts: between points, or
+   * round new points inside (bindings/docs/exactness.md). The first part keeps the index of its
+   * cell; other parts and new points come last. Cells with repeated points lose faces that
+   * collapse. INVALID_CELL names a cell that can't be split, and why. @since 2.1 */
   DSW_ENVIRONMENT_SPLIT = 0x100
 };
 
@@ -258,8 +257,7 @@ DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment
 DSW_API dsw_status dsw_environment_get_tag(const dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t *tag);
 
-/** Gives the `index` of the cell that a volume is, or is a part of. Changes of the topology
- * keep it where they keep the labels of a volume.
+/** Gives the `index` of the cell that a volume is, or is a part of. Changes keep it with labels.
  * @return DSW_STATUS_NOT_FOUND: cells were split, and the volume was added later. @since 2.1 */
 DSW_API dsw_status dsw_environment_get_parent(const dsw_environment *environment,
                                               dsw_volume_id volume, uint32_t *index);
