@@ -47,9 +47,9 @@ enum {
   DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8,
   /** Never builds the search structure. Snapshots do not keep this flag. */
   DSW_ENVIRONMENT_NO_LOCATE_TREE = 0x10,
-  /** Points at exactly one place, or within `merge_distance` of each other, with all that a chain
-   * of such points joins, count as the one with the lowest index; the others count as unused. A
-   * cell that loses a corner so is DSW_STATUS_BAD_CELL. @since 2.1 */
+  /** Points at exactly one place, or within `merge_distance` of each other, also through a chain of
+   * such points, count as the one with the lowest index; the others count as unused. A cell that
+   * loses a corner is DSW_STATUS_BAD_CELL. @since 2.1 */
   DSW_ENVIRONMENT_MERGE_POINTS = 0x20,
   /** Sews parts that lie on each other: merges points as DSW_ENVIRONMENT_MERGE_POINTS, and splits
    * faces of the boundary where faces of other cells cover them, at points that exist. Cells whose
@@ -58,7 +58,7 @@ enum {
    * expected for f faces of the boundary. @since 2.1 */
   DSW_ENVIRONMENT_CONFORM = 0x40,
   /** Counts in the report faces of the boundary that lie on, or overlap, faces of other cells:
-   * casts stop there. Cost: O(f log f) expected for f faces of the boundary. @since 2.1 */
+   * casts stop there. Cost: O(f log f) expected for f boundary faces. @since 2.1 */
   DSW_ENVIRONMENT_FIND_TOUCHING = 0x80,
   /** Splits cells whose mean does not see all of their faces into valid parts: between points, or
    * round new points inside (bindings/docs/exactness.md). The first part keeps the index of its
