@@ -43,7 +43,7 @@ enum {
   /** Builds the search structure of dsw_environment_locate at creation, else a later locate does:
    * 18 bytes a volume, in the plane 14. */
   DSW_ENVIRONMENT_LOCATE_TREE = 0x4,
-  /** Also proves that the outer boundary does not pass through itself, at ten times the cost. */
+  /** Also proves that the boundary does not pass through itself, at ten times the cost. */
   DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8,
   /** Never builds the search structure. Snapshots do not keep this flag. */
   DSW_ENVIRONMENT_NO_LOCATE_TREE = 0x10,

@@ -37,8 +37,8 @@ typedef struct dsw_together_options {
   dsw_together_stop stop; /**< Default ALL. */
   uint32_t max_rounds;    /**< Rounds of FEATURE, up to 65536; 0 means 64. */
   /** Work limit for exact integers: thousands of products of 64-bit words, for each vertex slot of
-   * what moves together; 0 means 8192, about 0.02 s. At the limit these bodies stay, free;
-   * `vertices_limited` counts vertices with other targets. */
+   * what moves together; 0 means 8192. At the limit these bodies stay, free; `vertices_limited`
+   * counts vertices with other targets. */
   uint32_t max_work;
 } dsw_together_options;
 
