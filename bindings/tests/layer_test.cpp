@@ -263,15 +263,16 @@ TEST(Layer, ContextsKeepTheirSink) {
     void write(int, const char *) override { ++lines; }
     int &lines;
   };
-  int lines = 0;
+  int lines = 0, before = 0;
   std::optional<Environment> environment;
   {
     const Context context(1, std::make_unique<Counter>(lines));
+    before = lines;  // a context says if this processor lacks the kernel of DARTSWEEP_KERNEL
     environment.emplace(Points{kPoints.data(), 24}, Indices{kCube.data(), 8, 8}, Indices{}, View<const std::uint8_t>{},
                         View<const std::int32_t>{}, View<const std::uint32_t>{}, Indices{}, Indices{}, nullptr,
                         &context);
   }
-  EXPECT_EQ(lines, 1);
+  EXPECT_EQ(lines, before + 1);
   environment.reset();
   EXPECT_EQ(lines, -1);
 }

@@ -126,8 +126,9 @@ static void a_wrong_handle_is_refused(void) {
 static void the_log_tells_what_was_created(void) {
   host h;
   dsw_context *const context = make_context(&h);
+  const int before = (int)h.log_lines; /* a context says if this processor lacks the kernel of DARTSWEEP_KERNEL */
   dsw_environment *const environment = make_environment(context, 2, 1, 1);
-  CHECK(h.log_lines == 1 && h.last_level == DSW_LOG_INFO);
+  CHECK((int)h.log_lines == before + 1 && h.last_level == DSW_LOG_INFO);
   CHECK(strstr(h.last_line, "dsw_environment_create: 2 volumes, 11 faces") == h.last_line);
   CHECK_OK(dsw_environment_destroy(environment));
   CHECK_OK(dsw_context_destroy(context));
