@@ -29,6 +29,25 @@ dsw_body_contact name_parts(const Body<D>& body, uint32_t v, const double* to, u
 }  // namespace
 
 template <int D>
+void name_obstacle(const Environment<D>& env, const TouchedObstacle& touched, dsw_contact& contact) noexcept {
+  [[maybe_unused]] Cell front = touched.cell;
+  if (touched.facet.valid()) {
+    const HalfFacet wall = facing(env, touched.facet, contact.normal);
+    name_wall(env, wall, contact);
+    front = env.map.cell_of(wall);
+  } else {
+    contact.front = volume_id(env.map, front);
+    contact.marked_kind = touched.marked;
+  }
+  if (touched.count == 1) name_vertex(env.map, touched.vertices[0], contact);
+  if constexpr (D == 3) {
+    // A diagonal of a face is no edge of the cell.
+    const Dart edge = touched.count == 2 ? dart_between(env.map, front, touched.vertices) : Dart{};
+    if (edge.cell.valid()) name_edge(edge_id(env.map, edge), contact);
+  }
+}
+
+template <int D>
 dsw_contact contact_of(const Environment<D>& env, const SweepContact& met, const double* normal) noexcept {
   dsw_contact contact{};
   std::copy_n(normal, D, contact.normal);
@@ -98,6 +117,7 @@ uint64_t obstacle_key(const dsw_cell& obstacle) noexcept {
 }
 
 DSW_INSTANTIATE(contact_of);
+DSW_INSTANTIATE(name_obstacle);
 DSW_INSTANTIATE(vertex_id);
 template dsw_body_edge_id edge_id(const Body<2>& body, uint32_t e) noexcept;
 template dsw_body_edge_id edge_id(const Body<3>& body, uint32_t e) noexcept;

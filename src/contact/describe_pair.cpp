@@ -35,9 +35,9 @@ struct Touched {
 
   explicit Touched(const PairContact<D>& met) {
     const Body<D>& other = *met.other.body;
-    const uint32_t* const names = met.part == PartKind::kVertex ? &met.index
-                                  : met.part == PartKind::kEdge ? other.edges[met.index].ends
-                                                                : other.faces[met.index].corners;
+    const uint32_t* const names = met.part == Simplex::kVertex ? &met.index
+                                  : met.part == Simplex::kEdge ? other.edges[met.index].ends
+                                                               : other.faces[met.index].corners;
     const int count = 1 + static_cast<int>(met.part);
     for (int k = 0; k < 3; ++k) at[k] = other.position(names[std::min(k, count - 1)]);
   }
@@ -93,7 +93,7 @@ dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32
     std::copy_n(touched.at[0], D, contact.point);
     normal =
         against(unit(unit(difference<D>(q, contact.position)).cross(unit(difference<D>(r, contact.position)))), move);
-  } else if (met.part == PartKind::kFace) {
+  } else if (met.part == Simplex::kFace) {
     normal = normal_on<D>(orient<D>(touched.at, from), touched.at, move);
   } else {
     const double* q = from;
@@ -106,21 +106,13 @@ dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32
     if (met.edge != kNone) contact.edge_parameter = share_along<D>(contact.position, q, contact.point);
   }
   store<D>(normal + Vec::Zero(), contact.contact.normal);  // never -0
-  contact.contact.kind = met.part == PartKind::kVertex ? DSW_CONTACT_VERTEX
-                         : met.part == PartKind::kEdge ? DSW_CONTACT_EDGE
-                                                       : DSW_CONTACT_PLANE;
+  contact.contact.kind = contact_kind(met.part);
   return contact;
 }
 
 template <int D>
 dsw_contact_partner partner_of(const PairContact<D>& met) noexcept {
-  dsw_contact_partner partner{};
-  const Body<D>& other = *met.other.body;
-  partner.body = {met.other.index, met.other.generation};
-  if (met.part == PartKind::kVertex) partner.vertex = vertex_id(other, met.index);
-  if (met.part == PartKind::kEdge) partner.edge = edge_id(other, met.index);
-  if (met.part == PartKind::kFace) partner.face = face_id(other, met.index);
-  return partner;
+  return name_partner(met.other, {met.part, met.index});
 }
 
 uint64_t part_key(const dsw_contact_partner& partner) noexcept {

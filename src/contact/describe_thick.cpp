@@ -21,32 +21,11 @@ uint32_t find_corners(const TooNear<D>& near, uint32_t* corners) noexcept {
   return count;
 }
 
-template <int D>
-void name_obstacle(const Environment<D>& env, const TooNear<D>& near, dsw_contact& contact) noexcept {
-  uint32_t corners[3];
-  const uint32_t count = find_corners(near, corners);
-  Cell front = near.cell;
-  if (near.facet.valid()) {
-    const HalfFacet wall = facing(env, near.facet, contact.normal);
-    name_wall(env, wall, contact);
-    front = env.map.cell_of(wall);
-  } else {
-    contact.front = volume_id(env.map, front);
-    contact.marked_kind = near.vertices[1] == kNone ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
-  }
-  if (count == 1) name_vertex(env.map, corners[0], contact);
-  if constexpr (D == 3) {
-    // A diagonal of a face is no edge of the cell.
-    const Dart edge = count == 2 ? dart_between(env.map, front, corners) : Dart{};
-    if (edge.cell.valid()) name_edge(edge_id(env.map, edge), contact);
-  }
-}
-
 }  // namespace
 
 template <int D>
-dsw_body_contact describe(const Environment<D>& env, const Partners<D>* partners, const Body<D>& body, uint32_t v,
-                          const double* to, const TooNear<D>& near) {
+dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
+                          const TooNear<D>& near) {
   dsw_body_contact contact{};
   std::copy_n(body.position(v), D, contact.from);
   std::copy_n(to, D, contact.to);
@@ -70,33 +49,26 @@ dsw_body_contact describe(const Environment<D>& env, const Partners<D>* partners
   store<D>(point, contact.point);
   store<D>(near.normal + Vec::Zero(), contact.contact.normal);  // never -0
   if (near.partner == kNone) {
-    name_obstacle(env, near, contact.contact);
+    uint32_t corners[3];
+    const uint32_t corner_count = find_corners(near, corners);
+    const dsw_cell_kind marked = near.vertices[1] == kNone ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
+    name_obstacle(env, {near.facet, near.cell, corners, corner_count, marked}, contact.contact);
   } else {
-    const dsw_contact_partner partner = partner_of(partners, near);
     contact.contact.front = volume_id(env.map, body.vertices[v].cell);
-    contact.contact.kind = partner.vertex.generation != 0 ? DSW_CONTACT_VERTEX
-                           : partner.edge.generation != 0 ? DSW_CONTACT_EDGE
-                                                          : DSW_CONTACT_PLANE;
+    contact.contact.kind = contact_kind(near.other.kind);
   }
   return contact;
 }
 
 template <int D>
 dsw_contact_partner partner_of(const Partners<D>* partners, const TooNear<D>& near) noexcept {
-  dsw_contact_partner partner{};
-  if (near.partner == kNone) return partner;
-  const Partner<D>& of = partners->all[near.partner];
-  partner.body = {of.index, of.generation};
-  if (near.other.kind == Simplex::kVertex) partner.vertex = vertex_id(*of.body, near.other.index);
-  if (near.other.kind == Simplex::kEdge) partner.edge = edge_id(*of.body, near.other.index);
-  if (near.other.kind == Simplex::kFace) partner.face = face_id(*of.body, near.other.index);
-  return partner;
+  return near.partner == kNone ? dsw_contact_partner{} : name_partner(partners->all[near.partner], near.other);
 }
 
-template dsw_body_contact describe(const Environment<2>& env, const Partners<2>* partners, const Body<2>& body,
-                                   uint32_t v, const double* to, const TooNear<2>& near);
-template dsw_body_contact describe(const Environment<3>& env, const Partners<3>* partners, const Body<3>& body,
-                                   uint32_t v, const double* to, const TooNear<3>& near);
+template dsw_body_contact describe(const Environment<2>& env, const Body<2>& body, uint32_t v, const double* to,
+                                   const TooNear<2>& near);
+template dsw_body_contact describe(const Environment<3>& env, const Body<3>& body, uint32_t v, const double* to,
+                                   const TooNear<3>& near);
 template dsw_contact_partner partner_of(const Partners<2>* partners, const TooNear<2>& near) noexcept;
 template dsw_contact_partner partner_of(const Partners<3>* partners, const TooNear<3>& near) noexcept;
 

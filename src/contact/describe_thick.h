@@ -8,8 +8,8 @@ namespace dsw {
 
 /** All but `distance_left` and `history` of the contact of vertex v on its way to `to`, with what comes too near. */
 template <int D>
-dsw_body_contact describe(const Environment<D>& env, const Partners<D>* partners, const Body<D>& body, uint32_t v,
-                          const double* to, const TooNear<D>& near);
+dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
+                          const TooNear<D>& near);
 
 /** What came too near, if that is a part of a body; else null. */
 template <int D>

@@ -2,6 +2,7 @@
 // A sequence turned round an edge of the environment, in the plane round a vertex.
 
 #include "flood/sequence.h"
+#include "map/ridge_walk.h"
 
 namespace dsw {
 
@@ -20,15 +21,16 @@ bool turn_at(const Environment<D>& env, EdgeSequence<D>& sequence, size_t begin,
   const Cell last = map.cell_of(map.opposite({old[end - 1]}));
   uint32_t turned[kMost];
   size_t count = 0;
-  HalfFacet entered{old[begin]};
-  for (Cell c = map.cell_of(entered); c != last; c = map.cell_of(entered)) {
-    if (!cells.suits(c) || is_closed(env, c) || count == kMost) return false;
+  bool arrives = false;
+  walk_round(map, HalfFacet{old[begin]}, kMost + 1, [&](Cell c, HalfFacet entered) {
+    arrives = c == last;
+    if (arrives || !cells.suits(c) || is_closed(env, c) || count == kMost) return HalfFacet{};
     const HalfFacet next = cells.other(c, entered, pivot);
-    if (!next.valid() || map.facet_marked(next)) return false;
+    if (!next.valid() || map.facet_marked(next)) return HalfFacet{};
     turned[count++] = next.word;
-    entered = map.opposite(next);
-    if (!entered.valid()) return false;
-  }
+    return next;
+  });
+  if (!arrives) return false;
   sequence.replace(env, begin, end, turned, count);
   return true;
 }

@@ -1,12 +1,14 @@
 #include "flood/fan.h"
 
 #include "flood/sequence.h"
+#include "map/ridge_walk.h"
 #include "walk/standard_facets.h"
 
 namespace dsw {
 namespace {
 
-constexpr int kMostFanCells = 64, kMostWallFacets = 32;
+constexpr size_t kMostFanCells = 64;
+constexpr int kMostWallFacets = 32;
 
 /** Whether a wall that begins where its edge pierces a triangle can be followed until it leaves the triangle. `side` is
  * that of begin[0]. */
@@ -42,15 +44,13 @@ Cell lowest_tetrahedron_round(const Map<3>& map, Dart d, const Pivot<3>& edge) n
   bool all = true;
   // From a half-facet of the cell that has been seen, round the edge until all are seen or the boundary comes.
   const auto go_round = [&](HalfFacet left) {
-    for (HalfFacet entered = map.opposite(left); entered.valid();) {
-      const Cell c = map.cell_of(entered);
-      if (c == d.cell) return true;
+    const auto leave = [&](Cell c, HalfFacet entered) {
       all = all && map.form(c) == Form::kSimplex;
-      if (!all) return true;
+      if (c == d.cell || !all) return HalfFacet{};
       if (map.index(c) < map.index(lowest)) lowest = c;
-      entered = map.opposite(other_at(map, c, entered, edge));
-    }
-    return false;
+      return other_at(map, c, entered, edge);
+    };
+    return walk_round(map, map.opposite(left), SIZE_MAX, leave) != RidgeWalk::kOutside;
   };
   if (!go_round(other_at(map, d.cell, start, edge))) go_round(start);
   return all ? lowest : Cell{};
@@ -58,32 +58,34 @@ Cell lowest_tetrahedron_round(const Map<3>& map, Dart d, const Pivot<3>& edge) n
 
 }  // namespace
 
-HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const uint32_t (&edge)[2]) noexcept {
+HalfFacet find_wall(const Environment<3>& env, HalfFacet start, const uint32_t (&edge)[2]) noexcept {
   const Map<3>& map = env.map;
   const Pivot<3> pivot{{edge[0], edge[1]}};
-  const HalfFacet start = entered;
-  for (int cells = 0; cells < kMostFanCells; ++cells) {
-    const Cell c = map.cell_of(entered);
-    if (map.form(c) != Form::kSimplex) return {};
+  HalfFacet wall;
+  walk_round(map, start, kMostFanCells, [&](Cell c, HalfFacet entered) {
+    if (map.form(c) != Form::kSimplex) return HalfFacet{};
     const HalfFacet next = other_at(map, c, entered, pivot);
-    if (is_impassable(env, next)) return next;
-    entered = map.opposite(next);
-    if (entered == start) return {};
-  }
-  return {};
+    if (!is_impassable(env, next)) return next;
+    wall = next;
+    return HalfFacet{};
+  });
+  return wall;
 }
 
 bool is_alone(const Environment<3>& env, const HalfFacet (&walls)[2], const uint32_t (&edge)[2]) noexcept {
   const Map<3>& map = env.map;
   const Pivot<3> pivot{{edge[0], edge[1]}};
-  int cells = 0;
+  size_t cells = 0;
   for (int side = 0; side < 2; ++side) {
-    for (HalfFacet entered = map.opposite(walls[side]); entered.valid(); ++cells) {
-      if (entered == walls[1 - side]) return true;
-      const Cell c = map.cell_of(entered);
-      if (cells == kMostFanCells || map.form(c) != Form::kSimplex || !is_closed(env, c)) return false;
-      entered = map.opposite(other_at(map, c, entered, pivot));
-    }
+    bool arrives = false;
+    const auto leave = [&](Cell c, HalfFacet entered) {
+      arrives = entered == walls[1 - side];
+      if (arrives || cells == kMostFanCells || map.form(c) != Form::kSimplex || !is_closed(env, c)) return HalfFacet{};
+      ++cells;
+      return other_at(map, c, entered, pivot);
+    };
+    const RidgeWalk walk = walk_round(map, map.opposite(walls[side]), kMostFanCells + 1, leave);
+    if (walk != RidgeWalk::kOutside) return arrives;
   }
   return true;
 }

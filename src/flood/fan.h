@@ -9,7 +9,7 @@ namespace dsw {
 
 /** From a facet at an edge of the environment on, round the edge, through passable tetrahedra to a wall, seen from its
  * cell. Invalid: there is none, or there are other cells, or too many. */
-HalfFacet find_wall(const Environment<3>& env, HalfFacet entered, const uint32_t (&edge)[2]) noexcept;
+HalfFacet find_wall(const Environment<3>& env, HalfFacet start, const uint32_t (&edge)[2]) noexcept;
 
 /** Whether a flood of a swept triangle T sees no other walls at an edge of the environment than the two that end a fan
  * there. The edge pierces T in y, and a body's edge comes to y through the fan. False also where that is not known.

@@ -7,6 +7,7 @@
 
 #include "flood/fan.h"
 #include "map/dart.h"
+#include "map/ridge_walk.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
 #include "walk/standard_facets.h"
@@ -245,31 +246,29 @@ void SweepFlood<3>::consider(const SweepContact& found) {
  * contact the edge passes there. Each cell is a wedge between two of its triangles, which may be those of one facet
  * with the line as its diagonal. */
 bool SweepFlood<3>::comes_from(const SweepContact& wall) const {
-  constexpr int kMostCells = 256;
+  constexpr size_t kMostCells = 256;
   const double* const* const line = wall.event.points + 1;
   if (!wall.facet.valid()) return false;  // a marked edge has no side
-  HalfFacet entered = wall.facet;
   const double* from[3];
   boundary_points(env_, wall.front, wall.simplex, from);
-  for (int cells = 0; cells < kMostCells; ++cells) {
-    const Cell c = map_.cell_of(entered);
-    const Shape shape = map_.shape(c);
+  bool comes = false;
+  walk_round(map_, wall.facet, kMostCells, [&](Cell c, HalfFacet entered) {
     const uint32_t other = other_at_line(c, from, line);
-    if (other == kNoFacet) return false;
+    if (other == kNoFacet) return HalfFacet{};
     const double* to[3];
     boundary_points(env_, c, other, to);
     const double* const tip = to[third_point(to, line)];
     const bool sees_first = side_of_plane(from, triangle_->motion().p) < 0,
                sees_second = side_of_plane(to, triangle_->motion().p) < 0;
     const bool narrow = side_of_plane(from, tip) < 0;
-    if (narrow ? sees_first && sees_second : sees_first || sees_second) return true;
-    const HalfFacet left = map_.half_facet(c, shape.simplex_facets(3)[other]);
-    if (left == entered || is_impassable(env_, left)) return false;
-    entered = map_.opposite(left);
+    comes = narrow ? sees_first && sees_second : sees_first || sees_second;
+    const HalfFacet left = map_.half_facet(c, map_.shape(c).simplex_facets(3)[other]);
+    if (comes || left == entered || is_impassable(env_, left)) return HalfFacet{};
     std::copy_n(to, 3, from);
     std::swap(from[1], from[2]);  // as the next cell has it
-  }
-  return false;
+    return left;
+  });
+  return comes;
 }
 
 /** The other triangle of a cell at a line. */

@@ -120,7 +120,7 @@ class StarTouches {
   bool merge() {
     if (!covers_edges(body_.level)) {
       return fresh_boxes(body_).vertices.visit(path_box(), [&](uint32_t w) {
-        return w == v_ || w == into_ || report_path(body_, PartKind::kVertex, w, w, w);
+        return w == v_ || w == into_ || report_path(body_, Simplex::kVertex, w, w, w);
       });
     }
     bool go_on = true;
@@ -149,11 +149,11 @@ class StarTouches {
       Box<D> box;
       for (const double* each : {m.p, m.to, m.q}) box.add(each);
       const auto is_own = [&](uint32_t w) { return w == v_ || w == into_ || w == q; };
-      const auto vertex = [&](uint32_t w) { return report_edge(touch, m, body_, PartKind::kVertex, w, w, w); };
+      const auto vertex = [&](uint32_t w) { return report_edge(touch, m, body_, Simplex::kVertex, w, w, w); };
       const auto edge = [&](uint32_t x) {
         const uint32_t a = body_.edges[x].ends[0], b = body_.edges[x].ends[1];
         if (is_own(a) || is_own(b)) return (is_own(a) && is_own(b)) || vertex(is_own(a) ? b : a);
-        return report_edge(touch, m, body_, PartKind::kEdge, x, a, b);
+        return report_edge(touch, m, body_, Simplex::kEdge, x, a, b);
       };
       return fresh_boxes(body_).loners.visit(box, vertex) && fresh_boxes(body_).edges.visit(box, edge);
     }
@@ -179,15 +179,13 @@ class StarTouches {
     }
     const Box<D> box = path_box();
     if (!other.boxes[0].bounds.overlaps(box)) return true;
-    const auto vertex = [&](uint32_t w) {
-      return (self_ && w == v_) || report_path(other, PartKind::kVertex, w, w, w);
-    };
+    const auto vertex = [&](uint32_t w) { return (self_ && w == v_) || report_path(other, Simplex::kVertex, w, w, w); };
     if (!single_vertices(other, other.level).visit(box, vertex)) return false;
     const auto edge = [&](uint32_t e) {
       const uint32_t a = other.edges[e].ends[0], b = other.edges[e].ends[1];
-      if (!self_ || (a != v_ && b != v_)) return report_path(other, PartKind::kEdge, e, a, b);
+      if (!self_ || (a != v_ && b != v_)) return report_path(other, Simplex::kEdge, e, a, b);
       const uint32_t far = a == v_ ? b : a;  // of an edge of its own
-      return report_path(other, PartKind::kVertex, far, far, far);
+      return report_path(other, Simplex::kVertex, far, far, far);
     };
     return !covers_edges(other.level) || fresh_boxes(other).edges.visit(box, edge);
   }
@@ -198,7 +196,7 @@ class StarTouches {
     const double* const at[3] = {other.position(c[0]), other.position(c[1]), other.position(c[2])};
     PairContact<D> touch;
     touch.time = vertex_touch(p_, to_, at);
-    return report(touch, PartKind::kFace, f);
+    return report(touch, Simplex::kFace, f);
   }
 
   bool meet_with_edge(const Body<D>& other, uint32_t e) {
@@ -217,12 +215,12 @@ class StarTouches {
     const auto edge = [&](uint32_t x) {
       const uint32_t a = other.edges[x].ends[0], b = other.edges[x].ends[1];
       const bool at_v = self_ && (a == v_ || b == v_), at_q = self_ && (a == q || b == q);
-      if (!at_v && !at_q) return report_edge(touch, m, other, PartKind::kEdge, x, a, b);
-      if (at_v && at_q) return report_path(other, PartKind::kVertex, q, q, q);
+      if (!at_v && !at_q) return report_edge(touch, m, other, Simplex::kEdge, x, a, b);
+      if (at_v && at_q) return report_path(other, Simplex::kVertex, q, q, q);
       // They have one vertex in common: the other end of each meets the other one.
       const uint32_t far = a == (at_v ? v_ : q) ? b : a;
-      if (!report_edge(touch, m, other, PartKind::kVertex, far, far, far)) return false;
-      return at_v || report_path(other, PartKind::kEdge, x, a, b);
+      if (!report_edge(touch, m, other, Simplex::kVertex, far, far, far)) return false;
+      return at_v || report_path(other, Simplex::kEdge, x, a, b);
     };
     if (self_ && near_ != nullptr && (all_keep_ || near_->keeps(touch.edge, to_)))
       return meet_near(touch.edge, m, edge);
@@ -230,7 +228,7 @@ class StarTouches {
     for (const double* each : {m.p, m.to, m.q}) box.add(each);
     if (!other.boxes[0].bounds.overlaps(box)) return true;
     const auto vertex = [&](uint32_t w) {
-      return (self_ && (w == v_ || w == q)) || report_edge(touch, m, other, PartKind::kVertex, w, w, w);
+      return (self_ && (w == v_ || w == q)) || report_edge(touch, m, other, Simplex::kVertex, w, w, w);
     };
     if (!single_vertices(other, other.level).visit(box, vertex)) return false;
     if (!covers_edges(other.level)) return true;
@@ -287,25 +285,25 @@ class StarTouches {
     const auto vertex = [&](uint32_t w) {
       if (self_ && (w == into_ || std::find(own.begin(), own.end(), w) != own.end())) return true;
       touch.time = solid_touch<D>(m, other.position(w));
-      return report(touch, PartKind::kVertex, w);
+      return report(touch, Simplex::kVertex, w);
     };
     return !other.boxes[0].bounds.overlaps(box) || fresh_boxes(other).vertices.visit(box, vertex);
   }
 
-  bool report_path(const Body<D>& other, PartKind part, uint32_t index, uint32_t a, uint32_t b) {
+  bool report_path(const Body<D>& other, Simplex::Kind part, uint32_t index, uint32_t a, uint32_t b) {
     PairContact<D> touch;
     return report(touch, path_touch<D>(p_, to_, other.position(a), other.position(b)), part, index);
   }
-  bool report_edge(PairContact<D>& touch, const EdgeMotion& m, const Body<D>& other, PartKind part, uint32_t index,
+  bool report_edge(PairContact<D>& touch, const EdgeMotion& m, const Body<D>& other, Simplex::Kind part, uint32_t index,
                    uint32_t a, uint32_t b) {
     return report(touch, edge_touch(m, other.position(a), other.position(b)), part, index);
   }
-  bool report(PairContact<D>& touch, const EdgeTouch& found, PartKind part, uint32_t index) {
+  bool report(PairContact<D>& touch, const EdgeTouch& found, Simplex::Kind part, uint32_t index) {
     touch.time = found.time;
     touch.place = found.place;
     return report(touch, part, index);
   }
-  bool report(PairContact<D>& touch, PartKind part, uint32_t index) {
+  bool report(PairContact<D>& touch, Simplex::Kind part, uint32_t index) {
     if (touch.time == kNever) return true;
     touch.other = *other_;
     touch.part = part;

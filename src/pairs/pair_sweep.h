@@ -2,13 +2,12 @@
 // What of other bodies, or of its own, a body touches when one of its vertices moves and everything else stands still
 // [JCD10] 4.4.
 
+#include "body/simplices.h"
 #include "pairs/near_edges.h"
 #include "pairs/partners.h"
 #include "predicates/touch.h"
 
 namespace dsw {
-
-enum class PartKind : uint32_t { kVertex, kEdge, kFace };
 
 /** A touch of what moves and what stands. */
 template <int D>
@@ -17,7 +16,7 @@ struct PairContact {
   TouchPlace place = TouchPlace::kInside;  // of two edges
   uint32_t edge = kNone, face = kNone;     // what moves; both kNone: the vertex itself
   Partner<D> other = {nullptr, 0, 0};
-  PartKind part = PartKind::kVertex;  // of the other one
+  Simplex::Kind part = Simplex::kVertex;  // of the other one
   uint32_t index = kNone;
 };
 

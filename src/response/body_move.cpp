@@ -11,6 +11,7 @@
 #include "contact/describe.h"
 #include "contact/describe_pair.h"
 #include "contact/describe_thick.h"
+#include "motion/halving.h"
 #include "response/insertion.h"
 #include "response/vertex_move.h"
 
@@ -79,12 +80,9 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
   keep_forecasts(body);
   before_.assign(body.vertices.begin(), body.vertices.end());
   places_.resize(D * body.vertices.size());
-  double fraction = 1;
-  int halvings = 0;
+  Halving halving;
   try {
-    while (!try_together(body, where, user, fraction, order, record) && halvings < 52) {
-      fraction /= 2;
-      ++halvings;
+    while (!try_together(body, where, user, halving.way, order, record) && halving.next()) {
     }
   } catch (...) {
     put_vertices(body, before_.data());
@@ -94,7 +92,7 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
   const bool stays = std::equal(
       before_.begin(), before_.end(), body.vertices.begin(),
       [](const BodyVertex<D>& a, const BodyVertex<D>& b) { return is_same_point<D>(a.position, b.position); });
-  record.fraction = halvings == 52 && stays ? 0 : fraction;
+  record.fraction = halving.is_last() && stays ? 0 : halving.way;
   record.moved = static_cast<uint32_t>(course_.order.size());
   record.stopped = record.fraction == 1 ? 0 : record.moved;
   record.sweeps = star_.simplices.counts;
@@ -138,7 +136,7 @@ template <int D>
 void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to, MoveRecord& record) {
   TooNear<D> near;
   if (star_.thick.find_first(star_.partners, body, v, to, &near)) {
-    record.add(describe(env_, star_.partners, body, v, to, near), partner_of(star_.partners, near));
+    record.add(describe(env_, body, v, to, near), partner_of(star_.partners, near));
     return;
   }
   StarContact first;
@@ -180,34 +178,34 @@ bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may
 template <int D>
 void BodyMove<D>::sweep_all(bool may_skip, bool may_guess) {
   casts_.cast_paths();
-  if (covers_edges(course_.body->level)) edges_.sweep(may_skip, may_guess);
+  if (covers_edges(course_.motion.body->level)) edges_.sweep(may_skip, may_guess);
   if constexpr (D == 3) {
-    if (covers_faces(course_.body->level)) faces_.sweep();
+    if (covers_faces(course_.motion.body->level)) faces_.sweep();
   }
 }
 
 template <int D>
 bool BodyMove<D>::arrives(uint32_t v) {
-  const double* const to = course_.targets[v];
-  return !course_.vertices[v].doubtful && star_.is_apart(*course_.body, v, to) &&
-         star_.keeps_distance(*course_.body, v, to);
+  const double* const to = course_.motion.targets[v];
+  return !course_.vertices[v].doubtful && star_.is_apart(*course_.motion.body, v, to) &&
+         star_.keeps_distance(*course_.motion.body, v, to);
 }
 
 /** The vertices in their order: those without doubt arrive, the others move alone. Returns false if a vertex that has
  * to move alone has an edge that is not free: vertices before it have left that edge out. */
 template <int D>
 bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool may_skip) {
-  VertexMove<D> alone(env_, *course_.body, settings, star_, record);
+  VertexMove<D> alone(env_, *course_.motion.body, settings, star_, record);
   look_ahead(settings.may_slide());
   const bool notes = settings.passes != 0;
-  if (notes) turns_.start(*course_.body);
+  if (notes) turns_.start(*course_.motion.body);
   double before[D];
   for (const uint32_t v : course_.order) {
     if (!course_.moves(v)) continue;
-    std::copy_n(course_.body->position(v), D, before);
+    std::copy_n(course_.motion.body->position(v), D, before);
     if (arrives(v)) {
       course_.arrive(v);
-      if (notes) turns_.note(*course_.body, v, before, false);
+      if (notes) turns_.note(*course_.motion.body, v, before, false);
       continue;
     }
     if (may_skip && !casts_.is_star_free(v)) return false;
@@ -215,10 +213,11 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     const uint32_t limited = record.limited;
     // If nobody doubts it, and no edge was left out, only another body or this one can stop it.
     const bool past_walls = !course_.vertices[v].doubtful && !may_skip && settings.max_volumes == 0;
-    const bool reached = alone.move(v, course_.targets[v], past_walls ? &course_.vertices[v].arrival : nullptr);
+    const bool reached =
+        alone.move(v, course_.motion.targets[v], past_walls ? &course_.motion.ways[v].arrival : nullptr);
     record.stopped += reached ? 0 : 1;
     if (notes) {
-      turns_.note(*course_.body, v, before, !reached && record.limited == limited, record.edits.data() + edits,
+      turns_.note(*course_.motion.body, v, before, !reached && record.limited == limited, record.edits.data() + edits,
                   record.edits.size() - edits);
     }
     if (!reached || record.edits.size() != edits) disturb(v);
@@ -234,12 +233,13 @@ void BodyMove<D>::look_ahead([[maybe_unused]] bool slides) {
   star_.near = nullptr;
   if constexpr (D == 3) {
     constexpr size_t kLeastEdges = 16, kOneIn = 4;
-    const Body<D>& body = *course_.body;
+    const Body<D>& body = *course_.motion.body;
     if (star_.partners == nullptr || !body.filter.self || !covers_edges(body.level)) return;
     if (body.edges.size() < kLeastEdges || course_.order.size() * kOneIn < body.vertices.size()) return;
     if (!body.boxes[0].loners.empty()) return;
     try {
-      near_.start(body, slides, [&](uint32_t v) { return course_.moves(v) ? course_.targets[v] : body.position(v); });
+      near_.start(body, slides,
+                  [&](uint32_t v) { return course_.moves(v) ? course_.motion.targets[v] : body.position(v); });
       if (near_.active()) star_.near = &near_;
     } catch (const std::bad_alloc&) {  // without the list boxes are asked
     }
@@ -249,9 +249,9 @@ void BodyMove<D>::look_ahead([[maybe_unused]] bool slides) {
 /** Further passes over the vertices that have stopped, of a body that is exactly free. Ends when nobody may go on. */
 template <int D>
 void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   const bool meets_bodies = star_.partners != nullptr;
-  VertexMove<D> alone(env_, *course_.body, settings, star_, record);
+  VertexMove<D> alone(env_, *course_.motion.body, settings, star_, record);
   const size_t contacts = record.contacts.size();
   for (uint32_t pass = 0; pass < settings.passes && turns_.start_pass(body, meets_bodies); ++pass) {
     for (const uint32_t v : turns_.waiting()) {
@@ -263,7 +263,7 @@ void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
       std::copy_n(body.position(v), D, before);
       const uint32_t limited = record.limited;
       const size_t edits = record.edits.size();
-      const bool reached = alone.move(v, course_.targets[v]);
+      const bool reached = alone.move(v, course_.motion.targets[v]);
       record.stopped -= reached ? 1 : 0;
       turns_.note(body, v, before, !reached && record.limited == limited, record.edits.data() + edits,
                   record.edits.size() - edits);
@@ -280,8 +280,8 @@ void BodyMove<D>::disturb(uint32_t v) {
     if (u < course_.vertices.size()) course_.vertices[u].doubtful = true;
   };
   doubt(v);
-  for_each_edge(*course_.body, v, [&](uint32_t e) {
-    doubt(course_.body->edges[e].other(v));
+  for_each_edge(*course_.motion.body, v, [&](uint32_t e) {
+    doubt(course_.motion.body->edges[e].other(v));
     return true;
   });
 }

@@ -6,12 +6,11 @@ namespace dsw {
 
 template <int D>
 void Course<D>::start(Body<D>& moved, PointArray to, MoveOrder wanted) {
-  body = &moved;
-  targets = to;
+  motion.start(moved, to);
+  const Body<D>* const body = motion.body;
   order.clear();
   vertices.assign(body->vertices.size(), Vertex{});
   keeps.assign(covers_faces(body->level) ? body->edges.size() : 0, true);
-  for (size_t v = 0; v < vertices.size(); ++v) vertices[v].from = vertices[v].arrival = body->vertices[v].cell;
   const size_t count = wanted.vertices != nullptr ? wanted.count : body->vertices.size();
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = wanted.vertices != nullptr ? wanted.vertices[i] : static_cast<uint32_t>(i);

@@ -1,9 +1,9 @@
 #pragma once
 // One move of a body: where its vertices go, in which order, and what is known of their ways if nobody meets anything.
 
-#include "base/points.h"
+#include "body/box.h"
+#include "motion/moving_body.h"
 #include "response/settings.h"
-#include "sweep/simplex_sweep.h"
 
 namespace dsw {
 
@@ -12,41 +12,39 @@ struct Course {
   /** Whether all of the cell is seen from the target, if it is not convex. */
   enum class Sight : uint8_t { kUnknown, kWhole, kPart };
 
-  /** What sweeps of edges ask of their ends: small, since edges ask in no order. */
+  /** The turn of a vertex: small, since edges ask in no order. */
   struct Vertex {
     uint32_t rank = kNone;  // place in the order; kNone: stays
-    Cell from, arrival;     // contains the target, or the vertex that stays; invalid if something is on the path
     bool doubtful = false;  // something is, or may be, met on the way
     Sight sight = Sight::kUnknown;
     bool inwards = false;  // against the normals of all faces at it
     bool meets = false;    // one of its own edges meets something on its way
   };
-  static_assert(sizeof(Vertex) == 16);
+  static_assert(sizeof(Vertex) == 8);
 
-  Body<D>* body = nullptr;
-  PointArray targets;
+  MovingBody<D> motion;
   Array<uint32_t> order;
   Array<Vertex> vertices;  // by index
   Array<bool> keeps;       // by edge, at FACES: it keeps to one sequence all through the move
 
-  explicit Course(const Memory* memory) : order(memory), vertices(memory), keeps(memory) {}
+  explicit Course(const Memory* memory) : motion(memory), order(memory), vertices(memory), keeps(memory) {}
   /** Throws std::bad_alloc. */
   void start(Body<D>& moved, PointArray to, MoveOrder wanted);
 
   bool moves(uint32_t v) const { return vertices[v].rank != kNone; }
   /** Where vertex v is when it is the turn of the vertex with `rank`; of kNone: at the end. */
   const double* place(uint32_t v, uint32_t rank) const {
-    return vertices[v].rank < rank ? targets[v] : body->position(v);
+    return vertices[v].rank < rank ? motion.targets[v] : motion.body->position(v);
   }
   Cell cell_at(uint32_t v, uint32_t rank) const {
-    return vertices[v].rank < rank ? vertices[v].arrival : vertices[v].from;
+    return vertices[v].rank < rank ? motion.ways[v].arrival : motion.ways[v].from;
   }
   /** Adds all places of a vertex on its way. */
   void include_way(uint32_t v, Bounds<D>& box) const {
-    box.include(body->position(v));
-    if (moves(v)) box.include(targets[v]);
+    box.include(motion.body->position(v));
+    if (moves(v)) box.include(motion.targets[v]);
   }
-  void arrive(uint32_t v) const { put_vertex(*body, v, targets[v], vertices[v].arrival); }
+  void arrive(uint32_t v) const { motion.arrive(v, motion.targets[v]); }
 };
 
 }  // namespace dsw

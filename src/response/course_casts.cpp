@@ -5,9 +5,8 @@ namespace dsw {
 template <int D>
 void CourseCasts<D>::start() {
   packet_.clear();  // of casts left by a move that ran out of memory
-  if (!course_.body->keeps_sequences()) return;
+  if (!course_.motion.body->keeps_sequences()) return;
   writers_.reserve(kPacket);  // casts point at them
-  crossed_.assign(course_.vertices.size(), PathFacets{});
 }
 
 template <int D>
@@ -18,30 +17,22 @@ void CourseCasts<D>::run() {
     if (vertices_[i] != kNone) {
       course_.vertices[vertices_[i]].doubtful = true;
     } else {
-      for (const uint32_t v : course_.body->edges[edges_[i]].ends) course_.vertices[v].doubtful = true;
+      for (const uint32_t v : course_.motion.body->edges[edges_[i]].ends) course_.vertices[v].doubtful = true;
     }
   }
 }
 
 template <int D>
 void CourseCasts<D>::cast_paths() {
-  const Body<D>& body = *course_.body;
-  const auto run_paths = [&] {
-    run();
-    for (uint32_t i = 0; i < packet_.count(); ++i) {
-      const CastResult& path = packet_.result(i);
-      course_.vertices[vertices_[i]].arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
-      if (body.keeps_sequences()) crossed_[vertices_[i]] = path_facets(env_.map, packet_.request(i).start, path);
-    }
-    packet_.clear();
-  };
-  for (const uint32_t v : course_.order) {
-    if (!course_.moves(v)) continue;
-    vertices_[packet_.count()] = v;
-    packet_.add(env_, body.vertices[v].cell, body.position(v), course_.targets[v]).max_volumes = sweeps_.max_volumes;
-    if (packet_.full()) run_paths();
-  }
-  run_paths();
+  MovingBody<D>& motion = course_.motion;
+  dsw::cast_paths(
+      env_, packet_, sweeps_.counters, sweeps_.max_volumes,
+      [&](auto add) {
+        for (const uint32_t v : course_.order) {
+          if (course_.moves(v)) add(motion, 0, v, motion.targets[v]);
+        }
+      },
+      [&](uint32_t, uint32_t v, const CastResult&) { course_.vertices[v].doubtful = true; });
 }
 
 template <int D>
@@ -52,7 +43,7 @@ void CourseCasts<D>::add_edge(uint32_t e, uint32_t v, const End& from, const End
   CastRequest& request = packet_.add(env_, from.cell, from.position, to.position);
   request.end = to.cell;
   request.max_volumes = sweeps_.max_volumes;
-  if (course_.body->keeps_sequences()) {
+  if (course_.motion.body->keeps_sequences()) {
     if (writers_.size() == at) writers_.emplace_back(env_.memory);
     writers_[at].attach(env_, request);
   }
@@ -62,11 +53,11 @@ void CourseCasts<D>::add_edge(uint32_t e, uint32_t v, const End& from, const End
 template <int D>
 void CourseCasts<D>::run_edges() {
   run();
-  if (course_.body->keeps_sequences()) {
+  if (course_.motion.body->keeps_sequences()) {
     for (uint32_t i = 0; i < packet_.count(); ++i) {
       if (!packet_.reached(i)) continue;
-      EdgeSequence<D>& sequence = course_.body->sequences[edges_[i]];
-      sequence.keep(course_.body->call);
+      EdgeSequence<D>& sequence = course_.motion.body->sequences[edges_[i]];
+      sequence.keep(course_.motion.body->call);
       writers_[i].finish(sequence);
     }
   }
@@ -75,7 +66,7 @@ void CourseCasts<D>::run_edges() {
 
 template <int D>
 bool CourseCasts<D>::is_star_free(uint32_t v) {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   if (!body.has_vertex(v)) return true;
   const BodyVertex<D>& at = body.vertices[v];
   bool free = true;

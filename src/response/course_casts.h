@@ -1,9 +1,8 @@
 #pragma once
 // Casts of a body on its course, side by side.
 
-#include "flood/sequence.h"
 #include "response/course.h"
-#include "walk/packet.h"
+#include "sweep/simplex_sweep.h"
 
 namespace dsw {
 
@@ -24,7 +23,7 @@ class CourseCasts {
   /** Casts the paths of all vertices that move, which tells where they arrive. */
   void cast_paths();
   /** The facets on the path of a vertex; none unless sequences are kept. */
-  PathFacets crossed(uint32_t v) const { return course_.body->keeps_sequences() ? crossed_[v] : PathFacets{}; }
+  PathFacets crossed(uint32_t v) const { return course_.motion.crossed_by(v); }
 
   /** To see whether edge e is free in a new place, and which cells it crosses there.
    * @param v whose way is in doubt if it is not; kNone: that of both ends. */
@@ -51,7 +50,6 @@ class CourseCasts {
   uint32_t vertices_[kPacket] = {};  // kNone: of both ends of the edge
   uint32_t edges_[kPacket] = {};
   Array<SequenceWriter<D>> writers_{env_.memory};  // of the packet, if sequences are kept
-  Array<PathFacets> crossed_{env_.memory};         // by vertex, if sequences are kept
 };
 
 }  // namespace dsw

@@ -9,7 +9,7 @@ namespace dsw {
 template <int D>
 void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
   may_guess_ = may_guess;
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   const bool only_places = !body.keeps_sequences();
   const bool skips_back = may_skip && body.skipping.back_edges;
   sieve_.start(may_skip);
@@ -28,42 +28,45 @@ void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
  * EDGES where no sequences are kept, without branches on which end is the first. */
 template <int D>
 void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
-  const Body<D>& body = *course_.body;
-  const PointArray targets = course_.targets;
+  const Body<D>& body = *course_.motion.body;
+  const PointArray targets = course_.motion.targets;
   const uint32_t(&ends)[2] = body.edges[e].ends;
   const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
   const uint32_t v = ends[k], w = ends[1 - k];
   typename Course<D>::Vertex &first = course_.vertices[v], &second = course_.vertices[w];
+  const VertexWay &first_way = course_.motion.ways[v], &second_way = course_.motion.ways[w];
   const bool both = second.rank != kNone;
   if (first.rank == kNone) return;
   if (!first.doubtful) {
     const bool skips = skips_back && both && first.inwards && !second.inwards && body.edges[e].faces[1] != kNone;
     ++sweeps_.counts.swept;
     sweeps_.counts.skipped += skips ? 1 : 0;
-    if (!skips) casts_.add_place(e, v, {first.arrival, targets[v]}, {second.from, body.position(w)});
+    if (!skips) casts_.add_place(e, v, {first_way.arrival, targets[v]}, {second_way.from, body.position(w)});
   }
   if (!both) return;
-  second.doubtful = second.doubtful || !first.arrival.valid();
+  second.doubtful = second.doubtful || !first_way.arrival.valid();
   if (second.doubtful) return;
   ++sweeps_.counts.swept;
-  casts_.add_place(e, w, {second.arrival, targets[w]}, {first.arrival, targets[v]});
+  casts_.add_place(e, w, {second_way.arrival, targets[w]}, {first_way.arrival, targets[v]});
 }
 
 /** Finds the edges of a chunk whose ends stay in their cells: in one convex cell, or in two between which the edge is
  * known to pass facets all the way. What SimplexSweep::settle finds out of one move of one end, for both. */
 template <int D>
 void EdgePass<D>::settle_side_by_side() {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   const typename Course<D>::Vertex* const vertices = course_.vertices.data();
+  const VertexWay* const ways = course_.motion.ways.data();
   inside_ = keeping_ = 0;
   uint64_t between = 0, at = 0;
   sieve_.prefetch_sequences();
   for (const uint32_t e : sieve_) {
-    const typename Course<D>::Vertex &a = vertices[body.edges[e].ends[0]], &b = vertices[body.edges[e].ends[1]];
+    const uint32_t(&ends)[2] = body.edges[e].ends;
+    const VertexWay &a = ways[ends[0]], &b = ways[ends[1]];
     const Passage<D>& passage = body.sequences[e].passage;
     const uint64_t stay = uint64_t{a.from == a.arrival} & uint64_t{b.from == b.arrival}, same = a.from == b.from;
     inside_ |= (stay & same & uint64_t{env_.map.convex(a.from)}) << at;
-    const uint64_t moves = uint64_t{a.rank != kNone} | uint64_t{b.rank != kNone};
+    const uint64_t moves = uint64_t{vertices[ends[0]].rank != kNone} | uint64_t{vertices[ends[1]].rank != kNone};
     between |= (moves & stay & ~same & uint64_t{passage.front == a.from} & uint64_t{passage.back == b.from}) << at;
     ++at;
   }
@@ -80,13 +83,14 @@ void EdgePass<D>::settle_side_by_side() {
 /** Whether an edge keeps to the way between the cells of its ends, where they stay. */
 template <int D>
 bool EdgePass<D>::keeps_between(uint32_t e) const {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   EdgeSequence<D>& sequence = body.sequences[e];
   const Passage<D>& passage = sequence.passage;
   const uint32_t(&ends)[2] = body.edges[e].ends;
-  const typename Course<D>::Vertex &a = course_.vertices[ends[0]], &b = course_.vertices[ends[1]];
-  if (passage.version != env_.obstacle_version || !passage.leads(env_, a.from, b.from)) return false;
-  const bool turned = b.rank < a.rank;
+  const VertexWay* const ways = course_.motion.ways.data();
+  if (passage.version != env_.obstacle_version || !passage.leads(env_, ways[ends[0]].from, ways[ends[1]].from))
+    return false;
+  const bool turned = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank;
   const uint32_t v = ends[turned ? 1 : 0], w = ends[turned ? 0 : 1];
   const EdgeWay way{body.position(v), course_.place(v, kNone), body.position(w), course_.place(w, kNone), !turned};
   if (passage.is_only()) return keeps_to_passage(env_, passage, way);
@@ -97,7 +101,7 @@ bool EdgePass<D>::keeps_between(uint32_t e) const {
 /** Edges in their order: what one of them meets lets others wait. */
 template <int D>
 void EdgePass<D>::sweep_chunk() {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   settle_side_by_side();
   const uint32_t inside_counts = body.skipping.by_environment ? 1 : 0,
                  keeping_counts = body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
@@ -124,10 +128,10 @@ void EdgePass<D>::sweep_chunk() {
 /** In the order of the turns of both ends: what the edge is found to pass is then that of its last place. */
 template <int D>
 void EdgePass<D>::sweep_ways(uint32_t e) {
-  const uint32_t(&ends)[2] = course_.body->edges[e].ends;
+  const uint32_t(&ends)[2] = course_.motion.body->edges[e].ends;
   const bool turned = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank;
   const uint32_t a = ends[turned ? 1 : 0], b = ends[turned ? 0 : 1];
-  const bool boxed = sweeps_edges(course_.body->level) && is_boxed(e);
+  const bool boxed = sweeps_edges(course_.motion.body->level) && is_boxed(e);
   sweep_way(e, a, b, boxed);
   sweep_way(e, b, a, boxed);
 }
@@ -135,7 +139,7 @@ void EdgePass<D>::sweep_ways(uint32_t e) {
 /** @param boxed as is_boxed says. */
 template <int D>
 void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   typename Course<D>::Vertex& moving = course_.vertices[v];
   if (moving.rank == kNone) return;
   const Cell fixed = course_.cell_at(other, moving.rank);
@@ -146,12 +150,12 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
     if (!course_.keeps.empty()) course_.keeps[e] = false;
     return;
   }
+  const Cell arrival = course_.motion.ways[v].arrival;
   const EdgeSweep sweep{
-      e, v, course_.targets[v], moving.arrival, course_.place(other, moving.rank), fixed, casts_.crossed(v)};
+      e, v, course_.motion.targets[v], arrival, course_.place(other, moving.rank), fixed, casts_.crossed(v)};
   const Settled settled = boxed ? sweeps_.settle_boxed(body) : sweeps_.settle(body, sweep, false);
   if (!course_.keeps.empty()) {
-    const bool same =
-        settled == Settled::kInside || (settled == Settled::kSleeve && body.vertices[v].cell == moving.arrival);
+    const bool same = settled == Settled::kInside || (settled == Settled::kSleeve && body.vertices[v].cell == arrival);
     course_.keeps[e] = course_.keeps[e] && same;
   }
   if (settled != Settled::kNo) return;
@@ -172,10 +176,10 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
 template <int D>
 bool EdgePass<D>::is_boxed(uint32_t e) {
   constexpr size_t kMostFacets = 3;
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   const uint32_t v = body.edges[e].ends[0], w = body.edges[e].ends[1];
-  const typename Course<D>::Vertex &a = course_.vertices[v], &b = course_.vertices[w];
-  if ((a.rank == kNone && b.rank == kNone) || !BoxProbe<D>::suits(env_, a.from)) return false;
+  const VertexWay &a = course_.motion.ways[v], &b = course_.motion.ways[w];
+  if ((!course_.moves(v) && !course_.moves(w)) || !BoxProbe<D>::suits(env_, a.from)) return false;
   if (a.from == a.arrival && a.from == b.from && a.from == b.arrival && env_.map.convex(a.from)) return false;
   if (body.sequences[e].facets.size() > kMostFacets) return false;
   Bounds<D> box(body.position(v));
@@ -187,14 +191,14 @@ bool EdgePass<D>::is_boxed(uint32_t e) {
 template <int D>
 void FacePass<D>::sweep() {
   find_sides();
-  for (uint32_t f = 0; f < course_.body->faces.size(); ++f) {
-    if (course_.body->has_face(f) && !shares_sleeve(f) && !is_boxed(f)) sweep_face(f);
+  for (uint32_t f = 0; f < course_.motion.body->faces.size(); ++f) {
+    if (course_.motion.body->has_face(f) && !shares_sleeve(f) && !is_boxed(f)) sweep_face(f);
   }
 }
 
 template <int D>
 void FacePass<D>::find_sides() {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   sides_.assign(3 * body.faces.size(), kNone);
   for (uint32_t e = 0; e < body.edges.size(); ++e) {
     for (const uint32_t f : body.edges[e].faces) {
@@ -210,15 +214,15 @@ void FacePass<D>::find_sides() {
 /** What a face sweeps when its vertices move in their order. */
 template <int D>
 void FacePass<D>::sweep_face(uint32_t f) {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   for (const uint32_t v : body.faces[f].corners) {
     typename Course<D>::Vertex& moving = course_.vertices[v];
     if (moving.rank == kNone || moving.doubtful) continue;
     const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v), rank = moving.rank;
     const FaceSweep sweep{f,
                           v,
-                          course_.targets[v],
-                          moving.arrival,
+                          course_.motion.targets[v],
+                          course_.motion.ways[v].arrival,
                           course_.place(q, rank),
                           course_.place(r, rank),
                           course_.cell_at(q, rank),
@@ -230,11 +234,11 @@ void FacePass<D>::sweep_face(uint32_t f) {
 /** Whether a face and what it sweeps lie in a box that is free. */
 template <int D>
 bool FacePass<D>::is_boxed(uint32_t f) {
-  const uint32_t(&corners)[3] = course_.body->faces[f].corners;
-  const auto from = [&](int k) { return course_.vertices[corners[k]].from; };
+  const uint32_t(&corners)[3] = course_.motion.body->faces[f].corners;
+  const auto from = [&](int k) { return course_.motion.ways[corners[k]].from; };
   const bool stays = std::none_of(corners, corners + 3, [&](uint32_t v) { return course_.moves(v); });
   if (stays || !BoxProbe<D>::suits(env_, from(0))) return false;
-  Bounds<D> box(course_.body->position(corners[0]));
+  Bounds<D> box(course_.motion.body->position(corners[0]));
   for (const uint32_t v : corners) course_.include_way(v, box);
   return sweeps_.is_boxed(box, from(0), from(1), from(2));
 }
@@ -244,7 +248,7 @@ bool FacePass<D>::is_boxed(uint32_t f) {
  * tetrahedra. */
 template <int D>
 bool FacePass<D>::shares_sleeve(uint32_t f) const {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   SequenceView views[3];
   for (uint32_t k = 0; k < 3; ++k) {
     const uint32_t e = sides_[3 * size_t{f} + k];

@@ -12,7 +12,7 @@ namespace dsw {
 
 template <int D>
 void EdgeSieve<D>::start(bool may_skip) {
-  const Skipping& skipping = course_.body->skipping;
+  const Skipping& skipping = course_.motion.body->skipping;
   may_skip_ = may_skip;
   next_ = count_ = 0;
   if (skipping.by_clearance) measure_clearances();
@@ -22,10 +22,10 @@ void EdgeSieve<D>::start(bool may_skip) {
 /** For vertices whose edges had to be cast; and how much room all have now. */
 template <int D>
 void EdgeSieve<D>::measure_clearances() {
-  Body<D>& body = *course_.body;
+  Body<D>& body = *course_.motion.body;
   double longest = 0;
   for (const uint32_t v : course_.order) {
-    if (course_.moves(v)) longest = std::max(longest, distance_squared<D>(course_.targets[v], body.position(v)));
+    if (course_.moves(v)) longest = std::max(longest, distance_squared<D>(course_.motion.targets[v], body.position(v)));
   }
   const double way = std::sqrt(longest);
   rooms_.assign(body.vertices.size(), 0);
@@ -42,7 +42,7 @@ void EdgeSieve<D>::measure_clearances() {
  * when the move began. In doubles: what is left out by this is cast where it arrives. */
 template <int D>
 void EdgeSieve<D>::find_inwards() {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   for (const uint32_t v : course_.order) course_.vertices[v].inwards = course_.moves(v);
   for (uint32_t f = 0; f < body.faces.size(); ++f) {
     if (!body.has_face(f)) continue;
@@ -58,10 +58,10 @@ void EdgeSieve<D>::find_inwards() {
 
 template <int D>
 bool EdgeSieve<D>::next() {
-  const Skipping& skipping = course_.body->skipping;
-  if (next_ >= course_.body->edges.size()) return false;
+  const Skipping& skipping = course_.motion.body->skipping;
+  if (next_ >= course_.motion.body->edges.size()) return false;
   gather();
-  if (skipping.by_environment && !course_.body->keeps_sequences()) drop_inside();
+  if (skipping.by_environment && !course_.motion.body->keeps_sequences()) drop_inside();
   if (skipping.by_clearance && sweeps_.max_volumes == 0) drop_clear();
   if (may_skip_ && skipping.by_similar_motion) drop_similar();
   if (may_skip_ && skipping.back_edges) drop_back();
@@ -71,13 +71,14 @@ bool EdgeSieve<D>::next() {
 /** What is known of the ends of the edges is on its way when they are looked at. */
 template <int D>
 void EdgeSieve<D>::gather() {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   for (count_ = 0; next_ < body.edges.size() && count_ < kChunk; ++next_) {
     if (!body.has_edge(next_)) continue;
     for (const uint32_t v : body.edges[next_].ends) {
       prefetch_line(&course_.vertices[v]);
+      prefetch_line(&course_.motion.ways[v]);
       prefetch_line(&body.vertices[v]);
-      prefetch_line(course_.targets[v]);
+      prefetch_line(course_.motion.targets[v]);
     }
     if (body.keeps_sequences()) prefetch_line(&body.sequences[next_]);
     chunk_[count_++] = next_;
@@ -89,7 +90,7 @@ template <int D>
 template <class Drops>
 void EdgeSieve<D>::drop(Drops drops) {
   const Vertex* const vertices = course_.vertices.data();
-  const BodyEdge* const edges = course_.body->edges.data();
+  const BodyEdge* const edges = course_.motion.body->edges.data();
   uint32_t kept = 0, skipped = 0;
   for (uint32_t i = 0; i < count_; ++i) {
     const uint32_t e = chunk_[i];
@@ -117,9 +118,9 @@ void EdgeSieve<D>::drop_and_cast(Skips skips) {
     return skip;
   });
   for (uint32_t i = 0; i < dropped; ++i) {
-    const uint32_t e = skipped[i], a = course_.body->edges[e].ends[0], b = course_.body->edges[e].ends[1];
-    casts_.add_edge(e, kNone, {course_.vertices[a].arrival, course_.place(a, kNone)},
-                    {course_.vertices[b].arrival, course_.place(b, kNone)});
+    const uint32_t e = skipped[i], a = course_.motion.body->edges[e].ends[0], b = course_.motion.body->edges[e].ends[1];
+    casts_.add_edge(e, kNone, {course_.motion.ways[a].arrival, course_.place(a, kNone)},
+                    {course_.motion.ways[b].arrival, course_.place(b, kNone)});
   }
 }
 
@@ -128,7 +129,9 @@ bool EdgeSieve<D>::sees_all_of_cell(uint32_t v) {
   using Sight = typename Course<D>::Sight;
   Vertex& at = course_.vertices[v];
   if (at.sight == Sight::kUnknown) {
-    at.sight = sees_all(env_, at.arrival, course_.targets[v], sweeps_.counters) ? Sight::kWhole : Sight::kPart;
+    at.sight = sees_all(env_, course_.motion.ways[v].arrival, course_.motion.targets[v], sweeps_.counters)
+                   ? Sight::kWhole
+                   : Sight::kPart;
   }
   return at.sight == Sight::kWhole;
 }
@@ -137,18 +140,21 @@ bool EdgeSieve<D>::sees_all_of_cell(uint32_t v) {
  * goes to, from there on an end of the edge. */
 template <int D>
 void EdgeSieve<D>::drop_inside() {
-  drop([&](const Vertex& a, const Vertex& b, uint32_t e) {
+  const VertexWay* const ways = course_.motion.ways.data();
+  drop([&](const Vertex& turn_a, const Vertex& turn_b, uint32_t e) {
+    const uint32_t(&ends)[2] = course_.motion.body->edges[e].ends;
+    const VertexWay &a = ways[ends[0]], &b = ways[ends[1]];
     const uint32_t inside = uint32_t{a.from == a.arrival} & uint32_t{b.from == b.arrival} & uint32_t{a.from == b.from};
     const uint32_t settled = inside & uint32_t{env_.map.convex(a.from)};
     if (DSW_LIKELY(inside == settled)) return settled != 0;
-    return sees_all_of_cell(course_.body->edges[e].ends[a.rank < b.rank ? 0 : 1]);
+    return sees_all_of_cell(ends[turn_a.rank < turn_b.rank ? 0 : 1]);
   });
 }
 
 /** Edges that do not leave the ball of an end. */
 template <int D>
 void EdgeSieve<D>::drop_clear() {
-  Body<D>& body = *course_.body;
+  Body<D>& body = *course_.motion.body;
   const uint32_t before = sweeps_.counts.skipped;
   drop([&](const Vertex&, const Vertex&, uint32_t e) {
     const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
@@ -167,7 +173,7 @@ void EdgeSieve<D>::drop_clear() {
 /** Edges whose ends go less than their length, and nearly alike. */
 template <int D>
 void EdgeSieve<D>::drop_similar() {
-  const Body<D>& body = *course_.body;
+  const Body<D>& body = *course_.motion.body;
   const double share = body.skipping.motion_share * body.skipping.motion_share;
   drop_and_cast([&](const Vertex&, const Vertex&, uint32_t e) {
     const uint32_t v = body.edges[e].ends[0], w = body.edges[e].ends[1];
@@ -183,7 +189,8 @@ void EdgeSieve<D>::drop_similar() {
 template <int D>
 void EdgeSieve<D>::drop_back() {
   drop_and_cast([&](const Vertex& a, const Vertex& b, uint32_t e) {
-    return (uint32_t{a.inwards} & uint32_t{b.inwards} & (course_.body->edges[e].faces[1] != kNone ? 1u : 0u)) != 0;
+    return (uint32_t{a.inwards} & uint32_t{b.inwards} & (course_.motion.body->edges[e].faces[1] != kNone ? 1u : 0u)) !=
+           0;
   });
 }
 

@@ -21,7 +21,7 @@ class EdgeSieve {
   DSW_PREFETCH void prefetch_sequences() const {
     constexpr size_t kLine = 64;
     for (const uint32_t e : *this) {
-      const auto* const sequence = reinterpret_cast<const char*>(&course_.body->sequences[e]);
+      const auto* const sequence = reinterpret_cast<const char*>(&course_.motion.body->sequences[e]);
       for (size_t at = 0; at < sizeof(EdgeSequence<D>); at += kLine) prefetch_line(sequence + at);
     }
   }

@@ -130,7 +130,7 @@ void VertexMove<D>::stop_before(uint32_t v, const double* to, const dsw_body_con
 /** What comes too near to a thick body first, and as record_contacts. */
 template <int D>
 dsw_body_contact VertexMove<D>::record_too_near(uint32_t v, const double* to, const TooNear<D>& first) {
-  const dsw_body_contact contact = describe(env_, sweeps_.partners, body_, v, to, first);
+  const dsw_body_contact contact = describe(env_, body_, v, to, first);
   record_.add(contact, partner_of(sweeps_.partners, first));
   const bool records = settings_.search == Search::kAll;
   const bool inserts = settings_.edge == Response::kAdaptiveMany && contact.edge.generation != 0;
@@ -138,7 +138,7 @@ dsw_body_contact VertexMove<D>::record_too_near(uint32_t v, const double* to, co
   Array<TooNear<D>> all{env_.memory};
   sweeps_.thick.find_all(sweeps_.partners, body_, v, to, all);
   for (size_t i = 1; i < all.size(); ++i) {
-    const dsw_body_contact each = describe(env_, sweeps_.partners, body_, v, to, all[i]);
+    const dsw_body_contact each = describe(env_, body_, v, to, all[i]);
     if (records) record_.add(each, partner_of(sweeps_.partners, all[i]));
     if (inserts && all[i].partner == kNone && each.edge.index == contact.edge.index && each.edge.generation != 0) {
       under_.push_back(each);
@@ -233,7 +233,7 @@ dsw_body_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const
   if (tried.is_too_near) {
     TooNear<D> near;
     sweeps_.thick.find_first(sweeps_.partners, body_, v, met, &near);
-    contact = describe(env_, sweeps_.partners, body_, v, met, near);
+    contact = describe(env_, body_, v, met, near);
     *partner = partner_of(sweeps_.partners, near);
   } else if (tried.of_partner) {
     PairContact<D> pair;

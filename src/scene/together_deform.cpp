@@ -4,11 +4,12 @@
 
 #include "base/dimensions.h"
 #include "environment/moving.h"
+#include "motion/halving.h"
+#include "motion/place_on_way.h"
 #include "scene/deformation.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
 #include "together/moving_walls.h"
-#include "together/place_on_way.h"
 #include "together/settings.h"
 #include "together/whole_ways.h"
 
@@ -35,8 +36,6 @@ class Call {
   void keep_results(BodyRecord<D>* const* bodies, size_t count, size_t point_room);
 
  private:
-  static constexpr int kMostHalvings = 52;
-
   void add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record);
   uint64_t most_work() const noexcept;
   void add_particles();
@@ -77,9 +76,9 @@ void Call<D>::add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record
   begin_move(scene_, of);
   const auto slot = static_cast<uint32_t>(&of - scene_.bodies.data());
   Traveller<D>& made = travellers_.emplace_back(scene_.memory);
-  made.body = &of.body;
+  made.motion.body = &of.body;
   made.name = {&of.body, slot, scene_.body_slots.generation(slot)};
-  made.targets = targets;
+  made.motion.targets = targets;
   made.record = record;
 }
 
@@ -102,7 +101,7 @@ void Call<D>::gather(BodyRecord<D>* const* bodies, size_t count, PointArray targ
     add_body(of, positions_of(of.body), &still_record_);
   }
   add_particles();
-  for (const Traveller<D>& of : travellers_) targets_.push_back(of.targets);
+  for (const Traveller<D>& of : travellers_) targets_.push_back(of.motion.targets);
 }
 
 template <int D>
@@ -118,9 +117,9 @@ void Call<D>::add_particles() {
   }
   if (slots_.empty()) return;
   Traveller<D>& made = travellers_.emplace_back(scene_.memory);
-  made.body = &particles_;
+  made.motion.body = &particles_;
   made.name = {&particles_, kNone, 0};
-  made.targets = positions_of(particles_);
+  made.motion.targets = positions_of(particles_);
   made.record = &still_record_;
 }
 
@@ -128,7 +127,7 @@ void Call<D>::add_particles() {
 template <int D>
 uint64_t Call<D>::most_work() const noexcept {
   uint64_t vertices = 0;
-  for (const Traveller<D>& of : travellers_) vertices += of.body->vertices.size();
+  for (const Traveller<D>& of : travellers_) vertices += of.motion.body->vertices.size();
   return 1000 * uint64_t{TogetherSettings().kilo_products} * vertices;
 }
 
@@ -139,18 +138,17 @@ void Call<D>::run() {
   record_.clear();
   try {
     ways_.set_most_work(most_work());
-    double way = 1;
+    Halving halving;
     bool has_gone = try_way();
-    for (int halvings = 0; !has_gone && halvings < kMostHalvings; ++halvings) {
+    while (!has_gone && halving.next()) {
       invalid.swap(record_.invalid);
       record_.invalid.clear();
-      way /= 2;
-      shorten(way);
+      shorten(halving.way);
       has_gone = try_way();
     }
     if (has_gone) {
       record_.invalid.swap(invalid);
-      record_.fraction = way * ways_.time();
+      record_.fraction = halving.way * ways_.time();
       describe_walls();
     } else {
       forget_touches();
@@ -228,12 +226,12 @@ void Call<D>::shorten(double way) {
   near_targets_.clear();
   for (size_t t = 0; t < travellers_.size(); ++t) {
     Traveller<D>& of = travellers_[t];
-    const Body<D>& body = *of.body;
+    const Body<D>& body = *of.motion.body;
     Array<double>& near = near_targets_.emplace_back(D * body.vertices.size(), 0.0, scene_.memory);
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (body.has_vertex(v)) place_on_way<D>(body.position(v), targets_[t][v], way, &near[size_t{D} * v]);
     }
-    of.targets = {near.data(), D};
+    of.motion.targets = {near.data(), D};
   }
 }
 
@@ -244,9 +242,9 @@ void Call<D>::take_back() {
   if (env_.points != start_) read_points(start_);
   env_.set_moved(had_moved_);
   for (const Traveller<D>& of : travellers_) {
-    if (of.body == &particles_) continue;
-    put_vertices(*of.body, scene_.bodies[of.name.index].before.data());
-    restore_forecasts(*of.body);
+    if (of.motion.body == &particles_) continue;
+    put_vertices(*of.motion.body, scene_.bodies[of.name.index].before.data());
+    restore_forecasts(*of.motion.body);
   }
 }
 
@@ -272,13 +270,13 @@ void Call<D>::keep_results(BodyRecord<D>* const* bodies, size_t count, size_t po
     env_.point_room = point_room;
   }
   // Who stopped is told by the targets of the call, also if the way was shortened.
-  for (size_t t = 0; t < travellers_.size(); ++t) travellers_[t].targets = targets_[t];
+  for (size_t t = 0; t < travellers_.size(); ++t) travellers_[t].motion.targets = targets_[t];
   if (!travellers_.empty()) ways_.finish(travellers_);
   record_.sort();
   std::swap(d.record, d.next);
   for (size_t i = 0; i < count; ++i) end_move(scene_, *bodies[i], {});
   for (const Traveller<D>& of : travellers_) {
-    if (of.record == &still_record_ && of.body != &particles_) settle_body(scene_, scene_.bodies[of.name.index]);
+    if (of.record == &still_record_ && of.motion.body != &particles_) settle_body(scene_, scene_.bodies[of.name.index]);
   }
   for (uint32_t i = 0; i < slots_.size(); ++i) {
     ParticleState<D>& particle = scene_.particles[slots_[i]];

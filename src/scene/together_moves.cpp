@@ -26,9 +26,9 @@ template <int D>
 Traveller<D> traveller_of(const Scene<D>& scene, BodyRecord<D>& of, const Partners<D>* still, PointArray targets) {
   Traveller<D> made(scene.memory);
   const auto slot = static_cast<uint32_t>(&of - scene.bodies.data());
-  made.body = &of.body;
+  made.motion.body = &of.body;
   made.name = {&of.body, slot, scene.body_slots.generation(slot)};
-  made.targets = targets;
+  made.motion.targets = targets;
   made.notes = &of.kept_near;
   made.record = &of.next;
   made.still = still;
@@ -57,7 +57,7 @@ void move_island(TogetherMove<D>& move, Array<Traveller<D>>& travellers, BodyRec
       for (uint32_t v = 0; v < of.body.vertices.size(); ++v) {
         if (!of.body.has_vertex(v)) continue;
         ++of.next.moved;
-        const double* const target = travellers[k].targets[v];
+        const double* const target = travellers[k].motion.targets[v];
         of.next.limited += std::equal(target, target + D, of.body.position(v)) ? 0 : 1;
       }
       of.next.stopped = of.next.limited;

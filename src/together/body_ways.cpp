@@ -24,8 +24,8 @@ bool has_corner(const Body<D>& body, const Simplex& part, uint32_t v) {
 
 template <int D>
 bool may_meet(const Array<Traveller<D>>& travellers, uint32_t a, uint32_t b) {
-  const ContactFilter& filter = travellers[a].body->filter;
-  return a == b ? filter.self : filter.sees(travellers[b].body->filter);
+  const ContactFilter& filter = travellers[a].motion.body->filter;
+  return a == b ? filter.self : filter.sees(travellers[b].motion.body->filter);
 }
 
 /** How many of a pair's points are those of its first or its second side. */
@@ -60,7 +60,7 @@ template <int D>
 void BodyWays<D>::start(const Array<Traveller<D>>& travellers, bool bodies_meet) {
   pairs_.clear();
   const auto meets = [](const Traveller<D>& of) {
-    return of.body->filter.self || (of.still != nullptr && !of.still->all.empty());
+    return of.motion.body->filter.self || (of.still != nullptr && !of.still->all.empty());
   };
   hinges_.clear();
   if (!bodies_meet || (travellers.size() == 1 && !meets(travellers[0]))) return;
@@ -77,7 +77,7 @@ template <int D>
 bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Traveller<D>>& travellers) {
   if constexpr (D == 3) {
     const Traveller<3>& of = travellers[0];
-    const Body<3>& body = *of.body;
+    const Body<3>& body = *of.motion.body;
     const bool has_still = of.still != nullptr && !of.still->all.empty();
     if (travellers.size() != 1 || has_still || !covers_edges(body.level) || !fresh_boxes(body).loners.empty())
       return false;
@@ -106,10 +106,10 @@ void BodyWays<D>::add_ways(const Array<Traveller<D>>& travellers, bool with_rods
   });
   for (uint32_t t = 0; t < travellers.size(); ++t) {
     const Traveller<D>& of = travellers[t];
-    for_each_simplex(*of.body, [&](const Simplex& part) {
+    for_each_simplex(*of.motion.body, [&](const Simplex& part) {
       if (part.kind == Simplex::kVertex) {
         if (D == 2 || may_meet_faces) vertices_.add(of, t, part);
-        if (with_rods && is_single(*of.body, part.index)) rods_.add(of, t, part);
+        if (with_rods && is_single(*of.motion.body, part.index)) rods_.add(of, t, part);
       } else if (part.kind == Simplex::kEdge) {
         if (with_rods) rods_.add(of, t, part);
       } else {
@@ -158,7 +158,7 @@ void BodyWays<D>::find_solids(const Array<Traveller<D>>& travellers) {
 template <int D>
 void BodyWays<D>::find_hinges(const Array<Traveller<D>>& travellers) {
   for (uint32_t t = 0; t < travellers.size(); ++t) {
-    const Body<D>& body = *travellers[t].body;
+    const Body<D>& body = *travellers[t].motion.body;
     if (!body.filter.self || !covers_edges(body.level)) continue;
     for (uint32_t e = 0; e < body.edges.size(); ++e) {
       const BodyEdge& edge = body.edges[e];

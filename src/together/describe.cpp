@@ -72,25 +72,11 @@ Geometry geometry_of(const WayTouch<D>& touch) {
 }
 
 template <int D>
-void name_feature(const Environment<D>& env, const WallFeature& wall, const double* normal, dsw_contact& contact) {
-  if (wall.facet.valid()) {
-    name_wall(env, facing(env, wall.facet, normal), contact);
-  } else {
-    contact.front = volume_id(env.map, wall.cell);
-  }
-  if (wall.count == D) return;
-  if (wall.count == 1) {
-    name_vertex(env.map, wall.vertices[0], contact);
-    if (!wall.facet.valid())
-      contact.marked_kind = vertex_marked(env, wall.vertices[0]) ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
-    return;
-  }
-  if constexpr (D == 3) {
-    const Cell c = wall.facet.valid() ? env.map.cell_of(wall.facet) : wall.cell;
-    const Dart d = dart_between(env.map, c, wall.vertices);
-    if (d.cell.valid()) name_edge(edge_id(env.map, d), contact);
-    if (!wall.facet.valid()) contact.marked_kind = DSW_CELL_EDGE;
-  }
+void name_feature(const Environment<D>& env, const WallFeature& wall, dsw_contact& contact) {
+  const bool is_marked_vertex = wall.count == 1 && vertex_marked(env, wall.vertices[0]);
+  const uint32_t named = wall.count == D ? 0 : wall.count;  // a whole facet has its name
+  name_obstacle(env, {wall.facet, wall.cell, wall.vertices, named, is_marked_vertex ? DSW_CELL_VERTEX : DSW_CELL_EDGE},
+                contact);
 }
 
 /** A contact as one side of a touch has it. */
@@ -111,7 +97,7 @@ template <int D>
 dsw_body_contact contact_of(const Environment<D>& env, const OneSide<D>& side, const WayTouch<D>& touch,
                             const Geometry& geometry) {
   const Traveller<D>& of = side.of;
-  const Body<D>& body = *of.body;
+  const Body<D>& body = *of.motion.body;
   const double time = touch.first.time;
   const SimplexCorners<D> corners(body, side.part);
   uint32_t v = kNone;
@@ -136,26 +122,17 @@ dsw_body_contact contact_of(const Environment<D>& env, const OneSide<D>& side, c
     place_at(of, body.faces[side.part.index].before(v), time, contact.fixed[1]);
   }
   if (side.other == nullptr) {
-    name_feature(env, touch.wall, contact.contact.normal, contact.contact);
+    name_feature(env, touch.wall, contact.contact);
     return contact;
   }
   contact.contact.front = volume_id(env.map, body.vertices[v].cell);
-  contact.contact.kind = side.other_part.kind == Simplex::kVertex ? DSW_CONTACT_VERTEX
-                         : side.other_part.kind == Simplex::kEdge ? DSW_CONTACT_EDGE
-                                                                  : DSW_CONTACT_PLANE;
+  contact.contact.kind = contact_kind(side.other_part.kind);
   return contact;
 }
 
 template <int D>
 dsw_contact_partner partner_of(const OneSide<D>& side) {
-  dsw_contact_partner partner{};
-  if (side.other == nullptr) return partner;
-  const Body<D>& body = *side.other->body;
-  partner.body = {side.other->index, side.other->generation};
-  if (side.other_part.kind == Simplex::kVertex) partner.vertex = vertex_id(body, side.other_part.index);
-  if (side.other_part.kind == Simplex::kEdge) partner.edge = edge_id(body, side.other_part.index);
-  if (side.other_part.kind == Simplex::kFace) partner.face = face_id(body, side.other_part.index);
-  return partner;
+  return side.other == nullptr ? dsw_contact_partner{} : name_partner(*side.other, side.other_part);
 }
 
 }  // namespace
@@ -167,7 +144,7 @@ void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers
   for (const WayTouch<D>& touch : touches) {
     const Geometry geometry = geometry_of(touch);
     const auto add = [&](uint32_t number, const OneSide<D>& side, double sign) {
-      const SimplexCorners<D> corners(*side.of.body, side.part);
+      const SimplexCorners<D> corners(*side.of.motion.body, side.part);
       if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return side.of.moves(v); })) return;
       const Geometry turned_to{sign * geometry.normal, geometry.point};
       travellers[number].record->add(contact_of(env, side, touch, turned_to), partner_of(side));
@@ -185,7 +162,7 @@ template <int D>
 dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Traveller<D>>& travellers,
                                const WayTouch<D>& touch) {
   const Traveller<D>& of = travellers[touch.traveller];
-  const SimplexCorners<D> corners(*of.body, touch.part);
+  const SimplexCorners<D> corners(*of.motion.body, touch.part);
   Geometry geometry = geometry_of(touch);
   if (!touch.comes_first) geometry.normal *= -1;
   const uint32_t first_wall = touch.comes_first ? corners.count : 0;
@@ -195,7 +172,7 @@ dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Traveller<
   contact.time = touch.first.time;
   store<D>(geometry.point, contact.point);
   store<D>(geometry.normal + Vec::Zero(), contact.contact.normal);  // never -0
-  name_feature(env, touch.wall, contact.contact.normal, contact.contact);
+  name_feature(env, touch.wall, contact.contact);
   if (touch.part.kind == Simplex::kEdge) {
     double ends[2][D];
     for (uint32_t i = 0; i < 2; ++i) place_at(of, corners.vertices[i], touch.first.time, ends[i]);

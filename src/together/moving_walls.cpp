@@ -15,9 +15,9 @@
 #include "base/dimensions.h"
 #include "contact/describe.h"
 #include "environment/validity.h"
+#include "motion/place_on_way.h"
 #include "together/describe.h"
 #include "together/kept_sides.h"
-#include "together/place_on_way.h"
 #include "walk/cast.h"
 
 namespace dsw {
@@ -56,7 +56,7 @@ void MovingWalls<D>::start(const Array<Traveller<D>>& travellers) {
   counts = {};
   contacts.clear();
   for (uint32_t t = 0; t < travellers.size(); ++t) {
-    for_each_simplex(*travellers[t].body, [&](const Simplex& part) {
+    for_each_simplex(*travellers[t].motion.body, [&](const Simplex& part) {
       collect(travellers[t], t, part);
       return true;
     });
@@ -65,7 +65,7 @@ void MovingWalls<D>::start(const Array<Traveller<D>>& travellers) {
 
 template <int D>
 void MovingWalls<D>::collect(const Traveller<D>& of, uint32_t number, const Simplex& part) {
-  const SimplexCorners<D> corners(*of.body, part);
+  const SimplexCorners<D> corners(*of.motion.body, part);
   // The region depends on the order of its points, and results must not depend on numbers.
   const double* ways[3][2];
   for (uint32_t i = 0; i < corners.count; ++i) {
@@ -81,7 +81,7 @@ void MovingWalls<D>::collect(const Traveller<D>& of, uint32_t number, const Simp
   list_.clear();
   const uint32_t count = 2 * corners.count;
   const NearRegion<D> region(points, count, room_of_rounding<D>(points, count));
-  flood_.find(&of.body->vertices[corners.vertices[0]].cell, 1, region, list_);
+  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1, region, list_);
   Near near{number, part, static_cast<uint32_t>(features_.size()), 0, static_cast<uint32_t>(cells_.size()), 0};
   add_cells();
   if (part.kind != Simplex::kVertex) cells_.resize(near.first_cell);
@@ -181,7 +181,7 @@ bool MovingWalls<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit 
 template <int D>
 bool MovingWalls<D>::set_pair(const Traveller<D>& of, const Near& near, const Feature& feature,
                               WayTouch<D>& touch) const {
-  const SimplexCorners<D> corners(*of.body, near.part);
+  const SimplexCorners<D> corners(*of.motion.body, near.part);
   touch.pair.kind = D == 2                             ? PairKind::kVertexEdge
                     : near.part.kind == Simplex::kEdge ? PairKind::kEdgeEdge
                                                        : PairKind::kVertexFace;
@@ -235,9 +235,7 @@ void MovingWalls<D>::describe(const Array<Traveller<D>>& travellers, const First
     const Traveller<D>& of = travellers[touch.traveller];
     dsw_wall_contact& contact = contacts.emplace_back(describe_wall(env_, travellers, touch));
     contact.body = {of.name.index, of.name.generation};
-    if (touch.part.kind == Simplex::kVertex) contact.vertex = vertex_id(*of.body, touch.part.index);
-    if (touch.part.kind == Simplex::kEdge) contact.edge = edge_id(*of.body, touch.part.index);
-    if (touch.part.kind == Simplex::kFace) contact.face = face_id(*of.body, touch.part.index);
+    name_part(*of.motion.body, touch.part, contact);
   }
 }
 
@@ -257,7 +255,7 @@ bool MovingWalls<D>::find_arrivals(Array<Traveller<D>>& travellers) const {
     if (near.part.kind != Simplex::kVertex) continue;
     Traveller<D>& of = travellers[near.traveller];
     const double* const at = of.end(near.part.index);
-    Cell& arrival = of.arrivals[near.part.index];
+    Cell& arrival = of.motion.ways[near.part.index].arrival;
     arrival = {};
     for (uint32_t i = near.first_cell; i < near.cell_end && !arrival.valid(); ++i) {
       if (admits(env_, cells_[i]) && contains(env_, cells_[i], at)) arrival = cells_[i];

@@ -14,7 +14,7 @@ void NearWalls<D>::start(const Array<Traveller<D>>& travellers) {
   edges_.clear();
   faces_.clear();
   for (const Traveller<D>& of : travellers) {
-    const Body<D>& body = *of.body;
+    const Body<D>& body = *of.motion.body;
     edges_.emplace_back(covers_edges(body.level) ? body.edges.size() : 0, Range{}, env_.memory);
     faces_.emplace_back(covers_faces(body.level) ? body.faces.size() : 0, Range{}, env_.memory);
   }
@@ -24,7 +24,7 @@ void NearWalls<D>::start(const Array<Traveller<D>>& travellers) {
  * their sequences mostly answer. */
 template <int D>
 bool NearWalls<D>::keeps_notes(const Traveller<D>& of, const Simplex& part) const {
-  const Body<D>& body = *of.body;
+  const Body<D>& body = *of.motion.body;
   if (of.notes == nullptr || is_covered(body, part)) return false;
   if (part.kind != Simplex::kEdge || !body.keeps_sequences()) return true;
   return !env_.map.convex(body.vertices[body.edges[part.index].ends[0]].cell);
@@ -34,16 +34,16 @@ bool NearWalls<D>::keeps_notes(const Traveller<D>& of, const Simplex& part) cons
 template <int D>
 bool NearWalls<D>::is_alone(const Traveller<D>& of, const Simplex& simplex) {
   if (!keeps_notes(of, simplex)) return false;
-  const Part<D> part(*of.body, simplex);
+  const Part<D> part(*of.motion.body, simplex);
   const Reach reach = reach_of(of, part);
-  return reach.is_short() && lists_.is_alone(*of.body, part, reach.way, *of.notes);
+  return reach.is_short() && lists_.is_alone(*of.motion.body, part, reach.way, *of.notes);
 }
 
 template <int D>
 Touchables<D> NearWalls<D>::find(const Traveller<D>& of, uint32_t number, const Simplex& simplex) {
   Range& near = (simplex.kind == Simplex::kEdge ? edges_ : faces_)[number][simplex.index];
   if (near.first_feature == kNone) {
-    const Part<D> part(*of.body, simplex);
+    const Part<D> part(*of.motion.body, simplex);
     const Reach reach = reach_of(of, part);
     near.first_feature = near.feature_end = static_cast<uint32_t>(features_.size());
     near.first_plane = near.plane_end = static_cast<uint32_t>(planes_.size());
@@ -81,7 +81,7 @@ void NearWalls<D>::collect(const Traveller<D>& of, const Part<D>& part, const Re
   sides_.clear();
   if (kept != nullptr) {
     const double wanted = std::min(kWays * kept->way, kSizes * kept->size);
-    const NearView<D> view = lists_.near(*of.body, part, 0, kept->way, *of.notes, wanted);
+    const NearView<D> view = lists_.near(*of.motion.body, part, 0, kept->way, *of.notes, wanted);
     add_obstacles(view.list, &view.near, box);
   } else {
     const uint32_t count = part.corners.count;
@@ -90,7 +90,7 @@ void NearWalls<D>::collect(const Traveller<D>& of, const Part<D>& part, const Re
       points[i] = part.points[i];
       points[count + i] = of.target(part.corners.vertices[i]);
     }
-    const Cell start = of.body->vertices[part.corners.vertices[0]].cell;
+    const Cell start = of.motion.body->vertices[part.corners.vertices[0]].cell;
     add_obstacles(lists_.in(start, NearRegion<D>(points, 2 * count, room_of_rounding<D>(points, 2 * count))), nullptr,
                   box);
   }

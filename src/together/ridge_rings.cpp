@@ -22,6 +22,7 @@
 
 #include "base/memory.h"
 #include "environment/marking.h"
+#include "map/ridge_walk.h"
 #include "walk/shear.h"
 
 namespace dsw {
@@ -94,21 +95,15 @@ bool RidgeRings<D>::go_round(HalfFacet facet, const Ridge& ridge, HalfFacet& wal
   const ConvexCells<D> cells{env_.map};
   Pivot<D> pivot;
   std::copy_n(ridge.vertices, D - 1, pivot.vertices);
-  HalfFacet entered = facet;
-  for (size_t count = 0; count < kMostCells; ++count) {
-    const Cell c = env_.map.cell_of(entered);
+  wall = {};
+  const RidgeWalk walk = walk_round(env_.map, facet, kMostCells, [&](Cell c, HalfFacet entered) {
     const HalfFacet next = cells.other(c, entered, pivot);
-    if (!next.valid()) return false;
-    if (is_impassable(env_, next)) {
-      visit(c, HalfFacet{});
-      wall = next;
-      return true;
-    }
-    visit(c, next);
-    entered = env_.map.opposite(next);
-    if (entered == facet) return true;
-  }
-  return false;
+    const bool is_wall = next.valid() && is_impassable(env_, next);
+    if (is_wall) wall = next;
+    if (next.valid()) visit(c, is_wall ? HalfFacet{} : next);
+    return is_wall ? HalfFacet{} : next;
+  });
+  return wall.valid() || walk == RidgeWalk::kAllRound;
 }
 
 /** Whether a facet at a ridge is in a fan that was found. */

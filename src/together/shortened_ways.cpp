@@ -69,7 +69,7 @@ void ShortenedWays<D>::find_touches(const Array<Traveller<D>>& travellers) {
   // A vertex that was stopped by a wall does not come to lie exactly on it, where it would touch it in the next call.
   for (const WayTouch<D>& each : watched_) {
     const Traveller<D>& of = travellers[each.traveller];
-    if (of.is_new[each.part.index] == 0 || !of.arrivals[each.part.index].valid()) continue;
+    if (of.is_new[each.part.index] == 0 || !of.motion.ways[each.part.index].arrival.valid()) continue;
     if (orient<D>(each.pair.start + 1, of.end(each.part.index)) != 0) continue;
     WayTouch<D> again = each;
     again.first = {true, 1};

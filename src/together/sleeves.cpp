@@ -14,8 +14,8 @@ namespace dsw {
 
 template <int D>
 typename Sleeves<D>::End Sleeves<D>::end_of(const Traveller<D>& of, uint32_t edge, uint32_t k) const {
-  const uint32_t v = of.body->edges[edge].ends[k];
-  return {of.start(v), of.end(v), of.body->vertices[v].cell, of.arrivals[v], paths_[k]};
+  const uint32_t v = of.motion.body->edges[edge].ends[k];
+  return {of.start(v), of.end(v), of.motion.body->vertices[v].cell, of.motion.ways[v].arrival, paths_[k]};
 }
 
 /** Writes the facets that a vertex passes on its way to a place. If the path is blocked, there may be more of them. False:
@@ -23,12 +23,12 @@ typename Sleeves<D>::End Sleeves<D>::end_of(const Traveller<D>& of, uint32_t edg
 template <int D>
 bool Sleeves<D>::find_path(const Traveller<D>& of, uint32_t v, const double* place, Array<uint32_t>& path) {
   const Map<D>& map = env_.map;
-  const Cell from = of.body->vertices[v].cell, to = of.arrivals[v];
+  const Cell from = of.motion.body->vertices[v].cell, to = of.motion.ways[v].arrival;
   const auto suits = [&](Cell c) { return map.convex(c) && !is_closed(env_, c); };
   path.clear();
   if (!suits(from)) return false;
   if (from == to) return true;
-  const PathFacets& crossed = of.crossed[v];
+  const PathFacets& crossed = of.motion.crossed[v];
   if (crossed.is_known) {
     for (uint32_t i = 0; i < crossed.count; ++i) path.push_back(crossed.facets[i].word);
   } else {
@@ -76,7 +76,7 @@ bool Sleeves<D>::note_start(EdgeSequence<D>& sequence, uint64_t call, const End&
 template <int D>
 typename Sleeves<D>::Answer Sleeves<D>::ask(const Traveller<D>& of, uint32_t edge, const double* const (&places)[2],
                                             bool are_ends) {
-  const Body<D>& body = *of.body;
+  const Body<D>& body = *of.motion.body;
   if (!body.keeps_sequences()) return Answer::kUnknown;
   for (uint32_t k = 0; k < 2; ++k) {
     if (!find_path(of, body.edges[edge].ends[k], places[k], paths_[k])) return Answer::kUnknown;
@@ -133,8 +133,8 @@ template <int D>
 void Sleeves<D>::go_on(const Traveller<D>& of, uint32_t edge) {
   const End a = end_of(of, edge, 0), b = end_of(of, edge, 1);
   if (!a.to.valid() || !b.to.valid()) return;
-  EdgeSequence<D>& sequence = of.body->sequences[edge];
-  sequence.keep(of.body->call);
+  EdgeSequence<D>& sequence = of.motion.body->sequences[edge];
+  sequence.keep(of.motion.body->call);
   for (const uint32_t passed : a.path) sequence.pass(env_, {passed}, true);
   for (const uint32_t passed : b.path) sequence.pass(env_, {passed}, false);
   constexpr int kMostTurns = 16;

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "motion/halving.h"
+
 namespace dsw {
 namespace {
 
 template <int D>
 uint64_t most_work(const Array<Traveller<D>>& travellers, const TogetherSettings& settings) noexcept {
   uint64_t vertices = 0;
-  for (const Traveller<D>& of : travellers) vertices += of.body->vertices.size();
+  for (const Traveller<D>& of : travellers) vertices += of.motion.body->vertices.size();
   return 1000 * uint64_t{settings.kilo_products} * vertices;
 }
 
@@ -92,16 +94,15 @@ typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Traveller<D>
 template <int D>
 bool TogetherMove<D>::departs(Array<Traveller<D>>& travellers) {
   constexpr int kMostHalvings = 10;
+  Halving halving;
   const Array<WayTouch<D>>& touches = ways_.first.all;
   const bool starts_at_walls = std::all_of(touches.begin(), touches.end(), [](const WayTouch<D>& each) {
     return each.first.time == 0 && each.other == nullptr && each.part.kind != Simplex::kVertex;
   });
-  double time = 1;
-  for (int k = 0; starts_at_walls && k < kMostHalvings; ++k) {
-    time /= 2;
-    ways_.set_ends(travellers, time);
+  while (starts_at_walls && halving.count < kMostHalvings && halving.next()) {
+    ways_.set_ends(travellers, halving.way);
     if (!ways_.is_free(travellers)) continue;
-    time_ = time;
+    time_ = halving.way;
     return true;
   }
   ways_.set_ends(travellers, 1);

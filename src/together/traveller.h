@@ -1,13 +1,13 @@
 #pragma once
 // A body of which all vertices move at once, and what its parts touch on their way.
 
-#include "base/points.h"
 #include "body/simplices.h"
+#include "motion/moving_body.h"
+#include "motion/place_on_way.h"
 #include "pairs/partners.h"
 #include "predicates/moving_pair.h"
 #include "proximity/near_lists.h"
 #include "response/settings.h"
-#include "together/place_on_way.h"
 #include "together/touchables.h"
 #include "walk/retreat.h"
 
@@ -16,39 +16,26 @@ namespace dsw {
 /** A body of a call. Every vertex goes straight and steadily from its position to its end. */
 template <int D>
 struct Traveller {
-  Body<D>* body;
-  Partner<D> name;
-  PointArray targets;   // of the call, one for each slot
-  NearNotes<D>* notes;  // what is remembered of what is near the body
-  MoveRecord* record;
-  const Partners<D>* still;   // bodies that it may meet and that do not move in this call; null: none
-  Array<double> goals;        // where its vertices go, as far as that is known to be free, or not known to be blocked
-  Array<double> ends;         // where they go in the way that is looked at
-  Array<Cell> arrivals;       // the cells that contain the ends; invalid: something is on the path
-  Array<PathFacets> crossed;  // by the paths of vertices that leave their cells
-  Array<double> limits;       // times up to which edges and faces at a vertex are looked at
-  Array<uint8_t> is_new;      // vertices whose ways have not been looked at; parts without one are passed over
+  MovingBody<D> motion;
+  Partner<D> name{nullptr, 0, 0};
+  NearNotes<D>* notes = nullptr;  // what is remembered of what is near the body
+  MoveRecord* record = nullptr;
+  const Partners<D>* still = nullptr;  // bodies that it may meet and that do not move in this call; null: none
+  Array<double> goals;    // where its vertices go, as far as that is known to be free, or not known to be blocked
+  Array<double> ends;     // where they go in the way that is looked at
+  Array<double> limits;   // times up to which edges and faces at a vertex are looked at
+  Array<uint8_t> is_new;  // vertices whose ways have not been looked at; parts without one are passed over
 
   explicit Traveller(const Memory* memory)
-      : body(nullptr),
-        name{nullptr, 0, 0},
-        notes(nullptr),
-        record(nullptr),
-        still(nullptr),
-        goals(memory),
-        ends(memory),
-        arrivals(memory),
-        crossed(memory),
-        limits(memory),
-        is_new(memory) {}
+      : motion(memory), goals(memory), ends(memory), limits(memory), is_new(memory) {}
 
-  const double* start(uint32_t v) const { return body->position(v); }
+  const double* start(uint32_t v) const { return motion.body->position(v); }
   const double* end(uint32_t v) const { return ends.data() + size_t{v} * D; }
   double* end(uint32_t v) { return ends.data() + size_t{v} * D; }
   const double* goal(uint32_t v) const { return goals.data() + size_t{v} * D; }
   double* goal(uint32_t v) { return goals.data() + size_t{v} * D; }
   /** Where a vertex is told to go. All places on its ways are in the box of its start and its target. */
-  const double* target(uint32_t v) const { return targets[v]; }
+  const double* target(uint32_t v) const { return motion.targets[v]; }
   bool moves(uint32_t v) const { return !std::equal(start(v), start(v) + D, end(v)); }
 };
 
@@ -96,10 +83,10 @@ bool is_new(const Traveller<D>& of, const SimplexCorners<D>& corners) noexcept {
 template <int D, class Visit>
 void for_each_touching(Array<Traveller<D>>& travellers, const WayTouch<D>& touch, Visit visit) {
   Traveller<D>& of = travellers[touch.traveller];
-  for (const uint32_t v : SimplexCorners<D>(*of.body, touch.part)) visit(of, v);
+  for (const uint32_t v : SimplexCorners<D>(*of.motion.body, touch.part)) visit(of, v);
   if (touch.other_traveller == kNone) return;
   Traveller<D>& other = travellers[touch.other_traveller];
-  for (const uint32_t v : SimplexCorners<D>(*other.body, touch.other_part)) visit(other, v);
+  for (const uint32_t v : SimplexCorners<D>(*other.motion.body, touch.other_part)) visit(other, v);
 }
 
 /** First step back from a touch, as a fraction of the ways: that of the point that moves most. Others may hardly move. */
@@ -117,7 +104,7 @@ double step_back(const WayTouch<D>& touch) noexcept {
 template <int D>
 Box<D> box_of_way(const Traveller<D>& of, const Simplex& part) noexcept {
   Box<D> box;
-  for (const uint32_t v : SimplexCorners<D>(*of.body, part)) {
+  for (const uint32_t v : SimplexCorners<D>(*of.motion.body, part)) {
     box.add(of.start(v));
     box.add(of.target(v));
   }

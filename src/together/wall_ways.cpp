@@ -29,37 +29,23 @@ void WallWays<D>::start(const Array<Traveller<D>>& travellers) {
 
 template <int D>
 void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
-  struct Name {
-    uint32_t traveller, vertex;
-  };
-  Name names[kPacket];
   blocked_.clear();
-  packet_.clear();
-  const auto run = [&] {
-    packet_.run(env_, counters_);
-    for (uint32_t i = 0; i < packet_.count(); ++i) {
-      const CastResult& path = packet_.result(i);
-      const bool is_reached = path.end == CastEnd::kReached;
-      Traveller<D>& of = travellers[names[i].traveller];
-      of.arrivals[names[i].vertex] = is_reached ? path.cell : Cell{};
-      of.crossed[names[i].vertex] = path_facets(env_.map, packet_.request(i).start, path);
-      if (!is_reached) note_blocked(of, {names[i].traveller, names[i].vertex, path, {}});
-    }
-    packet_.clear();
-  };
-  for (uint32_t t = 0; t < travellers.size(); ++t) {
-    Traveller<D>& of = travellers[t];
-    for (uint32_t v = 0; v < of.arrivals.size(); ++v) {
-      if (!of.body->has_vertex(v) || of.is_new[v] == 0) continue;
-      of.arrivals[v] = of.body->vertices[v].cell;
-      of.limits[v] = 1;
-      if (!of.moves(v)) continue;
-      names[packet_.count()] = {t, v};
-      packet_.add(env_, of.body->vertices[v].cell, of.start(v), of.end(v));
-      if (packet_.full()) run();
-    }
-  }
-  run();
+  dsw::cast_paths(
+      env_, packet_, counters_, 0,
+      [&](auto add) {
+        for (uint32_t t = 0; t < travellers.size(); ++t) {
+          Traveller<D>& of = travellers[t];
+          for (uint32_t v = 0; v < of.motion.ways.size(); ++v) {
+            if (!of.motion.body->has_vertex(v) || of.is_new[v] == 0) continue;
+            of.motion.stay(v);
+            of.limits[v] = 1;
+            if (of.moves(v)) add(of.motion, t, v, of.end(v));
+          }
+        }
+      },
+      [&](uint32_t t, uint32_t v, const CastResult& path) {
+        note_blocked(travellers[t], {t, v, path, {}});
+      });
 }
 
 template <int D>
@@ -135,8 +121,9 @@ template <class Visit>
 bool WallWays<D>::visit_parts(const Array<Traveller<D>>& travellers, Visit visit) {
   for (uint32_t t = 0; t < travellers.size(); ++t) {
     const Traveller<D>& of = travellers[t];
-    const bool is_done = for_each_simplex(
-        *of.body, [&](const Simplex& part) { return part.kind == Simplex::kVertex || visit_part(of, t, part, visit); });
+    const bool is_done = for_each_simplex(*of.motion.body, [&](const Simplex& part) {
+      return part.kind == Simplex::kVertex || visit_part(of, t, part, visit);
+    });
     if (!is_done) return false;
   }
   return true;
@@ -189,7 +176,7 @@ struct WallWays<D>::PartWay {
 template <int D>
 template <class Visit>
 bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simplex& part, Visit visit) {
-  const SimplexCorners<D> corners(*of.body, part);
+  const SimplexCorners<D> corners(*of.motion.body, part);
   if (!is_new(of, corners)) return true;
   if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
   ++counts.swept;
@@ -253,9 +240,9 @@ template <int D>
 bool WallWays<D>::is_settled(const PartWay& way) {
   const Traveller<D>& of = way.of;
   const SimplexCorners<D>& corners = way.corners;
-  const Cell cell = of.body->vertices[corners.vertices[0]].cell;
+  const Cell cell = of.motion.body->vertices[corners.vertices[0]].cell;
   const bool stays = std::all_of(corners.begin(), corners.end(), [&](uint32_t v) {
-    return of.body->vertices[v].cell == cell && of.arrivals[v] == cell;
+    return of.motion.body->vertices[v].cell == cell && of.motion.ways[v].arrival == cell;
   });
   if (stays && env_.map.convex(cell)) return true;
   if (near_.is_alone(of, way.part)) return true;

@@ -4,9 +4,9 @@
 #include <tuple>
 
 #include "base/vec.h"
+#include "motion/place_on_way.h"
 #include "together/describe.h"
 #include "together/moving_walls.h"
-#include "together/place_on_way.h"
 #include "together/wall_ways.h"
 
 namespace dsw {
@@ -14,15 +14,14 @@ namespace dsw {
 template <int D, class Walls>
 void WholeWays<D, Walls>::start(Array<Traveller<D>>& travellers, bool bodies_meet) {
   for (Traveller<D>& of : travellers) {
-    const size_t count = of.body->vertices.size();
+    of.motion.start(*of.motion.body, of.motion.targets);
+    const size_t count = of.motion.body->vertices.size();
     of.ends.resize(count * D);
-    of.arrivals.assign(count, Cell{});
-    of.crossed.assign(count, PathFacets{});
     of.limits.assign(count, 1);
     of.is_new.assign(count, 1);
     of.goals.resize(count * D);
     for (uint32_t v = 0; v < count; ++v) {
-      if (of.body->has_vertex(v)) std::copy_n(of.targets[v], D, of.goal(v));
+      if (of.motion.body->has_vertex(v)) std::copy_n(of.motion.targets[v], D, of.goal(v));
     }
   }
   walls.start(travellers);
@@ -73,7 +72,7 @@ void WholeWays<D, Walls>::drop_covering(const Array<Traveller<D>>& travellers) {
   };
   const auto covers = [&](const WayTouch<D>& each) {
     if (each.other != nullptr || each.part.kind == Simplex::kVertex) return false;
-    const Body<D>& body = *travellers[each.traveller].body;
+    const Body<D>& body = *travellers[each.traveller].motion.body;
     const SimplexCorners<D> corners(body, each.part);
     for (uint32_t i = 0; i < corners.count; ++i) {
       const uint32_t v = corners.vertices[i], w = corners.vertices[(i + 1) % corners.count];
@@ -109,8 +108,8 @@ void WholeWays<D, Walls>::set_ends(Array<Traveller<D>>& travellers, double time)
   time_ = time;
   walls.set_end(time);
   for (Traveller<D>& of : travellers) {
-    for (uint32_t v = 0; v < of.body->vertices.size(); ++v) {
-      if (of.body->has_vertex(v)) place_on_way<D>(of.start(v), of.goal(v), time, of.end(v));
+    for (uint32_t v = 0; v < of.motion.body->vertices.size(); ++v) {
+      if (of.motion.body->has_vertex(v)) place_on_way<D>(of.start(v), of.goal(v), time, of.end(v));
     }
   }
 }
@@ -118,10 +117,9 @@ void WholeWays<D, Walls>::set_ends(Array<Traveller<D>>& travellers, double time)
 template <int D, class Walls>
 void WholeWays<D, Walls>::arrive(Array<Traveller<D>>& travellers) {
   for (Traveller<D>& of : travellers) {
-    for (uint32_t v = 0; v < of.body->vertices.size(); ++v) {
-      if (!of.body->has_vertex(v)) continue;
-      if (of.moves(v) || of.arrivals[v] != of.body->vertices[v].cell)
-        put_vertex(*of.body, v, of.end(v), of.arrivals[v]);
+    for (uint32_t v = 0; v < of.motion.body->vertices.size(); ++v) {
+      if (!of.motion.body->has_vertex(v)) continue;
+      if (of.moves(v) || of.motion.ways[v].arrival != of.motion.body->vertices[v].cell) of.motion.arrive(v, of.end(v));
     }
   }
 }
@@ -129,15 +127,15 @@ void WholeWays<D, Walls>::arrive(Array<Traveller<D>>& travellers) {
 template <int D, class Walls>
 void WholeWays<D, Walls>::finish(Array<Traveller<D>>& travellers) {
   for (Traveller<D>& of : travellers) {
-    const Body<D>& body = *of.body;
+    const Body<D>& body = *of.motion.body;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (!body.has_vertex(v)) continue;
       ++of.record->moved;
-      of.record->stopped += std::equal(of.start(v), of.start(v) + D, of.targets[v]) ? 0 : 1;
+      of.record->stopped += std::equal(of.start(v), of.start(v) + D, of.motion.targets[v]) ? 0 : 1;
     }
     for (dsw_body_contact& contact : of.record->contacts) {
       const uint32_t v = contact.vertex.index;
-      contact.distance_left = length(difference<D>(of.targets[v], body.position(v)));
+      contact.distance_left = length(difference<D>(of.motion.targets[v], body.position(v)));
     }
   }
   travellers[0].record->sweeps = walls.counts;

@@ -12,27 +12,11 @@ namespace {
 /** The part of a wall that touches. */
 template <int D>
 dsw_contact contact_of(const Environment<D>& env, const WallHit& hit, uint32_t vertex, const double* normal) noexcept {
-  const Map<D>& map = env.map;
-  const uint32_t other = hit.others[0];
+  const uint32_t vertices[3] = {vertex, hit.others[0], hit.others[1]};
+  const auto count = static_cast<uint32_t>(std::find(vertices, vertices + 3, kNone) - vertices);
   dsw_contact contact{};
-  if (hit.wall.valid()) {
-    name_wall(env, facing(env, hit.wall, normal), contact);
-  } else {
-    contact.front = volume_id(map, hit.cell);
-    contact.marked_kind = other == kNone ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
-  }
   std::copy_n(normal, D, contact.normal);
-  if (other == kNone) {
-    name_vertex(map, vertex, contact);
-  } else if constexpr (D == 3) {
-    if (hit.others[1] != kNone) return contact;
-    for (Dart d{hit.cell, 0}; d.local < map.shape(d.cell).dart_count(); ++d.local) {
-      const uint32_t from = dart_vertex(map, d), to = dart_target(map, d);
-      if (std::minmax(from, to) != std::minmax(vertex, other)) continue;
-      name_edge(edge_id(map, d), contact);
-      break;
-    }
-  }
+  name_obstacle(env, {hit.wall, hit.cell, vertices, count, count == 1 ? DSW_CELL_VERTEX : DSW_CELL_EDGE}, contact);
   return contact;
 }
 
@@ -66,9 +50,7 @@ void name_feature(const Occupants<D>& all, const Feature& feature, dsw_wall_cont
   }
   const typename Occupants<D>::Owner& owner = all.bodies[feature.owner];
   contact.body = owner.id;
-  if (feature.kind == Feature::kVertex) contact.vertex = vertex_id(*owner.body, feature.index);
-  if (feature.kind == Feature::kEdge) contact.edge = edge_id(*owner.body, feature.index);
-  if (feature.kind == Feature::kFace) contact.face = face_id(*owner.body, feature.index);
+  name_part(*owner.body, simplex_of(feature), contact);
 }
 
 template dsw_wall_contact describe(const Environment<2>& env, const Occupants<2>& all, const WallHit& hit,

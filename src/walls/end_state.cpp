@@ -3,6 +3,7 @@
 #include "base/points.h"
 #include "contact/names.h"
 #include "environment/moving.h"
+#include "motion/place_on_way.h"
 #include "walk/move.h"
 #include "walk/prefetch.h"
 #include "walls/describe.h"

@@ -1,6 +1,7 @@
 #pragma once
 // The whole way of a deformation, or the largest part of it that nothing stops.
 
+#include "motion/halving.h"
 #include "walls/settings.h"
 
 namespace dsw {
@@ -13,11 +14,10 @@ enum class Went { kThrough, kStopped, kInvalid, kRefused, kLimited };
  * fraction, and what stopped the one before. `whole`: see Occupants::save. */
 template <int D, class TryWay, class TakeBack>
 bool find_way(Occupants<D>& all, bool whole, WallRecord& record, TryWay try_way, TakeBack take_back) {
-  constexpr int kMostHalvings = 52;
   Array<dsw_wall_contact> contacts(record.contacts.get_allocator());
   Array<dsw_volume_id> invalid(record.invalid.get_allocator());
-  double way = 1;
-  for (int halvings = 0;; ++halvings) {
+  Halving halving;
+  for (double way = 1;;) {
     record.clear();
     all.save(whole);
     const Went went = try_way(way);
@@ -38,7 +38,7 @@ bool find_way(Occupants<D>& all, bool whole, WallRecord& record, TryWay try_way,
     }
     contacts.swap(record.contacts);
     invalid.swap(record.invalid);
-    way = halvings == kMostHalvings || went == Went::kLimited ? 0 : way / 2;
+    way = went != Went::kLimited && halving.next() ? halving.way : 0;
   }
 }
 

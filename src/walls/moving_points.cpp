@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/slot_pool.h"
 #include "environment/moving.h"
+#include "motion/place_on_way.h"
 
 namespace dsw {
 

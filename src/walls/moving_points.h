@@ -2,20 +2,9 @@
 // The points of an environment on their way from one array of the host's to the next.
 
 #include "base/points.h"
-#include "base/position.h"
 #include "environment/environment.h"
 
 namespace dsw {
-
-/** Finds the point at a fraction of the way as point_at does, and gives both ends of the way to the bit. */
-template <int D>
-inline void point_on_way(const double* start, const double* target, double fraction, double* out) noexcept {
-  if (fraction == 0 || fraction == 1) {
-    std::copy_n(fraction == 0 ? start : target, D, out);
-  } else {
-    point_at<D>(start, target, fraction, out);
-  }
-}
 
 /** Points near bodies are taken along their ways step by step. All others are at the end at once: nobody looks at them
  * on the way. */

@@ -52,10 +52,10 @@ class EdgeOfGround {
       add_edge(*body, 0, 1);
     }
     for (Traveller<D>* each : {&of_, &of_other_}) {
-      each->body = each == &of_ ? &body_ : &other_;
+      each->motion.body = each == &of_ ? &body_ : &other_;
       each->ends.assign(2 * D, 0.0);
-      each->arrivals.assign(2, Cell{});
-      each->crossed.assign(2, PathFacets{});
+      each->motion.ways.resize(2);
+      each->motion.crossed.assign(2, PathFacets{});
     }
   }
 
@@ -242,13 +242,13 @@ class EdgeOfGround {
       if (chance(0.1)) way_.to[1] = way_.from[1];
       bool is_free = true;
       for (uint32_t i = 0; i < 2; ++i) {
-        of_.arrivals[i] = place_of(i);
+        of_.motion.ways[i].arrival = place_of(i);
         std::copy_n(way_.to[i].begin(), D, of_.end(i));
         if (!of_.moves(i)) continue;  // what its last path crossed stays
         const CastResult path = fly(way_.from[i], way_.to[i], place_of(i));
         is_free = is_free && path.end == CastEnd::kReached;
-        of_.arrivals[i] = path.end == CastEnd::kReached ? path.cell : Cell{};
-        of_.crossed[i] = path_facets(env_->map, place_of(i), path);
+        of_.motion.ways[i].arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
+        of_.motion.crossed[i] = path_facets(env_->map, place_of(i), path);
       }
       if (is_free) return true;
     }
@@ -329,8 +329,8 @@ class EdgeOfGround {
     SCOPED_TRACE(testing::Message() << describe());
     // Asks again about an edge of which nothing is known.
     of_other_.ends = of_.ends;
-    of_other_.arrivals = of_.arrivals;
-    of_other_.crossed = of_.crossed;
+    of_other_.motion.ways = of_.motion.ways;
+    of_other_.motion.crossed = of_.motion.crossed;
     other_.sequences[0].clear();
     const bool anew = says_nothing(fresh_, of_other_);
     ASSERT_TRUE(kind_.mixed || known == anew) << "what was kept matters";
@@ -348,13 +348,14 @@ class EdgeOfGround {
     }
     if (chance(0.2)) return;  // it does not go there
     for (Body<D>* body : {&body_, &other_}) {
-      for (uint32_t i = 0; i < 2; ++i) put_vertex(*body, i, way_.to[i].data(), of_.arrivals[i]);
+      for (uint32_t i = 0; i < 2; ++i) put_vertex(*body, i, way_.to[i].data(), of_.motion.ways[i].arrival);
     }
   }
   /** Whether an edge whose paths are free is known to touch nothing. */
   bool says_nothing(Sleeves<D>& sleeves, Traveller<D>& of) {
     answer_ = sleeves.ask(of, 0, {of.end(0), of.end(1)}, true);
-    return answer_ == Sleeves<D>::Answer::kNothing && of.arrivals[0].valid() && of.arrivals[1].valid();
+    return answer_ == Sleeves<D>::Answer::kNothing && of.motion.ways[0].arrival.valid() &&
+           of.motion.ways[1].arrival.valid();
   }
   /** What the edge touches first is among what it may touch: on a lattice what the shifted edge touches first. */
   void check_features() {
@@ -383,10 +384,11 @@ class EdgeOfGround {
   /** What is kept where a way is known to be free. */
   void check_sequence(Body<D>& body, const EdgeSequence<D>& before) {
     EdgeSequence<D> truth{Array<uint32_t>::allocator_type(nullptr)};
-    ASSERT_TRUE(rings_.passes(way_.to[0], way_.to[1], of_.arrivals[0], truth));
-    ASSERT_TRUE(truth.passage.back == of_.arrivals[1] || truth.facets.empty());
+    ASSERT_TRUE(rings_.passes(way_.to[0], way_.to[1], of_.motion.ways[0].arrival, truth));
+    ASSERT_TRUE(truth.passage.back == of_.motion.ways[1].arrival || truth.facets.empty());
     const auto follows_it = [&](EdgeSequence<D>& each) {
-      return dsw::follows(*env_, each, way_.to[0].data(), way_.to[1].data(), of_.arrivals[0], of_.arrivals[1]);
+      return dsw::follows(*env_, each, way_.to[0].data(), way_.to[1].data(), of_.motion.ways[0].arrival,
+                          of_.motion.ways[1].arrival);
     };
     EdgeSequence<D> kept = body.sequences[0];
     ASSERT_TRUE(kept.known());

@@ -30,10 +30,10 @@ TEST(Sleeves, KeepToBoxes) {
         if (back) std::swap(places[0], places[2]);
         const int cells[4] = {back ? to : 1, 3, back ? 1 : to, 3};
         Traveller<3> of(nullptr);
-        of.body = &body;
+        of.motion.body = &body;
         of.ends.resize(6);
-        of.arrivals.resize(2);
-        of.crossed.resize(2);
+        of.motion.ways.resize(2);
+        of.motion.crossed.resize(2);
         for (int i = 0; i < 2; ++i) {
           const int k = i ^ first;
           const double at[3] = {places[k], 0.41, 0.62}, end[3] = {places[k + 2], 0.4, 0.6};
@@ -41,15 +41,15 @@ TEST(Sleeves, KeepToBoxes) {
           add_vertex(body, at, start);
           std::copy_n(end, 3, of.end(static_cast<uint32_t>(i)));
           const CastResult path = cast(*env, at, end, start);
-          of.arrivals[static_cast<size_t>(i)] = path.cell;
-          of.crossed[static_cast<size_t>(i)] = path_facets(env->map, start, path);
+          of.motion.ways[static_cast<size_t>(i)].arrival = path.cell;
+          of.motion.crossed[static_cast<size_t>(i)] = path_facets(env->map, start, path);
         }
         add_edge(body, 0, 1);
         ASSERT_EQ(sleeves.ask(of, 0, {of.end(0), of.end(1)}, true), Sleeves<3>::Answer::kNothing)
             << first << back << to;
         const EdgeSequence<3>& kept = body.sequences[0];
         EXPECT_EQ(kept.facets.size(), static_cast<size_t>(3 - cells[2]));
-        EXPECT_TRUE(kept.passage.front == of.arrivals[0] && kept.passage.back == of.arrivals[1]);
+        EXPECT_TRUE(kept.passage.front == of.motion.ways[0].arrival && kept.passage.back == of.motion.ways[1].arrival);
       }
     }
   }
@@ -69,23 +69,23 @@ TEST(Sleeves, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
     Body<2> body(nullptr);
     reserve(body, 2, 1, 0);
     Traveller<2> of(nullptr);
-    of.body = &body;
+    of.motion.body = &body;
     of.ends.resize(4);
-    of.arrivals.resize(2);
-    of.crossed.resize(2);
+    of.motion.ways.resize(2);
+    of.motion.crossed.resize(2);
     const double at[2][2] = {{-0.5, 1.5}, {-1.5, 1.4}}, to[2] = {end, 1.5};
     const Cell start = env->map.cell(0);
     for (uint32_t i = 0; i < 2; ++i) {
       add_vertex(body, at[i], start);
       std::copy_n(i == 0 ? to : at[i], 2, of.end(i));
-      of.arrivals[i] = start;
+      of.motion.ways[i].arrival = start;
     }
     add_edge(body, 0, 1);
     const CastResult path = cast(*env, at[0], to, start);
-    of.arrivals[0] = path.end == CastEnd::kReached ? path.cell : Cell{};
-    of.crossed[0] = path_facets(env->map, start, path);
-    ASSERT_EQ(of.arrivals[0].valid(), end < 1);
-    ASSERT_EQ(of.crossed[0].count, 1u);
+    of.motion.ways[0].arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
+    of.motion.crossed[0] = path_facets(env->map, start, path);
+    ASSERT_EQ(of.motion.ways[0].arrival.valid(), end < 1);
+    ASSERT_EQ(of.motion.crossed[0].count, 1u);
     EXPECT_EQ(sleeves.ask(of, 0, {of.end(0), of.end(1)}, true), Sleeves<2>::Answer::kUnknown);
   }
 }

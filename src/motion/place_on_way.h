@@ -8,16 +8,22 @@
 
 namespace dsw {
 
-/** At both ends to the bit. It never leaves the box of the whole way, for which obstacles were collected. `place` may be
- * one of the ends. */
+/** Finds the point at a time of the way as point_at does, and gives both ends of the way to the bit. `place` may be one of
+ * the ends. */
+template <int D>
+void point_on_way(const double* from, const double* to, double time, double* place) noexcept {
+  if (time == 0 || time == 1) {
+    std::copy_n(time == 0 ? from : to, D, place);
+  } else {
+    point_at<D>(from, to, time, place);
+  }
+}
+
+/** Finds the point as point_on_way does, but never leaves the box of the whole way, for which obstacles were collected. */
 template <int D>
 void place_on_way(const double* from, const double* to, double time, double* place) noexcept {
   double there[D];
-  if (time == 0 || time == 1) {
-    std::copy_n(time == 0 ? from : to, D, there);
-  } else {
-    point_at<D>(from, to, time, there);
-  }
+  point_on_way<D>(from, to, time, there);
   for (int k = 0; k < D; ++k) {
     place[k] = std::clamp(there[k], std::min(from[k], to[k]), std::max(from[k], to[k]));
   }
