@@ -8,7 +8,7 @@
 #include "body/box_grid.h"
 #include "body/rigid_shape.h"
 #include "body/touched_line.h"
-#include "flood/sequence.h"
+#include "corridor/sequence.h"
 
 namespace dsw {
 
@@ -96,7 +96,7 @@ struct Body {
   Array<BodyFace> faces;
   SlotPool vertex_slots, edge_slots, face_slots;
   Array<uint32_t> inserted;  // vertices that a response has inserted
-  // By edge, if they are kept: the facets passed from ends[0] to ends[1], see flood/sequence.h. A forecast.
+  // By edge, if they are kept: the facets passed from ends[0] to ends[1], see corridor/sequence.h. A forecast.
   mutable Array<EdgeSequence<D>> sequences;
   // By edge and end, once an edge has touched something: what it touched. A forecast.
   mutable Array<TouchedLines> touched;
@@ -112,7 +112,7 @@ struct Body {
   Array<RigidShape<D>> shape;  // one, if walls move the body as a whole; else none
   ContactFilter filter;
   double radius = 0;
-  Array<double> lengths;  // by edge, if they are kept: when the radius was set; see thickness/joined.h
+  Array<double> lengths;  // by edge, if they are kept: when the radius was set; see proximity/joined.h
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
 

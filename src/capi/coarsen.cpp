@@ -1,7 +1,7 @@
 #include "dartsweep/coarsen.h"
 
 #include "capi/convert.h"
-#include "coarsen/coarsen.h"
+#include "topology/coarsen.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;

@@ -1,7 +1,7 @@
 // The functions that fill a struct with defaults, so that a program sets only what it wants otherwise.
 
 #include "capi/describe.h"
-#include "coarsen/coarsen.h"
+#include "topology/coarsen.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include "capi/convert.h"
 #include "capi/moved_points.h"
 #include "capi/recorded.h"
-#include "remesh/repair.h"
+#include "topology/repair.h"
 #include "scene/deformation.h"
 #include "scene/surgery.h"
 

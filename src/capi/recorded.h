@@ -1,5 +1,5 @@
 #pragma once
-// Recordings of scenes, and calls as they are recorded: src/record/README.md. A call is written when its arguments have
+// Recordings of scenes, and calls as they are recorded: src/snapshot/README.md. A call is written when its arguments have
 // been checked and before the engine is asked, so that it is there if the process dies in it. What is refused before
 // changes nothing and is left out; what the engine refuses is written as failed.
 
@@ -9,7 +9,7 @@
 #include "capi/calls.h"
 #include "capi/convert.h"
 #include "capi/scene_handle.h"
-#include "record/record.h"
+#include "snapshot/record.h"
 #include "snapshot/scene_snapshot.h"
 
 namespace dsw::capi {

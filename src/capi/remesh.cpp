@@ -1,5 +1,5 @@
 #include "capi/change.h"
-#include "remesh/repair.h"
+#include "topology/repair.h"
 #include "scene/surgery.h"
 
 namespace capi = dsw::capi;

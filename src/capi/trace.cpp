@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "capi/convert.h"
-#include "trace/trace.h"
+#include "snapshot/trace.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;

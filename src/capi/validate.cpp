@@ -1,5 +1,5 @@
 // The exact validation on a call that is made again: what it says of ways and contacts, held against all obstacles. See
-// src/validation/README.md.
+// src/cross_check/README.md.
 
 #include <algorithm>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include "capi/scene_handle.h"
 #include "scene/deformation.h"
 #include "scene/near_bodies.h"
-#include "validation/validation.h"
+#include "cross_check/validation.h"
 
 namespace dsw::capi {
 namespace {

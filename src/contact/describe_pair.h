@@ -2,7 +2,7 @@
 // A contact of two bodies as a host reads it.
 
 #include "dartsweep/contact.h"
-#include "pairs/pair_sweep.h"
+#include "proximity/pair_sweep.h"
 
 namespace dsw {
 

@@ -2,7 +2,7 @@
 // A contact of a thick body as a host reads it.
 
 #include "contact/describe.h"
-#include "thickness/thick_sweep.h"
+#include "proximity/thick_sweep.h"
 
 namespace dsw {
 

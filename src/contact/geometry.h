@@ -1,7 +1,7 @@
 #pragma once
 // Where and how something is touched: doubles that follow from an exact event.
 
-#include "flood/sweep.h"
+#include "corridor/sweep.h"
 
 namespace dsw {
 

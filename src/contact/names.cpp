@@ -1,6 +1,6 @@
 #include "contact/names.h"
 
-#include "flood/fan.h"
+#include "corridor/fan.h"
 
 namespace dsw {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "base/points.h"
 #include "body/body.h"
-#include "flood/sequence.h"
+#include "corridor/sequence.h"
 #include "walk/packet.h"
 
 namespace dsw {

@@ -1,8 +1,8 @@
 #pragma once
 // A whole body moved: its vertices go to their targets one after the other.
 
-#include "pairs/near_edges.h"
-#include "pairs/partners.h"
+#include "proximity/near_edges.h"
+#include "proximity/partners.h"
 #include "response/edge_pass.h"
 #include "response/settings.h"
 #include "response/turns.h"

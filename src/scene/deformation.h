@@ -1,7 +1,7 @@
 #pragma once
 // What a scene keeps to deform its environment.
 
-#include "remesh/repair.h"
+#include "topology/repair.h"
 #include "walls/end_state.h"
 #include "walls/wall_motion.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // A piece of what is impassable comes off: its cells become passable, its surface becomes a body.
 
-#include "pieces/inset.h"
+#include "cutting/inset.h"
 #include "scene/change.h"
 
 namespace dsw {

@@ -6,7 +6,7 @@
 #include "environment/marking.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
-#include "thickness/thick_sweep.h"
+#include "proximity/thick_sweep.h"
 
 namespace dsw {
 namespace {

@@ -3,7 +3,7 @@
 // next, instead of all bodies at each change.
 
 #include "base/key_table.h"
-#include "flood/sequence.h"
+#include "corridor/sequence.h"
 #include "topology/edit.h"
 
 namespace dsw {

@@ -3,7 +3,7 @@
 // parts throw, before anything has changed. The results of the site say what was done.
 
 #include "cutting/opening.h"
-#include "remesh/repair.h"
+#include "topology/repair.h"
 #include "scene/change.h"
 #include "walls/settings.h"
 

@@ -11,7 +11,7 @@
 #include "scene/meeting.h"
 #include "scene/near_bodies.h"
 #include "snapshot/scene_image.h"
-#include "thickness/thick_sweep.h"
+#include "proximity/thick_sweep.h"
 
 namespace dsw {
 namespace {

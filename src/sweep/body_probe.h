@@ -2,7 +2,7 @@
 // Whether bodies stay free when something becomes impassable.
 
 #include "body/near.h"
-#include "flood/sweep.h"
+#include "corridor/sweep.h"
 #include "walk/packet.h"
 
 namespace dsw {

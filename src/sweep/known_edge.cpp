@@ -2,8 +2,8 @@
 
 #include "base/dimensions.h"
 #include "environment/marking.h"
-#include "flood/hop.h"
-#include "flood/sequence.h"
+#include "corridor/hop.h"
+#include "corridor/sequence.h"
 #include "predicates/filtered.h"
 #include "sweep/clearance.h"
 #include "sweep/touched_line.h"

@@ -2,7 +2,7 @@
 // What is known of an edge that an end of it sweeps, without a look at the triangle.
 
 #include "body/body.h"
-#include "flood/first_ridge.h"
+#include "corridor/first_ridge.h"
 #include "walk/cast.h"
 
 namespace dsw {

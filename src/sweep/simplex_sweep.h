@@ -4,8 +4,8 @@
 // whether anything is met, what is met first, or all that is met.
 
 #include "body/body.h"
-#include "flood/box_probe.h"
-#include "flood/sweep.h"
+#include "corridor/box_probe.h"
+#include "corridor/sweep.h"
 #include "sweep/counts.h"
 #include "sweep/known_edge.h"
 #include "sweep/touched_line.h"

@@ -2,9 +2,9 @@
 // What a body meets when one of its vertices moves: on the path of the vertex, with the simplices at it that the body's
 // level covers, and of its partners.
 
-#include "pairs/pair_sweep.h"
+#include "proximity/pair_sweep.h"
 #include "sweep/simplex_sweep.h"
-#include "thickness/thick_sweep.h"
+#include "proximity/thick_sweep.h"
 
 namespace dsw {
 

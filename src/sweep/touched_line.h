@@ -3,8 +3,8 @@
 // touches them again.
 
 #include "body/body.h"
-#include "flood/first_ridge.h"
-#include "flood/sweep_contact.h"
+#include "corridor/first_ridge.h"
+#include "corridor/sweep_contact.h"
 #include "sweep/known_edge.h"
 
 namespace dsw {

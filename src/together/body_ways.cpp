@@ -1,4 +1,4 @@
-// First touches are found as in pairs/pair_sweep.cpp: edges against edges and vertices against faces find every first
+// First touches are found as in proximity/pair_sweep.cpp: edges against edges and vertices against faces find every first
 // touch; in the plane vertices against edges. Vertices without edges are edges of no length.
 
 #include "together/body_ways.h"

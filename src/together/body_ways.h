@@ -2,7 +2,7 @@
 // What bodies that move at once touch of each other, of bodies that stand still, and of themselves. The shift is the
 // same for all bodies and does not enter: every touch counts.
 
-#include "pairs/near_edges.h"
+#include "proximity/near_edges.h"
 #include "together/traveller.h"
 
 namespace dsw {

@@ -2,7 +2,7 @@
 // Which walls an edge may touch while both of its ends move, found from ridge to ridge.
 
 #include "base/key_table.h"
-#include "flood/convex_cells.h"
+#include "corridor/convex_cells.h"
 #include "together/touchables.h"
 
 namespace dsw {

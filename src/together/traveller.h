@@ -4,7 +4,7 @@
 #include "body/simplices.h"
 #include "motion/moving_body.h"
 #include "motion/place_on_way.h"
-#include "pairs/partners.h"
+#include "proximity/partners.h"
 #include "predicates/moving_pair.h"
 #include "proximity/near_lists.h"
 #include "response/settings.h"

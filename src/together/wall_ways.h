@@ -1,7 +1,7 @@
 #pragma once
 // What of the environment bodies touch when all of their vertices move at once.
 
-#include "flood/box_probe.h"
+#include "corridor/box_probe.h"
 #include "together/near_walls.h"
 #include "together/sleeves.h"
 #include "walk/packet.h"

@@ -3,7 +3,7 @@
 // tells rightly on which side of a wall they are when walls move less than a cell is thick.
 
 #include "sweep/body_probe.h"
-#include "thickness/thick_sweep.h"
+#include "proximity/thick_sweep.h"
 #include "walk/packet.h"
 #include "walls/end_repair.h"
 #include "walls/find_way.h"

@@ -3,7 +3,7 @@
 // and the cells round those. Only these cells can be entered meanwhile; the rest of the environment is at its new place
 // already.
 
-#include "flood/sweep.h"
+#include "corridor/sweep.h"
 #include "map/cell_queue.h"
 #include "walls/moving_points.h"
 #include "walls/occupants.h"

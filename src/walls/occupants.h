@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "body/simplices.h"
-#include "pairs/partners.h"
+#include "proximity/partners.h"
 #include "response/settings.h"
 #include "walk/particle_state.h"
 

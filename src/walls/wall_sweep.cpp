@@ -5,7 +5,7 @@
 #include "contact/normals.h"
 #include "environment/marking.h"
 #include "predicates/swept_triangle.h"
-#include "thickness/thick_sweep.h"
+#include "proximity/thick_sweep.h"
 
 namespace dsw {
 namespace {

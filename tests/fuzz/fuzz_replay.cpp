@@ -8,7 +8,7 @@
 
 namespace {
 
-// These numbers are those of src/record/README.md and capi/words.h. The host is taken to be little endian, as all are
+// These numbers are those of src/snapshot/README.md and capi/words.h. The host is taken to be little endian, as all are
 // that fuzz.
 constexpr uint32_t kCall = 3;  // a kind of entry
 constexpr size_t kHeaderWords = 2, kHeadWords = 2;

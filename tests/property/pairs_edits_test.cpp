@@ -1,6 +1,6 @@
 // Edges of a body that meets itself are bent, its vertices merged: allowed if and only if nothing is touched on the
 // way, by rationals.
-#include "pairs/pair_sweep.h"
+#include "proximity/pair_sweep.h"
 #include "pairs_support.h"
 
 namespace dsw::oracle {

@@ -1,6 +1,6 @@
 // A body that meets itself and moves as a whole finds once what can come near what; one vertex alone asks the grids of
 // boxes. Both ways must give the same bits, with all responses that a vertex has on its own.
-#include "pairs/near_edges.h"
+#include "proximity/near_edges.h"
 #include "two_bodies.h"
 
 #include <set>

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "random_edits.h"
-#include "remesh/repair.h"
+#include "topology/repair.h"
 
 namespace dsw::oracle {
 

@@ -8,7 +8,7 @@
 #include "host_memory.h"
 #include "map/dart.h"
 #include "map/integrity.h"
-#include "remesh/repair.h"
+#include "topology/repair.h"
 #include "sweep/body_probe.h"
 #include "walk/cast.h"
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "body_support.h"
-#include "record/record.h"
+#include "snapshot/record.h"
 #include "record_support.h"
 #include "scene/scene.h"
 #include "snapshot_support.h"

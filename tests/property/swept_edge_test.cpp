@@ -2,9 +2,9 @@
 
 #include "swept_cases.h"
 
-#include "flood/hop.h"
-#include "flood/sequence.h"
-#include "flood/sweep.h"
+#include "corridor/hop.h"
+#include "corridor/sequence.h"
+#include "corridor/sweep.h"
 #include "locate/locate.h"
 #include "sweep/simplex_sweep.h"
 #include "walk/cast.h"

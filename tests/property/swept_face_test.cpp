@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "flood/box_probe.h"
-#include "flood/sweep.h"
+#include "corridor/box_probe.h"
+#include "corridor/sweep.h"
 #include "locate/locate.h"
 
 namespace dsw::swept {

@@ -4,7 +4,7 @@
 #include "swept_cases.h"
 
 #include "locate/locate.h"
-#include "validation/validation.h"
+#include "cross_check/validation.h"
 
 namespace dsw::swept {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "base/compiler.h"
-#include "coarsen/coarsen.h"
+#include "topology/coarsen.h"
 #include "environment/marking.h"
 #include "environment/moving.h"
 #include "flown.h"

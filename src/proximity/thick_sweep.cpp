@@ -1,0 +1,310 @@
+#include "proximity/thick_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dsw {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/** The box of all that is within a distance of a hull. */
+template <int D>
+Box<D> box_round(const ConvexHull& hull, double reach) noexcept {
+  Box<D> box;
+  for (uint32_t i = 0; i < hull.count; ++i) box.add(hull.points[i]);
+  return widened(box, reach);
+}
+
+template <int D>
+bool is_in(const Box<D>& box, const ConvexHull& hull) noexcept {
+  return box.overlaps(hull.points, static_cast<int>(hull.count));
+}
+
+template <int D>
+bool precedes(const TooNear<D>& a, const TooNear<D>& b) noexcept {
+  if (a.time != b.time) return a.time < b.time;
+  if (a.part.kind != b.part.kind) return a.part.kind < b.part.kind;
+  if (a.part.index != b.part.index) return a.part.index < b.part.index;
+  if (a.partner != b.partner) return a.partner + 1 < b.partner + 1;  // the environment first
+  if (a.other.kind != b.other.kind) return a.other.kind < b.other.kind;
+  if (a.other.index != b.other.index) return a.other.index < b.other.index;
+  return std::lexicographical_compare(a.vertices, a.vertices + 3, b.vertices, b.vertices + 3);
+}
+
+}  // namespace
+
+template <int D>
+bool ThickSweep<D>::is_thick(const Partners<D>* partners, const Body<D>& body) noexcept {
+  return body.radius > 0 || (partners != nullptr && partners->has_thick);
+}
+
+/** The corners of a part with v first, and `to` if that is not null. */
+template <int D>
+typename ThickSweep<D>::Swept ThickSweep<D>::sweep_of(const Body<D>& body, const Simplex& part, uint32_t v,
+                                                      const double* to) const noexcept {
+  Swept swept;
+  swept.part = part;
+  swept.start = body.vertices[v].cell;
+  const auto add = [&](uint32_t corner, const double* at) {
+    swept.from[swept.from_count++] = {corner, 0};
+    swept.hull.points[swept.hull.count++] = at;
+  };
+  add(v, body.position(v));
+  for (const uint32_t corner : SimplexCorners<D>(body, part)) {
+    if (corner != v) add(corner, body.position(corner));
+  }
+  if (to == nullptr) return swept;
+  swept.hull.points[swept.hull.count++] = to;
+  double way = 0;
+  for (int k = 0; k < D; ++k) way = std::max(way, std::fabs(to[k] - body.position(v)[k]));
+  swept.way = 1.8 * way;  // more than the square root of 3
+  swept.is_at_rest = false;
+  return swept;
+}
+
+template <int D>
+double ThickSweep<D>::least_of(const Swept& swept, double wanted) noexcept {
+  return swept.is_at_rest ? least_at_rest(wanted) : least_kept(wanted);
+}
+
+/** Visits the sweeps of the parts at a vertex that no other part covers. */
+template <int D>
+template <class Visit>
+bool ThickSweep<D>::for_each_swept(const Body<D>& body, uint32_t v, const double* to, Visit visit) const {
+  return for_each_simplex_at(
+      body, v, [&](const Simplex& part) { return is_covered(body, part) || visit(sweep_of(body, part, v, to)); });
+}
+
+template <int D>
+template <class Visit>
+bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, const Box<D>& box, double limit, Visit visit) {
+  const double reach = body.radius + limit, wanted = least_of(swept, body.radius);
+  const auto look = [&](const NearList<D>& list, const NearObstacle<D>& obstacle) {
+    Thing thing{{{}, obstacle.count}, wanted, kNone, {}, &obstacle, &list};
+    for (uint32_t i = 0; i < obstacle.count; ++i) thing.hull.points[i] = list.point(obstacle.vertices[i]);
+    return !is_in(box, thing.hull) || visit(thing);
+  };
+  // Floods that are remembered go round the part, others only round what it sweeps.
+  if (notes != nullptr && swept.way <= reach) {
+    const NearView<D> view = lists_.near(body, Part<D>(body, swept.part), 0, reach + swept.way, *notes);
+    return std::all_of(view.near.obstacles().begin(), view.near.obstacles().end(),
+                       [&](uint32_t i) { return look(view.list, view.list.obstacles()[i]); });
+  }
+  const NearList<D>& list = lists_.in(swept.start, NearRegion<D>(swept.hull.points, swept.hull.count, reach));
+  return std::all_of(list.obstacles().begin(), list.obstacles().end(),
+                     [&](const NearObstacle<D>& obstacle) { return look(list, obstacle); });
+}
+
+template <int D>
+template <class Visit>
+bool ThickSweep<D>::visit_partner(const Partners<D>& partners, uint32_t number, const Body<D>& body, const Box<D>& box,
+                                  double wanted, Visit visit) const {
+  const Body<D>& other = *partners.all[number].body;
+  const auto look = [&](const Simplex& part) {
+    const SimplexCorners<D> corners(other, part);
+    const auto is_joined = [&](uint32_t v) { return joined_.has(v); };
+    if (is_covered(other, part)) return true;
+    if (&other == &body && std::any_of(corners.begin(), corners.end(), is_joined)) return true;
+    Thing thing{{{}, corners.count}, wanted, number, part, nullptr, nullptr};
+    for (uint32_t i = 0; i < corners.count; ++i) thing.hull.points[i] = other.position(corners.vertices[i]);
+    return !is_in(box, thing.hull) || visit(thing);
+  };
+  const BodyBoxes<D>& boxes = fresh_boxes(other);
+  if (!single_vertices(other, other.level).visit(box, [&](uint32_t v) { return look({Simplex::kVertex, v}); })) {
+    return false;
+  }
+  if (covers_edges(other.level) && !boxes.edges.visit(box, [&](uint32_t e) { return look({Simplex::kEdge, e}); })) {
+    return false;
+  }
+  return !covers_faces(other.level) || boxes.faces.visit(box, [&](uint32_t f) { return look({Simplex::kFace, f}); });
+}
+
+template <int D>
+template <class Visit>
+bool ThickSweep<D>::visit_near(const Partners<D>* partners, const Body<D>& body, const Swept& swept, double limit,
+                               Visit visit) {
+  if (body.radius + limit > 0) {
+    if (!visit_walls(body, swept, box_round<D>(swept.hull, body.radius + limit), limit, visit)) return false;
+  }
+  if (partners == nullptr) return true;
+  for (uint32_t i = 0; i < partners->all.size(); ++i) {
+    const Body<D>& other = *partners->all[i].body;
+    if (&other == &body ? !body.filter.self : !body.filter.sees(other.filter)) continue;
+    const double wanted = body.radius + other.radius;
+    if (!(wanted + limit > 0)) continue;
+    if (&other == &body) joined_.find(body, swept.from, swept.from_count);
+    const Box<D> box = box_round<D>(swept.hull, wanted + limit);
+    if (!visit_partner(*partners, i, body, box, least_of(swept, wanted), visit)) return false;
+  }
+  return true;
+}
+
+template <int D>
+bool ThickSweep<D>::keeps_swept(const Partners<D>* partners, const Body<D>& body, const Swept& swept) {
+  return visit_near(partners, body, swept, 0,
+                    [&](const Thing& thing) { return are_far_apart<D>(swept.hull, thing.hull, thing.wanted); });
+}
+
+template <int D>
+bool ThickSweep<D>::keeps(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to) {
+  if (!is_thick(partners, body)) return true;
+  return for_each_swept(body, v, to, [&](const Swept& swept) { return keeps_swept(partners, body, swept); });
+}
+
+/** Whether something surely comes too near later than at some time: with room, so that it does not matter what is asked
+ * first. */
+template <int D>
+bool ThickSweep<D>::keeps_until(ConvexHull start, const double* to, double time, const Thing& thing) noexcept {
+  constexpr double kRoom = 0x1p-20;
+  if (!(time + kRoom < 1)) return false;
+  double place[D];
+  point_at<D>(start.points[0], to, time + kRoom, place);
+  start.points[start.count++] = place;
+  return are_far_apart<D>(start, thing.hull, thing.wanted);
+}
+
+template <int D>
+template <class Visit>
+void ThickSweep<D>::visit_too_near(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to,
+                                   const TooNear<D>* first, Visit visit) {
+  if (!is_thick(partners, body)) return;
+  for_each_swept(body, v, to, [&](const Swept& swept) {
+    return visit_near(partners, body, swept, 0, [&](const Thing& thing) {
+      ConvexHull start = swept.hull;
+      --start.count;
+      if (first != nullptr && keeps_until(start, to, first->time, thing)) return true;
+      HullGap gap;
+      TooNear<D> found;
+      found.time = time_apart<D>(start, to, thing.hull, thing.wanted, &gap);
+      if (found.time == 1) return true;
+      found.part = swept.part;
+      std::copy_n(gap.weights, start.count, found.shares);
+      found.shares[0] += gap.weights[start.count];
+      found.normal = is_zero(gap.normal) ? unit(difference<D>(body.position(v), to)) : gap.normal;
+      found.partner = thing.partner;
+      found.other = thing.other;
+      if (const NearObstacle<D>* const obstacle = thing.obstacle) {
+        found.facet = obstacle->facet;
+        found.cell = obstacle->cell;
+        for (uint32_t i = 0; i < obstacle->count; ++i) found.vertices[i] = thing.list->name(obstacle->vertices[i]);
+      }
+      std::copy_n(gap.other_weights, 3, found.weights);
+      visit(found);
+      return true;
+    });
+  });
+}
+
+template <int D>
+bool ThickSweep<D>::find_first(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to,
+                               TooNear<D>* first) {
+  first->time = 1;
+  visit_too_near(partners, body, v, to, first, [&](const TooNear<D>& found) {
+    if (precedes(found, *first)) *first = found;
+  });
+  return first->time < 1;
+}
+
+template <int D>
+void ThickSweep<D>::find_all(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to,
+                             Array<TooNear<D>>& all) {
+  all.clear();
+  visit_too_near(partners, body, v, to, nullptr, [&](const TooNear<D>& found) { all.push_back(found); });
+  std::sort(all.begin(), all.end(), precedes<D>);
+}
+
+template <int D>
+bool ThickSweep<D>::keeps_at_rest(const Partners<D>* partners, const Body<D>& body, const ConvexHull& part, Cell start,
+                                  const WayAlong* from, uint32_t from_count) {
+  if (!is_thick(partners, body)) return true;
+  Swept swept;
+  swept.hull = part;
+  swept.start = start;
+  swept.way = kInfinity;
+  swept.is_at_rest = false;
+  swept.from_count = from_count;
+  std::copy_n(from, from_count, swept.from);
+  return keeps_swept(partners, body, swept);
+}
+
+template <int D>
+bool ThickSweep<D>::keeps_at_rest(const Partners<D>* partners, const Body<D>& body, const Simplex& part) {
+  if (!is_thick(partners, body)) return true;
+  return keeps_swept(partners, body, sweep_of(body, part, SimplexCorners<D>(body, part).vertices[0], nullptr));
+}
+
+template <int D>
+bool ThickSweep<D>::keep_at_rest(const Partners<D>* partners, const Body<D>& body) {
+  return !is_thick(partners, body) ||
+         for_each_outer(body, [&](const Simplex& part) { return keeps_at_rest(partners, body, part); });
+}
+
+template <int D>
+void ThickSweep<D>::find_walls(const Body<D>& body, const Simplex& part, Array<HalfFacet>& walls) {
+  const Swept swept = sweep_of(body, part, SimplexCorners<D>(body, part).vertices[0], nullptr);
+  visit_near(nullptr, body, swept, 0, [&](const Thing& thing) {
+    if (thing.obstacle->facet.valid() && !are_far_apart<D>(swept.hull, thing.hull, thing.wanted)) {
+      walls.push_back(thing.obstacle->facet);
+    }
+    return true;
+  });
+}
+
+template <int D>
+double ThickSweep<D>::least_gap(const Partners<D>* partners, const Body<D>& body, const Simplex& part, double limit) {
+  double least = limit;
+  const Swept swept = sweep_of(body, part, SimplexCorners<D>(body, part).vertices[0], nullptr);
+  visit_near(partners, body, swept, limit, [&](const Thing& thing) {
+    const double wanted = body.radius + (thing.partner == kNone ? 0 : partners->all[thing.partner].body->radius);
+    const double gap = find_gap<D>(swept.hull, thing.hull, kInfinity, thing.wanted).bound - wanted;
+    least = std::min(least, std::nextafter(gap, -kInfinity));
+    return true;
+  });
+  return least;
+}
+
+template <int D>
+bool ThickSweep<D>::keeps_bend(const Partners<D>* partners, const Body<D>& body, uint32_t edge, const double* point,
+                               Cell cell) {
+  if (!is_thick(partners, body)) return true;
+  const uint32_t a = body.edges[edge].ends[0], b = body.edges[edge].ends[1];
+  const double *const at_a = body.position(a), *const at_b = body.position(b);
+  const auto keeps = [&](const ConvexHull& hull, std::initializer_list<WayAlong> from) {
+    return keeps_at_rest(partners, body, hull, cell, from.begin(), static_cast<uint32_t>(from.size()));
+  };
+  // What the new vertex is joined to.
+  double to_a = 0, to_b = 0;
+  if (body.keeps_lengths()) {
+    const double first = length(difference<D>(point, at_a)), second = length(difference<D>(at_b, point));
+    to_a = body.lengths[edge] * (first + second > 0 ? first / (first + second) : 0.5);
+    to_b = body.lengths[edge] - to_a;
+  }
+  if (!covers_edges(body.level)) return keeps({{point}, 1}, {{a, to_a}, {b, to_b}});
+  // The way of the edge, and both halves where they are then: each is joined to less than the whole edge.
+  if (!keeps({{at_a, at_b, point}, 3}, {{a, 0}, {b, 0}})) return false;
+  if (body.keeps_lengths() &&
+      (!keeps({{at_a, point}, 2}, {{a, 0}, {b, to_b}}) || !keeps({{point, at_b}, 2}, {{a, to_a}, {b, 0}}))) {
+    return false;
+  }
+  for (const uint32_t f : body.edges[edge].faces) {
+    if (D == 2 || f == kNone) continue;
+    const BodyFace& face = body.faces[f];
+    const uint32_t far = face.after(a) == b ? face.before(a) : face.after(a);
+    const double* const at_far = body.position(far);
+    if (!keeps({{point, at_far}, 2}, {{a, to_a}, {b, to_b}, {far, 0}})) return false;
+    if (!covers_faces(body.level)) continue;
+    if (!keeps({{at_a, at_b, at_far, point}, 4}, {{a, 0}, {b, 0}, {far, 0}})) return false;
+    if (body.keeps_lengths() && (!keeps({{at_a, point, at_far}, 3}, {{a, 0}, {b, to_b}, {far, 0}}) ||
+                                 !keeps({{point, at_b, at_far}, 3}, {{a, to_a}, {b, 0}, {far, 0}}))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template class ThickSweep<2>;
+template class ThickSweep<3>;
+
+}  // namespace dsw
