@@ -109,7 +109,7 @@ void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more
   reserve_slots(body.edge_slots, body.edges, more_edges);
   reserve_slots(body.face_slots, body.faces, more_faces);
   if (body.skipping.by_clearance) body.clearances.resize(body.vertices.size() + more_vertices);
-  if (body.keeps_sequences()) keep_sequences(body, body.edges.size() + more_edges);
+  if (body.keeps_corridors()) keep_corridors(body, body.edges.size() + more_edges);
   if (body.keeps_lengths()) body.lengths.reserve(body.edges.size() + more_edges);
   if (!body.boxes.empty()) reserve_boxes(body, body.boxes[0], more_vertices, more_edges, more_faces);
 }
@@ -128,8 +128,8 @@ void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept {
 }
 
 template <int D>
-void keep_sequences(Body<D>& body, size_t edges) {
-  if (body.sequences.size() < edges) body.sequences.resize(edges, EdgeSequence<D>(body.edges.get_allocator()));
+void keep_corridors(Body<D>& body, size_t edges) {
+  if (body.corridors.size() < edges) body.corridors.resize(edges, Corridor<D>(body.edges.get_allocator()));
 }
 
 template <int D>
@@ -142,7 +142,7 @@ void keep_forecasts(Body<D>& body) {
 
 template <int D>
 void restore_forecasts(Body<D>& body) noexcept {
-  for (EdgeSequence<D>& each : body.sequences) each.go_back(body.call);
+  for (Corridor<D>& each : body.corridors) each.go_back(body.call);
   body.touched.erase(body.touched.begin() + static_cast<std::ptrdiff_t>(body.kept_touched), body.touched.end());
   for (TouchedLines& each : body.touched) each.go_back(body.call);
   std::copy(body.kept_clearances.begin(), body.kept_clearances.end(), body.clearances.begin());
@@ -278,7 +278,7 @@ void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
 }
 
 DSW_INSTANTIATE(reserve);
-DSW_INSTANTIATE(keep_sequences);
+DSW_INSTANTIATE(keep_corridors);
 DSW_INSTANTIATE(keep_forecasts);
 DSW_INSTANTIATE(restore_forecasts);
 DSW_INSTANTIATE(measure_lengths);

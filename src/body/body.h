@@ -8,7 +8,7 @@
 #include "body/box_grid.h"
 #include "body/rigid_shape.h"
 #include "body/touched_line.h"
-#include "corridor/sequence.h"
+#include "corridor/corridor.h"
 
 namespace dsw {
 
@@ -48,7 +48,7 @@ struct BodyFace {
 
 /** What of the sweeps of a body's edges may be left out; see DSW_BODY_... */
 struct Skipping {
-  bool sequences = false, by_environment = false, by_clearance = false;
+  bool corridors = false, by_environment = false, by_clearance = false;
   bool back_edges = false, by_similar_motion = false;  // at EDGES
   double motion_share = 0.1;
 };
@@ -96,8 +96,8 @@ struct Body {
   Array<BodyFace> faces;
   SlotPool vertex_slots, edge_slots, face_slots;
   Array<uint32_t> inserted;  // vertices that a response has inserted
-  // By edge, if they are kept: the facets passed from ends[0] to ends[1], see corridor/sequence.h. A forecast.
-  mutable Array<EdgeSequence<D>> sequences;
+  // By edge, if they are kept: the facets passed from ends[0] to ends[1], see corridor/corridor.h. A forecast.
+  mutable Array<Corridor<D>> corridors;
   // By edge and end, once an edge has touched something: what it touched. A forecast.
   mutable Array<TouchedLines> touched;
   Array<Clearance<D>> clearances;  // by vertex, if they are kept
@@ -124,7 +124,7 @@ struct Body {
         edge_slots(memory),
         face_slots(memory),
         inserted(memory),
-        sequences(memory),
+        corridors(memory),
         touched(memory),
         clearances(memory),
         kept_clearances(memory),
@@ -134,14 +134,14 @@ struct Body {
 
   bool is_rigid() const { return !shape.empty(); }
   bool keeps_lengths() const { return radius > 0 && filter.self; }
-  bool keeps_sequences() const { return skipping.sequences || sweeps_edges(level); }
+  bool keeps_corridors() const { return skipping.corridors || sweeps_edges(level); }
   bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
   bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
   bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
-    uint64_t of_parts = array_bytes(sequences);
-    for (const EdgeSequence<D>& each : sequences)
+    uint64_t of_parts = array_bytes(corridors);
+    for (const Corridor<D>& each : corridors)
       of_parts += array_bytes(each.facets) + array_bytes(each.kept) + each.rows.memory_bytes();
     for (const BodyBoxes<D>& each : boxes) of_parts += sizeof each + each.memory_bytes();
     for (const RigidShape<D>& each : shape) of_parts += sizeof each + each.memory_bytes();
@@ -201,9 +201,9 @@ bool is_turned_outwards(const Body<3>& body) noexcept;
 /** Makes room for so many more: the functions below then neither throw nor fail. */
 template <int D>
 void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more_faces);
-/** Gives every edge room for its sequence, after the level has been raised. */
+/** Gives every edge room for its corridor, after the level has been raised. */
 template <int D>
-void keep_sequences(Body<D>& body, size_t edges);
+void keep_corridors(Body<D>& body, size_t edges);
 /** A call begins that may change what is remembered from move to move. Throws std::bad_alloc. */
 template <int D>
 void keep_forecasts(Body<D>& body);

@@ -18,7 +18,7 @@ dsw::Skipping to_skipping(uint32_t flags, double share) {
                        DSW_BODY_RIGID,
                    "desc->flags");
   dsw::Skipping skipping;
-  skipping.sequences = (flags & DSW_BODY_SEQUENCES) != 0;
+  skipping.corridors = (flags & DSW_BODY_SEQUENCES) != 0;
   skipping.by_environment = (flags & DSW_BODY_SKIP_BY_ENVIRONMENT) != 0;
   skipping.by_clearance = (flags & DSW_BODY_SKIP_BY_CLEARANCE) != 0;
   skipping.by_similar_motion = (flags & DSW_BODY_SKIP_SIMILAR_MOTION) != 0;

@@ -66,7 +66,7 @@ class BoxProbe<3> {
   uint32_t count_ = 0;
 };
 
-/** Says nothing: in the plane an edge's sequence tells as much sooner. Measured with boxes of eight polygons, moves of
+/** Says nothing: in the plane an edge's corridor tells as much sooner. Measured with boxes of eight polygons, moves of
  * edges that are 0.2 to 2 cells long took up to 1.7 times as long. */
 template <>
 class BoxProbe<2> {

@@ -1,7 +1,7 @@
 #pragma once
 // Cells that are exactly convex, as what goes from facet to facet of them asks for.
 
-#include "corridor/sequence.h"
+#include "corridor/corridor.h"
 #include "walk/standard_facets.h"
 
 namespace dsw {

@@ -47,17 +47,17 @@ struct StandardCells : ConvexCells<3> {
 
 }  // namespace
 
-bool turn_round_edge(const Environment<3>& env, EdgeSequence<3>& sequence, const double* from, const double* to,
+bool turn_round_edge(const Environment<3>& env, Corridor<3>& corridor, const double* from, const double* to,
                      Pivot<3>& pivot) {
   const Map<3>& map = env.map;
-  const Array<uint32_t>& facets = sequence.facets;
+  const Array<uint32_t>& facets = corridor.facets;
   const StandardCells cells{map};
   if (!std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return cells.suits(map.cell_of({f})); })) {
     return false;
   }
   const auto is_missed = [&](uint32_t f) { return find_missed(env, cells.ring(f), from, to, pivot); };
   const auto missed = std::find_if(facets.begin(), facets.end(), is_missed);
-  return missed != facets.end() && turn_at(env, sequence, static_cast<size_t>(missed - facets.begin()), pivot, cells);
+  return missed != facets.end() && turn_at(env, corridor, static_cast<size_t>(missed - facets.begin()), pivot, cells);
 }
 
 }  // namespace dsw

@@ -1,6 +1,6 @@
 #include "corridor/fan.h"
 
-#include "corridor/sequence.h"
+#include "corridor/corridor.h"
 #include "map/ridge_walk.h"
 #include "walk/standard_facets.h"
 

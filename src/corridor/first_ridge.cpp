@@ -21,18 +21,18 @@ class RidgeSearch {
       : env_(env), m_(m), p_first_(p_first), from_(p_first ? m.to : m.q), to_(p_first ? m.q : m.to), first_(first) {}
 
   /** False: two ridges are met at one time. The last `added` facets at the end of p are those that its path adds. */
-  bool look_at(const EdgeSequence<3>& sequence, size_t added) noexcept {
-    const size_t count = sequence.facets.size(), low = p_first_ ? added : 0, high = low + (count - added);
+  bool look_at(const Corridor<3>& corridor, size_t added) noexcept {
+    const size_t count = corridor.facets.size(), low = p_first_ ? added : 0, high = low + (count - added);
     HalfFacet last[2];
     int last_count = 0;
     for (size_t begin = 0; begin < count; begin += kMostMissed) {
       const size_t some = std::min(kMostMissed, count - begin);
       Shear line(from_, to_);
-      uint64_t ask = kMissedTriangles(line, sequence.rows.span(begin, some));
+      uint64_t ask = kMissedTriangles(line, corridor.rows.span(begin, some));
       if (!line.passed_all()) ask = ~uint64_t{0} >> (kMostMissed - some);  // a filter cannot tell: all are asked
       for (; ask != 0; ask &= ask - 1) {
         const size_t i = begin + lowest_bit(ask);
-        const HalfFacet facet{sequence.facets[i]};
+        const HalfFacet facet{corridor.facets[i]};
         if (i < low || i >= high) {
           last[last_count++] = facet;
         } else if (!look_at(line, facet)) {
@@ -111,19 +111,19 @@ class RidgeSearch {
 
 }  // namespace
 
-bool turn_round(const Environment<3>& env, EdgeSequence<3>& sequence, const FirstRidge& ridge) {
+bool turn_round(const Environment<3>& env, Corridor<3>& corridor, const FirstRidge& ridge) {
   const Pivot<3> pivot{{ridge.vertices[0], ridge.vertices[1]}};
   if (env.marked_edges != 0 && edge_marked(env, pivot.vertices[0], pivot.vertices[1])) return false;
-  const Array<uint32_t>& facets = sequence.facets;
+  const Array<uint32_t>& facets = corridor.facets;
   const auto at = std::find(facets.begin(), facets.end(), ridge.facet.word);
   if (at == facets.end()) return false;
-  return turn_in_rows(env, sequence, static_cast<size_t>(at - facets.begin()), pivot);
+  return turn_in_rows(env, corridor, static_cast<size_t>(at - facets.begin()), pivot);
 }
 
-bool find_first_ridge(const Environment<3>& env, const EdgeSequence<3>& sequence, const EdgeMotion& m, bool p_first,
+bool find_first_ridge(const Environment<3>& env, const Corridor<3>& corridor, const EdgeMotion& m, bool p_first,
                       size_t added, FirstRidge* first) noexcept {
   *first = {};
-  return RidgeSearch(env, m, p_first, *first).look_at(sequence, added);
+  return RidgeSearch(env, m, p_first, *first).look_at(corridor, added);
 }
 
 }  // namespace dsw

@@ -86,7 +86,7 @@ void SweepFlood<3>::flood_triangle(SweptTriangle& triangle, Cell start, uint32_t
     look_at_facets(c, shape);
     if (env_.marked_edges != 0) look_at_marked_edges(c, shape);
   });
-  if (result_.end == SweepEnd::kContact && tied_.size() > 2) settle_ties();
+  if (result_.end == SweepEnd::kContact && tied_.size() > 2) decide_ties();
 }
 
 /** Reads the vertices of a cell. False for a hexahedron all of whose facets lie beside the triangle's box: the main
@@ -301,7 +301,7 @@ void SweepFlood<3>::for_each_cell_round(const SweepContact& wall, Visit visit) c
 
 /** More walls than two at the line of the first contact. Only walls count that are linked, round the line, with the
  * side from which the edge comes. Parts of the environment that touch each other in the line alone are not. */
-void SweepFlood<3>::settle_ties() {
+void SweepFlood<3>::decide_ties() {
   const EdgeMotion& m = triangle_->motion();
   const auto before = [&](const SweepContact& a, const SweepContact& b) { return comes_before(map_, m.p, m.to, a, b); };
   std::sort(tied_.begin(), tied_.end(), before);  // the order in which cells were entered does not count
@@ -357,7 +357,7 @@ void SweepFlood<3>::sort_found() {
   std::sort(found_.begin(), found_.end(), by_event);
   found_.erase(std::unique(found_.begin(), found_.end(), same_event), found_.end());
   std::sort(found_.begin(), found_.end(), before);
-  // Ties have been settled for the first.
+  // Ties have been decided for the first.
   const auto first = std::find_if(found_.begin(), found_.end(),
                                   [&](const SweepContact& each) { return same_event(each, result_.contact); });
   if (first == found_.end()) return;

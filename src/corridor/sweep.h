@@ -48,7 +48,7 @@ class SweepFlood<3> : public SolidSweep<3> {
   uint32_t other_at_line(Cell c, const double* const* triangle, const double* const* line) const;
   template <class Visit>
   void for_each_cell_round(const SweepContact& wall, Visit visit) const;
-  void settle_ties();
+  void decide_ties();
   bool is_one_fan(const SweepContact& contact) const;
   void sort_found();
 

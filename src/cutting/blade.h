@@ -11,7 +11,7 @@
 namespace dsw {
 
 /** One simplex of a blade against many points and edges of the environment, which stand still as it does. What is asked
- * of points that lie together is settled by one bound for all of them (`bound`), or else each time anew. */
+ * of points that lie together is decided by one bound for all of them (`bound`), or else each time anew. */
 template <int D>
 class BladeSimplex;
 

@@ -3,7 +3,7 @@
 
 #include "base/points.h"
 #include "body/body.h"
-#include "corridor/sequence.h"
+#include "corridor/corridor.h"
 #include "walk/packet.h"
 
 namespace dsw {
@@ -18,7 +18,7 @@ struct MovingBody {
   Body<D>* body = nullptr;
   PointArray targets;         // where the vertices are told to go, one for each slot
   Array<VertexWay> ways;      // by slot
-  Array<PathFacets> crossed;  // by the paths of the vertices; empty unless the body keeps sequences
+  Array<PathFacets> crossed;  // by the paths of the vertices; empty unless the body keeps corridors
 
   explicit MovingBody(const Memory* memory) : ways(memory), crossed(memory) {}
   /** All vertices are where they start. Throws std::bad_alloc. */
@@ -28,7 +28,7 @@ struct MovingBody {
     const size_t count = body->vertices.size();
     ways.resize(count);
     for (uint32_t v = 0; v < count; ++v) stay(v);
-    crossed.assign(body->keeps_sequences() ? count : 0, PathFacets{});
+    crossed.assign(body->keeps_corridors() ? count : 0, PathFacets{});
   }
   PathFacets crossed_by(uint32_t v) const { return crossed.empty() ? PathFacets{} : crossed[v]; }
   /** The way of a vertex ends where it is. */

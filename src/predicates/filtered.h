@@ -1,5 +1,5 @@
 // The predicates as the engine calls them: a floating-point filter, inline, then exact.h. filter_bounds.h has the
-// bounds and their proof. Results are those of dsw::exact, whatever the filter settles.
+// bounds and their proof. Results are those of dsw::exact, whatever the filter decides.
 #pragma once
 
 #include <cmath>

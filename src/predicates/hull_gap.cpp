@@ -189,7 +189,7 @@ double HullPair<D>::bound_in(const Vec& direction) const noexcept {
 template <int D>
 HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double least) noexcept {
   constexpr int kMostSteps = 32;
-  constexpr double kSettled = 0x1p-47;    // of the size; coordinates are at most 1
+  constexpr double kDecided = 0x1p-47;    // of the size; coordinates are at most 1
   constexpr double kHidden = 0x1p-31;     // of the distance
   constexpr double kUndecided = 0x1p-36;  // of the distance, if the bound is below `least`
   const HullPair<D> pair(a, b);
@@ -203,16 +203,16 @@ HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double
   simplex.count = 1;
   HullDirection best;
   double distance = length(simplex.nearest);
-  bool is_settled = false;  // nothing more is asked
+  bool is_decided = false;  // nothing more is asked
   for (int step = 0; step < kMostSteps && distance > 0; ++step) {
     const double bound = pair.bound_in(simplex.nearest);
     if (bound > best.bound) best = {bound, simplex.nearest};
-    is_settled = best.bound >= enough || (distance < least && simplex.reached() + kSettled < least);
-    if (is_settled || distance - best.bound <= std::min(kSettled, kHidden / 2 * distance)) break;
+    is_decided = best.bound >= enough || (distance < least && simplex.reached() + kDecided < least);
+    if (is_decided || distance - best.bound <= std::min(kDecided, kHidden / 2 * distance)) break;
     Simplex more = simplex;
     more.corners[more.count++] = pair.support(simplex.nearest);
     const Origin origin = reduce(more);
-    is_settled = origin == Origin::kInside;
+    is_decided = origin == Origin::kInside;
     const double nearer = origin == Origin::kOutside ? length(more.nearest) : 0;
     if (!(nearer < distance)) break;
     distance = nearer;
@@ -221,7 +221,7 @@ HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double
   // The distance lies between the bound and what is reached. From kSmall on the rounding of the latter does not matter.
   const double reached = simplex.reached(), open = reached - best.bound;
   const bool is_hidden = distance < kSmall || open > (best.bound < least ? kUndecided : kHidden) * reached;
-  if (!is_settled && is_hidden) {
+  if (!is_decided && is_hidden) {
     const HullDirection better = look_everywhere(pair);
     if (better.bound > best.bound) best = better;
     distance = std::max(distance, best.bound);
@@ -240,7 +240,7 @@ HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double
 template <int D>
 double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, double distance, HullGap* at) noexcept {
   constexpr int kMostSteps = 200;
-  constexpr double kSettled = 0x1p-48;
+  constexpr double kDecided = 0x1p-48;
   double place[D];
   ConvexHull moved = a;
   moved.points[moved.count++] = place;
@@ -254,8 +254,8 @@ double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, do
   // wanted one. If that moves the same end twice, the next time is a little beyond: the other end gets near, too.
   double low = 0, high = 1, over = at->bound - distance, under = distance - whole.distance, moved_by = 0, shrink = 1;
   int last = 0, repeated = 0;
-  for (int step = 1; step < kMostSteps && high - low > kSettled * high; ++step) {
-    const double between = high - low, beyond = 8 * moved_by + kSettled / 4 * high;
+  for (int step = 1; step < kMostSteps && high - low > kDecided * high; ++step) {
+    const double between = high - low, beyond = 8 * moved_by + kDecided / 4 * high;
     double time = low + over / (over + under) * between;
     if (repeated == 1) time = last > 0 ? low + beyond : high - beyond;
     if (repeated > 1 || !(time > low && time < high)) {

@@ -1,5 +1,5 @@
 // Times and normals: double-double where its bound leaves one answer, else the exact integers of the predicates, which
-// also settle times that are doubles themselves. Both give the same bits.
+// also decide times that are doubles themselves. Both give the same bits.
 #include "predicates/plane_hit.h"
 
 #include <algorithm>
@@ -126,11 +126,11 @@ void plane_hits(const PlaneFlight<D>* flights, uint32_t count, PlaneHit<D>* hits
     PlaneFlight<D> together[kHitsAbreast];  // repeats the last
     PlaneHit<D> certified[kHitsAbreast];
     for (uint32_t j = 0; j < kHitsAbreast; ++j) together[j] = flights[i + std::min(j, now - 1)];
-    uint32_t settled = 0;
-    if constexpr (D == 3) settled = certified_hits(together, certified);
+    uint32_t decided = 0;
+    if constexpr (D == 3) decided = certified_hits(together, certified);
     for (uint32_t j = 0; j < now; ++j) {
       const PlaneFlight<D>& f = together[j];
-      hits[i + j] = (settled >> j & 1u) != 0 ? certified[j] : plane_hit<D>(f.p, f.q, f.simplex);
+      hits[i + j] = (decided >> j & 1u) != 0 ? certified[j] : plane_hit<D>(f.p, f.q, f.simplex);
     }
   }
 }

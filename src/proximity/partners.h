@@ -74,25 +74,25 @@ template <int D, class Blocked>
 bool is_body_apart(const Partners<D>& partners, const Body<D>& body, SweepLevel level, Blocked blocked) {
   const auto corner = [&](uint32_t v) { return Corner{body.position(v), v}; };
   bool apart = true;
-  const auto settle = [&](bool is_apart, uint32_t a, uint32_t b) {
+  const auto decide = [&](bool is_apart, uint32_t a, uint32_t b) {
     apart = apart && is_apart;
     return is_apart || blocked(a, b);
   };
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     const bool single = body.has_vertex(v) && (!covers_edges(level) || body.vertices[v].first_edge == kNone);
-    if (single && !settle(is_segment_apart(partners, body, corner(v), corner(v)), v, v)) return false;
+    if (single && !decide(is_segment_apart(partners, body, corner(v), corner(v)), v, v)) return false;
   }
   for (uint32_t e = 0; covers_edges(level) && e < body.edges.size(); ++e) {
     if (!body.has_edge(e)) continue;
     const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
-    if (!settle(is_segment_apart(partners, body, corner(a), corner(b)), a, b)) return false;
+    if (!decide(is_segment_apart(partners, body, corner(a), corner(b)), a, b)) return false;
   }
   if constexpr (D == 3) {
     for (uint32_t f = 0; covers_faces(level) && f < body.faces.size(); ++f) {
       if (!body.has_face(f)) continue;
       const uint32_t* const c = body.faces[f].corners;
       const Corner corners[3] = {corner(c[0]), corner(c[1]), corner(c[2])};
-      if (!settle(is_triangle_apart(partners, body, corners), c[0], c[1])) return false;
+      if (!decide(is_triangle_apart(partners, body, corners), c[0], c[1])) return false;
     }
   }
   return apart;

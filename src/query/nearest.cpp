@@ -114,14 +114,14 @@ class NearestOfBatch {
     answer.segment_parameter = found.parameter;
     std::copy_n(found.segment_point, 3, answer.segment_point);
     if (answer.nearest.cell.kind != DSW_CELL_NONE && !found.crossed.valid())
-      settle_ends(from, to, start, found, answer);
+      decide_ends(from, to, start, found, answer);
     last_ = found.last;
     is_end_known_ = !found.crossed.valid();
   }
 
  private:
   /** A segment whose end lies exactly on an obstacle is at distance 0 from it. */
-  void settle_ends(const double* from, const double* to, Cell start, const SegmentNearest& found,
+  void decide_ends(const double* from, const double* to, Cell start, const SegmentNearest& found,
                    dsw_segment_nearest& answer) const {
     for (const double* end : {from, to}) {
       const SeenObstacle seen = find_touched_near(env_, end, end == from ? start : found.last, found.distance);

@@ -25,7 +25,7 @@ struct Course {
   MovingBody<D> motion;
   Array<uint32_t> order;
   Array<Vertex> vertices;  // by index
-  Array<bool> keeps;       // by edge, at FACES: it keeps to one sequence all through the move
+  Array<bool> keeps;       // by edge, at FACES: it keeps to one corridor all through the move
 
   explicit Course(const Memory* memory) : motion(memory), order(memory), vertices(memory), keeps(memory) {}
   /** Throws std::bad_alloc. */

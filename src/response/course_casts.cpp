@@ -5,7 +5,7 @@ namespace dsw {
 template <int D>
 void CourseCasts<D>::start() {
   packet_.clear();  // of casts left by a move that ran out of memory
-  if (!course_.motion.body->keeps_sequences()) return;
+  if (!course_.motion.body->keeps_corridors()) return;
   writers_.reserve(kPacket);  // casts point at them
 }
 
@@ -43,7 +43,7 @@ void CourseCasts<D>::add_edge(uint32_t e, uint32_t v, const End& from, const End
   CastRequest& request = packet_.add(env_, from.cell, from.position, to.position);
   request.end = to.cell;
   request.max_volumes = sweeps_.max_volumes;
-  if (course_.motion.body->keeps_sequences()) {
+  if (course_.motion.body->keeps_corridors()) {
     if (writers_.size() == at) writers_.emplace_back(env_.memory);
     writers_[at].attach(env_, request);
   }
@@ -53,12 +53,12 @@ void CourseCasts<D>::add_edge(uint32_t e, uint32_t v, const End& from, const End
 template <int D>
 void CourseCasts<D>::run_edges() {
   run();
-  if (course_.motion.body->keeps_sequences()) {
+  if (course_.motion.body->keeps_corridors()) {
     for (uint32_t i = 0; i < packet_.count(); ++i) {
       if (!packet_.reached(i)) continue;
-      EdgeSequence<D>& sequence = course_.motion.body->sequences[edges_[i]];
-      sequence.keep(course_.motion.body->call);
-      writers_[i].finish(sequence);
+      Corridor<D>& corridor = course_.motion.body->corridors[edges_[i]];
+      corridor.keep(course_.motion.body->call);
+      writers_[i].finish(corridor);
     }
   }
   packet_.clear();

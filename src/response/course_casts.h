@@ -22,13 +22,13 @@ class CourseCasts {
   void start();
   /** Casts the paths of all vertices that move, which tells where they arrive. */
   void cast_paths();
-  /** The facets on the path of a vertex; none unless sequences are kept. */
+  /** The facets on the path of a vertex; none unless corridors are kept. */
   PathFacets crossed(uint32_t v) const { return course_.motion.crossed_by(v); }
 
   /** To see whether edge e is free in a new place, and which cells it crosses there.
    * @param v whose way is in doubt if it is not; kNone: that of both ends. */
   void add_edge(uint32_t e, uint32_t v, const End& from, const End& to);
-  /** Adds the new place of edge e if no sequences are kept: only whether the edge is free there is asked. */
+  /** Adds the new place of edge e if no corridors are kept: only whether the edge is free there is asked. */
   void add_place(uint32_t e, uint32_t v, const End& from, const End& to) {
     vertices_[packet_.count()] = v;
     edges_[packet_.count()] = e;
@@ -49,7 +49,7 @@ class CourseCasts {
   Packet<D> packet_;
   uint32_t vertices_[kPacket] = {};  // kNone: of both ends of the edge
   uint32_t edges_[kPacket] = {};
-  Array<SequenceWriter<D>> writers_{env_.memory};  // of the packet, if sequences are kept
+  Array<CorridorWriter<D>> writers_{env_.memory};  // of the packet, if corridors are kept
 };
 
 }  // namespace dsw

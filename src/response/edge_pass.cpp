@@ -10,7 +10,7 @@ template <int D>
 void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
   may_guess_ = may_guess;
   const Body<D>& body = *course_.motion.body;
-  const bool only_places = !body.keeps_sequences();
+  const bool only_places = !body.keeps_corridors();
   const bool skips_back = may_skip && body.skipping.back_edges;
   sieve_.start(may_skip);
   while (sieve_.next()) {
@@ -25,7 +25,7 @@ void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
 
 /** Casts an edge in its new places, that of the end whose turn comes first and then that of the other one. A first end
  * that goes towards the inside needs no cast where the other one has its own. What sweep_way does for both ends, at
- * EDGES where no sequences are kept, without branches on which end is the first. */
+ * EDGES where no corridors are kept, without branches on which end is the first. */
 template <int D>
 void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
   const Body<D>& body = *course_.motion.body;
@@ -51,28 +51,28 @@ void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
 }
 
 /** Finds the edges of a chunk whose ends stay in their cells: in one convex cell, or in two between which the edge is
- * known to pass facets all the way. What SimplexSweep::settle finds out of one move of one end, for both. */
+ * known to pass facets all the way. What SimplexSweep::ask finds out of one move of one end, for both. */
 template <int D>
-void EdgePass<D>::settle_side_by_side() {
+void EdgePass<D>::ask_side_by_side() {
   const Body<D>& body = *course_.motion.body;
   const typename Course<D>::Vertex* const vertices = course_.vertices.data();
   const VertexWay* const ways = course_.motion.ways.data();
   inside_ = keeping_ = 0;
   uint64_t between = 0, at = 0;
-  sieve_.prefetch_sequences();
+  sieve_.prefetch_corridors();
   for (const uint32_t e : sieve_) {
     const uint32_t(&ends)[2] = body.edges[e].ends;
     const VertexWay &a = ways[ends[0]], &b = ways[ends[1]];
-    const Passage<D>& passage = body.sequences[e].passage;
+    const Portal<D>& portal = body.corridors[e].portal;
     const uint64_t stay = uint64_t{a.from == a.arrival} & uint64_t{b.from == b.arrival}, same = a.from == b.from;
     inside_ |= (stay & same & uint64_t{env_.map.convex(a.from)}) << at;
     const uint64_t moves = uint64_t{vertices[ends[0]].rank != kNone} | uint64_t{vertices[ends[1]].rank != kNone};
-    between |= (moves & stay & ~same & uint64_t{passage.front == a.from} & uint64_t{passage.back == b.from}) << at;
+    between |= (moves & stay & ~same & uint64_t{portal.front == a.from} & uint64_t{portal.back == b.from}) << at;
     ++at;
   }
   if (sweeps_.max_volumes != 0) return;  // what is kept must not carry an edge past it
   for (uint64_t rest = between; rest != 0; rest &= rest - 1) {
-    prefetch_way(env_, body.sequences[sieve_.begin()[lowest_bit(rest)]]);
+    prefetch_way(env_, body.corridors[sieve_.begin()[lowest_bit(rest)]]);
   }
   for (; between != 0; between &= between - 1) {
     const uint32_t i = lowest_bit(between);
@@ -84,43 +84,43 @@ void EdgePass<D>::settle_side_by_side() {
 template <int D>
 bool EdgePass<D>::keeps_between(uint32_t e) const {
   const Body<D>& body = *course_.motion.body;
-  EdgeSequence<D>& sequence = body.sequences[e];
-  const Passage<D>& passage = sequence.passage;
+  Corridor<D>& corridor = body.corridors[e];
+  const Portal<D>& portal = corridor.portal;
   const uint32_t(&ends)[2] = body.edges[e].ends;
   const VertexWay* const ways = course_.motion.ways.data();
-  if (passage.version != env_.obstacle_version || !passage.leads(env_, ways[ends[0]].from, ways[ends[1]].from))
+  if (portal.version != env_.obstacle_version || !portal.leads(env_, ways[ends[0]].from, ways[ends[1]].from))
     return false;
   const bool turned = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank;
   const uint32_t v = ends[turned ? 1 : 0], w = ends[turned ? 0 : 1];
   const EdgeWay way{body.position(v), course_.place(v, kNone), body.position(w), course_.place(w, kNone), !turned};
-  if (passage.is_only()) return keeps_to_passage(env_, passage, way);
-  if (sequence.in_rows) return keeps_to_rows(sequence, way, sweeps_edges(body.level));
-  return keeps_to_facets(env_, sequence, way);
+  if (portal.is_only()) return keeps_to_portal(env_, portal, way);
+  if (corridor.in_rows) return keeps_to_rows(corridor, way, sweeps_edges(body.level));
+  return keeps_to_facets(env_, corridor, way);
 }
 
 /** Edges in their order: what one of them meets lets others wait. */
 template <int D>
 void EdgePass<D>::sweep_chunk() {
   const Body<D>& body = *course_.motion.body;
-  settle_side_by_side();
+  ask_side_by_side();
   const uint32_t inside_counts = body.skipping.by_environment ? 1 : 0,
-                 keeping_counts = body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
+                 keeping_counts = body.skipping.by_clearance || body.skipping.corridors ? 1 : 0;
   uint64_t bit = 1;
   for (const uint32_t e : sieve_) {
     const typename Course<D>::Vertex &a = course_.vertices[body.edges[e].ends[0]],
                                      &b = course_.vertices[body.edges[e].ends[1]];
-    const bool inside = (inside_ & bit) != 0, settled = ((inside_ | keeping_) & bit) != 0;
+    const bool inside = (inside_ & bit) != 0, decided = ((inside_ | keeping_) & bit) != 0;
     bit <<= 1;
-    if ((uint32_t{!settled} | uint32_t{a.doubtful} | uint32_t{b.doubtful}) != 0) {
+    if ((uint32_t{!decided} | uint32_t{a.doubtful} | uint32_t{b.doubtful}) != 0) {
       sweep_ways(e);
       continue;
     }
     const uint32_t moves = (a.rank != kNone ? 1u : 0u) + (b.rank != kNone ? 1u : 0u);
     sweeps_.counts.swept += moves;
     sweeps_.counts.skipped += moves * (inside ? inside_counts : keeping_counts);
-    if (inside && !body.sequences[e].facets.empty()) {
-      body.sequences[e].keep(body.call);
-      body.sequences[e].clear();
+    if (inside && !body.corridors[e].facets.empty()) {
+      body.corridors[e].keep(body.call);
+      body.corridors[e].clear();
     }
   }
 }
@@ -153,26 +153,26 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
   const Cell arrival = course_.motion.ways[v].arrival;
   const EdgeSweep sweep{
       e, v, course_.motion.targets[v], arrival, course_.place(other, moving.rank), fixed, casts_.crossed(v)};
-  const Settled settled = boxed ? sweeps_.settle_boxed(body) : sweeps_.settle(body, sweep, false);
+  const Verdict verdict = boxed ? sweeps_.count_boxed(body) : sweeps_.ask(body, sweep, false);
   if (!course_.keeps.empty()) {
-    const bool same = settled == Settled::kInside || (settled == Settled::kSleeve && body.vertices[v].cell == arrival);
+    const bool same = verdict == Verdict::kInside || (verdict == Verdict::kHolds && body.vertices[v].cell == arrival);
     course_.keeps[e] = course_.keeps[e] && same;
   }
-  if (settled != Settled::kNo) return;
+  if (verdict != Verdict::kUnknown) return;
   if (sweeps_edges(body.level)) {
     moving.doubtful = (may_guess_ && sweeps_.meets_touched_line(body, sweep)) || !sweeps_.is_free(body, sweep);
     moving.meets = moving.doubtful;
-    return;  // its sequence is noted when it is asked for again
+    return;  // its corridor is noted when it is asked for again
   }
-  // A sequence is noted in the direction of the edge.
+  // A corridor is noted in the direction of the edge.
   const typename CourseCasts<D>::End moved{sweep.arrival, sweep.to}, still{sweep.fixed, sweep.q};
-  const bool turned = body.keeps_sequences() && body.edges[e].ends[0] != v;
+  const bool turned = body.keeps_corridors() && body.edges[e].ends[0] != v;
   casts_.add_edge(e, v, turned ? still : moved, turned ? moved : still);
 }
 
 /** Whether an edge and what both of its ends sweep lie in a box that is free. Not asked of edges that stay inside of
  * one cell, which is seen sooner, and of those known to cross more cells than a box may meet: they have their
- * sequences. */
+ * corridors. */
 template <int D>
 bool EdgePass<D>::is_boxed(uint32_t e) {
   constexpr size_t kMostFacets = 3;
@@ -181,7 +181,7 @@ bool EdgePass<D>::is_boxed(uint32_t e) {
   const VertexWay &a = course_.motion.ways[v], &b = course_.motion.ways[w];
   if ((!course_.moves(v) && !course_.moves(w)) || !BoxProbe<D>::suits(env_, a.from)) return false;
   if (a.from == a.arrival && a.from == b.from && a.from == b.arrival && env_.map.convex(a.from)) return false;
-  if (body.sequences[e].facets.size() > kMostFacets) return false;
+  if (body.corridors[e].facets.size() > kMostFacets) return false;
   Bounds<D> box(body.position(v));
   course_.include_way(v, box);
   course_.include_way(w, box);
@@ -192,7 +192,7 @@ template <int D>
 void FacePass<D>::sweep() {
   find_sides();
   for (uint32_t f = 0; f < course_.motion.body->faces.size(); ++f) {
-    if (course_.motion.body->has_face(f) && !shares_sleeve(f) && !is_boxed(f)) sweep_face(f);
+    if (course_.motion.body->has_face(f) && !shares_corridor(f) && !is_boxed(f)) sweep_face(f);
   }
 }
 
@@ -243,22 +243,22 @@ bool FacePass<D>::is_boxed(uint32_t f) {
   return sweeps_.is_boxed(box, from(0), from(1), from(2));
 }
 
-/** Whether a face's edges keep to their sequences all through the move, and lie in one sleeve of cells. Then no edge of
+/** Whether a face's edges keep to their corridors all through the move, and lie in one corridor. Then no edge of
  * the environment pierces the face, before, between or after, nor what its edges sweep: so no vertex is inside of the
  * tetrahedra. */
 template <int D>
-bool FacePass<D>::shares_sleeve(uint32_t f) const {
+bool FacePass<D>::shares_corridor(uint32_t f) const {
   const Body<D>& body = *course_.motion.body;
-  SequenceView views[3];
+  CorridorView views[3];
   for (uint32_t k = 0; k < 3; ++k) {
     const uint32_t e = sides_[3 * size_t{f} + k];
     const uint32_t(&ends)[2] = body.edges[e].ends;
     const bool moves = course_.moves(ends[0]) || course_.moves(ends[1]);
-    if (moves ? !course_.keeps[e] : !keeps_sequence(env_, body, e)) return false;
-    const Array<uint32_t>& facets = body.sequences[e].facets;
+    if (moves ? !course_.keeps[e] : !keeps_corridor(env_, body, e)) return false;
+    const Array<uint32_t>& facets = body.corridors[e].facets;
     views[k] = {facets.data(), facets.size(), ends[0] != body.faces[f].corners[(k + 1) % 3]};
   }
-  return share_sleeve(env_.map, views[2], views[0], views[1]);
+  return share_corridor(env_.map, views[2], views[0], views[1]);
 }
 
 template class EdgePass<2>;

@@ -18,7 +18,7 @@ class EdgePass {
 
  private:
   void cast_places(uint32_t e, bool skips_back);
-  void settle_side_by_side();
+  void ask_side_by_side();
   bool keeps_between(uint32_t e) const;
   void sweep_chunk();
   void sweep_ways(uint32_t e);
@@ -31,7 +31,7 @@ class EdgePass {
   CourseCasts<D>& casts_;
   EdgeSieve<D> sieve_;
   bool may_guess_ = false;
-  uint64_t inside_ = 0, keeping_ = 0;  // of the edges of a chunk: those that settle_side_by_side has settled
+  uint64_t inside_ = 0, keeping_ = 0;  // of the edges of a chunk: those that ask_side_by_side has decided
 };
 
 /** Its edges have been swept. */
@@ -48,7 +48,7 @@ class FacePass {
   void find_sides();
   void sweep_face(uint32_t f);
   bool is_boxed(uint32_t f);
-  bool shares_sleeve(uint32_t f) const;
+  bool shares_corridor(uint32_t f) const;
 
   const Environment<D>& env_;
   SimplexSweep<D>& sweeps_;

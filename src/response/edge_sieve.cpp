@@ -61,7 +61,7 @@ bool EdgeSieve<D>::next() {
   const Skipping& skipping = course_.motion.body->skipping;
   if (next_ >= course_.motion.body->edges.size()) return false;
   gather();
-  if (skipping.by_environment && !course_.motion.body->keeps_sequences()) drop_inside();
+  if (skipping.by_environment && !course_.motion.body->keeps_corridors()) drop_inside();
   if (skipping.by_clearance && sweeps_.max_volumes == 0) drop_clear();
   if (may_skip_ && skipping.by_similar_motion) drop_similar();
   if (may_skip_ && skipping.back_edges) drop_back();
@@ -80,7 +80,7 @@ void EdgeSieve<D>::gather() {
       prefetch_line(&body.vertices[v]);
       prefetch_line(course_.motion.targets[v]);
     }
-    if (body.keeps_sequences()) prefetch_line(&body.sequences[next_]);
+    if (body.keeps_corridors()) prefetch_line(&body.corridors[next_]);
     chunk_[count_++] = next_;
   }
 }
@@ -145,8 +145,8 @@ void EdgeSieve<D>::drop_inside() {
     const uint32_t(&ends)[2] = course_.motion.body->edges[e].ends;
     const VertexWay &a = ways[ends[0]], &b = ways[ends[1]];
     const uint32_t inside = uint32_t{a.from == a.arrival} & uint32_t{b.from == b.arrival} & uint32_t{a.from == b.from};
-    const uint32_t settled = inside & uint32_t{env_.map.convex(a.from)};
-    if (DSW_LIKELY(inside == settled)) return settled != 0;
+    const uint32_t decided = inside & uint32_t{env_.map.convex(a.from)};
+    if (DSW_LIKELY(inside == decided)) return decided != 0;
     return sees_all_of_cell(ends[turn_a.rank < turn_b.rank ? 0 : 1]);
   });
 }

@@ -18,11 +18,11 @@ class EdgeSieve {
   /** The next chunk; false: there is none. Throws std::bad_alloc. */
   bool next();
   /** Lets what is known of them come near. */
-  DSW_PREFETCH void prefetch_sequences() const {
+  DSW_PREFETCH void prefetch_corridors() const {
     constexpr size_t kLine = 64;
     for (const uint32_t e : *this) {
-      const auto* const sequence = reinterpret_cast<const char*>(&course_.motion.body->sequences[e]);
-      for (size_t at = 0; at < sizeof(EdgeSequence<D>); at += kLine) prefetch_line(sequence + at);
+      const auto* const corridor = reinterpret_cast<const char*>(&course_.motion.body->corridors[e]);
+      for (size_t at = 0; at < sizeof(Corridor<D>); at += kLine) prefetch_line(corridor + at);
     }
   }
   const uint32_t* begin() const { return chunk_; }

@@ -126,8 +126,8 @@ void follow_changes(const Scene<D>& scene, BodyRecord<D>& of) noexcept {
   if (!scene.features.live) return;
   const GoneFacets<D>& gone = scene.live.get()->gone;
   if (of.followed == gone.number()) return;
-  for (EdgeSequence<D>& sequence : of.body.sequences) {
-    if (gone.are_in(sequence, of.followed)) sequence.forget();
+  for (Corridor<D>& corridor : of.body.corridors) {
+    if (gone.are_in(corridor, of.followed)) corridor.forget();
   }
   of.followed = gone.number();
 }
@@ -150,9 +150,9 @@ BodyRecord<D> make_body(const Scene<D>& scene, const BodyDescription& d, const C
     if (body.skipping.back_edges) check_closed(body);
   }
   body.edges.shrink_to_fit();  // faces may have found their edges
-  if (body.keeps_sequences()) {
-    body.sequences.erase(body.sequences.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.sequences.end());
-    body.sequences.shrink_to_fit();
+  if (body.keeps_corridors()) {
+    body.corridors.erase(body.corridors.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.corridors.end());
+    body.corridors.shrink_to_fit();
   }
   prepare_body(scene, made);
   return made;
@@ -206,7 +206,7 @@ void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level) {
   const SweepLevel before = std::exchange(body.level, level);
   try {
     if (level > before) check_free(scene, body, level);
-    if (sweeps_edges(level)) keep_sequences(body, body.edges.size());
+    if (sweeps_edges(level)) keep_corridors(body, body.edges.size());
   } catch (...) {
     body.level = before;
     throw;

@@ -21,7 +21,7 @@ struct BodyRecord {
   TouchHistory touches;
   Array<NearRecord<D>> near;  // one, if near rows have been asked for; else none
   NearNotes<D> kept_near;     // what is near its parts; see NearNotes
-  uint64_t followed = 0;      // up to which change of the topology its sequences are true, see gone_facets.h
+  uint64_t followed = 0;      // up to which change of the topology its corridors are true, see gone_facets.h
 
   explicit BodyRecord(const Memory* memory)
       : body(memory), record(memory), next(memory), before(memory), touches(memory), near(memory), kept_near(memory) {}
@@ -63,7 +63,7 @@ dsw_body_id enter_body(Scene<D>& scene, BodyRecord<D>&& made);
 /** Lets one that is not in a scene yet have all that the scene's bodies keep. Throws std::bad_alloc. */
 template <int D>
 void prepare_body(const Scene<D>& scene, BodyRecord<D>& of);
-/** Forgets sequences that name what has changed since; comes before each use of them. O(facets of the sequences). */
+/** Forgets corridors that name what has changed since; comes before each use of them. O(facets of the corridors). */
 template <int D>
 void follow_changes(const Scene<D>& scene, BodyRecord<D>& of) noexcept;
 template <int D>

@@ -84,7 +84,7 @@ uint32_t add_body_vertex(Scene<D>& scene, BodyRecord<D>& of, const double* posit
   neighbours.check_distances({{position}, 1}, cell, nullptr);
   reserve(body, 1, 0, 0);
   const uint32_t v = add_vertex(body, position, cell);
-  settle_body(scene, of);
+  refresh_body(scene, of);
   return v;
 }
 
@@ -176,7 +176,7 @@ void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double s
          e.ends[0], e.ends[1]);
   }
   insert_vertex(body, edge, point, cell, share, edit);
-  settle_body(scene, of);
+  refresh_body(scene, of);
 }
 
 template <int D>

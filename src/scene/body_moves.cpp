@@ -32,7 +32,7 @@ template <int D>
 void end_move(Scene<D>& scene, BodyRecord<D>& of, const CastCounters& casts) noexcept {
   of.touches.follow(of.record, of.next, of.body.vertex_slots);
   std::swap(of.record, of.next);
-  settle_body(scene, of);
+  refresh_body(scene, of);
   if (!scene.features.statistics) return;
   scene.statistics.cast.add(casts);
   scene.statistics.contacts += of.record.contacts.size();

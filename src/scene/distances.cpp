@@ -4,9 +4,9 @@
 
 #include "base/dimensions.h"
 #include "environment/marking.h"
+#include "proximity/thick_sweep.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
-#include "proximity/thick_sweep.h"
 
 namespace dsw {
 namespace {
@@ -94,7 +94,7 @@ void set_radius(Scene<D>& scene, BodyRecord<D>& of, double radius) {
     std::swap(body.lengths, lengths);
     throw;
   }
-  settle_body(scene, of);
+  refresh_body(scene, of);
 }
 
 template <int D>

@@ -56,13 +56,13 @@ class Followers {
     looked_at_ += probe.looked_at;
   }
 
-  /** Makes room for what is noted, or if it may have to be taken back keeps copies of the sequences that are going to
+  /** Makes room for what is noted, or if it may have to be taken back keeps copies of the corridors that are going to
    * be forgotten. */
   void prepare(bool may_go_back) {
-    keeps_sequences_ = may_go_back;
+    keeps_corridors_ = may_go_back;
     if (may_go_back) {
-      for_each_gone_sequence([&](uint32_t slot, uint32_t e, const EdgeSequence<D>& sequence) {
-        sequences_.push_back({slot, e, sequence});
+      for_each_gone_corridor([&](uint32_t slot, uint32_t e, const Corridor<D>& corridor) {
+        corridors_.push_back({slot, e, corridor});
       });
     } else if (scene_.features.live) {
       scene_.live.get()->gone.reserve(edit_);
@@ -84,13 +84,13 @@ class Followers {
       scene_.particles[each.place].forecast = each.forecast;
       note_particle(scene_, each.place);
     }
-    for (KeptSequence& kept : sequences_) std::swap(scene_.bodies[kept.body].body.sequences[kept.edge], kept.sequence);
+    for (KeptCorridor& kept : corridors_) std::swap(scene_.bodies[kept.body].body.corridors[kept.edge], kept.corridor);
   }
 
-  /** Sequences of what goes; to be done while it can still be asked. */
-  void forget_sequences() noexcept {
-    if (scene_.features.live && !keeps_sequences_) return note_gone_facets();
-    for_each_gone_sequence([](uint32_t, uint32_t, EdgeSequence<D>& sequence) { sequence.forget(); });
+  /** Corridors of what goes; to be done while it can still be asked. */
+  void forget_corridors() noexcept {
+    if (scene_.features.live && !keeps_corridors_) return note_gone_facets();
+    for_each_gone_corridor([](uint32_t, uint32_t, Corridor<D>& corridor) { corridor.forget(); });
   }
   void finish() noexcept { count_looked_at(scene_, looked_at_); }
 
@@ -101,9 +101,9 @@ class Followers {
     Cell before, after;
     uint32_t forecast;  // before
   };
-  struct KeptSequence {
+  struct KeptCorridor {
     uint32_t body, edge;
-    EdgeSequence<D> sequence;
+    Corridor<D> corridor;
   };
 
   void find_cells_of_particles() {
@@ -134,17 +134,17 @@ class Followers {
     }
     gone.note(edit_);
   }
-  /** Calls visit(slot, edge, sequence) for those that name facets that go, or lead elsewhere now. */
+  /** Calls visit(slot, edge, corridor) for those that name facets that go, or lead elsewhere now. */
   template <class Visit>
-  void for_each_gone_sequence(Visit visit) {
+  void for_each_gone_corridor(Visit visit) {
     const auto is_gone = [&](uint32_t word) {
       return word != kNoFacet && (edit_.is_removed(env_.map.cell_of({word})) || edit_.is_relinked({word}));
     };
     for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
-      Array<EdgeSequence<D>>& sequences = scene_.bodies[slot].body.sequences;
-      for (uint32_t e = 0; e < sequences.size(); ++e) {
-        const Array<uint32_t>& facets = sequences[e].facets;
-        if (std::any_of(facets.begin(), facets.end(), is_gone)) visit(slot, e, sequences[e]);
+      Array<Corridor<D>>& corridors = scene_.bodies[slot].body.corridors;
+      for (uint32_t e = 0; e < corridors.size(); ++e) {
+        const Array<uint32_t>& facets = corridors[e].facets;
+        if (std::any_of(facets.begin(), facets.end(), is_gone)) visit(slot, e, corridors[e]);
       }
     }
   }
@@ -223,8 +223,8 @@ class Followers {
   BoxGroups<D> places_;
   NearBodies<D> near_;
   Array<Location> particles_{scene_.memory}, vertices_;
-  Array<KeptSequence> sequences_{scene_.memory};
-  bool keeps_sequences_ = false;
+  Array<KeptCorridor> corridors_{scene_.memory};
+  bool keeps_corridors_ = false;
   CellQueue new_cells_{scene_.memory};        // once they are asked for
   CellQueue came_to_nothing_{scene_.memory};  // cells that go, from which no way leads to one that comes
   uint64_t looked_at_ = 0;
@@ -247,7 +247,7 @@ bool follow(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhile) {
   try {
     if (scene.body_slots.alive_count() != 0) followers.find_blocked_bodies();
     if (is_occupied()) refuse(scene);
-    followers.forget_sequences();
+    followers.forget_corridors();
     if (meanwhile != nullptr) stays = meanwhile->run(meanwhile->user);
   } catch (...) {
     take_back();

@@ -50,8 +50,8 @@ void GoneFacets<D>::note(const Edit<D>& edit) noexcept {
 }
 
 template <int D>
-bool GoneFacets<D>::are_in(const EdgeSequence<D>& sequence, uint64_t since) const noexcept {
-  return std::any_of(sequence.facets.begin(), sequence.facets.end(), [&](uint32_t word) {
+bool GoneFacets<D>::are_in(const Corridor<D>& corridor, uint64_t since) const noexcept {
+  return std::any_of(corridor.facets.begin(), corridor.facets.end(), [&](uint32_t word) {
     const uint32_t i = words_.find(word);
     return i != KeyTable::kNone && last_[i] > since;
   });

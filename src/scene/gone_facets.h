@@ -1,9 +1,9 @@
 #pragma once
-// What changes of the topology did to half-facets, so that a body forgets the sequences that name them when it is used
+// What changes of the topology did to half-facets, so that a body forgets the corridors that name them when it is used
 // next, instead of all bodies at each change.
 
 #include "base/key_table.h"
-#include "corridor/sequence.h"
+#include "corridor/corridor.h"
 #include "topology/edit.h"
 
 namespace dsw {
@@ -23,8 +23,8 @@ class GoneFacets {
 
   /** Grows with each note. */
   uint64_t number() const noexcept { return number_; }
-  /** Whether a sequence that was up to date when the number was `since` names what has changed. O(facets). */
-  bool are_in(const EdgeSequence<D>& sequence, uint64_t since) const noexcept;
+  /** Whether a corridor that was up to date when the number was `since` names what has changed. O(facets). */
+  bool are_in(const Corridor<D>& corridor, uint64_t since) const noexcept;
   uint64_t memory_bytes() const noexcept { return words_.memory_bytes() + array_bytes(last_); }
 
  private:

@@ -43,7 +43,7 @@ void note_body(Scene<D>& scene, uint32_t slot) noexcept {
 }
 
 template <int D>
-void settle_body(Scene<D>& scene, BodyRecord<D>& of) noexcept {
+void refresh_body(Scene<D>& scene, BodyRecord<D>& of) noexcept {
   if (!scene.keeps_boxes()) return;
   tighten_bounds(of.body);
   note_body(scene, slot_of(scene, of));
@@ -155,7 +155,7 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
 }
 
 DSW_INSTANTIATE(note_body);
-DSW_INSTANTIATE(settle_body);
+DSW_INSTANTIATE(refresh_body);
 template Box<2> reach_of(const Body<2>& body, PointArray targets, MoveOrder order, bool slides) noexcept;
 template Box<3> reach_of(const Body<3>& body, PointArray targets, MoveOrder order, bool slides) noexcept;
 template Box<2> reach_of(const Body<2>& body) noexcept;

@@ -10,7 +10,7 @@ template <int D>
 void note_body(Scene<D>& scene, uint32_t slot) noexcept;
 /** Notes where a body is, as note_body does, with bounds that fit the body tightly again. */
 template <int D>
-void settle_body(Scene<D>& scene, BodyRecord<D>& of) noexcept;
+void refresh_body(Scene<D>& scene, BodyRecord<D>& of) noexcept;
 
 /** A box that a body does not leave when its vertices move to their targets; `slides`: or slide on what they meet. */
 template <int D>

@@ -58,8 +58,8 @@ class Call {
   Array<uint32_t> slots_{scene_.memory};  // of the particles
   MoveRecord still_record_;               // of what stands still
   WholeWays<D, MovingWalls<D>> ways_;
-  Array<Traveller<D>> travellers_{scene_.memory};
-  Array<PointArray> targets_{scene_.memory};          // of the travellers, for the whole way
+  Array<Trajectory<D>> trajectories_{scene_.memory};
+  Array<PointArray> targets_{scene_.memory};          // of the trajectories, for the whole way
   Array<Array<double>> near_targets_{scene_.memory};  // the same for a shorter way
   Array<double> next_targets_{scene_.memory};         // what the host wrote to next_, if that is changed
 };
@@ -75,7 +75,7 @@ template <int D>
 void Call<D>::add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record) {
   begin_move(scene_, of);
   const auto slot = static_cast<uint32_t>(&of - scene_.bodies.data());
-  Traveller<D>& made = travellers_.emplace_back(scene_.memory);
+  Trajectory<D>& made = trajectories_.emplace_back(scene_.memory);
   made.motion.body = &of.body;
   made.name = {&of.body, slot, scene_.body_slots.generation(slot)};
   made.motion.targets = targets;
@@ -101,7 +101,7 @@ void Call<D>::gather(BodyRecord<D>* const* bodies, size_t count, PointArray targ
     add_body(of, positions_of(of.body), &still_record_);
   }
   add_particles();
-  for (const Traveller<D>& of : travellers_) targets_.push_back(of.motion.targets);
+  for (const Trajectory<D>& of : trajectories_) targets_.push_back(of.motion.targets);
 }
 
 template <int D>
@@ -116,7 +116,7 @@ void Call<D>::add_particles() {
     slots_.push_back(slot);
   }
   if (slots_.empty()) return;
-  Traveller<D>& made = travellers_.emplace_back(scene_.memory);
+  Trajectory<D>& made = trajectories_.emplace_back(scene_.memory);
   made.motion.body = &particles_;
   made.name = {&particles_, kNone, 0};
   made.motion.targets = positions_of(particles_);
@@ -127,7 +127,7 @@ void Call<D>::add_particles() {
 template <int D>
 uint64_t Call<D>::most_work() const noexcept {
   uint64_t vertices = 0;
-  for (const Traveller<D>& of : travellers_) vertices += of.motion.body->vertices.size();
+  for (const Trajectory<D>& of : trajectories_) vertices += of.motion.body->vertices.size();
   return 1000 * uint64_t{TogetherSettings().kilo_products} * vertices;
 }
 
@@ -154,13 +154,13 @@ void Call<D>::run() {
       forget_touches();
       record_.fraction = 0;
     }
-    for (Traveller<D>& of : travellers_) of.record->fraction = record_.fraction;
+    for (Trajectory<D>& of : trajectories_) of.record->fraction = record_.fraction;
   } catch (const WorkOver&) {
     forget_touches();
     record_.clear();
     record_.fraction = 0;
     record_.outcome = DSW_DEFORM_LIMITED;
-    for (Traveller<D>& of : travellers_) of.record->fraction = 0;
+    for (Trajectory<D>& of : trajectories_) of.record->fraction = 0;
     take_back();
     return;
   } catch (...) {
@@ -175,7 +175,7 @@ void Call<D>::run() {
 
 template <int D>
 void Call<D>::forget_touches() {
-  for (Traveller<D>& of : travellers_) of.record->clear();
+  for (Trajectory<D>& of : trajectories_) of.record->clear();
 }
 
 /** Goes up to the first touch, if all cells that are met stay valid. */
@@ -183,9 +183,9 @@ template <int D>
 bool Call<D>::try_way() {
   forget_touches();
   ways_.walls.begin(next_, record_.invalid);
-  ways_.start(travellers_, scene_.features.contacts && !travellers_.empty());
+  ways_.start(trajectories_, scene_.features.contacts && !trajectories_.empty());
   if (!ways_.walls.stay_valid()) return false;
-  if (ways_.find_touches(travellers_)) ways_.stop(travellers_);
+  if (ways_.find_touches(trajectories_)) ways_.stop(trajectories_);
   return ways_.time() == 0 || arrive(ways_.time());
 }
 
@@ -194,12 +194,12 @@ template <int D>
 bool Call<D>::arrive(double time) {
   if (time != 1) put_points(time);
   read_points(next_);
-  if ((time != 1 && !ways_.walls.stayed_valid(start_)) || !ways_.walls.find_arrivals(travellers_)) {
+  if ((time != 1 && !ways_.walls.stayed_valid(start_)) || !ways_.walls.find_arrivals(trajectories_)) {
     read_points(start_);
     env_.set_moved(had_moved_);
     return false;
   }
-  ways_.arrive(travellers_);
+  ways_.arrive(trajectories_);
   return true;
 }
 
@@ -224,8 +224,8 @@ void Call<D>::shorten(double way) {
   if (!next_targets_.empty()) std::copy(next_targets_.begin(), next_targets_.end(), next_);
   put_points(way);
   near_targets_.clear();
-  for (size_t t = 0; t < travellers_.size(); ++t) {
-    Traveller<D>& of = travellers_[t];
+  for (size_t t = 0; t < trajectories_.size(); ++t) {
+    Trajectory<D>& of = trajectories_[t];
     const Body<D>& body = *of.motion.body;
     Array<double>& near = near_targets_.emplace_back(D * body.vertices.size(), 0.0, scene_.memory);
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
@@ -241,7 +241,7 @@ void Call<D>::take_back() {
   std::copy(next_targets_.begin(), next_targets_.end(), next_);
   if (env_.points != start_) read_points(start_);
   env_.set_moved(had_moved_);
-  for (const Traveller<D>& of : travellers_) {
+  for (const Trajectory<D>& of : trajectories_) {
     if (of.motion.body == &particles_) continue;
     put_vertices(*of.motion.body, scene_.bodies[of.name.index].before.data());
     restore_forecasts(*of.motion.body);
@@ -270,13 +270,14 @@ void Call<D>::keep_results(BodyRecord<D>* const* bodies, size_t count, size_t po
     env_.point_room = point_room;
   }
   // Who stopped is told by the targets of the call, also if the way was shortened.
-  for (size_t t = 0; t < travellers_.size(); ++t) travellers_[t].motion.targets = targets_[t];
-  if (!travellers_.empty()) ways_.finish(travellers_);
+  for (size_t t = 0; t < trajectories_.size(); ++t) trajectories_[t].motion.targets = targets_[t];
+  if (!trajectories_.empty()) ways_.finish(trajectories_);
   record_.sort();
   std::swap(d.record, d.next);
   for (size_t i = 0; i < count; ++i) end_move(scene_, *bodies[i], {});
-  for (const Traveller<D>& of : travellers_) {
-    if (of.record == &still_record_ && of.motion.body != &particles_) settle_body(scene_, scene_.bodies[of.name.index]);
+  for (const Trajectory<D>& of : trajectories_) {
+    if (of.record == &still_record_ && of.motion.body != &particles_)
+      refresh_body(scene_, scene_.bodies[of.name.index]);
   }
   for (uint32_t i = 0; i < slots_.size(); ++i) {
     ParticleState<D>& particle = scene_.particles[slots_[i]];

@@ -23,8 +23,8 @@ void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_
 
 /** Bodies of the call, without their vertices' ends. */
 template <int D>
-Traveller<D> traveller_of(const Scene<D>& scene, BodyRecord<D>& of, const Partners<D>* still, PointArray targets) {
-  Traveller<D> made(scene.memory);
+Trajectory<D> trajectory_of(const Scene<D>& scene, BodyRecord<D>& of, const Partners<D>* still, PointArray targets) {
+  Trajectory<D> made(scene.memory);
   const auto slot = static_cast<uint32_t>(&of - scene.bodies.data());
   made.motion.body = &of.body;
   made.name = {&of.body, slot, scene.body_slots.generation(slot)};
@@ -44,12 +44,12 @@ void take_back(BodyRecord<D>& of) {
 
 /** Moves bodies that depend on nobody else that moves. At the work limit they stay where they are. */
 template <int D>
-void move_island(TogetherMove<D>& move, Array<Traveller<D>>& travellers, BodyRecord<D>* const* bodies,
+void move_island(TogetherMove<D>& move, Array<Trajectory<D>>& trajectories, BodyRecord<D>* const* bodies,
                  const uint32_t* numbers, bool bodies_meet, const TogetherSettings& settings) {
   try {
-    move.move(travellers, bodies_meet, settings);
+    move.move(trajectories, bodies_meet, settings);
   } catch (const WorkOver&) {
-    for (size_t k = 0; k < travellers.size(); ++k) {
+    for (size_t k = 0; k < trajectories.size(); ++k) {
       BodyRecord<D>& of = *bodies[numbers[k]];
       take_back(of);
       of.next.clear();
@@ -57,7 +57,7 @@ void move_island(TogetherMove<D>& move, Array<Traveller<D>>& travellers, BodyRec
       for (uint32_t v = 0; v < of.body.vertices.size(); ++v) {
         if (!of.body.has_vertex(v)) continue;
         ++of.next.moved;
-        const double* const target = travellers[k].motion.targets[v];
+        const double* const target = trajectories[k].motion.targets[v];
         of.next.limited += std::equal(target, target + D, of.body.position(v)) ? 0 : 1;
       }
       of.next.stopped = of.next.limited;
@@ -89,19 +89,19 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
     if (scene.together.get() == nullptr) scene.together.make(scene.env);
     TogetherMove<D>& move = *scene.together.get();
     move.set_counters(scene.features.statistics ? &casts : nullptr);
-    Array<Traveller<D>> travellers(scene.memory);
+    Array<Trajectory<D>> trajectories(scene.memory);
     for (size_t island = 0; island < islands.count(); ++island) {
       for (size_t k = islands.first[island]; k < islands.first[island + 1]; ++k) {
         const uint32_t i = islands.bodies[k];
         const Partners<D>* const still = scene.features.contacts ? &islands.partners[i] : nullptr;
-        travellers.push_back(
-            traveller_of(scene, *bodies[i], still, {targets.data + first[i] * targets.step, targets.step}));
+        trajectories.push_back(
+            trajectory_of(scene, *bodies[i], still, {targets.data + first[i] * targets.step, targets.step}));
       }
       if (settings.stop == TogetherStop::kAll && island + 1 != islands.count()) continue;
-      // The bodies of islands stand one after the other, as the travellers do.
-      move_island(move, travellers, bodies, islands.bodies.data() + islands.first[island + 1] - travellers.size(),
+      // The bodies of islands stand one after the other, as the trajectories do.
+      move_island(move, trajectories, bodies, islands.bodies.data() + islands.first[island + 1] - trajectories.size(),
                   scene.features.contacts, settings);
-      travellers.clear();
+      trajectories.clear();
     }
   } catch (...) {
     for (size_t i = 0; i < count; ++i) take_back(*bodies[i]);

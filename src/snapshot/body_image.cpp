@@ -13,7 +13,7 @@ namespace {
 template <int D>
 uint64_t flags_of(const Body<D>& body) {
   const Skipping& s = body.skipping;
-  return (body.is_rigid() ? kRigidFlag : 0) | (body.filter.self ? kSelfFlag : 0) | (s.sequences ? kSequencesFlag : 0) |
+  return (body.is_rigid() ? kRigidFlag : 0) | (body.filter.self ? kSelfFlag : 0) | (s.corridors ? kSequencesFlag : 0) |
          (s.by_environment ? kEnvironmentFlag : 0) | (s.by_clearance ? kClearanceFlag : 0) |
          (s.by_similar_motion ? kSimilarMotionFlag : 0) | (s.back_edges ? kBackEdgesFlag : 0);
 }
@@ -39,7 +39,7 @@ void append_touch(const Touch& t, Array<double>& places, Array<uint32_t>& words)
 }
 
 template <int D>
-void append_sequence(const Map<D>& map, const EdgeSequence<D>& sequence, Array<uint32_t>& out) {
+void append_sequence(const Map<D>& map, const Corridor<D>& sequence, Array<uint32_t>& out) {
   if (!sequence.known() || !is_whole(map, sequence.facets)) return append(out, {kUnknownSequence});
   // In the plane rows are of polygons that are known to be convex: none, once points have moved.
   const bool in_rows =
@@ -61,7 +61,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& 
   const Body<D>& body = of.body;
   const size_t edges = body.edges.size(), vertices = body.vertices.size();
   // There can be room for more, or they are no longer kept.
-  const size_t sequences = content.forecasts ? std::min(body.sequences.size(), edges) : 0;
+  const size_t sequences = content.forecasts ? std::min(body.corridors.size(), edges) : 0;
   const size_t touched = content.forecasts ? std::min(body.touched.size(), 2 * edges) : 0;
   const size_t balls = content.forecasts && body.skipping.by_clearance ? vertices : 0;
   uint64_t numbers[kNumbers] = {};
@@ -110,7 +110,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& 
   append_all(image.free_faces, body.face_slots.free_slots());
   append_all(image.inserted, body.inserted);
   for (size_t e = 0; e < sequences; ++e) {
-    const EdgeSequence<D>& sequence = body.sequences[e];
+    const Corridor<D>& sequence = body.corridors[e];
     const bool gone = scene.features.live && scene.live.get()->gone.are_in(sequence, of.followed);
     if (gone) {
       append(image.sequences, {kUnknownSequence});

@@ -110,11 +110,11 @@ void BodyReader<D>::read_parts(Body<D>& body, const uint64_t* n) {
 template <int D>
 void BodyReader<D>::read_sequences(Body<D>& body, uint64_t count) {
   const Map<D>& map = env_.map;
-  const bool fits = body.keeps_sequences() ? count == body.edges.size() : count <= body.edges.size();
+  const bool fits = body.keeps_corridors() ? count == body.edges.size() : count <= body.edges.size();
   if (!fits) fail_corrupt("the number of sequences");
-  keep_sequences(body, static_cast<size_t>(count));
+  keep_corridors(body, static_cast<size_t>(count));
   Array<uint32_t> facets{env_.memory};
-  for (EdgeSequence<D>& sequence : body.sequences) {
+  for (Corridor<D>& sequence : body.corridors) {
     const uint32_t word = *take(image_.sequences, sequence_, 1);
     if (word == kUnknownSequence) {
       sequence.facets.reserve(1);
@@ -161,7 +161,7 @@ void BodyReader<D>::read_balls(Body<D>& body, uint64_t count) {
     ball.wanted = place[D + 1];
     ball.wait = words[0];
     ball.patience = words[1];
-    ball.version = words[2] == 1 ? env_.obstacle_version : Passage<D>::kNever;
+    ball.version = words[2] == 1 ? env_.obstacle_version : Portal<D>::kNever;
     const bool finite = std::all_of(place, place + D + 1, [](double x) { return std::isfinite(x); });
     if (!finite || std::isnan(ball.wanted) || words[2] > 1 || !(ball.radius > 0 || (ball.radius == 0 && words[2] == 0)))
       fail_corrupt("a clearance");
@@ -309,7 +309,7 @@ void BodyReader<D>::read(BodyRecord<D>& of) {
   constexpr SweepLevel kHighest = D == 3 ? SweepLevel::kFaces : SweepLevel::kEdgesSwept;
   if (n[kLevel] > static_cast<uint64_t>(kHighest) || (n[kFlags] & ~kAllFlags) != 0) fail_corrupt("a body's level");
   body.level = static_cast<SweepLevel>(n[kLevel]);
-  body.skipping.sequences = (n[kFlags] & kSequencesFlag) != 0;
+  body.skipping.corridors = (n[kFlags] & kSequencesFlag) != 0;
   body.skipping.by_environment = (n[kFlags] & kEnvironmentFlag) != 0;
   body.skipping.by_clearance = (n[kFlags] & kClearanceFlag) != 0;
   body.skipping.by_similar_motion = (n[kFlags] & kSimilarMotionFlag) != 0;

@@ -28,7 +28,7 @@ struct SceneImage {
   Array<uint32_t> faces;  // corners
   Array<uint32_t> face_slots, free_faces;
   Array<uint32_t> inserted;
-  // For each edge twice the count of its facets, plus 1 if they are in rows (corridor/sequence.h); then the cell and local
+  // For each edge twice the count of its facets, plus 1 if they are in rows (corridor/corridor.h); then the cell and local
   // number of each.
   Array<uint32_t> sequences;
   Array<double> balls;         // centre, radius, wanted

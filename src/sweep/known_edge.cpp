@@ -1,9 +1,9 @@
 #include "sweep/known_edge.h"
 
 #include "base/dimensions.h"
-#include "environment/marking.h"
+#include "corridor/corridor.h"
 #include "corridor/hop.h"
-#include "corridor/sequence.h"
+#include "environment/marking.h"
 #include "predicates/filtered.h"
 #include "sweep/clearance.h"
 #include "sweep/touched_line.h"
@@ -16,22 +16,22 @@ constexpr int kMostTurns = 4;  // then a cast costs no more
 /** The path of an end has passed a facet of `from`. What is noted may be of another place, at EDGES: then it does not go
  * on where the path has left its cell, and nothing is done. */
 template <int D>
-bool pass_on(const Environment<D>& env, EdgeSequence<D>& sequence, HalfFacet crossed, Cell from, bool first) {
-  if (!sequence.facets.empty()) {
-    const HalfFacet end{first ? sequence.facets.front() : sequence.facets.back()};
+bool pass_on(const Environment<D>& env, Corridor<D>& corridor, HalfFacet crossed, Cell from, bool first) {
+  if (!corridor.facets.empty()) {
+    const HalfFacet end{first ? corridor.facets.front() : corridor.facets.back()};
     if (env.map.cell_of(first ? end : env.map.opposite(end)) != from) return false;
   }
-  sequence.pass(env, crossed, first);
+  corridor.pass(env, crossed, first);
   return true;
 }
 
 /** Whether a triangle is free one side of which passes, in the old place, half of the facets round a pivot, and
  * another, in the new place, the others. In space: before and after these the sides share facets, and what of the
- * triangle lies there is in cells, as in one sleeve. Let Q be what lies between. Its boundary is in the cells round the
+ * triangle lies there is in cells, as in one corridor. Let Q be what lies between. Its boundary is in the cells round the
  * edge and goes once round the edge's line, so Q meets that line; with the edge's ends on either side of the triangle's
  * plane it does so in a point y of the edge. Q is convex: each of its points is between y and one of its boundary. Both
  * are in one cell, as all of these cells have the edge, so all between is in that cell. In the plane the edge may have
- * turned round several vertices, all asked here. All cells and facets at each are passable, as the sequence before or
+ * turned round several vertices, all asked here. All cells and facets at each are passable, as the corridor before or
  * after has them. So the triangle's sides lie in an open set, of what is passable, where they can be drawn together
  * into a point, over one vertex after the other; a point of the triangle outside of it would be one that they wind
  * round. */
@@ -51,14 +51,14 @@ bool turns_freely(const Environment<D>& env, const Body<D>& body, const EdgeSwee
  * at EDGES the new place is all that counts. */
 template <int D>
 bool turns(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, bool first) {
-  EdgeSequence<D>& sequence = body.sequences[sweep.e];
+  Corridor<D>& corridor = body.corridors[sweep.e];
   const double *const from = first ? sweep.to : sweep.q, *const to = first ? sweep.q : sweep.to;
   const Cell start = first ? sweep.arrival : sweep.fixed, end = first ? sweep.fixed : sweep.arrival;
   const bool swept = sweeps_edges(body.level);
   Pivot<D> pivot;
   for (int rest = swept && D == 3 ? 1 : kMostTurns; rest != 0; --rest) {
-    if (!turn(env, sequence, from, to, pivot) || (swept && !turns_freely(env, body, sweep, pivot))) break;
-    if (follows(env, sequence, from, to, start, end)) return true;
+    if (!turn(env, corridor, from, to, pivot) || (swept && !turns_freely(env, body, sweep, pivot))) break;
+    if (follows(env, corridor, from, to, start, end)) return true;
   }
   return false;
 }
@@ -69,44 +69,44 @@ bool knows_path(const Body<D>& body, const EdgeSweep& sweep) {
   return sweep.crossed.count != 0 || body.vertices[sweep.v].cell == sweep.arrival;
 }
 
-/** An edge and its sequence, on its way. */
+/** An edge and its corridor, on its way. */
 template <int D>
 struct Follower {
   const Environment<D>& env;
   const EdgeSweep& sweep;
   EdgeScratch<D>& scratch;
-  EdgeSequence<D>& sequence;
+  Corridor<D>& corridor;
   const BodyVertex<D>& from;
   const uint64_t call;
-  const bool first;  // the sequence begins at the moving end
+  const bool first;  // the corridor begins at the moving end
 
   Follower(const Environment<D>& environment, const Body<D>& body, const EdgeSweep& edge, EdgeScratch<D>& used)
       : env(environment),
         sweep(edge),
         scratch(used),
-        sequence(body.sequences[edge.e]),
+        corridor(body.corridors[edge.e]),
         from(body.vertices[edge.v]),
         call(body.call),
         first(body.edges[edge.e].ends[0] == edge.v) {}
 
   /** With the moving end at p. */
   bool keeps(const double* p, Cell cell) const {
-    return first ? follows(env, sequence, p, sweep.q, cell, sweep.fixed)
-                 : follows(env, sequence, sweep.q, p, sweep.fixed, cell);
+    return first ? follows(env, corridor, p, sweep.q, cell, sweep.fixed)
+                 : follows(env, corridor, sweep.q, p, sweep.fixed, cell);
   }
   /** Whether that has been found before. */
   bool has_kept(const double* p, Cell cell) const {
-    return first ? sequence.has_place(env.obstacle_version, p, sweep.q, cell, sweep.fixed)
-                 : sequence.has_place(env.obstacle_version, sweep.q, p, sweep.fixed, cell);
+    return first ? corridor.has_place(env.obstacle_version, p, sweep.q, cell, sweep.fixed)
+                 : corridor.has_place(env.obstacle_version, sweep.q, p, sweep.fixed, cell);
   }
   void note(const double* p, Cell cell) const {
     if (first) {
-      sequence.note_place(p, sweep.q, cell, sweep.fixed);
+      corridor.note_place(p, sweep.q, cell, sweep.fixed);
     } else {
-      sequence.note_place(sweep.q, p, sweep.fixed, cell);
+      corridor.note_place(sweep.q, p, sweep.fixed, cell);
     }
   }
-  /** Whether the sequence is that of the edge where it stands; if it was not, perhaps by a cast. */
+  /** Whether the corridor is that of the edge where it stands; if it was not, perhaps by a cast. */
   bool keeps_start() const {
     return keeps(from.position, from.cell) || (note_start() && keeps(from.position, from.cell));
   }
@@ -120,25 +120,25 @@ struct Follower {
     scratch.writer.attach(env, request);
     const CastResult result = cast(env, request, scratch.counters);
     if (result.end != CastEnd::kReached || result.cell != request.end) return false;
-    sequence.keep(call);
-    scratch.writer.finish(sequence);
-    return sequence.known();
+    corridor.keep(call);
+    scratch.writer.finish(corridor);
+    return corridor.known();
   }
-  /** What the sequence is once the path of the moving end has been passed. */
+  /** What the corridor is once the path of the moving end has been passed. */
   bool passes_on() const {
     Cell cell = from.cell;
     for (uint32_t i = 0; i < sweep.crossed.count; ++i) {
-      if (!pass_on(env, sequence, sweep.crossed.facets[i], cell, first)) return false;
+      if (!pass_on(env, corridor, sweep.crossed.facets[i], cell, first)) return false;
       cell = env.map.cell_of(env.map.opposite(sweep.crossed.facets[i]));
     }
     return cell == sweep.arrival;
   }
   void save() const {
-    sequence.keep(call);
-    scratch.before = sequence.facets;
+    corridor.keep(call);
+    scratch.before = corridor.facets;
   }
   void restore() const {
-    if (sequence.facets != scratch.before) sequence.assign(env, scratch.before);
+    if (corridor.facets != scratch.before) corridor.assign(env, scratch.before);
   }
 };
 
@@ -159,78 +159,78 @@ bool is_clear(const Environment<D>& env, const Body<D>& body, const EdgeSweep& s
 }
 
 template <int D>
-Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
+Verdict follow_corridor(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
                         EdgeScratch<D>& scratch) {
-  if (!knows_path(body, sweep)) return Settled::kNo;
+  if (!knows_path(body, sweep)) return Verdict::kUnknown;
   Follower<D> edge(env, body, sweep, scratch);
-  if (!(sweeps_edges(body.level) ? edge.keeps_start() : edge.sequence.known())) return Settled::kNo;
+  if (!(sweeps_edges(body.level) ? edge.keeps_start() : edge.corridor.known())) return Verdict::kUnknown;
   const bool stays = sweep.crossed.count == 0;
-  if (stays && edge.keeps(sweep.to, sweep.arrival)) return Settled::kSleeve;
+  if (stays && edge.keeps(sweep.to, sweep.arrival)) return Verdict::kHolds;
   edge.save();
   if (edge.passes_on()) {
-    if (!stays && edge.keeps(sweep.to, sweep.arrival)) return Settled::kSleeve;
-    if (turns(env, body, sweep, edge.first)) return Settled::kTurned;
+    if (!stays && edge.keeps(sweep.to, sweep.arrival)) return Verdict::kHolds;
+    if (turns(env, body, sweep, edge.first)) return Verdict::kTurned;
   }
   edge.restore();
-  return Settled::kNo;
+  return Verdict::kUnknown;
 }
 
-Settled follow_to_ridge(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, bool arrives,
+Verdict follow_to_ridge(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, bool arrives,
                         EdgeScratch<3>& scratch, FirstRidge* ridge) {
   *ridge = {};
-  if (!knows_path(body, sweep)) return Settled::kNo;
+  if (!knows_path(body, sweep)) return Verdict::kUnknown;
   Follower<3> edge(env, body, sweep, scratch);
-  if (!edge.keeps_start()) return Settled::kNo;
-  const EdgeSequence<3>& sequence = edge.sequence;
-  const size_t crossed = sweep.crossed.count, count = sequence.facets.size();
+  if (!edge.keeps_start()) return Verdict::kUnknown;
+  const Corridor<3>& corridor = edge.corridor;
+  const size_t crossed = sweep.crossed.count, count = corridor.facets.size();
   const bool stays = crossed == 0;
-  if (stays && arrives && edge.has_kept(sweep.to, sweep.arrival)) return Settled::kSleeve;
+  if (stays && arrives && edge.has_kept(sweep.to, sweep.arrival)) return Verdict::kHolds;
   if (!stays) edge.save();
   const bool in_rows =
-      (stays || edge.passes_on()) && sequence.in_rows && sequence.passage.version == env.obstacle_version;
+      (stays || edge.passes_on()) && corridor.in_rows && corridor.portal.version == env.obstacle_version;
   // Only cells of facets in rows are known to be convex.
   const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
-  const size_t added = (sequence.facets.size() + crossed - count) / 2;  // the others have been removed
-  bool knows = in_rows && env.map.convex(sweep.arrival) && find_first_ridge(env, sequence, m, edge.first, added, ridge);
+  const size_t added = (corridor.facets.size() + crossed - count) / 2;  // the others have been removed
+  bool knows = in_rows && env.map.convex(sweep.arrival) && find_first_ridge(env, corridor, m, edge.first, added, ridge);
   bool turned = false;
   for (int turns = 0; stays && arrives && knows && ridge->facet.valid() && turns < kMostTurns; ++turns) {
     if (knows_walls(env, body, sweep, *ridge)) break;
     if (!turned) edge.save();
-    if (!turn_round(env, edge.sequence, *ridge)) break;
+    if (!turn_round(env, edge.corridor, *ridge)) break;
     turned = true;
-    knows = sequence.in_rows && find_first_ridge(env, sequence, m, edge.first, 0, ridge);
+    knows = corridor.in_rows && find_first_ridge(env, corridor, m, edge.first, 0, ridge);
   }
   const bool free = knows && !ridge->facet.valid();
   if (free && arrives) {
     edge.note(sweep.to, sweep.arrival);
-    return turned ? Settled::kTurned : Settled::kSleeve;
+    return turned ? Verdict::kTurned : Verdict::kHolds;
   }
   if (!stays || turned) edge.restore();
-  if (free) return Settled::kSleeve;
+  if (free) return Verdict::kHolds;
   if (!knows) *ridge = {};
-  return !in_rows && arrives ? follow_sequence(env, body, sweep, scratch) : Settled::kNo;
+  return !in_rows && arrives ? follow_corridor(env, body, sweep, scratch) : Verdict::kUnknown;
 }
 
 template <int D>
 bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, const SweepEvent& event,
                     EdgeScratch<D>& scratch) {
-  if (!body.keeps_sequences() || !knows_path(body, sweep)) return false;
+  if (!body.keeps_corridors() || !knows_path(body, sweep)) return false;
   Follower<D> edge(env, body, sweep, scratch);
   if (!edge.keeps_start()) return false;
   const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
-  const auto passes = [&] { return passes_before(env, edge.sequence, m, edge.first, event); };
+  const auto passes = [&] { return passes_before(env, edge.corridor, m, edge.first, event); };
   if (sweep.crossed.count == 0) return passes();
   edge.save();
   // Only cells of facets in rows are known to be convex; the path may have gone on into another one.
-  const bool is_free = edge.passes_on() && edge.sequence.in_rows && env.map.convex(sweep.arrival) && passes();
+  const bool is_free = edge.passes_on() && edge.corridor.in_rows && env.map.convex(sweep.arrival) && passes();
   edge.restore();
   return is_free;
 }
 
 template <int D>
-bool keeps_sequence(const Environment<D>& env, const Body<D>& body, uint32_t e) {
+bool keeps_corridor(const Environment<D>& env, const Body<D>& body, uint32_t e) {
   const BodyVertex<D>&a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
-  return follows(env, body.sequences[e], a.position, b.position, a.cell, b.cell);
+  return follows(env, body.corridors[e], a.position, b.position, a.cell, b.cell);
 }
 
 template <int D>
@@ -244,9 +244,9 @@ bool stays_before_wall(const Environment<D>& env, const BodyVertex<D>& at, const
 
 DSW_INSTANTIATE(is_seen);
 DSW_INSTANTIATE(is_clear);
-DSW_INSTANTIATE(follow_sequence);
+DSW_INSTANTIATE(follow_corridor);
 DSW_INSTANTIATE(is_free_before);
-DSW_INSTANTIATE(keeps_sequence);
+DSW_INSTANTIATE(keeps_corridor);
 DSW_INSTANTIATE(stays_before_wall);
 
 }  // namespace dsw

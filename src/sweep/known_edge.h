@@ -19,10 +19,10 @@ struct EdgeSweep {
 };
 
 /** What is known: nothing, or that nothing is met because the triangle lies inside of one convex cell, of one that is
- * not convex, of a box or a ball that is free, of the sleeve of cells that the edge is known to cross, or of these and
+ * not convex, of a box or a ball that is free, of the corridor that the edge is known to cross, or of these and
  * the others at one edge that it turns round, in the plane at a few vertices. kStopped: nothing is met before the
  * moving end meets a wall. */
-enum class Settled : uint32_t { kNo, kInside, kSeen, kBoxed, kClear, kSleeve, kTurned, kStopped };
+enum class Verdict : uint32_t { kUnknown, kInside, kSeen, kBoxed, kClear, kHolds, kTurned, kStopped };
 
 /** Whether the triangle lies in the cell that its corners are in, which need not be convex. From one end in its new
  * place all of the cell is seen, hence the edge lies in it; where the triangle counts, from both: so the moving end's
@@ -37,8 +37,8 @@ bool is_clear(const Environment<D>& env, const Body<D>& body, const EdgeSweep& s
 /** What is used again from edge to edge. */
 template <int D>
 struct EdgeScratch {
-  Array<uint32_t> before;    // facets of a sequence, to go back to
-  SequenceWriter<D> writer;  // of a cast along an edge where it stands
+  Array<uint32_t> before;    // facets of a corridor, to go back to
+  CorridorWriter<D> writer;  // of a cast along an edge where it stands
   CastCounters* counters = nullptr;
 
   explicit EdgeScratch(const Memory* memory) : before(memory), writer(memory) {}
@@ -46,36 +46,36 @@ struct EdgeScratch {
 
 /** Whether the edge keeps to the facets that it was last known to pass, but for those that its end passes itself, and
  * for those round a pivot to whose other side it goes: then it is free in its new place. If it kept to them before,
- * too, the triangle's sides share a sleeve of cells, or part at one pivot. A path of two facets may come from one cell
- * beside the sleeve and go to another: its facets cut off the triangle's corners in these, and what is left lies in the
- * cell between them and in the sleeve. kNo, kSleeve or kTurned. Where triangles count, a sequence that is not that of
+ * too, the triangle's sides share a corridor, or part at one pivot. A path of two facets may come from one cell
+ * beside the corridor and go to another: its facets cut off the triangle's corners in these, and what is left lies in the
+ * cell between them and in the corridor. kUnknown, kHolds or kTurned. Where triangles count, a corridor that is not that of
  * the edge's place is noted again, by a cast. Throws std::bad_alloc. */
 template <int D>
-Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
+Verdict follow_corridor(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
                         EdgeScratch<D>& scratch);
 
-/** In space, where triangles count: as follow_sequence. If the edge leaves its facets, `ridge` is the first ridge that
+/** In space, where triangles count: as follow_corridor. If the edge leaves its facets, `ridge` is the first ridge that
  * it meets and cannot turn round, if that is known. Where the moving end stays in its cell, the edge may turn round
  * several ridges, one after the other.
- * @param arrives whether the edge will stand at the target: then the sequence becomes that of its new place. If not,
- * the sequence stays that of the start, and what is met counts up to the wall that the path meets. */
-Settled follow_to_ridge(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, bool arrives,
+ * @param arrives whether the edge will stand at the target: then the corridor becomes that of its new place. If not,
+ * the corridor stays that of the start, and what is met counts up to the wall that the path meets. */
+Verdict follow_to_ridge(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, bool arrives,
                         EdgeScratch<3>& scratch, FirstRidge* ridge);
-inline Settled follow_to_ridge(const Environment<2>& env, const Body<2>& body, const EdgeSweep& sweep, bool arrives,
+inline Verdict follow_to_ridge(const Environment<2>& env, const Body<2>& body, const EdgeSweep& sweep, bool arrives,
                                EdgeScratch<2>& scratch, FirstRidge*) {
-  return arrives ? follow_sequence(env, body, sweep, scratch) : Settled::kNo;
+  return arrives ? follow_corridor(env, body, sweep, scratch) : Verdict::kUnknown;
 }
 
 /** Whether the edge meets nothing before an event, which is its own, or of the path or another edge of its moving end.
- * The edge keeps to its sequence until then, but for the facets that the path passes. If the path meets a wall,
- * `arrival` is the cell in front of the wall. False at EDGES without sequences. Throws std::bad_alloc. */
+ * The edge keeps to its corridor until then, but for the facets that the path passes. If the path meets a wall,
+ * `arrival` is the cell in front of the wall. False at EDGES without corridors. Throws std::bad_alloc. */
 template <int D>
 bool is_free_before(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, const SweepEvent& event,
                     EdgeScratch<D>& scratch);
 
-/** Whether an edge is known to keep to its sequence in its present place. */
+/** Whether an edge is known to keep to its corridor in its present place. */
 template <int D>
-bool keeps_sequence(const Environment<D>& env, const Body<D>& body, uint32_t e);
+bool keeps_corridor(const Environment<D>& env, const Body<D>& body, uint32_t e);
 
 /** Whether an edge meets nothing before its moving end meets a wall of the cell `front`: up to there it stays in that
  * cell, or in that and a second one and passes between them. Of a line through q the sides of a ridge change linearly

@@ -32,40 +32,40 @@ CastResult SimplexSweep<D>::cast_path(const Body<D>& body, uint32_t v, const dou
 
 /** Tells of an edge whose moving end meets a wall whether the edge is known to meet nothing before. */
 template <int D>
-Settled SimplexSweep<D>::settle_before_wall(const Body<D>& body, const EdgeSweep& sweep) const {
+Verdict SimplexSweep<D>::ask_before_wall(const Body<D>& body, const EdgeSweep& sweep) const {
   const BodyVertex<D>& fixed = body.vertices[body.edges[sweep.e].other(sweep.v)];
   const bool stays = stays_before_wall(env_, body.vertices[sweep.v], sweep.to, sweep.arrival, fixed);
-  return stays ? Settled::kStopped : Settled::kNo;
+  return stays ? Verdict::kStopped : Verdict::kUnknown;
 }
 
 template <int D>
-Settled SimplexSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls,
-                                                FirstRidge* ridge) {
+Verdict SimplexSweep<D>::ask_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls,
+                                          FirstRidge* ridge) {
   // What is known must not carry an edge past the work limit that it meets without.
-  if (max_volumes != 0) return Settled::kNo;
+  if (max_volumes != 0) return Verdict::kUnknown;
   const Skipping& skipping = body.skipping;
-  Settled settled = Settled::kNo;
+  Verdict verdict = Verdict::kUnknown;
   if (ask_balls && is_clear(env_, body, sweep)) {
-    settled = Settled::kClear;
-  } else if (body.keeps_sequences()) {
+    verdict = Verdict::kClear;
+  } else if (body.keeps_corridors()) {
     scratch_.counters = counters;
-    settled = ridge != nullptr ? follow_to_ridge(env_, body, sweep, true, scratch_, ridge)
-                               : follow_sequence(env_, body, sweep, scratch_);
+    verdict = ridge != nullptr ? follow_to_ridge(env_, body, sweep, true, scratch_, ridge)
+                               : follow_corridor(env_, body, sweep, scratch_);
   }
-  counts.skipped += settled != Settled::kNo && (skipping.by_clearance || skipping.sequences) ? 1 : 0;
-  return settled;
+  counts.skipped += verdict != Verdict::kUnknown && (skipping.by_clearance || skipping.corridors) ? 1 : 0;
+  return verdict;
 }
 
 /** Whether what the face sweeps lies inside of one cell. */
 template <int D>
-Settled SimplexSweep<D>::settle(const Body<D>& body, const FaceSweep& sweep) const {
+Verdict SimplexSweep<D>::ask(const Body<D>& body, const FaceSweep& sweep) const {
   const Cell cell = sweep.arrival;
   const bool inside =
       sweep.reached && body.vertices[sweep.v].cell == cell && sweep.q_cell == cell && sweep.r_cell == cell;
-  if (!inside) return Settled::kNo;
-  if (env_.map.convex(cell)) return Settled::kInside;
+  if (!inside) return Verdict::kUnknown;
+  if (env_.map.convex(cell)) return Verdict::kInside;
   const auto sees = [&](const double* point) { return sees_all(env_, cell, point, counters); };
-  return sees(sweep.to) && sees(sweep.q) && sees(sweep.r) ? Settled::kSeen : Settled::kNo;
+  return sees(sweep.to) && sees(sweep.q) && sees(sweep.r) ? Verdict::kSeen : Verdict::kUnknown;
 }
 
 /** For an edge: what is met after `end` is not needed. With a work limit, which is that of all cells, it may be
@@ -104,22 +104,22 @@ bool SimplexSweep<D>::is_free(const Body<D>& body, const FaceSweep& sweep) {
 /** Whether an edge meets nothing that counts, as far as that is known without a flood. If not, `ridge` is what it meets
  * first, if that is known. */
 template <int D>
-bool SimplexSweep<D>::settles(const Body<D>& body, const EdgeSweep& sweep, FirstRidge* ridge) {
+bool SimplexSweep<D>::is_known_free(const Body<D>& body, const EdgeSweep& sweep, FirstRidge* ridge) {
   const bool swept = sweep.reached && sweeps_edges(body.level);
-  if (settle(body, sweep, true, swept ? ridge : nullptr) != Settled::kNo) return true;
+  if (ask(body, sweep, true, swept ? ridge : nullptr) != Verdict::kUnknown) return true;
   if (swept) return false;
   // At EDGES what is in its way counts only if the edge is not free in its new place.
   if (sweep.reached && is_free(body, sweep)) return true;
-  if (max_volumes != 0 || !body.keeps_sequences()) return false;
+  if (max_volumes != 0 || !body.keeps_corridors()) return false;
   scratch_.counters = counters;
-  return follow_to_ridge(env_, body, sweep, false, scratch_, ridge) != Settled::kNo;
+  return follow_to_ridge(env_, body, sweep, false, scratch_, ridge) != Verdict::kUnknown;
 }
 
 template <int D>
 bool SimplexSweep<D>::find_first(const Body<D>& body, const EdgeSweep& sweep, const SweepEvent* before,
                                  SweepContact* found) {
   FirstRidge ridge;
-  if (settles(body, sweep, &ridge)) return false;
+  if (is_known_free(body, sweep, &ridge)) return false;
   const EdgeMotion m = motion(body, sweep);
   if (ridge.facet.valid()) {
     if (before != nullptr && compare_events<D>(m.p, m.to, *before, ridge.event).sign < 0) return false;
@@ -142,7 +142,7 @@ bool SimplexSweep<D>::find_first(const Body<D>& body, const FaceSweep& sweep, co
   if constexpr (D == 3) {
     const FaceMotion m = motion(body, sweep);
     const Cell start = body.vertices[sweep.v].cell;
-    if (settle(body, sweep) != Settled::kNo || is_boxed(bounds<D>(m.p, m.to, m.q, m.r), start)) return false;
+    if (ask(body, sweep) != Verdict::kUnknown || is_boxed(bounds<D>(m.p, m.to, m.q, m.r), start)) return false;
     const SweepResult met = flood(m, start);
     if (met.end == SweepEnd::kContact) *found = met.contact;
     return met.end == SweepEnd::kContact;

@@ -1,6 +1,6 @@
 #pragma once
 // What one simplex of a body sweeps when one of its vertices moves [JCD10] 4.1: an edge a triangle, a face a
-// tetrahedron. A sweep is settled without a look at the swept solid, or the solid is flooded. Those who ask want to know
+// tetrahedron. A sweep is decided without a look at the swept solid, or the solid is flooded. Those who ask want to know
 // whether anything is met, what is met first, or all that is met.
 
 #include "body/body.h"
@@ -35,46 +35,46 @@ class SimplexSweep {
 
   /** What is known of a sweep without a look at what is swept; counts edges.
    * @param ask_balls whether the balls of its ends have not been asked.
-   * @param ridge null, or what is met first if it is not settled; see follow_to_ridge. */
-  Settled settle(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true, FirstRidge* ridge = nullptr) {
-    if (!sweep.reached) return settle_before_wall(body, sweep);
+   * @param ridge null, or what is met first if it is not decided; see follow_to_ridge. */
+  Verdict ask(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true, FirstRidge* ridge = nullptr) {
+    if (!sweep.reached) return ask_before_wall(body, sweep);
     ++counts.swept;
     const Skipping& skipping = body.skipping;
-    const bool keeps = body.keeps_sequences();
+    const bool keeps = body.keeps_corridors();
     const Cell from = body.vertices[sweep.v].cell;
     if ((skipping.by_environment || keeps) && from == sweep.arrival && from == sweep.fixed) {
       const bool convex = env_.map.convex(from);
       if (convex || is_seen(env_, body.level, sweep, counters)) {
         if (keeps) {
-          body.sequences[sweep.e].keep(body.call);
-          body.sequences[sweep.e].clear();
+          body.corridors[sweep.e].keep(body.call);
+          body.corridors[sweep.e].clear();
         }
         counts.skipped += skipping.by_environment ? 1 : 0;
-        return convex ? Settled::kInside : Settled::kSeen;
+        return convex ? Verdict::kInside : Verdict::kSeen;
       }
     }
     ask_balls = ask_balls && skipping.by_clearance;
-    return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls, ridge) : Settled::kNo;
+    return ask_balls || keeps ? ask_what_is_kept(body, sweep, ask_balls, ridge) : Verdict::kUnknown;
   }
-  Settled settle(const Body<D>& body, const FaceSweep& sweep) const;
-  /** Settles an edge that is known to lie, with what it sweeps, in a free box. */
-  Settled settle_boxed(const Body<D>& body) {
+  Verdict ask(const Body<D>& body, const FaceSweep& sweep) const;
+  /** Decides an edge that is known to lie, with what it sweeps, in a free box. */
+  Verdict count_boxed(const Body<D>& body) {
     ++counts.swept;
-    counts.skipped += body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
-    return Settled::kBoxed;
+    counts.skipped += body.skipping.by_clearance || body.skipping.corridors ? 1 : 0;
+    return Verdict::kBoxed;
   }
 
   /** Whether a sweep meets nothing. */
   template <class Sweep>
   bool passes(const Body<D>& body, const Sweep& sweep) {
-    return settle(body, sweep) != Settled::kNo || is_free(body, sweep);
+    return ask(body, sweep) != Verdict::kUnknown || is_free(body, sweep);
   }
-  /** Tells whether a sweep that is not settled meets nothing. At EDGES only the edge's new place counts: the path of v
+  /** Tells whether a sweep that is not decided meets nothing. At EDGES only the edge's new place counts: the path of v
    * is free. */
   bool is_free(const Body<D>& body, const EdgeSweep& sweep);
   bool is_free(const Body<D>& body, const FaceSweep& sweep);
 
-  /** What a sweep meets first, whether it is settled or not. What comes after the event `before`, which may be null,
+  /** What a sweep meets first, whether it is decided or not. What comes after the event `before`, which may be null,
    * need not be found; nor anything at the work limit. The event borrows the body's points and `to`. */
   bool find_first(const Body<D>& body, const EdgeSweep& sweep, const SweepEvent* before, SweepContact* found);
   bool find_first(const Body<D>& body, const FaceSweep& sweep, const SweepEvent* before, SweepContact* found);
@@ -131,9 +131,9 @@ class SimplexSweep {
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     return swept;
   }
-  Settled settle_before_wall(const Body<D>& body, const EdgeSweep& sweep) const;
-  Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls, FirstRidge* ridge);
-  bool settles(const Body<D>& body, const EdgeSweep& sweep, FirstRidge* ridge);
+  Verdict ask_before_wall(const Body<D>& body, const EdgeSweep& sweep) const;
+  Verdict ask_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls, FirstRidge* ridge);
+  bool is_known_free(const Body<D>& body, const EdgeSweep& sweep, FirstRidge* ridge);
 
   const Environment<D>& env_;
   bool limited_ = false;  // the work limit was met

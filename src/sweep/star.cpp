@@ -23,7 +23,7 @@ uint64_t feature(const StarContact& c) noexcept {
 template <int D>
 typename StarSweep<D>::Way StarSweep<D>::go(const Body<D>& body, uint32_t v, const double* to) {
   const CastResult path = simplices.cast_path(body, v, to);
-  const PathFacets crossed = body.keeps_sequences() ? path_facets(env_.map, body.vertices[v].cell, path) : PathFacets{};
+  const PathFacets crossed = body.keeps_corridors() ? path_facets(env_.map, body.vertices[v].cell, path) : PathFacets{};
   return {v, to, path, crossed, path.end == CastEnd::kReached};
 }
 

@@ -1,4 +1,4 @@
-// Why the contact is that of a flood. Let the body's edge keep to its sequence until it comes to an edge of the
+// Why the contact is that of a flood. Let the body's edge keep to its corridor until it comes to an edge of the
 // environment, the line. So nothing is met before. Just before, the edge passes facets at the line: these and the cells
 // between them are the fan from which the edge comes. A flood sees the two walls that end this fan, and no other wall
 // at the line that counts if corridor/fan.h says so. Of the two the first in the order of contacts counts.
@@ -9,8 +9,8 @@
 #include <new>
 #include <utility>
 
-#include "environment/marking.h"
 #include "corridor/fan.h"
+#include "environment/marking.h"
 #include "predicates/filtered.h"
 #include "predicates/point_box.h"
 #include "predicates/swept_triangle.h"

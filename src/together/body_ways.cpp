@@ -23,9 +23,9 @@ bool has_corner(const Body<D>& body, const Simplex& part, uint32_t v) {
 }
 
 template <int D>
-bool may_meet(const Array<Traveller<D>>& travellers, uint32_t a, uint32_t b) {
-  const ContactFilter& filter = travellers[a].motion.body->filter;
-  return a == b ? filter.self : filter.sees(travellers[b].motion.body->filter);
+bool may_meet(const Array<Trajectory<D>>& trajectories, uint32_t a, uint32_t b) {
+  const ContactFilter& filter = trajectories[a].motion.body->filter;
+  return a == b ? filter.self : filter.sees(trajectories[b].motion.body->filter);
 }
 
 /** How many of a pair's points are those of its first or its second side. */
@@ -45,41 +45,41 @@ void BodyWays<D>::Ways::clear() {
 }
 
 template <int D>
-void BodyWays<D>::Ways::add(const Traveller<D>& of, uint32_t number, const Simplex& part) {
+void BodyWays<D>::Ways::add(const Trajectory<D>& of, uint32_t number, const Simplex& part) {
   sides.push_back({number, &of.name, part});
   boxes.push_back(box_of_way(of, part));
 }
 
 template <int D>
-void BodyWays<D>::Ways::settle() {
+void BodyWays<D>::Ways::ask() {
   grid.reserve(sides.size());
   for (uint32_t i = 0; i < sides.size(); ++i) grid.put(i, boxes[i]);
 }
 
 template <int D>
-void BodyWays<D>::start(const Array<Traveller<D>>& travellers, bool bodies_meet) {
+void BodyWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_meet) {
   pairs_.clear();
-  const auto meets = [](const Traveller<D>& of) {
+  const auto meets = [](const Trajectory<D>& of) {
     return of.motion.body->filter.self || (of.still != nullptr && !of.still->all.empty());
   };
   hinges_.clear();
-  if (!bodies_meet || (travellers.size() == 1 && !meets(travellers[0]))) return;
-  const bool with_rods = !find_own_edges(travellers);
-  add_ways(travellers, with_rods);
-  if (with_rods) find_rods(travellers);
-  find_solids(travellers);
-  find_hinges(travellers);
-  find_still(travellers);
+  if (!bodies_meet || (trajectories.size() == 1 && !meets(trajectories[0]))) return;
+  const bool with_rods = !find_own_edges(trajectories);
+  add_ways(trajectories, with_rods);
+  if (with_rods) find_rods(trajectories);
+  find_solids(trajectories);
+  find_hinges(trajectories);
+  find_still(trajectories);
 }
 
 /** The edges of one body that meets nothing but itself. False: it is not one, or grids serve better. */
 template <int D>
-bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Traveller<D>>& travellers) {
+bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Trajectory<D>>& trajectories) {
   if constexpr (D == 3) {
-    const Traveller<3>& of = travellers[0];
+    const Trajectory<3>& of = trajectories[0];
     const Body<3>& body = *of.motion.body;
     const bool has_still = of.still != nullptr && !of.still->all.empty();
-    if (travellers.size() != 1 || has_still || !covers_edges(body.level) || !fresh_boxes(body).loners.empty())
+    if (trajectories.size() != 1 || has_still || !covers_edges(body.level) || !fresh_boxes(body).loners.empty())
       return false;
     near_.start(body, false, [&](uint32_t v) { return of.target(v); });
     if (!near_.active()) return false;
@@ -97,15 +97,15 @@ bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Traveller<D>>& tra
 }
 
 template <int D>
-void BodyWays<D>::add_ways(const Array<Traveller<D>>& travellers, bool with_rods) {
+void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_rods) {
   for (Ways* each : {&rods_, &vertices_, &faces_}) each->clear();
   const auto has_faces = [](const Partner<D>& each) { return covers_faces(each.body->level); };
-  const bool may_meet_faces = std::any_of(travellers.begin(), travellers.end(), [&](const Traveller<D>& of) {
+  const bool may_meet_faces = std::any_of(trajectories.begin(), trajectories.end(), [&](const Trajectory<D>& of) {
     return has_faces(of.name) ||
            (of.still != nullptr && std::any_of(of.still->all.begin(), of.still->all.end(), has_faces));
   });
-  for (uint32_t t = 0; t < travellers.size(); ++t) {
-    const Traveller<D>& of = travellers[t];
+  for (uint32_t t = 0; t < trajectories.size(); ++t) {
+    const Trajectory<D>& of = trajectories[t];
     for_each_simplex(*of.motion.body, [&](const Simplex& part) {
       if (part.kind == Simplex::kVertex) {
         if (D == 2 || may_meet_faces) vertices_.add(of, t, part);
@@ -118,17 +118,17 @@ void BodyWays<D>::add_ways(const Array<Traveller<D>>& travellers, bool with_rods
       return true;
     });
   }
-  for (Ways* each : {&rods_, &vertices_, &faces_}) each->settle();
+  for (Ways* each : {&rods_, &vertices_, &faces_}) each->ask();
 }
 
 template <int D>
-void BodyWays<D>::find_rods(const Array<Traveller<D>>& travellers) {
+void BodyWays<D>::find_rods(const Array<Trajectory<D>>& trajectories) {
   for (uint32_t i = 0; i < rods_.sides.size(); ++i) {
     // In the plane edges meet all vertices, below. Here only vertices without edges meet each other.
     if (D == 2 && rods_.sides[i].part.kind != Simplex::kVertex) continue;
     rods_.grid.visit(rods_.boxes[i], [&](uint32_t k) {
       if (k >= i || (D == 2 && rods_.sides[k].part.kind != Simplex::kVertex)) return true;
-      if (may_meet(travellers, rods_.sides[i].traveller, rods_.sides[k].traveller))
+      if (may_meet(trajectories, rods_.sides[i].trajectory, rods_.sides[k].trajectory))
         add_rods(rods_.sides[i], rods_.sides[k]);
       return true;
     });
@@ -137,15 +137,15 @@ void BodyWays<D>::find_rods(const Array<Traveller<D>>& travellers) {
 
 /** Faces and vertices, in the plane edges and vertices. */
 template <int D>
-void BodyWays<D>::find_solids(const Array<Traveller<D>>& travellers) {
+void BodyWays<D>::find_solids(const Array<Trajectory<D>>& trajectories) {
   const Ways& solids = D == 2 ? rods_ : faces_;
   for (uint32_t i = 0; i < solids.sides.size(); ++i) {
     const Side& solid = solids.sides[i];
     if (D == 2 && solid.part.kind == Simplex::kVertex) continue;
     vertices_.grid.visit(solids.boxes[i], [&](uint32_t k) {
       const Side& vertex = vertices_.sides[k];
-      const bool is_own = solid.traveller == vertex.traveller;
-      if (!may_meet(travellers, solid.traveller, vertex.traveller)) return true;
+      const bool is_own = solid.trajectory == vertex.trajectory;
+      if (!may_meet(trajectories, solid.trajectory, vertex.trajectory)) return true;
       if (is_own && has_corner(*solid.name->body, solid.part, vertex.part.index)) return true;
       add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kVertexFace, vertex, solid);
       return true;
@@ -156,9 +156,9 @@ void BodyWays<D>::find_solids(const Array<Traveller<D>>& travellers) {
 /** If edges share a vertex, the far end of each can touch the other edge. In the plane vertices meet all edges anyhow.
  * Both ends of an edge that stands alone can touch each other; of other edges another one touches then, too. */
 template <int D>
-void BodyWays<D>::find_hinges(const Array<Traveller<D>>& travellers) {
-  for (uint32_t t = 0; t < travellers.size(); ++t) {
-    const Body<D>& body = *travellers[t].motion.body;
+void BodyWays<D>::find_hinges(const Array<Trajectory<D>>& trajectories) {
+  for (uint32_t t = 0; t < trajectories.size(); ++t) {
+    const Body<D>& body = *trajectories[t].motion.body;
     if (!body.filter.self || !covers_edges(body.level)) continue;
     for (uint32_t e = 0; e < body.edges.size(); ++e) {
       const BodyEdge& edge = body.edges[e];
@@ -166,7 +166,7 @@ void BodyWays<D>::find_hinges(const Array<Traveller<D>>& travellers) {
         return edge.next[k] == kNone && body.vertices[edge.ends[k]].first_edge == e;
       };
       if (!body.has_edge(e) || !is_only(0) || !is_only(1)) continue;
-      const auto end = [&](uint32_t k) { return Side{t, &travellers[t].name, {Simplex::kVertex, edge.ends[k]}}; };
+      const auto end = [&](uint32_t k) { return Side{t, &trajectories[t].name, {Simplex::kVertex, edge.ends[k]}}; };
       add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kEdgeEdge, end(0), end(1));
     }
     if (D == 2) continue;
@@ -187,7 +187,7 @@ void BodyWays<D>::find_hinges(const Array<Traveller<D>>& travellers) {
 /** Two rods, unless they share a vertex. */
 template <int D>
 void BodyWays<D>::add_rods(const Side& a, const Side& b) {
-  if (a.traveller == b.traveller) {
+  if (a.trajectory == b.trajectory) {
     for (const uint32_t v : SimplexCorners<D>(*a.name->body, a.part)) {
       if (has_corner(*b.name->body, b.part, v)) return;
     }
@@ -196,11 +196,11 @@ void BodyWays<D>::add_rods(const Side& a, const Side& b) {
 }
 
 template <int D>
-void BodyWays<D>::find_still(const Array<Traveller<D>>& travellers) {
+void BodyWays<D>::find_still(const Array<Trajectory<D>>& trajectories) {
   for (const Ways* ways : {&rods_, &vertices_, &faces_}) {
     for (uint32_t i = 0; i < ways->sides.size(); ++i) {
       const Side& side = ways->sides[i];
-      const Partners<D>* const still = travellers[side.traveller].still;
+      const Partners<D>* const still = trajectories[side.trajectory].still;
       if (still == nullptr) continue;
       for (const Partner<D>& other : still->all) {
         ways == &rods_ ? meet_rods(side, other, ways->boxes[i]) : meet_solids(side, other, ways->boxes[i]);
@@ -256,13 +256,13 @@ void BodyWays<D>::meet_rods(const Side& rod, const Partner<D>& other, const Box<
 /** Calls visit(touch) if a pair touches; whether it did not return false. */
 template <int D>
 template <class Visit>
-bool BodyWays<D>::visit_pair(const Array<Traveller<D>>& travellers, const Pair& pair, Visit visit) const {
+bool BodyWays<D>::visit_pair(const Array<Trajectory<D>>& trajectories, const Pair& pair, Visit visit) const {
   WayTouch<D> touch{};
   touch.pair.kind = pair.kind;
   uint32_t at = 0;
   const auto is_new_side = [&](const Side& side) {
-    return side.traveller != kNone &&
-           is_new(travellers[side.traveller], SimplexCorners<D>(*side.name->body, side.part));
+    return side.trajectory != kNone &&
+           is_new(trajectories[side.trajectory], SimplexCorners<D>(*side.name->body, side.part));
   };
   if (!is_new_side(pair.sides[0]) && !is_new_side(pair.sides[1])) return true;
   bool moves = false;
@@ -272,19 +272,19 @@ bool BodyWays<D>::visit_pair(const Array<Traveller<D>>& travellers, const Pair& 
     for (uint32_t i = 0; i < point_count<D>(pair.kind, k); ++i, ++at) {
       const uint32_t v = corners.vertices[std::min(i, corners.count - 1)];
       touch.pair.start[at] = touch.pair.end[at] = side.name->body->position(v);
-      if (side.traveller == kNone) continue;
-      touch.pair.end[at] = travellers[side.traveller].end(v);
-      moves = moves || travellers[side.traveller].moves(v);
+      if (side.trajectory == kNone) continue;
+      touch.pair.end[at] = trajectories[side.trajectory].end(v);
+      moves = moves || trajectories[side.trajectory].moves(v);
     }
   }
   if (!moves || !boxes_overlap(touch.pair)) return true;
   touch.first = first_touch(touch.pair, work);
   if (!touch.first.touches) return true;
-  const uint32_t mover = pair.sides[0].traveller != kNone ? 0 : 1;
-  touch.traveller = pair.sides[mover].traveller;
+  const uint32_t mover = pair.sides[0].trajectory != kNone ? 0 : 1;
+  touch.trajectory = pair.sides[mover].trajectory;
   touch.comes_first = mover == 0;
   touch.part = pair.sides[mover].part;
-  touch.other_traveller = pair.sides[1 - mover].traveller;
+  touch.other_trajectory = pair.sides[1 - mover].trajectory;
   touch.other = pair.sides[1 - mover].name;
   touch.other_part = pair.sides[1 - mover].part;
   return visit(touch);
@@ -293,12 +293,12 @@ bool BodyWays<D>::visit_pair(const Array<Traveller<D>>& travellers, const Pair& 
 /** Calls visit(touch) for all that touches, until it returns false. */
 template <int D>
 template <class Visit>
-bool BodyWays<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit visit) const {
+bool BodyWays<D>::visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit) const {
   for (const Pair& pair : pairs_) {
-    if (!visit_pair(travellers, pair, visit)) return false;
+    if (!visit_pair(trajectories, pair, visit)) return false;
   }
   for (const Hinge& hinge : hinges_) {
-    const Traveller<D>& of = travellers[hinge.traveller];
+    const Trajectory<D>& of = trajectories[hinge.trajectory];
     if (std::none_of(hinge.vertices, hinge.vertices + 3, [&](uint32_t v) { return of.is_new[v] != 0; })) continue;
     const double* start[3];
     const double* end[3];
@@ -308,30 +308,30 @@ bool BodyWays<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit vis
     }
     if (stays_open(start, end)) continue;
     for (uint32_t k = 0; k < 2; ++k) {
-      const Side far{hinge.traveller, &of.name, {Simplex::kVertex, hinge.vertices[1 + k]}};
-      const Side edge{hinge.traveller, &of.name, {Simplex::kEdge, hinge.edges[1 - k]}};
-      if (!visit_pair(travellers, {PairKind::kEdgeEdge, {far, edge}}, visit)) return false;
+      const Side far{hinge.trajectory, &of.name, {Simplex::kVertex, hinge.vertices[1 + k]}};
+      const Side edge{hinge.trajectory, &of.name, {Simplex::kEdge, hinge.edges[1 - k]}};
+      if (!visit_pair(trajectories, {PairKind::kEdgeEdge, {far, edge}}, visit)) return false;
     }
   }
   return true;
 }
 
 template <int D>
-bool BodyWays<D>::is_free(const Array<Traveller<D>>& travellers) const {
-  return visit_touches(travellers, [](const WayTouch<D>&) { return false; });
+bool BodyWays<D>::is_free(const Array<Trajectory<D>>& trajectories) const {
+  return visit_touches(trajectories, [](const WayTouch<D>&) { return false; });
 }
 
 template <int D>
-void BodyWays<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) const {
-  visit_touches(travellers, [&](const WayTouch<D>& touch) {
+void BodyWays<D>::find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first) const {
+  visit_touches(trajectories, [&](const WayTouch<D>& touch) {
     first.add(touch);
     return true;
   });
 }
 
 template <int D>
-void BodyWays<D>::find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all) const {
-  visit_touches(travellers, [&](const WayTouch<D>& touch) {
+void BodyWays<D>::find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all) const {
+  visit_touches(trajectories, [&](const WayTouch<D>& touch) {
     all.push_back(touch);
     return true;
   });

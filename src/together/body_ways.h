@@ -3,7 +3,7 @@
 // same for all bodies and does not enter: every touch counts.
 
 #include "proximity/near_edges.h"
-#include "together/traveller.h"
+#include "together/trajectory.h"
 
 namespace dsw {
 
@@ -15,20 +15,20 @@ class BodyWays {
       : rods_(memory), vertices_(memory), faces_(memory), pairs_(memory), hinges_(memory), near_(memory) {}
 
   /** Finds the pairs whose whole ways in the call come near each other. */
-  void start(const Array<Traveller<D>>& travellers, bool bodies_meet);
+  void start(const Array<Trajectory<D>>& trajectories, bool bodies_meet);
   /** Whether none of them touch on their ways. */
-  bool is_free(const Array<Traveller<D>>& travellers) const;
+  bool is_free(const Array<Trajectory<D>>& trajectories) const;
   /** What is touched first. */
-  void find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) const;
+  void find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first) const;
   /** Appends what each pair touches first. */
-  void find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all) const;
+  void find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all) const;
 
   PairWork* work = nullptr;
 
  private:
-  /** A part of a traveller, or of a body that stands still. */
+  /** A part of a trajectory, or of a body that stands still. */
   struct Side {
-    uint32_t traveller;  // kNone: it stands still
+    uint32_t trajectory;  // kNone: it stands still
     const Partner<D>* name;
     Simplex part;
   };
@@ -36,11 +36,11 @@ class BodyWays {
     PairKind kind;
     Side sides[2];  // in the order of the points
   };
-  /** Two edges of a traveller with a common vertex, which comes first of the three. */
+  /** Two edges of a trajectory with a common vertex, which comes first of the three. */
   struct Hinge {
-    uint32_t traveller, vertices[3], edges[2];
+    uint32_t trajectory, vertices[3], edges[2];
   };
-  /** Boxes of the ways of parts of all travellers, by number. */
+  /** Boxes of the ways of parts of all trajectories, by number. */
   struct Ways {
     BoxGrid<D> grid;
     Array<Side> sides;
@@ -48,24 +48,24 @@ class BodyWays {
 
     explicit Ways(const Memory* memory) : grid(memory), sides(memory), boxes(memory) {}
     void clear();
-    void add(const Traveller<D>& of, uint32_t number, const Simplex& part);
-    void settle();
+    void add(const Trajectory<D>& of, uint32_t number, const Simplex& part);
+    void ask();
   };
 
-  void add_ways(const Array<Traveller<D>>& travellers, bool with_rods);
-  bool find_own_edges(const Array<Traveller<D>>& travellers);
-  void find_rods(const Array<Traveller<D>>& travellers);
-  void find_solids(const Array<Traveller<D>>& travellers);
-  void find_hinges(const Array<Traveller<D>>& travellers);
-  void find_still(const Array<Traveller<D>>& travellers);
+  void add_ways(const Array<Trajectory<D>>& trajectories, bool with_rods);
+  bool find_own_edges(const Array<Trajectory<D>>& trajectories);
+  void find_rods(const Array<Trajectory<D>>& trajectories);
+  void find_solids(const Array<Trajectory<D>>& trajectories);
+  void find_hinges(const Array<Trajectory<D>>& trajectories);
+  void find_still(const Array<Trajectory<D>>& trajectories);
   void meet_rods(const Side& rod, const Partner<D>& other, const Box<D>& box);
   void meet_solids(const Side& side, const Partner<D>& other, const Box<D>& box);
   void add_rods(const Side& a, const Side& b);
   void add_pair(PairKind kind, const Side& a, const Side& b) { pairs_.push_back({kind, {a, b}}); }
   template <class Visit>
-  bool visit_pair(const Array<Traveller<D>>& travellers, const Pair& pair, Visit visit) const;
+  bool visit_pair(const Array<Trajectory<D>>& trajectories, const Pair& pair, Visit visit) const;
   template <class Visit>
-  bool visit_touches(const Array<Traveller<D>>& travellers, Visit visit) const;
+  bool visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit) const;
 
   Ways rods_, vertices_, faces_;  // rods: edges and vertices without edges
   Array<Pair> pairs_;

@@ -82,21 +82,21 @@ void name_feature(const Environment<D>& env, const WallFeature& wall, dsw_contac
 /** A contact as one side of a touch has it. */
 template <int D>
 struct OneSide {
-  const Traveller<D>& of;
+  const Trajectory<D>& of;
   Simplex part;
   const Partner<D>* other;  // null: the environment
   Simplex other_part;
 };
 
 template <int D>
-void place_at(const Traveller<D>& of, uint32_t v, double time, double* place) {
+void place_at(const Trajectory<D>& of, uint32_t v, double time, double* place) {
   point_at<D>(of.start(v), of.end(v), time, place);
 }
 
 template <int D>
 dsw_body_contact contact_of(const Environment<D>& env, const OneSide<D>& side, const WayTouch<D>& touch,
                             const Geometry& geometry) {
-  const Traveller<D>& of = side.of;
+  const Trajectory<D>& of = side.of;
   const Body<D>& body = *of.motion.body;
   const double time = touch.first.time;
   const SimplexCorners<D> corners(body, side.part);
@@ -138,7 +138,7 @@ dsw_contact_partner partner_of(const OneSide<D>& side) {
 }  // namespace
 
 template <int D>
-void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers, Array<WayTouch<D>>& touches) {
+void describe_touches(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& touches) {
   std::sort(touches.begin(), touches.end(),
             [](const WayTouch<D>& a, const WayTouch<D>& b) { return name_of(a) < name_of(b); });
   for (const WayTouch<D>& touch : touches) {
@@ -147,21 +147,21 @@ void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers
       const SimplexCorners<D> corners(*side.of.motion.body, side.part);
       if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return side.of.moves(v); })) return;
       const Geometry turned_to{sign * geometry.normal, geometry.point};
-      travellers[number].record->add(contact_of(env, side, touch, turned_to), partner_of(side));
+      trajectories[number].record->add(contact_of(env, side, touch, turned_to), partner_of(side));
     };
     const double sign = touch.comes_first ? 1 : -1;
-    const OneSide<D> one{travellers[touch.traveller], touch.part, touch.other, touch.other_part};
-    add(touch.traveller, one, sign);
-    if (touch.other_traveller == kNone) continue;
-    const Traveller<D>& other = travellers[touch.other_traveller];
-    add(touch.other_traveller, {other, touch.other_part, &travellers[touch.traveller].name, touch.part}, -sign);
+    const OneSide<D> one{trajectories[touch.trajectory], touch.part, touch.other, touch.other_part};
+    add(touch.trajectory, one, sign);
+    if (touch.other_trajectory == kNone) continue;
+    const Trajectory<D>& other = trajectories[touch.other_trajectory];
+    add(touch.other_trajectory, {other, touch.other_part, &trajectories[touch.trajectory].name, touch.part}, -sign);
   }
 }
 
 template <int D>
-dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Traveller<D>>& travellers,
+dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Trajectory<D>>& trajectories,
                                const WayTouch<D>& touch) {
-  const Traveller<D>& of = travellers[touch.traveller];
+  const Trajectory<D>& of = trajectories[touch.trajectory];
   const SimplexCorners<D> corners(*of.motion.body, touch.part);
   Geometry geometry = geometry_of(touch);
   if (!touch.comes_first) geometry.normal *= -1;
@@ -186,7 +186,7 @@ dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Traveller<
 }
 
 DSW_INSTANTIATE(describe_wall);
-template void describe_touches(const Environment<2>&, Array<Traveller<2>>&, Array<WayTouch<2>>&);
-template void describe_touches(const Environment<3>&, Array<Traveller<3>>&, Array<WayTouch<3>>&);
+template void describe_touches(const Environment<2>&, Array<Trajectory<2>>&, Array<WayTouch<2>>&);
+template void describe_touches(const Environment<3>&, Array<Trajectory<3>>&, Array<WayTouch<3>>&);
 
 }  // namespace dsw

@@ -4,14 +4,14 @@
 #include <tuple>
 
 #include "dartsweep/deform.h"
-#include "together/traveller.h"
+#include "together/trajectory.h"
 
 namespace dsw {
 
 /** A name of a touch: the same pair has the same name all through a call. */
 template <int D>
 auto name_of(const WayTouch<D>& t) {
-  return std::make_tuple(t.traveller, static_cast<uint32_t>(t.part.kind), t.part.index,
+  return std::make_tuple(t.trajectory, static_cast<uint32_t>(t.part.kind), t.part.index,
                          t.other == nullptr ? 0 : t.other->index + 1, static_cast<uint32_t>(t.other_part.kind),
                          t.other_part.index, t.wall.vertices[0], t.wall.vertices[1]);
 }
@@ -19,11 +19,11 @@ auto name_of(const WayTouch<D>& t) {
 /** Adds touches to the records of the bodies that move there, in the order of bodies, parts and what is
  * touched. Throws std::bad_alloc. */
 template <int D>
-void describe_touches(const Environment<D>& env, Array<Traveller<D>>& travellers, Array<WayTouch<D>>& touches);
+void describe_touches(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& touches);
 
 /** A touch of the environment's, without the names of the body or particle. */
 template <int D>
-dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Traveller<D>>& travellers,
+dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Trajectory<D>>& trajectories,
                                const WayTouch<D>& touch);
 
 }  // namespace dsw

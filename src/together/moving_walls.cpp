@@ -46,7 +46,7 @@ void MovingWalls<D>::begin(const double* next, Array<dsw_volume_id>& invalid) no
 }
 
 template <int D>
-void MovingWalls<D>::start(const Array<Traveller<D>>& travellers) {
+void MovingWalls<D>::start(const Array<Trajectory<D>>& trajectories) {
   nears_.clear();
   features_.clear();
   ends_.clear();
@@ -55,16 +55,16 @@ void MovingWalls<D>::start(const Array<Traveller<D>>& travellers) {
   stay_valid_ = true;
   counts = {};
   contacts.clear();
-  for (uint32_t t = 0; t < travellers.size(); ++t) {
-    for_each_simplex(*travellers[t].motion.body, [&](const Simplex& part) {
-      collect(travellers[t], t, part);
+  for (uint32_t t = 0; t < trajectories.size(); ++t) {
+    for_each_simplex(*trajectories[t].motion.body, [&](const Simplex& part) {
+      collect(trajectories[t], t, part);
       return true;
     });
   }
 }
 
 template <int D>
-void MovingWalls<D>::collect(const Traveller<D>& of, uint32_t number, const Simplex& part) {
+void MovingWalls<D>::collect(const Trajectory<D>& of, uint32_t number, const Simplex& part) {
   const SimplexCorners<D> corners(*of.motion.body, part);
   // The region depends on the order of its points, and results must not depend on numbers.
   const double* ways[3][2];
@@ -144,13 +144,13 @@ void MovingWalls<D>::set_end(double time) {
 }
 
 template <int D>
-bool MovingWalls<D>::is_free(const Array<Traveller<D>>& travellers) {
-  return visit_touches(travellers, [](const WayTouch<D>&) { return false; });
+bool MovingWalls<D>::is_free(const Array<Trajectory<D>>& trajectories) {
+  return visit_touches(trajectories, [](const WayTouch<D>&) { return false; });
 }
 
 template <int D>
-void MovingWalls<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) {
-  visit_touches(travellers, [&](const WayTouch<D>& touch) {
+void MovingWalls<D>::find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first) {
+  visit_touches(trajectories, [&](const WayTouch<D>& touch) {
     first.add(touch);
     return true;
   });
@@ -159,16 +159,16 @@ void MovingWalls<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouc
 /** Calls visit(touch) for what touches on its way, until it returns false. */
 template <int D>
 template <class Visit>
-bool MovingWalls<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit visit) {
+bool MovingWalls<D>::visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit) {
   for (const Near& near : nears_) {
-    const Traveller<D>& of = travellers[near.traveller];
+    const Trajectory<D>& of = trajectories[near.trajectory];
     ++counts.swept;
     for (uint32_t i = near.first_feature; i < near.feature_end; ++i) {
       WayTouch<D> touch{};
       if (!set_pair(of, near, features_[i], touch) || !boxes_overlap(touch.pair)) continue;
       touch.first = first_touch(touch.pair, work);
       if (!touch.first.touches || stays_free(touch, 1 + static_cast<uint32_t>(near.part.kind))) continue;
-      touch.traveller = near.traveller;
+      touch.trajectory = near.trajectory;
       touch.part = near.part;
       touch.wall = features_[i].name;
       if (!visit(touch)) return false;
@@ -179,7 +179,7 @@ bool MovingWalls<D>::visit_touches(const Array<Traveller<D>>& travellers, Visit 
 
 /** The points of a part and a feature; whether any of them moves. */
 template <int D>
-bool MovingWalls<D>::set_pair(const Traveller<D>& of, const Near& near, const Feature& feature,
+bool MovingWalls<D>::set_pair(const Trajectory<D>& of, const Near& near, const Feature& feature,
                               WayTouch<D>& touch) const {
   const SimplexCorners<D> corners(*of.motion.body, near.part);
   touch.pair.kind = D == 2                             ? PairKind::kVertexEdge
@@ -228,12 +228,12 @@ bool MovingWalls<D>::stays_free(const WayTouch<D>& touch, uint32_t part_count) c
 }
 
 template <int D>
-void MovingWalls<D>::describe(const Array<Traveller<D>>& travellers, const FirstTouches<D>& first) {
+void MovingWalls<D>::describe(const Array<Trajectory<D>>& trajectories, const FirstTouches<D>& first) {
   contacts.clear();
   for (const WayTouch<D>& touch : first.all) {
     if (touch.other != nullptr) continue;
-    const Traveller<D>& of = travellers[touch.traveller];
-    dsw_wall_contact& contact = contacts.emplace_back(describe_wall(env_, travellers, touch));
+    const Trajectory<D>& of = trajectories[touch.trajectory];
+    dsw_wall_contact& contact = contacts.emplace_back(describe_wall(env_, trajectories, touch));
     contact.body = {of.name.index, of.name.generation};
     name_part(*of.motion.body, touch.part, contact);
   }
@@ -250,10 +250,10 @@ bool MovingWalls<D>::stayed_valid(const double* start) {
 }
 
 template <int D>
-bool MovingWalls<D>::find_arrivals(Array<Traveller<D>>& travellers) const {
+bool MovingWalls<D>::find_arrivals(Array<Trajectory<D>>& trajectories) const {
   for (const Near& near : nears_) {
     if (near.part.kind != Simplex::kVertex) continue;
-    Traveller<D>& of = travellers[near.traveller];
+    Trajectory<D>& of = trajectories[near.trajectory];
     const double* const at = of.end(near.part.index);
     Cell& arrival = of.motion.ways[near.part.index].arrival;
     arrival = {};

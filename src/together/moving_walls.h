@@ -3,7 +3,7 @@
 
 #include "dartsweep/deform.h"
 #include "proximity/obstacles_near.h"
-#include "together/traveller.h"
+#include "together/trajectory.h"
 
 namespace dsw {
 
@@ -19,25 +19,25 @@ class MovingWalls {
    * way are appended to `invalid`. */
   void begin(const double* next, Array<dsw_volume_id>& invalid) noexcept;
   /** Finds what comes near the whole ways of all parts in the call. Throws NON_FINITE also. */
-  void start(const Array<Traveller<D>>& travellers);
+  void start(const Array<Trajectory<D>>& trajectories);
   /** Whether all cells that are met stay valid. */
   bool stay_valid() const noexcept { return stay_valid_; }
   /** From now on the ways end at a fraction of the whole ways. */
   void set_end(double time);
-  bool is_free(const Array<Traveller<D>>& travellers);
-  void find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first);
+  bool is_free(const Array<Trajectory<D>>& trajectories);
+  void find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first);
   /** When the environment has its points of the end, which are rounded: whether all cells that are met stay valid on
    * the straight way there from `start`. Those that do not are appended to `invalid` of begin(). */
   bool stayed_valid(const double* start);
   /** When the environment has its points of the end: finds the cells that contain the ends of all vertices; whether
    * there are such. */
-  bool find_arrivals(Array<Traveller<D>>& travellers) const;
+  bool find_arrivals(Array<Trajectory<D>>& trajectories) const;
 
   /** Nothing is known of paths before the end. */
-  void cast_paths(Array<Traveller<D>>&) noexcept {}
+  void cast_paths(Array<Trajectory<D>>&) noexcept {}
   void set_counters(CastCounters*) noexcept {}
   /** Keeps how a host reads what is touched of the environment. Particles are of the body without a name. */
-  void describe(const Array<Traveller<D>>& travellers, const FirstTouches<D>& first);
+  void describe(const Array<Trajectory<D>>& trajectories, const FirstTouches<D>& first);
   Array<dsw_wall_contact> contacts{env_.memory};  // that were kept last
   SweepCounts counts;                             // of edges and faces
   PairWork* work = nullptr;
@@ -45,7 +45,7 @@ class MovingWalls {
  private:
   /** A part that moves, or that something may come near. */
   struct Near {
-    uint32_t traveller;
+    uint32_t trajectory;
     Simplex part;
     uint32_t first_feature, feature_end;
     uint32_t first_cell, cell_end;  // of a vertex: where it may arrive
@@ -54,12 +54,12 @@ class MovingWalls {
     WallFeature name;
     size_t first_end;  // of its points, in ends_
   };
-  void collect(const Traveller<D>& of, uint32_t number, const Simplex& part);
+  void collect(const Trajectory<D>& of, uint32_t number, const Simplex& part);
   void add_cells();
   void add_features(const Simplex& part);
   template <class Visit>
-  bool visit_touches(const Array<Traveller<D>>& travellers, Visit visit);
-  bool set_pair(const Traveller<D>& of, const Near& near, const Feature& feature, WayTouch<D>& touch) const;
+  bool visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit);
+  bool set_pair(const Trajectory<D>& of, const Near& near, const Feature& feature, WayTouch<D>& touch) const;
   bool stays_free(const WayTouch<D>& touch, uint32_t part_count) const;
 
   const double* next_ = nullptr;

@@ -7,32 +7,32 @@
 namespace dsw {
 
 template <int D>
-void NearWalls<D>::start(const Array<Traveller<D>>& travellers) {
+void NearWalls<D>::start(const Array<Trajectory<D>>& trajectories) {
   features_.clear();
   planes_.clear();
   plane_numbers_.clear();
   edges_.clear();
   faces_.clear();
-  for (const Traveller<D>& of : travellers) {
+  for (const Trajectory<D>& of : trajectories) {
     const Body<D>& body = *of.motion.body;
     edges_.emplace_back(covers_edges(body.level) ? body.edges.size() : 0, Range{}, env_.memory);
     faces_.emplace_back(covers_faces(body.level) ? body.faces.size() : 0, Range{}, env_.memory);
   }
 }
 
-/** Whether something is remembered of what is near a part. Edges with sequences among convex cells remember nothing, as
- * their sequences mostly answer. */
+/** Whether something is remembered of what is near a part. Edges with corridors among convex cells remember nothing, as
+ * their corridors mostly answer. */
 template <int D>
-bool NearWalls<D>::keeps_notes(const Traveller<D>& of, const Simplex& part) const {
+bool NearWalls<D>::keeps_notes(const Trajectory<D>& of, const Simplex& part) const {
   const Body<D>& body = *of.motion.body;
   if (of.notes == nullptr || is_covered(body, part)) return false;
-  if (part.kind != Simplex::kEdge || !body.keeps_sequences()) return true;
+  if (part.kind != Simplex::kEdge || !body.keeps_corridors()) return true;
   return !env_.map.convex(body.vertices[body.edges[part.index].ends[0]].cell);
 }
 
 /** Whether it is known that nothing is near the way of a part. */
 template <int D>
-bool NearWalls<D>::is_alone(const Traveller<D>& of, const Simplex& simplex) {
+bool NearWalls<D>::is_alone(const Trajectory<D>& of, const Simplex& simplex) {
   if (!keeps_notes(of, simplex)) return false;
   const Part<D> part(*of.motion.body, simplex);
   const Reach reach = reach_of(of, part);
@@ -40,7 +40,7 @@ bool NearWalls<D>::is_alone(const Traveller<D>& of, const Simplex& simplex) {
 }
 
 template <int D>
-Touchables<D> NearWalls<D>::find(const Traveller<D>& of, uint32_t number, const Simplex& simplex) {
+Candidates<D> NearWalls<D>::find(const Trajectory<D>& of, uint32_t number, const Simplex& simplex) {
   Range& near = (simplex.kind == Simplex::kEdge ? edges_ : faces_)[number][simplex.index];
   if (near.first_feature == kNone) {
     const Part<D> part(*of.motion.body, simplex);
@@ -55,7 +55,7 @@ Touchables<D> NearWalls<D>::find(const Traveller<D>& of, uint32_t number, const 
 
 /** How far the corners of a part go in the call, or a little more, and how large the part is. */
 template <int D>
-typename NearWalls<D>::Reach NearWalls<D>::reach_of(const Traveller<D>& of, const Part<D>& part) {
+typename NearWalls<D>::Reach NearWalls<D>::reach_of(const Trajectory<D>& of, const Part<D>& part) {
   constexpr double kMoreThanDiagonal = 1.8;  // than the square root of 3
   Reach reach{0, 0};
   for (uint32_t i = 0; i < part.corners.count; ++i) {
@@ -73,7 +73,7 @@ typename NearWalls<D>::Reach NearWalls<D>::reach_of(const Traveller<D>& of, cons
  * round this way. What the part touches first it comes to through such cells. Shorter tries and later rounds lead
  * through the same region. */
 template <int D>
-void NearWalls<D>::collect(const Traveller<D>& of, const Part<D>& part, const Reach* kept, Range& near) {
+void NearWalls<D>::collect(const Trajectory<D>& of, const Part<D>& part, const Reach* kept, Range& near) {
   // How far it looks in advance: times the way, and times the size. The lesser is taken.
   constexpr double kWays = 3, kSizes = 0.5;
   const Box<D> box = box_of_way(of, part.simplex);
@@ -142,7 +142,7 @@ void NearWalls<D>::add_features(bool corners_alone, Range& near) {
   });
   for (size_t i = 0; i < sides_.size();) {
     const Side& first = sides_[i];
-    Touchable feature{{{first.vertices[0], first.vertices[1], kNone}, corners_alone ? 1u : 2u, {}, {}}, 0, 0};
+    Candidate feature{{{first.vertices[0], first.vertices[1], kNone}, corners_alone ? 1u : 2u, {}, {}}, 0, 0};
     feature.first_plane = static_cast<uint32_t>(plane_numbers_.size());
     for (; i < sides_.size() && std::equal(sides_[i].vertices, sides_[i].vertices + 2, feature.name.vertices); ++i) {
       const NearObstacle<D>& obstacle = obstacles_[sides_[i].obstacle];

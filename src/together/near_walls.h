@@ -1,7 +1,7 @@
 #pragma once
 // What of the environment is near the ways of parts of bodies: found once in a call.
 
-#include "together/traveller.h"
+#include "together/trajectory.h"
 
 namespace dsw {
 
@@ -12,11 +12,11 @@ class NearWalls {
   explicit NearWalls(const Environment<D>& env) : env_(env), lists_(env, false) {}
 
   /** Forgets what was found for another call. */
-  void start(const Array<Traveller<D>>& travellers);
+  void start(const Array<Trajectory<D>>& trajectories);
   /** Whether it is known that nothing is near the way of an edge or a face. */
-  bool is_alone(const Traveller<D>& of, const Simplex& part);
-  /** What an edge or a face of traveller `number` can touch in the call. The view holds until the next search. */
-  Touchables<D> find(const Traveller<D>& of, uint32_t number, const Simplex& part);
+  bool is_alone(const Trajectory<D>& of, const Simplex& part);
+  /** What an edge or a face of trajectory `number` can touch in the call. The view holds until the next search. */
+  Candidates<D> find(const Trajectory<D>& of, uint32_t number, const Simplex& part);
 
  private:
   /** What is near a part. Numbers of planes count from first_plane. */
@@ -34,16 +34,16 @@ class NearWalls {
     uint32_t vertices[2];
     uint32_t plane, obstacle;
   };
-  bool keeps_notes(const Traveller<D>& of, const Simplex& part) const;
-  static Reach reach_of(const Traveller<D>& of, const Part<D>& part);
-  void collect(const Traveller<D>& of, const Part<D>& part, const Reach* kept, Range& near);
+  bool keeps_notes(const Trajectory<D>& of, const Simplex& part) const;
+  static Reach reach_of(const Trajectory<D>& of, const Part<D>& part);
+  void collect(const Trajectory<D>& of, const Part<D>& part, const Reach* kept, Range& near);
   void add_obstacles(const NearList<D>& list, const NearSelection<D>* selection, const Box<D>& box);
   void add_features(bool corners_alone, Range& near);
 
   const Environment<D>& env_;
   NearLists<D> lists_;
-  Array<Array<Range>> edges_{env_.memory}, faces_{env_.memory};  // by traveller and slot
-  Array<Touchable> features_{env_.memory};
+  Array<Array<Range>> edges_{env_.memory}, faces_{env_.memory};  // by trajectory and slot
+  Array<Candidate> features_{env_.memory};
   Array<WallPlane<D>> planes_{env_.memory};
   Array<uint32_t> plane_numbers_{env_.memory};
   Array<NearObstacle<D>> obstacles_{env_.memory};  // of the part that is looked at; vertices of the environment

@@ -158,14 +158,14 @@ bool RidgeRings<D>::add_ridges(HalfFacet facet, const Lines& lines) {
 }
 
 template <int D>
-bool RidgeRings<D>::find(const EdgeSequence<D>& sequence, const EdgeWay& edge, const Array<uint32_t> (&paths)[2]) {
+bool RidgeRings<D>::find(const Corridor<D>& corridor, const EdgeWay& edge, const Array<uint32_t> (&paths)[2]) {
   facets_.clear();
   ridges_.clear();
   fans_.clear();
-  if (sequence.facets.size() > kMostMissed) return false;
+  if (corridor.facets.size() > kMostMissed) return false;
   for (const Array<uint32_t>& path : paths) facets_.insert(facets_.end(), path.begin(), path.end());
-  for (uint64_t missed = missed_facets(env_, sequence, edge); missed != 0; missed &= missed - 1) {
-    facets_.push_back(sequence.facets[lowest_bit(missed)]);
+  for (uint64_t missed = missed_facets(env_, corridor, edge); missed != 0; missed &= missed - 1) {
+    facets_.push_back(corridor.facets[lowest_bit(missed)]);
   }
   const Lines lines(edge);
   for (size_t i = 0; i < facets_.size(); ++i) {
@@ -185,7 +185,7 @@ void RidgeRings<D>::add_features() {
   std::sort(fans_.begin(), fans_.end(), [&](const Fan& a, const Fan& b) { return name(a) < name(b); });
   for (size_t i = 0; i < fans_.size();) {
     const Fan& first = fans_[i];
-    Touchable feature{{{first.ridge.vertices[0], first.ridge.vertices[1], kNone}, D - 1, {}, {}}, 0, 0};
+    Candidate feature{{{first.ridge.vertices[0], first.ridge.vertices[1], kNone}, D - 1, {}, {}}, 0, 0};
     feature.first_plane = static_cast<uint32_t>(planes_.size());
     for (; i < fans_.size() && name(fans_[i]) == name(first); ++i) {
       const Fan& fan = fans_[i];
@@ -205,7 +205,7 @@ void RidgeRings<D>::add_features() {
 }
 
 template <int D>
-Touchables<D> RidgeRings<D>::features() const noexcept {
+Candidates<D> RidgeRings<D>::features() const noexcept {
   return {features_.data(), features_.data() + features_.size(), numbers_.data(), planes_.data(),
           static_cast<uint32_t>(planes_.size())};
 }

@@ -3,7 +3,7 @@
 
 #include "base/key_table.h"
 #include "corridor/convex_cells.h"
-#include "together/touchables.h"
+#include "together/candidates.h"
 
 namespace dsw {
 
@@ -15,12 +15,12 @@ class RidgeRings {
 
   /** Finds the ridges of walls that an edge may touch first. False: a cell is not exactly convex, or too many ridges would
    * be asked about. Throws std::bad_alloc.
-   * @param sequence that of the edge at its start, in the present version. Cells at its ends are exactly convex, and where
+   * @param corridor that of the edge at its start, in the present version. Cells at its ends are exactly convex, and where
    * the paths end.
    * @param paths the facets that both ends pass on their ways, and maybe more of them. */
-  bool find(const EdgeSequence<D>& sequence, const EdgeWay& edge, const Array<uint32_t> (&paths)[2]);
+  bool find(const Corridor<D>& corridor, const EdgeWay& edge, const Array<uint32_t> (&paths)[2]);
   /** What was found last, until the next search. */
-  Touchables<D> features() const noexcept;
+  Candidates<D> features() const noexcept;
 
  private:
   struct Ridge {
@@ -52,7 +52,7 @@ class RidgeRings {
   Array<uint32_t> facets_{env_.memory};  // that the edge may pass
   KeyTable ridges_{env_.memory};         // of these that were asked about
   Array<Fan> fans_{env_.memory};         // with walls or marks, of ridges that the edge may touch
-  Array<Touchable> features_{env_.memory};
+  Array<Candidate> features_{env_.memory};
   Array<WallPlane<D>> planes_{env_.memory};
   Array<uint32_t> numbers_{env_.memory};
 };

@@ -24,51 +24,51 @@ std::tuple<double, uint32_t> key_of(const WayTouch<D>& touch) {
 }  // namespace
 
 template <int D>
-typename ShortenedWays<D>::End ShortenedWays<D>::run(Array<Traveller<D>>& travellers, uint32_t most_rounds,
+typename ShortenedWays<D>::End ShortenedWays<D>::run(Array<Trajectory<D>>& trajectories, uint32_t most_rounds,
                                                      bool may_end_at_walls) {
   names_.clear();
   watched_.clear();
   cuts_.clear();
   group_ = 0;
-  for (const Traveller<D>& of : travellers) cuts_.emplace_back(of.is_new.size(), Cut{}, env_.memory);
+  for (const Trajectory<D>& of : trajectories) cuts_.emplace_back(of.is_new.size(), Cut{}, env_.memory);
   for (uint32_t round = 0; round < most_rounds; ++round) {
-    find_touches(travellers);
+    find_touches(trajectories);
     if (touches_.empty()) return End::kFree;
     if (round == 0) {
       first_time_ = touches_[0].first.time;
       if (may_end_at_walls && starts_at_walls()) return End::kAtWalls;
     }
-    for (Traveller<D>& of : travellers) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{0});
+    for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{0});
     const uint32_t before = group_;
     for (size_t first = 0, end; first < touches_.size(); first = end) {
       end = end_of_group(first);
       chosen_.clear();
       for (size_t i = first; i < end; ++i) {
         bool is_changed = false;
-        for_each_touching(travellers, touches_[i], [&](Traveller<D>& of, uint32_t v) {
-          is_changed = is_changed || cut_of(travellers, of, v).group > before;
+        for_each_touching(trajectories, touches_[i], [&](Trajectory<D>& of, uint32_t v) {
+          is_changed = is_changed || cut_of(trajectories, of, v).group > before;
         });
         // What is passed over is looked at again, as one of its vertices has a new goal.
         if (!is_changed) chosen_.push_back(touches_[i]);
       }
-      describe_chosen(travellers);
+      describe_chosen(trajectories);
       ++group_;
-      shorten_chosen(travellers);
+      shorten_chosen(trajectories);
     }
-    set_goals(travellers);
+    set_goals(trajectories);
   }
   return End::kRoundsOver;
 }
 
 /** Finds all touches that are new, and sorts them by time. */
 template <int D>
-void ShortenedWays<D>::find_touches(const Array<Traveller<D>>& travellers) {
+void ShortenedWays<D>::find_touches(const Array<Trajectory<D>>& trajectories) {
   touches_.clear();
-  walls_.find_all(travellers, touches_);
-  bodies_.find_all(travellers, touches_);
+  walls_.find_all(trajectories, touches_);
+  bodies_.find_all(trajectories, touches_);
   // A vertex that was stopped by a wall does not come to lie exactly on it, where it would touch it in the next call.
   for (const WayTouch<D>& each : watched_) {
-    const Traveller<D>& of = travellers[each.traveller];
+    const Trajectory<D>& of = trajectories[each.trajectory];
     if (of.is_new[each.part.index] == 0 || !of.motion.ways[each.part.index].arrival.valid()) continue;
     if (orient<D>(each.pair.start + 1, of.end(each.part.index)) != 0) continue;
     WayTouch<D> again = each;
@@ -101,7 +101,7 @@ size_t ShortenedWays<D>::end_of_group(size_t first) const {
 
 /** Adds those to the records that are not there. */
 template <int D>
-void ShortenedWays<D>::describe_chosen(Array<Traveller<D>>& travellers) {
+void ShortenedWays<D>::describe_chosen(Array<Trajectory<D>>& trajectories) {
   told_.clear();
   for (const WayTouch<D>& each : chosen_) {
     const auto name = name_of(each);
@@ -111,38 +111,38 @@ void ShortenedWays<D>::describe_chosen(Array<Traveller<D>>& travellers) {
     told_.push_back(each);
     if (each.other == nullptr && each.part.kind == Simplex::kVertex) watched_.push_back(each);
   }
-  describe_touches(env_, travellers, told_);
+  describe_touches(env_, trajectories, told_);
 }
 
 /** Lets all vertices of a touch go up to a time before it. The more often their ways were shortened, the longer before. */
 template <int D>
-void ShortenedWays<D>::shorten_chosen(Array<Traveller<D>>& travellers) {
+void ShortenedWays<D>::shorten_chosen(Array<Trajectory<D>>& trajectories) {
   constexpr uint32_t kMostDoublings = 60;
   for (const WayTouch<D>& touch : chosen_) {
     double step = step_back(touch);
     uint32_t doublings = 0;
-    for_each_touching(travellers, touch, [&](Traveller<D>& of, uint32_t v) {
-      doublings = std::max(doublings, cut_of(travellers, of, v).count);
+    for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) {
+      doublings = std::max(doublings, cut_of(trajectories, of, v).count);
     });
     for (uint32_t k = 0; k < std::min(doublings, kMostDoublings); ++k) step *= 2;
-    for_each_touching(travellers, touch, [&](Traveller<D>& of, uint32_t v) {
-      Cut& cut = cut_of(travellers, of, v);
+    for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) {
+      Cut& cut = cut_of(trajectories, of, v);
       cut.time = cut.group == group_ ? std::min(cut.time, touch.first.time - step) : touch.first.time - step;
       cut.group = group_;
     });
   }
   // Only now, as touches of one group may share vertices.
   for (const WayTouch<D>& touch : chosen_) {
-    for_each_touching(travellers, touch, [&](Traveller<D>& of, uint32_t v) { of.is_new[v] = 1; });
+    for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) { of.is_new[v] = 1; });
   }
 }
 
 template <int D>
-void ShortenedWays<D>::set_goals(Array<Traveller<D>>& travellers) {
-  for (Traveller<D>& of : travellers) {
+void ShortenedWays<D>::set_goals(Array<Trajectory<D>>& trajectories) {
+  for (Trajectory<D>& of : trajectories) {
     for (uint32_t v = 0; v < of.is_new.size(); ++v) {
       if (of.is_new[v] == 0) continue;
-      Cut& cut = cut_of(travellers, of, v);
+      Cut& cut = cut_of(trajectories, of, v);
       ++cut.count;
       if (cut.time > 0) {
         place_on_way<D>(of.start(v), of.end(v), cut.time, of.goal(v));
@@ -152,7 +152,7 @@ void ShortenedWays<D>::set_goals(Array<Traveller<D>>& travellers) {
       std::copy_n(of.goal(v), D, of.end(v));
     }
   }
-  walls_.cast_paths(travellers);
+  walls_.cast_paths(trajectories);
 }
 
 template class ShortenedWays<2>;

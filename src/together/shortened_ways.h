@@ -23,19 +23,19 @@ class ShortenedWays {
   /** Shortens the ways to the goals, which are those of the call.
    * @param most_rounds most rounds.
    * @param may_end_at_walls whether kAtWalls is an answer. */
-  End run(Array<Traveller<D>>& travellers, uint32_t most_rounds, bool may_end_at_walls);
+  End run(Array<Trajectory<D>>& trajectories, uint32_t most_rounds, bool may_end_at_walls);
 
   bool has_shortened() const { return group_ != 0; }
   double first_time() const { return first_time_; }               // at which something was touched in the first round
   const Array<WayTouch<D>>& touches() const { return touches_; }  // of the last round
 
  private:
-  void find_touches(const Array<Traveller<D>>& travellers);
+  void find_touches(const Array<Trajectory<D>>& trajectories);
   bool starts_at_walls() const;
   size_t end_of_group(size_t first) const;
-  void describe_chosen(Array<Traveller<D>>& travellers);
-  void shorten_chosen(Array<Traveller<D>>& travellers);
-  void set_goals(Array<Traveller<D>>& travellers);
+  void describe_chosen(Array<Trajectory<D>>& trajectories);
+  void shorten_chosen(Array<Trajectory<D>>& trajectories);
+  void set_goals(Array<Trajectory<D>>& trajectories);
 
   /** A vertex whose way is shortened in this round. */
   struct Cut {
@@ -43,8 +43,8 @@ class ShortenedWays {
     uint32_t count = 0;  // how often its way has been shortened in the call
     double time = 1;     // up to which it goes
   };
-  Cut& cut_of(const Array<Traveller<D>>& travellers, const Traveller<D>& of, uint32_t v) {
-    return cuts_[static_cast<size_t>(&of - travellers.data())][v];
+  Cut& cut_of(const Array<Trajectory<D>>& trajectories, const Trajectory<D>& of, uint32_t v) {
+    return cuts_[static_cast<size_t>(&of - trajectories.data())][v];
   }
 
   const Environment<D>& env_;
@@ -52,7 +52,7 @@ class ShortenedWays {
   BodyWays<D>& bodies_;
   Array<WayTouch<D>> touches_{env_.memory}, chosen_{env_.memory}, watched_{env_.memory}, told_{env_.memory};
   Array<decltype(name_of(WayTouch<D>()))> names_{env_.memory};  // of contacts that have been described, sorted
-  Array<Array<Cut>> cuts_{env_.memory};                         // by traveller and vertex
+  Array<Array<Cut>> cuts_{env_.memory};                         // by trajectory and vertex
   uint32_t group_ = 0;
   double first_time_ = 1;
 };

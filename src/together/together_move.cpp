@@ -8,91 +8,92 @@ namespace dsw {
 namespace {
 
 template <int D>
-uint64_t most_work(const Array<Traveller<D>>& travellers, const TogetherSettings& settings) noexcept {
+uint64_t most_work(const Array<Trajectory<D>>& trajectories, const TogetherSettings& settings) noexcept {
   uint64_t vertices = 0;
-  for (const Traveller<D>& of : travellers) vertices += of.motion.body->vertices.size();
+  for (const Trajectory<D>& of : trajectories) vertices += of.motion.body->vertices.size();
   return 1000 * uint64_t{settings.kilo_products} * vertices;
 }
 
 }  // namespace
 
 template <int D>
-void TogetherMove<D>::move(Array<Traveller<D>>& travellers, bool bodies_meet, const TogetherSettings& settings) {
-  ways_.set_most_work(most_work(travellers, settings));
-  ways_.start(travellers, bodies_meet);
+void TogetherMove<D>::move(Array<Trajectory<D>>& trajectories, bool bodies_meet, const TogetherSettings& settings) {
+  ways_.set_most_work(most_work(trajectories, settings));
+  ways_.start(trajectories, bodies_meet);
   ways_.walls.limits_parts = false;
   constexpr uint32_t kMostDepartures = 8;
   double gone = 0;  // of the whole way
   Round round = Round::kDeparted;
   for (uint32_t departures = 0; round == Round::kDeparted; ++departures) {
     const bool may_depart = departures < kMostDepartures;
-    round = settings.stop == TogetherStop::kFeature ? shorten_ways(travellers, settings.rounds, may_depart)
-                                                    : run_round(travellers, may_depart);
+    round = settings.stop == TogetherStop::kFeature ? shorten_ways(trajectories, settings.rounds, may_depart)
+                                                    : run_round(trajectories, may_depart);
     if (round != Round::kArrived) gone += (1 - gone) * time_;
   }
-  for (Traveller<D>& of : travellers) of.record->fraction = round == Round::kArrived ? 1 : gone;
-  ways_.finish(travellers);
+  for (Trajectory<D>& of : trajectories) of.record->fraction = round == Round::kArrived ? 1 : gone;
+  ways_.finish(trajectories);
 }
 
 /** Goes on as far as nothing is touched. */
 template <int D>
-typename TogetherMove<D>::Round TogetherMove<D>::run_round(Array<Traveller<D>>& travellers, bool may_depart) {
+typename TogetherMove<D>::Round TogetherMove<D>::run_round(Array<Trajectory<D>>& trajectories, bool may_depart) {
   Round round = Round::kArrived;
-  if (ways_.find_touches(travellers)) {
-    round = may_depart && departs(travellers) ? Round::kDeparted : Round::kStopped;
-    if (round == Round::kStopped) ways_.stop(travellers);
+  if (ways_.find_touches(trajectories)) {
+    round = may_depart && departs(trajectories) ? Round::kDeparted : Round::kStopped;
+    if (round == Round::kStopped) ways_.stop(trajectories);
   }
   time_ = ways_.time();
-  ways_.arrive(travellers);
+  ways_.arrive(trajectories);
   return round;
 }
 
 /** Goes as far as nothing is touched, each vertex for itself. */
 template <int D>
-typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Traveller<D>>& travellers, uint32_t most_rounds,
+typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Trajectory<D>>& trajectories, uint32_t most_rounds,
                                                               bool may_depart) {
   using End = typename ShortenedWays<D>::End;
   ways_.walls.limits_parts = true;
   const auto look_at_all = [&] {
-    for (Traveller<D>& of : travellers) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
-    ways_.set_ends(travellers, 1);
-    ways_.walls.cast_paths(travellers);
+    for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
+    ways_.set_ends(trajectories, 1);
+    ways_.walls.cast_paths(trajectories);
   };
   look_at_all();
-  End end = shortened_.run(travellers, most_rounds, may_depart);
+  End end = shortened_.run(trajectories, most_rounds, may_depart);
   if (end == End::kAtWalls) {
     ways_.first.all.clear();
     for (const WayTouch<D>& each : shortened_.touches()) {
       if (each.first.time == 0) ways_.first.all.push_back(each);
     }
     ways_.walls.limits_parts = false;
-    const bool has_departed = departs(travellers);
+    const bool has_departed = departs(trajectories);
     ways_.walls.limits_parts = true;
     if (has_departed) {
-      ways_.arrive(travellers);
+      ways_.arrive(trajectories);
       return Round::kDeparted;
     }
     look_at_all();
-    end = shortened_.run(travellers, most_rounds, false);
+    end = shortened_.run(trajectories, most_rounds, false);
   }
   ways_.walls.limits_parts = false;
   const bool is_free = end == End::kFree;
-  for (Traveller<D>& of : travellers) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
+  for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
   if (!is_free) {
-    for (Traveller<D>& of : travellers) of.record->clear();  // what stopped single vertices is not what stops them all
-    run_round(travellers, false);
+    for (Trajectory<D>& of : trajectories)
+      of.record->clear();  // what stopped single vertices is not what stops them all
+    run_round(trajectories, false);
     time_ = std::min(time_, shortened_.first_time());
     return Round::kStopped;
   }
   time_ = shortened_.first_time();
-  ways_.arrive(travellers);
+  ways_.arrive(trajectories);
   return shortened_.has_shortened() ? Round::kStopped : Round::kArrived;
 }
 
 /** What touches a wall at the start may be free under the shift, and stay so for a part of its way. Then all go that
  * part: what is touched after that is another round's. Whether they do. */
 template <int D>
-bool TogetherMove<D>::departs(Array<Traveller<D>>& travellers) {
+bool TogetherMove<D>::departs(Array<Trajectory<D>>& trajectories) {
   constexpr int kMostHalvings = 10;
   Halving halving;
   const Array<WayTouch<D>>& touches = ways_.first.all;
@@ -100,12 +101,12 @@ bool TogetherMove<D>::departs(Array<Traveller<D>>& travellers) {
     return each.first.time == 0 && each.other == nullptr && each.part.kind != Simplex::kVertex;
   });
   while (starts_at_walls && halving.count < kMostHalvings && halving.next()) {
-    ways_.set_ends(travellers, halving.way);
-    if (!ways_.is_free(travellers)) continue;
+    ways_.set_ends(trajectories, halving.way);
+    if (!ways_.is_free(trajectories)) continue;
     time_ = halving.way;
     return true;
   }
-  ways_.set_ends(travellers, 1);
+  ways_.set_ends(trajectories, 1);
   return false;
 }
 

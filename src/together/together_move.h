@@ -18,16 +18,16 @@ class TogetherMove {
   /** Moves bodies that depend on nobody else that moves. They begin with their records cleared. Throws std::bad_alloc
    * and WorkOver with some vertices moved.
    * @param bodies_meet whether bodies can touch at all. */
-  void move(Array<Traveller<D>>& travellers, bool bodies_meet, const TogetherSettings& settings);
+  void move(Array<Trajectory<D>>& trajectories, bool bodies_meet, const TogetherSettings& settings);
 
   void set_counters(CastCounters* counters) { ways_.walls.set_counters(counters); }
 
  private:
   /** How a round ended. kDeparted: before anything was touched. */
   enum class Round { kArrived, kDeparted, kStopped };
-  Round run_round(Array<Traveller<D>>& travellers, bool may_depart);
-  Round shorten_ways(Array<Traveller<D>>& travellers, uint32_t most_rounds, bool may_depart);
-  bool departs(Array<Traveller<D>>& travellers);
+  Round run_round(Array<Trajectory<D>>& trajectories, bool may_depart);
+  Round shorten_ways(Array<Trajectory<D>>& trajectories, uint32_t most_rounds, bool may_depart);
+  bool departs(Array<Trajectory<D>>& trajectories);
 
   WholeWays<D, WallWays<D>> ways_;
   ShortenedWays<D> shortened_;

@@ -22,19 +22,19 @@
 namespace dsw {
 
 template <int D>
-void WallWays<D>::start(const Array<Traveller<D>>& travellers) {
-  near_.start(travellers);
+void WallWays<D>::start(const Array<Trajectory<D>>& trajectories) {
+  near_.start(trajectories);
   counts = {};
 }
 
 template <int D>
-void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
+void WallWays<D>::cast_paths(Array<Trajectory<D>>& trajectories) {
   blocked_.clear();
   dsw::cast_paths(
       env_, packet_, counters_, 0,
       [&](auto add) {
-        for (uint32_t t = 0; t < travellers.size(); ++t) {
-          Traveller<D>& of = travellers[t];
+        for (uint32_t t = 0; t < trajectories.size(); ++t) {
+          Trajectory<D>& of = trajectories[t];
           for (uint32_t v = 0; v < of.motion.ways.size(); ++v) {
             if (!of.motion.body->has_vertex(v) || of.is_new[v] == 0) continue;
             of.motion.stay(v);
@@ -44,12 +44,12 @@ void WallWays<D>::cast_paths(Array<Traveller<D>>& travellers) {
         }
       },
       [&](uint32_t t, uint32_t v, const CastResult& path) {
-        note_blocked(travellers[t], {t, v, path, {}});
+        note_blocked(trajectories[t], {t, v, path, {}});
       });
 }
 
 template <int D>
-void WallWays<D>::note_blocked(Traveller<D>& of, Blocked blocked) {
+void WallWays<D>::note_blocked(Trajectory<D>& of, Blocked blocked) {
   blocked.touch = touch_of(of, blocked);
   const uint32_t v = blocked.vertex;
   const double time = blocked.touch.first.time;
@@ -58,30 +58,30 @@ void WallWays<D>::note_blocked(Traveller<D>& of, Blocked blocked) {
 }
 
 template <int D>
-bool WallWays<D>::is_free(const Array<Traveller<D>>& travellers) {
-  return blocked_.empty() && visit_parts(travellers, [](const WayTouch<D>&) { return false; });
+bool WallWays<D>::is_free(const Array<Trajectory<D>>& trajectories) {
+  return blocked_.empty() && visit_parts(trajectories, [](const WayTouch<D>&) { return false; });
 }
 
 template <int D>
-void WallWays<D>::find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first) {
+void WallWays<D>::find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first) {
   for (const Blocked& each : blocked_) first.add(each.touch);
-  visit_parts(travellers, [&](const WayTouch<D>& touch) {
+  visit_parts(trajectories, [&](const WayTouch<D>& touch) {
     first.add(touch);
     return true;
   });
 }
 
 template <int D>
-void WallWays<D>::find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all) {
+void WallWays<D>::find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all) {
   for (const Blocked& each : blocked_) all.push_back(each.touch);
-  visit_parts(travellers, [&](const WayTouch<D>& touch) {
+  visit_parts(trajectories, [&](const WayTouch<D>& touch) {
     all.push_back(touch);
     return true;
   });
 }
 
 template <int D>
-WayTouch<D> WallWays<D>::touch_of(const Traveller<D>& of, const Blocked& blocked) const {
+WayTouch<D> WallWays<D>::touch_of(const Trajectory<D>& of, const Blocked& blocked) const {
   const Cell c = blocked.path.cell;
   const Shape shape = env_.map.shape(c);
   const uint32_t facet = env_.map.local_of(blocked.path.facet, c);
@@ -108,19 +108,19 @@ WayTouch<D> WallWays<D>::touch_of(const Traveller<D>& of, const Blocked& blocked
     other.first = first_touch(other.pair, work);
     if (!touch.first.touches || (other.first.touches && other.first.time < touch.first.time)) touch = other;
   }
-  touch.traveller = blocked.traveller;
+  touch.trajectory = blocked.trajectory;
   touch.comes_first = true;
   touch.part = {Simplex::kVertex, blocked.vertex};
-  touch.other_traveller = kNone;
+  touch.other_trajectory = kNone;
   return touch;
 }
 
 /** Calls visit(touch) for the edges and faces that may touch something, until it returns false. */
 template <int D>
 template <class Visit>
-bool WallWays<D>::visit_parts(const Array<Traveller<D>>& travellers, Visit visit) {
-  for (uint32_t t = 0; t < travellers.size(); ++t) {
-    const Traveller<D>& of = travellers[t];
+bool WallWays<D>::visit_parts(const Array<Trajectory<D>>& trajectories, Visit visit) {
+  for (uint32_t t = 0; t < trajectories.size(); ++t) {
+    const Trajectory<D>& of = trajectories[t];
     const bool is_done = for_each_simplex(*of.motion.body, [&](const Simplex& part) {
       return part.kind == Simplex::kVertex || visit_part(of, t, part, visit);
     });
@@ -132,17 +132,17 @@ bool WallWays<D>::visit_parts(const Array<Traveller<D>>& travellers, Visit visit
 /** The way of a part, up to a time of it. */
 template <int D>
 struct WallWays<D>::PartWay {
-  const Traveller<D>& of;
-  const uint32_t number;  // of the traveller
+  const Trajectory<D>& of;
+  const uint32_t number;  // of the trajectory
   const Simplex part;
   const SimplexCorners<D>& corners;
   const double limit;
   const double* points[6];  // of each corner where it starts and where it ends
   double places[3][D];      // ends, if the way is not looked at as a whole
 
-  PartWay(const Traveller<D>& traveller, uint32_t traveller_number, const Simplex& simplex,
+  PartWay(const Trajectory<D>& trajectory, uint32_t trajectory_number, const Simplex& simplex,
           const SimplexCorners<D>& simplex_corners, double time)
-      : of(traveller), number(traveller_number), part(simplex), corners(simplex_corners), limit(time) {
+      : of(trajectory), number(trajectory_number), part(simplex), corners(simplex_corners), limit(time) {
     for (uint32_t i = 0; i < corners.count; ++i) {
       const uint32_t v = corners.vertices[i];
       points[2 * i] = of.start(v);
@@ -158,7 +158,7 @@ struct WallWays<D>::PartWay {
   /** Without what is touched. A corner of the environment comes before the part, a side comes after it. */
   WayTouch<D> touch() const {
     WayTouch<D> made{};
-    made.traveller = number;
+    made.trajectory = number;
     made.part = part;
     made.pair.kind = D == 2                        ? PairKind::kVertexEdge
                      : part.kind == Simplex::kEdge ? PairKind::kEdgeEdge
@@ -175,7 +175,7 @@ struct WallWays<D>::PartWay {
 
 template <int D>
 template <class Visit>
-bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simplex& part, Visit visit) {
+bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit) {
   const SimplexCorners<D> corners(*of.motion.body, part);
   if (!is_new(of, corners)) return true;
   if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
@@ -184,28 +184,28 @@ bool WallWays<D>::visit_part(const Traveller<D>& of, uint32_t number, const Simp
   for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
   if (!(limit > 0)) return true;
   const PartWay way(of, number, part, corners, limit);
-  using Answer = typename Sleeves<D>::Answer;
-  Answer answer = is_settled(way) ? Answer::kNothing : Answer::kUnknown;
+  using Answer = typename MovingCorridors<D>::Answer;
+  Answer answer = is_known_free(way) ? Answer::kNothing : Answer::kUnknown;
   if (answer == Answer::kUnknown && part.kind == Simplex::kEdge)
-    answer = sleeves_.ask(of, part.index, {way.points[1], way.points[3]}, limit == 1);
+    answer = corridors_.ask(of, part.index, {way.points[1], way.points[3]}, limit == 1);
   if (answer == Answer::kNothing) {
     ++counts.skipped;
     return true;
   }
   if (answer == Answer::kUnknown) return visit_features(way, near_.find(of, number, part), visit);
   bool touches = false;
-  const bool goes_on = visit_features(way, sleeves_.features(), [&](const WayTouch<D>& touch) {
+  const bool goes_on = visit_features(way, corridors_.features(), [&](const WayTouch<D>& touch) {
     touches = true;
     return visit(touch);
   });
-  if (!touches && limit == 1) sleeves_.go_on(of, part.index);
+  if (!touches && limit == 1) corridors_.go_on(of, part.index);
   return goes_on;
 }
 
 /** Calls visit(touch) for the features that a part touches, until it returns false. */
 template <int D>
 template <class Visit>
-bool WallWays<D>::visit_features(const PartWay& way, const Touchables<D>& near, Visit visit) {
+bool WallWays<D>::visit_features(const PartWay& way, const Candidates<D>& near, Visit visit) {
   if (near.first == near.last) return true;
   const uint32_t count = way.corners.count;
   constexpr uint8_t kUnknown = 2;
@@ -217,7 +217,7 @@ bool WallWays<D>::visit_features(const PartWay& way, const Touchables<D>& near, 
   };
   WayTouch<D> touch = way.touch();
   const uint32_t first = PartWay::first_corner(touch);
-  for (const Touchable& feature : near) {
+  for (const Candidate& feature : near) {
     for (uint32_t k = 0; k < feature.name.count; ++k) {
       const uint32_t at = (first == 0 ? count : 0) + k;
       touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.name.vertices[k]);
@@ -237,8 +237,8 @@ bool WallWays<D>::visit_features(const PartWay& way, const Touchables<D>& near, 
 
 /** Whether a part meets nothing, as its corners stay in one convex cell, or as nothing is in the box of its way. */
 template <int D>
-bool WallWays<D>::is_settled(const PartWay& way) {
-  const Traveller<D>& of = way.of;
+bool WallWays<D>::is_known_free(const PartWay& way) {
+  const Trajectory<D>& of = way.of;
   const SimplexCorners<D>& corners = way.corners;
   const Cell cell = of.motion.body->vertices[corners.vertices[0]].cell;
   const bool stays = std::all_of(corners.begin(), corners.end(), [&](uint32_t v) {

@@ -2,8 +2,8 @@
 // What of the environment bodies touch when all of their vertices move at once.
 
 #include "corridor/box_probe.h"
+#include "together/moving_corridors.h"
 #include "together/near_walls.h"
-#include "together/sleeves.h"
 #include "walk/packet.h"
 
 namespace dsw {
@@ -12,18 +12,18 @@ namespace dsw {
 template <int D>
 class WallWays {
  public:
-  explicit WallWays(const Environment<D>& env) : env_(env), near_(env), probe_(env), sleeves_(env) {}
+  explicit WallWays(const Environment<D>& env) : env_(env), near_(env), probe_(env), corridors_(env) {}
 
   /** Forgets what was found for another call. */
-  void start(const Array<Traveller<D>>& travellers);
+  void start(const Array<Trajectory<D>>& trajectories);
   /** Casts the paths of all vertices to their ends, and so finds the cells where they arrive. */
-  void cast_paths(Array<Traveller<D>>& travellers);
+  void cast_paths(Array<Trajectory<D>>& trajectories);
   /** Whether no path is blocked, and nothing else touches the environment on its way. */
-  bool is_free(const Array<Traveller<D>>& travellers);
+  bool is_free(const Array<Trajectory<D>>& trajectories);
   /** What is touched first. */
-  void find_first(const Array<Traveller<D>>& travellers, FirstTouches<D>& first);
+  void find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first);
   /** Appends what each vertex, and each pair of a part and a feature, touches first. */
-  void find_all(const Array<Traveller<D>>& travellers, Array<WayTouch<D>>& all);
+  void find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all);
 
   /** Whether parts at a vertex that is blocked are looked at up to just before that alone. What comes later is of no
    * use where such a vertex gets a new goal. */
@@ -32,33 +32,33 @@ class WallWays {
 
   // The environment stands still.
   void set_end(double) noexcept {}
-  void describe(const Array<Traveller<D>>&, const FirstTouches<D>&) noexcept {}
-  void set_counters(CastCounters* counters) { counters_ = sleeves_.counters = counters; }
+  void describe(const Array<Trajectory<D>>&, const FirstTouches<D>&) noexcept {}
+  void set_counters(CastCounters* counters) { counters_ = corridors_.counters = counters; }
   SweepCounts counts;  // of edges and faces
 
  private:
   /** The path of a vertex that is blocked. */
   struct Blocked {
-    uint32_t traveller, vertex;
+    uint32_t trajectory, vertex;
     CastResult path;
     WayTouch<D> touch;
   };
-  void note_blocked(Traveller<D>& of, Blocked blocked);
+  void note_blocked(Trajectory<D>& of, Blocked blocked);
   template <class Visit>
-  bool visit_parts(const Array<Traveller<D>>& travellers, Visit visit);
+  bool visit_parts(const Array<Trajectory<D>>& trajectories, Visit visit);
   template <class Visit>
-  bool visit_part(const Traveller<D>& of, uint32_t number, const Simplex& part, Visit visit);
+  bool visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit);
   struct PartWay;
-  bool is_settled(const PartWay& way);
+  bool is_known_free(const PartWay& way);
   template <class Visit>
-  bool visit_features(const PartWay& way, const Touchables<D>& near, Visit visit);
+  bool visit_features(const PartWay& way, const Candidates<D>& near, Visit visit);
   bool is_beside(const WallPlane<D>& plane, const double* const* points, uint32_t count) const;
-  WayTouch<D> touch_of(const Traveller<D>& of, const Blocked& blocked) const;
+  WayTouch<D> touch_of(const Trajectory<D>& of, const Blocked& blocked) const;
 
   const Environment<D>& env_;
   NearWalls<D> near_;
   BoxProbe<D> probe_;
-  Sleeves<D> sleeves_;
+  MovingCorridors<D> corridors_;
   Packet<D> packet_;
   CastCounters* counters_ = nullptr;
   Array<Blocked> blocked_{env_.memory};

@@ -12,8 +12,8 @@
 namespace dsw {
 
 template <int D, class Walls>
-void WholeWays<D, Walls>::start(Array<Traveller<D>>& travellers, bool bodies_meet) {
-  for (Traveller<D>& of : travellers) {
+void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_meet) {
+  for (Trajectory<D>& of : trajectories) {
     of.motion.start(*of.motion.body, of.motion.targets);
     const size_t count = of.motion.body->vertices.size();
     of.ends.resize(count * D);
@@ -24,60 +24,60 @@ void WholeWays<D, Walls>::start(Array<Traveller<D>>& travellers, bool bodies_mee
       if (of.motion.body->has_vertex(v)) std::copy_n(of.motion.targets[v], D, of.goal(v));
     }
   }
-  walls.start(travellers);
-  bodies.start(travellers, bodies_meet);
+  walls.start(trajectories);
+  bodies.start(trajectories, bodies_meet);
 }
 
 template <int D, class Walls>
-bool WholeWays<D, Walls>::find_touches(Array<Traveller<D>>& travellers) {
-  set_ends(travellers, 1);
-  walls.cast_paths(travellers);
+bool WholeWays<D, Walls>::find_touches(Array<Trajectory<D>>& trajectories) {
+  set_ends(trajectories, 1);
+  walls.cast_paths(trajectories);
   first.all.clear();
-  walls.find_first(travellers, first);
-  bodies.find_first(travellers, first);
+  walls.find_first(trajectories, first);
+  bodies.find_first(trajectories, first);
   if (first.all.empty()) return false;
-  drop_covering(travellers);
+  drop_covering(trajectories);
   return true;
 }
 
 template <int D, class Walls>
-void WholeWays<D, Walls>::stop(Array<Traveller<D>>& travellers) {
-  describe_touches(env_, travellers, first.all);
-  walls.describe(travellers, first);
-  retreat(travellers);
+void WholeWays<D, Walls>::stop(Array<Trajectory<D>>& trajectories) {
+  describe_touches(env_, trajectories, first.all);
+  walls.describe(trajectories, first);
+  retreat(trajectories);
 }
 
 template <int D, class Walls>
-bool WholeWays<D, Walls>::is_free(Array<Traveller<D>>& travellers) {
-  walls.cast_paths(travellers);
-  return walls.is_free(travellers) && bodies.is_free(travellers);
+bool WholeWays<D, Walls>::is_free(Array<Trajectory<D>>& trajectories) {
+  walls.cast_paths(trajectories);
+  return walls.is_free(trajectories) && bodies.is_free(trajectories);
 }
 
 /** Drops those touches of the environment by edges and faces of which a corner or a side touches it at the same time.
  * Such edges and faces may go on as soon as that corner has stopped. If they touch something else, too, the next round
  * finds that. */
 template <int D, class Walls>
-void WholeWays<D, Walls>::drop_covering(const Array<Traveller<D>>& travellers) {
+void WholeWays<D, Walls>::drop_covering(const Array<Trajectory<D>>& trajectories) {
   using Name = std::tuple<uint32_t, uint32_t, uint32_t>;
-  const auto name = [](uint32_t traveller, Simplex::Kind kind, uint32_t index) {
-    return Name(traveller, static_cast<uint32_t>(kind), index);
+  const auto name = [](uint32_t trajectory, Simplex::Kind kind, uint32_t index) {
+    return Name(trajectory, static_cast<uint32_t>(kind), index);
   };
   Array<Name> names(env_.memory);
   for (const WayTouch<D>& each : first.all) {
-    if (each.other == nullptr) names.push_back(name(each.traveller, each.part.kind, each.part.index));
+    if (each.other == nullptr) names.push_back(name(each.trajectory, each.part.kind, each.part.index));
   }
   std::sort(names.begin(), names.end());
-  const auto touches = [&](uint32_t traveller, Simplex::Kind kind, uint32_t index) {
-    return std::binary_search(names.begin(), names.end(), name(traveller, kind, index));
+  const auto touches = [&](uint32_t trajectory, Simplex::Kind kind, uint32_t index) {
+    return std::binary_search(names.begin(), names.end(), name(trajectory, kind, index));
   };
   const auto covers = [&](const WayTouch<D>& each) {
     if (each.other != nullptr || each.part.kind == Simplex::kVertex) return false;
-    const Body<D>& body = *travellers[each.traveller].motion.body;
+    const Body<D>& body = *trajectories[each.trajectory].motion.body;
     const SimplexCorners<D> corners(body, each.part);
     for (uint32_t i = 0; i < corners.count; ++i) {
       const uint32_t v = corners.vertices[i], w = corners.vertices[(i + 1) % corners.count];
-      if (touches(each.traveller, Simplex::kVertex, v)) return true;
-      if (corners.count == 3 && touches(each.traveller, Simplex::kEdge, find_edge(body, v, w))) return true;
+      if (touches(each.trajectory, Simplex::kVertex, v)) return true;
+      if (corners.count == 3 && touches(each.trajectory, Simplex::kEdge, find_edge(body, v, w))) return true;
     }
     return false;
   };
@@ -86,7 +86,7 @@ void WholeWays<D, Walls>::drop_covering(const Array<Traveller<D>>& travellers) {
 
 /** The ends of all ways come nearer, until nothing is touched. The steps depend on no order of vertices. */
 template <int D, class Walls>
-void WholeWays<D, Walls>::retreat(Array<Traveller<D>>& travellers) {
+void WholeWays<D, Walls>::retreat(Array<Trajectory<D>>& trajectories) {
   const double time = first.all[0].first.time;
   double step = 0;
   for (const WayTouch<D>& touch : first.all) step = std::max(step, step_back(touch));
@@ -95,19 +95,19 @@ void WholeWays<D, Walls>::retreat(Array<Traveller<D>>& travellers) {
   // would touch that wall at the start of the next way.
   const auto touches = [&](const WayTouch<D>& each) { return first_touch(each.pair, &work_).touches; };
   for (int tries = 0; tries < kMostTries && step < time; ++tries, step *= 2) {
-    set_ends(travellers, time - step);
+    set_ends(trajectories, time - step);
     if (std::any_of(first.all.begin(), first.all.end(), touches)) continue;
-    if (is_free(travellers)) return;
+    if (is_free(trajectories)) return;
   }
-  set_ends(travellers, 0);
-  walls.cast_paths(travellers);
+  set_ends(trajectories, 0);
+  walls.cast_paths(trajectories);
 }
 
 template <int D, class Walls>
-void WholeWays<D, Walls>::set_ends(Array<Traveller<D>>& travellers, double time) {
+void WholeWays<D, Walls>::set_ends(Array<Trajectory<D>>& trajectories, double time) {
   time_ = time;
   walls.set_end(time);
-  for (Traveller<D>& of : travellers) {
+  for (Trajectory<D>& of : trajectories) {
     for (uint32_t v = 0; v < of.motion.body->vertices.size(); ++v) {
       if (of.motion.body->has_vertex(v)) place_on_way<D>(of.start(v), of.goal(v), time, of.end(v));
     }
@@ -115,8 +115,8 @@ void WholeWays<D, Walls>::set_ends(Array<Traveller<D>>& travellers, double time)
 }
 
 template <int D, class Walls>
-void WholeWays<D, Walls>::arrive(Array<Traveller<D>>& travellers) {
-  for (Traveller<D>& of : travellers) {
+void WholeWays<D, Walls>::arrive(Array<Trajectory<D>>& trajectories) {
+  for (Trajectory<D>& of : trajectories) {
     for (uint32_t v = 0; v < of.motion.body->vertices.size(); ++v) {
       if (!of.motion.body->has_vertex(v)) continue;
       if (of.moves(v) || of.motion.ways[v].arrival != of.motion.body->vertices[v].cell) of.motion.arrive(v, of.end(v));
@@ -125,8 +125,8 @@ void WholeWays<D, Walls>::arrive(Array<Traveller<D>>& travellers) {
 }
 
 template <int D, class Walls>
-void WholeWays<D, Walls>::finish(Array<Traveller<D>>& travellers) {
-  for (Traveller<D>& of : travellers) {
+void WholeWays<D, Walls>::finish(Array<Trajectory<D>>& trajectories) {
+  for (Trajectory<D>& of : trajectories) {
     const Body<D>& body = *of.motion.body;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (!body.has_vertex(v)) continue;
@@ -138,7 +138,7 @@ void WholeWays<D, Walls>::finish(Array<Traveller<D>>& travellers) {
       contact.distance_left = length(difference<D>(of.motion.targets[v], body.position(v)));
     }
   }
-  travellers[0].record->sweeps = walls.counts;
+  trajectories[0].record->sweeps = walls.counts;
 }
 
 template class WholeWays<2, WallWays<2>>;

@@ -22,19 +22,19 @@ class WholeWays {
   void set_most_work(uint64_t most) noexcept { work_ = {most, 0}; }
   /** Finds what comes near the ways to the targets, which become the goals.
    * @param bodies_meet whether bodies can touch at all. */
-  void start(Array<Traveller<D>>& travellers, bool bodies_meet);
+  void start(Array<Trajectory<D>>& trajectories, bool bodies_meet);
   /** Lets all ways end at their goals, and finds what is touched first there. Whether anything is. */
-  bool find_touches(Array<Traveller<D>>& travellers);
+  bool find_touches(Array<Trajectory<D>>& trajectories);
   /** Keeps what is touched in the records, and lets all ways end just before it. */
-  void stop(Array<Traveller<D>>& travellers);
+  void stop(Array<Trajectory<D>>& trajectories);
   /** Lets all ways end at a time of the ways to the goals. */
-  void set_ends(Array<Traveller<D>>& travellers, double time);
+  void set_ends(Array<Trajectory<D>>& trajectories, double time);
   /** Whether nothing is touched on the ways. */
-  bool is_free(Array<Traveller<D>>& travellers);
+  bool is_free(Array<Trajectory<D>>& trajectories);
   /** All go to the ends of their ways. */
-  void arrive(Array<Traveller<D>>& travellers);
+  void arrive(Array<Trajectory<D>>& trajectories);
   /** Counts who has come to its target. */
-  void finish(Array<Traveller<D>>& travellers);
+  void finish(Array<Trajectory<D>>& trajectories);
   /** Up to which time of the ways to the goals all go. */
   double time() const noexcept { return time_; }
 
@@ -43,8 +43,8 @@ class WholeWays {
   FirstTouches<D> first{env_.memory};  // what was found last
 
  private:
-  void drop_covering(const Array<Traveller<D>>& travellers);
-  void retreat(Array<Traveller<D>>& travellers);
+  void drop_covering(const Array<Trajectory<D>>& trajectories);
+  void retreat(Array<Trajectory<D>>& trajectories);
 
   PairWork work_;
   double time_ = 1;

@@ -18,7 +18,7 @@ Form candidate(const Shape& shape) {
 }
 
 /** Whether dart 0 of the form can be dart `first` of the shape. image: dart of the form -> dart of the shape. Both are
- * connected and have as many darts, so following beta1 and beta2 from one pair settles all others. */
+ * connected and have as many darts, so following beta1 and beta2 from one pair decides all others. */
 bool match_from(const Shape& shape, const Shape& form, uint32_t first, uint32_t* image) {
   constexpr uint32_t kUnknown = kMostDarts;
   std::fill(image, image + kMostDarts, kUnknown);

@@ -91,7 +91,7 @@ struct PlanesAbreast {
     smallest = least(smallest, Row::absolute(det));
   }
   DSW_HOT void store(uint32_t facet_count, Sides& sides) noexcept {
-    outside.add(kNotSettled, either(v.extents.out_of_range(), not_greater(smallest, bound)));
+    outside.add(kNotDecided, either(v.extents.out_of_range(), not_greater(smallest, bound)));
     outside.store(Look::of_cell(facet_count), sides.looks, sides.one, sides.several);
   }
 };

@@ -31,11 +31,11 @@ inline Points corner(const Vertices& v) noexcept {
 }
 
 constexpr uint32_t kAllFacets = 0x3f;
-constexpr uint8_t kNotSettled = 0xc0;  // in the place of a set of facets: it is not known. No single bit
+constexpr uint8_t kNotDecided = 0xc0;  // in the place of a set of facets: it is not known. No single bit
 
 /** Asks exactly about the facets that the filter left open. */
 template <class Tally>
-DSW_COLD uint32_t settle_flat_box(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t sure,
+DSW_COLD uint32_t decide_flat_box(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t sure,
                                   uint32_t outside, Tally& tally) noexcept {
   outside &= sure;
   for (uint32_t unsure = kAllFacets & ~sure; unsure != 0; unsure &= unsure - 1) {
@@ -57,7 +57,7 @@ inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, c
   const uint32_t outside = Lanes::bits(Lanes::greater(det, bound)) & ~known;
   const uint32_t inside = Lanes::bits(Lanes::greater(Lanes::all(0) - bound, det));
   const uint32_t sure = (v.extent.in_range() ? outside | inside : 0) | known;
-  return DSW_LIKELY(sure == kAllFacets) ? outside : settle_flat_box(env, w, q, sure, outside, tally);
+  return DSW_LIKELY(sure == kAllFacets) ? outside : decide_flat_box(env, w, q, sure, outside, tally);
 }
 
 /** Facets with four corners in lanes: those of one hexahedron, or one facet of each of several. */
@@ -86,7 +86,7 @@ template <class Values>
 struct Piercings {
   typename Values::Mask pierced;  // outwards
   typename Values::Mask second;   // on the side of the second triangle
-  typename Values::Mask settled;  // the filter answers for those with q outside of a triangle
+  typename Values::Mask decided;  // the filter answers for those with q outside of a triangle
 };
 
 /** `out1`, `out2`: quads with q outside of their triangles. `back`: p -> q. The diagonal decides between a quad's
@@ -121,7 +121,7 @@ struct BoxExits {
   uint32_t pierced = 0;     // facets that p -> q pierces outwards
   uint32_t second = 0;      // where a facet is pierced: through its second triangle
   uint32_t candidates = 0;  // facets with q outside of one triangle or both
-  bool sure = false;        // false: the filter could not settle all that matters, ask again exactly
+  bool sure = false;        // false: the filter could not decide all that matters, ask again exactly
 };
 
 inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const double* p, const double* q) noexcept {
@@ -132,9 +132,9 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   const Quads<Lanes> quads = make_quads(c0, c1, c2, c3, Lanes::spread(w[0] & kShapeMask));
   const Lanes bound = Lanes::all(v.extent.bound()), minus_bound = Lanes::all(0) - bound;
   const Lanes::Mask out1 = Lanes::greater(quads.first, bound), out2 = Lanes::greater(quads.second, bound);
-  const Lanes::Mask settled1 = Lanes::either(out1, Lanes::greater(minus_bound, quads.first)),
-                    settled2 = Lanes::either(out2, Lanes::greater(minus_bound, quads.second));
-  if (DSW_UNLIKELY((Lanes::bits(Lanes::both(settled1, settled2)) & kAllFacets) != kAllFacets)) return exits;
+  const Lanes::Mask decided1 = Lanes::either(out1, Lanes::greater(minus_bound, quads.first)),
+                    decided2 = Lanes::either(out2, Lanes::greater(minus_bound, quads.second));
+  if (DSW_UNLIKELY((Lanes::bits(Lanes::both(decided1, decided2)) & kAllFacets) != kAllFacets)) return exits;
   exits.sure = true;
   exits.candidates = Lanes::bits(Lanes::either(out1, out2));
   if (exits.candidates == 0) return exits;
@@ -146,7 +146,7 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
                                         Lanes::all(reach.bound()));
   exits.pierced = Lanes::bits(lines.pierced);
   exits.second = Lanes::bits(lines.second);
-  exits.sure = reach.in_range() && (exits.candidates & ~Lanes::bits(lines.settled)) == 0;
+  exits.sure = reach.in_range() && (exits.candidates & ~Lanes::bits(lines.decided)) == 0;
   return exits;
 }
 

@@ -2,7 +2,7 @@
 
 /** The BoxExits of boxes that need not be convex, side by side. */
 struct WarpedBoxExits {
-  uint32_t sure;             // a bit for each box for which the filter settled all that matters
+  uint32_t sure;             // a bit for each box for which the filter decided all that matters
   uint32_t one;              // a bit for each such box of which one facet is pierced outwards
   uint32_t several;          // a bit for each such box of which more facets are
   uint32_t looks[kAbreast];  // words of Looks, of these boxes; they say that at most one facet is pierced
@@ -38,7 +38,7 @@ DSW_NOINLINE inline void WarpedBoxExits::look(const double* points, const Abreas
     const Piercings<Row> lines = pierce(quads, out1, out2, back, line_bound);
     exits.add(Look::of_box_facet(f, 0), Row::without(lines.pierced, lines.second));
     exits.add(Look::of_box_facet(f, 1), Row::both(lines.pierced, lines.second));
-    open = Row::either(open, Row::without(outside, lines.settled));
+    open = Row::either(open, Row::without(outside, lines.decided));
     any = Row::either(any, outside);
   }
   sure = ~(Row::bits(Row::either(v.extents.out_of_range(), not_greater(smallest, bound))) |

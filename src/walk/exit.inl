@@ -220,7 +220,7 @@ class ExitFinder {
     return {side, side};
   }
 
-  // Cells that need not be convex: one plane a simplex. Of a hexahedron the lanes settle nearly all; what they leave
+  // Cells that need not be convex: one plane a simplex. Of a hexahedron the lanes decide nearly all; what they leave
   // open is asked triangle by triangle.
 
   /** The earliest of the exits seen so far. */

@@ -118,7 +118,7 @@ class LineWalk<3> {
     for (uint32_t first = 0; first < count_; first += kAbreast) sightlines_.read(first, env_.points);
     for (uint32_t first = 0; first < count_; first += kAbreast) steps[first / kAbreast] = sightlines_.step(first);
     for (uint32_t s = 0; s < count_; ++s) leave(s);
-    uint8_t remaining[kPacket], settled[kPacket];
+    uint8_t remaining[kPacket], decided[kPacket];
     uint32_t remaining_count = 0;
     for (uint32_t first = 0; first < count_; first += kAbreast) {
       const auto [leaves, stays] = steps[first / kAbreast];
@@ -127,11 +127,11 @@ class LineWalk<3> {
       for (uint32_t rest = ~leaves & lanes; rest != 0; rest &= rest - 1) {
         const uint32_t lane = lowest_bit(rest);
         remaining[remaining_count] = static_cast<uint8_t>(first + lane);
-        settled[remaining_count++] = stays >> lane & 1u;
+        decided[remaining_count++] = stays >> lane & 1u;
       }
     }
     while (remaining_count-- > 0) {  // from the last slot, since the last cast moves to one that becomes free
-      if (settled[remaining_count] != 0) {
+      if (decided[remaining_count] != 0) {
         take_out(remaining[remaining_count]);
       } else {
         give_back(remaining[remaining_count], look);

@@ -23,7 +23,7 @@ HalfFacet linked_facet(Cell c, uint32_t facet_count, uint32_t facet) {
 class Look {
  public:
   /** Makes the look of a tetrahedron, a pyramid or a box: `outside` has the facets with the target outside, or is
-   * kNotSettled or more. */
+   * kNotDecided or more. */
   static Look of_planes(uint32_t outside, uint32_t facet_count, bool is_far = false) {
     return Look(outside | of_cell(facet_count) | (is_far ? kFlag : 0));
   }
@@ -45,19 +45,19 @@ class Look {
   }
   /** This look of a box, but with several exits. */
   Look with_several() const { return Look(word_ & ~kFlag); }
-  /** Makes the look of a polyhedron. `is_settled`: the filter settled all triangles. */
-  static Look of_lines(bool stays, bool is_settled) {
-    return Look((stays ? 0 : kNotKnown) | word(0, LookKind::kLines) | (is_settled ? kFlag : 0));
+  /** Makes the look of a polyhedron. `is_decided`: the filter decided all triangles. */
+  static Look of_lines(bool stays, bool is_decided) {
+    return Look((stays ? 0 : kNotKnown) | word(0, LookKind::kLines) | (is_decided ? kFlag : 0));
   }
   static Look of_nothing() { return Look(kNotKnown); }
   static Look of_word(uint32_t word) { return Look(word); }
 
-  /** kPlanes: facets with the target outside; not known from kNotSettled on. kBox: pierced outwards, or kNotKnown. */
+  /** kPlanes: facets with the target outside; not known from kNotDecided on. kBox: pierced outwards, or kNotKnown. */
   uint32_t facets() const { return word_ & 0xffu; }
   LookKind kind() const { return static_cast<LookKind>(word_ >> 16 & 0xffu); }
   bool may_leave() const { return facets() != 0; }
   /** False for planes side by side of which the filter left some open: ask again. */
-  bool is_settled() const { return kind() != LookKind::kPlanes || facets() < kNotSettled; }
+  bool is_decided() const { return kind() != LookKind::kPlanes || facets() < kNotDecided; }
 
   /** How many facets the cell has; for looks of planes. */
   uint32_t facet_count() const { return word_ >> 8 & 0xffu; }
@@ -80,7 +80,7 @@ class Look {
   }
   /** Tells whether a facet of a box is pierced through its second triangle. */
   uint32_t is_second(uint32_t facet) const { return word_ >> (8 + facet) & 1u; }
-  /** The filter settled all triangles; for looks of lines. */
+  /** The filter decided all triangles; for looks of lines. */
   bool is_sure() const { return has_flag(); }
 
   static constexpr uint32_t kFlag = 1u << 24;  // of planes is_far, of boxes has_one_exit, of lines is_sure

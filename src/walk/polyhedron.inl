@@ -8,7 +8,7 @@ constexpr uint32_t kMostTriangles = 28;  // what a sphere with as many vertices 
 /** Triangles of a cell that the line from p to q pierces outwards. */
 struct LineExits {
   uint32_t pierced = 0;
-  bool sure = false;               // false: the filter could not settle all of them
+  bool sure = false;               // false: the filter could not decide all of them
   uint32_t ahead = 0, passed = 0;  // of these, where it tells: pierced after q, or before
 };
 
@@ -153,7 +153,7 @@ DSW_HOT LineExits line_exits_of(const Environment<3>& env, const uint32_t* w, co
   // Pairs of 16-bit numbers, three numbers a triangle. A permutation looks at the lowest bits of an index alone.
   const uint64_t pairs = (uint64_t{1} << (3 * count + 1) / 2) - 1;
   const uint16_t* const corners = shape.simplices();
-  uint32_t pierced = 0, settled = 0;
+  uint32_t pierced = 0, decided = 0;
   DSW_UNROLL(4)
   for (uint32_t first = 0; first < Triangles; first += 8) {
     const auto here = static_cast<__mmask16>(pairs >> 3 * first / 2 & 0xfffu);
@@ -169,10 +169,10 @@ DSW_HOT LineExits line_exits_of(const Environment<3>& env, const uint32_t* w, co
     const Lanes lowest = {_mm512_min_pd(_mm512_min_pd(a.side(b), b.side(c)), c.side(a))};
     const uint32_t in = Lanes::greater(lowest, bound), out = Lanes::greater(minus_bound, lowest);
     pierced |= in << first;
-    settled |= (in | out) << first;
+    decided |= (in | out) << first;
   }
   const uint32_t all = (1u << count) - 1;
-  return {pierced & all, (line.is_in_range(sheared.largest) ? settled & all : 0) == all, 0, 0};
+  return {pierced & all, (line.is_in_range(sheared.largest) ? decided & all : 0) == all, 0, 0};
 }
 
 /** For shapes that have_line_exits. */
@@ -226,7 +226,7 @@ DSW_NOINLINE inline LineExits near_exits(const Environment<3>& env, const uint32
   LineExits exits;
   const uint64_t pairs = (uint64_t{1} << (3 * count + 1) / 2) - 1;
   const uint16_t* const corners = shape.simplices();
-  uint32_t settled = 0;
+  uint32_t decided = 0;
   for (uint32_t first = 0; first < count; first += 16) {
     const uint64_t here = pairs >> 3 * first / 2;
     const __m512i low = _mm512_maskz_loadu_epi32(static_cast<__mmask16>(here & 0xffffu), corners + 3 * first);
@@ -247,11 +247,11 @@ DSW_NOINLINE inline LineExits near_exits(const Environment<3>& env, const uint32
     exits.pierced |= in << first;
     exits.ahead |= (in & greater(sum, sum_bound)) << first;
     exits.passed |= (in & less(sum, -sum_bound)) << first;
-    settled |= (in | out) << first;
+    decided |= (in | out) << first;
   }
   const uint32_t all = (1u << count) - 1;
   exits.pierced &= all, exits.ahead &= all, exits.passed &= all;
-  exits.sure = near.is_in_range(m) && (settled & all) == all;
+  exits.sure = near.is_in_range(m) && (decided & all) == all;
   return exits;
 }
 

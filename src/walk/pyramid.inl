@@ -12,7 +12,7 @@ struct RelativePyramid {
 
 /** Asks exactly about the facets that the filter left open. */
 template <class Tally>
-DSW_COLD uint32_t settle_pyramid(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t sure,
+DSW_COLD uint32_t decide_pyramid(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t sure,
                                  uint32_t outside, Tally& tally) noexcept {
   outside &= sure;
   const Shape shape = standard_shape(Form::kPyramid, w[0] & kShapeMask);
@@ -57,5 +57,5 @@ inline uint32_t outside_flat_pyramid(const Environment<3>& env, const uint32_t* 
   test(4, -v.dot(first, 3));
   outside &= ~known;
   const uint32_t sure = (in_range ? outside | inside : 0) | known;
-  return DSW_LIKELY(sure == 0x1fu) ? outside : settle_pyramid(env, w, q, sure, outside, tally);
+  return DSW_LIKELY(sure == 0x1fu) ? outside : decide_pyramid(env, w, q, sure, outside, tally);
 }

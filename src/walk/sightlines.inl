@@ -107,7 +107,7 @@ class Sightlines {
     }
     depth = depth * get(kForward, first);
     const Row depth_bound = Row::all(8) * bound * largest;
-    const Row::Mask settled = both(either(either(replaced[0], replaced[1]), replaced[2]), is_in_range(largest));
+    const Row::Mask decided = both(either(either(replaced[0], replaced[1]), replaced[2]), is_in_range(largest));
     const Row tips = get(kTip, first);
     Row gone = get(kVertices, first);
     DSW_UNROLL(3)
@@ -117,8 +117,8 @@ class Sightlines {
       if (c != 0) gone = Row::select(replaced[c], vertices, gone);
     }
     put(kGone, first, gone);
-    return {Row::bits(both(settled, Row::greater(Row::all(0) - depth_bound, depth))),
-            Row::bits(both(settled, Row::greater(depth, depth_bound)))};
+    return {Row::bits(both(decided, Row::greater(Row::all(0) - depth_bound, depth))),
+            Row::bits(both(decided, Row::greater(depth, depth_bound)))};
   }
 
   /** A slot takes over from another. */

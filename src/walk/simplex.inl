@@ -25,7 +25,7 @@ inline double dot(const Vector& c, const RelativeTetrahedron& v, uint32_t i) noe
 
 /** Asks exactly about the facets that the filter left open. */
 template <class Tally>
-DSW_COLD uint32_t settle_tetrahedron(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t sure,
+DSW_COLD uint32_t decide_tetrahedron(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t sure,
                                      uint32_t outside, Tally& tally) noexcept {
   outside &= sure;
   for (uint32_t unsure = 0xfu & ~sure; unsure != 0; unsure &= unsure - 1) {
@@ -69,5 +69,5 @@ inline uint32_t look_at_tetrahedron(const Environment<3>& env, const uint32_t* w
   const double away = std::max(std::max(std::fabs(v.x[0]), std::fabs(v.y[0])), std::fabs(v.z[0]));
   const uint32_t far = away > kFarEdges * edge ? kFar : 0;
   const uint32_t sure = (in_range ? outside | inside : 0) | known;
-  return (DSW_LIKELY(sure == 0xfu) ? outside : settle_tetrahedron(env, w, q, sure, outside, tally)) | far;
+  return (DSW_LIKELY(sure == 0xfu) ? outside : decide_tetrahedron(env, w, q, sure, outside, tally)) | far;
 }

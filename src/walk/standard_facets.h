@@ -36,7 +36,7 @@ inline void standard_corners(const uint32_t* w, uint32_t facet, uint32_t (&verti
 }
 
 /** Three vertices give the plane of a flat facet, so that vertices 0 and 6 of a box need not be read: what remains of a
- * facet are three neighbours on the ring 1 2 3 7 4 5. They may lie in a row; then no filter settles the facet. */
+ * facet are three neighbours on the ring 1 2 3 7 4 5. They may lie in a row; then no filter decides the facet. */
 constexpr uint8_t kFlatFacets[3][6] = {{3, 2, 4, 7, 1, 5}, {4, 5, 1, 2, 3, 7}, {7, 1, 5, 3, 2, 4}};
 
 /** The ridge that two facets share: its vertices in the order of the first facet; a == b if there is none. */

@@ -197,7 +197,7 @@ class Walkers {
     return true;
   }
 
-  /** Keeps the casts with the target outside of one facet. The facet crossed last is not left out: it is settled that
+  /** Keeps the casts with the target outside of one facet. The facet crossed last is not left out: it is decided that
    * the target is inside of that. */
   template <bool First>
   DSW_HOT void note_sides(uint32_t first, uint32_t end, const Sides& sides) noexcept {
@@ -207,7 +207,7 @@ class Walkers {
     if (Tally::kCounts) {
       for (uint32_t j = first; j < end; ++j) {
         const Look& look = looks_[active_[j]];
-        if (look.is_settled()) tally_.tests(look.facet_count() - (First ? 0 : 1));
+        if (look.is_decided()) tally_.tests(look.facet_count() - (First ? 0 : 1));
       }
     }
     const LaneBytes casts(active_ + first);
@@ -284,7 +284,7 @@ class Walkers {
   DSW_HOT bool add_ridge(uint32_t i, uint32_t lane, RidgesAbreast& ridges) const noexcept {
     if constexpr (D == 3) {
       const Look look = looks_[i];
-      if (look.kind() != LookKind::kPlanes || look.facets() >= kNotSettled) return false;
+      if (look.kind() != LookKind::kPlanes || look.facets() >= kNotDecided) return false;
       const Ridge shared = kRidgesBySet[look.facet_count() - 4].of[look.facets()];
       if (shared.a == shared.b) return false;
       const uint32_t* const w = map_.record(results_[i].cell);
@@ -321,7 +321,7 @@ class Walkers {
   template <bool First>
   DSW_HOT void decide(uint32_t i) noexcept {
     const Cell cell = results_[i].cell;
-    if (DSW_UNLIKELY(!looks_[i].is_settled())) looks_[i] = finder(i).look(cell, entry<First>(i), lines_[i]);
+    if (DSW_UNLIKELY(!looks_[i].is_decided())) looks_[i] = finder(i).look(cell, entry<First>(i), lines_[i]);
     const uint32_t forecast = First ? requests_[i].forecast : kNoFacet;
     const Exit exit = finder(i).choose(cell, looks_[i], lines_[i], entry<First>(i), forecast);
     if (exit.facet == kStays) return;

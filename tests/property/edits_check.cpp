@@ -87,7 +87,7 @@ std::string RandomEdits<D>::state() const {
   append(out, scene().particles);
   for (const BodyRecord<D>& record : scene().bodies) {
     append(out, record.body.vertices);
-    for (const EdgeSequence<D>& sequence : record.body.sequences) append(out, sequence.facets);
+    for (const Corridor<D>& sequence : record.body.corridors) append(out, sequence.facets);
   }
   return out + saved();
 }

@@ -8,8 +8,8 @@
 #include "host_memory.h"
 #include "map/dart.h"
 #include "map/integrity.h"
-#include "topology/repair.h"
 #include "sweep/body_probe.h"
+#include "topology/repair.h"
 #include "walk/cast.h"
 
 namespace dsw::oracle {
@@ -202,9 +202,9 @@ TEST_F(RemeshMemoryTest, DeformingWithIt) {
   // Once it has moved it knows the facets that its edges pass.
   const double targets[12] = {0.7, 1.5, 1.25, 1.8, 1.5, 1.25, 0.7, 2.6, 1.25, 0.7, 1.5, 2.35};
   ASSERT_EQ(dsw_body_move(scene(), body, targets, 4, 0, nullptr, nullptr), DSW_STATUS_OK);
-  const Array<EdgeSequence<3>>& sequences = dsw::capi::space(*scene()).bodies[body.index].body.sequences;
+  const Array<Corridor<3>>& sequences = dsw::capi::space(*scene()).bodies[body.index].body.corridors;
   ASSERT_TRUE(std::any_of(sequences.begin(), sequences.end(),
-                          [](const EdgeSequence<3>& s) { return s.known() && !s.facets.empty(); }));
+                          [](const Corridor<3>& s) { return s.known() && !s.facets.empty(); }));
   dsw_deform_options options = defaults(dsw_deform_options_init);
   options.invalid = DSW_INVALID_REMESH;
   std::vector<double> next = points_of(place_.get());

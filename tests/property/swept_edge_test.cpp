@@ -2,8 +2,8 @@
 
 #include "swept_cases.h"
 
+#include "corridor/corridor.h"
 #include "corridor/hop.h"
-#include "corridor/sequence.h"
 #include "corridor/sweep.h"
 #include "locate/locate.h"
 #include "sweep/simplex_sweep.h"
@@ -81,36 +81,35 @@ TEST(SweptEdgeTest, AllContactsInTheirOrder) {
 }
 
 /** What a segment passes, if it reaches its end and passes every facet where `follows` can tell; *known says so. */
-EdgeSequence<3> facets_passed(const Environment<3>& env, const double* from, const double* to, Cell start,
-                              bool* known) {
-  SequenceWriter<3> writer(nullptr);
+Corridor<3> facets_passed(const Environment<3>& env, const double* from, const double* to, Cell start, bool* known) {
+  CorridorWriter<3> writer(nullptr);
   CastRequest request;
   request.from = from;
   request.to = to;
   request.start = start;
   writer.attach(env, request);
   const CastResult result = cast(env, request, nullptr);
-  EdgeSequence<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
+  Corridor<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
   writer.finish(sequence);
   *known = result.end == CastEnd::kReached && follows(env, sequence, from, to, start, result.cell);
   return sequence;
 }
 
 /** What is known of an edge's sweep from what the edge passes at first; the path of its end is free. */
-Settled settled_by(const Environment<3>& env, const double* p, Cell start, const double* to, Cell target,
-                   const double* q, const EdgeSequence<3>& before, const EdgeSequence<3>& path) {
+Verdict settled_by(const Environment<3>& env, const double* p, Cell start, const double* to, Cell target,
+                   const double* q, const Corridor<3>& before, const Corridor<3>& path) {
   Body<3> body(nullptr);
   reserve(body, 2, 1, 0);
   add_vertex(body, p, start);
   add_vertex(body, q, locate(env, q, Cell{}, nullptr).cell);
   add_edge(body, 0, 1);
-  body.sequences[0] = before;
+  body.corridors[0] = before;
   SimplexSweep<3> star(env);
   PathFacets crossed;
   if (path.facets.size() <= 2) {
     for (const uint32_t facet : path.facets) crossed.facets[crossed.count++] = {facet};
   }
-  return star.settle(body, {0, 0, to, target, q, body.vertices[1].cell, crossed});
+  return star.ask(body, {0, 0, to, target, q, body.vertices[1].cell, crossed});
 }
 
 TEST(SweptEdgeTest, ALineBetweenNeighboursPassesOneFacet) {
@@ -155,7 +154,7 @@ TEST(SweptEdgeTest, NumbersOfNoVertexAreNotTouched) {
   });
 }
 
-TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
+TEST(SweptEdgeTest, WhatCorridorsDecideMeetsNothing) {
   int settled = 0, of_many_cells = 0, free_but_open = 0, kept = 0, turned = 0;
   for_each_ground({{0.1, 0, 0.3, 0}, {0, 0.2, 0.1, 0}, {0, 0.05, 0.05, 0}}, [&](Ground& ground) {
     const Environment<3>& env = ground.env;
@@ -173,13 +172,13 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
       const SweepEnd end = flood.sweep(EdgeMotion{x[0].data(), x[1].data(), x[2].data()}, start, 0).end;
       const bool strip =
           known[0] && known[1] && known[2] &&
-          share_sleeve(env.map, {path.facets.data(), path.facets.size()}, {after.facets.data(), after.facets.size()},
-                       {before.facets.data(), before.facets.size(), true});
+          share_corridor(env.map, {path.facets.data(), path.facets.size()}, {after.facets.data(), after.facets.size()},
+                         {before.facets.data(), before.facets.size(), true});
       if (known[0] && known[1]) {
         const auto how = settled_by(env, x[0].data(), start, x[1].data(), target, x[2].data(), before, path);
-        kept += how == Settled::kSleeve ? 1 : 0;
-        turned += how == Settled::kTurned ? 1 : 0;
-        ASSERT_TRUE(how == Settled::kNo || end == SweepEnd::kFree);
+        kept += how == Verdict::kHolds ? 1 : 0;
+        turned += how == Verdict::kTurned ? 1 : 0;
+        ASSERT_TRUE(how == Verdict::kUnknown || end == SweepEnd::kFree);
       }
       if (strip) {
         ++settled;

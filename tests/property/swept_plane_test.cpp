@@ -7,10 +7,10 @@
 #include <string>
 
 #include "base/error.h"
+#include "corridor/corridor.h"
+#include "corridor/hop.h"
 #include "environment/builder.h"
 #include "environment/marking.h"
-#include "corridor/hop.h"
-#include "corridor/sequence.h"
 #include "locate/locate.h"
 #include "plane_scenes.h"
 #include "sweep/simplex_sweep.h"
@@ -93,8 +93,8 @@ struct Draw {
 };
 
 /// Flies from *cell to the cell of `to`, and notes the sides on the way. Whether it gets there.
-bool pass(const Environment<2>& env, const double* from, const double* to, Cell* cell, EdgeSequence<2>& sequence) {
-  SequenceWriter<2> writer(nullptr);
+bool pass(const Environment<2>& env, const double* from, const double* to, Cell* cell, Corridor<2>& sequence) {
+  CorridorWriter<2> writer(nullptr);
   CastRequest request;
   request.from = from;
   request.to = to;
@@ -114,7 +114,7 @@ class Edge {
  public:
   Edge(const Environment<2>& env, const Draw& x, SweepLevel level) : env_(env), x_(x), body_(nullptr) {
     body_.level = level;
-    body_.skipping.sequences = body_.skipping.by_environment = true;
+    body_.skipping.corridors = body_.skipping.by_environment = true;
     start_ = locate(env, x.p.data(), Cell{}, nullptr).cell;
     fixed_ = locate(env, x.q.data(), Cell{}, nullptr).cell;
     if (!start_.valid() || !fixed_.valid() || env.map.marked(start_) || env.map.marked(fixed_)) return;
@@ -122,9 +122,9 @@ class Edge {
     add_vertex(body_, x.p.data(), start_);
     add_vertex(body_, x.q.data(), fixed_);
     add_edge(body_, 0, 1);
-    keep_sequences(body_, 1);
+    keep_corridors(body_, 1);
     Cell end = start_;
-    free_ = pass(env, x.p.data(), x.q.data(), &end, body_.sequences[0]);
+    free_ = pass(env, x.p.data(), x.q.data(), &end, body_.corridors[0]);
     path_ = cast(env, x.p.data(), x.to.data(), start_);
     arrival_ = cast(env, x.to.data(), x.q.data(), path_.cell);
   }
@@ -135,17 +135,16 @@ class Edge {
            (body_.level == SweepLevel::kEdges ||
             flood.sweep(EdgeMotion{x_.p.data(), x_.to.data(), x_.q.data()}, start_, 0).end == SweepEnd::kFree);
   }
-  size_t facets() const { return body_.sequences[0].facets.size(); }
-  Settled settle(SimplexSweep<2>& star) {
-    return star.settle(body_,
-                       {0, 0, x_.to.data(), path_.cell, x_.q.data(), fixed_, path_facets(env_.map, start_, path_)});
+  size_t facets() const { return body_.corridors[0].facets.size(); }
+  Verdict ask(SimplexSweep<2>& star) {
+    return star.ask(body_, {0, 0, x_.to.data(), path_.cell, x_.q.data(), fixed_, path_facets(env_.map, start_, path_)});
   }
   /// Whether its sequence is that of its new place.
   bool is_up_to_date() {
-    EdgeSequence<2> anew{Array<uint32_t>::allocator_type(nullptr)};
+    Corridor<2> anew{Array<uint32_t>::allocator_type(nullptr)};
     Cell at = path_.cell;
     pass(env_, x_.to.data(), x_.q.data(), &at, anew);
-    return anew.facets == body_.sequences[0].facets;
+    return anew.facets == body_.corridors[0].facets;
   }
 
  private:
@@ -194,26 +193,26 @@ TEST(SweptPlane, WhatIsSettledMeetsNothing) {
       if (!edge.is_legal()) return;
       const size_t facets = edge.facets();
       const bool free = edge.is_free(*flood);
-      const Settled how = edge.settle(*star);
+      const Verdict how = edge.ask(*star);
       ++of[static_cast<int>(how)];
-      if (how == Settled::kNo) {
+      if (how == Verdict::kUnknown) {
         ++(free ? open : hit);
         return;
       }
       long_ones += facets > 3 ? 1 : 0;
       ASSERT_TRUE(free) << "settled by " << static_cast<int>(how);
-      ASSERT_TRUE(how == Settled::kSeen || edge.is_up_to_date()) << "settled by " << static_cast<int>(how);
+      ASSERT_TRUE(how == Verdict::kSeen || edge.is_up_to_date()) << "settled by " << static_cast<int>(how);
     });
-    const auto count = [&](Settled how) { return of[static_cast<int>(how)]; };
-    RecordProperty("settled", std::to_string(count(Settled::kInside)) + " inside, " +
-                                  std::to_string(count(Settled::kSeen)) + " seen, " +
-                                  std::to_string(count(Settled::kSleeve)) + " sleeve, " +
-                                  std::to_string(count(Settled::kTurned)) + " turned; " + std::to_string(open) +
+    const auto count = [&](Verdict how) { return of[static_cast<int>(how)]; };
+    RecordProperty("settled", std::to_string(count(Verdict::kInside)) + " inside, " +
+                                  std::to_string(count(Verdict::kSeen)) + " seen, " +
+                                  std::to_string(count(Verdict::kHolds)) + " corridor, " +
+                                  std::to_string(count(Verdict::kTurned)) + " turned; " + std::to_string(open) +
                                   " free and open, " + std::to_string(hit) + " hit");
-    EXPECT_GT(count(Settled::kInside), effort_of(500));
-    EXPECT_GT(count(Settled::kSeen), effort_of(50));
-    EXPECT_GT(count(Settled::kSleeve), effort_of(5000));
-    EXPECT_GT(count(Settled::kTurned), effort_of(1000));
+    EXPECT_GT(count(Verdict::kInside), effort_of(500));
+    EXPECT_GT(count(Verdict::kSeen), effort_of(50));
+    EXPECT_GT(count(Verdict::kHolds), effort_of(5000));
+    EXPECT_GT(count(Verdict::kTurned), effort_of(1000));
     EXPECT_GT(long_ones, effort_of(1000));
     EXPECT_GT(hit, effort_of(500));
   }

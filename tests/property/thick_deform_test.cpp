@@ -50,8 +50,8 @@ void deform(ThickGround& ground, Rng& rng, DeformTally& tally) {
   const bool meets = rng.chance(0.5);
   ScenePtr handle = make_scene(ground.environment(), DSW_FEATURE_DEFORMING | (meets ? DSW_FEATURE_BODY_CONTACTS : 0));
   ThickScene scene(handle.get(), meets);
-  settle(scene, ground, rng, 3);
-  settle(scene, ground, rng, 2, DSW_BODY_RIGID);
+  ask(scene, ground, rng, 3);
+  ask(scene, ground, rng, 2, DSW_BODY_RIGID);
   ThickChecks checks(scene, ground, rng);
   std::vector<std::vector<double>> lent;
   for (int round = 0; round < at_least(14) && !testing::Test::HasFailure(); ++round) {

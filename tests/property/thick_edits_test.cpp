@@ -122,7 +122,7 @@ void edit_bodies(ThickGround& ground, Rng& rng, EditCounts& counts) {
   const bool meets = rng.chance(0.5);
   const ScenePtr handle = make_scene(ground.environment(), meets ? DSW_FEATURE_BODY_CONTACTS : 0);
   ThickScene scene(handle.get(), meets);
-  settle(scene, ground, rng, 4, meets && rng.chance(0.5) ? DSW_BODY_SELF_CONTACTS : 0);
+  ask(scene, ground, rng, 4, meets && rng.chance(0.5) ? DSW_BODY_SELF_CONTACTS : 0);
   ThickChecks checks(scene, ground, rng);
   BodyEdits edits(scene, checks, rng);
   for (int round = 0; round < 40 && !testing::Test::HasFailure(); ++round) {
@@ -247,7 +247,7 @@ class ThickMarks {
 void mark_cells(ThickGround& ground, Rng& rng, EditCounts& counts) {
   const ScenePtr handle = make_scene(ground.environment(), rng.chance(0.5) ? DSW_FEATURE_LIVE_CHANGES : 0);
   ThickScene scene(handle.get(), false);
-  settle(scene, ground, rng, 4);
+  ask(scene, ground, rng, 4);
   ThickChecks checks(scene, ground, rng);
   ThickMarks marks(scene, rng, ground.dimension);
   for (int round = 0; round < 80 && !testing::Test::HasFailure() && !scene.bodies.empty(); ++round) {

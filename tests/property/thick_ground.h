@@ -155,7 +155,7 @@ inline dsw_level any_level(Rng& rng, size_t dimension) {
 }
 
 /// Puts up to `count` thick bodies into a scene: each with a radius that its place allows, up to a few cells.
-inline void settle(ThickScene& scene, ThickGround& ground, Rng& rng, size_t count, uint32_t flags = 0) {
+inline void ask(ThickScene& scene, ThickGround& ground, Rng& rng, size_t count, uint32_t flags = 0) {
   const size_t wanted = scene.bodies.size() + count;
   for (size_t tries = 0; tries < 12 * count && scene.bodies.size() < wanted; ++tries) {
     const dsw_level level = any_level(rng, ground.dimension);

@@ -19,7 +19,7 @@ class ThickCourse {
     mark();
     handle_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_DEFORMING);
     scene_ = std::make_unique<ThickScene>(handle_.get(), true);
-    settle();
+    ask();
   }
   ~ThickCourse() {
     handle_.reset();
@@ -63,7 +63,7 @@ class ThickCourse {
     }
     first_ = place_.mesh.points;
   }
-  void settle() {
+  void ask() {
     for (int tries = 0; tries < 2000 && scene_->bodies.size() < 24; ++tries) {
       const Vec at = {rng_.range(0.3, 5.7), rng_.range(0.3, 5.7), rng_.range(0.3, 5.7)};
       const auto near = [&](double reach) {

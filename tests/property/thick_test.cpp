@@ -81,7 +81,7 @@ void check_ground(ThickGround& ground, Rng& rng, ThickTally& tally) {
   const ScenePtr handle = make_scene(ground.environment(), meets ? DSW_FEATURE_BODY_CONTACTS : 0);
   ThickScene scene(handle.get(), meets);
   ThickChecks checks(scene, ground, rng);
-  settle(scene, ground, rng, 5, meets && rng.chance(0.5) ? DSW_BODY_SELF_CONTACTS : 0);
+  ask(scene, ground, rng, 5, meets && rng.chance(0.5) ? DSW_BODY_SELF_CONTACTS : 0);
   tally.bodies += scene.bodies.size();
   for (int round = 0; round < 12 && !testing::Test::HasFailure(); ++round) {
     for (size_t i = 0; i < scene.bodies.size() && !testing::Test::HasFailure(); ++i) {

@@ -6,9 +6,9 @@
 
 #include <array>
 
+#include "corridor/sweep.h"
 #include "environment/marking.h"
 #include "environment/test_mesh.h"
-#include "corridor/sweep.h"
 #include "locate/locate.h"
 #include "predicates/filtered.h"
 
@@ -44,12 +44,12 @@ std::unique_ptr<Environment<3>> make_ground(Random& random, bool all) {
 }
 
 struct Noted {
-  EdgeSequence<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
+  Corridor<3> corridor{Array<uint32_t>::allocator_type(nullptr)};
   Cell first, last;
 
   /** False: the edge is not free. */
   bool note(const Environment<3>& env, const double* from, const double* to) {
-    SequenceWriter<3> writer(nullptr);
+    CorridorWriter<3> writer(nullptr);
     CastRequest request;
     request.from = from;
     request.to = to;
@@ -58,8 +58,8 @@ struct Noted {
     const CastResult result = dsw::cast(env, request, nullptr);
     if (result.end != CastEnd::kReached) return false;
     last = result.cell;
-    writer.finish(sequence);
-    return sequence.known();
+    writer.finish(corridor);
+    return corridor.known();
   }
 };
 
@@ -92,30 +92,30 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
       if (!begin.valid() || is_closed(*env, begin) || !noted.note(*env, from, end)) continue;
       const Cell start = p_first ? noted.first : noted.last;
       if (locate(*env, to.data(), Cell{}, nullptr).cell != start) continue;
-      if (!follows(*env, noted.sequence, from, end, noted.first, noted.last)) continue;
-      ASSERT_TRUE(follows(*env, noted.sequence, from, end, noted.first, noted.last)) << "the place is known";
-      if (!noted.sequence.facets.empty() && random.below(8) == 0) {
-        const HalfFacet passed{noted.sequence.facets.front()};
+      if (!follows(*env, noted.corridor, from, end, noted.first, noted.last)) continue;
+      ASSERT_TRUE(follows(*env, noted.corridor, from, end, noted.first, noted.last)) << "the place is known";
+      if (!noted.corridor.facets.empty() && random.below(8) == 0) {
+        const HalfFacet passed{noted.corridor.facets.front()};
         set_facet_mark(*env, passed, true);
-        ASSERT_FALSE(follows(*env, noted.sequence, from, end, noted.first, noted.last)) << "a passed facet is marked";
+        ASSERT_FALSE(follows(*env, noted.corridor, from, end, noted.first, noted.last)) << "a passed facet is marked";
         set_facet_mark(*env, passed, false);
         set_cell_mark(*env, noted.last, true);
-        ASSERT_FALSE(follows(*env, noted.sequence, from, end, noted.first, noted.last)) << "the last cell is marked";
+        ASSERT_FALSE(follows(*env, noted.corridor, from, end, noted.first, noted.last)) << "the last cell is marked";
         set_cell_mark(*env, noted.last, false);
-        ASSERT_TRUE(follows(*env, noted.sequence, from, end, noted.first, noted.last));
-        ASSERT_FALSE(follows(*env, noted.sequence, from, end, noted.last, noted.first)) << "not between these cells";
+        ASSERT_TRUE(follows(*env, noted.corridor, from, end, noted.first, noted.last));
+        ASSERT_FALSE(follows(*env, noted.corridor, from, end, noted.last, noted.first)) << "not between these cells";
       }
-      if (noted.sequence.in_rows || follows(*env, noted.sequence, new_from, new_end, noted.first, noted.last)) continue;
+      if (noted.corridor.in_rows || follows(*env, noted.corridor, new_from, new_end, noted.first, noted.last)) continue;
       Pivot<3> pivot;
-      if (!turn(*env, noted.sequence, new_from, new_end, pivot) ||
-          !follows(*env, noted.sequence, new_from, new_end, noted.first, noted.last)) {
+      if (!turn(*env, noted.corridor, new_from, new_end, pivot) ||
+          !follows(*env, noted.corridor, new_from, new_end, noted.first, noted.last)) {
         ++refused;
         continue;
       }
       Noted cast;
       ASSERT_TRUE(cast.note(*env, new_from, new_end)) << round << "/" << i;
-      ASSERT_EQ(std::vector<uint32_t>(noted.sequence.facets.begin(), noted.sequence.facets.end()),
-                std::vector<uint32_t>(cast.sequence.facets.begin(), cast.sequence.facets.end()))
+      ASSERT_EQ(std::vector<uint32_t>(noted.corridor.facets.begin(), noted.corridor.facets.end()),
+                std::vector<uint32_t>(cast.corridor.facets.begin(), cast.corridor.facets.end()))
           << round << "/" << i;
       const double* const triangle[3] = {p.data(), to.data(), q.data()};
       if (orient<3>(triangle, env->point(pivot.vertices[0])) * orient<3>(triangle, env->point(pivot.vertices[1])) >= 0)
@@ -123,7 +123,7 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
       ASSERT_EQ(flood.sweep(EdgeMotion{p.data(), to.data(), q.data()}, start, 0).end, SweepEnd::kFree)
           << round << "/" << i;
       ++turned;
-      of_several += noted.sequence.facets.size() > 2 ? 1 : 0;
+      of_several += noted.corridor.facets.size() > 2 ? 1 : 0;
     }
   }
   EXPECT_GT(turned, 300);
@@ -131,7 +131,7 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
   EXPECT_GT(refused, 100);
 }
 
-TEST(Passage, WhoKeepsToItFollowsTheFacetsAndSweepsNothing) {
+TEST(Portal, WhoKeepsToItFollowsTheFacetsAndSweepsNothing) {
   int kept[2] = {0, 0}, left = 0;
   for (int round = 0; round < at_least(40); ++round) {
     Random random(static_cast<uint64_t>(round + 101));
@@ -149,32 +149,32 @@ TEST(Passage, WhoKeepsToItFollowsTheFacetsAndSweepsNothing) {
       if (!locate(*env, p.data(), Cell{}, nullptr).cell.valid() || !noted.note(*env, p.data(), q.data())) continue;
       const Cell first = noted.first, last = noted.last;
       const auto is_in = [&](const Point& x, Cell c) { return locate(*env, x.data(), Cell{}, nullptr).cell == c; };
-      if (noted.sequence.facets.empty() || !is_in(p_to, first) || !is_in(q_to, last)) continue;
-      const Passage<3>& passage = noted.sequence.passage;
-      ASSERT_EQ(passage.version, env->obstacle_version);
-      ASSERT_EQ(passage.is_only(), noted.sequence.facets.size() == 1);
-      ASSERT_TRUE(passage.leads(*env, first, last));
-      ASSERT_FALSE(passage.leads(*env, last, first));
+      if (noted.corridor.facets.empty() || !is_in(p_to, first) || !is_in(q_to, last)) continue;
+      const Portal<3>& portal = noted.corridor.portal;
+      ASSERT_EQ(portal.version, env->obstacle_version);
+      ASSERT_EQ(portal.is_only(), noted.corridor.facets.size() == 1);
+      ASSERT_TRUE(portal.leads(*env, first, last));
+      ASSERT_FALSE(portal.leads(*env, last, first));
       const bool p_moves_first = random.below(2) == 0;
       const EdgeWay way = p_moves_first ? EdgeWay{p.data(), p_to.data(), q.data(), q_to.data(), true}
                                         : EdgeWay{q.data(), q_to.data(), p.data(), p_to.data(), false};
-      if (!(passage.is_only() ? keeps_to_passage(*env, passage, way) : keeps_to_facets(*env, noted.sequence, way))) {
+      if (!(portal.is_only() ? keeps_to_portal(*env, portal, way) : keeps_to_facets(*env, noted.corridor, way))) {
         ++left;
         continue;
       }
       const Point &middle_p = p_moves_first ? p_to : p, &middle_q = p_moves_first ? q : q_to;
-      ASSERT_TRUE(follows(*env, noted.sequence, p.data(), q.data(), first, last)) << round << "/" << i;
-      ASSERT_TRUE(follows(*env, noted.sequence, middle_p.data(), middle_q.data(), first, last)) << round << "/" << i;
-      ASSERT_TRUE(follows(*env, noted.sequence, p_to.data(), q_to.data(), first, last)) << round << "/" << i;
-      const HalfFacet facet{noted.sequence.facets.front()};
+      ASSERT_TRUE(follows(*env, noted.corridor, p.data(), q.data(), first, last)) << round << "/" << i;
+      ASSERT_TRUE(follows(*env, noted.corridor, middle_p.data(), middle_q.data(), first, last)) << round << "/" << i;
+      ASSERT_TRUE(follows(*env, noted.corridor, p_to.data(), q_to.data(), first, last)) << round << "/" << i;
+      const HalfFacet facet{noted.corridor.facets.front()};
       set_facet_mark(*env, facet, true);
-      ASSERT_NE(passage.version, env->obstacle_version) << "what is known is of another version";
+      ASSERT_NE(portal.version, env->obstacle_version) << "what is known is of another version";
       set_facet_mark(*env, facet, false);
       ASSERT_EQ(flood.sweep(EdgeMotion{p.data(), p_to.data(), middle_q.data()}, first, 0).end, SweepEnd::kFree);
       ASSERT_EQ(flood.sweep(EdgeMotion{q.data(), q_to.data(), middle_p.data()}, last, 0).end, SweepEnd::kFree);
-      ++kept[passage.is_only() ? 0 : 1];
+      ++kept[portal.is_only() ? 0 : 1];
       set_cell_mark(*env, last, true);
-      ASSERT_FALSE(passage.leads(*env, first, last)) << "the last cell is marked";
+      ASSERT_FALSE(portal.leads(*env, first, last)) << "the last cell is marked";
       set_cell_mark(*env, last, false);
     }
   }
@@ -190,9 +190,9 @@ TEST(EdgeTurn, PlacesOfBeforePointsMovedAreForgotten) {
   const double below[2][3] = {{0.5, 0.05, 0.5}, {1.5, 0.05, 0.5}}, middle[2][3] = {{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}};
   Noted noted;
   ASSERT_TRUE(noted.note(*env, middle[0], middle[1]));
-  ASSERT_EQ(noted.sequence.facets.size(), 1u);
+  ASSERT_EQ(noted.corridor.facets.size(), 1u);
   const auto follows_line = [&](const double(&line)[2][3]) {
-    return follows(*env, noted.sequence, line[0], line[1], noted.first, noted.last);
+    return follows(*env, noted.corridor, line[0], line[1], noted.first, noted.last);
   };
   EXPECT_TRUE(follows_line(below));
   EXPECT_TRUE(follows_line(middle));

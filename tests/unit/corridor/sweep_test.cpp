@@ -1,7 +1,7 @@
 // Swept edges and faces where one can say what they meet.
 
 #include "corridor/sweep.h"
-#include "corridor/sequence.h"
+#include "corridor/corridor.h"
 
 #include <gtest/gtest.h>
 
@@ -164,7 +164,7 @@ TEST(SweepEdge, AllContactsAreCollectedInTheirOrder) {
 }
 
 /** Two boxes that share a square in two facets: one like an L, and what it leaves out, which is impassable. */
-TEST(Sequence, FacetsThatAreNotConvexDoNotSettle) {
+TEST(Corridor, FacetsThatAreNotConvexDoNotSettle) {
   Mesh3 mesh;
   const auto add = [&](double x, double y, double z) { return mesh.point({x, y, z}); };
   const int64_t s[9] = {add(0, 0, 1), add(1, 0, 1), add(2, 0, 1), add(0, 1, 1), add(1, 1, 1),
@@ -189,7 +189,7 @@ TEST(Sequence, FacetsThatAreNotConvexDoNotSettle) {
   // From one arm of the L to the other, over the corner that it leaves out.
   set_facet_mark(*env, map.half_facet(low, 6), true);
   const Point p{0.5, 0.25, 0.75}, to{1.75, 1.5, 0.75}, q{1.1, 0.9, 1.5};
-  EdgeSequence<3> passed{Array<uint32_t>::allocator_type(nullptr)};
+  Corridor<3> passed{Array<uint32_t>::allocator_type(nullptr)};
   passed.add(*env, map.half_facet(low, 5), true);
   EXPECT_FALSE(follows(*env, passed, p.data(), q.data(), low, high) &&
                follows(*env, passed, to.data(), q.data(), low, high));

@@ -1,4 +1,4 @@
-// Sweeps that end at the first contact, and sequences that are kept until an event, against what is asked at length.
+// Sweeps that end at the first contact, and corridors that are kept until an event, against what is asked at length.
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "environment/marking.h"
-#include "environment/test_mesh.h"
 #include "corridor/first_ridge.h"
 #include "corridor/sweep.h"
+#include "environment/marking.h"
+#include "environment/test_mesh.h"
 #include "locate/locate.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
@@ -264,15 +264,15 @@ bool find_first_of_all(const Environment<3>& env, const Array<uint32_t>& facets,
 }
 
 /// What an edge passes where it starts.
-void note_start(const Environment<3>& env, const EdgeMotion& m, Cell start, bool p_first, EdgeSequence<3>& sequence) {
-  SequenceWriter<3> writer(nullptr);
+void note_start(const Environment<3>& env, const EdgeMotion& m, Cell start, bool p_first, Corridor<3>& corridor) {
+  CorridorWriter<3> writer(nullptr);
   CastRequest request;
   request.from = p_first ? m.p : m.q;
   request.to = p_first ? m.q : m.p;
   request.start = p_first ? start : locate(env, m.q, Cell{}, nullptr).cell;
   writer.attach(env, request);
   ASSERT_EQ(dsw::cast(env, request, nullptr).end, CastEnd::kReached);
-  writer.finish(sequence);
+  writer.finish(corridor);
 }
 
 TEST(FirstRidge, IsThatOfAll) {
@@ -287,48 +287,48 @@ TEST(FirstRidge, IsThatOfAll) {
       if (!t.draw(*env, random, kSize, random.below(2) == 0)) continue;
       const EdgeMotion m = t.motion();
       const bool p_first = random.below(2) == 0;
-      EdgeSequence<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
-      ASSERT_NO_FATAL_FAILURE(note_start(*env, m, t.start, p_first, sequence));
+      Corridor<3> corridor{Array<uint32_t>::allocator_type(nullptr)};
+      ASSERT_NO_FATAL_FAILURE(note_start(*env, m, t.start, p_first, corridor));
       const CastResult path = dsw::cast(*env, m.p, m.to, t.start, 0, nullptr);
       const PathFacets crossed = path_facets(map, t.start, path);
-      if (!sequence.known() || !sequence.in_rows || path.end != CastEnd::kReached) continue;
+      if (!corridor.known() || !corridor.in_rows || path.end != CastEnd::kReached) continue;
       if (crossed.count > 1 || (crossed.count == 0 && path.cell != t.start)) continue;
-      // A facet that the path passes is the end of the sequence, or one more.
+      // A facet that the path passes is the end of the corridor, or one more.
       size_t added = 0;
       if (crossed.count == 1) {
         const HalfFacet beyond = map.opposite(crossed.facets[0]);
         const HalfFacet left = p_first ? crossed.facets[0] : beyond, more = p_first ? beyond : crossed.facets[0];
         const bool leaves =
-            !sequence.facets.empty() && (p_first ? sequence.facets.front() : sequence.facets.back()) == left.word;
-        if (leaves) sequence.remove(*env, p_first);
-        if (!leaves) sequence.add(*env, more, p_first);
+            !corridor.facets.empty() && (p_first ? corridor.facets.front() : corridor.facets.back()) == left.word;
+        if (leaves) corridor.remove(*env, p_first);
+        if (!leaves) corridor.add(*env, more, p_first);
         added = leaves ? 0 : 1;
-        sequence.passage.version = env->obstacle_version;
+        corridor.portal.version = env->obstacle_version;
       }
-      const size_t count = sequence.facets.size(), low = p_first ? added : 0;
+      const size_t count = corridor.facets.size(), low = p_first ? added : 0;
       SweepEvent expected;
-      bool is_known = find_first_of_all(*env, sequence.facets, low, low + count - added, m, p_first, &expected);
+      bool is_known = find_first_of_all(*env, corridor.facets, low, low + count - added, m, p_first, &expected);
       if (is_known && added == 1) {
         const size_t at = p_first ? 0 : count - 1;
-        const Cell c = map.cell_of({sequence.facets[at]});
+        const Cell c = map.cell_of({corridor.facets[at]});
         const double* corners[3];
-        boundary_points(*env, c, map.local_of({sequence.facets[at]}, c), corners);
+        boundary_points(*env, c, map.local_of({corridor.facets[at]}, c), corners);
         const SweepEvent passed{{corners[0], corners[1], corners[2]}, EventKind::kVertex};
         const int order = expected.points[0] != nullptr ? compare_events<3>(m.p, m.to, expected, passed).sign : 1;
         if (order == 0) continue;
         left_before += order < 0 ? 1 : 0;
         const SweepEvent of_others = expected;
-        if (order > 0) is_known = find_first_of_all(*env, sequence.facets, at, at + 1, m, p_first, &expected);
+        if (order > 0) is_known = find_first_of_all(*env, corridor.facets, at, at + 1, m, p_first, &expected);
         added_counts += std::equal(expected.points, expected.points + 3, of_others.points) ? 0 : 1;
       }
       FirstRidge first;
-      ASSERT_EQ(find_first_ridge(*env, sequence, m, p_first, added, &first), is_known) << round << "/" << i;
+      ASSERT_EQ(find_first_ridge(*env, corridor, m, p_first, added, &first), is_known) << round << "/" << i;
       if (!is_known) continue;
       ASSERT_EQ(first.facet.valid(), expected.points[0] != nullptr) << round << "/" << i;
       ++(first.facet.valid() ? met : none);
       if (!first.facet.valid()) continue;
       EXPECT_TRUE(is_ridge_of(expected, m, first.event.points[1], first.event.points[2]));
-      EXPECT_NE(std::find(sequence.facets.begin(), sequence.facets.end(), first.facet.word), sequence.facets.end());
+      EXPECT_NE(std::find(corridor.facets.begin(), corridor.facets.end(), first.facet.word), corridor.facets.end());
     }
   }
   EXPECT_GT(met, 1000);
@@ -338,14 +338,14 @@ TEST(FirstRidge, IsThatOfAll) {
 }
 
 /// What a cast passes; unknown if it does not arrive.
-EdgeSequence<3> passed_by(const Environment<3>& env, const double* from, const double* to) {
-  EdgeSequence<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
-  sequence.forget();
+Corridor<3> passed_by(const Environment<3>& env, const double* from, const double* to) {
+  Corridor<3> corridor{Array<uint32_t>::allocator_type(nullptr)};
+  corridor.forget();
   const Cell start = locate(env, from, Cell{}, nullptr).cell;
   if (dsw::cast(env, from, to, start, 0, nullptr).end == CastEnd::kReached) {
-    note_start(env, {from, to, to}, start, true, sequence);
+    note_start(env, {from, to, to}, start, true, corridor);
   }
-  return sequence;
+  return corridor;
 }
 
 TEST(KeepsToRows, WhereCastsPassTheSameFacetsBeforeBetweenAndAfter) {
@@ -368,14 +368,14 @@ TEST(KeepsToRows, WhereCastsPassTheSameFacetsBeforeBetweenAndAfter) {
       // What one of the three lines passes, and the others mostly do.
       const int noted = random.below(3);
       const double *const a = noted == 0 ? first : first_to, *const b = noted == 2 ? other_to : other;
-      EdgeSequence<3> sequence = passed(a, b);
-      if (!sequence.known() || !sequence.in_rows || sequence.facets.size() < 2) continue;
-      const bool is_before = passed(first, other).facets == sequence.facets,
-                 is_between = passed(first_to, other).facets == sequence.facets,
-                 is_after = passed(first_to, other_to).facets == sequence.facets;
+      Corridor<3> corridor = passed(a, b);
+      if (!corridor.known() || !corridor.in_rows || corridor.facets.size() < 2) continue;
+      const bool is_before = passed(first, other).facets == corridor.facets,
+                 is_between = passed(first_to, other).facets == corridor.facets,
+                 is_after = passed(first_to, other_to).facets == corridor.facets;
       const EdgeWay way{first, first_to, other, other_to, from_first};
-      EdgeSequence<3> again = sequence;
-      ASSERT_EQ(keeps_to_rows(sequence, way, true), is_before && is_between && is_after) << round << "/" << i;
+      Corridor<3> again = corridor;
+      ASSERT_EQ(keeps_to_rows(corridor, way, true), is_before && is_between && is_after) << round << "/" << i;
       ASSERT_EQ(keeps_to_rows(again, way, false), is_between && is_after) << round << "/" << i;
       kept += is_before && is_between && is_after ? 1 : 0;
       before += !is_before && is_between && is_after ? 1 : 0;
@@ -402,13 +402,13 @@ TEST_P(PassesBefore, AsEveryRidgeSays) {
       if (!t.draw(*env, random, kSize, lattice)) continue;
       const EdgeMotion m = t.motion();
       const bool p_first = random.below(2) == 0;
-      EdgeSequence<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
-      ASSERT_NO_FATAL_FAILURE(note_start(*env, m, t.start, p_first, sequence));
-      if (!sequence.known() || sequence.facets.empty()) continue;
+      Corridor<3> corridor{Array<uint32_t>::allocator_type(nullptr)};
+      ASSERT_NO_FATAL_FAILURE(note_start(*env, m, t.start, p_first, corridor));
+      if (!corridor.known() || corridor.facets.empty()) continue;
       for (int events = 0; events < 6; ++events) {
         // One of its own ridges, any line, one of another edge, or a plane.
         const Point other = near(t.p, random, 1.5, lattice);
-        const HalfFacet h{sequence.facets[static_cast<size_t>(random.below(static_cast<int>(sequence.facets.size())))]};
+        const HalfFacet h{corridor.facets[static_cast<size_t>(random.below(static_cast<int>(corridor.facets.size())))]};
         const Cell c = random.below(3) == 0
                            ? map.cell(static_cast<uint32_t>(random.below(static_cast<int>(map.cell_count))))
                            : map.cell_of(h);
@@ -425,12 +425,12 @@ TEST_P(PassesBefore, AsEveryRidgeSays) {
           const double* const q = event.points[0];
           if (line_side<3>(m.p, q, at, NoTally{}).sign == line_side<3>(m.to, q, at, NoTally{}).sign) continue;
         }
-        const bool passes = passes_before<3>(*env, sequence, m, p_first, event);
-        ASSERT_EQ(passes, passes_all(*env, sequence.facets, m, p_first, event)) << round << "/" << i;
+        const bool passes = passes_before<3>(*env, corridor, m, p_first, event);
+        ASSERT_EQ(passes, passes_all(*env, corridor.facets, m, p_first, event)) << round << "/" << i;
         ++asked;
         passed += passes ? 1 : 0;
-        EdgeSequence<3> again{Array<uint32_t>::allocator_type(nullptr)};
-        again.assign(*env, sequence.facets);
+        Corridor<3> again{Array<uint32_t>::allocator_type(nullptr)};
+        again.assign(*env, corridor.facets);
         passed_by_time +=
             passes && !follows(*env, again, p_first ? m.to : m.q, p_first ? m.q : m.to,
                                map.cell_of({again.facets.front()}), map.cell_of(map.opposite({again.facets.back()})))

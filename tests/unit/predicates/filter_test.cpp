@@ -27,7 +27,7 @@ void count_generic(CountingTally& tally, Scale scale) {
   }
 }
 
-TEST(Filter, SettlesGenericInput) {
+TEST(Filter, DecidesGenericInput) {
   CountingTally plane, space;
   count_generic<2>(plane, Scale::kOne);
   count_generic<3>(space, Scale::kOne);
@@ -139,7 +139,7 @@ TEST(Filter, LeavesWhatMayOverflowToIntegers) {
   EXPECT_EQ(tally.exacts, tally.tests);
 }
 
-TEST(Filter, SettlesAPlaneAcrossAnAxisWithoutIntegers) {
+TEST(Filter, DecidesAPlaneAcrossAnAxisWithoutIntegers) {
   CountingTally tally;
   const double a[] = {0.1, 0.2, 0.7}, b[] = {0.9, 0.3, 0.7}, c[] = {0.4, 0.8, 0.7}, q[] = {3, 4, 0.7};
   const double* const triangle[] = {a, b, c};

@@ -262,9 +262,9 @@ class KnownRings {
  public:
   explicit KnownRings(const Environment<D>& env) : env_(env), rings_(env) {}
 
-  /** Whether they say that a way is free that begins in a cell. False also where sleeves would not ask. */
+  /** Whether they say that a way is free that begins in a cell. False also where corridors would not ask. */
   bool are_free(const Way<D>& way, Cell start) {
-    EdgeSequence<D> passed[3] = {none(), none(), none()};
+    Corridor<D> passed[3] = {none(), none(), none()};
     if (!passes(way.from[0], way.from[1], start, passed[0])) return false;
     const Cell last = end_;
     if (!passes(way.from[0], way.to[0], start, passed[1])) return false;
@@ -276,11 +276,11 @@ class KnownRings {
     const Array<uint32_t> paths[2] = {passed[1].facets, passed[2].facets};
     const EdgeWay edge = EdgeWay::of_both(way.from[0].data(), way.to[0].data(), way.from[1].data(), way.to[1].data());
     if (!rings_.find(passed[0], edge, paths)) return false;
-    const Touchables<D> found = rings_.features();
+    const Candidates<D> found = rings_.features();
     return found.first == found.last;
   }
   /** Notes what a segment passes. Whether all of it is passable. */
-  bool passes(const Point<D>& from, const Point<D>& to, Cell start, EdgeSequence<D>& passed) {
+  bool passes(const Point<D>& from, const Point<D>& to, Cell start, Corridor<D>& passed) {
     CastRequest request;
     request.from = from.data();
     request.to = to.data();
@@ -295,12 +295,12 @@ class KnownRings {
     end_ = result.cell;
     return result.end == CastEnd::kReached;
   }
-  static EdgeSequence<D> none() { return EdgeSequence<D>(Array<uint32_t>::allocator_type(nullptr)); }
+  static Corridor<D> none() { return Corridor<D>(Array<uint32_t>::allocator_type(nullptr)); }
 
  private:
   const Environment<D>& env_;
   RidgeRings<D> rings_;
-  SequenceWriter<D> writer_{nullptr};
+  CorridorWriter<D> writer_{nullptr};
   Cell end_;  // of the last segment
 };
 

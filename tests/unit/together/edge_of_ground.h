@@ -7,7 +7,7 @@
 
 #include "edge_ground.h"
 #include "locate/locate.h"
-#include "together/sleeves.h"
+#include "together/moving_corridors.h"
 
 namespace dsw::test {
 
@@ -23,7 +23,7 @@ struct Kind {
   Points points;
   double cells, facets, edges, vertices;  // shares that are marked
   double least_known;                     // of the ways that touch nothing, the share of those that are known to
-  double least_followed;                  // of these, those of which the sequence of the end is known
+  double least_followed;                  // of these, those of which the corridor of the end is known
 };
 inline std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << kind.name; }
 
@@ -41,7 +41,7 @@ class EdgeOfGround {
         counts_(counts),
         env_(make()),
         obstacles_(*env_),
-        sleeves_(*env_),
+        corridors_(*env_),
         fresh_(*env_),
         rings_(*env_) {
     obstacles_.collect();
@@ -51,7 +51,7 @@ class EdgeOfGround {
       for (int i = 0; i < 2; ++i) add_vertex(*body, env_->point(0), env_->map.cell(0));
       add_edge(*body, 0, 1);
     }
-    for (Traveller<D>* each : {&of_, &of_other_}) {
+    for (Trajectory<D>* each : {&of_, &of_other_}) {
       each->motion.body = each == &of_ ? &body_ : &other_;
       each->ends.assign(2 * D, 0.0);
       each->motion.ways.resize(2);
@@ -121,7 +121,7 @@ class EdgeOfGround {
     const Shape shape = env_->map.shape(c);
     const auto facet = static_cast<uint32_t>(random_.below(static_cast<int>(shape.facet_count())));
     const bool on = chance(0.5);
-    const Array<uint32_t>& kept = body_.sequences[0].facets;
+    const Array<uint32_t>& kept = body_.corridors[0].facets;
     if (kind_.cells > 0) set_cell_mark(*env_, c, on);
     if (kind_.facets > 0) set_facet_mark(*env_, env_->map.half_facet(c, facet), on);
     if (kind_.facets > 0 && !kept.empty() && kept[0] != kNoFacet && on)
@@ -322,16 +322,16 @@ class EdgeOfGround {
     ++counts_.asked;
     const bool touches = obstacles_.touch(way_);
     counts_.free += touches ? 0 : 1;
-    EdgeSequence<D> before = KnownRings<D>::none();
+    Corridor<D> before = KnownRings<D>::none();
     rings_.passes(way_.from[0], way_.from[1], place_of(0), before);
-    const bool rings = rings_.are_free(way_, place_of(0)), known = says_nothing(sleeves_, of_);
+    const bool rings = rings_.are_free(way_, place_of(0)), known = says_nothing(corridors_, of_);
     check_features();
     SCOPED_TRACE(testing::Message() << describe());
     // Asks again about an edge of which nothing is known.
     of_other_.ends = of_.ends;
     of_other_.motion.ways = of_.motion.ways;
     of_other_.motion.crossed = of_.motion.crossed;
-    other_.sequences[0].clear();
+    other_.corridors[0].clear();
     const bool anew = says_nothing(fresh_, of_other_);
     ASSERT_TRUE(kind_.mixed || known == anew) << "what was kept matters";
     ASSERT_TRUE(kind_.mixed || known || !rings);
@@ -344,7 +344,7 @@ class EdgeOfGround {
     ++counts_.known;
     counts_.at_ends += touches ? 1 : 0;
     for (Body<D>* body : {&body_, &other_}) {
-      if (body == &body_ || anew) check_sequence(*body, before);
+      if (body == &body_ || anew) check_corridor(*body, before);
     }
     if (chance(0.2)) return;  // it does not go there
     for (Body<D>* body : {&body_, &other_}) {
@@ -352,21 +352,21 @@ class EdgeOfGround {
     }
   }
   /** Whether an edge whose paths are free is known to touch nothing. */
-  bool says_nothing(Sleeves<D>& sleeves, Traveller<D>& of) {
-    answer_ = sleeves.ask(of, 0, {of.end(0), of.end(1)}, true);
-    return answer_ == Sleeves<D>::Answer::kNothing && of.motion.ways[0].arrival.valid() &&
+  bool says_nothing(MovingCorridors<D>& corridors, Trajectory<D>& of) {
+    answer_ = corridors.ask(of, 0, {of.end(0), of.end(1)}, true);
+    return answer_ == MovingCorridors<D>::Answer::kNothing && of.motion.ways[0].arrival.valid() &&
            of.motion.ways[1].arrival.valid();
   }
   /** What the edge touches first is among what it may touch: on a lattice what the shifted edge touches first. */
   void check_features() {
-    if (answer_ != Sleeves<D>::Answer::kFeatures || kind_.mixed) return;
+    if (answer_ != MovingCorridors<D>::Answer::kFeatures || kind_.mixed) return;
     const bool is_on_lattice = kind_.points == Points::kOnLattice;
     if (is_on_lattice && !is_coarse(way_)) return;
     const auto* const first = obstacles_.first_line(is_on_lattice ? shifted(way_) : way_);
     if (first == nullptr) return;
     ++counts_.first_found;
-    const Touchables<D> found = sleeves_.features();
-    ASSERT_TRUE(std::any_of(found.begin(), found.end(), [&](const Touchable& each) {
+    const Candidates<D> found = corridors_.features();
+    ASSERT_TRUE(std::any_of(found.begin(), found.end(), [&](const Candidate& each) {
       return each.name.vertices[0] == first->ends[0] && each.name.vertices[1] == first->ends[1];
     })) << "what is touched first is not found";
   }
@@ -382,15 +382,15 @@ class EdgeOfGround {
                            touch({from[1], from[1]}, {to[1], to[1]}));
   }
   /** What is kept where a way is known to be free. */
-  void check_sequence(Body<D>& body, const EdgeSequence<D>& before) {
-    EdgeSequence<D> truth{Array<uint32_t>::allocator_type(nullptr)};
+  void check_corridor(Body<D>& body, const Corridor<D>& before) {
+    Corridor<D> truth{Array<uint32_t>::allocator_type(nullptr)};
     ASSERT_TRUE(rings_.passes(way_.to[0], way_.to[1], of_.motion.ways[0].arrival, truth));
-    ASSERT_TRUE(truth.passage.back == of_.motion.ways[1].arrival || truth.facets.empty());
-    const auto follows_it = [&](EdgeSequence<D>& each) {
+    ASSERT_TRUE(truth.portal.back == of_.motion.ways[1].arrival || truth.facets.empty());
+    const auto follows_it = [&](Corridor<D>& each) {
       return dsw::follows(*env_, each, way_.to[0].data(), way_.to[1].data(), of_.motion.ways[0].arrival,
                           of_.motion.ways[1].arrival);
     };
-    EdgeSequence<D> kept = body.sequences[0];
+    Corridor<D> kept = body.corridors[0];
     ASSERT_TRUE(kept.known());
     const bool follows = follows_it(kept);
     kept.place_count = 0;
@@ -426,10 +426,10 @@ class EdgeOfGround {
   std::unique_ptr<Environment<D>> env_;
   Obstacles<D> obstacles_;
   Body<D> body_{nullptr}, other_{nullptr};
-  Traveller<D> of_{nullptr}, of_other_{nullptr};
-  Sleeves<D> sleeves_, fresh_;
+  Trajectory<D> of_{nullptr}, of_other_{nullptr};
+  MovingCorridors<D> corridors_, fresh_;
   KnownRings<D> rings_;
-  typename Sleeves<D>::Answer answer_{};
+  typename MovingCorridors<D>::Answer answer_{};
   Way<D> way_;
 };
 

@@ -1,6 +1,6 @@
-// Sequences of sides in the plane. Those of facets in space are looked at where bodies sweep, see tests/property.
+// Corridors of sides in the plane. Those of facets in space are looked at where bodies sweep, see tests/property.
 
-#include "corridor/sequence.h"
+#include "corridor/corridor.h"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@ namespace {
 using namespace dsw;
 using namespace dsw::test;
 
-class PlaneSequence : public testing::TestWithParam<bool> {
+class PlaneCorridor : public testing::TestWithParam<bool> {
  protected:
   static constexpr uint32_t kWidth = 6, kHeight = 3;
 
-  PlaneSequence() {
+  PlaneCorridor() {
     add_squares(mesh_, kWidth, kHeight, GetParam());
     env_ = mesh_.build();
   }
@@ -35,32 +35,32 @@ class PlaneSequence : public testing::TestWithParam<bool> {
     return {};
   }
   bool follows(const double (&p)[2], const double (&q)[2]) {
-    return dsw::follows(*env_, sequence_, p, q, at(p[0], p[1]), at(q[0], q[1]));
+    return dsw::follows(*env_, corridor_, p, q, at(p[0], p[1]), at(q[0], q[1]));
   }
   void assign(const double (&p)[2], const double (&q)[2]) {
-    SequenceWriter<2> writer(nullptr);
+    CorridorWriter<2> writer(nullptr);
     CastRequest request;
     request.from = p;
     request.to = q;
     request.start = at(p[0], p[1]);
     writer.attach(*env_, request);
     ASSERT_EQ(cast(*env_, request, nullptr).end, CastEnd::kReached);
-    writer.finish(sequence_);
+    writer.finish(corridor_);
   }
-  bool turn(const double (&p)[2], const double (&q)[2]) { return dsw::turn(*env_, sequence_, p, q, pivot_); }
+  bool turn(const double (&p)[2], const double (&q)[2]) { return dsw::turn(*env_, corridor_, p, q, pivot_); }
   static uint32_t vertex(uint32_t x, uint32_t y) { return x + (kWidth + 1) * y; }
 
   Mesh2 mesh_;
   std::unique_ptr<Environment<2>> env_;
-  EdgeSequence<2> sequence_{Array<uint32_t>::allocator_type(nullptr)};
+  Corridor<2> corridor_{Array<uint32_t>::allocator_type(nullptr)};
   Pivot<2> pivot_;
 };
-INSTANTIATE_TEST_SUITE_P(Cut, PlaneSequence, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Cut, PlaneCorridor, testing::Bool());
 
-TEST_P(PlaneSequence, IsFollowedByLinesThatPassBetweenTheSameVertices) {
+TEST_P(PlaneCorridor, IsFollowedByLinesThatPassBetweenTheSameVertices) {
   const double p[2] = {0.3, 1.5}, q[2] = {5.8, 1.4};
   assign(p, q);
-  EXPECT_EQ(sequence_.facets.size(), GetParam() ? 11u : 5u);
+  EXPECT_EQ(corridor_.facets.size(), GetParam() ? 11u : 5u);
   EXPECT_TRUE(follows(p, q));
   EXPECT_TRUE(follows({0.1, 1.6}, {5.9, 1.3}));
   EXPECT_FALSE(follows(q, p)) << "the other way round";
@@ -69,7 +69,7 @@ TEST_P(PlaneSequence, IsFollowedByLinesThatPassBetweenTheSameVertices) {
   EXPECT_FALSE(follows({0.3, 1.95}, {0.4, 1.95})) << "it ends before";
 }
 
-TEST_P(PlaneSequence, IsNotFollowedThroughWhatIsImpassable) {
+TEST_P(PlaneCorridor, IsNotFollowedThroughWhatIsImpassable) {
   const double p[2] = {0.3, 1.5}, q[2] = {5.8, 1.4};
   assign(p, q);
   const HalfFacet side = between(at(2.9, 1.45), at(3.1, 1.5));
@@ -86,18 +86,18 @@ TEST_P(PlaneSequence, IsNotFollowedThroughWhatIsImpassable) {
   EXPECT_TRUE(follows(p, q));
 }
 
-TEST_P(PlaneSequence, KnowsTheLastTwoPlacesUntilSomethingChanges) {
+TEST_P(PlaneCorridor, KnowsTheLastTwoPlacesUntilSomethingChanges) {
   const double p[2] = {0.3, 1.5}, q[2] = {5.8, 1.4}, next[2] = {0.1, 1.6}, third[2] = {0.2, 1.6};
   const Cell first = at(p[0], p[1]), last = at(q[0], q[1]);
   const auto knows = [&](const double(&from)[2]) {
-    return sequence_.has_place(env_->obstacle_version, from, q, first, last);
+    return corridor_.has_place(env_->obstacle_version, from, q, first, last);
   };
   assign(p, q);
   EXPECT_FALSE(knows(p));
   ASSERT_TRUE(follows(p, q) && follows(next, q));
   EXPECT_TRUE(knows(p) && knows(next));
-  EXPECT_FALSE(sequence_.has_place(env_->obstacle_version, q, p, last, first)) << "the other way round";
-  EXPECT_FALSE(sequence_.has_place(env_->obstacle_version, p, q, first, first)) << "another cell";
+  EXPECT_FALSE(corridor_.has_place(env_->obstacle_version, q, p, last, first)) << "the other way round";
+  EXPECT_FALSE(corridor_.has_place(env_->obstacle_version, p, q, first, first)) << "another cell";
   ASSERT_TRUE(follows(third, q));
   EXPECT_TRUE(knows(next) && knows(third));
   EXPECT_FALSE(knows(p)) << "two are kept";
@@ -108,20 +108,20 @@ TEST_P(PlaneSequence, KnowsTheLastTwoPlacesUntilSomethingChanges) {
   ASSERT_TRUE(follows(p, q));
   EXPECT_TRUE(knows(p));
   EXPECT_FALSE(knows(third)) << "of another version";
-  sequence_.remove(*env_, true);
+  corridor_.remove(*env_, true);
   EXPECT_FALSE(knows(p));
 }
 
-TEST_P(PlaneSequence, IsKeptBeforeBetweenAndAfterTheMovesOfBothEnds) {
+TEST_P(PlaneCorridor, IsKeptBeforeBetweenAndAfterTheMovesOfBothEnds) {
   const double p[2] = {0.3, 1.5}, q[2] = {5.8, 1.4}, p_to[2] = {0.1, 1.6}, q_to[2] = {5.9, 1.3};
   assign(p, q);
   ASSERT_TRUE(follows(p, q));
-  const auto keeps = [&](const EdgeWay& way, bool swept = true) { return keeps_to_rows(sequence_, way, swept); };
+  const auto keeps = [&](const EdgeWay& way, bool swept = true) { return keeps_to_rows(corridor_, way, swept); };
   EXPECT_TRUE(keeps({p, p_to, q, q_to, true}));
   EXPECT_TRUE(keeps({q, q_to, p, p_to, false}));
   EXPECT_TRUE(keeps({p, p_to, q, q, true})) << "one end stays";
   const Cell first = at(p[0], p[1]), last = at(q[0], q[1]);
-  EXPECT_TRUE(sequence_.has_place(env_->obstacle_version, p_to, q, first, last)) << "where it arrives";
+  EXPECT_TRUE(corridor_.has_place(env_->obstacle_version, p_to, q, first, last)) << "where it arrives";
   // Each of the three lines counts, that before only where what is swept does.
   const double low[2] = {0.5, 1.01}, far[2] = {5.5, 0.01}, near_far[2] = {5.5, 1.01};
   EXPECT_FALSE(keeps({p, p_to, q, far, true}));
@@ -131,40 +131,40 @@ TEST_P(PlaneSequence, IsKeptBeforeBetweenAndAfterTheMovesOfBothEnds) {
   EXPECT_TRUE(keeps({far, q, p, p_to, false}, false));
 }
 
-TEST_P(PlaneSequence, IsNotFollowedThroughAVertex) {
+TEST_P(PlaneCorridor, IsNotFollowedThroughAVertex) {
   assign({0.25, 0.5}, {1.75, 1.75});
   EXPECT_TRUE(follows({0.25, 0.5}, {1.75, 1.75}));
   EXPECT_FALSE(follows({0.25, 0.25}, {1.75, 1.75})) << "no filter can tell";
 }
 
-TEST_P(PlaneSequence, TurnsRoundAVertex) {
+TEST_P(PlaneCorridor, TurnsRoundAVertex) {
   const double p[2] = {1.6, 0.5}, to[2] = {1.75, 0.4}, q[2] = {2.4, 1.7};
   assign(p, q);
-  const Array<uint32_t> before = sequence_.facets;
+  const Array<uint32_t> before = corridor_.facets;
   ASSERT_FALSE(follows(to, q));
   assign(to, q);
-  const Array<uint32_t> after = sequence_.facets;
+  const Array<uint32_t> after = corridor_.facets;
   ASSERT_TRUE(before != after);
-  sequence_.assign(*env_, before);
+  corridor_.assign(*env_, before);
   ASSERT_TRUE(turn(to, q));
   EXPECT_EQ(pivot_.vertices[0], vertex(2, 1));
-  EXPECT_TRUE(sequence_.facets == after);
+  EXPECT_TRUE(corridor_.facets == after);
   EXPECT_TRUE(follows(to, q));
   ASSERT_TRUE(turn(p, q));
-  EXPECT_TRUE(sequence_.facets == before);
+  EXPECT_TRUE(corridor_.facets == before);
   EXPECT_FALSE(turn(p, q)) << "it is followed";
 }
 
-TEST_P(PlaneSequence, DoesNotTurnOverWhatIsImpassable) {
+TEST_P(PlaneCorridor, DoesNotTurnOverWhatIsImpassable) {
   const double p[2] = {1.6, 0.5}, to[2] = {1.75, 0.4}, q[2] = {2.4, 1.7};
   assign(to, q);
-  const Array<uint32_t> after = sequence_.facets;
+  const Array<uint32_t> after = corridor_.facets;
   assign(p, q);
-  const Array<uint32_t> before = sequence_.facets;
+  const Array<uint32_t> before = corridor_.facets;
   const auto stays = [&] {
     ASSERT_TRUE(follows(p, q));
     EXPECT_FALSE(turn(to, q));
-    EXPECT_TRUE(sequence_.facets == before);
+    EXPECT_TRUE(corridor_.facets == before);
   };
   for (const uint32_t facet : after) {
     if (std::find(before.begin(), before.end(), facet) != before.end()) continue;
@@ -176,14 +176,14 @@ TEST_P(PlaneSequence, DoesNotTurnOverWhatIsImpassable) {
   stays();
 }
 
-TEST_P(PlaneSequence, DoesNotTurnRoundTheRim) {
+TEST_P(PlaneCorridor, DoesNotTurnRoundTheRim) {
   assign({0.5, 1.1}, {0.5, 2.9});
   EXPECT_TRUE(follows({0.5, 1.1}, {0.5, 2.9}));
   EXPECT_FALSE(turn({0.5, 1.1}, {-0.7, 2.9}));
 }
 
 /** After points have moved, only triangles are known to be convex. */
-TEST_P(PlaneSequence, IsForgottenByPolygonsThatMove) {
+TEST_P(PlaneCorridor, IsForgottenByPolygonsThatMove) {
   const double p[2] = {0.3, 1.5}, q[2] = {5.8, 1.4};
   assign(p, q);
   let_points_move(*env_);

@@ -1,11 +1,11 @@
 #pragma once
-// The sequence of facets that an edge passes through on its way: kept from move to move, it is the edge's own forecast.
+// The corridor of facets that an edge passes through on its way: kept from move to move, it is the edge's own forecast.
 
 #include <algorithm>
 
 #include "base/compiler.h"
-#include "environment/environment.h"
 #include "corridor/facet_pass.h"
+#include "environment/environment.h"
 #include "predicates/sweep_events.h"
 #include "walk/cast.h"
 #include "walk/facet_rows.h"
@@ -16,7 +16,7 @@ namespace dsw {
 /** A way from one cell to another through facets that are passable, in some version of an environment: true of that
  * whatever an edge does. */
 template <int D>
-struct Passage {
+struct Portal {
   static constexpr uint64_t kNever = ~uint64_t{0};
   static constexpr uint32_t kInRows = ~uint32_t{0} - 1, kNoCorner = ~uint32_t{0};
 
@@ -26,7 +26,7 @@ struct Passage {
    * kNoCorner: there is no facet, or they are of other cells. */
   uint32_t corners[D == 3 ? 4 : 2];
 
-  Passage() noexcept { forget(); }
+  Portal() noexcept { forget(); }
   void forget() noexcept {
     front = back = {};
     corners[0] = kNoCorner;
@@ -40,8 +40,8 @@ struct Passage {
 
 /** The half-facets that an edge was last known to pass, each seen from the cell that is left; one kNoFacet: unknown. */
 template <int D>
-struct EdgeSequence {
-  Passage<D> passage;  // through the facets
+struct Corridor {
+  Portal<D> portal;  // through the facets
   Array<uint32_t> facets;
   bool in_rows = true;  // they are of tetrahedra, in the plane of convex polygons
   FacetRows<D> rows;    // the facets, of that version; only if they are in rows
@@ -78,13 +78,13 @@ struct EdgeSequence {
     in_rows = kept_in_rows;
     kept_in = 0;
     rows.clear();
-    if (in_rows) rows.replace(0, 0, facets.size());  // read anew with the passage, as its version says
-    passage = {};
+    if (in_rows) rows.replace(0, 0, facets.size());  // read anew with the portal, as its version says
+    portal = {};
     place_count = 0;
   }
 
   bool has_place(uint64_t of_version, const double* from, const double* to, Cell first, Cell last) const noexcept {
-    if (place_count == 0 || passage.version != of_version) return false;
+    if (place_count == 0 || portal.version != of_version) return false;
     return places[last_place].is(from, to, first, last) ||
            (place_count == 2 && places[1 - last_place].is(from, to, first, last));
   }
@@ -100,13 +100,13 @@ struct EdgeSequence {
     place.last = last;
   }
 
-  explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), rows(allocator), kept(allocator) {}
+  explicit Corridor(const Allocator<uint32_t>& allocator) : facets(allocator), rows(allocator), kept(allocator) {}
 
   void clear() noexcept {
     facets.clear();
     rows.clear();
     in_rows = true;
-    passage.forget();
+    portal.forget();
     place_count = 0;
   }
   /** Makes what is known unknown. There is room for one facet. */
@@ -115,7 +115,7 @@ struct EdgeSequence {
     facets[0] = kNoFacet;
     rows.clear();
     in_rows = false;
-    passage.forget();
+    portal.forget();
     place_count = 0;
   }
   bool known() const noexcept { return facets.empty() || facets[0] != kNoFacet; }
@@ -134,39 +134,39 @@ struct EdgeSequence {
     const size_t at = first ? 0 : facets.size() - 1;
     replace(env, at, at + 1, nullptr, 0);
   }
-  /** Whether an end that passes a facet, seen from the cell that it leaves, goes along the sequence. */
+  /** Whether an end that passes a facet, seen from the cell that it leaves, goes along the corridor. */
   bool has_at(const Environment<D>& env, HalfFacet crossed, bool first) const noexcept {
     const HalfFacet left = first ? crossed : env.map.opposite(crossed);
     return !facets.empty() && (first ? facets.front() : facets.back()) == left.word;
   }
-  /** The path of the first or the last end has passed a facet, seen from the cell that it has left. Whether the sequence
+  /** The path of the first or the last end has passed a facet, seen from the cell that it has left. Whether the corridor
    * has one facet more now; else it has one less. Throws std::bad_alloc. */
   bool pass(const Environment<D>& env, HalfFacet crossed, bool first);
   /** To be called when facets have changed, or been read anew. */
-  void note_passage(const Environment<D>& env) noexcept;
+  void note_portal(const Environment<D>& env) noexcept;
 };
 
 /** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all
  * passable. Cells are exactly convex with flat facets. False also where a filter cannot tell: then the segment must be
  * cast. Much cheaper than a cast: nothing waits for a decision. Notes the place. O(facets). */
 template <int D>
-bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
-                   Cell first, Cell last) noexcept;
+bool passes_facets(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Cell first,
+                   Cell last) noexcept;
 /** Asks passes_facets, but returns true at once for the last two places that have passed several facets. */
 template <int D>
-bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
+bool follows(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Cell first,
              Cell last) noexcept {
-  return (!sequence.passage.is_only() && sequence.has_place(env.obstacle_version, from, to, first, last)) ||
-         passes_facets(env, sequence, from, to, first, last);
+  return (!corridor.portal.is_only() && corridor.has_place(env.obstacle_version, from, to, first, last)) ||
+         passes_facets(env, corridor, from, to, first, last);
 }
 
-/** What keeps_to_rows will read of a sequence whose passage is known. */
+/** What keeps_to_rows will read of a corridor whose portal is known. */
 template <int D>
-DSW_PREFETCH void prefetch_way(const Environment<D>& env, const EdgeSequence<D>& sequence) noexcept {
-  prefetch_record(env, sequence.passage.front);
-  prefetch_record(env, sequence.passage.back);
-  if (sequence.passage.is_only() || !sequence.in_rows) return;
-  const FacetSpan<D> rows = sequence.rows.span(0, sequence.facets.size());
+DSW_PREFETCH void prefetch_way(const Environment<D>& env, const Corridor<D>& corridor) noexcept {
+  prefetch_record(env, corridor.portal.front);
+  prefetch_record(env, corridor.portal.back);
+  if (corridor.portal.is_only() || !corridor.in_rows) return;
+  const FacetSpan<D> rows = corridor.rows.span(0, corridor.facets.size());
   for (int corner = 0; corner < D; ++corner) {
     for (int axis = 0; axis < D; ++axis) {
       prefetch_line(rows.row(corner, axis));
@@ -175,27 +175,27 @@ DSW_PREFETCH void prefetch_way(const Environment<D>& env, const EdgeSequence<D>&
   }
 }
 
-/** Whether an edge passes the facet of a passage before, between and after the moves of its ends, which stay in the
+/** Whether an edge passes the facet of a portal before, between and after the moves of its ends, which stay in the
  * cells at it. As passes_facets for each of the lines. */
 template <int D>
-bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, const EdgeWay& edge) noexcept;
-/** Whether an edge passes all facets of a sequence in rows, of the present version, between and after the moves of its
- * ends. The ends stay in the first and the last cell of the passage. Notes where the edge arrives.
+bool keeps_to_portal(const Environment<D>& env, const Portal<D>& portal, const EdgeWay& edge) noexcept;
+/** Whether an edge passes all facets of a corridor in rows, of the present version, between and after the moves of its
+ * ends. The ends stay in the first and the last cell of the portal. Notes where the edge arrives.
  * @param swept whether the edge must pass the facets where it starts, too. */
 template <int D>
-bool keeps_to_rows(EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) noexcept;
-/** Tells whether an edge passes all facets of a sequence between and after the moves of its ends, as keeps_to_rows
+bool keeps_to_rows(Corridor<D>& corridor, const EdgeWay& edge, bool swept) noexcept;
+/** Tells whether an edge passes all facets of a corridor between and after the moves of its ends, as keeps_to_rows
  * does, if the facets are not in rows and are passable in the present version. */
 template <int D>
-bool keeps_to_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept;
+bool keeps_to_facets(const Environment<D>& env, const Corridor<D>& corridor, const EdgeWay& edge) noexcept;
 
-/** Whether edge p q meets no ridge of its sequence before `event` while p goes to `to`. The sequence is that of the
+/** Whether edge p q meets no ridge of its corridor before `event` while p goes to `to`. The corridor is that of the
  * edge at the start; facets that the path of p passes have been added or removed. On which side the line through p and
  * q passes a ridge is linear in time. So a ridge that has the right side at the end is never met; of the others the
- * time is compared. The ridge of `event` itself is left out. Exact. False in the plane where the sequence is not kept in rows.
- * @param p_first whether the sequence begins at p. */
+ * time is compared. The ridge of `event` itself is left out. Exact. False in the plane where the corridor is not kept in rows.
+ * @param p_first whether the corridor begins at p. */
 template <int D>
-bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeMotion& m, bool p_first,
+bool passes_before(const Environment<D>& env, const Corridor<D>& corridor, const EdgeMotion& m, bool p_first,
                    const SweepEvent& event) noexcept;
 
 /** The facets that a path passes up to its target or the wall that it meets, each seen from the cell that is left. Known
@@ -208,10 +208,10 @@ struct PathFacets {
 template <int D>
 PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;
 
-/** Looks at an edge both of whose ends move at once, and at a sequence of at most kMostMissed facets: bit n is set
+/** Looks at an edge both of whose ends move at once, and at a corridor of at most kMostMissed facets: bit n is set
  * unless all lines of the edge certainly pass facet n. */
 template <int D>
-uint64_t missed_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept;
+uint64_t missed_facets(const Environment<D>& env, const Corridor<D>& corridor, const EdgeWay& edge) noexcept;
 
 /** What an edge turns round: an edge of the environment, in the plane a vertex. */
 template <int D>
@@ -223,33 +223,33 @@ struct Pivot {
 HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept;
 HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const Pivot<2>& vertex) noexcept;
 
-/** Turns a sequence that is kept in rows round the first pivot that the segment passes on the wrong side: what it then
- * passes is the other half of the facets there. The sequence may still not be that of the segment. False, and nothing
+/** Turns a corridor that is kept in rows round the first pivot that the segment passes on the wrong side: what it then
+ * passes is the other half of the facets there. The corridor may still not be that of the segment. False, and nothing
  * is changed: there is no such pivot, or no passable way round it. Throws std::bad_alloc. */
 template <int D>
-bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Pivot<D>& pivot);
+bool turn(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Pivot<D>& pivot);
 /** Turns one that is kept in rows round an edge of its facet `begin`, the first that has it. */
-bool turn_in_rows(const Environment<3>& env, EdgeSequence<3>& sequence, size_t begin, const Pivot<3>& edge);
+bool turn_in_rows(const Environment<3>& env, Corridor<3>& corridor, size_t begin, const Pivot<3>& edge);
 
-/** A sequence as it was noted, or passed the other way round. */
-struct SequenceView {
+/** A corridor as it was noted, or passed the other way round. */
+struct CorridorView {
   const uint32_t* facets = nullptr;
   size_t count = 0;
   bool turned = false;
 };
 
-/** Whether the three sides of a triangle, a to b, b to c and c to a, lie in the same sleeve of cells: one of them
+/** Whether the three sides of a triangle, a to b, b to c and c to a, lie in the same corridor: one of them
  * passes what the two others pass, one after the other. Each has been found by `follows`, so it passes every facet
  * where all lines of that look the same way; there the facet is convex, and the cells are, so the triangle lies in the
- * sleeve and no edge of a cell pierces it. Asked of faces, so not in the plane. */
-bool share_sleeve(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept;
+ * corridor and no edge of a cell pierces it. Asked of faces, so not in the plane. */
+bool share_corridor(const Map<3>& map, CorridorView ab, CorridorView bc, CorridorView ca) noexcept;
 
-/** Notes the half-facets that casts pass. A cast allocates nothing: what finds no room makes the sequence unknown, and
+/** Notes the half-facets that casts pass. A cast allocates nothing: what finds no room makes the corridor unknown, and
  * room for the next time is made by `finish`. */
 template <int D>
-class SequenceWriter {
+class CorridorWriter {
  public:
-  explicit SequenceWriter(const Memory* memory) : facets_(memory) {}
+  explicit CorridorWriter(const Memory* memory) : facets_(memory) {}
 
   /** Both must outlive the cast. Throws std::bad_alloc the first time. */
   void attach(const Environment<D>& env, CastRequest& request) {
@@ -268,8 +268,8 @@ class SequenceWriter {
   }
   /** What a cast passed, until the next one. */
   const Array<uint32_t>& passed() const noexcept { return facets_; }
-  /** Copies the sequence of a cast that reached its target. Throws std::bad_alloc. */
-  void finish(EdgeSequence<D>& sequence);
+  /** Copies the corridor of a cast that reached its target. Throws std::bad_alloc. */
+  void finish(Corridor<D>& corridor);
 
  private:
   static constexpr size_t kFirstRoom = 16;

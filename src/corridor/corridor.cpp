@@ -1,4 +1,4 @@
-#include "corridor/sequence.h"
+#include "corridor/corridor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,10 +67,10 @@ struct CellsOfRows : ConvexCells<D> {
 
 /** What is known of facets in rows from `begin` to before `end`. */
 template <int D>
-void read_rows(const Environment<D>& env, EdgeSequence<D>& sequence, size_t begin, size_t end) noexcept {
+void read_rows(const Environment<D>& env, Corridor<D>& corridor, size_t begin, size_t end) noexcept {
   for (size_t n = begin; n < end; ++n) {
-    const Corners<D> corners(env.map, sequence.facets[n]);
-    for (int i = 0; i < D; ++i) sequence.rows.set(n, i, env.point(corners.vertices[i]));
+    const Corners<D> corners(env.map, corridor.facets[n]);
+    for (int i = 0; i < D; ++i) corridor.rows.set(n, i, env.point(corners.vertices[i]));
   }
 }
 
@@ -101,14 +101,14 @@ bool are_open(const Environment<2>&, const Array<uint32_t>&) noexcept { return f
 
 /** Whether the facets are passable in the present version; where it is another one than before, reads them anew. */
 template <int D>
-bool renew(const Environment<D>& env, EdgeSequence<D>& sequence) noexcept {
-  if (sequence.passage.version == env.obstacle_version) return true;
-  const Array<uint32_t>& facets = sequence.facets;
-  if (sequence.in_rows ? !are_passable(env, facets) : !are_open(env, facets)) return false;
-  if (sequence.in_rows) read_rows(env, sequence, 0, facets.size());
-  sequence.note_passage(env);
-  sequence.passage.version = env.obstacle_version;
-  sequence.place_count = 0;
+bool renew(const Environment<D>& env, Corridor<D>& corridor) noexcept {
+  if (corridor.portal.version == env.obstacle_version) return true;
+  const Array<uint32_t>& facets = corridor.facets;
+  if (corridor.in_rows ? !are_passable(env, facets) : !are_open(env, facets)) return false;
+  if (corridor.in_rows) read_rows(env, corridor, 0, facets.size());
+  corridor.note_portal(env);
+  corridor.portal.version = env.obstacle_version;
+  corridor.place_count = 0;
   return true;
 }
 
@@ -173,7 +173,7 @@ HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const Pivot<2>&
 }
 
 template <int D>
-void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t end, const uint32_t* by, size_t count) {
+void Corridor<D>::replace(const Environment<D>& env, size_t begin, size_t end, const uint32_t* by, size_t count) {
   const size_t removed = end - begin, size = facets.size() - removed + count;
   const bool all = (in_rows || removed == facets.size()) &&
                    std::all_of(by, by + count, [&](uint32_t f) { return is_for_rows(env.map, env.map.cell_of({f})); });
@@ -191,11 +191,11 @@ void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t en
     rows.clear();
     in_rows = false;
   }
-  note_passage(env);
+  note_portal(env);
 }
 
 template <int D>
-bool EdgeSequence<D>::pass(const Environment<D>& env, HalfFacet crossed, bool first) {
+bool Corridor<D>::pass(const Environment<D>& env, HalfFacet crossed, bool first) {
   const bool is_shorter = has_at(env, crossed, first);
   if (is_shorter) {
     remove(env, first);
@@ -206,23 +206,23 @@ bool EdgeSequence<D>::pass(const Environment<D>& env, HalfFacet crossed, bool fi
 }
 
 template <int D>
-void EdgeSequence<D>::note_passage(const Environment<D>& env) noexcept {
-  passage.forget();
+void Corridor<D>::note_portal(const Environment<D>& env) noexcept {
+  portal.forget();
   if (facets.empty() || !known()) return;
   const Map<D>& map = env.map;
   const HalfFacet facet{facets.front()}, beyond = map.opposite({facets.back()});
   if (!beyond.valid()) return;
   const Cell c = map.cell_of(facet);
-  passage.front = c;
-  passage.back = map.cell_of(beyond);
+  portal.front = c;
+  portal.back = map.cell_of(beyond);
   if (facets.size() != 1) {
-    if (in_rows) passage.corners[0] = Passage<D>::kInRows;
+    if (in_rows) portal.corners[0] = Portal<D>::kInRows;
     return;
   }
   if constexpr (D == 3) {
-    if (has_standard_facets(map.form(c))) standard_corners(map.record(c), map.local_of(facet, c), passage.corners);
+    if (has_standard_facets(map.form(c))) standard_corners(map.record(c), map.local_of(facet, c), portal.corners);
   } else {
-    if (in_rows) std::copy_n(Corners<2>(map, facet.word).vertices, 2, passage.corners);
+    if (in_rows) std::copy_n(Corners<2>(map, facet.word).vertices, 2, portal.corners);
   }
 }
 
@@ -261,80 +261,80 @@ bool keeps_to_one(const Environment<3>& env, HalfFacet facet, const EdgeWay& edg
 }
 bool keeps_to_one(const Environment<2>&, HalfFacet, const EdgeWay&) noexcept { return false; }
 
-/** Whether a line certainly passes all facets of a sequence in rows. */
-bool pass_rows(const EdgeSequence<3>& sequence, const double* from, const double* to) noexcept {
-  return kPassesTriangles(from, to, sequence.rows.span(0, sequence.facets.size()));
+/** Whether a line certainly passes all facets of a corridor in rows. */
+bool pass_rows(const Corridor<3>& corridor, const double* from, const double* to) noexcept {
+  return kPassesTriangles(from, to, corridor.rows.span(0, corridor.facets.size()));
 }
-bool pass_rows(const EdgeSequence<2>& sequence, const double* from, const double* to) noexcept {
+bool pass_rows(const Corridor<2>& corridor, const double* from, const double* to) noexcept {
   LineSides line(from, to);
-  const FacetSpan<2> facets = sequence.rows.span(0, sequence.facets.size());
+  const FacetSpan<2> facets = corridor.rows.span(0, corridor.facets.size());
   return first_missed<2>(line, facets) == facets.size() && line.passed_all();
 }
 
 }  // namespace
 
 template <int D>
-bool passes_facets(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
-                   Cell first, Cell last) noexcept {
-  const Array<uint32_t>& facets = sequence.facets;
+bool passes_facets(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Cell first,
+                   Cell last) noexcept {
+  const Array<uint32_t>& facets = corridor.facets;
   if (facets.empty()) return first == last && env.map.convex(first);
-  if (sequence.passage.version != env.obstacle_version && !(sequence.known() && renew(env, sequence))) return false;
-  if (!sequence.passage.leads(env, first, last)) return false;
+  if (corridor.portal.version != env.obstacle_version && !(corridor.known() && renew(env, corridor))) return false;
+  if (!corridor.portal.leads(env, first, last)) return false;
   // Asking one facet again costs no more than its last places.
-  if (sequence.passage.is_only()) return pass_only(env, sequence.passage.corners, from, to);
-  if (!(sequence.in_rows ? pass_rows(sequence, from, to) : pass(env, from, to, facets))) return false;
-  sequence.note_place(from, to, first, last);
+  if (corridor.portal.is_only()) return pass_only(env, corridor.portal.corners, from, to);
+  if (!(corridor.in_rows ? pass_rows(corridor, from, to) : pass(env, from, to, facets))) return false;
+  corridor.note_place(from, to, first, last);
   return true;
 }
 
 template <int D>
-bool keeps_to_passage(const Environment<D>& env, const Passage<D>& passage, const EdgeWay& edge) noexcept {
-  return keeps_to(env, passage.corners, edge);
+bool keeps_to_portal(const Environment<D>& env, const Portal<D>& portal, const EdgeWay& edge) noexcept {
+  return keeps_to(env, portal.corners, edge);
 }
 
-/** The passage is known to lead from cell to cell, so this asks less than `follows` would. */
+/** The portal is known to lead from cell to cell, so this asks less than `follows` would. */
 template <int D>
-bool keeps_to_rows(EdgeSequence<D>& sequence, const EdgeWay& edge, bool swept) noexcept {
+bool keeps_to_rows(Corridor<D>& corridor, const EdgeWay& edge, bool swept) noexcept {
   struct Line {
     const double *from, *to;
   };
   const auto line = [&](const double* a, const double* b) { return edge.from_first ? Line{a, b} : Line{b, a}; };
-  const auto passes = [&](const Line& each) { return pass_rows(sequence, each.from, each.to); };
-  const Passage<D>& passage = sequence.passage;
+  const auto passes = [&](const Line& each) { return pass_rows(corridor, each.from, each.to); };
+  const Portal<D>& portal = corridor.portal;
   const Line before = line(edge.first, edge.other), between = line(edge.first_to, edge.other),
              after = line(edge.first_to, edge.other_to);
-  if (swept && !sequence.has_place(passage.version, before.from, before.to, passage.front, passage.back) &&
+  if (swept && !corridor.has_place(portal.version, before.from, before.to, portal.front, portal.back) &&
       !passes(before)) {
     return false;
   }
   if (!passes(between) || (edge.other_to != edge.other && !passes(after))) return false;
-  sequence.note_place(after.from, after.to, passage.front, passage.back);
+  corridor.note_place(after.from, after.to, portal.front, portal.back);
   return true;
 }
 
 template <int D>
-uint64_t missed_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept {
-  const size_t count = sequence.facets.size();
+uint64_t missed_facets(const Environment<D>& env, const Corridor<D>& corridor, const EdgeWay& edge) noexcept {
+  const size_t count = corridor.facets.size();
   uint64_t bits = 0;
-  if (sequence.in_rows && count != 0) {
+  if (corridor.in_rows && count != 0) {
     for (const double* from : {edge.first, edge.first_to}) {
       for (const double* to : {edge.other, edge.other_to}) {
         LineTests<D> line(from, to);
-        const uint64_t of_line = missed(line, sequence.rows.span(0, count));
+        const uint64_t of_line = missed(line, corridor.rows.span(0, count));
         bits |= line.passed_all() ? of_line : ~uint64_t{0} >> (kMostMissed - count);
       }
     }
     return bits;
   }
   for (size_t n = 0; n < count; ++n) {
-    if (!keeps_to_one(env, {sequence.facets[n]}, edge)) bits |= uint64_t{1} << n;
+    if (!keeps_to_one(env, {corridor.facets[n]}, edge)) bits |= uint64_t{1} << n;
   }
   return bits;
 }
 
 template <int D>
-bool keeps_to_facets(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeWay& edge) noexcept {
-  return D == 3 && !sequence.in_rows && std::all_of(sequence.facets.begin(), sequence.facets.end(), [&](uint32_t f) {
+bool keeps_to_facets(const Environment<D>& env, const Corridor<D>& corridor, const EdgeWay& edge) noexcept {
+  return D == 3 && !corridor.in_rows && std::all_of(corridor.facets.begin(), corridor.facets.end(), [&](uint32_t f) {
            return keeps_to_one(env, {f}, edge);
          });
 }
@@ -396,11 +396,11 @@ void ridge_sides(const Environment<2>&, LineSides&, HalfFacet, int (&)[3]) noexc
 }  // namespace
 
 template <int D>
-bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, const EdgeMotion& m, bool p_first,
+bool passes_before(const Environment<D>& env, const Corridor<D>& corridor, const EdgeMotion& m, bool p_first,
                    const SweepEvent& event) noexcept {
   const double *const from = p_first ? m.to : m.q, *const to = p_first ? m.q : m.to;
-  const size_t count = sequence.facets.size();
-  const bool in_rows = sequence.in_rows && sequence.passage.version == env.obstacle_version;
+  const size_t count = corridor.facets.size();
+  const bool in_rows = corridor.in_rows && corridor.portal.version == env.obstacle_version;
   if (D == 2 && !in_rows) return false;
   FacetRidge later{nullptr, nullptr, 0};  // the last that was found to be met later: the next facet may have it, too
   // If facets are in rows, only those that are not certainly passed are asked one by one; otherwise all facets are.
@@ -409,11 +409,11 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
     uint64_t ask = ~uint64_t{0} >> (kMostMissed - some);
     LineTests<D> line(from, to);
     if (in_rows) {
-      const uint64_t bits = missed(line, sequence.rows.span(begin, some));
+      const uint64_t bits = missed(line, corridor.rows.span(begin, some));
       if (line.passed_all()) ask = bits;
     }
     for (; ask != 0; ask &= ask - 1) {
-      const HalfFacet facet{sequence.facets[begin + lowest_bit(ask)]};
+      const HalfFacet facet{corridor.facets[begin + lowest_bit(ask)]};
       int sides[3] = {0, 0, 0}, next = 0;
       if (in_rows) ridge_sides(env, line, facet, sides);
       const bool is_passed = for_each_facet_ridge(env, facet, [&](const FacetRidge& ridge) {
@@ -432,49 +432,49 @@ bool passes_before(const Environment<D>& env, const EdgeSequence<D>& sequence, c
   return true;
 }
 
-bool turn_in_rows(const Environment<3>& env, EdgeSequence<3>& sequence, size_t begin, const Pivot<3>& edge) {
-  return turn_at(env, sequence, begin, edge, CellsOfRows<3>(env.map));
+bool turn_in_rows(const Environment<3>& env, Corridor<3>& corridor, size_t begin, const Pivot<3>& edge) {
+  return turn_at(env, corridor, begin, edge, CellsOfRows<3>(env.map));
 }
 
 template <int D>
-bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Pivot<D>& pivot) {
-  if (!sequence.known() || !renew(env, sequence)) return false;
+bool turn(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Pivot<D>& pivot) {
+  if (!corridor.known() || !renew(env, corridor)) return false;
   if constexpr (D == 3) {
-    if (!sequence.in_rows) return turn_round_edge(env, sequence, from, to, pivot);
+    if (!corridor.in_rows) return turn_round_edge(env, corridor, from, to, pivot);
   }
-  if (!sequence.in_rows) return false;
-  const Array<uint32_t>& facets = sequence.facets;
+  if (!corridor.in_rows) return false;
+  const Array<uint32_t>& facets = corridor.facets;
   LineTests<D> line(from, to);
-  const size_t begin = first_missed<D>(line, sequence.rows.span(0, facets.size()));
+  const size_t begin = first_missed<D>(line, corridor.rows.span(0, facets.size()));
   if (begin == facets.size()) return false;
   if constexpr (D == 3) {
     if (!line.is_in_range(line.largest())) return false;  // instruction sets differ in what overflows
   }
   pivot = missed_ridge(env, line, Corners<D>(env.map, facets[begin]));
-  return turn_at(env, sequence, begin, pivot, CellsOfRows<D>(env.map));
+  return turn_at(env, corridor, begin, pivot, CellsOfRows<D>(env.map));
 }
 
-bool share_sleeve(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {
-  // Facet i of a sequence in the direction of the view.
-  const auto at = [&](const SequenceView& s, size_t i) {
+bool share_corridor(const Map<3>& map, CorridorView ab, CorridorView bc, CorridorView ca) noexcept {
+  // Facet i of a corridor in the direction of the view.
+  const auto at = [&](const CorridorView& s, size_t i) {
     return s.turned ? map.opposite({s.facets[s.count - 1 - i]}).word : s.facets[i];
   };
-  const auto is_sum = [&](const SequenceView& whole, const SequenceView& first, const SequenceView& second) {
+  const auto is_sum = [&](const CorridorView& whole, const CorridorView& first, const CorridorView& second) {
     if (whole.count != first.count + second.count) return false;
     for (size_t i = 0; i < whole.count; ++i) {
       if (at(whole, i) != (i < first.count ? at(first, i) : at(second, i - first.count))) return false;
     }
     return true;
   };
-  const auto turn = [](SequenceView s) { return SequenceView{s.facets, s.count, !s.turned}; };
+  const auto turn = [](CorridorView s) { return CorridorView{s.facets, s.count, !s.turned}; };
   return is_sum(turn(ca), ab, bc) || is_sum(turn(ab), bc, ca) || is_sum(turn(bc), ca, ab);
 }
 
-template struct EdgeSequence<2>;
-template struct EdgeSequence<3>;
+template struct Corridor<2>;
+template struct Corridor<3>;
 DSW_INSTANTIATE(missed_facets);
 DSW_INSTANTIATE(passes_facets);
-DSW_INSTANTIATE(keeps_to_passage);
+DSW_INSTANTIATE(keeps_to_portal);
 DSW_INSTANTIATE(keeps_to_rows);
 DSW_INSTANTIATE(keeps_to_facets);
 DSW_INSTANTIATE(passes_before);

@@ -4,18 +4,18 @@
 #include "body/simplices.h"
 #include "motion/moving_body.h"
 #include "motion/place_on_way.h"
-#include "proximity/partners.h"
 #include "predicates/moving_pair.h"
 #include "proximity/near_lists.h"
+#include "proximity/partners.h"
 #include "response/settings.h"
-#include "together/touchables.h"
+#include "together/candidates.h"
 #include "walk/retreat.h"
 
 namespace dsw {
 
 /** A body of a call. Every vertex goes straight and steadily from its position to its end. */
 template <int D>
-struct Traveller {
+struct Trajectory {
   MovingBody<D> motion;
   Partner<D> name{nullptr, 0, 0};
   NearNotes<D>* notes = nullptr;  // what is remembered of what is near the body
@@ -26,7 +26,7 @@ struct Traveller {
   Array<double> limits;   // times up to which edges and faces at a vertex are looked at
   Array<uint8_t> is_new;  // vertices whose ways have not been looked at; parts without one are passed over
 
-  explicit Traveller(const Memory* memory)
+  explicit Trajectory(const Memory* memory)
       : motion(memory), goals(memory), ends(memory), limits(memory), is_new(memory) {}
 
   const double* start(uint32_t v) const { return motion.body->position(v); }
@@ -44,11 +44,11 @@ template <int D>
 struct WayTouch {
   MovingPair<D> pair;
   FirstTouch first;
-  uint32_t traveller;  // that moves
-  Simplex part;        // its part
-  bool comes_first;    // whether its points are the first of the pair
+  uint32_t trajectory;  // that moves
+  Simplex part;         // its part
+  bool comes_first;     // whether its points are the first of the pair
   // What it touches: the number of a body that moves, else kNone; and the body, or null for the environment.
-  uint32_t other_traveller = kNone;
+  uint32_t other_trajectory = kNone;
   const Partner<D>* other = nullptr;
   Simplex other_part{};
   WallFeature wall{};
@@ -75,17 +75,17 @@ struct FirstTouches {
 
 /** Whether the way of a part has not been looked at. */
 template <int D>
-bool is_new(const Traveller<D>& of, const SimplexCorners<D>& corners) noexcept {
+bool is_new(const Trajectory<D>& of, const SimplexCorners<D>& corners) noexcept {
   return std::any_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.is_new[v] != 0; });
 }
 
-/** Calls visit(traveller, vertex) for the vertices of the call's bodies that touch. */
+/** Calls visit(trajectory, vertex) for the vertices of the call's bodies that touch. */
 template <int D, class Visit>
-void for_each_touching(Array<Traveller<D>>& travellers, const WayTouch<D>& touch, Visit visit) {
-  Traveller<D>& of = travellers[touch.traveller];
+void for_each_touching(Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, Visit visit) {
+  Trajectory<D>& of = trajectories[touch.trajectory];
   for (const uint32_t v : SimplexCorners<D>(*of.motion.body, touch.part)) visit(of, v);
-  if (touch.other_traveller == kNone) return;
-  Traveller<D>& other = travellers[touch.other_traveller];
+  if (touch.other_trajectory == kNone) return;
+  Trajectory<D>& other = trajectories[touch.other_trajectory];
   for (const uint32_t v : SimplexCorners<D>(*other.motion.body, touch.other_part)) visit(other, v);
 }
 
@@ -102,7 +102,7 @@ double step_back(const WayTouch<D>& touch) noexcept {
 
 /** The box of the way of a part, up to where it goes in the call. */
 template <int D>
-Box<D> box_of_way(const Traveller<D>& of, const Simplex& part) noexcept {
+Box<D> box_of_way(const Trajectory<D>& of, const Simplex& part) noexcept {
   Box<D> box;
   for (const uint32_t v : SimplexCorners<D>(*of.motion.body, part)) {
     box.add(of.start(v));

@@ -24,9 +24,9 @@ struct WallFeature {
 };
 
 /** A feature of walls, or something thin that is marked. */
-struct Touchable {
+struct Candidate {
   WallFeature name;
-  uint32_t first_plane, plane_end;  // the walls that have it, in Touchables::numbers
+  uint32_t first_plane, plane_end;  // the walls that have it, in Candidates::numbers
 };
 
 /** The triangle of a wall, in the plane its segment. */
@@ -37,14 +37,14 @@ struct WallPlane {
 
 /** A view of what a part may touch. */
 template <int D>
-struct Touchables {
-  const Touchable *first, *last;
+struct Candidates {
+  const Candidate *first, *last;
   const uint32_t* numbers;  // of planes
   const WallPlane<D>* planes;
   uint32_t plane_count;
 
-  const Touchable* begin() const noexcept { return first; }
-  const Touchable* end() const noexcept { return last; }
+  const Candidate* begin() const noexcept { return first; }
+  const Candidate* end() const noexcept { return last; }
 };
 
 }  // namespace dsw

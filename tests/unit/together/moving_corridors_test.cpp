@@ -1,7 +1,7 @@
 // Long edges whose ends go on and on, each move from where the last one led: what is said to meet nothing touches nothing,
 // says first_touch of the edge and each feature of each wall, and what is kept of an edge is what a cast from end to end
 // passes. Figures are printed.
-#include "together/sleeves.h"
+#include "together/moving_corridors.h"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,12 @@
 namespace dsw::test {
 namespace {
 
-/** Boxes in a row: an end that comes from one of them or goes to it makes the sequence longer or shorter. */
-TEST(Sleeves, KeepToBoxes) {
+/** Boxes in a row: an end that comes from one of them or goes to it makes the corridor longer or shorter. */
+TEST(MovingCorridors, KeepToBoxes) {
   Mesh3 mesh;
   add_boxes(mesh, 4, 1, 1);
   const auto env = mesh.build();
-  Sleeves<3> sleeves(*env);
+  MovingCorridors<3> corridors(*env);
   for (const int first : {0, 1}) {
     for (const bool back : {false, true}) {
       for (int to = 0; to < 4; ++to) {
@@ -29,7 +29,7 @@ TEST(Sleeves, KeepToBoxes) {
         double places[4] = {1.5, 3.5, to + 0.5, 3.4};
         if (back) std::swap(places[0], places[2]);
         const int cells[4] = {back ? to : 1, 3, back ? 1 : to, 3};
-        Traveller<3> of(nullptr);
+        Trajectory<3> of(nullptr);
         of.motion.body = &body;
         of.ends.resize(6);
         of.motion.ways.resize(2);
@@ -45,18 +45,18 @@ TEST(Sleeves, KeepToBoxes) {
           of.motion.crossed[static_cast<size_t>(i)] = path_facets(env->map, start, path);
         }
         add_edge(body, 0, 1);
-        ASSERT_EQ(sleeves.ask(of, 0, {of.end(0), of.end(1)}, true), Sleeves<3>::Answer::kNothing)
+        ASSERT_EQ(corridors.ask(of, 0, {of.end(0), of.end(1)}, true), MovingCorridors<3>::Answer::kNothing)
             << first << back << to;
-        const EdgeSequence<3>& kept = body.sequences[0];
+        const Corridor<3>& kept = body.corridors[0];
         EXPECT_EQ(kept.facets.size(), static_cast<size_t>(3 - cells[2]));
-        EXPECT_TRUE(kept.passage.front == of.motion.ways[0].arrival && kept.passage.back == of.motion.ways[1].arrival);
+        EXPECT_TRUE(kept.portal.front == of.motion.ways[0].arrival && kept.portal.back == of.motion.ways[1].arrival);
       }
     }
   }
 }
 
 /** An end comes into a polygon that is not convex, and is blocked there. */
-TEST(Sleeves, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
+TEST(MovingCorridors, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
   Mesh2 mesh;
   for (const double y : {0.0, 1.0, 2.0}) {
     for (const double x : {-2.0, 0.0, 1.0, 2.0}) mesh.point({x, y});
@@ -64,11 +64,11 @@ TEST(Sleeves, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
   mesh.cell(kQuad, {4, 5, 9, 8});
   mesh.cell(kPolygon, {1, 2, 3, 7, 6, 10, 9, 5});
   const auto env = mesh.build();
-  Sleeves<2> sleeves(*env);
+  MovingCorridors<2> corridors(*env);
   for (const double end : {0.6, 1.6}) {
     Body<2> body(nullptr);
     reserve(body, 2, 1, 0);
-    Traveller<2> of(nullptr);
+    Trajectory<2> of(nullptr);
     of.motion.body = &body;
     of.ends.resize(4);
     of.motion.ways.resize(2);
@@ -86,7 +86,7 @@ TEST(Sleeves, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
     of.motion.crossed[0] = path_facets(env->map, start, path);
     ASSERT_EQ(of.motion.ways[0].arrival.valid(), end < 1);
     ASSERT_EQ(of.motion.crossed[0].count, 1u);
-    EXPECT_EQ(sleeves.ask(of, 0, {of.end(0), of.end(1)}, true), Sleeves<2>::Answer::kUnknown);
+    EXPECT_EQ(corridors.ask(of, 0, {of.end(0), of.end(1)}, true), MovingCorridors<2>::Answer::kUnknown);
   }
 }
 
@@ -107,7 +107,7 @@ TEST_P(SleevesTest, WhatIsKnownToMeetNothingTouchesNothing) {
   if (kind.dimension == 3) run<3>(n);
   std::printf(
       "%s: %zu ways, %zu touch nothing, %zu by rings alone, %zu are known to, %zu of these begin or end exactly on "
-      "something; what %zu others touch first was found; where %zu end, %.1f facets (at most %zu), %zu sequences "
+      "something; what %zu others touch first was found; where %zu end, %.1f facets (at most %zu), %zu corridors "
       "known; %zu changes\n",
       kind.name, n.asked, n.free, n.by_rings, n.known, n.at_ends, n.first_found, n.clear,
       static_cast<double>(n.facets) / static_cast<double>(n.clear), n.most, n.followed, n.changes);

@@ -1,7 +1,7 @@
 // What a cast tells of the facets that it passes.
 
 #include "base/dimensions.h"
-#include "corridor/sequence.h"
+#include "corridor/corridor.h"
 
 namespace dsw {
 
@@ -27,19 +27,19 @@ PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) no
 }
 
 template <int D>
-void SequenceWriter<D>::finish(EdgeSequence<D>& sequence) {
+void CorridorWriter<D>::finish(Corridor<D>& corridor) {
   if (had_room()) {
-    sequence.assign(*env_, facets_);
-    sequence.passage.version = env_->obstacle_version;
+    corridor.assign(*env_, facets_);
+    corridor.portal.version = env_->obstacle_version;
     return;
   }
-  sequence.facets.reserve(1);
-  sequence.forget();
+  corridor.facets.reserve(1);
+  corridor.forget();
 }
 
 template <int D>
-void SequenceWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noexcept {
-  SequenceWriter<D>& w = *static_cast<SequenceWriter<D>*>(user);
+void CorridorWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noexcept {
+  CorridorWriter<D>& w = *static_cast<CorridorWriter<D>*>(user);
   ++w.passed_;
   if (w.facets_.size() == w.facets_.capacity()) return;
   const Map<D>& map = w.env_->map;
@@ -47,8 +47,8 @@ void SequenceWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noe
   w.facets_.push_back(map.half_facet(from, facet).word);
 }
 
-template class SequenceWriter<2>;
-template class SequenceWriter<3>;
+template class CorridorWriter<2>;
+template class CorridorWriter<3>;
 DSW_INSTANTIATE(path_facets);
 
 }  // namespace dsw

@@ -1,0 +1,150 @@
+// On which side a line through two points passes a ridge is affine in each of the points. So if the lines through all
+// choices of start or end of both ends pass all facets of a corridor, the edge's line passes them at all times. It then
+// crosses the cells between these facets one after the other, each from facet to facet. The ends are in cells of the
+// corridor at all times, so the edge is, too.
+//
+// If a path is blocked, this holds until its end passes the wall. What comes after that is of no use.
+//
+// An end that goes to the next cell of the corridor leaves it shorter. One that goes elsewhere makes it longer. The lines
+// are compared with the longer corridor. If the edge may leave it, `ridge_rings.h` finds what the edge may touch.
+
+#include "together/moving_corridors.h"
+
+namespace dsw {
+
+template <int D>
+typename MovingCorridors<D>::End MovingCorridors<D>::end_of(const Trajectory<D>& of, uint32_t edge, uint32_t k) const {
+  const uint32_t v = of.motion.body->edges[edge].ends[k];
+  return {of.start(v), of.end(v), of.motion.body->vertices[v].cell, of.motion.ways[v].arrival, paths_[k]};
+}
+
+/** Writes the facets that a vertex passes on its way to a place. If the path is blocked, there may be more of them. False:
+ * a cell at an end of the path is not known to be convex. */
+template <int D>
+bool MovingCorridors<D>::find_path(const Trajectory<D>& of, uint32_t v, const double* place, Array<uint32_t>& path) {
+  const Map<D>& map = env_.map;
+  const Cell from = of.motion.body->vertices[v].cell, to = of.motion.ways[v].arrival;
+  const auto suits = [&](Cell c) { return map.convex(c) && !is_closed(env_, c); };
+  path.clear();
+  if (!suits(from)) return false;
+  if (from == to) return true;
+  const PathFacets& crossed = of.motion.crossed[v];
+  if (crossed.is_known) {
+    for (uint32_t i = 0; i < crossed.count; ++i) path.push_back(crossed.facets[i].word);
+  } else {
+    if (!cast_path(of.start(v), place, from, to)) return false;
+    path = writer_.passed();
+  }
+  return path.empty() || suits(map.cell_of(map.opposite({path.back()})));
+}
+
+/** Casts a segment, and notes the facets that it passes. True: the segment is free, and it ends in `end`, if that is
+ * valid. */
+template <int D>
+bool MovingCorridors<D>::cast_path(const double* from, const double* to, Cell start, Cell end) {
+  CastRequest request;
+  request.from = from;
+  request.to = to;
+  request.start = start;
+  request.end = end;
+  do {
+    writer_.attach(env_, request);
+    const CastResult result = cast(env_, request, counters);
+    if (result.end != CastEnd::kReached || (end.valid() && result.cell != end)) return false;
+  } while (!writer_.had_room());
+  return true;
+}
+
+/** Whether a corridor leads from the cell of one end to that of the other. */
+template <int D>
+bool MovingCorridors<D>::is_of(const Corridor<D>& corridor, const End& a, const End& b) const {
+  if (!corridor.known()) return false;
+  if (corridor.facets.empty()) return a.from == b.from;
+  return corridor.portal.version == env_.obstacle_version && corridor.portal.front == a.from &&
+         corridor.portal.back == b.from;
+}
+
+/** Notes the corridor of the edge where it starts. */
+template <int D>
+bool MovingCorridors<D>::note_start(Corridor<D>& corridor, uint64_t call, const End& a, const End& b) {
+  if (!cast_path(a.start, b.start, a.from, b.from)) return false;
+  corridor.keep(call);
+  writer_.finish(corridor);
+  return true;
+}
+
+template <int D>
+typename MovingCorridors<D>::Answer MovingCorridors<D>::ask(const Trajectory<D>& of, uint32_t edge,
+                                                            const double* const (&places)[2], bool are_ends) {
+  const Body<D>& body = *of.motion.body;
+  if (!body.keeps_corridors()) return Answer::kUnknown;
+  for (uint32_t k = 0; k < 2; ++k) {
+    if (!find_path(of, body.edges[edge].ends[k], places[k], paths_[k])) return Answer::kUnknown;
+  }
+  const End a = end_of(of, edge, 0), b = end_of(of, edge, 1);
+  Corridor<D>& corridor = body.corridors[edge];
+  bool is_known = is_of(corridor, a, b);
+  if (is_known) corridor.portal.version = env_.obstacle_version;  // one without facets is of all versions
+  if (is_known && are_ends && stays(corridor, body.call, a, b)) return Answer::kNothing;
+  // What is found does not depend on what was noted before.
+  is_known = is_known && follows(env_, corridor, a.start, b.start, a.from, b.from);
+  if (!is_known) {
+    if (!note_start(corridor, body.call, a, b)) return Answer::kUnknown;
+    if (are_ends && stays(corridor, body.call, a, b)) return Answer::kNothing;
+  }
+  if (!rings_.find(corridor, EdgeWay::of_both(a.start, places[0], b.start, places[1]), paths_)) return Answer::kUnknown;
+  const Candidates<D> found = features();
+  if (found.first != found.last) return Answer::kFeatures;
+  if (are_ends) go_on(of, edge);
+  return Answer::kNothing;
+}
+
+/** Whether the edge keeps to its corridor, or to one more facet at either end. The corridor becomes that of the end. If the
+ * edge may leave it, it stays that of the start. */
+template <int D>
+bool MovingCorridors<D>::stays(Corridor<D>& corridor, uint64_t call, const End& a, const End& b) {
+  if (a.path.size() > 1 || b.path.size() > 1) return false;
+  if (!a.path.empty() || !b.path.empty()) corridor.keep(call);
+  const auto extend = [&](const End& end, bool first) {
+    return !end.path.empty() && !corridor.has_at(env_, {end.path[0]}, first) &&
+           corridor.pass(env_, {end.path[0]}, first);
+  };
+  const bool is_longer_at_a = extend(a, true), is_longer_at_b = extend(b, false);
+  const bool stays = !corridor.facets.empty() && passes_all(corridor, a, b);
+  // Both ends do not go through the only facet: no line would pass that at the end.
+  if (stays ? !a.path.empty() && !is_longer_at_a : is_longer_at_a) corridor.remove(env_, true);
+  if (stays ? !b.path.empty() && !is_longer_at_b : is_longer_at_b) corridor.remove(env_, false);
+  return stays;
+}
+
+template <int D>
+bool MovingCorridors<D>::passes_all(Corridor<D>& corridor, const End& a, const End& b) const {
+  const EdgeWay way = EdgeWay::of_both(a.start, a.end, b.start, b.end);
+  if (corridor.portal.is_only()) return keeps_to_portal(env_, corridor.portal, way);
+  if (keeps_to_facets(env_, corridor, way)) return true;
+  const Cell front = corridor.portal.front, back = corridor.portal.back;
+  const auto passes = [&](const double* from, const double* to) {
+    return follows(env_, corridor, from, to, front, back);
+  };
+  return passes(a.start, b.start) && passes(a.end, b.start) && passes(a.start, b.end) && passes(a.end, b.end);
+}
+
+template <int D>
+void MovingCorridors<D>::go_on(const Trajectory<D>& of, uint32_t edge) {
+  const End a = end_of(of, edge, 0), b = end_of(of, edge, 1);
+  if (!a.to.valid() || !b.to.valid()) return;
+  Corridor<D>& corridor = of.motion.body->corridors[edge];
+  corridor.keep(of.motion.body->call);
+  for (const uint32_t passed : a.path) corridor.pass(env_, {passed}, true);
+  for (const uint32_t passed : b.path) corridor.pass(env_, {passed}, false);
+  constexpr int kMostTurns = 16;
+  Pivot<D> pivot;
+  for (int k = 0; k < kMostTurns && !follows(env_, corridor, a.end, b.end, a.to, b.to); ++k) {
+    if (!turn(env_, corridor, a.end, b.end, pivot)) return;
+  }
+}
+
+template class MovingCorridors<2>;
+template class MovingCorridors<3>;
+
+}  // namespace dsw
