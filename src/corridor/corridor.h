@@ -260,6 +260,10 @@ class CorridorWriter {
     request.crossing = write;
     request.crossing_user = this;
   }
+  /** Casts a segment, and notes what it passes. Whether it is free and ends in `end`, if that is valid. Throws
+   * std::bad_alloc the first time. */
+  bool cast_segment(const Environment<D>& env, const double* from, const double* to, Cell start, Cell end,
+                    CastCounters* counters);
   /** Whether there was room for all that a cast passed. If not, makes room for the next cast. Throws std::bad_alloc. */
   bool had_room() {
     if (passed_ == facets_.size()) return true;

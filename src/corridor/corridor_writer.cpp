@@ -27,6 +27,19 @@ PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) no
 }
 
 template <int D>
+bool CorridorWriter<D>::cast_segment(const Environment<D>& env, const double* from, const double* to, Cell start,
+                                     Cell end, CastCounters* counters) {
+  CastRequest request;
+  request.from = from;
+  request.to = to;
+  request.start = start;
+  request.end = end;
+  attach(env, request);
+  const CastResult result = cast(env, request, counters);
+  return result.end == CastEnd::kReached && (!end.valid() || result.cell == end);
+}
+
+template <int D>
 void CorridorWriter<D>::finish(Corridor<D>& corridor) {
   if (had_room()) {
     corridor.assign(*env_, facets_);

@@ -112,14 +112,10 @@ struct Follower {
   }
 
   bool note_start() const {
-    CastRequest request;
-    request.from = first ? from.position : sweep.q;
-    request.to = first ? sweep.q : from.position;
-    request.start = first ? from.cell : sweep.fixed;
-    request.end = first ? sweep.fixed : from.cell;
-    scratch.writer.attach(env, request);
-    const CastResult result = cast(env, request, scratch.counters);
-    if (result.end != CastEnd::kReached || result.cell != request.end) return false;
+    const double *const p = from.position, *const q = sweep.q;
+    const bool is_free = scratch.writer.cast_segment(env, first ? p : q, first ? q : p, first ? from.cell : sweep.fixed,
+                                                     first ? sweep.fixed : from.cell, scratch.counters);
+    if (!is_free) return false;
     corridor.keep(call);
     scratch.writer.finish(corridor);
     return corridor.known();

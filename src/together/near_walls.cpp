@@ -40,7 +40,7 @@ bool NearWalls<D>::is_alone(const Trajectory<D>& of, const Simplex& simplex) {
 }
 
 template <int D>
-Candidates<D> NearWalls<D>::find(const Trajectory<D>& of, uint32_t number, const Simplex& simplex) {
+CandidateView<D> NearWalls<D>::find(const Trajectory<D>& of, uint32_t number, const Simplex& simplex) {
   Range& near = (simplex.kind == Simplex::kEdge ? edges_ : faces_)[number][simplex.index];
   if (near.first_feature == kNone) {
     const Part<D> part(*of.motion.body, simplex);

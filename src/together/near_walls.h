@@ -16,7 +16,7 @@ class NearWalls {
   /** Whether it is known that nothing is near the way of an edge or a face. */
   bool is_alone(const Trajectory<D>& of, const Simplex& part);
   /** What an edge or a face of trajectory `number` can touch in the call. The view holds until the next search. */
-  Candidates<D> find(const Trajectory<D>& of, uint32_t number, const Simplex& part);
+  CandidateView<D> find(const Trajectory<D>& of, uint32_t number, const Simplex& part);
 
  private:
   /** What is near a part. Numbers of planes count from first_plane. */

@@ -2,13 +2,13 @@
 // A body of which all vertices move at once, and what its parts touch on their way.
 
 #include "body/simplices.h"
+#include "corridor/candidates.h"
 #include "motion/moving_body.h"
 #include "motion/place_on_way.h"
 #include "predicates/moving_pair.h"
 #include "proximity/near_lists.h"
 #include "proximity/partners.h"
 #include "response/settings.h"
-#include "together/candidates.h"
 #include "walk/retreat.h"
 
 namespace dsw {

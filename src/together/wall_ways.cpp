@@ -186,8 +186,15 @@ bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Sim
   const PartWay way(of, number, part, corners, limit);
   using Answer = typename MovingCorridors<D>::Answer;
   Answer answer = is_known_free(way) ? Answer::kNothing : Answer::kUnknown;
-  if (answer == Answer::kUnknown && part.kind == Simplex::kEdge)
-    answer = corridors_.ask(of, part.index, {way.points[1], way.points[3]}, limit == 1);
+  const Body<D>& body = *of.motion.body;
+  typename MovingCorridors<D>::End ends[2];
+  if (answer == Answer::kUnknown && part.kind == Simplex::kEdge && body.keeps_corridors()) {
+    for (uint32_t k = 0; k < 2; ++k) {
+      const uint32_t v = corners.vertices[k];
+      ends[k] = {of.start(v), of.end(v), body.vertices[v].cell, of.motion.ways[v].arrival, of.motion.crossed_by(v)};
+    }
+    answer = corridors_.ask(body.corridors[part.index], body.call, ends, {way.points[1], way.points[3]}, limit == 1);
+  }
   if (answer == Answer::kNothing) {
     ++counts.skipped;
     return true;
@@ -198,14 +205,14 @@ bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Sim
     touches = true;
     return visit(touch);
   });
-  if (!touches && limit == 1) corridors_.go_on(of, part.index);
+  if (!touches && limit == 1) corridors_.go_on(body.corridors[part.index], body.call, ends);
   return goes_on;
 }
 
 /** Calls visit(touch) for the features that a part touches, until it returns false. */
 template <int D>
 template <class Visit>
-bool WallWays<D>::visit_features(const PartWay& way, const Candidates<D>& near, Visit visit) {
+bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& near, Visit visit) {
   if (near.first == near.last) return true;
   const uint32_t count = way.corners.count;
   constexpr uint8_t kUnknown = 2;

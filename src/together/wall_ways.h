@@ -2,7 +2,7 @@
 // What of the environment bodies touch when all of their vertices move at once.
 
 #include "corridor/box_probe.h"
-#include "together/moving_corridors.h"
+#include "corridor/moving_corridors.h"
 #include "together/near_walls.h"
 #include "walk/packet.h"
 
@@ -51,7 +51,7 @@ class WallWays {
   struct PartWay;
   bool is_known_free(const PartWay& way);
   template <class Visit>
-  bool visit_features(const PartWay& way, const Candidates<D>& near, Visit visit);
+  bool visit_features(const PartWay& way, const CandidateView<D>& near, Visit visit);
   bool is_beside(const WallPlane<D>& plane, const double* const* points, uint32_t count) const;
   WayTouch<D> touch_of(const Trajectory<D>& of, const Blocked& blocked) const;
 

@@ -2,8 +2,8 @@
 // Which walls an edge may touch while both of its ends move, found from ridge to ridge.
 
 #include "base/key_table.h"
+#include "corridor/candidates.h"
 #include "corridor/convex_cells.h"
-#include "together/candidates.h"
 
 namespace dsw {
 
@@ -20,7 +20,7 @@ class RidgeRings {
    * @param paths the facets that both ends pass on their ways, and maybe more of them. */
   bool find(const Corridor<D>& corridor, const EdgeWay& edge, const Array<uint32_t> (&paths)[2]);
   /** What was found last, until the next search. */
-  Candidates<D> features() const noexcept;
+  CandidateView<D> features() const noexcept;
 
  private:
   struct Ridge {

@@ -1,5 +1,5 @@
 // What the cells round a ridge have to be, one thing after the other. moving_corridors_test.cpp has ways of all kinds.
-#include "together/ridge_rings.h"
+#include "corridor/ridge_rings.h"
 
 #include <gtest/gtest.h>
 
@@ -143,7 +143,7 @@ TYPED_TEST(RidgeRingsTest, AllFansThatAreReachedCount) {
     const double from[3] = {-1.5, -0.05, 1}, from_to[3] = {-1.45, 0.06, 1}, to[3] = {1.4, -0.05, 1},
                  to_to[3] = {1.42, 0.06, 1};
     ASSERT_TRUE(rings.find(KnownRings<kAxes>::none(), EdgeWay::of_both(from, from_to, to, to_to), paths));
-    const Candidates<kAxes> features = rings.features();
+    const CandidateView<kAxes> features = rings.features();
     const Candidate* const ridge = std::find_if(features.begin(), features.end(), [](const Candidate& each) {
       return each.name.vertices[0] == 0 && each.name.vertices[1] == (kAxes == 3 ? 1u : 0u);
     });

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
+#include "corridor/ridge_rings.h"
 #include "environment/marking.h"
 #include "environment/moving.h"
 #include "environment/test_mesh.h"
 #include "predicates/moving_pair.h"
-#include "together/ridge_rings.h"
 
 namespace dsw::test {
 
@@ -276,7 +276,7 @@ class KnownRings {
     const Array<uint32_t> paths[2] = {passed[1].facets, passed[2].facets};
     const EdgeWay edge = EdgeWay::of_both(way.from[0].data(), way.to[0].data(), way.from[1].data(), way.to[1].data());
     if (!rings_.find(passed[0], edge, paths)) return false;
-    const Candidates<D> found = rings_.features();
+    const CandidateView<D> found = rings_.features();
     return found.first == found.last;
   }
   /** Notes what a segment passes. Whether all of it is passable. */

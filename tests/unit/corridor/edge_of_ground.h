@@ -5,9 +5,10 @@
 
 #include <string>
 
+#include "body/body.h"
+#include "corridor/moving_corridors.h"
 #include "edge_ground.h"
 #include "locate/locate.h"
-#include "together/moving_corridors.h"
 
 namespace dsw::test {
 
@@ -50,12 +51,6 @@ class EdgeOfGround {
     for (Body<D>* body : {&body_, &other_}) {
       for (int i = 0; i < 2; ++i) add_vertex(*body, env_->point(0), env_->map.cell(0));
       add_edge(*body, 0, 1);
-    }
-    for (Trajectory<D>* each : {&of_, &of_other_}) {
-      each->motion.body = each == &of_ ? &body_ : &other_;
-      each->ends.assign(2 * D, 0.0);
-      each->motion.ways.resize(2);
-      each->motion.crossed.assign(2, PathFacets{});
     }
   }
 
@@ -242,13 +237,14 @@ class EdgeOfGround {
       if (chance(0.1)) way_.to[1] = way_.from[1];
       bool is_free = true;
       for (uint32_t i = 0; i < 2; ++i) {
-        of_.motion.ways[i].arrival = place_of(i);
-        std::copy_n(way_.to[i].begin(), D, of_.end(i));
-        if (!of_.moves(i)) continue;  // what its last path crossed stays
+        ends_[i].start = body_.position(i);
+        ends_[i].end = way_.to[i].data();
+        ends_[i].from = ends_[i].to = place_of(i);
+        if (way_.from[i] == way_.to[i]) continue;  // what its last path crossed stays
         const CastResult path = fly(way_.from[i], way_.to[i], place_of(i));
         is_free = is_free && path.end == CastEnd::kReached;
-        of_.motion.ways[i].arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
-        of_.motion.crossed[i] = path_facets(env_->map, place_of(i), path);
+        ends_[i].to = path.end == CastEnd::kReached ? path.cell : Cell{};
+        ends_[i].crossed = path_facets(env_->map, place_of(i), path);
       }
       if (is_free) return true;
     }
@@ -324,15 +320,12 @@ class EdgeOfGround {
     counts_.free += touches ? 0 : 1;
     Corridor<D> before = KnownRings<D>::none();
     rings_.passes(way_.from[0], way_.from[1], place_of(0), before);
-    const bool rings = rings_.are_free(way_, place_of(0)), known = says_nothing(corridors_, of_);
+    const bool rings = rings_.are_free(way_, place_of(0)), known = says_nothing(corridors_, body_);
     check_features();
     SCOPED_TRACE(testing::Message() << describe());
     // Asks again about an edge of which nothing is known.
-    of_other_.ends = of_.ends;
-    of_other_.motion.ways = of_.motion.ways;
-    of_other_.motion.crossed = of_.motion.crossed;
     other_.corridors[0].clear();
-    const bool anew = says_nothing(fresh_, of_other_);
+    const bool anew = says_nothing(fresh_, other_);
     ASSERT_TRUE(kind_.mixed || known == anew) << "what was kept matters";
     ASSERT_TRUE(kind_.mixed || known || !rings);
     if (known || anew || rings) {
@@ -348,14 +341,13 @@ class EdgeOfGround {
     }
     if (chance(0.2)) return;  // it does not go there
     for (Body<D>* body : {&body_, &other_}) {
-      for (uint32_t i = 0; i < 2; ++i) put_vertex(*body, i, way_.to[i].data(), of_.motion.ways[i].arrival);
+      for (uint32_t i = 0; i < 2; ++i) put_vertex(*body, i, way_.to[i].data(), ends_[i].to);
     }
   }
   /** Whether an edge whose paths are free is known to touch nothing. */
-  bool says_nothing(MovingCorridors<D>& corridors, Trajectory<D>& of) {
-    answer_ = corridors.ask(of, 0, {of.end(0), of.end(1)}, true);
-    return answer_ == MovingCorridors<D>::Answer::kNothing && of.motion.ways[0].arrival.valid() &&
-           of.motion.ways[1].arrival.valid();
+  bool says_nothing(MovingCorridors<D>& corridors, Body<D>& body) {
+    answer_ = corridors.ask(body.corridors[0], body.call, ends_, {ends_[0].end, ends_[1].end}, true);
+    return answer_ == MovingCorridors<D>::Answer::kNothing && ends_[0].to.valid() && ends_[1].to.valid();
   }
   /** What the edge touches first is among what it may touch: on a lattice what the shifted edge touches first. */
   void check_features() {
@@ -365,7 +357,7 @@ class EdgeOfGround {
     const auto* const first = obstacles_.first_line(is_on_lattice ? shifted(way_) : way_);
     if (first == nullptr) return;
     ++counts_.first_found;
-    const Candidates<D> found = corridors_.features();
+    const CandidateView<D> found = corridors_.features();
     ASSERT_TRUE(std::any_of(found.begin(), found.end(), [&](const Candidate& each) {
       return each.name.vertices[0] == first->ends[0] && each.name.vertices[1] == first->ends[1];
     })) << "what is touched first is not found";
@@ -384,11 +376,10 @@ class EdgeOfGround {
   /** What is kept where a way is known to be free. */
   void check_corridor(Body<D>& body, const Corridor<D>& before) {
     Corridor<D> truth{Array<uint32_t>::allocator_type(nullptr)};
-    ASSERT_TRUE(rings_.passes(way_.to[0], way_.to[1], of_.motion.ways[0].arrival, truth));
-    ASSERT_TRUE(truth.portal.back == of_.motion.ways[1].arrival || truth.facets.empty());
+    ASSERT_TRUE(rings_.passes(way_.to[0], way_.to[1], ends_[0].to, truth));
+    ASSERT_TRUE(truth.portal.back == ends_[1].to || truth.facets.empty());
     const auto follows_it = [&](Corridor<D>& each) {
-      return dsw::follows(*env_, each, way_.to[0].data(), way_.to[1].data(), of_.motion.ways[0].arrival,
-                          of_.motion.ways[1].arrival);
+      return dsw::follows(*env_, each, way_.to[0].data(), way_.to[1].data(), ends_[0].to, ends_[1].to);
     };
     Corridor<D> kept = body.corridors[0];
     ASSERT_TRUE(kept.known());
@@ -426,7 +417,7 @@ class EdgeOfGround {
   std::unique_ptr<Environment<D>> env_;
   Obstacles<D> obstacles_;
   Body<D> body_{nullptr}, other_{nullptr};
-  Trajectory<D> of_{nullptr}, of_other_{nullptr};
+  typename MovingCorridors<D>::End ends_[2] = {};
   MovingCorridors<D> corridors_, fresh_;
   KnownRings<D> rings_;
   typename MovingCorridors<D>::Answer answer_{};

@@ -1,7 +1,7 @@
 // Long edges whose ends go on and on, each move from where the last one led: what is said to meet nothing touches nothing,
 // says first_touch of the edge and each feature of each wall, and what is kept of an edge is what a cast from end to end
 // passes. Figures are printed.
-#include "together/moving_corridors.h"
+#include "corridor/moving_corridors.h"
 
 #include <gtest/gtest.h>
 
@@ -29,27 +29,28 @@ TEST(MovingCorridors, KeepToBoxes) {
         double places[4] = {1.5, 3.5, to + 0.5, 3.4};
         if (back) std::swap(places[0], places[2]);
         const int cells[4] = {back ? to : 1, 3, back ? 1 : to, 3};
-        Trajectory<3> of(nullptr);
-        of.motion.body = &body;
-        of.ends.resize(6);
-        of.motion.ways.resize(2);
-        of.motion.crossed.resize(2);
+        MovingCorridors<3>::End ends[2];
+        double at[2][3], end[2][3];
         for (int i = 0; i < 2; ++i) {
           const int k = i ^ first;
-          const double at[3] = {places[k], 0.41, 0.62}, end[3] = {places[k + 2], 0.4, 0.6};
+          for (double(*each)[3] : {&at[i], &end[i]}) {
+            const bool starts = each == &at[i];
+            (*each)[0] = places[starts ? k : k + 2];
+            (*each)[1] = starts ? 0.41 : 0.4;
+            (*each)[2] = starts ? 0.62 : 0.6;
+          }
           const Cell start = env->map.cell(static_cast<uint32_t>(cells[k]));
-          add_vertex(body, at, start);
-          std::copy_n(end, 3, of.end(static_cast<uint32_t>(i)));
-          const CastResult path = cast(*env, at, end, start);
-          of.motion.ways[static_cast<size_t>(i)].arrival = path.cell;
-          of.motion.crossed[static_cast<size_t>(i)] = path_facets(env->map, start, path);
+          add_vertex(body, at[i], start);
+          const CastResult path = cast(*env, at[i], end[i], start);
+          ends[i] = {at[i], end[i], start, path.cell, path_facets(env->map, start, path)};
         }
         add_edge(body, 0, 1);
-        ASSERT_EQ(corridors.ask(of, 0, {of.end(0), of.end(1)}, true), MovingCorridors<3>::Answer::kNothing)
+        ASSERT_EQ(corridors.ask(body.corridors[0], body.call, ends, {end[0], end[1]}, true),
+                  MovingCorridors<3>::Answer::kNothing)
             << first << back << to;
         const Corridor<3>& kept = body.corridors[0];
         EXPECT_EQ(kept.facets.size(), static_cast<size_t>(3 - cells[2]));
-        EXPECT_TRUE(kept.portal.front == of.motion.ways[0].arrival && kept.portal.back == of.motion.ways[1].arrival);
+        EXPECT_TRUE(kept.portal.front == ends[0].to && kept.portal.back == ends[1].to);
       }
     }
   }
@@ -68,29 +69,24 @@ TEST(MovingCorridors, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
   for (const double end : {0.6, 1.6}) {
     Body<2> body(nullptr);
     reserve(body, 2, 1, 0);
-    Trajectory<2> of(nullptr);
-    of.motion.body = &body;
-    of.ends.resize(4);
-    of.motion.ways.resize(2);
-    of.motion.crossed.resize(2);
     const double at[2][2] = {{-0.5, 1.5}, {-1.5, 1.4}}, to[2] = {end, 1.5};
     const Cell start = env->map.cell(0);
     for (uint32_t i = 0; i < 2; ++i) {
       add_vertex(body, at[i], start);
-      std::copy_n(i == 0 ? to : at[i], 2, of.end(i));
-      of.motion.ways[i].arrival = start;
     }
     add_edge(body, 0, 1);
     const CastResult path = cast(*env, at[0], to, start);
-    of.motion.ways[0].arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
-    of.motion.crossed[0] = path_facets(env->map, start, path);
-    ASSERT_EQ(of.motion.ways[0].arrival.valid(), end < 1);
-    ASSERT_EQ(of.motion.crossed[0].count, 1u);
-    EXPECT_EQ(corridors.ask(of, 0, {of.end(0), of.end(1)}, true), MovingCorridors<2>::Answer::kUnknown);
+    const Cell arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
+    const MovingCorridors<2>::End ends[2] = {{at[0], to, start, arrival, path_facets(env->map, start, path)},
+                                             {at[1], at[1], start, start, {}}};
+    ASSERT_EQ(arrival.valid(), end < 1);
+    ASSERT_EQ(ends[0].crossed.count, 1u);
+    EXPECT_EQ(corridors.ask(body.corridors[0], body.call, ends, {to, at[1]}, true),
+              MovingCorridors<2>::Answer::kUnknown);
   }
 }
 
-class SleevesTest : public testing::TestWithParam<Kind> {
+class MovingCorridorsTest : public testing::TestWithParam<Kind> {
  protected:
   template <int D>
   void run(Counts& counts) {
@@ -100,7 +96,7 @@ class SleevesTest : public testing::TestWithParam<Kind> {
   }
 };
 
-TEST_P(SleevesTest, WhatIsKnownToMeetNothingTouchesNothing) {
+TEST_P(MovingCorridorsTest, WhatIsKnownToMeetNothingTouchesNothing) {
   const Kind& kind = GetParam();
   Counts n;
   if (kind.dimension == 2) run<2>(n);
@@ -116,7 +112,7 @@ TEST_P(SleevesTest, WhatIsKnownToMeetNothingTouchesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Kinds, SleevesTest,
+    Kinds, MovingCorridorsTest,
     testing::Values(Kind{"Free", 3, {14, 4, 4}, false, Points::kJittered, 0, 0, 0, 0, 0.7, 0.65},
                     Kind{"FreeLattice", 3, {14, 4, 4}, false, Points::kOnLattice, 0, 0, 0, 0, 0.35, 0.6},
                     Kind{"FreeSheared", 3, {14, 4, 4}, false, Points::kSheared, 0, 0, 0, 0, 0.7, 0.65},

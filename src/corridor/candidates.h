@@ -26,7 +26,7 @@ struct WallFeature {
 /** A feature of walls, or something thin that is marked. */
 struct Candidate {
   WallFeature name;
-  uint32_t first_plane, plane_end;  // the walls that have it, in Candidates::numbers
+  uint32_t first_plane, plane_end;  // the walls that have it, in CandidateView::numbers
 };
 
 /** The triangle of a wall, in the plane its segment. */
@@ -37,7 +37,7 @@ struct WallPlane {
 
 /** A view of what a part may touch. */
 template <int D>
-struct Candidates {
+struct CandidateView {
   const Candidate *first, *last;
   const uint32_t* numbers;  // of planes
   const WallPlane<D>* planes;

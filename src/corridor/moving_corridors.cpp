@@ -8,31 +8,25 @@
 // An end that goes to the next cell of the corridor leaves it shorter. One that goes elsewhere makes it longer. The lines
 // are compared with the longer corridor. If the edge may leave it, `ridge_rings.h` finds what the edge may touch.
 
-#include "together/moving_corridors.h"
+#include "corridor/moving_corridors.h"
 
 namespace dsw {
-
-template <int D>
-typename MovingCorridors<D>::End MovingCorridors<D>::end_of(const Trajectory<D>& of, uint32_t edge, uint32_t k) const {
-  const uint32_t v = of.motion.body->edges[edge].ends[k];
-  return {of.start(v), of.end(v), of.motion.body->vertices[v].cell, of.motion.ways[v].arrival, paths_[k]};
-}
 
 /** Writes the facets that a vertex passes on its way to a place. If the path is blocked, there may be more of them. False:
  * a cell at an end of the path is not known to be convex. */
 template <int D>
-bool MovingCorridors<D>::find_path(const Trajectory<D>& of, uint32_t v, const double* place, Array<uint32_t>& path) {
+bool MovingCorridors<D>::find_path(const End& end, const double* place, Array<uint32_t>& path) {
   const Map<D>& map = env_.map;
-  const Cell from = of.motion.body->vertices[v].cell, to = of.motion.ways[v].arrival;
+  const Cell from = end.from, to = end.to;
   const auto suits = [&](Cell c) { return map.convex(c) && !is_closed(env_, c); };
   path.clear();
   if (!suits(from)) return false;
   if (from == to) return true;
-  const PathFacets& crossed = of.motion.crossed[v];
+  const PathFacets& crossed = end.crossed;
   if (crossed.is_known) {
     for (uint32_t i = 0; i < crossed.count; ++i) path.push_back(crossed.facets[i].word);
   } else {
-    if (!cast_path(of.start(v), place, from, to)) return false;
+    if (!cast_path(end.start, place, from, to)) return false;
     path = writer_.passed();
   }
   return path.empty() || suits(map.cell_of(map.opposite({path.back()})));
@@ -42,15 +36,8 @@ bool MovingCorridors<D>::find_path(const Trajectory<D>& of, uint32_t v, const do
  * valid. */
 template <int D>
 bool MovingCorridors<D>::cast_path(const double* from, const double* to, Cell start, Cell end) {
-  CastRequest request;
-  request.from = from;
-  request.to = to;
-  request.start = start;
-  request.end = end;
   do {
-    writer_.attach(env_, request);
-    const CastResult result = cast(env_, request, counters);
-    if (result.end != CastEnd::kReached || (end.valid() && result.cell != end)) return false;
+    if (!writer_.cast_segment(env_, from, to, start, end, counters)) return false;
   } while (!writer_.had_room());
   return true;
 }
@@ -74,28 +61,25 @@ bool MovingCorridors<D>::note_start(Corridor<D>& corridor, uint64_t call, const 
 }
 
 template <int D>
-typename MovingCorridors<D>::Answer MovingCorridors<D>::ask(const Trajectory<D>& of, uint32_t edge,
+typename MovingCorridors<D>::Answer MovingCorridors<D>::ask(Corridor<D>& corridor, uint64_t call, const End (&ends)[2],
                                                             const double* const (&places)[2], bool are_ends) {
-  const Body<D>& body = *of.motion.body;
-  if (!body.keeps_corridors()) return Answer::kUnknown;
   for (uint32_t k = 0; k < 2; ++k) {
-    if (!find_path(of, body.edges[edge].ends[k], places[k], paths_[k])) return Answer::kUnknown;
+    if (!find_path(ends[k], places[k], paths_[k])) return Answer::kUnknown;
   }
-  const End a = end_of(of, edge, 0), b = end_of(of, edge, 1);
-  Corridor<D>& corridor = body.corridors[edge];
+  const End &a = ends[0], &b = ends[1];
   bool is_known = is_of(corridor, a, b);
   if (is_known) corridor.portal.version = env_.obstacle_version;  // one without facets is of all versions
-  if (is_known && are_ends && stays(corridor, body.call, a, b)) return Answer::kNothing;
+  if (is_known && are_ends && stays(corridor, call, a, b)) return Answer::kNothing;
   // What is found does not depend on what was noted before.
   is_known = is_known && follows(env_, corridor, a.start, b.start, a.from, b.from);
   if (!is_known) {
-    if (!note_start(corridor, body.call, a, b)) return Answer::kUnknown;
-    if (are_ends && stays(corridor, body.call, a, b)) return Answer::kNothing;
+    if (!note_start(corridor, call, a, b)) return Answer::kUnknown;
+    if (are_ends && stays(corridor, call, a, b)) return Answer::kNothing;
   }
   if (!rings_.find(corridor, EdgeWay::of_both(a.start, places[0], b.start, places[1]), paths_)) return Answer::kUnknown;
-  const Candidates<D> found = features();
+  const CandidateView<D> found = features();
   if (found.first != found.last) return Answer::kFeatures;
-  if (are_ends) go_on(of, edge);
+  if (are_ends) go_on(corridor, call, ends);
   return Answer::kNothing;
 }
 
@@ -103,17 +87,16 @@ typename MovingCorridors<D>::Answer MovingCorridors<D>::ask(const Trajectory<D>&
  * edge may leave it, it stays that of the start. */
 template <int D>
 bool MovingCorridors<D>::stays(Corridor<D>& corridor, uint64_t call, const End& a, const End& b) {
-  if (a.path.size() > 1 || b.path.size() > 1) return false;
-  if (!a.path.empty() || !b.path.empty()) corridor.keep(call);
-  const auto extend = [&](const End& end, bool first) {
-    return !end.path.empty() && !corridor.has_at(env_, {end.path[0]}, first) &&
-           corridor.pass(env_, {end.path[0]}, first);
+  if (paths_[0].size() > 1 || paths_[1].size() > 1) return false;
+  if (!paths_[0].empty() || !paths_[1].empty()) corridor.keep(call);
+  const auto extend = [&](const Array<uint32_t>& path, bool first) {
+    return !path.empty() && !corridor.has_at(env_, {path[0]}, first) && corridor.pass(env_, {path[0]}, first);
   };
-  const bool is_longer_at_a = extend(a, true), is_longer_at_b = extend(b, false);
+  const bool is_longer_at_a = extend(paths_[0], true), is_longer_at_b = extend(paths_[1], false);
   const bool stays = !corridor.facets.empty() && passes_all(corridor, a, b);
   // Both ends do not go through the only facet: no line would pass that at the end.
-  if (stays ? !a.path.empty() && !is_longer_at_a : is_longer_at_a) corridor.remove(env_, true);
-  if (stays ? !b.path.empty() && !is_longer_at_b : is_longer_at_b) corridor.remove(env_, false);
+  if (stays ? !paths_[0].empty() && !is_longer_at_a : is_longer_at_a) corridor.remove(env_, true);
+  if (stays ? !paths_[1].empty() && !is_longer_at_b : is_longer_at_b) corridor.remove(env_, false);
   return stays;
 }
 
@@ -130,13 +113,12 @@ bool MovingCorridors<D>::passes_all(Corridor<D>& corridor, const End& a, const E
 }
 
 template <int D>
-void MovingCorridors<D>::go_on(const Trajectory<D>& of, uint32_t edge) {
-  const End a = end_of(of, edge, 0), b = end_of(of, edge, 1);
+void MovingCorridors<D>::go_on(Corridor<D>& corridor, uint64_t call, const End (&ends)[2]) {
+  const End &a = ends[0], &b = ends[1];
   if (!a.to.valid() || !b.to.valid()) return;
-  Corridor<D>& corridor = of.motion.body->corridors[edge];
-  corridor.keep(of.motion.body->call);
-  for (const uint32_t passed : a.path) corridor.pass(env_, {passed}, true);
-  for (const uint32_t passed : b.path) corridor.pass(env_, {passed}, false);
+  corridor.keep(call);
+  for (const uint32_t passed : paths_[0]) corridor.pass(env_, {passed}, true);
+  for (const uint32_t passed : paths_[1]) corridor.pass(env_, {passed}, false);
   constexpr int kMostTurns = 16;
   Pivot<D> pivot;
   for (int k = 0; k < kMostTurns && !follows(env_, corridor, a.end, b.end, a.to, b.to); ++k) {

@@ -15,7 +15,7 @@
 // Where several fans of passable cells meet at a ridge, each one that is reached counts, so nothing depends on the order
 // of facets.
 
-#include "together/ridge_rings.h"
+#include "corridor/ridge_rings.h"
 
 #include <algorithm>
 #include <tuple>
@@ -185,7 +185,7 @@ void RidgeRings<D>::add_features() {
   std::sort(fans_.begin(), fans_.end(), [&](const Fan& a, const Fan& b) { return name(a) < name(b); });
   for (size_t i = 0; i < fans_.size();) {
     const Fan& first = fans_[i];
-    Candidate feature{{{first.ridge.vertices[0], first.ridge.vertices[1], kNone}, D - 1, {}, {}}, 0, 0};
+    Candidate feature{{{first.ridge.vertices[0], first.ridge.vertices[1], KeyTable::kNone}, D - 1, {}, {}}, 0, 0};
     feature.first_plane = static_cast<uint32_t>(planes_.size());
     for (; i < fans_.size() && name(fans_[i]) == name(first); ++i) {
       const Fan& fan = fans_[i];
@@ -205,7 +205,7 @@ void RidgeRings<D>::add_features() {
 }
 
 template <int D>
-Candidates<D> RidgeRings<D>::features() const noexcept {
+CandidateView<D> RidgeRings<D>::features() const noexcept {
   return {features_.data(), features_.data() + features_.size(), numbers_.data(), planes_.data(),
           static_cast<uint32_t>(planes_.size())};
 }
