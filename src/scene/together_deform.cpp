@@ -6,6 +6,7 @@
 #include "environment/moving.h"
 #include "motion/halving.h"
 #include "motion/place_on_way.h"
+#include "motion/points_way.h"
 #include "scene/deformation.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
@@ -24,12 +25,12 @@ class Call {
       : scene_(scene),
         env_(scene.deformation.get()->env),
         record_(scene.deformation.get()->next),
-        next_(next),
-        start_(env_.points),
-        had_moved_(env_.has_moved()),
+        points_(env_),
         particles_(scene.memory),
         still_record_(scene.memory),
-        ways_(env_) {}
+        ways_(env_) {
+    points_.begin(next);
+  }
 
   void gather(BodyRecord<D>* const* bodies, size_t count, PointArray targets);
   void run();
@@ -43,17 +44,13 @@ class Call {
   void forget_touches();
   bool arrive(double time);
   void shorten(double way);
-  void put_points(double time);
-  void read_points(const double* points);
   void take_back();
   void describe_walls();
 
   Scene<D>& scene_;
   Environment<D>& env_;
   WallRecord& record_;
-  double* next_;
-  const double* start_;
-  bool had_moved_;
+  PointsWay<D> points_;
   Body<D> particles_;
   Array<uint32_t> slots_{scene_.memory};  // of the particles
   MoveRecord still_record_;               // of what stands still
@@ -61,7 +58,6 @@ class Call {
   Array<Trajectory<D>> trajectories_{scene_.memory};
   Array<PointArray> targets_{scene_.memory};          // of the trajectories, for the whole way
   Array<Array<double>> near_targets_{scene_.memory};  // the same for a shorter way
-  Array<double> next_targets_{scene_.memory};         // what the host wrote to next_, if that is changed
 };
 
 /** Where the vertices of a body are. */
@@ -182,7 +178,7 @@ void Call<D>::forget_touches() {
 template <int D>
 bool Call<D>::try_way() {
   forget_touches();
-  ways_.walls.begin(next_, record_.invalid);
+  ways_.walls.begin(points_.nexts(), record_.invalid);
   ways_.start(trajectories_, scene_.features.contacts && !trajectories_.empty());
   if (!ways_.walls.stay_valid()) return false;
   if (ways_.find_touches(trajectories_)) ways_.stop(trajectories_);
@@ -192,37 +188,20 @@ bool Call<D>::try_way() {
 /** All goes to the ends of its way; false if that does not lead into valid cells, and then nothing has gone. */
 template <int D>
 bool Call<D>::arrive(double time) {
-  if (time != 1) put_points(time);
-  read_points(next_);
-  if ((time != 1 && !ways_.walls.stayed_valid(start_)) || !ways_.walls.find_arrivals(trajectories_)) {
-    read_points(start_);
-    env_.set_moved(had_moved_);
+  if (time != 1) points_.shorten_further(time, place_on_way<D>);
+  points_.read_next();
+  if ((time != 1 && !ways_.walls.stayed_valid(points_.starts())) || !ways_.walls.find_arrivals(trajectories_)) {
+    points_.read_start();
     return false;
   }
   ways_.arrive(trajectories_);
   return true;
 }
 
-template <int D>
-void Call<D>::read_points(const double* points) {
-  env_.points = points;
-  env_.note_move();
-  env_.checked.forget_all();
-}
-
-/** Puts the environment's next points to where they are at a time of their way. */
-template <int D>
-void Call<D>::put_points(double time) {
-  const size_t count = env_.map.vertex_count;
-  if (next_targets_.empty()) next_targets_.assign(next_, next_ + D * count);
-  for (size_t v = 0; v < count; ++v) place_on_way<D>(start_ + D * v, next_ + D * v, time, next_ + D * v);
-}
-
 /** Lets all ways end at a part of what the host wants. */
 template <int D>
 void Call<D>::shorten(double way) {
-  if (!next_targets_.empty()) std::copy(next_targets_.begin(), next_targets_.end(), next_);
-  put_points(way);
+  points_.shorten(way, place_on_way<D>);
   near_targets_.clear();
   for (size_t t = 0; t < trajectories_.size(); ++t) {
     Trajectory<D>& of = trajectories_[t];
@@ -238,9 +217,8 @@ void Call<D>::shorten(double way) {
 /** The host's points, the environment and the bodies are what they were before. */
 template <int D>
 void Call<D>::take_back() {
-  std::copy(next_targets_.begin(), next_targets_.end(), next_);
-  if (env_.points != start_) read_points(start_);
-  env_.set_moved(had_moved_);
+  points_.restore_targets();
+  points_.read_start();
   for (const Trajectory<D>& of : trajectories_) {
     if (of.motion.body == &particles_) continue;
     put_vertices(*of.motion.body, scene_.bodies[of.name.index].before.data());
@@ -264,9 +242,9 @@ void Call<D>::describe_walls() {
 template <int D>
 void Call<D>::keep_results(BodyRecord<D>* const* bodies, size_t count, size_t point_room) {
   Deformation<D>& d = *scene_.deformation.get();
-  if (env_.points == next_) {
+  if (env_.points == points_.nexts()) {
     release_owned_points(env_);
-    env_.lent = point_room == 0 ? nullptr : next_;
+    env_.lent = point_room == 0 ? nullptr : points_.nexts();
     env_.point_room = point_room;
   }
   // Who stopped is told by the targets of the call, also if the way was shortened.

@@ -4,10 +4,10 @@
 #include "contact/names.h"
 #include "environment/moving.h"
 #include "motion/place_on_way.h"
+#include "motion/points_way.h"
 #include "walk/move.h"
 #include "walk/prefetch.h"
 #include "walls/describe.h"
-#include "walls/moving_points.h"
 
 namespace dsw {
 
@@ -17,36 +17,25 @@ EndState<D>::EndState(Environment<D>& env, Occupants<D>& all)
 
 template <int D>
 void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& record) {
-  const double* const start = env_.points;
-  const size_t count = env_.map.vertex_count;
-  Array<double> targets{env_.memory};  // if the way is shortened
-  const auto read_points = [&](const double* points) {
-    env_.points = points;
-    env_.note_move();
-    env_.checked.forget_all();
-  };
-  const bool had_moved = env_.has_moved();
-  const auto take_back = [&] {
-    read_points(start);
-    env_.set_moved(had_moved);
-  };
-  const auto restore_next = [&] { std::copy(targets.begin(), targets.end(), next); };
+  PointsWay<D> points(env_);
+  points.begin(next);
+  const auto take_back = [&] { points.read_start(); };
   const auto try_way = [&](double way) {
-    if (way != 1 && targets.empty()) targets.assign(next, next + D * count);
-    for (size_t v = 0; v < count && way != 1; ++v) point_on_way<D>(start + D * v, &targets[D * v], way, next + D * v);
-    read_points(next);
+    if (way != 1) points.shorten(way, point_on_way<D>);
+    points.read_next();
     const Went went = try_state(settings, record);
     if (went != Went::kInvalid) return went;
     return settings.refuses_invalid ? Went::kRefused : Went::kStopped;
   };
   try {
     points_.reserve(kPacket);
-    repair_.begin(start);
-    if (!find_way(all_, settings.response == DSW_WALL_INSERT, record, try_way, take_back)) return restore_next();
+    repair_.begin(points.starts());
+    if (!find_way(all_, settings.response == DSW_WALL_INSERT, record, try_way, take_back))
+      return points.restore_targets();
     record.outcome = record.fraction == 1 ? DSW_DEFORM_DONE : DSW_DEFORM_FRACTION;
     release_owned_points(env_);
   } catch (...) {
-    restore_next();
+    points.restore_targets();
     take_back();
     all_.restore();
     throw;

@@ -10,22 +10,19 @@
 namespace dsw {
 
 template <int D>
-MovingPoints<D>::MovingPoints(Environment<D>& env) : env_(env) {}
+MovingPoints<D>::MovingPoints(Environment<D>& env) : env_(env), way_(env) {}
 
 template <int D>
 void MovingPoints<D>::begin(double* next) {
   place_.resize(env_.map.vertex_count, kUntouched);
-  start_ = env_.points;
-  had_moved_ = env_.has_moved();
-  next_ = next;
-  env_.points = next;
-  env_.note_move();
+  way_.begin(next);
+  way_.read_next();
   env_.checked.close_all();
 }
 
 template <int D>
 void MovingPoints<D>::finish() noexcept {
-  next_ = nullptr;
+  way_.finish();
   for (const uint32_t v : touched_) place_[v] = kUntouched;
   touched_.clear();
   targets_.clear();
@@ -36,25 +33,22 @@ void MovingPoints<D>::finish() noexcept {
 
 template <int D>
 void MovingPoints<D>::take_back() noexcept {
-  if (next_ == nullptr) return;
+  if (!way_.has_begun()) return;
   for (size_t i = 0; i < touched_.size(); ++i) {
-    std::copy_n(&targets_[D * i], D, next_ + size_t{D} * touched_[i]);
+    std::copy_n(&targets_[D * i], D, way_.next(touched_[i]));
     place_[touched_[i]] = kUntouched;
   }
   touched_.clear();
   targets_.clear();
-  next_ = nullptr;
-  env_.points = start_;
-  env_.note_move();
-  env_.checked.forget_all();
-  env_.set_moved(had_moved_);
+  way_.read_start();
+  way_.finish();
 }
 
 template <int D>
 void MovingPoints<D>::touch(uint32_t v, double fraction) {
   if (is_touched(v)) return;
-  const double* const target = next_ + size_t{D} * v;
-  if (!is_finite<D>(target)) fail_non_finite({next_, D}, v, D, {"next", true});
+  const double* const target = way_.next(v);
+  if (!is_finite<D>(target)) fail_non_finite({way_.nexts(), D}, v, D, {"next", true});
   reserve_more(touched_, 1);
   targets_.insert(targets_.end(), target, target + D);
   place_[v] = static_cast<uint32_t>(touched_.size());
@@ -66,20 +60,19 @@ void MovingPoints<D>::touch(uint32_t v, double fraction) {
 
 template <int D>
 void MovingPoints<D>::at(uint32_t v, double fraction, double* out) const noexcept {
-  point_on_way<D>(start_ + size_t{D} * v, &targets_[size_t{D} * place_[v]], fraction, out);
+  point_on_way<D>(way_.start(v), &targets_[size_t{D} * place_[v]], fraction, out);
 }
 
 template <int D>
 void MovingPoints<D>::put(uint32_t v, const double* position) noexcept {
-  std::copy_n(position, D, next_ + size_t{D} * v);
+  std::copy_n(position, D, way_.next(v));
   env_.note_move();
 }
 
 template <int D>
 void MovingPoints<D>::shorten(double fraction) noexcept {
   for (uint32_t v = 0; v < env_.map.vertex_count; ++v) {
-    double* const to = next_ + size_t{D} * v;
-    if (!is_touched(v)) point_on_way<D>(start_ + size_t{D} * v, to, fraction, to);
+    if (!is_touched(v)) point_on_way<D>(start(v), way_.next(v), fraction, way_.next(v));
   }
 }
 

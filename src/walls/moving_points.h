@@ -2,7 +2,7 @@
 // The points of an environment on their way from one array of the host's to the next.
 
 #include "base/points.h"
-#include "environment/environment.h"
+#include "motion/points_way.h"
 
 namespace dsw {
 
@@ -31,9 +31,9 @@ class MovingPoints {
   /** Where a touched vertex is at a fraction of the way. */
   void at(uint32_t v, double fraction, double* out) const noexcept;
   /** Where the way of a vertex begins, and where it ends. */
-  const double* start(uint32_t v) const noexcept { return start_ + size_t{D} * v; }
+  const double* start(uint32_t v) const noexcept { return way_.start(v); }
   const double* target(uint32_t v) const noexcept {
-    return is_touched(v) ? &targets_[size_t{D} * place_[v]] : next_ + size_t{D} * v;
+    return is_touched(v) ? &targets_[size_t{D} * place_[v]] : way_.next(v);
   }
   void put(uint32_t v, const double* position) noexcept;
   /** Puts all that are not touched to where they are at a fraction of the way. O(points). */
@@ -45,9 +45,7 @@ class MovingPoints {
   static constexpr uint32_t kUntouched = 0xffffffffu;
 
   Environment<D>& env_;
-  const double* start_ = nullptr;
-  bool had_moved_ = false;  // before
-  double* next_ = nullptr;
+  PointsWay<D> way_;
   Array<uint32_t> place_{env_.memory};  // by vertex: its place in touched_
   Array<uint32_t> touched_{env_.memory};
   Array<double> targets_{env_.memory};  // of those
