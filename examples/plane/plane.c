@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "city.h"
+#include "corridor.h"
 
 static int print(const char *name, scene_figures figures) {
   printf("plane.%s.steps %lu\nplane.%s.exactly_free_steps %lu\nplane.%s.contacts %lu\nplane.%s.inserted %lu\n", name,
@@ -19,5 +20,6 @@ int main(int argument_count, char **arguments) {
   }
   good = print("city", draw_city(directory));
   good = print("rope", draw_rope(directory)) && good;
+  good = draw_edges(directory) && good;
   return good ? 0 : 1;
 }
