@@ -7,8 +7,8 @@
 #include "base/slot_pool.h"
 #include "body/box_grid.h"
 #include "body/rigid_shape.h"
-#include "body/touched_line.h"
 #include "corridor/corridor.h"
+#include "corridor/touched_lines.h"
 
 namespace dsw {
 

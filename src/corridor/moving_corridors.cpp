@@ -61,26 +61,27 @@ bool MovingCorridors<D>::note_start(Corridor<D>& corridor, uint64_t call, const 
 }
 
 template <int D>
-typename MovingCorridors<D>::Answer MovingCorridors<D>::ask(Corridor<D>& corridor, uint64_t call, const End (&ends)[2],
-                                                            const double* const (&places)[2], bool are_ends) {
+Verdict MovingCorridors<D>::ask(Corridor<D>& corridor, uint64_t call, const End (&ends)[2],
+                                const double* const (&places)[2], bool are_ends) {
   for (uint32_t k = 0; k < 2; ++k) {
-    if (!find_path(ends[k], places[k], paths_[k])) return Answer::kUnknown;
+    if (!find_path(ends[k], places[k], paths_[k])) return Verdict::kUnknown;
   }
   const End &a = ends[0], &b = ends[1];
   bool is_known = is_of(corridor, a, b);
   if (is_known) corridor.portal.version = env_.obstacle_version;  // one without facets is of all versions
-  if (is_known && are_ends && stays(corridor, call, a, b)) return Answer::kNothing;
+  if (is_known && are_ends && stays(corridor, call, a, b)) return Verdict::kHolds;
   // What is found does not depend on what was noted before.
   is_known = is_known && follows(env_, corridor, a.start, b.start, a.from, b.from);
   if (!is_known) {
-    if (!note_start(corridor, call, a, b)) return Answer::kUnknown;
-    if (are_ends && stays(corridor, call, a, b)) return Answer::kNothing;
+    if (!note_start(corridor, call, a, b)) return Verdict::kUnknown;
+    if (are_ends && stays(corridor, call, a, b)) return Verdict::kHolds;
   }
-  if (!rings_.find(corridor, EdgeWay::of_both(a.start, places[0], b.start, places[1]), paths_)) return Answer::kUnknown;
+  if (!rings_.find(corridor, EdgeWay::of_both(a.start, places[0], b.start, places[1]), paths_))
+    return Verdict::kUnknown;
   const CandidateView<D> found = features();
-  if (found.first != found.last) return Answer::kFeatures;
+  if (found.first != found.last) return Verdict::kStopsAtRidge;
   if (are_ends) go_on(corridor, call, ends);
-  return Answer::kNothing;
+  return Verdict::kHolds;
 }
 
 /** Whether the edge keeps to its corridor, or to one more facet at either end. The corridor becomes that of the end. If the

@@ -1,6 +1,7 @@
 #pragma once
 // Edges of which both ends move, inside of convex cells that they are known to cross.
 
+#include "corridor/follower.h"
 #include "corridor/ridge_rings.h"
 
 namespace dsw {
@@ -18,13 +19,11 @@ class MovingCorridors {
     Cell from, to;  // `to` is not valid if the path is blocked
     PathFacets crossed;
   };
-  /** What an edge may touch on its way. */
-  enum class Answer { kNothing, kFeatures, kUnknown };
-  /** Asks about the ways of both ends, up to `places` on them. If the answer is kNothing, and the places are the ends of the
+  /** Asks about the ways of both ends: kUnknown, kHolds, or kStopsAtRidge where the edge may touch `features`. Asks up to `places` on them. If the answer is kHolds, and the places are the ends of the
    * ways, the corridor becomes that of the end. Throws std::bad_alloc.
    * @param call the number of the call on the body. */
-  Answer ask(Corridor<D>& corridor, uint64_t call, const End (&ends)[2], const double* const (&places)[2],
-             bool are_ends);
+  Verdict ask(Corridor<D>& corridor, uint64_t call, const End (&ends)[2], const double* const (&places)[2],
+              bool are_ends);
   /** What the last edge may touch. */
   CandidateView<D> features() const noexcept { return rings_.features(); }
   /** Takes the last edge on: its corridor becomes that of the ends of its ways, if a few turns are enough. Nothing is

@@ -1,7 +1,7 @@
 #pragma once
 // One move of a body: where its vertices go, in which order, and what is known of their ways if nobody meets anything.
 
-#include "body/box.h"
+#include "corridor/box_probe.h"
 #include "motion/moving_body.h"
 #include "response/settings.h"
 

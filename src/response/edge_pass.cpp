@@ -150,12 +150,14 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
     if (!course_.keeps.empty()) course_.keeps[e] = false;
     return;
   }
-  const Cell arrival = course_.motion.ways[v].arrival;
-  const EdgeSweep sweep{
-      e, v, course_.motion.targets[v], arrival, course_.place(other, moving.rank), fixed, casts_.crossed(v)};
+  const VertexWay& way = course_.motion.ways[v];
+  const EdgeSweep sweep{e,
+                        v,
+                        {body.position(v), way.from, course_.motion.targets[v], way.arrival,
+                         course_.place(other, moving.rank), fixed, casts_.crossed(v), body.edges[e].ends[0] == v}};
   const Verdict verdict = boxed ? sweeps_.count_boxed(body) : sweeps_.ask(body, sweep, false);
   if (!course_.keeps.empty()) {
-    const bool same = verdict == Verdict::kInside || (verdict == Verdict::kHolds && body.vertices[v].cell == arrival);
+    const bool same = verdict == Verdict::kInside || (verdict == Verdict::kHolds && way.from == way.arrival);
     course_.keeps[e] = course_.keeps[e] && same;
   }
   if (verdict != Verdict::kUnknown) return;
@@ -165,7 +167,7 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
     return;  // its corridor is noted when it is asked for again
   }
   // A corridor is noted in the direction of the edge.
-  const typename CourseCasts<D>::End moved{sweep.arrival, sweep.to}, still{sweep.fixed, sweep.q};
+  const typename CourseCasts<D>::End moved{way.arrival, sweep.edge.to}, still{fixed, sweep.edge.q};
   const bool turned = body.keeps_corridors() && body.edges[e].ends[0] != v;
   casts_.add_edge(e, v, turned ? still : moved, turned ? moved : still);
 }
@@ -243,6 +245,14 @@ bool FacePass<D>::is_boxed(uint32_t f) {
   return sweeps_.is_boxed(box, from(0), from(1), from(2));
 }
 
+/** Whether an edge is known to keep to its corridor in its present place. */
+template <int D>
+bool FacePass<D>::keeps_at_rest(uint32_t e) const {
+  const Body<D>& body = *course_.motion.body;
+  const BodyVertex<D>&a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
+  return follows(env_, body.corridors[e], a.position, b.position, a.cell, b.cell);
+}
+
 /** Whether a face's edges keep to their corridors all through the move, and lie in one corridor. Then no edge of
  * the environment pierces the face, before, between or after, nor what its edges sweep: so no vertex is inside of the
  * tetrahedra. */
@@ -254,7 +264,7 @@ bool FacePass<D>::shares_corridor(uint32_t f) const {
     const uint32_t e = sides_[3 * size_t{f} + k];
     const uint32_t(&ends)[2] = body.edges[e].ends;
     const bool moves = course_.moves(ends[0]) || course_.moves(ends[1]);
-    if (moves ? !course_.keeps[e] : !keeps_corridor(env_, body, e)) return false;
+    if (moves ? !course_.keeps[e] : !keeps_at_rest(e)) return false;
     const Array<uint32_t>& facets = body.corridors[e].facets;
     views[k] = {facets.data(), facets.size(), ends[0] != body.faces[f].corners[(k + 1) % 3]};
   }

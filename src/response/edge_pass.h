@@ -48,6 +48,7 @@ class FacePass {
   void find_sides();
   void sweep_face(uint32_t f);
   bool is_boxed(uint32_t f);
+  bool keeps_at_rest(uint32_t e) const;
   bool shares_corridor(uint32_t f) const;
 
   const Environment<D>& env_;

@@ -1,6 +1,7 @@
 #include "sweep/simplex_sweep.h"
 
 #include "predicates/inside_tetrahedron.h"
+#include "sweep/clearance.h"
 
 namespace dsw {
 namespace {
@@ -14,6 +15,14 @@ bool is_seen_inside(const Environment<3>& env, Cell cell, const double* point) n
   return is_inside_tetrahedron(corners, point);
 }
 bool is_seen_inside(const Environment<2>&, Cell, const double*) noexcept { return false; }
+
+/** Whether what an edge sweeps lies in a ball that is free. */
+template <int D>
+bool is_clear(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep) {
+  const MovingEdge& edge = sweep.edge;
+  return covers(env, body.clearances[sweep.v], edge.p, edge.to, edge.q) ||
+         covers(env, body.clearances[body.edges[sweep.e].other(sweep.v)], edge.p, edge.to, edge.q);
+}
 
 }  // namespace
 
@@ -30,14 +39,6 @@ CastResult SimplexSweep<D>::cast_path(const Body<D>& body, uint32_t v, const dou
   return path;
 }
 
-/** Tells of an edge whose moving end meets a wall whether the edge is known to meet nothing before. */
-template <int D>
-Verdict SimplexSweep<D>::ask_before_wall(const Body<D>& body, const EdgeSweep& sweep) const {
-  const BodyVertex<D>& fixed = body.vertices[body.edges[sweep.e].other(sweep.v)];
-  const bool stays = stays_before_wall(env_, body.vertices[sweep.v], sweep.to, sweep.arrival, fixed);
-  return stays ? Verdict::kStopped : Verdict::kUnknown;
-}
-
 template <int D>
 Verdict SimplexSweep<D>::ask_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls,
                                           FirstRidge* ridge) {
@@ -48,9 +49,9 @@ Verdict SimplexSweep<D>::ask_what_is_kept(const Body<D>& body, const EdgeSweep& 
   if (ask_balls && is_clear(env_, body, sweep)) {
     verdict = Verdict::kClear;
   } else if (body.keeps_corridors()) {
-    scratch_.counters = counters;
-    verdict = ridge != nullptr ? follow_to_ridge(env_, body, sweep, true, scratch_, ridge)
-                               : follow_corridor(env_, body, sweep, scratch_);
+    Follower<D> edge = follower(body, sweep);
+    verdict = ridge != nullptr ? edge.ask_for_ridge(true, lines_of(body, sweep.e, sweep.v), ridge)
+                               : edge.ask(sweeps_edges(body.level));
   }
   counts.skipped += verdict != Verdict::kUnknown && (skipping.by_clearance || skipping.corridors) ? 1 : 0;
   return verdict;
@@ -81,19 +82,20 @@ SweepResult SimplexSweep<D>::flood_until(const EdgeMotion& m, Cell start, double
 template <int D>
 bool SimplexSweep<D>::is_free(const Body<D>& body, const EdgeSweep& sweep) {
   if (sweeps_edges(body.level)) return is_triangle_free(motion(body, sweep), body.vertices[sweep.v].cell);
-  if (sweep.arrival == sweep.fixed && env_.map.convex(sweep.arrival)) {  // counted, not cast
+  const MovingEdge& edge = sweep.edge;
+  if (edge.arrival == edge.fixed && env_.map.convex(edge.arrival)) {  // counted, not cast
     if (counters != nullptr) counters->add({1, 1});
     return true;
   }
   CastRequest request;
-  request.from = sweep.to;
-  request.to = sweep.q;
-  request.start = sweep.arrival;
-  request.end = sweep.fixed;
+  request.from = edge.to;
+  request.to = edge.q;
+  request.start = edge.arrival;
+  request.end = edge.fixed;
   request.max_volumes = max_volumes;
   const CastResult place = cast(env_, request, counters);
   limited_ = limited_ || place.end == CastEnd::kWorkLimit;
-  return place.end == CastEnd::kReached && place.cell == sweep.fixed;
+  return place.end == CastEnd::kReached && place.cell == edge.fixed;
 }
 
 template <int D>
@@ -101,25 +103,19 @@ bool SimplexSweep<D>::is_free(const Body<D>& body, const FaceSweep& sweep) {
   return is_tetrahedron_free(motion(body, sweep), body.vertices[sweep.v].cell);
 }
 
-/** Whether an edge meets nothing that counts, as far as that is known without a flood. If not, `ridge` is what it meets
- * first, if that is known. */
-template <int D>
-bool SimplexSweep<D>::is_known_free(const Body<D>& body, const EdgeSweep& sweep, FirstRidge* ridge) {
-  const bool swept = sweep.reached && sweeps_edges(body.level);
-  if (ask(body, sweep, true, swept ? ridge : nullptr) != Verdict::kUnknown) return true;
-  if (swept) return false;
-  // At EDGES what is in its way counts only if the edge is not free in its new place.
-  if (sweep.reached && is_free(body, sweep)) return true;
-  if (max_volumes != 0 || !body.keeps_corridors()) return false;
-  scratch_.counters = counters;
-  return follow_to_ridge(env_, body, sweep, false, scratch_, ridge) != Verdict::kUnknown;
-}
-
 template <int D>
 bool SimplexSweep<D>::find_first(const Body<D>& body, const EdgeSweep& sweep, const SweepEvent* before,
                                  SweepContact* found) {
   FirstRidge ridge;
-  if (is_known_free(body, sweep, &ridge)) return false;
+  const bool swept = sweep.edge.reached && sweeps_edges(body.level);
+  if (ask(body, sweep, true, swept ? &ridge : nullptr) != Verdict::kUnknown) return false;
+  // At EDGES what is in its way counts only if the edge is not free in its new place.
+  if (!swept && sweep.edge.reached && is_free(body, sweep)) return false;
+  const bool follows = max_volumes == 0 && body.keeps_corridors();
+  if (!swept && follows) {
+    const TouchedLines* const touched = lines_of(body, sweep.e, sweep.v);
+    if (follower(body, sweep).ask_for_ridge(false, touched, &ridge) != Verdict::kUnknown) return false;
+  }
   const EdgeMotion m = motion(body, sweep);
   if (ridge.facet.valid()) {
     if (before != nullptr && compare_events<D>(m.p, m.to, *before, ridge.event).sign < 0) return false;
@@ -127,9 +123,7 @@ bool SimplexSweep<D>::find_first(const Body<D>& body, const EdgeSweep& sweep, co
   }
   const Cell start = body.vertices[sweep.v].cell;
   if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return false;
-  scratch_.counters = counters;
-  const bool asks = before != nullptr && max_volumes == 0;
-  if (asks && is_free_before(env_, body, sweep, *before, scratch_)) return false;
+  if (before != nullptr && follows && follower(body, sweep).is_free_before(*before)) return false;
   const SweepResult met = flood_until(m, start, before != nullptr ? time_after<D>(m.p, m.to, *before) : 1);
   if (met.end != SweepEnd::kContact) return false;
   keep_touched_line(env_, body, sweep.e, sweep.v, met.contact);

@@ -7,7 +7,6 @@
 #include "corridor/box_probe.h"
 #include "corridor/sweep.h"
 #include "sweep/counts.h"
-#include "sweep/known_edge.h"
 #include "sweep/touched_line.h"
 
 namespace dsw {
@@ -35,16 +34,16 @@ class SimplexSweep {
 
   /** What is known of a sweep without a look at what is swept; counts edges.
    * @param ask_balls whether the balls of its ends have not been asked.
-   * @param ridge null, or what is met first if it is not decided; see follow_to_ridge. */
+   * @param ridge null, or what is met first if it is not decided; see Follower. */
   Verdict ask(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true, FirstRidge* ridge = nullptr) {
-    if (!sweep.reached) return ask_before_wall(body, sweep);
+    const MovingEdge& edge = sweep.edge;
+    if (!edge.reached) return stays_before_wall(env_, edge) ? Verdict::kStopped : Verdict::kUnknown;
     ++counts.swept;
     const Skipping& skipping = body.skipping;
     const bool keeps = body.keeps_corridors();
-    const Cell from = body.vertices[sweep.v].cell;
-    if ((skipping.by_environment || keeps) && from == sweep.arrival && from == sweep.fixed) {
-      const bool convex = env_.map.convex(from);
-      if (convex || is_seen(env_, body.level, sweep, counters)) {
+    if ((skipping.by_environment || keeps) && edge.from == edge.arrival && edge.from == edge.fixed) {
+      const bool convex = env_.map.convex(edge.from);
+      if (convex || is_seen(env_, sweeps_edges(body.level), edge, counters)) {
         if (keeps) {
           body.corridors[sweep.e].keep(body.call);
           body.corridors[sweep.e].clear();
@@ -115,9 +114,7 @@ class SimplexSweep {
   uint32_t max_volumes = 0;          // work limit of each cast and flood; 0: none
 
  private:
-  static EdgeMotion motion(const Body<D>& body, const EdgeSweep& sweep) {
-    return {body.position(sweep.v), sweep.to, sweep.q};
-  }
+  static EdgeMotion motion(const Body<D>&, const EdgeSweep& sweep) { return sweep.edge.motion(); }
   static FaceMotion motion(const Body<D>& body, const FaceSweep& sweep) {
     return {body.position(sweep.v), sweep.to, sweep.q, sweep.r};
   }
@@ -131,9 +128,11 @@ class SimplexSweep {
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     return swept;
   }
-  Verdict ask_before_wall(const Body<D>& body, const EdgeSweep& sweep) const;
   Verdict ask_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls, FirstRidge* ridge);
-  bool is_known_free(const Body<D>& body, const EdgeSweep& sweep, FirstRidge* ridge);
+  Follower<D> follower(const Body<D>& body, const EdgeSweep& sweep) {
+    scratch_.counters = counters;
+    return {env_, body.corridors[sweep.e], body.call, sweep.edge, scratch_};
+  }
 
   const Environment<D>& env_;
   bool limited_ = false;  // the work limit was met

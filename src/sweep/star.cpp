@@ -29,8 +29,11 @@ typename StarSweep<D>::Way StarSweep<D>::go(const Body<D>& body, uint32_t v, con
 
 template <int D>
 EdgeSweep StarSweep<D>::edge_sweep(const Body<D>& body, const Way& way, uint32_t e) const {
-  const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(way.v)];
-  return {e, way.v, way.to, way.path.cell, fixed.position, fixed.cell, way.crossed, way.reached};
+  const BodyVertex<D>&at = body.vertices[way.v], &fixed = body.vertices[body.edges[e].other(way.v)];
+  const bool first = body.edges[e].ends[0] == way.v;
+  return {e,
+          way.v,
+          {at.position, at.cell, way.to, way.path.cell, fixed.position, fixed.cell, way.crossed, first, way.reached}};
 }
 
 template <int D>
@@ -87,7 +90,7 @@ bool StarSweep<D>::find_obstacle(const Body<D>& body, uint32_t v, const double* 
   *hit = path;
   if (tried.edge == kNone) return true;
   const EdgeSweep sweep = edge_sweep(body, way, tried.edge);
-  *hit = cast(env_, to, sweep.q, path.cell, 0, simplices.counters);
+  *hit = cast(env_, to, sweep.edge.q, path.cell, 0, simplices.counters);
   if (hit->end == CastEnd::kHit) return true;
   *inside = {simplices.first_of(body, sweep), tried.edge, kNone};
   return false;

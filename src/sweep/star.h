@@ -3,8 +3,8 @@
 // level covers, and of its partners.
 
 #include "proximity/pair_sweep.h"
-#include "sweep/simplex_sweep.h"
 #include "proximity/thick_sweep.h"
+#include "sweep/simplex_sweep.h"
 
 namespace dsw {
 

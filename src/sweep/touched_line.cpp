@@ -20,12 +20,6 @@
 namespace dsw {
 namespace {
 
-/** What an edge has touched while one end moves; null: nothing yet. */
-TouchedLines* lines_of(const Body<3>& body, uint32_t e, uint32_t v) noexcept {
-  const size_t slot = 2 * size_t{e} + body.edges[e].side_of(v);
-  return slot < body.touched.size() ? &body.touched[slot] : nullptr;
-}
-
 /** Gives the slot for what an edge has touched while one end moves, and makes it if there is none; null: there is no
  * memory. */
 TouchedLines* make_lines(const Body<3>& body, uint32_t e, uint32_t v) noexcept {
@@ -98,7 +92,7 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
 bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept {
   const TouchedLines* const kept = lines_of(body, sweep.e, sweep.v);
   if (kept == nullptr || !kept->lines[0].is_known()) return false;
-  const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
+  const EdgeMotion m = sweep.edge.motion();
   const PointBox<3> box(m.p, m.to, m.q);
   TouchedLine near[TouchedLines::kCount];
   uint32_t count = 0;
@@ -114,18 +108,11 @@ bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const 
   });
 }
 
-bool knows_walls(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep,
-                 const FirstRidge& ridge) noexcept {
-  const TouchedLines* const kept = lines_of(body, sweep.e, sweep.v);
-  const TouchedLine line{{ridge.vertices[0], ridge.vertices[1]}};
-  return kept != nullptr && kept->knows_fan(line, ridge.facet, env.change_version);
-}
-
 bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const FirstRidge& ridge,
                  SweepContact* found) noexcept {
   const TouchedLine line{{ridge.vertices[0], ridge.vertices[1]}};
   if (env.marked_edges != 0 && edge_marked(env, line.vertices[0], line.vertices[1])) return false;
-  const EdgeMotion m{body.position(sweep.v), sweep.to, sweep.q};
+  const EdgeMotion m = sweep.edge.motion();
   TouchedLines* kept = lines_of(body, sweep.e, sweep.v);
   TouchedFan fan;
   if (kept != nullptr && kept->knows_fan(line, ridge.facet, env.change_version)) {

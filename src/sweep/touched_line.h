@@ -4,10 +4,23 @@
 
 #include "body/body.h"
 #include "corridor/first_ridge.h"
+#include "corridor/follower.h"
 #include "corridor/sweep_contact.h"
-#include "sweep/known_edge.h"
 
 namespace dsw {
+
+/** The sweep of edge e when its end v goes on its way. */
+struct EdgeSweep {
+  uint32_t e, v;
+  MovingEdge edge;
+};
+
+/** What an edge has touched while one end moves; null: nothing yet. */
+template <int D>
+TouchedLines* lines_of(const Body<D>& body, uint32_t e, uint32_t v) noexcept {
+  const size_t slot = 2 * size_t{e} + body.edges[e].side_of(v);
+  return slot < body.touched.size() ? &body.touched[slot] : nullptr;
+}
 
 /** Keeps the edge of the environment that a contact of edge e names, when its end v moves; not where there is no memory
  * for it. */
@@ -16,10 +29,6 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
 
 /** Whether an edge that was touched pierces what an edge sweeps: then it is most likely touched again. */
 bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept;
-
-/** Whether walls are known to end the passable cells round a ridge. */
-bool knows_walls(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep,
-                 const FirstRidge& ridge) noexcept;
 
 /** Whether the first contact is that with the ridge that an edge meets first: walls end the passable cells round it,
  * all of them tetrahedra. The same contact as that of a flood. False: not known. */

@@ -184,22 +184,21 @@ bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Sim
   for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
   if (!(limit > 0)) return true;
   const PartWay way(of, number, part, corners, limit);
-  using Answer = typename MovingCorridors<D>::Answer;
-  Answer answer = is_known_free(way) ? Answer::kNothing : Answer::kUnknown;
+  Verdict verdict = ask(way);
   const Body<D>& body = *of.motion.body;
   typename MovingCorridors<D>::End ends[2];
-  if (answer == Answer::kUnknown && part.kind == Simplex::kEdge && body.keeps_corridors()) {
+  if (verdict == Verdict::kUnknown && part.kind == Simplex::kEdge && body.keeps_corridors()) {
     for (uint32_t k = 0; k < 2; ++k) {
       const uint32_t v = corners.vertices[k];
       ends[k] = {of.start(v), of.end(v), body.vertices[v].cell, of.motion.ways[v].arrival, of.motion.crossed_by(v)};
     }
-    answer = corridors_.ask(body.corridors[part.index], body.call, ends, {way.points[1], way.points[3]}, limit == 1);
+    verdict = corridors_.ask(body.corridors[part.index], body.call, ends, {way.points[1], way.points[3]}, limit == 1);
   }
-  if (answer == Answer::kNothing) {
+  if (verdict == Verdict::kUnknown) return visit_features(way, near_.find(of, number, part), visit);
+  if (verdict != Verdict::kStopsAtRidge) {
     ++counts.skipped;
     return true;
   }
-  if (answer == Answer::kUnknown) return visit_features(way, near_.find(of, number, part), visit);
   bool touches = false;
   const bool goes_on = visit_features(way, corridors_.features(), [&](const WayTouch<D>& touch) {
     touches = true;
@@ -242,21 +241,21 @@ bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& nea
   return true;
 }
 
-/** Whether a part meets nothing, as its corners stay in one convex cell, or as nothing is in the box of its way. */
+/** Whether a part meets nothing since its corners stay in one convex cell, or since nothing is near, or in the box of its way. */
 template <int D>
-bool WallWays<D>::is_known_free(const PartWay& way) {
+Verdict WallWays<D>::ask(const PartWay& way) {
   const Trajectory<D>& of = way.of;
   const SimplexCorners<D>& corners = way.corners;
   const Cell cell = of.motion.body->vertices[corners.vertices[0]].cell;
   const bool stays = std::all_of(corners.begin(), corners.end(), [&](uint32_t v) {
     return of.motion.body->vertices[v].cell == cell && of.motion.ways[v].arrival == cell;
   });
-  if (stays && env_.map.convex(cell)) return true;
-  if (near_.is_alone(of, way.part)) return true;
-  if (!BoxProbe<D>::suits(env_, cell)) return false;
+  if (stays && env_.map.convex(cell)) return Verdict::kInside;
+  if (near_.is_alone(of, way.part)) return Verdict::kClear;
+  if (!BoxProbe<D>::suits(env_, cell)) return Verdict::kUnknown;
   Bounds<D> box(way.points[0]);
   for (uint32_t i = 1; i < 2 * corners.count; ++i) box.include(way.points[i]);
-  return probe_.is_free(box, cell);
+  return probe_.is_free(box, cell) ? Verdict::kBoxed : Verdict::kUnknown;
 }
 
 template <int D>

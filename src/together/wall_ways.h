@@ -49,7 +49,7 @@ class WallWays {
   template <class Visit>
   bool visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit);
   struct PartWay;
-  bool is_known_free(const PartWay& way);
+  Verdict ask(const PartWay& way);
   template <class Visit>
   bool visit_features(const PartWay& way, const CandidateView<D>& near, Visit visit);
   bool is_beside(const WallPlane<D>& plane, const double* const* points, uint32_t count) const;

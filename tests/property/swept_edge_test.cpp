@@ -109,7 +109,7 @@ Verdict settled_by(const Environment<3>& env, const double* p, Cell start, const
   if (path.facets.size() <= 2) {
     for (const uint32_t facet : path.facets) crossed.facets[crossed.count++] = {facet};
   }
-  return star.ask(body, {0, 0, to, target, q, body.vertices[1].cell, crossed});
+  return star.ask(body, {0, 0, {p, start, to, target, q, body.vertices[1].cell, crossed, true}});
 }
 
 TEST(SweptEdgeTest, ALineBetweenNeighboursPassesOneFacet) {

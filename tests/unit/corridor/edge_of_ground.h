@@ -347,11 +347,11 @@ class EdgeOfGround {
   /** Whether an edge whose paths are free is known to touch nothing. */
   bool says_nothing(MovingCorridors<D>& corridors, Body<D>& body) {
     answer_ = corridors.ask(body.corridors[0], body.call, ends_, {ends_[0].end, ends_[1].end}, true);
-    return answer_ == MovingCorridors<D>::Answer::kNothing && ends_[0].to.valid() && ends_[1].to.valid();
+    return answer_ == Verdict::kHolds && ends_[0].to.valid() && ends_[1].to.valid();
   }
   /** What the edge touches first is among what it may touch: on a lattice what the shifted edge touches first. */
   void check_features() {
-    if (answer_ != MovingCorridors<D>::Answer::kFeatures || kind_.mixed) return;
+    if (answer_ != Verdict::kStopsAtRidge || kind_.mixed) return;
     const bool is_on_lattice = kind_.points == Points::kOnLattice;
     if (is_on_lattice && !is_coarse(way_)) return;
     const auto* const first = obstacles_.first_line(is_on_lattice ? shifted(way_) : way_);
@@ -420,7 +420,7 @@ class EdgeOfGround {
   typename MovingCorridors<D>::End ends_[2] = {};
   MovingCorridors<D> corridors_, fresh_;
   KnownRings<D> rings_;
-  typename MovingCorridors<D>::Answer answer_{};
+  Verdict answer_{};
   Way<D> way_;
 };
 
