@@ -74,7 +74,7 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
 }
 
 template <int D>
-void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
+void BodyMove<D>::move_rigidly(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
   record.clear();
   star_.simplices.max_volumes = 0;
   keep_forecasts(body);
@@ -82,7 +82,7 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
   places_.resize(D * body.vertices.size());
   Halving halving;
   try {
-    while (!try_together(body, where, user, halving.way, order, record) && halving.next()) {
+    while (!try_rigidly(body, where, user, halving.way, order, record) && halving.next()) {
     }
   } catch (...) {
     put_vertices(body, before_.data());
@@ -103,8 +103,8 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
 
 /** Moves all vertices by a fraction of a motion, or none; the first contact of all tries is recorded. */
 template <int D>
-bool BodyMove<D>::try_together(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
-                               MoveRecord& record) {
+bool BodyMove<D>::try_rigidly(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
+                              MoveRecord& record) {
   const PointArray targets{places_.data(), D};
   for (uint32_t v = 0; v < before_.size(); ++v) {
     double* const to = places_.data() + D * size_t{v};

@@ -30,7 +30,7 @@ class BodyMove {
 
   /** Moves all vertices of a body to where(user, from, fraction), as far as nothing is touched: with the first contact
    * the body is put back and the fraction halved, up to 52 times. Throws as move does. */
-  void move_together(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record);
+  void move_rigidly(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record);
 
   void set_counters(CastCounters* counters) { star_.simplices.counters = counters; }
   /** What a body can meet besides the environment; null: nothing. */
@@ -39,8 +39,8 @@ class BodyMove {
   void set_notes(NearNotes<D>* notes) { star_.thick.notes = notes; }
 
  private:
-  bool try_together(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
-                    MoveRecord& record);
+  bool try_rigidly(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
+                   MoveRecord& record);
   void record_first(const Body<D>& body, uint32_t v, const double* to, MoveRecord& record);
   void start(Body<D>& body, PointArray targets, MoveOrder order);
   bool run(const MoveSettings& settings, MoveRecord& record, bool may_skip);

@@ -68,7 +68,7 @@ void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, con
   move.set_partners(scene.features.contacts ? &partners : nullptr);
   move.set_notes(&body.kept_near);
   body.touches.prepare(body.record);
-  move.move_together(body.body, place, user, order, body.next);
+  move.move_rigidly(body.body, place, user, order, body.next);
   end_move(scene, body, casts);
 }
 

@@ -51,7 +51,7 @@ void BodyWays<D>::Ways::add(const Trajectory<D>& of, uint32_t number, const Simp
 }
 
 template <int D>
-void BodyWays<D>::Ways::ask() {
+void BodyWays<D>::Ways::fill_grid() {
   grid.reserve(sides.size());
   for (uint32_t i = 0; i < sides.size(); ++i) grid.put(i, boxes[i]);
 }
@@ -64,9 +64,9 @@ void BodyWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_me
   };
   hinges_.clear();
   if (!bodies_meet || (trajectories.size() == 1 && !meets(trajectories[0]))) return;
-  const bool with_rods = !find_own_edges(trajectories);
-  add_ways(trajectories, with_rods);
-  if (with_rods) find_rods(trajectories);
+  const bool with_segments = !find_own_edges(trajectories);
+  add_ways(trajectories, with_segments);
+  if (with_segments) find_segments(trajectories);
   find_solids(trajectories);
   find_hinges(trajectories);
   find_still(trajectories);
@@ -97,8 +97,8 @@ bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Trajectory<D>>& tr
 }
 
 template <int D>
-void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_rods) {
-  for (Ways* each : {&rods_, &vertices_, &faces_}) each->clear();
+void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments) {
+  for (Ways* each : {&segments_, &vertices_, &faces_}) each->clear();
   const auto has_faces = [](const Partner<D>& each) { return covers_faces(each.body->level); };
   const bool may_meet_faces = std::any_of(trajectories.begin(), trajectories.end(), [&](const Trajectory<D>& of) {
     return has_faces(of.name) ||
@@ -109,27 +109,27 @@ void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_r
     for_each_simplex(*of.motion.body, [&](const Simplex& part) {
       if (part.kind == Simplex::kVertex) {
         if (D == 2 || may_meet_faces) vertices_.add(of, t, part);
-        if (with_rods && is_single(*of.motion.body, part.index)) rods_.add(of, t, part);
+        if (with_segments && is_single(*of.motion.body, part.index)) segments_.add(of, t, part);
       } else if (part.kind == Simplex::kEdge) {
-        if (with_rods) rods_.add(of, t, part);
+        if (with_segments) segments_.add(of, t, part);
       } else {
         faces_.add(of, t, part);
       }
       return true;
     });
   }
-  for (Ways* each : {&rods_, &vertices_, &faces_}) each->ask();
+  for (Ways* each : {&segments_, &vertices_, &faces_}) each->fill_grid();
 }
 
 template <int D>
-void BodyWays<D>::find_rods(const Array<Trajectory<D>>& trajectories) {
-  for (uint32_t i = 0; i < rods_.sides.size(); ++i) {
+void BodyWays<D>::find_segments(const Array<Trajectory<D>>& trajectories) {
+  for (uint32_t i = 0; i < segments_.sides.size(); ++i) {
     // In the plane edges meet all vertices, below. Here only vertices without edges meet each other.
-    if (D == 2 && rods_.sides[i].part.kind != Simplex::kVertex) continue;
-    rods_.grid.visit(rods_.boxes[i], [&](uint32_t k) {
-      if (k >= i || (D == 2 && rods_.sides[k].part.kind != Simplex::kVertex)) return true;
-      if (may_meet(trajectories, rods_.sides[i].trajectory, rods_.sides[k].trajectory))
-        add_rods(rods_.sides[i], rods_.sides[k]);
+    if (D == 2 && segments_.sides[i].part.kind != Simplex::kVertex) continue;
+    segments_.grid.visit(segments_.boxes[i], [&](uint32_t k) {
+      if (k >= i || (D == 2 && segments_.sides[k].part.kind != Simplex::kVertex)) return true;
+      if (may_meet(trajectories, segments_.sides[i].trajectory, segments_.sides[k].trajectory))
+        add_segments(segments_.sides[i], segments_.sides[k]);
       return true;
     });
   }
@@ -138,7 +138,7 @@ void BodyWays<D>::find_rods(const Array<Trajectory<D>>& trajectories) {
 /** Faces and vertices, in the plane edges and vertices. */
 template <int D>
 void BodyWays<D>::find_solids(const Array<Trajectory<D>>& trajectories) {
-  const Ways& solids = D == 2 ? rods_ : faces_;
+  const Ways& solids = D == 2 ? segments_ : faces_;
   for (uint32_t i = 0; i < solids.sides.size(); ++i) {
     const Side& solid = solids.sides[i];
     if (D == 2 && solid.part.kind == Simplex::kVertex) continue;
@@ -184,9 +184,9 @@ void BodyWays<D>::find_hinges(const Array<Trajectory<D>>& trajectories) {
   }
 }
 
-/** Two rods, unless they share a vertex. */
+/** Two segments, unless they share a vertex. */
 template <int D>
-void BodyWays<D>::add_rods(const Side& a, const Side& b) {
+void BodyWays<D>::add_segments(const Side& a, const Side& b) {
   if (a.trajectory == b.trajectory) {
     for (const uint32_t v : SimplexCorners<D>(*a.name->body, a.part)) {
       if (has_corner(*b.name->body, b.part, v)) return;
@@ -197,13 +197,13 @@ void BodyWays<D>::add_rods(const Side& a, const Side& b) {
 
 template <int D>
 void BodyWays<D>::find_still(const Array<Trajectory<D>>& trajectories) {
-  for (const Ways* ways : {&rods_, &vertices_, &faces_}) {
+  for (const Ways* ways : {&segments_, &vertices_, &faces_}) {
     for (uint32_t i = 0; i < ways->sides.size(); ++i) {
       const Side& side = ways->sides[i];
       const Partners<D>* const still = trajectories[side.trajectory].still;
       if (still == nullptr) continue;
       for (const Partner<D>& other : still->all) {
-        ways == &rods_ ? meet_rods(side, other, ways->boxes[i]) : meet_solids(side, other, ways->boxes[i]);
+        ways == &segments_ ? meet_segments(side, other, ways->boxes[i]) : meet_solids(side, other, ways->boxes[i]);
       }
     }
   }
@@ -228,26 +228,26 @@ void BodyWays<D>::meet_solids(const Side& side, const Partner<D>& other, const B
   }
 }
 
-/** A rod against rods that stand still; in the plane also an edge against vertices. */
+/** A segment against segments that stand still; in the plane also an edge against vertices. */
 template <int D>
-void BodyWays<D>::meet_rods(const Side& rod, const Partner<D>& other, const Box<D>& box) {
+void BodyWays<D>::meet_segments(const Side& segment, const Partner<D>& other, const Box<D>& box) {
   const Body<D>& body = *other.body;
-  const bool is_vertex = rod.part.kind == Simplex::kVertex;
+  const bool is_vertex = segment.part.kind == Simplex::kVertex;
   if constexpr (D == 2) {
     // A vertex without edges meets those of the other body, an edge meets all vertices.
     const BoxGrid<D>& grid = is_vertex ? single_vertices(body, body.level) : fresh_boxes(body).vertices;
     grid.visit(box, [&](uint32_t v) {
-      add_pair(PairKind::kVertexEdge, {kNone, &other, {Simplex::kVertex, v}}, rod);
+      add_pair(PairKind::kVertexEdge, {kNone, &other, {Simplex::kVertex, v}}, segment);
       return true;
     });
   } else {
     single_vertices(body, body.level).visit(box, [&](uint32_t v) {
-      add_pair(PairKind::kEdgeEdge, rod, {kNone, &other, {Simplex::kVertex, v}});
+      add_pair(PairKind::kEdgeEdge, segment, {kNone, &other, {Simplex::kVertex, v}});
       return true;
     });
     if (!covers_edges(body.level)) return;
     fresh_boxes(body).edges.visit(box, [&](uint32_t e) {
-      add_pair(PairKind::kEdgeEdge, rod, {kNone, &other, {Simplex::kEdge, e}});
+      add_pair(PairKind::kEdgeEdge, segment, {kNone, &other, {Simplex::kEdge, e}});
       return true;
     });
   }

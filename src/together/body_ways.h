@@ -12,7 +12,7 @@ template <int D>
 class BodyWays {
  public:
   explicit BodyWays(const Memory* memory)
-      : rods_(memory), vertices_(memory), faces_(memory), pairs_(memory), hinges_(memory), near_(memory) {}
+      : segments_(memory), vertices_(memory), faces_(memory), pairs_(memory), hinges_(memory), near_(memory) {}
 
   /** Finds the pairs whose whole ways in the call come near each other. */
   void start(const Array<Trajectory<D>>& trajectories, bool bodies_meet);
@@ -49,25 +49,25 @@ class BodyWays {
     explicit Ways(const Memory* memory) : grid(memory), sides(memory), boxes(memory) {}
     void clear();
     void add(const Trajectory<D>& of, uint32_t number, const Simplex& part);
-    void ask();
+    void fill_grid();
   };
 
-  void add_ways(const Array<Trajectory<D>>& trajectories, bool with_rods);
+  void add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments);
   bool find_own_edges(const Array<Trajectory<D>>& trajectories);
-  void find_rods(const Array<Trajectory<D>>& trajectories);
+  void find_segments(const Array<Trajectory<D>>& trajectories);
   void find_solids(const Array<Trajectory<D>>& trajectories);
   void find_hinges(const Array<Trajectory<D>>& trajectories);
   void find_still(const Array<Trajectory<D>>& trajectories);
-  void meet_rods(const Side& rod, const Partner<D>& other, const Box<D>& box);
+  void meet_segments(const Side& segment, const Partner<D>& other, const Box<D>& box);
   void meet_solids(const Side& side, const Partner<D>& other, const Box<D>& box);
-  void add_rods(const Side& a, const Side& b);
+  void add_segments(const Side& a, const Side& b);
   void add_pair(PairKind kind, const Side& a, const Side& b) { pairs_.push_back({kind, {a, b}}); }
   template <class Visit>
   bool visit_pair(const Array<Trajectory<D>>& trajectories, const Pair& pair, Visit visit) const;
   template <class Visit>
   bool visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit) const;
 
-  Ways rods_, vertices_, faces_;  // rods: edges and vertices without edges
+  Ways segments_, vertices_, faces_;  // segments: edges and vertices without edges
   Array<Pair> pairs_;
   Array<Hinge> hinges_;
   NearEdges near_;
