@@ -28,7 +28,10 @@ bool knows_walls(const Environment<3>& env, const TouchedLines* touched, const F
   return touched != nullptr && touched->knows_fan(line, ridge.facet, env.change_version);
 }
 
-}  // namespace
+template <int D>
+bool knows_path(const Follower<D>& f) noexcept {
+  return f.edge.crossed.count != 0 || f.edge.from == f.edge.arrival;
+}
 
 /** Whether a triangle is free one side of which passes, in the old place, half of the facets round a pivot, and
  * another, in the new place, the others. In space: before and after these the sides share facets, and what of the
@@ -41,157 +44,160 @@ bool knows_walls(const Environment<3>& env, const TouchedLines* touched, const F
  * into a point, over one vertex after the other; a point of the triangle outside of it would be one that they wind
  * round. */
 template <int D>
-bool Follower<D>::turns_freely(const Pivot<D>& pivot) const {
+bool turns_freely(const Follower<D>& f, const Pivot<D>& pivot) {
   if constexpr (D == 3) {
-    const double* const triangle[3] = {edge_.p, edge_.to, edge_.q};
+    const double* const triangle[3] = {f.edge.p, f.edge.to, f.edge.q};
     const uint32_t(&edge)[2] = pivot.vertices;
-    const int a = orient<D>(triangle, env_.point(edge[0])), b = orient<D>(triangle, env_.point(edge[1]));
-    return a * b < 0 && (env_.marked_edges == 0 || !env_.edge_marks.contains(edge[0], edge[1]));
+    const int a = orient<D>(triangle, f.env.point(edge[0])), b = orient<D>(triangle, f.env.point(edge[1]));
+    return a * b < 0 && (f.env.marked_edges == 0 || !f.env.edge_marks.contains(edge[0], edge[1]));
   } else {
-    return !vertex_marked(env_, pivot.vertices[0]);
+    return !vertex_marked(f.env, pivot.vertices[0]);
   }
 }
 
 /** Whether the edge goes to the other side of a pivot, or of a few, and is free there with what it sweeps on its way;
  * at EDGES the new place is all that counts. */
 template <int D>
-bool Follower<D>::turns(bool swept) const {
-  const bool first = edge_.p_first;
-  const double *const from = first ? edge_.to : edge_.q, *const to = first ? edge_.q : edge_.to;
-  const Cell start = first ? edge_.arrival : edge_.fixed, end = first ? edge_.fixed : edge_.arrival;
+bool turns(const Follower<D>& f, bool swept) {
+  const bool first = f.edge.p_first;
+  const double *const from = first ? f.edge.to : f.edge.q, *const to = first ? f.edge.q : f.edge.to;
+  const Cell start = first ? f.edge.arrival : f.edge.fixed, end = first ? f.edge.fixed : f.edge.arrival;
   Pivot<D> pivot;
   for (int rest = swept && D == 3 ? 1 : kMostTurns; rest != 0; --rest) {
-    if (!turn(env_, corridor_, from, to, pivot) || (swept && !turns_freely(pivot))) break;
-    if (follows(env_, corridor_, from, to, start, end)) return true;
+    if (!turn(f.env, f.corridor, from, to, pivot) || (swept && !turns_freely(f, pivot))) break;
+    if (follows(f.env, f.corridor, from, to, start, end)) return true;
   }
   return false;
 }
 
 /** Whether the edge follows its corridor with the moving end at p. */
 template <int D>
-bool Follower<D>::keeps(const double* p, Cell cell) const {
-  return edge_.p_first ? follows(env_, corridor_, p, edge_.q, cell, edge_.fixed)
-                       : follows(env_, corridor_, edge_.q, p, edge_.fixed, cell);
+bool keeps(const Follower<D>& f, const double* p, Cell cell) {
+  return f.edge.p_first ? follows(f.env, f.corridor, p, f.edge.q, cell, f.edge.fixed)
+                        : follows(f.env, f.corridor, f.edge.q, p, f.edge.fixed, cell);
 }
 
 /** Whether that has been found before. */
 template <int D>
-bool Follower<D>::has_kept(const double* p, Cell cell) const {
-  return edge_.p_first ? corridor_.has_place(env_.obstacle_version, p, edge_.q, cell, edge_.fixed)
-                       : corridor_.has_place(env_.obstacle_version, edge_.q, p, edge_.fixed, cell);
+bool has_kept(const Follower<D>& f, const double* p, Cell cell) {
+  return f.edge.p_first ? f.corridor.has_place(f.env.obstacle_version, p, f.edge.q, cell, f.edge.fixed)
+                        : f.corridor.has_place(f.env.obstacle_version, f.edge.q, p, f.edge.fixed, cell);
 }
 
 template <int D>
-void Follower<D>::note(const double* p, Cell cell) const {
-  if (edge_.p_first) {
-    corridor_.note_place(p, edge_.q, cell, edge_.fixed);
+void note(const Follower<D>& f, const double* p, Cell cell) {
+  if (f.edge.p_first) {
+    f.corridor.note_place(p, f.edge.q, cell, f.edge.fixed);
   } else {
-    corridor_.note_place(edge_.q, p, edge_.fixed, cell);
+    f.corridor.note_place(f.edge.q, p, f.edge.fixed, cell);
   }
+}
+
+template <int D>
+bool note_start(const Follower<D>& f) {
+  const bool first = f.edge.p_first;
+  const double *const p = f.edge.p, *const q = f.edge.q;
+  const bool is_free =
+      f.scratch.writer.cast_segment(f.env, first ? p : q, first ? q : p, first ? f.edge.from : f.edge.fixed,
+                                    first ? f.edge.fixed : f.edge.from, f.scratch.counters);
+  if (!is_free) return false;
+  f.corridor.keep(f.call);
+  f.scratch.writer.finish(f.corridor);
+  return f.corridor.known();
 }
 
 /** Whether the corridor is that of the edge where it stands; if it was not, perhaps by a cast. */
 template <int D>
-bool Follower<D>::keeps_start() const {
-  return keeps(edge_.p, edge_.from) || (note_start() && keeps(edge_.p, edge_.from));
-}
-
-template <int D>
-bool Follower<D>::note_start() const {
-  const bool first = edge_.p_first;
-  const double *const p = edge_.p, *const q = edge_.q;
-  const bool is_free =
-      scratch_.writer.cast_segment(env_, first ? p : q, first ? q : p, first ? edge_.from : edge_.fixed,
-                                   first ? edge_.fixed : edge_.from, scratch_.counters);
-  if (!is_free) return false;
-  corridor_.keep(call_);
-  scratch_.writer.finish(corridor_);
-  return corridor_.known();
+bool keeps_start(const Follower<D>& f) {
+  return keeps(f, f.edge.p, f.edge.from) || (note_start(f) && keeps(f, f.edge.p, f.edge.from));
 }
 
 /** The corridor becomes what it is once the path of the moving end has been passed. False: that is not known. */
 template <int D>
-bool Follower<D>::passes_on() const {
-  Cell cell = edge_.from;
-  for (uint32_t i = 0; i < edge_.crossed.count; ++i) {
-    if (!pass_on(env_, corridor_, edge_.crossed.facets[i], cell, edge_.p_first)) return false;
-    cell = env_.map.cell_of(env_.map.opposite(edge_.crossed.facets[i]));
+bool passes_on(const Follower<D>& f) {
+  Cell cell = f.edge.from;
+  for (uint32_t i = 0; i < f.edge.crossed.count; ++i) {
+    if (!pass_on(f.env, f.corridor, f.edge.crossed.facets[i], cell, f.edge.p_first)) return false;
+    cell = f.env.map.cell_of(f.env.map.opposite(f.edge.crossed.facets[i]));
   }
-  return cell == edge_.arrival;
+  return cell == f.edge.arrival;
 }
 
 template <int D>
-void Follower<D>::save() const {
-  corridor_.keep(call_);
-  scratch_.before = corridor_.facets;
+void save(const Follower<D>& f) {
+  f.corridor.keep(f.call);
+  f.scratch.before = f.corridor.facets;
 }
 
 template <int D>
-void Follower<D>::restore() const {
-  if (corridor_.facets != scratch_.before) corridor_.assign(env_, scratch_.before);
+void restore(const Follower<D>& f) {
+  if (f.corridor.facets != f.scratch.before) f.corridor.assign(f.env, f.scratch.before);
 }
 
+}  // namespace
+
 template <int D>
-Verdict Follower<D>::ask(bool swept) {
-  if (!knows_path()) return Verdict::kUnknown;
-  if (!(swept ? keeps_start() : corridor_.known())) return Verdict::kUnknown;
-  const bool stays = edge_.crossed.count == 0;
-  if (stays && keeps(edge_.to, edge_.arrival)) return Verdict::kHolds;
-  save();
-  if (passes_on()) {
-    if (!stays && keeps(edge_.to, edge_.arrival)) return Verdict::kHolds;
-    if (turns(swept)) return Verdict::kTurned;
+Verdict ask(const Follower<D>& f, bool swept) {
+  if (!knows_path(f)) return Verdict::kUnknown;
+  if (!(swept ? keeps_start(f) : f.corridor.known())) return Verdict::kUnknown;
+  const bool stays = f.edge.crossed.count == 0;
+  if (stays && keeps(f, f.edge.to, f.edge.arrival)) return Verdict::kHolds;
+  save(f);
+  if (passes_on(f)) {
+    if (!stays && keeps(f, f.edge.to, f.edge.arrival)) return Verdict::kHolds;
+    if (turns(f, swept)) return Verdict::kTurned;
   }
-  restore();
+  restore(f);
   return Verdict::kUnknown;
 }
 
 template <int D>
-Verdict Follower<D>::ask_for_ridge(bool arrives, const TouchedLines* touched, FirstRidge* ridge) {
-  if constexpr (D == 2) return arrives ? ask(true) : Verdict::kUnknown;
+Verdict ask_for_ridge(const Follower<D>& f, bool arrives, const TouchedLines* touched, FirstRidge* ridge) {
+  if constexpr (D == 2) return arrives ? ask(f, true) : Verdict::kUnknown;
   if constexpr (D == 3) {
     *ridge = {};
-    if (!knows_path() || !keeps_start()) return Verdict::kUnknown;
-    const size_t crossed = edge_.crossed.count, count = corridor_.facets.size();
+    if (!knows_path(f) || !keeps_start(f)) return Verdict::kUnknown;
+    const size_t crossed = f.edge.crossed.count, count = f.corridor.facets.size();
     const bool stays = crossed == 0;
-    if (stays && arrives && has_kept(edge_.to, edge_.arrival)) return Verdict::kHolds;
-    if (!stays) save();
+    if (stays && arrives && has_kept(f, f.edge.to, f.edge.arrival)) return Verdict::kHolds;
+    if (!stays) save(f);
     const bool in_rows =
-        (stays || passes_on()) && corridor_.in_rows && corridor_.portal.version == env_.obstacle_version;
+        (stays || passes_on(f)) && f.corridor.in_rows && f.corridor.portal.version == f.env.obstacle_version;
     // Only cells of facets in rows are known to be convex.
-    const EdgeMotion m = edge_.motion();
-    const size_t added = (corridor_.facets.size() + crossed - count) / 2;  // the others have been removed
-    bool knows =
-        in_rows && env_.map.convex(edge_.arrival) && find_first_ridge(env_, corridor_, m, edge_.p_first, added, ridge);
+    const EdgeMotion m = f.edge.motion();
+    const size_t added = (f.corridor.facets.size() + crossed - count) / 2;  // the others have been removed
+    bool knows = in_rows && f.env.map.convex(f.edge.arrival) &&
+                 find_first_ridge(f.env, f.corridor, m, f.edge.p_first, added, ridge);
     bool turned = false;
-    for (int turns = 0; stays && arrives && knows && ridge->facet.valid() && turns < kMostTurns; ++turns) {
-      if (knows_walls(env_, touched, *ridge)) break;
-      if (!turned) save();
-      if (!turn_round(env_, corridor_, *ridge)) break;
+    for (int count_turns = 0; stays && arrives && knows && ridge->facet.valid() && count_turns < kMostTurns;
+         ++count_turns) {
+      if (knows_walls(f.env, touched, *ridge)) break;
+      if (!turned) save(f);
+      if (!turn_round(f.env, f.corridor, *ridge)) break;
       turned = true;
-      knows = corridor_.in_rows && find_first_ridge(env_, corridor_, m, edge_.p_first, 0, ridge);
+      knows = f.corridor.in_rows && find_first_ridge(f.env, f.corridor, m, f.edge.p_first, 0, ridge);
     }
     const bool free = knows && !ridge->facet.valid();
     if (free && arrives) {
-      note(edge_.to, edge_.arrival);
+      note(f, f.edge.to, f.edge.arrival);
       return turned ? Verdict::kTurned : Verdict::kHolds;
     }
-    if (!stays || turned) restore();
+    if (!stays || turned) restore(f);
     if (free) return Verdict::kHolds;
     if (!knows) *ridge = {};
-    return !in_rows && arrives ? ask(true) : Verdict::kUnknown;
+    return !in_rows && arrives ? ask(f, true) : Verdict::kUnknown;
   }
 }
 
 template <int D>
-bool Follower<D>::is_free_before(const SweepEvent& event) {
-  if (!knows_path() || !keeps_start()) return false;
-  const auto passes = [&] { return passes_before(env_, corridor_, edge_.motion(), edge_.p_first, event); };
-  if (edge_.crossed.count == 0) return passes();
-  save();
+bool is_free_before(const Follower<D>& f, const SweepEvent& event) {
+  if (!knows_path(f) || !keeps_start(f)) return false;
+  const auto passes = [&] { return passes_before(f.env, f.corridor, f.edge.motion(), f.edge.p_first, event); };
+  if (f.edge.crossed.count == 0) return passes();
+  save(f);
   // Only cells of facets in rows are known to be convex; the path may have gone on into another one.
-  const bool is_free = passes_on() && corridor_.in_rows && env_.map.convex(edge_.arrival) && passes();
-  restore();
+  const bool is_free = passes_on(f) && f.corridor.in_rows && f.env.map.convex(f.edge.arrival) && passes();
+  restore(f);
   return is_free;
 }
 
@@ -211,8 +217,9 @@ bool stays_before_wall(const Environment<D>& env, const MovingEdge& edge) {
          passes_between(env, front, edge.fixed, edge.to, edge.q);
 }
 
-template class Follower<2>;
-template class Follower<3>;
+DSW_INSTANTIATE(ask);
+DSW_INSTANTIATE(ask_for_ridge);
+DSW_INSTANTIATE(is_free_before);
 DSW_INSTANTIATE(is_seen);
 DSW_INSTANTIATE(stays_before_wall);
 

@@ -37,54 +37,38 @@ struct EdgeScratch {
   explicit EdgeScratch(const Memory* memory) : before(memory), writer(memory) {}
 };
 
-/** An edge and its corridor, on the way of an end. Questions throw std::bad_alloc. */
+/** An edge and its corridor, on the way of an end. */
 template <int D>
-class Follower {
- public:
-  /** @param call the number of the call on the body. */
-  Follower(const Environment<D>& env, Corridor<D>& corridor, uint64_t call, const MovingEdge& edge,
-           EdgeScratch<D>& scratch) noexcept
-      : env_(env), corridor_(corridor), call_(call), edge_(edge), scratch_(scratch) {}
-
-  /** Whether the edge keeps to the facets that it was last known to pass, but for those that its end passes itself, and
-   * for those round a pivot to whose other side it goes: then it is free in its new place. If it kept to them before,
-   * too, the triangle's sides share a corridor, or part at one pivot. A path of two facets may come from one cell
-   * beside the corridor and go to another: its facets cut off the triangle's corners in these, and what is left lies in the
-   * cell between them and in the corridor. kUnknown, kHolds or kTurned.
-   * @param swept whether the triangle counts, and not the new place alone: then a corridor that is not that of the edge's
-   * place is noted again, by a cast. */
-  Verdict ask(bool swept);
-  /** Asks the same where triangles count, in space. If the edge leaves its facets, `ridge` is the first ridge that it meets
-   * and cannot turn round, if that is known. Where the moving end stays in its cell, the edge may turn round several
-   * ridges, one after the other.
-   * @param arrives whether the edge will stand at the target: then the corridor becomes that of its new place. If not,
-   * the corridor stays that of the start, and what is met counts up to the wall that the path meets.
-   * @param touched lines that the edge has touched, of which walls may be known; null: none. */
-  Verdict ask_for_ridge(bool arrives, const TouchedLines* touched, FirstRidge* ridge);
-  /** Whether the edge meets nothing before an event, which is its own, or of the path or another edge of its moving end.
-   * The edge keeps to its corridor until then, but for the facets that the path passes. If the path meets a wall,
-   * `arrival` is the cell in front of the wall. */
-  bool is_free_before(const SweepEvent& event);
-
- private:
-  bool knows_path() const noexcept { return edge_.crossed.count != 0 || edge_.from == edge_.arrival; }
-  bool keeps(const double* p, Cell cell) const;
-  bool has_kept(const double* p, Cell cell) const;
-  void note(const double* p, Cell cell) const;
-  bool keeps_start() const;
-  bool note_start() const;
-  bool passes_on() const;
-  bool turns(bool swept) const;
-  bool turns_freely(const Pivot<D>& pivot) const;
-  void save() const;
-  void restore() const;
-
-  const Environment<D>& env_;
-  Corridor<D>& corridor_;
-  const uint64_t call_;
-  const MovingEdge& edge_;
-  EdgeScratch<D>& scratch_;
+struct Follower {
+  const Environment<D>& env;
+  Corridor<D>& corridor;
+  uint64_t call;  // the number of the call on the body
+  const MovingEdge& edge;
+  EdgeScratch<D>& scratch;
 };
+
+/** Whether the edge keeps to the facets that it was last known to pass, but for those that its end passes itself, and
+ * for those round a pivot to whose other side it goes: then it is free in its new place. If it kept to them before,
+ * too, the triangle's sides share a corridor, or part at one pivot. A path of two facets may come from one cell beside the
+ * corridor and go to another: its facets cut off the triangle's corners in these, and what is left lies in the cell between
+ * them and in the corridor. kUnknown, kHolds or kTurned. Throws std::bad_alloc.
+ * @param swept whether the triangle counts, and not the new place alone: then a corridor that is not that of the edge's
+ * place is noted again, by a cast. */
+template <int D>
+Verdict ask(const Follower<D>& f, bool swept);
+/** Asks the same where triangles count, in space. If the edge leaves its facets, `ridge` is the first ridge that it meets
+ * and cannot turn round, if that is known. Where the moving end stays in its cell, the edge may turn round several
+ * ridges, one after the other. Throws std::bad_alloc.
+ * @param arrives whether the edge will stand at the target: then the corridor becomes that of its new place. If not, the
+ * corridor stays that of the start, and what is met counts up to the wall that the path meets.
+ * @param touched lines that the edge has touched, of which walls may be known; null: none. */
+template <int D>
+Verdict ask_for_ridge(const Follower<D>& f, bool arrives, const TouchedLines* touched, FirstRidge* ridge);
+/** Whether the edge meets nothing before an event, which is its own, or of the path or another edge of its moving end. The
+ * edge keeps to its corridor until then, but for the facets that the path passes. If the path meets a wall, `arrival` is the
+ * cell in front of the wall. Throws std::bad_alloc. */
+template <int D>
+bool is_free_before(const Follower<D>& f, const SweepEvent& event);
 
 /** Whether the triangle lies in the cell that its corners are in, which need not be convex. From one end in its new
  * place all of the cell is seen, hence the edge lies in it; where the triangle counts, from both: so the moving end's

@@ -49,9 +49,9 @@ Verdict SimplexSweep<D>::ask_what_is_kept(const Body<D>& body, const EdgeSweep& 
   if (ask_balls && is_clear(env_, body, sweep)) {
     verdict = Verdict::kClear;
   } else if (body.keeps_corridors()) {
-    Follower<D> edge = follower(body, sweep);
-    verdict = ridge != nullptr ? edge.ask_for_ridge(true, lines_of(body, sweep.e, sweep.v), ridge)
-                               : edge.ask(sweeps_edges(body.level));
+    const Follower<D> f = follower(body, sweep);
+    verdict = ridge != nullptr ? ask_for_ridge(f, true, lines_of(body, sweep.e, sweep.v), ridge)
+                               : dsw::ask(f, sweeps_edges(body.level));
   }
   counts.skipped += verdict != Verdict::kUnknown && (skipping.by_clearance || skipping.corridors) ? 1 : 0;
   return verdict;
@@ -114,7 +114,7 @@ bool SimplexSweep<D>::find_first(const Body<D>& body, const EdgeSweep& sweep, co
   const bool follows = max_volumes == 0 && body.keeps_corridors();
   if (!swept && follows) {
     const TouchedLines* const touched = lines_of(body, sweep.e, sweep.v);
-    if (follower(body, sweep).ask_for_ridge(false, touched, &ridge) != Verdict::kUnknown) return false;
+    if (ask_for_ridge(follower(body, sweep), false, touched, &ridge) != Verdict::kUnknown) return false;
   }
   const EdgeMotion m = motion(body, sweep);
   if (ridge.facet.valid()) {
@@ -123,7 +123,7 @@ bool SimplexSweep<D>::find_first(const Body<D>& body, const EdgeSweep& sweep, co
   }
   const Cell start = body.vertices[sweep.v].cell;
   if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return false;
-  if (before != nullptr && follows && follower(body, sweep).is_free_before(*before)) return false;
+  if (before != nullptr && follows && is_free_before(follower(body, sweep), *before)) return false;
   const SweepResult met = flood_until(m, start, before != nullptr ? time_after<D>(m.p, m.to, *before) : 1);
   if (met.end != SweepEnd::kContact) return false;
   keep_touched_line(env_, body, sweep.e, sweep.v, met.contact);

@@ -184,17 +184,29 @@ bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Sim
   for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
   if (!(limit > 0)) return true;
   const PartWay way(of, number, part, corners, limit);
-  Verdict verdict = ask(way);
-  const Body<D>& body = *of.motion.body;
-  typename MovingCorridors<D>::End ends[2];
-  if (verdict == Verdict::kUnknown && part.kind == Simplex::kEdge && body.keeps_corridors()) {
-    for (uint32_t k = 0; k < 2; ++k) {
-      const uint32_t v = corners.vertices[k];
-      ends[k] = {of.start(v), of.end(v), body.vertices[v].cell, of.motion.ways[v].arrival, of.motion.crossed_by(v)};
-    }
-    verdict = corridors_.ask(body.corridors[part.index], body.call, ends, {way.points[1], way.points[3]}, limit == 1);
+  const Verdict verdict = ask(way);
+  if (verdict != Verdict::kUnknown) {
+    ++counts.skipped;
+    return true;
   }
-  if (verdict == Verdict::kUnknown) return visit_features(way, near_.find(of, number, part), visit);
+  if (part.kind == Simplex::kEdge && of.motion.body->keeps_corridors()) return visit_edge(way, visit);
+  return visit_features(way, near_.find(of, number, part), visit);
+}
+
+/** Calls visit(touch) for the features that an edge with a corridor touches, until it returns false. */
+template <int D>
+template <class Visit>
+bool WallWays<D>::visit_edge(const PartWay& way, Visit visit) {
+  const MovingBody<D>& motion = way.of.motion;
+  const Body<D>& body = *motion.body;
+  const auto end_of = [&](uint32_t v) -> typename MovingCorridors<D>::End {
+    return {way.of.start(v), way.of.end(v), body.vertices[v].cell, motion.ways[v].arrival, motion.crossed[v]};
+  };
+  const typename MovingCorridors<D>::End ends[2] = {end_of(way.corners.vertices[0]), end_of(way.corners.vertices[1])};
+  Corridor<D>& corridor = body.corridors[way.part.index];
+  const bool are_ends = way.limit == 1;
+  const Verdict verdict = corridors_.ask(corridor, body.call, ends, {way.points[1], way.points[3]}, are_ends);
+  if (verdict == Verdict::kUnknown) return visit_features(way, near_.find(way.of, way.number, way.part), visit);
   if (verdict != Verdict::kStopsAtRidge) {
     ++counts.skipped;
     return true;
@@ -204,7 +216,7 @@ bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Sim
     touches = true;
     return visit(touch);
   });
-  if (!touches && limit == 1) corridors_.go_on(body.corridors[part.index], body.call, ends);
+  if (!touches && are_ends) corridors_.go_on(corridor, body.call, ends);
   return goes_on;
 }
 

@@ -51,6 +51,8 @@ class WallWays {
   struct PartWay;
   Verdict ask(const PartWay& way);
   template <class Visit>
+  bool visit_edge(const PartWay& way, Visit visit);
+  template <class Visit>
   bool visit_features(const PartWay& way, const CandidateView<D>& near, Visit visit);
   bool is_beside(const WallPlane<D>& plane, const double* const* points, uint32_t count) const;
   WayTouch<D> touch_of(const Trajectory<D>& of, const Blocked& blocked) const;
