@@ -153,8 +153,8 @@ def raw_of_model(source: str) -> Raw:
     count = 0
     for entity in gmsh.model.getEntities():
         for kind, own, nodes in zip(*gmsh.model.mesh.getElements(*entity)):
-            parts.append(_cells_of(gmsh, int(kind), index[np.asarray(nodes, np.int64)], len(own), source))
-            elements.append(np.asarray(own, np.int64))
+            parts.append(_cells_of(gmsh, int(kind), _indices(index, _signed(nodes)), len(own), source))
+            elements.append(_signed(own))
             rows.setdefault(tuple(entity), []).append((count, count + len(own)))
             count += len(own)
     raw = Raw(points, linear.joined(parts), source=source, reader="Gmsh")
@@ -163,11 +163,24 @@ def raw_of_model(source: str) -> Raw:
     return raw
 
 
-def _index_of(tags: Any) -> Indices:
-    """Where the node of each tag is."""
-    index = np.full(int(np.max(tags, initial=0)) + 1, -1, np.int64)
-    index[np.asarray(tags, np.int64)] = np.arange(len(tags))
+def _signed(tags: Any) -> Indices:
+    """Tags of Gmsh, without a copy: they are below 2^63."""
+    array = np.asarray(tags)
+    return array.view(np.int64) if array.dtype == np.uint64 else array.astype(np.int64)
+
+
+def _index_of(tags: Any) -> Indices | int:
+    """Where the node of each tag is; the first tag if they ascend one by one."""
+    own = _signed(tags)
+    if len(own) and int(own[-1]) - int(own[0]) == len(own) - 1 and bool(np.all(own[1:] > own[:-1])):
+        return int(own[0])
+    index = np.full(int(np.max(own, initial=0)) + 1, -1, np.int64)
+    index[own] = np.arange(len(own))
     return index
+
+
+def _indices(index: Indices | int, tags: Indices) -> Indices:
+    return tags - index if isinstance(index, int) else index[tags]
 
 
 def _cells_of(gmsh: Any, kind: int, nodes: Indices, count: int, source: str) -> Cells:
