@@ -35,7 +35,8 @@ def read(path: str | os.PathLike[str], *, regions: str | None = None, quadratic:
     of the environment tells that, and all else that was changed. Options of from_surface, such as parts="largest", go to it.
     regions: name of the cell data that labels cells; by default what the format calls so. quadratic: "corners" takes cells of higher
     order by their corners, "split" divides quadratic ones so that they follow the curves. options: as of Environment. If parts of a mesh lie on
-    each other, one of its options has to say what they are: merge_points, conform or inner_walls.
+    each other, one of its options has to say what they are: merge_points, conform or inner_walls. Cells whose mean does not see all of their
+    faces are split, which `notes` tell, but for split=False.
 
     Raises MeshError if the file can't be read, or has no such mesh; its text says why, and what to do. Raises OSError if there is no file.
     """
