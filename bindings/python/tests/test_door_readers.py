@@ -240,6 +240,17 @@ def test_sets_of_moab(tmp_path: pathlib.Path) -> None:
         assert environment.regions() == [4, 6] and environment.mark_region("tip")[0] == 1 and len(environment.faces("2")) == 1
 
 
+def test_volumes_of_moab_that_triangles_bound_are_told(tmp_path: pathlib.Path) -> None:
+    h5py = pytest.importorskip("h5py")
+    with h5py.File(tmp_path / "pin.h5m", "w") as file:
+        for name, data, start in (("nodes/coordinates", np.array(TETRA, float), 1), ("elements/Tri3/connectivity", [[1, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]], 5)):
+            file["tstt/" + name] = data
+            file["tstt/" + name].attrs["start_id"] = start
+        file["tstt/tags/GEOM_DIMENSION/id_list"], file["tstt/tags/GEOM_DIMENSION/values"] = [9, 10], [3, 3]
+    with pytest.raises(ds.MeshError, match="its triangles bound 2 volumes of a geometry, which have no cells"):
+        ds.read(tmp_path / "pin.h5m")
+
+
 def test_cells_of_meshio_with_gmsh_vtk_and_mfem_are_one_environment(tmp_path: pathlib.Path) -> None:
     """A box of wedges, written by meshio and read by all."""
     points, cells = box()
