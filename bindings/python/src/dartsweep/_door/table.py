@@ -89,13 +89,28 @@ DIALECTS = (
     _dialect("Surfaces", ".stl .obj .ply", "surface:surface", "the wall; the inside is filled with tetrahedra"),
 )
 
+STRANGERS = (  # first bytes of files that nothing here reads, what they are, and a way on
+    (r"#!TDV", "it is Tecplot's binary", "Tecplot and ParaView can write it as text or as VTK's"),
+    (r"(?is)\s*(?:#[^\n]*\n\s*)*MESH\b[^\n]*\bELEMTYPE\b", "it is a mesh of GiD", "GiD can export it, such as for Abaqus or Nastran"),
+)
+
+
+def stranger(path: str) -> tuple[str, str] | None:
+    """What a file is that has the ending of others, and a way on."""
+    head = _head(path)
+    return next(((what, way_on) for begins, what, way_on in STRANGERS if re.match(begins, head)), None)
+
 
 def dialects_of(path: str) -> list[Dialect]:
     """Kinds of files that a file may be, by its ending and by its first bytes."""
     ending = os.path.splitext(path)[1].lower()
-    with open(path, "rb") as file:
-        head = file.read(_KNOWN_BY_BYTES).decode("latin-1")
+    head = _head(path)
     return [dialect for dialect in DIALECTS if ending in dialect.endings and re.match(dialect.begins, head)]
+
+
+def _head(path: str) -> str:
+    with open(path, "rb") as file:
+        return file.read(_KNOWN_BY_BYTES).decode("latin-1")
 
 
 def is_surface(path: str | os.PathLike[str]) -> bool:
