@@ -215,6 +215,25 @@ def test_attributes_and_curves_of_mfem(tmp_path: pathlib.Path) -> None:
             assert ("degree 2" in "".join(environment.notes)) == (quadratic == "corners")
 
 
+def test_cells_of_mfem_that_were_refined_beside_others(tmp_path: pathlib.Path) -> None:
+    """Faces between large and small cells are split, and sides with hanging points stay on their surfaces."""
+    mfem = pytest.importorskip("mfem.ser")
+    mesh = mfem.Mesh.MakeCartesian3D(2, 1, 1, mfem.Element.HEXAHEDRON)
+    mesh.EnsureNCMesh(True)
+    mesh.GeneralRefinement(mfem.intArray([0]), 1)
+    path = tmp_path / "refined.mesh"
+    mesh.Print(str(path))
+    sides = [mesh.GetBdrAttribute(i) for i in range(mesh.GetNBE())]
+    with ds.read(path) as environment:
+        assert environment.info.volume_count == mesh.GetNE() == 9 and environment.info.part_count == 1 and volume_of(environment) == pytest.approx(1)
+        assert [note.partition(":")[0] for note in environment.notes] == ["cells were refined beside others"]
+        assert {name: len(environment.faces(name)) for name in environment.surface_names} == {str(side): sides.count(side) for side in set(sides)}
+        assert environment.cast((0.1, 0.2, 0.2), (0.9, 0.3, 0.4)).outcome == ds.Outcome.REACHED
+        environment.check()
+    with ds.read(path, inner_walls=True) as loose:
+        assert loose.info.part_count == 2
+
+
 ASSEMBLY = """*HEADING
 *PART, NAME=block
 *NODE

@@ -7,8 +7,10 @@ import itertools
 import numpy as np
 from numpy.typing import NDArray
 
+from .._core import VolumeId
+from ..enums import CellType
 from ..environment import Environment
-from ..errors import NotFound
+from ..errors import NotFound, OutOfRange
 from .labels import FACE_LABELS
 from .mesh import Indices, Mesh
 from .ragged import take
@@ -30,6 +32,8 @@ def name(made: Environment, mesh: Mesh) -> None:
     missing = surfaces.ids(made)["generation"] == 0
     if np.any(missing) and made._core.build_report().split_count != 0:
         _add_triangles(made, mesh, groups, missing)
+    if np.any(missing):
+        _add_with_more_points(made, mesh, groups, missing)
     for name, faces in groups.items():
         lost = int(missing[faces].sum())
         if lost:
@@ -65,6 +69,43 @@ def _add_triangles(made: Environment, mesh: Mesh, groups: dict[str, Indices], mi
     missing[owner] = False
     parts = {name: np.flatnonzero(np.isin(owner, faces)) for name, faces in groups.items()}
     made._names.surfaces.add(np.arange(0, corners.size + 1, 3), corners.ravel(), {name: own for name, own in parts.items() if len(own)}, {})
+
+
+def _add_with_more_points(made: Environment, mesh: Mesh, groups: dict[str, Indices], missing: NDArray[np.bool_]) -> None:
+    """A face beside smaller cells has hanging points on its sides, too, once the mesh is conforming. Its cell keeps its index."""
+    named = np.unique(np.concatenate(list(groups.values())))
+    wanted = {face: set(_corners(mesh, face)) for face in named[missing[named]].tolist()}
+    is_corner = np.zeros(len(mesh.points), np.bool_)
+    is_corner[[point for corners in wanted.values() for point in corners]] = True
+    at = np.flatnonzero(is_corner[mesh.connectivity] & np.repeat(mesh.types != CellType.POLYHEDRON, np.diff(mesh.offsets)))
+    cells: dict[int, set[int]] = {}
+    for point, cell in zip(mesh.connectivity[at].tolist(), (np.searchsorted(mesh.offsets, at, side="right") - 1).tolist()):
+        cells.setdefault(point, set()).add(cell)
+    found: dict[int, Indices] = {}
+    for face, corners in wanted.items():
+        for cell in set.intersection(*(cells.get(point, set()) for point in corners)):
+            around = [made.vertices(made.face_id(volume, i))["index"].astype(np.int64) for volume in _volume(made, cell) for i in range(made.volume_counts(volume).faces)]
+            whole = [each for each in around if corners <= set(each.tolist())]
+            if len(corners) > 2 and len(whole) == 1:
+                found[face] = whole[0]
+    if not found:
+        return
+    owner, rows = np.array(list(found)), list(found.values())
+    missing[owner] = False
+    parts = {name: np.flatnonzero(np.isin(owner, faces)) for name, faces in groups.items()}
+    offsets = np.concatenate([[0], np.cumsum([len(row) for row in rows])])
+    made._names.surfaces.add(offsets, np.concatenate(rows), {name: own for name, own in parts.items() if len(own)}, {})
+
+
+def _corners(mesh: Mesh, face: int) -> list[int]:
+    return mesh.face_vertices[mesh.face_offsets[face] : mesh.face_offsets[face + 1]].tolist()  # type: ignore[no-any-return]
+
+
+def _volume(made: Environment, cell: int) -> list[VolumeId]:
+    try:
+        return [made.volume_id(cell)]
+    except (NotFound, OutOfRange):
+        return []
 
 
 def _is_inside(made: Environment, face: np.void) -> bool:
