@@ -77,7 +77,7 @@ def test_faces_between_parts_of_a_cell_are_on_no_surface() -> None:
 
 
 def test_warped_cells_are_not_called_inside_out() -> None:
-    """As in a thin layer on a curved wall. Divided by unlike diagonals, the two large sides of such a cell pass through each other."""
+    """A thin layer on a curved wall has such cells. Divided by unlike diagonals, the two large sides of one pass through each other."""
     corners = [(t, u, v) for v in (0, 1) for t, u in ((0, 0), (1, 0), (1, 1), (0, 1))]
     for height, sign in ((0, 1), (1, 0)):
         points = np.array([(0.01 * t + height * (u != v), u, v) for t, u, v in corners])

@@ -16,7 +16,7 @@ from .mesh import Indices, Mesh
 from .ragged import take
 
 _MOST_CORNERS = 16
-"""Of a face whose triangles are looked for, because there are n (n - 1) (n - 2) / 6."""
+"""Triangles are looked for in faces with so many corners: a face with n has n (n - 1) (n - 2) / 6."""
 
 
 def name(made: Environment, mesh: Mesh) -> None:

@@ -88,8 +88,8 @@ def _check_count(path: str, format: str, raw: Raw) -> None:
     """Gmsh leaves out elements of types that it does not know, and keeps one of several with the same number, without a word."""
     declared, count = 0, len(raw.cells.types)
     if format == "bdf":
-        with open(path, encoding="latin-1") as file:
-            lines = file.readlines()
+        with open(path, encoding="latin-1") as rows:
+            lines = rows.readlines()
         declared = sum(_ELEMENT_OF_NASTRAN.match(line) is not None for line in lines)
         if not any(line.upper().startswith("ENDDATA") for line in lines):
             raw.notes.append("the file has no ENDDATA: it may have been cut short")
