@@ -152,7 +152,7 @@ def test_readers_that_crash_or_do_not_end_are_errors(
     tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str], word: str, found: str
 ) -> None:
     monkeypatch.setitem(files._READERS, "vtk", unsafe_reader)
-    monkeypatch.setattr(apart, "SECONDS", 2.0)
+    monkeypatch.setattr(apart, "SECONDS", 1.0)
     path = tmp_path / "mesh.cgns"
     path.write_text(word)
     with pytest.raises(ds.MeshError, match=found) as caught:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import pathlib
 import signal
-import time
 from typing import Any
 
 
@@ -17,6 +16,6 @@ def read(path: str, source: str, format: str) -> Any:
         os._exit(3)
     if word == "crash":
         os.kill(os.getpid(), signal.SIGKILL)
-    if word == "loop":
-        time.sleep(60)
+    while word == "loop":
+        pass
     raise KeyError(word)
