@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 import dartsweep as ds
-from dartsweep._door import build, files, raw, table
+import unsafe_reader
+from dartsweep._door import apart, build, files, raw, table
 from volumes import CUBE, PRISM, TETRA, box, content, volume_of
 
 DOCS = pathlib.Path(__file__).parents[2] / "docs" / "meshes.md"
@@ -57,6 +58,8 @@ def test_errors_name_the_file_what_was_found_and_a_way_on(tmp_path: pathlib.Path
     for name, text, found in (
         ("mesh.xyz", "x", "the ending '.xyz' is not known"),
         ("mesh.mesh", "What is this?", "its first bytes are not those of .*MFEM.*Medit"),
+        ("mesh.plt", "#!TDV112", "it is Tecplot's binary"),
+        ("mesh.msh", 'MESH "part" dimension 3 ElemType Tetrahedra Nnode 4\nCoordinates\n', "it is a mesh of GiD"),
         ("mesh.vtu", "<VTKFile", "VTK can't read it"),
         ("mesh.med", "\x89HDF but no more", "Gmsh can't read it .*; meshio can't read it"),
         ("mesh.inp", "*NODE\n1, 0, 0, 0\n*ELEMENT, TYPE=XYZ\n1, 1\n", "elements have the type 'XYZ'"),
@@ -139,3 +142,39 @@ def test_every_reader_that_can_read_a_file_gives_the_same_mesh(tmp_path: pathlib
         assert all(len(mesh.types) == len(rows) for mesh in meshes)
         made = [build.environment_of(mesh, None, {}) for mesh in meshes]
         assert [volume_of(each) for each in made] == pytest.approx([6] * len(ways))
+
+
+@pytest.mark.parametrize(
+    ("word", "found"),
+    [("exit", r"VTK has crashed \(.*exit code 3\)"), ("crash", r"VTK has crashed \(.*SIGKILL\)"), ("loop", "VTK had not read it after 2 s"), ("odd", "KeyError: 'odd'")],
+)
+def test_readers_that_crash_or_do_not_end_are_errors(
+    tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str], word: str, found: str
+) -> None:
+    monkeypatch.setitem(files._READERS, "vtk", unsafe_reader)
+    monkeypatch.setattr(apart, "SECONDS", 1.0)
+    path = tmp_path / "mesh.cgns"
+    path.write_text(word)
+    with pytest.raises(ds.MeshError, match=found) as caught:
+        ds.read(path)
+    assert caught.value.file == f"mesh '{path}'" and caught.value.way_on != ""
+    assert capfd.readouterr() == ("", "")
+
+
+def test_what_no_reader_expects_is_an_error_about_the_file(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(files._READERS, "su2", unsafe_reader)
+    (tmp_path / "mesh.su2").write_text("odd")
+    with pytest.raises(ds.MeshError, match=r"mesh.su2': NumPy can't read it \(KeyError 'odd'\)"):
+        ds.read(tmp_path / "mesh.su2")
+
+
+def test_files_that_end_early_are_told(tmp_path: pathlib.Path) -> None:
+    points = "".join(f"{i} {x} {y} {z}\n" for i, (x, y, z) in enumerate(TETRA, 1))
+    (tmp_path / "short.ucd").write_text(f"4 2 0 0 0\n{points}1 1 tet 1 2 3 4\n")
+    with pytest.raises(ds.MeshError, match="it ends after 5 of 6 points and cells"):  # VTK would read one cell
+        ds.read(tmp_path / "short.ucd")
+    rows = "".join(f"GRID,{i},,{x}.,{y}.,{z}.\n" for i, (x, y, z) in enumerate(np.array(TETRA, int).tolist(), 1))
+    for end, count in (("ENDDATA\n", 0), ("", 1)):
+        (tmp_path / "tetra.bdf").write_text(f"BEGIN BULK\n{rows}CTETRA,1,1,1,2,3,4\n{end}")
+        with ds.read(tmp_path / "tetra.bdf") as environment:
+            assert sum("has no ENDDATA" in note for note in environment.notes) == count

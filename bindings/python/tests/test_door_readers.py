@@ -215,6 +215,90 @@ def test_attributes_and_curves_of_mfem(tmp_path: pathlib.Path) -> None:
             assert ("degree 2" in "".join(environment.notes)) == (quadratic == "corners")
 
 
+def test_cells_of_mfem_that_were_refined_beside_others(tmp_path: pathlib.Path) -> None:
+    """Faces between large and small cells are split, and sides with hanging points stay on their surfaces."""
+    mfem = pytest.importorskip("mfem.ser")
+    mesh = mfem.Mesh.MakeCartesian3D(2, 1, 1, mfem.Element.HEXAHEDRON)
+    mesh.EnsureNCMesh(True)
+    mesh.GeneralRefinement(mfem.intArray([0]), 1)
+    path = tmp_path / "refined.mesh"
+    mesh.Print(str(path))
+    sides = [mesh.GetBdrAttribute(i) for i in range(mesh.GetNBE())]
+    with ds.read(path) as environment:
+        assert environment.info.volume_count == mesh.GetNE() == 9 and environment.info.part_count == 1 and volume_of(environment) == pytest.approx(1)
+        assert [note.partition(":")[0] for note in environment.notes] == ["cells were refined beside others"]
+        assert {name: len(environment.faces(name)) for name in environment.surface_names} == {str(side): sides.count(side) for side in set(sides)}
+        assert environment.cast((0.1, 0.2, 0.2), (0.9, 0.3, 0.4)).outcome == ds.Outcome.REACHED
+        environment.check()
+    with ds.read(path, inner_walls=True) as loose:
+        assert loose.info.part_count == 2
+
+
+ASSEMBLY = """*HEADING
+*PART, NAME=block
+*NODE
+1, 0, 0, 0
+2, 1, 0, 0
+3, 1, 1, 0
+4, 0, 1, 0
+5, 0, 0, 1
+6, 1, 0, 1
+7, 1, 1, 1
+8, 0, 1, 1
+*ELEMENT, TYPE=C3D8, ELSET=all
+1, 1, 2, 3, 4, 5, 6, 7, 8
+*SURFACE, NAME=top
+all, S2
+*END PART
+*PART, NAME=tip
+*NODE
+11, 0, 0, 0
+12, 1, 0, 0
+13, 0, 1, 0
+14, 0, 0, 1
+*ELEMENT, TYPE=C3D4
+3, 11, 12, 13, 14
+*END PART
+*ASSEMBLY, NAME=both
+*INSTANCE, NAME=left, PART=block
+*END INSTANCE
+*INSTANCE, NAME=right, PART=block
+{placed}*END INSTANCE
+*INSTANCE, NAME=point, PART=tip
+0, 0, 5
+*END INSTANCE
+*NODE
+1, 9, 9, 9
+*ELSET, ELSET=chosen, INSTANCE=right
+1
+*ELSET, ELSET=chosen, INSTANCE=point, GENERATE
+3, 3, 1
+*ELSET, ELSET=_outlet_S1, INTERNAL, INSTANCE=left
+1
+*SURFACE, NAME=outlet
+_outlet_S1, S1
+*END ASSEMBLY
+"""
+
+
+def test_parts_of_abaqus_that_are_placed_several_times(tmp_path: pathlib.Path) -> None:
+    path = tmp_path / "assembly.inp"
+    path.write_text(ASSEMBLY.format(placed="3, 0, 0\n3, 0, 0, 3, 0, 1, 90\n"))  # moved by 3, then turned about its edge upwards
+    with ds.read(path) as environment:
+        assert environment.info.volume_count == 3 and volume_of(environment) == pytest.approx(2 + 1 / 6) and environment.notes == ()
+        assert environment.locate((2.5, 0.5, 0.5))[0].index == 1 and environment.locate((3.5, 0.5, 0.5))[1] == ds.Location.OUTSIDE
+        assert environment.mark_region("left", mark=False)[0] == environment.mark_region("point", mark=False)[0] == 1
+        assert environment.mark_region("chosen", mark=False)[0] == 2 and set(environment.region_groups) == {"left", "right", "point", "left.all", "right.all", "chosen"}
+        assert environment.surface_names.keys() == {"left.top", "right.top", "outlet"} and environment.centre(environment.volume_id(1)).tolist() == pytest.approx([2.5, 0.5, 0.5])
+        assert [int(environment.faces(name)[0]["volume"]) for name in ("left.top", "right.top", "outlet")] == [0, 1, 0]
+    path.write_text(ASSEMBLY.format(placed="").replace("PART=tip", "PART=tail"))
+    with pytest.raises(ds.MeshError, match="it places a part 'TAIL' that it does not have"):
+        ds.read(path)
+    path.write_text(ASSEMBLY.format(placed=""))
+    with pytest.raises(ds.MeshError, match="12 faces of the boundary lie on faces"):
+        ds.read(path)
+
+
 def test_sets_of_moab(tmp_path: pathlib.Path) -> None:
     h5py = pytest.importorskip("h5py")
     with h5py.File(tmp_path / "two.h5m", "w") as file:
@@ -238,6 +322,17 @@ def test_sets_of_moab(tmp_path: pathlib.Path) -> None:
     with ds.read(tmp_path / "two.h5m") as environment:
         assert volume_of(environment) == pytest.approx(0.5 + 1 / 6) and environment.notes == ()
         assert environment.regions() == [4, 6] and environment.mark_region("tip")[0] == 1 and len(environment.faces("2")) == 1
+
+
+def test_volumes_of_moab_that_triangles_bound_are_told(tmp_path: pathlib.Path) -> None:
+    h5py = pytest.importorskip("h5py")
+    with h5py.File(tmp_path / "pin.h5m", "w") as file:
+        for name, data, start in (("nodes/coordinates", np.array(TETRA, float), 1), ("elements/Tri3/connectivity", [[1, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]], 5)):
+            file["tstt/" + name] = data
+            file["tstt/" + name].attrs["start_id"] = start
+        file["tstt/tags/GEOM_DIMENSION/id_list"], file["tstt/tags/GEOM_DIMENSION/values"] = [9, 10], [3, 3]
+    with pytest.raises(ds.MeshError, match="its triangles bound 2 volumes of a geometry, which have no cells"):
+        ds.read(tmp_path / "pin.h5m")
 
 
 def test_cells_of_meshio_with_gmsh_vtk_and_mfem_are_one_environment(tmp_path: pathlib.Path) -> None:

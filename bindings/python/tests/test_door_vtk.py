@@ -193,3 +193,45 @@ def test_tetrahedra_of_pyvista_in_files_that_were_cut_are_errors(tmp_path: pathl
     (tmp_path / "cut.vtu").write_bytes(whole[: len(whole) // 2])
     with pytest.raises(ds.MeshError, match="cut.vtu.*VTK can't read it"):
         ds.read(tmp_path / "cut.vtu")
+
+
+FLUENT = """(0 "two cubes side by side")
+(2 3)
+(10 (0 1 c 0 3))
+(10 (1 1 c 1 3)(
+{points}
+))
+(12 (0 1 2 0))
+(12 (2 1 2 1 4))
+(13 (0 1 b 0))
+{faces}
+(39 (2 fluid lumen)())
+(39 (3 interior inside)())
+(39 (4 velocity-inlet inlet)())
+(39 (5 pressure-outlet outlet)())
+(39 (6 wall wall)())
+"""
+
+
+def test_zones_of_fluent_are_regions_and_what_is_lost_is_told(tmp_path: pathlib.Path) -> None:
+    def face(*places: tuple[int, int, int], cells: str) -> str:
+        return " ".join(f"{x + 3 * y + 6 * z + 1:x}" for x, y, z in places) + f" {cells}"
+
+    sides = {3: [face((1, 0, 0), (1, 1, 0), (1, 1, 1), (1, 0, 1), cells="1 2")], 4: [face((0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0), cells="1 0")]}
+    sides |= {5: [face((2, 0, 0), (2, 1, 0), (2, 1, 1), (2, 0, 1), cells="2 0")], 6: []}
+    for k in (0, 1):
+        for side in (
+            ((k, 0, 0), (k, 1, 0), (k + 1, 1, 0), (k + 1, 0, 0)), ((k, 0, 1), (k + 1, 0, 1), (k + 1, 1, 1), (k, 1, 1)),
+            ((k, 0, 0), (k + 1, 0, 0), (k + 1, 0, 1), (k, 0, 1)), ((k, 1, 0), (k, 1, 1), (k + 1, 1, 1), (k + 1, 1, 0)),
+        ):  # fmt: skip
+            sides[6].append(face(*side, cells=f"{k + 1} 0"))
+    points = "\n".join(f"{x} {y} {z}" for z in (0, 1) for y in (0, 1) for x in (0, 1, 2))
+    text, first = "", 1
+    for (zone, rows), kind in zip(sides.items(), ("2", "a", "5", "3")):
+        text += f"(13 ({zone:x} {first:x} {first + len(rows) - 1:x} {kind} 4)(\n" + "\n".join(rows) + "\n))\n"
+        first += len(rows)
+    (tmp_path / "two.cas").write_text(FLUENT.format(points=points, faces=text))
+    with ds.read(tmp_path / "two.cas") as environment:
+        assert environment.info.volume_count == 2 and environment.info.part_count == 1 and volume_of(environment) == pytest.approx(2)
+        assert environment.mark_region("lumen", mark=False)[0] == 2 and set(environment.region_groups) == {"lumen"}
+        assert "surfaces are not kept: VTK gives the cells beside inlet, outlet, wall" in environment.notes

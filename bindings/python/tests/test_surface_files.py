@@ -8,6 +8,7 @@ import struct
 from collections.abc import Callable
 from typing import Any
 
+import meshio
 import numpy as np
 import pytest
 import pyvista
@@ -212,3 +213,17 @@ def test_crossings_are_named_by_places() -> None:
     balls = together(*(ball(1.0, 1.5 * i) for i in range(2)), *(ball(1.0, 20 + 1.5 * i) for i in range(2)))
     with pytest.raises(ds.surfaces.SurfaceError, match=r"of its triangles cross others, at \((0.7|20.7)\d*, .*\), .*\((0.7|20.7)\d*, .*\)"):
         ds.surfaces.fill(balls, parts="all")
+
+
+def test_read_fills_all_parts_of_a_surface_and_tells_it(tmp_path: pathlib.Path) -> None:
+    points, triangles = together(ball(2.0), ball(1.0), ball(1.0, 5.0))
+    trimesh.Trimesh(points, triangles, process=False).export(tmp_path / "parts.stl")
+    meshio.Mesh(points, [("triangle", triangles)]).write(tmp_path / "parts.vtu")
+    for name in ("parts.stl", "parts.vtu"):
+        with ds.read(tmp_path / name) as environment:
+            assert "its 3 parts were all filled; a part that lies within another is a hole in it" in environment.notes
+            assert [environment.locate((x, 0, 0))[1] for x in (0, 1.5, 5)] == [ds.Location.OUTSIDE, ds.Location.PASSABLE, ds.Location.PASSABLE]
+        with ds.read(tmp_path / name, parts="largest") as environment:
+            assert not any("parts" in note for note in environment.notes) and environment.locate((5, 0, 0))[1] == ds.Location.OUTSIDE
+        with pytest.raises(ds.MeshError, match="it has 3 parts"):
+            ds.read(tmp_path / name, parts="one")

@@ -26,22 +26,27 @@ from .trace import Trace
 if TYPE_CHECKING:
     import trimesh
 
+_FILLING = ("outside", "size", "thickness", "largest_hole", "parts", "scale", "repair")
+"""Options of from_surface that fill the surface; the others are those of Environment."""
+
 
 def read(path: str | os.PathLike[str], *, regions: str | None = None, quadratic: str = "corners", **options: Any) -> Environment:
     """An environment of a file: a mesh of volumes, a mesh of the plane, or a surface in space, whose inside is filled as by from_surface.
 
     bindings/docs/meshes.md says which library reads which files, and what is kept; a file may be compressed (.gz, .bz2, .xz), and an
     OpenFOAM case may be its folder. Cells stay in the order of the file. Types of which all cells are inside out are turned back; `notes`
-    of the environment tells that, and all else that was changed. Options of from_surface, such as parts="largest", go to it.
+    of the environment tells that, and all else that was changed. Options of from_surface, such as repair=True, go to it; but all parts of a
+    surface are filled unless `parts` says otherwise.
     regions: name of the cell data that labels cells; by default what the format calls so. quadratic: "corners" takes cells of higher
     order by their corners, "split" divides quadratic ones so that they follow the curves. options: as of Environment. If parts of a mesh lie on
-    each other, one of its options has to say what they are: merge_points, conform or inner_walls.
+    each other, one of its options has to say what they are: merge_points, conform or inner_walls. Cells whose mean does not see all of their
+    faces are split, which `notes` tell, but for split=False.
 
     Raises MeshError if the file can't be read, or has no such mesh; its text says why, and what to do. Raises OSError if there is no file.
     """
     if table.is_surface(path):
         try:
-            return from_surface(path, **options)
+            return _of_file(path, options)
         except surfaces.SurfaceError as error:
             raise MeshError(f"mesh '{os.fspath(path)}'", str(error), "repair=True mends some faults, other programs mend more") from error
     return _environment(files.read(path, quadratic), regions, options)
@@ -87,6 +92,10 @@ def from_surface(
     filled = surfaces.fill(
         surface, outside, size=size, thickness=thickness, largest_hole=largest_hole, parts=parts, scale=scale, repair=repair
     )
+    return _of_filled(filled, outside, options)
+
+
+def _of_filled(filled: surfaces.FilledSurface, outside: str, options: dict[str, Any]) -> Environment:
     names = {"lumen": surfaces.LUMEN, "tissue": surfaces.TISSUE}
     made = Environment(filled.points, filled.cells, regions=filled.regions, tags=filled.regions, region_names=names, **options)
     made._names.notes = filled.notes
@@ -98,12 +107,22 @@ def from_surface(
     return made
 
 
+def _of_file(surface: Any, options: dict[str, Any]) -> Environment:
+    """A surface that a file has: all of its parts."""
+    own = {name: value for name, value in options.items() if name in _FILLING}
+    filled = surfaces.fill(surface, **{"parts": "all", **own})
+    made = _of_filled(filled, own.get("outside", "nothing"), {name: value for name, value in options.items() if name not in own})
+    if filled.part_count > 1 and "parts" not in own:
+        made._names.notes += (f"its {filled.part_count} parts were all filled; a part that lies within another is a hole in it",)
+    return made
+
+
 def _environment(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> Environment:
     if not (plane.is_of_surface(mesh) and not plane.is_flat(mesh)):
         return build.environment_of(mesh, regions, options)
     triangles = linear.triangles(mesh.offsets, mesh.connectivity)
     try:
-        made = from_surface((mesh.points, triangles), **options)
+        made = _of_file((mesh.points, triangles), options)
     except surfaces.SurfaceError as error:
         raise MeshError(mesh.source, f"it is a surface in space that can't be filled: {error.found}", "from_surface tells what it needs") from error
     made._names.notes = (*mesh.notes, "it is a surface in space: its inside was filled with tetrahedra", *made.notes)

@@ -1,7 +1,8 @@
-"""Input files of Abaqus and CalculiX: nodes, elements, sets of elements and surfaces of a flat file or of one part."""
+"""Input files of Abaqus and CalculiX: nodes, elements, sets of elements and surfaces, of parts where an assembly places them."""
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import re
 from collections.abc import Iterator
@@ -43,33 +44,75 @@ def read(path: str, source: str, format: str) -> Raw:
         raise MeshError(source, f"it is not as Abaqus writes it ({error})", _WAY_ON) from error
 
 
-class _Reading:
-    """What has been read of a file up to some line."""
+@dataclasses.dataclass
+class _Scope:
+    """What a part says, or a file without parts, or the assembly."""
+
+    nodes: Any = dataclasses.field(default_factory=list)
+    """Rows as text; of instances arrays."""
+    elements: list[tuple[int, Any]] = dataclasses.field(default_factory=list)
+    """Type of VTK; numbers and nodes."""
+    sets: dict[str, list[Any]] = dataclasses.field(default_factory=dict)
+    """Numbers, names of other sets, and numbers with the name of an instance."""
+    surfaces: dict[str, list[list[str]]] = dataclasses.field(default_factory=dict)
+
+
+class _Reading(_Scope):
+    """What has been read of a file up to some line: what is in no part is its own."""
 
     def __init__(self, path: str, source: str) -> None:
+        super().__init__()
         self.path, self.source = path, source
-        self.nodes: list[str] = []
-        self.elements: list[tuple[int, Any]] = []  # type of VTK; numbers and nodes
-        self.sets: dict[str, list[Any]] = {}  # numbers and names of other sets
-        self.surfaces: dict[str, list[list[str]]] = {}
-        self.parts = 0
+        self.parts: dict[str, _Scope] = {}
+        self.instances: list[tuple[str, str, list[str]]] = []  # name, part, how it is placed
 
     def run(self) -> None:
+        now: _Scope = self
         for keyword, options, rows in _blocks(self.path):
-            if keyword == "NODE":
-                self.nodes += rows
+            if keyword == "PART":
+                now = self.parts.setdefault(options.get("NAME", "").upper(), _Scope())
+            elif keyword in ("END PART", "ASSEMBLY"):
+                now = self
+            elif keyword == "NODE":
+                now.nodes += rows
             elif keyword == "ELEMENT":
-                self._add_elements(options, rows)
+                self._add_elements(now, options, rows)
             elif keyword == "ELSET":
-                self._add_set(options, rows)
+                self._add_set(now, options, rows)
             elif keyword == "SURFACE" and options.get("TYPE", "ELEMENT").upper() == "ELEMENT":
-                self.surfaces[options.get("NAME", "")] = [[word.strip() for word in row.split(",")] for row in rows]
+                now.surfaces[options.get("NAME", "")] = [[word.strip() for word in row.split(",")] for row in rows]
             elif keyword == "INSTANCE":
-                self.parts += 1
-                if self.parts > 1 or rows:
-                    raise MeshError(self.source, "it has parts that are placed several times or elsewhere", _WAY_ON)
+                self.instances.append((options.get("NAME", ""), options.get("PART", "").upper(), rows))
+        if not self.instances:  # parts that no assembly places stand where they are
+            self.instances = [(name, name, []) for name in self.parts]
+        for name, part, rows in self.instances:
+            self._place(name, part, rows)
 
-    def _add_elements(self, options: dict[str, str], rows: list[str]) -> None:
+    def _place(self, name: str, part: str, rows: list[str]) -> None:
+        """Adds the nodes and elements of an instance, with numbers that no other has, so its sets and surfaces are called INSTANCE.SET; those of
+        the only instance keep their names."""
+        if part not in self.parts:
+            raise MeshError(self.source, f"it places a part '{part}' that it does not have", _WAY_ON)
+        of, before = self.parts[part], "" if len(self.instances) == 1 else f"{name}."
+        own = np.array([_four(row) for row in of.nodes], np.float64).reshape(-1, 4)
+        own[:, 1:] = placed(own[:, 1:], [[float(word) for word in row.split(",") if word.strip()] for row in rows])
+        table = np.array([_four(row) if isinstance(row, str) else row for row in self.nodes], np.float64).reshape(-1, 4)
+        more_nodes = int(table[:, 0].max(initial=0))
+        more = max((int(numbers[:, 0].max(initial=0)) for _, numbers in self.elements), default=0)
+        own[:, 0] += more_nodes
+        self.nodes = np.concatenate([table, own])
+        for kind, numbers in of.elements:
+            self.elements.append((kind, numbers + np.array([more] + [more_nodes] * (numbers.shape[1] - 1))))
+        for title, members in of.sets.items():
+            self.sets.setdefault(before + title, []).extend(before + each if isinstance(each, str) else each + more for each in members)
+        for title, faces in of.surfaces.items():
+            self.surfaces[before + title] = [[str(int(row[0]) + more) if row[0].isdigit() else before + row[0], *row[1:]] for row in faces]
+        if before:
+            self.sets[name] = [numbers[:, 0] + more for _, numbers in of.elements]
+        for members in self.sets.values():  # sets of the assembly name elements of an instance
+            members[:] = [each[1] + more if isinstance(each, tuple) and each[0].upper() == name.upper() else each for each in members]
+
+    def _add_elements(self, now: _Scope, options: dict[str, str], rows: list[str]) -> None:
         name = options.get("TYPE", "").upper()
         kind, width = self._type_of(name)
         numbers = np.array(" ".join(rows).replace(",", " ").split(), np.int64)
@@ -81,9 +124,9 @@ class _Reading:
                 raise MeshError(self.source, f"elements of type {name} have {width} nodes", _WAY_ON)
             kind = of_width[width]  # Gmsh calls wedges of 15 nodes C3D6
         numbers = numbers.reshape(-1, width + 1)
-        self.elements.append((kind, numbers))
+        now.elements.append((kind, numbers))
         if "ELSET" in options:
-            self.sets.setdefault(options["ELSET"], []).append(numbers[:, 0])
+            now.sets.setdefault(options["ELSET"], []).append(numbers[:, 0])
 
     def _type_of(self, name: str) -> tuple[int, int]:
         solid, shell = _SOLIDS.match(name), _SHELLS.match(name)
@@ -100,19 +143,24 @@ class _Reading:
             return _LINE[width], width
         raise MeshError(self.source, f"elements have the type '{name}'", "its elements have to be exported as solids or shells")
 
-    def _add_set(self, options: dict[str, str], rows: list[str]) -> None:
-        own = self.sets.setdefault(options.get("ELSET", ""), [])
+    def _add_set(self, now: _Scope, options: dict[str, str], rows: list[str]) -> None:
+        own: list[Any] = now.sets.setdefault(options.get("ELSET", ""), [])
+        instance = options.get("INSTANCE")
         words = [[word.strip() for word in row.split(",") if word.strip()] for row in rows]
         if "GENERATE" in options:
             for row in words:
                 first, last = int(row[0]), int(row[1])
-                own.append(np.arange(first, last + 1, int(row[2]) if len(row) > 2 else 1))
+                numbers = np.arange(first, last + 1, int(row[2]) if len(row) > 2 else 1)
+                own.append(numbers if instance is None else (instance, numbers))
         else:
             for word in (word for row in words for word in row):
-                own.append(np.array([int(word)]) if word.lstrip("-").isdigit() else word)
+                if not word.lstrip("-").isdigit():
+                    own.append(word if instance is None or len(self.parts) == 1 else f"{instance}.{word}")
+                else:
+                    own.append(np.array([int(word)]) if instance is None else (instance, np.array([int(word)])))
 
     def raw(self) -> Raw:
-        table = np.array([_four(row) for row in self.nodes], np.float64)
+        table = np.array([_four(row) if isinstance(row, str) else row for row in self.nodes], np.float64).reshape(-1, 4)
         ids = table[:, 0].astype(np.int64)
         index = _index_of(ids)
         parts = [linear.uniform(kind, index[rows[:, 1:]]) for kind, rows in self.elements]
@@ -122,7 +170,7 @@ class _Reading:
         of_element = _index_of(np.concatenate([np.empty(0, np.int64), *(rows[:, 0] for _, rows in self.elements)]))
         for name in self.sets:
             members = self._members(name, of_element, ())
-            if len(members):
+            if len(members) and not name.rpartition(".")[2].startswith("_"):  # those are Abaqus's own, of surfaces
                 raw.groups[name] = members
         for name, rows in self.surfaces.items():
             self._add_surface(raw, name, rows, of_element)
@@ -132,6 +180,8 @@ class _Reading:
         found = [np.empty(0, np.int64)]
         key = next((known for known in self.sets if known.upper() == name.upper()), None)
         for part in self.sets[key] if key is not None and key not in above else ():
+            if isinstance(part, tuple):
+                raise MeshError(self.source, f"the set '{name}' names an instance '{part[0]}' that it does not have", _WAY_ON)
             if isinstance(part, str):
                 found.append(self._members(part, of_element, (*above, name)))
             else:
@@ -156,6 +206,18 @@ class _Reading:
                     faces.append(raw.cells.flat[raw.cells.offsets[cell] + np.array(sides[int(side.group(1)) - 1])])
         if faces:
             raw.sides.append((name, offsets_of([len(face) for face in faces]), np.concatenate(faces)))
+
+
+def placed(points: Any, rows: list[list[float]]) -> Any:
+    """Points where an instance is: moved by the first row, then turned by degrees about the axis between two points of the second."""
+    points = points + np.array(rows[0][:3]) if rows else points
+    if len(rows) < 2:
+        return points
+    a, b, angle = np.array(rows[1][:3]), np.array(rows[1][3:6]), np.radians(rows[1][6])
+    axis = (b - a) / np.linalg.norm(b - a)
+    away = points - a
+    along = np.outer(away @ axis, axis)
+    return a + along + np.cos(angle) * (away - along) + np.sin(angle) * np.cross(axis, away)
 
 
 def _four(row: str) -> list[str]:

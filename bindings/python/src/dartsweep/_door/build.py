@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
-
 from .. import errors
 from ..environment import Environment
 from .error import MeshError
-from . import collapsed, orient, own, repeated
-from .labels import FACE_LABELS, regions_of
-from .mesh import Indices, Mesh
+from . import collapsed, faces, orient, own, repeated
+from .labels import regions_of
+from .mesh import Mesh
 from .plane import flatten
 
 
@@ -30,15 +28,17 @@ def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> 
     if mesh.hangs and not any(name in options for name in _SAYS_WHAT_TOUCHES):
         options["conform"] = True
 
-    def create(right: Mesh) -> Environment:
-        made = Environment(right.points, right.connectivity, right.types, right.offsets, regions=labels, **options)
-        _name_surfaces(made, right)
+    def create(right: Mesh, **more: Any) -> Environment:
+        made = Environment(right.points, right.connectivity, right.types, right.offsets, regions=labels, **{**options, **more})
+        if more:
+            right.notes.append(_split_note(made, len(right.types)))
+        faces.name(made, right)
         made._names.notes, made._names.plane = tuple(right.notes), plane
         own.mark(made, right)
         return made
 
     try:
-        return _created(mesh, create)
+        return _created(mesh, create, "split" not in options and own.TAGS not in mesh.cell_data)
     except errors.OutOfMemory:
         raise
     except errors.DuplicateCell as error:
@@ -51,14 +51,21 @@ def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> 
     return environment_of(different, regions, given)
 
 
-def _created(mesh: Mesh, create: Callable[[Mesh], Environment]) -> Environment:
+def _created(mesh: Mesh, create: Callable[..., Environment], may_split: bool) -> Environment:
     try:
         return orient.created(mesh, create)
-    except (errors.BadCell, errors.InvalidCell):
+    except (errors.BadCell, errors.InvalidCell) as error:
         opened = collapsed.opened(mesh)
-        if opened is None:
+        if opened is None and not (may_split and isinstance(error, errors.InvalidCell)):
             raise
-        return orient.created(opened, create)
+    if opened is not None:
+        return _created(opened, create, may_split)
+    return orient.created(mesh, lambda right: create(right, split=True))
+
+
+def _split_note(made: Environment, count: int) -> str:
+    split = made._core.build_report().split_count
+    return f"{split} of {count} cells were split into parts: the mean of their points does not see all of their faces; parent() of a part gives its cell"
 
 
 def _way_on(error: Exception) -> str:
@@ -71,33 +78,3 @@ def _way_on(error: Exception) -> str:
     if isinstance(error, (TypeError, OverflowError)):
         return "regions= names another array, and Environment takes labels that you have converted"
     return "the program that made the mesh may mend it, and `dartsweep.Environment` takes arrays that you have changed"
-
-
-# --- surfaces
-
-
-def _name_surfaces(made: Environment, mesh: Mesh) -> None:
-    groups, tags = dict(mesh.face_groups), dict(mesh.face_numbers)
-    if not groups:
-        groups, tags = _groups_of_labels(mesh)
-    groups = {name: faces for name, faces in groups.items() if len(faces)}
-    if not groups:
-        return
-    surfaces = made._names.surfaces
-    surfaces.add(mesh.face_offsets, mesh.face_vertices, groups, {name: tags[name] for name in groups if name in tags})
-    missing = surfaces.ids(made)["generation"] == 0
-    for name, faces in groups.items():
-        lost = int(missing[faces].sum())
-        if lost:
-            mesh.notes.append(f"{lost} of {len(faces)} faces of the surface {name!r} are faces of no cell")
-
-
-def _groups_of_labels(mesh: Mesh) -> tuple[dict[str, Indices], dict[str, int]]:
-    """Faces that carry labels without names: each label is a surface, and its name is the number."""
-    for usual in FACE_LABELS:
-        array = np.asarray(mesh.face_data.get(usual, ()))
-        if array.dtype.kind not in "iu" or array.shape != (len(mesh.face_offsets) - 1,):
-            continue
-        numbers = [int(number) for number in np.unique(array)]
-        return {str(number): np.flatnonzero(array == number) for number in numbers}, {str(number): number for number in numbers}
-    return {}, {}

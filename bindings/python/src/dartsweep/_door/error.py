@@ -19,4 +19,8 @@ class MeshError(ValueError):
         return f"{self.file}: {self.found}; {self.way_on}"
 
 
+class CutShort(MeshError):
+    """A file ends before what it announces."""
+
+
 MeshError.__module__ = "dartsweep.errors"

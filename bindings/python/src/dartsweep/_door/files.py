@@ -11,18 +11,19 @@ import lzma
 import os
 import shutil
 import tempfile
+import zlib
 from collections.abc import Iterator
 from typing import Any
 
-from .error import MeshError
-from . import abaqus_reader, exodus_reader, gambit_reader, gmsh_reader, kratos_reader, meshio_reader, mfem_reader, moab_reader, netgen_reader
+from .error import CutShort, MeshError
+from . import abaqus_reader, apart, exodus_reader, gambit_reader, gmsh_reader, kratos_reader, meshio_reader, mfem_reader, moab_reader, netgen_reader
 from . import off_reader, su2_reader, ucd_reader, unv_reader, vtk_files
 from .mesh import Mesh
 from .raw import Raw, mesh_of
-from .table import DIALECTS, LIBRARIES, Dialect, Reader, dialects_of, endings
+from .table import DIALECTS, LIBRARIES, Dialect, Reader, dialects_of, endings, stranger
 
 _READERS: dict[str, Any] = {
-    **{"vtk": vtk_files, "meshio": meshio_reader, "gmsh": gmsh_reader, "moab": moab_reader, "abaqus": abaqus_reader, "exodus": exodus_reader},
+    **{"vtk": vtk_files, "meshio": meshio_reader, "gmsh": gmsh_reader, "mfem": mfem_reader, "moab": moab_reader, "abaqus": abaqus_reader, "exodus": exodus_reader},
     **{"gambit": gambit_reader, "kratos": kratos_reader, "netgen": netgen_reader, "off": off_reader, "su2": su2_reader, "ucd": ucd_reader, "unv": unv_reader},
 }  # by the keys of LIBRARIES
 _COMPRESSED: dict[str, Any] = {".gz": gzip.open, ".bz2": bz2.open, ".xz": lzma.open}
@@ -55,7 +56,7 @@ def _plain(name: str, source: str) -> Iterator[str]:
         try:
             with _COMPRESSED[ending.lower()](name, "rb") as packed, open(plain, "wb") as file:
                 shutil.copyfileobj(packed, file)
-        except (OSError, EOFError, lzma.LZMAError) as error:
+        except (OSError, EOFError, lzma.LZMAError, zlib.error) as error:
             raise MeshError(source, f"it can't be unpacked ({error})", "the file is damaged") from error
         yield plain
 
@@ -77,8 +78,15 @@ def _of_dialects(path: str, source: str, dialects: list[Dialect], quadratic: str
     for dialect, reader in installed:
         try:
             raw = _raw(path, source, reader, quadratic)
+        except CutShort:  # others would read what there is
+            raise
         except MeshError as error:
             failed.append(error)
+            continue
+        except Exception as error:  # of many kinds, about a file that is not what a reader expects
+            reason = f"{type(error).__name__} {error}".strip()
+            failed.append(MeshError(source, f"{LIBRARIES[reader.library][2]} can't read it ({reason})", "the file may be damaged"))
+            failed[-1].__cause__ = error
             continue
         mesh = mesh_of(raw, quadratic)
         if (dialect, reader) != ways[0]:
@@ -98,12 +106,24 @@ def _why_not_first(ways: Any, installed: Any, failed: list[MeshError], reader: R
 
 
 def _raw(path: str, source: str, reader: Reader, quadratic: str) -> Raw:
-    if reader.library == "mfem":
-        return mfem_reader.read(path, source, reader.format, quadratic)
     if reader.library not in _READERS:
         raise MeshError(source, "it is a surface", "dartsweep.from_surface fills it with tetrahedra")
-    raw: Raw = _READERS[reader.library].read(path, source, reader.format)
+    module, more = _READERS[reader.library], (quadratic,) if reader.library == "mfem" else ()
+    raw: Raw
+    if _is_apart(path, reader):
+        raw = apart.read(LIBRARIES[reader.library][2], module.__name__, path, source, reader.format, *more)
+    else:
+        raw = module.read(path, source, reader.format, *more)
     return raw
+
+
+def _is_apart(path: str, reader: Reader) -> bool:
+    """Whether a library may crash on a file, or not come to an end."""
+    if reader.library == "gmsh":
+        return gmsh_reader.is_apart(path, reader.format)
+    if reader.library == "vtk":
+        return reader.format not in ("legacy", "xml", "hdf", "pvd")
+    return reader.library in ("meshio", "mfem")
 
 
 def _is_installed(reader: Reader) -> bool:
@@ -120,6 +140,9 @@ def _extra(reader: Reader) -> str:
 
 def _unknown(path: str) -> tuple[str, str]:
     ending = os.path.splitext(path)[1].lower()
+    known = stranger(path)
+    if known is not None:
+        return known
     if ending in endings():
         names = ", ".join(dialect.name for dialect in DIALECTS if ending in dialect.endings)
         return f"its first bytes are not those of {names}", "a program that reads the file can write it anew"

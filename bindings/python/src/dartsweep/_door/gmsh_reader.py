@@ -5,10 +5,7 @@ from __future__ import annotations
 import contextlib
 import mmap
 import os
-import pickle
 import re
-import subprocess
-import sys
 import tempfile
 from collections.abc import Iterator
 from typing import Any
@@ -32,17 +29,28 @@ _TYPES = {  # of Gmsh: VTK's type, and VTK's order of nodes where it is another
     19: (27, [0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12]),
 }
 _LAGRANGE = {(1, 2): 68, (2, 3): 69, (2, 4): 70, (3, 4): 71, (3, 8): 72, (3, 6): 73, (3, 5): 74}
-_START = "import sys; sys.path[:] = sys.argv[4:]; from dartsweep._door import gmsh_reader; gmsh_reader.write_to_stdout(*sys.argv[1:4])"
+_LARGE, _LAST = 16_000_000, 200
+"""Bytes of a file for which a process of its own, which takes 0.3 s, is a small part; and the last bytes of a file, which are the end of a section."""
 _ELEMENT_OF_NASTRAN = re.compile(r"C(?:TETRA|PENTA|HEXA|PYRAM?|TRIA[R36]|QUAD[R48]?)\b", re.IGNORECASE)
 _WAY_ON = "Gmsh can write the mesh anew"
+
+
+def is_apart(path: str, format: str) -> bool:
+    """Whether Gmsh reads a file in a process of its own: where its models have to stay as they are, as MED's files would be added to one of the
+    same name; and where it may crash, unless a large file seems to be whole."""
+    import gmsh
+
+    if gmsh.isInitialized() or format != "msh" or os.path.getsize(path) < _LARGE:
+        return True
+    with open(path, "rb") as file:
+        file.seek(-_LAST, os.SEEK_END)
+        return b"\n$End" not in file.read()
 
 
 def read(path: str, source: str, format: str) -> Raw:
     """The cells of a file; format: the ending by which Gmsh knows it."""
     import gmsh
 
-    if gmsh.isInitialized():  # its models stay as they are: MED's files would be added to one of the same name
-        return _in_own_process(path, source, format)
     gmsh.initialize(readConfigFiles=False, interruptible=False)
     try:
         gmsh.option.setNumber("General.Terminal", 0)
@@ -59,33 +67,12 @@ def _read(gmsh: Any, path: str, known: str, source: str, format: str) -> Raw:
         raw = raw_of_model(source)
         if format == "bdf" and raw.regions is None:
             _label_entities(gmsh, raw)
-        _check_count(path, format, len(raw.cells.types), source)
+        _check_count(path, format, raw)
         return raw
     except MeshError:
         raise
     except Exception as error:
         raise MeshError(source, f"Gmsh can't read it ({_reason(gmsh, error)})", _WAY_ON) from error
-
-
-def _in_own_process(*arguments: str) -> Raw:
-    done = subprocess.run([sys.executable, "-c", _START, *arguments, *sys.path], capture_output=True, check=False)
-    if done.returncode != 0:
-        reason = done.stderr.decode(errors="replace").strip().rpartition("\n")[2]
-        raise MeshError(arguments[1], f"Gmsh has crashed ({reason})", _WAY_ON)
-    found = pickle.loads(done.stdout)
-    if isinstance(found, tuple):
-        raise MeshError(*found)
-    raw: Raw = found
-    return raw
-
-
-def write_to_stdout(*arguments: str) -> None:
-    """What _in_own_process starts: a pickle of what was read, or of the arguments of a MeshError."""
-    try:
-        found: Any = read(*arguments)
-    except MeshError as error:
-        found = (error.file, error.found, error.way_on)
-    sys.stdout.buffer.write(pickle.dumps(found))
 
 
 def _label_entities(gmsh: Any, raw: Raw) -> None:
@@ -97,12 +84,15 @@ def _label_entities(gmsh: Any, raw: Raw) -> None:
             raw.regions[np.searchsorted(tags, np.asarray(own, np.int64))] = number
 
 
-def _check_count(path: str, format: str, count: int, source: str) -> None:
+def _check_count(path: str, format: str, raw: Raw) -> None:
     """Gmsh leaves out elements of types that it does not know, and keeps one of several with the same number, without a word."""
-    declared = 0
+    declared, count = 0, len(raw.cells.types)
     if format == "bdf":
-        with open(path, encoding="latin-1") as lines:
-            declared = sum(_ELEMENT_OF_NASTRAN.match(line) is not None for line in lines)
+        with open(path, encoding="latin-1") as rows:
+            lines = rows.readlines()
+        declared = sum(_ELEMENT_OF_NASTRAN.match(line) is not None for line in lines)
+        if not any(line.upper().startswith("ENDDATA") for line in lines):
+            raw.notes.append("the file has no ENDDATA: it may have been cut short")
     elif format == "msh" and os.path.getsize(path) > 0:
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
             at = text.find(b"\n$ELM" if text[:4] == b"$NOD" else b"\n$Elements")
@@ -110,7 +100,7 @@ def _check_count(path: str, format: str, count: int, source: str) -> None:
             version = text[:200].split(b"$MeshFormat")[-1].split()[:2]
         declared = _declared(head.partition(b"\n")[2], version)
     if declared > count:
-        raise MeshError(source, f"Gmsh keeps {count} of {declared} elements, without a word", "others have the same number or an unknown type")
+        raise MeshError(raw.source, f"Gmsh keeps {count} of {declared} elements, without a word", "others have the same number or an unknown type")
 
 
 def _declared(head: bytes, version: list[bytes]) -> int:
@@ -153,8 +143,8 @@ def raw_of_model(source: str) -> Raw:
     count = 0
     for entity in gmsh.model.getEntities():
         for kind, own, nodes in zip(*gmsh.model.mesh.getElements(*entity)):
-            parts.append(_cells_of(gmsh, int(kind), index[np.asarray(nodes, np.int64)], len(own), source))
-            elements.append(np.asarray(own, np.int64))
+            parts.append(_cells_of(gmsh, int(kind), _indices(index, _signed(nodes)), len(own), source))
+            elements.append(_signed(own))
             rows.setdefault(tuple(entity), []).append((count, count + len(own)))
             count += len(own)
     raw = Raw(points, linear.joined(parts), source=source, reader="Gmsh")
@@ -163,11 +153,24 @@ def raw_of_model(source: str) -> Raw:
     return raw
 
 
-def _index_of(tags: Any) -> Indices:
-    """Where the node of each tag is."""
-    index = np.full(int(np.max(tags, initial=0)) + 1, -1, np.int64)
-    index[np.asarray(tags, np.int64)] = np.arange(len(tags))
+def _signed(tags: Any) -> Indices:
+    """Tags of Gmsh, without a copy: they are below 2^63."""
+    array = np.asarray(tags)
+    return array.view(np.int64) if array.dtype == np.uint64 else array.astype(np.int64)
+
+
+def _index_of(tags: Any) -> Indices | int:
+    """Where the node of each tag is; the first tag if they ascend one by one."""
+    own = _signed(tags)
+    if len(own) and int(own[-1]) - int(own[0]) == len(own) - 1 and bool(np.all(own[1:] > own[:-1])):
+        return int(own[0])
+    index = np.full(int(np.max(own, initial=0)) + 1, -1, np.int64)
+    index[own] = np.arange(len(own))
     return index
+
+
+def _indices(index: Indices | int, tags: Indices) -> Indices:
+    return tags - index if isinstance(index, int) else index[tags]
 
 
 def _cells_of(gmsh: Any, kind: int, nodes: Indices, count: int, source: str) -> Cells:

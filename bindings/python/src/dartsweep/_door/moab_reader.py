@@ -53,7 +53,16 @@ def _raw_of(file: Any, source: str) -> Raw:
     order = np.argsort(every, kind="stable")
     raw = Raw(coordinates[()], linear.joined(parts).some(order), source=source, reader="h5py")
     _add_sets(file, raw, every[order])
+    _refuse_geometry(file, raw)
     return raw
+
+
+def _refuse_geometry(file: Any, raw: Raw) -> None:
+    """Triangles of DAGMC bound several volumes, which may lie within each other and share triangles; nothing tells a reader so but their senses."""
+    volumes = sum(int(dimension) == 3 for dimension in _tag(file, "GEOM_DIMENSION").values())
+    if volumes > 1 and not np.any(linear.DIMENSION[raw.cells.types] == 3):
+        found = f"its triangles bound {volumes} volumes of a geometry, which have no cells"
+        raise MeshError(raw.source, found, "a mesher fills them, or MOAB's mbconvert -v writes a volume by itself, whose surface is read")
 
 
 def _add_sets(file: Any, raw: Raw, handles: Indices) -> None:

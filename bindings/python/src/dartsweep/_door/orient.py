@@ -61,16 +61,23 @@ def _rows_of(mesh: Mesh, rows: Indices) -> Indices:
 
 
 def _signs_of_volumes(corners: NDArray[np.float64], faces: list[tuple[int, ...]]) -> NDArray[np.int8]:
-    """Each face is a fan from its first corner; faces with the first corner of the cell add nothing."""
+    """A cell is turned for sure if it is so whichever diagonals divide its quadrilaterals, which can be warped."""
     away = corners - corners[:, :1]
-    volume, size = np.zeros(len(corners)), np.zeros(len(corners))
+    low, high, size = np.zeros(len(corners)), np.zeros(len(corners)), np.zeros(len(corners))
     for face in faces:
-        for b, c in zip(face[1:], face[2:]):
-            p, q, r = away[:, face[0]], away[:, b], away[:, c]
-            volume += np.einsum("ij,ij->i", p, np.cross(q, r))
-            size += np.abs(p).sum(axis=1) * np.abs(q).sum(axis=1) * np.abs(r).sum(axis=1)
+        volumes = []
+        for fan in (face,) if len(face) == 3 else (face, (*face[1:], face[0])):
+            volume = np.zeros(len(corners))
+            for b, c in zip(fan[1:], fan[2:]):
+                p, q, r = away[:, fan[0]], away[:, b], away[:, c]
+                volume += np.einsum("ij,ij->i", p, np.cross(q, r))
+                size += np.abs(p).sum(axis=1) * np.abs(q).sum(axis=1) * np.abs(r).sum(axis=1)
+            volumes.append(volume)
+        low += np.minimum(volumes[0], volumes[-1])
+        high += np.maximum(volumes[0], volumes[-1])
     scale = np.abs(corners).max(axis=(1, 2)) * np.abs(away).max(axis=(1, 2)) ** 2
-    return _sure(volume, 64 * np.finfo(np.float64).eps * (size + scale))
+    bound = 64 * np.finfo(np.float64).eps * (size + scale)
+    return np.where(low > bound, 1, np.where(high < -bound, -1, 0)).astype(np.int8)
 
 
 def _signs_of_areas(mesh: Mesh, rows: Indices) -> NDArray[np.int8]:

@@ -64,7 +64,7 @@ DIALECTS = (
     _dialect("AVS UCD", ".ucd .inp .avs", "ucd:ucd vtk:ucd", "materials", r"(?:\s*#[^\n]*\n)*\s*\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+|\x07"),
     _dialect("Tecplot", ".tec .dat .plt", "meshio:tecplot vtk:tecplot", "cell data", r"(?is)(?:\s*#[^\n]*\n)*\s*(?:TITLE|VARIABLES|ZONE)"),
     _dialect("Gmsh", ".msh .msh2 .msh4 .mesh", "gmsh:msh meshio:gmsh", "physical groups, also overlapping ones; partitions", r"\s*\$(?!.*DOLFIN)"),
-    _dialect("ANSYS Fluent", ".msh .cas", "vtk:fluent meshio:ansys", "zones", r"\s*\("),
+    _dialect("ANSYS Fluent", ".msh .cas", "vtk:fluent meshio:ansys", "zones of cells as regions", r"\s*\("),
     _dialect("I-deas", ".unv", "unv:unv", "groups; properties as regions", r"\s*-1\s"),
     _dialect("MED", ".med", "gmsh:med meshio:med", "groups", r"\x89HDF"),
     _dialect("Nastran", ".bdf .nas .fem", "gmsh:bdf meshio:nastran", "properties as regions"),
@@ -89,13 +89,28 @@ DIALECTS = (
     _dialect("Surfaces", ".stl .obj .ply", "surface:surface", "the wall; the inside is filled with tetrahedra"),
 )
 
+STRANGERS = (  # first bytes of files that nothing here reads, what they are, and a way on
+    (r"#!TDV", "it is Tecplot's binary", "Tecplot and ParaView can write it as text or as VTK's"),
+    (r"(?is)\s*(?:#[^\n]*\n\s*)*MESH\b[^\n]*\bELEMTYPE\b", "it is a mesh of GiD", "GiD can export it, such as for Abaqus or Nastran"),
+)
+
+
+def stranger(path: str) -> tuple[str, str] | None:
+    """What a file is that has the ending of others, and a way on."""
+    head = _head(path)
+    return next(((what, way_on) for begins, what, way_on in STRANGERS if re.match(begins, head)), None)
+
 
 def dialects_of(path: str) -> list[Dialect]:
     """Kinds of files that a file may be, by its ending and by its first bytes."""
     ending = os.path.splitext(path)[1].lower()
-    with open(path, "rb") as file:
-        head = file.read(_KNOWN_BY_BYTES).decode("latin-1")
+    head = _head(path)
     return [dialect for dialect in DIALECTS if ending in dialect.endings and re.match(dialect.begins, head)]
+
+
+def _head(path: str) -> str:
+    with open(path, "rb") as file:
+        return file.read(_KNOWN_BY_BYTES).decode("latin-1")
 
 
 def is_surface(path: str | os.PathLike[str]) -> bool:

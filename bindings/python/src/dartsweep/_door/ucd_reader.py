@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import linear
-from .error import MeshError
+from .error import CutShort, MeshError
 from .ragged import offsets_of
 from .raw import Raw
 
@@ -31,12 +31,14 @@ def read(path: str, source: str, format: str) -> Raw:
 
 def _raw_of(lines: list[str], source: str) -> Raw:
     node_count, cell_count = (int(word) for word in lines[0].split()[:2])
+    if len(lines) < 1 + node_count + cell_count:
+        raise CutShort(source, f"it ends after {len(lines) - 1} of {node_count + cell_count} points and cells", _WAY_ON)
     nodes = [line.split() for line in lines[1 : 1 + node_count]]
     index = {node[0]: i for i, node in enumerate(nodes)}
     rows, kinds, materials = [], [], []
     for line in lines[1 + node_count : 1 + node_count + cell_count]:
         words = line.split()
-        title = next(i for i, word in enumerate(words) if word.isalpha())
+        title = [word.isalpha() for word in words].index(True)
         kind = _TYPES.get(words[title].lower(), 0)
         if kind == 0:
             raise MeshError(source, f"cells have the type '{words[title]}'", _WAY_ON)

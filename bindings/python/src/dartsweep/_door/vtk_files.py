@@ -8,11 +8,15 @@ import xml.etree.ElementTree
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
 from .error import MeshError
-from . import blocks, vtk_data
+from . import blocks, linear, vtk_data
 from .raw import Raw
 
 _WEDGES_AS_IN_GMSH = {"foam": False, "cgns": True, "exodus": True}  # readers that give one order with every VTK
+_ZONES_OF_CELLS = ("fluid", "solid")
+"""Types of Fluent's zones."""
 _WAY_ON = "a program that reads the file can write it anew, such as ParaView or meshio"
 
 
@@ -24,6 +28,8 @@ def read(path: str, source: str, format: str) -> Raw:
     raw = vtk_data.raw_of(data, source, "VTK", _WEDGES_AS_IN_GMSH.get(format))
     if format == "exodus":
         _name_exodus(raw)
+    if format == "fluent":
+        _name_fluent(raw)
     if format == "ucd":
         raw.regions = raw.data.get("Material Id")
     return raw
@@ -184,6 +190,21 @@ def _name_exodus(raw: Raw) -> None:
 
     raw.groups = {short(name): members for name, members in raw.groups.items()}
     raw.region_names = {short(name): label for name, label in raw.region_names.items()}
+
+
+def _name_fluent(raw: Raw) -> None:
+    """VTK calls a zone 'NAME:TYPE'. For a zone of faces it gives the cells beside them, which are no region."""
+    dimensions = linear.DIMENSION[raw.cells.types]
+    lost, zones = [], raw.groups
+    raw.groups, raw.regions, raw.region_names = {}, None, {}
+    for title, members in zones.items():
+        name, _, kind = title.rpartition(":")
+        if kind in _ZONES_OF_CELLS or np.any(dimensions[members] < dimensions.max(initial=0)):
+            raw.groups[name or title] = members
+        elif kind != "interior":
+            lost.append(name or title)
+    if lost:
+        raw.notes.append(f"surfaces are not kept: VTK gives the cells beside {', '.join(lost)}")
 
 
 def _collection(path: str, source: str) -> Raw:
