@@ -1,6 +1,6 @@
 # GoogleTest, and how its cases become tests.
 if(CMAKE_CROSSCOMPILING)
-  # Debian has the sources for other targets. A program is one test: starting an emulator for each case takes longer than the cases.
+  # Debian has the sources for other targets.
   find_path(DSW_GOOGLETEST_SOURCES CMakeLists.txt PATHS /usr/src/googletest NO_CMAKE_FIND_ROOT_PATH REQUIRED)
   set(INSTALL_GTEST OFF)
   set(BUILD_GMOCK OFF)
@@ -17,12 +17,25 @@ else()
   include(GoogleTest)
 endif()
 
-# dsw_google_tests(TARGET [PROPERTIES LABELS L TIMEOUT T] [DISCOVERY_TIMEOUT T]): all cases of a program.
+# dsw_google_tests(TARGET [EACH] [SHARES N] [PROPERTIES LABELS L]): the cases of a program are one test, or N tests. Starting a process
+# for each case took longer than most cases, above all under a sanitizer. Presets choose cases by GTEST_FILTER. With EACH a case is a
+# test, so that ctest names those that were skipped.
 function(dsw_google_tests target)
-  if(NOT CMAKE_CROSSCOMPILING)
-    gtest_discover_tests(${target} ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "EACH" "SHARES" "PROPERTIES")
+  if(arg_EACH AND NOT CMAKE_CROSSCOMPILING)
+    gtest_discover_tests(${target} PROPERTIES TIMEOUT 900 ${arg_PROPERTIES} DISCOVERY_TIMEOUT 60)
     return()
   endif()
-  add_test(NAME ${target} COMMAND ${target} --gtest_brief=1)
-  set_tests_properties(${target} PROPERTIES TIMEOUT 900)
+  if(CMAKE_CROSSCOMPILING OR NOT arg_SHARES)
+    add_test(NAME ${target} COMMAND ${target} --gtest_brief=1)
+    set_tests_properties(${target} PROPERTIES TIMEOUT 900 ${arg_PROPERTIES})
+    return()
+  endif()
+  math(EXPR last "${arg_SHARES} - 1")
+  foreach(share RANGE ${last})
+    math(EXPR number "${share} + 1")
+    add_test(NAME ${target}.${number} COMMAND ${target} --gtest_brief=1)
+    set_tests_properties(${target}.${number} PROPERTIES TIMEOUT 900 COST 40 ${arg_PROPERTIES}
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${arg_SHARES};GTEST_SHARD_INDEX=${share}")
+  endforeach()
 endfunction()

@@ -23,8 +23,23 @@ import time
 LEFT_OUT = {"source", "package", "abi"}  # these look at sources and at what is installed
 
 
+def cases_of(command, folder):
+    """The cases of a program of GoogleTest that ctest runs as one test; none of another command."""
+    if command[1:] != ["--gtest_brief=1"]:
+        return []
+    listed = subprocess.run([command[0], "--gtest_list_tests"], cwd=folder, check=True, capture_output=True, text=True).stdout
+    cases, suite = [], ""
+    for line in listed.splitlines():
+        name = line.split("  # ")[0].rstrip()
+        if line.startswith(" "):
+            cases.append(suite + name.strip())
+        else:
+            suite = name
+    return cases
+
+
 class Tests:
-    """What ctest would run: commands by their names."""
+    """What ctest would run, each case of a program by itself: commands by their names."""
 
     def __init__(self, build, programs):
         self.commands, self.settings = {}, {}
@@ -37,8 +52,12 @@ class Tests:
         for test in json.loads(listed)["tests"]:
             properties = {p["name"]: p["value"] for p in test.get("properties", ())}
             if "command" in test and os.path.exists(test["command"][0]) and not LEFT_OUT & set(properties.get("LABELS", ())):
-                self.commands[test["name"]] = (test["command"], properties.get("WORKING_DIRECTORY", str(build)))
-                self.settings[test["name"]] = {**settings, **dict(v.split("=", 1) for v in properties.get("ENVIRONMENT", ()))}
+                command, folder = test["command"], properties.get("WORKING_DIRECTORY", str(build))
+                own = dict(v.split("=", 1) for v in properties.get("ENVIRONMENT", ()) if not v.startswith("GTEST_"))
+                each = {case: [command[0], f"--gtest_filter={case}"] for case in cases_of(command, folder)}
+                for name, line in (each or {test["name"]: command}).items():
+                    self.commands[name] = (line, folder)
+                    self.settings[name] = {**settings, **own}
 
     def program(self, name):
         return next((os.path.basename(part) for part in self.commands[name][0] if not part.endswith(("python3", "cmake"))), name)

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Compiles every public header alone, and twice in a row, in every language version that a host may use.
+"""Compiles every public header alone, and twice in a row, in the oldest and the newest version of each language that a host may use (those of
+C++ alone in the newest), and the header that has them all in every version: what a header lacks alone does not depend on the version.
 
 usage: check_headers.py INCLUDE_DIR C_COMPILER CXX_COMPILER
        check_headers.py --self-test C_COMPILER CXX_COMPILER
 Exit 0: all compile; 1: the combinations that do not are named; 77: a compiler is missing.
 """
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -14,6 +16,7 @@ import tempfile
 C_STANDARDS = ["c99", "c11", "c17"]
 CXX_STANDARDS = ["c++98", "c++11", "c++14", "c++17", "c++20", "c++2b"]
 HPP_STANDARDS = ["c++17", "c++2b"]
+ENDS = [C_STANDARDS[0], C_STANDARDS[-1], CXX_STANDARDS[0], CXX_STANDARDS[-1]]
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror"]
 C_WARNINGS = ["-Wstrict-prototypes"]
 
@@ -28,6 +31,28 @@ def compile_header(include_dir, header, compiler, language, standard):
     return "" if result.returncode == 0 else result.stderr
 
 
+def with_all(include_dir, headers, suffix):
+    """The header that includes all others of its language, directly or through others."""
+    def reached(header, seen):
+        if header not in seen and (include_dir / header).exists():
+            seen.add(header)
+            for name in re.findall(r'^#include "(.*)"', (include_dir / header).read_text(), flags=re.M):
+                reached(name, seen)
+        return seen
+
+    every = {header for header in headers if header.endswith(suffix)}
+    found = [header for header in every if every <= reached(header, set())]
+    if every and not found:
+        sys.exit(f"no header includes all others that end in {suffix}")
+    return found
+
+
+def standards_of(header, whole):
+    if header.endswith(".hpp"):
+        return HPP_STANDARDS if header in whole else HPP_STANDARDS[-1:]
+    return C_STANDARDS + CXX_STANDARDS if header in whole else ENDS
+
+
 def failures(include_dir, c_compiler, cxx_compiler):
     headers = sorted(str(path.relative_to(include_dir)) for path in include_dir.rglob("*.h*"))
     if not headers:
@@ -35,9 +60,10 @@ def failures(include_dir, c_compiler, cxx_compiler):
     cases = [(c_compiler, "c", standard) for standard in C_STANDARDS]
     cases += [(cxx_compiler, "c++", standard) for standard in CXX_STANDARDS]
     found, count = [], 0
+    whole = with_all(include_dir, headers, ".h") + with_all(include_dir, headers, ".hpp")
     for header in headers:
         for compiler, language, standard in cases:
-            if header.endswith(".hpp") and standard not in HPP_STANDARDS:
+            if standard not in standards_of(header, whole):
                 continue
             count += 1
             complaint = compile_header(include_dir, header, compiler, language, standard)
@@ -55,10 +81,14 @@ def self_test(c_compiler, cxx_compiler):
         "cxx_keyword.h": ("#pragma once\nint dsw_f(int class);\n", len(CXX_STANDARDS)),
         "old_prototype.h": ("#pragma once\nint dsw_f();\n", len(C_STANDARDS)),
         "needs_string.hpp": ("#pragma once\nstd::string dsw_f();\n", len(HPP_STANDARDS)),
+        "part_alone.h": ("size_t dsw_x;\n", len(ENDS)),  # all.h has size_t
+        "part_of_all.h": ("#pragma once\nint dsw_f(void);\n#if __cplusplus == 201402L\n!\n#endif\n", 1),  # C++14, in all.h
     }
     for name, (text, expected) in bad.items():
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, name).write_text(text)
+            if name.startswith("part"):
+                pathlib.Path(folder, "all.h").write_text(f'#pragma once\n#include <stddef.h>\n#include "{name}"\n')
             _, found = failures(pathlib.Path(folder), c_compiler, cxx_compiler)
         if len(found) != expected:
             sys.exit(f"{name} should fail in {expected} combinations but fails in "

@@ -1,7 +1,7 @@
 // Doubles as exact integers over a common power of two, and the way back.
 #pragma once
 
-#include <gmpxx.h>
+#include "../gmp_numbers.h"
 
 #include <climits>
 #include <cmath>

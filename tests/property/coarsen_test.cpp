@@ -2,7 +2,7 @@
 // moves meets the same faces at the same times.
 #include "body_support.h"
 
-#include <gmpxx.h>
+#include "../gmp_numbers.h"
 
 #include <algorithm>
 

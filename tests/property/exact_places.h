@@ -3,7 +3,7 @@
 
 #include "support.h"
 
-#include <gmpxx.h>
+#include "../gmp_numbers.h"
 
 namespace dsw::oracle::exact {
 

@@ -3,7 +3,7 @@
 
 #include "mesh.h"
 
-#include <gmpxx.h>
+#include "../gmp_numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "obstacles.h"
 #include "plane_support.h"
 
-#include <gmpxx.h>
+#include "../gmp_numbers.h"
 
 #include <algorithm>
 #include <cmath>

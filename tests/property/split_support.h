@@ -1,8 +1,8 @@
 #pragma once
 // Cells of any type, and what parts of them have to be: exact sums of sizes, labels, parents.
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
+#include "../gmp_numbers.h"
 
 #include <algorithm>
 #include <array>

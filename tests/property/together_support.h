@@ -201,6 +201,20 @@ struct Walker {
   }
 };
 
+/// Corners of two parts, at most four. A vector of each would take half of the time of a test.
+class Corners {
+ public:
+  void push_back(const double* p) { at_[size_++] = p; }
+  size_t size() const { return size_; }
+  const double* const* begin() const { return at_; }
+  const double* const* end() const { return at_ + size_; }
+  const double* operator[](size_t i) const { return at_[i]; }
+
+ private:
+  const double* at_[4] = {};
+  size_t size_ = 0;
+};
+
 /// The earliest touch of all that is asked.
 template <int D>
 class Earliest {
@@ -208,7 +222,7 @@ class Earliest {
   /// `exact`: by rational numbers; else by the engine's predicate, which these have been compared with.
   explicit Earliest(bool exact) : exact_(exact) {}
 
-  void ask(PairKind kind, const std::vector<const double*>& start, const std::vector<const double*>& end) {
+  void ask(PairKind kind, const Corners& start, const Corners& end) {
     MovingPair<D> pair{};
     pair.kind = kind;
     std::copy(start.begin(), start.end(), pair.start);
@@ -237,16 +251,14 @@ class Earliest {
 template <int D>
 double first_time(const Ground& ground, const std::vector<Walker>& walkers, bool exact) {
   Earliest<D> earliest(exact);
-  const auto add = [](const Walker& of, const std::vector<uint32_t>& part, std::vector<const double*>& start,
-                      std::vector<const double*>& end, size_t count) {
+  const auto add = [](const Walker& of, const std::vector<uint32_t>& part, Corners& start, Corners& end, size_t count) {
     for (size_t i = 0; i < count; ++i) {
       const uint32_t v = part[std::min(i, part.size() - 1)];
       start.push_back(of.state.at[v].data());
       end.push_back(of.end[v].data());
     }
   };
-  const auto add_ground = [&](const std::vector<uint32_t>& part, std::vector<const double*>& start,
-                              std::vector<const double*>& end) {
+  const auto add_ground = [&](const std::vector<uint32_t>& part, Corners& start, Corners& end) {
     for (const uint32_t v : part) {
       start.push_back(ground.points[v].data());
       end.push_back(ground.next.empty() ? ground.points[v].data() : ground.next[v].data());
@@ -254,18 +266,19 @@ double first_time(const Ground& ground, const std::vector<Walker>& walkers, bool
   };
   constexpr PairKind kSolid = D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge;
   constexpr size_t kSolidCorners = static_cast<size_t>(D);
+  const auto ridges = ground.features(static_cast<size_t>(D) - 1), corners = ground.features(1);
   for (const Walker& of : walkers) {
     for (const auto& part : of.parts(1)) {
       for (const auto& wall : ground.walls) {
-        std::vector<const double*> start, end;
+        Corners start, end;
         add(of, part, start, end, 1);
         add_ground(wall, start, end);
         earliest.ask(kSolid, start, end);
       }
     }
     for (const auto& part : of.parts(2)) {
-      for (const auto& feature : ground.features(static_cast<size_t>(D) - 1)) {
-        std::vector<const double*> start, end;
+      for (const auto& feature : ridges) {
+        Corners start, end;
         if (D == 2) add_ground(feature, start, end);
         add(of, part, start, end, 2);
         if (D == 3) add_ground(feature, start, end);
@@ -273,8 +286,8 @@ double first_time(const Ground& ground, const std::vector<Walker>& walkers, bool
       }
     }
     for (const auto& part : of.parts(3)) {
-      for (const auto& feature : ground.features(1)) {
-        std::vector<const double*> start, end;
+      for (const auto& feature : corners) {
+        Corners start, end;
         add_ground(feature, start, end);
         add(of, part, start, end, 3);
         earliest.ask(kSolid, start, end);
@@ -285,6 +298,7 @@ double first_time(const Ground& ground, const std::vector<Walker>& walkers, bool
     for (size_t j = 0; j < walkers.size(); ++j) {
       if (i == j ? !walkers[i].self : walkers[i].alone || walkers[j].alone) continue;
       const Walker &a = walkers[i], &b = walkers[j];
+      const std::vector<std::vector<uint32_t>> of_b[] = {b.parts(1), b.parts(2), b.parts(3)};
       const auto shared = [&](const std::vector<uint32_t>& one, const std::vector<uint32_t>& other) {
         size_t count = 0;
         for (const uint32_t v : one) count += i == j && std::count(other.begin(), other.end(), v) != 0 ? 1 : 0;
@@ -292,11 +306,11 @@ double first_time(const Ground& ground, const std::vector<Walker>& walkers, bool
       };
       // A vertex against solids of the other, and against its edges and vertices where these are no solids.
       for (const auto& one : a.parts(1)) {
-        for (size_t corners = 1; corners <= kSolidCorners; ++corners) {
-          for (const auto& other : b.parts(corners)) {
+        for (size_t count = 1; count <= kSolidCorners; ++count) {
+          for (const auto& other : of_b[count - 1]) {
             if (shared(one, other) != 0) continue;
-            std::vector<const double*> start, end;
-            const bool solid = corners == kSolidCorners || D == 2;
+            Corners start, end;
+            const bool solid = count == kSolidCorners || D == 2;
             add(a, one, start, end, solid ? 1 : 2);
             add(b, other, start, end, solid ? kSolidCorners : 2);
             earliest.ask(solid ? kSolid : PairKind::kEdgeEdge, start, end);
@@ -305,9 +319,9 @@ double first_time(const Ground& ground, const std::vector<Walker>& walkers, bool
       }
       if (D == 2) continue;
       for (const auto& one : a.parts(2)) {
-        for (const auto& other : b.parts(2)) {
+        for (const auto& other : of_b[1]) {
           if (shared(one, other) != 0) continue;
-          std::vector<const double*> start, end;
+          Corners start, end;
           add(a, one, start, end, 2);
           add(b, other, start, end, 2);
           earliest.ask(PairKind::kEdgeEdge, start, end);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <gmpxx.h>
+#include "../../gmp_numbers.h"
 
 #include <cmath>
 #include <random>

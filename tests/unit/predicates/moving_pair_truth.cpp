@@ -5,7 +5,7 @@
 
 #include "moving_pair_truth.h"
 
-#include <gmpxx.h>
+#include "../../gmp_numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // 2^-1074, every shifted one a polynomial in e. Slow, and right by looking at it.
 #pragma once
 
-#include <gmpxx.h>
+#include "../../gmp_numbers.h"
 
 #include <cstdint>
 

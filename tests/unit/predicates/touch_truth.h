@@ -2,7 +2,7 @@
 // common.
 #pragma once
 
-#include <gmpxx.h>
+#include "../../gmp_numbers.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "predicates/wide_int.h"
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
+#include "../../gmp_numbers.h"
 
 #include <cstdint>
 

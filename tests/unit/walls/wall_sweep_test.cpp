@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <gmpxx.h>
+#include "../../gmp_numbers.h"
 
 #include <array>
 #include <random>
