@@ -9,7 +9,6 @@
 #include "scene/scene.h"
 #include "together/moving_walls.h"
 #include "together/place_on_way.h"
-#include "together/settings.h"
 #include "together/whole_ways.h"
 
 namespace dsw {
@@ -19,16 +18,18 @@ namespace {
 template <int D>
 class Call {
  public:
-  Call(Scene<D>& scene, double* next)
+  Call(Scene<D>& scene, double* next, const TogetherSettings& settings)
       : scene_(scene),
         env_(scene.deformation.get()->env),
         record_(scene.deformation.get()->next),
         next_(next),
         start_(env_.points),
         had_moved_(env_.has_moved()),
+        version_(env_.obstacle_version),
         particles_(scene.memory),
         still_record_(scene.memory),
-        ways_(env_) {}
+        ways_(env_),
+        settings_(settings) {}
 
   void gather(BodyRecord<D>* const* bodies, size_t count, PointArray targets);
   void run();
@@ -46,6 +47,7 @@ class Call {
   void shorten(double way);
   void put_points(double time);
   void read_points(const double* points);
+  void go_back_to_start();
   void take_back();
   void describe_walls();
 
@@ -55,10 +57,12 @@ class Call {
   double* next_;
   const double* start_;
   bool had_moved_;
+  uint64_t version_;  // of the environment
   Body<D> particles_;
   Array<uint32_t> slots_{scene_.memory};  // of the particles
   MoveRecord still_record_;               // of what stands still
   WholeWays<D, MovingWalls<D>> ways_;
+  TogetherSettings settings_;
   Array<Traveller<D>> travellers_{scene_.memory};
   Array<PointArray> targets_{scene_.memory};          // of the travellers, for the whole way
   Array<Array<double>> near_targets_{scene_.memory};  // the same for a shorter way
@@ -129,7 +133,7 @@ template <int D>
 uint64_t Call<D>::most_work() const noexcept {
   uint64_t vertices = 0;
   for (const Traveller<D>& of : travellers_) vertices += of.body->vertices.size();
-  return 1000 * uint64_t{TogetherSettings().kilo_products} * vertices;
+  return 1000 * uint64_t{settings_.kilo_products} * vertices;
 }
 
 /** Tries the whole way. While a cell on it does not stay valid, halves the way. */
@@ -197,8 +201,7 @@ bool Call<D>::arrive(double time) {
   if (time != 1) put_points(time);
   read_points(next_);
   if ((time != 1 && !ways_.walls.stayed_valid(start_)) || !ways_.walls.find_arrivals(travellers_)) {
-    read_points(start_);
-    env_.set_moved(had_moved_);
+    go_back_to_start();
     return false;
   }
   ways_.arrive(travellers_);
@@ -210,6 +213,14 @@ void Call<D>::read_points(const double* points) {
   env_.points = points;
   env_.note_move();
   env_.checked.forget_all();
+}
+
+/** The environment is what it was before, and so is what is known of its obstacles. */
+template <int D>
+void Call<D>::go_back_to_start() {
+  read_points(start_);
+  env_.give_back_version(version_);
+  env_.set_moved(had_moved_);
 }
 
 /** Puts the environment's next points to where they are at a time of their way. */
@@ -241,8 +252,7 @@ void Call<D>::shorten(double way) {
 template <int D>
 void Call<D>::take_back() {
   std::copy(next_targets_.begin(), next_targets_.end(), next_);
-  if (env_.points != start_) read_points(start_);
-  env_.set_moved(had_moved_);
+  if (env_.points != start_) go_back_to_start();
   for (const Traveller<D>& of : travellers_) {
     if (of.body == &particles_) continue;
     put_vertices(*of.body, scene_.bodies[of.name.index].before.data());
@@ -274,6 +284,9 @@ void Call<D>::keep_results(BodyRecord<D>* const* bodies, size_t count, size_t po
   // Who stopped is told by the targets of the call, also if the way was shortened.
   for (size_t t = 0; t < travellers_.size(); ++t) travellers_[t].targets = targets_[t];
   if (!travellers_.empty()) ways_.finish(travellers_);
+  for (Traveller<D>& of : travellers_) {
+    if (record_.outcome == DSW_DEFORM_LIMITED) of.record->limited = of.record->stopped;
+  }
   record_.sort();
   std::swap(d.record, d.next);
   for (size_t i = 0; i < count; ++i) end_move(scene_, *bodies[i], {});
@@ -293,8 +306,8 @@ void Call<D>::keep_results(BodyRecord<D>* const* bodies, size_t count, size_t po
 
 template <int D>
 void deform_together(Scene<D>& scene, double* next, size_t point_room, BodyRecord<D>* const* bodies, size_t count,
-                     PointArray targets) {
-  Call<D> call(scene, next);
+                     PointArray targets, const TogetherSettings& settings) {
+  Call<D> call(scene, next, settings);
   call.gather(bodies, count, targets);
   call.run();
   call.keep_results(bodies, count, point_room);

@@ -25,8 +25,10 @@ void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& re
     env_.checked.forget_all();
   };
   const bool had_moved = env_.has_moved();
+  const uint64_t version = env_.obstacle_version;
   const auto take_back = [&] {
     read_points(start);
+    env_.give_back_version(version);
     env_.set_moved(had_moved);
   };
   const auto restore_next = [&] { std::copy(targets.begin(), targets.end(), next); };

@@ -16,6 +16,7 @@ void MovingPoints<D>::begin(double* next) {
   place_.resize(env_.map.vertex_count, kUntouched);
   start_ = env_.points;
   had_moved_ = env_.has_moved();
+  version_ = env_.obstacle_version;
   next_ = next;
   env_.points = next;
   env_.note_move();
@@ -45,6 +46,7 @@ void MovingPoints<D>::take_back() noexcept {
   next_ = nullptr;
   env_.points = start_;
   env_.note_move();
+  env_.give_back_version(version_);
   env_.checked.forget_all();
   env_.set_moved(had_moved_);
 }

@@ -58,6 +58,7 @@ class MovingPoints {
   Environment<D>& env_;
   const double* start_ = nullptr;
   bool had_moved_ = false;  // before
+  uint64_t version_ = 0;    // of the environment before
   double* next_ = nullptr;
   Array<uint32_t> place_{env_.memory};  // by vertex: its place in touched_
   Array<uint32_t> touched_{env_.memory};
