@@ -113,12 +113,16 @@ TEST_F(RefusedDeformationTest, RefusalsLeaveWhatBodiesKnow) {
       EXPECT_EQ(report_.outcome, DSW_DEFORM_REFUSED);
     });
   }
-  options_.max_holds = 1;
-  leaves_all("a work limit", [&] {
-    EXPECT_EQ(deform(DSW_DEFORM_SWEPT, DSW_WALL_STOP, DSW_INVALID_HOLD), DSW_STATUS_OK);
-    EXPECT_EQ(report_.outcome, DSW_DEFORM_LIMITED);
-    EXPECT_EQ(report_.fraction, 0);
-  });
+}
+
+/// The walls round the body come nearer, and it moves beside the least double.
+TEST_F(RefusedDeformationTest, TheWorkLimitLeavesWhatBodiesKnow) {
+  for (uint32_t i = point(0, 0, 0); i < point(0, 0, 1); ++i) next_[3 * i + 2] = 0.75;
+  const double targets[6] = {5e-324, 0.5, 0.5, 1, 1e-160, 0.5};
+  options_.max_work = 1;
+  EXPECT_EQ(deform_together(targets), DSW_STATUS_OK);
+  EXPECT_EQ(report_.outcome, DSW_DEFORM_LIMITED);
+  EXPECT_GT(known(body_), 0);
 }
 
 }  // namespace
