@@ -53,7 +53,7 @@ typedef enum dsw_deform_outcome {
   DSW_DEFORM_HELD = 1,     /**< All but held vertices. */
   DSW_DEFORM_FRACTION = 2, /**< All made the same part of their way. */
   DSW_DEFORM_REFUSED = 3,  /**< Nothing has moved. */
-  /** The work limit `max_holds` was reached: as HELD, with DSW_WALL_STOP as FRACTION 0.
+  /** A work limit was reached: as HELD, with DSW_WALL_STOP as FRACTION 0.
    * @since 2.1 */
   DSW_DEFORM_LIMITED = 4,
   DSW_DEFORM_OUTCOME_FORCE_INT32 = 0x7fffffff
@@ -76,7 +76,8 @@ typedef struct dsw_deform_options {
   /** SWEPT: work limit: how often a vertex may stay in its turn, in all steps; then all that move
    * one at a time stay. 0 means 16,384. @since 2.1 */
   uint32_t max_holds;
-  uint32_t reserved;
+  /** dsw_scene_deform: work limit, see dsw_together_options. @since 2.1 */
+  uint32_t max_work;
 } dsw_deform_options;
 
 /** What a deformation did, with its `outcome`. */

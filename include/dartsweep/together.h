@@ -70,9 +70,9 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  * FRACTION.
  * @param bodies distinct.
  * @param targets `target_count` points.
- * @param options only `point_room` counts.
- * @param report `outcome`: DONE, FRACTION, REFUSED, or LIMITED: at the default of `max_work`, and
- * nothing has moved. Contacts have `response` DSW_WALL_STOP.
+ * @param options `point_room` and `max_work` count.
+ * @param report `outcome`: DONE, FRACTION, REFUSED or LIMITED, as REFUSED. Contacts have `response`
+ * DSW_WALL_STOP.
  * @return as dsw_environment_deform; DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body of the scene has
  * a radius; WRONG_SIZE: also target_count.
  * @note Cost: as dsw_scene_move_together, and O(particles); O(n) each time that all ways are

@@ -43,7 +43,6 @@ dsw::WallSettings read_settings(const dsw_deform_options& o) {
     fail(DSW_STATUS_UNSUPPORTED, "options->response is %u, must be PUSH, INSERT or STOP with END_STATE",
          capi::raw_value(o.response));
   }
-  if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
   s.max_holds = capi::to_count(o.max_holds, UINT32_MAX, s.max_holds, "options->max_holds");
   s.most_halvings = capi::to_count(o.most_halvings, 10, s.most_halvings, "options->most_halvings");
   s.min_part = capi::to_min_part(o.min_part, s.min_part);

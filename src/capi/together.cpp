@@ -14,11 +14,15 @@ namespace {
 
 constexpr uint32_t kMostRounds = 65536;
 
+uint32_t to_kilo_products(uint32_t max_work) {
+  return capi::to_count(max_work, UINT32_MAX, dsw::TogetherSettings().kilo_products, "options->max_work");
+}
+
 dsw::TogetherSettings to_settings(const dsw_together_options& o) {
   dsw::TogetherSettings s;
   s.stop = static_cast<dsw::TogetherStop>(capi::to_number(o.stop, DSW_TOGETHER_STOP_FEATURE, "options->stop"));
   s.rounds = capi::to_count(o.max_rounds, kMostRounds, s.rounds, "options->max_rounds");
-  s.kilo_products = capi::to_count(o.max_work, UINT32_MAX, s.kilo_products, "options->max_work");
+  s.kilo_products = to_kilo_products(o.max_work);
   return s;
 }
 
@@ -48,6 +52,8 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
     constexpr int D = capi::kDimension<decltype(s)>;
     capi::check_enabled(s.features.deforming, "DSW_FEATURE_DEFORMING");
     const dsw_deform_options o = capi::read_optional(options, "options", 0);
+    dsw::TogetherSettings settings;
+    settings.kilo_products = to_kilo_products(o.max_work);
     capi::check_next(s.env, next, point_count, o.point_room);
     const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
     const dsw::PointArray points = capi::check_all_targets(records, targets, target_count, stride_bytes);
@@ -55,7 +61,7 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
     written.point_room = capi::recorded_room(*scene, o.point_room);
     capi::Recorded call(scene, capi::row_of<dsw_scene_deform>, next, point_count, bodies, count, targets, target_count,
                         stride_bytes, &written);
-    deform_together(s, next, o.point_room, records.data(), count, points);
+    deform_together(s, next, o.point_room, records.data(), count, points, settings);
     const dsw::WallRecord& record = s.deformation.get()->record;
     const dsw_deform_report done = capi::to_report(record, 0);
     call.done(done, capi::Moved<D>{records.data(), count});

@@ -14,7 +14,7 @@ namespace {
 // Two points that are closer than this share of what is compared do not tell the direction between them.
 constexpr double kTellingShare = 0x1p-45;
 // Edges are nearly parallel up to this sine of their angle.
-constexpr double kSlanted = 0x1p-10;
+constexpr double kSlanted = 0x1p-9;
 
 void set_normal(const Vec& way, double size, NearPoints& n) {
   n.distance = length(way);

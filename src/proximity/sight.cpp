@@ -107,11 +107,18 @@ class SightWalk {
   const double* passed_[D] = {};  // its simplex, seen from the cell before
 };
 
+/** Whether a triangle of a cell's surface, in the plane a side, has some vertices. A cell can have them and another way
+ * between them. */
 template <int D>
-bool has_vertices(const Map<D>& map, Cell c, const uint32_t* vertices, uint32_t count) noexcept {
-  uint32_t found = 0;
-  map.for_each_vertex(c, [&](uint32_t v) { found += std::find(vertices, vertices + count, v) != vertices + count; });
-  return found == count;
+bool has_obstacle(const Map<D>& map, Cell c, const Shape& shape, const uint32_t* vertices, uint32_t count) noexcept {
+  for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
+    const uint16_t* const local = shape.simplices() + size_t{D} * s;
+    const auto is_corner = [&](uint32_t v) {
+      return std::any_of(local, local + D, [&](uint16_t i) { return map.vertex(c, i) == v; });
+    };
+    if (std::all_of(vertices, vertices + count, is_corner)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -134,26 +141,21 @@ SightResult walk_along(const Environment<D>& env, Sightline<D>& line, Cell start
 template <int D>
 bool ends_at(const Environment<D>& env, Sightline<D>& line, Cell end, const uint32_t* vertices, uint32_t count,
              CellQueue& cells) {
-  bool is_at_wall = false;
   cells.clear();
   cells.insert(end);
   for (size_t i = 0; i < cells.size(); ++i) {
     const Cell c = cells[i];
-    if (has_vertices(env.map, c, vertices, count)) return true;
     const Shape shape = env.map.shape(c);
+    if (has_obstacle(env.map, c, shape, vertices, count)) return true;
     for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
       const double* points[D];
       simplex_points(env, c, shape, s, points);
       if (!line.ends_on(points)) continue;
       const HalfFacet h = env.map.half_facet(c, shape.simplex_facets(D)[s]);
-      if (is_impassable(env, h)) {
-        is_at_wall = true;
-      } else {
-        cells.insert(env.map.cell_of(env.map.opposite(h)));
-      }
+      if (!is_impassable(env, h)) cells.insert(env.map.cell_of(env.map.opposite(h)));
     }
   }
-  return !is_at_wall;
+  return false;
 }
 
 DSW_INSTANTIATE(walk_along);

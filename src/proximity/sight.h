@@ -20,8 +20,8 @@ template <int D>
 SightResult walk_along(const Environment<D>& env, Sightline<D>& line, Cell start, const uint32_t* target,
                        uint32_t target_count);
 
-/** Whether a line that ends in a cell ends at an obstacle with these vertices, or at no wall. A closed slit has walls in one
- * place with vertices of their own: then the end lies on a wall, and no cell there has the obstacle.
+/** Whether a line that ends in a cell ends at an obstacle with these vertices: a cell there has it. Not at the other lip of
+ * a closed slit, which has vertices of its own and can lie before this lip up to rounding, nor at a sheet that overlaps.
  * @param cells is overwritten. Throws std::bad_alloc. */
 template <int D>
 bool ends_at(const Environment<D>& env, Sightline<D>& line, Cell end, const uint32_t* vertices, uint32_t count,

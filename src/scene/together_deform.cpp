@@ -21,14 +21,15 @@ namespace {
 template <int D>
 class Call {
  public:
-  Call(Scene<D>& scene, double* next)
+  Call(Scene<D>& scene, double* next, const TogetherSettings& settings)
       : scene_(scene),
         env_(scene.deformation.get()->env),
         record_(scene.deformation.get()->next),
         points_(env_),
         particles_(scene.memory),
         still_record_(scene.memory),
-        ways_(env_) {
+        ways_(env_),
+        settings_(settings) {
     points_.begin(next);
   }
 
@@ -55,6 +56,7 @@ class Call {
   Array<uint32_t> slots_{scene_.memory};  // of the particles
   MoveRecord still_record_;               // of what stands still
   WholeWays<D, MovingWalls<D>> ways_;
+  TogetherSettings settings_;
   Array<Trajectory<D>> trajectories_{scene_.memory};
   Array<PointArray> targets_{scene_.memory};          // of the trajectories, for the whole way
   Array<Array<double>> near_targets_{scene_.memory};  // the same for a shorter way
@@ -124,7 +126,7 @@ template <int D>
 uint64_t Call<D>::most_work() const noexcept {
   uint64_t vertices = 0;
   for (const Trajectory<D>& of : trajectories_) vertices += of.motion.body->vertices.size();
-  return 1000 * uint64_t{TogetherSettings().kilo_products} * vertices;
+  return 1000 * uint64_t{settings_.kilo_products} * vertices;
 }
 
 /** Tries the whole way. While a cell on it does not stay valid, halves the way. */
@@ -250,6 +252,9 @@ void Call<D>::keep_results(BodyRecord<D>* const* bodies, size_t count, size_t po
   // Who stopped is told by the targets of the call, also if the way was shortened.
   for (size_t t = 0; t < trajectories_.size(); ++t) trajectories_[t].motion.targets = targets_[t];
   if (!trajectories_.empty()) ways_.finish(trajectories_);
+  for (Trajectory<D>& of : trajectories_) {
+    if (record_.outcome == DSW_DEFORM_LIMITED) of.record->limited = of.record->stopped;
+  }
   record_.sort();
   std::swap(d.record, d.next);
   for (size_t i = 0; i < count; ++i) end_move(scene_, *bodies[i], {});
@@ -270,8 +275,8 @@ void Call<D>::keep_results(BodyRecord<D>* const* bodies, size_t count, size_t po
 
 template <int D>
 void deform_together(Scene<D>& scene, double* next, size_t point_room, BodyRecord<D>* const* bodies, size_t count,
-                     PointArray targets) {
-  Call<D> call(scene, next);
+                     PointArray targets, const TogetherSettings& settings) {
+  Call<D> call(scene, next, settings);
   call.gather(bodies, count, targets);
   call.run();
   call.keep_results(bodies, count, point_room);

@@ -217,6 +217,42 @@ static void bad_arguments(void) {
   end();
 }
 
+/* A rod falls on another one. Integers are long where the least double stands beside 1. */
+static void too_much_work_leaves_all_where_it_is(void) {
+  const double least = 5e-324;
+  double at[6] = {2, 1.75, 1.75, least, 0.5, 1.75}, targets[6] = {0.5, 0.375, 1e-160, 1e-160, 0.5, 1e-300},
+         other[6] = {1.5, 0.375, 1e-160, 1, 1.5, 1.5}, now[6];
+  static double before[3 * MOST_POINTS];
+  const double *read = NULL, *points = NULL;
+  dsw_deform_options o;
+  dsw_deform_report report;
+  dsw_move_report moved;
+  dsw_body_id body;
+  size_t count = 0, bytes;
+  dsw_deform_options_init(&o, sizeof o);
+  begin(DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS);
+  body = make_line(flat(at, 2), 2, DSW_LEVEL_EDGES_SWEPT);
+  make_line(flat(other, 2), 2, DSW_LEVEL_EDGES_SWEPT);
+  flat(targets, 2);
+  raise_row(4, 0.25);
+  bytes = g_dimension * g_point_count * sizeof *before;
+  memcpy(before, next_points(), bytes);
+  CHECK_OK(dsw_environment_get_points(g_env, &points, &count));
+  o.max_work = 1;
+  CHECK_OK(dsw_scene_deform(g_scene, next_points(), g_point_count, &body, 1, targets, 2, 0, &o, &report, &moved));
+  CHECK(report.outcome == DSW_DEFORM_LIMITED && report.fraction == 0 && report.contact_count == 0);
+  CHECK(moved.fraction == 0 && moved.vertices_moved == 2 && moved.vertices_stopped == 2);
+  CHECK(moved.vertices_limited == 2 && moved.contact_count == 0);
+  get_positions(body, now);
+  CHECK(memcmp(now, at, 2 * g_dimension * sizeof *at) == 0);
+  CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
+  CHECK(read == points && memcmp(next_points(), before, bytes) == 0);
+  report = deform_with(&body, targets, &moved); /* it is free, and the default is enough */
+  CHECK(report.outcome == DSW_DEFORM_FRACTION && report.fraction > 0 && report.fraction < 0.75);
+  CHECK(moved.vertices_limited == 0 && moved.vertices_stopped == 2 && moved.contact_count == 1);
+  end();
+}
+
 /* Every allocation is refused in turn: then nothing has moved, and the host's array is as it was. */
 static void memory_runs_out(void) {
   const int space = g_dimension == 3;
@@ -263,6 +299,7 @@ static void in_both(void) {
   a_particle_stops_the_floor();
   ways_end_where_a_volume_stays_valid();
   bad_arguments();
+  too_much_work_leaves_all_where_it_is();
   memory_runs_out();
 }
 

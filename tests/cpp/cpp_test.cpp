@@ -295,6 +295,27 @@ TEST(Cpp, BodiesAndWallsMoveTogether) {
   EXPECT_THROW(scene.deform(Lent(last)), InUse);
 }
 
+TEST(Cpp, AtTheWorkLimitPointsThatAreReadStay) {
+  Environment environment = cube();
+  Scene scene = deforming_scene(environment);
+  const double least = 5e-324;  // integers are long beside it
+  const std::vector<Row> rod = {{0.5, 0.25, 0.25}, {0.5, 0.75, 0.25}},
+                         side = {{least, 0.25, 0.25}, {least, 0.75, 0.25}};
+  const Body body(scene, scene.create_body(rod, std::vector<std::uint32_t>{0, 1}));
+  const std::vector<dsw_body_id> bodies = {body.id()};
+  std::vector<dsw_move_report> reports(1);
+  auto options = defaults<dsw_deform_options>();
+  options.max_work = 1;
+  auto before = std::make_shared<std::vector<Row>>(kCorners), next = std::make_shared<std::vector<Row>>(kCorners);
+  const std::weak_ptr<void> read = before;
+  EXPECT_EQ(scene.deform(Lent(std::move(before))).outcome, DSW_DEFORM_DONE);
+  for (Row &at : *next) at[2] = std::max(at[2], 0.5);
+  const std::weak_ptr<void> watched = next;
+  EXPECT_EQ(scene.deform(Lent(std::move(next)), bodies, side, &options, reports).outcome, DSW_DEFORM_LIMITED);
+  EXPECT_EQ(reports[0].vertices_limited, 2u);
+  EXPECT_TRUE(watched.expired() && !read.expired());
+}
+
 TEST(Cpp, AChangeOwnsItsLists) {
   Environment environment = cube();
   const std::vector<Row> blade = {{-1, -1, 0.5}, {2, -1, 0.5}, {-1, 2, 0.5}, {2, 2, 0.5}};

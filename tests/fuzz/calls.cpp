@@ -325,6 +325,7 @@ dsw_status Calls::deform() {
   const dsw_body_id ids[] = {body(), body()};
   const uint32_t bodies = bytes_.below(3);
   const std::vector<double> targets = targets_of(ids, bodies);
+  o.max_work = o.max_holds == 0 ? 0 : 1;
   return dsw_scene_deform(scene_, next.data(), count, ids, bodies, targets.data(), targets.size() / dimension_, 0, &o,
                           nullptr, nullptr);
 }

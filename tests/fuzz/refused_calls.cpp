@@ -85,11 +85,13 @@ class Round {
   }
 
  private:
-  /** Where bytes differ first. */
+  /** Where bytes differ first, but for the checksum that every snapshot has in its header. */
   static void tell(const Saved& before, const Saved& after) {
     const auto tell_of = [](const char* what, const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
+      constexpr std::ptrdiff_t kBehindChecksum = 32;
       if (a == b) return;
-      const auto at = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin();
+      const auto at =
+          std::mismatch(a.begin() + kBehindChecksum, a.end(), b.begin() + kBehindChecksum, b.end()).first - a.begin();
       std::printf("%s: %zu bytes were %zu, the first other one is %td; ", what, b.size(), a.size(), at);
     };
     tell_of("environment", before.environment, after.environment);

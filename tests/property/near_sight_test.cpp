@@ -398,5 +398,71 @@ TEST(NearPlaneSightTest, AreAllThatAreSeenFromWhatTouchesWalls) {
   EXPECT_GT(tally.rows, static_cast<uint64_t>(effort_of(500)));
 }
 
+/// Three polygons round a slit from a to b, of which one lip has a point more, m.
+EnvironmentPtr make_slit(const Vec& a, const Vec& b, const Vec& m) {
+  const std::vector<double> points = {a[0],     a[1],     b[0],     b[1],     m[0],     m[1], a[0] + 3, a[1] - 1,
+                                      a[0] + 3, a[1] + 1, a[0] - 3, a[1] + 4, a[0] - 3, a[1], a[0],     a[1] - 3};
+  const std::vector<int32_t> corners = {0, 3, 4, 1, 0, 2, 1, 5, 6, 6, 7, 3, 0}, offsets = {0, 4, 9, 13};
+  dsw_environment_desc desc = uniform_desc(2, DSW_CELL_TYPE_TRIANGLE, 3, points, corners);
+  const std::vector<uint8_t> types(3, DSW_CELL_TYPE_POLYGON);
+  desc.cell_types = types.data();
+  desc.volume_count = types.size();
+  desc.offsets = offsets.data();
+  return create_from(desc);
+}
+
+/// The point is rounded, so its lip is before the other one, behind it, or in the same place. Whoever is in a polygon meets
+/// the lip of that polygon, and sees no other one. The first slit is of numbers at which the other lip was seen.
+TEST(NearPlaneSlitTest, TheLipOfThePolygonIsSeen) {
+  const std::vector<Vec> right = {{4.0121117852489627, 2.8530332574935975, 0},
+                                  {3.8643548025910972, 2.7687392444393053, 0},
+                                  {3.8876488506226758, 2.812158861722474, 0},
+                                  {3.8799505139910733, 2.7973528788683772, 0},
+                                  {3.4540059435129113, 2.0012759728660487, 0}};
+  NearTally tally;
+  const auto check = [&](const Vec& a, const Vec& b, const Vec& m, double way) {
+    const EnvironmentPtr environment = make_slit(a, b, m);
+    const ScenePtr scene = make_scene(environment.get());
+    for (const bool is_left : {false, true}) {
+      BodyPlan plan = {right, {}, {}};
+      for (Vec& at : plan.at) {
+        at = is_left ? Vec{at[0] - 0.5, at[1] + 0.25, 0} : Vec{at[0] + way, at[1], 0};
+      }
+      dsw_body_id body;
+      ASSERT_EQ(create_in_plane(scene.get(), plan, DSW_LEVEL_POINTS, &body), DSW_STATUS_OK) << dsw_last_error_message();
+      size_t rows_of_lip = 0;
+      for (const dsw_near_row& row : find_rows(scene.get(), body, 1.25, 0)) {
+        const std::vector<int> ids = used(row.obstacle_vertices);
+        ++tally.rows;
+        tally.phantom += is_left ? ids == std::vector{0, 1} : ids.back() == 2 || ids == std::vector{2};
+        rows_of_lip += is_left ? ids.back() == 2 : ids == std::vector{0, 1};
+      }
+      tally.missed += rows_of_lip < plan.at.size() ? plan.at.size() - rows_of_lip : 0;
+      ASSERT_EQ(dsw_body_destroy(scene.get(), body), DSW_STATUS_OK);
+    }
+  };
+  const auto side = [](const Vec& a, const Vec& b, const Vec& m) {
+    const mpq_class x = mpq_class(b[0]) - a[0], y = mpq_class(b[1]) - a[1];
+    return sgn(mpq_class(x * (mpq_class(m[1]) - a[1]) - y * (mpq_class(m[0]) - a[0])));
+  };
+  const Vec a = {3.325, 1.76, 0}, b = {4.25, 3.49, 0}, middle = {3.7875, 2.625, 0};
+  EXPECT_EQ(side(a, b, middle), -1) << "it is not before the other lip, seen from the right";
+  int on_side[3] = {};
+  for (const double x : {3.7, middle[0], 3.8}) {
+    for (const double y : {2.6, middle[1], 2.7}) {
+      const Vec m = {std::nextafter(middle[0], x), std::nextafter(middle[1], y), 0};
+      ++on_side[side(a, b, m) + 1];
+      check(a, b, m, 0);
+    }
+  }
+  EXPECT_TRUE(on_side[0] > 1 && on_side[2] > 1);
+  EXPECT_EQ(side({3.25, 1.5, 0}, {4.25, 3.5, 0}, {3.75, 2.5, 0}), 0);
+  check({3.25, 1.5, 0}, {4.25, 3.5, 0}, {3.75, 2.5, 0}, 0.125);
+  record(tally);
+  EXPECT_GE(tally.rows, 100u);
+  EXPECT_EQ(tally.phantom, 0u);
+  EXPECT_EQ(tally.missed, 0u);
+}
+
 }  // namespace
 }  // namespace dsw::oracle

@@ -363,11 +363,7 @@ end
 
 local function make_strand(scene, x) return scene:create_body {positions = strand(x), edges = {0, 1, 1, 2}} end
 
-local function numbers_of(array)
-  local numbers = {}
-  for i = 1, #array do numbers[i] = array[i] end
-  return numbers
-end
+local function numbers_of(array) return table.move(array, 1, #array, 1, {}) end
 
 function TestValues:test_strands_that_move_together_do_not_stop_each_other()
   local environment <close> = make_room()
@@ -396,6 +392,9 @@ function TestValues:test_a_floor_stops_before_a_strand_or_rises_with_it()
   lu.assertTrue(report.fraction < 0.5 and report.fraction > 0.4999999)
   local contacts = environment:get_wall_contacts()
   lu.assertEquals({contacts[1].time, contacts[1].body, report.contact_count}, {0.5, body:id(), #contacts})
+  -- Integers are long beside the least double.
+  report, reports = scene:deform(room(2), {body:id()}, strand(5e-324), {max_work = 1})
+  lu.assertEquals({report.outcome, reports[1].vertices_limited}, {dsw.DEFORM_LIMITED, 3})
   lu.assertEquals(numbers_of(body:get_positions()), strand(2))
   report, reports = scene:deform(room(1.5), {body:id()}, strand(2, 2))
   lu.assertEquals({report.outcome, reports[1].fraction}, {dsw.DEFORM_DONE, 1})

@@ -54,6 +54,20 @@ test('a strand rises with the floor', () => {
   assert.deepEqual([...environment.getPoints()], raised(1.5));
 });
 
+test('nothing moves at the work limit', () => {
+  const { environment, scene } = makeRoom();
+  const body = scene.createBody(strand(2), edges);
+  const targets = strand(Number.MIN_VALUE); // integers are long beside it
+  const limited = scene.deform(raised(2), { bodies: [body], targets, maxWork: 1 });
+  assert.equal(limited.report.outcome, dsw.DeformOutcome.Limited);
+  assert.equal(limited.reports.at(0).verticesLimited, 3);
+  assert.deepEqual([...body.getPositions()], strand(2));
+  assert.deepEqual([...environment.getPoints()], corners);
+  const { report, reports } = scene.deform(raised(2), { bodies: [body], targets });
+  assert.equal(report.outcome, dsw.DeformOutcome.Fraction);
+  assert.equal(reports.at(0).verticesLimited, 0);
+});
+
 test('wrong moves together are refused', () => {
   const { scene } = makeRoom();
   const body = scene.createBody(strand(2), edges);

@@ -79,6 +79,20 @@ def test_a_strand_rises_with_the_floor(room: ds.Scene) -> None:
     raised[0] = 7  # is no longer lent
 
 
+def test_the_work_limit(room: ds.Scene) -> None:
+    body = room.create_body(strand(2), EDGES)
+    raised, side = CORNERS.copy(), strand(5e-324)  # integers are long beside it
+    raised[:4, 2] = 2
+    asked = raised.copy()
+    report, reports = room.deform(raised, [body.id], side, ds.options(ds.DeformOptions, max_work=1))
+    assert report.outcome == ds.DeformOutcome.LIMITED and report.fraction == 0 and reports["vertices_limited"].tolist() == [3]
+    assert np.array_equal(body.positions(), strand(2)) and np.array_equal(raised, asked)
+    assert np.array_equal(room.environment.points(), CORNERS)
+    report, reports = room.deform(raised, [body.id], side)
+    assert report.outcome == ds.DeformOutcome.FRACTION and 0.4999999 < report.fraction <= 0.5
+    assert reports["vertices_limited"].tolist() == [0] and reports["vertices_stopped"].tolist() == [3]
+
+
 def test_what_is_wrong_is_refused(room: ds.Scene) -> None:
     body = room.create_body(strand(2), EDGES)
     for ids, targets, error in (

@@ -480,7 +480,7 @@ class Environment {
     const std::size_t count = read_count(self.handle, next, all);
     dsw_deform_report report = {};
     check(dsw_environment_deform(self.handle, next.data, count, &all, &report));
-    if (report.outcome != DSW_DEFORM_REFUSED) state_->lent = std::move(next.owner);
+    if (is_read(self.handle, next)) state_->lent = std::move(next.owner);
     return report;
   }
   Array<dsw_wall_contact> get_wall_contacts() const {

@@ -135,6 +135,14 @@ inline std::size_t read_count(const dsw_environment *environment, const Lent &ne
   if (next.count > count) options.point_room = next.count;
   return std::min(next.count, count);
 }
+
+/** Whether a deformation has made an array what the environment reads. */
+inline bool is_read(const dsw_environment *environment, const Lent &next) {
+  const double *now = nullptr;
+  std::size_t count = 0;
+  check(dsw_environment_get_points(environment, &now, &count));
+  return now == next.data;
+}
 #endif
 
 /** What get(&pointer, &count) lends, copied while the lock is held. */

@@ -241,7 +241,8 @@ class Scene {
     dsw_deform_report report = {};
     check(dsw_scene_deform(self.handle, next.data, count, bodies.data, bodies.count, targets.data,
                            targets.count, targets.stride_bytes, &all, &report, reports.data));
-    if (report.outcome != DSW_DEFORM_REFUSED) state_->environment->lent = std::move(next.owner);
+    auto &environment = *state_->environment;
+    if (is_read(environment.handle, next)) environment.lent = std::move(next.owner);
     return report;
   }
 

@@ -263,7 +263,7 @@ class Scene:
         """Takes the environment to new positions of its vertices and bodies to their targets, all at once, up to the first contact; with
         Feature.DEFORMING. Returns the report of the environment and one for each body.
 
-        positions: an array that is lent, as Environment.deform describes. options: only point_room counts.
+        positions: an array that is lent, as Environment.deform describes. options: point_room and max_work count.
         """
         reports = np.empty(0 if bodies is None else len(bodies), dtypes.MOVE_REPORT)
         return self._core.deform(positions, bodies, targets, options, reports), reports

@@ -91,6 +91,24 @@ class TogetherTest {
   }
 
   @Test
+  void atTheWorkLimitNothingMoves() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
+      Body body = scene.createBody(strand(2, 1), EDGES);
+      MoveReportArray reports = new MoveReportArray(1);
+      DoubleBuffer side = DoubleBuffer.wrap(strand(Double.MIN_VALUE, 1)); // integers are long beside it
+      DeformOptions options = new DeformOptions();
+      options.setMaxWork(1);
+      DeformReport report = scene.deform(DoubleBuffer.wrap(room(2)), idsOf(body), side, options, reports);
+      assertEquals(DeformOutcome.LIMITED, report.getOutcome());
+      assertEquals(3, reports.get(0).getVerticesLimited());
+      assertArrayEquals(strand(2, 1), body.getPositions());
+      report = scene.deform(DoubleBuffer.wrap(room(2)), idsOf(body), side, null, reports);
+      assertEquals(DeformOutcome.FRACTION, report.getOutcome());
+      assertEquals(0, reports.get(0).getVerticesLimited());
+    }
+  }
+
+  @Test
   void whatIsWrongIsRefused() {
     try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
       Body body = scene.createBody(strand(2, 1), EDGES);
