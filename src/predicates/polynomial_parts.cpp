@@ -22,13 +22,6 @@ void divide_step(Polynomial& a, const Polynomial& b, Integer* factor) {
   a.trim();
 }
 
-// p(x) * 2^(degree * shift).
-Integer value_at(const Polynomial& p, const Dyadic& x) {
-  Integer sum = p.c[p.degree];
-  for (int i = p.degree - 1; i >= 0; --i) sum = sum * x.numerator + shifted(p.c[i], x.shift * (p.degree - i));
-  return sum;
-}
-
 // Near to the root between low and high; `rising` says how p's sign changes there. Newton's method, with bisection where a
 // step leaves the interval.
 double guess_root(const Rounded& p, double low, double high, bool rising) noexcept {
@@ -99,6 +92,12 @@ Polynomial divide(Polynomial& a, const Polynomial& b) {
     divide_step(a, b, &r.c[at]);
   }
   return r;
+}
+
+Integer value_at(const Polynomial& p, const Dyadic& x) {
+  Integer sum = p.c[p.degree];
+  for (int i = p.degree - 1; i >= 0; --i) sum = sum * x.numerator + shifted(p.c[i], x.shift * (p.degree - i));
+  return sum;
 }
 
 int sign_at(const Polynomial& p, const Dyadic& x) {

@@ -21,6 +21,9 @@ Polynomial divide(Polynomial& a, const Polynomial& b);
 
 int sign_at(const Polynomial& p, const Dyadic& x);
 
+// p(x) * 2^(degree * shift). p is not 0.
+Integer value_at(const Polynomial& p, const Dyadic& x);
+
 // Sign of p a little after x.
 int sign_after(IntegerPool& pool, const Polynomial& p, const Dyadic& x);
 
