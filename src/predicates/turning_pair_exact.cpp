@@ -103,10 +103,26 @@ class ExactPoints {
   Lowest low_;
 };
 
+// Whether doubles say that a quaternion is never 0: its ends point to one side, or not along one line.
+template <int D>
+bool surely_turns(const TurningWay& way) noexcept {
+  double first = 0, last = 0, between = 0, size = 0;
+  for (int k = D == 3 ? 0 : 2; k < 4; ++k) {
+    const double a = way.turn[0][k], b = way.turn[1][k];
+    first += a * a;
+    last += b * b;
+    between += a * b;
+    size += std::fabs(a * b);
+  }
+  if (!(first >= 0x1p-400 && first <= 0x1p400 && last >= 0x1p-400 && last <= 0x1p400)) return false;
+  return between > 0x1p-48 * size || first * last - between * between > 0x1p-44 * (first * last);
+}
+
 }  // namespace
 
 template <int D>
 bool has_turn(const TurningWay& way) {
+  if (surely_turns<D>(way)) return true;
   IntegerPool pool;
   const auto q = quaternion<D>(pool, way);
   const Polynomial n = turning::turn_of(q).n;

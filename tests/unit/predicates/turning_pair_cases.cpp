@@ -200,7 +200,7 @@ void nudge(Random& random, TurningCase<D>& c) {
                     : which == 1 ? &way.turn[random.below(2)][3 - k]
                                  : &way.place[random.below(2)][k];
   const double before = *x;
-  *x = std::nextafter(before, random.below(2) == 0 ? 1e9 : -1e9);
+  *x = before == 0 && random.below(8) != 0 ? 0x1p-53 : std::nextafter(before, random.below(2) == 0 ? 1e9 : -1e9);
   if (!is_allowed<D>(way)) *x = before;
 }
 
