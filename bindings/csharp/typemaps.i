@@ -33,6 +33,7 @@
 %rename(Count) dartsweep::Marked::marked; // not the name of its class
 %rename(CellOf) dartsweep::cell_of;
 %rename(SweepPairs) dartsweep::sweep_pairs;
+%rename(SweepRigidPairs) dartsweep::sweep_rigid_pairs;
 %rename(Version) dsw_version;
 %ignore dsw_status_string;
 %rename(RaiseStatus) dartsweep::raise_status;

@@ -12,6 +12,7 @@
 %rename("%(lowercamelcase)s", %$isvariable) "";
 %rename(cellOf) dartsweep::cell_of;
 %rename(sweepPairs) dartsweep::sweep_pairs;
+%rename(sweepRigidPairs) dartsweep::sweep_rigid_pairs;
 %rename(statusString) dsw_status_string;
 %rename(raiseStatus) dartsweep::raise_status;
 %javamethodmodifiers dartsweep::raise_status "final"; // of the package: for its tests

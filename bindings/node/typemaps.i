@@ -14,6 +14,7 @@
 %rename(statusString) dsw_status_string;
 %rename(raiseStatus) dartsweep::raise_status;
 %rename(sweepPairs) dartsweep::sweep_pairs;
+%rename(sweepRigidPairs) dartsweep::sweep_rigid_pairs;
 %rename(createBodyId) dartsweep::Scene::create_body;
 %ignore dartsweep::cell_of;
 

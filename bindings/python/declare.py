@@ -26,7 +26,7 @@ BASES = {  # of exceptions: built-in ones of that meaning
 LEFT_OUT = {"ENVIRONMENT_BORROW_POINTS", "RECORDING_BUG_REPORT"}  # flags that calls of Python can't have
 LONG = {  # calls that follow the size of arrays or meshes, though their functions of C do not, or not always
     "Body::set_level", "Environment::close", "Environment::get_change", "Environment::get_points", "Environment::info", "Scene::Scene",
-    "Scene::close", "sweep_pairs",
+    "Scene::close", "sweep_pairs", "sweep_rigid_pairs",
 }
 SHORT = {  # calls that are shorter than it would take to let others run, though not O(1)
     "Body::add_edge", "Body::add_face", "Body::add_vertex", "Body::collapse_edge", "Body::get_edge_ids", "Body::get_edge_indices",
@@ -140,7 +140,7 @@ def stub(struct: Struct) -> str:
 costs = {f"{owner}::{method.name}": [headers.cost(function) for function in method.functions]
          for owner in ("Environment", "Scene", "Body", "Trace") for method in headers.methods_of(owner)}
 is_long = {name for name, each in costs.items() if not all(cost.startswith("O(1)") for cost in each)}
-unknown = (LONG | SHORT) - set(costs) - {"sweep_pairs"}
+unknown = (LONG | SHORT) - set(costs) - {"sweep_pairs", "sweep_rigid_pairs"}
 assert not unknown, f"there is no {unknown}"
 (interface / "long_calls.i").write_text(
     f"// {MADE}\n" + "".join(f"DSW_LONG({name})\n" for name in sorted(is_long - SHORT | LONG)))

@@ -1,6 +1,6 @@
 /** @file pairs.h
  * Continuous collision detection of single pairs, without an environment or a scene. All points of
- * a pair move at once, each straight and steadily. Answers are exact for all finite doubles, also
+ * a pair move at once: straight and steadily, or rigidly. Answers are exact for all finite doubles, also
  * if features are parallel or have no extent. There is no shift (base.h): features that only touch
  * do touch. More: bindings/docs/pairs.md.
  */
@@ -35,7 +35,7 @@ typedef struct dsw_pair_touch {
   uint32_t rank;
 } dsw_pair_touch;
 
-/** Flags of dsw_sweep_pairs. */
+/** Flags of both functions. */
 enum {
   /** Also finds the ranks. */
   DSW_PAIRS_RANK = 0x1
@@ -54,6 +54,20 @@ enum {
 DSW_API dsw_status dsw_sweep_pairs(const dsw_context *context, uint32_t dimension, size_t count,
                                    const uint8_t *kinds, const double *from, const double *to,
                                    size_t stride_bytes, uint32_t flags, dsw_pair_touch *touches);
+
+/** dsw_sweep_pairs for features that may turn.
+ * @param to null: features without a motion stand.
+ * @param motions each 17 numbers: quaternions x, y, z, w at times 0 and 1, `centre`, and its places at
+ * both times. Quaternion and place go straight; points of `from` turn about `centre`, exactly
+ * rigidly, whatever the quaternion's length.
+ * @param indices two for each pair: motions of its features; UINT32_MAX: none.
+ * @return OUT_OF_RANGE: also a quaternion that is 0 at some time, or leaves the plane. @since 2.1 */
+DSW_API dsw_status dsw_sweep_rigid_pairs(const dsw_context *context, uint32_t dimension,
+                                         size_t count, const uint8_t *kinds, const double *from,
+                                         const double *to, size_t stride_bytes,
+                                         const double *motions, size_t motion_count,
+                                         const uint32_t *indices, uint32_t flags,
+                                         dsw_pair_touch *touches);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,7 @@
 #include "dartsweep/pairs.h"
 
+#include <cmath>
+
 #include "capi/handle.h"
 #include "query/moving_pairs.h"
 
@@ -21,12 +23,49 @@ void check_kinds(uint32_t dimension, const uint8_t* kinds, size_t count) {
   }
 }
 
-}  // namespace
+constexpr size_t kNumbersOfMotion = 17;
 
-dsw_status dsw_sweep_pairs(const dsw_context* context, uint32_t dimension, size_t count, const uint8_t* kinds,
-                           const double* from, const double* to, size_t stride_bytes, uint32_t flags,
-                           dsw_pair_touch* touches) {
-  return capi::guard(__func__, [&] {
+/** Refuses what is not finite, what leaves the plane, and quaternions that are 0 at some time. */
+void check_motions(uint32_t dimension, const double* motions, size_t count) {
+  static_assert(sizeof(dsw::TurningWay) == kNumbersOfMotion * sizeof(double), "a motion is read where it is");
+  constexpr size_t kOffPlane[] = {0, 1, 4, 5, 10, 13, 16};
+  for (size_t i = 0; i < count; ++i) {
+    const double* const motion = motions + kNumbersOfMotion * i;
+    for (size_t k = 0; k < kNumbersOfMotion; ++k) {
+      if (!std::isfinite(motion[k])) {
+        fail(DSW_STATUS_NON_FINITE, "motions[%zu][%zu] is %g, must be finite", i, k, motion[k]);
+      }
+    }
+    for (const size_t k : kOffPlane) {
+      if (dimension == 3 || motion[k] == 0) continue;
+      fail(DSW_STATUS_OUT_OF_RANGE, "motions[%zu][%zu] is %g, must be 0 in the plane", i, k, motion[k]);
+    }
+    const dsw::TurningWay& way = reinterpret_cast<const dsw::TurningWay*>(motions)[i];
+    if (dimension == 2 ? dsw::has_turn<2>(way) : dsw::has_turn<3>(way)) continue;
+    fail(DSW_STATUS_OUT_OF_RANGE, "motions[%zu] has a quaternion that is 0 at some time", i);
+  }
+}
+
+void check_indices(const uint32_t* indices, size_t count, size_t motion_count) {
+  for (size_t i = 0; i < count; ++i) {
+    if (indices[i] == dsw::kNoMotion || indices[i] < motion_count) continue;
+    fail(DSW_STATUS_OUT_OF_RANGE, "indices[%zu] is %u, must be below %zu or UINT32_MAX", i, indices[i], motion_count);
+  }
+}
+
+/** What both functions are given. */
+struct Arguments {
+  const dsw_context* context;
+  uint32_t dimension;
+  size_t count;
+  const uint8_t* kinds;
+  const double *from, *to;
+  size_t stride_bytes;
+  uint32_t flags;
+  dsw_pair_touch* touches;
+  dsw::PointArray starts, ends;
+
+  void check() {
     if (context != nullptr) capi::check_handle(context);
     if (dimension != 2 && dimension != 3) fail(DSW_STATUS_OUT_OF_RANGE, "dimension is %u, must be 2 or 3", dimension);
     if (count > kMostPairs) fail(DSW_STATUS_TOO_LARGE, "count is %zu, must be at most %zu", count, kMostPairs);
@@ -34,12 +73,43 @@ dsw_status dsw_sweep_pairs(const dsw_context* context, uint32_t dimension, size_
     dsw::check_flags(flags, DSW_PAIRS_RANK, "flags");
     const int D = static_cast<int>(dimension);
     const size_t point_count = count * (dimension + 1);
-    const dsw::PointArray starts = dsw::to_finite_points(D, from, point_count, stride_bytes, "from"),
-                          ends = dsw::to_finite_points(D, to, point_count, stride_bytes, "to");
+    starts = dsw::to_finite_points(D, from, point_count, stride_bytes, "from");
+    ends = dsw::to_finite_points(D, to, point_count, stride_bytes, "to");
     dsw::require_array(touches, count, "touches");
     check_kinds(dimension, kinds, count);
-    const dsw::Parallel parallel = context == nullptr ? dsw::Parallel{} : context->parallel;
+  }
+
+  dsw::Parallel parallel() const { return context == nullptr ? dsw::Parallel{} : context->parallel; }
+  bool has_ranks() const noexcept { return (flags & DSW_PAIRS_RANK) != 0; }
+};
+
+}  // namespace
+
+dsw_status dsw_sweep_pairs(const dsw_context* context, uint32_t dimension, size_t count, const uint8_t* kinds,
+                           const double* from, const double* to, size_t stride_bytes, uint32_t flags,
+                           dsw_pair_touch* touches) {
+  return capi::guard(__func__, [&] {
+    Arguments a{context, dimension, count, kinds, from, to, stride_bytes, flags, touches, {}, {}};
+    a.check();
     const auto sweep = dimension == 2 ? dsw::sweep_pairs<2> : dsw::sweep_pairs<3>;
-    sweep(capi::memory_of(context), parallel, count, kinds, starts, ends, (flags & DSW_PAIRS_RANK) != 0, touches);
+    sweep(capi::memory_of(context), a.parallel(), count, kinds, a.starts, a.ends, a.has_ranks(), touches);
+  });
+}
+
+dsw_status dsw_sweep_rigid_pairs(const dsw_context* context, uint32_t dimension, size_t count, const uint8_t* kinds,
+                                 const double* from, const double* to, size_t stride_bytes, const double* motions,
+                                 size_t motion_count, const uint32_t* indices, uint32_t flags,
+                                 dsw_pair_touch* touches) {
+  return capi::guard(__func__, [&] {
+    Arguments a{context,      dimension, count,   kinds, from, to == nullptr ? from : to,
+                stride_bytes, flags,     touches, {},    {}};
+    a.check();
+    dsw::require_array(motions, motion_count, "motions");
+    dsw::require_array(indices, count, "indices");
+    check_motions(dimension, motions, motion_count);
+    check_indices(indices, 2 * count, motion_count);
+    const auto sweep = dimension == 2 ? dsw::sweep_rigid_pairs<2> : dsw::sweep_rigid_pairs<3>;
+    sweep(capi::memory_of(context), a.parallel(), count, kinds, a.starts, a.ends,
+          reinterpret_cast<const dsw::TurningWay*>(motions), indices, a.has_ranks(), touches);
   });
 }

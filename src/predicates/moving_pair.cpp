@@ -7,32 +7,19 @@ namespace dsw {
 
 namespace {
 
-void add(const IntegerPool& pool, PairWork* work) {
-  if (work == nullptr) return;
-  work->done += pool.products;
-  if (work->done > work->most) throw WorkOver();
+template <int D>
+auto find_of(const MovingPair<D>& pair) {
+  return [&pair](IntegerPool& pool, Root* first) { return ExactPair<D>(pool, pair).find_first(first); };
 }
 
 template <int D>
 DSW_COLD FirstTouch first_touch_by_integers(const MovingPair<D>& pair, PairWork* work) {
-  IntegerPool pool;
-  ExactPair<D> exact(pool, pair);
-  Root first;
-  const bool touches = exact.find_first(&first);
-  add(pool, work);
-  if (!touches) return {false, 0};
-  return {true, first.floor, first.is_floor};
+  return exact_touch::first_touch(find_of(pair), work);
 }
 
 template <int D>
 DSW_COLD int compare_by_integers(const MovingPair<D>& a, const MovingPair<D>& b, PairWork* work) {
-  IntegerPool pool;
-  Root first[2];
-  ExactPair<D>(pool, a).find_first(&first[0]);
-  ExactPair<D>(pool, b).find_first(&first[1]);
-  const int order = compare(first[0], first[1]);
-  add(pool, work);
-  return order;
+  return exact_touch::compare_first_touches(find_of(a), find_of(b), work);
 }
 
 template <int D>

@@ -1,9 +1,6 @@
 // The first touch of a moving pair by doubles, where their errors leave one answer. Private to this folder.
 //
-// The volume of the points is a polynomial in time, and so are the areas that say whether points in one plane touch
-// (moving_pair_exact.h). All are kept by their coefficients in the basis of Bernstein: the values lie between the least
-// and the greatest coefficient. Time is halved until each piece is decided: the volume keeps its sign, or the areas say
-// that the pair is apart, or the volume has one root. This root is refined.
+// The volume of the points is of degree 3 in time, and the areas that say whether points in one plane touch are of degree 2.
 //
 // Errors. Let u = 2^-53 and let m_k be the largest component k of the rounded differences, M = mx my mz.
 //   - A determinant of three differences errs by 50u M (filter_bounds.h), the mean of three by 66u M. It is at most 6 M.
@@ -19,11 +16,9 @@
 // With m_k in [2^-140, 2^160] nothing over- or underflows that counts.
 #pragma once
 
-#include "predicates/moving_pair.h"
+#include "predicates/touch_search.h"
 
 namespace dsw {
-
-enum class Filtered { kApart, kTouches, kUnknown };
 
 // For kTouches, *time is that of FirstTouch.
 template <int D>

@@ -2,109 +2,16 @@
 
 #include <utility>
 
+#include "predicates/polynomial_parts.h"
+
 namespace dsw {
+
+using namespace polynomials;
 
 namespace {
 
 using integers::bits_of;
 using integers::of_bits;
-
-int compare(const Dyadic& a, const Dyadic& b) {
-  const int low = a.shift < b.shift ? a.shift : b.shift;
-  return (shifted(a.numerator, b.shift - low) - shifted(b.numerator, a.shift - low)).sign();
-}
-
-Dyadic dyadic_of(IntegerPool& pool, double x) {
-  const integers::Decoded d = integers::decode(x);
-  if (d.magnitude == 0) return {};
-  const int zeros = static_cast<int>(lowest_bit(d.magnitude));
-  const int exponent = d.exponent + zeros - 1075;
-  return {integer_of(pool, d.magnitude >> zeros), -exponent};
-}
-
-Polynomial derivative(IntegerPool& pool, const Polynomial& p) {
-  Polynomial r;
-  r.degree = p.degree < 0 ? -1 : p.degree - 1;
-  for (int i = 0; i <= r.degree; ++i) r.c[i] = p.c[i + 1] * integer_of(pool, static_cast<std::uint64_t>(i + 1));
-  return r;
-}
-
-// One step of a division: a positive multiple of a, less a multiple of b, of lower degree than a.
-void divide_step(Polynomial& a, const Polynomial& b, Integer* factor) {
-  const int gap = a.degree - b.degree;
-  Integer lead = b.c[b.degree];
-  *factor = lead.negative ? -a.c[a.degree] : a.c[a.degree];
-  lead.negative = false;
-  for (int i = 0; i < a.degree; ++i) {
-    a.c[i] = a.c[i] * lead;
-    if (i >= gap) a.c[i] = a.c[i] - *factor * b.c[i - gap];
-  }
-  --a.degree;
-  a.trim();
-}
-
-// A positive multiple of the remainder of a by b.
-Polynomial remainder(Polynomial a, const Polynomial& b) {
-  Integer factor;
-  while (a.degree >= b.degree) divide_step(a, b, &factor);
-  return a;
-}
-
-// A positive multiple of a / b, and of the remainder, which takes the place of a.
-Polynomial divide(Polynomial& a, const Polynomial& b) {
-  Polynomial r;
-  r.degree = a.degree - b.degree;
-  Integer lead = b.c[b.degree];
-  lead.negative = false;
-  while (a.degree >= b.degree) {
-    const int at = a.degree - b.degree;
-    for (int i = 0; i <= r.degree; ++i) r.c[i] = r.c[i] * lead;
-    divide_step(a, b, &r.c[at]);
-  }
-  return r;
-}
-
-// p(x) * 2^(degree * shift).
-Integer value_at(const Polynomial& p, const Dyadic& x) {
-  Integer sum = p.c[p.degree];
-  for (int i = p.degree - 1; i >= 0; --i) sum = sum * x.numerator + shifted(p.c[i], x.shift * (p.degree - i));
-  return sum;
-}
-
-int sign_at(const Polynomial& p, const Dyadic& x) {
-  if (p.degree < 0) return 0;
-  if (x.numerator.sign() == 0) return p.c[0].sign();
-  const IntegerPool::Scope scope(*x.numerator.pool);
-  return value_at(p, x).sign();
-}
-
-// Sign of p a little after x.
-int sign_after(IntegerPool& pool, const Polynomial& p, const Dyadic& x) {
-  const IntegerPool::Scope scope(pool);
-  Polynomial q = p;
-  int sign = sign_at(q, x);
-  while (sign == 0 && q.degree > 0) {
-    q = derivative(pool, q);
-    sign = sign_at(q, x);
-  }
-  return sign;
-}
-
-// The sign of p between two times in [0,1], if p's slope is too small to change it; else 0.
-int clear_sign(IntegerPool& pool, const Polynomial& p, const Dyadic& low, const Dyadic& high) {
-  Integer slope;
-  for (int i = 1; i <= p.degree; ++i) {
-    Integer part = p.c[i] * integer_of(pool, static_cast<std::uint64_t>(i));
-    part.negative = false;
-    slope = slope + part;
-  }
-  Integer value = value_at(p, low);
-  const int sign = value.sign();
-  value.negative = false;
-  const int shift = low.shift > high.shift ? low.shift : high.shift;
-  const Integer width = shifted(high.numerator, shift - high.shift) - shifted(low.numerator, shift - low.shift);
-  return (shifted(value, shift) - shifted(slope * width, low.shift * p.degree)).sign() > 0 ? sign : 0;
-}
 
 // Sign of p at the zero of a polynomial of degree 1.
 int sign_at_zero(const Polynomial& p, const Polynomial& line) {
@@ -152,58 +59,6 @@ struct SturmSequence {
     return number;
   }
 };
-
-// A polynomial in doubles, times a power of two: the largest coefficient is near 1.
-struct Rounded {
-  int degree;
-  double c[6];
-
-  explicit Rounded(const Polynomial& p) noexcept : degree(p.degree) {
-    int most = 0;
-    for (int i = 0; i <= degree; ++i) {
-      const int length = p.c[i].bit_length();
-      most = length > most ? length : most;
-    }
-    for (int i = 0; i <= degree; ++i) c[i] = p.c[i].scaled(most);
-  }
-
-  // The sign at all times between t and the next double, or 0 if it is not sure. A coefficient has an error of 2u, a step
-  // of Horner's rule 2u, and t itself 2u, once for each power; 2^-1000 pays for underflow.
-  int sure_sign(double t) const noexcept {
-    double sum = c[degree];
-    double size = std::fabs(sum);
-    for (int i = degree - 1; i >= 0; --i) {
-      sum = sum * t + c[i];
-      size = size * t + std::fabs(c[i]);
-    }
-    const double bound = size * 0x1p-48 + 0x1p-1000;
-    return sum > bound ? 1 : sum < -bound ? -1 : 0;
-  }
-};
-
-// Near to the root between low and high; `rising` says how p's sign changes there. Newton's method, with bisection where a
-// step leaves the interval.
-double guess_root(const Rounded& p, double low, double high, bool rising) noexcept {
-  double t = 0.5 * (low + high);
-  for (int i = 0; i < 60 && low < t && t < high; ++i) {
-    double sum = p.c[p.degree];
-    double slope = 0;
-    for (int k = p.degree - 1; k >= 0; --k) {
-      slope = slope * t + sum;
-      sum = sum * t + p.c[k];
-    }
-    if (sum == 0) break;
-    if ((sum > 0) == rising) {
-      high = t;
-    } else {
-      low = t;
-    }
-    const double next = t - sum / slope;
-    if (std::fabs(next - t) <= 0x1p-53 * t) break;
-    t = next > low && next < high ? next : 0.5 * (low + high);
-  }
-  return t;
-}
 
 // The blossom of p at a, ..., a, b, times a positive number: a coefficient of p in the basis of Bernstein over [a, b]. The degree
 // is 2 or 3.
@@ -343,48 +198,20 @@ class RootFinder {
     }
     if (sign_at(p_, high) == 0) {
       const bool is_next = compare(high, dyadic_of(pool_, next)) == 0;
-      add_exact(high, is_next ? next : floor);
-      roots_[found_ - 1].is_floor = is_next;
+      roots_[found_++] = exact_root(p_, high, is_next ? next : floor, is_next);
     } else {
       add(low, high, floor);
     }
   }
 
-  static Dyadic half_way(const Dyadic& a, const Dyadic& b) {
-    const int shift = a.shift > b.shift ? a.shift : b.shift;
-    return {shifted(a.numerator, shift - a.shift) + shifted(b.numerator, shift - b.shift), shift + 1};
-  }
-
   // The root with low < root <= high, between two neighbouring doubles.
   void refine(double low, double high) {
-    const int sign_low = sign_after(pool_, p_, dyadic_of(pool_, low));
-    std::uint64_t a = bits_of(low), b = bits_of(high);
-    if (sign_of(high) == 0) return add_exact(dyadic_of(pool_, high), high);
-    std::uint64_t at = bits_of(guess_root(rounded_, low, high, sign_low < 0));
-    for (std::uint64_t step = 1; b - a > 1; step *= 2) {
-      if (at <= a || at >= b) at = a + (b - a) / 2;
-      const int sign = sign_of(of_bits(at));
-      if (sign == 0) return add_exact(dyadic_of(pool_, of_bits(at)), of_bits(at));
-      if (sign == sign_low) {
-        a = at;
-        at += step;
-      } else {
-        b = at;
-        at -= step < at ? step : at;
-      }
-    }
-    add(dyadic_of(pool_, of_bits(a)), dyadic_of(pool_, of_bits(b)), of_bits(a));
+    const Dyadic first = dyadic_of(pool_, low), last = dyadic_of(pool_, high);
+    if (sign_at(p_, last) == 0) return add_exact(last, high);
+    roots_[found_++] = refined_root(pool_, p_, rounded_, first, last, low, high);
   }
 
-  int sign_of(double t) const {
-    const IntegerPool::Scope scope(pool_);
-    return sign_at(p_, dyadic_of(pool_, t));
-  }
-
-  void add_exact(const Dyadic& at, double floor) {
-    add(at, at, floor);
-    roots_[found_ - 1].is_low = roots_[found_ - 1].is_floor = true;
-  }
+  void add_exact(const Dyadic& at, double floor) { roots_[found_++] = exact_root(p_, at, floor, true); }
   void add(const Dyadic& low, const Dyadic& high, double floor) {
     Root& root = roots_[found_++];
     root.of = p_;
@@ -403,6 +230,8 @@ class RootFinder {
 };
 
 IntegerPool& pool_of(const Polynomial& p) noexcept { return *p.c[p.degree].pool; }
+
+using polynomials::compare;
 
 // Sign of root - x.
 int compare(const Root& root, const Dyadic& x) {
@@ -451,8 +280,9 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   return r;
 }
 
-int find_roots(IntegerPool& pool, const Polynomial& p, Root (&roots)[3]) {
+int find_roots(IntegerPool& pool, const Polynomial& p, Root (&roots)[Polynomial::kMostDegree]) {
   if (p.degree == 0) return 0;
+  if (p.degree > 3) return find_roots_by_halving(pool, p, roots);
   RootFinder by_signs(pool, p, roots);
   if (by_signs.find_by_signs()) return by_signs.found();
   const SturmSequence sturm(p, derivative(pool, p));
@@ -479,6 +309,7 @@ int sign_at(const Polynomial& p, const Root& root) {
   const IntegerPool::Scope scope(pool);
   const int clear = clear_sign(pool, p, root.low, root.high);
   if (clear != 0) return clear;
+  if (p.degree > 3 || root.of.degree > 3) return sign_by_divisor(pool, p, root);
   const Polynomial rest = p.degree < root.of.degree ? p : remainder(p, root.of);
   if (rest.degree < 2) return sign_of_line(pool, rest, root);
   // `of` is the line times `rest`, and a remainder. It is 0 at the root.

@@ -38,8 +38,8 @@ struct Root {
   bool is_floor = false;  // whether it is the root
 };
 
-// Roots in [0,1] of a polynomial of degree 0 to 3, ascending. Returns their number.
-int find_roots(IntegerPool& pool, const Polynomial& p, Root (&roots)[3]);
+// Roots in [0,1] of a polynomial that is not 0, ascending. Returns their number.
+int find_roots(IntegerPool& pool, const Polynomial& p, Root (&roots)[Polynomial::kMostDegree]);
 
 // The root 0, of any polynomial.
 Root root_at_start();

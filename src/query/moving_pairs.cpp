@@ -6,7 +6,7 @@
 
 #include "base/batch.h"
 #include "base/dimensions.h"
-#include "predicates/moving_pair.h"
+#include "predicates/turning_pair.h"
 
 namespace dsw {
 namespace {
@@ -28,6 +28,29 @@ struct Pairs {
   }
 };
 
+/** Pairs of features that may turn. */
+template <int D>
+struct RigidPairs {
+  const uint8_t* kinds;
+  PointArray from, to;
+  const TurningWay* ways;
+  const uint32_t* motions;  // two for each pair
+
+  TurningPair<D> operator[](size_t pair) const {
+    TurningPair<D> turning;
+    turning.kind = static_cast<PairKind>(kinds[pair]);
+    for (size_t k = 0; k <= D; ++k) {
+      turning.start[k] = from[(D + 1) * pair + k];
+      turning.end[k] = to[(D + 1) * pair + k];
+    }
+    for (size_t side = 0; side < 2; ++side) {
+      const uint32_t motion = motions[2 * pair + side];
+      turning.way[side] = motion == kNoMotion ? nullptr : ways + motion;
+    }
+    return turning;
+  }
+};
+
 /** A pair to be ranked, and whether its time is exact. */
 struct Ranked {
   uint32_t pair;
@@ -35,14 +58,14 @@ struct Ranked {
 };
 
 /** `ranked`: all pairs, in their order, or none. */
-template <int D>
-void find_touches(const Pairs<D>& pairs, const Parallel& parallel, size_t count, dsw_pair_touch* touches,
+template <class Pairs>
+void find_touches(const Pairs& pairs, const Parallel& parallel, size_t count, dsw_pair_touch* touches,
                   Array<Ranked>& ranked) {
   std::atomic<bool> out_of_memory{false};
   auto body = [&](size_t begin, size_t end) noexcept {
     try {
       for (size_t i = begin; i < end; ++i) {
-        const FirstTouch touch = first_touch<D>(pairs[i]);
+        const FirstTouch touch = first_touch(pairs[i]);
         touches[i] = {touch.time, touch.touches ? 1u : 0u, 0};
         if (!ranked.empty()) ranked[i] = {static_cast<uint32_t>(i), touch.is_exact};
       }
@@ -54,13 +77,13 @@ void find_touches(const Pairs<D>& pairs, const Parallel& parallel, size_t count,
   if (out_of_memory) throw std::bad_alloc();
 }
 
-template <int D>
-void find_ranks(const Pairs<D>& pairs, Array<Ranked>& ranked, size_t count, dsw_pair_touch* touches) {
+template <class Pairs>
+void find_ranks(const Pairs& pairs, Array<Ranked>& ranked, size_t count, dsw_pair_touch* touches) {
   const auto is_apart = [&](const Ranked& each) { return touches[each.pair].touches == 0; };
   ranked.erase(std::remove_if(ranked.begin(), ranked.end(), is_apart), ranked.end());
   const auto compare = [&](const Ranked& a, const Ranked& b) {
     const FirstTouch of_a{true, touches[a.pair].time, a.is_exact}, of_b{true, touches[b.pair].time, b.is_exact};
-    return compare_first_touches<D>(pairs[a.pair], of_a, pairs[b.pair], of_b);
+    return compare_first_touches(pairs[a.pair], of_a, pairs[b.pair], of_b);
   };
   std::sort(ranked.begin(), ranked.end(), [&](const Ranked& a, const Ranked& b) { return compare(a, b) < 0; });
   const auto touching = static_cast<uint32_t>(ranked.size());
@@ -71,17 +94,31 @@ void find_ranks(const Pairs<D>& pairs, Array<Ranked>& ranked, size_t count, dsw_
   }
 }
 
-}  // namespace
-
-template <int D>
-void sweep_pairs(const Memory* memory, const Parallel& parallel, size_t count, const uint8_t* kinds, PointArray from,
-                 PointArray to, bool with_ranks, dsw_pair_touch* touches) {
-  const Pairs<D> pairs{kinds, from, to};
+/** Fills touches. */
+template <class Pairs>
+void sweep_all(const Memory* memory, const Parallel& parallel, const Pairs& pairs, size_t count, bool with_ranks,
+               dsw_pair_touch* touches) {
   Array<Ranked> ranked(with_ranks ? count : 0, Ranked{}, memory);
   find_touches(pairs, parallel, count, touches, ranked);
   if (with_ranks) find_ranks(pairs, ranked, count, touches);
 }
 
+}  // namespace
+
+template <int D>
+void sweep_pairs(const Memory* memory, const Parallel& parallel, size_t count, const uint8_t* kinds, PointArray from,
+                 PointArray to, bool with_ranks, dsw_pair_touch* touches) {
+  sweep_all(memory, parallel, Pairs<D>{kinds, from, to}, count, with_ranks, touches);
+}
+
+template <int D>
+void sweep_rigid_pairs(const Memory* memory, const Parallel& parallel, size_t count, const uint8_t* kinds,
+                       PointArray from, PointArray to, const TurningWay* ways, const uint32_t* motions, bool with_ranks,
+                       dsw_pair_touch* touches) {
+  sweep_all(memory, parallel, RigidPairs<D>{kinds, from, to, ways, motions}, count, with_ranks, touches);
+}
+
 DSW_INSTANTIATE(sweep_pairs);
+DSW_INSTANTIATE(sweep_rigid_pairs);
 
 }  // namespace dsw

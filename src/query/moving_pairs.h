@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/points.h"
 #include "dartsweep/pairs.h"
+#include "predicates/turning_pair.h"
 
 namespace dsw {
 
@@ -12,5 +13,13 @@ namespace dsw {
 template <int D>
 void sweep_pairs(const Memory* memory, const Parallel& parallel, size_t count, const uint8_t* kinds, PointArray from,
                  PointArray to, bool with_ranks, dsw_pair_touch* touches);
+
+constexpr uint32_t kNoMotion = UINT32_MAX;
+
+/** Features that turn: `motions` are two for each pair, places in `ways` or kNoMotion. Throws std::bad_alloc. */
+template <int D>
+void sweep_rigid_pairs(const Memory* memory, const Parallel& parallel, size_t count, const uint8_t* kinds,
+                       PointArray from, PointArray to, const TurningWay* ways, const uint32_t* motions, bool with_ranks,
+                       dsw_pair_touch* touches);
 
 }  // namespace dsw

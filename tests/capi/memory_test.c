@@ -397,6 +397,7 @@ static void nearest_of_batches(void) {
 static void ranks_of_pairs(void) {
   enum { COUNT = 300 };
   static double from[9 * COUNT], to[9 * COUNT];
+  static uint32_t indices[2 * COUNT];
   static uint8_t kinds[COUNT];
   static dsw_pair_touch touches[COUNT];
   dsw_context *const context = make_context(&g_host);
@@ -405,6 +406,11 @@ static void ranks_of_pairs(void) {
   UNTIL_IT_SUCCEEDS(dsw_sweep_pairs(context, 2, COUNT, kinds, from, to, 0, DSW_PAIRS_RANK, touches), g_host.alive == 1,
                     refusals);
   CHECK(refusals == 1 && touches[COUNT - 1].touches == 1);
+  for (i = 0; i < 2 * COUNT; ++i) indices[i] = UINT32_MAX;
+  UNTIL_IT_SUCCEEDS(
+      dsw_sweep_rigid_pairs(context, 2, COUNT, kinds, from, to, 0, NULL, 0, indices, DSW_PAIRS_RANK, touches),
+      g_host.alive == 1, refusals);
+  CHECK(refusals == 1);
   end_context(context, &g_host);
 }
 

@@ -154,6 +154,92 @@ static void points_lie_a_stride_apart(void) {
   CHECK(is_touch(touch, 1.0 / 3));
 }
 
+/* Half a turn about z, from -y over x to y, and a wall where x is `far`. */
+static const double half_turn[17] = {0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+
+static dsw_pair_touch turn(unsigned dimension, double far, double end_of_wall, uint32_t second) {
+  double from[12] = {0, -5, 0, 0, -9, -9, 0, 9, -9, 0, 0, 15}, to[12];
+  const double planar[6] = {0, -5, 0, -9, 0, 9};
+  const uint8_t kind = dimension == 2 ? VERTEX_EDGE : VERTEX_FACE;
+  const uint32_t indices[2] = {0, second};
+  dsw_pair_touch touch;
+  size_t i;
+  if (dimension == 2) memcpy(from, planar, sizeof planar);
+  for (i = 1; i <= dimension; ++i) from[dimension * i] = far;
+  memcpy(to, from, sizeof to);
+  for (i = 1; i <= dimension; ++i) to[dimension * i] = end_of_wall;
+  memset(&touch, 0x55, sizeof touch);
+  CHECK_OK(dsw_sweep_rigid_pairs(NULL, dimension, 1, &kind, from, far == end_of_wall ? NULL : to, 0, half_turn, 1,
+                                 indices, 0, &touch));
+  return touch;
+}
+
+static void features_turn_on_arcs(void) {
+  const uint32_t none = UINT32_MAX;
+  unsigned dimension;
+  for (dimension = 2; dimension <= 3; ++dimension) {
+    CHECK(is_touch(turn(dimension, 5, 5, none), 0.5)); /* the arc grazes the wall */
+    CHECK(is_none(turn(dimension, nextafter(5, 6), nextafter(5, 6), none)));
+    CHECK(is_touch(turn(dimension, 3, 3, none), 0.25)); /* q = (0, 0, 1, 3) / 4 */
+    CHECK(is_none(turn(dimension, 9, 6, none)));
+    CHECK(is_touch(turn(dimension, 10, 0, none), 0.5)); /* it meets the wall that comes */
+    CHECK(is_none(turn(dimension, 2, 2, 0)));           /* both on one motion */
+  }
+}
+
+static void bad_motions_are_refused(void) {
+  double from[12], to[12], motion[17];
+  uint8_t kind = VERTEX_FACE, planar = VERTEX_EDGE;
+  uint32_t indices[2] = {0, UINT32_MAX};
+  dsw_pair_touch touch;
+  const fall f = {VERTEX_FACE, 0.25, -1};
+  put(f, from, to);
+  memcpy(motion, half_turn, sizeof motion);
+  memset(&touch, 0x55, sizeof touch);
+#define SWEEP(dimension, kind, from, motions, count, indices, touches) \
+  dsw_sweep_rigid_pairs(NULL, dimension, 1, kind, from, NULL, 0, motions, count, indices, 0, touches)
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SWEEP(3, &kind, NULL, motion, 1, indices, &touch));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SWEEP(3, &kind, from, NULL, 1, indices, &touch));
+  CHECK_MESSAGE("motions is null");
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SWEEP(3, &kind, from, motion, 1, NULL, &touch));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, SWEEP(3, &kind, from, motion, 1, indices, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, SWEEP(4, &kind, from, motion, 1, indices, &touch));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, SWEEP(2, &kind, from, motion, 1, indices, &touch));
+  indices[1] = 1;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, SWEEP(3, &kind, from, motion, 1, indices, &touch));
+  CHECK_MESSAGE("indices[1] is 1, must be below 1 or UINT32_MAX");
+  indices[1] = UINT32_MAX;
+  motion[12] = (double)NAN;
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, SWEEP(3, &kind, from, motion, 1, indices, &touch));
+  CHECK_MESSAGE("motions[0][12] is nan, must be finite");
+  motion[12] = 0;
+  motion[6] = 0;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, SWEEP(3, &kind, from, motion, 1, indices, &touch));
+  CHECK_MESSAGE("motions[0] has a quaternion that is 0 at some time");
+  motion[7] = -3; /* from 1 to -3 */
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, SWEEP(3, &kind, from, motion, 1, indices, &touch));
+  motion[4] = 1;
+  CHECK_OK(SWEEP(3, &kind, from, motion, 1, indices, &touch));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, SWEEP(2, &planar, from, motion, 1, indices, &touch));
+  CHECK_MESSAGE("motions[0][4] is 1, must be 0 in the plane");
+  CHECK_OK(dsw_sweep_rigid_pairs(NULL, 3, 0, NULL, NULL, NULL, 0, NULL, 0, NULL, DSW_PAIRS_RANK, NULL));
+#undef SWEEP
+}
+
+/* Without motions both functions say one thing. */
+static void straight_pairs_are_those_of_the_other_function(void) {
+  double from[24], to[24];
+  const uint8_t kinds[2] = {VERTEX_FACE, EDGE_EDGE};
+  const uint32_t indices[4] = {UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX};
+  const fall falls[2] = {{VERTEX_FACE, 0.25, -2 + 0x1p-52}, {EDGE_EDGE, 0.25, -2}};
+  dsw_pair_touch touches[2], others[2];
+  put(falls[0], from, to);
+  put(falls[1], from + 12, to + 12);
+  CHECK_OK(dsw_sweep_pairs(NULL, 3, 2, kinds, from, to, 0, DSW_PAIRS_RANK, touches));
+  CHECK_OK(dsw_sweep_rigid_pairs(NULL, 3, 2, kinds, from, to, 0, NULL, 0, indices, DSW_PAIRS_RANK, others));
+  CHECK(memcmp(touches, others, sizeof touches) == 0 && touches[0].rank == 1);
+}
+
 static void bad_arguments_change_nothing(void) {
   double from[24], to[24];
   uint8_t kinds[2] = {VERTEX_FACE, EDGE_EDGE}, planar[2] = {VERTEX_EDGE, VERTEX_EDGE};
@@ -263,6 +349,9 @@ int main(void) {
   pairs_without_extent_touch();
   ranks_are_exact();
   points_lie_a_stride_apart();
+  features_turn_on_arcs();
+  bad_motions_are_refused();
+  straight_pairs_are_those_of_the_other_function();
   bad_arguments_change_nothing();
   check_in("in the plane");
   batches_are_the_same_for_any_sharing(2);

@@ -154,6 +154,13 @@ TEST(Cpp, PairsAreSwept) {
   sweep_pairs(2, kind, flat_from, flat_to, touch);
   EXPECT_EQ(touch[0].time, 0.5);
   sweep_pairs(3, {}, {}, {}, {});
+  std::vector<double> motion(17);  // half a turn about z
+  motion[3] = motion[6] = 1;
+  const std::array<std::uint32_t, 2> indices = {0, UINT32_MAX};
+  const std::vector<double> wall = {0, -5, 3, -9, 3, 9};
+  sweep_rigid_pairs(2, kind, wall, {}, motion, indices, touch);
+  EXPECT_EQ(touch[0].time, 0.25);
+  EXPECT_THROW(sweep_rigid_pairs(2, kind, wall, {}, wall, indices, touch), WrongSize);
   EXPECT_THROW(sweep_pairs(2, kinds, flat_from, flat_to, touches), WrongSize);
   EXPECT_THROW(sweep_pairs(2, kind, from, to, touch), WrongSize);
   EXPECT_THROW(sweep_pairs(3, kinds, from, to, touch), WrongSize);

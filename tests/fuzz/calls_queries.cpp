@@ -249,6 +249,7 @@ dsw_status Calls::ask() {
   double inside[6];
   const double radius = std::fabs(bytes_.number());
   const uint8_t kind = static_cast<uint8_t>(cast.flags);
+  const uint32_t motions[] = {bytes_.below(3), UINT32_MAX};
   dsw_pair_touch touch;
   Answers answers;
   answers << dsw_environment_locate(e, from, starts[0], volumes, locations)
@@ -262,7 +263,9 @@ dsw_status Calls::ask() {
           << dsw_environment_find_nearest_to_segments(e, 2, starts, from, to, 0, radius, segments, nullptr, locations)
           << dsw_environment_find_inside(e, points, 2, 0, starts, radius, inside, volumes)
           << dsw_sweep_pairs(nullptr, static_cast<uint32_t>(dimension_), 1, &kind, from, to, 0, cast.max_volumes,
-                             &touch);
+                             &touch)
+          << dsw_sweep_rigid_pairs(nullptr, static_cast<uint32_t>(dimension_), 1, &kind, from, to, 0, points, 1,
+                                   motions, cast.max_volumes, &touch);
   return answers << copy_all<dsw_crossing>([&](dsw_crossing* out, size_t capacity, size_t* count) {
            return dsw_environment_cast_path(e, starts[0], from, to, &cast, out, capacity, count, flights);
          });

@@ -144,7 +144,22 @@ void ask_pairs(const dsw_context* context, uint32_t dimension, size_t count, Rng
     for (uint8_t& kind : kinds) kind = static_cast<uint8_t>(dimension == 2 ? 2u : rng.below(2));
     const double *const from = points.data(), *const to = from + points.size() / 2;
     tally.sum << dsw_sweep_pairs(context, dimension, kBatch, kinds, from, to, 0, DSW_PAIRS_RANK, touches) << touches;
-    tally.count += kBatch;
+    double motions[4][17] = {};
+    for (auto& motion : motions) {
+      for (size_t k = dimension == 2 ? 2 : 0; k < 8; ++k) {
+        const bool is_there = dimension == 3 || (k != 4 && k != 5);
+        if (is_there) motion[k] = is_lattice ? rng.between(-2, 2) : rng.range(-1, 1);
+      }
+      motion[3] += 3;
+      motion[7] += 3;
+      for (size_t k = 8; k < 17; ++k) motion[k] = (k - 8) % 3 < dimension ? size * rng.between(-1, 1) : 0;
+    }
+    uint32_t indices[2 * kBatch];
+    for (uint32_t& index : indices) index = rng.below(4) == 0 ? UINT32_MAX : static_cast<uint32_t>(rng.below(4));
+    tally.sum << dsw_sweep_rigid_pairs(context, dimension, kBatch, kinds, from, to, 0, motions[0], 4, indices,
+                                       DSW_PAIRS_RANK, touches)
+              << touches;
+    tally.count += 2 * kBatch;
   }
 }
 

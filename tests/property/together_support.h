@@ -238,7 +238,7 @@ class Earliest {
       }
       if (low[0] > high[1] || low[1] > high[0]) return;
     }
-    const FirstTouch found = exact_ ? true_first_touch<D>(pair) : first_touch<D>(pair);
+    const FirstTouch found = exact_ ? true_first_touch(pair) : first_touch<D>(pair);
     if (found.touches) time = std::min(time, found.time);
   }
   double time = 2;

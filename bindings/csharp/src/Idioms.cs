@@ -73,5 +73,15 @@ namespace Dartsweep
       SweepPairs(dimension, kinds, from, to, touches, flags);
       return touches;
     }
+
+    /// <summary>SweepPairs with features that may turn: 17 numbers for each motion, two indices for each pair. `to` may be
+    /// empty: features without a motion stand.</summary>
+    public static PairTouch[] SweepRigidPairs(uint dimension, byte[] kinds, double[] from, double[] to, double[] motions,
+      uint[] indices, uint flags = 0)
+    {
+      PairTouch[] touches = new PairTouch[kinds.Length];
+      SweepRigidPairs(dimension, kinds, from, to, motions, indices, touches, flags);
+      return touches;
+    }
   }
 }

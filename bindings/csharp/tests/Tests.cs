@@ -206,10 +206,10 @@ static partial class Tests
     to[2] = -2 + Math.Pow(2, -52); // later, by so little that the rounded time is the same
     Library.SweepPairs(3, kinds, from, to, touches, Library.PAIRS_RANK, new Context(2, null));
     True(touches.Select(touch => touch.Rank).SequenceEqual(new uint[] { 1, 0, 2 }) && touches[0].Time == 1 / 3.0);
-    Same(0.5, Library.SweepPairs(2, new[] { plane }, flat, flatTo)[0].Time);
-    Same(0, Library.SweepPairs(3, new byte[0], new double[0], new double[0]).Length);
+    True(Library.SweepPairs(2, new[] { plane }, flat, flatTo)[0].Time == 0.5 && Library.SweepPairs(3, new byte[0], new double[0], new double[0]).Length == 0);
+    double[] halfTurn = { 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }, wall = { 0, -5, 3, -9, 3, 9 };
+    Same(0.25, Library.SweepRigidPairs(2, new[] { plane }, wall, new double[0], halfTurn, new uint[] { 0, uint.MaxValue })[0].Time);
     Throws<UnsupportedException>(() => Library.SweepPairs(3, new[] { face, plane, edge }, from, to));
-    Throws<OutOfRangeException>(() => Library.SweepPairs(4, kinds, from, to));
     WrongSize("from has 18 entries, not 9", () => Library.SweepPairs(2, kinds, from, to));
     WrongSize("to has 8 entries, not 12", () => Library.SweepPairs(3, kinds, from, new double[24]));
     to[5] = double.NaN;

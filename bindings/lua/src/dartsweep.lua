@@ -169,6 +169,13 @@ function core.sweep_pairs(dimension, kinds, from, to, flags, touches, context)
   return touches
 end
 
+local sweep_rigid_pairs = core.sweep_rigid_pairs
+function core.sweep_rigid_pairs(dimension, kinds, from, to, motions, indices, flags, touches, context)
+  touches = touches or core.PairTouchArray(#kinds)
+  sweep_rigid_pairs(dimension, kinds, from, to, motions, indices, touches, flags, context)
+  return touches
+end
+
 local get_particle_positions = Scene.get_particle_positions
 function Scene:get_particle_positions(particles, positions, volumes)
   positions, volumes = positions or core.DoubleArray(self:dimension() * #particles), volumes or core.VolumeIdArray(#particles)

@@ -335,10 +335,10 @@ function TestValues:test_pairs()
   expect(touches, {1 / 3, 1 / 3, 0}, {1, 0, 2})
   lu.assertEquals(touches[3].touches, 0)
   local flat = dsw.sweep_pairs(2, {dsw.PAIR_VERTEX_EDGE}, {{0.5, 1}, {0, 0}, {1, 0}}, {{0.5, -1}, {0, 0}, {1, 0}})
-  lu.assertEquals(flat[1].time, 0.5)
-  lu.assertEquals(#dsw.sweep_pairs(3, {}, {}, {}), 0)
+  lu.assertEquals({flat[1].time, #dsw.sweep_pairs(3, {}, {}, {})}, {0.5, 0})
+  local motion, wall = {0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {{0, -5}, {3, -9}, {3, 9}} -- half a turn
   lu.assertEquals(problem_of(dsw.sweep_pairs, 3, {0, 2, 0}, from, later).name, "Unsupported")
-  lu.assertEquals(problem_of(dsw.sweep_pairs, 4, kinds, from, later).name, "OutOfRange")
+  lu.assertEquals(dsw.sweep_rigid_pairs(2, {dsw.PAIR_VERTEX_EDGE}, wall, {}, motion, {0, 0xffffffff})[1].time, 0.25)
   lu.assertEquals(problem_of(dsw.sweep_pairs, 3, {0, 1}, from, later).name, "WrongSize")
   lu.assertEquals(problem_of(dsw.sweep_pairs, 3, kinds, from, at(0 / 0, 0, 0)).name, "NonFinite")
 end

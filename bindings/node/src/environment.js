@@ -69,6 +69,12 @@ function sweepPairs(dimension, kinds, from, to, { flags = 0, touches = new array
   return touches;
 }
 
+function sweepRigidPairs(dimension, kinds, from, to, motions, indices, options = {}) {
+  const { flags = 0, touches = new arrays.PairTouchArray(kinds.length), context = null } = options;
+  native.sweepRigidPairs(dimension, kinds, from, to, motions, indices, touches, flags, context);
+  return touches;
+}
+
 class Trace extends native.Trace {
   addVolumes(environment, volumes, label = 0) {
     super.addVolumes(environment, volumes, label);
@@ -87,4 +93,4 @@ class Trace extends native.Trace {
   }
 }
 
-module.exports = { Context, Environment, Trace, sweepPairs };
+module.exports = { Context, Environment, Trace, sweepPairs, sweepRigidPairs };

@@ -201,6 +201,11 @@ export class Trace {
  * PAIRS_ constants. `touches` is filled where it is given. */
 export function sweepPairs(dimension: 2 | 3, kinds: Uint8Array | readonly number[], from: Points, to: Points,
   options?: { flags?: number; touches?: PairTouchArray; context?: Context | null }): PairTouchArray;
+/** sweepPairs with features that may turn: `motions` has 17 numbers for each motion, `indices` two for each pair, 4294967295 for no motion.
+ * `to` may be empty: features without a motion stand. */
+export function sweepRigidPairs(dimension: 2 | 3, kinds: Uint8Array | readonly number[], from: Points, to: Points,
+  motions: Float64Array | readonly number[], indices: Uint32Array | readonly number[],
+  options?: { flags?: number; touches?: PairTouchArray; context?: Context | null }): PairTouchArray;
 /** The cell that an id names. */
 export function cellOf(id: VertexId | EdgeId | FaceId | VolumeId): Cell;
 /** The version of the library that is loaded: 1000000 major + 1000 minor + patch. */

@@ -1,6 +1,6 @@
 // The package dartsweep: see README.md, and index.d.ts for all that is in it.
 'use strict';
-const { Context, Environment, Trace, sweepPairs } = require('./environment.js');
+const { Context, Environment, Trace, sweepPairs, sweepRigidPairs } = require('./environment.js');
 const { classes } = require('./errors.js');
 const { StructArray, arrays } = require('./memory.js');
 const native = require('./native.js');
@@ -37,6 +37,7 @@ module.exports = {
   cellOf,
   statusString: native.statusString,
   sweepPairs,
+  sweepRigidPairs,
   version: native.version,
   ...arrays,
   ...classes,

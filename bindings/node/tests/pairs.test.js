@@ -49,3 +49,13 @@ test('wrong pairs are refused', () => {
   assert.throws(() => dsw.sweepPairs(3, kinds, from, at(NaN, 0, 0)), dsw.NonFiniteError);
   assert.throws(() => dsw.sweepPairs(3, [256, 0, 0], from, to), RangeError);
 });
+
+test('features turn', () => {
+  const motion = [0, 0, 0, 1, 0, 0, 1, 0, ...Array(9).fill(0)]; // half a turn about z, from -y over x to y
+  const touchOf = (far, second) => dsw.sweepRigidPairs(2, [VertexEdge], [0, -5, far, -9, far, 9], [], motion, [0, second]).get(0);
+  assert.deepEqual(touchOf(3, 0xffffffff), { time: 0.25, touches: 1, rank: 0 });
+  assert.equal(touchOf(5.5, 0xffffffff).touches, 0);
+  assert.equal(touchOf(3, 0).touches, 0);
+  assert.throws(() => touchOf(1, 1), dsw.OutOfRangeError);
+  assert.throws(() => dsw.sweepRigidPairs(2, [VertexEdge], [0, -1, 1, -3, 1, 3], [], motion.slice(1), [0, 0]), dsw.WrongSizeError);
+});

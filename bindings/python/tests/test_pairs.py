@@ -77,3 +77,24 @@ def test_what_is_wrong_is_refused() -> None:
     wrong[2, 1, 0] = np.nan
     with pytest.raises(ds.errors.NonFinite, match=r"to\[9\]\[0\] is nan"):
         ds.sweep_pairs(STARTS, wrong, KINDS)
+
+
+HALF_TURN = [0, 0, 0, 1, 0, 0, 1, 0, *[0] * 9]  # about z, from -y over x to y
+
+
+def test_features_turn() -> None:
+    starts = np.array([[(0, -5), (far, -9), (far, 9)] for far in (3, 5, 5.5)])
+    touches = ds.sweep_rigid_pairs(starts, None, [HALF_TURN], [(0, -1)] * 3, ranks=True)
+    assert touches["time"].tolist() == [0.25, 0.5, 0] and touches["touches"].tolist() == [1, 1, 0]
+    assert touches["rank"].tolist() == [0, 1, 2]
+    ends = starts.copy()
+    ends[:, 1:, 0] = 0
+    assert ds.sweep_rigid_pairs(starts, ends, [HALF_TURN], [(0, -1)] * 3, threads=2)["touches"].all()
+    assert not ds.sweep_rigid_pairs(starts, None, [HALF_TURN], np.zeros((3, 2)))["touches"].any()
+    straight = ds.sweep_rigid_pairs(STARTS, ENDS, np.empty((0, 17)), np.full((4, 2), -1), KINDS)
+    assert straight["time"].tolist() == [1 / 3, 1 / 3, 0.5, 0]
+    for motions, indices in (([HALF_TURN[:16]], [(0, -1)] * 3), ([HALF_TURN], [(1, -1)] * 3), ([HALF_TURN], [(0, -1)])):
+        with pytest.raises(ValueError):
+            ds.sweep_rigid_pairs(starts, None, motions, indices)
+    with pytest.raises(ds.errors.OutOfRange, match="quaternion that is 0"):
+        ds.sweep_rigid_pairs(starts, None, [[0, 0, 0, 1, 0, 0, 0, -1, *[0] * 9]], [(0, -1)] * 3)

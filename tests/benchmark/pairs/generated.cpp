@@ -16,7 +16,7 @@ FirstTouch truth_of(const Query& query) {
     pair.start[i] = query.start[i].data();
     pair.end[i] = query.end[i].data();
   }
-  return true_first_touch<D>(pair);
+  return true_first_touch(pair);
 }
 
 template <int D>

@@ -3,6 +3,7 @@
 #include "../report.h"
 #include "../timing.h"
 #include "measure.h"
+#include "rigid.h"
 
 #include <dartsweep/pairs.h>
 #include <CLI/CLI.hpp>
@@ -223,6 +224,7 @@ int run_all(const Options& options, const TightInclusionLibrary& library) {
       generated.push_back(run(std::move(set), methods, options));
     }
     exact = report_sets(report, "pairs.generated.", generated, methods, {kKinds[0], kKinds[1], kKinds[2]}) && exact;
+    exact = report_rigid_pairs(report, options.generated / 20, options.seed) && exact;
     std::move(generated.begin(), generated.end(), std::back_inserter(results));
   }
   if (!results.empty()) write_table(options.out + "/exact_pairs.csv", results, methods);

@@ -322,38 +322,121 @@ Conditions of_vertex_and_edge(const std::vector<Vector>& x) {
   return r;
 }
 
-/** The points times a power of 2, so that all coordinates are integers. In the plane the third coordinate is 0. */
-template <int D>
-std::vector<Vector> moving_points(const MovingPair<D>& pair) {
-  int lowest = std::numeric_limits<int>::max();
-  const auto units = [](double x, int& exponent) {
+/** Doubles times a power of 2 that makes all of them integers. */
+class Integers {
+ public:
+  void add(double x) {
+    int exponent = 0;
+    if (sgn(units(x, exponent)) != 0) lowest_ = std::min(lowest_, exponent);
+  }
+  mpz_class of(double x) const {
+    int exponent = 0;
+    mpz_class r = units(x, exponent);
+    if (sgn(r) != 0) r <<= static_cast<unsigned long>(exponent - lowest_);
+    return r;
+  }
+
+ private:
+  static mpz_class units(double x, int& exponent) {
     const double share = std::frexp(x, &exponent);
     exponent -= 53;
     return mpz_class(std::ldexp(share, 53));
-  };
+  }
+
+  int lowest_ = std::numeric_limits<int>::max();
+};
+
+Vector nowhere() { return {Form{0, 0}, Form{0, 0}, Form{0, 0}}; }
+
+/** The points, scaled so that all coordinates are integers. In the plane the third coordinate is 0. */
+template <int D>
+std::vector<Vector> moving_points(const MovingPair<D>& pair) {
+  Integers integers;
   for (int i = 0; i <= D; ++i) {
     for (int k = 0; k < D; ++k) {
-      for (const double x : {pair.start[i][k], pair.end[i][k]}) {
-        int exponent = 0;
-        if (sgn(units(x, exponent)) != 0) lowest = std::min(lowest, exponent);
-      }
+      integers.add(pair.start[i][k]);
+      integers.add(pair.end[i][k]);
     }
   }
-  const auto integer = [&](double x) {
-    int exponent = 0;
-    mpz_class r = units(x, exponent);
-    if (sgn(r) != 0) r <<= static_cast<unsigned long>(exponent - lowest);
-    return r;
-  };
-  std::vector<Vector> points(D + 1, Vector{Form{0, 0}, Form{0, 0}, Form{0, 0}});
+  std::vector<Vector> points(D + 1, nowhere());
   for (size_t i = 0; i <= D; ++i) {
-    for (size_t k = 0; k < D; ++k) points[i][k] = {integer(pair.start[i][k]), integer(pair.end[i][k])};
+    for (size_t k = 0; k < D; ++k) points[i][k] = {integers.of(pair.start[i][k]), integers.of(pair.end[i][k])};
   }
   return points;
 }
 
+Vector multiply(const Form& f, const Vector& a) { return {multiply(f, a[0]), multiply(f, a[1]), multiply(f, a[2])}; }
+Vector operator+(const Vector& a, const Vector& b) { return {add(a[0], b[0]), add(a[1], b[1]), add(a[2], b[2])}; }
+
+/** A quaternion v + w. */
+struct Turn {
+  Vector v;
+  Form w;
+
+  Turn(const TurningWay& way, bool in_plane) : v(nowhere()) {
+    const size_t first = in_plane ? 2 : 0;
+    Integers integers;
+    for (const auto& turn : way.turn) {
+      for (size_t k = first; k < 4; ++k) integers.add(turn[k]);
+    }
+    const auto form = [&](size_t k) { return Form{integers.of(way.turn[0][k]), integers.of(way.turn[1][k])}; };
+    for (size_t k = first; k < 3; ++k) v[k] = form(k);
+    w = form(3);
+  }
+
+  Form square() const { return add(dot(v, v), multiply(w, w)); }
+  /** The square times the turned x: (w w - v v) x + 2 (v x) v + 2 w (v cross x). */
+  Vector turn(const Vector& x) const {
+    const Form two{2};
+    return multiply(subtract(multiply(w, w), dot(v, v)), x) + multiply(multiply(two, dot(v, x)), v) +
+           multiply(multiply(two, w), cross(v, x));
+  }
+};
+
+/** All points in space, times the squares of both quaternions: forms of one degree. A way that is none has the square 1. */
 template <int D>
-std::optional<Time> first_time(const MovingPair<D>& pair) {
+std::vector<Vector> moving_points(const TurningPair<D>& pair) {
+  const size_t of_first = pair.kind == PairKind::kEdgeEdge ? 2 : 1;
+  Integers integers;
+  for (size_t i = 0; i <= D; ++i) {
+    const TurningWay* way = pair.way[i < of_first ? 0 : 1];
+    for (size_t k = 0; k < D; ++k) {
+      integers.add(pair.start[i][k]);
+      if (way == nullptr) {
+        integers.add(pair.end[i][k]);
+      } else {
+        for (const double x : {way->centre[k], way->place[0][k], way->place[1][k]}) integers.add(x);
+      }
+    }
+  }
+  std::vector<Vector> points;
+  for (size_t i = 0; i <= D; ++i) {
+    const size_t side = i < of_first ? 0 : 1;
+    const TurningWay *const way = pair.way[side], *const other = pair.way[1 - side];
+    Vector from = nowhere(), to = nowhere();
+    for (size_t k = 0; k < D; ++k) {
+      const mpz_class start = integers.of(pair.start[i][k]);
+      if (way == nullptr) {
+        to[k] = {start, integers.of(pair.end[i][k])};
+      } else {
+        from[k] = {start - integers.of(way->centre[k])};
+        to[k] = {integers.of(way->place[0][k]), integers.of(way->place[1][k])};
+      }
+    }
+    Vector at = to;
+    if (way != nullptr) {
+      const Turn turn(*way, D == 2);
+      for (Form& x : from) x.resize(1);
+      at = multiply(Form{1, 1}, turn.turn(from)) + multiply(turn.square(), to);
+    }
+    if (other != nullptr) at = multiply(Turn(*other, D == 2).square(), at);
+    points.push_back(at);
+  }
+  return points;
+}
+
+template <class Pair>
+std::optional<Time> first_time(const Pair& pair) {
   const std::vector<Vector> points = moving_points(pair);
   const Conditions conditions = pair.kind == PairKind::kVertexFace ? of_vertex_and_face(points)
                                 : pair.kind == PairKind::kEdgeEdge ? of_edges(points)
@@ -375,14 +458,14 @@ std::optional<Time> first_time(const MovingPair<D>& pair) {
 
 }  // namespace
 
-template <int D>
-FirstTouch true_first_touch(const MovingPair<D>& pair) {
+template <class Pair>
+FirstTouch true_first_touch(const Pair& pair) {
   const std::optional<Time> time = first_time(pair);
   return {time.has_value(), time ? time->double_below_it() : 0};
 }
 
-template <int D>
-int true_compare(const MovingPair<D>& a, const MovingPair<D>& b) {
+template <class Pair>
+int true_compare(const Pair& a, const Pair& b) {
   return compare(first_time(a).value(), first_time(b).value());
 }
 
@@ -394,10 +477,14 @@ int true_kept_side(const MovingPair<D>& points) {
   return sgn(side[0]) == 0 || !zeros_of(side).empty() ? 0 : sgn(side[0]);
 }
 
-template FirstTouch true_first_touch<2>(const MovingPair<2>&);
-template FirstTouch true_first_touch<3>(const MovingPair<3>&);
-template int true_compare<2>(const MovingPair<2>&, const MovingPair<2>&);
-template int true_compare<3>(const MovingPair<3>&, const MovingPair<3>&);
+template FirstTouch true_first_touch(const MovingPair<2>&);
+template FirstTouch true_first_touch(const MovingPair<3>&);
+template FirstTouch true_first_touch(const TurningPair<2>&);
+template FirstTouch true_first_touch(const TurningPair<3>&);
+template int true_compare(const MovingPair<2>&, const MovingPair<2>&);
+template int true_compare(const MovingPair<3>&, const MovingPair<3>&);
+template int true_compare(const TurningPair<2>&, const TurningPair<2>&);
+template int true_compare(const TurningPair<3>&, const TurningPair<3>&);
 template int true_kept_side<2>(const MovingPair<2>&);
 template int true_kept_side<3>(const MovingPair<3>&);
 

@@ -1,18 +1,19 @@
-// First times of moving pairs over GMP, exactly. Slow, and right by looking at it: it asks at each time that may be the
+// First times of pairs that move or turn over GMP, exactly. Slow, and right by looking at it: it asks at each time that may be the
 // first whether the features have a point in common, by dot and cross products of all coordinates.
 #pragma once
 
 #include "predicates/moving_pair.h"
+#include "predicates/turning_pair.h"
 
 namespace dsw {
 
-// What first_touch must return.
-template <int D>
-FirstTouch true_first_touch(const MovingPair<D>& pair);
+// What first_touch must return. A pair is a MovingPair or a TurningPair.
+template <class Pair>
+FirstTouch true_first_touch(const Pair& pair);
 
 // Sign of a's first time minus b's. Both touch.
-template <int D>
-int true_compare(const MovingPair<D>& a, const MovingPair<D>& b);
+template <class Pair>
+int true_compare(const Pair& a, const Pair& b);
 
 // What kept_side must return.
 template <int D>

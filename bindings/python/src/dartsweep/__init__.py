@@ -72,7 +72,7 @@ from .environment import Environment
 from .errors import Closed, Error, MeshError
 from .meshes import from_gmsh, from_meshio, from_pyvista, from_surface, read
 from .options import options, version
-from .pairs import sweep_pairs
+from .pairs import sweep_pairs, sweep_rigid_pairs
 from .scene import Scene
 from .trace import Trace
 
@@ -153,5 +153,6 @@ __all__ = [
     "read",
     "surfaces",
     "sweep_pairs",
+    "sweep_rigid_pairs",
     "version",
 ]

@@ -54,6 +54,20 @@ class PairsTest {
   }
 
   @Test
+  void featuresTurn() {
+    double[] motion = new double[17]; // half a turn about z, from -y over x to y
+    motion[3] = motion[6] = 1;
+    byte[] kinds = {VERTEX_EDGE};
+    double[] from = {0, -5, 3, -9, 3, 9}, none = {};
+    assertEquals(0.25, Dartsweep.sweepRigidPairs(2, kinds, from, none, motion, new int[] {0, -1}, 0).get(0).getTime());
+    assertEquals(0, Dartsweep.sweepRigidPairs(2, kinds, from, none, motion, new int[] {0, 0}, 0).get(0).getTouches());
+    assertThrows(DartsweepException.OutOfRange.class,
+        () -> Dartsweep.sweepRigidPairs(2, kinds, from, none, motion, new int[] {0, 1}, 0));
+    assertThrows(DartsweepException.WrongSize.class,
+        () -> Dartsweep.sweepRigidPairs(2, kinds, from, none, new double[16], new int[] {0, -1}, 0));
+  }
+
+  @Test
   void whatIsWrongIsRefused() {
     double[] to = to(-2, -2, -1);
     assertThrows(DartsweepException.Unsupported.class,

@@ -1,0 +1,70 @@
+#include "predicates/turning_pair.h"
+
+#include "predicates/moving_pair_exact.h"
+#include "predicates/turning_pair_exact.h"
+#include "predicates/turning_pair_filter.h"
+
+namespace dsw {
+
+namespace {
+
+template <int D>
+MovingPair<D> straight(const TurningPair<D>& pair) noexcept {
+  MovingPair<D> r;
+  r.kind = pair.kind;
+  for (int i = 0; i <= D; ++i) {
+    r.start[i] = pair.start[i];
+    r.end[i] = pair.end[i];
+  }
+  return r;
+}
+
+template <int D>
+auto find_of(const TurningPair<D>& pair) {
+  return [&pair](IntegerPool& pool, Root* first) {
+    if (pair.way[0] == nullptr && pair.way[1] == nullptr) {
+      return ExactPair<D>(pool, straight(pair)).find_first(first);
+    }
+    if (pair.way[0] == nullptr || pair.way[1] == nullptr) {
+      return ExactTurningPair<D, false>(pool, pair).find_first(first);
+    }
+    return ExactTurningPair<D, true>(pool, pair).find_first(first);
+  };
+}
+
+template <int D>
+DSW_COLD FirstTouch first_touch_by_integers(const TurningPair<D>& pair, PairWork* work) {
+  return exact_touch::first_touch(find_of(pair), work);
+}
+
+template <int D>
+DSW_COLD int compare_by_integers(const TurningPair<D>& a, const TurningPair<D>& b, PairWork* work) {
+  return exact_touch::compare_first_touches(find_of(a), find_of(b), work);
+}
+
+}  // namespace
+
+template <int D>
+FirstTouch first_touch(const TurningPair<D>& pair, PairWork* work) {
+  if (pair.way[0] == nullptr && pair.way[1] == nullptr) return first_touch(straight(pair), work);
+  double time = 0;
+  const Filtered answer = filter_first_touch(pair, &time);
+  if (answer == Filtered::kUnknown) return first_touch_by_integers(pair, work);
+  return answer == Filtered::kApart ? FirstTouch{false, 0} : FirstTouch{true, time};
+}
+
+template <int D>
+int compare_first_touches(const TurningPair<D>& a, const FirstTouch& first_a, const TurningPair<D>& b,
+                          const FirstTouch& first_b, PairWork* work) {
+  if (first_a.time != first_b.time) return first_a.time < first_b.time ? -1 : 1;
+  return first_a.is_exact && first_b.is_exact ? 0 : compare_by_integers(a, b, work);
+}
+
+template FirstTouch first_touch(const TurningPair<2>&, PairWork*);
+template FirstTouch first_touch(const TurningPair<3>&, PairWork*);
+template int compare_first_touches(const TurningPair<2>&, const FirstTouch&, const TurningPair<2>&, const FirstTouch&,
+                                   PairWork*);
+template int compare_first_touches(const TurningPair<3>&, const FirstTouch&, const TurningPair<3>&, const FirstTouch&,
+                                   PairWork*);
+
+}  // namespace dsw
