@@ -92,6 +92,10 @@ CURVES = {
     "deform_pushed": (
         "End state or swept: what is pushed for nothing",
         "The same runs: the share of particles pushed that no wall met."),
+    "deform_place": (
+        "End state or swept: where what is pushed comes to lie",
+        "The same runs: how far from where a particle would be that goes with the wall from the touch on, beside walls that "
+        "push by the whole step in which they touch, as version 2.0 did."),
     "deform_way": (
         "End state or swept: what holds the walls",
         "The same lattice moves against bodies with edges, which it must not cut: the share of its way that it did not "

@@ -26,8 +26,8 @@ typedef enum dsw_deform_method {
 
 /** What happens if a wall meets something. */
 typedef enum dsw_wall_response {
-  /** The touched part, or a body with DSW_BODY_RIGID, moves with the wall if its way is free; else
-   * HOLD. */
+  /** The touched part, or body with DSW_BODY_RIGID, goes as far as the wall's touched point still
+   * does; if it can't, HOLD. */
   DSW_WALL_PUSH = 0,
   /** A touched edge gets a vertex, which is pushed, if both parts keep `min_part`; else PUSH. */
   DSW_WALL_INSERT = 1,
@@ -134,16 +134,16 @@ DSW_API dsw_status dsw_environment_get_wall_contacts(const dsw_environment *envi
                                                      const dsw_wall_contact **contacts,
                                                      size_t *count);
 
-/** Gives the vertices that the last deformation held, by index. */
+/** Gives vertices that the last deformation held, by index. */
 DSW_API dsw_status dsw_environment_get_held_vertices(const dsw_environment *environment,
                                                      const dsw_vertex_id **vertices, size_t *count);
 
-/** Gives the volumes that the last deformation kept from becoming invalid, by index. */
+/** Gives volumes that the last deformation kept from becoming invalid, by index. */
 DSW_API dsw_status dsw_environment_get_invalid_volumes(const dsw_environment *environment,
                                                        const dsw_volume_id **volumes,
                                                        size_t *count);
 
-/** Tells by `valid`, 0 or 1, whether a volume is valid now. @note Cost: O(faces of the volume). */
+/** Tells by `valid`, 0 or 1, whether a volume is valid. @note Cost: O(faces of the volume). */
 DSW_API dsw_status dsw_environment_is_valid(const dsw_environment *environment,
                                             dsw_volume_id volume, int *valid);
 

@@ -124,15 +124,35 @@ bool read_result(dsw::RecordReader& reader, capi::CallResult* result) {
   return true;
 }
 
-/** The first version that writes the results of today. */
-constexpr uint32_t kFirstComparable = 2000000;
+/** The first version that writes the results of today, and the first one whose walls push as today's do. */
+constexpr uint32_t kFirstComparable = 2000000, kFirstOfTodaysPushes = 2001000;
 
-/** DSW_DIFFERS_... `maker`: the version that recorded. */
-uint32_t what_differs(const capi::CallResult& recorded, const capi::CallResult& now, uint32_t maker) {
+/** Tells whether walls have just touched something in dsw_environment_deform, and perhaps pushed it: results and states
+ * of a version that pushed it farther are others from here on. */
+template <class Row, class Given>
+bool has_pushed(const dsw_replay& replay, const Row&, const Given& given) {
+  if constexpr (std::is_same_v<Row, std::decay_t<decltype(capi::row_of<dsw_environment_deform>)>>) {
+    const dsw_deform_options* const options = std::get<3>(given);
+    const bool may_push =
+        options == nullptr || (options->method == DSW_DEFORM_SWEPT &&
+                               (options->response == DSW_WALL_PUSH || options->response == DSW_WALL_INSERT));
+    return may_push && capi::visit(*replay.scene, [](const auto& engine) {
+             const auto* const deformation = engine.deformation.get();
+             // A try in fewer steps can have pushed as well.
+             return deformation != nullptr && (!deformation->record.contacts.empty() || deformation->record.steps > 1);
+           });
+  }
+  return false;
+}
+
+/** DSW_DIFFERS_... between a call and what was recorded of it. */
+uint32_t what_differs(const capi::CallResult& recorded, const dsw_replay& replay) {
+  const capi::CallResult& now = replay.watch.last;
   const bool failed = !now.made || now.failed;
   uint32_t differs = 0;
+  if (replay.pushes_otherwise) return 0;
   if (failed != recorded.failed) return DSW_DIFFERS_STATUS;
-  if (!failed && maker >= kFirstComparable && now.digest != recorded.digest) differs |= DSW_DIFFERS_RESULTS;
+  if (!failed && replay.version >= kFirstComparable && now.digest != recorded.digest) differs |= DSW_DIFFERS_RESULTS;
   if (recorded.has_state && now.has_state && now.state != recorded.state) differs |= DSW_DIFFERS_STATE;
   return differs;
 }
@@ -242,7 +262,11 @@ static dsw_status make(dsw_replay& replay, const Row& row, const WordReader& arg
   } else {
     handle = replay.environment;
   }
-  return std::apply(Row::Function::value, given);
+  const dsw_status status = std::apply(Row::Function::value, given);
+  if (replay.version < kFirstOfTodaysPushes && status == DSW_STATUS_OK && has_pushed(replay, row, given)) {
+    replay.pushes_otherwise = true;
+  }
+  return status;
 }
 
 void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* report) {
@@ -259,7 +283,7 @@ void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* rep
     if (replay.scene->recording != nullptr) replay.scene->recording->writer.write(EntryKind::kRepeated, "", 0);
     make_room(replay);
   }
-  const uint32_t differs = next.is_finished ? what_differs(next.result, replay.watch.last, replay.version) : 0;
+  const uint32_t differs = next.is_finished ? what_differs(next.result, replay) : 0;
   report->has_failed = next.result.failed ? 1u : 0u;
   report->differs = differs;
   report->outcome = !next.is_finished ? DSW_REPLAY_UNFINISHED : differs == 0 ? DSW_REPLAY_SAME : DSW_REPLAY_DIFFERENT;

@@ -57,7 +57,7 @@ bool EndRepair<D>::move(uint32_t owner, const Feature* struck, size_t count, Wal
     const Look found = look(owner, &way);
     if (found != Look::kStruck) return found == Look::kFree;
     if (edge_ != kNone && round == 0) add_contact(owner, edge_, way, DSW_WALL_PUSH, record);
-    const RigidPushes<D> pushes(body, way.at, way.normal, with_room<D>(way.way, way.normal, way.at));
+    const RigidPushes<D> pushes(body, way.at, way.normal, with_room<D>(way.way, way.normal, way.at), false);
     bool moved = false;
     for (int k = 0; k < RigidPushes<D>::kCount; ++k) {
       RigidMotion<D> motion;

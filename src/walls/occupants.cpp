@@ -43,6 +43,21 @@ void Occupants<D>::restore() noexcept {
 }
 
 template <int D>
+const double* Occupants<D>::saved_position(uint32_t owner, uint32_t vertex) const noexcept {
+  size_t place = 0, first = 0;  // of the body among those that there are, of its first vertex
+  for (uint32_t i = 0; i < owner; ++i) {
+    if (bodies[i].body == nullptr) continue;
+    ++place;
+    first += bodies[i].body->vertices.size();
+  }
+  if (!saved_bodies_.empty()) {
+    const Array<BodyVertex<D>>& vertices = saved_bodies_[place].vertices;
+    return vertex < vertices.size() && vertices[vertex].cell.valid() ? vertices[vertex].position : nullptr;
+  }
+  return first + vertex < saved_vertices_.size() ? saved_vertices_[first + vertex].position : nullptr;
+}
+
+template <int D>
 uint64_t Occupants<D>::memory_bytes() const noexcept {
   uint64_t of_bodies = array_bytes(saved_bodies_);
   for (const Body<D>& each : saved_bodies_) of_bodies += each.memory_bytes();

@@ -35,6 +35,8 @@ struct Occupants {
   void save(bool whole);
   /** Puts everything back to where it was when it was saved last; unless that is done, was let go, or saving failed. */
   void restore() noexcept;
+  /** Where a vertex of a body was when it was saved last; null where it was not. */
+  const double* saved_position(uint32_t owner, uint32_t vertex) const noexcept;
   /** Lets go what was saved before. */
   void forget_saved() noexcept { saved_ = false; }
   uint64_t memory_bytes() const noexcept;

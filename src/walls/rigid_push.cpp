@@ -4,10 +4,27 @@
 #include "base/points.h"
 
 namespace dsw {
+namespace {
+
+constexpr int kMostInARow = 16;  // pushes of one body by one vertex
+constexpr int kMostTurns = 2;    // of those: more would rock a body that is touched in two places
+
+}  // namespace
 
 template <int D>
-RigidPushes<D>::RigidPushes(const Body<D>& body, const double* at, const Vec& normal, const Vec& way)
-    : now_(body.shape[0].moved), normal_(normal), way_(way), depth_(dot(normal, way)) {
+Vec way_out(const WallTouch& touch, const double* from, const double* to, double radius, int pushes) noexcept {
+  const Vec way = difference<D>(to, from), normal = to_vec<D>(touch.end_normal), left = touch.left * way;
+  const double size = std::max(largest(to_vec<D>(touch.point)), largest(to_vec<D>(to)));
+  const double last_places = std::ldexp(std::max(size * 0x1p-51, 0x1p-1073), std::max(0, pushes - 4));
+  const double room = 0x1p-31 * length(way) + 0x1p-30 * radius + last_places, depth = dot(left, normal);
+  // What is in the way by no more than rounding, or than a push out of another wall, is not carried along.
+  if (depth <= 8 * room) return (depth + room) * normal;
+  return left + room * normal;
+}
+
+template <int D>
+RigidPushes<D>::RigidPushes(const Body<D>& body, const double* at, const Vec& normal, const Vec& way, bool sticks)
+    : now_(body.shape[0].moved), normal_(normal), way_(way), depth_(dot(normal, way)), sticks_(sticks) {
   double centre[D], size = 0, count = 0;
   now_.centre_now(centre);
   arm_ = difference<D>(at, centre);
@@ -56,8 +73,12 @@ bool RigidPushes<D>::get(int k, RigidMotion<D>& moved) const noexcept {
   Vec arm = arm_;
   about.place(arm.data(), arm.data());
   Vec shift = part * shift_ + (1 - part) * way_;
-  const double missing = depth_ - dot(normal_, arm - arm_ + shift);
-  if (missing > 0) shift = shift + missing * normal_;
+  if (sticks_) {
+    shift = way_ - (arm - arm_);
+  } else {
+    const double missing = depth_ - dot(normal_, arm - arm_ + shift);
+    if (missing > 0) shift = shift + missing * normal_;
+  }
   double by[D];
   store<D>(shift, by);
   moved = now_;
@@ -83,32 +104,42 @@ RigidPush<D>::RigidPush(const Environment<D>& env, Occupants<D>& all, Neighbourh
 template <int D>
 bool RigidPush<D>::push(const WallHit& hit, const WallSweep<D>& walls, StarSweep<D>& sweeps, const double* from,
                         const double* to) {
-  const uint32_t owner = hit.feature.owner;
-  Body<D>& body = *all_.bodies[owner].body;
+  Body<D>& body = *all_.bodies[hit.feature.owner].body;
   keep_shape(body);
   before_.assign(body.vertices.begin(), body.vertices.end());
-  const WallTouch touch = describe_touch(env_, all_, hit, from, to);
-  const RigidPushes<D> pushes(body, touch.point, to_vec<D>(touch.normal),
-                              push_way(difference<D>(to, from), body.radius));
-  for (int k = 0; k < RigidPushes<D>::kCount; ++k) {
-    RigidMotion<D> moved;
-    if (!pushes.get(k, moved) || !find_places(body, moved, targets_)) continue;
-    bool free = go(owner, sweeps);
-    // Perhaps for want of cells: those that only this body gets to have not been opened.
-    if (!free && open_ways(owner)) free = go(owner, sweeps);
-    if (!free) continue;
-    const RigidMotion<D> before = body.shape[0].moved;
-    if (is_clear(owner, walls, from, to)) {
-      body.shape[0].moved = moved;
-      if (around_.note_body(owner)) return true;
-      body.shape[0].moved = before;
-    }
+  const RigidMotion<D> before = body.shape[0].moved;
+  for (int kind = 0; kind < RigidPushes<D>::kCount; ++kind) {
+    if (go_out(hit, kind, walls, sweeps, from, to) && around_.note_body(hit.feature.owner)) return true;
+    body.shape[0].moved = before;
     put_vertices(body, before_.data());
   }
   return false;
 }
 
-/** Moves all vertices to their targets, one after the other, or none. */
+/** Moves a body by motions of a kind until the walls do not touch it; whether they do not. */
+template <int D>
+bool RigidPush<D>::go_out(const WallHit& first, int kind, const WallSweep<D>& walls, StarSweep<D>& sweeps,
+                          const double* from, const double* to) {
+  const uint32_t owner = first.feature.owner;
+  Body<D>& body = *all_.bodies[owner].body;
+  WallHit hit = first;
+  for (int round = 0; round < kMostInARow; ++round) {
+    const WallTouch touch = describe_touch(env_, all_, hit, from, to);
+    const Vec way = way_out<D>(touch, from, to, body.radius, round);
+    const RigidPushes<D> pushes(body, touch.point, to_vec<D>(touch.end_normal), way, true);
+    RigidMotion<D> moved;
+    const bool turns = round < kMostTurns && pushes.get(kind, moved);
+    if (!turns && (round == 0 || !pushes.get(RigidPushes<D>::kCount - 1, moved))) return false;
+    if (!find_places(body, moved, targets_)) return false;
+    // Perhaps for want of cells: those that only this body gets to have not been opened.
+    if (!go(owner, sweeps) && !(open_ways(owner) && go(owner, sweeps))) return false;
+    body.shape[0].moved = moved;
+    if (!find_first(owner, walls, from, to, &hit)) return true;
+  }
+  return false;
+}
+
+/** Moves all vertices to their targets, one after the other; if one can't go, the body has moved only in part. */
 template <int D>
 bool RigidPush<D>::go(uint32_t owner, StarSweep<D>& sweeps) {
   Body<D>& body = *all_.bodies[owner].body;
@@ -116,21 +147,25 @@ bool RigidPush<D>::go(uint32_t owner, StarSweep<D>& sweeps) {
     const double* const to = &targets_[D * size_t{v}];
     if (!body.has_vertex(v) || std::equal(to, to + D, body.position(v))) continue;
     Cell cell;
-    if (!sweeps.is_free(body, v, to, &cell)) {
-      put_vertices(body, before_.data());
-      return false;
-    }
+    if (!sweeps.is_free(body, v, to, &cell)) return false;
     put_vertex(body, v, to, cell);
   }
   return true;
 }
 
+/** The first touch of a body by the walls on their way; whether there is one. */
 template <int D>
-bool RigidPush<D>::is_clear(uint32_t owner, const WallSweep<D>& walls, const double* from, const double* to) const {
-  WallHit hit;
-  return for_each_simplex(*all_.bodies[owner].body, [&](const Simplex& each) {
-    return !walls.meets(all_, {owner, each}, from, to, &hit);
+bool RigidPush<D>::find_first(uint32_t owner, const WallSweep<D>& walls, const double* from, const double* to,
+                              WallHit* first) const {
+  bool any = false;
+  for_each_simplex(*all_.bodies[owner].body, [&](const Simplex& each) {
+    WallHit hit;
+    if (!walls.meets(all_, {owner, each}, from, to, &hit) || (any && !(hit < *first))) return true;
+    *first = hit;
+    any = true;
+    return true;
   });
+  return any;
 }
 
 /** Lets the cells be entered that the body can meet on its way to the targets; whether there are any that could not. */
@@ -155,5 +190,6 @@ template class RigidPushes<3>;
 template class RigidPush<2>;
 template class RigidPush<3>;
 DSW_INSTANTIATE(find_places);
+DSW_INSTANTIATE(way_out);
 
 }  // namespace dsw

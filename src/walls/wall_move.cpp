@@ -8,7 +8,7 @@
 namespace dsw {
 namespace {
 
-constexpr int kMostPushes = 4;
+constexpr int kMostPushes = 16;
 
 }  // namespace
 
@@ -22,6 +22,10 @@ typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, cons
   double from[D];
   std::copy_n(env_.point(v), D, from);
   if (std::equal(from, from + D, to)) return Moved::kYes;
+  const size_t contacts = record.contacts.size();
+  const uint32_t pushed = record.pushed;
+  places_.clear();
+  motions_.clear();
   look_round(v);
   for (int pushes = 0; walls_.has_walls() && find_hits(from, to); ++pushes) {
     record.contacts.push_back(describe(env_, all_, hits_.front(), v, from, to, settings.response));
@@ -29,8 +33,8 @@ typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, cons
     if (settings.response == DSW_WALL_INSERT && is_rigid(hits_.front().feature)) {
       record.contacts.back().response = DSW_WALL_PUSH;
     }
-    if (settings.response == DSW_WALL_HOLD || pushes == kMostPushes || !make_room(from, to, settings, record)) {
-      record.contacts.back().response = DSW_WALL_HOLD;
+    if (settings.response == DSW_WALL_HOLD || pushes == kMostPushes || !make_room(from, to, pushes, settings, record)) {
+      take_back(contacts, pushed, record);
       return Moved::kHeld;
     }
     look_round(v);  // what was pushed can have opened cells
@@ -50,6 +54,7 @@ typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, cons
   }
   if (fine) return Moved::kYes;
   put(v, from);
+  take_back(contacts, pushed, record);
   return Moved::kInvalid;
 }
 
@@ -91,83 +96,152 @@ bool WallMove<D>::find_hits(const double* from, const double* to) {
   return !hits_.empty();
 }
 
-/** Moves what is hit as the wall's vertex moves, each thing along a way that is free; whether all of it could go. */
+/** Moves what is hit out of the wall's way, what is touched first before the rest, each thing along ways that are free;
+ * whether all of it could go. `pushes` have not been enough before. */
 template <int D>
-bool WallMove<D>::make_room(const double* from, const double* to, const WallSettings& settings, WallRecord& record) {
-  if (!push_rigid(from, to, record)) return false;
-  points_.clear();
-  for (const WallHit& hit : hits_) {
-    const Feature& f = hit.feature;
-    if (is_rigid(f)) continue;
-    if (f.is_point()) {
-      points_.push_back(f);
-    } else if (f.kind == Feature::kFace) {
-      for (const uint32_t v : all_.bodies[f.owner].body->faces[f.index].corners) {
-        points_.push_back({Feature::kVertex, f.owner, v});
-      }
-    } else {
-      const uint32_t middle = settings.response == DSW_WALL_INSERT ? insert(hit, from, to, settings.min_part) : kNone;
-      if (middle != kNone) {
-        points_.push_back({Feature::kVertex, f.owner, middle});
-        continue;
-      }
-      for (const uint32_t v : all_.bodies[f.owner].body->edges[f.index].ends) {
-        points_.push_back({Feature::kVertex, f.owner, v});
-      }
-    }
+bool WallMove<D>::make_room(const double* from, const double* to, int pushes, const WallSettings& settings,
+                            WallRecord& record) {
+  for (size_t i = 0; i < hits_.size(); ++i) {
+    WallHit hit = hits_[i];
+    // What was pushed before can have taken this along.
+    if (i != 0 && (!is_there(hit.feature) || !walls_.meets(all_, hits_[i].feature, from, to, &hit))) continue;
+    if (!make_room_for(hit, from, to, pushes, settings, record)) return false;
   }
-  std::sort(points_.begin(), points_.end());
-  points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
-  for (const Feature& point : points_) {
-    if (!push(point, from, to)) return false;
+  return true;
+}
+
+/** Whether a feature has not been split. */
+template <int D>
+bool WallMove<D>::is_there(const Feature& feature) const noexcept {
+  if (feature.is_point()) return true;
+  const Body<D>& body = *all_.bodies[feature.owner].body;
+  return feature.kind == Feature::kEdge ? body.has_edge(feature.index) : body.has_face(feature.index);
+}
+
+template <int D>
+bool WallMove<D>::make_room_for(const WallHit& hit, const double* from, const double* to, int pushes,
+                                const WallSettings& settings, WallRecord& record) {
+  const Feature& f = hit.feature;
+  if (is_rigid(f)) {
+    note_rigid(f.owner);
+    if (!rigid_.push(hit, walls_, sweeps_, from, to)) return false;
+    record.pushed += static_cast<uint32_t>(all_.bodies[f.owner].body->vertex_slots.alive_count());
+    return true;
+  }
+  const double radius = f.kind == Feature::kParticle ? 0 : all_.bodies[f.owner].body->radius;
+  const WallTouch touch = describe_touch(env_, all_, hit, from, to);
+  const Vec way = way_out<D>(touch, from, to, radius, pushes);
+  if (f.is_point()) {
+    if (!push(f, way)) return false;
+    ++record.pushed;
+    return true;
+  }
+  const Body<D>& body = *all_.bodies[f.owner].body;
+  if (f.kind == Feature::kFace)
+    return push_corners(f.owner, body.faces[f.index].corners, 3, touch.weights, way, record);
+  const uint32_t middle = settings.response == DSW_WALL_INSERT ? insert(hit, touch, settings.min_part) : kNone;
+  if (middle != kNone) {
+    constexpr double kWhole[1] = {1};
+    return push_corners(f.owner, &middle, 1, kWhole, way, record);
+  }
+  return push_corners(f.owner, body.edges[f.index].ends, 2, touch.weights, way, record);
+}
+
+/** Pushes corners so that the point between them which has these weights goes a way. Corners that have been pushed less in
+ * this deformation go first, until they have been pushed as far as the others: so walls tilt a touched edge or face no
+ * more than they must. */
+template <int D>
+bool WallMove<D>::push_corners(uint32_t owner, const uint32_t* corners, int count, const double* weights,
+                               const Vec& way, WallRecord& record) {
+  const Vec along = unit(way);
+  const double size = length(way);
+  double before[3] = {}, level = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < count; ++k) {
+    const double* const start = all_.saved_position(owner, corners[k]);
+    const double* const now = all_.bodies[owner].body->position(corners[k]);
+    before[k] = start == nullptr ? 0 : dot(difference<D>(now, start), along) / size;
+    if (!std::isfinite(before[k])) before[k] = 0;
+  }
+  // The least level at which the corners below it take the point all of its way.
+  for (int last = 0; last < count; ++last) {
+    double weight = 0, sum = 0;
+    for (int k = 0; k < count; ++k) {
+      if (before[k] > before[last]) continue;
+      weight += weights[k];
+      sum += weights[k] * before[k];
+    }
+    if (weight > 0) level = std::min(level, std::max((1 + sum) / weight, before[last]));
+  }
+  for (int k = 0; k < count; ++k) {
+    const double part = std::isfinite(level) ? level - before[k] : 1;
+    if (!(part > 0) || weights[k] == 0) continue;
+    if (!push({Feature::kVertex, owner, corners[k]}, part * way)) return false;
     ++record.pushed;
   }
   return true;
 }
 
-/** Moves each rigid body that is hit as a whole. */
 template <int D>
-bool WallMove<D>::push_rigid(const double* from, const double* to, WallRecord& record) {
-  pushed_.clear();
-  for (const WallHit& hit : hits_) {
-    const uint32_t owner = hit.feature.owner;
-    if (!is_rigid(hit.feature) || std::find(pushed_.begin(), pushed_.end(), owner) != pushed_.end()) continue;
-    if (!rigid_.push(hit, walls_, sweeps_, from, to)) return false;
-    pushed_.push_back(owner);
-    record.pushed += static_cast<uint32_t>(all_.bodies[owner].body->vertex_slots.alive_count());
-  }
-  return true;
-}
-
-template <int D>
-bool WallMove<D>::push(const Feature& point, const double* from, const double* to) {
+bool WallMove<D>::push(const Feature& point, const Vec& way) {
   const double* const at = position(all_, point);
-  const double radius = point.kind == Feature::kParticle ? 0 : all_.bodies[point.owner].body->radius;
   double target[D];
-  store<D>(to_vec<D>(at) + push_way(difference<D>(to, from), radius), target);
+  store<D>(to_vec<D>(at) + way, target);
   if (!is_finite<D>(target)) return false;
   if (point.kind == Feature::kParticle) {
-    const CastResult way = cast(env_, at, target, cell_of(all_, point));
-    if (way.end != CastEnd::kReached) return false;
-    set_location(all_, point, target, way.cell);
+    const CastResult flight = cast(env_, at, target, cell_of(all_, point));
+    if (flight.end != CastEnd::kReached) return false;
+    note_place(point);
+    set_location(all_, point, target, flight.cell);
     around_.note_point(point);
     return true;
   }
   Body<D>& body = *all_.bodies[point.owner].body;
   Cell cell;
-  if (radius > 0) around_.open_ways(point.owner, point.index, target);
+  if (body.radius > 0) around_.open_ways(point.owner, point.index, target);
   if (!sweeps_.is_free(body, point.index, target, &cell)) return false;
+  note_place(point);
   set_location(all_, point, target, cell);
   return around_.note_vertex(point.owner, point.index);
 }
 
+template <int D>
+void WallMove<D>::note_place(const Feature& point) {
+  Place place{point, {}, cell_of(all_, point)};
+  std::copy_n(position(all_, point), D, place.at);
+  places_.push_back(place);
+}
+
+template <int D>
+void WallMove<D>::note_rigid(uint32_t owner) {
+  Body<D>& body = *all_.bodies[owner].body;
+  keep_shape(body);
+  motions_.push_back({owner, body.shape[0].moved});
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v)) note_place({Feature::kVertex, owner, v});
+  }
+}
+
+/** Puts all that was pushed to where it was, the wall being there as well: all of it is free there. */
+template <int D>
+void WallMove<D>::take_back(size_t contacts, uint32_t pushed, WallRecord& record) noexcept {
+  for (size_t i = places_.size(); i-- != 0;) set_location(all_, places_[i].point, places_[i].at, places_[i].cell);
+  for (size_t i = motions_.size(); i-- != 0;) all_.bodies[motions_[i].owner].body->shape[0].moved = motions_[i].moved;
+  places_.clear();
+  motions_.clear();
+  record.pushed = pushed;
+  for (size_t i = contacts; i < record.contacts.size(); ++i) record.contacts[i].response = DSW_WALL_HOLD;
+}
+
 /** Puts a vertex on an edge where it is hit; kNone where that cannot be. */
 template <int D>
-uint32_t WallMove<D>::insert(const WallHit& hit, const double* from, const double* to, double min_part) {
-  const WallTouch touch = describe_touch(env_, all_, hit, from, to);
+uint32_t WallMove<D>::insert(const WallHit& hit, const WallTouch& touch, double min_part) {
   if (!(touch.along >= min_part && touch.along <= 1 - min_part)) return kNone;
   const uint32_t owner = hit.feature.owner;
   Body<D>& body = *all_.bodies[owner].body;
+  // The parts of an edge that got its vertex in this deformation are pushed: each vertex of a wall would split them.
+  for (const uint32_t end : body.edges[hit.feature.index].ends) {
+    if (all_.saved_position(owner, end) == nullptr) return kNone;
+  }
   Cell cell;
   if (!can_bend(env_, sweeps_, body, hit.feature.index, touch.point, &cell)) return kNone;
   dsw_body_edit edit;

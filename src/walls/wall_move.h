@@ -12,7 +12,7 @@ class WallMove {
   WallMove(Environment<D>& env, Occupants<D>& all, Neighbourhood<D>& around);
 
   /** kHeld: by what is met. kInvalid: cells that hold occupants would not be valid, or something could not be followed
-   * into its new cell. In both cases the vertex stays. kStopped: as kHeld, and nothing has been pushed. */
+   * into its new cell. In both cases the vertex stays, and nothing is pushed. kStopped: as kHeld, and nothing has been pushed. */
   enum class Moved { kYes, kHeld, kInvalid, kStopped };
 
   /** Other points move now, from the start of a way. */
@@ -27,20 +27,27 @@ class WallMove {
   void find_around(Array<dsw_volume_id>& cells) const;
 
   uint64_t memory_bytes() const noexcept {
-    return rigid_.memory_bytes() + array_bytes(pushed_) + array_bytes(features_) + array_bytes(hits_) +
-           array_bytes(points_) + array_bytes(before_);
+    return rigid_.memory_bytes() + array_bytes(places_) + array_bytes(motions_) + array_bytes(features_) +
+           array_bytes(hits_) + array_bytes(before_);
   }
 
  private:
   void look_round(uint32_t v);
   bool find_hits(const double* from, const double* to);
-  bool make_room(const double* from, const double* to, const WallSettings& settings, WallRecord& record);
+  bool make_room(const double* from, const double* to, int pushes, const WallSettings& settings, WallRecord& record);
+  bool make_room_for(const WallHit& hit, const double* from, const double* to, int pushes, const WallSettings& settings,
+                     WallRecord& record);
+  bool is_there(const Feature& feature) const noexcept;
   bool is_rigid(const Feature& feature) const noexcept {
     return feature.kind != Feature::kParticle && all_.bodies[feature.owner].body->is_rigid();
   }
-  bool push_rigid(const double* from, const double* to, WallRecord& record);
-  bool push(const Feature& point, const double* from, const double* to);
-  uint32_t insert(const WallHit& hit, const double* from, const double* to, double min_part);
+  bool push_corners(uint32_t owner, const uint32_t* corners, int count, const double* weights, const Vec& way,
+                    WallRecord& record);
+  bool push(const Feature& point, const Vec& way);
+  void note_place(const Feature& point);
+  void note_rigid(uint32_t owner);
+  void take_back(size_t contacts, uint32_t pushed, WallRecord& record) noexcept;
+  uint32_t insert(const WallHit& hit, const WallTouch& touch, double min_part);
   void put(uint32_t v, const double* position);
   bool locate_all();
   void restore_locations() noexcept;
@@ -58,8 +65,18 @@ class WallMove {
   const Array<Cell>* star_ = nullptr;
   Array<Feature> features_{env_.memory};  // in the star
   Array<WallHit> hits_{env_.memory};
-  Array<Feature> points_{env_.memory};   // to be pushed
-  Array<uint32_t> pushed_{env_.memory};  // rigid bodies that have been
+  /** Where what is pushed was before. */
+  struct Place {
+    Feature point;
+    double at[D];
+    Cell cell;
+  };
+  struct Motion {
+    uint32_t owner;
+    RigidMotion<D> moved;
+  };
+  Array<Place> places_{env_.memory};
+  Array<Motion> motions_{env_.memory};  // of rigid bodies
   struct Location {
     Feature point;
     Cell cell;

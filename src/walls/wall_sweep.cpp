@@ -192,6 +192,8 @@ bool WallSweep<D>::comes_near(const Body<D>& body, const Feature& feature, const
     found.cell = cell;
     std::copy_n(others, count, found.others);
     std::copy_n(gap.other_weights, 3, found.shares);
+    // The hull is the wall at the start, and its vertex where it is then.
+    found.moving_share = gap.weights[0] + gap.weights[count + 1];
     store<3>(is_zero(gap.normal) ? unit(difference<D>(to, from)) : Vec(Vec::Zero() - gap.normal), found.normal);
     keep_first(found, hit, &any);
   };
@@ -250,6 +252,43 @@ bool WallSweep<D>::meets_face([[maybe_unused]] const Body<D>& body, [[maybe_unus
   return false;
 }
 
+/** Normal of a triangle, from its two shorter sides: the third one can be almost one of them turned round. */
+static Vec normal_of(const Vec& a, const Vec& b) {  // sides from one corner
+  const Vec c = b - a;
+  const double size_a = length(a), size_b = length(b), size_c = length(c);
+  if (size_c > size_a && size_c > size_b) return unit(a).cross(unit(b));
+  return size_a < size_b ? unit(a).cross(unit(c)) : unit(b).cross(unit(c));
+}
+
+template <int D>
+Vec find_end_normal(const Environment<D>& env, const WallHit& hit, const double* const* corners, const double* to) {
+  const auto to_other = [&](int k) { return difference<D>(env.point(hit.others[k]), to); };
+  const auto side = [&](int k) { return difference<D>(corners[k], corners[0]); };
+  if constexpr (D == 2) {
+    return turned(hit.feature.is_point() ? to_other(0) : side(1));
+  } else {
+    if (hit.feature.is_point()) return normal_of(to_other(0), to_other(1));
+    if (hit.feature.kind == Feature::kFace) return normal_of(side(1), side(2));
+    return unit(side(1)).cross(unit(to_other(0)));
+  }
+}
+
+namespace {
+
+/** Fills in how far the wall still goes: until what is touched, moved along the vertex's way, leaves the wall's place at
+ * the end. `normal` is that of this place, of any sign and length; `touched` any point of what is touched. */
+template <int D>
+void find_way_left(const Vec& normal, const Vec& way, const double* touched, const double* to, double time,
+                   WallTouch& touch) {
+  const Vec out = unit(normal);
+  const double most = 1 - time, part = dot(out, difference<D>(to, touched)) / dot(out, way);
+  touch.left = part < most ? std::max(part, 0.0) : most;  // also where it is no number
+  const double sense = dot(out, way);
+  store<D>(sense > 0 ? out : sense < 0 ? Vec(-1.0 * out) : to_vec<D>(touch.normal), touch.end_normal);
+}
+
+}  // namespace
+
 template <int D>
 WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
                          const double* to) {
@@ -262,6 +301,9 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
       point += hit.shares[k++] * to_vec<D>(body.position(v));
     store<D>(point, touch.point);
     std::copy_n(hit.normal, D, touch.normal);
+    std::copy_n(hit.normal, D, touch.end_normal);
+    touch.left = std::min(hit.moving_share, 1.0) * (1 - hit.time);
+    std::copy_n(hit.shares, 3, touch.weights);
     if (hit.feature.kind == Feature::kEdge) touch.along = hit.shares[1];
     return touch;
   }
@@ -270,6 +312,7 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
   const Vec way = difference<D>(to, from);
   const auto to_other = [&](int k) { return difference<D>(env.point(hit.others[k]), at); };
   Vec normal;
+  const double* corners[3] = {touch.point};
   if (hit.feature.is_point()) {
     std::copy_n(position(all, hit.feature), D, touch.point);
     if constexpr (D == 3) {
@@ -283,6 +326,8 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
                         *const y = body.position(body.edges[hit.feature.index].ends[1]);
     const Vec edge = difference<D>(y, x);
     double along;
+    corners[0] = x;
+    corners[1] = y;
     if constexpr (D == 3) {
       const Vec wall = unit(to_other(0)), across = edge.cross(wall);
       const double size = dot(across, across);
@@ -297,23 +342,33 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
     }
     touch.along = std::min(std::max(along, 0.0), 1.0);
     point_at<D>(x, y, touch.along, touch.point);
+    touch.weights[0] = 1 - touch.along;
+    touch.weights[1] = touch.along;
   } else {
     const Body<D>& body = *all.bodies[hit.feature.owner].body;
-    const uint32_t(&corners)[3] = body.faces[hit.feature.index].corners;
+    for (int k = 0; k < 3; ++k) corners[k] = body.position(body.faces[hit.feature.index].corners[k]);
     std::copy_n(at, D, touch.point);
-    normal = unit(difference<D>(body.position(corners[1]), body.position(corners[0]))
-                      .cross(difference<D>(body.position(corners[2]), body.position(corners[0]))));
+    normal = unit(difference<D>(corners[1], corners[0]).cross(difference<D>(corners[2], corners[0])));
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Vec a = difference<D>(corners[(k + 1) % 3], at), b = difference<D>(corners[(k + 2) % 3], at);
+      touch.weights[k] = std::max(0.0, dot(normal, a.cross(b)));
+      sum += touch.weights[k];
+    }
+    for (double& weight : touch.weights) weight = sum > 0 && std::isfinite(sum) ? weight / sum : 1.0 / 3;
   }
   if constexpr (D == 3) {
     if (is_zero(normal)) normal = unit(way);
     if (dot(normal, way) < 0) normal = -1.0 * normal;
   }
   store<D>(normal, touch.normal);
+  find_way_left<D>(find_end_normal(env, hit, corners, to), way, corners[0], to, hit.time, touch);
   return touch;
 }
 
 template class WallSweep<2>;
 template class WallSweep<3>;
+DSW_INSTANTIATE(find_end_normal);
 DSW_INSTANTIATE(describe_touch);
 
 }  // namespace dsw

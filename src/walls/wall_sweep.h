@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "base/vec.h"
 #include "walls/occupants.h"
 
 namespace dsw {
@@ -17,9 +18,9 @@ struct WallHit {
   HalfFacet wall;                       // impassable; invalid for a marked edge and a marked vertex
   Cell cell;                            // at the wall, the edge or the vertex
   uint32_t others[2] = {kNone, kNone};  // with the vertex the part of the wall that touches; kNone beyond that
-  // If the wall comes too near to a thick body: weights of the feature's corners, and the direction out of the wall.
-  // Otherwise the weights are 0.
-  double shares[3] = {};
+  // If the wall comes too near to a thick body: weights of the feature's corners, that of the moving vertex in the point
+  // of the wall that is nearest, and the direction out of the wall. Otherwise the weights are 0.
+  double shares[3] = {}, moving_share = 0;
   double normal[3] = {};
 
   bool operator<(const WallHit& o) const { return time != o.time ? time < o.time : feature < o.feature; }
@@ -70,7 +71,16 @@ class WallSweep {
 struct WallTouch {
   double point[3] = {}, normal[3] = {};  // the normal: unit, out of the wall, in the sense of its motion
   double along = 0;                      // of a touched edge, from its first end
+  double weights[3] = {1, 0, 0};         // of the corners of what is touched in the point
+  // How far the touched point of the wall still goes: a part of the vertex's way, as that point is between the vertex
+  // and what stays. Not more than 1 - time.
+  double left = 0;
+  double end_normal[3] = {};  // the normal where that ends
 };
+/** Normal of the plane in which the touched part of the wall and what it touches lie at the end of the vertex's way; of
+ * any sense. `corners`: of the touched feature. Not of a thick body. */
+template <int D>
+Vec find_end_normal(const Environment<D>& env, const WallHit& hit, const double* const* corners, const double* to);
 template <int D>
 WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
                          const double* to);

@@ -87,8 +87,8 @@ cmake --build "$tree" -j "$(nproc)" \
   --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_walk_counted dartsweep_bench_predicates dartsweep_pairs dartsweep_oracle dartsweep_core edits_tests together_tests together_deform_tests near_tests cross_check_tests paper_catheter_length
 
 bench=$tree/tests/benchmark
-if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 edits=2 cases=110000 pairs=20000 together=1 near=1
-else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 edits=25 cases=500000 pairs=1000000 together=10 near=40; fi
+if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 pushes=2000 edits=2 cases=110000 pairs=20000 together=1 near=1
+else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 pushes=100000 edits=25 cases=500000 pairs=1000000 together=10 near=40; fi
 "$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}" "${folder[@]}"
 rm -rf "$tree/moves" # of an older run
 mkdir -p "$tree/moves"
@@ -100,7 +100,7 @@ mkdir -p "$tree/moves"
 failed=()
 "$bench/dartsweep_bench_predicates" --cases "$cases" --json "$tree/predicates.json" || failed+=(dartsweep_bench_predicates)
 "$tree/tests/oracle/dartsweep_oracle" --casts "$casts" --sweeps "$sweeps" --bodies "$bodies" --back-edges 100000 --deformations "$deformations" \
-  --plane "$sweeps" --plane-sweeps "$sweeps" --plane-deformations "$deformations" --json "$tree/oracle.json" || failed+=(dartsweep_oracle)
+  --plane "$sweeps" --plane-sweeps "$sweeps" --plane-deformations "$deformations" --wall-pushes "$pushes" --json "$tree/oracle.json" || failed+=(dartsweep_oracle)
 # Moving pairs: in Python's process where Tight-Inclusion can be installed, or else without it.
 peer=$(grep '^ipctk=' "$root/examples/report/requirements-peers.txt")
 run_pairs=("$bench/pairs/dartsweep_pairs")

@@ -406,13 +406,8 @@ void Deformer::run(int count) {
 
 void one_scene(const SweepTurn& turn, uint64_t seed, DeformReport& report) {
   Rng rng(seed);
-  report.faults.begin(turn.kind->name, std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " +
-                                           std::to_string(seed));
-  std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report.faults);
-  if (stage == nullptr) return;
-  stage->mark_vertices(rng, report.faults);
-  const std::unique_ptr<Ground> ground = make_ground(std::move(stage), rng);
-  run_on_ground(*ground, rng, report);
+  const std::unique_ptr<Ground> ground = space_ground_of(turn, seed, rng, report.faults);
+  if (ground != nullptr) run_on_ground(*ground, rng, report);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // dartsweep_oracle [--casts N] [--plane N] [--plane-sweeps N] [--plane-deformations N] [--sweeps N] [--bodies N
-// [--level L] [--scene-seed S]] [--back-edges N] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json
+// [--level L] [--scene-seed S]] [--back-edges N] [--wall-pushes N] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json
 // FILE]
 // Casts, locates and particle moves, swept edges, and moves of bodies (N: of single vertices, at each level), in many
 // small environments, each compared with exact arithmetic; --plane: casts and particle moves in the plane;
 // --back-edges: moves of closed bodies with back-edge elimination; --plane-sweeps: swept edges and bodies there;
-// --plane-deformations: with walls that move. Without any of these: casts. DSW_EFFORT scales what N says.
+// --plane-deformations: with walls that move; --wall-pushes: how far walls push. Without any of these: casts. DSW_EFFORT scales what N says.
 #include "../effort.h"
 #include "back_edges.h"
 #include "body_run.h"
@@ -12,6 +12,7 @@
 #include "plane_run.h"
 #include "run.h"
 #include "sweep_run.h"
+#include "wall_pushes.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +26,7 @@ int main(int argc, char** argv) {
   sweeps.sweeps = 0;
   dsw::oracle::BodyRunOptions bodies;
   dsw::oracle::DeformRunOptions deformations;
-  uint64_t plane_deformations = 0, back_edges = 0;
+  uint64_t plane_deformations = 0, back_edges = 0, wall_pushes = 0;
   dsw::oracle::PlaneRunOptions plane;
   const char* json = nullptr;
   int print_most = 20;
@@ -47,6 +48,8 @@ int main(int argc, char** argv) {
       bodies.steps = count_of(argv[++i]);
     } else if (std::strcmp(argv[i], "--back-edges") == 0 && more) {
       back_edges = count_of(argv[++i]);
+    } else if (std::strcmp(argv[i], "--wall-pushes") == 0 && more) {
+      wall_pushes = count_of(argv[++i]);
     } else if (std::strcmp(argv[i], "--deformations") == 0 && more) {
       deformations.steps = count_of(argv[++i]);
     } else if (std::strcmp(argv[i], "--scene-seed") == 0 && more) {
@@ -67,12 +70,13 @@ int main(int argc, char** argv) {
     } else if (std::strcmp(argv[i], "--json") == 0 && more) {
       json = argv[++i];
     } else {
-      std::fprintf(stderr,
-                   "usage: %s [--casts N] [--plane N] [--plane-sweeps N] [--sweeps N] [--bodies N [--level 1..4]] "
-                   "[--back-edges N] [--deformations N] [--plane-deformations N] [--scene-seed S] [--seed S] "
-                   "[--quick] [--only SCENE] "
-                   "[--print N] [--stuck] [--json FILE]\n",
-                   argv[0]);
+      std::fprintf(
+          stderr,
+          "usage: %s [--casts N] [--plane N] [--plane-sweeps N] [--sweeps N] [--bodies N [--level 1..4]] "
+          "[--back-edges N] [--wall-pushes N] [--deformations N] [--plane-deformations N] [--scene-seed S] [--seed S] "
+          "[--quick] [--only SCENE] "
+          "[--print N] [--stuck] [--json FILE]\n",
+          argv[0]);
       return 2;
     }
   }
@@ -80,7 +84,7 @@ int main(int argc, char** argv) {
   report.show_stuck = show_stuck;
   const bool with_casts = casts_given || quick ||
                           plane.casts + plane.sweeps + plane_deformations + sweeps.sweeps + bodies.steps +
-                                  deformations.steps + back_edges ==
+                                  deformations.steps + back_edges + wall_pushes ==
                               0;
   if (with_casts) dsw::oracle::run(options, report);
   dsw::oracle::PlaneReport plane_report;
@@ -95,6 +99,12 @@ int main(int argc, char** argv) {
   if (back_edges != 0) dsw::oracle::run_back_edges(back_edges, bodies.seed, back_edge_report);
   dsw::oracle::DeformReport deform_report(print_most);
   if (deformations.steps != 0) dsw::oracle::run_deformations(deformations, deform_report);
+  dsw::oracle::PushReport push_report(print_most);
+  if (wall_pushes != 0) {
+    dsw::oracle::DeformRunOptions pushes = deformations;
+    pushes.steps = wall_pushes;
+    dsw::oracle::run_wall_pushes(pushes, push_report);
+  }
   dsw::oracle::DeformReport plane_deform_report(print_most);
   deformations.steps = plane_deformations;
   if (plane_deformations != 0) dsw::oracle::run_plane_deformations(deformations, plane_deform_report);
@@ -108,6 +118,7 @@ int main(int argc, char** argv) {
   if (back_edges != 0) join(dsw::oracle::to_json(back_edge_report));
   if (deform_report.steps != 0) join(dsw::oracle::to_json(deform_report));
   if (plane_deformations != 0) join(dsw::oracle::to_json(plane_deform_report, "plane."));
+  if (wall_pushes != 0) join(dsw::oracle::to_json(push_report));
   std::fputs(text.c_str(), stdout);
   if (json != nullptr) {
     std::FILE* file = std::fopen(json, "w");
@@ -121,7 +132,7 @@ int main(int argc, char** argv) {
   const bool sweeps_right = sweep_report.total.faults() == 0 && sweep_report.total.sweeps > 0;
   const bool bodies_right = body_report.faults() == 0 && body_report.bodies > 0;
   const bool right = plane_right && (back_edges == 0 || back_edge_report.right()) &&
-                     (deform_report.right() || deform_report.steps == 0) &&
+                     (deform_report.right() || deform_report.steps == 0) && (push_report.right() || wall_pushes == 0) &&
                      (plane_deform_report.right() || plane_deformations == 0) && (casts_right || !with_casts) &&
                      (sweeps_right || sweeps.sweeps == 0) && (bodies_right || bodies.steps == 0);
   return right ? 0 : 1;

@@ -1,7 +1,7 @@
 // Environments in the plane that are deformed.
+#include "plane_ground.h"
 #include "deform_run.h"
 #include "plane_arena.h"
-#include "plane_scenes.h"
 #include "plane_walls.h"
 #include "rounds.h"
 
@@ -99,27 +99,32 @@ class PlaneGround : public Ground {
 
 void one_scene(const plane::Turn& turn, uint64_t seed, DeformReport& report) {
   Rng rng(seed);
-  report.faults.begin(turn.kind->name, turn.name() + " scene seed " + std::to_string(seed));
+  std::string fault;
+  const std::unique_ptr<Ground> ground = plane_ground_of(turn, seed, rng, report.faults, fault);
+  if (ground != nullptr) return run_on_ground(*ground, rng, report);
+  if (fault.empty()) return;
+  ++report.wrong;
+  report.faults.fault(SweepReport::kWrong, fault);
+}
+
+}  // namespace
+
+std::unique_ptr<Ground> plane_ground_of(const plane::Turn& turn, uint64_t seed, Rng& rng, SweepReport& faults,
+                                        std::string& fault) {
+  faults.begin(turn.kind->name, turn.name() + " scene seed " + std::to_string(seed));
   plane::World world = plane::make_world(turn, rng);
   EnvironmentPtr environment = make_environment(turn, world, rng);
-  const auto wrong = [&](const std::string& text) {
-    ++report.wrong;
-    report.faults.fault(SweepReport::kWrong, text);
-  };
   if (environment == nullptr) {
-    if (!turn.may_be_refused()) wrong(dsw_last_error_message());
-    return;
+    if (!turn.may_be_refused()) fault = dsw_last_error_message();
+    return nullptr;
   }
   static const double cells[] = {0, 0, 0.05, 0.2}, sides[] = {0.03, 0.1, 0.2, 0.4}, vertices[] = {0, 0.05, 0.1, 0.4};
   std::vector<int> marked;
   const plane::Shares shares = {cells[rng.below(4u)], sides[rng.below(4u)], vertices[rng.below(4u)]};
-  const std::string fault = plane::mark(world, environment.get(), shares, rng, marked);
-  if (!fault.empty()) return wrong(fault);
-  PlaneGround ground(world, marked, std::move(environment), rng);
-  run_on_ground(ground, rng, report);
+  fault = plane::mark(world, environment.get(), shares, rng, marked);
+  if (!fault.empty()) return nullptr;
+  return std::make_unique<PlaneGround>(world, marked, std::move(environment), rng);
 }
-
-}  // namespace
 
 void run_plane_deformations(const DeformRunOptions& options, DeformReport& report) {
   const std::vector<plane::Turn> turns = plane::turns(options.only);

@@ -66,4 +66,13 @@ std::unique_ptr<Ground> make_ground(std::unique_ptr<Stage> stage, Rng& rng) {
   return std::make_unique<SpaceGround>(std::move(stage), rng);
 }
 
+std::unique_ptr<Ground> space_ground_of(const SweepTurn& turn, uint64_t seed, Rng& rng, SweepReport& faults) {
+  faults.begin(turn.kind->name,
+               std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " + std::to_string(seed));
+  std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, faults);
+  if (stage == nullptr) return nullptr;
+  stage->mark_vertices(rng, faults);
+  return make_ground(std::move(stage), rng);
+}
+
 }  // namespace dsw::oracle

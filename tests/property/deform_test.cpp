@@ -67,6 +67,73 @@ TEST_F(DeformTest, KeepsAFaceWithItsCornersInOneLine) {
   EXPECT_EQ(read(body).at, plan.at);
 }
 
+/// The floor rises from 0 to 0.3. What lies lower comes to lie on it, wherever it lay, and is not tilted.
+TEST_F(DeformTest, AFloorTakesThingsAsFarAsItGoesAfterTheTouch) {
+  constexpr double kTop = 0.3, kRoom = 1e-9 * kTop + 8 * 0x1p-52 * 4;
+  for (const double height : {1e-3, 0.1, 0.25, 0.299}) {
+    SetUp();
+    const double at[3] = {3.25, 2.5, height};
+    dsw_particle_id particle;
+    ASSERT_EQ(dsw_particle_create(scene(), at, {0, 0}, &particle), DSW_STATUS_OK);
+    const BodyPlan edge = segment({0.3, 0.4, height}, {2.2, 0.7, height});
+    const BodyPlan face{{{0.3, 1.2, height}, {1.8, 1.4, height}, {0.9, 1.9, height}}, {}, {{0, 1, 2}}};
+    const dsw_body_id soft[] = {make(edge), make(face, DSW_LEVEL_FACES), make({{{2.5, 2.5, height}}, {}, {}})};
+    const dsw_body_id rigid[] = {make(segment({0.2, 2.4, height}, {1.9, 2.7, height}), DSW_LEVEL_EDGES, DSW_BODY_RIGID),
+                                 make(tetrahedron({2.4, 3.1, height}, 0.4), DSW_LEVEL_FACES, DSW_BODY_RIGID)};
+    std::vector<double>& next = arrays_[0];
+    next = points_of(place_.get());
+    for (size_t i = 2; i < next.size(); i += 3) next[i] = std::max(next[i], kTop);
+    dsw_deform_report report;
+    ASSERT_EQ(
+        dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), next.size() / 3, nullptr, &report),
+        DSW_STATUS_OK);
+    EXPECT_EQ(report.outcome, DSW_DEFORM_DONE);
+    EXPECT_EQ(report.steps, 1u);
+    double now[3];
+    ASSERT_EQ(dsw_particle_get_position(scene(), particle, now, nullptr), DSW_STATUS_OK);
+    EXPECT_TRUE(now[2] >= kTop && now[2] <= kTop + kRoom) << height << " " << now[2] - kTop;
+    for (const dsw_body_id body : soft) {
+      for (const Vec& p : read(body).at) EXPECT_TRUE(p[2] >= kTop && p[2] <= kTop + kRoom) << p[2] - kTop;
+    }
+    for (const dsw_body_id body : rigid) {
+      double lowest = 3;
+      for (const Vec& p : read(body).at) lowest = std::min(lowest, p[2]);
+      EXPECT_TRUE(lowest >= kTop && lowest <= kTop + kRoom) << height << " " << lowest - kTop;
+    }
+    TearDown();
+  }
+  SetUp();
+}
+
+/// One thing can be pushed, and another one in the way of the same vertex can't: neither goes, and the vertex waits.
+TEST_F(DeformTest, WhatIsPushedForAWallThatWaitsIsPutBack) {
+  const double at[2][3] = {{0.8, 0.8, 0.1}, {1.2, 1.2, 0.99}};
+  dsw_particle_id particles[2];
+  for (int i = 0; i < 2; ++i) ASSERT_EQ(dsw_particle_create(scene(), at[i], {0, 0}, &particles[i]), DSW_STATUS_OK);
+  dsw_face_id above{cube(1, 1, 0).index, cube(1, 1, 0).generation, 5};
+  ASSERT_EQ(dsw_environment_mark_faces(place_.get(), &above, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  std::vector<double>& next = arrays_[0];
+  next = points_of(place_.get());
+  next[3 * point(1, 1, 0) + 2] = 1.5;
+  dsw_deform_options options = defaults(dsw_deform_options_init);
+  options.most_halvings = 1;
+  dsw_deform_report report;
+  ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), next.size() / 3, &options, &report),
+            DSW_STATUS_OK);
+  EXPECT_EQ(report.outcome, DSW_DEFORM_HELD);
+  EXPECT_EQ(report.pushed_count, 0u);
+  for (int i = 0; i < 2; ++i) {
+    double now[3];
+    ASSERT_EQ(dsw_particle_get_position(scene(), particles[i], now, nullptr), DSW_STATUS_OK);
+    EXPECT_TRUE(std::equal(now, now + 3, at[i])) << i << " " << now[2];
+  }
+  const dsw_wall_contact* contacts = nullptr;
+  size_t count = 0;
+  ASSERT_EQ(dsw_environment_get_wall_contacts(dsw_scene_get_environment(scene()), &contacts, &count), DSW_STATUS_OK);
+  for (size_t i = 0; i < count; ++i) EXPECT_EQ(contacts[i].response, DSW_WALL_HOLD);
+  EXPECT_GT(count, 0u);
+}
+
 TEST_F(DeformTest, CostsNothingWhereNothingLies) {
   std::vector<double> next = bent(points_of(place_.get()), 0.2);
   dsw_deform_report report;

@@ -25,6 +25,7 @@ constexpr Vec kWay = {0.9 * kRadii * kRadius, 0.35 * kRadii* kRadius, 0.25 * kRa
 struct Particle {
   Vec at;
   bool met;           // exactly: a wall goes over it
+  double time = 1;    // exactly, rounded: of the lattice's whole way
   oracle::Loop wall;  // its corners
 };
 
@@ -52,6 +53,7 @@ struct Lattice {
         throw std::runtime_error("the oracle does not find its way: " + walk.fault);
       }
       p.met = walk.outcome == oracle::Walk::kContact;
+      p.time = walk.time;
       if (p.met) p.wall = world.faces[static_cast<std::size_t>(walk.face)].loop;
       particles.push_back(p);
     }
@@ -101,7 +103,18 @@ struct Bent {
   std::size_t unmet = 0, pushed = 0;  // that no wall met; and were pushed
   std::size_t lost = 0;               // not where they say, by another search
   std::size_t not_free = 0;           // edges that meet something impassable, exactly
+  Errors place;  // of particles that walls met, which from then on go with the lattice: shares of its way
 };
+
+/// Walls that push by the whole step in which they touch, as version 2.0 did, leave these errors at their best: with one
+/// push for all vertices of a wall a particle is ahead of it by what the wall had gone before it touched.
+Errors whole_steps(const Lattice& lattice, int steps) {
+  Errors errors;
+  for (const Particle& p : lattice.particles) {
+    if (p.met) errors.values.push_back((steps * p.time - std::floor(steps * p.time)) / steps);
+  }
+  return errors;
+}
 
 /// A lattice that goes by a scene. What the scene holds is put into it before.
 class Bending {
@@ -190,6 +203,13 @@ Bent bend_particles(const Lattice& lattice, dsw_deform_method method, int steps)
     ++(p.met ? bent.met : bent.unmet);
     if (p.met && at == p.at) ++(bending.is_in_place(p.wall) ? bent.passed : bent.waiting);
     bent.pushed += !p.met && at != p.at ? 1 : 0;
+    if (!p.met || !bending.is_in_place(p.wall)) continue;
+    double off = 0, way = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      off += std::pow(at[k] - (p.at[k] + (1 - p.time) * kWay[k]), 2);
+      way += kWay[k] * kWay[k];
+    }
+    bent.place.values.push_back(std::sqrt(off / way));
   }
   return bent;
 }
@@ -252,6 +272,12 @@ void deform_curves(const Options& options) {
   Curve passed{
       "deform_passed", "particle", "share of particles that a wall went over without touching them", "", {}, ""};
   Curve pushed{"deform_pushed", "particle", "share of particles pushed that no wall met", "", {}, ""};
+  Curve place{"deform_place",
+              "particle",
+              "distance from where a particle that goes with the wall from the touch on would be, mean",
+              "of the way",
+              {},
+              ""};
   Curve way{"deform_way", "edge", "share of its way that the lattice did not make", "", {}, ""};
   for (const dsw_deform_method method : {DSW_DEFORM_END_STATE, DSW_DEFORM_SWEPT}) {
     for (const int n : steps) {
@@ -270,6 +296,22 @@ void deform_curves(const Options& options) {
       point.error = share(bent.pushed, bent.unmet);
       point.count = bent.unmet;
       pushed.points.push_back(point);
+
+      if (!bent.place.values.empty()) {
+        point.error = bent.place.mean();
+        point.count = bent.place.values.size();
+        point.note = text("%d deformations; %s", n, bent.place.spread().c_str());
+        place.points.push_back(point);
+      }
+      if (method == DSW_DEFORM_SWEPT) {
+        const Errors whole = whole_steps(lattice, n);
+        Point rule = point;
+        rule.method = "whole steps, as 2.0";
+        rule.error = whole.mean();
+        rule.count = whole.values.size();
+        rule.note = text("%d deformations; %s; not run: computed from the exact times", n, whole.spread().c_str());
+        place.points.push_back(rule);
+      }
 
       const Bent with_edges = bend_edges(lattice, options.seed, method, n, &point.count);
       point.seconds = with_edges.seconds / static_cast<double>(point.count);
@@ -293,7 +335,20 @@ void deform_curves(const Options& options) {
       "particles that nothing "
       "met, swept %.2g.",
       kRadii, pushed.points.front().error, pushed.points[steps.size()].error);
+  const auto error_of = [&](const char* method, const std::string& setting) {
+    for (const Point& p : place.points) {
+      if (p.method == method && p.setting == setting) return p.error;
+    }
+    return 1.0;
+  };
+  const std::string one_step = text("%.4g", kRadii);
+  place.advice = text(
+      "A wall pushes by the way that is left to it after the touch: in one step of %g radii particles come to lie %.2g "
+      "of "
+      "the way off, and %.2g where they are pushed by the whole step.",
+      kRadii, error_of("swept", one_step), error_of("whole steps, as 2.0", one_step));
   passed.write(options.out);
+  place.write(options.out);
   pushed.write(options.out);
   const auto made = [&](std::size_t i) { return 1 - way.points[i].error; };
   way.advice = text(
