@@ -179,7 +179,9 @@ class Reader {
     if (form != Form::kGeneral) return 2;
     uint32_t vertices = 0, facets = 0;
     if (D == 2) {
-      vertices = facets = static_cast<uint32_t>(std::min<size_t>(end_of(i) - begin_of(i), UINT16_MAX));
+      if (splits()) parse_polygon(i);
+      const size_t corners = splits() ? cell_.points.size() : end_of(i) - begin_of(i);
+      vertices = facets = static_cast<uint32_t>(std::min<size_t>(corners, UINT16_MAX));
     } else if (parse_cell(i)) {
       vertices = static_cast<uint32_t>(cell_.points.size());
       facets = cell_.facet_count();
@@ -313,13 +315,18 @@ class Reader {
     ++report_.reoriented_count;
   }
 
-  void read_polygon(uint32_t i) {
+  /** The corners of a polygon, those that are left. */
+  void parse_polygon(uint32_t i) {
     const size_t begin = begin_of(i), n = end_of(i) - begin;
-    const uint32_t offenders = bad_index_.count;
     cell_.points.clear();
     for (size_t k = 0; k < n && k < UINT16_MAX; ++k) cell_.points.push_back(checked(i, connectivity_[begin + k]));
-    if (bad_index_.count != offenders) return;
     if (splits()) clean_loop(cell_.points);
+  }
+
+  void read_polygon(uint32_t i) {
+    const uint32_t offenders = bad_index_.count;
+    parse_polygon(i);
+    if (bad_index_.count != offenders) return;
     if (!general_.write(i, cell_)) bad_cell_.add(i);
   }
 

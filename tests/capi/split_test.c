@@ -212,6 +212,27 @@ static void what_cannot_be_split_is_told(void) {
   CHECK(r.status == DSW_STATUS_OK && r.reoriented_count == 1 && r.split_count == 1);
 }
 
+/* Polygons that lose corners take less room than they were given for: what follows them must be found. */
+static void polygons_lose_corners(void) {
+  static const double points[18] = {0, 0, 1, 0, 2, 0, 3, 0, 3, 1, 0, 1, 0, 2, 3, 2, 1, 0};
+  static const int64_t cells[15] = {0, 1, 8, 1, 2, 2, 3, 3, 4, 4, 5, 5, 4, 7, 6};
+  static const int64_t offsets[3] = {0, 11, 15};
+  static const uint8_t types[2] = {DSW_CELL_TYPE_POLYGON, DSW_CELL_TYPE_QUAD};
+  dsw_environment_desc d;
+  dsw_environment *environment;
+  dsw_build_report r;
+  dsw_environment_desc_init(&d, sizeof d);
+  d.dimension = 2;
+  d.points = points, d.point_count = 9;
+  d.cell_types = types, d.offsets = offsets;
+  d.connectivity = cells, d.connectivity_count = 15, d.volume_count = 2;
+  d.flags = DSW_ENVIRONMENT_SPLIT | DSW_ENVIRONMENT_MERGE_POINTS;
+  r = create_reported(&d, &environment);
+  CHECK(r.status == DSW_STATUS_OK && r.part_count == 1 && r.merged_point_count == 1);
+  CHECK_OK(dsw_environment_check(environment, NULL));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
 /* What changes make of a volume keeps its parent; a volume that is added has none. */
 static void changes_keep_parents(void) {
   const dsw_environment_desc d = grid_of(3, 0.5, DSW_ENVIRONMENT_SPLIT);
@@ -294,6 +315,7 @@ int main(void) {
   parents_are_kept_in_snapshots();
   wrong_ids_are_refused();
   repeated_corners_are_what_is_left();
+  polygons_lose_corners();
   what_cannot_be_split_is_told();
   changes_keep_parents();
   parts_bend_and_are_recorded();
