@@ -75,15 +75,7 @@ class Creation {
   capi::EnvironmentOwner& owner() { return owner_; }
 
   /** Splits facets that cover each other. */
-  void conform() {
-    const dsw::ConformedMesh<D> mesh(engine(), input_.merge_distance, found_);
-    if (!mesh.has_changed()) return;
-    capi::EnvironmentOwner next = capi::make_environment(context_, D);
-    auto& env = std::get<dsw::Environment<D>>(next->engine);
-    mesh.read(env, engine(), input_, found_);
-    env.parents.assign(engine().parents.begin(), engine().parents.end());
-    owner_ = std::move(next);
-  }
+  void conform() { dsw::conform(engine(), input_.merge_distance, found_); }
   /** Splits cells that are not valid, and parts of these that rounding spoils. */
   void split() {
     constexpr int kMostPasses = 4;

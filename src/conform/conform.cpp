@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/dimensions.h"
 #include "base/error.h"
 #include "conform/facet_split.h"
-#include "environment/facet_matcher.h"
-#include "environment/mesh_reader.h"
+#include "environment/replaced_cells.h"
 
 namespace dsw {
 namespace {
@@ -26,11 +26,11 @@ class Facets<2> {
   bool has_changes() const { return hanging_.count() != 0; }
   bool may_change(Cell c) const { return hanging_.may_have_ends(c); }
   Array<uint64_t> poor_fans() const { return hanging_.poor_fans(); }
-  /** Appends the facets of a cell that take the place of facet f. */
+  /** Appends the corners of a cell from side f to the next; the last side ends the loop. */
   void append(Cell c, const Shape&, uint32_t f, Loops& out) const {
     const uint32_t count = env_.map.vertices_of(c);
     hanging_.append(env_.map.vertex(c, f), env_.map.vertex(c, f + 1 == count ? 0 : f + 1), out.vertices);
-    out.end_loop();
+    if (f + 1 == count) out.end_loop();
   }
 
  private:
@@ -174,86 +174,52 @@ class Facets<3> {
   Array<uint64_t> open_{env_.memory};       // of is_covered(): ways that were not taken back
 };
 
-/** The facets of a cell as they will be, and whether they are others than they were. */
+/** Appends the facets of a cell as they will be. Returns whether they are others than they were. */
 template <int D>
-bool read_cell(const Environment<D>& env, const Facets<D>& facets, Cell c, Loops& out) {
-  if (env.map.form(c) != Form::kGeneral && !facets.may_change(c)) return false;
-  out.clear();
+bool append_cell(const Environment<D>& env, const Facets<D>& facets, Cell c, Loops& out) {
   const Shape shape = env.map.shape(c);
-  uint32_t ends = 0;
-  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-    facets.append(c, shape, f, out);
-    ends += D == 3 ? shape.facet_size(f) : 1;
+  const uint32_t loops = out.count();
+  const size_t ends = out.vertices.size();
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) facets.append(c, shape, f, out);
+  return out.vertices.size() - ends != shape.dart_count() || (D == 3 && out.count() - loops != shape.facet_count());
+}
+
+/** What becomes of a mesh; no cells: nothing changes. */
+template <int D>
+ReplacedCells<D> conformed_cells(const Environment<D>& env, double room, BuildReport& report) {
+  ReplacedCells<D> made(env.memory);
+  const Facets<D> facets(env, room, report);
+  if (!facets.has_changes()) return made;
+  const Map<D>& map = env.map;
+  made.poor_fans = facets.poor_fans();
+  made.changed.assign((size_t{map.cell_count} + 63) / 64, 0);
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    const Cell c = map.cell(i);
+    const bool is_general = map.form(c) == Form::kGeneral;
+    if (!is_general && !facets.may_change(c)) continue;
+    const bool has_changed = append_cell(env, facets, c, made.loops);
+    if (!has_changed && !is_general) {
+      made.loops.shrink(made.first_loop.back());
+      continue;
+    }
+    made.cells.push_back(i);
+    made.first_loop.push_back(made.loops.count());
+    if (!has_changed) continue;
+    made.changed[i / 64] |= uint64_t{1} << i % 64;
+    ++report.changed_count;
+    report.changed.add(i);
   }
-  return out.count() != shape.facet_count() || out.vertices.size() != ends;
+  return made;
 }
 
 }  // namespace
 
 template <int D>
-ConformedMesh<D>::ConformedMesh(const Environment<D>& env, double room, BuildReport& report)
-    : types_(env.memory),
-      has_changed_(env.memory),
-      offsets_(env.memory),
-      connectivity_(env.memory),
-      poor_fans_(env.memory) {
-  const Facets<D> facets(env, room, report);
-  if (!facets.has_changes()) return;
-  poor_fans_ = facets.poor_fans();
-  const Map<D>& map = env.map;
-  Loops loops(env.memory);
-  types_.reserve(map.cell_count);
-  has_changed_.reserve(map.cell_count);
-  offsets_.reserve(size_t{map.cell_count} + 1);
-  connectivity_.reserve(size_t{map.cell_count} * 8);
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    const Cell c = map.cell(i);
-    const bool has_changed = read_cell(env, facets, c, loops);
-    report.changed_count += has_changed ? 1u : 0u;
-    if (has_changed) report.changed.add(i);
-    has_changed_.push_back(has_changed ? 1 : 0);
-    const bool is_general = has_changed || map.form(c) == Form::kGeneral;
-    types_.push_back(static_cast<uint8_t>(number_of(is_general ? Form::kGeneral : map.form(c), D)));
-    offsets_.push_back(static_cast<int64_t>(connectivity_.size()));
-    if (!is_general) {
-      map.for_each_vertex(c, [&](uint32_t v) { connectivity_.push_back(v); });
-    } else if constexpr (D == 2) {
-      connectivity_.insert(connectivity_.end(), loops.vertices.begin(), loops.vertices.end());
-    } else {
-      connectivity_.push_back(loops.count());
-      for (uint32_t f = 0; f < loops.count(); ++f) {
-        connectivity_.push_back(loops[f].size());
-        connectivity_.insert(connectivity_.end(), loops[f].begin(), loops[f].end());
-      }
-    }
-  }
-  offsets_.push_back(static_cast<int64_t>(connectivity_.size()));
+void conform(Environment<D>& env, double room, BuildReport& report) {
+  const ReplacedCells<D> cells = conformed_cells(env, room, report);
+  if (!cells.cells.empty()) replace_cells(env, cells, report);
 }
 
-template <int D>
-void ConformedMesh<D>::read(Environment<D>& env, const Environment<D>& from, const dsw_environment_desc& input,
-                            BuildReport& report) const {
-  const LinkedBefore<D> before{from, has_changed_, poor_fans_};
-  read_mesh(env, description(input), report, &before);
-}
-
-/** Describes all cells in their order, with the points of `input`. The description points into this mesh. */
-template <int D>
-dsw_environment_desc ConformedMesh<D>::description(const dsw_environment_desc& input) const {
-  dsw_environment_desc made = input;
-  made.flags &=
-      ~static_cast<uint32_t>(DSW_ENVIRONMENT_MERGE_POINTS | DSW_ENVIRONMENT_CONFORM | DSW_ENVIRONMENT_REORIENT);
-  made.index_bytes = 8;
-  made.cell_types = types_.data();
-  made.offsets = offsets_.data();
-  made.connectivity = connectivity_.data();
-  made.connectivity_count = connectivity_.size();
-  made.faces = made.face_locations = nullptr;
-  made.faces_count = 0;
-  return made;
-}
-
-template class ConformedMesh<2>;
-template class ConformedMesh<3>;
+DSW_INSTANTIATE(conform);
 
 }  // namespace dsw

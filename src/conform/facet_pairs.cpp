@@ -82,7 +82,8 @@ FacetPairs::Face FacetPairs::face_of(uint32_t i) const {
   }
   points_of(triangles.first + made.largest, points);
   made.view.sense = turn_sign<3>(points[0], points[1], points[2], made.view.axis);
-  for (const uint32_t v : loop) made.is_flat = made.is_flat && orient<3>(points, point(v)) == 0;
+  const VertexRange corners{triangles.first + made.largest, triangles.first + made.largest + 3};
+  for (const uint32_t v : loop) made.is_flat = made.is_flat && (has(corners, v) || orient<3>(points, point(v)) == 0);
   for (uint32_t k = 0; k < loop.size() && made.is_convex; ++k) {
     made.is_convex = turn(made.view, loop[k], loop.after(k), loop[(k + 2) % loop.size()]) > 0;
   }
@@ -187,7 +188,7 @@ void FacetPairs::find_pairs() {
 void FacetPairs::hang(uint32_t i, VertexRange points) {
   const VertexRange loop = outer_.loop(i);
   for (const uint32_t v : points) {
-    if (!is_in_box(outer_.box(i), point(v), room_) || has(loop, v)) continue;
+    if (has(loop, v) || !is_in_box(outer_.box(i), point(v), room_)) continue;
     for (uint32_t k = 0; k < loop.size(); ++k) {
       if (lies_on_edge<3>(point(loop[k]), point(loop.after(k)), point(v), room_))
         hanging_.add(loop[k], loop.after(k), v);

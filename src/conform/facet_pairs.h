@@ -5,24 +5,6 @@
 
 namespace dsw {
 
-/** Loops of vertices, one after the other. */
-struct Loops {
-  Array<uint32_t> vertices, first;  // first: of each loop, and where the last one ends
-
-  explicit Loops(const Memory* memory) : vertices(memory), first(memory) { first.push_back(0); }
-  uint32_t count() const { return static_cast<uint32_t>(first.size() - 1); }
-  VertexRange operator[](uint32_t i) const { return {vertices.data() + first[i], vertices.data() + first[i + 1]}; }
-  void clear() {
-    vertices.clear();
-    first.assign(1, 0);
-  }
-  void end_loop() { first.push_back(static_cast<uint32_t>(vertices.size())); }
-  void add(VertexRange loop) {
-    vertices.insert(vertices.end(), loop.begin(), loop.end());
-    end_loop();
-  }
-};
-
 /** The plane in which a loop is looked at: a coordinate is left out. */
 struct LoopView {
   int axis = 2;

@@ -11,6 +11,7 @@
 #include "environment/facet_matcher.h"
 #include "environment/mesh_reader.h"
 #include "environment/recut.h"
+#include "environment/replaced_cells.h"
 #include "environment/validity.h"
 #include "map/integrity.h"
 
@@ -67,6 +68,13 @@ template <int D>
   if (defect == MatchDefect::kSameSide)
     fail(DSW_STATUS_DUPLICATE_CELL, "cells %u and %u lie on the same side of a face", a, b);
   fail(DSW_STATUS_SHARED_FACE, "cells %u and %u share a face with a third cell", a, b);
+}
+
+template <int D>
+void link_facets(Environment<D>& env, size_t open_sides, BuildReport& report) {
+  Offenders offenders;
+  const MatchDefect defect = match_facets(env, offenders, open_sides);
+  if (defect != MatchDefect::kNone) fail_match(env, defect, offenders, report);
 }
 
 /** Looks at all cells and notes which are convex. A cell that fails gets its facets cut anew, which can spoil a cell seen
@@ -197,15 +205,16 @@ dsw_environment_desc check_description(dsw_environment_desc d) {
 }
 
 template <int D>
-void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
-               const LinkedBefore<D>* before) {
+void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
   read_points(env, input, report);
-  read_cells(env, input, report, before == nullptr ? nullptr : &before->poor_fans);
+  read_cells(env, input, report);
   if ((input.flags & DSW_ENVIRONMENT_REORIENT) != 0) reorient(env, (input.flags & DSW_ENVIRONMENT_SPLIT) != 0, report);
-  if (before != nullptr) copy_links(env, *before);
-  Offenders offenders;
-  const MatchDefect defect = match_facets(env, offenders, before != nullptr);
-  if (defect != MatchDefect::kNone) fail_match(env, defect, offenders, report);
+  link_facets(env, kAllSides, report);
+}
+
+template <int D>
+void replace_cells(Environment<D>& env, const ReplacedCells<D>& cells, BuildReport& report) {
+  link_facets(env, rewrite_records(env, cells, report), report);
 }
 
 template <int D>
@@ -273,12 +282,8 @@ void finish_topology(Environment<D>& env, BuildReport* report) {
   const Map<D>& map = env.map;
   env.part_count = count_parts(env);
   Array<uint64_t> used((size_t{map.vertex_count} + 63) / 64, 0, env.memory);
-  for_each_cell(map, [&](Cell c) {
-    for (uint32_t k = 0, n = map.vertices_of(c); k < n; ++k) {
-      const uint32_t v = map.vertex(c, k);
-      used[v / 64] |= uint64_t{1} << (v % 64);
-    }
-  });
+  for_each_cell(map,
+                [&](Cell c) { map.for_each_vertex(c, [&](uint32_t v) { used[v / 64] |= uint64_t{1} << v % 64; }); });
   bool any = false;
   uint32_t unused = 0;
   for (uint32_t v = 0; v < map.vertex_count; ++v) {
@@ -297,6 +302,7 @@ void finish_topology(Environment<D>& env, BuildReport* report) {
 }
 
 DSW_INSTANTIATE(read_mesh);
+DSW_INSTANTIATE(replace_cells);
 DSW_INSTANTIATE(find_invalid);
 DSW_INSTANTIATE(finish_mesh);
 DSW_INSTANTIATE(prove);

@@ -20,7 +20,7 @@ struct Offenders {
 };
 
 template <int D>
-struct LinkedBefore;
+struct ReplacedCells;
 
 struct BuildReport {
   Offenders offenders;
@@ -45,10 +45,13 @@ dsw_environment_desc check_description(dsw_environment_desc desc);
 
 /** Fills an empty environment from a description that was checked: points, cells, and links of their facets. Throws Error
  * (and leaves the environment useless) on the first kind of defect found, with the first offenders of that kind in the report.
- * Order of checks: sizes, points finite, cells well-formed, facets matched. `before`: null, or from where links are taken. */
+ * Order of checks: sizes, points finite, cells well-formed, facets matched. */
 template <int D>
-void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
-               const LinkedBefore<D>* before = nullptr);
+void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
+
+/** Replaces cells of a mesh that was read, and links the facets of those that change. Throws as read_mesh. */
+template <int D>
+void replace_cells(Environment<D>& env, const ReplacedCells<D>& cells, BuildReport& report);
 
 /** The cells of a mesh that was read that are neither valid nor turned inside out, however their facets are cut, in the
  * order of their records. Throws std::bad_alloc. */

@@ -5,47 +5,71 @@
 namespace dsw {
 namespace {
 
-/** One facet seen for the first time, in the chain of its lowest vertex. Its two neighbours round the loop tell it from
- * the others there; loops of four and more are compared in full. */
-struct Candidate {
-  uint32_t next;           // in the chain
-  uint32_t word;           // the half-facet
-  uint32_t after, before;  // vertices next to the lowest one; in the plane the other vertex, and which of them is first
-  uint32_t size;           // of the loop
+/** What tells a facet from the others with the same lowest vertex: its two neighbours round the loop, and of a quad the
+ * vertex across. Loops of five and more are compared in full. */
+struct Loop {
+  uint32_t lowest, after, before;  // in the plane the two ends, and kEnd in place of the end that comes first
+  uint32_t across;                 // kEnd of a triangle; of five and more their number before kEnd, which no vertex is
 };
 
-struct Loop {
-  uint32_t lowest, after, before, size;
+/** One facet seen for the first time, in the chain of its lowest vertex. */
+struct Candidate {
+  uint32_t next;  // in the chain
+  uint32_t word;  // the half-facet
+  uint32_t after, before, across;
 };
 
 constexpr uint32_t kEnd = 0xffffffffu;
+constexpr uint32_t kLong = kEnd - 0xffffu;  // across of loops of five and more is above
 
+/** The vertices of a cell; of a large one they are looked up each time. */
 template <int D>
-Loop read_loop(const Map<D>& map, Cell c, const Shape& shape, uint32_t f) {
-  if constexpr (D == 2) {
-    const uint32_t a = map.vertex(c, f), b = map.vertex(c, f + 1 == shape.facet_count() ? 0 : f + 1);
-    return {a < b ? a : b, a < b ? b : kEnd, a < b ? kEnd : a, 2};
-  } else {
-    const uint32_t first = shape.facet_first(f), size = shape.facet_size(f);
-    const auto at = [&](uint32_t k) { return map.vertex(c, shape.dart_vertex(first + k)); };
-    uint32_t lowest = 0, low = at(0);
-    for (uint32_t k = 1; k < size; ++k) {
-      const uint32_t v = at(k);
-      if (v < low) {
-        lowest = k;
-        low = v;
-      }
-    }
-    return {low, at(lowest + 1 == size ? 0 : lowest + 1), at(lowest == 0 ? size - 1 : lowest - 1), size};
+class CellVertices {
+ public:
+  void read(const Map<D>& map, Cell c, const Shape& shape) {
+    map_ = &map;
+    cell_ = c;
+    is_kept_ = shape.vertex_count() <= kMost;
+    if (!is_kept_) return;
+    uint32_t* out = kept_;
+    map.for_each_vertex(c, [&out](uint32_t v) { *out++ = v; });
   }
+  uint32_t operator[](uint32_t local) const { return is_kept_ ? kept_[local] : map_->vertex(cell_, local); }
+
+ private:
+  static constexpr uint32_t kMost = 64;
+  const Map<D>* map_ = nullptr;
+  Cell cell_;
+  bool is_kept_ = false;
+  uint32_t kept_[kMost];
+};
+
+Loop read_loop(const CellVertices<2>& vertices, const Shape& shape, uint32_t f) {
+  const uint32_t a = vertices[f], b = vertices[f + 1 == shape.facet_count() ? 0 : f + 1];
+  return {a < b ? a : b, a < b ? b : kEnd, a < b ? kEnd : a, kEnd};
 }
 
-/** Whether two loops with the same lowest vertex are the same cycle, `reversed` or not. */
+Loop read_loop(const CellVertices<3>& vertices, const Shape& shape, uint32_t f) {
+  const uint16_t* const local = shape.dart_vertices() + shape.facet_first(f);
+  const uint32_t size = shape.facet_size(f);
+  uint32_t lowest = 0, low = vertices[local[0]];
+  for (uint32_t k = 1; k < size; ++k) {
+    const uint32_t v = vertices[local[k]];
+    if (v < low) {
+      lowest = k;
+      low = v;
+    }
+  }
+  const uint32_t after = vertices[local[lowest + 1 == size ? 0 : lowest + 1]];
+  const uint32_t before = vertices[local[lowest == 0 ? size - 1 : lowest - 1]];
+  return {low, after, before, size == 3 ? kEnd : size == 4 ? vertices[local[lowest ^ 2]] : kEnd - size};
+}
+
+/** Whether two loops with as many vertices and the same lowest one are the same cycle, `reversed` or not. */
 bool same_cycle(const Map<3>& map, HalfFacet a, Cell ca, HalfFacet b, uint32_t lowest, bool reversed) {
   const Cell cb = map.cell_of(b);
   const Shape sa = map.shape(ca), sb = map.shape(cb);
   const uint32_t fa = map.local_of(a, ca), fb = map.local_of(b, cb), size = sa.facet_size(fa);
-  if (sb.facet_size(fb) != size) return false;
   const auto at = [&](Cell c, const Shape& s, uint32_t f, uint32_t k) {
     return map.vertex(c, s.dart_vertex(s.facet_first(f) + k));
   };
@@ -63,29 +87,12 @@ bool same_cycle(const Map<2>&, HalfFacet, Cell, HalfFacet, uint32_t, bool) { ret
 }  // namespace
 
 template <int D>
-void copy_links(Environment<D>& env, const LinkedBefore<D>& before) {
-  Map<D>& map = env.map;
-  const Map<D>& from = before.env.map;
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    if (before.is_other[i] != 0) continue;
-    const Cell c = map.cell(i), was = from.cell(i);
-    for (uint32_t f = 0, count = from.facets_of(was); f < count; ++f) {
-      const HalfFacet o = from.opposite(from.half_facet(was, f));
-      if (!o.valid()) continue;
-      const Cell beyond = from.cell_of(o);
-      const uint32_t j = from.index(beyond);
-      if (before.is_other[j] != 0) continue;
-      map.words[map.half_facet(c, f).word] = map.half_facet(map.cell(j), from.local_of(o, beyond)).word;
-    }
-  }
-}
-
-template <int D>
-MatchDefect match_facets(Environment<D>& env, Offenders& offenders, bool has_links) {
+MatchDefect match_facets(Environment<D>& env, Offenders& offenders, size_t open_sides) {
+  const bool has_links = open_sides != kAllSides;
   Map<D>& map = env.map;
   Array<uint32_t> chain(map.vertex_count, kEnd, env.memory);
   Array<Candidate> candidates{env.memory};
-  if (!has_links) candidates.reserve(size_t{map.cell_count} * (D + 1));
+  candidates.reserve(has_links ? open_sides : size_t{map.cell_count} * (D + 1));
   MatchDefect defect = MatchDefect::kNone;
   const auto offend = [&](MatchDefect kind, uint32_t first, uint32_t second) {
     if (defect != MatchDefect::kNone) {
@@ -97,28 +104,34 @@ MatchDefect match_facets(Environment<D>& env, Offenders& offenders, bool has_lin
     offenders.add(second);
   };
   uint32_t matched = 0, linked = 0;  // linked: sides that had a link
+  CellVertices<D> vertices;
   for (uint32_t i = 0; i < map.cell_count; ++i) {
     const Cell c = map.cell(i);
     const Shape shape = map.shape(c);
+    bool is_read = false;
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const HalfFacet h = map.half_facet(c, f);
       if (has_links && map.opposite(h).valid()) {
         ++linked;
         continue;
       }
-      const Loop loop = read_loop(map, c, shape, f);
+      if (!is_read) vertices.read(map, c, shape);
+      is_read = true;
+      const Loop loop = read_loop(vertices, shape, f);
       uint32_t n = chain[loop.lowest];
       bool opposite = false, same = false;
       for (; n != kEnd; n = candidates[n].next) {
         const Candidate& candidate = candidates[n];
-        if (candidate.size != loop.size) continue;
+        if (candidate.across != loop.across) continue;
         opposite = candidate.after == loop.before && candidate.before == loop.after;
         same = candidate.after == loop.after && candidate.before == loop.before;
-        if ((opposite || same) && (loop.size < 4 || same_cycle(map, h, c, {candidate.word}, loop.lowest, opposite)))
+        if ((opposite || same) && (loop.across <= kLong || loop.across == kEnd ||
+                                   same_cycle(map, h, c, {candidate.word}, loop.lowest, opposite))) {
           break;
+        }
       }
       if (n == kEnd) {
-        candidates.push_back({chain[loop.lowest], h.word, loop.after, loop.before, loop.size});
+        candidates.push_back({chain[loop.lowest], h.word, loop.after, loop.before, loop.across});
         chain[loop.lowest] = static_cast<uint32_t>(candidates.size() - 1);
         continue;
       }
@@ -140,7 +153,6 @@ MatchDefect match_facets(Environment<D>& env, Offenders& offenders, bool has_lin
   return defect;
 }
 
-DSW_INSTANTIATE(copy_links);
 DSW_INSTANTIATE(match_facets);
 
 }  // namespace dsw

@@ -10,6 +10,7 @@
 #include "base/dimensions.h"
 #include "base/error.h"
 #include "environment/collapsed_loops.h"
+#include "environment/general_records.h"
 #include "environment/merged_points.h"
 #include "environment/turned_loops.h"
 
@@ -17,7 +18,6 @@ namespace dsw {
 namespace {
 
 constexpr uint64_t kMaxUnits = uint64_t{1} << 28;  // a link is a word address below 2^31
-constexpr uint32_t kNoShape = 0xffffffffu;
 
 /** Each form of a dimension once. */
 struct KnownType {
@@ -50,14 +50,13 @@ uint32_t cuts_of(Form form, const uint32_t* vertices) {
 template <int D>
 class Reader {
  public:
-  Reader(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report, const Array<uint64_t>* poor_fans)
-      : env_(env),
-        map_(env.map),
+  Reader(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report)
+      : map_(env.map),
         in_(input),
         report_(report),
         offsets_(input.offsets, input.index_bytes),
         connectivity_(input.connectivity, input.index_bytes),
-        poor_fans_(poor_fans),
+        general_(env.map, nullptr),
         merged_(env.memory) {
     if (!merges_points(input)) return;
     merged_ = merged_points<D>(env.points, map_.vertex_count, input.merge_distance, env.memory);
@@ -180,10 +179,12 @@ class Reader {
     if (form != Form::kGeneral) return 2;
     uint32_t vertices = 0, facets = 0;
     if (D == 2) {
-      vertices = facets = static_cast<uint32_t>(std::min<size_t>(end_of(i) - begin_of(i), UINT16_MAX));
+      if (splits()) parse_polygon(i);
+      const size_t corners = splits() ? cell_.points.size() : end_of(i) - begin_of(i);
+      vertices = facets = static_cast<uint32_t>(std::min<size_t>(corners, UINT16_MAX));
     } else if (parse_cell(i)) {
-      vertices = static_cast<uint32_t>(local_to_point_.size());
-      facets = static_cast<uint32_t>(loop_first_.size() - 1);
+      vertices = static_cast<uint32_t>(cell_.points.size());
+      facets = cell_.facet_count();
     }
     return general_units<D>(std::max(1u, facets), vertices);
   }
@@ -225,14 +226,12 @@ class Reader {
 
   /** Splits a polyhedron into loops of local vertices; false when its face stream is malformed. */
   bool parse_cell(uint32_t i) {
-    loop_vertices_.clear();
-    loop_first_.assign(1, 0);
-    local_to_point_.clear();
+    cell_.clear();
     const Form form = type_of(i).form;
     if (form == Form::kGeneral && !parse_stream(i)) return false;
     if (form != Form::kGeneral) parse_standard(i, form);
     if (splits()) leave_out_collapsed();
-    return loop_first_.size() > 4;
+    return cell_.first.size() > 4;
   }
 
   /** The loops of a standard cell with repeated points. */
@@ -241,28 +240,28 @@ class Reader {
     std::array<uint16_t, 8> local{};
     for (uint32_t k = 0; k < shape.vertex_count(); ++k) {
       const uint32_t point = checked(i, connectivity_[begin_of(i) + k]);
-      const auto known = std::find(local_to_point_.begin(), local_to_point_.end(), point);
-      local[k] = static_cast<uint16_t>(known - local_to_point_.begin());
-      if (known == local_to_point_.end()) local_to_point_.push_back(point);
+      const auto known = std::find(cell_.points.begin(), cell_.points.end(), point);
+      local[k] = static_cast<uint16_t>(known - cell_.points.begin());
+      if (known == cell_.points.end()) cell_.points.push_back(point);
     }
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-        loop_vertices_.push_back(local[shape.dart_vertex(d)]);
+        cell_.vertices.push_back(local[shape.dart_vertex(d)]);
       }
-      loop_first_.push_back(static_cast<uint16_t>(loop_vertices_.size()));
+      cell_.end_facet();
     }
   }
 
   /** Then vertices are numbered anew, those that are left. */
   void leave_out_collapsed() {
-    clean_loops(loop_vertices_, loop_first_);
-    const std::vector<uint32_t> points = std::move(local_to_point_);
+    clean_loops(cell_.vertices, cell_.first);
+    const std::vector<uint32_t> points = std::move(cell_.points);
     std::vector<uint16_t> number(points.size(), UINT16_MAX);
-    local_to_point_.clear();
-    for (uint16_t& v : loop_vertices_) {
+    cell_.points.clear();
+    for (uint16_t& v : cell_.vertices) {
       if (number[v] == UINT16_MAX) {
-        number[v] = static_cast<uint16_t>(local_to_point_.size());
-        local_to_point_.push_back(points[v]);
+        number[v] = static_cast<uint16_t>(cell_.points.size());
+        cell_.points.push_back(points[v]);
       }
       v = number[v];
     }
@@ -284,18 +283,18 @@ class Reader {
     bool sound = true;
     for (int64_t f = 0; f < faces && sound; ++f) {
       const int64_t n = at < end ? stream[static_cast<size_t>(at++)] : 0;
-      sound = n >= 3 && n <= end - at && loop_vertices_.size() + static_cast<size_t>(n) < UINT16_MAX;
+      sound = n >= 3 && n <= end - at && cell_.vertices.size() + static_cast<size_t>(n) < UINT16_MAX;
       for (int64_t k = 0; k < n && sound; ++k) {
         const uint32_t point = checked(i, stream[static_cast<size_t>(at++)]);
         if (local_of_point_[point] == UINT16_MAX) {
-          local_of_point_[point] = static_cast<uint16_t>(local_to_point_.size());
-          local_to_point_.push_back(point);
+          local_of_point_[point] = static_cast<uint16_t>(cell_.points.size());
+          cell_.points.push_back(point);
         }
-        loop_vertices_.push_back(local_of_point_[point]);
+        cell_.vertices.push_back(local_of_point_[point]);
       }
-      loop_first_.push_back(static_cast<uint16_t>(loop_vertices_.size()));
+      cell_.end_facet();
     }
-    for (const uint32_t point : local_to_point_) local_of_point_[point] = UINT16_MAX;
+    for (const uint32_t point : cell_.points) local_of_point_[point] = UINT16_MAX;
     return sound && (separate || at == end);
   }
 
@@ -304,105 +303,44 @@ class Reader {
     const bool sound = parse_cell(i);
     if (bad_index_.count != offenders) return;
     if (sound && (in_.flags & DSW_ENVIRONMENT_REORIENT) != 0) turn_faces(i);
-    base_.assign(loop_first_.size(), 0);
-    for (size_t f = 0; f + 1 < loop_first_.size(); ++f) base_[f] = base_of(loop_first_[f], loop_first_[f + 1]);
-    const uint32_t facets = static_cast<uint32_t>(loop_first_.size() - 1);
-    const uint32_t table = static_cast<uint32_t>(map_.shape_tables.size());
-    const FacetLoops loops{loop_vertices_.data(), loop_first_.data(), facets,
-                           static_cast<uint32_t>(local_to_point_.size())};
-    if (!sound || append_polyhedron(loops, base_.data(), map_.shape_tables) != ShapeDefect::kNone) {
-      bad_cell_.add(i);
-      return;
-    }
-    map_.shape_offsets.push_back(table);
-    write_general(i, static_cast<uint32_t>(map_.shape_offsets.size() - 1));
-  }
-
-  /** From which place of a loop it is cut: the lowest vertex, so that both sides agree. */
-  uint16_t base_of(uint32_t first, uint32_t end) const {
-    if (poor_fans_ == nullptr || end - first < 5) return lowest_of(first, end, [](uint32_t v) { return v; });
-    return lowest_of(first, end, [this](uint32_t v) {
-      const bool is_poor = ((*poor_fans_)[v / 64] >> v % 64 & 1) != 0;
-      return is_poor ? uint64_t{v} + kMaxUnits : v;  // behind all vertices
-    });
-  }
-  template <class Rank>
-  uint16_t lowest_of(uint32_t first, uint32_t end, Rank rank) const {
-    if (first == end) return 0;  // of a damaged stream
-    uint32_t best = first;
-    auto lowest = rank(local_to_point_[loop_vertices_[first]]);
-    for (uint32_t k = first + 1; k < end; ++k) {
-      const auto here = rank(local_to_point_[loop_vertices_[k]]);
-      if (!(here < lowest)) continue;
-      best = k;
-      lowest = here;
-    }
-    return static_cast<uint16_t>(best - first);
+    if (!sound || !general_.write(i, cell_)) bad_cell_.add(i);
   }
 
   /** Turns faces of a polyhedron back that are turned against most of its others. */
   void turn_faces(uint32_t i) {
-    const uint32_t turned = turn_loops(loop_vertices_, loop_first_);
+    const uint32_t turned = turn_loops(cell_.vertices, cell_.first);
     if (turned == 0) return;
     report_.turned_face_count += turned;
     report_.with_turned_faces.push_back(i);
     ++report_.reoriented_count;
   }
 
-  void read_polygon(uint32_t i) {
+  /** The corners of a polygon, those that are left. */
+  void parse_polygon(uint32_t i) {
     const size_t begin = begin_of(i), n = end_of(i) - begin;
+    cell_.points.clear();
+    for (size_t k = 0; k < n && k < UINT16_MAX; ++k) cell_.points.push_back(checked(i, connectivity_[begin + k]));
+    if (splits()) clean_loop(cell_.points);
+  }
+
+  void read_polygon(uint32_t i) {
     const uint32_t offenders = bad_index_.count;
-    local_to_point_.clear();
-    for (size_t k = 0; k < n && k < UINT16_MAX; ++k) local_to_point_.push_back(checked(i, connectivity_[begin + k]));
+    parse_polygon(i);
     if (bad_index_.count != offenders) return;
-    if (splits()) clean_loop(local_to_point_);
-    std::vector<uint32_t> sorted = local_to_point_;
-    std::sort(sorted.begin(), sorted.end());
-    const bool repeats = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-    const uint32_t number = repeats ? kNoShape : polygon_shape(local_to_point_.size());
-    if (number == kNoShape) {
-      bad_cell_.add(i);
-      return;
-    }
-    write_general(i, number);
+    if (!general_.write(i, cell_)) bad_cell_.add(i);
   }
 
-  /** The shape that all polygons with so many corners share; kNoShape: there is none. */
-  uint32_t polygon_shape(size_t corners) {
-    if (corners >= polygon_shapes_.size()) polygon_shapes_.resize(corners + 1, kNoShape);
-    uint32_t& number = polygon_shapes_[corners];
-    const uint32_t table = static_cast<uint32_t>(map_.shape_tables.size());
-    if (number == kNoShape && append_polygon(static_cast<uint32_t>(corners), map_.shape_tables) == ShapeDefect::kNone) {
-      number = static_cast<uint32_t>(map_.shape_offsets.size());
-      map_.shape_offsets.push_back(table);
-    }
-    return number;
-  }
-
-  void write_general(uint32_t i, uint32_t number) {
-    const Cell c = map_.cell(i);
-    uint32_t* w = map_.record(c);
-    const Shape shape(map_.shape_tables.data() + map_.shape_offsets[number]);
-    const uint32_t facets = shape.facet_count(), vertices = shape.vertex_count();
-    w[0] = (static_cast<uint32_t>(Form::kGeneral) << kFormShift) | number;
-    write_continuations<D>(w, general_units<D>(facets, vertices));
-    for (uint32_t f = 0; f < facets; ++f) w[item_word<D>(f)] = kNoFacet;
-    for (uint32_t k = 0; k < vertices; ++k) w[item_word<D>(first_vertex_item<D>(facets) + k)] = local_to_point_[k];
-  }
-
-  Environment<D>& env_;
   Map<D>& map_;
   const dsw_environment_desc& in_;
   BuildReport& report_;
   Integers offsets_, connectivity_;
   size_t uniform_vertices_ = 0;
   bool laid_out_ = false;  // offences are recorded by the second pass only
-  const Array<uint64_t>* poor_fans_;
   Offenders bad_index_, bad_cell_;
-  std::vector<uint16_t> loop_vertices_, loop_first_, base_, local_of_point_;
-  std::vector<uint32_t> local_to_point_;
-  std::vector<uint32_t> polygon_shapes_;  // by the number of corners
-  Array<uint32_t> merged_;                // of each point the one that it counts as; empty: itself
+  GeneralCell cell_;  // that is read
+  GeneralRecords<D> general_;
+  std::vector<uint16_t> local_of_point_;
+  Array<uint32_t> merged_;  // of each point the one that it counts as; empty: itself
 };
 
 }  // namespace
@@ -442,9 +380,8 @@ void read_points(Environment<D>& env, const dsw_environment_desc& input, BuildRe
 }
 
 template <int D>
-void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
-                const Array<uint64_t>* poor_fans) {
-  Reader<D>(env, input, report, poor_fans).read();
+void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
+  Reader<D>(env, input, report).read();
 }
 
 template <int D>

@@ -43,11 +43,9 @@ dsw_cell_type number_of(Form form, int dimension);
 template <int D>
 void read_points(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
 
-/** Writes a record for every cell, links empty. `poor_fans`: null, or bits: vertices from which loops of five and more are not
- * cut if another one is there. Throws WRONG_SIZE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, BAD_CELL, TOO_LARGE. */
+/** Writes a record for every cell, links empty. Throws WRONG_SIZE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, BAD_CELL, TOO_LARGE. */
 template <int D>
-void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
-                const Array<uint64_t>* poor_fans);
+void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
 
 /** Turns a cell inside out by renumbering its vertices; before its facets are matched. */
 template <int D>

@@ -17,6 +17,29 @@ struct VertexRange {
   uint32_t after(uint32_t i) const { return first[i + 1 == size() ? 0 : i + 1]; }
 };
 
+/** Loops of vertices, one after the other. */
+struct Loops {
+  Array<uint32_t> vertices, first;  // first: of each loop, and where the last one ends
+
+  explicit Loops(const Memory* memory) : vertices(memory), first(memory) { first.push_back(0); }
+  uint32_t count() const { return static_cast<uint32_t>(first.size() - 1); }
+  VertexRange operator[](uint32_t i) const { return {vertices.data() + first[i], vertices.data() + first[i + 1]}; }
+  void clear() {
+    vertices.clear();
+    first.assign(1, 0);
+  }
+  void end_loop() { first.push_back(static_cast<uint32_t>(vertices.size())); }
+  /** Takes all loops away but the first ones, so many. */
+  void shrink(uint32_t loops) {
+    first.resize(size_t{loops} + 1);
+    vertices.resize(first.back());
+  }
+  void add(VertexRange loop) {
+    vertices.insert(vertices.end(), loop.begin(), loop.end());
+    end_loop();
+  }
+};
+
 template <int D>
 class OuterFacets {
  public:
@@ -29,6 +52,13 @@ class OuterFacets {
         simplex_first_(env.memory),
         simplices_(env.memory),
         boxes_(env.memory) {
+    const size_t count = env.map.boundary_facet_count;
+    facets_.reserve(count);
+    loop_first_.reserve(count + 1);
+    loops_.reserve(count * (D == 3 ? 4 : 2));
+    simplex_first_.reserve(count + 1);
+    simplices_.reserve(count * (D == 3 ? 6 : 2));
+    boxes_.reserve(count);
     for_each_cell(env.map, [&](Cell c) {
       const Shape shape = env.map.shape(c);
       for (uint32_t f = 0; f < shape.facet_count(); ++f) {

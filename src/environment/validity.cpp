@@ -67,7 +67,7 @@ class FacetPlane {
   int side(const double* q) const noexcept {
     const double det = filter::dot(normal_, filter::difference<3>(q, triangle_[0]));
     if (std::fabs(det) > bound_) return filter::sign_of(det);
-    return is_level(q) ? 0 : orient<3>(triangle_, q);
+    return is_level(q) || is_along_axis() ? 0 : orient<3>(triangle_, q);
   }
 
  private:
@@ -78,6 +78,15 @@ class FacetPlane {
       if (triangle_[1][k] == at && triangle_[2][k] == at && q[k] == at) return true;
     }
     return false;
+  }
+
+  /** Whether the three points lie on a line along an axis: faces that were split have many such corners. */
+  bool is_along_axis() const noexcept {
+    int equal = 0;
+    for (int k = 0; k < 3; ++k) {
+      equal += triangle_[1][k] == triangle_[0][k] && triangle_[2][k] == triangle_[0][k] ? 1 : 0;
+    }
+    return equal >= 2;
   }
 
   const double* triangle_[3];

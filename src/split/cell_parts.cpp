@@ -32,12 +32,12 @@ uint32_t owner_of(const Array<SideOwner>& owners, const PartSide<3>& side) {
   return std::lower_bound(owners.begin(), owners.end(), SideOwner{side, 0})->part;
 }
 
-void add_loop(const PartSide<3>& side, PartLoops& out) {
+void add_loop(const PartSide<3>& side, Loops& out) {
   out.vertices.insert(out.vertices.end(), side.v, side.v + 3);
   out.end_loop();
 }
 
-void add_loop(const Environment<3>& env, Cell c, uint32_t f, PartLoops& out) {
+void add_loop(const Environment<3>& env, Cell c, uint32_t f, Loops& out) {
   for_each_facet_vertex<3>(env.map.shape(c), f,
                            [&](uint32_t local) { out.vertices.push_back(env.map.vertex(c, local)); });
   out.end_loop();
@@ -85,7 +85,7 @@ SplitDefect CellParts<2>::split(size_t cell, Cell c) {
   return SplitDefect::kNone;
 }
 
-void CellParts<2>::append(size_t cell, Cell, uint32_t part, PartLoops& out) const {
+void CellParts<2>::append(size_t cell, Cell, uint32_t part, Loops& out) const {
   const PartHull<2>& sides = parts_[cell][part];
   uint32_t v = sides[0].v[0];
   do {
@@ -128,7 +128,12 @@ SplitDefect CellParts<3>::fill(Cell c, Array<PartHull<3>>& parts) {
     if (fill_between_points(surface_of(c), parts)) return SplitDefect::kNone;
   }
   const uint32_t points_before = at_.end();
-  if (!fill_round_points(surface_of(c), parts)) {
+  bool is_filled = fill_round_points(surface_of(c), parts);
+  for (uint32_t attempt = 1; attempt <= kAttempts && !is_filled; ++attempt) {
+    cuts_.vary(c, attempt);
+    is_filled = fill_round_points(surface_of(c), parts);
+  }
+  if (!is_filled) {
     return meets_itself(at_, surface) ? SplitDefect::kMeetsItself : SplitDefect::kNotFilled;
   }
   if (may_add_) return SplitDefect::kNone;
@@ -180,7 +185,7 @@ void CellParts<3>::break_facets(Cell c, const Array<PartHull<3>>& parts) {
   });
 }
 
-void CellParts<3>::append(size_t cell, Cell c, uint32_t part, PartLoops& out) const {
+void CellParts<3>::append(size_t cell, Cell c, uint32_t part, Loops& out) const {
   const Array<SideOwner> owners = owners_of(parts_[cell]);
   PartHull<3> outer(env_.memory);
   for (uint32_t f = 0; f < env_.map.facets_of(c); ++f) {
@@ -204,7 +209,7 @@ void CellParts<3>::append(size_t cell, Cell c, uint32_t part, PartLoops& out) co
   }
 }
 
-bool CellParts<3>::append_other(Cell c, PartLoops& out) const {
+bool CellParts<3>::append_other(Cell c, Loops& out) const {
   const uint32_t facets = env_.map.facets_of(c);
   const auto broken = [&](uint32_t f) {
     const uint32_t i = cuts_.find(env_.map.half_facet(c, f));

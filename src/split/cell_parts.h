@@ -1,6 +1,7 @@
 #pragma once
 // The parts of the cells of one mesh.
 
+#include "environment/outer_facets.h"
 #include "split/facet_cuts.h"
 
 namespace dsw {
@@ -8,15 +9,6 @@ namespace dsw {
 /** Why a cell can't be split. */
 enum class SplitDefect { kNone, kInsideOut, kBadFacet, kMeetsItself, kTooLarge, kNeedsPoint, kNotFilled };
 const char* text_of(SplitDefect defect);
-
-/** Loops of vertices, one after the other. */
-struct PartLoops {
-  Array<uint32_t> vertices, first;
-
-  explicit PartLoops(const Memory* memory) : vertices(memory), first(1, 0, memory) {}
-  uint32_t count() const { return static_cast<uint32_t>(first.size() - 1); }
-  void end_loop() { first.push_back(static_cast<uint32_t>(vertices.size())); }
-};
 
 template <int D>
 class CellParts;
@@ -32,9 +24,9 @@ class CellParts<2> {
   SplitDefect split(size_t cell, Cell c);
   uint32_t count(size_t cell) const { return static_cast<uint32_t>(parts_[cell].size()); }
   /** Appends the corners of part `part` of cell number `cell`. */
-  void append(size_t cell, Cell c, uint32_t part, PartLoops& out) const;
+  void append(size_t cell, Cell c, uint32_t part, Loops& out) const;
   bool changes_others() const { return false; }
-  bool append_other(Cell, PartLoops&) const { return false; }
+  bool append_other(Cell, Loops&) const { return false; }
   const PartPoints<2>& places() const { return at_; }
 
  private:
@@ -58,11 +50,11 @@ class CellParts<3> {
   SplitDefect split(size_t cell, Cell c);
   uint32_t count(size_t cell) const { return static_cast<uint32_t>(parts_[cell].size()); }
   /** Appends the facets of a part, once all cells are split. */
-  void append(size_t cell, Cell c, uint32_t part, PartLoops& out) const;
+  void append(size_t cell, Cell c, uint32_t part, Loops& out) const;
   /** Whether cells that are not split have facets that are. */
   bool changes_others() const { return cuts_.any_broken(); }
   /** Appends the facets of such a cell; false, and nothing is appended: it has none. */
-  bool append_other(Cell c, PartLoops& out) const;
+  bool append_other(Cell c, Loops& out) const;
   const PartPoints<3>& places() const { return at_; }
 
  private:

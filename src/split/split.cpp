@@ -107,7 +107,7 @@ class SplitMesh<D>::Writer {
   void add(Cell c) {
     const Form form = env_.map.form(c);
     if (form == Form::kGeneral && D == 3) {
-      PartLoops loops(env_.memory);
+      Loops loops(env_.memory);
       for (uint32_t f = 0; f < env_.map.facets_of(c); ++f) {
         for_each_facet_vertex<D>(env_.map.shape(c), f,
                                  [&](uint32_t local) { loops.vertices.push_back(env_.map.vertex(c, local)); });
@@ -120,17 +120,16 @@ class SplitMesh<D>::Writer {
     env_.map.for_each_vertex(c, [&](uint32_t v) { mesh_.connectivity_.push_back(v); });
   }
   /** A polyhedron or polygon that is all or a part of a cell. */
-  void add(Cell c, const PartLoops& loops) {
+  void add(Cell c, const Loops& loops) {
     begin(c, number_of(Form::kGeneral, D));
     if (D == 3) mesh_.connectivity_.push_back(loops.count());
     for (uint32_t i = 0; i < loops.count(); ++i) {
-      if (D == 3) mesh_.connectivity_.push_back(loops.first[i + 1] - loops.first[i]);
-      mesh_.connectivity_.insert(mesh_.connectivity_.end(), loops.vertices.begin() + loops.first[i],
-                                 loops.vertices.begin() + loops.first[i + 1]);
+      if (D == 3) mesh_.connectivity_.push_back(loops[i].size());
+      mesh_.connectivity_.insert(mesh_.connectivity_.end(), loops[i].begin(), loops[i].end());
     }
   }
   /** A part that may be a simplex. */
-  void add_part(Cell c, const PartLoops& loops) {
+  void add_part(Cell c, const Loops& loops) {
     Array<uint32_t> vertices(loops.vertices);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -189,9 +188,9 @@ template <int D>
 void SplitMesh<D>::write(const Environment<D>& env, const dsw_environment_desc& input, const Array<Cell>& cells,
                          const CellParts<D>& parts) {
   Writer writer(env, input, *this);
-  PartLoops loops(env.memory);
+  Loops loops(env.memory);
   const auto write_part = [&](size_t cell, uint32_t part) {
-    loops = PartLoops(env.memory);
+    loops = Loops(env.memory);
     parts.append(cell, cells[cell], part, loops);
     writer.add_part(cells[cell], loops);
   };
@@ -201,7 +200,7 @@ void SplitMesh<D>::write(const Environment<D>& env, const dsw_environment_desc& 
       write_part(next++, 0);
       return;
     }
-    loops = PartLoops(env.memory);
+    loops = Loops(env.memory);
     if (parts.changes_others() && parts.append_other(c, loops)) {
       writer.add(c, loops);
     } else {

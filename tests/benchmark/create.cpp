@@ -99,6 +99,31 @@ void report_conforming(double share, std::uint64_t parts, const std::string& nam
   report.set("create.changed_" + name, found.changed_count / static_cast<double>(mesh.cell_count()));
 }
 
+/** Creation with SPLIT of a lattice in which corners are pushed into cells, over that of the lattice itself. */
+void report_splitting(const Options& options, Report& report) {
+  scenes::HexGridOptions grid;
+  grid.size = scenes::hex_grid_size(100000);
+  const scenes::VolumeMesh hexes = scenes::make_hex_grid(grid).mesh;
+  scenes::VolumeMesh pushed = hexes;
+  const std::uint32_t n = grid.size[0] + 1;
+  for (std::uint32_t z = 2; z + 2 < grid.size[2]; z += 5) {
+    for (std::uint32_t y = 2; y + 2 < grid.size[1]; y += 5) {
+      for (std::uint32_t x = 2; x + 2 < grid.size[0]; x += 5) {
+        double* const p = &pushed.points[3 * (x + std::size_t{n} * (y + std::size_t{grid.size[1] + 1} * z))];
+        for (int k = 0; k < 3; ++k) p[k] -= 0.75;
+      }
+    }
+  }
+  std::vector<double> splitting, plain;
+  dsw_build_report found;
+  for (int round = 0; round < (options.quick ? 5 : 15); ++round) {
+    plain.push_back(creation_ns(hexes, 0, found));
+    splitting.push_back(creation_ns(pushed, DSW_ENVIRONMENT_SPLIT, found));
+  }
+  report.set("create.splitting", median_ratio(splitting, plain));
+  report.set("create.split_share", found.split_count / static_cast<double>(hexes.cell_count()));
+}
+
 }  // namespace
 
 void run_create(const Options& options, Report& report) {
@@ -129,6 +154,7 @@ void run_create(const Options& options, Report& report) {
   report_conforming(0.01, 2, "2_to_1", options, report);
   report_conforming(0.04, 2, "2_to_1_many", options, report);
   report_conforming(0.003, 4, "4_to_1", options, report);
+  report_splitting(options, report);
 }
 
 }  // namespace dsw::bench

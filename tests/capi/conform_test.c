@@ -20,22 +20,6 @@ static dsw_environment_desc cubes_desc(const double *points, uint32_t flags) {
   return d;
 }
 
-static dsw_build_report create(const dsw_environment_desc *d, dsw_environment **environment) {
-  dsw_build_report r;
-  memset(&r, 0x55, sizeof r);
-  r.struct_size = sizeof r;
-  *environment = NULL;
-  dsw_environment_create(NULL, d, environment, &r);
-  return r;
-}
-
-static dsw_build_report create_alone(const dsw_environment_desc *d) {
-  dsw_environment *environment;
-  const dsw_build_report r = create(d, &environment);
-  CHECK_OK(dsw_environment_destroy(environment));
-  return r;
-}
-
 static dsw_outcome cast_through(const dsw_environment *environment) {
   const double from[3] = {0.25, 0.5, 0.5}, to[3] = {1.375, 0.375, 0.25};
   dsw_flight flight;
@@ -46,7 +30,7 @@ static dsw_outcome cast_through(const dsw_environment *environment) {
 static void parts_that_touch_are_counted_and_named(void) {
   dsw_environment_desc d = cubes_desc(two_cubes, DSW_ENVIRONMENT_FIND_TOUCHING);
   dsw_environment *environment;
-  dsw_build_report r = create(&d, &environment), checked;
+  dsw_build_report r = create_reported(&d, &environment), checked;
   CHECK(r.status == DSW_STATUS_OK && r.part_count == 2 && r.merged_point_count == 0 && r.changed_count == 0);
   CHECK(r.touching_face_count == 2);
   CHECK(r.touching_face.volume == 0 && r.touched_face.volume == 1);
@@ -67,7 +51,7 @@ static void parts_that_touch_are_counted_and_named(void) {
 static void equal_points_are_merged(void) {
   const dsw_environment_desc d = cubes_desc(two_cubes, DSW_ENVIRONMENT_MERGE_POINTS | DSW_ENVIRONMENT_FIND_TOUCHING);
   dsw_environment *environment;
-  const dsw_build_report r = create(&d, &environment);
+  const dsw_build_report r = create_reported(&d, &environment);
   dsw_vertex_id vertices[8];
   size_t count;
   CHECK(r.status == DSW_STATUS_OK && r.part_count == 1 && r.merged_point_count == 4 && r.unused_point_count == 4);
@@ -146,7 +130,7 @@ static void a_large_face_is_split_by_small_ones(void) {
   d.flags = DSW_ENVIRONMENT_FIND_TOUCHING | DSW_ENVIRONMENT_MERGE_POINTS;
   CHECK(create_alone(&d).touching_face_count == 5);
   d.flags = DSW_ENVIRONMENT_FIND_TOUCHING | DSW_ENVIRONMENT_CONFORM;
-  r = create(&d, &environment);
+  r = create_reported(&d, &environment);
   CHECK(r.status == DSW_STATUS_OK && r.part_count == 1 && r.touching_face_count == 0);
   CHECK(r.changed_count == 1 && r.changed[0] == 0 && r.changed[1] == 0);
   CHECK(r.convex_volume_count == 5);

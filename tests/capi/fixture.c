@@ -146,6 +146,22 @@ dsw_environment_desc polygons_desc(const double *points, size_t point_count, dsw
   return d;
 }
 
+dsw_build_report create_reported(const dsw_environment_desc *d, dsw_environment **environment) {
+  dsw_build_report r;
+  memset(&r, 0x55, sizeof r);
+  r.struct_size = sizeof r;
+  *environment = NULL;
+  dsw_environment_create(NULL, d, environment, &r);
+  return r;
+}
+
+dsw_build_report create_alone(const dsw_environment_desc *d) {
+  dsw_environment *environment;
+  const dsw_build_report r = create_reported(d, &environment);
+  CHECK_OK(dsw_environment_destroy(environment));
+  return r;
+}
+
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features) {
   dsw_scene_desc d;
   dsw_scene *scene = NULL;

@@ -29,6 +29,10 @@ dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny);
 /* Triangles or quadrilaterals of the plane. */
 dsw_environment_desc polygons_desc(const double *points, size_t point_count, dsw_cell_type type, const int64_t *cells,
                                    size_t cell_count);
+/* Creates an environment, null if that fails, without a context; the report says how that went. */
+dsw_build_report create_reported(const dsw_environment_desc *d, dsw_environment **environment);
+/* The report alone. */
+dsw_build_report create_alone(const dsw_environment_desc *d);
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features);
 /* Destroys a scene and its environment. */
 void end_scene(dsw_scene *scene);

@@ -72,6 +72,44 @@ static void creating_an_environment(int plane) {
   grid_destroy(&g);
 }
 
+/* A cube with points of its own beside four smaller ones, the first of which is an arrow head that has to be split. */
+static void creating_what_is_sewn_and_split(void) {
+  dsw_context *const context = make_context(&g_host);
+  double points[8 + 18][3];
+  int64_t cells[5 * 8];
+  dsw_environment_desc d;
+  dsw_environment *environment = NULL;
+  dsw_build_report report;
+  size_t refusals;
+  unsigned i, k;
+  for (i = 0; i < 8; ++i) {
+    points[i][0] = i % 4 == 1 || i % 4 == 2, points[i][1] = i % 4 >= 2, points[i][2] = i >= 4;
+    cells[i] = i;
+  }
+  for (i = 0; i < 18; ++i) {
+    double *const p = points[8 + i];
+    p[0] = 1 + i % 2, p[1] = i / 2 % 3 * 0.5, p[2] = i / 6 * 0.5;
+    if (i / 2 == 4) p[1] = p[2] = 0.0625;
+  }
+  for (i = 0; i < 4; ++i) {
+    static const unsigned corners[8] = {0, 1, 3, 2, 6, 7, 9, 8};
+    for (k = 0; k < 8; ++k) cells[8 + 8 * i + k] = 8 + i % 2 * 2 + i / 2 * 6 + corners[k];
+  }
+  dsw_environment_desc_init(&d, sizeof d);
+  d.points = points[0], d.point_count = 26;
+  d.connectivity = cells, d.connectivity_count = 40, d.volume_count = 5;
+  d.flags = DSW_ENVIRONMENT_SPLIT | DSW_ENVIRONMENT_CONFORM | DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_FIND_TOUCHING;
+  memset(&report, 0, sizeof report);
+  report.struct_size = sizeof report;
+  UNTIL_IT_SUCCEEDS(dsw_environment_create(context, &d, &environment, &report),
+                    environment == NULL && g_host.alive == 1 && report.status == DSW_STATUS_OUT_OF_MEMORY, refusals);
+  CHECK(refusals >= 50 && report.status == DSW_STATUS_OK);
+  CHECK(report.split_count == 1 && report.changed_count == 1 && report.part_count == 1);
+  CHECK_OK(dsw_environment_destroy(environment));
+  CHECK(g_host.alive == 1);
+  end_context(context, &g_host);
+}
+
 static void creating_a_scene(int plane) {
   dsw_context *const context = make_context(&g_host);
   dsw_environment *const environment = plane ? make_squares(context, 2, 2) : make_environment(context, 2, 2, 2);
@@ -464,6 +502,7 @@ int main(void) {
   for (plane = 0; plane < 2; ++plane) {
     check_in(plane ? "in the plane" : "in space");
     creating_an_environment(plane);
+    if (!plane) creating_what_is_sewn_and_split();
     creating_a_scene(plane);
     particles_of_a_scene(plane);
     a_body(plane);

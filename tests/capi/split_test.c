@@ -5,22 +5,6 @@
 #include "check.h"
 #include "fixture.h"
 
-static dsw_build_report create(const dsw_environment_desc *d, dsw_environment **environment) {
-  dsw_build_report r;
-  memset(&r, 0x55, sizeof r);
-  r.struct_size = sizeof r;
-  *environment = NULL;
-  dsw_environment_create(NULL, d, environment, &r);
-  return r;
-}
-
-static dsw_build_report create_alone(const dsw_environment_desc *d) {
-  dsw_environment *environment;
-  const dsw_build_report r = create(d, &environment);
-  CHECK_OK(dsw_environment_destroy(environment));
-  return r;
-}
-
 static uint32_t volume_count(const dsw_environment *environment) {
   dsw_environment_info info;
   info.struct_size = sizeof info;
@@ -83,7 +67,7 @@ static void a_cell_is_split_and_its_parts_know_it(void) {
   for (dimension = 2; dimension <= 3; ++dimension) {
     const dsw_environment_desc d = grid_of(dimension, 0.5, DSW_ENVIRONMENT_SPLIT);
     dsw_environment *environment;
-    const dsw_build_report r = create(&d, &environment);
+    const dsw_build_report r = create_reported(&d, &environment);
     const double from[3] = {0.0625, 1.5, 0.5}, to[3] = {3.5, 0.25, 0.25};
     dsw_flight flight;
     dsw_environment_info info;
@@ -113,13 +97,13 @@ static void what_is_valid_stays_as_it_was(void) {
   for (dimension = 2; dimension <= 3; ++dimension) {
     dsw_environment_desc d = grid_of(dimension, 1.75, 0);
     dsw_environment *plain, *split;
-    dsw_build_report r = create(&d, &plain);
+    dsw_build_report r = create_reported(&d, &plain);
     size_t sizes[2] = {0, 0};
     void *blocks[2];
     uint32_t i;
     CHECK(r.status == DSW_STATUS_OK);
     d.flags = DSW_ENVIRONMENT_SPLIT;
-    r = create(&d, &split);
+    r = create_reported(&d, &split);
     CHECK(r.status == DSW_STATUS_OK && r.split_count == 0);
     CHECK_OK(dsw_environment_save(plain, NULL, 0, &sizes[0]));
     CHECK_OK(dsw_environment_save(split, NULL, 0, &sizes[1]));
@@ -143,7 +127,7 @@ static void parents_are_kept_in_snapshots(void) {
     size_t size = 0, again = 0;
     unsigned char *block, *copy;
     uint32_t i;
-    create(&d, &environment);
+    create_reported(&d, &environment);
     CHECK_OK(dsw_environment_save(environment, NULL, 0, &size));
     block = malloc(size), copy = malloc(size);
     CHECK_OK(dsw_environment_save(environment, block, size, &size));
@@ -162,7 +146,7 @@ static void wrong_ids_are_refused(void) {
   const dsw_environment_desc d = grid_of(3, 0.5, DSW_ENVIRONMENT_SPLIT);
   dsw_environment *environment;
   uint32_t parent = 77;
-  create(&d, &environment);
+  create_reported(&d, &environment);
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_parent(environment, stale_volume, &parent));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_parent(environment, volume_at(0), NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_parent(NULL, volume_at(0), &parent));
@@ -189,7 +173,7 @@ static void repeated_corners_are_what_is_left(void) {
     d.flags = 0;
     CHECK(create_alone(&d).status == DSW_STATUS_BAD_CELL);
     d.flags = DSW_ENVIRONMENT_SPLIT;
-    r = create(&d, &environment);
+    r = create_reported(&d, &environment);
     if (i == 3) {
       CHECK(r.status == DSW_STATUS_BAD_CELL && environment == NULL);
       CHECK_MESSAGE("cell 0 has nothing left");
@@ -228,6 +212,27 @@ static void what_cannot_be_split_is_told(void) {
   CHECK(r.status == DSW_STATUS_OK && r.reoriented_count == 1 && r.split_count == 1);
 }
 
+/* Polygons that lose corners take less room than they were given for: what follows them must be found. */
+static void polygons_lose_corners(void) {
+  static const double points[18] = {0, 0, 1, 0, 2, 0, 3, 0, 3, 1, 0, 1, 0, 2, 3, 2, 1, 0};
+  static const int64_t cells[15] = {0, 1, 8, 1, 2, 2, 3, 3, 4, 4, 5, 5, 4, 7, 6};
+  static const int64_t offsets[3] = {0, 11, 15};
+  static const uint8_t types[2] = {DSW_CELL_TYPE_POLYGON, DSW_CELL_TYPE_QUAD};
+  dsw_environment_desc d;
+  dsw_environment *environment;
+  dsw_build_report r;
+  dsw_environment_desc_init(&d, sizeof d);
+  d.dimension = 2;
+  d.points = points, d.point_count = 9;
+  d.cell_types = types, d.offsets = offsets;
+  d.connectivity = cells, d.connectivity_count = 15, d.volume_count = 2;
+  d.flags = DSW_ENVIRONMENT_SPLIT | DSW_ENVIRONMENT_MERGE_POINTS;
+  r = create_reported(&d, &environment);
+  CHECK(r.status == DSW_STATUS_OK && r.part_count == 1 && r.merged_point_count == 1);
+  CHECK_OK(dsw_environment_check(environment, NULL));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
 /* What changes make of a volume keeps its parent; a volume that is added has none. */
 static void changes_keep_parents(void) {
   const dsw_environment_desc d = grid_of(3, 0.5, DSW_ENVIRONMENT_SPLIT);
@@ -241,7 +246,7 @@ static void changes_keep_parents(void) {
   unsigned char block[20000];
   size_t size;
   uint32_t parent = 77, i, count;
-  create(&d, &environment);
+  create_reported(&d, &environment);
   count = volume_count(environment);
   CHECK_OK(dsw_environment_get_edge_id(environment, volume_at(0), 0, &edge));
   CHECK_OK(dsw_environment_split_edge(environment, edge, 0.5, &middle, halves));
@@ -279,7 +284,7 @@ static void parts_bend_and_are_recorded(void) {
   dsw_replay *replay = NULL;
   dsw_replay_report report;
   unsigned i, calls = 0;
-  create(&d, &environment);
+  create_reported(&d, &environment);
   scene = make_scene(environment, DSW_FEATURE_DEFORMING);
   to.flags = DSW_RECORDING_STATES;
   CHECK_OK(dsw_scene_start_recording(scene, &to));
@@ -310,6 +315,7 @@ int main(void) {
   parents_are_kept_in_snapshots();
   wrong_ids_are_refused();
   repeated_corners_are_what_is_left();
+  polygons_lose_corners();
   what_cannot_be_split_is_told();
   changes_keep_parents();
   parts_bend_and_are_recorded();

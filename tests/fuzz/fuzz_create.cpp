@@ -100,7 +100,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const bool uniform = (layout & 1) != 0, faces_apart = (layout & 2) != 0, is_narrow = (layout & 4) != 0;
   const bool no_offsets = (layout & 8) != 0, labelled = (layout & 16) != 0, damaged = (layout & 32) != 0;
   const bool is_planar = (layout & 64) != 0;
-  const uint32_t flags = bytes.byte();
+  uint32_t flags = bytes.byte();
+  flags |= (layout & 128u) << 1;        // DSW_ENVIRONMENT_SPLIT
+  if (flags == 0xffu) flags |= 0x200u;  // a flag that there is not
 
   Mesh mesh = read_mesh(&bytes, faces_apart, is_planar);
   if (damaged) {
@@ -114,7 +116,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
 
   dsw_environment_desc desc;
   dsw_environment_desc_init(&desc, sizeof desc);
-  desc.flags = flags & 0x1f;  // one bit more than there are flags
+  desc.flags = flags;
   desc.index_bytes = is_narrow ? 4 : 8;
   if (is_planar) {
     desc.dimension = 2;
@@ -133,6 +135,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     desc.faces_count = mesh.faces.size();
     desc.face_locations = pick(face_locations, mesh.face_locations);
   }
+  if ((flags & (DSW_ENVIRONMENT_MERGE_POINTS | DSW_ENVIRONMENT_CONFORM)) != 0) desc.merge_distance = bytes.number();
   if (labelled) {
     desc.regions = mesh.regions.data();
     desc.tags = mesh.tags.data();

@@ -22,8 +22,11 @@ enum Layout : uint8_t {
   kNoOffsets = 8,
   kLabelled = 16,
   kDamaged = 32,
-  kPlanar = 64
+  kPlanar = 64,
+  kSplit = 128
 };
+constexpr uint8_t kSewn =
+    DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_MERGE_POINTS | DSW_ENVIRONMENT_CONFORM | DSW_ENVIRONMENT_FIND_TOUCHING;
 
 struct Cell {
   uint8_t type;  // a Type, or a PlaneType
@@ -278,6 +281,9 @@ int main(int argc, char** argv) {
       {"damaged_tetrahedra", tetrahedra(), kDamaged, 0},
       {"plane", plane(), kPlanar | kLabelled, DSW_ENVIRONMENT_LOCATE_TREE | DSW_ENVIRONMENT_CHECK_BOUNDARY},
       {"reoriented_wedges", mixed(), kLabelled, DSW_ENVIRONMENT_REORIENT},
+      {"sewn_polyhedra", two_polyhedra(), kLabelled | kSplit, kSewn},
+      {"sewn_mixed", mixed(), kLabelled | kSplit, kSewn},
+      {"sewn_plane", plane(), kPlanar | kLabelled | kSplit, kSewn},
   };
   for (const auto& seed : seeds) {
     write(folder / "create" / seed.name, encode(seed.mesh, seed.layout, seed.flags));

@@ -225,7 +225,8 @@ TEST(ConformSpaceTest, PointsThatDifferByRoundingAreOneWithinADistance) {
     dsw_build_report report;
     const Owner exact = mesh.create(DSW_ENVIRONMENT_CONFORM, report);
     EXPECT_TRUE(report.status != DSW_STATUS_OK || report.part_count > 1);
-    const Owner sewn = mesh.create(DSW_ENVIRONMENT_CONFORM, report, 1e-9);
+    mesh.merge_distance = 1e-9;
+    const Owner sewn = mesh.create(DSW_ENVIRONMENT_CONFORM, report);
     ASSERT_EQ(report.status, DSW_STATUS_OK) << dsw_last_error_message();
     EXPECT_EQ(report.part_count, 1u);
     EXPECT_EQ(report.boundary_face_count, 5u * 4u + 5u * 16u);  // five sides of each half

@@ -11,30 +11,16 @@
 #include <vector>
 
 #include "../effort.h"
-#include "dartsweep/dartsweep.h"
+#include "cells.h"
 
 namespace dsw::loose {
 
-using Vec3 = std::array<double, 3>;
-
-struct Destroy {
-  void operator()(dsw_environment* environment) const { dsw_environment_destroy(environment); }
-};
-using Owner = std::unique_ptr<dsw_environment, Destroy>;
-
 /** A mesh in which no two cells have points in common. */
-struct LooseMesh {
-  unsigned dimension = 3;
-  std::vector<double> points;
-  std::vector<uint8_t> types;
-  std::vector<int64_t> offsets{0}, connectivity;
-
+struct LooseMesh : Cells {
+  using Cells::add;
   void add(dsw_cell_type type, const std::vector<Vec3>& corners) {
     types.push_back(static_cast<uint8_t>(type));
-    for (const Vec3& corner : corners) {
-      connectivity.push_back(static_cast<int64_t>(points.size() / dimension));
-      points.insert(points.end(), corner.begin(), corner.begin() + dimension);
-    }
+    for (const Vec3& corner : corners) connectivity.push_back(add_point(corner));
     offsets.push_back(static_cast<int64_t>(connectivity.size()));
   }
   void add_box(const Vec3& low, const Vec3& high) {
@@ -52,30 +38,7 @@ struct LooseMesh {
       add(DSW_CELL_TYPE_QUAD, corners);
     }
   }
-  Owner create(uint32_t flags, dsw_build_report& report, double distance = 0) const {
-    dsw_environment_desc desc;
-    dsw_environment_desc_init(&desc, sizeof desc);
-    desc.dimension = dimension;
-    desc.flags = flags;
-    desc.points = points.data();
-    desc.point_count = points.size() / dimension;
-    desc.cell_types = types.data();
-    desc.volume_count = types.size();
-    desc.offsets = offsets.data();
-    desc.connectivity = connectivity.data();
-    desc.connectivity_count = connectivity.size();
-    desc.merge_distance = distance;
-    report = {};
-    report.struct_size = sizeof report;
-    dsw_environment* made = nullptr;
-    dsw_environment_create(nullptr, &desc, &made, &report);
-    return Owner(made);
-  }
 };
-
-inline double uniform(std::mt19937_64& random, double low = 0, double high = 1) {
-  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
 
 struct Box {
   Vec3 low, high;

@@ -343,6 +343,70 @@ TEST(SplitTest, PushedCornersAreWhatTheyWere) {
   EXPECT_GT(accepted, valid_before);
 }
 
+/** Six times the volume that faces enclose that are flat and convex. */
+mpq_class volume_of(const Cells& cells, const Loops& faces) {
+  mpq_class sum = 0;
+  for (const auto& face : faces) {
+    const auto at = [&](size_t k) { return exact(&cells.points[3 * static_cast<size_t>(face[k])], 3); };
+    for (size_t k = 1; k + 1 < face.size(); ++k) sum += determinant(at(0), at(k), at(k + 1));
+  }
+  return sum;
+}
+
+/** A prism twisted so far that no tetrahedra between its points fill it (Schoenhardt 1928), whose mean is drawn to one edge by
+ * points there. With an arm, no place in it sees all of it. */
+Loops twisted_prism(Cells& cells, double twist, int points_on_edge, bool has_arm) {
+  const Vec3 low[3] = {{1, 0, 0}, {-0.5, 0.875, 0}, {-0.5, -0.875, 0}};
+  const int levels = has_arm ? 3 : 1;
+  std::vector<std::array<int64_t, 3>> rings(static_cast<size_t>(levels) + 1);
+  for (size_t k = 0; k < 3; ++k) {
+    rings[0][k] = cells.add_point(low[k]);
+    const double angle = 2 * 3.14159265358979 * double(k) / 3 - twist;
+    for (int level = 1; level <= levels; ++level) {
+      const double shift = level == 3 ? 3 : 0;
+      const double x = std::round(std::cos(angle) * 0x1p20) * 0x1p-20;  // so that sides of the arm are flat
+      rings[static_cast<size_t>(level)][k] = cells.add_point({x + shift, std::sin(angle), (level + 1) / 2.0});
+    }
+  }
+  std::vector<int64_t> edge{rings[0][0]};
+  for (int i = 1; i <= points_on_edge; ++i) {  // exactly on it: shares are of 8
+    edge.push_back(cells.add_point({1 - 1.5 * i / 8, 0.875 * i / 8, 0}));
+  }
+  edge.push_back(rings[0][1]);
+  Loops faces{{rings[0][2]}, {rings.back()[0], rings.back()[1], rings.back()[2]}};
+  faces[0].insert(faces[0].end(), edge.rbegin(), edge.rend());
+  for (size_t k = 0; k < 3; ++k) {
+    const size_t next = (k + 1) % 3;
+    faces.push_back(k == 0 ? edge : std::vector<int64_t>{rings[0][k], rings[0][next]});
+    faces.back().push_back(rings[1][k]);
+    faces.push_back({rings[0][next], rings[1][next], rings[1][k]});
+    for (size_t level = 1; level < static_cast<size_t>(levels); ++level) {
+      faces.push_back({rings[level][k], rings[level][next], rings[level + 1][next], rings[level + 1][k]});
+    }
+  }
+  return faces;
+}
+
+TEST(SplitTest, WhatNoTetrahedraFillGetsAPoint) {
+  for (int round = 0; round < effort_of(20); ++round) {
+    std::mt19937_64 random(seed_of(1200 + static_cast<unsigned>(round)));
+    Cells cells;
+    const Loops faces = twisted_prism(cells, uniform(random, 50, 58) * 3.14159265358979 / 180, 7, round % 2 == 1);
+    cells.add(faces);
+    dsw_build_report report;
+    EXPECT_EQ(cells.create(0, report), nullptr);
+    ASSERT_EQ(report.status, DSW_STATUS_INVALID_CELL);
+    EXPECT_EQ(cells.create(DSW_ENVIRONMENT_SPLIT | DSW_ENVIRONMENT_BORROW_POINTS, report), nullptr);
+    EXPECT_EQ(report.status, DSW_STATUS_INVALID_CELL);
+    EXPECT_NE(std::string(dsw_last_error_message()).find("takes a new point"), std::string::npos);
+    const Owner made = cells.create(DSW_ENVIRONMENT_SPLIT, report);
+    ASSERT_EQ(report.status, DSW_STATUS_OK) << dsw_last_error_message() << " round " << round;
+    EXPECT_GE(report.added_point_count, 1u);
+    EXPECT_EQ(report.part_count, 1u);
+    expect_parts(made.get(), cells, {volume_of(cells, faces)});
+  }
+}
+
 /** Cuts, coarsening and snapshots of cells that were split: volumes keep a parent, and the whole stays a partition. */
 TEST(SplitTest, PartsAreCutCoarsenedAndKept) {
   uint32_t cut_in_two = 0;

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -25,9 +26,21 @@ def _passes(environment: ds.Environment) -> bool:
 def test_points_are_merged_within_a_distance() -> None:
     points, cells = _beside(((1 + 1e-10, 0, 0), 1))
     for distance, parts in ((0.0, 2), (1e-9, 1)):
-        with ds.Environment(points, cells, merge_points=distance) as environment:
+        with ds.Environment(points, cells, merge_points=distance, inner_walls=True) as environment:
             assert environment.info.part_count == parts
             assert _passes(environment) == (parts == 1)
+
+
+def test_a_gap_of_rounding_is_told() -> None:
+    points, cells = _beside(((1 + 1e-12, 0, 0), 1))
+    for options in ({}, {"merge_points": 0.0}, {"conform": True}):
+        with pytest.warns(UserWarning, match="^the mesh has several parts, and 4 points lie within 2e-09 of others"):
+            ds.Environment(points, cells, **options).close()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for gap, options in ((1e-12, {"inner_walls": True}), (1e-12, {"merge_points": 2e-9}), (1e-6, {})):
+            points, cells = _beside(((1 + gap, 0, 0), 1))
+            ds.Environment(points, cells, **options).close()
 
 
 def test_faces_that_smaller_ones_cover_are_split() -> None:

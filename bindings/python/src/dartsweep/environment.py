@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import TracebackType
 from typing import Any
+from warnings import warn
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -41,6 +42,27 @@ from .errors import TouchingParts
 from .options import options as described
 
 
+def _count_rows(rows: NDArray[np.int64]) -> int:
+    weights = np.array([1, 0x1E3779B97F4A7C15, 0x3F58476D1CE4E5B9], dtype=np.int64)
+    keys = np.sort(rows @ weights[: rows.shape[1]])  # products wrap round: a hash
+    return 1 + int(np.count_nonzero(keys[1:] != keys[:-1]))
+
+
+def _warn_of_gaps(points: NDArray[np.float64]) -> None:
+    """Tells whether points of a mesh of several parts differ by rounding alone: parts would touch without that."""
+    lower = points.min(axis=0)
+    distance = 1e-9 * float(np.max(points.max(axis=0) / 2 - lower / 2)) * 2
+    if not 0 < distance < np.inf:
+        return
+    places = _count_rows((points + 0.0).view(np.int64)) - _count_rows(np.rint((points - lower) / distance).astype(np.int64))
+    if places > 0:
+        warn(
+            f"the mesh has several parts, and {places} points lie within {distance:.3g} of others: such a gap is a wall; "
+            f"merge_points={distance:.3g} makes one of these points, inner_walls=True tells that walls are meant",
+            stacklevel=3,
+        )
+
+
 class Environment(Named, Topology):
     """A volume mesh in which particles and bodies move, or a mesh of polygons in the plane. Close it, or use it in a `with` statement; scenes of it go on
     until they are closed, too.
@@ -52,7 +74,8 @@ class Environment(Named, Topology):
     Faces of a mesh that lie on faces of other cells without having their points are walls, and mostly nobody means that: TouchingParts is raised
     if there are any, but for three arguments. merge_points: points within this distance count as one, 0.0: points at one place; then fewer
     faces touch. conform: faces that faces of other cells cover are split, too, so that both sides sew (merge_points then also tells how far a
-    point may be from an edge or face that it lies on). inner_walls: they are walls.
+    point may be from an edge or face that it lies on). inner_walls: they are walls. A mesh of several parts with points that differ by less
+    than 1e-9 of its size gives a UserWarning: a gap of rounding is a wall, too.
     split: cells whose mean does not see all of their faces, such as an L, are split into parts; `parent` gives the cell of a part. Cells
     with repeated points are what is left of them.
     region_names: names of labels, which calls then take in place of these; a name may have several labels. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
@@ -106,6 +129,8 @@ class Environment(Named, Topology):
         )
         if must_not_touch:
             self._refuse_touching()
+        if not inner_walls and self._core.build_report().part_count > 1:
+            _warn_of_gaps(np.array(points, dtype=np.float64, order="C"))
 
     def _refuse_touching(self) -> None:
         report = self._core.build_report()
