@@ -1,6 +1,5 @@
 #include "base/processor.h"
 
-#include <array>
 #include <cstdlib>
 #include <cstring>
 
@@ -45,13 +44,8 @@ Instructions most_instructions() noexcept {
 }
 
 const Kernels& kernels_of(Instructions instructions) noexcept {
-  static const auto tables = [] {
-    std::array<Kernels, kInstructionSets> all;
-    for (uint32_t i = 0; i < kInstructionSets; ++i) {
-      for (Instructions& of : all[i].of) of = static_cast<Instructions>(i);
-    }
-    return all;
-  }();
+  static const Kernels tables[kInstructionSets] = {Kernels(Instructions::kPortable), Kernels(Instructions::kAvx2),
+                                                   Kernels(Instructions::kAvx512)};
   return tables[static_cast<uint32_t>(instructions)];
 }
 

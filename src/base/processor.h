@@ -1,6 +1,7 @@
 #pragma once
 // What this processor can run. Of a function with several forms one is chosen once; all give the same bits.
 
+#include <atomic>
 #include <cstdint>
 
 namespace dsw {
@@ -30,9 +31,22 @@ inline bool has_avx2() noexcept { return most_instructions() >= Instructions::kA
 inline bool has_avx512() noexcept { return most_instructions() >= Instructions::kAvx512; }
 bool has_avx2_and_fma() noexcept;
 
-/** The instructions that cells of each kind are walked through by. */
-struct Kernels {
-  Instructions of[16];  // by the four bits of a record's first word that hold a cell's form and whether it is flat
+/** The instructions that cells of each kind are walked through by. Any thread may read while one sets. */
+class Kernels {
+ public:
+  static constexpr uint32_t kKinds =
+      16;  // the four bits of a record's first word that hold a cell's form and whether it is flat
+
+  explicit Kernels(Instructions instructions) noexcept {
+    for (uint32_t kind = 0; kind < kKinds; ++kind) set(kind, instructions);
+  }
+  Instructions of(uint32_t kind) const noexcept { return of_[kind].load(std::memory_order_relaxed); }
+  void set(uint32_t kind, Instructions instructions) noexcept {
+    of_[kind].store(instructions, std::memory_order_relaxed);
+  }
+
+ private:
+  std::atomic<Instructions> of_[kKinds];
 };
 /** Returns the table in which cells of every kind are walked through by `instructions`. */
 const Kernels& kernels_of(Instructions instructions) noexcept;

@@ -57,6 +57,7 @@ dsw_status dsw_environment_coarsen(const dsw_environment* source, const dsw_coar
     dsw::Array<uint32_t> new_index(from.memory);
     dsw::CoarsenReport found;
     coarsen(from, chosen, capi::space(*owner), new_index, found);
+    capi::choose_kernels(*owner);
     *environment = owner.release();
     if (volume_map != nullptr) std::copy(new_index.begin(), new_index.end(), volume_map);
     if (report != nullptr) capi::write_struct(report, to_report(handle, **environment, found));

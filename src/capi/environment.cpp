@@ -129,6 +129,7 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
         if (splits && conforms) creation.split();
         creation.finish();
         owner = std::move(creation.owner());
+        capi::choose_kernels(*owner);
         auto& env = std::get<dsw::Environment<D>>(owner->engine);
         if (conforms) require_sewn(env, (d.flags & DSW_ENVIRONMENT_FIND_TOUCHING) != 0, found);
         if (found.reoriented_count != 0) {

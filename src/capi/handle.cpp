@@ -50,6 +50,10 @@ EnvironmentOwner make_environment(dsw_context* context, uint32_t dimension) {
   return made;
 }
 
+void choose_kernels(const dsw_environment& environment) noexcept {
+  if (!is_planar(environment)) measure_kernels(space(environment));
+}
+
 void destroy_environment(dsw_environment* environment) noexcept {
   dsw_context* const context = environment->context;
   destroy_object(memory_of(context), environment);

@@ -126,6 +126,8 @@ struct DestroyEnvironment {
 };
 using EnvironmentOwner = std::unique_ptr<dsw_environment, DestroyEnvironment>;
 EnvironmentOwner make_environment(dsw_context* context, uint32_t dimension);
+/** Finds the fastest walks for the kinds of cells that a new environment has. */
+void choose_kernels(const dsw_environment& environment) noexcept;
 
 /** Makes what was saved. Throws as the engine's load. */
 dsw_environment* load_environment(dsw_context* context, const uint8_t* block, size_t size);

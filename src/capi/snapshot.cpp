@@ -32,6 +32,7 @@ namespace dsw::capi {
 dsw_environment* load_environment(dsw_context* context, const uint8_t* block, size_t size) {
   EnvironmentOwner owner = make_environment(context, saved_dimension(block, size));
   visit(*owner, [&](auto& env) { load(env, block, size); });
+  choose_kernels(*owner);
   return owner.release();
 }
 

@@ -24,7 +24,7 @@ const Walk<D>& walk_for(const Environment<D>& env, Cell cell) noexcept {
   if constexpr (D == 2)
     return kPlaneWalk;
   else
-    return *kSpaceWalks[static_cast<uint32_t>(env.kernels->of[env.map.kind_bits(cell)])];
+    return *kSpaceWalks[static_cast<uint32_t>(env.kernels->of(env.map.kind_bits(cell)))];
 }
 
 template <int D>

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
+#include <mutex>
 #include <new>
 #include <utility>
 #include <vector>
@@ -15,9 +17,10 @@
 namespace dsw {
 namespace {
 
-constexpr int kSide = 6;         // cells along a side of the lattice
-constexpr uint32_t kRounds = 5;  // the fastest of so many counts: others were disturbed
-constexpr uint32_t kPackets = 3;
+constexpr int kSide = 4;         // cells along a side of the lattice
+constexpr uint32_t kRounds = 4;  // the fastest of so many counts: others were disturbed
+constexpr uint32_t kPackets = 2;
+constexpr uint32_t kSamples = 512;  // cells of an environment that are looked at
 
 enum class Cells { kTetrahedra, kFlatBoxes, kWarpedBoxes, kPolyhedra };
 constexpr Cells kAllCells[] = {Cells::kTetrahedra, Cells::kFlatBoxes, Cells::kWarpedBoxes, Cells::kPolyhedra};
@@ -161,42 +164,49 @@ Instructions fastest(Cells cells) {
   return best;
 }
 
-Kernels measure() {
-  Kernels kernels = kernels_of(most_instructions());
-  for (const Cells cells : kAllCells) {
-    const Instructions best = fastest(cells);
-    const auto set = [&](Form form, bool flat) { kernels.of[static_cast<uint32_t>(form) * 2 + (flat ? 1 : 0)] = best; };
-    switch (cells) {
-      case Cells::kTetrahedra:
-        for (const Form form : {Form::kSimplex, Form::kPyramid}) set(form, false), set(form, true);
-        break;
-      case Cells::kFlatBoxes:
-        set(Form::kBox, true);
-        break;
-      case Cells::kWarpedBoxes:
-        set(Form::kBox, false);
-        break;
-      case Cells::kPolyhedra:
-        for (const Form form : {Form::kPrism, Form::kGeneral}) set(form, false), set(form, true);
-    }
+/** Returns the lattice that stands for cells of a kind. */
+Cells lattice_of(uint32_t kind_bits) noexcept {
+  switch (static_cast<Form>(kind_bits >> 1)) {
+    case Form::kSimplex:
+    case Form::kPyramid:
+      return Cells::kTetrahedra;
+    case Form::kBox:
+      return (kind_bits & 1) != 0 ? Cells::kFlatBoxes : Cells::kWarpedBoxes;
+    default:
+      return Cells::kPolyhedra;
   }
+}
+
+/** The kernels of all environments that name none. */
+Kernels& shared_kernels() noexcept {
+  static Kernels kernels(most_instructions());
   return kernels;
+}
+
+/** Measures what serves `cells` best. Without memory nothing changes. */
+void measure(Cells cells) noexcept {
+  try {
+    const Instructions best = fastest(cells);
+    for (uint32_t kind = 0; kind < Kernels::kKinds; ++kind) {
+      if (lattice_of(kind) == cells) shared_kernels().set(kind, best);
+    }
+  } catch (const std::bad_alloc&) {
+  } catch (const Error&) {
+  }
 }
 
 }  // namespace
 
-const Kernels& fastest_kernels() noexcept {
-  static const Kernels fastest = [] {
-    if (!named_instructions().is_named && supports(Instructions::kAvx2)) {
-      try {
-        return measure();
-      } catch (const std::bad_alloc&) {
-      } catch (const Error&) {
-      }
-    }
-    return kernels_of(most_instructions());
-  }();
-  return fastest;
+const Kernels& fastest_kernels() noexcept { return shared_kernels(); }
+
+void measure_kernels(const Environment<3>& env) noexcept {
+  if (env.kernels != &fastest_kernels() || named_instructions().is_named || !supports(Instructions::kAvx2)) return;
+  static std::once_flag is_measured[std::size(kAllCells)];
+  const uint32_t step = env.map.cell_count / kSamples + 1;
+  for (uint32_t i = 0; i < env.map.cell_count; i += step) {
+    const Cells cells = lattice_of(env.map.kind_bits(env.map.cell(i)));
+    std::call_once(is_measured[static_cast<uint32_t>(cells)], measure, cells);
+  }
 }
 
 }  // namespace dsw

@@ -3,12 +3,17 @@
 // and slow on the next.
 
 #include "base/processor.h"
+#include "environment/environment.h"
 
 namespace dsw {
 
-/** For each kind of cells the instructions that crossed a few thousand of them in the least time. Measured once, in a
- * few milliseconds, by the first who asks; not if DARTSWEEP_KERNEL names some. Never fails: without memory it names the
- * most that the processor has. */
+/** The kernels of environments that name none: for each kind of cells the most instructions that the processor has, until
+ * `measure_kernels` has found faster ones. */
 const Kernels& fastest_kernels() noexcept;
+
+/** Finds for the kinds of cells that `env` has the instructions that cross a few hundred of them in the least time. Each kind
+ * is measured once in a process, in less than half a millisecond. Does nothing if the environment or DARTSWEEP_KERNEL names
+ * instructions. */
+void measure_kernels(const Environment<3>& env) noexcept;
 
 }  // namespace dsw
