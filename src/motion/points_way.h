@@ -15,6 +15,7 @@ class PointsWay {
   void begin(double* next) noexcept {
     start_ = env_.points;
     had_moved_ = env_.has_moved();
+    version_ = env_.obstacle_version;
     next_ = next;
     targets_.clear();
   }
@@ -25,9 +26,12 @@ class PointsWay {
   double* nexts() const noexcept { return next_; }
 
   void read_next() noexcept { read(next_); }
-  /** The environment has not moved. `next` may have changed. */
+  /** The environment has not moved, and what was known of its obstacles still holds. `next` may have changed. */
   void read_start() noexcept {
-    if (env_.points != start_) read(start_);
+    if (env_.points != start_) {
+      read(start_);
+      env_.give_back_version(version_);
+    }
     env_.set_moved(had_moved_);
   }
   void finish() noexcept { next_ = nullptr; }
@@ -61,6 +65,7 @@ class PointsWay {
   const double* start_ = nullptr;
   double* next_ = nullptr;
   bool had_moved_ = false;  // before
+  uint64_t version_ = 0;    // of the environment before
   Array<double> targets_;   // all of them, if a part of the way has been tried
 };
 
