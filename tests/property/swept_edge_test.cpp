@@ -149,7 +149,8 @@ TEST(SweptEdgeTest, NumbersOfNoVertexAreNotTouched) {
       const uint32_t none = env.map.vertex_count, far = 4000000000u;
       const TouchedLine lines[] = {{{far, 0}}, {{0, far}}, {{none, 0}}, {{0, none}}};
       std::copy(std::begin(lines), std::end(lines), body.touched[0].lines);
-      EXPECT_FALSE(pierces_touched_line(env, body, {0, 0, x[1].data(), start, x[2].data(), fixed, {}}));
+      EXPECT_FALSE(pierces_touched_line(
+          env, body, {0, 0, {x[0].data(), start, x[1].data(), start, x[2].data(), fixed, {}, true}}));
     });
   });
 }
