@@ -1,8 +1,8 @@
 #pragma once
 // What a body that turns touches first, exactly: walls, marked edges and vertices, and bodies that stand.
 
-#include "pairs/partners.h"
 #include "proximity/near_lists.h"
+#include "proximity/partners.h"
 #include "turning/rigid_way.h"
 
 namespace dsw {
