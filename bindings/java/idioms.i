@@ -117,7 +117,7 @@
   /** sweepPairs with features that may turn: 17 numbers for each motion, two indices for each pair, -1 for no motion. `to` may be empty: features without a motion stand. */
   public static PairTouchArray sweepRigidPairs(int dimension, byte[] kinds, double[] from, double[] to, double[] motions, int[] indices, int flags) {
     PairTouchArray touches = new PairTouchArray(kinds.length);
-    sweepRigidPairs(dimension, kinds, java.nio.DoubleBuffer.wrap(from), java.nio.DoubleBuffer.wrap(to), java.nio.DoubleBuffer.wrap(motions), java.nio.IntBuffer.wrap(indices), touches, flags);
+    sweepRigidPairs(dimension, kinds, java.nio.DoubleBuffer.wrap(from), java.nio.DoubleBuffer.wrap(to), motions, indices, touches, flags);
     return touches;
   }
 %}

@@ -117,10 +117,9 @@ typedef struct dsw_rigid_motion {
   double translation[3];
 } dsw_rigid_motion;
 
-/** Moves a body rigidly. The motion is halved, up to 52 times, until all vertices can make it, one
- * after the other.
+/** Moves a body rigidly, on its arc, up to the first touch (dsw_sweep_rigid_pairs).
  * @param options only `order`, of all vertices, counts.
- * @note Cost: as dsw_body_move, for each fraction. */
+ * @note Cost: as dsw_body_move, and cells in its box. */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);

@@ -126,6 +126,8 @@ bool read_result(dsw::RecordReader& reader, capi::CallResult* result) {
 
 /** The first version that writes the results of today, and the first one whose walls push as today's do. */
 constexpr uint32_t kFirstComparable = 2000000, kFirstOfTodaysPushes = 2001000;
+/** The first version whose rigid moves follow their arcs. */
+constexpr uint32_t kFirstOnArcs = 2001000;
 
 /** Tells whether walls have just touched something in dsw_environment_deform, and perhaps pushed it: results and states
  * of a version that pushed it farther are others from here on. */
@@ -150,7 +152,7 @@ uint32_t what_differs(const capi::CallResult& recorded, const dsw_replay& replay
   const capi::CallResult& now = replay.watch.last;
   const bool failed = !now.made || now.failed;
   uint32_t differs = 0;
-  if (replay.pushes_otherwise) return 0;
+  if (replay.goes_otherwise) return 0;
   if (failed != recorded.failed) return DSW_DIFFERS_STATUS;
   if (!failed && replay.version >= kFirstComparable && now.digest != recorded.digest) differs |= DSW_DIFFERS_RESULTS;
   if (recorded.has_state && now.has_state && now.state != recorded.state) differs |= DSW_DIFFERS_STATE;
@@ -264,7 +266,7 @@ static dsw_status make(dsw_replay& replay, const Row& row, const WordReader& arg
   }
   const dsw_status status = std::apply(Row::Function::value, given);
   if (replay.version < kFirstOfTodaysPushes && status == DSW_STATUS_OK && has_pushed(replay, row, given)) {
-    replay.pushes_otherwise = true;
+    replay.goes_otherwise = true;
   }
   return status;
 }
@@ -283,6 +285,8 @@ void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* rep
     if (replay.scene->recording != nullptr) replay.scene->recording->writer.write(EntryKind::kRepeated, "", 0);
     make_room(replay);
   }
+  const bool is_rigid_move = next.number == row_of<dsw_body_move_rigid>.number;
+  if (replay.version < kFirstOnArcs && is_rigid_move) replay.goes_otherwise = true;
   const uint32_t differs = next.is_finished ? what_differs(next.result, replay) : 0;
   report->has_failed = next.result.failed ? 1u : 0u;
   report->differs = differs;

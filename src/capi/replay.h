@@ -16,8 +16,8 @@ struct dsw_replay {
   dsw::capi::CallWatch watch;
   uint64_t calls = 0;  // made so far
   uint32_t version = 0, flags = 0;
-  bool pushes_otherwise =
-      false;  // walls have pushed, and the version that recorded pushes farther: nothing is compared
+  // A body has gone another way than in the version that recorded, on arcs or pushed by walls: nothing is compared.
+  bool goes_otherwise = false;
   const char* note = "";
   std::optional<dsw_validation> validation;
   dsw::Array<uint64_t> words;             // the arguments of a call

@@ -74,38 +74,19 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
 }
 
 template <int D>
-void BodyMove<D>::move_rigidly(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
+void BodyMove<D>::begin_steps(Body<D>& body, MoveRecord& record) {
   record.clear();
   star_.simplices.max_volumes = 0;
   keep_forecasts(body);
   before_.assign(body.vertices.begin(), body.vertices.end());
   places_.resize(D * body.vertices.size());
-  Halving halving;
-  try {
-    while (!try_rigidly(body, where, user, halving.way, order, record) && halving.next()) {
-    }
-  } catch (...) {
-    put_vertices(body, before_.data());
-    restore_forecasts(body);
-    throw;
-  }
-  const bool stays = std::equal(
-      before_.begin(), before_.end(), body.vertices.begin(),
-      [](const BodyVertex<D>& a, const BodyVertex<D>& b) { return is_same_point<D>(a.position, b.position); });
-  record.fraction = halving.is_last() && stays ? 0 : halving.way;
-  record.moved = static_cast<uint32_t>(course_.order.size());
-  record.stopped = record.fraction == 1 ? 0 : record.moved;
-  record.sweeps = star_.simplices.counts;
-  for (dsw_body_contact& contact : record.contacts) {
-    contact.distance_left = length(difference<D>(contact.to, body.position(contact.vertex.index)));
-  }
 }
 
-/** Moves all vertices by a fraction of a motion, or none; the first contact of all tries is recorded. */
 template <int D>
-bool BodyMove<D>::try_rigidly(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
-                              MoveRecord& record) {
+bool BodyMove<D>::step(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
+                       MoveRecord* record) {
   const PointArray targets{places_.data(), D};
+  here_.assign(body.vertices.begin(), body.vertices.end());
   for (uint32_t v = 0; v < before_.size(); ++v) {
     double* const to = places_.data() + D * size_t{v};
     std::copy_n(before_[v].position, D, to);
@@ -123,13 +104,30 @@ bool BodyMove<D>::try_rigidly(Body<D>& body, PlaceFn where, const void* user, do
       continue;
     }
     // The first in doubt has met something: all before it have arrived.
-    if (record.contacts.empty()) record_first(body, v, targets[v], record);
-    put_vertices(body, before_.data());
+    if (record != nullptr) record_first(body, v, targets[v], *record);
+    put_vertices(body, here_.data());
     star_.near = nullptr;
     return false;
   }
   star_.near = nullptr;
   return true;
+}
+
+template <int D>
+void BodyMove<D>::end_steps(const Body<D>& body, double fraction, MoveRecord& record) {
+  record.fraction = fraction;
+  record.moved = static_cast<uint32_t>(course_.order.size());
+  record.stopped = record.fraction == 1 ? 0 : record.moved;
+  record.sweeps = star_.simplices.counts;
+  for (dsw_body_contact& contact : record.contacts) {
+    contact.distance_left = length(difference<D>(contact.to, body.position(contact.vertex.index)));
+  }
+}
+
+template <int D>
+void BodyMove<D>::undo_steps(Body<D>& body) noexcept {
+  put_vertices(body, before_.data());
+  restore_forecasts(body);
 }
 
 template <int D>

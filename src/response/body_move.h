@@ -28,9 +28,15 @@ class BodyMove {
   /** Moves a body. Throws std::bad_alloc with the body as it was; the record is cleared first. */
   void move(Body<D>& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record);
 
-  /** Moves all vertices of a body to where(user, from, fraction), as far as nothing is touched: with the first contact
-   * the body is put back and the fraction halved, up to 52 times. Throws as move does. */
-  void move_rigidly(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record);
+  /** Begins a move in steps, in which all vertices go to one fraction of a motion after the other. The record is cleared. */
+  void begin_steps(Body<D>& body, MoveRecord& record);
+  /** Moves all vertices one after the other to where(user, from, fraction), with `from` where the steps began; or, if one of
+   * them meets something, none. Its contact goes to the record, if there is one. Throws std::bad_alloc with some moved. */
+  bool step(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order, MoveRecord* record);
+  /** Ends a move in steps. */
+  void end_steps(const Body<D>& body, double fraction, MoveRecord& record);
+  /** Ends a move in steps where they began. */
+  void undo_steps(Body<D>& body) noexcept;
 
   void set_counters(CastCounters* counters) { star_.simplices.counters = counters; }
   /** What a body can meet besides the environment; null: nothing. */
@@ -39,8 +45,6 @@ class BodyMove {
   void set_notes(NearNotes<D>* notes) { star_.thick.notes = notes; }
 
  private:
-  bool try_rigidly(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
-                   MoveRecord& record);
   void record_first(const Body<D>& body, uint32_t v, const double* to, MoveRecord& record);
   void start(Body<D>& body, PointArray targets, MoveOrder order);
   bool run(const MoveSettings& settings, MoveRecord& record, bool may_skip);
@@ -62,7 +66,8 @@ class BodyMove {
   Array<uint32_t> strays_{env_.memory};       // vertices that are not where their neighbours took them to be
   Turns<D> turns_{env_.memory};               // if there are further passes
   Array<BodyVertex<D>> before_{env_.memory};  // to go back to
-  Array<double> places_{env_.memory};         // of all vertices, when they move together
+  Array<BodyVertex<D>> here_{env_.memory};    // where a step began
+  Array<double> places_{env_.memory};         // of all vertices, in a step
 };
 
 }  // namespace dsw

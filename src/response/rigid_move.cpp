@@ -24,6 +24,17 @@ RigidMotion<D> RigidMove<D>::part(double fraction) const noexcept {
 }
 
 template <int D>
+TurningWay RigidMove<D>::way() const noexcept {
+  TurningWay way{{{0, 0, 0, 1}, {}}, {}, {}};
+  std::copy_n(rotation_.coeffs().data(), 4, way.turn[1]);
+  for (int k = 0; k < 3; ++k) {
+    way.centre[k] = way.place[0][k] = centre_[k];
+    way.place[1][k] = centre_[k] + translation_[k];
+  }
+  return way;
+}
+
+template <int D>
 void RigidMove<D>::place(const void* user, uint32_t, const double* from, double fraction, double* to) noexcept {
   static_cast<const RigidMove*>(user)->part(fraction).place(from, to);
 }

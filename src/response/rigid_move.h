@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "body/body.h"
 #include "body/box.h"
+#include "predicates/turning_pair.h"
 
 namespace dsw {
 
@@ -19,6 +20,8 @@ class RigidMove {
   /** Where a point is at a fraction of the motion; `user` is the motion: a PlaceFn. */
   static void place(const void* user, uint32_t vertex, const double* from, double fraction, double* to) noexcept;
 
+  /** The motion exactly, but for the rounding of the end of the centre's way. */
+  TurningWay way() const noexcept;
   /** A box around all that a part of it does to a body: points keep their distance from the centre, which goes along a
    * line. */
   Box<D> reach(const Body<D>& body) const noexcept;

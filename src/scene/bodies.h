@@ -9,6 +9,9 @@
 namespace dsw {
 
 template <int D>
+class RigidMove;
+
+template <int D>
 struct Scene;
 
 /** A body with what its last move left. */
@@ -101,10 +104,10 @@ void end_move(Scene<D>& scene, BodyRecord<D>& of, const CastCounters& casts) noe
 /** Targets are finite, one for each vertex slot; `order` names distinct living vertices. */
 template <int D>
 void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrder order, const MoveSettings& settings);
-/** `reach`: no part of the motion leads out of it. */
+/** Moves a body rigidly; `place` says where its vertices are, rounded. */
 template <int D>
-void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, const void* user, MoveOrder order,
-                        const Box<D>& reach);
+void move_body_rigidly(Scene<D>& scene, BodyRecord<D>& body, const RigidMove<D>& motion, PlaceFn place,
+                       const void* user, MoveOrder order);
 /** Bodies, distinct, with their targets one after the other. */
 template <int D>
 void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets,

@@ -8,6 +8,7 @@
 #include "response/body_move.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
+#include "turning/turning_move.h"
 
 namespace dsw {
 namespace {
@@ -57,18 +58,23 @@ void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrd
 }
 
 template <int D>
-void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, const void* user, MoveOrder order,
-                        const Box<D>& reach) {
+void move_body_rigidly(Scene<D>& scene, BodyRecord<D>& body, const RigidMove<D>& motion, PlaceFn place,
+                       const void* user, MoveOrder order) {
   CastCounters casts;
   BodyMove<D>& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
   Partners<D> partners(scene.memory);
   follow_changes(scene, body);
-  if (scene.features.contacts) find_partners(scene, body.body, reach, partners);
+  // Distances are widened by the bend of the way, at most by a radius.
+  if (scene.features.contacts) {
+    find_partners(scene, body.body, widened(motion.reach(body.body), body.body.radius), partners);
+  }
   move.set_partners(scene.features.contacts ? &partners : nullptr);
   move.set_notes(&body.kept_near);
   body.touches.prepare(body.record);
-  move.move_rigidly(body.body, place, user, order, body.next);
+  if (scene.turning.get() == nullptr) scene.turning.make(scene.env);
+  scene.turning.get()->move(move, body.body, motion, place, user, order, scene.features.contacts ? &partners : nullptr,
+                            body.next);
   end_move(scene, body, casts);
 }
 
@@ -130,7 +136,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
 DSW_INSTANTIATE(begin_move);
 DSW_INSTANTIATE(end_move);
 DSW_INSTANTIATE(move_body);
-DSW_INSTANTIATE(move_body_together);
+DSW_INSTANTIATE(move_body_rigidly);
 DSW_INSTANTIATE(move_bodies);
 
 }  // namespace dsw

@@ -18,13 +18,13 @@ bool stays_finite(const Body<D>& body, const RigidMove<D>& motion) noexcept {
 template <int D>
 void move_rigid(Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, const MoveOrder& order) {
   if (!of.body.is_rigid()) {
-    return move_body_together(scene, of, RigidMove<D>::place, &motion, order, motion.reach(of.body));
+    return move_body_rigidly(scene, of, motion, RigidMove<D>::place, &motion, order);
   }
   RigidShape<D> before = of.body.shape[0];
   keep_shape(of.body);
   const ShapeMove<D> kept{motion, of.body.shape[0]};
   try {
-    move_body_together(scene, of, ShapeMove<D>::place, &kept, order, motion.reach(of.body));
+    move_body_rigidly(scene, of, motion, ShapeMove<D>::place, &kept, order);
   } catch (...) {
     std::swap(of.body.shape[0], before);
     throw;

@@ -377,10 +377,11 @@ TEST_F(BodyRigidTest, AWallLeavesAFractionThatIsFree) {
   dsw_move_report report;
   const dsw_rigid_motion m = shift({3, 0, 0});
   ASSERT_EQ(dsw_body_move_rigid(scene(), body, &m, nullptr, &report), DSW_STATUS_OK);
-  EXPECT_LT(report.fraction, 1);
-  EXPECT_EQ(report.fraction, 0.25);  // halved twice: 1.5 does not fit
   const BodyState after = read(body);
-  for (size_t v = 0; v < 4; ++v) EXPECT_LE(after.at[v][0], 2);
+  double furthest = 0;
+  for (size_t v = 0; v < 4; ++v) furthest = std::max(furthest, after.at[v][0]);
+  EXPECT_LE(furthest, 2);
+  EXPECT_GT(furthest, 2 - 16 * 0x1p-53);
   EXPECT_GE(report.contact_count, 1u);
 }
 

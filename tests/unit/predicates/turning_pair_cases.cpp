@@ -20,9 +20,16 @@ void set_structured_turn(Random& random, bool about_z, double* turn) {
   for (int k = 0; k < 4; ++k) turn[k] = length * drawn[k];
 }
 
+/** Whether the quaternion is never 0 on its way, clearly: it turns by less than half of a whole turn of its own. */
 template <int D>
 bool is_allowed(const TurningWay& way) {
-  return has_turn<D>(way);
+  double first = 0, last = 0, dot = 0;
+  for (int k = D == 3 ? 0 : 2; k < 4; ++k) {
+    first += way.turn[0][k] * way.turn[0][k];
+    last += way.turn[1][k] * way.turn[1][k];
+    dot += way.turn[0][k] * way.turn[1][k];
+  }
+  return first > 0 && last > 0 && (dot > 0 || first * last - dot * dot > 1e-9 * first * last);
 }
 
 /** Where a point is at a time, nearly. */

@@ -1,0 +1,138 @@
+// First the exact test says up to when the rigid way is free. Then the body goes there along chords, its vertices one after
+// the other, as in any move: that finds the cells of its vertices, and verifies the rounded places. If a chord meets something, it
+// is halved: between the chord and the arc something may stand.
+//
+// The exact test does not know what pairs do later that touch at the start: touching is decided by the shift there. So in a
+// motion that begins in touch chords are short. Thick bodies keep their distance along each chord, with as much more as the
+// way bends beside it.
+
+#include "turning/turning_move.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsw {
+
+namespace {
+
+constexpr int kMostTries = 400, kMostRetreats = 6, kMostGrazes = 64;
+constexpr double kStepInTouch = 0x1p-6;
+
+}  // namespace
+
+/** The chords of a move. */
+template <int D>
+struct TurningMove<D>::Steps {
+  BodyMove<D>& mover;
+  Body<D>& body;
+  const RigidWay<D>& way;
+  PlaceFn place;
+  const void* user;
+  MoveOrder order;
+  bool is_widened;  // the distance that it keeps
+  double radius;
+  int tries = 0;
+  double at = 0;
+
+  bool go_to(double fraction, MoveRecord* record = nullptr) {
+    ++tries;
+    if (is_widened) body.radius = radius + way.sagitta(fraction - at);
+    const bool arrives = mover.step(body, place, user, fraction, order, record);
+    body.radius = radius;
+    if (arrives) at = fraction;
+    return arrives;
+  }
+};
+
+/** Goes on by bisection, up to where the body can't go. */
+template <int D>
+void TurningMove<D>::go_nearer(Steps& steps, double limit, double least) {
+  while (limit - steps.at > 2 * least) {
+    const double next = 0.5 * (steps.at + limit);
+    if (!(next > steps.at && next < limit)) break;
+    if (!steps.go_to(next)) limit = next;
+  }
+}
+
+/** Goes as far as it can, or to an end just before `touch`. Returns whether it has come there. */
+template <int D>
+bool TurningMove<D>::go(Steps& steps, double touch, double most_step) {
+  const double least = way_.least_step(), end = touch <= 1 ? touch - least : 1;
+  double step = most_step;
+  while (steps.at < end && steps.tries < kMostTries) {
+    const bool is_last = end - steps.at <= step;
+    const double from = steps.at, next = is_last ? end : from + step;
+    if (steps.go_to(next)) {
+      step = std::min(2 * step, most_step);
+      continue;
+    }
+    // Where only the rounding of the last place touches, one a little before it does not.
+    for (int i = 1; is_last && touch <= 1 && i <= kMostRetreats; ++i) {
+      const double before = end - std::ldexp(least, 2 * i);
+      if (!(before > from)) break;
+      if (!steps.go_to(before)) continue;
+      go_nearer(steps, end - std::ldexp(least, 2 * i - 2), least);
+      return true;
+    }
+    step = 0.5 * (next - from);
+    if (!(step >= least) || from + step == from) return false;
+  }
+  return steps.at >= end;
+}
+
+/** Tries to go on, and keeps what stops it. Where nothing does, the body is taken back. */
+template <int D>
+void TurningMove<D>::record_contact(Steps& steps, double touch, MoveRecord& record) {
+  const double at = steps.at;
+  here_.assign(steps.body.vertices.begin(), steps.body.vertices.end());
+  for (double further = 16 * way_.least_step();; further *= 64) {
+    const double next = std::min(1.0, std::max(at, touch <= 1 ? touch : at) + further);
+    if (!steps.go_to(next, &record)) break;
+    put_vertices(steps.body, here_.data());
+    steps.at = at;
+    if (next == 1) break;
+  }
+  if (!record.contacts.empty()) record.contacts[0].time = touch <= 1 ? touch : at;
+}
+
+template <int D>
+void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>& motion, PlaceFn place,
+                          const void* user, MoveOrder order, const Partners<D>* partners, MoveRecord& record) {
+  constexpr double kNoTouch = 2;
+  steps.begin_steps(body, record);
+  const double radius = body.radius;
+  try {
+    way_.start(body, motion);
+    const bool is_thick = radius > 0 || (partners != nullptr && partners->has_thick);
+    Steps chords{steps, body, way_, place, user, order, radius > 0 && !body.filter.self, radius};
+    double touch = kNoTouch;
+    for (int grazes = 0;; ++grazes) {
+      const FirstTouch first = touches_.find_first(body, way_, partners);
+      touch = first.touches ? way_.fraction(first.time) : kNoTouch;
+      double most_step = 1;
+      if (way_.turns() && (is_thick || touches_.touches_at_start())) most_step = kStepInTouch;
+      // The way bends by no more than a radius beside a chord.
+      while (way_.turns() && radius > 0 && way_.sagitta(most_step) > radius) most_step *= 0.5;
+      if (!go(chords, touch, most_step)) touch = kNoTouch;  // something that touched at the start is met again
+      if (touch == kNoTouch || grazes == kMostGrazes) break;
+      // What only touches, and is free under the shift, is passed by a step so small that its chord is the arc.
+      const double beyond = std::min(1.0, touch + 16 * way_.least_step());
+      if (!chords.go_to(beyond)) break;
+      if (chords.at == 1) break;
+      way_.go_on(body, motion, chords.at);
+    }
+    // It need not have left what it touched at the start.
+    if (touches_.touches_at_start() && touch - chords.at < 64 * way_.least_step()) touch = kNoTouch;
+    if (chords.at < 1) record_contact(chords, touch, record);
+    steps.end_steps(body, chords.at, record);
+  } catch (...) {
+    body.radius = radius;
+    steps.undo_steps(body);
+    throw;
+  }
+}
+
+template class TurningMove<2>;
+template class TurningMove<3>;
+
+}  // namespace dsw

@@ -1,0 +1,31 @@
+#pragma once
+// A body moved rigidly: as far as its rigid way is free.
+
+#include "response/body_move.h"
+#include "turning/rigid_touches.h"
+
+namespace dsw {
+
+/** Keeps its memory from call to call; one for each thread. */
+template <int D>
+class TurningMove {
+ public:
+  explicit TurningMove(const Environment<D>& env) : touches_(env), way_(env.memory), here_(env.memory) {}
+
+  /** Moves a body. `place` and `user` say where its vertices are at a fraction, rounded. Throws std::bad_alloc with the body
+   * as it was; the record is cleared first. */
+  void move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>& motion, PlaceFn place, const void* user,
+            MoveOrder order, const Partners<D>* partners, MoveRecord& record);
+
+ private:
+  struct Steps;
+  bool go(Steps& steps, double touch, double most_step);
+  void go_nearer(Steps& steps, double limit, double least);
+  void record_contact(Steps& steps, double touch, MoveRecord& record);
+
+  RigidTouches<D> touches_;
+  RigidWay<D> way_;
+  Array<BodyVertex<D>> here_;
+};
+
+}  // namespace dsw

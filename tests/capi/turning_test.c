@@ -1,0 +1,282 @@
+/* Rigid moves follow their arcs: known angles, and first touches beside those of all pairs, which dsw_sweep_rigid_pairs finds. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../effort.h"
+#include "check.h"
+#include "fixture.h"
+
+enum { N = 4, MOST = 4, MOST_PAIRS = 4096 };
+
+static unsigned g_dimension;
+static dsw_environment *g_env;
+static dsw_scene *g_scene;
+
+static uint64_t g_state;
+static double share(void) {
+  g_state ^= g_state << 13;
+  g_state ^= g_state >> 7;
+  g_state ^= g_state << 17;
+  return (double)(g_state >> 11) / 9007199254740992.0;
+}
+static double between(double low, double high) { return low + (high - low) * share(); }
+
+static void begin(unsigned dimension, unsigned n, uint32_t features) {
+  g_dimension = dimension;
+  g_env = dimension == 2 ? make_squares(NULL, n, n) : make_environment(NULL, n, n, n);
+  g_scene = make_scene(g_env, features);
+}
+
+static dsw_move_report turn(dsw_body_id body, const dsw_rigid_motion *motion) {
+  dsw_move_report report;
+  memset(&report, 0, sizeof report);
+  CHECK_OK(dsw_body_move_rigid(g_scene, body, motion, NULL, &report));
+  return report;
+}
+
+static dsw_rigid_motion turn_about_z(double degrees, double x, double y) {
+  dsw_rigid_motion m;
+  const double half = degrees * 3.14159265358979323846 / 360;
+  memset(&m, 0, sizeof m);
+  m.rotation[2] = sin(half);
+  m.rotation[3] = cos(half);
+  m.centre[0] = x;
+  m.centre[1] = y;
+  return m;
+}
+
+/* In a room of half width 1 a rod of length 0.9 sqrt(2) turns by 6.78 degrees, until its end is at a wall. */
+static void a_rod_in_a_room_stops_at_the_wall(unsigned dimension) {
+  const double rod[6] = {0.5, 0.5, 0.5, 0.95, 0.95, 0.5}, flat[4] = {0.5, 0.5, 0.95, 0.95};
+  double now[6];
+  size_t count;
+  dsw_body_id body;
+  dsw_move_report report;
+  const dsw_rigid_motion m = turn_about_z(90, 0.5, 0.5);
+  begin(dimension, 1, 0);
+  body = make_edge_body(g_scene, dimension == 2 ? flat : rod, DSW_LEVEL_EDGES_SWEPT);
+  report = turn(body, &m);
+  CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 0, NULL, &count));
+  CHECK(report.fraction > 0.05 && report.fraction < 0.1 && report.contact_count == 1);
+  CHECK(now[dimension + 1] <= 1 && now[dimension + 1] > 1 - 16 * 0x1p-53); /* its end is at the wall y = 1 */
+  CHECK(turn(body, &m).fraction < 1e-12);
+  end_scene(g_scene);
+}
+
+/* A wall between the arc and its chord is met, and one between the arc and the centre is not. */
+static void what_lies_between_arc_and_chord_counts(unsigned dimension) {
+  const double needle[6] = {1.9, 1.5, 1.5, 1.95, 1.5, 1.5}, flat[4] = {1.9, 1.5, 1.95, 1.5};
+  int turned;
+  for (turned = 0; turned < 2; ++turned) {
+    dsw_body_id body;
+    dsw_move_report report;
+    dsw_rigid_motion m = turn_about_z(120, 1.5, 1.5);
+    double now[6];
+    size_t count;
+    begin(dimension, 3, 0);
+    body = make_edge_body(g_scene, dimension == 2 ? flat : needle, DSW_LEVEL_EDGES_SWEPT);
+    if (turned == 1) { /* the wall x = 1 of the middle cell; the arc goes away from it */
+      CHECK_OK(set_face_mark(g_env, dimension == 2 ? 4 : 13, dimension == 2 ? 3 : FACE_X0, DSW_MARK_IMPASSABLE));
+    } else { /* the wall y = 2, over which the arc would pass if the radius were 0.5 */
+      m.centre[0] = 1.4;
+      m.centre[1] = 1.2;
+      CHECK_OK(set_face_mark(g_env, dimension == 2 ? 4 : 13, dimension == 2 ? 2 : FACE_Y1, DSW_MARK_IMPASSABLE));
+    }
+    report = turn(body, &m);
+    CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 0, NULL, &count));
+    CHECK(report.fraction == 1 && report.contact_count == 0);
+    end_scene(g_scene);
+  }
+}
+
+/* The pairs of a body with the walls of the environment, as dsw_sweep_rigid_pairs takes them. */
+static uint8_t g_kinds[MOST_PAIRS];
+static uint32_t g_indices[2 * MOST_PAIRS];
+static double g_from[12 * MOST_PAIRS];
+static size_t g_pairs;
+
+static void add_pair(uint8_t kind, const double *first, size_t first_count, const double *second, int second_moves) {
+  double *const to = g_from + (g_dimension + 1) * g_dimension * g_pairs;
+  memcpy(to, first, first_count * g_dimension * sizeof *to);
+  memcpy(to + first_count * g_dimension, second, (g_dimension + 1 - first_count) * g_dimension * sizeof *to);
+  g_kinds[g_pairs] = kind;
+  g_indices[2 * g_pairs] = second_moves ? UINT32_MAX : 0;
+  g_indices[2 * g_pairs + 1] = second_moves ? 0 : UINT32_MAX;
+  CHECK(g_pairs < MOST_PAIRS);
+  ++g_pairs;
+}
+
+/* A body of `count` vertices in a line, or a triangle, and a wall: a segment or a triangle. */
+static void add_wall(const double *body, size_t count, int is_face, const double *wall) {
+  const unsigned D = g_dimension;
+  size_t i, k;
+  for (i = 0; i < count; ++i) add_pair(D == 2 ? DSW_PAIR_VERTEX_EDGE : DSW_PAIR_VERTEX_FACE, body + D * i, 1, wall, 0);
+  for (i = 0; i < (is_face ? 3 : count - 1); ++i) {
+    double edge[6];
+    memcpy(edge, body + D * i, D * sizeof *edge);
+    memcpy(edge + D, body + D * ((i + 1) % count), D * sizeof *edge);
+    for (k = 0; k < D; ++k) {
+      double side[6];
+      memcpy(side, wall + D * k, D * sizeof *side);
+      memcpy(side + D, wall + D * ((k + 1) % D), D * sizeof *side);
+      if (D == 3) add_pair(DSW_PAIR_EDGE_EDGE, edge, 2, side, 0);
+      if (D == 2) add_pair(DSW_PAIR_VERTEX_EDGE, wall + D * k, 1, edge, 1);
+    }
+  }
+  for (k = 0; k < 3 && is_face; ++k) add_pair(DSW_PAIR_VERTEX_FACE, wall + 3 * k, 1, body, 1);
+}
+
+/* All corners of a unit square across an axis, as two triangles; in the plane a unit segment. */
+static void add_square(const double *body, size_t count, int is_face, unsigned axis, const double *at) {
+  const unsigned D = g_dimension;
+  double corners[4][3], triangle[9];
+  unsigned i, k;
+  for (i = 0; i < (D == 2 ? 2u : 4u); ++i) {
+    for (k = 0; k < D; ++k) corners[i][k] = at[k];
+    corners[i][(axis + 1) % D] += i == 1 || i == 2 ? 1 : 0;
+    if (D == 3) corners[i][(axis + 2) % D] += i >= 2 ? 1 : 0;
+  }
+  for (i = 0; i + 2 < (D == 2 ? 3u : 4u); ++i) {
+    for (k = 0; k < D; ++k) {
+      triangle[k] = corners[0][k];
+      triangle[D + k] = corners[i + 1][k];
+      if (D == 3) triangle[2 * D + k] = corners[i + 2][k];
+    }
+    add_wall(body, count, is_face, triangle);
+  }
+}
+
+typedef struct tally {
+  size_t touches, passed, false_stops, not_free;
+  size_t wide; /* stops that are more than 64 units in the last place of the room before the touch, along the way */
+} tally;
+
+static void random_turns(unsigned dimension, tally *t) {
+  const size_t wanted = (size_t)effort_of(150);
+  const unsigned D = dimension;
+  size_t i, k, w;
+  for (i = 0; i < wanted; ++i) {
+    double at[3 * MOST], now[3 * MOST], numbers[17], middle[3], first = 2, longest = 0, centre_way = 0;
+    const int is_face = D == 3 && share() < 0.4, turns_far = share() < 0.5;
+    const size_t count = is_face ? 3 : 2 + (size_t)(2 * share());
+    const double size = between(0.05, 0.9), angle = between(0.001, turns_far ? 180 : 30);
+    dsw_rigid_motion m;
+    dsw_body_id body;
+    dsw_body_desc d;
+    dsw_move_report report;
+    const uint32_t corners[3] = {0, 1, 2}, offsets[2] = {0, 3};
+    size_t now_count, number_of_touches = 0;
+    dsw_pair_touch *touches;
+    begin(D, N, DSW_FEATURE_BODY_CONTACTS);
+    for (k = 0; k < D; ++k) middle[k] = between(1, N - 1);
+    for (k = 0; k < D * count; ++k) at[k] = middle[k % D] + between(-size, size);
+    g_pairs = 0;
+    for (k = 0; k < D; ++k) { /* the outer walls */
+      for (w = 0; w < 2; ++w) {
+        double big[3] = {-64, -64, -64}, triangle[9];
+        unsigned c, x;
+        big[k] = w == 0 ? 0 : N;
+        for (c = 0; c < D; ++c) {
+          for (x = 0; x < D; ++x) triangle[D * c + x] = big[x];
+        }
+        triangle[D + (k + 1) % D] += 512;
+        if (D == 3) triangle[2 * D + (k + 2) % D] += 512;
+        add_wall(at, count, is_face, triangle);
+      }
+    }
+    for (w = 0; w < 6; ++w) { /* and walls inside */
+      const unsigned x = (unsigned)(share() * (N - 1)), y = (unsigned)(share() * N), z = (unsigned)(share() * N);
+      const unsigned axis = (unsigned)(share() * D),
+                     cell[3] = {axis == 0 ? x : y, axis == 1 ? x : y, axis == 2 ? x : z};
+      const uint32_t index = cell[0] + N * (cell[1] + N * (D == 3 ? cell[2] : 0));
+      const double corner[3] = {cell[0] + (axis == 0), cell[1] + (axis == 1), cell[2] + (axis == 2)};
+      CHECK_OK(set_face_mark(g_env, index, D == 3 ? 2 * axis + 1 : axis == 0 ? 1 : 2, DSW_MARK_IMPASSABLE));
+      add_square(at, count, is_face, axis, corner);
+    }
+    d = is_face ? surface_desc(at, 3, offsets, corners, 1, DSW_LEVEL_FACES)
+                : line_desc(at, count, 0, D == 3 ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT);
+    if (dsw_body_create(g_scene, &d, &body) != DSW_STATUS_OK) {
+      end_scene(g_scene);
+      continue;
+    }
+    if (share() < 0.7) { /* another body: a triangle, in the plane an edge */
+      double other[9];
+      dsw_body_id standing;
+      for (k = 0; k < D * D; ++k) other[k] = between(0.2, N - 0.2);
+      d = D == 3 ? surface_desc(other, 3, offsets, corners, 1, DSW_LEVEL_FACES)
+                 : line_desc(other, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+      if (dsw_body_create(g_scene, &d, &standing) == DSW_STATUS_OK) {
+        add_wall(at, count, is_face, other);
+      }
+    }
+    memset(&m, 0, sizeof m);
+    for (k = 0; k < 3; ++k) m.rotation[k] = D == 3 || k == 2 ? between(-1, 1) : 0;
+    longest = sqrt(m.rotation[0] * m.rotation[0] + m.rotation[1] * m.rotation[1] + m.rotation[2] * m.rotation[2]);
+    for (k = 0; k < 3; ++k) m.rotation[k] *= sin(angle * 0.00872664625997165) / longest;
+    m.rotation[3] = cos(angle * 0.00872664625997165);
+    for (k = 0; k < D; ++k) m.centre[k] = between(0, N);
+    for (k = 0; k < D; ++k) m.translation[k] = share() < 0.5 ? 0 : between(-0.5, 0.5);
+    memset(numbers, 0, sizeof numbers);
+    numbers[3] = 1;
+    {
+      /* The motion as the library makes it: a quaternion of length 1. */
+      double largest = 0, square = 0;
+      for (k = 0; k < 4; ++k) largest = fmax(largest, fabs(m.rotation[k]));
+      for (k = 0; k < 4; ++k) square += m.rotation[k] / largest * (m.rotation[k] / largest);
+      for (k = 0; k < 4; ++k) numbers[4 + k] = m.rotation[k] / largest / sqrt(square);
+    }
+    for (k = 0; k < D; ++k) {
+      numbers[8 + k] = numbers[11 + k] = m.centre[k];
+      numbers[14 + k] = m.centre[k] + m.translation[k];
+      centre_way += fabs(m.translation[k]);
+    }
+    touches = (dsw_pair_touch *)malloc(g_pairs * sizeof *touches);
+    CHECK_OK(dsw_sweep_rigid_pairs(NULL, D, g_pairs, g_kinds, g_from, NULL, 0, numbers, 1, g_indices, 0, touches));
+    for (k = 0; k < g_pairs; ++k) {
+      if (touches[k].touches == 0) continue;
+      ++number_of_touches;
+      first = fmin(first, touches[k].time);
+    }
+    report = turn(body, &m);
+    CHECK_OK(dsw_body_get_positions(g_scene, body, now, MOST, 0, NULL, &now_count));
+    for (k = 0; k < D * count; ++k) t->not_free += now[k] < 0 || now[k] > N;
+    if (number_of_touches == 0) {
+      t->false_stops += report.fraction != 1 || report.contact_count != 0;
+    } else {
+      double furthest = 0;
+      ++t->touches;
+      for (k = 0; k < count; ++k) {
+        double square = 0;
+        size_t x;
+        for (x = 0; x < D; ++x) square += (at[D * k + x] - m.centre[x]) * (at[D * k + x] - m.centre[x]);
+        furthest = fmax(furthest, sqrt(square));
+      }
+      t->passed += report.fraction > first;
+      t->wide += (first - report.fraction) * (furthest * 2 + centre_way) > 64 * 0x1p-51;
+      CHECK(report.contact_count <= 1);
+    }
+    free(touches);
+    end_scene(g_scene);
+  }
+}
+
+int main(int argc, char **argv) {
+  unsigned dimension;
+  for (dimension = 2; dimension <= 3; ++dimension) {
+    tally t;
+    memset(&t, 0, sizeof t);
+    g_state = seed_of(88172645463325252u + dimension);
+    a_rod_in_a_room_stops_at_the_wall(dimension);
+    what_lies_between_arc_and_chord_counts(dimension);
+    random_turns(dimension, &t);
+    if (argc > 1 && strcmp(argv[1], "print") == 0) {
+      printf("dimension %u: touches %zu passed %zu false_stops %zu not_free %zu wide %zu\n", dimension, t.touches,
+             t.passed, t.false_stops, t.not_free, t.wide);
+    }
+    CHECK(t.touches > 0 && t.passed == 0 && t.false_stops == 0 && t.not_free == 0);
+    CHECK(100 * t.wide <= 2 * t.touches); /* where a way only grazes a wall */
+  }
+  return check_result();
+}
