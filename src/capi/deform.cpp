@@ -3,9 +3,9 @@
 #include "capi/convert.h"
 #include "capi/moved_points.h"
 #include "capi/recorded.h"
-#include "topology/repair.h"
 #include "scene/deformation.h"
 #include "scene/surgery.h"
+#include "topology/repair.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;

@@ -1,6 +1,6 @@
 #include "capi/change.h"
-#include "topology/repair.h"
 #include "scene/surgery.h"
+#include "topology/repair.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;

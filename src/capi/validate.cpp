@@ -6,9 +6,9 @@
 
 #include "capi/replay.h"
 #include "capi/scene_handle.h"
+#include "cross_check/validation.h"
 #include "scene/deformation.h"
 #include "scene/near_bodies.h"
-#include "cross_check/validation.h"
 
 namespace dsw::capi {
 namespace {

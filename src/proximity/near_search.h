@@ -2,9 +2,9 @@
 // All near pairs of a body: which obstacles are near each of its parts is remembered from call to call.
 
 #include "map/cell_queue.h"
-#include "proximity/partners.h"
 #include "proximity/near_lists.h"
 #include "proximity/near_pair.h"
+#include "proximity/partners.h"
 
 namespace dsw {
 

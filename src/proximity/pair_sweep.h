@@ -3,9 +3,9 @@
 // [JCD10] 4.4.
 
 #include "body/simplices.h"
+#include "predicates/touch.h"
 #include "proximity/near_edges.h"
 #include "proximity/partners.h"
-#include "predicates/touch.h"
 
 namespace dsw {
 

@@ -3,8 +3,8 @@
 // parts throw, before anything has changed. The results of the site say what was done.
 
 #include "cutting/opening.h"
-#include "topology/repair.h"
 #include "scene/change.h"
+#include "topology/repair.h"
 #include "walls/settings.h"
 
 namespace dsw {

@@ -7,11 +7,11 @@
 #include <type_traits>
 
 #include "base/dimensions.h"
+#include "proximity/thick_sweep.h"
 #include "scene/live_register.h"
 #include "scene/meeting.h"
 #include "scene/near_bodies.h"
 #include "snapshot/scene_image.h"
-#include "proximity/thick_sweep.h"
 
 namespace dsw {
 namespace {

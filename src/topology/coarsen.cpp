@@ -1,8 +1,8 @@
 #include "topology/coarsen.h"
 
-#include "topology/rebuild.h"
 #include "environment/builder.h"
 #include "environment/local_points.h"
+#include "topology/rebuild.h"
 
 namespace dsw {
 namespace {

@@ -2,8 +2,8 @@
 // The environment's points go to new places at once [JCD10] 5.1: occupants are looked for where they are then. That
 // tells rightly on which side of a wall they are when walls move less than a cell is thick.
 
-#include "sweep/body_probe.h"
 #include "proximity/thick_sweep.h"
+#include "sweep/body_probe.h"
 #include "walk/packet.h"
 #include "walls/end_repair.h"
 #include "walls/find_way.h"

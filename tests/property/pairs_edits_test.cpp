@@ -1,7 +1,7 @@
 // Edges of a body that meets itself are bent, its vertices merged: allowed if and only if nothing is touched on the
 // way, by rationals.
-#include "proximity/pair_sweep.h"
 #include "pairs_support.h"
+#include "proximity/pair_sweep.h"
 
 namespace dsw::oracle {
 namespace {

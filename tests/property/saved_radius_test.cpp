@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "body_support.h"
-#include "snapshot/record.h"
 #include "record_support.h"
 #include "scene/scene.h"
+#include "snapshot/record.h"
 #include "snapshot_support.h"
 
 namespace dsw::oracle {

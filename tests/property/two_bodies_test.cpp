@@ -1,6 +1,6 @@
 // Two bodies in easy places: filters, levels, touching, responses, rigid moves, edits, walls, memory, threads.
-#include "deform_support.h"
 #include "two_bodies.h"
+#include "deform_support.h"
 
 namespace dsw::oracle {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "swept_cases.h"
 
-#include "locate/locate.h"
 #include "cross_check/validation.h"
+#include "locate/locate.h"
 
 namespace dsw::swept {
 namespace {

@@ -7,12 +7,12 @@
 #include <random>
 
 #include "base/compiler.h"
-#include "topology/coarsen.h"
 #include "environment/marking.h"
 #include "environment/moving.h"
 #include "flown.h"
 #include "locate/locate.h"
 #include "small_meshes.h"
+#include "topology/coarsen.h"
 #include "walk/shear.h"
 #include "walks.h"
 
