@@ -202,9 +202,11 @@ const Kernels& fastest_kernels() noexcept { return shared_kernels(); }
 void measure_kernels(const Environment<3>& env) noexcept {
   if (env.kernels != &fastest_kernels() || named_instructions().is_named || !supports(Instructions::kAvx2)) return;
   static std::once_flag is_measured[std::size(kAllCells)];
-  const uint32_t step = env.map.cell_count / kSamples + 1;
-  for (uint32_t i = 0; i < env.map.cell_count; i += step) {
-    const Cells cells = lattice_of(env.map.kind_bits(env.map.cell(i)));
+  const uint32_t count = env.map.index_count();
+  for (uint32_t i = 0; i < count; i += count / kSamples + 1) {
+    const Cell c = env.map.cell(i);
+    if (!c.valid()) continue;
+    const Cells cells = lattice_of(env.map.kind_bits(c));
     std::call_once(is_measured[static_cast<uint32_t>(cells)], measure, cells);
   }
 }
