@@ -339,6 +339,22 @@ def test_sets_of_moab(tmp_path: pathlib.Path) -> None:
         assert environment.regions() == [4, 6] and environment.mark_region("tip")[0] == 1 and len(environment.faces("2")) == 1
 
 
+def test_polygons_of_moab(tmp_path: pathlib.Path) -> None:
+    h5py = pytest.importorskip("h5py")
+    corners = [(0, 0), (2, 0), (3, 1), (2, 2), (0, 2), (0, 3), (2, 3)]
+    with h5py.File(tmp_path / "plane.h5m", "w") as file:
+        for name, data, first in (
+            ("nodes/coordinates", [(x, y, 0.0) for x, y in corners], 1),
+            ("elements/Polygon5/connectivity", [[1, 2, 3, 4, 5]], 8),
+            ("elements/Polygon4/connectivity", [[5, 4, 7, 6]], 9),
+        ):
+            file["tstt/" + name] = np.asarray(data)
+            file["tstt/" + name].attrs["start_id"] = first
+    with ds.read(tmp_path / "plane.h5m") as environment:
+        assert environment.info.dimension == 2 and environment.info.volume_count == 2 and volume_of(environment) == pytest.approx(7)
+        assert environment.volume_counts(environment.volume_id(0)).vertices == 5
+
+
 def test_volumes_of_moab_that_triangles_bound_are_told(tmp_path: pathlib.Path) -> None:
     h5py = pytest.importorskip("h5py")
     with h5py.File(tmp_path / "pin.h5m", "w") as file:
