@@ -245,3 +245,16 @@ def test_zones_of_fluent_are_regions_and_surfaces(dialect: str, tmp_path: pathli
     (tmp_path / "short.msh").write_text(FLUENT.format(points=points, faces="(13 (4 1 b 3 4)(\n1 2 3 4 1 0\n))"))
     with pytest.raises(ds.MeshError, match="short.msh"):  # meshio would make a surface of it, which could be filled
         ds.read(tmp_path / "short.msh")
+
+
+def test_a_mesh_of_fluent_in_the_plane(tmp_path: pathlib.Path) -> None:
+    """Two squares. The cells beside the wall are in VTK's block of the wall, too."""
+    (tmp_path / "plane.msh").write_text(
+        "(0 comment)\n(2 2)\n(10 (0 1 6 0 2))\n(10 (1 1 6 1 2)(\n0 0\n1 0\n2 0\n0 1\n1 1\n2 1\n))\n(12 (0 1 2 0))\n(12 (2 1 2 1 3))\n(13 (0 1 7 0))\n"
+        "(13 (3 1 1 2 2)(\n2 5 2 1\n))\n(13 (4 2 6 3 2)(\n2 1 1 0\n3 2 2 0\n5 6 2 0\n4 5 1 0\n1 4 1 0\n))\n(13 (5 7 7 5 2)(\n6 3 2 0\n))\n"
+        "(45 (2 fluid air)())\n(45 (3 interior inside)())\n(45 (4 wall wall)())\n(45 (5 pressure-outlet outlet)())\n"
+    )
+    with ds.read(tmp_path / "plane.msh") as environment:
+        assert environment.info.dimension == 2 and environment.info.volume_count == 2 and volume_of(environment) == pytest.approx(2)
+        assert environment.mark_region("air", mark=False)[0] == 2
+        assert {name: len(environment.faces(name)) for name in environment.surface_names} == {"wall": 5, "outlet": 1}
