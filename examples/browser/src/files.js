@@ -2,7 +2,11 @@
 // Errors are sentences for the visitor.
 
 const CORNERS = {10: 4, 12: 8, 13: 6, 14: 5}; // of VTK's tetrahedra, hexahedra, wedges, pyramids
+const VOXEL = 11;
+const VOXEL_AS_HEXAHEDRON = [0, 1, 3, 2, 4, 5, 7, 6];
+const SIDES = new Set([1, 2, 3, 4, 5, 6, 7, 8, 9, 21, 22, 23, 28, 30, 34, 35, 36]); // VTK's points, lines and polygons: they bound volumes
 const GMSH = {4: 10, 5: 12, 6: 13, 7: 14}; // the same cells by Gmsh's numbers
+const VTK_SIDES = {1: 3, 2: 5, 3: 9, 15: 1}; // lines, triangles, quads and points by Gmsh's numbers
 const MOST = 2_000_000; // points, or corners; more would take a browser's patience
 
 class FileError extends Error {}
@@ -66,6 +70,9 @@ class Words {
 // ---- Surfaces: points and triangles ----
 
 function fan(corners, triangles) {
+  if (corners.length < 3) {
+    throw new FileError(`a face has ${corners.length === 1 ? '1 corner' : `${corners.length} corners`}`);
+  }
   for (let at = 1; at + 1 < corners.length; ++at) {
     triangles.push(corners[0], corners[at], corners[at + 1]);
   }
@@ -76,7 +83,11 @@ function readObj(text) {
   const triangles = [];
   for (const line of text.split('\n')) {
     if (line.startsWith('v ')) {
-      points.push(...numbersOf(line.slice(2), 'a line with v').slice(0, 3));
+      const place = numbersOf(line.slice(2), 'a line with v');
+      if (place.length < 3) {
+        throw new FileError('a point has fewer than three coordinates');
+      }
+      points.push(...place.slice(0, 3));
     } else if (line.startsWith('f ')) {
       const corners = line.slice(2).trim().split(/\s+/).map(word => Number.parseInt(word, 10));
       fan(corners.map(corner => corner < 0 ? points.length / 3 + corner : corner - 1), triangles);
@@ -85,17 +96,28 @@ function readObj(text) {
   return {points, triangles};
 }
 
+/** Reads line by line, because colours may stand behind the corners of a face. */
 function readOff(text) {
-  const words = new Words(text.replace(/#.*/g, ''));
-  if (words.word() !== 'OFF') {
+  const lines = text.split('\n').map(line => line.replace(/#.*/, '').trim()).filter(Boolean);
+  const [, behind] = /^OFF\b\s*(.*)$/.exec(lines[0] ?? '') ?? [];
+  if (behind === undefined) {
     throw new FileError('the first word of an .off file must be OFF');
   }
-  const pointCount = words.count('the number of points');
-  const faceCount = words.count('the number of faces');
-  words.skip(1);
-  const points = Array.from({length: 3 * pointCount}, () => words.number());
+  const rest = behind === '' ? lines.slice(1) : [behind, ...lines.slice(1)];
+  const counts = new Words(rest[0] ?? '');
+  const pointCount = counts.count('the number of points');
+  const faceCount = counts.count('the number of faces');
+  if (rest.length < 1 + pointCount + faceCount) {
+    throw new FileError('the file ends early');
+  }
+  const points = [];
+  for (const line of rest.slice(1, 1 + pointCount)) {
+    const words = new Words(line);
+    points.push(words.number(), words.number(), words.number());
+  }
   const triangles = [];
-  for (let face = 0; face < faceCount; ++face) {
+  for (const line of rest.slice(1 + pointCount, 1 + pointCount + faceCount)) {
+    const words = new Words(line);
     fan(Array.from({length: words.count('the number of corners of a face', 1000)}, () => words.number()), triangles);
   }
   return {points, triangles};
@@ -112,10 +134,16 @@ function readStl(buffer) {
         corners.push(view.getFloat32(84 + 50 * triangle + 12 + 4 * number, true));
       }
     }
+  } else if (!new TextDecoder().decode(buffer.slice(0, 1000)).trimStart().startsWith('solid')) {
+    throw new FileError(count < 0 ? 'the file ends early' :
+      `the file has ${buffer.byteLength} bytes, but its ${count} triangles take ${84 + 50 * count}`);
   } else {
     for (const [, numbers] of new TextDecoder().decode(buffer).matchAll(/vertex\s+(\S+\s+\S+\s+\S+)/g)) {
       corners.push(...numbersOf(numbers, 'a vertex'));
     }
+  }
+  if (corners.length % 9 !== 0) {
+    throw new FileError('a triangle has fewer than three corners');
   }
   const places = new Map();
   const points = [];
@@ -275,7 +303,10 @@ function readMsh(text) {
     let blocks = words.count('the number of blocks');
     words.skip(3);
     for (; blocks > 0; --blocks) {
-      words.skip(3);
+      words.skip(2);
+      if (words.number() !== 0) {
+        throw new FileError('nodes have parameters, which cannot be read here');
+      }
       const names = Array.from({length: words.count('the number of nodes')}, () => words.number());
       names.forEach(add);
     }
@@ -291,9 +322,7 @@ function readMsh(text) {
     }
     words.skip(skipped);
     const corners = Array.from({length: NODES[kind]}, () => places.get(words.number()));
-    if (GMSH[kind]) {
-      cells.push({type: GMSH[kind], corners});
-    }
+    cells.push({type: GMSH[kind] ?? VTK_SIDES[kind], corners});
   };
   if (version < 4) {
     for (let left = words.count('the number of elements', 10 * MOST); left > 0; --left) {
@@ -314,12 +343,21 @@ function readMsh(text) {
   return {points, cells};
 }
 
+function asHexahedron({type, corners}) {
+  return type === VOXEL && corners.length === 8 ? {type: 12, corners: VOXEL_AS_HEXAHEDRON.map(at => corners[at])} : {type, corners};
+}
+
 function finishVolumes({points, cells}) {
-  const kept = cells.filter(({type}) => CORNERS[type]);
-  if (kept.length === 0) {
+  const every = cells.map(asHexahedron);
+  const volumes = every.filter(({type}) => CORNERS[type]);
+  const unknown = every.filter(({type}) => !CORNERS[type] && !SIDES.has(type));
+  if (unknown.length > 0) {
+    throw new FileError(`${unknown.length} of its ${every.length} cells have types that cannot be read here, such as ${unknown[0].type} of VTK`);
+  }
+  if (volumes.length === 0) {
     throw new FileError('there are no tetrahedra, hexahedra, wedges or pyramids in the file');
   }
-  const wrong = kept.find(({type, corners}) => corners.length !== CORNERS[type] ||
+  const wrong = volumes.find(({type, corners}) => corners.length !== CORNERS[type] ||
     corners.some(corner => !(Number.isInteger(corner) && corner >= 0 && corner < points.length / 3)));
   if (wrong) {
     throw new FileError(`a cell of type ${wrong.type} has the corners ${wrong.corners.join(' ')}, which do not fit`);
@@ -329,8 +367,8 @@ function finishVolumes({points, cells}) {
     closed: 0,
     question: {
       points: Float64Array.from(points),
-      types: Uint8Array.from(kept, ({type}) => type),
-      corners: Int32Array.from(kept.flatMap(({corners}) => corners)),
+      types: Uint8Array.from(volumes, ({type}) => type),
+      corners: Int32Array.from(volumes.flatMap(({corners}) => corners)),
     },
   };
 }

@@ -35,7 +35,7 @@ function say(text, bad = false) {
 }
 
 /** Asks for another scene. The old one stays if that fails. */
-async function begin(what, question = {}, done = '') {
+async function begin(what, question = {}, done = '', name = '') {
   ++beginning;
   session.running = false;
   hand.release();
@@ -53,7 +53,7 @@ async function begin(what, question = {}, done = '') {
     return true;
   } catch (error) {
     session.running = beginning === 1 && session.last !== null;
-    say(error.message, true);
+    say(name ? `${name}: ${error.message}` : error.message, true);
     return false;
   } finally {
     --beginning;
@@ -64,7 +64,7 @@ async function openFile(file) {
   try {
     const {what, closed, question} = await readFile(file);
     const openings = closed === 0 ? '' : ` ${closed === 1 ? 'Its opening was' : `Its ${closed} openings were`} closed.`;
-    await begin(what, question, `${file.name}: the wire is in the ${what === 'surface' ? 'surface' : 'mesh'}.${openings}`);
+    await begin(what, question, `${file.name}: the wire is in the ${what === 'surface' ? 'surface' : 'mesh'}.${openings}`, file.name);
   } catch (error) {
     say(error.message, true);
   }

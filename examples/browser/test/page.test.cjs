@@ -160,7 +160,7 @@ describe('the page', () => {
       ['box.msh', /box.msh: the wire is in the mesh/],
       ['twisted.obj', /twisted.obj: triangles at an edge/],
       ['short.off', /short.off: the file ends early/],
-      ['inverted.vtk', /the volumes cannot be used: DSW_STATUS_/],
+      ['inverted.vtk', /inverted.vtk: the volumes cannot be used: DSW_STATUS_/],
       ['readme.txt', /readme.txt: files end in/],
     ]) {
       await drop(page, name);

@@ -31,7 +31,15 @@ TISSUE = 2
 
 _ENDINGS = (".obj", ".ply", ".stl", ".vtk", ".vtp")
 
-_START = "import runpy, sys; sys.path[:] = sys.argv[2:]; runpy.run_path(sys.argv[1], run_name='__main__')"
+_START = """
+import importlib.util, sys
+sys.path[:] = sys.argv[2:]
+spec = importlib.util.spec_from_file_location("dartsweep_filling", sys.argv[1])
+package = sys.modules[spec.name] = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(package)
+package.answer()
+"""
+"""The program that fills: the package _filling without dartsweep, which may not be there."""
 
 
 try:
@@ -131,11 +139,11 @@ def _missing(name: str) -> ImportError:
 
 
 def _in_own_process(*arguments: Any) -> tuple[Any, ...]:
-    """What _filling.py makes of arguments. MeshFix and TetGen can crash on surfaces in which no check finds a fault; the caller shall live."""
+    """What the package _filling makes of arguments. MeshFix and TetGen can crash on surfaces in which no check finds a fault; the caller shall live."""
     for name in ("pymeshfix", "tetgen"):
         if importlib.util.find_spec(name) is None:
             raise _missing(name)
-    program = os.path.join(os.path.dirname(__file__), "_filling.py")
+    program = os.path.join(os.path.dirname(__file__), "_filling", "__init__.py")
     command = [sys.executable, "-c", _START, program, *map(str, sys.path)]
     done = subprocess.run(command, input=pickle.dumps(arguments), capture_output=True, check=False)
     if done.returncode != 0:

@@ -64,7 +64,7 @@ def _read(gmsh: Any, path: str, known: str, source: str, format: str) -> Raw:
     gmsh.logger.start()
     try:
         gmsh.merge(known)
-        raw = raw_of_model(source)
+        raw = raw_of_model(source, not _is_of_blocks(path, format))
         if format == "bdf" and raw.regions is None:
             _label_entities(gmsh, raw)
         _check_count(path, format, raw)
@@ -73,6 +73,14 @@ def _read(gmsh: Any, path: str, known: str, source: str, format: str) -> Raw:
         raise
     except Exception as error:
         raise MeshError(source, f"Gmsh can't read it ({_reason(gmsh, error)})", _WAY_ON) from error
+
+
+def _is_of_blocks(path: str, format: str) -> bool:
+    """Whether the nodes of a file stand entity by entity, as they do in Gmsh. In other files they stand by their tags."""
+    if format != "msh":
+        return False
+    with open(path, "rb") as file:
+        return file.read(200).rpartition(b"$MeshFormat")[2].lstrip().startswith(b"4")
 
 
 def _label_entities(gmsh: Any, raw: Raw) -> None:
@@ -131,12 +139,16 @@ def _known_ending(path: str, ending: str) -> Iterator[str]:
         yield known
 
 
-def raw_of_model(source: str) -> Raw:
-    """The mesh of the current model: all its elements by their tags, with its physical groups."""
+def raw_of_model(source: str, nodes_by_tags: bool = False) -> Raw:
+    """The mesh of the current model: all its elements by their tags, with its physical groups. Nodes come as Gmsh has them or by their tags."""
     import gmsh
 
     tags, coordinates, _ = gmsh.model.mesh.getNodes(returnParametricCoord=False)
-    points, index = np.reshape(coordinates, (-1, 3)), _index_of(tags)
+    own, points = _signed(tags), np.reshape(coordinates, (-1, 3))
+    if nodes_by_tags and np.any(own[1:] < own[:-1]):
+        order = np.argsort(own, kind="stable")
+        own, points = own[order], points[order]
+    index = _index_of(own)
     parts: list[Cells] = []
     elements: list[Any] = []
     rows: dict[tuple[int, int], list[tuple[int, int]]] = {}  # of each entity: where its elements begin and end
@@ -159,9 +171,8 @@ def _signed(tags: Any) -> Indices:
     return array.view(np.int64) if array.dtype == np.uint64 else array.astype(np.int64)
 
 
-def _index_of(tags: Any) -> Indices | int:
+def _index_of(own: Indices) -> Indices | int:
     """Where the node of each tag is; the first tag if they ascend one by one."""
-    own = _signed(tags)
     if len(own) and int(own[-1]) - int(own[0]) == len(own) - 1 and bool(np.all(own[1:] > own[:-1])):
         return int(own[0])
     index = np.full(int(np.max(own, initial=0)) + 1, -1, np.int64)

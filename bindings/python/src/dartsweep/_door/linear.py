@@ -86,6 +86,10 @@ class Made:
     notes: list[str]
     middles: dict[tuple[int, ...], int] = dataclasses.field(default_factory=dict)
     """Points that were made in the middle of faces, by the nodes of the sides."""
+    cornered: int = 0
+    """How many cells of higher order were taken by their corners."""
+    farthest: float | None = None
+    """How far one of their nodes lies from the middle of a straight side."""
 
 
 def supported(made: Made, cells: Cells) -> tuple[Cells, Indices | None]:
@@ -103,6 +107,7 @@ def supported(made: Made, cells: Cells) -> tuple[Cells, Indices | None]:
         for children, of in _converted(made, int(kind), cells.some(rows)):
             parts.append(children)
             parents.append(rows[of])
+    quadratics.note_corners(made)
     everything, parent = joined(parts), np.concatenate([np.empty(0, np.int64), *parents])
     order = np.argsort(parent, kind="stable")
     return everything.some(order), parent[order]
@@ -197,7 +202,7 @@ def _of_higher_order(made: Made, kind: int, cells: Cells) -> list[tuple[Cells, I
         elif made.quadratic == "split":
             found += [(_linear(made, new, nodes), chosen[of]) for new, nodes, of in quadratics.split(made, kind, rows)]
         else:
-            quadratics.note_corners(made, kind, rows)
+            quadratics.measure_corners(made, kind, rows)
             found.append((_linear(made, linear, rows[:, :corners]), chosen))
     return found
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .error import MeshError
-from . import linear, polyhedra
+from . import fluent_faces, linear, polyhedra
 from .linear import Cells
 from .mesh import Indices
 from .ragged import groups_by_number, offsets_of
@@ -39,6 +39,8 @@ def read(path: str, source: str, format: str) -> Raw:
     """The cells of a file; format: a name of meshio's."""
     import meshio
 
+    if format == "ansys" and fluent_faces.has_faces(path):
+        raise MeshError(source, "meshio would keep its faces and leave out its cells", _WAY_ON)
     output = io.StringIO()
     try:
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ _TYPES = {  # names of folders: VTK's type
 _ORDER = {25: [*range(12), 16, 17, 18, 19, 12, 13, 14, 15], 26: [*range(9), 12, 13, 14, 9, 10, 11]}  # sides upwards come before the upper ones
 _ORDER[29] = [*_ORDER[25], 23, 21, 20, 22, 24, 25, 26]
 _ORDER[32] = [*_ORDER[26], 15, 16, 17]
+_POLYGON = 7
 _IS_RANGES = 8
 _WAY_ON = "MOAB's mbconvert can write it as VTK's or as Exodus"
 
@@ -43,7 +45,7 @@ def _raw_of(file: Any, source: str) -> Raw:
     parts, handles = [], []
     for name, folder in file["elements"].items():
         data = folder["connectivity"]
-        kind = _TYPES.get(name)
+        kind = _TYPES.get(name, _POLYGON if re.fullmatch(r"Polygon\d+", name) else None)
         if kind is None:
             raise MeshError(source, f"{len(data)} cells have the type '{name}'", _WAY_ON)
         rows = data[()].astype(np.int64) - first_node

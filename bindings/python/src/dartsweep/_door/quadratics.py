@@ -97,18 +97,23 @@ def split(made: Made, kind: int, rows: Indices) -> _Found:
     ]
 
 
-def note_corners(made: Made, kind: int, rows: Indices) -> None:
-    """Tells how far the nodes of sides lie from the straight sides, once they do."""
+def measure_corners(made: Made, kind: int, rows: Indices) -> None:
+    """Cells that are taken by their corners: how many there are, and how far the nodes of sides lie from the straight sides."""
     _check(made, rows)
+    made.cornered += len(rows)
     edges = _EDGES.get(_SAME.get(kind, kind))
-    text = f'{len(rows)} cells of higher order were taken by their corners; quadratic="split" keeps their nodes'
     if edges is not None and rows.shape[1] >= max(max(edge) for edge in edges) + 1 + len(edges):
         first = max(max(edge) for edge in edges) + 1
         ends = np.array(edges)
         middle = 0.5 * (made.points[rows[:, ends[:, 0]]] + made.points[rows[:, ends[:, 1]]])
         away = float(np.abs(made.points[rows[:, first : first + len(edges)]] - middle).max(initial=0.0))
-        text += f", which lie up to {away:.3g} from the middles of straight sides"
-    made.notes.append(text)
+        made.farthest = away if made.farthest is None else max(made.farthest, away)
+
+
+def note_corners(made: Made) -> None:
+    if made.cornered:
+        away = "" if made.farthest is None else f", which lie up to {made.farthest:.3g} from the middles of straight sides"
+        made.notes.append(f'{made.cornered} cells of higher order were taken by their corners; quadratic="split" keeps their nodes{away}')
 
 
 def _check(made: Made, rows: Indices) -> None:

@@ -39,16 +39,16 @@ def wedge(corners: NDArray[Any]) -> NDArray[Any]:
 def raw_of(data: Any, source: str, reader: str, wedges_as_in_gmsh: bool | None = None) -> Raw:
     """Cells of any data set, or of all blocks of one. wedges_as_in_gmsh: how wedges are numbered; by default as in the installed VTK."""
     turned = not (wedges_are_as_in_gmsh() if wedges_as_in_gmsh is None else wedges_as_in_gmsh)
-    leaves = list(_leaves(data, ""))
-    if not leaves:
+    every = list(leaves(data, ""))
+    if not every:
         raise MeshError(source, "it has no cells", "a mesh of volumes, or of triangles, quads or polygons, is needed")
-    raws = [(name, _raw_of_leaf(leaf, source, reader, turned)) for name, leaf in leaves]
+    raws = [(name, _raw_of_leaf(leaf, source, reader, turned)) for name, leaf in every]
     made = blocks.joined(raws) if len(raws) > 1 else raws[0][1]
     made.fields = {**_arrays(data.GetFieldData()), **made.fields}
     return made
 
 
-def _leaves(data: Any, name: str) -> Any:
+def leaves(data: Any, name: str) -> Any:
     """Data sets with cells, with the names of their blocks."""
     if data is None:
         return
@@ -60,10 +60,10 @@ def _leaves(data: Any, name: str) -> Any:
             child, own = _child(data, i)
             is_group = child is not None and not child.IsA("vtkDataSet")
             is_same = own is None or own == "Internal" or (is_group and name == "" and _count(data) == 1)
-            yield from _leaves(child, name if is_same or own is None else own)
+            yield from leaves(child, name if is_same or own is None else own)
     elif data.IsA("vtkPartitionedDataSetCollection"):
         for i in range(data.GetNumberOfPartitionedDataSets()):
-            yield from _leaves(data.GetPartitionedDataSet(i), _name_in(data, i) or f"{i}")
+            yield from leaves(data.GetPartitionedDataSet(i), _name_in(data, i) or f"{i}")
 
 
 def _count(data: Any) -> int:

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from .error import MeshError
-from . import blocks, linear, vtk_data
+from . import blocks, fluent_faces, vtk_data
+from .mesh import Indices
 from .raw import Raw
 
 _WEDGES_AS_IN_GMSH = {"foam": False, "cgns": True, "exodus": True}  # readers that give one order with every VTK
@@ -29,7 +30,7 @@ def read(path: str, source: str, format: str) -> Raw:
     if format == "exodus":
         _name_exodus(raw)
     if format == "fluent":
-        _name_fluent(raw)
+        _name_fluent(raw, [title for title, _ in vtk_data.leaves(data, "")], fluent_faces.sides_of(path, source))
     if format == "ucd":
         raw.regions = raw.data.get("Material Id")
     return raw
@@ -161,11 +162,23 @@ def _tecplot(path: str) -> Any:
 
 
 def _fluent(path: str) -> Any:
+    """Zones of cells; they are called 'NAME:TYPE'. For a zone of faces VTK gives the cells beside them once more: it is left out. All blocks have
+    the points of the whole file. They get their numbers, so that zones share them also where two points lie at one place."""
+    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
     from vtkmodules.vtkIOGeometry import vtkFLUENTReader
 
     reader = vtkFLUENTReader()
     reader.SetFileName(path)
-    return _output(reader)
+    data = _output(reader)
+    parts = {i: data.GetBlock(i) for i in range(data.GetNumberOfBlocks()) if data.GetBlock(i) is not None}
+    zones = [i for i in parts if (data.GetMetaData(i).Get(data.NAME()) or "").rpartition(":")[2] in _ZONES_OF_CELLS]
+    counts = {part.GetNumberOfPoints() for part in parts.values()}
+    for i, part in parts.items():
+        if zones and i not in zones:
+            data.SetBlock(i, None)
+        elif len(counts) == 1:
+            part.GetPointData().SetGlobalIds(numpy_to_vtkIdTypeArray(np.arange(part.GetNumberOfPoints()), deep=True))
+    return data
 
 
 _READERS: dict[str, Callable[[str], Any]] = {
@@ -192,19 +205,15 @@ def _name_exodus(raw: Raw) -> None:
     raw.region_names = {short(name): label for name, label in raw.region_names.items()}
 
 
-def _name_fluent(raw: Raw) -> None:
-    """VTK calls a zone 'NAME:TYPE'. For a zone of faces it gives the cells beside them, which are no region."""
-    dimensions = linear.DIMENSION[raw.cells.types]
-    lost, zones = [], raw.groups
-    raw.groups, raw.regions, raw.region_names = {}, None, {}
-    for title, members in zones.items():
-        name, _, kind = title.rpartition(":")
-        if kind in _ZONES_OF_CELLS or np.any(dimensions[members] < dimensions.max(initial=0)):
-            raw.groups[name or title] = members
-        elif kind != "interior":
-            lost.append(name or title)
-    if lost:
-        raw.notes.append(f"surfaces are not kept: VTK gives the cells beside {', '.join(lost)}")
+def _name_fluent(raw: Raw, titles: list[str], sides: list[tuple[str, Indices, Indices]]) -> None:
+    """Zones of cells, one in each block, and of faces."""
+    zones = raw.groups or {title: np.arange(len(raw.cells.types)) for title in titles}
+    raw.groups = {title.rpartition(":")[0] or title: members for title, members in zones.items()}
+    raw.regions, raw.region_names = None, {}
+    for name, offsets, points in sides:
+        if len(points) and not 0 <= points.min() <= points.max() < len(raw.points):
+            raise MeshError(raw.source, f"a face of zone '{name}' has a point that is not there, of {len(raw.points)}", _WAY_ON)
+        raw.sides.append((name, offsets, points))
 
 
 def _collection(path: str, source: str) -> Raw:
