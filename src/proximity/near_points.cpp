@@ -16,10 +16,13 @@ constexpr double kTellingShare = 0x1p-45;
 // Edges are nearly parallel up to this sine of their angle.
 constexpr double kSlanted = 0x1p-9;
 
+/** The direction of a way. A length below the least normal number has too few bits to divide by. */
+Vec direction(const Vec& way, double length) { return length < 0x1p-1000 ? unit(way) : Vec(way / length); }
+
 void set_normal(const Vec& way, double size, NearPoints& n) {
   n.distance = length(way);
   n.has_normal = n.distance > kTellingShare * size;
-  n.normal = n.has_normal ? Vec(way / n.distance) : Vec::Zero();
+  n.normal = n.has_normal ? direction(way, n.distance) : Vec::Zero();
 }
 
 /** The share of b in the foot on edge ab of what lies at `x`, as seen from a. */
@@ -143,7 +146,7 @@ NearPoints edge_to_edge(const double* const* p, const double* const* a) {
   const double apart = length(way);
   if (apart > kTellingShare * size && apart >= sine * size) {
     n.distance = apart;
-    n.normal = way / apart;
+    n.normal = direction(way, apart);
     return n;
   }
   const int side = volume_sign({p[0], p[1]}, {a[0], a[1]}, {a[0], p[0]});
