@@ -149,18 +149,11 @@ Figure obstacle_at(const Point& place, const Point& away, int dimension, Random&
   return other;
 }
 
-enum class Near {
-  kVertex,     // a vertex is the farthest from the axis
-  kEdgeAlong,  // an edge along the axis is
-  kEdgeInside  // an edge is the nearest to the axis, across it
-};
-
 void draw_planted(const Room& room, Random& random, double angle, Case& c) {
   const int dimension = room.dimension();
   const std::size_t drawn = random.index(4);
-  const Near near = drawn < 2                       ? Near::kVertex
-                    : drawn == 2 && dimension == 3 ? Near::kEdgeAlong
-                                                   : Near::kEdgeInside;
+  const Near near = drawn < 2 ? Near::kVertex : drawn == 2 && dimension == 3 ? Near::kEdgeAlong : Near::kEdgeInside;
+  c.near = near;
   const bool is_wall = near != Near::kEdgeInside && random.index(2) == 0;
   const Target target = is_wall ? at_wall(room, random) : anywhere(dimension, random);
   const Point along = cross(target.axis, target.out);
@@ -169,7 +162,7 @@ void draw_planted(const Room& room, Random& random, double angle, Case& c) {
   const double inside = near == Near::kEdgeInside ? -1 : 1, sagitta = radius * (1 - std::cos(angle / 2000));
   const double ten = std::pow(10, -random.uniform(9, 15));
   // The depth to which the arc, or at the inner side the obstacle, goes into the other.
-  c.depth = c.plant == Plant::kHidden ? inside * random.uniform(0.05, 0.95) * sagitta
+  c.depth = c.plant == Plant::kHidden   ? inside * random.uniform(0.05, 0.95) * sagitta
             : c.plant == Plant::kMissed ? -ten
                                         : ten;
   const Point centre = target.place - (radius - inside * c.depth) * target.out, apex = centre + radius * target.out;
@@ -183,8 +176,8 @@ void draw_planted(const Room& room, Random& random, double angle, Case& c) {
   for (int tries = 0; points.size() < count && tries < 1000; ++tries) {
     const Point p = apex + size * point_in(random, dimension, -1, 1);
     const Point from_axis = (p - centre) - dot(p - centre, target.axis) * target.axis;
-    const bool is_right = near == Near::kEdgeInside ? dot(p - apex, target.out) > 0.02 * size
-                                                    : length(from_axis) < radius - 0.02 * size;
+    const bool is_right =
+        near == Near::kEdgeInside ? dot(p - apex, target.out) > 0.02 * size : length(from_axis) < radius - 0.02 * size;
     if (is_right) points.push_back(p);
   }
   const double before = random.uniform(0.2, 0.8) * angle;
@@ -209,10 +202,7 @@ Case draw_case(const Room& room, Random& random) {
   if (random.index(2) == 0) c.degrees = random.uniform(1, 180);
   const double angle = c.degrees * kPi / 180;
   const std::size_t drawn = random.index(8);
-  c.plant = drawn < 4    ? Plant::kNone
-            : drawn < 6  ? Plant::kHidden
-            : drawn == 6 ? Plant::kMissed
-                         : Plant::kGrazed;
+  c.plant = drawn < 4 ? Plant::kNone : drawn < 6 ? Plant::kHidden : drawn == 6 ? Plant::kMissed : Plant::kGrazed;
   if (c.plant == Plant::kNone) {
     draw_freely(room.dimension(), random, angle, c);
   } else {

@@ -302,8 +302,8 @@ Truth first_touch_of(int dimension, const Figure& body, const TurningWay& way, c
   Truth truth;
   for (const Candidate& each : candidates) {
     if (truth.touches && static_cast<double>(each.piece) / kPieces > truth.time) break;
-    const FirstTouch touch = dimension == 2 ? ask<2>(body, way, standing, each.touching)
-                                            : ask<3>(body, way, standing, each.touching);
+    const FirstTouch touch =
+        dimension == 2 ? ask<2>(body, way, standing, each.touching) : ask<3>(body, way, standing, each.touching);
     ++truth.asked;
     if (!touch.touches || (truth.touches && touch.time > truth.time)) continue;
     if (!truth.touches || touch.time < truth.time) truth.pairs.clear();
@@ -370,7 +370,8 @@ long double distance(const Long* a, std::size_t a_count, const Long* b, std::siz
 }
 
 template <int D>
-long double height(const std::array<Long, 3>& a, std::size_t a_count, const std::array<Long, 3>& b, std::size_t b_count) {
+long double height(const std::array<Long, 3>& a, std::size_t a_count, const std::array<Long, 3>& b,
+                   std::size_t b_count) {
   if (a_count > b_count) return height<D>(b, b_count, a, a_count);
   Long n{};
   if (D == 2) {
@@ -392,6 +393,78 @@ long double distance(const std::vector<Point>& places, const Part& part, const F
     for (std::size_t k = 0; k < 3; ++k) b[i][k] = standing.points[other.at[i]][k];
   }
   return distance(a, part.count, b, other.count);
+}
+
+namespace {
+
+/** Looks for the first time from `from` to `until`. */
+class Search {
+ public:
+  Search(int dimension, const Figure& body, const PlacesAt& places_at, long double speed, const Figure& standing,
+         long double keep)
+      : mine_(dimension == 3 && !body.faces.empty() ? body.faces : body.edges),
+        others_(dimension == 3 ? standing.faces : standing.edges),
+        places_at_(places_at),
+        speed_(speed),
+        standing_(standing),
+        keep_(keep) {}
+
+  long double first(long double from, long double until) {
+    std::vector<std::array<std::size_t, 2>> all;
+    for (std::size_t i = 0; i < mine_.size(); ++i) {
+      for (std::size_t j = 0; j < others_.size(); ++j) all.push_back({i, j});
+    }
+    return first(from, until, all);
+  }
+
+ private:
+  /** Only these pairs of parts can be near then. */
+  long double first(long double from, long double until, const std::vector<std::array<std::size_t, 2>>& pairs) {
+    constexpr long double kNever = 2;
+    const long double middle = 0.5L * (from + until), reach = keep_ + speed_ * 0.5L * (until - from);
+    const std::vector<Long> places = places_at_(middle);
+    std::vector<std::array<std::size_t, 2>> near;
+    bool is_near = false;
+    for (const auto& pair : pairs) {
+      const Part &part = mine_[pair[0]], &other = others_[pair[1]];
+      Long a[3], b[3];
+      for (std::size_t i = 0; i < part.count; ++i) a[i] = places[part.at[i]];
+      for (std::size_t i = 0; i < other.count; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) b[i][k] = standing_.points[other.at[i]][k];
+      }
+      if (boxes_apart(a, part.count, b, other.count, reach)) continue;
+      const long double d = distance(a, part.count, b, other.count);
+      if (d >= reach) continue;
+      near.push_back(pair);
+      is_near = is_near || d < keep_;
+    }
+    if (near.empty()) return kNever;
+    if (until - from < 0x1p-36L) return is_near ? from : kNever;
+    const long double before = first(from, middle, near);
+    return before <= 1 ? before : first(middle, until, near);
+  }
+
+  static bool boxes_apart(const Long* a, std::size_t a_count, const Long* b, std::size_t b_count, long double reach) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto by_k = [k](const Long& x, const Long& y) { return x[k] < y[k]; };
+      const auto of_a = std::minmax_element(a, a + a_count, by_k), of_b = std::minmax_element(b, b + b_count, by_k);
+      if ((*of_a.second)[k] + reach < (*of_b.first)[k] || (*of_b.second)[k] + reach < (*of_a.first)[k]) return true;
+    }
+    return false;
+  }
+
+  const std::vector<Part>&mine_, &others_;
+  const PlacesAt& places_at_;
+  long double speed_;
+  const Figure& standing_;
+  long double keep_;
+};
+
+}  // namespace
+
+long double first_nearer(int dimension, const Figure& body, const PlacesAt& places_at, long double speed,
+                         const Figure& standing, long double keep, long double until) {
+  return Search(dimension, body, places_at, speed, standing, keep).first(0, until);
 }
 
 }  // namespace dsw::rigid

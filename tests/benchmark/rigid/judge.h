@@ -2,6 +2,8 @@
 #ifndef DARTSWEEP_TESTS_BENCHMARK_RIGID_JUDGE_H
 #define DARTSWEEP_TESTS_BENCHMARK_RIGID_JUDGE_H
 
+#include <functional>
+
 #include "figure.h"
 #include "predicates/turning_pair.h"
 
@@ -37,6 +39,14 @@ template <int D>
 long double height(const std::array<std::array<long double, 3>, 3>& a, std::size_t a_count,
                    const std::array<std::array<long double, 3>, 3>& b, std::size_t b_count);
 long double distance(const std::vector<Point>& places, const Part& part, const Figure& standing, const Part& other);
+
+/** Places of a body at a time from 0 to 1. */
+using PlacesAt = std::function<std::vector<std::array<long double, 3>>(long double time)>;
+
+/** When parts of a body first come nearer than `keep` to what stands, or 2 if they never do before `until`. No point of the body
+ * goes faster than `speed`. Ways shorter than 2^-36 are not cut further: what happens in between can stay unseen. */
+long double first_nearer(int dimension, const Figure& body, const PlacesAt& places_at, long double speed,
+                         const Figure& standing, long double keep, long double until);
 
 }  // namespace dsw::rigid
 

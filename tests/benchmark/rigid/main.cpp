@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   auto* const bodies = app.add_option("--bodies", options.bodies, "Bodies whose moves are timed");
   auto* const fcl = app.add_option("--fcl", options.fcl, "Motions of each shape beside FCL");
   app.add_option("--seed", options.seed, "Of all of them");
+  app.add_option("--print", options.print, "Faults of --moves to print at most");
   app.add_option("--only", options.only, "Looks at one of --moves, and prints it");
   app.add_option("--json", json, "File to write");
   app.add_option("--part", parts, "Parts to run; all if not given")

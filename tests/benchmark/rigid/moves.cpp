@@ -16,9 +16,16 @@ namespace dsw::rigid {
 
 namespace {
 
+using Long = std::array<long double, 3>;
+
 const char* name_of(Plant plant) {
   static constexpr const char* kNames[] = {"random", "hidden", "missed", "grazed"};
   return kNames[static_cast<int>(plant)];
+}
+
+const char* name_of(Near near) {
+  static constexpr const char* kNames[] = {"vertex outside", "edge outside", "edge inside"};
+  return kNames[static_cast<int>(near)];
 }
 
 /** A body in its room, ready to move. */
@@ -54,7 +61,8 @@ struct Scene {
 struct Tally {
   std::size_t moves = 0, touching = 0, stopped = 0, asked = 0;
   std::size_t passed = 0, not_free_after = 0, false_stops = 0, end_not_free = 0, time_error = 0, silent = 0;
-  std::size_t wide = 0;
+  std::size_t wide = 0, passed_deep = 0;
+  std::size_t faults = 0, printed = 0;
   double deepest = 0;
   std::vector<double> gaps;
   std::array<std::size_t, 4> planted{}, planted_touching{}, passed_by_plant{}, false_by_plant{}, late_by_plant{};
@@ -112,11 +120,25 @@ void print_case(const Scene& scene, const Truth& truth, const Figure& standing, 
   }
 }
 
+/** How far the two are from passing each other beside the border of one of them, when they touch. */
+template <int D>
+long double beside(const std::array<Long, 3>& a, std::size_t a_count, const std::array<Long, 3>& b,
+                   std::size_t b_count) {
+  if (a_count > b_count) return beside<D>(b, b_count, a, a_count);
+  long double least = 1e300L;
+  const std::size_t sides = b_count == 3 ? 3 : 2, corners = b_count == 3 ? 2 : 1;
+  for (std::size_t i = 0; i < sides; ++i) {
+    const Long side[2] = {b[i], b[(i + 1) % b_count]};
+    least = std::min(least, distance(a.data(), a_count, side, corners));
+    if (a_count == 2) least = std::min(least, distance(&a[i], 1, b.data(), 2));
+  }
+  return least;
+}
+
 /** How deep what it touches first goes into it on the way that was made after the touch: by how much it is on the other side of
- * the plane of the two, while it is nearest there. */
+ * the plane of the two while it is nearest there, or by how little it would pass beside. */
 template <int D>
 double depth_of(const Case& c, const TurningWay& way, const Truth& truth, const Figure& standing, double until) {
-  using Long = std::array<long double, 3>;
   double deepest = 0;
   for (const Touching& each : truth.pairs) {
     std::array<Long, 3> other{};
@@ -124,7 +146,7 @@ double depth_of(const Case& c, const TurningWay& way, const Truth& truth, const 
       for (std::size_t k = 0; k < 3; ++k) other[i][k] = standing.points[each.standing.at[i]][k];
     }
     struct State {
-      long double side, distance;
+      long double side, distance, beside;
     };
     const auto at = [&](long double time) {
       std::array<Long, 3> mine{};
@@ -132,13 +154,16 @@ double depth_of(const Case& c, const TurningWay& way, const Truth& truth, const 
         mine[i] = place_at(way, c.body.points[each.body.at[i]], time);
       }
       return State{height<D>(mine, each.body.count, other, each.standing.count),
-                   distance(mine.data(), each.body.count, other.data(), each.standing.count)};
+                   distance(mine.data(), each.body.count, other.data(), each.standing.count),
+                   beside<D>(mine, each.body.count, other, each.standing.count)};
     };
+    const auto at_touch = static_cast<double>(at(truth.time).beside);
     const long double before = at(std::max(0.0L, truth.time - 1e-7L)).side, way_made = until - truth.time;
     for (int i = 1; i <= 128; ++i) {
       const State now = at(truth.time + (i <= 64 ? way_made * i / 64.0L : std::ldexp(way_made, 64 - i)));
       const bool is_there = now.distance <= std::fabs(now.side) * (1 + 1e-6L);
-      if (is_there && now.side * before < 0) deepest = std::max(deepest, static_cast<double>(std::fabs(now.side)));
+      if (!is_there || !(now.side * before < 0)) continue;
+      deepest = std::max(deepest, std::min(at_touch, static_cast<double>(std::fabs(now.side))));
     }
   }
   return deepest;
@@ -178,7 +203,8 @@ void judge(Scene& scene, bool is_printed, std::size_t number, Tally& tally) {
   const bool false_stop = stops && free_at(rounded<D>(move, c.body.points, 1));
   const bool silent = report.fraction < 1 && contact_count == 0;
   bool wrong_time = false;
-  for (std::size_t i = 0; i < contact_count && truth.touches && !passed; ++i) wrong_time |= contacts[i].time != truth.time;
+  for (std::size_t i = 0; i < contact_count && truth.touches && !passed; ++i)
+    wrong_time |= contacts[i].time != truth.time;
   tally.passed += passed ? 1 : 0;
   tally.passed_by_plant[plant] += passed ? 1 : 0;
   tally.not_free_after += not_free ? 1 : 0;
@@ -198,19 +224,22 @@ void judge(Scene& scene, bool is_printed, std::size_t number, Tally& tally) {
     tally.gaps.push_back(gap);
     tally.wide += gap > 16 ? 1 : 0;
   }
+  const auto say = [&](const char* fault, double value) {
+    if (++tally.faults > tally.printed) return;
+    std::printf("  case %zu (%s, %s, %.4g degrees, depth %.3g): %s %.17g; exactly %.17g, fraction %.17g\n", number,
+                name_of(c.plant), c.plant == Plant::kNone ? "anywhere" : name_of(c.near), c.degrees, c.depth, fault,
+                value, truth.touches ? truth.time : 2, report.fraction);
+  };
   if (passed) {
     const double depth = depth_of<D>(c, way, truth, standing, report.fraction) / unit_of(places);
     tally.deepest = std::max(tally.deepest, depth);
-    std::printf("  case %zu: passed, %s, %.4g degrees, depth %.3g, goes in by %.3g units\n", number, name_of(c.plant),
-                c.degrees, c.depth, depth);
+    tally.passed_deep += depth > 1 ? 1 : 0;
+    say("passed, units deep:", depth);
   }
-  if (not_free) std::printf("  case %zu: not free after it\n", number);
-  if (false_stop) std::printf("  case %zu: false stop at %.17g, %s, depth %.3g\n", number, report.fraction, name_of(c.plant), c.depth);
-  if (wrong_time) {
-    std::printf("  case %zu: time %.17g, exactly %.17g, fraction %.17g\n", number, contacts[0].time, truth.time,
-                report.fraction);
-  }
-  if (gap > 16) std::printf("  case %zu: stops %.4g units before what it touches, %s, %.3g degrees\n", number, gap, name_of(c.plant), c.degrees);
+  if (not_free) say("not free after it:", report.fraction);
+  if (false_stop) say("false stop:", report.fraction);
+  if (wrong_time) say("wrong time:", contacts[0].time);
+  if (gap > 16) say("units left at its stop:", gap);
   if (is_printed) print_case(scene, truth, standing, report, places);
 }
 
@@ -218,6 +247,7 @@ void judge(Scene& scene, bool is_printed, std::size_t number, Tally& tally) {
 
 bool run_moves(const Options& options, Report& report) {
   Tally tally;
+  tally.printed = options.print;
   for (std::size_t i = 0; i < options.moves; ++i) {
     if (options.only != SIZE_MAX && i != options.only) continue;
     Random random(options.seed * 1000003 + i);
@@ -243,6 +273,7 @@ bool run_moves(const Options& options, Report& report) {
     set("time_error." + name, tally.late_by_plant[plant]);
   }
   set("passed", tally.passed);
+  set("passed_by_a_unit", tally.passed_deep);
   report.set("rigid.passed_units", tally.deepest);
   set("not_free_after", tally.not_free_after);
   set("false_stops", tally.false_stops);

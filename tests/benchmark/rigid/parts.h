@@ -12,8 +12,9 @@ namespace dsw::rigid {
 using bench::Report;
 
 struct Options {
-  std::size_t moves = 4000, thick = 1000, bodies = 40, fcl = 400;
+  std::size_t moves = 4000, thick = 4000, bodies = 60, fcl = 200;
   std::uint64_t seed = 1;
+  std::size_t print = 20;       // faults, at most
   std::size_t only = SIZE_MAX;  // the one case to look at, which is printed
 };
 

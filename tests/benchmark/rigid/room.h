@@ -52,6 +52,13 @@ enum class Plant {
   kGrazed   // in its way, by 1e-9 to 1e-15
 };
 
+/** What of the body is beside what is planted. */
+enum class Near {
+  kVertex,     // a vertex, the farthest from the axis
+  kEdgeAlong,  // an edge along the axis, the farthest from it
+  kEdgeInside  // an edge across the axis, the nearest to it
+};
+
 struct Case {
   Figure body;
   BodyKind kind = BodyKind::kRod;
@@ -59,6 +66,7 @@ struct Case {
   dsw_rigid_motion motion{};
   double degrees = 0;
   Plant plant = Plant::kNone;
+  Near near = Near::kVertex;
   double depth = 0;  // of what is planted
 };
 
