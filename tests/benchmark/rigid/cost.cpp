@@ -19,14 +19,6 @@ struct Body {
   Figure shape;
 };
 
-Figure make_rope(std::uint32_t edges, double length) {
-  Figure rope;
-  for (std::uint32_t i = 0; i <= edges; ++i)
-    rope.points.push_back({length * (i / static_cast<double>(edges) - 0.5), 0, 0});
-  for (std::uint32_t i = 0; i < edges; ++i) rope.add_edge(i, i + 1);
-  return rope;
-}
-
 struct Times {
   std::vector<double> rigid, chords;  // us a vertex
 };
@@ -44,10 +36,10 @@ double least_time(Lattice& lattice, const Figure& body, Move move) {
   double least = 0;
   for (int round = 0; round < 3; ++round) {
     dsw_body_id id{};
-    if (!lattice.add(body, 0, id)) return 0;
+    if (!add_body(lattice.scene(), body, 0, id)) return 0;
     const double ns = bench::cpu_time_ns([&] { move(id); });
     least = round == 0 ? ns : std::min(least, ns);
-    bench::check(dsw_body_destroy(lattice.scene(), id));
+    check(dsw_body_destroy(lattice.scene(), id));
   }
   return 1e-3 * least / static_cast<double>(body.points.size());
 }
@@ -70,11 +62,11 @@ void time_moves(Lattice& lattice, Random& random, const Figure& shape, Times& fr
   for (std::size_t i = 0; i < targets.size(); ++i) whole.place(body.points[i].data(), targets[i].data());
   dsw_move_report report{};
   const double rigid = least_time(lattice, body, [&](dsw_body_id id) {
-    bench::check(dsw_body_move_rigid(lattice.scene(), id, &motion, nullptr, &report));
+    check(dsw_body_move_rigid(lattice.scene(), id, &motion, nullptr, &report));
   });
   const double fraction = report.fraction;
   const double chords = least_time(lattice, body, [&](dsw_body_id id) {
-    bench::check(dsw_body_move(lattice.scene(), id, targets[0].data(), targets.size(), 0, nullptr, &report));
+    check(dsw_body_move(lattice.scene(), id, targets[0].data(), targets.size(), 0, nullptr, &report));
   });
   if (rigid == 0 || chords == 0) return;  // no room
   const bool is_free = fraction == 1 && report.contact_count == 0;

@@ -148,7 +148,7 @@ void run(Lattice& lattice, const Model& mesh, const std::string& key, Shape (*ma
       p = {at[0], at[1], at[2]};
     }
     dsw_body_id id{};
-    if (!lattice.add(body, shape.radius, id)) continue;
+    if (!add_body(lattice.scene(), body, shape.radius, id)) continue;
     ++motions;
     dsw_rigid_motion rigid{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -159,10 +159,10 @@ void run(Lattice& lattice, const Model& mesh, const std::string& key, Shape (*ma
     rigid.rotation[3] = std::cos(0.5 * motion.angle);
     dsw_move_report moved{};
     const double ns =
-        bench::cpu_time_ns([&] { bench::check(dsw_body_move_rigid(lattice.scene(), id, &rigid, nullptr, &moved)); });
+        bench::cpu_time_ns([&] { check(dsw_body_move_rigid(lattice.scene(), id, &rigid, nullptr, &moved)); });
     ours_ns += ns;
     ours_stopped += moved.fraction < 1 ? 1 : 0;
-    bench::check(dsw_body_destroy(lattice.scene(), id));
+    check(dsw_body_destroy(lattice.scene(), id));
 
     const PlacesAt places = [&](long double time) {
       std::vector<std::array<long double, 3>> r;

@@ -2,14 +2,8 @@
 
 #include <map>
 #include <stdexcept>
-#include <string>
 
 namespace dsw::rigid {
-
-void check(dsw_status status) {
-  if (status == DSW_STATUS_OK) return;
-  throw std::runtime_error(std::string(dsw_status_string(status)) + ": " + dsw_last_error_message());
-}
 
 namespace {
 
@@ -117,33 +111,7 @@ void Room::mark(const std::vector<std::int64_t>& cells, double share, Random& ra
   check(dsw_environment_mark_faces(environment_, ids.data(), ids.size(), DSW_MARK_IMPASSABLE));
 }
 
-bool Room::add(const Figure& body, double radius, dsw_body_id& id) {
-  std::vector<std::uint32_t> edges, offsets{0}, corners;
-  for (const Part& edge : body.edges) edges.insert(edges.end(), edge.at.begin(), edge.at.begin() + 2);
-  for (const Part& face : body.faces) {
-    corners.insert(corners.end(), face.at.begin(), face.at.end());
-    offsets.push_back(static_cast<std::uint32_t>(corners.size()));
-  }
-  dsw_body_desc d;
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = body.faces.empty() ? DSW_LEVEL_EDGES_SWEPT : DSW_LEVEL_FACES;
-  d.positions = body.points[0].data();
-  d.vertex_count = body.points.size();
-  d.stride_bytes = sizeof(Point);
-  if (body.faces.empty()) {
-    d.edges = edges.data();
-    d.edge_count = body.edges.size();
-  } else {
-    d.face_offsets = offsets.data();
-    d.face_corners = corners.data();
-    d.face_count = body.faces.size();
-    d.face_corner_count = corners.size();
-  }
-  d.radius = radius;
-  const dsw_status status = dsw_body_create(scene_, &d, &id);
-  if (status != DSW_STATUS_OK && status != DSW_STATUS_OCCUPIED && status != DSW_STATUS_OUTSIDE) check(status);
-  return status == DSW_STATUS_OK;
-}
+bool Room::add(const Figure& body, double radius, dsw_body_id& id) { return add_body(scene_, body, radius, id); }
 
 std::vector<Point> Room::places(dsw_body_id body) const {
   dsw_body_counts counts{};

@@ -2,16 +2,12 @@
 #ifndef DARTSWEEP_TESTS_BENCHMARK_RIGID_ROOM_H
 #define DARTSWEEP_TESTS_BENCHMARK_RIGID_ROOM_H
 
-#include "dartsweep/dartsweep.h"
-#include "figure.h"
+#include "bodies.h"
 #include "scenes/random.h"
 
 namespace dsw::rigid {
 
 using scenes::Random;
-
-/** Throws with the library's message unless the status is DSW_STATUS_OK. */
-void check(dsw_status status);
 
 /** 3 cells along each axis, each cut into tetrahedra. Points inside are shifted at random, so no wall inside lies along
  * axes. */
@@ -28,7 +24,7 @@ class Room {
   int dimension() const { return dimension_; }
   dsw_scene* scene() const { return scene_; }
   const Figure& walls() const { return walls_; }
-  /** Whether there was room for a body. At DSW_LEVEL_FACES if it has faces, or else DSW_LEVEL_EDGES_SWEPT. */
+  /** As add_body. */
   bool add(const Figure& body, double radius, dsw_body_id& id);
   std::vector<Point> places(dsw_body_id body) const;
 
