@@ -24,7 +24,7 @@ class Room {
   int dimension() const { return dimension_; }
   dsw_scene* scene() const { return scene_; }
   const Figure& walls() const { return walls_; }
-  /** As add_body. */
+  /** Creates a body. Returns whether there was room for it. */
   bool add(const Figure& body, double radius, dsw_body_id& id);
   std::vector<Point> places(dsw_body_id body) const;
 
