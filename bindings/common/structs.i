@@ -51,6 +51,7 @@ DSW_EACH_RESULT(DSW_MEMBER)
 %ignore dartsweep::filled;
 %ignore dartsweep::same_count;
 %ignore dartsweep::count_points;
+%ignore dartsweep::count_pairs;
 %ignore dartsweep::count_rows;
 %ignore dartsweep::in_dimension;
 %ignore dartsweep::refuse_point;

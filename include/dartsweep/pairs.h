@@ -55,10 +55,10 @@ DSW_API dsw_status dsw_sweep_pairs(const dsw_context *context, uint32_t dimensio
                                    const uint8_t *kinds, const double *from, const double *to,
                                    size_t stride_bytes, uint32_t flags, dsw_pair_touch *touches);
 
-/** dsw_sweep_pairs for features that may turn.
+/** dsw_sweep_pairs for features, of `kinds`, that may turn.
  * @param to null: features without a motion stand.
- * @param motions 17 numbers each: quaternions x, y, z, w at times 0 and 1, `centre`, its places at both
- * times. All go straight; points of `from` turn about `centre`, exactly rigidly.
+ * @param motions `motion_count` of 17 numbers: quaternions x, y, z, w at times 0 and 1, `centre`, its
+ * places at both times. All go straight; points of `from` turn about `centre`, exactly rigidly.
  * @param indices two for each pair: motions of its features, or UINT32_MAX.
  * @return OUT_OF_RANGE: also a quaternion that vanishes, or leaves the plane. @since 2.1 */
 DSW_API dsw_status dsw_sweep_rigid_pairs(const dsw_context *context, uint32_t dimension,

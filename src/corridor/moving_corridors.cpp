@@ -120,9 +120,9 @@ void MovingCorridors<D>::go_on(Corridor<D>& corridor, uint64_t call, const End (
   corridor.keep(call);
   for (const uint32_t passed : paths_[0]) corridor.pass(env_, {passed}, true);
   for (const uint32_t passed : paths_[1]) corridor.pass(env_, {passed}, false);
-  constexpr int kMostTurns = 16;
+  constexpr int kMostTurnsRound = 16;
   Pivot<D> pivot;
-  for (int k = 0; k < kMostTurns && !follows(env_, corridor, a.end, b.end, a.to, b.to); ++k) {
+  for (int k = 0; k < kMostTurnsRound && !follows(env_, corridor, a.end, b.end, a.to, b.to); ++k) {
     if (!turn(env_, corridor, a.end, b.end, pivot)) return;
   }
 }

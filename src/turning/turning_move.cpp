@@ -28,7 +28,7 @@ struct TurningMove<D>::Steps {
   const RigidWay<D>& way;
   PlaceFn place;
   const void* user;
-  MoveOrder order;
+  MoveOrder order, reversed;
   bool is_widened;  // the distance that it keeps
   double radius;
   int tries = 0;
@@ -37,7 +37,9 @@ struct TurningMove<D>::Steps {
   bool go_to(double fraction, MoveRecord* record = nullptr) {
     ++tries;
     if (is_widened) body.radius = radius + way.sagitta(fraction - at);
-    const bool arrives = mover.step(body, place, user, fraction, order, record);
+    // An edge tilts between the turns of its ends, to the other side if they go in the other order.
+    const bool arrives = mover.step(body, place, user, fraction, order, record) ||
+                         (record == nullptr && mover.step(body, place, user, fraction, reversed, nullptr));
     body.radius = radius;
     if (arrives) at = fraction;
     return arrives;
@@ -54,11 +56,12 @@ void TurningMove<D>::go_nearer(Steps& steps, double limit, double least) {
   }
 }
 
-/** Goes as far as it can, or to an end just before `touch`. Returns whether it has come there. */
+/** Goes as far as it can, or to an end just before `touch`. The first step is `first_step`. Returns whether it has come
+ * there. */
 template <int D>
-bool TurningMove<D>::go(Steps& steps, double touch, double most_step) {
+bool TurningMove<D>::go(Steps& steps, double touch, double first_step, double most_step) {
   const double least = way_.least_step(), end = touch <= 1 ? touch - least : 1;
-  double step = most_step;
+  double step = first_step;
   while (steps.at < end && steps.tries < kMostTries) {
     const bool is_last = end - steps.at <= step;
     const double from = steps.at, next = is_last ? end : from + step;
@@ -95,6 +98,20 @@ void TurningMove<D>::record_contact(Steps& steps, double touch, MoveRecord& reco
   if (!record.contacts.empty()) record.contacts[0].time = touch <= 1 ? touch : at;
 }
 
+/** Keeps the vertices of a body in the opposite of an order. */
+template <int D>
+void TurningMove<D>::reverse(const Body<D>& body, MoveOrder order) {
+  reversed_.clear();
+  if (order.vertices != nullptr) {
+    reversed_.assign(order.vertices, order.vertices + order.count);
+  } else {
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (body.has_vertex(v)) reversed_.push_back(v);
+    }
+  }
+  std::reverse(reversed_.begin(), reversed_.end());
+}
+
 template <int D>
 void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>& motion, PlaceFn place,
                           const void* user, MoveOrder order, const Partners<D>* partners, MoveRecord& record) {
@@ -104,7 +121,10 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
   try {
     way_.start(body, motion);
     const bool is_thick = radius > 0 || (partners != nullptr && partners->has_thick);
-    Steps chords{steps, body, way_, place, user, order, radius > 0 && !body.filter.self, radius};
+    reverse(body, order);
+    Steps chords{
+        steps, body, way_, place, user, order, {reversed_.data(), reversed_.size()}, radius > 0 && !body.filter.self,
+        radius};
     double touch = kNoTouch;
     for (int grazes = 0;; ++grazes) {
       const FirstTouch first = touches_.find_first(body, way_, partners);
@@ -113,7 +133,11 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
       if (way_.turns() && (is_thick || touches_.touches_at_start())) most_step = kStepInTouch;
       // The way bends by no more than a radius beside a chord.
       while (way_.turns() && radius > 0 && way_.sagitta(most_step) > radius) most_step *= 0.5;
-      if (!go(chords, touch, most_step)) touch = kNoTouch;  // something that touched at the start is met again
+      // What a way touches it may also enter, at first by less than a place of rounding. The exact touch that is found next
+      // is where it comes out again, so the steps behind a touch begin small: one of them ends inside, and is not free.
+      const double first_step = grazes == 0 ? most_step : std::min(16 * way_.least_step(), most_step);
+      // Something that touched at the start can be met again.
+      if (!go(chords, touch, first_step, most_step)) touch = kNoTouch;
       if (touch == kNoTouch || grazes == kMostGrazes) break;
       // What only touches, and is free under the shift, is passed by a step so small that its chord is the arc.
       const double beyond = std::min(1.0, touch + 16 * way_.least_step());

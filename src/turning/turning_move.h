@@ -10,7 +10,8 @@ namespace dsw {
 template <int D>
 class TurningMove {
  public:
-  explicit TurningMove(const Environment<D>& env) : touches_(env), way_(env.memory), here_(env.memory) {}
+  explicit TurningMove(const Environment<D>& env)
+      : touches_(env), way_(env.memory), here_(env.memory), reversed_(env.memory) {}
 
   /** Moves a body. `place` and `user` say where its vertices are at a fraction, rounded. Throws std::bad_alloc with the body
    * as it was; the record is cleared first. */
@@ -19,13 +20,15 @@ class TurningMove {
 
  private:
   struct Steps;
-  bool go(Steps& steps, double touch, double most_step);
+  void reverse(const Body<D>& body, MoveOrder order);
+  bool go(Steps& steps, double touch, double first_step, double most_step);
   void go_nearer(Steps& steps, double limit, double least);
   void record_contact(Steps& steps, double touch, MoveRecord& record);
 
   RigidTouches<D> touches_;
   RigidWay<D> way_;
   Array<BodyVertex<D>> here_;
+  Array<uint32_t> reversed_;  // the order of the call, backwards
 };
 
 }  // namespace dsw

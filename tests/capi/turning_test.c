@@ -91,6 +91,47 @@ static void what_lies_between_arc_and_chord_counts(unsigned dimension) {
   }
 }
 
+/* The end of a rod leaves the room where its arc is nearly along the wall, by less and less. */
+static void a_flat_way_out_is_no_graze(void) {
+  const double quarter = 0.78539816339744831;
+  int e;
+  for (e = 1; e <= 14; ++e) {
+    const double r = 0.5 + 1.2345 * pow(10, -e);
+    const double rod[4] = {0.5, 0.5, 0.5 - r * cos(quarter), 0.5 - r * sin(quarter)};
+    const dsw_rigid_motion m = turn_about_z(90, 0.5, 0.5);
+    dsw_move_report report;
+    begin(2, 1, 0);
+    report = turn(make_edge_body(g_scene, rod, DSW_LEVEL_EDGES_SWEPT), &m);
+    CHECK(report.fraction < 0.5 && report.contact_count == 1);
+    end_scene(g_scene);
+  }
+}
+
+/* A rod across a radius turns past a body on its inner side, however close, in both directions. */
+static void what_stands_on_the_inner_side_is_passed(void) {
+  int e, side, i;
+  for (e = 1; e <= 12; ++e) {
+    for (side = -1; side <= 1; side += 2) {
+      const double turned = 1.5707963267948966 + side * 0.61, peg[4] = {0.5, 0.4, 0.5, 0.75 - pow(10, -e)};
+      const dsw_rigid_motion m = turn_about_z(-90 * side, 0.5, 0.5);
+      double rod[4];
+      dsw_body_id body;
+      dsw_move_report report;
+      for (i = 0; i < 2; ++i) {
+        const double along = i == 0 ? -0.2 : 0.2;
+        rod[2 * i] = 0.5 + 0.25 * cos(turned) - along * sin(turned);
+        rod[2 * i + 1] = 0.5 + 0.25 * sin(turned) + along * cos(turned);
+      }
+      begin(2, 1, DSW_FEATURE_BODY_CONTACTS);
+      body = make_edge_body(g_scene, rod, DSW_LEVEL_EDGES_SWEPT);
+      make_edge_body(g_scene, peg, DSW_LEVEL_EDGES_SWEPT);
+      report = turn(body, &m);
+      CHECK(report.fraction == 1 && report.contact_count == 0);
+      end_scene(g_scene);
+    }
+  }
+}
+
 /* The pairs of a body with the walls of the environment, as dsw_sweep_rigid_pairs takes them. */
 static uint8_t g_kinds[MOST_PAIRS];
 static uint32_t g_indices[2 * MOST_PAIRS];
@@ -264,6 +305,8 @@ static void random_turns(unsigned dimension, tally *t) {
 
 int main(int argc, char **argv) {
   unsigned dimension;
+  a_flat_way_out_is_no_graze();
+  what_stands_on_the_inner_side_is_passed();
   for (dimension = 2; dimension <= 3; ++dimension) {
     tally t;
     memset(&t, 0, sizeof t);

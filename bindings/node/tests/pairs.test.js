@@ -52,7 +52,7 @@ test('wrong pairs are refused', () => {
 
 test('features turn', () => {
   const motion = [0, 0, 0, 1, 0, 0, 1, 0, ...Array(9).fill(0)]; // half a turn about z, from -y over x to y
-  const touchOf = (far, second) => dsw.sweepRigidPairs(2, [VertexEdge], [0, -5, far, -9, far, 9], [], motion, [0, second]).get(0);
+  const touchOf = (far, second) => dsw.sweepRigidPairs(2, [VertexEdge], [0, -5, far, -9, far, 9], [], motion, [0, second]).toArray()[0];
   assert.deepEqual(touchOf(3, 0xffffffff), { time: 0.25, touches: 1, rank: 0 });
   assert.equal(touchOf(5.5, 0xffffffff).touches, 0);
   assert.equal(touchOf(3, 0).touches, 0);

@@ -63,7 +63,7 @@ class TurningPairTest : public testing::TestWithParam<AskedTurning> {
       const TurningCase<D> a = next<D>();
       TurningCase<D> b = a;
       nudge(random_, b);
-      if (random_.below(3) == 0) b.turns[random_.below(2)] = false;
+      if (random_.below(3) == 0) b.turns[static_cast<std::size_t>(random_.below(2))] = false;
       const FirstTouch first_a = first_touch(a.pair());
       FirstTouch first_b = first_touch(b.pair());
       if (!first_a.touches || !first_b.touches) continue;
