@@ -124,10 +124,9 @@ bool read_result(dsw::RecordReader& reader, capi::CallResult* result) {
   return true;
 }
 
-/** The first version that writes the results of today, and the first one whose walls push as today's do. */
-constexpr uint32_t kFirstComparable = 2000000, kFirstOfTodaysPushes = 2001000;
-/** The first version whose rigid moves follow their arcs. */
-constexpr uint32_t kFirstOnArcs = 2001000;
+/** The first version that writes the results of today, and the first one whose walls push as today's do and whose rigid
+ * moves follow their arcs. */
+constexpr uint32_t kFirstComparable = 2000000, kFirstOfTodaysWays = 2001000;
 
 /** Tells whether walls have just touched something in dsw_environment_deform, and perhaps pushed it: results and states
  * of a version that pushed it farther are others from here on. */
@@ -265,7 +264,7 @@ static dsw_status make(dsw_replay& replay, const Row& row, const WordReader& arg
     handle = replay.environment;
   }
   const dsw_status status = std::apply(Row::Function::value, given);
-  if (replay.version < kFirstOfTodaysPushes && status == DSW_STATUS_OK && has_pushed(replay, row, given)) {
+  if (replay.version < kFirstOfTodaysWays && status == DSW_STATUS_OK && has_pushed(replay, row, given)) {
     replay.goes_otherwise = true;
   }
   return status;
@@ -286,7 +285,7 @@ void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* rep
     make_room(replay);
   }
   const bool is_rigid_move = next.number == row_of<dsw_body_move_rigid>.number;
-  if (replay.version < kFirstOnArcs && is_rigid_move) replay.goes_otherwise = true;
+  if (replay.version < kFirstOfTodaysWays && is_rigid_move) replay.goes_otherwise = true;
   const uint32_t differs = next.is_finished ? what_differs(next.result, replay) : 0;
   report->has_failed = next.result.failed ? 1u : 0u;
   report->differs = differs;

@@ -28,8 +28,9 @@ TurningWay RigidMove<D>::way() const noexcept {
   TurningWay way{{{0, 0, 0, 1}, {}}, {}, {}};
   std::copy_n(rotation_.coeffs().data(), 4, way.turn[1]);
   for (int k = 0; k < 3; ++k) {
-    way.centre[k] = way.place[0][k] = centre_[k];
-    way.place[1][k] = centre_[k] + translation_[k];
+    // What does not turn goes the same way about every centre: about 0 nothing is rounded.
+    way.centre[k] = way.place[0][k] = is_zero(Vec(rotation_.vec())) ? 0 : centre_[k];
+    way.place[1][k] = way.place[0][k] + translation_[k];
   }
   return way;
 }

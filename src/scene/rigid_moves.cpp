@@ -6,6 +6,7 @@ namespace dsw {
 
 template <int D>
 bool stays_finite(const Body<D>& body, const RigidMove<D>& motion) noexcept {
+  if (!is_finite<3>(motion.way().place[1])) return false;
   for (const BodyVertex<D>& each : body.vertices) {
     double to[D];
     if (!each.cell.valid()) continue;

@@ -125,28 +125,43 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     Steps chords{
         steps, body, way_, place, user, order, {reversed_.data(), reversed_.size()}, radius > 0 && !body.filter.self,
         radius};
-    double touch = kNoTouch;
+    double touch = kNoTouch, place_before = 0;
+    bool is_in_touch = false;  // at the begin of the way that is looked at
     for (int grazes = 0;; ++grazes) {
+      const double touch_before = touch;
+      const bool was_in_touch = is_in_touch;
       const FirstTouch first = touches_.find_first(body, way_, partners);
       touch = first.touches ? way_.fraction(first.time) : kNoTouch;
+      is_in_touch = touches_.touches_at_start();
       double most_step = 1;
-      if (way_.turns() && (is_thick || touches_.touches_at_start())) most_step = kStepInTouch;
+      if (way_.turns() && (is_thick || is_in_touch)) most_step = kStepInTouch;
       // The way bends by no more than a radius beside a chord.
       while (way_.turns() && radius > 0 && way_.sagitta(most_step) > radius) most_step *= 0.5;
       // What a way touches it may also enter, at first by less than a place of rounding. The exact touch that is found next
       // is where it comes out again, so the steps behind a touch begin small: one of them ends inside, and is not free.
       const double first_step = grazes == 0 ? most_step : std::min(16 * way_.least_step(), most_step);
-      // Something that touched at the start can be met again.
-      if (!go(chords, touch, first_step, most_step)) touch = kNoTouch;
+      if (!go(chords, touch, first_step, most_step)) {
+        if (grazes == 0) {
+          touch = kNoTouch;  // something that touched at the start is met again
+        } else {
+          put_vertices(body, before_.data());
+          chords.at = place_before;
+          touch = touch_before;
+          is_in_touch = was_in_touch;
+        }
+        break;
+      }
       if (touch == kNoTouch || grazes == kMostGrazes) break;
       // What only touches, and is free under the shift, is passed by a step so small that its chord is the arc.
+      before_.assign(body.vertices.begin(), body.vertices.end());
+      place_before = chords.at;
       const double beyond = std::min(1.0, touch + 16 * way_.least_step());
       if (!chords.go_to(beyond)) break;
       if (chords.at == 1) break;
       way_.go_on(body, motion, chords.at);
     }
     // It need not have left what it touched at the start.
-    if (touches_.touches_at_start() && touch - chords.at < 64 * way_.least_step()) touch = kNoTouch;
+    if (is_in_touch && touch - chords.at < 64 * way_.least_step()) touch = kNoTouch;
     if (chords.at < 1) record_contact(chords, touch, record);
     steps.end_steps(body, chords.at, record);
   } catch (...) {

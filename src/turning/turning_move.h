@@ -11,7 +11,7 @@ template <int D>
 class TurningMove {
  public:
   explicit TurningMove(const Environment<D>& env)
-      : touches_(env), way_(env.memory), here_(env.memory), reversed_(env.memory) {}
+      : touches_(env), way_(env.memory), here_(env.memory), before_(env.memory), reversed_(env.memory) {}
 
   /** Moves a body. `place` and `user` say where its vertices are at a fraction, rounded. Throws std::bad_alloc with the body
    * as it was; the record is cleared first. */
@@ -27,8 +27,8 @@ class TurningMove {
 
   RigidTouches<D> touches_;
   RigidWay<D> way_;
-  Array<BodyVertex<D>> here_;
-  Array<uint32_t> reversed_;  // the order of the call, backwards
+  Array<BodyVertex<D>> here_, before_;  // before_: a touch that may be passed
+  Array<uint32_t> reversed_;            // the order of the call, backwards
 };
 
 }  // namespace dsw

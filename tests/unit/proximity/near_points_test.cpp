@@ -31,15 +31,5 @@ TEST(NearPoints, ANormalIsAUnitVectorAtTheLeastDistanceToAnEdge) {
   expect_diagonal<3>(p, {a, b});
 }
 
-TEST(NearPoints, ANormalIsAUnitVectorAtTheLeastDistanceOfEdges) {
-  const double p0[3] = {0, kLeast, 0}, p1[3] = {1, 1 + kLeast, 1}, a0[3] = {}, a1[3] = {0, 0, kLeast};
-  const double* const p[2] = {p0, p1};
-  const double* const a[2] = {a0, a1};
-  const NearPoints n = find_near_points<3>(p, 2, a, 2);
-  const double length = std::hypot(n.normal[0], n.normal[1], n.normal[2]);
-  EXPECT_TRUE(length == 0 || std::fabs(length - 1) < 1e-14) << length;
-  EXPECT_EQ(n.has_normal, length != 0);
-}
-
 }  // namespace
 }  // namespace dsw
