@@ -404,6 +404,12 @@ AT(dsw_pair_touch, time, 0);
 AT(dsw_pair_touch, touches, 8);
 AT(dsw_pair_touch, rank, 12);
 
+SIZE(dsw_free_fraction, 24);
+AT(dsw_free_fraction, fraction, 0);
+AT(dsw_free_fraction, piece_fraction, 8);
+AT(dsw_free_fraction, piece, 16);
+AT(dsw_free_fraction, starts_free, 20);
+
 SIZE(dsw_move_report, 40);
 AT(dsw_move_report, fraction, 0);
 AT(dsw_move_report, vertices_moved, 8);

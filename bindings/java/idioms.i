@@ -104,6 +104,14 @@
     findNearRows(options);
     return getNearRows();
   }
+
+  /** How far the body could go along paths through poses; nothing moves. A pose has 7 numbers: a quaternion x, y, z, w and a translation, from where
+   * the body is now, round `centre`. A path has two indices of poses, or those from offsets[i] to offsets[i + 1]; `offsets` may be null. */
+  public FreeFractionArray findFreeFractions(double[] centre, double[] poses, int[] indices, int[] offsets) {
+    FreeFractionArray fractions = new FreeFractionArray(offsets == null ? indices.length / 2 : offsets.length - 1);
+    findFreeFractions(centre, poses, indices, offsets, fractions);
+    return fractions;
+  }
 %}
 
 %pragma(java) modulecode=%{

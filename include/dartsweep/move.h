@@ -124,6 +124,33 @@ DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);
 
+/** How far a body could go along a path. @since 2.1 */
+typedef struct dsw_free_fraction {
+  double fraction; /**< The free part of the path, pieces alike; 1: all of it. */
+  /** Where dsw_body_move_rigid would stop in the piece that is not free; else 0. */
+  double piece_fraction;
+  uint32_t piece;       /**< Which piece that is; else how many there are. */
+  uint32_t starts_free; /**< 0: the first pose is not free, and fractions are 0. */
+} dsw_free_fraction;
+
+/** Finds how far a body could go along many paths, each from pose to pose as dsw_body_move_rigid.
+ * Nothing moves. A path of one pose only asks whether the pose is free.
+ * @param centre a point where the body is now; poses turn about it.
+ * @param poses `pose_count` of 7 numbers: a quaternion x, y, z, w that is not 0, and a translation,
+ * both from where the body is now.
+ * @param indices of poses, path after path.
+ * @param offsets `path_count + 1`, where paths begin in `indices`; null: two poses a path.
+ * @param contacts null, or `path_count`: what stops each path, or zeros; `time` is of the piece.
+ * @return WRONG_SIZE: a path without poses; OUT_OF_RANGE: an index.
+ * @note Cost: for each path as creation of the body, for each piece as dsw_body_move_rigid. Batch.
+ * @since 2.1 */
+DSW_API dsw_status dsw_body_find_free_fractions(const dsw_scene *scene, dsw_body_id body,
+                                                const double *centre, const double *poses,
+                                                size_t pose_count, const uint32_t *indices,
+                                                const uint32_t *offsets, size_t path_count,
+                                                dsw_free_fraction *fractions,
+                                                dsw_body_contact *contacts);
+
 /** Gives the contacts of the last move of a body, in order. */
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body,
                                          const dsw_body_contact **contacts, size_t *count);

@@ -168,6 +168,28 @@ TEST(Cpp, PairsAreSwept) {
   EXPECT_THROW(sweep_pairs(3, std::vector<std::uint8_t>{0, 2}, from, to, touches), Unsupported);
 }
 
+TEST(Cpp, FreeFractionsMoveNothing) {
+  const std::array<std::uint32_t, 8> cube = {0, 1, 2, 3, 4, 5, 6, 7};
+  Environment environment = Environment::of(DSW_CELL_TYPE_HEXAHEDRON, kCorners, cube);
+  Scene scene(environment);
+  const std::vector<double> bar = {0.25, 0.5, 0.5, 0.75, 0.5, 0.5};
+  Body body(scene, scene.create_body(bar, std::vector<std::uint32_t>{0, 1}));
+  const std::vector<double> poses = {0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0};
+  const std::vector<std::uint32_t> indices = {0, 1, 0, 0, 2, 2}, offsets = {0, 3, 5, 6};
+  std::vector<dsw_free_fraction> found(3);
+  std::vector<dsw_body_contact> contacts(3);
+  body.find_free_fractions({0.5, 0.5, 0.5}, poses, indices, offsets, found, contacts);
+  EXPECT_EQ(found[0].fraction, 1);
+  EXPECT_EQ(found[0].piece, 2u);
+  EXPECT_NEAR(found[1].fraction, 0.25, 1e-12);
+  EXPECT_EQ(contacts[1].time, 0.25);
+  EXPECT_EQ(found[2].starts_free, 0u);
+  body.find_free_fractions({0.5, 0.5, 0.5}, poses, indices, {}, found);
+  EXPECT_EQ(found[1].piece, 1u);
+  EXPECT_THROW(body.find_free_fractions({0, 0, 0}, poses, indices, offsets, View<dsw_free_fraction>{}), WrongSize);
+  EXPECT_THROW(body.find_free_fractions({0, 0, 0}, bar, indices, {}, found), WrongSize);
+}
+
 TEST(Cpp, IndicesHaveAnyWidth) {
   const std::vector<std::int64_t> wide(kCube.begin(), kCube.end());
   const std::array<std::uint32_t, 8> narrow = {0, 1, 2, 3, 4, 5, 6, 7};

@@ -183,6 +183,15 @@ dsw_status Calls::look_at_scene() {
 
 dsw_status Calls::look_at_body() {
   const dsw_body_id id = body();
+  /** One path through three poses. */
+  const auto find_free_fraction = [&](dsw_body_id of) {
+    double poses[21], centre[3];
+    for (double& number : poses) number = bytes_.number();
+    for (double& number : centre) number = bytes_.number();
+    const uint32_t indices[] = {bytes_.below(3), bytes_.below(3), bytes_.below(4)}, offsets[] = {0, 3};
+    dsw_free_fraction fraction;
+    return dsw_body_find_free_fractions(scene_, of, centre, poses, 3, indices, offsets, 1, &fraction, nullptr);
+  };
   const auto of_body = [&](auto get) {
     return [this, id, get](auto items, size_t* count) { return get(scene_, id, items, count); };
   };
@@ -206,7 +215,7 @@ dsw_status Calls::look_at_body() {
   near.radius = bytes_.below(2) == 0 ? 0 : bytes_.number();
   return Answers() << dsw_body_get_level(scene_, id, &level) << dsw_body_get_filter(scene_, id, &category, &mask)
                    << dsw_body_get_radius(scene_, id, &radius) << dsw_body_find_least_gap(scene_, id, near.radius, &gap)
-                   << dsw_body_get_edge_ends(scene_, id, body_edge(id), corners)
+                   << find_free_fraction(id) << dsw_body_get_edge_ends(scene_, id, body_edge(id), corners)
                    << dsw_body_get_face_corners(scene_, id, body_face(id), corners)
                    << copy_all<dsw_body_vertex_id>(copied(dsw_body_get_vertex_ids))
                    << copy_all<dsw_body_edge_id>(copied(dsw_body_get_edge_ids))

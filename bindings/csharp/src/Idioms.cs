@@ -61,6 +61,16 @@ namespace Dartsweep
       FindNearRows(new NearOptions { Margin = margin, Radius = radius, Flags = flags });
       return GetNearRows();
     }
+
+    /// <summary>How far the body could go along paths through poses; nothing moves. A pose has 7 numbers: a quaternion x, y, z, w and a
+    /// translation, from where the body is now, round `centre`. A path has two indices of poses, or those from offsets[i] to
+    /// offsets[i + 1].</summary>
+    public FreeFraction[] FindFreeFractions(Vec3 centre, double[] poses, uint[] indices, uint[] offsets = null)
+    {
+      FreeFraction[] fractions = new FreeFraction[offsets == null ? indices.Length / 2 : offsets.Length - 1];
+      FindFreeFractions(centre, poses, indices, offsets, fractions);
+      return fractions;
+    }
   }
 
   public static unsafe partial class Library

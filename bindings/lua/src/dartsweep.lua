@@ -196,6 +196,13 @@ function Body:get_positions(positions, volumes)
   return positions
 end
 
+local find_free_fractions = Body.find_free_fractions
+function Body:find_free_fractions(centre, poses, indices, offsets, fractions, contacts)
+  fractions = fractions or core.FreeFractionArray(offsets and #offsets - 1 or #indices // 2)
+  find_free_fractions(self, centre, poses, indices, offsets, fractions, contacts)
+  return fractions
+end
+
 -- What collects them is for the collector alone: called by hand it would leave an object without its C++ half.
 for _, meta in ipairs { environment_meta, scene_meta, body_meta, log_meta } do meta.__metatable = false end
 

@@ -2,6 +2,7 @@
 local dsw = require "dartsweep"
 local lu = require "luaunit"
 local scenario = require "scenario"
+require "rigid"
 require "touching"
 local scenario_file = table.remove(arg, 1)
 local INSIDE, OUTSIDE = scenario.INSIDE, scenario.OUTSIDE

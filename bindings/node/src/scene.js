@@ -17,6 +17,13 @@ class Body extends native.Body {
   moveRigid(motion, { order, ...options } = {}) {
     return super.moveRigid(motion, options, order);
   }
+
+  findFreeFractions(centre, poses, indices, { offsets, fractions, contacts } = {}) {
+    const count = offsets ? offsets.length - 1 : Math.trunc(indices.length / 2);
+    const found = fractions ?? new arrays.FreeFractionArray(count);
+    super.findFreeFractions(centre, poses, indices, offsets, found, contacts);
+    return found;
+  }
 }
 
 // Gives the ids of bodies; ids may stand among the bodies.

@@ -15,6 +15,20 @@ function makeRoom(features = dsw.FEATURE_BODY_CONTACTS | dsw.FEATURE_DEFORMING) 
   return { environment, scene: new dsw.Scene(environment, { features }) };
 }
 
+test('free fractions move nothing', () => {
+  const { scene } = makeRoom(0);
+  const bar = scene.createBody([1, 2, 2, 3, 2, 2], [0, 1]);
+  const poses = [0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 4, 0, 0];
+  const [around, stopped, outside] = [...bar.findFreeFractions([2, 2, 2], poses, [0, 1, 0, 0, 2, 2], { offsets: [0, 3, 5, 6] })];
+  assert.deepEqual([around.fraction, around.piece, outside.startsFree], [1, 2, 0]);
+  assert.ok(stopped.fraction < 0.25 && stopped.fraction > 0.25 - 1e-12);
+  const contacts = new dsw.BodyContactArray(1);
+  const [found] = [...bar.findFreeFractions([2, 2, 2], poses, [0, 2], { contacts })];
+  assert.ok(found.pieceFraction === stopped.fraction && contacts.get(0).time === 0.25);
+  assert.deepEqual([...bar.getPositions()], [1, 2, 2, 3, 2, 2]);
+  assert.throws(() => bar.findFreeFractions([2, 2, 2], [1, 2], [0, 0]), dsw.WrongSizeError);
+});
+
 test('strands that are carried together do not stop each other', () => {
   const { scene } = makeRoom();
   const strands = [1, 1.25].map((x) => scene.createBody(strand(x), edges));

@@ -126,6 +126,25 @@ class Body {
     change(dsw_body_move_rigid, &motion, ordered.get(), &out);
     return out;
   }
+  // How far the body could go along paths through `poses`, which have 7 numbers each. Each path has
+  // two of `indices`, or those from offsets[i] to offsets[i + 1].
+  void find_free_fractions(const Point &centre, View<const double> poses,
+                           View<const std::uint32_t> indices, View<const std::uint32_t> offsets,
+                           View<dsw_free_fraction> fractions,
+                           View<dsw_body_contact> contacts = {}) const {
+    if (poses.count % 7 != 0)
+      throw WrongSize("poses has " + std::to_string(poses.count) +
+                      " numbers, must have 7 for each pose");
+    const std::size_t paths = offsets.count ? offsets.count - 1 : indices.count / 2;
+    same_count("fractions", fractions.count, paths);
+    same_count("indices", indices.count, offsets.count ? offsets.data[paths] : 2 * paths);
+    optional_count("contacts", contacts, paths);
+    const SceneReading self(*state_);
+    check(dsw_body_find_free_fractions(self.handle, id_, in_dimension(dimension(), centre),
+                                       poses.data, poses.count / 7, indices.data,
+                                       offsets.count ? offsets.data : nullptr, paths,
+                                       fractions.data, contacts.data));
+  }
   Array<dsw_body_contact> get_contacts() const {
     return list<dsw_body_contact>(dsw_body_get_contacts);
   }

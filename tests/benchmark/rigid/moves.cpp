@@ -61,7 +61,7 @@ struct Scene {
 struct Tally {
   std::size_t moves = 0, touching = 0, stopped = 0, asked = 0;
   std::size_t passed = 0, not_free_after = 0, false_stops = 0, end_not_free = 0, time_error = 0, silent = 0;
-  std::size_t wide = 0, passed_deep = 0;
+  std::size_t wide = 0, passed_deep = 0, free_asked = 0, free_differs = 0;
   std::size_t faults = 0, printed = 0;
   double deepest = 0;
   std::vector<double> gaps;
@@ -169,6 +169,25 @@ double depth_of(const Case& c, const TurningWay& way, const Truth& truth, const 
   return deepest;
 }
 
+/** How far it could go, asked before it goes. */
+dsw_free_fraction ask_free(const Scene& scene, const dsw_rigid_motion& motion) {
+  double poses[14] = {0, 0, 0, 1};
+  std::copy_n(motion.rotation, 4, poses + 7);
+  std::copy_n(motion.translation, 3, poses + 11);
+  const std::uint32_t indices[2] = {0, 1};
+  dsw_free_fraction asked{};
+  check(dsw_body_find_free_fractions(scene.room->scene(), scene.body, motion.centre, poses, 2, indices, nullptr, 1,
+                                     &asked, nullptr));
+  return asked;
+}
+
+/** Whether the motion between poses has the bits of the motion that is given: its quaternion is normalised once more. */
+template <int D>
+bool is_same_between_poses(const RigidMove<D>& move, const dsw_rigid_motion& motion) {
+  const TurningWay a = move.way(), b = RigidMove<D>(move.part(1).rotation, motion.centre, motion.translation).way();
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
 template <int D>
 void judge(Scene& scene, bool is_printed, std::size_t number, Tally& tally) {
   const Case& c = scene.c;
@@ -179,6 +198,7 @@ void judge(Scene& scene, bool is_printed, std::size_t number, Tally& tally) {
   standing.add(scene.others);
   const Truth truth = first_touch_of(D, c.body, way, standing);
 
+  const dsw_free_fraction asked = ask_free(scene, motion);
   dsw_move_report report{};
   report.fraction = -1;
   check(dsw_body_move_rigid(scene.room->scene(), scene.body, &motion, nullptr, &report));
@@ -190,6 +210,11 @@ void judge(Scene& scene, bool is_printed, std::size_t number, Tally& tally) {
     return is_free(D, c.body, at, scene.room->walls(), true) && is_free(D, c.body, at, scene.others, false);
   };
 
+  if (is_same_between_poses<D>(move, motion)) {
+    ++tally.free_asked;
+    tally.free_differs += asked.piece_fraction != (report.fraction == 1 ? 0 : report.fraction) ||
+                          asked.fraction != report.fraction || asked.starts_free != 1;
+  }
   const auto plant = static_cast<std::size_t>(c.plant);
   ++tally.moves;
   ++tally.planted[plant];
@@ -280,11 +305,14 @@ bool run_moves(const Options& options, Report& report) {
   set("stops_at_rounded_end", tally.end_not_free);
   set("stops_without_contact", tally.silent);
   set("time_error", tally.time_error);
+  set("free_asked", tally.free_asked);
+  set("free_differs", tally.free_differs);
   report.set("rigid.gap_at_stop", bench::quantile(tally.gaps, 1));
   report.set("rigid.gap_at_stop_median", bench::median(tally.gaps));
   report.set("rigid.gap_at_stop_p99", bench::quantile(tally.gaps, 0.99));
   set("gap_at_stop_wide", tally.wide);
-  return tally.passed + tally.not_free_after + tally.false_stops + tally.time_error + tally.wide == 0;
+  return tally.passed + tally.not_free_after + tally.false_stops + tally.time_error + tally.wide + tally.free_differs ==
+         0;
 }
 
 }  // namespace dsw::rigid

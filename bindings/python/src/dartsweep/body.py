@@ -188,6 +188,30 @@ class Body:
         motion = described(RigidMotion, translation=_in_space(translation), rotation=rotation, centre=_in_space(centre))
         return self._core.move_rigid(motion, options, order)  # type: ignore[no-any-return]
 
+    def find_free_fractions(
+        self, poses: ArrayLike, paths: Any, centre: ArrayLike = (0.0, 0.0, 0.0), contacts: Records | None = None
+    ) -> Records:
+        """How far the body could go along paths through poses (dtypes.FREE_FRACTION), from each pose to the next as by move_rigid. Nothing moves.
+
+        poses: of shape (n, 7): a quaternion x, y, z, w and a translation, from where the body is now, round a centre. paths: indices of poses, of
+        shape (m, 2), or a list of lists of any length but 0; a list of one only asks whether the pose is free. `contacts` (dtypes.BODY_CONTACT) is
+        filled where it is given: with what stops each path, zeros for nothing.
+        """
+        places = np.ascontiguousarray(poses, np.float64)
+        if places.ndim != 2 or places.shape[1] != 7:
+            raise ValueError("poses are an array of shape (n, 7)")
+        ways = [np.asarray(path, np.int64).reshape(-1) for path in paths]
+        indices = np.concatenate([np.empty(0, np.int64), *ways])
+        if (indices < 0).any() or (indices >= len(places)).any():
+            raise IndexError(f"paths have indices of {len(places)} poses")
+        offsets = np.concatenate([[0], np.cumsum([len(way) for way in ways], dtype=np.int64)])
+        fractions = np.empty(len(ways), dtypes.FREE_FRACTION)
+        about = np.asarray(centre, np.float64)[: self._core.dimension()]
+        self._core.find_free_fractions(
+            about, places.reshape(-1), indices.astype(np.uint32), offsets.astype(np.uint32), fractions, contacts
+        )
+        return fractions
+
     def contacts(self) -> Records:
         """Contacts of the last move (dtypes.BODY_CONTACT), in order."""
         return self._core.get_contacts()  # type: ignore[no-any-return]

@@ -38,6 +38,25 @@ class TogetherTest {
     return ids;
   }
 
+  /** Around once, into a wall, and from a pose that is not free. */
+  @Test
+  void freeFractionsMoveNothing() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, 0)) {
+      Body bar = scene.createBody(new double[] {1, 2, 2, 3, 2, 2}, new int[] {0, 1});
+      double[] centre = {2, 2, 2}, poses = {0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 4, 0, 0};
+      FreeFractionArray found = bar.findFreeFractions(centre, poses, new int[] {0, 1, 0, 0, 2, 2}, new int[] {0, 3, 5, 6});
+      assertEquals(1, found.get(0).getFraction());
+      assertEquals(2, found.get(0).getPiece());
+      assertEquals(0.25, found.get(1).getFraction(), 1e-12);
+      assertEquals(0, found.get(2).getStartsFree());
+      BodyContactArray contacts = new BodyContactArray(1);
+      bar.findFreeFractions(centre, poses, new int[] {0, 2}, null, found = new FreeFractionArray(1), contacts);
+      assertEquals(found.get(0).getPieceFraction(), contacts.get(0).getTime(), 1e-12);
+      assertArrayEquals(new double[] {1, 2, 2, 3, 2, 2}, bar.getPositions());
+      assertThrows(WrongSizeException.class, () -> bar.findFreeFractions(centre, new double[6], new int[] {0, 0}, null));
+    }
+  }
+
   @Test
   void strandsDoNotStopEachOther() {
     try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {

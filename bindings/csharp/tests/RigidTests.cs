@@ -1,0 +1,23 @@
+// Tests of rigid motions: how far bodies could go.
+using System;
+using System.Linq;
+using Dartsweep;
+using Environment = Dartsweep.Environment;
+
+static partial class Tests
+{
+  public static void FreeFractionsMoveNothing()
+  {
+    double[] points = { 0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4 }, bar = { 1, 2, 2, 3, 2, 2 };
+    double[] poses = { 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 4, 0, 0 };
+    using (Environment environment = new Environment(points, new[] { 0, 1, 2, 3, 4, 5, 6, 7 }, CellType.Hexahedron))
+    using (Scene scene = new Scene(environment))
+    {
+      Body body = scene.CreateBody(bar, new uint[] { 0, 1 });
+      FreeFraction[] found = body.FindFreeFractions(new Vec3(2, 2, 2), poses, new uint[] { 0, 1, 0, 0, 2, 2 }, new uint[] { 0, 3, 5, 6 });
+      True(found[0].Fraction == 1 && found[0].Piece == 2 && found[2].StartsFree == 0);
+      True(found[1].Fraction < 0.25 && found[1].Fraction > 0.25 - 1e-12 && body.GetPositions().SequenceEqual(bar));
+      Throws<WrongSizeException>(() => body.FindFreeFractions(new Vec3(2, 2, 2), bar, new uint[] { 0, 0 }));
+    }
+  }
+}

@@ -1,0 +1,25 @@
+-- Tests of rigid motions: how far bodies could go.
+local dsw = require "dartsweep"
+local lu = require "luaunit"
+
+TestRigid = {}
+
+-- A bar in the middle of one hexahedron.
+local function bar_in_room()
+  local points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 4}, {4, 0, 4}, {4, 4, 4}, {0, 4, 4}}
+  local environment = dsw.Environment {points = points, cells = {{0, 1, 2, 3, 4, 5, 6, 7}}}
+  local scene = dsw.Scene(environment)
+  return environment, scene, scene:create_body {positions = {{1, 2, 2}, {3, 2, 2}}, edges = {{0, 1}}}
+end
+
+function TestRigid:test_free_fractions_move_nothing()
+  local environment <close>, scene <close>, bar = bar_in_room()
+  local poses = {0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 4, 0, 0}
+  local contacts = dsw.BodyContactArray(3)
+  local found = bar:find_free_fractions({2, 2, 2}, poses, {0, 1, 0, 0, 2, 2}, {0, 3, 5, 6}, nil, contacts)
+  lu.assertEquals({found[1].fraction, found[1].piece, found[1].starts_free, found[3].starts_free}, {1, 2, 1, 0})
+  lu.assertTrue(found[2].fraction < 0.25 and found[2].fraction > 0.25 - 1e-12)
+  lu.assertEquals(contacts[2].time, 0.25)
+  lu.assertEquals({bar:get_positions():point(1)}, {1, 2, 2})
+  lu.assertFalse(pcall(bar.find_free_fractions, bar, {2, 2, 2}, {1, 2}, {0, 0}))
+end

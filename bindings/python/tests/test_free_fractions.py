@@ -1,0 +1,43 @@
+"""How far bodies could go along paths: nothing moves."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import dartsweep as ds
+from dartsweep import dtypes
+
+CORNERS = [(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0), (0, 0, 4), (4, 0, 4), (4, 4, 4), (0, 4, 4)]
+BAR = [(1, 2, 2), (3, 2, 2)]
+MIDDLE = (2, 2, 2)
+# The bar as it is, turned by half, and beside the room.
+POSES = [(0, 0, 0, 1, 0, 0, 0), (0, 0, 1, 0, 0, 0, 0), (0, 0, 0, 1, 4, 0, 0)]
+
+
+def test_paths_of_any_length() -> None:
+    with ds.Environment(CORNERS, [range(8)]) as environment, ds.Scene(environment) as scene:
+        bar = scene.create_body(BAR, [(0, 1)])
+        contacts = np.empty(4, dtypes.BODY_CONTACT)
+        found = bar.find_free_fractions(POSES, [(0, 1, 0), (0, 2), (2,), (1,)], MIDDLE, contacts)
+        assert found["starts_free"].tolist() == [1, 1, 0, 1]
+        assert found["piece"].tolist() == [2, 0, 0, 0]
+        assert found["fraction"] == pytest.approx([1, 0.25, 0, 1], abs=1e-12) and found["fraction"][1] < 0.25
+        assert contacts["time"].tolist() == [0, 0.25, 0, 0]
+        assert bar.positions().tolist() == [list(map(float, point)) for point in BAR]
+        assert bar.move_rigid(translation=(4, 0, 0)).fraction == found["piece_fraction"][1]
+        assert len(bar.find_free_fractions(POSES, [])) == 0
+
+
+def test_paths_are_checked() -> None:
+    with ds.Environment(CORNERS, [range(8)]) as environment, ds.Scene(environment) as scene:
+        bar = scene.create_body(BAR, [(0, 1)])
+        with pytest.raises(ValueError):
+            bar.find_free_fractions([(0, 0, 0, 1)], [(0, 0)])
+        for paths in ([(0, 3)], [(-1, 0)]):
+            with pytest.raises(IndexError):
+                bar.find_free_fractions(POSES, paths)
+        with pytest.raises(ds.errors.WrongSize):
+            bar.find_free_fractions(POSES, [()])
+        with pytest.raises(ds.errors.OutOfRange):
+            bar.find_free_fractions([[0] * 7], [(0, 0)])
