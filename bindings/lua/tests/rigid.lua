@@ -4,16 +4,20 @@ local lu = require "luaunit"
 
 TestRigid = {}
 
--- A bar in the middle of one hexahedron.
-local function bar_in_room()
+-- One hexahedron, and a bar in the middle of a scene.
+local function make_room()
   local points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 4}, {4, 0, 4}, {4, 4, 4}, {0, 4, 4}}
-  local environment = dsw.Environment {points = points, cells = {{0, 1, 2, 3, 4, 5, 6, 7}}}
-  local scene = dsw.Scene(environment)
-  return environment, scene, scene:create_body {positions = {{1, 2, 2}, {3, 2, 2}}, edges = {{0, 1}}}
+  return dsw.Environment {points = points, cells = {{0, 1, 2, 3, 4, 5, 6, 7}}}
+end
+
+local function make_bar(scene)
+  return scene:create_body {positions = {{1, 2, 2}, {3, 2, 2}}, edges = {{0, 1}}}
 end
 
 function TestRigid:test_free_fractions_move_nothing()
-  local environment <close>, scene <close>, bar = bar_in_room()
+  local environment <close> = make_room()
+  local scene <close> = dsw.Scene(environment)
+  local bar = make_bar(scene)
   local poses = {0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 4, 0, 0}
   local contacts = dsw.BodyContactArray(3)
   local found = bar:find_free_fractions({2, 2, 2}, poses, {0, 1, 0, 0, 2, 2}, {0, 3, 5, 6}, nil, contacts)

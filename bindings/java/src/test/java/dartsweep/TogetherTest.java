@@ -53,7 +53,7 @@ class TogetherTest {
       bar.findFreeFractions(centre, poses, new int[] {0, 2}, null, found = new FreeFractionArray(1), contacts);
       assertEquals(found.get(0).getPieceFraction(), contacts.get(0).getTime(), 1e-12);
       assertArrayEquals(new double[] {1, 2, 2, 3, 2, 2}, bar.getPositions());
-      assertThrows(WrongSizeException.class, () -> bar.findFreeFractions(centre, new double[6], new int[] {0, 0}, null));
+      assertThrows(DartsweepException.WrongSize.class, () -> bar.findFreeFractions(centre, new double[6], new int[] {0, 0}, null));
     }
   }
 
