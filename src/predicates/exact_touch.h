@@ -78,6 +78,8 @@ class ExactTouch {
  public:
   // Whether the pair touches; first is then the first time.
   bool find_first(Root* first);
+  // Whether it touches at a time when its volume is 0.
+  bool touches(const Root& time);
 
  protected:
   ExactTouch(IntegerPool& pool, PairKind kind) noexcept : pool_(pool), kind_(kind) {}
@@ -90,7 +92,6 @@ class ExactTouch {
 
  private:
   Points& points() noexcept { return static_cast<Points&>(*this); }
-  bool touches(const Root& time);
   bool touches_in_line(const Root& time);
   bool find_first_root(const Polynomial& p, Root* first);
   bool find_first_change(Root* first);

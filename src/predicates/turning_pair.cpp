@@ -1,5 +1,6 @@
 #include "predicates/turning_pair.h"
 
+#include "predicates/exact_crossing.h"
 #include "predicates/moving_pair_exact.h"
 #include "predicates/turning_pair_exact.h"
 #include "predicates/turning_pair_filter.h"
@@ -38,6 +39,16 @@ DSW_COLD FirstTouch first_touch_by_integers(const TurningPair<D>& pair, PairWork
 }
 
 template <int D>
+DSW_COLD FirstEntry first_entry_by_integers(const TurningPair<D>& pair, PairWork* work) {
+  FirstEntry entry;
+  const auto find = [&](IntegerPool& pool, Root* first) {
+    return ExactCrossing<D>(pool, pair).find_first(first, &entry.is_open);
+  };
+  entry.touch = exact_touch::first_touch(find, work);
+  return entry;
+}
+
+template <int D>
 DSW_COLD int compare_by_integers(const TurningPair<D>& a, const TurningPair<D>& b, PairWork* work) {
   return exact_touch::compare_first_touches(find_of(a), find_of(b), work);
 }
@@ -53,6 +64,15 @@ FirstTouch first_touch(const TurningPair<D>& pair, PairWork* work) {
   return answer == Filtered::kApart ? FirstTouch{false, 0} : FirstTouch{true, time};
 }
 
+// What the filter is sure of has no ties.
+template <int D>
+FirstEntry first_entry(const TurningPair<D>& pair, PairWork* work) {
+  double time = 0;
+  const Filtered answer = filter_first_touch(pair, &time);
+  if (answer == Filtered::kUnknown) return first_entry_by_integers(pair, work);
+  return {answer == Filtered::kApart ? FirstTouch{false, 0} : FirstTouch{true, time}};
+}
+
 template <int D>
 int compare_first_touches(const TurningPair<D>& a, const FirstTouch& first_a, const TurningPair<D>& b,
                           const FirstTouch& first_b, PairWork* work) {
@@ -62,6 +82,8 @@ int compare_first_touches(const TurningPair<D>& a, const FirstTouch& first_a, co
 
 template FirstTouch first_touch(const TurningPair<2>&, PairWork*);
 template FirstTouch first_touch(const TurningPair<3>&, PairWork*);
+template FirstEntry first_entry(const TurningPair<2>&, PairWork*);
+template FirstEntry first_entry(const TurningPair<3>&, PairWork*);
 template int compare_first_touches(const TurningPair<2>&, const FirstTouch&, const TurningPair<2>&, const FirstTouch&,
                                    PairWork*);
 template int compare_first_touches(const TurningPair<3>&, const FirstTouch&, const TurningPair<3>&, const FirstTouch&,

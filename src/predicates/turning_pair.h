@@ -34,6 +34,15 @@ struct TurningPair {
 template <int D>
 FirstTouch first_touch(const TurningPair<D>& pair, PairWork* work = nullptr);
 
+// When a feature that turns first touches one that does not, if the one that turns is shifted: there are no ties then.
+// What the shift leaves open counts as a touch. At time 0 it does not count, and is_open is set.
+struct FirstEntry {
+  FirstTouch touch;
+  bool is_open = false;
+};
+template <int D>
+FirstEntry first_entry(const TurningPair<D>& pair, PairWork* work = nullptr);
+
 template <int D>
 int compare_first_touches(const TurningPair<D>& a, const FirstTouch& first_a, const TurningPair<D>& b,
                           const FirstTouch& first_b, PairWork* work = nullptr);

@@ -131,7 +131,8 @@ bool has_turn(const TurningWay& way) {
 }
 
 template <int D, bool kTwo>
-ExactTurningPair<D, kTwo>::ExactTurningPair(IntegerPool& pool, const TurningPair<D>& pair) : Base(pool, pair.kind) {
+ExactTurningPair<D, kTwo>::ExactTurningPair(IntegerPool& pool, const TurningPair<D>& pair, int displaced_along)
+    : Base(pool, pair.kind) {
   terms_.kind = pair.kind;
   terms_.a_is_first = pair.way[0] != nullptr;
   const ExactPoints<D> points(pool, pair);
@@ -153,7 +154,12 @@ ExactTurningPair<D, kTwo>::ExactTurningPair(IntegerPool& pool, const TurningPair
     terms_.set_turns(q, quaternion<D>(pool, *pair.way[1]));
   } else {
     for (int i = 0; i <= D; ++i) {
-      if (!terms_.is_of_a(i)) terms_.offset[terms_.at(i)] = place - terms_.given_b[terms_.at(i)];
+      if (terms_.is_of_a(i)) continue;
+      auto& offset = terms_.offset[terms_.at(i)];
+      offset = place - terms_.given_b[terms_.at(i)];
+      if (displaced_along < 0) continue;
+      Polynomial& along = offset.at[displaced_along];
+      along = along + constant(integer_of(pool, std::uint64_t{1}));
     }
     terms_.set_turn(q);
   }

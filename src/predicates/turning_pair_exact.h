@@ -20,17 +20,18 @@ struct PolynomialNumbers {
 template <int D, bool kTwo>
 class ExactTurningPair : public ExactTouch<D, ExactTurningPair<D, kTwo>> {
  public:
-  ExactTurningPair(IntegerPool& pool, const TurningPair<D>& pair);
+  // With an axis, the feature that turns, of which there is one then, is displaced along it by some length.
+  ExactTurningPair(IntegerPool& pool, const TurningPair<D>& pair, int displaced_along = -1);
 
- private:
-  using Base = ExactTouch<D, ExactTurningPair<D, kTwo>>;
-  friend Base;
-  template <class Numbers>
-  using Terms = std::conditional_t<kTwo, turning::TwoTurns<D, Numbers>, turning::OneTurn<D, Numbers>>;
-
+  PairKind kind() const noexcept { return terms_.kind; }
   Polynomial difference(int axis, int i, int j) const;
   const Polynomial& area(int view, int triangle);
   Polynomial volume();
+
+ private:
+  using Base = ExactTouch<D, ExactTurningPair<D, kTwo>>;
+  template <class Numbers>
+  using Terms = std::conditional_t<kTwo, turning::TwoTurns<D, Numbers>, turning::OneTurn<D, Numbers>>;
 
   turning::Pair<D, Terms<PolynomialNumbers>> terms_;
   Polynomial area_[Base::kViews][Base::kTriangles];

@@ -12,7 +12,7 @@ namespace dsw {
 template <int D>
 FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners) {
   first_ = {false, 1};
-  touches_at_start_ = false;
+  is_open_ = false;
   Box<D> all;
   uint32_t first_vertex = 0;
   while (first_vertex < body.vertices.size() && !body.has_vertex(first_vertex)) ++first_vertex;
@@ -27,13 +27,19 @@ FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& w
   }
   const NearList<D>& list = lists_.in(body.vertices[first_vertex].cell, region);
   for (const NearObstacle<D>& obstacle : list.obstacles()) {
-    const double* points[D];
-    for (uint32_t i = 0; i < obstacle.count; ++i) points[i] = env_.point(list.name(obstacle.vertices[i]));
-    meet(body, way, points, obstacle.count);
+    RigidTouch<D> wall;
+    wall.count = obstacle.count;
+    wall.facet = obstacle.facet;
+    wall.cell = obstacle.cell;
+    for (uint32_t i = 0; i < obstacle.count; ++i) {
+      wall.vertices[i] = list.name(obstacle.vertices[i]);
+      wall.points[i] = env_.point(wall.vertices[i]);
+    }
+    meet(body, way, wall);
   }
   if (partners == nullptr) return first_;
-  for (const Partner<D>& each : partners->all) {
-    if (each.body != &body) meet_body(body, way, *each.body);
+  for (uint32_t i = 0; i < partners->all.size(); ++i) {
+    if (partners->all[i].body != &body) meet_body(body, way, *partners, i);
   }
   return first_;
 }
@@ -44,18 +50,20 @@ uint32_t RigidTouches<D>::last_piece(const RigidWay<D>& way) const noexcept {
   return std::min(static_cast<uint32_t>(first_.time * way.pieces()), way.pieces() - 1);
 }
 
-/** An obstacle: a triangle, a segment or a point. */
+/** An obstacle, or a part of another body: a triangle, a segment or a point. */
 template <int D>
-void RigidTouches<D>::meet(const Body<D>& body, const RigidWay<D>& way, const double* const* points, uint32_t count) {
+void RigidTouches<D>::meet(const Body<D>& body, const RigidWay<D>& way, const RigidTouch<D>& other) {
   uint32_t piece = 0;
-  const auto is_near = [&](const Box<D>& box) { return box.overlaps(points, static_cast<int>(count)); };
+  const auto is_near = [&](const Box<D>& box) { return box.overlaps(other.points, static_cast<int>(other.count)); };
   while (piece <= last_piece(way) && !is_near(way.box(piece))) ++piece;
   if (piece > last_piece(way)) return;
+  RigidTouch<D> both = other;
   for_each_simplex(body, [&](const Simplex& simplex) {
     const SimplexCorners<D> part(body, simplex);
+    both.part = simplex;
     for (uint32_t i = piece; i <= last_piece(way); ++i) {
       if (!is_near(way.box(i, part.vertices, part.count))) continue;
-      touch(part, way, points, count);
+      touch(part, way, both);
       break;
     }
     return true;
@@ -64,10 +72,17 @@ void RigidTouches<D>::meet(const Body<D>& body, const RigidWay<D>& way, const do
 
 /** A body that stands: of its parts those that can touch something. */
 template <int D>
-void RigidTouches<D>::meet_body(const Body<D>& body, const RigidWay<D>& way, const Body<D>& other) {
+void RigidTouches<D>::meet_body(const Body<D>& body, const RigidWay<D>& way, const Partners<D>& partners,
+                                uint32_t number) {
+  const Body<D>& other = *partners.all[number].body;
+  RigidTouch<D> both;
+  both.partner = number;
   for_each_simplex(other, [&](const Simplex& simplex) {
     const Part<D> part(other, simplex);
-    meet(body, way, part.points, part.corners.count);
+    both.other = simplex;
+    both.count = part.corners.count;
+    std::copy_n(part.points, 3, both.points);
+    meet(body, way, both);
     return true;
   });
 }
@@ -75,8 +90,9 @@ void RigidTouches<D>::meet_body(const Body<D>& body, const RigidWay<D>& way, con
 /** Asks about a part and an obstacle, or a part of another body. Sides of triangles and ends of edges count: what only
  * they touch is asked about as well. */
 template <int D>
-void RigidTouches<D>::touch(const SimplexCorners<D>& part, const RigidWay<D>& way, const double* const* points,
-                            uint32_t count) {
+void RigidTouches<D>::touch(const SimplexCorners<D>& part, const RigidWay<D>& way, const RigidTouch<D>& touch) {
+  const double* const* const points = touch.points;
+  const uint32_t count = touch.count;
   TurningPair<D> pair{};
   const uint32_t own = part.count;
   const auto mine = [&](uint32_t i) { return way.origin(part.vertices[i]); };
@@ -93,31 +109,39 @@ void RigidTouches<D>::touch(const SimplexCorners<D>& part, const RigidWay<D>& wa
       set(1, mine(1));
       set(2, points[i]);
       set(3, points[(i + 1) % count]);
-      ask(pair);
+      ask(pair, touch);
     }
   } else if (own == 1 && count == D) {
     ask_all(D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge, 1);
     set(0, mine(0));
     for (uint32_t i = 0; i < D; ++i) set(i + 1, points[i]);
-    ask(pair);
+    ask(pair, touch);
   } else if (own == D) {
     ask_all(D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge, 0);
     for (uint32_t i = 0; i < D; ++i) set(i + 1, mine(i));
     for (uint32_t i = 0; i < count; ++i) {
       set(0, points[i]);
-      ask(pair);
+      ask(pair, touch);
     }
   }
 }
 
+/** Between a body and walls the shift decides. Between bodies touching is a contact; those that touch at the start need not
+ * come nearer. */
 template <int D>
-void RigidTouches<D>::ask(const TurningPair<D>& pair) {
-  const FirstTouch touch = first_touch(pair);
-  if (!touch.touches) return;
-  if (touch.time == 0) {
-    touches_at_start_ = true;
-  } else if (!first_.touches || touch.time < first_.time) {
-    first_ = touch;
+void RigidTouches<D>::ask(const TurningPair<D>& pair, const RigidTouch<D>& touch) {
+  FirstEntry first;
+  if (touch.partner == kNone) {
+    first = first_entry(pair);
+  } else {
+    first.touch = first_touch(pair);
+    first.is_open = first.touch.touches && first.touch.time == 0;
+    if (first.is_open) first.touch.touches = false;
+  }
+  is_open_ |= first.is_open;
+  if (first.touch.touches && (!first_.touches || first.touch.time < first_.time)) {
+    first_ = first.touch;
+    touched_ = touch;
   }
 }
 

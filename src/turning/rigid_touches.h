@@ -7,28 +7,45 @@
 
 namespace dsw {
 
+/** A part of the body, and what it enters first. */
+template <int D>
+struct RigidTouch {
+  Simplex part{};
+  // The corners of what is touched; of the environment they have names.
+  const double* points[3] = {};
+  uint32_t vertices[3] = {kNone, kNone, kNone};
+  uint32_t count = 0;
+  HalfFacet facet;  // as NearObstacle
+  Cell cell;
+  uint32_t partner = kNone;  // the number of the body that is touched; kNone: the environment
+  Simplex other{};           // its part
+};
+
 /** Keeps its memory from call to call; one for each thread. Throws std::bad_alloc. */
 template <int D>
 class RigidTouches {
  public:
   explicit RigidTouches(const Environment<D>& env) : env_(env), lists_(env, false) {}
 
-  /** Finds the first touch after time 0. */
+  /** Finds when the body first enters something: a wall under the shift, or another body as soon as they touch. */
   FirstTouch find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners);
-  /** Whether find_first has found pairs that touch at time 0. What they do later it does not know. */
-  bool touches_at_start() const noexcept { return touches_at_start_; }
+  /** Whether find_first has found pairs that touch at time 0 and does not know what they do then. */
+  bool is_open_at_start() const noexcept { return is_open_; }
+  /** What find_first has found, if it enters anything. */
+  const RigidTouch<D>& touched() const noexcept { return touched_; }
 
  private:
-  void meet(const Body<D>& body, const RigidWay<D>& way, const double* const* points, uint32_t count);
-  void meet_body(const Body<D>& body, const RigidWay<D>& way, const Body<D>& other);
-  void touch(const SimplexCorners<D>& part, const RigidWay<D>& way, const double* const* points, uint32_t count);
-  void ask(const TurningPair<D>& pair);
+  void meet(const Body<D>& body, const RigidWay<D>& way, const RigidTouch<D>& other);
+  void meet_body(const Body<D>& body, const RigidWay<D>& way, const Partners<D>& partners, uint32_t number);
+  void touch(const SimplexCorners<D>& part, const RigidWay<D>& way, const RigidTouch<D>& touch);
+  void ask(const TurningPair<D>& pair, const RigidTouch<D>& touch);
   uint32_t last_piece(const RigidWay<D>& way) const noexcept;
 
   const Environment<D>& env_;
   NearLists<D> lists_;
   FirstTouch first_{};
-  bool touches_at_start_ = false;
+  RigidTouch<D> touched_;
+  bool is_open_ = false;
 };
 
 }  // namespace dsw

@@ -15,7 +15,6 @@ namespace dsw {
 template <int D>
 void RigidWay<D>::start(const Body<D>& body, const RigidMove<D>& motion) {
   way_ = motion.way();
-  from_ = 0;
   const double* const q = way_.turn[1];
   const double sine = std::sqrt((q[0] * q[0] + q[1] * q[1]) + q[2] * q[2]), least = 0.5 * (1 + q[3]);
   const double speed = 2 * sine / least, change = 4 * sine * (1 - q[3]) / (least * least);
@@ -43,16 +42,6 @@ void RigidWay<D>::start(const Body<D>& body, const RigidMove<D>& motion) {
   least_step_ = length > 0 ? std::clamp(unit / length, 0x1p-53, 1.0) : 1;
 }
 
-template <int D>
-void RigidWay<D>::go_on(const Body<D>& body, const RigidMove<D>& motion, double fraction) {
-  const TurningWay whole = motion.way();
-  from_ = fraction;
-  way_ = whole;
-  for (int k = 0; k < 4; ++k) way_.turn[0][k] = (1 - from_) * whole.turn[0][k] + from_ * whole.turn[1][k];
-  for (int k = 0; k < 3; ++k) way_.place[0][k] = (1 - from_) * whole.place[0][k] + from_ * whole.place[1][k];
-  find_places(body, motion);
-}
-
 /** Finds places and boxes of the pieces. */
 template <int D>
 void RigidWay<D>::find_places(const Body<D>& body, const RigidMove<D>& motion) {
@@ -60,7 +49,7 @@ void RigidWay<D>::find_places(const Body<D>& body, const RigidMove<D>& motion) {
   places_.assign(size_t{D} * count * (pieces_ + 1), 0);
   largest_ = 0;
   for (uint32_t piece = 0; piece <= pieces_; ++piece) {
-    const RigidMotion<D> part = motion.part(fraction(static_cast<double>(piece) / pieces_));
+    const RigidMotion<D> part = motion.part(static_cast<double>(piece) / pieces_);
     for (uint32_t v = 0; v < count; ++v) {
       if (!body.has_vertex(v)) continue;
       double* const to = places_.data() + D * (size_t{piece} * count + v);

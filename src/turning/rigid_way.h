@@ -18,14 +18,10 @@ class RigidWay {
 
   /** Takes where the vertices are as the begin of the motion. */
   void start(const Body<D>& body, const RigidMove<D>& motion);
-  /** Looks at the rest of it alone, from a fraction on. */
-  void go_on(const Body<D>& body, const RigidMove<D>& motion, double fraction);
 
-  /** The way of points that begin at origin(), from time 0 to 1: of the rest, rounded. */
+  /** The way of points that begin at origin(), from time 0 to 1. */
   const TurningWay& exact() const noexcept { return way_; }
   const double* origin(uint32_t vertex) const noexcept { return origins_.data() + D * size_t{vertex}; }
-  /** The fraction of the motion at a time of the rest, rounded down but for one rounding. */
-  double fraction(double time) const noexcept { return from_ == 0 ? time : from_ + (1 - from_) * time; }
   /** In how many pieces the way is looked at. */
   uint32_t pieces() const noexcept { return pieces_; }
   /** Where a vertex is at the begin of a piece, or at the end of the last one. Rounded. */
@@ -39,6 +35,8 @@ class RigidWay {
   double sagitta(double step) const noexcept { return 0.125 * bend_ * radius_ * step * step; }
   /** The share of the motion in which no vertex goes further than one unit in the last place. */
   double least_step() const noexcept { return least_step_; }
+  /** The largest coordinate on the way. */
+  double largest() const noexcept { return largest_; }
   bool turns() const noexcept { return bend_ > 0; }
 
  private:
@@ -46,7 +44,6 @@ class RigidWay {
   double room(double radius) const noexcept;
 
   TurningWay way_;
-  double from_ = 0;
   Array<double> origins_;
   Array<double> places_;
   Array<double> radii_;  // from the axis, by vertex

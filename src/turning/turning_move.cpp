@@ -2,21 +2,25 @@
 // the other, as in any move: that finds the cells of its vertices, and verifies the rounded places. If a chord meets something, it
 // is halved: between the chord and the arc something may stand.
 //
-// The exact test does not know what pairs do later that touch at the start: touching is decided by the shift there. So in a
-// motion that begins in touch chords are short. Thick bodies keep their distance along each chord, with as much more as the
-// way bends beside it.
+// For a few ties at the start the exact test does not know what follows. They are left to the chords, which are short
+// then. Thick bodies keep their distance along each chord, with as much more as the way bends beside it.
 
 #include "turning/turning_move.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "contact/describe_thick.h"
+#include "contact/normals.h"
+#include "predicates/hull_gap.h"
 
 namespace dsw {
 
 namespace {
 
-constexpr int kMostTries = 400, kMostRetreats = 6, kMostGrazes = 64;
-constexpr double kStepInTouch = 0x1p-6;
+constexpr int kMostTries = 400, kMostRetreats = 6, kMostLeap = 16;
+constexpr double kStepInTouch = 0x1p-6, kSameTouch = 0x1p-20;
 
 }  // namespace
 
@@ -56,12 +60,11 @@ void TurningMove<D>::go_nearer(Steps& steps, double limit, double least) {
   }
 }
 
-/** Goes as far as it can, or to an end just before `touch`. The first step is `first_step`. Returns whether it has come
- * there. */
+/** Goes as far as it can, or to an end just before `touch`. Returns whether it has come there. */
 template <int D>
-bool TurningMove<D>::go(Steps& steps, double touch, double first_step, double most_step) {
+bool TurningMove<D>::go(Steps& steps, double touch, double most_step) {
   const double least = way_.least_step(), end = touch <= 1 ? touch - least : 1;
-  double step = first_step;
+  double step = most_step;
   while (steps.at < end && steps.tries < kMostTries) {
     const bool is_last = end - steps.at <= step;
     const double from = steps.at, next = is_last ? end : from + step;
@@ -78,14 +81,66 @@ bool TurningMove<D>::go(Steps& steps, double touch, double first_step, double mo
       return true;
     }
     step = 0.5 * (next - from);
-    if (!(step >= least) || from + step == from) return false;
+    if ((!(step >= least) || from + step == from) && !leap(steps, end)) return false;
   }
   return steps.at >= end;
 }
 
-/** Tries to go on, and keeps what stops it. Where nothing does, the body is taken back. */
+/** Goes past places whose rounding touches something, though the way does not. */
 template <int D>
-void TurningMove<D>::record_contact(Steps& steps, double touch, MoveRecord& record) {
+bool TurningMove<D>::leap(Steps& steps, double end) {
+  for (int i = 1; i <= kMostLeap; ++i) {
+    const double next = steps.at + std::ldexp(way_.least_step(), i);
+    if (next >= end) break;
+    if (steps.go_to(next)) return true;
+  }
+  return false;
+}
+
+/** The part that touches first and what it touches then, where they are now. */
+template <int D>
+struct TurningMove<D>::Touching {
+  ConvexHull part, other;
+
+  Touching(const Body<D>& body, const RigidTouch<D>& touch) : other{{}, touch.count} {
+    for (const uint32_t v : SimplexCorners<D>(body, touch.part)) part.points[part.count++] = body.position(v);
+    std::copy_n(touch.points, touch.count, other.points);
+  }
+};
+
+/** Whether what touches first is that near. */
+template <int D>
+bool TurningMove<D>::is_at_touch(const Body<D>& body, double distance) const {
+  const Touching touching(body, touches_.touched());
+  return find_gap<D>(touching.part, touching.other, 2 * distance, distance).distance <= distance;
+}
+
+/** Keeps a contact of the pair that touches first, where the two are now. */
+template <int D>
+void TurningMove<D>::record_touch(const Body<D>& body, const Partners<D>* partners, const double* to,
+                                  MoveRecord& record) const {
+  const RigidTouch<D>& touch = touches_.touched();
+  const Touching touching(body, touch);
+  const HullGap gap = find_gap<D>(touching.part, touching.other, std::numeric_limits<double>::infinity(), 0);
+  TooNear<D> near;
+  near.part = touch.part;
+  std::copy_n(gap.weights, 3, near.shares);
+  std::copy_n(gap.other_weights, 3, near.weights);
+  near.normal = gap.normal;
+  const uint32_t v = SimplexCorners<D>(body, touch.part).vertices[0];
+  if (is_zero(near.normal)) near.normal = against(Vec::Zero(), difference<D>(to + D * size_t{v}, body.position(v)));
+  near.partner = touch.partner;
+  near.other = touch.other;
+  std::copy_n(touch.vertices, 3, near.vertices);
+  near.facet = touch.facet;
+  near.cell = touch.cell;
+  record.add(describe(env_, body, v, to + D * size_t{v}, near),
+             partners == nullptr ? dsw_contact_partner{} : partner_of(partners, near));
+}
+
+/** Tries to go on, and keeps what stops it. Where nothing does, the body is taken back, and what it touches first is kept. */
+template <int D>
+void TurningMove<D>::record_contact(Steps& steps, const Partners<D>* partners, double touch, MoveRecord& record) {
   const double at = steps.at;
   here_.assign(steps.body.vertices.begin(), steps.body.vertices.end());
   for (double further = 16 * way_.least_step();; further *= 64) {
@@ -95,6 +150,7 @@ void TurningMove<D>::record_contact(Steps& steps, double touch, MoveRecord& reco
     steps.at = at;
     if (next == 1) break;
   }
+  if (record.contacts.empty() && touch <= 1) record_touch(steps.body, partners, way_.place(way_.pieces(), 0), record);
   if (!record.contacts.empty()) record.contacts[0].time = touch <= 1 ? touch : at;
 }
 
@@ -125,44 +181,16 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     Steps chords{
         steps, body, way_, place, user, order, {reversed_.data(), reversed_.size()}, radius > 0 && !body.filter.self,
         radius};
-    double touch = kNoTouch, place_before = 0;
-    bool is_in_touch = false;  // at the begin of the way that is looked at
-    for (int grazes = 0;; ++grazes) {
-      const double touch_before = touch;
-      const bool was_in_touch = is_in_touch;
-      const FirstTouch first = touches_.find_first(body, way_, partners);
-      touch = first.touches ? way_.fraction(first.time) : kNoTouch;
-      is_in_touch = touches_.touches_at_start();
-      double most_step = 1;
-      if (way_.turns() && (is_thick || is_in_touch)) most_step = kStepInTouch;
-      // The way bends by no more than a radius beside a chord.
-      while (way_.turns() && radius > 0 && way_.sagitta(most_step) > radius) most_step *= 0.5;
-      // What a way touches it may also enter, at first by less than a place of rounding. The exact touch that is found next
-      // is where it comes out again, so the steps behind a touch begin small: one of them ends inside, and is not free.
-      const double first_step = grazes == 0 ? most_step : std::min(16 * way_.least_step(), most_step);
-      if (!go(chords, touch, first_step, most_step)) {
-        if (grazes == 0) {
-          touch = kNoTouch;  // something that touched at the start is met again
-        } else {
-          put_vertices(body, before_.data());
-          chords.at = place_before;
-          touch = touch_before;
-          is_in_touch = was_in_touch;
-        }
-        break;
-      }
-      if (touch == kNoTouch || grazes == kMostGrazes) break;
-      // What only touches, and is free under the shift, is passed by a step so small that its chord is the arc.
-      before_.assign(body.vertices.begin(), body.vertices.end());
-      place_before = chords.at;
-      const double beyond = std::min(1.0, touch + 16 * way_.least_step());
-      if (!chords.go_to(beyond)) break;
-      if (chords.at == 1) break;
-      way_.go_on(body, motion, chords.at);
-    }
-    // It need not have left what it touched at the start.
-    if (is_in_touch && touch - chords.at < 64 * way_.least_step()) touch = kNoTouch;
-    if (chords.at < 1) record_contact(chords, touch, record);
+    const FirstTouch first = touches_.find_first(body, way_, partners);
+    double touch = first.touches ? first.time : kNoTouch, most_step = 1;
+    if (way_.turns() && (is_thick || touches_.is_open_at_start())) most_step = kStepInTouch;
+    // The way bends by no more than a radius beside a chord.
+    while (way_.turns() && radius > 0 && way_.sagitta(most_step) > radius) most_step *= 0.5;
+    // What stops the body much earlier is something else. A flat way is within the last place of what it touches for as much
+    // as the root of that.
+    const bool arrives = go(chords, touch, most_step);
+    if (!arrives && touch <= 1 && !is_at_touch(body, kSameTouch * way_.largest())) touch = kNoTouch;
+    if (chords.at < 1) record_contact(chords, partners, touch, record);
     steps.end_steps(body, chords.at, record);
   } catch (...) {
     body.radius = radius;

@@ -11,7 +11,7 @@ template <int D>
 class TurningMove {
  public:
   explicit TurningMove(const Environment<D>& env)
-      : touches_(env), way_(env.memory), here_(env.memory), before_(env.memory), reversed_(env.memory) {}
+      : env_(env), touches_(env), way_(env.memory), here_(env.memory), reversed_(env.memory) {}
 
   /** Moves a body. `place` and `user` say where its vertices are at a fraction, rounded. Throws std::bad_alloc with the body
    * as it was; the record is cleared first. */
@@ -20,15 +20,20 @@ class TurningMove {
 
  private:
   struct Steps;
+  struct Touching;
   void reverse(const Body<D>& body, MoveOrder order);
-  bool go(Steps& steps, double touch, double first_step, double most_step);
+  bool go(Steps& steps, double touch, double most_step);
+  bool leap(Steps& steps, double end);
   void go_nearer(Steps& steps, double limit, double least);
-  void record_contact(Steps& steps, double touch, MoveRecord& record);
+  bool is_at_touch(const Body<D>& body, double distance) const;
+  void record_contact(Steps& steps, const Partners<D>* partners, double touch, MoveRecord& record);
+  void record_touch(const Body<D>& body, const Partners<D>* partners, const double* to, MoveRecord& record) const;
 
+  const Environment<D>& env_;
   RigidTouches<D> touches_;
   RigidWay<D> way_;
-  Array<BodyVertex<D>> here_, before_;  // before_: a touch that may be passed
-  Array<uint32_t> reversed_;            // the order of the call, backwards
+  Array<BodyVertex<D>> here_;
+  Array<uint32_t> reversed_;  // the order of the call, backwards
 };
 
 }  // namespace dsw

@@ -107,6 +107,62 @@ static void a_flat_way_out_is_no_graze(void) {
   }
 }
 
+/* Half a turn whose circle touches the wall y = 0, or y = 2, and comes back. The shift takes the body up, so only y = 2 is met. */
+static void the_shift_decides_about_a_circle_that_touches(unsigned dimension) {
+  int above;
+  for (above = 0; above < 2; ++above) {
+    const double y = above ? 1.5 : 0.5, rod[6] = {1, y, 1, 1.5, y, 1}, flat[4] = {1, y, 1.5, y};
+    const dsw_body_contact *contacts;
+    size_t count;
+    dsw_body_id body;
+    dsw_move_report report;
+    dsw_rigid_motion m = turn_about_z(0, 1, y);
+    begin(dimension, 2, 0);
+    m.rotation[2] = above ? 1 : -1;
+    m.rotation[3] = 0;
+    body = make_edge_body(g_scene, dimension == 2 ? flat : rod, DSW_LEVEL_EDGES_SWEPT);
+    report = turn(body, &m);
+    CHECK_OK(dsw_body_get_contacts(g_scene, body, &contacts, &count));
+    if (above) {
+      CHECK(report.fraction < 0.5 && report.fraction > 0.499999 && count == 1 && contacts[0].time == 0.5);
+    } else {
+      CHECK(report.fraction == 1 && count == 0);
+    }
+    end_scene(g_scene);
+  }
+}
+
+/* A triangle on the floor turns in its plane, then stands up about one of its sides, and does not get through the floor. */
+static void what_lies_on_the_floor_slides_and_leaves(void) {
+  const double at[9] = {1, 1, 0, 2, 1, 0, 1, 2, 0};
+  const uint32_t corners[3] = {0, 1, 2}, offsets[2] = {0, 3};
+  dsw_rigid_motion m = turn_about_z(70, 1, 1);
+  dsw_move_report report;
+  dsw_body_id body;
+  dsw_body_desc d;
+  begin(3, 3, 0);
+  d = surface_desc(at, 3, offsets, corners, 1, DSW_LEVEL_FACES);
+  CHECK_OK(dsw_body_create(g_scene, &d, &body));
+  CHECK(turn(body, &m).fraction == 1);
+  m = turn_about_z(-70, 1, 1);
+  CHECK(turn(body, &m).fraction == 1);
+  m.rotation[0] = 0.5;
+  m.rotation[2] = 0;
+  m.rotation[3] = 0.75;
+  m.centre[2] = 0;
+  {
+    double now[9];
+    size_t count;
+    CHECK_OK(dsw_body_get_positions(g_scene, body, now, 3, 0, NULL, &count));
+    memcpy(m.centre, now, 3 * sizeof *now);
+  }
+  CHECK(turn(body, &m).fraction == 1);
+  m.rotation[0] = -1;
+  report = turn(body, &m);
+  CHECK(report.fraction > 0.5 && report.fraction < 1 && report.contact_count == 1);
+  end_scene(g_scene);
+}
+
 /* A rod across a radius turns past a body on its inner side, however close, in both directions. */
 static void what_stands_on_the_inner_side_is_passed(void) {
   int e, side, i;
@@ -262,11 +318,12 @@ static void random_turns(unsigned dimension, tally *t) {
     memset(numbers, 0, sizeof numbers);
     numbers[3] = 1;
     {
-      /* The motion as the library makes it: a quaternion of length 1. */
-      double largest = 0, square = 0;
+      /* The motion as moving_bodies.md says: a quaternion of length 1. */
+      double largest = 0, q[4], length_of;
       for (k = 0; k < 4; ++k) largest = fmax(largest, fabs(m.rotation[k]));
-      for (k = 0; k < 4; ++k) square += m.rotation[k] / largest * (m.rotation[k] / largest);
-      for (k = 0; k < 4; ++k) numbers[4 + k] = m.rotation[k] / largest / sqrt(square);
+      for (k = 0; k < 4; ++k) q[k] = m.rotation[k] / largest;
+      length_of = sqrt((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]));
+      for (k = 0; k < 4; ++k) numbers[4 + k] = q[k] / length_of;
     }
     for (k = 0; k < D; ++k) {
       numbers[8 + k] = numbers[11 + k] = m.centre[k];
@@ -307,12 +364,14 @@ int main(int argc, char **argv) {
   unsigned dimension;
   a_flat_way_out_is_no_graze();
   what_stands_on_the_inner_side_is_passed();
+  what_lies_on_the_floor_slides_and_leaves();
   for (dimension = 2; dimension <= 3; ++dimension) {
     tally t;
     memset(&t, 0, sizeof t);
     g_state = seed_of(88172645463325252u + dimension);
     a_rod_in_a_room_stops_at_the_wall(dimension);
     what_lies_between_arc_and_chord_counts(dimension);
+    the_shift_decides_about_a_circle_that_touches(dimension);
     random_turns(dimension, &t);
     if (argc > 1 && strcmp(argv[1], "print") == 0) {
       printf("dimension %u: touches %zu passed %zu false_stops %zu not_free %zu wide %zu\n", dimension, t.touches,
