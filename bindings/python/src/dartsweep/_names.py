@@ -96,7 +96,7 @@ class Surfaces:
             order = sorted(range(len(self.members)), key=lambda i: -len(list(self.members.values())[i]))
             for number in order:
                 owner[list(self.members.values())[number]] = number
-            keys = _keys(ids)
+            keys = keys_of(ids)
             there = np.flatnonzero((ids["generation"] != 0) & (owner >= 0))
             # A face that several surfaces list gets the surface of fewest faces: that is last, and a stable sort keeps it there.
             rank = np.empty(len(self.members) + 1, np.int64)
@@ -106,8 +106,8 @@ class Surfaces:
         keys, generations, surface = self._owners
         if len(keys) == 0:
             return np.full(len(faces), -1, np.int64)
-        place = np.searchsorted(keys, _keys(faces), side="right") - 1
-        found = (place >= 0) & (keys[place] == _keys(faces)) & (generations[place] == faces["generation"])
+        place = np.searchsorted(keys, keys_of(faces), side="right") - 1
+        found = (place >= 0) & (keys[place] == keys_of(faces)) & (generations[place] == faces["generation"])
         return np.where(found, surface[place], -1)
 
     def _follow(self, environment: Environment) -> None:
@@ -156,7 +156,7 @@ def _faces_of_changes(
                 yield corners, whole
 
 
-def _keys(faces: Records) -> NDArray[np.uint64]:
+def keys_of(faces: Records) -> NDArray[np.uint64]:
     return (faces["volume"].astype(np.uint64) << np.uint64(32)) | faces["local"].astype(np.uint64)
 
 

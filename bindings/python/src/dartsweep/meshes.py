@@ -84,8 +84,9 @@ def from_surface(
     a pair or as `vertices` and `faces` of an object, or a PolyData. Open ends are closed. The triangles of the surface are the wall of the
     lumen. They are the environment's surface "wall" (tag 1), caps are its surface "caps" (tag 2).
 
-    outside: "nothing", or "tissue", with which a box round the surface is filled, too. Tissue is impassable. Regions are "lumen" (1) and
-    "tissue" (2), and tags the same numbers, so the tag of a contact tells what is behind the wall. size, thickness, largest_hole, parts,
+    outside: "nothing", or "tissue", with which a box round the surface is filled, too. Tissue is impassable. Or "space": the box is free
+    space, and the surface is that of an object in it, which is impassable. Regions are "lumen" (1) and "tissue" (2), or "object" (1) and
+    "space" (2), and tags the same numbers, so the tag of a contact tells what is behind the wall. size, thickness, largest_hole, parts,
     scale, repair, errors and cost: as of dartsweep.surfaces.fill; `notes` of the environment say what a repair has changed. options: as of
     Environment.
     """
@@ -96,14 +97,14 @@ def from_surface(
 
 
 def _of_filled(filled: surfaces.FilledSurface, outside: str, options: dict[str, Any]) -> Environment:
-    names = {"lumen": surfaces.LUMEN, "tissue": surfaces.TISSUE}
+    names = dict(zip(("object", "space") if outside == "space" else ("lumen", "tissue"), (surfaces.LUMEN, surfaces.TISSUE)))
     made = Environment(filled.points, filled.cells, regions=filled.regions, tags=filled.regions, region_names=names, **options)
     made._names.notes = filled.notes
     groups = {"wall": np.flatnonzero(~filled.is_cap), "caps": np.flatnonzero(filled.is_cap)}
     offsets = np.arange(0, filled.wall.size + 1, 3)
     made._names.surfaces.add(offsets, filled.wall.ravel(), {name: faces for name, faces in groups.items() if len(faces)}, {})
-    if outside == "tissue":
-        made.mark_region("tissue")
+    if outside != "nothing":
+        made.mark_region("tissue" if outside == "tissue" else "object")
     return made
 
 

@@ -27,7 +27,7 @@ LUMEN = 1
 """The region of cells inside the surface."""
 
 TISSUE = 2
-"""The region of cells outside the surface."""
+"""The region of cells outside the surface: tissue, or free space."""
 
 _ENDINGS = (".obj", ".ply", ".stl", ".vtk", ".vtp")
 
@@ -98,7 +98,7 @@ def fill(
     surface: path of an STL, OBJ, PLY, VTP or VTK file; or a pair of points (n, 3) and triangles (m, 3); or an object with `vertices` and
     `faces`, such as one of trimesh; or a PolyData of PyVista or VTK. Triangles may be turned either way, and normals do not count. Polygons
     are divided into triangles. Points at the same place become one.
-    outside: "nothing", or "tissue": a box round the surface, filled as well.
+    outside: "nothing"; or "tissue" or "space": a box round the surface, filled as well.
     size: length of edges within the lumen, about; by default 0.8 of its width, which is 4 volumes over the area. The triangles of the surface
     are not divided, so cells beside them are about as large as they. Cells of tissue grow with their distance.
     thickness: least distance from the surface to the sides of the box of tissue; by default twice the width of the lumen.
@@ -117,8 +117,8 @@ def fill(
     TetGen takes most of the time: some seconds for 100,000 tetrahedra. MeshFix and TetGen run in a process of their own, a Python that
     `sys.executable` starts: their crash is a SurfaceError.
     """
-    if outside not in ("nothing", "tissue"):
-        raise ValueError(f"outside is 'nothing' or 'tissue', not {outside!r}")
+    if outside not in ("nothing", "tissue", "space"):
+        raise ValueError(f"outside is 'nothing', 'tissue' or 'space', not {outside!r}")
     if parts not in ("one", "largest", "all"):
         raise ValueError(f"parts is 'one', 'largest' or 'all', not {parts!r}")
     for name, value in (("size", size), ("thickness", thickness), ("scale", scale)):
@@ -128,7 +128,7 @@ def fill(
         raise ValueError(f"largest_hole is not negative, not {largest_hole}")
     try:
         points, triangles = _arrays(surface)
-        return FilledSurface(*_in_own_process(points, triangles, scale, parts, largest_hole, outside, size, thickness, repair))
+        return FilledSurface(*_in_own_process(points, triangles, scale, parts, largest_hole, "nothing" if outside == "nothing" else "tissue", size, thickness, repair))
     except SurfaceError as error:
         is_path = isinstance(surface, (str, os.PathLike))
         raise SurfaceError(error.found, f"surface '{os.fspath(surface)}'" if is_path else "surface") from error.__cause__

@@ -23,7 +23,7 @@ def environment_of(mesh: Mesh, regions: str | None, options: dict[str, Any]) -> 
     given = options
     mesh, plane = flatten(own.restored(mesh))
     labels, names = regions_of(mesh, regions)
-    options = {"tags": mesh.cell_data.get(own.TAGS), **options}
+    options = {"tags": mesh.cell_data.get(own.TAGS, mesh.cell_data.get(own.INPUT)), **options}
     options["region_names"] = {**names, **(options.get("region_names") or {})}
     if mesh.hangs and not any(name in options for name in _SAYS_WHAT_TOUCHES):
         options["conform"] = True

@@ -21,6 +21,8 @@ NAMES = "dartsweep"
 """A field of a file: names as JSON in UTF-8, as bytes because not every format has text."""
 TAGS = "dartsweep:tags"
 """Tags of cells, which only a file of our own has."""
+INPUT = "dartsweep:input"
+"""Which cell of a data set each cell is, where dartsweep.vtk asks for it: the tag of its volume."""
 _FACES, _MARKED_FACES, _MARKED_EDGES, _MARKED_VERTICES = (f"dartsweep:{name}" for name in ("faces", "marked_faces", "marked_edges", "marked_vertices"))
 
 
