@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -22,19 +23,36 @@ def rays() -> RayMeshIntersector:
     return RayMeshIntersector(pair())
 
 
-def crossings(origin: object, direction: object) -> list[tuple[Fraction, int]]:
+Vector = list[Fraction]
+
+
+def fractions(values: Any) -> Vector:
+    return [Fraction(float(x)) for x in values]
+
+
+def minus(u: Vector, v: Vector) -> Vector:
+    return [x - y for x, y in zip(u, v)]
+
+
+def cross(u: Vector, v: Vector) -> Vector:
+    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+
+
+def dot(u: Vector, v: Vector) -> Fraction:
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+
+
+def crossings(origin: Any, direction: Any) -> list[tuple[Fraction, int]]:
     """Times and triangles where a ray meets a triangle of `pair` inside; it must meet no edge."""
-    o, d = ([Fraction(float(x)) for x in v] for v in (origin, direction))  # type: ignore[attr-defined]
-    cross = lambda u, v: [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]  # noqa: E731
-    dot = lambda u, v: sum(x * y for x, y in zip(u, v))  # noqa: E731
+    o, d = fractions(origin), fractions(direction)
     found = []
     for number, corners in enumerate(pair().triangles):
-        a, b, c = ([Fraction(float(x)) for x in corner] for corner in corners)
-        signs = [dot(d, cross([x - z for x, z in zip(p, o)], [y - z for y, z in zip(q, o)])) for p, q in ((a, b), (b, c), (c, a))]
+        a, b, c = map(fractions, corners)
+        signs = [dot(d, cross(minus(p, o), minus(q, o))) for p, q in ((a, b), (b, c), (c, a))]
         assert all(sign != 0 for sign in signs)
         if len({sign > 0 for sign in signs}) == 1:
-            normal = cross([x - y for x, y in zip(b, a)], [x - y for x, y in zip(c, a)])
-            time = dot(normal, [x - y for x, y in zip(a, o)]) / dot(normal, d)
+            normal = cross(minus(b, a), minus(c, a))
+            time = dot(normal, minus(a, o)) / dot(normal, d)
             if time > 0:
                 found.append((time, number))
     return sorted(found)

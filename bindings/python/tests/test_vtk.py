@@ -49,7 +49,8 @@ def apart(grid: pyvista.UnstructuredGrid, cell: int, point: NDArray[np.float64])
 
         def side(p: Any) -> Fraction:
             u, v, w = ([x - y for x, y in zip(q, a)] for q in (b, c, p))
-            return w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) + w[2] * (u[0] * v[1] - u[1] * v[0])
+            found: Fraction = w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) + w[2] * (u[0] * v[1] - u[1] * v[0])
+            return found
 
         if side([Fraction(float(x)) for x in point]) * side(middle) < 0:
             return True
@@ -138,7 +139,7 @@ def test_a_mesh_that_changes_or_is_none() -> None:
     assert pyvista.wrap(made.GetOutputDataObject(0))["CellId"].tolist() == [-1]
 
     said: list[str] = []
-    window = vtkOutputWindow.GetInstance()
+    window: Any = vtkOutputWindow.GetInstance()
     number = window.AddObserver("ErrorEvent", lambda *_: said.append("told"))
     made.SetInputDataObject(0, pyvista.Sphere())
     made.Update()

@@ -23,31 +23,27 @@ def _places(kind: str, name: str) -> Any:
     return lambda made: smproperty.input(name=name, port_index=1)(smdomain.datatype(dataTypes=[kind], composite_data_supported=False)(made))
 
 
-class _Options:
-    """Properties that all filters have."""
+def _conform(self: Any, on: int) -> None:
+    """Whether faces that lie on faces of other cells are sewn to them."""
+    self.set_option("conform", bool(on))
 
-    @smproperty.intvector(name="Conform", default_values=0)
-    @smdomain.xml('<BooleanDomain name="bool"/>')
-    def SetConform(self: Any, on: int) -> None:
-        """Whether faces that lie on faces of other cells are sewn to them."""
-        self.set_option("conform", bool(on))
 
-    @smproperty.intvector(name="InnerWalls", default_values=0)
-    @smdomain.xml('<BooleanDomain name="bool"/>')
-    def SetInnerWalls(self: Any, on: int) -> None:
-        """Whether such faces are walls; else they are an error, where they are not sewn."""
-        self.set_option("inner_walls", bool(on))
+def _inner_walls(self: Any, on: int) -> None:
+    """Whether such faces are walls; else they are an error, where they are not sewn."""
+    self.set_option("inner_walls", bool(on))
 
-    @smproperty.doublevector(name="MergeDistance", default_values=-1.0)
-    def SetMergeDistance(self: Any, distance: float) -> None:
-        """Points that lie within this distance count as one; a negative one leaves all as they are."""
-        self.set_option("merge_points", None if distance < 0 else distance)
+
+def _merge_distance(self: Any, distance: float) -> None:
+    """Points that lie within this distance count as one; a negative one leaves all as they are."""
+    self.set_option("merge_points", None if distance < 0 else distance)
 
 
 def _with_options(made: Any) -> Any:
-    for name, member in vars(_Options).items():
-        if name.startswith("Set"):
-            setattr(made, name, member)
+    """Properties that all filters have."""
+    switch = smdomain.xml('<BooleanDomain name="bool"/>')
+    made.SetConform = smproperty.intvector(name="Conform", default_values=0)(switch(_conform))
+    made.SetInnerWalls = smproperty.intvector(name="InnerWalls", default_values=0)(switch(_inner_walls))
+    made.SetMergeDistance = smproperty.doublevector(name="MergeDistance", default_values=-1.0)(_merge_distance)
     return made
 
 

@@ -83,10 +83,13 @@ class RayMeshIntersector:
         sides[:, directions == 0] = np.array([[-np.inf], [np.inf]])
         enter, leave = np.maximum(sides[0].max(axis=1), 0), sides[1].min(axis=1)
         missed = (enter >= leave) | away.any(axis=1)
-        ends = [np.clip(origins + np.where(missed, 0, time)[:, None] * directions, *self._box) for time in (enter, leave)]
+        times = (np.where(missed, 0, time)[:, None] for time in (enter, leave))
+        ends: list[NDArray[np.float64]] = [np.clip(origins + time * directions, *self._box) for time in times]
         for end in ends:
             end[missed] = self._box[0]
-        return np.where((enter == 0)[:, None] & ~missed[:, None], origins, ends[0]), ends[1]
+        begins_within = (enter == 0) & ~missed
+        ends[0][begins_within] = origins[begins_within]
+        return ends[0], ends[1]
 
     def _wall(self, on: bool) -> None:
         if self._is_wall != on:

@@ -49,7 +49,7 @@ class Mesh:
 
     def cells(self, volumes: Any) -> NDArray[np.int64]:
         """Cells of the data set by ids of volumes; -1 for null ids."""
-        found = self._cells[volumes["index"]]
+        found: NDArray[np.int64] = self._cells[volumes["index"]]
         found[volumes["generation"] == 0] = -1
         return found
 
@@ -171,7 +171,7 @@ class FindNearestWalls(_Filter):
 def _points_of(data: Any) -> NDArray[np.float64]:
     points = data.GetPoints() if data.IsA("vtkPointSet") else None
     if points is not None:
-        return vtk_to_numpy(points.GetData()).astype(np.float64)
+        return np.array(vtk_to_numpy(points.GetData()), np.float64)
     return np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())], np.float64).reshape(-1, 3)
 
 
@@ -190,7 +190,7 @@ def _named(name: str, values: NDArray[Any]) -> Any:
     return made
 
 
-def _ids(name: str, values: NDArray[np.int64]) -> vtkIdTypeArray:
+def _ids(name: str, values: NDArray[np.int64]) -> Any:
     made = numpy_to_vtk(np.ascontiguousarray(values, np.int64), deep=True, array_type=vtkIdTypeArray().GetDataType())
     made.SetName(name)
     return made
