@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from .error import MeshError
-from . import linear
+from . import linear, msh_walk
 from .linear import Cells
 from .mesh import Indices
 from .raw import Raw
@@ -29,22 +29,18 @@ _TYPES = {  # of Gmsh: VTK's type, and VTK's order of nodes where it is another
     19: (27, [0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12]),
 }
 _LAGRANGE = {(1, 2): 68, (2, 3): 69, (2, 4): 70, (3, 4): 71, (3, 8): 72, (3, 6): 73, (3, 5): 74}
-_LARGE, _LAST = 16_000_000, 200
-"""Bytes of a file for which a process of its own, which takes 0.3 s, is a small part; and the last bytes of a file, which are the end of a section."""
+_LARGE = 16_000_000
+"""Bytes of a file for which a process of its own, which takes 0.3 s, is a small part."""
 _ELEMENT_OF_NASTRAN = re.compile(r"C(?:TETRA|PENTA|HEXA|PYRAM?|TRIA[R36]|QUAD[R48]?)\b", re.IGNORECASE)
 _WAY_ON = "Gmsh can write the mesh anew"
 
 
 def is_apart(path: str, format: str) -> bool:
     """Whether Gmsh reads a file in a process of its own: where its models have to stay as they are, as MED's files would be added to one of the
-    same name; and where it may crash, unless a large file seems to be whole."""
+    same name; and where it may crash, unless a large file is whole."""
     import gmsh
 
-    if gmsh.isInitialized() or format != "msh" or os.path.getsize(path) < _LARGE:
-        return True
-    with open(path, "rb") as file:
-        file.seek(-_LAST, os.SEEK_END)
-        return b"\n$End" not in file.read()
+    return gmsh.isInitialized() or format != "msh" or os.path.getsize(path) < _LARGE or not msh_walk.is_whole(path)
 
 
 def read(path: str, source: str, format: str) -> Raw:

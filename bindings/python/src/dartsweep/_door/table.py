@@ -58,7 +58,7 @@ DIALECTS = (
     _dialect("VTK, collection", ".pvd", "vtk:pvd", "the first time; parts as groups"),
     _dialect("VTK HDF", ".vtkhdf .hdf .hdf5 .h5", "vtk:hdf", "cell data; polyhedra; blocks as groups", r"\x89HDF(?s:.*)VTKHDF"),
     _dialect("Exodus II", _EXODUS, "exodus:exodus vtk:exodus", "blocks as regions; side sets; sets of elements; all with names"),
-    _dialect("CGNS", ".cgns", "vtk:cgns", "zones as regions; boundary conditions by name"),
+    _dialect("CGNS", ".cgns", "vtk:cgns", "zones as regions; boundary conditions by name; sections of faces"),
     _dialect("EnSight", ".case .encas", "vtk:ensight", "parts as regions and patches"),
     _dialect("OpenFOAM", ".foam", "vtk:foam", "patches; polyhedra"),
     _dialect("AVS UCD", ".ucd .inp .avs", "ucd:ucd vtk:ucd", "materials", r"(?:\s*#[^\n]*\n)*\s*\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+|\x07"),
@@ -91,6 +91,7 @@ DIALECTS = (
 
 STRANGERS = (  # first bytes of files that nothing here reads, what they are, and a way on
     (r"#!TDV", "it is Tecplot's binary", "Tecplot and ParaView can write it as text or as VTK's"),
+    (r"(?s).*GID_MESHSET", "it is a project of GiD", "GiD can export its mesh, such as for Abaqus or Nastran"),
     (r"(?is)\s*(?:#[^\n]*\n\s*)*MESH\b[^\n]*\bELEMTYPE\b", "it is a mesh of GiD", "GiD can export it, such as for Abaqus or Nastran"),
 )
 

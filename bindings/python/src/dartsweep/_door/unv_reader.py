@@ -20,6 +20,7 @@ _LINEAR = {  # of the descriptor of a finite element: VTK's type
 _QUADRATIC = {  # VTK's type, and where its corners, then its middles, are in the way round that the file goes
     **dict.fromkeys((42, 52, 62, 72, 82, 92), (22, [0, 2, 4, 1, 3, 5])),
     **dict.fromkeys((45, 55, 65, 75, 85, 95), (23, [0, 2, 4, 6, 1, 3, 5, 7])),
+    300: (28, [0, 2, 4, 6, 1, 3, 5, 7, 8]),
     118: (24, [0, 2, 4, 9, 1, 3, 5, 6, 7, 8]),
     113: (26, [0, 2, 4, 9, 11, 13, 1, 3, 5, 10, 12, 14, 6, 7, 8]),
     116: (25, [0, 2, 4, 6, 12, 14, 16, 18, 1, 3, 5, 7, 13, 15, 17, 19, 8, 9, 10, 11]),

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from .error import MeshError
-from . import blocks, fluent_faces, vtk_data
+from . import blocks, cgns_sides, cgns_tree, fluent_faces, vtk_data
 from .mesh import Indices
 from .raw import Raw
 
@@ -25,8 +25,11 @@ def read(path: str, source: str, format: str) -> Raw:
     """The cells of a file; format: a key of the table below."""
     if format == "pvd":
         return _collection(path, source)
-    data = _caught(source, lambda: _READERS[format](path))
+    sides = _sides_of_cgns(path) if format == "cgns" else None
+    data = _caught(source, lambda: _cgns(path, sides is None) if format == "cgns" else _READERS[format](path))
     raw = vtk_data.raw_of(data, source, "VTK", _WEDGES_AS_IN_GMSH.get(format))
+    if sides is not None:
+        _name_cgns(raw, *sides)
     if format == "exodus":
         _name_exodus(raw)
     if format == "fluent":
@@ -109,13 +112,13 @@ def _exodus(path: str) -> Any:
     return _output(reader)
 
 
-def _cgns(path: str) -> Any:
+def _cgns(path: str, with_patches: bool = True) -> Any:
     from vtkmodules.vtkIOCGNSReader import vtkCGNSReader
 
     reader = vtkCGNSReader()
     reader.SetFileName(path)
     reader.UpdateInformation()
-    reader.LoadBndPatchOn()
+    reader.SetLoadBndPatch(with_patches)
     reader.GetBaseSelection().EnableAllArrays()
     reader.EnableAllFamilies()
     return _output(reader)
@@ -214,6 +217,40 @@ def _name_fluent(raw: Raw, titles: list[str], sides: list[tuple[str, Indices, In
         if len(points) and not 0 <= points.min() <= points.max() < len(raw.points):
             raise MeshError(raw.source, f"a face of zone '{name}' has a point that is not there, of {len(raw.points)}", _WAY_ON)
         raw.sides.append((name, offsets, points))
+
+
+def _sides_of_cgns(path: str) -> tuple[list[Any], list[str]] | None:
+    """The surfaces of a file all of whose zones are unstructured; None: VTK's are taken."""
+    try:
+        return cgns_sides.sides_of(path)
+    except cgns_tree.NoTree as error:
+        return [], [f"{error}; VTK leaves out boundary conditions"]
+    except (KeyError, ValueError, IndexError, TypeError, AttributeError, StopIteration) as error:
+        return [], [f"its surfaces can't be read ({type(error).__name__} {error})"]
+
+
+def _name_cgns(raw: Raw, zones: list[Any], notes: list[str]) -> None:
+    """Surfaces of the zones. Points of one zone stay as they are in the file, those of several are found by their places."""
+    raw.notes += notes
+    for zone, sides in zones:
+        if not sides:
+            continue
+        points = cgns_sides.points_of(zone)
+        is_whole = len(zones) == 1 and len(points) == len(raw.points)
+        index = np.arange(len(points)) if is_whole else _places_of(points, raw.points)
+        for name, offsets, corners in sides:
+            if len(corners) and not (0 <= corners.min() <= corners.max() < len(index) and index[corners].min() >= 0):
+                raise MeshError(raw.source, f"a face of the surface '{name}' has a point that is not there, of {len(index)}", _WAY_ON)
+            raw.sides.append((name, offsets, index[corners]))
+
+
+def _places_of(points: Any, every: Any) -> Indices:
+    """Which of all points stands where each point does; -1: none."""
+    in_space = np.concatenate([points, np.zeros((len(points), 3 - points.shape[1]))], axis=1)
+    place = np.ravel(np.unique(np.concatenate([every, in_space]) + 0.0, axis=0, return_inverse=True)[1])
+    first = np.full(len(place), -1, np.int64)
+    first[place[: len(every)][::-1]] = np.arange(len(every))[::-1]
+    return first[place[len(every) :]]
 
 
 def _collection(path: str, source: str) -> Raw:
