@@ -26,7 +26,7 @@ VOLUMES = {"wedge": 0.5, "wedge15": 0.5, "polyhedron": 2.0, "prism": 1.5 * 3**0.
 
 def by(release: str, what: str, folder: pathlib.Path) -> Any:
     """What another release of VTK writes or reads, in a process of its own."""
-    path = os.pathsep.join([release, str(pathlib.Path(__file__).parent)])
+    path = os.pathsep.join([release, str(pathlib.Path(__file__).parent), os.environ.get("PYTHONPATH", "")])
     program = pathlib.Path(__file__).parent / "releases.py"
     done = subprocess.run(
         [sys.executable, str(program), what, str(folder)], env={**os.environ, "PYTHONPATH": path}, capture_output=True, text=True, check=True

@@ -9,6 +9,8 @@ const GMSH = {4: 10, 5: 12, 6: 13, 7: 14}; // the same cells by Gmsh's numbers
 const VTK_SIDES = {1: 3, 2: 5, 3: 9, 15: 1}; // lines, triangles, quads and points by Gmsh's numbers
 const MOST = 2_000_000; // points, or corners; more would take a browser's patience
 
+const WAY_ON = 'In Python, dartsweep.read takes many more kinds of files, and meshio can write one as .vtk in text';
+
 class FileError extends Error {}
 
 function numbersOf(text, what) {
@@ -228,6 +230,7 @@ function finishSurface(surface) {
   return {
     what: 'surface',
     closed,
+    left: 0,
     question: {points: Float64Array.from(points), triangles: Uint32Array.from(surface.triangles)},
   };
 }
@@ -365,6 +368,7 @@ function finishVolumes({points, cells}) {
   return {
     what: 'volumes',
     closed: 0,
+    left: every.length - volumes.length,
     question: {
       points: Float64Array.from(points),
       types: Uint8Array.from(volumes, ({type}) => type),
@@ -381,16 +385,17 @@ const READERS = {
   msh: buffer => finishVolumes(readMsh(new TextDecoder().decode(buffer))),
 };
 
-/** A question to the worker: `what` it creates, its arrays, and how many openings were closed. Throws an error with a
+/** A question to the worker: `what` it creates, its arrays, how many openings were closed, and how many points, lines and
+ * polygons beside volumes were left out. Throws an error with a
  * sentence that begins with the file's name. */
 export async function readFile(file) {
   const ending = file.name.split('.').pop().toLowerCase();
   try {
     if (!READERS[ending]) {
-      throw new FileError(`files end in ${Object.keys(READERS).map(name => `.${name}`).join(', ')}`);
+      throw new FileError(`the page reads only files that end in ${Object.keys(READERS).map(name => `.${name}`).join(', ')}`);
     }
     return READERS[ending](await file.arrayBuffer());
   } catch (error) {
-    throw error instanceof FileError ? new Error(`${file.name}: ${error.message}.`) : error;
+    throw error instanceof FileError ? new Error(`${file.name}: ${error.message}. ${WAY_ON}.`) : error;
   }
 }

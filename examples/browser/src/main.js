@@ -62,9 +62,10 @@ async function begin(what, question = {}, done = '', name = '') {
 
 async function openFile(file) {
   try {
-    const {what, closed, question} = await readFile(file);
+    const {what, closed, left, question} = await readFile(file);
     const openings = closed === 0 ? '' : ` ${closed === 1 ? 'Its opening was' : `Its ${closed} openings were`} closed.`;
-    await begin(what, question, `${file.name}: the wire is in the ${what === 'surface' ? 'surface' : 'mesh'}.${openings}`, file.name);
+    const beside = left === 0 ? '' : ` ${left} points, lines and polygons beside its cells, and all names, were left out.`;
+    await begin(what, question, `${file.name}: the wire is in the ${what === 'surface' ? 'surface' : 'mesh'}.${openings}${beside}`, file.name);
   } catch (error) {
     say(error.message, true);
   }

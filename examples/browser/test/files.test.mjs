@@ -23,7 +23,8 @@ function vtk(cells) {
 }
 
 test('volumes: a voxel is a hexahedron, sides are left out', async () => {
-  const {question} = await read('one.vtk', vtk([[11, 0, 1, 2, 3, 4, 5, 6, 7], [9, 0, 1, 3, 2]]));
+  const {question, left} = await read('one.vtk', vtk([[11, 0, 1, 2, 3, 4, 5, 6, 7], [9, 0, 1, 3, 2]]));
+  assert.equal(left, 1);
   assert.deepEqual([...question.types], [12]);
   assert.deepEqual([...question.corners], [0, 1, 3, 2, 4, 5, 7, 6]);
 });
@@ -57,7 +58,7 @@ test('surfaces: files that end early, or hold something else', async () => {
   await refused('short.off', 'OFF\n4 4 0\n0 0 0\n', /ends early/);
   await refused('flat.obj', 'v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n', /fewer than three coordinates/);
   await refused('line.obj', 'v 0 0 0\nv 1 0 0\nf 1 2\n', /a face has 2 corners/);
-  await refused('mesh.vtu', '<VTKFile/>', /files end in/);
+  await refused('mesh.vtu', '<VTKFile/>', /reads only files that end in .obj, .off, .stl, .vtk, .msh\. In Python, dartsweep.read takes many more kinds/);
 });
 
 for (const name of ['tube.obj', 'tube.off', 'tube.stl', 'box.vtk', 'box.msh']) {

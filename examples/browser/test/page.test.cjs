@@ -161,7 +161,7 @@ describe('the page', () => {
       ['twisted.obj', /twisted.obj: triangles at an edge/],
       ['short.off', /short.off: the file ends early/],
       ['inverted.vtk', /inverted.vtk: the volumes cannot be used: DSW_STATUS_/],
-      ['readme.txt', /readme.txt: files end in/],
+      ['readme.txt', /readme.txt: the page reads only files that end in/],
     ]) {
       await drop(page, name);
       await page.waitForFunction(text => new RegExp(text).test(window.browser.state().message), message.source,
