@@ -64,7 +64,7 @@ DIALECTS = (
     _dialect("AVS UCD", ".ucd .inp .avs", "ucd:ucd vtk:ucd", "materials", r"(?:\s*#[^\n]*\n)*\s*\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+|\x07"),
     _dialect("Tecplot", ".tec .dat .plt", "meshio:tecplot vtk:tecplot", "cell data", r"(?is)(?:\s*#[^\n]*\n)*\s*(?:TITLE|VARIABLES|ZONE)"),
     _dialect("Gmsh", ".msh .msh2 .msh4 .mesh", "gmsh:msh meshio:gmsh", "physical groups, also overlapping ones; partitions", r"\s*\$(?!.*DOLFIN)"),
-    _dialect("ANSYS Fluent", ".msh .cas", "vtk:fluent meshio:ansys", "zones of cells as regions; zones of faces", r"\s*\("),
+    _dialect("ANSYS Fluent", ".msh .cas", "vtk:fluent meshio:ansys", "zones of cells as regions; zones of faces; polyhedra", r"\s*\("),
     _dialect("I-deas", ".unv", "unv:unv", "groups; properties as regions", r"\s*-1\s"),
     _dialect("MED", ".med", "gmsh:med meshio:med", "groups", r"\x89HDF"),
     _dialect("Nastran", ".bdf .nas .fem", "gmsh:bdf meshio:nastran", "properties as regions"),
