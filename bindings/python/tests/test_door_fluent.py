@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import pathlib
-from typing import Any
 
 import numpy as np
 import pytest
@@ -62,5 +61,5 @@ def test_polyhedra_of_fluent(ending: str, cells: str, turned: bool, binary: bool
         assert volume_of(made) == pytest.approx(24)
         assert {name: len(made.faces(name)) for name in made.surface_names} == {"low": 1, "high": 1, "side": 12}
         assert made.region_names == {"lumen": 1}
-        flight: Any = made.cast((0, 0, 0.5), (0, 0, 3))
-        assert flight.position[2] == 2 and flight.contact.tag == made.surface_names["high"]
+        flight = made.cast((0, 0, 0.5), (0, 0, 3))
+        assert flight.position[2] == 2 and made.surfaces_of(flight.contact.wall)[1] == "high"
