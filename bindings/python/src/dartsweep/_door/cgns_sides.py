@@ -30,7 +30,8 @@ class _Section:
 
 def sides_of(path: str) -> tuple[list[tuple[Node, Sides]], list[str]] | None:
     """For each zone its surfaces: name, offsets and points, from 0 in the zone; and notes. None: not all zones are unstructured. Raises NoTree."""
-    found, notes = [], []
+    found: list[tuple[Node, Sides]] = []
+    notes: list[str] = []
     for base, zone in cgns_tree.zones(path):
         dimension = int(base.data()[0])
         kind = zone.child("ZoneType")
