@@ -125,9 +125,9 @@ class CastSegments(_Filter):
     """Where segments end: each piece of a line of the second input, from its start to its end or to the first wall, which is the outer
     boundary of the mesh, or a gap between its parts.
 
-    The output has a vertex for each segment, with `Hit` (1: a wall, 0: none, -1: the segment does not begin in the mesh), `Time` (the part
-    of the segment that was gone: at a wall the largest double not later than the exact one), `Normal` (out of the wall; else 0), `CellId` (where it ended; -1 outside) and
-    `LineId` (the cell of the second input).
+    The output has a vertex for each segment, with `Hit` (1: a wall, 0: none, -1: the segment does not begin in the mesh), `Time` (the part of
+    the segment that was gone: at a wall the largest double not later than the exact one), `Normal` (out of the wall; else 0), `CellId` (where
+    it ended; -1 outside) and `LineId` (the cell of the second input).
     """
 
     places = "vtkPolyData"
