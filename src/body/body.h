@@ -7,6 +7,7 @@
 #include "base/slot_pool.h"
 #include "body/box_grid.h"
 #include "body/rigid_shape.h"
+#include "corridor/clearance.h"
 #include "corridor/corridor.h"
 #include "corridor/touched_lines.h"
 
@@ -51,16 +52,6 @@ struct Skipping {
   bool corridors = false, by_environment = false, by_clearance = false;
   bool back_edges = false, by_similar_motion = false;  // at EDGES
   double motion_share = 0.1;
-};
-
-/** A ball known to hold nothing impassable. */
-template <int D>
-struct Clearance {
-  double centre[D] = {};
-  double radius = 0;                // 0: none is known
-  uint64_t version = 0;             // of the environment when it was measured
-  uint32_t wait = 0, patience = 1;  // moves until it is measured again where it was too small
-  double wanted = 0;                // square of the longest edge that the last move had to cast for want of room
 };
 
 /** Which bodies see each other: each one's category must be in the other's mask. */

@@ -3,16 +3,10 @@
 
 #include <algorithm>
 
+#include "base/simplex.h"
 #include "body/body.h"
 
 namespace dsw {
-
-/** A vertex, an edge or a face of a body. */
-struct Simplex {
-  enum Kind : uint32_t { kVertex, kEdge, kFace };
-  Kind kind;
-  uint32_t index;
-};
 
 /** The vertices of a simplex. */
 template <int D>

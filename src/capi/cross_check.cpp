@@ -57,11 +57,11 @@ bool has_wall(const dsw_body_contact& contact) {
   return (contact.contact.wall.volume | contact.contact.wall.generation | contact.contact.wall.local) != 0;
 }
 
-dsw::Touch to_touch(const dsw::Map<3>& map, const dsw_body_contact& contact) {
+dsw::ReportedTouch to_touch(const dsw::Map<3>& map, const dsw_body_contact& contact) {
   if (!has_wall(contact) && contact.contact.obstacle.kind == DSW_CELL_NONE) {
     fail(DSW_STATUS_UNSUPPORTED, "contact->contact.obstacle is null: two bodies touch");
   }
-  dsw::Touch touch{};
+  dsw::ReportedTouch touch{};
   touch.position = contact.position;
   touch.fixed = contact.fixed[0];
   touch.point = contact.point;
@@ -101,7 +101,7 @@ dsw_status dsw_environment_cross_check(const dsw_environment* environment, const
     dsw::require(contact, "contact");
     dsw::require(result, "result");
     check_numbers(*contact);
-    const dsw::Touch touch = to_touch(env.map, *contact);
+    const dsw::ReportedTouch touch = to_touch(env.map, *contact);
     dsw::require_libccd();
     *result = cross_check_of(env, touch, has_wall(*contact));
   });

@@ -3,33 +3,12 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
-#include "environment/marking.h"
 
 namespace dsw {
-namespace {
-
-/** What of a body touches on the way of v. */
-template <int D>
-dsw_body_contact name_parts(const Body<D>& body, uint32_t v, const double* to, uint32_t edge, uint32_t face) {
-  dsw_body_contact contact{};
-  std::copy_n(body.position(v), D, contact.from);
-  std::copy_n(to, D, contact.to);
-  contact.vertex = vertex_id(body, v);
-  if (edge != kNone) {
-    contact.edge = edge_id(body, edge);
-    std::copy_n(body.position(body.edges[edge].other(v)), D, contact.fixed[0]);
-  } else if (face != kNone) {
-    contact.face = face_id(body, face);
-    std::copy_n(body.position(body.faces[face].after(v)), D, contact.fixed[0]);
-    std::copy_n(body.position(body.faces[face].before(v)), D, contact.fixed[1]);
-  }
-  return contact;
-}
-
-}  // namespace
 
 template <int D>
-void name_obstacle(const Environment<D>& env, const TouchedObstacle& touched, dsw_contact& contact) noexcept {
+void name_obstacle(const Environment<D>& env, const WallFeature& touched, dsw_cell_kind marked,
+                   dsw_contact& contact) noexcept {
   [[maybe_unused]] Cell front = touched.cell;
   if (touched.facet.valid()) {
     const HalfFacet wall = facing(env, touched.facet, contact.normal);
@@ -37,7 +16,7 @@ void name_obstacle(const Environment<D>& env, const TouchedObstacle& touched, ds
     front = env.map.cell_of(wall);
   } else {
     contact.front = volume_id(env.map, front);
-    contact.marked_kind = touched.marked;
+    contact.marked_kind = marked;
   }
   if (touched.count == 1) name_vertex(env.map, touched.vertices[0], contact);
   if constexpr (D == 3) {
@@ -45,31 +24,6 @@ void name_obstacle(const Environment<D>& env, const TouchedObstacle& touched, ds
     const Dart edge = touched.count == 2 ? dart_between(env.map, front, touched.vertices) : Dart{};
     if (edge.cell.valid()) name_edge(edge_id(env.map, edge), contact);
   }
-}
-
-template <int D>
-dsw_contact contact_of(const Environment<D>& env, const SweepContact& met, const double* normal) noexcept {
-  dsw_contact contact{};
-  std::copy_n(normal, D, contact.normal);
-  if (met.facet.valid()) name_wall(env, seen_wall(env, met.front, met.facet, normal), contact);
-  contact.front = volume_id(env.map, met.front);
-  const bool has_wall = met.facet.valid();
-  switch (kind_of(met)) {
-    case ContactKind::kVertex:
-      name_vertex(env.map, met.vertex, contact);
-      if (!has_wall) contact.marked_kind = vertex_marked(env, met.vertex) ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
-      break;
-    case ContactKind::kEdge:
-      if constexpr (D == 3) {
-        const bool is_named = met.lowest.cell.valid();
-        name_edge(is_named ? id_of_lowest(env.map, met.lowest) : edge_id(env.map, {met.front, met.dart}), contact);
-      }
-      if (!has_wall) contact.marked_kind = DSW_CELL_EDGE;
-      break;
-    case ContactKind::kPlane:
-      break;
-  }
-  return contact;
 }
 
 template <int D>
@@ -86,44 +40,89 @@ dsw_body_face_id face_id(const Body<D>& body, uint32_t f) noexcept {
 }
 
 template <int D>
-dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
-                          const StarContact& met) {
-  dsw_body_contact contact = name_parts(body, v, to, met.edge, met.face);
-  const double* const from = body.position(v);
-  const ContactGeometry geometry = contact_geometry(env, from, to, met.contact);
-  contact.time = geometry.time;
-  contact.edge_parameter = geometry.along;
-  std::copy_n(geometry.position, D, contact.position);
-  std::copy_n(geometry.point, D, contact.point);
-  contact.contact = contact_of(env, met.contact, geometry.normal);
+dsw_body_contact describe(const Body<D>& body, uint32_t v, const double* to, const Touch& touch) {
+  dsw_body_contact contact{};
+  std::copy_n(body.position(v), D, contact.from);
+  std::copy_n(to, D, contact.to);
+  if (touch.part.kind != Simplex::kVertex) name_part(body, touch.part, contact);
+  contact.vertex = vertex_id(body, v);
+  if (touch.part.kind == Simplex::kEdge) {
+    std::copy_n(body.position(body.edges[touch.part.index].other(v)), D, contact.fixed[0]);
+  } else if (touch.part.kind == Simplex::kFace) {
+    std::copy_n(body.position(body.faces[touch.part.index].after(v)), D, contact.fixed[0]);
+    std::copy_n(body.position(body.faces[touch.part.index].before(v)), D, contact.fixed[1]);
+  }
+  std::copy_n(touch.position, D, contact.position);
+  contact.time = touch.time;
+  std::copy_n(touch.point, D, contact.point);
+  contact.edge_parameter = touch.along;
+  contact.contact = touch.other;
   return contact;
+}
+
+template <int D>
+dsw_wall_contact describe(const Environment<D>& env, const WallFeature& wall, const double* from, const double* to,
+                          const Touch& touch, dsw_wall_response response) noexcept {
+  const auto id_of = [&](uint32_t v) { return dsw_vertex_id{v, env.map.vertex_generation(v)}; };
+  dsw_wall_contact contact{};
+  std::copy_n(from, D, contact.from);
+  std::copy_n(to, D, contact.to);
+  contact.time = touch.time;
+  std::copy_n(touch.point, D, contact.point);
+  contact.edge_parameter = touch.along;
+  contact.contact = touch.other;
+  contact.moving = id_of(wall.vertices[0]);
+  for (uint32_t i = 1; i < wall.count; ++i) contact.others[i - 1] = id_of(wall.vertices[i]);
+  contact.response = response;
+  return contact;
+}
+
+template <int D>
+Touch touch_of(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, const SweepContact& met) {
+  Touch touch = touch_of(env, body.position(v), to, met);
+  touch.part = met.part;
+  return touch;
 }
 
 template <int D>
 dsw_body_contact describe_cast(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
                                uint32_t edge, const double* end, const CastResult& hit) {
-  dsw_body_contact contact = name_parts(body, v, to, edge, kNone);
-  const SweepContact met = path_contact(env, hit);
   // The cast is the flight of a particle along the edge, from its moving end.
-  const ContactGeometry geometry = contact_geometry(env, end, contact.fixed[0], met);
-  contact.edge_parameter = geometry.time;
-  std::copy_n(geometry.point, D, contact.point);
-  contact.contact = contact_of(env, met, geometry.normal);
-  return contact;
+  const double* const fixed = body.position(body.edges[edge].other(v));
+  Touch touch = touch_of(env, end, fixed, path_contact(env, hit));
+  touch.part = {Simplex::kEdge, edge};
+  touch.along = touch.time;
+  touch.time = 0;
+  std::fill_n(touch.position, D, 0.0);
+  return describe(body, v, to, touch);
 }
 
 uint64_t obstacle_key(const dsw_cell& obstacle) noexcept {
   return uint64_t{obstacle.index} << 32 | static_cast<uint64_t>(obstacle.kind) << 24 | (obstacle.local & 0xffffffu);
 }
 
-DSW_INSTANTIATE(contact_of);
+uint64_t part_key(const dsw_contact_partner& partner) noexcept {
+  if (partner.vertex.generation != 0) return uint64_t{1} << 32 | partner.vertex.index;
+  if (partner.edge.generation != 0) return uint64_t{2} << 32 | partner.edge.index;
+  return uint64_t{3} << 32 | partner.face.index;
+}
+
 DSW_INSTANTIATE(name_obstacle);
 DSW_INSTANTIATE(vertex_id);
 template dsw_body_edge_id edge_id(const Body<2>& body, uint32_t e) noexcept;
 template dsw_body_edge_id edge_id(const Body<3>& body, uint32_t e) noexcept;
 template dsw_body_face_id face_id(const Body<2>& body, uint32_t f) noexcept;
 template dsw_body_face_id face_id(const Body<3>& body, uint32_t f) noexcept;
-DSW_INSTANTIATE(describe);
+template dsw_body_contact describe(const Body<2>& body, uint32_t v, const double* to, const Touch& touch);
+template dsw_body_contact describe(const Body<3>& body, uint32_t v, const double* to, const Touch& touch);
+template dsw_wall_contact describe(const Environment<2>& env, const WallFeature& wall, const double* from,
+                                   const double* to, const Touch& touch, dsw_wall_response response) noexcept;
+template dsw_wall_contact describe(const Environment<3>& env, const WallFeature& wall, const double* from,
+                                   const double* to, const Touch& touch, dsw_wall_response response) noexcept;
+template Touch touch_of(const Environment<2>& env, const Body<2>& body, uint32_t v, const double* to,
+                        const SweepContact& met);
+template Touch touch_of(const Environment<3>& env, const Body<3>& body, uint32_t v, const double* to,
+                        const SweepContact& met);
 DSW_INSTANTIATE(describe_cast);
 
 }  // namespace dsw

@@ -1,75 +1,69 @@
-#include "contact/describe_thick.h"
+// What comes too near to a thick body.
 
 #include <algorithm>
 
-#include "base/dimensions.h"
 #include "base/vec.h"
-#include "environment/marking.h"
+#include "contact/describe.h"
 
 namespace dsw {
 namespace {
 
 constexpr double kLeastWeight = 0x1p-46;
 
-/** The corners of what came too near that its nearest point lies between. Returns how many. */
+/** What came too near, with the corners alone that its nearest point lies between. */
 template <int D>
-uint32_t find_corners(const TooNear<D>& near, uint32_t* corners) noexcept {
-  uint32_t count = 0;
+WallFeature wall_of(const TooNear<D>& near) noexcept {
+  WallFeature wall{{kNone, kNone, kNone}, 0, near.facet, near.cell};
   for (uint32_t i = 0; i < 3; ++i) {
-    if (near.vertices[i] != kNone && near.weights[i] > kLeastWeight) corners[count++] = near.vertices[i];
+    if (near.vertices[i] != kNone && near.weights[i] > kLeastWeight) wall.vertices[wall.count++] = near.vertices[i];
   }
-  return count;
+  return wall;
 }
 
 }  // namespace
 
 template <int D>
-dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
-                          const TooNear<D>& near) {
-  dsw_body_contact contact{};
-  std::copy_n(body.position(v), D, contact.from);
-  std::copy_n(to, D, contact.to);
-  contact.vertex = vertex_id(body, v);
-  contact.time = near.time;
-  point_at<D>(contact.from, to, near.time, contact.position);
-  Vec point = near.shares[0] * to_vec<D>(contact.position);
-  const bool is_of_vertex = near.shares[0] > 1 - kLeastWeight;
+Touch touch_of(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, const TooNear<D>& near) {
+  Touch touch;
+  touch.time = near.time;
+  point_at<D>(body.position(v), to, near.time, touch.position);
+  Vec point = near.shares[0] * to_vec<D>(touch.position);
   uint32_t count = 0;
   for (const uint32_t corner : SimplexCorners<D>(body, near.part)) {
-    if (corner == v) continue;
-    const double* const at = body.position(corner);
-    if (!is_of_vertex) std::copy_n(at, D, contact.fixed[count]);
-    point += near.shares[++count] * to_vec<D>(at);
+    if (corner != v) point += near.shares[++count] * to_vec<D>(body.position(corner));
   }
-  if (near.part.kind == Simplex::kEdge && !is_of_vertex) {
-    contact.edge = edge_id(body, near.part.index);
-    contact.edge_parameter = near.shares[1];
-  }
-  if (near.part.kind == Simplex::kFace && !is_of_vertex) contact.face = face_id(body, near.part.index);
-  store<D>(point, contact.point);
-  store<D>(near.normal + Vec::Zero(), contact.contact.normal);  // never -0
+  store<D>(point, touch.point);
+  if (!(near.shares[0] > 1 - kLeastWeight)) touch.part = near.part;
+  if (touch.part.kind == Simplex::kEdge) touch.along = near.shares[1];
+  store<D>(near.normal + Vec::Zero(), touch.other.normal);  // never -0
   if (near.partner == kNone) {
-    uint32_t corners[3];
-    const uint32_t corner_count = find_corners(near, corners);
-    const dsw_cell_kind marked = near.vertices[1] == kNone ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
-    name_obstacle(env, {near.facet, near.cell, corners, corner_count, marked}, contact.contact);
+    name_obstacle(env, wall_of(near), near.vertices[1] == kNone ? DSW_CELL_VERTEX : DSW_CELL_EDGE, touch.other);
   } else {
-    contact.contact.front = volume_id(env.map, body.vertices[v].cell);
-    contact.contact.kind = contact_kind(near.other.kind);
+    touch.other.front = volume_id(env.map, body.vertices[v].cell);
+    touch.other.kind = contact_kind(near.other.kind);
   }
-  return contact;
+  return touch;
 }
 
 template <int D>
-dsw_contact_partner partner_of(const Partners<D>* partners, const TooNear<D>& near) noexcept {
-  return near.partner == kNone ? dsw_contact_partner{} : name_partner(partners->all[near.partner], near.other);
+dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
+                          const TooNear<D>& near) {
+  const Touch touch = touch_of(env, body, v, to, near);
+  dsw_body_contact contact = describe(body, v, to, touch);
+  uint32_t count = 0;
+  for (const uint32_t corner : SimplexCorners<D>(body, near.part)) {
+    if (touch.part.kind == Simplex::kFace && corner != v) std::copy_n(body.position(corner), D, contact.fixed[count++]);
+  }
+  return contact;
 }
 
 template dsw_body_contact describe(const Environment<2>& env, const Body<2>& body, uint32_t v, const double* to,
                                    const TooNear<2>& near);
 template dsw_body_contact describe(const Environment<3>& env, const Body<3>& body, uint32_t v, const double* to,
                                    const TooNear<3>& near);
-template dsw_contact_partner partner_of(const Partners<2>* partners, const TooNear<2>& near) noexcept;
-template dsw_contact_partner partner_of(const Partners<3>* partners, const TooNear<3>& near) noexcept;
+template Touch touch_of(const Environment<2>& env, const Body<2>& body, uint32_t v, const double* to,
+                        const TooNear<2>& near);
+template Touch touch_of(const Environment<3>& env, const Body<3>& body, uint32_t v, const double* to,
+                        const TooNear<3>& near);
 
 }  // namespace dsw

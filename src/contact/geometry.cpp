@@ -5,6 +5,7 @@
 #include "base/dimensions.h"
 #include "contact/names.h"
 #include "contact/normals.h"
+#include "environment/marking.h"
 #include "predicates/filtered.h"
 #include "predicates/plane_hit.h"
 #include "walk/move.h"
@@ -43,6 +44,29 @@ Vec against(const Vec& chosen, const Vec& move, Wall wall) {
   const double lean = dot(chosen, move);
   const bool turn = lean != 0 ? lean > 0 : dot(chosen, wall()) < 0;
   return (turn ? -1.0 : 1.0) * chosen;
+}
+
+/** Names what a sweep has met in a contact, which has its normal. */
+template <int D>
+void name_met(const Environment<D>& env, const SweepContact& met, dsw_contact& contact) noexcept {
+  const bool has_wall = met.facet.valid();
+  if (has_wall) name_wall(env, seen_wall(env, met.front, met.facet, contact.normal), contact);
+  contact.front = volume_id(env.map, met.front);
+  switch (kind_of(met)) {
+    case ContactKind::kVertex:
+      name_vertex(env.map, met.vertex, contact);
+      if (!has_wall) contact.marked_kind = vertex_marked(env, met.vertex) ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
+      break;
+    case ContactKind::kEdge:
+      if constexpr (D == 3) {
+        const bool is_named = met.lowest.cell.valid();
+        name_edge(is_named ? id_of_lowest(env.map, met.lowest) : edge_id(env.map, {met.front, met.dart}), contact);
+      }
+      if (!has_wall) contact.marked_kind = DSW_CELL_EDGE;
+      break;
+    case ContactKind::kPlane:
+      break;
+  }
 }
 
 }  // namespace
@@ -99,15 +123,14 @@ double share_along(const double* end, const double* q, const double* point) {
 }
 
 template <int D>
-ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to,
-                                 const SweepContact& contact) {
-  const SweepEvent& event = contact.event;
-  ContactGeometry g;
+Touch touch_of(const Environment<D>& env, const double* p, const double* to, const SweepContact& met) {
+  const SweepEvent& event = met.event;
+  Touch g;
   g.time = event_time<D>(p, to, event);
   point_at<D>(p, to, g.time, g.position);
   std::copy_n(g.position, D, g.point);
   const Vec move = unit(difference<D>(to, p));
-  const auto wall = [&] { return wall_normal(env, contact); };
+  const auto wall = [&] { return wall_normal(env, met); };
   Vec normal;
   if (event.kind == EventKind::kEdge) {
     const EdgeMotion m{p, to, event.points[0]};
@@ -129,11 +152,13 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
   } else {
     normal = wall();
   }
-  store<D>(normal + Vec::Zero(), g.normal);  // never -0
+  store<D>(normal + Vec::Zero(), g.other.normal);  // never -0
+  name_met(env, met, g.other);
   return g;
 }
 
-DSW_INSTANTIATE(contact_geometry);
+template Touch touch_of(const Environment<2>& env, const double* p, const double* to, const SweepContact& met);
+template Touch touch_of(const Environment<3>& env, const double* p, const double* to, const SweepContact& met);
 DSW_INSTANTIATE(normal_on);
 DSW_INSTANTIATE(facing);
 DSW_INSTANTIATE(seen_wall);

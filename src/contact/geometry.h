@@ -1,22 +1,14 @@
 #pragma once
 // Where and how something is touched: doubles that follow from an exact event.
 
+#include "contact/touch.h"
 #include "corridor/sweep.h"
 
 namespace dsw {
 
-struct ContactGeometry {
-  double time = 0;
-  double position[3] = {};  // of the moving vertex
-  double point[3] = {};     // of the touch
-  double along = 0;         // on the touching edge: 0 the moving end, 1 the fixed one
-  double normal[3] = {};    // unit, out of the obstacle; see dsw_sweep and dsw_body_contact
-};
-
-/** Finds the geometry of a contact on the way of a vertex from p to `to`. */
+/** What a sweep has met on the way of a vertex from p to `to`. Whose part touches is left open. */
 template <int D>
-ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to,
-                                 const SweepContact& contact);
+Touch touch_of(const Environment<D>& env, const double* p, const double* to, const SweepContact& met);
 
 /** An impassable facet from the side to which a normal looks; where an impassable cell is there, or nothing, as it is
  * given. */

@@ -274,9 +274,10 @@ bool pass_rows(const Corridor<2>& corridor, const double* from, const double* to
 }  // namespace
 
 template <int D>
-bool passes_facets(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Cell first,
-                   Cell last) noexcept {
+bool follows(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Cell first,
+             Cell last) noexcept {
   const Array<uint32_t>& facets = corridor.facets;
+  if (!corridor.portal.is_only() && corridor.has_place(env.obstacle_version, from, to, first, last)) return true;
   if (facets.empty()) return first == last && env.map.convex(first);
   if (corridor.portal.version != env.obstacle_version && !(corridor.known() && renew(env, corridor))) return false;
   if (!corridor.portal.leads(env, first, last)) return false;
@@ -473,7 +474,7 @@ bool share_corridor(const Map<3>& map, CorridorView ab, CorridorView bc, Corrido
 template struct Corridor<2>;
 template struct Corridor<3>;
 DSW_INSTANTIATE(missed_facets);
-DSW_INSTANTIATE(passes_facets);
+DSW_INSTANTIATE(follows);
 DSW_INSTANTIATE(keeps_to_portal);
 DSW_INSTANTIATE(keeps_to_rows);
 DSW_INSTANTIATE(keeps_to_facets);

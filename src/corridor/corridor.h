@@ -5,6 +5,7 @@
 
 #include "base/compiler.h"
 #include "corridor/facet_pass.h"
+#include "corridor/moving_part.h"
 #include "environment/environment.h"
 #include "predicates/sweep_events.h"
 #include "walk/cast.h"
@@ -148,17 +149,11 @@ struct Corridor {
 
 /** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all
  * passable. Cells are exactly convex with flat facets. False also where a filter cannot tell: then the segment must be
- * cast. Much cheaper than a cast: nothing waits for a decision. Notes the place. O(facets). */
-template <int D>
-bool passes_facets(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Cell first,
-                   Cell last) noexcept;
-/** Asks passes_facets, but returns true at once for the last two places that have passed several facets. */
+ * cast. Much cheaper than a cast: nothing waits for a decision. Notes the place; returns true at once for the last two places
+ * that have passed several facets. O(facets). */
 template <int D>
 bool follows(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Cell first,
-             Cell last) noexcept {
-  return (!corridor.portal.is_only() && corridor.has_place(env.obstacle_version, from, to, first, last)) ||
-         passes_facets(env, corridor, from, to, first, last);
-}
+             Cell last) noexcept;
 
 /** What keeps_to_rows will read of a corridor whose portal is known. */
 template <int D>
@@ -176,7 +171,7 @@ DSW_PREFETCH void prefetch_way(const Environment<D>& env, const Corridor<D>& cor
 }
 
 /** Whether an edge passes the facet of a portal before, between and after the moves of its ends, which stay in the
- * cells at it. As passes_facets for each of the lines. */
+ * cells at it. As `follows` for each of the lines. */
 template <int D>
 bool keeps_to_portal(const Environment<D>& env, const Portal<D>& portal, const EdgeWay& edge) noexcept;
 /** Whether an edge passes all facets of a corridor in rows, of the present version, between and after the moves of its
@@ -198,13 +193,6 @@ template <int D>
 bool passes_before(const Environment<D>& env, const Corridor<D>& corridor, const EdgeMotion& m, bool p_first,
                    const SweepEvent& event) noexcept;
 
-/** The facets that a path passes up to its target or the wall that it meets, each seen from the cell that is left. Known
- * are up to two; else `count` is 0. */
-struct PathFacets {
-  bool is_known = false;
-  uint32_t count = 0;
-  HalfFacet facets[2];
-};
 template <int D>
 PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;
 

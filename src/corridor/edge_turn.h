@@ -36,7 +36,7 @@ bool turn_at(const Environment<D>& env, Corridor<D>& corridor, size_t begin, con
 }
 
 /** Turns, as `turn` does, a corridor that is not kept in rows: its cells are tetrahedra, pyramids and hexahedra that
- * are exactly convex. What the edge sweeps is free as it is among tetrahedra (corridor/follower.cpp has the proof): all
+ * are exactly convex. What the edge sweeps is free as it is among tetrahedra (corridor/ask.cpp has the proof): all
  * cells round the pivot have it as an edge. Throws std::bad_alloc. */
 bool turn_round_edge(const Environment<3>& env, Corridor<3>& corridor, const double* from, const double* to,
                      Pivot<3>& pivot);

@@ -15,9 +15,9 @@ namespace dsw {
 /** Writes the facets that a vertex passes on its way to a place. If the path is blocked, there may be more of them. False:
  * a cell at an end of the path is not known to be convex. */
 template <int D>
-bool MovingCorridors<D>::find_path(const End& end, const double* place, Array<uint32_t>& path) {
+bool MovingCorridors<D>::find_path(const PointWay& end, const double* place, Array<uint32_t>& path) {
   const Map<D>& map = env_.map;
-  const Cell from = end.from, to = end.to;
+  const Cell from = end.from, to = end.arrival;
   const auto suits = [&](Cell c) { return map.convex(c) && !is_closed(env_, c); };
   path.clear();
   if (!suits(from)) return false;
@@ -44,7 +44,7 @@ bool MovingCorridors<D>::cast_path(const double* from, const double* to, Cell st
 
 /** Whether a corridor leads from the cell of one end to that of the other. */
 template <int D>
-bool MovingCorridors<D>::is_of(const Corridor<D>& corridor, const End& a, const End& b) const {
+bool MovingCorridors<D>::is_of(const Corridor<D>& corridor, const PointWay& a, const PointWay& b) const {
   if (!corridor.known()) return false;
   if (corridor.facets.empty()) return a.from == b.from;
   return corridor.portal.version == env_.obstacle_version && corridor.portal.front == a.from &&
@@ -53,7 +53,7 @@ bool MovingCorridors<D>::is_of(const Corridor<D>& corridor, const End& a, const 
 
 /** Notes the corridor of the edge where it starts. */
 template <int D>
-bool MovingCorridors<D>::note_start(Corridor<D>& corridor, uint64_t call, const End& a, const End& b) {
+bool MovingCorridors<D>::note_start(Corridor<D>& corridor, uint64_t call, const PointWay& a, const PointWay& b) {
   if (!cast_path(a.start, b.start, a.from, b.from)) return false;
   corridor.keep(call);
   writer_.finish(corridor);
@@ -61,12 +61,12 @@ bool MovingCorridors<D>::note_start(Corridor<D>& corridor, uint64_t call, const 
 }
 
 template <int D>
-Verdict MovingCorridors<D>::ask(Corridor<D>& corridor, uint64_t call, const End (&ends)[2],
+Verdict MovingCorridors<D>::ask(Corridor<D>& corridor, uint64_t call, const PointWay (&ends)[2],
                                 const double* const (&places)[2], bool are_ends) {
   for (uint32_t k = 0; k < 2; ++k) {
     if (!find_path(ends[k], places[k], paths_[k])) return Verdict::kUnknown;
   }
-  const End &a = ends[0], &b = ends[1];
+  const PointWay &a = ends[0], &b = ends[1];
   bool is_known = is_of(corridor, a, b);
   if (is_known) corridor.portal.version = env_.obstacle_version;  // one without facets is of all versions
   if (is_known && are_ends && stays(corridor, call, a, b)) return Verdict::kHolds;
@@ -87,7 +87,7 @@ Verdict MovingCorridors<D>::ask(Corridor<D>& corridor, uint64_t call, const End 
 /** Whether the edge keeps to its corridor, or to one more facet at either end. The corridor becomes that of the end. If the
  * edge may leave it, it stays that of the start. */
 template <int D>
-bool MovingCorridors<D>::stays(Corridor<D>& corridor, uint64_t call, const End& a, const End& b) {
+bool MovingCorridors<D>::stays(Corridor<D>& corridor, uint64_t call, const PointWay& a, const PointWay& b) {
   if (paths_[0].size() > 1 || paths_[1].size() > 1) return false;
   if (!paths_[0].empty() || !paths_[1].empty()) corridor.keep(call);
   const auto extend = [&](const Array<uint32_t>& path, bool first) {
@@ -102,7 +102,7 @@ bool MovingCorridors<D>::stays(Corridor<D>& corridor, uint64_t call, const End& 
 }
 
 template <int D>
-bool MovingCorridors<D>::passes_all(Corridor<D>& corridor, const End& a, const End& b) const {
+bool MovingCorridors<D>::passes_all(Corridor<D>& corridor, const PointWay& a, const PointWay& b) const {
   const EdgeWay way = EdgeWay::of_both(a.start, a.end, b.start, b.end);
   if (corridor.portal.is_only()) return keeps_to_portal(env_, corridor.portal, way);
   if (keeps_to_facets(env_, corridor, way)) return true;
@@ -114,15 +114,15 @@ bool MovingCorridors<D>::passes_all(Corridor<D>& corridor, const End& a, const E
 }
 
 template <int D>
-void MovingCorridors<D>::go_on(Corridor<D>& corridor, uint64_t call, const End (&ends)[2]) {
-  const End &a = ends[0], &b = ends[1];
-  if (!a.to.valid() || !b.to.valid()) return;
+void MovingCorridors<D>::go_on(Corridor<D>& corridor, uint64_t call, const PointWay (&ends)[2]) {
+  const PointWay &a = ends[0], &b = ends[1];
+  if (!a.arrival.valid() || !b.arrival.valid()) return;
   corridor.keep(call);
   for (const uint32_t passed : paths_[0]) corridor.pass(env_, {passed}, true);
   for (const uint32_t passed : paths_[1]) corridor.pass(env_, {passed}, false);
   constexpr int kMostTurnsRound = 16;
   Pivot<D> pivot;
-  for (int k = 0; k < kMostTurnsRound && !follows(env_, corridor, a.end, b.end, a.to, b.to); ++k) {
+  for (int k = 0; k < kMostTurnsRound && !follows(env_, corridor, a.end, b.end, a.arrival, b.arrival); ++k) {
     if (!turn(env_, corridor, a.end, b.end, pivot)) return;
   }
 }

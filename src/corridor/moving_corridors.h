@@ -1,7 +1,7 @@
 #pragma once
 // Edges of which both ends move, inside of convex cells that they are known to cross.
 
-#include "corridor/follower.h"
+#include "corridor/ask.h"
 #include "corridor/ridge_rings.h"
 
 namespace dsw {
@@ -13,32 +13,28 @@ class MovingCorridors {
   explicit MovingCorridors(const Environment<D>& env)
       : env_(env), writer_(env.memory), rings_(env), paths_{Array<uint32_t>(env.memory), Array<uint32_t>(env.memory)} {}
 
-  /** An end of an edge, and its way. */
-  struct End {
-    const double *start, *end;
-    Cell from, to;  // `to` is not valid if the path is blocked
-    PathFacets crossed;
-  };
-  /** Asks about the ways of both ends: kUnknown, kHolds, or kStopsAtRidge where the edge may touch `features`. Asks up to `places` on them. If the answer is kHolds, and the places are the ends of the
-   * ways, the corridor becomes that of the end. Throws std::bad_alloc.
+  /** Asks about the ways of both ends, up to `places` on them: kUnknown, kHolds, or kStopsAtRidge where the edge may touch
+   * `features`. If the answer is kHolds, and the places are the ends of the ways, the corridor becomes that of the end.
+   * Throws std::bad_alloc.
+   * @param ends where a path is blocked, `arrival` is not valid.
    * @param call the number of the call on the body. */
-  Verdict ask(Corridor<D>& corridor, uint64_t call, const End (&ends)[2], const double* const (&places)[2],
+  Verdict ask(Corridor<D>& corridor, uint64_t call, const PointWay (&ends)[2], const double* const (&places)[2],
               bool are_ends);
   /** What the last edge may touch. */
   CandidateView<D> features() const noexcept { return rings_.features(); }
   /** Takes the last edge on: its corridor becomes that of the ends of its ways, if a few turns are enough. Nothing is
    * done if an end is blocked. */
-  void go_on(Corridor<D>& corridor, uint64_t call, const End (&ends)[2]);
+  void go_on(Corridor<D>& corridor, uint64_t call, const PointWay (&ends)[2]);
 
   CastCounters* counters = nullptr;
 
  private:
-  bool find_path(const End& end, const double* place, Array<uint32_t>& path);
+  bool find_path(const PointWay& end, const double* place, Array<uint32_t>& path);
   bool cast_path(const double* from, const double* to, Cell start, Cell end);
-  bool is_of(const Corridor<D>& corridor, const End& a, const End& b) const;
-  bool note_start(Corridor<D>& corridor, uint64_t call, const End& a, const End& b);
-  bool stays(Corridor<D>& corridor, uint64_t call, const End& a, const End& b);
-  bool passes_all(Corridor<D>& corridor, const End& a, const End& b) const;
+  bool is_of(const Corridor<D>& corridor, const PointWay& a, const PointWay& b) const;
+  bool note_start(Corridor<D>& corridor, uint64_t call, const PointWay& a, const PointWay& b);
+  bool stays(Corridor<D>& corridor, uint64_t call, const PointWay& a, const PointWay& b);
+  bool passes_all(Corridor<D>& corridor, const PointWay& a, const PointWay& b) const;
 
   const Environment<D>& env_;
   CorridorWriter<D> writer_;

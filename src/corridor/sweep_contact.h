@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/simplex.h"
 #include "environment/environment.h"
 #include "map/dart.h"
 #include "predicates/sweep_events.h"
@@ -25,6 +26,7 @@ struct SweepContact {
   uint32_t dart = kNoFacet;     // of `front`, along the obstacle's edge; kNoFacet for other events and on a diagonal
   Dart lowest;                  // of the obstacle's edge, in the cell of the lowest index round it, if that is known
   uint32_t vertex = kNoVertex;  // of a face, in the plane of an edge: the environment vertex it meets
+  Simplex part{Simplex::kVertex, kNoVertex};  // that meets it; a vertex: the moving one. A sweep leaves this open
 };
 
 /** That of a cast which hit something: the moving end alone. */

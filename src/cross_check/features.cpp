@@ -27,7 +27,7 @@ Vec direction(const Vec& a) {
 /** Points as seen from the contact point, in units of the cell at hand: so no product over- or underflows. */
 class Frame {
  public:
-  Frame(const Environment<3>& env, const Touch& touch) : env_(env), touch_(touch) {
+  Frame(const Environment<3>& env, const ReportedTouch& touch) : env_(env), touch_(touch) {
     const Cell c = touch.kind == TouchKind::kEdge ? touch.edge.cell : env.map.cell_of(touch.wall);
     double size = 0;
     for (uint32_t i = 0; i < env.map.vertices_of(c); ++i) size = std::max(size, largest(at_vertex(c, i)));
@@ -49,7 +49,7 @@ class Frame {
 
  private:
   const Environment<3>& env_;
-  const Touch& touch_;
+  const ReportedTouch& touch_;
   double unit_ = 1;  // scene units
 };
 
@@ -126,7 +126,7 @@ NoFeatures extreme_corners(const Wedge& wedge, const Vec& normal, const Vec*& fi
 }
 
 /** The touching segment against the tetrahedron of a wedge. */
-NoFeatures segment_on_wedge(const Frame& frame, const Touch& touch, const Wedge& wedge, Features& features) {
+NoFeatures segment_on_wedge(const Frame& frame, const ReportedTouch& touch, const Wedge& wedge, Features& features) {
   const Vec p = frame.at(touch.position), q = frame.at(touch.fixed);
   const Vec sine = direction(wedge.b - wedge.a).cross(direction(q - p));
   if (!(dot(sine, sine) >= kParallel * kParallel)) return NoFeatures::kParallel;
@@ -156,7 +156,7 @@ uint32_t third_corner(const Shape& shape, uint32_t dart) {
   return from;
 }
 
-NoFeatures edge_features(const Environment<3>& env, const Frame& frame, const Touch& touch, Features& features) {
+NoFeatures edge_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch, Features& features) {
   const Map<3>& map = env.map;
   const Shape shape = map.shape(touch.edge.cell);
   Wedge wedge{frame.at_vertex(touch.edge.cell, shape.dart_vertex(touch.edge.local)),
@@ -176,7 +176,7 @@ NoFeatures edge_features(const Environment<3>& env, const Frame& frame, const To
 }
 
 /** The diagonal of the wall that lies nearest to the contact point, with both of its triangles. */
-NoFeatures diagonal_features(const Environment<3>& env, const Frame& frame, const Touch& touch, Features& features) {
+NoFeatures diagonal_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch, Features& features) {
   const Cell c = env.map.cell_of(touch.wall);
   const Shape shape = env.map.shape(c);
   const uint32_t facet = env.map.local_of(touch.wall, c);
@@ -240,7 +240,7 @@ void add_behind(const Environment<3>& env, const Frame& frame, HalfFacet wall, c
   }
 }
 
-NoFeatures point_features(const Environment<3>& env, const Frame& frame, const Touch& touch, Features& features) {
+NoFeatures point_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch, Features& features) {
   const Cell c = env.map.cell_of(touch.wall);
   const Shape shape = env.map.shape(c);
   const uint32_t facet = env.map.local_of(touch.wall, c);
@@ -261,7 +261,7 @@ NoFeatures point_features(const Environment<3>& env, const Frame& frame, const T
 }
 
 /** A face of the body on a corner of the obstacle. */
-NoFeatures corner_features(const Environment<3>& env, const Frame& frame, const Touch& touch, Features& features) {
+NoFeatures corner_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch, Features& features) {
   const Cell c = env.map.cell_of(touch.wall);
   const Shape shape = env.map.shape(c);
   const uint32_t facet = env.map.local_of(touch.wall, c);
@@ -293,7 +293,7 @@ NoFeatures corner_features(const Environment<3>& env, const Frame& frame, const 
 
 }  // namespace
 
-NoFeatures find_features(const Environment<3>& env, const Touch& touch, Features& features) {
+NoFeatures find_features(const Environment<3>& env, const ReportedTouch& touch, Features& features) {
   const Frame frame(env, touch);
   switch (touch.kind) {
     case TouchKind::kEdge:

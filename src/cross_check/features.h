@@ -14,7 +14,7 @@ enum class TouchKind : uint32_t {
   kCorner     // a face of the body on a vertex of the obstacle
 };
 
-struct Touch {
+struct ReportedTouch {
   TouchKind kind = TouchKind::kPoint;
   const double *position, *fixed;  // the moving vertex; one (edge) or two (face) others
   const double *point, *normal;
@@ -39,7 +39,7 @@ struct Features {
 };
 
 /** Both features; the body's is where it touches, not yet pushed in. Throws std::bad_alloc. O(cells round the edge). */
-NoFeatures find_features(const Environment<3>& env, const Touch& touch, Features& features);
+NoFeatures find_features(const Environment<3>& env, const ReportedTouch& touch, Features& features);
 
 /** The point of a hull that lies farthest in a direction. */
 const double* farthest(const Hull& hull, const double* direction) noexcept;

@@ -31,7 +31,7 @@ dsw_cross_check_kind kind_asked(TouchKind kind) {
 
 }  // namespace
 
-dsw_cross_check cross_check_of(const Environment<3>& env, const Touch& touch, bool has_wall) {
+dsw_cross_check cross_check_of(const Environment<3>& env, const ReportedTouch& touch, bool has_wall) {
   dsw_cross_check answer{};
   if (!has_wall) {
     answer.reason = DSW_NO_CROSS_CHECK_MARKED;

@@ -144,7 +144,7 @@ class StarTouches {
       return meet_with_edge(body_, e);
     } else {
       PairContact<D> touch;
-      touch.edge = e;
+      touch.part = {Simplex::kEdge, e};
       const EdgeMotion m{p_, to_, body_.position(q)};
       Box<D> box;
       for (const double* each : {m.p, m.to, m.q}) box.add(each);
@@ -202,7 +202,7 @@ class StarTouches {
   bool meet_with_edge(const Body<D>& other, uint32_t e) {
     const uint32_t q = body_.edges[e].other(v_);
     PairContact<D> touch;
-    touch.edge = e;
+    touch.part = {Simplex::kEdge, e};
     if constexpr (D == 3) {
       return meet_segments(other, q, touch);
     } else {
@@ -222,8 +222,8 @@ class StarTouches {
       if (!report_edge(touch, m, other, Simplex::kVertex, far, far, far)) return false;
       return at_v || report_path(other, Simplex::kEdge, x, a, b);
     };
-    if (self_ && near_ != nullptr && (all_keep_ || near_->keeps(touch.edge, to_)))
-      return meet_near(touch.edge, m, edge);
+    if (self_ && near_ != nullptr && (all_keep_ || near_->keeps(touch.part.index, to_)))
+      return meet_near(touch.part.index, m, edge);
     Box<D> box;
     for (const double* each : {m.p, m.to, m.q}) box.add(each);
     if (!other.boxes[0].bounds.overlaps(box)) return true;
@@ -273,7 +273,7 @@ class StarTouches {
   bool meet_with_face(const Body<D>& other, uint32_t f) {
     const uint32_t q = body_.faces[f].after(v_), r = body_.faces[f].before(v_);
     PairContact<D> touch;
-    touch.face = f;
+    touch.part = {Simplex::kFace, f};
     return meet_with_solid(other, {v_, q, r}, {p_, to_, body_.position(q), body_.position(r)}, touch);
   }
 
@@ -306,8 +306,7 @@ class StarTouches {
   bool report(PairContact<D>& touch, Simplex::Kind part, uint32_t index) {
     if (touch.time == kNever) return true;
     touch.other = *other_;
-    touch.part = part;
-    touch.index = index;
+    touch.other_part = {part, index};
     return visit_(touch);
   }
 
@@ -333,17 +332,10 @@ bool for_each_touch(const Partners<D>& partners, const Body<D>& body, uint32_t v
   return StarTouches<D, Visit>(partners, body, v, to, near, visit).run();
 }
 
-/** The vertex, then edges, then faces. */
-template <int D>
-std::pair<uint32_t, uint32_t> moving_part(const PairContact<D>& c) noexcept {
-  if (c.edge != kNone) return {1, c.edge};
-  return c.face != kNone ? std::make_pair(2u, c.face) : std::make_pair(0u, 0u);
-}
-
 template <int D>
 bool comes_before(const PairContact<D>& a, const PairContact<D>& b) noexcept {
   const auto key = [](const PairContact<D>& c) {
-    return std::make_tuple(c.time, moving_part(c), c.other.index, c.part, c.index);
+    return std::make_tuple(c.time, c.part.kind, c.part.index, c.other.index, c.other_part.kind, c.other_part.index);
   };
   return key(a) < key(b);
 }

@@ -14,10 +14,9 @@ template <int D>
 struct PairContact {
   double time = kNever;
   TouchPlace place = TouchPlace::kInside;  // of two edges
-  uint32_t edge = kNone, face = kNone;     // what moves; both kNone: the vertex itself
+  Simplex part{Simplex::kVertex, kNone};   // what moves; a vertex: the moving one
   Partner<D> other = {nullptr, 0, 0};
-  Simplex::Kind part = Simplex::kVertex;  // of the other one
-  uint32_t index = kNone;
+  Simplex other_part{Simplex::kVertex, kNone};
 };
 
 /** Whether vertex v can go to `to`, within reach, without touching anything. noexcept: looks at boxes alone.

@@ -6,7 +6,7 @@
 
 #include "base/batch.h"
 #include "base/dimensions.h"
-#include "contact/describe.h"
+#include "contact/geometry.h"
 #include "query/report.h"
 #include "query/starts.h"
 
@@ -15,13 +15,13 @@ namespace {
 
 template <int D>
 void report_contact(const Environment<D>& env, const EdgeMotion& m, const SweepContact& contact, dsw_sweep& sweep) {
-  const ContactGeometry geometry = contact_geometry(env, m.p, m.to, contact);
+  const Touch touch = touch_of(env, m.p, m.to, contact);
   sweep.outcome = DSW_OUTCOME_CONTACT;
-  sweep.time = geometry.time;
-  sweep.edge_parameter = geometry.along;
-  std::copy_n(geometry.position, 3, sweep.position);
-  std::copy_n(geometry.point, 3, sweep.point);
-  sweep.contact = contact_of(env, contact, geometry.normal);
+  sweep.time = touch.time;
+  sweep.edge_parameter = touch.along;
+  std::copy_n(touch.position, 3, sweep.position);
+  std::copy_n(touch.point, 3, sweep.point);
+  sweep.contact = touch.other;
 }
 
 /** The sweeps of one thread. */

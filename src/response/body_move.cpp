@@ -9,21 +9,11 @@
 
 #include "base/vec.h"
 #include "contact/describe.h"
-#include "contact/describe_pair.h"
-#include "contact/describe_thick.h"
 #include "motion/halving.h"
 #include "response/insertion.h"
 #include "response/vertex_move.h"
 
 namespace dsw {
-namespace {
-
-template <int D>
-bool is_same_point(const double* a, const double* b) {
-  return std::equal(a, a + D, b);
-}
-
-}  // namespace
 
 template <int D>
 void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const MoveSettings& wanted,
@@ -137,7 +127,7 @@ void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to
     record.add(describe(env_, body, v, to, near), partner_of(star_.partners, near));
     return;
   }
-  StarContact first;
+  SweepContact first;
   PairContact<D> pair;
   Cell cell;
   const bool any = star_.find_first(body, v, to, &first, &cell) == SweepEnd::kContact;

@@ -151,10 +151,9 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
     return;
   }
   const VertexWay& way = course_.motion.ways[v];
-  const EdgeSweep sweep{e,
-                        v,
-                        {body.position(v), way.from, course_.motion.targets[v], way.arrival,
-                         course_.place(other, moving.rank), fixed, casts_.crossed(v), body.edges[e].ends[0] == v}};
+  const PointWay path{body.position(v), course_.motion.targets[v], way.from, way.arrival, casts_.crossed(v)};
+  const MovingPart sweep{{Simplex::kEdge, e},       v, path, course_.place(other, moving.rank), nullptr, fixed, Cell{},
+                         body.edges[e].ends[0] == v};
   const Verdict verdict = boxed ? sweeps_.count_boxed(body) : sweeps_.ask(body, sweep, false);
   if (!course_.keeps.empty()) {
     const bool same = verdict == Verdict::kInside || (verdict == Verdict::kHolds && way.from == way.arrival);
@@ -167,7 +166,7 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
     return;  // its corridor is noted when it is asked for again
   }
   // A corridor is noted in the direction of the edge.
-  const typename CourseCasts<D>::End moved{way.arrival, sweep.edge.to}, still{fixed, sweep.edge.q};
+  const typename CourseCasts<D>::End moved{way.arrival, path.end}, still{fixed, sweep.q};
   const bool turned = body.keeps_corridors() && body.edges[e].ends[0] != v;
   casts_.add_edge(e, v, turned ? still : moved, turned ? moved : still);
 }
@@ -221,14 +220,11 @@ void FacePass<D>::sweep_face(uint32_t f) {
     typename Course<D>::Vertex& moving = course_.vertices[v];
     if (moving.rank == kNone || moving.doubtful) continue;
     const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v), rank = moving.rank;
-    const FaceSweep sweep{f,
-                          v,
-                          course_.motion.targets[v],
-                          course_.motion.ways[v].arrival,
-                          course_.place(q, rank),
-                          course_.place(r, rank),
-                          course_.cell_at(q, rank),
-                          course_.cell_at(r, rank)};
+    const VertexWay& way = course_.motion.ways[v];
+    const PointWay path{body.position(v), course_.motion.targets[v], way.from, way.arrival, {}};
+    const MovingPart sweep{
+        {Simplex::kFace, f},      v,    path, course_.place(q, rank), course_.place(r, rank), course_.cell_at(q, rank),
+        course_.cell_at(r, rank), false};
     moving.doubtful = !sweeps_.passes(body, sweep);
   }
 }

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "contact/describe.h"
-#include "contact/describe_pair.h"
 
 namespace dsw {
 

@@ -4,8 +4,6 @@
 
 #include "base/points.h"
 #include "contact/describe.h"
-#include "contact/describe_pair.h"
-#include "contact/describe_thick.h"
 #include "response/insertion.h"
 #include "walk/retreat.h"
 
@@ -87,7 +85,7 @@ bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival) {
     stop_before(v, to, record_too_near(v, to, near));
     return false;
   }
-  StarContact first;
+  SweepContact first;
   Cell cell = arrival != nullptr ? *arrival : Cell{};
   const SweepEnd end = arrival != nullptr ? SweepEnd::kFree : sweeps_.find_first(body_, v, to, &first, &cell);
   if (end == SweepEnd::kWorkLimit) return false;
@@ -150,7 +148,7 @@ dsw_body_contact VertexMove<D>::record_too_near(uint32_t v, const double* to, co
 /** Records what a vertex meets of the environment (`first`, which may be null) and of other bodies. Returns the contact
  * that comes first. Notes what is under the touching edge, if the response wants that. */
 template <int D>
-dsw_body_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const StarContact* first,
+dsw_body_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const SweepContact* first,
                                                 const PairContact<D>& pair) {
   dsw_body_contact contact = first != nullptr ? describe(env_, body_, v, to, *first) : dsw_body_contact{};
   const bool pair_first = first == nullptr || pair.time < contact.time;
@@ -161,13 +159,13 @@ dsw_body_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, co
     record_.add(contact);
   }
   const bool records = settings_.search == Search::kAll;
-  bool inserts = settings_.edge == Response::kAdaptiveMany && !pair_first && first->edge != kNone;
+  bool inserts = settings_.edge == Response::kAdaptiveMany && !pair_first && first->part.kind == Simplex::kEdge;
   if (first == nullptr || !(records || inserts)) return contact;
-  Array<StarContact> all{env_.memory};
+  Array<SweepContact> all{env_.memory};
   sweeps_.find_all(body_, v, to, *first, all);
   for (size_t i = pair_first ? 0 : 1; i < all.size(); ++i) {
-    inserts = inserts && (all[i].edge != kNone || all[i].face != kNone);  // from there on the vertex is stopped itself
-    const bool is_under = inserts && all[i].edge == first->edge;
+    inserts = inserts && all[i].part.kind != Simplex::kVertex;  // from there on the vertex is stopped itself
+    const bool is_under = inserts && all[i].part == first->part;
     if (!records && !is_under) continue;
     const dsw_body_contact each = describe(env_, body_, v, to, all[i]);
     if (records) record_.add(each);
@@ -183,31 +181,33 @@ bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
   const BodyVertex<D> at = body_.vertices[v];
   double place[D], met_at[D], free_at[D];
   Cell cell, free_cell = at.cell;
-  StarTry met = sweeps_.try_way(body_, v, to, &cell);
-  if (met.end == SweepEnd::kFree) {
+  Simplex part, tried_part;
+  WayEnd met = sweeps_.try_way(body_, v, to, &cell, &part);
+  if (met == WayEnd::kFree) {
     put(v, to, cell);
     return true;
   }
-  if (met.end == SweepEnd::kWorkLimit) return false;
+  if (met == WayEnd::kWorkLimit) return false;
   std::copy_n(to, D, met_at);
   std::copy_n(at.position, D, free_at);
   double free = 0, step = 1;
   for (uint32_t k = 0; k < settings_.bisection_depth; ++k) {
     step /= 2;
     point_at<D>(at.position, to, free + step, place);
-    const StarTry tried = sweeps_.try_way(body_, v, place, &cell);
-    if (tried.end == SweepEnd::kWorkLimit) return false;
-    if (tried.end == SweepEnd::kFree) {
+    const WayEnd tried = sweeps_.try_way(body_, v, place, &cell, &tried_part);
+    if (tried == WayEnd::kWorkLimit) return false;
+    if (tried == WayEnd::kFree) {
       free += step;
       std::copy_n(place, D, free_at);
       free_cell = cell;
     } else {
       met = tried;
+      part = tried_part;
       std::copy_n(place, D, met_at);
     }
   }
   dsw_contact_partner partner{};
-  dsw_body_contact contact = describe_try(v, to, met_at, met, &partner);
+  dsw_body_contact contact = describe_try(v, to, met_at, met, part, &partner);
   contact.time = free;
   std::copy_n(free_at, D, contact.position);
   record_.add(contact, partner);
@@ -227,27 +227,27 @@ bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
 
 /** What the part of the way that ends at `met` touches, as far as the way to `to` is told of it. */
 template <int D>
-dsw_body_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
-                                             dsw_contact_partner* partner) {
+dsw_body_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const double* met, WayEnd end,
+                                             const Simplex& part, dsw_contact_partner* partner) {
   dsw_body_contact contact;
-  if (tried.is_too_near) {
+  if (end == WayEnd::kTooNear) {
     TooNear<D> near;
     sweeps_.thick.find_first(sweeps_.partners, body_, v, met, &near);
     contact = describe(env_, body_, v, met, near);
     *partner = partner_of(sweeps_.partners, near);
-  } else if (tried.of_partner) {
+  } else if (end == WayEnd::kPartner) {
     PairContact<D> pair;
     sweeps_.find_first_of_partners(body_, v, met, &pair);
     contact = describe(env_, body_, v, met, pair);
     *partner = partner_of(pair);
   } else {
     CastResult hit;
-    StarContact inside;
-    const bool by_cast = sweeps_.find_obstacle(body_, v, met, tried, &hit, &inside);
-    if (by_cast && tried.edge != kNone) {
-      contact = describe_cast(env_, body_, v, to, tried.edge, met, hit);
+    SweepContact inside;
+    const bool by_cast = sweeps_.find_obstacle(body_, v, met, part, &hit, &inside);
+    if (by_cast && part.kind == Simplex::kEdge) {
+      contact = describe_cast(env_, body_, v, to, part.index, met, hit);
     } else {
-      if (by_cast) inside.contact = path_contact(env_, hit);
+      if (by_cast) inside = path_contact(env_, hit);
       contact = describe(env_, body_, v, met, inside);
     }
   }

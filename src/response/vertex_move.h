@@ -34,9 +34,9 @@ class VertexMove {
   void stop_before(uint32_t v, const double* to, const dsw_body_contact& contact);
   dsw_body_contact record_too_near(uint32_t v, const double* to, const TooNear<D>& first);
   bool advance_by_halving(uint32_t v, const double* to);
-  dsw_body_contact describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
+  dsw_body_contact describe_try(uint32_t v, const double* to, const double* met, WayEnd end, const Simplex& part,
                                 dsw_contact_partner* partner);
-  dsw_body_contact record_contacts(uint32_t v, const double* to, const StarContact* first, const PairContact<D>& pair);
+  dsw_body_contact record_contacts(uint32_t v, const double* to, const SweepContact* first, const PairContact<D>& pair);
   double stand_off(const dsw_body_contact& contact) const;
   bool insert(uint32_t v, const dsw_body_contact& contact);
   bool may_split(uint32_t v, const dsw_body_contact& contact) const;

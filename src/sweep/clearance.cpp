@@ -21,11 +21,6 @@ constexpr int64_t kSaved = 50, kSwept = 5, kCell = 2500, kMostOfEdge = 200;
 // it is near.
 constexpr double kKept = 0.999, kLeastShare = 1e-9;
 
-template <int D>
-bool is_known(const Environment<D>& env, const Clearance<D>& ball) noexcept {
-  return ball.radius > 0 && ball.version == env.obstacle_version;
-}
-
 /** Takes the ball of a neighbour, if that is large enough. */
 template <int D>
 bool borrow(const Environment<D>& env, Body<D>& body, uint32_t v, double needed) noexcept {
@@ -67,16 +62,8 @@ bool measure(const Environment<D>& env, Body<D>& body, uint32_t v, double needed
 }  // namespace
 
 template <int D>
-bool covers(const Environment<D>& env, const Clearance<D>& ball, const double* a, const double* b,
-            const double* c) noexcept {
-  const double limit = ball.radius * ball.radius;
-  return is_known(env, ball) && distance_squared<D>(a, ball.centre) < limit &&
-         distance_squared<D>(b, ball.centre) < limit && distance_squared<D>(c, ball.centre) < limit;
-}
-
-template <int D>
 double room_squared(const Environment<D>& env, const Clearance<D>& ball, const double* at, double way) noexcept {
-  if (!is_known(env, ball)) return 0;
+  if (!ball.is_known(env)) return 0;
   const double room = ball.radius - std::sqrt(distance_squared<D>(at, ball.centre)) - way;
   return room > 0 ? room * room : 0;
 }
@@ -102,7 +89,6 @@ void earn_credit(Body<D>& body, uint32_t saved, uint32_t swept) noexcept {
   body.clearance_credit = std::min(body.clearance_credit + kSaved * saved + kSwept * swept, most);
 }
 
-DSW_INSTANTIATE(covers);
 DSW_INSTANTIATE(room_squared);
 DSW_INSTANTIATE(refresh_clearance);
 DSW_INSTANTIATE(earn_credit);

@@ -7,11 +7,6 @@
 
 namespace dsw {
 
-/** Whether the ball of a vertex is known to hold three points, and so all between them. */
-template <int D>
-bool covers(const Environment<D>& env, const Clearance<D>& ball, const double* a, const double* b,
-            const double* c) noexcept;
-
 /** Square of the length of edges at a vertex that stay in its ball while none of their ends goes further than `way`. */
 template <int D>
 double room_squared(const Environment<D>& env, const Clearance<D>& ball, const double* at, double way) noexcept;

@@ -1,7 +1,6 @@
 #include "sweep/simplex_sweep.h"
 
 #include "predicates/inside_tetrahedron.h"
-#include "sweep/clearance.h"
 
 namespace dsw {
 namespace {
@@ -15,14 +14,6 @@ bool is_seen_inside(const Environment<3>& env, Cell cell, const double* point) n
   return is_inside_tetrahedron(corners, point);
 }
 bool is_seen_inside(const Environment<2>&, Cell, const double*) noexcept { return false; }
-
-/** Whether what an edge sweeps lies in a ball that is free. */
-template <int D>
-bool is_clear(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep) {
-  const MovingEdge& edge = sweep.edge;
-  return covers(env, body.clearances[sweep.v], edge.p, edge.to, edge.q) ||
-         covers(env, body.clearances[body.edges[sweep.e].other(sweep.v)], edge.p, edge.to, edge.q);
-}
 
 }  // namespace
 
@@ -40,33 +31,44 @@ CastResult SimplexSweep<D>::cast_path(const Body<D>& body, uint32_t v, const dou
 }
 
 template <int D>
-Verdict SimplexSweep<D>::ask_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls,
-                                          FirstRidge* ridge) {
-  // What is known must not carry an edge past the work limit that it meets without.
-  if (max_volumes != 0) return Verdict::kUnknown;
+Verdict SimplexSweep<D>::ask_edge(const Body<D>& body, const MovingPart& edge, bool ask_balls, FirstRidge* ridge) {
   const Skipping& skipping = body.skipping;
-  Verdict verdict = Verdict::kUnknown;
-  if (ask_balls && is_clear(env_, body, sweep)) {
-    verdict = Verdict::kClear;
-  } else if (body.keeps_corridors()) {
-    const Follower<D> f = follower(body, sweep);
-    verdict = ridge != nullptr ? ask_for_ridge(f, true, lines_of(body, sweep.e, sweep.v), ridge)
-                               : dsw::ask(f, sweeps_edges(body.level));
+  Question<D> q = question(body, edge);
+  q.asks_cells = skipping.by_environment || q.corridor != nullptr;
+  if (ask_balls && skipping.by_clearance) {
+    q.balls[0] = &body.clearances[edge.vertex];
+    q.balls[1] = &body.clearances[body.edges[edge.part.index].other(edge.vertex)];
   }
-  counts.skipped += verdict != Verdict::kUnknown && (skipping.by_clearance || skipping.corridors) ? 1 : 0;
+  if (ridge != nullptr) {
+    q.ridge = ridge;
+    q.touched = lines_of(body, edge.part.index, edge.vertex);
+  }
+  const Verdict verdict = dsw::ask(q);
+  if (!edge.reached) return verdict;
+  const bool is_of_cell = verdict == Verdict::kInside || verdict == Verdict::kSeen;
+  const bool counts_it = is_of_cell ? skipping.by_environment : skipping.by_clearance || skipping.corridors;
+  ++counts.swept;
+  counts.skipped += verdict != Verdict::kUnknown && counts_it ? 1 : 0;
   return verdict;
 }
 
 /** Whether what the face sweeps lies inside of one cell. */
 template <int D>
-Verdict SimplexSweep<D>::ask(const Body<D>& body, const FaceSweep& sweep) const {
-  const Cell cell = sweep.arrival;
-  const bool inside =
-      sweep.reached && body.vertices[sweep.v].cell == cell && sweep.q_cell == cell && sweep.r_cell == cell;
+Verdict SimplexSweep<D>::ask_face(const MovingPart& face) const {
+  const Cell cell = face.way.arrival;
+  const bool inside = face.reached && face.way.from == cell && face.q_cell == cell && face.r_cell == cell;
   if (!inside) return Verdict::kUnknown;
   if (env_.map.convex(cell)) return Verdict::kInside;
   const auto sees = [&](const double* point) { return sees_all(env_, cell, point, counters); };
-  return sees(sweep.to) && sees(sweep.q) && sees(sweep.r) ? Verdict::kSeen : Verdict::kUnknown;
+  return sees(face.way.end) && sees(face.q) && sees(face.r) ? Verdict::kSeen : Verdict::kUnknown;
+}
+
+template <int D>
+SweepResult SimplexSweep<D>::flood(const MovingPart& sweep) {
+  if constexpr (D == 3) {
+    if (sweep.part.kind == Simplex::kFace) return flood(sweep.face(), sweep.way.from);
+  }
+  return flood(sweep.edge(), sweep.way.from);
 }
 
 /** For an edge: what is met after `end` is not needed. With a work limit, which is that of all cells, it may be
@@ -80,64 +82,62 @@ SweepResult SimplexSweep<D>::flood_until(const EdgeMotion& m, Cell start, double
 }
 
 template <int D>
-bool SimplexSweep<D>::is_free(const Body<D>& body, const EdgeSweep& sweep) {
-  if (sweeps_edges(body.level)) return is_triangle_free(motion(body, sweep), body.vertices[sweep.v].cell);
-  const MovingEdge& edge = sweep.edge;
-  if (edge.arrival == edge.fixed && env_.map.convex(edge.arrival)) {  // counted, not cast
+bool SimplexSweep<D>::is_free(const Body<D>& body, const MovingPart& sweep) {
+  const PointWay& way = sweep.way;
+  if (sweep.part.kind == Simplex::kFace) return is_tetrahedron_free(sweep.face(), way.from);
+  if (sweeps_edges(body.level)) return is_triangle_free(sweep.edge(), way.from);
+  if (way.arrival == sweep.q_cell && env_.map.convex(way.arrival)) {  // counted, not cast
     if (counters != nullptr) counters->add({1, 1});
     return true;
   }
   CastRequest request;
-  request.from = edge.to;
-  request.to = edge.q;
-  request.start = edge.arrival;
-  request.end = edge.fixed;
+  request.from = way.end;
+  request.to = sweep.q;
+  request.start = way.arrival;
+  request.end = sweep.q_cell;
   request.max_volumes = max_volumes;
   const CastResult place = cast(env_, request, counters);
   limited_ = limited_ || place.end == CastEnd::kWorkLimit;
-  return place.end == CastEnd::kReached && place.cell == edge.fixed;
+  return place.end == CastEnd::kReached && place.cell == sweep.q_cell;
 }
 
 template <int D>
-bool SimplexSweep<D>::is_free(const Body<D>& body, const FaceSweep& sweep) {
-  return is_tetrahedron_free(motion(body, sweep), body.vertices[sweep.v].cell);
-}
-
-template <int D>
-bool SimplexSweep<D>::find_first(const Body<D>& body, const EdgeSweep& sweep, const SweepEvent* before,
+bool SimplexSweep<D>::find_first(const Body<D>& body, const MovingPart& sweep, const SweepEvent* before,
                                  SweepContact* found) {
+  if (sweep.part.kind == Simplex::kFace) return find_first_of_face(sweep, found);
   FirstRidge ridge;
-  const bool swept = sweep.edge.reached && sweeps_edges(body.level);
-  if (ask(body, sweep, true, swept ? &ridge : nullptr) != Verdict::kUnknown) return false;
+  const bool swept = sweep.reached && sweeps_edges(body.level);
+  if (ask_edge(body, sweep, true, swept ? &ridge : nullptr) != Verdict::kUnknown) return false;
   // At EDGES what is in its way counts only if the edge is not free in its new place.
-  if (!swept && sweep.edge.reached && is_free(body, sweep)) return false;
-  const bool follows = max_volumes == 0 && body.keeps_corridors();
-  if (!swept && follows) {
-    const TouchedLines* const touched = lines_of(body, sweep.e, sweep.v);
-    if (ask_for_ridge(follower(body, sweep), false, touched, &ridge) != Verdict::kUnknown) return false;
+  if (!swept && sweep.reached && is_free(body, sweep)) return false;
+  Question<D> q = question(body, sweep);
+  q.arrives = false;
+  if (!swept) {
+    q.ridge = &ridge;
+    q.touched = lines_of(body, sweep.part.index, sweep.vertex);
+    if (dsw::ask(q) != Verdict::kUnknown) return false;
   }
-  const EdgeMotion m = motion(body, sweep);
+  const EdgeMotion m = sweep.edge();
   if (ridge.facet.valid()) {
     if (before != nullptr && compare_events<D>(m.p, m.to, *before, ridge.event).sign < 0) return false;
     if (meets_first(env_, body, sweep, ridge, found)) return true;
   }
-  const Cell start = body.vertices[sweep.v].cell;
-  if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return false;
-  if (before != nullptr && follows && is_free_before(follower(body, sweep), *before)) return false;
-  const SweepResult met = flood_until(m, start, before != nullptr ? time_after<D>(m.p, m.to, *before) : 1);
+  if (is_boxed(bounds<D>(m.p, m.to, m.q), sweep.way.from)) return false;
+  q.before = before;
+  if (before != nullptr && dsw::ask(q) != Verdict::kUnknown) return false;
+  const SweepResult met = flood_until(m, sweep.way.from, before != nullptr ? time_after<D>(m.p, m.to, *before) : 1);
   if (met.end != SweepEnd::kContact) return false;
-  keep_touched_line(env_, body, sweep.e, sweep.v, met.contact);
+  keep_touched_line(env_, body, sweep.part.index, sweep.vertex, met.contact);
   *found = met.contact;
   return true;
 }
 
 template <int D>
-bool SimplexSweep<D>::find_first(const Body<D>& body, const FaceSweep& sweep, const SweepEvent*, SweepContact* found) {
+bool SimplexSweep<D>::find_first_of_face(const MovingPart& face, SweepContact* found) {
   if constexpr (D == 3) {
-    const FaceMotion m = motion(body, sweep);
-    const Cell start = body.vertices[sweep.v].cell;
-    if (ask(body, sweep) != Verdict::kUnknown || is_boxed(bounds<D>(m.p, m.to, m.q, m.r), start)) return false;
-    const SweepResult met = flood(m, start);
+    const FaceMotion m = face.face();
+    if (ask_face(face) != Verdict::kUnknown || is_boxed(bounds<D>(m.p, m.to, m.q, m.r), face.way.from)) return false;
+    const SweepResult met = flood(m, face.way.from);
     if (met.end == SweepEnd::kContact) *found = met.contact;
     return met.end == SweepEnd::kContact;
   }

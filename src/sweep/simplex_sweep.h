@@ -4,22 +4,13 @@
 // whether anything is met, what is met first, or all that is met.
 
 #include "body/body.h"
+#include "corridor/ask.h"
 #include "corridor/box_probe.h"
 #include "corridor/sweep.h"
 #include "sweep/counts.h"
 #include "sweep/touched_line.h"
 
 namespace dsw {
-
-/** The sweep of face f when its corner v goes to `to`, in `arrival`, and the other corners are at q and r. */
-struct FaceSweep {
-  uint32_t f, v;
-  const double* to;
-  Cell arrival;
-  const double *q, *r;
-  Cell q_cell, r_cell;
-  bool reached = true;  // false: the path of v meets a wall
-};
 
 /** Sweeps simplices; one for each thread. Throws std::bad_alloc. */
 template <int D>
@@ -34,28 +25,10 @@ class SimplexSweep {
 
   /** What is known of a sweep without a look at what is swept; counts edges.
    * @param ask_balls whether the balls of its ends have not been asked.
-   * @param ridge null, or what is met first if it is not decided; see Follower. */
-  Verdict ask(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true, FirstRidge* ridge = nullptr) {
-    const MovingEdge& edge = sweep.edge;
-    if (!edge.reached) return stays_before_wall(env_, edge) ? Verdict::kStopped : Verdict::kUnknown;
-    ++counts.swept;
-    const Skipping& skipping = body.skipping;
-    const bool keeps = body.keeps_corridors();
-    if ((skipping.by_environment || keeps) && edge.from == edge.arrival && edge.from == edge.fixed) {
-      const bool convex = env_.map.convex(edge.from);
-      if (convex || is_seen(env_, sweeps_edges(body.level), edge, counters)) {
-        if (keeps) {
-          body.corridors[sweep.e].keep(body.call);
-          body.corridors[sweep.e].clear();
-        }
-        counts.skipped += skipping.by_environment ? 1 : 0;
-        return convex ? Verdict::kInside : Verdict::kSeen;
-      }
-    }
-    ask_balls = ask_balls && skipping.by_clearance;
-    return ask_balls || keeps ? ask_what_is_kept(body, sweep, ask_balls, ridge) : Verdict::kUnknown;
+   * @param ridge null, or what is met first if it is not decided; see Question. */
+  Verdict ask(const Body<D>& body, const MovingPart& sweep, bool ask_balls = true, FirstRidge* ridge = nullptr) {
+    return sweep.part.kind == Simplex::kEdge ? ask_edge(body, sweep, ask_balls, ridge) : ask_face(sweep);
   }
-  Verdict ask(const Body<D>& body, const FaceSweep& sweep) const;
   /** Decides an edge that is known to lie, with what it sweeps, in a free box. */
   Verdict count_boxed(const Body<D>& body) {
     ++counts.swept;
@@ -64,28 +37,22 @@ class SimplexSweep {
   }
 
   /** Whether a sweep meets nothing. */
-  template <class Sweep>
-  bool passes(const Body<D>& body, const Sweep& sweep) {
+  bool passes(const Body<D>& body, const MovingPart& sweep) {
     return ask(body, sweep) != Verdict::kUnknown || is_free(body, sweep);
   }
   /** Tells whether a sweep that is not decided meets nothing. At EDGES only the edge's new place counts: the path of v
    * is free. */
-  bool is_free(const Body<D>& body, const EdgeSweep& sweep);
-  bool is_free(const Body<D>& body, const FaceSweep& sweep);
+  bool is_free(const Body<D>& body, const MovingPart& sweep);
 
   /** What a sweep meets first, whether it is decided or not. What comes after the event `before`, which may be null,
-   * need not be found; nor anything at the work limit. The event borrows the body's points and `to`. */
-  bool find_first(const Body<D>& body, const EdgeSweep& sweep, const SweepEvent* before, SweepContact* found);
-  bool find_first(const Body<D>& body, const FaceSweep& sweep, const SweepEvent* before, SweepContact* found);
+   * need not be found; nor anything at the work limit. The event borrows the points of the sweep. */
+  bool find_first(const Body<D>& body, const MovingPart& sweep, const SweepEvent* before, SweepContact* found);
 
   /** What a sweep meets first that is not free. */
-  template <class Sweep>
-  SweepContact first_of(const Body<D>& body, const Sweep& sweep) {
-    return flood(motion(body, sweep), body.vertices[sweep.v].cell).contact;
-  }
-  /** All that a sweep meets, in any order. Valid until the next call. */
-  const Array<SweepContact>& find_all(const Body<D>& body, const EdgeSweep& sweep) {
-    flood(motion(body, sweep), body.vertices[sweep.v].cell, true);
+  SweepContact first_of(const MovingPart& sweep) { return flood(sweep).contact; }
+  /** All that the sweep of an edge meets, in any order. Valid until the next call. */
+  const Array<SweepContact>& find_all(const MovingPart& sweep) {
+    flood(sweep.edge(), sweep.way.from, true);
     return flood_.all();
   }
 
@@ -96,7 +63,7 @@ class SimplexSweep {
     return max_volumes == 0 && probe_.is_free(box, start) && (probe_.has_entered(others) && ...);
   }
   /** Whether what stopped an edge before stands in its way: then its sweep is most likely not free. */
-  bool meets_touched_line(const Body<D>& body, const EdgeSweep& sweep) const noexcept {
+  bool meets_touched_line(const Body<D>& body, const MovingPart& sweep) const noexcept {
     return max_volumes == 0 && pierces_touched_line(env_, body, sweep);
   }
   bool is_triangle_free(const EdgeMotion& m, Cell start) {
@@ -114,24 +81,27 @@ class SimplexSweep {
   uint32_t max_volumes = 0;          // work limit of each cast and flood; 0: none
 
  private:
-  static EdgeMotion motion(const Body<D>&, const EdgeSweep& sweep) { return sweep.edge.motion(); }
-  static FaceMotion motion(const Body<D>& body, const FaceSweep& sweep) {
-    return {body.position(sweep.v), sweep.to, sweep.q, sweep.r};
-  }
   template <class Motion, class... Collect>
   SweepResult flood(const Motion& m, Cell start, Collect... collect) {
     return count(flood_.sweep(m, start, max_volumes, collect...));
   }
+  SweepResult flood(const MovingPart& sweep);
   SweepResult flood_until(const EdgeMotion& m, Cell start, double end);
   SweepResult count(const SweepResult& swept) {
     if (counters != nullptr) counters->volumes_visited += swept.volumes_visited;
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     return swept;
   }
-  Verdict ask_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls, FirstRidge* ridge);
-  Follower<D> follower(const Body<D>& body, const EdgeSweep& sweep) {
+  Verdict ask_edge(const Body<D>& body, const MovingPart& edge, bool ask_balls, FirstRidge* ridge);
+  Verdict ask_face(const MovingPart& face) const;
+  bool find_first_of_face(const MovingPart& face, SweepContact* found);
+  Question<D> question(const Body<D>& body, const MovingPart& edge) noexcept {
     scratch_.counters = counters;
-    return {env_, body.corridors[sweep.e], body.call, sweep.edge, scratch_};
+    Question<D> q{env_, edge, scratch_, sweeps_edges(body.level)};
+    if (body.keeps_corridors()) q.corridor = &body.corridors[edge.part.index];
+    q.call = body.call;
+    q.is_limited = max_volumes != 0;
+    return q;
   }
 
   const Environment<D>& env_;

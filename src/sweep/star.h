@@ -8,19 +8,9 @@
 
 namespace dsw {
 
-/** What a vertex's star meets. */
-struct StarContact {
-  SweepContact contact;
-  uint32_t edge = kNone, face = kNone;  // what touches; both kNone: the vertex itself
-};
-
-/** What stands in a way that was tried: what touches, or a partner. */
-struct StarTry {
-  SweepEnd end = SweepEnd::kFree;
-  bool of_partner = false;              // kContact with another body, or of the body with itself
-  bool is_too_near = false;             // kContact of a thick body
-  uint32_t edge = kNone, face = kNone;  // else kContact of these; both kNone: the path of the vertex
-};
+/** How a way that was tried ends. kPartner: at another body, or at the body itself. kTooNear: a thick body does not keep its
+ * distance. */
+enum class WayEnd : uint32_t { kFree, kContact, kPartner, kTooNear, kWorkLimit };
 
 /** Sweeps stars; one for each thread. Throws std::bad_alloc. */
 template <int D>
@@ -31,30 +21,27 @@ class StarSweep {
   /** Whether vertex v can go to `to` without meeting anything that the body's level sees, partners included; *cell then
    * contains `to`. */
   bool is_free(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
-    return try_way(body, v, to, cell).end == SweepEnd::kFree;
+    Simplex part;
+    return try_way(body, v, to, cell, &part) == WayEnd::kFree;
   }
   /** Tries whether vertex v can go to `to`, and says what was found. It looks in the order path, edges, faces,
-   * partners, distances; what it finds need not be what is met first. */
-  StarTry try_way(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
-    StarTry tried = try_walls(body, v, to, cell);
-    if (tried.end == SweepEnd::kFree && !is_apart(body, v, to)) {
-      tried.end = SweepEnd::kContact;
-      tried.of_partner = true;
-    }
-    if (tried.end == SweepEnd::kFree && !keeps_distance(body, v, to)) {
-      tried.end = SweepEnd::kContact;
-      tried.is_too_near = true;
-    }
-    return tried;
+   * partners, distances; what it finds need not be what is met first.
+   * @param part of kContact, what touches; a vertex: its path. */
+  WayEnd try_way(const Body<D>& body, uint32_t v, const double* to, Cell* cell, Simplex* part) {
+    const WayEnd end = try_walls(body, v, to, cell, part);
+    if (end != WayEnd::kFree) return end;
+    if (!is_apart(body, v, to)) return WayEnd::kPartner;
+    return keeps_distance(body, v, to) ? WayEnd::kFree : WayEnd::kTooNear;
   }
-  /** Where the path, or the edge in its new place, runs into a wall on a way that was tried and not free. False: it
+  /** Where the path, or the edge in its new place, runs into a wall on a way that was tried, where `part` touches. False: it
    * does not, as what is met lies inside of what is swept: `inside` is then the first contact of that. */
-  bool find_obstacle(const Body<D>& body, uint32_t v, const double* to, const StarTry& tried, CastResult* hit,
-                     StarContact* inside);
+  bool find_obstacle(const Body<D>& body, uint32_t v, const double* to, const Simplex& part, CastResult* hit,
+                     SweepContact* inside);
   /** Whether it can go to another vertex of the body and become one with that. The two are joined by an edge. */
   bool can_merge(const Body<D>& body, uint32_t v, uint32_t into, Cell* cell) {
     const double* const to = body.position(into);
-    return try_walls(body, v, to, cell).end == SweepEnd::kFree &&
+    Simplex part;
+    return try_walls(body, v, to, cell, &part) == WayEnd::kFree &&
            (partners == nullptr || is_merge_apart(*partners, body, v, into)) && keeps_distance(body, v, to);
   }
   /** Whether it keeps all distances of a thick body on that way. */
@@ -71,11 +58,11 @@ class StarSweep {
 
   /** The first contact with the environment on that way, whose event borrows the body's points and `to`. Without one
    * *cell is set. At the work limit neither. */
-  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
+  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, SweepContact* first, Cell* cell);
 
   /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only
    * that. */
-  void find_all(const Body<D>& body, uint32_t v, const double* to, const StarContact& first, Array<StarContact>& all);
+  void find_all(const Body<D>& body, uint32_t v, const double* to, const SweepContact& first, Array<SweepContact>& all);
 
   SimplexSweep<D> simplices;
   ThickSweep<D> thick;
@@ -83,21 +70,10 @@ class StarSweep {
   NearEdges* near = nullptr;              // of the body, while it moves; null: its boxes are asked
 
  private:
-  /** A vertex on its way. */
-  struct Way {
-    uint32_t v;
-    const double* to;
-    CastResult path;
-    PathFacets crossed;
-    bool reached;
-  };
-  Way go(const Body<D>& body, uint32_t v, const double* to);
-  EdgeSweep edge_sweep(const Body<D>& body, const Way& way, uint32_t e) const;
-  FaceSweep face_sweep(const Body<D>& body, const Way& way, uint32_t f) const;
-  template <class Visit>
-  bool visit_sweeps(const Body<D>& body, const Way& way, Visit visit) const;
-  StarTry try_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell);
-  bool comes_first(const Body<D>& body, const Way& way, const StarContact& a, const StarContact& b) const;
+  MovingPart go(const Body<D>& body, uint32_t v, const double* to, CastResult* path);
+  MovingPart sweep_of(const Body<D>& body, const MovingPart& vertex, const Simplex& part) const;
+  WayEnd try_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell, Simplex* part);
+  bool comes_first(const PointWay& way, const SweepContact& a, const SweepContact& b) const;
 
   const Environment<D>& env_;
 };

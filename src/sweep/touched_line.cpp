@@ -89,10 +89,10 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
   if (kept != nullptr) kept->note({{std::min(vertex(1), vertex(2)), std::max(vertex(1), vertex(2))}}, body.call);
 }
 
-bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept {
-  const TouchedLines* const kept = lines_of(body, sweep.e, sweep.v);
+bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const MovingPart& edge) noexcept {
+  const TouchedLines* const kept = lines_of(body, edge.part.index, edge.vertex);
   if (kept == nullptr || !kept->lines[0].is_known()) return false;
-  const EdgeMotion m = sweep.edge.motion();
+  const EdgeMotion m = edge.edge();
   const PointBox<3> box(m.p, m.to, m.q);
   TouchedLine near[TouchedLines::kCount];
   uint32_t count = 0;
@@ -108,18 +108,18 @@ bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const 
   });
 }
 
-bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const FirstRidge& ridge,
+bool meets_first(const Environment<3>& env, const Body<3>& body, const MovingPart& edge, const FirstRidge& ridge,
                  SweepContact* found) noexcept {
   const TouchedLine line{{ridge.vertices[0], ridge.vertices[1]}};
   if (env.marked_edges != 0 && edge_marked(env, line.vertices[0], line.vertices[1])) return false;
-  const EdgeMotion m = sweep.edge.motion();
-  TouchedLines* kept = lines_of(body, sweep.e, sweep.v);
+  const EdgeMotion m = edge.edge();
+  TouchedLines* kept = lines_of(body, edge.part.index, edge.vertex);
   TouchedFan fan;
   if (kept != nullptr && kept->knows_fan(line, ridge.facet, env.change_version)) {
     fan = kept->fan;
   } else {
     if (!find_fan(env, m, ridge.facet, line, fan)) return false;
-    kept = make_lines(body, sweep.e, sweep.v);
+    kept = make_lines(body, edge.part.index, edge.vertex);
     if (kept != nullptr) {
       kept->note(line, body.call);
       kept->fan = fan;

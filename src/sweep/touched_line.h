@@ -4,16 +4,10 @@
 
 #include "body/body.h"
 #include "corridor/first_ridge.h"
-#include "corridor/follower.h"
+#include "corridor/moving_part.h"
 #include "corridor/sweep_contact.h"
 
 namespace dsw {
-
-/** The sweep of edge e when its end v goes on its way. */
-struct EdgeSweep {
-  uint32_t e, v;
-  MovingEdge edge;
-};
 
 /** What an edge has touched while one end moves; null: nothing yet. */
 template <int D>
@@ -28,18 +22,18 @@ void keep_touched_line(const Environment<3>& env, const Body<3>& body, uint32_t 
                        const SweepContact& contact) noexcept;
 
 /** Whether an edge that was touched pierces what an edge sweeps: then it is most likely touched again. */
-bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep) noexcept;
+bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const MovingPart& edge) noexcept;
 
 /** Whether the first contact is that with the ridge that an edge meets first: walls end the passable cells round it,
  * all of them tetrahedra. The same contact as that of a flood. False: not known. */
-bool meets_first(const Environment<3>& env, const Body<3>& body, const EdgeSweep& sweep, const FirstRidge& ridge,
+bool meets_first(const Environment<3>& env, const Body<3>& body, const MovingPart& edge, const FirstRidge& ridge,
                  SweepContact* found) noexcept;
 
 // In the plane there are no such edges.
 inline void keep_touched_line(const Environment<2>&, const Body<2>&, uint32_t, uint32_t, const SweepContact&) noexcept {
 }
-inline bool pierces_touched_line(const Environment<2>&, const Body<2>&, const EdgeSweep&) noexcept { return false; }
-inline bool meets_first(const Environment<2>&, const Body<2>&, const EdgeSweep&, const FirstRidge&,
+inline bool pierces_touched_line(const Environment<2>&, const Body<2>&, const MovingPart&) noexcept { return false; }
+inline bool meets_first(const Environment<2>&, const Body<2>&, const MovingPart&, const FirstRidge&,
                         SweepContact*) noexcept {
   return false;
 }

@@ -322,9 +322,9 @@ bool BodyWays<D>::is_free(const Array<Trajectory<D>>& trajectories) const {
 }
 
 template <int D>
-void BodyWays<D>::find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first) const {
+void BodyWays<D>::find_first(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& first) const {
   visit_touches(trajectories, [&](const WayTouch<D>& touch) {
-    first.add(touch);
+    add_first(touch, first, work);
     return true;
   });
 }

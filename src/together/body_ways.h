@@ -19,7 +19,7 @@ class BodyWays {
   /** Whether none of them touch on their ways. */
   bool is_free(const Array<Trajectory<D>>& trajectories) const;
   /** What is touched first. */
-  void find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first) const;
+  void find_first(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& first) const;
   /** Appends what each pair touches first. */
   void find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all) const;
 

@@ -16,12 +16,12 @@ template <int D>
 struct Moment {
   Vec at[D + 1], way[D + 1];
 
-  explicit Moment(const WayTouch<D>& touch) {
+  explicit Moment(const WayTouch<D>& met) {
     for (int i = 0; i <= D; ++i) {
       double place[D];
-      point_at<D>(touch.pair.start[i], touch.pair.end[i], touch.first.time, place);
+      point_at<D>(met.pair.start[i], met.pair.end[i], met.first.time, place);
       at[i] = to_vec<D>(place);
-      way[i] = difference<D>(touch.pair.end[i], touch.pair.start[i]);
+      way[i] = difference<D>(met.pair.end[i], met.pair.start[i]);
     }
   }
 };
@@ -40,11 +40,6 @@ Vec nearest_on_first(const Vec& p, const Vec& q, const Vec& a, const Vec& b) {
   return p + share * d;
 }
 
-/** Unit normal from the second side of a pair to the first, and where they touch. */
-struct Geometry {
-  Vec normal, point;
-};
-
 /** The sides of a pair are on two sides of the plane with this normal, which turns as `turn` says. They come together
  * there: `gap` leads from the second to the first, and grows by `way`. */
 Vec normal_of(const Vec& across, const Vec& turn, const Vec& gap, const Vec& way) {
@@ -53,86 +48,72 @@ Vec normal_of(const Vec& across, const Vec& turn, const Vec& gap, const Vec& way
   return (approach > 0 ? -1.0 : 1.0) * unit(across);
 }
 
+/** When and where a pair touches, with the unit normal from its second side to the first. */
 template <int D>
-Geometry geometry_of(const WayTouch<D>& touch) {
-  const Moment<D> m(touch);
+Touch touch_of(const WayTouch<D>& met, double sign) {
+  const Moment<D> m(met);
+  Vec normal, point = m.at[0];
   if constexpr (D == 2) {
     const Vec edge = m.at[2] - m.at[1], edge_way = m.way[2] - m.way[1];
-    return {normal_of(turned(edge), turned(edge_way), m.at[0] - m.at[1], m.way[0] - m.way[1]), m.at[0]};
-  } else if (touch.pair.kind == PairKind::kVertexFace) {
+    normal = normal_of(turned(edge), turned(edge_way), m.at[0] - m.at[1], m.way[0] - m.way[1]);
+  } else if (met.pair.kind == PairKind::kVertexFace) {
     const Vec e = m.at[2] - m.at[1], f = m.at[3] - m.at[1], we = m.way[2] - m.way[1], wf = m.way[3] - m.way[1];
-    const Vec turn = we.cross(f) + e.cross(wf);
-    return {normal_of(e.cross(f), turn, m.at[0] - m.at[1], m.way[0] - m.way[1]), m.at[0]};
+    normal = normal_of(e.cross(f), we.cross(f) + e.cross(wf), m.at[0] - m.at[1], m.way[0] - m.way[1]);
   } else {
     const Vec e = m.at[1] - m.at[0], f = m.at[3] - m.at[2], we = m.way[1] - m.way[0], wf = m.way[3] - m.way[2];
-    const Vec turn = we.cross(f) + e.cross(wf);
-    return {normal_of(e.cross(f), turn, m.at[0] - m.at[2], m.way[0] - m.way[2]),
-            nearest_on_first(m.at[0], m.at[1], m.at[2], m.at[3])};
+    normal = normal_of(e.cross(f), we.cross(f) + e.cross(wf), m.at[0] - m.at[2], m.way[0] - m.way[2]);
+    point = nearest_on_first(m.at[0], m.at[1], m.at[2], m.at[3]);
   }
+  Touch touch;
+  touch.time = met.first.time;
+  store<D>(point, touch.point);
+  store<D>(sign * normal + Vec::Zero(), touch.other.normal);  // never -0
+  return touch;
 }
 
 template <int D>
 void name_feature(const Environment<D>& env, const WallFeature& wall, dsw_contact& contact) {
   const bool is_marked_vertex = wall.count == 1 && vertex_marked(env, wall.vertices[0]);
-  const uint32_t named = wall.count == D ? 0 : wall.count;  // a whole facet has its name
-  name_obstacle(env, {wall.facet, wall.cell, wall.vertices, named, is_marked_vertex ? DSW_CELL_VERTEX : DSW_CELL_EDGE},
-                contact);
+  WallFeature named = wall;
+  if (wall.count == D) named.count = 0;  // a whole facet has its name
+  name_obstacle(env, named, is_marked_vertex ? DSW_CELL_VERTEX : DSW_CELL_EDGE, contact);
 }
-
-/** A contact as one side of a touch has it. */
-template <int D>
-struct OneSide {
-  const Trajectory<D>& of;
-  Simplex part;
-  const Partner<D>* other;  // null: the environment
-  Simplex other_part;
-};
 
 template <int D>
 void place_at(const Trajectory<D>& of, uint32_t v, double time, double* place) {
   point_at<D>(of.start(v), of.end(v), time, place);
 }
 
+/** A contact as a part that moves has it.
+ * @param other the touched body; null: the environment. */
 template <int D>
-dsw_body_contact contact_of(const Environment<D>& env, const OneSide<D>& side, const WayTouch<D>& touch,
-                            const Geometry& geometry) {
-  const Trajectory<D>& of = side.of;
+dsw_body_contact describe_part(const Environment<D>& env, const Trajectory<D>& of, const Simplex& part,
+                               const Partner<D>* other, const Simplex& other_part, const WayTouch<D>& met,
+                               Touch touch) {
   const Body<D>& body = *of.motion.body;
-  const double time = touch.first.time;
-  const SimplexCorners<D> corners(body, side.part);
   uint32_t v = kNone;
-  for (const uint32_t each : corners) {
+  for (const uint32_t each : SimplexCorners<D>(body, part)) {
     if (of.moves(each)) v = std::min(v, each);
   }
-  dsw_body_contact contact{};
-  contact.vertex = vertex_id(body, v);
-  std::copy_n(of.start(v), D, contact.from);
-  std::copy_n(of.end(v), D, contact.to);
-  contact.time = time;
-  place_at(of, v, time, contact.position);
-  store<D>(geometry.point, contact.point);
-  store<D>(geometry.normal + Vec::Zero(), contact.contact.normal);  // never -0
-  if (side.part.kind == Simplex::kEdge) {
-    contact.edge = edge_id(body, side.part.index);
-    place_at(of, body.edges[side.part.index].other(v), time, contact.fixed[0]);
-    contact.edge_parameter = share_along<D>(contact.position, contact.fixed[0], contact.point);
-  } else if (side.part.kind == Simplex::kFace) {
-    contact.face = face_id(body, side.part.index);
-    place_at(of, body.faces[side.part.index].after(v), time, contact.fixed[0]);
-    place_at(of, body.faces[side.part.index].before(v), time, contact.fixed[1]);
+  touch.part = part;
+  place_at(of, v, touch.time, touch.position);
+  double fixed[2][3] = {};
+  if (part.kind == Simplex::kEdge) {
+    place_at(of, body.edges[part.index].other(v), touch.time, fixed[0]);
+    touch.along = share_along<D>(touch.position, fixed[0], touch.point);
+  } else if (part.kind == Simplex::kFace) {
+    place_at(of, body.faces[part.index].after(v), touch.time, fixed[0]);
+    place_at(of, body.faces[part.index].before(v), touch.time, fixed[1]);
   }
-  if (side.other == nullptr) {
-    name_feature(env, touch.wall, contact.contact);
-    return contact;
+  if (other == nullptr) {
+    name_feature(env, met.wall, touch.other);
+  } else {
+    touch.other.front = volume_id(env.map, body.vertices[v].cell);
+    touch.other.kind = contact_kind(other_part.kind);
   }
-  contact.contact.front = volume_id(env.map, body.vertices[v].cell);
-  contact.contact.kind = contact_kind(side.other_part.kind);
+  dsw_body_contact contact = describe(body, v, of.end(v), touch);
+  std::copy_n(&fixed[0][0], 6, &contact.fixed[0][0]);
   return contact;
-}
-
-template <int D>
-dsw_contact_partner partner_of(const OneSide<D>& side) {
-  return side.other == nullptr ? dsw_contact_partner{} : name_partner(*side.other, side.other_part);
 }
 
 }  // namespace
@@ -141,48 +122,36 @@ template <int D>
 void describe_touches(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& touches) {
   std::sort(touches.begin(), touches.end(),
             [](const WayTouch<D>& a, const WayTouch<D>& b) { return name_of(a) < name_of(b); });
-  for (const WayTouch<D>& touch : touches) {
-    const Geometry geometry = geometry_of(touch);
-    const auto add = [&](uint32_t number, const OneSide<D>& side, double sign) {
-      const SimplexCorners<D> corners(*side.of.motion.body, side.part);
-      if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return side.of.moves(v); })) return;
-      const Geometry turned_to{sign * geometry.normal, geometry.point};
-      trajectories[number].record->add(contact_of(env, side, touch, turned_to), partner_of(side));
+  for (const WayTouch<D>& met : touches) {
+    const auto add = [&](uint32_t number, const Simplex& part, const Partner<D>* other, const Simplex& other_part,
+                         double sign) {
+      const Trajectory<D>& of = trajectories[number];
+      const SimplexCorners<D> corners(*of.motion.body, part);
+      if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return;
+      of.record->add(describe_part(env, of, part, other, other_part, met, touch_of(met, sign)),
+                     other == nullptr ? dsw_contact_partner{} : name_partner(*other, other_part));
     };
-    const double sign = touch.comes_first ? 1 : -1;
-    const OneSide<D> one{trajectories[touch.trajectory], touch.part, touch.other, touch.other_part};
-    add(touch.trajectory, one, sign);
-    if (touch.other_trajectory == kNone) continue;
-    const Trajectory<D>& other = trajectories[touch.other_trajectory];
-    add(touch.other_trajectory, {other, touch.other_part, &trajectories[touch.trajectory].name, touch.part}, -sign);
+    const double sign = met.comes_first ? 1 : -1;
+    add(met.trajectory, met.part, met.other, met.other_part, sign);
+    if (met.other_trajectory == kNone) continue;
+    add(met.other_trajectory, met.other_part, &trajectories[met.trajectory].name, met.part, -sign);
   }
 }
 
 template <int D>
 dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Trajectory<D>>& trajectories,
-                               const WayTouch<D>& touch) {
-  const Trajectory<D>& of = trajectories[touch.trajectory];
-  const SimplexCorners<D> corners(*of.motion.body, touch.part);
-  Geometry geometry = geometry_of(touch);
-  if (!touch.comes_first) geometry.normal *= -1;
-  const uint32_t first_wall = touch.comes_first ? corners.count : 0;
-  dsw_wall_contact contact{};
-  std::copy_n(touch.pair.start[first_wall], D, contact.from);
-  std::copy_n(touch.pair.end[first_wall], D, contact.to);
-  contact.time = touch.first.time;
-  store<D>(geometry.point, contact.point);
-  store<D>(geometry.normal + Vec::Zero(), contact.contact.normal);  // never -0
-  name_feature(env, touch.wall, contact.contact);
-  if (touch.part.kind == Simplex::kEdge) {
+                               const WayTouch<D>& met) {
+  const Trajectory<D>& of = trajectories[met.trajectory];
+  const SimplexCorners<D> corners(*of.motion.body, met.part);
+  const uint32_t first_wall = met.comes_first ? corners.count : 0;
+  Touch touch = touch_of(met, met.comes_first ? 1 : -1);
+  name_feature(env, met.wall, touch.other);
+  if (met.part.kind == Simplex::kEdge) {
     double ends[2][D];
-    for (uint32_t i = 0; i < 2; ++i) place_at(of, corners.vertices[i], touch.first.time, ends[i]);
-    contact.edge_parameter = share_along<D>(ends[0], ends[1], contact.point);
+    for (uint32_t i = 0; i < 2; ++i) place_at(of, corners.vertices[i], touch.time, ends[i]);
+    touch.along = share_along<D>(ends[0], ends[1], touch.point);
   }
-  const auto id_of = [&](uint32_t v) { return dsw_vertex_id{v, env.map.vertex_generation(v)}; };
-  contact.moving = id_of(touch.wall.vertices[0]);
-  for (uint32_t i = 1; i < touch.wall.count; ++i) contact.others[i - 1] = id_of(touch.wall.vertices[i]);
-  contact.response = DSW_WALL_STOP;
-  return contact;
+  return describe(env, met.wall, met.pair.start[first_wall], met.pair.end[first_wall], touch, DSW_WALL_STOP);
 }
 
 DSW_INSTANTIATE(describe_wall);

@@ -24,6 +24,6 @@ void describe_touches(const Environment<D>& env, Array<Trajectory<D>>& trajector
 /** A touch of the environment's, without the names of the body or particle. */
 template <int D>
 dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Trajectory<D>>& trajectories,
-                               const WayTouch<D>& touch);
+                               const WayTouch<D>& met);
 
 }  // namespace dsw

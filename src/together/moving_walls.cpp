@@ -149,9 +149,9 @@ bool MovingWalls<D>::is_free(const Array<Trajectory<D>>& trajectories) {
 }
 
 template <int D>
-void MovingWalls<D>::find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first) {
+void MovingWalls<D>::find_first(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& first) {
   visit_touches(trajectories, [&](const WayTouch<D>& touch) {
-    first.add(touch);
+    add_first(touch, first, work);
     return true;
   });
 }
@@ -228,9 +228,9 @@ bool MovingWalls<D>::stays_free(const WayTouch<D>& touch, uint32_t part_count) c
 }
 
 template <int D>
-void MovingWalls<D>::describe(const Array<Trajectory<D>>& trajectories, const FirstTouches<D>& first) {
+void MovingWalls<D>::describe(const Array<Trajectory<D>>& trajectories, const Array<WayTouch<D>>& first) {
   contacts.clear();
-  for (const WayTouch<D>& touch : first.all) {
+  for (const WayTouch<D>& touch : first) {
     if (touch.other != nullptr) continue;
     const Trajectory<D>& of = trajectories[touch.trajectory];
     dsw_wall_contact& contact = contacts.emplace_back(describe_wall(env_, trajectories, touch));

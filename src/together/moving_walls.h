@@ -25,7 +25,7 @@ class MovingWalls {
   /** From now on the ways end at a fraction of the whole ways. */
   void set_end(double time);
   bool is_free(const Array<Trajectory<D>>& trajectories);
-  void find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first);
+  void find_first(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& first);
   /** When the environment has its points of the end, which are rounded: whether all cells that are met stay valid on
    * the straight way there from `start`. Those that do not are appended to `invalid` of begin(). */
   bool stayed_valid(const double* start);
@@ -37,7 +37,7 @@ class MovingWalls {
   void cast_paths(Array<Trajectory<D>>&) noexcept {}
   void set_counters(CastCounters*) noexcept {}
   /** Keeps how a host reads what is touched of the environment. Particles are of the body without a name. */
-  void describe(const Array<Trajectory<D>>& trajectories, const FirstTouches<D>& first);
+  void describe(const Array<Trajectory<D>>& trajectories, const Array<WayTouch<D>>& first);
   Array<dsw_wall_contact> contacts{env_.memory};  // that were kept last
   SweepCounts counts;                             // of edges and faces
   PairWork* work = nullptr;

@@ -61,9 +61,9 @@ typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Trajectory<D
   look_at_all();
   End end = shortened_.run(trajectories, most_rounds, may_depart);
   if (end == End::kAtWalls) {
-    ways_.first.all.clear();
+    ways_.first.clear();
     for (const WayTouch<D>& each : shortened_.touches()) {
-      if (each.first.time == 0) ways_.first.all.push_back(each);
+      if (each.first.time == 0) ways_.first.push_back(each);
     }
     ways_.walls.limits_parts = false;
     const bool has_departed = departs(trajectories);
@@ -96,7 +96,7 @@ template <int D>
 bool TogetherMove<D>::departs(Array<Trajectory<D>>& trajectories) {
   constexpr int kMostHalvings = 10;
   Halving halving;
-  const Array<WayTouch<D>>& touches = ways_.first.all;
+  const Array<WayTouch<D>>& touches = ways_.first;
   const bool starts_at_walls = std::all_of(touches.begin(), touches.end(), [](const WayTouch<D>& each) {
     return each.first.time == 0 && each.other == nullptr && each.part.kind != Simplex::kVertex;
   });

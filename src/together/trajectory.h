@@ -54,24 +54,17 @@ struct WayTouch {
   WallFeature wall{};
 };
 
-/** What is touched first: all that are touched at the same exact time. */
+/** Adds a touch to what is touched first, all at the same exact time, unless it is later. Throws std::bad_alloc and
+ * WorkOver. */
 template <int D>
-struct FirstTouches {
-  Array<WayTouch<D>> all;
-
-  PairWork* work = nullptr;
-
-  explicit FirstTouches(const Memory* memory) : all(memory) {}
-  /** Notes one that is not later than those before. Throws std::bad_alloc and WorkOver. */
-  void add(const WayTouch<D>& touch) {
-    if (!all.empty()) {
-      const int order = compare_first_touches<D>(touch.pair, touch.first, all[0].pair, all[0].first, work);
-      if (order > 0) return;
-      if (order < 0) all.clear();
-    }
-    all.push_back(touch);
+void add_first(const WayTouch<D>& touch, Array<WayTouch<D>>& first, PairWork* work) {
+  if (!first.empty()) {
+    const int order = compare_first_touches<D>(touch.pair, touch.first, first[0].pair, first[0].first, work);
+    if (order > 0) return;
+    if (order < 0) first.clear();
   }
-};
+  first.push_back(touch);
+}
 
 /** Whether the way of a part has not been looked at. */
 template <int D>

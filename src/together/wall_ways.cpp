@@ -43,18 +43,14 @@ void WallWays<D>::cast_paths(Array<Trajectory<D>>& trajectories) {
           }
         }
       },
-      [&](uint32_t t, uint32_t v, const CastResult& path) {
-        note_blocked(trajectories[t], {t, v, path, {}});
-      });
+      [&](uint32_t t, uint32_t v, const CastResult& path) { note_blocked(trajectories[t], t, v, path); });
 }
 
 template <int D>
-void WallWays<D>::note_blocked(Trajectory<D>& of, Blocked blocked) {
-  blocked.touch = touch_of(of, blocked);
-  const uint32_t v = blocked.vertex;
-  const double time = blocked.touch.first.time;
+void WallWays<D>::note_blocked(Trajectory<D>& of, uint32_t number, uint32_t v, const CastResult& path) {
+  blocked_.push_back(touch_of(of, number, v, path));
+  const double time = blocked_.back().first.time;
   if (limits_parts) of.limits[v] = std::max(0.0, time - first_step<D>(of.start(v), of.end(v), time));
-  blocked_.push_back(blocked);
 }
 
 template <int D>
@@ -63,17 +59,17 @@ bool WallWays<D>::is_free(const Array<Trajectory<D>>& trajectories) {
 }
 
 template <int D>
-void WallWays<D>::find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first) {
-  for (const Blocked& each : blocked_) first.add(each.touch);
+void WallWays<D>::find_first(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& first) {
+  for (const WayTouch<D>& each : blocked_) add_first(each, first, work);
   visit_parts(trajectories, [&](const WayTouch<D>& touch) {
-    first.add(touch);
+    add_first(touch, first, work);
     return true;
   });
 }
 
 template <int D>
 void WallWays<D>::find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all) {
-  for (const Blocked& each : blocked_) all.push_back(each.touch);
+  all.insert(all.end(), blocked_.begin(), blocked_.end());
   visit_parts(trajectories, [&](const WayTouch<D>& touch) {
     all.push_back(touch);
     return true;
@@ -81,22 +77,22 @@ void WallWays<D>::find_all(const Array<Trajectory<D>>& trajectories, Array<WayTo
 }
 
 template <int D>
-WayTouch<D> WallWays<D>::touch_of(const Trajectory<D>& of, const Blocked& blocked) const {
-  const Cell c = blocked.path.cell;
+WayTouch<D> WallWays<D>::touch_of(const Trajectory<D>& of, uint32_t number, uint32_t v, const CastResult& path) const {
+  const Cell c = path.cell;
   const Shape shape = env_.map.shape(c);
-  const uint32_t facet = env_.map.local_of(blocked.path.facet, c);
+  const uint32_t facet = env_.map.local_of(path.facet, c);
   WayTouch<D> touch{};
   touch.pair.kind = D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge;
-  touch.pair.start[0] = of.start(blocked.vertex);
-  touch.pair.end[0] = of.end(blocked.vertex);
-  touch.wall = {{blocked.path.facet.word, kNone, kNone}, D, blocked.path.facet, c};
+  touch.pair.start[0] = of.start(v);
+  touch.pair.end[0] = of.end(v);
+  touch.wall = {{path.facet.word, kNone, kNone}, D, path.facet, c};
   const uint32_t count = shape.simplex_first(facet + 1) - shape.simplex_first(facet);
   const bool is_known = count == 1 || limits_parts;
   if (is_known) {
     const double* corners[D];
-    boundary_points(env_, c, blocked.path.simplex, corners);
+    boundary_points(env_, c, path.simplex, corners);
     for (int i = 0; i < D; ++i) touch.pair.start[i + 1] = touch.pair.end[i + 1] = corners[i];
-    touch.first = {true, crossing_time(env_, c, blocked.path.simplex, touch.pair.start[0], touch.pair.end[0])};
+    touch.first = {true, crossing_time(env_, c, path.simplex, touch.pair.start[0], touch.pair.end[0])};
   }
   // The cast may name another triangle of a flat facet than the one that is touched. Where times are compared exactly,
   // it has to be this one.
@@ -108,9 +104,9 @@ WayTouch<D> WallWays<D>::touch_of(const Trajectory<D>& of, const Blocked& blocke
     other.first = first_touch(other.pair, work);
     if (!touch.first.touches || (other.first.touches && other.first.time < touch.first.time)) touch = other;
   }
-  touch.trajectory = blocked.trajectory;
+  touch.trajectory = number;
   touch.comes_first = true;
-  touch.part = {Simplex::kVertex, blocked.vertex};
+  touch.part = {Simplex::kVertex, v};
   touch.other_trajectory = kNone;
   return touch;
 }
@@ -184,8 +180,7 @@ bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Sim
   for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
   if (!(limit > 0)) return true;
   const PartWay way(of, number, part, corners, limit);
-  const Verdict verdict = ask(way);
-  if (verdict != Verdict::kUnknown) {
+  if (is_alone(way)) {
     ++counts.skipped;
     return true;
   }
@@ -199,10 +194,10 @@ template <class Visit>
 bool WallWays<D>::visit_edge(const PartWay& way, Visit visit) {
   const MovingBody<D>& motion = way.of.motion;
   const Body<D>& body = *motion.body;
-  const auto end_of = [&](uint32_t v) -> typename MovingCorridors<D>::End {
+  const auto end_of = [&](uint32_t v) -> PointWay {
     return {way.of.start(v), way.of.end(v), body.vertices[v].cell, motion.ways[v].arrival, motion.crossed[v]};
   };
-  const typename MovingCorridors<D>::End ends[2] = {end_of(way.corners.vertices[0]), end_of(way.corners.vertices[1])};
+  const PointWay ends[2] = {end_of(way.corners.vertices[0]), end_of(way.corners.vertices[1])};
   Corridor<D>& corridor = body.corridors[way.part.index];
   const bool are_ends = way.limit == 1;
   const Verdict verdict = corridors_.ask(corridor, body.call, ends, {way.points[1], way.points[3]}, are_ends);
@@ -255,19 +250,18 @@ bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& nea
 
 /** Whether a part meets nothing since its corners stay in one convex cell, or since nothing is near, or in the box of its way. */
 template <int D>
-Verdict WallWays<D>::ask(const PartWay& way) {
+bool WallWays<D>::is_alone(const PartWay& way) {
   const Trajectory<D>& of = way.of;
   const SimplexCorners<D>& corners = way.corners;
   const Cell cell = of.motion.body->vertices[corners.vertices[0]].cell;
   const bool stays = std::all_of(corners.begin(), corners.end(), [&](uint32_t v) {
     return of.motion.body->vertices[v].cell == cell && of.motion.ways[v].arrival == cell;
   });
-  if (stays && env_.map.convex(cell)) return Verdict::kInside;
-  if (near_.is_alone(of, way.part)) return Verdict::kClear;
-  if (!BoxProbe<D>::suits(env_, cell)) return Verdict::kUnknown;
+  if ((stays && env_.map.convex(cell)) || near_.is_alone(of, way.part)) return true;
+  if (!BoxProbe<D>::suits(env_, cell)) return false;
   Bounds<D> box(way.points[0]);
   for (uint32_t i = 1; i < 2 * corners.count; ++i) box.include(way.points[i]);
-  return probe_.is_free(box, cell) ? Verdict::kBoxed : Verdict::kUnknown;
+  return probe_.is_free(box, cell);
 }
 
 template <int D>

@@ -21,7 +21,7 @@ class WallWays {
   /** Whether no path is blocked, and nothing else touches the environment on its way. */
   bool is_free(const Array<Trajectory<D>>& trajectories);
   /** What is touched first. */
-  void find_first(const Array<Trajectory<D>>& trajectories, FirstTouches<D>& first);
+  void find_first(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& first);
   /** Appends what each vertex, and each pair of a part and a feature, touches first. */
   void find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all);
 
@@ -32,30 +32,24 @@ class WallWays {
 
   // The environment stands still.
   void set_end(double) noexcept {}
-  void describe(const Array<Trajectory<D>>&, const FirstTouches<D>&) noexcept {}
+  void describe(const Array<Trajectory<D>>&, const Array<WayTouch<D>>&) noexcept {}
   void set_counters(CastCounters* counters) { counters_ = corridors_.counters = counters; }
   SweepCounts counts;  // of edges and faces
 
  private:
-  /** The path of a vertex that is blocked. */
-  struct Blocked {
-    uint32_t trajectory, vertex;
-    CastResult path;
-    WayTouch<D> touch;
-  };
-  void note_blocked(Trajectory<D>& of, Blocked blocked);
+  void note_blocked(Trajectory<D>& of, uint32_t number, uint32_t v, const CastResult& path);
   template <class Visit>
   bool visit_parts(const Array<Trajectory<D>>& trajectories, Visit visit);
   template <class Visit>
   bool visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit);
   struct PartWay;
-  Verdict ask(const PartWay& way);
+  bool is_alone(const PartWay& way);
   template <class Visit>
   bool visit_edge(const PartWay& way, Visit visit);
   template <class Visit>
   bool visit_features(const PartWay& way, const CandidateView<D>& near, Visit visit);
   bool is_beside(const WallPlane<D>& plane, const double* const* points, uint32_t count) const;
-  WayTouch<D> touch_of(const Trajectory<D>& of, const Blocked& blocked) const;
+  WayTouch<D> touch_of(const Trajectory<D>& of, uint32_t number, uint32_t v, const CastResult& path) const;
 
   const Environment<D>& env_;
   NearWalls<D> near_;
@@ -63,8 +57,8 @@ class WallWays {
   MovingCorridors<D> corridors_;
   Packet<D> packet_;
   CastCounters* counters_ = nullptr;
-  Array<Blocked> blocked_{env_.memory};
-  Array<uint8_t> is_beside_{env_.memory};  // by plane of the part: all of its way is on one side of it
+  Array<WayTouch<D>> blocked_{env_.memory};  // what paths of vertices touch
+  Array<uint8_t> is_beside_{env_.memory};    // by plane of the part: all of its way is on one side of it
 };
 
 }  // namespace dsw

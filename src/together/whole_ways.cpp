@@ -32,17 +32,17 @@ template <int D, class Walls>
 bool WholeWays<D, Walls>::find_touches(Array<Trajectory<D>>& trajectories) {
   set_ends(trajectories, 1);
   walls.cast_paths(trajectories);
-  first.all.clear();
+  first.clear();
   walls.find_first(trajectories, first);
   bodies.find_first(trajectories, first);
-  if (first.all.empty()) return false;
+  if (first.empty()) return false;
   drop_covering(trajectories);
   return true;
 }
 
 template <int D, class Walls>
 void WholeWays<D, Walls>::stop(Array<Trajectory<D>>& trajectories) {
-  describe_touches(env_, trajectories, first.all);
+  describe_touches(env_, trajectories, first);
   walls.describe(trajectories, first);
   retreat(trajectories);
 }
@@ -63,7 +63,7 @@ void WholeWays<D, Walls>::drop_covering(const Array<Trajectory<D>>& trajectories
     return Name(trajectory, static_cast<uint32_t>(kind), index);
   };
   Array<Name> names(env_.memory);
-  for (const WayTouch<D>& each : first.all) {
+  for (const WayTouch<D>& each : first) {
     if (each.other == nullptr) names.push_back(name(each.trajectory, each.part.kind, each.part.index));
   }
   std::sort(names.begin(), names.end());
@@ -81,22 +81,22 @@ void WholeWays<D, Walls>::drop_covering(const Array<Trajectory<D>>& trajectories
     }
     return false;
   };
-  first.all.erase(std::remove_if(first.all.begin(), first.all.end(), covers), first.all.end());
+  first.erase(std::remove_if(first.begin(), first.end(), covers), first.end());
 }
 
 /** The ends of all ways come nearer, until nothing is touched. The steps depend on no order of vertices. */
 template <int D, class Walls>
 void WholeWays<D, Walls>::retreat(Array<Trajectory<D>>& trajectories) {
-  const double time = first.all[0].first.time;
+  const double time = first[0].first.time;
   double step = 0;
-  for (const WayTouch<D>& touch : first.all) step = std::max(step, step_back(touch));
+  for (const WayTouch<D>& touch : first) step = std::max(step, step_back(touch));
   constexpr int kMostTries = 60;
   // What was touched has to stay apart even without the shift. So a vertex does not come to lie exactly on a wall, where it
   // would touch that wall at the start of the next way.
   const auto touches = [&](const WayTouch<D>& each) { return first_touch(each.pair, &work_).touches; };
   for (int tries = 0; tries < kMostTries && step < time; ++tries, step *= 2) {
     set_ends(trajectories, time - step);
-    if (std::any_of(first.all.begin(), first.all.end(), touches)) continue;
+    if (std::any_of(first.begin(), first.end(), touches)) continue;
     if (is_free(trajectories)) return;
   }
   set_ends(trajectories, 0);

@@ -13,7 +13,7 @@ class WholeWays {
 
  public:
   explicit WholeWays(const Environment<D>& env) : env_(env), walls(env), bodies(env.memory) {
-    walls.work = bodies.work = first.work = &work_;
+    walls.work = bodies.work = &work_;
   }
   WholeWays(const WholeWays&) = delete;
   WholeWays& operator=(const WholeWays&) = delete;
@@ -40,7 +40,7 @@ class WholeWays {
 
   Walls walls;
   BodyWays<D> bodies;
-  FirstTouches<D> first{env_.memory};  // what was found last
+  Array<WayTouch<D>> first{env_.memory};  // what was found last
 
  private:
   void drop_covering(const Array<Trajectory<D>>& trajectories);

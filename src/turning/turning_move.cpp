@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/describe_thick.h"
+#include "contact/describe.h"
 #include "contact/normals.h"
 #include "predicates/hull_gap.h"
 

@@ -6,10 +6,10 @@
 
 namespace dsw {
 
-/** What walls at `vertex` meet on its way. */
+/** What the walls at a vertex meet on its way. */
 template <int D>
-dsw_wall_contact describe(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, uint32_t vertex,
-                          const double* from, const double* to, dsw_wall_response done) noexcept;
+dsw_wall_contact describe(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
+                          const double* to, dsw_wall_response done) noexcept;
 
 /** Names the feature that is touched. */
 template <int D>

@@ -28,7 +28,7 @@ typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, cons
   motions_.clear();
   look_round(v);
   for (int pushes = 0; walls_.has_walls() && find_hits(from, to); ++pushes) {
-    record.contacts.push_back(describe(env_, all_, hits_.front(), v, from, to, settings.response));
+    record.contacts.push_back(describe(env_, all_, hits_.front(), from, to, settings.response));
     if (settings.response == DSW_WALL_STOP) return Moved::kStopped;
     if (settings.response == DSW_WALL_INSERT && is_rigid(hits_.front().feature)) {
       record.contacts.back().response = DSW_WALL_PUSH;
@@ -190,7 +190,7 @@ bool WallMove<D>::push(const Feature& point, const Vec& way) {
   if (point.kind == Feature::kParticle) {
     const CastResult flight = cast(env_, at, target, cell_of(all_, point));
     if (flight.end != CastEnd::kReached) return false;
-    note_place(point);
+    places_.push_back(place_of(point));
     set_location(all_, point, target, flight.cell);
     around_.note_point(point);
     return true;
@@ -199,16 +199,16 @@ bool WallMove<D>::push(const Feature& point, const Vec& way) {
   Cell cell;
   if (body.radius > 0) around_.open_ways(point.owner, point.index, target);
   if (!sweeps_.is_free(body, point.index, target, &cell)) return false;
-  note_place(point);
+  places_.push_back(place_of(point));
   set_location(all_, point, target, cell);
   return around_.note_vertex(point.owner, point.index);
 }
 
 template <int D>
-void WallMove<D>::note_place(const Feature& point) {
+typename WallMove<D>::Place WallMove<D>::place_of(const Feature& point) const noexcept {
   Place place{point, {}, cell_of(all_, point)};
   std::copy_n(position(all_, point), D, place.at);
-  places_.push_back(place);
+  return place;
 }
 
 template <int D>
@@ -217,7 +217,7 @@ void WallMove<D>::note_rigid(uint32_t owner) {
   keep_shape(body);
   motions_.push_back({owner, body.shape[0].moved});
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    if (body.has_vertex(v)) note_place({Feature::kVertex, owner, v});
+    if (body.has_vertex(v)) places_.push_back(place_of({Feature::kVertex, owner, v}));
   }
 }
 
@@ -267,7 +267,7 @@ bool WallMove<D>::locate_all() {
     fine = now.valid();
     if (!fine) break;
     if (now == old) continue;
-    before_.push_back({feature, old});
+    before_.push_back(place_of(feature));
     set_location(all_, feature, position(all_, feature), now);
     around_.note_point(feature);
   }
@@ -282,7 +282,7 @@ bool WallMove<D>::locate_all() {
 
 template <int D>
 void WallMove<D>::restore_locations() noexcept {
-  for (const Location& each : before_) set_location(all_, each.point, position(all_, each.point), each.cell);
+  for (const Place& each : before_) set_location(all_, each.point, each.at, each.cell);
   before_.clear();
 }
 

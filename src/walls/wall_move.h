@@ -32,6 +32,13 @@ class WallMove {
   }
 
  private:
+  /** Where a point was before. */
+  struct Place {
+    Feature point;
+    double at[D];
+    Cell cell;
+  };
+  Place place_of(const Feature& point) const noexcept;
   void look_round(uint32_t v);
   bool find_hits(const double* from, const double* to);
   bool make_room(const double* from, const double* to, int pushes, const WallSettings& settings, WallRecord& record);
@@ -44,7 +51,6 @@ class WallMove {
   bool push_corners(uint32_t owner, const uint32_t* corners, int count, const double* weights, const Vec& way,
                     WallRecord& record);
   bool push(const Feature& point, const Vec& way);
-  void note_place(const Feature& point);
   void note_rigid(uint32_t owner);
   void take_back(size_t contacts, uint32_t pushed, WallRecord& record) noexcept;
   uint32_t insert(const WallHit& hit, const WallTouch& touch, double min_part);
@@ -65,24 +71,14 @@ class WallMove {
   const Array<Cell>* star_ = nullptr;
   Array<Feature> features_{env_.memory};  // in the star
   Array<WallHit> hits_{env_.memory};
-  /** Where what is pushed was before. */
-  struct Place {
-    Feature point;
-    double at[D];
-    Cell cell;
-  };
   struct Motion {
     uint32_t owner;
     RigidMotion<D> moved;
   };
   Array<Place> places_{env_.memory};
   Array<Motion> motions_{env_.memory};  // of rigid bodies
-  struct Location {
-    Feature point;
-    Cell cell;
-  };
-  Array<Location> before_{env_.memory};  // cells of the star's points
-  CellQueue told_{env_.memory};          // those of find_invalid
+  Array<Place> before_{env_.memory};    // of the star's points, which change their cells alone
+  CellQueue told_{env_.memory};         // those of find_invalid
 };
 
 }  // namespace dsw

@@ -1,5 +1,7 @@
 #include "walls/wall_sweep.h"
 
+#include <array>
+
 #include "base/dimensions.h"
 #include "base/vec.h"
 #include "contact/normals.h"
@@ -50,27 +52,26 @@ bool pierces(const double* x, const double* y, const double* const (&simplex)[D]
 }
 
 /** What a part of a wall sweeps: the way of the moving vertex, and the others. */
-template <int D, size_t Count>
-void read_swept(const Environment<D>& env, const WallPart<Count>& part, const double* from, const double* to,
-                const double* (&swept)[Count + 2]) noexcept {
+template <int D, size_t Size>
+void read_swept(const Environment<D>& env, const WallFeature& part, const double* from, const double* to,
+                const double* (&swept)[Size]) noexcept {
   swept[0] = from;
   swept[1] = to;
-  for (size_t k = 0; k < Count; ++k) swept[2 + k] = env.point(part.others[k]);
+  for (size_t k = 2; k < Size; ++k) swept[k] = env.point(part.vertices[k - 1]);
 }
 
-/** When that touches D - Count points of a body: the event of a moving body that has as many points at rest. */
-template <int D, size_t Count>
-WallHit hit_of(const WallPart<Count>& part, const double* const (&swept)[Count + 2],
-               const double* const* touched) noexcept {
+/** When that touches as many points of a body as it has fewer than D + 2: the event of a moving body that has as many
+ * points at rest as the part has beside the moving vertex. */
+template <int D, size_t Size>
+WallHit hit_of(const WallFeature& part, const double* const (&swept)[Size], const double* const* touched) noexcept {
+  constexpr size_t kCount = Size - 2;
   SweepEvent event;
-  event.kind = static_cast<EventKind>(Count);
-  std::copy_n(swept + 2, Count, event.points);
-  std::copy_n(touched, D - Count, event.points + Count);
+  event.kind = static_cast<EventKind>(kCount);
+  std::copy_n(swept + 2, kCount, event.points);
+  std::copy_n(touched, D - kCount, event.points + kCount);
   WallHit hit;
   hit.time = event_time<D>(swept[0], swept[1], event);
-  hit.wall = part.facet;
-  hit.cell = part.cell;
-  std::copy_n(part.others.data(), Count, hit.others);
+  hit.wall = part;
   return hit;
 }
 
@@ -120,13 +121,13 @@ void WallSweep<D>::add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t f
     const auto at = std::find(corners.begin(), corners.end(), vertex_);
     if (at == corners.end()) continue;
     std::rotate(corners.begin(), at, corners.end());
-    WallPart<D - 1> simplex{{}, h, c};
-    std::copy(corners.begin() + 1, corners.end(), simplex.others.begin());
+    WallFeature simplex{{kNone, kNone, kNone}, D, h, c};
+    std::copy(corners.begin(), corners.end(), simplex.vertices);
     simplices_.push_back(simplex);
     if constexpr (D == 3) {
-      for (const uint32_t q : simplex.others) add_ridge({q}, h, c);
+      for (uint32_t k = 1; k < D; ++k) add_ridge(corners[k], h, c);
     } else {
-      add_ridge({}, h, c);
+      add_ridge(kNone, h, c);
     }
   }
 }
@@ -135,7 +136,7 @@ void WallSweep<D>::add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t f
 template <int D>
 void WallSweep<D>::add_lone_ridges(const Array<Cell>& star) {
   if constexpr (D == 2) {
-    if (vertex_marked(env_, vertex_)) add_ridge({}, {}, front_);
+    if (vertex_marked(env_, vertex_)) add_ridge(kNone, {}, front_);
   } else if (env_.marked_edges != 0) {
     for (const Cell c : star) {
       const Shape shape = env_.map.shape(c);
@@ -143,21 +144,22 @@ void WallSweep<D>::add_lone_ridges(const Array<Cell>& star) {
         if (env_.map.vertex(c, shape.dart_vertex(d)) != vertex_) continue;
         for (const uint32_t end : {shape.beta1(d), shape.beta0(d)}) {
           const uint32_t q = env_.map.vertex(c, shape.dart_vertex(end));
-          if (edge_marked(env_, vertex_, q)) add_ridge({q}, {}, c);
+          if (edge_marked(env_, vertex_, q)) add_ridge(q, {}, c);
         }
       }
     }
   }
 }
 
+/** @param other the other end of the ridge, in the plane kNone. */
 template <int D>
-void WallSweep<D>::add_ridge(const std::array<uint32_t, D - 2>& others, HalfFacet facet, Cell cell) {
-  for (WallPart<D - 2>& ridge : ridges_) {
-    if (ridge.others != others) continue;
+void WallSweep<D>::add_ridge(uint32_t other, HalfFacet facet, Cell cell) {
+  for (WallFeature& ridge : ridges_) {
+    if (ridge.vertices[1] != other) continue;
     if (env_.map.marked(ridge.cell)) ridge.cell = cell;
     return;
   }
-  ridges_.push_back({others, facet, cell});
+  ridges_.push_back({{vertex_, other, kNone}, D - 1, facet, cell});
 }
 
 template <int D>
@@ -181,34 +183,32 @@ bool WallSweep<D>::comes_near(const Body<D>& body, const Feature& feature, const
   for (const uint32_t v : SimplexCorners<D>(body, simplex_of(feature))) part.points[part.count++] = body.position(v);
   const double wanted = least_kept(body.radius);
   bool any = false;
-  const auto look = [&](const uint32_t* others, size_t count, HalfFacet facet, Cell cell) {
+  const auto look = [&](const WallFeature& each) {
     ConvexHull wall{{from}, 1};
-    for (size_t k = 0; k < count; ++k) wall.points[wall.count++] = env_.point(others[k]);
+    for (uint32_t k = 1; k < each.count; ++k) wall.points[wall.count++] = env_.point(each.vertices[k]);
     WallHit found;
     HullGap gap;
     found.time = time_apart<D>(wall, to, part, wanted, &gap);
     if (found.time == 1) return;
-    found.wall = facet;
-    found.cell = cell;
-    std::copy_n(others, count, found.others);
+    found.wall = each;
     std::copy_n(gap.other_weights, 3, found.shares);
     // The hull is the wall at the start, and its vertex where it is then.
-    found.moving_share = gap.weights[0] + gap.weights[count + 1];
+    found.moving_share = gap.weights[0] + gap.weights[each.count];
     store<3>(is_zero(gap.normal) ? unit(difference<D>(to, from)) : Vec(Vec::Zero() - gap.normal), found.normal);
     keep_first(found, hit, &any);
   };
-  for (const WallPart<D - 1>& each : simplices_) look(each.others.data(), D - 1, each.facet, each.cell);
-  for (const WallPart<D - 2>& each : ridges_) {
-    if (!each.facet.valid()) look(each.others.data(), D - 2, {}, each.cell);
+  for (const WallFeature& each : simplices_) look(each);
+  for (const WallFeature& each : ridges_) {
+    if (!each.facet.valid()) look(each);
   }
-  if (simplices_.empty() && ridges_.empty() && impassable_) look(nullptr, 0, {}, front_);
+  if (simplices_.empty() && ridges_.empty() && impassable_) look({{vertex_, kNone, kNone}, 1, {}, front_});
   return any;
 }
 
 template <int D>
 bool WallSweep<D>::meets_point(const double* x, const double* from, const double* to, WallHit* hit) const {
   bool any = false;
-  for (const WallPart<D - 1>& simplex : simplices_) {
+  for (const WallFeature& simplex : simplices_) {
     const double* swept[D + 1];
     read_swept(env_, simplex, from, to, swept);
     if (are_apart<D>(swept, D + 1, &x, 1) || !is_inside<D>(swept, x)) continue;
@@ -222,7 +222,7 @@ bool WallSweep<D>::meets_edge(const Body<D>& body, uint32_t e, const double* fro
                               WallHit* hit) const {
   bool any = false;
   const double* const ends[2] = {body.position(body.edges[e].ends[0]), body.position(body.edges[e].ends[1])};
-  for (const WallPart<D - 2>& ridge : ridges_) {
+  for (const WallFeature& ridge : ridges_) {
     if (!ridge.facet.valid() && !sweeps_edges(body.level)) continue;
     const double* swept[D];
     read_swept(env_, ridge, from, to, swept);
@@ -245,7 +245,8 @@ bool WallSweep<D>::meets_face([[maybe_unused]] const Body<D>& body, [[maybe_unus
     const SweptTriangle triangle({face[0], face[1], face[2]});
     const int side = triangle.side(to);
     if (side * triangle.side(from) >= 0 || triangle.outside(from, to, side) != 0) return false;
-    const WallPart<0> vertex{{}, simplices_.empty() ? HalfFacet{} : simplices_.front().facet, front_};
+    const HalfFacet facet = simplices_.empty() ? HalfFacet{} : simplices_.front().facet;
+    const WallFeature vertex{{vertex_, kNone, kNone}, 1, facet, front_};
     *hit = hit_of<D>(vertex, way, face);
     return true;
   }
@@ -262,7 +263,7 @@ static Vec normal_of(const Vec& a, const Vec& b) {  // sides from one corner
 
 template <int D>
 Vec find_end_normal(const Environment<D>& env, const WallHit& hit, const double* const* corners, const double* to) {
-  const auto to_other = [&](int k) { return difference<D>(env.point(hit.others[k]), to); };
+  const auto to_other = [&](int k) { return difference<D>(env.point(hit.wall.vertices[k + 1]), to); };
   const auto side = [&](int k) { return difference<D>(corners[k], corners[0]); };
   if constexpr (D == 2) {
     return turned(hit.feature.is_point() ? to_other(0) : side(1));
@@ -287,75 +288,92 @@ void find_way_left(const Vec& normal, const Vec& way, const double* touched, con
   store<D>(sense > 0 ? out : sense < 0 ? Vec(-1.0 * out) : to_vec<D>(touch.normal), touch.end_normal);
 }
 
+/** What comes too near to a thick body. */
+template <int D>
+WallTouch describe_near(const Occupants<D>& all, const WallHit& hit) {
+  WallTouch touch;
+  const Body<D>& body = *all.bodies[hit.feature.owner].body;
+  Vec point = Vec::Zero();
+  int k = 0;
+  for (const uint32_t v : SimplexCorners<D>(body, simplex_of(hit.feature)))
+    point += hit.shares[k++] * to_vec<D>(body.position(v));
+  store<D>(point, touch.point);
+  std::copy_n(hit.normal, D, touch.normal);
+  std::copy_n(hit.normal, D, touch.end_normal);
+  touch.left = std::min(hit.moving_share, 1.0) * (1 - hit.time);
+  std::copy_n(hit.shares, 3, touch.weights);
+  if (hit.feature.kind == Feature::kEdge) touch.along = hit.shares[1];
+  return touch;
+}
+
+/** Point, weights and normal of a touched edge, whose corners are these; the moving vertex is `at` a place on `way`. */
+template <int D>
+Vec describe_edge(const double* const* corners, const double* other, const double* from, const double* at,
+                  const Vec& way, WallTouch& touch) {
+  const double *const x = corners[0], *const y = corners[1];
+  const Vec edge = difference<D>(y, x);
+  double along;
+  Vec normal;
+  if constexpr (D == 3) {
+    const Vec wall = unit(difference<D>(other, at)), across = edge.cross(wall);
+    const double size = dot(across, across);
+    along = size > 0 ? dot(difference<D>(at, x).cross(wall), across) / size : 0.5;
+    normal = unit(wall.cross(unit(edge)));
+  } else {
+    const double* const line[2] = {x, y};
+    const int k = std::fabs(edge.x()) < std::fabs(edge.y()) ? 1 : 0;
+    const double size = y[k] / 2 - x[k] / 2;  // halves, which do not overflow
+    along = size != 0 ? (at[k] / 2 - x[k] / 2) / size : 0.5;
+    normal = Vec::Zero() - normal_on<2>(orient<2>(line, from), line, way);
+  }
+  touch.along = std::min(std::max(along, 0.0), 1.0);
+  point_at<D>(x, y, touch.along, touch.point);
+  touch.weights[0] = 1 - touch.along;
+  touch.weights[1] = touch.along;
+  return normal;
+}
+
+/** Weights and normal of a touched face. */
+template <int D>
+Vec describe_face(const double* const* corners, const double* at, WallTouch& touch) {
+  std::copy_n(at, D, touch.point);
+  const Vec normal = unit(difference<D>(corners[1], corners[0]).cross(difference<D>(corners[2], corners[0])));
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vec a = difference<D>(corners[(k + 1) % 3], at), b = difference<D>(corners[(k + 2) % 3], at);
+    touch.weights[k] = std::max(0.0, dot(normal, a.cross(b)));
+    sum += touch.weights[k];
+  }
+  for (double& weight : touch.weights) weight = sum > 0 && std::isfinite(sum) ? weight / sum : 1.0 / 3;
+  return normal;
+}
+
 }  // namespace
 
 template <int D>
 WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
                          const double* to) {
+  if (hit.shares[0] + hit.shares[1] + hit.shares[2] > 0) return describe_near(all, hit);
   WallTouch touch;
-  if (hit.shares[0] + hit.shares[1] + hit.shares[2] > 0) {
-    const Body<D>& body = *all.bodies[hit.feature.owner].body;
-    Vec point = Vec::Zero();
-    int k = 0;
-    for (const uint32_t v : SimplexCorners<D>(body, simplex_of(hit.feature)))
-      point += hit.shares[k++] * to_vec<D>(body.position(v));
-    store<D>(point, touch.point);
-    std::copy_n(hit.normal, D, touch.normal);
-    std::copy_n(hit.normal, D, touch.end_normal);
-    touch.left = std::min(hit.moving_share, 1.0) * (1 - hit.time);
-    std::copy_n(hit.shares, 3, touch.weights);
-    if (hit.feature.kind == Feature::kEdge) touch.along = hit.shares[1];
-    return touch;
-  }
   double at[D];
   point_at<D>(from, to, hit.time, at);
   const Vec way = difference<D>(to, from);
-  const auto to_other = [&](int k) { return difference<D>(env.point(hit.others[k]), at); };
+  const auto other = [&](int k) { return env.point(hit.wall.vertices[k + 1]); };
   Vec normal;
   const double* corners[3] = {touch.point};
   if (hit.feature.is_point()) {
     std::copy_n(position(all, hit.feature), D, touch.point);
     if constexpr (D == 3) {
-      normal = unit(to_other(0).cross(to_other(1)));
+      normal = unit(difference<D>(other(0), at).cross(difference<D>(other(1), at)));
     } else {
-      normal = Vec::Zero() - swing_normal({from, to, env.point(hit.others[0])}, at, touch.point);
+      normal = Vec::Zero() - swing_normal({from, to, other(0)}, at, touch.point);
     }
-  } else if (hit.feature.kind == Feature::kEdge) {
-    const Body<D>& body = *all.bodies[hit.feature.owner].body;
-    const double *const x = body.position(body.edges[hit.feature.index].ends[0]),
-                        *const y = body.position(body.edges[hit.feature.index].ends[1]);
-    const Vec edge = difference<D>(y, x);
-    double along;
-    corners[0] = x;
-    corners[1] = y;
-    if constexpr (D == 3) {
-      const Vec wall = unit(to_other(0)), across = edge.cross(wall);
-      const double size = dot(across, across);
-      along = size > 0 ? dot(difference<D>(at, x).cross(wall), across) / size : 0.5;
-      normal = unit(wall.cross(unit(edge)));
-    } else {
-      const double* const line[2] = {x, y};
-      const int k = std::fabs(edge.x()) < std::fabs(edge.y()) ? 1 : 0;
-      const double size = y[k] / 2 - x[k] / 2;  // halves, which do not overflow
-      along = size != 0 ? (at[k] / 2 - x[k] / 2) / size : 0.5;
-      normal = Vec::Zero() - normal_on<2>(orient<2>(line, from), line, way);
-    }
-    touch.along = std::min(std::max(along, 0.0), 1.0);
-    point_at<D>(x, y, touch.along, touch.point);
-    touch.weights[0] = 1 - touch.along;
-    touch.weights[1] = touch.along;
   } else {
     const Body<D>& body = *all.bodies[hit.feature.owner].body;
-    for (int k = 0; k < 3; ++k) corners[k] = body.position(body.faces[hit.feature.index].corners[k]);
-    std::copy_n(at, D, touch.point);
-    normal = unit(difference<D>(corners[1], corners[0]).cross(difference<D>(corners[2], corners[0])));
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-      const Vec a = difference<D>(corners[(k + 1) % 3], at), b = difference<D>(corners[(k + 2) % 3], at);
-      touch.weights[k] = std::max(0.0, dot(normal, a.cross(b)));
-      sum += touch.weights[k];
-    }
-    for (double& weight : touch.weights) weight = sum > 0 && std::isfinite(sum) ? weight / sum : 1.0 / 3;
+    int count = 0;
+    for (const uint32_t v : SimplexCorners<D>(body, simplex_of(hit.feature))) corners[count++] = body.position(v);
+    normal = count == 2 ? describe_edge<D>(corners, D == 3 ? other(0) : nullptr, from, at, way, touch)
+                        : describe_face<D>(corners, at, touch);
   }
   if constexpr (D == 3) {
     if (is_zero(normal)) normal = unit(way);

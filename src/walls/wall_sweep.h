@@ -4,9 +4,8 @@
 // simplex of n + 2: in space a triangle sweeps a tetrahedron, an edge a triangle, the vertex a segment; in the plane a
 // side sweeps a triangle, the vertex a segment.
 
-#include <array>
-
 #include "base/vec.h"
+#include "corridor/candidates.h"
 #include "walls/occupants.h"
 
 namespace dsw {
@@ -15,24 +14,13 @@ namespace dsw {
 struct WallHit {
   double time = 0;  // fraction of the vertex's way, rounded down
   Feature feature;
-  HalfFacet wall;                       // impassable; invalid for a marked edge and a marked vertex
-  Cell cell;                            // at the wall, the edge or the vertex
-  uint32_t others[2] = {kNone, kNone};  // with the vertex the part of the wall that touches; kNone beyond that
+  WallFeature wall{};  // what touches it, the moving vertex first
   // If the wall comes too near to a thick body: weights of the feature's corners, that of the moving vertex in the point
   // of the wall that is nearest, and the direction out of the wall. Otherwise the weights are 0.
   double shares[3] = {}, moving_share = 0;
   double normal[3] = {};
 
   bool operator<(const WallHit& o) const { return time != o.time ? time < o.time : feature < o.feature; }
-};
-
-/** A part of a wall at the moving vertex: `Count` other vertices, the facet that makes it one (invalid for a marked
- * edge and a marked vertex), and a cell there, passable if there is one. */
-template <size_t Count>
-struct WallPart {
-  std::array<uint32_t, Count> others;
-  HalfFacet facet;
-  Cell cell;
 };
 
 template <int D>
@@ -52,7 +40,7 @@ class WallSweep {
  private:
   void add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t facet);
   void add_lone_ridges(const Array<Cell>& star);
-  void add_ridge(const std::array<uint32_t, D - 2>& others, HalfFacet facet, Cell cell);
+  void add_ridge(uint32_t other, HalfFacet facet, Cell cell);
   bool meets_point(const double* x, const double* from, const double* to, WallHit* hit) const;
   bool meets_edge(const Body<D>& body, uint32_t e, const double* from, const double* to, WallHit* hit) const;
   bool comes_near(const Body<D>& body, const Feature& feature, const double* from, const double* to,
@@ -63,8 +51,9 @@ class WallSweep {
   uint32_t vertex_ = kNone;
   Cell front_;               // at the vertex, passable if there is one
   bool impassable_ = false;  // the vertex: by its mark, or by a ridge, as every wall has one at it
-  Array<WallPart<D - 1>> simplices_{env_.memory};  // of facets: met by points
-  Array<WallPart<D - 2>> ridges_{env_.memory};     // of those, and marked edges; in the plane the vertex: met by edges
+  // What is at the vertex, which comes first, each with a cell there that is passable if there is one.
+  Array<WallFeature> simplices_{env_.memory};  // of facets: met by points
+  Array<WallFeature> ridges_{env_.memory};     // of those, and marked edges; in the plane the vertex: met by edges
 };
 
 /** Where and how a hit touches. */

@@ -239,11 +239,11 @@ class EdgeOfGround {
       for (uint32_t i = 0; i < 2; ++i) {
         ends_[i].start = body_.position(i);
         ends_[i].end = way_.to[i].data();
-        ends_[i].from = ends_[i].to = place_of(i);
+        ends_[i].from = ends_[i].arrival = place_of(i);
         if (way_.from[i] == way_.to[i]) continue;  // what its last path crossed stays
         const CastResult path = fly(way_.from[i], way_.to[i], place_of(i));
         is_free = is_free && path.end == CastEnd::kReached;
-        ends_[i].to = path.end == CastEnd::kReached ? path.cell : Cell{};
+        ends_[i].arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
         ends_[i].crossed = path_facets(env_->map, place_of(i), path);
       }
       if (is_free) return true;
@@ -341,13 +341,13 @@ class EdgeOfGround {
     }
     if (chance(0.2)) return;  // it does not go there
     for (Body<D>* body : {&body_, &other_}) {
-      for (uint32_t i = 0; i < 2; ++i) put_vertex(*body, i, way_.to[i].data(), ends_[i].to);
+      for (uint32_t i = 0; i < 2; ++i) put_vertex(*body, i, way_.to[i].data(), ends_[i].arrival);
     }
   }
   /** Whether an edge whose paths are free is known to touch nothing. */
   bool says_nothing(MovingCorridors<D>& corridors, Body<D>& body) {
     answer_ = corridors.ask(body.corridors[0], body.call, ends_, {ends_[0].end, ends_[1].end}, true);
-    return answer_ == Verdict::kHolds && ends_[0].to.valid() && ends_[1].to.valid();
+    return answer_ == Verdict::kHolds && ends_[0].arrival.valid() && ends_[1].arrival.valid();
   }
   /** What the edge touches first is among what it may touch: on a lattice what the shifted edge touches first. */
   void check_features() {
@@ -376,10 +376,10 @@ class EdgeOfGround {
   /** What is kept where a way is known to be free. */
   void check_corridor(Body<D>& body, const Corridor<D>& before) {
     Corridor<D> truth{Array<uint32_t>::allocator_type(nullptr)};
-    ASSERT_TRUE(rings_.passes(way_.to[0], way_.to[1], ends_[0].to, truth));
-    ASSERT_TRUE(truth.portal.back == ends_[1].to || truth.facets.empty());
+    ASSERT_TRUE(rings_.passes(way_.to[0], way_.to[1], ends_[0].arrival, truth));
+    ASSERT_TRUE(truth.portal.back == ends_[1].arrival || truth.facets.empty());
     const auto follows_it = [&](Corridor<D>& each) {
-      return dsw::follows(*env_, each, way_.to[0].data(), way_.to[1].data(), ends_[0].to, ends_[1].to);
+      return dsw::follows(*env_, each, way_.to[0].data(), way_.to[1].data(), ends_[0].arrival, ends_[1].arrival);
     };
     Corridor<D> kept = body.corridors[0];
     ASSERT_TRUE(kept.known());
@@ -417,7 +417,7 @@ class EdgeOfGround {
   std::unique_ptr<Environment<D>> env_;
   Obstacles<D> obstacles_;
   Body<D> body_{nullptr}, other_{nullptr};
-  typename MovingCorridors<D>::End ends_[2] = {};
+  PointWay ends_[2] = {};
   MovingCorridors<D> corridors_, fresh_;
   KnownRings<D> rings_;
   Verdict answer_{};

@@ -29,7 +29,7 @@ TEST(MovingCorridors, KeepToBoxes) {
         double places[4] = {1.5, 3.5, to + 0.5, 3.4};
         if (back) std::swap(places[0], places[2]);
         const int cells[4] = {back ? to : 1, 3, back ? 1 : to, 3};
-        MovingCorridors<3>::End ends[2];
+        PointWay ends[2];
         double at[2][3], end[2][3];
         for (int i = 0; i < 2; ++i) {
           const int k = i ^ first;
@@ -49,7 +49,7 @@ TEST(MovingCorridors, KeepToBoxes) {
             << first << back << to;
         const Corridor<3>& kept = body.corridors[0];
         EXPECT_EQ(kept.facets.size(), static_cast<size_t>(3 - cells[2]));
-        EXPECT_TRUE(kept.portal.front == ends[0].to && kept.portal.back == ends[1].to);
+        EXPECT_TRUE(kept.portal.front == ends[0].arrival && kept.portal.back == ends[1].arrival);
       }
     }
   }
@@ -76,7 +76,7 @@ TEST(MovingCorridors, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
     add_edge(body, 0, 1);
     const CastResult path = cast(*env, at[0], to, start);
     const Cell arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
-    const MovingCorridors<2>::End ends[2] = {{at[0], to, start, arrival, path_facets(env->map, start, path)},
+    const PointWay ends[2] = {{at[0], to, start, arrival, path_facets(env->map, start, path)},
                                              {at[1], at[1], start, start, {}}};
     ASSERT_EQ(arrival.valid(), end < 1);
     ASSERT_EQ(ends[0].crossed.count, 1u);

@@ -178,7 +178,9 @@ class WallSweepTest : public testing::Test {
                   const Exacts<kAxes>& touched) const {
     Exacts<kAxes> at_start = {from}, at_end = {to};
     for (Exacts<kAxes>* each : {&at_start, &at_end}) {
-      for (int k = 0; k < 2 && hit.others[k] != kNone; ++k) each->push_back(fixed<kAxes>(env_->point(hit.others[k])));
+      for (int k = 0; k < 2 && hit.wall.vertices[k + 1] != kNone; ++k) {
+        each->push_back(fixed<kAxes>(env_->point(hit.wall.vertices[k + 1])));
+      }
       each->insert(each->end(), touched.begin(), touched.end());
       if (each->size() != kAxes + 1) return false;
     }
@@ -243,7 +245,7 @@ TYPED_TEST(WallSweepTest, FindsWhatIsTouched) {
       ASSERT_EQ(walls.meets(all, {Feature::kVertex, 0, 0}, from, to, &hit), touched);
       if (touched) {
         ASSERT_TRUE(this->is_time_of(hit, a, b, {plain[0]}));
-        Exacts<D> at_start = this->swept(a, plain[0], {hit.others, hit.others + (D - 1)});
+        Exacts<D> at_start = this->swept(a, plain[0], {hit.wall.vertices + 1, hit.wall.vertices + D});
         with_ties += volume(at_start) == 0 ? 1 : 0;
       }
       met[0] += touched;
@@ -292,8 +294,8 @@ TYPED_TEST(WallSweepTest, MeetsWhatStandsAloneFromEdgesSweptOn) {
   WallHit hit;
   body.level = SweepLevel::kEdgesSwept;
   EXPECT_TRUE(walls.meets(all, {Feature::kEdge, 0, 0}, from, to, &hit));
-  EXPECT_FALSE(hit.wall.valid());
-  EXPECT_EQ(hit.others[0], D == 3 ? 14u : kNone);
+  EXPECT_FALSE(hit.wall.facet.valid());
+  EXPECT_EQ(hit.wall.vertices[1], D == 3 ? 14u : kNone);
   body.level = SweepLevel::kEdges;
   EXPECT_FALSE(walls.meets(all, {Feature::kEdge, 0, 0}, from, to, &hit));
 }
