@@ -57,23 +57,7 @@ Box<D> RigidMove<D>::reach(const Body<D>& body) const noexcept {
   return box;
 }
 
-template <int D>
-RigidMotion<D> ShapeMove<D>::moved(double fraction) const noexcept {
-  const RigidMotion<D> part = move.part(fraction);
-  RigidMotion<D> all = shape.moved;
-  all.add_about(part.rotation, part.centre, part.translation);
-  return all;
-}
-
-template <int D>
-void ShapeMove<D>::place(const void* user, uint32_t vertex, const double*, double fraction, double* to) noexcept {
-  const ShapeMove& m = *static_cast<const ShapeMove*>(user);
-  m.moved(fraction).place(rest_of(m.shape, vertex), to);
-}
-
 template class RigidMove<2>;
 template class RigidMove<3>;
-template struct ShapeMove<2>;
-template struct ShapeMove<3>;
 
 }  // namespace dsw

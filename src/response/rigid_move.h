@@ -31,17 +31,4 @@ class RigidMove {
   Vec centre_, translation_;
 };
 
-/** The motion of a body that keeps its shape, added to those that the shape has made. */
-template <int D>
-struct ShapeMove {
-  const RigidMove<D>& move;
-  const RigidShape<D>& shape;
-
-  /** All of them, with a fraction of this one. */
-  RigidMotion<D> moved(double fraction) const noexcept;
-  /** Finds where a point is at a fraction of the motion, as RigidMove::place does: a PlaceFn whose `user` is this
-   * ShapeMove. */
-  static void place(const void* user, uint32_t vertex, const double* from, double fraction, double* to) noexcept;
-};
-
 }  // namespace dsw

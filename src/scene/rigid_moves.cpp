@@ -3,6 +3,28 @@
 #include <utility>
 
 namespace dsw {
+namespace {
+
+/** The motion of a body that keeps its shape, added to those that the shape has made. */
+template <int D>
+struct ShapeMove {
+  const RigidMove<D>& move;
+  const RigidShape<D>& shape;
+
+  RigidMotion<D> moved(double fraction) const noexcept {
+    const RigidMotion<D> part = move.part(fraction);
+    RigidMotion<D> all = shape.moved;
+    all.add_about(part.rotation, part.centre, part.translation);
+    return all;
+  }
+  /** Finds where a vertex is at a fraction of the motion: a PlaceFn whose `user` is this ShapeMove. */
+  static void place(const void* user, uint32_t vertex, const double*, double fraction, double* to) noexcept {
+    const ShapeMove& m = *static_cast<const ShapeMove*>(user);
+    m.moved(fraction).place(rest_of(m.shape, vertex), to);
+  }
+};
+
+}  // namespace
 
 template <int D>
 bool stays_finite(const Body<D>& body, const RigidMove<D>& motion) noexcept {

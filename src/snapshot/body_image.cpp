@@ -52,12 +52,82 @@ void append_sequence(const Map<D>& map, const Corridor<D>& sequence, Array<uint3
   }
 }
 
+/** Vertices, edges and faces, with their slots. */
+template <int D>
+void append_parts(const Map<D>& map, const Body<D>& body, SceneImage& image) {
+  const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
+    append(to, from.data(), from.size());
+  };
+  for (const BodyVertex<D>& vertex : body.vertices) {
+    append(image.vertex_places, vertex.position, D);
+    append(image.vertices, {to_index(map, vertex.cell), vertex.first_edge});
+  }
+  append_all(image.vertex_slots, body.vertex_slots.words());
+  append_all(image.free_vertices, body.vertex_slots.free_slots());
+  for (const BodyEdge& e : body.edges) {
+    append(image.edges, {e.ends[0], e.ends[1], e.next[0], e.next[1], e.faces[0], e.faces[1]});
+  }
+  append_all(image.edge_slots, body.edge_slots.words());
+  append_all(image.free_edges, body.edge_slots.free_slots());
+  for (const BodyFace& face : body.faces) append(image.faces, face.corners, 3);
+  append_all(image.face_slots, body.face_slots.words());
+  append_all(image.free_faces, body.face_slots.free_slots());
+  append_all(image.inserted, body.inserted);
+}
+
+/** Corridors of edges, and balls of vertices. */
+template <int D>
+void append_forecasts(const Scene<D>& scene, const BodyRecord<D>& of, size_t sequences, size_t balls,
+                      SceneImage& image) {
+  const Environment<D>& env = scene.env;
+  const Body<D>& body = of.body;
+  for (size_t e = 0; e < sequences; ++e) {
+    const Corridor<D>& sequence = body.corridors[e];
+    const bool gone = scene.features.live && scene.live.get()->gone.are_in(sequence, of.followed);
+    if (gone) {
+      append(image.sequences, {kUnknownSequence});
+    } else {
+      append_sequence(env.map, sequence, image.sequences);
+    }
+  }
+  for (size_t v = 0; v < balls; ++v) {
+    const Clearance<D>& ball = body.clearances[v];
+    append(image.balls, ball.centre, D);
+    append(image.balls, {ball.radius, ball.wanted});
+    append(image.ball_words, {ball.wait, ball.patience, ball.is_known(env) ? 1u : 0u});
+  }
+}
+
+/** What the last move has left to read. */
+void append_contacts(const MoveRecord& record, SceneImage& image) {
+  for (const dsw_body_contact& contact : record.contacts) {
+    for_each_place(contact, [&](const double* at, size_t count) { append(image.contact_places, at, count); });
+    for_each_word(contact, [&](auto word) { append(image.contacts, {static_cast<uint32_t>(word)}); });
+  }
+  for (const dsw_contact_partner& p : record.partners) {
+    append(image.partners, {p.body.index, p.body.generation, p.vertex.index, p.vertex.generation, p.edge.index,
+                            p.edge.generation, p.face.index, p.face.generation});
+  }
+}
+
+/** What stopped the vertices in earlier moves. */
+template <int D>
+void append_history(const BodyRecord<D>& of, SceneImage& image) {
+  for (const dsw_previous_contact& previous : of.record.previous) {
+    append_touch(previous, image.previous_places, image.previous);
+    append(image.previous, {previous.since, previous.moves, previous.touching});
+  }
+  for (const LastTouch& touch : of.touches.earlier) {
+    append_touch(touch, image.touch_places, image.touches);
+    append(image.touches, {static_cast<uint32_t>(touch.move), static_cast<uint32_t>(touch.move >> 32),
+                           touch.vertex.index, touch.vertex.generation});
+  }
+}
+
 }  // namespace
 
 template <int D>
 void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& content, SceneImage& image) {
-  const Environment<D>& env = scene.env;
-  const Map<D>& map = env.map;
   const Body<D>& body = of.body;
   const size_t edges = body.edges.size(), vertices = body.vertices.size();
   // There can be room for more, or they are no longer kept.
@@ -91,48 +161,9 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& 
   numbers[kRadius] = bits_as<uint64_t>(body.radius);
   numbers[kLengths] = body.lengths.size();
   append(image.bodies, numbers, numbers_of(content.format));
-  const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
-    append(to, from.data(), from.size());
-  };
-  for (const BodyVertex<D>& vertex : body.vertices) {
-    append(image.vertex_places, vertex.position, D);
-    append(image.vertices, {to_index(map, vertex.cell), vertex.first_edge});
-  }
-  append_all(image.vertex_slots, body.vertex_slots.words());
-  append_all(image.free_vertices, body.vertex_slots.free_slots());
-  for (const BodyEdge& e : body.edges) {
-    append(image.edges, {e.ends[0], e.ends[1], e.next[0], e.next[1], e.faces[0], e.faces[1]});
-  }
-  append_all(image.edge_slots, body.edge_slots.words());
-  append_all(image.free_edges, body.edge_slots.free_slots());
-  for (const BodyFace& face : body.faces) append(image.faces, face.corners, 3);
-  append_all(image.face_slots, body.face_slots.words());
-  append_all(image.free_faces, body.face_slots.free_slots());
-  append_all(image.inserted, body.inserted);
-  for (size_t e = 0; e < sequences; ++e) {
-    const Corridor<D>& sequence = body.corridors[e];
-    const bool gone = scene.features.live && scene.live.get()->gone.are_in(sequence, of.followed);
-    if (gone) {
-      append(image.sequences, {kUnknownSequence});
-    } else {
-      append_sequence(map, sequence, image.sequences);
-    }
-  }
-  for (size_t v = 0; v < balls; ++v) {
-    const Clearance<D>& ball = body.clearances[v];
-    append(image.balls, ball.centre, D);
-    append(image.balls, {ball.radius, ball.wanted});
-    append(image.ball_words,
-           {ball.wait, ball.patience, ball.radius > 0 && ball.version == env.obstacle_version ? 1u : 0u});
-  }
-  for (const dsw_body_contact& contact : of.record.contacts) {
-    for_each_place(contact, [&](const double* at, size_t count) { append(image.contact_places, at, count); });
-    for_each_word(contact, [&](auto word) { append(image.contacts, {static_cast<uint32_t>(word)}); });
-  }
-  for (const dsw_contact_partner& p : of.record.partners) {
-    append(image.partners, {p.body.index, p.body.generation, p.vertex.index, p.vertex.generation, p.edge.index,
-                            p.edge.generation, p.face.index, p.face.generation});
-  }
+  append_parts(scene.env.map, body, image);
+  append_forecasts(scene, of, sequences, balls, image);
+  append_contacts(of.record, image);
   if (content.format < kHistoryFormat) return;
   for (const RigidShape<D>& shape : body.shape) {
     append(image.shapes, shape.moved.rotation, 4);
@@ -140,15 +171,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& 
     append(image.shapes, shape.moved.translation, D);
     if (has_rest) append(image.shapes, shape.rest.data(), shape.rest.size());
   }
-  for (const dsw_previous_contact& previous : of.record.previous) {
-    append_touch(previous, image.previous_places, image.previous);
-    append(image.previous, {previous.since, previous.moves, previous.touching});
-  }
-  for (const LastTouch& touch : of.touches.earlier) {
-    append_touch(touch, image.touch_places, image.touches);
-    append(image.touches, {static_cast<uint32_t>(touch.move), static_cast<uint32_t>(touch.move >> 32),
-                           touch.vertex.index, touch.vertex.generation});
-  }
+  append_history(of, image);
   if (content.format < kTouchedFormat) return;
   for (size_t i = 0; i < touched; ++i) {
     for (const TouchedLine& line : body.touched[i].lines) append(image.touched, line.vertices, 2);

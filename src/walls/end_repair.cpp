@@ -120,6 +120,22 @@ typename EndRepair<D>::Look EndRepair<D>::look(uint32_t owner, Way* way) {
   return free ? Look::kFree : Look::kStuck;
 }
 
+/** Adds up the normals of two walls, and how their corners have gone from `start`. False: there are not two. */
+template <int D>
+static bool add_walls(const Environment<D>& env, const double* start, const CastResult (&met)[2], Vec& normal,
+                      Vec& motion) noexcept {
+  for (const CastResult& each : met) {
+    if (each.end != CastEnd::kHit) return false;
+    const double* wall[D];
+    boundary_points(env, each.cell, each.simplex, wall);
+    double n[D];
+    unit_normal<D>(wall, n);
+    normal = normal - to_vec<D>(n);
+    for (const double* const corner : wall) motion = motion + difference<D>(corner, start + (corner - env.points));
+  }
+  return true;
+}
+
 /** Whether an edge is not free; then how far which of its points has to move to pass what it meets: in the sense of the
  * normals of the walls that are met from both ends, or if these are opposite in that of the wall's motion. No wall:
  * that is not known. */
@@ -131,17 +147,8 @@ bool EndRepair<D>::find_way(const Body<D>& body, uint32_t edge, Way* way) const 
   const CastResult met[2] = {cast(env_, p->position, q->position, p->cell),
                              cast(env_, q->position, p->position, q->cell)};
   if (met[0].end == CastEnd::kReached && met[0].cell == q->cell) return false;
-  const double* walls[2][D];
   Vec normal, motion;
-  for (int side = 0; side < 2; ++side) {
-    if (met[side].end != CastEnd::kHit) return true;
-    boundary_points(env_, met[side].cell, met[side].simplex, walls[side]);
-    double n[D];
-    unit_normal<D>(walls[side], n);
-    normal = normal - to_vec<D>(n);
-    for (const double* const corner : walls[side])
-      motion = motion + difference<D>(corner, start_ + (corner - env_.points));
-  }
+  if (!add_walls(env_, start_, met, normal, motion)) return true;
   const Vec line = unit(difference<D>(q->position, p->position));
   normal = across(normal, line);
   // If the normals are opposite but for rounding, nothing meaningful is left of their sum.
