@@ -46,7 +46,10 @@ typedef enum dsw_response {
 enum {
   /** Slides stay before the last six walls touched in this move, and end in a corner; without the
    * flag, before the last two. */
-  DSW_MOVE_KEEP_WALLS = 0x1
+  DSW_MOVE_KEEP_WALLS = 0x1,
+  /** For dsw_body_move_rigid: after the first touch the body slides as a whole, in at most `passes`
+   * further motions (0: 32). @since 2.1 */
+  DSW_MOVE_SLIDE_WHOLE = 0x2
 };
 
 /** Options of a move. */
@@ -117,9 +120,11 @@ typedef struct dsw_rigid_motion {
   double translation[3];
 } dsw_rigid_motion;
 
-/** Moves a body rigidly, on its arc, up to the first touch (dsw_sweep_rigid_pairs).
- * @param options only `order`, of all vertices, counts.
- * @note Cost: as dsw_body_move, and cells in its box. */
+/** Moves a body rigidly, on its arc, up to the first touch (dsw_sweep_rigid_pairs). With
+ * DSW_MOVE_SLIDE_WHOLE it goes on with what the touched walls allow of the rest, in rigid motions that
+ * each end nearer to the target; `fraction` is of the first one.
+ * @param options only `order`, of all vertices, and with this flag `passes` count.
+ * @note Cost: as dsw_body_move, and cells in its box, for each motion. */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);
@@ -150,6 +155,11 @@ DSW_API dsw_status dsw_body_find_free_fractions(const dsw_scene *scene, dsw_body
                                                 const uint32_t *offsets, size_t path_count,
                                                 dsw_free_fraction *fractions,
                                                 dsw_body_contact *contacts);
+
+/** Gives the motion from where dsw_body_move_rigid has left a body to where it should be; after a
+ * motion made whole, any other move, or loading, the identity. @since 2.1 */
+DSW_API dsw_status dsw_body_get_motion_left(const dsw_scene *scene, dsw_body_id body,
+                                            dsw_rigid_motion *motion);
 
 /** Gives the contacts of the last move of a body, in order. */
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body,

@@ -12,7 +12,7 @@ using dsw::fail;
 
 namespace {
 
-constexpr uint32_t kFlags = DSW_MOVE_KEEP_WALLS, kMostPasses = 64;
+constexpr uint32_t kFlags = DSW_MOVE_KEEP_WALLS, kMostPasses = 64, kRigidRounds = 32;
 
 dsw::MoveSettings to_settings(const dsw_move_options& o) {
   dsw::MoveSettings s;
@@ -130,8 +130,9 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
     dsw::require(motion, "motion");
-    const dsw_move_options o = capi::read_optional(options, "options", kFlags);
-    to_settings(o);
+    const dsw_move_options o = capi::read_optional(options, "options", kFlags | DSW_MOVE_SLIDE_WHOLE);
+    const uint32_t passes = to_settings(o).passes;
+    const uint32_t rounds = (o.flags & DSW_MOVE_SLIDE_WHOLE) == 0 ? 0 : passes != 0 ? passes : kRigidRounds;
     const dsw::MoveOrder order = to_order(of.scene, of.body, o);
     if (order.vertices != nullptr && order.count != of.body.vertex_slots.alive_count()) {
       fail(DSW_STATUS_WRONG_SIZE, "options->order has %zu vertices of %zu: a rigid body moves as a whole", order.count,
@@ -140,10 +141,20 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
     const dsw::RigidMove<D> rigid = to_motion<D>(*motion);
     if (!stays_finite(of.body, rigid)) fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
     capi::Recorded call(scene, capi::row_of<dsw_body_move_rigid>, body, motion, &o);
-    move_rigid(of.scene, of.record, rigid, order);
+    move_rigid(of.scene, of.record, rigid, order, rounds);
     dsw::BodyRecord<D>* const record = &of.record;
     call.done(capi::Moved<D>{&record, 1});
     if (report != nullptr) *report = capi::to_report(of.record.record);
+  });
+}
+
+dsw_status dsw_body_get_motion_left(const dsw_scene* scene, dsw_body_id body, dsw_rigid_motion* motion) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    dsw::require(motion, "motion");
+    const dsw::PlainMotion& left = of.record.record.left;
+    std::copy_n(left.rotation, 4, motion->rotation);
+    std::copy_n(left.centre, 3, motion->centre);
+    std::copy_n(left.translation, 3, motion->translation);
   });
 }
 

@@ -41,6 +41,13 @@ struct MoveOrder {
 /** Where a vertex that was at `from` is at a fraction of a motion of the whole body. */
 using PlaceFn = void (*)(const void* user, uint32_t vertex, const double* from, double fraction, double* to);
 
+/** A rigid motion as a host gives it, with a quaternion of length 1. */
+struct PlainMotion {
+  double rotation[4] = {0, 0, 0, 1};
+  double centre[3] = {};
+  double translation[3] = {};
+};
+
 /** What a move leaves for the host to read. */
 struct MoveRecord {
   Array<dsw_body_contact> contacts;
@@ -51,6 +58,7 @@ struct MoveRecord {
   double fraction = 1;
   uint32_t moved = 0, stopped = 0, limited = 0;
   SweepCounts sweeps;
+  PlainMotion left;  // of a rigid motion
 
   explicit MoveRecord(const Memory* memory) : contacts(memory), partners(memory), previous(memory), edits(memory) {}
   void add(const dsw_body_contact& contact, const dsw_contact_partner& partner = {}) {
@@ -66,6 +74,7 @@ struct MoveRecord {
     fraction = 1;
     moved = stopped = limited = 0;
     sweeps = {};
+    left = {};
   }
 };
 

@@ -9,7 +9,7 @@
 namespace dsw {
 
 template <int D>
-class RigidMove;
+class BodyMove;
 
 template <int D>
 struct Scene;
@@ -97,6 +97,9 @@ void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint3
  * std::bad_alloc. */
 template <int D>
 void begin_move(const Scene<D>& scene, BodyRecord<D>& of);
+/** The engine of moves of single bodies. */
+template <int D>
+BodyMove<D>& mover_of(Scene<D>& scene);
 /** What a move has left becomes what the host reads; `casts` and contacts are counted. */
 template <int D>
 void end_move(Scene<D>& scene, BodyRecord<D>& of, const CastCounters& casts) noexcept;
@@ -104,10 +107,6 @@ void end_move(Scene<D>& scene, BodyRecord<D>& of, const CastCounters& casts) noe
 /** Targets are finite, one for each vertex slot; `order` names distinct living vertices. */
 template <int D>
 void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrder order, const MoveSettings& settings);
-/** Moves a body rigidly; `place` says where its vertices are, rounded. */
-template <int D>
-void move_body_rigidly(Scene<D>& scene, BodyRecord<D>& body, const RigidMove<D>& motion, PlaceFn place,
-                       const void* user, MoveOrder order);
 /** Bodies, distinct, with their targets one after the other. */
 template <int D>
 void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets,

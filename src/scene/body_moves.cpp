@@ -1,4 +1,4 @@
-// Moves of bodies of a scene: one, one as a rigid whole, and many side by side.
+// Moves of bodies of a scene: one, and many side by side.
 
 #include <atomic>
 #include <new>
@@ -8,18 +8,14 @@
 #include "response/body_move.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
-#include "turning/turning_move.h"
 
 namespace dsw {
-namespace {
 
 template <int D>
 BodyMove<D>& mover_of(Scene<D>& scene) {
   if (scene.mover.get() == nullptr) scene.mover.make(scene.env);
   return *scene.mover.get();
 }
-
-}  // namespace
 
 template <int D>
 void begin_move(const Scene<D>& scene, BodyRecord<D>& of) {
@@ -54,27 +50,6 @@ void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrd
   move.set_notes(&body.kept_near);
   body.touches.prepare(body.record);
   move.move(body.body, targets, order, settings, body.next);
-  end_move(scene, body, casts);
-}
-
-template <int D>
-void move_body_rigidly(Scene<D>& scene, BodyRecord<D>& body, const RigidMove<D>& motion, PlaceFn place,
-                       const void* user, MoveOrder order) {
-  CastCounters casts;
-  BodyMove<D>& move = mover_of(scene);
-  move.set_counters(scene.features.statistics ? &casts : nullptr);
-  Partners<D> partners(scene.memory);
-  follow_changes(scene, body);
-  // Distances are widened by the bend of the way, at most by a radius.
-  if (scene.features.contacts) {
-    find_partners(scene, body.body, widened(motion.reach(body.body), body.body.radius), partners);
-  }
-  move.set_partners(scene.features.contacts ? &partners : nullptr);
-  move.set_notes(&body.kept_near);
-  body.touches.prepare(body.record);
-  if (scene.turning.get() == nullptr) scene.turning.make(scene.env);
-  scene.turning.get()->move(move, body.body, motion, place, user, order, scene.features.contacts ? &partners : nullptr,
-                            body.next);
   end_move(scene, body, casts);
 }
 
@@ -136,7 +111,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
 DSW_INSTANTIATE(begin_move);
 DSW_INSTANTIATE(end_move);
 DSW_INSTANTIATE(move_body);
-DSW_INSTANTIATE(move_body_rigidly);
+DSW_INSTANTIATE(mover_of);
 DSW_INSTANTIATE(move_bodies);
 
 }  // namespace dsw

@@ -1,28 +1,245 @@
+// A body that slides makes several rigid motions, each followed exactly. After the first one what is left of the motion is
+// projected on what the touched walls allow, and the projection is the next motion. It counts if the body comes nearer to its
+// target by it; else the body is taken back.
+
 #include "scene/rigid_moves.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "base/vec.h"
+#include "response/body_move.h"
+#include "scene/meeting.h"
+#include "turning/touched_planes.h"
+#include "turning/turning_move.h"
 
 namespace dsw {
 namespace {
 
-/** The motion of a body that keeps its shape, added to those that the shape has made. */
+/** The rigid motions of one call. */
 template <int D>
-struct ShapeMove {
-  const RigidMove<D>& move;
-  const RigidShape<D>& shape;
+class RigidCall {
+ public:
+  RigidCall(Scene<D>& scene, BodyRecord<D>& of, const MoveOrder& order)
+      : scene_(scene), of_(of), order_(order), mover_(mover_of(scene)), partners_(scene.memory) {
+    mover_.set_counters(scene.features.statistics ? &casts_ : nullptr);
+    follow_changes(scene, of);
+    mover_.set_notes(&of.kept_near);
+    of.touches.prepare(of.record);
+    if (scene.turning.get() == nullptr) scene.turning.make(scene.env);
+  }
+  /** Makes a motion as far as it is free; what was met goes to the record. */
+  void go(const RigidMove<D>& motion, MoveRecord& record) {
+    Body<D>& body = of_.body;
+    // Distances are widened by the bend of the way, at most by a radius.
+    if (scene_.features.contacts) {
+      find_partners(scene_, body, widened(motion.reach(body), body.radius), partners_);
+    }
+    mover_.set_partners(partners());
+    if (!body.is_rigid()) return move(motion, RigidMove<D>::place, &motion, record);
+    RigidShape<D> before = body.shape[0];
+    keep_shape(body);
+    const ShapeMove<D> kept{motion, body.shape[0]};
+    try {
+      move(motion, ShapeMove<D>::place, &kept, record);
+    } catch (...) {
+      std::swap(body.shape[0], before);
+      throw;
+    }
+    if (record.fraction > 0) body.shape[0].moved = kept.moved(record.fraction);
+  }
+  void end() noexcept { end_move(scene_, of_, casts_); }
 
-  RigidMotion<D> moved(double fraction) const noexcept {
-    const RigidMotion<D> part = move.part(fraction);
-    RigidMotion<D> all = shape.moved;
-    all.add_about(part.rotation, part.centre, part.translation);
-    return all;
+ private:
+  const Partners<D>* partners() const { return scene_.features.contacts ? &partners_ : nullptr; }
+  void move(const RigidMove<D>& motion, PlaceFn place, const void* user, MoveRecord& record) {
+    scene_.turning.get()->move(mover_, of_.body, motion, place, user, order_, partners(), record);
   }
-  /** Finds where a vertex is at a fraction of the motion: a PlaceFn whose `user` is this ShapeMove. */
-  static void place(const void* user, uint32_t vertex, const double*, double fraction, double* to) noexcept {
-    const ShapeMove& m = *static_cast<const ShapeMove*>(user);
-    m.moved(fraction).place(rest_of(m.shape, vertex), to);
-  }
+
+  Scene<D>& scene_;
+  BodyRecord<D>& of_;
+  const MoveOrder& order_;
+  BodyMove<D>& mover_;
+  Partners<D> partners_;
+  CastCounters casts_;
 };
+
+/** A product of quaternions x y z w, the second one conjugated. */
+Eigen::Quaterniond turn_between(const double* from, const double* to) {
+  return Eigen::Quaterniond(to) * Eigen::Quaterniond(from).conjugate();
+}
+
+/** What is left of a motion, and what touched walls allow of it. */
+template <int D>
+class RigidSlide {
+ public:
+  /** `slides`: more is asked for than what is left. */
+  RigidSlide(const Body<D>& body, const RigidMove<D>& whole, bool slides, const Memory* memory)
+      : body_(body), end_(whole.part(1)), targets_(memory) {
+    std::copy_n(end_.centre, D, made_.centre);
+    if (!slides) return;
+    targets_.resize(D * body.vertices.size());
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (body.has_vertex(v)) end_.place(body.position(v), &targets_[D * size_t{v}]);
+    }
+  }
+
+  /** The body has made a part of a motion, and then met something if there is a contact. */
+  void follow(const RigidMove<D>& motion, double fraction, const MoveRecord& record) {
+    const RigidMotion<D> part = motion.part(fraction);
+    made_.add_about(part.rotation, part.centre, part.translation);
+    planes_.follow(part);
+    note(record);
+  }
+  /** It has met something, and is not where it came to. */
+  void note(const MoveRecord& record) {
+    if (record.contacts.empty()) return;
+    const dsw_body_contact& contact = record.contacts[0];
+    Vec normal = to_vec<3>(contact.contact.normal);
+    // Against the way of what touched.
+    if (dot(normal, to_vec<3>(contact.to) - to_vec<3>(contact.from)) > 0) normal = -normal;
+    if (!is_zero(normal)) planes_.add(normal, to_vec<3>(contact.point));
+  }
+  void forget_walls() { planes_.clear(); }
+  bool has_walls() const { return !planes_.empty(); }
+
+  /** The motion from where the body is to where it should be. */
+  PlainMotion left() const {
+    PlainMotion left;
+    double to[3] = {};
+    const Eigen::Quaterniond turn = turn_between(made_.rotation, end_.rotation).normalized();
+    std::copy_n(turn.coeffs().data(), 4, left.rotation);
+    made_.centre_now(left.centre);
+    end_.centre_now(to);
+    for (int k = 0; k < D; ++k) left.translation[k] = to[k] - left.centre[k];
+    return left;
+  }
+  /** What the touched walls allow of a share of what is left. False: next to nothing. */
+  bool propose(double share, PlainMotion* motion) const {
+    *motion = left();
+    const RigidMove<D> whole(motion->rotation, motion->centre, motion->translation);
+    if (planes_.empty()) return share == 1;
+    const Inertia<D> inertia(body_);
+    double size = 0;
+    for (const BodyVertex<D>& each : body_.vertices) {
+      if (each.cell.valid()) size = std::max(size, largest(to_vec<D>(each.position)));
+    }
+    const double units = kUnits * (std::nextafter(size, 2 * size + 1) - size);
+    Twist wanted, allowed;
+    // Planes hold for small turns: others are made in several motions.
+    for (int halvings = 0;; ++halvings, share *= 0.5) {
+      if (halvings == kMostHalvings) return false;
+      const RigidMotion<D> part = whole.part(share);
+      double middle[3] = {}, to[3] = {};
+      store<D>(inertia.middle, middle);
+      part.place(middle, to);
+      wanted.shift = to_vec<D>(to) - inertia.middle;
+      wanted.turn = (2 / part.rotation[3]) * to_vec<3>(part.rotation);
+      if (!(length(wanted.turn) <= kMostTurn)) continue;
+      if (!planes_.allow(inertia, wanted, kStandOff * length(wanted.shift) + units, &allowed)) return false;
+      if (length(allowed.turn) <= kMostTurn) break;
+    }
+    PlainMotion found;
+    store<3>(0.5 * allowed.turn, found.rotation);
+    store<D>(inertia.middle, found.centre);
+    store<D>(allowed.shift, found.translation);
+    for (int k = 0; k < 3; ++k) {
+      if (!std::isfinite(found.rotation[k]) || !std::isfinite(found.centre[k] + found.translation[k])) return false;
+    }
+    *motion = found;
+    return true;
+  }
+
+  /** How far the vertices are from their targets: the mean of the squares, or infinity. */
+  double distance() const {
+    double sum = 0;
+    for (uint32_t v = 0; v < body_.vertices.size(); ++v) {
+      if (!body_.has_vertex(v)) continue;
+      const Vec missing = difference<D>(&targets_[D * size_t{v}], body_.position(v));
+      sum += dot(missing, missing);
+    }
+    return sum;
+  }
+  uint32_t count_missing() const {
+    uint32_t count = 0;
+    for (uint32_t v = 0; v < body_.vertices.size(); ++v) {
+      const double* const target = &targets_[D * size_t{v}];
+      count += body_.has_vertex(v) && !std::equal(target, target + D, body_.position(v)) ? 1u : 0u;
+    }
+    return count;
+  }
+
+ private:
+  static constexpr double kMostTurn = 0.25, kStandOff = 0x1p-40, kUnits = 32;
+  static constexpr int kMostHalvings = 24;
+
+  const Body<D>& body_;
+  const RigidMotion<D> end_;
+  RigidMotion<D> made_;
+  Array<double> targets_;
+  TouchedPlanes<D> planes_;
+};
+
+/** Adds what one of several motions has met. */
+void append(MoveRecord& all, const MoveRecord& more) {
+  for (size_t i = 0; i < more.contacts.size(); ++i) {
+    all.add(more.contacts[i], all.keeps_partners ? more.partners[i] : dsw_contact_partner{});
+  }
+  all.sweeps.swept += more.sweeps.swept;
+  all.sweeps.skipped += more.sweeps.skipped;
+}
+
+/** Slides on after a first motion. */
+template <int D>
+void slide_on(Scene<D>& scene, RigidCall<D>& call, BodyRecord<D>& of, RigidSlide<D>& slide, uint32_t rounds) {
+  constexpr int kMostInVain = 12;
+  constexpr double kGain = 1 - 0x1p-30, kAtOnce = 0x1p-20;
+  Body<D>& body = of.body;
+  Array<BodyVertex<D>> before(scene.memory);
+  Array<RigidShape<D>> shape(scene.memory);
+  MoveRecord record(scene.memory);
+  record.keeps_partners = of.next.keeps_partners;
+  double distance = slide.distance(), share = 1;
+  int in_vain = 0;
+  bool has_gained = true;  // since walls were forgotten
+  for (uint32_t round = 0; round < rounds && distance > 0; ++round) {
+    PlainMotion next;
+    if (!slide.propose(share, &next)) {
+      // In a corner of walls of which it may have left some.
+      if (!has_gained || !slide.has_walls()) return;
+      slide.forget_walls();
+      has_gained = false;
+      share = 1;
+      if (!slide.propose(share, &next)) return;
+    }
+    const RigidMove<D> motion(next.rotation, next.centre, next.translation);
+    before.assign(body.vertices.begin(), body.vertices.end());
+    shape = body.shape;
+    call.go(motion, record);
+    const double now = slide.distance();
+    append(of.next, record);
+    // A motion that stops at once tells of one more wall, one that leads away is too long for what the planes say.
+    const bool is_stopped = record.fraction < kAtOnce;
+    if (now < distance) {
+      slide.follow(motion, record.fraction, record);
+    } else {
+      put_vertices(body, before.data());
+      body.shape = shape;
+      if (is_stopped) slide.note(record);
+    }
+    const bool gains = now < kGain * distance;
+    distance = std::min(distance, now);
+    has_gained = has_gained || gains;
+    in_vain = gains ? 0 : in_vain + 1;
+    if (in_vain == kMostInVain) return;
+    if (gains) {
+      share = std::min(1.0, 2 * share);
+    } else if (!is_stopped || record.contacts.empty()) {
+      share *= 0.25;
+    }
+  }
+}
 
 }  // namespace
 
@@ -39,25 +256,30 @@ bool stays_finite(const Body<D>& body, const RigidMove<D>& motion) noexcept {
 }
 
 template <int D>
-void move_rigid(Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, const MoveOrder& order) {
-  if (!of.body.is_rigid()) {
-    return move_body_rigidly(scene, of, motion, RigidMove<D>::place, &motion, order);
+void move_rigid(Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, const MoveOrder& order,
+                uint32_t rounds) {
+  RigidSlide<D> slide(of.body, motion, rounds != 0, scene.memory);
+  RigidCall<D> call(scene, of, order);
+  Body<D> whole(scene.memory);
+  if (rounds != 0) whole = of.body;
+  call.go(motion, of.next);
+  slide.follow(motion, of.next.fraction, of.next);
+  if (rounds != 0 && of.next.fraction < 1) {
+    try {
+      slide_on(scene, call, of, slide, rounds);
+    } catch (...) {
+      std::swap(of.body, whole);
+      throw;
+    }
+    of.next.stopped = slide.count_missing();
   }
-  RigidShape<D> before = of.body.shape[0];
-  keep_shape(of.body);
-  const ShapeMove<D> kept{motion, of.body.shape[0]};
-  try {
-    move_body_rigidly(scene, of, motion, ShapeMove<D>::place, &kept, order);
-  } catch (...) {
-    std::swap(of.body.shape[0], before);
-    throw;
-  }
-  if (of.record.fraction > 0) of.body.shape[0].moved = kept.moved(of.record.fraction);
+  if (of.next.fraction < 1) of.next.left = slide.left();
+  call.end();
 }
 
 #define DSW_RIGID_MOVES(D)                                                  \
   template bool stays_finite(const Body<D>&, const RigidMove<D>&) noexcept; \
-  template void move_rigid(Scene<D>&, BodyRecord<D>&, const RigidMove<D>&, const MoveOrder&)
+  template void move_rigid(Scene<D>&, BodyRecord<D>&, const RigidMove<D>&, const MoveOrder&, uint32_t)
 DSW_RIGID_MOVES(2);
 DSW_RIGID_MOVES(3);
 #undef DSW_RIGID_MOVES

@@ -6,13 +6,33 @@
 
 namespace dsw {
 
+/** The motion of a body that keeps its shape, added to those that the shape has made. */
+template <int D>
+struct ShapeMove {
+  const RigidMove<D>& move;
+  const RigidShape<D>& shape;
+
+  RigidMotion<D> moved(double fraction) const noexcept {
+    const RigidMotion<D> part = move.part(fraction);
+    RigidMotion<D> all = shape.moved;
+    all.add_about(part.rotation, part.centre, part.translation);
+    return all;
+  }
+  /** Finds where a vertex is at a fraction of the motion: a PlaceFn whose `user` is this ShapeMove. */
+  static void place(const void* user, uint32_t vertex, const double*, double fraction, double* to) noexcept {
+    const ShapeMove& m = *static_cast<const ShapeMove*>(user);
+    m.moved(fraction).place(rest_of(m.shape, vertex), to);
+  }
+};
+
 /** Whether the motion takes no vertex of a body further than doubles go. */
 template <int D>
 bool stays_finite(const Body<D>& body, const RigidMove<D>& motion) noexcept;
 
 /** Moves a body as a whole as far as it is free. The places of a body that walls move as a whole follow from the shape
- * that it keeps. */
+ * that it keeps.
+ * @param rounds in how many further motions it may slide at most on what it touches. */
 template <int D>
-void move_rigid(Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, const MoveOrder& order);
+void move_rigid(Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, const MoveOrder& order, uint32_t rounds);
 
 }  // namespace dsw

@@ -1,0 +1,51 @@
+#pragma once
+// What touched walls allow of a rigid motion: the part of it that is nearest to the whole and goes into none of them.
+
+#include "base/vec.h"
+#include "body/body.h"
+
+namespace dsw {
+
+/** A small rigid motion about the middle of a body: its way, and its turn as twice the vector of a quaternion over its w. */
+struct Twist {
+  Vec shift = Vec::Zero(), turn = Vec::Zero();
+};
+
+/** How vertices of equal mass resist a turn about their middle, for lengths in units of their size. Each counts as a small
+ * ball: so a line has an inertia about itself. */
+template <int D>
+struct Inertia {
+  Vec middle;
+  double size;          // not 0
+  double factor[3][3];  // the lower triangular factor of the mean tensor
+
+  explicit Inertia(const Body<D>& body) noexcept;
+};
+
+/** Walls that a body has touched, each as a plane that a point of the body stays before. */
+template <int D>
+class TouchedPlanes {
+ public:
+  void clear() noexcept { count_ = 0; }
+  bool empty() const noexcept { return count_ == 0; }
+  /** Adds a plane, or takes one away first if there are too many.
+   * @param normal towards the side of the body, of length 1. */
+  void add(const Vec& normal, const Vec& point) noexcept;
+  /** The body has moved, and its points with it. */
+  void follow(const RigidMotion<D>& made) noexcept;
+
+  /** The part of a twist that the planes allow: of all small motions that enter none of them the one that takes the vertices
+   * nearest to where the twist does. Planes are kept at a distance of `off`, and by as much more as points bend off their
+   * ways. False: next to nothing is allowed. */
+  bool allow(const Inertia<D>& inertia, const Twist& wanted, double off, Twist* allowed) const noexcept;
+
+ private:
+  static constexpr int kMost = 12;
+  struct Plane {
+    Vec normal, at, point;  // at: of the plane; point: of the body, where it is now
+  };
+  Plane planes_[kMost];
+  int count_ = 0;
+};
+
+}  // namespace dsw

@@ -1,0 +1,275 @@
+/* Rigid moves that slide as a whole: known places, never worse than stops, and what is left. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../effort.h"
+#include "check.h"
+#include "fixture.h"
+
+enum { N = 4, MOST = 8 };
+
+static uint64_t g_state;
+static double share(void) {
+  g_state ^= g_state << 13;
+  g_state ^= g_state >> 7;
+  g_state ^= g_state << 17;
+  return (double)(g_state >> 11) / 9007199254740992.0;
+}
+static double between(double low, double high) { return low + (high - low) * share(); }
+
+static dsw_rigid_motion shift_by(double x, double y, double z) {
+  dsw_rigid_motion m;
+  memset(&m, 0, sizeof m);
+  m.rotation[3] = 1;
+  m.translation[0] = x;
+  m.translation[1] = y;
+  m.translation[2] = z;
+  return m;
+}
+
+/* Where a motion takes a point. */
+static void place(const dsw_rigid_motion *m, const double *at, unsigned dimension, double *to) {
+  double q[4], from[3] = {0, 0, 0}, across[3], twice[3], size = 0;
+  unsigned k;
+  for (k = 0; k < 4; ++k) size += m->rotation[k] * m->rotation[k];
+  for (k = 0; k < 4; ++k) q[k] = m->rotation[k] / sqrt(size);
+  for (k = 0; k < dimension; ++k) from[k] = at[k] - m->centre[k];
+  for (k = 0; k < 3; ++k) {
+    const unsigned i = (k + 1) % 3, j = (k + 2) % 3;
+    across[k] = q[i] * from[j] - q[j] * from[i];
+  }
+  for (k = 0; k < 3; ++k) {
+    const unsigned i = (k + 1) % 3, j = (k + 2) % 3;
+    twice[k] = q[i] * across[j] - q[j] * across[i];
+  }
+  for (k = 0; k < dimension; ++k) to[k] = at[k] + 2 * (q[3] * across[k] + twice[k]) + m->translation[k];
+}
+
+static double distance_sq(const double *a, const double *b, size_t count) {
+  double sum = 0;
+  size_t i;
+  for (i = 0; i < count; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum;
+}
+
+static dsw_move_report move(dsw_scene *scene, dsw_body_id body, const dsw_rigid_motion *m, int slides,
+                            uint32_t passes) {
+  dsw_move_options o = move_options();
+  dsw_move_report report;
+  o.flags = slides ? DSW_MOVE_SLIDE_WHOLE : 0;
+  o.passes = passes;
+  memset(&report, 0, sizeof report);
+  CHECK_OK(dsw_body_move_rigid(scene, body, m, &o, &report));
+  return report;
+}
+
+static dsw_body_id make_plate(dsw_scene *scene, uint32_t flags) {
+  const double at[12] = {1, 1, 1, 2, 1, 1, 2, 2, 1, 1, 2, 1};
+  const uint32_t corners[6] = {0, 1, 2, 0, 2, 3}, offsets[3] = {0, 3, 6};
+  dsw_body_desc d = surface_desc(at, 4, offsets, corners, 2, DSW_LEVEL_FACES);
+  dsw_body_id body;
+  d.flags = flags;
+  CHECK_OK(dsw_body_create(scene, &d, &body));
+  return body;
+}
+
+/* A plate that falls onto the floor goes on over it, and ends in a corner where it is pressed into one. */
+static void a_plate_slides(uint32_t flags) {
+  dsw_scene *const scene = make_scene(make_environment(NULL, N, N, N), 0);
+  dsw_body_id body = make_plate(scene, flags);
+  dsw_rigid_motion m = shift_by(1.25, 0.5, -3), left;
+  double now[12];
+  size_t count;
+  unsigned i;
+  dsw_move_report report = move(scene, body, &m, 1, 0);
+  const dsw_body_contact *contacts;
+  CHECK(report.fraction > 0.3333 && report.fraction < 1.0 / 3 && report.vertices_stopped == 4);
+  CHECK_OK(dsw_body_get_contacts(scene, body, &contacts, &count));
+  CHECK(count >= 1 && count == report.contact_count && contacts[0].time == 1.0 / 3);
+  CHECK_OK(dsw_body_get_positions(scene, body, now, 4, 0, NULL, &count));
+  for (i = 0; i < 4; ++i) {
+    const double x = i == 1 || i == 2 ? 3.25 : 2.25, y = i >= 2 ? 2.5 : 1.5;
+    CHECK(fabs(now[3 * i] - x) < 1e-9 && fabs(now[3 * i + 1] - y) < 1e-9 && now[3 * i + 2] >= 0 &&
+          now[3 * i + 2] < 1e-9);
+  }
+  CHECK_OK(dsw_body_get_motion_left(scene, body, &left));
+  CHECK(fabs(left.translation[2] + 2) < 1e-9 && fabs(left.translation[0]) < 1e-9 && fabs(left.rotation[3]) > 1 - 1e-12);
+  m = shift_by(9, 9, -9);
+  move(scene, body, &m, 1, 64);
+  CHECK_OK(dsw_body_get_positions(scene, body, now, 4, 0, NULL, &count));
+  CHECK(now[6] > 4 - 1e-9 && now[7] > 4 - 1e-9 && now[8] < 1e-9 && now[8] >= 0);
+  m = shift_by(-1, -1, 1); /* a motion that is free leaves nothing */
+  CHECK(move(scene, body, &m, 1, 0).fraction == 1);
+  CHECK_OK(dsw_body_get_motion_left(scene, body, &left));
+  CHECK(left.rotation[3] == 1 && left.translation[0] == 0 && left.translation[1] == 0 && left.translation[2] == 0);
+  end_scene(scene);
+}
+
+/* A rod that turns onto the floor lies down on it. */
+static void a_rod_lies_down(unsigned dimension) {
+  const double rod[6] = {2, 1, 2, 2, 2, 2}, flat[4] = {2, 1, 2, 2};
+  const double *const at = dimension == 2 ? flat : rod;
+  dsw_scene *const scene = make_scene(dimension == 2 ? make_squares(NULL, N, N) : make_environment(NULL, N, N, N), 0);
+  const dsw_body_id body = make_edge_body(scene, at, DSW_LEVEL_EDGES_SWEPT);
+  dsw_rigid_motion m = shift_by(0, -2, 0);
+  double now[6], target[6];
+  size_t count;
+  m.rotation[2] = -0.70710678118654757; /* a quarter about z, downwards */
+  m.rotation[3] = 0.70710678118654757;
+  m.centre[0] = 2;
+  m.centre[1] = 1;
+  if (dimension == 3) m.centre[2] = 2;
+  place(&m, at, dimension, target);
+  place(&m, at + dimension, dimension, target + dimension);
+  CHECK(move(scene, body, &m, 1, 64).fraction < 1);
+  CHECK_OK(dsw_body_get_positions(scene, body, now, 2, 0, NULL, &count));
+  CHECK(now[1] >= 0 && now[1] < 1e-3 && now[dimension + 1] >= 0 && now[dimension + 1] < 1e-3);
+  CHECK(fabs(now[0] - target[0]) < 0.01 && fabs(now[dimension] - target[dimension]) < 0.01);
+  end_scene(scene);
+}
+
+static dsw_scene *make_world(unsigned dimension, uint64_t seed) {
+  const uint64_t before = g_state;
+  dsw_environment *const env = dimension == 2 ? make_squares(NULL, N, N) : make_environment(NULL, N, N, N);
+  dsw_scene *const scene = make_scene(env, DSW_FEATURE_BODY_CONTACTS);
+  int w;
+  unsigned k;
+  g_state = seed;
+  for (w = 0; w < 6; ++w) {
+    const unsigned x = (unsigned)(share() * (N - 1)), y = (unsigned)(share() * N), z = (unsigned)(share() * N);
+    const unsigned axis = (unsigned)(share() * dimension);
+    const unsigned cell[3] = {axis == 0 ? x : y, axis == 1 ? x : y, axis == 2 ? x : z};
+    const uint32_t index = cell[0] + N * (cell[1] + N * (dimension == 3 ? cell[2] : 0));
+    const uint32_t face = dimension == 3 ? 2 * axis + 1 : axis == 0 ? 1 : 2;
+    CHECK_OK(set_face_mark(env, index, face, DSW_MARK_IMPASSABLE));
+  }
+  for (w = 0; w < 2; ++w) {
+    double other[6];
+    dsw_body_desc d;
+    dsw_body_id id;
+    for (k = 0; k < 2 * dimension; ++k) other[k] = between(0.2, N - 0.2);
+    d = line_desc(other, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+    dsw_body_create(scene, &d, &id);
+  }
+  g_state = before;
+  return scene;
+}
+
+typedef struct tally {
+  size_t stops, slides, worse, not_free;
+  double stop_left, slide_left;
+} tally;
+
+static void beside_stops(unsigned dimension, double radius, tally *t) {
+  const unsigned D = dimension;
+  const uint64_t seed = g_state;
+  dsw_scene *const stops = make_world(D, seed), *const slides = make_world(D, seed), *const again = make_world(D, seed);
+  double at[3 * MOST], target[3 * MOST], stopped[3 * MOST], slid[3 * MOST], other[3 * MOST], size = 0;
+  const uint32_t corners[3] = {0, 1, 2}, offsets[2] = {0, 3};
+  const int is_face = D == 3 && share() < 0.5;
+  const size_t count = is_face ? 3 : 2;
+  dsw_rigid_motion m, left;
+  dsw_body_id body, body_again;
+  dsw_body_desc d;
+  dsw_move_report stop, slide;
+  size_t i, k, n;
+  for (k = 0; k < D * count; ++k) at[k] = k < D ? between(0.5, N - 0.5) : at[k % D] + between(-0.6, 0.6);
+  d = is_face ? surface_desc(at, 3, offsets, corners, 1, DSW_LEVEL_FACES) : line_desc(at, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+  d.radius = radius;
+  if (share() < 0.3) d.flags = DSW_BODY_RIGID;
+  memset(&m, 0, sizeof m);
+  for (k = 0; k < 3; ++k) m.rotation[k] = D == 3 || k == 2 ? between(-1, 1) : 0;
+  m.rotation[3] = between(0, 2);
+  if (share() < 0.3) memset(m.rotation, 0, 3 * sizeof *m.rotation);
+  for (k = 0; k < D; ++k) {
+    m.centre[k] = at[k];
+    m.translation[k] = between(-2, 2);
+  }
+  if (dsw_body_create(stops, &d, &body) == DSW_STATUS_OK) {
+    for (i = 0; i < count; ++i) place(&m, at + D * i, D, target + D * i);
+    stop = move(stops, body, &m, 0, 0);
+    CHECK_OK(dsw_body_get_positions(stops, body, stopped, MOST, 0, NULL, &n));
+    CHECK_OK(dsw_body_get_motion_left(stops, body, &left));
+    for (i = 0; i < count; ++i) {
+      double to[3];
+      place(&left, stopped + D * i, D, to);
+      CHECK(stop.fraction == 1 || distance_sq(to, target + D * i, D) < 1e-20);
+    }
+    CHECK_OK(dsw_body_create(slides, &d, &body));
+    slide = move(slides, body, &m, 1, 0);
+    CHECK_OK(dsw_body_get_positions(slides, body, slid, MOST, 0, NULL, &n));
+    CHECK(slide.fraction == stop.fraction && slide.contact_count >= stop.contact_count);
+    CHECK_OK(dsw_body_get_motion_left(slides, body, &left));
+    for (i = 0; i < count; ++i) {
+      double to[3];
+      place(&left, slid + D * i, D, to);
+      CHECK(slide.fraction == 1 || distance_sq(to, target + D * i, D) < 1e-20);
+    }
+    for (i = 1; i < count; ++i) { /* it has kept its shape */
+      for (k = 0; k < i; ++k) {
+        const double was = distance_sq(at + D * i, at + D * k, D), is = distance_sq(slid + D * i, slid + D * k, D);
+        CHECK(fabs(was - is) < 1e-12);
+      }
+    }
+    CHECK_OK(dsw_body_create(again, &d, &body_again));
+    move(again, body_again, &m, 1, 0);
+    CHECK_OK(dsw_body_get_positions(again, body_again, other, MOST, 0, NULL, &n));
+    CHECK(memcmp(other, slid, D * count * sizeof *slid) == 0);
+    if (stop.fraction == 1) {
+      CHECK(memcmp(stopped, slid, D * count * sizeof *slid) == 0 && slide.vertices_stopped == 0);
+    } else {
+      const double before = distance_sq(stopped, target, D * count), after = distance_sq(slid, target, D * count);
+      ++t->stops;
+      t->slides += after < 0.999 * before;
+      t->worse += after > before;
+      t->stop_left += sqrt(before);
+      t->slide_left += sqrt(after);
+      d.positions = slid; /* free, as a new body would have to be */
+      CHECK_OK(dsw_body_destroy(again, body_again));
+      t->not_free += dsw_body_create(again, &d, &body_again) != DSW_STATUS_OK;
+    }
+  }
+  (void)size;
+  end_scene(stops);
+  end_scene(slides);
+  end_scene(again);
+}
+
+static void refused(void) {
+  dsw_scene *const scene = make_scene(make_environment(NULL, N, N, N), 0);
+  const dsw_body_id body = make_plate(scene, 0), none = {7, 1};
+  const double targets[12] = {0};
+  dsw_move_options o = move_options();
+  dsw_rigid_motion m = shift_by(0, 0, 0);
+  o.flags = DSW_MOVE_SLIDE_WHOLE;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_move(scene, body, targets, 4, 0, &o, NULL));
+  o.passes = 65;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_move_rigid(scene, body, &m, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_motion_left(NULL, body, &m));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_motion_left(scene, body, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_motion_left(scene, none, &m));
+  end_scene(scene);
+}
+
+int main(int argc, char **argv) {
+  unsigned dimension;
+  a_plate_slides(0);
+  a_plate_slides(DSW_BODY_RIGID);
+  refused();
+  for (dimension = 2; dimension <= 3; ++dimension) {
+    tally t;
+    int i;
+    memset(&t, 0, sizeof t);
+    g_state = seed_of(88172645463325252u + dimension);
+    a_rod_lies_down(dimension);
+    for (i = 0; i < effort_of(150); ++i) beside_stops(dimension, i % 5 == 4 ? 0.0625 : 0, &t);
+    if (argc > 1 && strcmp(argv[1], "print") == 0) {
+      printf("dimension %u: %zu stops, %zu slides, %zu worse, %zu not free; left %.3f after stops, %.3f after slides\n",
+             dimension, t.stops, t.slides, t.worse, t.not_free, t.stop_left, t.slide_left);
+    }
+    CHECK(t.stops > 0 && 2 * t.slides > t.stops && t.worse == 0 && t.not_free == 0);
+  }
+  return check_result();
+}
