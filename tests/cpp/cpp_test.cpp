@@ -190,6 +190,21 @@ TEST(Cpp, FreeFractionsMoveNothing) {
   EXPECT_THROW(body.find_free_fractions({0, 0, 0}, bar, indices, {}, found), WrongSize);
 }
 
+TEST(Cpp, ABarSlidesAlongAWall) {
+  const std::array<std::uint32_t, 8> cube = {0, 1, 2, 3, 4, 5, 6, 7};
+  Environment environment = Environment::of(DSW_CELL_TYPE_HEXAHEDRON, kCorners, cube);
+  Scene scene(environment);
+  const std::vector<double> bar = {0.25, 0.5, 0.5, 0.75, 0.5, 0.5};
+  Body body(scene, scene.create_body(bar, std::vector<std::uint32_t>{0, 1}));
+  dsw_rigid_motion motion = {{0, 0, 0, 1}, {}, {1, 0.25, 0}};
+  dsw_move_options options;
+  dsw_move_options_init(&options, sizeof options);
+  options.flags = DSW_MOVE_SLIDE_WHOLE;
+  EXPECT_NEAR(body.move_rigid(motion, &options).fraction, 0.25, 1e-12);
+  EXPECT_NEAR(body.get_motion_left().translation[0], 0.75, 1e-9);
+  EXPECT_NEAR(body.get_motion_left().translation[1], 0, 1e-9);
+}
+
 TEST(Cpp, IndicesHaveAnyWidth) {
   const std::vector<std::int64_t> wide(kCube.begin(), kCube.end());
   const std::array<std::uint32_t, 8> narrow = {0, 1, 2, 3, 4, 5, 6, 7};

@@ -163,7 +163,13 @@ dsw_status Calls::move_bodies(uint32_t which) {
     place(motion.centre);
     for (double& t : motion.translation) t = static_cast<int8_t>(bytes_.byte()) / 100.0;
     if (dimension_ == 2 && !wild()) motion.rotation[0] = motion.rotation[1] = motion.translation[2] = 0;
-    return dsw_body_move_rigid(scene_, ids[0], &motion, nullptr, nullptr);
+    dsw_move_options slides;
+    dsw_move_options_init(&slides, sizeof slides);
+    slides.flags = DSW_MOVE_SLIDE_WHOLE;
+    const dsw_status status =
+        dsw_body_move_rigid(scene_, ids[0], &motion, motion.translation[0] > 0 ? &slides : nullptr, nullptr);
+    dsw_body_get_motion_left(scene_, ids[0], &motion);
+    return status;
   }
   const uint32_t count = which == 1 ? 2 : which == 2 ? 1 + bytes_.below(2) : 1;
   const std::vector<double> targets = targets_of(ids, count);

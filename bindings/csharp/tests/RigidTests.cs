@@ -20,4 +20,18 @@ static partial class Tests
       Throws<WrongSizeException>(() => body.FindFreeFractions(new Vec3(2, 2, 2), bar, new uint[] { 0, 0 }));
     }
   }
+
+  public static void ABarSlidesAlongAWall()
+  {
+    double[] points = { 0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4 }, bar = { 1, 2, 2, 3, 2, 2 };
+    using (Environment environment = new Environment(points, new[] { 0, 1, 2, 3, 4, 5, 6, 7 }, CellType.Hexahedron))
+    using (Scene scene = new Scene(environment))
+    {
+      Body body = scene.CreateBody(bar, new uint[] { 0, 1 });
+      RigidMotion motion = new RigidMotion { Rotation = new double[] { 0, 0, 0, 1 }, Translation = new Vec3(4, 1, 0) };
+      True(body.MoveRigid(motion, new MoveOptions { Flags = Library.MOVE_SLIDE_WHOLE }).Fraction < 0.25);
+      True(Math.Abs(body.GetPositions()[3] - 4) < 1e-9 && Math.Abs(body.GetPositions()[4] - 3) < 1e-9);
+      True(Math.Abs(body.GetMotionLeft().Translation.X - 3) < 1e-9);
+    }
+  }
 }

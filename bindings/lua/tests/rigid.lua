@@ -27,3 +27,15 @@ function TestRigid:test_free_fractions_move_nothing()
   lu.assertEquals({bar:get_positions():point(1)}, {1, 2, 2})
   lu.assertFalse(pcall(bar.find_free_fractions, bar, {2, 2, 2}, {1, 2}, {0, 0}))
 end
+
+function TestRigid:test_a_bar_slides_along_a_wall()
+  local environment <close> = make_room()
+  local scene <close> = dsw.Scene(environment)
+  local bar = make_bar(scene)
+  local report = bar:move_rigid({rotation = {0, 0, 0, 1}, translation = {4, 1, 0}}, {flags = dsw.MOVE_SLIDE_WHOLE})
+  lu.assertAlmostEquals(report.fraction, 0.25, 1e-12)
+  local x, y = bar:get_positions():point(2)
+  lu.assertAlmostEquals(x, 4, 1e-9)
+  lu.assertAlmostEquals(y, 3, 1e-9)
+  lu.assertAlmostEquals(bar:get_motion_left().translation[1], 3, 1e-9)
+end

@@ -176,6 +176,8 @@ export class Body {
   /** Vertices go to their targets, in `order` (all, by index, where that is left out), each as far as it goes. */
   move(targets: Points, options?: MoveOptions & { order?: Numbers }): MoveReport;
   moveRigid(motion: RigidMotion, options?: MoveOptions & { order?: Numbers }): MoveReport;
+  /** The motion from where moveRigid has left the body to where it should be. */
+  getMotionLeft(): RigidMotion;
   /** How far the body could go along paths through poses; nothing moves. A pose has 7 numbers: a quaternion x, y, z, w and a translation, from
    * where the body is now, round `centre`. A path has two indices of poses, or those from `offsets[i]` to `offsets[i + 1]`. `fractions` and
    * `contacts`, what stops each path, are filled where given. */

@@ -29,6 +29,15 @@ test('free fractions move nothing', () => {
   assert.throws(() => bar.findFreeFractions([2, 2, 2], [1, 2], [0, 0]), dsw.WrongSizeError);
 });
 
+test('a bar slides along a wall', () => {
+  const { scene } = makeRoom(0);
+  const bar = scene.createBody([1, 2, 2, 3, 2, 2], [0, 1]);
+  const report = bar.moveRigid({ rotation: [0, 0, 0, 1], translation: [4, 1, 0] }, { flags: dsw.MOVE_SLIDE_WHOLE });
+  assert.ok(report.fraction < 0.25 && report.fraction > 0.25 - 1e-12);
+  [2, 3, 2, 4, 3, 2].forEach((x, i) => assert.ok(Math.abs(bar.getPositions()[i] - x) < 1e-9));
+  assert.ok(Math.abs(bar.getMotionLeft().translation[0] - 3) < 1e-9);
+});
+
 test('strands that are carried together do not stop each other', () => {
   const { scene } = makeRoom();
   const strands = [1, 1.25].map((x) => scene.createBody(strand(x), edges));

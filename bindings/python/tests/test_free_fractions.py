@@ -1,4 +1,4 @@
-"""How far bodies could go along paths: nothing moves."""
+"""Rigid motions: how far bodies could go along paths, while nothing moves, and how they slide."""
 
 from __future__ import annotations
 
@@ -41,3 +41,12 @@ def test_paths_are_checked() -> None:
             bar.find_free_fractions(POSES, [()])
         with pytest.raises(ds.errors.OutOfRange):
             bar.find_free_fractions([[0] * 7], [(0, 0)])
+
+
+def test_a_bar_slides_along_a_wall() -> None:
+    with ds.Environment(CORNERS, [range(8)]) as environment, ds.Scene(environment) as scene:
+        bar = scene.create_body(BAR, [(0, 1)])
+        report = bar.move_rigid((4, 1, 0), options=ds.options(ds.MoveOptions, flags=ds.MoveFlag.SLIDE_WHOLE))
+        assert report.fraction == pytest.approx(0.25, abs=1e-12) and report.vertices_stopped == 2
+        assert bar.positions() == pytest.approx(np.array([(2, 3, 2), (4, 3, 2)], float), abs=1e-9)
+        assert bar.motion_left().translation == pytest.approx([3, 0, 0], abs=1e-9)

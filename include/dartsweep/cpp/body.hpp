@@ -126,6 +126,10 @@ class Body {
     change(dsw_body_move_rigid, &motion, ordered.get(), &out);
     return out;
   }
+  // The motion from where move_rigid has left the body to where it should be.
+  dsw_rigid_motion get_motion_left() const {
+    return one<dsw_rigid_motion>(dsw_body_get_motion_left);
+  }
   // How far the body could go along paths through `poses`, which have 7 numbers each. Each path has
   // two of `indices`, or those from offsets[i] to offsets[i + 1].
   void find_free_fractions(const Point &centre, View<const double> poses,

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   Options options;
   bool is_long = false;
   std::string json = "rigid.json";
-  std::vector<std::string> parts = {"moves", "thick", "cost", "free", "fcl"};
+  std::vector<std::string> parts = {"moves", "slides", "thick", "cost", "free", "fcl"};
   CLI::App app("Rigid moves against exact arithmetic, what they cost, and FCL beside them.");
   app.add_flag("--long", is_long, "As many moves as the figures ask for: hours");
   auto* const moves = app.add_option("--moves", options.moves, "Moves against rational arithmetic");
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   app.add_option("--only", options.only, "Looks at one of --moves, and prints it");
   app.add_option("--json", json, "File to write");
   app.add_option("--part", parts, "Parts to run; all if not given")
-      ->check(CLI::IsMember({"moves", "thick", "cost", "free", "fcl"}));
+      ->check(CLI::IsMember({"moves", "slides", "thick", "cost", "free", "fcl"}));
   CLI11_PARSE(app, argc, argv);
   if (is_long) {
     if (moves->count() == 0) options.moves = 100000;
@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
     for (const std::string& part : parts) {
       std::printf("%s\n", part.c_str());
       if (part == "moves") is_right = run_moves(options, report) && is_right;
+      if (part == "slides") is_right = run_slides(options, report) && is_right;
       if (part == "thick") is_right = run_thick(options, report) && is_right;
       if (part == "cost") run_cost(options, report);
       if (part == "free") run_free(options, report);

@@ -24,6 +24,8 @@ bool run_moves(const Options& options, Report& report);
 bool run_thick(const Options& options, Report& report);
 /** What a vertex costs, over dsw_body_move. */
 void run_cost(const Options& options, Report& report);
+/** Moves that slide as a whole. @return whether all end free, unbent, and no farther from their targets than stops. */
+bool run_slides(const Options& options, Report& report);
 /** What dsw_body_find_free_fractions costs, over making bodies and moving them. */
 void run_free(const Options& options, Report& report);
 /** Capsules and boxes beside FCL. Nothing where FCL is missing. */

@@ -184,9 +184,14 @@ class Body:
         options: MoveOptions | None = None,
         order: ArrayLike | None = None,
     ) -> MoveReport:
-        """Moves the whole body as far as it is free: rotated (quaternion x, y, z, w; in the plane x and y are 0) round a centre, then translated."""
+        """Moves the whole body as far as it is free: rotated (quaternion x, y, z, w; in the plane x and y are 0) round a centre, then translated.
+        With MoveFlag.SLIDE_WHOLE in the options it slides on along what it touches."""
         motion = described(RigidMotion, translation=_in_space(translation), rotation=rotation, centre=_in_space(centre))
         return self._core.move_rigid(motion, options, order)  # type: ignore[no-any-return]
+
+    def motion_left(self) -> RigidMotion:
+        """The motion from where the last move_rigid has left the body to where it should be."""
+        return self._core.get_motion_left()  # type: ignore[no-any-return]
 
     def find_free_fractions(
         self, poses: ArrayLike, paths: Any, centre: ArrayLike = (0.0, 0.0, 0.0), contacts: Records | None = None

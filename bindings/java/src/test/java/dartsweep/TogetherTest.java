@@ -58,6 +58,21 @@ class TogetherTest {
   }
 
   @Test
+  void aBarSlidesAlongAWall() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, 0)) {
+      Body bar = scene.createBody(new double[] {1, 2, 2, 3, 2, 2}, new int[] {0, 1});
+      RigidMotion motion = new RigidMotion();
+      motion.setRotation(new double[] {0, 0, 0, 1});
+      motion.setTranslation(new double[] {4, 1, 0});
+      MoveOptions options = new MoveOptions();
+      options.setFlags(Dartsweep.MOVE_SLIDE_WHOLE);
+      assertEquals(0.25, bar.moveRigid(motion, options).getFraction(), 1e-12);
+      assertArrayEquals(new double[] {2, 3, 2, 4, 3, 2}, bar.getPositions(), 1e-9);
+      assertEquals(3, bar.getMotionLeft().getTranslation()[0], 1e-9);
+    }
+  }
+
+  @Test
   void strandsDoNotStopEachOther() {
     try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
       Body left = scene.createBody(strand(1, 1), EDGES), right = scene.createBody(strand(1.25, 1), EDGES);
