@@ -113,8 +113,9 @@ bool PairSearch<D>::is_local_minimum(const NearList<D>& list, bool is_shifted, c
 }
 
 template <int D>
-uint32_t PairSearch<D>::find_wall(const NearFeature& f, NearPair<D>& pair) const noexcept {
+bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
   const Map<D>& map = env_.map;
+  const NearFeature& f = pair.feature;
   // The lowest one: by its canonical name, then the canonical side.
   const auto key = [&](HalfFacet h) {
     const HalfFacet first = canonical(map, h);
@@ -139,7 +140,7 @@ uint32_t PairSearch<D>::find_wall(const NearFeature& f, NearPair<D>& pair) const
   list_.for_each_obstacle(f, [&](uint32_t i) {
     const NearObstacle<D>& o = list_.obstacles()[i];
     if (!o.facet.valid()) {
-      if (found == kNone) found = i;
+      if (found == kNone && fan.reaches(o.cell)) found = i;
       return;
     }
     const double* corners[D];
@@ -151,12 +152,16 @@ uint32_t PairSearch<D>::find_wall(const NearFeature& f, NearPair<D>& pair) const
       if (close != most ? close < most : is_seen != pair.is_wall_seen ? !is_seen : key(pair.wall) < key(o.facet))
         return;
     }
+    if (!fan.reaches(map.cell_of(o.facet))) return;
     found = i;
     most = close;
     pair.wall = o.facet;
     pair.is_wall_seen = is_seen;
   });
-  return found;
+  if (found == kNone) return false;
+  pair.cell = fan.first();
+  if (!pair.has_normal && pair.wall.valid()) store<3>(normal_of(found) + Vec::Zero(), pair.normal);  // never -0
+  return true;
 }
 
 template <int D>
@@ -183,9 +188,8 @@ bool PairSearch<D>::measure(const Part<D>& part, const NearFeature& f, NearPair<
   std::copy_n(n.obstacle_weights, 3, pair.obstacle_weights);
   store<3>(n.point, pair.point);
   store<3>(n.obstacle_point, pair.obstacle_point);
-  const uint32_t number = find_wall(f, pair);
-  pair.cell = list_.obstacles()[number].cell;
-  if (!n.has_normal) n.normal = pair.wall.valid() ? normal_of(number) : is_zero(n.normal) ? Vec(1, 0, 0) : n.normal;
+  pair.has_normal = n.has_normal;
+  if (!n.has_normal && is_zero(n.normal)) n.normal = Vec(1, 0, 0);
   store<3>(n.normal + Vec::Zero(), pair.normal);  // never -0
   pair.distance = n.distance;
   return true;

@@ -4,6 +4,7 @@
 
 #include "base/vec.h"
 #include "proximity/near_selection.h"
+#include "proximity/sight.h"
 
 namespace dsw {
 
@@ -16,11 +17,12 @@ struct NearPair {
   double weights[3] = {}, obstacle_weights[3] = {};
   double point[3] = {};  // of the part
   double obstacle_point[3] = {};
-  double normal[3] = {};  // unit, from the obstacle to the part
+  double normal[3] = {};   // unit, from the obstacle to the part
+  bool has_normal = true;  // else the points are too close to tell it, and find_wall may have a better one
   double distance = 0;
   HalfFacet wall;             // an impassable facet at the obstacle, see find_wall; else invalid
   bool is_wall_seen = false;  // the point is on the passable side of its triangle
-  Cell cell;                  // of a marked edge or vertex: a cell at it
+  Cell cell;                  // a cell with the obstacle from which the part is seen
 };
 
 /** Finds the pairs of parts with obstacles of one list. What is found does not depend on the order of the list. */
@@ -33,7 +35,7 @@ class PairSearch {
              double reach) noexcept
       : env_(env), list_(list), near_(near), is_shifted_(is_shifted), reach_(reach), far_(reach * (1 + 0x1p-20)) {}
 
-  /** Calls visit(pair) for the pairs with features for which accept(feature) is true. `place` of the part in the simplex
+  /** Calls visit(pair), without a wall, for the pairs with features for which accept(feature) is true. `place` of the part in the simplex
    * that was selected for. */
   template <class Accept, class Visit>
   void find(const Part<D>& part, uint32_t place, Accept accept, Visit visit) const {
@@ -45,6 +47,11 @@ class PairSearch {
       if (measure(part, f, pair)) visit(pair);
     }
   }
+  /** Finds for a pair with the environment what it is told by: the facet with its feature that makes the least angle with
+   * the way to the point. Of several, the lowest one from whose passable side the point is seen, else the lowest one. Only
+   * what is in the fan of cells at the end of the way counts, so what else is in the list does not matter. The facet's
+   * normal serves where the points are too close. False: the fan has no obstacle there. Throws std::bad_alloc. */
+  bool find_wall(PassableFan<D>& fan, NearPair<D>& pair) const;
   /** Whether no obstacle of a list that has a feature comes closer to a part. The nearest points have to be unique and
    * inside of both. Exact. */
   static bool is_local_minimum(const NearList<D>& list, bool is_shifted, const Part<D>& part,
@@ -57,10 +64,6 @@ class PairSearch {
   bool are_inside(const Part<D>& part, const NearFeature& f) const noexcept;
   /** Where the two are nearest; whether that is within reach. */
   bool measure(const Part<D>& part, const NearFeature& f, NearPair<D>& pair) const noexcept;
-  /** The facet with a feature that makes the least angle with the way to the point. Of several, the lowest one from
-   * whose passable side the point is seen, else the lowest one. What else is in the list does not matter. Returns the
-   * number of the obstacle. */
-  uint32_t find_wall(const NearFeature& f, NearPair<D>& pair) const noexcept;
   /** The normal of an obstacle that has a facet, into the passable cell. */
   Vec normal_of(uint32_t obstacle) const noexcept;
   static void corners_of(const NearList<D>& list, const NearFeature& f, const double** out) noexcept {

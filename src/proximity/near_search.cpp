@@ -75,7 +75,7 @@ NearSearch<D>::NearSearch(const Environment<D>& env, const Body<D>& body, NearNo
 /** The way from the part's first vertex to its nearest point lies in the part, which is free. From there another one
  * leads to the obstacle. */
 template <int D>
-bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearList<D>& list, const NearPair<D>& pair) {
+Cell NearSearch<D>::look(const Part<D>& part, const NearList<D>& list, const NearPair<D>& pair) {
   const bool is_of_body = &list == &others_;
   SimplexPoints obstacle{{}, pair.feature.count}, of_part{{}, part.corners.count};
   for (uint32_t i = 0; i < obstacle.count; ++i) obstacle.at[i] = list.point(pair.feature.corners[i]);
@@ -85,13 +85,14 @@ bool NearSearch<D>::is_in_sight(const Part<D>& part, const NearList<D>& list, co
   if (of_part.count > 1) {
     Sightline<D> in_part(SightEnd<D>({{part.points[0]}, 1}, obstacle, EndShift::kWhole), point);
     at = walk_along(env_, in_part, at.cell, nullptr, 0);
-    if (at.is_hit) return false;
+    if (at.is_hit) return {};
   }
   const EndShift shift = is_of_body ? EndShift::kWhole : of_part.count == 1 ? EndShift::kFoot : EndShift::kStill;
   const uint32_t known = is_of_body ? 0 : obstacle.count;
   Sightline<D> line(point, SightEnd<D>(obstacle, of_part, shift));
   at = walk_along(env_, line, at.cell, pair.obstacle_vertices, known);
-  return !at.is_hit && (is_of_body || ends_at(env_, line, at.cell, pair.obstacle_vertices, known, cells_));
+  if (at.is_hit) return {};
+  return is_of_body ? at.cell : find_cell_at_end(env_, line, at.cell, pair.obstacle_vertices, known, cells_);
 }
 
 template <int D>
@@ -107,8 +108,11 @@ void NearSearch<D>::find_walls(double reach, Array<FoundPair<D>>& found) {
       const Part<D> part(body_, s);
       search.find(
           part, place, [](const NearFeature&) { return true; },
-          [&](const NearPair<D>& pair) {
-            if (is_in_sight(part, view.list, pair)) found.push_back({pair, kNone});
+          [&](NearPair<D>& pair) {
+            const Cell end = look(part, view.list, pair);
+            if (!end.valid()) return;
+            PassableFan<D> fan(env_, end, pair.obstacle_vertices, pair.feature.count, cells_);
+            if (search.find_wall(fan, pair)) found.push_back({pair, kNone});
           });
     });
     return true;
@@ -184,7 +188,7 @@ void NearSearch<D>::find_partner(const Partners<D>& partners, uint32_t number, d
             return is_accepted(other, part, names, f.count);
           },
           [&](const NearPair<D>& pair) {
-            if (is_in_sight(part, others_, pair)) found.push_back({pair, number});
+            if (look(part, others_, pair).valid()) found.push_back({pair, number});
           });
     });
     return true;

@@ -25,8 +25,9 @@ class NearSearch {
   void find_partner(const Partners<D>& partners, uint32_t number, double reach, Array<FoundPair<D>>& found);
 
  private:
-  /** Whether the segment between the nearest points of a pair passes nothing impassable. Exact. */
-  bool is_in_sight(const Part<D>& part, const NearList<D>& list, const NearPair<D>& pair);
+  /** The cell at the end of the segment between the nearest points of a pair, which has the obstacle of the environment.
+   * Invalid: the segment passes something impassable. Exact. */
+  Cell look(const Part<D>& part, const NearList<D>& list, const NearPair<D>& pair);
   bool is_accepted(const Body<D>& other, const Part<D>& part, const uint32_t* corners, uint32_t count) const noexcept;
   void collect(const Body<D>& other, const Part<D>& cover, double reach);
 

@@ -107,16 +107,21 @@ class SightWalk {
   const double* passed_[D] = {};  // its simplex, seen from the cell before
 };
 
-/** Whether a triangle of a cell's surface, in the plane a side, has some vertices. A cell can have them and another way
- * between them. */
+/** Whether a triangle of a cell's surface, in the plane a side, has some vertices. */
+template <int D>
+bool has_vertices(const Map<D>& map, Cell c, const Shape& shape, uint32_t simplex, const uint32_t* vertices,
+                  uint32_t count) noexcept {
+  const uint16_t* const local = shape.simplices() + size_t{D} * simplex;
+  return std::all_of(vertices, vertices + count, [&](uint32_t v) {
+    return std::any_of(local, local + D, [&](uint16_t i) { return map.vertex(c, i) == v; });
+  });
+}
+
+/** Whether one of them has some vertices. A cell can have them and another way between them. */
 template <int D>
 bool has_obstacle(const Map<D>& map, Cell c, const Shape& shape, const uint32_t* vertices, uint32_t count) noexcept {
   for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
-    const uint16_t* const local = shape.simplices() + size_t{D} * s;
-    const auto is_corner = [&](uint32_t v) {
-      return std::any_of(local, local + D, [&](uint16_t i) { return map.vertex(c, i) == v; });
-    };
-    if (std::all_of(vertices, vertices + count, is_corner)) return true;
+    if (has_vertices(map, c, shape, s, vertices, count)) return true;
   }
   return false;
 }
@@ -139,14 +144,14 @@ SightResult walk_along(const Environment<D>& env, Sightline<D>& line, Cell start
 }
 
 template <int D>
-bool ends_at(const Environment<D>& env, Sightline<D>& line, Cell end, const uint32_t* vertices, uint32_t count,
-             CellQueue& cells) {
+Cell find_cell_at_end(const Environment<D>& env, Sightline<D>& line, Cell end, const uint32_t* vertices, uint32_t count,
+                      CellQueue& cells) {
   cells.clear();
   cells.insert(end);
   for (size_t i = 0; i < cells.size(); ++i) {
     const Cell c = cells[i];
     const Shape shape = env.map.shape(c);
-    if (has_obstacle(env.map, c, shape, vertices, count)) return true;
+    if (has_obstacle(env.map, c, shape, vertices, count)) return c;
     for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
       const double* points[D];
       simplex_points(env, c, shape, s, points);
@@ -155,10 +160,27 @@ bool ends_at(const Environment<D>& env, Sightline<D>& line, Cell end, const uint
       if (!is_impassable(env, h)) cells.insert(env.map.cell_of(env.map.opposite(h)));
     }
   }
-  return false;
+  return {};
+}
+
+template <int D>
+bool PassableFan<D>::reaches(Cell c) {
+  for (; !cells_.contains(c); ++next_) {
+    if (next_ == cells_.size()) return false;
+    const Cell at = cells_[next_];
+    const Shape shape = env_.map.shape(at);
+    for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
+      if (!has_vertices(env_.map, at, shape, s, vertices_, count_)) continue;
+      const HalfFacet h = env_.map.half_facet(at, shape.simplex_facets(D)[s]);
+      if (!is_impassable(env_, h)) cells_.insert(env_.map.cell_of(env_.map.opposite(h)));
+    }
+  }
+  return true;
 }
 
 DSW_INSTANTIATE(walk_along);
-DSW_INSTANTIATE(ends_at);
+DSW_INSTANTIATE(find_cell_at_end);
+template class PassableFan<2>;
+template class PassableFan<3>;
 
 }  // namespace dsw
