@@ -137,28 +137,37 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
   };
   uint32_t found = kNone;
   double most = 0;
-  list_.for_each_obstacle(f, [&](uint32_t i) {
+  const auto cell_at = [&](const NearObstacle<D>& o) { return o.facet.valid() ? map.cell_of(o.facet) : o.cell; };
+  const auto offer = [&](uint32_t i) {
     const NearObstacle<D>& o = list_.obstacles()[i];
     if (!o.facet.valid()) {
-      if (found == kNone && fan.reaches(o.cell)) found = i;
+      if (found == kNone) found = i;
       return;
     }
+    const double close = closeness(o);
+    if (pair.wall.valid() && close < most) return;
     const double* corners[D];
     for (int k = 0; k < D; ++k) corners[k] = list_.point(o.vertices[k]);
     const int side = orient<D>(corners, pair.point);
     const bool is_seen = (side != 0 ? side : exact::plane_side<D>(corners, pair.point).sign) <= 0;
-    const double close = closeness(o);
-    if (pair.wall.valid()) {
-      if (close != most ? close < most : is_seen != pair.is_wall_seen ? !is_seen : key(pair.wall) < key(o.facet))
-        return;
+    if (pair.wall.valid() && close == most) {
+      if (is_seen != pair.is_wall_seen ? !is_seen : key(pair.wall) < key(o.facet)) return;
     }
-    if (!fan.reaches(map.cell_of(o.facet))) return;
     found = i;
     most = close;
     pair.wall = o.facet;
     pair.is_wall_seen = is_seen;
-  });
-  if (found == kNone) return false;
+  };
+  // What is nearest in angle is nearly always in the fan. So the fan is asked once, and not for each obstacle.
+  list_.for_each_obstacle(f, offer);
+  if (!fan.reaches(cell_at(list_.obstacles()[found]))) {
+    found = kNone;
+    pair.wall = {};
+    list_.for_each_obstacle(f, [&](uint32_t i) {
+      if (fan.reaches(cell_at(list_.obstacles()[i]))) offer(i);
+    });
+    if (found == kNone) return false;
+  }
   pair.cell = fan.first();
   if (!pair.has_normal && pair.wall.valid()) store<3>(normal_of(found) + Vec::Zero(), pair.normal);  // never -0
   return true;

@@ -107,24 +107,38 @@ class SightWalk {
   const double* passed_[D] = {};  // its simplex, seen from the cell before
 };
 
-/** Whether a triangle of a cell's surface, in the plane a side, has some vertices. */
+/** Where a cell has the vertices of an obstacle. */
 template <int D>
-bool has_vertices(const Map<D>& map, Cell c, const Shape& shape, uint32_t simplex, const uint32_t* vertices,
-                  uint32_t count) noexcept {
-  const uint16_t* const local = shape.simplices() + size_t{D} * simplex;
-  return std::all_of(vertices, vertices + count, [&](uint32_t v) {
-    return std::any_of(local, local + D, [&](uint16_t i) { return map.vertex(c, i) == v; });
-  });
-}
-
-/** Whether one of them has some vertices. A cell can have them and another way between them. */
-template <int D>
-bool has_obstacle(const Map<D>& map, Cell c, const Shape& shape, const uint32_t* vertices, uint32_t count) noexcept {
-  for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
-    if (has_vertices(map, c, shape, s, vertices, count)) return true;
+class ObstacleInCell {
+ public:
+  ObstacleInCell(const Map<D>& map, Cell c, const Shape& shape, const uint32_t* vertices, uint32_t count) noexcept
+      : shape_(shape), count_(count) {
+    for (uint32_t i = 0; i < shape.vertex_count(); ++i) {
+      const uint32_t* const at = std::find(vertices, vertices + count, map.vertex(c, i));
+      if (at != vertices + count) local_[at - vertices] = i;
+    }
   }
-  return false;
-}
+  /** Whether a triangle of the cell's surface, in the plane a side, has all of them. */
+  bool is_on(uint32_t simplex) const noexcept {
+    const uint16_t* const corners = shape_.simplices() + size_t{D} * simplex;
+    uint32_t shared = 0;
+    for (int i = 0; i < D; ++i) {
+      for (uint32_t k = 0; k < count_; ++k) shared += corners[i] == local_[k];
+    }
+    return shared == count_;
+  }
+  /** Whether one has. A cell can have all vertices and another way between them. */
+  bool is_there() const noexcept {
+    for (uint32_t s = 0; s < shape_.simplex_count(); ++s) {
+      if (is_on(s)) return true;
+    }
+    return false;
+  }
+
+ private:
+  const Shape& shape_;
+  uint32_t count_, local_[3] = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
+};
 
 }  // namespace
 
@@ -151,7 +165,7 @@ Cell find_cell_at_end(const Environment<D>& env, Sightline<D>& line, Cell end, c
   for (size_t i = 0; i < cells.size(); ++i) {
     const Cell c = cells[i];
     const Shape shape = env.map.shape(c);
-    if (has_obstacle(env.map, c, shape, vertices, count)) return c;
+    if (ObstacleInCell<D>(env.map, c, shape, vertices, count).is_there()) return c;
     for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
       const double* points[D];
       simplex_points(env, c, shape, s, points);
@@ -169,8 +183,9 @@ bool PassableFan<D>::reaches(Cell c) {
     if (next_ == cells_.size()) return false;
     const Cell at = cells_[next_];
     const Shape shape = env_.map.shape(at);
+    const ObstacleInCell<D> obstacle(env_.map, at, shape, vertices_, count_);
     for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
-      if (!has_vertices(env_.map, at, shape, s, vertices_, count_)) continue;
+      if (!obstacle.is_on(s)) continue;
       const HalfFacet h = env_.map.half_facet(at, shape.simplex_facets(D)[s]);
       if (!is_impassable(env_, h)) cells_.insert(env_.map.cell_of(env_.map.opposite(h)));
     }
