@@ -35,9 +35,10 @@ FacetPairs::FacetPairs(const Environment<3>& env, const OuterFacets<3>& outer, d
       first_(outer.count() + 1, 0, env.memory),
       partners_(env.memory),
       loops_(env.memory) {
-  faces_.reserve(outer.count());
-  for (uint32_t i = 0; i < outer.count(); ++i) faces_.push_back(face_of(i));
-  find_pairs();
+  const Array<uint32_t> inner = find_inner();
+  faces_.resize(outer.count());
+  for (const uint32_t i : inner) faces_[i] = face_of(i);
+  find_pairs(inner);
   for (const ItemPair& pair : pairs_) {
     hang(pair.low, outer_.loop(pair.high));
     hang(pair.high, outer_.loop(pair.low));
@@ -52,6 +53,24 @@ FacetPairs::FacetPairs(const Environment<3>& env, const OuterFacets<3>& outer, d
     }
     if (before != hanging_.count()) fill_loops();
   }
+}
+
+/** The facets that may have partners. A facet that lies in a side of the box round the mesh has none: their cells would be beyond. */
+Array<uint32_t> FacetPairs::find_inner() const {
+  ClosedBox<3> all;
+  for (uint32_t i = 0; i < outer_.count(); ++i) {
+    all.add(outer_.box(i).lower);
+    all.add(outer_.box(i).upper);
+  }
+  Array<uint32_t> inner{env_.memory};
+  inner.reserve(outer_.count());
+  for (uint32_t i = 0; i < outer_.count(); ++i) {
+    const ClosedBox<3>& box = outer_.box(i);
+    bool is_beside = false;
+    for (int k = 0; k < 3; ++k) is_beside |= box.upper[k] == all.lower[k] || box.lower[k] == all.upper[k];
+    if (!is_beside || room_ > 0) inner.push_back(i);
+  }
+  return inner;
 }
 
 void FacetPairs::points_of(const uint32_t* triangle, const double* (&points)[3]) const {
@@ -124,6 +143,8 @@ bool FacetPairs::all_lie_on(uint32_t i, uint32_t j) const {
 
 /** Whether a triangle of facet j is turned against facet i. */
 bool FacetPairs::are_opposite(uint32_t i, uint32_t j) const {
+  const Face &a = faces_[i], &b = faces_[j];
+  if (b.is_convex && b.is_flat && a.view.axis == b.view.axis) return a.view.sense * b.view.sense < 0;
   const VertexRange triangles = outer_.simplices(j);
   for (uint32_t t = 0; t < triangles.size(); t += 3) {
     if (turn(faces_[i].view, triangles[t], triangles[t + 1], triangles[t + 2]) < 0) return true;
@@ -165,8 +186,9 @@ bool FacetPairs::overlap(uint32_t i, uint32_t j) const {
   return !is_separating(i, j, faces_[i].view) && !is_separating(j, i, faces_[i].view);
 }
 
-void FacetPairs::find_pairs() {
-  outer_.pairs(room_).for_each([&](uint32_t i, uint32_t j) {
+void FacetPairs::find_pairs(const Array<uint32_t>& inner) {
+  outer_.pairs(inner, room_).for_each([&](uint32_t at, uint32_t other) {
+    const uint32_t i = inner[at], j = inner[other];
     if (outer_.cell(i) == outer_.cell(j) || !are_opposite(i, j)) return;
     if ((all_lie_on(i, j) || all_lie_on(j, i)) && overlap(i, j)) pairs_.push_back({i, j});
   });

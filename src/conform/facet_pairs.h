@@ -33,6 +33,7 @@ class FacetPairs {
     bool is_flat, is_convex;  // is_convex: for certain
   };
 
+  Array<uint32_t> find_inner() const;
   Face face_of(uint32_t i) const;
   const double* point(uint32_t v) const { return env_.point(v); }
   void points_of(const uint32_t* triangle, const double* (&points)[3]) const;
@@ -44,7 +45,7 @@ class FacetPairs {
   bool is_separating(uint32_t i, uint32_t j, LoopView view) const;
   bool triangles_overlap(uint32_t i, uint32_t j) const;
   bool overlap(uint32_t i, uint32_t j) const;
-  void find_pairs();
+  void find_pairs(const Array<uint32_t>& inner);
   void hang(uint32_t i, VertexRange points);
   void fill_loops();
 
@@ -52,7 +53,7 @@ class FacetPairs {
   const OuterFacets<3>& outer_;
   double room_;
   HangingPoints<3>& hanging_;
-  Array<Face> faces_;
+  Array<Face> faces_;      // of facets that may have partners
   Array<ItemPair> pairs_;  // in no certain order
   Array<uint32_t> first_, partners_;
   Loops loops_;

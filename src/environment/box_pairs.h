@@ -18,14 +18,15 @@ struct ItemPair {
 template <int D>
 class BoxPairs {
  public:
-  /** Takes `count` boxes. Pairs are those that have a length in common along all axes but one, and meet along that one. Two
+  /** Takes `count` boxes, box_of(i). Pairs are those that have a length in common along all axes but one, and meet along that one. Two
    * intervals whose ends are less than `room` apart count as if they had a length in common. Throws std::bad_alloc. */
-  BoxPairs(const ClosedBox<D>* boxes, uint32_t count, double room, const Memory* memory)
+  template <class BoxOf>
+  BoxPairs(const BoxOf& box_of, uint32_t count, double room, const Memory* memory)
       : room_(room), order_(memory), bounds_(memory), nodes_(memory), level_first_(memory) {
     if (count == 0) return;
-    sort(boxes, count, memory);
+    sort(box_of, count, memory);
     bounds_.reserve(count);
-    for (const uint32_t i : order_) bounds_.push_back(bounds(boxes[i]));
+    for (const uint32_t i : order_) bounds_.push_back(bounds(box_of(i)));
     enclose(count);
   }
 
@@ -62,9 +63,10 @@ class BoxPairs {
     return (x | x << 1) & 0x5555555555555555u;
   }
 
-  void sort(const ClosedBox<D>* boxes, uint32_t count, const Memory* memory) {
-    Bounds all = bounds(boxes[0]);
-    for (uint32_t i = 1; i < count; ++i) add(all, bounds(boxes[i]));
+  template <class BoxOf>
+  void sort(const BoxOf& box_of, uint32_t count, const Memory* memory) {
+    Bounds all = bounds(box_of(0));
+    for (uint32_t i = 1; i < count; ++i) add(all, bounds(box_of(i)));
     double scale[D];
     for (int k = 0; k < D; ++k) {
       const double width = all.upper[k] / 2 - all.lower[k] / 2;
@@ -73,8 +75,9 @@ class BoxPairs {
     Array<Keyed> keyed(count, Keyed{}, memory), other(count, Keyed{}, memory);
     for (uint32_t i = 0; i < count; ++i) {
       uint64_t key = 0;
+      const ClosedBox<D>& box = box_of(i);
       for (int k = 0; k < D; ++k) {
-        const double middle = boxes[i].lower[k] / 4 + boxes[i].upper[k] / 4 - all.lower[k] / 2;
+        const double middle = box.lower[k] / 4 + box.upper[k] / 4 - all.lower[k] / 2;
         const double at = std::min(std::max(middle * scale[k], 0.0), static_cast<double>((uint64_t{1} << kBits) - 1));
         key |= spread(at == at ? static_cast<uint64_t>(at) : 0) << k;
       }

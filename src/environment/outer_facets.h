@@ -60,10 +60,9 @@ class OuterFacets {
     simplices_.reserve(count * (D == 3 ? 6 : 2));
     boxes_.reserve(count);
     for_each_cell(env.map, [&](Cell c) {
-      const Shape shape = env.map.shape(c);
-      for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      for (uint32_t f = 0, facets = env.map.facets_of(c); f < facets; ++f) {
         const HalfFacet h = env.map.half_facet(c, f);
-        if (!env.map.opposite(h).valid()) add(c, shape, f, h);
+        if (!env.map.opposite(h).valid()) add(c, env.map.shape(c), f, h);
       }
     });
     loop_first_.push_back(static_cast<uint32_t>(loops_.size()));
@@ -87,19 +86,29 @@ class OuterFacets {
   /** Its simplices, D vertices each. */
   VertexRange simplices(uint32_t i) const { return range(simplices_, simplex_first_, i); }
   const ClosedBox<D>& box(uint32_t i) const { return boxes_[i]; }
-  /** Pairs of facets that may overlap, or would if one of them moved by `room`. Throws std::bad_alloc. */
-  BoxPairs<D> pairs(double room) const { return BoxPairs<D>(boxes_.data(), count(), room, env_.memory); }
+  /** Pairs of facets that may overlap. Throws std::bad_alloc. */
+  BoxPairs<D> pairs() const {
+    const auto box_of = [this](uint32_t i) -> const ClosedBox<D>& { return boxes_[i]; };
+    return BoxPairs<D>(box_of, count(), 0, env_.memory);
+  }
+  /** Pairs of places among `chosen` facets, which may overlap, or would if one of them moved by `room`. Throws std::bad_alloc. */
+  BoxPairs<D> pairs(const Array<uint32_t>& chosen, double room) const {
+    const auto box_of = [&](uint32_t at) -> const ClosedBox<D>& { return boxes_[chosen[at]]; };
+    return BoxPairs<D>(box_of, static_cast<uint32_t>(chosen.size()), room, env_.memory);
+  }
 
  private:
   void add(Cell c, const Shape& shape, uint32_t f, HalfFacet h) {
     facets_.push_back(h);
     loop_first_.push_back(static_cast<uint32_t>(loops_.size()));
     simplex_first_.push_back(static_cast<uint32_t>(simplices_.size()));
-    boxes_.push_back({});
+    ClosedBox<D> box;
     for_each_facet_vertex<D>(shape, f, [&](uint32_t local) {
-      loops_.push_back(env_.map.vertex(c, local));
-      boxes_.back().add(env_.point(loops_.back()));
+      const uint32_t vertex = env_.map.vertex(c, local);
+      loops_.push_back(vertex);
+      box.add(env_.point(vertex));
     });
+    boxes_.push_back(box);
     for (uint32_t k = D * shape.simplex_first(f); k < D * shape.simplex_first(f + 1); ++k) {
       simplices_.push_back(env_.map.vertex(c, shape.simplices()[k]));
     }

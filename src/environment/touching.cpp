@@ -21,7 +21,8 @@ bool triangles_touch(const Environment<3>& env, const uint32_t* t, const uint32_
   const double* const of_t[3] = {env.point(t[0]), env.point(t[1]), env.point(t[2])};
   const double* const of_s[3] = {env.point(s[0]), env.point(s[1]), env.point(s[2])};
   for (const double* const p : of_s) {
-    if (orient<3>(of_t, p) != 0) return false;
+    const bool is_corner = p == of_t[0] || p == of_t[1] || p == of_t[2];
+    if (!is_corner && orient<3>(of_t, p) != 0) return false;
   }
   return insides_meet(of_t, of_s, projection(of_t));
 }
@@ -61,7 +62,7 @@ Touching find_touching(const Environment<D>& env) {
     return outer.cell(i) != outer.cell(j) && facets_touch(env, outer, i, j);
   };
   Array<uint8_t> touches(outer.count(), 0, env.memory);
-  outer.pairs(0).for_each([&](uint32_t i, uint32_t j) {
+  outer.pairs().for_each([&](uint32_t i, uint32_t j) {
     if ((touches[i] & touches[j]) != 0 || !touch(i, j)) return;
     touches[i] = touches[j] = 1;
   });

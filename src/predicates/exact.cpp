@@ -70,6 +70,17 @@ int orient_of(const Points<R, D, Count>& x) noexcept {
   return sign(dot<R>(x.normal(0), x.difference(D, 0)));
 }
 
+/** Whether four points are at two places if a coordinate is left out: they lie in a plane, as on the sides of prisms that stand upright. */
+bool are_upright(const double* const (&p)[4]) noexcept {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    const auto same = [&](int a, int b) { return p[a][i] == p[b][i] && p[a][j] == p[b][j]; };
+    if ((same(0, 1) && same(2, 3)) || (same(0, 2) && same(1, 3)) || (same(0, 3) && same(1, 2))) return true;
+  }
+  return false;
+}
+bool are_upright(const double* const (&)[3]) noexcept { return false; }
+
 }  // namespace
 
 template <int D>
@@ -102,6 +113,7 @@ int orient(const double* const* simplex, const double* q) noexcept {
   const double* points[D + 1];
   for (int i = 0; i < D; ++i) points[i] = simplex[i];
   points[D] = q;
+  if (are_upright(points)) return 0;
   return evaluate<D>(points, [](const auto& x) noexcept { return orient_of(x); });
 }
 

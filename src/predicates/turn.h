@@ -39,7 +39,10 @@ inline bool insides_meet(const double* const (&t)[3], const double* const (&s)[3
     const int sense = turn_sign<3>(one[0], one[1], one[2], axis);
     for (int k = 0; k < 3; ++k) {
       bool beyond = true;
-      for (const double* p : other) beyond = beyond && turn_sign<3>(one[k], one[(k + 1) % 3], p, axis) * sense <= 0;
+      const double *const from = one[k], *const to = one[(k + 1) % 3];
+      for (const double* p : other) {
+        beyond = beyond && (p == from || p == to || turn_sign<3>(from, to, p, axis) * sense <= 0);
+      }
       if (beyond) return true;
     }
     return false;

@@ -50,7 +50,8 @@ void expect_all_pairs_once(double room, size_t count, unsigned seed) {
     }
   }
   const Memory memory;
-  BoxPairs<D>(boxes.data(), static_cast<uint32_t>(count), room, &memory).for_each([&](uint32_t i, uint32_t j) {
+  const auto box_of = [&](uint32_t i) -> const ClosedBox<D>& { return boxes[i]; };
+  BoxPairs<D>(box_of, static_cast<uint32_t>(count), room, &memory).for_each([&](uint32_t i, uint32_t j) {
     EXPECT_LT(i, j);
     EXPECT_TRUE(found.insert({i, j}).second);
   });
@@ -78,7 +79,8 @@ TEST(BoxPairsTest, BoxesOfAnySizeAreFound) {
     }
     const Memory memory;
     size_t count = 0;
-    BoxPairs<3>(boxes, 6, 0, &memory).for_each([&](uint32_t, uint32_t) { ++count; });
+    const auto box_of = [&](uint32_t i) -> const ClosedBox<3>& { return boxes[i]; };
+    BoxPairs<3>(box_of, 6, 0, &memory).for_each([&](uint32_t, uint32_t) { ++count; });
     EXPECT_EQ(count, size > 0 ? 15u : 0u) << size;
   }
 }
