@@ -1,4 +1,4 @@
-"""Surfaces of unstructured zones of CGNS files. VTK leaves out boundary conditions of most types without a word, so they are read here."""
+"""Surfaces of unstructured zones of CGNS files. VTK leaves out their boundary conditions, so these are read here."""
 
 from __future__ import annotations
 
