@@ -285,20 +285,21 @@ void find_way_left(const Vec& normal, const Vec& way, const double* touched, con
   const double most = 1 - time, part = dot(out, difference<D>(to, touched)) / dot(out, way);
   touch.left = part < most ? std::max(part, 0.0) : most;  // also where it is no number
   const double sense = dot(out, way);
-  store<D>(sense > 0 ? out : sense < 0 ? Vec(-1.0 * out) : to_vec<D>(touch.normal), touch.end_normal);
+  store<D>(sense > 0 ? out : sense < 0 ? Vec(-1.0 * out) : to_vec<D>(touch.other.normal), touch.end_normal);
 }
 
 /** What comes too near to a thick body. */
 template <int D>
 WallTouch describe_near(const Occupants<D>& all, const WallHit& hit) {
   WallTouch touch;
+  touch.time = hit.time;
   const Body<D>& body = *all.bodies[hit.feature.owner].body;
   Vec point = Vec::Zero();
   int k = 0;
   for (const uint32_t v : SimplexCorners<D>(body, simplex_of(hit.feature)))
     point += hit.shares[k++] * to_vec<D>(body.position(v));
   store<D>(point, touch.point);
-  std::copy_n(hit.normal, D, touch.normal);
+  std::copy_n(hit.normal, D, touch.other.normal);
   std::copy_n(hit.normal, D, touch.end_normal);
   touch.left = std::min(hit.moving_share, 1.0) * (1 - hit.time);
   std::copy_n(hit.shares, 3, touch.weights);
@@ -355,6 +356,7 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
                          const double* to) {
   if (hit.shares[0] + hit.shares[1] + hit.shares[2] > 0) return describe_near(all, hit);
   WallTouch touch;
+  touch.time = hit.time;
   double at[D];
   point_at<D>(from, to, hit.time, at);
   const Vec way = difference<D>(to, from);
@@ -379,7 +381,7 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
     if (is_zero(normal)) normal = unit(way);
     if (dot(normal, way) < 0) normal = -1.0 * normal;
   }
-  store<D>(normal, touch.normal);
+  store<D>(normal, touch.other.normal);
   find_way_left<D>(find_end_normal(env, hit, corners, to), way, corners[0], to, hit.time, touch);
   return touch;
 }

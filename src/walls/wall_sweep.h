@@ -5,6 +5,7 @@
 // side sweeps a triangle, the vertex a segment.
 
 #include "base/vec.h"
+#include "contact/touch.h"
 #include "corridor/candidates.h"
 #include "walls/occupants.h"
 
@@ -56,11 +57,10 @@ class WallSweep {
   Array<WallFeature> ridges_{env_.memory};     // of those, and marked edges; in the plane the vertex: met by edges
 };
 
-/** Where and how a hit touches. */
-struct WallTouch {
-  double point[3] = {}, normal[3] = {};  // the normal: unit, out of the wall, in the sense of its motion
-  double along = 0;                      // of a touched edge, from its first end
-  double weights[3] = {1, 0, 0};         // of the corners of what is touched in the point
+/** A touch of a hit, and what is needed to push what is touched. The normal is in the sense of the wall's motion, and `along`
+ * begins at the first end of a touched edge. */
+struct WallTouch : Touch {
+  double weights[3] = {1, 0, 0};  // of the corners of what is touched in the point
   // How far the touched point of the wall still goes: a part of the vertex's way, as that point is between the vertex
   // and what stays. Not more than 1 - time.
   double left = 0;
