@@ -24,8 +24,7 @@ bool pass_on(const Environment<D>& env, Corridor<D>& corridor, HalfFacet crossed
 
 /** Whether walls are known to end the passable cells round a ridge. */
 bool knows_walls(const Environment<3>& env, const TouchedLines* touched, const FirstRidge& ridge) noexcept {
-  const TouchedLine line{{ridge.vertices[0], ridge.vertices[1]}};
-  return touched != nullptr && touched->knows_fan(line, ridge.facet, env.change_version);
+  return touched != nullptr && touched->knows_fan(ridge.ridge, ridge.facet, env.change_version);
 }
 
 template <int D>
@@ -44,7 +43,7 @@ bool knows_path(const Question<D>& q) noexcept {
  * into a point, over one vertex after the other; a point of the triangle outside of it would be one that they wind
  * round. */
 template <int D>
-bool turns_freely(const Question<D>& q, const Pivot<D>& pivot) {
+bool turns_freely(const Question<D>& q, const RidgeName& pivot) {
   if constexpr (D == 3) {
     const double* const triangle[3] = {q.edge.way.start, q.edge.way.end, q.edge.q};
     const uint32_t(&edge)[2] = pivot.vertices;
@@ -62,7 +61,7 @@ bool turns(const Question<D>& q) {
   const bool first = q.edge.p_first;
   const double *const from = first ? q.edge.way.end : q.edge.q, *const to = first ? q.edge.q : q.edge.way.end;
   const Cell start = first ? q.edge.way.arrival : q.edge.q_cell, end = first ? q.edge.q_cell : q.edge.way.arrival;
-  Pivot<D> pivot;
+  RidgeName pivot;
   for (int rest = q.swept && D == 3 ? 1 : kMostTurns; rest != 0; --rest) {
     if (!turn(q.env, *q.corridor, from, to, pivot) || (q.swept && !turns_freely(q, pivot))) break;
     if (follows(q.env, *q.corridor, from, to, start, end)) return true;
@@ -143,8 +142,8 @@ Verdict up_to_ridge(const Question<3>& q, bool* goes_on) {
   // Only cells of facets in rows are known to be convex.
   const EdgeMotion m = q.edge.edge();
   const size_t added = (q.corridor->facets.size() + crossed - count) / 2;  // the others have been removed
-  bool knows = in_rows && q.env.map.convex(way.arrival) &&
-               find_first_ridge(q.env, *q.corridor, m, q.edge.p_first, added, ridge);
+  bool knows =
+      in_rows && q.env.map.convex(way.arrival) && find_first_ridge(q.env, *q.corridor, m, q.edge.p_first, added, ridge);
   bool turned = false;
   for (int turns = 0; stays && q.arrives && knows && ridge->facet.valid() && turns < kMostTurns; ++turns) {
     if (knows_walls(q.env, q.touched, *ridge)) break;

@@ -16,9 +16,9 @@ struct ConvexCells {
   template <class Visit>
   bool for_each_ridge(HalfFacet facet, Visit visit) const;
   /** Whether a facet has a ridge of its cell. */
-  bool has(uint32_t facet, const Pivot<D>& pivot) const noexcept;
+  bool has(uint32_t facet, const RidgeName& pivot) const noexcept;
   /** The facet of `c` that has the pivot, as the one has that was entered. */
-  HalfFacet other(Cell c, HalfFacet entered, const Pivot<D>& pivot) const noexcept;
+  HalfFacet other(Cell c, HalfFacet entered, const RidgeName& pivot) const noexcept;
 };
 
 template <int D>
@@ -43,17 +43,17 @@ bool ConvexCells<D>::for_each_ridge(HalfFacet facet, Visit visit) const {
 }
 
 template <int D>
-bool ConvexCells<D>::has(uint32_t facet, const Pivot<D>& pivot) const noexcept {
+bool ConvexCells<D>::has(uint32_t facet, const RidgeName& pivot) const noexcept {
   uint32_t missing = D - 1;  // of the pivot's vertices
   for_each_ridge({facet}, [&](uint32_t a, uint32_t) {
-    for (const uint32_t v : pivot.vertices) missing -= a == v ? 1 : 0;
+    for (int k = 0; k < D - 1; ++k) missing -= a == pivot.vertices[k] ? 1 : 0;
     return missing != 0;
   });
   return missing == 0;
 }
 
 template <int D>
-HalfFacet ConvexCells<D>::other(Cell c, HalfFacet entered, const Pivot<D>& pivot) const noexcept {
+HalfFacet ConvexCells<D>::other(Cell c, HalfFacet entered, const RidgeName& pivot) const noexcept {
   if (D == 2 || map.form(c) == Form::kSimplex) return other_at(map, c, entered, pivot);
   for (uint32_t f = 0, count = map.facets_of(c); f < count; ++f) {
     const HalfFacet h = map.half_facet(c, f);

@@ -142,20 +142,21 @@ bool pass(const Environment<3>& env, const double* from, const double* to, const
 bool pass(const Environment<2>&, const double*, const double*, const Array<uint32_t>&) noexcept { return false; }
 
 /** What a line passes on the wrong side of a facet that it does not pass. */
-Pivot<3> missed_ridge(const Environment<3>& env, Shear& line, const Corners<3>& corners) noexcept {
+RidgeName missed_ridge(const Environment<3>& env, Shear& line, const Corners<3>& corners) noexcept {
   Shear::Point points[3];
   for (int i = 0; i < 3; ++i) points[i] = line(env.point(corners.vertices[i]));
   int side = 0;
   while (side < 2 && Shear::side(points[side], points[side + 1]) > 0) ++side;
   return {{corners.vertices[side], corners.vertices[(side + 1) % 3]}};
 }
-Pivot<2> missed_ridge(const Environment<2>& env, LineSides& line, const Corners<2>& corners) noexcept {
-  return {{corners.vertices[line.side(env.point(corners.vertices[0])) < 0 ? 1 : 0]}};
+RidgeName missed_ridge(const Environment<2>& env, LineSides& line, const Corners<2>& corners) noexcept {
+  const uint32_t vertex = corners.vertices[line.side(env.point(corners.vertices[0])) < 0 ? 1 : 0];
+  return {{vertex, vertex}};
 }
 
 }  // namespace
 
-HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept {
+HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const RidgeName& edge) noexcept {
   const uint32_t* const w = map.record(c);
   HalfFacet other;
   for (uint32_t f = 0; f < 4; ++f) {
@@ -166,7 +167,7 @@ HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>&
   }
   return other;
 }
-HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const Pivot<2>& vertex) noexcept {
+HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const RidgeName& vertex) noexcept {
   const uint32_t count = map.vertices_of(c), side = map.local_of(entered, c);
   const bool begins_there = map.vertex(c, side) == vertex.vertices[0];
   return map.half_facet(c, (side + (begins_there ? count - 1 : 1)) % count);
@@ -433,12 +434,12 @@ bool passes_before(const Environment<D>& env, const Corridor<D>& corridor, const
   return true;
 }
 
-bool turn_in_rows(const Environment<3>& env, Corridor<3>& corridor, size_t begin, const Pivot<3>& edge) {
+bool turn_in_rows(const Environment<3>& env, Corridor<3>& corridor, size_t begin, const RidgeName& edge) {
   return turn_at(env, corridor, begin, edge, CellsOfRows<3>(env.map));
 }
 
 template <int D>
-bool turn(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Pivot<D>& pivot) {
+bool turn(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, RidgeName& pivot) {
   if (!corridor.known() || !renew(env, corridor)) return false;
   if constexpr (D == 3) {
     if (!corridor.in_rows) return turn_round_edge(env, corridor, from, to, pivot);

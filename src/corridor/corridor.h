@@ -6,6 +6,7 @@
 #include "base/compiler.h"
 #include "corridor/facet_pass.h"
 #include "corridor/moving_part.h"
+#include "corridor/ridge.h"
 #include "environment/environment.h"
 #include "predicates/sweep_events.h"
 #include "walk/cast.h"
@@ -201,23 +202,17 @@ PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) no
 template <int D>
 uint64_t missed_facets(const Environment<D>& env, const Corridor<D>& corridor, const EdgeWay& edge) noexcept;
 
-/** What an edge turns round: an edge of the environment, in the plane a vertex. */
-template <int D>
-struct Pivot {
-  uint32_t vertices[D - 1] = {};
-};
-
 /** The other facet of a cell of rows at a pivot of `entered`. */
-HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept;
-HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const Pivot<2>& vertex) noexcept;
+HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const RidgeName& edge) noexcept;
+HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const RidgeName& vertex) noexcept;
 
 /** Turns a corridor that is kept in rows round the first pivot that the segment passes on the wrong side: what it then
  * passes is the other half of the facets there. The corridor may still not be that of the segment. False, and nothing
  * is changed: there is no such pivot, or no passable way round it. Throws std::bad_alloc. */
 template <int D>
-bool turn(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, Pivot<D>& pivot);
+bool turn(const Environment<D>& env, Corridor<D>& corridor, const double* from, const double* to, RidgeName& pivot);
 /** Turns one that is kept in rows round an edge of its facet `begin`, the first that has it. */
-bool turn_in_rows(const Environment<3>& env, Corridor<3>& corridor, size_t begin, const Pivot<3>& edge);
+bool turn_in_rows(const Environment<3>& env, Corridor<3>& corridor, size_t begin, const RidgeName& edge);
 
 /** A corridor as it was noted, or passed the other way round. */
 struct CorridorView {

@@ -19,7 +19,7 @@ struct Ring {
 /** Finds what the line misses of a facet: the first ridge that it passes on the wrong side, as far as rounded tests
  * tell. False: it certainly misses none. */
 bool find_missed(const Environment<3>& env, const Ring& ring, const double* from, const double* to,
-                 Pivot<3>& pivot) noexcept {
+                 RidgeName& pivot) noexcept {
   const double* corners[4];
   for (int i = 0; i < 4; ++i) corners[i] = env.point(ring.vertices[i]);
   if (kPassesFacet(corners, from, to)) return false;
@@ -48,7 +48,7 @@ struct StandardCells : ConvexCells<3> {
 }  // namespace
 
 bool turn_round_edge(const Environment<3>& env, Corridor<3>& corridor, const double* from, const double* to,
-                     Pivot<3>& pivot) {
+                     RidgeName& pivot) {
   const Map<3>& map = env.map;
   const Array<uint32_t>& facets = corridor.facets;
   const StandardCells cells{map};

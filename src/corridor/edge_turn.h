@@ -10,7 +10,7 @@ namespace dsw {
  * `cells` says whether the way may lead through a cell, whether a facet has the pivot, and which other facet of a cell
  * has it. False, and nothing is changed: there is no passable way. Throws std::bad_alloc. */
 template <int D, class Cells>
-bool turn_at(const Environment<D>& env, Corridor<D>& corridor, size_t begin, const Pivot<D>& pivot,
+bool turn_at(const Environment<D>& env, Corridor<D>& corridor, size_t begin, const RidgeName& pivot,
              const Cells& cells) {
   constexpr size_t kMost = 64;  // facets at a pivot
   const Map<D>& map = env.map;
@@ -39,6 +39,6 @@ bool turn_at(const Environment<D>& env, Corridor<D>& corridor, size_t begin, con
  * are exactly convex. What the edge sweeps is free as it is among tetrahedra (corridor/ask.cpp has the proof): all
  * cells round the pivot have it as an edge. Throws std::bad_alloc. */
 bool turn_round_edge(const Environment<3>& env, Corridor<3>& corridor, const double* from, const double* to,
-                     Pivot<3>& pivot);
+                     RidgeName& pivot);
 
 }  // namespace dsw

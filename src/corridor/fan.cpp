@@ -37,7 +37,7 @@ bool leaves(const Environment<3>& env, const SweptTriangle& triangle, HalfFacet 
 
 /** The cell of the lowest index round the edge of a dart, if all are tetrahedra: links and corners are words of their
  * records. Invalid: they are not. */
-Cell lowest_tetrahedron_round(const Map<3>& map, Dart d, const Pivot<3>& edge) noexcept {
+Cell lowest_tetrahedron_round(const Map<3>& map, Dart d, const RidgeName& edge) noexcept {
   Cell lowest = d.cell;
   if (map.form(lowest) != Form::kSimplex) return {};
   const HalfFacet start = half_facet(map, d);
@@ -60,7 +60,7 @@ Cell lowest_tetrahedron_round(const Map<3>& map, Dart d, const Pivot<3>& edge) n
 
 HalfFacet find_wall(const Environment<3>& env, HalfFacet start, const uint32_t (&edge)[2]) noexcept {
   const Map<3>& map = env.map;
-  const Pivot<3> pivot{{edge[0], edge[1]}};
+  const RidgeName pivot{{edge[0], edge[1]}};
   HalfFacet wall;
   walk_round(map, start, kMostFanCells, [&](Cell c, HalfFacet entered) {
     if (map.form(c) != Form::kSimplex) return HalfFacet{};
@@ -74,7 +74,7 @@ HalfFacet find_wall(const Environment<3>& env, HalfFacet start, const uint32_t (
 
 bool is_alone(const Environment<3>& env, const HalfFacet (&walls)[2], const uint32_t (&edge)[2]) noexcept {
   const Map<3>& map = env.map;
-  const Pivot<3> pivot{{edge[0], edge[1]}};
+  const RidgeName pivot{{edge[0], edge[1]}};
   size_t cells = 0;
   for (int side = 0; side < 2; ++side) {
     bool arrives = false;
@@ -97,7 +97,7 @@ bool sees_only_fan(const Environment<3>& env, const SweptTriangle& triangle, con
 }
 
 Dart lowest_dart_round(const Map<3>& map, Dart d) noexcept {
-  const Pivot<3> edge{{dart_vertex(map, d), dart_target(map, d)}};
+  const RidgeName edge{{dart_vertex(map, d), dart_target(map, d)}};
   const Cell c = lowest_tetrahedron_round(map, d, edge);
   if (!c.valid()) return {};
   const auto is_of_edge = [&](uint32_t local) {

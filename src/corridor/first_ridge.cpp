@@ -81,13 +81,14 @@ class RidgeSearch {
       if (is(first_, low, high) || is(later_, low, high)) continue;
       const double* const ends[2] = {at[i], at[next]};
       if (!(side < -bound) && line_side<3>(from_, to_, ends, NoTally{}).sign > 0) continue;
-      if (!consider({facet, {low, high}, {{m_.q, env_.point(low), env_.point(high)}, EventKind::kEdge}})) return false;
+      if (!consider({facet, {{low, high}}, {{m_.q, env_.point(low), env_.point(high)}, EventKind::kEdge}}))
+        return false;
     }
     return true;
   }
 
   static bool is(const FirstRidge& ridge, uint32_t low, uint32_t high) noexcept {
-    return ridge.vertices[0] == low && ridge.vertices[1] == high;
+    return ridge.ridge == RidgeName{{low, high}};
   }
   bool consider(FirstRidge ridge) noexcept {
     if (first_.facet.valid()) {
@@ -112,7 +113,7 @@ class RidgeSearch {
 }  // namespace
 
 bool turn_round(const Environment<3>& env, Corridor<3>& corridor, const FirstRidge& ridge) {
-  const Pivot<3> pivot{{ridge.vertices[0], ridge.vertices[1]}};
+  const RidgeName& pivot = ridge.ridge;
   if (env.marked_edges != 0 && edge_marked(env, pivot.vertices[0], pivot.vertices[1])) return false;
   const Array<uint32_t>& facets = corridor.facets;
   const auto at = std::find(facets.begin(), facets.end(), ridge.facet.word);

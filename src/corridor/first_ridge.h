@@ -8,7 +8,7 @@ namespace dsw {
 /** A ridge of a facet of a corridor. */
 struct FirstRidge {
   HalfFacet facet;  // of the corridor, with this ridge; invalid: no ridge is met
-  uint32_t vertices[2] = {};
+  RidgeName ridge;
   SweepEvent event;
 };
 

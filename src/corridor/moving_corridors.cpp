@@ -121,7 +121,7 @@ void MovingCorridors<D>::go_on(Corridor<D>& corridor, uint64_t call, const Point
   for (const uint32_t passed : paths_[0]) corridor.pass(env_, {passed}, true);
   for (const uint32_t passed : paths_[1]) corridor.pass(env_, {passed}, false);
   constexpr int kMostTurnsRound = 16;
-  Pivot<D> pivot;
+  RidgeName pivot;
   for (int k = 0; k < kMostTurnsRound && !follows(env_, corridor, a.end, b.end, a.arrival, b.arrival); ++k) {
     if (!turn(env_, corridor, a.end, b.end, pivot)) return;
   }

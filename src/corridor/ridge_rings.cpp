@@ -70,7 +70,7 @@ RidgeRings<D>::Lines::Lines(const EdgeWay& edge) noexcept : others{edge.other, e
 
 /** One bound holds for all lines: no rounded difference exceeds that of the ends of the box of all points. */
 template <int D>
-bool RidgeRings<D>::may_touch(const Ridge& ridge, const Lines& lines) const noexcept {
+bool RidgeRings<D>::may_touch(const RidgeName& ridge, const Lines& lines) const noexcept {
   const double *const x = env_.point(ridge.vertices[0]), *const y = env_.point(ridge.vertices[1]);
   double reach[D];
   for (int k = 0; k < D; ++k) {
@@ -90,14 +90,12 @@ bool RidgeRings<D>::may_touch(const Ridge& ridge, const Lines& lines) const noex
 /** Goes round a ridge to the first wall, or all round: calls visit(cell, facet that is left). False: not known. */
 template <int D>
 template <class Visit>
-bool RidgeRings<D>::go_round(HalfFacet facet, const Ridge& ridge, HalfFacet& wall, Visit visit) const {
+bool RidgeRings<D>::go_round(HalfFacet facet, const RidgeName& ridge, HalfFacet& wall, Visit visit) const {
   constexpr size_t kMostCells = 64;
   const ConvexCells<D> cells{env_.map};
-  Pivot<D> pivot;
-  std::copy_n(ridge.vertices, D - 1, pivot.vertices);
   wall = {};
   const RidgeWalk walk = walk_round(env_.map, facet, kMostCells, [&](Cell c, HalfFacet entered) {
-    const HalfFacet next = cells.other(c, entered, pivot);
+    const HalfFacet next = cells.other(c, entered, ridge);
     const bool is_wall = next.valid() && is_impassable(env_, next);
     if (is_wall) wall = next;
     if (next.valid()) visit(c, is_wall ? HalfFacet{} : next);
@@ -108,11 +106,11 @@ bool RidgeRings<D>::go_round(HalfFacet facet, const Ridge& ridge, HalfFacet& wal
 
 /** Whether a facet at a ridge is in a fan that was found. */
 template <int D>
-bool RidgeRings<D>::is_in_fan(HalfFacet facet, const Ridge& ridge) const {
+bool RidgeRings<D>::is_in_fan(HalfFacet facet, const RidgeName& ridge) const {
   HalfFacet wall;
   bool any = false;
   for (const Fan& fan : fans_) {
-    if (fan.ridge.vertices[0] != ridge.vertices[0] || fan.ridge.vertices[1] != ridge.vertices[1]) continue;
+    if (!(fan.ridge == ridge)) continue;
     any = true;
     if (!fan.walls[0].valid()) return true;
     if (!wall.valid() && !go_round(facet, ridge, wall, [](Cell, HalfFacet) {})) return false;
@@ -123,7 +121,7 @@ bool RidgeRings<D>::is_in_fan(HalfFacet facet, const Ridge& ridge) const {
 
 /** Notes the fan of a facet, or takes in all facets round a ridge that has no walls or marks. False: not known. */
 template <int D>
-bool RidgeRings<D>::add_fan(HalfFacet facet, const Ridge& ridge) {
+bool RidgeRings<D>::add_fan(HalfFacet facet, const RidgeName& ridge) {
   const Map<D>& map = env_.map;
   const size_t known = facets_.size();
   Fan fan{ridge, {}, map.cell_of(facet)};
@@ -150,7 +148,7 @@ bool RidgeRings<D>::add_ridges(HalfFacet facet, const Lines& lines) {
   const ConvexCells<D> cells{env_.map};
   if (!env_.map.convex(env_.map.cell_of(facet))) return false;
   return cells.for_each_ridge(facet, [&](uint32_t a, uint32_t b) {
-    const Ridge ridge{{std::min(a, b), std::max(a, b)}};
+    const RidgeName ridge{{std::min(a, b), std::max(a, b)}};
     const uint32_t before = ridges_.size();
     if (ridges_.insert(pair_key(a, b)) < before) return is_in_fan(facet, ridge) || add_fan(facet, ridge);
     return before < kMostAsked && (!may_touch(ridge, lines) || add_fan(facet, ridge));

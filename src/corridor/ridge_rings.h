@@ -23,9 +23,6 @@ class RidgeRings {
   CandidateView<D> features() const noexcept;
 
  private:
-  struct Ridge {
-    uint32_t vertices[2];  // in space in order, in the plane both are the same
-  };
   /** The four lines through the start or the end of one point of an edge, and the start or the end of the other. */
   struct Lines {
     double low[D], high[D];  // of the box of the edge's way
@@ -36,16 +33,16 @@ class RidgeRings {
   };
   /** The passable cells round a ridge, from wall to wall or all round. */
   struct Fan {
-    Ridge ridge;
+    RidgeName ridge;
     HalfFacet walls[2];  // seen from the fan; invalid: it goes all round
     Cell cell;           // with the lowest index
   };
-  bool may_touch(const Ridge& ridge, const Lines& lines) const noexcept;
+  bool may_touch(const RidgeName& ridge, const Lines& lines) const noexcept;
   bool add_ridges(HalfFacet facet, const Lines& lines);
-  bool add_fan(HalfFacet facet, const Ridge& ridge);
+  bool add_fan(HalfFacet facet, const RidgeName& ridge);
   template <class Visit>
-  bool go_round(HalfFacet facet, const Ridge& ridge, HalfFacet& wall, Visit visit) const;
-  bool is_in_fan(HalfFacet facet, const Ridge& ridge) const;
+  bool go_round(HalfFacet facet, const RidgeName& ridge, HalfFacet& wall, Visit visit) const;
+  bool is_in_fan(HalfFacet facet, const RidgeName& ridge) const;
   void add_features();
 
   const Environment<D>& env_;

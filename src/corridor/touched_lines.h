@@ -4,19 +4,10 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "corridor/ridge.h"
 #include "map/map.h"
 
 namespace dsw {
-
-/** An edge of the environment by its vertices, the lower one first; both are the same where none is known. */
-struct TouchedLine {
-  uint32_t vertices[2] = {};
-
-  bool operator==(const TouchedLine& o) const noexcept {
-    return vertices[0] == o.vertices[0] && vertices[1] == o.vertices[1];
-  }
-  bool is_known() const noexcept { return vertices[0] != vertices[1]; }
-};
 
 /** The passable cells round an edge of the environment from wall to wall. */
 struct TouchedFan {
@@ -30,21 +21,21 @@ struct TouchedFan {
 /** The last few that an edge has touched while one of its ends moved, the last one first. */
 struct TouchedLines {
   static constexpr uint32_t kCount = 4;
-  TouchedLine lines[kCount];
-  TouchedFan fan;            // of the first, if it is known
-  TouchedLine kept[kCount];  // as they were when a call on the body began, if they have changed since
-  uint64_t kept_in = 0;      // the number of that call
+  RidgeName lines[kCount];
+  TouchedFan fan;          // of the first, if it is known
+  RidgeName kept[kCount];  // as they were when a call on the body began, if they have changed since
+  uint64_t kept_in = 0;    // the number of that call
 
   /** Whether `line` is the first one and its fan is known in this version, with `passed` as a facet inside. */
-  bool knows_fan(const TouchedLine& line, HalfFacet passed, uint64_t version) const noexcept {
+  bool knows_fan(const RidgeName& line, HalfFacet passed, uint64_t version) const noexcept {
     return fan.passed == passed && fan.version == version && lines[0] == line;
   }
   /** Brings a line to the front in a call; if it is new, the last one is dropped. */
-  void note(const TouchedLine& line, uint64_t call) noexcept {
+  void note(const RidgeName& line, uint64_t call) noexcept {
     if (lines[0] == line) return;
     if (kept_in != call) std::copy_n(lines, kCount, kept);
     kept_in = call;
-    TouchedLine* const last = std::find(lines, lines + kCount - 1, line);
+    RidgeName* const last = std::find(lines, lines + kCount - 1, line);
     std::copy_backward(lines, last, last + 1);
     lines[0] = line;
     fan.version = ~uint64_t{0};

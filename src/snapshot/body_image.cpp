@@ -174,7 +174,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& 
   append_history(of, image);
   if (content.format < kTouchedFormat) return;
   for (size_t i = 0; i < touched; ++i) {
-    for (const TouchedLine& line : body.touched[i].lines) append(image.touched, line.vertices, 2);
+    for (const RidgeName& line : body.touched[i].lines) append(image.touched, line.vertices, 2);
   }
   if (content.format < kRadiusFormat) return;
   append(image.lengths, body.lengths.data(), body.lengths.size());

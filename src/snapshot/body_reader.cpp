@@ -143,7 +143,7 @@ void BodyReader<D>::read_touched(Body<D>& body, uint64_t count) {
   if (count > 2 * body.edges.size()) fail_corrupt("the number of what edges have touched");
   body.touched.resize(static_cast<size_t>(count));
   for (TouchedLines& each : body.touched) {
-    for (TouchedLine& line : each.lines) std::copy_n(take(image_.touched, touched_, 2), 2, line.vertices);
+    for (RidgeName& line : each.lines) std::copy_n(take(image_.touched, touched_, 2), 2, line.vertices);
   }
 }
 

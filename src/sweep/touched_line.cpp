@@ -31,7 +31,7 @@ TouchedLines* make_lines(const Body<3>& body, uint32_t e, uint32_t v) noexcept {
   return lines_of(body, e, v);
 }
 
-bool pierces(const Environment<3>& env, const SweptTriangle& triangle, const TouchedLine& line) noexcept {
+bool pierces(const Environment<3>& env, const SweptTriangle& triangle, const RidgeName& line) noexcept {
   const double *const a = env.point(line.vertices[0]), *const b = env.point(line.vertices[1]);
   const int side_a = triangle.side(a), side_b = triangle.side(b);
   return side_a != side_b && !triangle.leaves(a, b, side_b);
@@ -39,7 +39,7 @@ bool pierces(const Environment<3>& env, const SweptTriangle& triangle, const Tou
 
 /** The contact with the line at a wall. */
 SweepContact contact_at(const Environment<3>& env, const EdgeMotion& m, HalfFacet wall,
-                        const TouchedLine& line) noexcept {
+                        const RidgeName& line) noexcept {
   const Map<3>& map = env.map;
   SweepContact contact;
   contact.front = tetrahedron_of(wall);
@@ -62,7 +62,7 @@ SweepContact contact_at(const Environment<3>& env, const EdgeMotion& m, HalfFace
 }
 
 /** The fan round a line that has a facet. False: not known, or it has no walls. */
-bool find_fan(const Environment<3>& env, const EdgeMotion& m, HalfFacet passed, const TouchedLine& line,
+bool find_fan(const Environment<3>& env, const EdgeMotion& m, HalfFacet passed, const RidgeName& line,
               TouchedFan& fan) noexcept {
   fan.walls[0] = find_wall(env, passed, line.vertices);
   if (!fan.walls[0].valid()) return false;
@@ -94,23 +94,23 @@ bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const 
   if (kept == nullptr || !kept->lines[0].is_known()) return false;
   const EdgeMotion m = edge.edge();
   const PointBox<3> box(m.p, m.to, m.q);
-  TouchedLine near[TouchedLines::kCount];
+  RidgeName near[TouchedLines::kCount];
   uint32_t count = 0;
-  for (const TouchedLine& line : kept->lines) {
+  for (const RidgeName& line : kept->lines) {
     // One of a snapshot may hold any numbers.
     if (!line.is_known() || std::max(line.vertices[0], line.vertices[1]) >= env.map.vertex_count) continue;
     if ((box.beyond(env.point(line.vertices[0])) & box.beyond(env.point(line.vertices[1]))) == 0) near[count++] = line;
   }
   if (count == 0) return false;
   const SweptTriangle triangle(m);
-  return std::any_of(near, near + count, [&](const TouchedLine& line) {
+  return std::any_of(near, near + count, [&](const RidgeName& line) {
     return pierces(env, triangle, line) && !edge_marked(env, line.vertices[0], line.vertices[1]);
   });
 }
 
 bool meets_first(const Environment<3>& env, const Body<3>& body, const MovingPart& edge, const FirstRidge& ridge,
                  SweepContact* found) noexcept {
-  const TouchedLine line{{ridge.vertices[0], ridge.vertices[1]}};
+  const RidgeName& line = ridge.ridge;
   if (env.marked_edges != 0 && edge_marked(env, line.vertices[0], line.vertices[1])) return false;
   const EdgeMotion m = edge.edge();
   TouchedLines* kept = lines_of(body, edge.part.index, edge.vertex);

@@ -147,7 +147,7 @@ TEST(SweptEdgeTest, NumbersOfNoVertexAreNotTouched) {
       add_edge(body, 0, 1);
       body.touched.resize(2);
       const uint32_t none = env.map.vertex_count, far = 4000000000u;
-      const TouchedLine lines[] = {{{far, 0}}, {{0, far}}, {{none, 0}}, {{0, none}}};
+      const RidgeName lines[] = {{{far, 0}}, {{0, far}}, {{none, 0}}, {{0, none}}};
       std::copy(std::begin(lines), std::end(lines), body.touched[0].lines);
       EXPECT_FALSE(pierces_touched_line(
           env, body, {0, 0, {x[0].data(), start, x[1].data(), start, x[2].data(), fixed, {}, true}}));

@@ -53,7 +53,7 @@ class PlaneCorridor : public testing::TestWithParam<bool> {
   Mesh2 mesh_;
   std::unique_ptr<Environment<2>> env_;
   Corridor<2> corridor_{Array<uint32_t>::allocator_type(nullptr)};
-  Pivot<2> pivot_;
+  RidgeName pivot_;
 };
 INSTANTIATE_TEST_SUITE_P(Cut, PlaneCorridor, testing::Bool());
 

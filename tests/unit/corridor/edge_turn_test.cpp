@@ -106,7 +106,7 @@ TEST(EdgeTurn, LeadsToWhatACastPassesAndSweepsNothing) {
         ASSERT_FALSE(follows(*env, noted.corridor, from, end, noted.last, noted.first)) << "not between these cells";
       }
       if (noted.corridor.in_rows || follows(*env, noted.corridor, new_from, new_end, noted.first, noted.last)) continue;
-      Pivot<3> pivot;
+      RidgeName pivot;
       if (!turn(*env, noted.corridor, new_from, new_end, pivot) ||
           !follows(*env, noted.corridor, new_from, new_end, noted.first, noted.last)) {
         ++refused;
