@@ -84,6 +84,24 @@ bool same_cycle(const Map<3>& map, HalfFacet a, Cell ca, HalfFacet b, uint32_t l
 }
 bool same_cycle(const Map<2>&, HalfFacet, Cell, HalfFacet, uint32_t, bool) { return true; }
 
+/** The first of a chain of candidates that has the loop of a facet of c, in the opposite or in the same direction; kEnd: there
+ * is none. */
+template <int D>
+uint32_t find_in_chain(const Map<D>& map, const Array<Candidate>& candidates, uint32_t n, const Loop& loop, HalfFacet h,
+                       Cell c, bool* same) noexcept {
+  for (; n != kEnd; n = candidates[n].next) {
+    const Candidate& candidate = candidates[n];
+    if (candidate.across != loop.across) continue;
+    const bool opposite = candidate.after == loop.before && candidate.before == loop.after;
+    *same = candidate.after == loop.after && candidate.before == loop.before;
+    if ((opposite || *same) && (loop.across <= kLong || loop.across == kEnd ||
+                                same_cycle(map, h, c, {candidate.word}, loop.lowest, opposite))) {
+      break;
+    }
+  }
+  return n;
+}
+
 }  // namespace
 
 template <int D>
@@ -118,18 +136,8 @@ MatchDefect match_facets(Environment<D>& env, Offenders& offenders, size_t open_
       if (!is_read) vertices.read(map, c, shape);
       is_read = true;
       const Loop loop = read_loop(vertices, shape, f);
-      uint32_t n = chain[loop.lowest];
-      bool opposite = false, same = false;
-      for (; n != kEnd; n = candidates[n].next) {
-        const Candidate& candidate = candidates[n];
-        if (candidate.across != loop.across) continue;
-        opposite = candidate.after == loop.before && candidate.before == loop.after;
-        same = candidate.after == loop.after && candidate.before == loop.before;
-        if ((opposite || same) && (loop.across <= kLong || loop.across == kEnd ||
-                                   same_cycle(map, h, c, {candidate.word}, loop.lowest, opposite))) {
-          break;
-        }
-      }
+      bool same = false;
+      const uint32_t n = find_in_chain(map, candidates, chain[loop.lowest], loop, h, c, &same);
       if (n == kEnd) {
         candidates.push_back({chain[loop.lowest], h.word, loop.after, loop.before, loop.across});
         chain[loop.lowest] = static_cast<uint32_t>(candidates.size() - 1);
