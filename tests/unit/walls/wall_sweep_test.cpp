@@ -333,7 +333,7 @@ TYPED_TEST(WallSweepTest, DescribesTheTouch) {
   EXPECT_GT(hit.time, 0.3);
   EXPECT_LT(hit.time, 0.8);
   WallTouch touch = describe_touch(*this->env_, all, hit, from, to);
-  EXPECT_GT(touch.normal[kUp], 0.3);
+  EXPECT_GT(touch.other.normal[kUp], 0.3);
   EXPECT_EQ(touch.point[kUp], 11);
   if (D == 3) return;
   ASSERT_TRUE(walls.meets(all, {Feature::kEdge, 0, 0}, from, to, &hit));
@@ -342,8 +342,8 @@ TYPED_TEST(WallSweepTest, DescribesTheTouch) {
   EXPECT_EQ(touch.along, 0.5);
   EXPECT_EQ(touch.point[0], 8);
   EXPECT_EQ(touch.point[1], 10);
-  EXPECT_EQ(touch.normal[0], 0);
-  EXPECT_EQ(touch.normal[1], 1);
+  EXPECT_EQ(touch.other.normal[0], 0);
+  EXPECT_EQ(touch.other.normal[1], 1);
 }
 
 }  // namespace
