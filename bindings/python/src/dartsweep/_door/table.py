@@ -75,7 +75,7 @@ DIALECTS = (
     _dialect("Netgen, neutral", ".mesh", "mfem:netgen", "sub-domains", r"\s*(?:NETGEN|areamesh2|curved_areamesh2)"),
     _dialect("Medit", ".mesh .meshb", "meshio:medit gmsh:mesh", "references as regions and surfaces", r"(?:\s*#[^\n]*\n)*\s*MeshVersionFormatted|\x01\0\0\0|\0\0\0\x01"),
     _dialect("MOAB", ".h5m", "moab:h5m", "material sets as regions; Neumann sets; sets by name", r"\x89HDF"),
-    _dialect("XDMF", ".xdmf .xmf", "meshio:xdmf", "cell data", r"\s*<"),
+    _dialect("XDMF", ".xdmf .xmf", "meshio:xdmf vtk:xdmf", "cell data; of several times the first", r"\s*<"),
     _dialect("Netgen", ".vol", "netgen:vol", "materials as regions; boundary conditions; both with names", r"\s*(?:#[^\n]*\n\s*)*mesh3d"),
     _dialect("TetGen", ".ele .node", "meshio:tetgen", "attributes"),
     _dialect("SU2", ".su2", "su2:su2", "markers by name; zones as regions"),

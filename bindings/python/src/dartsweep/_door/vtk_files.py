@@ -15,7 +15,7 @@ from . import blocks, cgns_sides, cgns_tree, fluent_faces, vtk_data
 from .mesh import Indices
 from .raw import Raw
 
-_WEDGES_AS_IN_GMSH = {"foam": False, "cgns": True, "exodus": True}  # readers that give one order with every VTK
+_WEDGES_AS_IN_GMSH = {"foam": False, "cgns": True, "exodus": True, "xdmf": True}  # readers that give one order with every VTK
 _ZONES_OF_CELLS = ("fluid", "solid")
 """Types of Fluent's zones."""
 _WAY_ON = "a program that reads the file can write it anew, such as ParaView or meshio"
@@ -164,6 +164,22 @@ def _tecplot(path: str) -> Any:
     return _output(reader)
 
 
+def _xdmf(path: str) -> Any:
+    """The grids of the first time. A series of times that says its mesh once, for all of them, has it here twice."""
+    from vtkmodules.vtkIOXdmf2 import vtkXdmfReader
+
+    reader = vtkXdmfReader()
+    reader.SetFileName(path)
+    data = _output(reader)
+    every = [leaf for _, leaf in vtk_data.leaves(data, "")]
+    sizes = {(leaf.GetNumberOfPoints(), leaf.GetNumberOfCells()) for leaf in every}
+    return every[0] if len(every) > 1 and len(sizes) == 1 and _is_one_place(every) else data
+
+
+def _is_one_place(every: list[Any]) -> bool:
+    return all(leaf.GetBounds() == every[0].GetBounds() for leaf in every)
+
+
 def _fluent(path: str) -> Any:
     """Zones of cells; they are called 'NAME:TYPE'. For a zone of faces VTK gives the cells beside them once more: it is left out. All blocks have
     the points of the whole file. They get their numbers, so that zones share them also where two points lie at one place."""
@@ -194,6 +210,7 @@ _READERS: dict[str, Callable[[str], Any]] = {
     "foam": _foam,
     "ucd": _ucd,
     "tecplot": _tecplot,
+    "xdmf": _xdmf,
     "fluent": _fluent,
 }
 
