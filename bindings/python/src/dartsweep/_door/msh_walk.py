@@ -21,7 +21,7 @@ class _Damaged(Exception):
 
 
 def is_whole(path: str) -> bool:
-    """Looks at all sections. False: damaged, of another version, or with a section that is not known here. O(elements), about 20 ns each."""
+    """Looks at all sections. False: damaged, of another version, or with a section that is not known here. O(elements), about 40 ns each."""
     with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
         try:
             _walk(_Place(text))
