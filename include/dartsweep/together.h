@@ -62,6 +62,17 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
                                            size_t stride_bytes, const dsw_together_options *options,
                                            dsw_move_report *reports);
 
+/** Moves some bodies at once, each on a rigid motion of its own as dsw_body_move_rigid, up to the
+ * first touch: all stop at the same fraction. All else is as in dsw_scene_move_together.
+ * @param motions one for each body.
+ * @param options `stop` is ALL or ISLAND; `max_work` is of each step.
+ * @return as dsw_scene_move_together; DSW_STATUS_UNSUPPORTED: also FEATURE.
+ * @note Cost: as dsw_scene_move_together for each of a few steps. Thread: one. @since 2.1 */
+DSW_API dsw_status dsw_scene_move_rigid(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
+                                        const dsw_rigid_motion *motions,
+                                        const dsw_together_options *options,
+                                        dsw_move_report *reports);
+
 /** Takes the environment of a scene with DSW_FEATURE_DEFORMING and bodies to new positions, all at
  * once. Other bodies and particles stand still. At the first contact of anything everything stops.
  * A volume that holds or nears a body or particle has to stay valid on the whole way; else all ways

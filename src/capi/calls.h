@@ -149,7 +149,8 @@ inline constexpr auto kTable = std::make_tuple(
     DSW_ROW(49, dsw_body_set_radius)(value<1>("body"), value<2>("radius")),
     DSW_ROW(50, dsw_scene_move_together)(array<1, 2>("bodies"), points<3, 4, 5>("targets"), structure<6>("options")),
     DSW_ROW(51, dsw_scene_deform)(array<3, 4>("bodies"), points<5, 6, 7>("targets"), structure<8>("options"),
-        MovedPoints<8>{"vertices"}));
+        MovedPoints<8>{"vertices"}),
+    DSW_ROW(52, dsw_scene_move_rigid)(array<1, 2>("bodies"), array<3, 2>("motions"), structure<4>("options")));
 // clang-format on
 #undef DSW_ROW
 constexpr size_t kCallCount = std::tuple_size_v<decltype(kTable)>;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "capi/given_motion.h"
 #include "capi/moved_bodies.h"
 #include "capi/recorded.h"
 #include "scene/rigid_moves.h"
@@ -53,37 +54,6 @@ dsw::MoveOrder to_order(const dsw::Scene<D>& scene, const dsw::Body<D>& body, co
     seen[v] = true;
   }
   return {o.order, o.order_count};
-}
-
-/** Only what keeps the plane in place: a rotation about its normal and a translation in it. */
-void check_planar(const dsw_rigid_motion& motion) {
-  if (motion.rotation[0] != 0 || motion.rotation[1] != 0) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "motion->rotation is (%g, %g, ...), x and y must be 0 in the plane",
-         motion.rotation[0], motion.rotation[1]);
-  }
-  if (motion.centre[2] != 0 || motion.translation[2] != 0) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "motion->centre[2] is %g, motion->translation[2] %g, both must be 0 in the plane",
-         motion.centre[2], motion.translation[2]);
-  }
-}
-
-template <int D>
-dsw::RigidMove<D> to_motion(const dsw_rigid_motion& motion) {
-  double largest = 0;
-  for (int k = 0; k < 3; ++k) {
-    if (!std::isfinite(motion.centre[k]) || !std::isfinite(motion.translation[k])) {
-      fail(DSW_STATUS_NON_FINITE, "motion has a component that is not finite");
-    }
-  }
-  for (int k = 0; k < 4; ++k) {
-    if (!std::isfinite(motion.rotation[k])) {
-      fail(DSW_STATUS_NON_FINITE, "motion->rotation[%d] is %g", k, motion.rotation[k]);
-    }
-    largest = std::max(largest, std::fabs(motion.rotation[k]));
-  }
-  if (!(largest > 0)) fail(DSW_STATUS_OUT_OF_RANGE, "motion->rotation is zero");
-  if (D == 2) check_planar(motion);
-  return {motion.rotation, motion.centre, motion.translation};
 }
 
 }  // namespace
@@ -138,7 +108,7 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
       fail(DSW_STATUS_WRONG_SIZE, "options->order has %zu vertices of %zu: a rigid body moves as a whole", order.count,
            of.body.vertex_slots.alive_count());
     }
-    const dsw::RigidMove<D> rigid = to_motion<D>(*motion);
+    const dsw::RigidMove<D> rigid = capi::to_motion<D>(*motion);
     if (!stays_finite(of.body, rigid)) fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
     capi::Recorded call(scene, capi::row_of<dsw_body_move_rigid>, body, motion, &o);
     move_rigid(of.scene, of.record, rigid, order, rounds);

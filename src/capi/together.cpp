@@ -1,9 +1,11 @@
 #include "dartsweep/together.h"
 
+#include "capi/given_motion.h"
 #include "capi/moved_bodies.h"
 #include "capi/moved_points.h"
 #include "capi/recorded.h"
 #include "scene/deformation.h"
+#include "scene/rigid_moves.h"
 #include "scene/together_deform.h"
 #include "scene/together_moves.h"
 
@@ -40,6 +42,31 @@ dsw_status dsw_scene_move_together(dsw_scene* scene, const dsw_body_id* bodies, 
     capi::Recorded call(scene, capi::row_of<dsw_scene_move_together>, bodies, count, targets, target_count,
                         stride_bytes, &o);
     move_together(s, records.data(), count, points, settings);
+    call.done(capi::Moved<D>{records.data(), count});
+    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
+  });
+}
+
+dsw_status dsw_scene_move_rigid(dsw_scene* scene, const dsw_body_id* bodies, size_t count,
+                                const dsw_rigid_motion* motions, const dsw_together_options* options,
+                                dsw_move_report* reports) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
+    const dsw_together_options o = capi::read_optional(options, "options", 0);
+    const dsw::TogetherSettings settings = to_settings(o);
+    if (settings.stop == dsw::TogetherStop::kFeature) {
+      fail(DSW_STATUS_UNSUPPORTED, "options->stop is FEATURE: rigid bodies stop as a whole");
+    }
+    const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
+    dsw::require_array(motions, count, "motions");
+    dsw::Array<dsw::RigidMove<D>> rigid(s.memory);
+    for (size_t i = 0; i < count; ++i) {
+      rigid.push_back(capi::to_motion<D>(motions[i]));
+      if (stays_finite(records[i]->body, rigid[i])) continue;
+      fail(DSW_STATUS_NON_FINITE, "motions[%zu] leads further than doubles go", i);
+    }
+    capi::Recorded call(scene, capi::row_of<dsw_scene_move_rigid>, bodies, count, motions, &o);
+    move_rigid_together(s, records.data(), rigid.data(), count, settings);
     call.done(capi::Moved<D>{records.data(), count});
     for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
   });

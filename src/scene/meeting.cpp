@@ -117,6 +117,17 @@ void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level) {
 template <int D>
 void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, PointArray targets,
                   const size_t* first_target, bool slides, Islands<D>& islands) {
+  Array<Box<D>> reaches(scene.memory);
+  for (size_t i = 0; scene.features.contacts && i < count; ++i) {
+    const PointArray own{targets.data + first_target[i] * targets.step, targets.step};
+    reaches.push_back(reach_of(moving[i]->body, own, {}, slides));
+  }
+  find_islands(scene, moving, count, reaches.data(), islands);
+}
+
+template <int D>
+void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, const Box<D>* ways,
+                  Islands<D>& islands) {
   DisjointSets sets(static_cast<uint32_t>(count), scene.memory);
   if (scene.features.contacts) {
     BoxGrid<D> reaches(scene.memory);
@@ -124,8 +135,7 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
     Array<bool> moves(scene.bodies.size(), false, scene.memory);
     islands.partners.assign(count, Partners<D>(scene.memory));
     for (uint32_t i = 0; i < count; ++i) {
-      const PointArray own{targets.data + first_target[i] * targets.step, targets.step};
-      islands.partners[i].reach = reach_of(moving[i]->body, own, {}, slides);
+      islands.partners[i].reach = ways[i];
       reaches.put(i, widened(islands.partners[i].reach, moving[i]->body.radius));
       moves[slot_of(scene, *moving[i])] = true;
     }
@@ -163,6 +173,11 @@ template Box<3> reach_of(const Body<3>& body) noexcept;
 DSW_INSTANTIATE(find_partners);
 DSW_INSTANTIATE(find_partners_at_rest);
 DSW_INSTANTIATE(check_apart);
-DSW_INSTANTIATE(find_islands);
+template void find_islands(const Scene<2>&, BodyRecord<2>* const*, size_t, PointArray, const size_t*, bool,
+                           Islands<2>&);
+template void find_islands(const Scene<3>&, BodyRecord<3>* const*, size_t, PointArray, const size_t*, bool,
+                           Islands<3>&);
+template void find_islands(const Scene<2>&, BodyRecord<2>* const*, size_t, const Box<2>*, Islands<2>&);
+template void find_islands(const Scene<3>&, BodyRecord<3>* const*, size_t, const Box<3>*, Islands<3>&);
 
 }  // namespace dsw

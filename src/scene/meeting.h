@@ -48,4 +48,9 @@ template <int D>
 void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, PointArray targets,
                   const size_t* first_target, bool slides, Islands<D>& islands);
 
+/** Finds the islands of bodies that do not leave boxes, one for each. Boxes are not read in scenes in which bodies don't meet. */
+template <int D>
+void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, const Box<D>* ways,
+                  Islands<D>& islands);
+
 }  // namespace dsw

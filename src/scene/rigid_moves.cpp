@@ -65,11 +65,6 @@ class RigidCall {
   CastCounters casts_;
 };
 
-/** A product of quaternions x y z w, the second one conjugated. */
-Eigen::Quaterniond turn_between(const double* from, const double* to) {
-  return Eigen::Quaterniond(to) * Eigen::Quaterniond(from).conjugate();
-}
-
 /** What is left of a motion, and what touched walls allow of it. */
 template <int D>
 class RigidSlide {
@@ -105,16 +100,7 @@ class RigidSlide {
   bool has_walls() const { return !planes_.empty(); }
 
   /** The motion from where the body is to where it should be. */
-  PlainMotion left() const {
-    PlainMotion left;
-    double to[3] = {};
-    const Eigen::Quaterniond turn = turn_between(made_.rotation, end_.rotation).normalized();
-    std::copy_n(turn.coeffs().data(), 4, left.rotation);
-    made_.centre_now(left.centre);
-    end_.centre_now(to);
-    for (int k = 0; k < D; ++k) left.translation[k] = to[k] - left.centre[k];
-    return left;
-  }
+  PlainMotion left() const { return motion_left(end_, made_); }
   /** What the touched walls allow of a share of what is left. False: next to nothing. */
   bool propose(double share, PlainMotion* motion) const {
     *motion = left();
@@ -244,6 +230,19 @@ void slide_on(Scene<D>& scene, RigidCall<D>& call, BodyRecord<D>& of, RigidSlide
 }  // namespace
 
 template <int D>
+PlainMotion motion_left(const RigidMotion<D>& end, const RigidMotion<D>& made) noexcept {
+  PlainMotion left;
+  double to[3] = {};
+  const Eigen::Quaterniond turn =
+      (Eigen::Quaterniond(end.rotation) * Eigen::Quaterniond(made.rotation).conjugate()).normalized();
+  std::copy_n(turn.coeffs().data(), 4, left.rotation);
+  made.centre_now(left.centre);
+  end.centre_now(to);
+  for (int k = 0; k < D; ++k) left.translation[k] = to[k] - left.centre[k];
+  return left;
+}
+
+template <int D>
 bool stays_finite(const Body<D>& body, const RigidMove<D>& motion) noexcept {
   if (!is_finite<3>(motion.way().place[1])) return false;
   for (const BodyVertex<D>& each : body.vertices) {
@@ -277,8 +276,9 @@ void move_rigid(Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, 
   call.end();
 }
 
-#define DSW_RIGID_MOVES(D)                                                  \
-  template bool stays_finite(const Body<D>&, const RigidMove<D>&) noexcept; \
+#define DSW_RIGID_MOVES(D)                                                                 \
+  template PlainMotion motion_left(const RigidMotion<D>&, const RigidMotion<D>&) noexcept; \
+  template bool stays_finite(const Body<D>&, const RigidMove<D>&) noexcept;                \
   template void move_rigid(Scene<D>&, BodyRecord<D>&, const RigidMove<D>&, const MoveOrder&, uint32_t)
 DSW_RIGID_MOVES(2);
 DSW_RIGID_MOVES(3);

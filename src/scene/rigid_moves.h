@@ -3,6 +3,7 @@
 
 #include "response/rigid_move.h"
 #include "scene/scene.h"
+#include "together/settings.h"
 
 namespace dsw {
 
@@ -33,6 +34,16 @@ bool stays_finite(const Body<D>& body, const RigidMove<D>& motion) noexcept;
  * that it keeps.
  * @param rounds in how many further motions it may slide at most on what it touches. */
 template <int D>
-void move_rigid(Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, const MoveOrder& order, uint32_t rounds);
+void move_rigid(Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, const MoveOrder& order,
+                uint32_t rounds);
+
+/** Moves bodies, distinct and each as a whole, all at once, up to the first touch. Throws before anything has moved. */
+template <int D>
+void move_rigid_together(Scene<D>& scene, BodyRecord<D>* const* bodies, const RigidMove<D>* motions, size_t count,
+                         const TogetherSettings& settings);
+
+/** The motion that is left of one that ends at `end`, after what has been made of it. Both have the centre of the whole. */
+template <int D>
+PlainMotion motion_left(const RigidMotion<D>& end, const RigidMotion<D>& made) noexcept;
 
 }  // namespace dsw

@@ -8,9 +8,7 @@
 #include "together/together_move.h"
 
 namespace dsw {
-namespace {
 
-/** Leaves only bodies that stand still as partners of the islands. Refuses islands that can meet a thick body. */
 template <int D>
 void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Islands<D>& islands) {
   Array<bool> moves(scene.bodies.size(), false, scene.memory);
@@ -21,7 +19,6 @@ void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_
   }
 }
 
-/** Bodies of the call, without their vertices' ends. */
 template <int D>
 Trajectory<D> trajectory_of(const Scene<D>& scene, BodyRecord<D>& of, const Partners<D>* still, PointArray targets) {
   Trajectory<D> made(scene.memory);
@@ -34,6 +31,8 @@ Trajectory<D> trajectory_of(const Scene<D>& scene, BodyRecord<D>& of, const Part
   made.still = still;
   return made;
 }
+
+namespace {
 
 /** The body's vertices are where they were before the call. */
 template <int D>
@@ -111,5 +110,7 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
 }
 
 DSW_INSTANTIATE(move_together);
+DSW_INSTANTIATE(leave_still_ones);
+DSW_INSTANTIATE(trajectory_of);
 
 }  // namespace dsw

@@ -2,7 +2,9 @@
 // Bodies of which all vertices move at once.
 
 #include "scene/bodies.h"
+#include "scene/meeting.h"
 #include "together/settings.h"
+#include "together/trajectory.h"
 
 namespace dsw {
 
@@ -10,5 +12,12 @@ namespace dsw {
 template <int D>
 void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets,
                    const TogetherSettings& settings);
+
+/** Leaves only bodies that stand still as partners of the islands. Refuses islands that can meet a thick body. */
+template <int D>
+void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Islands<D>& islands);
+/** A body of a call, without its vertices' ends. */
+template <int D>
+Trajectory<D> trajectory_of(const Scene<D>& scene, BodyRecord<D>& of, const Partners<D>* still, PointArray targets);
 
 }  // namespace dsw

@@ -1,0 +1,120 @@
+#include <algorithm>
+
+#include "base/dimensions.h"
+#include "scene/rigid_moves.h"
+#include "scene/together_moves.h"
+#include "turning/turning_together.h"
+
+namespace dsw {
+namespace {
+
+/** The bodies of a call as they were, to go back to. */
+template <int D>
+class BodiesBefore {
+ public:
+  BodiesBefore(BodyRecord<D>* const* bodies, size_t count, const Memory* memory)
+      : bodies_(bodies), count_(count), shapes_(memory) {
+    for (size_t i = 0; i < count; ++i) shapes_.push_back(bodies[i]->body.shape);
+  }
+  void put_back(size_t i) noexcept {
+    put_vertices(bodies_[i]->body, bodies_[i]->before.data());
+    restore_forecasts(bodies_[i]->body);
+    bodies_[i]->body.shape.swap(shapes_[i]);
+  }
+  void put_all_back() noexcept {
+    for (size_t i = 0; i < count_; ++i) put_back(i);
+  }
+
+ private:
+  BodyRecord<D>* const* bodies_;
+  size_t count_;
+  Array<Array<RigidShape<D>>> shapes_;
+};
+
+}  // namespace
+
+template <int D>
+void move_rigid_together(Scene<D>& scene, BodyRecord<D>* const* bodies, const RigidMove<D>* motions, size_t count,
+                         const TogetherSettings& settings) {
+  if (count == 0) return;
+  Array<Box<D>> reaches(scene.memory);
+  Array<Array<double>> targets(scene.memory);
+  for (size_t i = 0; i < count; ++i) {
+    BodyRecord<D>& of = *bodies[i];
+    if (of.body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "bodies[%zu] has a radius", i);
+    reaches.push_back(motions[i].reach(of.body));
+    targets.emplace_back(D * of.body.vertices.size(), 0.0, scene.memory);
+  }
+  for (size_t i = 0; i < count; ++i) {
+    begin_move(scene, *bodies[i]);
+    bodies[i]->next.clear();
+  }
+  Islands<D> islands(scene.memory);
+  find_islands(scene, bodies, count, reaches.data(), islands);
+  leave_still_ones(scene, bodies, count, islands);
+  BodiesBefore<D> before(bodies, count, scene.memory);
+  Array<ShapeMove<D>> shapes(scene.memory);
+  shapes.reserve(count);
+  CastCounters casts;
+  try {
+    TurningTogether<D> move(scene.env);
+    move.set_counters(scene.features.statistics ? &casts : nullptr);
+    Array<RigidTrajectory<D>> turning(scene.memory);
+    Array<Trajectory<D>> trajectories(scene.memory);
+    Array<uint32_t> numbers(scene.memory);
+    for (size_t island = 0; island < islands.count(); ++island) {
+      for (size_t k = islands.first[island]; k < islands.first[island + 1]; ++k) {
+        const uint32_t i = islands.bodies[k];
+        Body<D>& body = bodies[i]->body;
+        const Partners<D>* const still = scene.features.contacts ? &islands.partners[i] : nullptr;
+        PlaceFn place = RigidMove<D>::place;
+        const void* user = &motions[i];
+        if (body.is_rigid()) {
+          keep_shape(body);
+          shapes.push_back({motions[i], body.shape[0]});
+          place = ShapeMove<D>::place;
+          user = &shapes.back();
+        }
+        turning.push_back({&body, &motions[i], place, user, still, RigidWay<D>(scene.memory),
+                           Array<BodyVertex<D>>(scene.memory), Array<BodyVertex<D>>(scene.memory),
+                           Array<BodyVertex<D>>(scene.memory), targets[i].data()});
+        trajectories.push_back(trajectory_of(scene, *bodies[i], still, PointArray{targets[i].data(), D}));
+        numbers.push_back(i);
+      }
+      if (settings.stop == TogetherStop::kAll && island + 1 != islands.count()) continue;
+      try {
+        move.move(turning, trajectories, scene.features.contacts, settings);
+        for (const uint32_t i : numbers) {
+          BodyRecord<D>& of = *bodies[i];
+          const RigidMotion<D> made = motions[i].part(of.next.fraction);
+          if (of.next.fraction < 1) of.next.left = motion_left(motions[i].part(1), made);
+          if (!of.body.is_rigid() || of.next.fraction == 0) continue;
+          of.body.shape[0].moved.add_about(made.rotation, made.centre, made.translation);
+        }
+      } catch (const WorkOver&) {
+        for (const uint32_t i : numbers) {
+          BodyRecord<D>& of = *bodies[i];
+          before.put_back(i);
+          of.next.clear();
+          of.next.fraction = 0;
+          of.next.moved = of.next.stopped = of.next.limited = static_cast<uint32_t>(of.body.vertex_slots.alive_count());
+          of.next.left = motion_left(motions[i].part(1), motions[i].part(0));
+        }
+      }
+      turning.clear();
+      trajectories.clear();
+      numbers.clear();
+    }
+  } catch (...) {
+    before.put_all_back();
+    throw;
+  }
+  for (size_t i = 0; i < count; ++i) end_move(scene, *bodies[i], i == 0 ? casts : CastCounters{});
+}
+
+template void move_rigid_together(Scene<2>&, BodyRecord<2>* const*, const RigidMove<2>*, size_t,
+                                  const TogetherSettings&);
+template void move_rigid_together(Scene<3>&, BodyRecord<3>* const*, const RigidMove<3>*, size_t,
+                                  const TogetherSettings&);
+
+}  // namespace dsw

@@ -1,0 +1,155 @@
+// As in turning_move.cpp the exact test says up to when all ways are free. Then the bodies go there in steps in which all of their
+// vertices go straight, at once: that finds the cells of the vertices, and verifies the rounded places. If a step meets something,
+// it is halved: between a chord and its arc something may stand.
+
+#include "turning/turning_together.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsw {
+
+namespace {
+
+constexpr int kMostStepTries = 400, kMostStepRetreats = 6;
+constexpr double kStepFromTouch = 0x1p-6, kNoTouchAtAll = 2;
+
+}  // namespace
+
+template <int D>
+struct TurningTogether<D>::Call {
+  Array<RigidTrajectory<D>>& bodies;
+  Array<Trajectory<D>>& trajectories;
+  bool bodies_meet;
+  TogetherSettings settings;
+  double least = 1;  // the share of the motion in which no vertex goes further than one unit in the last place
+  bool turns = false;
+  int tries = 0;
+  double at = 0;
+
+  void keep(Array<BodyVertex<D>> RigidTrajectory<D>::*where) {
+    for (RigidTrajectory<D>& each : bodies) {
+      (each.*where).assign(each.body->vertices.begin(), each.body->vertices.end());
+    }
+  }
+  void put(Array<BodyVertex<D>> RigidTrajectory<D>::*where) {
+    for (RigidTrajectory<D>& each : bodies) put_vertices(*each.body, (each.*where).data());
+  }
+};
+
+template <int D>
+FirstTouch TurningTogether<D>::find_first(Call& call, bool* is_open) {
+  FirstTouch first{false, 1};
+  *is_open = false;
+  for (size_t i = 0; i < call.bodies.size(); ++i) {
+    const RigidTrajectory<D>& a = call.bodies[i];
+    const FirstTouch touch = touches_.find_first(*a.body, a.way, a.still);
+    *is_open = *is_open || touches_.is_open_at_start();
+    if (touch.touches && (!first.touches || touch.time < first.time)) first = touch;
+    for (size_t j = 0; call.bodies_meet && j < i; ++j) {
+      const RigidTrajectory<D>& b = call.bodies[j];
+      if (!a.body->filter.sees(b.body->filter)) continue;
+      first = pairs_.find_first(*a.body, a.way, *b.body, b.way, first);
+      *is_open = *is_open || pairs_.touches_at_start();
+    }
+  }
+  return first;
+}
+
+/** Moves all bodies to a fraction of their motions, or none. What was met is in the records then. */
+template <int D>
+bool TurningTogether<D>::go_to(Call& call, double fraction) {
+  ++call.tries;
+  call.keep(&RigidTrajectory<D>::here);
+  for (RigidTrajectory<D>& each : call.bodies) {
+    for (uint32_t v = 0; v < each.start.size(); ++v) {
+      double* const to = each.targets + D * size_t{v};
+      std::copy_n(each.start[v].position, D, to);
+      if (!each.body->has_vertex(v)) continue;
+      each.place(each.user, v, each.start[v].position, fraction, to);
+      if (!is_finite<D>(to)) return false;  // a part of a motion can lead further than the whole
+    }
+  }
+  for (Trajectory<D>& each : call.trajectories) each.record->clear();
+  steps_.move(call.trajectories, call.bodies_meet, call.settings);
+  const bool arrives = std::all_of(call.trajectories.begin(), call.trajectories.end(),
+                                   [](const Trajectory<D>& each) { return each.record->fraction == 1; });
+  if (arrives) {
+    call.at = fraction;
+  } else {
+    call.put(&RigidTrajectory<D>::here);
+  }
+  return arrives;
+}
+
+/** Goes as far as it can, or to an end just before `touch`. Returns whether it has come there. */
+template <int D>
+bool TurningTogether<D>::go(Call& call, double touch, double most_step) {
+  const double end = touch <= 1 ? touch - call.least : 1;
+  double step = most_step;
+  while (call.at < end && call.tries < kMostStepTries) {
+    const bool is_last = end - call.at <= step;
+    const double from = call.at, next = is_last ? end : from + step;
+    if (go_to(call, next)) {
+      step = std::min(2 * step, most_step);
+      continue;
+    }
+    // Where only the rounding of the last place touches, one a little before it does not.
+    for (int i = 1; is_last && touch <= 1 && i <= kMostStepRetreats; ++i) {
+      const double before = end - std::ldexp(call.least, 2 * i);
+      if (!(before > from)) break;
+      if (go_to(call, before)) return true;
+    }
+    step = 0.5 * (next - from);
+    if (!(step >= call.least) || from + step == from) return false;
+  }
+  return call.at >= end;
+}
+
+/** Tries to go on, and keeps what stops it. Where nothing does, all are taken back. */
+template <int D>
+void TurningTogether<D>::record_contacts(Call& call, double touch) {
+  const double at = call.at;
+  call.keep(&RigidTrajectory<D>::before);
+  for (double further = 16 * call.least;; further *= 64) {
+    const double next = std::min(1.0, std::max(at, touch <= 1 ? touch : at) + further);
+    if (!go_to(call, next)) break;
+    call.put(&RigidTrajectory<D>::before);
+    call.at = at;
+    if (next == 1) break;
+  }
+  for (Trajectory<D>& each : call.trajectories) {
+    for (dsw_body_contact& contact : each.record->contacts) contact.time = touch <= 1 ? touch : at;
+  }
+}
+
+template <int D>
+void TurningTogether<D>::move(Array<RigidTrajectory<D>>& bodies, Array<Trajectory<D>>& trajectories, bool bodies_meet,
+                              const TogetherSettings& settings) {
+  Call call{bodies, trajectories, bodies_meet, settings};
+  call.settings.stop = TogetherStop::kAll;
+  call.keep(&RigidTrajectory<D>::start);
+  for (RigidTrajectory<D>& each : bodies) {
+    each.way.start(*each.body, *each.motion);
+    call.least = std::min(call.least, each.way.least_step());
+    call.turns = call.turns || each.way.turns();
+  }
+  bool is_open = false;
+  const FirstTouch first = find_first(call, &is_open);
+  double touch = first.touches ? first.time : kNoTouchAtAll;
+  // What stops them much earlier is something that touched at the start, or the next touch is not known.
+  if (!go(call, touch, call.turns && is_open ? kStepFromTouch : 1) && touch - call.at > 0x1p-20) touch = kNoTouchAtAll;
+  if (call.at < 1) record_contacts(call, touch);
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    MoveRecord& record = *trajectories[i].record;
+    if (call.at == 1) record.contacts.clear(), record.partners.clear(), record.previous.clear();
+    record.fraction = call.at;
+    record.moved = static_cast<uint32_t>(bodies[i].body->vertex_slots.alive_count());
+    record.stopped = call.at == 1 ? 0 : record.moved;
+  }
+}
+
+template class TurningTogether<2>;
+template class TurningTogether<3>;
+
+}  // namespace dsw

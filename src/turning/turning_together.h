@@ -1,0 +1,50 @@
+#pragma once
+// Bodies that move rigidly, all at once, until something is touched.
+
+#include "together/together_move.h"
+#include "turning/rigid_pairs.h"
+#include "turning/rigid_touches.h"
+
+namespace dsw {
+
+/** A body of a call with its motion. */
+template <int D>
+struct RigidTrajectory {
+  Body<D>* body;
+  const RigidMove<D>* motion;
+  PlaceFn place;  // where its vertices are at a fraction, rounded
+  const void* user;
+  const Partners<D>* still;  // bodies that it may meet and that do not move in this call; null: none
+  RigidWay<D> way;
+  Array<BodyVertex<D>> start, here,
+      before;       // where it began, where a step began, and where it stops
+  double* targets;  // of a step: D for each vertex slot
+};
+
+/** Moves bodies; one for each thread. */
+template <int D>
+class TurningTogether {
+ public:
+  explicit TurningTogether(const Environment<D>& env) : touches_(env), pairs_(env.memory), steps_(env) {}
+
+  /** Moves bodies that depend on nobody else that moves. What has become of them is in the records of `trajectories`, which are
+   * those of `bodies`, with the steps' targets. Throws std::bad_alloc and WorkOver with some vertices moved.
+   * @param bodies_meet whether bodies can touch at all. */
+  void move(Array<RigidTrajectory<D>>& bodies, Array<Trajectory<D>>& trajectories, bool bodies_meet,
+            const TogetherSettings& settings);
+
+  void set_counters(CastCounters* counters) { steps_.set_counters(counters); }
+
+ private:
+  struct Call;
+  FirstTouch find_first(Call& call, bool* is_open);
+  bool go_to(Call& call, double fraction);
+  bool go(Call& call, double touch, double most_step);
+  void record_contacts(Call& call, double touch);
+
+  RigidTouches<D> touches_;
+  RigidPairs<D> pairs_;
+  TogetherMove<D> steps_;
+};
+
+}  // namespace dsw
