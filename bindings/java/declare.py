@@ -101,7 +101,7 @@ classes = "".join(CLASS.format(comment=words(status.comment), kind="non-sealed" 
 (sources / "DartsweepException.java").write_text(EXCEPTION.format(made=MADE, cases=cases, classes=classes))
 
 # --- results made rather than filled: the arguments that say what is asked, and the answer as an array
-LEFT_OUT = {"get_particle_positions", "cast_from_particles", "move_bodies", "move_together"}  # not so, or by hand in idioms.i
+LEFT_OUT = {"get_particle_positions", "cast_from_particles", "move_bodies", "move_rigid", "move_together"}  # not so, or by hand in idioms.i
 ELEMENTS = {element: name for kind in ("ID", "RECORD") for element, name in headers.listed(kind).items()}
 
 

@@ -56,6 +56,13 @@
     return reports;
   }
 
+  /** Moves bodies, each on a rigid motion of its own, all at once; a motion has 10 numbers: a quaternion x, y, z, w, a centre and a translation; options may be null. */
+  public MoveReportArray moveRigid(BodyIdArray bodies, double[] motions, TogetherOptions options) {
+    MoveReportArray reports = new MoveReportArray(bodies.size());
+    moveRigid(bodies, motions, options, reports);
+    return reports;
+  }
+
   /** Takes the environment to positions of its vertices, a copy, and bodies to targets, all at once; bodies and targets may be null. */
   public DeformReport deform(double[] positions, BodyIdArray bodies, double[] targets) {
     return deform(DoubleBuffer.wrap(positions), bodies, targets == null ? null : DoubleBuffer.wrap(targets));

@@ -9,7 +9,7 @@ root, source, out = map(pathlib.Path, sys.argv[1:])
 sys.path.insert(0, str(root / "bindings/common"))
 from headers import Headers, Method, Parameter  # noqa: E402
 
-BY_HAND = {"locate_points", "get_particle_positions"}  # they give two arrays
+BY_HAND = {"locate_points", "get_particle_positions", "move_rigid"}  # two arrays, or by bodies and numbers
 DEFAULTS = {"by": "0", "radius": "math.huge"}
 
 headers = Headers(root)

@@ -130,7 +130,7 @@ for status in headers.statuses:
 types = "".join(lines)
 
 # --- methods that make the array that another one fills: what is asked, then an object with all that can be left out
-BY_HAND = {"locate_points", "get_particle_positions"}  # they give two arrays
+BY_HAND = {"locate_points", "get_particle_positions", "move_rigid"}  # two arrays, or by bodies and numbers
 DEFAULTS = {"by": "0"}
 ARRAYS = {"PointsOut": "Float64Array", "int32_t": "Int32Array", "uint32_t": "Uint32Array"}
 NAMES = {c_name: name for kind in ("ID", "RECORD", "DESCRIPTION") for c_name, name in headers.listed(kind).items()}

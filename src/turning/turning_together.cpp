@@ -1,4 +1,4 @@
-// As in turning_move.cpp the exact test says up to when all ways are free. Then the bodies go there in steps in which all of their
+// First the exact test says up to when all ways are free, as in turning_move.cpp. Then the bodies go there in steps in which all of their
 // vertices go straight, at once: that finds the cells of the vertices, and verifies the rounded places. If a step meets something,
 // it is halved: between a chord and its arc something may stand.
 

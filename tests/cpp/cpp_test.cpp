@@ -205,6 +205,25 @@ TEST(Cpp, ABarSlidesAlongAWall) {
   EXPECT_NEAR(body.get_motion_left().translation[1], 0, 1e-9);
 }
 
+TEST(Cpp, RigidBodiesMoveAtOnce) {
+  Environment environment = cube();
+  auto desc = defaults<dsw_scene_desc>();
+  desc.features = DSW_FEATURE_BODY_CONTACTS;
+  Scene scene(environment, &desc);
+  const std::vector<std::uint32_t> edge = {0, 1};
+  const std::vector<double> left = {0.125, 0.5, 0.5, 0.25, 0.5, 0.5}, right = {0.75, 0.5, 0.5, 0.875, 0.5, 0.5};
+  const std::vector<dsw_body_id> bodies = {scene.create_body(left, edge), scene.create_body(right, edge)};
+  std::vector<double> motions(20);
+  motions[3] = motions[13] = 1;
+  motions[7] = 1;
+  motions[17] = -1;
+  std::vector<dsw_move_report> reports(2);
+  scene.move_rigid(bodies, motions, nullptr, reports);
+  EXPECT_NEAR(reports[0].fraction, 0.25, 1e-12);
+  EXPECT_EQ(reports[0].fraction, reports[1].fraction);
+  EXPECT_THROW(scene.move_rigid(bodies, std::vector<double>(10), nullptr, reports), WrongSize);
+}
+
 TEST(Cpp, IndicesHaveAnyWidth) {
   const std::vector<std::int64_t> wide(kCube.begin(), kCube.end());
   const std::array<std::uint32_t, 8> narrow = {0, 1, 2, 3, 4, 5, 6, 7};

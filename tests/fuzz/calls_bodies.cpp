@@ -169,7 +169,9 @@ dsw_status Calls::move_bodies(uint32_t which) {
     const dsw_status status =
         dsw_body_move_rigid(scene_, ids[0], &motion, motion.translation[0] > 0 ? &slides : nullptr, nullptr);
     dsw_body_get_motion_left(scene_, ids[0], &motion);
-    return status;
+    if (motion.translation[1] > 0) return status;
+    const dsw_rigid_motion both[] = {motion, motion};
+    return dsw_scene_move_rigid(scene_, ids, 2, both, nullptr, nullptr);
   }
   const uint32_t count = which == 1 ? 2 : which == 2 ? 1 + bytes_.below(2) : 1;
   const std::vector<double> targets = targets_of(ids, count);

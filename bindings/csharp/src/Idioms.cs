@@ -33,6 +33,15 @@ namespace Dartsweep
       return reports;
     }
 
+    /// <summary>Moves bodies, each on a rigid motion of its own, all at once; a motion has 10 numbers: a quaternion x, y, z, w, a centre
+    /// and a translation.</summary>
+    public MoveReport[] MoveRigid(BodyId[] bodies, double[] motions, TogetherOptions options = null)
+    {
+      MoveReport[] reports = new MoveReport[bodies.Length];
+      MoveRigid(bodies, motions, options, reports);
+      return reports;
+    }
+
     /// <summary>A body of vertices; edges are pairs of indices, triangles threes, each null where there are none.</summary>
     public Body CreateBody(double[] positions, uint[] edges, uint[] triangles = null, BodyDesc desc = null)
     {

@@ -34,4 +34,17 @@ static partial class Tests
       True(Math.Abs(body.GetMotionLeft().Translation.X - 3) < 1e-9);
     }
   }
+
+  public static void RigidBodiesMoveAtOnce()
+  {
+    double[] points = { 0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4 };
+    using (Environment environment = new Environment(points, new[] { 0, 1, 2, 3, 4, 5, 6, 7 }, CellType.Hexahedron))
+    using (Scene scene = new Scene(environment, Library.FEATURE_BODY_CONTACTS))
+    {
+      Body left = scene.CreateBody(new[] { 0.5, 2, 2, 1, 2, 2 }, new uint[] { 0, 1 }), right = scene.CreateBody(new[] { 3, 2, 2, 3.5, 2, 2 }, new uint[] { 0, 1 });
+      double[] motions = { 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0, 0, 0, 1, 0, 0, 0, -4, 0, 0 };
+      MoveReport[] reports = scene.MoveRigid(new[] { left.Id(), right.Id() }, motions);
+      True(reports[0].Fraction < 0.25 && reports[0].Fraction > 0.25 - 1e-12 && reports[0].Fraction == reports[1].Fraction);
+    }
+  }
 }

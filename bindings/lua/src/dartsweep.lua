@@ -189,6 +189,13 @@ function Scene:deform(positions, bodies, targets, options, reports)
   return deform(self, positions, bodies, targets, options, reports), reports
 end
 
+local move_rigid = Scene.move_rigid
+function Scene:move_rigid(bodies, motions, options, reports)
+  reports = reports or core.MoveReportArray(#bodies)
+  move_rigid(self, bodies, motions, options, reports)
+  return reports
+end
+
 local get_positions = Body.get_positions
 function Body:get_positions(positions, volumes)
   positions = positions or core.DoubleArray(self:dimension() * self:get_counts().vertex_slots)

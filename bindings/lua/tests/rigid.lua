@@ -39,3 +39,14 @@ function TestRigid:test_a_bar_slides_along_a_wall()
   lu.assertAlmostEquals(y, 3, 1e-9)
   lu.assertAlmostEquals(bar:get_motion_left().translation[1], 3, 1e-9)
 end
+
+function TestRigid:test_rigid_bodies_move_at_once()
+  local environment <close> = make_room()
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_BODY_CONTACTS})
+  local left = scene:create_body {positions = {{0.5, 2, 2}, {1, 2, 2}}, edges = {{0, 1}}}
+  local right = scene:create_body {positions = {{3, 2, 2}, {3.5, 2, 2}}, edges = {{0, 1}}}
+  local motions = {0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0, 0, 0, 1, 0, 0, 0, -4, 0, 0}
+  local reports = scene:move_rigid({left:id(), right:id()}, motions)
+  lu.assertAlmostEquals(reports[1].fraction, 0.25, 1e-12)
+  lu.assertEquals(reports[1].fraction, reports[2].fraction)
+end

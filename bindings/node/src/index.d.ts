@@ -154,6 +154,10 @@ export class Scene {
     options?: DeformOptions & { bodies?: Structs<BodyId> | readonly Body[]; targets?: Points; reports?: MoveReportArray },
   ): { report: DeformReport; reports: MoveReportArray };
 
+  /** Moves bodies, each on a rigid motion of its own, all at once, up to the first touch. A motion has 10 numbers: a quaternion x, y, z, w, a
+   * centre and a translation. `reports` is filled where it is given. */
+  moveRigid(bodies: Structs<BodyId> | readonly Body[], motions: Float64Array | readonly number[],
+    options?: TogetherOptions & { reports?: MoveReportArray }): MoveReportArray;
   // {methods of Scene}
 }
 

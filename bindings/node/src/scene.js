@@ -45,6 +45,11 @@ class Scene extends native.Scene {
     return { positions, volumes };
   }
 
+  moveRigid(bodies, motions, { reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
+    super.moveRigid(idsOf(bodies), motions, options, reports);
+    return reports;
+  }
+
   createBody(positions, edges, { triangles, hints, ...desc } = {}) {
     const offsets = triangles && Uint32Array.from({ length: triangles.length / 3 + 1 }, (_, i) => 3 * i);
     return this.body(super.createBodyId(positions, edges, offsets, triangles, hints, desc));

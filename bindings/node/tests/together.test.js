@@ -38,6 +38,14 @@ test('a bar slides along a wall', () => {
   assert.ok(Math.abs(bar.getMotionLeft().translation[0] - 3) < 1e-9);
 });
 
+test('rigid bodies move at once', () => {
+  const { scene } = makeRoom();
+  const bars = [[0.5, 2, 2, 1, 2, 2], [3, 2, 2, 3.5, 2, 2]].map((points) => scene.createBody(points, [0, 1]));
+  const motions = [0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0, 0, 0, 1, 0, 0, 0, -4, 0, 0];
+  const [one, other] = [...scene.moveRigid(bars, motions)];
+  assert.ok(one.fraction < 0.25 && one.fraction > 0.25 - 1e-12 && one.fraction === other.fraction);
+});
+
 test('strands that are carried together do not stop each other', () => {
   const { scene } = makeRoom();
   const strands = [1, 1.25].map((x) => scene.createBody(strand(x), edges));

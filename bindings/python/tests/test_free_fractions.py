@@ -50,3 +50,13 @@ def test_a_bar_slides_along_a_wall() -> None:
         assert report.fraction == pytest.approx(0.25, abs=1e-12) and report.vertices_stopped == 2
         assert bar.positions() == pytest.approx(np.array([(2, 3, 2), (4, 3, 2)], float), abs=1e-9)
         assert bar.motion_left().translation == pytest.approx([3, 0, 0], abs=1e-9)
+
+
+def test_rigid_bodies_move_at_once() -> None:
+    with ds.Environment(CORNERS, [range(8)]) as environment, ds.Scene(environment, ds.Feature.BODY_CONTACTS) as scene:
+        bars = [scene.create_body([(x, 2, 2), (x + 0.5, 2, 2)], [(0, 1)]) for x in (0.5, 3)]
+        motions = [(0, 0, 0, 1, 0, 0, 0, way, 0, 0) for way in (4, -4)]
+        reports = scene.move_rigid([bar.id for bar in bars], motions)
+        assert reports["fraction"] == pytest.approx([0.25, 0.25], abs=1e-12) and reports["fraction"][0] == reports["fraction"][1]
+        with pytest.raises(ValueError):
+            scene.move_rigid([bar.id for bar in bars], [(0, 0, 0, 1)])

@@ -228,6 +228,17 @@ class Scene {
     check(dsw_scene_move_together(self.handle, bodies.data, bodies.count, targets.data,
                                   targets.count, targets.stride_bytes, options, reports.data));
   }
+  /** Takes 10 numbers for each body in `motions`: rotation, centre and translation of
+   * dsw_rigid_motion. */
+  void move_rigid(View<const dsw_body_id> bodies, View<const double> motions,
+                  const dsw_together_options *options, View<dsw_move_report> reports) {
+    same_count("motions", motions.count, 10 * bodies.count);
+    optional_count("reports", reports, bodies.count);
+    const SceneWriting self(*state_);
+    check(dsw_scene_move_rigid(self.handle, bodies.data, bodies.count,
+                               reinterpret_cast<const dsw_rigid_motion *>(motions.data), options,
+                               reports.data));
+  }
   /** The environment reads `next` as after Environment::deform; `bodies` and `reports` may be left
    * out. */
   dsw_deform_report deform(Lent next, View<const dsw_body_id> bodies = {}, Points targets = {},

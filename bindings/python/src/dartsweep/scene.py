@@ -253,6 +253,18 @@ class Scene:
         self._core.move_together(bodies, targets, options, reports)
         return reports
 
+    def move_rigid(self, bodies: Ids, motions: ArrayLike, options: TogetherOptions | None = None) -> Records:
+        """Moves bodies (ids, dtypes.BODY_ID) at once, each on a rigid motion of its own, up to the first touch; returns a report for each body.
+
+        motions: of shape (n, 10): a quaternion x, y, z, w, a centre and a translation, both with three coordinates (0 in the plane).
+        """
+        given = np.ascontiguousarray(motions, np.float64)
+        if given.size and (given.ndim != 2 or given.shape[1] != 10):
+            raise ValueError("motions are an array of shape (n, 10)")
+        reports = np.empty(len(bodies), dtypes.MOVE_REPORT)
+        self._core.move_rigid(bodies, given.reshape(-1), options, reports)
+        return reports
+
     def deform(
         self,
         positions: NDArray[np.float64],

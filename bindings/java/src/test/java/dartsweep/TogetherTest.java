@@ -73,6 +73,18 @@ class TogetherTest {
   }
 
   @Test
+  void rigidBodiesMoveAtOnce() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
+      Body left = scene.createBody(new double[] {0.5, 2, 2, 1, 2, 2}, new int[] {0, 1});
+      Body right = scene.createBody(new double[] {3, 2, 2, 3.5, 2, 2}, new int[] {0, 1});
+      double[] motions = {0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0, 0, 0, 1, 0, 0, 0, -4, 0, 0};
+      MoveReportArray reports = scene.moveRigid(idsOf(left, right), motions, null);
+      assertEquals(0.25, reports.get(0).getFraction(), 1e-12);
+      assertEquals(reports.get(0).getFraction(), reports.get(1).getFraction());
+    }
+  }
+
+  @Test
   void strandsDoNotStopEachOther() {
     try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
       Body left = scene.createBody(strand(1, 1), EDGES), right = scene.createBody(strand(1.25, 1), EDGES);

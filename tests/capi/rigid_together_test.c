@@ -1,0 +1,265 @@
+/* Rigid bodies at once: known fractions, beside all pairs (dsw_sweep_rigid_pairs), and that no numbering matters. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../effort.h"
+#include "check.h"
+#include "fixture.h"
+
+enum { N = 4, BODIES = 3, MOST_PAIRS = 8192 };
+
+static unsigned D;
+static uint64_t g_state;
+static double share(void) {
+  g_state ^= g_state << 13;
+  g_state ^= g_state >> 7;
+  g_state ^= g_state << 17;
+  return (double)(g_state >> 11) / 9007199254740992.0;
+}
+static double between(double low, double high) { return low + (high - low) * share(); }
+
+static dsw_scene *make_room(void) {
+  return make_scene(D == 2 ? make_squares(NULL, N, N) : make_environment(NULL, N, N, N), DSW_FEATURE_BODY_CONTACTS);
+}
+
+static dsw_rigid_motion turn_about_z(double degrees, double x, double y) {
+  dsw_rigid_motion m;
+  memset(&m, 0, sizeof m);
+  m.rotation[2] = sin(degrees * 0.00872664625997165);
+  m.rotation[3] = cos(degrees * 0.00872664625997165);
+  m.centre[0] = x;
+  m.centre[1] = y;
+  return m;
+}
+
+/* Two rods side by side turn in step. Towards each other they meet in the middle, and behind each other they do not. */
+static void rods_turn_in_step(void) {
+  const double left[6] = {1, 2, 2, 1.875, 2, 2}, right[6] = {2, 2, 2, 2.875, 2, 2};
+  const double flat_left[4] = {1, 2, 1.875, 2}, flat_right[4] = {2, 2, 2.875, 2};
+  dsw_scene *const scene = make_room();
+  dsw_body_id bodies[2];
+  dsw_rigid_motion motions[2], left_over;
+  dsw_move_report reports[2];
+  dsw_together_options o;
+  const dsw_body_contact *contacts;
+  size_t count;
+  dsw_together_options_init(&o, sizeof o);
+  bodies[0] = make_edge_body(scene, D == 2 ? flat_left : left, DSW_LEVEL_EDGES_SWEPT);
+  bodies[1] = make_edge_body(scene, D == 2 ? flat_right : right, DSW_LEVEL_EDGES_SWEPT);
+  motions[0] = turn_about_z(179, 1, 2);
+  motions[1] = turn_about_z(179, 2, 2);
+  motions[0].translation[1] = motions[1].translation[1] = 0.5;
+  CHECK_OK(dsw_scene_move_rigid(scene, bodies, 2, motions, NULL, reports));
+  CHECK(reports[0].fraction == 1 && reports[1].fraction == 1 && reports[0].contact_count == 0);
+  CHECK_OK(dsw_scene_move_rigid(scene, bodies, 2, motions, &o, NULL));
+  o.stop = DSW_TOGETHER_STOP_FEATURE;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_move_rigid(scene, bodies, 2, motions, &o, reports));
+  bodies[1] = bodies[0];
+  CHECK_FAILS(DSW_STATUS_DUPLICATE_ID, dsw_scene_move_rigid(scene, bodies, 2, motions, NULL, reports));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_move_rigid(scene, bodies, 1, NULL, NULL, reports));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_move_rigid(NULL, bodies, 1, motions, NULL, reports));
+  motions[0].rotation[3] = NAN;
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_scene_move_rigid(scene, bodies, 1, motions, NULL, reports));
+  CHECK_OK(dsw_scene_move_rigid(scene, NULL, 0, NULL, NULL, NULL));
+  end_scene(scene);
+  { /* towards each other: they meet in the middle */
+    dsw_scene *const other = make_room();
+    bodies[0] = make_edge_body(other, D == 2 ? flat_left : left, DSW_LEVEL_EDGES_SWEPT);
+    bodies[1] = make_edge_body(other, D == 2 ? flat_right : right, DSW_LEVEL_EDGES_SWEPT);
+    motions[0] = turn_about_z(0, 0, 0);
+    motions[1] = turn_about_z(0, 0, 0);
+    motions[0].translation[0] = 1;
+    motions[1].translation[0] = -1;
+    CHECK_OK(dsw_scene_move_rigid(other, bodies, 2, motions, NULL, reports));
+    CHECK(reports[0].fraction < 0.0625 && reports[0].fraction > 0.0625 - 1e-12);
+    CHECK(reports[1].fraction == reports[0].fraction && reports[0].vertices_stopped == 2);
+    CHECK_OK(dsw_body_get_contacts(other, bodies[0], &contacts, &count));
+    CHECK(reports[0].contact_count + reports[1].contact_count > 0);
+    CHECK_OK(dsw_body_get_motion_left(other, bodies[0], &left_over));
+    CHECK(fabs(left_over.translation[0] - 0.9375) < 1e-9);
+    motions[1].translation[0] = 1; /* and behind each other they do not */
+    CHECK_OK(dsw_scene_move_rigid(other, bodies, 2, motions, NULL, reports));
+    CHECK(reports[0].fraction == 1 && reports[1].fraction == 1 && reports[0].contact_count == 0);
+    end_scene(other);
+  }
+}
+
+static uint8_t g_kinds[MOST_PAIRS];
+static uint32_t g_indices[2 * MOST_PAIRS];
+static double g_from[12 * MOST_PAIRS];
+static size_t g_pairs;
+
+static void add_pair(uint8_t kind, const double *a, size_t count, uint32_t motion_a, const double *b,
+                     uint32_t motion_b) {
+  double *const to = g_from + (D + 1) * D * g_pairs;
+  memcpy(to, a, count * D * sizeof *to);
+  memcpy(to + count * D, b, (D + 1 - count) * D * sizeof *to);
+  g_kinds[g_pairs] = kind;
+  g_indices[2 * g_pairs] = motion_a;
+  g_indices[2 * g_pairs + 1] = motion_b;
+  CHECK(g_pairs + 1 < MOST_PAIRS);
+  ++g_pairs;
+}
+
+/* Two edges, or an edge and a part of a wall. */
+static void add_edges(const double *a, uint32_t motion_a, const double *b, uint32_t motion_b) {
+  unsigned i;
+  if (D == 3) {
+    add_pair(DSW_PAIR_EDGE_EDGE, a, 2, motion_a, b, motion_b);
+    return;
+  }
+  for (i = 0; i < 2; ++i) {
+    add_pair(DSW_PAIR_VERTEX_EDGE, a + D * i, 1, motion_a, b, motion_b);
+    add_pair(DSW_PAIR_VERTEX_EDGE, b + D * i, 1, motion_b, a, motion_a);
+  }
+}
+
+static void add_room(const double *rod, uint32_t motion) {
+  unsigned k, w, c, x;
+  for (k = 0; k < D; ++k) {
+    for (w = 0; w < 2; ++w) {
+      double triangle[9];
+      for (c = 0; c < D; ++c) {
+        for (x = 0; x < D; ++x) triangle[D * c + x] = x == k ? (w == 0 ? 0 : N) : -64;
+      }
+      triangle[D + (k + 1) % D] += 512;
+      if (D == 3) triangle[2 * D + (k + 2) % D] += 512;
+      for (c = 0; c < 2; ++c) {
+        add_pair(D == 3 ? DSW_PAIR_VERTEX_FACE : DSW_PAIR_VERTEX_EDGE, rod + D * c, 1, motion, triangle, UINT32_MAX);
+      }
+    }
+  }
+}
+
+typedef struct tally {
+  size_t touches, passed, late, false_stops;
+} tally;
+
+static void random_rods(tally *t) {
+  double rods[BODIES][6], numbers[BODIES][17], now[BODIES][6], again[6];
+  dsw_rigid_motion motions[BODIES], reversed[BODIES];
+  dsw_body_id bodies[BODIES], others[BODIES];
+  dsw_move_report reports[BODIES], back[BODIES];
+  dsw_scene *const scene = make_room(), *const mirror = make_room();
+  dsw_pair_touch *touches;
+  double first = 2;
+  uint32_t flags[BODIES];
+  size_t i, j, k, n, any = 0;
+  int is_made = 1;
+  g_pairs = 0;
+  for (i = 0; i < BODIES; ++i) {
+    const double far = share() < 0.5 ? 30 : 170, half = between(0.001, far) * 0.00872664625997165;
+    double axis[3] = {0, 0, 1}, size = 1;
+    for (k = 0; k < 2 * D; ++k) rods[i][k] = k < D ? between(0.7, N - 0.7) : rods[i][k - D] + between(-0.6, 0.6);
+    flags[i] = share() < 0.3 ? DSW_BODY_RIGID : 0;
+    memset(&motions[i], 0, sizeof motions[i]);
+    if (D == 3) {
+      for (k = 0; k < 3; ++k) axis[k] = between(-1, 1);
+      size = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    }
+    for (k = 0; k < 3; ++k) motions[i].rotation[k] = axis[k] / size * sin(half);
+    motions[i].rotation[3] = cos(half);
+    for (k = 0; k < D; ++k) {
+      motions[i].centre[k] = rods[i][k] + between(-0.3, 0.3);
+      motions[i].translation[k] = between(-1, 1);
+    }
+    size = 0;
+    for (k = 0; k < 4; ++k) size += motions[i].rotation[k] * motions[i].rotation[k];
+    memset(numbers[i], 0, sizeof numbers[i]);
+    numbers[i][3] = 1;
+    for (k = 0; k < 4; ++k) numbers[i][4 + k] = motions[i].rotation[k] / sqrt(size);
+    for (k = 0; k < D; ++k) {
+      numbers[i][8 + k] = numbers[i][11 + k] = motions[i].centre[k];
+      numbers[i][14 + k] = motions[i].centre[k] + motions[i].translation[k];
+    }
+  }
+  for (i = 0; i < BODIES; ++i) {
+    const size_t other = BODIES - 1 - i;
+    dsw_body_desc d = line_desc(rods[i], 2, 0, DSW_LEVEL_EDGES_SWEPT);
+    d.flags = flags[i];
+    is_made = is_made && dsw_body_create(scene, &d, &bodies[i]) == DSW_STATUS_OK;
+    d = line_desc(rods[other], 2, 0, DSW_LEVEL_EDGES_SWEPT);
+    d.flags = flags[other];
+    is_made = is_made && dsw_body_create(mirror, &d, &others[i]) == DSW_STATUS_OK;
+    reversed[i] = motions[other];
+    add_room(rods[i], (uint32_t)i);
+    for (j = 0; j < i; ++j) add_edges(rods[i], (uint32_t)i, rods[j], (uint32_t)j);
+  }
+  if (is_made) {
+    touches = (dsw_pair_touch *)malloc(g_pairs * sizeof *touches);
+    CHECK_OK(
+        dsw_sweep_rigid_pairs(NULL, D, g_pairs, g_kinds, g_from, NULL, 0, numbers[0], BODIES, g_indices, 0, touches));
+    for (k = 0; k < g_pairs; ++k) {
+      if (touches[k].touches == 0) continue;
+      ++any;
+      first = fmin(first, touches[k].time);
+    }
+    free(touches);
+    CHECK_OK(dsw_scene_move_rigid(scene, bodies, BODIES, motions, NULL, reports));
+    CHECK_OK(dsw_scene_move_rigid(mirror, others, BODIES, reversed, NULL, back));
+    for (i = 0; i < BODIES; ++i) {
+      CHECK(reports[i].fraction == reports[0].fraction && back[i].fraction == reports[0].fraction);
+      CHECK_OK(dsw_body_get_positions(scene, bodies[i], now[i], 2, 0, NULL, &n));
+      CHECK_OK(dsw_body_get_positions(mirror, others[BODIES - 1 - i], again, 2, 0, NULL, &n));
+      for (k = 0; k < 2 * D; ++k) CHECK(fabs(again[k] - now[i][k]) < 1e-14 && now[i][k] >= 0 && now[i][k] <= N);
+    }
+    if (any == 0) {
+      t->false_stops += reports[0].fraction != 1;
+    } else {
+      ++t->touches;
+      t->passed += reports[0].fraction > first;
+      t->late += first - reports[0].fraction > 1e-9;
+    }
+  }
+  end_scene(scene);
+  end_scene(mirror);
+}
+
+/* A recorded call is made again with the same results. */
+static void is_recorded(void) {
+  static tape recorded;
+  const double at[6] = {1, 1, 1, 2, 1, 1}, flat[4] = {1, 1, 2, 1};
+  dsw_scene *const scene = make_room();
+  const dsw_recording_desc desc = to_tape(&recorded);
+  dsw_rigid_motion motion = turn_about_z(150, 1.5, 1);
+  dsw_move_options o = move_options();
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  dsw_body_id body;
+  int i;
+  CHECK_OK(dsw_scene_start_recording(scene, &desc));
+  body = make_edge_body(scene, D == 2 ? flat : at, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_OK(dsw_scene_move_rigid(scene, &body, 1, &motion, NULL, NULL));
+  motion.translation[0] = -3;
+  o.flags = DSW_MOVE_SLIDE_WHOLE;
+  CHECK_OK(dsw_body_move_rigid(scene, body, &motion, &o, NULL));
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  CHECK_OK(dsw_replay_create(NULL, recorded.bytes, recorded.size, &replay));
+  for (i = 0; i < 3; ++i) {
+    CHECK_OK(dsw_replay_step(replay, &report));
+    CHECK(report.outcome == DSW_REPLAY_SAME);
+  }
+  CHECK(strcmp(report.function, "dsw_body_move_rigid") == 0);
+  CHECK_OK(dsw_replay_destroy(replay));
+  end_scene(scene);
+}
+
+int main(int argc, char **argv) {
+  for (D = 2; D <= 3; ++D) {
+    tally t;
+    int i;
+    memset(&t, 0, sizeof t);
+    g_state = seed_of(88172645463325252u + D);
+    rods_turn_in_step();
+    is_recorded();
+    for (i = 0; i < effort_of(300); ++i) random_rods(&t);
+    if (argc > 1 && strcmp(argv[1], "print") == 0) {
+      printf("dimension %u: %zu touches, %zu passed, %zu late, %zu false stops\n", D, t.touches, t.passed, t.late,
+             t.false_stops);
+    }
+    CHECK(t.touches > 0 && t.passed == 0 && t.false_stops == 0 && 50 * t.late <= t.touches);
+  }
+  return check_result();
+}
