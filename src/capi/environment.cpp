@@ -196,7 +196,8 @@ dsw_status dsw_environment_create(dsw_context* context, const dsw_environment_de
     if (d.dimension != 0 && d.dimension != 2 && d.dimension != 3) {
       fail(DSW_STATUS_OUT_OF_RANGE, "desc->dimension is %u, must be 2 or 3", d.dimension);
     }
-    *environment = (d.dimension == 2 ? build_environment<2> : build_environment<3>)(context, d, report);
+    *environment = capi::with_dimension(
+        d.dimension, [&](auto dimension) { return build_environment<decltype(dimension)::value>(context, d, report); });
   });
 }
 

@@ -19,6 +19,11 @@ dsw_status record(const char* function, dsw_status status, const char* text) noe
 
 const char* last_message() noexcept { return t_message; }
 
+dsw_status refuse_unbuilt(const char* function, const char* option) noexcept {
+  std::snprintf(t_message, sizeof t_message, "%s: this library was built without it (%s)", function, option);
+  return DSW_STATUS_NOT_BUILT;
+}
+
 dsw_status status_of_exception(const char* function) noexcept {
   try {
     throw;

@@ -11,6 +11,9 @@ namespace dsw::capi {
 /** Turns the exception being handled into a status and writes the message of this thread. Allocates nothing. */
 dsw_status status_of_exception(const char* function) noexcept;
 
+/** The answer of a function that a build has left out, and its message: `option` would have kept it. */
+dsw_status refuse_unbuilt(const char* function, const char* option) noexcept;
+
 /** Text of the last failure on this thread. */
 const char* last_message() noexcept;
 

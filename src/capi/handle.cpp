@@ -15,7 +15,9 @@ dsw_environment::dsw_environment(dsw_context* owner, uint32_t dimension)
     : context(owner),
       engine(std::in_place_type<dsw::Environment<3>>, dsw::capi::memory_of(owner)),
       results(dsw::capi::memory_of(owner)) {
-  if (dimension == 2) engine.emplace<dsw::Environment<2>>(dsw::capi::memory_of(owner));
+  dsw::capi::with_dimension(dimension, [&](auto d) {
+    if (d != 3) engine.emplace<dsw::Environment<decltype(d)::value>>(dsw::capi::memory_of(owner));
+  });
   if (owner != nullptr) {
     parallel = owner->parallel;
   } else {
@@ -28,7 +30,9 @@ template <int D>
 dsw_scene::dsw_scene(dsw_environment* home, const dsw::Environment<D>& env, dsw::SceneFeatures features)
     : environment(home), engine(std::in_place_type<dsw::Scene<D>>, env, env.memory, home->parallel, features) {}
 
-dsw_scene::~dsw_scene() { dsw::capi::end_recording(*this); }
+dsw_scene::~dsw_scene() {
+  if constexpr (dsw::capi::kCanRecord) dsw::capi::end_recording(*this);
+}
 
 namespace dsw::capi {
 

@@ -16,6 +16,31 @@
 #include "environment/environment.h"
 #include "scene/change_results.h"
 
+namespace dsw::capi {
+
+#if DSW_WITHOUT_PLANE
+template <template <int> class Engine>
+using OfAnyDimension = std::variant<Engine<3>>;
+#else
+template <template <int> class Engine>
+using OfAnyDimension = std::variant<Engine<3>, Engine<2>>;
+#endif
+
+/** Calls use(D) with the number of dimensions, 2 or else 3, as a constant. Throws NOT_BUILT without the plane. */
+template <class Use>
+decltype(auto) with_dimension(uint32_t dimension, const Use& use) {
+  if (dimension == 2) {
+#if DSW_WITHOUT_PLANE
+    fail(DSW_STATUS_NOT_BUILT, "this library was built without the plane (DSW_WITH_PLANE)");
+#else
+    return use(std::integral_constant<int, 2>{});
+#endif
+  }
+  return use(std::integral_constant<int, 3>{});
+}
+
+}  // namespace dsw::capi
+
 struct dsw_context {
   static constexpr const char* kName = "context";
   static constexpr uint64_t kMagic = 0x6473775f63747831u;
@@ -34,9 +59,9 @@ struct dsw_environment {
   uint64_t magic = kMagic;
   dsw_context* context;  // may be null
   dsw::Parallel parallel;
-  std::variant<dsw::Environment<3>, dsw::Environment<2>> engine;  // see visit and space
-  mutable std::mutex scenes_mutex;   // hosts make scenes of a shared environment on several threads
-  dsw_scene* first_scene = nullptr;  // a list through dsw_scene::next
+  dsw::capi::OfAnyDimension<dsw::Environment> engine;  // see visit and space
+  mutable std::mutex scenes_mutex;                     // hosts make scenes of a shared environment on several threads
+  dsw_scene* first_scene = nullptr;                    // a list through dsw_scene::next
   uint32_t scene_count = 0;
   dsw::ChangeResults results;  // of changes of the topology
 

@@ -41,7 +41,7 @@ void check_motions(uint32_t dimension, const double* motions, size_t count) {
       fail(DSW_STATUS_OUT_OF_RANGE, "motions[%zu][%zu] is %g, must be 0 in the plane", i, k, motion[k]);
     }
     const dsw::TurningWay& way = reinterpret_cast<const dsw::TurningWay*>(motions)[i];
-    if (dimension == 2 ? dsw::has_turn<2>(way) : dsw::has_turn<3>(way)) continue;
+    if (capi::with_dimension(dimension, [&](auto d) { return dsw::has_turn<decltype(d)::value>(way); })) continue;
     fail(DSW_STATUS_OUT_OF_RANGE, "motions[%zu] has a quaternion that is 0 at some time", i);
   }
 }
@@ -91,8 +91,10 @@ dsw_status dsw_sweep_pairs(const dsw_context* context, uint32_t dimension, size_
   return capi::guard(__func__, [&] {
     Arguments a{context, dimension, count, kinds, from, to, stride_bytes, flags, touches, {}, {}};
     a.check();
-    const auto sweep = dimension == 2 ? dsw::sweep_pairs<2> : dsw::sweep_pairs<3>;
-    sweep(capi::memory_of(context), a.parallel(), count, kinds, a.starts, a.ends, a.has_ranks(), touches);
+    capi::with_dimension(dimension, [&](auto d) {
+      dsw::sweep_pairs<decltype(d)::value>(capi::memory_of(context), a.parallel(), count, kinds, a.starts, a.ends,
+                                           a.has_ranks(), touches);
+    });
   });
 }
 
@@ -108,8 +110,10 @@ dsw_status dsw_sweep_rigid_pairs(const dsw_context* context, uint32_t dimension,
     dsw::require_array(indices, count, "indices");
     check_motions(dimension, motions, motion_count);
     check_indices(indices, 2 * count, motion_count);
-    const auto sweep = dimension == 2 ? dsw::sweep_rigid_pairs<2> : dsw::sweep_rigid_pairs<3>;
-    sweep(capi::memory_of(context), a.parallel(), count, kinds, a.starts, a.ends,
-          reinterpret_cast<const dsw::TurningWay*>(motions), indices, a.has_ranks(), touches);
+    capi::with_dimension(dimension, [&](auto d) {
+      dsw::sweep_rigid_pairs<decltype(d)::value>(capi::memory_of(context), a.parallel(), count, kinds, a.starts, a.ends,
+                                                 reinterpret_cast<const dsw::TurningWay*>(motions), indices,
+                                                 a.has_ranks(), touches);
+    });
   });
 }

@@ -14,6 +14,12 @@
 
 namespace dsw::capi {
 
+#if DSW_WITHOUT_RECORD
+inline constexpr bool kCanRecord = false;
+#else
+inline constexpr bool kCanRecord = true;
+#endif
+
 /** A recording of a scene that is being made. */
 struct Recording {
   RecordWriter writer;
@@ -70,6 +76,30 @@ class Recorded {
         scene_(scene != nullptr && (scene->recording != nullptr || scene->watch != nullptr) ? scene : nullptr),
         with_environment_(changes_environment(row)) {
     if (host_ != nullptr) visit(*host_->environment, [](auto& env) { env.map.begin_call(); });
+    if constexpr (kCanRecord) write(row, arguments...);
+  }
+
+  /** It has done what it should; `results` are what it answered or changed, whatever is quick to read. */
+  template <class... Results>
+  void done(const Results&... results) noexcept {
+    if (host_ != nullptr) visit(*host_->environment, [](auto& env) { env.map.keep_tables(); });
+    if (!kCanRecord || scene_ == nullptr) return;
+    Digest digest;
+    [[maybe_unused]] const auto add = [&](const void* bytes, size_t count) { digest.put(bytes, count); };
+    (for_each_part(as_result(results), add), ...);
+    finish(false, digest.value());
+  }
+
+  /** Not done: it failed. */
+  ~Recorded() {
+    if (kCanRecord && scene_ != nullptr) finish(true, 0);
+  }
+  Recorded(const Recorded&) = delete;
+  Recorded& operator=(const Recorded&) = delete;
+
+ private:
+  template <class Row, class... Arguments>
+  void write(const Row& row, const Arguments&... arguments) noexcept {
     if (scene_ == nullptr || scene_->recording == nullptr) return;
     typename Row::Given given{};
     fill<1>(given, arguments...);
@@ -83,26 +113,6 @@ class Recorded {
     });
     scene_->recording->writer.end();
   }
-
-  /** It has done what it should; `results` are what it answered or changed, whatever is quick to read. */
-  template <class... Results>
-  void done(const Results&... results) noexcept {
-    if (host_ != nullptr) visit(*host_->environment, [](auto& env) { env.map.keep_tables(); });
-    if (scene_ == nullptr) return;
-    Digest digest;
-    [[maybe_unused]] const auto add = [&](const void* bytes, size_t count) { digest.put(bytes, count); };
-    (for_each_part(as_result(results), add), ...);
-    finish(false, digest.value());
-  }
-
-  /** Not done: it failed. */
-  ~Recorded() {
-    if (scene_ != nullptr) finish(true, 0);
-  }
-  Recorded(const Recorded&) = delete;
-  Recorded& operator=(const Recorded&) = delete;
-
- private:
   template <size_t kAt, class Given, class First, class... Rest>
   static void fill(Given& given, const First& first, const Rest&... rest) noexcept {
     std::get<kAt>(given) = first;

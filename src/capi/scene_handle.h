@@ -18,7 +18,7 @@ struct dsw_scene {
   dsw::capi::CallWatch* watch = nullptr;      // of the replay that it belongs to
   dsw_scene* previous = nullptr;              // of the same environment
   dsw_scene* next = nullptr;
-  std::variant<dsw::Scene<3>, dsw::Scene<2>> engine;  // of the dimension of its environment
+  dsw::capi::OfAnyDimension<dsw::Scene> engine;  // of the dimension of its environment
 
   /** `env` is that of `home`. */
   template <int D>
