@@ -28,10 +28,10 @@ static partial class Tests
     using (Scene scene = new Scene(environment))
     {
       Body body = scene.CreateBody(bar, new uint[] { 0, 1 });
-      RigidMotion motion = new RigidMotion { Rotation = new double[] { 0, 0, 0, 1 }, Translation = new Vec3(4, 1, 0) };
+      RigidMotion motion = new RigidMotion { Rotation = new double[] { 0, 0, 0, 1 }, Translation = new double[] { 4, 1, 0 } };
       True(body.MoveRigid(motion, new MoveOptions { Flags = Library.MOVE_SLIDE_WHOLE }).Fraction < 0.25);
       True(Math.Abs(body.GetPositions()[3] - 4) < 1e-9 && Math.Abs(body.GetPositions()[4] - 3) < 1e-9);
-      True(Math.Abs(body.GetMotionLeft().Translation.X - 3) < 1e-9);
+      True(Math.Abs(body.GetMotionLeft().Translation[0] - 3) < 1e-9);
     }
   }
 
