@@ -29,8 +29,11 @@ void keeps_every_distance(const std::string& name, TopologyTally& tally) {
     Rng rng(seed);
     for (size_t i = 0; i < scene.bodies.size(); ++i) {
       const double room = scene.room(i, HUGE_VAL);
-      if (!(room > 0) || !std::isfinite(room)) continue;
-      EXPECT_EQ(scene.set_radius(i, room * rng.range(0.1, 0.99)), DSW_STATUS_OK);
+      // Denormal numbers have too few digits for a part of the room: such a radius can be refused.
+      if (!(room > 0) || !std::isnormal(room)) continue;
+      const double radius = room * rng.range(0.1, 0.99);
+      EXPECT_EQ(scene.set_radius(i, radius), DSW_STATUS_OK)
+          << "seed " << seed << ", " << radius << " of " << room << ": " << dsw_last_error_message();
       ++tally.thick;
     }
     for (int call = 0; call < std::clamp(effort_of(120), 30, 120) && !testing::Test::HasFailure(); ++call) {
