@@ -19,22 +19,19 @@
 namespace dsw::capi {
 
 #if DSW_WITHOUT_PLANE
-template <template <int> class Engine>
-using OfAnyDimension = std::variant<Engine<3>>;
+inline constexpr bool kHasPlane = false;
 #else
-template <template <int> class Engine>
-using OfAnyDimension = std::variant<Engine<3>, Engine<2>>;
+inline constexpr bool kHasPlane = true;
 #endif
+template <template <int> class Engine>
+using OfAnyDimension = std::conditional_t<kHasPlane, std::variant<Engine<3>, Engine<2>>, std::variant<Engine<3>>>;
 
 /** Calls use(D) with the number of dimensions, 2 or else 3, as a constant. Throws NOT_BUILT without the plane. */
 template <class Use>
 decltype(auto) with_dimension(uint32_t dimension, const Use& use) {
   if (dimension == 2) {
-#if DSW_WITHOUT_PLANE
+    if constexpr (kHasPlane) return use(std::integral_constant<int, 2>{});
     fail(DSW_STATUS_NOT_BUILT, "this library was built without the plane (DSW_WITH_PLANE)");
-#else
-    return use(std::integral_constant<int, 2>{});
-#endif
   }
   return use(std::integral_constant<int, 3>{});
 }

@@ -23,27 +23,25 @@ def _places(kind: str, name: str) -> Any:
     return lambda made: smproperty.input(name=name, port_index=1)(smdomain.datatype(dataTypes=[kind], composite_data_supported=False)(made))
 
 
-def _conform(self: Any, on: int) -> None:
-    """Whether faces that lie on faces of other cells are sewn to them."""
-    self.set_option("conform", bool(on))
-
-
-def _inner_walls(self: Any, on: int) -> None:
-    """Whether such faces are walls; else they are an error, where they are not sewn."""
-    self.set_option("inner_walls", bool(on))
-
-
-def _merge_distance(self: Any, distance: float) -> None:
-    """Points that lie within this distance count as one; a negative one leaves all as they are."""
-    self.set_option("merge_points", None if distance < 0 else distance)
-
-
 def _with_options(made: Any) -> Any:
-    """Properties that all filters have."""
+    """Properties that all filters have. ParaView calls a property by the name of its function, and takes each function once."""
+
+    def SetConform(self: Any, on: int) -> None:
+        """Whether faces that lie on faces of other cells are sewn to them."""
+        self.set_option("conform", bool(on))
+
+    def SetInnerWalls(self: Any, on: int) -> None:
+        """Whether such faces are walls; else they are an error, where they are not sewn."""
+        self.set_option("inner_walls", bool(on))
+
+    def SetMergeDistance(self: Any, distance: float) -> None:
+        """Points that lie within this distance count as one; a negative one leaves all as they are."""
+        self.set_option("merge_points", None if distance < 0 else distance)
+
     switch = smdomain.xml('<BooleanDomain name="bool"/>')
-    made.SetConform = smproperty.intvector(name="Conform", default_values=0)(switch(_conform))
-    made.SetInnerWalls = smproperty.intvector(name="InnerWalls", default_values=0)(switch(_inner_walls))
-    made.SetMergeDistance = smproperty.doublevector(name="MergeDistance", default_values=-1.0)(_merge_distance)
+    made.SetConform = smproperty.intvector(name="Conform", default_values=0)(switch(SetConform))
+    made.SetInnerWalls = smproperty.intvector(name="InnerWalls", default_values=0)(switch(SetInnerWalls))
+    made.SetMergeDistance = smproperty.doublevector(name="MergeDistance", default_values=-1.0)(SetMergeDistance)
     return made
 
 

@@ -1,8 +1,8 @@
 """Rays against closed surfaces with the methods of trimesh's RayMeshIntersector, exact: no ray slips through between two triangles, and
 none meets two at their common edge. Needs the extra `surfaces`.
 
-The space round the surface and within it is filled with tetrahedra once, which takes as long as dartsweep.from_surface. A ray then costs
-the tetrahedra that it crosses.
+The space round the surface and within it is filled with tetrahedra once, which takes as long as dartsweep.from_surface, and kept twice. A
+ray then costs the tetrahedra that it crosses; all hits of rays are asked for ray by ray.
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ from . import surfaces
 from ._names import keys_of
 from ._shapes import Records
 from .environment import Environment
-from .enums import Mark
 
 
 class RayMeshIntersector:
@@ -31,14 +30,16 @@ class RayMeshIntersector:
     def __init__(self, mesh: Any, **filling: Any) -> None:
         filled = surfaces.fill(mesh, "space", parts="all", largest_hole=0.0, **filling)
         self.environment: Environment = Environment(filled.points, filled.cells, regions=filled.regions)
-        self._faces: Records = self.environment.find_faces(np.arange(0, filled.wall.size + 1, 3), filled.wall.ravel())
-        keys = keys_of(self._faces)
+        """The space round the surface and within it, without walls but at its outer boundary."""
+        faces = self.environment.find_faces(np.arange(0, filled.wall.size + 1, 3), filled.wall.ravel())
+        self._walled = Environment.load(self.environment.save())  # for first hits
+        self._walled.mark_faces(faces)
+        keys = keys_of(faces)
         self._order = np.argsort(keys)
         self._keys = keys[self._order]
         lower, upper = filled.points.min(axis=0), filled.points.max(axis=0)
         self._box = lower + 1e-6 * (upper - lower), upper - 1e-6 * (upper - lower)  # within the mesh, and far from the surface
         self._inside = filled.regions == surfaces.LUMEN
-        self._is_wall = False
 
     def intersects_any(self, ray_origins: ArrayLike, ray_directions: ArrayLike) -> NDArray[np.bool_]:
         """Whether each ray meets the surface."""
@@ -69,7 +70,7 @@ class RayMeshIntersector:
         return np.where(volumes["generation"] == 0, False, self._inside[volumes["index"]])
 
     def _segments(self, origins: ArrayLike, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The part of each ray within the box. Of one that passes it by both ends are a corner, where nothing is."""
+        """The part of each ray within the box. A ray that misses the box becomes a corner of it, where there is no surface."""
         origins, directions = np.atleast_2d(np.asarray(origins, np.float64)), np.atleast_2d(np.asarray(directions, np.float64))
         if origins.shape != directions.shape or origins.shape[1:] != (3,):
             raise ValueError(f"origins and directions have shape (n, 3), not {origins.shape} and {directions.shape}")
@@ -91,11 +92,6 @@ class RayMeshIntersector:
         ends[0][begins_within] = origins[begins_within]
         return ends[0], ends[1]
 
-    def _wall(self, on: bool) -> None:
-        if self._is_wall != on:
-            self.environment.mark_faces(self._faces, Mark.IMPASSABLE if on else Mark.PASSABLE)
-            self._is_wall = on
-
     def _triangles(self, faces: Records) -> NDArray[np.int64]:
         """Triangles of the surface by ids of faces; -1 for other faces."""
         keys = keys_of(faces)
@@ -103,8 +99,7 @@ class RayMeshIntersector:
         return np.where((self._keys[at] == keys) & (faces["generation"] != 0), self._order[at], -1)
 
     def _first(self, starts: NDArray[np.float64], ends: NDArray[np.float64]) -> tuple[NDArray[np.int64], Records]:
-        self._wall(True)
-        flights = self.environment.cast_segments(starts, ends)
+        flights = self._walled.cast_segments(starts, ends)
         return self._triangles(flights["contact"]["wall"]), flights
 
     def _first_ones(self, starts: NDArray[np.float64], ends: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]:
@@ -113,7 +108,6 @@ class RayMeshIntersector:
         return triangles[rays], rays, flights["position"][rays]
 
     def _all(self, starts: NDArray[np.float64], ends: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]:
-        self._wall(False)
         triangles, rays, places = [np.empty(0, np.int64)], [np.empty(0, np.int64)], [np.empty((0, 3))]
         for ray, (start, end) in enumerate(zip(starts, ends)):
             path = self.environment.cast_path(start, end)

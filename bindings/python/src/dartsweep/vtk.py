@@ -3,7 +3,7 @@
 A filter has a mesh of volumes at its first input and the places that it is asked for at its second one. Cells of the answers are those of
 the first input, by their index. VTK's own locators find the cell of a point by rounded formulas, and take a polyhedron for its bounding
 box; here a point lies in exactly one cell of those that touch it. Faces that are not flat are triangles about their means, as everywhere
-in Dartsweep; VTK's cells curve them otherwise. paraview.py makes filters of ParaView of these.
+in Dartsweep; VTK's cells curve them otherwise. paraview_plugin.py makes filters of ParaView of these.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _CELLS = "CellId"
 
 
 class Mesh:
-    """An environment of the volumes of a data set, and which cell of the data set each of its volumes is, or is a part of.
+    """An environment of the volumes of a data set. `cells` gives the cell of the data set that a volume is, or that it is a part of.
 
     data: a vtkDataSet with volumes; its other cells are left out. options: as of from_pyvista; walls between parts that lie on each other
     are as for Environment. Errors: as of from_pyvista, and MeshError for a mesh of the plane or a surface.
@@ -137,7 +137,7 @@ class CastSegments(_Filter):
         lines = places.GetLines()
         offsets, corners = (vtk_to_numpy(array).astype(np.int64) for array in (lines.GetOffsetsArray(), lines.GetConnectivityArray()))
         first = np.ones(len(corners), np.bool_)
-        first[offsets[1:] - 1] = False  # the last point of a line begins no segment
+        first[offsets[1:][np.diff(offsets) > 0] - 1] = False  # the last point of a line begins no segment
         begin = np.flatnonzero(first)
         points = _points_of(places)
         flights = mesh.environment.cast_segments(points[corners[begin]], points[corners[begin + 1]])
