@@ -246,6 +246,47 @@ static void is_recorded(void) {
   end_scene(scene);
 }
 
+/* Memory that is refused at every single point: nothing has moved then. */
+static void memory_runs_out(int which) {
+  static host h;
+  const double left[6] = {1, 1, 1, 2, 1, 1}, right[6] = {1, 2, 1, 2, 2, 1};
+  const double flat_left[4] = {1, 1, 2, 1}, flat_right[4] = {1, 2, 2, 2};
+  const double poses[14] = {0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 1, 0, -3, 0}, centre[3] = {1, 1, 1};
+  const uint32_t indices[4] = {0, 1, 1, 0};
+  dsw_context *const context = make_context(&h);
+  dsw_scene *const scene =
+      make_scene(D == 2 ? make_squares(context, N, N) : make_environment(context, N, N, N), DSW_FEATURE_BODY_CONTACTS);
+  dsw_rigid_motion motions[2];
+  dsw_move_options o = move_options();
+  dsw_status status;
+  dsw_body_id bodies[2];
+  size_t refusals = 0, count;
+  double before[6], after[6];
+  bodies[0] = make_edge_body(scene, D == 2 ? flat_left : left, DSW_LEVEL_EDGES_SWEPT);
+  bodies[1] = make_edge_body(scene, D == 2 ? flat_right : right, DSW_LEVEL_EDGES_SWEPT);
+  motions[0] = motions[1] = turn_about_z(40, 1, 1);
+  motions[0].translation[1] = motions[1].translation[1] = -2;
+  o.flags = DSW_MOVE_SLIDE_WHOLE;
+  CHECK_OK(dsw_body_get_positions(scene, bodies[0], before, 2, 0, NULL, &count));
+  for (;;) {
+    dsw_free_fraction fractions[2];
+    h.refuse = h.calls + refusals + 1;
+    status = which == 0 ? dsw_scene_move_rigid(scene, bodies, 2, motions, NULL, NULL)
+             : which == 1
+                 ? dsw_body_move_rigid(scene, bodies[0], motions, &o, NULL)
+                 : dsw_body_find_free_fractions(scene, bodies[0], centre, poses, 2, indices, NULL, 2, fractions, NULL);
+    h.refuse = 0;
+    if (status == DSW_STATUS_OK || refusals > 3000) break;
+    CHECK(status == DSW_STATUS_OUT_OF_MEMORY && !h.broken);
+    CHECK_OK(dsw_body_get_positions(scene, bodies[0], after, 2, 0, NULL, &count));
+    CHECK(memcmp(before, after, 2 * D * sizeof *before) == 0);
+    ++refusals;
+  }
+  CHECK(status == DSW_STATUS_OK && refusals > 10);
+  end_scene(scene);
+  end_context(context, &h);
+}
+
 int main(int argc, char **argv) {
   for (D = 2; D <= 3; ++D) {
     tally t;
@@ -254,6 +295,7 @@ int main(int argc, char **argv) {
     g_state = seed_of(88172645463325252u + D);
     rods_turn_in_step();
     is_recorded();
+    for (i = 0; i < 3; ++i) memory_runs_out(i);
     for (i = 0; i < effort_of(300); ++i) random_rods(&t);
     if (argc > 1 && strcmp(argv[1], "print") == 0) {
       printf("dimension %u: %zu touches, %zu passed, %zu late, %zu false stops\n", D, t.touches, t.passed, t.late,
