@@ -79,8 +79,9 @@ bool ThickSweep<D>::for_each_swept(const Body<D>& body, uint32_t v, const double
 
 template <int D>
 template <class Visit>
-bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, const Box<D>& box, double limit, Visit visit) {
-  const double reach = body.radius + limit, wanted = least_of(swept, body.radius);
+bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, double distance, double limit, Visit visit) {
+  const double reach = distance + limit, wanted = least_of(swept, distance);
+  const Box<D> box = box_round<D>(swept.hull, reach);
   const auto look = [&](const NearList<D>& list, const NearObstacle<D>& obstacle) {
     Thing thing{{{}, obstacle.count}, wanted, kNone, {}, &obstacle, &list};
     for (uint32_t i = 0; i < obstacle.count; ++i) thing.hull.points[i] = list.point(obstacle.vertices[i]);
@@ -125,14 +126,13 @@ template <int D>
 template <class Visit>
 bool ThickSweep<D>::visit_near(const Partners<D>* partners, const Body<D>& body, const Swept& swept, double limit,
                                Visit visit) {
-  if (body.radius + limit > 0) {
-    if (!visit_walls(body, swept, box_round<D>(swept.hull, body.radius + limit), limit, visit)) return false;
-  }
+  const double of_walls = body.radius > 0 ? body.radius + bend : 0;
+  if (of_walls + limit > 0 && !visit_walls(body, swept, of_walls, limit, visit)) return false;
   if (partners == nullptr) return true;
   for (uint32_t i = 0; i < partners->all.size(); ++i) {
     const Body<D>& other = *partners->all[i].body;
     if (&other == &body ? !body.filter.self : !body.filter.sees(other.filter)) continue;
-    const double wanted = body.radius + other.radius;
+    const double radii = body.radius + other.radius, wanted = radii > 0 && &other != &body ? radii + bend : radii;
     if (!(wanted + limit > 0)) continue;
     if (&other == &body) joined_.find(body, swept.from, swept.from_count);
     const Box<D> box = box_round<D>(swept.hull, wanted + limit);

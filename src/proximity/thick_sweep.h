@@ -38,6 +38,8 @@ class ThickSweep {
 
   /** What is remembered of the things near the body that is asked about. Null: nothing is remembered. */
   NearNotes<D>* notes = nullptr;
+  /** How much more than its radius a thick body keeps, and any body from a thick one, but not from itself. */
+  double bend = 0;
 
   /** Whether a body has distances to keep from anything. `partners` may be null, here and below. */
   static bool is_thick(const Partners<D>* partners, const Body<D>& body) noexcept;
@@ -91,7 +93,7 @@ class ThickSweep {
   template <class Visit>
   bool visit_near(const Partners<D>* partners, const Body<D>& body, const Swept& swept, double limit, Visit visit);
   template <class Visit>
-  bool visit_walls(const Body<D>& body, const Swept& swept, const Box<D>& box, double limit, Visit visit);
+  bool visit_walls(const Body<D>& body, const Swept& swept, double wanted, double limit, Visit visit);
   template <class Visit>
   bool visit_partner(const Partners<D>& partners, uint32_t number, const Body<D>& body, const Box<D>& box,
                      double wanted, Visit visit) const;

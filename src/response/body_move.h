@@ -41,6 +41,8 @@ class BodyMove {
   void set_counters(CastCounters* counters) { star_.simplices.counters = counters; }
   /** What a body can meet besides the environment; null: nothing. */
   void set_partners(const Partners<D>* partners) { star_.partners = partners; }
+  /** How much more distance thick bodies keep than their radii; see ThickSweep. */
+  void set_bend(double bend) { star_.thick.bend = bend; }
   /** What is remembered of what is near the body; null: nothing. */
   void set_notes(NearNotes<D>* notes) { star_.thick.notes = notes; }
 

@@ -12,7 +12,7 @@ namespace dsw {
 template <int D>
 FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners) {
   first_ = {false, 1};
-  is_open_ = false;
+  is_open_ = has_part_boxes_ = false;
   Box<D> all;
   uint32_t first_vertex = 0;
   while (first_vertex < body.vertices.size() && !body.has_vertex(first_vertex)) ++first_vertex;
@@ -50,6 +50,21 @@ uint32_t RigidTouches<D>::last_piece(const RigidWay<D>& way) const noexcept {
   return std::min(static_cast<uint32_t>(first_.time * way.pieces()), way.pieces() - 1);
 }
 
+/** A point of a part lies between those of its corners at all times. */
+template <int D>
+void RigidTouches<D>::find_part_boxes(const Body<D>& body, const RigidWay<D>& way) {
+  has_part_boxes_ = true;
+  vertex_boxes_.resize(body.vertices.size());
+  part_boxes_.clear();
+  for_each_simplex(body, [&](const Simplex& simplex) {
+    if (simplex.kind == Simplex::kVertex) vertex_boxes_[simplex.index] = way.whole_box(simplex.index);
+    Box<D> box;
+    for (const uint32_t v : SimplexCorners<D>(body, simplex)) box.add(vertex_boxes_[v]);
+    part_boxes_.push_back(box);
+    return true;
+  });
+}
+
 /** An obstacle, or a part of another body: a triangle, a segment or a point. */
 template <int D>
 void RigidTouches<D>::meet(const Body<D>& body, const RigidWay<D>& way, const RigidTouch<D>& other) {
@@ -57,8 +72,11 @@ void RigidTouches<D>::meet(const Body<D>& body, const RigidWay<D>& way, const Ri
   const auto is_near = [&](const Box<D>& box) { return box.overlaps(other.points, static_cast<int>(other.count)); };
   while (piece <= last_piece(way) && !is_near(way.box(piece))) ++piece;
   if (piece > last_piece(way)) return;
+  if (!has_part_boxes_) find_part_boxes(body, way);
   RigidTouch<D> both = other;
+  const Box<D>* box = part_boxes_.data();
   for_each_simplex(body, [&](const Simplex& simplex) {
+    if (!is_near(*box++)) return true;
     const SimplexCorners<D> part(body, simplex);
     both.part = simplex;
     for (uint32_t i = piece; i <= last_piece(way); ++i) {

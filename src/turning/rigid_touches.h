@@ -25,7 +25,8 @@ struct RigidTouch {
 template <int D>
 class RigidTouches {
  public:
-  explicit RigidTouches(const Environment<D>& env) : env_(env), lists_(env, false) {}
+  explicit RigidTouches(const Environment<D>& env)
+      : env_(env), lists_(env, false), vertex_boxes_(env.memory), part_boxes_(env.memory) {}
 
   /** Finds when the body first enters something: a wall under the shift, or another body as soon as they touch. */
   FirstTouch find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners);
@@ -39,10 +40,13 @@ class RigidTouches {
   void meet_body(const Body<D>& body, const RigidWay<D>& way, const Partners<D>& partners, uint32_t number);
   void touch(const SimplexCorners<D>& part, const RigidWay<D>& way, const RigidTouch<D>& touch);
   void ask(const TurningPair<D>& pair, const RigidTouch<D>& touch);
+  void find_part_boxes(const Body<D>& body, const RigidWay<D>& way);
   uint32_t last_piece(const RigidWay<D>& way) const noexcept;
 
   const Environment<D>& env_;
   NearLists<D> lists_;
+  Array<Box<D>> vertex_boxes_, part_boxes_;  // around the whole ways; parts in the order of for_each_simplex
+  bool has_part_boxes_ = false;
   FirstTouch first_{};
   RigidTouch<D> touched_;
   bool is_open_ = false;

@@ -38,8 +38,8 @@ void RigidWay<D>::start(const Body<D>& body, const RigidMove<D>& motion) {
   double length = 0;
   for (int k = 0; k < D; ++k) length += std::fabs(way_.place[1][k] - way_.place[0][k]);
   length += speed * radius_;
-  const double unit = std::nextafter(largest_, 2 * largest_ + 1) - largest_;
-  least_step_ = length > 0 ? std::clamp(unit / length, 0x1p-53, 1.0) : 1;
+  unit_ = std::nextafter(largest_, 2 * largest_ + 1) - largest_;
+  least_step_ = length > 0 ? std::clamp(unit_ / length, kLeastStep, 1.0) : 1;
 }
 
 /** Finds places and boxes of the pieces. */
@@ -48,21 +48,30 @@ void RigidWay<D>::find_places(const Body<D>& body, const RigidMove<D>& motion) {
   const auto count = static_cast<uint32_t>(radii_.size());
   places_.assign(size_t{D} * count * (pieces_ + 1), 0);
   largest_ = 0;
+  Box<D> at[kMostPieces + 1];
   for (uint32_t piece = 0; piece <= pieces_; ++piece) {
     const RigidMotion<D> part = motion.part(static_cast<double>(piece) / pieces_);
     for (uint32_t v = 0; v < count; ++v) {
       if (!body.has_vertex(v)) continue;
       double* const to = places_.data() + D * (size_t{piece} * count + v);
       part.place(origin(v), to);
-      largest_ = std::max(largest_, largest_coordinate<D>(to));
+      at[piece].add(to);
     }
+    if (at[piece].empty()) continue;
+    largest_ = std::max({largest_, largest_coordinate<D>(at[piece].lower), largest_coordinate<D>(at[piece].upper)});
   }
   for (uint32_t piece = 0; piece < pieces_; ++piece) {
-    boxes_[piece] = Box<D>();
-    for (uint32_t v = 0; v < count; ++v) {
-      if (body.has_vertex(v)) boxes_[piece].add(box(piece, &v, 1));
-    }
+    boxes_[piece] = at[piece];
+    boxes_[piece].add(at[piece + 1]);
+    boxes_[piece] = widened(boxes_[piece], room(radius_));
   }
+}
+
+template <int D>
+Box<D> RigidWay<D>::whole_box(uint32_t vertex) const noexcept {
+  Box<D> box;
+  for (uint32_t piece = 0; piece <= pieces_; ++piece) box.add(place(piece, vertex));
+  return widened(box, room(radii_[vertex]));
 }
 
 template <int D>

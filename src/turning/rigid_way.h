@@ -13,6 +13,7 @@ template <int D>
 class RigidWay {
  public:
   static constexpr uint32_t kMostPieces = 32;
+  static constexpr double kLeastStep = 0x1p-53;
 
   explicit RigidWay(const Memory* memory) : origins_(memory), places_(memory), radii_(memory) {}
 
@@ -31,10 +32,16 @@ class RigidWay {
   /** A box around the ways of some vertices in a piece, and of all of them. */
   Box<D> box(uint32_t piece, const uint32_t* vertices, uint32_t count) const noexcept;
   const Box<D>& box(uint32_t piece) const noexcept { return boxes_[piece]; }
+  /** A box around the whole way of a vertex. */
+  Box<D> whole_box(uint32_t vertex) const noexcept;
   /** How far at most any vertex is beside the straight way between two places whose fractions differ by this. */
   double sagitta(double step) const noexcept { return 0.125 * bend_ * radius_ * step * step; }
   /** The share of the motion in which no vertex goes further than one unit in the last place. */
   double least_step() const noexcept { return least_step_; }
+  /** Whether neighbouring doubles of the motion can be further apart than that. */
+  bool is_coarse() const noexcept { return least_step_ == kLeastStep; }
+  /** One unit in the last place of the largest coordinate on the way. */
+  double unit() const noexcept { return unit_; }
   /** The largest coordinate on the way. */
   double largest() const noexcept { return largest_; }
   bool turns() const noexcept { return bend_ > 0; }
@@ -50,7 +57,7 @@ class RigidWay {
   uint32_t pieces_ = kMostPieces;
   Box<D> boxes_[kMostPieces];
   double bend_ = 0;  // of the way of a point at distance 1 from the axis: its largest second derivative
-  double radius_ = 0, largest_ = 0, least_step_ = 0;
+  double radius_ = 0, largest_ = 0, unit_ = 0, least_step_ = 0;
 };
 
 }  // namespace dsw

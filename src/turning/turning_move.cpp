@@ -19,7 +19,7 @@ namespace dsw {
 
 namespace {
 
-constexpr int kMostTries = 400, kMostRetreats = 6, kMostLeap = 16;
+constexpr int kMostTries = 400, kMostRetreats = 6, kMostLeap = 16, kMostGap = 16;
 constexpr double kStepInTouch = 0x1p-6, kSameTouch = 0x1p-20;
 
 }  // namespace
@@ -33,18 +33,16 @@ struct TurningMove<D>::Steps {
   PlaceFn place;
   const void* user;
   MoveOrder order, reversed;
-  bool is_widened;  // the distance that it keeps
-  double radius;
   int tries = 0;
   double at = 0;
 
   bool go_to(double fraction, MoveRecord* record = nullptr) {
     ++tries;
-    if (is_widened) body.radius = radius + way.sagitta(fraction - at);
+    mover.set_bend(way.sagitta(fraction - at));
     // An edge tilts between the turns of its ends, to the other side if they go in the other order.
     const bool arrives = mover.step(body, place, user, fraction, order, record) ||
                          (record == nullptr && mover.step(body, place, user, fraction, reversed, nullptr));
-    body.radius = radius;
+    mover.set_bend(0);
     if (arrives) at = fraction;
     return arrives;
   }
@@ -53,17 +51,23 @@ struct TurningMove<D>::Steps {
 /** Goes on by bisection, up to where the body can't go. */
 template <int D>
 void TurningMove<D>::go_nearer(Steps& steps, double limit, double least) {
-  while (limit - steps.at > 2 * least) {
+  while (limit - steps.at > least) {
     const double next = 0.5 * (steps.at + limit);
     if (!(next > steps.at && next < limit)) break;
     if (!steps.go_to(next)) limit = next;
   }
 }
 
+/** The place to go to before a touch. Fractions next to each other may be many units apart. */
+template <int D>
+double TurningMove<D>::end_before(double touch) const noexcept {
+  return touch > 1 ? 1 : way_.is_coarse() ? touch : touch - way_.least_step();
+}
+
 /** Goes as far as it can, or to an end just before `touch`. Returns whether it has come there. */
 template <int D>
 bool TurningMove<D>::go(Steps& steps, double touch, double most_step) {
-  const double least = way_.least_step(), end = touch <= 1 ? touch - least : 1;
+  const double least = way_.least_step(), end = end_before(touch);
   double step = most_step;
   while (steps.at < end && steps.tries < kMostTries) {
     const bool is_last = end - steps.at <= step;
@@ -73,12 +77,15 @@ bool TurningMove<D>::go(Steps& steps, double touch, double most_step) {
       continue;
     }
     // Where only the rounding of the last place touches, one a little before it does not.
+    double limit = end;
     for (int i = 1; is_last && touch <= 1 && i <= kMostRetreats; ++i) {
       const double before = end - std::ldexp(least, 2 * i);
       if (!(before > from)) break;
-      if (!steps.go_to(before)) continue;
-      go_nearer(steps, end - std::ldexp(least, 2 * i - 2), least);
-      return true;
+      if (steps.go_to(before)) {
+        if (way_.is_coarse() || i > 1) go_nearer(steps, limit, way_.is_coarse() ? 0 : 2 * least);
+        return true;
+      }
+      limit = before;
     }
     step = 0.5 * (next - from);
     if ((!(step >= least) || from + step == from) && !leap(steps, end)) return false;
@@ -95,6 +102,15 @@ bool TurningMove<D>::leap(Steps& steps, double end) {
     if (steps.go_to(next)) return true;
   }
   return false;
+}
+
+/** Tries all places just before a touch: on a flat way the rounding of most of them touches already. */
+template <int D>
+void TurningMove<D>::approach(Steps& steps, double touch) {
+  for (int i = 0; i < 4 * kMostGap; ++i) {
+    const double next = end_before(touch) - 0.25 * i * way_.least_step();
+    if (!(next > steps.at) || steps.go_to(next)) return;
+  }
 }
 
 /** The part that touches first and what it touches then, where they are now. */
@@ -178,9 +194,7 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     way_.start(body, motion);
     const bool is_thick = radius > 0 || (partners != nullptr && partners->has_thick);
     reverse(body, order);
-    Steps chords{
-        steps, body, way_, place, user, order, {reversed_.data(), reversed_.size()}, radius > 0 && !body.filter.self,
-        radius};
+    Steps chords{steps, body, way_, place, user, order, {reversed_.data(), reversed_.size()}};
     const FirstTouch first = touches_.find_first(body, way_, partners);
     double touch = first.touches ? first.time : kNoTouch, most_step = 1;
     if (way_.turns() && (is_thick || touches_.is_open_at_start())) most_step = kStepInTouch;
@@ -190,10 +204,11 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     // as the root of that.
     const bool arrives = go(chords, touch, most_step);
     if (!arrives && touch <= 1 && !is_at_touch(body, kSameTouch * way_.largest())) touch = kNoTouch;
+    if (!is_thick && touch <= 1 && !is_at_touch(body, kMostGap * way_.unit())) approach(chords, touch);
     if (chords.at < 1) record_contact(chords, partners, touch, record);
     steps.end_steps(body, chords.at, record);
   } catch (...) {
-    body.radius = radius;
+    steps.set_bend(0);
     steps.undo_steps(body);
     throw;
   }

@@ -24,6 +24,8 @@ class TurningMove {
   void reverse(const Body<D>& body, MoveOrder order);
   bool go(Steps& steps, double touch, double most_step);
   bool leap(Steps& steps, double end);
+  double end_before(double touch) const noexcept;
+  void approach(Steps& steps, double touch);
   void go_nearer(Steps& steps, double limit, double least);
   bool is_at_touch(const Body<D>& body, double distance) const;
   void record_contact(Steps& steps, const Partners<D>* partners, double touch, MoveRecord& record);

@@ -62,8 +62,8 @@ RigidPushes<D>::RigidPushes(const Body<D>& body, const double* at, const Vec& no
 
 template <int D>
 bool RigidPushes<D>::get(int k, RigidMotion<D>& moved) const noexcept {
-  const double part = k + 1 < kCount ? turn_ / (1 << k) : 0;
-  if (part == 0 && k + 1 < kCount) return false;
+  const double part = k == 0 ? 0 : turn_ / (1 << (k - 1));
+  if (part == 0 && k != 0) return false;
   // Half of the rotation vector, beside 1: an angle a little smaller, without a sine.
   const Vec half = part / 2 * spin_;
   double turn[4] = {half.x(), half.y(), half.z(), 1};
@@ -129,7 +129,7 @@ bool RigidPush<D>::go_out(const WallHit& first, int kind, const WallSweep<D>& wa
     const RigidPushes<D> pushes(body, touch.point, to_vec<D>(touch.end_normal), way, true);
     RigidMotion<D> moved;
     const bool turns = round < kMostTurns && pushes.get(kind, moved);
-    if (!turns && (round == 0 || !pushes.get(RigidPushes<D>::kCount - 1, moved))) return false;
+    if (!turns && (round == 0 || !pushes.get(0, moved))) return false;
     if (!find_places(body, moved, targets_)) return false;
     // Perhaps for want of cells: those that only this body gets to have not been opened.
     if (!go(owner, sweeps) && !(open_ways(owner) && go(owner, sweeps))) return false;

@@ -17,17 +17,16 @@ template <int D>
 Vec way_out(const WallTouch& touch, const double* from, const double* to, double radius, int pushes) noexcept;
 
 /** Rigid motions that take a point of a body, whose shape is kept, at least as far along a normal
- * as `way` leads; if it `sticks` they take it just that way. The first is the least one: a push along the normal of a free body, whose
- * vertices have equal masses, turns it as well. Then half of that turn and for the rest the way
- * itself, a quarter, and no turn. */
+ * as `way` leads; if it `sticks` they take it just that way. The first has no turn. The second is the least one: a push along
+ * the normal of a free body, whose vertices have equal masses, turns it as well. Then half of that turn and for the rest the way
+ * itself, and a quarter. */
 template <int D>
 class RigidPushes {
  public:
   static constexpr int kCount = 4;
   RigidPushes(const Body<D>& body, const double* at, const Vec& normal, const Vec& way, bool sticks);
 
-  /** Where the shape is after motion number k; false if that is the one without a turn, and not
-   * the last. */
+  /** Where the shape is after motion number k; false if that has no turn, and is not the first. */
   bool get(int k, RigidMotion<D>& moved) const noexcept;
 
  private:

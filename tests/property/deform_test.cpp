@@ -79,8 +79,12 @@ TEST_F(DeformTest, AFloorTakesThingsAsFarAsItGoesAfterTheTouch) {
     const BodyPlan edge = segment({0.3, 0.4, height}, {2.2, 0.7, height});
     const BodyPlan face{{{0.3, 1.2, height}, {1.8, 1.4, height}, {0.9, 1.9, height}}, {}, {{0, 1, 2}}};
     const dsw_body_id soft[] = {make(edge), make(face, DSW_LEVEL_FACES), make({{{2.5, 2.5, height}}, {}, {}})};
-    const dsw_body_id rigid[] = {make(segment({0.2, 2.4, height}, {1.9, 2.7, height}), DSW_LEVEL_EDGES, DSW_BODY_RIGID),
-                                 make(tetrahedron({2.4, 3.1, height}, 0.4), DSW_LEVEL_FACES, DSW_BODY_RIGID)};
+    const dsw_body_id rigid[] = {
+        make(segment({0.2, 2.4, height}, {1.9, 2.7, height}), DSW_LEVEL_EDGES, DSW_BODY_RIGID),
+        make(tetrahedron({2.4, 3.1, height}, 0.4), DSW_LEVEL_FACES, DSW_BODY_RIGID),
+        make(segment({0.3, 3.1, height}, {1.7, 3.6, height + 0.05}), DSW_LEVEL_EDGES, DSW_BODY_RIGID)};
+    std::vector<std::vector<Vec>> before;
+    for (const dsw_body_id body : rigid) before.push_back(read(body).at);
     std::vector<double>& next = arrays_[0];
     next = points_of(place_.get());
     for (size_t i = 2; i < next.size(); i += 3) next[i] = std::max(next[i], kTop);
@@ -96,10 +100,15 @@ TEST_F(DeformTest, AFloorTakesThingsAsFarAsItGoesAfterTheTouch) {
     for (const dsw_body_id body : soft) {
       for (const Vec& p : read(body).at) EXPECT_TRUE(p[2] >= kTop && p[2] <= kTop + kRoom) << p[2] - kTop;
     }
-    for (const dsw_body_id body : rigid) {
+    for (size_t i = 0; i < before.size(); ++i) {
       double lowest = 3;
-      for (const Vec& p : read(body).at) lowest = std::min(lowest, p[2]);
+      const std::vector<Vec> now_at = read(rigid[i]).at;
+      for (const Vec& p : now_at) lowest = std::min(lowest, p[2]);
       EXPECT_TRUE(lowest >= kTop && lowest <= kTop + kRoom) << height << " " << lowest - kTop;
+      for (size_t v = 1; v < now_at.size(); ++v) {
+        const double was = before[i][v][2] - before[i][0][2], is = now_at[v][2] - now_at[0][2];
+        EXPECT_TRUE(was == 0 ? is == 0 : std::fabs(is - was) <= 0x1p-52) << height << " " << is - was;
+      }
     }
   }
 }

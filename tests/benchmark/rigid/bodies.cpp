@@ -11,7 +11,7 @@ void check(dsw_status status) {
   throw std::runtime_error(std::string(dsw_status_string(status)) + ": " + dsw_last_error_message());
 }
 
-bool add_body(dsw_scene* scene, const Figure& figure, double radius, dsw_body_id& id) {
+bool add_body(dsw_scene* scene, const Figure& figure, double radius, dsw_body_id& id, std::uint32_t flags) {
   std::vector<std::uint32_t> edges, offsets{0}, corners;
   for (const Part& edge : figure.edges) edges.insert(edges.end(), edge.at.begin(), edge.at.begin() + 2);
   for (const Part& face : figure.faces) {
@@ -34,6 +34,7 @@ bool add_body(dsw_scene* scene, const Figure& figure, double radius, dsw_body_id
     d.face_corner_count = corners.size();
   }
   d.radius = radius;
+  d.flags = flags;
   const dsw_status status = dsw_body_create(scene, &d, &id);
   const bool has_no_room =
       status == DSW_STATUS_OCCUPIED || status == DSW_STATUS_OUTSIDE || status == DSW_STATUS_IMPASSABLE;

@@ -11,7 +11,7 @@ namespace dsw::rigid {
 void check(dsw_status status);
 
 /** Creates a body at DSW_LEVEL_FACES if it has faces, or else DSW_LEVEL_EDGES_SWEPT. Returns whether there was room for it. */
-bool add_body(dsw_scene* scene, const Figure& figure, double radius, dsw_body_id& id);
+bool add_body(dsw_scene* scene, const Figure& figure, double radius, dsw_body_id& id, std::uint32_t flags = 0);
 
 /** A sphere with 4^k times 8 triangles, nearly. */
 Figure make_ball(int k, double radius);

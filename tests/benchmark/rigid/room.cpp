@@ -111,7 +111,9 @@ void Room::mark(const std::vector<std::int64_t>& cells, double share, Random& ra
   check(dsw_environment_mark_faces(environment_, ids.data(), ids.size(), DSW_MARK_IMPASSABLE));
 }
 
-bool Room::add(const Figure& body, double radius, dsw_body_id& id) { return add_body(scene_, body, radius, id); }
+bool Room::add(const Figure& body, double radius, dsw_body_id& id, std::uint32_t flags) {
+  return add_body(scene_, body, radius, id, flags);
+}
 
 std::vector<Point> Room::places(dsw_body_id body) const {
   dsw_body_counts counts{};

@@ -25,7 +25,7 @@ class Room {
   dsw_scene* scene() const { return scene_; }
   const Figure& walls() const { return walls_; }
   /** Creates a body. Returns whether there was room for it. */
-  bool add(const Figure& body, double radius, dsw_body_id& id);
+  bool add(const Figure& body, double radius, dsw_body_id& id, std::uint32_t flags = 0);
   std::vector<Point> places(dsw_body_id body) const;
 
  private:

@@ -31,9 +31,11 @@ long double speed_of(const Figure& body, const TurningWay& way) {
 template <int D>
 void judge(Room& room, Random& random, std::size_t number, Tally& tally) {
   const Case c = draw_case(room, random);
-  const double radius = 0.005 * std::exp(random.uniform() * std::log(20)), of_others = random.index(2) == 0 ? 0 : 0.02;
+  const bool is_thin = !c.others.empty() && random.index(2) == 0, sees_itself = random.index(4) == 0;
+  const double radius = is_thin ? 0 : 0.005 * std::exp(random.uniform() * std::log(20)),
+               of_others = is_thin || random.index(2) == 0 ? 0.02 : 0;
   dsw_body_id body{};
-  if (!room.add(c.body, radius, body)) return;
+  if (!room.add(c.body, radius, body, sees_itself ? std::uint32_t{DSW_BODY_SELF_CONTACTS} : 0u)) return;
   Figure others;
   for (const Figure& other : c.others) {
     dsw_body_id id{};
