@@ -19,7 +19,7 @@ namespace dsw {
 
 namespace {
 
-constexpr int kMostTries = 400, kMostRetreats = 6, kMostLeap = 16, kMostGap = 16;
+constexpr int kMostTries = 4000, kMostRetreats = 6, kMostLeap = 16, kMostGap = 16;
 constexpr double kStepInTouch = 0x1p-6, kSameTouch = 0x1p-20;
 
 }  // namespace
