@@ -40,11 +40,25 @@ struct Portal {
   }
 };
 
+/** Half-facets in order. A copy has room for one, so that it can be forgotten without memory. */
+struct PassedFacets : Array<uint32_t> {
+  explicit PassedFacets(const Allocator<uint32_t>& allocator) : Array<uint32_t>(allocator) {}
+  PassedFacets(const PassedFacets& other) : Array<uint32_t>(other) { reserve(1); }
+  PassedFacets(PassedFacets&&) noexcept = default;
+  PassedFacets& operator=(const PassedFacets& other) {
+    reserve(std::max<size_t>(other.size(), 1));
+    Array<uint32_t>::operator=(other);
+    return *this;
+  }
+  PassedFacets& operator=(PassedFacets&&) = default;
+  ~PassedFacets() = default;
+};
+
 /** The half-facets that an edge was last known to pass, each seen from the cell that is left; one kNoFacet: unknown. */
 template <int D>
 struct Corridor {
   Portal<D> portal;  // through the facets
-  Array<uint32_t> facets;
+  PassedFacets facets;
   bool in_rows = true;  // they are of tetrahedra, in the plane of convex polygons
   FacetRows<D> rows;    // the facets, of that version; only if they are in rows
 
@@ -62,7 +76,7 @@ struct Corridor {
   uint32_t place_count = 0, last_place = 0;
 
   // The facets as they were when a call on the body began, if they have changed since; see keep_forecasts.
-  Array<uint32_t> kept;
+  PassedFacets kept;
   uint64_t kept_in = 0;  // the number of that call
   bool kept_in_rows = true;
 

@@ -196,10 +196,7 @@ class PathWalk {
 template <int D>
 Body<D> without_forecasts(const Body<D>& body) {
   Body<D> copy(body);
-  for (Corridor<D>& corridor : copy.corridors) {
-    corridor.facets.reserve(1);  // a copy has no room beyond what it knows
-    corridor.forget();
-  }
+  for (Corridor<D>& corridor : copy.corridors) corridor.forget();
   copy.touched.clear();
   std::fill(copy.clearances.begin(), copy.clearances.end(), Clearance<D>{});
   if (!copy.boxes.empty()) fresh_boxes(copy);
