@@ -15,7 +15,7 @@ template <int D>
 FirstTouch RigidPairs<D>::find_first(const Body<D>& a, const RigidWay<D>& way_a, const Body<D>& b,
                                      const RigidWay<D>& way_b, const FirstTouch& earlier) {
   first_ = earlier;
-  touches_at_start_ = false;
+  is_earlier_ = touches_at_start_ = false;
   collect(a, way_a, way_b, parts_[0]);
   collect(b, way_b, way_a, parts_[1]);
   for (const Part& mine : parts_[0]) {
@@ -23,7 +23,11 @@ FirstTouch RigidPairs<D>::find_first(const Body<D>& a, const RigidWay<D>& way_a,
       for (uint32_t slice = 0; slice < kSlices; ++slice) {
         if (first_.touches && static_cast<double>(slice) > first_.time * kSlices) break;
         if (!mine.boxes[slice].overlaps(other.boxes[slice])) continue;
-        ask(mine, way_a, other, way_b);
+        if (ask(mine, way_a, other, way_b)) {
+          is_earlier_ = true;
+          touched_[0] = mine.name;
+          touched_[1] = other.name;
+        }
         break;
       }
     }
@@ -36,7 +40,7 @@ template <int D>
 void RigidPairs<D>::collect(const Body<D>& body, const RigidWay<D>& way, const RigidWay<D>& other, Array<Part>& parts) {
   parts.clear();
   for_each_simplex(body, [&](const Simplex& simplex) {
-    Part part{SimplexCorners<D>(body, simplex), {}};
+    Part part{simplex, SimplexCorners<D>(body, simplex), {}};
     bool is_near = false;
     for (uint32_t slice = 0; slice < kSlices; ++slice) {
       part.boxes[slice] = way.box(piece_at(way, slice), part.corners.vertices, part.corners.count);
@@ -47,14 +51,13 @@ void RigidPairs<D>::collect(const Body<D>& body, const RigidWay<D>& way, const R
   });
 }
 
-/** Asks about two parts. Sides of triangles and ends of edges are parts of their own. */
+/** Asks about two parts. Sides of triangles and ends of edges are parts of their own. Whether this touch is the first so far. */
 template <int D>
-void RigidPairs<D>::ask(const Part& a, const RigidWay<D>& way_a, const Part& b, const RigidWay<D>& way_b) {
+bool RigidPairs<D>::ask(const Part& a, const RigidWay<D>& way_a, const Part& b, const RigidWay<D>& way_b) {
   const uint32_t count_a = a.corners.count, count_b = b.corners.count;
   const bool are_edges = D == 3 && count_a == 2 && count_b == 2;
   if (!are_edges && !(count_a == 1 && count_b == D)) {
-    if (count_a == D && count_b == 1) ask(b, way_b, a, way_a);
-    return;
+    return count_a == D && count_b == 1 && ask(b, way_b, a, way_a);
   }
   TurningPair<D> pair{};
   pair.kind = are_edges ? PairKind::kEdgeEdge : D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge;
@@ -64,12 +67,14 @@ void RigidPairs<D>::ask(const Part& a, const RigidWay<D>& way_a, const Part& b, 
   for (uint32_t i = 0; i < count_b; ++i)
     pair.start[count_a + i] = pair.end[count_a + i] = way_b.origin(b.corners.vertices[i]);
   const FirstTouch touch = first_touch(pair);
-  if (!touch.touches) return;
+  if (!touch.touches) return false;
   if (touch.time == 0) {
     touches_at_start_ = true;
-  } else if (!first_.touches || touch.time < first_.time) {
-    first_ = touch;
+    return false;
   }
+  if (first_.touches && !(touch.time < first_.time)) return false;
+  first_ = touch;
+  return true;
 }
 
 template class RigidPairs<2>;

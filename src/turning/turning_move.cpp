@@ -9,11 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "contact/describe.h"
-#include "contact/normals.h"
-#include "predicates/hull_gap.h"
+#include "turning/touch_record.h"
 
 namespace dsw {
 
@@ -113,45 +110,10 @@ void TurningMove<D>::approach(Steps& steps, double touch) {
   }
 }
 
-/** The part that touches first and what it touches then, where they are now. */
-template <int D>
-struct TurningMove<D>::Touching {
-  ConvexHull part, other;
-
-  Touching(const Body<D>& body, const RigidTouch<D>& touch) : other{{}, touch.count} {
-    for (const uint32_t v : SimplexCorners<D>(body, touch.part)) part.points[part.count++] = body.position(v);
-    std::copy_n(touch.points, touch.count, other.points);
-  }
-};
-
 /** Whether what touches first is that near. */
 template <int D>
 bool TurningMove<D>::is_at_touch(const Body<D>& body, double distance) const {
-  const Touching touching(body, touches_.touched());
-  return find_gap<D>(touching.part, touching.other, 2 * distance, distance).distance <= distance;
-}
-
-/** Keeps a contact of the pair that touches first, where the two are now. */
-template <int D>
-void TurningMove<D>::record_touch(const Body<D>& body, const Partners<D>* partners, const double* to,
-                                  MoveRecord& record) const {
-  const RigidTouch<D>& touch = touches_.touched();
-  const Touching touching(body, touch);
-  const HullGap gap = find_gap<D>(touching.part, touching.other, std::numeric_limits<double>::infinity(), 0);
-  TooNear<D> near;
-  near.part = touch.part;
-  std::copy_n(gap.weights, 3, near.shares);
-  std::copy_n(gap.other_weights, 3, near.weights);
-  near.normal = gap.normal;
-  const uint32_t v = SimplexCorners<D>(body, touch.part).vertices[0];
-  if (is_zero(near.normal)) near.normal = against(Vec::Zero(), difference<D>(to + D * size_t{v}, body.position(v)));
-  near.partner = touch.partner;
-  near.other = touch.other;
-  std::copy_n(touch.vertices, 3, near.vertices);
-  near.facet = touch.facet;
-  near.cell = touch.cell;
-  record.add(describe(env_, body, v, to + D * size_t{v}, near),
-             partners == nullptr ? dsw_contact_partner{} : partner_of(partners, near));
+  return gap_of(body, touches_.touched(), 2 * distance, distance).distance <= distance;
 }
 
 /** Tries to go on, and keeps what stops it. Where nothing does, the body is taken back, and what it touches first is kept. */
@@ -166,7 +128,11 @@ void TurningMove<D>::record_contact(Steps& steps, const Partners<D>* partners, d
     steps.at = at;
     if (next == 1) break;
   }
-  if (record.contacts.empty() && touch <= 1) record_touch(steps.body, partners, way_.place(way_.pieces(), 0), record);
+  if (record.contacts.empty() && touch <= 1) {
+    const uint32_t partner = touches_.touched().partner;
+    record_touch(env_, steps.body, way_, touches_.touched(), partner == kNone ? nullptr : &partners->all[partner],
+                 record);
+  }
   if (!record.contacts.empty()) record.contacts[0].time = touch <= 1 ? touch : at;
 }
 

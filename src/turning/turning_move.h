@@ -20,7 +20,6 @@ class TurningMove {
 
  private:
   struct Steps;
-  struct Touching;
   void reverse(const Body<D>& body, MoveOrder order);
   bool go(Steps& steps, double touch, double most_step);
   bool leap(Steps& steps, double end);
@@ -29,7 +28,6 @@ class TurningMove {
   void go_nearer(Steps& steps, double limit, double least);
   bool is_at_touch(const Body<D>& body, double distance) const;
   void record_contact(Steps& steps, const Partners<D>* partners, double touch, MoveRecord& record);
-  void record_touch(const Body<D>& body, const Partners<D>* partners, const double* to, MoveRecord& record) const;
 
   const Environment<D>& env_;
   RigidTouches<D> touches_;

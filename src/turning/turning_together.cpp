@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "turning/touch_record.h"
+
 namespace dsw {
 
 namespace {
@@ -37,19 +39,34 @@ struct TurningTogether<D>::Call {
   }
 };
 
+/** What is touched first. */
 template <int D>
-FirstTouch TurningTogether<D>::find_first(Call& call, bool* is_open) {
+struct TurningTogether<D>::Met {
+  size_t body = 0, other = 0;  // numbers in the call; the same twice: `touch` says what is touched
+  RigidTouch<D> touch{};       // of `body`
+};
+
+template <int D>
+FirstTouch TurningTogether<D>::find_first(Call& call, Met* met, bool* is_open) {
   FirstTouch first{false, 1};
   *is_open = false;
   for (size_t i = 0; i < call.bodies.size(); ++i) {
     const RigidTrajectory<D>& a = call.bodies[i];
     const FirstTouch touch = touches_.find_first(*a.body, a.way, a.still);
     *is_open = *is_open || touches_.is_open_at_start();
-    if (touch.touches && (!first.touches || touch.time < first.time)) first = touch;
+    if (touch.touches && (!first.touches || touch.time < first.time)) {
+      first = touch;
+      *met = {i, i, touches_.touched()};
+    }
     for (size_t j = 0; call.bodies_meet && j < i; ++j) {
       const RigidTrajectory<D>& b = call.bodies[j];
       if (!a.body->filter.sees(b.body->filter)) continue;
       first = pairs_.find_first(*a.body, a.way, *b.body, b.way, first);
+      if (pairs_.touched() != nullptr) {
+        *met = {i, j, {}};
+        met->touch.part = pairs_.touched()[0];
+        met->touch.other = pairs_.touched()[1];
+      }
       *is_open = *is_open || pairs_.touches_at_start();
     }
   }
@@ -60,6 +77,7 @@ FirstTouch TurningTogether<D>::find_first(Call& call, bool* is_open) {
 template <int D>
 bool TurningTogether<D>::go_to(Call& call, double fraction) {
   ++call.tries;
+  for (Trajectory<D>& each : call.trajectories) each.record->clear();
   call.keep(&RigidTrajectory<D>::here);
   for (RigidTrajectory<D>& each : call.bodies) {
     for (uint32_t v = 0; v < each.start.size(); ++v) {
@@ -70,7 +88,6 @@ bool TurningTogether<D>::go_to(Call& call, double fraction) {
       if (!is_finite<D>(to)) return false;  // a part of a motion can lead further than the whole
     }
   }
-  for (Trajectory<D>& each : call.trajectories) each.record->clear();
   steps_.move(call.trajectories, call.bodies_meet, call.settings);
   const bool arrives = std::all_of(call.trajectories.begin(), call.trajectories.end(),
                                    [](const Trajectory<D>& each) { return each.record->fraction == 1; });
@@ -106,9 +123,33 @@ bool TurningTogether<D>::go(Call& call, double touch, double most_step) {
   return call.at >= end;
 }
 
-/** Tries to go on, and keeps what stops it. Where nothing does, all are taken back. */
+/** Keeps contacts of what is touched first, with the bodies where they are. */
 template <int D>
-void TurningTogether<D>::record_contacts(Call& call, double touch) {
+void TurningTogether<D>::record_met(Call& call, const Met& met) {
+  const auto record = [&](size_t i, const RigidTouch<D>& touch, const Partner<D>* other) {
+    record_touch(env_, *call.bodies[i].body, call.bodies[i].way, touch, other, *call.trajectories[i].record);
+  };
+  const uint32_t still = met.touch.partner;
+  if (met.body == met.other) {
+    return record(met.body, met.touch, still == kNone ? nullptr : &call.bodies[met.body].still->all[still]);
+  }
+  const auto record_one = [&](size_t i, const Simplex& part, size_t j, const Simplex& other) {
+    RigidTouch<D> touch;
+    touch.part = part;
+    touch.other = other;
+    touch.partner = 0;  // some body
+    for (const uint32_t v : SimplexCorners<D>(*call.bodies[j].body, other)) {
+      touch.points[touch.count++] = call.bodies[j].body->position(v);
+    }
+    record(i, touch, &call.trajectories[j].name);
+  };
+  record_one(met.body, met.touch.part, met.other, met.touch.other);
+  record_one(met.other, met.touch.other, met.body, met.touch.part);
+}
+
+/** Tries to go on, and keeps what stops it. Where nothing does, all are taken back, and what is touched first is kept. */
+template <int D>
+void TurningTogether<D>::record_contacts(Call& call, double touch, const Met& met) {
   const double at = call.at;
   call.keep(&RigidTrajectory<D>::before);
   for (double further = 16 * call.least;; further *= 64) {
@@ -118,6 +159,9 @@ void TurningTogether<D>::record_contacts(Call& call, double touch) {
     call.at = at;
     if (next == 1) break;
   }
+  const bool is_known = std::any_of(call.trajectories.begin(), call.trajectories.end(),
+                                    [](const Trajectory<D>& each) { return !each.record->contacts.empty(); });
+  if (!is_known && touch <= 1) record_met(call, met);
   for (Trajectory<D>& each : call.trajectories) {
     for (dsw_body_contact& contact : each.record->contacts) contact.time = touch <= 1 ? touch : at;
   }
@@ -134,12 +178,13 @@ void TurningTogether<D>::move(Array<RigidTrajectory<D>>& bodies, Array<Trajector
     call.least = std::min(call.least, each.way.least_step());
     call.turns = call.turns || each.way.turns();
   }
+  Met met;
   bool is_open = false;
-  const FirstTouch first = find_first(call, &is_open);
+  const FirstTouch first = find_first(call, &met, &is_open);
   double touch = first.touches ? first.time : kNoTouchAtAll;
   // What stops them much earlier is something that touched at the start, or the next touch is not known.
   if (!go(call, touch, call.turns && is_open ? kStepFromTouch : 1) && touch - call.at > 0x1p-20) touch = kNoTouchAtAll;
-  if (call.at < 1) record_contacts(call, touch);
+  if (call.at < 1) record_contacts(call, touch, met);
   for (size_t i = 0; i < bodies.size(); ++i) {
     MoveRecord& record = *trajectories[i].record;
     if (call.at == 1) record.contacts.clear(), record.partners.clear(), record.previous.clear();

@@ -25,7 +25,7 @@ struct RigidTrajectory {
 template <int D>
 class TurningTogether {
  public:
-  explicit TurningTogether(const Environment<D>& env) : touches_(env), pairs_(env.memory), steps_(env) {}
+  explicit TurningTogether(const Environment<D>& env) : env_(env), touches_(env), pairs_(env.memory), steps_(env) {}
 
   /** Moves bodies that depend on nobody else that moves. What has become of them is in the records of `trajectories`, which are
    * those of `bodies`, with the steps' targets. Throws std::bad_alloc and WorkOver with some vertices moved.
@@ -37,11 +37,14 @@ class TurningTogether {
 
  private:
   struct Call;
-  FirstTouch find_first(Call& call, bool* is_open);
+  struct Met;
+  FirstTouch find_first(Call& call, Met* met, bool* is_open);
   bool go_to(Call& call, double fraction);
   bool go(Call& call, double touch, double most_step);
-  void record_contacts(Call& call, double touch);
+  void record_contacts(Call& call, double touch, const Met& met);
+  void record_met(Call& call, const Met& met);
 
+  const Environment<D>& env_;
   RigidTouches<D> touches_;
   RigidPairs<D> pairs_;
   TogetherMove<D> steps_;
