@@ -85,7 +85,7 @@ static void a_plate_slides(uint32_t flags) {
   unsigned i;
   dsw_move_report report = move(scene, body, &m, 1, 0);
   const dsw_body_contact *contacts;
-  CHECK(report.fraction > 0.3333 && report.fraction < 1.0 / 3 && report.vertices_stopped == 4);
+  CHECK(report.fraction > 0.3333 && report.fraction <= 1.0 / 3 && report.vertices_stopped == 4);
   CHECK_OK(dsw_body_get_contacts(scene, body, &contacts, &count));
   CHECK(count >= 1 && count == report.contact_count && contacts[0].time == 1.0 / 3);
   CHECK_OK(dsw_body_get_positions(scene, body, now, 4, 0, NULL, &count));
