@@ -13,22 +13,25 @@ template <int D>
 class BodiesBefore {
  public:
   BodiesBefore(BodyRecord<D>* const* bodies, size_t count, const Memory* memory)
-      : bodies_(bodies), count_(count), shapes_(memory) {
+      : bodies_(bodies), shapes_(memory), is_back_(count, false, memory) {
     for (size_t i = 0; i < count; ++i) shapes_.push_back(bodies[i]->body.shape);
   }
+  /** Once: a second time changes nothing. */
   void put_back(size_t i) noexcept {
+    if (is_back_[i]) return;
+    is_back_[i] = true;
     put_vertices(bodies_[i]->body, bodies_[i]->before.data());
     restore_forecasts(bodies_[i]->body);
     bodies_[i]->body.shape.swap(shapes_[i]);
   }
   void put_all_back() noexcept {
-    for (size_t i = 0; i < count_; ++i) put_back(i);
+    for (size_t i = 0; i < is_back_.size(); ++i) put_back(i);
   }
 
  private:
   BodyRecord<D>* const* bodies_;
-  size_t count_;
   Array<Array<RigidShape<D>>> shapes_;
+  Array<bool> is_back_;
 };
 
 }  // namespace
@@ -57,7 +60,8 @@ void move_rigid_together(Scene<D>& scene, BodyRecord<D>* const* bodies, const Ri
   shapes.reserve(count);
   CastCounters casts;
   try {
-    TurningTogether<D> move(scene.env);
+    if (scene.turning_together.get() == nullptr) scene.turning_together.make(scene.env);
+    TurningTogether<D>& move = *scene.turning_together.get();
     move.set_counters(scene.features.statistics ? &casts : nullptr);
     Array<RigidTrajectory<D>> turning(scene.memory);
     Array<Trajectory<D>> trajectories(scene.memory);
@@ -89,15 +93,15 @@ void move_rigid_together(Scene<D>& scene, BodyRecord<D>* const* bodies, const Ri
           const RigidMotion<D> made = motions[i].part(of.next.fraction);
           if (of.next.fraction < 1) of.next.left = motion_left(motions[i].part(1), made);
           if (!of.body.is_rigid() || of.next.fraction == 0) continue;
-          of.body.shape[0].moved.add_about(made.rotation, made.centre, made.translation);
+          of.body.shape[0].moved = ShapeMove<D>{motions[i], of.body.shape[0]}.moved(of.next.fraction);
         }
       } catch (const WorkOver&) {
-        for (const uint32_t i : numbers) {
+        for (size_t k = 0; k < numbers.size(); ++k) {
+          const uint32_t i = numbers[k];
           BodyRecord<D>& of = *bodies[i];
           before.put_back(i);
-          of.next.clear();
-          of.next.fraction = 0;
-          of.next.moved = of.next.stopped = of.next.limited = static_cast<uint32_t>(of.body.vertex_slots.alive_count());
+          stay_at_limit(
+              of, [&](uint32_t v, double* to) { turning[k].place(turning[k].user, v, of.body.position(v), 1, to); });
           of.next.left = motion_left(motions[i].part(1), motions[i].part(0));
         }
       }

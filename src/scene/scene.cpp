@@ -6,6 +6,7 @@
 #include "scene/live_register.h"
 #include "together/together_move.h"
 #include "turning/turning_move.h"
+#include "turning/turning_together.h"
 
 namespace dsw {
 
@@ -23,6 +24,7 @@ template <int D>
 uint64_t Scene<D>::memory_bytes() const {
   uint64_t of_bodies = array_bytes(bodies) + (mover.get() != nullptr ? sizeof(BodyMove<D>) : 0) +
                        (turning.get() != nullptr ? sizeof(TurningMove<D>) : 0) +
+                       (turning_together.get() != nullptr ? sizeof(TurningTogether<D>) : 0) +
                        (together.get() != nullptr ? sizeof(TogetherMove<D>) : 0) + body_slots.memory_bytes() +
                        body_boxes.memory_bytes() + array_bytes(offending);
   for (const BodyRecord<D>& each : bodies) of_bodies += each.memory_bytes();

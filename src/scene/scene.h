@@ -42,6 +42,8 @@ class TogetherMove;
 template <int D>
 class TurningMove;
 template <int D>
+class TurningTogether;
+template <int D>
 struct Deformation;
 template <int D>
 struct LiveRegister;
@@ -68,12 +70,13 @@ struct Scene {
   SlotPool body_slots{memory};
   BoxGrid<D> body_boxes{memory};  // by slot, if bodies keep boxes
   // Engines that are made when they are needed first. Sources that use one include its header.
-  Owned<BodyMove<D>> mover{memory};           // what moves of single bodies keep from call to call
-  Owned<TurningMove<D>> turning{memory};      // what rigid moves keep from call to call
-  Owned<TogetherMove<D>> together{memory};    // what moves of all vertices at once keep from call to call
-  Array<uint32_t> offending{memory};          // pairs of vertices of edges that were found not free
-  Owned<Deformation<D>> deformation{memory};  // if enabled
-  Owned<LiveRegister<D>> live{memory};        // if enabled
+  Owned<BodyMove<D>> mover{memory};                    // what moves of single bodies keep from call to call
+  Owned<TurningMove<D>> turning{memory};               // what rigid moves keep from call to call
+  Owned<TurningTogether<D>> turning_together{memory};  // what rigid moves at once keep
+  Owned<TogetherMove<D>> together{memory};             // what moves of all vertices at once keep from call to call
+  Array<uint32_t> offending{memory};                   // pairs of vertices of edges that were found not free
+  Owned<Deformation<D>> deformation{memory};           // if enabled
+  Owned<LiveRegister<D>> live{memory};                 // if enabled
 
   Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted);
   ~Scene();

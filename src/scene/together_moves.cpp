@@ -51,15 +51,7 @@ void move_island(TogetherMove<D>& move, Array<Trajectory<D>>& trajectories, Body
     for (size_t k = 0; k < trajectories.size(); ++k) {
       BodyRecord<D>& of = *bodies[numbers[k]];
       take_back(of);
-      of.next.clear();
-      of.next.fraction = 0;
-      for (uint32_t v = 0; v < of.body.vertices.size(); ++v) {
-        if (!of.body.has_vertex(v)) continue;
-        ++of.next.moved;
-        const double* const target = trajectories[k].motion.targets[v];
-        of.next.limited += std::equal(target, target + D, of.body.position(v)) ? 0 : 1;
-      }
-      of.next.stopped = of.next.limited;
+      stay_at_limit(of, [&](uint32_t v, double* to) { std::copy_n(trajectories[k].motion.targets[v], D, to); });
     }
   }
 }

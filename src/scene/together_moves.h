@@ -1,6 +1,8 @@
 #pragma once
 // Bodies of which all vertices move at once.
 
+#include <algorithm>
+
 #include "scene/bodies.h"
 #include "scene/meeting.h"
 #include "together/settings.h"
@@ -16,6 +18,21 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
 /** Leaves only bodies that stand still as partners of the islands. Refuses islands that can meet a thick body. */
 template <int D>
 void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Islands<D>& islands);
+/** The body stays where it is at the work limit.
+ * @param target finds where the call would take a vertex: D numbers. */
+template <int D, class Target>
+void stay_at_limit(BodyRecord<D>& of, Target target) {
+  of.next.clear();
+  of.next.fraction = 0;
+  for (uint32_t v = 0; v < of.body.vertices.size(); ++v) {
+    if (!of.body.has_vertex(v)) continue;
+    double to[D];
+    target(v, to);
+    ++of.next.moved;
+    of.next.limited += std::equal(to, to + D, of.body.position(v)) ? 0 : 1;
+  }
+  of.next.stopped = of.next.limited;
+}
 /** A body of a call, without its vertices' ends. */
 template <int D>
 Trajectory<D> trajectory_of(const Scene<D>& scene, BodyRecord<D>& of, const Partners<D>* still, PointArray targets);
