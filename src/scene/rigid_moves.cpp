@@ -168,12 +168,10 @@ class RigidSlide {
 };
 
 /** Adds what one of several motions has met. */
-void append(MoveRecord& all, const MoveRecord& more) {
+void add_contacts(MoveRecord& all, const MoveRecord& more) {
   for (size_t i = 0; i < more.contacts.size(); ++i) {
     all.add(more.contacts[i], all.keeps_partners ? more.partners[i] : dsw_contact_partner{});
   }
-  all.sweeps.swept += more.sweeps.swept;
-  all.sweeps.skipped += more.sweeps.skipped;
 }
 
 /** Slides on after a first motion. */
@@ -204,15 +202,20 @@ void slide_on(Scene<D>& scene, RigidCall<D>& call, BodyRecord<D>& of, RigidSlide
     shape = body.shape;
     call.go(motion, record);
     const double now = slide.distance();
-    append(of.next, record);
+    of.next.sweeps.swept += record.sweeps.swept;
+    of.next.sweeps.skipped += record.sweeps.skipped;
     // A motion that stops at once tells of one more wall, one that leads away is too long for what the planes say.
     const bool is_stopped = record.fraction < kAtOnce;
     if (now < distance) {
       slide.follow(motion, record.fraction, record);
+      add_contacts(of.next, record);
     } else {
       put_vertices(body, before.data());
       body.shape = shape;
-      if (is_stopped) slide.note(record);
+      if (is_stopped) {
+        slide.note(record);
+        add_contacts(of.next, record);  // it touches where it stays
+      }
     }
     const bool gains = now < kGain * distance;
     distance = std::min(distance, now);

@@ -158,20 +158,21 @@ static dsw_scene *make_world(unsigned dimension, uint64_t seed) {
 }
 
 typedef struct tally {
-  size_t stops, slides, worse, not_free;
+  size_t stops, slides, worse, not_free, taken_back, elsewhere;
   double stop_left, slide_left;
 } tally;
 
 static void beside_stops(unsigned dimension, double radius, tally *t) {
   const unsigned D = dimension;
   const uint64_t seed = g_state;
-  dsw_scene *const stops = make_world(D, seed), *const slides = make_world(D, seed), *const again = make_world(D, seed);
-  double at[3 * MOST], target[3 * MOST], stopped[3 * MOST], slid[3 * MOST], other[3 * MOST], size = 0;
+  dsw_scene *const stops = make_world(D, seed), *const slides = make_world(D, seed), *const again = make_world(D, seed),
+                   *const once = make_world(D, seed);
+  double at[3 * MOST], target[3 * MOST], stopped[3 * MOST], slid[3 * MOST], other[3 * MOST];
   const uint32_t corners[3] = {0, 1, 2}, offsets[2] = {0, 3};
   const int is_face = D == 3 && share() < 0.5;
   const size_t count = is_face ? 3 : 2;
   dsw_rigid_motion m, left;
-  dsw_body_id body, body_again;
+  dsw_body_id body, body_again, body_once;
   dsw_body_desc d;
   dsw_move_report stop, slide;
   size_t i, k, n;
@@ -213,6 +214,26 @@ static void beside_stops(unsigned dimension, double radius, tally *t) {
         CHECK(fabs(was - is) < 1e-12);
       }
     }
+    { /* one more motion that does not count leaves no contacts of where it went */
+      const uint32_t passes = 1 + (uint32_t)between(0, 12);
+      const dsw_body_contact *contacts;
+      double further[3 * MOST];
+      size_t before;
+      CHECK_OK(dsw_body_create(once, &d, &body_once));
+      before = move(once, body_once, &m, 1, passes).contact_count;
+      CHECK_OK(dsw_body_get_positions(once, body_once, other, MOST, 0, NULL, &n));
+      CHECK_OK(dsw_body_destroy(once, body_once));
+      CHECK_OK(dsw_body_create(once, &d, &body_once));
+      move(once, body_once, &m, 1, passes + 1);
+      CHECK_OK(dsw_body_get_positions(once, body_once, further, MOST, 0, NULL, &n));
+      if (stop.fraction < 1 && memcmp(further, other, D * count * sizeof *other) == 0) {
+        ++t->taken_back;
+        CHECK_OK(dsw_body_get_contacts(once, body_once, &contacts, &n));
+        while (n-- > before) {
+          t->elsewhere += distance_sq(contacts[n].position, other + D * contacts[n].vertex.index, D) > 1e-12;
+        }
+      }
+    }
     CHECK_OK(dsw_body_create(again, &d, &body_again));
     move(again, body_again, &m, 1, 0);
     CHECK_OK(dsw_body_get_positions(again, body_again, other, MOST, 0, NULL, &n));
@@ -231,10 +252,10 @@ static void beside_stops(unsigned dimension, double radius, tally *t) {
       t->not_free += dsw_body_create(again, &d, &body_again) != DSW_STATUS_OK;
     }
   }
-  (void)size;
   end_scene(stops);
   end_scene(slides);
   end_scene(again);
+  end_scene(once);
 }
 
 static void refused(void) {
@@ -266,10 +287,13 @@ int main(int argc, char **argv) {
     a_rod_lies_down(dimension);
     for (i = 0; i < effort_of(150); ++i) beside_stops(dimension, i % 5 == 4 ? 0.0625 : 0, &t);
     if (argc > 1 && strcmp(argv[1], "print") == 0) {
-      printf("dimension %u: %zu stops, %zu slides, %zu worse, %zu not free; left %.3f after stops, %.3f after slides\n",
-             dimension, t.stops, t.slides, t.worse, t.not_free, t.stop_left, t.slide_left);
+      printf(
+          "dimension %u: %zu stops, %zu slides, %zu worse, %zu not free, %zu taken back, %zu contacts elsewhere; left "
+          "%.3f after stops, %.3f after slides\n",
+          dimension, t.stops, t.slides, t.worse, t.not_free, t.taken_back, t.elsewhere, t.stop_left, t.slide_left);
     }
     CHECK(t.stops > 0 && 2 * t.slides > t.stops && t.worse == 0 && t.not_free == 0);
+    CHECK(t.taken_back > 0 && t.elsewhere == 0);
   }
   return check_result();
 }
