@@ -27,6 +27,8 @@ def test_paths_of_any_length() -> None:
         assert bar.positions().tolist() == [list(map(float, point)) for point in BAR]
         assert bar.move_rigid(translation=(4, 0, 0)).fraction == found["piece_fraction"][1]
         assert len(bar.find_free_fractions(POSES, [])) == 0
+        at_once = bar.find_free_fractions(POSES, np.array([(0, 1, 0), (0, 0, 1)], np.uint8), MIDDLE)
+        assert at_once["piece"].tolist() == [2, 2]
 
 
 def test_paths_are_checked() -> None:
@@ -37,6 +39,9 @@ def test_paths_are_checked() -> None:
         for paths in ([(0, 3)], [(-1, 0)]):
             with pytest.raises(IndexError):
                 bar.find_free_fractions(POSES, paths)
+        for fractional in ([(0, 0.7)], np.array([(0.0, 1.0)]), [(0,), (1.0,)]):
+            with pytest.raises(TypeError):
+                bar.find_free_fractions(POSES, fractional)
         with pytest.raises(ds.errors.WrongSize):
             bar.find_free_fractions(POSES, [()])
         with pytest.raises(ds.errors.OutOfRange):

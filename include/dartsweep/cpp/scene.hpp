@@ -232,6 +232,7 @@ class Scene {
    * dsw_rigid_motion. */
   void move_rigid(View<const dsw_body_id> bodies, View<const double> motions,
                   const dsw_together_options *options, View<dsw_move_report> reports) {
+    static_assert(sizeof(dsw_rigid_motion) == 10 * sizeof(double), "motions are read as numbers");
     same_count("motions", motions.count, 10 * bodies.count);
     optional_count("reports", reports, bodies.count);
     const SceneWriting self(*state_);

@@ -199,18 +199,16 @@ class Body:
         """How far the body could go along paths through poses (dtypes.FREE_FRACTION), from each pose to the next as by move_rigid. Nothing moves.
 
         poses: of shape (n, 7): a quaternion x, y, z, w and a translation, from where the body is now, round a centre. paths: indices of poses, of
-        shape (m, 2), or a list of lists of any length but 0; a list of one only asks whether the pose is free. `contacts` (dtypes.BODY_CONTACT) is
+        shape (m, k), or a list of lists of any length but 0; a list of one only asks whether the pose is free. `contacts` (dtypes.BODY_CONTACT) is
         filled where it is given: with what stops each path, zeros for nothing.
         """
         places = np.ascontiguousarray(poses, np.float64)
         if places.ndim != 2 or places.shape[1] != 7:
             raise ValueError("poses are an array of shape (n, 7)")
-        ways = [np.asarray(path, np.int64).reshape(-1) for path in paths]
-        indices = np.concatenate([np.empty(0, np.int64), *ways])
+        indices, offsets = _joined(paths)
         if (indices < 0).any() or (indices >= len(places)).any():
             raise IndexError(f"paths have indices of {len(places)} poses")
-        offsets = np.concatenate([[0], np.cumsum([len(way) for way in ways], dtype=np.int64)])
-        fractions = np.empty(len(ways), dtypes.FREE_FRACTION)
+        fractions = np.empty(len(offsets) - 1, dtypes.FREE_FRACTION)
         about = np.asarray(centre, np.float64)[: self._core.dimension()]
         self._core.find_free_fractions(
             about, places.reshape(-1), indices.astype(np.uint32), offsets.astype(np.uint32), fractions, contacts
@@ -249,6 +247,19 @@ class Body:
         jacobian = NearJacobian(self._core.get_near_values(), columns, offsets)
         jacobian.shape = max(len(offsets) - 1, 0), self._core.dimension() * self.counts.vertex_slots
         return jacobian
+
+
+def _joined(paths: Any) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The indices of all paths, one path after the other, and where each path begins."""
+    if isinstance(paths, np.ndarray) and paths.ndim == 2:  # one array, whatever its length
+        lengths, indices = np.full(len(paths), paths.shape[1], np.int64), paths.reshape(-1)
+    else:
+        ways = [np.asarray(path).reshape(-1) for path in paths]
+        lengths = np.array([len(way) for way in ways], np.int64)
+        indices = np.concatenate([way for way in ways if len(way) > 0] or [np.empty(0, np.int64)])
+    if not np.issubdtype(indices.dtype, np.integer):
+        raise TypeError(f"paths are of integers, not {indices.dtype}")
+    return indices.astype(np.int64), np.concatenate([[0], np.cumsum(lengths)])
 
 
 def _in_space(vector: ArrayLike) -> NDArray[np.float64]:
