@@ -76,7 +76,10 @@ dsw_status dsw_body_find_free_fractions(const dsw_scene* scene, dsw_body_id body
     check_poses(of.body, centre, poses, pose_count);
     dsw::Array<dsw::FreeFraction> found(path_count, dsw::FreeFraction{}, of.scene.memory);
     const dsw::PosePaths paths{centre, reinterpret_cast<const dsw::Pose*>(poses), indices, offsets, path_count};
-    find_free_fractions(of.scene, of.record, paths, found.data(), contacts);
+    // The arrays of the host stay as they are if memory runs out.
+    dsw::Array<dsw_body_contact> met(contacts != nullptr ? path_count : 0, dsw_body_contact{}, of.scene.memory);
+    find_free_fractions(of.scene, of.record, paths, found.data(), contacts != nullptr ? met.data() : nullptr);
+    std::copy(met.begin(), met.end(), contacts);
     for (size_t i = 0; i < path_count; ++i) {
       fractions[i] = {found[i].fraction, found[i].piece_fraction, found[i].piece, found[i].is_start_free ? 1u : 0u};
     }

@@ -326,14 +326,17 @@ static void memory_runs_out(int which) {
   CHECK_OK(dsw_body_get_positions(scene, bodies[0], before, 2, 0, NULL, &count));
   for (;;) {
     dsw_free_fraction fractions[2];
+    dsw_body_contact contacts[2];
+    fractions[0].fraction = fractions[1].fraction = contacts[0].time = contacts[1].time = 7;
     h.refuse = h.calls + refusals + 1;
-    status = which == 0 ? dsw_scene_move_rigid(scene, bodies, 2, motions, NULL, NULL)
-             : which == 1
-                 ? dsw_body_move_rigid(scene, bodies[0], motions, &o, NULL)
-                 : dsw_body_find_free_fractions(scene, bodies[0], centre, poses, 2, indices, NULL, 2, fractions, NULL);
+    status = which == 0   ? dsw_scene_move_rigid(scene, bodies, 2, motions, NULL, NULL)
+             : which == 1 ? dsw_body_move_rigid(scene, bodies[0], motions, &o, NULL)
+                          : dsw_body_find_free_fractions(scene, bodies[0], centre, poses, 2, indices, NULL, 2,
+                                                         fractions, contacts);
     h.refuse = 0;
     if (status == DSW_STATUS_OK || refusals > 3000) break;
     CHECK(status == DSW_STATUS_OUT_OF_MEMORY && !h.broken);
+    CHECK(fractions[0].fraction == 7 && fractions[1].fraction == 7 && contacts[0].time == 7 && contacts[1].time == 7);
     CHECK_OK(dsw_body_get_positions(scene, bodies[0], after, 2, 0, NULL, &count));
     CHECK(memcmp(before, after, 2 * D * sizeof *before) == 0);
     ++refusals;
