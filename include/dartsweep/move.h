@@ -121,9 +121,11 @@ typedef struct dsw_rigid_motion {
 } dsw_rigid_motion;
 
 /** Moves a body rigidly, on its arc, up to the first touch (dsw_sweep_rigid_pairs). With
- * DSW_MOVE_SLIDE_WHOLE it goes on with what the touched walls allow of the rest, in rigid motions that
- * each end nearer to the target; `fraction` is of the first one.
- * @param options only `order`, of all vertices, and with this flag `passes` count.
+ * DSW_MOVE_SLIDE_WHOLE it goes on in rigid motions, as far as the touched walls allow. Each of these
+ * motions ends nearer to the target. `fraction` is that of the motion up to the first touch; `time`
+ * of a contact is a fraction of its own motion; `vertices_stopped` are not at their targets.
+ * @param options Only `order` is read, which must name all vertices, and `passes` with
+ * DSW_MOVE_SLIDE_WHOLE.
  * @note Cost: as dsw_body_move, and cells in its box, for each motion. */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_rigid_motion *motion,
@@ -131,16 +133,18 @@ DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
 
 /** How far a body could go along a path. @since 2.1 */
 typedef struct dsw_free_fraction {
-  double fraction; /**< The free part of the path, pieces alike; 1: all of it. */
-  /** Where dsw_body_move_rigid would stop in the piece that is not free; else 0. */
+  /** The part of the path that is free. All pieces count alike. 1 only if the whole path is free. */
+  double fraction;
+  /** The fraction of `piece` at which dsw_body_move_rigid would stop; 0 if all are free. */
   double piece_fraction;
-  uint32_t piece;       /**< Which piece that is; else how many there are. */
-  uint32_t starts_free; /**< 0: the first pose is not free, and fractions are 0. */
+  /** The first piece that is not wholly free. If all are free, the number of pieces. */
+  uint32_t piece;
+  uint32_t starts_free; /**< 0: The first pose is not free, and fractions are 0. */
 } dsw_free_fraction;
 
 /** Finds how far a body could go along many paths, each from pose to pose as dsw_body_move_rigid.
  * Nothing moves. A path of one pose only asks whether the pose is free.
- * @param centre a point where the body is now; poses turn about it.
+ * @param centre D numbers: a point where the body is now. Poses turn about it.
  * @param poses `pose_count` of 7 numbers: a quaternion x, y, z, w that is not 0, and a translation,
  * both from where the body is now.
  * @param indices of poses, path after path.
@@ -156,8 +160,9 @@ DSW_API dsw_status dsw_body_find_free_fractions(const dsw_scene *scene, dsw_body
                                                 dsw_free_fraction *fractions,
                                                 dsw_body_contact *contacts);
 
-/** Gives the motion from where dsw_body_move_rigid has left a body to where it should be; after a
- * motion made whole, any other move, or loading, the identity. @since 2.1 */
+/** Gives the motion from where dsw_body_move_rigid or dsw_scene_move_rigid has left a body to where
+ * it should be. The identity after a motion made whole, any other move, dsw_environment_deform, or
+ * loading. @since 2.1 */
 DSW_API dsw_status dsw_body_get_motion_left(const dsw_scene *scene, dsw_body_id body,
                                             dsw_rigid_motion *motion);
 

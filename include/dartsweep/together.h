@@ -63,11 +63,14 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
                                            dsw_move_report *reports);
 
 /** Moves some bodies at once, each on a rigid motion of its own as dsw_body_move_rigid, up to the
- * first touch: all stop at the same fraction. All else is as in dsw_scene_move_together.
+ * first touch: all bodies, or all of an island, stop at the same fraction. All else is as in dsw_scene_move_together.
  * @param motions one for each body.
- * @param options `stop` is ALL or ISLAND; `max_work` is of each step.
- * @return as dsw_scene_move_together; DSW_STATUS_UNSUPPORTED: also FEATURE.
- * @note Cost: as dsw_scene_move_together for each of a few steps. Thread: one. @since 2.1 */
+ * @param options `stop` is ALL or ISLAND. The work limit holds for each step, so a call can take a
+ * few times as much.
+ * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius or can meet one that has, or
+ * `stop` is FEATURE.
+ * @note Cost: as dsw_scene_move_together for each of a few steps, and O(pairs of bodies whose ways
+ * come near each other, and their parts). Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_move_rigid(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
                                         const dsw_rigid_motion *motions,
                                         const dsw_together_options *options,

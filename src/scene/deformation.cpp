@@ -73,7 +73,9 @@ void deform(Scene<D>& scene, double* next, const WallSettings& settings) {
   std::swap(d.record, d.next);
   for (const typename Occupants<D>::Owner& owner : d.all.bodies) {
     if (owner.body == nullptr) continue;
-    std::swap(scene.bodies[owner.id.index].record.edits, owner.record->edits);
+    MoveRecord& record = scene.bodies[owner.id.index].record;
+    std::swap(record.edits, owner.record->edits);
+    record.left = {};
     refresh_body(scene, scene.bodies[owner.id.index]);
   }
   for (uint32_t slot = 0; scene.features.live && slot < scene.particles.size(); ++slot) note_particle(scene, slot);

@@ -55,7 +55,8 @@ struct PosedMove {
   }
 };
 
-/** The bodies of a scene, in a form that several threads can read: boxes of bodies that are out of date are those of copies. */
+/** The bodies of a scene, for several threads to read. A body whose boxes are out of date is copied, and the boxes of the copy are
+ * made new. */
 template <int D>
 class StillBodies {
  public:

@@ -5,7 +5,7 @@
 
 namespace dsw {
 
-/** Where a body could be: turned about a centre and shifted, from where it is. Read where the host has it. */
+/** Where a body could be: turned about a centre and shifted, from where it is. The array of the host is read in place. */
 struct Pose {
   double rotation[4];  // x y z w, of any length but 0
   double translation[3];

@@ -69,7 +69,7 @@ class RigidCall {
 template <int D>
 class RigidSlide {
  public:
-  /** `slides`: more is asked for than what is left. */
+  /** `slides`: false if only left() will be called. */
   RigidSlide(const Body<D>& body, const RigidMove<D>& whole, bool slides, const Memory* memory)
       : body_(body), end_(whole.part(1)), targets_(memory) {
     std::copy_n(end_.centre, D, made_.centre);

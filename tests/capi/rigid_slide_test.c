@@ -258,6 +258,26 @@ static void beside_stops(unsigned dimension, double radius, tally *t) {
   end_scene(once);
 }
 
+/* After a deformation nothing is left of a motion: the body may have been pushed. */
+static void a_deformation_leaves_nothing(void) {
+  grid next = grid_create(N, N, N);
+  dsw_scene *const scene = make_scene(make_environment(NULL, N, N, N), DSW_FEATURE_DEFORMING);
+  const dsw_body_id body = make_plate(scene, DSW_BODY_RIGID);
+  dsw_rigid_motion m = shift_by(0, 0, -3), left;
+  size_t i;
+  move(scene, body, &m, 0, 0);
+  CHECK_OK(dsw_body_get_motion_left(scene, body, &left));
+  CHECK(fabs(left.translation[2] + 2) < 1e-9);
+  for (i = 0; i < next.point_count; ++i) { /* the floor rises */
+    if (next.points[3 * i + 2] == 0) next.points[3 * i + 2] = 0.25;
+  }
+  CHECK_OK(dsw_environment_deform(dsw_scene_get_environment(scene), next.points, next.point_count, NULL, NULL));
+  CHECK_OK(dsw_body_get_motion_left(scene, body, &left));
+  CHECK(left.rotation[3] == 1 && left.translation[2] == 0);
+  end_scene(scene);
+  grid_destroy(&next);
+}
+
 static void refused(void) {
   dsw_scene *const scene = make_scene(make_environment(NULL, N, N, N), 0);
   const dsw_body_id body = make_plate(scene, 0), none = {7, 1};
@@ -278,6 +298,7 @@ int main(int argc, char **argv) {
   unsigned dimension;
   a_plate_slides(0);
   a_plate_slides(DSW_BODY_RIGID);
+  a_deformation_leaves_nothing();
   refused();
   for (dimension = 2; dimension <= 3; ++dimension) {
     tally t;
