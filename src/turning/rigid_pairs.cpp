@@ -16,6 +16,7 @@ FirstTouch RigidPairs<D>::find_first(const Body<D>& a, const RigidWay<D>& way_a,
                                      const RigidWay<D>& way_b, const FirstTouch& earlier) {
   first_ = earlier;
   is_earlier_ = touches_at_start_ = false;
+  if (!way_a.box().overlaps(way_b.box())) return first_;
   collect(a, way_a, way_b, parts_[0]);
   collect(b, way_b, way_a, parts_[1]);
   for (const Part& mine : parts_[0]) {

@@ -60,10 +60,12 @@ void RigidWay<D>::find_places(const Body<D>& body, const RigidMove<D>& motion) {
     if (at[piece].empty()) continue;
     largest_ = std::max({largest_, largest_coordinate<D>(at[piece].lower), largest_coordinate<D>(at[piece].upper)});
   }
+  whole_ = Box<D>();
   for (uint32_t piece = 0; piece < pieces_; ++piece) {
     boxes_[piece] = at[piece];
     boxes_[piece].add(at[piece + 1]);
     boxes_[piece] = widened(boxes_[piece], room(radius_));
+    whole_.add(boxes_[piece]);
   }
 }
 

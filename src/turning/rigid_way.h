@@ -32,6 +32,8 @@ class RigidWay {
   /** A box around the ways of some vertices in a piece, and of all of them. */
   Box<D> box(uint32_t piece, const uint32_t* vertices, uint32_t count) const noexcept;
   const Box<D>& box(uint32_t piece) const noexcept { return boxes_[piece]; }
+  /** A box around the ways of all vertices in all pieces. */
+  const Box<D>& box() const noexcept { return whole_; }
   /** A box around the whole way of a vertex. */
   Box<D> whole_box(uint32_t vertex) const noexcept;
   /** How far at most any vertex is beside the straight way between two places whose fractions differ by this. */
@@ -55,7 +57,7 @@ class RigidWay {
   Array<double> places_;
   Array<double> radii_;  // from the axis, by vertex
   uint32_t pieces_ = kMostPieces;
-  Box<D> boxes_[kMostPieces];
+  Box<D> boxes_[kMostPieces], whole_;
   double bend_ = 0;  // of the way of a point at distance 1 from the axis: its largest second derivative
   double radius_ = 0, largest_ = 0, unit_ = 0, least_step_ = 0;
 };
