@@ -107,9 +107,11 @@ Verdict settled_by(const Environment<3>& env, const double* p, Cell start, const
   SimplexSweep<3> star(env);
   PathFacets crossed;
   if (path.facets.size() <= 2) {
+    crossed.is_known = true;
     for (const uint32_t facet : path.facets) crossed.facets[crossed.count++] = {facet};
   }
-  return star.ask(body, {0, 0, {p, start, to, target, q, body.vertices[1].cell, crossed, true}});
+  const PointWay way{p, to, start, target, crossed};
+  return star.ask(body, {{Simplex::kEdge, 0}, 0, way, q, nullptr, body.vertices[1].cell, {}, true});
 }
 
 TEST(SweptEdgeTest, ALineBetweenNeighboursPassesOneFacet) {
@@ -149,8 +151,9 @@ TEST(SweptEdgeTest, NumbersOfNoVertexAreNotTouched) {
       const uint32_t none = env.map.vertex_count, far = 4000000000u;
       const RidgeName lines[] = {{{far, 0}}, {{0, far}}, {{none, 0}}, {{0, none}}};
       std::copy(std::begin(lines), std::end(lines), body.touched[0].lines);
-      EXPECT_FALSE(pierces_touched_line(
-          env, body, {0, 0, {x[0].data(), start, x[1].data(), start, x[2].data(), fixed, {}, true}}));
+      const PointWay way{x[0].data(), x[1].data(), start, start, {}};
+      EXPECT_FALSE(
+          pierces_touched_line(env, body, {{Simplex::kEdge, 0}, 0, way, x[2].data(), nullptr, fixed, {}, true}));
     });
   });
 }

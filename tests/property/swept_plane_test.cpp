@@ -138,7 +138,8 @@ class Edge {
   size_t facets() const { return body_.corridors[0].facets.size(); }
   Verdict ask(SimplexSweep<2>& star) {
     const PathFacets crossed = path_facets(env_.map, start_, path_);
-    return star.ask(body_, {0, 0, {x_.p.data(), start_, x_.to.data(), path_.cell, x_.q.data(), fixed_, crossed, true}});
+    const PointWay way{x_.p.data(), x_.to.data(), start_, path_.cell, crossed};
+    return star.ask(body_, {{Simplex::kEdge, 0}, 0, way, x_.q.data(), nullptr, fixed_, {}, true});
   }
   /// Whether its sequence is that of its new place.
   bool is_up_to_date() {
