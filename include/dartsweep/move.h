@@ -142,8 +142,8 @@ typedef struct dsw_free_fraction {
   uint32_t starts_free; /**< 0: The first pose is not free, and fractions are 0. */
 } dsw_free_fraction;
 
-/** Finds how far a body could go along many paths, each from pose to pose as dsw_body_move_rigid.
- * Nothing moves. A path of one pose only asks whether the pose is free.
+/** Finds how far a body could go along many paths, each from pose to pose as
+ * dsw_body_move_rigid, up to rounding. Nothing moves. A path of one pose only asks whether the pose is free.
  * @param centre D numbers: a point where the body is now. Poses turn about it.
  * @param poses `pose_count` of 7 numbers: a quaternion x, y, z, w that is not 0, and a translation,
  * both from where the body is now.

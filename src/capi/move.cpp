@@ -108,7 +108,7 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
       fail(DSW_STATUS_WRONG_SIZE, "options->order has %zu vertices of %zu: a rigid body moves as a whole", order.count,
            of.body.vertex_slots.alive_count());
     }
-    const dsw::RigidMove<D> rigid = capi::to_motion<D>(*motion);
+    const dsw::RigidMove<D> rigid = capi::to_motion<D>(*motion, "motion->");
     if (!stays_finite(of.body, rigid)) fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
     capi::Recorded call(scene, capi::row_of<dsw_body_move_rigid>, body, motion, &o);
     move_rigid(of.scene, of.record, rigid, order, rounds);

@@ -1,5 +1,7 @@
 #include "dartsweep/together.h"
 
+#include <cstdio>
+
 #include "capi/given_motion.h"
 #include "capi/moved_bodies.h"
 #include "capi/moved_points.h"
@@ -61,7 +63,9 @@ dsw_status dsw_scene_move_rigid(dsw_scene* scene, const dsw_body_id* bodies, siz
     dsw::require_array(motions, count, "motions");
     dsw::Array<dsw::RigidMove<D>> rigid(s.memory);
     for (size_t i = 0; i < count; ++i) {
-      rigid.push_back(capi::to_motion<D>(motions[i]));
+      char name[40];
+      std::snprintf(name, sizeof name, "motions[%zu].", i);
+      rigid.push_back(capi::to_motion<D>(motions[i], name));
       if (stays_finite(records[i]->body, rigid[i])) continue;
       fail(DSW_STATUS_NON_FINITE, "motions[%zu] leads further than doubles go", i);
     }

@@ -1,18 +1,20 @@
 // When a feature that turns first enters another one that stands, by integers: touching counts only where the pair also touches
 // under the shift, by which the feature that turns is displaced. Private to this folder.
 //
-// Let V be the volume of the pair, a polynomial in time. The shift e = (e1, e2, e3) makes it V + e1 V1 + e2 V2 + e3 V3, where e2 is much
-// smaller than any power of e1, and e3 than any of e2. The first of these polynomials that is not 0 at all times
-// leads. The shifted pair can touch only beside a root of it where the pair touches. Let a root have order k there. Further
-// away from it than some power of e the sign of the shifted volume is that of the leading polynomial. Nearer it is that
-// of the next one whose order is lower, and so on; at the root itself it is that of the first one that is not 0 there. At time
-// 0 there is nothing before, and at time 1 nothing after. If all these signs are equal, the shifted pair is apart: the motion
-// only touches, or leaves, or slides. If they differ, the shifted pair is in one plane at a time beside the root.
+// 1. Let V be the volume of the pair, a polynomial in time. The shift e = (e1, e2, e3) makes it V + e1 V1 + e2 V2 + e3 V3, where
+//    e2 is much smaller than any power of e1, and e3 than any of e2.
+// 2. The first of these polynomials that is not 0 at all times leads. The shifted pair can touch only beside a root of the leading
+//    polynomial where the pair touches.
+// 3. Near a root, list V, V1, V2, V3. Skip each polynomial whose order there is not lower than that of all before it. Stop at the
+//    first that is not 0 there. Each one left gives its sign on each side: the first one furthest from the root, the last one at it.
+// 4. At time 0 there is nothing before, and at time 1 nothing after.
+// 5. If all these signs are equal, the shifted pair is apart: the motion only touches, or leaves, or slides. If they differ, the
+//    shifted pair is in one plane at a time beside the root.
 //
 // There it touches if it touches strictly at the root. If an area A is 0 there and the root is simple, the root goes with
 // e_m by s = -V_m / V', and A changes by A_m + A' s. If A_m and A' are 0, it changes by A_m' s + A'' s s / 2 to the second order. If
 // V_m and A_m are 0 at the root, or A and A_m at all times, e_m changes nothing, and the next one decides. What this leaves open
-// counts as entering, but at time 0 it is told apart.
+// counts as entering, but at time 0 find_first sets *is_open instead.
 #pragma once
 
 #include "predicates/polynomial_parts.h"

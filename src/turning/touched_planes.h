@@ -28,14 +28,14 @@ class TouchedPlanes {
  public:
   void clear() noexcept { count_ = 0; }
   bool empty() const noexcept { return count_ == 0; }
-  /** Adds a plane, or takes one away first if there are too many.
+  /** Adds a plane. If there are too many, the oldest one goes first.
    * @param normal towards the side of the body, of length 1. */
   void add(const Vec& normal, const Vec& point) noexcept;
   /** The body has moved, and its points with it. */
   void follow(const RigidMotion<D>& made) noexcept;
 
-  /** The part of a twist that the planes allow: of all small motions that enter none of them the one that takes the vertices
-   * nearest to where the twist does. Planes are kept at a distance of `off`, and by as much more as points bend off their
+  /** The part of a twist that the planes allow: among all small motions that enter no plane, finds the one that brings the vertices
+   * nearest to where the wanted twist would. Planes are kept at a distance of `off`, and by as much more as points bend off their
    * ways. False: next to nothing is allowed. */
   bool allow(const Inertia<D>& inertia, const Twist& wanted, double off, Twist* allowed) const noexcept;
 

@@ -62,6 +62,7 @@ static void rods_turn_in_step(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_move_rigid(NULL, bodies, 1, motions, NULL, reports));
   motions[0].rotation[3] = NAN;
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_scene_move_rigid(scene, bodies, 1, motions, NULL, reports));
+  CHECK(strstr(dsw_last_error_message(), "motions[0].rotation[3]") != NULL);
   CHECK_OK(dsw_scene_move_rigid(scene, NULL, 0, NULL, NULL, NULL));
   end_scene(scene);
   { /* towards each other: they meet in the middle */
