@@ -33,9 +33,8 @@ void record_touch(const Environment<D>& env, const Body<D>& body, const RigidWay
   std::copy_n(touch.vertices, 3, near.vertices);
   near.facet = touch.facet;
   near.cell = touch.cell;
-  dsw_body_contact contact = describe(env, body, v, to, near);
-  contact.distance_left = length(difference<D>(to, body.position(v)));
-  record.add(contact, other == nullptr ? dsw_contact_partner{} : name_partner(*other, touch.other));
+  record.add(describe(env, body, v, to, near),
+             other == nullptr ? dsw_contact_partner{} : name_partner(*other, touch.other));
 }
 
 #define DSW_TOUCH_RECORD(D)                                                                                   \

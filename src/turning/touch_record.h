@@ -11,7 +11,7 @@ namespace dsw {
 template <int D>
 HullGap gap_of(const Body<D>& body, const RigidTouch<D>& touch, double cutoff, double tolerance) noexcept;
 
-/** Adds a contact of a part of a body with what it touches first. Throws std::bad_alloc.
+/** Adds a contact, without `distance_left`, of a part of a body with what it touches first. Throws std::bad_alloc.
  * @param way of the body.
  * @param other the touched body; null: the environment. */
 template <int D>

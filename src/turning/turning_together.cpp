@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vec.h"
 #include "turning/touch_record.h"
 
 namespace dsw {
@@ -162,8 +163,15 @@ void TurningTogether<D>::record_contacts(Call& call, double touch, const Met& me
   const bool is_known = std::any_of(call.trajectories.begin(), call.trajectories.end(),
                                     [](const Trajectory<D>& each) { return !each.record->contacts.empty(); });
   if (!is_known && touch <= 1) record_met(call, met);
-  for (Trajectory<D>& each : call.trajectories) {
-    for (dsw_body_contact& contact : each.record->contacts) contact.time = touch <= 1 ? touch : at;
+  for (size_t i = 0; i < call.bodies.size(); ++i) {
+    const RigidTrajectory<D>& of = call.bodies[i];
+    for (dsw_body_contact& contact : call.trajectories[i].record->contacts) {
+      const uint32_t v = contact.vertex.index;
+      double target[D];
+      of.place(of.user, v, of.start[v].position, 1, target);
+      contact.time = touch <= 1 ? touch : at;
+      contact.distance_left = length(difference<D>(target, of.body->position(v)));
+    }
   }
 }
 

@@ -77,7 +77,8 @@ static void rods_turn_in_step(void) {
     CHECK(reports[0].fraction < 0.0625 && reports[0].fraction > 0.0625 - 1e-12);
     CHECK(reports[1].fraction == reports[0].fraction && reports[0].vertices_stopped == 2);
     CHECK_OK(dsw_body_get_contacts(other, bodies[0], &contacts, &count));
-    CHECK(reports[0].contact_count + reports[1].contact_count > 0);
+    CHECK(count > 0 && count == reports[0].contact_count && fabs(contacts[0].time - 0.0625) < 1e-15);
+    CHECK(contacts[0].distance_left > 0.9 && reports[1].contact_count > 0);
     CHECK_OK(dsw_body_get_motion_left(other, bodies[0], &left_over));
     CHECK(fabs(left_over.translation[0] - 0.9375) < 1e-9);
     motions[1].translation[0] = 1; /* and behind each other they do not */
