@@ -140,12 +140,11 @@ TEST_P(NearSightTest, AreAllThatAreSeenFromWhatTouchesWalls) {
     ASSERT_PLACE(place);
     const Obstacles obstacles(place, rng);
     check_touching(place.get(), near_scene(place, obstacles), place.world->size, of_each, rng, tally,
-                   is_warped ? &place : nullptr);
+                   is_warped && place.world->outer_boundary_crosses() ? &place : nullptr);
     if (HasFailure()) return record(tally);
   }
   record(tally);
   EXPECT_GT(tally.rows, 0u);
-  EXPECT_LE(tally.overlapped, 10 + tally.rows / 1000);
 }
 
 bool exists(const dsw_environment* environment, dsw_face_id face) {
