@@ -231,7 +231,8 @@ HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double
     gap.other_weights[simplex.corners[i].b] += simplex.weights[i];
   }
   gap.bound = best.bound * pair.unit();
-  if (gap.bound < std::numeric_limits<double>::min()) gap.bound = 0;  // denormal numbers may be rounded up
+  // Denormal numbers may be rounded up. A unit is at least 2^-1000, so the quotient of one is exact.
+  if (gap.bound / pair.unit() > best.bound) gap.bound = std::nextafter(gap.bound, 0.0);
   gap.distance = distance * pair.unit();
   gap.normal = unit(best.direction);
   return gap;

@@ -9,10 +9,16 @@
 
 namespace dsw {
 
+/** A length less a share of itself, 2^-34 or 2^-35. Denormal numbers have no part of their last digit to lose. */
+inline double less_share(double length, double share) noexcept {
+  constexpr double kUnit = 0x1p-1000;  // in which denormal numbers are normal
+  const double shorter = length * (1 - share);
+  return shorter / kUnit < length / kUnit * (1 - share) ? std::nextafter(shorter, length) : shorter;
+}
 /** The distance that counts as kept, if so much is wanted: by what stands still, and by what moves. A way that leads
  * along something may lose a little more by rounding than the place where it began. So what has moved is well kept. */
-inline double least_at_rest(double wanted) noexcept { return wanted * (1 - 0x1p-34); }
-inline double least_kept(double wanted) noexcept { return wanted * (1 - 0x1p-35); }
+inline double least_at_rest(double wanted) noexcept { return less_share(wanted, 0x1p-34); }
+inline double least_kept(double wanted) noexcept { return less_share(wanted, 0x1p-35); }
 
 /** What comes too near to a part of a body, and when. */
 template <int D>

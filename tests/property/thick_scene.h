@@ -301,21 +301,27 @@ class ThickScene {
     return most;
   }
 
-  /// A radius for which there is room round a body that has none, up to `most` and to rounding.
-  double room(size_t i, double most) const {
+  /// A radius for which there is room round a body that has none, up to `most` and to rounding. `lost`: how much less
+  /// there is, as a share of the size of two parts; then distances are exact but for the last of 256 bits.
+  double room(size_t i, double most, double lost = 0) const {
     double least = most;
+    const auto room_between = [&](const Hull& a, const Hull& b) {
+      if (lost == 0) return apart(a, b).low;
+      const mpf_class less = mpf_class(lost, 256) * size_of(a, b);
+      return mpf_class(root(square_of_distance(a, b)) - less).get_d();
+    };
     const ThickBody& body = bodies[i];
     for (const ThickPart& part : parts_of(body)) {
       const HullBox box(part.hull);
       for (const Obstacle& each : obstacles_) {
-        if (!each.box.is_beyond(box, least)) least = std::min(least, apart(part.hull, each.hull).low);
+        if (lost > 0 || !each.box.is_beyond(box, least)) least = std::min(least, room_between(part.hull, each.hull));
       }
       for (size_t j = 0; meets_ && j < bodies.size(); ++j) {
         if (i == j && !body.self) continue;
         const double other = i == j ? 0 : bodies[j].radius;
         for (const ThickPart& still : parts_of(bodies[j])) {
           if (i == j && are_joined(body, part, still)) continue;
-          least = std::min(least, (apart(part.hull, still.hull).low - other) / (i == j ? 2 : 1));
+          least = std::min(least, (room_between(part.hull, still.hull) - other) / (i == j ? 2 : 1));
         }
       }
     }
@@ -360,6 +366,16 @@ class ThickScene {
     HullBox box;
   };
 
+  /// The largest difference of coordinates.
+  static double size_of(const Hull& a, const Hull& b) {
+    double size = 0;
+    for (const Hull* each : {&a, &b}) {
+      for (const Vec& p : *each) {
+        for (size_t k = 0; k < 3; ++k) size = std::max(size, std::fabs(p[k] - b[0][k]));
+      }
+    }
+    return size;
+  }
   static std::pair<uint32_t, uint32_t> key(dsw_body_edge_id id) { return {id.index, id.generation}; }
 
   std::string nearer_than(size_t i, const ThickPart& part, const mpq_class& share) const {

@@ -88,7 +88,6 @@ TEST_P(HullGapTest, BoundsTheDistanceFromBelowAndClosely) {
     const HullGap gap = find_gap<3>(hull_of(a), hull_of(b), HUGE_VAL, 0);
     const mpq_class square = square_of_distance(a, b), bound = gap.bound;
     ASSERT_LE(bound * bound, square) << i;
-    if (exact(a, b) < 0x1p-1000) continue;  // of denormal numbers nothing is known
     ASSERT_GE(gap.bound, exact(a, b) * (1 - 0x1p-30) - 0x1p-70 * size_of(a, b)) << i;
     const double about = exact(a, b) * (1 - 0x1p-35);
     ASSERT_GE(find_gap<3>(hull_of(a), hull_of(b), HUGE_VAL, about).bound, about - 0x1p-70 * size_of(a, b)) << i;
@@ -109,7 +108,7 @@ TEST_P(HullGapTest, AHullGrowsUntilItComesTooNear) {
     // Also far below the distance: then all of the way is nearly free.
     const double share = std::pow(10, std::uniform_real_distribution<double>(-14, 0)(random_));
     const double wanted = exact(a, b) * (random_() % 2 == 0 ? share : 1 - share);
-    if (wanted < 0x1p-1000 || !are_far_apart<3>(hull_of(a), hull_of(b), wanted)) continue;
+    if (!(wanted > 0) || !are_far_apart<3>(hull_of(a), hull_of(b), wanted)) continue;
     HullGap at;
     const double time = time_apart<3>(hull_of(a), to.data(), hull_of(b), wanted, &at);
     const auto grown = [&](double t) {
@@ -140,6 +139,26 @@ INSTANTIATE_TEST_SUITE_P(Families, HullGapTest,
                                          Family{"flat", 1, 1e-6}, Family{"very_thin", 1, 1e9}, Family{"far", 1, 1, 1e9},
                                          Family{"huge", 1e300}, Family{"tiny", 1e-300}),
                          [](const auto& made) { return std::string(made.param.name); });
+
+/// The bound of a denormal distance is not above it, and as close to it as other bounds are.
+TEST(HullGap, DenormalDistancesAreTold) {
+  std::mt19937_64 random(seed_of(8));
+  for (int i = 0; i < at_least(1000); ++i) {
+    const auto any = [&] { return 1e-300 * std::uniform_real_distribution<double>(-1, 1)(random); };
+    const auto parts = static_cast<double>(random() >> (12 + random() % 52));
+    const double room = std::max(parts, 1.0) * 0x1p-1074, at[2] = {0, room}, b[2] = {-1e-300, 0},
+                 c[2] = {1e-300, any()};
+    const ConvexHull point{{at}, 1}, edge{{b, c}, 2};
+    // Straight above a flat edge nothing is rounded.
+    const double flat[2] = {1e-300, 0};
+    const ConvexHull ground{{b, flat}, 2};
+    ASSERT_TRUE(are_far_apart<2>(point, ground, room * (1 - 0x1p-34) - 0x1p-1066)) << i << ' ' << room;
+    ASSERT_FALSE(are_far_apart<2>(point, ground, std::nextafter(room, 1.0))) << i << ' ' << room;
+    const Points hull{{{at[0], at[1], 0}}}, other{{{b[0], b[1], 0}}, {{c[0], c[1], 0}}};
+    const mpq_class bound = find_gap<2>(point, edge, HUGE_VAL, 0).bound;
+    ASSERT_LE(bound * bound, square_of_distance(hull, other)) << i;
+  }
+}
 
 TEST(HullGap, InThePlaneAHullIsFlat) {
   const double a[2] = {0, 2}, b[2] = {-1, 0}, c[2] = {1, 0}, to[2] = {0, -2};
