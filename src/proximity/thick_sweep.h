@@ -2,6 +2,8 @@
 // Distances that a thick body keeps: from everything impassable its radius, from other bodies and from itself both
 // radii. What a vertex sweeps with its edges and faces must keep them on all of its way.
 
+#include <cmath>
+
 #include "predicates/hull_gap.h"
 #include "proximity/joined.h"
 #include "proximity/near_lists.h"
