@@ -209,7 +209,9 @@ std::string RandomEdits<D>::check() const {
   if (const char* const broken = check_integrity(e.map)) return broken;
   std::string wrong = check_counts();
   const auto test = [&](dsw::Cell c, const double* at, const char* what, uint32_t i) {
-    const bool alive = c.unit < e.map.cell_of_unit.size() && e.map.cell_of_unit[c.unit] != kNoCell;
+    // Before the first change all cells are alive, and the map does not list them.
+    const auto& cells = e.map.cell_of_unit;
+    const bool alive = cells.empty() || (c.unit < cells.size() && cells[c.unit] != kNoCell);
     if (!alive || e.map.marked(c) || !contains(e, c, at)) wrong = what + std::to_string(i) + " is not in its volume";
   };
   for (uint32_t i = 0; i < scene().particles.size(); ++i) {
