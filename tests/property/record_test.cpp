@@ -137,6 +137,8 @@ void call_the_others(dsw_scene* scene, std::vector<double>& lent) {
   dsw_together_options together = defaults(dsw_together_options_init);
   together.stop = DSW_TOGETHER_STOP_FEATURE;
   ok(dsw_scene_move_together(scene, &body, 1, corners[0].data(), corners.size(), 0, &together, nullptr));
+  const dsw_rigid_motion back = {{0, 0, 0, 1}, {0, 0, 0}, {-kNear / 16, 0, 0}};
+  ok(dsw_scene_move_rigid(scene, &body, 1, &back, nullptr, nullptr));
   const double* now = nullptr;
   size_t point_count = 0;
   ok(dsw_environment_get_points(environment, &now, &point_count));
