@@ -173,6 +173,10 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     if (!is_thick && touch <= 1 && !is_at_touch(body, kMostGap * way_.unit())) approach(chords, touch);
     if (chords.at < 1) record_contact(chords, partners, touch, record);
     steps.end_steps(body, chords.at, record);
+    for (dsw_body_contact& contact : record.contacts) {  // of the motion, not of a chord
+      const double* const to = way_.place(way_.pieces(), contact.vertex.index);
+      contact.distance_left = length(difference<D>(to, body.position(contact.vertex.index)));
+    }
   } catch (...) {
     steps.set_bend(0);
     steps.undo_steps(body);

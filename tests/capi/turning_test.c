@@ -55,12 +55,15 @@ static void a_rod_in_a_room_stops_at_the_wall(unsigned dimension) {
   dsw_body_id body;
   dsw_move_report report;
   const dsw_rigid_motion m = turn_about_z(90, 0.5, 0.5);
+  const dsw_body_contact *contacts;
   begin(dimension, 1, 0);
   body = make_edge_body(g_scene, dimension == 2 ? flat : rod, DSW_LEVEL_EDGES_SWEPT);
   report = turn(body, &m);
   CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 0, NULL, &count));
   CHECK(report.fraction > 0.05 && report.fraction < 0.1 && report.contact_count == 1);
   CHECK(now[dimension + 1] <= 1 && now[dimension + 1] > 1 - 16 * 0x1p-53); /* its end is at the wall y = 1 */
+  CHECK_OK(dsw_body_get_contacts(g_scene, body, &contacts, &count));
+  CHECK(fabs(contacts[0].distance_left - hypot(now[dimension] - 0.05, now[dimension + 1] - 0.95)) < 1e-12);
   CHECK(turn(body, &m).fraction < 1e-12);
   end_scene(g_scene);
 }
