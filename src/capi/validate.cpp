@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "capi/convert.h"
 #include "capi/replay.h"
 #include "capi/scene_handle.h"
 #include "cross_check/validation.h"
@@ -132,7 +133,7 @@ class CallValidator {
   void remember_body(dsw_body_id id, const dsw_move_options& options) {
     if (!scene_.body_slots.alive(id.index, id.generation)) return;  // the call will fail
     const Body<D>& body = scene_.bodies[id.index].body;
-    const bool is_exact = options.search == DSW_SEARCH_EXACT && options.max_volumes == 0;
+    const bool is_exact = raw_value(options.search) == DSW_SEARCH_EXACT && options.max_volumes == 0;
     bodies_.push_back({id.index, is_exact, options.passes != 0, before_.size(), orders_.size(), body.vertices.size()});
     for (const BodyVertex<D>& v : body.vertices) before_.insert(before_.end(), v.position, v.position + D);
     const bool is_ordered = options.order != nullptr;
