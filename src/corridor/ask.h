@@ -36,14 +36,14 @@ struct Question {
   /** Whether the edge will stand at the target: then the corridor becomes that of its new place, and what may make it so is
    * asked first. If not, the corridor stays that of the start, and what is met counts up to the wall that the path meets. */
   bool arrives = true;
-  bool asks_cells = false;                        // whether one cell may hold the triangle
-  const Clearance<D>* balls[2] = {};              // of the ends; null: they are not asked
-  Corridor<D>* corridor = nullptr;                // null: none is kept
-  uint64_t call = 0;                              // the number of the call on the body
-  bool is_limited = false;                        // what is kept must not carry an edge past a work limit
-  FirstRidge* ridge = nullptr;                    // becomes what is met first, if the answer is kUnknown and that is known
-  const TouchedLines* touched = nullptr;          // lines that the edge has touched, of which walls may be known
-  const SweepEvent* before = nullptr;             // only what is met before it counts; it is of the edge's moving end
+  bool asks_cells = false;                // whether one cell may hold the triangle
+  const Clearance<D>* balls[2] = {};      // of the ends; null: they are not asked
+  Corridor<D>* corridor = nullptr;        // null: none is kept
+  uint64_t call = 0;                      // the number of the call on the body
+  bool is_limited = false;                // what is kept must not carry an edge past a work limit
+  FirstRidge* ridge = nullptr;            // becomes what is met first, if the answer is kUnknown and that is known
+  const TouchedLines* touched = nullptr;  // lines that the edge has touched, of which walls may be known
+  const SweepEvent* before = nullptr;     // only what is met before it counts; it is of the edge's moving end
 };
 
 /** Answers. The tests go from cheap to dear:

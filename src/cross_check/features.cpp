@@ -156,7 +156,8 @@ uint32_t third_corner(const Shape& shape, uint32_t dart) {
   return from;
 }
 
-NoFeatures edge_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch, Features& features) {
+NoFeatures edge_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch,
+                         Features& features) {
   const Map<3>& map = env.map;
   const Shape shape = map.shape(touch.edge.cell);
   Wedge wedge{frame.at_vertex(touch.edge.cell, shape.dart_vertex(touch.edge.local)),
@@ -176,7 +177,8 @@ NoFeatures edge_features(const Environment<3>& env, const Frame& frame, const Re
 }
 
 /** The diagonal of the wall that lies nearest to the contact point, with both of its triangles. */
-NoFeatures diagonal_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch, Features& features) {
+NoFeatures diagonal_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch,
+                             Features& features) {
   const Cell c = env.map.cell_of(touch.wall);
   const Shape shape = env.map.shape(c);
   const uint32_t facet = env.map.local_of(touch.wall, c);
@@ -240,7 +242,8 @@ void add_behind(const Environment<3>& env, const Frame& frame, HalfFacet wall, c
   }
 }
 
-NoFeatures point_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch, Features& features) {
+NoFeatures point_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch,
+                          Features& features) {
   const Cell c = env.map.cell_of(touch.wall);
   const Shape shape = env.map.shape(c);
   const uint32_t facet = env.map.local_of(touch.wall, c);
@@ -261,7 +264,8 @@ NoFeatures point_features(const Environment<3>& env, const Frame& frame, const R
 }
 
 /** A face of the body on a corner of the obstacle. */
-NoFeatures corner_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch, Features& features) {
+NoFeatures corner_features(const Environment<3>& env, const Frame& frame, const ReportedTouch& touch,
+                           Features& features) {
   const Cell c = env.map.cell_of(touch.wall);
   const Shape shape = env.map.shape(c);
   const uint32_t facet = env.map.local_of(touch.wall, c);

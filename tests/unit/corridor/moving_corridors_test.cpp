@@ -77,7 +77,7 @@ TEST(MovingCorridors, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
     const CastResult path = cast(*env, at[0], to, start);
     const Cell arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
     const PointWay ends[2] = {{at[0], to, start, arrival, path_facets(env->map, start, path)},
-                                             {at[1], at[1], start, start, {}}};
+                              {at[1], at[1], start, start, {}}};
     ASSERT_EQ(arrival.valid(), end < 1);
     ASSERT_EQ(ends[0].crossed.count, 1u);
     EXPECT_EQ(corridors.ask(body.corridors[0], body.call, ends, {to, at[1]}, true), Verdict::kUnknown);
