@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import dartsweep as ds
-from dartsweep._door import cgns_sides
+from dartsweep._door import cgns_sides, cgns_tree
 
 NAMES = ["left", "right", "front", "back", "low", "high"]
 
@@ -180,7 +180,7 @@ def test_faces_of_polyhedra_and_mixed_sections(has_starts: bool, monkeypatch: py
         ZoneBC=_node("ZoneBC_t", None, outlet=some),
     )
     base = _node("CGNSBase_t", [3, 3])
-    monkeypatch.setattr(cgns_sides.cgns_tree, "zones", lambda path: [(base, zone)])
+    monkeypatch.setattr(cgns_tree, "zones", lambda path: [(base, zone)])
     found = cgns_sides.sides_of("")
     assert found is not None
     sides = {name: [corners[a:b].tolist() for a, b in zip(offsets, offsets[1:])] for name, offsets, corners in found[0][0][1]}
