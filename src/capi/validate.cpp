@@ -63,7 +63,7 @@ class CallValidator {
     with(row_of<dsw_body_move>,
          [&](auto*, auto body, auto*, size_t, size_t, auto* options, auto*) { remember_body(body, *options); });
     with(row_of<dsw_body_move_rigid>,
-         [&](auto*, auto body, auto*, auto* options, auto*) { remember_body(body, *options); });
+         [&](auto*, auto body, auto*, auto* options, auto*) { remember_body(body, *options, true); });
     with(row_of<dsw_scene_move_bodies>,
          [&](auto*, auto* bodies, size_t count, auto*, size_t, size_t, auto* options, auto*) {
            for (size_t i = 0; i < count; ++i) remember_body(bodies[i], *options);
@@ -120,6 +120,7 @@ class CallValidator {
     bool has_passes;  // further ones: vertices that met something may have moved again
     size_t first;     // of its points in before_
     size_t order_first, order_count;
+    bool is_rigid = false;  // it goes along arcs
   };
 
   void remember_particle(dsw_particle_id particle, const double* target, const dsw_cast_options& options) {
@@ -130,11 +131,12 @@ class CallValidator {
     before_.insert(before_.end(), target, target + D);
   }
 
-  void remember_body(dsw_body_id id, const dsw_move_options& options) {
+  void remember_body(dsw_body_id id, const dsw_move_options& options, bool is_rigid = false) {
     if (!scene_.body_slots.alive(id.index, id.generation)) return;  // the call will fail
     const Body<D>& body = scene_.bodies[id.index].body;
     const bool is_exact = raw_value(options.search) == DSW_SEARCH_EXACT && options.max_volumes == 0;
-    bodies_.push_back({id.index, is_exact, options.passes != 0, before_.size(), orders_.size(), body.vertices.size()});
+    bodies_.push_back(
+        {id.index, is_exact, options.passes != 0, before_.size(), orders_.size(), body.vertices.size(), is_rigid});
     for (const BodyVertex<D>& v : body.vertices) before_.insert(before_.end(), v.position, v.position + D);
     const bool is_ordered = options.order != nullptr;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) orders_.push_back(is_ordered ? kNoRank : v);
@@ -236,6 +238,10 @@ class CallValidator {
 
   void claim_move(const Mover& mover) {
     const BodyRecord<D>& of = scene_.bodies[mover.slot];
+    if (mover.is_rigid) {  // what is claimed here goes straight
+      validation_.not_validated += of.record.contacts.size() + of.record.moved;
+      return;
+    }
     for (const dsw_body_contact& contact : of.record.contacts) claim_contact(mover, contact);
     for (uint32_t v = 0; v < mover.order_count; ++v) {
       if (!of.record.edits.empty() || (mover.has_passes && !of.record.contacts.empty())) {
