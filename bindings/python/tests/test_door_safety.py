@@ -1,15 +1,17 @@
-"""Gmsh reads a large file in the caller's process only if the file is whole."""
+"""Gmsh reads a large file in the caller's process only if the file is whole; and what a process of its own needs."""
 
 from __future__ import annotations
 
 import pathlib
 import struct
+import sys
 from typing import Any
 
+import numpy as np
 import pytest
 
 import dartsweep as ds
-from dartsweep._door import gmsh_reader, msh_walk
+from dartsweep._door import apart, gmsh_reader, msh_walk
 
 
 @pytest.fixture
@@ -77,3 +79,15 @@ def test_a_damaged_large_file_is_read_apart(damage: str, boxes: dict[str, pathli
         ds.read(path)
     except ds.MeshError as error:
         assert "damaged.msh" in str(error)
+
+
+def test_a_process_of_its_own_needs_no_compiled_library(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The demo reads meshes with the sources of the package alone: here only NumPy is beside them."""
+    for name in ("numpy", "numpy.libs"):
+        folder = pathlib.Path(np.__file__).parents[1] / name
+        if folder.exists():
+            (tmp_path / name).symlink_to(folder)
+    monkeypatch.setattr(sys, "path", [str(tmp_path), *(each for each in sys.path if "-packages" not in each)])
+    file = tmp_path / "tetrahedron.off"
+    file.write_text("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
+    assert len(apart.read("NumPy", "dartsweep._door.off_reader", str(file), "the file", "off").cells.types) == 4

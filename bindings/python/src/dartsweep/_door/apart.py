@@ -19,7 +19,14 @@ try:
 except ImportError:  # Windows
     resource = None  # type: ignore[assignment]
 
-_START = "import sys; sys.path[:] = sys.argv[1:]; from dartsweep._door import apart; apart.answer()"
+_START = """
+import sys, types
+package = sys.modules["dartsweep"] = types.ModuleType("dartsweep")
+package.__path__, sys.path[:] = [sys.argv[1]], sys.argv[2:]
+from dartsweep._door import apart
+apart.answer()
+"""
+"""The program that reads: the readers alone, without the compiled library, which may not be there."""
 _WAY_ON = "the file may be damaged; a program that reads it can write it anew"
 SECONDS, SECONDS_PER_MEGABYTE = 60.0, 10.0
 """How long a reader may take, in time of the processor, so that a busy machine makes no difference."""
@@ -33,7 +40,7 @@ def read(library: str, module: str, path: str, source: str, *more: str) -> Any:
     """What `read` of a module gives for a file. library: its name in messages."""
     limit = None if path.lower().endswith(_CASES) else math.ceil(SECONDS + SECONDS_PER_MEGABYTE * os.path.getsize(path) / 1e6)
     patience = None if limit is None else _PATIENCE * limit if resource is not None else limit
-    command = [sys.executable, "-c", _START, *map(str, sys.path)]
+    command = [sys.executable, "-c", _START, os.path.dirname(os.path.dirname(__file__)), *map(str, sys.path)]
     too_late = MeshError(source, f"{library} had not read it after {limit} s", _WAY_ON)
     try:
         done = subprocess.run(
