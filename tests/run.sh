@@ -4,6 +4,7 @@
 # usage: tests/run.sh [STEP...]    none means all_steps below
 # Steps to be asked for: long, before a release: the longest tests, with all cases that they are written for, and ten times the runs
 # of the fuzz targets; clang; for other targets arm64 (tests under qemu), windows (tests under wine) and wasm (tests in Node);
+# components, each part of the library left out alone;
 # portable, which compares the bits of all targets whose step has run; packages of these targets; browser, the page.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -146,6 +147,15 @@ step_long() { # DSW_EFFORT=10 asks for ten times the cases
     "${plain_addresses[@]}" ctest --preset dev -L fuzz && cmake --preset dev -DDSW_FUZZ_EFFORT=1
 }
 step_clang() { preset clang all; }
+step_components() { # each left out alone: what is left links, and has all functions
+  local component
+  for component in $(sed -n 's/^dsw_component(\([A-Z]*\) .*/\1/p' src/cmake/components.cmake); do
+    cmake --preset release -B build/components -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=OFF "-DDSW_WITH_$component=OFF" &&
+      cmake --build build/components --target dartsweep &&
+      python3 -B abi/check_abi.py symbols build/components/src/libdartsweep.so &&
+      cmake "-DDSW_WITH_$component=ON" build/components || return
+  done
+}
 step_dev() { preset dev all && with_library dev_library "$(clang -print-file-name=libclang_rt.asan-x86_64.so)"; }
 step_tsan() { cmake --preset tsan && cmake --build --preset tsan && with_library tsan "$(g++ -print-file-name=libtsan.so)"; }
 step_arm64() { target arm64; }

@@ -11,30 +11,6 @@ using dsw::fail;
 
 namespace {
 
-dsw::Skipping to_skipping(uint32_t flags, double share) {
-  dsw::check_flags(flags,
-                   DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE |
-                       DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_SELF_CONTACTS | DSW_BODY_SKIP_BACK_EDGES |
-                       DSW_BODY_RIGID,
-                   "desc->flags");
-  dsw::Skipping skipping;
-  skipping.corridors = (flags & DSW_BODY_SEQUENCES) != 0;
-  skipping.by_environment = (flags & DSW_BODY_SKIP_BY_ENVIRONMENT) != 0;
-  skipping.by_clearance = (flags & DSW_BODY_SKIP_BY_CLEARANCE) != 0;
-  skipping.by_similar_motion = (flags & DSW_BODY_SKIP_SIMILAR_MOTION) != 0;
-  skipping.back_edges = (flags & DSW_BODY_SKIP_BACK_EDGES) != 0;
-  if (capi::to_length(share, "desc->motion_share") != 0) skipping.motion_share = share;
-  return skipping;
-}
-
-dsw::ContactFilter to_filter(uint32_t category, uint32_t mask, bool self) {
-  dsw::ContactFilter filter;
-  if (category != 0) filter.category = category;
-  if (mask != 0) filter.mask = mask;
-  filter.self = self;
-  return filter;
-}
-
 template <int D>
 dsw::BodyDescription to_description(const dsw::Scene<D>& scene, const dsw_body_desc& d) {
   const dsw::SweepLevel level = capi::to_body_level<D>(d.level, "desc->level");
@@ -66,35 +42,6 @@ dsw::BodyDescription to_description(const dsw::Scene<D>& scene, const dsw_body_d
 }
 
 }  // namespace
-
-namespace dsw::capi {
-
-template <int D>
-BodyDescription to_description(const Scene<D>& scene, const BodyOptions& options) {
-  BodyDescription out;
-  out.level = options.level;
-  out.skipping = to_skipping(options.flags, options.motion_share);
-  if (D == 2 && out.skipping.back_edges) {
-    fail(DSW_STATUS_UNSUPPORTED, "DSW_BODY_SKIP_BACK_EDGES in desc->flags: bodies in the plane have no faces");
-  }
-  const bool self = (options.flags & DSW_BODY_SELF_CONTACTS) != 0;
-  if (self || options.category != 0 || options.mask != 0) {
-    check_enabled(scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
-  }
-  out.filter = to_filter(options.category, options.mask, self);
-  out.rigid = (options.flags & DSW_BODY_RIGID) != 0;
-  return out;
-}
-
-template BodyDescription to_description(const Scene<2>&, const BodyOptions&);
-template BodyDescription to_description(const Scene<3>&, const BodyOptions&);
-
-uint32_t to_slot(const SlotPool& slots, uint32_t index, uint32_t generation, const char* name, const char* part) {
-  if (slots.alive(index, generation)) return index;
-  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no %s of the body", name, index, generation, part);
-}
-
-}  // namespace dsw::capi
 
 dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body_id* body) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
@@ -178,7 +125,7 @@ dsw_status dsw_body_set_filter(dsw_scene* scene, dsw_body_id body, uint32_t cate
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::check_enabled(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
     capi::Recorded call(scene, capi::row_of<dsw_body_set_filter>, body, category, mask);
-    set_filter(of.scene, of.body, to_filter(category, mask, of.body.filter.self));
+    set_filter(of.scene, of.body, capi::to_filter(category, mask, of.body.filter.self));
     call.done();
   });
 }

@@ -34,6 +34,8 @@ struct BodyOptions {
   double motion_share;
   uint32_t category, mask;
 };
+/** Which bodies a body can meet; 0: all categories, or the default one. */
+ContactFilter to_filter(uint32_t category, uint32_t mask, bool self);
 /** A description without vertices. */
 template <int D>
 BodyDescription to_description(const Scene<D>& scene, const BodyOptions& options);

@@ -1,5 +1,7 @@
 #include "capi/convert.h"
 
+#include "topology/repair.h"
+
 namespace dsw::capi {
 
 void fail_stale(uint32_t index, uint32_t generation, const char* kind, uint32_t count, ElementName name) {
@@ -62,6 +64,17 @@ SweepLevel to_level(const dsw_level& given, dsw_level highest, const char* name)
     fail(DSW_STATUS_UNSUPPORTED, "%s is %u, must be %d .. %d here", name, level, DSW_LEVEL_POINTS, highest);
   }
   return static_cast<SweepLevel>(level - DSW_LEVEL_POINTS);
+}
+
+RepairSettings to_repair_settings(uint32_t radius, uint32_t max_faces) {
+  RepairSettings s;
+  if (radius > 8) fail(DSW_STATUS_OUT_OF_RANGE, "the radius is %u, must be 1 to 8, or 0", radius);
+  if (max_faces != 0 && (max_faces < 4 || max_faces > kMostRim)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "max_faces is %u, must be 4 to %u, or 0", max_faces, kMostRim);
+  }
+  if (radius != 0) s.radius = radius;
+  if (max_faces != 0) s.most_faces = max_faces;
+  return s;
 }
 
 dsw_level to_public(SweepLevel level) noexcept {

@@ -5,21 +5,6 @@
 namespace capi = dsw::capi;
 using dsw::fail;
 
-namespace dsw::capi {
-
-RepairSettings to_repair_settings(uint32_t radius, uint32_t max_faces) {
-  RepairSettings s;
-  if (radius > 8) fail(DSW_STATUS_OUT_OF_RANGE, "the radius is %u, must be 1 to 8, or 0", radius);
-  if (max_faces != 0 && (max_faces < 4 || max_faces > kMostRim)) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "max_faces is %u, must be 4 to %u, or 0", max_faces, kMostRim);
-  }
-  if (radius != 0) s.radius = radius;
-  if (max_faces != 0) s.most_faces = max_faces;
-  return s;
-}
-
-}  // namespace dsw::capi
-
 dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh_desc* desc, dsw_change* out) {
   return capi::guarded_change_of_space(__func__, environment, nullptr, out, [&](auto& change) {
     const dsw_remesh_desc d = capi::read_optional(desc, "desc", 0);

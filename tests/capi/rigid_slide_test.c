@@ -6,18 +6,10 @@
 
 #include "../effort.h"
 #include "check.h"
+#include "draw.h"
 #include "fixture.h"
 
 enum { N = 4, MOST = 8 };
-
-static uint64_t g_state;
-static double share(void) {
-  g_state ^= g_state << 13;
-  g_state ^= g_state >> 7;
-  g_state ^= g_state << 17;
-  return (double)(g_state >> 11) / 9007199254740992.0;
-}
-static double between(double low, double high) { return low + (high - low) * share(); }
 
 static dsw_rigid_motion shift_by(double x, double y, double z) {
   dsw_rigid_motion m;
@@ -137,14 +129,7 @@ static dsw_scene *make_world(unsigned dimension, uint64_t seed) {
   int w;
   unsigned k;
   g_state = seed;
-  for (w = 0; w < 6; ++w) {
-    const unsigned x = (unsigned)(share() * (N - 1)), y = (unsigned)(share() * N), z = (unsigned)(share() * N);
-    const unsigned axis = (unsigned)(share() * dimension);
-    const unsigned cell[3] = {axis == 0 ? x : y, axis == 1 ? x : y, axis == 2 ? x : z};
-    const uint32_t index = cell[0] + N * (cell[1] + N * (dimension == 3 ? cell[2] : 0));
-    const uint32_t face = dimension == 3 ? 2 * axis + 1 : axis == 0 ? 1 : 2;
-    CHECK_OK(set_face_mark(env, index, face, DSW_MARK_IMPASSABLE));
-  }
+  draw_walls(env, dimension, N, 6);
   for (w = 0; w < 2; ++w) {
     double other[6];
     dsw_body_desc d;

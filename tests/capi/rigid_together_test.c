@@ -6,20 +6,12 @@
 
 #include "../effort.h"
 #include "check.h"
+#include "draw.h"
 #include "fixture.h"
 
 enum { N = 4, BODIES = 3, MOST_PAIRS = 8192 };
 
 static unsigned D;
-static uint64_t g_state;
-static double share(void) {
-  g_state ^= g_state << 13;
-  g_state ^= g_state >> 7;
-  g_state ^= g_state << 17;
-  return (double)(g_state >> 11) / 9007199254740992.0;
-}
-static double between(double low, double high) { return low + (high - low) * share(); }
-
 static dsw_scene *make_room(void) {
   return make_scene(D == 2 ? make_squares(NULL, N, N) : make_environment(NULL, N, N, N), DSW_FEATURE_BODY_CONTACTS);
 }

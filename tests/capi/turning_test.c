@@ -6,6 +6,7 @@
 
 #include "../effort.h"
 #include "check.h"
+#include "draw.h"
 #include "fixture.h"
 
 enum { N = 4, MOST = 4, MOST_PAIRS = 4096 };
@@ -13,15 +14,6 @@ enum { N = 4, MOST = 4, MOST_PAIRS = 4096 };
 static unsigned g_dimension;
 static dsw_environment *g_env;
 static dsw_scene *g_scene;
-
-static uint64_t g_state;
-static double share(void) {
-  g_state ^= g_state << 13;
-  g_state ^= g_state >> 7;
-  g_state ^= g_state << 17;
-  return (double)(g_state >> 11) / 9007199254740992.0;
-}
-static double between(double low, double high) { return low + (high - low) * share(); }
 
 static void begin(unsigned dimension, unsigned n, uint32_t features) {
   g_dimension = dimension;
