@@ -1,7 +1,7 @@
 #pragma once
 // Who goes where, below bodies: a point, and an edge or a face one point of which goes. All go straight and steadily.
 //
-// A motion that turns is asked piece by piece: the chords of a piece are the PointWays of its ends, and turning/rigid_way.h says how
+// A motion that turns is asked piece by piece: the chords of a piece are the PointWays of its ends, and response/rigid_way.h says how
 // far the arcs are beside them. To ask about the arcs themselves, a turning way would stand here beside PointWay, with a place at a
 // time, a box of a part of the time, and the exact touch of a line (predicates/turning_pair.h has that); MovingCorridors::ask would take it.
 

@@ -12,10 +12,10 @@
 #include "environment/marking.h"
 #include "locate/locate.h"
 #include "proximity/thick_sweep.h"
+#include "response/turning_move.h"
 #include "scene/meeting.h"
 #include "scene/near_bodies.h"
 #include "sweep/body_probe.h"
-#include "turning/turning_move.h"
 
 namespace dsw {
 namespace {

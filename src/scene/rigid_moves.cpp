@@ -10,9 +10,9 @@
 
 #include "base/vec.h"
 #include "response/body_move.h"
+#include "response/touched_planes.h"
+#include "response/turning_move.h"
 #include "scene/meeting.h"
-#include "turning/touched_planes.h"
-#include "turning/turning_move.h"
 
 namespace dsw {
 namespace {

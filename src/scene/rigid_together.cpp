@@ -3,7 +3,7 @@
 #include "base/dimensions.h"
 #include "scene/rigid_moves.h"
 #include "scene/together_moves.h"
-#include "turning/turning_together.h"
+#include "together/turning_together.h"
 
 namespace dsw {
 namespace {

@@ -2,11 +2,11 @@
 
 #include "base/dimensions.h"
 #include "response/body_move.h"
+#include "response/turning_move.h"
 #include "scene/deformation.h"
 #include "scene/live_register.h"
 #include "together/together_move.h"
-#include "turning/turning_move.h"
-#include "turning/turning_together.h"
+#include "together/turning_together.h"
 
 namespace dsw {
 

@@ -6,7 +6,7 @@
 #include "edge_ground.h"
 #include "locate/locate.h"
 #include "response/rigid_move.h"
-#include "turning/rigid_touches.h"
+#include "response/rigid_touches.h"
 
 namespace dsw::test {
 namespace {

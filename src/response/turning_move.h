@@ -2,7 +2,7 @@
 // A body moved rigidly: as far as its rigid way is free.
 
 #include "response/body_move.h"
-#include "turning/rigid_touches.h"
+#include "response/rigid_touches.h"
 
 namespace dsw {
 

@@ -1,5 +1,5 @@
 // What planes allow of a rigid motion: feasible, and by no feasible motion nearby the vertices come nearer to where they should be.
-#include "turning/touched_planes.h"
+#include "response/touched_planes.h"
 
 #include <gtest/gtest.h>
 

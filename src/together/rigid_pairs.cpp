@@ -1,4 +1,4 @@
-#include "turning/rigid_pairs.h"
+#include "together/rigid_pairs.h"
 
 namespace dsw {
 namespace {

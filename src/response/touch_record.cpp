@@ -1,4 +1,4 @@
-#include "turning/touch_record.h"
+#include "response/touch_record.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,13 +2,13 @@
 // vertices go straight, at once: that finds the cells of the vertices, and verifies the rounded places. If a step meets something,
 // it is halved: between a chord and its arc something may stand.
 
-#include "turning/turning_together.h"
+#include "together/turning_together.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/vec.h"
-#include "turning/touch_record.h"
+#include "response/touch_record.h"
 
 namespace dsw {
 

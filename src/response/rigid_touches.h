@@ -3,7 +3,7 @@
 
 #include "proximity/near_lists.h"
 #include "proximity/partners.h"
-#include "turning/rigid_way.h"
+#include "response/rigid_way.h"
 
 namespace dsw {
 

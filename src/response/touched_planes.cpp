@@ -3,7 +3,7 @@
 // method: planes that are violated enter in the order of their violation, those that pull leave. All is scalar, and in the same
 // order everywhere.
 
-#include "turning/touched_planes.h"
+#include "response/touched_planes.h"
 
 #include <algorithm>
 #include <cmath>

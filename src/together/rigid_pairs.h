@@ -2,7 +2,7 @@
 // What two bodies that turn, each on a motion of its own, touch of each other first.
 
 #include "body/simplices.h"
-#include "turning/rigid_way.h"
+#include "response/rigid_way.h"
 
 namespace dsw {
 

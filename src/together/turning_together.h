@@ -1,9 +1,9 @@
 #pragma once
 // Bodies that move rigidly, all at once, until something is touched.
 
+#include "response/rigid_touches.h"
+#include "together/rigid_pairs.h"
 #include "together/together_move.h"
-#include "turning/rigid_pairs.h"
-#include "turning/rigid_touches.h"
 
 namespace dsw {
 

@@ -5,12 +5,12 @@
 // For a few ties at the start the exact test does not know what follows. They are left to the chords, which are short
 // then. Thick bodies keep their distance along each chord, with as much more as the way bends beside it.
 
-#include "turning/turning_move.h"
+#include "response/turning_move.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "turning/touch_record.h"
+#include "response/touch_record.h"
 
 namespace dsw {
 

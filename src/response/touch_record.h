@@ -2,8 +2,8 @@
 // Contacts of the two parts that touch first on rigid ways, where the bodies are now.
 
 #include "predicates/hull_gap.h"
+#include "response/rigid_touches.h"
 #include "response/settings.h"
-#include "turning/rigid_touches.h"
 
 namespace dsw {
 

@@ -1,4 +1,4 @@
-#include "turning/rigid_touches.h"
+#include "response/rigid_touches.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "turning/rigid_way.h"
+#include "response/rigid_way.h"
 
 #include <algorithm>
 #include <cmath>
