@@ -15,6 +15,9 @@ usage: check_abi.py symbols LIBRARY        exported names = names declared in th
        check_abi.py describe C++_COMPILER LIBRARY
                                            makes a library with debug information of what the headers declare
        check_abi.py names                  prints the names declared in the headers, sorted
+       check_abi.py too_old C_COMPILER LIBRARY
+                                           the loader refuses a library of the last release to a host that names a newer function
+       check_abi.py map                    renews dartsweep.map after a release
        check_abi.py next-version RELEASE [break]   renews VERSION and dartsweep.map for a release
 """
 import pathlib
@@ -27,6 +30,11 @@ ABI = pathlib.Path(__file__).resolve().parent
 HEADERS = ABI.parent / "include" / "dartsweep"
 STRUCT_TEST = ABI.parent / "tests" / "capi" / "struct_size_test.c"
 RUNTIMES = re.compile(r"(libc|libm|libgcc_s|libstdc\+\+|libc\+\+|libc\+\+abi|libpthread|ld-linux[\w-]*)\.so(\.\d+)?$")
+
+MAP_COMMENT = """/* What the shared library lets out: the C interface. Everything else stays inside, templates of the C++ runtime
+   included. Each release has a version of symbols for what it added, so a host that calls a newer function than the library
+   has is refused when it is loaded. Written by `check_abi.py map`. */
+"""
 
 
 def run(*command):
@@ -70,9 +78,41 @@ def listed(path):
 
 
 def exported(library):
-    """Names of dynamic symbols without their version; the version node itself is absolute and left out."""
+    """Dynamic symbols and their version; the version itself is an absolute symbol and left out."""
     rows = [line.split() for line in run("nm", "-D", "--defined-only", library).splitlines()]
-    return sorted(row[2].split("@")[0] for row in rows if row[1] != "A")
+    return dict((row[2].split("@@") + [""])[:2] for row in rows if row[1] != "A")
+
+
+def interface_of(release):
+    """The interface version of a release: current, revision, age."""
+    first_line = (ABI / "baseline" / f"{release}.symbols").read_text().split("\n")[0]
+    return [int(re.search(rf"{part} (\d+)", first_line).group(1)) for part in ("current", "revision", "age")]
+
+
+def nodes(before=None):
+    """Versions of symbols of this SONAME, oldest first: the names that each has for good. The last one takes what is new."""
+    found, known = {}, set()
+    for release in releases():
+        current, _, age = interface_of(release)
+        if release != before and current - age == major():
+            names = listed(ABI / "baseline" / f"{release}.symbols")
+            found.setdefault(node_of(age), []).extend(name for name in names if name not in known)
+            known.update(names)
+            last = age
+    return {**found, node_of(last + 1 if found else 0): None}
+
+
+def node_of(age):
+    return f"DARTSWEEP_{major()}" + (f".{age}" if age > 0 else "")
+
+
+def map_text(before=None):
+    text, older = MAP_COMMENT, ""
+    for node, names in nodes(before).items():
+        lines = [f"    {name};\n" for name in names or ["dsw_*"]]
+        text += f"{node} {{\n  global:\n{''.join(lines)}" + ("" if older else "  local:\n    *;\n") + f"}}{older};\n"
+        older = f" {node}"
+    return text
 
 
 def header_text(folder=HEADERS):
@@ -136,7 +176,8 @@ def describe(compiler, library, code="", link=()):
 
 
 def check_symbols(library):
-    names, declared = exported(library), functions(header_text())
+    versions, declared = exported(library), functions(header_text())
+    names = sorted(versions)
     problems = [f"{name} is declared in the headers but not exported by the library" for name in sorted(set(declared) - set(names))]
     problems += [f"{name} is exported by the library but not declared in the headers" for name in sorted(set(names) - set(declared))]
     unprefixed = [name for name in names if not name.startswith("dsw_")]
@@ -144,6 +185,10 @@ def check_symbols(library):
     problems += [f"{name} does not begin with dsw_" for name in unprefixed]
     if not has_new_major():
         problems += [f"{name} has gone since {releases()[-1]}" for name in listed(baseline(".symbols")) if name not in names]
+        wanted = {name: node for node, its_names in nodes().items() for name in its_names or []}
+        newest = list(nodes())[-1]
+        problems += [f"{name} has the version {versions[name]}, not {wanted.get(name, newest)}: `check_abi.py map` renews dartsweep.map"
+                     for name in names if name in declared and versions[name] != wanted.get(name, newest)]
     return problems
 
 
@@ -155,9 +200,9 @@ def check_needed(library, optional=None):
     soname = re.findall(r"\(SONAME\).*\[(.*)\]", dynamic)
     if soname != [wanted]:
         problems.append(f"SONAME is {soname}, abi/VERSION says {wanted}")
-    nodes = set(re.findall(r"\bA (\w+)", run("nm", "-D", "--defined-only", library)))
-    if nodes != {f"DARTSWEEP_{major()}"}:
-        problems.append(f"symbols have the version {nodes}, abi/VERSION says DARTSWEEP_{major()}")
+    found = set(re.findall(r"\bA ([\w.]+)", run("nm", "-D", "--defined-only", library)))
+    if found != set(nodes()):
+        problems.append(f"symbols have the versions {found}, abi/VERSION and the baselines say {list(nodes())}")
     if re.search(r"\((RPATH|RUNPATH|TEXTREL)\)", dynamic):
         problems.append("the library carries a run path or text relocations")
     if not problems:
@@ -284,6 +329,32 @@ def check_refused(program, library, folder):
     return problems
 
 
+def check_too_old(compiler, library):
+    """A host that names a function newer than the last release starts with today's library, not with one that has the
+    names and versions of that release."""
+    newest, name = list(nodes())[-1], f"libdartsweep.so.{major()}"
+    added = sorted(set(functions(header_text())) - set(listed(baseline(".symbols"))))
+    if has_new_major() or not added:
+        print(f"nothing is newer than {releases()[-1]}")
+        return []
+    with tempfile.TemporaryDirectory() as folder:
+        def build(code, *arguments):
+            subprocess.run([compiler, "-x", "c", "-", *arguments], input=code, text=True, check=True)
+
+        pathlib.Path(folder, "released.map").write_text(map_text().split(f"{newest} {{")[0])
+        build("".join(f"int {each}(void) {{ return 0; }}\n" for each in listed(baseline(".symbols"))), "-shared", "-fPIC", "-o", f"{folder}/{name}",
+              f"-Wl,-soname,{name}", f"-Wl,--version-script={folder}/released.map")
+        host = f"extern int {added[0]}(void);\nint (*volatile named)(void) = {added[0]};\nint main(void) {{ return named == 0; }}\n"
+        build(host, "-o", f"{folder}/host", "-x", "none", library)
+        today, old = (subprocess.run([f"{folder}/host"], env={"LC_ALL": "C", "LD_LIBRARY_PATH": str(libraries)}, capture_output=True, text=True)
+                      for libraries in (pathlib.Path(library).parent, folder))
+    print(old.stderr.strip())
+    problems = [] if today.returncode == 0 else [f"the host does not start with today's library: {today.stderr}"]
+    if old.returncode != 1 or f"version `{newest}' not found" not in old.stderr:
+        problems.append(f"the loader should find no {newest} in the library of {releases()[-1]}, and says: {old.stderr or 'nothing'}")
+    return problems
+
+
 # ---- what renews ------------------------------------------------------------------------------------------------------
 
 
@@ -298,8 +369,7 @@ def next_version(version, kind=None):
     if not last:
         current, revision, age = 1, 0, 0
     else:
-        first_line = (ABI / "baseline" / f"{last[-1]}.symbols").read_text().split("\n")[0]
-        current, revision, age = (int(re.search(rf"{part} (\d+)", first_line).group(1)) for part in ("current", "revision", "age"))
+        current, revision, age = interface_of(last[-1])
         if kind == "break":
             current, revision, age = current + 1, 0, 0
         elif source_changes(last[-1]):
@@ -311,15 +381,19 @@ def next_version(version, kind=None):
     path = ABI / "VERSION"
     head = re.sub(r"^(current|revision|age) \d+\n", "", path.read_text(), flags=re.M)
     path.write_text(f"{head}current {current}\nrevision {revision}\nage {age}\n")
-    node = ABI / "dartsweep.map"
-    node.write_text(re.sub(r"DARTSWEEP_\d+", f"DARTSWEEP_{current - age}", node.read_text()))
+    (ABI / "dartsweep.map").write_text(map_text(before=version))
     print(f"current {current}, revision {revision}, age {age}: libdartsweep.so.{current - age}.{age}.{revision}")
+    return []
+
+
+def write_map():
+    (ABI / "dartsweep.map").write_text(map_text())
     return []
 
 
 COMMANDS = {"symbols": check_symbols, "needed": check_needed, "abidiff": check_abidiff, "source": check_source,
             "layout": check_layout, "structs": check_structs, "versions": check_versions, "refused": check_refused,
-            "describe": describe, "names": print_names, "next-version": next_version}
+            "too_old": check_too_old, "map": write_map, "describe": describe, "names": print_names, "next-version": next_version}
 
 
 def main():
