@@ -98,6 +98,32 @@ std::vector<Feature> nearest_boxes_first(const Obstacles& obstacles, const Vec& 
   return features;
 }
 
+/// How many cells have a box that is within `distance` of the segment's box.
+uint32_t cells_within(const World& world, const Vec& p, const Vec& q, double distance) {
+  constexpr Vec kNothingLow = {kNoLimit, kNoLimit, kNoLimit}, kNothingHigh = {-kNoLimit, -kNoLimit, -kNoLimit};
+  std::vector<std::array<Vec, 2>> boxes(world.mesh.cells.size(), {kNothingLow, kNothingHigh});
+  for (const Face& face : world.faces) {
+    for (const int cell : face.cell) {
+      if (cell < 0) continue;
+      auto& [low, high] = boxes[static_cast<size_t>(cell)];
+      for (const int corner : face.loop) {
+        const Vec& v = world.mesh.points[static_cast<size_t>(corner)];
+        for (size_t k = 0; k < 3; ++k) {
+          low[k] = std::min(low[k], v[k]);
+          high[k] = std::max(high[k], v[k]);
+        }
+      }
+    }
+  }
+  return static_cast<uint32_t>(std::count_if(boxes.begin(), boxes.end(), [&](const std::array<Vec, 2>& box) {
+    double apart = 0;
+    for (size_t k = 0; k < 3; ++k) {
+      apart = std::max({apart, box[0][k] - std::max(p[k], q[k]), std::min(p[k], q[k]) - box[1][k]});
+    }
+    return apart <= distance;
+  }));
+}
+
 /// From everywhere to everywhere: long and short, in axes, through vertices and along edges, beside edges, and points.
 std::array<Vec, 2> any_segment(const World& world, Motions& motions, Rng& rng) {
   const auto any_vertex = [&] { return world.mesh.points[rng.below(world.mesh.points.size())]; };
@@ -239,7 +265,11 @@ TEST_P(NearestSegmentTest, IsTheNearestOfAll) {
       ASSERT_EQ(ask(p, q, d * 1.001), DSW_STATUS_OK);
       EXPECT_EQ(near.nearest.distance, d);
       EXPECT_TRUE(same(near.nearest.cell, first.nearest.cell));
-      EXPECT_LE(near.nearest.volumes_visited, first.nearest.volumes_visited);
+      // Without a limit the tree of obstacles is asked after fewer volumes.
+      const uint32_t first_visited = first.nearest.volumes_visited;
+      if (near.nearest.volumes_visited > first_visited) {
+        EXPECT_LE(near.nearest.volumes_visited, cells_within(world, p, q, d * 1.001));
+      }
       ASSERT_EQ(ask(p, q, d * 0.999), DSW_STATUS_OK);
       EXPECT_EQ(near.nearest.distance, kNoLimit);
       EXPECT_EQ(near.nearest.cell.kind, DSW_CELL_NONE);
