@@ -381,6 +381,16 @@ AT(dsw_together_options, max_rounds, 12);
 AT(dsw_together_options, max_work, 16);
 GROWS(dsw_together_options, max_work);
 
+SIZE(dsw_scene_deform_options, 32);
+AT(dsw_scene_deform_options, struct_size, 0);
+AT(dsw_scene_deform_options, flags, 4);
+AT(dsw_scene_deform_options, stop, 8);
+AT(dsw_scene_deform_options, max_rounds, 12);
+AT(dsw_scene_deform_options, max_work, 16);
+AT(dsw_scene_deform_options, reserved, 20);
+AT(dsw_scene_deform_options, point_room, 24);
+GROWS(dsw_scene_deform_options, point_room);
+
 SIZE(dsw_near_row, 224);
 AT(dsw_near_row, point, 0);
 AT(dsw_near_row, obstacle_point, 24);

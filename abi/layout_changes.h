@@ -72,8 +72,8 @@ AT(dsw_deform_options, point_room, 32);
 AT(dsw_deform_options, remesh_radius, 40);
 AT(dsw_deform_options, remesh_max_faces, 44);
 AT(dsw_deform_options, max_holds, 48);
-AT(dsw_deform_options, max_work, 52);
-GROWS(dsw_deform_options, max_work);
+AT(dsw_deform_options, reserved, 52);
+GROWS(dsw_deform_options, reserved);
 
 SIZE(dsw_remesh_desc, 48);
 AT(dsw_remesh_desc, struct_size, 0);

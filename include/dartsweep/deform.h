@@ -76,8 +76,7 @@ typedef struct dsw_deform_options {
   /** SWEPT: work limit: how often a vertex may stay in its turn, in all steps; then all that move
    * one at a time stay. 0 means 16,384. @since 2.1 */
   uint32_t max_holds;
-  /** dsw_scene_deform: work limit, see dsw_together_options. @since 2.1 */
-  uint32_t max_work;
+  uint32_t reserved; /**< 0. @since 2.1 */
 } dsw_deform_options;
 
 /** What a deformation did, with its `outcome`. */

@@ -30,7 +30,7 @@ typedef enum dsw_together_stop {
   DSW_TOGETHER_STOP_FORCE_INT32 = 0x7fffffff
 } dsw_together_stop;
 
-/** Options of dsw_scene_move_together. */
+/** Options of dsw_scene_move_together and dsw_scene_move_rigid. */
 typedef struct dsw_together_options {
   uint32_t struct_size;
   uint32_t flags;
@@ -44,6 +44,22 @@ typedef struct dsw_together_options {
 
 /** Writes the defaults. @since 2.1 */
 DSW_API void dsw_together_options_init(dsw_together_options *options, size_t size);
+
+/** Options of dsw_scene_deform. */
+typedef struct dsw_scene_deform_options {
+  uint32_t struct_size;
+  uint32_t flags;
+  /** Default ALL. Not ISLAND. FEATURE: the environment's vertices of the parts that touch stop,
+   * too, and hold those of volumes that would become invalid; the rest goes on. */
+  dsw_together_stop stop;
+  uint32_t max_rounds; /**< See dsw_together_options. */
+  uint32_t max_work;   /**< See dsw_together_options. At the limit nothing moves. */
+  uint32_t reserved;   /**< 0. */
+  size_t point_room;   /**< See dsw_deform_options. */
+} dsw_scene_deform_options;
+
+/** Writes the defaults. @since 2.1 */
+DSW_API void dsw_scene_deform_options_init(dsw_scene_deform_options *options, size_t size);
 
 /** Moves all vertices of some bodies to their targets, all at once. Bodies of the call that could
  * meet each other on their ways, directly or through others, are an island. Other bodies stand
@@ -76,26 +92,26 @@ DSW_API dsw_status dsw_scene_move_rigid(dsw_scene *scene, const dsw_body_id *bod
                                         const dsw_together_options *options,
                                         dsw_move_report *reports);
 
-/** Takes the environment of a scene with DSW_FEATURE_DEFORMING and bodies to new positions, all at
- * once. Other bodies and particles stand still. At the first contact of anything everything stops.
- * A volume that holds or nears a body or particle has to stay valid on the whole way; else all ways
- * end at 1/2, 1/4, ... of it.
+/** Takes bodies to their targets while the environment of a scene with DSW_FEATURE_DEFORMING goes
+ * to new positions, all at once: no body is pushed, and what touches stops, see `stop`. Other
+ * bodies and particles stand still. A volume that holds or nears a body or particle has to stay
+ * valid on the whole way; else all ways end at 1/2, 1/4, ... of it.
  * @param next `point_count` points as in dsw_environment_deform; overwritten if the outcome is
- * FRACTION.
+ * FRACTION or HELD.
  * @param bodies distinct.
  * @param targets `target_count` points.
- * @param options `point_room` and `max_work` count.
- * @param report `outcome`: DONE, FRACTION, REFUSED or LIMITED, as REFUSED. Contacts have `response`
- * DSW_WALL_STOP.
+ * @param report `outcome`: DONE, FRACTION, HELD with FEATURE, REFUSED or LIMITED, as REFUSED;
+ * `fraction`: of those not held. Contacts have `response` DSW_WALL_STOP.
+ * @param reports as of dsw_scene_move_together.
  * @return as dsw_environment_deform; DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body of the scene has
- * a radius; WRONG_SIZE: also target_count.
+ * a radius, or `stop` is ISLAND; WRONG_SIZE: also target_count.
  * @note Cost: as dsw_scene_move_together, and O(particles); O(n) each time that all ways are
  * shortened, at most 53 times. Writes the environment, too. @since 2.1 */
 DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point_count,
                                     const dsw_body_id *bodies, size_t count, const double *targets,
                                     size_t target_count, size_t stride_bytes,
-                                    const dsw_deform_options *options, dsw_deform_report *report,
-                                    dsw_move_report *reports);
+                                    const dsw_scene_deform_options *options,
+                                    dsw_deform_report *report, dsw_move_report *reports);
 
 #ifdef __cplusplus
 }

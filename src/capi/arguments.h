@@ -242,7 +242,7 @@ struct MovedPoints {
   template <class Given>
   void read(WordReader& from, Given& given, const CallPlace& place) const {
     auto& options = std::get<kOptions>(given);
-    auto* const own = keep<dsw_deform_options>(*place.replay);
+    auto* const own = keep<std::decay_t<decltype(*options)>>(*place.replay);
     *own = *options;
     options = own;
     std::get<1>(given) = read_moved_points(from, *place.replay, own->point_room, std::get<2>(given));

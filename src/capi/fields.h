@@ -98,7 +98,7 @@ DSW_FIELDS(dsw_remesh_desc,
 DSW_FIELDS(dsw_deform_options,
   DSW_SAME(struct_size), DSW_SAME(flags), DSW_SAME(method), DSW_SAME(response), DSW_SAME(invalid),
   DSW_SAME(most_halvings), DSW_SAME(min_part), DSW_WIDE(point_room), DSW_SAME(remesh_radius),
-  DSW_SAME(remesh_max_faces), DSW_SAME(max_holds), DSW_SAME(max_work));
+  DSW_SAME(remesh_max_faces), DSW_SAME(max_holds), DSW_SAME(reserved));
 DSW_FIELDS(dsw_body_desc,
   DSW_SAME(struct_size), DSW_SAME(flags), DSW_SAME(level), DSW_SAME(reserved), DSW_WIDE(positions),
   DSW_WIDE(vertex_count), DSW_WIDE(stride_bytes), DSW_WIDE(hints), DSW_WIDE(edges), DSW_WIDE(edge_count),
@@ -110,6 +110,9 @@ DSW_FIELDS(dsw_move_options,
   DSW_SAME(stand_off), DSW_SAME(noise_share), DSW_WIDE(order), DSW_WIDE(order_count));
 DSW_FIELDS(dsw_together_options,
   DSW_SAME(struct_size), DSW_SAME(flags), DSW_SAME(stop), DSW_SAME(max_rounds), DSW_SAME(max_work));
+DSW_FIELDS(dsw_scene_deform_options,
+  DSW_SAME(struct_size), DSW_SAME(flags), DSW_SAME(stop), DSW_SAME(max_rounds), DSW_SAME(max_work),
+  DSW_SAME(reserved), DSW_WIDE(point_room));
 DSW_FIELDS(dsw_cast_options,
   DSW_SAME(struct_size), DSW_SAME(flags), DSW_SAME(max_volumes), DSW_SAME(reserved));
 DSW_FIELDS(dsw_validation,

@@ -22,7 +22,8 @@ uint32_t to_kilo_products(uint32_t max_work) {
   return capi::to_count(max_work, UINT32_MAX, dsw::TogetherSettings().kilo_products, "options->max_work");
 }
 
-dsw::TogetherSettings to_settings(const dsw_together_options& o) {
+template <class Options>
+dsw::TogetherSettings to_settings(const Options& o) {
   dsw::TogetherSettings s;
   s.stop = static_cast<dsw::TogetherStop>(capi::to_number(o.stop, DSW_TOGETHER_STOP_FEATURE, "options->stop"));
   s.rounds = capi::to_count(o.max_rounds, kMostRounds, s.rounds, "options->max_rounds");
@@ -78,17 +79,20 @@ dsw_status dsw_scene_move_rigid(dsw_scene* scene, const dsw_body_id* bodies, siz
 
 dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, const dsw_body_id* bodies, size_t count,
                             const double* targets, size_t target_count, size_t stride_bytes,
-                            const dsw_deform_options* options, dsw_deform_report* report, dsw_move_report* reports) {
+                            const dsw_scene_deform_options* options, dsw_deform_report* report,
+                            dsw_move_report* reports) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     capi::check_enabled(s.features.deforming, "DSW_FEATURE_DEFORMING");
-    const dsw_deform_options o = capi::read_optional(options, "options", 0);
-    dsw::TogetherSettings settings;
-    settings.kilo_products = to_kilo_products(o.max_work);
+    const dsw_scene_deform_options o = capi::read_optional(options, "options", 0);
+    const dsw::TogetherSettings settings = to_settings(o);
+    if (settings.stop == dsw::TogetherStop::kIsland) {
+      fail(DSW_STATUS_UNSUPPORTED, "options->stop is ISLAND: all touch the same environment");
+    }
     capi::check_next(s.env, next, point_count, o.point_room);
     const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
     const dsw::PointArray points = capi::check_all_targets(records, targets, target_count, stride_bytes);
-    dsw_deform_options written = o;
+    dsw_scene_deform_options written = o;
     written.point_room = capi::recorded_room(*scene, o.point_room);
     capi::Recorded call(scene, capi::row_of<dsw_scene_deform>, next, point_count, bodies, count, targets, target_count,
                         stride_bytes, &written);

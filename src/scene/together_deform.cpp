@@ -12,6 +12,7 @@
 #include "scene/scene.h"
 #include "together/moving_walls.h"
 #include "together/settings.h"
+#include "together/shortened_ways.h"
 #include "together/whole_ways.h"
 
 namespace dsw {
@@ -29,6 +30,7 @@ class Call {
         particles_(scene.memory),
         still_record_(scene.memory),
         ways_(env_),
+        shortened_(env_, ways_.walls, ways_.bodies),
         settings_(settings) {
     points_.begin(next);
   }
@@ -42,6 +44,7 @@ class Call {
   uint64_t most_work() const noexcept;
   void add_particles();
   bool try_way();
+  void shorten_each();
   void forget_touches();
   bool arrive(double time);
   void shorten(double way);
@@ -56,6 +59,8 @@ class Call {
   Array<uint32_t> slots_{scene_.memory};  // of the particles
   MoveRecord still_record_;               // of what stands still
   WholeWays<D, MovingWalls<D>> ways_;
+  ShortenedWays<D, MovingWalls<D>> shortened_;
+  double touch_time_ = 1;  // of the first touch on the way that is tried
   TogetherSettings settings_;
   Array<Trajectory<D>> trajectories_{scene_.memory};
   Array<PointArray> targets_{scene_.memory};          // of the trajectories, for the whole way
@@ -147,12 +152,13 @@ void Call<D>::run() {
     if (has_gone) {
       record_.invalid.swap(invalid);
       record_.fraction = halving.way * ways_.time();
+      touch_time_ *= halving.way;
       describe_walls();
     } else {
       forget_touches();
       record_.fraction = 0;
     }
-    for (Trajectory<D>& of : trajectories_) of.record->fraction = record_.fraction;
+    for (Trajectory<D>& of : trajectories_) of.record->fraction = has_gone ? touch_time_ : 0;
   } catch (const WorkOver&) {
     forget_touches();
     record_.clear();
@@ -165,8 +171,10 @@ void Call<D>::run() {
     take_back();
     throw;
   }
-  record_.outcome = record_.fraction == 1   ? DSW_DEFORM_DONE
-                    : record_.fraction == 0 ? DSW_DEFORM_REFUSED
+  if (record_.fraction != 0) ways_.walls.held.add_held(record_.held);
+  record_.outcome = record_.fraction == 0   ? DSW_DEFORM_REFUSED
+                    : !record_.held.empty() ? DSW_DEFORM_HELD
+                    : record_.fraction == 1 ? DSW_DEFORM_DONE
                                             : DSW_DEFORM_FRACTION;
   if (record_.fraction == 0) take_back();
 }
@@ -176,15 +184,36 @@ void Call<D>::forget_touches() {
   for (Trajectory<D>& of : trajectories_) of.record->clear();
 }
 
-/** Goes up to the first touch, if all cells that are met stay valid. */
+/** Goes up to the first touch, or each part up to its own, if all cells that are met stay valid. */
 template <int D>
 bool Call<D>::try_way() {
   forget_touches();
-  ways_.walls.begin(points_.nexts(), record_.invalid);
+  ways_.walls.begin(points_, record_.invalid);
   ways_.start(trajectories_, scene_.features.contacts && !trajectories_.empty());
   if (!ways_.walls.stay_valid()) return false;
-  if (ways_.find_touches(trajectories_)) ways_.stop(trajectories_);
+  if (settings_.stop == TogetherStop::kFeature) {
+    shorten_each();
+  } else {
+    if (ways_.find_touches(trajectories_)) ways_.stop(trajectories_);
+    touch_time_ = ways_.time();
+  }
   return ways_.time() == 0 || arrive(ways_.time());
+}
+
+/** Shortens the way of each part that touches. If the rounds are over before all is free, all ways end together. */
+template <int D>
+void Call<D>::shorten_each() {
+  ways_.set_ends(trajectories_, 1);
+  const auto end = shortened_.run(trajectories_, settings_.rounds, false);
+  touch_time_ = shortened_.first_time();
+  if (end == ShortenedWays<D, MovingWalls<D>>::End::kFree) return;
+  ways_.walls.held.look_at_all();
+  for (Trajectory<D>& of : trajectories_) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
+  if (!ways_.find_touches(trajectories_)) return;
+  forget_touches();  // what stopped single parts is not what stops them all
+  ways_.walls.contacts.clear();
+  ways_.stop(trajectories_);
+  touch_time_ = std::min(touch_time_, ways_.time());
 }
 
 /** All goes to the ends of its way; false if that does not lead into valid cells, and then nothing has gone. */

@@ -81,7 +81,7 @@ bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Trajectory<D>>& tr
     const bool has_still = of.still != nullptr && !of.still->all.empty();
     if (trajectories.size() != 1 || has_still || !covers_edges(body.level) || !fresh_boxes(body).loners.empty())
       return false;
-    near_.start(body, false, [&](uint32_t v) { return of.target(v); });
+    near_.start(body, false, [&](uint32_t v) { return of.reach(v); });
     if (!near_.active()) return false;
     for (uint32_t e = 0; e < body.edges.size(); ++e) {
       if (!body.has_edge(e)) continue;

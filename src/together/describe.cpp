@@ -7,62 +7,21 @@
 #include "contact/describe.h"
 #include "contact/normals.h"
 #include "environment/marking.h"
+#include "together/touch_moment.h"
 
 namespace dsw {
 namespace {
 
-/** Where the points of a pair are when it touches, and how they move. */
-template <int D>
-struct Moment {
-  Vec at[D + 1], way[D + 1];
-
-  explicit Moment(const WayTouch<D>& met) {
-    for (int i = 0; i <= D; ++i) {
-      double place[D];
-      point_at<D>(met.pair.start[i], met.pair.end[i], met.first.time, place);
-      at[i] = to_vec<D>(place);
-      way[i] = difference<D>(met.pair.end[i], met.pair.start[i]);
-    }
-  }
-};
-
-/** A place on a segment, as a share of it. */
-double clamped_share(double along, double whole) { return whole > 0 ? std::clamp(along / whole, 0.0, 1.0) : 0; }
-
-/** The point of the first segment that is nearest to the second. */
-Vec nearest_on_first(const Vec& p, const Vec& q, const Vec& a, const Vec& b) {
-  const Vec d = q - p, e = b - a, w = p - a;
-  const double dd = dot(d, d), de = dot(d, e), ee = dot(e, e), dw = dot(d, w), ew = dot(e, w);
-  const double whole = dd * ee - de * de;
-  double share = clamped_share(de * ew - ee * dw, whole);
-  const double other = clamped_share(ew + share * de, ee);
-  share = clamped_share(other * de - dw, dd);
-  return p + share * d;
-}
-
-/** The sides of a pair are on two sides of the plane with this normal, which turns as `turn` says. They come together
- * there: `gap` leads from the second to the first, and grows by `way`. */
-Vec normal_of(const Vec& across, const Vec& turn, const Vec& gap, const Vec& way) {
-  const double approach = dot(across, way) + dot(turn, gap);
-  if (is_zero(across)) return against(Vec::Zero(), way);
-  return (approach > 0 ? -1.0 : 1.0) * unit(across);
-}
-
 /** When and where a pair touches, with the unit normal from its second side to the first. */
 template <int D>
 Touch touch_of(const WayTouch<D>& met, double sign) {
-  const Moment<D> m(met);
-  Vec normal, point = m.at[0];
-  if constexpr (D == 2) {
-    const Vec edge = m.at[2] - m.at[1], edge_way = m.way[2] - m.way[1];
-    normal = normal_of(turned(edge), turned(edge_way), m.at[0] - m.at[1], m.way[0] - m.way[1]);
-  } else if (met.pair.kind == PairKind::kVertexFace) {
-    const Vec e = m.at[2] - m.at[1], f = m.at[3] - m.at[1], we = m.way[2] - m.way[1], wf = m.way[3] - m.way[1];
-    normal = normal_of(e.cross(f), we.cross(f) + e.cross(wf), m.at[0] - m.at[1], m.way[0] - m.way[1]);
-  } else {
-    const Vec e = m.at[1] - m.at[0], f = m.at[3] - m.at[2], we = m.way[1] - m.way[0], wf = m.way[3] - m.way[2];
-    normal = normal_of(e.cross(f), we.cross(f) + e.cross(wf), m.at[0] - m.at[2], m.way[0] - m.way[2]);
-    point = nearest_on_first(m.at[0], m.at[1], m.at[2], m.at[3]);
+  const TouchMoment<D> m(met.pair, met.first.time);
+  const Vec normal = m.normal(met.pair.kind);
+  Vec point = m.at[0];
+  if constexpr (D == 3) {
+    if (met.pair.kind == PairKind::kEdgeEdge) {
+      point = point + nearest_share(m.at[0], m.at[1], m.at[2], m.at[3]) * (m.at[1] - m.at[0]);
+    }
   }
   Touch touch;
   touch.time = met.first.time;

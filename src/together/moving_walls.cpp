@@ -39,10 +39,11 @@ bool is_exact_difference(double a, double b, double difference) {
 }  // namespace
 
 template <int D>
-void MovingWalls<D>::begin(const double* next, Array<dsw_volume_id>& invalid) noexcept {
-  next_ = next;
+void MovingWalls<D>::begin(PointsWay<D>& way, Array<dsw_volume_id>& invalid) noexcept {
+  held.begin(way);
+  next_ = way.nexts();
   invalid_ = &invalid;
-  flood_.set_next(next);
+  flood_.set_next(next_);
 }
 
 template <int D>
@@ -70,7 +71,7 @@ void MovingWalls<D>::collect(const Trajectory<D>& of, uint32_t number, const Sim
   const double* ways[3][2];
   for (uint32_t i = 0; i < corners.count; ++i) {
     ways[i][0] = of.start(corners.vertices[i]);
-    ways[i][1] = of.target(corners.vertices[i]);
+    ways[i][1] = of.reach(corners.vertices[i]);
     for (uint32_t k = i; k > 0 && is_before<D>(ways[k], ways[k - 1]); --k) std::swap(ways[k], ways[k - 1]);
   }
   const double* points[6] = {};
@@ -156,15 +157,25 @@ void MovingWalls<D>::find_first(const Array<Trajectory<D>>& trajectories, Array<
   });
 }
 
-/** Calls visit(touch) for what touches on its way, until it returns false. */
+template <int D>
+void MovingWalls<D>::find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all) {
+  visit_touches(trajectories, [&](const WayTouch<D>& touch) {
+    all.push_back(touch);
+    return true;
+  });
+}
+
+/** Calls visit(touch) for what touches on its way, if that is new, until it returns false. */
 template <int D>
 template <class Visit>
 bool MovingWalls<D>::visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit) {
   for (const Near& near : nears_) {
     const Trajectory<D>& of = trajectories[near.trajectory];
+    const bool is_new_part = is_new(of, SimplexCorners<D>(*of.motion.body, near.part));
     ++counts.swept;
     for (uint32_t i = near.first_feature; i < near.feature_end; ++i) {
       WayTouch<D> touch{};
+      if (!is_new_part && !held.has_new(features_[i].name.vertices, features_[i].name.count)) continue;
       if (!set_pair(of, near, features_[i], touch) || !boxes_overlap(touch.pair)) continue;
       touch.first = first_touch(touch.pair, work);
       if (!touch.first.touches || stays_free(touch, 1 + static_cast<uint32_t>(near.part.kind))) continue;
@@ -228,9 +239,8 @@ bool MovingWalls<D>::stays_free(const WayTouch<D>& touch, uint32_t part_count) c
 }
 
 template <int D>
-void MovingWalls<D>::describe(const Array<Trajectory<D>>& trajectories, const Array<WayTouch<D>>& first) {
-  contacts.clear();
-  for (const WayTouch<D>& touch : first) {
+void MovingWalls<D>::describe(const Array<Trajectory<D>>& trajectories, const Array<WayTouch<D>>& touches) {
+  for (const WayTouch<D>& touch : touches) {
     if (touch.other != nullptr) continue;
     const Trajectory<D>& of = trajectories[touch.trajectory];
     dsw_wall_contact& contact = contacts.emplace_back(describe_wall(env_, trajectories, touch));

@@ -3,7 +3,7 @@
 
 #include "dartsweep/deform.h"
 #include "proximity/obstacles_near.h"
-#include "together/trajectory.h"
+#include "together/held_points.h"
 
 namespace dsw {
 
@@ -15,9 +15,9 @@ class MovingWalls {
  public:
   explicit MovingWalls(const Environment<D>& env) : env_(env), flood_(env), list_(env.memory) {}
 
-  /** The environment's points go straight from where they are to `next`. Cells that are met and do not stay valid on the
+  /** The environment's points go straight from where they are to those in way.nexts(). Cells that are met and do not stay valid on the
    * way are appended to `invalid`. */
-  void begin(const double* next, Array<dsw_volume_id>& invalid) noexcept;
+  void begin(PointsWay<D>& way, Array<dsw_volume_id>& invalid) noexcept;
   /** Finds what comes near the whole ways of all parts in the call. Throws NON_FINITE also. */
   void start(const Array<Trajectory<D>>& trajectories);
   /** Whether all cells that are met stay valid. */
@@ -26,6 +26,18 @@ class MovingWalls {
   void set_end(double time);
   bool is_free(const Array<Trajectory<D>>& trajectories);
   void find_first(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& first);
+  /** Appends what each pair of a part and a feature touches first, of those with something new. */
+  void find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all);
+
+  // Points whose ways are shortened, each for itself.
+  HeldPoints<D> held{env_};
+  /** See HeldPoints. */
+  void start_round() { held.start_round(checked_); }
+  /** The points of a round have been shortened. */
+  void finish_round() {
+    held.keep_valid(checked_);
+    set_end(1);
+  }
   /** When the environment has its points of the end, which are rounded: whether all cells that are met stay valid on
    * the straight way there from `start`. Those that do not are appended to `invalid` of begin(). */
   bool stayed_valid(const double* start);
@@ -36,9 +48,9 @@ class MovingWalls {
   /** Nothing is known of paths before the end. */
   void cast_paths(Array<Trajectory<D>>&) noexcept {}
   void set_counters(CastCounters*) noexcept {}
-  /** Keeps how a host reads what is touched of the environment. Particles are of the body without a name. */
-  void describe(const Array<Trajectory<D>>& trajectories, const Array<WayTouch<D>>& first);
-  Array<dsw_wall_contact> contacts{env_.memory};  // that were kept last
+  /** Keeps how a host reads what is touched of the environment, after what was kept. Particles are of the body without a name. */
+  void describe(const Array<Trajectory<D>>& trajectories, const Array<WayTouch<D>>& touches);
+  Array<dsw_wall_contact> contacts{env_.memory};  // that were kept since start()
   SweepCounts counts;                             // of edges and faces
   PairWork* work = nullptr;
 

@@ -59,7 +59,7 @@ typename NearWalls<D>::Reach NearWalls<D>::reach_of(const Trajectory<D>& of, con
   constexpr double kMoreThanDiagonal = 1.8;  // than the square root of 3
   Reach reach{0, 0};
   for (uint32_t i = 0; i < part.corners.count; ++i) {
-    const double *const from = part.points[i], *const to = of.target(part.corners.vertices[i]);
+    const double *const from = part.points[i], *const to = of.reach(part.corners.vertices[i]);
     for (int k = 0; k < D; ++k) {
       reach.way = std::max(reach.way, std::fabs(to[k] - from[k]));
       reach.size = std::max(reach.size, std::fabs(from[k] - part.points[0][k]));
@@ -88,7 +88,7 @@ void NearWalls<D>::collect(const Trajectory<D>& of, const Part<D>& part, const R
     const double* points[6] = {};
     for (uint32_t i = 0; i < count; ++i) {
       points[i] = part.points[i];
-      points[count + i] = of.target(part.corners.vertices[i]);
+      points[count + i] = of.reach(part.corners.vertices[i]);
     }
     const Cell start = of.motion.body->vertices[part.corners.vertices[0]].cell;
     add_obstacles(lists_.in(start, NearRegion<D>(points, 2 * count, room_of_rounding<D>(points, 2 * count))), nullptr,

@@ -11,6 +11,8 @@
 #include <algorithm>
 
 #include "predicates/filtered.h"
+#include "together/moving_walls.h"
+#include "together/wall_ways.h"
 
 namespace dsw {
 namespace {
@@ -23,14 +25,17 @@ std::tuple<double, uint32_t> key_of(const WayTouch<D>& touch) {
 
 }  // namespace
 
-template <int D>
-typename ShortenedWays<D>::End ShortenedWays<D>::run(Array<Trajectory<D>>& trajectories, uint32_t most_rounds,
-                                                     bool may_end_at_walls) {
+template <int D, class Walls>
+typename ShortenedWays<D, Walls>::End ShortenedWays<D, Walls>::run(Array<Trajectory<D>>& trajectories,
+                                                                   uint32_t most_rounds, bool may_end_at_walls) {
   names_.clear();
   watched_.clear();
   cuts_.clear();
+  point_cuts_.clear();
   group_ = 0;
+  first_time_ = 1;
   for (const Trajectory<D>& of : trajectories) cuts_.emplace_back(of.is_new.size(), Cut{}, env_.memory);
+  walls_.held.look_at_all();
   for (uint32_t round = 0; round < most_rounds; ++round) {
     find_touches(trajectories);
     if (touches_.empty()) return End::kFree;
@@ -39,15 +44,15 @@ typename ShortenedWays<D>::End ShortenedWays<D>::run(Array<Trajectory<D>>& traje
       if (may_end_at_walls && starts_at_walls()) return End::kAtWalls;
     }
     for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{0});
+    walls_.start_round();
+    point_cuts_.resize(walls_.held.count());
     const uint32_t before = group_;
     for (size_t first = 0, end; first < touches_.size(); first = end) {
       end = end_of_group(first);
       chosen_.clear();
       for (size_t i = first; i < end; ++i) {
         bool is_changed = false;
-        for_each_touching(trajectories, touches_[i], [&](Trajectory<D>& of, uint32_t v) {
-          is_changed = is_changed || cut_of(trajectories, of, v).group > before;
-        });
+        for_each_cut(trajectories, touches_[i], [&](const Cut& cut) { is_changed = is_changed || cut.group > before; });
         // What is passed over is looked at again, as one of its vertices has a new goal.
         if (!is_changed) chosen_.push_back(touches_[i]);
       }
@@ -61,8 +66,8 @@ typename ShortenedWays<D>::End ShortenedWays<D>::run(Array<Trajectory<D>>& traje
 }
 
 /** Finds all touches that are new, and sorts them by time. */
-template <int D>
-void ShortenedWays<D>::find_touches(const Array<Trajectory<D>>& trajectories) {
+template <int D, class Walls>
+void ShortenedWays<D, Walls>::find_touches(const Array<Trajectory<D>>& trajectories) {
   touches_.clear();
   walls_.find_all(trajectories, touches_);
   bodies_.find_all(trajectories, touches_);
@@ -70,7 +75,7 @@ void ShortenedWays<D>::find_touches(const Array<Trajectory<D>>& trajectories) {
   for (const WayTouch<D>& each : watched_) {
     const Trajectory<D>& of = trajectories[each.trajectory];
     if (of.is_new[each.part.index] == 0 || !of.motion.ways[each.part.index].arrival.valid()) continue;
-    if (orient<D>(each.pair.start + 1, of.end(each.part.index)) != 0) continue;
+    if (orient<D>(each.pair.end + 1, of.end(each.part.index)) != 0) continue;
     WayTouch<D> again = each;
     again.first = {true, 1};
     if (of.moves(each.part.index)) touches_.push_back(again);
@@ -81,8 +86,8 @@ void ShortenedWays<D>::find_touches(const Array<Trajectory<D>>& trajectories) {
 }
 
 /** Whether all that is touched at time 0 are walls, by edges and faces. */
-template <int D>
-bool ShortenedWays<D>::starts_at_walls() const {
+template <int D, class Walls>
+bool ShortenedWays<D, Walls>::starts_at_walls() const {
   bool any = false;
   for (const WayTouch<D>& each : touches_) {
     if (each.first.time > 0) break;
@@ -92,16 +97,16 @@ bool ShortenedWays<D>::starts_at_walls() const {
   return any;
 }
 
-template <int D>
-size_t ShortenedWays<D>::end_of_group(size_t first) const {
+template <int D, class Walls>
+size_t ShortenedWays<D, Walls>::end_of_group(size_t first) const {
   size_t end = first + 1;
   while (end < touches_.size() && key_of(touches_[end]) == key_of(touches_[first])) ++end;
   return end;
 }
 
 /** Adds those to the records that are not there. */
-template <int D>
-void ShortenedWays<D>::describe_chosen(Array<Trajectory<D>>& trajectories) {
+template <int D, class Walls>
+void ShortenedWays<D, Walls>::describe_chosen(Array<Trajectory<D>>& trajectories) {
   told_.clear();
   for (const WayTouch<D>& each : chosen_) {
     const auto name = name_of(each);
@@ -112,21 +117,26 @@ void ShortenedWays<D>::describe_chosen(Array<Trajectory<D>>& trajectories) {
     if (each.other == nullptr && each.part.kind == Simplex::kVertex) watched_.push_back(each);
   }
   describe_touches(env_, trajectories, told_);
+  walls_.describe(trajectories, told_);
+}
+
+template <int D, class Walls>
+template <class Visit>
+void ShortenedWays<D, Walls>::for_each_cut(Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, Visit visit) {
+  for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) { visit(cut_of(trajectories, of, v)); });
+  walls_.held.for_each(touch, [&](uint32_t number) { visit(point_cuts_[number]); });
 }
 
 /** Lets all vertices of a touch go up to a time before it. The more often their ways were shortened, the longer before. */
-template <int D>
-void ShortenedWays<D>::shorten_chosen(Array<Trajectory<D>>& trajectories) {
+template <int D, class Walls>
+void ShortenedWays<D, Walls>::shorten_chosen(Array<Trajectory<D>>& trajectories) {
   constexpr uint32_t kMostDoublings = 60;
   for (const WayTouch<D>& touch : chosen_) {
     double step = step_back(touch);
     uint32_t doublings = 0;
-    for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) {
-      doublings = std::max(doublings, cut_of(trajectories, of, v).count);
-    });
+    for_each_cut(trajectories, touch, [&](const Cut& cut) { doublings = std::max(doublings, cut.count); });
     for (uint32_t k = 0; k < std::min(doublings, kMostDoublings); ++k) step *= 2;
-    for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) {
-      Cut& cut = cut_of(trajectories, of, v);
+    for_each_cut(trajectories, touch, [&](Cut& cut) {
       cut.time = cut.group == group_ ? std::min(cut.time, touch.first.time - step) : touch.first.time - step;
       cut.group = group_;
     });
@@ -134,11 +144,12 @@ void ShortenedWays<D>::shorten_chosen(Array<Trajectory<D>>& trajectories) {
   // Only now, as touches of one group may share vertices.
   for (const WayTouch<D>& touch : chosen_) {
     for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) { of.is_new[v] = 1; });
+    walls_.held.for_each(touch, [&](uint32_t number) { walls_.held.set_new(number); });
   }
 }
 
-template <int D>
-void ShortenedWays<D>::set_goals(Array<Trajectory<D>>& trajectories) {
+template <int D, class Walls>
+void ShortenedWays<D, Walls>::set_goals(Array<Trajectory<D>>& trajectories) {
   for (Trajectory<D>& of : trajectories) {
     for (uint32_t v = 0; v < of.is_new.size(); ++v) {
       if (of.is_new[v] == 0) continue;
@@ -152,10 +163,18 @@ void ShortenedWays<D>::set_goals(Array<Trajectory<D>>& trajectories) {
       std::copy_n(of.goal(v), D, of.end(v));
     }
   }
+  for (uint32_t number = 0; number < point_cuts_.size(); ++number) {
+    if (!walls_.held.is_new(number)) continue;
+    ++point_cuts_[number].count;
+    walls_.held.shorten(number, point_cuts_[number].time);
+  }
+  walls_.finish_round();
   walls_.cast_paths(trajectories);
 }
 
-template class ShortenedWays<2>;
-template class ShortenedWays<3>;
+template class ShortenedWays<2, WallWays<2>>;
+template class ShortenedWays<3, WallWays<3>>;
+template class ShortenedWays<2, MovingWalls<2>>;
+template class ShortenedWays<3, MovingWalls<3>>;
 
 }  // namespace dsw

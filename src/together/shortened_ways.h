@@ -5,19 +5,19 @@
 
 #include "together/body_ways.h"
 #include "together/describe.h"
-#include "together/wall_ways.h"
 
 namespace dsw {
 
-/** One for each thread. Throws std::bad_alloc. */
-template <int D>
+/** One for each thread. Throws std::bad_alloc and WorkOver.
+ * @tparam Walls see WholeWays. */
+template <int D, class Walls>
 class ShortenedWays {
  public:
   /** How it ended. kRoundsOver: something may still be touched. kAtWalls: nothing was done, since edges or faces touch
    * walls at the start. */
   enum class End { kFree, kRoundsOver, kAtWalls };
 
-  ShortenedWays(const Environment<D>& env, WallWays<D>& walls, BodyWays<D>& bodies)
+  ShortenedWays(const Environment<D>& env, Walls& walls, BodyWays<D>& bodies)
       : env_(env), walls_(walls), bodies_(bodies) {}
 
   /** Shortens the ways to the goals, which are those of the call.
@@ -43,16 +43,20 @@ class ShortenedWays {
     uint32_t count = 0;  // how often its way has been shortened in the call
     double time = 1;     // up to which it goes
   };
+  /** Calls visit(cut) for the points of a touch: vertices of the call's bodies, and points of the environment that go. */
+  template <class Visit>
+  void for_each_cut(Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, Visit visit);
   Cut& cut_of(const Array<Trajectory<D>>& trajectories, const Trajectory<D>& of, uint32_t v) {
     return cuts_[static_cast<size_t>(&of - trajectories.data())][v];
   }
 
   const Environment<D>& env_;
-  WallWays<D>& walls_;
+  Walls& walls_;
   BodyWays<D>& bodies_;
   Array<WayTouch<D>> touches_{env_.memory}, chosen_{env_.memory}, watched_{env_.memory}, told_{env_.memory};
   Array<decltype(name_of(WayTouch<D>()))> names_{env_.memory};  // of contacts that have been described, sorted
   Array<Array<Cut>> cuts_{env_.memory};                         // by trajectory and vertex
+  Array<Cut> point_cuts_{env_.memory};                          // of the environment's points, by the walls' numbers
   uint32_t group_ = 0;
   double first_time_ = 1;
 };

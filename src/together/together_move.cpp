@@ -51,7 +51,7 @@ typename TogetherMove<D>::Round TogetherMove<D>::run_round(Array<Trajectory<D>>&
 template <int D>
 typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Trajectory<D>>& trajectories, uint32_t most_rounds,
                                                               bool may_depart) {
-  using End = typename ShortenedWays<D>::End;
+  using End = typename ShortenedWays<D, WallWays<D>>::End;
   ways_.walls.limits_parts = true;
   const auto look_at_all = [&] {
     for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
@@ -79,10 +79,13 @@ typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Trajectory<D
   const bool is_free = end == End::kFree;
   for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
   if (!is_free) {
-    for (Trajectory<D>& of : trajectories)
-      of.record->clear();  // what stopped single vertices is not what stops them all
-    run_round(trajectories, false);
-    time_ = std::min(time_, shortened_.first_time());
+    if (ways_.find_touches(trajectories)) {
+      for (Trajectory<D>& of : trajectories)
+        of.record->clear();  // what stopped single vertices is not what stops them all
+      ways_.stop(trajectories);
+    }
+    time_ = std::min(ways_.time(), shortened_.first_time());
+    ways_.arrive(trajectories);
     return Round::kStopped;
   }
   time_ = shortened_.first_time();

@@ -3,6 +3,7 @@
 
 #include "together/settings.h"
 #include "together/shortened_ways.h"
+#include "together/wall_ways.h"
 #include "together/whole_ways.h"
 
 namespace dsw {
@@ -30,7 +31,7 @@ class TogetherMove {
   bool departs(Array<Trajectory<D>>& trajectories);
 
   WholeWays<D, WallWays<D>> ways_;
-  ShortenedWays<D> shortened_;
+  ShortenedWays<D, WallWays<D>> shortened_;
   double time_ = 1;  // of a round, up to which all have gone
 };
 

@@ -23,19 +23,21 @@ struct Trajectory {
   const Partners<D>* still = nullptr;  // bodies that it may meet and that do not move in this call; null: none
   Array<double> goals;    // where its vertices go, as far as that is known to be free, or not known to be blocked
   Array<double> ends;     // where they go in the way that is looked at
+  Array<double> reaches;  // empty, or ends of the ways that parts are collected for; then these are not the targets
+  bool stands = false;    // nothing moves it
   Array<double> limits;   // times up to which edges and faces at a vertex are looked at
   Array<uint8_t> is_new;  // vertices whose ways have not been looked at; parts without one are passed over
 
   explicit Trajectory(const Memory* memory)
-      : motion(memory), goals(memory), ends(memory), limits(memory), is_new(memory) {}
+      : motion(memory), goals(memory), ends(memory), reaches(memory), limits(memory), is_new(memory) {}
 
   const double* start(uint32_t v) const { return motion.body->position(v); }
   const double* end(uint32_t v) const { return ends.data() + size_t{v} * D; }
   double* end(uint32_t v) { return ends.data() + size_t{v} * D; }
   const double* goal(uint32_t v) const { return goals.data() + size_t{v} * D; }
   double* goal(uint32_t v) { return goals.data() + size_t{v} * D; }
-  /** Where a vertex is told to go. All places on its ways are in the box of its start and its target. */
-  const double* target(uint32_t v) const { return motion.targets[v]; }
+  /** All places on the ways of a vertex are in the box of its start and this place, in most calls its target. */
+  const double* reach(uint32_t v) const { return reaches.empty() ? motion.targets[v] : &reaches[size_t{v} * D]; }
   bool moves(uint32_t v) const { return !std::equal(start(v), start(v) + D, end(v)); }
 };
 
@@ -99,7 +101,7 @@ Box<D> box_of_way(const Trajectory<D>& of, const Simplex& part) noexcept {
   Box<D> box;
   for (const uint32_t v : SimplexCorners<D>(*of.motion.body, part)) {
     box.add(of.start(v));
-    box.add(of.target(v));
+    box.add(of.reach(v));
   }
   return box;
 }

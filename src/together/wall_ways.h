@@ -3,6 +3,7 @@
 
 #include "corridor/box_probe.h"
 #include "corridor/moving_corridors.h"
+#include "together/held_points.h"
 #include "together/near_walls.h"
 #include "walk/packet.h"
 
@@ -31,6 +32,9 @@ class WallWays {
   PairWork* work = nullptr;
 
   // The environment stands still.
+  NoPoints held;
+  void start_round() const noexcept {}
+  void finish_round() const noexcept {}
   void set_end(double) noexcept {}
   void describe(const Array<Trajectory<D>>&, const Array<WayTouch<D>>&) noexcept {}
   void set_counters(CastCounters* counters) { counters_ = corridors_.counters = counters; }

@@ -28,6 +28,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_move_options order_count
 #define LAST_dsw_near_options radius
 #define LAST_dsw_together_options max_work
+#define LAST_dsw_scene_deform_options point_room
 #define LAST_dsw_open_crack_desc tag
 #define LAST_dsw_recording_desc user
 #define LAST_dsw_remesh_desc max_faces
@@ -196,7 +197,7 @@ RUN(dsw_environment_deform, dsw_deform_options) {
   g_next[3 * grid_point(&g_grid, 1, 1, 1)] += 0.125;
   return dsw_environment_deform(g_env, g_next, POINTS, s, NULL);
 }
-RUN(dsw_scene_deform, dsw_deform_options) {
+RUN(dsw_scene_deform, dsw_scene_deform_options) {
   const dsw_body_id id = body();
   memcpy(g_next, g_grid.points, sizeof g_next);
   g_next[3 * grid_point(&g_grid, 1, 1, 1)] += 0.125;
@@ -282,6 +283,7 @@ FILL(dsw_body_desc) {
 FILL(dsw_move_options) { s->max_volumes = 99; }
 FILL(dsw_near_options) { s->margin = 0.75; }
 FILL(dsw_together_options) { s->max_work = 5; }
+FILL(dsw_scene_deform_options) { s->max_work = 5; }
 FILL(dsw_deform_options) { s->most_halvings = 3; }
 FILL(dsw_remesh_desc) { s->radius = 1; }
 FILL(dsw_volumes_desc) {
@@ -399,7 +401,7 @@ typedef struct init_row {
   X(dsw_scene_create, dsw_scene_desc)                \
   X(dsw_environment_deform, dsw_deform_options)      \
   X(dsw_environment_detach, dsw_detach_desc)         \
-  X(dsw_scene_deform, dsw_deform_options)            \
+  X(dsw_scene_deform, dsw_scene_deform_options)      \
   X(dsw_scene_move_bodies, dsw_move_options)         \
   X(dsw_scene_move_together, dsw_together_options)   \
   X(dsw_scene_move_rigid, dsw_together_options)      \
@@ -426,26 +428,27 @@ typedef struct init_row {
   X(dsw_scene_get_statistics, dsw_statistics)       \
   X(dsw_scene_write_bug_report, dsw_validation)     \
   X(dsw_trace_get_data, dsw_trace_data)
-#define EACH_INIT(X)                                 \
-  X(dsw_body_desc_init, dsw_body_desc)               \
-  X(dsw_bug_report_desc_init, dsw_bug_report_desc)   \
-  X(dsw_carve_desc_init, dsw_carve_desc)             \
-  X(dsw_cast_options_init, dsw_cast_options)         \
-  X(dsw_coarsen_options_init, dsw_coarsen_options)   \
-  X(dsw_context_desc_init, dsw_context_desc)         \
-  X(dsw_cut_desc_init, dsw_cut_desc)                 \
-  X(dsw_deform_options_init, dsw_deform_options)     \
-  X(dsw_detach_desc_init, dsw_detach_desc)           \
-  X(dsw_environment_desc_init, dsw_environment_desc) \
-  X(dsw_move_options_init, dsw_move_options)         \
-  X(dsw_near_options_init, dsw_near_options)         \
-  X(dsw_together_options_init, dsw_together_options) \
-  X(dsw_open_crack_desc_init, dsw_open_crack_desc)   \
-  X(dsw_recording_desc_init, dsw_recording_desc)     \
-  X(dsw_remesh_desc_init, dsw_remesh_desc)           \
-  X(dsw_scene_desc_init, dsw_scene_desc)             \
-  X(dsw_sweep_options_init, dsw_sweep_options)       \
-  X(dsw_tie_desc_init, dsw_tie_desc)                 \
+#define EACH_INIT(X)                                         \
+  X(dsw_body_desc_init, dsw_body_desc)                       \
+  X(dsw_bug_report_desc_init, dsw_bug_report_desc)           \
+  X(dsw_carve_desc_init, dsw_carve_desc)                     \
+  X(dsw_cast_options_init, dsw_cast_options)                 \
+  X(dsw_coarsen_options_init, dsw_coarsen_options)           \
+  X(dsw_context_desc_init, dsw_context_desc)                 \
+  X(dsw_cut_desc_init, dsw_cut_desc)                         \
+  X(dsw_deform_options_init, dsw_deform_options)             \
+  X(dsw_detach_desc_init, dsw_detach_desc)                   \
+  X(dsw_environment_desc_init, dsw_environment_desc)         \
+  X(dsw_move_options_init, dsw_move_options)                 \
+  X(dsw_near_options_init, dsw_near_options)                 \
+  X(dsw_together_options_init, dsw_together_options)         \
+  X(dsw_scene_deform_options_init, dsw_scene_deform_options) \
+  X(dsw_open_crack_desc_init, dsw_open_crack_desc)           \
+  X(dsw_recording_desc_init, dsw_recording_desc)             \
+  X(dsw_remesh_desc_init, dsw_remesh_desc)                   \
+  X(dsw_scene_desc_init, dsw_scene_desc)                     \
+  X(dsw_sweep_options_init, dsw_sweep_options)               \
+  X(dsw_tie_desc_init, dsw_tie_desc)                         \
   X(dsw_volumes_desc_init, dsw_volumes_desc)
 
 /* All with one signature, so that a table can hold them. */

@@ -118,6 +118,39 @@ static void both_meet_and_the_body_goes_on(void) {
   end();
 }
 
+/* The floor comes up by 0.5. Its vertices below the body stop half of the way, the others arrive. */
+static void parts_that_touch_stop_alone(void) {
+  double at[6], now[6];
+  const dsw_vertex_id *held = NULL;
+  const double *read = NULL;
+  dsw_scene_deform_options o;
+  dsw_deform_report report;
+  dsw_move_report moved;
+  dsw_body_id body;
+  size_t count = 0, points = 0, i;
+  dsw_scene_deform_options_init(&o, sizeof o);
+  o.stop = DSW_TOGETHER_STOP_FEATURE;
+  begin(DSW_FEATURE_DEFORMING);
+  mark_floor(1);
+  body = make_rod(at);
+  raise_row(2, 0.5);
+  CHECK_OK(dsw_scene_deform(g_scene, next_points(), g_point_count, &body, 1, at, 2, 0, &o, &report, &moved));
+  CHECK(report.outcome == DSW_DEFORM_HELD && report.fraction == 1 && report.contact_count >= 2);
+  CHECK(moved.fraction == 0.5 && moved.vertices_stopped == 0 && report.invalid_count == 0);
+  CHECK_OK(dsw_environment_get_held_vertices(g_env, &held, &count));
+  CHECK(count == report.held_count && count >= 2 && count < g_point_count);
+  CHECK_OK(dsw_environment_get_points(g_env, &read, &points));
+  CHECK(read == next_points());
+  for (i = 0; i < count; ++i) {
+    const double height = read[g_dimension * held[i].index + g_up];
+    CHECK(height < 2.25 && height > 2.2499999);
+  }
+  CHECK(read[g_dimension * vertex(0, 0, 2) + g_up] == 2.5 && read[g_dimension * vertex(2, 1, 2) + g_up] < 2.25);
+  get_positions(body, now);
+  CHECK(memcmp(now, at, 2 * g_dimension * sizeof *at) == 0);
+  end();
+}
+
 static void a_particle_stops_the_floor(void) {
   double at[3] = {2.3, 1.4, 2.25}, now[3];
   const dsw_wall_contact *c = NULL;
@@ -158,13 +191,14 @@ static void ways_end_where_a_volume_stays_valid(void) {
 
 static void bad_arguments(void) {
   double at[6], targets[12];
-  dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+  dsw_scene_deform_options o;
   dsw_deform_report report, before;
   dsw_move_report moved[2], moved_before[2];
   dsw_body_id bodies[2];
   double *next;
 #define DEFORM(scene, next, points, count, targets, target_count, stride, o) \
   dsw_scene_deform(scene, next, points, bodies, count, targets, target_count, stride, o, &report, moved)
+  dsw_scene_deform_options_init(&o, sizeof o);
   memset(&report, 0x55, sizeof report);
   memset(moved, 0x55, sizeof moved);
   before = report;
@@ -199,6 +233,13 @@ static void bad_arguments(void) {
   o.flags = 1;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, &o));
   o.flags = 0;
+  o.stop = DSW_TOGETHER_STOP_ISLAND;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, &o));
+  CHECK_MESSAGE("ISLAND");
+  o.stop = (dsw_together_stop)3;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, &o));
+  CHECK_MESSAGE("stop");
+  o.stop = DSW_TOGETHER_STOP_ALL;
   o.struct_size = 3;
   CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, &o));
   point(2, 2, 2)[1] = NAN; /* near the body */
@@ -224,12 +265,12 @@ static void too_much_work_leaves_all_where_it_is(void) {
          other[6] = {1.5, 0.375, 1e-160, 1, 1.5, 1.5}, now[6];
   static double before[3 * MOST_POINTS];
   const double *read = NULL, *points = NULL;
-  dsw_deform_options o;
+  dsw_scene_deform_options o;
   dsw_deform_report report;
   dsw_move_report moved;
   dsw_body_id body;
   size_t count = 0, bytes;
-  dsw_deform_options_init(&o, sizeof o);
+  dsw_scene_deform_options_init(&o, sizeof o);
   begin(DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS);
   body = make_line(flat(at, 2), 2, DSW_LEVEL_EDGES_SWEPT);
   make_line(flat(other, 2), 2, DSW_LEVEL_EDGES_SWEPT);
@@ -296,6 +337,7 @@ static void in_both(void) {
   a_floor_stops_before_a_body_that_rests();
   a_body_goes_with_the_floor();
   both_meet_and_the_body_goes_on();
+  parts_that_touch_stop_alone();
   a_particle_stops_the_floor();
   ways_end_where_a_volume_stays_valid();
   bad_arguments();

@@ -367,7 +367,7 @@ TEST(Cpp, AtTheWorkLimitPointsThatAreReadStay) {
   const Body body(scene, scene.create_body(rod, std::vector<std::uint32_t>{0, 1}));
   const std::vector<dsw_body_id> bodies = {body.id()};
   std::vector<dsw_move_report> reports(1);
-  auto options = defaults<dsw_deform_options>();
+  auto options = defaults<dsw_scene_deform_options>();
   options.max_work = 1;
   auto before = std::make_shared<std::vector<Row>>(kCorners), next = std::make_shared<std::vector<Row>>(kCorners);
   const std::weak_ptr<void> read = before;

@@ -325,9 +325,13 @@ dsw_status Calls::deform() {
   const dsw_body_id ids[] = {body(), body()};
   const uint32_t bodies = bytes_.below(3);
   const std::vector<double> targets = targets_of(ids, bodies);
-  o.max_work = o.max_holds == 0 ? 0 : 1;
-  return dsw_scene_deform(scene_, next.data(), count, ids, bodies, targets.data(), targets.size() / dimension_, 0, &o,
-                          nullptr, nullptr);
+  dsw_scene_deform_options together;
+  dsw_scene_deform_options_init(&together, sizeof together);
+  together.point_room = o.point_room;
+  together.max_work = o.max_holds == 0 ? 0 : 1;
+  together.stop = o.method == DSW_DEFORM_SWEPT ? DSW_TOGETHER_STOP_ALL : DSW_TOGETHER_STOP_FEATURE;
+  return dsw_scene_deform(scene_, next.data(), count, ids, bodies, targets.data(), targets.size() / dimension_, 0,
+                          &together, nullptr, nullptr);
 }
 
 }  // namespace dsw_fuzz

@@ -167,7 +167,7 @@ dsw_status Life::bend_together() {
   const size_t count = bend_points(next);
   std::vector<double> targets;
   const std::vector<dsw_body_id> bodies = all_movers(targets);
-  dsw_deform_options options = defaults(dsw_deform_options_init);
+  dsw_scene_deform_options options = defaults(dsw_scene_deform_options_init);
   options.point_room = next->size() / dimension();
   return dsw_scene_deform(scene(), next->data(), count, bodies.data(), bodies.size(), targets.data(),
                           targets.size() / dimension(), 0, &options, nullptr, nullptr);

@@ -145,7 +145,7 @@ void call_the_others(dsw_scene* scene, std::vector<double>& lent) {
   lent.assign(now, now + 3 * point_count);
   lent[3 * size_t{corner_ids[0].index}] += kNear;
   lent.resize(2 * lent.size());
-  dsw_deform_options lending = defaults(dsw_deform_options_init);
+  dsw_scene_deform_options lending = defaults(dsw_scene_deform_options_init);
   lending.point_room = 2 * point_count;
   for (Vec& corner : corners) corner[1] += kNear / 8;
   dsw_deform_report bent = {};

@@ -70,7 +70,9 @@ class RefusedDeformationTest : public RefusedChangeTest {
     return dsw_environment_deform(place_.get(), next_.data(), next_.size() / 3, &options_, &report_);
   }
   dsw_status deform_together(const double* targets) {
-    return dsw_scene_deform(scene(), next_.data(), next_.size() / 3, &body_, 1, targets, 2, 0, &options_, &report_,
+    dsw_scene_deform_options options = defaults(dsw_scene_deform_options_init);
+    options.max_work = max_work_;
+    return dsw_scene_deform(scene(), next_.data(), next_.size() / 3, &body_, 1, targets, 2, 0, &options, &report_,
                             nullptr);
   }
   /// Whether a call leaves both snapshots as they are, and the balls.
@@ -84,6 +86,7 @@ class RefusedDeformationTest : public RefusedChangeTest {
   }
 
   dsw_deform_options options_ = defaults(dsw_deform_options_init);
+  uint32_t max_work_ = 0;
   dsw_deform_report report_{};
   dsw_body_id body_{};
   std::vector<double> next_;  // lent
@@ -119,7 +122,7 @@ TEST_F(RefusedDeformationTest, RefusalsLeaveWhatBodiesKnow) {
 TEST_F(RefusedDeformationTest, TheWorkLimitLeavesWhatBodiesKnow) {
   for (uint32_t i = point(0, 0, 0); i < point(0, 0, 1); ++i) next_[3 * i + 2] = 0.75;
   const double targets[6] = {5e-324, 0.5, 0.5, 1, 1e-160, 0.5};
-  options_.max_work = 1;
+  max_work_ = 1;
   EXPECT_EQ(deform_together(targets), DSW_STATUS_OK);
   EXPECT_EQ(report_.outcome, DSW_DEFORM_LIMITED);
   EXPECT_GT(known(body_), 0);

@@ -107,10 +107,10 @@ TEST_F(TogetherDeformMoreTest, BadInputChangesNothing) {
   dsw_deform_report report;
   dsw_move_report reports[2];
   const size_t points = next_.size() / 3, count = targets_.size();
-  dsw_deform_options options = defaults(dsw_deform_options_init);
+  dsw_scene_deform_options options = defaults(dsw_scene_deform_options_init);
   const auto refused = [&](dsw_status expected, dsw_scene* of, double* next, size_t point_count,
                            const dsw_body_id* bodies, size_t body_count, const double* targets, size_t target_count,
-                           size_t stride, const dsw_deform_options* o, int line) {
+                           size_t stride, const dsw_scene_deform_options* o, int line) {
     std::memset(&report, 0x55, sizeof report);
     std::memset(reports, 0x55, sizeof reports);
     EXPECT_EQ(
@@ -139,10 +139,10 @@ TEST_F(TogetherDeformMoreTest, BadInputChangesNothing) {
   refused(DSW_STATUS_IN_USE, scene(), first.data(), points, &body_, 1, to, count, 0, nullptr, __LINE__);
   options.point_room = points - 1;
   refused(DSW_STATUS_WRONG_SIZE, scene(), next, points, &body_, 1, to, count, 0, &options, __LINE__);
-  options = defaults(dsw_deform_options_init);
+  options = defaults(dsw_scene_deform_options_init);
   options.flags = 1;
   refused(DSW_STATUS_UNSUPPORTED, scene(), next, points, &body_, 1, to, count, 0, &options, __LINE__);
-  options = defaults(dsw_deform_options_init);
+  options = defaults(dsw_scene_deform_options_init);
   options.struct_size = 3;
   refused(DSW_STATUS_BAD_STRUCT_SIZE, scene(), next, points, &body_, 1, to, count, 0, &options, __LINE__);
   for (const double bad : {kNaN, HUGE_VAL, -HUGE_VAL}) {

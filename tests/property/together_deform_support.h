@@ -210,7 +210,8 @@ inline void read_walker(const dsw_scene* scene, const Walker& of, BodyState& sta
 
 /// Takes the ground to its next points and those walkers that do not stand to their ends. `array` has to live on.
 inline DeformAnswer deform_together(dsw_scene* scene, const Ground& ground, const std::vector<Walker>& walkers,
-                                    std::vector<double>& array) {
+                                    std::vector<double>& array,
+                                    const dsw_scene_deform_options& options = defaults(dsw_scene_deform_options_init)) {
   DeformAnswer answer;
   const auto d = static_cast<size_t>(ground.dimension);
   array.clear();
@@ -229,7 +230,7 @@ inline DeformAnswer deform_together(dsw_scene* scene, const Ground& ground, cons
   points_read(ground.environment.get(), ground.dimension, &before);
   answer.reports.resize(ids.size());
   answer.status = dsw_scene_deform(scene, array.data(), ground.next.size(), ids.data(), ids.size(),
-                                   targets.empty() ? nullptr : targets[0].data(), targets.size(), sizeof(Vec), nullptr,
+                                   targets.empty() ? nullptr : targets[0].data(), targets.size(), sizeof(Vec), &options,
                                    &answer.report, answer.reports.data());
   EXPECT_EQ(answer.status, DSW_STATUS_OK) << dsw_last_error_message();
   const auto check = [&](bool ok) { answer.faults += ok ? 0 : 1; };
@@ -237,18 +238,24 @@ inline DeformAnswer deform_together(dsw_scene* scene, const Ground& ground, cons
   answer.points = points_read(ground.environment.get(), ground.dimension, &where);
   const double fraction = answer.report.fraction;
   check(fraction >= 0 && fraction <= 1);
-  check(answer.report.outcome == (fraction == 1   ? DSW_DEFORM_DONE
-                                  : fraction == 0 ? DSW_DEFORM_REFUSED
-                                                  : DSW_DEFORM_FRACTION));
+  const bool all_stop = options.stop == DSW_TOGETHER_STOP_ALL;
+  check(answer.report.outcome == (answer.report.held_count != 0 ? DSW_DEFORM_HELD
+                                  : fraction == 1               ? DSW_DEFORM_DONE
+                                  : fraction == 0               ? DSW_DEFORM_REFUSED
+                                                                : DSW_DEFORM_FRACTION));
+  check(!all_stop || answer.report.held_count == 0);
   check(where == (fraction == 0 ? before : array.data()));
-  check((fraction != 0 && fraction != 1) || array == wanted);
+  check((fraction != 0 && fraction != 1) || answer.report.held_count != 0 || array == wanted);
+  size_t held = 0;
   for (size_t v = 0; v < ground.points.size(); ++v) {
     for (size_t k = 0; k < d; ++k) {
       const double from = ground.points[v][k], to = ground.next[v][k], at = answer.points[v][k];
-      check(std::fabs(from + fraction * (to - from) - at) <= 1e-12);
+      check(!all_stop || std::fabs(from + fraction * (to - from) - at) <= 1e-12);
       check(at >= std::min(from, to) && at <= std::max(from, to));
     }
+    held += std::equal(answer.points[v].begin(), answer.points[v].begin() + d, &wanted[v * d]) ? 0 : 1;
   }
+  check(fraction != 1 || held == answer.report.held_count);
   size_t called_place = 0;
   for (size_t i = 0; i < walkers.size(); ++i) {
     BodyState& after = answer.after.emplace_back();
@@ -258,7 +265,9 @@ inline DeformAnswer deform_together(dsw_scene* scene, const Ground& ground, cons
       const Vec &from = walkers[i].state.at[v], &to = walkers[i].end[v];
       not_there += after.at[v] == to ? 0 : 1;
       if (walkers[i].stands) check(after.at[v] == from);
-      for (size_t k = 0; k < d; ++k) check(std::fabs(from[k] + fraction * (to[k] - from[k]) - after.at[v][k]) <= 1e-12);
+      for (size_t k = 0; all_stop && k < d; ++k) {
+        check(std::fabs(from[k] + fraction * (to[k] - from[k]) - after.at[v][k]) <= 1e-12);
+      }
     }
     if (walkers[i].stands) continue;
     const dsw_move_report& report = answer.reports[called_place++];
@@ -266,8 +275,8 @@ inline DeformAnswer deform_together(dsw_scene* scene, const Ground& ground, cons
     size_t count = 0;
     EXPECT_EQ(dsw_body_get_contacts(scene, walkers[i].id, &contacts, &count), DSW_STATUS_OK);
     answer.contacts.emplace_back(contacts, contacts + count);
-    check(report.fraction == fraction && report.vertices_moved == after.at.size() && report.contact_count == count &&
-          report.vertices_stopped == not_there);
+    check((!all_stop || report.fraction == fraction) && report.vertices_moved == after.at.size() &&
+          report.contact_count == count && report.vertices_stopped == not_there);
     for (size_t k = 0; k < count; ++k) answer.told = std::min(answer.told, contacts[k].time);
   }
   const dsw_wall_contact* walls = nullptr;
@@ -291,9 +300,9 @@ inline DeformAnswer deform_together(dsw_scene* scene, const Ground& ground, cons
     check(known);
   }
   for (const auto& of : answer.contacts) {
-    for (const dsw_body_contact& contact : of) check(contact.time == answer.told);
+    for (const dsw_body_contact& contact : of) check(!all_stop || contact.time == answer.told);
   }
-  for (const dsw_wall_contact& wall : answer.walls) check(wall.time == answer.told);
+  for (const dsw_wall_contact& wall : answer.walls) check(!all_stop || wall.time == answer.told);
   return answer;
 }
 

@@ -252,10 +252,23 @@ static partial class Tests
       True(report.Outcome == DeformOutcome.Fraction && report.Fraction < 0.5 && report.Fraction > 0.4999999 && report.ContactCount > 0);
       True(environment.GetWallContacts().All(contact => contact.Time == 0.5 && contact.Body.Index == body.Id().Index));
       MoveReport[] reports = new MoveReport[1]; // integers are long beside the least double
-      report = scene.Deform(Room(2), new[] { body.Id() }, Strand(double.Epsilon), new DeformOptions { MaxWork = 1 }, reports);
+      report = scene.Deform(Room(2), new[] { body.Id() }, Strand(double.Epsilon), new SceneDeformOptions { MaxWork = 1 }, reports);
       True(report.Outcome == DeformOutcome.Limited && reports[0].VerticesLimited == 3 && body.GetPositions().SequenceEqual(Strand(2)));
       report = scene.Deform(Room(1.5), new[] { body.Id() }, Strand(2, 2), null, reports);
       True(report.Outcome == DeformOutcome.Done && reports[0].Fraction == 1 && body.GetPositions().SequenceEqual(Strand(2, 2)));
+    }
+  }
+
+  public static void OnlyThePartsThatTouchStop()
+  {
+    using (Environment environment = MakeRoom())
+    using (Scene scene = new Scene(environment, deformingContacts))
+    {
+      Body body = scene.CreateBody(Strand(2), edgesOfStrand);
+      MoveReport[] reports = new MoveReport[1];
+      SceneDeformOptions options = new SceneDeformOptions { Stop = TogetherStop.Feature };
+      DeformReport report = scene.Deform(Room(2), new[] { body.Id() }, Strand(2), options, reports);
+      True(report.Outcome == DeformOutcome.Held && report.HeldCount == environment.GetHeldVertices().Length && reports[0].Fraction == 0.5);
     }
   }
 

@@ -148,10 +148,10 @@ export class Scene {
   /** `edges` are pairs of indices of vertices, `triangles` threes. */
   createBody(positions: Points, edges?: Numbers, options?: BodyDesc & { triangles?: Numbers; hints?: Structs<VolumeId> }): Body;
   body(id: BodyId): Body;
-  /** The environment goes to new positions, a copy, and bodies go to their targets, all at once, up to the first contact. */
+  /** Bodies go to their targets while the environment goes to new positions, a copy, all at once. No body is pushed; what touches stops. */
   deform(
     positions: Points,
-    options?: DeformOptions & { bodies?: Structs<BodyId> | readonly Body[]; targets?: Points; reports?: MoveReportArray },
+    options?: SceneDeformOptions & { bodies?: Structs<BodyId> | readonly Body[]; targets?: Points; reports?: MoveReportArray },
   ): { report: DeformReport; reports: MoveReportArray };
 
   /** Moves bodies, each on a rigid motion of its own, all at once, up to the first touch. A motion has 10 numbers: a quaternion x, y, z, w, a

@@ -85,6 +85,15 @@ test('a strand rises with the floor', () => {
   assert.deepEqual([...environment.getPoints()], raised(1.5));
 });
 
+test('only the parts that touch stop', () => {
+  const { environment, scene } = makeRoom();
+  const body = scene.createBody(strand(2), edges);
+  const { report, reports } = scene.deform(raised(2), { bodies: [body], targets: strand(2), stop: dsw.TogetherStop.Feature });
+  assert.equal(report.outcome, dsw.DeformOutcome.Held);
+  assert.equal(report.heldCount, environment.getHeldVertices().length);
+  assert.equal(reports.at(0).fraction, 0.5);
+});
+
 test('nothing moves at the work limit', () => {
   const { environment, scene } = makeRoom();
   const body = scene.createBody(strand(2), edges);

@@ -79,12 +79,24 @@ def test_a_strand_rises_with_the_floor(room: ds.Scene) -> None:
     raised[0] = 7  # is no longer lent
 
 
+def test_only_the_parts_that_touch_stop(room: ds.Scene) -> None:
+    body = room.create_body(strand(2), EDGES)
+    raised, target = CORNERS.copy(), strand(2)
+    raised[:4, 2] = 2
+    target[:, 0] += 0.5
+    report, reports = room.deform(raised, [body.id], target, ds.options(ds.SceneDeformOptions, stop=ds.TogetherStop.FEATURE))
+    assert report.outcome == ds.DeformOutcome.HELD and report.fraction == 1 and report.held_count == len(room.environment.held_vertices()) > 0
+    assert reports["fraction"].tolist() == [0.5] and reports["vertices_stopped"][0] > 0
+    with pytest.raises(ds.errors.Unsupported, match="ISLAND"):
+        room.deform(CORNERS.copy(), options=ds.options(ds.SceneDeformOptions, stop=ds.TogetherStop.ISLAND))
+
+
 def test_the_work_limit(room: ds.Scene) -> None:
     body = room.create_body(strand(2), EDGES)
     raised, side = CORNERS.copy(), strand(5e-324)  # integers are long beside it
     raised[:4, 2] = 2
     asked = raised.copy()
-    report, reports = room.deform(raised, [body.id], side, ds.options(ds.DeformOptions, max_work=1))
+    report, reports = room.deform(raised, [body.id], side, ds.options(ds.SceneDeformOptions, max_work=1))
     assert report.outcome == ds.DeformOutcome.LIMITED and report.fraction == 0 and reports["vertices_limited"].tolist() == [3]
     assert np.array_equal(body.positions(), strand(2)) and np.array_equal(raised, asked)
     assert np.array_equal(room.environment.points(), CORNERS)

@@ -113,6 +113,7 @@ DSW_DEFAULTS(dsw_cast_options)
 DSW_DEFAULTS(dsw_sweep_options)
 DSW_DEFAULTS(dsw_move_options)
 DSW_DEFAULTS(dsw_together_options)
+DSW_DEFAULTS(dsw_scene_deform_options)
 DSW_DEFAULTS(dsw_deform_options)
 DSW_DEFAULTS(dsw_coarsen_options)
 #undef DSW_DEFAULTS
@@ -124,8 +125,8 @@ T or_defaults(const T *given) {
 }
 
 /** How many points of `next` a deformation reads. The points beyond are room. */
-inline std::size_t read_count(const dsw_environment *environment, const Lent &next,
-                              dsw_deform_options &options) {
+template <class Options>
+std::size_t read_count(const dsw_environment *environment, const Lent &next, Options &options) {
   if (options.point_room > next.count)
     throw WrongSize("point_room is " + std::to_string(options.point_room) + ", there are " +
                     std::to_string(next.count) + " points");

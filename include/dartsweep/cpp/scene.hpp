@@ -243,9 +243,9 @@ class Scene {
   /** The environment reads `next` as after Environment::deform; `bodies` and `reports` may be left
    * out. */
   dsw_deform_report deform(Lent next, View<const dsw_body_id> bodies = {}, Points targets = {},
-                           const dsw_deform_options *options = nullptr,
+                           const dsw_scene_deform_options *options = nullptr,
                            View<dsw_move_report> reports = {}) {
-    dsw_deform_options all = or_defaults(options);
+    dsw_scene_deform_options all = or_defaults(options);
     count_points(dimension(), next, targets);
     optional_count("reports", reports, bodies.count);
     const WholeWriting self(*state_);

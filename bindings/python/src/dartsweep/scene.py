@@ -13,11 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core, dtypes
 from ._core import (
     CastOptions,
-    DeformOptions,
     DeformReport,
     Flight,
     MoveOptions,
     ParticleId,
+    SceneDeformOptions,
     Statistics,
     TogetherOptions,
     Validation,
@@ -270,12 +270,13 @@ class Scene:
         positions: NDArray[np.float64],
         bodies: Ids | None = None,
         targets: ArrayLike | None = None,
-        options: DeformOptions | None = None,
+        options: SceneDeformOptions | None = None,
     ) -> tuple[DeformReport, Records]:
-        """Takes the environment to new positions of its vertices and bodies to their targets, all at once, up to the first contact; with
-        Feature.DEFORMING. Returns the report of the environment and one for each body.
+        """Takes bodies to their targets while the environment goes to new positions of its vertices, all at once; with
+        Feature.DEFORMING. No body is pushed: everything stops at the first contact, or with
+        options(SceneDeformOptions, stop=TogetherStop.FEATURE) the parts that touch. Returns the report of the environment and one for each body.
 
-        positions: an array that is lent, as Environment.deform describes. options: point_room and max_work count.
+        positions: an array that is lent, as Environment.deform describes.
         """
         reports = np.empty(0 if bodies is None else len(bodies), dtypes.MOVE_REPORT)
         return self._core.deform(positions, bodies, targets, options, reports), reports

@@ -142,7 +142,7 @@ class TogetherTest {
       Body body = scene.createBody(strand(2, 1), EDGES);
       MoveReportArray reports = new MoveReportArray(1);
       DoubleBuffer side = DoubleBuffer.wrap(strand(Double.MIN_VALUE, 1)); // integers are long beside it
-      DeformOptions options = new DeformOptions();
+      SceneDeformOptions options = new SceneDeformOptions();
       options.setMaxWork(1);
       DeformReport report = scene.deform(DoubleBuffer.wrap(room(2)), idsOf(body), side, options, reports);
       assertEquals(DeformOutcome.LIMITED, report.getOutcome());
@@ -151,6 +151,19 @@ class TogetherTest {
       report = scene.deform(DoubleBuffer.wrap(room(2)), idsOf(body), side, null, reports);
       assertEquals(DeformOutcome.FRACTION, report.getOutcome());
       assertEquals(0, reports.get(0).getVerticesLimited());
+    }
+  }
+
+  @Test
+  void onlyThePartsThatTouchStop() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
+      Body body = scene.createBody(strand(2, 1), EDGES);
+      MoveReportArray reports = new MoveReportArray(1);
+      SceneDeformOptions options = new SceneDeformOptions();
+      options.setStop(TogetherStop.FEATURE);
+      DeformReport report = scene.deform(DoubleBuffer.wrap(room(2)), idsOf(body), DoubleBuffer.wrap(strand(2, 1)), options, reports);
+      assertEquals(DeformOutcome.HELD, report.getOutcome());
+      assertEquals(0.5, reports.get(0).getFraction());
     }
   }
 
