@@ -5,6 +5,7 @@
 
 #include "capi/scene_handle.h"
 #include "environment/moving.h"
+#include "scene/deformation.h"
 #include "snapshot/block.h"
 #include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"
