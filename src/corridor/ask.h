@@ -24,26 +24,26 @@ struct EdgeScratch {
   explicit EdgeScratch(const Memory* memory) : before(memory), writer(memory) {}
 };
 
-/** What is asked, and what is known that may help. */
-template <int D>
+/** What is asked of an edge. */
 struct Question {
-  const Environment<D>& env;
-  const MovingPart& edge;
-  EdgeScratch<D>& scratch;
   /** Whether the triangle counts, and not the edge's new place alone. Then a corridor that is not that of the edge's place
    * is noted again, by a cast. */
   bool swept;
   /** Whether the edge will stand at the target: then the corridor becomes that of its new place, and what may make it so is
    * asked first. If not, the corridor stays that of the start, and what is met counts up to the wall that the path meets. */
   bool arrives = true;
-  bool asks_cells = false;                // whether one cell may hold the triangle
-  const Clearance<D>* balls[2] = {};      // of the ends; null: they are not asked
+  bool asks_cells = false;             // whether one cell may hold the triangle
+  bool is_limited = false;             // what is kept must not carry an edge past a work limit
+  const SweepEvent* before = nullptr;  // only what is met before it counts; it is of the edge's moving end
+};
+
+/** What is kept of an edge, which may help. An answer brings the corridor up to date. */
+template <int D>
+struct KeptOfEdge {
   Corridor<D>* corridor = nullptr;        // null: none is kept
-  uint64_t call = 0;                      // the number of the call on the body
-  bool is_limited = false;                // what is kept must not carry an edge past a work limit
-  FirstRidge* ridge = nullptr;            // becomes what is met first, if the answer is kUnknown and that is known
+  uint64_t call = 0;                      // the number of the call on the body, to which the corridor can go back
+  const Clearance<D>* balls[2] = {};      // of the ends; null: they are not asked
   const TouchedLines* touched = nullptr;  // lines that the edge has touched, of which walls may be known
-  const SweepEvent* before = nullptr;     // only what is met before it counts; it is of the edge's moving end
 };
 
 /** Answers. The tests go from cheap to dear:
@@ -58,8 +58,10 @@ struct Question {
  * - With `ridge`, in space: the first ridge that the edge meets and cannot turn round. Where the moving end stays in its
  *   cell, the edge may turn round several ridges, one after the other.
  * - With `before`: the edge keeps to its corridor until then, but for the facets that the path passes.
- * Throws std::bad_alloc. */
+ * Throws std::bad_alloc.
+ * @param ridge null, or becomes what is met first, if the answer is kUnknown and that is known. */
 template <int D>
-Verdict ask(const Question<D>& q);
+Verdict ask(const Environment<D>& env, const MovingPart& edge, const Question& what, const KeptOfEdge<D>& kept,
+            EdgeScratch<D>& scratch, FirstRidge* ridge = nullptr);
 
 }  // namespace dsw

@@ -33,17 +33,15 @@ CastResult SimplexSweep<D>::cast_path(const Body<D>& body, uint32_t v, const dou
 template <int D>
 Verdict SimplexSweep<D>::ask_edge(const Body<D>& body, const MovingPart& edge, bool ask_balls, FirstRidge* ridge) {
   const Skipping& skipping = body.skipping;
-  Question<D> q = question(body, edge);
-  q.asks_cells = skipping.by_environment || q.corridor != nullptr;
+  Question what = question(body);
+  KeptOfEdge<D> kept = kept_of(body, edge);
+  what.asks_cells = skipping.by_environment || kept.corridor != nullptr;
   if (ask_balls && skipping.by_clearance) {
-    q.balls[0] = &body.clearances[edge.vertex];
-    q.balls[1] = &body.clearances[body.edges[edge.part.index].other(edge.vertex)];
+    kept.balls[0] = &body.clearances[edge.vertex];
+    kept.balls[1] = &body.clearances[body.edges[edge.part.index].other(edge.vertex)];
   }
-  if (ridge != nullptr) {
-    q.ridge = ridge;
-    q.touched = lines_of(body, edge.part.index, edge.vertex);
-  }
-  const Verdict verdict = dsw::ask(q);
+  if (ridge != nullptr) kept.touched = lines_of(body, edge.part.index, edge.vertex);
+  const Verdict verdict = dsw::ask(env_, edge, what, kept, scratch_, ridge);
   if (!edge.reached) return verdict;
   const bool is_of_cell = verdict == Verdict::kInside || verdict == Verdict::kSeen;
   const bool counts_it = is_of_cell ? skipping.by_environment : skipping.by_clearance || skipping.corridors;
@@ -110,12 +108,13 @@ bool SimplexSweep<D>::find_first(const Body<D>& body, const MovingPart& sweep, c
   if (ask_edge(body, sweep, true, swept ? &ridge : nullptr) != Verdict::kUnknown) return false;
   // At EDGES what is in its way counts only if the edge is not free in its new place.
   if (!swept && sweep.reached && is_free(body, sweep)) return false;
-  Question<D> q = question(body, sweep);
-  q.arrives = false;
+  // From here on what counts is what is met first.
+  Question what = question(body);
+  KeptOfEdge<D> kept = kept_of(body, sweep);
+  what.arrives = false;
   if (!swept) {
-    q.ridge = &ridge;
-    q.touched = lines_of(body, sweep.part.index, sweep.vertex);
-    if (dsw::ask(q) != Verdict::kUnknown) return false;
+    kept.touched = lines_of(body, sweep.part.index, sweep.vertex);
+    if (dsw::ask(env_, sweep, what, kept, scratch_, &ridge) != Verdict::kUnknown) return false;
   }
   const EdgeMotion m = sweep.edge();
   if (ridge.facet.valid()) {
@@ -123,8 +122,8 @@ bool SimplexSweep<D>::find_first(const Body<D>& body, const MovingPart& sweep, c
     if (meets_first(env_, body, sweep, ridge, found)) return true;
   }
   if (is_boxed(bounds<D>(m.p, m.to, m.q), sweep.way.from)) return false;
-  q.before = before;
-  if (before != nullptr && dsw::ask(q) != Verdict::kUnknown) return false;
+  what.before = before;
+  if (before != nullptr && dsw::ask(env_, sweep, what, kept, scratch_) != Verdict::kUnknown) return false;
   const SweepResult met = flood_until(m, sweep.way.from, before != nullptr ? time_after<D>(m.p, m.to, *before) : 1);
   if (met.end != SweepEnd::kContact) return false;
   keep_touched_line(env_, body, sweep.part.index, sweep.vertex, met.contact);

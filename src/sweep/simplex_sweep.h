@@ -25,7 +25,7 @@ class SimplexSweep {
 
   /** What is known of a sweep without a look at what is swept; counts edges.
    * @param ask_balls whether the balls of its ends have not been asked.
-   * @param ridge null, or what is met first if it is not decided; see Question. */
+   * @param ridge null, or what is met first if it is not decided; see dsw::ask. */
   Verdict ask(const Body<D>& body, const MovingPart& sweep, bool ask_balls = true, FirstRidge* ridge = nullptr) {
     return sweep.part.kind == Simplex::kEdge ? ask_edge(body, sweep, ask_balls, ridge) : ask_face(sweep);
   }
@@ -95,13 +95,17 @@ class SimplexSweep {
   Verdict ask_edge(const Body<D>& body, const MovingPart& edge, bool ask_balls, FirstRidge* ridge);
   Verdict ask_face(const MovingPart& face) const;
   bool find_first_of_face(const MovingPart& face, SweepContact* found);
-  Question<D> question(const Body<D>& body, const MovingPart& edge) noexcept {
+  Question question(const Body<D>& body) const noexcept {
+    Question what{sweeps_edges(body.level)};
+    what.is_limited = max_volumes != 0;
+    return what;
+  }
+  KeptOfEdge<D> kept_of(const Body<D>& body, const MovingPart& edge) noexcept {
     scratch_.counters = counters;
-    Question<D> q{env_, edge, scratch_, sweeps_edges(body.level)};
-    if (body.keeps_corridors()) q.corridor = &body.corridors[edge.part.index];
-    q.call = body.call;
-    q.is_limited = max_volumes != 0;
-    return q;
+    KeptOfEdge<D> kept;
+    if (body.keeps_corridors()) kept.corridor = &body.corridors[edge.part.index];
+    kept.call = body.call;
+    return kept;
   }
 
   const Environment<D>& env_;
