@@ -10,7 +10,8 @@ namespace dsw {
 template <int D>
 dsw_wall_contact describe(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
                           const double* to, dsw_wall_response done) noexcept {
-  WallTouch touch = describe_touch(env, all, hit, from, to);
+  WallHit touch = hit;
+  measure(env, all, from, to, touch);
   name_obstacle(env, hit.wall, hit.wall.count == 1 ? DSW_CELL_VERTEX : DSW_CELL_EDGE, touch.other);
   dsw_wall_contact contact = describe(env, hit.wall, from, to, touch, done);
   name_feature(all, hit.feature, contact);

@@ -12,7 +12,7 @@ constexpr int kMostTurns = 2;    // of those: more would rock a body that is tou
 }  // namespace
 
 template <int D>
-Vec way_out(const WallTouch& touch, const double* from, const double* to, double radius, int pushes) noexcept {
+Vec way_out(const WallHit& touch, const double* from, const double* to, double radius, int pushes) noexcept {
   const Vec way = difference<D>(to, from), normal = to_vec<D>(touch.end_normal), left = touch.left * way;
   const double size = std::max(largest(to_vec<D>(touch.point)), largest(to_vec<D>(to)));
   const double last_places = std::ldexp(std::max(size * 0x1p-51, 0x1p-1073), std::max(0, pushes - 4));
@@ -124,9 +124,9 @@ bool RigidPush<D>::go_out(const WallHit& first, int kind, const WallSweep<D>& wa
   Body<D>& body = *all_.bodies[owner].body;
   WallHit hit = first;
   for (int round = 0; round < kMostInARow; ++round) {
-    const WallTouch touch = describe_touch(env_, all_, hit, from, to);
-    const Vec way = way_out<D>(touch, from, to, body.radius, round);
-    const RigidPushes<D> pushes(body, touch.point, to_vec<D>(touch.end_normal), way, true);
+    measure(env_, all_, from, to, hit);
+    const Vec way = way_out<D>(hit, from, to, body.radius, round);
+    const RigidPushes<D> pushes(body, hit.point, to_vec<D>(hit.end_normal), way, true);
     RigidMotion<D> moved;
     const bool turns = round < kMostTurns && pushes.get(kind, moved);
     if (!turns && (round == 0 || !pushes.get(0, moved))) return false;

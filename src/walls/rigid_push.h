@@ -14,7 +14,7 @@ namespace dsw {
  * and a little out of the wall, for rounding: 2^-31 of the vertex's way, 2^-30 of the radius of a thick body, and two
  * units in the last place. After `pushes` that have not been enough the units are more. */
 template <int D>
-Vec way_out(const WallTouch& touch, const double* from, const double* to, double radius, int pushes) noexcept;
+Vec way_out(const WallHit& touch, const double* from, const double* to, double radius, int pushes) noexcept;
 
 /** Rigid motions that take a point of a body, whose shape is kept, at least as far along a normal
  * as `way` leads; if it `sticks` they take it just that way. The first has no turn. The second is the least one: a push along

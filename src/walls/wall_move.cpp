@@ -16,46 +16,72 @@ template <int D>
 WallMove<D>::WallMove(Environment<D>& env, Occupants<D>& all, Neighbourhood<D>& around)
     : env_(env), all_(all), around_(around), walls_(env), sweeps_(env), rigid_(env, all, around) {}
 
+/** A try to move a vertex: unless it is kept, all is where it was afterwards, which is free as the wall is there, too, and what
+ * was met counts as held. */
+template <int D>
+class WallMove<D>::Try {
+ public:
+  Try(WallMove& of, uint32_t v, WallRecord& record) noexcept
+      : of_(of), v_(v), record_(record), contacts_(record.contacts.size()), pushed_(record.pushed) {
+    std::copy_n(of.env_.point(v), D, from);
+    of.pushed_.clear();
+    of.relocated_.clear();
+  }
+  Try(const Try&) = delete;
+  Try& operator=(const Try&) = delete;
+  ~Try() {
+    if (is_kept_) return;
+    of_.relocated_.take_back();
+    if (!std::equal(from, from + D, of_.env_.point(v_))) of_.put(v_, from);
+    of_.pushed_.take_back();
+    record_.pushed = pushed_;
+    for (size_t i = contacts_; i < record_.contacts.size(); ++i) record_.contacts[i].response = DSW_WALL_HOLD;
+  }
+  Moved keep(Moved result) noexcept {
+    is_kept_ = true;
+    return result;
+  }
+
+  double from[D];
+
+ private:
+  WallMove& of_;
+  uint32_t v_;
+  WallRecord& record_;
+  size_t contacts_;
+  uint32_t pushed_;
+  bool is_kept_ = false;
+};
+
 template <int D>
 typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, const WallSettings& settings,
                                               WallRecord& record) {
-  double from[D];
-  std::copy_n(env_.point(v), D, from);
-  if (std::equal(from, from + D, to)) return Moved::kYes;
-  const size_t contacts = record.contacts.size();
-  const uint32_t pushed = record.pushed;
-  places_.clear();
-  motions_.clear();
+  if (std::equal(to, to + D, env_.point(v))) return Moved::kYes;
+  Try attempt(*this, v, record);
+  const double* const from = attempt.from;
   look_round(v);
   for (int pushes = 0; walls_.has_walls() && find_hits(from, to); ++pushes) {
     record.contacts.push_back(describe(env_, all_, hits_.front(), from, to, settings.response));
-    if (settings.response == DSW_WALL_STOP) return Moved::kStopped;
+    if (settings.response == DSW_WALL_STOP) return attempt.keep(Moved::kStopped);
     if (settings.response == DSW_WALL_INSERT && is_rigid(hits_.front().feature)) {
       record.contacts.back().response = DSW_WALL_PUSH;
     }
     if (settings.response == DSW_WALL_HOLD || pushes == kMostPushes || !make_room(from, to, pushes, settings, record)) {
-      take_back(contacts, pushed, record);
       return Moved::kHeld;
     }
     look_round(v);  // what was pushed can have opened cells
   }
   put(v, to);
   // An invalid cell counts as impassable: near a thick body none may become so.
-  bool fine = (!has_thick() || is_star_valid()) && locate_all();
+  if ((has_thick() && !is_star_valid()) || !locate_all()) return Moved::kInvalid;
   // What goes from cell to cell is followed only where the cells fill the same space before and after.
-  if (fine && !before_.empty()) {
-    fine = is_star_valid();
-    if (fine) {
-      put(v, from);
-      fine = is_star_valid();
-      put(v, to);
-    }
-    if (!fine) restore_locations();
+  if (!relocated_.empty()) {
+    if (!is_star_valid()) return Moved::kInvalid;
+    put(v, from);
+    if (!is_star_valid()) return Moved::kInvalid;
+    put(v, to);
   }
-  if (fine) return Moved::kYes;
-  put(v, from);
-  take_back(contacts, pushed, record);
-  return Moved::kInvalid;
+  return attempt.keep(Moved::kYes);
 }
 
 /** Finds the cells at a vertex, its walls, and what lies in these cells. */
@@ -119,32 +145,31 @@ bool WallMove<D>::is_there(const Feature& feature) const noexcept {
 }
 
 template <int D>
-bool WallMove<D>::make_room_for(const WallHit& hit, const double* from, const double* to, int pushes,
+bool WallMove<D>::make_room_for(WallHit& hit, const double* from, const double* to, int pushes,
                                 const WallSettings& settings, WallRecord& record) {
   const Feature& f = hit.feature;
   if (is_rigid(f)) {
-    note_rigid(f.owner);
+    pushed_.note_rigid(f.owner);
     if (!rigid_.push(hit, walls_, sweeps_, from, to)) return false;
     record.pushed += static_cast<uint32_t>(all_.bodies[f.owner].body->vertex_slots.alive_count());
     return true;
   }
   const double radius = f.kind == Feature::kParticle ? 0 : all_.bodies[f.owner].body->radius;
-  const WallTouch touch = describe_touch(env_, all_, hit, from, to);
-  const Vec way = way_out<D>(touch, from, to, radius, pushes);
+  measure(env_, all_, from, to, hit);
+  const Vec way = way_out<D>(hit, from, to, radius, pushes);
   if (f.is_point()) {
     if (!push(f, way)) return false;
     ++record.pushed;
     return true;
   }
   const Body<D>& body = *all_.bodies[f.owner].body;
-  if (f.kind == Feature::kFace)
-    return push_corners(f.owner, body.faces[f.index].corners, 3, touch.weights, way, record);
-  const uint32_t middle = settings.response == DSW_WALL_INSERT ? insert(hit, touch, settings.min_part) : kNone;
+  if (f.kind == Feature::kFace) return push_corners(f.owner, body.faces[f.index].corners, 3, hit.weights, way, record);
+  const uint32_t middle = settings.response == DSW_WALL_INSERT ? insert(hit, settings.min_part) : kNone;
   if (middle != kNone) {
     constexpr double kWhole[1] = {1};
     return push_corners(f.owner, &middle, 1, kWhole, way, record);
   }
-  return push_corners(f.owner, body.edges[f.index].ends, 2, touch.weights, way, record);
+  return push_corners(f.owner, body.edges[f.index].ends, 2, hit.weights, way, record);
 }
 
 /** Pushes corners so that the point between them which has these weights goes a way. Corners that have been pushed less in
@@ -190,7 +215,7 @@ bool WallMove<D>::push(const Feature& point, const Vec& way) {
   if (point.kind == Feature::kParticle) {
     const CastResult flight = cast(env_, at, target, cell_of(all_, point));
     if (flight.end != CastEnd::kReached) return false;
-    places_.push_back(place_of(point));
+    pushed_.note(point);
     set_location(all_, point, target, flight.cell);
     around_.note_point(point);
     return true;
@@ -199,43 +224,15 @@ bool WallMove<D>::push(const Feature& point, const Vec& way) {
   Cell cell;
   if (body.radius > 0) around_.open_ways(point.owner, point.index, target);
   if (!sweeps_.is_free(body, point.index, target, &cell)) return false;
-  places_.push_back(place_of(point));
+  pushed_.note(point);
   set_location(all_, point, target, cell);
   return around_.note_vertex(point.owner, point.index);
 }
 
-template <int D>
-typename WallMove<D>::Place WallMove<D>::place_of(const Feature& point) const noexcept {
-  Place place{point, {}, cell_of(all_, point)};
-  std::copy_n(position(all_, point), D, place.at);
-  return place;
-}
-
-template <int D>
-void WallMove<D>::note_rigid(uint32_t owner) {
-  Body<D>& body = *all_.bodies[owner].body;
-  keep_shape(body);
-  motions_.push_back({owner, body.shape[0].moved});
-  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    if (body.has_vertex(v)) places_.push_back(place_of({Feature::kVertex, owner, v}));
-  }
-}
-
-/** Puts all that was pushed to where it was, the wall being there as well: all of it is free there. */
-template <int D>
-void WallMove<D>::take_back(size_t contacts, uint32_t pushed, WallRecord& record) noexcept {
-  for (size_t i = places_.size(); i-- != 0;) set_location(all_, places_[i].point, places_[i].at, places_[i].cell);
-  for (size_t i = motions_.size(); i-- != 0;) all_.bodies[motions_[i].owner].body->shape[0].moved = motions_[i].moved;
-  places_.clear();
-  motions_.clear();
-  record.pushed = pushed;
-  for (size_t i = contacts; i < record.contacts.size(); ++i) record.contacts[i].response = DSW_WALL_HOLD;
-}
-
 /** Puts a vertex on an edge where it is hit; kNone where that cannot be. */
 template <int D>
-uint32_t WallMove<D>::insert(const WallHit& hit, const WallTouch& touch, double min_part) {
-  if (!(touch.along >= min_part && touch.along <= 1 - min_part)) return kNone;
+uint32_t WallMove<D>::insert(const WallHit& hit, double min_part) {
+  if (!(hit.along >= min_part && hit.along <= 1 - min_part)) return kNone;
   const uint32_t owner = hit.feature.owner;
   Body<D>& body = *all_.bodies[owner].body;
   // The parts of an edge that got its vertex in this deformation are pushed: each vertex of a wall would split them.
@@ -243,47 +240,36 @@ uint32_t WallMove<D>::insert(const WallHit& hit, const WallTouch& touch, double 
     if (all_.saved_position(owner, end) == nullptr) return kNone;
   }
   Cell cell;
-  if (!can_bend(env_, sweeps_, body, hit.feature.index, touch.point, &cell)) return kNone;
+  if (!can_bend(env_, sweeps_, body, hit.feature.index, hit.point, &cell)) return kNone;
   dsw_body_edit edit;
   MoveRecord& edits = *all_.bodies[owner].record;
   reserve_more(edits.edits, 1);
   reserve_more(body.inserted, 1);
-  const uint32_t middle = insert_vertex(body, hit.feature.index, touch.point, cell, touch.along, &edit);
+  const uint32_t middle = insert_vertex(body, hit.feature.index, hit.point, cell, hit.along, &edit);
   edits.edits.push_back(edit);
   body.inserted.push_back(middle);
   around_.note_vertex(owner, middle);
   return middle;
 }
 
-/** Finds the cells in which things are now; false, and points back in theirs, if one is in none that is valid or an
- * edge or face is not free. */
+/** Finds the cells in which things are now; false if one is in none that is valid or an edge or face is not free. */
 template <int D>
 bool WallMove<D>::locate_all() {
-  before_.clear();
-  bool fine = true;
   for (const Feature& feature : features_) {
     if (!feature.is_point()) break;  // these come first
-    const Cell old = cell_of(all_, feature), now = find_cell(feature);
-    fine = now.valid();
-    if (!fine) break;
-    if (now == old) continue;
-    before_.push_back(place_of(feature));
+    const Cell now = find_cell(feature);
+    if (!now.valid()) return false;
+    if (now == cell_of(all_, feature)) continue;
+    relocated_.note(feature);
     set_location(all_, feature, position(all_, feature), now);
     around_.note_point(feature);
   }
   for (const Feature& feature : features_) {
-    if (!fine || feature.is_point()) continue;
-    fine = around_.trace(feature);
-    if (fine) around_.note_traced(feature);
+    if (feature.is_point()) continue;
+    if (!around_.trace(feature)) return false;
+    around_.note_traced(feature);
   }
-  if (!fine) restore_locations();
-  return fine;
-}
-
-template <int D>
-void WallMove<D>::restore_locations() noexcept {
-  for (const Place& each : before_) set_location(all_, each.point, each.at, each.cell);
-  before_.clear();
+  return true;
 }
 
 template <int D>

@@ -1,6 +1,7 @@
 #pragma once
 // One vertex of the environment on its way to a target, with the walls at it, and what they meet [JCD10] 5.1.
 
+#include "walls/pushed.h"
 #include "walls/rigid_push.h"
 #include "walls/settings.h"
 
@@ -27,22 +28,16 @@ class WallMove {
   void find_around(Array<dsw_volume_id>& cells) const;
 
   uint64_t memory_bytes() const noexcept {
-    return rigid_.memory_bytes() + array_bytes(places_) + array_bytes(motions_) + array_bytes(features_) +
-           array_bytes(hits_) + array_bytes(before_);
+    return rigid_.memory_bytes() + pushed_.memory_bytes() + relocated_.memory_bytes() + array_bytes(features_) +
+           array_bytes(hits_);
   }
 
  private:
-  /** Where a point was before. */
-  struct Place {
-    Feature point;
-    double at[D];
-    Cell cell;
-  };
-  Place place_of(const Feature& point) const noexcept;
+  class Try;
   void look_round(uint32_t v);
   bool find_hits(const double* from, const double* to);
   bool make_room(const double* from, const double* to, int pushes, const WallSettings& settings, WallRecord& record);
-  bool make_room_for(const WallHit& hit, const double* from, const double* to, int pushes, const WallSettings& settings,
+  bool make_room_for(WallHit& hit, const double* from, const double* to, int pushes, const WallSettings& settings,
                      WallRecord& record);
   bool is_there(const Feature& feature) const noexcept;
   bool is_rigid(const Feature& feature) const noexcept {
@@ -51,12 +46,9 @@ class WallMove {
   bool push_corners(uint32_t owner, const uint32_t* corners, int count, const double* weights, const Vec& way,
                     WallRecord& record);
   bool push(const Feature& point, const Vec& way);
-  void note_rigid(uint32_t owner);
-  void take_back(size_t contacts, uint32_t pushed, WallRecord& record) noexcept;
-  uint32_t insert(const WallHit& hit, const WallTouch& touch, double min_part);
+  uint32_t insert(const WallHit& hit, double min_part);
   void put(uint32_t v, const double* position);
   bool locate_all();
-  void restore_locations() noexcept;
   bool is_star_valid() const noexcept;
   bool has_thick() const noexcept;
   Box<D> box_of(Cell c) const noexcept;
@@ -71,14 +63,8 @@ class WallMove {
   const Array<Cell>* star_ = nullptr;
   Array<Feature> features_{env_.memory};  // in the star
   Array<WallHit> hits_{env_.memory};
-  struct Motion {
-    uint32_t owner;
-    RigidMotion<D> moved;
-  };
-  Array<Place> places_{env_.memory};
-  Array<Motion> motions_{env_.memory};  // of rigid bodies
-  Array<Place> before_{env_.memory};    // of the star's points, which change their cells alone
-  CellQueue told_{env_.memory};         // those of find_invalid
+  Pushed<D> pushed_{all_, env_.memory}, relocated_{all_, env_.memory};  // relocated: points of the star, by cell alone
+  CellQueue told_{env_.memory};                                         // those of find_invalid
 };
 
 }  // namespace dsw

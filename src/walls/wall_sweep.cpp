@@ -191,10 +191,13 @@ bool WallSweep<D>::comes_near(const Body<D>& body, const Feature& feature, const
     found.time = time_apart<D>(wall, to, part, wanted, &gap);
     if (found.time == 1) return;
     found.wall = each;
-    std::copy_n(gap.other_weights, 3, found.shares);
+    found.is_near = true;
+    std::copy_n(gap.other_weights, 3, found.weights);
     // The hull is the wall at the start, and its vertex where it is then.
-    found.moving_share = gap.weights[0] + gap.weights[each.count];
-    store<3>(is_zero(gap.normal) ? unit(difference<D>(to, from)) : Vec(Vec::Zero() - gap.normal), found.normal);
+    found.left = std::min(gap.weights[0] + gap.weights[each.count], 1.0) * (1 - found.time);
+    const Vec normal = is_zero(gap.normal) ? unit(difference<D>(to, from)) : Vec(Vec::Zero() - gap.normal);
+    store<D>(normal, found.other.normal);
+    store<D>(normal, found.end_normal);
     keep_first(found, hit, &any);
   };
   for (const WallFeature& each : simplices_) look(each);
@@ -280,7 +283,7 @@ namespace {
  * the end. `normal` is that of this place, of any sign and length; `touched` any point of what is touched. */
 template <int D>
 void find_way_left(const Vec& normal, const Vec& way, const double* touched, const double* to, double time,
-                   WallTouch& touch) {
+                   WallHit& touch) {
   const Vec out = unit(normal);
   const double most = 1 - time, part = dot(out, difference<D>(to, touched)) / dot(out, way);
   touch.left = part < most ? std::max(part, 0.0) : most;  // also where it is no number
@@ -288,29 +291,10 @@ void find_way_left(const Vec& normal, const Vec& way, const double* touched, con
   store<D>(sense > 0 ? out : sense < 0 ? Vec(-1.0 * out) : to_vec<D>(touch.other.normal), touch.end_normal);
 }
 
-/** What comes too near to a thick body. */
-template <int D>
-WallTouch describe_near(const Occupants<D>& all, const WallHit& hit) {
-  WallTouch touch;
-  touch.time = hit.time;
-  const Body<D>& body = *all.bodies[hit.feature.owner].body;
-  Vec point = Vec::Zero();
-  int k = 0;
-  for (const uint32_t v : SimplexCorners<D>(body, simplex_of(hit.feature)))
-    point += hit.shares[k++] * to_vec<D>(body.position(v));
-  store<D>(point, touch.point);
-  std::copy_n(hit.normal, D, touch.other.normal);
-  std::copy_n(hit.normal, D, touch.end_normal);
-  touch.left = std::min(hit.moving_share, 1.0) * (1 - hit.time);
-  std::copy_n(hit.shares, 3, touch.weights);
-  if (hit.feature.kind == Feature::kEdge) touch.along = hit.shares[1];
-  return touch;
-}
-
 /** Point, weights and normal of a touched edge, whose corners are these; the moving vertex is `at` a place on `way`. */
 template <int D>
 Vec describe_edge(const double* const* corners, const double* other, const double* from, const double* at,
-                  const Vec& way, WallTouch& touch) {
+                  const Vec& way, WallHit& touch) {
   const double *const x = corners[0], *const y = corners[1];
   const Vec edge = difference<D>(y, x);
   double along;
@@ -336,7 +320,7 @@ Vec describe_edge(const double* const* corners, const double* other, const doubl
 
 /** Weights and normal of a touched face. */
 template <int D>
-Vec describe_face(const double* const* corners, const double* at, WallTouch& touch) {
+Vec describe_face(const double* const* corners, const double* at, WallHit& touch) {
   std::copy_n(at, D, touch.point);
   const Vec normal = unit(difference<D>(corners[1], corners[0]).cross(difference<D>(corners[2], corners[0])));
   double sum = 0;
@@ -352,43 +336,47 @@ Vec describe_face(const double* const* corners, const double* at, WallTouch& tou
 }  // namespace
 
 template <int D>
-WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
-                         const double* to) {
-  if (hit.shares[0] + hit.shares[1] + hit.shares[2] > 0) return describe_near(all, hit);
-  WallTouch touch;
-  touch.time = hit.time;
+void measure(const Environment<D>& env, const Occupants<D>& all, const double* from, const double* to, WallHit& hit) {
+  const double* corners[3] = {hit.point};
+  int count = 0;
+  if (hit.feature.kind == Feature::kParticle || (hit.feature.is_point() && !hit.is_near)) {
+    std::copy_n(position(all, hit.feature), D, hit.point);
+  } else {
+    const Body<D>& body = *all.bodies[hit.feature.owner].body;
+    for (const uint32_t v : SimplexCorners<D>(body, simplex_of(hit.feature))) corners[count++] = body.position(v);
+  }
+  if (hit.is_near) {
+    Vec point = Vec::Zero();
+    for (int k = 0; k < count; ++k) point += hit.weights[k] * to_vec<D>(corners[k]);
+    store<D>(point, hit.point);
+    if (hit.feature.kind == Feature::kEdge) hit.along = hit.weights[1];
+    return;
+  }
   double at[D];
   point_at<D>(from, to, hit.time, at);
   const Vec way = difference<D>(to, from);
   const auto other = [&](int k) { return env.point(hit.wall.vertices[k + 1]); };
   Vec normal;
-  const double* corners[3] = {touch.point};
-  if (hit.feature.is_point()) {
-    std::copy_n(position(all, hit.feature), D, touch.point);
-    if constexpr (D == 3) {
-      normal = unit(difference<D>(other(0), at).cross(difference<D>(other(1), at)));
-    } else {
-      normal = Vec::Zero() - swing_normal({from, to, other(0)}, at, touch.point);
-    }
+  if (count == 2) {
+    normal = describe_edge<D>(corners, D == 3 ? other(0) : nullptr, from, at, way, hit);
+  } else if (count == 3) {
+    normal = describe_face<D>(corners, at, hit);
+  } else if constexpr (D == 3) {
+    normal = unit(difference<D>(other(0), at).cross(difference<D>(other(1), at)));
   } else {
-    const Body<D>& body = *all.bodies[hit.feature.owner].body;
-    int count = 0;
-    for (const uint32_t v : SimplexCorners<D>(body, simplex_of(hit.feature))) corners[count++] = body.position(v);
-    normal = count == 2 ? describe_edge<D>(corners, D == 3 ? other(0) : nullptr, from, at, way, touch)
-                        : describe_face<D>(corners, at, touch);
+    normal = Vec::Zero() - swing_normal({from, to, other(0)}, at, hit.point);
   }
   if constexpr (D == 3) {
     if (is_zero(normal)) normal = unit(way);
     if (dot(normal, way) < 0) normal = -1.0 * normal;
   }
-  store<D>(normal, touch.other.normal);
-  find_way_left<D>(find_end_normal(env, hit, corners, to), way, corners[0], to, hit.time, touch);
-  return touch;
+  store<D>(normal, hit.other.normal);
+  find_way_left<D>(find_end_normal(env, hit, corners, to), way, corners[0], to, hit.time, hit);
 }
 
 template class WallSweep<2>;
 template class WallSweep<3>;
 DSW_INSTANTIATE(find_end_normal);
-DSW_INSTANTIATE(describe_touch);
+DSW_INSTANTIATE(measure);
 
 }  // namespace dsw

@@ -11,15 +11,17 @@
 
 namespace dsw {
 
-/** The first touch of a feature by the walls at a moving vertex. */
-struct WallHit {
-  double time = 0;  // fraction of the vertex's way, rounded down
+/** The first touch of a feature by the walls at a moving vertex, without the names of what is touched. WallSweep finds when, and
+ * what; `measure` the rest. `along` begins at the first end of a touched edge. */
+struct WallHit : Touch {
   Feature feature;
-  WallFeature wall{};  // what touches it, the moving vertex first
-  // If the wall comes too near to a thick body: weights of the feature's corners, that of the moving vertex in the point
-  // of the wall that is nearest, and the direction out of the wall. Otherwise the weights are 0.
-  double shares[3] = {}, moving_share = 0;
-  double normal[3] = {};
+  WallFeature wall{};             // what touches it, the moving vertex first
+  bool is_near = false;           // the wall comes too near to a thick body: then WallSweep finds all but the point
+  double weights[3] = {1, 0, 0};  // of the feature's corners in the point
+  // How far the touched point of the wall still goes: a part of the vertex's way, as that point is between the vertex
+  // and what stays. Not more than 1 - time.
+  double left = 0;
+  double end_normal[3] = {};  // the normal where that ends, in the sense of the wall's motion, as that of the touch
 
   bool operator<(const WallHit& o) const { return time != o.time ? time < o.time : feature < o.feature; }
 };
@@ -57,21 +59,12 @@ class WallSweep {
   Array<WallFeature> ridges_{env_.memory};     // of those, and marked edges; in the plane the vertex: met by edges
 };
 
-/** A touch of a hit, and what is needed to push what is touched. The normal is in the sense of the wall's motion, and `along`
- * begins at the first end of a touched edge. */
-struct WallTouch : Touch {
-  double weights[3] = {1, 0, 0};  // of the corners of what is touched in the point
-  // How far the touched point of the wall still goes: a part of the vertex's way, as that point is between the vertex
-  // and what stays. Not more than 1 - time.
-  double left = 0;
-  double end_normal[3] = {};  // the normal where that ends
-};
 /** Normal of the plane in which the touched part of the wall and what it touches lie at the end of the vertex's way; of
  * any sense. `corners`: of the touched feature. Not of a thick body. */
 template <int D>
 Vec find_end_normal(const Environment<D>& env, const WallHit& hit, const double* const* corners, const double* to);
+/** Where a hit is, and what is needed to push what is touched. */
 template <int D>
-WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
-                         const double* to);
+void measure(const Environment<D>& env, const Occupants<D>& all, const double* from, const double* to, WallHit& hit);
 
 }  // namespace dsw

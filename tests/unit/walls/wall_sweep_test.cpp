@@ -332,18 +332,18 @@ TYPED_TEST(WallSweepTest, DescribesTheTouch) {
   ASSERT_TRUE(walls.meets(all, {Feature::kParticle, 0, 0}, from, to, &hit));
   EXPECT_GT(hit.time, 0.3);
   EXPECT_LT(hit.time, 0.8);
-  WallTouch touch = describe_touch(*this->env_, all, hit, from, to);
-  EXPECT_GT(touch.other.normal[kUp], 0.3);
-  EXPECT_EQ(touch.point[kUp], 11);
+  measure(*this->env_, all, from, to, hit);
+  EXPECT_GT(hit.other.normal[kUp], 0.3);
+  EXPECT_EQ(hit.point[kUp], 11);
   if (D == 3) return;
   ASSERT_TRUE(walls.meets(all, {Feature::kEdge, 0, 0}, from, to, &hit));
   EXPECT_EQ(hit.time, 2. / 6);
-  touch = describe_touch(*this->env_, all, hit, from, to);
-  EXPECT_EQ(touch.along, 0.5);
-  EXPECT_EQ(touch.point[0], 8);
-  EXPECT_EQ(touch.point[1], 10);
-  EXPECT_EQ(touch.other.normal[0], 0);
-  EXPECT_EQ(touch.other.normal[1], 1);
+  measure(*this->env_, all, from, to, hit);
+  EXPECT_EQ(hit.along, 0.5);
+  EXPECT_EQ(hit.point[0], 8);
+  EXPECT_EQ(hit.point[1], 10);
+  EXPECT_EQ(hit.other.normal[0], 0);
+  EXPECT_EQ(hit.other.normal[1], 1);
 }
 
 }  // namespace
