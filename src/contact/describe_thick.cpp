@@ -14,8 +14,8 @@ constexpr double kLeastWeight = 0x1p-46;
 template <int D>
 WallFeature wall_of(const TooNear<D>& near) noexcept {
   WallFeature wall{{kNone, kNone, kNone}, 0, near.facet, near.cell};
-  for (uint32_t i = 0; i < 3; ++i) {
-    if (near.vertices[i] != kNone && near.weights[i] > kLeastWeight) wall.vertices[wall.count++] = near.vertices[i];
+  for (uint32_t i = 0; i < near.count; ++i) {
+    if (near.weights[i] > kLeastWeight) wall.vertices[wall.count++] = near.vertices[i];
   }
   return wall;
 }
@@ -37,7 +37,7 @@ Touch touch_of(const Environment<D>& env, const Body<D>& body, uint32_t v, const
   if (touch.part.kind == Simplex::kEdge) touch.along = near.shares[1];
   store<D>(near.normal + Vec::Zero(), touch.other.normal);  // never -0
   if (near.partner == kNone) {
-    name_obstacle(env, wall_of(near), near.vertices[1] == kNone ? DSW_CELL_VERTEX : DSW_CELL_EDGE, touch.other);
+    name_obstacle(env, wall_of(near), near.count == 1 ? DSW_CELL_VERTEX : DSW_CELL_EDGE, touch.other);
   } else {
     touch.other.front = volume_id(env.map, body.vertices[v].cell);
     touch.other.kind = contact_kind(near.other.kind);

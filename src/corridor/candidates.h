@@ -5,9 +5,12 @@
 
 namespace dsw {
 
-/** A feature of the environment that a part of a body can touch. */
+/** A corner, a side or the whole of a triangle of a wall (in the plane of its segment), or a marked edge or vertex: what a part
+ * of a body can touch. A list of what is near (proximity/near_list.h) has parts of other bodies as well. */
 struct WallFeature {
-  uint32_t vertices[3];  // of the environment: the first `count`; for a whole facet vertices[0] may be its word
+  uint32_t
+      vertices[3];  // of the environment: the first `count`; for a whole facet vertices[0] may be its word. In a list
+                    // that is finished their numbers there
   uint32_t count;
   HalfFacet facet;  // an impassable facet at it, seen from a passable cell; invalid if there is none
   Cell cell;        // of a marked edge or vertex: a cell at it

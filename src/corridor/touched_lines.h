@@ -9,20 +9,19 @@
 
 namespace dsw {
 
-/** The passable cells round an edge of the environment from wall to wall. */
-struct TouchedFan {
-  HalfFacet passed;       // a facet inside
-  HalfFacet walls[2];     // seen from the cells at the ends; the first comes first where p is on the same side of both
-  Dart lowest;            // the edge's name, as SweepContact has it
-  bool is_alone = false;  // no other passable cells are linked round the edge
-  uint64_t version = ~uint64_t{0};  // Environment::change_version of when this was so
-};
-
 /** The last few that an edge has touched while one of its ends moved, the last one first. */
 struct TouchedLines {
   static constexpr uint32_t kCount = 4;
+  /** The passable cells round an edge of the environment from wall to wall. */
+  struct Fan {
+    HalfFacet passed;    // a facet inside
+    HalfFacet walls[2];  // seen from the cells at the ends; the first comes first where p is on the same side of both
+    Dart lowest;         // the edge's name, as SweepContact has it
+    bool is_alone = false;            // no other passable cells are linked round the edge
+    uint64_t version = ~uint64_t{0};  // Environment::change_version of when this was so
+  };
   RidgeName lines[kCount];
-  TouchedFan fan;          // of the first, if it is known
+  Fan fan;                 // of the first, if it is known
   RidgeName kept[kCount];  // as they were when a call on the body began, if they have changed since
   uint64_t kept_in = 0;    // the number of that call
 

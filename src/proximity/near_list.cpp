@@ -33,7 +33,7 @@ void NearList<D>::finish(PointArray points, bool has_features) {
   if (empty()) return;
   number_vertices(points);
   if (!has_features) {
-    for (const NearObstacle<D>& o : obstacles_) spheres_.push_back(sphere_round(o.vertices, o.count));
+    for (const WallFeature& o : obstacles_) spheres_.push_back(sphere_round(o.vertices, o.count));
     return;
   }
   for (uint32_t v = 0; v < vertex_count(); ++v) add_features_at(v);
@@ -46,13 +46,13 @@ void NearList<D>::finish(PointArray points, bool has_features) {
 
 template <int D>
 void NearList<D>::number_vertices(PointArray points) {
-  for (const NearObstacle<D>& o : obstacles_) vertices_.insert(vertices_.end(), o.vertices, o.vertices + o.count);
+  for (const WallFeature& o : obstacles_) vertices_.insert(vertices_.end(), o.vertices, o.vertices + o.count);
   std::sort(vertices_.begin(), vertices_.end());
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   for (const uint32_t v : vertices_) points_.insert(points_.end(), points[v], points[v] + D);
   // Obstacles are counted at each vertex, and then put in their places from behind.
   first_at_.assign(vertices_.size() + 1, 0);
-  for (NearObstacle<D>& o : obstacles_) {
+  for (WallFeature& o : obstacles_) {
     for (uint32_t i = 0; i < o.count; ++i) {
       const auto at = std::lower_bound(vertices_.begin(), vertices_.end(), o.vertices[i]);
       o.vertices[i] = static_cast<uint32_t>(at - vertices_.begin());
@@ -81,7 +81,7 @@ void NearList<D>::add_features_at(uint32_t vertex) {
     others = many.data();
   }
   for (uint32_t i = first_at_[vertex]; i < first_at_[vertex + 1]; ++i) {
-    const NearObstacle<D>& o = obstacles_[at_[i]];
+    const WallFeature& o = obstacles_[at_[i]];
     for (uint32_t k = 0; k < o.count; ++k) {
       if (o.vertices[k] == vertex) continue;
       uint32_t third = kNone;

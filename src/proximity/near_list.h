@@ -2,20 +2,11 @@
 // Obstacles near a simplex of a body, and their faces, edges and vertices, each once.
 
 #include "base/points.h"
+#include "corridor/candidates.h"
 #include "environment/environment.h"
 #include "proximity/sphere.h"
 
 namespace dsw {
-
-/** A triangle of an impassable facet (in the plane its segment), a marked edge, or a marked vertex. Or a face, an edge
- * or a vertex of a body. */
-template <int D>
-struct NearObstacle {
-  uint32_t vertices[D];  // the first `count`; numbers in the list once that is finished
-  uint32_t count;
-  HalfFacet facet;  // seen from a passable cell; invalid if it is none, and of a body
-  Cell cell;        // of a marked edge or vertex: a cell at it
-};
 
 /** A triangle, an edge or a vertex of obstacles. Vertices are numbered as in the list. */
 struct NearFeature {
@@ -25,8 +16,7 @@ struct NearFeature {
 };
 
 /** Whether an obstacle has all corners of a feature. */
-template <int D>
-bool has_all(const NearObstacle<D>& obstacle, const NearFeature& f) noexcept {
+inline bool has_all(const WallFeature& obstacle, const NearFeature& f) noexcept {
   uint32_t shared = 0;
   for (uint32_t i = 0; i < obstacle.count; ++i) {
     for (uint32_t k = 0; k < f.count; ++k) shared += obstacle.vertices[i] == f.corners[k];
@@ -51,14 +41,14 @@ class NearList {
 
   bool empty() const noexcept { return obstacles_.empty(); }
   void clear() noexcept;
-  void add(const NearObstacle<D>& obstacle) { obstacles_.push_back(obstacle); }
+  void add(const WallFeature& obstacle) { obstacles_.push_back(obstacle); }
   /** Once all are added. `points` of their vertices are copied. Throws std::bad_alloc.
    * @param has_features false: the list has obstacles and their points alone. */
   void finish(PointArray points, bool has_features = true);
 
   /** Vertices, then edges, then triangles. */
   const Array<NearFeature>& features() const noexcept { return features_; }
-  const Array<NearObstacle<D>>& obstacles() const noexcept { return obstacles_; }
+  const Array<WallFeature>& obstacles() const noexcept { return obstacles_; }
   /** Round each feature; round each obstacle if the list has no features. */
   const Array<Sphere<D>>& spheres() const noexcept { return spheres_; }
   uint32_t vertex_count() const noexcept { return static_cast<uint32_t>(vertices_.size()); }
@@ -86,7 +76,7 @@ class NearList {
   void add_features_at(uint32_t vertex);
   Sphere<D> sphere_round(const uint32_t* vertices, uint32_t count) const noexcept;
 
-  Array<NearObstacle<D>> obstacles_;
+  Array<WallFeature> obstacles_;
   Array<uint32_t> vertices_;
   Array<uint32_t> first_at_, at_;  // the obstacles at each vertex: at_[first_at_[v] .. first_at_[v + 1] - 1]
   Array<double> points_;

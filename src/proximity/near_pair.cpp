@@ -126,7 +126,7 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
   const Vec along =
       f.count == 2 ? unit(to_vec<D>(list_.point(f.corners[1])) - to_vec<D>(list_.point(f.corners[0]))) : Vec::Zero();
   /** The cosine of the least angle between the way and a side of a triangle at the feature. */
-  const auto closeness = [&](const NearObstacle<D>& o) {
+  const auto closeness = [&](const WallFeature& o) {
     double most = -2;
     for (uint32_t i = 0; i < o.count; ++i) {
       if (std::find(f.corners, f.corners + f.count, o.vertices[i]) != f.corners + f.count) continue;
@@ -137,9 +137,9 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
   };
   uint32_t found = kNone;
   double most = 0;
-  const auto cell_at = [&](const NearObstacle<D>& o) { return o.facet.valid() ? map.cell_of(o.facet) : o.cell; };
+  const auto cell_at = [&](const WallFeature& o) { return o.facet.valid() ? map.cell_of(o.facet) : o.cell; };
   const auto offer = [&](uint32_t i) {
-    const NearObstacle<D>& o = list_.obstacles()[i];
+    const WallFeature& o = list_.obstacles()[i];
     if (!o.facet.valid()) {
       if (found == kNone) found = i;
       return;

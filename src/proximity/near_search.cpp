@@ -128,7 +128,7 @@ void NearSearch<D>::collect(const Body<D>& other, const Part<D>& cover, double r
   others_.clear();
   const auto add = [&](const Simplex& s) {
     const SimplexCorners<D> corners(other, s);
-    NearObstacle<D> o{{}, corners.count, {}, {}};
+    WallFeature o{{}, corners.count, {}, {}};
     std::copy_n(corners.vertices, std::min<uint32_t>(corners.count, D), o.vertices);
     others_.add(o);
     return true;

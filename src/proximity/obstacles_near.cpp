@@ -59,7 +59,7 @@ template <int D>
 void ObstacleFlood<D>::add_triangles(Cell c, const Shape& shape, uint32_t facet, NearList<D>& found) const {
   for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
     const uint16_t* const local = shape.simplices() + size_t{s} * D;
-    NearObstacle<D> o{{}, D, env_.map.half_facet(c, facet), {}};
+    WallFeature o{{}, D, env_.map.half_facet(c, facet), {}};
     uint32_t all = ~0u;
     for (int i = 0; i < D; ++i) {
       all &= outside_[local[i]];

@@ -82,7 +82,7 @@ template <class Visit>
 bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, double distance, double limit, Visit visit) {
   const double reach = distance + limit, wanted = least_of(swept, distance);
   const Box<D> box = box_round<D>(swept.hull, reach);
-  const auto look = [&](const NearList<D>& list, const NearObstacle<D>& obstacle) {
+  const auto look = [&](const NearList<D>& list, const WallFeature& obstacle) {
     Thing thing{{{}, obstacle.count}, wanted, kNone, {}, &obstacle, &list};
     for (uint32_t i = 0; i < obstacle.count; ++i) thing.hull.points[i] = list.point(obstacle.vertices[i]);
     return !is_in(box, thing.hull) || visit(thing);
@@ -95,7 +95,7 @@ bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, double 
   }
   const NearList<D>& list = lists_.in(swept.start, NearRegion<D>(swept.hull.points, swept.hull.count, reach));
   return std::all_of(list.obstacles().begin(), list.obstacles().end(),
-                     [&](const NearObstacle<D>& obstacle) { return look(list, obstacle); });
+                     [&](const WallFeature& obstacle) { return look(list, obstacle); });
 }
 
 template <int D>
@@ -185,10 +185,12 @@ void ThickSweep<D>::visit_too_near(const Partners<D>* partners, const Body<D>& b
       found.normal = is_zero(gap.normal) ? unit(difference<D>(body.position(v), to)) : gap.normal;
       found.partner = thing.partner;
       found.other = thing.other;
-      if (const NearObstacle<D>* const obstacle = thing.obstacle) {
+      if (const WallFeature* const obstacle = thing.obstacle) {
+        for (uint32_t& i = found.count; i < obstacle->count; ++i) {
+          found.vertices[i] = thing.list->name(obstacle->vertices[i]);
+        }
         found.facet = obstacle->facet;
         found.cell = obstacle->cell;
-        for (uint32_t i = 0; i < obstacle->count; ++i) found.vertices[i] = thing.list->name(obstacle->vertices[i]);
       }
       std::copy_n(gap.other_weights, 3, found.weights);
       visit(found);

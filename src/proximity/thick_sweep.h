@@ -22,20 +22,18 @@ inline double less_share(double length, double share) noexcept {
 inline double least_at_rest(double wanted) noexcept { return less_share(wanted, 0x1p-34); }
 inline double least_kept(double wanted) noexcept { return less_share(wanted, 0x1p-35); }
 
-/** What comes too near to a part of a body, and when. */
+/** What comes too near to a part of a body, and when: something of the environment, with its vertices, or a part of a body. */
 template <int D>
-struct TooNear {
+struct TooNear : WallFeature {
   double time = 0;               // of the way of the moving vertex; rounded
   Simplex part{};                // of the body, the moving vertex with others
   double shares[3] = {1, 0, 0};  // where on the part: weights of the moving vertex, and of the others as in the hull
   Vec normal;                    // unit, from the obstacle to the part
   uint32_t partner = kNone;      // its number; kNone: the environment
   Simplex other{};               // its part
-  // The obstacle's corners, ascending, if it is of the environment; `weights` are those of its nearest point.
-  uint32_t vertices[3] = {kNone, kNone, kNone};
-  double weights[3] = {};
-  HalfFacet facet;  // as NearObstacle
-  Cell cell;
+  double weights[3] = {};        // of the other's corners in its nearest point
+
+  TooNear() noexcept : WallFeature{{kNone, kNone, kNone}, 0, {}, {}} {}
 };
 
 /** Keeps its memory from call to call; one for each thread. Throws std::bad_alloc. */
@@ -89,7 +87,7 @@ class ThickSweep {
     double wanted;  // distance
     uint32_t partner;
     Simplex other;
-    const NearObstacle<D>* obstacle;  // of the list
+    const WallFeature* obstacle;  // of the list
     const NearList<D>* list;
   };
   Swept sweep_of(const Body<D>& body, const Simplex& part, uint32_t v, const double* to) const noexcept;

@@ -26,7 +26,7 @@ FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& w
     region.add(at);
   }
   const NearList<D>& list = lists_.in(body.vertices[first_vertex].cell, region);
-  for (const NearObstacle<D>& obstacle : list.obstacles()) {
+  for (const WallFeature& obstacle : list.obstacles()) {
     RigidTouch<D> wall;
     wall.count = obstacle.count;
     wall.facet = obstacle.facet;

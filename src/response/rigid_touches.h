@@ -15,7 +15,7 @@ struct RigidTouch {
   const double* points[3] = {};
   uint32_t vertices[3] = {kNone, kNone, kNone};
   uint32_t count = 0;
-  HalfFacet facet;  // as NearObstacle
+  HalfFacet facet;  // as in WallFeature
   Cell cell;
   uint32_t partner = kNone;  // the number of the body that is touched; kNone: the environment
   Simplex other{};           // its part

@@ -31,6 +31,7 @@ void record_touch(const Environment<D>& env, const Body<D>& body, const RigidWay
   near.partner = touch.partner;
   near.other = touch.other;
   std::copy_n(touch.vertices, 3, near.vertices);
+  near.count = touch.count;
   near.facet = touch.facet;
   near.cell = touch.cell;
   record.add(describe(env, body, v, to, near),

@@ -63,7 +63,7 @@ SweepContact contact_at(const Environment<3>& env, const EdgeMotion& m, HalfFace
 
 /** The fan round a line that has a facet. False: not known, or it has no walls. */
 bool find_fan(const Environment<3>& env, const EdgeMotion& m, HalfFacet passed, const RidgeName& line,
-              TouchedFan& fan) noexcept {
+              TouchedLines::Fan& fan) noexcept {
   fan.walls[0] = find_wall(env, passed, line.vertices);
   if (!fan.walls[0].valid()) return false;
   fan.walls[1] = find_wall(env, env.map.opposite(passed), line.vertices);
@@ -114,7 +114,7 @@ bool meets_first(const Environment<3>& env, const Body<3>& body, const MovingPar
   if (env.marked_edges != 0 && edge_marked(env, line.vertices[0], line.vertices[1])) return false;
   const EdgeMotion m = edge.edge();
   TouchedLines* kept = lines_of(body, edge.part.index, edge.vertex);
-  TouchedFan fan;
+  TouchedLines::Fan fan;
   if (kept != nullptr && kept->knows_fan(line, ridge.facet, env.change_version)) {
     fan = kept->fan;
   } else {

@@ -127,7 +127,7 @@ void MovingWalls<D>::add_features(const Simplex& part) {
       ends_.insert(ends_.end(), end, end + D);
     }
     list_.for_each_obstacle(f, [&](uint32_t number) {
-      const NearObstacle<D>& obstacle = list_.obstacles()[number];
+      const WallFeature& obstacle = list_.obstacles()[number];
       feature.name.add_name(env_.map, obstacle.facet, obstacle.cell);
     });
     features_.push_back(feature);

@@ -101,9 +101,9 @@ void NearWalls<D>::collect(const Trajectory<D>& of, const Part<D>& part, const R
 
 template <int D>
 void NearWalls<D>::add_obstacles(const NearList<D>& list, const NearSelection<D>* selection, const Box<D>& box) {
-  const auto add = [&](const NearObstacle<D>& o) {
+  const auto add = [&](const WallFeature& o) {
     const double* points[D];
-    NearObstacle<D> named = o;
+    WallFeature named = o;
     for (uint32_t i = 0; i < o.count; ++i) {
       named.vertices[i] = list.name(o.vertices[i]);
       points[i] = env_.point(named.vertices[i]);
@@ -111,7 +111,7 @@ void NearWalls<D>::add_obstacles(const NearList<D>& list, const NearSelection<D>
     if (box.overlaps(points, static_cast<int>(o.count))) obstacles_.push_back(named);
   };
   if (selection == nullptr) {
-    for (const NearObstacle<D>& o : list.obstacles()) add(o);
+    for (const WallFeature& o : list.obstacles()) add(o);
   } else {
     for (const uint32_t i : selection->obstacles()) add(list.obstacles()[i]);
   }
@@ -121,7 +121,7 @@ void NearWalls<D>::add_obstacles(const NearList<D>& list, const NearSelection<D>
 template <int D>
 void NearWalls<D>::add_features(bool corners_alone, Range& near) {
   for (uint32_t o = 0; o < obstacles_.size(); ++o) {
-    const NearObstacle<D>& obstacle = obstacles_[o];
+    const WallFeature& obstacle = obstacles_[o];
     uint32_t plane = kNone;
     if (obstacle.count == D) {
       plane = static_cast<uint32_t>(planes_.size()) - near.first_plane;
@@ -145,7 +145,7 @@ void NearWalls<D>::add_features(bool corners_alone, Range& near) {
     Candidate feature{{{first.vertices[0], first.vertices[1], kNone}, corners_alone ? 1u : 2u, {}, {}}, 0, 0};
     feature.first_plane = static_cast<uint32_t>(plane_numbers_.size());
     for (; i < sides_.size() && std::equal(sides_[i].vertices, sides_[i].vertices + 2, feature.name.vertices); ++i) {
-      const NearObstacle<D>& obstacle = obstacles_[sides_[i].obstacle];
+      const WallFeature& obstacle = obstacles_[sides_[i].obstacle];
       if (sides_[i].plane != kNone) plane_numbers_.push_back(sides_[i].plane);
       feature.name.add_name(env_.map, obstacle.facet, obstacle.cell);
     }

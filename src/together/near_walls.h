@@ -46,7 +46,7 @@ class NearWalls {
   Array<Candidate> features_{env_.memory};
   Array<WallPlane<D>> planes_{env_.memory};
   Array<uint32_t> plane_numbers_{env_.memory};
-  Array<NearObstacle<D>> obstacles_{env_.memory};  // of the part that is looked at; vertices of the environment
+  Array<WallFeature> obstacles_{env_.memory};  // of the part that is looked at; vertices of the environment
   Array<Side> sides_{env_.memory};
 };
 
