@@ -24,7 +24,7 @@ struct Options {
   double link = 0;         // 0: half of the route for all links, at most three radii of the lumen
   double speed = 0;        // 0: the tip comes to the end of the route in the last step, if nothing holds it up
   double friction = 0.04;  // of a coated catheter
-  bool rod = false;        // physics of ../physics/rod in place of springs
+  bool rod = false;        // physics of bindings/rod in place of springs
   physics::Integrator integrator = physics::Integrator::kImplicitEuler;
   dsw_level level = DSW_LEVEL_EDGES_SWEPT;
   bool inserts = true;     // edges that touch get new vertices where there is room; else they only slide

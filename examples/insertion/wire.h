@@ -1,4 +1,4 @@
-// What is inserted, whatever its physics is: the springs of physics/catheter.h or the rod of physics/rod.
+// What is inserted, whatever its physics is: the springs of physics/catheter.h or the rod of bindings/rod.
 #ifndef DARTSWEEP_INSERTION_WIRE_H
 #define DARTSWEEP_INSERTION_WIRE_H
 

@@ -2,14 +2,12 @@
 #ifndef DARTSWEEP_PHYSICS_POINTS_H
 #define DARTSWEEP_PHYSICS_POINTS_H
 
-#include <Eigen/Dense>
 #include <cstddef>
 #include <vector>
 
-namespace physics {
+#include "rod/positions.h"
 
-using Vector3 = Eigen::Vector3d;
-using Positions = std::vector<Vector3>;
+namespace physics {
 
 // State of all points, by index. Units are the host's, as long as they fit each other (mm, s, mg and uN do).
 struct Points {

@@ -3,7 +3,7 @@
 #define DARTSWEEP_PHYSICS_ROD_NEAR_ROWS_H
 
 #include "library.h"
-#include "near_row.h"
+#include "rod/near_row.h"
 
 namespace physics {
 

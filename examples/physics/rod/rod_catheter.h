@@ -3,7 +3,7 @@
 #define DARTSWEEP_PHYSICS_ROD_ROD_CATHETER_H
 
 #include "near_rows.h"
-#include "rod.h"
+#include "rod/rod.h"
 #include "route.h"
 #include "soft_body.h"
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rod/rod_system.h"
 #include "rods.h"
 
 namespace physics {
@@ -175,6 +176,93 @@ TEST(RodContacts, AStoppedRodGainsNoSpeed) {
   EXPECT_NEAR(rod.velocity[5].z(), -100, 1e-6);
   EXPECT_LT(rod.kinetic_energy(), before);
   EXPECT_EQ(rod.shape.position[3], stopped[3]);
+}
+
+// Many rows press on a stiff rod: sweeps alone are far from the end, and the direct solution is there.
+TEST(RodContacts, RowsThatPressAreSolvedAtOnce) {
+  double off[2];
+  for (const int together : {0, 2}) {
+    Rod rod = straight_rod(60, 1);
+    for (RodEdge& edge : rod.edges) {
+      edge.bending = 1e12;
+    }
+    for (std::size_t i = 0; i < rod.size(); ++i) {
+      rod.shape.position[i].z() = 1e-4 * static_cast<double>(i % 3);
+    }
+    load_with_weight(&rod, Vector3(300, 0, -kEarthGravity));
+    rod.options.contact.friction = 0.5;
+    rod.options.contact.tolerance = 1e-10;
+    rod.options.contact.most_sweeps = 30;
+    rod.options.contact.together = together;
+    NearRows rows;
+    RodContactReport report;
+    for (int step = 0; step < 40; ++step) {
+      rows = rows_on_plane(rod, Vector3::UnitZ(), rows);
+      report = rod.step(kContactStep, rows);
+      rod.accept(rod.targets(), kContactStep);
+    }
+    off[together == 0 ? 0 : 1] = report.last_change;
+    if (together != 0) {
+      EXPECT_LT(report.sweeps, 30);
+      EXPECT_NEAR(total(rod.contacts().impulses()).z(), 60 * kEarthGravity * kContactStep, 1e-3);
+      EXPECT_LT(rod.velocity[30].norm(), 1e-6);
+    }
+  }
+  EXPECT_LE(off[1], 1e-10);
+  EXPECT_GT(off[0], off[1]);
+}
+
+// A row between rod 0 and rod 1, whose vertices `a` and `b` are above each other.
+NearRow row_between(const RodSystem& system, std::uint32_t a, std::uint32_t b, double radii) {
+  NearRow row;
+  row.vertices[0] = a;
+  row.rod = 1;
+  row.rod_vertices[0] = row.rod_vertices[1] = b;
+  const Vector3 way = system.rods[0].shape.position[a] - system.rods[1].shape.position[b];
+  row.normal = way.normalized();
+  row.gap = way.norm() - radii;
+  return row;
+}
+
+TEST(RodSystem, RodsThatCrossShareTheirMomentum) {
+  RodSystem system;
+  system.rods = {straight_rod(10, 1), straight_rod(10, 1)};
+  for (std::size_t i = 0; i <= 10; ++i) {
+    system.rods[0].shape.position[i] = Vector3(5, static_cast<double>(i) - 5, 1.05);
+    system.rods[0].velocity[i] = Vector3(0, 0, -100);
+  }
+  system.rods[0].shape.find_edges();
+  for (Rod& rod : system.rods) {
+    rod.options.contact.friction = 0.3;
+    rod.options.contact.tolerance = 1e-9;
+  }
+  const auto momentum = [&] {
+    Vector3 sum = Vector3::Zero();
+    for (const Rod& rod : system.rods) {
+      for (std::size_t i = 0; i < rod.size(); ++i) {
+        sum += rod.mass[i] * rod.velocity[i];
+      }
+    }
+    return sum;
+  };
+  const Vector3 before = momentum();
+  std::vector<NearRows> rows(2);
+  double least = 1;
+  for (int step = 0; step < 50; ++step) {
+    rows[0] = {row_between(system, 5, 5, 1)};
+    for (Rod& rod : system.rods) {
+      rod.contacts().impulses().assign(1, Vector3::Zero());
+      rod.predict(kContactStep);
+    }
+    system.finish(kContactStep, rows);
+    for (Rod& rod : system.rods) {
+      rod.accept(rod.targets(), kContactStep);
+    }
+    least = std::min(least, (system.rods[0].shape.position[5] - system.rods[1].shape.position[5]).norm());
+  }
+  EXPECT_GT(least, 1 - 1e-6);
+  EXPECT_LT((momentum() - before).norm(), 1e-6 * before.norm());
+  EXPECT_LT(system.rods[1].velocity[5].z(), -10);
 }
 
 }  // namespace

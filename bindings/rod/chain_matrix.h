@@ -3,8 +3,8 @@
 // All costs are O(blocks). The inverse of such a matrix is full, but what a force does far away passes through two
 // neighbouring blocks: `towards_first` and `towards_last` carry it on, block by block. Contacts are solved with these
 // (rod_contacts.h).
-#ifndef DARTSWEEP_PHYSICS_ROD_CHAIN_MATRIX_H
-#define DARTSWEEP_PHYSICS_ROD_CHAIN_MATRIX_H
+#ifndef DARTSWEEP_ROD_CHAIN_MATRIX_H
+#define DARTSWEEP_ROD_CHAIN_MATRIX_H
 
 #include <Eigen/Dense>
 #include <vector>

@@ -1,10 +1,10 @@
 // The discrete elastic rod: where it is, and how much each vertex is bent and twisted. Bergou, Wardetzky, Robinson,
 // Audoly and Grinspun 2008; Bergou, Audoly, Vouga, Wardetzky and Grinspun 2010.
-#ifndef DARTSWEEP_PHYSICS_ROD_ROD_SHAPE_H
-#define DARTSWEEP_PHYSICS_ROD_ROD_SHAPE_H
+#ifndef DARTSWEEP_ROD_ROD_SHAPE_H
+#define DARTSWEEP_ROD_ROD_SHAPE_H
 
 #include "chain_matrix.h"
-#include "points.h"
+#include "positions.h"
 
 namespace physics {
 

@@ -25,6 +25,7 @@ Rod::Rod(const Positions& line, const std::vector<RodEdge>& of_edges) {
   velocity = load = {Vector3::Zero()};
   rest_curvature = {Vector2::Zero()};
   rest_twist = shape.twist = {0};
+  mass = {0};
   held = {0};
   for (std::size_t i = 0; i < of_edges.size(); ++i) {
     add_vertex(line[i + 1], of_edges[i]);
@@ -39,6 +40,8 @@ void Rod::add_vertex(const Vector3& at, const RodEdge& edge) {
   shape.director.push_back(last == 0 ? unit_across(tangent)
                                      : transported(shape.director[last - 1], shape.tangent[last - 1], tangent));
   edges.push_back(edge);
+  mass.back() += 0.5 * edge.mass;
+  mass.push_back(0.5 * edge.mass);
   velocity.push_back(Vector3::Zero());
   load.push_back(Vector3::Zero());
   spin.push_back(0);
@@ -47,10 +50,6 @@ void Rod::add_vertex(const Vector3& at, const RodEdge& edge) {
   rest_curvature.push_back(Vector2::Zero());
   rest_twist.push_back(0);
   shape.twist.push_back(0);
-}
-
-double Rod::mass_of(std::size_t vertex) const {
-  return 0.5 * ((vertex > 0 ? edges[vertex - 1].mass : 0) + (vertex < edges.size() ? edges[vertex].mass : 0));
 }
 
 double Rod::inertia_of(std::size_t edge) const {
@@ -145,62 +144,97 @@ void Rod::prescribe(const BlockVector& now, BlockVector* right_side) {
   }
 }
 
-RodContactReport Rod::step(double dt, const NearRows& rows) {
+BlockVector Rod::velocities() const {
+  BlockVector now(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    now[i] << velocity[i], i + 1 < size() ? spin[i] : 0;
+  }
+  return now;
+}
+
+// A v' = M v + dt (f(trial) + load) + dt^2 K guess, where A = M (1 + dt drag) + (dt^2 + dt damping) K.
+void Rod::linearise(const RodShape& trial, double dt, const BlockVector* guess) {
   const std::size_t count = size();
-  BlockVector now(count, Eigen::Vector4d::Zero()), guess(count, Eigen::Vector4d::Zero()), right_side(count);
+  const BlockVector now = velocities();
+  const double scale = dt * dt + dt * options.damping;
+  right_side_.assign(count, Eigen::Vector4d::Zero());
+  matrix_.set_zero(count);
+  add_elasticity(trial, scale, &right_side_, &matrix_);
+  const BlockVector stiff = guess == nullptr ? BlockVector() : matrix_.times(*guess);
   for (std::size_t i = 0; i < count; ++i) {
-    now[i] << velocity[i], i + 1 < count ? spin[i] : 0;
+    const Eigen::Vector4d stiffest = kLeastMass * matrix_.columns[i].diagonal.diagonal();
+    Eigen::Vector4d masses = Eigen::Vector4d::Constant(std::max(mass[i], stiffest.head<3>().maxCoeff()));
+    masses[3] = i + 1 < count ? std::max(inertia_of(i), stiffest[3]) : 1;
+    right_side_[i].head<3>() += load[i];
+    right_side_[i] = dt * right_side_[i] + masses.cwiseProduct(now[i]);
+    if (guess != nullptr) {
+      right_side_[i] += dt * dt / scale * stiff[i];
+    }
+    matrix_.columns[i].diagonal.diagonal() += (1 + dt * options.drag) * masses;
   }
-  RodShape trial = shape;
-  RodContactReport report;
-  for (int k = 0; k < options.linearisations; ++k) {
-    // A v' = M v + dt (f(trial) + load) + dt^2 K guess, where A = M (1 + dt drag) + (dt^2 + dt damping) K.
-    const double scale = dt * dt + dt * options.damping;
-    std::fill(right_side.begin(), right_side.end(), Eigen::Vector4d::Zero());
-    matrix_.set_zero(count);
-    add_elasticity(trial, scale, &right_side, &matrix_);
-    const BlockVector stiff = k == 0 ? BlockVector() : matrix_.times(guess);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Eigen::Vector4d stiffest = kLeastMass * matrix_.columns[i].diagonal.diagonal();
-      Eigen::Vector4d mass = Eigen::Vector4d::Constant(std::max(mass_of(i), stiffest.head<3>().maxCoeff()));
-      mass[3] = i + 1 < count ? std::max(inertia_of(i), stiffest[3]) : 1;
-      right_side[i].head<3>() += load[i];
-      right_side[i] = dt * right_side[i] + mass.cwiseProduct(now[i]);
-      if (k > 0) {
-        right_side[i] += dt * dt / scale * stiff[i];
-      }
-      matrix_.columns[i].diagonal.diagonal() += (1 + dt * options.drag) * mass;
-    }
-    prescribe(now, &right_side);
-    factor_.factor(matrix_);
-    guess = right_side;
-    factor_.solve(&guess);
-    report = contacts_.solve(rows, matrix_, factor_, held, guess, dt, k > 0, options.contact);
-    if (!rows.empty()) {
-      guess = right_side;
-      contacts_.add_impulses(&guess);
-      factor_.solve(&guess);
-    }
-    targets_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      targets_[i] = shape.position[i] + dt * guess[i].head<3>();
-    }
-    if (k + 1 < options.linearisations) {
-      std::vector<double> turn(edges.size());
-      std::transform(guess.begin(), guess.end() - 1, turn.begin(),
-                     [dt](const Eigen::Vector4d& v) { return dt * v[3]; });
-      trial = shape;
-      trial.advance(targets_, turn);
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    velocity[i] = guess[i].head<3>();
-    if (i + 1 < count) {
-      spin[i] = guess[i][3];
+  prescribe(now, &right_side_);
+  factor_.factor(matrix_);
+}
+
+// `velocities` are those of the next time step.
+void Rod::take(const BlockVector& velocities, double dt) {
+  targets_.resize(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    targets_[i] = shape.position[i] + dt * velocities[i].head<3>();
+    velocity[i] = velocities[i].head<3>();
+    if (i + 1 < size()) {
+      spin[i] = velocities[i][3];
     }
   }
   contacts_.end_step();
+}
+
+RodContactReport Rod::step(double dt, const NearRows& rows) {
+  const std::size_t count = size();
+  RodShape trial = shape;
+  RodContactReport report;
+  for (int k = 0; k < options.linearisations; ++k) {
+    const BlockVector before = guess_;
+    linearise(trial, dt, k > 0 ? &before : nullptr);
+    guess_ = right_side_;
+    factor_.solve(&guess_);
+    report = contacts_.solve(rows, matrix_, factor_, held, guess_, dt, k > 0, options.contact);
+    if (!rows.empty()) {
+      guess_ = right_side_;
+      contacts_.add_impulses(&guess_);
+      factor_.solve(&guess_);
+    }
+    if (k + 1 < options.linearisations) {
+      Positions to(count);
+      std::vector<double> turn(edges.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        to[i] = shape.position[i] + dt * guess_[i].head<3>();
+        if (i + 1 < count) {
+          turn[i] = dt * guess_[i][3];
+        }
+      }
+      trial = shape;
+      trial.advance(to, turn);
+    }
+  }
+  take(guess_, dt);
   return report;
+}
+
+const BlockVector& Rod::predict(double dt) {
+  linearise(shape, dt, nullptr);
+  guess_ = right_side_;
+  factor_.solve(&guess_);
+  return guess_;
+}
+
+void Rod::finish(double dt, const BlockVector& impulses) {
+  guess_ = right_side_;
+  for (std::size_t i = 0; i < size(); ++i) {
+    guess_[i] += impulses[i];
+  }
+  factor_.solve(&guess_);
+  take(guess_, dt);
 }
 
 void Rod::accept(const Positions& actual, double dt) {
@@ -241,7 +275,7 @@ double Rod::elastic_energy() const {
 double Rod::kinetic_energy() const {
   double energy = 0;
   for (std::size_t i = 0; i < size(); ++i) {
-    energy += 0.5 * mass_of(i) * velocity[i].squaredNorm();
+    energy += 0.5 * mass[i] * velocity[i].squaredNorm();
   }
   for (std::size_t i = 0; i < edges.size(); ++i) {
     energy += 0.5 * inertia_of(i) * spin[i] * spin[i];

@@ -4,8 +4,8 @@
 // A step has a fixed cost, O(vertices + rows * sweeps). Forces are those of implicit Euler, linearised once or twice.
 // The stiffness matrix is the second derivative of the energy without what could make it indefinite: of a bend the
 // Gauss-Newton part, of a stretched edge all but the part of pressure.
-#ifndef DARTSWEEP_PHYSICS_ROD_ROD_H
-#define DARTSWEEP_PHYSICS_ROD_ROD_H
+#ifndef DARTSWEEP_ROD_ROD_H
+#define DARTSWEEP_ROD_ROD_H
 
 #include "rod_contacts.h"
 #include "rod_shape.h"
@@ -15,7 +15,7 @@ namespace physics {
 // An edge at rest, with units that fit each other, such as mm, s, mg and uN.
 struct RodEdge {
   double length = 1;
-  double mass = 1;          // shared by its two vertices
+  double mass = 1;          // shared by its two vertices when it is added; later only for the turn about the edge
   double stretching = 1e9;  // force: Young's modulus times area
   double bending = 1e7;     // force times area
   double twisting = 8e6;    // force times area
@@ -39,6 +39,14 @@ class Rod {
 
   // Velocities of the next time step, and with them `targets`. Rows refer to where the rod is now.
   RodContactReport step(double dt, const NearRows& rows);
+  // What `step` does, in parts, with one linearisation: the velocities without contacts; the contacts, which are
+  // solved by someone else; the velocities with the impulses that are known then.
+  const BlockVector& predict(double dt);
+  const BlockVector& predicted() const { return guess_; }
+  RodContacts& contacts() { return contacts_; }
+  const ChainMatrix& matrix() const { return matrix_; }
+  const ChainFactor& factor() const { return factor_; }
+  void finish(double dt, const BlockVector& impulses);
   // Where the vertices want to be at the end of the step.
   const Positions& targets() const { return targets_; }
   // The rod is at `actual`, which may be short of the targets. A vertex that was stopped is as fast as the way that
@@ -64,6 +72,7 @@ class Rod {
 
   RodShape shape;
   Positions velocity;                   // by vertex
+  std::vector<double> mass;             // by vertex
   std::vector<double> spin;             // by edge: how fast it turns about itself
   std::vector<RodEdge> edges;           // at rest
   std::vector<Vector2> rest_curvature;  // by vertex, as RodBend
@@ -73,14 +82,17 @@ class Rod {
   RodOptions options;
 
  private:
-  double mass_of(std::size_t vertex) const;
   double inertia_of(std::size_t edge) const;
   double half_length_at(std::size_t vertex) const;
   // Adds forces to `force`, and `scale` times the stiffness to `matrix`.
   void add_elasticity(const RodShape& at, double scale, BlockVector* force, ChainMatrix* matrix) const;
   void prescribe(const BlockVector& now, BlockVector* right_side);
+  BlockVector velocities() const;
+  void linearise(const RodShape& trial, double dt, const BlockVector* guess);
+  void take(const BlockVector& velocities, double dt);
 
   Positions targets_;
+  BlockVector right_side_, guess_;
   ChainMatrix matrix_;
   ChainFactor factor_;
   RodContacts contacts_;
