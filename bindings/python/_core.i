@@ -49,6 +49,13 @@ class Log : public dartsweep::LogSink {
 
 }  // namespace dartsweep_python
 %}
+
+// Steps of the elastic rods of rod.py.
+%{
+#include "rod_solver.h"
+%}
+%include "rod_solver.h"
+
 %define DSW_DTYPE(type, name)
 %template(set_dtype_##name) dartsweep_python::set_dtype<type>;
 %enddef

@@ -20,8 +20,11 @@ def centreline(environment: Environment, start: ArrayLike | None = None, end: Ar
 
     Every volume is asked for, one by one: some seconds for 100,000. The way keeps away from walls.
     """
-    from scipy.sparse import csr_matrix
-    from scipy.sparse.csgraph import connected_components, dijkstra
+    try:
+        from scipy.sparse import csr_matrix
+        from scipy.sparse.csgraph import connected_components, dijkstra
+    except ImportError as error:
+        raise ImportError("a centreline needs SciPy, which is in the extra `rod`: pip install dartsweep[rod]", name="scipy") from error
 
     ids: list[Any] = []
     numbers: dict[int, int] = {}
