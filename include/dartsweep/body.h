@@ -41,7 +41,10 @@ enum {
   DSW_BODY_SKIP_BACK_EDGES = 0x20,
   /** Walls push the body by rigid motions, or wait [JCD10] 5.1. These and dsw_body_move_rigid add
    * up no rounding of the shape. Responses insert no vertices. */
-  DSW_BODY_RIGID = 0x40
+  DSW_BODY_RIGID = 0x40,
+  /** Lossless. Edges keep no sequences, which they do from DSW_LEVEL_EDGES_SWEPT on: a surface takes
+   * a quarter of the memory, and moves are slower. @since 2.1 */
+  DSW_BODY_NO_SEQUENCES = 0x80
 };
 
 /** Describes a body. */

@@ -58,6 +58,11 @@ class SlotPool {
     reserve_more(words_, fresh);
     reserve_more(free_, releases);
   }
+  /** Gives back room that is not used. Before the next release, room must be made again. Throws std::bad_alloc. */
+  void shrink_to_fit() {
+    words_.shrink_to_fit();
+    free_.shrink_to_fit();
+  }
   /** Index that the call number `k` of acquire from now on will give, if nothing is released before. */
   uint32_t upcoming(size_t k) const noexcept {
     return k < free_.size() ? free_[free_.size() - 1 - k] : static_cast<uint32_t>(words_.size() + k - free_.size());

@@ -115,6 +115,15 @@ void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more
 }
 
 template <int D>
+void shrink_to_fit(Body<D>& body) {
+  for (SlotPool* slots : {&body.vertex_slots, &body.edge_slots, &body.face_slots}) slots->shrink_to_fit();
+  body.edges.shrink_to_fit();  // faces may have found their edges
+  if (!body.keeps_corridors()) return;
+  body.corridors.erase(body.corridors.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.corridors.end());
+  body.corridors.shrink_to_fit();
+}
+
+template <int D>
 void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept {
   std::copy_n(position, D, body.vertices[vertex].position);
   body.vertices[vertex].cell = cell;
@@ -278,6 +287,7 @@ void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
 }
 
 DSW_INSTANTIATE(reserve);
+DSW_INSTANTIATE(shrink_to_fit);
 DSW_INSTANTIATE(keep_corridors);
 DSW_INSTANTIATE(keep_forecasts);
 DSW_INSTANTIATE(restore_forecasts);

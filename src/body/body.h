@@ -49,7 +49,7 @@ struct BodyFace {
 
 /** What of the sweeps of a body's edges may be left out; see DSW_BODY_... */
 struct Skipping {
-  bool corridors = false, by_environment = false, by_clearance = false;
+  bool corridors = false, no_corridors = false, by_environment = false, by_clearance = false;
   bool back_edges = false, by_similar_motion = false;  // at EDGES
   double motion_share = 0.1;
 };
@@ -125,7 +125,7 @@ struct Body {
 
   bool is_rigid() const { return !shape.empty(); }
   bool keeps_lengths() const { return radius > 0 && filter.self; }
-  bool keeps_corridors() const { return skipping.corridors || sweeps_edges(level); }
+  bool keeps_corridors() const { return skipping.corridors || (sweeps_edges(level) && !skipping.no_corridors); }
   bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
   bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
   bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }
@@ -192,6 +192,14 @@ bool is_turned_outwards(const Body<3>& body) noexcept;
 /** Makes room for so many more: the functions below then neither throw nor fail. */
 template <int D>
 void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more_faces);
+/** Makes room for removing parts: the functions below then do not fail. `reserve` makes it, too. Throws std::bad_alloc. */
+template <int D>
+void reserve_removals(Body<D>& body) {
+  for (SlotPool* slots : {&body.vertex_slots, &body.edge_slots, &body.face_slots}) slots->reserve(0);
+}
+/** Gives back room after a body has been made. Throws std::bad_alloc. */
+template <int D>
+void shrink_to_fit(Body<D>& body);
 /** Gives every edge room for its corridor, after the level has been raised. */
 template <int D>
 void keep_corridors(Body<D>& body, size_t edges);

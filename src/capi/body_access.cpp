@@ -6,10 +6,15 @@ namespace {
 Skipping to_skipping(uint32_t flags, double share) {
   check_flags(flags,
               DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE |
-                  DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_SELF_CONTACTS | DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_RIGID,
+                  DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_SELF_CONTACTS | DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_RIGID |
+                  DSW_BODY_NO_SEQUENCES,
               "desc->flags");
+  if ((flags & DSW_BODY_SEQUENCES) != 0 && (flags & DSW_BODY_NO_SEQUENCES) != 0) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->flags: DSW_BODY_SEQUENCES and DSW_BODY_NO_SEQUENCES exclude each other");
+  }
   Skipping skipping;
   skipping.corridors = (flags & DSW_BODY_SEQUENCES) != 0;
+  skipping.no_corridors = (flags & DSW_BODY_NO_SEQUENCES) != 0;
   skipping.by_environment = (flags & DSW_BODY_SKIP_BY_ENVIRONMENT) != 0;
   skipping.by_clearance = (flags & DSW_BODY_SKIP_BY_CLEARANCE) != 0;
   skipping.by_similar_motion = (flags & DSW_BODY_SKIP_SIMILAR_MOTION) != 0;

@@ -50,6 +50,7 @@ dsw_status dsw_body_remove_face(dsw_scene* scene, dsw_body_id body, dsw_body_fac
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t f = capi::to_engine(of.body, face, "face");
     capi::Recorded call(scene, capi::row_of<dsw_body_remove_face>, body, face);
+    dsw::reserve_removals(of.body);
     remove_face(of.body, f);
     call.done();
   });

@@ -71,6 +71,7 @@ bool merge_vertex(StarSweep<D>& star, Body<D>& body, uint32_t edge, uint32_t ver
   const uint32_t kept = body.edges[edge].other(vertex);
   Cell cell;
   if (!can_collapse(body, edge, vertex) || !star.can_merge(body, vertex, kept, &cell)) return false;
+  reserve_removals(body);
   if (edit != nullptr) {
     *edit = {};
     edit->vertex = vertex_id(body, vertex);

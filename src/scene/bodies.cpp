@@ -149,11 +149,7 @@ BodyRecord<D> make_body(const Scene<D>& scene, const BodyDescription& d, const C
     add_faces(body, d);
     if (body.skipping.back_edges) check_closed(body);
   }
-  body.edges.shrink_to_fit();  // faces may have found their edges
-  if (body.keeps_corridors()) {
-    body.corridors.erase(body.corridors.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.corridors.end());
-    body.corridors.shrink_to_fit();
-  }
+  shrink_to_fit(body);
   prepare_body(scene, made);
   return made;
 }

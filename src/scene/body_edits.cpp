@@ -136,6 +136,7 @@ namespace {
 /** Removes a part. What it joined may then be too near to each other. */
 template <int D, class Remove>
 void remove_part(Scene<D>& scene, Body<D>& body, Remove remove) {
+  reserve_removals(body);
   if (!body.keeps_lengths()) return remove();
   scene.offending.clear();
   Body<D> before = body;

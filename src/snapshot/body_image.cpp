@@ -15,7 +15,8 @@ uint64_t flags_of(const Body<D>& body) {
   const Skipping& s = body.skipping;
   return (body.is_rigid() ? kRigidFlag : 0) | (body.filter.self ? kSelfFlag : 0) | (s.corridors ? kSequencesFlag : 0) |
          (s.by_environment ? kEnvironmentFlag : 0) | (s.by_clearance ? kClearanceFlag : 0) |
-         (s.by_similar_motion ? kSimilarMotionFlag : 0) | (s.back_edges ? kBackEdgesFlag : 0);
+         (s.by_similar_motion ? kSimilarMotionFlag : 0) | (s.back_edges ? kBackEdgesFlag : 0) |
+         (s.no_corridors ? kNoSequencesFlag : 0);
 }
 
 template <class T>

@@ -310,6 +310,7 @@ void BodyReader<D>::read(BodyRecord<D>& of) {
   if (n[kLevel] > static_cast<uint64_t>(kHighest) || (n[kFlags] & ~kAllFlags) != 0) fail_corrupt("a body's level");
   body.level = static_cast<SweepLevel>(n[kLevel]);
   body.skipping.corridors = (n[kFlags] & kSequencesFlag) != 0;
+  body.skipping.no_corridors = (n[kFlags] & kNoSequencesFlag) != 0;
   body.skipping.by_environment = (n[kFlags] & kEnvironmentFlag) != 0;
   body.skipping.by_clearance = (n[kFlags] & kClearanceFlag) != 0;
   body.skipping.by_similar_motion = (n[kFlags] & kSimilarMotionFlag) != 0;

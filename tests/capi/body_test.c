@@ -165,8 +165,10 @@ static void bad_members_are_refused(void) {
   newer.known.struct_size = sizeof newer;
   newer.unknown = 1;
   refuses(DSW_STATUS_UNSUPPORTED, &newer.known, "non-zero byte");
-  d = pyramid(), d.flags = 0x80;
-  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->flags is 0x80, this version knows 0x7f");
+  d = pyramid(), d.flags = 0x100;
+  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->flags is 0x100, this version knows 0xff");
+  d.flags = DSW_BODY_SEQUENCES | DSW_BODY_NO_SEQUENCES;
+  refuses(DSW_STATUS_OUT_OF_RANGE, &d, "exclude each other");
   d.flags = 0;
   d.reserved = 1;
   refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->reserved is 1");
@@ -435,6 +437,53 @@ static void memory_is_told(void) {
   CHECK_OK(dsw_scene_destroy(scene));
 }
 
+/* The bytes that a square of 40 by 40 vertices takes in a scene. */
+static double bytes_a_vertex(dsw_level level, uint32_t flags) {
+  enum { SIDE = 40, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1) };
+  static double at[3 * VERTICES];
+  static uint32_t offsets[TRIANGLES + 1], corners[3 * TRIANGLES];
+  dsw_scene *scene = make_scene(g_env, 0);
+  dsw_body_desc d;
+  dsw_body_id body;
+  uint64_t before = 0, with = 0;
+  uint32_t i, k, count = 0;
+  for (i = 0; i < VERTICES; ++i) {
+    at[3 * i] = 0.1 + (i % SIDE) * 0.045;
+    at[3 * i + 1] = 0.1 + (i / SIDE) * 0.045;
+    at[3 * i + 2] = 0.4;
+  }
+  for (i = 0; i < VERTICES - SIDE; ++i) {
+    const uint32_t square[6] = {i, i + 1, i + SIDE, i + 1, i + SIDE + 1, i + SIDE};
+    if (i % SIDE == SIDE - 1) continue;
+    for (k = 0; k < 6; ++k) corners[count++] = square[k];
+  }
+  CHECK(count == 3 * TRIANGLES);
+  for (i = 0; i <= TRIANGLES; ++i) offsets[i] = 3 * i;
+  dsw_body_desc_init(&d, sizeof d);
+  d.level = level;
+  d.flags = flags;
+  d.positions = at;
+  d.vertex_count = VERTICES;
+  d.stride_bytes = 3 * sizeof(double);
+  d.face_offsets = offsets;
+  d.face_corners = corners;
+  d.face_count = TRIANGLES;
+  d.face_corner_count = 3 * TRIANGLES;
+  CHECK_OK(dsw_scene_get_memory_bytes(scene, &before));
+  CHECK_OK(dsw_body_create(scene, &d, &body));
+  CHECK_OK(dsw_scene_get_memory_bytes(scene, &with));
+  CHECK_OK(dsw_scene_destroy(scene));
+  return (double)(with - before) / VERTICES;
+}
+
+static void sequences_that_are_left_out_take_no_memory(void) {
+  const double edges = bytes_a_vertex(DSW_LEVEL_EDGES, 0);
+  const double without = bytes_a_vertex(DSW_LEVEL_EDGES_SWEPT, DSW_BODY_NO_SEQUENCES);
+  CHECK(without == edges && without <= 160);
+  CHECK(bytes_a_vertex(DSW_LEVEL_EDGES_SWEPT, 0) > 3 * without);
+  CHECK(bytes_a_vertex(DSW_LEVEL_EDGES, DSW_BODY_NO_SEQUENCES) == edges);
+}
+
 static void in_both(void) {
   bad_members_are_refused();
   bad_topology_is_refused();
@@ -454,6 +503,7 @@ int main(void) {
   capacities_are_asked_for();
   bad_handles_are_refused();
   memory_is_told();
+  sequences_that_are_left_out_take_no_memory();
   end_stage();
   return check_result();
 }

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace dsw::oracle {
 namespace {
 
-constexpr uint32_t kLossless[] = {DSW_BODY_SEQUENCES, DSW_BODY_SKIP_BY_ENVIRONMENT, DSW_BODY_SKIP_BY_CLEARANCE,
+constexpr uint32_t kLossless[] = {DSW_BODY_SEQUENCES, DSW_BODY_NO_SEQUENCES, DSW_BODY_SKIP_BY_ENVIRONMENT,
+                                  DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_NO_SEQUENCES,
                                   DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE};
 
 }  // namespace
@@ -127,7 +129,7 @@ void Course::stopping() {
   BodyPlan plan;
   BodyState state;
   dsw_body_id body;
-  const uint32_t flags = rng_.chance(0.5) ? 0 : kLossless[rng_.below(4)];
+  const uint32_t flags = rng_.chance(0.5) ? 0 : kLossless[rng_.below(std::size(kLossless))];
   if (!create(checker, source, faults, flags, plan, body, state)) return;
   std::vector<dsw_body_id> twins;
   if (rng_.chance(0.25)) {

@@ -129,7 +129,10 @@ int flattened_contact(int kind) { return kind == DSW_CONTACT_EDGE ? static_cast<
 
 class PlaneBodies : public testing::TestWithParam<int> {
  protected:
+  void run();
+
   void begin(uint32_t features) {
+    sides_.clear();
     floor_ = make_floor(rng_);
     for (const int d : {2, 3}) sides_.emplace_back(d, floor_, features);
   }
@@ -387,7 +390,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
   size_t partings_ = 0;
 };
 
-TEST_P(PlaneBodies, DoWhatTheyDoBetweenWallsInSpace) {
+void PlaneBodies::run() {
   begin(GetParam() % 2 == 0 ? 0 : DSW_FEATURE_LIVE_CHANGES);
   const auto level = static_cast<dsw_level>(DSW_LEVEL_POINTS + GetParam() % 3);
   const uint32_t flags =
@@ -396,7 +399,7 @@ TEST_P(PlaneBodies, DoWhatTheyDoBetweenWallsInSpace) {
   for (int i = 0; i < 12; ++i) add_body(level, flags);
   ASSERT_EQ(sides_[0].bodies.size(), sides_[1].bodies.size());
   if (sides_[0].bodies.empty()) return;
-  for (int step = 0; step < at_least(200) && !HasFailure(); ++step) {
+  for (int step = 0; step < 200 && !HasFailure(); ++step) {
     SCOPED_TRACE(step);
     if (rng_.chance(0.2)) mark_something();
     const size_t b = rng_.below(sides_[0].bodies.size());
@@ -405,6 +408,14 @@ TEST_P(PlaneBodies, DoWhatTheyDoBetweenWallsInSpace) {
     check_free(b);
     if (parted_) join(b, level, flags);
     EXPECT_EQ(sides_[0].positions(sides_[0].bodies[b]), sides_[1].positions(sides_[1].bodies[b]));
+  }
+}
+
+// A scene ends before its bodies have many thousands of vertices: responses insert them.
+TEST_P(PlaneBodies, DoWhatTheyDoBetweenWallsInSpace) {
+  for (int scene = 0; scene < at_least(1) && !HasFailure(); ++scene) {
+    SCOPED_TRACE("scene " + std::to_string(scene));
+    run();
   }
   RecordProperty("partings", static_cast<int>(partings_));
   RecordProperty("contacts", static_cast<int>(contacts_));

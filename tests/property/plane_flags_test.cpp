@@ -10,7 +10,11 @@ namespace {
 using namespace dsw::oracle;
 
 constexpr uint32_t kSize = 24;
-constexpr uint32_t kFlags[] = {0, DSW_BODY_SEQUENCES, DSW_BODY_SKIP_BY_ENVIRONMENT, DSW_BODY_SKIP_BY_CLEARANCE,
+constexpr uint32_t kFlags[] = {0,
+                               DSW_BODY_SEQUENCES,
+                               DSW_BODY_NO_SEQUENCES,
+                               DSW_BODY_SKIP_BY_ENVIRONMENT,
+                               DSW_BODY_SKIP_BY_CLEARANCE,
                                DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE};
 
 struct Case {

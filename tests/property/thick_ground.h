@@ -162,7 +162,7 @@ inline void ask(ThickScene& scene, ThickGround& ground, Rng& rng, size_t count, 
     const BodyPlan plan = thick_shape(ground, rng, level);
     if (!std::all_of(plan.at.begin(), plan.at.end(), finite)) continue;
     // What saves time must not lose anything.
-    constexpr uint32_t savers[] = {0, DSW_BODY_SEQUENCES, DSW_BODY_SKIP_BY_ENVIRONMENT, DSW_BODY_SKIP_BY_CLEARANCE,
+    constexpr uint32_t savers[] = {0, DSW_BODY_NO_SEQUENCES, DSW_BODY_SKIP_BY_ENVIRONMENT, DSW_BODY_SKIP_BY_CLEARANCE,
                                    DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_CLEARANCE};
     if (scene.create(plan, level, 0, flags | savers[rng.below(5u)]) != DSW_STATUS_OK) continue;
     const size_t i = scene.bodies.size() - 1;

@@ -31,7 +31,11 @@ class BendingTest : public WaysTest<Kind> {
   }
   uint32_t flags(bool self) {
     uint32_t all = self ? DSW_BODY_SELF_CONTACTS : 0;
-    if (rng_.chance(0.3)) all |= DSW_BODY_SEQUENCES;
+    if (rng_.chance(0.3)) {
+      all |= DSW_BODY_SEQUENCES;
+    } else if (rng_.chance(0.3)) {
+      all |= DSW_BODY_NO_SEQUENCES;
+    }
     if (rng_.chance(0.3)) all |= DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_BY_ENVIRONMENT;
     return all;
   }

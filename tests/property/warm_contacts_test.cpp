@@ -271,7 +271,7 @@ void Course::run(dsw_level level, Change change, int steps) {
   if (broken_) return;
   Bodies source(arena_, places_, rng_, level);
   const ScenePtr scene = make_scene(environment_, change == Change::kShape ? DSW_FEATURE_DEFORMING : 0);
-  static const uint32_t kinds[] = {0, DSW_BODY_SEQUENCES, DSW_BODY_SEQUENCES,
+  static const uint32_t kinds[] = {0, DSW_BODY_SEQUENCES, DSW_BODY_NO_SEQUENCES,
                                    DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE};
   const uint32_t flags = kinds[rng_.below(4u)];
   dsw_body_id body = {0, 0};
