@@ -10,12 +10,14 @@ template <int D>
 void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
   may_guess_ = may_guess;
   const Body<D>& body = *course_.motion.body;
-  const bool only_places = !body.keeps_corridors();
+  const bool only_places = !sweeps_edges(body.level) && !body.keeps_corridors();
   const bool skips_back = may_skip && body.skipping.back_edges;
   sieve_.start(may_skip);
   while (sieve_.next()) {
     if (only_places) {
       for (const uint32_t e : sieve_) cast_places(e, skips_back);
+    } else if (!body.keeps_corridors()) {
+      for (const uint32_t e : sieve_) sweep_ways(e);
     } else {
       sweep_chunk();
     }
@@ -182,7 +184,7 @@ bool EdgePass<D>::is_boxed(uint32_t e) {
   const VertexWay &a = course_.motion.ways[v], &b = course_.motion.ways[w];
   if ((!course_.moves(v) && !course_.moves(w)) || !BoxProbe<D>::suits(env_, a.from)) return false;
   if (a.from == a.arrival && a.from == b.from && a.from == b.arrival && env_.map.convex(a.from)) return false;
-  if (body.corridors[e].facets.size() > kMostFacets) return false;
+  if (body.keeps_corridors() && body.corridors[e].facets.size() > kMostFacets) return false;
   Bounds<D> box(body.position(v));
   course_.include_way(v, box);
   course_.include_way(w, box);
@@ -255,6 +257,7 @@ bool FacePass<D>::keeps_at_rest(uint32_t e) const {
 template <int D>
 bool FacePass<D>::shares_corridor(uint32_t f) const {
   const Body<D>& body = *course_.motion.body;
+  if (!body.keeps_corridors()) return false;
   CorridorView views[3];
   for (uint32_t k = 0; k < 3; ++k) {
     const uint32_t e = sides_[3 * size_t{f} + k];
