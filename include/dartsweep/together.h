@@ -113,6 +113,28 @@ DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point
                                     const dsw_scene_deform_options *options,
                                     dsw_deform_report *report, dsw_move_report *reports);
 
+/** Finds the largest fraction f of given steps that is free, for a solver's line search. Nothing
+ * moves. All vertices go at once, straight and steadily, to x + f * step, computed in doubles: the
+ * ways to these rounded places are verified, as dsw_scene_move_together would, and the next double
+ * is not free.
+ * @param steps `step_count` displacements, one for each vertex slot of the bodies, as targets in move.h.
+ * @param environment_steps one for each of the environment's `point_count` vertices; all bodies and
+ * particles of the scene are met then. NULL and 0: it stands still.
+ * @param options `stop` is ALL or ISLAND: whether `places` are those of `fraction` or of `fractions`.
+ * @param fraction common to all bodies of the call; 0 at the work limit.
+ * @param fractions of each body's island, may be NULL; with `environment_steps` all is one island.
+ * @param places `step_count` points without gaps, zeros for unused slots, may be NULL.
+ * @param environment_places `point_count` points, may be NULL.
+ * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius or can meet one that has, or
+ * `stop` is FEATURE; NON_FINITE: also where a whole step leads.
+ * @note Cost: about two of dsw_scene_move_together. Thread: one. @since 2.1 */
+DSW_API dsw_status dsw_scene_step_fraction(dsw_scene *scene, const dsw_body_id *bodies,
+                                           size_t count, const double *steps, size_t step_count,
+                                           size_t stride_bytes, const double *environment_steps,
+                                           size_t point_count, const dsw_together_options *options,
+                                           double *fraction, double *fractions, double *places,
+                                           double *environment_places);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,5 +1,7 @@
 #include "dartsweep/together.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "capi/given_motion.h"
@@ -8,6 +10,7 @@
 #include "capi/recorded.h"
 #include "scene/deformation.h"
 #include "scene/rigid_moves.h"
+#include "scene/step_fraction.h"
 #include "scene/together_deform.h"
 #include "scene/together_moves.h"
 
@@ -29,6 +32,38 @@ dsw::TogetherSettings to_settings(const Options& o) {
   s.rounds = capi::to_count(o.max_rounds, kMostRounds, s.rounds, "options->max_rounds");
   s.kilo_products = to_kilo_products(o.max_work);
   return s;
+}
+
+template <int D>
+void check_step(const double* from, const double* step, const char* name, size_t index) {
+  for (int k = 0; k < D; ++k) {
+    if (std::isfinite(step[k]) && std::isfinite(from[k] + step[k])) continue;
+    fail(DSW_STATUS_NON_FINITE, "%s[%zu][%d] is %g and leads from %g: both must be finite, and their sum", name, index,
+         k, step[k], from[k]);
+  }
+}
+
+/** Steps of bodies, one after the other. Each leads to a finite place. */
+template <int D>
+dsw::PointArray check_steps(const dsw::Array<dsw::BodyRecord<D>*>& records, const double* steps, size_t count,
+                            size_t stride_bytes) {
+  size_t needed = 0, at = 0;
+  for (const dsw::BodyRecord<D>* each : records) needed += each->body.vertices.size();
+  if (count != needed) fail(DSW_STATUS_WRONG_SIZE, "step_count is %zu, there are %zu vertex slots", count, needed);
+  const dsw::PointArray points = dsw::to_points(D, steps, count, stride_bytes, "steps");
+  for (const dsw::BodyRecord<D>* each : records) {
+    for (uint32_t v = 0; v < each->body.vertices.size(); ++v, ++at) {
+      if (each->body.has_vertex(v)) check_step<D>(each->body.position(v), points[at], "steps", at);
+    }
+  }
+  return points;
+}
+
+template <int D>
+void check_environment_steps(const dsw::Environment<D>& env, const double* steps, size_t count) {
+  const size_t needed = steps == nullptr ? 0 : env.map.vertex_count;
+  if (count != needed) fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, must be %zu", count, needed);
+  for (uint32_t v = 0; v < count; ++v) check_step<D>(env.point(v), steps + size_t{D} * v, "environment_steps", v);
 }
 
 }  // namespace
@@ -102,5 +137,31 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
     call.done(done, capi::Moved<D>{records.data(), count});
     if (report != nullptr) *report = done;
     for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
+  });
+}
+
+dsw_status dsw_scene_step_fraction(dsw_scene* scene, const dsw_body_id* bodies, size_t count, const double* steps,
+                                   size_t step_count, size_t stride_bytes, const double* environment_steps,
+                                   size_t point_count, const dsw_together_options* options, double* fraction,
+                                   double* fractions, double* places, double* environment_places) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
+    const dsw_together_options o = capi::read_optional(options, "options", 0);
+    const dsw::TogetherSettings settings = to_settings(o);
+    if (settings.stop == dsw::TogetherStop::kFeature) {
+      fail(DSW_STATUS_UNSUPPORTED, "options->stop is FEATURE: a fraction is that of a whole island");
+    }
+    dsw::require(fraction, "fraction");
+    const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
+    const dsw::PointArray points = check_steps(records, steps, step_count, stride_bytes);
+    check_environment_steps(s.env, environment_steps, point_count);
+    dsw::StepAnswer answer(s.memory);
+    find_step_fraction(s, records.data(), count, {points, environment_steps}, settings, answer);
+    *fraction = answer.fraction;
+    if (fractions != nullptr) std::copy(answer.fractions.begin(), answer.fractions.end(), fractions);
+    if (places != nullptr) std::copy(answer.places.begin(), answer.places.end(), places);
+    if (environment_places != nullptr) {
+      std::copy(answer.environment_places.begin(), answer.environment_places.end(), environment_places);
+    }
   });
 }

@@ -29,6 +29,12 @@ void place_on_way(const double* from, const double* to, double time, double* pla
   }
 }
 
+/** Where a part of a step leads: p + fraction * step, both operations rounded. */
+template <int D>
+void place_of_step(const double* p, const double* step, double fraction, double* place) noexcept {
+  for (int k = 0; k < D; ++k) place[k] = p[k] + fraction * step[k];
+}
+
 /** How far a rounded place can be beside the straight way between points whose largest coordinate this is, and more. A
  * place of a moving wall is as much beside its way; what its coordinates are larger, regions allow for. */
 template <int D>

@@ -10,6 +10,7 @@
 #include "scene/deformation.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
+#include "scene/together_moves.h"
 #include "together/moving_walls.h"
 #include "together/settings.h"
 #include "together/shortened_ways.h"
@@ -66,13 +67,6 @@ class Call {
   Array<PointArray> targets_{scene_.memory};          // of the trajectories, for the whole way
   Array<Array<double>> near_targets_{scene_.memory};  // the same for a shorter way
 };
-
-/** Where the vertices of a body are. */
-template <int D>
-PointArray positions_of(const Body<D>& body) {
-  static_assert(sizeof(BodyVertex<D>) % sizeof(double) == 0);
-  return {body.vertices.empty() ? nullptr : body.vertices[0].position, sizeof(BodyVertex<D>) / sizeof(double)};
-}
 
 template <int D>
 void Call<D>::add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record) {

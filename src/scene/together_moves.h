@@ -15,6 +15,12 @@ template <int D>
 void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets,
                    const TogetherSettings& settings);
 
+/** Where the vertices of a body are. */
+template <int D>
+PointArray positions_of(const Body<D>& body) {
+  static_assert(sizeof(BodyVertex<D>) % sizeof(double) == 0);
+  return {body.vertices.empty() ? nullptr : body.vertices[0].position, sizeof(BodyVertex<D>) / sizeof(double)};
+}
 /** Leaves only bodies that stand still as partners of the islands. Refuses islands that can meet a thick body. */
 template <int D>
 void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Islands<D>& islands);

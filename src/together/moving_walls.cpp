@@ -145,6 +145,41 @@ void MovingWalls<D>::set_end(double time) {
 }
 
 template <int D>
+void MovingWalls<D>::begin_steps(const double* steps) {
+  steps_ = steps;
+  places_.assign(env_.points, env_.points + size_t{D} * env_.map.vertex_count);
+  met_.clear();
+}
+
+template <int D>
+void MovingWalls<D>::set_step_end(double fraction) {
+  if (met_.empty()) {
+    for (size_t i = 0; i < checked_.size(); ++i) {
+      env_.map.for_each_vertex(checked_[i], [&](uint32_t v) { met_.push_back(v); });
+    }
+    std::sort(met_.begin(), met_.end());
+    met_.erase(std::unique(met_.begin(), met_.end()), met_.end());
+  }
+  for (const uint32_t v : met_) {
+    const size_t at = size_t{D} * v;
+    place_of_step<D>(env_.point(v), steps_ + at, fraction, &places_[at]);
+  }
+  for (const Feature& feature : features_) {
+    for (uint32_t i = 0; i < feature.name.count; ++i) {
+      std::copy_n(&places_[size_t{D} * feature.name.vertices[i]], D, &ends_[feature.first_end + size_t{D} * i]);
+    }
+  }
+}
+
+template <int D>
+bool MovingWalls<D>::stays_valid_to_ends() const {
+  for (size_t i = 0; i < checked_.size(); ++i) {
+    if (!stays_valid(env_, checked_[i], places_.data())) return false;
+  }
+  return true;
+}
+
+template <int D>
 bool MovingWalls<D>::is_free(const Array<Trajectory<D>>& trajectories) {
   return visit_touches(trajectories, [](const WayTouch<D>&) { return false; });
 }

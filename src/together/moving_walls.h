@@ -24,6 +24,16 @@ class MovingWalls {
   bool stay_valid() const noexcept { return stay_valid_; }
   /** From now on the ways end at a fraction of the whole ways. */
   void set_end(double time);
+  /** For a search of a fraction: the points' steps, of which `next` has the ends. Comes after begin(). */
+  void begin_steps(const double* steps);
+  /** From now on the ways end where that part of the steps leads. */
+  void set_step_end(double fraction);
+  /** Whether all cells that are met stay valid on the ways to there. */
+  bool stays_valid_to_ends() const;
+  /** Whether what touches at its start is free on the way to its end, under the shift. */
+  bool is_kept_free(const WayTouch<D>& touch) const {
+    return stays_free(touch, 1 + static_cast<uint32_t>(touch.part.kind));
+  }
   bool is_free(const Array<Trajectory<D>>& trajectories);
   void find_first(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& first);
   /** Appends what each pair of a part and a feature touches first, of those with something new. */
@@ -84,6 +94,9 @@ class MovingWalls {
   Array<double> ends_{env_.memory};  // where the points of features go
   Array<Cell> cells_{env_.memory};   // where vertices may arrive
   CellQueue checked_{env_.memory};   // all that were met
+  const double* steps_ = nullptr;
+  Array<double> places_{env_.memory};  // where the points of these cells go, by vertex, if there are steps
+  Array<uint32_t> met_{env_.memory};   // these vertices
 };
 
 }  // namespace dsw

@@ -21,6 +21,8 @@ class TogetherMove {
    * @param bodies_meet whether bodies can touch at all. */
   void move(Array<Trajectory<D>>& trajectories, bool bodies_meet, const TogetherSettings& settings);
 
+  /** What serves other ways of bodies in this environment, too. */
+  WholeWays<D, WallWays<D>>& ways() noexcept { return ways_; }
   void set_counters(CastCounters* counters) { ways_.walls.set_counters(counters); }
 
  private:

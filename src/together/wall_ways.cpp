@@ -77,6 +77,12 @@ void WallWays<D>::find_all(const Array<Trajectory<D>>& trajectories, Array<WayTo
 }
 
 template <int D>
+bool WallWays<D>::is_kept_free(const WayTouch<D>& touch) noexcept {
+  return !boxes_overlap(touch.pair, touch.comes_first ? 0 : 1) ||
+         keeps_sides(touch.pair, 1 + static_cast<uint32_t>(touch.part.kind), touch.comes_first);
+}
+
+template <int D>
 WayTouch<D> WallWays<D>::touch_of(const Trajectory<D>& of, uint32_t number, uint32_t v, const CastResult& path) const {
   const Cell c = path.cell;
   const Shape shape = env_.map.shape(c);

@@ -26,6 +26,9 @@ class WallWays {
   /** Appends what each vertex, and each pair of a part and a feature, touches first. */
   void find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all);
 
+  /** Whether an edge or a face that touches a feature at its start is free of it on the way to its end, under the shift. */
+  static bool is_kept_free(const WayTouch<D>& touch) noexcept;
+
   /** Whether parts at a vertex that is blocked are looked at up to just before that alone. What comes later is of no
    * use where such a vertex gets a new goal. */
   bool limits_parts = false;
@@ -36,6 +39,8 @@ class WallWays {
   void start_round() const noexcept {}
   void finish_round() const noexcept {}
   void set_end(double) noexcept {}
+  void set_step_end(double) noexcept {}
+  static bool stays_valid_to_ends() noexcept { return true; }
   void describe(const Array<Trajectory<D>>&, const Array<WayTouch<D>>&) noexcept {}
   void set_counters(CastCounters* counters) { counters_ = corridors_.counters = counters; }
   SweepCounts counts;  // of edges and faces
