@@ -25,7 +25,7 @@ int side_of(const double* const* part, uint32_t part_count, const double* const*
 }  // namespace
 
 template <int D>
-bool keeps_sides(const MovingPair<D>& pair, uint32_t part_count, bool part_first) noexcept {
+int side_kept(const MovingPair<D>& pair, uint32_t part_count, bool part_first) noexcept {
   const uint32_t part_at = part_first ? 0 : D + 1 - part_count, feature_at = part_first ? part_count : 0;
   uint32_t moving = 0;
   for (int i = 0; i <= D; ++i) moving |= std::equal(pair.start[i], pair.start[i] + D, pair.end[i]) ? 0u : 1u << i;
@@ -35,12 +35,12 @@ bool keeps_sides(const MovingPair<D>& pair, uint32_t part_count, bool part_first
     const double* at[D + 1];
     for (int i = 0; i <= D; ++i) at[i] = (at_end >> i & 1u) != 0 ? pair.end[i] : pair.start[i];
     const int sign = side_of<D>(at + part_at, part_count, at + feature_at);
-    if (sign == 0 || (side != 0 && sign != side)) return false;
+    if (sign == 0 || (side != 0 && sign != side)) return 0;
     side = sign;
-    if (at_end == 0) return true;
+    if (at_end == 0) return side;
   }
 }
 
-DSW_INSTANTIATE(keeps_sides);
+DSW_INSTANTIATE(side_kept);
 
 }  // namespace dsw

@@ -36,6 +36,29 @@ bool is_exact_difference(double a, double b, double difference) {
   return std::isfinite(difference) && (a - (difference + other)) + (other - b) == 0;
 }
 
+/** A pair without the translation of one of its points, which changes nothing of whether the two meet. False: rounding would. */
+template <int D>
+bool leave_out_way_of(uint32_t point, MovingPair<D>& pair, double (&ends)[D + 1][D]) {
+  for (int k = 0; k < D; ++k) {
+    const double to = pair.end[point][k], from = pair.start[point][k], way = to - from;
+    if (!is_exact_difference(to, from, way)) return false;
+    for (int i = 0; i <= D; ++i) {
+      ends[i][k] = pair.end[i][k] - way;
+      if (!is_exact_difference(pair.end[i][k], way, ends[i][k])) return false;
+    }
+  }
+  for (int i = 0; i <= D; ++i) pair.end[i] = ends[i];
+  return true;
+}
+
+template <int D>
+bool any_moves(const MovingPair<D>& pair) {
+  for (int i = 0; i <= D; ++i) {
+    if (!std::equal(pair.end[i], pair.end[i] + D, pair.start[i])) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 template <int D>
@@ -50,6 +73,7 @@ template <int D>
 void MovingWalls<D>::start(const Array<Trajectory<D>>& trajectories) {
   nears_.clear();
   features_.clear();
+  walls_.clear();
   ends_.clear();
   cells_.clear();
   checked_.clear();
@@ -120,7 +144,7 @@ void MovingWalls<D>::add_features(const Simplex& part) {
   const uint32_t wanted = D - static_cast<uint32_t>(part.kind);
   for (const NearFeature& f : list_.features()) {
     if (f.count != wanted) continue;
-    Feature feature{{{kNone, kNone, kNone}, wanted, {}, {}}, ends_.size()};
+    Feature feature{{{kNone, kNone, kNone}, wanted, {}, {}}, ends_.size(), walls_.size(), 0};
     for (uint32_t i = 0; i < wanted; ++i) {
       feature.name.vertices[i] = list_.name(f.corners[i]);
       const double* const end = next_ + size_t{D} * feature.name.vertices[i];
@@ -129,13 +153,18 @@ void MovingWalls<D>::add_features(const Simplex& part) {
     list_.for_each_obstacle(f, [&](uint32_t number) {
       const WallFeature& obstacle = list_.obstacles()[number];
       feature.name.add_name(env_.map, obstacle.facet, obstacle.cell);
+      if (wanted == D || obstacle.count != D) return;
+      Wall& wall = walls_.emplace_back();
+      for (uint32_t i = 0; i < D; ++i) wall.vertices[i] = list_.name(obstacle.vertices[i]);
     });
+    feature.wall_end = walls_.size();
     features_.push_back(feature);
   }
 }
 
 template <int D>
 void MovingWalls<D>::set_end(double time) {
+  time_ = time;
   for (const Feature& feature : features_) {
     for (uint32_t i = 0; i < feature.name.count; ++i) {
       const uint32_t v = feature.name.vertices[i];
@@ -213,7 +242,7 @@ bool MovingWalls<D>::visit_touches(const Array<Trajectory<D>>& trajectories, Vis
       if (!is_new_part && !held.has_new(features_[i].name.vertices, features_[i].name.count)) continue;
       if (!set_pair(of, near, features_[i], touch) || !boxes_overlap(touch.pair)) continue;
       touch.first = first_touch(touch.pair, work);
-      if (!touch.first.touches || stays_free(touch, 1 + static_cast<uint32_t>(near.part.kind))) continue;
+      if (!touch.first.touches || stays_free(touch, features_[i])) continue;
       touch.trajectory = near.trajectory;
       touch.part = near.part;
       touch.wall = features_[i].name;
@@ -251,26 +280,63 @@ bool MovingWalls<D>::set_pair(const Trajectory<D>& of, const Near& near, const F
 
 /** Whether what touches on its way is free under the shift of the part, all the way. It is at the start. */
 template <int D>
-bool MovingWalls<D>::stays_free(const WayTouch<D>& touch, uint32_t part_count) const {
-  if (keeps_sides(touch.pair, part_count, touch.comes_first)) return true;
-  MovingPair<D> rest = touch.pair;  // without the translation of the wall's first point
-  const double* const from = touch.pair.start[touch.comes_first ? part_count : 0];
-  const double* const to = touch.pair.end[touch.comes_first ? part_count : 0];
+bool MovingWalls<D>::stays_free(const WayTouch<D>& touch, const Feature& feature) const {
+  const uint32_t count = 1 + static_cast<uint32_t>(touch.part.kind);
+  if (keeps_sides(touch.pair, count, touch.comes_first)) return true;
+  MovingPair<D> rest = touch.pair;
   double ends[D + 1][D];
-  for (int k = 0; k < D; ++k) {
-    const double way = to[k] - from[k];
-    if (!is_exact_difference(to[k], from[k], way)) return false;
-    for (int i = 0; i <= D; ++i) {
-      ends[i][k] = touch.pair.end[i][k] - way;
-      if (!is_exact_difference(touch.pair.end[i][k], way, ends[i][k])) return false;
-    }
+  if (leave_out_way_of(touch.comes_first ? count : 0, rest, ends) &&
+      (!any_moves(rest) || keeps_sides(rest, count, touch.comes_first))) {
+    return true;
   }
-  bool moves = false;
-  for (int i = 0; i <= D; ++i) {
-    rest.end[i] = ends[i];
-    moves = moves || !std::equal(ends[i], ends[i] + D, rest.start[i]);
+  const auto walls = walls_.begin();
+  return std::any_of(walls + static_cast<std::ptrdiff_t>(feature.first_wall),
+                     walls + static_cast<std::ptrdiff_t>(feature.wall_end),
+                     [&](const Wall& wall) { return is_beside(touch, wall); });
+}
+
+/** Whether all corners of the part stay on one side of a wall of the feature, under their shift. */
+template <int D>
+bool MovingWalls<D>::is_beside(const WayTouch<D>& touch, const Wall& wall) const {
+  const uint32_t count = 1 + static_cast<uint32_t>(touch.part.kind), first = touch.comes_first ? 0 : D + 1 - count;
+  double ends[D][D];
+  MovingPair<D> pair{D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge, {}, {}};
+  for (int i = 0; i < D; ++i) {
+    place(wall.vertices[i], ends[i]);
+    pair.start[i + 1] = env_.point(wall.vertices[i]);
+    pair.end[i + 1] = ends[i];
   }
-  return !moves || keeps_sides(rest, part_count, touch.comes_first);
+  int side = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    pair.start[0] = touch.pair.start[first + i];
+    pair.end[0] = touch.pair.end[first + i];
+    MovingPair<D> rest = pair;
+    double without[D + 1][D];
+    int own = side_kept(pair, 1, true);
+    if (own == 0 && leave_out_way_of(1, rest, without)) own = side_kept(rest, 1, true);
+    if (own == 0 || (side != 0 && own != side)) return false;
+    side = own;
+  }
+  return true;
+}
+
+/** Where the way of a vertex of the environment ends. */
+template <int D>
+void MovingWalls<D>::place(uint32_t v, double* at) const {
+  if (steps_ != nullptr) {
+    std::copy_n(&places_[size_t{D} * v], D, at);
+  } else {
+    place_on_way<D>(env_.point(v), next_ + size_t{D} * v, time_, at);
+  }
+}
+
+template <int D>
+bool MovingWalls<D>::is_kept_free(const WayTouch<D>& touch) const {
+  return std::any_of(features_.begin(), features_.end(), [&](const Feature& feature) {
+    return feature.name.count == touch.wall.count &&
+           std::equal(feature.name.vertices, feature.name.vertices + 3, touch.wall.vertices) &&
+           stays_free(touch, feature);
+  });
 }
 
 template <int D>

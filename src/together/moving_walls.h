@@ -31,9 +31,7 @@ class MovingWalls {
   /** Whether all cells that are met stay valid on the ways to there. */
   bool stays_valid_to_ends() const;
   /** Whether what touches at its start is free on the way to its end, under the shift. */
-  bool is_kept_free(const WayTouch<D>& touch) const {
-    return stays_free(touch, 1 + static_cast<uint32_t>(touch.part.kind));
-  }
+  bool is_kept_free(const WayTouch<D>& touch) const;
   bool is_free(const Array<Trajectory<D>>& trajectories);
   void find_first(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& first);
   /** Appends what each pair of a part and a feature touches first, of those with something new. */
@@ -75,6 +73,10 @@ class MovingWalls {
   struct Feature {
     WallFeature name;
     size_t first_end;  // of its points, in ends_
+    size_t first_wall, wall_end;
+  };
+  struct Wall {
+    uint32_t vertices[D];
   };
   void collect(const Trajectory<D>& of, uint32_t number, const Simplex& part);
   void add_cells();
@@ -82,7 +84,9 @@ class MovingWalls {
   template <class Visit>
   bool visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit);
   bool set_pair(const Trajectory<D>& of, const Near& near, const Feature& feature, WayTouch<D>& touch) const;
-  bool stays_free(const WayTouch<D>& touch, uint32_t part_count) const;
+  bool stays_free(const WayTouch<D>& touch, const Feature& feature) const;
+  bool is_beside(const WayTouch<D>& touch, const Wall& wall) const;
+  void place(uint32_t v, double* at) const;
 
   const double* next_ = nullptr;
   Array<dsw_volume_id>* invalid_ = nullptr;
@@ -91,10 +95,12 @@ class MovingWalls {
   bool stay_valid_ = true;
   Array<Near> nears_{env_.memory};
   Array<Feature> features_{env_.memory};
+  Array<Wall> walls_{env_.memory};   // that have features of edges and faces
   Array<double> ends_{env_.memory};  // where the points of features go
   Array<Cell> cells_{env_.memory};   // where vertices may arrive
   CellQueue checked_{env_.memory};   // all that were met
   const double* steps_ = nullptr;
+  double time_ = 1;                    // of the ends, without steps
   Array<double> places_{env_.memory};  // where the points of these cells go, by vertex, if there are steps
   Array<uint32_t> met_{env_.memory};   // these vertices
 };

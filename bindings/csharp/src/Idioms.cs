@@ -33,6 +33,12 @@ namespace Dartsweep
       return reports;
     }
 
+    /// <summary>The largest part of steps, body after body, that is free when all vertices go at once. Nothing moves.</summary>
+    public double StepFraction(BodyId[] bodies, double[] steps, TogetherOptions options = null)
+    {
+      return StepFraction(bodies, steps, options, null);
+    }
+
     /// <summary>Moves bodies, each on a rigid motion of its own, all at once; a motion has 10 numbers: a quaternion x, y, z, w, a centre
     /// and a translation.</summary>
     public MoveReport[] MoveRigid(BodyId[] bodies, double[] motions, TogetherOptions options = null)

@@ -196,6 +196,15 @@ function Scene:move_rigid(bodies, motions, options, reports)
   return reports
 end
 
+local step_fraction = Scene.step_fraction
+function Scene:step_fraction(bodies, steps, options, places, fractions, environment_steps, environment_places)
+  places = places or core.DoubleArray(#steps)
+  fractions = fractions or core.DoubleArray(#bodies)
+  if environment_steps then environment_places = environment_places or core.DoubleArray(#environment_steps) end
+  local fraction = step_fraction(self, bodies, steps, options, places, fractions, environment_steps, environment_places)
+  return fraction, places, fractions, environment_places
+end
+
 local get_positions = Body.get_positions
 function Body:get_positions(positions, volumes)
   positions = positions or core.DoubleArray(self:dimension() * self:get_counts().vertex_slots)

@@ -158,6 +158,11 @@ export class Scene {
    * centre and a translation. `reports` is filled where it is given. */
   moveRigid(bodies: Structs<BodyId> | readonly Body[], motions: Float64Array | readonly number[],
     options?: TogetherOptions & { reports?: MoveReportArray }): MoveReportArray;
+  /** The largest part of steps, body after body, that is free when all vertices go at once; nothing moves. `fractions` are those of each body's
+   * island, `places` where `fraction` leads, with stop ISLAND where `fractions` lead. */
+  stepFraction(bodies: Structs<BodyId> | readonly Body[], steps: Float64Array | readonly number[],
+    options?: TogetherOptions & { environmentSteps?: Float64Array | readonly number[] }):
+    { fraction: number; fractions: Float64Array; places: Float64Array; environmentPlaces?: Float64Array };
   // {methods of Scene}
 }
 

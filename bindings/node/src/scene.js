@@ -50,6 +50,13 @@ class Scene extends native.Scene {
     return reports;
   }
 
+  stepFraction(bodies, steps, { environmentSteps, ...options } = {}) {
+    const places = new Float64Array(steps.length), fractions = new Float64Array(bodies.length);
+    const environmentPlaces = environmentSteps && new Float64Array(environmentSteps.length);
+    const fraction = super.stepFraction(idsOf(bodies), steps, options, places, fractions, environmentSteps, environmentPlaces);
+    return { fraction, fractions, places, environmentPlaces };
+  }
+
   createBody(positions, edges, { triangles, hints, ...desc } = {}) {
     const offsets = triangles && Uint32Array.from({ length: triangles.length / 3 + 1 }, (_, i) => 3 * i);
     return this.body(super.createBodyId(positions, edges, offsets, triangles, hints, desc));

@@ -228,6 +228,25 @@ class Scene {
     check(dsw_scene_move_together(self.handle, bodies.data, bodies.count, targets.data,
                                   targets.count, targets.stride_bytes, options, reports.data));
   }
+  /** The largest free part of steps; `places` have a point for each step. The environment stands still
+   * unless there are `environment_steps`, numbers without gaps. */
+  double step_fraction(View<const dsw_body_id> bodies, Points steps,
+                       const dsw_together_options *options, PointsOut places,
+                       View<double> fractions = {}, View<const double> environment_steps = {},
+                       View<double> environment_places = {}) {
+    count_points(dimension(), steps, places);
+    optional_count("places", places, steps.count);
+    optional_count("fractions", fractions, bodies.count);
+    optional_count("environment_places", environment_places, environment_steps.count);
+    const std::size_t points = environment_steps.count / dimension();
+    same_count("environment_steps", environment_steps.count, points * dimension());
+    const SceneWriting self(*state_);
+    double fraction = 0;
+    check(dsw_scene_step_fraction(self.handle, bodies.data, bodies.count, steps.data, steps.count,
+                                  steps.stride_bytes, environment_steps.data,
+                                  points, options, &fraction, fractions.data, places.data, environment_places.data));
+    return fraction;
+  }
   /** Takes 10 numbers for each body in `motions`: rotation, centre and translation of
    * dsw_rigid_motion. */
   void move_rigid(View<const dsw_body_id> bodies, View<const double> motions,

@@ -74,7 +74,7 @@ from .errors import Closed, Error, MeshError
 from .meshes import from_gmsh, from_meshio, from_pyvista, from_surface, read
 from .options import options, version
 from .pairs import sweep_pairs, sweep_rigid_pairs
-from .scene import Scene
+from .scene import Scene, StepFraction
 from .trace import Trace
 
 __version__ = version()
@@ -134,6 +134,7 @@ __all__ = [
     "SceneDeformOptions",
     "Search",
     "Status",
+    "StepFraction",
     "SweepFlag",
     "SweepOptions",
     "TogetherOptions",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import TracebackType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,6 +28,15 @@ from .enums import Level, RecordingFlag
 from ._shapes import Ids, Records, rows_of
 from .environment import Environment
 from .options import options as described
+
+
+class StepFraction(NamedTuple):
+    """How much of steps is free, and where they lead then."""
+
+    fraction: float  # common to all bodies
+    fractions: NDArray[np.float64]  # of each body's island
+    places: NDArray[np.float64]
+    environment_places: NDArray[np.float64] | None
 
 
 class Scene:
@@ -252,6 +261,24 @@ class Scene:
         reports = np.empty(len(bodies), dtypes.MOVE_REPORT)
         self._core.move_together(bodies, targets, options, reports)
         return reports
+
+    def step_fraction(
+        self, bodies: Ids, steps: ArrayLike, environment_steps: ArrayLike | None = None, options: TogetherOptions | None = None
+    ) -> StepFraction:
+        """The largest part of steps that is free when all vertices go at once, for a solver's line search. Nothing moves.
+
+        steps: of all vertices of the bodies (ids, dtypes.BODY_ID), body after body, of shape (n, 3), in the plane (n, 2). environment_steps: those of
+        the environment's vertices; without them it stands still. options: `stop` is ALL or ISLAND, whether `places` are those of `fraction` or
+        of `fractions`. The places are x + fraction * step, as numpy rounds them, and the ways there are verified.
+        """
+        rows = np.ascontiguousarray(steps, np.float64)
+        places, fractions = np.empty(rows.shape), np.empty(len(bodies))
+        if environment_steps is None:
+            return StepFraction(self._core.step_fraction(bodies, rows, options, places, fractions), fractions, places, None)
+        walls = np.ascontiguousarray(environment_steps, np.float64)
+        moved = np.empty(walls.shape)
+        fraction = self._core.step_fraction(bodies, rows, options, places, fractions, walls.reshape(-1), moved.reshape(-1))
+        return StepFraction(fraction, fractions, places, moved)
 
     def move_rigid(self, bodies: Ids, motions: ArrayLike, options: TogetherOptions | None = None) -> Records:
         """Moves bodies (ids, dtypes.BODY_ID) at once, each on a rigid motion of its own, up to the first touch; returns a report for each body.
