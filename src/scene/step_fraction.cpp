@@ -52,6 +52,7 @@ class StepCall {
   void add_particles();
   template <class Walls, class Begin>
   double search(WholeWays<D, Walls>& ways, double most, Begin begin);
+  bool find_drift(double* drift) const;
   double find_at_rest(size_t first, size_t end, double most);
   void find_islands_fractions(StepAnswer& answer);
   double find_moving(Array<double>& ends);
@@ -89,6 +90,23 @@ void StepCall<D>::add(size_t i) {
   their_steps_.push_back(steps_of(i));
 }
 
+/** The mean step, which may be left out: all vertices make the same part of their steps. False: it is no number. */
+template <int D>
+bool StepCall<D>::find_drift(double* drift) const {
+  size_t count = 0;
+  std::fill_n(drift, D, 0.0);
+  for (size_t t = 0; t < trajectories_.size(); ++t) {
+    const Body<D>& body = *trajectories_[t].motion.body;
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (!body.has_vertex(v)) continue;
+      ++count;
+      for (int k = 0; k < D && their_steps_[t].data != nullptr; ++k) drift[k] += their_steps_[t][v][k];
+    }
+  }
+  for (int k = 0; k < D; ++k) drift[k] /= static_cast<double>(std::max<size_t>(count, 1));
+  return is_finite<D>(drift);
+}
+
 /** Searches for the trajectories; at the work limit 0. */
 template <int D>
 template <class Walls, class Begin>
@@ -100,7 +118,8 @@ double StepCall<D>::search(WholeWays<D, Walls>& ways, double most, Begin begin) 
   StepSearch<D, Walls> search(ways, scene_.memory);
   try {
     begin();
-    ways.start(trajectories_, scene_.features.contacts);
+    double drift[D];
+    ways.start(trajectories_, scene_.features.contacts, find_drift(drift) ? drift : nullptr);
     search.begin(trajectories_, their_steps_);
     return search.find(most);
   } catch (const WorkOver&) {

@@ -4,6 +4,7 @@
 #include "together/body_ways.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "predicates/moving_hinge.h"
 
@@ -35,6 +36,23 @@ uint32_t point_count(PairKind kind, uint32_t side) {
   return side == 0 ? 1 : D;
 }
 
+/** The box of the way of a part without what all go, with room for rounding. */
+template <int D>
+Box<D> box_beside_drift(const Trajectory<D>& of, const Simplex& part, const double* drift) noexcept {
+  Box<D> box;
+  double largest = 0;
+  for (const uint32_t v : SimplexCorners<D>(*of.motion.body, part)) {
+    double end[D];
+    for (int k = 0; k < D; ++k) {
+      end[k] = of.target(v)[k] - drift[k];
+      largest = std::max({largest, std::fabs(of.start(v)[k]), std::fabs(of.target(v)[k]), std::fabs(drift[k])});
+    }
+    box.add(of.start(v));
+    box.add(end);
+  }
+  return widened(box, 0x1p-48 * largest);
+}
+
 }  // namespace
 
 template <int D>
@@ -45,27 +63,38 @@ void BodyWays<D>::Ways::clear() {
 }
 
 template <int D>
-void BodyWays<D>::Ways::add(const Trajectory<D>& of, uint32_t number, const Simplex& part) {
+void BodyWays<D>::Ways::add(const Trajectory<D>& of, uint32_t number, const Simplex& part, const double* drift) {
   sides.push_back({number, &of.name, part});
-  boxes.push_back(box_of_way(of, part));
+  boxes.push_back(drift == nullptr ? box_of_way(of, part) : box_beside_drift(of, part, drift));
 }
 
 template <int D>
-void BodyWays<D>::Ways::fill_grid() {
+void BodyWays<D>::Ways::fill_grid(double size) {
   grid.reserve(sides.size());
-  for (uint32_t i = 0; i < sides.size(); ++i) grid.put(i, boxes[i]);
+  for (uint32_t i = 0; i < sides.size(); ++i) grid.put(i, boxes[i], size);
 }
 
 template <int D>
-void BodyWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_meet) {
+double BodyWays<D>::Ways::mean_size() const {
+  double sum = 0;
+  for (const Box<D>& each : boxes) {
+    double size = 0;
+    for (int k = 0; k < D; ++k) size = std::max(size, each.upper[k] - each.lower[k]);
+    sum += size / static_cast<double>(boxes.size());
+  }
+  return std::isfinite(sum) ? sum : 0;
+}
+
+template <int D>
+void BodyWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift) {
   pairs_.clear();
   const auto meets = [](const Trajectory<D>& of) {
     return of.motion.body->filter.self || (of.still != nullptr && !of.still->all.empty());
   };
   hinges_.clear();
   if (!bodies_meet || (trajectories.size() == 1 && !meets(trajectories[0]))) return;
-  const bool with_segments = !find_own_edges(trajectories);
-  add_ways(trajectories, with_segments);
+  const bool with_segments = drift != nullptr || !find_own_edges(trajectories);
+  add_ways(trajectories, with_segments, drift);
   if (with_segments) find_segments(trajectories);
   find_solids(trajectories);
   find_hinges(trajectories);
@@ -97,7 +126,7 @@ bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Trajectory<D>>& tr
 }
 
 template <int D>
-void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments) {
+void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments, const double* drift) {
   for (Ways* each : {&segments_, &vertices_, &faces_}) each->clear();
   const auto has_faces = [](const Partner<D>& each) { return covers_faces(each.body->level); };
   const bool may_meet_faces = std::any_of(trajectories.begin(), trajectories.end(), [&](const Trajectory<D>& of) {
@@ -108,17 +137,22 @@ void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_s
     const Trajectory<D>& of = trajectories[t];
     for_each_simplex(*of.motion.body, [&](const Simplex& part) {
       if (part.kind == Simplex::kVertex) {
-        if (D == 2 || may_meet_faces) vertices_.add(of, t, part);
-        if (with_segments && is_single(*of.motion.body, part.index)) segments_.add(of, t, part);
+        if (D == 2 || may_meet_faces) vertices_.add(of, t, part, drift);
+        if (with_segments && is_single(*of.motion.body, part.index)) segments_.add(of, t, part, drift);
       } else if (part.kind == Simplex::kEdge) {
-        if (with_segments) segments_.add(of, t, part);
+        if (with_segments) segments_.add(of, t, part, drift);
       } else {
-        faces_.add(of, t, part);
+        faces_.add(of, t, part, drift);
       }
       return true;
     });
   }
-  for (Ways* each : {&segments_, &vertices_, &faces_}) each->fill_grid();
+  // Vertices are looked for with what is larger, and many of them may not move at all.
+  const Ways& solids = D == 2 ? segments_ : faces_;
+  const double size = solids.mean_size();
+  vertices_.fill_grid(size);
+  faces_.fill_grid(size);
+  segments_.fill_grid(segments_.mean_size());
 }
 
 template <int D>
@@ -202,8 +236,10 @@ void BodyWays<D>::find_still(const Array<Trajectory<D>>& trajectories) {
       const Side& side = ways->sides[i];
       const Partners<D>* const still = trajectories[side.trajectory].still;
       if (still == nullptr) continue;
+      if (still->all.empty()) continue;
+      const Box<D> box = box_of_way(trajectories[side.trajectory], side.part);
       for (const Partner<D>& other : still->all) {
-        ways == &segments_ ? meet_segments(side, other, ways->boxes[i]) : meet_solids(side, other, ways->boxes[i]);
+        ways == &segments_ ? meet_segments(side, other, box) : meet_solids(side, other, box);
       }
     }
   }

@@ -14,8 +14,10 @@ class BodyWays {
   explicit BodyWays(const Memory* memory)
       : segments_(memory), vertices_(memory), faces_(memory), pairs_(memory), hinges_(memory), near_(memory) {}
 
-  /** Finds the pairs whose whole ways in the call come near each other. */
-  void start(const Array<Trajectory<D>>& trajectories, bool bodies_meet);
+  /** Finds the pairs whose whole ways in the call come near each other.
+   * @param drift null, or a way that is left out of all, since all vertices will make the same part of theirs: then fewer ways
+   * come near each other. */
+  void start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift = nullptr);
   /** Whether none of them touch on their ways. */
   bool is_free(const Array<Trajectory<D>>& trajectories) const;
   /** What is touched first. */
@@ -48,11 +50,13 @@ class BodyWays {
 
     explicit Ways(const Memory* memory) : grid(memory), sides(memory), boxes(memory) {}
     void clear();
-    void add(const Trajectory<D>& of, uint32_t number, const Simplex& part);
-    void fill_grid();
+    void add(const Trajectory<D>& of, uint32_t number, const Simplex& part, const double* drift);
+    /** The size of what the boxes are looked for with. */
+    void fill_grid(double size);
+    double mean_size() const;
   };
 
-  void add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments);
+  void add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments, const double* drift);
   bool find_own_edges(const Array<Trajectory<D>>& trajectories);
   void find_segments(const Array<Trajectory<D>>& trajectories);
   void find_solids(const Array<Trajectory<D>>& trajectories);

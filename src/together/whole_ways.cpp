@@ -12,7 +12,7 @@
 namespace dsw {
 
 template <int D, class Walls>
-void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_meet) {
+void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift) {
   for (Trajectory<D>& of : trajectories) {
     of.motion.start(*of.motion.body, of.motion.targets);
     const size_t count = of.motion.body->vertices.size();
@@ -25,7 +25,7 @@ void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_
     }
   }
   walls.start(trajectories);
-  bodies.start(trajectories, bodies_meet);
+  bodies.start(trajectories, bodies_meet, drift);
 }
 
 template <int D, class Walls>

@@ -21,8 +21,9 @@ class WholeWays {
   /** The most work of the next call, as of PairWork. */
   void set_most_work(uint64_t most) noexcept { work_ = {most, 0}; }
   /** Finds what comes near the ways to the targets, which become the goals.
-   * @param bodies_meet whether bodies can touch at all. */
-  void start(Array<Trajectory<D>>& trajectories, bool bodies_meet);
+   * @param bodies_meet whether bodies can touch at all.
+   * @param drift see BodyWays. */
+  void start(Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift = nullptr);
   /** Lets all ways end at their goals, and finds what is touched first there. Whether anything is. */
   bool find_touches(Array<Trajectory<D>>& trajectories);
   /** Keeps what is touched in the records, and lets all ways end just before it. */
