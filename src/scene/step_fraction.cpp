@@ -127,7 +127,7 @@ double StepCall<D>::search(WholeWays<D, Walls>& ways, double most, Begin begin) 
   }
 }
 
-/** Of some bodies, in the order of the islands. */
+/** The fraction of some bodies, which stand in the order of the islands. */
 template <int D>
 double StepCall<D>::find_at_rest(size_t first, size_t end, double most) {
   trajectories_.clear();
@@ -203,10 +203,7 @@ double StepCall<D>::find_moving(Array<double>& ends) {
   place_environment(1, ends);
   WholeWays<D, MovingWalls<D>> ways(scene_.env);
   Array<dsw_volume_id> invalid(scene_.memory);
-  return search(ways, 1, [&] {
-    ways.walls.begin(ends.data(), invalid);
-    ways.walls.begin_steps(steps_.of_environment);
-  });
+  return search(ways, 1, [&] { ways.walls.begin_steps(steps_.of_environment, ends.data(), invalid); });
 }
 
 template <int D>
@@ -214,7 +211,8 @@ void StepCall<D>::place_environment(double fraction, Array<double>& places) cons
   const size_t count = scene_.env.map.vertex_count;
   places.resize(D * count);
   for (size_t v = 0; v < count; ++v) {
-    place_of_step<D>(scene_.env.point(static_cast<uint32_t>(v)), steps_.of_environment + D * v, fraction, &places[D * v]);
+    place_of_step<D>(scene_.env.point(static_cast<uint32_t>(v)), steps_.of_environment + D * v, fraction,
+                     &places[D * v]);
   }
 }
 

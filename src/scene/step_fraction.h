@@ -8,14 +8,14 @@ namespace dsw {
 
 /** The steps of a call. Each leads to finite places. */
 struct StepsOfAll {
-  PointArray of_bodies;                   // one for each vertex slot, body after body
+  PointArray of_bodies;                    // one for each vertex slot, body after body
   const double* of_environment = nullptr;  // one for each of its points; null: these stand still
 };
 
 struct StepAnswer {
   double fraction = 1;
-  Array<double> fractions;          // by body, of its island
-  Array<double> places;             // of the vertex slots, D numbers each; 0 where there is no vertex
+  Array<double> fractions;           // by body, of its island
+  Array<double> places;              // of the vertex slots, D numbers each; 0 where there is no vertex
   Array<double> environment_places;  // of the points; empty if these stand still
 
   explicit StepAnswer(const Memory* memory) : fractions(memory), places(memory), environment_places(memory) {}

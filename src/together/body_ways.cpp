@@ -44,8 +44,8 @@ Box<D> box_beside_drift(const Trajectory<D>& of, const Simplex& part, const doub
   for (const uint32_t v : SimplexCorners<D>(*of.motion.body, part)) {
     double end[D];
     for (int k = 0; k < D; ++k) {
-      end[k] = of.target(v)[k] - drift[k];
-      largest = std::max({largest, std::fabs(of.start(v)[k]), std::fabs(of.target(v)[k]), std::fabs(drift[k])});
+      end[k] = of.reach(v)[k] - drift[k];
+      largest = std::max({largest, std::fabs(of.start(v)[k]), std::fabs(of.reach(v)[k]), std::fabs(drift[k])});
     }
     box.add(of.start(v));
     box.add(end);

@@ -174,7 +174,10 @@ void MovingWalls<D>::set_end(double time) {
 }
 
 template <int D>
-void MovingWalls<D>::begin_steps(const double* steps) {
+void MovingWalls<D>::begin_steps(const double* steps, const double* next, Array<dsw_volume_id>& invalid) {
+  next_ = next;
+  invalid_ = &invalid;
+  flood_.set_next(next);
   steps_ = steps;
   places_.assign(env_.points, env_.points + size_t{D} * env_.map.vertex_count);
   met_.clear();

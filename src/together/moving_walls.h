@@ -24,8 +24,8 @@ class MovingWalls {
   bool stay_valid() const noexcept { return stay_valid_; }
   /** From now on the ways end at a fraction of the whole ways. */
   void set_end(double time);
-  /** For a search of a fraction: the points' steps, of which `next` has the ends. Comes after begin(). */
-  void begin_steps(const double* steps);
+  /** In place of begin() for a search of a fraction: the points' steps, and where these lead. */
+  void begin_steps(const double* steps, const double* next, Array<dsw_volume_id>& invalid);
   /** From now on the ways end where that part of the steps leads. */
   void set_step_end(double fraction);
   /** Whether all cells that are met stay valid on the ways to there. */

@@ -115,7 +115,7 @@ static void stacks_at_rest(int with_environment) {
         step[0] = x - turn * (p[1] - 1.5);
         step[1] = y + turn * (p[0] - 1.5);
         step[2] = up;
-        if (round % 3 == 1) step[2] += 0.01; /* leaves */
+        if (round % 3 == 1) step[2] += 0.01;                                                      /* leaves */
         if (round % 3 == 2) step[2] += 0.05 * share() * (c < 4 ? 1 : 0) + 0.05 * (c < 4 ? 0 : 1); /* and tilts */
         if (step[2] > lift) lift = step[2];
       }
@@ -202,8 +202,10 @@ static void memory_runs_out(int with_environment) {
   const dsw_body_id body = make_edge_body(scene, kAt, DSW_LEVEL_EDGES_SWEPT);
   double fraction = 7, places[6];
   size_t n = 0;
-  while (n < 1000 && RUNS_OUT(&h, n, dsw_scene_step_fraction(scene, &body, 1, steps, 2, 0, with_environment ? still : NULL,
-                                                             with_environment ? 24 : 0, NULL, &fraction, NULL, places, NULL))) {
+  while (n < 1000 &&
+         RUNS_OUT(&h, n,
+                  dsw_scene_step_fraction(scene, &body, 1, steps, 2, 0, with_environment ? still : NULL,
+                                          with_environment ? 24 : 0, NULL, &fraction, NULL, places, NULL))) {
     CHECK(fraction == 7);
     expect_at(scene, body, kAt, 2);
     ++n;

@@ -339,6 +339,12 @@ TEST(Cpp, BodiesAndWallsMoveTogether) {
   EXPECT_EQ(reports[0].fraction, 1);
   EXPECT_THROW(scene.move_together(bodies, std::vector<Row>(1), nullptr, {}), WrongSize);
   scene.move_together(bodies, rod, nullptr, {});
+  std::vector<double> fractions(1), places(rod.size() * 3);
+  const std::vector<Row> steps(rod.size(), Row{0, 0, 2});
+  const double fraction = scene.step_fraction(bodies, steps, nullptr, places, fractions);
+  EXPECT_TRUE(fraction > 0 && fraction < 0.5 && fractions[0] == fraction);
+  EXPECT_EQ(places[2], rod[0][2] + fraction * 2);
+  EXPECT_THROW(scene.step_fraction(bodies, std::vector<Row>(1), nullptr, {}), WrongSize);
   // The floor comes up by half of the cube, and takes the body along. Then it meets the body after 2 of 3 parts.
   auto next = std::make_shared<std::vector<Row>>(kCorners);
   for (Row &at : *next) at[2] = std::max(at[2], 0.125);

@@ -113,7 +113,8 @@ class StepFractionTest : public WaysTest<StepKind> {
 };
 
 TEST_P(StepFractionTest, TheLargestFreeFraction) {
-  size_t asked = 0, stops = 0, crossed = 0, not_largest = 0, short_of = 0, misplaced = 0, moved = 0, differ = 0, tiny = 0;
+  size_t asked = 0, stops = 0, crossed = 0, not_largest = 0, short_of = 0, misplaced = 0, moved = 0, differ = 0,
+         tiny = 0;
   const int rounds = at_least(24);
   for (int round = 0; round < rounds; ++round) {
     Ground ground = make_ground(dimension(), 3, 0.15, 0.2, round % 3 == 0, rng_);
@@ -162,7 +163,8 @@ TEST_P(StepFractionTest, TheLargestFreeFraction) {
         if (GetParam().walls_move) {
           for (size_t v = 0; v < ground.points.size(); ++v) {
             const Vec p = at(ground.points[v], of_ground_[v], answer.fraction);
-            misplaced += std::equal(p.begin(), p.begin() + dimension(), &answer.environment_places[v * width()]) ? 0 : 1;
+            misplaced +=
+                std::equal(p.begin(), p.begin() + dimension(), &answer.environment_places[v * width()]) ? 0 : 1;
           }
         } else if (by_island) {
           // A move to these places makes its whole way.
@@ -181,17 +183,21 @@ TEST_P(StepFractionTest, TheLargestFreeFraction) {
       }
     }
   }
-  std::printf("%s: %zu asked, %zu stop, %zu below 1e-6; crossed %zu, not largest %zu, short %zu, misplaced %zu, moved %zu\n",
-              GetParam().name, asked, stops, tiny, crossed, not_largest, short_of, misplaced, moved);
+  std::printf(
+      "%s: %zu asked, %zu stop, %zu below 1e-6; crossed %zu, not largest %zu, short %zu, misplaced %zu, moved %zu\n",
+      GetParam().name, asked, stops, tiny, crossed, not_largest, short_of, misplaced, moved);
   record_moves(asked, crossed, moved, not_largest);
   EXPECT_EQ(crossed + not_largest + short_of + misplaced + moved + differ, 0u);
   EXPECT_GT(stops, asked / 20);
 }
 
 constexpr StepKind kStepKinds[] = {
-    {"points_in_the_plane", 2, DSW_LEVEL_POINTS, false},  {"edges_in_the_plane", 2, DSW_LEVEL_EDGES_SWEPT, false},
-    {"edges", 3, DSW_LEVEL_EDGES, false},                 {"faces", 3, DSW_LEVEL_FACES, false},
-    {"walls_in_the_plane", 2, DSW_LEVEL_EDGES, true},     {"walls", 3, DSW_LEVEL_FACES, true},
+    {"points_in_the_plane", 2, DSW_LEVEL_POINTS, false},
+    {"edges_in_the_plane", 2, DSW_LEVEL_EDGES_SWEPT, false},
+    {"edges", 3, DSW_LEVEL_EDGES, false},
+    {"faces", 3, DSW_LEVEL_FACES, false},
+    {"walls_in_the_plane", 2, DSW_LEVEL_EDGES, true},
+    {"walls", 3, DSW_LEVEL_FACES, true},
 };
 
 INSTANTIATE_TEST_SUITE_P(Kinds, StepFractionTest, testing::ValuesIn(kStepKinds),

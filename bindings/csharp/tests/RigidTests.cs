@@ -47,4 +47,18 @@ static partial class Tests
       True(reports[0].Fraction < 0.25 && reports[0].Fraction > 0.25 - 1e-12 && reports[0].Fraction == reports[1].Fraction);
     }
   }
+
+  public static void HowMuchOfStepsIsFree()
+  {
+    double[] points = { 0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4 }, bar = { 1, 2, 2, 1, 3, 2 }, places = new double[6];
+    using (Environment environment = new Environment(points, new[] { 0, 1, 2, 3, 4, 5, 6, 7 }, CellType.Hexahedron))
+    using (Scene scene = new Scene(environment))
+    {
+      Body body = scene.CreateBody(bar, new uint[] { 0, 1 });
+      double[] steps = { 4, 0, 0, 4, 0, 0 };
+      double fraction = scene.StepFraction(new[] { body.Id() }, steps);
+      True(fraction < 0.75 && fraction > 0.7499999 && fraction == scene.StepFraction(new[] { body.Id() }, steps, null, places));
+      True(places[0] == 1 + fraction * 4 && body.GetPositions().SequenceEqual(bar));
+    }
+  }
 }

@@ -28,6 +28,20 @@ function TestRigid:test_free_fractions_move_nothing()
   lu.assertFalse(pcall(bar.find_free_fractions, bar, {2, 2, 2}, {1, 2}, {0, 0}))
 end
 
+function TestRigid:test_how_much_of_steps_is_free()
+  local environment <close> = make_room()
+  local scene <close> = dsw.Scene(environment)
+  local bar = make_bar(scene)
+  local fraction, places, fractions = scene:step_fraction({bar:id()}, {4, 0, 0, 4, 0, 0})
+  lu.assertTrue(fraction < 0.25 and fraction > 0.2499999)
+  lu.assertEquals({places[1], fractions[1]}, {1 + 4 * fraction, fraction})
+  lu.assertEquals({bar:get_positions():point(1)}, {1, 2, 2})
+  local walls = {0, 0, 3, 0, 0, 3, 0, 0, 3, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
+  local moved, _, _, raised = scene:step_fraction({bar:id()}, {0, 0, 0, 0, 0, 0}, nil, nil, nil, walls)
+  lu.assertTrue(moved < 2 / 3 and moved > 0.6666)
+  lu.assertEquals(raised[3], 3 * moved)
+end
+
 function TestRigid:test_a_bar_slides_along_a_wall()
   local environment <close> = make_room()
   local scene <close> = dsw.Scene(environment)

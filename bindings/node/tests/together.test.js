@@ -63,6 +63,18 @@ test('strands that are carried together do not stop each other', () => {
   assert.deepEqual([...stopped].map((report) => report.verticesStopped), [3, 0]);
 });
 
+test('how much of steps is free', () => {
+  const { scene } = makeRoom();
+  const body = scene.createBody(strand(1), edges);
+  const { fraction, fractions, places } = scene.stepFraction([body], [4, 0, 0, 4, 0, 0, 4, 0, 0]);
+  assert.ok(fraction < 0.75 && fraction > 0.7499999 && fractions[0] === fraction);
+  assert.equal(places[0], 1 + 4 * fraction);
+  assert.deepEqual([...body.getPositions()], strand(1));
+  const walls = raised(2).map((x, i) => x - raised(0)[i]);
+  const moved = scene.stepFraction([body], new Float64Array(9), { environmentSteps: walls });
+  assert.ok(moved.fraction < 0.5 && moved.fraction > 0.4999999 && moved.environmentPlaces.length === walls.length);
+});
+
 test('a floor that rises stops before a strand', () => {
   const { environment, scene } = makeRoom();
   const body = scene.createBody(strand(2), edges);

@@ -131,3 +131,42 @@ def test_what_is_wrong_is_refused(room: ds.Scene) -> None:
         with pytest.raises(ds.errors.NotEnabled, match="DSW_FEATURE_DEFORMING"):
             scene.deform(CORNERS.copy())
     assert len(room.move_together([], np.empty((0, 3)))) == 0
+
+
+def test_a_step_of_a_line_search(room: ds.Scene) -> None:
+    wire = room.create_body(strand(1), EDGES)
+    goal = strand(4.5)  # beyond the wall at x = 4: an energy that falls towards it
+
+    def energy(points: NDArray[np.float64]) -> float:
+        return float(((points - goal) ** 2).sum())
+
+    for _ in range(20):
+        points = wire.positions()
+        step = 0.5 * (goal - points)  # Newton's
+        found = room.step_fraction([wire.id], step)
+        length = found.fraction  # instead of 1
+        while length > 0 and energy(points + length * step) > energy(points):
+            length /= 2
+        places = found.places if length == found.fraction else points + length * step
+        room.move_together([wire.id], places)
+    assert 3.999999 < wire.positions()[0, 0] < 4
+
+
+def test_how_much_of_steps_is_free(room: ds.Scene) -> None:
+    left, right = room.create_body(strand(1), EDGES), room.create_body(strand(3), EDGES)
+    steps = np.zeros((6, 3))
+    steps[:3, 0], steps[3:, 0] = 4, 0.5
+    steps[:3, 1:] = -0.25, 0.25
+    found = room.step_fraction([left.id, right.id], steps)
+    assert found.fraction == pytest.approx(0.75, abs=1e-15) and found.fraction < 0.75 and found.fractions.tolist() == [found.fraction] * 2
+    assert np.array_equal(found.places, np.concatenate([strand(1), strand(3)]) + found.fraction * steps)
+    assert np.array_equal(left.positions(), strand(1)) and found.environment_places is None
+    walls = np.zeros((8, 3))
+    walls[:4, 2] = 2
+    found = room.step_fraction([left.id], np.zeros((3, 3)), walls)
+    assert found.fraction == pytest.approx(0.5, abs=1e-15) and found.fraction < 0.5
+    assert found.environment_places is not None and np.array_equal(found.environment_places, CORNERS + found.fraction * walls)
+    by_island = ds.options(ds.TogetherOptions, stop=ds.TogetherStop.ISLAND)
+    assert room.step_fraction([left.id, right.id], steps, options=by_island).fractions[1] < 1
+    with pytest.raises(ds.errors.WrongSize):
+        room.step_fraction([left.id], steps)

@@ -243,8 +243,8 @@ class Scene {
     const SceneWriting self(*state_);
     double fraction = 0;
     check(dsw_scene_step_fraction(self.handle, bodies.data, bodies.count, steps.data, steps.count,
-                                  steps.stride_bytes, environment_steps.data,
-                                  points, options, &fraction, fractions.data, places.data, environment_places.data));
+                                  steps.stride_bytes, environment_steps.data, points, options,
+                                  &fraction, fractions.data, places.data, environment_places.data));
     return fraction;
   }
   /** Takes 10 numbers for each body in `motions`: rotation, centre and translation of

@@ -109,6 +109,18 @@ class TogetherTest {
   }
 
   @Test
+  void howMuchOfStepsIsFree() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
+      Body body = scene.createBody(strand(1, 1), EDGES);
+      DoubleBuffer steps = DoubleBuffer.wrap(new double[] {4, 0, 0, 4, 0, 0, 4, 0, 0}), places = DoubleBuffer.wrap(new double[9]);
+      double fraction = scene.stepFraction(idsOf(body), steps, null, places);
+      assertTrue(fraction < 0.75 && fraction > 0.7499999);
+      assertEquals(1 + 4 * fraction, places.get(0));
+      assertArrayEquals(strand(1, 1), body.getPositions());
+    }
+  }
+
+  @Test
   void theFloorStopsBeforeAStrand() {
     try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
       Body body = scene.createBody(strand(2, 1), EDGES);
