@@ -244,10 +244,10 @@ bool MovingWalls<D>::visit_touches(const Array<Trajectory<D>>& trajectories, Vis
       WayTouch<D> touch{};
       if (!is_new_part && !held.has_new(features_[i].name.vertices, features_[i].name.count)) continue;
       if (!set_pair(of, near, features_[i], touch) || !boxes_overlap(touch.pair)) continue;
+      touch.part = near.part;
       touch.first = first_touch(touch.pair, work);
       if (!touch.first.touches || stays_free(touch, features_[i])) continue;
       touch.trajectory = near.trajectory;
-      touch.part = near.part;
       touch.wall = features_[i].name;
       if (!visit(touch)) return false;
     }
