@@ -2,10 +2,9 @@
 // A body of which all vertices move at once, and what its parts touch on their way.
 
 #include "body/simplices.h"
-#include "corridor/candidates.h"
+#include "contact/way_touch.h"
 #include "motion/moving_body.h"
 #include "motion/place_on_way.h"
-#include "predicates/moving_pair.h"
 #include "proximity/near_lists.h"
 #include "proximity/partners.h"
 #include "response/settings.h"
@@ -40,33 +39,6 @@ struct Trajectory {
   const double* reach(uint32_t v) const { return reaches.empty() ? motion.targets[v] : &reaches[size_t{v} * D]; }
   bool moves(uint32_t v) const { return !std::equal(start(v), start(v) + D, end(v)); }
 };
-
-/** Something that is touched. */
-template <int D>
-struct WayTouch {
-  MovingPair<D> pair;
-  FirstTouch first;
-  uint32_t trajectory;  // that moves
-  Simplex part;         // its part
-  bool comes_first;     // whether its points are the first of the pair
-  // What it touches: the number of a body that moves, else kNone; and the body, or null for the environment.
-  uint32_t other_trajectory = kNone;
-  const Partner<D>* other = nullptr;
-  Simplex other_part{};
-  WallFeature wall{};
-};
-
-/** Adds a touch to what is touched first, all at the same exact time, unless it is later. Throws std::bad_alloc and
- * WorkOver. */
-template <int D>
-void add_first(const WayTouch<D>& touch, Array<WayTouch<D>>& first, PairWork* work) {
-  if (!first.empty()) {
-    const int order = compare_first_touches<D>(touch.pair, touch.first, first[0].pair, first[0].first, work);
-    if (order > 0) return;
-    if (order < 0) first.clear();
-  }
-  first.push_back(touch);
-}
 
 /** Whether the way of a part has not been looked at. */
 template <int D>
