@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "base/fp_rules.h"
 
@@ -13,6 +14,16 @@ template <int D>
 inline double distance_squared(const double* a, const double* b) noexcept {
   const double x = a[0] - b[0], y = a[1] - b[1], z = D == 3 ? a[D - 1] - b[D - 1] : 0;
   return (x * x + y * y) + z * z;
+}
+
+/** The largest magnitude of a coordinate of some points. */
+template <int D, class... Points>
+inline double largest_coordinate(const Points*... points) noexcept {
+  double largest = 0;
+  for (const double* const p : {points...}) {
+    for (int k = 0; k < D; ++k) largest = std::max(largest, std::fabs(p[k]));
+  }
+  return largest;
 }
 
 /** The power of two that brings `largest` near 1, where its exponent is beyond `most`; 1 elsewhere, for bits to stay. */

@@ -88,12 +88,8 @@ typename BoxGrid<D>::Level& BoxGrid<D>::level_of(int32_t exponent) noexcept {
 
 template <int D>
 int32_t BoxGrid<D>::exponent_of(const Box<D>& box, double size) noexcept {
-  double largest = 0;
-  for (int k = 0; k < D; ++k) {
-    size = std::max(size, box.upper[k] - box.lower[k]);
-    largest = std::max({largest, std::fabs(box.lower[k]), std::fabs(box.upper[k])});
-  }
-  size = std::max(size, largest * kLeastShare);
+  for (int k = 0; k < D; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
+  size = std::max(size, largest_coordinate<D>(box.lower, box.upper) * kLeastShare);
   if (!(size < 0x1p1000)) return kHuge;  // kHuge - 1
   int exponent = kTiny;
   if (size > 0) std::frexp(size, &exponent);  // size < 2^exponent

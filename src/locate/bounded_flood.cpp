@@ -11,21 +11,12 @@ namespace {
 constexpr uint32_t kLanes = 8;  // of bounds
 
 template <int D>
-double largest_coordinate(const Environment<D>& env, std::initializer_list<const double*> points) {
-  double most = 0;
-  for (const double* p : points) {
-    for (int k = 0; k < D; ++k) most = std::max(most, std::fabs(p[k]));
-  }
-  for (int k = 0; k < D; ++k) most = std::max({most, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
-  return most;
+double largest_near(const Environment<D>& env, const FromSegment<D>& segment) {
+  return largest_coordinate<D>(env.lower, env.upper, segment.from, segment.to);
 }
 template <int D>
-double largest_coordinate(const Environment<D>& env, const FromSegment<D>& segment) {
-  return largest_coordinate(env, {segment.from, segment.to});
-}
-template <int D>
-double largest_coordinate(const Environment<D>& env, const FromPoint<D>& from) {
-  return largest_coordinate(env, {from.point});
+double largest_near(const Environment<D>& env, const FromPoint<D>& from) {
+  return largest_coordinate<D>(env.lower, env.upper, from.point);
 }
 
 template <int D>
@@ -51,7 +42,7 @@ BoundedFlood<D, From>::BoundedFlood(const Distances<D, From>& distances, double 
       result_(result),
       has_thin_(env_.marked_edges != 0 || env_.marked_vertices != 0),
       radius_(radius),
-      largest_(largest_coordinate(env_, distances.from())),
+      largest_(largest_near(env_, distances.from())),
       frame_(frame_of(distances.from(), largest_)) {
   set_limit(radius);
   notes_.clear();

@@ -65,11 +65,8 @@ Vec nearest_on(const Vec& a, const Vec& b, const Vec& c) {
 
 template <int D>
 double fitting_scale(const Environment<D>& env, std::initializer_list<const double*> points) {
-  double largest = 0;
-  for (int k = 0; k < D; ++k) {
-    largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
-    for (const double* point : points) largest = std::max(largest, std::fabs(point[k]));
-  }
+  double largest = largest_coordinate<D>(env.lower, env.upper);
+  for (const double* point : points) largest = std::max(largest, largest_coordinate<D>(point));
   return scale_to_one(largest, 300);
 }
 

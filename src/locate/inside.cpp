@@ -83,9 +83,7 @@ SeenObstacle find_nearest_wall(const Environment<D>& env, const double* point, d
 /** A unit in the last place of the largest coordinate. */
 template <int D>
 double rounding(const Environment<D>& env, const double* point) {
-  double size = 0;
-  for (int k = 0; k < D; ++k)
-    size = std::max({size, std::fabs(point[k]), std::fabs(env.lower[k]), std::fabs(env.upper[k])});
+  const double size = largest_coordinate<D>(point, env.lower, env.upper);
   return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
 }
 

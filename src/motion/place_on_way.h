@@ -40,9 +40,7 @@ void place_of_step(const double* p, const double* step, double fraction, double*
 template <int D>
 double room_of_rounding(const double* const* points, uint32_t count) noexcept {
   double largest = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    for (int k = 0; k < D; ++k) largest = std::max(largest, std::fabs(points[i][k]));
-  }
+  for (uint32_t i = 0; i < count; ++i) largest = std::max(largest, largest_coordinate<D>(points[i]));
   return 0x1p-48 * largest;
 }
 

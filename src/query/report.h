@@ -41,4 +41,32 @@ template <int D>
 dsw_crossing report_crossing(const Environment<D>& env, Cell from, uint32_t simplex, Cell to, const double* start,
                              const double* target) noexcept;
 
+/** Writes the crossings of one flight into the room that was counted for it. */
+template <int D>
+class CrossingWriter {
+ public:
+  /** Writes the cell where the flight starts, and from then on every cell that the cast enters. */
+  void attach(const Environment<D>& env, CastRequest& request, dsw_crossing* first, dsw_crossing* end) noexcept {
+    env_ = &env;
+    from_ = request.from;
+    to_ = request.to;
+    next_ = first;
+    end_ = end;
+    *next_++ = {volume_id(env.map, request.start), {0, 0, 0}, 0};
+    request.crossing = write;
+    request.crossing_user = this;
+  }
+
+ private:
+  static void write(void* user, Cell from_cell, uint32_t simplex, Cell to_cell) {
+    CrossingWriter& w = *static_cast<CrossingWriter*>(user);
+    DSW_ASSERT(w.next_ != w.end_);
+    if (w.next_ != w.end_) *w.next_++ = report_crossing(*w.env_, from_cell, simplex, to_cell, w.from_, w.to_);
+  }
+
+  const Environment<D>* env_ = nullptr;
+  const double *from_ = nullptr, *to_ = nullptr;
+  dsw_crossing *next_ = nullptr, *end_ = nullptr;
+};
+
 }  // namespace dsw

@@ -31,19 +31,6 @@ void cast_range(const Environment<D>& env, Starts<D> starts, PointArray from, Po
   }
 }
 
-template <int D>
-struct PathWriter {
-  const Environment<D>* env;
-  const double* from;
-  const double* to;
-  dsw_crossing* next;
-
-  static void write(void* user, Cell from_cell, uint32_t simplex, Cell to_cell) {
-    PathWriter& w = *static_cast<PathWriter*>(user);
-    *w.next++ = report_crossing(*w.env, from_cell, simplex, to_cell, w.from, w.to);
-  }
-};
-
 }  // namespace
 
 template <int D>
@@ -77,10 +64,8 @@ void cast_path(const Environment<D>& env, dsw_volume_id start, const double* fro
   *count = result.volumes_visited;
   if (capacity < *count) return;
   // Cast again, now that the room is known to be enough: a buffer that is too small stays untouched.
-  PathWriter<D> writer{&env, from, to, crossings};
-  *writer.next++ = {volume_id(env.map, request.start), {0, 0, 0}, 0};
-  request.crossing = PathWriter<D>::write;
-  request.crossing_user = &writer;
+  CrossingWriter<D> writer;
+  writer.attach(env, request, crossings, crossings + *count);
   cast(env, request, nullptr);
 }
 

@@ -312,16 +312,15 @@ uint32_t VertexMove<D>::put_on(const Part& part, double size, const dsw_body_con
   const double along = before / (part.to_share - part.from_share);
   const double share = body_.edges[e].ends[0] == part.from ? along : 1 - along;
   const Vec normal = to_vec<D>(contact.contact.normal);
-  double point[D], largest = 0;
+  double point[D];
   if (on_edge) {
     point_at<D>(p, q, share, point);
   } else {
     std::copy_n(contact.point, D, point);
   }
-  for (int k = 0; k < D; ++k) largest = std::max(largest, std::fabs(point[k]));
   const Vec nearest = to_vec<D>(point);
   // Rounding may have put it on the wrong side: then further and further from the obstacle.
-  double lift = std::max(stand_off(contact), largest * std::numeric_limits<double>::epsilon());
+  double lift = std::max(stand_off(contact), largest_coordinate<D>(point) * std::numeric_limits<double>::epsilon());
   Cell cell;
   for (int tries = 0; tries < 8; ++tries) {
     if (tries != 0 || !on_edge) {

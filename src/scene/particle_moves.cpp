@@ -38,31 +38,6 @@ void check_distinct_ids(Scene<D>& scene, const dsw_particle_id* ids, size_t coun
   }
 }
 
-/** Writes the crossings of one flight into the room that was counted for it. */
-template <int D>
-struct CrossingWriter {
-  const Environment<D>* env;
-  const double* from;
-  const double* to;
-  dsw_crossing* next;
-  dsw_crossing* end;
-
-  /** For flight i of a batch: the cell it starts in, and every cell that the cast will enter. */
-  void start(Scene<D>& scene, size_t i, CastRequest& request) noexcept {
-    dsw_crossing* const all = scene.crossings.data();
-    *this = {&scene.env, request.from, request.to, all + scene.crossing_first[i], all + scene.crossing_first[i + 1]};
-    *next++ = {volume_id(scene.env.map, request.start), {0, 0, 0}, 0};
-    request.crossing = write;
-    request.crossing_user = this;
-  }
-
-  static void write(void* user, Cell from_cell, uint32_t simplex, Cell to_cell) {
-    CrossingWriter& w = *static_cast<CrossingWriter*>(user);
-    DSW_ASSERT(w.next != w.end);
-    if (w.next != w.end) *w.next++ = report_crossing(*w.env, from_cell, simplex, to_cell, w.from, w.to);
-  }
-};
-
 /** The facet a particle keeps aiming at: the wall that stopped it, or that of before if it stayed in its cell. */
 template <int D>
 uint32_t next_forecast(const Environment<D>& env, const ParticleState<D>& state, const MoveResult<D>& result) noexcept {
@@ -105,7 +80,10 @@ void cast_particles(Scene<D>& scene, const dsw_particle_id* ids, PointArray targ
       CastRequest& request = packet.add(scene.env, state.cell, state.position, targets[begin]);
       request.max_volumes = max_volumes;
       request.forecast = state.forecast;
-      if (with_crossings) writer.start(scene, begin, request);
+      if (with_crossings) {
+        dsw_crossing* const all = scene.crossings.data();
+        writer.attach(scene.env, request, all + scene.crossing_first[begin], all + scene.crossing_first[begin + 1]);
+      }
     }
     packet.run(scene.env, counters);
     done(first, packet);

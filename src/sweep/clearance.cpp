@@ -51,8 +51,7 @@ bool measure(const Environment<D>& env, Body<D>& body, uint32_t v, double needed
   const bool found = find_nearest(env, at, body.vertices[v].cell, reach, nearest);
   body.clearance_credit -= kCell * nearest.volumes_visited;
   const double radius = kKept * (found ? nearest.distance : reach);
-  double largest = reach;
-  for (int k = 0; k < D; ++k) largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
+  const double largest = std::max(reach, largest_coordinate<D>(env.lower, env.upper));
   std::copy_n(at, D, ball.centre);
   ball.radius = radius > kLeastShare * largest ? radius : 0;
   ball.version = env.obstacle_version;

@@ -19,9 +19,7 @@ constexpr uint32_t kNoSlot = 0xffffffffu;
 
 /** Coordinates that are larger than 2^200, or all smaller than 2^-200, are scaled: their fourth powers are summed. */
 double scale_for_areas(const Environment<3>& env) noexcept {
-  double largest = 0;
-  for (int k = 0; k < 3; ++k) largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
-  return scale_to_one(largest, 200);
+  return scale_to_one(largest_coordinate<3>(env.lower, env.upper), 200);
 }
 
 }  // namespace

@@ -11,13 +11,6 @@
 
 namespace dsw {
 
-template <int D>
-double largest_coordinate(const double* p) noexcept {
-  double largest = 0;
-  for (int k = 0; k < D; ++k) largest = std::max(largest, std::fabs(p[k]));
-  return largest;
-}
-
 /** Largest coordinate on the way from p to q: of all of it, but up to `time` where it ends 2^10 times as far out. The
  * target of such a long way says nothing about where it stops. */
 template <int D>

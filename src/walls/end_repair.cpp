@@ -16,17 +16,10 @@ constexpr int kMostRounds = 8, kMostLifts = 14, kMoreLifts = 5;
 constexpr uint32_t kMostBends = 64;  // of one body
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-template <int D>
-double largest_of(const double* a) noexcept {
-  double largest = 0;
-  for (int k = 0; k < D; ++k) largest = std::max(largest, std::fabs(a[k]));
-  return largest;
-}
-
 /** A little more than a way, for what rounding and turning take of it. */
 template <int D>
 Vec with_room(const Vec& way, const Vec& normal, const double* at) noexcept {
-  return way + (length(way) * 0x1p-10 + 8 * kEpsilon * largest_of<D>(at)) * normal;
+  return way + (length(way) * 0x1p-10 + 8 * kEpsilon * largest_coordinate<D>(at)) * normal;
 }
 
 /** The part of a vector across a line of unit direction. */
@@ -208,7 +201,7 @@ void EndRepair<D>::bend(uint32_t owner, double min_part, WallRecord& record) {
     while (bends < kMostBends && body.has_edge(e) && find_way(body, e, &way) && way.wall.valid()) {
       if (!(way.along >= min_part && way.along <= 1 - min_part)) break;
       const uint32_t(&ends)[2] = body.edges[e].ends;
-      double lift = kEpsilon * largest_of<D>(way.at), point[D];
+      double lift = kEpsilon * largest_coordinate<D>(way.at), point[D];
       Cell cell;
       const double height = length(way.way);
       // First for what was rounded off, then for walls that rise farther than those that were met.
