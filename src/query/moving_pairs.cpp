@@ -1,8 +1,6 @@
 #include "query/moving_pairs.h"
 
 #include <algorithm>
-#include <atomic>
-#include <new>
 
 #include "base/batch.h"
 #include "base/dimensions.h"
@@ -61,20 +59,14 @@ struct Ranked {
 template <class Pairs>
 void find_touches(const Pairs& pairs, const Parallel& parallel, size_t count, dsw_pair_touch* touches,
                   Array<Ranked>& ranked) {
-  std::atomic<bool> out_of_memory{false};
-  auto body = [&](size_t begin, size_t end) noexcept {
-    try {
-      for (size_t i = begin; i < end; ++i) {
-        const FirstTouch touch = first_touch(pairs[i]);
-        touches[i] = {touch.time, touch.touches ? 1u : 0u, 0};
-        if (!ranked.empty()) ranked[i] = {static_cast<uint32_t>(i), touch.is_exact};
-      }
-    } catch (const std::bad_alloc&) {
-      out_of_memory = true;
-    }
-  };
-  share_out(parallel, count, body);
-  if (out_of_memory) throw std::bad_alloc();
+  share_or_throw([&](auto& chunk) { share_out(parallel, count, chunk); },
+                 [&](size_t begin, size_t end) {
+                   for (size_t i = begin; i < end; ++i) {
+                     const FirstTouch touch = first_touch(pairs[i]);
+                     touches[i] = {touch.time, touch.touches ? 1u : 0u, 0};
+                     if (!ranked.empty()) ranked[i] = {static_cast<uint32_t>(i), touch.is_exact};
+                   }
+                 });
 }
 
 template <class Pairs>

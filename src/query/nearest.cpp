@@ -1,10 +1,8 @@
 #include "query/nearest.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
 #include <limits>
-#include <new>
 
 #include "base/batch.h"
 #include "base/dimensions.h"
@@ -156,33 +154,28 @@ template <int D, class Nearest, class IsSame, class Ask>
 void for_each_nearest(const Environment<D>& env, const Parallel& parallel, size_t count, PointArray from,
                       const dsw_volume_id* hints, double radius, const NearestAnswers<Nearest>& answers, IsSame is_same,
                       Ask ask) {
-  std::atomic<bool> out_of_memory{false};
-  auto body = [&](size_t begin, size_t end) noexcept {
-    try {
-      NearestOfBatch<D> batch(env, radius);
-      for (size_t i = begin; i < end; ++i) {
-        const bool is_first = i % kChunk == 0;
-        if (is_first) batch.forget();
-        const Cell start = batch.find_start(from[i], hints == nullptr ? nullptr : hints + i, !is_first && is_same(i));
-        const dsw_location location = location_of(env, start);
-        if (location == DSW_LOCATION_PASSABLE) {
-          ask(batch, i, start);
-        } else {
-          answers.nearest[i] = {};
-          const SeenObstacle seen = find_touched(env, from[i], start);
-          nearest_of(answers.nearest[i]) = seen.cell.valid() ? report_touched(env, seen, from[i]) : nothing_near();
-          if (seen.cell.valid()) set_segment_point<D>(answers.nearest[i], from[i]);
-          batch.forget();
+  share_or_throw(
+      [&](auto& chunk) { share_out(parallel, count, chunk); },
+      [&](size_t begin, size_t end) {
+        NearestOfBatch<D> batch(env, radius);
+        for (size_t i = begin; i < end; ++i) {
+          const bool is_first = i % kChunk == 0;
+          if (is_first) batch.forget();
+          const Cell start = batch.find_start(from[i], hints == nullptr ? nullptr : hints + i, !is_first && is_same(i));
+          const dsw_location location = location_of(env, start);
+          if (location == DSW_LOCATION_PASSABLE) {
+            ask(batch, i, start);
+          } else {
+            answers.nearest[i] = {};
+            const SeenObstacle seen = find_touched(env, from[i], start);
+            nearest_of(answers.nearest[i]) = seen.cell.valid() ? report_touched(env, seen, from[i]) : nothing_near();
+            if (seen.cell.valid()) set_segment_point<D>(answers.nearest[i], from[i]);
+            batch.forget();
+          }
+          if (answers.volumes != nullptr) answers.volumes[i] = volume_id(env.map, start);
+          if (answers.locations != nullptr) answers.locations[i] = location;
         }
-        if (answers.volumes != nullptr) answers.volumes[i] = volume_id(env.map, start);
-        if (answers.locations != nullptr) answers.locations[i] = location;
-      }
-    } catch (const std::bad_alloc&) {
-      out_of_memory = true;
-    }
-  };
-  share_out(parallel, count, body);
-  if (out_of_memory) throw std::bad_alloc();
+      });
 }
 
 }  // namespace

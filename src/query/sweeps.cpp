@@ -1,8 +1,6 @@
 #include "query/sweeps.h"
 
 #include <algorithm>
-#include <atomic>
-#include <new>
 
 #include "base/batch.h"
 #include "base/dimensions.h"
@@ -117,19 +115,13 @@ template <int D>
 void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                  PointArray from, PointArray to, PointArray fixed, const SweepOptions& options, dsw_sweep* sweeps) {
   const Starts<D> where(env, starts, options.start_known);
-  std::atomic<bool> out_of_memory{false};
-  auto body = [&](size_t begin, size_t end) noexcept {
-    try {
-      Sweeper<D> sweeper(env, options);
-      for (size_t i = begin; i < end; ++i) {
-        sweeper.sweep({from[i], to[i], fixed[i]}, where.find(i, from[i]), sweeps[i]);
-      }
-    } catch (const std::bad_alloc&) {
-      out_of_memory = true;
-    }
-  };
-  share_out(parallel, count, body);
-  if (out_of_memory) throw std::bad_alloc();
+  share_or_throw([&](auto& chunk) { share_out(parallel, count, chunk); },
+                 [&](size_t begin, size_t end) {
+                   Sweeper<D> sweeper(env, options);
+                   for (size_t i = begin; i < end; ++i) {
+                     sweeper.sweep({from[i], to[i], fixed[i]}, where.find(i, from[i]), sweeps[i]);
+                   }
+                 });
 }
 
 DSW_INSTANTIATE(sweep_edges);

@@ -1,6 +1,5 @@
 // Moves of bodies of a scene: one, and many side by side.
 
-#include <atomic>
 #include <new>
 #include <utility>
 
@@ -72,9 +71,8 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
   }
   Islands<D> islands(scene.memory);
   find_islands(scene, bodies, count, targets, first.data(), settings.may_slide(), islands);
-  std::atomic<bool> out_of_memory{false};
-  auto chunk = [&](size_t begin, size_t end) noexcept {
-    try {
+  try {
+    parallel_few_chunks(scene.parallel, islands.count(), [&](size_t begin, size_t end) {
       BodyMove<D> move(scene.env);
       for (size_t k = islands.first[begin]; k < islands.first[end]; ++k) {
         const uint32_t i = islands.bodies[k];
@@ -84,14 +82,8 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
         move.move(bodies[i]->body, {targets.data + first[i] * targets.step, targets.step}, {}, settings,
                   bodies[i]->next);
       }
-    } catch (const std::bad_alloc&) {
-      out_of_memory = true;
-    }
-  };
-  // Few chunks, since each sets up its own memory; their number does not depend on the number of threads.
-  constexpr size_t kChunks = 64;
-  parallel_chunks(scene.parallel, islands.count(), (islands.count() + kChunks - 1) / kChunks, chunk);
-  if (out_of_memory) {
+    });
+  } catch (const std::bad_alloc&) {
     for (size_t i = 0; i < count; ++i) {
       BodyRecord<D>& body = *bodies[i];
       if (edits) {
@@ -101,7 +93,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
         restore_forecasts(body.body);
       }
     }
-    throw std::bad_alloc();
+    throw;
   }
   for (size_t i = 0; i < count; ++i) {
     end_move(scene, *bodies[i], casts[i]);

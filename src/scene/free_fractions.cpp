@@ -3,9 +3,7 @@
 #include "scene/free_fractions.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <new>
 
 #include "base/dimensions.h"
 #include "base/vec.h"
@@ -230,23 +228,14 @@ void find_free_fractions(const Scene<D>& scene, const BodyRecord<D>& of, const P
   const auto slot = static_cast<uint32_t>(&of - scene.bodies.data());
   const StillBodies<D> others(scene);
   const Body<D> rest = without_forecasts(of.body);
-  std::atomic<bool> out_of_memory{false};
-  auto chunk = [&](size_t begin, size_t end) noexcept {
-    try {
-      PathWalk<D> walk(scene, others, rest, slot);
-      for (size_t i = begin; i < end; ++i) {
-        fractions[i] = walk.walk(paths, i);
-        if (contacts == nullptr) continue;
-        contacts[i] = walk.contact() != nullptr ? *walk.contact() : dsw_body_contact{};
-      }
-    } catch (const std::bad_alloc&) {
-      out_of_memory = true;
+  parallel_few_chunks(scene.parallel, paths.count, [&](size_t begin, size_t end) {
+    PathWalk<D> walk(scene, others, rest, slot);
+    for (size_t i = begin; i < end; ++i) {
+      fractions[i] = walk.walk(paths, i);
+      if (contacts == nullptr) continue;
+      contacts[i] = walk.contact() != nullptr ? *walk.contact() : dsw_body_contact{};
     }
-  };
-  // Few chunks, since each sets up its own memory; their number does not depend on the number of threads.
-  constexpr size_t kChunks = 64;
-  parallel_chunks(scene.parallel, paths.count, (paths.count + kChunks - 1) / kChunks, chunk);
-  if (out_of_memory) throw std::bad_alloc();
+  });
 }
 
 #define DSW_FREE_FRACTIONS(D)                                                                               \
