@@ -26,8 +26,6 @@ class EndRepair {
    * `min_part`. Throws std::bad_alloc. */
   void bend(uint32_t owner, double min_part, WallRecord& record);
 
-  uint64_t memory_bytes() const noexcept { return array_bytes(starts_) + array_bytes(cells_) + array_bytes(places_); }
-
  private:
   /** A point of a body that has to move, and how far. */
   struct Way {

@@ -15,6 +15,17 @@
 namespace dsw {
 namespace {
 
+/** Counts predicates that are asked, those that the filter left to integers, and those whose value is zero without the shift. */
+struct CountingTally {
+  std::uint64_t tests = 0;
+  std::uint64_t exacts = 0;
+  std::uint64_t ties = 0;
+
+  void test() noexcept { ++tests; }
+  void exact() noexcept { ++exacts; }
+  void tie() noexcept { ++ties; }
+};
+
 template <int D>
 void count_generic(CountingTally& tally, Scale scale) {
   Random random(11);
