@@ -11,34 +11,12 @@
 // coordinates if all areas are always 0.
 #pragma once
 
-#include "predicates/moving_pair.h"
-#include "predicates/polynomial.h"
+#include "predicates/polynomial_curve.h"
+#include "predicates/quick_touch.h"
 
 namespace dsw {
 
 namespace exact_touch {
-
-// Points of the triangles of a pair in space; in the plane there is only the first.
-constexpr int kTriangle[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
-
-// Whether the pair is apart: the point is not in the triangle, or both ends of an edge are on one side of the other. At
-// least one sign is not 0. The same rule as judge() of the filter, but there 0 is unknown.
-inline bool areas_part(PairKind kind, const int (&sign)[4]) noexcept {
-  if (kind == PairKind::kEdgeEdge) return sign[0] * sign[1] > 0 || sign[2] * sign[3] > 0;
-  const int side = sign[3];
-  return side == 0 || sign[2] * side < 0 || sign[1] * side > 0 || sign[0] * side < 0;
-}
-
-// The points of one feature and of the other, each of the first with each of the second.
-struct Opposite {
-  int count;
-  int pair[4][2];
-};
-inline const Opposite& opposite(PairKind kind) noexcept {
-  static constexpr Opposite kOf[3] = {
-      {3, {{0, 1}, {0, 2}, {0, 3}}}, {4, {{0, 2}, {0, 3}, {1, 2}, {1, 3}}}, {2, {{0, 1}, {0, 2}}}};
-  return kOf[static_cast<int>(kind)];
-}
 
 inline void add(const IntegerPool& pool, PairWork* work) {
   if (work == nullptr) return;
@@ -46,18 +24,16 @@ inline void add(const IntegerPool& pool, PairWork* work) {
   if (work->done > work->most) throw WorkOver();
 }
 
-// find(pool, &root) finds the first root, as ExactTouch::find_first does.
-template <class Find>
-FirstTouch first_touch(const Find& find, PairWork* work) {
+// ask(pool) returns the first touch.
+template <class Ask>
+FirstTouch first_touch(const Ask& ask, PairWork* work) {
   IntegerPool pool;
-  Root first;
-  const bool touches = find(pool, &first);
+  const FirstTouch touch = ask(pool);
   add(pool, work);
-  if (!touches) return {false, 0};
-  return {true, first.floor, first.is_floor};
+  return touch;
 }
 
-// The order of two first roots that are there.
+// The order of two first roots that are there. find(pool, &root) finds one.
 template <class FindA, class FindB>
 int compare_first_touches(const FindA& find_a, const FindB& find_b, PairWork* work) {
   IntegerPool pool;
@@ -76,6 +52,7 @@ int compare_first_touches(const FindA& find_a, const FindB& find_b, PairWork* wo
 template <int D, class Points>
 class ExactTouch {
  public:
+  FirstTouch first_touch();
   // Whether the pair touches; first is then the first time.
   bool find_first(Root* first);
   // Whether it touches at a time when its volume is 0.
@@ -175,6 +152,16 @@ template <int D, class Points>
 bool ExactTouch<D, Points>::find_first(Root* first) {
   const Polynomial f = points().volume();
   return f.degree >= 0 ? find_first_root(f, first) : find_first_change(first);
+}
+
+template <int D, class Points>
+FirstTouch ExactTouch<D, Points>::first_touch() {
+  PolynomialCurves<D, Points> curves(pool_, points());
+  FirstTouch touch{};
+  if (QuickTouch<D, PolynomialCurves<D, Points>>(curves, kind_).find_first(&touch)) return touch;
+  Root first;
+  if (!find_first(&first)) return {false, 0};
+  return {true, first.floor, first.is_floor};
 }
 
 }  // namespace dsw

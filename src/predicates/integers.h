@@ -46,10 +46,11 @@ inline Decoded decode(double x) noexcept {
 template <int D>
 struct Span {
   int low[D];
+  int width = 0;  // the largest number of bits from the lowest to the highest
   bool small;
 
   template <int Count>
-  explicit Span(const double* const (&points)[Count]) noexcept : small(true) {
+  explicit Span(const double* const (&points)[Count]) noexcept {
     for (int k = 0; k < D; ++k) {
       int lowest = 4096;
       int highest = 0;
@@ -63,8 +64,9 @@ struct Span {
         highest = hi > highest ? hi : highest;
       }
       low[k] = highest == 0 ? 0 : lowest;
-      small = small && (highest == 0 || highest - lowest <= 62);
+      width = highest - low[k] > width ? highest - low[k] : width;
     }
+    small = width <= 62;
   }
 };
 

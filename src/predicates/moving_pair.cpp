@@ -2,6 +2,7 @@
 
 #include "predicates/moving_pair_exact.h"
 #include "predicates/moving_pair_filter.h"
+#include "predicates/moving_pair_small.h"
 
 namespace dsw {
 
@@ -14,7 +15,9 @@ auto find_of(const MovingPair<D>& pair) {
 
 template <int D>
 DSW_COLD FirstTouch first_touch_by_integers(const MovingPair<D>& pair, PairWork* work) {
-  return exact_touch::first_touch(find_of(pair), work);
+  FirstTouch touch{};
+  if (small_first_touch(pair, &touch)) return touch;
+  return exact_touch::first_touch([&pair](IntegerPool& pool) { return ExactPair<D>(pool, pair).first_touch(); }, work);
 }
 
 template <int D>

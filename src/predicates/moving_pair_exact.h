@@ -14,14 +14,13 @@ class ExactPair : public ExactTouch<D, ExactPair<D>> {
   // See kept_side.
   int kept_side();
 
- private:
-  using Base = ExactTouch<D, ExactPair<D>>;
-  friend Base;
-
+  // What ExactTouch asks for.
   Polynomial difference(int axis, int i, int j) const;
   const Polynomial& area(int view, int triangle);
   Polynomial volume();
 
+ private:
+  using Base = ExactTouch<D, ExactPair<D>>;
   Polynomial from_first_[D][D + 1];  // coordinates less those of point 0
   Polynomial area_[Base::kViews][Base::kTriangles];
   bool has_area_[Base::kViews][Base::kTriangles] = {};

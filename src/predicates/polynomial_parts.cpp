@@ -94,6 +94,34 @@ Polynomial divide(Polynomial& a, const Polynomial& b) {
   return r;
 }
 
+int repeated_factors(IntegerPool& pool, const Polynomial& p, Polynomial (&factors)[2]) {
+  const auto times = [&pool](std::uint64_t number, const Integer& x) { return integer_of(pool, number) * x; };
+  const auto& c = p.c;
+  Polynomial& line = factors[0];
+  line.degree = 1;
+  if (p.degree == 2) {
+    if ((c[1] * c[1] - shifted(c[0] * c[2], 2)).sign() != 0) return 0;
+    line.c[0] = c[1];
+    line.c[1] = shifted(c[2], 1);
+    return 1;
+  }
+  if (p.degree != 3) return 0;
+  // The Hessian, a polynomial of degree 2. If its discriminant is 0, its root is the repeated root of p.
+  const Integer first = c[1] * c[1] - times(3, c[0] * c[2]), middle = c[1] * c[2] - times(9, c[0] * c[3]),
+                last = c[2] * c[2] - times(3, c[1] * c[3]);
+  if ((middle * middle - shifted(first * last, 2)).sign() != 0) return 0;
+  if (last.sign() == 0) {  // so is `middle`, and the root is repeated twice
+    line.c[0] = c[2];
+    line.c[1] = times(3, c[3]);
+    return 1;
+  }
+  line.c[0] = middle;
+  line.c[1] = shifted(last, 1);
+  Polynomial rest = p, square = line * line;
+  factors[1] = divide(rest, square);
+  return 2;
+}
+
 Integer value_at(const Polynomial& p, const Dyadic& x) {
   Integer sum = p.c[p.degree];
   for (int i = p.degree - 1; i >= 0; --i) sum = sum * x.numerator + shifted(p.c[i], x.shift * (p.degree - i));

@@ -19,6 +19,9 @@ Polynomial remainder(Polynomial a, const Polynomial& b);
 // A positive multiple of a / b, and of the remainder, which takes the place of a.
 Polynomial divide(Polynomial& a, const Polynomial& b);
 
+// If p, of degree 2 or 3, has a repeated root, the factors of degree 1 that have all its roots. Returns their number, or 0.
+int repeated_factors(IntegerPool& pool, const Polynomial& p, Polynomial (&factors)[2]);
+
 int sign_at(const Polynomial& p, const Dyadic& x);
 
 // p(x) * 2^(degree * shift). p is not 0.

@@ -109,7 +109,7 @@ class Search {
         if (root == Filtered::kApart) continue;
         return root;
       }
-      if (piece.halvings == kMostHalvings) return Filtered::kUnknown;
+      if (piece.halvings == kMostHalvings || stays_unknown(piece)) return Filtered::kUnknown;
       halve(left, &count);
     }
     return Filtered::kApart;
@@ -120,6 +120,20 @@ class Search {
     int signs[kConditions];
     for (int i = 0; i < kConditions; ++i) signs[i] = piece.condition[i].sign(condition_error);
     return judge(kind_, signs);
+  }
+
+  // Whether halving can't help: the volume may be 0 at an end, and the pair may touch there.
+  bool stays_unknown(const Piece& piece) const noexcept {
+    for (int end = 0; end < 2; ++end) {
+      if (std::fabs(piece.volume.c[end * V]) > volume_error) continue;
+      int signs[kConditions];
+      for (int i = 0; i < kConditions; ++i) {
+        const double value = piece.condition[i].c[end * C];
+        signs[i] = value > condition_error ? 1 : value < -condition_error ? -1 : 0;
+      }
+      if (judge(kind_, signs) != Filtered::kApart) return true;
+    }
+    return false;
   }
 
   // The signs at the ends differ, and the coefficients change their sign once, whatever their errors: none that may have the

@@ -20,31 +20,45 @@ MovingPair<D> straight(const TurningPair<D>& pair) noexcept {
   return r;
 }
 
+// ask(points) of the exact pair.
+template <int D, class Ask>
+auto with_exact(IntegerPool& pool, const TurningPair<D>& pair, Ask ask) {
+  if (pair.way[0] == nullptr && pair.way[1] == nullptr) {
+    ExactPair<D> points(pool, straight(pair));
+    return ask(points);
+  }
+  if (pair.way[0] == nullptr || pair.way[1] == nullptr) {
+    ExactTurningPair<D, false> points(pool, pair);
+    return ask(points);
+  }
+  ExactTurningPair<D, true> points(pool, pair);
+  return ask(points);
+}
+
 template <int D>
 auto find_of(const TurningPair<D>& pair) {
   return [&pair](IntegerPool& pool, Root* first) {
-    if (pair.way[0] == nullptr && pair.way[1] == nullptr) {
-      return ExactPair<D>(pool, straight(pair)).find_first(first);
-    }
-    if (pair.way[0] == nullptr || pair.way[1] == nullptr) {
-      return ExactTurningPair<D, false>(pool, pair).find_first(first);
-    }
-    return ExactTurningPair<D, true>(pool, pair).find_first(first);
+    return with_exact(pool, pair, [first](auto& points) { return points.find_first(first); });
   };
 }
 
 template <int D>
 DSW_COLD FirstTouch first_touch_by_integers(const TurningPair<D>& pair, PairWork* work) {
-  return exact_touch::first_touch(find_of(pair), work);
+  const auto ask = [&pair](IntegerPool& pool) {
+    return with_exact(pool, pair, [](auto& points) { return points.first_touch(); });
+  };
+  return exact_touch::first_touch(ask, work);
 }
 
 template <int D>
 DSW_COLD FirstEntry first_entry_by_integers(const TurningPair<D>& pair, PairWork* work) {
   FirstEntry entry;
-  const auto find = [&](IntegerPool& pool, Root* first) {
-    return ExactCrossing<D>(pool, pair).find_first(first, &entry.is_open);
+  const auto ask = [&](IntegerPool& pool) {
+    Root first;
+    if (!ExactCrossing<D>(pool, pair).find_first(&first, &entry.is_open)) return FirstTouch{false, 0};
+    return FirstTouch{true, first.floor, first.is_floor};
   };
-  entry.touch = exact_touch::first_touch(find, work);
+  entry.touch = exact_touch::first_touch(ask, work);
   return entry;
 }
 

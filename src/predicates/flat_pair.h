@@ -1,0 +1,32 @@
+// Which signs of areas and of differences of coordinates part a pair whose points lie in one plane. Private to this folder.
+#pragma once
+
+#include "predicates/moving_pair.h"
+
+namespace dsw {
+namespace exact_touch {
+
+// Points of the triangles of a pair in space; in the plane there is only the first.
+constexpr int kTriangle[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+
+// Whether the pair is apart: the point is not in the triangle, or both ends of an edge are on one side of the other. At
+// least one sign is not 0. The same rule as judge() of the filter, but there 0 is unknown.
+inline bool areas_part(PairKind kind, const int (&sign)[4]) noexcept {
+  if (kind == PairKind::kEdgeEdge) return sign[0] * sign[1] > 0 || sign[2] * sign[3] > 0;
+  const int side = sign[3];
+  return side == 0 || sign[2] * side < 0 || sign[1] * side > 0 || sign[0] * side < 0;
+}
+
+// The points of one feature and of the other, each of the first with each of the second.
+struct Opposite {
+  int count;
+  int pair[4][2];
+};
+inline const Opposite& opposite(PairKind kind) noexcept {
+  static constexpr Opposite kOf[3] = {
+      {3, {{0, 1}, {0, 2}, {0, 3}}}, {4, {{0, 2}, {0, 3}, {1, 2}, {1, 3}}}, {2, {{0, 1}, {0, 2}}}};
+  return kOf[static_cast<int>(kind)];
+}
+
+}  // namespace exact_touch
+}  // namespace dsw

@@ -1,0 +1,68 @@
+// Polynomials with integer coefficients as curves in the sense of bernstein.h. Private to this folder.
+#pragma once
+
+#include <optional>
+
+#include "predicates/bernstein.h"
+#include "predicates/polynomial_parts.h"
+
+namespace dsw {
+
+class PolynomialCurve {
+ public:
+  PolynomialCurve(IntegerPool& pool, const Polynomial& p);
+
+  int degree() const noexcept { return degree_; }
+  int sign(int i) const noexcept { return c_[i].sign(); }
+  Ball ball(int i) const noexcept { return ball_[i]; }
+  const bernstein::RoughCurve& rough() const noexcept { return rough_; }
+  int sign_at(double t) const;
+  int sure_sign(double t) const;
+  // At a root of another curve that is not a double.
+  int sign_at_root(const PolynomialCurve& of, const bernstein::Place& place) const;
+  const Polynomial& polynomial() const noexcept { return p_; }
+
+ private:
+  IntegerPool& pool_;
+  Polynomial p_;
+  int degree_;
+  Integer c_[Polynomial::kMostDegree + 1];
+  Ball ball_[Polynomial::kMostDegree + 1];
+  bernstein::RoughCurve rough_;
+};
+
+// The curves of Points, which ExactTouch explains.
+template <int D, class Points>
+class PolynomialCurves {
+ public:
+  PolynomialCurves(IntegerPool& pool, Points& points) noexcept : pool_(pool), points_(points) {}
+
+  const PolynomialCurve& volume() {
+    if (!volume_) volume_.emplace(pool_, points_.volume());
+    return *volume_;
+  }
+  const PolynomialCurve& area(int view, int triangle) {
+    std::optional<PolynomialCurve>& area = area_[view][triangle];
+    if (!area) area.emplace(pool_, points_.area(view, triangle));
+    return *area;
+  }
+  // If the curve has a repeated root, and its degree is 2 or 3, the factors of degree 1 that have all its roots. Returns their number.
+  int factors(const PolynomialCurve& curve, std::optional<PolynomialCurve> (&lines)[2]) {
+    Polynomial found[2];
+    const int count = polynomials::repeated_factors(pool_, curve.polynomial(), found);
+    for (int i = 0; i < count; ++i) lines[i].emplace(pool_, found[i]);
+    return count;
+  }
+  const PolynomialCurve& difference(int axis, int i, int j) {
+    std::optional<PolynomialCurve>& difference = difference_[axis][i][j];
+    if (!difference) difference.emplace(pool_, points_.difference(axis, i, j));
+    return *difference;
+  }
+
+ private:
+  IntegerPool& pool_;
+  Points& points_;
+  std::optional<PolynomialCurve> volume_, area_[D == 3 ? 3 : 1][D == 3 ? 4 : 1], difference_[D][D + 1][D + 1];
+};
+
+}  // namespace dsw
