@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 
 #include "predicates/ball.h"
 
@@ -30,6 +31,7 @@ struct Place {
   // Between 1 and the double before it, or between 0 and the double after it, there may be several. Such a root is from low to high
   // times 2^power away from 1, or from 0, and these times are on two sides of it, and of it alone.
   bool is_hidden = false, is_at_end = false;
+  bool is_crowded = false;  // several roots are between these doubles, and nothing says where
   double low = 0, high = 0;
   int power = 0;
 };
@@ -232,8 +234,10 @@ int sign_at(const Curve& curve, const Place& place) {
 template <class Curve>
 class Isolation {
  public:
-  // Room for kMostDegree places.
-  Isolation(const Curve& curve, Place* places) : curve_(curve), places_(places) {}
+  // Room for kMostDegree places. For degrees up to 3 the sign of the discriminant, where it is known, says how many roots are real;
+  // if all are, there are as many as signs change.
+  Isolation(const Curve& curve, Place* places, int discriminant = kOpenSign)
+      : curve_(curve), places_(places), discriminant_(discriminant) {}
 
   // Whether they are found; the curve is not 0.
   bool find() {
@@ -248,6 +252,7 @@ class Isolation {
     if (count == 0) return true;
     const Ball zero, one = ball_of(1);
     const Cut start = {zero, one, 0, 0, -kFar, 0, 0}, end = {one, zero, 1, 1, kFar, 0, 0};
+    if (is_paired(&count)) return true;
     if (count == 1) return add_root(start, end, -before);
     for (int i = 0; i <= n; ++i) ball_[i] = curve_.ball(i);
     find_sizes();
@@ -257,8 +262,9 @@ class Isolation {
   int found() const noexcept { return found_; }
 
  private:
-  static constexpr int kMostCuts = 7;
+  static constexpr int kMostCuts = 5, kMostCutsOfReal = 90;
   static constexpr double kFar = 1e9;
+  static constexpr double kOffCentre = 1.0625;  // roots are often powers of 2
 
   bool add_root(const Cut& low, const Cut& high, int before) {
     Place& place = places_[found_];
@@ -277,7 +283,7 @@ class Isolation {
     int power = nearer.power, most_power = further.is_double() ? (is_at_end ? -53 : -1074) : further.power;
     const int when_nearer = is_at_end ? -before : before;  // the sign between the end and the root
     for (int step = 1, steps = 0;; ++steps) {
-      double middle = 1;
+      double middle = kOffCentre;
       int middle_power = (power + most_power) / 2;
       if (length == 0) {
         if (steps > 20) return false;
@@ -287,7 +293,7 @@ class Isolation {
         most *= balls::power_of_two(most_power - power);
         most_power = middle_power = power;
         if (most - length < length * 0x1p-40) break;
-        middle = 0.5 * (length + most);
+        middle = length + (most - length) * (0.5 * kOffCentre);
       }
       const Cut cut = hidden_cut(is_at_end, middle, middle_power);
       const int sign = value_at(curve_, cut.time, cut.rest).sign();
@@ -330,12 +336,15 @@ class Isolation {
   // Both parts of what lies between two cuts.
   bool divide(const Cut& low, const Cut& high, int cuts) {
     Cut cut;
-    return cuts < kMostCuts && find_cut(low, high, &cut) && find_within(low, cut, cuts + 1) &&
-           find_within(cut, high, cuts + 1);
+    return cuts < (discriminant_ == 1 ? kMostCutsOfReal : kMostCuts) && find_cut(low, high, &cut) &&
+           find_within(low, cut, cuts + 1) && find_within(cut, high, cuts + 1);
   }
 
   bool find_cut(const Cut& low, const Cut& high, Cut* cut) const noexcept {
-    const auto is_inside = [&] { return cut->log > low.log && cut->log < high.log; };
+    const auto is_inside = [&] {
+      if (!cut->is_double()) return cut->log > low.log && cut->log < high.log;
+      return cut->below > low.below && cut->below >= low.above && cut->below < high.above && cut->below <= high.below;
+    };
     // Where roots of different sizes part.
     double gap = 4, least = kFar, most = -kFar;
     int at = 0;
@@ -350,7 +359,7 @@ class Isolation {
     }
     if (least > most) return false;
     if (gap > 4) {
-      *cut = cut_at(1, at);
+      *cut = cut_at(kOffCentre, at);
       if (is_inside()) return true;
     }
     const int size = static_cast<int>(std::floor(0.5 * (least + most)));
@@ -359,10 +368,17 @@ class Isolation {
       if (!(turn > 0.125 && turn < 8)) continue;
       *cut = cut_at(turn, size);
       if (is_inside()) return true;
+      if (discriminant_ != 1 || !cut->is_double()) continue;
+      // Roots next to each other: on both sides of them.
+      const std::uint64_t bits = integers::bits_of(cut->below);
+      for (const std::uint64_t beside : {bits - 3, bits + 3}) {
+        *cut = double_cut(integers::of_bits(beside));
+        if (is_inside()) return true;
+      }
     }
-    *cut = cut_at(1, static_cast<int>(std::floor(least)) - 3);
+    *cut = cut_at(kOffCentre, static_cast<int>(std::floor(least)) - 3);
     if (is_inside()) return true;
-    *cut = cut_at(1, static_cast<int>(std::floor(most)) + 4);
+    *cut = cut_at(kOffCentre, static_cast<int>(std::floor(most)) + 4);
     if (is_inside()) return true;
     if (low.log < -1000 || high.log > 50) return false;
     *cut = double_cut(0.5 * (low.above + high.below));
@@ -394,30 +410,53 @@ class Isolation {
     find_signs(curve_, low, high, signs);
     if (is_first) signs[0] = curve_.sign(0);
     if (is_last) signs[n] = curve_.sign(n);
+    if (signs[0] == kOpenSign && low.is_double()) signs[0] = curve_.sign_at(low.below);
+    if (signs[n] == kOpenSign && high.is_double()) signs[n] = curve_.sign_at(high.below);
     const auto is_known = [](int sign) { return sign != 0 && sign != kOpenSign; };
     if ((!is_first && !is_known(signs[0])) || (!is_last && !is_known(signs[n]))) return false;
-    // An open sign counts like the one with more changes.
-    int before = 0, after_low = 0, count = 0;
-    bool is_open = false;
+    // Open signs count like those with the most changes.
+    int before = 0, after_low = 0, count = 0, open = 0;
+    bool any_open = false;
     for (int i = 0; i <= n; ++i) {
       if (signs[i] == 0) continue;
       if (signs[i] == kOpenSign) {
         if (before == 0) return false;
-        is_open = true;
+        any_open = true;
+        ++open;
         continue;
       }
       if (before == 0) after_low = signs[i];
-      if (before != 0) count += signs[i] != before ? 1 : is_open ? 2 : 0;
+      const int parity = before == 0 || signs[i] == before ? 0 : 1;
+      count += open % 2 == parity ? open : open + 1;
       before = signs[i];
-      is_open = false;
+      open = 0;
     }
-    if (is_open) return false;
-    if (count == 0) return true;
-    return count == 1 ? add_root(low, high, after_low) : divide(low, high, cuts);
+    if (open != 0) return false;
+    if (is_paired(&count)) return true;
+    if (count == 1) return add_root(low, high, after_low);
+    return (!any_open && add_crowd(low, high, count)) || divide(low, high, cuts);
+  }
+
+  // Two roots less if they are not real; whether none is left.
+  bool is_paired(int* count) const noexcept {
+    if (discriminant_ == -1 && *count > 1) *count -= 2;
+    return *count == 0;
+  }
+
+  // Real roots between two neighbouring doubles.
+  bool add_crowd(const Cut& low, const Cut& high, int count) {
+    if (discriminant_ != 1 || !low.is_double() || !high.is_double()) return false;
+    if (integers::bits_of(high.below) - integers::bits_of(low.below) != 1) return false;
+    for (int i = 0; i < count; ++i) {
+      places_[found_] = {low.below, false};
+      places_[found_++].is_crowded = true;
+    }
+    return true;
   }
 
   const Curve& curve_;
   Place* places_;
+  int discriminant_;
   Ball ball_[kMostDegree + 1];
   double size_[kMostDegree];
   int sizes_ = 0;

@@ -146,6 +146,10 @@ class SmallCurves {
   }
 
   template <class Curve>
+  static int discriminant(const Curve&) noexcept {
+    return kOpenSign;
+  }
+  template <class Curve>
   static int factors(const Curve&, std::optional<Curve> (&)[2]) noexcept {
     return 0;
   }

@@ -51,6 +51,7 @@ int PolynomialCurve::sign_at(double t) const {
 }
 
 int PolynomialCurve::sign_at_root(const PolynomialCurve& of, const bernstein::Place& place) const {
+  if (place.is_crowded) return kOpenSign;
   const IntegerPool::Scope scope(pool_);
   Root root;
   root.of = of.p_;

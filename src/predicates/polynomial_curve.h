@@ -46,6 +46,13 @@ class PolynomialCurves {
     if (!area) area.emplace(pool_, points_.area(view, triangle));
     return *area;
   }
+  // Its sign, or kOpenSign if the degree is not 2 or 3.
+  int discriminant(const PolynomialCurve& curve) {
+    const int degree = curve.polynomial().degree;
+    if (degree != 2 && degree != 3) return kOpenSign;
+    const IntegerPool::Scope scope(pool_);
+    return polynomials::discriminant(pool_, curve.polynomial()).sign();
+  }
   // If the curve has a repeated root, and its degree is 2 or 3, the factors of degree 1 that have all its roots. Returns their number.
   int factors(const PolynomialCurve& curve, std::optional<PolynomialCurve> (&lines)[2]) {
     Polynomial found[2];

@@ -94,31 +94,48 @@ Polynomial divide(Polynomial& a, const Polynomial& b) {
   return r;
 }
 
+namespace {
+
+// The Hessian of a polynomial of degree 3. Its discriminant is -3 times that of the polynomial, and if this is 0, so is the Hessian at
+// the repeated root.
+struct Hessian {
+  Integer first, middle, last;
+
+  Hessian(IntegerPool& pool, const Integer (&c)[Polynomial::kMostDegree + 1]) {
+    const Integer three = integer_of(pool, std::uint64_t{3}), nine = integer_of(pool, std::uint64_t{9});
+    first = c[1] * c[1] - three * (c[0] * c[2]);
+    middle = c[1] * c[2] - nine * (c[0] * c[3]);
+    last = c[2] * c[2] - three * (c[1] * c[3]);
+  }
+};
+
+}  // namespace
+
+Integer discriminant(IntegerPool& pool, const Polynomial& p) {
+  if (p.degree == 2) return p.c[1] * p.c[1] - shifted(p.c[0] * p.c[2], 2);
+  const Hessian h(pool, p.c);
+  return shifted(h.first * h.last, 2) - h.middle * h.middle;
+}
+
 int repeated_factors(IntegerPool& pool, const Polynomial& p, Polynomial (&factors)[2]) {
-  const auto times = [&pool](std::uint64_t number, const Integer& x) { return integer_of(pool, number) * x; };
-  const auto& c = p.c;
+  if ((p.degree != 2 && p.degree != 3) || discriminant(pool, p).sign() != 0) return 0;
   Polynomial& line = factors[0];
   line.degree = 1;
   if (p.degree == 2) {
-    if ((c[1] * c[1] - shifted(c[0] * c[2], 2)).sign() != 0) return 0;
-    line.c[0] = c[1];
-    line.c[1] = shifted(c[2], 1);
+    line.c[0] = p.c[1];
+    line.c[1] = shifted(p.c[2], 1);
     return 1;
   }
-  if (p.degree != 3) return 0;
-  // The Hessian, a polynomial of degree 2. If its discriminant is 0, its root is the repeated root of p.
-  const Integer first = c[1] * c[1] - times(3, c[0] * c[2]), middle = c[1] * c[2] - times(9, c[0] * c[3]),
-                last = c[2] * c[2] - times(3, c[1] * c[3]);
-  if ((middle * middle - shifted(first * last, 2)).sign() != 0) return 0;
-  if (last.sign() == 0) {  // so is `middle`, and the root is repeated twice
-    line.c[0] = c[2];
-    line.c[1] = times(3, c[3]);
+  const Hessian h(pool, p.c);
+  if (h.last.sign() == 0) {  // so is all of it: the root is repeated twice
+    line.c[0] = p.c[2];
+    line.c[1] = p.c[3] * integer_of(pool, std::uint64_t{3});
     return 1;
   }
-  line.c[0] = middle;
-  line.c[1] = shifted(last, 1);
-  Polynomial rest = p, square = line * line;
-  factors[1] = divide(rest, square);
+  line.c[0] = h.middle;
+  line.c[1] = shifted(h.last, 1);
+  Polynomial rest = p;
+  factors[1] = divide(rest, line * line);
   return 2;
 }
 

@@ -19,6 +19,8 @@ Polynomial remainder(Polynomial a, const Polynomial& b);
 // A positive multiple of a / b, and of the remainder, which takes the place of a.
 Polynomial divide(Polynomial& a, const Polynomial& b);
 
+// That of p, of degree 2 or 3, times a positive number.
+Integer discriminant(IntegerPool& pool, const Polynomial& p);
 // If p, of degree 2 or 3, has a repeated root, the factors of degree 1 that have all its roots. Returns their number, or 0.
 int repeated_factors(IntegerPool& pool, const Polynomial& p, Polynomial (&factors)[2]);
 

@@ -23,12 +23,12 @@ class QuickTouch {
     if (bernstein::is_zero(volume)) return find_first_change(first);
     if (volume.sign(0) == 0 && touches(kStart, volume) == Answer::kYes) return answer(kStart, first);
     Place places[bernstein::kMostDegree];
-    bernstein::Isolation isolation(volume, places);
-    if (!isolation.find()) {
+    int count = 0;
+    if (!find_roots(volume, places, &count)) {
       *first = {false, 0};
       return consider_factors(volume, first);
     }
-    for (int i = 0; i < isolation.found(); ++i) {
+    for (int i = 0; i < count; ++i) {
       const Answer here = touches(places[i], volume);
       if (here == Answer::kOpen) return false;
       if (here == Answer::kYes) return answer(places[i], first);
@@ -146,9 +146,8 @@ class QuickTouch {
   bool consider(const Curve& curve, FirstTouch* first) {
     if (bernstein::is_zero(curve)) return true;
     Place places[bernstein::kMostDegree + 1];
-    bernstein::Isolation isolation(curve, places);
-    if (!isolation.find()) return consider_factors(curve, first);
-    int count = isolation.found();
+    int count = 0;
+    if (!find_roots(curve, places, &count)) return consider_factors(curve, first);
     if (curve.sign(curve.degree()) == 0) places[count++] = kEnd;
     for (int i = 0; i < count; ++i) {
       const Place& place = places[i];
@@ -158,6 +157,21 @@ class QuickTouch {
       if (here == Answer::kYes) return answer(place, first);
     }
     return true;
+  }
+
+  // Roots strictly inside of [0,1]. False: there may be repeated ones.
+  template <class Curve>
+  bool find_roots(const Curve& curve, Place* places, int* count) {
+    bernstein::Isolation<Curve> isolation(curve, places);
+    bool is_known = isolation.find();
+    *count = isolation.found();
+    if (is_known) return true;
+    const int discriminant = curves_.discriminant(curve);
+    if (discriminant == 0 || discriminant == kOpenSign) return false;
+    bernstein::Isolation<Curve> again(curve, places, discriminant);
+    is_known = again.find();
+    *count = again.found();
+    return is_known;
   }
 
   template <class Curve>

@@ -240,6 +240,44 @@ TEST(MovingPairTest, FiveTimesAreBetweenADoubleAndTheNext) {
   }
 }
 
+TEST(MovingPairTest, RootsBetweenOneAndTheDoubleBeforeIt) {
+  // Two roots of the volume are there. The pair touches at one of them.
+  const double before_one = std::nextafter(1.0, 0);
+  const MovingCase<3> points{PairKind::kEdgeEdge,
+                             {{{0x1.ec23b37cdfe54p-5, -0x1.01ed6d3c92e38p+462, 0x1.29bce934ed8d4p+446},
+                               {0x1.17966288f981ap+236, 0x0p+0, -0x1.ba4568b12262p+442},
+                               {-0x1.b3e7f27d8fea4p-1010, -0x1.7513b6290f6bp+171, -0x1.fb7aa748051c4p-957},
+                               {-0x1.93896125f80c8p+422, 0x0p+0, -0x1.f510769738354p+950}}},
+                             {{{-0x1.b982bcb049842p-132, 0x0p+0, 0x1.1c8176948f0f2p+377},
+                               {0x0p+0, 0x0p+0, 0x0p+0},
+                               {0x1.f35699ac199bap+92, 0x0.0000000001a2dp-1022, -0x1.a7c07264f9a12p-826},
+                               {-0x1.097372daf46e4p-236, 0x1.fcd0d6ce0416p-521, 0x1.00dad3eaecdfap+368}}}};
+  expect_time(points, true, before_one);
+  const MovingCase<3> spread{PairKind::kEdgeEdge,
+                             {{{0x1p-745, 0x1p+664, 0x1p+529},
+                               {0x1.0b74p-361, -0x1p+134, -0x1p+880},
+                               {-0x1.0b728p+204, 0x1p-153, 0x1.4p+202},
+                               {-0x1.0b72p+322, -0x1.21bcp+10, -0x1p+60}}},
+                             {{{-0x1p-813, 0x1p-765, -0x1p-794},
+                               {-0x1.62243p-441, 0x1p-195, -0x1.8p-714},
+                               {0x1.622418p-120, -0x1p-349, 0x0p+0},
+                               {0x1.62241p-569, 0x1.d998p-140, -0x1.8p+539}}}};
+  expect_time(spread, true, before_one);
+}
+
+TEST(MovingPairTest, TwoRootsAreBetweenADoubleAndTheNextAndOneIsBesideIt) {
+  const MovingCase<3> close{PairKind::kVertexFace,
+                            {{{-0x1.b77ff8c578cp-3, 0x1.a6aa07f875c4p-1, -0x1.f4fa8f79117fp-1},
+                              {0x1.1637e5dde0ce6p+0, 0x1.4edd28b02861p+0, 0x1.e04a7dd331bacp+0},
+                              {0x1.1373923e83fa1p+1, 0x1.9bdfdc63d7b1p+2, -0x1.8c9e0dda46f17p+3},
+                              {0x1.fd73232bc8a68p-2, 0x1.51d5828deda0cp+0, -0x1.37510fa6163ep+1}}},
+                            {{{0x1.4a27201f5ba5ap-1, 0x1.51176c167c50dp+0, -0x1.5ae6f80454ee5p+0},
+                              {-0x1.4ea847622a06cp+0, 0x1.2f966a113024ap-1, -0x1.68c4a816fb297p+2},
+                              {-0x1.73d792a8725fcp+1, -0x1.c64a0e118e60ap+2, 0x1.f898b85386288p+3},
+                              {-0x1.b17e6f17103e8p-2, 0x1.26ad5c77e0656p-1, 0x1.a6a096a64158ep-1}}}};
+  expect_time(close, true, 0x1.9999999999999p-2);
+}
+
 TEST(MovingPairTest, WhatLiesInOneLineTouches) {
   const MovingCase<3> edges{PairKind::kEdgeEdge,
                             {{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {4, 0, 0}}},
