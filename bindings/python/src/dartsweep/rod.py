@@ -184,9 +184,10 @@ class Rod:
         self._impulses: Array = np.zeros((0, 3))
         self._solver: Any = _core.RodSolver(1)
         self._twist: Array = np.zeros(count)
-        self._director: Array = np.zeros((count - 1, 3))
+        self.directors: Array = np.zeros((count - 1, 3))
+        """By edge: a unit vector across it, which turns with the rod."""
         self._load_solver(self._solver, 0)
-        self._director[: self._used - 1] = self._solver.carry_director(0, self._across, 0.0)[3:].reshape(-1, 3)
+        self._carry(self._solver, 0)
         self._slide = options(
             MoveOptions, vertex_response=Response.SLIDE, edge_response=Response.SLIDE, flags=int(MoveFlag.KEEP_WALLS)
         )
@@ -210,7 +211,7 @@ class Rod:
         """Makes the shape of now that at rest: lengths of edges, and bends. A twist stays a twist."""
         self._load_solver(self._solver, 0)
         if not self.twists:
-            self._solver.carry_director(0, self._across, self.turned)
+            self._carry(self._solver, 0)
         used = self._used
         self.rest_length[: used - 1] = np.linalg.norm(np.diff(self.positions[:used], axis=0), axis=1)
         self.rest_curvature[:used] = self._solver.curvatures(0).reshape(-1, 2)
@@ -292,7 +293,7 @@ class Rod:
             self.pushed, self._speed = self.segment * self._entered, 0.0
             self.positions[self._entered :] = self._on_axis(np.arange(self._entered, len(self.positions)))
             return
-        self._director[self._entered] = self._director[self._entered - 1]  # the introducer is straight
+        self.directors[self._entered] = self.directors[self._entered - 1]  # the introducer is straight
         self.spin[self._entered] = self.spin[self._entered - 1]
         self._entered += 1
 
@@ -324,18 +325,23 @@ class Rod:
         vertices[:, 0:3], vertices[:, 3:6], vertices[:, 6:9] = self.positions[:used], self.velocity[:used], self.load[:used]
         vertices[:, 9], vertices[:, 10:12], vertices[:, 12] = self.mass[:used], self.rest_curvature[:used], self.held[:used]
         used -= 1
-        edges[:, 0:3], edges[:, 3], edges[:, 4] = self._director[:used], self.spin[:used], self._twist[1 : used + 1]
+        edges[:, 0:3], edges[:, 3], edges[:, 4] = self.directors[:used], self.spin[:used], self._twist[1 : used + 1]
         edges[:, 5], edges[:, 6], edges[:, 7] = self.rest_length[:used], self.stretching[:used], self.bending[:used]
         edges[:, 8], edges[:, 9], edges[:, 10] = self.twisting[:used], self.held_turn[:used], self.radius
         if not self.twists:
             edges[:, 3], edges[:, 4], edges[:, 9] = 0, 0, 1
         solver.set_rod(number, vertices.ravel(), edges.ravel())
 
+    def _carry(self, solver: Any, number: int) -> None:
+        """Directors without twist, from the last edge on."""
+        carried = solver.carry_director(number, self._across, self.turned)
+        self._across, self.directors[: self._used - 1] = carried[:3].copy(), carried[3:].reshape(-1, 3)
+
     def _predict(self, solver: Any, number: int, dt: float, drag: float) -> float:
         """Velocities without contacts: the largest one."""
         self._load_solver(solver, number)
         if not self.twists:
-            self._across = solver.carry_director(number, self._across, self.turned)[:3].copy()
+            self._carry(solver, number)
         return float(solver.predict(number, dt, drag, self._entered))
 
     def _finish(self, solver: Any, number: int, most: float, dt: float) -> int:
@@ -350,7 +356,7 @@ class Rod:
         if self.twists:
             self.spin[: used - 1] = solver.spins(number)
             turned = solver.advance(number, dt, self.positions[:used].ravel())
-            self._director[: used - 1] = turned[: 3 * (used - 1)].reshape(-1, 3)
+            self.directors[: used - 1] = turned[: 3 * (used - 1)].reshape(-1, 3)
             self._twist[:used] = turned[3 * (used - 1) :]
         if self._has_introducer and self.pushed >= self.segment * self._entered:  # the next vertex has left the introducer
             self._enter()
