@@ -157,7 +157,7 @@ class DartsweepSolver:
     def _numbers(self, scenario: Scenario, n_frames: int) -> tuple[int, float, float]:
         """Steps of a frame, the time step, and drag."""
         touches = bool(scenario.obstacles) or len(scenario.rods) > 1
-        kind = "free" if not scenario.quasi_static else "heaps" if scenario.self_contact else "touches" if touches else "settles"
+        kind = "free" if not scenario.quasi_static else "heaps" if scenario.self_contact and scenario.obstacles else "touches" if touches else "settles"
         frame = scenario.duration / (n_frames - 1)
         steps = math.ceil(frame / (self.scale * STEPS[kind]))
         return steps, frame / steps, 2 * scenario.slowest_frequency() if scenario.quasi_static else 0.0
