@@ -3,7 +3,7 @@
 # One would guess that a box of triangles that moves through a wall of triangles is found.
 # What happens: sampling finds it. Conservative advancement does not, for a translation and for the motion between two transforms: it says that
 # there is no collision. The polynomial solver finds it for a translation, and for the other motion says no as well, after a warning on stderr.
-# The same question about two boxes is answered, and a static test of the meshes half way finds them crossed.
+# Two boxes in their place are found, and a static test of the meshes half way finds them crossed.
 # Who meets it: everybody who asks for the continuous collision of two meshes, for example a planner.
 set -eu
 folder=$(mktemp -d)
