@@ -59,7 +59,7 @@ void BaseBody::read_parts(std::vector<std::uint32_t>& edges, std::vector<std::ui
   for (std::uint32_t i = 0; i + 1 < vertex_count(); ++i) edges.insert(edges.end(), {i, i + 1});
 }
 
-bool BaseBody::make(dsw_scene* scene, bool meets_bodies) {
+bool BaseBody::make(dsw_scene* scene, bool contacts, bool meets_others) {
   if (d_componentState.getValue() == ComponentState::Invalid && !has_state()) return false;
   std::vector<std::uint32_t> edges, corners, offsets;
   read_parts(edges, corners);
@@ -79,7 +79,7 @@ bool BaseBody::make(dsw_scene* scene, bool meets_bodies) {
   desc.face_count = corners.size() / 3;
   desc.face_corner_count = corners.size();
   desc.radius = d_radius.getValue();
-  if (!meets_bodies) {
+  if (contacts && !meets_others) {
     const auto& all = l_environment->bodies();
     desc.category = 1u << ((std::find(all.begin(), all.end(), this) - all.begin()) % 32);
     desc.mask = desc.category;

@@ -48,8 +48,8 @@ class BaseBody : public sofa::core::objectmodel::BaseComponent {
   sofa::Data<unsigned> d_stopped, d_stops, d_notFree;
   sofa::Data<sofa::type::vector<Vec3>> d_position;
 
-  /** Makes the proxy where the state is. */
-  bool make(dsw_scene* scene, bool meets_bodies);
+  /** Makes the proxy where the state is. In a scene with `contacts` of bodies, it meets others or only itself. */
+  bool make(dsw_scene* scene, bool contacts, bool meets_others);
   /** The scene is gone. */
   void forget();
   /** Remembers where the proxy is. */

@@ -69,6 +69,7 @@ bool DartsweepCheck::prepare() {
 void DartsweepCheck::check() {
   if (!l_environment || !l_state || !prepare()) return;
   const std::size_t count = l_state->getSize();
+  if (count == 0) return;
   m_points.resize(3 * count);
   for (std::size_t i = 0; i < count; ++i) {
     m_points[3 * i] = l_state->getPX(static_cast<sofa::Index>(i));

@@ -29,7 +29,10 @@ class RowResolution : public sofa::core::behavior::ConstraintResolution {
 
   void resolution(int line, SReal** compliance, SReal* gap, SReal* force, SReal* /*free*/) override {
     const SReal own = compliance[line][line];
-    if (own <= 0) return;  // nothing of the row can move
+    if (own <= 0) {  // nothing of the row can move
+      std::fill_n(force + line, getNbLines(), SReal(0));
+      return;
+    }
     const SReal before = force[line];
     force[line] = std::max<SReal>(0, before - gap[line] / own);
     if (getNbLines() == 1) return;

@@ -55,7 +55,7 @@ DartsweepEnvironment::DartsweepEnvironment()
       d_triangles(
           initData(&d_triangles, "impassableTriangles", "patch of triangles between volumes that nothing passes")),
       d_quads(initData(&d_quads, "impassableQuads", "patch of quads between volumes that nothing passes")),
-      d_tags(initData(&d_tags, "tags",
+      d_tags(initData(&d_tags, "volumeTags",
                       "numbers that contacts report: one for each tetrahedron, hexahedron, prism, pyramid")),
       d_held(initData(&d_held, 0u, "held", "OUTPUT: vertices that did not follow their state in the last step")),
       d_removed(initData(&d_removed, 0u, "removed", "OUTPUT: volumes that changes of the topology have made passable")),
@@ -128,7 +128,7 @@ bool DartsweepEnvironment::read_walls() {
   add_faces(d_quads.getValue(), m_walls);
   const auto& tags = d_tags.getValue();
   if (!tags.empty() && tags.size() != m_mesh.size()) {
-    msg_error() << "tags has " << tags.size() << " entries for " << m_mesh.size() << " volumes";
+    msg_error() << "volumeTags has " << tags.size() << " entries for " << m_mesh.size() << " volumes";
     return false;
   }
   m_mesh.tags.assign(tags.begin(), tags.end());
@@ -171,7 +171,7 @@ void DartsweepEnvironment::build() {
   ++m_version;
   m_built = true;
   d_componentState.setValue(ComponentState::Valid);
-  for (BaseBody* body : m_bodies) body->make(m_scene, d_bodyContacts.getValue());
+  for (BaseBody* body : m_bodies) body->make(m_scene, meet, d_bodyContacts.getValue());
   auto info = sized<dsw_environment_info>();
   if (dsw_environment_get_info(m_environment, &info) == DSW_STATUS_OK)
     msg_info() << info.volume_count << " volumes in " << info.part_count << " parts, " << info.boundary_face_count
@@ -278,11 +278,6 @@ void DartsweepEnvironment::open(std::vector<sofa::Index>& cells, const sofa::typ
   d_removed.setValue(d_removed.getValue() + static_cast<unsigned>(volumes.size()));
   succeeded(*this, "removed volumes",
             dsw_environment_mark_volumes(m_environment, volumes.data(), volumes.size(), DSW_MARK_PASSABLE, 0, nullptr));
-}
-
-sofa::Index DartsweepEnvironment::tetrahedron_of(std::uint32_t volume) const {
-  const auto found = std::find(m_tetrahedra.begin(), m_tetrahedra.end(), volume);
-  return found == m_tetrahedra.end() ? sofa::InvalidID : static_cast<sofa::Index>(found - m_tetrahedra.begin());
 }
 
 // SOFA closes the gap in its list with the last point.
