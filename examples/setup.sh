@@ -52,6 +52,6 @@ make_venv() {
   ! cat "$@" | cmp -s - "$venv/installed.txt" || return 0
   echo "installing $(cat "$@" | grep -v '^#' | tr '\n' ' ')in ${venv#"$root/"}"
   quietly "creating ${venv#"$root/"}" "$python" -m venv --clear "$venv"
-  quietly "installing Python modules" "$venv/bin/python" -m pip install --disable-pip-version-check "${@/#/-r}"
+  quietly "installing Python modules" "$venv/bin/python" -m pip install --no-compile --disable-pip-version-check "${@/#/-r}" # what is used is compiled then
   cat "$@" > "$venv/installed.txt"
 }
