@@ -54,4 +54,28 @@ void release_bytes(const Memory* memory, void* block, size_t size_bytes, size_t 
   }
 }
 
+void* allocate_elements(const Memory* memory, size_t count, size_t element_bytes) {
+  if (count > static_cast<size_t>(PTRDIFF_MAX) / element_bytes) throw std::bad_alloc();
+  const size_t bytes = count * element_bytes;
+  return allocate_bytes(memory, bytes, block_alignment(bytes));
+}
+
+void release_elements(const Memory* memory, void* block, size_t bytes) noexcept {
+  release_bytes(memory, block, bytes, block_alignment(bytes));
+}
+
+void* moved_elements(const Memory* memory, void* block, size_t size_bytes, size_t block_bytes, size_t room_bytes) {
+  void* const moved = allocate_bytes(memory, room_bytes, block_alignment(room_bytes));
+  if (size_bytes != 0) std::memcpy(moved, block, size_bytes);
+  if (block != nullptr) release_elements(memory, block, block_bytes);
+  return moved;
+}
+
+size_t grown_room(size_t size, size_t more, size_t element_bytes) {
+  const size_t most = static_cast<size_t>(PTRDIFF_MAX) / element_bytes;
+  if (more > most - size) throw std::bad_alloc();
+  const size_t room = size + (size > more ? size : more);
+  return room < most ? room : most;
+}
+
 }  // namespace dsw

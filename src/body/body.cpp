@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "base/vec.h"
 #include "body/body_boxes.h"
 
@@ -67,7 +68,7 @@ void release_vertex(Body<D>& body, uint32_t vertex) noexcept {
   }
   body.vertices[vertex] = BodyVertex<D>{};
   body.vertex_slots.release(vertex);
-  const auto found = std::find(body.inserted.begin(), body.inserted.end(), vertex);
+  const auto found = dsw::find(body.inserted.begin(), body.inserted.end(), vertex);
   if (found != body.inserted.end()) body.inserted.erase(found);
 }
 

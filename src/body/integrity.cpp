@@ -1,6 +1,7 @@
 #include "body/integrity.h"
 
 #include "base/dimensions.h"
+#include "base/search.h"
 
 #include <algorithm>
 #include <utility>
@@ -108,7 +109,7 @@ const char* check_integrity(const Body<D>& body) {
   if (!lists_whole(body, by_ends.size())) return "an edge is in no list of a vertex";
   if (const char* const broken = check_faces(body, by_ends)) return broken;
   const auto lives = [&](uint32_t v) { return body.has_vertex(v); };
-  return std::all_of(body.inserted.begin(), body.inserted.end(), lives) ? nullptr : "an inserted vertex is gone";
+  return dsw::all_of(body.inserted.begin(), body.inserted.end(), lives) ? nullptr : "an inserted vertex is gone";
 }
 
 DSW_INSTANTIATE(check_integrity);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 
 namespace dsw {
 
@@ -26,7 +27,7 @@ uint32_t find_face(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noex
   for (const uint32_t f : body.edges[e].faces) {
     if (f == kNone) continue;
     const BodyFace& face = body.faces[f];
-    if (std::find(face.corners, face.corners + 3, c) != face.corners + 3) return f;
+    if (dsw::find(face.corners, face.corners + 3, c) != face.corners + 3) return f;
   }
   return kNone;
 }
@@ -86,7 +87,7 @@ bool is_closed_surface(const Body<3>& body) noexcept {
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (body.has_vertex(v) && body.vertices[v].first_edge == kNone) return false;
   }
-  return std::none_of(body.edges.begin(), body.edges.end(), [](const BodyEdge& e) {
+  return dsw::none_of(body.edges.begin(), body.edges.end(), [](const BodyEdge& e) {
     return e.ends[0] != kNone && (e.faces[0] == kNone || e.faces[1] == kNone);
   });
 }

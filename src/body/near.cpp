@@ -1,6 +1,7 @@
 #include "body/near.h"
 
 #include "base/dimensions.h"
+#include "base/search.h"
 
 #include <algorithm>
 
@@ -53,7 +54,7 @@ bool Places<D>::overlap(const double* const* points, int corners) const noexcept
   if (everywhere()) return true;
   Box<D> box;
   for (int i = 0; i < corners; ++i) box.add(points[i]);
-  return std::any_of(boxes, boxes + count, [&](const Box<D>& place) { return place.overlaps(box); });
+  return dsw::any_of(boxes, boxes + count, [&](const Box<D>& place) { return place.overlaps(box); });
 }
 
 template <int D>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "body/body.h"
 
 namespace dsw {
@@ -56,7 +57,7 @@ bool visit_near(const Body<D>& body, const BoxGrid<D> BodyBoxes<D>::*grid, size_
   }
   find_overlapping(fresh_boxes(body).*grid, places, near);
   looked_at += near.size();
-  return std::all_of(near.begin(), near.end(), visit);
+  return dsw::all_of(near.begin(), near.end(), visit);
 }
 
 }  // namespace dsw

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/eigen.h"
 #include "base/vec.h"
 #include "body/body.h"
 
@@ -12,10 +13,9 @@ void normalise(double (&q)[4]) noexcept { Eigen::Map<Eigen::Quaterniond>(q).norm
 
 template <int D>
 void RigidMotion<D>::place(const double* from, double* to) const noexcept {
-  const Eigen::Quaterniond q(rotation);
-  const Vec start = to_vec<D>(from), across = q.vec().cross(start - to_vec<D>(centre));
+  const Vec axis = to_vec<3>(rotation), start = to_vec<D>(from), across = axis.cross(start - to_vec<D>(centre));
   // Added to where it was, unlike in q * x, so that no motion leaves it there to the bit.
-  store<D>(start + (2 * (q.w() * across + q.vec().cross(across)) + to_vec<D>(translation)), to);
+  store<D>(start + (2 * (rotation[3] * across + axis.cross(across)) + to_vec<D>(translation)), to);
 }
 
 template <int D>
@@ -25,10 +25,9 @@ void RigidMotion<D>::centre_now(double* to) const noexcept {
 
 template <int D>
 void RigidMotion<D>::add(const double* turn, const double* shift) noexcept {
-  const Eigen::Quaterniond more(turn);
-  if (!is_zero(more.vec())) {
+  if (!is_zero(to_vec<3>(turn))) {
     // Normalised each time, so that its length does not drift.
-    const Eigen::Quaterniond all = (more * Eigen::Quaterniond(rotation)).normalized();
+    const Eigen::Quaterniond all = (Eigen::Quaterniond(turn) * Eigen::Quaterniond(rotation)).normalized();
     std::copy_n(all.coeffs().data(), 4, rotation);
   }
   for (int k = 0; k < D; ++k) translation[k] += shift[k];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/search.h"
 #include "capi/body_access.h"
 #include "dartsweep/move.h"
 
@@ -23,7 +24,7 @@ void check_poses(const dsw::Body<D>& body, const double* centre, const double* p
     for (size_t k = 0; k < kNumbersOfPose; ++k) {
       if (!std::isfinite(pose[k])) fail(DSW_STATUS_NON_FINITE, "poses[%zu][%zu] is %g, must be finite", i, k, pose[k]);
     }
-    if (std::all_of(pose, pose + 4, [](double x) { return x == 0; })) {
+    if (dsw::all_of(pose, pose + 4, [](double x) { return x == 0; })) {
       fail(DSW_STATUS_OUT_OF_RANGE, "poses[%zu] has a quaternion that is 0", i);
     }
     for (const size_t k : kOffPlane) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/search.h"
 #include "capi/convert.h"
 #include "capi/replay.h"
 #include "capi/scene_handle.h"
@@ -250,7 +251,7 @@ class CallValidator {
       }
       if (!of.body.has_vertex(v) || are_equal<D>(of.body.position(v), &before_[mover.first + D * size_t{v}])) continue;
       const auto is_its = [v](const dsw_body_contact& contact) { return contact.vertex.index == v; };
-      if (std::any_of(of.record.contacts.begin(), of.record.contacts.end(), is_its)) continue;
+      if (dsw::any_of(of.record.contacts.begin(), of.record.contacts.end(), is_its)) continue;
       claim_way(mover, of.body, v);
     }
   }

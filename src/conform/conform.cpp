@@ -5,6 +5,7 @@
 
 #include "base/dimensions.h"
 #include "base/error.h"
+#include "base/search.h"
 #include "conform/facet_split.h"
 #include "environment/replaced_cells.h"
 
@@ -93,7 +94,7 @@ class Facets<3> {
     open_.clear();
     const auto add_loop = [this](VertexRange loop) {
       for (uint32_t k = 0; k < loop.size(); ++k) {
-        const auto back = std::find(open_.begin(), open_.end(), way(loop.after(k), loop[k]));
+        const auto back = dsw::find(open_.begin(), open_.end(), way(loop.after(k), loop[k]));
         if (back == open_.end()) {
           open_.push_back(way(loop[k], loop.after(k)));
         } else {
@@ -104,7 +105,7 @@ class Facets<3> {
       return open_.size() <= kMostOpen;
     };
     const VertexRange partners = pairs_.partners(i);
-    return std::all_of(partners.begin(), partners.end(), [&](uint32_t j) { return add_loop(pairs_.loop(j)); }) &&
+    return dsw::all_of(partners.begin(), partners.end(), [&](uint32_t j) { return add_loop(pairs_.loop(j)); }) &&
            add_loop(pairs_.loop(i)) && open_.empty();
   }
   static uint64_t way(uint32_t from, uint32_t to) { return uint64_t{from} << 32 | to; }

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/search.h"
 #include "predicates/turn.h"
 
 namespace dsw {
 namespace {
 
-bool has(VertexRange loop, uint32_t vertex) { return std::find(loop.begin(), loop.end(), vertex) != loop.end(); }
+bool has(VertexRange loop, uint32_t vertex) { return dsw::find(loop.begin(), loop.end(), vertex) != loop.end(); }
 
 /** Twice the area of a triangle with a coordinate left out, rounded. */
 double area(const double* const (&t)[3], int axis) {
@@ -138,7 +139,7 @@ bool FacetPairs::lies_on(uint32_t i, uint32_t vertex) const {
 
 bool FacetPairs::all_lie_on(uint32_t i, uint32_t j) const {
   const VertexRange corners = outer_.loop(j);
-  return std::all_of(corners.begin(), corners.end(), [&](uint32_t v) { return lies_on(i, v); });
+  return dsw::all_of(corners.begin(), corners.end(), [&](uint32_t v) { return lies_on(i, v); });
 }
 
 /** Whether a triangle of facet j is turned against facet i. */
@@ -157,7 +158,7 @@ bool FacetPairs::is_separating(uint32_t i, uint32_t j, LoopView view) const {
   const VertexRange loop = outer_.loop(i), corners = outer_.loop(j);
   const int sense = turn(view, loop[0], loop[1], loop[2]);
   for (uint32_t k = 0; k < loop.size(); ++k) {
-    const bool is_beyond = std::all_of(corners.begin(), corners.end(),
+    const bool is_beyond = dsw::all_of(corners.begin(), corners.end(),
                                        [&](uint32_t v) { return turn(view, loop[k], loop.after(k), v) * sense <= 0; });
     if (is_beyond) return true;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.h"
+#include "base/search.h"
 #include "environment/recut.h"
 #include "predicates/turn.h"
 
@@ -10,7 +11,7 @@ namespace dsw {
 namespace {
 
 uint32_t find(VertexRange loop, uint32_t vertex) {
-  return static_cast<uint32_t>(std::find(loop.begin(), loop.end(), vertex) - loop.begin());
+  return static_cast<uint32_t>(dsw::find(loop.begin(), loop.end(), vertex) - loop.begin());
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ bool FacetSplit::is_free(uint32_t u, uint32_t v, const Array<uint32_t>& vertices
   for (const Segment& s : segments_) {
     if (s == pair_of(u, v) || crosses(u, v, s.from, s.to)) return false;
   }
-  return std::none_of(vertices.begin(), vertices.end(),
+  return dsw::none_of(vertices.begin(), vertices.end(),
                       [&](uint32_t w) { return w != u && w != v && is_between(u, w, v); });
 }
 
@@ -108,7 +109,7 @@ bool FacetSplit::join_holes() {
       if (parts.root(number(v)) == parts.root(home)) break;
     }
   }
-  return std::all_of(vertices.begin(), vertices.end(),
+  return dsw::all_of(vertices.begin(), vertices.end(),
                      [&](uint32_t v) { return parts.root(number(v)) == parts.root(number(loop_[0])); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/compiler.h"
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "base/slot_pool.h"
 #include "corridor/convex_cells.h"
 #include "corridor/edge_turn.h"
@@ -86,13 +87,13 @@ bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noex
   }
   if ((marks & kMarkBit) != 0) return false;
   return !env.has_moved() ||
-         std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
+         dsw::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
 }
 
 /** Tells of facets that are not in rows whether all are passable and their cells valid. */
 bool are_open(const Environment<3>& env, const Array<uint32_t>& facets) noexcept {
   const Map<3>& map = env.map;
-  return std::all_of(facets.begin(), facets.end(), [&](uint32_t f) {
+  return dsw::all_of(facets.begin(), facets.end(), [&](uint32_t f) {
     const Cell c = map.cell_of({f});
     return ((map.record(c)[0] | map.words[f]) & kMarkBit) == 0 && admits(env, c);
   });
@@ -177,7 +178,7 @@ template <int D>
 void Corridor<D>::replace(const Environment<D>& env, size_t begin, size_t end, const uint32_t* by, size_t count) {
   const size_t removed = end - begin, size = facets.size() - removed + count;
   const bool all = (in_rows || removed == facets.size()) &&
-                   std::all_of(by, by + count, [&](uint32_t f) { return is_for_rows(env.map, env.map.cell_of({f})); });
+                   dsw::all_of(by, by + count, [&](uint32_t f) { return is_for_rows(env.map, env.map.cell_of({f})); });
   if (size > facets.size()) reserve_more(facets, size - facets.size());
   if (all) rows.reserve(size);
   const auto at = facets.erase(facets.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -336,7 +337,7 @@ uint64_t missed_facets(const Environment<D>& env, const Corridor<D>& corridor, c
 
 template <int D>
 bool keeps_to_facets(const Environment<D>& env, const Corridor<D>& corridor, const EdgeWay& edge) noexcept {
-  return D == 3 && !corridor.in_rows && std::all_of(corridor.facets.begin(), corridor.facets.end(), [&](uint32_t f) {
+  return D == 3 && !corridor.in_rows && dsw::all_of(corridor.facets.begin(), corridor.facets.end(), [&](uint32_t f) {
            return keeps_to_one(env, {f}, edge);
          });
 }

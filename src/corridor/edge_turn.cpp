@@ -1,7 +1,6 @@
 #include "corridor/edge_turn.h"
 
-#include <algorithm>
-
+#include "base/search.h"
 #include "corridor/convex_cells.h"
 #include "corridor/facet_pass.h"
 
@@ -52,11 +51,11 @@ bool turn_round_edge(const Environment<3>& env, Corridor<3>& corridor, const dou
   const Map<3>& map = env.map;
   const Array<uint32_t>& facets = corridor.facets;
   const StandardCells cells{map};
-  if (!std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return cells.suits(map.cell_of({f})); })) {
+  if (!dsw::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return cells.suits(map.cell_of({f})); })) {
     return false;
   }
   const auto is_missed = [&](uint32_t f) { return find_missed(env, cells.ring(f), from, to, pivot); };
-  const auto missed = std::find_if(facets.begin(), facets.end(), is_missed);
+  const auto missed = dsw::find_if(facets.begin(), facets.end(), is_missed);
   return missed != facets.end() && turn_at(env, corridor, static_cast<size_t>(missed - facets.begin()), pivot, cells);
 }
 

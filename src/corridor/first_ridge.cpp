@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/compiler.h"
+#include "base/search.h"
 #include "environment/marking.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
@@ -116,7 +117,7 @@ bool turn_round(const Environment<3>& env, Corridor<3>& corridor, const FirstRid
   const RidgeName& pivot = ridge.ridge;
   if (env.marked_edges != 0 && edge_marked(env, pivot.vertices[0], pivot.vertices[1])) return false;
   const Array<uint32_t>& facets = corridor.facets;
-  const auto at = std::find(facets.begin(), facets.end(), ridge.facet.word);
+  const auto at = dsw::find(facets.begin(), facets.end(), ridge.facet.word);
   if (at == facets.end()) return false;
   return turn_in_rows(env, corridor, static_cast<size_t>(at - facets.begin()), pivot);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/search.h"
 #include "corridor/fan.h"
 #include "map/dart.h"
 #include "map/ridge_walk.h"
@@ -278,7 +279,7 @@ uint32_t SweepFlood<3>::other_at_line(Cell c, const double* const* triangle, con
   for (uint32_t s = 0; s < count; ++s) {
     const double* at[3];
     boundary_points(env_, c, s, at);
-    const auto is_of = [&](const double* point) { return std::find(at, at + 3, point) != at + 3; };
+    const auto is_of = [&](const double* point) { return dsw::find(at, at + 3, point) != at + 3; };
     if (is_of(line[0]) && is_of(line[1]) && at[third_point(at, line)] != tip) return s;
   }
   return kNoFacet;
@@ -306,14 +307,14 @@ void SweepFlood<3>::decide_ties() {
   const auto before = [&](const SweepContact& a, const SweepContact& b) { return comes_before(map_, m.p, m.to, a, b); };
   std::sort(tied_.begin(), tied_.end(), before);  // the order in which cells were entered does not count
   const auto near =
-      std::find_if(tied_.begin(), tied_.end(), [&](const SweepContact& each) { return comes_from(each); });
+      dsw::find_if(tied_.begin(), tied_.end(), [&](const SweepContact& each) { return comes_from(each); });
   if (near == tied_.end()) return;
   const auto is_linked = [&](const SweepContact& each) {
     bool linked = false;
     for_each_cell_round(*near, [&](Cell c) { linked = linked || c == each.front; });
     return linked && same_event(each, *near);
   };
-  result_.contact = *std::find_if(tied_.begin(), tied_.end(), is_linked);
+  result_.contact = *dsw::find_if(tied_.begin(), tied_.end(), is_linked);
 }
 
 /** Whether a flood that ends at a contact with an edge of the environment has seen all walls that count there: other
@@ -358,7 +359,7 @@ void SweepFlood<3>::sort_found() {
   found_.erase(std::unique(found_.begin(), found_.end(), same_event), found_.end());
   std::sort(found_.begin(), found_.end(), before);
   // Ties have been decided for the first.
-  const auto first = std::find_if(found_.begin(), found_.end(),
+  const auto first = dsw::find_if(found_.begin(), found_.end(),
                                   [&](const SweepContact& each) { return same_event(each, result_.contact); });
   if (first == found_.end()) return;
   *first = result_.contact;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "base/search.h"
 #include "corridor/ridge.h"
 #include "map/map.h"
 
@@ -34,7 +35,7 @@ struct TouchedLines {
     if (lines[0] == line) return;
     if (kept_in != call) std::copy_n(lines, kCount, kept);
     kept_in = call;
-    RidgeName* const last = std::find(lines, lines + kCount - 1, line);
+    RidgeName* const last = dsw::find(lines, lines + kCount - 1, line);
     std::copy_backward(lines, last, last + 1);
     lines[0] = line;
     fan.version = ~uint64_t{0};

@@ -1,6 +1,7 @@
 #include "cutting/crack.h"
 
 #include "base/error.h"
+#include "base/search.h"
 #include "base/vec.h"
 #include "map/records.h"
 
@@ -217,7 +218,7 @@ bool Crack<D>::find_shortest_line(const Meeting& at, const double* normal, KeyTa
 /** Whether a dart's ridge and cell are those of one of the mouths. */
 template <int D>
 bool Crack<D>::is_mouth(Dart d, const Array<uint32_t>& mouths) const {
-  return std::any_of(mouths.begin(), mouths.end(), [&](uint32_t m) {
+  return dsw::any_of(mouths.begin(), mouths.end(), [&](uint32_t m) {
     const Dart at = mouths_[m].dart;
     return at == d || (D == 3 && at.cell == d.cell && across_ridge(map_, at) == d);
   });

@@ -1,5 +1,6 @@
 #include "cutting/cut.h"
 
+#include "base/search.h"
 #include "environment/marking.h"
 #include "environment/recut.h"
 #include "map/dart.h"
@@ -279,7 +280,7 @@ bool Cut<D>::split_cell(Edit<D>& edit, uint32_t cell, CellDraft& whole) {
 template <int D>
 bool Cut<D>::is_before_blade(const CellDraft& part, const NodeLoop& nodes) const {
   const auto has = [&](uint32_t vertex) {
-    return std::any_of(part.facets.begin(), part.facets.end(), [&](const FacetDraft& f) { return f.has(vertex); });
+    return dsw::any_of(part.facets.begin(), part.facets.end(), [&](const FacetDraft& f) { return f.has(vertex); });
   };
   for (const uint32_t n : nodes) {
     if (!section_->node(n).is_old()) return has(section_->node(n).b);

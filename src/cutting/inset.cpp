@@ -8,6 +8,7 @@
 
 #include <initializer_list>
 
+#include "base/search.h"
 #include "base/vec.h"
 #include "walk/cast.h"
 
@@ -148,7 +149,7 @@ void Inset::find_cells(const Piece& piece, uint32_t vertex) {
       }
       const Cell beyond = map.cell_of(piece.behind(h));
       if (found == 3 &&
-          std::find(cells_.begin() + static_cast<std::ptrdiff_t>(first), cells_.end(), beyond) == cells_.end())
+          dsw::find(cells_.begin() + static_cast<std::ptrdiff_t>(first), cells_.end(), beyond) == cells_.end())
         cells_.push_back(beyond);
     }
   }

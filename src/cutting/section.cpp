@@ -1,5 +1,6 @@
 #include "cutting/section.h"
 
+#include "base/search.h"
 #include "environment/recut.h"
 #include "map/dart.h"
 
@@ -75,8 +76,8 @@ bool Section<D>::read_nodes(Cell c, const Shape& shape, const Array<uint32_t>& o
 template <int D>
 bool Section<D>::is_crossed(const CellNodes& nodes) const {
   const auto is_node = [](uint32_t node) { return node != KeyTable::kNone; };
-  if (std::any_of(nodes.on.begin(), nodes.on.end(), is_node)) return true;
-  return std::none_of(nodes.at.begin(), nodes.at.end(), is_node);  // else a fold of the blade enters through one facet
+  if (dsw::any_of(nodes.on.begin(), nodes.on.end(), is_node)) return true;
+  return dsw::none_of(nodes.at.begin(), nodes.at.end(), is_node);  // else a fold of the blade enters through one facet
 }
 
 /** Whether a facet, in the plane the cell, has two nodes that no edge of it joins. */
@@ -158,8 +159,8 @@ bool Section<D>::take_arcs(Arcs& arcs, NodeLoop& loop) const {
   const uint32_t first = arcs[0].from;
   uint32_t at = first;
   while (!arcs.empty()) {
-    const auto next = std::find_if(arcs.begin(), arcs.end(), [&](const Arc& a) { return a.from == at || a.to == at; });
-    if (next == arcs.end() || std::find(loop.begin(), loop.end(), at) != loop.end()) return false;
+    const auto next = dsw::find_if(arcs.begin(), arcs.end(), [&](const Arc& a) { return a.from == at || a.to == at; });
+    if (next == arcs.end() || dsw::find(loop.begin(), loop.end(), at) != loop.end()) return false;
     loop.push_back(at);
     at = next->from == at ? next->to : next->from;
     arcs.erase(next);
@@ -172,7 +173,7 @@ bool Section<D>::is_facet(const CellNodes& nodes, const Shape& shape, const Node
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     bool same = shape.facet_size(f) == loop.size();
     for (uint32_t d = shape.facet_first(f); same && d < shape.facet_first(f + 1); ++d) {
-      same = std::find(loop.begin(), loop.end(), nodes.at[shape.dart_vertex(d)]) != loop.end();
+      same = dsw::find(loop.begin(), loop.end(), nodes.at[shape.dart_vertex(d)]) != loop.end();
     }
     if (same) return true;
   }

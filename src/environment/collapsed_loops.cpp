@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/search.h"
+
 namespace dsw {
 namespace {
 
@@ -52,7 +54,7 @@ void clean_loops(std::vector<uint16_t>& vertices, std::vector<uint16_t>& first) 
     }
     cycles.push_back(loops.back());
     begin_lowest(cycles.back());
-    const auto other = std::find(cycles.begin(), cycles.end() - 1, turned(cycles.back()));
+    const auto other = dsw::find(cycles.begin(), cycles.end() - 1, turned(cycles.back()));
     if (other == cycles.end() - 1) continue;
     loops.pop_back();
     cycles.pop_back();

@@ -9,6 +9,7 @@
 
 #include "base/dimensions.h"
 #include "base/error.h"
+#include "base/search.h"
 #include "environment/collapsed_loops.h"
 #include "environment/general_records.h"
 #include "environment/merged_points.h"
@@ -95,7 +96,7 @@ class Reader {
       const int64_t point = connectivity_[begin_of(i) + k];
       if (point < 0 || static_cast<uint64_t>(point) >= map_.vertex_count) return type.form;
       points[k] = merged_.empty() ? point : merged_[static_cast<size_t>(point)];
-      if (std::find(points.begin(), points.begin() + k, points[k]) != points.begin() + k) return Form::kGeneral;
+      if (dsw::find(points.begin(), points.begin() + k, points[k]) != points.begin() + k) return Form::kGeneral;
     }
     return type.form;
   }
@@ -240,7 +241,7 @@ class Reader {
     std::array<uint16_t, 8> local{};
     for (uint32_t k = 0; k < shape.vertex_count(); ++k) {
       const uint32_t point = checked(i, connectivity_[begin_of(i) + k]);
-      const auto known = std::find(cell_.points.begin(), cell_.points.end(), point);
+      const auto known = dsw::find(cell_.points.begin(), cell_.points.end(), point);
       local[k] = static_cast<uint16_t>(known - cell_.points.begin());
       if (known == cell_.points.end()) cell_.points.push_back(point);
     }

@@ -1,6 +1,7 @@
 #pragma once
 // The facets that have one cell, with their loops, triangles and boxes.
 
+#include "base/search.h"
 #include "environment/box_pairs.h"
 #include "environment/environment.h"
 
@@ -78,7 +79,7 @@ class OuterFacets {
     const auto first = std::partition_point(facets_.begin(), facets_.end(), [&](HalfFacet each) {
       return env_.map.index(env_.map.cell_of(each)) < wanted;
     });
-    const auto at = std::find_if(first, facets_.end(), [h](HalfFacet each) { return each.word == h.word; });
+    const auto at = dsw::find_if(first, facets_.end(), [h](HalfFacet each) { return each.word == h.word; });
     return static_cast<uint32_t>(at - facets_.begin());
   }
   /** Its vertices, counter-clockwise seen from outside; in the plane its two ends, the cell on the left. */

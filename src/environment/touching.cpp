@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "predicates/turn.h"
 
 namespace dsw {
@@ -10,9 +11,9 @@ namespace {
 
 /** Whether each corner of one loop is at the place of a corner of another one. */
 bool has_corners_of(const Environment<3>& env, VertexRange loop, VertexRange part) noexcept {
-  return std::all_of(part.begin(), part.end(), [&](uint32_t v) {
+  return dsw::all_of(part.begin(), part.end(), [&](uint32_t v) {
     const double* const p = env.point(v);
-    return std::any_of(loop.begin(), loop.end(), [&](uint32_t w) { return std::equal(p, p + 3, env.point(w)); });
+    return dsw::any_of(loop.begin(), loop.end(), [&](uint32_t w) { return std::equal(p, p + 3, env.point(w)); });
   });
 }
 
@@ -69,7 +70,7 @@ Touching find_touching(const Environment<D>& env) {
   Touching found;
   found.count = static_cast<uint32_t>(std::count(touches.begin(), touches.end(), 1));
   if (found.count == 0) return found;
-  const auto first = static_cast<uint32_t>(std::find(touches.begin(), touches.end(), 1) - touches.begin());
+  const auto first = static_cast<uint32_t>(dsw::find(touches.begin(), touches.end(), 1) - touches.begin());
   uint32_t other = first + 1;
   while (touches[other] == 0 || !outer.box(first).overlaps(outer.box(other), D - 1) || !touch(first, other)) ++other;
   found.first = outer.facet(first);

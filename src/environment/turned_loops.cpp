@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/search.h"
+
 namespace dsw {
 namespace {
 
@@ -78,7 +80,7 @@ std::vector<uint8_t> turns_of(const std::vector<Link>& links, uint32_t loops) {
 
 uint32_t turn_loops(std::vector<uint16_t>& vertices, const std::vector<uint16_t>& first) {
   const std::vector<Link> links = links_of(sides_of(vertices, first));
-  if (std::none_of(links.begin(), links.end(), [](const Link& link) { return link.is_turned; })) return 0;
+  if (dsw::none_of(links.begin(), links.end(), [](const Link& link) { return link.is_turned; })) return 0;
   const auto loops = static_cast<uint32_t>(first.size() - 1);
   const std::vector<uint8_t> turned = turns_of(links, loops);
   if (turned.empty()) return 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/compiler.h"
+#include "base/search.h"
 #include "walk/standard_facets.h"
 
 namespace dsw {
@@ -247,7 +248,7 @@ void BoundedFlood<D, From>::note_sight(double distance, const Way& at, const Fea
   const auto is_same = [&](const Sight& sight) {
     return !distances_.precedes(sight.feature, feature) && !distances_.precedes(feature, sight.feature);
   };
-  const auto known = std::find_if(sights_.begin(), sights_.end(), is_same);
+  const auto known = dsw::find_if(sights_.begin(), sights_.end(), is_same);
   const auto view = static_cast<uint32_t>(notes_.views.size());
   notes_.views.push_back({step, known == sights_.end() ? Notes::kNone : known->view});
   if (known == sights_.end()) {
@@ -265,10 +266,10 @@ SearchEnd BoundedFlood<D, From>::decide() {
   });
   for (auto first = sights_.begin(); first != sights_.end() && first->distance <= limit_;) {
     const double end = first->distance;
-    const auto last = std::find_if(first, sights_.end(), [&](const Sight& sight) { return sight.distance != end; });
+    const auto last = dsw::find_if(first, sights_.end(), [&](const Sight& sight) { return sight.distance != end; });
     const auto is_here = [&](const Sight& sight) { return is_reached(sight, end); };
-    const auto found = std::find_if(sights_.begin(), last, is_here);
-    if (found < first && std::find_if(found + 1, first, is_here) != first) return SearchEnd::kUnknown;
+    const auto found = dsw::find_if(sights_.begin(), last, is_here);
+    if (found < first && dsw::find_if(found + 1, first, is_here) != first) return SearchEnd::kUnknown;
     if (found != last) {
       distances_.report(found->distance, found->at, result_);
       result_.feature = found->feature;

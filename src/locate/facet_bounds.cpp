@@ -99,7 +99,7 @@ SegmentFrame<D>::SegmentFrame(const double* from, const Vec& along, double large
   scale = std::ldexp(1.0, -exponent);
   std::copy_n(from, D, first);
   const Vec ahead = unit(along);
-  const Vec t = is_zero(ahead) ? Vec(Vec::UnitX()) : ahead;
+  const Vec t = is_zero(ahead) ? Vec(Vec::Unit(0)) : ahead;
   int least = D == 2 ? 2 : 0;  // in the plane, u is the axis across that lies in it
   for (int k = 1; k < 3; ++k) {
     if (std::fabs(t[k]) < std::fabs(t[least])) least = k;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "map/records.h"
 
 namespace dsw {
@@ -32,7 +33,7 @@ bool fills_loop(const Shape& shape, uint32_t f, Array<uint32_t>& sides, Array<ui
   std::sort(darts.begin(), darts.end());
   if (std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return false;
   if (!std::includes(sides.begin(), sides.end(), darts.begin(), darts.end())) return false;
-  return std::all_of(sides.begin(), sides.end(), [&](uint32_t side) {
+  return dsw::all_of(sides.begin(), sides.end(), [&](uint32_t side) {
     const uint32_t turned = side_key(side & 0xffffu, side >> 16);
     if (std::binary_search(darts.begin(), darts.end(), side)) return true;
     return std::binary_search(sides.begin(), sides.end(), turned) &&
@@ -91,7 +92,7 @@ const char* check_record(const Map<D>& map, Cell c, uint32_t units) {
   const Form form = form_of(w[0]);
   const uint32_t vertices = map.vertices_of(c);
   const auto all_zero = [&](uint32_t begin, uint32_t end) {
-    return std::all_of(w + begin, w + end, [](uint32_t word) { return word == 0; });
+    return dsw::all_of(w + begin, w + end, [](uint32_t word) { return word == 0; });
   };
   bool clear = true;
   if (form == Form::kSimplex) {
@@ -225,7 +226,7 @@ const char* check_records(const Map<D>& map) {
     if (is_free) {
       const uint32_t* const w = map.record(c);
       if ((word0 & kMarkBit) != 0 || map.cell_of_unit[c.unit] != kNoCell) return "a free record has a cell";
-      if (std::any_of(w + 2, w + size_t{n} * kUnitWords<D>, [](uint32_t word) { return word != 0; })) {
+      if (dsw::any_of(w + 2, w + size_t{n} * kUnitWords<D>, [](uint32_t word) { return word != 0; })) {
         return "an unused word of a record is not zero";
       }
       for (uint32_t u = 1; u < n; ++u) {

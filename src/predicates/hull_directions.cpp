@@ -162,7 +162,7 @@ class Search {
       if (is_less(most, x)) most = x;
     }
     const dd::Number beyond = dd::add(least, dd::negative(most));
-    const double lost = 0x1p-100 * dsw::dot(rough.cwiseAbs(), most_) + 0x1p-900;
+    const double lost = 0x1p-100 * dsw::dot(rough.magnitudes(), most_) + 0x1p-900;
     const double left = (beyond.high + beyond.low) - lost;
     const double bound = left * (1 - 0x1p-50) / (std::sqrt(dsw::dot(rough, rough)) * (1 + 0x1p-50));
     if (bound > best_.bound) best_ = {bound, rough};

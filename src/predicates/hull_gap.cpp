@@ -145,11 +145,11 @@ HullPair<D>::HullPair(const ConvexHull& a, const ConvexHull& b) noexcept : hull_
   Vec most_a = Vec::Zero(), most_b = Vec::Zero();
   for (uint32_t i = 0; i < a.count; ++i) {
     a_[i] *= scale;
-    most_a = most_a.cwiseMax(a_[i].cwiseAbs());
+    most_a = larger_of(most_a, a_[i].magnitudes());
   }
   for (uint32_t i = 0; i < b.count; ++i) {
     b_[i] *= scale;
-    most_b = most_b.cwiseMax(b_[i].cwiseAbs());
+    most_b = larger_of(most_b, b_[i].magnitudes());
   }
   most_ = most_a + most_b;
 }
@@ -180,7 +180,7 @@ double HullPair<D>::bound_in(const Vec& direction) const noexcept {
   double least = kInfinity, most = -kInfinity;
   for (uint32_t n = 0; n < hull_a_.count; ++n) least = std::min(least, dot(d, a_[n]));
   for (uint32_t n = 0; n < hull_b_.count; ++n) most = std::max(most, dot(d, b_[n]));
-  const double lost = 0x1p-50 * dot(d.cwiseAbs(), most_) + 0x1p-1000;
+  const double lost = 0x1p-50 * dot(d.magnitudes(), most_) + 0x1p-1000;
   const double beyond = least - most - lost;
   if (!(beyond > 0)) return 0;
   return (beyond * (1 - 0x1p-50)) / (std::sqrt(dot(d, d)) * (1 + 0x1p-50));

@@ -2,6 +2,8 @@
 // Lower bounds of distances between convex hulls of a few points. A bound is certified: it follows from one direction,
 // and every rounding goes against it. So it holds however the direction was found.
 
+#include <cstdint>
+
 #include "base/vec.h"
 
 namespace dsw {

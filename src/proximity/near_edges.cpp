@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/search.h"
+
 namespace dsw {
 namespace {
 
@@ -32,7 +34,7 @@ uint32_t hash_of(uint32_t x, uint32_t y, uint32_t z) noexcept {
 void NearEdges::make_stray(uint32_t e) noexcept {
   if (!active_) return;
   if (e < ways_.size()) ways_[e] = Box<3>();
-  if (std::find(strays_, strays_ + stray_count_, e) != strays_ + stray_count_) return;
+  if (dsw::find(strays_, strays_ + stray_count_, e) != strays_ + stray_count_) return;
   if (stray_count_ == kMostStrays) {
     stop();
   } else {

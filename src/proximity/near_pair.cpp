@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/search.h"
 #include "predicates/filtered.h"
 #include "predicates/near_signs.h"
 #include "predicates/plane_hit.h"
@@ -109,7 +110,7 @@ bool PairSearch<D>::is_local_minimum(const NearList<D>& list, bool is_shifted, c
     }
     return false;
   };
-  return std::none_of(list.around(f), list.around_end(f), comes_closer) && !(is_flat_before && is_flat_behind);
+  return dsw::none_of(list.around(f), list.around_end(f), comes_closer) && !(is_flat_before && is_flat_behind);
 }
 
 template <int D>
@@ -129,7 +130,7 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
   const auto closeness = [&](const WallFeature& o) {
     double most = -2;
     for (uint32_t i = 0; i < o.count; ++i) {
-      if (std::find(f.corners, f.corners + f.count, o.vertices[i]) != f.corners + f.count) continue;
+      if (dsw::find(f.corners, f.corners + f.count, o.vertices[i]) != f.corners + f.count) continue;
       const Vec to = to_vec<D>(list_.point(o.vertices[i])) - to_vec<D>(list_.point(f.corners[0]));
       most = std::max(most, dot(unit(to - dot(to, along) * along), way));
     }

@@ -68,7 +68,7 @@ class NearRegion {
     if (D == 3 && count > 2) up = unit(along.cross(unit(difference<D>(points[2], points[0]))));
     if (is_zero(up)) {
       // The axis that is most across.
-      const Vec sizes = along.cwiseAbs();
+      const Vec sizes = along.magnitudes();
       Vec other = Vec::Zero();
       other[sizes.x() <= sizes.y() && sizes.x() <= sizes.z() ? 0 : sizes.y() <= sizes.z() ? 1 : 2] = 1;
       up = unit(along.cross(other));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "predicates/near_signs.h"
 #include "proximity/sight.h"
 
@@ -151,7 +152,7 @@ bool NearSearch<D>::is_accepted(const Body<D>& other, const Part<D>& part, const
   if (&other != &body_) return true;
   const uint32_t m = part.corners.count;
   for (const uint32_t v : part.corners) {
-    if (std::find(corners, corners + count, v) != corners + count) return false;
+    if (dsw::find(corners, corners + count, v) != corners + count) return false;
   }
   if (m != count) return m < count;
   if (m == 2) return std::min(part.corners.vertices[0], part.corners.vertices[1]) < corners[0];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "proximity/rough.h"
 
 namespace dsw {
@@ -64,7 +65,7 @@ SelectionLimits NearSelection<D>::select_all(const NearList<D>& list, const Part
   for (uint32_t i = 0; i < spheres.size(); ++i) {
     if (!is_out(spheres[i])) numbers_.push_back(i);
   }
-  is_alone_ = numbers_.empty() && std::all_of(spheres.begin(), spheres.end(), is_beyond(most));
+  is_alone_ = numbers_.empty() && dsw::all_of(spheres.begin(), spheres.end(), is_beyond(most));
   return is_alone_ ? SelectionLimits{most, most} : limits;
 }
 

@@ -5,6 +5,7 @@
 #include "proximity/pair_sweep.h"
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "predicates/swept_plane.h"
 
 #include <algorithm>
@@ -192,7 +193,7 @@ class StarTouches {
 
   bool meet_face(const Body<D>& other, uint32_t f) {
     const uint32_t* const c = other.faces[f].corners;
-    if (self_ && std::find(c, c + 3, v_) != c + 3) return true;
+    if (self_ && dsw::find(c, c + 3, v_) != c + 3) return true;
     const double* const at[3] = {other.position(c[0]), other.position(c[1]), other.position(c[2])};
     PairContact<D> touch;
     touch.time = vertex_touch(p_, to_, at);
@@ -283,7 +284,7 @@ class StarTouches {
     box.add(to_);
     for (const uint32_t each : own) box.add(body_.position(each));
     const auto vertex = [&](uint32_t w) {
-      if (self_ && (w == into_ || std::find(own.begin(), own.end(), w) != own.end())) return true;
+      if (self_ && (w == into_ || dsw::find(own.begin(), own.end(), w) != own.end())) return true;
       touch.time = solid_touch<D>(m, other.position(w));
       return report(touch, Simplex::kVertex, w);
     };

@@ -1,8 +1,7 @@
 #include "proximity/partners.h"
 
-#include <algorithm>
-
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "predicates/touch.h"
 
 namespace dsw {
@@ -120,7 +119,7 @@ bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const Soli
   if constexpr (D == 3) box.add(swept.r);
   return for_each_seen(partners, body, [&](const Body<D>& other, bool self) {
     return fresh_boxes(other).vertices.visit(box, [&](uint32_t v) {
-      return (self && std::find(own, own + D, v) != own + D) || solid_touch<D>(swept, other.position(v)) == kNever;
+      return (self && dsw::find(own, own + D, v) != own + D) || solid_touch<D>(swept, other.position(v)) == kNever;
     });
   });
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "body/body.h"
 #include "predicates/sweep_events.h"
 
@@ -32,7 +33,7 @@ struct Partners {
   template <class IsGone>
   void remove(IsGone is_gone) {
     all.erase(std::remove_if(all.begin(), all.end(), is_gone), all.end());
-    has_thick = std::any_of(all.begin(), all.end(), [](const Partner<D>& each) { return each.body->radius > 0; });
+    has_thick = dsw::any_of(all.begin(), all.end(), [](const Partner<D>& each) { return each.body->radius > 0; });
   }
   explicit Partners(const Memory* memory) : all(memory) {}
 };

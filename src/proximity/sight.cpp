@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 
 namespace dsw {
 namespace {
@@ -90,8 +91,8 @@ class SightWalk {
   /** Whether local vertices of a cell are all of the target's, or more. */
   bool has_target(Cell c, const uint16_t* local, uint32_t count) const noexcept {
     if (target_count_ == 0) return false;
-    return std::all_of(target_, target_ + target_count_, [&](uint32_t v) {
-      return std::any_of(local, local + count, [&](uint16_t i) { return env_.map.vertex(c, i) == v; });
+    return dsw::all_of(target_, target_ + target_count_, [&](uint32_t v) {
+      return dsw::any_of(local, local + count, [&](uint16_t i) { return env_.map.vertex(c, i) == v; });
     });
   }
   bool is_at_target(Cell c, const Shape& shape, uint32_t facet) const noexcept {
@@ -114,7 +115,7 @@ class ObstacleInCell {
   ObstacleInCell(const Map<D>& map, Cell c, const Shape& shape, const uint32_t* vertices, uint32_t count) noexcept
       : shape_(shape), count_(count) {
     for (uint32_t i = 0; i < shape.vertex_count(); ++i) {
-      const uint32_t* const at = std::find(vertices, vertices + count, map.vertex(c, i));
+      const uint32_t* const at = dsw::find(vertices, vertices + count, map.vertex(c, i));
       if (at != vertices + count) local_[at - vertices] = i;
     }
   }

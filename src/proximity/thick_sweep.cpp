@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/search.h"
+
 namespace dsw {
 namespace {
 
@@ -90,11 +92,11 @@ bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, double 
   // Floods that are remembered go round the part, others only round what it sweeps.
   if (notes != nullptr && swept.way <= reach) {
     const NearView<D> view = lists_.near(body, Part<D>(body, swept.part), 0, reach + swept.way, *notes);
-    return std::all_of(view.near.obstacles().begin(), view.near.obstacles().end(),
+    return dsw::all_of(view.near.obstacles().begin(), view.near.obstacles().end(),
                        [&](uint32_t i) { return look(view.list, view.list.obstacles()[i]); });
   }
   const NearList<D>& list = lists_.in(swept.start, NearRegion<D>(swept.hull.points, swept.hull.count, reach));
-  return std::all_of(list.obstacles().begin(), list.obstacles().end(),
+  return dsw::all_of(list.obstacles().begin(), list.obstacles().end(),
                      [&](const WallFeature& obstacle) { return look(list, obstacle); });
 }
 
@@ -107,7 +109,7 @@ bool ThickSweep<D>::visit_partner(const Partners<D>& partners, uint32_t number, 
     const SimplexCorners<D> corners(other, part);
     const auto is_joined = [&](uint32_t v) { return joined_.has(v); };
     if (is_covered(other, part)) return true;
-    if (&other == &body && std::any_of(corners.begin(), corners.end(), is_joined)) return true;
+    if (&other == &body && dsw::any_of(corners.begin(), corners.end(), is_joined)) return true;
     Thing thing{{{}, corners.count}, wanted, number, part, nullptr, nullptr};
     for (uint32_t i = 0; i < corners.count; ++i) thing.hull.points[i] = other.position(corners.vertices[i]);
     return !is_in(box, thing.hull) || visit(thing);

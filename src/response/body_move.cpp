@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <new>
 
+#include "base/search.h"
 #include "base/vec.h"
 #include "contact/describe.h"
 #include "motion/halving.h"
@@ -157,7 +158,7 @@ bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may
   // Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are
   // cast where their ends arrive, or by the later of these, which moves alone.
   const auto is_free = [&](uint32_t v) { return casts_.is_star_free(v); };
-  if (may_skip && !std::all_of(strays_.begin(), strays_.end(), is_free)) return false;
+  if (may_skip && !dsw::all_of(strays_.begin(), strays_.end(), is_free)) return false;
   if (settings.passes != 0) go_on(settings, record);
   return true;
 }

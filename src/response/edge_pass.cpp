@@ -1,8 +1,7 @@
 #include "response/edge_pass.h"
 
-#include <algorithm>
-
 #include "base/compiler.h"
+#include "base/search.h"
 
 namespace dsw {
 
@@ -236,7 +235,7 @@ template <int D>
 bool FacePass<D>::is_boxed(uint32_t f) {
   const uint32_t(&corners)[3] = course_.motion.body->faces[f].corners;
   const auto from = [&](int k) { return course_.motion.ways[corners[k]].from; };
-  const bool stays = std::none_of(corners, corners + 3, [&](uint32_t v) { return course_.moves(v); });
+  const bool stays = dsw::none_of(corners, corners + 3, [&](uint32_t v) { return course_.moves(v); });
   if (stays || !BoxProbe<D>::suits(env_, from(0))) return false;
   Bounds<D> box(course_.motion.body->position(corners[0]));
   for (const uint32_t v : corners) course_.include_way(v, box);

@@ -1,23 +1,28 @@
 #include "response/rigid_move.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace dsw {
 
 template <int D>
 RigidMove<D>::RigidMove(const double* quaternion, const double* centre, const double* translation) noexcept
-    : rotation_(quaternion), centre_(to_vec<3>(centre)), translation_(to_vec<3>(translation)) {
-  rotation_.coeffs() /= rotation_.coeffs().cwiseAbs().maxCoeff();  // squares neither over- nor underflow
-  rotation_.normalize();
-  if (rotation_.w() < 0) rotation_.coeffs() *= -1;
+    : centre_(to_vec<3>(centre)), translation_(to_vec<3>(translation)) {
+  double size = 0;
+  for (int k = 0; k < 4; ++k) size = std::max(size, std::fabs(quaternion[k]));
+  for (int k = 0; k < 4; ++k) rotation_[k] = quaternion[k] / size;  // squares neither over- nor underflow
+  normalise(rotation_);
+  if (rotation_[3] < 0) {
+    for (double& each : rotation_) each *= -1;
+  }
 }
 
 template <int D>
 RigidMotion<D> RigidMove<D>::part(double fraction) const noexcept {
-  Eigen::Quaterniond q;
-  q.vec() = fraction * rotation_.vec();
-  q.w() = (1 - fraction) + fraction * rotation_.w();
-  q.normalize();
   RigidMotion<D> part;
-  std::copy_n(q.coeffs().data(), 4, part.rotation);
+  store<3>(fraction * to_vec<3>(rotation_), part.rotation);
+  part.rotation[3] = (1 - fraction) + fraction * rotation_[3];
+  normalise(part.rotation);
   store<D>(centre_, part.centre);
   store<D>(fraction * translation_, part.translation);
   return part;
@@ -26,10 +31,10 @@ RigidMotion<D> RigidMove<D>::part(double fraction) const noexcept {
 template <int D>
 TurningWay RigidMove<D>::way() const noexcept {
   TurningWay way{{{0, 0, 0, 1}, {}}, {}, {}};
-  std::copy_n(rotation_.coeffs().data(), 4, way.turn[1]);
+  std::copy_n(rotation_, 4, way.turn[1]);
   for (int k = 0; k < 3; ++k) {
     // What does not turn goes the same way about every centre: about 0 nothing is rounded.
-    way.centre[k] = way.place[0][k] = is_zero(Vec(rotation_.vec())) ? 0 : centre_[k];
+    way.centre[k] = way.place[0][k] = is_zero(to_vec<3>(rotation_)) ? 0 : centre_[k];
     way.place[1][k] = way.place[0][k] + translation_[k];
   }
   return way;
@@ -49,7 +54,7 @@ Box<D> RigidMove<D>::reach(const Body<D>& body) const noexcept {
   radius *= 1 + 0x1p-20;
   Box<D> box;
   for (const double way : {0.0, 1.0}) {
-    const Vec at = centre_ + way * translation_, room = Vec::Constant(radius) + 0x1p-40 * at.cwiseAbs();
+    const Vec at = centre_ + way * translation_, room = Vec::Constant(radius) + 0x1p-40 * at.magnitudes();
     const Vec low = at - room, high = at + room;
     box.add(low.data());
     box.add(high.data());

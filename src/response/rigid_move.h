@@ -27,7 +27,7 @@ class RigidMove {
   Box<D> reach(const Body<D>& body) const noexcept;
 
  private:
-  Eigen::Quaterniond rotation_;  // of length 1
+  double rotation_[4];  // a quaternion of length 1
   Vec centre_, translation_;
 };
 

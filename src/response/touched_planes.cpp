@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/search.h"
+
 namespace dsw {
 namespace {
 
@@ -61,7 +63,7 @@ class NearestPoint {
     return worst;
   }
   bool is_active(int i) const noexcept {
-    return std::find(active_, active_ + active_count_, i) != active_ + active_count_;
+    return dsw::find(active_, active_ + active_count_, i) != active_ + active_count_;
   }
   void remove(int i) noexcept {
     int* const end = std::remove(active_, active_ + active_count_, i);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/search.h"
 #include "contact/describe.h"
 
 namespace dsw {
@@ -30,7 +31,7 @@ bool Turns<D>::start_pass(const Body<D>& body, bool meets_bodies) {
   waiting_.clear();
   std::swap(waiting_, stopped_);
   std::reverse(waiting_.begin(), waiting_.end());
-  return std::any_of(waiting_.begin(), waiting_.end(), [&](uint32_t v) { return may_go_on(body, v, meets_bodies); });
+  return dsw::any_of(waiting_.begin(), waiting_.end(), [&](uint32_t v) { return may_go_on(body, v, meets_bodies); });
 }
 
 template <int D>

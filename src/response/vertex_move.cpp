@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/points.h"
+#include "base/search.h"
 #include "contact/describe.h"
 #include "response/insertion.h"
 #include "walk/retreat.h"
@@ -267,7 +268,7 @@ bool VertexMove<D>::may_split(uint32_t v, const dsw_body_contact& contact) const
   if (contact.edge.generation == 0) return false;
   if (settings_.edge != Response::kHybrid) return true;
   const uint32_t fixed = body_.edges[contact.edge.index].other(v);
-  return std::none_of(record_.edits.begin(), record_.edits.end(),
+  return dsw::none_of(record_.edits.begin(), record_.edits.end(),
                       [fixed](const dsw_body_edit& edit) { return edit.vertex.index == fixed; });
 }
 
@@ -287,7 +288,7 @@ bool VertexMove<D>::insert(uint32_t v, const dsw_body_contact& contact) {
     const auto holds = [&](const Part& part) {
       return part.from_share < at.edge_parameter && at.edge_parameter < part.to_share;
     };
-    const auto part = std::find_if(parts.begin(), parts.end(), holds);
+    const auto part = dsw::find_if(parts.begin(), parts.end(), holds);
     if (part == parts.end()) continue;
     const uint32_t middle = put_on(*part, size, at, i == 0);
     if (middle == kNone) continue;

@@ -5,6 +5,7 @@
 #include "scene/edits.h"
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "map/cell_queue.h"
 #include "scene/live_register.h"
 #include "scene/near_bodies.h"
@@ -144,7 +145,7 @@ class Followers {
       Array<Corridor<D>>& corridors = scene_.bodies[slot].body.corridors;
       for (uint32_t e = 0; e < corridors.size(); ++e) {
         const Array<uint32_t>& facets = corridors[e].facets;
-        if (std::any_of(facets.begin(), facets.end(), is_gone)) visit(slot, e, corridors[e]);
+        if (dsw::any_of(facets.begin(), facets.end(), is_gone)) visit(slot, e, corridors[e]);
       }
     }
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/dimensions.h"
-#include "base/vec.h"
+#include "base/eigen.h"
 #include "environment/marking.h"
 #include "locate/locate.h"
 #include "proximity/thick_sweep.h"

@@ -1,6 +1,6 @@
 #include "scene/gone_facets.h"
 
-#include <algorithm>
+#include "base/search.h"
 
 namespace dsw {
 namespace {
@@ -51,7 +51,7 @@ void GoneFacets<D>::note(const Edit<D>& edit) noexcept {
 
 template <int D>
 bool GoneFacets<D>::are_in(const Corridor<D>& corridor, uint64_t since) const noexcept {
-  return std::any_of(corridor.facets.begin(), corridor.facets.end(), [&](uint32_t word) {
+  return dsw::any_of(corridor.facets.begin(), corridor.facets.end(), [&](uint32_t word) {
     const uint32_t i = words_.find(word);
     return i != KeyTable::kNone && last_[i] > since;
   });

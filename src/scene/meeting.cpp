@@ -6,6 +6,7 @@
 
 #include "base/dimensions.h"
 #include "base/disjoint_sets.h"
+#include "base/search.h"
 #include "scene/scene.h"
 
 namespace dsw {
@@ -94,7 +95,7 @@ template <int D>
 void find_partners_at_rest(const Scene<D>& scene, const Body<D>& body, double limit, Partners<D>& partners) {
   find_partners(scene, body, widened(reach_of(body), limit), partners);
   const auto is_itself = [&](const Partner<D>& each) { return each.body == &body; };
-  const bool is_listed = std::any_of(partners.all.begin(), partners.all.end(), is_itself);
+  const bool is_listed = dsw::any_of(partners.all.begin(), partners.all.end(), is_itself);
   if (body.filter.self && !is_listed) partners.add({&body, kNone, 0});
 }
 

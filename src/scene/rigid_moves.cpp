@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/eigen.h"
 #include "base/vec.h"
 #include "response/body_move.h"
 #include "response/touched_planes.h"

@@ -3,6 +3,7 @@
 #include <initializer_list>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "scene/live_register.h"
 #include "scene/scene.h"
 #include "snapshot/body_format.h"
@@ -44,7 +45,7 @@ void append_sequence(const Map<D>& map, const Corridor<D>& sequence, Array<uint3
   if (!sequence.known() || !is_whole(map, sequence.facets)) return append(out, {kUnknownSequence});
   // In the plane rows are of polygons that are known to be convex: none, once points have moved.
   const bool in_rows =
-      sequence.in_rows && (D == 3 || std::all_of(sequence.facets.begin(), sequence.facets.end(),
+      sequence.in_rows && (D == 3 || dsw::all_of(sequence.facets.begin(), sequence.facets.end(),
                                                  [&](uint32_t facet) { return map.convex(map.cell_of({facet})); }));
   append(out, {2 * static_cast<uint32_t>(sequence.facets.size()) + (in_rows ? 1 : 0)});
   for (const uint32_t facet : sequence.facets) {

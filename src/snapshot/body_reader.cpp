@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "body/integrity.h"
 #include "contact/geometry.h"
 #include "contact/names.h"
@@ -44,7 +45,7 @@ dsw_volume_id behind_wall(const Environment<D>& env, const dsw_contact& contact)
 
 template <int D>
 bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept {
-  const bool finite = std::all_of(point, point + D, [](double x) { return std::isfinite(x); });
+  const bool finite = dsw::all_of(point, point + D, [](double x) { return std::isfinite(x); });
   return finite && cell.valid() && !is_closed(env, cell) && contains(env, cell, point);
 }
 
@@ -162,7 +163,7 @@ void BodyReader<D>::read_balls(Body<D>& body, uint64_t count) {
     ball.wait = words[0];
     ball.patience = words[1];
     ball.version = words[2] == 1 ? env_.obstacle_version : Portal<D>::kNever;
-    const bool finite = std::all_of(place, place + D + 1, [](double x) { return std::isfinite(x); });
+    const bool finite = dsw::all_of(place, place + D + 1, [](double x) { return std::isfinite(x); });
     if (!finite || std::isnan(ball.wanted) || words[2] > 1 || !(ball.radius > 0 || (ball.radius == 0 && words[2] == 0)))
       fail_corrupt("a clearance");
     if (words[2] == 0) continue;
@@ -264,7 +265,7 @@ void BodyReader<D>::read_shape(Body<D>& body, uint64_t rest) {
   if (rest != 0 && rest != D * uint64_t{body.vertices.size()}) fail_corrupt("the size of a shape");
   RigidShape<D>& shape = body.shape[0];
   const double* const place = take(image_.shapes, shape_, 4 + 2 * D + rest);
-  if (!std::all_of(place, place + 4 + 2 * D + rest, [](double x) { return std::isfinite(x); })) fail_corrupt("a shape");
+  if (!dsw::all_of(place, place + 4 + 2 * D + rest, [](double x) { return std::isfinite(x); })) fail_corrupt("a shape");
   std::copy_n(place, 4, shape.moved.rotation);
   std::copy_n(place + 4, D, shape.moved.centre);
   std::copy_n(place + 4 + D, D, shape.moved.translation);
@@ -279,7 +280,7 @@ void BodyReader<D>::read_radius(Body<D>& body, const uint64_t* n) {
   const bool keeps_lengths = body.keeps_lengths();
   if (n[kLengths] != (keeps_lengths ? body.edges.size() : 0)) fail_corrupt("the number of lengths");
   const double* const lengths = take(image_.lengths, length_, n[kLengths]);
-  if (!std::all_of(lengths, lengths + n[kLengths], is_length)) fail_corrupt("the length of an edge");
+  if (!dsw::all_of(lengths, lengths + n[kLengths], is_length)) fail_corrupt("the length of an edge");
   body.lengths.assign(lengths, lengths + n[kLengths]);
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "environment/builder.h"
 #include "environment/moving.h"
 #include "environment/validity.h"
@@ -238,7 +239,7 @@ void load_edge_marks(Environment<D>& env, const Array<uint64_t>& keys) {
     const auto at = std::lower_bound(keys.begin(), keys.end(), key);
     if (at != keys.end() && *at == key) found[static_cast<size_t>(at - keys.begin())] = 1;
   });
-  if (std::find(found.begin(), found.end(), 0) != found.end()) fail_corrupt("a marked edge is none");
+  if (dsw::find(found.begin(), found.end(), 0) != found.end()) fail_corrupt("a marked edge is none");
   env.edge_marks.reserve(keys.size());
   for (const uint64_t key : keys) {
     env.edge_marks.insert(static_cast<uint32_t>(key >> 32), static_cast<uint32_t>(key));
@@ -361,7 +362,7 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   if (has_parents) reader.read(env.parents);
   env.points = env.owned_points.data();
   const auto is_finite = [](double x) { return std::isfinite(x); };
-  if (!moving && !std::all_of(env.owned_points.begin(), env.owned_points.end(), is_finite)) {
+  if (!moving && !dsw::all_of(env.owned_points.begin(), env.owned_points.end(), is_finite)) {
     fail_corrupt("a point is not finite");
   }
   restore_shapes(map, changed);

@@ -1,5 +1,6 @@
 #include "split/cell_parts.h"
 
+#include "base/search.h"
 #include "environment/validity.h"
 #include "predicates/turn.h"
 #include "split/ears.h"
@@ -90,7 +91,7 @@ void CellParts<2>::append(size_t cell, Cell, uint32_t part, Loops& out) const {
   uint32_t v = sides[0].v[0];
   do {
     out.vertices.push_back(v);
-    v = std::find_if(sides.begin(), sides.end(), [v](const PartSide<2>& s) { return s.v[0] == v; })->v[1];
+    v = dsw::find_if(sides.begin(), sides.end(), [v](const PartSide<2>& s) { return s.v[0] == v; })->v[1];
   } while (v != sides[0].v[0]);
   out.end_loop();
 }

@@ -1,5 +1,7 @@
 #include "split/crossing.h"
 
+#include "base/search.h"
+
 namespace dsw {
 namespace {
 
@@ -43,7 +45,7 @@ bool line_meets(const double* const (&t)[3], const double* p, const double* q) n
 bool edge_meets(const PartPoints<3>& at, uint32_t u, uint32_t v, const PartSide<3>& triangle) noexcept {
   const double* const t[3] = {at[triangle.v[0]], at[triangle.v[1]], at[triangle.v[2]]};
   const uint32_t* const end = triangle.v + 3;
-  const uint32_t *const of_u = std::find(triangle.v, end, u), *const of_v = std::find(triangle.v, end, v);
+  const uint32_t *const of_u = dsw::find(triangle.v, end, u), *const of_v = dsw::find(triangle.v, end, v);
   if (of_u != end && of_v != end) return false;
   const double *const p = at[u], *const q = at[v];
   if (of_u != end) return orient<3>(t, q) == 0 && goes_into(t, static_cast<int>(of_u - triangle.v), q);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/search.h"
 #include "predicates/turn.h"
 #include "split/ears.h"
 
@@ -36,7 +37,7 @@ class View {
     return turn_sign<3>(env_.point(a), env_.point(b), env_.point(c), axis_) * sense_;
   }
   bool are_alike(const PartHull<3>& triangles) const {
-    return std::all_of(triangles.begin(), triangles.end(),
+    return dsw::all_of(triangles.begin(), triangles.end(),
                        [this](const PartSide<3>& t) { return (*this)(t.v[0], t.v[1], t.v[2]) > 0; });
   }
 
@@ -129,7 +130,7 @@ bool FacetCuts::cut(HalfFacet h, const Array<uint32_t>& loop, PartHull<3>& out) 
 /** Whether triangles of a facet are turned alike, and positive seen from the centre of a cell that stays. */
 bool FacetCuts::is_good(HalfFacet h, const Array<uint32_t>& loop, const PartHull<3>& triangles) const {
   const Views views = Views::of(env_, loop);
-  if (!std::any_of(views.at, views.at + 3, [&](const View& turn) { return turn.are_alike(triangles); })) return false;
+  if (!dsw::any_of(views.at, views.at + 3, [&](const View& turn) { return turn.are_alike(triangles); })) return false;
   const HalfFacet other = env_.map.opposite(h);
   for (const HalfFacet side : {h, other}) {
     if (!side.valid() || is_split(side)) continue;

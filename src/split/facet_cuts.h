@@ -2,6 +2,7 @@
 // The triangles of the facets of cells that are to be split.
 
 #include "base/key_table.h"
+#include "base/search.h"
 #include "split/parts.h"
 
 namespace dsw {
@@ -32,7 +33,7 @@ class FacetCuts {
   /** Its triangles take its place. */
   void break_up(uint32_t i) { is_broken_[i] = 1; }
   bool is_broken(uint32_t i) const { return is_broken_[i] != 0; }
-  bool any_broken() const { return std::find(is_broken_.begin(), is_broken_.end(), 1) != is_broken_.end(); }
+  bool any_broken() const { return dsw::find(is_broken_.begin(), is_broken_.end(), 1) != is_broken_.end(); }
 
  private:
   void add(HalfFacet h);

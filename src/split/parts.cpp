@@ -2,7 +2,9 @@
 
 #include "base/dimensions.h"
 #include "base/disjoint_sets.h"
+#include "base/search.h"
 #include "environment/validity.h"
+#include "predicates/filtered.h"
 
 namespace dsw {
 namespace {
@@ -12,7 +14,7 @@ Array<uint32_t> vertices_of(const PartHull<D>& boundary) {
   Array<uint32_t> vertices(boundary.get_allocator());
   for (const PartSide<D>& s : boundary) {
     for (const uint32_t v : s.v) {
-      if (std::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
+      if (dsw::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
     }
   }
   return vertices;
@@ -24,7 +26,7 @@ bool is_positive(const PartPoints<D>& at, const PartHull<D>& boundary, const Arr
   if (vertices.size() != D + 1) return false;
   const double* points[D];
   for (int k = 0; k < D; ++k) points[k] = at[boundary[0].v[k]];
-  return std::any_of(vertices.begin(), vertices.end(), [&](uint32_t v) { return orient<D>(points, at[v]) < 0; });
+  return dsw::any_of(vertices.begin(), vertices.end(), [&](uint32_t v) { return orient<D>(points, at[v]) < 0; });
 }
 
 /** A side between two parts. */

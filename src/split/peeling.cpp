@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/disjoint_sets.h"
+#include "base/search.h"
 #include "split/crossing.h"
 #include "split/inner_point.h"
 
@@ -86,7 +87,7 @@ class Rest {
     }
     std::stable_sort(corners.begin(), corners.end(),
                      [](const Corner& x, const Corner& y) { return x.merit > y.merit; });
-    const auto found = std::find_if(corners.begin(), corners.end(), [this](const Corner& x) { return is_free(x); });
+    const auto found = dsw::find_if(corners.begin(), corners.end(), [this](const Corner& x) { return is_free(x); });
     if (found == corners.end()) return false;
     best = *found;
     return true;
@@ -94,7 +95,7 @@ class Rest {
   PartHull<3> without(const Corner& corner) const {
     PartHull<3> left(triangles_);
     for (const PartSide<3>& side : corner.boundary(at_.memory())) {
-      const auto place = std::find(left.begin(), left.end(), side);
+      const auto place = dsw::find(left.begin(), left.end(), side);
       if (place != left.end()) {
         left.erase(place);
       } else {
@@ -175,24 +176,24 @@ class Rest {
     if (has(turned(x.inner(0))) || has(turned(x.inner(1)))) return false;
     const bool is_new_edge = !has_inner[0] && !has_inner[1];
     if (is_new_edge && (find(x.c, x.d) != nullptr || find(x.d, x.c) != nullptr)) return false;
-    if (std::any_of(vertices_.begin(), vertices_.end(), [&](uint32_t v) { return !x.has(v) && is_in(x, v); })) {
+    if (dsw::any_of(vertices_.begin(), vertices_.end(), [&](uint32_t v) { return !x.has(v) && is_in(x, v); })) {
       return false;
     }
     for (int k = 0; k < 2; ++k) {
       if (has_inner[k]) continue;
       const PartSide<3> inner = x.inner(k);
-      const bool meets = std::any_of(sides_.begin(), sides_.end(), [&](const Side& side) {
+      const bool meets = dsw::any_of(sides_.begin(), sides_.end(), [&](const Side& side) {
         return side.from < side.to && edge_meets(at_, side.from, side.to, inner);
       });
       if (meets) return false;
     }
-    return !is_new_edge || std::none_of(triangles_.begin(), triangles_.end(), [&](const PartSide<3>& triangle) {
+    return !is_new_edge || dsw::none_of(triangles_.begin(), triangles_.end(), [&](const PartSide<3>& triangle) {
       return edge_meets(at_, x.c, x.d, triangle);
     });
   }
   bool is_in(const Corner& x, uint32_t v) const {
     const uint32_t sides[4][3] = {{x.a, x.b, x.c}, {x.b, x.a, x.d}, {x.c, x.b, x.d}, {x.a, x.c, x.d}};
-    return std::all_of(sides, sides + 4, [&](const uint32_t(&side)[3]) {
+    return dsw::all_of(sides, sides + 4, [&](const uint32_t(&side)[3]) {
       const double* const points[3] = {at_[side[0]], at_[side[1]], at_[side[2]]};
       return orient<3>(points, at_[v]) <= 0;
     });
@@ -252,8 +253,8 @@ bool peel(PartPoints<3>& at, const PartHull<3>& surface, uint32_t order, bool ma
 }
 
 bool meets_itself(const PartPoints<3>& at, const PartHull<3>& surface) {
-  return std::any_of(surface.begin(), surface.end(), [&](const PartSide<3>& s) {
-    return std::any_of(surface.begin(), surface.end(), [&](const PartSide<3>& other) {
+  return dsw::any_of(surface.begin(), surface.end(), [&](const PartSide<3>& s) {
+    return dsw::any_of(surface.begin(), surface.end(), [&](const PartSide<3>& other) {
       for (int k = 0; k < 3; ++k) {
         if (edge_meets(at, s.v[k], s.v[(k + 1) % 3], other)) return true;
       }

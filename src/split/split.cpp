@@ -4,6 +4,7 @@
 
 #include "base/dimensions.h"
 #include "base/error.h"
+#include "base/search.h"
 #include "environment/mesh_reader.h"
 #include "split/cell_parts.h"
 
@@ -51,7 +52,7 @@ class SplitOrder {
   bool move_up(const Array<Cell>& failed) {
     Array<Cell> moved(failed);
     for (const Cell c : first_) {
-      if (std::find(failed.begin(), failed.end(), c) == failed.end()) moved.push_back(c);
+      if (dsw::find(failed.begin(), failed.end(), c) == failed.end()) moved.push_back(c);
     }
     const bool has_moved = moved.size() != first_.size();
     first_ = std::move(moved);
@@ -59,7 +60,7 @@ class SplitOrder {
   }
 
  private:
-  bool has(Cell c) const { return std::find(first_.begin(), first_.end(), c) != first_.end(); }
+  bool has(Cell c) const { return dsw::find(first_.begin(), first_.end(), c) != first_.end(); }
 
   Array<Cell> first_;
 };
@@ -144,7 +145,7 @@ class SplitMesh<D>::Writer {
       const uint32_t* const base = loops.vertices.data();  // clockwise seen from the vertex that it lacks
       for (const uint32_t v : {base[0], base[2], base[1]}) mesh_.connectivity_.push_back(v);
       for (const uint32_t v : vertices) {
-        if (std::find(base, base + 3, v) == base + 3) mesh_.connectivity_.push_back(v);
+        if (dsw::find(base, base + 3, v) == base + 3) mesh_.connectivity_.push_back(v);
       }
     }
   }

@@ -9,6 +9,7 @@
 #include <new>
 #include <utility>
 
+#include "base/search.h"
 #include "corridor/fan.h"
 #include "environment/marking.h"
 #include "predicates/filtered.h"
@@ -103,7 +104,7 @@ bool pierces_touched_line(const Environment<3>& env, const Body<3>& body, const 
   }
   if (count == 0) return false;
   const SweptTriangle triangle(m);
-  return std::any_of(near, near + count, [&](const RidgeName& line) {
+  return dsw::any_of(near, near + count, [&](const RidgeName& line) {
     return pierces(env, triangle, line) && !edge_marked(env, line.vertices[0], line.vertices[1]);
   });
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/search.h"
 #include "predicates/moving_hinge.h"
 
 namespace dsw {
@@ -20,7 +21,7 @@ bool is_single(const Body<D>& body, uint32_t v) {
 template <int D>
 bool has_corner(const Body<D>& body, const Simplex& part, uint32_t v) {
   const SimplexCorners<D> corners(body, part);
-  return std::find(corners.begin(), corners.end(), v) != corners.end();
+  return dsw::find(corners.begin(), corners.end(), v) != corners.end();
 }
 
 template <int D>
@@ -129,9 +130,9 @@ template <int D>
 void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments, const double* drift) {
   for (Ways* each : {&segments_, &vertices_, &faces_}) each->clear();
   const auto has_faces = [](const Partner<D>& each) { return covers_faces(each.body->level); };
-  const bool may_meet_faces = std::any_of(trajectories.begin(), trajectories.end(), [&](const Trajectory<D>& of) {
+  const bool may_meet_faces = dsw::any_of(trajectories.begin(), trajectories.end(), [&](const Trajectory<D>& of) {
     return has_faces(of.name) ||
-           (of.still != nullptr && std::any_of(of.still->all.begin(), of.still->all.end(), has_faces));
+           (of.still != nullptr && dsw::any_of(of.still->all.begin(), of.still->all.end(), has_faces));
   });
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
     const Trajectory<D>& of = trajectories[t];
@@ -335,7 +336,7 @@ bool BodyWays<D>::visit_touches(const Array<Trajectory<D>>& trajectories, Visit 
   }
   for (const Hinge& hinge : hinges_) {
     const Trajectory<D>& of = trajectories[hinge.trajectory];
-    if (std::none_of(hinge.vertices, hinge.vertices + 3, [&](uint32_t v) { return of.is_new[v] != 0; })) continue;
+    if (dsw::none_of(hinge.vertices, hinge.vertices + 3, [&](uint32_t v) { return of.is_new[v] != 0; })) continue;
     const double* start[3];
     const double* end[3];
     for (uint32_t i = 0; i < 3; ++i) {

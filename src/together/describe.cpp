@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "base/vec.h"
 #include "contact/describe.h"
 #include "contact/normals.h"
@@ -86,7 +87,7 @@ void describe_touches(const Environment<D>& env, Array<Trajectory<D>>& trajector
                          double sign) {
       const Trajectory<D>& of = trajectories[number];
       const SimplexCorners<D> corners(*of.motion.body, part);
-      if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return;
+      if (dsw::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return;
       of.record->add(describe_part(env, of, part, other, other_part, met, touch_of(met, sign)),
                      other == nullptr ? dsw_contact_partner{} : name_partner(*other, other_part));
     };

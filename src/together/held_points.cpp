@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "environment/validity.h"
 #include "motion/place_on_way.h"
 
@@ -48,7 +49,7 @@ bool HeldPoints<D>::moves(const Point& point) const noexcept {
 template <int D>
 bool HeldPoints<D>::has_new(const uint32_t* vertices, uint32_t vertex_count) const noexcept {
   return !knows_new_ ||
-         std::any_of(vertices, vertices + vertex_count, [&](uint32_t v) { return points_[number_of(v)].is_new; });
+         dsw::any_of(vertices, vertices + vertex_count, [&](uint32_t v) { return points_[number_of(v)].is_new; });
 }
 
 template <int D>

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "contact/describe.h"
 #include "environment/validity.h"
 #include "motion/place_on_way.h"
@@ -293,7 +294,7 @@ bool MovingWalls<D>::stays_free(const WayTouch<D>& touch, const Feature& feature
     return true;
   }
   const auto walls = walls_.begin();
-  return std::any_of(walls + static_cast<std::ptrdiff_t>(feature.first_wall),
+  return dsw::any_of(walls + static_cast<std::ptrdiff_t>(feature.first_wall),
                      walls + static_cast<std::ptrdiff_t>(feature.wall_end),
                      [&](const Wall& wall) { return is_beside(touch, wall); });
 }
@@ -335,7 +336,7 @@ void MovingWalls<D>::place(uint32_t v, double* at) const {
 
 template <int D>
 bool MovingWalls<D>::is_kept_free(const WayTouch<D>& touch) const {
-  return std::any_of(features_.begin(), features_.end(), [&](const Feature& feature) {
+  return dsw::any_of(features_.begin(), features_.end(), [&](const Feature& feature) {
     return feature.name.count == touch.wall.count &&
            std::equal(feature.name.vertices, feature.name.vertices + 3, touch.wall.vertices) &&
            stays_free(touch, feature);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/search.h"
 #include "together/moving_walls.h"
 #include "together/wall_ways.h"
 
@@ -135,7 +136,7 @@ bool StepSearch<D, Walls>::find_touches() {
 template <int D, class Walls>
 bool StepSearch<D, Walls>::are_apart(double fraction) {
   set_ends_of_touches(fraction);
-  return std::all_of(touches_.begin(), touches_.end(), [&](const WayTouch<D>& each) {
+  return dsw::all_of(touches_.begin(), touches_.end(), [&](const WayTouch<D>& each) {
     if (!first_touch(each.pair, ways_.walls.work).touches) return true;
     return each.first.time == 0 && each.other == nullptr && ways_.walls.is_kept_free(each);
   });

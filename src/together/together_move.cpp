@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "motion/halving.h"
 
 namespace dsw {
@@ -100,7 +101,7 @@ bool TogetherMove<D>::departs(Array<Trajectory<D>>& trajectories) {
   constexpr int kMostHalvings = 10;
   Halving halving;
   const Array<WayTouch<D>>& touches = ways_.first;
-  const bool starts_at_walls = std::all_of(touches.begin(), touches.end(), [](const WayTouch<D>& each) {
+  const bool starts_at_walls = dsw::all_of(touches.begin(), touches.end(), [](const WayTouch<D>& each) {
     return each.first.time == 0 && each.other == nullptr && each.part.kind != Simplex::kVertex;
   });
   while (starts_at_walls && halving.count < kMostHalvings && halving.next()) {

@@ -1,6 +1,7 @@
 #pragma once
 // A body of which all vertices move at once, and what its parts touch on their way.
 
+#include "base/search.h"
 #include "body/simplices.h"
 #include "contact/way_touch.h"
 #include "motion/moving_body.h"
@@ -43,7 +44,7 @@ struct Trajectory {
 /** Whether the way of a part has not been looked at. */
 template <int D>
 bool is_new(const Trajectory<D>& of, const SimplexCorners<D>& corners) noexcept {
-  return std::any_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.is_new[v] != 0; });
+  return dsw::any_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.is_new[v] != 0; });
 }
 
 /** Calls visit(trajectory, vertex) for the vertices of the call's bodies that touch. */

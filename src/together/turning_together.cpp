@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/search.h"
 #include "base/vec.h"
 #include "response/touch_record.h"
 
@@ -90,7 +91,7 @@ bool TurningTogether<D>::go_to(Call& call, double fraction) {
     }
   }
   steps_.move(call.trajectories, call.bodies_meet, call.settings);
-  const bool arrives = std::all_of(call.trajectories.begin(), call.trajectories.end(),
+  const bool arrives = dsw::all_of(call.trajectories.begin(), call.trajectories.end(),
                                    [](const Trajectory<D>& each) { return each.record->fraction == 1; });
   if (arrives) {
     call.at = fraction;
@@ -160,7 +161,7 @@ void TurningTogether<D>::record_contacts(Call& call, double touch, const Met& me
     call.at = at;
     if (next == 1) break;
   }
-  const bool is_known = std::any_of(call.trajectories.begin(), call.trajectories.end(),
+  const bool is_known = dsw::any_of(call.trajectories.begin(), call.trajectories.end(),
                                     [](const Trajectory<D>& each) { return !each.record->contacts.empty(); });
   if (!is_known && touch <= 1) record_met(call, met);
   for (size_t i = 0; i < call.bodies.size(); ++i) {

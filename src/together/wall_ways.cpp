@@ -14,6 +14,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "predicates/filtered.h"
 #include "together/kept_sides.h"
 #include "walk/retreat.h"
@@ -180,7 +181,7 @@ template <class Visit>
 bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit) {
   const SimplexCorners<D> corners(*of.motion.body, part);
   if (!is_new(of, corners)) return true;
-  if (std::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
+  if (dsw::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
   ++counts.swept;
   double limit = 1;
   for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
@@ -242,7 +243,7 @@ bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& nea
       touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.name.vertices[k]);
     }
     if (!boxes_overlap(touch.pair, touch.comes_first ? 0 : 1)) continue;
-    if (std::any_of(near.numbers + feature.first_plane, near.numbers + feature.plane_end, is_beside_plane)) continue;
+    if (dsw::any_of(near.numbers + feature.first_plane, near.numbers + feature.plane_end, is_beside_plane)) continue;
     if (keeps_sides(touch.pair, count, touch.comes_first)) continue;
     // Times are those on the whole way, not up to the limit.
     WayTouch<D> found = touch;
@@ -260,7 +261,7 @@ bool WallWays<D>::is_alone(const PartWay& way) {
   const Trajectory<D>& of = way.of;
   const SimplexCorners<D>& corners = way.corners;
   const Cell cell = of.motion.body->vertices[corners.vertices[0]].cell;
-  const bool stays = std::all_of(corners.begin(), corners.end(), [&](uint32_t v) {
+  const bool stays = dsw::all_of(corners.begin(), corners.end(), [&](uint32_t v) {
     return of.motion.body->vertices[v].cell == cell && of.motion.ways[v].arrival == cell;
   });
   if ((stays && env_.map.convex(cell)) || near_.is_alone(of, way.part)) return true;
@@ -274,7 +275,7 @@ template <int D>
 bool WallWays<D>::is_beside(const WallPlane<D>& plane, const double* const* points, uint32_t count) const {
   const int side = plane_side<D>(plane.corners, points[0], NoTally{}).sign;
   if (side == 0) return false;
-  return std::all_of(points + 1, points + count,
+  return dsw::all_of(points + 1, points + count,
                      [&](const double* each) { return plane_side<D>(plane.corners, each, NoTally{}).sign == side; });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/search.h"
 #include "base/vec.h"
 #include "motion/place_on_way.h"
 #include "together/describe.h"
@@ -96,7 +97,7 @@ void WholeWays<D, Walls>::retreat(Array<Trajectory<D>>& trajectories) {
   const auto touches = [&](const WayTouch<D>& each) { return first_touch(each.pair, &work_).touches; };
   for (int tries = 0; tries < kMostTries && step < time; ++tries, step *= 2) {
     set_ends(trajectories, time - step);
-    if (std::any_of(first.begin(), first.end(), touches)) continue;
+    if (dsw::any_of(first.begin(), first.end(), touches)) continue;
     if (is_free(trajectories)) return;
   }
   set_ends(trajectories, 0);

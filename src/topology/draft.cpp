@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "base/search.h"
 #include "environment/recut.h"
 #include "predicates/filtered.h"
 
@@ -27,7 +28,7 @@ void sort_triangles(const FacetDraft& facet, Vertices& out) {
 bool part_between(CellDraft& whole, const Vertices& ends, CellDraft& left, CellDraft& right) {
   Array<uint32_t> sides(ends.get_allocator());
   const auto starts = [&](const FacetDraft& side) { return side.loop[0] == ends[1]; };
-  const auto first = std::find_if(whole.facets.begin(), whole.facets.end(), starts);
+  const auto first = dsw::find_if(whole.facets.begin(), whole.facets.end(), starts);
   if (first == whole.facets.end() || !order_sides(whole, static_cast<uint32_t>(first - whole.facets.begin()), sides)) {
     return false;
   }
@@ -209,7 +210,7 @@ bool share_triangles(const FacetDraft& whole, FacetDraft& a, FacetDraft& b) {
   for (size_t t = 0; t < whole.triangles.size(); t += 3) {
     const uint32_t* const first = whole.triangles.begin() + t;
     const auto is_in = [&](const FacetDraft& part) {
-      return std::all_of(first, first + 3, [&](uint32_t v) { return part.has(v); });
+      return dsw::all_of(first, first + 3, [&](uint32_t v) { return part.has(v); });
     };
     const bool in_a = is_in(a);
     if (!in_a && !is_in(b)) return false;

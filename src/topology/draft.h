@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "base/short_array.h"
 #include "environment/environment.h"
 
@@ -120,7 +121,7 @@ class Numbering {
   };
 
   uint32_t find(uint32_t vertex) {
-    const auto at = std::find(listed_.begin(), listed_.end(), vertex);
+    const auto at = dsw::find(listed_.begin(), listed_.end(), vertex);
     const auto number = static_cast<uint32_t>(at - listed_.begin());
     if (at == listed_.end()) listed_.push_back(vertex);
     return number;

@@ -4,6 +4,7 @@
 #include "base/dimensions.h"
 #include "base/error.h"
 #include "base/position.h"
+#include "base/search.h"
 #include "environment/marking.h"
 #include "map/cell_queue.h"
 #include "predicates/filtered.h"
@@ -21,7 +22,7 @@ Vertices take_out(FacetDraft& facet, uint32_t vertex) {
   while (hole.back() != last) {
     for (size_t t = 0; t < facet.triangles.size(); t += 3) {
       const auto first = facet.triangles.begin() + static_cast<ptrdiff_t>(t);
-      const auto corner = std::find(first, first + 3, vertex);
+      const auto corner = dsw::find(first, first + 3, vertex);
       if (corner == first + 3) continue;
       const uint32_t place = static_cast<uint32_t>(corner - first);
       if (first[(place + 1) % 3] != hole.back()) continue;
@@ -136,7 +137,7 @@ class Collapse {
       for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
         const uint16_t* const local = shape.simplices() + D * s;
         const auto has = [&](uint32_t v) {
-          return std::any_of(local, local + D, [&](uint32_t corner) { return map_.vertex(c, corner) == v; });
+          return dsw::any_of(local, local + D, [&](uint32_t corner) { return map_.vertex(c, corner) == v; });
         };
         if (!has(from_) || has(to_) || map_.opposite(map_.half_facet(c, shape.simplex_facets(D)[s])).valid()) continue;
         const double* simplex[D];
@@ -163,7 +164,7 @@ class Collapse {
   void pass_flat(FacetDraft& facet) const {
     for (;;) {
       const Cell behind = facet.far.valid() ? map_.cell_of(facet.far) : Cell{};
-      const auto flat = std::find_if(flat_.begin(), flat_.end(), [&](const Flat& f) { return f.cell == behind; });
+      const auto flat = dsw::find_if(flat_.begin(), flat_.end(), [&](const Flat& f) { return f.cell == behind; });
       if (!behind.valid() || flat == flat_.end()) return;
       const HalfFacet exit = flat->sides[flat->sides[0] == facet.far ? 1 : 0];
       facet.marked = facet.marked || map_.facet_marked(exit);

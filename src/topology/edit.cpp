@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/position.h"
+#include "base/search.h"
 #include "environment/marking.h"
 #include "environment/validity.h"
 #include "map/integrity.h"
@@ -428,7 +429,7 @@ template <int D>
 void Edit<D>::reserve_labels() {
   const auto reserve = [&](auto& labels, auto label_of, bool& made) {
     if (labels.empty()) {
-      if (std::all_of(drafts_.begin(), drafts_.end(), [&](const CellDraft& draft) { return label_of(draft) == 0; }))
+      if (dsw::all_of(drafts_.begin(), drafts_.end(), [&](const CellDraft& draft) { return label_of(draft) == 0; }))
         return;
       labels.reserve(map_.index_count() + fresh_);
       labels.assign(map_.index_count(), 0);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/position.h"
+#include "base/search.h"
 #include "environment/marking.h"
 
 namespace dsw {
@@ -110,7 +111,7 @@ void Merging::offer(uint32_t a, bool higher_only) {
     const uint32_t b = root_beyond({facets[f]});
     if (b == kNoCell || (higher_only && b < a)) continue;
     Neighbour* const at =
-        std::find_if(neighbours, neighbours + found, [&](const Neighbour& neighbour) { return neighbour.root == b; });
+        dsw::find_if(neighbours, neighbours + found, [&](const Neighbour& neighbour) { return neighbour.root == b; });
     if (at == neighbours + found) neighbours[found++] = {b, 0, false};
     at->shared += area_of({facets[f]});
     at->kept |= is_kept({facets[f]});

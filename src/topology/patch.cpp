@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/position.h"
+#include "base/search.h"
 #include "environment/validity.h"
 #include "predicates/filtered.h"
 
@@ -199,7 +200,7 @@ uint32_t fill_with_tetrahedra(Edit<3>& edit, const Patch& patch, uint32_t& pairs
     CellDraft draft = like(env, patch.cells[used++]);
     for (uint32_t k = 0; k < 3; ++k) {
       const uint32_t a = base.loop[k], b = base.after(k);
-      const auto beyond = std::find_if(rim.begin(), rim.end(), [&](const FacetDraft& facet) {
+      const auto beyond = dsw::find_if(rim.begin(), rim.end(), [&](const FacetDraft& facet) {
         const uint32_t at = facet.place_of(b);
         return at != facet.loop.size() && facet.after(at) == a;
       });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/search.h"
 #include "environment/validity.h"
 
 namespace dsw {
@@ -31,7 +32,7 @@ bool join(const Environment<3>& env, const uint32_t* facets, uint32_t count, Sur
     corners_of(env, {facets[f]}, corners);
     for (uint32_t k = 0; k < 3; ++k) {
       uint32_t* const end = surface.vertices + surface.vertex_count;
-      uint32_t* const at = std::find(surface.vertices, end, corners[k]);
+      uint32_t* const at = dsw::find(surface.vertices, end, corners[k]);
       if (at == end) {
         if (surface.vertex_count == expected) return false;
         surface.vertices[surface.vertex_count++] = corners[k];

@@ -5,6 +5,7 @@
 #include "topology/repair.h"
 
 #include "base/points.h"
+#include "base/search.h"
 #include "environment/marking.h"
 #include "environment/validity.h"
 #include "map/records.h"
@@ -137,7 +138,7 @@ bool Repair::extend(const Patch& patch, Cell seed, Cell by) {
   const auto added = trial_.cells.begin() + static_cast<ptrdiff_t>(patch.cells.size());
   const auto is_in = [&](auto first, auto last, HalfFacet h) {
     const HalfFacet o = env_.map.opposite(h);
-    return o.valid() && std::find(first, last, env_.map.cell_of(o)) != last;
+    return o.valid() && dsw::find(first, last, env_.map.cell_of(o)) != last;
   };
   trial_.rim.clear();
   bool kept = false;
@@ -197,7 +198,7 @@ bool Repair::surround(Cell seed) {
     for_each_cell_at_vertex(env_.map, env_.map.vertex(seed, k), around_, [](Cell) {});
     bool fine = start(seed);
     for (size_t i = 1; fine && i < around_.size(); ++i) {
-      if (std::find(grown_.cells.begin(), grown_.cells.end(), around_[i]) != grown_.cells.end()) continue;
+      if (dsw::find(grown_.cells.begin(), grown_.cells.end(), around_[i]) != grown_.cells.end()) continue;
       fine = extend(grown_, seed, around_[i]);
       std::swap(grown_, trial_);
     }

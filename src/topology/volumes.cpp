@@ -2,6 +2,7 @@
 
 #include "base/dimensions.h"
 #include "base/error.h"
+#include "base/search.h"
 #include "topology/operations.h"
 
 namespace dsw {
@@ -76,7 +77,7 @@ void check_loop(const Map<3>& map, Cell c, const uint32_t* loop, size_t count) {
     if (!has_edge(map, c, from, to)) {
       fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u has no edge from vertex %u to vertex %u", map.index(c), from, to);
     }
-    if (std::find(loop, loop + i, from) != loop + i) {
+    if (dsw::find(loop, loop + i, from) != loop + i) {
       fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u occurs twice in the loop", from);
     }
   }

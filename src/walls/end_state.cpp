@@ -1,6 +1,7 @@
 #include "walls/end_state.h"
 
 #include "base/points.h"
+#include "base/search.h"
 #include "contact/names.h"
 #include "environment/moving.h"
 #include "motion/place_on_way.h"
@@ -93,7 +94,7 @@ bool EndState<D>::repair(const WallSettings& settings, WallRecord& record) {
     return owner.body == nullptr || (probe_.is_free(*owner.body, {}) && is_apart(*owner.body) &&
                                      thick_.keep_at_rest(all_.partners, *owner.body));
   };
-  return std::all_of(all_.bodies.begin(), all_.bodies.end(), is_free);
+  return dsw::all_of(all_.bodies.begin(), all_.bodies.end(), is_free);
 }
 
 /** Follows points from the centres of their cells, side by side. */

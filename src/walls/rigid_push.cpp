@@ -1,6 +1,7 @@
 #include "walls/rigid_push.h"
 
 #include "base/dimensions.h"
+#include "base/eigen.h"
 #include "base/points.h"
 
 namespace dsw {
@@ -51,7 +52,9 @@ RigidPushes<D>::RigidPushes(const Body<D>& body, const double* at, const Vec& no
   }
   Eigen::Matrix3d inertia;
   inertia << xx, xy, zx, xy, yy, yz, zx, yz, zz;
-  const Vec lever = arm_ / size, torque = lever.cross(normal), spin = inertia.inverse() * torque;
+  const Vec lever = arm_ / size, torque = lever.cross(normal);
+  const Eigen::Vector3d turned = inertia.inverse() * Eigen::Vector3d(torque.data());
+  const Vec spin(turned.x(), turned.y(), turned.z());
   const double mobility = 1 / count + dot(torque, spin), impulse = depth_ / mobility;
   spin_ = impulse / size * spin;
   shift_ = impulse / count * normal;

@@ -1,5 +1,6 @@
 #include "walls/wall_move.h"
 
+#include "base/search.h"
 #include "base/vec.h"
 #include "contact/names.h"
 #include "response/insertion.h"
@@ -95,12 +96,12 @@ void WallMove<D>::look_round(uint32_t v) {
 
 template <int D>
 bool WallMove<D>::is_star_valid() const noexcept {
-  return std::all_of(star_->begin(), star_->end(), [&](Cell c) { return admits(env_, c); });
+  return dsw::all_of(star_->begin(), star_->end(), [&](Cell c) { return admits(env_, c); });
 }
 
 template <int D>
 bool WallMove<D>::has_thick() const noexcept {
-  return std::any_of(features_.begin(), features_.end(), [&](const Feature& each) {
+  return dsw::any_of(features_.begin(), features_.end(), [&](const Feature& each) {
     return each.kind != Feature::kParticle && all_.bodies[each.owner].body->radius > 0;
   });
 }
@@ -293,7 +294,7 @@ Cell WallMove<D>::find_cell(const Feature& point) const {
 
 template <int D>
 void WallMove<D>::find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid) {
-  if (std::all_of(star_->begin(), star_->end(), [&](Cell c) { return told_.contains(c); })) return;
+  if (dsw::all_of(star_->begin(), star_->end(), [&](Cell c) { return told_.contains(c); })) return;
   double from[D];
   std::copy_n(env_.point(v), D, from);
   put(v, to);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "base/vec.h"
 #include "contact/normals.h"
 #include "environment/marking.h"
@@ -118,7 +119,7 @@ void WallSweep<D>::add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t f
   for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
     std::array<uint32_t, D> corners;
     for (uint32_t k = 0; k < D; ++k) corners[k] = env_.map.vertex(c, shape.simplices()[D * s + k]);
-    const auto at = std::find(corners.begin(), corners.end(), vertex_);
+    const auto at = dsw::find(corners.begin(), corners.end(), vertex_);
     if (at == corners.end()) continue;
     std::rotate(corners.begin(), at, corners.end());
     WallFeature simplex{{kNone, kNone, kNone}, D, h, c};

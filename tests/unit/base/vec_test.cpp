@@ -1,5 +1,7 @@
-// Eigen adds and multiplies in the order that results had before it, whatever its version and the processor.
+// Vectors and Eigen add and multiply in the order that results have always had, whatever the version of Eigen and the processor.
 #include "base/vec.h"
+
+#include "base/eigen.h"
 
 #include "../../effort.h"
 
