@@ -15,6 +15,12 @@ void ObstacleFlood<D>::find(const Cell* starts, size_t count, const NearRegion<D
 }
 
 template <int D>
+void ObstacleFlood<D>::find_from(Cell start, const NearRegion<D>& region, NearList<D>& found) {
+  size_t i = cells_.size();
+  for (cells_.insert(start); i < cells_.size(); ++i) visit(cells_[i], region, found);
+}
+
+template <int D>
 uint32_t ObstacleFlood<D>::outside(uint32_t vertex, const NearRegion<D>& region) noexcept {
   Known& known = known_[vertex % kKnown];
   if (known.vertex != vertex) {

@@ -17,6 +17,8 @@ class ObstacleFlood {
   /** Appends all obstacles that may be in the region, at the passable cells that can be reached from `starts` through
    * passable facets that may be in the region. Throws std::bad_alloc. */
   void find(const Cell* starts, size_t count, const NearRegion<D>& region, NearList<D>& found);
+  /** Goes on from one more cell, unless that has been reached. */
+  void find_from(Cell start, const NearRegion<D>& region, NearList<D>& found);
   /** Makes find() append what may be in the region at any time while the environment's points go straight to `points`.
    * Null: the points stand still. */
   void set_next(const double* points) noexcept { next_ = points; }

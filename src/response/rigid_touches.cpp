@@ -2,22 +2,57 @@
 
 #include <algorithm>
 
-#include "body/near.h"
 #include "proximity/part.h"
 
 namespace dsw {
 
 // What the body touches first it comes to through passable cells that meet the region of its way. So obstacles at these
 // cells are enough.
+//
+// What is near early is asked about first: its touch leaves less of the way to look at. Of touches at one time that of the
+// first obstacle, and there of the first part, counts, whatever was asked first.
 template <int D>
 FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners) {
   first_ = {false, 1};
-  is_open_ = has_part_boxes_ = false;
-  Box<D> all;
-  uint32_t first_vertex = 0;
-  while (first_vertex < body.vertices.size() && !body.has_vertex(first_vertex)) ++first_vertex;
-  if (first_vertex == body.vertices.size()) return first_;
-  for (uint32_t piece = 0; piece < way.pieces(); ++piece) all.add(way.box(piece));
+  is_open_ = false;
+  obstacles_.clear();
+  parts_.clear();
+  others_.clear();
+  turns_.clear();
+  find_obstacles(body, way);
+  for (const WallFeature& obstacle : obstacles_.obstacles()) {
+    RigidTouch<D> wall;
+    wall.count = obstacle.count;
+    wall.facet = obstacle.facet;
+    wall.cell = obstacle.cell;
+    for (uint32_t i = 0; i < obstacle.count; ++i) {
+      wall.vertices[i] = obstacle.vertices[i];
+      wall.points[i] = env_.point(wall.vertices[i]);
+    }
+    add(way, wall);
+  }
+  for (uint32_t i = 0; partners != nullptr && i < partners->all.size(); ++i) {
+    if (partners->all[i].body != &body) add_body(way, *partners, i);
+  }
+  if (turns_.empty()) return first_;
+  find_parts(body);
+  std::sort(turns_.begin(), turns_.end(), [](const Turn& a, const Turn& b) {
+    return a.piece != b.piece ? a.piece < b.piece : a.number < b.number;
+  });
+  for (const Turn& turn : turns_) {
+    if (turn.piece > last_piece(way)) break;
+    meet(body, way, turn);
+  }
+  return first_;
+}
+
+/** Parts of a body that are not joined may be in different rooms. */
+template <int D>
+void RigidTouches<D>::find_obstacles(const Body<D>& body, const RigidWay<D>& way) {
+  uint32_t v = 0;
+  while (v < body.vertices.size() && !body.has_vertex(v)) ++v;
+  if (v == body.vertices.size()) return;
+  const Box<D>& all = way.box();
   const double* const corners[2] = {all.lower, all.upper};
   NearRegion<D> region(corners, 1, 0);
   double at[D];
@@ -25,23 +60,47 @@ FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& w
     for (uint32_t k = 0; k < D; ++k) at[k] = corners[(bits >> k) & 1][k];
     region.add(at);
   }
-  const NearList<D>& list = lists_.in(body.vertices[first_vertex].cell, region);
-  for (const WallFeature& obstacle : list.obstacles()) {
-    RigidTouch<D> wall;
-    wall.count = obstacle.count;
-    wall.facet = obstacle.facet;
-    wall.cell = obstacle.cell;
-    for (uint32_t i = 0; i < obstacle.count; ++i) {
-      wall.vertices[i] = list.name(obstacle.vertices[i]);
-      wall.points[i] = env_.point(wall.vertices[i]);
-    }
-    meet(body, way, wall);
+  flood_.find(&body.vertices[v].cell, 1, region, obstacles_);
+  while (++v < body.vertices.size()) {
+    if (body.has_vertex(v)) flood_.find_from(body.vertices[v].cell, region, obstacles_);
   }
-  if (partners == nullptr) return first_;
-  for (uint32_t i = 0; i < partners->all.size(); ++i) {
-    if (partners->all[i].body != &body) meet_body(body, way, *partners, i);
-  }
-  return first_;
+}
+
+/** Takes note of an obstacle, or of a part of another body: a triangle, a segment or a point. */
+template <int D>
+void RigidTouches<D>::add(const RigidWay<D>& way, const RigidTouch<D>& other) {
+  const auto is_near = [&](const Box<D>& box) { return box.overlaps(other.points, static_cast<int>(other.count)); };
+  if (!is_near(way.box())) return;
+  uint32_t piece = 0;
+  while (piece < way.pieces() && !is_near(way.box(piece))) ++piece;
+  if (piece == way.pieces()) return;
+  turns_.push_back({piece, static_cast<uint32_t>(others_.size())});
+  others_.push_back(other);
+}
+
+/** A body that stands: of its parts those that can touch something. */
+template <int D>
+void RigidTouches<D>::add_body(const RigidWay<D>& way, const Partners<D>& partners, uint32_t number) {
+  const Body<D>& other = *partners.all[number].body;
+  RigidTouch<D> both;
+  both.partner = number;
+  for_each_simplex(other, [&](const Simplex& simplex) {
+    const dsw::Part<D> part(other, simplex);
+    both.other = simplex;
+    both.count = part.corners.count;
+    std::copy_n(part.points, 3, both.points);
+    add(way, both);
+    return true;
+  });
+}
+
+template <int D>
+void RigidTouches<D>::find_parts(const Body<D>& body) {
+  for_each_simplex(body, [&](const Simplex& simplex) {
+    parts_.push_back({simplex, SimplexCorners<D>(body, simplex)});
+    return true;
+  });
+  beyond_.assign(2 * body.vertices.size(), ObstacleSides<D>::kApart);
 }
 
 /** The last piece in which something earlier can be touched. */
@@ -50,94 +109,91 @@ uint32_t RigidTouches<D>::last_piece(const RigidWay<D>& way) const noexcept {
   return std::min(static_cast<uint32_t>(first_.time * way.pieces()), way.pieces() - 1);
 }
 
-/** A point of a part lies between those of its corners at all times. */
+/** Where vertices are at the begin of a piece. */
 template <int D>
-void RigidTouches<D>::find_part_boxes(const Body<D>& body, const RigidWay<D>& way) {
-  has_part_boxes_ = true;
-  vertex_boxes_.resize(body.vertices.size());
-  part_boxes_.clear();
-  for_each_simplex(body, [&](const Simplex& simplex) {
-    if (simplex.kind == Simplex::kVertex) vertex_boxes_[simplex.index] = way.whole_box(simplex.index);
-    Box<D> box;
-    for (const uint32_t v : SimplexCorners<D>(body, simplex)) box.add(vertex_boxes_[v]);
-    part_boxes_.push_back(box);
-    return true;
-  });
+void RigidTouches<D>::look_from(const Body<D>& body, const RigidWay<D>& way, const ObstacleSides<D>& sides,
+                                uint32_t piece, uint16_t* beyond) const {
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v)) beyond[v] = static_cast<uint16_t>(sides.beyond(way.place(piece, v), way.room(v)));
+  }
 }
 
-/** An obstacle, or a part of another body: a triangle, a segment or a point. */
+/** In a piece a vertex is near the line between its places, and a point of a part lies between its corners at all times. */
 template <int D>
-void RigidTouches<D>::meet(const Body<D>& body, const RigidWay<D>& way, const RigidTouch<D>& other) {
-  uint32_t piece = 0;
-  const auto is_near = [&](const Box<D>& box) { return box.overlaps(other.points, static_cast<int>(other.count)); };
-  while (piece <= last_piece(way) && !is_near(way.box(piece))) ++piece;
-  if (piece > last_piece(way)) return;
-  if (!has_part_boxes_) find_part_boxes(body, way);
-  RigidTouch<D> both = other;
-  const Box<D>* box = part_boxes_.data();
-  for_each_simplex(body, [&](const Simplex& simplex) {
-    if (!is_near(*box++)) return true;
-    const SimplexCorners<D> part(body, simplex);
-    both.part = simplex;
-    for (uint32_t i = piece; i <= last_piece(way); ++i) {
-      if (!is_near(way.box(i, part.vertices, part.count))) continue;
-      touch(part, way, both);
-      break;
+void RigidTouches<D>::meet(const Body<D>& body, const RigidWay<D>& way, const Turn& turn) {
+  constexpr uint32_t kNever = ~0u;
+  RigidTouch<D> both = others_[turn.number];
+  const ObstacleSides<D> sides(both.points, both.count);
+  const auto count = static_cast<uint32_t>(body.vertices.size());
+  uint16_t *begin = beyond_.data(), *end = begin + count;
+  uint32_t known = kNever;  // the piece that begins where `end` is
+  bool has_asked = false;
+  for (uint32_t piece = turn.piece; piece <= last_piece(way); ++piece) {
+    if (!way.box(piece).overlaps(both.points, static_cast<int>(both.count))) continue;
+    std::swap(begin, end);
+    if (known != piece) look_from(body, way, sides, piece, begin);
+    look_from(body, way, sides, piece + 1, end);
+    known = piece + 1;
+    uint32_t all = ObstacleSides<D>::kApart;
+    for (uint32_t v = 0; v < count; ++v) all &= begin[v] & end[v];
+    if (all != 0) continue;
+    if (!has_asked) asked_.assign(parts_.size(), 0);
+    has_asked = true;
+    for (size_t i = 0; i < parts_.size(); ++i) {
+      uint32_t beyond = ~0u;
+      for (const uint32_t v : parts_[i].corners) beyond &= begin[v] & end[v];
+      if ((beyond & ObstacleSides<D>::kApart) != 0) continue;
+      asks_ = uint64_t{turn.number} << 32 | i;
+      touch(parts_[i], way, both, beyond, &asked_[i]);
     }
-    return true;
-  });
-}
-
-/** A body that stands: of its parts those that can touch something. */
-template <int D>
-void RigidTouches<D>::meet_body(const Body<D>& body, const RigidWay<D>& way, const Partners<D>& partners,
-                                uint32_t number) {
-  const Body<D>& other = *partners.all[number].body;
-  RigidTouch<D> both;
-  both.partner = number;
-  for_each_simplex(other, [&](const Simplex& simplex) {
-    const Part<D> part(other, simplex);
-    both.other = simplex;
-    both.count = part.corners.count;
-    std::copy_n(part.points, 3, both.points);
-    meet(body, way, both);
-    return true;
-  });
+  }
 }
 
 /** Asks about a part and an obstacle, or a part of another body. Sides of triangles and ends of edges count: what only
- * they touch is asked about as well. */
+ * they touch is asked about as well.
+ * @param beyond which ends of the obstacle the part does not come to in this piece.
+ * @param asked what has been asked about in other pieces. */
 template <int D>
-void RigidTouches<D>::touch(const SimplexCorners<D>& part, const RigidWay<D>& way, const RigidTouch<D>& touch) {
+void RigidTouches<D>::touch(const Part& part, const RigidWay<D>& way, RigidTouch<D>& touch, uint32_t beyond,
+                            uint8_t* asked) {
   const double* const* const points = touch.points;
-  const uint32_t count = touch.count;
+  const uint32_t count = touch.count, own = part.corners.count;
   TurningPair<D> pair{};
-  const uint32_t own = part.count;
-  const auto mine = [&](uint32_t i) { return way.origin(part.vertices[i]); };
+  const auto mine = [&](uint32_t i) { return way.origin(part.corners.vertices[i]); };
   const auto set = [&](uint32_t at, const double* point) { pair.start[at] = pair.end[at] = point; };
-  const auto ask_all = [&](PairKind kind, uint32_t mine_first) {
+  const auto begin = [&](PairKind kind, uint32_t mine_first) {
+    touch.part = part.name;
     pair.kind = kind;
     pair.way[mine_first != 0 ? 0 : 1] = &way.exact();
     pair.way[mine_first != 0 ? 1 : 0] = nullptr;
   };
+  const auto is_inside = [&](uint32_t side) { return (beyond & ObstacleSides<D>::kInside << side) != 0; };
+  const auto is_new = [&](uint32_t i) {
+    const bool is_first = (*asked & 1u << i) == 0;
+    *asked = static_cast<uint8_t>(*asked | 1u << i);
+    return is_first;
+  };
   if (D == 3 && own == 2 && count >= 2) {
-    ask_all(PairKind::kEdgeEdge, 1);
+    begin(PairKind::kEdgeEdge, 1);
+    set(0, mine(0));
+    set(1, mine(1));
     for (uint32_t i = 0; i < (count == 2 ? 1 : count); ++i) {
-      set(0, mine(0));
-      set(1, mine(1));
+      if (is_inside(i) || !is_new(i)) continue;
       set(2, points[i]);
       set(3, points[(i + 1) % count]);
       ask(pair, touch);
     }
   } else if (own == 1 && count == D) {
-    ask_all(D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge, 1);
+    if (!is_new(0)) return;
+    begin(D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge, 1);
     set(0, mine(0));
     for (uint32_t i = 0; i < D; ++i) set(i + 1, points[i]);
     ask(pair, touch);
   } else if (own == D) {
-    ask_all(D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge, 0);
+    begin(D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge, 0);
     for (uint32_t i = 0; i < D; ++i) set(i + 1, mine(i));
     for (uint32_t i = 0; i < count; ++i) {
+      if (is_inside(i) || is_inside((i + 2) % 3) || !is_new(i)) continue;
       set(0, points[i]);
       ask(pair, touch);
     }
@@ -157,10 +213,11 @@ void RigidTouches<D>::ask(const TurningPair<D>& pair, const RigidTouch<D>& touch
     if (first.is_open) first.touch.touches = false;
   }
   is_open_ |= first.is_open;
-  if (first.touch.touches && (!first_.touches || first.touch.time < first_.time)) {
-    first_ = first.touch;
-    touched_ = touch;
-  }
+  if (!first.touch.touches || (first_.touches && first_.time < first.touch.time)) return;
+  if (first_.touches && first_.time == first.touch.time && first_ask_ <= asks_) return;
+  first_ = first.touch;
+  first_ask_ = asks_;
+  touched_ = touch;
 }
 
 template class RigidTouches<2>;

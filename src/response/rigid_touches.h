@@ -1,7 +1,9 @@
 #pragma once
 // What a body that turns touches first, exactly: walls, marked edges and vertices, and bodies that stand.
 
-#include "proximity/near_lists.h"
+#include "body/simplices.h"
+#include "proximity/obstacle_sides.h"
+#include "proximity/obstacles_near.h"
 #include "proximity/partners.h"
 #include "response/rigid_way.h"
 
@@ -26,7 +28,14 @@ template <int D>
 class RigidTouches {
  public:
   explicit RigidTouches(const Environment<D>& env)
-      : env_(env), lists_(env, false), vertex_boxes_(env.memory), part_boxes_(env.memory) {}
+      : env_(env),
+        flood_(env),
+        obstacles_(env.memory),
+        parts_(env.memory),
+        others_(env.memory),
+        turns_(env.memory),
+        beyond_(env.memory),
+        asked_(env.memory) {}
 
   /** Finds when the body first enters something: a wall under the shift, or another body as soon as they touch. */
   FirstTouch find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners);
@@ -35,20 +44,40 @@ class RigidTouches {
   /** What find_first has found, if it enters anything. */
   const RigidTouch<D>& touched() const noexcept { return touched_; }
 
+  /** What find_first has found of the environment that can be met in the box of the way. */
+  const NearList<D>& obstacles() const noexcept { return obstacles_; }
+
  private:
-  void meet(const Body<D>& body, const RigidWay<D>& way, const RigidTouch<D>& other);
-  void meet_body(const Body<D>& body, const RigidWay<D>& way, const Partners<D>& partners, uint32_t number);
-  void touch(const SimplexCorners<D>& part, const RigidWay<D>& way, const RigidTouch<D>& touch);
+  struct Part {
+    Simplex name;
+    SimplexCorners<D> corners;
+  };
+  /** An obstacle or a part of another body, by its number, and the piece of the way that first comes near it. */
+  struct Turn {
+    uint32_t piece, number;
+  };
+  void find_obstacles(const Body<D>& body, const RigidWay<D>& way);
+  void add(const RigidWay<D>& way, const RigidTouch<D>& other);
+  void add_body(const RigidWay<D>& way, const Partners<D>& partners, uint32_t number);
+  void find_parts(const Body<D>& body);
+  void meet(const Body<D>& body, const RigidWay<D>& way, const Turn& turn);
+  void look_from(const Body<D>& body, const RigidWay<D>& way, const ObstacleSides<D>& sides, uint32_t piece,
+                 uint16_t* beyond) const;
+  void touch(const Part& part, const RigidWay<D>& way, RigidTouch<D>& touch, uint32_t beyond, uint8_t* asked);
   void ask(const TurningPair<D>& pair, const RigidTouch<D>& touch);
-  void find_part_boxes(const Body<D>& body, const RigidWay<D>& way);
   uint32_t last_piece(const RigidWay<D>& way) const noexcept;
 
   const Environment<D>& env_;
-  NearLists<D> lists_;
-  Array<Box<D>> vertex_boxes_, part_boxes_;  // around the whole ways; parts in the order of for_each_simplex
-  bool has_part_boxes_ = false;
+  ObstacleFlood<D> flood_;
+  NearList<D> obstacles_;
+  Array<Part> parts_;  // in the order of for_each_simplex
+  Array<RigidTouch<D>> others_;
+  Array<Turn> turns_;
+  Array<uint16_t> beyond_;  // by vertex, at the begin and the end of a piece
+  Array<uint8_t> asked_;    // by part
   FirstTouch first_{};
   RigidTouch<D> touched_;
+  uint64_t asks_ = 0, first_ask_ = 0;  // numbers of the pair that is asked about, and of the one that touches first
   bool is_open_ = false;
 };
 

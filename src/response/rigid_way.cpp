@@ -64,20 +64,13 @@ void RigidWay<D>::find_places(const Body<D>& body, const RigidMove<D>& motion) {
   for (uint32_t piece = 0; piece < pieces_; ++piece) {
     boxes_[piece] = at[piece];
     boxes_[piece].add(at[piece + 1]);
-    boxes_[piece] = widened(boxes_[piece], room(radius_));
+    boxes_[piece] = widened(boxes_[piece], room_of(radius_));
     whole_.add(boxes_[piece]);
   }
 }
 
 template <int D>
-Box<D> RigidWay<D>::whole_box(uint32_t vertex) const noexcept {
-  Box<D> box;
-  for (uint32_t piece = 0; piece <= pieces_; ++piece) box.add(place(piece, vertex));
-  return widened(box, room(radii_[vertex]));
-}
-
-template <int D>
-double RigidWay<D>::room(double radius) const noexcept {
+double RigidWay<D>::room_of(double radius) const noexcept {
   const double step = 1.0 / pieces_;
   return 0.125 * bend_ * radius * step * step + 0x1p-40 * largest_;
 }
@@ -91,7 +84,7 @@ Box<D> RigidWay<D>::box(uint32_t piece, const uint32_t* vertices, uint32_t count
     box.add(place(piece + 1, vertices[i]));
     radius = std::max(radius, radii_[vertices[i]]);
   }
-  return widened(box, room(radius));
+  return widened(box, room_of(radius));
 }
 
 template class RigidWay<2>;

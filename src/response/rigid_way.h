@@ -34,8 +34,8 @@ class RigidWay {
   const Box<D>& box(uint32_t piece) const noexcept { return boxes_[piece]; }
   /** A box around the ways of all vertices in all pieces. */
   const Box<D>& box() const noexcept { return whole_; }
-  /** A box around the whole way of a vertex. */
-  Box<D> whole_box(uint32_t vertex) const noexcept;
+  /** How far at most a vertex is beside the straight way between its places at both ends of a piece. */
+  double room(uint32_t vertex) const noexcept { return room_of(radii_[vertex]); }
   /** How far at most any vertex is beside the straight way between two places whose fractions differ by this. */
   double sagitta(double step) const noexcept { return 0.125 * bend_ * radius_ * step * step; }
   /** The share of the motion in which no vertex goes further than one unit in the last place. */
@@ -50,7 +50,7 @@ class RigidWay {
 
  private:
   void find_places(const Body<D>& body, const RigidMove<D>& motion);
-  double room(double radius) const noexcept;
+  double room_of(double radius) const noexcept;
 
   TurningWay way_;
   Array<double> origins_;
