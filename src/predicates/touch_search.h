@@ -151,7 +151,10 @@ class Search {
   // The root of the whole volume in this piece; `conditions` are those of the piece.
   template <class VolumeAt>
   Filtered judge_root(const Piece& piece, Filtered conditions, VolumeAt& volume_at, double* time) const noexcept {
-    if (!find_root(piece, volume_at, time)) return Filtered::kUnknown;
+    const bool rising = piece.volume.c[0] < 0;
+    const double guess = guess_root(piece, rising);
+    if (conditions == Filtered::kUnknown && is_apart_round(piece, guess)) return Filtered::kApart;
+    if (!find_root(guess, piece, volume_at, time)) return Filtered::kUnknown;
     if (conditions != Filtered::kUnknown) return conditions;
     int signs[kConditions];
     for (int i = 0; i < kConditions; ++i) {
@@ -161,10 +164,34 @@ class Search {
     return judge(kind_, signs);
   }
 
+  // Whether the pair is apart at the only root of a piece, wherever near the guess that is. Most roots are those of planes that
+  // meet beside the pair, and need not be refined.
+  bool is_apart_round(const Piece& piece, double guess) const noexcept {
+    constexpr double kRoom = 0x1p-16;
+    const double low = guess - kRoom > piece.low ? guess - kRoom : piece.low,
+                 high = guess + kRoom < piece.high ? guess + kRoom : piece.high;
+    const double first = whole.volume.at(low), last = whole.volume.at(high);
+    const double s = piece.volume.c[0] < 0 ? -1 : 1;
+    if (!(s * first > volume_error && s * last < -volume_error)) return false;
+    int signs[kConditions];
+    for (int i = 0; i < kConditions; ++i) {
+      const Curve<C + 1>& condition = whole.condition[i];
+      double steepest = 0;
+      for (int k = 0; k < C; ++k) {
+        const double rise = std::fabs(condition.c[k + 1] - condition.c[k]);
+        steepest = rise > steepest ? rise : steepest;
+      }
+      // Coefficients differ by rounding, too: so does what they rise by.
+      const double error = condition_error + 2 * kRoom * C * (steepest + 2 * condition_error);
+      const double value = condition.at(0.5 * (low + high));
+      signs[i] = value > error ? 1 : value < -error ? -1 : 0;
+    }
+    return judge(kind_, signs) == Filtered::kApart;
+  }
+
   template <class VolumeAt>
-  bool find_root(const Piece& piece, VolumeAt& volume_at, double* floor) const noexcept {
+  bool find_root(double guess, const Piece& piece, VolumeAt& volume_at, double* floor) const noexcept {
     const bool rising = piece.volume.c[0] < 0;
-    double guess = guess_root(piece, rising);
     for (int tries = 0; tries < 3; ++tries) {
       const double step = next(guess) - guess;
       const dd::Number value = volume_at(guess);

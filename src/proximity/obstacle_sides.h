@@ -37,6 +37,12 @@ class ObstacleSides {
     }
   }
 
+  /** With bits of something convex, whether it is apart from side k of the triangle, or from corner k. */
+  static bool misses_side(uint32_t beyond, uint32_t k) noexcept { return (beyond & (kApart | kInside << k)) != 0; }
+  static bool misses_corner(uint32_t beyond, uint32_t k) noexcept {
+    return misses_side(beyond, k) || misses_side(beyond, (k + 2) % 3);
+  }
+
   /** Beyond which ends all points are that are within `room` of a point. */
   uint32_t beyond(const double* point, double room) const noexcept {
     uint32_t bits = 0;

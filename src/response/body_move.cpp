@@ -86,6 +86,7 @@ bool BodyMove<D>::step(Body<D>& body, PlaceFn where, const void* user, double fr
     if (!is_finite<D>(to)) return false;  // a part of a motion can lead further than the whole
   }
   start(body, targets, order);
+  if (known_ != nullptr) find_clear_parts(env_, *known_, course_, beyond_);
   sweep_all(false, false);
   look_ahead(false);
   for (const uint32_t v : course_.order) {

@@ -3,6 +3,7 @@
 
 #include "proximity/near_edges.h"
 #include "proximity/partners.h"
+#include "response/clear_parts.h"
 #include "response/edge_pass.h"
 #include "response/settings.h"
 #include "response/turns.h"
@@ -43,6 +44,8 @@ class BodyMove {
   void set_partners(const Partners<D>* partners) { star_.partners = partners; }
   /** How much more distance thick bodies keep than their radii; see ThickSweep. */
   void set_bend(double bend) { star_.thick.bend = bend; }
+  /** What of the environment steps can meet where; null: not known. */
+  void set_known(const KnownObstacles<D>* known) { known_ = known; }
   /** What is remembered of what is near the body; null: nothing. */
   void set_notes(NearNotes<D>* notes) { star_.thick.notes = notes; }
 
@@ -65,6 +68,8 @@ class BodyMove {
   EdgePass<D> edges_;
   FacePass<D> faces_;
   NearEdges near_;
+  const KnownObstacles<D>* known_ = nullptr;
+  Array<uint16_t> beyond_{env_.memory};       // scratch of find_clear_parts
   Array<uint32_t> strays_{env_.memory};       // vertices that are not where their neighbours took them to be
   Turns<D> turns_{env_.memory};               // if there are further passes
   Array<BodyVertex<D>> before_{env_.memory};  // to go back to

@@ -9,6 +9,9 @@ void Course<D>::start(Body<D>& moved, PointArray to, MoveOrder wanted) {
   motion.start(moved, to);
   const Body<D>* const body = motion.body;
   order.clear();
+  all_clear = false;
+  clear_edges.clear();
+  clear_faces.clear();
   vertices.assign(body->vertices.size(), Vertex{});
   keeps.assign(covers_faces(body->level) ? body->edges.size() : 0, true);
   const size_t count = wanted.vertices != nullptr ? wanted.count : body->vertices.size();

@@ -26,11 +26,16 @@ struct Course {
   Array<uint32_t> order;
   Array<Vertex> vertices;  // by index
   Array<bool> keeps;       // by edge, at FACES: it keeps to one corridor all through the move
+  // Parts known to meet no obstacle: all of them, or those with a 1, by edge and by face.
+  bool all_clear = false;
+  Array<uint8_t> clear_edges, clear_faces;
 
-  explicit Course(const Memory* memory) : motion(memory), order(memory), vertices(memory), keeps(memory) {}
+  explicit Course(const Memory* memory) : motion(memory), order(memory), vertices(memory), keeps(memory), clear_edges(memory), clear_faces(memory) {}
   /** Throws std::bad_alloc. */
   void start(Body<D>& moved, PointArray to, MoveOrder wanted);
 
+  bool is_edge_clear(uint32_t e) const { return all_clear || (!clear_edges.empty() && clear_edges[e] != 0); }
+  bool is_face_clear(uint32_t f) const { return all_clear || (!clear_faces.empty() && clear_faces[f] != 0); }
   bool moves(uint32_t v) const { return vertices[v].rank != kNone; }
   /** Where vertex v is when it is the turn of the vertex with `rank`; of kNone: at the end. */
   const double* place(uint32_t v, uint32_t rank) const {

@@ -37,18 +37,19 @@ void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
   typename Course<D>::Vertex &first = course_.vertices[v], &second = course_.vertices[w];
   const VertexWay &first_way = course_.motion.ways[v], &second_way = course_.motion.ways[w];
   const bool both = second.rank != kNone;
+  const bool is_clear = course_.is_edge_clear(e);
   if (first.rank == kNone) return;
   if (!first.doubtful) {
     const bool skips = skips_back && both && first.inwards && !second.inwards && body.edges[e].faces[1] != kNone;
     ++sweeps_.counts.swept;
     sweeps_.counts.skipped += skips ? 1 : 0;
-    if (!skips) casts_.add_place(e, v, {first_way.arrival, targets[v]}, {second_way.from, body.position(w)});
+    if (!skips && !is_clear) casts_.add_place(e, v, {first_way.arrival, targets[v]}, {second_way.from, body.position(w)});
   }
   if (!both) return;
   second.doubtful = second.doubtful || !first_way.arrival.valid();
   if (second.doubtful) return;
   ++sweeps_.counts.swept;
-  casts_.add_place(e, w, {second_way.arrival, targets[w]}, {first_way.arrival, targets[v]});
+  if (!is_clear) casts_.add_place(e, w, {second_way.arrival, targets[w]}, {first_way.arrival, targets[v]});
 }
 
 /** Finds the edges of a chunk whose ends stay in their cells: in one convex cell, or in two between which the edge is
@@ -132,7 +133,7 @@ void EdgePass<D>::sweep_ways(uint32_t e) {
   const uint32_t(&ends)[2] = course_.motion.body->edges[e].ends;
   const bool turned = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank;
   const uint32_t a = ends[turned ? 1 : 0], b = ends[turned ? 0 : 1];
-  const bool boxed = sweeps_edges(course_.motion.body->level) && is_boxed(e);
+  const bool boxed = sweeps_edges(course_.motion.body->level) && (course_.is_edge_clear(e) || is_boxed(e));
   sweep_way(e, a, b, boxed);
   sweep_way(e, b, a, boxed);
 }
@@ -192,9 +193,10 @@ bool EdgePass<D>::is_boxed(uint32_t e) {
 
 template <int D>
 void FacePass<D>::sweep() {
+  if (course_.all_clear) return;
   find_sides();
   for (uint32_t f = 0; f < course_.motion.body->faces.size(); ++f) {
-    if (course_.motion.body->has_face(f) && !shares_corridor(f) && !is_boxed(f)) sweep_face(f);
+    if (course_.motion.body->has_face(f) && !course_.is_face_clear(f) && !shares_corridor(f) && !is_boxed(f)) sweep_face(f);
   }
 }
 

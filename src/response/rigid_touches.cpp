@@ -121,12 +121,12 @@ void RigidTouches<D>::look_from(const Body<D>& body, const RigidWay<D>& way, con
 /** In a piece a vertex is near the line between its places, and a point of a part lies between its corners at all times. */
 template <int D>
 void RigidTouches<D>::meet(const Body<D>& body, const RigidWay<D>& way, const Turn& turn) {
-  constexpr uint32_t kNever = ~0u;
+  constexpr uint32_t kNoPiece = ~0u;
   RigidTouch<D> both = others_[turn.number];
   const ObstacleSides<D> sides(both.points, both.count);
   const auto count = static_cast<uint32_t>(body.vertices.size());
   uint16_t *begin = beyond_.data(), *end = begin + count;
-  uint32_t known = kNever;  // the piece that begins where `end` is
+  uint32_t known = kNoPiece;  // the piece that begins where `end` is
   bool has_asked = false;
   for (uint32_t piece = turn.piece; piece <= last_piece(way); ++piece) {
     if (!way.box(piece).overlaps(both.points, static_cast<int>(both.count))) continue;
@@ -167,7 +167,6 @@ void RigidTouches<D>::touch(const Part& part, const RigidWay<D>& way, RigidTouch
     pair.way[mine_first != 0 ? 0 : 1] = &way.exact();
     pair.way[mine_first != 0 ? 1 : 0] = nullptr;
   };
-  const auto is_inside = [&](uint32_t side) { return (beyond & ObstacleSides<D>::kInside << side) != 0; };
   const auto is_new = [&](uint32_t i) {
     const bool is_first = (*asked & 1u << i) == 0;
     *asked = static_cast<uint8_t>(*asked | 1u << i);
@@ -178,7 +177,7 @@ void RigidTouches<D>::touch(const Part& part, const RigidWay<D>& way, RigidTouch
     set(0, mine(0));
     set(1, mine(1));
     for (uint32_t i = 0; i < (count == 2 ? 1 : count); ++i) {
-      if (is_inside(i) || !is_new(i)) continue;
+      if (ObstacleSides<D>::misses_side(beyond, i) || !is_new(i)) continue;
       set(2, points[i]);
       set(3, points[(i + 1) % count]);
       ask(pair, touch);
@@ -193,7 +192,7 @@ void RigidTouches<D>::touch(const Part& part, const RigidWay<D>& way, RigidTouch
     begin(D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge, 0);
     for (uint32_t i = 0; i < D; ++i) set(i + 1, mine(i));
     for (uint32_t i = 0; i < count; ++i) {
-      if (is_inside(i) || is_inside((i + 2) % 3) || !is_new(i)) continue;
+      if (ObstacleSides<D>::misses_corner(beyond, i) || !is_new(i)) continue;
       set(0, points[i]);
       ask(pair, touch);
     }

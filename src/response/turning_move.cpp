@@ -162,6 +162,8 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     reverse(body, order);
     Steps chords{steps, body, way_, place, user, order, {reversed_.data(), reversed_.size()}};
     const FirstTouch first = touches_.find_first(body, way_, partners);
+    const KnownObstacles<D> known{touches_.obstacles(), way_.box()};
+    steps.set_known(&known);
     double touch = first.touches ? first.time : kNoTouch, most_step = 1;
     if (way_.turns() && (is_thick || touches_.is_open_at_start())) most_step = kStepInTouch;
     // The way bends by no more than a radius beside a chord.
@@ -172,6 +174,7 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     if (!arrives && touch <= 1 && !is_at_touch(body, kSameTouch * way_.largest())) touch = kNoTouch;
     if (!is_thick && touch <= 1 && !is_at_touch(body, kMostGap * way_.unit())) approach(chords, touch);
     if (chords.at < 1) record_contact(chords, partners, touch, record);
+    steps.set_known(nullptr);
     steps.end_steps(body, chords.at, record);
     for (dsw_body_contact& contact : record.contacts) {  // of the motion, not of a chord
       const double* const to = way_.place(way_.pieces(), contact.vertex.index);
@@ -179,6 +182,7 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     }
   } catch (...) {
     steps.set_bend(0);
+    steps.set_known(nullptr);
     steps.undo_steps(body);
     throw;
   }
