@@ -30,8 +30,8 @@ class ObstacleSides {
     if constexpr (D == 2) {
       add(points, turned(unit(difference<D>(points[1], points[0]))));
     } else {
-      const Vec normal = unit(
-          unit(difference<D>(points[1], points[0])).cross(unit(difference<D>(points[2], points[0]))));
+      const Vec normal =
+          unit(unit(difference<D>(points[1], points[0])).cross(unit(difference<D>(points[2], points[0]))));
       add(points, normal);
       for (int k = 0; k < 3; ++k) add(points, unit(difference<D>(points[(k + 1) % 3], points[k])).cross(normal));
     }
@@ -63,7 +63,8 @@ class ObstacleSides {
       const Direction& d = directions_[i];
       const double along = dot(d.normal, at);
       if (D == 2 || i == 0) {
-        bits |= static_cast<uint32_t>(along + margin < d.low) << 6 | static_cast<uint32_t>(along - margin > d.high) << 7;
+        bits |= static_cast<uint32_t>(along + margin < d.low) << 6 | static_cast<uint32_t>(along - margin > d.high)
+                                                                         << 7;
       } else {
         bits |= static_cast<uint32_t>(along - margin > d.high) << (7 + i);
         bits |= static_cast<uint32_t>(along + margin < d.side) << (10 + i);

@@ -11,7 +11,7 @@
 namespace dsw {
 namespace {
 
-/** Of an edge or a face, out of where its vertices are. */
+/** Whether an edge or a face meets no obstacle whose ends are so beyond it. */
 template <int D>
 bool is_clear(uint32_t beyond, uint32_t vertices, uint32_t count) noexcept {
   using Sides = ObstacleSides<D>;
@@ -62,7 +62,8 @@ void find_clear_parts(const Environment<D>& env, const KnownObstacles<D>& known,
     }
     for (uint32_t e = 0; e < body.edges.size(); ++e) {
       const uint32_t(&ends)[2] = body.edges[e].ends;
-      if (body.has_edge(e) && !is_clear<D>(beyond[ends[0]] & beyond[ends[1]], 2, obstacle.count)) course.clear_edges[e] = 0;
+      if (body.has_edge(e) && !is_clear<D>(beyond[ends[0]] & beyond[ends[1]], 2, obstacle.count))
+        course.clear_edges[e] = 0;
     }
     for (uint32_t f = 0; D == 3 && f < body.faces.size(); ++f) {
       const uint32_t(&corners)[3] = body.faces[f].corners;
@@ -72,9 +73,8 @@ void find_clear_parts(const Environment<D>& env, const KnownObstacles<D>& known,
   }
 }
 
-#define DSW_CLEAR_PARTS(D)                                                                                   \
-  template void find_clear_parts(const Environment<D>&, const KnownObstacles<D>&, Course<D>&, \
-                                 Array<uint16_t>&)
+#define DSW_CLEAR_PARTS(D) \
+  template void find_clear_parts(const Environment<D>&, const KnownObstacles<D>&, Course<D>&, Array<uint16_t>&)
 DSW_CLEAR_PARTS(2);
 DSW_CLEAR_PARTS(3);
 #undef DSW_CLEAR_PARTS

@@ -30,7 +30,8 @@ struct Course {
   bool all_clear = false;
   Array<uint8_t> clear_edges, clear_faces;
 
-  explicit Course(const Memory* memory) : motion(memory), order(memory), vertices(memory), keeps(memory), clear_edges(memory), clear_faces(memory) {}
+  explicit Course(const Memory* memory)
+      : motion(memory), order(memory), vertices(memory), keeps(memory), clear_edges(memory), clear_faces(memory) {}
   /** Throws std::bad_alloc. */
   void start(Body<D>& moved, PointArray to, MoveOrder wanted);
 

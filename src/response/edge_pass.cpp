@@ -43,7 +43,8 @@ void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
     const bool skips = skips_back && both && first.inwards && !second.inwards && body.edges[e].faces[1] != kNone;
     ++sweeps_.counts.swept;
     sweeps_.counts.skipped += skips ? 1 : 0;
-    if (!skips && !is_clear) casts_.add_place(e, v, {first_way.arrival, targets[v]}, {second_way.from, body.position(w)});
+    if (!skips && !is_clear)
+      casts_.add_place(e, v, {first_way.arrival, targets[v]}, {second_way.from, body.position(w)});
   }
   if (!both) return;
   second.doubtful = second.doubtful || !first_way.arrival.valid();
@@ -133,7 +134,7 @@ void EdgePass<D>::sweep_ways(uint32_t e) {
   const uint32_t(&ends)[2] = course_.motion.body->edges[e].ends;
   const bool turned = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank;
   const uint32_t a = ends[turned ? 1 : 0], b = ends[turned ? 0 : 1];
-  const bool boxed = sweeps_edges(course_.motion.body->level) && (course_.is_edge_clear(e) || is_boxed(e));
+  const bool boxed = sweeps_edges(course_.motion.body->level) && ((D == 3 && course_.is_edge_clear(e)) || is_boxed(e));
   sweep_way(e, a, b, boxed);
   sweep_way(e, b, a, boxed);
 }
@@ -163,6 +164,7 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
   }
   if (verdict != Verdict::kUnknown) return;
   if (sweeps_edges(body.level)) {
+    if (course_.is_edge_clear(e)) return;
     moving.doubtful = (may_guess_ && sweeps_.meets_touched_line(body, sweep)) || !sweeps_.is_free(body, sweep);
     moving.meets = moving.doubtful;
     return;  // its corridor is noted when it is asked for again
@@ -196,7 +198,8 @@ void FacePass<D>::sweep() {
   if (course_.all_clear) return;
   find_sides();
   for (uint32_t f = 0; f < course_.motion.body->faces.size(); ++f) {
-    if (course_.motion.body->has_face(f) && !course_.is_face_clear(f) && !shares_corridor(f) && !is_boxed(f)) sweep_face(f);
+    if (course_.motion.body->has_face(f) && !course_.is_face_clear(f) && !shares_corridor(f) && !is_boxed(f))
+      sweep_face(f);
   }
 }
 

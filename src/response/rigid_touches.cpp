@@ -36,9 +36,8 @@ FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& w
   }
   if (turns_.empty()) return first_;
   find_parts(body);
-  std::sort(turns_.begin(), turns_.end(), [](const Turn& a, const Turn& b) {
-    return a.piece != b.piece ? a.piece < b.piece : a.number < b.number;
-  });
+  std::sort(turns_.begin(), turns_.end(),
+            [](const Turn& a, const Turn& b) { return a.piece != b.piece ? a.piece < b.piece : a.number < b.number; });
   for (const Turn& turn : turns_) {
     if (turn.piece > last_piece(way)) break;
     meet(body, way, turn);
