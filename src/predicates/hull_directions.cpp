@@ -169,7 +169,7 @@ class Search {
   }
 
   Vec most_;
-  Long a_[4], b_[4];
+  Long a_[ConvexHull::kMost], b_[ConvexHull::kMost];
   uint32_t count_a_ = 0, count_b_ = 0;
   HullDirection best_;
   HullGap trial_, *gap_ = nullptr;  // weights that are tried, and the best ones
@@ -201,8 +201,8 @@ void Search<D>::consider(const Long& start, std::initializer_list<Step> steps) n
   const double square = dsw::dot(rounded(way), rounded(way));
   if (!(square < least_)) return;
   least_ = square;
-  std::copy_n(trial_.weights, 4, gap_->weights);
-  std::copy_n(trial_.other_weights, 4, gap_->other_weights);
+  std::copy_n(trial_.weights, ConvexHull::kMost, gap_->weights);
+  std::copy_n(trial_.other_weights, ConvexHull::kMost, gap_->other_weights);
 }
 
 }  // namespace

@@ -8,9 +8,10 @@
 
 namespace dsw {
 
-/** The convex hull of one to four points. */
+/** The convex hull of one to six points: of a triangle at two times at most. */
 struct ConvexHull {
-  const double* points[4] = {};
+  static constexpr uint32_t kMost = 6;
+  const double* points[kMost] = {};
   uint32_t count = 0;
 };
 
@@ -19,7 +20,8 @@ struct HullGap {
   double bound = 0;     // not more than the distance; 0 if nothing is certain
   double distance = 0;  // rounded, between the points below
   Vec normal;           // unit, rounded, from the second hull to the first: shows the bound. Zero if there is none
-  double weights[4] = {}, other_weights[4] = {};  // of the points that are nearest to each other, rounded
+  double weights[ConvexHull::kMost] = {},
+         other_weights[ConvexHull::kMost] = {};  // of the points that are nearest to each other, rounded
 };
 
 /** The search ends as soon as it is certain that the distance is `enough`, or nearly certain that it is less than

@@ -40,7 +40,7 @@ class HullPair {
   ConvexHull hull_a_, hull_b_;
   bool is_finite_ = false;
   double unit_ = 1;
-  Vec a_[4], b_[4];
+  Vec a_[ConvexHull::kMost], b_[ConvexHull::kMost];
   Vec most_ = Vec::Zero();
 };
 

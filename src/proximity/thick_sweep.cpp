@@ -133,7 +133,7 @@ bool ThickSweep<D>::visit_near(const Partners<D>* partners, const Body<D>& body,
   if (partners == nullptr) return true;
   for (uint32_t i = 0; i < partners->all.size(); ++i) {
     const Body<D>& other = *partners->all[i].body;
-    if (&other == &body ? !body.filter.self : !body.filter.sees(other.filter)) continue;
+    if (&other == &body ? !body.filter.self || swept.is_rigid : !body.filter.sees(other.filter)) continue;
     const double radii = body.radius + other.radius, wanted = radii > 0 && &other != &body ? radii + bend : radii;
     if (!(wanted + limit > 0)) continue;
     if (&other == &body) joined_.find(body, swept.from, swept.from_count);
@@ -153,6 +153,62 @@ template <int D>
 bool ThickSweep<D>::keeps(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to) {
   if (!is_thick(partners, body)) return true;
   return for_each_swept(body, v, to, [&](const Swept& swept) { return keeps_swept(partners, body, swept); });
+}
+
+template <int D>
+bool ThickSweep<D>::keeps_motion(const Partners<D>* partners, const Body<D>& body, PointArray targets,
+                                 TooNear<D>* near) {
+  if (!is_thick(partners, body)) return true;
+  bool keeps = true;
+  double least = kInfinity;
+  for_each_outer(body, [&](const Simplex& part) {
+    const SimplexCorners<D> corners(body, part);
+    Swept swept = sweep_of(body, part, corners.vertices[0], nullptr);
+    double way = 0;
+    for (const uint32_t v : corners) {
+      for (int k = 0; k < D; ++k) way = std::max(way, std::fabs(targets[v][k] - body.position(v)[k]));
+      swept.hull.points[swept.hull.count++] = targets[v];
+    }
+    swept.way = 1.8 * way;  // more than the square root of 3
+    swept.is_at_rest = false;
+    swept.is_rigid = true;
+    return visit_near(partners, body, swept, 0, [&](const Thing& thing) {
+      if (are_far_apart<D>(swept.hull, thing.hull, thing.wanted)) return true;
+      keeps = false;
+      if (near == nullptr) return false;
+      const HullGap gap = find_gap<D>(swept.hull, thing.hull, kInfinity, thing.wanted);
+      const double left = gap.distance - thing.wanted;
+      TooNear<D> found;
+      name_thing(swept, gap, thing, &found);
+      for (uint32_t i = 0; i < corners.count; ++i) found.shares[i] = gap.weights[i] + gap.weights[corners.count + i];
+      const uint32_t v = corners.vertices[0];
+      if (is_zero(found.normal)) found.normal = unit(difference<D>(body.position(v), targets[v]));
+      // Walls that meet in the nearest point are equally near but for rounding.
+      const double tie = 0x1p-40 * gap.distance;
+      if (left > least + tie || (left > least - tie && !precedes(found, *near))) return true;
+      least = left;
+      *near = found;
+      return true;
+    });
+  });
+  return keeps;
+}
+
+/** Says what is too near where, but not when. */
+template <int D>
+void ThickSweep<D>::name_thing(const Swept& swept, const HullGap& gap, const Thing& thing, TooNear<D>* found) {
+  found->part = swept.part;
+  found->normal = gap.normal;
+  found->partner = thing.partner;
+  found->other = thing.other;
+  if (const WallFeature* const obstacle = thing.obstacle) {
+    for (uint32_t& i = found->count; i < obstacle->count; ++i) {
+      found->vertices[i] = thing.list->name(obstacle->vertices[i]);
+    }
+    found->facet = obstacle->facet;
+    found->cell = obstacle->cell;
+  }
+  std::copy_n(gap.other_weights, 3, found->weights);
 }
 
 /** Whether something surely comes too near later than at some time: with room, so that it does not matter what is asked
@@ -181,20 +237,10 @@ void ThickSweep<D>::visit_too_near(const Partners<D>* partners, const Body<D>& b
       TooNear<D> found;
       found.time = time_apart<D>(start, to, thing.hull, thing.wanted, &gap);
       if (found.time == 1) return true;
-      found.part = swept.part;
+      name_thing(swept, gap, thing, &found);
       std::copy_n(gap.weights, start.count, found.shares);
       found.shares[0] += gap.weights[start.count];
-      found.normal = is_zero(gap.normal) ? unit(difference<D>(body.position(v), to)) : gap.normal;
-      found.partner = thing.partner;
-      found.other = thing.other;
-      if (const WallFeature* const obstacle = thing.obstacle) {
-        for (uint32_t& i = found.count; i < obstacle->count; ++i) {
-          found.vertices[i] = thing.list->name(obstacle->vertices[i]);
-        }
-        found.facet = obstacle->facet;
-        found.cell = obstacle->cell;
-      }
-      std::copy_n(gap.other_weights, 3, found.weights);
+      if (is_zero(found.normal)) found.normal = unit(difference<D>(body.position(v), to));
       visit(found);
       return true;
     });

@@ -55,6 +55,10 @@ class ThickSweep {
   bool find_first(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to, TooNear<D>* first);
   /** All that come too near on that way, by time. */
   void find_all(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to, Array<TooNear<D>>& all);
+  /** Whether a body that keeps its shape keeps all distances but those from itself while it goes to `targets`, one for each
+   * vertex slot: its points straight, or as `bend` says beside that. Each part stays in the hull of its places.
+   * @param near what is nearest then, of what is too near; may be null. */
+  bool keeps_motion(const Partners<D>* partners, const Body<D>& body, PointArray targets, TooNear<D>* near);
   /** Whether an edge, with its faces, can be bent to pass through `point`, which a cell contains. */
   bool keeps_bend(const Partners<D>* partners, const Body<D>& body, uint32_t edge, const double* point, Cell cell);
   /** Whether a part that stands still keeps its distances. */
@@ -80,6 +84,7 @@ class ThickSweep {
     bool is_at_rest = true;
     WayAlong from[4];
     uint32_t from_count = 0;
+    bool is_rigid = false;  // its body keeps its shape
   };
   /** Something that stands still. */
   struct Thing {
@@ -104,6 +109,7 @@ class ThickSweep {
   bool visit_partner(const Partners<D>& partners, uint32_t number, const Body<D>& body, const Box<D>& box,
                      double wanted, Visit visit) const;
   bool keeps_swept(const Partners<D>* partners, const Body<D>& body, const Swept& swept);
+  static void name_thing(const Swept& swept, const HullGap& gap, const Thing& thing, TooNear<D>* found);
   static bool keeps_until(ConvexHull start, const double* to, double time, const Thing& thing) noexcept;
   /** Calls visit(found). `first`, which may be null: what comes surely later is left out. */
   template <class Visit>

@@ -86,12 +86,24 @@ bool BodyMove<D>::step(Body<D>& body, PlaceFn where, const void* user, double fr
     if (!is_finite<D>(to)) return false;  // a part of a motion can lead further than the whole
   }
   start(body, targets, order);
-  if (known_ != nullptr) find_clear_parts(env_, *known_, course_, beyond_);
+  // Between its places the body keeps its shape. So distances are those of hulls, whatever vertices do in their turns.
+  TooNear<D> near;
+  if (!star_.thick.keeps_motion(star_.partners, body, targets, record == nullptr ? nullptr : &near)) {
+    if (record != nullptr) {
+      const uint32_t v = SimplexCorners<D>(body, near.part).vertices[0];
+      record->add(describe(env_, body, v, targets[v], near), partner_of(star_.partners, near));
+    }
+    return false;
+  }
+  const bool is_far = body.radius > 0;  // from everything
+  course_.all_clear = is_far;
+  if (!is_far && known_ != nullptr) find_clear_parts(env_, *known_, course_, beyond_);
   sweep_all(false, false);
   look_ahead(false);
   for (const uint32_t v : course_.order) {
     if (!course_.moves(v)) continue;
-    if (arrives(v)) {
+    const bool is_apart = is_far || star_.is_apart(body, v, targets[v]);
+    if (!course_.vertices[v].doubtful && is_apart) {
       course_.arrive(v);
       continue;
     }
@@ -124,11 +136,6 @@ void BodyMove<D>::undo_steps(Body<D>& body) noexcept {
 
 template <int D>
 void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to, MoveRecord& record) {
-  TooNear<D> near;
-  if (star_.thick.find_first(star_.partners, body, v, to, &near)) {
-    record.add(describe(env_, body, v, to, near), partner_of(star_.partners, near));
-    return;
-  }
   SweepContact first;
   PairContact<D> pair;
   Cell cell;

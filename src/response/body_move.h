@@ -31,8 +31,8 @@ class BodyMove {
 
   /** Begins a move in steps, in which all vertices go to one fraction of a motion after the other. The record is cleared. */
   void begin_steps(Body<D>& body, MoveRecord& record);
-  /** Moves all vertices one after the other to where(user, from, fraction), with `from` where the steps began; or, if one of
-   * them meets something, none. Its contact goes to the record, if there is one. Throws std::bad_alloc with some moved. */
+  /** Moves all vertices one after the other to where(user, from, fraction), with `from` where the steps began: a body that
+   * keeps its shape, which is thick all the way. Or, if one of them meets something, none. Its contact goes to the record, if there is one. Throws std::bad_alloc with some moved. */
   bool step(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order, MoveRecord* record);
   /** Ends a move in steps. */
   void end_steps(const Body<D>& body, double fraction, MoveRecord& record);

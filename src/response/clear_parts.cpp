@@ -40,7 +40,7 @@ void find_clear_parts(const Environment<D>& env, const KnownObstacles<D>& known,
   }
   if (!known.box.contains(whole.lower) || !known.box.contains(whole.upper)) return;
   course.all_clear = true;
-  for (const NearObstacle<D>& obstacle : known.list.obstacles()) {
+  for (const WallFeature& obstacle : known.list.obstacles()) {
     const double* points[3] = {};
     for (uint32_t i = 0; i < obstacle.count; ++i) points[i] = env.point(obstacle.vertices[i]);
     if (!whole.overlaps(points, static_cast<int>(obstacle.count))) continue;

@@ -3,7 +3,8 @@
 // is halved: between the chord and the arc something may stand.
 //
 // For a few ties at the start the exact test does not know what follows. They are left to the chords, which are short
-// then. Thick bodies keep their distance along each chord, with as much more as the way bends beside it.
+// then. Thick bodies keep their distance along each chord, with as much more as the way bends beside it: each part stays in the
+// hull of its two places.
 
 #include "response/turning_move.h"
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kMostTries = 4000, kMostRetreats = 6, kMostLeap = 16, kMostGap = 16;
 constexpr double kStepInTouch = 0x1p-6, kSameTouch = 0x1p-20;
+constexpr double kLeastThick = 0x1p-44;  // finer steps are below what distances of thick bodies may lose
 
 }  // namespace
 
@@ -90,6 +92,23 @@ bool TurningMove<D>::go(Steps& steps, double touch, double most_step) {
   return steps.at >= end;
 }
 
+/** Thick bodies go in halves of the way, halves of these, and so on: where one is too wide for what it keeps from, it is halved. */
+template <int D>
+bool TurningMove<D>::go_thick(Steps& steps, double touch, double most_step) {
+  const double end = end_before(touch), least = std::max(way_.least_step(), kLeastThick);
+  double step = most_step;
+  while (steps.at < end && steps.tries < kMostTries) {
+    const double next = std::min(end, steps.at + step);
+    if (steps.go_to(next)) {
+      while (2 * step <= most_step && std::floor(steps.at / (2 * step)) * (2 * step) == steps.at) step *= 2;
+    } else {
+      step *= 0.5;
+      if (step < least) return false;
+    }
+  }
+  return steps.at >= end;
+}
+
 /** Goes past places whose rounding touches something, though the way does not. */
 template <int D>
 bool TurningMove<D>::leap(Steps& steps, double end) {
@@ -101,9 +120,17 @@ bool TurningMove<D>::leap(Steps& steps, double end) {
   return false;
 }
 
-/** Tries all places just before a touch: on a flat way the rounding of most of them touches already. */
+/** Where the body has stopped too far before a touch, goes nearer. What a long chord met, as its vertices go one after the other,
+ * a shorter one from nearer by may not meet. */
 template <int D>
 void TurningMove<D>::approach(Steps& steps, double touch) {
+  const auto is_near = [&] { return is_at_touch(steps.body, kMostGap * way_.unit()); };
+  for (double before = -1; before < steps.at && !is_near();) {
+    before = steps.at;
+    go_nearer(steps, end_before(touch), way_.is_coarse() ? 0 : 2 * way_.least_step());
+  }
+  if (is_near()) return;
+  // All places just before it: on a flat way the rounding of most of them touches already.
   for (int i = 0; i < 4 * kMostGap; ++i) {
     const double next = end_before(touch) - 0.25 * i * way_.least_step();
     if (!(next > steps.at) || steps.go_to(next)) return;
@@ -165,14 +192,15 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     const KnownObstacles<D> known{touches_.obstacles(), way_.box()};
     steps.set_known(&known);
     double touch = first.touches ? first.time : kNoTouch, most_step = 1;
-    if (way_.turns() && (is_thick || touches_.is_open_at_start())) most_step = kStepInTouch;
+    if (way_.turns() && touches_.is_open_at_start()) most_step = kStepInTouch;
     // The way bends by no more than a radius beside a chord.
     while (way_.turns() && radius > 0 && way_.sagitta(most_step) > radius) most_step *= 0.5;
     // What stops the body much earlier is something else. A flat way is within the last place of what it touches for as much
     // as the root of that.
-    const bool arrives = go(chords, touch, most_step);
+    bool arrives = is_thick && go_thick(chords, touch, most_step);
+    if (!arrives && radius == 0) arrives = go(chords, touch, is_thick ? kStepInTouch : most_step);
     if (!arrives && touch <= 1 && !is_at_touch(body, kSameTouch * way_.largest())) touch = kNoTouch;
-    if (!is_thick && touch <= 1 && !is_at_touch(body, kMostGap * way_.unit())) approach(chords, touch);
+    if (!is_thick && touch <= 1) approach(chords, touch);
     if (chords.at < 1) record_contact(chords, partners, touch, record);
     steps.set_known(nullptr);
     steps.end_steps(body, chords.at, record);

@@ -22,6 +22,7 @@ class TurningMove {
   struct Steps;
   void reverse(const Body<D>& body, MoveOrder order);
   bool go(Steps& steps, double touch, double most_step);
+  bool go_thick(Steps& steps, double touch, double most_step);
   bool leap(Steps& steps, double end);
   double end_before(double touch) const noexcept;
   void approach(Steps& steps, double touch);

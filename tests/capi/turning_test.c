@@ -355,8 +355,56 @@ static void random_turns(unsigned dimension, tally *t) {
   }
 }
 
+/* The middle of a rod that twists goes straight, whatever its ends do in their turns. Between two of 64 steps it passes a peg
+ * that is nearer than its radius, by 0.002. */
+static void a_thick_rod_that_twists_keeps_its_distance(void) {
+  const double time = 32.5 / 64, root = sqrt(0.5), angle = 2 * atan2(time * root, (1 - time) + time * root);
+  int side;
+  for (side = -1; side <= 1; side += 2) {
+    const double x = 0.35 * cos(angle), y = -0.35 * sin(angle), z = 1 + 6 * time;
+    const double rod[6] = {4 + x, 4 + y, 1, 4 - x, 4 - y, 1}, peg[6] = {4, 4 + 0.098 * side, z, 4, 4 + 0.5 * side, z};
+    dsw_rigid_motion m = turn_about_z(90, 4, 4);
+    dsw_move_report report;
+    dsw_body_id body;
+    m.translation[2] = 6;
+    begin(3, 8, DSW_FEATURE_BODY_CONTACTS);
+    make_edge_body(g_scene, peg, DSW_LEVEL_EDGES_SWEPT);
+    body = make_edge_body(g_scene, rod, DSW_LEVEL_EDGES_SWEPT);
+    CHECK_OK(dsw_body_set_radius(g_scene, body, 0.1));
+    report = turn(body, &m);
+    CHECK(report.fraction > time - 0.004 && report.fraction < time - 0.003 && report.contact_count == 1);
+    end_scene(g_scene);
+  }
+}
+
+/* Parts of a body that are not joined can be in different rooms. */
+static void each_part_meets_the_walls_of_its_room(void) {
+  const double points[12] = {0.2, 0.5, 0.5, 0.4, 0.5, 0.5, 2.5, 0.5, 0.5, 2.9, 0.5, 0.5};
+  const uint32_t edges[4] = {0, 1, 2, 3};
+  dsw_rigid_motion m = turn_about_z(0, 0, 0);
+  dsw_move_report report;
+  dsw_body_desc d;
+  dsw_body_id body;
+  uint32_t i;
+  dsw_body_desc_init(&d, sizeof d);
+  d.positions = points;
+  d.vertex_count = 4;
+  d.stride_bytes = 3 * sizeof *points;
+  d.edges = edges;
+  d.edge_count = 2;
+  begin(3, 3, 0);
+  for (i = 1; i < 27; i += 3) CHECK_OK(set_volume_mark(g_env, i, DSW_MARK_IMPASSABLE)); /* those from x = 1 to 2 */
+  m.translation[0] = 0.2;
+  CHECK_OK(dsw_body_create(g_scene, &d, &body));
+  report = turn(body, &m);
+  CHECK(report.fraction > 0.4999999 && report.fraction < 0.5 + 1e-12 && report.contact_count == 1);
+  end_scene(g_scene);
+}
+
 int main(int argc, char **argv) {
   unsigned dimension;
+  a_thick_rod_that_twists_keeps_its_distance();
+  each_part_meets_the_walls_of_its_room();
   a_flat_way_out_is_no_graze();
   what_stands_on_the_inner_side_is_passed();
   what_lies_on_the_floor_slides_and_leaves();
