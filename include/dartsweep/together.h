@@ -83,8 +83,8 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  * @param motions one for each body.
  * @param options `stop` is ALL or ISLAND. The work limit holds for each step, so a call can take a
  * few times as much.
- * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius or can meet one that has, or
- * `stop` is FEATURE.
+ * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: `stop` is FEATURE. Thick bodies keep their distances
+ * on all of their ways.
  * @note Cost: as dsw_scene_move_together for each of a few steps, and O(pairs of bodies whose ways
  * come near each other, and their parts). Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_move_rigid(dsw_scene *scene, const dsw_body_id *bodies, size_t count,

@@ -194,6 +194,54 @@ bool ThickSweep<D>::keeps_motion(const Partners<D>* partners, const Body<D>& bod
   return keeps;
 }
 
+template <int D>
+bool ThickSweep<D>::keeps_apart(const Body<D>& a, PointArray to_a, const Body<D>& b, PointArray to_b, double distance,
+                                TooNear<D>* near) const {
+  struct Way {
+    Simplex part;
+    ConvexHull hull;
+  };
+  const auto way_of = [](const Body<D>& body, const Simplex& part, PointArray to) {
+    Way way{part, {}};
+    const SimplexCorners<D> corners(body, part);
+    for (const uint32_t v : corners) way.hull.points[way.hull.count++] = body.position(v);
+    for (const uint32_t v : corners) way.hull.points[way.hull.count++] = to[v];
+    return way;
+  };
+  const double wanted = least_kept(distance);
+  Array<Way> ways(env_.memory);
+  for_each_outer(b, [&](const Simplex& part) {
+    ways.push_back(way_of(b, part, to_b));
+    return true;
+  });
+  bool keeps = true;
+  double least = kInfinity;
+  for_each_outer(a, [&](const Simplex& part) {
+    const Way way = way_of(a, part, to_a);
+    const Box<D> box = box_round<D>(way.hull, distance);
+    return std::all_of(ways.begin(), ways.end(), [&](const Way& other) {
+      if (!is_in(box, other.hull) || are_far_apart<D>(way.hull, other.hull, wanted)) return true;
+      keeps = false;
+      if (near == nullptr) return false;
+      const HullGap gap = find_gap<D>(way.hull, other.hull, kInfinity, wanted);
+      if (!(gap.distance < least)) return true;
+      least = gap.distance;
+      *near = TooNear<D>();
+      near->part = part;
+      near->other = other.part;
+      const uint32_t count = way.hull.count / 2, other_count = other.hull.count / 2;
+      for (uint32_t i = 0; i < count; ++i) near->shares[i] = gap.weights[i] + gap.weights[count + i];
+      for (uint32_t i = 0; i < other_count; ++i) {
+        near->weights[i] = gap.other_weights[i] + gap.other_weights[other_count + i];
+      }
+      const uint32_t v = SimplexCorners<D>(a, part).vertices[0];
+      near->normal = is_zero(gap.normal) ? unit(difference<D>(a.position(v), to_a[v])) : gap.normal;
+      return true;
+    });
+  });
+  return keeps;
+}
+
 /** Says what is too near where, but not when. */
 template <int D>
 void ThickSweep<D>::name_thing(const Swept& swept, const HullGap& gap, const Thing& thing, TooNear<D>* found) {

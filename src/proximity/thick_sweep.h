@@ -59,6 +59,10 @@ class ThickSweep {
    * vertex slot: its points straight, or as `bend` says beside that. Each part stays in the hull of its places.
    * @param near what is nearest then, of what is too near; may be null. */
   bool keeps_motion(const Partners<D>* partners, const Body<D>& body, PointArray targets, TooNear<D>* near);
+  /** Whether two bodies that keep their shapes keep a distance while both go, each as above; whatever `bend` is.
+   * @param near what of them is nearest then, of what is too near; may be null. Its partner is not named. */
+  bool keeps_apart(const Body<D>& a, PointArray to_a, const Body<D>& b, PointArray to_b, double distance,
+                   TooNear<D>* near) const;
   /** Whether an edge, with its faces, can be bent to pass through `point`, which a cell contains. */
   bool keeps_bend(const Partners<D>* partners, const Body<D>& body, uint32_t edge, const double* point, Cell cell);
   /** Whether a part that stands still keeps its distances. */

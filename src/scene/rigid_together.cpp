@@ -44,7 +44,6 @@ void move_rigid_together(Scene<D>& scene, BodyRecord<D>* const* bodies, const Ri
   Array<Array<double>> targets(scene.memory);
   for (size_t i = 0; i < count; ++i) {
     BodyRecord<D>& of = *bodies[i];
-    if (of.body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "bodies[%zu] has a radius", i);
     reaches.push_back(motions[i].reach(of.body));
     targets.emplace_back(D * of.body.vertices.size(), 0.0, scene.memory);
   }

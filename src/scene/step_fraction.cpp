@@ -141,6 +141,7 @@ double StepCall<D>::find_at_rest(size_t first, size_t end, double most) {
 template <int D>
 void StepCall<D>::find_islands_fractions(StepAnswer& answer) {
   find_islands(scene_, bodies_, count_, {targets_.data(), D}, first_.data(), false, islands_);
+  refuse_thick(islands_);
   leave_still_ones(scene_, bodies_, count_, islands_);
   if (scene_.together.get() == nullptr) scene_.together.make(scene_.env);
   scene_.together.get()->set_counters(nullptr);

@@ -14,7 +14,6 @@ void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_
   Array<bool> moves(scene.bodies.size(), false, scene.memory);
   for (size_t i = 0; i < count; ++i) moves[static_cast<size_t>(bodies[i] - scene.bodies.data())] = true;
   for (Partners<D>& each : islands.partners) {
-    if (each.has_thick) fail(DSW_STATUS_UNSUPPORTED, "a body can meet one that has a radius");
     each.remove([&](const Partner<D>& partner) { return moves[partner.index]; });
   }
 }
@@ -74,6 +73,7 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
   }
   Islands<D> islands(scene.memory);
   find_islands(scene, bodies, count, targets, first.data(), false, islands);
+  refuse_thick(islands);
   leave_still_ones(scene, bodies, count, islands);
   CastCounters casts;
   try {

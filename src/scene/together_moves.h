@@ -21,7 +21,14 @@ PointArray positions_of(const Body<D>& body) {
   static_assert(sizeof(BodyVertex<D>) % sizeof(double) == 0);
   return {body.vertices.empty() ? nullptr : body.vertices[0].position, sizeof(BodyVertex<D>) / sizeof(double)};
 }
-/** Leaves only bodies that stand still as partners of the islands. Refuses islands that can meet a thick body. */
+/** Refuses islands that can meet a thick body. */
+template <int D>
+void refuse_thick(const Islands<D>& islands) {
+  for (const Partners<D>& each : islands.partners) {
+    if (each.has_thick) fail(DSW_STATUS_UNSUPPORTED, "a body can meet one that has a radius");
+  }
+}
+/** Leaves only bodies that stand still as partners of the islands. */
 template <int D>
 void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Islands<D>& islands);
 /** The body stays where it is at the work limit.

@@ -9,6 +9,7 @@
 
 #include "base/search.h"
 #include "base/vec.h"
+#include "contact/describe.h"
 #include "response/touch_record.h"
 
 namespace dsw {
@@ -27,7 +28,7 @@ struct TurningTogether<D>::Call {
   bool bodies_meet;
   TogetherSettings settings;
   double least = 1;  // the share of the motion in which no vertex goes further than one unit in the last place
-  bool turns = false;
+  bool turns = false, is_thick = false;
   int tries = 0;
   double at = 0;
 
@@ -75,9 +76,46 @@ FirstTouch TurningTogether<D>::find_first(Call& call, Met* met, bool* is_open) {
   return first;
 }
 
+/** Whether thick bodies keep their distances on the way to the targets of a step: by hulls, as in turning_move.cpp.
+ * @param records whether what is too near then goes to the records. */
+template <int D>
+bool TurningTogether<D>::keeps_distances(Call& call, double fraction, bool records) {
+  const auto targets = [&](size_t i) { return PointArray{call.bodies[i].targets, D}; };
+  const auto record = [&](size_t i, const TooNear<D>& near, const dsw_contact_partner& partner) {
+    const Body<D>& body = *call.bodies[i].body;
+    const uint32_t v = SimplexCorners<D>(body, near.part).vertices[0];
+    call.trajectories[i].record->add(describe(env_, body, v, targets(i)[v], near), partner);
+  };
+  TooNear<D> near;
+  for (size_t i = 0; i < call.bodies.size(); ++i) {
+    const RigidTrajectory<D>& a = call.bodies[i];
+    thick_.bend = a.way.sagitta(fraction - call.at);
+    thick_.notes = call.trajectories[i].notes;
+    if (!thick_.keeps_motion(a.still, *a.body, targets(i), records ? &near : nullptr)) {
+      if (records) record(i, near, partner_of(a.still, near));
+      return false;
+    }
+    for (size_t j = 0; call.bodies_meet && j < i; ++j) {
+      const RigidTrajectory<D>& b = call.bodies[j];
+      const double radii = a.body->radius + b.body->radius;
+      if (!(radii > 0) || !a.body->filter.sees(b.body->filter)) continue;
+      const double distance = radii + thick_.bend + b.way.sagitta(fraction - call.at);
+      if (thick_.keeps_apart(*a.body, targets(i), *b.body, targets(j), distance, records ? &near : nullptr)) continue;
+      if (!records) return false;
+      near.partner = 0;  // some body
+      record(i, near, name_partner(call.trajectories[j].name, near.other));
+      thick_.keeps_apart(*b.body, targets(j), *a.body, targets(i), distance, &near);
+      near.partner = 0;
+      record(j, near, name_partner(call.trajectories[i].name, near.other));
+      return false;
+    }
+  }
+  return true;
+}
+
 /** Moves all bodies to a fraction of their motions, or none. What was met is in the records then. */
 template <int D>
-bool TurningTogether<D>::go_to(Call& call, double fraction) {
+bool TurningTogether<D>::go_to(Call& call, double fraction, bool records) {
   ++call.tries;
   for (Trajectory<D>& each : call.trajectories) each.record->clear();
   call.keep(&RigidTrajectory<D>::here);
@@ -90,6 +128,7 @@ bool TurningTogether<D>::go_to(Call& call, double fraction) {
       if (!is_finite<D>(to)) return false;  // a part of a motion can lead further than the whole
     }
   }
+  if (call.is_thick && !keeps_distances(call, fraction, records)) return false;
   steps_.move(call.trajectories, call.bodies_meet, call.settings);
   const bool arrives = dsw::all_of(call.trajectories.begin(), call.trajectories.end(),
                                    [](const Trajectory<D>& each) { return each.record->fraction == 1; });
@@ -120,7 +159,8 @@ bool TurningTogether<D>::go(Call& call, double touch, double most_step) {
       if (go_to(call, before)) return true;
     }
     step = 0.5 * (next - from);
-    if (!(step >= call.least) || from + step == from) return false;
+    // Finer steps are below what distances of thick bodies may lose.
+    if (!(step >= (call.is_thick ? std::max(call.least, 0x1p-44) : call.least)) || from + step == from) return false;
   }
   return call.at >= end;
 }
@@ -156,7 +196,7 @@ void TurningTogether<D>::record_contacts(Call& call, double touch, const Met& me
   call.keep(&RigidTrajectory<D>::before);
   for (double further = 16 * call.least;; further *= 64) {
     const double next = std::min(1.0, std::max(at, touch <= 1 ? touch : at) + further);
-    if (!go_to(call, next)) break;
+    if (!go_to(call, next, true)) break;
     call.put(&RigidTrajectory<D>::before);
     call.at = at;
     if (next == 1) break;
@@ -186,6 +226,7 @@ void TurningTogether<D>::move(Array<RigidTrajectory<D>>& bodies, Array<Trajector
     each.way.start(*each.body, *each.motion);
     call.least = std::min(call.least, each.way.least_step());
     call.turns = call.turns || each.way.turns();
+    call.is_thick = call.is_thick || ThickSweep<D>::is_thick(each.still, *each.body);
   }
   Met met;
   bool is_open = false;

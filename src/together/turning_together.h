@@ -1,6 +1,7 @@
 #pragma once
 // Bodies that move rigidly, all at once, until something is touched.
 
+#include "proximity/thick_sweep.h"
 #include "response/rigid_touches.h"
 #include "together/rigid_pairs.h"
 #include "together/together_move.h"
@@ -25,7 +26,8 @@ struct RigidTrajectory {
 template <int D>
 class TurningTogether {
  public:
-  explicit TurningTogether(const Environment<D>& env) : env_(env), touches_(env), pairs_(env.memory), steps_(env) {}
+  explicit TurningTogether(const Environment<D>& env)
+      : env_(env), touches_(env), pairs_(env.memory), thick_(env), steps_(env) {}
 
   /** Moves bodies that depend on nobody else that moves. What has become of them is in the records of `trajectories`, which are
    * those of `bodies`, with the steps' targets. Throws std::bad_alloc and WorkOver with some vertices moved.
@@ -39,7 +41,8 @@ class TurningTogether {
   struct Call;
   struct Met;
   FirstTouch find_first(Call& call, Met* met, bool* is_open);
-  bool go_to(Call& call, double fraction);
+  bool go_to(Call& call, double fraction, bool records = false);
+  bool keeps_distances(Call& call, double fraction, bool records);
   bool go(Call& call, double touch, double most_step);
   void record_contacts(Call& call, double touch, const Met& met);
   void record_met(Call& call, const Met& met);
@@ -47,6 +50,7 @@ class TurningTogether {
   const Environment<D>& env_;
   RigidTouches<D> touches_;
   RigidPairs<D> pairs_;
+  ThickSweep<D> thick_;
   TogetherMove<D> steps_;
 };
 

@@ -347,6 +347,118 @@ static void memory_runs_out(int which) {
   end_context(context, &h);
 }
 
+/* Finds the distance of two segments in space, by their nearest points [Ericson 2005]. */
+static double distance_of(const double *a, const double *b) {
+  double d[3], e[3], r[3], dd = 0, ee = 0, de = 0, dr = 0, er = 0, s, t, square = 0;
+  int k;
+  for (k = 0; k < 3; ++k) {
+    d[k] = a[3 + k] - a[k];
+    e[k] = b[3 + k] - b[k];
+    r[k] = a[k] - b[k];
+    dd += d[k] * d[k];
+    ee += e[k] * e[k];
+    de += d[k] * e[k];
+    dr += d[k] * r[k];
+    er += e[k] * r[k];
+  }
+  s = dd * ee - de * de > 0 ? fmin(fmax((de * er - dr * ee) / (dd * ee - de * de), 0), 1) : 0;
+  t = (de * s + er) / ee;
+  if (t < 0 || t > 1) {
+    t = t < 0 ? 0 : 1;
+    s = fmin(fmax((de * t - dr) / dd, 0), 1);
+  }
+  for (k = 0; k < 3; ++k) square += pow(r[k] + s * d[k] - t * e[k], 2);
+  return sqrt(square);
+}
+
+/* Where the two ends of a rod are at a fraction of a motion. */
+static void place_rod(const double *rod, const dsw_rigid_motion *m, double fraction, double *to) {
+  double q[4], length = 0;
+  int i, k;
+  for (k = 0; k < 4; ++k) {
+    q[k] = fraction * m->rotation[k] + (k == 3 ? 1 - fraction : 0);
+    length += q[k] * q[k];
+  }
+  for (i = 0; i < 2; ++i) {
+    double x[3], c[3];
+    for (k = 0; k < 3; ++k) x[k] = rod[3 * i + k] - m->centre[k];
+    for (k = 0; k < 3; ++k) c[k] = q[(k + 1) % 3] * x[(k + 2) % 3] - q[(k + 2) % 3] * x[(k + 1) % 3] + q[3] * x[k];
+    for (k = 0; k < 3; ++k) {
+      const double turned = x[k] + 2 * (q[(k + 1) % 3] * c[(k + 2) % 3] - q[(k + 2) % 3] * c[(k + 1) % 3]) / length;
+      to[3 * i + k] = turned + m->centre[k] + fraction * m->translation[k];
+    }
+  }
+}
+
+typedef struct thick_tally {
+  size_t whole, stopped, too_near, far;
+} thick_tally;
+
+/* Thick rods in a room. At 200 times of their motions they are no nearer to each other and to the walls than their radii, and
+ * where they stop one of these distances is used up. */
+static void thick_rods(thick_tally *t) {
+  dsw_scene *const scene = make_room();
+  double rods[BODIES][6], radii[BODIES], least = 1;
+  dsw_body_id bodies[BODIES];
+  dsw_rigid_motion motions[BODIES];
+  dsw_move_report reports[BODIES];
+  unsigned i, j, k, x;
+  int is_too_near = 0;
+  memset(rods, 0, sizeof rods);
+  memset(motions, 0, sizeof motions);
+  for (i = 0; i < BODIES; ++i) {
+    dsw_body_desc d;
+    double at[6];
+    do {
+      for (k = 0; k < 2; ++k) {
+        for (x = 0; x < D; ++x) {
+          at[D * k + x] = rods[i][3 * k + x] = k == 0 ? between(0.5, N - 0.5) : rods[i][x] + between(-0.4, 0.4);
+        }
+      }
+      d = line_desc(at, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+      d.radius = radii[i] = i == 2 && share() < 0.5 ? 0 : between(0.02, 0.1);
+    } while (dsw_body_create(scene, &d, &bodies[i]) != DSW_STATUS_OK);
+    for (k = D == 2 ? 2 : 0; k < 3; ++k) motions[i].rotation[k] = between(-0.7, 0.7);
+    motions[i].rotation[3] = between(0.5, 1);
+    for (x = 0; x < D; ++x) {
+      motions[i].centre[x] = rods[i][x] + between(-0.2, 0.2);
+      motions[i].translation[x] = between(-1, 1);
+    }
+    {
+      double length = 0;
+      for (k = 0; k < 4; ++k) length += motions[i].rotation[k] * motions[i].rotation[k];
+      for (k = 0; k < 4; ++k) motions[i].rotation[k] /= sqrt(length);
+    }
+  }
+  CHECK_OK(dsw_scene_move_rigid(scene, bodies, BODIES, motions, NULL, reports));
+  for (k = 0; k <= 200; ++k) {
+    double at[BODIES][6];
+    for (i = 0; i < BODIES; ++i) {
+      place_rod(rods[i], &motions[i], reports[i].fraction * k / 200, at[i]);
+      for (x = 0; x < 6; ++x) {
+        const double wall = x % 3 < D ? fmin(at[i][x], N - at[i][x]) - radii[i] : 1;
+        is_too_near |= wall < -1e-9;
+        if (k == 200) least = fmin(least, wall);
+      }
+      for (j = 0; j < i; ++j) {
+        const double left = distance_of(at[i], at[j]) - radii[i] - radii[j];
+        is_too_near |= left < -1e-9;
+        if (k == 200) least = fmin(least, left);
+      }
+    }
+  }
+  t->too_near += is_too_near != 0;
+  if (reports[0].fraction == 1) {
+    ++t->whole;
+  } else {
+    ++t->stopped;
+    t->far += least > 1e-9;
+    for (i = j = 0; i < BODIES; ++i) j += reports[i].contact_count != 0;
+    CHECK(j > 0 && reports[0].fraction == reports[1].fraction && reports[1].fraction == reports[2].fraction);
+  }
+  end_scene(scene);
+}
+
 int main(int argc, char **argv) {
   for (D = 2; D <= 3; ++D) {
     tally t;
@@ -365,6 +477,16 @@ int main(int argc, char **argv) {
     }
     CHECK(t.touches > 0 && t.passed == 0 && t.false_stops == 0 && t.most_late < 1e-9);
     CHECK(t.silent == 0 && t.other_times == 0);
+    {
+      thick_tally thick;
+      memset(&thick, 0, sizeof thick);
+      for (i = 0; i < effort_of(100); ++i) thick_rods(&thick);
+      if (argc > 1) {
+        printf("  thick: %zu whole, %zu stopped, %zu too near, %zu far\n", thick.whole, thick.stopped, thick.too_near,
+               thick.far);
+      }
+      CHECK(thick.stopped > 0 && thick.too_near == 0 && thick.far == 0);
+    }
   }
   return check_result();
 }
