@@ -373,13 +373,14 @@ AT(dsw_near_options, margin, 8);
 AT(dsw_near_options, radius, 16);
 GROWS(dsw_near_options, radius);
 
-SIZE(dsw_together_options, 20);
+SIZE(dsw_together_options, 24);
 AT(dsw_together_options, struct_size, 0);
 AT(dsw_together_options, flags, 4);
 AT(dsw_together_options, stop, 8);
 AT(dsw_together_options, max_rounds, 12);
 AT(dsw_together_options, max_work, 16);
-GROWS(dsw_together_options, max_work);
+AT(dsw_together_options, response, 20);
+GROWS(dsw_together_options, response);
 
 SIZE(dsw_scene_deform_options, 32);
 AT(dsw_scene_deform_options, struct_size, 0);
@@ -387,7 +388,7 @@ AT(dsw_scene_deform_options, flags, 4);
 AT(dsw_scene_deform_options, stop, 8);
 AT(dsw_scene_deform_options, max_rounds, 12);
 AT(dsw_scene_deform_options, max_work, 16);
-AT(dsw_scene_deform_options, reserved, 20);
+AT(dsw_scene_deform_options, response, 20);
 AT(dsw_scene_deform_options, point_room, 24);
 GROWS(dsw_scene_deform_options, point_room);
 

@@ -30,6 +30,18 @@ typedef enum dsw_together_stop {
   DSW_TOGETHER_STOP_FORCE_INT32 = 0x7fffffff
 } dsw_together_stop;
 
+/** What vertices of bodies do that touch, with DSW_TOGETHER_STOP_FEATURE. All still goes straight and
+ * steadily, to other ends. */
+typedef enum dsw_together_response {
+  DSW_TOGETHER_RESPONSE_STOP = 0, /**< They stop. */
+  /** Without friction: they end as near to their targets as all touches allow, by the sum of
+   * squares. Walls that move push them by what is left of the wall's way, bodies share it. */
+  DSW_TOGETHER_RESPONSE_SLIDE = 1,
+  /** As SLIDE, but what touches a wall goes with the wall from there on, and nowhere else. */
+  DSW_TOGETHER_RESPONSE_CARRY = 2,
+  DSW_TOGETHER_RESPONSE_FORCE_INT32 = 0x7fffffff
+} dsw_together_response;
+
 /** Options of dsw_scene_move_together and dsw_scene_move_rigid. */
 typedef struct dsw_together_options {
   uint32_t struct_size;
@@ -40,6 +52,8 @@ typedef struct dsw_together_options {
    * what moves together; 0 means 8192. At the limit these bodies stay, free; `vertices_limited`
    * counts vertices with other targets. */
   uint32_t max_work;
+  /** Default STOP. What touches eight times, or in the last quarter of the rounds, stops. */
+  dsw_together_response response;
 } dsw_together_options;
 
 /** Writes the defaults. @since 2.1 */
@@ -52,14 +66,20 @@ typedef struct dsw_scene_deform_options {
   /** Default ALL. Not ISLAND. FEATURE: the environment's vertices of the parts that touch stop,
    * too, and hold those of volumes that would become invalid; the rest goes on. */
   dsw_together_stop stop;
-  uint32_t max_rounds; /**< See dsw_together_options. */
-  uint32_t max_work;   /**< See dsw_together_options. At the limit nothing moves. */
-  uint32_t reserved;   /**< 0. */
-  size_t point_room;   /**< See dsw_deform_options. */
+  uint32_t max_rounds;            /**< See dsw_together_options. */
+  uint32_t max_work;              /**< See dsw_together_options. At the limit nothing moves. */
+  dsw_together_response response; /**< See dsw_together_options. */
+  size_t point_room;              /**< See dsw_deform_options. */
 } dsw_scene_deform_options;
 
 /** Writes the defaults. @since 2.1 */
 DSW_API void dsw_scene_deform_options_init(dsw_scene_deform_options *options, size_t size);
+
+/** Gives, for each vertex slot, what is left of its way from where dsw_scene_move_together or
+ * dsw_scene_deform has left it to its target. Count 0 after any other move of the body.
+ * @param ways as many numbers for each as the dimension; borrowed until the body moves. @since 2.1 */
+DSW_API dsw_status dsw_body_get_ways_left(const dsw_scene *scene, dsw_body_id body,
+                                          const double **ways, size_t *count);
 
 /** Moves all vertices of some bodies to their targets, all at once. Bodies of the call that could
  * meet each other on their ways, directly or through others, are an island. Other bodies stand
@@ -69,7 +89,8 @@ DSW_API void dsw_scene_deform_options_init(dsw_scene_deform_options *options, si
  * @param reports `fraction`: part of the motion up to the first contact that stopped a vertex of
  * the island, rounded; `vertices_moved`: living vertices; `edges_swept`, `edges_skipped`: those of
  * the island, for its first body.
- * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has.
+ * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has, or
+ * `response` without FEATURE.
  * @note Contacts are all that touch at the same exact time. `fixed` has the other ends then.
  * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact;
  * see `max_work`. Thread: one. @since 2.1 */
@@ -93,7 +114,7 @@ DSW_API dsw_status dsw_scene_move_rigid(dsw_scene *scene, const dsw_body_id *bod
                                         dsw_move_report *reports);
 
 /** Takes bodies to their targets while the environment of a scene with DSW_FEATURE_DEFORMING goes
- * to new positions, all at once: no body is pushed, and what touches stops, see `stop`. Other
+ * to new positions, all at once. What touches stops, or is pushed, see `stop` and `response`. Other
  * bodies and particles stand still. A volume that holds or nears a body or particle has to stay
  * valid on the whole way; else all ways end at 1/2, 1/4, ... of it.
  * @param next `point_count` points as in dsw_environment_deform; overwritten if the outcome is

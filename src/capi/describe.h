@@ -30,7 +30,7 @@ DSW_FIRST_SIZE(dsw_body_desc, motion_share);
 DSW_FIRST_SIZE(dsw_body_counts, reserved);
 DSW_FIRST_SIZE(dsw_move_options, order_count);
 DSW_FIRST_SIZE(dsw_near_options, radius);
-DSW_FIRST_SIZE(dsw_together_options, max_work);
+DSW_FIRST_SIZE(dsw_together_options, response);
 DSW_FIRST_SIZE(dsw_scene_deform_options, point_room);
 DSW_FIRST_SIZE(dsw_deform_options, min_part);
 DSW_FIRST_SIZE(dsw_cut_desc, snap);

@@ -109,10 +109,11 @@ DSW_FIELDS(dsw_move_options,
   DSW_SAME(bisection_depth), DSW_SAME(max_volumes), DSW_SAME(passes), DSW_SAME(min_part), DSW_SAME(min_length),
   DSW_SAME(stand_off), DSW_SAME(noise_share), DSW_WIDE(order), DSW_WIDE(order_count));
 DSW_FIELDS(dsw_together_options,
-  DSW_SAME(struct_size), DSW_SAME(flags), DSW_SAME(stop), DSW_SAME(max_rounds), DSW_SAME(max_work));
+  DSW_SAME(struct_size), DSW_SAME(flags), DSW_SAME(stop), DSW_SAME(max_rounds), DSW_SAME(max_work),
+  DSW_SAME(response));
 DSW_FIELDS(dsw_scene_deform_options,
   DSW_SAME(struct_size), DSW_SAME(flags), DSW_SAME(stop), DSW_SAME(max_rounds), DSW_SAME(max_work),
-  DSW_SAME(reserved), DSW_WIDE(point_room));
+  DSW_SAME(response), DSW_WIDE(point_room));
 DSW_FIELDS(dsw_cast_options,
   DSW_SAME(struct_size), DSW_SAME(flags), DSW_SAME(max_volumes), DSW_SAME(reserved));
 DSW_FIELDS(dsw_validation,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "capi/body_access.h"
 #include "capi/given_motion.h"
 #include "capi/moved_bodies.h"
 #include "capi/moved_points.h"
@@ -29,6 +30,12 @@ template <class Options>
 dsw::TogetherSettings to_settings(const Options& o) {
   dsw::TogetherSettings s;
   s.stop = static_cast<dsw::TogetherStop>(capi::to_number(o.stop, DSW_TOGETHER_STOP_FEATURE, "options->stop"));
+  s.response =
+      static_cast<dsw::TogetherResponse>(capi::to_number(o.response, DSW_TOGETHER_RESPONSE_CARRY, "options->response"));
+  if (s.response != dsw::TogetherResponse::kStop && s.stop != dsw::TogetherStop::kFeature) {
+    fail(DSW_STATUS_UNSUPPORTED, "options->response is %u, must be STOP unless options->stop is FEATURE",
+         capi::raw_value(o.response));
+  }
   s.rounds = capi::to_count(o.max_rounds, kMostRounds, s.rounds, "options->max_rounds");
   s.kilo_products = to_kilo_products(o.max_work);
   return s;
@@ -109,6 +116,15 @@ dsw_status dsw_scene_move_rigid(dsw_scene* scene, const dsw_body_id* bodies, siz
     move_rigid_together(s, records.data(), rigid.data(), count, settings);
     call.done(capi::Moved<D>{records.data(), count});
     for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
+  });
+}
+
+dsw_status dsw_body_get_ways_left(const dsw_scene* scene, dsw_body_id body, const double** ways, size_t* count) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    constexpr size_t D = std::decay_t<decltype(of)>::kDimension;
+    const dsw::Array<double>& left = of.record.record.ways_left;
+    capi::give(ways, "ways", left.empty() ? nullptr : left.data());
+    capi::give(count, "count", left.size() / D);
   });
 }
 

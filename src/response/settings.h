@@ -58,9 +58,10 @@ struct MoveRecord {
   double fraction = 1;
   uint32_t moved = 0, stopped = 0, limited = 0;
   SweepCounts sweeps;
-  PlainMotion left;  // of a rigid motion
+  PlainMotion left;         // of a rigid motion
+  Array<double> ways_left;  // by slot, of a move at once
 
-  explicit MoveRecord(const Memory* memory) : contacts(memory), partners(memory), previous(memory), edits(memory) {}
+  explicit MoveRecord(const Memory* memory) : contacts(memory), partners(memory), previous(memory), edits(memory), ways_left(memory) {}
   void add(const dsw_body_contact& contact, const dsw_contact_partner& partner = {}) {
     contacts.push_back(contact);
     previous.emplace_back();
@@ -75,6 +76,7 @@ struct MoveRecord {
     moved = stopped = limited = 0;
     sweeps = {};
     left = {};
+    ways_left.clear();
   }
 };
 

@@ -76,6 +76,7 @@ void deform(Scene<D>& scene, double* next, const WallSettings& settings) {
     MoveRecord& record = scene.bodies[owner.id.index].record;
     std::swap(record.edits, owner.record->edits);
     record.left = {};
+    record.ways_left.clear();
     refresh_body(scene, scene.bodies[owner.id.index]);
   }
   for (uint32_t slot = 0; scene.features.live && slot < scene.particles.size(); ++slot) note_particle(scene, slot);

@@ -77,6 +77,7 @@ void Call<D>::add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record
   made.name = {&of.body, slot, scene_.body_slots.generation(slot)};
   made.motion.targets = targets;
   made.record = record;
+  made.stands = record == &still_record_;
 }
 
 template <int D>
@@ -118,6 +119,7 @@ void Call<D>::add_particles() {
   made.name = {&particles_, kNone, 0};
   made.motion.targets = positions_of(particles_);
   made.record = &still_record_;
+  made.stands = true;
 }
 
 /** That of all vertices, in all halvings together. */
@@ -187,6 +189,7 @@ bool Call<D>::try_way() {
   if (!ways_.walls.stay_valid()) return false;
   if (settings_.stop == TogetherStop::kFeature) {
     shorten_each();
+    if (!ways_.walls.stay_valid()) return false;
   } else {
     if (ways_.find_touches(trajectories_)) ways_.stop(trajectories_);
     touch_time_ = ways_.time();
@@ -198,7 +201,7 @@ bool Call<D>::try_way() {
 template <int D>
 void Call<D>::shorten_each() {
   ways_.set_ends(trajectories_, 1);
-  const auto end = shortened_.run(trajectories_, settings_.rounds, false);
+  const auto end = shortened_.run(trajectories_, settings_, false);
   touch_time_ = shortened_.first_time();
   if (end == ShortenedWays<D, MovingWalls<D>>::End::kFree) return;
   ways_.walls.held.look_at_all();

@@ -55,6 +55,27 @@ void move_island(TogetherMove<D>& move, Array<Trajectory<D>>& trajectories, Body
   }
 }
 
+/** Bodies that go beside their targets may meet all that they see. */
+template <int D>
+void find_one_island(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets,
+                     Islands<D>& islands) {
+  Box<D> all;
+  for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
+    if (!scene.body_slots.alive(slot, scene.body_slots.generation(slot))) continue;
+    for (const BodyVertex<D>& each : scene.bodies[slot].body.vertices) {
+      if (each.cell.valid()) all.add(each.position);
+    }
+  }
+  for (size_t i = 0, at = 0; i < count; ++i) {
+    const Body<D>& body = bodies[i]->body;
+    for (uint32_t v = 0; v < body.vertices.size(); ++v, ++at) {
+      if (body.has_vertex(v)) all.add(targets[static_cast<uint32_t>(at)]);
+    }
+  }
+  const Array<Box<D>> reaches(count, all, scene.memory);
+  find_islands(scene, bodies, count, reaches.data(), islands);
+}
+
 }  // namespace
 
 template <int D>
@@ -72,7 +93,11 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
     at += of.body.vertices.size();
   }
   Islands<D> islands(scene.memory);
-  find_islands(scene, bodies, count, targets, first.data(), false, islands);
+  if (settings.response == TogetherResponse::kStop) {
+    find_islands(scene, bodies, count, targets, first.data(), false, islands);
+  } else {
+    find_one_island(scene, bodies, count, targets, islands);
+  }
   refuse_thick(islands);
   leave_still_ones(scene, bodies, count, islands);
   CastCounters casts;
@@ -88,7 +113,8 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
         trajectories.push_back(
             trajectory_of(scene, *bodies[i], still, {targets.data + first[i] * targets.step, targets.step}));
       }
-      if (settings.stop == TogetherStop::kAll && island + 1 != islands.count()) continue;
+      const bool is_one = settings.stop == TogetherStop::kAll || settings.response != TogetherResponse::kStop;
+      if (is_one && island + 1 != islands.count()) continue;
       // The bodies of islands stand one after the other, as the trajectories do.
       move_island(move, trajectories, bodies, islands.bodies.data() + islands.first[island + 1] - trajectories.size(),
                   scene.features.contacts, settings);

@@ -37,10 +37,12 @@ template <int D, class Target>
 void stay_at_limit(BodyRecord<D>& of, Target target) {
   of.next.clear();
   of.next.fraction = 0;
+  of.next.ways_left.assign(D * of.body.vertices.size(), 0.0);
   for (uint32_t v = 0; v < of.body.vertices.size(); ++v) {
     if (!of.body.has_vertex(v)) continue;
     double to[D];
     target(v, to);
+    for (size_t k = 0; k < D; ++k) of.next.ways_left[D * v + k] = to[k] - of.body.position(v)[k];
     ++of.next.moved;
     of.next.limited += std::equal(to, to + D, of.body.position(v)) ? 0 : 1;
   }

@@ -88,6 +88,7 @@ double BodyWays<D>::Ways::mean_size() const {
 
 template <int D>
 void BodyWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift) {
+  bodies_meet_ = bodies_meet;
   pairs_.clear();
   const auto meets = [](const Trajectory<D>& of) {
     return of.motion.body->filter.self || (of.still != nullptr && !of.still->all.empty());

@@ -18,6 +18,8 @@ class BodyWays {
    * @param drift null, or a way that is left out of all, since all vertices will make the same part of theirs: then fewer ways
    * come near each other. */
   void start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift = nullptr);
+  /** Finds them for ways that have become others. */
+  void start_again(const Array<Trajectory<D>>& trajectories) { start(trajectories, bodies_meet_); }
   /** Whether none of them touch on their ways. */
   bool is_free(const Array<Trajectory<D>>& trajectories) const;
   /** What is touched first. */
@@ -75,6 +77,7 @@ class BodyWays {
   Array<Pair> pairs_;
   Array<Hinge> hinges_;
   NearEdges near_;
+  bool bodies_meet_ = false;
 };
 
 }  // namespace dsw

@@ -20,14 +20,26 @@ void HeldPoints<D>::start_round(const CellQueue& cells) {
     return;
   }
   way_->keep_targets();
+  include(cells);
+}
+
+template <int D>
+void HeldPoints<D>::include(const CellQueue& cells) {
   Array<uint32_t> vertices(env_.memory);
   for (size_t i = 0; i < cells.size(); ++i) {
     env_.map.for_each_vertex(cells[i], [&](uint32_t v) { vertices.push_back(v); });
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  Array<Point> before(env_.memory);
+  before.swap(points_);
   points_.reserve(vertices.size());
+  size_t at = 0;  // of the points before, all of which are among the vertices
   for (const uint32_t v : vertices) {
+    if (at < before.size() && before[at].vertex == v) {
+      points_.push_back(before[at++]);
+      continue;
+    }
     Point& made = points_.emplace_back(Point{v, false, 1, {}});
     std::copy_n(way_->next(v), D, made.target);
   }

@@ -25,6 +25,8 @@ class HeldPoints {
   /** No way has to be looked at from now on. The host's array is kept, and then written.
    * @param cells that are met. */
   void start_round(const CellQueue& cells);
+  /** Further cells are met. */
+  void include(const CellQueue& cells);
   uint32_t count() const noexcept { return static_cast<uint32_t>(points_.size()); }
   /** Calls visit(number) for those points of a touch that go. */
   template <class Visit>

@@ -72,21 +72,45 @@ void MovingWalls<D>::begin(PointsWay<D>& way, Array<dsw_volume_id>& invalid) noe
 
 template <int D>
 void MovingWalls<D>::start(const Array<Trajectory<D>>& trajectories) {
+  checked_.clear();
+  counts = {};
+  contacts.clear();
+  collect_all(trajectories);
+  stay_valid_ = are_valid_from(0);
+}
+
+template <int D>
+void MovingWalls<D>::collect_again(const Array<Trajectory<D>>& trajectories) {
+  const size_t before = checked_.size();
+  collect_all(trajectories);
+  held.include(checked_);
+  finish_round();
+  stay_valid_ = are_valid_from(before) && stay_valid_;
+}
+
+template <int D>
+void MovingWalls<D>::collect_all(const Array<Trajectory<D>>& trajectories) {
   nears_.clear();
   features_.clear();
   walls_.clear();
   ends_.clear();
   cells_.clear();
-  checked_.clear();
-  stay_valid_ = true;
-  counts = {};
-  contacts.clear();
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
     for_each_simplex(*trajectories[t].motion.body, [&](const Simplex& part) {
       collect(trajectories[t], t, part);
       return true;
     });
   }
+}
+
+/** Whether cells that are met stay valid, from one on. Those that do not are told. */
+template <int D>
+bool MovingWalls<D>::are_valid_from(size_t first) {
+  const size_t before = invalid_->size();
+  for (size_t i = first; i < checked_.size(); ++i) {
+    if (!stays_valid(env_, checked_[i], next_)) invalid_->push_back(volume_id(env_.map, checked_[i]));
+  }
+  return invalid_->size() == before;
 }
 
 template <int D>
@@ -120,7 +144,7 @@ void MovingWalls<D>::collect(const Trajectory<D>& of, uint32_t number, const Sim
   if (part.kind == Simplex::kVertex || near.first_feature != near.feature_end) nears_.push_back(near);
 }
 
-/** Notes the cells of the last flood, and looks whether they stay valid. */
+/** Notes the cells of the last flood. */
 template <int D>
 void MovingWalls<D>::add_cells() {
   for (size_t i = 0; i < flood_.cells().size(); ++i) {
@@ -132,9 +156,6 @@ void MovingWalls<D>::add_cells() {
     env_.map.for_each_vertex(c, [&](uint32_t v) {
       if (!is_finite<D>(next_ + size_t{D} * v)) fail_non_finite({next_, D}, v, D, {"next", true});
     });
-    if (stays_valid(env_, c, next_)) continue;
-    invalid_->push_back(volume_id(env_.map, c));
-    stay_valid_ = false;
   }
 }
 

@@ -39,6 +39,12 @@ class MovingWalls {
 
   // Points whose ways are shortened, each for itself.
   HeldPoints<D> held{env_};
+  /** Finds what comes near ways that have become others, and the cells that are met there. */
+  void collect_again(const Array<Trajectory<D>>& trajectories);
+  /** Where the points of a touch of the environment go. They live on. */
+  void find_goals(const WayTouch<D>& touch, const double** goals) const {
+    for (uint32_t i = 0; i < touch.wall.count; ++i) goals[i] = next_ + size_t{D} * touch.wall.vertices[i];
+  }
   /** See HeldPoints. */
   void start_round() { held.start_round(checked_); }
   /** The points of a round have been shortened. */
@@ -78,8 +84,10 @@ class MovingWalls {
   struct Wall {
     uint32_t vertices[D];
   };
+  void collect_all(const Array<Trajectory<D>>& trajectories);
   void collect(const Trajectory<D>& of, uint32_t number, const Simplex& part);
   void add_cells();
+  bool are_valid_from(size_t first);
   void add_features(const Simplex& part);
   template <class Visit>
   bool visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit);

@@ -27,7 +27,9 @@ std::tuple<double, uint32_t> key_of(const WayTouch<D>& touch) {
 
 template <int D, class Walls>
 typename ShortenedWays<D, Walls>::End ShortenedWays<D, Walls>::run(Array<Trajectory<D>>& trajectories,
-                                                                   uint32_t most_rounds, bool may_end_at_walls) {
+                                                                   const TogetherSettings& settings,
+                                                                   bool may_end_at_walls) {
+  const bool leads = settings.response != TogetherResponse::kStop;
   names_.clear();
   watched_.clear();
   cuts_.clear();
@@ -36,7 +38,8 @@ typename ShortenedWays<D, Walls>::End ShortenedWays<D, Walls>::run(Array<Traject
   first_time_ = 1;
   for (const Trajectory<D>& of : trajectories) cuts_.emplace_back(of.is_new.size(), Cut{}, env_.memory);
   walls_.held.look_at_all();
-  for (uint32_t round = 0; round < most_rounds; ++round) {
+  rows_.start(trajectories, settings.response == TogetherResponse::kCarry);
+  for (uint32_t round = 0; round < settings.rounds; ++round) {
     find_touches(trajectories);
     if (touches_.empty()) return End::kFree;
     if (round == 0) {
@@ -58,6 +61,8 @@ typename ShortenedWays<D, Walls>::End ShortenedWays<D, Walls>::run(Array<Traject
       }
       describe_chosen(trajectories);
       ++group_;
+      // What is led elsewhere may touch again and again: in the last rounds it stops.
+      if (leads && round < settings.rounds - settings.rounds / 4) lead_chosen(trajectories, round);
       shorten_chosen(trajectories);
     }
     set_goals(trajectories);
@@ -75,8 +80,9 @@ void ShortenedWays<D, Walls>::find_touches(const Array<Trajectory<D>>& trajector
   for (const WayTouch<D>& each : watched_) {
     const Trajectory<D>& of = trajectories[each.trajectory];
     if (of.is_new[each.part.index] == 0 || !of.motion.ways[each.part.index].arrival.valid()) continue;
-    if (orient<D>(each.pair.end + 1, of.end(each.part.index)) != 0) continue;
     WayTouch<D> again = each;
+    walls_.find_goals(each, again.pair.end + 1);  // which may lie elsewhere since then
+    if (orient<D>(again.pair.end + 1, of.end(each.part.index)) != 0) continue;
     again.first = {true, 1};
     if (of.moves(each.part.index)) touches_.push_back(again);
   }
@@ -109,7 +115,7 @@ template <int D, class Walls>
 void ShortenedWays<D, Walls>::describe_chosen(Array<Trajectory<D>>& trajectories) {
   told_.clear();
   for (const WayTouch<D>& each : chosen_) {
-    const auto name = name_of(each);
+    const PairName name = pair_name_of(each);
     const auto at = std::lower_bound(names_.begin(), names_.end(), name);
     if (at != names_.end() && *at == name) continue;
     names_.insert(at, name);
@@ -127,6 +133,25 @@ void ShortenedWays<D, Walls>::for_each_cut(Array<Trajectory<D>>& trajectories, c
   walls_.held.for_each(touch, [&](uint32_t number) { visit(point_cuts_[number]); });
 }
 
+/** Adds rows for touches, which are no longer chosen then: their parts go elsewhere. */
+template <int D, class Walls>
+void ShortenedWays<D, Walls>::lead_chosen(Array<Trajectory<D>>& trajectories, uint32_t round) {
+  size_t left = 0;
+  for (const WayTouch<D>& touch : chosen_) {
+    const double* goals[D] = {};
+    if (touch.other == nullptr) walls_.find_goals(touch, goals);
+    if (!rows_.add(trajectories, touch, goals, round)) {
+      chosen_[left++] = touch;
+      continue;
+    }
+    for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) {
+      cut_of(trajectories, of, v).group = group_;
+      of.is_new[v] = 1;
+    });
+  }
+  chosen_.resize(left);
+}
+
 /** Lets all vertices of a touch go up to a time before it. The more often their ways were shortened, the longer before. */
 template <int D, class Walls>
 void ShortenedWays<D, Walls>::shorten_chosen(Array<Trajectory<D>>& trajectories) {
@@ -137,8 +162,10 @@ void ShortenedWays<D, Walls>::shorten_chosen(Array<Trajectory<D>>& trajectories)
     for_each_cut(trajectories, touch, [&](const Cut& cut) { doublings = std::max(doublings, cut.count); });
     for (uint32_t k = 0; k < std::min(doublings, kMostDoublings); ++k) step *= 2;
     for_each_cut(trajectories, touch, [&](Cut& cut) {
-      cut.time = cut.group == group_ ? std::min(cut.time, touch.first.time - step) : touch.first.time - step;
+      const double time = touch.first.time - step;
+      cut.time = cut.is_shortened ? std::min(cut.time, time) : time;
       cut.group = group_;
+      cut.is_shortened = true;
     });
   }
   // Only now, as touches of one group may share vertices.
@@ -152,24 +179,51 @@ template <int D, class Walls>
 void ShortenedWays<D, Walls>::set_goals(Array<Trajectory<D>>& trajectories) {
   for (Trajectory<D>& of : trajectories) {
     for (uint32_t v = 0; v < of.is_new.size(); ++v) {
-      if (of.is_new[v] == 0) continue;
       Cut& cut = cut_of(trajectories, of, v);
+      if (!cut.is_shortened) continue;
       ++cut.count;
+      cut.is_shortened = false;
       if (cut.time > 0) {
         place_on_way<D>(of.start(v), of.end(v), cut.time, of.goal(v));
       } else {
         std::copy_n(of.start(v), D, of.goal(v));
       }
       std::copy_n(of.goal(v), D, of.end(v));
+      rows_.keep_goal(trajectories, of, v);
     }
   }
   for (uint32_t number = 0; number < point_cuts_.size(); ++number) {
-    if (!walls_.held.is_new(number)) continue;
-    ++point_cuts_[number].count;
-    walls_.held.shorten(number, point_cuts_[number].time);
+    Cut& cut = point_cuts_[number];
+    if (!cut.is_shortened) continue;
+    ++cut.count;
+    cut.is_shortened = false;
+    walls_.held.shorten(number, cut.time);
   }
   walls_.finish_round();
+  if (!rows_.empty()) {
+    rows_.solve(trajectories);
+    collect_again(trajectories);
+  }
   walls_.cast_paths(trajectories);
+}
+
+/** Parts that are led out of where they were collected for are collected again. */
+template <int D, class Walls>
+void ShortenedWays<D, Walls>::collect_again(Array<Trajectory<D>>& trajectories) {
+  const auto leaves = [](const Trajectory<D>& of) {
+    for (uint32_t v = 0; v < of.is_new.size(); ++v) {
+      if (!of.motion.body->has_vertex(v)) continue;
+      const double *const from = of.start(v), *const to = of.reach(v), *const goal = of.goal(v);
+      for (int k = 0; k < D; ++k) {
+        if (goal[k] < std::min(from[k], to[k]) || goal[k] > std::max(from[k], to[k])) return true;
+      }
+    }
+    return false;
+  };
+  if (std::none_of(trajectories.begin(), trajectories.end(), leaves)) return;
+  for (Trajectory<D>& of : trajectories) of.reaches = of.goals;
+  walls_.collect_again(trajectories);
+  bodies_.start_again(trajectories);
 }
 
 template class ShortenedWays<2, WallWays<2>>;

@@ -5,6 +5,8 @@
 
 #include "together/body_ways.h"
 #include "together/describe.h"
+#include "together/settings.h"
+#include "together/touch_rows.h"
 
 namespace dsw {
 
@@ -18,12 +20,11 @@ class ShortenedWays {
   enum class End { kFree, kRoundsOver, kAtWalls };
 
   ShortenedWays(const Environment<D>& env, Walls& walls, BodyWays<D>& bodies)
-      : env_(env), walls_(walls), bodies_(bodies) {}
+      : env_(env), walls_(walls), bodies_(bodies), rows_(env.memory) {}
 
-  /** Shortens the ways to the goals, which are those of the call.
-   * @param most_rounds most rounds.
+  /** Shortens the ways to the goals, which are those of the call, or leads them to other goals beside what they touch.
    * @param may_end_at_walls whether kAtWalls is an answer. */
-  End run(Array<Trajectory<D>>& trajectories, uint32_t most_rounds, bool may_end_at_walls);
+  End run(Array<Trajectory<D>>& trajectories, const TogetherSettings& settings, bool may_end_at_walls);
 
   bool has_shortened() const { return group_ != 0; }
   double first_time() const { return first_time_; }               // at which something was touched in the first round
@@ -34,14 +35,17 @@ class ShortenedWays {
   bool starts_at_walls() const;
   size_t end_of_group(size_t first) const;
   void describe_chosen(Array<Trajectory<D>>& trajectories);
+  void lead_chosen(Array<Trajectory<D>>& trajectories, uint32_t round);
   void shorten_chosen(Array<Trajectory<D>>& trajectories);
   void set_goals(Array<Trajectory<D>>& trajectories);
+  void collect_again(Array<Trajectory<D>>& trajectories);
 
   /** A vertex whose way is shortened in this round. */
   struct Cut {
     uint32_t group = 0;  // of touches; 0: none
     uint32_t count = 0;  // how often its way has been shortened in the call
     double time = 1;     // up to which it goes
+    bool is_shortened = false;
   };
   /** Calls visit(cut) for the points of a touch: vertices of the call's bodies, and points of the environment that go. */
   template <class Visit>
@@ -54,9 +58,10 @@ class ShortenedWays {
   Walls& walls_;
   BodyWays<D>& bodies_;
   Array<WayTouch<D>> touches_{env_.memory}, chosen_{env_.memory}, watched_{env_.memory}, told_{env_.memory};
-  Array<decltype(name_of(WayTouch<D>()))> names_{env_.memory};  // of contacts that have been described, sorted
-  Array<Array<Cut>> cuts_{env_.memory};                         // by trajectory and vertex
-  Array<Cut> point_cuts_{env_.memory};                          // of the environment's points, by the walls' numbers
+  Array<PairName> names_{env_.memory};   // of contacts that have been described, sorted
+  Array<Array<Cut>> cuts_{env_.memory};  // by trajectory and vertex
+  Array<Cut> point_cuts_{env_.memory};   // of the environment's points, by the walls' numbers
+  TouchRows<D> rows_;
   uint32_t group_ = 0;
   double first_time_ = 1;
 };

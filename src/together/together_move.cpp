@@ -27,7 +27,7 @@ void TogetherMove<D>::move(Array<Trajectory<D>>& trajectories, bool bodies_meet,
   Round round = Round::kDeparted;
   for (uint32_t departures = 0; round == Round::kDeparted; ++departures) {
     const bool may_depart = departures < kMostDepartures;
-    round = settings.stop == TogetherStop::kFeature ? shorten_ways(trajectories, settings.rounds, may_depart)
+    round = settings.stop == TogetherStop::kFeature ? shorten_ways(trajectories, settings, may_depart)
                                                     : run_round(trajectories, may_depart);
     if (round != Round::kArrived) gone += (1 - gone) * time_;
   }
@@ -50,8 +50,8 @@ typename TogetherMove<D>::Round TogetherMove<D>::run_round(Array<Trajectory<D>>&
 
 /** Goes as far as nothing is touched, each vertex for itself. */
 template <int D>
-typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Trajectory<D>>& trajectories, uint32_t most_rounds,
-                                                              bool may_depart) {
+typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Trajectory<D>>& trajectories,
+                                                              const TogetherSettings& settings, bool may_depart) {
   using End = typename ShortenedWays<D, WallWays<D>>::End;
   ways_.walls.limits_parts = true;
   const auto look_at_all = [&] {
@@ -60,7 +60,7 @@ typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Trajectory<D
     ways_.walls.cast_paths(trajectories);
   };
   look_at_all();
-  End end = shortened_.run(trajectories, most_rounds, may_depart);
+  End end = shortened_.run(trajectories, settings, may_depart);
   if (end == End::kAtWalls) {
     ways_.first.clear();
     for (const WayTouch<D>& each : shortened_.touches()) {
@@ -74,7 +74,7 @@ typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Trajectory<D
       return Round::kDeparted;
     }
     look_at_all();
-    end = shortened_.run(trajectories, most_rounds, false);
+    end = shortened_.run(trajectories, settings, false);
   }
   ways_.walls.limits_parts = false;
   const bool is_free = end == End::kFree;

@@ -29,7 +29,7 @@ class TogetherMove {
   /** How a round ended. kDeparted: before anything was touched. */
   enum class Round { kArrived, kDeparted, kStopped };
   Round run_round(Array<Trajectory<D>>& trajectories, bool may_depart);
-  Round shorten_ways(Array<Trajectory<D>>& trajectories, uint32_t most_rounds, bool may_depart);
+  Round shorten_ways(Array<Trajectory<D>>& trajectories, const TogetherSettings& settings, bool may_depart);
   bool departs(Array<Trajectory<D>>& trajectories);
 
   WholeWays<D, WallWays<D>> ways_;

@@ -57,7 +57,12 @@ struct TouchMoment {
    * what leads from the second side's point `second` to the first's. */
   Vec of(const Vec& across, const Vec& turn, int second) const noexcept {
     const Vec gap = at[0] - at[second], together = way[0] - way[second];
-    if (is_zero(across)) return against(Vec::Zero(), together);
+    if (is_zero(across)) {
+      // Parallel edges that go alike: some unit vector.
+      const Vec& way_of_one = is_zero(way[0]) ? way[second] : way[0];
+      const Vec any = is_zero(way_of_one) ? Vec(1, 0, 0) : way_of_one;
+      return against(Vec::Zero(), is_zero(together) ? any : together);
+    }
     return (dot(across, together) + dot(turn, gap) > 0 ? -1.0 : 1.0) * unit(across);
   }
 };

@@ -1,6 +1,9 @@
 #pragma once
 // A body of which all vertices move at once, and what its parts touch on their way.
 
+#include <algorithm>
+#include <array>
+
 #include "base/search.h"
 #include "body/simplices.h"
 #include "contact/way_touch.h"
@@ -40,6 +43,27 @@ struct Trajectory {
   const double* reach(uint32_t v) const { return reaches.empty() ? motion.targets[v] : &reaches[size_t{v} * D]; }
   bool moves(uint32_t v) const { return !std::equal(start(v), start(v) + D, end(v)); }
 };
+
+/** A pair, whichever of its sides moves, and in whatever order its points are found: the same all through a call. */
+using PairName = std::array<uint32_t, 9>;
+template <int D>
+PairName pair_name_of(const WayTouch<D>& t) noexcept {
+  PairName name = {t.trajectory, static_cast<uint32_t>(t.part.kind), t.part.index, kNone, kNone, kNone, kNone, kNone,
+                   kNone};
+  if (t.other == nullptr) {
+    std::copy_n(t.wall.vertices, 3, name.begin() + 6);
+    std::sort(name.begin() + 6, name.end());
+    return name;
+  }
+  const std::array<uint32_t, 3> own = {t.trajectory, name[1], name[2]},
+                                other = {t.other_trajectory, static_cast<uint32_t>(t.other_part.kind),
+                                         t.other_part.index};
+  const auto& [first, second] = std::minmax(own, other);
+  std::copy(first.begin(), first.end(), name.begin());
+  std::copy(second.begin(), second.end(), name.begin() + 3);
+  name[6] = t.other_trajectory == kNone ? t.other->index : kNone;
+  return name;
+}
 
 /** Whether the way of a part has not been looked at. */
 template <int D>

@@ -36,6 +36,11 @@ class WallWays {
 
   // The environment stands still.
   NoPoints held;
+  void collect_again(const Array<Trajectory<D>>& trajectories) { near_.start(trajectories); }
+  void find_goals(const WayTouch<D>& touch, const double** goals) const {
+    for (uint32_t i = 0, first = touch.comes_first ? D + 1 - touch.wall.count : 0; i < touch.wall.count; ++i)
+      goals[i] = touch.pair.end[first + i];
+  }
   void start_round() const noexcept {}
   void finish_round() const noexcept {}
   void set_end(double) noexcept {}

@@ -18,6 +18,8 @@ void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_
     of.motion.start(*of.motion.body, of.motion.targets);
     const size_t count = of.motion.body->vertices.size();
     of.ends.resize(count * D);
+    of.reaches.clear();
+    of.record->ways_left.reserve(of.stands ? 0 : D * count);
     of.limits.assign(count, 1);
     of.is_new.assign(count, 1);
     of.goals.resize(count * D);
@@ -129,8 +131,12 @@ template <int D, class Walls>
 void WholeWays<D, Walls>::finish(Array<Trajectory<D>>& trajectories) {
   for (Trajectory<D>& of : trajectories) {
     const Body<D>& body = *of.motion.body;
+    of.record->ways_left.assign(of.stands ? 0 : D * body.vertices.size(), 0.0);
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (!body.has_vertex(v)) continue;
+      for (size_t k = 0; !of.stands && k < D; ++k) {
+        of.record->ways_left[D * v + k] = of.motion.targets[v][k] - body.position(v)[k];
+      }
       ++of.record->moved;
       of.record->stopped += std::equal(of.start(v), of.start(v) + D, of.motion.targets[v]) ? 0 : 1;
     }

@@ -27,7 +27,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_environment_info upper
 #define LAST_dsw_move_options order_count
 #define LAST_dsw_near_options radius
-#define LAST_dsw_together_options max_work
+#define LAST_dsw_together_options response
 #define LAST_dsw_scene_deform_options point_room
 #define LAST_dsw_open_crack_desc tag
 #define LAST_dsw_recording_desc user

@@ -151,6 +151,38 @@ static void parts_that_touch_stop_alone(void) {
   end();
 }
 
+/* The floor comes up by 0.5 and goes 0.25 along x. It pushes the body by the last half of that, or takes it along. */
+static void a_floor_pushes_or_carries(dsw_together_response response) {
+  const double along = response == DSW_TOGETHER_RESPONSE_CARRY ? 0.125 : 0;
+  double at[6], now[6];
+  const double *left = NULL;
+  dsw_scene_deform_options o;
+  dsw_deform_report report;
+  dsw_move_report moved;
+  dsw_body_id body;
+  size_t count = 0, i;
+  dsw_scene_deform_options_init(&o, sizeof o);
+  o.stop = DSW_TOGETHER_STOP_FEATURE;
+  o.response = response;
+  begin(DSW_FEATURE_DEFORMING);
+  mark_floor(1);
+  body = make_rod(at);
+  raise_row(2, 0.5);
+  for (i = vertex(0, 0, 2); i < vertex(0, 0, 3); ++i) next_points()[g_dimension * i] += 0.25;
+  CHECK_OK(dsw_scene_deform(g_scene, next_points(), g_point_count, &body, 1, at, 2, 0, &o, &report, &moved));
+  CHECK(report.outcome == DSW_DEFORM_DONE && report.held_count == 0 && report.contact_count >= 2);
+  CHECK(moved.fraction == 0.5 && moved.vertices_stopped == 2);
+  get_positions(body, now);
+  CHECK_OK(dsw_body_get_ways_left(g_scene, body, &left, &count));
+  CHECK(count == 2);
+  for (i = 0; i < 2; ++i) {
+    const double *const p = now + g_dimension * i, *const wanted = at + g_dimension * i;
+    CHECK(p[g_up] > 2.5 && p[g_up] < 2.5000001 && fabs(p[0] - wanted[0] - along) < 1e-12);
+    CHECK(left[g_dimension * i + g_up] == wanted[g_up] - p[g_up]);
+  }
+  end();
+}
+
 static void a_particle_stops_the_floor(void) {
   double at[3] = {2.3, 1.4, 2.25}, now[3];
   const dsw_wall_contact *c = NULL;
@@ -338,6 +370,8 @@ static void in_both(void) {
   a_body_goes_with_the_floor();
   both_meet_and_the_body_goes_on();
   parts_that_touch_stop_alone();
+  a_floor_pushes_or_carries(DSW_TOGETHER_RESPONSE_SLIDE);
+  a_floor_pushes_or_carries(DSW_TOGETHER_RESPONSE_CARRY);
   a_particle_stops_the_floor();
   ways_end_where_a_volume_stays_valid();
   bad_arguments();

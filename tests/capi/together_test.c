@@ -105,6 +105,49 @@ static void a_wall_stops_it(void) {
   end_scene(scene);
 }
 
+/* The wall at x = 2 again: it stops the way to it alone. */
+static void a_wall_lets_it_slide(void) {
+  const double targets[6] = {2.5, 0.25, 0.75, 2.5, 1.25, 0.75};
+  const dsw_body_id none = {7, 7};
+  dsw_environment *environment = make_environment(NULL, 3, 2, 1);
+  dsw_scene *scene = make_scene(environment, 0);
+  dsw_body_id body = make_edge_body(scene, kAt, DSW_LEVEL_EDGES_SWEPT);
+  dsw_together_options o = together_options();
+  const double *left = NULL;
+  dsw_move_report r;
+  double p[6];
+  size_t count = 9, i, k;
+  CHECK_OK(dsw_body_get_ways_left(scene, body, &left, &count));
+  CHECK(count == 0 && left == NULL);
+  CHECK_OK(set_volume_mark(environment, 2, DSW_MARK_IMPASSABLE));
+  CHECK_OK(set_volume_mark(environment, 5, DSW_MARK_IMPASSABLE));
+  o.response = DSW_TOGETHER_RESPONSE_SLIDE;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, body, targets, &o, &r));
+  CHECK_MESSAGE("response");
+  o.stop = DSW_TOGETHER_STOP_FEATURE;
+  o.response = (dsw_together_response)3;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, body, targets, &o, &r));
+  CHECK_MESSAGE("response");
+  o.response = DSW_TOGETHER_RESPONSE_SLIDE;
+  CHECK_OK(move_one(scene, body, targets, &o, &r));
+  CHECK(r.fraction == 0.75 && r.vertices_stopped == 2 && r.contact_count == 2);
+  CHECK_OK(dsw_body_get_positions(scene, body, p, 2, 0, NULL, &count));
+  CHECK_OK(dsw_body_get_ways_left(scene, body, &left, &count));
+  CHECK(count == 2);
+  for (i = 0; i < 2; ++i) {
+    CHECK(p[3 * i] < 2 && p[3 * i] > 1.9999999 && p[3 * i + 1] == targets[3 * i + 1] && p[3 * i + 2] == 0.75);
+    for (k = 0; k < 3; ++k) CHECK(left[3 * i + k] == targets[3 * i + k] - p[3 * i + k]);
+  }
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_ways_left(NULL, body, &left, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_ways_left(scene, body, NULL, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_ways_left(scene, body, &left, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_ways_left(scene, none, &left, &count));
+  CHECK_OK(dsw_body_move(scene, body, p, 2, 0, NULL, NULL));
+  CHECK_OK(dsw_body_get_ways_left(scene, body, &left, &count));
+  CHECK(count == 0);
+  end_scene(scene);
+}
+
 static void two_segments_meet_in_the_plane(void) {
   const double a[4] = {0.5, 0.5, 0.5, 1.5}, b[4] = {2.5, 1, 1.5, 1};
   const double targets[8] = {1, 0.5, 1, 1.5, 2, 1, 1, 1};
@@ -189,6 +232,7 @@ static void too_much_work_leaves_all_where_it_is(void) {
 int main(void) {
   bad_arguments_are_refused();
   a_wall_stops_it();
+  a_wall_lets_it_slide();
   two_segments_meet_in_the_plane();
   memory_runs_out(DSW_TOGETHER_STOP_ALL);
   memory_runs_out(DSW_TOGETHER_STOP_FEATURE);

@@ -1,4 +1,4 @@
-// An environment bends while bodies move, all at once, and only the parts that touch stop: nothing is missed, nothing is
+// An environment bends while bodies move, all at once, and only the parts that touch stop, slide or are carried: nothing is missed, nothing is
 // passed, all is free afterwards, and numbers do not matter. Figures are printed.
 #include "together_deform_kinds.h"
 
@@ -9,10 +9,11 @@ class TogetherDeformPartsTest : public BendingTest {
  protected:
   TogetherDeformPartsTest() : BendingTest(7) {}
 
-  static dsw_scene_deform_options options(uint32_t rounds = 0) {
+  static dsw_scene_deform_options options(uint32_t rounds, uint32_t response) {
     dsw_scene_deform_options made = defaults(dsw_scene_deform_options_init);
     made.stop = DSW_TOGETHER_STOP_FEATURE;
     made.max_rounds = rounds;
+    made.response = static_cast<dsw_together_response>(response);
     return made;
   }
   /// What the call did to vertices of bodies, and to points of the environment.
@@ -31,7 +32,7 @@ class TogetherDeformPartsTest : public BendingTest {
 TEST_P(TogetherDeformPartsTest, MissesNothingAndPassesNothing) {
   size_t moves = 0, touches = 0, missed = 0, made_up = 0, wrong_time = 0, passed = 0, occupied = 0, halvings = 0,
          halved_for_nothing = 0, misplaced_vertices = 0, faults = 0, folded = 0, held = 0, all_stopped = 0;
-  Arrivals arrivals;
+  Arrivals arrivals[3];
   for (int round = 0; round < effort_of(40); ++round) {
     std::deque<std::vector<double>> arrays;
     Ground ground = make(rng_);
@@ -40,14 +41,16 @@ TEST_P(TogetherDeformPartsTest, MissesNothingAndPassesNothing) {
     ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS);
     std::vector<Walker> walkers = make_walkers(scene.get(), rng_.below(4u), rng_.below(4u));
     for (int step = 0; step < kSteps; ++step) {
-      const std::string where = "round " + std::to_string(round) + " step " + std::to_string(step);
+      std::string where = "round " + std::to_string(round) + " step " + std::to_string(step);
       choose_ends(ground, walkers);
       const double truth = first_time(ground, walkers, exact);
       const bool valid = all_stay_valid(ground, exact);
       const uint32_t limits[] = {0, 0, 1, 3};
-      const DeformAnswer answer =
-          deform_together(scene.get(), ground, walkers, arrays.emplace_back(), options(limits[rng_.below(4u)]));
+      const uint32_t response = rng_.below(3u);
+      const DeformAnswer answer = deform_together(scene.get(), ground, walkers, arrays.emplace_back(),
+                                                  options(limits[rng_.below(4u)], response));
       ASSERT_EQ(answer.status, DSW_STATUS_OK);
+      where += " response " + std::to_string(response);
       const bool halved = answer.report.invalid_count != 0, touched = answer.told <= 1;
       ++moves;
       touches += touched ? 1 : 0;
@@ -55,7 +58,7 @@ TEST_P(TogetherDeformPartsTest, MissesNothingAndPassesNothing) {
       held += answer.report.held_count;
       faults += answer.faults;
       halved_for_nothing += valid && halved ? 1 : 0;
-      arrivals.count(ground, walkers, answer);
+      arrivals[response].count(ground, walkers, answer);
       if (valid && !halved) {
         all_stopped += answer.report.fraction < 1 ? 1 : 0;
         missed += truth <= 1 && !touched ? 1 : 0;
@@ -88,11 +91,13 @@ TEST_P(TogetherDeformPartsTest, MissesNothingAndPassesNothing) {
     if (HasFailure()) break;
   }
   std::printf(
-      "%s: %zu moves, %zu with touches, %zu halved, %zu folded, %zu points held, %zu places where wanted, %zu not, all "
-      "stopped %zu; missed %zu, false stops %zu, wrong time %zu, passed %zu, not free %zu, misplaced %zu, halved for "
+      "%s: %zu moves, %zu with touches, %zu halved, %zu folded, %zu points held, places where wanted and not "
+      "%zu %zu (stop), %zu %zu (slide), %zu %zu (carry), all stopped %zu; missed %zu, false stops %zu, wrong time %zu, "
+      "passed %zu, not free %zu, misplaced %zu, halved for "
       "nothing %zu, faults %zu\n",
-      GetParam().name, moves, touches, halvings, folded, held, arrivals.there, arrivals.stopped, all_stopped, missed,
-      made_up, wrong_time, passed, occupied, misplaced_vertices, halved_for_nothing, faults);
+      GetParam().name, moves, touches, halvings, folded, held, arrivals[0].there, arrivals[0].stopped,
+      arrivals[1].there, arrivals[1].stopped, arrivals[2].there, arrivals[2].stopped, all_stopped, missed, made_up,
+      wrong_time, passed, occupied, misplaced_vertices, halved_for_nothing, faults);
   record_moves(moves, missed + passed, occupied + misplaced_vertices, 0);
   EXPECT_EQ(missed + made_up + wrong_time + passed + occupied + misplaced_vertices + halved_for_nothing + faults, 0u);
   EXPECT_TRUE(moves < 100 || touches > moves / 20);

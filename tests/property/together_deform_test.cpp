@@ -207,6 +207,8 @@ TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
       }
       dsw_scene_deform_options options = defaults(dsw_scene_deform_options_init);
       options.stop = rng_.chance(0.5) ? DSW_TOGETHER_STOP_ALL : DSW_TOGETHER_STOP_FEATURE;
+      if (options.stop == DSW_TOGETHER_STOP_FEATURE)
+        options.response = static_cast<dsw_together_response>(rng_.below(3u));
       const DeformAnswer answers[2] = {
           deform_together(scenes[0].get(), grounds[0], walkers[0], arrays.emplace_back(), options),
           deform_together(scenes[1].get(), grounds[1], walkers[1], arrays.emplace_back(), options)};
@@ -232,7 +234,8 @@ TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
                                     << kept << ", fraction " << answers[side].report.fraction;
         for (size_t i = 0; i < plans.size(); ++i) walkers[side][i].state = answers[side].after[i];
       }
-      EXPECT_TRUE(same) << "round " << round << " step " << step << ": fractions " << answers[0].report.fraction << " "
+      EXPECT_TRUE(same) << "round " << round << " step " << step << " stop " << options.stop << " response "
+                        << options.response << ": fractions " << answers[0].report.fraction << " "
                         << answers[1].report.fraction << ", told " << answers[0].told << " " << answers[1].told
                         << ", walls " << answers[0].walls.size() << " " << answers[1].walls.size() << ", invalid "
                         << answers[0].report.invalid_count << " " << answers[1].report.invalid_count;

@@ -320,7 +320,8 @@ TEST_F(TogetherMoreTest, FeaturesThatStopPassNothing) {
         walkers[i].end = ends[i];
       }
       const double truth = first_time<3>(ground, walkers, false);
-      const TogetherAnswer answer = move_together(scene.get(), walkers, DSW_TOGETHER_STOP_FEATURE, limit);
+      const TogetherAnswer answer =
+          move_together(scene.get(), walkers, DSW_TOGETHER_STOP_FEATURE, limit, rng_.below(3u));
       for (size_t i = 0; i < plans.size(); ++i) {
         stopped += answer.reports[i].vertices_stopped;
         reached += answer.reports[i].vertices_moved - answer.reports[i].vertices_stopped;
@@ -476,8 +477,9 @@ TEST_F(TogetherMoreTest, WhatIsRememberedDoesNotMatter) {
         copies.back().end = walker.end;
       }
       const auto stop = static_cast<dsw_together_stop>(step % 3);
-      const TogetherAnswer answers[2] = {move_together(old.get(), walkers, stop),
-                                         move_together(fresh.get(), copies, stop)};
+      const uint32_t response = rng_.below(3u);
+      const TogetherAnswer answers[2] = {move_together(old.get(), walkers, stop, 0, response),
+                                         move_together(fresh.get(), copies, stop, 0, response)};
       ++moves;
       for (size_t i = 0; i < walkers.size(); ++i) {
         bool same = answers[0].contacts[i].size() == answers[1].contacts[i].size();

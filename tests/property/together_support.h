@@ -350,11 +350,12 @@ struct TogetherAnswer {
   std::vector<std::vector<dsw_body_contact>> contacts;
 };
 inline TogetherAnswer move_together(dsw_scene* scene, const std::vector<Walker>& walkers, dsw_together_stop stop,
-                                    uint32_t rounds = 0) {
+                                    uint32_t rounds = 0, uint32_t response = 0) {
   TogetherAnswer answer;
   dsw_together_options options = defaults(dsw_together_options_init);
   options.stop = stop;
   options.max_rounds = rounds;
+  options.response = static_cast<dsw_together_response>(stop == DSW_TOGETHER_STOP_FEATURE ? response : 0);
   std::vector<dsw_body_id> ids;
   std::vector<Vec> targets;
   for (const Walker& each : walkers) {

@@ -112,7 +112,7 @@ TEST_P(TogetherTest, WhatGoesOnIsFreeToo) {
     for (int step = 0; step < 4 && !walkers.empty(); ++step) {
       choose_ends(walkers);
       const dsw_together_stop stop = round % 2 == 0 ? DSW_TOGETHER_STOP_FEATURE : DSW_TOGETHER_STOP_ISLAND;
-      const TogetherAnswer answer = move_together(scene.get(), walkers, stop);
+      const TogetherAnswer answer = move_together(scene.get(), walkers, stop, 0, rng_.below(3u));
       ++moves;
       for (size_t i = 0; i < walkers.size(); ++i) {
         contacts += answer.contacts[i].size();
@@ -192,8 +192,9 @@ TEST_P(TogetherTest, NumbersDoNotMatter) {
       for (size_t v = 0; v < other.at.size(); ++v) walkers[1].back().end[new_of[i][v]] = walkers[0][i].end[v];
     }
     const auto stop = static_cast<dsw_together_stop>(round / 2 % 3);
-    const TogetherAnswer answers[2] = {move_together(scenes[0].get(), walkers[0], stop),
-                                       move_together(scenes[1].get(), walkers[1], stop)};
+    const uint32_t response = rng_.below(3u);
+    const TogetherAnswer answers[2] = {move_together(scenes[0].get(), walkers[0], stop, 0, response),
+                                       move_together(scenes[1].get(), walkers[1], stop, 0, response)};
     ++moves;
     for (size_t i = 0; i < plans.size(); ++i) {
       const size_t k = plans.size() - 1 - i;

@@ -187,6 +187,8 @@ export class Body {
   moveRigid(motion: RigidMotion, options?: MoveOptions & { order?: Numbers }): MoveReport;
   /** The motion from where moveRigid has left the body to where it should be. */
   getMotionLeft(): RigidMotion;
+  /** By vertex, the way from where moveTogether or deform has left it to its target; empty after other moves. */
+  getWaysLeft(): Float64Array;
   /** How far the body could go along paths through poses; nothing moves. A pose has 7 numbers: a quaternion x, y, z, w and a translation, from
    * where the body is now, round `centre`. A path has two indices of poses, or those from `offsets[i]` to `offsets[i + 1]`. `fractions` and
    * `contacts`, what stops each path, are filled where given. */

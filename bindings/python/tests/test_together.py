@@ -91,6 +91,20 @@ def test_only_the_parts_that_touch_stop(room: ds.Scene) -> None:
         room.deform(CORNERS.copy(), options=ds.options(ds.SceneDeformOptions, stop=ds.TogetherStop.ISLAND))
 
 
+def test_a_floor_pushes_a_strand(room: ds.Scene) -> None:
+    body = room.create_body(strand(2), EDGES)
+    raised, target = CORNERS.copy(), strand(2)
+    raised[:4, 2] = 2
+    target[:, 0] += 0.5
+    slides = ds.options(ds.SceneDeformOptions, stop=ds.TogetherStop.FEATURE, response=ds.TogetherResponse.SLIDE)
+    report, reports = room.deform(raised, [body.id], target, slides)
+    assert report.outcome == ds.DeformOutcome.DONE and reports["fraction"].tolist() == [0.5]
+    assert np.array_equal(body.positions()[:, 0], target[:, 0]) and body.positions()[:, 2] == pytest.approx(2, abs=1e-9)
+    assert np.array_equal(body.ways_left(), target - body.positions())
+    body.move(body.positions())
+    assert body.ways_left().shape == (0, 3)
+
+
 def test_the_work_limit(room: ds.Scene) -> None:
     body = room.create_body(strand(2), EDGES)
     raised, side = CORNERS.copy(), strand(5e-324)  # integers are long beside it

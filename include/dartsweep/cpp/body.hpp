@@ -149,6 +149,14 @@ class Body {
                                        offsets.count ? offsets.data : nullptr, paths,
                                        fractions.data, contacts.data));
   }
+  // By vertex slot, as positions; empty after other moves than those at once.
+  Array<double> get_ways_left() const {
+    const SceneReading self(*state_);
+    const double *ways = nullptr;
+    std::size_t count = 0;
+    check(dsw_body_get_ways_left(self.handle, id_, &ways, &count));
+    return Array<double>(ways, dimension() * count);
+  }
   Array<dsw_body_contact> get_contacts() const {
     return list<dsw_body_contact>(dsw_body_get_contacts);
   }

@@ -66,6 +66,7 @@ from .enums import (
     Search,
     Status,
     SweepFlag,
+    TogetherResponse,
     TogetherStop,
     WallResponse,
 )
@@ -138,6 +139,7 @@ __all__ = [
     "SweepFlag",
     "SweepOptions",
     "TogetherOptions",
+    "TogetherResponse",
     "TogetherStop",
     "Trace",
     "Validation",

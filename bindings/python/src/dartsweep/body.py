@@ -193,6 +193,10 @@ class Body:
         """The motion from where the last move_rigid has left the body to where it should be."""
         return self._core.get_motion_left()  # type: ignore[no-any-return]
 
+    def ways_left(self) -> NDArray[np.float64]:
+        """By vertex index, the way from where Scene.move_together or Scene.deform has left a vertex to its target; empty after other moves."""
+        return self._core.get_ways_left().reshape(-1, self._core.dimension())  # type: ignore[no-any-return]
+
     def find_free_fractions(
         self, poses: ArrayLike, paths: Any, centre: ArrayLike = (0.0, 0.0, 0.0), contacts: Records | None = None
     ) -> Records:

@@ -1,0 +1,88 @@
+#pragma once
+// What touches allow of the ways to the targets: goals that keep apart what touched.
+
+#include <array>
+#include <tuple>
+
+#include "base/vec.h"
+#include "together/trajectory.h"
+
+namespace dsw {
+
+/** One for each thread. Nothing depends on the order of vertices, bodies or touches. Throws std::bad_alloc. */
+template <int D>
+class TouchRows {
+ public:
+  explicit TouchRows(const Memory* memory) : memory_(memory), rows_(memory), bases_(memory), known_(memory) {}
+
+  /** Forgets what touched in another call.
+   * @param carries whether parts that touch a wall go with it; else they slide along it. */
+  void start(const Array<Trajectory<D>>& trajectories, bool carries);
+  bool empty() const noexcept { return rows_.empty(); }
+  /** Adds a row for a touch. False: this pair has touched too often, or has no normal, or nobody of it can give way.
+   * @param wall_goals where the points of the environment go, which have to live on.
+   * @param round in which it touched. */
+  bool add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, const double* const* wall_goals,
+           uint32_t round);
+  /** A vertex keeps the goal that it has. */
+  void keep_goal(const Array<Trajectory<D>>& trajectories, const Trajectory<D>& of, uint32_t v) {
+    base_of(trajectories, of, v).is_kept = true;
+  }
+  /** Finds the goals that are nearest to the targets, in the sum of squares, among those that all rows allow. Goals that
+   * change are new. */
+  void solve(Array<Trajectory<D>>& trajectories);
+
+ private:
+  /** Where a vertex would go if no row held it. */
+  struct Base {
+    double place[D];
+    bool is_kept = false, is_carried = false, has_row = false;
+  };
+  struct Point {
+    uint32_t trajectory;  // kNone: it goes to `goal`, whatever the rows say
+    uint32_t vertex;
+    const double* goal;
+    double weight;
+    Vec at;  // where it touched
+  };
+  using Key = std::tuple<uint32_t, double, std::array<double, 2 * D*(D + 1)>>;
+  /** dot(normal, sum of weights times goals) is at least `least`. */
+  struct Row {
+    Key key;
+    Vec normal;
+    double least, force, step;
+    bool carries;
+    uint32_t count;
+    Point points[D + 1];
+  };
+  struct Known {
+    PairName name;
+    uint32_t count;
+  };
+  Base& base_of(const Array<Trajectory<D>>& trajectories, const Trajectory<D>& of, uint32_t v) {
+    return bases_[static_cast<size_t>(&of - trajectories.data())][v];
+  }
+  bool can_move(const Array<Trajectory<D>>& trajectories, const Point& point) const {
+    return point.trajectory != kNone && !trajectories[point.trajectory].stands &&
+           !bases_[point.trajectory][point.vertex].is_kept;
+  }
+  uint32_t count_again(const WayTouch<D>& touch);
+  void carry(const Row& row);
+  /** Where a point goes: goals of vertices change. */
+  static const double* goal_of(const Array<Trajectory<D>>& trajectories, const Point& point) {
+    return point.trajectory == kNone ? point.goal : trajectories[point.trajectory].goal(point.vertex);
+  }
+  void give_way(Array<Trajectory<D>>& trajectories, Row& row);
+  double missing(const Array<Trajectory<D>>& trajectories, const Row& row, double* resistance) const;
+  template <class Visit>
+  void for_each_held(Array<Trajectory<D>>& trajectories, Visit visit);
+
+  const Memory* memory_;
+  Array<Row> rows_;
+  Array<Array<Base>> bases_;
+  Array<Known> known_;
+  bool carries_ = false;
+  double far_ = 0;  // no vertex goes farther along an axis
+};
+
+}  // namespace dsw
