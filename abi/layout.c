@@ -382,6 +382,8 @@ AT(dsw_together_options, max_work, 16);
 AT(dsw_together_options, response, 20);
 GROWS(dsw_together_options, response);
 
+SIZE(dsw_together_response, 4);
+
 SIZE(dsw_scene_deform_options, 32);
 AT(dsw_scene_deform_options, struct_size, 0);
 AT(dsw_scene_deform_options, flags, 4);

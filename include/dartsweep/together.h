@@ -37,7 +37,7 @@ typedef enum dsw_together_response {
   /** Without friction: they end as near to their targets as all touches allow, by the sum of
    * squares. Walls that move push them by what is left of the wall's way, bodies share it. */
   DSW_TOGETHER_RESPONSE_SLIDE = 1,
-  /** As SLIDE, but what touches a wall goes with the wall from there on, and nowhere else. */
+  /** They go as with SLIDE, but what touches a wall goes with it from there on. */
   DSW_TOGETHER_RESPONSE_CARRY = 2,
   DSW_TOGETHER_RESPONSE_FORCE_INT32 = 0x7fffffff
 } dsw_together_response;

@@ -1,4 +1,4 @@
-// Tests of rigid motions: how far bodies could go.
+// Tests of rigid motions: how far bodies could go. And of what touches while all vertices move at once.
 using System;
 using System.Linq;
 using Dartsweep;
@@ -59,6 +59,24 @@ static partial class Tests
       double fraction = scene.StepFraction(new[] { body.Id() }, steps);
       True(fraction < 0.75 && fraction > 0.7499999 && fraction == scene.StepFraction(new[] { body.Id() }, steps, null, places));
       True(places[0] == 1 + fraction * 4 && body.GetPositions().SequenceEqual(bar));
+    }
+  }
+
+  public static void OnlyThePartsThatTouchStopOrArePushed()
+  {
+    foreach (TogetherResponse response in new[] { TogetherResponse.Stop, TogetherResponse.Slide })
+    {
+      using (Environment environment = MakeRoom())
+      using (Scene scene = new Scene(environment, deformingContacts))
+      {
+        Body body = scene.CreateBody(Strand(2), edgesOfStrand);
+        MoveReport[] reports = new MoveReport[1];
+        SceneDeformOptions options = new SceneDeformOptions { Stop = TogetherStop.Feature, Response = response };
+        DeformReport report = scene.Deform(Room(2), new[] { body.Id() }, Strand(2), options, reports);
+        True(report.Outcome == (response == TogetherResponse.Stop ? DeformOutcome.Held : DeformOutcome.Done));
+        True(report.HeldCount == environment.GetHeldVertices().Length && reports[0].Fraction == 0.5);
+        True(Math.Abs(body.GetWaysLeft()[2] + (response == TogetherResponse.Stop ? 0 : 1)) < 1e-9);
+      }
     }
   }
 }

@@ -259,19 +259,6 @@ static partial class Tests
     }
   }
 
-  public static void OnlyThePartsThatTouchStop()
-  {
-    using (Environment environment = MakeRoom())
-    using (Scene scene = new Scene(environment, deformingContacts))
-    {
-      Body body = scene.CreateBody(Strand(2), edgesOfStrand);
-      MoveReport[] reports = new MoveReport[1];
-      SceneDeformOptions options = new SceneDeformOptions { Stop = TogetherStop.Feature };
-      DeformReport report = scene.Deform(Room(2), new[] { body.Id() }, Strand(2), options, reports);
-      True(report.Outcome == DeformOutcome.Held && report.HeldCount == environment.GetHeldVertices().Length && reports[0].Fraction == 0.5);
-    }
-  }
-
   public static void WrongMovesTogetherAreRefused()
   {
     using (Environment environment = MakeRoom())

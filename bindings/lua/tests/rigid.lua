@@ -1,4 +1,4 @@
--- Tests of rigid motions: how far bodies could go.
+-- Tests of rigid motions: how far bodies could go. And of what touches while all vertices move at once.
 local dsw = require "dartsweep"
 local lu = require "luaunit"
 
@@ -63,4 +63,19 @@ function TestRigid:test_rigid_bodies_move_at_once()
   local reports = scene:move_rigid({left:id(), right:id()}, motions)
   lu.assertAlmostEquals(reports[1].fraction, 0.25, 1e-12)
   lu.assertEquals(reports[1].fraction, reports[2].fraction)
+end
+
+function TestRigid:test_only_the_parts_that_touch_stop_or_are_pushed()
+  for _, response in ipairs {dsw.TOGETHER_RESPONSE_STOP, dsw.TOGETHER_RESPONSE_SLIDE} do
+    local environment <close> = make_room()
+    local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
+    local bar = make_bar(scene)
+    local raised = {0, 0, 3, 4, 0, 3, 4, 4, 3, 0, 4, 3, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4}
+    local options = {stop = dsw.TOGETHER_STOP_FEATURE, response = response}
+    local report = scene:deform(raised, {bar:id()}, {1, 2, 2, 3, 2, 2}, options)
+    local stops = response == dsw.TOGETHER_RESPONSE_STOP
+    lu.assertEquals(report.outcome, stops and dsw.DEFORM_HELD or dsw.DEFORM_DONE)
+    lu.assertEquals(report.held_count, #environment:get_held_vertices())
+    lu.assertAlmostEquals(bar:get_ways_left()[3], stops and 0 or -1, 1e-9)
+  end
 end

@@ -104,6 +104,11 @@ test('only the parts that touch stop', () => {
   assert.equal(report.outcome, dsw.DeformOutcome.Held);
   assert.equal(report.heldCount, environment.getHeldVertices().length);
   assert.equal(reports.at(0).fraction, 0.5);
+  const other = makeRoom();
+  const pushed = other.scene.createBody(strand(2), edges);
+  const options = { bodies: [pushed], targets: strand(2), stop: dsw.TogetherStop.Feature, response: dsw.TogetherResponse.Slide };
+  assert.equal(other.scene.deform(raised(2), options).report.outcome, dsw.DeformOutcome.Done);
+  assert.ok(Math.abs(pushed.getWaysLeft()[2] + 1) < 1e-9);
 });
 
 test('nothing moves at the work limit', () => {

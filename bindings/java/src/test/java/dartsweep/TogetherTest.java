@@ -176,6 +176,7 @@ class TogetherTest {
       DeformReport report = scene.deform(DoubleBuffer.wrap(room(2)), idsOf(body), DoubleBuffer.wrap(strand(2, 1)), options, reports);
       assertEquals(DeformOutcome.HELD, report.getOutcome());
       assertEquals(0.5, reports.get(0).getFraction());
+      assertEquals(9, body.getWaysLeft().length);
     }
   }
 
