@@ -47,6 +47,9 @@ def main():
     figures["together.missed"] = sum_of(moved, "missed")
     figures["together.not_free_after"] = sum_of(moved, "not_free")
     figures["together.numbering_changes_result"] = sum_of(moved, "different")
+    shares = [float(test["motion_made_share"]) for test in moved if "motion_made_share" in test]
+    if shares:
+        figures["together.motion_made_share"] = min(shares)
     seen = read_report(near)[1]
     figures["near.rows_checked"] = sum_of(seen, "rows")
     figures["near.phantom"] = sum_of(seen, "phantom")
