@@ -37,6 +37,17 @@ uint32_t point_count(PairKind kind, uint32_t side) {
   return side == 0 ? 1 : D;
 }
 
+template <int D>
+double mean_size(const Array<Box<D>>& boxes) noexcept {
+  double sum = 0;
+  for (const Box<D>& each : boxes) {
+    double size = 0;
+    for (int k = 0; k < D; ++k) size = std::max(size, each.upper[k] - each.lower[k]);
+    sum += size / static_cast<double>(boxes.size());
+  }
+  return std::isfinite(sum) ? sum : 0;
+}
+
 /** The box of the way of a part without what all go, with room for rounding. */
 template <int D>
 Box<D> box_beside_drift(const Trajectory<D>& of, const Simplex& part, const double* drift) noexcept {
@@ -58,7 +69,7 @@ Box<D> box_beside_drift(const Trajectory<D>& of, const Simplex& part, const doub
 
 template <int D>
 void BodyWays<D>::Ways::clear() {
-  for (uint32_t i = 0; i < sides.size(); ++i) grid.remove(i);
+  for (uint32_t i = 0; !sweeps && i < sides.size(); ++i) grid.remove(i);
   sides.clear();
   boxes.clear();
 }
@@ -70,20 +81,17 @@ void BodyWays<D>::Ways::add(const Trajectory<D>& of, uint32_t number, const Simp
 }
 
 template <int D>
-void BodyWays<D>::Ways::fill_grid(double size) {
+void BodyWays<D>::Ways::fill(const Array<Box<D>>& others) {
+  constexpr double kMostRead = 512;  // in the mean of a visit: then a grid is as fast
+  sweeps = false;
+  if (boxes.empty()) return;
+  sweep.sort(boxes, longest_axis(boxes));
+  sweeps = sweep.mean_length(others) <= kMostRead;
+  if (sweeps) return;
+  // Vertices are looked for with what is larger, and many of them may not move at all.
+  const double size = mean_size(others);
   grid.reserve(sides.size());
   for (uint32_t i = 0; i < sides.size(); ++i) grid.put(i, boxes[i], size);
-}
-
-template <int D>
-double BodyWays<D>::Ways::mean_size() const {
-  double sum = 0;
-  for (const Box<D>& each : boxes) {
-    double size = 0;
-    for (int k = 0; k < D; ++k) size = std::max(size, each.upper[k] - each.lower[k]);
-    sum += size / static_cast<double>(boxes.size());
-  }
-  return std::isfinite(sum) ? sum : 0;
 }
 
 template <int D>
@@ -149,12 +157,8 @@ void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_s
       return true;
     });
   }
-  // Vertices are looked for with what is larger, and many of them may not move at all.
-  const Ways& solids = D == 2 ? segments_ : faces_;
-  const double size = solids.mean_size();
-  vertices_.fill_grid(size);
-  faces_.fill_grid(size);
-  segments_.fill_grid(segments_.mean_size());
+  if (with_segments) segments_.fill(segments_.boxes);
+  vertices_.fill((D == 2 ? segments_ : faces_).boxes);
 }
 
 template <int D>
@@ -162,11 +166,10 @@ void BodyWays<D>::find_segments(const Array<Trajectory<D>>& trajectories) {
   for (uint32_t i = 0; i < segments_.sides.size(); ++i) {
     // In the plane edges meet all vertices, below. Here only vertices without edges meet each other.
     if (D == 2 && segments_.sides[i].part.kind != Simplex::kVertex) continue;
-    segments_.grid.visit(segments_.boxes[i], [&](uint32_t k) {
-      if (k >= i || (D == 2 && segments_.sides[k].part.kind != Simplex::kVertex)) return true;
+    segments_.visit(segments_.boxes[i], [&](uint32_t k) {
+      if (k >= i || (D == 2 && segments_.sides[k].part.kind != Simplex::kVertex)) return;
       if (may_meet(trajectories, segments_.sides[i].trajectory, segments_.sides[k].trajectory))
         add_segments(segments_.sides[i], segments_.sides[k]);
-      return true;
     });
   }
 }
@@ -178,13 +181,12 @@ void BodyWays<D>::find_solids(const Array<Trajectory<D>>& trajectories) {
   for (uint32_t i = 0; i < solids.sides.size(); ++i) {
     const Side& solid = solids.sides[i];
     if (D == 2 && solid.part.kind == Simplex::kVertex) continue;
-    vertices_.grid.visit(solids.boxes[i], [&](uint32_t k) {
+    vertices_.visit(solids.boxes[i], [&](uint32_t k) {
       const Side& vertex = vertices_.sides[k];
       const bool is_own = solid.trajectory == vertex.trajectory;
-      if (!may_meet(trajectories, solid.trajectory, vertex.trajectory)) return true;
-      if (is_own && has_corner(*solid.name->body, solid.part, vertex.part.index)) return true;
+      if (!may_meet(trajectories, solid.trajectory, vertex.trajectory)) return;
+      if (is_own && has_corner(*solid.name->body, solid.part, vertex.part.index)) return;
       add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kVertexFace, vertex, solid);
-      return true;
     });
   }
 }

@@ -3,6 +3,7 @@
 // same for all bodies and does not enter: every touch counts.
 
 #include "proximity/near_edges.h"
+#include "together/box_sweep.h"
 #include "together/trajectory.h"
 
 namespace dsw {
@@ -47,15 +48,25 @@ class BodyWays {
   /** Boxes of the ways of parts of all trajectories, by number. */
   struct Ways {
     BoxGrid<D> grid;
+    BoxSweep<D> sweep;
+    bool sweeps = false;  // instead of the grid, which is empty then
     Array<Side> sides;
     Array<Box<D>> boxes;
 
-    explicit Ways(const Memory* memory) : grid(memory), sides(memory), boxes(memory) {}
+    explicit Ways(const Memory* memory) : grid(memory), sweep(memory), sides(memory), boxes(memory) {}
     void clear();
     void add(const Trajectory<D>& of, uint32_t number, const Simplex& part, const double* drift);
-    /** The size of what the boxes are looked for with. */
-    void fill_grid(double size);
-    double mean_size() const;
+    /** Gets ready for visits with `others`. */
+    void fill(const Array<Box<D>>& others);
+    /** Calls visit(number) for the boxes that overlap this one. */
+    template <class Visit>
+    void visit(const Box<D>& box, Visit visit) const {
+      if (sweeps) return sweep.visit(box, visit);
+      grid.visit(box, [&](uint32_t i) {
+        visit(i);
+        return true;
+      });
+    }
   };
 
   void add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments, const double* drift);
