@@ -61,7 +61,8 @@ struct MoveRecord {
   PlainMotion left;         // of a rigid motion
   Array<double> ways_left;  // by slot, of a move at once
 
-  explicit MoveRecord(const Memory* memory) : contacts(memory), partners(memory), previous(memory), edits(memory), ways_left(memory) {}
+  explicit MoveRecord(const Memory* memory)
+      : contacts(memory), partners(memory), previous(memory), edits(memory), ways_left(memory) {}
   void add(const dsw_body_contact& contact, const dsw_contact_partner& partner = {}) {
     contacts.push_back(contact);
     previous.emplace_back();
