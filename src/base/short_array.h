@@ -112,7 +112,7 @@ class ShortArray {
     if (other.data_ == other.few_) {
       data_ = few_;
       room_ = N;
-      std::copy_n(other.few_, N, few_);
+      std::copy_n(other.few_, size_, few_);
     } else {
       data_ = other.data_;
       room_ = other.room_;

@@ -138,7 +138,7 @@ bool face_each_other(const FacetDraft& a, const FacetDraft& b) {
 }
 
 bool cut_alike(const FacetDraft& a, const FacetDraft& b) {
-  Vertices of_a(a.triangles.get_allocator()), of_b(of_a);
+  Vertices of_a(a.triangles.get_allocator()), of_b(a.triangles.get_allocator());
   sort_triangles(a, of_a);
   sort_triangles(b, of_b);
   return of_a == of_b;
