@@ -68,6 +68,9 @@ class Wires {
   }
 
  private:
+  // Of each gap a little is left, so that the next rows know on which side of a wall a part is.
+  static constexpr double kShare = 1 - 1e-4, kTouch = 1e-9;
+
   double step() {
     const size_t n = 3 * at_.size();
     std::vector<double> signs(n), lefts(n);
@@ -106,7 +109,7 @@ class Wires {
         for (size_t k = 0; k < 3; ++k)
           row[3 * names[i] + k] -= nearest.weights[i] * normal[k] / length * signs[3 * names[i] + k];
       }
-      program.add_row(row, distance);
+      program.add_row(row, distance < kTouch ? 0 : kShare * distance);
     };
     for (uint32_t v = 0; v < at_.size(); ++v) {
       for (const auto& wall : ground_.walls) {
