@@ -182,6 +182,12 @@ RUN(dsw_scene_move_together, dsw_together_options) {
   const dsw_body_id id = body();
   return dsw_scene_move_together(g_scene, &id, 1, g_target, 2, 0, s, NULL);
 }
+RUN(dsw_scene_step_fraction, dsw_together_options) {
+  const double steps[6] = {0};
+  const dsw_body_id id = body();
+  double f;
+  return dsw_scene_step_fraction(g_scene, &id, 1, steps, 2, 0, NULL, 0, s, &f, NULL, NULL, NULL);
+}
 RUN(dsw_scene_move_rigid, dsw_together_options) {
   const dsw_body_id id = body();
   const dsw_rigid_motion motion = {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
@@ -405,6 +411,7 @@ typedef struct init_row {
   X(dsw_scene_move_bodies, dsw_move_options)         \
   X(dsw_scene_move_together, dsw_together_options)   \
   X(dsw_scene_move_rigid, dsw_together_options)      \
+  X(dsw_scene_step_fraction, dsw_together_options)   \
   X(dsw_scene_move_particles, dsw_cast_options)      \
   X(dsw_scene_start_recording, dsw_recording_desc)   \
   X(dsw_scene_write_bug_report, dsw_bug_report_desc) \
