@@ -183,10 +183,9 @@ RUN(dsw_scene_move_together, dsw_together_options) {
   return dsw_scene_move_together(g_scene, &id, 1, g_target, 2, 0, s, NULL);
 }
 RUN(dsw_scene_step_fraction, dsw_together_options) {
-  const double steps[6] = {0};
   const dsw_body_id id = body();
   double f;
-  return dsw_scene_step_fraction(g_scene, &id, 1, steps, 2, 0, NULL, 0, s, &f, NULL, NULL, NULL);
+  return dsw_scene_step_fraction(g_scene, &id, 1, g_target, 2, 0, NULL, 0, s, &f, NULL, NULL, NULL);
 }
 RUN(dsw_scene_move_rigid, dsw_together_options) {
   const dsw_body_id id = body();
