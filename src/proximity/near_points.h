@@ -1,6 +1,8 @@
 #pragma once
 // Where two simplices are nearest to each other, in doubles, if it is known that the nearest points lie inside of both.
 
+#include <cstdint>
+
 #include "base/vec.h"
 
 namespace dsw {
