@@ -22,8 +22,10 @@ class Inside {
    * yet. */
   void flood_all();
 
-  /** How many cells were looked at. */
+  /** Cells that were looked at, and whether their centres are inside. */
   uint32_t cell_count() const { return static_cast<uint32_t>(cells_.size()); }
+  Cell cell(uint32_t i) const { return cells_[i].cell; }
+  bool is_inside(uint32_t i) const { return cells_[i].turns != 0; }
   /** Whether a point that is thought to lie in a cell is inside. */
   bool holds(Cell c, const double* point) const;
 
