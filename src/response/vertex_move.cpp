@@ -397,14 +397,14 @@ bool VertexMove<D>::slide_before(uint32_t v, const double* target, const dsw_bod
  * sweep beyond is nothing to be searched. */
 template <int D>
 void VertexMove<D>::cut_off(uint32_t v, double* to) const {
-  constexpr double kBehind = 1.0 / 16, kLeast = 1e-6;  // of the way to the wall, of the whole way
+  constexpr double kBehind = 1.0 / 16, kLeastWay = 1e-6;  // of the way to the wall, of the whole way
   if (!covers_edges(body_.level)) return;
   const BodyVertex<D>& at = body_.vertices[v];
   const CastResult path = cast(env_, at.position, to, at.cell, settings_.max_volumes, sweeps_.simplices.counters);
   if (path.end != CastEnd::kHit) return;
   const double time = crossing_time(env_, path.cell, path.simplex, at.position, to);
   const double all = length(difference<D>(to, at.position));
-  const double end = time + std::max({kBehind * time, kLeast, 8 * off_ / all});
+  const double end = time + std::max({kBehind * time, kLeastWay, 8 * off_ / all});
   if (!(end < 1)) return;
   double whole[D];
   std::copy_n(to, D, whole);
