@@ -76,8 +76,8 @@ size_t grown_room(size_t size, size_t more, size_t element_bytes);
 
 /**
  * Does what std::vector does with an Allocator, in less code: several hundred types had a copy each of what makes room, and
- * compiling them took a fifth of the time of some modules. Iterators are pointers. If memory runs out for one more element, the
- * array stays as it was; of several, those before stay.
+ * compiling them took a fifth of the time of some modules. Iterators are pointers. If memory runs out for elements that are
+ * added, the array keeps those that it had.
  */
 template <class T>
 class Array {
@@ -328,8 +328,14 @@ class Array {
       T* place = last_;
       for (T* const end = last_ + count; place != end; ++place) make(place);
       last_ = place;
-    } else {  // what has been made is released if one can't be
-      for (; count != 0; --count, ++last_) make(last_);
+    } else {
+      const size_t before = size();
+      try {
+        for (; count != 0; --count, ++last_) make(last_);
+      } catch (...) {
+        destroy_from(first_ + before);
+        throw;
+      }
     }
   }
   void append_copies(size_t count, const T& value) {

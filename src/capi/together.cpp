@@ -123,6 +123,7 @@ dsw_status dsw_body_get_ways_left(const dsw_scene* scene, dsw_body_id body, cons
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr size_t D = std::decay_t<decltype(of)>::kDimension;
     const dsw::Array<double>& left = of.record.record.ways_left;
+    dsw::require(count, "count");
     capi::give(ways, "ways", left.empty() ? nullptr : left.data());
     capi::give(count, "count", left.size() / D);
   });

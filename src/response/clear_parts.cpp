@@ -66,9 +66,10 @@ void find_clear_parts(const Environment<D>& env, const KnownObstacles<D>& known,
         course.clear_edges[e] = 0;
     }
     for (uint32_t f = 0; D == 3 && f < body.faces.size(); ++f) {
+      if (!body.has_face(f)) continue;
       const uint32_t(&corners)[3] = body.faces[f].corners;
       const uint32_t all_corners = beyond[corners[0]] & beyond[corners[1]] & beyond[corners[2]];
-      if (body.has_face(f) && !is_clear<D>(all_corners, 3, obstacle.count)) course.clear_faces[f] = 0;
+      if (!is_clear<D>(all_corners, 3, obstacle.count)) course.clear_faces[f] = 0;
     }
   }
 }

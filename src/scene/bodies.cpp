@@ -202,7 +202,7 @@ void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level) {
   const SweepLevel before = std::exchange(body.level, level);
   try {
     if (level > before) check_free(scene, body, level);
-    if (sweeps_edges(level)) keep_corridors(body, body.edges.size());
+    if (body.keeps_corridors()) keep_corridors(body, body.edges.size());
   } catch (...) {
     body.level = before;
     throw;

@@ -150,6 +150,7 @@ void Call<D>::run() {
       record_.fraction = halving.way * ways_.time();
       touch_time_ *= halving.way;
       describe_walls();
+      if (record_.fraction != 0) ways_.walls.held.add_held(record_.held);
     } else {
       forget_touches();
       record_.fraction = 0;
@@ -167,7 +168,6 @@ void Call<D>::run() {
     take_back();
     throw;
   }
-  if (record_.fraction != 0) ways_.walls.held.add_held(record_.held);
   record_.outcome = record_.fraction == 0   ? DSW_DEFORM_REFUSED
                     : !record_.held.empty() ? DSW_DEFORM_HELD
                     : record_.fraction == 1 ? DSW_DEFORM_DONE

@@ -401,8 +401,40 @@ static void each_part_meets_the_walls_of_its_room(void) {
   end_scene(g_scene);
 }
 
+/* A triangle that was removed has no corners to look at. */
+static void a_body_without_one_of_its_triangles_turns(void) {
+  const double points[12] = {0.2, 0.2, 0.2, 0.8, 0.2, 0.2, 0.2, 0.8, 0.2, 0.2, 0.2, 0.8};
+  const uint32_t offsets[5] = {0, 3, 6, 9, 12}, corners[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  dsw_rigid_motion m = turn_about_z(40, 0.5, 0.5);
+  dsw_body_face_id ids[4];
+  dsw_body_desc d;
+  dsw_body_id body;
+  dsw_move_report report;
+  size_t count, i;
+  for (i = 0; i < 4; ++i) {
+    dsw_body_desc_init(&d, sizeof d);
+    d.positions = points;
+    d.vertex_count = 4;
+    d.stride_bytes = 3 * sizeof *points;
+    d.face_offsets = offsets;
+    d.face_corners = corners;
+    d.face_count = 4;
+    d.face_corner_count = 12;
+    d.level = DSW_LEVEL_FACES;
+    begin(3, 1, 0);
+    CHECK_OK(dsw_body_create(g_scene, &d, &body));
+    CHECK_OK(dsw_body_get_face_ids(g_scene, body, ids, 4, &count));
+    CHECK_OK(dsw_body_remove_face(g_scene, body, ids[i]));
+    m.translation[0] = 0.5;
+    report = turn(body, &m);
+    CHECK(report.fraction > 0 && report.fraction < 1 && report.contact_count > 0);
+    end_scene(g_scene);
+  }
+}
+
 int main(int argc, char **argv) {
   unsigned dimension;
+  a_body_without_one_of_its_triangles_turns();
   a_thick_rod_that_twists_keeps_its_distance();
   each_part_meets_the_walls_of_its_room();
   a_flat_way_out_is_no_graze();

@@ -68,7 +68,7 @@ class Wires {
   }
 
  private:
-  // Of each gap a little is left, so that the next rows know on which side of a wall a part is.
+  // A little of each gap is left, so that the next rows know on which side of a wall a part is.
   static constexpr double kShare = 1 - 1e-4, kTouch = 1e-9;
 
   double step() {

@@ -130,4 +130,18 @@ TEST(Search, FindsWhatTheStandardLibraryFinds) {
   EXPECT_TRUE(dsw::none_of(numbers, end, [](int n) { return n > 5; }));
 }
 
+TEST(Array, KeepsWhatItHadWhereMemoryRunsOut) {
+  for (int last = 0; last < 6; ++last) {
+    Hooks hooks;
+    Array<Array<int>> array(&hooks.memory);
+    array.resize(2, Array<int>(3, 7, &hooks.memory));
+    hooks.last = hooks.asked + last;
+    EXPECT_THROW(array.resize(9, Array<int>(array[0])), std::bad_alloc);
+    hooks.last = 1 << 30;
+    ASSERT_EQ(array.size(), 2u);
+    EXPECT_EQ(array[1], array[0]);
+    EXPECT_EQ(array[1].size(), 3u);
+  }
+}
+
 }  // namespace
