@@ -43,7 +43,7 @@ enum {
    * up no rounding of the shape. Responses insert no vertices. */
   DSW_BODY_RIGID = 0x40,
   /** Lossless. Edges keep no sequences, which they do from DSW_LEVEL_EDGES_SWEPT on: a surface takes
-   * a quarter of the memory, and moves are slower. @since 2.1 */
+   * a quarter of the memory or less, and moves are slower. @since 2.1 */
   DSW_BODY_NO_SEQUENCES = 0x80
 };
 
