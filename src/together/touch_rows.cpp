@@ -41,6 +41,40 @@ bool same_way(const MovingPair<D>& pair, uint32_t a, uint32_t b) {
          std::equal(pair.end[a], pair.end[a] + D, pair.end[b]);
 }
 
+template <int D>
+uint32_t first_side_of(const MovingPair<D>& pair) {
+  return pair.kind == PairKind::kEdgeEdge ? 2 : 1;
+}
+
+/** A pair with its points, and the sides of two edges, in an order that depends on where they go alone. */
+template <int D>
+MovingPair<D> sort_pair(const MovingPair<D>& pair, uint32_t* order) {
+  const uint32_t first_count = first_side_of(pair);
+  for (uint32_t i = 0; i <= D; ++i) order[i] = i;
+  sort_points(pair, order, 0, first_count);
+  sort_points(pair, order, first_count, D + 1);
+  MovingPair<D> sorted = pair;
+  const auto set = [&] {
+    for (uint32_t i = 0; i <= D; ++i) {
+      sorted.start[i] = pair.start[order[i]];
+      sorted.end[i] = pair.end[order[i]];
+    }
+  };
+  set();
+  if constexpr (D == 3) {
+    uint32_t near_ends[2] = {0, 2}, far_ends[2] = {1, 3};
+    sort_points(sorted, near_ends, 0, 2);
+    sort_points(sorted, far_ends, 0, 2);
+    const bool turns = same_way(sorted, 0, 2) ? far_ends[0] != 1 : near_ends[0] != 0;
+    if (first_count == 2 && turns) {
+      std::swap(order[0], order[2]);
+      std::swap(order[1], order[3]);
+      set();
+    }
+  }
+  return sorted;
+}
+
 /** The weights of the points of a pair at its touch: they add up to 1 on the first side, to -1 on the second. */
 template <int D>
 void find_weights(PairKind kind, const TouchMoment<D>& m, double* weights) {
@@ -92,21 +126,15 @@ uint32_t TouchRows<D>::count_again(const WayTouch<D>& touch) {
   return 1;
 }
 
+/** The points of a touch, in the order of its pair. */
 template <int D>
-bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, const double* const* wall_goals,
-                       uint32_t round) {
-  const uint32_t count = count_again(touch);
-  if (count > kMostTouches) return false;
-  MovingPair<D> pair = touch.pair;
-  const uint32_t first_count = pair.kind == PairKind::kEdgeEdge ? 2 : 1;
-  Point points[D + 1];
-  uint32_t order[D + 1];
+void TouchRows<D>::find_points(const Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch,
+                               const double* const* wall_goals, Point* points) const {
   const auto name_side = [&](uint32_t first, uint32_t end, uint32_t trajectory, const Body<D>* body,
                              const Simplex& part) {
     for (uint32_t i = first; i < end; ++i) {
-      order[i] = i;
       if (trajectory == kNone) {
-        points[i] = {kNone, kNone, body == nullptr ? wall_goals[i - first] : pair.end[i], 0, {}};
+        points[i] = {kNone, kNone, body == nullptr ? wall_goals[i - first] : touch.pair.end[i], 0, {}};
         continue;
       }
       const SimplexCorners<D> corners(*body, part);
@@ -114,50 +142,59 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& to
       points[i] = {trajectory, v, trajectories[trajectory].goal(v), 0, {}};
     }
   };
+  const uint32_t first_count = first_side_of(touch.pair);
   const uint32_t part_first = touch.comes_first ? 0 : first_count, part_end = touch.comes_first ? first_count : D + 1;
   const uint32_t other_first = touch.comes_first ? first_count : 0, other_end = touch.comes_first ? D + 1 : first_count;
   name_side(part_first, part_end, touch.trajectory, trajectories[touch.trajectory].motion.body, touch.part);
   name_side(other_first, other_end, touch.other_trajectory, touch.other == nullptr ? nullptr : touch.other->body,
             touch.other_part);
-  sort_points(pair, order, 0, first_count);
-  sort_points(pair, order, first_count, D + 1);
-  MovingPair<D> sorted = pair;
-  const auto set = [&] {
-    for (uint32_t i = 0; i <= D; ++i) {
-      sorted.start[i] = pair.start[order[i]];
-      sorted.end[i] = pair.end[order[i]];
-    }
-  };
-  set();
-  if constexpr (D == 3) {
-    uint32_t near_ends[2] = {0, 2}, far_ends[2] = {1, 3};
-    sort_points(sorted, near_ends, 0, 2);
-    sort_points(sorted, far_ends, 0, 2);
-    const bool turns = same_way(sorted, 0, 2) ? far_ends[0] != 1 : near_ends[0] != 0;
-    if (first_count == 2 && turns) {
-      std::swap(order[0], order[2]);
-      std::swap(order[1], order[3]);
-      set();
-    }
-  }
-  Row row{};
-  auto& places = std::get<2>(row.key);
-  std::get<0>(row.key) = round;
-  std::get<1>(row.key) = touch.first.time;
-  double largest_coordinate = 0;
+}
+
+/** Where and when a touch is. Returns the largest coordinate of its ways. */
+template <int D>
+double TouchRows<D>::set_key(const MovingPair<D>& sorted, uint32_t round, double time, Key& key) {
+  auto& places = std::get<2>(key);
+  std::get<0>(key) = round;
+  std::get<1>(key) = time;
   for (uint32_t i = 0; i <= D; ++i) {
     std::copy_n(sorted.start[i], D, places.begin() + 2 * D * i);
     std::copy_n(sorted.end[i], D, places.begin() + 2 * D * i + D);
-  }
-  for (uint32_t i = 0; i <= D; ++i) {
     for (int k = 0; k < D; ++k) far_ = std::max(far_, kFar * std::fabs(sorted.end[i][k] - sorted.start[i][k]));
   }
-  for (const double each : places) largest_coordinate = std::max(largest_coordinate, std::fabs(each));
+  double largest = 0;
+  for (const double each : places) largest = std::max(largest, std::fabs(each));
+  return largest;
+}
+
+/** Adds a point to a row; a vertex that stands there already gets its weight, too. */
+template <int D>
+void TouchRows<D>::add_point(const Point& point, Row& row) {
+  Point* const same = std::find_if(row.points, row.points + row.count, [&](const Point& each) {
+    return each.trajectory != kNone && each.trajectory == point.trajectory && each.vertex == point.vertex;
+  });
+  if (same != row.points + row.count) {
+    same->weight += point.weight;
+  } else {
+    row.points[row.count++] = point;
+  }
+}
+
+template <int D>
+bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, const double* const* wall_goals,
+                       uint32_t round) {
+  const uint32_t count = count_again(touch);
+  if (count > kMostTouches) return false;
+  Point points[D + 1];
+  find_points(trajectories, touch, wall_goals, points);
+  uint32_t order[D + 1];
+  const MovingPair<D> sorted = sort_pair(touch.pair, order);
+  Row row{};
+  const double largest_coordinate = set_key(sorted, round, touch.first.time, row.key);
   const TouchMoment<D> moment(sorted, touch.first.time);
-  row.normal = moment.normal(pair.kind);
+  row.normal = moment.normal(sorted.kind);
   row.least = kApart * std::ldexp(1, 3 * static_cast<int>(count - 1)) * largest_coordinate;
   double weights[D + 1];
-  find_weights<D>(pair.kind, moment, weights);
+  find_weights<D>(sorted.kind, moment, weights);
   if (!std::isfinite(dot(row.normal, row.normal)) || is_zero(row.normal) || !std::isfinite(row.least)) return false;
   bool gives_way = false;
   for (uint32_t i = 0; i <= D; ++i) {
@@ -166,14 +203,7 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& to
     point.at = moment.at[i];
     if (!std::isfinite(point.weight)) return false;
     gives_way = gives_way || (point.weight != 0 && can_move(trajectories, point));
-    Point* const same = std::find_if(row.points, row.points + row.count, [&](const Point& each) {
-      return each.trajectory != kNone && each.trajectory == point.trajectory && each.vertex == point.vertex;
-    });
-    if (same != row.points + row.count) {
-      same->weight += point.weight;
-    } else {
-      row.points[row.count++] = point;
-    }
+    add_point(point, row);
   }
   if (!gives_way) return false;
   for (uint32_t i = 0; i < row.count; ++i) {

@@ -67,6 +67,10 @@ class TouchRows {
            !bases_[point.trajectory][point.vertex].is_kept;
   }
   uint32_t count_again(const WayTouch<D>& touch);
+  void find_points(const Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, const double* const* wall_goals,
+                   Point* points) const;
+  double set_key(const MovingPair<D>& sorted, uint32_t round, double time, Key& key);
+  static void add_point(const Point& point, Row& row);
   void carry(const Row& row);
   /** Where a point goes: goals of vertices change. */
   static const double* goal_of(const Array<Trajectory<D>>& trajectories, const Point& point) {
