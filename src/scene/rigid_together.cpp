@@ -34,6 +34,64 @@ class BodiesBefore {
   Array<bool> is_back_;
 };
 
+/** Bodies that are moved together, by their numbers in the call. */
+template <int D>
+struct RigidIsland {
+  Array<RigidTrajectory<D>> turning;
+  Array<Trajectory<D>> trajectories;
+  Array<uint32_t> numbers;
+
+  explicit RigidIsland(const Memory* memory) : turning(memory), trajectories(memory), numbers(memory) {}
+  /** @param shapes has room for one of each body of the call: trajectories point at them. */
+  void add(const Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, const Partners<D>* still,
+           double* targets, uint32_t number, Array<ShapeMove<D>>& shapes) {
+    PlaceFn place = RigidMove<D>::place;
+    const void* user = &motion;
+    if (of.body.is_rigid()) {
+      keep_shape(of.body);
+      shapes.push_back({motion, of.body.shape[0]});
+      place = ShapeMove<D>::place;
+      user = &shapes.back();
+    }
+    turning.push_back({&of.body, &motion, place, user, still, RigidWay<D>(scene.memory),
+                       Array<BodyVertex<D>>(scene.memory), Array<BodyVertex<D>>(scene.memory),
+                       Array<BodyVertex<D>>(scene.memory), targets});
+    trajectories.push_back(trajectory_of(scene, of, still, PointArray{targets, D}));
+    numbers.push_back(number);
+  }
+  void clear() {
+    turning.clear();
+    trajectories.clear();
+    numbers.clear();
+  }
+};
+
+/** Moves them, or leaves them where they are at the work limit. */
+template <int D>
+void move_rigid_island(TurningTogether<D>& move, RigidIsland<D>& island, BodyRecord<D>* const* bodies,
+                       const RigidMove<D>* motions, bool bodies_meet, const TogetherSettings& settings,
+                       BodiesBefore<D>& before) {
+  try {
+    move.move(island.turning, island.trajectories, bodies_meet, settings);
+    for (const uint32_t i : island.numbers) {
+      BodyRecord<D>& of = *bodies[i];
+      const RigidMotion<D> made = motions[i].part(of.next.fraction);
+      if (of.next.fraction < 1) of.next.left = motion_left(motions[i].part(1), made);
+      if (!of.body.is_rigid() || of.next.fraction == 0) continue;
+      of.body.shape[0].moved = ShapeMove<D>{motions[i], of.body.shape[0]}.moved(of.next.fraction);
+    }
+  } catch (const WorkOver&) {
+    for (size_t k = 0; k < island.numbers.size(); ++k) {
+      const uint32_t i = island.numbers[k];
+      const RigidTrajectory<D>& turning = island.turning[k];
+      BodyRecord<D>& of = *bodies[i];
+      before.put_back(i);
+      stay_at_limit(of, [&](uint32_t v, double* to) { turning.place(turning.user, v, of.body.position(v), 1, to); });
+      of.next.left = motion_left(motions[i].part(1), motions[i].part(0));
+    }
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -62,51 +120,16 @@ void move_rigid_together(Scene<D>& scene, BodyRecord<D>* const* bodies, const Ri
     if (scene.turning_together.get() == nullptr) scene.turning_together.make(scene.env);
     TurningTogether<D>& move = *scene.turning_together.get();
     move.set_counters(scene.features.statistics ? &casts : nullptr);
-    Array<RigidTrajectory<D>> turning(scene.memory);
-    Array<Trajectory<D>> trajectories(scene.memory);
-    Array<uint32_t> numbers(scene.memory);
+    RigidIsland<D> moved(scene.memory);
     for (size_t island = 0; island < islands.count(); ++island) {
       for (size_t k = islands.first[island]; k < islands.first[island + 1]; ++k) {
         const uint32_t i = islands.bodies[k];
-        Body<D>& body = bodies[i]->body;
         const Partners<D>* const still = scene.features.contacts ? &islands.partners[i] : nullptr;
-        PlaceFn place = RigidMove<D>::place;
-        const void* user = &motions[i];
-        if (body.is_rigid()) {
-          keep_shape(body);
-          shapes.push_back({motions[i], body.shape[0]});
-          place = ShapeMove<D>::place;
-          user = &shapes.back();
-        }
-        turning.push_back({&body, &motions[i], place, user, still, RigidWay<D>(scene.memory),
-                           Array<BodyVertex<D>>(scene.memory), Array<BodyVertex<D>>(scene.memory),
-                           Array<BodyVertex<D>>(scene.memory), targets[i].data()});
-        trajectories.push_back(trajectory_of(scene, *bodies[i], still, PointArray{targets[i].data(), D}));
-        numbers.push_back(i);
+        moved.add(scene, *bodies[i], motions[i], still, targets[i].data(), i, shapes);
       }
       if (settings.stop == TogetherStop::kAll && island + 1 != islands.count()) continue;
-      try {
-        move.move(turning, trajectories, scene.features.contacts, settings);
-        for (const uint32_t i : numbers) {
-          BodyRecord<D>& of = *bodies[i];
-          const RigidMotion<D> made = motions[i].part(of.next.fraction);
-          if (of.next.fraction < 1) of.next.left = motion_left(motions[i].part(1), made);
-          if (!of.body.is_rigid() || of.next.fraction == 0) continue;
-          of.body.shape[0].moved = ShapeMove<D>{motions[i], of.body.shape[0]}.moved(of.next.fraction);
-        }
-      } catch (const WorkOver&) {
-        for (size_t k = 0; k < numbers.size(); ++k) {
-          const uint32_t i = numbers[k];
-          BodyRecord<D>& of = *bodies[i];
-          before.put_back(i);
-          stay_at_limit(
-              of, [&](uint32_t v, double* to) { turning[k].place(turning[k].user, v, of.body.position(v), 1, to); });
-          of.next.left = motion_left(motions[i].part(1), motions[i].part(0));
-        }
-      }
-      turning.clear();
-      trajectories.clear();
-      numbers.clear();
+      move_rigid_island(move, moved, bodies, motions, scene.features.contacts, settings, before);
+      moved.clear();
     }
   } catch (...) {
     before.put_all_back();

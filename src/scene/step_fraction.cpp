@@ -49,7 +49,6 @@ class StepCall {
   }
   void add(size_t i);
   void add_still(BodyRecord<D>& of);
-  void add_particles();
   template <class Walls, class Begin>
   double search(WholeWays<D, Walls>& ways, double most, Begin begin);
   bool find_drift(double* drift) const;
@@ -163,44 +162,21 @@ void StepCall<D>::add_still(BodyRecord<D>& of) {
   begin(of);
   trajectories_.push_back(trajectory_of(scene_, of, static_cast<const Partners<D>*>(nullptr), positions_of(of.body)));
   trajectories_.back().record = &still_record_;
-  their_steps_.push_back({});
-}
-
-/** Particles are the vertices of a body that stands still and meets no other body. */
-template <int D>
-void StepCall<D>::add_particles() {
-  particles_.level = SweepLevel::kPoints;
-  particles_.filter = {0, 0, false};
-  reserve(particles_, scene_.particles.size(), 0, 0);
-  for (const ParticleState<D>& particle : scene_.particles) {
-    if (particle.cell.valid()) add_vertex(particles_, particle.position, particle.cell);
-  }
-  if (particles_.vertices.empty()) return;
-  Trajectory<D>& made = trajectories_.emplace_back(scene_.memory);
-  made.motion.body = &particles_;
-  made.name = {&particles_, kNone, 0};
-  made.motion.targets = positions_of(particles_);
-  made.record = &still_record_;
+  trajectories_.back().stands = true;
   their_steps_.push_back({});
 }
 
 /** With an environment that moves. */
 template <int D>
 double StepCall<D>::find_moving(Array<double>& ends) {
-  Array<bool> moves(scene_.bodies.size(), false, scene_.memory);
   for (size_t i = 0; i < count_; ++i) {
-    moves[static_cast<size_t>(bodies_[i] - scene_.bodies.data())] = true;
     trajectories_.push_back(
         trajectory_of(scene_, *bodies_[i], static_cast<const Partners<D>*>(nullptr), targets_of(i)));
     their_steps_.push_back(steps_of(i));
   }
-  for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
-    BodyRecord<D>& of = scene_.bodies[slot];
-    if (!scene_.body_slots.alive(slot, scene_.body_slots.generation(slot))) continue;
-    if (of.body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "a body of the scene has a radius");
-    if (!moves[slot]) add_still(of);
-  }
-  add_particles();
+  for_each_other_body(scene_, bodies_, count_, [&](BodyRecord<D>& of) { add_still(of); });
+  add_particles(scene_, particles_, still_record_, trajectories_);
+  their_steps_.resize(trajectories_.size());
   place_environment(1, ends);
   WholeWays<D, MovingWalls<D>> ways(scene_.env);
   Array<dsw_volume_id> invalid(scene_.memory);

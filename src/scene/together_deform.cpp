@@ -43,7 +43,6 @@ class Call {
  private:
   void add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record);
   uint64_t most_work() const noexcept;
-  void add_particles();
   bool try_way();
   void shorten_each();
   void forget_touches();
@@ -82,44 +81,20 @@ void Call<D>::add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record
 
 template <int D>
 void Call<D>::gather(BodyRecord<D>* const* bodies, size_t count, PointArray targets) {
-  Array<bool> moves(scene_.bodies.size(), false, scene_.memory);
   size_t first = 0;
   for (size_t i = 0; i < count; ++i) {
     BodyRecord<D>& of = *bodies[i];
-    moves[static_cast<size_t>(&of - scene_.bodies.data())] = true;
     of.next.clear();
     add_body(of, {targets.data + first * targets.step, targets.step}, &of.next);
     first += of.body.vertices.size();
   }
-  for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
-    BodyRecord<D>& of = scene_.bodies[slot];
-    if (!scene_.body_slots.alive(slot, scene_.body_slots.generation(slot))) continue;
-    if (of.body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "a body of the scene has a radius");
-    if (moves[slot]) continue;
-    add_body(of, positions_of(of.body), &still_record_);
-  }
-  add_particles();
-  for (const Trajectory<D>& of : trajectories_) targets_.push_back(of.motion.targets);
-}
-
-template <int D>
-void Call<D>::add_particles() {
-  particles_.level = SweepLevel::kPoints;
-  particles_.filter = {0, 0, false};
-  reserve(particles_, scene_.particles.size(), 0, 0);
+  for_each_other_body(scene_, bodies, count,
+                      [&](BodyRecord<D>& of) { add_body(of, positions_of(of.body), &still_record_); });
+  add_particles(scene_, particles_, still_record_, trajectories_);
   for (uint32_t slot = 0; slot < scene_.particles.size(); ++slot) {
-    const ParticleState<D>& particle = scene_.particles[slot];
-    if (!particle.cell.valid()) continue;
-    add_vertex(particles_, particle.position, particle.cell);
-    slots_.push_back(slot);
+    if (scene_.particles[slot].cell.valid()) slots_.push_back(slot);
   }
-  if (slots_.empty()) return;
-  Trajectory<D>& made = trajectories_.emplace_back(scene_.memory);
-  made.motion.body = &particles_;
-  made.name = {&particles_, kNone, 0};
-  made.motion.targets = positions_of(particles_);
-  made.record = &still_record_;
-  made.stands = true;
+  for (const Trajectory<D>& of : trajectories_) targets_.push_back(of.motion.targets);
 }
 
 /** That of all vertices, in all halvings together. */

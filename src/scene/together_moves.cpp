@@ -31,6 +31,23 @@ Trajectory<D> trajectory_of(const Scene<D>& scene, BodyRecord<D>& of, const Part
   return made;
 }
 
+template <int D>
+void add_particles(const Scene<D>& scene, Body<D>& particles, MoveRecord& record, Array<Trajectory<D>>& trajectories) {
+  particles.level = SweepLevel::kPoints;
+  particles.filter = {0, 0, false};
+  reserve(particles, scene.particles.size(), 0, 0);
+  for (const ParticleState<D>& particle : scene.particles) {
+    if (particle.cell.valid()) add_vertex(particles, particle.position, particle.cell);
+  }
+  if (particles.vertices.empty()) return;
+  Trajectory<D>& made = trajectories.emplace_back(scene.memory);
+  made.motion.body = &particles;
+  made.name = {&particles, kNone, 0};
+  made.motion.targets = positions_of(particles);
+  made.record = &record;
+  made.stands = true;
+}
+
 namespace {
 
 /** The body's vertices are where they were before the call. */
@@ -130,5 +147,6 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
 DSW_INSTANTIATE(move_together);
 DSW_INSTANTIATE(leave_still_ones);
 DSW_INSTANTIATE(trajectory_of);
+DSW_INSTANTIATE(add_particles);
 
 }  // namespace dsw

@@ -52,4 +52,23 @@ void stay_at_limit(BodyRecord<D>& of, Target target) {
 template <int D>
 Trajectory<D> trajectory_of(const Scene<D>& scene, BodyRecord<D>& of, const Partners<D>* still, PointArray targets);
 
+/** Calls visit(body) for the bodies of a scene that a call does not move, where the environment moves. Refuses thick bodies,
+ * also those that the call moves. */
+template <int D, class Visit>
+void for_each_other_body(Scene<D>& scene, BodyRecord<D>* const* moved, size_t count, Visit visit) {
+  Array<bool> moves(scene.bodies.size(), false, scene.memory);
+  for (size_t i = 0; i < count; ++i) moves[static_cast<size_t>(moved[i] - scene.bodies.data())] = true;
+  for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
+    BodyRecord<D>& of = scene.bodies[slot];
+    if (!scene.body_slots.alive(slot, scene.body_slots.generation(slot))) continue;
+    if (of.body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "a body of the scene has a radius");
+    if (!moves[slot]) visit(of);
+  }
+}
+/** Adds the trajectory of all particles of a scene, if there are any: vertices of a body that stands still and meets no
+ * other body. Their order is that of the particles' slots.
+ * @param particles an empty body, which lives as long as the trajectory. */
+template <int D>
+void add_particles(const Scene<D>& scene, Body<D>& particles, MoveRecord& record, Array<Trajectory<D>>& trajectories);
+
 }  // namespace dsw
