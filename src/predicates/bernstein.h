@@ -119,25 +119,10 @@ bool is_zero(const Curve& curve) noexcept {
 template <class Curve>
 bool find_only_root(const Curve& curve, double low, double high, int before, Place* place) {
   std::uint64_t a = integers::bits_of(low), b = integers::bits_of(high);
-  std::uint64_t at = integers::bits_of(curve.rough().guess_root(low, high, before < 0));
-  for (std::uint64_t step = 1; b - a > 1; step *= 2) {
-    if (at <= a || at >= b) at = a + (b - a) / 2;
-    const int sign = curve.sign_at(integers::of_bits(at));
-    if (sign == kOpenSign) return false;
-    if (sign == 0) {
-      *place = {integers::of_bits(at), true};
-      return true;
-    }
-    if (sign == before) {
-      a = at;
-      at += step;
-    } else {
-      b = at;
-      at -= step < at ? step : at;
-    }
-  }
-  *place = {integers::of_bits(a), false};
-  return true;
+  const std::uint64_t at = integers::bits_of(curve.rough().guess_root(low, high, before < 0));
+  const int sign = integers::narrow_sign_change(&a, &b, at, before, [&](double t) { return curve.sign_at(t); });
+  *place = {integers::of_bits(a), sign == 0};
+  return sign != kOpenSign;
 }
 
 // Where [0,1] is divided: at time / (time + rest). This is a double, `below` and `above`; or it is length 2^power away from 1,

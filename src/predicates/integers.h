@@ -34,6 +34,28 @@ inline double of_bits(std::uint64_t bits) noexcept {
   return x;
 }
 
+// Narrows an interval of doubles above 0, given by their bits, to two neighbours. sign_at(t) is `before`, 1 or -1, up to the first
+// one and -before from the second one on. Steps double from `at` on, so after a good guess few signs are asked. Returns `before`,
+// or another sign that was met at a.
+template <class SignAt>
+int narrow_sign_change(std::uint64_t* a, std::uint64_t* b, std::uint64_t at, int before, SignAt sign_at) {
+  for (std::uint64_t step = 1; *b - *a > 1; step *= 2) {
+    if (at <= *a || at >= *b) at = *a + (*b - *a) / 2;
+    const int sign = sign_at(of_bits(at));
+    if (sign == before) {
+      *a = at;
+      at += step;
+    } else if (sign == -before) {
+      *b = at;
+      at -= step < at ? step : at;
+    } else {
+      *a = at;
+      return sign;
+    }
+  }
+  return before;
+}
+
 inline Decoded decode(double x) noexcept {
   const std::uint64_t bits = bits_of(x);
   const std::uint64_t fraction = bits & 0xfffffffffffffu;

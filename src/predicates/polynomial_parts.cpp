@@ -219,18 +219,9 @@ Root refined_root(IntegerPool& pool, const Polynomial& p, const Rounded& rounded
   const int sign_low = sign_after(pool, p, low);
   const std::uint64_t first = bits_of(below), last = bits_of(above);
   std::uint64_t a = first, b = last;
-  std::uint64_t at = bits_of(guess_root(rounded, below, above, sign_low < 0));
-  for (std::uint64_t step = 1; b - a > 1; step *= 2) {
-    if (at <= a || at >= b) at = a + (b - a) / 2;
-    const int sign = sign_of(of_bits(at));
-    if (sign == 0) return exact_root(p, dyadic_of(pool, of_bits(at)), of_bits(at), true);
-    if (sign == sign_low) {
-      a = at;
-      at += step;
-    } else {
-      b = at;
-      at -= step < at ? step : at;
-    }
+  const std::uint64_t at = bits_of(guess_root(rounded, below, above, sign_low < 0));
+  if (integers::narrow_sign_change(&a, &b, at, sign_low, sign_of) == 0) {
+    return exact_root(p, dyadic_of(pool, of_bits(a)), of_bits(a), true);
   }
   Root root;
   root.of = p;
