@@ -266,10 +266,8 @@ TEST_P(NearestSegmentTest, IsTheNearestOfAll) {
       EXPECT_EQ(near.nearest.distance, d);
       EXPECT_TRUE(same(near.nearest.cell, first.nearest.cell));
       // Without a limit the tree of obstacles is asked after fewer volumes.
-      const uint32_t first_visited = first.nearest.volumes_visited;
-      if (near.nearest.volumes_visited > first_visited) {
-        EXPECT_LE(near.nearest.volumes_visited, cells_within(world, p, q, d * 1.001));
-      }
+      EXPECT_LE(near.nearest.volumes_visited,
+                std::max(first.nearest.volumes_visited, cells_within(world, p, q, d * 1.001)));
       ASSERT_EQ(ask(p, q, d * 0.999), DSW_STATUS_OK);
       EXPECT_EQ(near.nearest.distance, kNoLimit);
       EXPECT_EQ(near.nearest.cell.kind, DSW_CELL_NONE);
