@@ -42,7 +42,7 @@ typedef enum dsw_together_response {
   DSW_TOGETHER_RESPONSE_FORCE_INT32 = 0x7fffffff
 } dsw_together_response;
 
-/** Options of dsw_scene_move_together and dsw_scene_move_rigid. */
+/** Options of dsw_scene_move_together, _move_rigid and _step_fraction. */
 typedef struct dsw_together_options {
   uint32_t struct_size;
   uint32_t flags;

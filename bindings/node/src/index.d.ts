@@ -148,7 +148,7 @@ export class Scene {
   /** `edges` are pairs of indices of vertices, `triangles` threes. */
   createBody(positions: Points, edges?: Numbers, options?: BodyDesc & { triangles?: Numbers; hints?: Structs<VolumeId> }): Body;
   body(id: BodyId): Body;
-  /** Bodies go to their targets while the environment goes to new positions, a copy, all at once. No body is pushed; what touches stops. */
+  /** Bodies go to their targets while the environment goes to new positions, a copy, all at once. What touches stops, or is pushed, as options.stop and options.response say. */
   deform(
     positions: Points,
     options?: SceneDeformOptions & { bodies?: Structs<BodyId> | readonly Body[]; targets?: Points; reports?: MoveReportArray },

@@ -300,8 +300,9 @@ class Scene:
         options: SceneDeformOptions | None = None,
     ) -> tuple[DeformReport, Records]:
         """Takes bodies to their targets while the environment goes to new positions of its vertices, all at once; with
-        Feature.DEFORMING. No body is pushed: everything stops at the first contact, or with
-        options(SceneDeformOptions, stop=TogetherStop.FEATURE) the parts that touch. Returns the report of the environment and one for each body.
+        Feature.DEFORMING. Everything stops at the first contact, or with
+        options(SceneDeformOptions, stop=TogetherStop.FEATURE) the parts that touch; `response` lets
+        these slide, or go with walls. Returns the report of the environment and one for each body.
 
         positions: an array that is lent, as Environment.deform describes.
         """
