@@ -4,6 +4,9 @@
  * whole way, at DSW_LEVEL_EDGES edges, too. Vertices stop at rounded positions just before a
  * contact, and the ways there are swept again: after the call all is free, and nothing was passed.
  *
+ * While the environment stands, bodies with a radius keep all distances of body.h on the whole way: what comes nearer is a contact,
+ * and stops all, with FEATURE the island.
+ *
  * A touch of bodies that can meet is a contact; a touch with the environment, if it remains one
  * under the shift (base.h). Contacts are of the way on which they were found, which can be a part
  * of the motion. DSW_BODY_RIGID keeps the shape only if the targets do and no vertex stops alone.
@@ -89,8 +92,8 @@ DSW_API dsw_status dsw_body_get_ways_left(const dsw_scene *scene, dsw_body_id bo
  * @param reports `fraction`: part of the motion up to the first contact that stopped a vertex of
  * the island, rounded; `vertices_moved`: living vertices; `edges_swept`, `edges_skipped`: those of
  * the island, for its first body.
- * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius, or can meet one that has, or
- * `response` without FEATURE.
+ * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: `response` without FEATURE, or with bodies that have
+ * a radius or can meet one that has.
  * @note Contacts are all that touch at the same exact time. `fixed` has the other ends then.
  * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact;
  * see `max_work`. Thread: one. @since 2.1 */
@@ -146,8 +149,8 @@ DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point
  * @param fractions of each body's island, may be NULL; with `environment_steps` all is one island.
  * @param places `step_count` points without gaps, zeros for unused slots, may be NULL.
  * @param environment_places `point_count` points, may be NULL.
- * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body has a radius or can meet one that has, or
- * `stop` is FEATURE; NON_FINITE: also where a whole step leads.
+ * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: `stop` is FEATURE, or a body
+ * has a radius and there are `environment_steps`; NON_FINITE: also where a whole step leads.
  * @note Cost: about two of dsw_scene_move_together. Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_step_fraction(dsw_scene *scene, const dsw_body_id *bodies,
                                            size_t count, const double *steps, size_t step_count,

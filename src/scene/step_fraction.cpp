@@ -140,7 +140,6 @@ double StepCall<D>::find_at_rest(size_t first, size_t end, double most) {
 template <int D>
 void StepCall<D>::find_islands_fractions(StepAnswer& answer) {
   find_islands(scene_, bodies_, count_, {targets_.data(), D}, first_.data(), false, islands_);
-  refuse_thick(islands_);
   leave_still_ones(scene_, bodies_, count_, islands_);
   if (scene_.together.get() == nullptr) scene_.together.make(scene_.env);
   scene_.together.get()->set_counters(nullptr);
@@ -216,9 +215,6 @@ void StepCall<D>::run(StepAnswer& answer) {
 template <int D>
 void find_step_fraction(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, const StepsOfAll& steps,
                         const TogetherSettings& settings, StepAnswer& answer) {
-  for (size_t i = 0; i < count; ++i) {
-    if (bodies[i]->body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "bodies[%zu] has a radius", i);
-  }
   StepCall<D>(scene, bodies, count, steps, settings).run(answer);
 }
 

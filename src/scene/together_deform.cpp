@@ -178,7 +178,7 @@ void Call<D>::shorten_each() {
   ways_.set_ends(trajectories_, 1);
   const auto end = shortened_.run(trajectories_, settings_, false);
   touch_time_ = shortened_.first_time();
-  if (end == ShortenedWays<D, MovingWalls<D>>::End::kFree) return;
+  if (end == ShortenedWays<D, MovingWalls<D>>::End::kFree && ways_.find_too_near(trajectories_, 1) == 1) return;
   ways_.walls.held.look_at_all();
   for (Trajectory<D>& of : trajectories_) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
   if (!ways_.find_touches(trajectories_)) return;

@@ -103,7 +103,9 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
   size_t at = 0;
   for (size_t i = 0; i < count; ++i) {
     BodyRecord<D>& of = *bodies[i];
-    if (of.body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "bodies[%zu] has a radius", i);
+    if (of.body.radius > 0 && settings.response != TogetherResponse::kStop) {
+      fail(DSW_STATUS_UNSUPPORTED, "bodies[%zu] has a radius, and there is a response", i);
+    }
     begin_move(scene, of);
     of.next.clear();
     first[i] = at;
@@ -115,7 +117,7 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
   } else {
     find_one_island(scene, bodies, count, targets, islands);
   }
-  refuse_thick(islands);
+  if (settings.response != TogetherResponse::kStop) refuse_thick(islands);
   leave_still_ones(scene, bodies, count, islands);
   CastCounters casts;
   try {

@@ -48,7 +48,7 @@ void place_at(const Trajectory<D>& of, uint32_t v, double time, double* place) {
  * @param other the touched body; null: the environment. */
 template <int D>
 dsw_body_contact describe_part(const Environment<D>& env, const Trajectory<D>& of, const Simplex& part,
-                               const Partner<D>* other, const Simplex& other_part, const WayTouch<D>& met,
+                               const Partner<D>* other, const Simplex& other_part, const WallFeature& wall,
                                Touch touch) {
   const Body<D>& body = *of.motion.body;
   uint32_t v = kNone;
@@ -66,7 +66,7 @@ dsw_body_contact describe_part(const Environment<D>& env, const Trajectory<D>& o
     place_at(of, body.faces[part.index].before(v), touch.time, fixed[1]);
   }
   if (other == nullptr) {
-    name_feature(env, met.wall, touch.other);
+    name_feature(env, wall, touch.other);
   } else {
     touch.other.front = volume_id(env.map, body.vertices[v].cell);
     touch.other.kind = contact_kind(other_part.kind);
@@ -88,13 +88,57 @@ void describe_touches(const Environment<D>& env, Array<Trajectory<D>>& trajector
       const Trajectory<D>& of = trajectories[number];
       const SimplexCorners<D> corners(*of.motion.body, part);
       if (dsw::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return;
-      of.record->add(describe_part(env, of, part, other, other_part, met, touch_of(met, sign)),
+      of.record->add(describe_part(env, of, part, other, other_part, met.wall, touch_of(met, sign)),
                      other == nullptr ? dsw_contact_partner{} : name_partner(*other, other_part));
     };
     const double sign = met.comes_first ? 1 : -1;
     add(met.trajectory, met.part, met.other, met.other_part, sign);
     if (met.other_trajectory == kNone) continue;
     add(met.other_trajectory, met.other_part, &trajectories[met.trajectory].name, met.part, -sign);
+  }
+}
+
+template <int D>
+Touch touch_of(const Environment<D>& env, const Trajectory<D>& of, const TooNearOnWay<D>& near) {
+  Touch touch;
+  touch.time = near.time;
+  store<D>(near.points[1], touch.point);
+  store<D>(near.normal + Vec::Zero(), touch.other.normal);  // never -0
+  if (near.other == nullptr) name_feature(env, near.wall, touch.other);
+  if (near.part.kind == Simplex::kEdge) {
+    const SimplexCorners<D> corners(*of.motion.body, near.part);
+    double ends[2][D];
+    for (uint32_t i = 0; i < 2; ++i) place_at(of, corners.vertices[i], touch.time, ends[i]);
+    touch.along = share_along<D>(ends[0], ends[1], touch.point);
+  }
+  return touch;
+}
+
+template <int D>
+void describe_too_near(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<TooNearOnWay<D>>& first) {
+  const auto name = [](const TooNearOnWay<D>& n) {
+    return std::make_tuple(n.trajectory, static_cast<uint32_t>(n.part.kind), n.part.index,
+                           n.other == nullptr ? 0 : n.other->index + 1, static_cast<uint32_t>(n.other_part.kind),
+                           n.other_part.index, n.wall.vertices[0], n.wall.vertices[1], n.wall.vertices[2]);
+  };
+  std::sort(first.begin(), first.end(),
+            [&](const TooNearOnWay<D>& a, const TooNearOnWay<D>& b) { return name(a) < name(b); });
+  for (const TooNearOnWay<D>& near : first) {
+    const auto add = [&](uint32_t number, const Simplex& part, const Partner<D>* other, const Simplex& other_part,
+                         bool is_first) {
+      const Trajectory<D>& of = trajectories[number];
+      const SimplexCorners<D> corners(*of.motion.body, part);
+      if (dsw::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return;
+      Touch touch;
+      touch.time = near.time;
+      store<D>(near.points[is_first ? 1 : 0], touch.point);
+      store<D>((is_first ? 1 : -1) * near.normal + Vec::Zero(), touch.other.normal);
+      of.record->add(describe_part(env, of, part, other, other_part, near.wall, touch),
+                     other == nullptr ? dsw_contact_partner{} : name_partner(*other, other_part));
+    };
+    add(near.trajectory, near.part, near.other, near.other_part, true);
+    if (near.other_trajectory == kNone) continue;
+    add(near.other_trajectory, near.other_part, &trajectories[near.trajectory].name, near.part, false);
   }
 }
 
@@ -115,6 +159,10 @@ dsw_wall_contact describe_wall(const Environment<D>& env, const Array<Trajectory
 }
 
 DSW_INSTANTIATE(describe_wall);
+template Touch touch_of(const Environment<2>&, const Trajectory<2>&, const TooNearOnWay<2>&);
+template Touch touch_of(const Environment<3>&, const Trajectory<3>&, const TooNearOnWay<3>&);
+template void describe_too_near(const Environment<2>&, Array<Trajectory<2>>&, Array<TooNearOnWay<2>>&);
+template void describe_too_near(const Environment<3>&, Array<Trajectory<3>>&, Array<TooNearOnWay<3>>&);
 template void describe_touches(const Environment<2>&, Array<Trajectory<2>>&, Array<WayTouch<2>>&);
 template void describe_touches(const Environment<3>&, Array<Trajectory<3>>&, Array<WayTouch<3>>&);
 

@@ -3,8 +3,9 @@
 
 #include <tuple>
 
+#include "contact/describe.h"
 #include "dartsweep/deform.h"
-#include "together/trajectory.h"
+#include "together/thick_ways.h"
 
 namespace dsw {
 
@@ -20,6 +21,13 @@ auto name_of(const WayTouch<D>& t) {
  * touched. Throws std::bad_alloc. */
 template <int D>
 void describe_touches(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& touches);
+
+/** Adds what comes too near, likewise. */
+template <int D>
+void describe_too_near(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<TooNearOnWay<D>>& first);
+/** What the part comes too near to, without the part. */
+template <int D>
+Touch touch_of(const Environment<D>& env, const Trajectory<D>& of, const TooNearOnWay<D>& near);
 
 /** A touch of the environment's, without the names of the body or particle. */
 template <int D>

@@ -24,13 +24,6 @@
 namespace dsw {
 namespace {
 
-/** An order of ways, each a start and an end, by coordinates. */
-template <int D>
-bool is_before(const double* const (&a)[2], const double* const (&b)[2]) {
-  const bool same_start = std::equal(a[0], a[0] + D, b[0]);
-  return std::lexicographical_compare(a[same_start], a[same_start] + D, b[same_start], b[same_start] + D);
-}
-
 /** Whether a - b, which was rounded to `difference`, needs no rounding. */
 bool is_exact_difference(double a, double b, double difference) {
   const double other = a - difference;
@@ -117,20 +110,10 @@ template <int D>
 void MovingWalls<D>::collect(const Trajectory<D>& of, uint32_t number, const Simplex& part) {
   const SimplexCorners<D> corners(*of.motion.body, part);
   // The region depends on the order of its points, and results must not depend on numbers.
-  const double* ways[3][2];
-  for (uint32_t i = 0; i < corners.count; ++i) {
-    ways[i][0] = of.start(corners.vertices[i]);
-    ways[i][1] = of.reach(corners.vertices[i]);
-    for (uint32_t k = i; k > 0 && is_before<D>(ways[k], ways[k - 1]); --k) std::swap(ways[k], ways[k - 1]);
-  }
   const double* points[6] = {};
-  for (uint32_t i = 0; i < corners.count; ++i) {
-    points[i] = ways[i][0];
-    points[corners.count + i] = ways[i][1];
-  }
+  const uint32_t count = points_of_way(of, part, points);
   list_.clear();
-  const uint32_t count = 2 * corners.count;
-  const NearRegion<D> region(points, count, room_of_rounding<D>(points, count));
+  const NearRegion<D> region(points, count, room_of_rounding<D>(points, count) + of.motion.body->radius);
   flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1, region, list_);
   Near near{number, part, static_cast<uint32_t>(features_.size()), 0, static_cast<uint32_t>(cells_.size()), 0};
   add_cells();
@@ -207,6 +190,7 @@ void MovingWalls<D>::begin_steps(const double* steps, const double* next, Array<
 
 template <int D>
 void MovingWalls<D>::set_step_end(double fraction) {
+  time_ = fraction;
   if (met_.empty()) {
     for (size_t i = 0; i < checked_.size(); ++i) {
       env_.map.for_each_vertex(checked_[i], [&](uint32_t v) { met_.push_back(v); });
@@ -345,11 +329,10 @@ bool MovingWalls<D>::is_beside(const WayTouch<D>& touch, const Wall& wall) const
   return true;
 }
 
-/** Where the way of a vertex of the environment ends. */
 template <int D>
 void MovingWalls<D>::place(uint32_t v, double* at) const {
   if (steps_ != nullptr) {
-    std::copy_n(&places_[size_t{D} * v], D, at);
+    place_of_step<D>(env_.point(v), steps_ + size_t{D} * v, time_, at);
   } else {
     place_on_way<D>(env_.point(v), next_ + size_t{D} * v, time_, at);
   }
@@ -372,6 +355,20 @@ void MovingWalls<D>::describe(const Array<Trajectory<D>>& trajectories, const Ar
     dsw_wall_contact& contact = contacts.emplace_back(describe_wall(env_, trajectories, touch));
     contact.body = {of.name.index, of.name.generation};
     name_part(*of.motion.body, touch.part, contact);
+  }
+}
+
+template <int D>
+void MovingWalls<D>::describe(const Array<Trajectory<D>>& trajectories, const Array<TooNearOnWay<D>>& first) {
+  for (const TooNearOnWay<D>& near : first) {
+    if (near.other != nullptr) continue;
+    const Trajectory<D>& of = trajectories[near.trajectory];
+    double end[D];
+    place(near.wall.vertices[0], end);
+    dsw_wall_contact& contact = contacts.emplace_back(dsw::describe(env_, near.wall, env_.point(near.wall.vertices[0]),
+                                                                    end, touch_of(env_, of, near), DSW_WALL_STOP));
+    contact.body = {of.name.index, of.name.generation};
+    name_part(*of.motion.body, near.part, contact);
   }
 }
 

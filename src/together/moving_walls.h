@@ -4,6 +4,7 @@
 #include "dartsweep/deform.h"
 #include "proximity/obstacles_near.h"
 #include "together/held_points.h"
+#include "together/thick_ways.h"
 
 namespace dsw {
 
@@ -32,6 +33,9 @@ class MovingWalls {
   bool stays_valid_to_ends() const;
   /** Whether what touches at its start is free on the way to its end, under the shift. */
   bool is_kept_free(const WayTouch<D>& touch) const;
+  const double* nexts() const noexcept { return next_; }
+  /** Where the way of a vertex of the environment ends. */
+  void place(uint32_t v, double* at) const;
   bool is_free(const Array<Trajectory<D>>& trajectories);
   void find_first(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& first);
   /** Appends what each pair of a part and a feature touches first, of those with something new. */
@@ -64,6 +68,7 @@ class MovingWalls {
   void set_counters(CastCounters*) noexcept {}
   /** Keeps how a host reads what is touched of the environment, after what was kept. Particles are of the body without a name. */
   void describe(const Array<Trajectory<D>>& trajectories, const Array<WayTouch<D>>& touches);
+  void describe(const Array<Trajectory<D>>& trajectories, const Array<TooNearOnWay<D>>& first);
   Array<dsw_wall_contact> contacts{env_.memory};  // that were kept since start()
   SweepCounts counts;                             // of edges and faces
   PairWork* work = nullptr;
@@ -94,7 +99,6 @@ class MovingWalls {
   bool set_pair(const Trajectory<D>& of, const Near& near, const Feature& feature, WayTouch<D>& touch) const;
   bool stays_free(const WayTouch<D>& touch, const Feature& feature) const;
   bool is_beside(const WayTouch<D>& touch, const Wall& wall) const;
-  void place(uint32_t v, double* at) const;
 
   const double* next_ = nullptr;
   Array<dsw_volume_id>* invalid_ = nullptr;
@@ -108,7 +112,7 @@ class MovingWalls {
   Array<Cell> cells_{env_.memory};   // where vertices may arrive
   CellQueue checked_{env_.memory};   // all that were met
   const double* steps_ = nullptr;
-  double time_ = 1;                    // of the ends, without steps
+  double time_ = 1;                    // of the ends
   Array<double> places_{env_.memory};  // where the points of these cells go, by vertex, if there are steps
   Array<uint32_t> met_{env_.memory};   // these vertices
 };

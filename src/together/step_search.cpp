@@ -68,7 +68,7 @@ double StepSearch<D, Walls>::last_free(double high, double guess, double step, I
 template <int D, class Walls>
 double StepSearch<D, Walls>::find(double most) {
   constexpr int kMostTries = 60;
-  double fraction = most, back = 0;
+  double fraction = most, back = 0, near = 0;
   for (int tries = 0; tries < kMostTries && fraction > 0; ++tries) {
     set_ends(fraction);
     if (!ways_.walls.stays_valid_to_ends()) {
@@ -78,7 +78,14 @@ double StepSearch<D, Walls>::find(double most) {
       });
       continue;
     }
-    if (!find_touches()) return fraction;
+    if (!find_touches()) {
+      const double kept = ways_.find_too_near(*trajectories_, 1);
+      if (kept == 1) return fraction;
+      // Rounded places may come nearer than the straight way to them.
+      near = near == 0 ? 0x1p-53 : 2 * near;
+      fraction = (kept - near) * fraction;
+      continue;
+    }
     const Array<WayTouch<D>>& first = ways_.first;
     double step = 0;
     for (const WayTouch<D>& each : first) step = std::max(step, step_back(each));

@@ -77,7 +77,7 @@ typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Trajectory<D
     end = shortened_.run(trajectories, settings, false);
   }
   ways_.walls.limits_parts = false;
-  const bool is_free = end == End::kFree;
+  const bool is_free = end == End::kFree && ways_.find_too_near(trajectories, 1) == 1;
   for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
   if (!is_free) {
     if (ways_.find_touches(trajectories)) {
@@ -101,9 +101,10 @@ bool TogetherMove<D>::departs(Array<Trajectory<D>>& trajectories) {
   constexpr int kMostHalvings = 10;
   Halving halving;
   const Array<WayTouch<D>>& touches = ways_.first;
-  const bool starts_at_walls = dsw::all_of(touches.begin(), touches.end(), [](const WayTouch<D>& each) {
-    return each.first.time == 0 && each.other == nullptr && each.part.kind != Simplex::kVertex;
-  });
+  const bool starts_at_walls =
+      !touches.empty() && dsw::all_of(touches.begin(), touches.end(), [](const WayTouch<D>& each) {
+        return each.first.time == 0 && each.other == nullptr && each.part.kind != Simplex::kVertex;
+      });
   while (starts_at_walls && halving.count < kMostHalvings && halving.next()) {
     ways_.set_ends(trajectories, halving.way);
     if (!ways_.is_free(trajectories)) continue;

@@ -1,6 +1,8 @@
 #pragma once
 // A body of which all vertices move at once, and what its parts touch on their way.
 
+#include <utility>
+
 #include <algorithm>
 #include <array>
 
@@ -101,6 +103,27 @@ Box<D> box_of_way(const Trajectory<D>& of, const Simplex& part) noexcept {
     box.add(of.reach(v));
   }
   return box;
+}
+
+/** The points of the way of a part, up to where it goes in the call: starts, then ends, in an order that depends on no numbers. */
+template <int D>
+uint32_t points_of_way(const Trajectory<D>& of, const Simplex& part, const double* (&points)[6]) noexcept {
+  const SimplexCorners<D> corners(*of.motion.body, part);
+  const auto is_before = [](const double* const(&a)[2], const double* const(&b)[2]) {
+    const bool same_start = std::equal(a[0], a[0] + D, b[0]);
+    return std::lexicographical_compare(a[same_start], a[same_start] + D, b[same_start], b[same_start] + D);
+  };
+  const double* ways[3][2];
+  for (uint32_t i = 0; i < corners.count; ++i) {
+    ways[i][0] = of.start(corners.vertices[i]);
+    ways[i][1] = of.reach(corners.vertices[i]);
+    for (uint32_t k = i; k > 0 && is_before(ways[k], ways[k - 1]); --k) std::swap(ways[k], ways[k - 1]);
+  }
+  for (uint32_t i = 0; i < corners.count; ++i) {
+    points[i] = ways[i][0];
+    points[corners.count + i] = ways[i][1];
+  }
+  return 2 * corners.count;
 }
 
 /** Whether what two parts sweep in this round lies in boxes that overlap.

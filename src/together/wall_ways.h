@@ -45,8 +45,11 @@ class WallWays {
   void finish_round() const noexcept {}
   void set_end(double) noexcept {}
   void set_step_end(double) noexcept {}
+  static const double* nexts() noexcept { return nullptr; }
+  void place(uint32_t v, double* at) const { std::copy_n(env_.point(v), D, at); }
   static bool stays_valid_to_ends() noexcept { return true; }
-  void describe(const Array<Trajectory<D>>&, const Array<WayTouch<D>>&) noexcept {}
+  template <class Touch>
+  void describe(const Array<Trajectory<D>>&, const Array<Touch>&) noexcept {}
   void set_counters(CastCounters* counters) { counters_ = corridors_.counters = counters; }
   SweepCounts counts;  // of edges and faces
 

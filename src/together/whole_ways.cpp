@@ -29,6 +29,7 @@ void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_
   }
   walls.start(trajectories);
   bodies.start(trajectories, bodies_meet, drift);
+  thick.start(trajectories, bodies_meet, walls.nexts());
 }
 
 template <int D, class Walls>
@@ -38,22 +39,36 @@ bool WholeWays<D, Walls>::find_touches(Array<Trajectory<D>>& trajectories) {
   first.clear();
   walls.find_first(trajectories, first);
   bodies.find_first(trajectories, first);
-  if (first.empty()) return false;
-  drop_covering(trajectories);
-  return true;
+  const double touched = first.empty() ? 1 : first[0].first.time;
+  if (find_too_near(trajectories, touched) < touched) first.clear();
+  if (!first.empty()) drop_covering(trajectories);
+  return !first.empty() || touched_too_near();
 }
 
 template <int D, class Walls>
 void WholeWays<D, Walls>::stop(Array<Trajectory<D>>& trajectories) {
+  double step = 0;
+  if (touched_too_near()) {
+    describe_too_near(env_, trajectories, thick.first);
+    walls.describe(trajectories, thick.first);
+    const double time = thick.first[0].time;
+    for (const TooNearOnWay<D>& near : thick.first) {
+      for_each_near(trajectories, near, [&](const Trajectory<D>& of, uint32_t v) {
+        if (of.moves(v)) step = std::max(step, first_step<D>(of.start(v), of.end(v), time));
+      });
+    }
+    return retreat(trajectories, time, step > 0 ? step : 0x1p-52);
+  }
   describe_touches(env_, trajectories, first);
   walls.describe(trajectories, first);
-  retreat(trajectories);
+  for (const WayTouch<D>& touch : first) step = std::max(step, step_back(touch));
+  retreat(trajectories, first[0].first.time, step);
 }
 
 template <int D, class Walls>
 bool WholeWays<D, Walls>::is_free(Array<Trajectory<D>>& trajectories) {
   walls.cast_paths(trajectories);
-  return walls.is_free(trajectories) && bodies.is_free(trajectories);
+  return walls.is_free(trajectories) && bodies.is_free(trajectories) && find_too_near(trajectories, 1) == 1;
 }
 
 /** Drops those touches of the environment by edges and faces of which a corner or a side touches it at the same time.
@@ -89,10 +104,7 @@ void WholeWays<D, Walls>::drop_covering(const Array<Trajectory<D>>& trajectories
 
 /** The ends of all ways come nearer, until nothing is touched. The steps depend on no order of vertices. */
 template <int D, class Walls>
-void WholeWays<D, Walls>::retreat(Array<Trajectory<D>>& trajectories) {
-  const double time = first[0].first.time;
-  double step = 0;
-  for (const WayTouch<D>& touch : first) step = std::max(step, step_back(touch));
+void WholeWays<D, Walls>::retreat(Array<Trajectory<D>>& trajectories, double time, double step) {
   constexpr int kMostTries = 60;
   // What was touched has to stay apart even without the shift. So a vertex does not come to lie exactly on a wall, where it
   // would touch that wall at the start of the next way.

@@ -2,6 +2,7 @@
 // Ways of bodies that end together, just before the first touch.
 
 #include "together/body_ways.h"
+#include "together/thick_ways.h"
 
 namespace dsw {
 
@@ -12,7 +13,7 @@ class WholeWays {
   const Environment<D>& env_;  // the initializers below use it
 
  public:
-  explicit WholeWays(const Environment<D>& env) : env_(env), walls(env), bodies(env.memory) {
+  explicit WholeWays(const Environment<D>& env) : env_(env), walls(env), bodies(env.memory), thick(env) {
     walls.work = bodies.work = &work_;
   }
   WholeWays(const WholeWays&) = delete;
@@ -30,8 +31,14 @@ class WholeWays {
   void stop(Array<Trajectory<D>>& trajectories);
   /** Lets all ways end at a time of the ways to the goals. */
   void set_ends(Array<Trajectory<D>>& trajectories, double time);
-  /** Whether nothing is touched on the ways. */
+  /** Whether nothing is touched on the ways, and all distances are kept. */
   bool is_free(Array<Trajectory<D>>& trajectories);
+  /** Up to which time, at most `most`, all distances are kept. */
+  double find_too_near(const Array<Trajectory<D>>& trajectories, double most) {
+    if (!thick.is_needed()) return most;
+    thick.set_wall_ends(walls);
+    return thick.find_first(trajectories, most);
+  }
   /** All go to the ends of their ways. */
   void arrive(Array<Trajectory<D>>& trajectories);
   /** Counts who has come to its target. */
@@ -41,11 +48,14 @@ class WholeWays {
 
   Walls walls;
   BodyWays<D> bodies;
+  ThickWays<D> thick;
   Array<WayTouch<D>> first{env_.memory};  // what was found last
 
  private:
+  /** Whether something comes too near before anything is touched. */
+  bool touched_too_near() const noexcept { return first.empty() && !thick.first.empty(); }
   void drop_covering(const Array<Trajectory<D>>& trajectories);
-  void retreat(Array<Trajectory<D>>& trajectories);
+  void retreat(Array<Trajectory<D>>& trajectories, double time, double step);
 
   PairWork work_;
   double time_ = 1;

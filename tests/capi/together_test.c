@@ -64,14 +64,9 @@ static void bad_arguments_are_refused(void) {
   o = together_options();
   o.struct_size = 3;
   CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, move_one(scene, bodies[0], good, &o, reports));
-  /* Thick bodies are not served yet, neither those of the call nor those that they can meet. */
-  CHECK_OK(dsw_body_set_radius(scene, bodies[1], 0.125));
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, bodies[1], good + 6, NULL, reports));
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, bodies[0], good + 6, NULL, reports));
   CHECK(memcmp(before, reports, sizeof reports) == 0);
   CHECK_OK(dsw_body_get_positions(scene, bodies[0], p, 2, 0, NULL, &count));
   CHECK(count == 2 && memcmp(p, kAt, sizeof p) == 0);
-  CHECK_OK(dsw_body_set_radius(scene, bodies[1], 0));
   CHECK_OK(dsw_scene_move_together(scene, bodies, 2, good, 4, 0, NULL, reports));
   CHECK(reports[0].fraction == 1 && reports[0].vertices_moved == 2 && reports[0].vertices_stopped == 0 &&
         reports[1].fraction == 1);
@@ -145,6 +140,39 @@ static void a_wall_lets_it_slide(void) {
   CHECK_OK(dsw_body_move(scene, body, p, 2, 0, NULL, NULL));
   CHECK_OK(dsw_body_get_ways_left(scene, body, &left, &count));
   CHECK(count == 0);
+  end_scene(scene);
+}
+
+/* A wall at x = 3, and another body: distances are kept by all at once, and by what a step is asked for. */
+static void thick_bodies_keep_their_distance(void) {
+  const double ahead[6] = {1.5, 0.5, 0.5, 1.5, 1.5, 0.5},
+               carried[12] = {1, 0.5, 0.5, 1, 1.5, 0.5, 2, 0.5, 0.5, 2, 1.5, 0.5},
+               apart[12] = {4, 0.5, 0.5, 4, 1.5, 0.5, 2, 0.5, 0.5, 2, 1.5, 0.5};
+  double steps[12], p[6], fraction = 0;
+  dsw_environment *environment = make_environment(NULL, 3, 2, 1);
+  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_body_id bodies[2];
+  const dsw_body_contact *c = NULL;
+  dsw_move_report r[2];
+  size_t count = 0, i;
+  bodies[0] = make_edge_body(scene, kAt, DSW_LEVEL_EDGES_SWEPT);
+  bodies[1] = make_edge_body(scene, ahead, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_OK(dsw_body_set_radius(scene, bodies[0], 0.25));
+  CHECK_OK(dsw_body_set_radius(scene, bodies[1], 0.25));
+  CHECK_OK(dsw_scene_move_together(scene, bodies, 2, carried, 4, 0, NULL, r));
+  CHECK(r[0].fraction == 1 && r[1].fraction == 1);
+  for (i = 0; i < 12; ++i) steps[i] = apart[i] - carried[i];
+  CHECK_OK(dsw_scene_step_fraction(scene, bodies, 2, steps, 4, 0, NULL, 0, NULL, &fraction, NULL, NULL, NULL));
+  CHECK(fraction <= 0.5 / 3 * (1 + 1e-9) && fraction > 0.5 / 3 * (1 - 1e-9));
+  CHECK_OK(dsw_scene_move_together(scene, bodies, 2, apart, 4, 0, NULL, r));
+  CHECK(r[0].fraction <= 0.5 / 3 * (1 + 1e-9) && r[0].fraction > 0.5 / 3 * (1 - 1e-9));
+  CHECK_OK(dsw_body_get_contacts(scene, bodies[0], &c, &count));
+  CHECK(count == 1 && c->contact.normal[0] == -1 && fabs(c->point[0] - 2) < 1e-9);
+  CHECK_OK(dsw_body_get_positions(scene, bodies[0], p, 2, 0, NULL, &count));
+  CHECK(p[0] <= 1.5 + 1e-10 && p[0] > 1.5 - 1e-9);
+  for (i = 0; i < 12; ++i) steps[i] = i % 3 == 0 ? 2 : 0;
+  CHECK_OK(dsw_scene_step_fraction(scene, bodies, 2, steps, 4, 0, NULL, 0, NULL, &fraction, NULL, NULL, NULL));
+  CHECK(fraction <= 0.375 * (1 + 1e-9) && fraction > 0.375 * (1 - 1e-9));
   end_scene(scene);
 }
 
@@ -233,6 +261,7 @@ int main(void) {
   bad_arguments_are_refused();
   a_wall_stops_it();
   a_wall_lets_it_slide();
+  thick_bodies_keep_their_distance();
   two_segments_meet_in_the_plane();
   memory_runs_out(DSW_TOGETHER_STOP_ALL);
   memory_runs_out(DSW_TOGETHER_STOP_FEATURE);

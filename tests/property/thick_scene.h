@@ -71,6 +71,22 @@ class ThickScene {
     dsw_trace_destroy(trace);
   }
 
+  /// Puts the obstacles a part of their way from where they were in another scene to where they are here.
+  void place_obstacles(const ThickScene& before, const ThickScene& after, double part) {
+    obstacles_.clear();
+    ASSERT_EQ(before.obstacles_.size(), after.obstacles_.size());
+    for (size_t i = 0; i < before.obstacles_.size(); ++i) {
+      Hull hull = before.obstacles_[i].hull;
+      for (size_t k = 0; k < hull.size(); ++k) hull[k] = between(hull[k], after.obstacles_[i].hull[k], part);
+      obstacles_.push_back({hull, HullBox(hull)});
+    }
+  }
+  static Vec between(const Vec& from, const Vec& to, double part) {
+    Vec at = from;
+    for (size_t k = 0; k < 3; ++k) at[k] += part * (to[k] - from[k]);
+    return at;
+  }
+
   /// The obstacles that have all their corners among these points.
   std::vector<Hull> obstacles_among(const Hull& points) const {
     std::vector<Hull> found;

@@ -1,0 +1,306 @@
+// The distance of two hulls is at least what one direction shows: how far all points of one lie beyond all points of the other.
+// While points go straight and steadily, how far one lies beyond another is linear in time, so what a direction shows is the
+// least of linear functions: concave. Where it is enough at two times, it is enough between them. So the way is gone in pieces,
+// each as long as the best direction at its begin allows. All numbers are those of the ends of the ways, rounded once: no place
+// between is rounded.
+//
+// What is near is found as in proximity/thick_sweep.cpp: nothing impassable lies between a part and what is nearest to it, at any
+// time. So a flood from the part through a region round its whole way finds that.
+
+#include "together/thick_ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/dimensions.h"
+#include "base/search.h"
+#include "motion/place_on_way.h"
+#include "proximity/thick_sweep.h"
+
+namespace dsw {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/** How far two hulls are apart along a direction, as linear functions of time, and what rounding can lose of each. */
+template <int D>
+struct LinearGap {
+  double start[16], end[16], lost = 0;
+  uint32_t count = 0;
+
+  LinearGap(const HullWays<D>& ways, const Vec& direction) noexcept {
+    double size = 0;
+    for (uint32_t i = 0; i < ways.count[0]; ++i) {
+      for (uint32_t k = 0; k < ways.count[1]; ++k, ++count) {
+        const Vec from = difference<D>(ways.start[0][i], ways.start[1][k]),
+                  to = difference<D>(ways.end[0][i], ways.end[1][k]);
+        start[count] = dot(direction, from);
+        end[count] = dot(direction, to);
+        size = std::max({size, largest(from), largest(to)});
+      }
+    }
+    // A difference, a product and two sums lose at most 4 u of the sum of magnitudes, the mean of two numbers 4 u more, and the
+    // length of the direction 2^-50.
+    lost = 0x1p-47 * size + 0x1p-1000;
+  }
+  double at(double time) const noexcept {
+    double least = kInf;
+    for (uint32_t n = 0; n < count; ++n) least = std::min(least, (1 - time) * start[n] + time * end[n]);
+    return least - lost;
+  }
+  /** The last time from `time` on, at most `most`, at which the gap is enough; `time` has it. */
+  double last(double time, double most, double enough) const noexcept {
+    if (at(most) >= enough) return most;
+    double least = most;
+    for (uint32_t n = 0; n < count; ++n) {
+      const double goal = enough + lost;
+      if (end[n] >= goal || !(start[n] > end[n])) continue;
+      least = std::min(least, (start[n] - goal) / (start[n] - end[n]));
+    }
+    for (double back = 0x1p-52 * least; least > time; least -= back, back *= 2) {
+      if (at(least) >= enough) return least;
+    }
+    return time;
+  }
+};
+
+/** The hulls at a time of their ways. */
+template <int D>
+void place(const HullWays<D>& ways, double time, double (&places)[2][4][D], ConvexHull (&hulls)[2]) noexcept {
+  for (uint32_t side = 0; side < 2; ++side) {
+    for (uint32_t i = 0; i < ways.count[side]; ++i) {
+      point_on_way<D>(ways.start[side][i], ways.end[side][i], time, places[side][i]);
+      hulls[side].points[i] = places[side][i];
+    }
+    hulls[side].count = ways.count[side];
+  }
+}
+
+template <int D>
+bool is_before(const double* start, const double* end, const double* other_start, const double* other_end) noexcept {
+  const bool same = std::equal(start, start + D, other_start);
+  return same ? std::lexicographical_compare(end, end + D, other_end, other_end + D)
+              : std::lexicographical_compare(start, start + D, other_start, other_start + D);
+}
+
+}  // namespace
+
+template <int D>
+double time_kept(const HullWays<D>& ways, double accepted, double most) noexcept {
+  constexpr int kMostPieces = 200;
+  constexpr double kLeastPiece = 0x1p-46;
+  double time = 0;
+  for (int piece = 0; piece < kMostPieces; ++piece) {
+    double places[2][4][D];
+    ConvexHull hulls[2];
+    place(ways, time, places, hulls);
+    const HullGap gap = find_gap<D>(hulls[0], hulls[1], kInf, accepted);
+    if (is_zero(gap.normal) || !is_finite<3>(gap.normal.data())) return time;
+    const LinearGap<D> along(ways, gap.normal);
+    if (!(along.at(time) >= accepted)) return time;
+    const double last = along.last(time, most, accepted);
+    if (last >= most) return most;
+    if (last - time < kLeastPiece * last) return time;
+    time = last;
+  }
+  return time;
+}
+
+template <int D>
+void ThickWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* next) {
+  pairs_.clear();
+  first.clear();
+  const auto has_radius = [&](const Trajectory<D>& of) {
+    return of.motion.body->radius > 0 || (bodies_meet && of.still != nullptr && of.still->has_thick);
+  };
+  if (dsw::none_of(trajectories.begin(), trajectories.end(), has_radius)) return;
+  walls_.clear();
+  flood_.set_next(next);
+  add_outers(trajectories);
+  for (uint32_t i = 0; i < outers_.size(); ++i) {
+    find_walls(trajectories, outers_[i]);
+    if (!bodies_meet) continue;
+    find_others(trajectories, i);
+    find_still(trajectories, outers_[i]);
+  }
+}
+
+/** Notes the parts that no others cover, each with the box that all within its radius lies in. */
+template <int D>
+void ThickWays<D>::add_outers(const Array<Trajectory<D>>& trajectories) {
+  for (uint32_t i = 0; i < outers_.size(); ++i) grid_.remove(i);
+  outers_.clear();
+  for (uint32_t t = 0; t < trajectories.size(); ++t) {
+    const Trajectory<D>& of = trajectories[t];
+    for_each_outer(*of.motion.body, [&](const Simplex& part) {
+      outers_.push_back({t, part, widened(box_of_way(of, part), of.motion.body->radius)});
+      return true;
+    });
+  }
+  grid_.reserve(outers_.size());
+  for (uint32_t i = 0; i < outers_.size(); ++i) grid_.put(i, outers_[i].box);
+}
+
+template <int D>
+void ThickWays<D>::find_walls(const Array<Trajectory<D>>& trajectories, const Outer& outer) {
+  const Trajectory<D>& of = trajectories[outer.trajectory];
+  const double radius = of.motion.body->radius;
+  if (!(radius > 0)) return;
+  const double* points[6] = {};
+  const uint32_t count = points_of_way(of, outer.part, points);
+  const SimplexCorners<D> corners(*of.motion.body, outer.part);
+  list_.clear();
+  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1,
+              NearRegion<D>(points, count, radius + room_of_rounding<D>(points, count)), list_);
+  if (list_.empty()) return;
+  list_.finish({env_.points, D}, false);
+  for (const WallFeature& obstacle : list_.obstacles()) {
+    WallFeature wall = obstacle;
+    for (uint32_t i = 0; i < obstacle.count; ++i) wall.vertices[i] = list_.name(obstacle.vertices[i]);
+    pairs_.push_back(
+        {outer.trajectory, outer.part, kNone, nullptr, {}, static_cast<uint32_t>(walls_.size()), least_kept(radius)});
+    walls_.push_back(wall);
+  }
+}
+
+/** Finds other parts that move, and come before in the list; of a body that is thick those alone that are not joined to it. */
+template <int D>
+void ThickWays<D>::find_others(const Array<Trajectory<D>>& trajectories, uint32_t number) {
+  const Outer& outer = outers_[number];
+  const Trajectory<D>& of = trajectories[outer.trajectory];
+  const Body<D>& body = *of.motion.body;
+  bool has_joined = false;
+  grid_.visit(outer.box, [&](uint32_t k) {
+    if (k >= number) return true;
+    const Outer& other = outers_[k];
+    const Trajectory<D>& second = trajectories[other.trajectory];
+    const Body<D>& partner = *second.motion.body;
+    const bool is_own = other.trajectory == outer.trajectory;
+    const double wanted = body.radius + partner.radius;
+    if (!(wanted > 0) || (is_own ? !body.filter.self : !body.filter.sees(partner.filter))) return true;
+    if (is_own) {
+      const SimplexCorners<D> corners(body, outer.part), others(body, other.part);
+      if (!has_joined) {
+        WayAlong from[3];
+        for (uint32_t i = 0; i < corners.count; ++i) from[i] = {corners.vertices[i], 0};
+        joined_.find(body, from, corners.count);
+        has_joined = true;
+      }
+      if (dsw::any_of(others.begin(), others.end(), [&](uint32_t v) { return joined_.has(v); })) return true;
+    }
+    pairs_.push_back({outer.trajectory, outer.part, other.trajectory, &second.name, other.part, 0, least_kept(wanted)});
+    return true;
+  });
+}
+
+template <int D>
+void ThickWays<D>::find_still(const Array<Trajectory<D>>& trajectories, const Outer& outer) {
+  const Trajectory<D>& of = trajectories[outer.trajectory];
+  if (of.still == nullptr) return;
+  for (const Partner<D>& each : of.still->all) {
+    const Body<D>& other = *each.body;
+    const double wanted = of.motion.body->radius + other.radius;
+    if (!(wanted > 0)) continue;
+    const Box<D> box = widened(outer.box, other.radius);
+    const auto add = [&](const Simplex& part) {
+      if (!is_covered(other, part)) {
+        pairs_.push_back({outer.trajectory, outer.part, kNone, &each, part, 0, least_kept(wanted)});
+      }
+      return true;
+    };
+    const BodyBoxes<D>& boxes = fresh_boxes(other);
+    single_vertices(other, other.level).visit(box, [&](uint32_t v) { return add({Simplex::kVertex, v}); });
+    if (covers_edges(other.level)) boxes.edges.visit(box, [&](uint32_t e) { return add({Simplex::kEdge, e}); });
+    if (covers_faces(other.level)) boxes.faces.visit(box, [&](uint32_t f) { return add({Simplex::kFace, f}); });
+  }
+}
+
+/** The points of a pair, in an order that depends on no numbers; whether any moves. */
+template <int D>
+bool ThickWays<D>::set_ways(const Array<Trajectory<D>>& trajectories, const Pair& pair, HullWays<D>& ways) const {
+  bool moves = false;
+  const auto add = [&](uint32_t side, const double* start, const double* end) {
+    uint32_t at = ways.count[side]++;
+    for (; at > 0 && is_before<D>(start, end, ways.start[side][at - 1], ways.end[side][at - 1]); --at) {
+      ways.start[side][at] = ways.start[side][at - 1];
+      ways.end[side][at] = ways.end[side][at - 1];
+    }
+    ways.start[side][at] = start;
+    ways.end[side][at] = end;
+    moves = moves || !std::equal(start, start + D, end);
+  };
+  const Trajectory<D>& of = trajectories[pair.trajectory];
+  for (const uint32_t v : SimplexCorners<D>(*of.motion.body, pair.part)) add(0, of.start(v), of.end(v));
+  if (pair.other == nullptr) {
+    const WallFeature& wall = walls_[pair.wall];
+    for (uint32_t i = 0; i < wall.count; ++i) {
+      add(1, env_.point(wall.vertices[i]), &wall_ends_[D * (3 * size_t{pair.wall} + i)]);
+    }
+    return moves;
+  }
+  for (const uint32_t v : SimplexCorners<D>(*pair.other->body, pair.other_part)) {
+    const double* const start = pair.other->body->position(v);
+    add(1, start, pair.other_trajectory == kNone ? start : trajectories[pair.other_trajectory].end(v));
+  }
+  if (is_before<D>(ways.start[1][0], ways.end[1][0], ways.start[0][0], ways.end[0][0])) {
+    std::swap(ways.start[0], ways.start[1]);
+    std::swap(ways.end[0], ways.end[1]);
+    std::swap(ways.count[0], ways.count[1]);
+    ways.first = 1;
+  }
+  return moves;
+}
+
+template <int D>
+double ThickWays<D>::find_first(const Array<Trajectory<D>>& trajectories, double most) {
+  first.clear();
+  // The limit is the same for all: where a piece ends may depend on it in the last bits.
+  const double limit = most;
+  const auto time_of = [&](const Pair& pair, HullWays<D>& ways) {
+    return set_ways(trajectories, pair, ways) ? time_kept(ways, pair.wanted, limit) : limit;
+  };
+  for (const Pair& pair : pairs_) {
+    HullWays<D> ways{};
+    most = std::min(most, time_of(pair, ways));
+  }
+  if (most >= limit) return limit;
+  for (const Pair& pair : pairs_) {
+    HullWays<D> ways{};
+    if (time_of(pair, ways) == most) describe(pair, ways, most);
+  }
+  return most;
+}
+
+/** Adds what has come too near. */
+template <int D>
+void ThickWays<D>::describe(const Pair& pair, const HullWays<D>& ways, double time) {
+  double places[2][4][D];
+  ConvexHull hulls[2];
+  place(ways, time, places, hulls);
+  const HullGap gap = find_gap<D>(hulls[0], hulls[1], kInf, pair.wanted);
+  TooNearOnWay<D> near;
+  near.time = time;
+  near.trajectory = pair.trajectory;
+  near.part = pair.part;
+  near.other_trajectory = pair.other_trajectory;
+  near.other = pair.other;
+  near.other_part = pair.other_part;
+  near.normal = (ways.first == 0 ? 1 : -1) * gap.normal;
+  near.points[0] = near.points[1] = Vec::Zero();
+  for (uint32_t side = 0; side < 2; ++side) {
+    const double* const weights = side == 0 ? gap.weights : gap.other_weights;
+    Vec& point = near.points[side == ways.first ? 0 : 1];
+    for (uint32_t i = 0; i < hulls[side].count; ++i) point += weights[i] * to_vec<D>(hulls[side].points[i]);
+  }
+  if (is_zero(near.normal)) near.normal = unit(near.points[0] - near.points[1]);
+  if (pair.other == nullptr) near.wall = walls_[pair.wall];
+  first.push_back(near);
+}
+
+template class ThickWays<2>;
+template class ThickWays<3>;
+DSW_INSTANTIATE(time_kept);
+
+}  // namespace dsw

@@ -1,0 +1,189 @@
+// Thick bodies of which all vertices move at once, between walls that stand: every distance is kept at every time of the way.
+// Figures are printed.
+#include "thick_checks.h"
+
+namespace dsw::oracle {
+namespace {
+
+class ThickTogether {
+ public:
+  explicit ThickTogether(uint64_t seed) : rng_(seed), place_(make_place(rng_)) {
+    mark();
+    handle_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_DEFORMING);
+    scene_ = std::make_unique<ThickScene>(handle_.get(), true);
+    make_bodies();
+  }
+  ~ThickTogether() {
+    handle_.reset();
+    place_.environment.reset();  // before the points that it reads
+  }
+
+  void go(uint64_t wanted) {
+    for (uint64_t round = 0; moves < wanted; ++round) {
+      ThickScene before = *scene_;
+      targets_.clear();
+      ids_.clear();
+      for (size_t i = 0; i < scene_->bodies.size(); ++i) {
+        if (rng_.chance(0.1)) continue;
+        ids_.push_back(scene_->bodies[i].id);
+        add_targets(i);
+      }
+      if (ids_.empty()) continue;
+      if (round % 4 == 1) ask_step(before);
+      move();
+      scene_->read_all();
+      check_way(before, *scene_);
+    }
+  }
+  size_t body_count() const { return scene_->bodies.size(); }
+
+  uint64_t moves = 0, contacts = 0, steps = 0, times = 0, violations = 0, arrived = 0, at_once = 0;
+  std::string first;
+
+ private:
+  static Place make_place(Rng& rng) {
+    Mesh mesh = hex_grid(axis(5, 1), axis(5, 1), axis(5, 1));
+    for (Vec& p : mesh.points) {
+      for (double& x : p) x += rng.range(-0.15, 0.15);
+    }
+    return place_of(mesh);
+  }
+  void mark() {
+    for (const dsw_volume_id volume : place_.world->ids) {
+      const dsw_face_id face = {volume.index, volume.generation, rng_.below(6u)};
+      if (rng_.chance(0.2)) {
+        EXPECT_EQ(dsw_environment_mark_faces(place_.get(), &face, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+      }
+    }
+  }
+  void make_bodies() {
+    for (int tries = 0; tries < 2000 && scene_->bodies.size() < 14; ++tries) {
+      const Vec at = {rng_.range(0.3, 4.7), rng_.range(0.3, 4.7), rng_.range(0.3, 4.7)};
+      const auto near = [&](double reach) {
+        return Vec{at[0] + rng_.range(-reach, reach), at[1] + rng_.range(-reach, reach),
+                   at[2] + rng_.range(-reach, reach)};
+      };
+      BodyPlan plan;
+      const uint32_t kind = rng_.below(4u);
+      plan.at.push_back(at);
+      for (uint32_t v = 1; kind > 0 && v < 2 + 3 * kind; ++v) {
+        plan.at.push_back(near(0.6));
+        if (kind != 1) plan.edges.push_back({v - 1, v});
+        if (kind == 1 && v >= 2)
+          plan.faces.push_back(v % 2 == 0 ? std::vector<uint32_t>{v - 2, v - 1, v}
+                                          : std::vector<uint32_t>{v - 1, v - 2, v});
+      }
+      const double radius = 0.01 * std::pow(2, rng_.below(5u));
+      scene_->create(plan, kind == 1 ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT, tries % 7 == 0 ? 0 : radius,
+                     kind >= 2 ? DSW_BODY_SELF_CONTACTS : 0);
+    }
+  }
+  void add_targets(size_t i) {
+    const double size = rng_.chance(0.5) ? 0.3 : 0.03, own = rng_.chance(0.5) ? 0.3 * size : 0;
+    const Vec way = {rng_.range(-size, size), rng_.range(-size, size), rng_.range(-size, size)};
+    for (Vec p : scene_->bodies[i].state.at) {
+      for (size_t k = 0; k < 3; ++k) p[k] += way[k] + rng_.range(-own, own);
+      targets_.push_back(p);
+    }
+  }
+  void move() {
+    what_ = "a move";
+    dsw_together_options options = defaults(dsw_together_options_init);
+    options.stop = static_cast<dsw_together_stop>(rng_.below(3u));
+    std::vector<dsw_move_report> reports(ids_.size());
+    ASSERT_EQ(dsw_scene_move_together(handle_.get(), ids_.data(), ids_.size(), targets_[0].data(), targets_.size(),
+                                      sizeof(Vec), &options, reports.data()),
+              DSW_STATUS_OK)
+        << dsw_last_error_message();
+    count(reports);
+  }
+  void count(const std::vector<dsw_move_report>& reports) {
+    for (const dsw_move_report& each : reports) {
+      ++moves;
+      contacts += each.contact_count;
+      arrived += each.fraction == 1 ? 1 : 0;
+      at_once += each.fraction == 0 ? 1 : 0;
+    }
+  }
+  /// The places of a step keep all distances, too, though nothing goes there.
+  void ask_step(const ThickScene& before) {
+    what_ = "a step";
+    std::vector<Vec> ways;
+    size_t at = 0;
+    for (const dsw_body_id id : ids_) {
+      for (const Vec& p : body_of(before, id).state.at) {
+        const Vec& to = targets_[at++];
+        ways.push_back({to[0] - p[0], to[1] - p[1], to[2] - p[2]});
+      }
+    }
+    std::vector<Vec> places(ways.size());
+    double fraction = 0;
+    ASSERT_EQ(dsw_scene_step_fraction(handle_.get(), ids_.data(), ids_.size(), ways[0].data(), ways.size(), sizeof(Vec),
+                                      nullptr, 0, nullptr, &fraction, nullptr, places[0].data(), nullptr),
+              DSW_STATUS_OK)
+        << dsw_last_error_message();
+    ++steps;
+    ThickScene after = before;
+    at = 0;
+    for (const dsw_body_id id : ids_) {
+      for (Vec& p : body_of(after, id).state.at) p = places[at++];
+    }
+    check_way(before, after);
+  }
+  static ThickBody& body_of(ThickScene& scene, dsw_body_id id) {
+    return *std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                         [&](const ThickBody& each) { return each.id.index == id.index; });
+  }
+  static const ThickBody& body_of(const ThickScene& scene, dsw_body_id id) {
+    return body_of(const_cast<ThickScene&>(scene), id);
+  }
+  void check_way(const ThickScene& before, const ThickScene& after) {
+    ThickScene now = before;
+    for (const double time : {rng_.range(0, 1), rng_.range(0, 1), 1.0}) {
+      now.place_obstacles(before, after, time);
+      for (size_t i = 0; i < now.bodies.size(); ++i) {
+        std::vector<Vec>& at = now.bodies[i].state.at;
+        for (size_t v = 0; v < at.size(); ++v) {
+          at[v] = ThickScene::between(before.bodies[i].state.at[v], after.bodies[i].state.at[v], time);
+        }
+      }
+      ++times;
+      for (int n = 0; n < 4; ++n) {
+        const std::string found = now.too_near(rng_.below(now.bodies.size()));
+        if (!found.empty() && violations++ == 0)
+          first = std::string(what_) + " after " + std::to_string(moves) + " moves: " + found;
+      }
+    }
+  }
+
+  const char* what_ = "";  // the last call
+  Rng rng_;
+  Place place_;
+  std::vector<Vec> targets_;
+  std::vector<dsw_body_id> ids_;
+  ScenePtr handle_;
+  std::unique_ptr<ThickScene> scene_;
+};
+
+TEST(ThickTogether, EveryDistanceIsKeptOnTheWholeWay) {
+  const auto wanted = static_cast<uint64_t>(effort_of(1000));
+  uint64_t violations = 0;
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    ThickTogether course(seed);
+    ASSERT_GT(course.body_count(), 6u);
+    course.go(wanted / 4);
+    std::printf(
+        "%zu moves, %zu arrived, %zu stop at once, %zu contacts, %zu steps, %zu times; violations "
+        "%zu\n",
+        size_t(course.moves), size_t(course.arrived), size_t(course.at_once), size_t(course.contacts),
+        size_t(course.steps), size_t(course.times), size_t(course.violations));
+    EXPECT_EQ(course.violations, 0u) << course.first;
+    EXPECT_GT(course.contacts, 0u);
+    EXPECT_LT(course.at_once, course.moves / 2);
+    violations += course.violations;
+  }
+  RecordProperty("together.thick_violations", std::to_string(violations));
+}
+
+}  // namespace
+}  // namespace dsw::oracle
