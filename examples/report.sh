@@ -39,15 +39,15 @@ command -v pkg-config > /dev/null || missing+=(pkg-config)
 needs_header gmpxx.h libgmp-dev
 needs_header bullet/btBulletCollisionCommon.h libbullet-dev
 needs_header embree3/rtcore.h libembree-dev
-needs_header CGAL/version.h libcgal-dev
-needs_header box2d/box2d.h libbox2d-dev
 needs_header CLI/CLI.hpp libcli11-dev
 needs_header nlohmann/json.hpp nlohmann-json3-dev
 needs_header fcl/fcl.h libfcl-dev
 needs_header ccd/ccd.h libccd-dev
+python3 -c 'import os, sysconfig; os.stat(sysconfig.get_path("include") + "/Python.h")' 2> /dev/null || missing+=(python3-dev)
 install_missing
 
 quietly "installing Python modules in build/venv-report" "$source/venv.sh"
+quietly "installing SWIG in build/venv-report" "$venv/bin/python" -m pip install --disable-pip-version-check swig==4.5.1
 peers=" " skipped=()
 for peer in $(grep -v '^#' "$source/requirements-peers.txt"); do
   if "$venv/bin/python" -m pip install --disable-pip-version-check "$peer" >> "$log" 2>&1 < /dev/null; then
@@ -60,10 +60,10 @@ done
 
 echo "building the library and the measuring programs"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
-quietly "configuring" cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON \
-  -DDSW_BUILD_BENCH=ON -DDSW_WITH_LIBCCD=ON
+quietly "configuring" env PATH="$venv/bin:$PATH" cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON \
+  -DDSW_BUILD_BENCH=ON -DDSW_WITH_LIBCCD=ON -DDSW_BUILD_PYTHON=ON -DPython3_EXECUTABLE="$venv/bin/python"
 quietly "building" cmake --build "$tree" --target dartsweep_error dartsweep_error_deform dartsweep_left_out dartsweep_left_out_core \
-  physics_dials physics_stability dartsweep_pairs
+  physics_dials physics_stability dartsweep_pairs dartsweep_python
 
 # Results of another run are not mixed with these.
 rm -f "$out"/*.csv "$out"/*.svg "$out"/*.json "$out"/*.html
@@ -91,6 +91,8 @@ exact_pairs() {
 [ -n "${DARTSWEEP_CCD_QUERIES:-}" ] || skipped+=(--skipped "DARTSWEEP_CCD_QUERIES names no folder, so public queries on moving pairs are absent.")
 measure "moving pairs" exact_pairs
 measure "deformations" "$tree/tests/benchmark/error/dartsweep_error_deform" "${quick[@]}" --out "$out"
+measure "moves, walls and changes" env PYTHONPATH="$tree/bindings/python" "$venv/bin/python" \
+  "$root/tests/benchmark/error/dials/measure.py" "$out" "${quick[@]}"
 measure "physics" "$tree/examples/physics/dials" "${quick[@]}" --out "$out"
 [[ $peers != *" mujoco "* ]] || measure "MuJoCo" "$venv/bin/python" "$root/examples/physics/mujoco_peer.py" "$out"
 measure "stability" "$tree/examples/physics/stability" "${quick[@]}" --out "$out"

@@ -10,6 +10,7 @@ export DARTSWEEP_OTHER_VTK=$PWD/build/python/vtk-9.6.2
 for example in "$PWD"/bindings/python/examples/*.py; do (cd build/python && "$python" "$example"); done # one leaves a picture
 "$python" -m pytest examples/planning examples/insertion
 "$python" -m pytest examples/couple # apart: modules of planning have the same names
+"$python" -m pytest -p no:cacheprovider tests/benchmark/error/dials # the curves of dials in a small form
 # The demo's meshes want a Python that has the readers.
 if [ -e build/release/examples/insertion/dartsweep_insertion ]; then
   PATH=$(dirname "$python"):$PATH ctest --test-dir build/release -R '^insertion_real$' --no-tests=error --output-on-failure

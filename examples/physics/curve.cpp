@@ -41,6 +41,14 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+double mean_distance(const Positions& a, const Positions& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += (a[i] - b[i]).norm();
+  }
+  return sum / static_cast<double>(a.size());
+}
+
 std::string in_words(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", number);

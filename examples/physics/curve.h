@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "rod/positions.h"
+
 namespace physics {
 
 // One setting of a dial. Where physics exploded the error is no number; such points are not written.
@@ -28,6 +30,9 @@ bool write_curve(const std::string& folder, const std::string& name, const std::
 
 // Time of this processor that the program has taken so far: not that of others on the same machine.
 double processor_seconds();
+
+// The mean distance of points from others of the same number.
+double mean_distance(const Positions& a, const Positions& b);
 
 // A number in a sentence: two digits or a little more.
 std::string in_words(double number);

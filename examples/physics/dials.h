@@ -27,6 +27,17 @@ bool measure_omega(const std::string& folder, bool quick);
 // against those of all vertices moving at once. Curve `time_step`. Throws LibraryError.
 bool measure_time_step(const std::string& folder, bool quick);
 
+// A rod that falls on posts: rounds of impulses, steps that contacts are kept, and the most vertices, against many rounds, none and no bound.
+// Curve `contact_response`. Throws LibraryError.
+bool measure_contacts(const std::string& folder, bool quick);
+
+// From which pull on an inserted vertex is removed by [JCD10] 7.3.1: the rotation of a bar that is pressed on a ridge and lifted. Curve
+// `negligible`. Throws LibraryError.
+bool measure_negligible(const std::string& folder, bool quick);
+
+// The implicit rod in a ring-shaped lumen: linearisations, sweeps, tolerance, direct solutions and recovery. Curve `rod`.
+bool measure_rod(const std::string& folder, bool quick);
+
 }  // namespace physics
 
 #endif

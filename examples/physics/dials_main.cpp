@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
   }
   try {
     for (const auto measure : {physics::measure_integrators, physics::measure_solvers, physics::measure_shape_matching,
-                               physics::measure_omega, physics::measure_time_step}) {
+                               physics::measure_omega, physics::measure_time_step, physics::measure_contacts,
+                               physics::measure_negligible, physics::measure_rod}) {
       if (!measure(folder, quick)) {
         std::cerr << "dials: cannot write to '" << folder << "'\n";
         return 2;

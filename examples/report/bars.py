@@ -13,7 +13,7 @@ class Bar:
     met: bool
 
 
-def check(curves, grid, extremes, summary, pairs=()):
+def check(curves, grid, extremes, summary, pairs=(), dials_without_curve=0):
     """Each figure with its bar. The promises are counted anew from the rows: a summary that says less is not believed."""
     least_points = min(curve.setting_count for curve in curves)
     with_peers = sum(bool(curve.peers) for curve in curves)
@@ -24,6 +24,7 @@ def check(curves, grid, extremes, summary, pairs=()):
         Bar("report.curves_with_peers", "curves with other libraries beside ours", with_peers, f"at least {LEAST_CURVES_WITH_PEERS}",
             with_peers >= LEAST_CURVES_WITH_PEERS),
     ]
+    bars.append(Bar("report.dials_without_curve", "dials without a curve, a test or a question", dials_without_curve, "0", dials_without_curve == 0))
     if pairs:
         ours = [row for row in pairs if row["method"] == "Dartsweep"]
         wrong = sum(row["missed"] + row["invented"] + row["time_error"] for row in ours)

@@ -159,4 +159,40 @@ CURVES = {
         "A soft body is pressed on a ridge that it lies on by one end; contacts insert vertices. How far is its rotation from "
         "that of the same body with eight times as many vertices along, and what rotation do the inserted vertices add to the "
         "matched shape? [JCD10] 7.3.1 warns of too large a weight."),
+    "response": (
+        "Responses",
+        "Ropes among impassable cubes. Each vertex can go to its target for itself, so only edges are in the way: which share of the ways does "
+        "each response leave, in steps of 1/8 to 2 cells?"),
+    "min_part": (
+        "Least part of an edge", "The same ropes, with one inserted vertex at a contact: an edge gets it if both parts are at least this share. [JCD10] 4.2 takes a quarter."),
+    "min_length": ("Least length of an edge", "The same, by the length that both parts must have."),
+    "passes": ("Further passes", "The same ropes stop, and those that have stopped are tried again so many times."),
+    "max_volumes": ("Work limit of a move", "Long moves through small cells: what a limit of the volumes that a sweep may visit leaves of the way."),
+    "query_limit": ("Work limit of casts and swept edges", "The same limit for questions without a scene: those that it ends have no answer."),
+    "noise_share": ("Removal of vertices in line", "Ropes are drawn over cubes and back: how far their corners come to lie from where they are if no inserted vertex is removed."),
+    "keep_walls": ("Walls that a slide remembers", "Points slide into corners, in one to eight steps: what is left of the way that twenty more slides find."),
+    "back_edges": (
+        "Eliminations of the paper", "Closed balls fall among cubes and change their shape, at EDGES: contacts that [JCD10] 6.1, 6.2 and 6.3 miss. An edge that is left out is "
+        "cast where it arrives."),
+    "together_stop": ("Moves at once: who stops", "Twelve ropes at once: all stop at the first touch, or an island, or what touches, in so many rounds."),
+    "together_response": ("Moves at once: response", "The same, with what touches stopping, sliding, or going with the wall."),
+    "rigid": ("Rigid motion", "A bar turns by up to 2.5 rad: along exact arcs, and as vertices that go straight in so many steps."),
+    "rigid_slide": ("Rigid motion that slides", "A bar slides as a whole, in at most so many further motions."),
+    "wall_response": ("What walls do", "An environment waves with ropes in it: the share of the walls' way that is not made, by what they do with what they touch."),
+    "wall_min_part": ("Walls that insert: least part", "The same, with vertices inserted into touched edges."),
+    "most_halvings": ("Halvings of a deformation", "The same with large waves, in at most 2^k steps."),
+    "max_holds": ("Work limit of a deformation", "The same, by how often a vertex may stay in its turn."),
+    "invalid_response": ("Volumes that would turn over", "Waves that would make volumes invalid: vertices are held, or all is refused."),
+    "remesh": ("Repair of volumes", "Tetrahedra that a deformation would turn over: the share that is not repaired, by rings of neighbours and by faces of a patch."),
+    "snap": ("Snap of cuts and carving", "A blade and an octahedron in shaken tetrahedra: how far the cut is from the blade, and points that carving puts on the wrong side."),
+    "tie_snap": ("Snap of ties", "A loop is tied: how far the faces that close it are from the loop's surface."),
+    "crack_width": ("Width of cracks", "Cracks are opened: the share of vertices that open less, since a volume would become invalid."),
+    "coarsen": ("Coarsening", "Tetrahedra are merged into larger volumes: the share that is left, by the faces allowed and by the work allowed. Contacts stay the same."),
+    "detach": ("Gap of a detached piece", "A cube becomes a body: how far its vertices are from where they were."),
+    "near_margin": ("Margin of near rows", "Contacts of the next step of which no row has told, by the margin in lengths of the step."),
+    "contact_response": (
+        "Physics: answers to contacts", "A rod falls on posts: rounds of impulses, steps that contacts are kept, and a bound of its vertices, against 64 rounds without both."),
+    "negligible": ("Physics: when an inserted vertex goes", "A bar is pressed on a ridge and lifted: its rotation against that with removal at a pull of 1e-6, by the pull that is negligible."),
+    "rod": (
+        "Physics: the implicit rod", "A wire is pushed along a ring-shaped lumen: linearisations, sweeps, their tolerance, direct solutions between them, and the share of a gap that a step takes back."),
 }

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import bars
 import catalogue
+import dials
 import machine
 import page
 import read
@@ -29,7 +30,11 @@ def make(folder, command, quick, skipped):
     grid, extremes, summary = read.read_stability(folder)
     left_out, sizes = read.read_left_out(folder)
     pairs, pair_figures = read.read_exact_pairs(folder)
-    found = bars.check(curves, grid, extremes, summary, pairs)
+    without = len(dials.without_curve(dials.find(), catalogue.CURVES))
+    found = bars.check(curves, grid, extremes, summary, pairs, without)
+    unmeasured = sorted({dial.what for dial in dials.read() if dial.kind == "curve"} - {curve.name for curve in curves})
+    if unmeasured:
+        skipped = [*skipped, f"Curves that were not measured: {', '.join(unmeasured)}."]
 
     described = []
     for curve in curves:
@@ -45,7 +50,7 @@ def make(folder, command, quick, skipped):
         return page.data_link((folder / name).read_text(encoding="utf-8"), "text/csv") if (folder / name).exists() else ""
 
     root = Path(__file__).resolve().parents[2]
-    html = page.render(curves=described, bars=found, machine=machine.describe(root), command=command, quick=quick, skipped=skipped,
+    html = page.render(curves=described, dials=page.describe_dials({curve.name for curve in curves}), bars=found, machine=machine.describe(root), command=command, quick=quick, skipped=skipped,
                        date=datetime.date.today().isoformat(), summary=summary, stability_map=maps[0], stability_lines=maps[1], extremes=extremes,
                        extremes_link=link("extremes.csv"), left_out=left_out, sizes=sizes, left_out_link=link("left_out.csv"),
                        pairs=pairs, pairs_link=link("exact_pairs.csv"))

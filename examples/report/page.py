@@ -6,6 +6,7 @@ import jinja2
 from markupsafe import Markup
 
 import catalogue
+import dials
 from draw import spoken
 from style import THEME, power, seconds
 from svg import inline
@@ -29,6 +30,12 @@ def describe_curve(curve, svg):
              "error": point.error_name, "value": spoken(point), "count": f"{point.count:,}", "note": point.note} for point in curve.points]
     return {"title": title, "about": catalogue.about(curve.name), "advice": catalogue.in_words(curve.advice), "rows": rows, "points": curve.setting_count,
             "errors": [panel.error_name for panel in curve.panels()], "peers": curve.peers, **chart(svg, curve.name, title, curve.csv)}
+
+
+def describe_dials(drawn):
+    """What the template needs of the list of dials; `drawn` are the curves of the page."""
+    return [{"name": dial.name, "kind": dial.kind, "what": dial.what, "title": catalogue.title_of(dial.what), "drawn": dial.what in drawn}
+            for dial in dials.read()]
 
 
 def short(value):
