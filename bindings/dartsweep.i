@@ -34,6 +34,7 @@
 %include "dartsweep/body.h"
 %include "dartsweep/move.h"
 %include "dartsweep/near.h"
+%include "dartsweep/rays.h"
 %include "dartsweep/pairs.h"
 %include "dartsweep/deform.h"
 %include "dartsweep/together.h"

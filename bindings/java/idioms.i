@@ -56,6 +56,20 @@
     return reports;
   }
 
+  /** What segments (x, y, z) meet first, of walls and bodies; fills `partners` with the body and part that each met; options may be null. */
+  public FlightArray cast(double[] from, double[] to, ContactPartnerArray partners, CastOptions options) {
+    FlightArray flights = new FlightArray(partners.size());
+    cast(DoubleBuffer.wrap(from), DoubleBuffer.wrap(to), null, options, flights, partners);
+    return flights;
+  }
+
+  /** What is nearest to points (x, y, z), of walls and bodies; fills `partners` with the body and part that this is. */
+  public NearestArray findNearest(double[] points, double radius, ContactPartnerArray partners) {
+    NearestArray nearest = new NearestArray(partners.size());
+    findNearest(DoubleBuffer.wrap(points), radius, null, nearest, partners);
+    return nearest;
+  }
+
   /** Moves bodies, each on a rigid motion of its own, all at once; a motion has 10 numbers: a quaternion x, y, z, w, a centre and a translation; options may be null. */
   public MoveReportArray moveRigid(BodyIdArray bodies, double[] motions, TogetherOptions options) {
     MoveReportArray reports = new MoveReportArray(bodies.size());

@@ -21,6 +21,7 @@
 #include "dartsweep/pairs.h"
 #include "dartsweep/particle.h"
 #include "dartsweep/query.h"
+#include "dartsweep/rays.h"
 #include "dartsweep/record.h"
 #include "dartsweep/remesh.h"
 #include "dartsweep/scene.h"

@@ -28,7 +28,11 @@ enum {
    * `start` is a hint. */
   DSW_CAST_START_KNOWN = 0x1,
   /** Only outcome, volume and volumes_visited are reported. */
-  DSW_CAST_NO_DETAIL = 0x2
+  DSW_CAST_NO_DETAIL = 0x2,
+  /** Line of sight: what touches an end alone does not count, all else does, without the shift: the
+   * way between the ends is free if it runs in passable volumes and touches no impassable face. A
+   * start on the boundary is fine. No `volume` is reported. Casts without particles. @since 2.1 */
+  DSW_CAST_OPEN_ENDS = 0x4
 };
 
 /** Options of a cast. */

@@ -27,10 +27,11 @@ void check_enabled(bool enabled, const char* feature) {
   if (!enabled) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable %s", feature);
 }
 
-SegmentOptions to_options(const dsw_cast_options* options) {
-  const dsw_cast_options o = read_optional(options, "options", DSW_CAST_START_KNOWN | DSW_CAST_NO_DETAIL);
+SegmentOptions to_options(const dsw_cast_options* options, uint32_t other) {
+  const dsw_cast_options o = read_optional(options, "options", DSW_CAST_START_KNOWN | DSW_CAST_NO_DETAIL | other);
   if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
-  return {o.max_volumes, (o.flags & DSW_CAST_NO_DETAIL) == 0, (o.flags & DSW_CAST_START_KNOWN) != 0};
+  return {o.max_volumes, (o.flags & DSW_CAST_NO_DETAIL) == 0, (o.flags & DSW_CAST_START_KNOWN) != 0,
+          (o.flags & DSW_CAST_OPEN_ENDS) != 0};
 }
 
 uint32_t to_count(uint32_t given, uint32_t last, uint32_t instead, const char* name) {

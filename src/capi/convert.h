@@ -147,8 +147,9 @@ RepairSettings to_repair_settings(uint32_t radius, uint32_t max_faces);
 /** Throws NOT_ENABLED unless the scene was made with a feature. */
 void check_enabled(bool enabled, const char* feature);
 
-/** Options of a flight; null: defaults. */
-SegmentOptions to_options(const dsw_cast_options* options);
+/** Options of a flight; null: defaults.
+ * @param other flags that the function knows besides those of every flight. */
+SegmentOptions to_options(const dsw_cast_options* options, uint32_t other = 0);
 
 /** Refuses levels that are unknown or above `highest`. */
 SweepLevel to_level(const dsw_level& given, dsw_level highest, const char* name);

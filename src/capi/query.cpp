@@ -69,7 +69,8 @@ dsw_status dsw_environment_cast(const dsw_environment* environment, dsw_volume_i
     dsw::to_finite_point(env.kDimension, to, "to");
     dsw::require(flight, "flight");
     capi::check_hint(env.map, start, "start");
-    cast_segments(env, environment->parallel, 1, &start, {from, D}, {to, D}, capi::to_options(options), flight);
+    const dsw::SegmentOptions settings = capi::to_options(options, DSW_CAST_OPEN_ENDS);
+    cast_segments(env, environment->parallel, 1, &start, {from, D}, {to, D}, settings, flight);
   });
 }
 
@@ -80,7 +81,7 @@ dsw_status dsw_environment_cast_segments(const dsw_environment* environment, siz
     const dsw::PointArray first = dsw::to_finite_points(env.kDimension, from, count, stride_bytes, "from");
     const dsw::PointArray last = dsw::to_finite_points(env.kDimension, to, count, stride_bytes, "to");
     dsw::require_array(flights, count, "flights");
-    const dsw::SegmentOptions settings = capi::to_options(options);
+    const dsw::SegmentOptions settings = capi::to_options(options, DSW_CAST_OPEN_ENDS);
     capi::check_hints(env.map, starts, count, "starts");
     cast_segments(env, environment->parallel, count, starts, first, last, settings, flights);
   });

@@ -54,6 +54,10 @@ Touch touch_of(const Environment<D>& env, const Body<D>& body, uint32_t v, const
 template <int D>
 Touch touch_of(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, const TooNear<D>& near);
 
+/** The unit normal, out of a body, where a point on its way from p to `to` touches the body. */
+template <int D>
+Vec normal_on_way(const double* p, const double* to, const PairContact<D>& met);
+
 /** All but `distance_left` and `history` of the contact that vertex v met on its way to `to`. */
 template <int D, class Met>
 dsw_body_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,

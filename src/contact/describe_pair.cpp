@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "contact/describe.h"
 #include "contact/normals.h"
 #include "predicates/filtered.h"
@@ -89,6 +90,17 @@ Touch touch_of(const Environment<D>& env, const Body<D>& body, uint32_t v, const
   return touch;
 }
 
+template <int D>
+Vec normal_on_way(const double* p, const double* to, const PairContact<D>& met) {
+  const double* at[3];
+  read_touched(met, at);
+  if (met.other_part.kind == Simplex::kFace) return normal_on<D>(orient<D>(at, p), at, difference<D>(to, p));
+  Touch touch;
+  point_at<D>(p, to, met.time, touch.position);
+  return touch_edge(met, {p, to, p}, at, touch);
+}
+
+DSW_INSTANTIATE(normal_on_way);
 template Touch touch_of(const Environment<2>& env, const Body<2>& body, uint32_t v, const double* to,
                         const PairContact<2>& met);
 template Touch touch_of(const Environment<3>& env, const Body<3>& body, uint32_t v, const double* to,

@@ -183,6 +183,52 @@ double vertex_touch(const double* p, const double* to, const double* const* t) n
   return first.time == kNever ? 0 : first.time;
 }
 
+namespace {
+
+// Whether what lies strictly between p and p' touches segment a b.
+template <int D>
+bool inside_touches_segment(const double* p, const double* to, const double* a, const double* b) noexcept {
+  if (!segments_touch<D>(p, to, a, b)) return false;
+  for (int axis = 0; axis < kViews<D>; ++axis) {
+    if (side<D>(p, to, a, axis) == 0 && side<D>(p, to, b, axis) == 0) continue;
+    // They have one point in common.
+    return !segments_touch<D>(p, p, a, b) && !segments_touch<D>(to, to, a, b);
+  }
+  int axis = 0;  // in one line
+  while (axis < D && p[axis] == to[axis]) ++axis;
+  return axis < D && std::max(a[axis], b[axis]) > std::min(p[axis], to[axis]) &&
+         std::min(a[axis], b[axis]) < std::max(p[axis], to[axis]);
+}
+
+bool inside_touches_triangle(const double* p, const double* to, const double* const* t) noexcept {
+  const int at_p = orient<3>(t, p), at_to = orient<3>(t, to);
+  if (at_p != 0 || at_to != 0) return at_p * at_to < 0 && line_meets(p, to, t);
+  for (int k = 0; k < 3; ++k) {
+    if (inside_touches_segment<3>(p, to, t[k], t[(k + 1) % 3])) return true;
+  }
+  // All of it is inside of the triangle, which is convex, or nothing.
+  return !std::equal(p, p + 3, to) && triangle_touches(t, p, p) && triangle_touches(t, to, to);
+}
+
+}  // namespace
+
+template <int D>
+EdgeTouch point_touch(const double* p, const double* to, const double* const* corners, uint32_t count) noexcept {
+  const bool is_triangle = D == 3 && count == 3;
+  const double *const a = corners[0], *const b = corners[count == 1 ? 0 : 1];
+  EdgeTouch touch = is_triangle ? EdgeTouch{vertex_touch(p, to, corners)} : path_touch<D>(p, to, a, b);
+  if (is_triangle) touch.place = TouchPlace::kVertex;
+  if (touch.time == 0 || touch.time == kNever) return touch;
+  const bool starts = is_triangle ? triangle_touches(corners, p, p) : segments_touch<D>(p, p, a, b);
+  return starts ? EdgeTouch{0, TouchPlace::kVertex} : touch;
+}
+
+template <int D>
+bool inside_touches(const double* p, const double* to, const double* const* corners, uint32_t count) noexcept {
+  if (D == 3 && count == 3) return inside_touches_triangle(p, to, corners);
+  return inside_touches_segment<D>(p, to, corners[0], corners[count == 1 ? 0 : 1]);
+}
+
 EdgeTouch edge_touch(const EdgeMotion& m, const double* a, const double* b) noexcept {
   const double* const swept[3] = {m.p, m.to, m.q};
   const SweptPlane plane(m);
@@ -228,6 +274,8 @@ double solid_touch(const SolidMotion<D>& m, const double* v) noexcept {
 
 DSW_INSTANTIATE(segments_touch);
 DSW_INSTANTIATE(path_touch);
+DSW_INSTANTIATE(point_touch);
+DSW_INSTANTIATE(inside_touches);
 DSW_INSTANTIATE(solid_touch);
 
 }  // namespace dsw

@@ -33,6 +33,15 @@ EdgeTouch path_touch(const double* p, const double* to, const double* a, const d
 // The first time at which the moving vertex is on triangle a b c, if it does not start there.
 double vertex_touch(const double* p, const double* to, const double* const* triangle) noexcept;
 
+// The first time at which a point on its way from p to p' is on a vertex, edge or triangle with so many corners; 0 if it
+// starts there. The place is that of an edge or a vertex.
+template <int D>
+EdgeTouch point_touch(const double* p, const double* to, const double* const* corners, uint32_t count) noexcept;
+
+// Whether what lies strictly between p and p' has a point in common with a vertex, edge or triangle.
+template <int D>
+bool inside_touches(const double* p, const double* to, const double* const* corners, uint32_t count) noexcept;
+
 // The first time at which edge p(t) q touches segment a b, if it does not at the start. a and b may be one point; so
 // may p and q: then the vertex alone moves.
 EdgeTouch edge_touch(const EdgeMotion& m, const double* a, const double* b) noexcept;

@@ -2,7 +2,10 @@
 
 #include "base/batch.h"
 #include "base/dimensions.h"
+#include "contact/names.h"
 #include "locate/locate.h"
+#include "locate/open_segment.h"
+#include "predicates/plane_hit.h"
 #include "query/starts.h"
 #include "walk/packet.h"
 
@@ -31,6 +34,39 @@ void cast_range(const Environment<D>& env, Starts<D> starts, PointArray from, Po
   }
 }
 
+template <int D>
+void report_open(const Environment<D>& env, const double* from, const double* to, const OpenSegmentResult& found,
+                 Cell start, bool detail, dsw_flight* flight) noexcept {
+  if (found.end == OpenEnd::kOutside || found.end == OpenEnd::kImpassable)
+    return report_no_start(env, from, start, flight);
+  clear(flight);
+  flight->volumes_visited = found.volumes_visited;
+  flight->outcome = found.end == OpenEnd::kFree  ? DSW_OUTCOME_REACHED
+                    : found.end == OpenEnd::kMet ? DSW_OUTCOME_CONTACT
+                                                 : DSW_OUTCOME_WORK_LIMIT;
+  if (!detail) return;
+  flight->time = found.end == OpenEnd::kFree ? 1 : found.time;
+  point_at<D>(from, to, flight->time, flight->position);
+  if (found.end != OpenEnd::kMet) return;
+  name_wall(env, found.facet, flight->contact);
+  const Cell front = env.map.cell_of(found.facet);
+  const double* simplex[D];
+  simplex_points(env, front, env.map.shape(front), found.simplex, simplex);
+  unit_normal<D>(simplex, flight->contact.normal);
+  for (int k = 0; k < D; ++k) flight->contact.normal[k] = 0 - flight->contact.normal[k];
+}
+
+template <int D>
+void cast_open_range(const Environment<D>& env, Starts<D> starts, PointArray from, PointArray to,
+                     SegmentOptions options, size_t begin, size_t end, dsw_flight* flights) {
+  OpenSegments<D> open(env);
+  for (size_t i = begin; i < end; ++i) {
+    const Cell start = starts.find(i, from[i]);
+    const OpenSegmentResult found = open.ask(from[i], to[i], start, options.max_volumes);
+    report_open(env, from[i], to[i], found, start, options.detail, flights + i);
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -42,6 +78,11 @@ template <int D>
 void cast_segments(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                    PointArray from, PointArray to, const SegmentOptions& options, dsw_flight* flights) {
   const Starts<D> where(env, starts, options.start_known);
+  if (options.open_ends) {
+    return share_or_throw(
+        [&](auto& chunk) { share_out(parallel, count, chunk); },
+        [&](size_t begin, size_t end) { cast_open_range(env, where, from, to, options, begin, end, flights); });
+  }
   auto body = [&](size_t begin, size_t end) noexcept {
     cast_range(env, where, from, to, options, begin, end, flights);
   };

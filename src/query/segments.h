@@ -12,9 +12,10 @@ struct SegmentOptions {
   uint32_t max_volumes = 0;
   bool detail = true;
   bool start_known = false;  // starts contain their points; else they are hints
+  bool open_ends = false;    // touches at the ends do not count, and walls are closed
 };
 
-/** Casts segments; `starts` may be null. */
+/** Casts segments; `starts` may be null. Throws std::bad_alloc, with open ends alone; then some flights are written. */
 template <int D>
 void cast_segments(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                    PointArray from, PointArray to, const SegmentOptions& options, dsw_flight* flights);

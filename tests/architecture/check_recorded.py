@@ -16,6 +16,8 @@ NOT_RECORDED = {
     "dsw_scene_stop_recording": "the recording itself",
     "dsw_scene_write_bug_report": "leaves the scene as it is",
     "dsw_body_find_near_rows": "writes its answer alone, on which no other call depends",
+    "dsw_scene_cast": "notes where parts of bodies are, on which no result depends",
+    "dsw_scene_find_nearest": "notes where parts of bodies are, on which no result depends",
     "dsw_scene_step_fraction": "moves nothing, and what it remembers of places near the bodies changes no result",
     "dsw_body_find_least_gap": "writes what is remembered of places near the body, on which no result depends",
 }

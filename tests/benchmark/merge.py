@@ -20,7 +20,7 @@ def read_report(path):
 
 
 def main():
-    out, library, edits, normals, together, deform, near, *parts = sys.argv[1:]
+    out, library, edits, normals, together, deform, near, rays, *parts = sys.argv[1:]
     figures = {}
     for part in parts:
         with open(part, encoding="utf-8") as file:
@@ -54,6 +54,12 @@ def main():
     figures["near.rows_checked"] = sum_of(seen, "rows")
     figures["near.phantom"] = sum_of(seen, "phantom")
     figures["near.missed"] = sum_of(seen, "missed")
+    seen = read_report(rays)[1]
+    figures["rays.casts_checked"] = sum_of(seen, "casts")
+    figures["rays.missed"] = sum_of(seen, "missed")
+    figures["rays.phantom"] = sum_of(seen, "phantom")
+    figures["sight.pairs_checked"] = sum_of(seen, "pairs")
+    figures["sight.wrong"] = sum_of(seen, "wrong")
     dynamic = subprocess.run(["readelf", "-d", library], check=True, capture_output=True, text=True).stdout
     needed = re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic)
     figures["core.needed_libraries"] = sum(1 for name in needed if not RUNTIMES.match(name))

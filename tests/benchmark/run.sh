@@ -84,11 +84,11 @@ mkdir -p "$tree"
 cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
   -DDSW_BUILD_EXAMPLES=ON -DDSW_WITH_LIBCCD=ON > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
 cmake --build "$tree" -j "$(nproc)" \
-  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_walk_counted dartsweep_bench_predicates dartsweep_pairs dartsweep_rigid dartsweep_oracle dartsweep_core edits_tests together_tests together_deform_tests near_tests cross_check_tests paper_catheter_length
+  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_walk_counted dartsweep_bench_predicates dartsweep_pairs dartsweep_rigid dartsweep_oracle dartsweep_core edits_tests together_tests together_deform_tests near_tests rays_tests cross_check_tests paper_catheter_length
 
 bench=$tree/tests/benchmark
-if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 pushes=2000 edits=2 cases=110000 pairs=20000 together=1 near=1 rigid=()
-else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 pushes=100000 edits=25 cases=500000 pairs=1000000 together=10 near=40 rigid=(--long); fi
+if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 pushes=2000 edits=2 cases=110000 pairs=20000 together=1 near=1 rays=1 rigid=()
+else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 pushes=100000 edits=25 cases=500000 pairs=1000000 together=10 near=40 rays=25 rigid=(--long); fi
 "$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}" "${folder[@]}"
 rm -rf "$tree/moves" # of an older run
 mkdir -p "$tree/moves"
@@ -123,8 +123,9 @@ property edits "$edits" "*EveryChange*"
 property together "$together"
 property together_deform "$together"
 property near "$near"
+property rays "$rays"
 property cross_check 1
-python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/cross_check.json" "$tree/together.json" "$tree/together_deform.json" "$tree/near.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/walk_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/exact_pairs.json" "$tree/pairs_instructions.json" "$tree/rigid.json" "$tree/oracle.json"
+python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/cross_check.json" "$tree/together.json" "$tree/together_deform.json" "$tree/near.json" "$tree/rays.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/walk_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/exact_pairs.json" "$tree/pairs_instructions.json" "$tree/rigid.json" "$tree/oracle.json"
 echo "wrote $json"
 [ ${#failed[@]} = 0 ] || { echo "benchmark: FAILED, because it found faults: ${failed[*]}" >&2; exit 1; }
 echo "benchmark: no part found a fault"

@@ -428,6 +428,15 @@ static void nearest_of_batches(void) {
   UNTIL_IT_SUCCEEDS(dsw_environment_find_nearest_to_points(g_env, from, COUNT, 0, NULL, 0.75, points, NULL, NULL),
                     g_host.alive == before, refusals);
   CHECK(refusals >= 2 && g_host.alive == before);
+  {
+    static dsw_flight flights[COUNT];
+    dsw_cast_options open;
+    dsw_cast_options_init(&open, sizeof open);
+    open.flags = DSW_CAST_OPEN_ENDS;
+    UNTIL_IT_SUCCEEDS(dsw_environment_cast_segments(g_env, COUNT, NULL, from, to, 0, &open, flights),
+                      g_host.alive == before, refusals);
+    CHECK(refusals >= 2 && g_host.alive == before && flights[0].outcome == DSW_OUTCOME_REACHED);
+  }
   for (i = 0; i < COUNT; ++i) CHECK(points[i].distance == HUGE_VAL && segments[i].nearest.distance <= 3);
   end();
 }

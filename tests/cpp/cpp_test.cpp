@@ -125,6 +125,25 @@ TEST(Cpp, WhatIsNearestIsFoundInBatches) {
   EXPECT_THROW(environment.find_nearest_to_points(from, -1, {}, points), OutOfRange);
 }
 
+TEST(Cpp, RaysMeetBodies) {
+  Environment environment = cube();
+  Scene scene(environment);
+  const std::vector<double> ends = {0.5, 0.25, 0.5, 0.5, 0.75, 0.5};
+  const std::vector<std::uint32_t> edges = {0, 1};
+  const Body wire(scene, scene.create_body(ends, edges));
+  std::vector<dsw_flight> flights(1);
+  std::vector<dsw_contact_partner> partners(1);
+  const std::vector<double> from = {0.25, 0.5, 0.5}, to = {0.75, 0.5, 0.5};
+  scene.cast(from, to, {}, nullptr, flights, partners);
+  EXPECT_EQ(flights[0].time, 0.5);
+  EXPECT_EQ(partners[0].edge.generation, 1u);
+  std::vector<dsw_nearest> nearest(1);
+  scene.find_nearest(std::vector<double>{0.375, 0.5, 0.5}, 1, {}, nearest, partners);
+  EXPECT_EQ(nearest[0].distance, 0.125);
+  EXPECT_THROW(scene.cast(from, std::vector<double>(6), {}, nullptr, flights, partners), WrongSize);
+  EXPECT_THROW(scene.find_nearest(from, 1, {}, nearest, std::vector<dsw_contact_partner>(2)), WrongSize);
+}
+
 TEST(Cpp, PlacesInsideAreFound) {
   const Environment environment = cube();
   std::vector<double> inside(6);

@@ -233,7 +233,7 @@ dsw_status Calls::look_at_body() {
                    << read_all<double>(of_body(dsw_body_get_near_values));
 }
 
-/** Casts, sweeps, searches and a pair, without a particle or a body. */
+/** Casts, sweeps, searches and a pair, without a particle. */
 dsw_status Calls::ask() {
   const dsw_environment* const e = environment_;
   double points[18];
@@ -242,7 +242,7 @@ dsw_status Calls::ask() {
   const dsw_volume_id starts[] = {volume(), {0, 0}};
   dsw_cast_options cast;
   dsw_cast_options_init(&cast, sizeof cast);
-  cast.flags = bytes_.below(5);
+  cast.flags = bytes_.below(9);
   cast.max_volumes = bytes_.below(4);
   dsw_sweep_options sweep;
   dsw_sweep_options_init(&sweep, sizeof sweep);
@@ -253,6 +253,7 @@ dsw_status Calls::ask() {
   dsw_cell cell;
   dsw_flight flights[2];
   dsw_sweep sweeps[2];
+  dsw_contact_partner partners[2];
   dsw_nearest nearest[2];
   dsw_segment_nearest segments[2];
   double inside[6];
@@ -271,6 +272,8 @@ dsw_status Calls::ask() {
           << dsw_environment_find_nearest_to_points(e, points, 2, 0, starts, radius, nearest, volumes, locations)
           << dsw_environment_find_nearest_to_segments(e, 2, starts, from, to, 0, radius, segments, nullptr, locations)
           << dsw_environment_find_inside(e, points, 2, 0, starts, radius, inside, volumes)
+          << dsw_scene_cast(scene_, 2, starts, from, to, 0, &cast, flights, partners)
+          << dsw_scene_find_nearest(scene_, points, 2, 0, starts, radius, nearest, partners, volumes, locations)
           << dsw_sweep_pairs(nullptr, static_cast<uint32_t>(dimension_), 1, &kind, from, to, 0, cast.max_volumes,
                              &touch)
           << dsw_sweep_rigid_pairs(nullptr, static_cast<uint32_t>(dimension_), 1, &kind, from, to, 0, points, 1,

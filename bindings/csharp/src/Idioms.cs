@@ -33,6 +33,24 @@ namespace Dartsweep
       return reports;
     }
 
+    /// <summary>What segments meet first, of walls and bodies, and the body and part that each met.</summary>
+    public Flight[] Cast(double[] from, double[] to, out ContactPartner[] partners, CastOptions options = null)
+    {
+      Flight[] flights = new Flight[from.Length / (int)Dimension()];
+      partners = new ContactPartner[flights.Length];
+      Cast(from, to, null, options, flights, partners);
+      return flights;
+    }
+
+    /// <summary>What is nearest to points, of walls and bodies, and the body and part that this is.</summary>
+    public Nearest[] FindNearest(double[] points, double radius, out ContactPartner[] partners)
+    {
+      Nearest[] nearest = new Nearest[points.Length / (int)Dimension()];
+      partners = new ContactPartner[nearest.Length];
+      FindNearest(points, radius, null, nearest, partners);
+      return nearest;
+    }
+
     /// <summary>The largest part of steps, body after body, that is free when all vertices go at once. Nothing moves.</summary>
     public double StepFraction(BodyId[] bodies, double[] steps, TogetherOptions options = null)
     {

@@ -16,6 +16,25 @@ static partial class Tests
     return new Environment(points, cells, null, null, null, null, null, null, new EnvironmentDesc { Flags = flags, MergeDistance = distance }, null);
   }
 
+  public static void RaysMeetBodies()
+  {
+    using (Environment environment = CreateCubes(0, 0, new[] { 0.0, 0, 0, 1 }))
+    using (Scene scene = new Scene(environment, Library.FEATURE_BODY_CONTACTS))
+    {
+      double[] corners = { 0.25, 0.25, 0.5, 0.75, 0.25, 0.5, 0.25, 0.75, 0.5 };
+      Body leaf = scene.CreateBody(corners, null, new uint[] { 0, 1, 2 }, new BodyDesc { Level = Level.Faces });
+      ContactPartner[] partners;
+      Flight[] flights = scene.Cast(new[] { 0.3, 0.3, 0.75, 0.9, 0.9, 0.75 }, new[] { 0.3, 0.3, 0.25, 0.9, 0.9, 0.25 }, out partners);
+      Same(0.5, flights[0].Time);
+      Same(leaf.Id().Index, partners[0].Body.Index);
+      Same(Outcome.Reached, flights[1].Outcome);
+      Same(0.125, scene.FindNearest(new[] { 0.3, 0.3, 0.625 }, 1, out partners)[0].Distance);
+      Same(1u, partners[0].Face.Generation);
+      CastOptions open = new CastOptions { Flags = Library.CAST_OPEN_ENDS };
+      Same(Outcome.Reached, scene.Cast(new[] { 0.0, 0.5, 0.75 }, new[] { 1, 0.5, 0.75 }, out partners, open)[0].Outcome);
+    }
+  }
+
   public static void PartsThatTouchAreCountedAndSewn()
   {
     double[][] cubes = { new[] { 0.0, 0, 0, 1 }, new[] { 1, 0, 0, 0.5 }, new[] { 1, 0.5, 0, 0.5 }, new[] { 1, 0, 0.5, 0.5 }, new[] { 1, 0.5, 0.5, 0.5 } };

@@ -196,6 +196,24 @@ function Scene:move_rigid(bodies, motions, options, reports)
   return reports
 end
 
+local scene_cast = Scene.cast
+function Scene:cast(from, to, options, starts, flights, partners)
+  from, to = core.points(from, self:dimension()), core.points(to, self:dimension())
+  flights = flights or core.FlightArray(#from // self:dimension())
+  partners = partners or core.ContactPartnerArray(#from // self:dimension())
+  scene_cast(self, from, to, starts, options, flights, partners)
+  return flights, partners
+end
+
+local scene_find_nearest = Scene.find_nearest
+function Scene:find_nearest(points, radius, hints, nearest, partners, volumes, locations)
+  points = core.points(points, self:dimension())
+  nearest = nearest or core.NearestArray(#points // self:dimension())
+  partners = partners or core.ContactPartnerArray(#points // self:dimension())
+  scene_find_nearest(self, points, radius or math.huge, hints, nearest, partners, volumes, locations)
+  return nearest, partners
+end
+
 local step_fraction = Scene.step_fraction
 function Scene:step_fraction(bodies, steps, options, places, fractions, environment_steps, environment_places)
   places = places or core.DoubleArray(#steps)

@@ -33,3 +33,17 @@ function TestTouching:test_parts_that_touch_are_counted_and_sewn()
   lu.assertEquals(near:build_report().merged_point_count, 4)
   lu.assertError(cubes, dsw.ENVIRONMENT_CONFORM, 0, one, {1, 0.25, 0.25, 1})
 end
+
+function TestTouching:test_rays_meet_bodies()
+  local environment <close> = cubes(0, 0, {0, 0, 0, 1})
+  local scene <close> = dsw.Scene(environment, dsw.FEATURE_BODY_CONTACTS)
+  local leaf = scene:create_body {positions = {{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.25, 0.75, 0.5}}, triangles = {0, 1, 2}, level = dsw.LEVEL_FACES}
+  local flights, partners = scene:cast({{0.3, 0.3, 0.75}, {0.9, 0.9, 0.75}}, {{0.3, 0.3, 0.25}, {0.9, 0.9, 0.25}})
+  lu.assertEquals({flights[1].outcome, flights[1].time, flights[1].contact.normal[3]}, {dsw.OUTCOME_CONTACT, 0.5, 1})
+  lu.assertEquals(partners[1].body.index, leaf:id().index)
+  lu.assertEquals(flights[2].outcome, dsw.OUTCOME_REACHED)
+  local nearest, near = scene:find_nearest({{0.3, 0.3, 0.625}})
+  lu.assertEquals({nearest[1].distance, near[1].face.generation}, {0.125, 1})
+  local sight = environment:cast({0, 0.5, 0.5}, {1, 0.5, 0.25}, nil, {flags = dsw.CAST_OPEN_ENDS})
+  lu.assertEquals(sight.outcome, dsw.OUTCOME_REACHED)
+end

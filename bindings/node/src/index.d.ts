@@ -158,6 +158,14 @@ export class Scene {
    * centre and a translation. `reports` is filled where it is given. */
   moveRigid(bodies: Structs<BodyId> | readonly Body[], motions: Float64Array | readonly number[],
     options?: TogetherOptions & { reports?: MoveReportArray }): MoveReportArray;
+  /** What segments meet first, of walls and bodies; `partners` are the bodies and parts that they met, null at walls. */
+  cast(from: Points, to: Points, options?: CastOptions & { starts?: Structs<VolumeId> }): { flights: FlightArray; partners: ContactPartnerArray };
+  /** What is nearest to points, of walls and bodies. */
+  findNearest(
+    points: Points,
+    radius?: number,
+    options?: { hints?: Structs<VolumeId>; volumes?: VolumeIdArray; locations?: Int32Array },
+  ): { nearest: NearestArray; partners: ContactPartnerArray };
   /** The largest part of steps, body after body, that is free when all vertices go at once; nothing moves. `fractions` are those of each body's
    * island, `places` where `fraction` leads, with stop ISLAND where `fractions` lead. */
   stepFraction(bodies: Structs<BodyId> | readonly Body[], steps: Float64Array | readonly number[],

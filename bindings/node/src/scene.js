@@ -45,6 +45,20 @@ class Scene extends native.Scene {
     return { positions, volumes };
   }
 
+  cast(from, to, { starts, ...options } = {}) {
+    const count = from.length / this.dimension();
+    const flights = new arrays.FlightArray(count), partners = new arrays.ContactPartnerArray(count);
+    super.cast(from, to, starts, options, flights, partners);
+    return { flights, partners };
+  }
+
+  findNearest(points, radius = Infinity, { hints, volumes, locations } = {}) {
+    const count = points.length / this.dimension();
+    const nearest = new arrays.NearestArray(count), partners = new arrays.ContactPartnerArray(count);
+    super.findNearest(points, radius, hints, nearest, partners, volumes, locations);
+    return { nearest, partners };
+  }
+
   moveRigid(bodies, motions, { reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
     super.moveRigid(idsOf(bodies), motions, options, reports);
     return reports;

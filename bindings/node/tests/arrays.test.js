@@ -38,6 +38,21 @@ test('what is nearest to points and segments is found', () => {
   assert.equal(environment.findNearestToSegments(from, to, 20, { nearest }), nearest);
 });
 
+test('rays meet bodies', () => {
+  const points = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1];
+  const cube = new dsw.Environment(points, [0, 1, 2, 3, 4, 5, 6, 7], { type: dsw.CellType.Hexahedron });
+  const scene = new dsw.Scene(cube, { features: dsw.FEATURE_BODY_CONTACTS });
+  const leaf = scene.createBody([0.25, 0.25, 0.5, 0.75, 0.25, 0.5, 0.25, 0.75, 0.5], null, { triangles: [0, 1, 2], level: dsw.Level.Faces });
+  const { flights, partners } = scene.cast([0.3, 0.3, 0.75, 0.9, 0.9, 0.75], [0.3, 0.3, 0.25, 0.9, 0.9, 0.25]);
+  assert.equal(flights.at(0).time, 0.5);
+  assert.equal(partners.at(0).body.index, leaf.id().index);
+  assert.equal(flights.at(1).outcome, dsw.Outcome.Reached);
+  const near = scene.findNearest([0.3, 0.3, 0.625]);
+  assert.equal(near.nearest.at(0).distance, 0.125);
+  assert.equal(near.partners.at(0).face.generation, 1);
+  assert.equal(cube.cast([0, 0.5, 0.5], [1, 0.5, 0.25], { flags: dsw.CAST_OPEN_ENDS }).outcome, dsw.Outcome.Reached);
+});
+
 test('places inside are found', () => {
   const environment = createEnvironment();
   const volumes = new dsw.VolumeIdArray(2);

@@ -87,15 +87,13 @@ def test_how_far_an_instrument_can_turn() -> None:
 
 
 def test_picking_with_a_ray() -> None:
-    """Which triangle of a body a ray meets first, and whether a wall is before it: the ray's end flies along it as a vertex."""
-    with ds.from_pyvista(box(8, 8, 8)) as environment, ds.Scene(environment) as scene:
+    """Which triangle of which body a ray meets first, unless a wall is before it."""
+    with ds.from_pyvista(box(8, 8, 8)) as environment, ds.Scene(environment, features=ds.Feature.BODY_CONTACTS) as scene:
         sheet = scene.create_body([(1, 1, 2), (3, 1, 2), (3, 3, 2), (1, 3, 2)], triangles=[(0, 1, 2), (0, 2, 3)], level=ds.Level.FACES)
-        eye, far = np.array([1.25, 2.5, 3.5]), np.array([1.5, 2.75, 0.5])
-        corners = sheet.positions()[sheet.face_indices()]
-        begin, end = (np.insert(corners, 0, place, axis=1) for place in (eye, far))
-        met = ds.sweep_pairs(begin, end, ds.PairKind.VERTEX_FACE)
-        times = np.where(met["touches"], met["time"], np.inf)
-        assert np.argmin(times) == 1 and times[1] == 0.5 < environment.cast(eye, far).time
+        eyes, far = np.array([(1.25, 2.5, 3.5), (0.5, 0.5, 3.5)]), np.array([(1.5, 2.75, 0.5), (0.5, 0.5, -0.5)])
+        flights, partners = scene.cast(eyes, far)
+        assert partners["body"]["index"][0] == sheet.id.index and partners["face"]["index"][0] == 1 and flights["time"][0] == 0.5
+        assert partners["body"]["generation"][1] == 0 and flights["position"][1].tolist() == [0.5, 0.5, 0.0]
 
 
 def test_cable_through_a_hole() -> None:

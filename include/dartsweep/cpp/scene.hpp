@@ -152,6 +152,33 @@ class Scene {
     check(dsw_scene_cast_from_particles(self.handle, particles.data, particles.count, to.data,
                                         to.stride_bytes, options, flights.data));
   }
+  void cast(Points from, Points to, View<const dsw_volume_id> starts,
+            const dsw_cast_options *options, View<dsw_flight> flights,
+            View<dsw_contact_partner> partners) {
+    count_points(dimension(), from, to);
+    same_count("to", to.count, from.count);
+    optional_count("starts", starts, from.count);
+    same_count("flights", flights.count, from.count);
+    same_count("partners", partners.count, from.count);
+    const std::size_t stride = common_stride(from, to);
+    const SceneWriting self(*state_);
+    check(dsw_scene_cast(self.handle, from.count, starts.data, from.data, to.data, stride, options,
+                         flights.data, partners.data));
+  }
+  void find_nearest(Points points, double radius, View<const dsw_volume_id> hints,
+                    View<dsw_nearest> nearest, View<dsw_contact_partner> partners,
+                    View<dsw_volume_id> volumes = {}, View<std::int32_t> locations = {}) {
+    count_points(dimension(), points);
+    optional_count("hints", hints, points.count);
+    same_count("nearest", nearest.count, points.count);
+    same_count("partners", partners.count, points.count);
+    optional_count("volumes", volumes, points.count);
+    optional_count("locations", locations, points.count);
+    const SceneWriting self(*state_);
+    check(dsw_scene_find_nearest(self.handle, points.data, points.count, points.stride_bytes,
+                                 hints.data, radius, nearest.data, partners.data, volumes.data,
+                                 reinterpret_cast<dsw_location *>(locations.data)));
+  }
   /** Crossings of the last move of particles. */
   Array<dsw_crossing> get_crossings() const {
     const SceneReading self(*state_);

@@ -37,7 +37,7 @@ from ._shapes import Ids as Ids
 from ._shapes import Records as Records
 from ._shapes import cell_of, contiguous, kind_of_rows
 from ._topology import Topology
-from .enums import EnvironmentFlag, Location, Mark
+from .enums import CastFlag, EnvironmentFlag, Location, Mark, Outcome
 from .errors import TouchingParts
 from .options import options as described
 
@@ -311,6 +311,13 @@ class Environment(Named, Topology):
         flights = np.empty(len(starts), dtypes.FLIGHT) if out is None else out
         self._core.cast_segments(starts, ends, volumes, options, flights)
         return flights
+
+    def sees(self, starts: ArrayLike, ends: ArrayLike) -> NDArray[np.bool_]:
+        """Whether the way between two points is free, exactly, for many of them: points of a surface see each other, as what touches the
+        ends alone does not count. It is free if it runs through passable volumes and touches no impassable face."""
+        options = described(CastOptions, flags=int(CastFlag.OPEN_ENDS | CastFlag.NO_DETAIL))
+        flights = self.cast_segments(starts, ends, options=options)
+        return np.asarray(flights["outcome"] == Outcome.REACHED)
 
     def cast_path(
         self, start: ArrayLike, end: ArrayLike, volume: Any = None, options: CastOptions | None = None

@@ -25,7 +25,7 @@ from ._core import (
 )
 from .body import Body
 from .enums import Level, RecordingFlag
-from ._shapes import Ids, Records, rows_of
+from ._shapes import Ids, Records, contiguous, rows_of
 from .environment import Environment
 from .options import options as described
 
@@ -198,6 +198,27 @@ class Scene:
         flights = np.empty(len(particles), dtypes.FLIGHT) if out is None else out
         self._core.cast_from_particles(particles, targets, options, flights)
         return flights
+
+    def cast(
+        self,
+        starts: ArrayLike,
+        ends: ArrayLike,
+        volumes: Ids | None = None,
+        options: CastOptions | None = None,
+    ) -> tuple[Records, Records]:
+        """What many segments meet first, of walls and bodies: flights (dtypes.FLIGHT), and the body and part that each met
+        (dtypes.CONTACT_PARTNER), null at walls. CastFlag.OPEN_ENDS does not count what touches an end alone."""
+        starts, ends = contiguous(starts), contiguous(ends)
+        flights, partners = np.empty(len(starts), dtypes.FLIGHT), np.empty(len(starts), dtypes.CONTACT_PARTNER)
+        self._core.cast(starts, ends, volumes, options, flights, partners)
+        return flights, partners
+
+    def find_nearest(self, points: ArrayLike, radius: float = float("inf"), hints: Ids | None = None) -> tuple[Records, Records]:
+        """What is nearest to each point (dtypes.NEAREST), of walls and bodies, and which body and part that is (dtypes.CONTACT_PARTNER)."""
+        points = np.asarray(points, np.float64)
+        nearest, partners = np.empty(len(points), dtypes.NEAREST), np.empty(len(points), dtypes.CONTACT_PARTNER)
+        self._core.find_nearest(points, radius, hints, nearest, partners)
+        return nearest, partners
 
     def crossings(self) -> tuple[Records, NDArray[np.uintp]]:
         """Volumes that the last move entered (dtypes.CROSSING), and the index where those of each flight begin; with Feature.CROSSINGS."""

@@ -32,6 +32,28 @@ class TouchingTest {
   };
 
   @Test
+  void raysMeetBodies() {
+    try (Environment environment = create(0, 0, new double[] {0, 0, 0, 1});
+        Scene scene = new Scene(environment, Dartsweep.FEATURE_BODY_CONTACTS)) {
+      double[] corners = {0.25, 0.25, 0.5, 0.75, 0.25, 0.5, 0.25, 0.75, 0.5};
+      BodyDesc desc = new BodyDesc();
+      desc.setLevel(Level.FACES);
+      Body leaf = scene.createBody(DoubleBuffer.wrap(corners), null, new int[] {0, 1, 2}, desc);
+      ContactPartnerArray partners = new ContactPartnerArray(2);
+      FlightArray flights = scene.cast(new double[] {0.3, 0.3, 0.75, 0.9, 0.9, 0.75}, new double[] {0.3, 0.3, 0.25, 0.9, 0.9, 0.25}, partners, null);
+      assertEquals(0.5, flights.get(0).getTime());
+      assertEquals(leaf.id().index(), partners.get(0).getBody().index());
+      assertEquals(Outcome.REACHED, flights.get(1).getOutcome());
+      ContactPartnerArray near = new ContactPartnerArray(1);
+      assertEquals(0.125, scene.findNearest(new double[] {0.3, 0.3, 0.625}, 1, near).get(0).getDistance());
+      assertEquals(1, near.get(0).getFace().generation());
+      CastOptions open = new CastOptions();
+      open.setFlags(Dartsweep.CAST_OPEN_ENDS);
+      assertEquals(Outcome.REACHED, scene.cast(new double[] {0, 0.5, 0.75}, new double[] {1, 0.5, 0.75}, near, open).get(0).getOutcome());
+    }
+  }
+
+  @Test
   void facesThatTouchAreCounted() {
     try (Environment environment = create(Dartsweep.ENVIRONMENT_FIND_TOUCHING, 0, ONE_BESIDE_FOUR)) {
       BuildReport report = environment.buildReport();

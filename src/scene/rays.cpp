@@ -1,0 +1,179 @@
+// The environment answers first, for the whole batch. Then bodies are asked for what is earlier, or nearer, than that.
+
+#include "scene/rays.h"
+
+#include <algorithm>
+
+#include "base/batch.h"
+#include "base/dimensions.h"
+#include "contact/describe.h"
+#include "locate/distances.h"
+#include "proximity/segment_touch.h"
+#include "query/starts.h"
+#include "scene/body_places.h"
+#include "scene/near_bodies.h"
+
+namespace dsw {
+namespace {
+
+/** The bodies of a scene that can be near a place. Several threads may ask at a time. */
+template <int D>
+class BodiesAbout {
+ public:
+  explicit BodiesAbout(const Scene<D>& scene) : scene_(scene) {
+    if (!scene.keeps_boxes()) return;
+    for_each_body(scene, [](uint32_t, const BodyRecord<D>& of) { fresh_boxes(of.body); });
+  }
+
+  template <class Visit>
+  void visit(const Box<D>& box, Visit visit) const {
+    const auto name = [&](uint32_t slot) {
+      return Partner<D>{&scene_.bodies[slot].body, slot, scene_.body_slots.generation(slot)};
+    };
+    if (!scene_.keeps_boxes()) {
+      for_each_body(scene_, [&](uint32_t slot, const BodyRecord<D>&) { visit(name(slot)); });
+    } else {
+      scene_.body_boxes.visit(box, [&](uint32_t slot) {
+        visit(name(slot));
+        return true;
+      });
+    }
+  }
+
+ private:
+  const Scene<D>& scene_;
+};
+
+/** What a segment has met of a body, in place of what it met of the environment. */
+template <int D>
+void report_body(const Environment<D>& env, const double* from, const double* to, Cell start,
+                 const SegmentTouch<D>& touch, dsw_flight* flight) noexcept {
+  clear(flight);
+  flight->outcome = DSW_OUTCOME_CONTACT;
+  flight->time = touch.time;
+  point_at<D>(from, to, touch.time, flight->position);
+  const Vec normal = touch.is_thick ? touch.away : normal_on_way<D>(from, to, touch);
+  store<D>(normal + Vec::Zero(), flight->contact.normal);  // never -0
+  flight->contact.kind = contact_kind(touch.other_part.kind);
+  if (!start.valid()) return;
+  const CastResult way = cast<D>(env, from, flight->position, start);
+  flight->volume = flight->contact.front = volume_id(env.map, way.cell);
+  flight->volumes_visited = way.volumes_visited;
+}
+
+void leave_out_detail(dsw_flight* flight) noexcept {
+  const dsw_flight given = *flight;
+  clear(flight);
+  flight->outcome = given.outcome;
+  flight->volume = given.volume;
+  flight->volumes_visited = given.volumes_visited;
+}
+
+template <int D>
+class RayBatch {
+ public:
+  RayBatch(const Scene<D>& scene, const dsw_volume_id* starts, PointArray from, PointArray to,
+           const SegmentOptions& options)
+      : env_(scene.env),
+        bodies_(scene),
+        starts_(scene.env, starts, options.start_known),
+        from_(from),
+        to_(to),
+        options_(options) {}
+
+  /** @param flight what the environment has answered. */
+  void ask(size_t i, dsw_flight* flight, dsw_contact_partner* partner) const noexcept {
+    *partner = {};
+    if (flight->outcome < DSW_OUTCOME_REACHED || flight->outcome > DSW_OUTCOME_WORK_LIMIT) return;
+    const double* const from = from_[i];
+    const double* const to = to_[i];
+    const double limit = flight->outcome == DSW_OUTCOME_REACHED ? kNever : flight->time;
+    SegmentTouch<D> first;
+    first.time = limit;
+    Box<D> box;
+    box.add(from);
+    box.add(flight->position);
+    const SegmentEnds ends = options_.open_ends ? SegmentEnds::kOpen : SegmentEnds::kClosed;
+    bodies_.visit(widened(box, kRoom * largest_coordinate<D>(from, to)),
+                  [&](const Partner<D>& body) { meet_segment(body, from, to, ends, first); });
+    if (!(first.time < limit)) return;
+    const Cell start = options_.open_ends ? Cell{} : starts_.find(i, from);
+    report_body(env_, from, to, start, first, flight);
+    *partner = partner_of(first);
+  }
+
+ private:
+  static constexpr double kRoom = 0x1p-45;  // for rounding
+
+  const Environment<D>& env_;
+  BodiesAbout<D> bodies_;
+  Starts<D> starts_;
+  PointArray from_, to_;
+  SegmentOptions options_;
+};
+
+template <int D>
+void report_place(const double* point, const BodyPlace<D>& place, dsw_nearest& answer,
+                  dsw_contact_partner& partner) noexcept {
+  const uint32_t visited = answer.volumes_visited;
+  answer = {};
+  answer.distance = place.distance;
+  const double far = place.distance + place.body.body->radius;
+  for (int k = 0; k < D; ++k) {
+    answer.normal[k] = far > 0 ? -place.way[k] / (far * place.scale) : 0;
+    answer.point[k] = point[k] + place.way[k] / place.scale + place.body.body->radius * answer.normal[k];
+  }
+  answer.volumes_visited = visited;
+  partner = name_partner(place.body, place.part);
+}
+
+}  // namespace
+
+template <int D>
+void cast_among_bodies(Scene<D>& scene, size_t count, const dsw_volume_id* starts, PointArray from, PointArray to,
+                       const SegmentOptions& options, dsw_flight* flights, dsw_contact_partner* partners) {
+  SegmentOptions with_detail = options;
+  with_detail.detail = true;
+  cast_segments(scene.env, scene.parallel, count, starts, from, to, with_detail, flights);
+  const RayBatch<D> batch(scene, starts, from, to, options);
+  auto body = [&](size_t begin, size_t end) noexcept {
+    for (size_t i = begin; i < end; ++i) {
+      batch.ask(i, flights + i, partners + i);
+      if (!options.detail) leave_out_detail(flights + i);
+    }
+  };
+  share_out(scene.parallel, count, body);
+}
+
+template <int D>
+void nearest_among_bodies(Scene<D>& scene, size_t count, PointArray points, const dsw_volume_id* hints, double radius,
+                          const NearestAnswers<dsw_nearest>& answers, dsw_contact_partner* partners) {
+  Array<dsw_location> own(scene.memory);
+  NearestAnswers<dsw_nearest> with_locations = answers;
+  if (answers.locations == nullptr) {
+    own.resize(count);
+    with_locations.locations = own.data();
+  }
+  nearest_to_points(scene.env, scene.parallel, count, points, hints, radius, with_locations);
+  const BodiesAbout<D> bodies(scene);
+  auto body = [&](size_t begin, size_t end) noexcept {
+    for (size_t i = begin; i < end; ++i) {
+      partners[i] = {};
+      if (with_locations.locations[i] != DSW_LOCATION_PASSABLE) continue;
+      BodyPlace<D> place;
+      const double limit = place.distance = std::min(answers.nearest[i].distance, radius);
+      const bool reaches_limit = answers.nearest[i].cell.kind == DSW_CELL_NONE;
+      place.scale = fitting_scale<D>(scene.env, {points[i]});
+      bodies.visit(box_about<D>(points[i], limit),
+                   [&](const Partner<D>& each) { find_nearest_place(each, points[i], place); });
+      const bool is_nearer = place.distance < limit || (reaches_limit && place.distance <= limit);
+      if (place.body.body != nullptr && is_nearer) report_place(points[i], place, answers.nearest[i], partners[i]);
+    }
+  };
+  share_out(scene.parallel, count, body);
+}
+
+DSW_INSTANTIATE(cast_among_bodies);
+DSW_INSTANTIATE(nearest_among_bodies);
+
+}  // namespace dsw
