@@ -4,8 +4,8 @@
  * whole way, at DSW_LEVEL_EDGES edges, too. Vertices stop at rounded positions just before a
  * contact, and the ways there are swept again: after the call all is free, and nothing was passed.
  *
- * While the environment stands, bodies with a radius keep all distances of body.h on the whole way: what comes nearer is a contact,
- * and stops all, with FEATURE the island.
+ * Bodies with a radius keep all distances of body.h on the whole way: what would come nearer is a
+ * contact.
  *
  * A touch of bodies that can meet is a contact; a touch with the environment, if it remains one
  * under the shift (base.h). Contacts are of the way on which they were found, which can be a part
@@ -92,8 +92,7 @@ DSW_API dsw_status dsw_body_get_ways_left(const dsw_scene *scene, dsw_body_id bo
  * @param reports `fraction`: part of the motion up to the first contact that stopped a vertex of
  * the island, rounded; `vertices_moved`: living vertices; `edges_swept`, `edges_skipped`: those of
  * the island, for its first body.
- * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: `response` without FEATURE, or with bodies that have
- * a radius or can meet one that has.
+ * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: `response` without FEATURE.
  * @note Contacts are all that touch at the same exact time. `fixed` has the other ends then.
  * @note Cost: O(volumes met + pairs of parts whose ways come near each other), for each contact;
  * see `max_work`. Thread: one. @since 2.1 */
@@ -127,8 +126,8 @@ DSW_API dsw_status dsw_scene_move_rigid(dsw_scene *scene, const dsw_body_id *bod
  * @param report `outcome`: DONE, FRACTION, HELD with FEATURE, REFUSED or LIMITED, as REFUSED;
  * `fraction`: of those not held. Contacts have `response` DSW_WALL_STOP.
  * @param reports as of dsw_scene_move_together.
- * @return as dsw_environment_deform; DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: a body of the scene has
- * a radius, or `stop` is ISLAND; WRONG_SIZE: also target_count.
+ * @return as dsw_environment_deform; DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: `stop` is ISLAND;
+ * WRONG_SIZE: also target_count.
  * @note Cost: as dsw_scene_move_together, and O(particles); O(n) each time that all ways are
  * shortened, at most 53 times. Writes the environment, too. @since 2.1 */
 DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point_count,
@@ -140,7 +139,7 @@ DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point
 /** Finds the largest fraction f of given steps that is free, for a solver's line search. Nothing
  * moves. All vertices go at once, straight and steadily, to x + f * step, computed in doubles: the
  * ways to these rounded places are verified, as dsw_scene_move_together would, and the next double
- * is not free.
+ * is not free; where a thick body stops it, f is as large as certified distances allow.
  * @param steps `step_count` displacements, one for each vertex slot of the bodies, as targets in move.h.
  * @param environment_steps one for each of the environment's `point_count` vertices; all bodies and
  * particles of the scene are met then. NULL and 0: it stands still.
@@ -149,8 +148,8 @@ DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point
  * @param fractions of each body's island, may be NULL; with `environment_steps` all is one island.
  * @param places `step_count` points without gaps, zeros for unused slots, may be NULL.
  * @param environment_places `point_count` points, may be NULL.
- * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: `stop` is FEATURE, or a body
- * has a radius and there are `environment_steps`; NON_FINITE: also where a whole step leads.
+ * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: `stop` is FEATURE; NON_FINITE: also where a whole
+ * step leads.
  * @note Cost: about two of dsw_scene_move_together. Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_step_fraction(dsw_scene *scene, const dsw_body_id *bodies,
                                            size_t count, const double *steps, size_t step_count,

@@ -31,7 +31,7 @@ class Call {
         particles_(scene.memory),
         still_record_(scene.memory),
         ways_(env_),
-        shortened_(env_, ways_.walls, ways_.bodies),
+        shortened_(env_, ways_.walls, ways_.bodies, ways_.thick),
         settings_(settings) {
     points_.begin(next);
   }
@@ -77,6 +77,7 @@ void Call<D>::add_body(BodyRecord<D>& of, PointArray targets, MoveRecord* record
   made.motion.targets = targets;
   made.record = record;
   made.stands = record == &still_record_;
+  made.is_led = !made.stands && settings_.response != TogetherResponse::kStop;
 }
 
 template <int D>
@@ -178,7 +179,7 @@ void Call<D>::shorten_each() {
   ways_.set_ends(trajectories_, 1);
   const auto end = shortened_.run(trajectories_, settings_, false);
   touch_time_ = shortened_.first_time();
-  if (end == ShortenedWays<D, MovingWalls<D>>::End::kFree && ways_.find_too_near(trajectories_, 1) == 1) return;
+  if (end == ShortenedWays<D, MovingWalls<D>>::End::kFree) return;
   ways_.walls.held.look_at_all();
   for (Trajectory<D>& of : trajectories_) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
   if (!ways_.find_touches(trajectories_)) return;

@@ -103,9 +103,6 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
   size_t at = 0;
   for (size_t i = 0; i < count; ++i) {
     BodyRecord<D>& of = *bodies[i];
-    if (of.body.radius > 0 && settings.response != TogetherResponse::kStop) {
-      fail(DSW_STATUS_UNSUPPORTED, "bodies[%zu] has a radius, and there is a response", i);
-    }
     begin_move(scene, of);
     of.next.clear();
     first[i] = at;
@@ -117,7 +114,6 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
   } else {
     find_one_island(scene, bodies, count, targets, islands);
   }
-  if (settings.response != TogetherResponse::kStop) refuse_thick(islands);
   leave_still_ones(scene, bodies, count, islands);
   CastCounters casts;
   try {
@@ -131,6 +127,7 @@ void move_together(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, 
         const Partners<D>* const still = scene.features.contacts ? &islands.partners[i] : nullptr;
         trajectories.push_back(
             trajectory_of(scene, *bodies[i], still, {targets.data + first[i] * targets.step, targets.step}));
+        trajectories.back().is_led = settings.response != TogetherResponse::kStop;
       }
       const bool is_one = settings.stop == TogetherStop::kAll || settings.response != TogetherResponse::kStop;
       if (is_one && island + 1 != islands.count()) continue;

@@ -21,13 +21,6 @@ PointArray positions_of(const Body<D>& body) {
   static_assert(sizeof(BodyVertex<D>) % sizeof(double) == 0);
   return {body.vertices.empty() ? nullptr : body.vertices[0].position, sizeof(BodyVertex<D>) / sizeof(double)};
 }
-/** Refuses islands that can meet a thick body. */
-template <int D>
-void refuse_thick(const Islands<D>& islands) {
-  for (const Partners<D>& each : islands.partners) {
-    if (each.has_thick) fail(DSW_STATUS_UNSUPPORTED, "a body can meet one that has a radius");
-  }
-}
 /** Leaves only bodies that stand still as partners of the islands. */
 template <int D>
 void leave_still_ones(const Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Islands<D>& islands);
@@ -52,8 +45,7 @@ void stay_at_limit(BodyRecord<D>& of, Target target) {
 template <int D>
 Trajectory<D> trajectory_of(const Scene<D>& scene, BodyRecord<D>& of, const Partners<D>* still, PointArray targets);
 
-/** Calls visit(body) for the bodies of a scene that a call does not move, where the environment moves. Refuses thick bodies,
- * also those that the call moves. */
+/** Calls visit(body) for the bodies of a scene that a call does not move, where the environment moves. */
 template <int D, class Visit>
 void for_each_other_body(Scene<D>& scene, BodyRecord<D>* const* moved, size_t count, Visit visit) {
   Array<bool> moves(scene.bodies.size(), false, scene.memory);
@@ -61,7 +53,6 @@ void for_each_other_body(Scene<D>& scene, BodyRecord<D>* const* moved, size_t co
   for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
     BodyRecord<D>& of = scene.bodies[slot];
     if (!scene.body_slots.alive(slot, scene.body_slots.generation(slot))) continue;
-    if (of.body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "a body of the scene has a radius");
     if (!moves[slot]) visit(of);
   }
 }

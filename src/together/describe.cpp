@@ -116,13 +116,8 @@ Touch touch_of(const Environment<D>& env, const Trajectory<D>& of, const TooNear
 
 template <int D>
 void describe_too_near(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<TooNearOnWay<D>>& first) {
-  const auto name = [](const TooNearOnWay<D>& n) {
-    return std::make_tuple(n.trajectory, static_cast<uint32_t>(n.part.kind), n.part.index,
-                           n.other == nullptr ? 0 : n.other->index + 1, static_cast<uint32_t>(n.other_part.kind),
-                           n.other_part.index, n.wall.vertices[0], n.wall.vertices[1], n.wall.vertices[2]);
-  };
   std::sort(first.begin(), first.end(),
-            [&](const TooNearOnWay<D>& a, const TooNearOnWay<D>& b) { return name(a) < name(b); });
+            [&](const TooNearOnWay<D>& a, const TooNearOnWay<D>& b) { return name_of(a) < name_of(b); });
   for (const TooNearOnWay<D>& near : first) {
     const auto add = [&](uint32_t number, const Simplex& part, const Partner<D>* other, const Simplex& other_part,
                          bool is_first) {

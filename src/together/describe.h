@@ -17,6 +17,13 @@ auto name_of(const WayTouch<D>& t) {
                          t.other_part.index, t.wall.vertices[0], t.wall.vertices[1]);
 }
 
+template <int D>
+auto name_of(const TooNearOnWay<D>& n) {
+  return std::make_tuple(n.trajectory, static_cast<uint32_t>(n.part.kind), n.part.index,
+                         n.other == nullptr ? 0 : n.other->index + 1, static_cast<uint32_t>(n.other_part.kind),
+                         n.other_part.index, n.wall.vertices[0], n.wall.vertices[1], n.wall.vertices[2]);
+}
+
 /** Adds touches to the records of the bodies that move there, in the order of bodies, parts and what is
  * touched. Throws std::bad_alloc. */
 template <int D>

@@ -29,8 +29,8 @@ class HeldPoints {
   void include(const CellQueue& cells);
   uint32_t count() const noexcept { return static_cast<uint32_t>(points_.size()); }
   /** Calls visit(number) for those points of a touch that go. */
-  template <class Visit>
-  void for_each(const WayTouch<D>& touch, Visit visit) const {
+  template <class Touch, class Visit>
+  void for_each(const Touch& touch, Visit visit) const {
     if (touch.other != nullptr) return;
     for (uint32_t i = 0; i < touch.wall.count; ++i) {
       const uint32_t number = number_of(touch.wall.vertices[i]);
@@ -73,6 +73,7 @@ struct NoPoints {
   template <class Touch, class Visit>
   void for_each(const Touch&, Visit) const noexcept {}
   bool is_new(uint32_t) const noexcept { return false; }
+  bool has_new(const uint32_t*, uint32_t) const noexcept { return false; }
   void set_new(uint32_t) const noexcept {}
   void shorten(uint32_t, double) const noexcept {}
 };

@@ -109,12 +109,8 @@ bool MovingWalls<D>::are_valid_from(size_t first) {
 template <int D>
 void MovingWalls<D>::collect(const Trajectory<D>& of, uint32_t number, const Simplex& part) {
   const SimplexCorners<D> corners(*of.motion.body, part);
-  // The region depends on the order of its points, and results must not depend on numbers.
-  const double* points[6] = {};
-  const uint32_t count = points_of_way(of, part, points);
   list_.clear();
-  const NearRegion<D> region(points, count, room_of_rounding<D>(points, count) + of.motion.body->radius);
-  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1, region, list_);
+  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1, region_of_way(of, part), list_);
   Near near{number, part, static_cast<uint32_t>(features_.size()), 0, static_cast<uint32_t>(cells_.size()), 0};
   add_cells();
   if (part.kind != Simplex::kVertex) cells_.resize(near.first_cell);

@@ -46,7 +46,8 @@ class MovingWalls {
   /** Finds what comes near ways that have become others, and the cells that are met there. */
   void collect_again(const Array<Trajectory<D>>& trajectories);
   /** Where the points of a touch of the environment go. They live on. */
-  void find_goals(const WayTouch<D>& touch, const double** goals) const {
+  template <class Touch>
+  void find_goals(const Touch& touch, const double** goals) const {
     for (uint32_t i = 0; i < touch.wall.count; ++i) goals[i] = next_ + size_t{D} * touch.wall.vertices[i];
   }
   /** See HeldPoints. */

@@ -17,10 +17,39 @@
 namespace dsw {
 namespace {
 
+template <int D>
+double time_of(const WayTouch<D>& touch) {
+  return touch.first.time;
+}
+template <int D>
+double time_of(const TooNearOnWay<D>& near) {
+  return near.time;
+}
+
 /** Touches with the same key are taken together. Times are those that are reported. */
 template <int D>
 std::tuple<double, uint32_t> key_of(const WayTouch<D>& touch) {
   return {touch.first.time, touch.other == nullptr ? static_cast<uint32_t>(touch.part.kind) : 0};
+}
+template <int D>
+std::tuple<double, uint32_t> key_of(const TooNearOnWay<D>& near) {
+  return {near.time, 0};
+}
+
+template <class Touch>
+void sort_by_time(Array<Touch>& touches) {
+  std::sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) {
+    return std::make_tuple(key_of(a), name_of(a)) < std::make_tuple(key_of(b), name_of(b));
+  });
+}
+
+template <int D>
+void describe_found(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& touches) {
+  describe_touches(env, trajectories, touches);
+}
+template <int D>
+void describe_found(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<TooNearOnWay<D>>& touches) {
+  describe_too_near(env, trajectories, touches);
 }
 
 }  // namespace
@@ -41,41 +70,60 @@ typename ShortenedWays<D, Walls>::End ShortenedWays<D, Walls>::run(Array<Traject
   rows_.start(trajectories, settings.response == TogetherResponse::kCarry);
   for (uint32_t round = 0; round < settings.rounds; ++round) {
     find_touches(trajectories);
-    if (touches_.empty()) return End::kFree;
+    if (touched_.all.empty() && near_.all.empty()) return End::kFree;
     if (round == 0) {
-      first_time_ = touches_[0].first.time;
+      if (!touched_.all.empty()) first_time_ = time_of(touched_.all[0]);
+      if (!near_.all.empty()) first_time_ = std::min(first_time_, time_of(near_.all[0]));
       if (may_end_at_walls && starts_at_walls()) return End::kAtWalls;
     }
     for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{0});
     walls_.start_round();
     point_cuts_.resize(walls_.held.count());
+    // What is led elsewhere may touch again and again: in the last rounds it stops.
+    const bool may_lead = leads && round < settings.rounds - settings.rounds / 4;
     const uint32_t before = group_;
-    for (size_t first = 0, end; first < touches_.size(); first = end) {
-      end = end_of_group(first);
-      chosen_.clear();
-      for (size_t i = first; i < end; ++i) {
-        bool is_changed = false;
-        for_each_cut(trajectories, touches_[i], [&](const Cut& cut) { is_changed = is_changed || cut.group > before; });
-        // What is passed over is looked at again, as one of its vertices has a new goal.
-        if (!is_changed) chosen_.push_back(touches_[i]);
-      }
-      describe_chosen(trajectories);
-      ++group_;
-      // What is led elsewhere may touch again and again: in the last rounds it stops.
-      if (leads && round < settings.rounds - settings.rounds / 4) lead_chosen(trajectories, round);
-      shorten_chosen(trajectories);
-    }
+    // What keeps a distance comes too near before it touches.
+    take(near_, trajectories, before, round, may_lead);
+    take(touched_, trajectories, before, round, may_lead);
     set_goals(trajectories);
   }
   return End::kRoundsOver;
 }
 
+/** Takes what was found in groups, and lets its vertices go elsewhere, or a part of their ways.
+ * @param before the last group of the rounds before. */
+template <int D, class Walls>
+template <class Touch>
+void ShortenedWays<D, Walls>::take(Found<Touch>& found, Array<Trajectory<D>>& trajectories, uint32_t before,
+                                   uint32_t round, bool may_lead) {
+  for (size_t first = 0, end; first < found.all.size(); first = end) {
+    for (end = first + 1; end < found.all.size() && key_of(found.all[end]) == key_of(found.all[first]);) ++end;
+    found.chosen.clear();
+    for (size_t i = first; i < end; ++i) {
+      bool is_changed = false;
+      for_each_cut(trajectories, found.all[i], [&](const Cut& cut) { is_changed = is_changed || cut.group > before; });
+      // What is passed over is looked at again, as one of its vertices has a new goal.
+      if (!is_changed) found.chosen.push_back(found.all[i]);
+    }
+    describe_chosen(found, trajectories);
+    ++group_;
+    if (may_lead) lead_chosen(found, trajectories, round);
+    shorten_chosen(found, trajectories);
+  }
+}
+
 /** Finds all touches that are new, and sorts them by time. */
 template <int D, class Walls>
 void ShortenedWays<D, Walls>::find_touches(const Array<Trajectory<D>>& trajectories) {
-  touches_.clear();
-  walls_.find_all(trajectories, touches_);
-  bodies_.find_all(trajectories, touches_);
+  touched_.all.clear();
+  near_.all.clear();
+  if (thick_.is_needed()) {
+    thick_.set_wall_ends(walls_);
+    thick_.find_all(trajectories, walls_.held, near_.all);
+    sort_by_time(near_.all);
+  }
+  walls_.find_all(trajectories, touched_.all);
+  bodies_.find_all(trajectories, touched_.all);
   // A vertex that was stopped by a wall does not come to lie exactly on it, where it would touch it in the next call.
   for (const WayTouch<D>& each : watched_) {
     const Trajectory<D>& of = trajectories[each.trajectory];
@@ -84,18 +132,16 @@ void ShortenedWays<D, Walls>::find_touches(const Array<Trajectory<D>>& trajector
     walls_.find_goals(each, again.pair.end + 1);  // which may lie elsewhere since then
     if (orient<D>(again.pair.end + 1, of.end(each.part.index)) != 0) continue;
     again.first = {true, 1};
-    if (of.moves(each.part.index)) touches_.push_back(again);
+    if (of.moves(each.part.index)) touched_.all.push_back(again);
   }
-  std::sort(touches_.begin(), touches_.end(), [](const WayTouch<D>& a, const WayTouch<D>& b) {
-    return std::make_tuple(key_of(a), name_of(a)) < std::make_tuple(key_of(b), name_of(b));
-  });
+  sort_by_time(touched_.all);
 }
 
 /** Whether all that is touched at time 0 are walls, by edges and faces. */
 template <int D, class Walls>
 bool ShortenedWays<D, Walls>::starts_at_walls() const {
   bool any = false;
-  for (const WayTouch<D>& each : touches_) {
+  for (const WayTouch<D>& each : touched_.all) {
     if (each.first.time > 0) break;
     if (each.other != nullptr || each.part.kind == Simplex::kVertex) return false;
     any = true;
@@ -103,45 +149,40 @@ bool ShortenedWays<D, Walls>::starts_at_walls() const {
   return any;
 }
 
-template <int D, class Walls>
-size_t ShortenedWays<D, Walls>::end_of_group(size_t first) const {
-  size_t end = first + 1;
-  while (end < touches_.size() && key_of(touches_[end]) == key_of(touches_[first])) ++end;
-  return end;
-}
-
 /** Adds those to the records that are not there. */
 template <int D, class Walls>
-void ShortenedWays<D, Walls>::describe_chosen(Array<Trajectory<D>>& trajectories) {
-  told_.clear();
-  for (const WayTouch<D>& each : chosen_) {
+template <class Touch>
+void ShortenedWays<D, Walls>::describe_chosen(Found<Touch>& found, Array<Trajectory<D>>& trajectories) {
+  found.told.clear();
+  for (const Touch& each : found.chosen) {
     const PairName name = pair_name_of(each);
     const auto at = std::lower_bound(names_.begin(), names_.end(), name);
     if (at != names_.end() && *at == name) continue;
     names_.insert(at, name);
-    told_.push_back(each);
-    if (each.other == nullptr && each.part.kind == Simplex::kVertex) watched_.push_back(each);
+    found.told.push_back(each);
+    watch(each);
   }
-  describe_touches(env_, trajectories, told_);
-  walls_.describe(trajectories, told_);
+  describe_found(env_, trajectories, found.told);
+  walls_.describe(trajectories, found.told);
 }
 
 template <int D, class Walls>
-template <class Visit>
-void ShortenedWays<D, Walls>::for_each_cut(Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, Visit visit) {
+template <class Touch, class Visit>
+void ShortenedWays<D, Walls>::for_each_cut(Array<Trajectory<D>>& trajectories, const Touch& touch, Visit visit) {
   for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) { visit(cut_of(trajectories, of, v)); });
   walls_.held.for_each(touch, [&](uint32_t number) { visit(point_cuts_[number]); });
 }
 
 /** Adds rows for touches, which are no longer chosen then: their parts go elsewhere. */
 template <int D, class Walls>
-void ShortenedWays<D, Walls>::lead_chosen(Array<Trajectory<D>>& trajectories, uint32_t round) {
+template <class Touch>
+void ShortenedWays<D, Walls>::lead_chosen(Found<Touch>& found, Array<Trajectory<D>>& trajectories, uint32_t round) {
   size_t left = 0;
-  for (const WayTouch<D>& touch : chosen_) {
-    const double* goals[D] = {};
+  for (const Touch& touch : found.chosen) {
+    const double* goals[3] = {};
     if (touch.other == nullptr) walls_.find_goals(touch, goals);
     if (!rows_.add(trajectories, touch, goals, round)) {
-      chosen_[left++] = touch;
+      found.chosen[left++] = touch;
       continue;
     }
     for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) {
@@ -149,27 +190,28 @@ void ShortenedWays<D, Walls>::lead_chosen(Array<Trajectory<D>>& trajectories, ui
       of.is_new[v] = 1;
     });
   }
-  chosen_.resize(left);
+  found.chosen.resize(left);
 }
 
 /** Lets all vertices of a touch go up to a time before it. The more often their ways were shortened, the longer before. */
 template <int D, class Walls>
-void ShortenedWays<D, Walls>::shorten_chosen(Array<Trajectory<D>>& trajectories) {
+template <class Touch>
+void ShortenedWays<D, Walls>::shorten_chosen(const Found<Touch>& found, Array<Trajectory<D>>& trajectories) {
   constexpr uint32_t kMostDoublings = 60;
-  for (const WayTouch<D>& touch : chosen_) {
+  for (const Touch& touch : found.chosen) {
     double step = step_back(touch);
     uint32_t doublings = 0;
     for_each_cut(trajectories, touch, [&](const Cut& cut) { doublings = std::max(doublings, cut.count); });
     for (uint32_t k = 0; k < std::min(doublings, kMostDoublings); ++k) step *= 2;
     for_each_cut(trajectories, touch, [&](Cut& cut) {
-      const double time = touch.first.time - step;
+      const double time = time_of(touch) - step;
       cut.time = cut.is_shortened ? std::min(cut.time, time) : time;
       cut.group = group_;
       cut.is_shortened = true;
     });
   }
   // Only now, as touches of one group may share vertices.
-  for (const WayTouch<D>& touch : chosen_) {
+  for (const Touch& touch : found.chosen) {
     for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) { of.is_new[v] = 1; });
     walls_.held.for_each(touch, [&](uint32_t number) { walls_.held.set_new(number); });
   }
@@ -224,6 +266,7 @@ void ShortenedWays<D, Walls>::collect_again(Array<Trajectory<D>>& trajectories) 
   for (Trajectory<D>& of : trajectories) of.reaches = of.goals;
   walls_.collect_again(trajectories);
   bodies_.start_again(trajectories);
+  thick_.start_again(trajectories);
 }
 
 template class ShortenedWays<2, WallWays<2>>;

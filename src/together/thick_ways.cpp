@@ -66,6 +66,18 @@ struct LinearGap {
   }
 };
 
+/** How much a distance can change by the rounding of places where all points go alike. */
+template <int D>
+double rounding_of(const HullWays<D>& ways) noexcept {
+  double most = 0;
+  for (uint32_t side = 0; side < 2; ++side) {
+    for (uint32_t i = 0; i < ways.count[side]; ++i) {
+      most = std::max({most, largest_coordinate<D>(ways.start[side][i]), largest_coordinate<D>(ways.end[side][i])});
+    }
+  }
+  return 0x1p-49 * most;
+}
+
 /** The hulls at a time of their ways. */
 template <int D>
 void place(const HullWays<D>& ways, double time, double (&places)[2][4][D], ConvexHull (&hulls)[2]) noexcept {
@@ -88,10 +100,10 @@ bool is_before(const double* start, const double* end, const double* other_start
 }  // namespace
 
 template <int D>
-double time_kept(const HullWays<D>& ways, double accepted, double most) noexcept {
+double time_kept(const HullWays<D>& ways, double wanted, double most) noexcept {
   constexpr int kMostPieces = 200;
   constexpr double kLeastPiece = 0x1p-46;
-  double time = 0;
+  double time = 0, accepted = least_kept(wanted);
   for (int piece = 0; piece < kMostPieces; ++piece) {
     double places[2][4][D];
     ConvexHull hulls[2];
@@ -99,6 +111,13 @@ double time_kept(const HullWays<D>& ways, double accepted, double most) noexcept
     const HullGap gap = find_gap<D>(hulls[0], hulls[1], kInf, accepted);
     if (is_zero(gap.normal) || !is_finite<3>(gap.normal.data())) return time;
     const LinearGap<D> along(ways, gap.normal);
+    if (piece == 0) {
+      const double at_start = along.at(0);
+      if (!(at_start >= less_share(wanted, 0x1p-30))) return 0;
+      const double slack = std::clamp((at_start - least_at_rest(wanted)) / 2, 0.0, rounding_of(ways));
+      if (at_start - slack < accepted && along.at(most) >= at_start - slack) return most;
+      accepted = std::min(accepted, at_start);
+    }
     if (!(along.at(time) >= accepted)) return time;
     const double last = along.last(time, most, accepted);
     if (last >= most) return most;
@@ -112,6 +131,8 @@ template <int D>
 void ThickWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* next) {
   pairs_.clear();
   first.clear();
+  next_ = next;
+  bodies_meet_ = bodies_meet;
   const auto has_radius = [&](const Trajectory<D>& of) {
     return of.motion.body->radius > 0 || (bodies_meet && of.still != nullptr && of.still->has_thick);
   };
@@ -148,19 +169,15 @@ void ThickWays<D>::find_walls(const Array<Trajectory<D>>& trajectories, const Ou
   const Trajectory<D>& of = trajectories[outer.trajectory];
   const double radius = of.motion.body->radius;
   if (!(radius > 0)) return;
-  const double* points[6] = {};
-  const uint32_t count = points_of_way(of, outer.part, points);
   const SimplexCorners<D> corners(*of.motion.body, outer.part);
   list_.clear();
-  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1,
-              NearRegion<D>(points, count, radius + room_of_rounding<D>(points, count)), list_);
+  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1, region_of_way(of, outer.part), list_);
   if (list_.empty()) return;
   list_.finish({env_.points, D}, false);
   for (const WallFeature& obstacle : list_.obstacles()) {
     WallFeature wall = obstacle;
     for (uint32_t i = 0; i < obstacle.count; ++i) wall.vertices[i] = list_.name(obstacle.vertices[i]);
-    pairs_.push_back(
-        {outer.trajectory, outer.part, kNone, nullptr, {}, static_cast<uint32_t>(walls_.size()), least_kept(radius)});
+    pairs_.push_back({outer.trajectory, outer.part, kNone, nullptr, {}, static_cast<uint32_t>(walls_.size()), radius});
     walls_.push_back(wall);
   }
 }
@@ -173,7 +190,7 @@ void ThickWays<D>::find_others(const Array<Trajectory<D>>& trajectories, uint32_
   const Body<D>& body = *of.motion.body;
   bool has_joined = false;
   grid_.visit(outer.box, [&](uint32_t k) {
-    if (k >= number) return true;
+    if (k >= number || (of.stands && trajectories[outers_[k].trajectory].stands)) return true;
     const Outer& other = outers_[k];
     const Trajectory<D>& second = trajectories[other.trajectory];
     const Body<D>& partner = *second.motion.body;
@@ -190,7 +207,7 @@ void ThickWays<D>::find_others(const Array<Trajectory<D>>& trajectories, uint32_
       }
       if (dsw::any_of(others.begin(), others.end(), [&](uint32_t v) { return joined_.has(v); })) return true;
     }
-    pairs_.push_back({outer.trajectory, outer.part, other.trajectory, &second.name, other.part, 0, least_kept(wanted)});
+    pairs_.push_back({outer.trajectory, outer.part, other.trajectory, &second.name, other.part, 0, wanted});
     return true;
   });
 }
@@ -206,7 +223,7 @@ void ThickWays<D>::find_still(const Array<Trajectory<D>>& trajectories, const Ou
     const Box<D> box = widened(outer.box, other.radius);
     const auto add = [&](const Simplex& part) {
       if (!is_covered(other, part)) {
-        pairs_.push_back({outer.trajectory, outer.part, kNone, &each, part, 0, least_kept(wanted)});
+        pairs_.push_back({outer.trajectory, outer.part, kNone, &each, part, 0, wanted});
       }
       return true;
     };
@@ -221,32 +238,35 @@ void ThickWays<D>::find_still(const Array<Trajectory<D>>& trajectories, const Ou
 template <int D>
 bool ThickWays<D>::set_ways(const Array<Trajectory<D>>& trajectories, const Pair& pair, HullWays<D>& ways) const {
   bool moves = false;
-  const auto add = [&](uint32_t side, const double* start, const double* end) {
+  const auto add = [&](uint32_t side, uint32_t corner, const double* start, const double* end) {
     uint32_t at = ways.count[side]++;
     for (; at > 0 && is_before<D>(start, end, ways.start[side][at - 1], ways.end[side][at - 1]); --at) {
       ways.start[side][at] = ways.start[side][at - 1];
       ways.end[side][at] = ways.end[side][at - 1];
+      ways.corner[side][at] = ways.corner[side][at - 1];
     }
     ways.start[side][at] = start;
     ways.end[side][at] = end;
+    ways.corner[side][at] = corner;
     moves = moves || !std::equal(start, start + D, end);
   };
   const Trajectory<D>& of = trajectories[pair.trajectory];
-  for (const uint32_t v : SimplexCorners<D>(*of.motion.body, pair.part)) add(0, of.start(v), of.end(v));
+  for (const uint32_t v : SimplexCorners<D>(*of.motion.body, pair.part)) add(0, v, of.start(v), of.end(v));
   if (pair.other == nullptr) {
     const WallFeature& wall = walls_[pair.wall];
     for (uint32_t i = 0; i < wall.count; ++i) {
-      add(1, env_.point(wall.vertices[i]), &wall_ends_[D * (3 * size_t{pair.wall} + i)]);
+      add(1, i, env_.point(wall.vertices[i]), &wall_ends_[D * (3 * size_t{pair.wall} + i)]);
     }
     return moves;
   }
   for (const uint32_t v : SimplexCorners<D>(*pair.other->body, pair.other_part)) {
     const double* const start = pair.other->body->position(v);
-    add(1, start, pair.other_trajectory == kNone ? start : trajectories[pair.other_trajectory].end(v));
+    add(1, v, start, pair.other_trajectory == kNone ? start : trajectories[pair.other_trajectory].end(v));
   }
   if (is_before<D>(ways.start[1][0], ways.end[1][0], ways.start[0][0], ways.end[0][0])) {
     std::swap(ways.start[0], ways.start[1]);
     std::swap(ways.end[0], ways.end[1]);
+    std::swap(ways.corner[0], ways.corner[1]);
     std::swap(ways.count[0], ways.count[1]);
     ways.first = 1;
   }
@@ -268,18 +288,18 @@ double ThickWays<D>::find_first(const Array<Trajectory<D>>& trajectories, double
   if (most >= limit) return limit;
   for (const Pair& pair : pairs_) {
     HullWays<D> ways{};
-    if (time_of(pair, ways) == most) describe(pair, ways, most);
+    if (time_of(pair, ways) == most) describe(pair, ways, most, first);
   }
   return most;
 }
 
 /** Adds what has come too near. */
 template <int D>
-void ThickWays<D>::describe(const Pair& pair, const HullWays<D>& ways, double time) {
+void ThickWays<D>::describe(const Pair& pair, const HullWays<D>& ways, double time, Array<TooNearOnWay<D>>& all) const {
   double places[2][4][D];
   ConvexHull hulls[2];
   place(ways, time, places, hulls);
-  const HullGap gap = find_gap<D>(hulls[0], hulls[1], kInf, pair.wanted);
+  const HullGap gap = find_gap<D>(hulls[0], hulls[1], kInf, least_kept(pair.wanted));
   TooNearOnWay<D> near;
   near.time = time;
   near.trajectory = pair.trajectory;
@@ -287,16 +307,19 @@ void ThickWays<D>::describe(const Pair& pair, const HullWays<D>& ways, double ti
   near.other_trajectory = pair.other_trajectory;
   near.other = pair.other;
   near.other_part = pair.other_part;
+  near.ways = ways;
+  near.wanted = pair.wanted;
   near.normal = (ways.first == 0 ? 1 : -1) * gap.normal;
   near.points[0] = near.points[1] = Vec::Zero();
   for (uint32_t side = 0; side < 2; ++side) {
     const double* const weights = side == 0 ? gap.weights : gap.other_weights;
     Vec& point = near.points[side == ways.first ? 0 : 1];
+    std::copy_n(weights, hulls[side].count, near.weights[side]);
     for (uint32_t i = 0; i < hulls[side].count; ++i) point += weights[i] * to_vec<D>(hulls[side].points[i]);
   }
   if (is_zero(near.normal)) near.normal = unit(near.points[0] - near.points[1]);
   if (pair.other == nullptr) near.wall = walls_[pair.wall];
-  first.push_back(near);
+  all.push_back(near);
 }
 
 template class ThickWays<2>;

@@ -13,14 +13,16 @@ template <int D>
 struct HullWays {
   const double* start[2][4];
   const double* end[2][4];
+  uint32_t corner[2][4];  // of the part, or of the wall: which point this is
   uint32_t count[2];
   uint32_t first = 0;  // which of the two is the pair's first
 };
 
 /** Up to which time, at most `most`, two hulls keep a distance while their points go straight and steadily: certified, so at
- * most the true time. 0: it is not certain from the start on. */
+ * most the true time. What moves keeps a little more than what stands (thick_sweep.h). What begins nearer than that by rounding
+ * does not come nearer than it was. So what has moved can leave, and go along with what it touches. */
 template <int D>
-double time_kept(const HullWays<D>& ways, double accepted, double most) noexcept;
+double time_kept(const HullWays<D>& ways, double wanted, double most) noexcept;
 
 /** Something that comes too near to a part that moves. */
 template <int D>
@@ -34,7 +36,24 @@ struct TooNearOnWay {
   WallFeature wall{};  // of the environment
   Vec normal;          // unit, from the other to the part, at that time
   Vec points[2];       // nearest to each other, of the part and of the other
+  // The pair in an order that depends on no numbers: its ways, as long as nobody gets another end, and the weights of its points.
+  HullWays<D> ways{};
+  double weights[2][4] = {};
+  double wanted = 0;  // the distance
 };
+
+/** See step_back of a touch. */
+template <int D>
+double step_back(const TooNearOnWay<D>& near) noexcept {
+  double step = 1;
+  for (uint32_t side = 0; side < 2; ++side) {
+    for (uint32_t i = 0; i < near.ways.count[side]; ++i) {
+      const double *const from = near.ways.start[side][i], *const to = near.ways.end[side][i];
+      if (!std::equal(from, from + D, to)) step = std::min(step, first_step<D>(from, to, near.time));
+    }
+  }
+  return step;
+}
 
 /** Keeps its memory from call to call; one for each thread. Throws std::bad_alloc. */
 template <int D>
@@ -48,6 +67,8 @@ class ThickWays {
   /** Finds what can come too near on the whole ways.
    * @param next where the environment's points go; null: they stand still. */
   void start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* next);
+  /** Finds it for ways that have become others. */
+  void start_again(const Array<Trajectory<D>>& trajectories) { start(trajectories, bodies_meet_, next_); }
   /** Whether any body has distances to keep. */
   bool is_needed() const noexcept { return !pairs_.empty(); }
   /** Tells where the ways of the environment's points end. */
@@ -60,6 +81,17 @@ class ThickWays {
   }
   /** Up to which time, at most `most`, all distances are kept on the ways to the ends; `first` is what comes too near then. */
   double find_first(const Array<Trajectory<D>>& trajectories, double most);
+  /** Appends each pair that comes too near on the ways to the ends, if one of these ways is new.
+   * @param held the environment's points that go. */
+  template <class Held>
+  void find_all(const Array<Trajectory<D>>& trajectories, const Held& held, Array<TooNearOnWay<D>>& all) const {
+    for (const Pair& pair : pairs_) {
+      HullWays<D> ways{};
+      if (!is_new_pair(trajectories, held, pair) || !set_ways(trajectories, pair, ways)) continue;
+      const double time = time_kept(ways, pair.wanted, 1);
+      if (time < 1) describe(pair, ways, time, all);
+    }
+  }
   Array<TooNearOnWay<D>> first{env_.memory};
 
  private:
@@ -78,8 +110,18 @@ class ThickWays {
     Simplex part;
     Box<D> box;
   };
+  template <class Held>
+  bool is_new_pair(const Array<Trajectory<D>>& trajectories, const Held& held, const Pair& pair) const {
+    const auto is_new_part = [&](uint32_t trajectory, const Simplex& part) {
+      const Trajectory<D>& of = trajectories[trajectory];
+      return is_new(of, SimplexCorners<D>(*of.motion.body, part));
+    };
+    return is_new_part(pair.trajectory, pair.part) ||
+           (pair.other_trajectory != kNone && is_new_part(pair.other_trajectory, pair.other_part)) ||
+           (pair.other == nullptr && held.has_new(walls_[pair.wall].vertices, walls_[pair.wall].count));
+  }
   bool set_ways(const Array<Trajectory<D>>& trajectories, const Pair& pair, HullWays<D>& ways) const;
-  void describe(const Pair& pair, const HullWays<D>& ways, double time);
+  void describe(const Pair& pair, const HullWays<D>& ways, double time, Array<TooNearOnWay<D>>& all) const;
   void add_outers(const Array<Trajectory<D>>& trajectories);
   void find_walls(const Array<Trajectory<D>>& trajectories, const Outer& outer);
   void find_others(const Array<Trajectory<D>>& trajectories, uint32_t number);
@@ -93,16 +135,8 @@ class ThickWays {
   Array<Pair> pairs_{env_.memory};
   Array<WallFeature> walls_{env_.memory};
   Array<double> wall_ends_{env_.memory};  // three points for each wall
+  const double* next_ = nullptr;
+  bool bodies_meet_ = false;
 };
-
-/** Calls visit(trajectory, vertex) for the vertices of the call's bodies that come too near. */
-template <int D, class Visit>
-void for_each_near(const Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near, Visit visit) {
-  const Trajectory<D>& of = trajectories[near.trajectory];
-  for (const uint32_t v : SimplexCorners<D>(*of.motion.body, near.part)) visit(of, v);
-  if (near.other_trajectory == kNone) return;
-  const Trajectory<D>& other = trajectories[near.other_trajectory];
-  for (const uint32_t v : SimplexCorners<D>(*other.motion.body, near.other_part)) visit(other, v);
-}
 
 }  // namespace dsw

@@ -77,7 +77,7 @@ typename TogetherMove<D>::Round TogetherMove<D>::shorten_ways(Array<Trajectory<D
     end = shortened_.run(trajectories, settings, false);
   }
   ways_.walls.limits_parts = false;
-  const bool is_free = end == End::kFree && ways_.find_too_near(trajectories, 1) == 1;
+  const bool is_free = end == End::kFree;
   for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{1});
   if (!is_free) {
     if (ways_.find_touches(trajectories)) {

@@ -12,7 +12,8 @@ namespace dsw {
 template <int D>
 class TogetherMove {
  public:
-  explicit TogetherMove(const Environment<D>& env) : ways_(env), shortened_(env, ways_.walls, ways_.bodies) {}
+  explicit TogetherMove(const Environment<D>& env)
+      : ways_(env), shortened_(env, ways_.walls, ways_.bodies, ways_.thick) {}
   TogetherMove(const TogetherMove&) = delete;
   TogetherMove& operator=(const TogetherMove&) = delete;
 

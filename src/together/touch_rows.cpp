@@ -18,8 +18,9 @@ namespace dsw {
 namespace {
 
 constexpr uint32_t kMostTouches = 8, kMostSweeps = 200;
-constexpr double kApart = 0x1p-48;  // of the largest coordinate
-constexpr double kFar = 4;          // times the longest way, vertices are led
+constexpr double kApart = 0x1p-48;       // of the largest coordinate
+constexpr double kThickApart = 0x1p-45;  // likewise: what certified distances lose by rounding
+constexpr double kFar = 4;               // times the longest way, vertices are led
 
 /** Orders the points of a side, and the sides of two edges, by where they go. */
 template <int D>
@@ -117,7 +118,8 @@ void TouchRows<D>::start(const Array<Trajectory<D>>& trajectories, bool carries)
 
 /** How often this pair has touched. */
 template <int D>
-uint32_t TouchRows<D>::count_again(const WayTouch<D>& touch) {
+template <class Touch>
+uint32_t TouchRows<D>::count_again(const Touch& touch) {
   const PairName name = pair_name_of(touch);
   const auto at = std::lower_bound(known_.begin(), known_.end(), name,
                                    [](const Known& known, const PairName& other) { return known.name < other; });
@@ -152,14 +154,15 @@ void TouchRows<D>::find_points(const Array<Trajectory<D>>& trajectories, const W
 
 /** Where and when a touch is. Returns the largest coordinate of its ways. */
 template <int D>
-double TouchRows<D>::set_key(const MovingPair<D>& sorted, uint32_t round, double time, Key& key) {
+double TouchRows<D>::set_key(const double* const* starts, const double* const* ends, uint32_t count, uint32_t round,
+                             double time, Key& key) {
   auto& places = std::get<2>(key);
   std::get<0>(key) = round;
   std::get<1>(key) = time;
-  for (uint32_t i = 0; i <= D; ++i) {
-    std::copy_n(sorted.start[i], D, places.begin() + 2 * D * i);
-    std::copy_n(sorted.end[i], D, places.begin() + 2 * D * i + D);
-    for (int k = 0; k < D; ++k) far_ = std::max(far_, kFar * std::fabs(sorted.end[i][k] - sorted.start[i][k]));
+  for (uint32_t i = 0; i < count; ++i) {
+    std::copy_n(starts[i], D, places.begin() + 2 * D * i);
+    std::copy_n(ends[i], D, places.begin() + 2 * D * i + D);
+    for (int k = 0; k < D; ++k) far_ = std::max(far_, kFar * std::fabs(ends[i][k] - starts[i][k]));
   }
   double largest = 0;
   for (const double each : places) largest = std::max(largest, std::fabs(each));
@@ -189,18 +192,63 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& to
   uint32_t order[D + 1];
   const MovingPair<D> sorted = sort_pair(touch.pair, order);
   Row row{};
-  const double largest_coordinate = set_key(sorted, round, touch.first.time, row.key);
+  const double largest_coordinate = set_key(sorted.start, sorted.end, D + 1, round, touch.first.time, row.key);
   const TouchMoment<D> moment(sorted, touch.first.time);
   row.normal = moment.normal(sorted.kind);
-  row.least = kApart * std::ldexp(1, 3 * static_cast<int>(count - 1)) * largest_coordinate;
+  row.least = row.apart = kApart * std::ldexp(1, 3 * static_cast<int>(count - 1)) * largest_coordinate;
+  row.carries = carries_ && touch.other == nullptr;
   double weights[D + 1];
   find_weights<D>(sorted.kind, moment, weights);
+  Point ordered[D + 1];
+  for (uint32_t i = 0; i <= D; ++i) {
+    ordered[i] = points[order[i]];
+    ordered[i].weight = weights[i];
+    ordered[i].at = moment.at[i];
+  }
+  return add_row(trajectories, ordered, D + 1, row);
+}
+
+template <int D>
+bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near, const double* const* wall_goals,
+                       uint32_t round) {
+  const uint32_t times = count_again(near);
+  if (times > kMostTouches) return false;
+  const HullWays<D>& ways = near.ways;
+  Point points[kMostPoints];
+  const double *starts[kMostPoints], *ends[kMostPoints];
+  uint32_t count = 0;
+  for (uint32_t side = 0; side < 2; ++side) {
+    const uint32_t trajectory = side == ways.first ? near.trajectory : near.other_trajectory;
+    for (uint32_t i = 0; i < ways.count[side]; ++i, ++count) {
+      const uint32_t corner = ways.corner[side][i];
+      starts[count] = ways.start[side][i];
+      ends[count] = ways.end[side][i];
+      double at[D];
+      point_at<D>(starts[count], ends[count], near.time, at);
+      const double weight = (side == 0 ? 1 : -1) * near.weights[side][i];
+      if (trajectory == kNone) {
+        points[count] = {kNone, kNone, near.other == nullptr ? wall_goals[corner] : ends[count], weight, to_vec<D>(at)};
+      } else {
+        points[count] = {trajectory, corner, trajectories[trajectory].goal(corner), weight, to_vec<D>(at)};
+      }
+    }
+  }
+  Row row{};
+  const double largest_coordinate = set_key(starts, ends, count, round, near.time, row.key);
+  row.normal = (ways.first == 0 ? 1 : -1) * near.normal;
+  row.apart = kThickApart * std::ldexp(1, 3 * static_cast<int>(times - 1)) * largest_coordinate;
+  row.least = near.wanted + row.apart;
+  row.carries = carries_ && near.other == nullptr;
+  return add_row(trajectories, points, count, row);
+}
+
+/** Adds a row, if somebody can give way. */
+template <int D>
+bool TouchRows<D>::add_row(const Array<Trajectory<D>>& trajectories, const Point* points, uint32_t count, Row& row) {
   if (!std::isfinite(dot(row.normal, row.normal)) || is_zero(row.normal) || !std::isfinite(row.least)) return false;
   bool gives_way = false;
-  for (uint32_t i = 0; i <= D; ++i) {
-    Point point = points[order[i]];
-    point.weight = weights[i];
-    point.at = moment.at[i];
+  for (uint32_t i = 0; i < count; ++i) {
+    const Point& point = points[i];
     if (!std::isfinite(point.weight)) return false;
     gives_way = gives_way || (point.weight != 0 && can_move(trajectories, point));
     add_point(point, row);
@@ -210,7 +258,6 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& to
     const Point& point = row.points[i];
     if (point.trajectory != kNone) bases_[point.trajectory][point.vertex].has_row = true;
   }
-  row.carries = carries_ && touch.other == nullptr;
   rows_.push_back(row);
   return true;
 }
@@ -283,7 +330,7 @@ void TouchRows<D>::solve(Array<Trajectory<D>>& trajectories) {
         double resistance;
         const double short_of = missing(trajectories, row, &resistance);
         row.step = resistance > 0 ? std::max(short_of / resistance / static_cast<double>(end - first), -row.force) : 0;
-        is_done = is_done && std::fabs(row.step) * resistance <= row.least / 4;
+        is_done = is_done && std::fabs(row.step) * resistance <= row.apart / 4;
       }
       for (size_t i = first; i < end; ++i) give_way(trajectories, rows_[i]);
     }

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "base/vec.h"
-#include "together/trajectory.h"
+#include "together/thick_ways.h"
 
 namespace dsw {
 
@@ -23,6 +23,9 @@ class TouchRows {
    * @param wall_goals where the points of the environment go, which have to live on.
    * @param round in which it touched. */
   bool add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, const double* const* wall_goals,
+           uint32_t round);
+  /** Adds a row for something that comes too near, likewise. */
+  bool add(Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near, const double* const* wall_goals,
            uint32_t round);
   /** A vertex keeps the goal that it has. */
   void keep_goal(const Array<Trajectory<D>>& trajectories, const Trajectory<D>& of, uint32_t v) {
@@ -45,15 +48,16 @@ class TouchRows {
     double weight;
     Vec at;  // where it touched
   };
-  using Key = std::tuple<uint32_t, double, std::array<double, 2 * D*(D + 1)>>;
+  static constexpr uint32_t kMostPoints = 2 * D;  // two edges in the plane, two faces in space
+  using Key = std::tuple<uint32_t, double, std::array<double, 2 * D * kMostPoints>>;
   /** dot(normal, sum of weights times goals) is at least `least`. */
   struct Row {
     Key key;
     Vec normal;
-    double least, force, step;
+    double least, apart, force, step;  // apart: a part of least that is for rounding
     bool carries;
     uint32_t count;
-    Point points[D + 1];
+    Point points[kMostPoints];
   };
   struct Known {
     PairName name;
@@ -66,10 +70,13 @@ class TouchRows {
     return point.trajectory != kNone && !trajectories[point.trajectory].stands &&
            !bases_[point.trajectory][point.vertex].is_kept;
   }
-  uint32_t count_again(const WayTouch<D>& touch);
+  template <class Touch>
+  uint32_t count_again(const Touch& touch);
   void find_points(const Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, const double* const* wall_goals,
                    Point* points) const;
-  double set_key(const MovingPair<D>& sorted, uint32_t round, double time, Key& key);
+  double set_key(const double* const* starts, const double* const* ends, uint32_t count, uint32_t round, double time,
+                 Key& key);
+  bool add_row(const Array<Trajectory<D>>& trajectories, const Point* points, uint32_t count, Row& row);
   static void add_point(const Point& point, Row& row);
   void carry(const Row& row);
   /** Where a point goes: goals of vertices change. */

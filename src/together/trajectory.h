@@ -12,6 +12,7 @@
 #include "motion/moving_body.h"
 #include "motion/place_on_way.h"
 #include "proximity/near_lists.h"
+#include "proximity/near_region.h"
 #include "proximity/partners.h"
 #include "response/settings.h"
 #include "walk/retreat.h"
@@ -30,7 +31,8 @@ struct Trajectory {
   Array<double> ends;     // where they go in the way that is looked at
   Array<double> reaches;  // empty, or ends of the ways that parts are collected for; then these are not the targets
   bool stands = false;    // nothing moves it
-  Array<double> limits;   // times up to which edges and faces at a vertex are looked at
+  bool is_led = false;   // its vertices may go anywhere in the boxes of their ways, not straight to their targets alone
+  Array<double> limits;  // times up to which edges and faces at a vertex are looked at
   Array<uint8_t> is_new;  // vertices whose ways have not been looked at; parts without one are passed over
 
   explicit Trajectory(const Memory* memory)
@@ -48,8 +50,8 @@ struct Trajectory {
 
 /** A pair, whichever of its sides moves, and in whatever order its points are found: the same all through a call. */
 using PairName = std::array<uint32_t, 9>;
-template <int D>
-PairName pair_name_of(const WayTouch<D>& t) noexcept {
+template <class Touch>
+PairName pair_name_of(const Touch& t) noexcept {
   PairName name = {t.trajectory, static_cast<uint32_t>(t.part.kind), t.part.index, kNone, kNone, kNone, kNone, kNone,
                    kNone};
   if (t.other == nullptr) {
@@ -74,8 +76,8 @@ bool is_new(const Trajectory<D>& of, const SimplexCorners<D>& corners) noexcept 
 }
 
 /** Calls visit(trajectory, vertex) for the vertices of the call's bodies that touch. */
-template <int D, class Visit>
-void for_each_touching(Array<Trajectory<D>>& trajectories, const WayTouch<D>& touch, Visit visit) {
+template <int D, class Touch, class Visit>
+void for_each_touching(Array<Trajectory<D>>& trajectories, const Touch& touch, Visit visit) {
   Trajectory<D>& of = trajectories[touch.trajectory];
   for (const uint32_t v : SimplexCorners<D>(*of.motion.body, touch.part)) visit(of, v);
   if (touch.other_trajectory == kNone) return;
@@ -124,6 +126,23 @@ uint32_t points_of_way(const Trajectory<D>& of, const Simplex& part, const doubl
     points[corners.count + i] = ways[i][1];
   }
   return 2 * corners.count;
+}
+
+/** All that comes within the radius of a part on its way, wherever it may be led. It depends on no numbers. */
+template <int D>
+NearRegion<D> region_of_way(const Trajectory<D>& of, const Simplex& part) noexcept {
+  const double* points[6] = {};
+  const uint32_t count = points_of_way(of, part, points);
+  NearRegion<D> region(points, count, of.motion.body->radius + room_of_rounding<D>(points, count));
+  for (uint32_t i = 0; of.is_led && i < count / 2; ++i) {
+    const double *const from = points[i], *const to = points[count / 2 + i];
+    for (uint32_t corner = 1; corner < (1u << D) - 1; ++corner) {
+      double at[D];
+      for (uint32_t k = 0; k < D; ++k) at[k] = (corner >> k & 1) != 0 ? to[k] : from[k];
+      region.add(at);
+    }
+  }
+  return region;
 }
 
 /** Whether what two parts sweep in this round lies in boxes that overlap.

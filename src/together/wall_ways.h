@@ -5,6 +5,7 @@
 #include "corridor/moving_corridors.h"
 #include "together/held_points.h"
 #include "together/near_walls.h"
+#include "together/thick_ways.h"
 #include "walk/packet.h"
 
 namespace dsw {
@@ -40,6 +41,9 @@ class WallWays {
   void find_goals(const WayTouch<D>& touch, const double** goals) const {
     for (uint32_t i = 0, first = touch.comes_first ? D + 1 - touch.wall.count : 0; i < touch.wall.count; ++i)
       goals[i] = touch.pair.end[first + i];
+  }
+  void find_goals(const TooNearOnWay<D>& near, const double** goals) const {
+    for (uint32_t i = 0; i < near.wall.count; ++i) goals[i] = env_.point(near.wall.vertices[i]);
   }
   void start_round() const noexcept {}
   void finish_round() const noexcept {}

@@ -53,7 +53,7 @@ void WholeWays<D, Walls>::stop(Array<Trajectory<D>>& trajectories) {
     walls.describe(trajectories, thick.first);
     const double time = thick.first[0].time;
     for (const TooNearOnWay<D>& near : thick.first) {
-      for_each_near(trajectories, near, [&](const Trajectory<D>& of, uint32_t v) {
+      for_each_touching(trajectories, near, [&](const Trajectory<D>& of, uint32_t v) {
         if (of.moves(v)) step = std::max(step, first_step<D>(of.start(v), of.end(v), time));
       });
     }

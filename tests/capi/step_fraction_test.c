@@ -152,6 +152,10 @@ static void walls_that_move(void) {
   steps[2] = steps[5] = 0.375;
   CHECK_OK(dsw_scene_step_fraction(scene, &body, 1, steps, 2, 0, walls, 12, NULL, &fraction, NULL, NULL, NULL));
   CHECK(fraction == 1);
+  CHECK_OK(dsw_body_set_radius(scene, body, 0.125)); /* keeps that from the floor */
+  CHECK_OK(dsw_scene_step_fraction(scene, NULL, 0, NULL, 0, 0, walls, 12, NULL, &fraction, NULL, NULL, NULL));
+  CHECK(fraction < 0.5 + 1e-9 && fraction > 0.5 - 1e-9);
+  CHECK_OK(dsw_body_set_radius(scene, body, 0));
   walls[2] = 2; /* the volume at it turns over: that bounds the fraction as well */
   CHECK_OK(dsw_scene_step_fraction(scene, &body, 1, steps, 2, 0, walls, 12, NULL, &fraction, NULL, NULL, NULL));
   CHECK(fraction > 0 && fraction < 1);

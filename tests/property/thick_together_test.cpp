@@ -1,6 +1,8 @@
-// Thick bodies of which all vertices move at once, between walls that stand: every distance is kept at every time of the way.
-// Figures are printed.
+// Thick bodies of which all vertices move at once, between walls that stand or move, with every response: every distance is kept at
+// every time of the way, and what stops is as near to something as it may be. Figures are printed.
 #include "thick_checks.h"
+
+#include <deque>
 
 namespace dsw::oracle {
 namespace {
@@ -29,15 +31,20 @@ class ThickTogether {
         add_targets(i);
       }
       if (ids_.empty()) continue;
+      next_.clear();
+      if (rng_.chance(0.5)) choose_next();
       if (round % 4 == 1) ask_step(before);
-      move();
+      next_.empty() ? move() : deform();
       scene_->read_all();
+      scene_->read_obstacles();
       check_way(before, *scene_);
+      check_stop();
     }
   }
   size_t body_count() const { return scene_->bodies.size(); }
 
-  uint64_t moves = 0, contacts = 0, steps = 0, times = 0, violations = 0, arrived = 0, at_once = 0;
+  uint64_t moves = 0, deformations = 0, contacts = 0, steps = 0, times = 0, violations = 0, arrived = 0, at_once = 0,
+           stops = 0, false_stops = 0, there = 0, refused = 0;
   std::string first;
 
  private:
@@ -90,12 +97,70 @@ class ThickTogether {
     what_ = "a move";
     dsw_together_options options = defaults(dsw_together_options_init);
     options.stop = static_cast<dsw_together_stop>(rng_.below(3u));
+    if (options.stop == DSW_TOGETHER_STOP_FEATURE)
+      options.response = static_cast<dsw_together_response>(rng_.below(3u));
     std::vector<dsw_move_report> reports(ids_.size());
     ASSERT_EQ(dsw_scene_move_together(handle_.get(), ids_.data(), ids_.size(), targets_[0].data(), targets_.size(),
                                       sizeof(Vec), &options, reports.data()),
               DSW_STATUS_OK)
         << dsw_last_error_message();
+    whole_ = options.stop != DSW_TOGETHER_STOP_FEATURE;
     count(reports);
+  }
+  /// Points that tremble, or go on, or come to a body.
+  void choose_next() {
+    const double* points = nullptr;
+    size_t n = 0;
+    ASSERT_EQ(dsw_environment_get_points(place_.get(), &points, &n), DSW_STATUS_OK);
+    next_.assign(points, points + 3 * n);
+    const double by = std::pow(10, rng_.range(-2.5, -0.8));
+    const Vec way = {rng_.range(-by, by), rng_.range(-by, by), rng_.range(-by, by)};
+    const bool together = rng_.chance(0.3);
+    for (size_t i = 0; i < next_.size(); ++i) next_[i] += together ? way[i % 3] : rng_.range(-by, by);
+  }
+  void deform() {
+    what_ = "a deformation";
+    dsw_scene_deform_options options = defaults(dsw_scene_deform_options_init);
+    options.stop = rng_.chance(0.3) ? DSW_TOGETHER_STOP_ALL : DSW_TOGETHER_STOP_FEATURE;
+    if (options.stop == DSW_TOGETHER_STOP_FEATURE)
+      options.response = static_cast<dsw_together_response>(rng_.below(3u));
+    std::vector<double>& lent = lent_.emplace_back(next_);
+    std::vector<dsw_move_report> reports(ids_.size());
+    dsw_deform_report report = {};
+    ASSERT_EQ(dsw_scene_deform(handle_.get(), lent.data(), lent.size() / 3, ids_.data(), ids_.size(),
+                               targets_[0].data(), targets_.size(), sizeof(Vec), &options, &report, reports.data()),
+              DSW_STATUS_OK)
+        << dsw_last_error_message();
+    ++deformations;
+    refused += report.fraction == 0 ? 1 : 0;
+    whole_ = options.stop == DSW_TOGETHER_STOP_ALL && report.invalid_count == 0;
+    count(reports);
+  }
+  /// Where all stop together, something is as near as it may be.
+  void check_stop() {
+    bool is_there = true;
+    size_t at = 0;
+    for (const dsw_body_id id : ids_) {
+      for (const Vec& p : body_of(*scene_, id).state.at) {
+        const bool same = p == targets_[at++];
+        there += same ? 1 : 0;
+        is_there = is_there && same;
+      }
+    }
+    if (is_there || !whole_) return;
+    ++stops;
+    for (size_t i = 0; i < scene_->bodies.size(); ++i) {
+      if (scene_->is_tight(i)) return;
+    }
+    // Bodies without a radius touch.
+    for (const dsw_body_id id : ids_) {
+      const dsw_body_contact* all = nullptr;
+      size_t n = 0;
+      ASSERT_EQ(dsw_body_get_contacts(handle_.get(), id, &all, &n), DSW_STATUS_OK);
+      if (n != 0 && body_of(*scene_, id).radius == 0) return;
+    }
+    ++false_stops;
+    if (first.empty()) first = std::string(what_) + " stops for nothing after " + std::to_string(moves) + " moves";
   }
   void count(const std::vector<dsw_move_report>& reports) {
     for (const dsw_move_report& each : reports) {
@@ -157,7 +222,10 @@ class ThickTogether {
   }
 
   const char* what_ = "";  // the last call
+  bool whole_ = false;     // it stops all together
+  std::vector<double> next_;
   Rng rng_;
+  std::deque<std::vector<double>> lent_;
   Place place_;
   std::vector<Vec> targets_;
   std::vector<dsw_body_id> ids_;
@@ -173,11 +241,13 @@ TEST(ThickTogether, EveryDistanceIsKeptOnTheWholeWay) {
     ASSERT_GT(course.body_count(), 6u);
     course.go(wanted / 4);
     std::printf(
-        "%zu moves, %zu arrived, %zu stop at once, %zu contacts, %zu steps, %zu times; violations "
-        "%zu\n",
-        size_t(course.moves), size_t(course.arrived), size_t(course.at_once), size_t(course.contacts),
-        size_t(course.steps), size_t(course.times), size_t(course.violations));
-    EXPECT_EQ(course.violations, 0u) << course.first;
+        "%zu moves, %zu deformations, %zu refused, %zu arrived, %zu stop at once, %zu contacts, %zu steps, %zu stops "
+        "of all, %zu "
+        "times; violations %zu, false stops %zu\n",
+        size_t(course.moves), size_t(course.deformations), size_t(course.refused), size_t(course.arrived),
+        size_t(course.at_once), size_t(course.contacts), size_t(course.steps), size_t(course.stops),
+        size_t(course.times), size_t(course.violations), size_t(course.false_stops));
+    EXPECT_EQ(course.violations + course.false_stops, 0u) << course.first;
     EXPECT_GT(course.contacts, 0u);
     EXPECT_LT(course.at_once, course.moves / 2);
     violations += course.violations;

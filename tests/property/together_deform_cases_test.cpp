@@ -171,15 +171,7 @@ TEST_F(TogetherDeformMoreTest, BadInputChangesNothing) {
   place_.environment.reset();
 }
 
-TEST_F(TogetherDeformMoreTest, ThickBodiesAndScenesThatDoNotDeformAreRefused) {
-  const std::string before = everything();
-  ASSERT_EQ(dsw_body_set_radius(scene(), still_, 0.01), DSW_STATUS_OK);
-  EXPECT_EQ(deform(), DSW_STATUS_UNSUPPORTED);
-  EXPECT_EQ(everything(), before);
-  ASSERT_EQ(dsw_body_set_radius(scene(), still_, 0), DSW_STATUS_OK);
-  ASSERT_EQ(dsw_body_set_radius(scene(), body_, 0.01), DSW_STATUS_OK);
-  EXPECT_EQ(deform(), DSW_STATUS_UNSUPPORTED);
-  EXPECT_EQ(everything(), before);
+TEST_F(TogetherDeformMoreTest, ScenesThatDoNotDeformAreRefused) {
   begin(DSW_FEATURE_BODY_CONTACTS);
   EXPECT_EQ(deform(), DSW_STATUS_NOT_ENABLED);
 }

@@ -161,6 +161,7 @@ TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
     ScenePtr scenes[2] = {make_scene(grounds[0].environment.get(), DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS),
                           make_scene(grounds[1].environment.get(), DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS)};
     std::vector<BodyPlan> plans;
+    std::vector<double> radii;
     std::vector<Walker> walkers[2];
     for (int tries = 0; tries < 100 && plans.size() < 3; ++tries) {
       BodyPlan made = plan(0.5);
@@ -168,9 +169,11 @@ TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
       Walker walker{};
       walker.level = GetParam().level;
       walker.self = rng_.chance(0.7);
-      if (create_body(scenes[0].get(), made, walker.level, flags(walker.self), {}, &walker.id) != DSW_STATUS_OK)
+      const double radius = rng_.chance(0.6) ? 0 : ties ? 0.125 : rng_.range(0.01, 0.1);
+      if (create_body(scenes[0].get(), made, walker.level, flags(walker.self), {}, &walker.id, radius) != DSW_STATUS_OK)
         continue;
       plans.push_back(made);
+      radii.push_back(radius);
       walkers[0].push_back(walker);
     }
     std::vector<std::vector<uint32_t>> new_of(plans.size());
@@ -186,7 +189,8 @@ TEST_P(TogetherDeformTest, NumbersDoNotMatter) {
       std::reverse(other.edges.begin(), other.edges.end());
       std::reverse(other.faces.begin(), other.faces.end());
       Walker walker = walkers[0][i];
-      ASSERT_EQ(create_body(scenes[1].get(), other, walker.level, flags(walker.self), {}, &walker.id), DSW_STATUS_OK);
+      ASSERT_EQ(create_body(scenes[1].get(), other, walker.level, flags(walker.self), {}, &walker.id, radii[i]),
+                DSW_STATUS_OK);
       walkers[1].push_back(walker);
     }
     for (int side = 0; side < 2; ++side) {

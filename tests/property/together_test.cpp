@@ -163,6 +163,7 @@ TEST_P(TogetherTest, NumbersDoNotMatter) {
                           make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS)};
     std::vector<BodyPlan> plans;
     std::vector<bool> selves;
+    std::vector<double> radii;
     std::vector<Walker> walkers[2];
     for (int tries = 0; tries < 100 && plans.size() < 3; ++tries) {
       BodyPlan made = plan(0.6);
@@ -170,10 +171,12 @@ TEST_P(TogetherTest, NumbersDoNotMatter) {
         for (double& x : p) x = ties ? std::round(4 * x) / 4 : x;
       }
       const bool self = rng_.chance(0.7);
+      const double radius = rng_.chance(0.6) ? 0 : ties ? 0.125 : rng_.range(0.01, 0.1);
       dsw_body_id id;
       const uint32_t flags = self ? DSW_BODY_SELF_CONTACTS : 0;
-      if (create_body(scenes[0].get(), made, GetParam().level, flags, {}, &id) != DSW_STATUS_OK) continue;
+      if (create_body(scenes[0].get(), made, GetParam().level, flags, {}, &id, radius) != DSW_STATUS_OK) continue;
       plans.push_back(made);
+      radii.push_back(radius);
       selves.push_back(self);
       walkers[0].push_back({id, GetParam().level, self, {}, made.at});
       for (Vec& p : walkers[0].back().end) {
@@ -186,7 +189,8 @@ TEST_P(TogetherTest, NumbersDoNotMatter) {
     for (size_t i = plans.size(); i-- > 0;) {
       const BodyPlan other = renumbered(plans[i], rng_, new_of[i]);
       dsw_body_id id;
-      ASSERT_EQ(create_body(scenes[1].get(), other, GetParam().level, selves[i] ? DSW_BODY_SELF_CONTACTS : 0, {}, &id),
+      ASSERT_EQ(create_body(scenes[1].get(), other, GetParam().level, selves[i] ? DSW_BODY_SELF_CONTACTS : 0, {}, &id,
+                            radii[i]),
                 DSW_STATUS_OK);
       walkers[1].push_back({id, GetParam().level, selves[i], {}, other.at});
       for (size_t v = 0; v < other.at.size(); ++v) walkers[1].back().end[new_of[i][v]] = walkers[0][i].end[v];
@@ -211,8 +215,9 @@ TEST_P(TogetherTest, NumbersDoNotMatter) {
       there.at = answers[0].after[i].at;
       ScenePtr empty = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
       dsw_body_id copy;
-      EXPECT_EQ(create_body(empty.get(), there, GetParam().level, selves[i] ? DSW_BODY_SELF_CONTACTS : 0, {}, &copy),
-                DSW_STATUS_OK)
+      // What is joined along a body follows from lengths at its creation.
+      const uint32_t flags = selves[i] && radii[i] == 0 ? DSW_BODY_SELF_CONTACTS : 0;
+      EXPECT_EQ(create_body(empty.get(), there, GetParam().level, flags, {}, &copy, radii[i]), DSW_STATUS_OK)
           << dsw_last_error_message();
     }
   }

@@ -105,6 +105,17 @@ def test_a_floor_pushes_a_strand(room: ds.Scene) -> None:
     assert body.ways_left().shape == (0, 3)
 
 
+def test_a_floor_pushes_a_thick_strand(room: ds.Scene) -> None:
+    body = room.create_body(strand(2), EDGES, radius=0.125)
+    raised, target = CORNERS.copy(), strand(2)
+    raised[:4, 2] = 2
+    target[:, 0] += 0.5
+    slides = ds.options(ds.SceneDeformOptions, stop=ds.TogetherStop.FEATURE, response=ds.TogetherResponse.SLIDE)
+    report, reports = room.deform(raised, [body.id], target, slides)
+    assert report.outcome == ds.DeformOutcome.DONE and reports["fraction"][0] == pytest.approx(0.4375, abs=1e-9)
+    assert body.positions()[:, 0] == pytest.approx(target[:, 0], abs=1e-9) and body.positions()[:, 2] == pytest.approx(2.125, abs=1e-9)
+
+
 def test_the_work_limit(room: ds.Scene) -> None:
     body = room.create_body(strand(2), EDGES)
     raised, side = CORNERS.copy(), strand(5e-324)  # integers are long beside it
@@ -138,9 +149,6 @@ def test_what_is_wrong_is_refused(room: ds.Scene) -> None:
         room.deform(CORNERS.tolist())
     with pytest.raises(ds.errors.Unsupported, match="stop"):
         room.move_together([body.id], strand(2), ds.options(ds.TogetherOptions, stop=3))
-    room.create_body(strand(3), EDGES, radius=0.125)
-    with pytest.raises(ds.errors.Unsupported, match="radius"):
-        room.deform(CORNERS.copy())
     with ds.Environment(CORNERS, [range(8)]) as environment, ds.Scene(environment) as scene:
         with pytest.raises(ds.errors.NotEnabled, match="DSW_FEATURE_DEFORMING"):
             scene.deform(CORNERS.copy())
