@@ -9,6 +9,7 @@
 #include "together/shortened_ways.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "predicates/filtered.h"
 #include "together/moving_walls.h"
@@ -249,16 +250,31 @@ void ShortenedWays<D, Walls>::set_goals(Array<Trajectory<D>>& trajectories) {
   walls_.cast_paths(trajectories);
 }
 
+/** Whether a place is beside the straight way between two points by more than what rounding does. What was collected for a
+ * way lies along it: rows lead aside, also within the box of the way. True where the numbers are too large or too small. */
+template <int D>
+bool is_beside(const double* from, const double* to, const double* place) noexcept {
+  if (std::equal(place, place + D, to) || std::equal(place, place + D, from)) return false;
+  double along = 0, length = 0;
+  for (int k = 0; k < D; ++k) {
+    along += (place[k] - from[k]) * (to[k] - from[k]);
+    length += (to[k] - from[k]) * (to[k] - from[k]);
+  }
+  const double part = along / length, room = 0x1p-50 * std::max(largest_coordinate<D>(from), largest_coordinate<D>(to));
+  if (!(part >= 0 && part <= 1)) return true;
+  for (int k = 0; k < D; ++k) {
+    if (!(std::fabs(from[k] + part * (to[k] - from[k]) - place[k]) <= room)) return true;
+  }
+  return false;
+}
+
 /** Parts that are led out of where they were collected for are collected again. */
 template <int D, class Walls>
 void ShortenedWays<D, Walls>::collect_again(Array<Trajectory<D>>& trajectories) {
   const auto leaves = [](const Trajectory<D>& of) {
     for (uint32_t v = 0; v < of.is_new.size(); ++v) {
       if (!of.motion.body->has_vertex(v)) continue;
-      const double *const from = of.start(v), *const to = of.reach(v), *const goal = of.goal(v);
-      for (int k = 0; k < D; ++k) {
-        if (goal[k] < std::min(from[k], to[k]) || goal[k] > std::max(from[k], to[k])) return true;
-      }
+      if (is_beside<D>(of.start(v), of.reach(v), of.goal(v))) return true;
     }
     return false;
   };

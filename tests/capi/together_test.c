@@ -143,6 +143,36 @@ static void a_wall_lets_it_slide(void) {
   end_scene(scene);
 }
 
+/* Walls lead its ends aside of their straight ways, but not out of the boxes of these, past an obstacle that is not near the ways. */
+static void what_lies_beside_the_way_stops_a_slide(void) {
+  const double at[2][6] = {{5.1875, 2.1875, 0.6875, 1.4375, 1.0625, 0.8125},
+                           {4.0625, 1.3125, 0.5625, 4.5625, 2.1875, 0.9375}},
+               targets[2][6] = {{-74.5625, -120.188, 20.5625, -83.4375, -91.8125, 15.9375},
+                                {-1.9375, -15.3125, 2.0625, 1.3125, -15.1875, 3.0625}};
+  int k;
+  for (k = 0; k < 2; ++k) {
+    dsw_environment *environment = make_environment(NULL, 6, 3, 3);
+    dsw_scene *scene = make_scene(environment, 0);
+    dsw_together_options o = together_options();
+    dsw_body_id body;
+    dsw_flight flight;
+    dsw_volume_id volumes[2];
+    dsw_move_report r;
+    double p[6];
+    size_t count = 0;
+    CHECK_OK(set_volume_mark(environment, 37, DSW_MARK_IMPASSABLE));
+    if (k == 1) CHECK_OK(set_volume_mark(environment, 44, DSW_MARK_IMPASSABLE));
+    body = make_edge_body(scene, at[k], DSW_LEVEL_EDGES_SWEPT);
+    o.stop = DSW_TOGETHER_STOP_FEATURE;
+    o.response = DSW_TOGETHER_RESPONSE_SLIDE;
+    CHECK_OK(move_one(scene, body, targets[k], &o, &r));
+    CHECK_OK(dsw_body_get_positions(scene, body, p, 2, 0, volumes, &count));
+    CHECK_OK(dsw_environment_cast_segments(environment, 1, volumes, p, p + 3, 0, NULL, &flight));
+    CHECK(flight.outcome == DSW_OUTCOME_REACHED && flight.volume.index == volumes[1].index && r.contact_count > 0);
+    end_scene(scene);
+  }
+}
+
 /* A wall at x = 3, and another body: distances are kept by all at once, and by what a step is asked for. */
 static void thick_bodies_keep_their_distance(void) {
   const double ahead[6] = {1.5, 0.5, 0.5, 1.5, 1.5, 0.5},
@@ -261,6 +291,7 @@ int main(void) {
   bad_arguments_are_refused();
   a_wall_stops_it();
   a_wall_lets_it_slide();
+  what_lies_beside_the_way_stops_a_slide();
   thick_bodies_keep_their_distance();
   two_segments_meet_in_the_plane();
   memory_runs_out(DSW_TOGETHER_STOP_ALL);
