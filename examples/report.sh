@@ -63,7 +63,7 @@ export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 quietly "configuring" env PATH="$venv/bin:$PATH" cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON \
   -DDSW_BUILD_BENCH=ON -DDSW_WITH_LIBCCD=ON -DDSW_BUILD_PYTHON=ON -DPython3_EXECUTABLE="$venv/bin/python"
 quietly "building" cmake --build "$tree" --target dartsweep_error dartsweep_error_deform dartsweep_left_out dartsweep_left_out_core \
-  physics_dials physics_stability dartsweep_pairs dartsweep_python
+  physics_contacts physics_dials physics_stability dartsweep_pairs dartsweep_python
 
 # Results of another run are not mixed with these.
 rm -f "$out"/*.csv "$out"/*.svg "$out"/*.json "$out"/*.html
@@ -96,6 +96,7 @@ measure "moves, walls and changes" env PYTHONPATH="$tree/bindings/python" "$venv
 measure "physics" "$tree/examples/physics/dials" "${quick[@]}" --out "$out"
 [[ $peers != *" mujoco "* ]] || measure "MuJoCo" "$venv/bin/python" "$root/examples/physics/mujoco_peer.py" "$out"
 measure "stability" "$tree/examples/physics/stability" "${quick[@]}" --out "$out"
+measure "stability in contact" "$tree/examples/physics/contacts" "${quick[@]}" --out "$out"
 
 # What is left out: all rows in one run, libccd's in one for each build of the library.
 bench=$tree/tests/benchmark

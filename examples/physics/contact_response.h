@@ -28,8 +28,9 @@ struct Friction {
 // One contact as momentum sees it.
 struct Touch {
   int count = 1;
-  std::size_t point[3] = {0, 0, 0};
-  double share[3] = {1, 0, 0};       // of the touching point's place; sum is 1
+  std::size_t point[6] = {0, 0, 0, 0, 0, 0};
+  // Weights of the touching point's place; their sum is 1. Where it touches another body of the same points, these follow with negative shares.
+  double share[6] = {1, 0, 0, 0, 0, 0};
   Vector3 normal = Vector3::Zero();  // unit, out of the wall
   Vector3 at = Vector3::Zero();
   double friction = 0;

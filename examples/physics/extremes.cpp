@@ -123,6 +123,7 @@ std::vector<Extreme> run_extremes(int many) {
   cases.back().dt = 0;
   cases.push_back(thrown("time_step_1e100", kShort, {1, 0, 0}));
   cases.back().dt = 1e100;
+  cases.back().stiffness = 0;  // with springs the implicit step ends where it begins
 
   for (const double scale : {1e100, 1e-100}) {
     cases.push_back(

@@ -104,7 +104,7 @@ Table run_extremes(bool quick, Summary* summary) {
 Row row_of(const Summary& summary) {
   Row row;
   add_outcome(summary.all, &row);
-  row.add("rows", static_cast<double>(summary.rows));
+  row.add("free_rows", static_cast<double>(summary.rows));
   row.add("all_touch", summary.all_touch ? 1 : 0).add("extremes_go_on", summary.all_go_on ? 1 : 0);
   for (int n = 0; n < 3; ++n) {
     const std::string name = physics::name_of(kIntegrators[n]);
@@ -124,7 +124,7 @@ std::vector<std::pair<std::string, double>> figures_of(const Summary& summary) {
           {"stability.xpbd_max_stable_k", summary.stable_up_to[2]},
           {"stability.symplectic_max_stable_k", summary.stable_up_to[0]},
           {"stability.refused", number(o.refused)},
-          {"stability.rows", number(summary.rows)},
+          {"stability.free_rows", number(summary.rows)},
           {"stability.steps", number(o.steps)},
           {"stability.contacts", number(o.contacts)},
           {"stability.rubbing", number(o.rubbing)}};

@@ -2,6 +2,7 @@
 from dataclasses import dataclass
 
 LEAST_CURVES, LEAST_POINTS, LEAST_CURVES_WITH_PEERS, LEAST_STABLE_STIFFNESS = 8, 5, 4, 1e12
+LEAST_CONTACT_ROWS = 1000
 
 
 @dataclass(frozen=True)
@@ -13,7 +14,7 @@ class Bar:
     met: bool
 
 
-def check(curves, grid, extremes, summary, pairs=(), dials_without_curve=0):
+def check(curves, grid, extremes, summary, pairs=(), dials_without_curve=0, contacts=(), quick=False):
     """Each figure with its bar. The promises are counted anew from the rows: a summary that says less is not believed."""
     least_points = min(curve.setting_count for curve in curves)
     with_peers = sum(bool(curve.peers) for curve in curves)
@@ -30,6 +31,12 @@ def check(curves, grid, extremes, summary, pairs=(), dials_without_curve=0):
         wrong = sum(row["missed"] + row["invented"] + row["time_error"] for row in ours)
         bars.append(Bar("pairs.wrong", f"answers, of {sum(row['queries'] for row in ours):,.0f} on moving pairs, that are not exact", wrong, "0",
                         wrong == 0))
+    if contacts:
+        least = LEAST_CONTACT_ROWS // 5 if quick else LEAST_CONTACT_ROWS
+        touching = sum(row["contacts"] >= 100 for row in contacts)
+        broken = sum(row[name] for row in contacts for name in ("nonfinite", "not_free", "lost"))
+        bars += [Bar("stability.rows", "rows of stability in contact, each with at least 100 contacts", touching, f"at least {least:,}", touching >= least),
+                 Bar("stability.contact_broken", "numbers that are none, edges not free and vertices lost in these rows", broken, "0", broken == 0)]
     words = {"nonfinite": "steps after which a position or velocity was no number", "not_free": "edges that met something, over all steps",
              "lost": "vertices outside of their recorded volume, over all steps"}
     for name, about in words.items():

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import bars
 import catalogue
+import contacts
 import dials
 import machine
 import page
@@ -31,7 +32,8 @@ def make(folder, command, quick, skipped):
     left_out, sizes = read.read_left_out(folder)
     pairs, pair_figures = read.read_exact_pairs(folder)
     without = len(dials.without_curve(dials.find(), catalogue.CURVES))
-    found = bars.check(curves, grid, extremes, summary, pairs, without)
+    touching = contacts.read(folder)
+    found = bars.check(curves, grid, extremes, summary, pairs, without, touching, quick)
     unmeasured = sorted({dial.what for dial in dials.read() if dial.kind == "curve"} - {curve.name for curve in curves})
     if unmeasured:
         skipped = [*skipped, f"Curves that were not measured: {', '.join(unmeasured)}."]
@@ -52,6 +54,7 @@ def make(folder, command, quick, skipped):
     root = Path(__file__).resolve().parents[2]
     html = page.render(curves=described, dials=page.describe_dials({curve.name for curve in curves}), bars=found, machine=machine.describe(root), command=command, quick=quick, skipped=skipped,
                        date=datetime.date.today().isoformat(), summary=summary, stability_map=maps[0], stability_lines=maps[1], extremes=extremes,
+                       contacts=contacts.limits(touching), contact_rows=len(touching), contacts_link=link("contact_stability.csv"),
                        extremes_link=link("extremes.csv"), left_out=left_out, sizes=sizes, left_out_link=link("left_out.csv"),
                        pairs=pairs, pairs_link=link("exact_pairs.csv"))
     (folder / "report.html").write_text(html, encoding="utf-8")

@@ -163,7 +163,7 @@ def read_curve(path):
 
 def read_curves(folder):
     """All curves of a folder: every CSV file but the tables, and the pairs that peers in other languages read."""
-    tables = {"stability", "extremes", "left_out", "library_size", "exact_pairs"}
+    tables = {"stability", "contact_stability", "extremes", "left_out", "library_size", "exact_pairs"}
     paths = [path for path in sorted(Path(folder).glob("*.csv")) if path.stem not in tables and not path.stem.startswith("pairs_")]
     if not paths:
         raise BadFile(f"{folder}: no curves: no CSV file in this folder")

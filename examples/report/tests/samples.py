@@ -10,6 +10,8 @@ STABILITY = ("integrator", "stiffness", "dt", "stable", "energy_drift", "energy_
 EXTREMES = ("case", "steps", "contacts", "nonfinite", "refused", "not_free", "lost", "largest_coordinate", "goes_on", "what_happened")
 PAIRS = ("set", "kind", "method", "queries", "touching", "missed", "invented", "late", "time_error", "time_off_median", "time_off_max", "ns_median",
          "ns_p999", "ns_max")
+CONTACTS = ("scene", "integrator", "stiffness", "dt", "mass_ratio", "friction", "aspect", "stable", "cause", "steps", "contacts", "nonfinite",
+            "not_free", "lost")
 LEFT_OUT = ("feature", "setting", "bytes_per_cell", "bytes_per_vertex", "orientation_tests_per_step", "microseconds_per_step")
 
 
@@ -56,6 +58,12 @@ def write(folder, curves=8, peers=4):
                 grid.append((integrator, stiffness, dt, int(stable), drift, drift + 1, 1 if stable else 1e9, 1e-16, stretch, stretch,
                              400, 1000, 0, 0, 0, 0))
     write_rows(folder / "stability.csv", STABILITY, grid)
+    contacts = []
+    for integrator in ("symplectic_euler", "implicit_euler"):
+        for stiffness in (0.01, 1, 1e4):
+            stable = integrator != "symplectic_euler" or stiffness <= 1
+            contacts.append(("posts", integrator, stiffness, 1e-3, 1, 0.3, 1, int(stable), "" if stable else "stiffness or integrator", 60, 120, 0, 0, 0))
+    write_rows(folder / "contact_stability.csv", CONTACTS, contacts * 200)
     write_rows(folder / "extremes.csv", EXTREMES,
                [("force_nan", 15, 0, 0, 1, 0, 0, 2.5, 1, "refused: a < b"), ("many_steps", 1e6, 8e6, 0, 0, 0, 0, 8, 1, "moved freely")])
     summary = {"steps": 1e6, "contacts": 1e7, "nonfinite": 0, "refused": 0, "not_free": 0, "lost": 0, "extremes_go_on": 1,

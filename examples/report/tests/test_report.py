@@ -109,6 +109,13 @@ class Page(unittest.TestCase):
         self.assertIn("Curves that were not measured: back_edges, ", self.html)
         self.assertIn("report.dials_without_curve", self.html)
 
+    def test_says_where_contacts_break(self):
+        row = re.search(r"<tr[^>]*><td>posts</td><td>symplectic Euler</td>.*?</tr>", self.html)[0]
+        self.assertIn("<td>0.01 to 1</td>", row)
+        self.assertIn("stiffness or integrator (200)", row)
+        figures = json.loads((self.path / "report.json").read_text(encoding="utf-8"))
+        self.assertEqual((figures["stability.rows"], figures["stability.contact_broken"]), (1200, 0))
+
     def test_draws_every_point_and_says_what_it_is(self):
         tips = re.findall(r"<title>([^<]*)</title>", (self.path / "curve_0.svg").read_text(encoding="utf-8"))
         self.assertEqual(len([tip for tip in tips if " per sweep, " in tip]), 16)

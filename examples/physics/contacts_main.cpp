@@ -1,0 +1,103 @@
+// Stability in contact: contacts [--quick] [--out FOLDER]
+//
+// Writes contact_stability.csv, a row for each case.
+// Prints a summary, a key and its value in each line. --quick: no random corners, every third case. Exit code 1: the library broke its promise,
+// a row has too few contacts, or an unstable row has no cause; 2: an option or file can't be used.
+#include <getopt.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "contact_stability.h"
+#include "table.h"
+
+namespace {
+
+using physics::ContactCase;
+using physics::ContactRow;
+
+constexpr std::size_t kContacts = 100;
+
+physics::Row row_of(const ContactRow& r) {
+  const auto number = [](std::size_t count) { return static_cast<double>(count); };
+  const ContactCase& c = r.asked;
+  const physics::Outcome& o = r.outcome;
+  physics::Row row;
+  row.add("scene", physics::name_of(c.scene)).add("integrator", physics::name_of(c.integrator));
+  row.add("stiffness", c.stiffness).add("dt", c.dt).add("mass_ratio", c.mass_ratio).add("friction", c.friction);
+  row.add("aspect", c.aspect).add("stable", physics::is_stable(r) ? 1 : 0).add("cause", r.cause);
+  row.add("energy_largest", r.energy_largest).add("largest_stretch", r.largest_stretch);
+  row.add("largest_force", r.largest_force).add("steps", number(o.steps)).add("contacts", number(o.contacts));
+  row.add("refused", number(o.refused)).add("nonfinite", number(o.nonfinite));
+  row.add("not_free", number(o.not_free)).add("lost", number(o.lost));
+  return row;
+}
+
+struct Summary {
+  physics::Outcome all;
+  std::size_t rows = 0, few = 0, unstable = 0, unnamed = 0;
+};
+
+void add(const ContactRow& row, Summary* summary) {
+  summary->all.add(row.outcome);
+  ++(row.outcome.contacts < kContacts ? summary->few : summary->rows);
+  summary->unstable += physics::is_stable(row) ? 0 : 1;
+  summary->unnamed += !physics::is_stable(row) && row.cause.empty() ? 1 : 0;
+}
+
+void print(const Summary& s) {
+  std::cout << "stability.rows " << s.rows << "\nstability.rows_with_few_contacts " << s.few
+            << "\nstability.contact_nonfinite " << s.all.nonfinite << "\nstability.contact_not_free " << s.all.not_free
+            << "\nstability.contact_lost " << s.all.lost << "\nstability.unstable_rows " << s.unstable
+            << "\nstability.unstable_without_cause " << s.unnamed << "\nstability.contact_steps " << s.all.steps
+            << "\nstability.contacts_met " << s.all.contacts << '\n';
+}
+
+int usage() {
+  std::cerr << "usage: contacts [--quick] [--out FOLDER]\n";
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  static const option kOptions[] = {
+      {"quick", no_argument, nullptr, 'q'}, {"out", required_argument, nullptr, 'o'}, {nullptr, 0, nullptr, 0}};
+  bool quick = false;
+  std::string folder = ".";
+  for (int letter; (letter = getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
+    if (letter == 'q') {
+      quick = true;
+    } else if (letter == 'o') {
+      folder = optarg;
+    } else {
+      return usage();
+    }
+  }
+  if (optind != argc) {
+    return usage();
+  }
+  try {
+    Summary summary;
+    physics::Table table;
+    const std::vector<ContactCase> cases = physics::contact_cases(quick ? 0 : 12);
+    for (std::size_t i = 0; i < cases.size(); i += quick ? 3 : 1) {
+      const ContactRow row = physics::run_contacts_with_cause(cases[i], 60, 600, kContacts);
+      table.push_back(row_of(row));
+      add(row, &summary);
+    }
+    print(summary);
+    std::ofstream csv(folder + "/contact_stability.csv");
+    physics::write_csv(table, csv);
+    csv.close();
+    if (!csv) {
+      std::cerr << "contacts: cannot write to '" << folder << "'\n";
+      return 2;
+    }
+    const physics::Outcome& o = summary.all;
+    return o.nonfinite + o.not_free + o.lost + summary.few + summary.unnamed == 0 ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::cerr << "contacts: " << error.what() << '\n';
+    return 1;
+  }
+}
