@@ -35,6 +35,22 @@ uint32_t slot_of(const Scene<D>& scene, const BodyRecord<D>& record) {
   return static_cast<uint32_t>(&record - scene.bodies.data());
 }
 
+/** Finds partners among the bodies in slots for which counts(slot). */
+template <int D, class Counts>
+void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Counts counts,
+                   Partners<D>& partners) {
+  partners.clear();
+  partners.reach = reach;
+  scene.body_boxes.visit(widened(reach, body.radius), [&](uint32_t slot) {
+    if (!counts(slot)) return true;
+    const Body<D>& other = scene.bodies[slot].body;
+    if (&other == &body ? !body.filter.self : !body.filter.sees(other.filter)) return true;
+    partners.add(name(scene, slot));
+    if (&other != &body) fresh_boxes(other);  // several threads may read it then
+    return true;
+  });
+}
+
 }  // namespace
 
 template <int D>
@@ -80,15 +96,8 @@ Box<D> reach_of(const Body<D>& body, PointArray targets, MoveOrder order, bool s
 
 template <int D>
 void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners) {
-  partners.clear();
-  partners.reach = reach;
-  scene.body_boxes.visit(widened(reach, body.radius), [&](uint32_t slot) {
-    const Body<D>& other = scene.bodies[slot].body;
-    if (&other == &body ? !body.filter.self : !body.filter.sees(other.filter)) return true;
-    partners.add(name(scene, slot));
-    if (&other != &body) fresh_boxes(other);  // several threads may read it then
-    return true;
-  });
+  find_partners(
+      scene, body, reach, [](uint32_t) { return true; }, partners);
 }
 
 template <int D>
@@ -143,8 +152,8 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
     for (uint32_t i = 0; i < count; ++i) {
       Partners<D>& partners = islands.partners[i];
       const ContactFilter& filter = moving[i]->body.filter;
-      find_partners(scene, moving[i]->body, partners.reach, partners);
-      partners.remove([&](const Partner<D>& each) { return moves[each.index]; });
+      find_partners(
+          scene, moving[i]->body, partners.reach, [&](uint32_t slot) { return !moves[slot]; }, partners);
       reaches.visit(widened(partners.reach, moving[i]->body.radius), [&](uint32_t j) {
         if (i == j ? !filter.self : !filter.sees(moving[j]->body.filter)) return true;
         partners.add(name(scene, slot_of(scene, *moving[j])));

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/search.h"
-#include "predicates/moving_hinge.h"
 
 namespace dsw {
 namespace {
@@ -16,12 +15,6 @@ namespace {
 template <int D>
 bool is_single(const Body<D>& body, uint32_t v) {
   return !covers_edges(body.level) || body.vertices[v].first_edge == kNone;
-}
-
-template <int D>
-bool has_corner(const Body<D>& body, const Simplex& part, uint32_t v) {
-  const SimplexCorners<D> corners(body, part);
-  return dsw::find(corners.begin(), corners.end(), v) != corners.end();
 }
 
 template <int D>
@@ -37,78 +30,43 @@ uint32_t point_count(PairKind kind, uint32_t side) {
   return side == 0 ? 1 : D;
 }
 
+/** The box of the way of a vertex without what all go, with room for rounding. */
 template <int D>
-double mean_size(const Array<Box<D>>& boxes) noexcept {
-  double sum = 0;
-  for (const Box<D>& each : boxes) {
-    double size = 0;
-    for (int k = 0; k < D; ++k) size = std::max(size, each.upper[k] - each.lower[k]);
-    sum += size / static_cast<double>(boxes.size());
-  }
-  return std::isfinite(sum) ? sum : 0;
-}
-
-/** The box of the way of a part without what all go, with room for rounding. */
-template <int D>
-Box<D> box_beside_drift(const Trajectory<D>& of, const Simplex& part, const double* drift) noexcept {
+Box<D> box_beside_drift(const double* start, const double* reach, const double* drift) noexcept {
   Box<D> box;
-  double largest = 0;
-  for (const uint32_t v : SimplexCorners<D>(*of.motion.body, part)) {
-    double end[D];
-    for (int k = 0; k < D; ++k) {
-      end[k] = of.reach(v)[k] - drift[k];
-      largest = std::max({largest, std::fabs(of.start(v)[k]), std::fabs(of.reach(v)[k]), std::fabs(drift[k])});
-    }
-    box.add(of.start(v));
-    box.add(end);
+  for (int k = 0; k < D; ++k) {
+    const double end = reach[k] - drift[k],
+                 room = 0x1p-48 * (std::fabs(start[k]) + std::fabs(reach[k]) + std::fabs(drift[k]));
+    box.lower[k] = std::min(start[k], end) - room;
+    box.upper[k] = std::max(start[k], end) + room;
   }
-  return widened(box, 0x1p-48 * largest);
+  return box;
 }
 
 }  // namespace
 
 template <int D>
-void BodyWays<D>::Ways::clear() {
-  for (uint32_t i = 0; !sweeps && i < sides.size(); ++i) grid.remove(i);
-  sides.clear();
-  boxes.clear();
-}
-
-template <int D>
-void BodyWays<D>::Ways::add(const Trajectory<D>& of, uint32_t number, const Simplex& part, const double* drift) {
-  sides.push_back({number, &of.name, part});
-  boxes.push_back(drift == nullptr ? box_of_way(of, part) : box_beside_drift(of, part, drift));
-}
-
-template <int D>
-void BodyWays<D>::Ways::fill(const Array<Box<D>>& others) {
-  constexpr double kMostRead = 512;  // in the mean of a visit: then a grid is as fast
-  sweeps = false;
-  if (boxes.empty()) return;
-  sweep.sort(boxes, longest_axis(boxes));
-  sweeps = sweep.mean_length(others) <= kMostRead;
-  if (sweeps) return;
-  // Vertices are looked for with what is larger, and many of them may not move at all.
-  const double size = mean_size(others);
-  grid.reserve(sides.size());
-  for (uint32_t i = 0; i < sides.size(); ++i) grid.put(i, boxes[i], size);
-}
-
-template <int D>
 void BodyWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift) {
   bodies_meet_ = bodies_meet;
   pairs_.clear();
+  sides_.clear();
   const auto meets = [](const Trajectory<D>& of) {
     return of.motion.body->filter.self || (of.still != nullptr && !of.still->all.empty());
   };
-  hinges_.clear();
-  if (!bodies_meet || (trajectories.size() == 1 && !meets(trajectories[0]))) return;
+  has_hinges_ = bodies_meet && (trajectories.size() != 1 || meets(trajectories[0]));
+  if (!has_hinges_) return;
   const bool with_segments = drift != nullptr || !find_own_edges(trajectories);
   add_ways(trajectories, with_segments, drift);
   if (with_segments) find_segments(trajectories);
   find_solids(trajectories);
-  find_hinges(trajectories);
+  find_lone_edges(trajectories);
   find_still(trajectories);
+}
+
+template <int D>
+uint32_t BodyWays<D>::add_side(uint32_t trajectory, const Partner<D>& name, const Simplex& part) {
+  sides_.push_back(Side(trajectory, name, part));
+  return static_cast<uint32_t>(sides_.size() - 1);
 }
 
 /** The edges of one body that meets nothing but itself. False: it is not one, or grids serve better. */
@@ -123,16 +81,34 @@ bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Trajectory<D>>& tr
     near_.start(body, false, [&](uint32_t v) { return of.reach(v); });
     if (!near_.active()) return false;
     for (uint32_t e = 0; e < body.edges.size(); ++e) {
+      add_side(0, of.name, {Simplex::kEdge, e});
       if (!body.has_edge(e)) continue;
-      const Side side{0, &of.name, {Simplex::kEdge, e}};
       near_.visit(e, [&](uint32_t other) {
-        if (e < other) add_pair(PairKind::kEdgeEdge, side, {0, &of.name, {Simplex::kEdge, other}});
+        if (e < other) add_pair(PairKind::kEdgeEdge, e, other);
         return true;
       });
     }
     return true;
   }
   return false;
+}
+
+/** The boxes of the ways of vertices of a trajectory: those of its parts are made of them. */
+template <int D>
+void BodyWays<D>::box_vertices(const Trajectory<D>& of, const double* drift) {
+  const Body<D>& body = *of.motion.body;
+  vertex_boxes_.resize(body.vertices.size());
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (!body.has_vertex(v)) continue;
+    Box<D>& box = vertex_boxes_[v];
+    if (drift != nullptr) {
+      box = box_beside_drift<D>(of.start(v), of.reach(v), drift);
+      continue;
+    }
+    box = {};
+    box.add(of.start(v));
+    box.add(of.reach(v));
+  }
 }
 
 template <int D>
@@ -145,56 +121,60 @@ void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_s
   });
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
     const Trajectory<D>& of = trajectories[t];
+    box_vertices(of, drift);
+    const auto add = [&](const Simplex& part, Ways& ways) {
+      const uint32_t side = add_side(t, of.name, part);
+      Box<D> box = vertex_boxes_[sides_[side].corners.vertices[0]];
+      for (uint32_t i = 1; i < sides_[side].corners.count; ++i) {
+        const Box<D>& other = vertex_boxes_[sides_[side].corners.vertices[i]];
+        for (int k = 0; k < D; ++k) {
+          box.lower[k] = std::min(box.lower[k], other.lower[k]);
+          box.upper[k] = std::max(box.upper[k], other.upper[k]);
+        }
+      }
+      ways.sides.push_back(side);
+      ways.boxes.push_back(box);
+    };
     for_each_simplex(*of.motion.body, [&](const Simplex& part) {
       if (part.kind == Simplex::kVertex) {
-        if (D == 2 || may_meet_faces) vertices_.add(of, t, part, drift);
-        if (with_segments && is_single(*of.motion.body, part.index)) segments_.add(of, t, part, drift);
-      } else if (part.kind == Simplex::kEdge) {
-        if (with_segments) segments_.add(of, t, part, drift);
-      } else {
-        faces_.add(of, t, part, drift);
+        if (D == 2 || may_meet_faces) add(part, vertices_);
+        if (with_segments && is_single(*of.motion.body, part.index)) add(part, segments_);
+      } else if (part.kind == Simplex::kFace || with_segments) {
+        add(part, part.kind == Simplex::kEdge ? segments_ : faces_);
       }
       return true;
     });
   }
-  if (with_segments) segments_.fill(segments_.boxes);
-  vertices_.fill((D == 2 ? segments_ : faces_).boxes);
 }
 
 template <int D>
 void BodyWays<D>::find_segments(const Array<Trajectory<D>>& trajectories) {
-  for (uint32_t i = 0; i < segments_.sides.size(); ++i) {
-    // In the plane edges meet all vertices, below. Here only vertices without edges meet each other.
-    if (D == 2 && segments_.sides[i].part.kind != Simplex::kVertex) continue;
-    segments_.visit(segments_.boxes[i], [&](uint32_t k) {
-      if (k >= i || (D == 2 && segments_.sides[k].part.kind != Simplex::kVertex)) return;
-      if (may_meet(trajectories, segments_.sides[i].trajectory, segments_.sides[k].trajectory))
-        add_segments(segments_.sides[i], segments_.sides[k]);
-    });
-  }
+  // In the plane edges meet all vertices, below. Here only vertices without edges meet each other.
+  const auto counts = [](const Side& side) { return D == 3 || side.part.kind == Simplex::kVertex; };
+  sweep_.visit_own(segments_.boxes, [&](uint32_t i, uint32_t k) {
+    const uint32_t numbers[2] = {segments_.sides[std::max(i, k)], segments_.sides[std::min(i, k)]};
+    const Side &a = sides_[numbers[0]], &b = sides_[numbers[1]];
+    if (!counts(a) || !counts(b) || !may_meet(trajectories, a.trajectory, b.trajectory)) return;
+    add_segments(numbers[0], numbers[1]);
+  });
 }
 
 /** Faces and vertices, in the plane edges and vertices. */
 template <int D>
 void BodyWays<D>::find_solids(const Array<Trajectory<D>>& trajectories) {
   const Ways& solids = D == 2 ? segments_ : faces_;
-  for (uint32_t i = 0; i < solids.sides.size(); ++i) {
-    const Side& solid = solids.sides[i];
-    if (D == 2 && solid.part.kind == Simplex::kVertex) continue;
-    vertices_.visit(solids.boxes[i], [&](uint32_t k) {
-      const Side& vertex = vertices_.sides[k];
-      const bool is_own = solid.trajectory == vertex.trajectory;
-      if (!may_meet(trajectories, solid.trajectory, vertex.trajectory)) return;
-      if (is_own && has_corner(*solid.name->body, solid.part, vertex.part.index)) return;
-      add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kVertexFace, vertex, solid);
-    });
-  }
+  sweep_.visit_between(solids.boxes, vertices_.boxes, [&](uint32_t i, uint32_t k) {
+    const Side &solid = sides_[solids.sides[i]], &vertex = sides_[vertices_.sides[k]];
+    if (D == 2 && solid.part.kind == Simplex::kVertex) return;
+    if (!may_meet(trajectories, solid.trajectory, vertex.trajectory)) return;
+    if (solid.trajectory == vertex.trajectory && solid.has_corner(vertex.part.index)) return;
+    add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kVertexFace, vertices_.sides[k], solids.sides[i]);
+  });
 }
 
-/** If edges share a vertex, the far end of each can touch the other edge. In the plane vertices meet all edges anyhow.
- * Both ends of an edge that stands alone can touch each other; of other edges another one touches then, too. */
+/** Both ends of an edge that stands alone can touch each other; of other edges another one touches then, too. */
 template <int D>
-void BodyWays<D>::find_hinges(const Array<Trajectory<D>>& trajectories) {
+void BodyWays<D>::find_lone_edges(const Array<Trajectory<D>>& trajectories) {
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
     const Body<D>& body = *trajectories[t].motion.body;
     if (!body.filter.self || !covers_edges(body.level)) continue;
@@ -204,30 +184,20 @@ void BodyWays<D>::find_hinges(const Array<Trajectory<D>>& trajectories) {
         return edge.next[k] == kNone && body.vertices[edge.ends[k]].first_edge == e;
       };
       if (!body.has_edge(e) || !is_only(0) || !is_only(1)) continue;
-      const auto end = [&](uint32_t k) { return Side{t, &trajectories[t].name, {Simplex::kVertex, edge.ends[k]}}; };
-      add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kEdgeEdge, end(0), end(1));
-    }
-    if (D == 2) continue;
-    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-      if (!body.has_vertex(v)) continue;
-      for_each_edge(body, v, [&](uint32_t e) {
-        for_each_edge(body, v, [&](uint32_t f) {
-          if (f == e) return false;
-          hinges_.push_back({t, {v, body.edges[e].other(v), body.edges[f].other(v)}, {e, f}});
-          return true;
-        });
-        return true;
-      });
+      const auto end = [&](uint32_t k) { return add_side(t, trajectories[t].name, {Simplex::kVertex, edge.ends[k]}); };
+      const uint32_t first = end(0);
+      add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kEdgeEdge, first, end(1));
     }
   }
 }
 
 /** Two segments, unless they share a vertex. */
 template <int D>
-void BodyWays<D>::add_segments(const Side& a, const Side& b) {
-  if (a.trajectory == b.trajectory) {
-    for (const uint32_t v : SimplexCorners<D>(*a.name->body, a.part)) {
-      if (has_corner(*b.name->body, b.part, v)) return;
+void BodyWays<D>::add_segments(uint32_t a, uint32_t b) {
+  const Side &first = sides_[a], &second = sides_[b];
+  if (first.trajectory == second.trajectory) {
+    for (const uint32_t v : first.corners) {
+      if (second.has_corner(v)) return;
     }
   }
   add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kEdgeEdge, a, b);
@@ -236,12 +206,11 @@ void BodyWays<D>::add_segments(const Side& a, const Side& b) {
 template <int D>
 void BodyWays<D>::find_still(const Array<Trajectory<D>>& trajectories) {
   for (const Ways* ways : {&segments_, &vertices_, &faces_}) {
-    for (uint32_t i = 0; i < ways->sides.size(); ++i) {
-      const Side& side = ways->sides[i];
-      const Partners<D>* const still = trajectories[side.trajectory].still;
-      if (still == nullptr) continue;
-      if (still->all.empty()) continue;
-      const Box<D> box = box_of_way(trajectories[side.trajectory], side.part);
+    for (const uint32_t side : ways->sides) {
+      const Trajectory<D>& of = trajectories[sides_[side].trajectory];
+      const Partners<D>* const still = of.still;
+      if (still == nullptr || still->all.empty()) continue;
+      const Box<D> box = box_of_way(of, sides_[side].part);
       for (const Partner<D>& other : still->all) {
         ways == &segments_ ? meet_segments(side, other, box) : meet_solids(side, other, box);
       }
@@ -251,18 +220,18 @@ void BodyWays<D>::find_still(const Array<Trajectory<D>>& trajectories) {
 
 /** A vertex against faces that stand still, or a face against vertices; in the plane a vertex against edges. */
 template <int D>
-void BodyWays<D>::meet_solids(const Side& side, const Partner<D>& other, const Box<D>& box) {
+void BodyWays<D>::meet_solids(uint32_t side, const Partner<D>& other, const Box<D>& box) {
   const Body<D>& body = *other.body;
   const BodyBoxes<D>& boxes = fresh_boxes(body);
-  if (side.part.kind == Simplex::kFace) {
+  if (sides_[side].part.kind == Simplex::kFace) {
     boxes.vertices.visit(box, [&](uint32_t v) {
-      add_pair(PairKind::kVertexFace, {kNone, &other, {Simplex::kVertex, v}}, side);
+      add_pair(PairKind::kVertexFace, add_side(kNone, other, {Simplex::kVertex, v}), side);
       return true;
     });
   } else if (D == 2 ? covers_edges(body.level) : covers_faces(body.level)) {
     (D == 2 ? boxes.edges : boxes.faces).visit(box, [&](uint32_t k) {
       const Simplex::Kind kind = D == 2 ? Simplex::kEdge : Simplex::kFace;
-      add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kVertexFace, side, {kNone, &other, {kind, k}});
+      add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kVertexFace, side, add_side(kNone, other, {kind, k}));
       return true;
     });
   }
@@ -270,24 +239,24 @@ void BodyWays<D>::meet_solids(const Side& side, const Partner<D>& other, const B
 
 /** A segment against segments that stand still; in the plane also an edge against vertices. */
 template <int D>
-void BodyWays<D>::meet_segments(const Side& segment, const Partner<D>& other, const Box<D>& box) {
+void BodyWays<D>::meet_segments(uint32_t segment, const Partner<D>& other, const Box<D>& box) {
   const Body<D>& body = *other.body;
-  const bool is_vertex = segment.part.kind == Simplex::kVertex;
+  const bool is_vertex = sides_[segment].part.kind == Simplex::kVertex;
   if constexpr (D == 2) {
     // A vertex without edges meets those of the other body, an edge meets all vertices.
     const BoxGrid<D>& grid = is_vertex ? single_vertices(body, body.level) : fresh_boxes(body).vertices;
     grid.visit(box, [&](uint32_t v) {
-      add_pair(PairKind::kVertexEdge, {kNone, &other, {Simplex::kVertex, v}}, segment);
+      add_pair(PairKind::kVertexEdge, add_side(kNone, other, {Simplex::kVertex, v}), segment);
       return true;
     });
   } else {
     single_vertices(body, body.level).visit(box, [&](uint32_t v) {
-      add_pair(PairKind::kEdgeEdge, segment, {kNone, &other, {Simplex::kVertex, v}});
+      add_pair(PairKind::kEdgeEdge, segment, add_side(kNone, other, {Simplex::kVertex, v}));
       return true;
     });
     if (!covers_edges(body.level)) return;
     fresh_boxes(body).edges.visit(box, [&](uint32_t e) {
-      add_pair(PairKind::kEdgeEdge, segment, {kNone, &other, {Simplex::kEdge, e}});
+      add_pair(PairKind::kEdgeEdge, segment, add_side(kNone, other, {Simplex::kEdge, e}));
       return true;
     });
   }
@@ -296,38 +265,75 @@ void BodyWays<D>::meet_segments(const Side& segment, const Partner<D>& other, co
 /** Calls visit(touch) if a pair touches; whether it did not return false. */
 template <int D>
 template <class Visit>
-bool BodyWays<D>::visit_pair(const Array<Trajectory<D>>& trajectories, const Pair& pair, Visit visit) const {
-  WayTouch<D> touch{};
-  touch.pair.kind = pair.kind;
-  uint32_t at = 0;
+bool BodyWays<D>::visit_pair(const Array<Trajectory<D>>& trajectories, PairKind kind, const Side& a, const Side& b,
+                             Visit visit) const {
   const auto is_new_side = [&](const Side& side) {
-    return side.trajectory != kNone &&
-           is_new(trajectories[side.trajectory], SimplexCorners<D>(*side.name->body, side.part));
+    return side.trajectory != kNone && is_new(trajectories[side.trajectory], side.corners);
   };
-  if (!is_new_side(pair.sides[0]) && !is_new_side(pair.sides[1])) return true;
+  if (!is_new_side(a) && !is_new_side(b)) return true;
+  WayTouch<D> touch;
+  touch.pair.kind = kind;
+  uint32_t at = 0;
   bool moves = false;
-  for (uint32_t k = 0; k < 2; ++k) {
-    const Side& side = pair.sides[k];
-    const SimplexCorners<D> corners(*side.name->body, side.part);
-    for (uint32_t i = 0; i < point_count<D>(pair.kind, k); ++i, ++at) {
+  for (const Side* side : {&a, &b}) {
+    const SimplexCorners<D>& corners = side->corners;
+    const uint32_t count = point_count<D>(kind, side == &a ? 0 : 1);
+    for (uint32_t i = 0; i < count; ++i, ++at) {
       const uint32_t v = corners.vertices[std::min(i, corners.count - 1)];
-      touch.pair.start[at] = touch.pair.end[at] = side.name->body->position(v);
-      if (side.trajectory == kNone) continue;
-      touch.pair.end[at] = trajectories[side.trajectory].end(v);
-      moves = moves || trajectories[side.trajectory].moves(v);
+      touch.pair.start[at] = touch.pair.end[at] = side->name->body->position(v);
+      if (side->trajectory == kNone) continue;
+      touch.pair.end[at] = trajectories[side->trajectory].end(v);
+      moves = moves || trajectories[side->trajectory].moves(v);
     }
   }
-  if (!moves || !boxes_overlap(touch.pair)) return true;
+  if (!moves) return true;
   touch.first = first_touch(touch.pair, work);
   if (!touch.first.touches) return true;
-  const uint32_t mover = pair.sides[0].trajectory != kNone ? 0 : 1;
-  touch.trajectory = pair.sides[mover].trajectory;
-  touch.comes_first = mover == 0;
-  touch.part = pair.sides[mover].part;
-  touch.other_trajectory = pair.sides[1 - mover].trajectory;
-  touch.other = pair.sides[1 - mover].name;
-  touch.other_part = pair.sides[1 - mover].part;
+  const Side &mover = a.trajectory != kNone ? a : b, &other = a.trajectory != kNone ? b : a;
+  touch.trajectory = mover.trajectory;
+  touch.comes_first = &mover == &a;
+  touch.part = mover.part;
+  touch.wall = {};
+  touch.other_trajectory = other.trajectory;
+  touch.other = other.name;
+  touch.other_part = other.part;
   return visit(touch);
+}
+
+/** If edges share a vertex, the far end of each can touch the other edge. */
+template <int D>
+template <class Visit>
+bool BodyWays<D>::visit_hinges([[maybe_unused]] const Array<Trajectory<D>>& trajectories,
+                               [[maybe_unused]] uint32_t number, [[maybe_unused]] Visit visit) const {
+  if constexpr (D == 3) {
+    const Trajectory<D>& of = trajectories[number];
+    const Body<D>& body = *of.motion.body;
+    if (!body.filter.self || !covers_edges(body.level)) return true;
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (!body.has_vertex(v)) continue;
+      const double* const here[2] = {of.start(v), of.end(v)};
+      spokes_.clear();
+      for_each_edge(body, v, [&](uint32_t e) {
+        const uint32_t far = body.edges[e].other(v);
+        const double* const there[2] = {of.start(far), of.end(far)};
+        spokes_.push_back({e, far, HingeArm(here, there)});
+        return true;
+      });
+      for (size_t i = 0; i < spokes_.size(); ++i) {
+        for (size_t k = 0; k < i; ++k) {
+          const Spoke* const both[2] = {&spokes_[i], &spokes_[k]};
+          if (of.is_new[v] == 0 && of.is_new[both[0]->far] == 0 && of.is_new[both[1]->far] == 0) continue;
+          if (stays_open(both[0]->arm, both[1]->arm)) continue;
+          for (const int side : {0, 1}) {
+            const Side far(number, of.name, {Simplex::kVertex, both[side]->far}),
+                edge(number, of.name, {Simplex::kEdge, both[1 - side]->edge});
+            if (!visit_pair(trajectories, PairKind::kEdgeEdge, far, edge, visit)) return false;
+          }
+        }
+      }
+    }
+  }
+  return true;
 }
 
 /** Calls visit(touch) for all that touches, until it returns false. */
@@ -335,23 +341,10 @@ template <int D>
 template <class Visit>
 bool BodyWays<D>::visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit) const {
   for (const Pair& pair : pairs_) {
-    if (!visit_pair(trajectories, pair, visit)) return false;
+    if (!visit_pair(trajectories, pair.kind, sides_[pair.sides[0]], sides_[pair.sides[1]], visit)) return false;
   }
-  for (const Hinge& hinge : hinges_) {
-    const Trajectory<D>& of = trajectories[hinge.trajectory];
-    if (dsw::none_of(hinge.vertices, hinge.vertices + 3, [&](uint32_t v) { return of.is_new[v] != 0; })) continue;
-    const double* start[3];
-    const double* end[3];
-    for (uint32_t i = 0; i < 3; ++i) {
-      start[i] = of.start(hinge.vertices[i]);
-      end[i] = of.end(hinge.vertices[i]);
-    }
-    if (stays_open(start, end)) continue;
-    for (uint32_t k = 0; k < 2; ++k) {
-      const Side far{hinge.trajectory, &of.name, {Simplex::kVertex, hinge.vertices[1 + k]}};
-      const Side edge{hinge.trajectory, &of.name, {Simplex::kEdge, hinge.edges[1 - k]}};
-      if (!visit_pair(trajectories, {PairKind::kEdgeEdge, {far, edge}}, visit)) return false;
-    }
+  for (uint32_t t = 0; has_hinges_ && t < trajectories.size(); ++t) {
+    if (!visit_hinges(trajectories, t, visit)) return false;
   }
   return true;
 }

@@ -2,6 +2,7 @@
 // What bodies that move at once touch of each other, of bodies that stand still, and of themselves. The shift is the
 // same for all bodies and does not enter: every touch counts.
 
+#include "predicates/moving_hinge.h"
 #include "proximity/near_edges.h"
 #include "together/box_sweep.h"
 #include "together/trajectory.h"
@@ -13,7 +14,15 @@ template <int D>
 class BodyWays {
  public:
   explicit BodyWays(const Memory* memory)
-      : segments_(memory), vertices_(memory), faces_(memory), pairs_(memory), hinges_(memory), near_(memory) {}
+      : vertex_boxes_(memory),
+        sides_(memory),
+        segments_(memory),
+        vertices_(memory),
+        faces_(memory),
+        sweep_(memory),
+        pairs_(memory),
+        near_(memory),
+        spokes_(memory) {}
 
   /** Finds the pairs whose whole ways in the call come near each other.
    * @param drift null, or a way that is left out of all, since all vertices will make the same part of theirs: then fewer ways
@@ -34,60 +43,67 @@ class BodyWays {
   /** A part of a trajectory, or of a body that stands still. */
   struct Side {
     uint32_t trajectory;  // kNone: it stands still
-    const Partner<D>* name;
     Simplex part;
+    SimplexCorners<D> corners;
+    const Partner<D>* name;
+
+    Side(uint32_t of, const Partner<D>& body_name, const Simplex& each)
+        : trajectory(of), part(each), corners(*body_name.body, each), name(&body_name) {}
+    bool has_corner(uint32_t v) const {
+      bool has = corners.vertices[0] == v;
+      for (uint32_t i = 1; i < corners.count; ++i) has |= corners.vertices[i] == v;
+      return has;
+    }
   };
   struct Pair {
     PairKind kind;
-    Side sides[2];  // in the order of the points
+    uint32_t sides[2];  // in the order of the points
   };
-  /** Two edges of a trajectory with a common vertex, which comes first of the three. */
-  struct Hinge {
-    uint32_t trajectory, vertices[3], edges[2];
+  /** An edge at a vertex. */
+  struct Spoke {
+    uint32_t edge, far;
+    HingeArm arm;
   };
-  /** Boxes of the ways of parts of all trajectories, by number. */
+  /** Boxes of the ways of parts of all trajectories, and their numbers in sides_. */
   struct Ways {
-    BoxGrid<D> grid;
-    BoxSweep<D> sweep;
-    bool sweeps = false;  // instead of the grid, which is empty then
-    Array<Side> sides;
+    Array<uint32_t> sides;
     Array<Box<D>> boxes;
 
-    explicit Ways(const Memory* memory) : grid(memory), sweep(memory), sides(memory), boxes(memory) {}
-    void clear();
-    void add(const Trajectory<D>& of, uint32_t number, const Simplex& part, const double* drift);
-    /** Gets ready for visits with `others`. */
-    void fill(const Array<Box<D>>& others);
-    /** Calls visit(number) for the boxes that overlap this one. */
-    template <class Visit>
-    void visit(const Box<D>& box, Visit visit) const {
-      if (sweeps) return sweep.visit(box, visit);
-      grid.visit(box, [&](uint32_t i) {
-        visit(i);
-        return true;
-      });
+    explicit Ways(const Memory* memory) : sides(memory), boxes(memory) {}
+    void clear() {
+      sides.clear();
+      boxes.clear();
     }
   };
 
+  void box_vertices(const Trajectory<D>& of, const double* drift);
   void add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments, const double* drift);
   bool find_own_edges(const Array<Trajectory<D>>& trajectories);
   void find_segments(const Array<Trajectory<D>>& trajectories);
   void find_solids(const Array<Trajectory<D>>& trajectories);
-  void find_hinges(const Array<Trajectory<D>>& trajectories);
+  void find_lone_edges(const Array<Trajectory<D>>& trajectories);
   void find_still(const Array<Trajectory<D>>& trajectories);
-  void meet_segments(const Side& segment, const Partner<D>& other, const Box<D>& box);
-  void meet_solids(const Side& side, const Partner<D>& other, const Box<D>& box);
-  void add_segments(const Side& a, const Side& b);
-  void add_pair(PairKind kind, const Side& a, const Side& b) { pairs_.push_back({kind, {a, b}}); }
+  void meet_segments(uint32_t side, const Partner<D>& other, const Box<D>& box);
+  void meet_solids(uint32_t side, const Partner<D>& other, const Box<D>& box);
+  void add_segments(uint32_t a, uint32_t b);
+  uint32_t add_side(uint32_t trajectory, const Partner<D>& name, const Simplex& part);
+  void add_pair(PairKind kind, uint32_t a, uint32_t b) { pairs_.push_back({kind, {a, b}}); }
   template <class Visit>
-  bool visit_pair(const Array<Trajectory<D>>& trajectories, const Pair& pair, Visit visit) const;
+  bool visit_pair(const Array<Trajectory<D>>& trajectories, PairKind kind, const Side& a, const Side& b,
+                  Visit visit) const;
+  template <class Visit>
+  bool visit_hinges(const Array<Trajectory<D>>& trajectories, uint32_t number, Visit visit) const;
   template <class Visit>
   bool visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit) const;
 
+  Array<Box<D>> vertex_boxes_;  // of the ways of one trajectory
+  Array<Side> sides_;
   Ways segments_, vertices_, faces_;  // segments: edges and vertices without edges
+  BoxSweep<D> sweep_;
   Array<Pair> pairs_;
-  Array<Hinge> hinges_;
   NearEdges near_;
+  mutable Array<Spoke> spokes_;  // of one vertex
+  bool has_hinges_ = false;
   bool bodies_meet_ = false;
 };
 
