@@ -136,6 +136,22 @@ DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point
                                     const dsw_scene_deform_options *options,
                                     dsw_deform_report *report, dsw_move_report *reports);
 
+/** Takes rigid bodies along their motions, as dsw_scene_move_rigid, while the environment goes to
+ * new positions, as in dsw_scene_deform: all at once and steadily, up to the first touch of anything.
+ * @param next `point_count` points, see dsw_scene_deform.
+ * @param motions one for each body.
+ * @param options `stop` is ALL and `response` STOP.
+ * @param report `outcome`: DONE, FRACTION, REFUSED or LIMITED. Contacts have `response` DSW_WALL_STOP.
+ * @param reports one for each body, as of dsw_scene_move_rigid.
+ * @return as dsw_scene_deform, and UNSUPPORTED: also another `stop` or `response`.
+ * @note Cost: as dsw_scene_move_rigid, and O(n + particles) for each of its steps. Writes the
+ * environment, too. Thread: one. @since 2.1 */
+DSW_API dsw_status dsw_scene_deform_rigid(dsw_scene *scene, double *next, size_t point_count,
+                                          const dsw_body_id *bodies, size_t count,
+                                          const dsw_rigid_motion *motions,
+                                          const dsw_scene_deform_options *options,
+                                          dsw_deform_report *report, dsw_move_report *reports);
+
 /** Finds the largest fraction f of given steps that is free, for a solver's line search. Nothing
  * moves. All vertices go at once, straight and steadily, to x + f * step, computed in doubles: the
  * ways to these rounded places are verified, as dsw_scene_move_together would, and the next double

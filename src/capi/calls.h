@@ -150,7 +150,9 @@ inline constexpr auto kTable = std::make_tuple(
     DSW_ROW(50, dsw_scene_move_together)(array<1, 2>("bodies"), points<3, 4, 5>("targets"), structure<6>("options")),
     DSW_ROW(51, dsw_scene_deform)(array<3, 4>("bodies"), points<5, 6, 7>("targets"), structure<8>("options"),
         MovedPoints<8>{"vertices"}),
-    DSW_ROW(52, dsw_scene_move_rigid)(array<1, 2>("bodies"), array<3, 2>("motions"), structure<4>("options")));
+    DSW_ROW(52, dsw_scene_move_rigid)(array<1, 2>("bodies"), array<3, 2>("motions"), structure<4>("options")),
+    DSW_ROW(53, dsw_scene_deform_rigid)(array<3, 4>("bodies"), array<5, 4>("motions"), structure<6>("options"),
+        MovedPoints<6>{"vertices"}));
 // clang-format on
 #undef DSW_ROW
 constexpr size_t kCallCount = std::tuple_size_v<decltype(kTable)>;

@@ -10,6 +10,7 @@
 #include "capi/moved_points.h"
 #include "capi/recorded.h"
 #include "scene/deformation.h"
+#include "scene/rigid_deform.h"
 #include "scene/rigid_moves.h"
 #include "scene/step_fraction.h"
 #include "scene/together_deform.h"
@@ -92,6 +93,26 @@ dsw_status dsw_scene_move_together(dsw_scene* scene, const dsw_body_id* bodies, 
   });
 }
 
+namespace {
+
+/** Motions that lead bodies to finite places. */
+template <int D>
+dsw::Array<dsw::RigidMove<D>> check_motions(const dsw::Scene<D>& scene, const dsw::Array<dsw::BodyRecord<D>*>& records,
+                                            const dsw_rigid_motion* motions) {
+  dsw::require_array(motions, records.size(), "motions");
+  dsw::Array<dsw::RigidMove<D>> rigid(scene.memory);
+  for (size_t i = 0; i < records.size(); ++i) {
+    char name[40];
+    std::snprintf(name, sizeof name, "motions[%zu].", i);
+    rigid.push_back(capi::to_motion<D>(motions[i], name));
+    if (stays_finite(records[i]->body, rigid[i])) continue;
+    fail(DSW_STATUS_NON_FINITE, "motions[%zu] leads further than doubles go", i);
+  }
+  return rigid;
+}
+
+}  // namespace
+
 dsw_status dsw_scene_move_rigid(dsw_scene* scene, const dsw_body_id* bodies, size_t count,
                                 const dsw_rigid_motion* motions, const dsw_together_options* options,
                                 dsw_move_report* reports) {
@@ -103,15 +124,7 @@ dsw_status dsw_scene_move_rigid(dsw_scene* scene, const dsw_body_id* bodies, siz
       fail(DSW_STATUS_UNSUPPORTED, "options->stop is FEATURE: rigid bodies stop as a whole");
     }
     const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
-    dsw::require_array(motions, count, "motions");
-    dsw::Array<dsw::RigidMove<D>> rigid(s.memory);
-    for (size_t i = 0; i < count; ++i) {
-      char name[40];
-      std::snprintf(name, sizeof name, "motions[%zu].", i);
-      rigid.push_back(capi::to_motion<D>(motions[i], name));
-      if (stays_finite(records[i]->body, rigid[i])) continue;
-      fail(DSW_STATUS_NON_FINITE, "motions[%zu] leads further than doubles go", i);
-    }
+    const dsw::Array<dsw::RigidMove<D>> rigid = check_motions(s, records, motions);
     capi::Recorded call(scene, capi::row_of<dsw_scene_move_rigid>, bodies, count, motions, &o);
     move_rigid_together(s, records.data(), rigid.data(), count, settings);
     call.done(capi::Moved<D>{records.data(), count});
@@ -151,6 +164,35 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
     deform_together(s, next, o.point_room, records.data(), count, points, settings);
     const dsw::WallRecord& record = s.deformation.get()->record;
     const dsw_deform_report done = capi::to_report(record, 0);
+    call.done(done, capi::Moved<D>{records.data(), count});
+    if (report != nullptr) *report = done;
+    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
+  });
+}
+
+dsw_status dsw_scene_deform_rigid(dsw_scene* scene, double* next, size_t point_count, const dsw_body_id* bodies,
+                                  size_t count, const dsw_rigid_motion* motions,
+                                  const dsw_scene_deform_options* options, dsw_deform_report* report,
+                                  dsw_move_report* reports) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
+    capi::check_enabled(s.features.deforming, "DSW_FEATURE_DEFORMING");
+    const dsw_scene_deform_options o = capi::read_optional(options, "options", 0);
+    const dsw::TogetherSettings settings = to_settings(o);
+    if (settings.stop != dsw::TogetherStop::kAll) {
+      fail(DSW_STATUS_UNSUPPORTED,
+           "options->stop is %u, must be ALL: rigid bodies stop as a whole, and all touch the same environment",
+           capi::raw_value(o.stop));
+    }
+    capi::check_next(s.env, next, point_count, o.point_room);
+    const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
+    const dsw::Array<dsw::RigidMove<D>> rigid = check_motions(s, records, motions);
+    dsw_scene_deform_options written = o;
+    written.point_room = capi::recorded_room(*scene, o.point_room);
+    capi::Recorded call(scene, capi::row_of<dsw_scene_deform_rigid>, next, point_count, bodies, count, motions,
+                        &written);
+    deform_rigid(s, next, o.point_room, records.data(), rigid.data(), count, settings);
+    const dsw_deform_report done = capi::to_report(s.deformation.get()->record, 0);
     call.done(done, capi::Moved<D>{records.data(), count});
     if (report != nullptr) *report = done;
     for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);

@@ -1,4 +1,4 @@
-// When a feature that turns first enters another one that stands, by integers: touching counts only where the pair also touches
+// When a feature that turns first enters another one that stands or goes straight, by integers: touching counts only where the pair also touches
 // under the shift, by which the feature that turns is displaced. Private to this folder.
 //
 // 1. Let V be the volume of the pair, a polynomial in time. The shift e = (e1, e2, e3) makes it V + e1 V1 + e2 V2 + e3 V3, where

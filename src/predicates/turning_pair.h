@@ -34,7 +34,7 @@ struct TurningPair {
 template <int D>
 FirstTouch first_touch(const TurningPair<D>& pair, PairWork* work = nullptr);
 
-// When a feature that turns first touches one that does not, if the one that turns is shifted: there are no ties then.
+// When a feature that turns first touches one that stands or goes straight, if the one that turns is shifted: there are no ties then.
 // What the shift leaves open counts as a touch. At time 0 it does not count, and is_open is set.
 struct FirstEntry {
   FirstTouch touch;

@@ -1,7 +1,9 @@
 #include "response/rigid_touches.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "motion/place_on_way.h"
 #include "proximity/part.h"
 
 namespace dsw {
@@ -12,25 +14,17 @@ namespace dsw {
 // What is near early is asked about first: its touch leaves less of the way to look at. Of touches at one time that of the
 // first obstacle, and there of the first part, counts, whatever was asked first.
 template <int D>
-FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners) {
-  first_ = {false, 1};
+FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners,
+                                       double until, const double* reached) {
+  first_ = {false, until};
+  flood_.set_next(reached == nullptr ? next_ : reached);
   is_open_ = false;
   obstacles_.clear();
   parts_.clear();
   others_.clear();
   turns_.clear();
   find_obstacles(body, way);
-  for (const WallFeature& obstacle : obstacles_.obstacles()) {
-    RigidTouch<D> wall;
-    wall.count = obstacle.count;
-    wall.facet = obstacle.facet;
-    wall.cell = obstacle.cell;
-    for (uint32_t i = 0; i < obstacle.count; ++i) {
-      wall.vertices[i] = obstacle.vertices[i];
-      wall.points[i] = env_.point(wall.vertices[i]);
-    }
-    add(way, wall);
-  }
+  for (const WallFeature& obstacle : obstacles_.obstacles()) add_obstacle(way, obstacle);
   for (uint32_t i = 0; partners != nullptr && i < partners->all.size(); ++i) {
     if (partners->all[i].body != &body) add_body(way, *partners, i);
   }
@@ -40,7 +34,11 @@ FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& w
             [](const Turn& a, const Turn& b) { return a.piece != b.piece ? a.piece < b.piece : a.number < b.number; });
   for (const Turn& turn : turns_) {
     if (turn.piece > last_piece(way)) break;
-    meet(body, way, turn);
+    if (others_[turn.number].ends[0] != others_[turn.number].points[0]) {
+      meet_moving(way, turn);
+    } else {
+      meet(body, way, turn);
+    }
   }
   return first_;
 }
@@ -51,7 +49,8 @@ void RigidTouches<D>::find_obstacles(const Body<D>& body, const RigidWay<D>& way
   uint32_t v = 0;
   while (v < body.vertices.size() && !body.has_vertex(v)) ++v;
   if (v == body.vertices.size()) return;
-  const Box<D>& all = way.box();
+  Box<D> all;
+  for (uint32_t piece = 0; piece <= last_piece(way); ++piece) all.add(way.box(piece));
   const double* const corners[2] = {all.lower, all.upper};
   NearRegion<D> region(corners, 1, 0);
   double at[D];
@@ -65,13 +64,61 @@ void RigidTouches<D>::find_obstacles(const Body<D>& body, const RigidWay<D>& way
   }
 }
 
+template <int D>
+void RigidTouches<D>::add_obstacle(const RigidWay<D>& way, const WallFeature& obstacle) {
+  RigidTouch<D> wall;
+  wall.count = obstacle.count;
+  wall.facet = obstacle.facet;
+  wall.cell = obstacle.cell;
+  bool moves = false;
+  for (uint32_t i = 0; i < obstacle.count; ++i) {
+    const uint32_t v = obstacle.vertices[i];
+    wall.vertices[i] = v;
+    wall.points[i] = wall.ends[i] = env_.point(v);
+    if (next_ == nullptr) continue;
+    wall.ends[i] = next_ + size_t{D} * v;
+    moves = moves || !std::equal(wall.points[i], wall.points[i] + D, wall.ends[i]);
+  }
+  if (!moves) std::copy_n(wall.points, 3, wall.ends);
+  add(way, wall);
+}
+
+/** The box of an obstacle, or of a part of another body, in a piece. */
+template <int D>
+Box<D> RigidTouches<D>::box_of(const RigidTouch<D>& other, const RigidWay<D>& way, uint32_t piece) noexcept {
+  Box<D> box;
+  const double number = way.pieces();
+  for (uint32_t i = 0; i < other.count; ++i) {
+    if (other.ends[0] == other.points[0]) {
+      box.add(other.points[i]);
+      continue;
+    }
+    for (const uint32_t time : {piece, piece + 1}) {
+      double low[D], high[D];
+      place_on_way<D>(other.points[i], other.ends[i], time / number, low);
+      for (int k = 0; k < D; ++k) {
+        const double room = 0x1p-40 * std::max(std::fabs(other.points[i][k]), std::fabs(other.ends[i][k]));
+        high[k] = low[k] + room;
+        low[k] -= room;
+      }
+      box.add(low);
+      box.add(high);
+    }
+  }
+  return box;
+}
+
 /** Takes note of an obstacle, or of a part of another body: a triangle, a segment or a point. */
 template <int D>
 void RigidTouches<D>::add(const RigidWay<D>& way, const RigidTouch<D>& other) {
+  const bool moves = other.ends[0] != other.points[0];
   const auto is_near = [&](const Box<D>& box) { return box.overlaps(other.points, static_cast<int>(other.count)); };
-  if (!is_near(way.box())) return;
+  if (!moves && !is_near(way.box())) return;
   uint32_t piece = 0;
-  while (piece < way.pieces() && !is_near(way.box(piece))) ++piece;
+  const auto is_near_in = [&] {
+    return moves ? way.box(piece).overlaps(box_of(other, way, piece)) : is_near(way.box(piece));
+  };
+  while (piece < way.pieces() && !is_near_in()) ++piece;
   if (piece == way.pieces()) return;
   turns_.push_back({piece, static_cast<uint32_t>(others_.size())});
   others_.push_back(other);
@@ -88,6 +135,7 @@ void RigidTouches<D>::add_body(const RigidWay<D>& way, const Partners<D>& partne
     both.other = simplex;
     both.count = part.corners.count;
     std::copy_n(part.points, 3, both.points);
+    std::copy_n(part.points, 3, both.ends);
     add(way, both);
     return true;
   });
@@ -148,6 +196,23 @@ void RigidTouches<D>::meet(const Body<D>& body, const RigidWay<D>& way, const Tu
   }
 }
 
+/** An obstacle that moves: in each piece the boxes of the parts are compared with its own. */
+template <int D>
+void RigidTouches<D>::meet_moving(const RigidWay<D>& way, const Turn& turn) {
+  RigidTouch<D> both = others_[turn.number];
+  asked_.assign(parts_.size(), 0);
+  for (uint32_t piece = turn.piece; piece <= last_piece(way); ++piece) {
+    const Box<D> box = box_of(both, way, piece);
+    if (!way.box(piece).overlaps(box)) continue;
+    for (size_t i = 0; i < parts_.size(); ++i) {
+      const SimplexCorners<D>& corners = parts_[i].corners;
+      if (!way.box(piece, corners.vertices, corners.count).overlaps(box)) continue;
+      asks_ = uint64_t{turn.number} << 32 | i;
+      touch(parts_[i], way, both, 0, &asked_[i]);
+    }
+  }
+}
+
 /** Asks about a part and an obstacle, or a part of another body. Sides of triangles and ends of edges count: what only
  * they touch is asked about as well.
  * @param beyond which ends of the obstacle the part does not come to in this piece.
@@ -155,11 +220,15 @@ void RigidTouches<D>::meet(const Body<D>& body, const RigidWay<D>& way, const Tu
 template <int D>
 void RigidTouches<D>::touch(const Part& part, const RigidWay<D>& way, RigidTouch<D>& touch, uint32_t beyond,
                             uint8_t* asked) {
-  const double* const* const points = touch.points;
+  const double *const *const points = touch.points, *const *const ends = touch.ends;
   const uint32_t count = touch.count, own = part.corners.count;
   TurningPair<D> pair{};
   const auto mine = [&](uint32_t i) { return way.origin(part.corners.vertices[i]); };
   const auto set = [&](uint32_t at, const double* point) { pair.start[at] = pair.end[at] = point; };
+  const auto set_other = [&](uint32_t at, uint32_t i) {
+    pair.start[at] = points[i];
+    pair.end[at] = ends[i];
+  };
   const auto begin = [&](PairKind kind, uint32_t mine_first) {
     touch.part = part.name;
     pair.kind = kind;
@@ -177,22 +246,22 @@ void RigidTouches<D>::touch(const Part& part, const RigidWay<D>& way, RigidTouch
     set(1, mine(1));
     for (uint32_t i = 0; i < (count == 2 ? 1 : count); ++i) {
       if (ObstacleSides<D>::misses_side(beyond, i) || !is_new(i)) continue;
-      set(2, points[i]);
-      set(3, points[(i + 1) % count]);
+      set_other(2, i);
+      set_other(3, (i + 1) % count);
       ask(pair, touch);
     }
   } else if (own == 1 && count == D) {
     if (!is_new(0)) return;
     begin(D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge, 1);
     set(0, mine(0));
-    for (uint32_t i = 0; i < D; ++i) set(i + 1, points[i]);
+    for (uint32_t i = 0; i < D; ++i) set_other(i + 1, i);
     ask(pair, touch);
   } else if (own == D) {
     begin(D == 3 ? PairKind::kVertexFace : PairKind::kVertexEdge, 0);
     for (uint32_t i = 0; i < D; ++i) set(i + 1, mine(i));
     for (uint32_t i = 0; i < count; ++i) {
       if (ObstacleSides<D>::misses_corner(beyond, i) || !is_new(i)) continue;
-      set(0, points[i]);
+      set_other(0, i);
       ask(pair, touch);
     }
   }

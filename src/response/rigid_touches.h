@@ -13,8 +13,8 @@ namespace dsw {
 template <int D>
 struct RigidTouch {
   Simplex part{};
-  // The corners of what is touched; of the environment they have names.
-  const double* points[3] = {};
+  // The corners of what is touched, and where they go if the environment moves; of the environment they have names.
+  const double *points[3] = {}, *ends[3] = {};
   uint32_t vertices[3] = {kNone, kNone, kNone};
   uint32_t count = 0;
   HalfFacet facet;  // as in WallFeature
@@ -37,8 +37,14 @@ class RigidTouches {
         beyond_(env.memory),
         asked_(env.memory) {}
 
-  /** Finds when the body first enters something: a wall under the shift, or another body as soon as they touch. */
-  FirstTouch find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners);
+  /** From now on the environment's points go straight to these. Null: they stand still. */
+  void set_next(const double* points) noexcept { next_ = points; }
+
+  /** Finds when the body first enters something: a wall under the shift, or another body as soon as they touch.
+   * @param until what is entered after this time need not be found.
+   * @param reached where points of the environment that go are at that time: null: next. */
+  FirstTouch find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners, double until = 1,
+                        const double* reached = nullptr);
   /** Whether find_first has found pairs that touch at time 0 and does not know what they do then. */
   bool is_open_at_start() const noexcept { return is_open_; }
   /** What find_first has found, if it enters anything. */
@@ -46,6 +52,8 @@ class RigidTouches {
 
   /** What find_first has found of the environment that can be met in the box of the way. */
   const NearList<D>& obstacles() const noexcept { return obstacles_; }
+  /** The cells that find_first has come by. */
+  const CellQueue& cells() const noexcept { return flood_.cells(); }
 
  private:
   struct Part {
@@ -57,10 +65,13 @@ class RigidTouches {
     uint32_t piece, number;
   };
   void find_obstacles(const Body<D>& body, const RigidWay<D>& way);
+  void add_obstacle(const RigidWay<D>& way, const WallFeature& obstacle);
   void add(const RigidWay<D>& way, const RigidTouch<D>& other);
   void add_body(const RigidWay<D>& way, const Partners<D>& partners, uint32_t number);
   void find_parts(const Body<D>& body);
+  static Box<D> box_of(const RigidTouch<D>& other, const RigidWay<D>& way, uint32_t piece) noexcept;
   void meet(const Body<D>& body, const RigidWay<D>& way, const Turn& turn);
+  void meet_moving(const RigidWay<D>& way, const Turn& turn);
   void look_from(const Body<D>& body, const RigidWay<D>& way, const ObstacleSides<D>& sides, uint32_t piece,
                  uint16_t* beyond) const;
   void touch(const Part& part, const RigidWay<D>& way, RigidTouch<D>& touch, uint32_t beyond, uint8_t* asked);
@@ -68,6 +79,7 @@ class RigidTouches {
   uint32_t last_piece(const RigidWay<D>& way) const noexcept;
 
   const Environment<D>& env_;
+  const double* next_ = nullptr;
   ObstacleFlood<D> flood_;
   NearList<D> obstacles_;
   Array<Part> parts_;  // in the order of for_each_simplex

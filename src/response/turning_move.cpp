@@ -17,7 +17,7 @@ namespace dsw {
 
 namespace {
 
-constexpr int kMostTries = 4000, kMostRetreats = 6, kMostLeap = 16, kMostGap = 16;
+constexpr int kMostTries = 4000, kMostGap = 16;
 constexpr double kStepInTouch = 0x1p-6, kSameTouch = 0x1p-20;
 constexpr double kLeastThick = 0x1p-44;  // finer steps are below what distances of thick bodies may lose
 
@@ -47,55 +47,15 @@ struct TurningMove<D>::Steps {
   }
 };
 
-/** Goes on by bisection, up to where the body can't go. */
 template <int D>
-void TurningMove<D>::go_nearer(Steps& steps, double limit, double least) {
-  while (limit - steps.at > least) {
-    const double next = 0.5 * (steps.at + limit);
-    if (!(next > steps.at && next < limit)) break;
-    if (!steps.go_to(next)) limit = next;
-  }
-}
-
-/** The place to go to before a touch. Fractions next to each other may be many units apart. */
-template <int D>
-double TurningMove<D>::end_before(double touch) const noexcept {
-  return touch > 1 ? 1 : way_.is_coarse() ? touch : touch - way_.least_step();
-}
-
-/** Goes as far as it can, or to an end just before `touch`. Returns whether it has come there. */
-template <int D>
-bool TurningMove<D>::go(Steps& steps, double touch, double most_step) {
-  const double least = way_.least_step(), end = end_before(touch);
-  double step = most_step;
-  while (steps.at < end && steps.tries < kMostTries) {
-    const bool is_last = end - steps.at <= step;
-    const double from = steps.at, next = is_last ? end : from + step;
-    if (steps.go_to(next)) {
-      step = std::min(2 * step, most_step);
-      continue;
-    }
-    // Where only the rounding of the last place touches, one a little before it does not.
-    double limit = end;
-    for (int i = 1; is_last && touch <= 1 && i <= kMostRetreats; ++i) {
-      const double before = end - std::ldexp(least, 2 * i);
-      if (!(before > from)) break;
-      if (steps.go_to(before)) {
-        if (way_.is_coarse() || i > 1) go_nearer(steps, limit, way_.is_coarse() ? 0 : 2 * least);
-        return true;
-      }
-      limit = before;
-    }
-    step = 0.5 * (next - from);
-    if ((!(step >= least) || from + step == from) && !leap(steps, end)) return false;
-  }
-  return steps.at >= end;
+RigidSteps<typename TurningMove<D>::Steps> TurningMove<D>::along(Steps& steps) const noexcept {
+  return {steps, way_.least_step(), way_.is_coarse(), kMostTries};
 }
 
 /** Thick bodies go in halves of the way, halves of these, and so on: where one is too wide for what it keeps from, it is halved. */
 template <int D>
 bool TurningMove<D>::go_thick(Steps& steps, double touch, double most_step) {
-  const double end = end_before(touch), least = std::max(way_.least_step(), kLeastThick);
+  const double end = along(steps).end_before(touch), least = std::max(way_.least_step(), kLeastThick);
   double step = most_step;
   while (steps.at < end && steps.tries < kMostTries) {
     const double next = std::min(end, steps.at + step);
@@ -109,30 +69,20 @@ bool TurningMove<D>::go_thick(Steps& steps, double touch, double most_step) {
   return steps.at >= end;
 }
 
-/** Goes past places whose rounding touches something, though the way does not. */
-template <int D>
-bool TurningMove<D>::leap(Steps& steps, double end) {
-  for (int i = 1; i <= kMostLeap; ++i) {
-    const double next = steps.at + std::ldexp(way_.least_step(), i);
-    if (next >= end) break;
-    if (steps.go_to(next)) return true;
-  }
-  return false;
-}
-
 /** Where the body has stopped too far before a touch, goes nearer. What a long chord met, as its vertices go one after the other,
  * a shorter one from nearer by may not meet. */
 template <int D>
 void TurningMove<D>::approach(Steps& steps, double touch) {
+  RigidSteps<Steps> nearer = along(steps);
   const auto is_near = [&] { return is_at_touch(steps.body, kMostGap * way_.unit()); };
   for (double before = -1; before < steps.at && !is_near();) {
     before = steps.at;
-    go_nearer(steps, end_before(touch), way_.is_coarse() ? 0 : 2 * way_.least_step());
+    nearer.go_nearer(nearer.end_before(touch), way_.is_coarse() ? 0 : 2 * way_.least_step());
   }
   if (is_near()) return;
   // All places just before it: on a flat way the rounding of most of them touches already.
   for (int i = 0; i < 4 * kMostGap; ++i) {
-    const double next = end_before(touch) - 0.25 * i * way_.least_step();
+    const double next = nearer.end_before(touch) - 0.25 * i * way_.least_step();
     if (!(next > steps.at) || steps.go_to(next)) return;
   }
 }
@@ -198,7 +148,7 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     // What stops the body much earlier is something else. A flat way is within the last place of what it touches for as much
     // as the root of that.
     bool arrives = is_thick && go_thick(chords, touch, most_step);
-    if (!arrives && radius == 0) arrives = go(chords, touch, is_thick ? kStepInTouch : most_step);
+    if (!arrives && radius == 0) arrives = along(chords).go(touch, is_thick ? kStepInTouch : most_step);
     if (!arrives && touch <= 1 && !is_at_touch(body, kSameTouch * way_.largest())) touch = kNoTouch;
     if (!is_thick && touch <= 1) approach(chords, touch);
     if (chords.at < 1) record_contact(chords, partners, touch, record);

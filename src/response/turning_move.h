@@ -2,6 +2,7 @@
 // A body moved rigidly: as far as its rigid way is free.
 
 #include "response/body_move.h"
+#include "response/rigid_steps.h"
 #include "response/rigid_touches.h"
 
 namespace dsw {
@@ -21,12 +22,9 @@ class TurningMove {
  private:
   struct Steps;
   void reverse(const Body<D>& body, MoveOrder order);
-  bool go(Steps& steps, double touch, double most_step);
+  RigidSteps<Steps> along(Steps& steps) const noexcept;
   bool go_thick(Steps& steps, double touch, double most_step);
-  bool leap(Steps& steps, double end);
-  double end_before(double touch) const noexcept;
   void approach(Steps& steps, double touch);
-  void go_nearer(Steps& steps, double limit, double least);
   bool is_at_touch(const Body<D>& body, double distance) const;
   void record_contact(Steps& steps, const Partners<D>* partners, double touch, MoveRecord& record);
 

@@ -21,6 +21,8 @@ class MovingWalls {
   void begin(PointsWay<D>& way, Array<dsw_volume_id>& invalid) noexcept;
   /** Finds what comes near the whole ways of all parts in the call. Throws NON_FINITE also. */
   void start(const Array<Trajectory<D>>& trajectories);
+  /** From now on the points go on straight to these, beyond where they were collected. */
+  void set_next(const double* points) noexcept { next_ = points; }
   /** Whether all cells that are met stay valid. */
   bool stay_valid() const noexcept { return stay_valid_; }
   /** From now on the ways end at a fraction of the whole ways. */

@@ -1,6 +1,7 @@
 // First the exact test says up to when all ways are free, as in turning_move.cpp. Then the bodies go there in steps in which all of their
 // vertices go straight, at once: that finds the cells of the vertices, and verifies the rounded places. If a step meets something,
-// it is halved: between a chord and its arc something may stand.
+// it is halved: between a chord and its arc something may stand. An environment that moves as well goes along in these steps, and is
+// looked at up to where the volumes that the bodies come by stay valid.
 
 #include "together/turning_together.h"
 
@@ -10,13 +11,15 @@
 #include "base/search.h"
 #include "base/vec.h"
 #include "contact/describe.h"
+#include "motion/halving.h"
+#include "response/rigid_steps.h"
 #include "response/touch_record.h"
 
 namespace dsw {
 
 namespace {
 
-constexpr int kMostStepTries = 400, kMostStepRetreats = 6;
+constexpr int kMostStepTries = 400;
 constexpr double kStepFromTouch = 0x1p-6, kNoTouchAtAll = 2;
 
 }  // namespace
@@ -31,6 +34,9 @@ struct TurningTogether<D>::Call {
   bool turns = false, is_thick = false;
   int tries = 0;
   double at = 0;
+  RoomSteps<D>* room = nullptr;
+  double limit = 1;  // up to which part of the motion it is known what happens
+  bool stay_valid = true;
 
   void keep(Array<BodyVertex<D>> RigidTrajectory<D>::*where) {
     for (RigidTrajectory<D>& each : bodies) {
@@ -45,17 +51,38 @@ struct TurningTogether<D>::Call {
 /** What is touched first. */
 template <int D>
 struct TurningTogether<D>::Met {
-  size_t body = 0, other = 0;  // numbers in the call; the same twice: `touch` says what is touched
-  RigidTouch<D> touch{};       // of `body`
+  // Numbers in the call. The same twice: `touch` says what is touched. None of a body: walls touch what stands.
+  size_t body = 0, other = 0;
+  RigidTouch<D> touch{};  // of `body`
 };
+
+/** Looks at the whole motion; while volumes that are met do not stay valid, at 1/2, 1/4, ... of it. */
+template <int D>
+FirstTouch TurningTogether<D>::look(Call& call, Met* met, bool* is_open) {
+  FirstTouch first = find_first(call, met, is_open);
+  Halving halving;
+  while (!call.stay_valid) {
+    call.room->keep_invalid();
+    call.limit = halving.next() ? halving.way : 0;
+    if (call.limit == 0) return {false, 1};
+    call.stay_valid = true;
+    first = find_first(call, met, is_open);
+  }
+  if (first.touches && first.time > call.limit) first.touches = false;
+  if (call.room != nullptr) call.least = std::min(call.least, call.room->least_step());
+  return first;
+}
 
 template <int D>
 FirstTouch TurningTogether<D>::find_first(Call& call, Met* met, bool* is_open) {
   FirstTouch first{false, 1};
   *is_open = false;
+  touches_.set_next(call.room == nullptr ? nullptr : call.room->next());
+  const double* const reached = call.room == nullptr ? nullptr : call.room->look_to(call.limit);
   for (size_t i = 0; i < call.bodies.size(); ++i) {
     const RigidTrajectory<D>& a = call.bodies[i];
-    const FirstTouch touch = touches_.find_first(*a.body, a.way, a.still);
+    const FirstTouch touch = touches_.find_first(*a.body, a.way, a.still, call.limit, reached);
+    if (call.room != nullptr && !call.room->stay_valid(touches_.cells(), a.way.unit())) call.stay_valid = false;
     *is_open = *is_open || touches_.is_open_at_start();
     if (touch.touches && (!first.touches || touch.time < first.time)) {
       first = touch;
@@ -73,6 +100,10 @@ FirstTouch TurningTogether<D>::find_first(Call& call, Met* met, bool* is_open) {
       *is_open = *is_open || pairs_.touches_at_start();
     }
   }
+  if (call.room == nullptr) return first;
+  const FirstTouch of_bodies = first;
+  if (!call.room->find_first(first)) call.stay_valid = false;
+  if (first.time != of_bodies.time || first.touches != of_bodies.touches) *met = {call.bodies.size(), 0, {}};
   return first;
 }
 
@@ -129,6 +160,11 @@ bool TurningTogether<D>::go_to(Call& call, double fraction, bool records) {
     }
   }
   if (call.is_thick && !keeps_distances(call, fraction, records)) return false;
+  if (call.room != nullptr) {
+    const bool goes = call.room->go_to(call.trajectories, fraction, call.bodies_meet, call.settings, records);
+    if (goes) call.at = fraction;
+    return goes;
+  }
   steps_.move(call.trajectories, call.bodies_meet, call.settings);
   const bool arrives = dsw::all_of(call.trajectories.begin(), call.trajectories.end(),
                                    [](const Trajectory<D>& each) { return each.record->fraction == 1; });
@@ -143,37 +179,37 @@ bool TurningTogether<D>::go_to(Call& call, double fraction, bool records) {
 /** Goes as far as it can, or to an end just before `touch`. Returns whether it has come there. */
 template <int D>
 bool TurningTogether<D>::go(Call& call, double touch, double most_step) {
-  const double end = touch <= 1 ? touch - call.least : 1;
-  double step = most_step;
-  while (call.at < end && call.tries < kMostStepTries) {
-    const bool is_last = end - call.at <= step;
-    const double from = call.at, next = is_last ? end : from + step;
-    if (go_to(call, next)) {
-      step = std::min(2 * step, most_step);
-      continue;
-    }
-    // Where only the rounding of the last place touches, one a little before it does not.
-    for (int i = 1; is_last && touch <= 1 && i <= kMostStepRetreats; ++i) {
-      const double before = end - std::ldexp(call.least, 2 * i);
-      if (!(before > from)) break;
-      if (go_to(call, before)) return true;
-    }
-    step = 0.5 * (next - from);
-    // Finer steps are below what distances of thick bodies may lose.
-    if (!(step >= (call.is_thick ? std::max(call.least, 0x1p-44) : call.least)) || from + step == from) return false;
-  }
-  return call.at >= end;
+  struct Steps {
+    TurningTogether& move;
+    Call& call;
+    double& at = call.at;
+    int& tries = call.tries;
+    bool go_to(double fraction) { return move.go_to(call, fraction); }
+  };
+  Steps steps{*this, call};
+  RigidSteps<Steps> along{steps, call.least, call.least == RigidWay<D>::kLeastStep, kMostStepTries, call.limit};
+  // Finer steps are below what distances of thick bodies may lose.
+  if (call.is_thick) along.shortest = 0x1p-44;
+  return along.go(touch, most_step);
 }
 
 /** Keeps contacts of what is touched first, with the bodies where they are. */
 template <int D>
-void TurningTogether<D>::record_met(Call& call, const Met& met) {
+void TurningTogether<D>::record_met(Call& call, Met& met) {
+  if (met.body == call.bodies.size()) return call.room->keep_standing();
   const auto record = [&](size_t i, const RigidTouch<D>& touch, const Partner<D>* other) {
     record_touch(env_, *call.bodies[i].body, call.bodies[i].way, touch, other, *call.trajectories[i].record);
   };
   const uint32_t still = met.touch.partner;
   if (met.body == met.other) {
-    return record(met.body, met.touch, still == kNone ? nullptr : &call.bodies[met.body].still->all[still]);
+    for (uint32_t i = 0; still == kNone && i < met.touch.count; ++i) {
+      met.touch.points[i] = env_.point(met.touch.vertices[i]);  // where it is now
+    }
+    record(met.body, met.touch, still == kNone ? nullptr : &call.bodies[met.body].still->all[still]);
+    if (still == kNone && call.room != nullptr) {
+      call.room->keep_wall(call.trajectories[met.body], met.touch.part, met.touch.vertices, met.touch.count);
+    }
+    return;
   }
   const auto record_one = [&](size_t i, const Simplex& part, size_t j, const Simplex& other) {
     RigidTouch<D> touch;
@@ -191,17 +227,19 @@ void TurningTogether<D>::record_met(Call& call, const Met& met) {
 
 /** Tries to go on, and keeps what stops it. Where nothing does, all are taken back, and what is touched first is kept. */
 template <int D>
-void TurningTogether<D>::record_contacts(Call& call, double touch, const Met& met) {
+void TurningTogether<D>::record_contacts(Call& call, double touch, Met& met) {
   const double at = call.at;
   call.keep(&RigidTrajectory<D>::before);
   for (double further = 16 * call.least;; further *= 64) {
-    const double next = std::min(1.0, std::max(at, touch <= 1 ? touch : at) + further);
+    const double next = std::min(call.limit, std::max(at, touch <= 1 ? touch : at) + further);
     if (!go_to(call, next, true)) break;
     call.put(&RigidTrajectory<D>::before);
+    if (call.room != nullptr) call.room->take_back();
     call.at = at;
-    if (next == 1) break;
+    if (next == call.limit) break;
   }
-  const bool is_known = dsw::any_of(call.trajectories.begin(), call.trajectories.end(),
+  const bool is_known = (call.room != nullptr && !call.room->contacts.empty()) ||
+                        dsw::any_of(call.trajectories.begin(), call.trajectories.end(),
                                     [](const Trajectory<D>& each) { return !each.record->contacts.empty(); });
   if (!is_known && touch <= 1) record_met(call, met);
   for (size_t i = 0; i < call.bodies.size(); ++i) {
@@ -217,9 +255,10 @@ void TurningTogether<D>::record_contacts(Call& call, double touch, const Met& me
 }
 
 template <int D>
-void TurningTogether<D>::move(Array<RigidTrajectory<D>>& bodies, Array<Trajectory<D>>& trajectories, bool bodies_meet,
-                              const TogetherSettings& settings) {
+double TurningTogether<D>::move(Array<RigidTrajectory<D>>& bodies, Array<Trajectory<D>>& trajectories, bool bodies_meet,
+                                const TogetherSettings& settings, RoomSteps<D>* room) {
   Call call{bodies, trajectories, bodies_meet, settings};
+  call.room = room;
   call.settings.stop = TogetherStop::kAll;
   call.keep(&RigidTrajectory<D>::start);
   for (RigidTrajectory<D>& each : bodies) {
@@ -230,18 +269,21 @@ void TurningTogether<D>::move(Array<RigidTrajectory<D>>& bodies, Array<Trajector
   }
   Met met;
   bool is_open = false;
-  const FirstTouch first = find_first(call, &met, &is_open);
+  const FirstTouch first = look(call, &met, &is_open);
+  if (room != nullptr) room->join(trajectories);
   double touch = first.touches ? first.time : kNoTouchAtAll;
   // What stops them much earlier is something that touched at the start, or the next touch is not known.
   if (!go(call, touch, call.turns && is_open ? kStepFromTouch : 1) && touch - call.at > 0x1p-20) touch = kNoTouchAtAll;
-  if (call.at < 1) record_contacts(call, touch, met);
+  if (call.at < call.limit) record_contacts(call, touch, met);
   for (size_t i = 0; i < bodies.size(); ++i) {
     MoveRecord& record = *trajectories[i].record;
-    if (call.at == 1) record.contacts.clear(), record.partners.clear(), record.previous.clear();
+    if (call.at == call.limit) record.contacts.clear(), record.partners.clear(), record.previous.clear();
     record.fraction = call.at;
     record.moved = static_cast<uint32_t>(bodies[i].body->vertex_slots.alive_count());
     record.stopped = call.at == 1 ? 0 : record.moved;
   }
+  if (room != nullptr) room->set_time(touch <= 1 ? touch : call.at);
+  return call.at;
 }
 
 template class TurningTogether<2>;
