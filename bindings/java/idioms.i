@@ -77,6 +77,11 @@
     return reports;
   }
 
+  /** Moves bodies as moveRigid while the environment goes to positions of its vertices, a copy, all at once; options may be null. */
+  public DeformReport deformRigid(double[] positions, BodyIdArray bodies, double[] motions, SceneDeformOptions options) {
+    return deformRigid(DoubleBuffer.wrap(positions), bodies, motions, options);
+  }
+
   /** Takes the environment to positions of its vertices, a copy, and bodies to targets, all at once; bodies and targets may be null. */
   public DeformReport deform(double[] positions, BodyIdArray bodies, double[] targets) {
     return deform(DoubleBuffer.wrap(positions), bodies, targets == null ? null : DoubleBuffer.wrap(targets));

@@ -11,12 +11,12 @@ namespace {
 
 /** One call. */
 template <int D>
-class Call : DeformCall<D> {
+class RigidDeformCall : DeformCall<D> {
   using Base = DeformCall<D>;
   using Base::env, Base::points, Base::record, Base::scene;
 
  public:
-  Call(Scene<D>& of, double* next, BodyRecord<D>* const* bodies, const RigidMove<D>* motions, size_t count)
+  RigidDeformCall(Scene<D>& of, double* next, BodyRecord<D>* const* bodies, const RigidMove<D>* motions, size_t count)
       : Base(of, next), bodies_(bodies), motions_(motions), count_(count), before_(bodies, count, of.memory) {}
 
   void gather();
@@ -24,6 +24,7 @@ class Call : DeformCall<D> {
   void keep_results(size_t point_room);
 
  private:
+  void refuse_thick() const;
   void arrive(double fraction);
   void take_back_all();
   void stay();
@@ -39,8 +40,18 @@ class Call : DeformCall<D> {
   RoomSteps<D> room_{env};
 };
 
+/** Throws before anything has changed. */
 template <int D>
-void Call<D>::gather() {
+void RigidDeformCall<D>::refuse_thick() const {
+  for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
+    if (!scene.body_slots.alive(slot, scene.body_slots.generation(slot))) continue;
+    if (scene.bodies[slot].body.radius > 0) fail(DSW_STATUS_UNSUPPORTED, "a body of the scene has a radius");
+  }
+}
+
+template <int D>
+void RigidDeformCall<D>::gather() {
+  refuse_thick();
   Array<Box<D>> reaches(scene.memory);
   shapes_.reserve(count_);
   for (size_t i = 0; i < count_; ++i) {
@@ -65,7 +76,7 @@ void Call<D>::gather() {
 }
 
 template <int D>
-void Call<D>::run(const TogetherSettings& settings) {
+void RigidDeformCall<D>::run(const TogetherSettings& settings) {
   record.clear();
   try {
     room_.begin(points.nexts(), record.invalid);
@@ -91,7 +102,7 @@ void Call<D>::run(const TogetherSettings& settings) {
 
 /** The host's points are where the environment has gone, and it reads them. */
 template <int D>
-void Call<D>::arrive(double fraction) {
+void RigidDeformCall<D>::arrive(double fraction) {
   if (fraction < 1) {
     points.keep_targets();
     std::copy_n(env.points, size_t{D} * env.map.vertex_count, points.nexts());
@@ -100,14 +111,14 @@ void Call<D>::arrive(double fraction) {
 }
 
 template <int D>
-void Call<D>::take_back_all() {
+void RigidDeformCall<D>::take_back_all() {
   this->take_back(moved_.trajectories);
   before_.put_all_back();
 }
 
 /** All bodies are where they were, at the work limit. */
 template <int D>
-void Call<D>::stay() {
+void RigidDeformCall<D>::stay() {
   for (size_t i = 0; i < count_; ++i) {
     const RigidTrajectory<D>& of = moved_.turning[i];
     stay_at_limit(*bodies_[i], [&](uint32_t v, double* to) { of.place(of.user, v, of.body->position(v), 1, to); });
@@ -116,7 +127,7 @@ void Call<D>::stay() {
 }
 
 template <int D>
-void Call<D>::keep_results(size_t point_room) {
+void RigidDeformCall<D>::keep_results(size_t point_room) {
   this->keep_points(point_room);
   this->finish(bodies_, count_, moved_.trajectories);
 }
@@ -126,7 +137,7 @@ void Call<D>::keep_results(size_t point_room) {
 template <int D>
 void deform_rigid(Scene<D>& scene, double* next, size_t point_room, BodyRecord<D>* const* bodies,
                   const RigidMove<D>* motions, size_t count, const TogetherSettings& settings) {
-  Call<D> call(scene, next, bodies, motions, count);
+  RigidDeformCall<D> call(scene, next, bodies, motions, count);
   call.gather();
   call.run(settings);
   call.keep_results(point_room);

@@ -25,7 +25,7 @@ class RoomSteps {
   /** Whether cells stay valid on the way to where look_to() has led.
    * @param unit one unit in the last place of what is near them. */
   bool stay_valid(const CellQueue& cells, double unit);
-  /** Those that did not are told. */
+  /** The cells that did not stay valid in the last look are told. */
   void keep_invalid() { invalid_->assign(met_invalid_.begin(), met_invalid_.end()); }
   /** The share of the way in which nothing goes further than one unit in the last place. */
   double least_step() const noexcept { return least_step_; }

@@ -48,6 +48,7 @@ static grid g_grid;
 static dsw_environment *g_env; /* SIDE * SIDE * SIDE cubes */
 static dsw_scene *g_scene;
 static double g_next[3 * POINTS];
+static const dsw_rigid_motion kStays = {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
 static dsw_flight g_flight;
 
 static void begin(void) {
@@ -75,6 +76,11 @@ RUN(dsw_context_create, dsw_context_desc) {
   const dsw_status status = dsw_context_create(s, &context);
   CHECK_OK(dsw_context_destroy(context));
   return status;
+}
+static const dsw_body_id *one(void) {
+  static dsw_body_id id;
+  id = body();
+  return &id;
 }
 
 RUN(dsw_environment_create, dsw_environment_desc) {
@@ -140,11 +146,11 @@ RUN(dsw_environment_cast_path, dsw_cast_options) {
 RUN(dsw_particle_move, dsw_cast_options) { return dsw_particle_move(g_scene, particle(), g_to, s, &g_flight); }
 RUN(dsw_scene_move_particles, dsw_cast_options) {
   const dsw_particle_id id = particle();
-  return dsw_scene_move_particles(g_scene, &id, 1, g_to, 0, s, &g_flight);
+  return dsw_scene_move_particles(g_scene, one(), 1, g_to, 0, s, &g_flight);
 }
 RUN(dsw_scene_cast_from_particles, dsw_cast_options) {
   const dsw_particle_id id = particle();
-  return dsw_scene_cast_from_particles(g_scene, &id, 1, g_to, 0, s, &g_flight);
+  return dsw_scene_cast_from_particles(g_scene, one(), 1, g_to, 0, s, &g_flight);
 }
 RUN(dsw_environment_sweep_edges, dsw_sweep_options) {
   dsw_sweep sweep;
@@ -175,38 +181,29 @@ RUN(dsw_body_get_counts, dsw_body_counts) { return dsw_body_get_counts(g_scene, 
 RUN(dsw_body_move, dsw_move_options) { return dsw_body_move(g_scene, body(), g_target, 2, 0, s, NULL); }
 RUN(dsw_body_find_near_rows, dsw_near_options) { return dsw_body_find_near_rows(g_scene, body(), s, NULL); }
 RUN(dsw_scene_move_bodies, dsw_move_options) {
-  const dsw_body_id id = body();
-  return dsw_scene_move_bodies(g_scene, &id, 1, g_target, 2, 0, s, NULL);
+  return dsw_scene_move_bodies(g_scene, one(), 1, g_target, 2, 0, s, NULL);
 }
 RUN(dsw_scene_move_together, dsw_together_options) {
-  const dsw_body_id id = body();
-  return dsw_scene_move_together(g_scene, &id, 1, g_target, 2, 0, s, NULL);
+  return dsw_scene_move_together(g_scene, one(), 1, g_target, 2, 0, s, NULL);
 }
 RUN(dsw_scene_step_fraction, dsw_together_options) {
-  const dsw_body_id id = body();
   double f;
-  return dsw_scene_step_fraction(g_scene, &id, 1, g_target, 2, 0, NULL, 0, s, &f, NULL, NULL, NULL);
+  return dsw_scene_step_fraction(g_scene, one(), 1, g_target, 2, 0, NULL, 0, s, &f, NULL, NULL, NULL);
 }
-RUN(dsw_scene_move_rigid, dsw_together_options) {
-  const dsw_body_id id = body();
-  const dsw_rigid_motion motion = {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
-  return dsw_scene_move_rigid(g_scene, &id, 1, &motion, s, NULL);
-}
-RUN(dsw_body_move_rigid, dsw_move_options) {
-  const dsw_rigid_motion motion = {{0, 0, 0, 1}, {0, 0, 0}, {1, 0, 0}};
-  return dsw_body_move_rigid(g_scene, body(), &motion, s, NULL);
-}
+RUN(dsw_scene_move_rigid, dsw_together_options) { return dsw_scene_move_rigid(g_scene, one(), 1, &kStays, s, NULL); }
+RUN(dsw_body_move_rigid, dsw_move_options) { return dsw_body_move_rigid(g_scene, body(), &kStays, s, NULL); }
 
-RUN(dsw_environment_deform, dsw_deform_options) {
+static double *bent(void) {
   memcpy(g_next, g_grid.points, sizeof g_next);
   g_next[3 * grid_point(&g_grid, 1, 1, 1)] += 0.125;
-  return dsw_environment_deform(g_env, g_next, POINTS, s, NULL);
+  return g_next;
 }
+RUN(dsw_environment_deform, dsw_deform_options) { return dsw_environment_deform(g_env, bent(), POINTS, s, NULL); }
 RUN(dsw_scene_deform, dsw_scene_deform_options) {
-  const dsw_body_id id = body();
-  memcpy(g_next, g_grid.points, sizeof g_next);
-  g_next[3 * grid_point(&g_grid, 1, 1, 1)] += 0.125;
-  return dsw_scene_deform(g_scene, g_next, POINTS, &id, 1, g_target, 2, 0, s, NULL, NULL);
+  return dsw_scene_deform(g_scene, bent(), POINTS, one(), 1, g_target, 2, 0, s, NULL, NULL);
+}
+RUN(dsw_scene_deform_rigid, dsw_scene_deform_options) {
+  return dsw_scene_deform_rigid(g_scene, bent(), POINTS, one(), 1, &kStays, s, NULL, NULL);
 }
 RUN(dsw_environment_remesh, dsw_remesh_desc) { return dsw_environment_remesh(g_env, s, NULL); }
 RUN(dsw_environment_add_volumes, dsw_volumes_desc) {
@@ -383,37 +380,38 @@ typedef struct init_row {
 
 #define FIRST(type) (offsetof(type, LAST(type)) + sizeof(((type *)0)->LAST(type)))
 #define LAST(type) LAST_##type
-#define EACH_INPUT(X)                                \
-  X(dsw_body_create, dsw_body_desc)                  \
-  X(dsw_body_find_near_rows, dsw_near_options)       \
-  X(dsw_body_move, dsw_move_options)                 \
-  X(dsw_body_move_rigid, dsw_move_options)           \
-  X(dsw_context_create, dsw_context_desc)            \
-  X(dsw_environment_add_volumes, dsw_volumes_desc)   \
-  X(dsw_environment_carve, dsw_carve_desc)           \
-  X(dsw_environment_cast, dsw_cast_options)          \
-  X(dsw_environment_cast_path, dsw_cast_options)     \
-  X(dsw_environment_cast_segments, dsw_cast_options) \
-  X(dsw_environment_coarsen, dsw_coarsen_options)    \
-  X(dsw_environment_create, dsw_environment_desc)    \
-  X(dsw_environment_cut, dsw_cut_desc)               \
-  X(dsw_environment_open_crack, dsw_open_crack_desc) \
-  X(dsw_environment_remesh, dsw_remesh_desc)         \
-  X(dsw_environment_sweep_edges, dsw_sweep_options)  \
-  X(dsw_environment_tie, dsw_tie_desc)               \
-  X(dsw_particle_move, dsw_cast_options)             \
-  X(dsw_scene_cast_from_particles, dsw_cast_options) \
-  X(dsw_scene_create, dsw_scene_desc)                \
-  X(dsw_environment_deform, dsw_deform_options)      \
-  X(dsw_environment_detach, dsw_detach_desc)         \
-  X(dsw_scene_deform, dsw_scene_deform_options)      \
-  X(dsw_scene_move_bodies, dsw_move_options)         \
-  X(dsw_scene_move_together, dsw_together_options)   \
-  X(dsw_scene_move_rigid, dsw_together_options)      \
-  X(dsw_scene_step_fraction, dsw_together_options)   \
-  X(dsw_scene_move_particles, dsw_cast_options)      \
-  X(dsw_scene_start_recording, dsw_recording_desc)   \
-  X(dsw_scene_write_bug_report, dsw_bug_report_desc) \
+#define EACH_INPUT(X)                                 \
+  X(dsw_body_create, dsw_body_desc)                   \
+  X(dsw_body_find_near_rows, dsw_near_options)        \
+  X(dsw_body_move, dsw_move_options)                  \
+  X(dsw_body_move_rigid, dsw_move_options)            \
+  X(dsw_context_create, dsw_context_desc)             \
+  X(dsw_environment_add_volumes, dsw_volumes_desc)    \
+  X(dsw_environment_carve, dsw_carve_desc)            \
+  X(dsw_environment_cast, dsw_cast_options)           \
+  X(dsw_environment_cast_path, dsw_cast_options)      \
+  X(dsw_environment_cast_segments, dsw_cast_options)  \
+  X(dsw_environment_coarsen, dsw_coarsen_options)     \
+  X(dsw_environment_create, dsw_environment_desc)     \
+  X(dsw_environment_cut, dsw_cut_desc)                \
+  X(dsw_environment_open_crack, dsw_open_crack_desc)  \
+  X(dsw_environment_remesh, dsw_remesh_desc)          \
+  X(dsw_environment_sweep_edges, dsw_sweep_options)   \
+  X(dsw_environment_tie, dsw_tie_desc)                \
+  X(dsw_particle_move, dsw_cast_options)              \
+  X(dsw_scene_cast_from_particles, dsw_cast_options)  \
+  X(dsw_scene_create, dsw_scene_desc)                 \
+  X(dsw_environment_deform, dsw_deform_options)       \
+  X(dsw_environment_detach, dsw_detach_desc)          \
+  X(dsw_scene_deform, dsw_scene_deform_options)       \
+  X(dsw_scene_deform_rigid, dsw_scene_deform_options) \
+  X(dsw_scene_move_bodies, dsw_move_options)          \
+  X(dsw_scene_move_together, dsw_together_options)    \
+  X(dsw_scene_move_rigid, dsw_together_options)       \
+  X(dsw_scene_step_fraction, dsw_together_options)    \
+  X(dsw_scene_move_particles, dsw_cast_options)       \
+  X(dsw_scene_start_recording, dsw_recording_desc)    \
+  X(dsw_scene_write_bug_report, dsw_bug_report_desc)  \
   X(dsw_trace_add_walk, dsw_cast_options)
 #define EACH_OUTPUT(X)                              \
   X(dsw_body_get_counts, dsw_body_counts)           \

@@ -330,6 +330,15 @@ dsw_status Calls::deform() {
   together.point_room = o.point_room;
   together.max_work = o.max_holds == 0 ? 0 : 1;
   together.stop = o.method == DSW_DEFORM_SWEPT ? DSW_TOGETHER_STOP_ALL : DSW_TOGETHER_STOP_FEATURE;
+  if (o.response == DSW_WALL_INSERT && together.stop == DSW_TOGETHER_STOP_ALL) {
+    dsw_rigid_motion motions[2] = {{{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}}};
+    for (dsw_rigid_motion& motion : motions) {
+      motion.rotation[2] = static_cast<int8_t>(bytes_.byte()) / 256.0;
+      place(motion.centre);
+      for (size_t k = 0; k < dimension_; ++k) motion.translation[k] = static_cast<int8_t>(bytes_.byte()) / 100.0;
+    }
+    return dsw_scene_deform_rigid(scene_, next.data(), count, ids, bodies, motions, &together, nullptr, nullptr);
+  }
   return dsw_scene_deform(scene_, next.data(), count, ids, bodies, targets.data(), targets.size() / dimension_, 0,
                           &together, nullptr, nullptr);
 }

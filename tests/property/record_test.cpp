@@ -55,7 +55,7 @@ TEST_P(RecordTest, WhatWasRecordedIsMadeAgainWithTheSameBits) { is_made_again<3>
 TEST_P(PlaneRecordTest, WhatWasRecordedIsMadeAgainWithTheSameBits) { is_made_again<2>(GetParam()); }
 
 /// What random changes do not call, on a grid of cubes. The points that are lent must outlive it.
-void call_the_others(dsw_scene* scene, std::vector<double>& lent) {
+void call_the_others(dsw_scene* scene, std::vector<double>& lent, std::vector<double>& lent_next) {
   dsw_environment* const environment = dsw_scene_get_environment(scene);
   const auto ok = [](dsw_status status) { EXPECT_EQ(status, DSW_STATUS_OK) << dsw_last_error_message(); };
   const dsw_volume_id null_volume = {0, 0};
@@ -152,6 +152,9 @@ void call_the_others(dsw_scene* scene, std::vector<double>& lent) {
   ok(dsw_scene_deform(scene, lent.data(), point_count, &body, 1, corners[0].data(), corners.size(), 0, &lending, &bent,
                       nullptr));
   EXPECT_EQ(bent.outcome, DSW_DEFORM_DONE);
+  lent_next.assign(lent.begin(), lent.end());
+  ok(dsw_scene_deform_rigid(scene, lent_next.data(), point_count, &body, 1, &back, &lending, &bent, nullptr));
+  EXPECT_EQ(bent.outcome, DSW_DEFORM_DONE);
   dsw_body_edge_id edges[3];
   size_t count = 0;
   ok(dsw_body_get_edge_ids(scene, body, edges, 3, &count));
@@ -194,13 +197,13 @@ TEST(RecordedCallsTest, EveryCallIsMadeAgain) {
   std::set<std::string> functions;
   for (const char* kind : {"hex", "tet_kuhn", "polyhedra"}) {
     for (uint64_t seed = 1; seed <= 8; ++seed) {
-      std::vector<double> lent;
+      std::vector<double> lent, lent_next;
       RandomEdits<3> edits(kind, seed, nullptr, DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_STATISTICS);
       if (edits.environment() == nullptr) continue;
       std::string recording;
       ASSERT_EQ(start(edits.handle(), &recording), DSW_STATUS_OK);
       const bool by_hand = std::string(kind) == "hex" && seed == 1;
-      if (by_hand) call_the_others(edits.handle(), lent);
+      if (by_hand) call_the_others(edits.handle(), lent, lent_next);
       for (int i = 0; i < 40 && !by_hand; ++i) {
         ASSERT_EQ(edits.step(), "");
         edits.mark();

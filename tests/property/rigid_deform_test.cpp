@@ -65,7 +65,7 @@ class RigidDeformTest : public BendingTest {
     std::copy(way.begin(), way.end(), motion.translation);
     return motion;
   }
-  /// As the library takes it.
+  /// The motion in the numbers of dsw_sweep_rigid_pairs, normalised as the library does it.
   static std::vector<double> numbers_of(const dsw_rigid_motion& motion) {
     std::vector<double> n(17);
     double largest = 0;

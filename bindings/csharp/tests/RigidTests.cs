@@ -48,6 +48,36 @@ static partial class Tests
     }
   }
 
+  public static void ThickRigidBodiesKeepTheirDistanceAtOnce()
+  {
+    using (Environment environment = MakeRoom())
+    using (Scene scene = new Scene(environment, Library.FEATURE_BODY_CONTACTS))
+    {
+      BodyDesc thick = new BodyDesc { Radius = 0.125 };
+      Body left = scene.CreateBody(new[] { 0.5, 2, 2, 1, 2, 2 }, new uint[] { 0, 1 }, null, thick);
+      Body right = scene.CreateBody(new[] { 3, 2, 2, 3.5, 2, 2 }, new uint[] { 0, 1 }, null, thick);
+      double[] motions = { 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0, 0, 0, 1, 0, 0, 0, -4, 0, 0 };
+      MoveReport[] reports = scene.MoveRigid(new[] { left.Id(), right.Id() }, motions);
+      True(Math.Abs(reports[0].Fraction - 0.21875) < 1e-9 && reports[0].Fraction == reports[1].Fraction);
+    }
+  }
+
+  public static void ABarTurnsWhileTheFloorRises()
+  {
+    using (Environment environment = MakeRoom())
+    using (Scene scene = new Scene(environment, deformingContacts))
+    {
+      Body bar = scene.CreateBody(new double[] { 1, 2, 2, 3, 2, 2 }, new uint[] { 0, 1 });
+      double half = Math.Sqrt(0.5);
+      BodyId[] bars = { bar.Id() };
+      MoveReport[] reports = new MoveReport[1];
+      DeformReport report = scene.DeformRigid(Room(3), bars, new[] { 0, 0, half, half, 2, 2, 2, 0, 0, 0 }, null, reports);
+      True(report.Outcome == DeformOutcome.Fraction && Math.Abs(report.Fraction - 2.0 / 3) < 1e-9);
+      True(reports[0].Fraction == report.Fraction && Math.Abs(environment.GetWallContacts()[0].Time - 2.0 / 3) < 1e-12);
+      Throws<WrongSizeException>(() => scene.DeformRigid(Room(3), bars, new double[4]));
+    }
+  }
+
   public static void HowMuchOfStepsIsFree()
   {
     double[] points = { 0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4 }, bar = { 1, 2, 2, 1, 3, 2 }, places = new double[6];

@@ -214,6 +214,12 @@ function Scene:find_nearest(points, radius, hints, nearest, partners, volumes, l
   return nearest, partners
 end
 
+local deform_rigid = Scene.deform_rigid
+function Scene:deform_rigid(positions, bodies, motions, options, reports)
+  reports = reports or core.MoveReportArray(#bodies)
+  return deform_rigid(self, positions, bodies, motions, options, reports), reports
+end
+
 local step_fraction = Scene.step_fraction
 function Scene:step_fraction(bodies, steps, options, places, fractions, environment_steps, environment_places)
   places = places or core.DoubleArray(#steps)

@@ -65,6 +65,31 @@ function TestRigid:test_rigid_bodies_move_at_once()
   lu.assertEquals(reports[1].fraction, reports[2].fraction)
 end
 
+function TestRigid:test_thick_rigid_bodies_keep_their_distance_at_once()
+  local environment <close> = make_room()
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_BODY_CONTACTS})
+  local left = scene:create_body {positions = {{0.5, 2, 2}, {1, 2, 2}}, edges = {{0, 1}}, radius = 0.125}
+  local right = scene:create_body {positions = {{3, 2, 2}, {3.5, 2, 2}}, edges = {{0, 1}}, radius = 0.125}
+  local motions = {0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0, 0, 0, 1, 0, 0, 0, -4, 0, 0}
+  local reports = scene:move_rigid({left:id(), right:id()}, motions)
+  lu.assertAlmostEquals(reports[1].fraction, 0.21875, 1e-9)
+  lu.assertEquals(reports[1].fraction, reports[2].fraction)
+end
+
+function TestRigid:test_a_bar_turns_while_the_floor_rises()
+  local environment <close> = make_room()
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
+  local bar = make_bar(scene)
+  local raised = {0, 0, 3, 4, 0, 3, 4, 4, 3, 0, 4, 3, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4}
+  local half = math.sqrt(0.5)
+  local report, reports = scene:deform_rigid(raised, {bar:id()}, {0, 0, half, half, 2, 2, 2, 0, 0, 0})
+  lu.assertEquals(report.outcome, dsw.DEFORM_FRACTION)
+  lu.assertAlmostEquals(report.fraction, 2 / 3, 1e-9)
+  lu.assertEquals(reports[1].fraction, report.fraction)
+  lu.assertAlmostEquals(environment:get_wall_contacts()[1].time, 2 / 3, 1e-12)
+  lu.assertFalse(pcall(scene.deform_rigid, scene, raised, {bar:id()}, {0, 0, 0, 1}))
+end
+
 function TestRigid:test_only_the_parts_that_touch_stop_or_are_pushed()
   for _, response in ipairs {dsw.TOGETHER_RESPONSE_STOP, dsw.TOGETHER_RESPONSE_SLIDE} do
     local environment <close> = make_room()

@@ -166,6 +166,9 @@ export class Scene {
     radius?: number,
     options?: { hints?: Structs<VolumeId>; volumes?: VolumeIdArray; locations?: Int32Array },
   ): { nearest: NearestArray; partners: ContactPartnerArray };
+  /** Moves bodies as moveRigid while the environment goes to new positions, a copy, all at once, up to the first touch of anything. */
+  deformRigid(positions: Points, bodies: Structs<BodyId> | readonly Body[], motions: Float64Array | readonly number[],
+    options?: SceneDeformOptions & { reports?: MoveReportArray }): { report: DeformReport; reports: MoveReportArray };
   /** The largest part of steps, body after body, that is free when all vertices go at once; nothing moves. `fractions` are those of each body's
    * island, `places` where `fraction` leads, with stop ISLAND where `fractions` lead. */
   stepFraction(bodies: Structs<BodyId> | readonly Body[], steps: Float64Array | readonly number[],

@@ -83,6 +83,10 @@ class Scene extends native.Scene {
   deform(positions, { bodies = [], targets = [], reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
     return { report: super.deform(positions, idsOf(bodies), targets, options, reports), reports };
   }
+
+  deformRigid(positions, bodies, motions, { reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
+    return { report: super.deformRigid(positions, idsOf(bodies), motions, options, reports), reports };
+  }
 }
 
 module.exports = { Body, Scene };

@@ -46,6 +46,24 @@ test('rigid bodies move at once', () => {
   assert.ok(one.fraction < 0.25 && one.fraction > 0.25 - 1e-12 && one.fraction === other.fraction);
 });
 
+test('thick rigid bodies keep their distance at once', () => {
+  const { scene } = makeRoom();
+  const bars = [[0.5, 2, 2, 1, 2, 2], [3, 2, 2, 3.5, 2, 2]].map((points) => scene.createBody(points, [0, 1], { radius: 0.125 }));
+  const motions = [0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0, 0, 0, 1, 0, 0, 0, -4, 0, 0];
+  const [one, other] = [...scene.moveRigid(bars, motions)];
+  assert.ok(Math.abs(one.fraction - 0.21875) < 1e-9 && one.fraction === other.fraction);
+});
+
+test('a bar turns while the floor rises', () => {
+  const { environment, scene } = makeRoom();
+  const bar = scene.createBody([1, 2, 2, 3, 2, 2], [0, 1]);
+  const { report, reports } = scene.deformRigid(raised(3), [bar], [0, 0, Math.SQRT1_2, Math.SQRT1_2, 2, 2, 2, 0, 0, 0]);
+  assert.equal(report.outcome, dsw.DeformOutcome.Fraction);
+  assert.ok(Math.abs(report.fraction - 2 / 3) < 1e-9 && reports.at(0).fraction === report.fraction);
+  assert.ok([...environment.getWallContacts()].every(({ time }) => Math.abs(time - 2 / 3) < 1e-12));
+  assert.throws(() => scene.deformRigid(raised(3), [bar], [0, 0, 0, 1]), dsw.WrongSizeError);
+});
+
 test('strands that are carried together do not stop each other', () => {
   const { scene } = makeRoom();
   const strands = [1, 1.25].map((x) => scene.createBody(strand(x), edges));

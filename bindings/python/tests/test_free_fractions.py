@@ -65,3 +65,32 @@ def test_rigid_bodies_move_at_once() -> None:
         assert reports["fraction"] == pytest.approx([0.25, 0.25], abs=1e-12) and reports["fraction"][0] == reports["fraction"][1]
         with pytest.raises(ValueError):
             scene.move_rigid([bar.id for bar in bars], [(0, 0, 0, 1)])
+
+
+def test_thick_rigid_bodies_keep_their_distance_at_once() -> None:
+    with ds.Environment(CORNERS, [range(8)]) as environment, ds.Scene(environment, ds.Feature.BODY_CONTACTS) as scene:
+        bars = [scene.create_body([(x, 2, 2), (x + 0.5, 2, 2)], [(0, 1)], radius=0.125) for x in (0.5, 3)]
+        motions = [(0, 0, 0, 1, 0, 0, 0, way, 0, 0) for way in (4, -4)]
+        reports = scene.move_rigid([bar.id for bar in bars], motions)
+        assert reports["fraction"] == pytest.approx([0.21875] * 2, abs=1e-9) and reports["contact_count"].all()
+
+
+def test_a_bar_turns_while_the_floor_rises() -> None:
+    half = 0.5**0.5
+    raised = np.array(CORNERS, float)
+    raised[:4, 2] = 3
+    with ds.Environment(CORNERS, [range(8)]) as environment, ds.Scene(environment, ds.Feature.DEFORMING) as scene:
+        bar = scene.create_body(BAR, [(0, 1)])
+        report, reports = scene.deform_rigid(raised, [bar.id], [(0, 0, half, half, 2, 2, 2, 0, 0, 0)])
+        assert report.outcome == ds.DeformOutcome.FRACTION and reports["fraction"] == report.fraction
+        assert report.fraction == pytest.approx(2 / 3, abs=1e-9) and report.contact_count > 0
+        assert environment.wall_contacts()["time"] == pytest.approx(2 / 3)
+        # At this fraction of the way of the quaternion.
+        tangent = report.fraction * half / (1 - report.fraction + report.fraction * half)
+        angle = 2 * np.arctan(tangent)
+        assert bar.positions()[1] == pytest.approx([2 + np.cos(angle), 2 + np.sin(angle), 2], abs=1e-9)
+        with pytest.raises(ValueError):
+            scene.deform_rigid(raised.copy(), [bar.id], [(0, 0, 0, 1)])
+        with pytest.raises(ds.errors.Unsupported):
+            options = ds.options(ds.SceneDeformOptions, stop=ds.TogetherStop.FEATURE)
+            scene.deform_rigid(raised.copy(), [bar.id], [(0, 0, 0, 1) + (0,) * 6], options)

@@ -303,6 +303,25 @@ class Scene {
     if (is_read(environment.handle, next)) environment.lent = std::move(next.owner);
     return report;
   }
+  /** `next` as in deform, and `motions` as in move_rigid. */
+  dsw_deform_report deform_rigid(Lent next, View<const dsw_body_id> bodies,
+                                 View<const double> motions,
+                                 const dsw_scene_deform_options *options = nullptr,
+                                 View<dsw_move_report> reports = {}) {
+    dsw_scene_deform_options all = or_defaults(options);
+    count_points(dimension(), next);
+    same_count("motions", motions.count, 10 * bodies.count);
+    optional_count("reports", reports, bodies.count);
+    const WholeWriting self(*state_);
+    const std::size_t count = read_count(state_->environment->handle, next, all);
+    dsw_deform_report report = {};
+    check(dsw_scene_deform_rigid(self.handle, next.data, count, bodies.data, bodies.count,
+                                 reinterpret_cast<const dsw_rigid_motion *>(motions.data), &all,
+                                 &report, reports.data));
+    auto &environment = *state_->environment;
+    if (is_read(environment.handle, next)) environment.lent = std::move(next.owner);
+    return report;
+  }
 
  private:
   struct Made {};

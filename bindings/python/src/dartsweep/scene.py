@@ -306,11 +306,9 @@ class Scene:
 
         motions: of shape (n, 10): a quaternion x, y, z, w, a centre and a translation, both with three coordinates (0 in the plane).
         """
-        given = np.ascontiguousarray(motions, np.float64)
-        if given.size and (given.ndim != 2 or given.shape[1] != 10):
-            raise ValueError("motions are an array of shape (n, 10)")
+        given = self._motions(motions)
         reports = np.empty(len(bodies), dtypes.MOVE_REPORT)
-        self._core.move_rigid(bodies, given.reshape(-1), options, reports)
+        self._core.move_rigid(bodies, given, options, reports)
         return reports
 
     def deform(
@@ -329,6 +327,29 @@ class Scene:
         """
         reports = np.empty(0 if bodies is None else len(bodies), dtypes.MOVE_REPORT)
         return self._core.deform(positions, bodies, targets, options, reports), reports
+
+    def deform_rigid(
+        self,
+        positions: NDArray[np.float64],
+        bodies: Ids,
+        motions: ArrayLike,
+        options: SceneDeformOptions | None = None,
+    ) -> tuple[DeformReport, Records]:
+        """Moves bodies as move_rigid while the environment goes to new positions of its vertices as in deform, all at once, up to the
+        first touch of anything; with Feature.DEFORMING. Returns the report of the environment and one for each body.
+
+        positions: an array that is lent, as Environment.deform describes.
+        """
+        given = self._motions(motions)
+        reports = np.empty(len(bodies), dtypes.MOVE_REPORT)
+        return self._core.deform_rigid(positions, bodies, given, options, reports), reports
+
+    @staticmethod
+    def _motions(motions: ArrayLike) -> NDArray[np.float64]:
+        given = np.ascontiguousarray(motions, np.float64)
+        if given.size and (given.ndim != 2 or given.shape[1] != 10):
+            raise ValueError("motions are an array of shape (n, 10)")
+        return given.reshape(-1)
 
     def offending_edges(self) -> NDArray[np.uint32]:
         """Pairs of vertices of the edges that were not free when a body was created, or changed its level, filter or radius."""

@@ -85,6 +85,34 @@ class TogetherTest {
   }
 
   @Test
+  void thickRigidBodiesKeepTheirDistanceAtOnce() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
+      BodyDesc desc = new BodyDesc();
+      desc.setRadius(0.125);
+      Body left = scene.createBody(DoubleBuffer.wrap(new double[] {0.5, 2, 2, 1, 2, 2}), new int[] {0, 1}, null, desc);
+      Body right = scene.createBody(DoubleBuffer.wrap(new double[] {3, 2, 2, 3.5, 2, 2}), new int[] {0, 1}, null, desc);
+      double[] motions = {0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0, 0, 0, 1, 0, 0, 0, -4, 0, 0};
+      MoveReportArray reports = scene.moveRigid(idsOf(left, right), motions, null);
+      assertEquals(0.21875, reports.get(0).getFraction(), 1e-9);
+      assertEquals(reports.get(0).getFraction(), reports.get(1).getFraction());
+    }
+  }
+
+  @Test
+  void aBarTurnsWhileTheFloorRises() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
+      Body bar = scene.createBody(new double[] {1, 2, 2, 3, 2, 2}, new int[] {0, 1});
+      double half = Math.sqrt(0.5);
+      double[] motion = {0, 0, half, half, 2, 2, 2, 0, 0, 0};
+      DeformReport report = scene.deformRigid(room(3), idsOf(bar), motion, null);
+      assertEquals(DeformOutcome.FRACTION, report.getOutcome());
+      assertEquals(2.0 / 3, report.getFraction(), 1e-9);
+      assertEquals(2.0 / 3, environment.getWallContacts().get(0).getTime(), 1e-12);
+      assertThrows(DartsweepException.WrongSize.class, () -> scene.deformRigid(room(3), idsOf(bar), new double[4], null));
+    }
+  }
+
+  @Test
   void strandsDoNotStopEachOther() {
     try (Environment environment = makeRoom(); Scene scene = new Scene(environment, FEATURES)) {
       Body left = scene.createBody(strand(1, 1), EDGES), right = scene.createBody(strand(1.25, 1), EDGES);
