@@ -146,11 +146,11 @@ RUN(dsw_environment_cast_path, dsw_cast_options) {
 RUN(dsw_particle_move, dsw_cast_options) { return dsw_particle_move(g_scene, particle(), g_to, s, &g_flight); }
 RUN(dsw_scene_move_particles, dsw_cast_options) {
   const dsw_particle_id id = particle();
-  return dsw_scene_move_particles(g_scene, one(), 1, g_to, 0, s, &g_flight);
+  return dsw_scene_move_particles(g_scene, &id, 1, g_to, 0, s, &g_flight);
 }
 RUN(dsw_scene_cast_from_particles, dsw_cast_options) {
   const dsw_particle_id id = particle();
-  return dsw_scene_cast_from_particles(g_scene, one(), 1, g_to, 0, s, &g_flight);
+  return dsw_scene_cast_from_particles(g_scene, &id, 1, g_to, 0, s, &g_flight);
 }
 RUN(dsw_environment_sweep_edges, dsw_sweep_options) {
   dsw_sweep sweep;
