@@ -1,4 +1,5 @@
 // What it costs to ask how far a body could go, over making it at each pose and moving it.
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -11,6 +12,17 @@
 namespace dsw::rigid {
 
 namespace {
+
+/** The turn that leads from b to a: quaternions x, y, z, w of length 1. */
+std::array<double, 4> quotient(const double* a, const double* b) {
+  std::array<double, 4> q{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    q[k] = (b[3] * a[k] - a[3] * b[k]) - (a[i] * b[j] - a[j] * b[i]);
+  }
+  q[3] = (a[3] * b[3] + a[0] * b[0]) + (a[1] * b[1] + a[2] * b[2]);
+  return q;
+}
 
 using scenes::Random;
 
@@ -78,10 +90,9 @@ void run_free(const Options& options, Report& report) {
         is_free = add_body(lattice.scene(), posed, 0, id);
         if (!is_free) return;
         const RigidMotion<3> to_end = RigidMove<3>(b, start.data(), b + 4).part(1);
-        const Eigen::Quaterniond turn =
-            Eigen::Quaterniond(to_end.rotation) * Eigen::Quaterniond(to_start.rotation).conjugate();
+        const std::array<double, 4> turn = quotient(to_end.rotation, to_start.rotation);
         dsw_rigid_motion motion{};
-        for (std::size_t k = 0; k < 4; ++k) motion.rotation[k] = turn.coeffs()[static_cast<Eigen::Index>(k)];
+        for (std::size_t k = 0; k < 4; ++k) motion.rotation[k] = turn[k];
         for (std::size_t k = 0; k < 3; ++k) {
           motion.centre[k] = start[k] + a[4 + k];
           motion.translation[k] = b[4 + k] - a[4 + k];
