@@ -143,7 +143,8 @@ DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point
  * @param options `stop` is ALL and `response` STOP.
  * @param report `outcome`: DONE, FRACTION, REFUSED or LIMITED. Contacts have `response` DSW_WALL_STOP.
  * @param reports one for each body, as of dsw_scene_move_rigid.
- * @return as dsw_scene_deform, and UNSUPPORTED: also another `stop` or `response`.
+ * @return as dsw_scene_deform; UNSUPPORTED: a body of the scene has a radius, or another `stop` or
+ * `response`.
  * @note Cost: as dsw_scene_move_rigid, and O(n + particles) for each of its steps. Writes the
  * environment, too. Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_deform_rigid(dsw_scene *scene, double *next, size_t point_count,
