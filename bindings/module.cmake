@@ -9,9 +9,12 @@ if(CMAKE_SOURCE_DIR STREQUAL CMAKE_CURRENT_SOURCE_DIR)
 endif()
 include(${CMAKE_CURRENT_LIST_DIR}/../src/cmake/mingw.cmake)
 
-# The library to link.
+# The library to link: a static one, or with DSW_MODULE_SHARED whatever is installed or built. A module of Python, the only one that has the option,
+# then loads the shared library that the environment variable DARTSWEEP_LIBRARY names.
 get_target_property(dsw_library_type Dartsweep::dartsweep TYPE)
-if(dsw_library_type STREQUAL "STATIC_LIBRARY")
+if(DSW_MODULE_SHARED)
+  set(dsw_static_library Dartsweep::dartsweep) # a library of the system, see the option
+elseif(dsw_library_type STREQUAL "STATIC_LIBRARY")
   set(dsw_static_library Dartsweep::dartsweep)
 elseif(dsw_objects) # the project builds a shared one
   if(NOT TARGET dartsweep_of_modules)

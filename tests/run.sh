@@ -181,7 +181,7 @@ step_packages() {
   bindings/packages/build.sh build/packages linux-x64 linux-arm64 win-x64 osx-arm64 osx-x64 wasm32 && bindings/packages/check.sh build/packages
 }
 step_browser() { examples/browser/test.sh; }
-step_python() { install_python && bindings/python/test.sh; }
+step_python() { install_python && install_library && bindings/python/test.sh; }
 step_docs() { install_python && bindings/docs/build.sh build/python/venv/bin/python; }
 step_java() { install_static_library && bindings/java/test.sh build/dartsweep-static/prefix; }
 step_csharp() { install_static_library && bindings/csharp/test.sh build/dartsweep-static/prefix; }

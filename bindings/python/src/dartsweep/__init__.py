@@ -7,7 +7,11 @@ fails raises an exception of dartsweep.errors and changes nothing.
 
 from __future__ import annotations
 
-from . import dtypes, errors, meshes, surfaces
+from . import _load
+
+_loaded = _load.load()
+
+from . import dtypes, errors, meshes, surfaces  # noqa: E402
 from ._core import (
     BodyContact,
     BodyEdgeId,
