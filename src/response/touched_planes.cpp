@@ -143,6 +143,25 @@ class NearestPoint {
 }  // namespace
 
 template <int D>
+void find_inertia(const Body<D>& body, const Vec& centre, double size, double share, double ball,
+                  double (&t)[3][3]) noexcept {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) t[i][j] = i == j ? ball : 0;
+  }
+  for (const BodyVertex<D>& each : body.vertices) {
+    if (!each.cell.valid()) continue;
+    const Vec d = to_vec<D>(each.position) - centre;
+    const double x = d.x() / size, y = d.y() / size, z = d.z() / size;
+    t[0][0] += share * (y * y + z * z);
+    t[1][1] += share * (z * z + x * x);
+    t[2][2] += share * (x * x + y * y);
+    t[1][0] -= share * (x * y);
+    t[2][1] -= share * (y * z);
+    t[2][0] -= share * (z * x);
+  }
+}
+
+template <int D>
 Inertia<D>::Inertia(const Body<D>& body) noexcept : middle(Vec::Zero()), size(0) {
   const double share = 1.0 / static_cast<double>(std::max<size_t>(body.vertex_slots.alive_count(), 1));
   for (const BodyVertex<D>& each : body.vertices) {
@@ -152,19 +171,8 @@ Inertia<D>::Inertia(const Body<D>& body) noexcept : middle(Vec::Zero()), size(0)
     if (each.cell.valid()) size = std::max(size, largest(to_vec<D>(each.position) - middle));
   }
   if (!(size > 0)) size = 1;
-  constexpr double kBall = 0x1p-10;
-  double t[3][3] = {{kBall, 0, 0}, {0, kBall, 0}, {0, 0, kBall}};
-  for (const BodyVertex<D>& each : body.vertices) {
-    if (!each.cell.valid()) continue;
-    const Vec d = to_vec<D>(each.position) - middle;
-    const double x = d.x() / size, y = d.y() / size, z = d.z() / size;
-    t[0][0] += share * (y * y + z * z);
-    t[1][1] += share * (z * z + x * x);
-    t[2][2] += share * (x * x + y * y);
-    t[1][0] -= share * (x * y);
-    t[2][1] -= share * (y * z);
-    t[2][0] -= share * (z * x);
-  }
+  double t[3][3];
+  find_inertia(body, middle, size, share, 0x1p-10, t);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) factor[i][j] = 0;
     for (int j = 0; j <= i; ++j) {
@@ -240,6 +248,8 @@ bool TouchedPlanes<D>::allow(const Inertia<D>& inertia, const Twist& wanted, dou
   return false;
 }
 
+template void find_inertia(const Body<2>&, const Vec&, double, double, double, double (&)[3][3]) noexcept;
+template void find_inertia(const Body<3>&, const Vec&, double, double, double, double (&)[3][3]) noexcept;
 template struct Inertia<2>;
 template struct Inertia<3>;
 template class TouchedPlanes<2>;

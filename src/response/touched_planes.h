@@ -11,8 +11,16 @@ struct Twist {
   Vec shift = Vec::Zero(), turn = Vec::Zero();
 };
 
-/** How vertices of equal mass resist a turn about their middle, for lengths in units of their size. Each counts as a small
- * ball: so a line has an inertia about itself. */
+/** The lower triangle of the tensor of inertia of a body's vertices about a point, for lengths in units of `size`, so that no square
+ * overflows.
+ * @param share of each vertex.
+ * @param ball on the diagonal: vertices count as small balls, so a line has an inertia about itself. */
+template <int D>
+void find_inertia(const Body<D>& body, const Vec& centre, double size, double share, double ball,
+                  double (&tensor)[3][3]) noexcept;
+
+/** How vertices of equal mass resist a turn about their middle, for lengths in units of their size: the mean of
+ * find_inertia. */
 template <int D>
 struct Inertia {
   Vec middle;

@@ -3,6 +3,7 @@
 #include "base/dimensions.h"
 #include "base/eigen.h"
 #include "base/points.h"
+#include "response/touched_planes.h"
 
 namespace dsw {
 namespace {
@@ -35,23 +36,10 @@ RigidPushes<D>::RigidPushes(const Body<D>& body, const double* at, const Vec& no
     ++count;
   }
   if (!(size > 0) || !std::isfinite(size) || !(depth_ > 0)) return;
-  // In units of the size, so that no square overflows. Each vertex counts as a small ball: so a line has an inertia
-  // about itself.
-  constexpr double kBall = 0x1p-10;
-  double xx = kBall * count, yy = xx, zz = xx, xy = 0, yz = 0, zx = 0;
-  for (const BodyVertex<D>& vertex : body.vertices) {
-    if (!vertex.cell.valid()) continue;
-    const Vec d = difference<D>(vertex.position, centre);
-    const double x = d.x() / size, y = d.y() / size, z = d.z() / size;
-    xx += y * y + z * z;
-    yy += z * z + x * x;
-    zz += x * x + y * y;
-    xy -= x * y;
-    yz -= y * z;
-    zx -= z * x;
-  }
+  double t[3][3];
+  find_inertia(body, to_vec<D>(centre), size, 1, 0x1p-10 * count, t);
   Eigen::Matrix3d inertia;
-  inertia << xx, xy, zx, xy, yy, yz, zx, yz, zz;
+  inertia << t[0][0], t[1][0], t[2][0], t[1][0], t[1][1], t[2][1], t[2][0], t[2][1], t[2][2];
   const Vec lever = arm_ / size, torque = lever.cross(normal);
   const Eigen::Vector3d turned = inertia.inverse() * Eigen::Vector3d(torque.data());
   const Vec spin(turned.x(), turned.y(), turned.z());
