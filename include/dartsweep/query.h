@@ -143,6 +143,16 @@ DSW_API dsw_status dsw_environment_find_nearest_to_segments(
     const double *from, const double *to, size_t stride_bytes, double radius,
     dsw_segment_nearest *nearest, dsw_volume_id *volumes, dsw_location *locations);
 
+/** Finds for each of many points how far it is from the outer boundary of the environment, whatever is
+ * marked; negative inside. The sign is exact, and the error of a distance that of rounding.
+ * @param nearest the nearest place; `distance` without a sign. May be null.
+ * @note Cost: O(log n) expected with the search structure, which the first call that takes as long builds;
+ * O(n) for points 10 lengths of the environment away. Batch. @since 2.1 */
+DSW_API dsw_status dsw_environment_find_signed_distances(const dsw_environment *environment,
+                                                         const double *points, size_t count,
+                                                         size_t stride_bytes, double *distances,
+                                                         dsw_nearest *nearest);
+
 /** Finds for each of many points the nearest place inside: in a passable volume, on nothing
  * impassable. A point inside stays. Any other goes to the nearest place of the boundary of passable
  * space (rounded), and `by` along the face's inward normal; without room, towards the centre of the

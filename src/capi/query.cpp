@@ -144,6 +144,15 @@ dsw_status dsw_environment_find_nearest_to_segments(const dsw_environment* envir
   });
 }
 
+dsw_status dsw_environment_find_signed_distances(const dsw_environment* environment, const double* points, size_t count,
+                                                 size_t stride_bytes, double* distances, dsw_nearest* nearest) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
+    const dsw::PointArray array = dsw::to_finite_points(env.kDimension, points, count, stride_bytes, "points");
+    dsw::require_array(distances, count, "distances");
+    signed_distances(env, environment->parallel, count, array, distances, nearest);
+  });
+}
+
 dsw_status dsw_environment_find_inside(const dsw_environment* environment, const double* points, size_t count,
                                        size_t stride_bytes, const dsw_volume_id* hints, double by, double* inside,
                                        dsw_volume_id* volumes) {

@@ -6,11 +6,13 @@
 
 #include "base/batch.h"
 #include "base/dimensions.h"
+#include "base/owned.h"
 #include "base/vec.h"
 #include "contact/names.h"
 #include "locate/bounded_flood.h"
 #include "locate/inside.h"
 #include "locate/locate.h"
+#include "locate/signed_distance.h"
 #include "predicates/plane_hit.h"
 #include "query/locations.h"
 
@@ -226,6 +228,42 @@ void find_inside(const Environment<D>& env, const Parallel& parallel, size_t cou
   share_out(parallel, count, body);
 }
 
+namespace {
+
+template <int D>
+dsw_nearest report_boundary(const Environment<D>& env, const double* point, const SignedDistance<D>& found) {
+  dsw_nearest answer{};
+  answer.distance = std::fabs(found.distance);
+  for (int k = 0; k < D; ++k) {
+    answer.point[k] = point[k] + found.way[k] / found.scale;
+    answer.normal[k] = answer.distance > 0 ? 0 - found.way[k] / found.scale / answer.distance : 0;
+  }
+  const Cell c = env.map.cell_of(found.facet);
+  answer.cell = name_feature(env, {D - 1, c, env.map.local_of(found.facet, c)});
+  answer.tag = obstacle_tag(env, found.facet, c);
+  return answer;
+}
+
+}  // namespace
+
+template <int D>
+void signed_distances(const Environment<D>& env, const Parallel& parallel, size_t count, PointArray points,
+                      double* distances, dsw_nearest* nearest) {
+  // A tree takes as long as some points without one for each hundred of its simplices.
+  constexpr size_t kWorthTree = 16;
+  Owned<BoundaryTree<D>> tree(env.memory);
+  if (count >= kWorthTree && count * kWorthTree >= env.map.boundary_facet_count) tree.make(env);
+  auto body = [&](size_t begin, size_t end) noexcept {
+    for (size_t i = begin; i < end; ++i) {
+      const SignedDistance<D> found = find_signed_distance(env, points[i], tree.get());
+      distances[i] = found.distance;
+      if (nearest != nullptr) nearest[i] = report_boundary(env, points[i], found);
+    }
+  };
+  share_out(parallel, count, body);
+}
+
+DSW_INSTANTIATE(signed_distances);
 template void find_inside(const Environment<2>&, const Parallel&, size_t, PointArray, const dsw_volume_id*, double,
                           double*, dsw_volume_id*);
 template void find_inside(const Environment<3>&, const Parallel&, size_t, PointArray, const dsw_volume_id*, double,

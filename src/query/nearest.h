@@ -18,6 +18,11 @@ template <int D>
 void find_inside(const Environment<D>& env, const Parallel& parallel, size_t count, PointArray points,
                  const dsw_volume_id* hints, double by, double* inside, dsw_volume_id* volumes);
 
+/** For each point its distance from the outer boundary, negative inside; `nearest` may be null. */
+template <int D>
+void signed_distances(const Environment<D>& env, const Parallel& parallel, size_t count, PointArray points,
+                      double* distances, dsw_nearest* nearest);
+
 /** Where the answers of a batch go. */
 template <class Nearest>
 struct NearestAnswers {

@@ -20,13 +20,32 @@ namespace {
 template <int D>
 class BodiesAbout {
  public:
+  /** O(bodies), of scenes without boxes O(their vertices). */
   explicit BodiesAbout(const Scene<D>& scene) : scene_(scene) {
-    if (!scene.keeps_boxes()) return;
-    for_each_body(scene, [](uint32_t, const BodyRecord<D>& of) { fresh_boxes(of.body); });
+    for_each_body(scene, [&](uint32_t, const BodyRecord<D>& of) {
+      const Body<D>& body = of.body;
+      Box<D> bounds;
+      if (scene.keeps_boxes()) {
+        bounds = fresh_boxes(body).bounds;
+      } else {
+        for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+          if (body.has_vertex(v)) bounds.add(body.position(v));
+        }
+      }
+      if (!bounds.empty()) all_.add(widened(bounds, body.radius));
+    });
   }
 
+  /** Whether the box of a segment overlaps that of all bodies. */
+  bool may_meet(const double* from, const double* to) const noexcept {
+    bool apart = false;
+    for (int k = 0; k < D; ++k)
+      apart |= std::max(from[k], to[k]) < all_.lower[k] || all_.upper[k] < std::min(from[k], to[k]);
+    return !apart;
+  }
   template <class Visit>
   void visit(const Box<D>& box, Visit visit) const {
+    if (!all_.overlaps(box)) return;
     const auto name = [&](uint32_t slot) {
       return Partner<D>{&scene_.bodies[slot].body, slot, scene_.body_slots.generation(slot)};
     };
@@ -42,6 +61,7 @@ class BodiesAbout {
 
  private:
   const Scene<D>& scene_;
+  Box<D> all_;  // all bodies are in it
 };
 
 /** What a segment has met of a body, in place of what it met of the environment. */
@@ -87,15 +107,16 @@ class RayBatch {
     if (flight->outcome < DSW_OUTCOME_REACHED || flight->outcome > DSW_OUTCOME_WORK_LIMIT) return;
     const double* const from = from_[i];
     const double* const to = to_[i];
+    if (!bodies_.may_meet(from, to)) return;
     const double limit = flight->outcome == DSW_OUTCOME_REACHED ? kNever : flight->time;
     SegmentTouch<D> first;
     first.time = limit;
     Box<D> box;
     box.add(from);
     box.add(flight->position);
+    box = widened(box, kRoom * largest_coordinate<D>(from, to));
     const SegmentEnds ends = options_.open_ends ? SegmentEnds::kOpen : SegmentEnds::kClosed;
-    bodies_.visit(widened(box, kRoom * largest_coordinate<D>(from, to)),
-                  [&](const Partner<D>& body) { meet_segment(body, from, to, ends, first); });
+    bodies_.visit(box, [&](const Partner<D>& body) { meet_segment(body, from, to, ends, first); });
     if (!(first.time < limit)) return;
     const Cell start = options_.open_ends ? Cell{} : starts_.find(i, from);
     report_body(env_, from, to, start, first, flight);
@@ -134,15 +155,21 @@ void cast_among_bodies(Scene<D>& scene, size_t count, const dsw_volume_id* start
                        const SegmentOptions& options, dsw_flight* flights, dsw_contact_partner* partners) {
   SegmentOptions with_detail = options;
   with_detail.detail = true;
-  cast_segments(scene.env, scene.parallel, count, starts, from, to, with_detail, flights);
   const RayBatch<D> batch(scene, starts, from, to, options);
-  auto body = [&](size_t begin, size_t end) noexcept {
-    for (size_t i = begin; i < end; ++i) {
-      batch.ask(i, flights + i, partners + i);
-      if (!options.detail) leave_out_detail(flights + i);
-    }
-  };
-  share_out(scene.parallel, count, body);
+  share_or_throw([&](auto& chunk) { share_out(scene.parallel, count, chunk); },
+                 [&](size_t begin, size_t end) {
+                   while (begin < end) {  // reports are read again while they are at hand
+                     const size_t first = begin;
+                     begin = std::min(begin + kChunk, end);
+                     cast_segments(scene.env, scene.parallel, begin - first,
+                                   starts == nullptr ? nullptr : starts + first, {from[first], from.step},
+                                   {to[first], to.step}, with_detail, flights + first);
+                     for (size_t i = first; i < begin; ++i) {
+                       batch.ask(i, flights + i, partners + i);
+                       if (!options.detail) leave_out_detail(flights + i);
+                     }
+                   }
+                 });
 }
 
 template <int D>

@@ -58,6 +58,8 @@ def main():
     figures["rays.casts_checked"] = sum_of(seen, "casts")
     figures["rays.missed"] = sum_of(seen, "missed")
     figures["rays.phantom"] = sum_of(seen, "phantom")
+    figures["signed_distance.points_checked"] = sum_of(seen, "signs")
+    figures["signed_distance.wrong_signs"] = sum_of(seen, "wrong_signs")
     figures["sight.pairs_checked"] = sum_of(seen, "pairs")
     figures["sight.wrong"] = sum_of(seen, "wrong")
     dynamic = subprocess.run(["readelf", "-d", library], check=True, capture_output=True, text=True).stdout

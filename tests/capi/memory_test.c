@@ -430,12 +430,16 @@ static void nearest_of_batches(void) {
   CHECK(refusals >= 2 && g_host.alive == before);
   {
     static dsw_flight flights[COUNT];
+    static double distances[COUNT];
     dsw_cast_options open;
     dsw_cast_options_init(&open, sizeof open);
     open.flags = DSW_CAST_OPEN_ENDS;
     UNTIL_IT_SUCCEEDS(dsw_environment_cast_segments(g_env, COUNT, NULL, from, to, 0, &open, flights),
                       g_host.alive == before, refusals);
-    CHECK(refusals >= 2 && g_host.alive == before && flights[0].outcome == DSW_OUTCOME_REACHED);
+    CHECK(refusals >= 2 && g_host.alive == before);
+    UNTIL_IT_SUCCEEDS(dsw_environment_find_signed_distances(g_env, from, COUNT, 0, distances, NULL),
+                      g_host.alive == before, refusals);
+    CHECK(refusals >= 3 && g_host.alive == before && distances[0] < 0 && flights[0].outcome == DSW_OUTCOME_REACHED);
   }
   for (i = 0; i < COUNT; ++i) CHECK(points[i].distance == HUGE_VAL && segments[i].nearest.distance <= 3);
   end();

@@ -473,6 +473,42 @@ static void bad_questions_for_what_is_nearest_change_nothing(void) {
   CHECK_OK(dsw_environment_find_nearest_to_segments(g_env, 0, NULL, NULL, NULL, 0, 1, NULL, NULL, NULL));
 }
 
+static void signed_distances_are_negative_inside(void) {
+  dsw_environment *const e = make_environment(NULL, 4, 2, 2);
+  static double many[3 * 64], signs[64];
+  const double at[12] = {1.75, 1, 1.5, 5, 1, 1, 5, 3, 3, 4, 1, 1};
+  double d[4] = {7, 7, 7, 7}, bad[3] = {0, NAN, 0};
+  dsw_nearest n[4];
+  unsigned i;
+  CHECK_OK(set_volume_mark(e, 0, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_environment_find_signed_distances(e, at, 4, 0, d, n));
+  CHECK(d[0] == -0.5 && d[1] == 1 && d[2] == sqrt(3.0) && d[3] == 0);
+  CHECK(n[0].distance == 0.5 && n[0].point[2] == 2 && n[0].cell.kind == DSW_CELL_FACE && n[0].normal[2] == -1);
+  CHECK(n[1].point[0] == 4 && n[1].normal[0] == 1 && n[1].tag == 103 && n[3].normal[0] == 0);
+  /* Enough points for a tree, and points without one, have the same answers. */
+  for (i = 0; i < 3 * 64; ++i) many[i] = (double)(i * 37 % 101) / 16 - 1;
+  CHECK_OK(dsw_environment_find_signed_distances(e, many, 64, 0, signs, NULL));
+  for (i = 0; i < 64; ++i) {
+    CHECK_OK(dsw_environment_find_signed_distances(e, many + 3 * i, 1, 0, d, NULL));
+    CHECK(d[0] == signs[i]);
+  }
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_find_signed_distances(e, bad, 1, 0, d, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_find_signed_distances(e, at, 1, 0, NULL, n));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_find_signed_distances(NULL, at, 1, 0, d, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_find_signed_distances(e, at, 2, 4, d, NULL));
+  CHECK_OK(dsw_environment_find_signed_distances(e, NULL, 0, 0, NULL, NULL));
+  CHECK_OK(dsw_environment_destroy(e));
+}
+
+static void signed_distances_in_the_plane(void) {
+  dsw_environment *const e = make_squares(NULL, 4, 2);
+  const double at[8] = {1.75, 1.5, 5, 1, 5, 3, 4, 1};
+  double d[4];
+  CHECK_OK(dsw_environment_find_signed_distances(e, at, 4, 0, d, NULL));
+  CHECK(d[0] == -0.5 && d[1] == 1 && d[2] == sqrt(2.0) && d[3] == 0);
+  CHECK_OK(dsw_environment_destroy(e));
+}
+
 int main(void) {
   g_env = make_environment(NULL, 4, 2, 2);
   init_writes_the_defaults();
@@ -498,5 +534,7 @@ int main(void) {
   what_is_nearest_to_segments_is_found();
   bad_questions_for_what_is_nearest_change_nothing();
   CHECK_OK(dsw_environment_destroy(g_env));
+  signed_distances_are_negative_inside();
+  signed_distances_in_the_plane();
   return check_result();
 }

@@ -140,6 +140,10 @@ TEST(Cpp, RaysMeetBodies) {
   std::vector<dsw_nearest> nearest(1);
   scene.find_nearest(std::vector<double>{0.375, 0.5, 0.5}, 1, {}, nearest, partners);
   EXPECT_EQ(nearest[0].distance, 0.125);
+  std::vector<double> distances(1);
+  environment.find_signed_distances(std::vector<double>{0.5, 0.5, 0.75}, distances);
+  EXPECT_EQ(distances[0], -0.25);
+  EXPECT_THROW(environment.find_signed_distances(from, std::vector<double>(2)), WrongSize);
   EXPECT_THROW(scene.cast(from, std::vector<double>(6), {}, nullptr, flights, partners), WrongSize);
   EXPECT_THROW(scene.find_nearest(from, 1, {}, nearest, std::vector<dsw_contact_partner>(2)), WrongSize);
 }

@@ -274,6 +274,7 @@ dsw_status Calls::ask() {
           << dsw_environment_find_inside(e, points, 2, 0, starts, radius, inside, volumes)
           << dsw_scene_cast(scene_, 2, starts, from, to, 0, &cast, flights, partners)
           << dsw_scene_find_nearest(scene_, points, 2, 0, starts, radius, nearest, partners, volumes, locations)
+          << dsw_environment_find_signed_distances(e, points, 2, 0, inside, nearest)
           << dsw_sweep_pairs(nullptr, static_cast<uint32_t>(dimension_), 1, &kind, from, to, 0, cast.max_volumes,
                              &touch)
           << dsw_sweep_rigid_pairs(nullptr, static_cast<uint32_t>(dimension_), 1, &kind, from, to, 0, points, 1,

@@ -322,5 +322,58 @@ TEST_P(RaysTest, NearestPlacesAreNearest) {
   EXPECT_GT(nearer, 0);
 }
 
+TEST_P(RaysTest, SignedDistancesAreExactInSign) {
+  int asked = 0, wrong = 0, outside = 0;
+  double largest_error = 0;
+  for (uint64_t seed = 31; seed < 31 + seeds_of(3); ++seed) {
+    Place place = make_place(GetParam(), seed);
+    ASSERT_PLACE(place);
+    Rng rng(seed);
+    World& world = *place.world;
+    if (world.outer_boundary_crosses()) continue;
+    Motions motions(world, rng);
+    constexpr size_t kCount = 60;
+    std::vector<double> points;
+    for (size_t i = 0; i < kCount; ++i) {
+      Vec p = surface_point(world, motions, rng);
+      const double far = rng.chance(0.1) ? 40 : rng.chance(0.5) ? 1 : 0.01;
+      for (size_t k = 0; k < 3; ++k)
+        points.push_back(p[k] + (rng.chance(0.7) ? far * world.size * rng.range(-1, 1) : 0));
+    }
+    std::vector<double> distances(kCount), again(kCount);
+    std::vector<dsw_nearest> nearest(kCount);
+    ASSERT_EQ(
+        dsw_environment_find_signed_distances(place.get(), points.data(), kCount, 0, distances.data(), nearest.data()),
+        DSW_STATUS_OK);
+    for (size_t i = 0; i < kCount; ++i) {
+      const Vec p{points[3 * i], points[3 * i + 1], points[3 * i + 2]};
+      ASSERT_EQ(dsw_environment_find_signed_distances(place.get(), p.data(), 1, 0, &again[i], nullptr), DSW_STATUS_OK);
+      mpq_class least = -1;
+      for (const Triangle& t : world.triangles) {
+        if (t.cell[1] >= 0) continue;
+        const mpq_class square = squared_distance(exact::exact(p), corners_of(world, t));
+        if (least < 0 || square < least) least = square;
+      }
+      const std::string where = GetParam() + " seed " + std::to_string(seed) + " point " + std::to_string(i);
+      const int cell = world.locate(world.body(p.data()));
+      const bool is_right = least == 0 ? distances[i] == 0 : (distances[i] < 0) == (cell >= 0 || cell == -2);
+      ++asked;
+      wrong += is_right ? 0 : 1;
+      outside += distances[i] > 0 ? 1 : 0;
+      EXPECT_TRUE(is_right) << where << " " << distances[i];
+      const double error =
+          std::fabs(std::fabs(distances[i]) - std::sqrt(least.get_d())) / std::max(world.size, std::fabs(distances[i]));
+      largest_error = std::max(largest_error, error);
+      EXPECT_LE(error, 1e-14) << where;
+      EXPECT_EQ(nearest[i].distance, std::fabs(distances[i]));
+      EXPECT_EQ(nearest[i].cell.kind, DSW_CELL_FACE);
+    }
+    EXPECT_EQ(distances, again) << GetParam() << " seed " << seed;
+  }
+  RecordProperty("signs", asked);
+  RecordProperty("wrong_signs", wrong);
+  EXPECT_TRUE(asked < 60 || outside > 0);
+}
+
 }  // namespace
 }  // namespace dsw::oracle::rays

@@ -30,6 +30,10 @@ static partial class Tests
       Same(Outcome.Reached, flights[1].Outcome);
       Same(0.125, scene.FindNearest(new[] { 0.3, 0.3, 0.625 }, 1, out partners)[0].Distance);
       Same(1u, partners[0].Face.Generation);
+      double[] distances = new double[2];
+      environment.FindSignedDistances(new[] { 0.5, 0.5, 0.75, 0.5, 0.5, 3 }, distances, null);
+      Same(-0.25, distances[0]);
+      Same(2.0, distances[1]);
       CastOptions open = new CastOptions { Flags = Library.CAST_OPEN_ENDS };
       Same(Outcome.Reached, scene.Cast(new[] { 0.0, 0.5, 0.75 }, new[] { 1, 0.5, 0.75 }, out partners, open)[0].Outcome);
     }

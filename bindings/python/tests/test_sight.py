@@ -30,6 +30,12 @@ def test_a_ray_names_the_part_that_it_meets() -> None:
             scene.find_nearest([(1.3, 1.3, 1.6)], radius=-1.0)
 
 
+def test_distances_have_signs() -> None:
+    with room() as environment:
+        assert environment.signed_distances([(0.5, 0.5, 3.75), (3.0, 1.0, 1.0), (2.0, 1.0, 1.0)]).tolist() == [-0.25, 1.0, 0.0]
+        assert environment.signed_distances((1.0, 1.0, 1.5)).shape == ()
+
+
 def test_corners_see_each_other_past_a_pillar() -> None:
     with room() as environment:
         corners = np.array([(0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (2.0, 2.0, 4.0), (0.0, 2.0, 2.0)])

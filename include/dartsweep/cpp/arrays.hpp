@@ -216,6 +216,16 @@ void optional_count(const char *name, Elements &array, std::size_t expected) {
   if (array.count != 0) same_count(name, array.count, expected);
 }
 
+/** Arrays of a search for what is nearest to `count` places. */
+inline void check_nearest(std::size_t count, View<const dsw_volume_id> &hints,
+                          std::size_t nearest_count, View<dsw_volume_id> &volumes,
+                          View<std::int32_t> &locations) {
+  optional_count("hints", hints, count);
+  same_count("nearest", nearest_count, count);
+  optional_count("volumes", volumes, count);
+  optional_count("locations", locations, count);
+}
+
 [[noreturn]] inline void refuse_point(std::uint32_t dimension, const std::string &given) {
   throw WrongSize((dimension == 2 ? "a point of the plane has 2 coordinates"
                                   : "a point of space has 3 coordinates") +

@@ -281,6 +281,15 @@ class Environment {
         self.handle, from.count, hints.data, from.data, to.data, stride, radius, nearest.data,
         volumes.data, reinterpret_cast<dsw_location *>(locations.data)));
   }
+  void find_signed_distances(Points points, View<double> distances,
+                             View<dsw_nearest> nearest = {}) const {
+    count_points(dimension(), points);
+    same_count("distances", distances.count, points.count);
+    optional_count("nearest", nearest, points.count);
+    const EnvironmentReading self(*state_);
+    check(dsw_environment_find_signed_distances(self.handle, points.data, points.count,
+                                                points.stride_bytes, distances.data, nearest.data));
+  }
   void find_inside(Points points, double by, View<const dsw_volume_id> hints, PointsOut inside,
                    View<dsw_volume_id> volumes = {}) const {
     count_points(dimension(), points);
@@ -514,15 +523,6 @@ class Environment {
   Environment() : state_(std::make_shared<EnvironmentState>()) {}
 
   /** Checks the arrays of a search for `count` points or segments. */
-  static void check_nearest(std::size_t count, View<const dsw_volume_id> &hints,
-                            std::size_t nearest_count, View<dsw_volume_id> &volumes,
-                            View<std::int32_t> &locations) {
-    optional_count("hints", hints, count);
-    same_count("nearest", nearest_count, count);
-    optional_count("volumes", volumes, count);
-    optional_count("locations", locations, count);
-  }
-
   static void same_width(const Indices &connectivity,
                          std::initializer_list<const Indices *> others) {
     for (const Indices *other : others)

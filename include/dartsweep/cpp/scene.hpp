@@ -169,11 +169,8 @@ class Scene {
                     View<dsw_nearest> nearest, View<dsw_contact_partner> partners,
                     View<dsw_volume_id> volumes = {}, View<std::int32_t> locations = {}) {
     count_points(dimension(), points);
-    optional_count("hints", hints, points.count);
-    same_count("nearest", nearest.count, points.count);
+    check_nearest(points.count, hints, nearest.count, volumes, locations);
     same_count("partners", partners.count, points.count);
-    optional_count("volumes", volumes, points.count);
-    optional_count("locations", locations, points.count);
     const SceneWriting self(*state_);
     check(dsw_scene_find_nearest(self.handle, points.data, points.count, points.stride_bytes,
                                  hints.data, radius, nearest.data, partners.data, volumes.data,

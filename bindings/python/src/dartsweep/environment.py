@@ -329,6 +329,14 @@ class Environment(Named, Topology):
         """The nearest impassable thing within a radius that can be seen from a point."""
         return self._core.find_nearest(point, radius, volume)  # type: ignore[no-any-return]
 
+    def signed_distances(self, points: ArrayLike) -> NDArray[np.float64]:
+        """How far each point, of shape (n, 3) or (3,), is from the outer boundary, whatever is marked; negative inside. Signs are exact."""
+        given = np.asarray(points, np.float64)
+        rows = given.reshape(-1, given.shape[-1])
+        distances = np.empty(len(rows))
+        self._core.find_signed_distances(rows, distances)
+        return distances.reshape(given.shape[:-1])
+
     def inside(self, points: ArrayLike, by: float = 0.0, hints: Ids | None = None, volumes: Records | None = None) -> NDArray[np.float64]:
         """The nearest place that is inside for each point, of shape (n, 3) or (3,): in a passable volume and on nothing impassable. In C this
         is dsw_environment_find_inside. Points inside stay as they are. Others go to the nearest place of the boundary and from there `by`

@@ -47,6 +47,10 @@ class TouchingTest {
       ContactPartnerArray near = new ContactPartnerArray(1);
       assertEquals(0.125, scene.findNearest(new double[] {0.3, 0.3, 0.625}, 1, near).get(0).getDistance());
       assertEquals(1, near.get(0).getFace().generation());
+      double[] distances = new double[2];
+      environment.findSignedDistances(DoubleBuffer.wrap(new double[] {0.5, 0.5, 0.75, 0.5, 0.5, 3}), DoubleBuffer.wrap(distances), null);
+      assertEquals(-0.25, distances[0]);
+      assertEquals(2, distances[1]);
       CastOptions open = new CastOptions();
       open.setFlags(Dartsweep.CAST_OPEN_ENDS);
       assertEquals(Outcome.REACHED, scene.cast(new double[] {0, 0.5, 0.75}, new double[] {1, 0.5, 0.75}, near, open).get(0).getOutcome());
