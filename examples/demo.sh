@@ -67,7 +67,7 @@ build=$!
 make_venv "$venv" python3 "$source/requirements.txt" "$insertion/requirements.txt" "$insertion/page/requirements.txt"
 wait $build || exit 1
 
-rm -rf "$out"/*.png "$out"/*.svg "$out"/*.vtu "$out"/*.csv "$out"/*.html "$out"/summary.txt "$out/insertion" "$out/haptic.txt" "$out/rod.txt"
+rm -rf "$out"/*.png "$out"/*.svg "$out"/*.vtu "$out"/*.csv "$out"/*.html "$out"/summary.txt "$out/insertion" "$out/haptic.txt"
 mkdir "$out/insertion"
 if [ -n "$mesh" ]; then
   title=$(basename "$mesh")
@@ -87,7 +87,7 @@ else
 fi
 
 echo
-echo "a catheter in $title, 10,000 steps of 1 ms:"
+echo "a rod of 200 edges in $title, 10,000 steps of 1 ms:"
 insert=$tree/examples/insertion/dartsweep_insertion
 "$insert" "${input[@]}" "${source_name[@]}" --out "$out/insertion" --record "$out/insertion/calls.dswrec"
 quietly "making the recording again" "$tree/examples/dartsweep_replay" "$out/insertion/calls.dswrec" --quiet
@@ -96,14 +96,9 @@ echo "replay.bit_identical 1"
 quietly "making the page" \
   "$venv/bin/python" "$insertion/build_page.py" "$out/insertion/insertion.json" "$out/insertion.html"
 echo
-echo "a rod of 200 edges with a radius, at haptic rate; of these figures:"
+echo "the rod at the speed of a hand; of these figures:"
 "$insert" --preset haptic "${input[@]}" > "$out/haptic.txt"
 grep -E '^demo\.(steps|exactly_free_steps|lost|realtime_factor|realtime_factor.whole_step|detection_ms|detection_ms_p999|detection_ms_max|edges|rows_per_step|largest_stretch) ' "$out/haptic.txt"
-echo
-echo "the same rod to the end of its way:"
-"$insert" --physics rod --vertices 201 --no-statistics "${input[@]}" > "$out/rod.txt"
-grep -E '^demo\.(steps|exactly_free_steps|lost|reached_share|largest_stretch) ' "$out/rod.txt"
-
 echo
 echo "the other scenes:"
 [ -z "$surface" ] || input+=(--surface "$surface")
@@ -124,7 +119,7 @@ echo
 echo "the main job, a catheter:"
 echo "  page     $out/insertion.html (any browser, without a network)"
 echo "  picture  $out/insertion.png"
-echo "  tables   $out/insertion/summary.txt, steps.csv (every step), insertion.json (every figure); $out/haptic.txt, rod.txt"
+echo "  tables   $out/insertion/summary.txt, steps.csv (every step), insertion.json (every figure); $out/haptic.txt"
 echo "  replay   $out/insertion/calls.dswrec (every call, for dartsweep_replay)"
 echo "  ParaView $out/insertion/catheter.vtu, contacts.vtu, wall.vtu"
 echo "the other scenes:"

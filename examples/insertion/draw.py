@@ -1,4 +1,4 @@
-"""Draws an insertion: the vessel translucent, the catheter at several moments, its contacts.
+"""Draws an insertion: the vessel translucent, the catheter at several moments, its contacts. Prints what a caption says.
 
 usage: draw.py INSERTION.json OUT.png
 """
@@ -47,30 +47,26 @@ def main():
     frames, summary = data["frames"], data["summary"]
     wall = pyvista.PolyData.from_regular_faces(np.array(data["wall"]["positions"]).reshape(-1, 3),
                                                np.array(data["wall"]["triangles"]).reshape(-1, 3))
+    moments = np.linspace(0, len(frames) - 1, len(MOMENTS) + 1).astype(int)[1:]
     right, up, towards = parts.view_axes(wall.points)
-    low, high = (np.array([pick(wall.points @ axis) for axis in (right, up, towards)]) for pick in (np.min, np.max))
+    drawn = np.concatenate([wall.points] + [points_of(frames[frame]) for frame in moments])
+    low, high = (np.array([pick(drawn @ axis) for axis in (right, up, towards)]) for pick in (np.min, np.max))
     size, span = (high - low)[:2]
     radius = 0.0035 * size
 
     plot = parts.new_plot()
     plot.add_mesh(parts.glass(wall, towards, parts.WALL, 0.07, 0.55), scalars="rgba", rgba=True, smooth_shading=True,
                   specular=0.3, ambient=0.35)
-    moments = np.linspace(0, len(frames) - 1, len(MOMENTS) + 1).astype(int)[1:]
     for frame, colour in zip(moments, MOMENTS):
         add_catheter(plot, frames[frame], colour, radius)
-    contacts = contacts_of(frames)
-    if contacts.n_points > 0:
-        plot.add_mesh(parts.arrows(contacts, 5 * radius, MOST_CONTACTS), color=parts.NORMAL, ambient=0.4)
-    top = parts.HEIGHT
-    parts.text(plot, data["title"], 28, top - 46, 13)
-    free = f"exactly free at {summary['demo.exactly_free_steps']:,} of {summary['demo.steps']:,} steps"
-    parts.text(plot, f"{free}; {summary['demo.contacts']:,} contacts, {summary['demo.vertices_inserted']:,} vertices inserted and "
-               f"{summary['demo.vertices_removed']:,} removed; {100 * summary['demo.reached_share']:.0f} % of the way", 28, top - 76)
-    times = ", ".join(f"{frames[frame]['time']:.3g} s" for frame in moments)
-    parts.text(plot, f"catheter after {times} (purple to orange), inserted vertices yellow; normals of contacts on the way (green)",
-               28, 24)
+    if any(frame["contacts"] for frame in frames):  # a rod keeps away from walls and seldom touches them
+        plot.add_mesh(parts.arrows(contacts_of(frames), 5 * radius, MOST_CONTACTS), color=parts.NORMAL, ambient=0.4)
     parts.save(plot, sys.argv[2], (low + high) / 2 @ np.array([right, up, towards]), towards, up, 4 * size,
-               max(span * 1.32, size * 1.12 * parts.HEIGHT / parts.WIDTH) / 2)
+               max(span * 1.12, size * 1.06 * parts.HEIGHT / parts.WIDTH) / 2)
+    times = ", ".join(f"{frames[frame]['time']:.3g} s" for frame in moments)
+    print(f"{data['title']} after {times} (purple to orange), exactly free at {summary['demo.exactly_free_steps']:,} of "
+          f"{summary['demo.steps']:,} steps, {100 * summary['demo.reached_share']:.0f} % of the way; inserted vertices "
+          "yellow, normals of contacts green")
 
 
 if __name__ == "__main__":

@@ -14,15 +14,16 @@ constexpr double kMost = 1e12;  // of lengths and speeds
 
 // Defaults of a preset; what was given by hand stays.
 void apply_preset(const CLI::App& app, Options* options) {
+  const auto is_given = [&](const char* option) { return app.count(option) > 0; };
+  if (options->preset == "figure8") return;
+  options->vertices = is_given("--vertices") ? options->vertices : 201;
+  options->inserts = is_given("--response") ? options->inserts : false;
+  const bool for_springs = is_given("--integrator") || is_given("--contact-memory") || is_given("--response");
+  options->rod = is_given("--physics") ? options->rod : !for_springs;
   if (options->preset == "haptic") {
     options->slow = true;
-    options->vertices = app.count("--vertices") > 0 ? options->vertices : 201;
-    options->statistics = app.count("--statistics") > 0 ? options->statistics : false;
-    options->contact_memory = app.count("--contact-memory") > 0 ? options->contact_memory : 8;
-    options->inserts = app.count("--response") > 0 ? options->inserts : false;
-    const auto is_given = [&](const char* option) { return app.count(option) > 0; };
-    const bool for_springs = is_given("--integrator") || is_given("--contact-memory") || is_given("--response");
-    options->rod = is_given("--physics") ? options->rod : !for_springs;
+    options->statistics = is_given("--statistics") ? options->statistics : false;
+    options->contact_memory = is_given("--contact-memory") ? options->contact_memory : 8;
   }
 }
 
@@ -41,13 +42,14 @@ int read_options(int argc, char** argv, Options* options) {
         return std::isnan(std::strtod(text.c_str(), nullptr)) ? "'" + text + "' is no number" : std::string();
       },
       "");
+  options->preset = "rod";
   CLI::App app("Pushes a catheter through a network of vessels and proves after every step that it is free.",
                "dartsweep_insertion");
   app.add_option(
          "--preset", options->preset,
-         "figure8: 20 vertices of springs, edges get new ones where they touch; haptic: a rod of 201 vertices, no "
-         "statistics")
-      ->check(CLI::IsMember({"figure8", "haptic"}));
+         "rod: 201 vertices; figure8: 20 vertices of springs, edges get new ones where they touch; haptic: the rod at "
+         "the speed of a hand, no statistics")
+      ->check(CLI::IsMember({"rod", "figure8", "haptic"}));
   app.add_option("--mesh", options->mesh, "arrays that examples/demo/read_mesh.py made of a mesh")
       ->check(CLI::ExistingFile);
   app.add_option("--spacing", options->spacing, "of the generated vessel, mm")
