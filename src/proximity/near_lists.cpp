@@ -12,8 +12,9 @@ namespace {
 constexpr uint32_t kSharing = 8;
 // They share one if what is flooded for all is less than this part of what would be flooded for each.
 constexpr double kLessFlooded = 0.75;
-// How far obstacles are listed and selected beyond the reach, times the reach. Longer lists are made less often.
-constexpr double kListedMore = 2, kSelectedMore = 1;
+// How far obstacles are listed and selected beyond the reach, times the reach. Longer lists are made less often. All
+// features that are selected are looked at in each call, so fewer of them are selected.
+constexpr double kListedMore = 2, kSelectedMore = 1, kSelectedMoreFeatures = 0.25;
 // Obstacles are listed less far beyond the reach if the environment has changed since the last list, as it may change
 // again.
 constexpr double kListedMoreAfterChange = 0.25;
@@ -160,7 +161,8 @@ NearView<D> NearLists<D>::near(const Body<D>& body, const Part<D>& part, uint32_
     if (!has_list) make_list(body, part, (1 + listed_more * varied) * far, notes, all.found);
     note.selected.forget();  // until the selection is whole
     const NearList<D>& list = notes[note.owner].list;
-    const double left = note.listed.limits.room - note.listed.way_to(part), more = kSelectedMore * varied * far;
+    const double left = note.listed.limits.room - note.listed.way_to(part);
+    const double more = (has_features_ ? kSelectedMoreFeatures : kSelectedMore) * varied * far;
     const SelectionLimits limits{far + more, more};
     note.places = places;
     note.selected.set(part, has_features_ ? note.near.select_features(list, part, places, limits, left)

@@ -71,7 +71,8 @@ NearSearch<D>::NearSearch(const Environment<D>& env, const Body<D>& body, NearNo
       lists_(env),
       others_(env.memory),
       near_others_(env.memory),
-      cells_(env.memory) {}
+      cells_(env.memory),
+      edge_(env) {}
 
 /** The way from the part's first vertex to its nearest point lies in the part, which is free. From there another one
  * leads to the obstacle. */
@@ -81,15 +82,22 @@ Cell NearSearch<D>::look(const Part<D>& part, const NearList<D>& list, const Nea
   SimplexPoints obstacle{{}, pair.feature.count}, of_part{{}, part.corners.count};
   for (uint32_t i = 0; i < obstacle.count; ++i) obstacle.at[i] = list.point(pair.feature.corners[i]);
   std::copy_n(part.points, of_part.count, of_part.at);
-  const SightEnd<D> point(of_part, obstacle, EndShift::kWhole);
+  const uint32_t known = is_of_body ? 0 : obstacle.count;
   SightResult at{false, body_.vertices[part.corners.vertices[0]].cell};
-  if (of_part.count > 1) {
+  if (of_part.count == 2 && walked_edge_ != part.simplex.index) {
+    walked_edge_ = part.simplex.index;
+    edge_.begin(part.points, at.cell, body_.vertices[part.corners.vertices[1]].cell);
+  }
+  const bool stays = of_part.count == 1 || (of_part.count == 2 && !edge_.leaves());
+  if (stays && !is_of_body && is_simplex_at(env_.map, at.cell, pair.obstacle_vertices, known)) return at.cell;
+  const SightEnd<D> point(of_part, obstacle, EndShift::kWhole);
+  if (!stays) {
     Sightline<D> in_part(SightEnd<D>({{part.points[0]}, 1}, obstacle, EndShift::kWhole), point);
-    at = walk_along(env_, in_part, at.cell, nullptr, 0);
+    at = of_part.count == 2 ? edge_.to(in_part) : walk_along(env_, in_part, at.cell, nullptr, 0);
     if (at.is_hit) return {};
+    if (!is_of_body && is_simplex_at(env_.map, at.cell, pair.obstacle_vertices, known)) return at.cell;
   }
   const EndShift shift = is_of_body ? EndShift::kWhole : of_part.count == 1 ? EndShift::kFoot : EndShift::kStill;
-  const uint32_t known = is_of_body ? 0 : obstacle.count;
   Sightline<D> line(point, SightEnd<D>(obstacle, of_part, shift));
   at = walk_along(env_, line, at.cell, pair.obstacle_vertices, known);
   if (at.is_hit) return {};

@@ -5,6 +5,7 @@
 #include "proximity/near_lists.h"
 #include "proximity/near_pair.h"
 #include "proximity/partners.h"
+#include "proximity/sight.h"
 
 namespace dsw {
 
@@ -38,6 +39,8 @@ class NearSearch {
   NearList<D> others_;  // of a partner
   NearSelection<D> near_others_;
   CellQueue cells_;  // at the end of a sightline
+  EdgeWalk<D> edge_;
+  uint32_t walked_edge_ = kNone;  // which one that is
 };
 
 }  // namespace dsw

@@ -31,38 +31,57 @@ uint32_t ObstacleFlood<D>::outside(uint32_t vertex, const NearRegion<D>& region)
 }
 
 template <int D>
-void ObstacleFlood<D>::follow(Cell c, const Shape& shape, uint32_t facet, NearList<D>& found) {
+void ObstacleFlood<D>::follow(Cell c, uint32_t facet, NearList<D>& found) {
   const HalfFacet h = env_.map.half_facet(c, facet);
   if (is_impassable(env_, h)) {
-    add_triangles(c, shape, facet, found);
+    add_triangles(c, facet, found);
   } else {
     cells_.insert(env_.map.cell_of(env_.map.opposite(h)));
+  }
+}
+
+/** Most cells of a flood are tetrahedra. Their shape is asked for at obstacles alone. */
+template <int D>
+void ObstacleFlood<D>::visit_tetrahedron(Cell c, const NearRegion<D>& region, NearList<D>& found) {
+  const uint32_t* const w = env_.map.record(c);
+  const bool is_plain = !env_.has_moved() && !env_.map.marked(c);
+  uint32_t bits[4];
+  outside_.resize(4);
+  for (uint32_t i = 0; i < 4; ++i) outside_[i] = bits[i] = outside(w[i] & kVertexMask, region);
+  for (uint32_t f = 0; f < 4; ++f) {
+    const uint8_t* const v = kTetrahedronFacets[f];
+    if ((bits[v[0]] & bits[v[1]] & bits[v[2]]) != 0) continue;
+    const HalfFacet beyond{w[4 + f]};  // an address below kNoFacet, unless the facet is marked or has no other side
+    const Cell next = is_plain && beyond.word < kNoFacet ? env_.map.cell_of(beyond) : Cell{};
+    if (next.valid() && !env_.map.marked(next)) {
+      cells_.insert(next);
+    } else {
+      follow(c, f, found);
+    }
   }
 }
 
 template <int D>
 void ObstacleFlood<D>::visit(Cell c, const NearRegion<D>& region, NearList<D>& found) {
   const Map<D>& map = env_.map;
-  outside_.clear();
-  map.for_each_vertex(c, [&](uint32_t v) { outside_.push_back(outside(v, region)); });
-  const Shape shape = map.shape(c);
   if (D == 3 && map.form(c) == Form::kSimplex) {
-    for (uint32_t f = 0; f < 4; ++f) {
-      const uint8_t* const v = kTetrahedronFacets[f];
-      if ((outside_[v[0]] & outside_[v[1]] & outside_[v[2]]) == 0) follow(c, shape, f, found);
-    }
+    visit_tetrahedron(c, region, found);
   } else {
+    outside_.clear();
+    map.for_each_vertex(c, [&](uint32_t v) { outside_.push_back(outside(v, region)); });
+    const Shape shape = map.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       uint32_t all = ~0u;
       for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { all &= outside_[local]; });
-      if (all == 0) follow(c, shape, f, found);
+      if (all == 0) follow(c, f, found);
     }
   }
-  if (env_.marked_edges != 0 || env_.marked_vertices != 0) add_thin(c, shape, found);
+  if (env_.marked_edges != 0 || env_.marked_vertices != 0) add_thin(c, map.shape(c), found);
 }
 
 template <int D>
-void ObstacleFlood<D>::add_triangles(Cell c, const Shape& shape, uint32_t facet, NearList<D>& found) const {
+void ObstacleFlood<D>::add_triangles(Cell c, uint32_t facet, NearList<D>& found) const {
+  const Shape shape = env_.map.shape(c);
   for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
     const uint16_t* const local = shape.simplices() + size_t{s} * D;
     WallFeature o{{}, D, env_.map.half_facet(c, facet), {}};

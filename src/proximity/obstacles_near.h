@@ -35,9 +35,10 @@ class ObstacleFlood {
   /** See NearRegion. */
   uint32_t outside(uint32_t vertex, const NearRegion<D>& region) noexcept;
   void visit(Cell c, const NearRegion<D>& region, NearList<D>& found);
+  void visit_tetrahedron(Cell c, const NearRegion<D>& region, NearList<D>& found);
   /** Through a facet, if it is passable. */
-  void follow(Cell c, const Shape& shape, uint32_t facet, NearList<D>& found);
-  void add_triangles(Cell c, const Shape& shape, uint32_t facet, NearList<D>& found) const;
+  void follow(Cell c, uint32_t facet, NearList<D>& found);
+  void add_triangles(Cell c, uint32_t facet, NearList<D>& found) const;
   void add_thin(Cell c, const Shape& shape, NearList<D>& found) const;
 
   const Environment<D>& env_;

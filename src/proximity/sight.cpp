@@ -4,11 +4,19 @@
 
 #include "base/dimensions.h"
 #include "base/search.h"
+#include "walk/cast.h"
+#include "walk/standard_facets.h"
 
 namespace dsw {
 namespace {
 
 constexpr uint32_t kStays = UINT32_MAX;
+
+/** What a Shape says of a tetrahedron. */
+struct TetrahedronFacets {
+  uint32_t facet_count() const noexcept { return 4; }
+  uint32_t simplex_first(uint32_t facet) const noexcept { return facet; }
+};
 
 /** Finds the facets through which a line leaves one cell after the other. */
 template <int D>
@@ -19,6 +27,8 @@ class SightWalk {
 
   /** The facet through which the line leaves a cell, or kStays. */
   uint32_t leave(Cell c) {
+    if (target_count_ != 0 && is_simplex_at(env_.map, c, target_, target_count_)) return kStays;
+    if (D == 3 && env_.map.form(c) == Form::kSimplex) return leave_convex(c, TetrahedronFacets());
     const Shape shape = env_.map.shape(c);
     return env_.map.convex(c) ? leave_convex(c, shape) : leave_other(c, shape);
   }
@@ -27,7 +37,8 @@ class SightWalk {
  private:
   /** One plane for each facet. Of those that the end lies beyond, the line passes just one. So what doubles tell of the
    * planes is mostly enough, also where the end lies on some. */
-  uint32_t leave_convex(Cell c, const Shape& shape) {
+  template <class Facets>
+  uint32_t leave_convex(Cell c, const Facets& shape) {
     bool is_open = false;
     uint32_t exit = choose(c, shape, [&](uint32_t f, const double* const* points) {
       const int side = line_.certain_end_side(points);
@@ -39,28 +50,37 @@ class SightWalk {
         return !is_at_target(c, shape, f) && line_.ends_beyond(points);
       });
     }
-    if (exit != kStays) simplex_points(env_, c, shape, shape.simplex_first(exit), passed_);
+    if (exit != kStays) points_of(c, shape, shape.simplex_first(exit), passed_);
     return exit;
   }
   /** The facet that the line passes, if is_beyond(facet, points of its plane) is true for it; else any other with that
    * property. */
-  template <class IsBeyond>
-  uint32_t choose(Cell c, const Shape& shape, IsBeyond is_beyond) {
+  template <class Facets, class IsBeyond>
+  uint32_t choose(Cell c, const Facets& shape, IsBeyond is_beyond) {
     uint32_t exit = kStays;
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      if (env_.map.half_facet(c, f).word == through_.word) continue;
       const double* points[D];
-      simplex_points(env_, c, shape, shape.simplex_first(f), points);
-      if (env_.map.half_facet(c, f).word == through_.word || !is_beyond(f, points)) continue;
+      points_of(c, shape, shape.simplex_first(f), points);
+      if (!is_beyond(f, points)) continue;
       if (exit != kStays && passes(c, shape, exit)) break;
       exit = f;
     }
     return exit;
   }
 
-  bool passes(Cell c, const Shape& shape, uint32_t facet) {
+  void points_of(Cell c, const Shape& shape, uint32_t simplex, const double** out) const noexcept {
+    simplex_points(env_, c, shape, simplex, out);
+  }
+  void points_of(Cell c, const TetrahedronFacets&, uint32_t simplex, const double** out) const noexcept {
+    const uint32_t* const w = env_.map.record(c);
+    for (int i = 0; i < D; ++i) out[i] = env_.point(w[kTetrahedronFacets[simplex][i]] & kVertexMask);
+  }
+  template <class Facets>
+  bool passes(Cell c, const Facets& shape, uint32_t facet) {
     for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
       const double* points[D];
-      simplex_points(env_, c, shape, s, points);
+      points_of(c, shape, s, points);
       if (line_.pierces(points)) return true;
     }
     return false;
@@ -95,6 +115,8 @@ class SightWalk {
       return dsw::any_of(local, local + count, [&](uint16_t i) { return env_.map.vertex(c, i) == v; });
     });
   }
+  // A tetrahedron with a facet at the target is not left.
+  bool is_at_target(Cell, const TetrahedronFacets&, uint32_t) const noexcept { return false; }
   bool is_at_target(Cell c, const Shape& shape, uint32_t facet) const noexcept {
     if constexpr (D == 2) return has_target(c, shape.simplices() + size_t{2} * facet, 2);
     return has_target(c, shape.dart_vertices() + shape.facet_first(facet), shape.facet_size(facet));
@@ -143,6 +165,19 @@ class ObstacleInCell {
 
 }  // namespace
 
+// A simplex is convex, and its facets that do not have all the vertices keep away from the end.
+template <int D>
+bool is_simplex_at(const Map<D>& map, Cell c, const uint32_t* vertices, uint32_t count) noexcept {
+  const uint32_t* const w = map.record(c);
+  if (form_of(w[0]) != Form::kSimplex) return false;
+  for (uint32_t i = 0; i < count; ++i) {
+    bool is_one = false;
+    for (int k = 0; k <= D; ++k) is_one |= (w[k] & kVertexMask) == vertices[i];
+    if (!is_one) return false;
+  }
+  return true;
+}
+
 template <int D>
 SightResult walk_along(const Environment<D>& env, Sightline<D>& line, Cell start, const uint32_t* target,
                        uint32_t target_count) {
@@ -159,8 +194,44 @@ SightResult walk_along(const Environment<D>& env, Sightline<D>& line, Cell start
 }
 
 template <int D>
+void EdgeWalk<D>::add(Cell from, uint32_t simplex, const SightResult& beyond) noexcept {
+  is_known_ = is_known_ && count_ < kMostSteps && env_.map.convex(from);
+  if (!is_known_) return;
+  boundary_points(env_, from, simplex, steps_[count_].simplex);
+  steps_[count_++].beyond = beyond;
+}
+
+template <int D>
+void EdgeWalk<D>::begin(const double* const* ends, Cell start, Cell last) noexcept {
+  start_ = start;
+  count_ = 0;
+  is_known_ = true;
+  CastRequest request;
+  request.from = ends[0];
+  request.to = ends[1];
+  request.start = start;
+  request.end = last;
+  request.crossing_user = this;
+  request.crossing = [](void* walk, Cell from, uint32_t simplex, Cell to) {
+    static_cast<EdgeWalk*>(walk)->add(from, simplex, {false, to});
+  };
+  const CastResult there = cast(env_, request, nullptr);
+  if (there.end == CastEnd::kHit) add(there.cell, there.simplex, {true, there.cell});
+  is_known_ = is_known_ && env_.map.convex(there.cell);
+}
+
+template <int D>
+SightResult EdgeWalk<D>::to(Sightline<D>& line) {
+  if (!is_known_) return walk_along(env_, line, start_, nullptr, 0);
+  SightResult at{false, start_};
+  for (uint32_t i = 0; i < count_ && line.ends_beyond(steps_[i].simplex); ++i) at = steps_[i].beyond;
+  return at;
+}
+
+template <int D>
 Cell find_cell_at_end(const Environment<D>& env, Sightline<D>& line, Cell end, const uint32_t* vertices, uint32_t count,
                       CellQueue& cells) {
+  if (is_simplex_at(env.map, end, vertices, count)) return end;
   cells.clear();
   cells.insert(end);
   for (size_t i = 0; i < cells.size(); ++i) {
@@ -179,23 +250,43 @@ Cell find_cell_at_end(const Environment<D>& env, Sightline<D>& line, Cell end, c
 }
 
 template <int D>
+void PassableFan<D>::follow(HalfFacet h) {
+  if (!is_impassable(env_, h)) cells_.insert(env_.map.cell_of(env_.map.opposite(h)));
+}
+
+/** A facet has the vertices if the corner that it lacks is none of them. */
+template <int D>
+void PassableFan<D>::follow_tetrahedron(Cell c) {
+  const uint32_t* const w = env_.map.record(c);
+  for (uint32_t f = 0; f < 4; ++f) {
+    const uint32_t tip = w[kTetrahedronTips[f]] & kVertexMask;
+    if (dsw::find(vertices_, vertices_ + count_, tip) == vertices_ + count_) follow(env_.map.half_facet(c, f));
+  }
+}
+
+template <int D>
 bool PassableFan<D>::reaches(Cell c) {
   for (; !cells_.contains(c); ++next_) {
     if (next_ == cells_.size()) return false;
     const Cell at = cells_[next_];
+    if (D == 3 && env_.map.form(at) == Form::kSimplex) {
+      follow_tetrahedron(at);
+      continue;
+    }
     const Shape shape = env_.map.shape(at);
     const ObstacleInCell<D> obstacle(env_.map, at, shape, vertices_, count_);
     for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
-      if (!obstacle.is_on(s)) continue;
-      const HalfFacet h = env_.map.half_facet(at, shape.simplex_facets(D)[s]);
-      if (!is_impassable(env_, h)) cells_.insert(env_.map.cell_of(env_.map.opposite(h)));
+      if (obstacle.is_on(s)) follow(env_.map.half_facet(at, shape.simplex_facets(D)[s]));
     }
   }
   return true;
 }
 
+DSW_INSTANTIATE(is_simplex_at);
 DSW_INSTANTIATE(walk_along);
 DSW_INSTANTIATE(find_cell_at_end);
+template class EdgeWalk<2>;
+template class EdgeWalk<3>;
 template class PassableFan<2>;
 template class PassableFan<3>;
 

@@ -13,12 +13,45 @@ struct SightResult {
   Cell cell;            // the last cell entered
 };
 
+/** Whether a cell is a simplex that has vertices. A line that ends inside of what they span does not leave it then. */
+template <int D>
+bool is_simplex_at(const Map<D>& map, Cell c, const uint32_t* vertices, uint32_t count) noexcept;
+
 /** Walks from a cell that contains the start of a line, under the shift, to the end or to an impassable facet. Every step
  * crosses a facet later than the one before.
- * @param target vertices: the end lies on every facet that has all of them. Throws std::bad_alloc. */
+ * @param target vertices: the line ends inside of the simplex that they span. Throws std::bad_alloc. */
 template <int D>
 SightResult walk_along(const Environment<D>& env, Sightline<D>& line, Cell start, const uint32_t* target,
                        uint32_t target_count);
+
+/** Walks along an edge of a body. What the whole edge passes is found once for all points on it. In convex cells the walk
+ * to a point passes those facets of it that the point lies beyond. */
+template <int D>
+class EdgeWalk {
+ public:
+  explicit EdgeWalk(const Environment<D>& env) : env_(env) {}
+
+  /** Begins with an edge, by the cells that contain its ends. */
+  void begin(const double* const* ends, Cell start, Cell last) noexcept;
+  /** Whether the edge leaves its first cell. */
+  bool leaves() const noexcept { return !is_known_ || count_ != 0; }
+  /** Walks to the end of a line from the first end of the edge to a point on it. Throws std::bad_alloc. */
+  SightResult to(Sightline<D>& line);
+
+ private:
+  static constexpr uint32_t kMostSteps = 64;
+
+  void add(Cell from, uint32_t simplex, const SightResult& beyond) noexcept;
+
+  const Environment<D>& env_;
+  Cell start_;
+  bool is_known_ = false;  // all steps, through convex cells
+  uint32_t count_ = 0;
+  struct {
+    const double* simplex[D];  // that is passed
+    SightResult beyond;
+  } steps_[kMostSteps];
+};
 
 /** A cell with an obstacle at which a line ends that ends in the cell `end`; invalid if it ends at none. The other lip of
  * a closed slit has vertices of its own. It can lie before this lip up to rounding, but this line does not end at it, nor
@@ -44,6 +77,9 @@ class PassableFan {
   bool reaches(Cell c);
 
  private:
+  void follow(HalfFacet h);
+  void follow_tetrahedron(Cell c);
+
   const Environment<D>& env_;
   const uint32_t* vertices_;
   uint32_t count_;

@@ -196,6 +196,7 @@ template <int D>
 void find_rows(Scene<D>& scene, BodyRecord<D>& of, const NearSettings& settings, NearRecord<D>& near) {
   const double margin = settings.margin, radius = settings.radius + of.body.radius;
   Array<FoundPair<D>> pairs(scene.memory);
+  pairs.reserve(near.last.size() + near.last.size() / 8);
   Partners<D> partners(scene.memory);
   NearSearch<D> search(scene.env, of.body, near.notes);
   search.find_walls(margin + radius, pairs);
