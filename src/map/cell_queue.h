@@ -44,6 +44,35 @@ class CellQueue {
   Array<uint32_t> slots_;  // their units by hash, linear probing; kNoCell is empty
 };
 
+/** The facets of a hexahedron at each of its vertices. */
+struct BoxFacetsAt {
+  uint8_t of[8][3] = {};
+  constexpr BoxFacetsAt() {
+    uint32_t count[8] = {};
+    for (uint32_t f = 0; f < 6; ++f) {
+      for (const uint8_t vertex : kBoxFacets[f]) of[vertex][count[vertex]++] = static_cast<uint8_t>(f);
+    }
+  }
+};
+inline constexpr BoxFacetsAt kBoxFacetsAt{};
+
+/** Calls visit(facet) for the facets of a cell at one of its vertices. */
+template <int D, class Visit>
+void for_each_facet_at_vertex(const Map<D>& map, Cell c, uint32_t vertex, Visit visit) {
+  if (D == 3 && map.form(c) == Form::kBox) {
+    uint32_t local = 0;
+    while (map.record(c)[kUnitWords<D> + local] != vertex) ++local;
+    for (const uint32_t f : kBoxFacetsAt.of[local]) visit(f);
+    return;
+  }
+  const Shape shape = map.shape(c);
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    for_each_facet_vertex<D>(shape, f, [&](uint32_t local) {
+      if (map.vertex(c, local) == vertex) visit(f);
+    });
+  }
+}
+
 /** Adds to `around` the cells that can be reached from those in it through facets at a vertex, passable or not;
  * visit(cell) is called for all. At a pinched boundary there can be others. Throws std::bad_alloc. */
 template <int D, class Visit>
@@ -51,14 +80,10 @@ void for_each_cell_at_vertex(const Map<D>& map, uint32_t vertex, CellQueue& arou
   for (size_t i = 0; i < around.size(); ++i) {
     const Cell at = around[i];
     visit(at);
-    const Shape shape = map.shape(at);
-    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-      for_each_facet_vertex<D>(shape, f, [&](uint32_t local) {
-        if (map.vertex(at, local) != vertex) return;
-        const HalfFacet o = map.opposite(map.half_facet(at, f));
-        if (o.valid()) around.insert(map.cell_of(o));
-      });
-    }
+    for_each_facet_at_vertex(map, at, vertex, [&](uint32_t f) {
+      const HalfFacet o = map.opposite(map.half_facet(at, f));
+      if (o.valid()) around.insert(map.cell_of(o));
+    });
   }
 }
 
