@@ -15,10 +15,11 @@ int main(int argc, char** argv) {
   const std::vector<std::string> known = {"hex",    "threads",   "kernels",  "tet",      "vessel", "change",
                                           "create", "fig11",     "fig12",    "catheter", "deform", "coarsen",
                                           "cut",    "obstacles", "remesh",   "self",     "plane",  "figure5",
-                                          "locate", "near",      "together", "work"};
+                                          "locate", "near",      "together", "work",     "scale"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");
+  app.add_flag("--long", options.is_long, "Also 1e8 tetrahedra, in 20 GB");
   app.add_option("--json", json, "File to write");
   app.add_option("--vessel", options.vessel, "Mesh converted by read_mesh.py");
   app.add_option("--data", options.data, "Folder with surfaces and vessels");
@@ -35,6 +36,7 @@ int main(int argc, char** argv) {
   };
   try {
     if (wanted("create")) run_create(options, report);
+    if (wanted("scale")) run_scale(options, report);
     if (wanted("locate")) run_locate(options, report);
     if (wanted("near")) run_near(options, report);
     if (wanted("near")) run_near_rows(options, report);

@@ -11,6 +11,7 @@ namespace dsw::bench {
 
 struct Options {
   bool quick = false;
+  bool is_long = false;  // also what takes 20 GB
   std::string vessel;  // file of read_mesh.py, or empty
   std::string data;    // folder with surfaces and centrelines, or empty
   std::string scene;   // file that gets what figure 10 shows, as JSON, or empty
@@ -37,6 +38,7 @@ void run_locate(const Options& options, Report& report);
 void run_near(const Options& options, Report& report);
 void run_near_rows(const Options& options, Report& report);
 void run_create(const Options& options, Report& report);
+void run_scale(const Options& options, Report& report);
 void run_fig12(const Options& options, Report& report);
 void run_catheter(const Options& options, Report& report);
 void run_deform(const Options& options, Report& report, Agreement& agreement);
