@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -31,6 +32,10 @@ struct Setting {
   std::uint32_t flags = 0;  // of its bodies
   dsw_response vertex_response = DSW_RESPONSE_STOP, edge_response = DSW_RESPONSE_STOP;
   dsw_search search = DSW_SEARCH_EXACT;
+  // What a host does with the bodies.
+  std::uint32_t move_flags = 0, passes = 0;
+  double radius = 0;
+  bool asks_for_rows = false, moves_at_once = false, records = false;
   std::string off{};  // the setting of this feature that is `off` or the default, where another row has measured it
 };
 
@@ -64,10 +69,26 @@ Setting response(const char* name, dsw_response vertices, dsw_response edges) {
   return made;
 }
 
+/** What a host asks for beside that, at DSW_LEVEL_EDGES_SWEPT. */
+template <class Change>
+Setting use(const char* name, Change change) {
+  Setting made{name, "on"};
+  change(made);
+  made.off = "off";
+  return made;
+}
+
 Setting search(const char* name, dsw_search value) {
   Setting made{"contact detail", name};
   made.search = value;
   made.off = "exact";
+  return made;
+}
+
+/** Beside `slide`. */
+Setting keep_walls() {
+  Setting made = response("slide_keep_walls", DSW_RESPONSE_SLIDE, DSW_RESPONSE_SLIDE);
+  made.move_flags = DSW_MOVE_KEEP_WALLS;
   return made;
 }
 
@@ -90,11 +111,26 @@ std::vector<Setting> all_settings() {
           flag("skip by environment", DSW_BODY_SKIP_BY_ENVIRONMENT),
           flag("skip by clearance", DSW_BODY_SKIP_BY_CLEARANCE),
           flag("skip similar motion", DSW_BODY_SKIP_SIMILAR_MOTION),
+          flag("skip back edges", DSW_BODY_SKIP_BACK_EDGES),
+          flag("hybrid", DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BACK_EDGES),
+          flag("rigid", DSW_BODY_RIGID),
+          use("no sequences", [](Setting& s) { s.flags = DSW_BODY_NO_SEQUENCES; }),
+          use("self contacts",
+              [](Setting& s) {
+                s.features = DSW_FEATURE_BODY_CONTACTS;
+                s.flags = DSW_BODY_SELF_CONTACTS;
+              }),
+          use("radius", [](Setting& s) { s.radius = 1e-3; }),
+          use("passes", [](Setting& s) { s.passes = 4; }),
+          use("near rows", [](Setting& s) { s.asks_for_rows = true; }),
+          use("together", [](Setting& s) { s.moves_at_once = true; }),
+          use("recording", [](Setting& s) { s.records = true; }),
           response("slide", DSW_RESPONSE_SLIDE, DSW_RESPONSE_SLIDE),
           response("adaptive_one", DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_ONE),
           response("adaptive_many", DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_MANY),
           response("hybrid", DSW_RESPONSE_SLIDE, DSW_RESPONSE_HYBRID),
           response("adaptive_slide", DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_SLIDE),
+          keep_walls(),
           search("all", DSW_SEARCH_EXHAUSTIVE),
           search("bisection", DSW_SEARCH_BISECTION)};
 }
@@ -112,6 +148,14 @@ class Bodies {
     options_.vertex_response = setting.vertex_response;
     options_.edge_response = setting.edge_response;
     options_.search = setting.search;
+    options_.flags = setting.move_flags;
+    options_.passes = setting.passes;
+    asks_for_rows_ = setting.asks_for_rows;
+    moves_at_once_ = setting.moves_at_once;
+    for (const dsw_body_id body : flock_.bodies()) {
+      if (setting.radius > 0) check(dsw_body_set_radius(scene(), body, setting.radius));
+    }
+    if (setting.records) start_recording();
     options_.min_length = 0.1;  // of edges half a cell long, so that there is an end to insertions
     adaptive_ = setting.edge_response != DSW_RESPONSE_STOP && setting.edge_response != DSW_RESPONSE_SLIDE;
   }
@@ -125,7 +169,13 @@ class Bodies {
 
   /** All bodies take one step. @return ns that the library takes. */
   double move(const std::vector<double>& script) {
-    if (!adaptive_) return cpu_time_ns([&] { flock_.move(script.data(), &options_); });
+    if (moves_at_once_) return cpu_time_ns([&] { flock_.move_together(script.data(), DSW_TOGETHER_STOP_FEATURE); });
+    if (!adaptive_) {
+      return cpu_time_ns([&] {
+        flock_.move(script.data(), &options_);
+        if (asks_for_rows_) find_rows();
+      });
+    }
     targets_.clear();
     for (std::size_t body = 0; body < inserted_.size(); ++body) {
       const std::size_t first = targets_.size();
@@ -154,6 +204,22 @@ class Bodies {
   }
 
  private:
+  /** To nowhere: what it costs to write, without a disc. */
+  void start_recording() {
+    dsw_recording_desc desc;
+    dsw_recording_desc_init(&desc, sizeof desc);
+    desc.write = [](void*, const void*, std::size_t) { return 0; };
+    check(dsw_scene_start_recording(scene(), &desc));
+  }
+
+  void find_rows() {
+    dsw_near_options options;
+    dsw_near_options_init(&options, sizeof options);
+    options.margin = 0.1;
+    std::size_t count = 0;
+    for (const dsw_body_id body : flock_.bodies()) check(dsw_body_find_near_rows(scene(), body, &options, &count));
+  }
+
   struct Inserted {
     std::size_t ends[2];
     double share;
@@ -164,7 +230,7 @@ class Bodies {
   std::vector<std::vector<Inserted>> inserted_;  // of each body, in the order of their indices
   std::vector<double> targets_;
   dsw_move_options options_{};
-  bool adaptive_ = false;
+  bool adaptive_ = false, asks_for_rows_ = false, moves_at_once_ = false;
 };
 
 /** One scene in an environment of its own, whose memory is counted. */
@@ -271,6 +337,47 @@ void measure_casts(const World& world, const Segments& segments, std::vector<Row
   }
 }
 
+/** Squares and cubes: bytes of an environment of about so many cells. */
+void measure_dimensions(std::size_t cells, std::vector<Row>& rows) {
+  for (const std::uint32_t dimension : {2u, 3u}) {
+    const auto side = static_cast<std::size_t>(std::round(std::pow(static_cast<double>(cells), 1.0 / dimension)));
+    const std::size_t row = side + 1, layers = dimension == 3 ? side : 1;
+    std::vector<double> points;
+    std::vector<std::int64_t> corners;
+    for (std::size_t z = 0; z <= (dimension == 3 ? side : 0); ++z) {
+      for (std::size_t i = 0; i < row * row; ++i) {
+        points.insert(points.end(), {static_cast<double>(i % row), static_cast<double>(i / row)});
+        if (dimension == 3) points.push_back(static_cast<double>(z));
+      }
+    }
+    for (std::size_t i = 0; i < side * side * layers; ++i) {
+      const std::size_t x = i % side, y = i / side % side, first = (i / side / side * row + y) * row + x;
+      const std::size_t base[4] = {first, first + 1, first + row + 1, first + row};
+      for (std::size_t layer = 0; layer < (dimension == 3 ? 2u : 1u); ++layer) {
+        for (const std::size_t corner : base) corners.push_back(static_cast<std::int64_t>(corner + layer * row * row));
+      }
+    }
+    dsw_environment_desc desc;
+    dsw_environment_desc_init(&desc, sizeof desc);
+    desc.dimension = dimension;
+    desc.points = points.data();
+    desc.point_count = points.size() / dimension;
+    desc.uniform_cell_type = dimension == 3 ? DSW_CELL_TYPE_HEXAHEDRON : DSW_CELL_TYPE_QUAD;
+    desc.volume_count = side * side * layers;
+    desc.connectivity = corners.data();
+    desc.connectivity_count = corners.size();
+    dsw_environment* environment = nullptr;
+    check(dsw_environment_create(nullptr, &desc, &environment, nullptr));
+    dsw_environment_info info;
+    info.struct_size = sizeof info;
+    check(dsw_environment_get_info(environment, &info));
+    Row made{"dimension", dimension == 3 ? "space" : "plane"};
+    made.bytes_per_cell = static_cast<double>(info.memory_bytes) / static_cast<double>(info.volume_count);
+    rows.push_back(made);
+    dsw_environment_destroy(environment);
+  }
+}
+
 std::vector<Row> measure(const Fig11Case& scene, const Script& script, bool libccd_only, Report& report) {
   std::vector<std::unique_ptr<Run>> runs;
   for (const Setting& setting : all_settings()) {
@@ -305,6 +412,7 @@ std::vector<Row> measure(const Fig11Case& scene, const Script& script, bool libc
   report.set("left_out.bytes_per_vertex", nothing_enabled.bytes_per_vertex);
   report.set("left_out.orientation_tests_per_step", nothing_enabled.tests);
   measure_casts(runs.front()->world(), script.casts(0, script.steps), rows);
+  measure_dimensions(scene.grid.mesh.cell_count(), rows);
   return rows;
 }
 

@@ -7,6 +7,28 @@ namespace {
 constexpr uint32_t kFeatures[] = {DSW_FEATURE_STATISTICS, DSW_FEATURE_CROSSINGS, DSW_FEATURE_DEFORMING,
                                   DSW_FEATURE_BODY_CONTACTS, DSW_FEATURE_LIVE_CHANGES};
 
+/// What a host can ask for beside the features of a scene.
+struct Use {
+  const char* name;
+  uint32_t features, flags, move_flags, passes;
+  double radius;
+  bool rows, at_once, records;
+};
+
+constexpr Use kNothing = {"nothing", 0, 0, 0, 0, 0, false, false, false};
+constexpr Use kUses[] = {
+    {"back edges", 0, DSW_BODY_SKIP_BACK_EDGES, 0, 0, 0, false, false, false},
+    {"hybrid", 0, DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BACK_EDGES, 0, 0, 0, false, false, false},
+    {"self contacts", DSW_FEATURE_BODY_CONTACTS, DSW_BODY_SELF_CONTACTS, 0, 0, 0, false, false, false},
+    {"RIGID", 0, DSW_BODY_RIGID, 0, 0, 0, false, false, false},
+    {"NO_SEQUENCES", 0, DSW_BODY_NO_SEQUENCES, 0, 0, 0, false, false, false},
+    {"radius", 0, 0, 0, 0, 0.015625, false, false, false},
+    {"KEEP_WALLS", 0, 0, DSW_MOVE_KEEP_WALLS, 0, 0, false, false, false},
+    {"passes", 0, 0, 0, 4, 0, false, false, false},
+    {"near rows", 0, 0, 0, 0, 0, true, false, false},
+    {"together", 0, 0, 0, 0, 0, false, true, false},
+    {"recording", 0, 0, 0, 0, 0, false, false, true}};
+
 class LeftOutTest : public MemoryTest {
  protected:
   void SetUp() override {
@@ -17,17 +39,20 @@ class LeftOutTest : public MemoryTest {
   }
 
   /// Two bodies at every level press on the wall in a scene of their own. @return the bytes that are held then.
-  size_t bytes_of(uint32_t features, dsw_statistics* statistics = nullptr) {
-    scene_ = make_scene(place_.get(), features);
+  size_t bytes_of(uint32_t features, dsw_statistics* statistics = nullptr, const Use& use = kNothing) {
+    scene_ = make_scene(place_.get(), features | use.features);
+    if (use.records) record();
     for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
       for (double y : {0.125, 1.125}) {
         const BodyPlan plan = tetrahedron({0.25 * static_cast<int>(level), y, 1.25}, 0.1875);
-        const dsw_body_id body = make(plan, level);
+        const dsw_body_id body = make(plan, level, level == DSW_LEVEL_EDGES ? use.flags : 0);
+        if (use.radius > 0) {
+          EXPECT_EQ(dsw_body_set_radius(scene(), body, use.radius), DSW_STATUS_OK);
+        }
         std::vector<Vec> targets = plan.at;
         for (int step = 0; step < 4; ++step) {
           for (Vec& p : targets) p[0] += 0.5;
-          EXPECT_EQ(dsw_body_move(scene(), body, targets[0].data(), targets.size(), 0, nullptr, nullptr),
-                    DSW_STATUS_OK);
+          move(body, targets, use);
         }
       }
     }
@@ -38,6 +63,34 @@ class LeftOutTest : public MemoryTest {
     const size_t bytes = memory_.bytes;
     scene_.reset();
     return bytes;
+  }
+
+  void record() {
+    dsw_recording_desc desc;
+    dsw_recording_desc_init(&desc, sizeof desc);
+    desc.write = [](void*, const void*, size_t) { return 0; };
+    EXPECT_EQ(dsw_scene_start_recording(scene(), &desc), DSW_STATUS_OK);
+  }
+
+  void move(dsw_body_id body, const std::vector<Vec>& targets, const Use& use) {
+    if (use.at_once) {
+      EXPECT_EQ(dsw_scene_move_together(scene(), &body, 1, targets[0].data(), targets.size(), 0, nullptr, nullptr),
+                DSW_STATUS_OK);
+    } else {
+      dsw_move_options options;
+      dsw_move_options_init(&options, sizeof options);
+      options.vertex_response = use.move_flags != 0 ? DSW_RESPONSE_SLIDE : DSW_RESPONSE_STOP;
+      options.flags = use.move_flags;
+      options.passes = use.passes;
+      EXPECT_EQ(dsw_body_move(scene(), body, targets[0].data(), targets.size(), 0, &options, nullptr), DSW_STATUS_OK);
+    }
+    if (use.rows) {
+      dsw_near_options options;
+      dsw_near_options_init(&options, sizeof options);
+      options.margin = 0.25;
+      size_t count = 0;
+      EXPECT_EQ(dsw_body_find_near_rows(scene(), body, &options, &count), DSW_STATUS_OK);
+    }
   }
 
   size_t unused_ = 0;  // bytes of the environment without a scene
@@ -76,6 +129,21 @@ TEST_F(LeftOutTest, NothingIsPaidForWhatAnotherSceneHasEnabled) {
     bytes_of(DSW_FEATURE_STATISTICS, &after);
     EXPECT_EQ(after.orientation_tests, before.orientation_tests) << feature;
     EXPECT_EQ(after.volumes_visited, before.volumes_visited) << feature;
+  }
+}
+
+/// Flags, radii, options, rows, recordings and moves at once: a scene that does not ask for them pays nothing, whatever others did.
+TEST_F(LeftOutTest, NothingIsPaidForWhatIsNotAskedFor) {
+  dsw_statistics before = {}, after = {};
+  const size_t nothing = bytes_of(0);
+  bytes_of(DSW_FEATURE_STATISTICS, &before);
+  for (const Use& use : kUses) {
+    bytes_of(0, nullptr, use);
+    EXPECT_EQ(memory_.bytes, unused_) << use.name;
+    EXPECT_EQ(bytes_of(0), nothing) << use.name;
+    bytes_of(DSW_FEATURE_STATISTICS, &after);
+    EXPECT_EQ(after.orientation_tests, before.orientation_tests) << use.name;
+    EXPECT_EQ(after.volumes_visited, before.volumes_visited) << use.name;
   }
 }
 
