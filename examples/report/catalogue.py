@@ -40,7 +40,7 @@ def order(curve):
 
 
 # Curves whose settings all cost the same: drawn against the setting, not against run time.
-AGAINST_SETTING = {"omega"}
+AGAINST_SETTING = {"omega", "faces_of_cells"}
 
 # Name of the curve: its title, and what is measured.
 CURVES = {
@@ -174,6 +174,8 @@ CURVES = {
     "back_edges": (
         "Eliminations of the paper", "Closed balls fall among cubes and change their shape, at EDGES: contacts that [JCD10] 6.1, 6.2 and 6.3 miss. An edge that is left out is "
         "cast where it arrives."),
+    "faces_of_cells": (
+        "Faces of a cell", "No dial, but [JCD10] 7.1: particles go up and down columns of prisms. How many orientation tests does a cell take, by the number of its faces?"),
     "together_stop": ("Moves at once: who stops", "Twelve ropes at once: all stop at the first touch, or an island, or what touches, in so many rounds."),
     "together_response": ("Moves at once: response", "The same, with what touches stopping, sliding, or going with the wall."),
     "rigid": ("Rigid motion", "A bar turns by up to 2.5 rad: along exact arcs, and as vertices that go straight in so many steps."),

@@ -28,6 +28,7 @@ CURVES: dict[str, tuple[Callable[[int], Curve], int, int]] = {
     "noise_share": (moves.noise_share, 30, 500),
     "keep_walls": (moves.keep_walls, 40, 1000),
     "back_edges": (moves.back_edges, 20, 300),
+    "faces_of_cells": (moves.faces_of_cells, 40, 1000),
     "together_stop": (together.stop, 4, 40),
     "together_response": (together.response, 4, 40),
     "rigid": (together.rigid, 30, 500),

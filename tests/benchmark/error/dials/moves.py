@@ -238,3 +238,42 @@ def back_edges(moves: int) -> Curve:
     none, back = at["dartsweep none (exact at EDGES)"], at["dartsweep 6.2"]
     return Curve("back_edges", points, f"In steps of 0.2 cells 6.2 takes {back.seconds / none.seconds:.2f} of the time of none and misses {back.error:.2g} of the contacts: "
                  "an edge that goes inwards is cast where it arrives, so that all is free afterwards.")
+
+
+def _column(sides: int, layers: int = 40) -> ds.Environment:
+    """Prisms of so many sides on each other, as polyhedra."""
+    angle = np.arange(sides) * 2 * np.pi / sides + 0.1
+    ring = np.stack([np.cos(angle), np.sin(angle)], -1)
+    points = np.concatenate([np.column_stack([ring, np.full(sides, float(layer))]) for layer in range(layers + 1)])
+    cells: list[int] = []
+    offsets = [0]
+    for layer in range(layers):
+        low, high = layer * sides, (layer + 1) * sides
+        faces = [[low + i for i in reversed(range(sides))], [high + i for i in range(sides)]]
+        faces += [[low + i, low + (i + 1) % sides, high + (i + 1) % sides, high + i] for i in range(sides)]
+        cells += [len(faces), *(number for face in faces for number in [len(face), *face])]
+        offsets.append(len(cells))
+    return ds.Environment(points, np.array(cells), np.full(layers, int(ds.CellType.POLYHEDRON), np.uint8), np.array(offsets))
+
+
+def faces_of_cells(moves: int) -> Curve:
+    """[JCD10] 7.1: what a particle costs in a cell, by the number of the cell's faces. Particles go up and down a column of prisms."""
+    points = []
+    for sides in (3, 4, 6, 8, 12, 16, 24, 32, 64):
+        with _column(sides) as environment, ds.Scene(environment, ds.Feature.STATISTICS) as scene:
+            random = np.random.default_rng(1)
+            start = np.column_stack([random.uniform(-0.3, 0.3, (moves, 2)), random.uniform(0.1, 0.9, moves)])
+            ids = scene.create_particles(start)
+            scene.reset_statistics()
+            seconds = 0.0
+            for height in (39.5, 0.5, 39.5, 0.5):
+                target = np.column_stack([random.uniform(-0.3, 0.3, (moves, 2)), np.full(moves, height)])
+                _, took = timed(lambda: scene.move_particles(ids, target))
+                seconds += took
+            counted = scene.statistics
+            tests = counted.orientation_tests / counted.volumes_visited
+            points.append(Point("dartsweep", str(sides + 2), "faces", seconds / counted.volumes_visited, "cell that a particle enters", "orientation tests in a cell", tests, "",
+                                int(counted.volumes_visited)))
+    few, many = points[1], points[-1]
+    return Curve("faces_of_cells", points, f"A cell of {many.setting} faces takes {many.error:.3g} orientation tests, {many.error / few.error:.1f} times those of a cell of {few.setting}, where it has "
+                 f"{int(many.setting) / int(few.setting):.0f} times as many faces: about one test a face, so the cost is O(deg c) and no less.")

@@ -34,6 +34,7 @@ BARS: dict[str, Callable[[Curve], bool]] = {
     "noise_share": lambda c: by(c, "")["1e-09"] <= 1e-6 and by(c, "")["0.1"] >= by(c, "")["1e-09"],
     "keep_walls": lambda c: by(c, "KEEP_WALLS")["8"] < by(c, "KEEP_WALLS")["1"],
     "back_edges": lambda c: all(p.error == 0 for p in c.points if "none" in p.method or "6.1" in p.method),
+    "faces_of_cells": lambda c: all(p.error <= 3 * int(p.setting) for p in c.points) and by(c, "")["66"] <= 66,
     "together_stop": lambda c: by(c, "FEATURE")["64"] < by(c, "FEATURE")["1"] < c.points[1].error <= c.points[0].error,
     "together_response": lambda c: by(c, "SLIDE")["64"] < by(c, "STOP")["64"],
     "rigid": lambda c: by(c, "straight steps")["256"] < 0.02 < by(c, "straight steps")["1"] and by(c, "arcs (exact)")[""] == 0,
