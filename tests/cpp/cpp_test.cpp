@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -385,6 +386,25 @@ TEST(Cpp, BodiesAndWallsMoveTogether) {
   scene.move_together(bodies, down, nullptr, reports);
   EXPECT_LT(reports[0].fraction, 1e-9);
   EXPECT_THROW(scene.deform(Lent(last)), InUse);
+}
+
+TEST(Cpp, ARodTurnsWhileTheFloorRises) {
+  Environment environment = cube();
+  Scene scene = deforming_scene(environment);
+  const std::vector<Row> rod = {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}};
+  const Body body(scene, scene.create_body(rod, std::vector<std::uint32_t>{0, 1}));
+  const std::vector<dsw_body_id> bodies = {body.id()};
+  const double half = std::sqrt(0.5);
+  const std::vector<double> motions = {0, 0, half, half, 0.5, 0.5, 0.5, 0, 0, 0};
+  std::vector<dsw_move_report> reports(1);
+  auto next = std::make_shared<std::vector<Row>>(kCorners), other = std::make_shared<std::vector<Row>>(kCorners);
+  for (Row &at : *next) at[2] = std::max(at[2], 0.75);
+  const std::weak_ptr<void> read = next;
+  EXPECT_THROW(scene.deform_rigid(Lent(std::move(other)), bodies, std::vector<double>(9)), WrongSize);
+  const dsw_deform_report report = scene.deform_rigid(Lent(std::move(next)), bodies, motions, nullptr, reports);
+  EXPECT_EQ(report.outcome, DSW_DEFORM_FRACTION);
+  EXPECT_TRUE(report.fraction < 2.0 / 3 && report.fraction > 0.6666666 && reports[0].fraction == report.fraction);
+  EXPECT_FALSE(read.expired());
 }
 
 TEST(Cpp, AtTheWorkLimitPointsThatAreReadStay) {
