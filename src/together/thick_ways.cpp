@@ -4,6 +4,10 @@
 // each as long as the best direction at its begin allows. All numbers are those of the ends of the ways, rounded once: no place
 // between is rounded.
 //
+// Where a wall turns, no fixed direction shows much for long. A direction that goes steadily from one to another shows the least of
+// quadratic functions, over its length. The square of that length is 1 - 2 k t (1 - t), with k = 1 - cos of the angle between the
+// two, so the length is at most 1 - k t (1 - t). What is left over is of third order.
+//
 // What is near is found as in proximity/thick_sweep.cpp: nothing impassable lies between a part and what is nearest to it, at any
 // time. So a flood from the part through a region round its whole way finds that.
 
@@ -78,6 +82,22 @@ double rounding_of(const HullWays<D>& ways) noexcept {
   return 0x1p-49 * most;
 }
 
+/** Whether the boxes of two sides' ways are so far apart that a distance is kept. */
+template <int D>
+bool are_boxes_apart(const HullWays<D>& ways, double wanted) noexcept {
+  Box<D> boxes[2];
+  for (uint32_t side = 0; side < 2; ++side) {
+    for (uint32_t i = 0; i < ways.count[side]; ++i) {
+      boxes[side].add(ways.start[side][i]);
+      boxes[side].add(ways.end[side][i]);
+    }
+  }
+  for (int k = 0; k < D; ++k) {
+    if (boxes[0].lower[k] - boxes[1].upper[k] >= wanted || boxes[1].lower[k] - boxes[0].upper[k] >= wanted) return true;
+  }
+  return false;
+}
+
 /** The hulls at a time of their ways. */
 template <int D>
 void place(const HullWays<D>& ways, double time, double (&places)[2][4][D], ConvexHull (&hulls)[2]) noexcept {
@@ -88,6 +108,52 @@ void place(const HullWays<D>& ways, double time, double (&places)[2][4][D], Conv
     }
     hulls[side].count = ways.count[side];
   }
+}
+
+/** Whether a direction that goes from one to another between two times shows that a distance is kept there. */
+template <int D>
+bool keeps_turning(const HullWays<D>& ways, double begin, double end, const Vec& first, const Vec& last,
+                   double accepted) noexcept {
+  const Vec turn = last - first;
+  const double shorter = accepted * dot(turn, turn) / 4 * (1 - 0x1p-40);  // see above: half of k, as a control value
+  for (uint32_t i = 0; i < ways.count[0]; ++i) {
+    for (uint32_t k = 0; k < ways.count[1]; ++k) {
+      const Vec from = difference<D>(ways.start[0][i], ways.start[1][k]),
+                to = difference<D>(ways.end[0][i], ways.end[1][k]);
+      const Vec a = (1 - begin) * from + begin * to, b = (1 - end) * from + end * to;
+      const double goal = accepted + 0x1p-46 * std::max(largest(from), largest(to)) + 0x1p-1000;
+      const double c0 = dot(first, a) - goal, c1 = (dot(first, b) + dot(last, a)) / 2 + shorter - goal,
+                   c2 = dot(last, b) - goal;
+      if (!(c0 >= 0 && c2 >= 0)) return false;
+      if (!(c1 >= 0) && !(c0 * c2 > c1 * c1 * (1 + 0x1p-40))) return false;
+    }
+  }
+  return true;
+}
+
+/** Up to which time after `begin` such a direction shows that a distance is kept; else `least`.
+ * @param gap at the begin. */
+template <int D>
+double last_turning(const HullWays<D>& ways, double begin, double least, double most, const HullGap& gap,
+                    double accepted) noexcept {
+  constexpr int kMostTries = 16;
+  constexpr double kLeastShare = 0x1p-4;  // another part of the hulls may be the one that comes nearer
+  double span = most - begin;
+  for (int tries = 0; tries < kMostTries && begin + span > least; ++tries) {
+    const double end = std::min(begin + span, most);
+    double places[2][4][D];
+    ConvexHull hulls[2];
+    place(ways, end, places, hulls);
+    const HullGap there = find_gap<D>(hulls[0], hulls[1], kInf, accepted);
+    if (!is_zero(there.normal) && there.distance >= accepted) {
+      if (keeps_turning(ways, begin, end, gap.normal, there.normal, accepted)) return end;
+      span /= 4;
+    } else {
+      const double share = (gap.distance - accepted) / (gap.distance - there.distance);
+      span *= std::clamp(share, kLeastShare, 1.0) * (1 - 0x1p-10);
+    }
+  }
+  return least;
 }
 
 template <int D>
@@ -101,10 +167,11 @@ bool is_before(const double* start, const double* end, const double* other_start
 
 template <int D>
 double time_kept(const HullWays<D>& ways, double wanted, double most) noexcept {
-  constexpr int kMostPieces = 200;
-  constexpr double kLeastPiece = 0x1p-46;
+  constexpr int kMostPieces = 100, kMostNearPieces = 2;
+  constexpr double kLeastPiece = 0x1p-46, kNear = 0x1p-37;
+  if (are_boxes_apart(ways, wanted)) return most;
   double time = 0, accepted = least_kept(wanted);
-  for (int piece = 0; piece < kMostPieces; ++piece) {
+  for (int piece = 0, near_pieces = 0; piece < kMostPieces; ++piece) {
     double places[2][4][D];
     ConvexHull hulls[2];
     place(ways, time, places, hulls);
@@ -119,9 +186,12 @@ double time_kept(const HullWays<D>& ways, double wanted, double most) noexcept {
       accepted = std::min(accepted, at_start);
     }
     if (!(along.at(time) >= accepted)) return time;
-    const double last = along.last(time, most, accepted);
+    double last = along.last(time, most, accepted);
+    if (last < most) last = last_turning(ways, time, last, most, gap, accepted);
     if (last >= most) return most;
-    if (last - time < kLeastPiece * last) return time;
+    // Pieces become short where a wall turns as fast as it comes nearer.
+    near_pieces += gap.distance - accepted < kNear * wanted ? 1 : 0;
+    if (last - time < kLeastPiece * last || near_pieces > kMostNearPieces) return time;
     time = last;
   }
   return time;
@@ -309,12 +379,12 @@ void ThickWays<D>::describe(const Pair& pair, const HullWays<D>& ways, double ti
   near.other_part = pair.other_part;
   near.ways = ways;
   near.wanted = pair.wanted;
+  near.distance = gap.distance;
   near.normal = (ways.first == 0 ? 1 : -1) * gap.normal;
   near.points[0] = near.points[1] = Vec::Zero();
   for (uint32_t side = 0; side < 2; ++side) {
     const double* const weights = side == 0 ? gap.weights : gap.other_weights;
     Vec& point = near.points[side == ways.first ? 0 : 1];
-    std::copy_n(weights, hulls[side].count, near.weights[side]);
     for (uint32_t i = 0; i < hulls[side].count; ++i) point += weights[i] * to_vec<D>(hulls[side].points[i]);
   }
   if (is_zero(near.normal)) near.normal = unit(near.points[0] - near.points[1]);

@@ -33,13 +33,12 @@ struct TooNearOnWay {
   uint32_t other_trajectory = kNone;  // of a body that moves
   const Partner<D>* other = nullptr;  // null: the environment
   Simplex other_part{};
-  WallFeature wall{};  // of the environment
-  Vec normal;          // unit, from the other to the part, at that time
-  Vec points[2];       // nearest to each other, of the part and of the other
-  // The pair in an order that depends on no numbers: its ways, as long as nobody gets another end, and the weights of its points.
-  HullWays<D> ways{};
-  double weights[2][4] = {};
-  double wanted = 0;  // the distance
+  WallFeature wall{};   // of the environment
+  Vec normal;           // unit, from the other to the part, at that time
+  Vec points[2];        // nearest to each other, of the part and of the other
+  HullWays<D> ways{};   // of the pair, as long as nobody gets another end
+  double wanted = 0;    // what is to be kept
+  double distance = 0;  // at that time
 };
 
 /** See step_back of a touch. */

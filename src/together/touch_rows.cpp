@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "together/touch_moment.h"
 
@@ -18,9 +19,12 @@ namespace dsw {
 namespace {
 
 constexpr uint32_t kMostTouches = 8, kMostSweeps = 200;
-constexpr double kApart = 0x1p-48;       // of the largest coordinate
-constexpr double kThickApart = 0x1p-45;  // likewise: what certified distances lose by rounding
-constexpr double kFar = 4;               // times the longest way, vertices are led
+constexpr double kApart = 0x1p-48;        // of the largest coordinate
+constexpr double kThickApart = 0x1p-45;   // likewise: what certified distances lose by rounding
+constexpr double kFarther = 0x1p-30;      // of a distance that is to be kept
+constexpr double kAboutAsNear = 0x1p-20;  // likewise
+constexpr double kNext = 0x1p-4;          // likewise: of a corner that comes too near to a facet a little later
+constexpr double kFar = 4;                // times the longest way, vertices are led
 
 /** Orders the points of a side, and the sides of two edges, by where they go. */
 template <int D>
@@ -136,12 +140,12 @@ void TouchRows<D>::find_points(const Array<Trajectory<D>>& trajectories, const W
                              const Simplex& part) {
     for (uint32_t i = first; i < end; ++i) {
       if (trajectory == kNone) {
-        points[i] = {kNone, kNone, body == nullptr ? wall_goals[i - first] : touch.pair.end[i], 0, {}};
+        points[i] = {kNone, kNone, body == nullptr ? wall_goals[i - first] : touch.pair.end[i], 0, {}, 0};
         continue;
       }
       const SimplexCorners<D> corners(*body, part);
       const uint32_t v = corners.vertices[std::min(i - first, corners.count - 1)];
-      points[i] = {trajectory, v, trajectories[trajectory].goal(v), 0, {}};
+      points[i] = {trajectory, v, trajectories[trajectory].goal(v), 0, {}, 0};
     }
   };
   const uint32_t first_count = first_side_of(touch.pair);
@@ -208,38 +212,107 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& to
   return add_row(trajectories, ordered, D + 1, row);
 }
 
+/** What is nearest of two hulls need not be a single point of each: an edge lies along a wall. So each corner has a row that is as near
+ * as it may be, or comes so near to a facet next, and so has each pair of edges. */
 template <int D>
 bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near, const double* const* wall_goals,
                        uint32_t round) {
   const uint32_t times = count_again(near);
   if (times > kMostTouches) return false;
+  const uint32_t count = near.ways.count[0], other_count = near.ways.count[1];
+  bool has_row = false;
+  const auto add_side = [&](const Corners& side, const Corners& other) {
+    has_row = add_near_row(trajectories, near, side, other, wall_goals, round, times) || has_row;
+  };
+  const auto all = [](uint32_t n) { return Corners{{0, 1, 2}, n}; };
+  for (uint32_t i = 0; (other_count > 1 || count == 1) && i < count; ++i) add_side({{i}, 1}, all(other_count));
+  for (uint32_t k = 0; count > 1 && k < other_count; ++k) add_side(all(count), {{k}, 1});
+  if (count == 1 || other_count == 1) return has_row;
+  const uint32_t edges = count == 2 ? 1 : 3, other_edges = other_count == 2 ? 1 : 3;
+  for (uint32_t e = 0; e < edges; ++e) {
+    for (uint32_t f = 0; f < other_edges; ++f) {
+      add_side({{e, (e + 1) % count}, 2}, {{f, (f + 1) % other_count}, 2});
+    }
+  }
+  return has_row;
+}
+
+/** Adds a row for some corners of both sides, if they are about as near as they may be. */
+template <int D>
+bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near,
+                                const Corners& side, const Corners& other, const double* const* wall_goals,
+                                uint32_t round, uint32_t times) {
   const HullWays<D>& ways = near.ways;
   Point points[kMostPoints];
   const double *starts[kMostPoints], *ends[kMostPoints];
+  double places[kMostPoints][D];
+  ConvexHull hulls[2];
   uint32_t count = 0;
-  for (uint32_t side = 0; side < 2; ++side) {
-    const uint32_t trajectory = side == ways.first ? near.trajectory : near.other_trajectory;
-    for (uint32_t i = 0; i < ways.count[side]; ++i, ++count) {
-      const uint32_t corner = ways.corner[side][i];
-      starts[count] = ways.start[side][i];
-      ends[count] = ways.end[side][i];
-      double at[D];
-      point_at<D>(starts[count], ends[count], near.time, at);
-      const double weight = (side == 0 ? 1 : -1) * near.weights[side][i];
-      if (trajectory == kNone) {
-        points[count] = {kNone, kNone, near.other == nullptr ? wall_goals[corner] : ends[count], weight, to_vec<D>(at)};
-      } else {
-        points[count] = {trajectory, corner, trajectories[trajectory].goal(corner), weight, to_vec<D>(at)};
-      }
+  for (uint32_t s = 0; s < 2; ++s) {
+    const uint32_t trajectory = s == ways.first ? near.trajectory : near.other_trajectory;
+    const Corners& corners = s == 0 ? side : other;
+    for (uint32_t n = 0; n < corners.count; ++n, ++count) {
+      const uint32_t i = corners.numbers[n], corner = ways.corner[s][i];
+      starts[count] = ways.start[s][i];
+      ends[count] = ways.end[s][i];
+      point_at<D>(starts[count], ends[count], near.time, places[count]);
+      hulls[s].points[hulls[s].count++] = places[count];
+      const double* const goal = trajectory != kNone     ? trajectories[trajectory].goal(corner)
+                                 : near.other == nullptr ? wall_goals[corner]
+                                                         : ends[count];
+      points[count] = {trajectory, trajectory == kNone ? kNone : corner, goal, 0, to_vec<D>(places[count]), 0};
+      points[count].name = trajectory == kNone && near.other == nullptr ? near.wall.vertices[corner] : corner;
     }
   }
+  const HullGap gap = find_gap<D>(hulls[0], hulls[1], std::numeric_limits<double>::infinity(), near.wanted);
+  double end = 0;  // of the ways, along the normal
+  bool is_over_facet = count == D + 1 && (side.count == 1 || other.count == 1);
+  for (uint32_t i = 0; i < count; ++i) {
+    points[i].weight = i < side.count ? gap.weights[i] : -gap.other_weights[i - side.count];
+    end += points[i].weight * dot(gap.normal, to_vec<D>(ends[i]));
+    is_over_facet = is_over_facet && std::fabs(points[i].weight) > kAboutAsNear;
+  }
+  const double least = std::max(near.wanted, near.distance);
+  const bool comes_next = is_over_facet && gap.distance <= (1 + kNext) * least && end < near.wanted;
+  if (!(gap.distance <= (1 + kAboutAsNear) * least) && !comes_next) return false;
   Row row{};
   const double largest_coordinate = set_key(starts, ends, count, round, near.time, row.key);
-  row.normal = (ways.first == 0 ? 1 : -1) * near.normal;
-  row.apart = kThickApart * std::ldexp(1, 3 * static_cast<int>(times - 1)) * largest_coordinate;
+  row.normal = gap.normal;
+  row.apart = std::max(kThickApart * largest_coordinate, kFarther * near.wanted) *
+              std::ldexp(1, 3 * static_cast<int>(times - 1));
   row.least = near.wanted + row.apart;
   row.carries = carries_ && near.other == nullptr;
-  return add_row(trajectories, points, count, row);
+  row.name = near_name_of(near, points, side.count, count);
+  Row* const same = std::find_if(rows_.begin(), rows_.end(), [&](const Row& each) {
+    return each.name == row.name && std::get<0>(each.key) == round;
+  });
+  if (same == rows_.end()) return add_row(trajectories, points, count, row);
+  // Two parts share these corners.
+  same->apart = std::max(same->apart, row.apart);
+  same->least = near.wanted + same->apart;
+  return true;
+}
+
+/** The corners that a row of something too near keeps apart, whatever parts have them. */
+template <int D>
+typename TouchRows<D>::NearName TouchRows<D>::near_name_of(const TooNearOnWay<D>& near, const Point* points,
+                                                           uint32_t first_count, uint32_t count) {
+  std::array<uint32_t, 5> sides[2];
+  for (uint32_t s = 0; s < 2; ++s) {
+    const bool is_part = s == near.ways.first;
+    const uint32_t trajectory = is_part ? near.trajectory : near.other_trajectory;
+    const bool is_still = trajectory == kNone && near.other != nullptr;
+    sides[s] = {trajectory, is_still ? near.other->index : kNone, kNone, kNone, kNone};
+    uint32_t at = 2;
+    for (uint32_t i = s == 0 ? 0 : first_count; i < (s == 0 ? first_count : count); ++i)
+      sides[s][at++] = points[i].name;
+    std::sort(sides[s].begin() + 2, sides[s].end());
+  }
+  const auto& [first, second] = std::minmax(sides[0], sides[1]);
+  NearName name;
+  std::copy(first.begin(), first.end(), name.begin());
+  std::copy(second.begin(), second.end(), name.begin() + 5);
+  return name;
 }
 
 /** Adds a row, if somebody can give way. */

@@ -46,13 +46,17 @@ class TouchRows {
     uint32_t vertex;
     const double* goal;
     double weight;
-    Vec at;  // where it touched
+    Vec at;         // where it touched
+    uint32_t name;  // of the vertex, also where it is not one of a trajectory
   };
+  using NearName = std::array<uint32_t, 10>;
+  static NearName near_name_of(const TooNearOnWay<D>& near, const Point* points, uint32_t first_count, uint32_t count);
   static constexpr uint32_t kMostPoints = 2 * D;  // two edges in the plane, two faces in space
   using Key = std::tuple<uint32_t, double, std::array<double, 2 * D * kMostPoints>>;
   /** dot(normal, sum of weights times goals) is at least `least`. */
   struct Row {
     Key key;
+    NearName name;  // of a distance; else zeros
     Vec normal;
     double least, apart, force, step;  // apart: a part of least that is for rounding
     bool carries;
@@ -76,6 +80,13 @@ class TouchRows {
                    Point* points) const;
   double set_key(const double* const* starts, const double* const* ends, uint32_t count, uint32_t round, double time,
                  Key& key);
+  /** Some points of a side of a pair. */
+  struct Corners {
+    uint32_t numbers[3];
+    uint32_t count;
+  };
+  bool add_near_row(const Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near, const Corners& side,
+                    const Corners& other, const double* const* wall_goals, uint32_t round, uint32_t times);
   bool add_row(const Array<Trajectory<D>>& trajectories, const Point* points, uint32_t count, Row& row);
   static void add_point(const Point& point, Row& row);
   void carry(const Row& row);
