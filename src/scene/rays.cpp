@@ -3,6 +3,8 @@
 #include "scene/rays.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 
 #include "base/batch.h"
 #include "base/dimensions.h"
@@ -16,14 +18,60 @@
 namespace dsw {
 namespace {
 
+/** Rows of bits over a box: which of its parts may hold a body. It tells most segments that none is near, in a fraction of
+ * the time of a cast. */
+template <int D>
+class BodyMap {
+ public:
+  void set_frame(const Box<D>& all) noexcept {
+    for (int k = 0; k < D; ++k) {
+      const double width = all.upper[k] - all.lower[k];
+      lower_[k] = all.lower[k];
+      scale_[k] = width > 0x1p-900 && width < 0x1p+900 ? kParts * (1 - 0x1p-20) / width : 0;
+    }
+  }
+  void add(const Box<D>& box) noexcept {
+    for_each_row(box.lower, box.upper, [&](int row, uint32_t bits) {
+      rows_[row] |= bits;
+      return true;
+    });
+  }
+  /** Whether a box may overlap one that was added. */
+  bool may_hold(const double* lower, const double* upper) const noexcept {
+    return !for_each_row(lower, upper, [&](int row, uint32_t bits) { return (rows_[row] & bits) == 0; });
+  }
+
+ private:
+  static constexpr int kParts = 32;
+
+  int part(int k, double x) const noexcept {  // monotone
+    const double at = (x - lower_[k]) * scale_[k];
+    return at >= kParts ? kParts - 1 : at > 0 ? static_cast<int>(at) : 0;
+  }
+  template <class Visit>
+  bool for_each_row(const double* lower, const double* upper, const Visit& visit) const noexcept {
+    const uint32_t low = ~0u << part(0, lower[0]), high = ~0u >> (kParts - 1 - part(0, upper[0]));
+    const int y = part(1, lower[1]), last_y = part(1, upper[1]);
+    const int z = D == 3 ? part(D - 1, lower[D - 1]) : 0, last_z = D == 3 ? part(D - 1, upper[D - 1]) : 0;
+    for (int i = z; i <= last_z; ++i) {
+      for (int j = y; j <= last_y; ++j) {
+        if (!visit(i * kParts + j, low & high)) return false;
+      }
+    }
+    return true;
+  }
+
+  double lower_[D] = {}, scale_[D] = {};
+  uint32_t rows_[kParts * (D == 3 ? kParts : 1)] = {};
+};
+
 /** The bodies of a scene that can be near a place. Several threads may ask at a time. */
 template <int D>
 class BodiesAbout {
  public:
   /** O(bodies), of scenes without boxes O(their vertices). */
   explicit BodiesAbout(const Scene<D>& scene) : scene_(scene) {
-    for_each_body(scene, [&](uint32_t, const BodyRecord<D>& of) {
-      const Body<D>& body = of.body;
+    const auto bounds_of = [&](const Body<D>& body) {
       Box<D> bounds;
       if (scene.keeps_boxes()) {
         bounds = fresh_boxes(body).bounds;
@@ -32,16 +80,30 @@ class BodiesAbout {
           if (body.has_vertex(v)) bounds.add(body.position(v));
         }
       }
-      if (!bounds.empty()) all_.add(widened(bounds, body.radius));
+      return bounds.empty() ? bounds : widened(bounds, body.radius);
+    };
+    for_each_body(scene, [&](uint32_t, const BodyRecord<D>& of) {
+      const Box<D> bounds = bounds_of(of.body);
+      if (!bounds.empty()) all_.add(bounds);
+    });
+    if (all_.empty()) return;
+    map_.set_frame(all_);
+    for_each_body(scene, [&](uint32_t, const BodyRecord<D>& of) {
+      const Box<D> bounds = bounds_of(of.body);
+      if (!bounds.empty()) map_.add(bounds);
     });
   }
 
-  /** Whether the box of a segment overlaps that of all bodies. */
+  /** Whether the box of a segment may overlap that of a body. */
   bool may_meet(const double* from, const double* to) const noexcept {
+    double lower[D], upper[D];
     bool apart = false;
-    for (int k = 0; k < D; ++k)
-      apart |= std::max(from[k], to[k]) < all_.lower[k] || all_.upper[k] < std::min(from[k], to[k]);
-    return !apart;
+    for (int k = 0; k < D; ++k) {
+      lower[k] = std::min(from[k], to[k]);
+      upper[k] = std::max(from[k], to[k]);
+      apart |= upper[k] < all_.lower[k] || all_.upper[k] < lower[k];
+    }
+    return !apart && map_.may_hold(lower, upper);
   }
   template <class Visit>
   void visit(const Box<D>& box, Visit visit) const {
@@ -62,6 +124,7 @@ class BodiesAbout {
  private:
   const Scene<D>& scene_;
   Box<D> all_;  // all bodies are in it
+  BodyMap<D> map_;
 };
 
 /** What a segment has met of a body, in place of what it met of the environment. */
@@ -101,13 +164,12 @@ class RayBatch {
         to_(to),
         options_(options) {}
 
+  bool may_meet(size_t i) const noexcept { return bodies_.may_meet(from_[i], to_[i]); }
   /** @param flight what the environment has answered. */
   void ask(size_t i, dsw_flight* flight, dsw_contact_partner* partner) const noexcept {
-    *partner = {};
     if (flight->outcome < DSW_OUTCOME_REACHED || flight->outcome > DSW_OUTCOME_WORK_LIMIT) return;
     const double* const from = from_[i];
     const double* const to = to_[i];
-    if (!bodies_.may_meet(from, to)) return;
     const double limit = flight->outcome == DSW_OUTCOME_REACHED ? kNever : flight->time;
     SegmentTouch<D> first;
     first.time = limit;
@@ -155,21 +217,16 @@ void cast_among_bodies(Scene<D>& scene, size_t count, const dsw_volume_id* start
                        const SegmentOptions& options, dsw_flight* flights, dsw_contact_partner* partners) {
   SegmentOptions with_detail = options;
   with_detail.detail = true;
+  cast_segments(scene.env, scene.parallel, count, starts, from, to, with_detail, flights);
   const RayBatch<D> batch(scene, starts, from, to, options);
-  share_or_throw([&](auto& chunk) { share_out(scene.parallel, count, chunk); },
-                 [&](size_t begin, size_t end) {
-                   while (begin < end) {  // reports are read again while they are at hand
-                     const size_t first = begin;
-                     begin = std::min(begin + kChunk, end);
-                     cast_segments(scene.env, scene.parallel, begin - first,
-                                   starts == nullptr ? nullptr : starts + first, {from[first], from.step},
-                                   {to[first], to.step}, with_detail, flights + first);
-                     for (size_t i = first; i < begin; ++i) {
-                       batch.ask(i, flights + i, partners + i);
-                       if (!options.detail) leave_out_detail(flights + i);
-                     }
-                   }
-                 });
+  auto body = [&](size_t begin, size_t end) noexcept {
+    std::memset(partners + begin, 0, (end - begin) * sizeof *partners);
+    for (size_t i = begin; i < end; ++i) {
+      if (batch.may_meet(i)) batch.ask(i, flights + i, partners + i);
+      if (!options.detail) leave_out_detail(flights + i);
+    }
+  };
+  share_out(scene.parallel, count, body);
 }
 
 template <int D>
