@@ -46,7 +46,7 @@ const char* name_of(ContactScene scene) {
 }
 
 bool is_stable(const ContactRow& row) {
-  return row.outcome.refused + row.outcome.nonfinite == 0 && row.energy_largest <= 2;
+  return row.outcome.refused + row.outcome.nonfinite == 0 && row.energy_largest > 0 && row.energy_largest <= 2;
 }
 
 ContactRow run_contacts(const ContactCase& asked, int least_steps, int most_steps, std::size_t contacts) {

@@ -47,7 +47,7 @@ struct ContactRow {
   std::string cause;
 };
 
-// Whether no number was refused, and no motion had twice the energy that was put in.
+// Whether no number was refused, something moved, and no motion had twice the energy that was put in.
 bool is_stable(const ContactRow& row);
 
 // Steps until there were so many contacts, at least `least_steps` and at most `most_steps`. All is verified after every step. Throws LibraryError.

@@ -2,7 +2,7 @@
 //
 // Writes contact_stability.csv, a row for each case.
 // Prints a summary, a key and its value in each line. --quick: no random corners, every third case. Exit code 1: the library broke its promise,
-// a row has too few contacts, or an unstable row has no cause; 2: an option or file can't be used.
+// more than 2 % of the rows have less than 100 contacts, or an unstable row has no cause; 2: an option or file can't be used.
 #include <getopt.h>
 
 #include <fstream>
@@ -95,7 +95,8 @@ int main(int argc, char** argv) {
       return 2;
     }
     const physics::Outcome& o = summary.all;
-    return o.nonfinite + o.not_free + o.lost + summary.few + summary.unnamed == 0 ? 0 : 1;
+    const bool touch = 50 * summary.few <= summary.rows;  // physics that is stuck or floats away meets little
+    return touch && o.nonfinite + o.not_free + o.lost + summary.unnamed == 0 ? 0 : 1;
   } catch (const std::exception& error) {
     std::cerr << "contacts: " << error.what() << '\n';
     return 1;

@@ -8,15 +8,15 @@ constexpr uint32_t kFeatures[] = {DSW_FEATURE_STATISTICS, DSW_FEATURE_CROSSINGS,
                                   DSW_FEATURE_BODY_CONTACTS, DSW_FEATURE_LIVE_CHANGES};
 
 /// What a host can ask for beside the features of a scene.
-struct Use {
+struct Asked {
   const char* name;
   uint32_t features, flags, move_flags, passes;
   double radius;
   bool rows, at_once, records;
 };
 
-constexpr Use kNothing = {"nothing", 0, 0, 0, 0, 0, false, false, false};
-constexpr Use kUses[] = {
+constexpr Asked kNothingAsked = {"nothing", 0, 0, 0, 0, 0, false, false, false};
+constexpr Asked kAllAsked[] = {
     {"back edges", 0, DSW_BODY_SKIP_BACK_EDGES, 0, 0, 0, false, false, false},
     {"hybrid", 0, DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BACK_EDGES, 0, 0, 0, false, false, false},
     {"self contacts", DSW_FEATURE_BODY_CONTACTS, DSW_BODY_SELF_CONTACTS, 0, 0, 0, false, false, false},
@@ -39,20 +39,20 @@ class LeftOutTest : public MemoryTest {
   }
 
   /// Two bodies at every level press on the wall in a scene of their own. @return the bytes that are held then.
-  size_t bytes_of(uint32_t features, dsw_statistics* statistics = nullptr, const Use& use = kNothing) {
-    scene_ = make_scene(place_.get(), features | use.features);
-    if (use.records) record();
+  size_t bytes_of(uint32_t features, dsw_statistics* statistics = nullptr, const Asked& asked = kNothingAsked) {
+    scene_ = make_scene(place_.get(), features | asked.features);
+    if (asked.records) record();
     for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
       for (double y : {0.125, 1.125}) {
         const BodyPlan plan = tetrahedron({0.25 * static_cast<int>(level), y, 1.25}, 0.1875);
-        const dsw_body_id body = make(plan, level, level == DSW_LEVEL_EDGES ? use.flags : 0);
-        if (use.radius > 0) {
-          EXPECT_EQ(dsw_body_set_radius(scene(), body, use.radius), DSW_STATUS_OK);
+        const dsw_body_id body = make(plan, level, level == DSW_LEVEL_EDGES ? asked.flags : 0);
+        if (asked.radius > 0) {
+          EXPECT_EQ(dsw_body_set_radius(scene(), body, asked.radius), DSW_STATUS_OK);
         }
         std::vector<Vec> targets = plan.at;
         for (int step = 0; step < 4; ++step) {
           for (Vec& p : targets) p[0] += 0.5;
-          move(body, targets, use);
+          move(body, targets, asked);
         }
       }
     }
@@ -72,19 +72,19 @@ class LeftOutTest : public MemoryTest {
     EXPECT_EQ(dsw_scene_start_recording(scene(), &desc), DSW_STATUS_OK);
   }
 
-  void move(dsw_body_id body, const std::vector<Vec>& targets, const Use& use) {
-    if (use.at_once) {
+  void move(dsw_body_id body, const std::vector<Vec>& targets, const Asked& asked) {
+    if (asked.at_once) {
       EXPECT_EQ(dsw_scene_move_together(scene(), &body, 1, targets[0].data(), targets.size(), 0, nullptr, nullptr),
                 DSW_STATUS_OK);
     } else {
       dsw_move_options options;
       dsw_move_options_init(&options, sizeof options);
-      options.vertex_response = use.move_flags != 0 ? DSW_RESPONSE_SLIDE : DSW_RESPONSE_STOP;
-      options.flags = use.move_flags;
-      options.passes = use.passes;
+      options.vertex_response = asked.move_flags != 0 ? DSW_RESPONSE_SLIDE : DSW_RESPONSE_STOP;
+      options.flags = asked.move_flags;
+      options.passes = asked.passes;
       EXPECT_EQ(dsw_body_move(scene(), body, targets[0].data(), targets.size(), 0, &options, nullptr), DSW_STATUS_OK);
     }
-    if (use.rows) {
+    if (asked.rows) {
       dsw_near_options options;
       dsw_near_options_init(&options, sizeof options);
       options.margin = 0.25;
@@ -137,13 +137,13 @@ TEST_F(LeftOutTest, NothingIsPaidForWhatIsNotAskedFor) {
   dsw_statistics before = {}, after = {};
   const size_t nothing = bytes_of(0);
   bytes_of(DSW_FEATURE_STATISTICS, &before);
-  for (const Use& use : kUses) {
-    bytes_of(0, nullptr, use);
-    EXPECT_EQ(memory_.bytes, unused_) << use.name;
-    EXPECT_EQ(bytes_of(0), nothing) << use.name;
+  for (const Asked& asked : kAllAsked) {
+    bytes_of(0, nullptr, asked);
+    EXPECT_EQ(memory_.bytes, unused_) << asked.name;
+    EXPECT_EQ(bytes_of(0), nothing) << asked.name;
     bytes_of(DSW_FEATURE_STATISTICS, &after);
-    EXPECT_EQ(after.orientation_tests, before.orientation_tests) << use.name;
-    EXPECT_EQ(after.volumes_visited, before.volumes_visited) << use.name;
+    EXPECT_EQ(after.orientation_tests, before.orientation_tests) << asked.name;
+    EXPECT_EQ(after.volumes_visited, before.volumes_visited) << asked.name;
   }
 }
 
