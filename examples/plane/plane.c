@@ -1,6 +1,7 @@
 /* Scenes of the plane, drawn: dartsweep_plane DIRECTORY */
 #include <stdio.h>
 
+#include "bends.h"
 #include "city.h"
 #include "corridor.h"
 
@@ -21,5 +22,6 @@ int main(int argument_count, char **arguments) {
   good = print("city", draw_city(directory));
   good = print("rope", draw_rope(directory)) && good;
   good = draw_edges(directory) && good;
+  good = draw_bends(directory) && good;
   return good ? 0 : 1;
 }

@@ -60,7 +60,7 @@ for header in embree3/rtcore.h:libembree-dev bullet/btBulletCollisionCommon.h:li
 done
 [ ${#missing[@]} = 0 ] || install "${missing[@]}"
 
-vessel=() folder=() mesh=()
+vessel=() folder=() mesh=() line=()
 data=${DARTSWEEP_DATA:-}/vessels/vascular_phantom.msh.gz
 if [ -n "${DARTSWEEP_DATA:-}" ] && [ -e "$data" ]; then
   mkdir -p "$tree"
@@ -76,6 +76,7 @@ if [ -n "${DARTSWEEP_DATA:-}" ] && [ -e "$data" ]; then
   "$python" "$root/examples/demo/read_mesh.py" "$data" "$tree/mesh.bin"
   mesh=(--mesh "$tree/mesh.bin")
   vessel=(--vessel "$tree/vessel.bin") folder=(--data "$DARTSWEEP_DATA")
+  line=(--line "$DARTSWEEP_DATA/vessels/vascular_phantom_centreline.csv")
 else
   echo "benchmark: DARTSWEEP_DATA names no folder with vessels/vascular_phantom.msh.gz: no walk.vessel.* figures, and a generated vessel and surface for edges.*"
 fi
@@ -92,7 +93,7 @@ else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 pushes=1000
 "$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}" "${folder[@]}"
 rm -rf "$tree/moves" # of an older run
 mkdir -p "$tree/moves"
-"$bench/dartsweep_bench_contact" $quick --json "$tree/contact.json" "${mesh[@]}" --moves "$tree/moves"
+"$bench/dartsweep_bench_contact" $quick --json "$tree/contact.json" "${mesh[@]}" "${vessel[@]}" "${line[@]}" --moves "$tree/moves"
 "$here/contact_instructions.sh" "$bench/dartsweep_bench_contact" "${mesh[@]}" --moves "$tree/moves" --json "$tree/contact_instructions.json"
 "$here/walk_instructions.sh" "$bench/dartsweep_bench_walk_counted" --json "$tree/walk_instructions.json"
 "$tree/examples/paper/catheter_length" "${mesh[@]}" --csv "$tree/fig9.csv" --json "$tree/fig9.json"
