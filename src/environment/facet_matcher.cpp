@@ -102,6 +102,14 @@ uint32_t find_in_chain(const Map<D>& map, const Array<Candidate>& candidates, ui
   return n;
 }
 
+/** Half of all sides, and what outer boundaries have as a rule. */
+template <int D>
+size_t likely_facets(const Map<D>& map) noexcept {
+  size_t sides = 0;
+  for_each_cell(map, [&](Cell c) { sides += map.facets_of(c); });
+  return sides / 2 + sides / 16 + 16;
+}
+
 }  // namespace
 
 template <int D>
@@ -110,7 +118,7 @@ MatchDefect match_facets(Environment<D>& env, Offenders& offenders, size_t open_
   Map<D>& map = env.map;
   Array<uint32_t> chain(map.vertex_count, kEnd, env.memory);
   Array<Candidate> candidates{env.memory};
-  candidates.reserve(has_links ? open_sides : size_t{map.cell_count} * (D + 1));
+  candidates.reserve(has_links ? open_sides : likely_facets(map));
   MatchDefect defect = MatchDefect::kNone;
   const auto offend = [&](MatchDefect kind, uint32_t first, uint32_t second) {
     if (defect != MatchDefect::kNone) {
