@@ -110,7 +110,9 @@ class Method:
         needed = [each for each in self.parameters if each.is_filled and not each.default]
         first = self.parameters[0] if self.parameters else None
         is_array = first is not None and (first.type == "Points" or first.type.startswith("View<const "))
-        return needed[0] if self.result == "void" and is_array and len(needed) == 1 else None
+        # An array of numbers is filled in where the caller has it.
+        is_answer = self.result == "void" and is_array and len(needed) == 1 and needed[0].type != "View<double>"
+        return needed[0] if is_answer else None
 
 
 def tidy(comment: str) -> str:

@@ -196,6 +196,14 @@ function Scene:move_rigid(bodies, motions, options, reports)
   return reports
 end
 
+local find_signed_distances = Environment.find_signed_distances
+function Environment:find_signed_distances(points, distances, nearest)
+  points = core.points(points, self:dimension())
+  distances = distances or core.DoubleArray(#points // self:dimension())
+  find_signed_distances(self, points, distances, nearest)
+  return distances
+end
+
 local scene_cast = Scene.cast
 function Scene:cast(from, to, options, starts, flights, partners)
   from, to = core.points(from, self:dimension()), core.points(to, self:dimension())

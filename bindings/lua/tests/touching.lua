@@ -36,7 +36,7 @@ end
 
 function TestTouching:test_rays_meet_bodies()
   local environment <close> = cubes(0, 0, {0, 0, 0, 1})
-  local scene <close> = dsw.Scene(environment, dsw.FEATURE_BODY_CONTACTS)
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_BODY_CONTACTS})
   local leaf = scene:create_body {positions = {{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.25, 0.75, 0.5}}, triangles = {0, 1, 2}, level = dsw.LEVEL_FACES}
   local flights, partners = scene:cast({{0.3, 0.3, 0.75}, {0.9, 0.9, 0.75}}, {{0.3, 0.3, 0.25}, {0.9, 0.9, 0.25}})
   lu.assertEquals({flights[1].outcome, flights[1].time, flights[1].contact.normal[3]}, {dsw.OUTCOME_CONTACT, 0.5, 1})
@@ -44,8 +44,7 @@ function TestTouching:test_rays_meet_bodies()
   lu.assertEquals(flights[2].outcome, dsw.OUTCOME_REACHED)
   local nearest, near = scene:find_nearest({{0.3, 0.3, 0.625}})
   lu.assertEquals({nearest[1].distance, near[1].face.generation}, {0.125, 1})
-  local distances = dsw.DoubleArray(2)
-  environment:find_signed_distances({{0.5, 0.5, 0.75}, {0.5, 0.5, 3}}, distances)
+  local distances = environment:find_signed_distances({{0.5, 0.5, 0.75}, {0.5, 0.5, 3}})
   lu.assertEquals({distances[1], distances[2]}, {-0.25, 2})
   local sight = environment:cast({0, 0.5, 0.5}, {1, 0.5, 0.25}, nil, {flags = dsw.CAST_OPEN_ENDS})
   lu.assertEquals(sight.outcome, dsw.OUTCOME_REACHED)

@@ -36,6 +36,11 @@ class Environment extends native.Environment {
     return { volumes, locations };
   }
 
+  findSignedDistances(points, { distances = new Float64Array(points.length / this.dimension()), nearest } = {}) {
+    super.findSignedDistances(points, distances, nearest);
+    return distances;
+  }
+
   cast(from, to, { start = null, ...options } = {}) {
     return super.cast(from, to, start, options);
   }

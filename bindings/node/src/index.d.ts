@@ -78,6 +78,8 @@ export class Environment {
 
   /** `locations` are of type Location. */
   locatePoints(points: Points, hints?: Structs<VolumeId>): { volumes: VolumeIdArray; locations: Int32Array };
+  /** How far points are from the outer boundary, negative inside. `nearest` is filled where it is given. */
+  findSignedDistances(points: Points, options?: { distances?: Float64Array; nearest?: NearestArray }): Float64Array;
   cast(from: Point, to: Point, options?: CastOptions & { start?: VolumeId | null }): Flight;
   castPath(from: Point, to: Point, options?: CastOptions & { start?: VolumeId | null }): CrossingArray;
   findNearest(point: Point, radius: number, volume?: VolumeId | null): Nearest;
