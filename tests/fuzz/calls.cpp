@@ -330,6 +330,8 @@ dsw_status Calls::deform() {
   together.point_room = o.point_room;
   together.max_work = o.max_holds == 0 ? 0 : 1;
   together.stop = o.method == DSW_DEFORM_SWEPT ? DSW_TOGETHER_STOP_ALL : DSW_TOGETHER_STOP_FEATURE;
+  if (together.stop == DSW_TOGETHER_STOP_FEATURE)
+    together.response = static_cast<dsw_together_response>(o.response % 3);
   if (o.response == DSW_WALL_INSERT && together.stop == DSW_TOGETHER_STOP_ALL) {
     dsw_rigid_motion motions[2] = {{{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}}};
     for (dsw_rigid_motion& motion : motions) {

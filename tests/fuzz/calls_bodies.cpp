@@ -181,6 +181,7 @@ dsw_status Calls::move_bodies(uint32_t which) {
     o.stop = static_cast<dsw_together_stop>(bytes_.below(4));
     o.max_rounds = bytes_.below(8);
     o.max_work = bytes_.below(4);
+    if (o.stop == DSW_TOGETHER_STOP_FEATURE) o.response = static_cast<dsw_together_response>(o.max_rounds % 3);
     return dsw_scene_move_together(scene_, ids, count, targets.data(), targets.size() / dimension_, 0, &o, nullptr);
   }
   dsw_move_options o = options();

@@ -169,6 +169,10 @@ dsw_status Life::bend_together() {
   const std::vector<dsw_body_id> bodies = all_movers(targets);
   dsw_scene_deform_options options = defaults(dsw_scene_deform_options_init);
   options.point_room = next->size() / dimension();
+  if (rng_.chance(0.6)) {
+    options.stop = DSW_TOGETHER_STOP_FEATURE;
+    options.response = static_cast<dsw_together_response>(rng_.below(3));
+  }
   return dsw_scene_deform(scene(), next->data(), count, bodies.data(), bodies.size(), targets.data(),
                           targets.size() / dimension(), 0, &options, nullptr, nullptr);
 }

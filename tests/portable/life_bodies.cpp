@@ -185,6 +185,7 @@ dsw_status Life::move_together() {
   dsw_together_options options = defaults(dsw_together_options_init);
   options.stop = static_cast<dsw_together_stop>(rng_.below(3));
   options.max_rounds = rng_.below(6);
+  if (options.stop == DSW_TOGETHER_STOP_FEATURE) options.response = static_cast<dsw_together_response>(rng_.below(3));
   return dsw_scene_move_together(scene(), bodies.data(), bodies.size(), targets.data(), targets.size() / dimension(), 0,
                                  &options, nullptr);
 }

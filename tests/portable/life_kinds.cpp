@@ -114,8 +114,8 @@ const std::vector<LifeKind>& life_kinds() {
       {"plane_calls_triangles", {"triangles_irrational", 2}, 1, 0.05, kPairs | kLive, {}, &kCalls, 6000},
       {"space_together_wires", {"tet_kuhn", 3}, 1, 0.02, kPairs, {kWire, 5, 0, kSelf}, &kTogether, 300},
       {"space_together_cloth", {"hall", 3}, 1, 0.02, kPairs, {kCloth, 4, 4}, &kTogether, 100},
-      {"plane_together_wires", {"quads", 2}, 1, 0.02, kPairs, {kWire, 5, 0, kSelf}, &kTogether, 1000},
-      {"space_together_walls", {"hex", 3}, 1, 0.05, kDeforms | kPairs, {kWire, 3, 0}, &kBendsTogether, 150},
+      {"plane_together_wires", {"quads", 2}, 1, 0.02, kPairs, {kWire, 5, 0, kSelf, 0.02}, &kTogether, 1000},
+      {"space_together_walls", {"hex", 3}, 1, 0.05, kDeforms | kPairs, {kWire, 3, 0, 0, 0.02}, &kBendsTogether, 150},
       {"plane_together_walls", {"quads_flat", 2}, 1, 0.05, kDeforms | kPairs, {kRing, 3, 3}, &kBendsTogether, 500},
   };
   return all;
