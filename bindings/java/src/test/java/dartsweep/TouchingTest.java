@@ -48,7 +48,7 @@ class TouchingTest {
       assertEquals(0.125, scene.findNearest(new double[] {0.3, 0.3, 0.625}, 1, near).get(0).getDistance());
       assertEquals(1, near.get(0).getFace().generation());
       double[] distances = new double[2];
-      environment.findSignedDistances(DoubleBuffer.wrap(new double[] {0.5, 0.5, 0.75, 0.5, 0.5, 3}), DoubleBuffer.wrap(distances), null);
+      environment.findSignedDistances(DoubleBuffer.wrap(new double[] {0.5, 0.5, 0.75, 0.5, 0.5, 3}), distances, null);
       assertEquals(-0.25, distances[0]);
       assertEquals(2, distances[1]);
       CastOptions open = new CastOptions();
