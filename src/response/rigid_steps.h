@@ -7,7 +7,8 @@
 
 namespace dsw {
 
-/** @tparam Steps has `at`, the fraction up to which all have gone, `tries`, and `bool go_to(fraction)`, which goes there or nowhere. */
+/** @tparam Steps has `at`, the fraction up to which all have gone, `tries`, and `bool go_to(fraction)`, which goes there or nowhere;
+ * `go_beside` goes to places one unit nearer to the start. */
 template <class Steps>
 struct RigidSteps {
   static constexpr int kMostRetreats = 6, kMostLeap = 16;
@@ -64,7 +65,8 @@ struct RigidSteps {
       }
       beyond = before;
     }
-    return false;
+    // What goes along a wall may be nearer to it than to the doubles before it, and be rounded to the wall for long.
+    return steps.go_beside(end);
   }
 
   /** Goes past places whose rounding touches something, though the way does not. */

@@ -185,6 +185,7 @@ bool TurningTogether<D>::go(Call& call, double touch, double most_step) {
     double& at = call.at;
     int& tries = call.tries;
     bool go_to(double fraction) { return move.go_to(call, fraction); }
+    bool go_beside(double) { return false; }
   };
   Steps steps{*this, call};
   RigidSteps<Steps> along{steps, call.least, call.least == RigidWay<D>::kLeastStep, kMostStepTries, call.limit};

@@ -432,6 +432,25 @@ static void a_body_without_one_of_its_triangles_turns(void) {
   }
 }
 
+/* A vertex goes along less than half of a unit below the ceiling, which its places are rounded to. It stops at the wall behind. */
+static void what_goes_along_a_wall_is_not_rounded_to_it(void) {
+  const double rod[6] = {3.8328674119285629, 1.1466469343966827, 3.9999999999999996, 3.6, 1.25, 3.5};
+  const dsw_rigid_motion motion = {{-6.7956605745521224e-08, 2.1020986390145443e-09, 0, 0.99999999999999767},
+                                   {3.9875747455091269, 1.1418613921355407, 3.8044738940958642},
+                                   {0.3226877403786842, -0.0099816854069615796, 0}};
+  dsw_scene *const scene = make_scene(make_environment(NULL, N, N, N), 0);
+  const dsw_body_contact *contacts;
+  dsw_move_report report;
+  dsw_body_id body;
+  size_t count;
+  body = make_edge_body(scene, rod, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_OK(dsw_body_move_rigid(scene, body, &motion, NULL, &report));
+  CHECK(report.fraction > 0.5179 && report.fraction < 0.518);
+  CHECK_OK(dsw_body_get_contacts(scene, body, &contacts, &count));
+  CHECK(count == 1 && contacts[0].time >= report.fraction && contacts[0].time - report.fraction < 1e-14);
+  end_scene(scene);
+}
+
 int main(int argc, char **argv) {
   unsigned dimension;
   a_body_without_one_of_its_triangles_turns();
@@ -440,6 +459,7 @@ int main(int argc, char **argv) {
   a_flat_way_out_is_no_graze();
   what_stands_on_the_inner_side_is_passed();
   what_lies_on_the_floor_slides_and_leaves();
+  what_goes_along_a_wall_is_not_rounded_to_it();
   for (dimension = 2; dimension <= 3; ++dimension) {
     tally t;
     memset(&t, 0, sizeof t);
