@@ -53,7 +53,7 @@ void BodyWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_me
   const auto meets = [](const Trajectory<D>& of) {
     return of.motion.body->filter.self || (of.still != nullptr && !of.still->all.empty());
   };
-  has_hinges_ = bodies_meet && (trajectories.size() != 1 || meets(trajectories[0]));
+  has_hinges_ = bodies_meet && !trajectories.empty() && (trajectories.size() != 1 || meets(trajectories[0]));
   if (!has_hinges_) return;
   const bool with_segments = drift != nullptr || !find_own_edges(trajectories);
   add_ways(trajectories, with_segments, drift);

@@ -310,6 +310,13 @@ static void is_recorded(void) {
   end();
 }
 
+static void nobody_is_there(void) {
+  begin(DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS);
+  raise_row(2, 0.25);
+  CHECK(deform_with(NULL, NULL, NULL).outcome == DSW_DEFORM_DONE);
+  end();
+}
+
 int main(void) {
   unsigned dimension;
   for (dimension = 2; dimension <= 3; ++dimension) {
@@ -319,6 +326,7 @@ int main(void) {
     what_stands_is_met(0);
     what_stands_is_met(1);
     volumes_that_are_met_stay_valid();
+    nobody_is_there();
     bad_arguments();
     if (dimension == 3) too_much_work_leaves_all_where_it_is(); /* in the plane the numbers are too short */
     memory_runs_out();

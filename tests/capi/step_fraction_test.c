@@ -163,6 +163,17 @@ static void walls_that_move(void) {
   end_scene(scene);
 }
 
+/* Nothing is there but the environment. */
+static void nobody_is_there(void) {
+  dsw_environment *environment = make_environment(NULL, 2, 1, 1);
+  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  double walls[36] = {0}, fraction = 0;
+  walls[2] = 0.25;
+  CHECK_OK(dsw_scene_step_fraction(scene, NULL, 0, NULL, 0, 0, walls, 12, NULL, &fraction, NULL, NULL, NULL));
+  CHECK(fraction == 1);
+  end_scene(scene);
+}
+
 static void wrong_arguments(void) {
   double steps[6] = {0}, walls[108] = {0}, fraction = 7;
   dsw_environment *environment = make_environment(NULL, 2, 2, 3);
@@ -225,6 +236,7 @@ int main(void) {
   stacks_at_rest(0);
   stacks_at_rest(1);
   walls_that_move();
+  nobody_is_there();
   wrong_arguments();
   memory_runs_out(0);
   memory_runs_out(1);
