@@ -167,7 +167,7 @@ bool is_before(const double* start, const double* end, const double* other_start
 
 template <int D>
 double time_kept(const HullWays<D>& ways, double wanted, double most) noexcept {
-  constexpr int kMostPieces = 100, kMostNearPieces = 2;
+  constexpr int kMostPieces = 100, kMostNearPieces = 12;
   constexpr double kLeastPiece = 0x1p-46, kNear = 0x1p-37;
   if (are_boxes_apart(ways, wanted)) return most;
   double time = 0, accepted = least_kept(wanted);
