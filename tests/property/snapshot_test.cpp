@@ -119,13 +119,7 @@ TEST_P(SnapshotTest, EveryTruncationAndEveryDamagedByteIsAnError) {
     damaged[at] = block[at];
   }
   damaged.push_back(0);
-  dsw_environment* raw = nullptr;
-  const dsw_status longer = dsw_environment_load(nullptr, damaged.data(), damaged.size(), &raw);
-  if (longer == DSW_STATUS_OK) {
-    // Bytes after the block are either refused or ignored.
-    EXPECT_EQ(saved(raw), block);
-    dsw_environment_destroy(raw);
-  }
+  EXPECT_TRUE(refused(damaged, damaged.size())) << "a byte after the block";
   unsigned char small[8];
   size_t needed = 0;
   EXPECT_EQ(dsw_environment_save(place.get(), small, sizeof small, &needed), DSW_STATUS_BUFFER_TOO_SMALL);
