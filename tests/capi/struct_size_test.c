@@ -148,6 +148,10 @@ RUN(dsw_scene_move_particles, dsw_cast_options) {
   const dsw_particle_id id = particle();
   return dsw_scene_move_particles(g_scene, &id, 1, g_to, 0, s, &g_flight);
 }
+RUN(dsw_scene_cast, dsw_cast_options) {
+  dsw_contact_partner partner;
+  return dsw_scene_cast(g_scene, 1, NULL, g_from, g_to, 0, s, &g_flight, &partner);
+}
 RUN(dsw_scene_cast_from_particles, dsw_cast_options) {
   const dsw_particle_id id = particle();
   return dsw_scene_cast_from_particles(g_scene, &id, 1, g_to, 0, s, &g_flight);
@@ -399,6 +403,7 @@ typedef struct init_row {
   X(dsw_environment_sweep_edges, dsw_sweep_options)   \
   X(dsw_environment_tie, dsw_tie_desc)                \
   X(dsw_particle_move, dsw_cast_options)              \
+  X(dsw_scene_cast, dsw_cast_options)                 \
   X(dsw_scene_cast_from_particles, dsw_cast_options)  \
   X(dsw_scene_create, dsw_scene_desc)                 \
   X(dsw_environment_deform, dsw_deform_options)       \

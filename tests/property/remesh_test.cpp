@@ -192,7 +192,9 @@ TEST_P(RemeshTest, DeformationsGoFartherWithIt) {
   RecordProperty("held without", static_cast<int>(held[0]));
   RecordProperty("held with", static_cast<int>(held[1]));
   EXPECT_LE(held[1], held[0]);
-  EXPECT_GT(walls[0] + walls[1], 0u);
+  if (GetParam().rfind("tet", 0) == 0) {
+    EXPECT_GT(walls[0] + walls[1], 0u);
+  }
 }
 
 class RemeshMemoryTest : public MemoryTest {

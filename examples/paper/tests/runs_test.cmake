@@ -8,7 +8,9 @@ if(NOT code EQUAL 0)
   message(FATAL_ERROR "exit code ${code}: ${message}")
 endif()
 execute_process(COMMAND ${PYTHON} ${RESULTS} ${OUT} 8 9 RESULT_VARIABLE code OUTPUT_VARIABLE table ERROR_VARIABLE message)
-if(NOT code EQUAL 0 OR NOT table MATCHES "Figure 9 holds")
+# So short a catheter bends so little that nothing is released, and no spike is seen.
+if(NOT code EQUAL 0 OR NOT table MATCHES "catches: tests grow with the length +1 . yes +yes" OR
+   NOT table MATCHES "Figure 9 does not hold in: catches: steps that release stress")
   message(FATAL_ERROR "exit code ${code}: ${message}${table}")
 endif()
 file(STRINGS ${OUT}/catheter_length.csv rows)
