@@ -149,16 +149,14 @@ RUN(dsw_scene_move_particles, dsw_cast_options) {
   return dsw_scene_move_particles(g_scene, &id, 1, g_to, 0, s, &g_flight);
 }
 RUN(dsw_scene_cast, dsw_cast_options) {
-  dsw_contact_partner partner;
-  return dsw_scene_cast(g_scene, 1, NULL, g_from, g_to, 0, s, &g_flight, &partner);
+  return dsw_scene_cast(g_scene, 1, NULL, g_from, g_to, 0, s, &g_flight, (dsw_contact_partner[1]){{{0}}});
 }
 RUN(dsw_scene_cast_from_particles, dsw_cast_options) {
   const dsw_particle_id id = particle();
   return dsw_scene_cast_from_particles(g_scene, &id, 1, g_to, 0, s, &g_flight);
 }
 RUN(dsw_environment_sweep_edges, dsw_sweep_options) {
-  dsw_sweep sweep;
-  return dsw_environment_sweep_edges(g_env, 1, NULL, g_from, g_to, g_fixed, 0, s, &sweep);
+  return dsw_environment_sweep_edges(g_env, 1, NULL, g_from, g_to, g_fixed, 0, s, (dsw_sweep[1]){{0}});
 }
 
 static dsw_trace *g_trace;
@@ -177,10 +175,7 @@ RUN(dsw_trace_get_data, dsw_trace_data) {
   return status;
 }
 
-RUN(dsw_body_create, dsw_body_desc) {
-  dsw_body_id id;
-  return dsw_body_create(g_scene, s, &id);
-}
+RUN(dsw_body_create, dsw_body_desc) { return dsw_body_create(g_scene, s, (dsw_body_id[1]){{0}}); }
 RUN(dsw_body_get_counts, dsw_body_counts) { return dsw_body_get_counts(g_scene, body(), s); }
 RUN(dsw_body_move, dsw_move_options) { return dsw_body_move(g_scene, body(), g_target, 2, 0, s, NULL); }
 RUN(dsw_body_find_near_rows, dsw_near_options) { return dsw_body_find_near_rows(g_scene, body(), s, NULL); }
