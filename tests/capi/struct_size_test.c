@@ -59,6 +59,8 @@ static void begin(void) {
 static void end(void) { end_scene(g_scene); }
 
 static const double g_from[3] = {0.5, 0.25, 0.5}, g_to[3] = {2.5, 0.25, 0.5}, g_fixed[3] = {0.5, 2.25, 0.5};
+static dsw_contact_partner g_partner;
+static dsw_sweep g_sweep;
 static const double g_line[6] = {0.5, 0.25, 0.5, 0.5, 2.25, 0.5}, g_target[6] = {1.5, 0.25, 0.5, 1.5, 2.25, 0.5};
 
 static dsw_particle_id particle(void) {
@@ -149,14 +151,14 @@ RUN(dsw_scene_move_particles, dsw_cast_options) {
   return dsw_scene_move_particles(g_scene, &id, 1, g_to, 0, s, &g_flight);
 }
 RUN(dsw_scene_cast, dsw_cast_options) {
-  return dsw_scene_cast(g_scene, 1, NULL, g_from, g_to, 0, s, &g_flight, (dsw_contact_partner[1]){{{0}}});
+  return dsw_scene_cast(g_scene, 1, NULL, g_from, g_to, 0, s, &g_flight, &g_partner);
 }
 RUN(dsw_scene_cast_from_particles, dsw_cast_options) {
   const dsw_particle_id id = particle();
   return dsw_scene_cast_from_particles(g_scene, &id, 1, g_to, 0, s, &g_flight);
 }
 RUN(dsw_environment_sweep_edges, dsw_sweep_options) {
-  return dsw_environment_sweep_edges(g_env, 1, NULL, g_from, g_to, g_fixed, 0, s, (dsw_sweep[1]){{0}});
+  return dsw_environment_sweep_edges(g_env, 1, NULL, g_from, g_to, g_fixed, 0, s, &g_sweep);
 }
 
 static dsw_trace *g_trace;
