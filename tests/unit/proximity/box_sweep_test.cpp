@@ -58,7 +58,7 @@ void check_all() {
   scenes::Random random(52);
   for (const double scale : {1.0, 0x1p-1040, 1e308}) {
     for (int kind = 0; kind < 4; ++kind) {
-      for (const size_t count : {0, 1, 7, 400}) {
+      for (const size_t count : {size_t{0}, size_t{1}, size_t{7}, size_t{400}}) {
         SCOPED_TRACE(std::to_string(scale) + " " + std::to_string(kind) + " " + std::to_string(count));
         check(sweep, random_boxes<D>(random, count, scale, kind), random_boxes<D>(random, count / 2 + 1, scale, kind));
       }
