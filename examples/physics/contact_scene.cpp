@@ -201,8 +201,8 @@ void ContactWorld::move(const Positions& targets, Outcome* outcome) {
     dsw_together_options options;
     dsw_together_options_init(&options, sizeof options);
     options.stop = DSW_TOGETHER_STOP_FEATURE;
-    options.response =
-        radius_ > 0 ? DSW_TOGETHER_RESPONSE_STOP : DSW_TOGETHER_RESPONSE_SLIDE;  // thick ones can't slide yet
+    // The rows of thick rods are about those that stop.
+    options.response = radius_ > 0 ? DSW_TOGETHER_RESPONSE_STOP : DSW_TOGETHER_RESPONSE_SLIDE;
     status = dsw_scene_move_together(scene_.get(), ids.data(), ids.size(), targets.front().data(), targets.size(),
                                      sizeof(Vector3), &options, reports.data());
   } else {

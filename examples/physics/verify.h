@@ -18,7 +18,8 @@ struct Validation {
 };
 
 // Casts every edge through the environment alone, and finds every vertex again: without a hint or, where walls have folded cells over
-// others, from its own cell. There the straight way from one end can lead into a volume that lies over those of the edge, so the other end is asked, too. A surface is created once more where it is, which fails unless it is free at its level. Throws LibraryError.
+// others, from its own cell. There the straight way from one end can lead into a volume that lies over those of the edge, so the other end
+// is asked, too. A surface is created once more where it is, which fails unless it is free at its level. Throws LibraryError.
 // O(edges + vertices), given an environment with a grid.
 Validation verify(dsw_scene* scene, dsw_body_id body);
 

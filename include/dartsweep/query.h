@@ -29,9 +29,10 @@ enum {
   DSW_CAST_START_KNOWN = 0x1,
   /** Only outcome, volume and volumes_visited are reported. */
   DSW_CAST_NO_DETAIL = 0x2,
-  /** Line of sight: what touches an end alone does not count, all else does, without the shift: the
-   * way between the ends is free if it runs in passable volumes and touches no impassable face. A
-   * start on the boundary is fine. No `volume` is reported. Casts without particles. @since 2.1 */
+  /** Line of sight, exactly and without the shift: what touches an end alone does not count. The
+   * way between the ends is free if it runs in passable volumes and touches no impassable face. The
+   * start may lie on the boundary. No `volume` is reported. Casts of paths and from particles
+   * refuse the flag. @since 2.1 */
   DSW_CAST_OPEN_ENDS = 0x4
 };
 
@@ -143,11 +144,11 @@ DSW_API dsw_status dsw_environment_find_nearest_to_segments(
     const double *from, const double *to, size_t stride_bytes, double radius,
     dsw_segment_nearest *nearest, dsw_volume_id *volumes, dsw_location *locations);
 
-/** Finds for each of many points how far it is from the outer boundary of the environment, whatever is
- * marked; negative inside. The sign is exact, and the error of a distance that of rounding.
- * @param nearest the nearest place; `distance` without a sign. May be null.
- * @note Cost: O(log n) expected with the search structure, which the first call that takes as long builds;
- * O(n) for points 10 lengths of the environment away. Batch. @since 2.1 */
+/** Finds for each of many points how far it is from the outer boundary of the environment, whatever
+ * is marked: negative inside. The sign is exact; distances are rounded.
+ * @param nearest the nearest place; its `distance` has no sign. May be null.
+ * @note Cost of a point: O(log n) expected once the search structure is built, or in a batch that is
+ * large enough for a tree of its own; else O(n), also far outside. Batch. @since 2.1 */
 DSW_API dsw_status dsw_environment_find_signed_distances(const dsw_environment *environment,
                                                          const double *points, size_t count,
                                                          size_t stride_bytes, double *distances,

@@ -15,8 +15,8 @@ extern "C" {
 
 /** Casts many segments to their ends, or to the first impassable face or part of a body.
  * Walls are met as by dsw_environment_cast_segments. Thin bodies are closed sets: a segment meets an
- * edge in space exactly where both have a point in common. Of equal times, as they are rounded, a
- * wall comes first, then the lowest body, vertex, edge and face.
+ * edge in space exactly where both have a point in common. If rounded times are equal, a wall
+ * comes first, then the lowest body, then vertices, edges and faces by index.
  * @param flights `contact` as in dsw_body_contact; a thick body may be met 2^-30 of its radius early.
  * @param partners the body and the part that was met, or null ids.
  * @note Cost: as dsw_environment_cast_segments, and the parts of bodies near the segment; without
@@ -26,9 +26,9 @@ DSW_API dsw_status dsw_scene_cast(dsw_scene *scene, size_t count, const dsw_volu
                                   const dsw_cast_options *options, dsw_flight *flights,
                                   dsw_contact_partner *partners);
 
-/** Finds for each of many points what is nearest: what dsw_environment_find_nearest_to_points finds,
- * or a body that is nearer.
- * @param nearest at a body without `cell`; `distance` is less its radius, and negative within it.
+/** Finds for each of many points what dsw_environment_find_nearest_to_points finds, or a body that is
+ * nearer.
+ * @param nearest at a body `cell` is null, and `distance` is that to its surface: negative within it.
  * @param partners as in dsw_scene_cast.
  * @note Cost: that of both searches. Batch. Writes the scene. @since 2.1 */
 DSW_API dsw_status dsw_scene_find_nearest(dsw_scene *scene, const double *points, size_t count,

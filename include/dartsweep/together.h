@@ -106,8 +106,7 @@ DSW_API dsw_status dsw_scene_move_together(dsw_scene *scene, const dsw_body_id *
  * @param motions one for each body.
  * @param options `stop` is ALL or ISLAND. The work limit holds for each step, so a call can take a
  * few times as much.
- * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: `stop` is FEATURE. Thick bodies keep their distances
- * on all of their ways.
+ * @return DSW_STATUS_DUPLICATE_ID; UNSUPPORTED: `stop` is FEATURE.
  * @note Cost: as dsw_scene_move_together for each of a few steps, and O(pairs of bodies whose ways
  * come near each other, and their parts). Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_move_rigid(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
@@ -156,7 +155,7 @@ DSW_API dsw_status dsw_scene_deform_rigid(dsw_scene *scene, double *next, size_t
 /** Finds the largest fraction f of given steps that is free, for a solver's line search. Nothing
  * moves. All vertices go at once, straight and steadily, to x + f * step, computed in doubles: the
  * ways to these rounded places are verified, as dsw_scene_move_together would, and the next double
- * is not free; where a thick body stops it, f is as large as certified distances allow.
+ * is not free; where a thick body limits f, f is as large as certified distances allow.
  * @param steps `step_count` displacements, one for each vertex slot of the bodies, as targets in move.h.
  * @param environment_steps one for each of the environment's `point_count` vertices; all bodies and
  * particles of the scene are met then. NULL and 0: it stands still.

@@ -42,7 +42,7 @@ class RigidTouches {
 
   /** Finds when the body first enters something: a wall under the shift, or another body as soon as they touch.
    * @param until what is entered after this time need not be found.
-   * @param reached where points of the environment that go are at that time: null: next. */
+   * @param reached where points of the environment that go are at that time; null: where set_next() leads them. */
   FirstTouch find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners, double until = 1,
                         const double* reached = nullptr);
   /** Whether find_first has found pairs that touch at time 0 and does not know what they do then. */

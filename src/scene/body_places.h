@@ -20,8 +20,8 @@ struct BodyPlace {
 template <int D>
 Box<D> box_about(const double* point, double distance) noexcept;
 
-/** Makes `place` that of the partner's body that is nearest to a point if that is nearer, or of equals is one of a body or
- * part with a lower index. Reads boxes that are fresh, if the body keeps any. */
+/** Makes `place` the nearest place of the partner's body, if that is nearer to the point than `place` was; of equals the body
+ * with the lower index counts, then the lower part. Reads boxes that are fresh, if the body keeps any. */
 template <int D>
 void find_nearest_place(const Partner<D>& partner, const double* point, BodyPlace<D>& place) noexcept;
 

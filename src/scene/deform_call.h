@@ -17,15 +17,15 @@ struct DeformCall {
   Trajectory<D> trajectory(BodyRecord<D>& of, PointArray targets, MoveRecord* of_move);
   /** Adds the bodies of the scene that the call does not move, and the particles. */
   void add_still(BodyRecord<D>* const* moved, size_t count, Array<Trajectory<D>>& to);
-  /** The host's points, the environment and bodies are what they were before. */
+  /** Makes the host's points, the environment and the bodies what they were before. */
   void take_back(const Array<Trajectory<D>>& trajectories);
-  /** Touches of the environment are named by the scene's particles. */
+  /** Keeps contacts of walls, with the scene's names of particles. */
   void keep_contacts(const Array<dsw_wall_contact>& contacts);
-  /** The outcome that follows from the fraction and the points that are held. */
+  /** Notes the outcome that follows from the fraction and the points that are held. */
   void keep_outcome() noexcept;
-  /** The environment has been lent the host's points, if it reads them. */
+  /** Notes that the environment has been lent the host's points, if it reads them. */
   void keep_points(size_t point_room) noexcept;
-  /** The results become those of the scene's last deformation. */
+  /** Makes the results those of the scene's last deformation. */
   void finish(BodyRecord<D>* const* bodies, size_t count, const Array<Trajectory<D>>& trajectories);
 
   Scene<D>& scene;

@@ -65,7 +65,7 @@ struct RigidIsland {
   }
 };
 
-/** What has come of the motion of a body. */
+/** Notes what is left of the motion of a body, and its shape. */
 template <int D>
 void keep_motion(BodyRecord<D>& of, const RigidMove<D>& motion) {
   const RigidMotion<D> made = motion.part(of.next.fraction);

@@ -29,7 +29,7 @@ auto name_of(const TooNearOnWay<D>& n) {
 template <int D>
 void describe_touches(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& touches);
 
-/** Adds what comes too near, likewise. */
+/** Adds what comes too near, in the order of describe_touches. */
 template <int D>
 void describe_too_near(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<TooNearOnWay<D>>& first);
 /** What the part comes too near to, without the part. */

@@ -21,7 +21,7 @@ class MovingWalls {
   void begin(PointsWay<D>& way, Array<dsw_volume_id>& invalid) noexcept;
   /** Finds what comes near the whole ways of all parts in the call. Throws NON_FINITE also. */
   void start(const Array<Trajectory<D>>& trajectories);
-  /** From now on the points go on straight to these, beyond where they were collected. */
+  /** From now on the points go straight on to these, beyond the ends of the ways that were collected. */
   void set_next(const double* points) noexcept { next_ = points; }
   /** Whether all cells that are met stay valid. */
   bool stay_valid() const noexcept { return stay_valid_; }

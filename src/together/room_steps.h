@@ -20,19 +20,19 @@ class RoomSteps {
   /** The points go from where they are to `next`. Volumes that do not stay valid are appended to `invalid`. */
   void begin(const double* next, Array<dsw_volume_id>& invalid);
   const double* next() const noexcept { return next_; }
-  /** How the environment is a part of the whole way from its start. */
+  /** Looks at a part of the whole way, from its start. Returns where the points are at its end. */
   const double* look_to(double until);
   /** Whether cells stay valid on the way to where look_to() has led.
    * @param unit one unit in the last place of what is near them. */
   bool stay_valid(const CellQueue& cells, double unit);
-  /** The cells that did not stay valid in the last look are told. */
+  /** Tells the cells that did not stay valid in the last look. */
   void keep_invalid() { invalid_->assign(met_invalid_.begin(), met_invalid_.end()); }
   /** The share of the way in which nothing goes further than one unit in the last place. */
   double least_step() const noexcept { return least_step_; }
-  /** Finds what the walls first touch of what stands, if that is earlier and on this way; whether the cells that are met there stay
-   * valid. */
+  /** Finds what the walls first touch of things that stand, if that is before `first` and on the way that look_to() has led.
+   * @return whether the cells that are met there stay valid. */
   bool find_first(FirstTouch& first);
-  /** Things that stand follow those of the call that move: they have come through find_first. */
+  /** Appends the things that stand to those that the call moves. They have gone through find_first. */
   void join(Array<Trajectory<D>>& trajectories);
 
   /** Goes to a part of the whole way, if that is free for all: each body to its targets.
@@ -41,11 +41,11 @@ class RoomSteps {
              bool keeps);
   /** The points, not the bodies, are where they were before the last step. */
   void take_back() noexcept { step_.read_start(); }
-  /** What the walls touch of things that stand at the first touch of these, if nothing is known of a later step. */
+  /** Keeps what find_first has found as the contacts, where no step has found others. */
   void keep_standing() { contacts.assign(standing_touched_.begin(), standing_touched_.end()); }
   /** Keeps what a part of a body touches of walls, as its last contact says. */
   void keep_wall(const Trajectory<D>& of, const Simplex& part, const uint32_t* corners, uint32_t count);
-  /** The contacts' time, and the whole ways of the points that move there. */
+  /** Sets the time of all contacts, and the whole ways of their points. */
   void set_time(double time) noexcept;
 
   Array<Trajectory<D>> standing{env_.memory};  // what the call does not move

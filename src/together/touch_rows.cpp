@@ -212,8 +212,8 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& to
   return add_row(trajectories, ordered, D + 1, row);
 }
 
-/** What is nearest of two hulls need not be a single point of each: an edge lies along a wall. So each corner has a row that is as near
- * as it may be, or comes so near to a facet next, and so has each pair of edges. */
+/** Two hulls can be nearest along a whole edge or face, as where an edge lies along a wall. So each corner and each pair of edges has a
+ * row if it is as near as it may be, and a corner also if it comes so near to a facet next. */
 template <int D>
 bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near, const double* const* wall_goals,
                        uint32_t round) {

@@ -1,10 +1,9 @@
 #pragma once
 // A body of which all vertices move at once, and what its parts touch on their way.
 
-#include <utility>
-
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/search.h"
 #include "body/simplices.h"
@@ -31,8 +30,8 @@ struct Trajectory {
   Array<double> ends;     // where they go in the way that is looked at
   Array<double> reaches;  // empty, or ends of the ways that parts are collected for; then these are not the targets
   bool stands = false;    // nothing moves it
-  bool is_led = false;   // its vertices may go anywhere in the boxes of their ways, not straight to their targets alone
-  Array<double> limits;  // times up to which edges and faces at a vertex are looked at
+  bool is_led = false;    // walls are collected for the whole boxes of its vertices' ways: rows may lead them aside
+  Array<double> limits;   // times up to which edges and faces at a vertex are looked at
   Array<uint8_t> is_new;  // vertices whose ways have not been looked at; parts without one are passed over
 
   explicit Trajectory(const Memory* memory)
@@ -128,7 +127,8 @@ uint32_t points_of_way(const Trajectory<D>& of, const Simplex& part, const doubl
   return 2 * corners.count;
 }
 
-/** All that comes within the radius of a part on its way, wherever it may be led. It depends on no numbers. */
+/** All that comes within the radius of a part on its way, or, if it is led, in the boxes of its vertices' ways. It depends on no
+ * numbers. */
 template <int D>
 NearRegion<D> region_of_way(const Trajectory<D>& of, const Simplex& part) noexcept {
   const double* points[6] = {};

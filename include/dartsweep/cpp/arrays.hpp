@@ -216,7 +216,7 @@ void optional_count(const char *name, Elements &array, std::size_t expected) {
   if (array.count != 0) same_count(name, array.count, expected);
 }
 
-/** Arrays of a search for what is nearest to `count` places. */
+/** Checks the arrays of a search for what is nearest to `count` points or segments. */
 inline void check_nearest(std::size_t count, View<const dsw_volume_id> &hints,
                           std::size_t nearest_count, View<dsw_volume_id> &volumes,
                           View<std::int32_t> &locations) {

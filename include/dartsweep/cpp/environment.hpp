@@ -522,7 +522,6 @@ class Environment {
  private:
   Environment() : state_(std::make_shared<EnvironmentState>()) {}
 
-  /** Checks the arrays of a search for `count` points or segments. */
   static void same_width(const Indices &connectivity,
                          std::initializer_list<const Indices *> others) {
     for (const Indices *other : others)
