@@ -9,8 +9,8 @@ if(CMAKE_SOURCE_DIR STREQUAL CMAKE_CURRENT_SOURCE_DIR)
 endif()
 include(${CMAKE_CURRENT_LIST_DIR}/../src/cmake/mingw.cmake)
 
-# The library to link: a static one, or with DSW_MODULE_SHARED whatever is installed or built. A module of Python, the only one that has the option,
-# then loads the shared library that the environment variable DARTSWEEP_LIBRARY names.
+# The library to link: a static one, or with DSW_MODULE_SHARED whatever is installed or built. Only the module of Python has this option; it then
+# loads the shared library, and the environment variable DARTSWEEP_LIBRARY can name the file.
 get_target_property(dsw_library_type Dartsweep::dartsweep TYPE)
 if(DSW_MODULE_SHARED)
   set(dsw_static_library Dartsweep::dartsweep) # a library of the system, see the option

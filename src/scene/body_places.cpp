@@ -44,13 +44,7 @@ class PlaceSearch {
 
  private:
   void visit(const Box<D>& box) {
-    const BodyBoxes<D>& boxes = body_.boxes[0];
-    const auto look_at = [&](Simplex::Kind kind) {
-      return [this, kind](uint32_t i) { return is_covered(body_, Simplex{kind, i}) || look({kind, i}); };
-    };
-    (covers_edges(body_.level) ? boxes.loners : boxes.vertices).visit(box, look_at(Simplex::kVertex));
-    if (covers_edges(body_.level)) boxes.edges.visit(box, look_at(Simplex::kEdge));
-    if (D == 3 && covers_faces(body_.level)) boxes.faces.visit(box, look_at(Simplex::kFace));
+    for_each_outer_near(body_, box, [this](const Simplex& part) { return look(part); });
   }
 
   bool look(const Simplex& part) {
