@@ -10,7 +10,7 @@
 #include "base/dimensions.h"
 #include "base/points.h"
 #include "base/position.h"
-#include "body/simplices.h"
+#include "body/near_simplices.h"
 #include "predicates/hull_gap.h"
 
 namespace dsw {

@@ -8,7 +8,7 @@
 
 #include "base/dimensions.h"
 #include "base/position.h"
-#include "body/simplices.h"
+#include "body/near_simplices.h"
 #include "locate/distances.h"
 
 namespace dsw {
