@@ -204,7 +204,7 @@ class Bodies {
   }
 
  private:
-  /** To nowhere: what it costs to write, without a disc. */
+  /** Records to nowhere: what writing costs without a disc. */
   void start_recording() {
     dsw_recording_desc desc;
     dsw_recording_desc_init(&desc, sizeof desc);

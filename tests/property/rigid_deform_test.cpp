@@ -34,7 +34,7 @@ struct AllPairs {
       indices.push_back(side->motion);
     }
   }
-  /// 2 without any.
+  /// The time of the first touch, or 2.
   double first_time() const {
     std::vector<dsw_pair_touch> touches(kinds.size());
     EXPECT_EQ(
@@ -115,7 +115,7 @@ class RigidDeformTest : public BendingTest {
     double first = 2;
     size_t faults = 0;
   };
-  /// The times of all contacts, which are one, and whether all is well that is told.
+  /// What the call tells: the time, one for all contacts, and how many things are wrong.
   Told told(const Ground& ground, dsw_scene* scene, const std::vector<Walker>& walkers,
             const std::vector<dsw_move_report>& reports, const dsw_deform_report& report) {
     Told told;
@@ -199,7 +199,7 @@ TEST_P(RigidDeformTest, MissesNothingAndPassesNothing) {
       halved_for_nothing += valid && halved ? 1 : 0;
       if (!halved && truth <= 1) {
         missed += touched ? 0 : 1;
-        // Where something moves by a few roundings only, what rests on it is in the way of rounded places.
+        // Something that moves by a few roundings alone can be in the way of rounded places that rest on it.
         const double left = is_coarse_ && valid ? truth - report.fraction : 0;
         worst = std::max(worst, left);
         short_of += left > 1e-6 ? 1 : 0;

@@ -71,7 +71,7 @@ class ThickScene {
     dsw_trace_destroy(trace);
   }
 
-  /// Puts the obstacles a part of their way from where they were in another scene to where they are here.
+  /// Puts each obstacle between its places in two scenes, a part of the way from one to the other.
   void place_obstacles(const ThickScene& before, const ThickScene& after, double part) {
     obstacles_.clear();
     ASSERT_EQ(before.obstacles_.size(), after.obstacles_.size());

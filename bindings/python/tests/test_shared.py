@@ -1,5 +1,5 @@
-"""The shared library that DARTSWEEP_LIBRARY names, which the tests of abi/ guard: it is the one that is loaded. A module that has the library
-in it says that the variable is of no use."""
+"""The shared library that DARTSWEEP_LIBRARY names is the one that is loaded; the tests of abi/ guard it. A module that has the library in it
+refuses the variable."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from ._library import SHARED
 
 def load() -> str | None:
     """The path of the library that was loaded; None without the variable. Raises an ImportError if the module has the library in it, or
-    if the library can't be loaded. A library of an earlier release is refused when the module is loaded: its error names what is missing."""
+    if the library can't be loaded. With a library of an earlier release, importing the module then fails, and its error names what is missing."""
     path = os.environ.get("DARTSWEEP_LIBRARY")
     if not path:
         return None

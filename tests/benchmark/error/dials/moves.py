@@ -204,7 +204,7 @@ def _ball(radius: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def back_edges(moves: int) -> Curve:
-    """[JCD10] 6.1, 6.2 and 6.3 on balls that fall among blocks and change their shape: contacts that they miss, and places that are another."""
+    """[JCD10] 6.1, 6.2 and 6.3 on balls that fall among blocks and change their shape: contacts that they miss, and places that differ."""
     both = ds.BodyFlag.SKIP_BY_ENVIRONMENT | ds.BodyFlag.SKIP_BACK_EDGES
     methods = {"none (exact at EDGES)": 0, "6.1": ds.BodyFlag.SKIP_BY_ENVIRONMENT, "6.2": ds.BodyFlag.SKIP_BACK_EDGES, "6.3": both}
     shape, faces = _ball(0.45)

@@ -65,7 +65,7 @@ def _turned(start: np.ndarray, centre: np.ndarray, angle: float, way: np.ndarray
 
 
 def rigid(cases: int) -> Curve:
-    """A bar turns: exactly along its arcs, and as vertices that go straight in so many steps, whose first contact is another and whose shape bends."""
+    """A bar turns: exactly along its arcs, and as vertices that go straight in so many steps, which have another first contact and bend the shape."""
     environment = blocks()
     moves = list(ropes(environment, cases, seed=11, vertices=3))
     random = np.random.default_rng(4)
