@@ -1,7 +1,8 @@
 /** @file rays.h
  * Rays and nearest places among the walls and the bodies of a scene. A body counts as far as its
  * level covers it: its vertices, its edges, its faces; a thick one out to its radius. Bodies that do
- * not meet each other count, too. More: bindings/docs/rays.md.
+ * not meet each other count, too. Calls that run out of memory may have written some answers. More:
+ * bindings/docs/rays.md.
  */
 #ifndef DARTSWEEP_RAYS_H
 #define DARTSWEEP_RAYS_H
