@@ -35,6 +35,12 @@ Vec relative(const double* position, const double* point, double scale) {
   return at;
 }
 
+/** The length of a way: by its square, unless that underflows. */
+inline double length_of_way(const Vec& way) {
+  const double square = dot(way, way);
+  return square > 0x1p-900 ? std::sqrt(square) : length(way);
+}
+
 /** Fills in what lies at the end of a way from `point`, whose scaled length is `result.distance`. */
 template <int D>
 void report_obstacle(const Vec& way, const double* point, double scale, NearestResult& result) {

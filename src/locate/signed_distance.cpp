@@ -22,6 +22,7 @@
 #include "base/position.h"
 #include "locate/locate.h"
 #include "predicates/filtered.h"
+#include "predicates/plane_hit.h"
 #include "predicates/touch.h"
 
 namespace dsw {
@@ -91,8 +92,10 @@ class BoundarySearch {
     }
     result.way = nearest_->way;
     // Not on the boundary, so not at distance 0, if rounding says that.
-    const double distance = std::max(std::sqrt(nearest_->square) / scale_, std::numeric_limits<double>::min());
-    result.distance = is_inside() ? -distance : distance;
+    const double distance = std::max(length_of_way(result.way) / scale_, std::numeric_limits<double>::denorm_min());
+    const bool inside = is_inside();
+    result.distance = inside ? -distance : distance;
+    result.normal = is_normal_to_face() ? face_normal(inside) : Vec::Zero() - unit(result.way);
     return result;
   }
 
@@ -186,12 +189,17 @@ class BoundarySearch {
     return i != k ? i < k : env_.map.local_of(a.facet, c) < env_.map.local_of(b.facet, d);
   }
 
-  /** Whether the point lies exactly on a simplex that is near. */
-  bool is_on_boundary() const {
+  /** Whether rounding matters to the way to the nearest simplex. */
+  bool is_close() const {
     double far = 0;
     for (const uint32_t v : nearest_->vertices)
       far = std::max(far, largest(relative<D>(env_.point(v), point_, scale_)));
-    if (!(std::sqrt(nearest_->square) <= 0x1p-40 * far)) return false;
+    return std::sqrt(nearest_->square) <= 0x1p-40 * far;
+  }
+
+  /** Whether the point lies exactly on a simplex that is near. */
+  bool is_on_boundary() const {
+    if (!is_close()) return false;
     bool found = false;
     const auto decide = [&](const uint32_t(&vertices)[D], HalfFacet) {
       const double* corners[D];
@@ -201,6 +209,21 @@ class BoundarySearch {
     for (uint32_t i = 0; i < count_; ++i) decide(near_[i].vertices, near_[i].facet);
     if (is_crowded_) for_each_cell(env_.map, [&](Cell c) { for_each_outer(c, decide); });
     return found;
+  }
+
+  /** Whether the way ends within a face, and is so short that its direction is that of rounding. */
+  bool is_normal_to_face() const {
+    uint32_t vertices[D];
+    return is_zero(nearest_->way) || (is_close() && carriers(*nearest_, vertices) == D);
+  }
+  /** Normal to the nearest face, towards the side of the point. */
+  Vec face_normal(bool inside) const {
+    const double* corners[D];
+    for (int k = 0; k < D; ++k) corners[k] = env_.point(nearest_->vertices[k]);
+    double outward[3] = {};
+    unit_normal<D>(corners, outward);
+    const Vec normal = to_vec<D>(outward);
+    return inside ? Vec::Zero() - normal : normal;
   }
 
   bool is_inside() const {

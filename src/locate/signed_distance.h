@@ -11,6 +11,7 @@ struct SignedDistance {
   double distance = HUGE_VAL;  // rounded; negative inside of the environment
   Vec way;                     // to the nearest place of the boundary, times the scale
   double scale = 1;
+  Vec normal;       // unit, from there towards the point; zero on the boundary
   HalfFacet facet;  // there
 };
 

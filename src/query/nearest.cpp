@@ -234,10 +234,8 @@ template <int D>
 dsw_nearest report_boundary(const Environment<D>& env, const double* point, const SignedDistance<D>& found) {
   dsw_nearest answer{};
   answer.distance = std::fabs(found.distance);
-  for (int k = 0; k < D; ++k) {
-    answer.point[k] = point[k] + found.way[k] / found.scale;
-    answer.normal[k] = answer.distance > 0 ? 0 - found.way[k] / found.scale / answer.distance : 0;
-  }
+  for (int k = 0; k < D; ++k) answer.point[k] = point[k] + found.way[k] / found.scale;
+  if (std::isfinite(answer.distance)) store<D>(found.normal, answer.normal);
   const Cell c = env.map.cell_of(found.facet);
   answer.cell = name_feature(env, {D - 1, c, env.map.local_of(found.facet, c)});
   answer.tag = obstacle_tag(env, found.facet, c);

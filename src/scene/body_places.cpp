@@ -55,7 +55,7 @@ class PlaceSearch {
     const Vec way = corners.count == 1   ? at[0]
                     : corners.count == 2 ? nearest_on(at[0], at[1])
                                          : nearest_on(at[0], at[1], at[2]);
-    const double distance = std::sqrt(dot(way, way)) / place_.scale - body_.radius;
+    const double distance = length_of_way(way) / place_.scale - body_.radius;
     const auto key = [](double d, uint32_t body, const Simplex& s) {
       return std::make_tuple(d, body, s.kind, s.index);
     };

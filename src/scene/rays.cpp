@@ -201,9 +201,9 @@ void report_place(const double* point, const BodyPlace<D>& place, dsw_nearest& a
   const uint32_t visited = answer.volumes_visited;
   answer = {};
   answer.distance = place.distance;
-  const double far = place.distance + place.body.body->radius;
+  // Not by the distance: less the radius it says little of the way.
+  store<D>(Vec::Zero() - unit(place.way), answer.normal);
   for (int k = 0; k < D; ++k) {
-    answer.normal[k] = far > 0 ? -place.way[k] / (far * place.scale) : 0;
     answer.point[k] = point[k] + place.way[k] / place.scale + place.body.body->radius * answer.normal[k];
   }
   answer.volumes_visited = visited;

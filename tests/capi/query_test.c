@@ -476,7 +476,7 @@ static void bad_questions_for_what_is_nearest_change_nothing(void) {
 static void signed_distances_are_negative_inside(void) {
   dsw_environment *const e = make_environment(NULL, 4, 2, 2);
   static double many[3 * 64], signs[64];
-  const double at[12] = {1.75, 1, 1.5, 5, 1, 1, 5, 3, 3, 4, 1, 1};
+  const double at[12] = {1.75, 1, 1.5, 5, 1, 1, 5, 3, 3, 4, 1, 1}, tiny[6] = {-1e-170, 1, 1, 1, 5e-324, 1};
   double d[4] = {7, 7, 7, 7}, bad[3] = {0, NAN, 0};
   dsw_nearest n[4];
   unsigned i;
@@ -492,11 +492,37 @@ static void signed_distances_are_negative_inside(void) {
     CHECK_OK(dsw_environment_find_signed_distances(e, many + 3 * i, 1, 0, d, NULL));
     CHECK(d[0] == signs[i]);
   }
+  CHECK_OK(dsw_environment_find_signed_distances(e, tiny, 2, 0, d, n)); /* their squares are no doubles */
+  CHECK(d[0] == 1e-170 && n[0].normal[0] == -1 && d[1] == -5e-324 && n[1].normal[1] == 1 && n[1].distance == 5e-324);
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_find_signed_distances(e, bad, 1, 0, d, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_find_signed_distances(e, at, 1, 0, NULL, n));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_find_signed_distances(NULL, at, 1, 0, d, NULL));
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_find_signed_distances(e, at, 2, 4, d, NULL));
   CHECK_OK(dsw_environment_find_signed_distances(e, NULL, 0, 0, NULL, NULL));
+  CHECK_OK(dsw_environment_destroy(e));
+}
+
+/* Most points of a slanted side are rounded off it. The way back is rounded, too, often to nothing. */
+static void what_is_rounded_off_a_slanted_side_has_its_normal(void) {
+  static const double points[6] = {0.1, 0.2, 1.3, 0.9, 0.3, 1.1};
+  static const int64_t cell[3] = {0, 1, 2};
+  const dsw_environment_desc desc = polygons_desc(points, 3, DSW_CELL_TYPE_TRIANGLE, cell, 1);
+  const double size = sqrt(1.2 * 1.2 + 0.7 * 0.7);
+  dsw_environment *e = NULL;
+  unsigned i, off = 0;
+  CHECK(create_reported(&desc, &e).status == DSW_STATUS_OK);
+  for (i = 1; i < 256; ++i) {
+    const double at[2] = {0.1 + i / 256.0 * 1.2, 0.2 + i / 256.0 * 0.7};
+    double d = 7;
+    dsw_nearest n;
+    CHECK_OK(dsw_environment_find_signed_distances(e, at, 1, 0, &d, &n));
+    if (d == 0) continue;
+    CHECK(fabs(d) < 1e-15 && n.distance == fabs(d));
+    CHECK(fabs(n.normal[0] * size - (d > 0 ? 0.7 : -0.7)) < 1e-14);
+    CHECK(fabs(n.normal[1] * size - (d > 0 ? -1.2 : 1.2)) < 1e-14);
+    ++off;
+  }
+  CHECK(off > 0);
   CHECK_OK(dsw_environment_destroy(e));
 }
 
@@ -536,5 +562,6 @@ int main(void) {
   CHECK_OK(dsw_environment_destroy(g_env));
   signed_distances_are_negative_inside();
   signed_distances_in_the_plane();
+  what_is_rounded_off_a_slanted_side_has_its_normal();
   return check_result();
 }

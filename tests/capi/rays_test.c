@@ -1,5 +1,6 @@
 /* Rays and nearest places among walls and bodies: what a caller gets, and arguments that are refused.
    tests/property/rays_test.cpp compares both, and the line of sight, with exact truth. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -118,6 +119,26 @@ static void a_thick_body_is_met_at_its_radius(void) {
   CHECK_OK(dsw_scene_destroy(g_scene));
 }
 
+/* Less the radius, the distance from the middle of a thick wire has few digits; the normal has all. */
+static void a_normal_within_a_thick_body_is_unit(void) {
+  double ends[6], at[3];
+  dsw_body_desc d;
+  dsw_body_id id;
+  dsw_nearest n;
+  dsw_contact_partner p;
+  g_scene = make_scene(g_env, DSW_FEATURE_BODY_CONTACTS);
+  put(put(ends, 1.75, 0.75, 1), 2.25, 1.25, 1);
+  d = line_desc(ends, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+  d.radius = 0.3;
+  CHECK_OK(dsw_body_create(g_scene, &d, &id));
+  put(at, 2 + 4 * DBL_EPSILON, 1, 1);
+  CHECK_OK(dsw_scene_find_nearest(g_scene, at, 1, 0, NULL, HUGE_VAL, &n, &p, NULL, NULL));
+  CHECK(p.edge.generation == 1 && fabs(n.distance + 0.3) < 1e-14);
+  CHECK(fabs(n.normal[0] - sqrt(0.5)) < 1e-14 && fabs(n.normal[1] + sqrt(0.5)) < 1e-14 && n.normal[2] == 0);
+  CHECK(fabs(n.point[0] - 2 - 0.3 * sqrt(0.5)) < 1e-14);
+  CHECK_OK(dsw_scene_destroy(g_scene));
+}
+
 static void what_is_nearest_is_a_wall_or_a_body(void) {
   double at[9];
   dsw_nearest n[3];
@@ -181,6 +202,7 @@ static void run(unsigned dimension) {
   a_body_is_met_before_a_wall(DSW_FEATURE_BODY_CONTACTS);
   ends_that_touch_do_not_count();
   a_thick_body_is_met_at_its_radius();
+  a_normal_within_a_thick_body_is_unit();
   what_is_nearest_is_a_wall_or_a_body();
   bad_questions_are_refused();
   CHECK_OK(dsw_environment_destroy(g_env));
