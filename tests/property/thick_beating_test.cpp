@@ -2,6 +2,7 @@
 // wait for it. Figures are printed.
 #include "thick_checks.h"
 
+#include <algorithm>
 #include <ctime>
 #include <deque>
 
