@@ -232,6 +232,7 @@ namespace {
 
 template <int D>
 dsw_nearest report_boundary(const Environment<D>& env, const double* point, const SignedDistance<D>& found) {
+  if (!found.facet.valid()) return nothing_near();  // no place of the boundary is finite
   dsw_nearest answer{};
   answer.distance = std::fabs(found.distance);
   for (int k = 0; k < D; ++k) answer.point[k] = point[k] + found.way[k] / found.scale;

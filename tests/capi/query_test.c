@@ -526,6 +526,21 @@ static void what_is_rounded_off_a_slanted_side_has_its_normal(void) {
   CHECK_OK(dsw_environment_destroy(e));
 }
 
+/* Volumes that hold nothing may lose their points. */
+static void nothing_is_near_a_boundary_without_places(void) {
+  dsw_environment *const e = make_squares(NULL, 2, 1);
+  dsw_scene *const scene = make_scene(e, DSW_FEATURE_DEFORMING);
+  const double at[2] = {0.5, 0.5};
+  double next[12], d = 7;
+  dsw_nearest n;
+  unsigned i;
+  for (i = 0; i < 12; ++i) next[i] = NAN;
+  CHECK_OK(dsw_environment_deform(e, next, 6, NULL, NULL));
+  CHECK_OK(dsw_environment_find_signed_distances(e, at, 1, 0, &d, &n));
+  CHECK(d == HUGE_VAL && n.distance == HUGE_VAL && n.cell.kind == DSW_CELL_NONE && n.normal[0] == 0);
+  end_scene(scene);
+}
+
 static void signed_distances_in_the_plane(void) {
   dsw_environment *const e = make_squares(NULL, 4, 2);
   const double at[8] = {1.75, 1.5, 5, 1, 5, 3, 4, 1};
@@ -562,6 +577,7 @@ int main(void) {
   CHECK_OK(dsw_environment_destroy(g_env));
   signed_distances_are_negative_inside();
   signed_distances_in_the_plane();
+  nothing_is_near_a_boundary_without_places();
   what_is_rounded_off_a_slanted_side_has_its_normal();
   return check_result();
 }
