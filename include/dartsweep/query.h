@@ -146,6 +146,7 @@ DSW_API dsw_status dsw_environment_find_nearest_to_segments(
 
 /** Finds for each of many points how far it is from the outer boundary of the environment, whatever
  * is marked: negative inside. The sign is exact; distances are rounded.
+ * @param distances one a point.
  * @param nearest the nearest place; its `distance` has no sign. May be null.
  * @note Cost of a point: O(log n) expected once the search structure is built, or in a batch that is
  * large enough for a tree of its own; else O(n), also far outside. Batch. @since 2.1 */

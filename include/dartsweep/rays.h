@@ -29,6 +29,7 @@ DSW_API dsw_status dsw_scene_cast(dsw_scene *scene, size_t count, const dsw_volu
 
 /** Finds for each of many points what dsw_environment_find_nearest_to_points finds, or a body that is
  * nearer.
+ * @param hints, radius, volumes, locations as in dsw_environment_find_nearest_to_points.
  * @param nearest at a body `cell` is null, and `distance` is that to its surface: negative within it.
  * @param partners as in dsw_scene_cast.
  * @note Cost: that of both searches. Batch. Writes the scene. @since 2.1 */
