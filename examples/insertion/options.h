@@ -10,7 +10,7 @@ namespace insertion {
 
 struct Options {
   std::string preset = "figure8";  // of which the defaults below are; the program's own preset is "rod"
-  std::string mesh;  // empty: the generated vessel
+  std::string mesh;                // empty: the generated vessel
   // All links are in after half of the steps, then the hand goes slowly: 5 radii of the lumen a second.
   bool slow = false;
   double spacing = 1.3;  // of the generated vessel

@@ -12,9 +12,9 @@ namespace dsw::bench {
 struct Options {
   bool quick = false;
   bool is_long = false;  // also what takes 20 GB
-  std::string vessel;  // file of read_mesh.py, or empty
-  std::string data;    // folder with surfaces and centrelines, or empty
-  std::string scene;   // file that gets what figure 10 shows, as JSON, or empty
+  std::string vessel;    // file of read_mesh.py, or empty
+  std::string data;      // folder with surfaces and centrelines, or empty
+  std::string scene;     // file that gets what figure 10 shows, as JSON, or empty
 };
 
 void run_hex(const Options& options, Report& report, Agreement& agreement);
