@@ -34,7 +34,7 @@ template <int D, class Walls>
 template <class IsFree>
 double StepSearch<D, Walls>::last_free(double high, double guess, double step, IsFree is_free) {
   double low = 0;
-  guess = std::min(guess, middle_of(0, high));
+  guess = std::min(guess, std::nextafter(high, 0));
   if (guess > 0) {
     if (is_free(guess)) {
       low = guess;
@@ -96,7 +96,9 @@ double StepSearch<D, Walls>::find(double most) {
       back = std::max(2 * back, step);
       fraction = std::min(fraction, guess) - back;
     } else {
-      fraction = last_free(fraction, guess, step * fraction, [&](double part) { return are_apart(part); });
+      const bool is_rounding = fraction < most && !are_met_before(fraction, most);
+      fraction = last_free(fraction, is_rounding ? fraction : guess, step * fraction,
+                           [&](double part) { return are_apart(part); });
     }
   }
   return 0;
@@ -146,6 +148,17 @@ bool StepSearch<D, Walls>::are_apart(double fraction) {
   return dsw::all_of(touches_.begin(), touches_.end(), [&](const WayTouch<D>& each) {
     if (!first_touch(each.pair, ways_.walls.work).touches) return true;
     return each.first.time == 0 && each.other == nullptr && ways_.walls.is_kept_free(each);
+  });
+}
+
+/** Whether the whole ways lead what was met first to each other before a fraction of the step. Else only the rounding of the
+ * places at this fraction does. */
+template <int D, class Walls>
+bool StepSearch<D, Walls>::are_met_before(double fraction, double most) {
+  set_ends_of_touches(most);
+  return dsw::any_of(ways_.first.begin(), ways_.first.end(), [&](const WayTouch<D>& each) {
+    const FirstTouch touch = first_touch(each.pair, ways_.walls.work);
+    return touch.touches && touch.time * most < fraction;
   });
 }
 

@@ -28,6 +28,7 @@ class StepSearch {
   void set_end(Trajectory<D>& of, uint32_t v, double fraction) const;
   bool find_touches();
   bool are_apart(double fraction);
+  bool are_met_before(double fraction, double most);
   template <class IsFree>
   static double last_free(double high, double guess, double step, IsFree is_free);
 

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "together/touch_moment.h"
 
@@ -26,7 +27,7 @@ constexpr double kAboutAsNear = 0x1p-20;  // likewise
 constexpr double kNext = 0x1p-4;          // likewise: of a corner that comes too near to a facet a little later
 constexpr double kFar = 4;                // times the longest way, vertices are led
 
-/** Orders the points of a side, and the sides of two edges, by where they go. */
+/** Orders points by where they go. */
 template <int D>
 void sort_points(const MovingPair<D>& pair, uint32_t* order, uint32_t first, uint32_t end) {
   const auto is_before = [&](uint32_t a, uint32_t b) {
@@ -51,7 +52,7 @@ uint32_t first_side_of(const MovingPair<D>& pair) {
   return pair.kind == PairKind::kEdgeEdge ? 2 : 1;
 }
 
-/** A pair with its points, and the sides of two edges, in an order that depends on where they go alone. */
+/** A pair with its points, and sides that are alike (two edges, two vertices), in an order that depends on where they go alone. */
 template <int D>
 MovingPair<D> sort_pair(const MovingPair<D>& pair, uint32_t* order) {
   const uint32_t first_count = first_side_of(pair);
@@ -66,6 +67,15 @@ MovingPair<D> sort_pair(const MovingPair<D>& pair, uint32_t* order) {
     }
   };
   set();
+  bool are_vertices = first_count == 1;  // the facet is one
+  for (uint32_t i = 2; i <= D; ++i) are_vertices = are_vertices && same_way(sorted, 1, i);
+  uint32_t ends[2] = {0, 1};
+  sort_points(sorted, ends, 0, 2);
+  if (are_vertices && ends[0] != 0) {
+    std::fill(order + 2, order + D + 1, std::exchange(order[0], order[1]));
+    order[1] = order[2];
+    set();
+  }
   if constexpr (D == 3) {
     uint32_t near_ends[2] = {0, 2}, far_ends[2] = {1, 3};
     sort_points(sorted, near_ends, 0, 2);
