@@ -156,13 +156,6 @@ double last_turning(const HullWays<D>& ways, double begin, double least, double 
   return least;
 }
 
-template <int D>
-bool is_before(const double* start, const double* end, const double* other_start, const double* other_end) noexcept {
-  const bool same = std::equal(start, start + D, other_start);
-  return same ? std::lexicographical_compare(end, end + D, other_end, other_end + D)
-              : std::lexicographical_compare(start, start + D, other_start, other_start + D);
-}
-
 }  // namespace
 
 template <int D>

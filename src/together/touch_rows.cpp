@@ -30,15 +30,9 @@ constexpr double kFar = 4;                // times the longest way, vertices are
 /** Orders points by where they go. */
 template <int D>
 void sort_points(const MovingPair<D>& pair, uint32_t* order, uint32_t first, uint32_t end) {
-  const auto is_before = [&](uint32_t a, uint32_t b) {
-    for (const double* const* places : {pair.start, pair.end}) {
-      for (int k = 0; k < D; ++k) {
-        if (places[a][k] != places[b][k]) return places[a][k] < places[b][k];
-      }
-    }
-    return false;
-  };
-  std::sort(order + first, order + end, is_before);
+  std::sort(order + first, order + end, [&](uint32_t a, uint32_t b) {
+    return is_before<D>(pair.start[a], pair.end[a], pair.start[b], pair.end[b]);
+  });
 }
 
 template <int D>
@@ -238,10 +232,11 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>
   for (uint32_t i = 0; (other_count > 1 || count == 1) && i < count; ++i) add_side({{i}, 1}, all(other_count));
   for (uint32_t k = 0; count > 1 && k < other_count; ++k) add_side(all(count), {{k}, 1});
   if (count == 1 || other_count == 1) return has_row;
+  static constexpr uint32_t kEdges[3][2] = {{0, 1}, {1, 2}, {0, 2}};  // of corners that are in order
   const uint32_t edges = count == 2 ? 1 : 3, other_edges = other_count == 2 ? 1 : 3;
   for (uint32_t e = 0; e < edges; ++e) {
     for (uint32_t f = 0; f < other_edges; ++f) {
-      add_side({{e, (e + 1) % count}, 2}, {{f, (f + 1) % other_count}, 2});
+      add_side({{kEdges[e][0], kEdges[e][1]}, 2}, {{kEdges[f][0], kEdges[f][1]}, 2});
     }
   }
   return has_row;
@@ -253,12 +248,19 @@ bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const 
                                 const Corners& side, const Corners& other, const double* const* wall_goals,
                                 uint32_t round, uint32_t times) {
   const HullWays<D>& ways = near.ways;
+  // The sides of a pair are in the order of all of their corners: here in that of those that are in the row.
+  const uint32_t a = side.numbers[0], b = other.numbers[0];
+  const bool turns = side.count != other.count
+                         ? other.count < side.count
+                         : is_before<D>(ways.start[1][b], ways.end[1][b], ways.start[0][a], ways.end[0][a]);
   Point points[kMostPoints];
   const double *starts[kMostPoints], *ends[kMostPoints];
   double places[kMostPoints][D];
   ConvexHull hulls[2];
   uint32_t count = 0;
-  for (uint32_t s = 0; s < 2; ++s) {
+  const uint32_t first_count = (turns ? other : side).count;
+  for (uint32_t k = 0; k < 2; ++k) {
+    const uint32_t s = turns ? 1 - k : k;
     const uint32_t trajectory = s == ways.first ? near.trajectory : near.other_trajectory;
     const Corners& corners = s == 0 ? side : other;
     for (uint32_t n = 0; n < corners.count; ++n, ++count) {
@@ -266,7 +268,7 @@ bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const 
       starts[count] = ways.start[s][i];
       ends[count] = ways.end[s][i];
       point_at<D>(starts[count], ends[count], near.time, places[count]);
-      hulls[s].points[hulls[s].count++] = places[count];
+      hulls[k].points[hulls[k].count++] = places[count];
       const double* const goal = trajectory != kNone     ? trajectories[trajectory].goal(corner)
                                  : near.other == nullptr ? wall_goals[corner]
                                                          : ends[count];
@@ -278,7 +280,7 @@ bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const 
   double end = 0;  // of the ways, along the normal
   bool is_over_facet = count == D + 1 && (side.count == 1 || other.count == 1);
   for (uint32_t i = 0; i < count; ++i) {
-    points[i].weight = i < side.count ? gap.weights[i] : -gap.other_weights[i - side.count];
+    points[i].weight = i < first_count ? gap.weights[i] : -gap.other_weights[i - first_count];
     end += points[i].weight * dot(gap.normal, to_vec<D>(ends[i]));
     is_over_facet = is_over_facet && std::fabs(points[i].weight) > kAboutAsNear;
   }
@@ -292,7 +294,7 @@ bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const 
               std::ldexp(1, 3 * static_cast<int>(times - 1));
   row.least = near.wanted + row.apart;
   row.carries = carries_ && near.other == nullptr;
-  row.name = near_name_of(near, points, side.count, count);
+  row.name = near_name_of(near, turns, points, first_count, count);
   Row* const same = std::find_if(rows_.begin(), rows_.end(), [&](const Row& each) {
     return each.name == row.name && std::get<0>(each.key) == round;
   });
@@ -303,13 +305,14 @@ bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const 
   return true;
 }
 
-/** The corners that a row of something too near keeps apart, whatever parts have them. */
+/** The corners that a row of something too near keeps apart, whatever parts have them.
+ * @param turns whether the points of the second side come first. */
 template <int D>
-typename TouchRows<D>::NearName TouchRows<D>::near_name_of(const TooNearOnWay<D>& near, const Point* points,
+typename TouchRows<D>::NearName TouchRows<D>::near_name_of(const TooNearOnWay<D>& near, bool turns, const Point* points,
                                                            uint32_t first_count, uint32_t count) {
   std::array<uint32_t, 5> sides[2];
   for (uint32_t s = 0; s < 2; ++s) {
-    const bool is_part = s == near.ways.first;
+    const bool is_part = (turns ? 1 - s : s) == near.ways.first;
     const uint32_t trajectory = is_part ? near.trajectory : near.other_trajectory;
     const bool is_still = trajectory == kNone && near.other != nullptr;
     sides[s] = {trajectory, is_still ? near.other->index : kNone, kNone, kNone, kNone};

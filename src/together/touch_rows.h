@@ -50,7 +50,8 @@ class TouchRows {
     uint32_t name;  // of the vertex, also where it is not one of a trajectory
   };
   using NearName = std::array<uint32_t, 10>;
-  static NearName near_name_of(const TooNearOnWay<D>& near, const Point* points, uint32_t first_count, uint32_t count);
+  static NearName near_name_of(const TooNearOnWay<D>& near, bool turns, const Point* points, uint32_t first_count,
+                               uint32_t count);
   static constexpr uint32_t kMostPoints = 2 * D;  // two edges in the plane, two faces in space
   using Key = std::tuple<uint32_t, double, std::array<double, 2 * D * kMostPoints>>;
   /** dot(normal, sum of weights times goals) is at least `least`. */

@@ -106,19 +106,24 @@ Box<D> box_of_way(const Trajectory<D>& of, const Simplex& part) noexcept {
   return box;
 }
 
+/** Orders ways by where they begin, then by where they end: so nothing depends on numbers. */
+template <int D>
+bool is_before(const double* start, const double* end, const double* other_start, const double* other_end) noexcept {
+  const bool same = std::equal(start, start + D, other_start);
+  return same ? std::lexicographical_compare(end, end + D, other_end, other_end + D)
+              : std::lexicographical_compare(start, start + D, other_start, other_start + D);
+}
+
 /** The points of the way of a part, up to where it goes in the call: starts, then ends, in an order that depends on no numbers. */
 template <int D>
 uint32_t points_of_way(const Trajectory<D>& of, const Simplex& part, const double* (&points)[6]) noexcept {
   const SimplexCorners<D> corners(*of.motion.body, part);
-  const auto is_before = [](const double* const(&a)[2], const double* const(&b)[2]) {
-    const bool same_start = std::equal(a[0], a[0] + D, b[0]);
-    return std::lexicographical_compare(a[same_start], a[same_start] + D, b[same_start], b[same_start] + D);
-  };
   const double* ways[3][2];
   for (uint32_t i = 0; i < corners.count; ++i) {
     ways[i][0] = of.start(corners.vertices[i]);
     ways[i][1] = of.reach(corners.vertices[i]);
-    for (uint32_t k = i; k > 0 && is_before(ways[k], ways[k - 1]); --k) std::swap(ways[k], ways[k - 1]);
+    for (uint32_t k = i; k > 0 && is_before<D>(ways[k][0], ways[k][1], ways[k - 1][0], ways[k - 1][1]); --k)
+      std::swap(ways[k], ways[k - 1]);
   }
   for (uint32_t i = 0; i < corners.count; ++i) {
     points[i] = ways[i][0];
