@@ -207,13 +207,24 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& to
   row.carries = carries_ && touch.other == nullptr;
   double weights[D + 1];
   find_weights<D>(sorted.kind, moment, weights);
-  Point ordered[D + 1];
-  for (uint32_t i = 0; i <= D; ++i) {
-    ordered[i] = points[order[i]];
-    ordered[i].weight = weights[i];
-    ordered[i].at = moment.at[i];
+  if (order[1] != order[2]) {
+    Point ordered[D + 1];
+    for (uint32_t i = 0; i <= D; ++i) {
+      ordered[i] = points[order[i]];
+      ordered[i].weight = weights[i];
+      ordered[i].at = moment.at[i];
+    }
+    const uint32_t first_count = first_side_of(sorted);
+    share_weights(sorted.start, sorted.end, 0, first_count, ordered);
+    share_weights(sorted.start, sorted.end, first_count, D + 1, ordered);
+    return add_row(trajectories, ordered, D + 1, row);
   }
-  return add_row(trajectories, ordered, D + 1, row);
+  // The facet is a vertex, and comes first.
+  for (uint32_t i = 0; i <= D; ++i) {
+    points[i].weight = i == 0 ? -1 : 1.0 / D;
+    points[i].at = moment.at[i == 0 ? 1 : 0];
+  }
+  return add_row(trajectories, points, D + 1, row);
 }
 
 /** Two hulls can be nearest along a whole edge or face, as where an edge lies along a wall. So each corner and each pair of edges has a
@@ -284,6 +295,8 @@ bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const 
     end += points[i].weight * dot(gap.normal, to_vec<D>(ends[i]));
     is_over_facet = is_over_facet && std::fabs(points[i].weight) > kAboutAsNear;
   }
+  share_weights(starts, ends, 0, first_count, points);
+  share_weights(starts, ends, first_count, count, points);
   const double least = std::max(near.wanted, near.distance);
   const bool comes_next = is_over_facet && gap.distance <= (1 + kNext) * least && end < near.wanted;
   if (!(gap.distance <= (1 + kAboutAsNear) * least) && !comes_next) return false;
@@ -326,6 +339,22 @@ typename TouchRows<D>::NearName TouchRows<D>::near_name_of(const TooNearOnWay<D>
   std::copy(first.begin(), first.end(), name.begin());
   std::copy(second.begin(), second.end(), name.begin() + 5);
   return name;
+}
+
+/** Points of a side that go the same way share their weights: nothing but numbers tells them apart. */
+template <int D>
+void TouchRows<D>::share_weights(const double* const* starts, const double* const* ends, uint32_t first, uint32_t end,
+                                 Point* points) {
+  for (uint32_t i = first; i < end; ++i) {
+    uint32_t same = i + 1;
+    double sum = points[i].weight;
+    while (same < end && std::equal(starts[i], starts[i] + D, starts[same]) &&
+           std::equal(ends[i], ends[i] + D, ends[same]))
+      sum += points[same++].weight;
+    const double each = sum / (same - i);
+    for (; i + 1 < same; ++i) points[i].weight = each;
+    points[i].weight = each;
+  }
 }
 
 /** Adds a row, if somebody can give way. */
@@ -417,6 +446,13 @@ void TouchRows<D>::solve(Array<Trajectory<D>>& trajectories) {
         const double short_of = missing(trajectories, row, &resistance);
         row.step = resistance > 0 ? std::max(short_of / resistance / static_cast<double>(end - first), -row.force) : 0;
         is_done = is_done && std::fabs(row.step) * resistance <= row.apart / 4;
+      }
+      // Sums of numbers depend on their order.
+      if (end - first > 1) {
+        std::sort(&rows_[first], &rows_[first] + (end - first), [](const Row& a, const Row& b) {
+          return std::make_tuple(a.step, a.normal.x(), a.normal.y(), a.normal.z()) <
+                 std::make_tuple(b.step, b.normal.x(), b.normal.y(), b.normal.z());
+        });
       }
       for (size_t i = first; i < end; ++i) give_way(trajectories, rows_[i]);
     }

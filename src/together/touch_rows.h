@@ -89,6 +89,8 @@ class TouchRows {
   bool add_near_row(const Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near, const Corners& side,
                     const Corners& other, const double* const* wall_goals, uint32_t round, uint32_t times);
   bool add_row(const Array<Trajectory<D>>& trajectories, const Point* points, uint32_t count, Row& row);
+  static void share_weights(const double* const* starts, const double* const* ends, uint32_t first, uint32_t end,
+                            Point* points);
   static void add_point(const Point& point, Row& row);
   void carry(const Row& row);
   /** Where a point goes: goals of vertices change. */
