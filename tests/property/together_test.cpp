@@ -197,7 +197,6 @@ TEST_P(TogetherTest, NumbersDoNotMatter) {
     }
     const auto stop = static_cast<dsw_together_stop>(round / 2 % 3);
     const uint32_t response = rng_.below(3u);
-    if (getenv("DBGROUND")) { if (round == atoi(getenv("DBGROUND"))) setenv("DBG", "1", 1); else unsetenv("DBG"); }
     const TogetherAnswer answers[2] = {move_together(scenes[0].get(), walkers[0], stop, 0, response),
                                        move_together(scenes[1].get(), walkers[1], stop, 0, response)};
     ++moves;
@@ -207,12 +206,6 @@ TEST_P(TogetherTest, NumbersDoNotMatter) {
                   answers[0].reports[i].fraction == answers[1].reports[k].fraction;
       for (size_t v = 0; v < plans[i].at.size(); ++v) {
         same = same && hex(answers[0].after[i].at[v]) == hex(answers[1].after[k].at[new_of[i][v]]);
-      }
-      if (!same) {
-        std::printf("DIFF round %d body %zu of %zu stop %d response %u radius %g self %d ties %d contacts %zu %zu fraction %.17g %.17g\n", round, i, plans.size(), int(stop), response, radii[i], int(selves[i]), int(ties), answers[0].contacts[i].size(), answers[1].contacts[k].size(), answers[0].reports[i].fraction, answers[1].reports[k].fraction);
-        for (size_t v = 0; v < plans[i].at.size(); ++v) std::printf("   %s | %s\n", hex(answers[0].after[i].at[v]).c_str(), hex(answers[1].after[k].at[new_of[i][v]]).c_str());
-        for (double r : radii) std::printf(" r %g", r);
-        std::printf("\n");
       }
       different += same ? 0 : 1;
       contacts += answers[0].contacts[i].size();
