@@ -290,6 +290,23 @@ AT(dsw_body_counts, face_slots, 24);
 AT(dsw_body_counts, reserved, 28);
 GROWS(dsw_body_counts, reserved);
 
+SIZE(dsw_exit, 64);
+AT(dsw_exit, point, 0);
+AT(dsw_exit, time, 24);
+AT(dsw_exit, face, 32);
+AT(dsw_exit, patch, 44);
+AT(dsw_exit, particle, 48);
+AT(dsw_exit, vertex, 56);
+
+SIZE(dsw_body_cut, 96);
+AT(dsw_body_cut, point, 0);
+AT(dsw_body_cut, edge_parameter, 24);
+AT(dsw_body_cut, body, 32);
+AT(dsw_body_cut, edge, 40);
+AT(dsw_body_cut, ends, 48);
+AT(dsw_body_cut, vertices, 64);
+AT(dsw_body_cut, parts, 80);
+
 SIZE(dsw_body_edit, 56);
 AT(dsw_body_edit, vertex, 0);
 AT(dsw_body_edit, ends, 8);

@@ -50,6 +50,7 @@ DSW_EACH_RESULT(DSW_MEMBER)
 %ignore dartsweep::copied;
 %ignore dartsweep::filled;
 %ignore dartsweep::same_count;
+%ignore dartsweep::uniform_count;
 %ignore dartsweep::check_nearest;
 %ignore dartsweep::count_points;
 %ignore dartsweep::count_pairs;

@@ -331,6 +331,9 @@ DSW_LISTS(type, name)
 %enddef
 DSW_EACH_ID(DSW_IDS)
 %immutable dsw_body_edit::ends;
+%immutable dsw_body_cut::ends;
+%immutable dsw_body_cut::vertices;
+%immutable dsw_body_cut::parts;
 %immutable dsw_vertex_origin::from;
 %immutable dsw_wall_contact::others;
 

@@ -16,6 +16,8 @@ typedef enum dsw_outcome {
   DSW_OUTCOME_OUTSIDE = 4,    /**< Not begun: the start lies in no volume. */
   /** Not begun: the start, or the edge there, is not free. */
   DSW_OUTCOME_IMPASSABLE = 5,
+  /** A particle's move: at an exit (dsw_environment_mark_exits). @since 2.1 */
+  DSW_OUTCOME_EXIT = 6,
   DSW_OUTCOME_FORCE_INT32 = 0x7fffffff
 } dsw_outcome;
 
@@ -115,6 +117,16 @@ typedef struct dsw_previous_contact {
   uint32_t touching; /**< Moves in a row that anything stopped. */
   uint32_t reserved;
 } dsw_previous_contact;
+
+/** What left through an exit: a particle, or a vertex of a body. @since 2.1 */
+typedef struct dsw_exit {
+  double point[3];  /**< Where it came to the exit, rounded. */
+  double time;      /**< Fraction of its way, the largest double not later than the exact time. */
+  dsw_face_id face; /**< The face of the exit. */
+  uint32_t patch;   /**< The number of the exit. */
+  dsw_particle_id particle;  /**< Null for a vertex of a body. */
+  dsw_body_vertex_id vertex; /**< Null for a particle. */
+} dsw_exit;
 
 /** The `body` that a contact touched, and its `vertex`, `edge` or `face`; null where there is
  * none. */

@@ -82,6 +82,27 @@ DSW_API dsw_status dsw_environment_is_impassable(const dsw_environment *environm
 DSW_API dsw_status dsw_environment_get_mark_count(const dsw_environment *environment,
                                                   dsw_cell_kind kind, size_t *count);
 
+/** Makes faces of the outer boundary exits, for particles and for vertices of bodies that move with
+ * DSW_MOVE_LEAVE. All else stops there as at any wall. Exits follow changes of the topology: parts of
+ * an exit are exits, and a face that is sewn is none any more. Snapshots keep them.
+ * @param patch the number that reports name; 0: the faces are no exits any more.
+ * @return DSW_STATUS_BAD_TOPOLOGY: a face has two volumes; SHARED.
+ * @note Cost: O((count + exits) log exits). 12 bytes an exit. @since 2.1 */
+DSW_API dsw_status dsw_environment_mark_exits(dsw_environment *environment,
+                                              const dsw_face_id *faces, size_t count,
+                                              uint32_t patch);
+
+/** Gives the number `patch` of the exit that a face is, or 0.
+ * @note Cost: O(log exits). @since 2.1 */
+DSW_API dsw_status dsw_environment_get_exit(const dsw_environment *environment, dsw_face_id face,
+                                            uint32_t *patch);
+
+/** Copies the faces of all exits, by volume and number.
+ * @note Cost: O(exits). @since 2.1 */
+DSW_API dsw_status dsw_environment_get_exit_faces(const dsw_environment *environment,
+                                                  dsw_face_id *faces, size_t capacity,
+                                                  size_t *count);
+
 #ifdef __cplusplus
 }
 #endif

@@ -49,7 +49,13 @@ enum {
   DSW_MOVE_KEEP_WALLS = 0x1,
   /** For dsw_body_move_rigid: after the first touch the body slides as a whole, in at most `passes`
    * further motions (0: 32). @since 2.1 */
-  DSW_MOVE_SLIDE_WHOLE = 0x2
+  DSW_MOVE_SLIDE_WHOLE = 0x2,
+  /** For dsw_body_move and dsw_scene_move_bodies: vertices that come to an exit
+   * (dsw_environment_mark_exits) stop there, whatever the response. When all have moved they are
+   * removed with their edges and faces, and so make way for the next ones. A thick vertex comes to an
+   * exit when it is as near as the radius. Thick bodies with DSW_BODY_SELF_CONTACTS refuse the flag.
+   * @since 2.1 */
+  DSW_MOVE_LEAVE = 0x4
 };
 
 /** Options of a move. */
@@ -183,6 +189,11 @@ DSW_API dsw_status dsw_body_get_previous_contacts(const dsw_scene *scene, dsw_bo
 /** Gives the vertices that the last move of a body inserted and removed, in order. */
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body,
                                       const dsw_body_edit **edits, size_t *count);
+
+/** Gives the vertices that left in the last move of a body, in order (DSW_MOVE_LEAVE). Their ids are
+ * stale. @since 2.1 */
+DSW_API dsw_status dsw_body_get_exits(const dsw_scene *scene, dsw_body_id body,
+                                      const dsw_exit **exits, size_t *count);
 
 #ifdef __cplusplus
 }

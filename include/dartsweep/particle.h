@@ -52,7 +52,8 @@ DSW_API dsw_status dsw_scene_get_particle_positions(const dsw_scene *scene,
                                                     double *positions, size_t stride_bytes,
                                                     dsw_volume_id *volumes);
 
-/** Moves a particle towards a target, as far as 1e300.
+/** Moves a particle towards a target, as far as 1e300. At an exit it waits: a later move leads back, or
+ * to the exit again. With DSW_CAST_LEAVE it is removed there.
  * @param options DSW_CAST_START_KNOWN has no effect; DSW_CAST_NO_DETAIL leaves out `contact`.
  * @param flight may be null; its volume contains its position.
  * @note Cost: O(volumes crossed), twice at a contact. Source: [JCD10] 3.3. */
@@ -80,6 +81,11 @@ DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_par
  * `flight_count` has crossings[`first`[i] .. first[i+1]-1]. */
 DSW_API dsw_status dsw_scene_get_crossings(const dsw_scene *scene, const dsw_crossing **crossings,
                                            const size_t **first, size_t *flight_count);
+
+/** Gives what came to an exit in the last move call of particles, in the order of that call. None after
+ * the scene is loaded. @since 2.1 */
+DSW_API dsw_status dsw_scene_get_exits(const dsw_scene *scene, const dsw_exit **exits,
+                                       size_t *count);
 
 /** Gives the particles in the way of the last marking call or change of the topology. */
 DSW_API dsw_status dsw_scene_get_occupants(const dsw_scene *scene,

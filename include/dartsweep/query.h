@@ -33,7 +33,10 @@ enum {
    * way between the ends is free if it runs in passable volumes and touches no impassable face. The
    * start may lie on the boundary. No `volume` is reported. Casts of paths and from particles
    * refuse the flag. @since 2.1 */
-  DSW_CAST_OPEN_ENDS = 0x4
+  DSW_CAST_OPEN_ENDS = 0x4,
+  /** For moves of particles: those that come to an exit are removed. Casts refuse the flag.
+   * @since 2.1 */
+  DSW_CAST_LEAVE = 0x8
 };
 
 /** Options of a cast. */

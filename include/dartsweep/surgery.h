@@ -7,6 +7,7 @@
 #ifndef DARTSWEEP_SURGERY_H
 #define DARTSWEEP_SURGERY_H
 
+#include "dartsweep/scene.h"
 #include "dartsweep/topology.h"
 
 #ifdef __cplusplus
@@ -81,6 +82,38 @@ DSW_API void dsw_open_crack_desc_init(dsw_open_crack_desc *desc, size_t size);
  * @note Cost: O(volumes at the crack), and local. */
 DSW_API dsw_status dsw_environment_open_crack(dsw_environment *environment,
                                               const dsw_open_crack_desc *desc, dsw_change *change);
+
+/** One place where a blade has cut an edge of a `body`. @since 2.1 */
+typedef struct dsw_body_cut {
+  double point[3];       /**< Where the blade crosses the edge, rounded. */
+  double edge_parameter; /**< Its place on the edge, rounded: the weight of ends[1]. */
+  dsw_body_id body;
+  dsw_body_edge_id edge;      /**< The edge that was cut; its id is stale. */
+  dsw_body_vertex_id ends[2]; /**< Ends of that edge, which stay. */
+  /** The free ends at the cut, on the side of each of `ends`. Null: no part is left between the cut
+   * and the next one, or the end of the edge. */
+  dsw_body_vertex_id vertices[2];
+  dsw_body_edge_id parts[2]; /**< The edges that end there, or null. */
+} dsw_body_cut;
+
+/** Cuts edges of bodies along the surface that a blade sweeps: exactly those which cross it, by the
+ * shift (base.h), with the blade as the body. Both sides of a cut get an end of their own, next to the
+ * blade, on their own side of it. A part for which there is no free place goes. An edge of triangles
+ * goes with its triangles, without parts. A thick body with DSW_BODY_SELF_CONTACTS also loses what would
+ * be nearer to the other side than 2 radii. The environment stays: see dsw_environment_cut.
+ * @param desc the blade; `flags`, `start` and `snap` must be 0.
+ * @param bodies distinct; null, with `count` 0: all.
+ * @param cut_count may be null; see dsw_scene_get_body_cuts.
+ * @return DSW_STATUS_DUPLICATE_ID; OCCUPIED: parts of a thick body would be too near to each other.
+ * @note Cost: O(edges of the bodies * log triangles), and for each cut as dsw_body_add_edge.
+ * @since 2.1 */
+DSW_API dsw_status dsw_scene_cut_bodies(dsw_scene *scene, const dsw_cut_desc *desc,
+                                        const dsw_body_id *bodies, size_t count, size_t *cut_count);
+
+/** Gives the cuts of the last dsw_scene_cut_bodies: in the order of the bodies and edges, along each
+ * edge from ends[0]. @since 2.1 */
+DSW_API dsw_status dsw_scene_get_body_cuts(const dsw_scene *scene, const dsw_body_cut **cuts,
+                                           size_t *count);
 
 #ifdef __cplusplus
 }

@@ -152,7 +152,11 @@ inline constexpr auto kTable = std::make_tuple(
         MovedPoints<8>{"vertices"}),
     DSW_ROW(52, dsw_scene_move_rigid)(array<1, 2>("bodies"), array<3, 2>("motions"), structure<4>("options")),
     DSW_ROW(53, dsw_scene_deform_rigid)(array<3, 4>("bodies"), array<5, 4>("motions"), structure<6>("options"),
-        MovedPoints<6>{"vertices"}));
+        MovedPoints<6>{"vertices"}),
+    DSW_ROW(54, dsw_environment_mark_exits)(array<1, 2>("faces"), value<3>("patch")),
+    DSW_ROW(55, dsw_scene_cut_bodies)(structure<1>("desc",
+        points("points", &dsw_cut_desc::points, blade_points, &dsw_cut_desc::point_stride_bytes)),
+        array<2, 3>("bodies")));
 // clang-format on
 #undef DSW_ROW
 constexpr size_t kCallCount = std::tuple_size_v<decltype(kTable)>;

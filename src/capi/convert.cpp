@@ -31,7 +31,7 @@ SegmentOptions to_options(const dsw_cast_options* options, uint32_t other) {
   const dsw_cast_options o = read_optional(options, "options", DSW_CAST_START_KNOWN | DSW_CAST_NO_DETAIL | other);
   if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
   return {o.max_volumes, (o.flags & DSW_CAST_NO_DETAIL) == 0, (o.flags & DSW_CAST_START_KNOWN) != 0,
-          (o.flags & DSW_CAST_OPEN_ENDS) != 0};
+          (o.flags & DSW_CAST_OPEN_ENDS) != 0, (o.flags & DSW_CAST_LEAVE) != 0};
 }
 
 uint32_t to_count(uint32_t given, uint32_t last, uint32_t instead, const char* name) {

@@ -126,6 +126,44 @@ dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a,
   });
 }
 
+dsw_status dsw_environment_mark_exits(dsw_environment* environment, const dsw_face_id* faces, size_t count,
+                                      uint32_t patch) {
+  return capi::guarded_visit(__func__, environment, [&](auto& env) {
+    capi::Converted facets(env, faces, count, "faces");
+    for (size_t i = 0; i < count; ++i) {
+      if (!env.map.opposite(facets[i]).valid()) continue;
+      fail(DSW_STATUS_BAD_TOPOLOGY, "faces[%zu]: face %u of volume %u is not on the outer boundary", i, faces[i].local,
+           faces[i].volume);
+    }
+    dsw_scene* const scene = begin_marking(*environment);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_exits>, faces, count, patch);
+    dsw::Array<dsw::Exit> exits(env.memory);
+    exits.reserve(count);
+    for (size_t i = 0; i < count; ++i) exits.push_back({faces[i].volume, faces[i].local, patch});
+    env.exits.reserve(patch != 0 ? count : 0);
+    env.exits.set(exits.data(), count);
+    call.done();
+  });
+}
+
+dsw_status dsw_environment_get_exit(const dsw_environment* environment, dsw_face_id face, uint32_t* patch) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
+    capi::give(patch, "patch", exit_patch(env, capi::to_engine(env.map, face, "face")));
+  });
+}
+
+dsw_status dsw_environment_get_exit_faces(const dsw_environment* environment, dsw_face_id* faces, size_t capacity,
+                                          size_t* count) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
+    const dsw::Array<dsw::Exit>& all = env.exits.all();
+    capi::check_capacity(all.size(), capacity, faces, count);
+    for (size_t i = 0; i < all.size(); ++i) {
+      const dsw::Cell c = env.map.cell(all[i].cell);
+      faces[i] = {all[i].cell, env.map.generation(c), all[i].local};
+    }
+  });
+}
+
 dsw_status dsw_environment_is_marked(const dsw_environment* environment, dsw_cell cell, int* marked) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;

@@ -13,7 +13,8 @@ using dsw::fail;
 
 namespace {
 
-constexpr uint32_t kFlags = DSW_MOVE_KEEP_WALLS, kMostPasses = 64, kRigidRounds = 32;
+constexpr uint32_t kFlags = DSW_MOVE_KEEP_WALLS, kMoveFlags = kFlags | DSW_MOVE_LEAVE, kMostPasses = 64,
+                   kRigidRounds = 32;
 
 dsw::MoveSettings to_settings(const dsw_move_options& o) {
   dsw::MoveSettings s;
@@ -28,6 +29,7 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
   s.edge = to_response(o.edge_response, "options->edge_response");
   s.search = static_cast<dsw::Search>(capi::to_number(o.search, DSW_SEARCH_BISECTION, "options->search"));
   s.keeps_walls = (o.flags & DSW_MOVE_KEEP_WALLS) != 0;
+  s.leaves = (o.flags & DSW_MOVE_LEAVE) != 0;
   s.passes = capi::to_count(o.passes, kMostPasses, 0, "options->passes");
   s.max_volumes = o.max_volumes;
   s.bisection_depth = capi::to_count(o.bisection_depth, 52, s.bisection_depth, "options->bisection_depth");
@@ -56,14 +58,22 @@ dsw::MoveOrder to_order(const dsw::Scene<D>& scene, const dsw::Body<D>& body, co
   return {o.order, o.order_count};
 }
 
+/** Without a vertex that has left, parts that it joined could be too near to each other. */
+template <int D>
+void check_leaves(const dsw::Body<D>& body, const dsw::MoveSettings& settings) {
+  if (!settings.leaves || !body.keeps_lengths()) return;
+  fail(DSW_STATUS_UNSUPPORTED, "options->flags has DSW_MOVE_LEAVE: not for thick bodies with DSW_BODY_SELF_CONTACTS");
+}
+
 }  // namespace
 
 dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targets, size_t target_count,
                          size_t stride_bytes, const dsw_move_options* options, dsw_move_report* report) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
-    const dsw_move_options o = capi::read_optional(options, "options", kFlags);
+    const dsw_move_options o = capi::read_optional(options, "options", kMoveFlags);
     const dsw::MoveSettings settings = to_settings(o);
+    check_leaves(of.body, settings);
     capi::check_target_count(target_count, of.body.vertices.size());
     const dsw::PointArray points = dsw::to_points(of.kDimension, targets, target_count, stride_bytes, "targets");
     const dsw::MoveOrder order = to_order(of.scene, of.body, o);
@@ -81,11 +91,12 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
                                  dsw_move_report* reports) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
-    const dsw_move_options o = capi::read_optional(options, "options", kFlags);
+    const dsw_move_options o = capi::read_optional(options, "options", kMoveFlags);
     const dsw::MoveSettings settings = to_settings(o);
     if (o.order != nullptr || o.order_count != 0)
       fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
     const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
+    for (const dsw::BodyRecord<D>* each : records) check_leaves(each->body, settings);
     const dsw::PointArray points = capi::check_all_targets(records, targets, target_count, stride_bytes);
     capi::Recorded call(scene, capi::row_of<dsw_scene_move_bodies>, bodies, count, targets, target_count, stride_bytes,
                         &o);
@@ -153,4 +164,9 @@ dsw_status dsw_body_get_previous_contacts(const dsw_scene* scene, dsw_body_id bo
 dsw_status dsw_body_get_edits(const dsw_scene* scene, dsw_body_id body, const dsw_body_edit** edits, size_t* count) {
   return capi::guarded_body(__func__, scene, body,
                             [&](const auto& of) { capi::hand_out(of.record.record.edits, edits, count, "edits"); });
+}
+
+dsw_status dsw_body_get_exits(const dsw_scene* scene, dsw_body_id body, const dsw_exit** exits, size_t* count) {
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { capi::hand_out(of.record.record.exits, exits, count, "exits"); });
 }

@@ -11,10 +11,10 @@ using dsw::fail;
 
 namespace {
 
-/** A particle knows its volume, so DSW_CAST_START_KNOWN means nothing here. */
-dsw::FlightOptions to_flight_options(const dsw_cast_options* options) {
-  const dsw::SegmentOptions o = capi::to_options(options);
-  return {o.max_volumes, o.detail};
+/** A particle knows its volume, so DSW_CAST_START_KNOWN means nothing here. `other` flags are those of moves. */
+dsw::FlightOptions to_flight_options(const dsw_cast_options* options, uint32_t other = 0) {
+  const dsw::SegmentOptions o = capi::to_options(options, other);
+  return {o.max_volumes, o.detail, o.leave};
 }
 
 /** Where particles are. */
@@ -106,7 +106,7 @@ dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const d
                              const dsw_cast_options* options, dsw_flight* flight) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {
     dsw::require(target, "target");
-    const dsw::FlightOptions o = to_flight_options(options);
+    const dsw::FlightOptions o = to_flight_options(options, DSW_CAST_LEAVE);
     check_particle(s, particle);
     capi::Recorded call(scene, capi::row_of<dsw_particle_move>, particle, target, options);
     move_particle(s, particle, target, o, flight);
@@ -121,7 +121,7 @@ dsw_status dsw_scene_move_particles(dsw_scene* scene, const dsw_particle_id* par
     constexpr int D = capi::kDimension<decltype(s)>;
     dsw::require_array(particles, count, "particles");
     const dsw::PointArray points = dsw::to_points(s.kDimension, targets, count, stride_bytes, "targets");
-    const dsw::FlightOptions o = to_flight_options(options);
+    const dsw::FlightOptions o = to_flight_options(options, DSW_CAST_LEAVE);
     capi::Recorded call(scene, capi::row_of<dsw_scene_move_particles>, particles, count, targets, stride_bytes,
                         options);
     move_particles(s, particles, count, points, o, flights);
@@ -155,6 +155,10 @@ dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** 
     *first = s.crossing_first.data();
     *flight_count = s.crossing_first.size() - 1;
   });
+}
+
+dsw_status dsw_scene_get_exits(const dsw_scene* scene, const dsw_exit** exits, size_t* count) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) { capi::hand_out(s.exits, exits, count, "exits"); });
 }
 
 dsw_status dsw_scene_get_occupants(const dsw_scene* scene, const dsw_particle_id** particles, size_t* count) {

@@ -3,28 +3,10 @@
 #include <cmath>
 
 #include "capi/change.h"
+#include "capi/read_blade.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
-
-namespace {
-
-/** In the plane the chain is one point. */
-template <int D>
-dsw::PointArray read_blade(const dsw_cut_desc& d) {
-  if (d.rows < 2 || (D == 3 ? d.columns < 2 : d.columns != 1)) {
-    const char* const columns = D == 3 ? "at least 2" : "1 in the plane";
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be at least 2 and %s", d.rows,
-         d.columns, columns);
-  }
-  if (uint64_t{d.rows} * d.columns > dsw::kVertexMask) {
-    fail(DSW_STATUS_TOO_LARGE, "desc->rows is %u and desc->columns is %u, together must be below 2^28 points", d.rows,
-         d.columns);
-  }
-  return dsw::to_finite_points(D, d.points, size_t{d.rows} * d.columns, d.point_stride_bytes, "desc->points");
-}
-
-}  // namespace
 
 dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc* desc, dsw_change* out) {
   return capi::guarded_change(__func__, environment, out, [&](auto& change) {
@@ -33,7 +15,7 @@ dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc*
     dsw::CutSettings settings;
     settings.unsew = (d.flags & DSW_CUT_UNSEW) != 0;
     settings.snap = capi::to_snap(d.snap);
-    const auto blade = dsw::Blade<D>::of_grid(change.memory(), read_blade<D>(d), d.rows, d.columns);
+    const auto blade = dsw::Blade<D>::of_grid(change.memory(), capi::read_blade<D>(d), d.rows, d.columns);
     const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
     change.record(capi::row_of<dsw_environment_cut>, &d);
     cut_along(change, blade, start, settings);

@@ -12,6 +12,7 @@
 #include "environment/cell_index.h"
 #include "environment/checked_cells.h"
 #include "environment/edge_marks.h"
+#include "environment/exits.h"
 #include "environment/obstacle_index.h"
 #include "map/map.h"
 
@@ -32,6 +33,7 @@ struct Environment {
   Array<uint32_t> parents{memory};       // by cell index: the cell that it is a part of, or kNoCell; empty: itself
   EdgeMarks edge_marks{memory};          // marked edges, by their two vertices
   Array<uint64_t> vertex_marks{memory};  // bits; empty: none
+  Exits exits{memory};                   // facets of the boundary through which things leave
   uint64_t marked_cells = 0, marked_facets = 0, marked_edges = 0, marked_vertices = 0;
   // Another one when something becomes impassable, or points move; not when something becomes passable. So what is kept
   // under it may only say that something is free.
@@ -84,7 +86,8 @@ struct Environment {
     const uint64_t borrowed = owned_points.empty() ? uint64_t{map.vertex_count} * D * sizeof(double) : 0;
     return sizeof(*this) + map.memory_bytes() + array_bytes(owned_points) + borrowed + array_bytes(regions) +
            array_bytes(tags) + array_bytes(parents) + edge_marks.memory_bytes() + array_bytes(vertex_marks) +
-           index.memory_bytes() + obstacles.memory_bytes() + checked.memory_bytes() + array_bytes(local_points);
+           index.memory_bytes() + obstacles.memory_bytes() + checked.memory_bytes() + array_bytes(local_points) +
+           exits.memory_bytes();
   }
 };
 
@@ -146,6 +149,14 @@ template <int D>
 inline bool is_impassable(const Environment<D>& env, HalfFacet h) noexcept {
   if (is_impassable(env.map, h)) return true;
   return env.has_moved() && !(admits(env, env.map.cell_of(h)) && admits(env, env.map.cell_of(env.map.opposite(h))));
+}
+
+/** The patch of the exit that a half-facet is; 0: it is none. */
+template <int D>
+inline uint32_t exit_patch(const Environment<D>& env, HalfFacet h) noexcept {
+  if (env.exits.empty() || env.map.opposite(h).valid()) return 0;
+  const Cell c = env.map.cell_of(h);
+  return env.exits.patch(env.map.index(c), env.map.local_of(h, c));
 }
 
 /** Points of simplex `simplex` of a cell. */

@@ -13,6 +13,7 @@ struct SegmentOptions {
   bool detail = true;
   bool start_known = false;  // starts contain their points; else they are hints
   bool open_ends = false;    // touches at the ends do not count, and walls are closed
+  bool leave = false;        // particles that come to an exit are removed
 };
 
 /** Casts segments; `starts` may be null. Throws std::bad_alloc, with open ends alone; then some flights are written. */

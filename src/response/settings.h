@@ -22,6 +22,7 @@ struct MoveSettings {
   double noise_share = 0;
   bool keeps_walls = false;  // slides stay before all walls that the vertex has touched
   uint32_t passes = 0;       // further ones, over the vertices that have stopped
+  bool leaves = false;       // vertices that come to an exit stay there, to be removed
 
   bool may_slide() const { return slides(vertex) || slides(edge); }
   static bool slides(Response response) { return response == Response::kSlide || response == Response::kAdaptiveSlide; }
@@ -55,6 +56,7 @@ struct MoveRecord {
   Array<dsw_previous_contact> previous;  // of the contacts: filled in when the move is done
   bool keeps_partners = false;
   Array<dsw_body_edit> edits;
+  Array<dsw_exit> exits;  // of vertices that leave
   double fraction = 1;
   uint32_t moved = 0, stopped = 0, limited = 0;
   SweepCounts sweeps;
@@ -62,7 +64,7 @@ struct MoveRecord {
   Array<double> ways_left;  // by slot, of a move at once
 
   explicit MoveRecord(const Memory* memory)
-      : contacts(memory), partners(memory), previous(memory), edits(memory), ways_left(memory) {}
+      : contacts(memory), partners(memory), previous(memory), edits(memory), exits(memory), ways_left(memory) {}
   void add(const dsw_body_contact& contact, const dsw_contact_partner& partner = {}) {
     contacts.push_back(contact);
     previous.emplace_back();
@@ -73,6 +75,7 @@ struct MoveRecord {
     partners.clear();
     previous.clear();
     edits.clear();
+    exits.clear();
     fraction = 1;
     moved = stopped = limited = 0;
     sweeps = {};

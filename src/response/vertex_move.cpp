@@ -35,6 +35,7 @@ bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival) 
   first_edit_ = record_.edits.size();
   double to[D];
   std::copy_n(target, D, to);
+  if (has_left(v)) return false;
   for (;;) {
     const size_t first_contact = record_.contacts.size();
     double before[D];
@@ -49,6 +50,7 @@ bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival) 
     for (size_t i = first_contact; i < record_.contacts.size(); ++i) record_.contacts[i].distance_left = left;
     const dsw_body_contact contact = record_.contacts[first_contact];
     const bool of_vertex = contact.edge.generation == 0 && contact.face.generation == 0;
+    if (of_vertex && leave(v, contact)) return false;
     const Response response = of_vertex ? settings_.vertex : settings_.edge;
     if (!of_vertex && settings_.may_insert() && insert(v, contact)) {
       walls.count = 0;
@@ -64,6 +66,28 @@ bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival) 
       return false;
     }
   }
+}
+
+template <int D>
+bool VertexMove<D>::has_left(uint32_t v) const noexcept {
+  const auto is_its = [v](const dsw_exit& exit) { return exit.vertex.index == v; };
+  return dsw::any_of(record_.exits.begin(), record_.exits.end(), is_its);
+}
+
+/** Notes that the vertex leaves where it met an exit; false: it met something else. */
+template <int D>
+bool VertexMove<D>::leave(uint32_t v, const dsw_body_contact& contact) {
+  const dsw_face_id wall = contact.contact.wall;
+  const uint32_t patch = settings_.leaves && wall.generation != 0 ? env_.exits.patch(wall.volume, wall.local) : 0;
+  if (patch == 0) return false;
+  dsw_exit exit{};
+  std::copy_n(contact.point, 3, exit.point);
+  exit.time = contact.time;
+  exit.face = wall;
+  exit.patch = patch;
+  exit.vertex = vertex_id(body_, v);
+  record_.exits.push_back(exit);
+  return true;
 }
 
 template <int D>

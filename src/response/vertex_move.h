@@ -30,6 +30,8 @@ class VertexMove {
   };
 
   void put(uint32_t v, const double* position, Cell cell);
+  bool has_left(uint32_t v) const noexcept;
+  bool leave(uint32_t v, const dsw_body_contact& contact);
   bool advance(uint32_t v, const double* to, const Cell* arrival);
   void stop_before(uint32_t v, const double* to, const dsw_body_contact& contact);
   dsw_body_contact record_too_near(uint32_t v, const double* to, const TooNear<D>& first);

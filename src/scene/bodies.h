@@ -33,8 +33,9 @@ struct BodyRecord {
     for (const NearRecord<D>& each : near) of_near += each.memory_bytes();
     return of_near + kept_near.memory_bytes() + body.memory_bytes() + array_bytes(record.contacts) +
            array_bytes(record.partners) + array_bytes(record.previous) + array_bytes(record.edits) +
-           array_bytes(next.contacts) + array_bytes(next.partners) + array_bytes(next.previous) +
-           array_bytes(next.edits) + array_bytes(before) + touches.memory_bytes();
+           array_bytes(record.exits) + array_bytes(next.exits) + array_bytes(next.contacts) +
+           array_bytes(next.partners) + array_bytes(next.previous) + array_bytes(next.edits) + array_bytes(before) +
+           touches.memory_bytes();
   }
 };
 

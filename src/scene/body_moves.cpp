@@ -24,6 +24,14 @@ void begin_move(const Scene<D>& scene, BodyRecord<D>& of) {
   of.touches.prepare(of.record);
 }
 
+/** Removes the vertices that have left; reserve_removals has made room. */
+template <int D>
+void remove_left(Scene<D>& scene, BodyRecord<D>& of) noexcept {
+  if (of.record.exits.empty()) return;
+  for (const dsw_exit& exit : of.record.exits) remove_vertex(of.body, exit.vertex.index);
+  refresh_body(scene, of);
+}
+
 template <int D>
 void end_move(Scene<D>& scene, BodyRecord<D>& of, const CastCounters& casts) noexcept {
   of.touches.follow(of.record, of.next, of.body.vertex_slots);
@@ -48,8 +56,10 @@ void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrd
   move.set_partners(scene.features.contacts ? &partners : nullptr);
   move.set_notes(&body.kept_near);
   body.touches.prepare(body.record);
+  if (settings.leaves) reserve_removals(body.body);
   move.move(body.body, targets, order, settings, body.next);
   end_move(scene, body, casts);
+  remove_left(scene, body);
 }
 
 template <int D>
@@ -65,6 +75,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
   for (size_t i = 0; i < count; ++i) {
     BodyRecord<D>& body = *bodies[i];
     begin_move(scene, body);
+    if (settings.leaves) reserve_removals(body.body);
     if (edits) wholes.push_back(body.body);
     first[i] = at;
     at += body.body.vertices.size();
@@ -97,6 +108,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
   }
   for (size_t i = 0; i < count; ++i) {
     end_move(scene, *bodies[i], casts[i]);
+    remove_left(scene, *bodies[i]);
   }
 }
 

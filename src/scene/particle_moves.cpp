@@ -47,10 +47,21 @@ uint32_t next_forecast(const Environment<D>& env, const ParticleState<D>& state,
   return result.cell == state.cell ? state.forecast : kNoFacet;
 }
 
-/** What follows the cast of a move: the verified position, the particle's new state, the report. */
+/** Notes that a particle came to an exit, if it did. */
+template <int D>
+void note_exit(const Environment<D>& env, const CastRequest& request, const MoveResult<D>& result,
+               dsw_exit* exit) noexcept {
+  exit->patch = result.cast.end == CastEnd::kHit ? exit_patch(env, result.cast.facet) : 0;
+  if (exit->patch == 0) return;
+  point_at<D>(request.from, request.to, result.time, exit->point);
+  exit->time = result.time;
+  exit->face = face_id(env.map, result.cast.facet);
+}
+
+/** What follows the cast of a move: the verified position, the particle's new state, the report, the exit. */
 template <int D>
 void finish_one(const Scene<D>& scene, ParticleState<D>& state, const CastRequest& request, const CastResult& flight,
-                bool detail, dsw_flight* report, SceneStatistics* statistics) noexcept {
+                bool detail, dsw_flight* report, dsw_exit* exit, SceneStatistics* statistics) noexcept {
   const MoveResult<D> result = finish_move(scene.env, request, flight, detail && report != nullptr,
                                            statistics == nullptr ? nullptr : &statistics->cast);
   if (statistics != nullptr) {
@@ -59,10 +70,13 @@ void finish_one(const Scene<D>& scene, ParticleState<D>& state, const CastReques
     statistics->contacts += result.cast.end == CastEnd::kHit ? 1 : 0;
     statistics->candidates += result.candidates;
   }
+  if (exit != nullptr) note_exit(scene.env, request, result, exit);
   state.forecast = next_forecast(scene.env, state, result);
   state.cell = result.cell;
   std::copy(result.position, result.position + D, state.position);
-  if (report != nullptr) report_move(scene.env, result, detail, report);
+  if (report == nullptr) return;
+  report_move(scene.env, result, detail, report);
+  if (exit != nullptr && exit->patch != 0) report->outcome = DSW_OUTCOME_EXIT;
 }
 
 /** Casts of particles' moves, a packet at a time; `done(first, packet)` is called for each, in their order. */
@@ -130,22 +144,41 @@ void prepare_statistics(Scene<D>& scene, size_t count) {
   if (scene.features.statistics && count > kChunk) scene.chunk_statistics.assign(chunk_count(count), SceneStatistics{});
 }
 
+/** Leaves the particles that have come to an exit, in their order, and removes them if they leave. */
+template <int D>
+void gather_exits(Scene<D>& scene, const dsw_particle_id* ids, bool leave) noexcept {
+  Array<dsw_exit>& exits = scene.exits;
+  size_t kept = 0;
+  for (size_t i = 0; i < exits.size(); ++i) {
+    if (exits[i].patch == 0) continue;
+    exits[kept] = exits[i];
+    exits[kept++].particle = ids[i];
+    if (leave) destroy_particle(scene, ids[i].index);
+  }
+  exits.erase(exits.begin() + static_cast<ptrdiff_t>(kept), exits.end());
+}
+
 /** Moves particles whose ids and targets are in order. */
 template <int D>
 void move_checked(Scene<D>& scene, const dsw_particle_id* ids, size_t count, PointArray targets,
                   const FlightOptions& options, dsw_flight* flights) {
   prepare_statistics(scene, count);
+  Array<dsw_exit> room(scene.env.exits.empty() ? 0 : count, dsw_exit{}, scene.memory);
   if (scene.features.crossings) prepare_crossings(scene, ids, count, targets, options.max_volumes);
+  scene.exits.swap(room);  // of each particle, until they are gathered
+  dsw_exit* const exits = scene.exits.empty() ? nullptr : scene.exits.data();
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
     cast_particles(scene, ids, targets, options.max_volumes, scene.features.crossings, begin, end,
                    statistics == nullptr ? nullptr : &statistics->cast, [&](size_t first, const Packet<D>& packet) {
                      for (uint32_t i = 0; i < packet.count(); ++i) {
                        finish_one(scene, scene.particles[ids[first + i].index], packet.request(i), packet.result(i),
-                                  options.detail, flights == nullptr ? nullptr : flights + first + i, statistics);
+                                  options.detail, flights == nullptr ? nullptr : flights + first + i,
+                                  exits == nullptr ? nullptr : exits + first + i, statistics);
                      }
                    });
   });
   for (size_t i = 0; scene.features.live && i < count; ++i) note_particle(scene, ids[i].index);
+  gather_exits(scene, ids, options.leave);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "base/points.h"
 #include "base/slot_pool.h"
+#include "dartsweep/surgery.h"
 #include "environment/environment.h"
 #include "query/report.h"
 #include "scene/bodies.h"
@@ -64,6 +65,7 @@ struct Scene {
   Array<SceneStatistics> chunk_statistics{memory};  // scratch of a batch
   Array<dsw_crossing> crossings{memory};            // of the last move
   Array<size_t> crossing_first{memory};             // flight -> start in crossings; one more at the end
+  Array<dsw_exit> exits{memory};                    // of particles, of their last move
   Array<dsw_particle_id> occupants{memory};         // of the last marking call
   Array<dsw_body_id> occupant_bodies{memory};       // likewise
   Array<BodyRecord<D>> bodies{memory};              // by slot
@@ -74,6 +76,7 @@ struct Scene {
   Owned<TurningMove<D>> turning{memory};               // what rigid moves keep from call to call
   Owned<TurningTogether<D>> turning_together{memory};  // what rigid moves at once keep
   Owned<TogetherMove<D>> together{memory};             // what moves of all vertices at once keep from call to call
+  Array<dsw_body_cut> body_cuts{memory};               // of the last cut of bodies
   Array<uint32_t> offending{memory};                   // pairs of vertices of edges that were found not free
   Owned<Deformation<D>> deformation{memory};           // if enabled
   Owned<LiveRegister<D>> live{memory};                 // if enabled
@@ -91,6 +94,7 @@ struct Scene {
 struct FlightOptions {
   uint32_t max_volumes = 0;
   bool detail = true;
+  bool leave = false;  // particles that come to an exit are removed
 };
 
 /** Finds the cells of `count` points and throws unless each is in a passable one; arguments as those of
@@ -115,7 +119,7 @@ void check_particle(const Scene<D>& scene, dsw_particle_id id);
 template <int D>
 void check_particles(const Scene<D>& scene, const dsw_particle_id* ids, size_t count);
 
-/** Moves one particle that is alive; allocates nothing unless crossings are recorded. */
+/** Moves one particle that is alive; allocates nothing unless crossings are recorded or there are exits. */
 template <int D>
 void move_particle(Scene<D>& scene, dsw_particle_id id, const double* target, const FlightOptions& options,
                    dsw_flight* flight);

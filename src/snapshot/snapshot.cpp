@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/dimensions.h"
 #include "base/search.h"
@@ -38,20 +39,31 @@ enum Section {
   kFreeRecords,
   kFreeShapes,
   kParents,  // where cells were split: since version 4, in space 3
+  kExits,    // where there are exits: since version 5, in space 4
   kSectionCount
 };
 
-/** Numbers of the plane's blocks have been narrow since version 3. The last version is written where cells were split, else the
- * version before it. */
+/** Numbers of the plane's blocks have been narrow since version 3. The last version is written where there are exits, the one
+ * before it where cells were split, else the first of these three. */
 template <int D>
-constexpr BlockKind kKind = {"DSWENV\x1a\n", D == 2 ? 4 : 3, 2, kSectionCount, {kParents, kParents}};
+constexpr uint32_t kPlainVersion = D == 2 ? 3 : 2;
 template <int D>
-constexpr BlockKind kUnsplitKind = {"DSWENV\x1a\n", D == 2 ? 3 : 2, 2, kParents, {kParents, kParents}};
+constexpr BlockKind kind_of_version(uint32_t version, uint32_t sections) {
+  // Sections of version 2 and of those after it.
+  return D == 2 ? BlockKind{"DSWENV\x1a\n", version, 2, sections, {kParents, kParents, kExits}}
+                : BlockKind{"DSWENV\x1a\n", version, 2, sections, {kParents, kExits, kExits}};
+}
+template <int D>
+constexpr BlockKind kUnsplitKind = kind_of_version<D>(kPlainVersion<D>, kParents);
+template <int D>
+constexpr BlockKind kSplitKind = kind_of_version<D>(kPlainVersion<D> + 1, kExits);
+template <int D>
+constexpr BlockKind kKind = kind_of_version<D>(kPlainVersion<D> + 2, kSectionCount);
 constexpr uint32_t kLastWideVersion = 2;
 
 template <int D>
 const BlockKind& kind_of(const Environment<D>& env) {
-  return env.parents.empty() ? kUnsplitKind<D> : kKind<D>;
+  return !env.exits.empty() ? kKind<D> : !env.parents.empty() ? kSplitKind<D> : kUnsplitKind<D>;
 }
 constexpr uint32_t kHasTree = 1, kHasChanged = 2, kPointsMove = 4;
 constexpr uint64_t kMostUnits = uint64_t{1} << 28;
@@ -78,6 +90,7 @@ BlockHeader header_of(const Environment<D>& env) {
   h.bytes[kRegions] = bytes_of(env.regions);
   h.bytes[kTags] = bytes_of(env.tags);
   h.bytes[kParents] = bytes_of(env.parents);
+  h.bytes[kExits] = bytes_of(env.exits.all());
   h.bytes[kEdgeMarks] = env.edge_marks.size() * sizeof(uint64_t);
   h.bytes[kVertexMarks] = env.marked_vertices == 0 ? 0 : bytes_of(env.vertex_marks);
   h.bytes[kBox] = changed || moving ? sizeof env.lower + sizeof env.upper : 0;
@@ -246,6 +259,23 @@ void load_edge_marks(Environment<D>& env, const Array<uint64_t>& keys) {
   }
 }
 
+/** Exits are facets of the outer boundary, in their order. */
+template <int D>
+void load_exits(Environment<D>& env, const Array<uint32_t>& words) {
+  static_assert(sizeof(Exit) == 3 * sizeof(uint32_t));
+  const Map<D>& map = env.map;
+  if (words.size() % 3 != 0) fail_corrupt("exits: size");
+  Array<Exit> exits{env.memory};
+  for (size_t i = 0; i < words.size(); i += 3) exits.push_back({words[i], words[i + 1], words[i + 2]});
+  for (const Exit& exit : exits) {
+    if (exit.cell >= map.index_count() || !map.cell(exit.cell).valid()) fail_corrupt("the cell of an exit");
+    const Cell c = map.cell(exit.cell);
+    if (exit.local >= map.facets_of(c)) fail_corrupt("the face of an exit");
+    if (map.opposite(map.half_facet(c, exit.local)).valid()) fail_corrupt("an exit is not on the outer boundary");
+  }
+  if (!env.exits.restore(std::move(exits))) fail_corrupt("exits are not in order");
+}
+
 /** Counts marks anew. */
 template <int D>
 void count_marks(Environment<D>& env) {
@@ -326,7 +356,8 @@ void save(const Environment<D>& env, uint8_t* out) {
   write(kShapeOffsets, map.shape_offsets.data());
   write(kFreeRecords, map.free_records.data());
   write(kFreeShapes, map.free_shapes.data());
-  if (!env.parents.empty()) write(kParents, env.parents.data());
+  if (!env.parents.empty() || !env.exits.empty()) write(kParents, env.parents.data());
+  if (!env.exits.empty()) write(kExits, reinterpret_cast<const uint32_t*>(env.exits.all().data()));
   writer.finish();
 }
 
@@ -337,8 +368,10 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   const bool wide = D == 2 && reader.version() <= kLastWideVersion;
   check_sizes<D>(h, wide ? kWideUnitWords : kUnitWords<D>);
   const bool changed = (h.flags & kHasChanged) != 0, moving = (h.flags & kPointsMove) != 0;
-  const bool has_parents = reader.version() == kKind<D>.version;
-  if (has_parents && h.bytes[kParents] == 0) fail_corrupt("parents: size");
+  const bool has_exits = reader.version() == kKind<D>.version;
+  const bool has_parents = has_exits || reader.version() == kSplitKind<D>.version;
+  if (has_parents && !has_exits && h.bytes[kParents] == 0) fail_corrupt("parents: size");
+  if (has_exits && h.bytes[kExits] == 0) fail_corrupt("exits: size");
   Map<D>& map = env.map;
   map.is_as_created = !changed;
   map.vertex_count = h.counts[0];
@@ -360,6 +393,8 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   reader.read(map.free_records);
   reader.read(map.free_shapes);
   if (has_parents) reader.read(env.parents);
+  Array<uint32_t> exits{env.memory};
+  if (has_exits) reader.read(exits);
   env.points = env.owned_points.data();
   const auto is_finite = [](double x) { return std::isfinite(x); };
   if (!moving && !dsw::all_of(env.owned_points.begin(), env.owned_points.end(), is_finite)) {
@@ -378,6 +413,7 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   if (const char* const broken = check_integrity(map)) fail_corrupt(broken);
   if (!moving) check_cells(env);  // after a move cells need not be valid, and the bits mean nothing
   load_edge_marks(env, edges);
+  load_exits(env, exits);
   count_marks(env);
   finish_topology(env, nullptr);
   load_box(env, box, moving);

@@ -92,6 +92,7 @@ void read_facet(const Environment<D>& env, HalfFacet h, const Shape& shape, uint
   facet.near = h;
   facet.far = env.map.opposite(h);
   facet.marked = env.map.facet_marked(h);
+  facet.exit_patch = exit_patch(env, h);
 }
 
 }  // namespace
@@ -198,6 +199,7 @@ FacetDraft part_of(const FacetDraft& whole, uint32_t from, uint32_t to) {
   part.far = whole.far;
   part.pair = whole.pair;
   part.marked = whole.marked;
+  part.exit_patch = whole.exit_patch;
   part.loop.reserve(whole.loop.size());
   part.triangles.reserve(whole.triangles.size());
   for (uint32_t at = whole.place_of(from);; ++at) {

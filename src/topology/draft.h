@@ -22,6 +22,7 @@ struct FacetDraft {
   HalfFacet near, far;  // what it comes from, and what is behind it: as before the edit, where both may be about to go
   uint32_t pair = kNoPair;  // of a new facet between two new cells: a number that both sides have
   bool marked = false;
+  uint32_t exit_patch = 0;  // of the exit that it is, if it stays on the outer boundary; 0: none
 
   explicit FacetDraft(const Memory* memory) : loop(memory), triangles(memory) {}
 

@@ -169,6 +169,7 @@ class Collapse {
       const HalfFacet exit = flat->sides[flat->sides[0] == facet.far ? 1 : 0];
       facet.marked = facet.marked || map_.facet_marked(exit);
       facet.far = map_.opposite(exit);
+      facet.exit_patch = exit_patch(env_, exit);
     }
   }
 

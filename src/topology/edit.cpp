@@ -421,7 +421,23 @@ void Edit<D>::reserve() {
   size_t edges = 0;
   for (const MarkChange& mark : marks_) edges += mark.marked && mark.b != kNoCell ? 1u : 0u;
   reserve_edge_marks(env_, edges);
+  collect_exits();
   changes_.reserve(most_changes());
+}
+
+/** Exits among the facets of new cells. */
+template <int D>
+void Edit<D>::collect_exits() {
+  if (env_.exits.empty()) return;
+  for (uint32_t i = 0; i < drafts_.size(); ++i) {
+    const Array<FacetDraft>& facets = drafts_[i].facets;
+    for (uint32_t f = 0; f < facets.size(); ++f) {
+      const HalfFacet h = half_facet(i, f);
+      if (facets[f].exit_patch == 0 || map_.opposite(h).valid()) continue;
+      exits_.push_back({made_[i].index, map_.local_of(h, made_[i].cell), facets[f].exit_patch});
+    }
+  }
+  env_.exits.reserve(exits_.size());
 }
 
 /** New volumes can be the first with labels. */

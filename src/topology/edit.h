@@ -149,6 +149,8 @@ class Edit {
   bool is_edge_left(Dart d, const KeyTable& drafted) const;
   void reserve();
   void reserve_labels();
+  void collect_exits();
+  void move_exits() noexcept;
   void count(uint32_t link, int sign) noexcept;
   void count_all() noexcept;
   void set_marks(bool back) noexcept;
@@ -179,6 +181,7 @@ class Edit {
   Array<Link> links_{env_.memory};
   Array<MarkChange> marks_{env_.memory};
   Array<CellMark> cell_marks_{env_.memory};
+  Array<Exit> exits_{env_.memory};            // of the cells that come
   Array<uint32_t> vertices_{env_.memory};     // new ones
   Array<double> points_before_{env_.memory};  // in their places
   Array<VolumeChange> changes_{env_.memory};

@@ -1,6 +1,7 @@
 // An edit that is prepared: applied, taken back, finished. Nothing here fails or allocates.
 
 #include "base/position.h"
+#include "base/search.h"
 #include "environment/marking.h"
 #include "topology/edit.h"
 
@@ -91,9 +92,26 @@ void Edit<D>::move_uses() noexcept {
   }
 }
 
+/** Exits of cells that go, and those that are sewn to something, are no more. */
+template <int D>
+void Edit<D>::move_exits() noexcept {
+  if (env_.exits.empty()) return;
+  const auto has_exit = [&](Cell c) { return env_.exits.has_cell(map_.index(c)); };
+  const bool any =
+      !exits_.empty() || dsw::any_of(removed_.begin(), removed_.end(), has_exit) ||
+      dsw::any_of(links_.begin(), links_.end(), [&](const Link& link) { return has_exit(map_.cell_of({link.word})); });
+  if (!any) return;
+  env_.exits.remove_if([&](const Exit& exit) {
+    const Cell c = map_.cell(exit.cell);
+    return is_removed(c) || map_.opposite(map_.half_facet(c, exit.local)).valid();
+  });
+  env_.exits.set(exits_.data(), exits_.size());
+}
+
 template <int D>
 void Edit<D>::finish() noexcept {
   log_changes();
+  move_exits();
   for (const Cell c : removed_) env_.marked_cells -= map_.marked(c) ? 1u : 0u;
   move_uses();
   size_t at = 0;

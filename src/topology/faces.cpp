@@ -54,6 +54,9 @@ MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Vertices& loop)
   if (map.facet_marked(h) != map.facet_marked(g)) {
     fail(DSW_STATUS_BAD_TOPOLOGY, "one of the two faces is marked, the other is not");
   }
+  if (exit_patch(env, h) != exit_patch(env, g)) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "the two faces are exits of different patches, or one of them is none");
+  }
   const FacetDraft first = draft_of(env, h), second = draft_of(env, g);
   const bool two = first.far.valid();
   // Both sides have to name the merged face after the same one of the two.
@@ -66,6 +69,7 @@ MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Vertices& loop)
   merged.near = after_first ? first.near : second.near;
   merged.far = after_first ? first.far : second.far;
   merged.marked = first.marked;
+  merged.exit_patch = first.exit_patch;
   const auto put = [&](HalfFacet kept, HalfFacet gone, const FacetDraft& facet) {
     const size_t i = edit.replace(map.cell_of(kept));
     CellDraft& draft = edit.draft(i);

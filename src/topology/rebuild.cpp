@@ -210,10 +210,22 @@ class Rebuild {
       target_.edge_marks.insert(static_cast<uint32_t>(key >> 32), static_cast<uint32_t>(key));
     }
     target_.vertex_marks.assign(source_.vertex_marks.begin(), source_.vertex_marks.end());
+    copy_exits();
     target_.marked_cells = source_.marked_cells;
     target_.marked_facets = source_.marked_facets;
     target_.marked_edges = source_.marked_edges;
     target_.marked_vertices = source_.marked_vertices;
+  }
+
+  void copy_exits() {
+    Array<Exit> exits(source_.memory);
+    for (const Exit& exit : source_.exits.all()) {
+      const HalfFacet h{new_word_[from_.half_facet(from_.cell(exit.cell), exit.local).word]};
+      const Cell c = map_.cell_of(h);
+      exits.push_back({map_.index(c), map_.local_of(h, c), exit.patch});
+    }
+    target_.exits.reserve(exits.size());
+    target_.exits.set(exits.data(), exits.size());
   }
 
   const Environment<3>& source_;

@@ -208,6 +208,45 @@ static void a_body(int plane) {
   end();
 }
 
+/* A wire and a particle leave; a refusal leaves exits, particles and bodies as they were. */
+static void what_leaves(int plane) {
+  static const double at[6] = {1.25, 1.25, 0.375, 3.5, 1.25, 0.375}, to[6] = {2.25, 1.25, 0.375, 9.5, 1.25, 0.375};
+  const dsw_face_id face = face_at(4 + 3, plane ? 1 : FACE_X1);
+  const dsw_exit *exits = NULL;
+  dsw_cast_options leave;
+  dsw_move_options o = move_options();
+  dsw_body_desc d = line_desc(at, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+  dsw_particle_id particle;
+  dsw_body_id body;
+  size_t refusals, count = 9;
+  uint32_t patch = 9;
+  dsw_cast_options_init(&leave, sizeof leave);
+  leave.flags = DSW_CAST_LEAVE;
+  o.flags = DSW_MOVE_LEAVE;
+  d.stride_bytes = 24;
+  begin(4, 4, plane ? 0 : 3, 0);
+  UNTIL_IT_SUCCEEDS(dsw_environment_mark_exits(g_env, &face, 1, 5),
+                    dsw_environment_get_exit(g_env, face, &patch) == DSW_STATUS_OK && patch == 0, refusals);
+  CHECK(refusals >= 1);
+  CHECK_OK(dsw_body_create(g_scene, &d, &body));
+  for (refusals = 0; RUNS_OUT(&g_host, refusals, dsw_body_move(g_scene, body, to, 2, 24, &o, NULL)); ++refusals) {
+    CHECK(body_counts(g_scene, body).vertex_count == 2);
+    CHECK_OK(dsw_body_get_exits(g_scene, body, &exits, &count));
+    CHECK(count == 0);
+  }
+  CHECK(refusals >= 1 && body_counts(g_scene, body).vertex_count == 1);
+  CHECK_OK(dsw_body_get_exits(g_scene, body, &exits, &count));
+  CHECK(count == 1 && exits[0].patch == 5);
+  CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
+  UNTIL_IT_SUCCEEDS(dsw_particle_move(g_scene, particle, to + 3, &leave, NULL),
+                    dsw_particle_get_position(g_scene, particle, NULL, NULL) == DSW_STATUS_OK, refusals);
+  CHECK(refusals >= 1);
+  CHECK_OK(dsw_scene_get_exits(g_scene, &exits, &count));
+  CHECK(count == 1 && exits[0].patch == 5);
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_get_position(g_scene, particle, NULL, NULL));
+  end();
+}
+
 /* Rows of an edge near another one and near a wall. A refusal leaves none. */
 static void near_rows(int plane) {
   static const double at[12] = {0.25, 0.25, 0.375, 3.5, 0.25, 0.375, 0.5, 0.5, 0.375, 3.75, 0.625, 0.375};
@@ -520,6 +559,7 @@ int main(void) {
     particles_of_a_scene(plane);
     a_body(plane);
     near_rows(plane);
+    what_leaves(plane);
     a_deformation(plane);
   }
   check_in("");

@@ -293,7 +293,7 @@ static void bad_options_are_refused(void) {
 #define BAD(which, member, value) (bad[n].member = (value), status[n++] = DSW_STATUS_##which)
   BAD(BAD_STRUCT_SIZE, struct_size, 16);
   BAD(UNSUPPORTED, struct_size, 4097);
-  BAD(UNSUPPORTED, flags, 4);
+  BAD(UNSUPPORTED, flags, 8);
   BAD(UNSUPPORTED, vertex_response, DSW_RESPONSE_ADAPTIVE_ONE);
   BAD(UNSUPPORTED, vertex_response, DSW_RESPONSE_HYBRID);
   BAD(UNSUPPORTED, vertex_response, DSW_RESPONSE_ADAPTIVE_SLIDE);

@@ -57,7 +57,6 @@ static void begin(void) {
 }
 
 static void end(void) { end_scene(g_scene); }
-
 static const double g_from[3] = {0.5, 0.25, 0.5}, g_to[3] = {2.5, 0.25, 0.5}, g_fixed[3] = {0.5, 2.25, 0.5};
 static dsw_contact_partner g_partner;
 static dsw_sweep g_sweep;
@@ -212,6 +211,7 @@ RUN(dsw_environment_add_volumes, dsw_volumes_desc) {
   return dsw_environment_add_volumes(g_env, s, &volume, NULL);
 }
 RUN(dsw_environment_cut, dsw_cut_desc) { return dsw_environment_cut(g_env, s, NULL); }
+RUN(dsw_scene_cut_bodies, dsw_cut_desc) { return dsw_scene_cut_bodies(g_scene, s, one(), 1, NULL); }
 RUN(dsw_environment_carve, dsw_carve_desc) { return dsw_environment_carve(g_env, s, NULL); }
 RUN(dsw_environment_tie, dsw_tie_desc) { return dsw_environment_tie(g_env, s, NULL); }
 RUN(dsw_environment_open_crack, dsw_open_crack_desc) { return dsw_environment_open_crack(g_env, s, NULL); }
@@ -222,7 +222,6 @@ RUN(dsw_environment_detach, dsw_detach_desc) {
   return dsw_environment_detach(g_env, s, &id, NULL);
 }
 RUN(dsw_scene_start_recording, dsw_recording_desc) { return dsw_scene_start_recording(g_scene, s); }
-
 static tape g_tape;
 
 /* Makes the replay of a recording in which a particle is created. */
@@ -403,6 +402,7 @@ typedef struct init_row {
   X(dsw_scene_cast, dsw_cast_options)                 \
   X(dsw_scene_cast_from_particles, dsw_cast_options)  \
   X(dsw_scene_create, dsw_scene_desc)                 \
+  X(dsw_scene_cut_bodies, dsw_cut_desc)               \
   X(dsw_environment_deform, dsw_deform_options)       \
   X(dsw_environment_detach, dsw_detach_desc)          \
   X(dsw_scene_deform, dsw_scene_deform_options)       \

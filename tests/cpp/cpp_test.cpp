@@ -278,6 +278,51 @@ TEST(Cpp, ABodyMovesAndItsContactsAreRead) {
   EXPECT_EQ(count, contacts.size());
 }
 
+TEST(Cpp, WhatLeavesIsRead) {
+  Environment environment = cube();
+  Scene scene(environment);
+  const dsw_face_id top = environment.cast({0.5, 0.5, 0.5}, {0.5, 0.5, 3}).contact.wall;
+  environment.mark_exits(View<const dsw_face_id>(&top, 1), 6);
+  EXPECT_EQ(environment.get_exit(top), 6u);
+  ASSERT_EQ(environment.get_exit_faces().size(), 1u);
+  EXPECT_EQ(environment.get_exit_faces()[0].local, top.local);
+  const dsw_particle_id particle = scene.create_particle({0.25, 0.25, 0.5});
+  dsw_cast_options leave;
+  dsw_cast_options_init(&leave, sizeof leave);
+  leave.flags = DSW_CAST_LEAVE;
+  EXPECT_EQ(scene.move_particle(particle, {0.25, 0.25, 2.5}, &leave).outcome, DSW_OUTCOME_EXIT);
+  ASSERT_EQ(scene.get_exits().size(), 1u);
+  EXPECT_EQ(scene.get_exits()[0].time, 0.25);
+  EXPECT_EQ(scene.get_particle_count(), 0u);
+  std::vector<Row> rod = {{0.25, 0.5, 0.25}, {0.25, 0.5, 0.75}};
+  Body body(scene, scene.create_body(rod, std::vector<std::uint32_t>{0, 1}));
+  for (Row &at : rod) at[2] += 0.5;
+  dsw_move_options options;
+  dsw_move_options_init(&options, sizeof options);
+  options.flags = DSW_MOVE_LEAVE;
+  body.move(rod, &options);
+  ASSERT_EQ(body.get_exits().size(), 1u);
+  EXPECT_EQ(body.get_exits()[0].vertex.index, 1u);
+  EXPECT_EQ(body.get_exits()[0].patch, 6u);
+}
+
+TEST(Cpp, AThreadIsCut) {
+  Environment environment = cube();
+  Scene scene(environment);
+  const std::vector<Row> thread = {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}};
+  Body body(scene, scene.create_body(thread, std::vector<std::uint32_t>{0, 1}));
+  const std::vector<Row> blade = {{0.375, 0, 0}, {0.375, 0, 1}, {0.375, 1, 0}, {0.375, 1, 1}};
+  ASSERT_EQ(scene.cut_bodies(blade, 2, 2), 1u);
+  const Array<dsw_body_cut> cuts = scene.get_body_cuts();
+  ASSERT_EQ(cuts.size(), 1u);
+  EXPECT_EQ(cuts[0].edge_parameter, 0.25);
+  EXPECT_EQ(cuts[0].body.index, body.id().index);
+  EXPECT_EQ(body.get_counts().edge_count, 2u);
+  const dsw_body_id id = body.id();
+  EXPECT_EQ(scene.cut_bodies(blade, 2, 2, View<const dsw_body_id>(&id, 1)), 0u);
+  EXPECT_THROW(scene.cut_bodies(blade, 2, 3), WrongSize);
+}
+
 TEST(Cpp, NearRowsAndTheirJacobianAreRead) {
   Environment environment = cube();
   Scene scene(environment);

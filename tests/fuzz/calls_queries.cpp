@@ -161,6 +161,7 @@ dsw_status Calls::look_at_scene() {
           << read_all<dsw_vertex_id>(of_environment(dsw_environment_get_held_vertices))
           << read_all<dsw_volume_id>(of_environment(dsw_environment_get_invalid_volumes))
           << read_all<dsw_particle_id>(of_scene(dsw_scene_get_occupants))
+          << read_all<dsw_exit>(of_scene(dsw_scene_get_exits))
           << read_all<dsw_body_id>(of_scene(dsw_scene_get_occupant_bodies))
           << read_all<uint32_t[2]>([&](const uint32_t(**items)[2], size_t* pairs) {
                const uint32_t* vertices = nullptr;
@@ -226,6 +227,7 @@ dsw_status Calls::look_at_body() {
                    << read_all<dsw_contact_partner>(of_body(dsw_body_get_contact_partners))
                    << read_all<dsw_previous_contact>(of_body(dsw_body_get_previous_contacts))
                    << read_all<dsw_body_edit>(of_body(dsw_body_get_edits))
+                   << read_all<dsw_exit>(of_body(dsw_body_get_exits))
                    << dsw_body_find_near_rows(scene_, id, &near, nullptr)
                    << read_all<dsw_near_row>(of_body(dsw_body_get_near_rows))
                    << read_all<uint32_t>(of_body(dsw_body_get_near_offsets))

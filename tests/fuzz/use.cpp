@@ -170,6 +170,7 @@ void mark_something(dsw_environment* environment, Bytes* bytes) {
     default: {
       const dsw_face_id face = {volume.index, volume.generation, bytes->below(8)};
       dsw_environment_mark_faces(environment, &face, 1, mark);
+      dsw_environment_mark_exits(environment, &face, 1, mark == DSW_MARK_PASSABLE ? 0 : 1 + volume.index % 3);
     }
   }
 }

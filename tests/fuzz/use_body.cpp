@@ -170,6 +170,7 @@ void move_body(Subject* s, Bytes* bytes) {
   const uint32_t course = bytes->below(16);
   options.flags = (course & 4) != 0 ? DSW_MOVE_KEEP_WALLS : 0;
   options.passes = (course & 8) != 0 ? 3 : 0;
+  if (course % 4 == 1) options.flags |= DSW_MOVE_LEAVE;
   if (course % 4 == 3) {  // from the last to the first, one left out
     for (size_t i = s->vertices.size(); i-- > 1;) order.push_back(s->vertices[i].index);
     options.order = order.data();

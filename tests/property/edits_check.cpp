@@ -127,6 +127,12 @@ std::string RandomEdits<D>::check_counts() const {
   });
   if (cells != e.marked_cells) return "marked volumes are counted wrongly";
   if (sides != 2 * e.marked_facets) return "marked faces are counted wrongly";
+  for (const Exit& exit : e.exits.all()) {
+    const dsw::Cell c = exit.cell < e.map.index_count() ? e.map.cell(exit.cell) : dsw::Cell{};
+    if (!c.valid() || exit.local >= e.map.facets_of(c)) return "an exit is no face";
+    if (e.map.opposite(e.map.half_facet(c, exit.local)).valid()) return "an exit has two volumes";
+    if (e.exits.patch(exit.cell, exit.local) != exit.patch) return "an exit is not found";
+  }
   Array<uint64_t> keys;
   e.edge_marks.copy_sorted(keys);
   if (keys.size() != e.marked_edges) return "marked edges are counted wrongly";

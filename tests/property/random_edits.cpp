@@ -63,11 +63,20 @@ void RandomEdits<D>::mark_some() {
     dsw_environment_mark_volumes(place_.get(), &v, 1, DSW_MARK_IMPASSABLE, 0, nullptr);
     const dsw_face_id f = some_face();
     dsw_environment_mark_faces(place_.get(), &f, 1, DSW_MARK_IMPASSABLE);
+    mark_exit(f);
     const dsw_edge_id e = some_edge();
     if (D == 3) dsw_environment_mark_edges(place_.get(), &e, 1, DSW_MARK_IMPASSABLE);
     const dsw_vertex_id end = vertex_of(some_edge());
     dsw_environment_mark_vertices(place_.get(), &end, 1, DSW_MARK_IMPASSABLE);
   }
+}
+
+/// A face of the outer boundary becomes an exit, any other is refused.
+template <int D>
+void RandomEdits<D>::mark_exit(dsw_face_id face) {
+  const bool is_outer = !env().map.opposite(env().map.half_facet(env().map.cell(face.volume), face.local)).valid();
+  const dsw_status status = dsw_environment_mark_exits(place_.get(), &face, 1, 1 + face.volume % 3);
+  EXPECT_EQ(status == DSW_STATUS_BAD_TOPOLOGY, !is_outer);
 }
 
 template <int D>
@@ -208,6 +217,7 @@ std::string RandomEdits<D>::mark() {
     edges.push_back(some_edge());
     vertices.push_back(D == 2 ? vertex_of(edges.back()) : dsw_vertex_id{0, 0});
   }
+  mark_exit(faces[0]);
   size_t skipped = 0;
   const dsw_status status =
       kind == 0   ? dsw_environment_mark_volumes(place_.get(), volumes.data(), volumes.size(), mark, flags, &skipped)

@@ -78,6 +78,7 @@ class RandomEdits {
 
   std::string bend();
   std::string bend_to(const double* from, uint32_t vertex, double by);
+  void mark_exit(dsw_face_id face);
   void mark_some();
   void add_particles();
   void add_bodies();

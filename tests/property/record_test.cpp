@@ -75,6 +75,12 @@ void call_the_others(dsw_scene* scene, std::vector<double>& lent, std::vector<do
   ok(dsw_environment_get_face_id(environment, first, 0, &face));
   const double load = 0;
   ok(dsw_environment_tear_faces(environment, &face, &load, 1, 1, nullptr));
+  dsw_status marked = DSW_STATUS_BAD_TOPOLOGY;  // until a face is on the outer boundary
+  for (uint32_t i = 0; marked == DSW_STATUS_BAD_TOPOLOGY; ++i) {
+    const dsw_face_id one = {i / 6, 1, i % 6};
+    marked = dsw_environment_mark_exits(environment, &one, 1, 4);
+  }
+  ok(marked);
 
   // Diagonals of bottom and top, and the volume along both.
   dsw_vertex_id corner_ids[8];
@@ -139,6 +145,11 @@ void call_the_others(dsw_scene* scene, std::vector<double>& lent, std::vector<do
   ok(dsw_scene_move_together(scene, &body, 1, corners[0].data(), corners.size(), 0, &together, nullptr));
   const dsw_rigid_motion back = {{0, 0, 0, 1}, {0, 0, 0}, {-kNear / 16, 0, 0}};
   ok(dsw_scene_move_rigid(scene, &body, 1, &back, nullptr, nullptr));
+  const std::vector<Vec> beside = {point(9, 0, 0), point(9, 1, 0), point(9, 0, 1), point(9, 1, 1)};
+  dsw_cut_desc blade = defaults(dsw_cut_desc_init);
+  blade.points = beside[0].data();
+  blade.rows = blade.columns = 2;
+  ok(dsw_scene_cut_bodies(scene, &blade, &body, 1, nullptr));
   const double* now = nullptr;
   size_t point_count = 0;
   ok(dsw_environment_get_points(environment, &now, &point_count));

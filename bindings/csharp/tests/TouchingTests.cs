@@ -16,6 +16,41 @@ static partial class Tests
     return new Environment(points, cells, null, null, null, null, null, null, new EnvironmentDesc { Flags = flags, MergeDistance = distance }, null);
   }
 
+  public static void ParticlesAndVerticesLeave()
+  {
+    using (Environment environment = CreateCubes(0, 0, new[] { 0.0, 0, 0, 1 }))
+    using (Scene scene = new Scene(environment))
+    {
+      FaceId top = environment.Cast(new Vec3(0.5, 0.5, 0.5), new Vec3(0.5, 0.5, 3)).Contact.Wall;
+      environment.MarkExits(new[] { top }, 6);
+      Same(6u, environment.GetExit(top));
+      Same(1, environment.GetExitFaces().Length);
+      ParticleId particle = scene.CreateParticle(new Vec3(0.25, 0.25, 0.5));
+      Same(Outcome.Exit, scene.MoveParticle(particle, new Vec3(0.25, 0.25, 2.5), new CastOptions { Flags = Library.CAST_LEAVE }).Outcome);
+      Same(0, (int)scene.GetParticleCount());
+      Same(6u, scene.GetExits()[0].Patch);
+      Same(0.25, scene.GetExits()[0].Time);
+      Body rod = scene.CreateBody(new[] { 0.25, 0.5, 0.25, 0.25, 0.5, 0.75 }, new uint[] { 0, 1 }, null, new BodyDesc());
+      rod.Move(new[] { 0.25, 0.5, 0.75, 0.25, 0.5, 1.25 }, new MoveOptions { Flags = Library.MOVE_LEAVE });
+      Same(1u, rod.GetExits()[0].Vertex.Index);
+    }
+  }
+
+  public static void ThreadsAreCut()
+  {
+    using (Environment environment = CreateCubes(0, 0, new[] { 0.0, 0, 0, 1 }))
+    using (Scene scene = new Scene(environment))
+    {
+      Body thread = scene.CreateBody(new[] { 0.25, 0.5, 0.5, 0.75, 0.5, 0.5 }, new uint[] { 0, 1 }, null, new BodyDesc());
+      double[] blade = { 0.375, 0, 0, 0.375, 0, 1, 0.375, 1, 0, 0.375, 1, 1 };
+      Same(1, (int)scene.CutBodies(blade, 2, 2));
+      Same(0.25, scene.GetBodyCuts()[0].EdgeParameter);
+      Same(thread.Id().Index, scene.GetBodyCuts()[0].Body.Index);
+      Same(0, (int)scene.CutBodies(blade, 2, 2));
+      Same(2u, thread.GetCounts().EdgeCount);
+    }
+  }
+
   public static void RaysMeetBodies()
   {
     using (Environment environment = CreateCubes(0, 0, new[] { 0.0, 0, 0, 1 }))

@@ -34,6 +34,35 @@ function TestTouching:test_parts_that_touch_are_counted_and_sewn()
   lu.assertError(cubes, dsw.ENVIRONMENT_CONFORM, 0, one, {1, 0.25, 0.25, 1})
 end
 
+function TestTouching:test_particles_and_vertices_leave()
+  local environment <close> = cubes(0, 0, {0, 0, 0, 1})
+  local scene <close> = dsw.Scene(environment)
+  local top = environment:cast({0.5, 0.5, 0.5}, {0.5, 0.5, 3}).contact.wall
+  environment:mark_exits({top}, 6)
+  lu.assertEquals({environment:get_exit(top), #environment:get_exit_faces()}, {6, 1})
+  local particle = scene:create_particle({0.25, 0.25, 0.5})
+  local flight = scene:move_particle(particle, {0.25, 0.25, 2.5}, {flags = dsw.CAST_LEAVE})
+  lu.assertEquals({flight.outcome, scene:get_particle_count()}, {dsw.OUTCOME_EXIT, 0})
+  local left = scene:get_exits()
+  lu.assertEquals({#left, left[1].patch, left[1].time, left[1].point[3]}, {1, 6, 0.25, 1})
+  local rod = scene:create_body {positions = {{0.25, 0.5, 0.25}, {0.25, 0.5, 0.75}}, edges = {0, 1}}
+  rod:move({{0.25, 0.5, 0.75}, {0.25, 0.5, 1.25}}, {flags = dsw.MOVE_LEAVE})
+  lu.assertEquals({#rod:get_exits(), rod:get_exits()[1].vertex.index}, {1, 1})
+  lu.assertError(environment.mark_exits, environment, {dsw.FaceId(0, 1, 9)}, 1)
+end
+
+function TestTouching:test_threads_are_cut()
+  local environment <close> = cubes(0, 0, {0, 0, 0, 1})
+  local scene <close> = dsw.Scene(environment)
+  local thread = scene:create_body {positions = {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}}, edges = {0, 1}}
+  local blade = {{0.375, 0, 0}, {0.375, 0, 1}, {0.375, 1, 0}, {0.375, 1, 1}}
+  lu.assertEquals(scene:cut_bodies(blade, 2, 2), 1)
+  local cuts = scene:get_body_cuts()
+  lu.assertEquals({#cuts, cuts[1].edge_parameter, cuts[1].body.index}, {1, 0.25, thread:id().index})
+  lu.assertEquals({scene:cut_bodies(blade, 2, 2), thread:get_counts().edge_count}, {0, 2})
+  lu.assertError(scene.cut_bodies, scene, blade, 2, 3)
+end
+
 function TestTouching:test_rays_meet_bodies()
   local environment <close> = cubes(0, 0, {0, 0, 0, 1})
   local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_BODY_CONTACTS})

@@ -54,6 +54,36 @@ test('rays meet bodies', () => {
   assert.equal(cube.cast([0, 0.5, 0.5], [1, 0.5, 0.25], { flags: dsw.CAST_OPEN_ENDS }).outcome, dsw.Outcome.Reached);
 });
 
+test('particles and vertices leave through exits', () => {
+  const points = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1];
+  const cube = new dsw.Environment(points, [0, 1, 2, 3, 4, 5, 6, 7], { type: dsw.CellType.Hexahedron });
+  const scene = new dsw.Scene(cube);
+  const top = cube.cast([0.5, 0.5, 0.5], [0.5, 0.5, 3]).contact.wall;
+  cube.markExits([top], 6);
+  assert.equal(cube.getExit(top), 6);
+  assert.equal(cube.getExitFaces().length, 1);
+  const particle = scene.createParticle([0.25, 0.25, 0.5]);
+  assert.equal(scene.moveParticle(particle, [0.25, 0.25, 2.5], { flags: dsw.CAST_LEAVE }).outcome, dsw.Outcome.Exit);
+  const left = scene.getExits();
+  assert.deepEqual([left.length, left.at(0).patch, left.at(0).time, scene.getParticleCount()], [1, 6, 0.25, 0]);
+  const rod = scene.createBody([0.25, 0.5, 0.25, 0.25, 0.5, 0.75], [0, 1]);
+  rod.move([0.25, 0.5, 0.75, 0.25, 0.5, 1.25], { flags: dsw.MOVE_LEAVE });
+  assert.equal(rod.getExits().at(0).vertex.index, 1);
+});
+
+test('threads are cut', () => {
+  const points = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1];
+  const scene = new dsw.Scene(new dsw.Environment(points, [0, 1, 2, 3, 4, 5, 6, 7], { type: dsw.CellType.Hexahedron }));
+  const thread = scene.createBody([0.25, 0.5, 0.5, 0.75, 0.5, 0.5], [0, 1]);
+  const blade = [0.375, 0, 0, 0.375, 0, 1, 0.375, 1, 0, 0.375, 1, 1];
+  assert.equal(scene.cutBodies(blade, 2, 2), 1);
+  const cuts = scene.getBodyCuts();
+  assert.deepEqual([cuts.length, cuts.at(0).edgeParameter, cuts.at(0).body.index], [1, 0.25, thread.id().index]);
+  assert.equal(scene.cutBodies(blade, 2, 2, [thread.id()]), 0);
+  assert.equal(thread.getCounts().edgeCount, 2);
+  assert.throws(() => scene.cutBodies(blade, 2, 3));
+});
+
 test('places inside are found', () => {
   const environment = createEnvironment();
   const volumes = new dsw.VolumeIdArray(2);

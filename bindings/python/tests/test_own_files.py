@@ -36,6 +36,7 @@ def state(environment: ds.Environment) -> dict[str, Any]:
         "marked": [environment.is_marked(volume) for volume in volumes],
         "marked faces": sorted({tuple(corners(face)) for each in faces for face in each if environment.is_marked(face)}),
         "marks": [environment.mark_count(kind) for kind in ds.CellKind if kind and (kind != ds.CellKind.EDGE or environment.dimension == 3)],
+        "exits": sorted((corners(face), environment.exit_of(face)) for face in environment.exit_faces()),
         "region groups": environment.region_groups,
         "surface names": environment.surface_names,
         "surfaces": {name: sorted(corners(face) for face in environment.faces(name)) for name in environment.surface_names},
@@ -64,6 +65,8 @@ def every_type() -> ds.Environment:
     made.cut([[(1.4, -1.0, -1.0), (1.4, 2, -1)], [(1.6, -1.0, 3.0), (1.6, 2, 3)]])
     made.mark_volumes(made.locate((2.6, 0.5, 0.25))[0])
     made.mark_faces(made.face_id(made.locate((0.5, 0.5, 0.5))[0], 1))
+    made.mark_exits([face for face in all_faces(made) if all(v < 8 for v in made.vertices(face)["index"])], 3)
+    made.mark_exits(made.cast((0.5, 0.5, 0.5), (-9, 0.5, 0.5)).contact.wall, 2**32 - 1)
     made.mark_edges(made.find_edges([(0, 8), (16, 17)]))
     made.mark_vertices(made.vertex_id(3))
     made.name_surface("bottom", [face for face in all_faces(made) if all(v < 8 for v in made.vertices(face)["index"])], 77)

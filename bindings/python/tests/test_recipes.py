@@ -64,7 +64,7 @@ def test_wire_from_an_inlet() -> None:
 
 
 def test_particles_and_their_outlets() -> None:
-    """Which outlet each particle reaches, and where."""
+    """Particles leave through the outlet, and stop at all other walls."""
     mesh = box(8, 2, 2).cast_to_unstructured_grid()
     with ds.from_pyvista(mesh) as environment, ds.Scene(environment) as scene:
         for name, x in (("inlet", 0.0), ("outlet", 4.0)):
@@ -72,8 +72,25 @@ def test_particles_and_their_outlets() -> None:
             sides = np.array([side for side in corners if side])
             environment.name_surface(name, environment.find_faces(np.arange(0, sides.size + 1, 4), sides.ravel()))
         starts = np.array([(2.0, 0.3, 0.3), (2.0, 0.7, 0.3)])
-        flights = scene.move_particles(scene.create_particles(starts), starts + [(9, 0, 0.1), (-9, 0, 0)])
+        environment.mark_exit("outlet", patch=2)
+        leave = ds.options(ds.CastOptions, flags=ds.CastFlag.LEAVE)
+        flights = scene.move_particles(scene.create_particles(starts), starts + [(9, 0, 0.1), (-9, 0, 0)], leave)
         assert environment.surfaces_of(flights)["name"].tolist() == ["outlet", "inlet"]
+        left = scene.exits()
+        assert scene.particle_count == 1 and left["patch"].tolist() == [2] and left["point"][0, 0] == 4.0
+
+
+def test_wire_that_leaves() -> None:
+    """A wire is pushed through an outlet: what has passed it is no longer simulated."""
+    with ds.from_pyvista(box(8, 2, 2)) as environment, ds.Scene(environment) as scene:
+        environment.mark_exits(environment.cast((2.0, 0.6, 0.6), (9.0, 0.6, 0.6)).contact.wall, patch=1)
+        x = np.linspace(0.5, 3.5, 13)
+        wire = scene.create_body(np.stack([x, 0 * x + 0.6, 0 * x + 0.6], axis=1), [(i, i + 1) for i in range(12)])
+        leave, gone = ds.options(ds.MoveOptions, flags=ds.MoveFlag.LEAVE), 0
+        for _ in range(10):
+            wire.move(wire.positions() + (0.2, 0, 0), leave)
+            gone += len(wire.exits())
+        assert gone == 7 and wire.counts.vertex_count == 6
 
 
 def test_how_far_an_instrument_can_turn() -> None:
@@ -123,6 +140,19 @@ def test_knot_in_a_thread() -> None:
         way = thread.positions()[-1] - thread.positions()[0]
         from_line = np.linalg.norm(np.cross(thread.positions() - thread.positions()[0], way), axis=1) / np.linalg.norm(way)
         assert from_line.max() > 0.5 and len(thread.contacts()) > 0
+
+
+def test_thread_that_is_cut() -> None:
+    """A blade goes down through a thread: both halves have an end of their own, and go apart."""
+    with ds.from_pyvista(box(8, 2, 2)) as environment, ds.Scene(environment) as scene:
+        x = np.linspace(0.5, 3.5, 13)
+        thread = scene.create_body(np.stack([x, 0 * x + 0.5, 0 * x + 0.3], axis=1), [(i, i + 1) for i in range(12)])
+        blade = [[(2.1, 0.2, z), (2.1, 0.8, z)] for z in np.linspace(0.9, 0.1, 5)]
+        (cut,) = scene.cut_bodies(blade)
+        assert thread.counts.edge_count == 13 and abs(cut["edge_parameter"] - 0.4) < 1e-9
+        apart = thread.positions()
+        apart[:, 1] += np.where(apart[:, 0] < 2.1, -0.2, 0.2)
+        assert thread.move(apart).vertices_stopped == 0
 
 
 def test_cloth_on_a_ball() -> None:

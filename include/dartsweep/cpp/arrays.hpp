@@ -263,4 +263,23 @@ inline std::size_t common_stride(const Points &a, const Points &b) {
   throw WrongSize("arrays of points have different strides");
 }
 
+/** How many cells of one type there are. */
+inline std::size_t uniform_count(std::uint32_t type, const Indices &connectivity,
+                                 const Indices &offsets) {
+  if (offsets.count) return offsets.count - 1;
+  switch (type) {
+    case DSW_CELL_TYPE_TRIANGLE:
+      return connectivity.count / 3;
+    case DSW_CELL_TYPE_QUAD:
+    case DSW_CELL_TYPE_TETRA:
+      return connectivity.count / 4;
+    case DSW_CELL_TYPE_PYRAMID:
+      return connectivity.count / 5;
+    case DSW_CELL_TYPE_WEDGE:
+      return connectivity.count / 6;
+    default:
+      return connectivity.count / 8;
+  }
+}
+
 }  // namespace dartsweep

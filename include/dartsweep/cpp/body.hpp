@@ -166,6 +166,7 @@ class Body {
   Array<dsw_previous_contact> get_previous_contacts() const {
     return list<dsw_previous_contact>(dsw_body_get_previous_contacts);
   }
+  Array<dsw_exit> get_exits() const { return list<dsw_exit>(dsw_body_get_exits); }
   Array<dsw_body_edit> get_edits() const { return list<dsw_body_edit>(dsw_body_get_edits); }
 
   // --- near rows: finds them, and returns how many there are

@@ -344,6 +344,18 @@ class Environment {
     change(dsw_environment_mark_between, a, b, mark, &marked);
     return marked;
   }
+  void mark_exits(View<const dsw_face_id> faces, std::uint32_t patch) {
+    change(dsw_environment_mark_exits, faces.data, faces.count, patch);
+  }
+  std::uint32_t get_exit(dsw_face_id face) const {
+    return one<std::uint32_t>(dsw_environment_get_exit, face);
+  }
+  Array<dsw_face_id> get_exit_faces() const {
+    const EnvironmentReading self(*state_);
+    return filled<dsw_face_id>([&](dsw_face_id *faces, std::size_t capacity, std::size_t *count) {
+      return dsw_environment_get_exit_faces(self.handle, faces, capacity, count);
+    });
+  }
   bool is_marked(dsw_cell cell) const { return one<int>(dsw_environment_is_marked, cell) != 0; }
   bool is_impassable(dsw_cell cell) const {
     return one<int>(dsw_environment_is_impassable, cell) != 0;
@@ -552,24 +564,6 @@ class Environment {
     all.offsets = offsets.data;
     all.regions = regions.data;
     all.tags = tags.data;
-  }
-
-  static std::size_t uniform_count(std::uint32_t type, const Indices &connectivity,
-                                   const Indices &offsets) {
-    if (offsets.count) return offsets.count - 1;
-    switch (type) {
-      case DSW_CELL_TYPE_TRIANGLE:
-        return connectivity.count / 3;
-      case DSW_CELL_TYPE_QUAD:
-      case DSW_CELL_TYPE_TETRA:
-        return connectivity.count / 4;
-      case DSW_CELL_TYPE_PYRAMID:
-        return connectivity.count / 5;
-      case DSW_CELL_TYPE_WEDGE:
-        return connectivity.count / 6;
-      default:
-        return connectivity.count / 8;
-    }
   }
 
   // Readers with one result: call(environment, arguments..., &result).

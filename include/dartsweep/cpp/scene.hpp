@@ -195,6 +195,9 @@ class Scene {
     return count ? Array<std::size_t>(first, count + 1) : Array<std::size_t>();
   }
 
+  /** Particles that came to an exit in the last move of particles. */
+  Array<dsw_exit> get_exits() const { return list<dsw_exit>(dsw_scene_get_exits); }
+
   // --- what was in the way, or moved
   Array<dsw_particle_id> get_occupants() const {
     return list<dsw_particle_id>(dsw_scene_get_occupants);
@@ -244,6 +247,24 @@ class Scene {
     check(dsw_scene_move_bodies(self.handle, bodies.data, bodies.count, targets.data, targets.count,
                                 targets.stride_bytes, options, reports.data));
   }
+  /** Cuts along a blade, all bodies unless some are named; returns how many cuts there are. */
+  std::size_t cut_bodies(Points blade, std::uint32_t rows, std::uint32_t columns,
+                         View<const dsw_body_id> bodies = {}) {
+    dsw_cut_desc desc = defaults<dsw_cut_desc>();
+    count_points(dimension(), blade);
+    same_count("blade", blade.count, std::size_t{rows} * columns);
+    desc.points = blade.data;
+    desc.point_stride_bytes = blade.stride_bytes;
+    desc.rows = rows;
+    desc.columns = columns;
+    const SceneWriting self(*state_);
+    std::size_t cuts = 0;
+    check(dsw_scene_cut_bodies(self.handle, &desc, bodies.count ? bodies.data : nullptr,
+                               bodies.count, &cuts));
+    return cuts;
+  }
+  /** Where the last cut of bodies has cut. */
+  Array<dsw_body_cut> get_body_cuts() const { return list<dsw_body_cut>(dsw_scene_get_body_cuts); }
   void move_together(View<const dsw_body_id> bodies, Points targets,
                      const dsw_together_options *options, View<dsw_move_report> reports) {
     count_points(dimension(), targets);

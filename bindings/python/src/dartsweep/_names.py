@@ -252,6 +252,17 @@ class Named:
         self._core.mark_faces(faces, mark)
         return len(faces)
 
+    def mark_exit(self, surface: int | str, patch: int | None = None) -> int:
+        """Makes a surface of the outer boundary an exit, by its name or tag; returns the number of faces. What leaves there is told by `patch`, by
+        default the surface's tag."""
+        names = self._surfaces(surface)
+        number = self._names.surfaces.tags[names[0]] if patch is None else patch
+        if number < 1:
+            raise ValueError(f"an exit needs a number above 0, {surface!r} has the tag {number}: give a `patch`")
+        faces = self.faces(surface)
+        self._core.mark_exits(faces, number)
+        return len(faces)
+
     def name_surface(self, name: str, faces: Ids, tag: int | None = None) -> None:
         """Gives a name and a tag, by default the next free one, to faces. A name that there is gets these faces as well."""
         me = cast("Environment", self)

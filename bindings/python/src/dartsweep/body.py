@@ -235,6 +235,10 @@ class Body:
         """Vertices that responses inserted and removed in the last move."""
         return self._core.get_edits()  # type: ignore[no-any-return]
 
+    def exits(self) -> Records:
+        """Vertices that left in the last move with MoveFlag.LEAVE (dtypes.EXIT)."""
+        return self._core.get_exits()  # type: ignore[no-any-return]
+
     # --- near rows
 
     def near_rows(self, margin: float, radius: float = 0.0, jacobian: bool = False) -> Records:

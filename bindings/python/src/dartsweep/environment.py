@@ -417,6 +417,19 @@ class Environment(Named, Topology):
         """Sets the mark of vertices."""
         self._core.mark_vertices(vertices, mark)
 
+    def mark_exits(self, faces: IdOrIds, patch: int = 1) -> None:
+        """Makes faces of the outer boundary an exit with this number, through which particles leave, and vertices with MoveFlag.LEAVE; with 0
+        none any more."""
+        self._core.mark_exits(faces, patch)
+
+    def exit_of(self, face: Any) -> int:
+        """The number of the exit that a face is, or 0."""
+        return self._core.get_exit(face)  # type: ignore[no-any-return]
+
+    def exit_faces(self) -> Records:
+        """The faces of all exits."""
+        return self._core.get_exit_faces()  # type: ignore[no-any-return]
+
     def is_marked(self, cell: Any) -> bool:
         """Whether the cell itself carries a mark."""
         return self._core.is_marked(cell_of(cell))  # type: ignore[no-any-return]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from types import TracebackType
 from typing import Any, NamedTuple
@@ -191,6 +191,11 @@ class Scene:
         self._core.move_particles(particles, targets, options, flights)
         return flights
 
+    def exits(self) -> Records:
+        """What came to an exit in the last move of particles (dtypes.EXIT): where, when, and which particle. With CastFlag.LEAVE it is removed, else
+        it waits there."""
+        return self._core.get_exits()  # type: ignore[no-any-return]
+
     def cast_from_particles(
         self, particles: Ids, targets: ArrayLike, options: CastOptions | None = None, out: Records | None = None
     ) -> Records:
@@ -198,6 +203,21 @@ class Scene:
         flights = np.empty(len(particles), dtypes.FLIGHT) if out is None else out
         self._core.cast_from_particles(particles, targets, options, flights)
         return flights
+
+    def cut_bodies(self, blade: ArrayLike, bodies: Iterable[Body] | None = None) -> Records:
+        """Cuts edges of bodies along the surface that a blade sweeps (dtypes.BODY_CUT), of all bodies unless some are given.
+
+        blade: points of shape (rows, columns, 3), in the plane of shape (n, 2). Both sides of each cut get an end of their own."""
+        points = np.ascontiguousarray(blade, np.float64)
+        if self._core.dimension() == 2 and points.ndim == 2:
+            points = points[:, np.newaxis]
+        if points.ndim != 3:
+            raise ValueError("a blade has shape (rows, columns, 3), or (n, 2) in the plane")
+        some = None if bodies is None else [body.id for body in bodies]
+        if some is not None and not some:
+            return np.empty(0, dtypes.BODY_CUT)
+        self._core.cut_bodies(points.reshape(-1, points.shape[2]), points.shape[0], points.shape[1], some)
+        return self._core.get_body_cuts()  # type: ignore[no-any-return]
 
     def cast(
         self,

@@ -24,6 +24,7 @@ TAGS = "dartsweep:tags"
 INPUT = "dartsweep:input"
 """Which cell of a data set each cell is, where dartsweep.vtk asks for it: the tag of its volume."""
 _FACES, _MARKED_FACES, _MARKED_EDGES, _MARKED_VERTICES = (f"dartsweep:{name}" for name in ("faces", "marked_faces", "marked_edges", "marked_vertices"))
+_EXITS, _EXIT_PATCHES = "dartsweep:exits", "dartsweep:exit_patches"
 
 
 def fields_of(environment: Environment) -> dict[str, NDArray[Any]]:
@@ -46,6 +47,8 @@ def fields_of(environment: Environment) -> dict[str, NDArray[Any]]:
         _MARKED_FACES: _stream(_marked(environment, CellKind.FACE)),
         _MARKED_EDGES: _stream(_marked(environment, CellKind.EDGE)),
         _MARKED_VERTICES: _marked_vertices(environment),
+        _EXITS: _stream([environment.vertices(face)["index"].astype(np.int64) for face in environment.exit_faces()]),
+        _EXIT_PATCHES: np.array([environment.exit_of(face) for face in environment.exit_faces()], np.int64),
     }
     return {name: array for name, array in made.items() if len(array)}  # PyVista has no empty arrays
 
@@ -139,5 +142,10 @@ def mark(environment: Environment, mesh: Mesh) -> None:
         environment.mark_edges(environment.find_edges(_rows(fields[_MARKED_EDGES])[1].reshape(-1, 2)))
     if _MARKED_VERTICES in fields:
         environment.mark_vertices([environment.vertex_id(int(index)) for index in fields[_MARKED_VERTICES]])
+    if _EXITS in fields:
+        patches = np.asarray(fields[_EXIT_PATCHES])
+        faces = environment.find_faces(*_rows(fields[_EXITS]))
+        for patch in np.unique(patches).tolist():
+            environment.mark_exits(faces[patches == patch], patch)
     plane = json.loads(np.asarray(fields[NAMES]).astype(np.uint8).tobytes()).get("plane")
     environment._names.plane = None if plane is None else PlaneFrame(np.array(plane[0]), np.array(plane[1]))

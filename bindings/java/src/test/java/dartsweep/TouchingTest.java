@@ -32,6 +32,49 @@ class TouchingTest {
   };
 
   @Test
+  void particlesAndVerticesLeave() {
+    try (Environment environment = create(0, 0, new double[] {0, 0, 0, 1});
+        Scene scene = new Scene(environment)) {
+      FaceId top = environment.cast(new double[] {0.5, 0.5, 0.5}, new double[] {0.5, 0.5, 3}).getContact().getWall();
+      FaceIdArray faces = new FaceIdArray(1);
+      faces.set(0, top);
+      environment.markExits(faces, 6);
+      assertEquals(6, environment.getExit(top));
+      assertEquals(1, environment.getExitFaces().size());
+      CastOptions leave = new CastOptions();
+      leave.setFlags(Dartsweep.CAST_LEAVE);
+      ParticleId particle = scene.createParticle(new double[] {0.25, 0.25, 0.5});
+      assertEquals(Outcome.EXIT, scene.moveParticle(particle, new double[] {0.25, 0.25, 2.5}, leave).getOutcome());
+      assertEquals(0, scene.getParticleCount());
+      assertEquals(1, scene.getExits().size());
+      assertEquals(6, scene.getExits().get(0).getPatch());
+      assertEquals(0.25, scene.getExits().get(0).getTime());
+      double[] rod = {0.25, 0.5, 0.25, 0.25, 0.5, 0.75};
+      Body body = scene.createBody(DoubleBuffer.wrap(rod), new int[] {0, 1}, null, new BodyDesc());
+      MoveOptions away = new MoveOptions();
+      away.setFlags(Dartsweep.MOVE_LEAVE);
+      body.move(DoubleBuffer.wrap(new double[] {0.25, 0.5, 0.75, 0.25, 0.5, 1.25}), away);
+      assertEquals(1, body.getExits().get(0).getVertex().index());
+    }
+  }
+
+  @Test
+  void threadsAreCut() {
+    try (Environment environment = create(0, 0, new double[] {0, 0, 0, 1});
+        Scene scene = new Scene(environment)) {
+      double[] line = {0.25, 0.5, 0.5, 0.75, 0.5, 0.5};
+      Body thread = scene.createBody(DoubleBuffer.wrap(line), new int[] {0, 1}, null, new BodyDesc());
+      DoubleBuffer blade = DoubleBuffer.wrap(new double[] {0.375, 0, 0, 0.375, 0, 1, 0.375, 1, 0, 0.375, 1, 1});
+      assertEquals(1, scene.cutBodies(blade, 2, 2));
+      assertEquals(0.25, scene.getBodyCuts().get(0).getEdgeParameter());
+      assertEquals(thread.id().index(), scene.getBodyCuts().get(0).getBody().index());
+      assertEquals(0, scene.cutBodies(blade, 2, 2));
+      assertEquals(2, thread.getCounts().getEdgeCount());
+      assertThrows(DartsweepException.WrongSize.class, () -> scene.cutBodies(blade, 2, 3));
+    }
+  }
+
+  @Test
   void raysMeetBodies() {
     try (Environment environment = create(0, 0, new double[] {0, 0, 0, 1});
         Scene scene = new Scene(environment, Dartsweep.FEATURE_BODY_CONTACTS)) {
