@@ -9,7 +9,11 @@ namespace dsw {
 template <int D>
 void ObstacleFlood<D>::find(const Cell* starts, size_t count, const NearRegion<D>& region, NearList<D>& found) {
   cells_.clear();
-  for (size_t i = 0; i < count; ++i) cells_.insert(starts[i]);
+  are_open_ = true;
+  for (size_t i = 0; i < count; ++i) {
+    cells_.insert(starts[i]);
+    are_open_ = are_open_ && admits(env_, starts[i]);
+  }
   std::fill_n(known_, kKnown, Known{kNoCell, 0});
   for (size_t i = 0; i < cells_.size(); ++i) visit(cells_[i], region, found);
 }
@@ -17,6 +21,7 @@ void ObstacleFlood<D>::find(const Cell* starts, size_t count, const NearRegion<D
 template <int D>
 void ObstacleFlood<D>::find_from(Cell start, const NearRegion<D>& region, NearList<D>& found) {
   size_t i = cells_.size();
+  are_open_ = are_open_ && admits(env_, start);
   for (cells_.insert(start); i < cells_.size(); ++i) visit(cells_[i], region, found);
 }
 
@@ -44,7 +49,7 @@ void ObstacleFlood<D>::follow(Cell c, uint32_t facet, NearList<D>& found) {
 template <int D>
 void ObstacleFlood<D>::visit_tetrahedron(Cell c, const NearRegion<D>& region, NearList<D>& found) {
   const uint32_t* const w = env_.map.record(c);
-  const bool is_plain = !env_.has_moved() && !env_.map.marked(c);
+  const bool has_moved = env_.has_moved(), is_plain = are_open_ && !env_.map.marked(c);
   uint32_t bits[4];
   outside_.resize(4);
   for (uint32_t i = 0; i < 4; ++i) outside_[i] = bits[i] = outside(w[i] & kVertexMask, region);
@@ -53,10 +58,16 @@ void ObstacleFlood<D>::visit_tetrahedron(Cell c, const NearRegion<D>& region, Ne
     if ((bits[v[0]] & bits[v[1]] & bits[v[2]]) != 0) continue;
     const HalfFacet beyond{w[4 + f]};  // an address below kNoFacet, unless the facet is marked or has no other side
     const Cell next = is_plain && beyond.word < kNoFacet ? env_.map.cell_of(beyond) : Cell{};
-    if (next.valid() && !env_.map.marked(next)) {
-      cells_.insert(next);
-    } else {
+    if (!next.valid() || env_.map.marked(next)) {
       follow(c, f, found);
+    } else if (!has_moved) {
+      cells_.insert(next);
+    } else if (!cells_.contains(next)) {
+      if (admits(env_, next)) {
+        cells_.insert(next);
+      } else {
+        follow(c, f, found);
+      }
     }
   }
 }

@@ -44,6 +44,7 @@ class ObstacleFlood {
   const Environment<D>& env_;
   const double* next_ = nullptr;
   CellQueue cells_;
+  bool are_open_ = true;     // the cells that were reached: none of them is invalid
   Array<uint32_t> outside_;  // of the vertices of the cell that is visited
   Known known_[kKnown];
 };

@@ -152,7 +152,8 @@ template <int D>
 bool Call<D>::arrive(double time) {
   if (time != 1) points.shorten_further(time, place_on_way<D>);
   points.read_next();
-  if ((time != 1 && !ways_.walls.stayed_valid(points.starts())) || !ways_.walls.find_arrivals(trajectories_)) {
+  if ((time != 1 && !ways_.walls.stayed_valid(points.starts())) ||
+      !ways_.walls.find_arrivals(trajectories_, points.starts())) {
     points.read_start();
     return false;
   }

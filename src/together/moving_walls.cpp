@@ -64,10 +64,26 @@ void MovingWalls<D>::begin(PointsWay<D>& way, Array<dsw_volume_id>& invalid) noe
 }
 
 template <int D>
-void MovingWalls<D>::start(const Array<Trajectory<D>>& trajectories) {
-  checked_.clear();
+void MovingWalls<D>::start(Array<Trajectory<D>>& trajectories) {
   counts = {};
   contacts.clear();
+  const size_t invalid_before = invalid_->size();
+  checked_.clear();
+  collect_all(trajectories);
+  stay_valid_ = are_valid_from(0);
+  const auto has_room = [](const Trajectory<D>& of) { return of.beyond > 0; };
+  if (stay_valid_ || dsw::none_of(trajectories.begin(), trajectories.end(), has_room)) return;
+  // Cells count that the ways meet, and not those in the room beside them.
+  invalid_->resize(invalid_before);
+  tighten(trajectories);
+}
+
+template <int D>
+void MovingWalls<D>::tighten(Array<Trajectory<D>>& trajectories) {
+  for (Trajectory<D>& of : trajectories) {
+    if (of.is_led) of.set_rooms(0);
+  }
+  checked_.clear();
   collect_all(trajectories);
   stay_valid_ = are_valid_from(0);
 }
@@ -75,8 +91,11 @@ void MovingWalls<D>::start(const Array<Trajectory<D>>& trajectories) {
 template <int D>
 void MovingWalls<D>::collect_again(const Array<Trajectory<D>>& trajectories) {
   const size_t before = checked_.size();
-  collect_all(trajectories);
-  held.include(checked_);
+  for (Near& near : nears_) {
+    const Trajectory<D>& of = trajectories[near.trajectory];
+    const SimplexCorners<D> corners(*of.motion.body, near.part);
+    if (!near.has_edge && of.has_new_rooms(corners)) collect(of, near);
+  }
   finish_round();
   stay_valid_ = are_valid_from(before) && stay_valid_;
 }
@@ -88,11 +107,38 @@ void MovingWalls<D>::collect_all(const Array<Trajectory<D>>& trajectories) {
   walls_.clear();
   ends_.clear();
   cells_.clear();
+  near_outers.clear();
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
     for_each_simplex(*trajectories[t].motion.body, [&](const Simplex& part) {
-      collect(trajectories[t], t, part);
+      nears_.push_back(Near(t, part));
       return true;
     });
+  }
+  stand_for_ends(trajectories);
+  for (Near& near : nears_) {
+    if (!near.has_edge) collect(trajectories[near.trajectory], near);
+  }
+}
+
+/** Edges that are led find what comes near their ends, too: the rooms of these are in the region of the edge. */
+template <int D>
+void MovingWalls<D>::stand_for_ends(const Array<Trajectory<D>>& trajectories) {
+  Array<uint32_t> numbers(env_.memory);  // by vertex
+  for (uint32_t i = 0; i < nears_.size(); ++i) {
+    const auto& [kind, index] = nears_[i].part;
+    const Trajectory<D>& of = trajectories[nears_[i].trajectory];
+    const Body<D>& body = *of.motion.body;
+    if (!of.is_led || !covers_edges(body.level)) continue;
+    if (kind == Simplex::kVertex) {
+      numbers.resize(body.vertices.size());
+      numbers[index] = i;
+    }
+    for (uint32_t k = 0; kind == Simplex::kEdge && k < 2; ++k) {
+      const uint32_t v = body.edges[index].ends[k];
+      if (body.vertices[v].first_edge != index) continue;
+      nears_[i].ends[k] = numbers[v];
+      nears_[numbers[v]].has_edge = true;
+    }
   }
 }
 
@@ -107,20 +153,48 @@ bool MovingWalls<D>::are_valid_from(size_t first) {
 }
 
 template <int D>
-void MovingWalls<D>::collect(const Trajectory<D>& of, uint32_t number, const Simplex& part) {
-  const SimplexCorners<D> corners(*of.motion.body, part);
+void MovingWalls<D>::collect(const Trajectory<D>& of, Near& near) {
+  const Body<D>& body = *of.motion.body;
+  const SimplexCorners<D> corners(body, near.part);
+  // Outer parts keep their distances for those that they cover.
+  const bool is_outer = !is_covered(body, near.part);
   list_.clear();
-  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1, region_of_way(of, part), list_);
-  Near near{number, part, static_cast<uint32_t>(features_.size()), 0, static_cast<uint32_t>(cells_.size()), 0};
+  flood_.find(&body.vertices[corners.vertices[0]].cell, 1,
+              region_of_way(of, near.part, is_outer || !of.is_led ? body.radius : 0), list_);
+  near.first_feature = static_cast<uint32_t>(features_.size());
+  near.first_cell = static_cast<uint32_t>(cells_.size());
   add_cells();
-  if (part.kind != Simplex::kVertex) cells_.resize(near.first_cell);
+  if (near.part.kind != Simplex::kVertex) cells_.resize(near.first_cell);
   if (!list_.empty()) {
     list_.finish({env_.points, D});
-    add_features(part);
+    add_features(of, near.part);
   }
   near.feature_end = static_cast<uint32_t>(features_.size());
+  for (const uint32_t number : near.ends) {
+    if (number == kNone) continue;
+    Near& end = nears_[number];
+    end.first_feature = static_cast<uint32_t>(features_.size());
+    if (!list_.empty()) add_features(of, end.part);
+    end.feature_end = static_cast<uint32_t>(features_.size());
+  }
+  if (is_outer) near.outer = add_obstacles(near.outer, body.radius > 0);
   near.cell_end = static_cast<uint32_t>(cells_.size());
-  if (part.kind == Simplex::kVertex || near.first_feature != near.feature_end) nears_.push_back(near);
+}
+
+/** Notes the obstacles of the last flood. */
+template <int D>
+uint32_t MovingWalls<D>::add_obstacles(uint32_t outer, bool is_thick) {
+  if (outer == kNone) {
+    outer = static_cast<uint32_t>(near_outers.ranges.size());
+    near_outers.ranges.emplace_back();
+  }
+  const size_t first = near_outers.walls.size();
+  for (size_t i = 0; is_thick && i < list_.obstacles().size(); ++i) {
+    WallFeature& wall = near_outers.walls.emplace_back(list_.obstacles()[i]);
+    for (uint32_t k = 0; k < wall.count; ++k) wall.vertices[k] = list_.name(wall.vertices[k]);
+  }
+  near_outers.ranges[outer] = {first, near_outers.walls.size()};
+  return outer;
 }
 
 /** Notes the cells of the last flood. */
@@ -141,10 +215,17 @@ void MovingWalls<D>::add_cells() {
 /** The triangles of walls for a vertex, their sides for an edge, and their corners for a face; in the plane their segments
  * for a vertex, and their ends for an edge. */
 template <int D>
-void MovingWalls<D>::add_features(const Simplex& part) {
+void MovingWalls<D>::add_features(const Trajectory<D>& of, const Simplex& part) {
   const uint32_t wanted = D - static_cast<uint32_t>(part.kind);
+  const Box<D> box = of.is_led ? box_of_rooms(of, part) : Box<D>::everything();
   for (const NearFeature& f : list_.features()) {
     if (f.count != wanted) continue;
+    Box<D> way;
+    for (uint32_t i = 0; i < wanted; ++i) {
+      way.add(list_.point(f.corners[i]));
+      way.add(next_ + size_t{D} * list_.name(f.corners[i]));
+    }
+    if (of.is_led && !box.overlaps(way)) continue;
     Feature feature{{{kNone, kNone, kNone}, wanted, {}, {}}, ends_.size(), walls_.size(), 0};
     for (uint32_t i = 0; i < wanted; ++i) {
       feature.name.vertices[i] = list_.name(f.corners[i]);
@@ -239,6 +320,7 @@ template <int D>
 template <class Visit>
 bool MovingWalls<D>::visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit) {
   for (const Near& near : nears_) {
+    if (near.part.kind != Simplex::kVertex && near.first_feature == near.feature_end) continue;
     const Trajectory<D>& of = trajectories[near.trajectory];
     const bool is_new_part = is_new(of, SimplexCorners<D>(*of.motion.body, near.part));
     ++counts.swept;
@@ -379,15 +461,30 @@ bool MovingWalls<D>::stayed_valid(const double* start) {
 }
 
 template <int D>
-bool MovingWalls<D>::find_arrivals(Array<Trajectory<D>>& trajectories) const {
+bool MovingWalls<D>::find_arrivals(Array<Trajectory<D>>& trajectories, const double* start) {
+  arrival_flood_.set_next(start);
   for (const Near& near : nears_) {
     if (near.part.kind != Simplex::kVertex) continue;
     Trajectory<D>& of = trajectories[near.trajectory];
     const double* const at = of.end(near.part.index);
     Cell& arrival = of.motion.ways[near.part.index].arrival;
+    const auto is_in = [&](Cell c) { return admits(env_, c) && contains(env_, c, at); };
+    const Cell before = of.motion.body->vertices[near.part.index].cell;
     arrival = {};
-    for (uint32_t i = near.first_cell; i < near.cell_end && !arrival.valid(); ++i) {
-      if (admits(env_, cells_[i]) && contains(env_, cells_[i], at)) arrival = cells_[i];
+    if (!near.has_edge) {
+      for (uint32_t i = near.first_cell; i < near.cell_end && !arrival.valid(); ++i) {
+        if (is_in(cells_[i])) arrival = cells_[i];
+      }
+    } else if (is_in(before)) {
+      arrival = before;
+    } else {
+      // The way back goes through the same cells.
+      list_.clear();
+      arrival_flood_.find(&before, 1, region_of_way(of, near.part, 0), list_);
+      const CellQueue& cells = arrival_flood_.cells();
+      for (size_t i = 1; i < cells.size() && !arrival.valid(); ++i) {
+        if (checked_.contains(cells[i]) && is_in(cells[i])) arrival = cells[i];
+      }
     }
     if (!arrival.valid()) return false;
   }

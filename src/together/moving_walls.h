@@ -14,13 +14,14 @@ class MovingWalls {
   const Environment<D>& env_;
 
  public:
-  explicit MovingWalls(const Environment<D>& env) : env_(env), flood_(env), list_(env.memory) {}
+  explicit MovingWalls(const Environment<D>& env) : env_(env), flood_(env), arrival_flood_(env), list_(env.memory) {}
 
   /** The environment's points go straight from where they are to those in way.nexts(). Cells that are met and do not stay valid on the
    * way are appended to `invalid`. */
   void begin(PointsWay<D>& way, Array<dsw_volume_id>& invalid) noexcept;
-  /** Finds what comes near the whole ways of all parts in the call. Throws NON_FINITE also. */
-  void start(const Array<Trajectory<D>>& trajectories);
+  /** Finds what comes near the whole ways of all parts in the call, and in the rooms of those that are led. Throws NON_FINITE
+   * also. */
+  void start(Array<Trajectory<D>>& trajectories);
   /** From now on the points go straight on to these, beyond the ends of the ways that were collected. */
   void set_next(const double* points) noexcept { next_ = points; }
   /** Whether all cells that are met stay valid. */
@@ -43,28 +44,34 @@ class MovingWalls {
   /** Appends what each pair of a part and a feature touches first, of those with something new. */
   void find_all(const Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& all);
 
+  OuterWalls near_outers{env_.memory};  // what comes near thick ones
+
   // Points whose ways are shortened, each for itself.
   HeldPoints<D> held{env_};
-  /** Finds what comes near ways that have become others, and the cells that are met there. */
+  /** Finds what comes near the parts whose vertices have new rooms, and the cells that are met there. */
   void collect_again(const Array<Trajectory<D>>& trajectories);
+  /** Leaves what is beyond the ways out of the rooms: from now on cells are met that have to stay valid with points that are
+   * held, and no more of these than need be. */
+  void tighten(Array<Trajectory<D>>& trajectories);
   /** Where the points of a touch of the environment go. They live on. */
   template <class Touch>
   void find_goals(const Touch& touch, const double** goals) const {
     for (uint32_t i = 0; i < touch.wall.count; ++i) goals[i] = next_ + size_t{D} * touch.wall.vertices[i];
   }
   /** See HeldPoints. */
-  void start_round() { held.start_round(checked_); }
+  void start_round() noexcept { held.start_round(); }
   /** The points of a round have been shortened. */
   void finish_round() {
     held.keep_valid(checked_);
-    set_end(1);
+    if (held.any_held() || time_ != 1) set_end(1);
   }
   /** When the environment has its points of the end, which are rounded: whether all cells that are met stay valid on
    * the straight way there from `start`. Those that do not are appended to `invalid` of begin(). */
   bool stayed_valid(const double* start);
   /** When the environment has its points of the end: finds the cells that contain the ends of all vertices; whether
-   * there are such. */
-  bool find_arrivals(Array<Trajectory<D>>& trajectories) const;
+   * there are such.
+   * @param start where its points were. */
+  bool find_arrivals(Array<Trajectory<D>>& trajectories, const double* start);
 
   /** Nothing is known of paths before the end. */
   void cast_paths(Array<Trajectory<D>>&) noexcept {}
@@ -81,8 +88,14 @@ class MovingWalls {
   struct Near {
     uint32_t trajectory;
     Simplex part;
-    uint32_t first_feature, feature_end;
-    uint32_t first_cell, cell_end;  // of a vertex: where it may arrive
+    uint32_t first_feature = 0, feature_end = 0;
+    uint32_t first_cell = 0, cell_end = 0;  // of a vertex: where it may arrive; none: nobody has looked
+    uint32_t outer = kNone;                 // its number among these; kNone: another part covers it
+    uint32_t ends[2] = {kNone,
+                        kNone};  // the numbers of those ends that an edge stands for: a flood finds for all three
+    bool has_edge = false;       // an edge stands for it
+
+    Near(uint32_t of, const Simplex& each) : trajectory(of), part(each) {}
   };
   struct Feature {
     WallFeature name;
@@ -93,10 +106,12 @@ class MovingWalls {
     uint32_t vertices[D];
   };
   void collect_all(const Array<Trajectory<D>>& trajectories);
-  void collect(const Trajectory<D>& of, uint32_t number, const Simplex& part);
+  void collect(const Trajectory<D>& of, Near& near);
+  void stand_for_ends(const Array<Trajectory<D>>& trajectories);
   void add_cells();
+  uint32_t add_obstacles(uint32_t outer, bool is_thick);
   bool are_valid_from(size_t first);
-  void add_features(const Simplex& part);
+  void add_features(const Trajectory<D>& of, const Simplex& part);
   template <class Visit>
   bool visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit);
   bool set_pair(const Trajectory<D>& of, const Near& near, const Feature& feature, WayTouch<D>& touch) const;
@@ -105,7 +120,7 @@ class MovingWalls {
 
   const double* next_ = nullptr;
   Array<dsw_volume_id>* invalid_ = nullptr;
-  ObstacleFlood<D> flood_;
+  ObstacleFlood<D> flood_, arrival_flood_;
   NearList<D> list_;
   bool stay_valid_ = true;
   Array<Near> nears_{env_.memory};

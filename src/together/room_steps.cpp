@@ -95,7 +95,7 @@ bool RoomSteps<D>::go_to(Array<Trajectory<D>>& trajectories, double fraction, bo
     return false;
   }
   step_.read_next();
-  if (!ways_.walls.find_arrivals(trajectories)) {
+  if (!ways_.walls.find_arrivals(trajectories, step_.starts())) {
     step_.read_start();
     return false;
   }

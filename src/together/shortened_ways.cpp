@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/search.h"
 #include "predicates/filtered.h"
 #include "together/moving_walls.h"
 #include "together/wall_ways.h"
@@ -79,7 +80,6 @@ typename ShortenedWays<D, Walls>::End ShortenedWays<D, Walls>::run(Array<Traject
     }
     for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{0});
     walls_.start_round();
-    point_cuts_.resize(walls_.held.count());
     // What is led elsewhere may touch again and again: in the last rounds it stops.
     const bool may_lead = leads && round < settings.rounds - settings.rounds / 4;
     const uint32_t before = group_;
@@ -171,7 +171,10 @@ template <int D, class Walls>
 template <class Touch, class Visit>
 void ShortenedWays<D, Walls>::for_each_cut(Array<Trajectory<D>>& trajectories, const Touch& touch, Visit visit) {
   for_each_touching(trajectories, touch, [&](Trajectory<D>& of, uint32_t v) { visit(cut_of(trajectories, of, v)); });
-  walls_.held.for_each(touch, [&](uint32_t number) { visit(point_cuts_[number]); });
+  walls_.held.for_each(touch, [&](uint32_t number) {
+    if (number >= point_cuts_.size()) point_cuts_.resize(number + size_t{1});
+    visit(point_cuts_[number]);
+  });
 }
 
 /** Adds rows for touches, which are no longer chosen then: their parts go elsewhere. */
@@ -235,6 +238,8 @@ void ShortenedWays<D, Walls>::set_goals(Array<Trajectory<D>>& trajectories) {
       rows_.keep_goal(trajectories, of, v);
     }
   }
+  const auto is_shortened = [](const Cut& cut) { return cut.is_shortened; };
+  if (dsw::any_of(point_cuts_.begin(), point_cuts_.end(), is_shortened)) walls_.tighten(trajectories);
   for (uint32_t number = 0; number < point_cuts_.size(); ++number) {
     Cut& cut = point_cuts_[number];
     if (!cut.is_shortened) continue;
@@ -279,7 +284,10 @@ void ShortenedWays<D, Walls>::collect_again(Array<Trajectory<D>>& trajectories) 
     return false;
   };
   if (std::none_of(trajectories.begin(), trajectories.end(), leaves)) return;
-  for (Trajectory<D>& of : trajectories) of.reaches = of.goals;
+  for (Trajectory<D>& of : trajectories) {
+    of.reaches = of.goals;
+    of.renew_rooms();
+  }
   walls_.collect_again(trajectories);
   bodies_.start_again(trajectories);
   thick_.start_again(trajectories);

@@ -27,6 +27,7 @@ namespace dsw {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kLeastPiece = 0x1p-46;  // of a time: what is shorter is left
 
 /** How far two hulls are apart along a direction, as linear functions of time, and what rounding can lose of each. */
 template <int D>
@@ -69,6 +70,46 @@ struct LinearGap {
     return time;
   }
 };
+
+/** Whether one direction shows on the whole way that a distance is kept. */
+template <int D>
+bool shows(const HullWays<D>& ways, const Vec& direction, double most, double enough) noexcept {
+  const LinearGap<D> along(ways, direction);
+  return along.at(0) >= enough && along.at(most) >= enough;
+}
+
+/** Across a facet of a side, at the start, from the second side to the first. Zero if there is no facet. */
+template <int D>
+Vec across_facet(const HullWays<D>& ways) noexcept {
+  for (uint32_t side = 0; side < 2; ++side) {
+    if (ways.count[side] != D) continue;
+    const double* const* const points = ways.start[side];
+    const Vec edge = difference<D>(points[1], points[0]);
+    Vec normal;
+    if constexpr (D == 2) {
+      normal = unit(turned(edge));
+    } else {
+      normal = unit(unit(edge).cross(unit(difference<D>(points[2], points[0]))));
+    }
+    const bool is_above = dot(normal, difference<D>(ways.start[1 - side][0], points[0])) >= 0;
+    return is_above == (side == 1) ? normal : -1 * normal;
+  }
+  return Vec::Zero();
+}
+
+/** No distance of two sides changes by more on their ways. */
+template <int D>
+double most_change(const HullWays<D>& ways) noexcept {
+  double sum = 0;
+  for (uint32_t side = 0; side < 2; ++side) {
+    double most = 0;
+    for (uint32_t i = 0; i < ways.count[side]; ++i) {
+      most = std::max(most, length(difference<D>(ways.end[side][i], ways.start[side][i])));
+    }
+    sum += most;
+  }
+  return sum;
+}
 
 /** How much a distance can change by the rounding of places where all points go alike. */
 template <int D>
@@ -138,13 +179,16 @@ double last_turning(const HullWays<D>& ways, double begin, double least, double 
                     double accepted) noexcept {
   constexpr int kMostTries = 16;
   constexpr double kLeastShare = 0x1p-4;  // another part of the hulls may be the one that comes nearer
-  double span = most - begin;
-  for (int tries = 0; tries < kMostTries && begin + span > least; ++tries) {
-    const double end = std::min(begin + span, most);
+  const auto gap_at = [&](double time) {
     double places[2][4][D];
     ConvexHull hulls[2];
-    place(ways, end, places, hulls);
-    const HullGap there = find_gap<D>(hulls[0], hulls[1], kInf, accepted);
+    place(ways, time, places, hulls);
+    return find_gap<D>(hulls[0], hulls[1], kInf, accepted);
+  };
+  double span = most - begin;
+  for (int tries = 0; tries < kMostTries && begin + span > least && span >= kLeastPiece * (begin + span); ++tries) {
+    const double end = std::min(begin + span, most);
+    const HullGap there = gap_at(end);
     if (!is_zero(there.normal) && there.distance >= accepted) {
       if (keeps_turning(ways, begin, end, gap.normal, there.normal, accepted)) return end;
       span /= 4;
@@ -159,17 +203,31 @@ double last_turning(const HullWays<D>& ways, double begin, double least, double 
 }  // namespace
 
 template <int D>
-double time_kept(const HullWays<D>& ways, double wanted, double most) noexcept {
+double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known) noexcept {
   constexpr int kMostPieces = 100, kMostNearPieces = 12;
-  constexpr double kLeastPiece = 0x1p-46, kNear = 0x1p-37;
+  constexpr double kNear = 0x1p-37;
   if (are_boxes_apart(ways, wanted)) return most;
   double time = 0, accepted = least_kept(wanted);
-  for (int piece = 0, near_pieces = 0; piece < kMostPieces; ++piece) {
+  if (shows(ways, *known, most, accepted)) return most;
+  *known = across_facet(ways);
+  if (shows(ways, *known, most, accepted)) return most;
+  const auto gap_at = [&](double at, double enough) {
     double places[2][4][D];
     ConvexHull hulls[2];
-    place(ways, time, places, hulls);
-    const HullGap gap = find_gap<D>(hulls[0], hulls[1], kInf, accepted);
+    place(ways, at, places, hulls);
+    return find_gap<D>(hulls[0], hulls[1], enough, accepted);
+  };
+  const double far = accepted + most_change(ways);
+  HullGap gap = gap_at(0, far);
+  *known = gap.normal;
+  if (gap.bound >= far) {
+    if (shows(ways, *known, most, accepted)) return most;
+    gap = gap_at(0, kInf);
+  }
+  for (int piece = 0, near_pieces = 0; piece < kMostPieces; ++piece) {
+    if (piece > 0) gap = gap_at(time, kInf);
     if (is_zero(gap.normal) || !is_finite<3>(gap.normal.data())) return time;
+    *known = gap.normal;
     const LinearGap<D> along(ways, gap.normal);
     if (piece == 0) {
       const double at_start = along.at(0);
@@ -191,58 +249,80 @@ double time_kept(const HullWays<D>& ways, double wanted, double most) noexcept {
 }
 
 template <int D>
-void ThickWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* next) {
+void ThickWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const OuterWalls* found) {
   pairs_.clear();
+  others_.clear();
+  outers_.clear();
+  walls_.clear();
   first.clear();
-  next_ = next;
+  found_ = found;
   bodies_meet_ = bodies_meet;
   const auto has_radius = [&](const Trajectory<D>& of) {
     return of.motion.body->radius > 0 || (bodies_meet && of.still != nullptr && of.still->has_thick);
   };
   if (dsw::none_of(trajectories.begin(), trajectories.end(), has_radius)) return;
-  walls_.clear();
-  flood_.set_next(next);
-  add_outers(trajectories);
-  for (uint32_t i = 0; i < outers_.size(); ++i) {
-    find_walls(trajectories, outers_[i]);
-    if (!bodies_meet) continue;
-    find_others(trajectories, i);
-    find_still(trajectories, outers_[i]);
-  }
-}
-
-/** Notes the parts that no others cover, each with the box that all within its radius lies in. */
-template <int D>
-void ThickWays<D>::add_outers(const Array<Trajectory<D>>& trajectories) {
-  for (uint32_t i = 0; i < outers_.size(); ++i) grid_.remove(i);
-  outers_.clear();
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
-    const Trajectory<D>& of = trajectories[t];
-    for_each_outer(*of.motion.body, [&](const Simplex& part) {
-      outers_.push_back({t, part, widened(box_of_way(of, part), of.motion.body->radius)});
+    for_each_outer(*trajectories[t].motion.body, [&](const Simplex& part) {
+      outers_.push_back({t, part, {}});
       return true;
     });
   }
-  grid_.reserve(outers_.size());
-  for (uint32_t i = 0; i < outers_.size(); ++i) grid_.put(i, outers_[i].box);
+  for (uint32_t i = 0; i < outers_.size(); ++i) find_walls(trajectories, i);
+  if (bodies_meet) find_bodies(trajectories);
 }
 
 template <int D>
-void ThickWays<D>::find_walls(const Array<Trajectory<D>>& trajectories, const Outer& outer) {
+void ThickWays<D>::start_again(const Array<Trajectory<D>>& trajectories) {
+  for (uint32_t i = 0; i < outers_.size(); ++i) {
+    const Trajectory<D>& of = trajectories[outers_[i].trajectory];
+    if (of.has_new_rooms(SimplexCorners<D>(*of.motion.body, outers_[i].part))) find_walls(trajectories, i);
+  }
+  if (bodies_meet_) find_bodies(trajectories);
+}
+
+/** Finds pairs of parts and of bodies. All within the radius of a part lies in its box. */
+template <int D>
+void ThickWays<D>::find_bodies(const Array<Trajectory<D>>& trajectories) {
+  others_.clear();
+  for (; boxed_ > 0; --boxed_) grid_.remove(boxed_ - 1);
+  grid_.reserve(outers_.size());
+  boxed_ = static_cast<uint32_t>(outers_.size());
+  for (uint32_t i = 0; i < outers_.size(); ++i) {
+    const Trajectory<D>& of = trajectories[outers_[i].trajectory];
+    outers_[i].box = widened(box_of_way(of, outers_[i].part), of.motion.body->radius);
+    grid_.put(i, outers_[i].box);
+  }
+  for (uint32_t i = 0; i < outers_.size(); ++i) {
+    outers_[i].first_other = others_.size();
+    find_others(trajectories, i);
+    find_still(trajectories, outers_[i]);
+    outers_[i].other_end = others_.size();
+  }
+}
+
+template <int D>
+void ThickWays<D>::find_walls(const Array<Trajectory<D>>& trajectories, uint32_t number) {
+  Outer& outer = outers_[number];
   const Trajectory<D>& of = trajectories[outer.trajectory];
   const double radius = of.motion.body->radius;
+  outer.first_pair = outer.pair_end = pairs_.size();
   if (!(radius > 0)) return;
+  if (found_ != nullptr) {
+    const OuterWalls::Range range = found_->ranges[number];
+    for (size_t i = range.first; i < range.end; ++i) add_wall(outer, found_->walls[i], radius);
+    return;
+  }
   const SimplexCorners<D> corners(*of.motion.body, outer.part);
   list_.clear();
-  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1, region_of_way(of, outer.part), list_);
-  if (list_.empty()) return;
-  list_.finish({env_.points, D}, false);
-  for (const WallFeature& obstacle : list_.obstacles()) {
-    WallFeature wall = obstacle;
-    for (uint32_t i = 0; i < obstacle.count; ++i) wall.vertices[i] = list_.name(obstacle.vertices[i]);
-    pairs_.push_back({outer.trajectory, outer.part, kNone, nullptr, {}, static_cast<uint32_t>(walls_.size()), radius});
-    walls_.push_back(wall);
-  }
+  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1, region_of_way(of, outer.part, radius), list_);
+  for (const WallFeature& wall : list_.obstacles()) add_wall(outer, wall, radius);
+}
+
+template <int D>
+void ThickWays<D>::add_wall(Outer& outer, const WallFeature& wall, double radius) {
+  pairs_.push_back({outer.trajectory, outer.part, kNone, nullptr, {}, static_cast<uint32_t>(walls_.size()), radius});
+  walls_.push_back(wall);
+  ++outer.pair_end;
 }
 
 /** Finds other parts that move, and come before in the list; of a body that is thick those alone that are not joined to it. */
@@ -270,7 +350,7 @@ void ThickWays<D>::find_others(const Array<Trajectory<D>>& trajectories, uint32_
       }
       if (dsw::any_of(others.begin(), others.end(), [&](uint32_t v) { return joined_.has(v); })) return true;
     }
-    pairs_.push_back({outer.trajectory, outer.part, other.trajectory, &second.name, other.part, 0, wanted});
+    others_.push_back({outer.trajectory, outer.part, other.trajectory, &second.name, other.part, 0, wanted});
     return true;
   });
 }
@@ -286,7 +366,7 @@ void ThickWays<D>::find_still(const Array<Trajectory<D>>& trajectories, const Ou
     const Box<D> box = widened(outer.box, other.radius);
     const auto add = [&](const Simplex& part) {
       if (!is_covered(other, part)) {
-        pairs_.push_back({outer.trajectory, outer.part, kNone, &each, part, 0, wanted});
+        others_.push_back({outer.trajectory, outer.part, kNone, &each, part, 0, wanted});
       }
       return true;
     };
@@ -342,18 +422,28 @@ double ThickWays<D>::find_first(const Array<Trajectory<D>>& trajectories, double
   // The limit is the same for all: where a piece ends may depend on it in the last bits.
   const double limit = most;
   const auto time_of = [&](const Pair& pair, HullWays<D>& ways) {
-    return set_ways(trajectories, pair, ways) ? time_kept(ways, pair.wanted, limit) : limit;
+    return set_ways(trajectories, pair, ways) ? pair_time_kept(pair, ways, limit) : limit;
   };
-  for (const Pair& pair : pairs_) {
+  for_each_pair([&](const Pair& pair) {
     HullWays<D> ways{};
     most = std::min(most, time_of(pair, ways));
-  }
+  });
   if (most >= limit) return limit;
-  for (const Pair& pair : pairs_) {
+  for_each_pair([&](const Pair& pair) {
     HullWays<D> ways{};
     if (time_of(pair, ways) == most) describe(pair, ways, most, first);
-  }
+  });
   return most;
+}
+
+/** See time_kept. What shows a distance mostly shows it again, on another way of the same pair. */
+template <int D>
+double ThickWays<D>::pair_time_kept(const Pair& pair, const HullWays<D>& ways, double most) const {
+  const double sign = ways.first == 0 ? 1 : -1;
+  Vec known = sign * pair.known;
+  const double time = time_kept(ways, pair.wanted, most, &known);
+  pair.known = sign * known;
+  return time;
 }
 
 /** Adds what has come too near. */

@@ -20,9 +20,10 @@ struct HullWays {
 
 /** Up to which time, at most `most`, two hulls keep a distance while their points go straight and steadily: certified, so at
  * most the true time. What moves keeps a little more than what stands (thick_sweep.h). What begins nearer than that by rounding
- * does not come nearer than it was. So what has moved can leave, and go along with what it touches. */
+ * does not come nearer than it was. So what has moved can leave, and go along with what it touches.
+ * @param known a direction that may show the distance, from the second hull to the first; then the one that was found last. */
 template <int D>
-double time_kept(const HullWays<D>& ways, double wanted, double most) noexcept;
+double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known) noexcept;
 
 /** Something that comes too near to a part that moves. */
 template <int D>
@@ -54,6 +55,20 @@ double step_back(const TooNearOnWay<D>& near) noexcept {
   return step;
 }
 
+/** What of the environment comes near parts that no others cover: found together with what these touch. */
+struct OuterWalls {
+  struct Range {
+    size_t first, end;
+  };
+  explicit OuterWalls(const Memory* memory) : walls(memory), ranges(memory) {}
+  void clear() {
+    walls.clear();
+    ranges.clear();
+  }
+  Array<WallFeature> walls;
+  Array<Range> ranges;  // of the parts, as for_each_outer visits them, trajectory after trajectory
+};
+
 /** Keeps its memory from call to call; one for each thread. Throws std::bad_alloc. */
 template <int D>
 class ThickWays {
@@ -64,12 +79,12 @@ class ThickWays {
       : env_(env), flood_(env), list_(env.memory), grid_(env.memory), joined_(env.memory) {}
 
   /** Finds what can come too near on the whole ways.
-   * @param next where the environment's points go; null: they stand still. */
-  void start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* next);
-  /** Finds it for ways that have become others. */
-  void start_again(const Array<Trajectory<D>>& trajectories) { start(trajectories, bodies_meet_, next_); }
+   * @param found what of the environment can; null: it stands still, and is not known. Lives on. */
+  void start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const OuterWalls* found);
+  /** Finds it for parts whose vertices have new rooms, and for ways that have become others. */
+  void start_again(const Array<Trajectory<D>>& trajectories);
   /** Whether any body has distances to keep. */
-  bool is_needed() const noexcept { return !pairs_.empty(); }
+  bool is_needed() const noexcept { return !pairs_.empty() || !others_.empty(); }
   /** Tells where the ways of the environment's points end. */
   template <class Walls>
   void set_wall_ends(const Walls& walls) {
@@ -84,12 +99,12 @@ class ThickWays {
    * @param held the environment's points that go. */
   template <class Held>
   void find_all(const Array<Trajectory<D>>& trajectories, const Held& held, Array<TooNearOnWay<D>>& all) const {
-    for (const Pair& pair : pairs_) {
+    for_each_pair([&](const Pair& pair) {
       HullWays<D> ways{};
-      if (!is_new_pair(trajectories, held, pair) || !set_ways(trajectories, pair, ways)) continue;
-      const double time = time_kept(ways, pair.wanted, 1);
+      if (!is_new_pair(trajectories, held, pair) || !set_ways(trajectories, pair, ways)) return;
+      const double time = pair_time_kept(pair, ways, 1);
       if (time < 1) describe(pair, ways, time, all);
-    }
+    });
   }
   Array<TooNearOnWay<D>> first{env_.memory};
 
@@ -103,12 +118,21 @@ class ThickWays {
     Simplex other_part;
     uint32_t wall;  // in walls_
     double wanted;
+    mutable Vec known = Vec::Zero();  // the direction that was found last, from the other to the part
   };
   struct Outer {
     uint32_t trajectory;
     Simplex part;
     Box<D> box;
+    size_t first_pair = 0, pair_end = 0, first_other = 0, other_end = 0;
   };
+  template <class Visit>
+  void for_each_pair(Visit visit) const {
+    for (const Outer& outer : outers_) {
+      for (size_t i = outer.first_pair; i < outer.pair_end; ++i) visit(pairs_[i]);
+      for (size_t i = outer.first_other; i < outer.other_end; ++i) visit(others_[i]);
+    }
+  }
   template <class Held>
   bool is_new_pair(const Array<Trajectory<D>>& trajectories, const Held& held, const Pair& pair) const {
     const auto is_new_part = [&](uint32_t trajectory, const Simplex& part) {
@@ -120,9 +144,11 @@ class ThickWays {
            (pair.other == nullptr && held.has_new(walls_[pair.wall].vertices, walls_[pair.wall].count));
   }
   bool set_ways(const Array<Trajectory<D>>& trajectories, const Pair& pair, HullWays<D>& ways) const;
+  double pair_time_kept(const Pair& pair, const HullWays<D>& ways, double most) const;
   void describe(const Pair& pair, const HullWays<D>& ways, double time, Array<TooNearOnWay<D>>& all) const;
-  void add_outers(const Array<Trajectory<D>>& trajectories);
-  void find_walls(const Array<Trajectory<D>>& trajectories, const Outer& outer);
+  void find_walls(const Array<Trajectory<D>>& trajectories, uint32_t number);
+  void add_wall(Outer& outer, const WallFeature& wall, double radius);
+  void find_bodies(const Array<Trajectory<D>>& trajectories);
   void find_others(const Array<Trajectory<D>>& trajectories, uint32_t number);
   void find_still(const Array<Trajectory<D>>& trajectories, const Outer& outer);
 
@@ -131,10 +157,11 @@ class ThickWays {
   BoxGrid<D> grid_;
   Joined<D> joined_;
   Array<Outer> outers_{env_.memory};
-  Array<Pair> pairs_{env_.memory};
+  Array<Pair> pairs_{env_.memory}, others_{env_.memory};  // of parts and the environment, and of parts and bodies
   Array<WallFeature> walls_{env_.memory};
   Array<double> wall_ends_{env_.memory};  // three points for each wall
-  const double* next_ = nullptr;
+  const OuterWalls* found_ = nullptr;
+  uint32_t boxed_ = 0;  // as many have been put in the grid
   bool bodies_meet_ = false;
 };
 

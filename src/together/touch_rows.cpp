@@ -25,7 +25,6 @@ constexpr double kThickApart = 0x1p-45;   // likewise: what certified distances 
 constexpr double kFarther = 0x1p-30;      // of a distance that is to be kept
 constexpr double kAboutAsNear = 0x1p-20;  // likewise
 constexpr double kNext = 0x1p-4;          // likewise: of a corner that comes too near to a facet a little later
-constexpr double kFar = 4;                // times the longest way, vertices are led
 
 /** Orders points by where they go. */
 template <int D>
@@ -119,7 +118,7 @@ void TouchRows<D>::start(const Array<Trajectory<D>>& trajectories, bool carries)
     for (uint32_t v = 0; v < bases.size(); ++v) {
       if (!of.motion.body->has_vertex(v)) continue;
       std::copy_n(of.motion.targets[v], D, bases[v].place);
-      for (int k = 0; k < D; ++k) far_ = std::max(far_, kFar * std::fabs(bases[v].place[k] - of.start(v)[k]));
+      for (int k = 0; k < D; ++k) far_ = std::max(far_, kMostLed * std::fabs(bases[v].place[k] - of.start(v)[k]));
     }
   }
 }
@@ -170,7 +169,7 @@ double TouchRows<D>::set_key(const double* const* starts, const double* const* e
   for (uint32_t i = 0; i < count; ++i) {
     std::copy_n(starts[i], D, places.begin() + 2 * D * i);
     std::copy_n(ends[i], D, places.begin() + 2 * D * i + D);
-    for (int k = 0; k < D; ++k) far_ = std::max(far_, kFar * std::fabs(ends[i][k] - starts[i][k]));
+    for (int k = 0; k < D; ++k) far_ = std::max(far_, kMostLed * std::fabs(ends[i][k] - starts[i][k]));
   }
   double largest = 0;
   for (const double each : places) largest = std::max(largest, std::fabs(each));

@@ -18,6 +18,9 @@
 
 namespace dsw {
 
+/** No vertex is led farther along an axis than so many times the longest way. */
+constexpr double kMostLed = 4;
+
 /** A body of a call. Every vertex goes straight and steadily from its position to its end. */
 template <int D>
 struct Trajectory {
@@ -30,12 +33,22 @@ struct Trajectory {
   Array<double> ends;     // where they go in the way that is looked at
   Array<double> reaches;  // empty, or ends of the ways that parts are collected for; then these are not the targets
   bool stands = false;    // nothing moves it
-  bool is_led = false;    // walls are collected for the whole boxes of its vertices' ways: rows may lead them aside
-  Array<double> limits;   // times up to which edges and faces at a vertex are looked at
-  Array<uint8_t> is_new;  // vertices whose ways have not been looked at; parts without one are passed over
+  bool is_led = false;    // rows may lead its vertices aside
+  Array<Box<D>> rooms;    // if it is led: the places of each vertex that walls are collected for
+  double beyond = 0;      // how far these lie beyond the ways
+  Array<uint8_t> has_new_room;  // vertices for which walls have to be collected again
+  Array<double> limits;         // times up to which edges and faces at a vertex are looked at
+  Array<uint8_t> is_new;        // vertices whose ways have not been looked at; parts without one are passed over
 
   explicit Trajectory(const Memory* memory)
-      : motion(memory), goals(memory), ends(memory), reaches(memory), limits(memory), is_new(memory) {}
+      : motion(memory),
+        goals(memory),
+        ends(memory),
+        reaches(memory),
+        rooms(memory),
+        has_new_room(memory),
+        limits(memory),
+        is_new(memory) {}
 
   const double* start(uint32_t v) const { return motion.body->position(v); }
   const double* end(uint32_t v) const { return ends.data() + size_t{v} * D; }
@@ -45,6 +58,34 @@ struct Trajectory {
   /** All places on the ways of a vertex are in the box of its start and this place, in most calls its target. */
   const double* reach(uint32_t v) const { return reaches.empty() ? motion.targets[v] : &reaches[size_t{v} * D]; }
   bool moves(uint32_t v) const { return !std::equal(start(v), start(v) + D, end(v)); }
+  /** Gives all vertices of a led trajectory their rooms: the boxes of their ways, and that much beyond. */
+  void set_rooms(double room_beyond) {
+    beyond = room_beyond;
+    rooms.assign(is_new.size(), Box<D>());
+    has_new_room.assign(is_new.size(), 1);
+    for (uint32_t v = 0; v < rooms.size(); ++v) {
+      if (motion.body->has_vertex(v)) set_room(v);
+    }
+  }
+  bool has_new_rooms(const SimplexCorners<D>& corners) const {
+    return !is_led || dsw::any_of(corners.begin(), corners.end(), [&](uint32_t v) { return has_new_room[v] != 0; });
+  }
+  /** Gives those vertices another room whose goals are not in theirs. */
+  void renew_rooms() {
+    for (uint32_t v = 0; v < rooms.size(); ++v) {
+      has_new_room[v] = motion.body->has_vertex(v) && !rooms[v].contains(goal(v)) ? 1 : 0;
+      if (has_new_room[v] != 0) set_room(v);
+    }
+  }
+
+ private:
+  void set_room(uint32_t v) {
+    Box<D> way;
+    way.add(start(v));
+    way.add(reach(v));
+    way.add(goal(v));
+    rooms[v] = widened(way, beyond);
+  }
 };
 
 /** A pair, whichever of its sides moves, and in whatever order its points are found: the same all through a call. */
@@ -106,6 +147,14 @@ Box<D> box_of_way(const Trajectory<D>& of, const Simplex& part) noexcept {
   return box;
 }
 
+/** The box of the rooms of a part that is led. */
+template <int D>
+Box<D> box_of_rooms(const Trajectory<D>& of, const Simplex& part) noexcept {
+  Box<D> box;
+  for (const uint32_t v : SimplexCorners<D>(*of.motion.body, part)) box.add(of.rooms[v]);
+  return box;
+}
+
 /** Orders ways by where they begin, then by where they end: so nothing depends on numbers. */
 template <int D>
 bool is_before(const double* start, const double* end, const double* other_start, const double* other_end) noexcept {
@@ -132,18 +181,25 @@ uint32_t points_of_way(const Trajectory<D>& of, const Simplex& part, const doubl
   return 2 * corners.count;
 }
 
-/** All that comes within the radius of a part on its way, or, if it is led, in the boxes of its vertices' ways. It depends on no
+/** All that comes within a distance of a part on its way, or, if it is led, in the rooms of its vertices. It depends on no
  * numbers. */
 template <int D>
-NearRegion<D> region_of_way(const Trajectory<D>& of, const Simplex& part) noexcept {
+NearRegion<D> region_of_way(const Trajectory<D>& of, const Simplex& part, double distance) noexcept {
   const double* points[6] = {};
   const uint32_t count = points_of_way(of, part, points);
-  NearRegion<D> region(points, count, of.motion.body->radius + room_of_rounding<D>(points, count));
-  for (uint32_t i = 0; of.is_led && i < count / 2; ++i) {
-    const double *const from = points[i], *const to = points[count / 2 + i];
-    for (uint32_t corner = 1; corner < (1u << D) - 1; ++corner) {
+  const SimplexCorners<D> corners(*of.motion.body, part);
+  double rounding = room_of_rounding<D>(points, count);
+  for (uint32_t i = 0; of.is_led && i < corners.count; ++i) {
+    const Box<D>& room = of.rooms[corners.vertices[i]];
+    const double* const ends[2] = {room.lower, room.upper};
+    rounding = std::max(rounding, room_of_rounding<D>(ends, 2));
+  }
+  NearRegion<D> region(points, count, distance + rounding);
+  for (uint32_t i = 0; of.is_led && i < corners.count; ++i) {
+    const Box<D>& room = of.rooms[corners.vertices[i]];
+    for (uint32_t corner = 0; corner < 1u << D; ++corner) {
       double at[D];
-      for (uint32_t k = 0; k < D; ++k) at[k] = (corner >> k & 1) != 0 ? to[k] : from[k];
+      for (uint32_t k = 0; k < D; ++k) at[k] = (corner >> k & 1) != 0 ? room.upper[k] : room.lower[k];
       region.add(at);
     }
   }

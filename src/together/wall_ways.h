@@ -46,6 +46,7 @@ class WallWays {
     for (uint32_t i = 0; i < near.wall.count; ++i) goals[i] = env_.point(near.wall.vertices[i]);
   }
   void start_round() const noexcept {}
+  void tighten(const Array<Trajectory<D>>&) const noexcept {}
   void finish_round() const noexcept {}
   void set_end(double) noexcept {}
   void set_step_end(double) noexcept {}

@@ -1,6 +1,7 @@
 #include "together/whole_ways.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "base/search.h"
@@ -11,6 +12,43 @@
 #include "together/wall_ways.h"
 
 namespace dsw {
+
+namespace {
+
+template <int D>
+const OuterWalls* walls_found(const WallWays<D>&) noexcept {
+  return nullptr;
+}
+template <int D>
+const OuterWalls* walls_found(const MovingWalls<D>& walls) noexcept {
+  return &walls.near_outers;
+}
+
+/** Gives vertices that rows lead some room beside their ways. Rows lead no vertex farther than some times the longest way, and mostly
+ * much less far; what is small beside a part costs little. */
+template <int D>
+void set_rooms(Array<Trajectory<D>>& trajectories) {
+  constexpr double kShare = 0.125;  // of the longest way and the sizes
+  double way = 0;
+  for (const Trajectory<D>& of : trajectories) {
+    for (uint32_t v = 0; v < of.is_new.size(); ++v) {
+      if (of.motion.body->has_vertex(v)) way = std::max(way, largest(difference<D>(of.motion.targets[v], of.start(v))));
+    }
+  }
+  for (Trajectory<D>& of : trajectories) {
+    if (!of.is_led) continue;
+    const Body<D>& body = *of.motion.body;
+    double size = body.radius;
+    for (uint32_t e = 0; e < body.edges.size(); ++e) {
+      const uint32_t* const ends = body.edges[e].ends;
+      if (body.has_edge(e)) size = std::max(size, largest(difference<D>(of.start(ends[0]), of.start(ends[1]))));
+    }
+    const double room = std::min(kMostLed * way, kShare * (way + size));
+    of.set_rooms(std::isfinite(room) ? room : 0);
+  }
+}
+
+}  // namespace
 
 template <int D, class Walls>
 void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift) {
@@ -27,9 +65,10 @@ void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_
       if (of.motion.body->has_vertex(v)) std::copy_n(of.motion.targets[v], D, of.goal(v));
     }
   }
+  set_rooms(trajectories);
   walls.start(trajectories);
   bodies.start(trajectories, bodies_meet, drift);
-  thick.start(trajectories, bodies_meet, walls.nexts());
+  thick.start(trajectories, bodies_meet, walls_found(walls));
 }
 
 template <int D, class Walls>
