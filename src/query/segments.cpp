@@ -6,13 +6,11 @@
 #include "locate/locate.h"
 #include "locate/open_segment.h"
 #include "predicates/plane_hit.h"
-#include "query/starts.h"
+#include "query/segment_range.h"
 #include "walk/packet.h"
 
 namespace dsw {
-namespace {
 
-/** Casts segments begin .. end-1, a packet at a time. */
 template <int D>
 void cast_range(const Environment<D>& env, Starts<D> starts, PointArray from, PointArray to, SegmentOptions options,
                 size_t begin, size_t end, dsw_flight* flights) noexcept {
@@ -33,6 +31,8 @@ void cast_range(const Environment<D>& env, Starts<D> starts, PointArray from, Po
     report_packet(env, packet, options.detail, reports);
   }
 }
+
+namespace {
 
 template <int D>
 void report_open(const Environment<D>& env, const double* from, const double* to, const OpenSegmentResult& found,
@@ -121,6 +121,7 @@ void locate_points(const Environment<D>& env, const Parallel& parallel, PointArr
   share_out(parallel, count, body);
 }
 
+DSW_INSTANTIATE(cast_range);
 DSW_INSTANTIATE(locate_point);
 DSW_INSTANTIATE(cast_segments);
 DSW_INSTANTIATE(cast_path);

@@ -11,7 +11,7 @@
 #include "contact/describe.h"
 #include "locate/distances.h"
 #include "proximity/segment_touch.h"
-#include "query/starts.h"
+#include "query/segment_range.h"
 #include "scene/body_places.h"
 #include "scene/near_bodies.h"
 
@@ -96,14 +96,11 @@ class BodiesAbout {
 
   /** Whether the box of a segment may overlap that of a body. */
   bool may_meet(const double* from, const double* to) const noexcept {
-    double lower[D], upper[D];
     bool apart = false;
     for (int k = 0; k < D; ++k) {
-      lower[k] = std::min(from[k], to[k]);
-      upper[k] = std::max(from[k], to[k]);
-      apart |= upper[k] < all_.lower[k] || all_.upper[k] < lower[k];
+      apart |= (std::max(from[k], to[k]) < all_.lower[k]) | (all_.upper[k] < std::min(from[k], to[k]));
     }
-    return !apart && map_.may_hold(lower, upper);
+    return !apart && may_be_held(from, to);
   }
   template <class Visit>
   void visit(const Box<D>& box, Visit visit) const {
@@ -122,6 +119,15 @@ class BodiesAbout {
   }
 
  private:
+  bool may_be_held(const double* from, const double* to) const noexcept {
+    double lower[D], upper[D];
+    for (int k = 0; k < D; ++k) {
+      lower[k] = std::min(from[k], to[k]);
+      upper[k] = std::max(from[k], to[k]);
+    }
+    return map_.may_hold(lower, upper);
+  }
+
   const Scene<D>& scene_;
   Box<D> all_;  // all bodies are in it
   BodyMap<D> map_;
@@ -164,6 +170,7 @@ class RayBatch {
         to_(to),
         options_(options) {}
 
+  const Starts<D>& starts() const noexcept { return starts_; }
   bool may_meet(size_t i) const noexcept { return bodies_.may_meet(from_[i], to_[i]); }
   /** @param flight what the environment has answered. */
   void ask(size_t i, dsw_flight* flight, dsw_contact_partner* partner) const noexcept {
@@ -217,13 +224,23 @@ void cast_among_bodies(Scene<D>& scene, size_t count, const dsw_volume_id* start
                        const SegmentOptions& options, dsw_flight* flights, dsw_contact_partner* partners) {
   SegmentOptions with_detail = options;
   with_detail.detail = true;
-  cast_segments(scene.env, scene.parallel, count, starts, from, to, with_detail, flights);
+  if (options.open_ends) cast_segments(scene.env, scene.parallel, count, starts, from, to, with_detail, flights);
   const RayBatch<D> batch(scene, starts, from, to, options);
-  auto body = [&](size_t begin, size_t end) noexcept {
+  const auto ask = [&](size_t begin, size_t end) noexcept {
     std::memset(partners + begin, 0, (end - begin) * sizeof *partners);
     for (size_t i = begin; i < end; ++i) {
       if (batch.may_meet(i)) batch.ask(i, flights + i, partners + i);
       if (!options.detail) leave_out_detail(flights + i);
+    }
+  };
+  // Threads are started once for both: that took longer than all questions about bodies that are far away.
+  constexpr size_t kAtHand = 4 * kPacket;
+  auto body = [&](size_t begin, size_t end) noexcept {
+    if (options.open_ends) return ask(begin, end);
+    for (size_t next; begin < end; begin = next) {
+      next = std::min(begin + kAtHand, end);
+      cast_range(scene.env, batch.starts(), from, to, with_detail, begin, next, flights);
+      ask(begin, next);
     }
   };
   share_out(scene.parallel, count, body);
