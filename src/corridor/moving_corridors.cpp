@@ -10,6 +10,9 @@
 
 #include "corridor/moving_corridors.h"
 
+#include "base/dimensions.h"
+#include "walk/standard_facets.h"
+
 namespace dsw {
 
 /** Writes the facets that a vertex passes on its way to a place. If the path is blocked, there may be more of them. False:
@@ -62,7 +65,7 @@ bool MovingCorridors<D>::note_start(Corridor<D>& corridor, uint64_t call, const 
 
 template <int D>
 Verdict MovingCorridors<D>::ask(Corridor<D>& corridor, uint64_t call, const PointWay (&ends)[2],
-                                const double* const (&places)[2], bool are_ends) {
+                                const double* const (&places)[2], bool are_ends, bool is_kept) {
   for (uint32_t k = 0; k < 2; ++k) {
     if (!find_path(ends[k], places[k], paths_[k])) return Verdict::kUnknown;
   }
@@ -80,7 +83,7 @@ Verdict MovingCorridors<D>::ask(Corridor<D>& corridor, uint64_t call, const Poin
     return Verdict::kUnknown;
   const CandidateView<D> found = features();
   if (found.first != found.last) return Verdict::kStopsAtRidge;
-  if (are_ends) go_on(corridor, call, ends);
+  if (are_ends && is_kept) go_on(corridor, call, ends);
   return Verdict::kHolds;
 }
 
@@ -127,6 +130,46 @@ void MovingCorridors<D>::go_on(Corridor<D>& corridor, uint64_t call, const Point
   }
 }
 
+template <int D>
+bool MovingCorridors<D>::keeps_to_facet([[maybe_unused]] const PointWay (&ends)[2]) const noexcept {
+  if constexpr (D == 3) {
+    const Map<3>& map = env_.map;
+    const PointWay &a = ends[0], &b = ends[1];
+    const bool a_leaves = a.from != a.arrival, b_leaves = b.from != b.arrival;
+    if (a_leaves && b_leaves) return false;
+    const bool are_apart = a.from != b.from;
+    const Cell first = are_apart || b_leaves ? a.from : a.arrival, last = are_apart || a_leaves ? b.from : b.arrival;
+    if (!first.valid() || !last.valid() || first == last) return false;
+    const auto passes_it_alone = [&](const PointWay& end, Cell to) {
+      return end.arrival == to && end.crossed.is_known && end.crossed.count == 1;
+    };
+    if (a_leaves && !passes_it_alone(a, are_apart ? last : first)) return false;
+    if (b_leaves && !passes_it_alone(b, are_apart ? first : last)) return false;
+    const auto suits = [&](Cell c) { return map.convex(c) && !is_closed(env_, c); };
+    if (!suits(first) || !suits(last) || !has_standard_facets(map.form(first))) return false;
+    const HalfFacet facet = find_only_facet(env_, first, last);
+    if (!facet.valid()) return false;
+    Portal<3> portal;
+    standard_corners(map.record(first), map.local_of(facet, first), portal.corners);
+    return keeps_to_portal(env_, portal, EdgeWay::of_both(a.start, a.end, b.start, b.end));
+  }
+  return false;
+}
+
+template <int D>
+HalfFacet find_only_facet(const Environment<D>& env, Cell from, Cell to) noexcept {
+  const Map<D>& map = env.map;
+  HalfFacet found;
+  for (uint32_t f = 0, count = map.facets_of(from); f < count; ++f) {
+    const HalfFacet facet = map.half_facet(from, f), beyond = map.opposite(facet);
+    if (!beyond.valid() || map.cell_of(beyond) != to) continue;
+    if (found.valid()) return {};
+    found = facet;
+  }
+  return found.valid() && !is_impassable(env, found) ? found : HalfFacet{};
+}
+
+DSW_INSTANTIATE(find_only_facet);
 template class MovingCorridors<2>;
 template class MovingCorridors<3>;
 

@@ -6,6 +6,10 @@
 
 namespace dsw {
 
+/** The only facet between two cells, seen from the first, if there is just one and it is passable. */
+template <int D>
+HalfFacet find_only_facet(const Environment<D>& env, Cell from, Cell to) noexcept;
+
 /** One for each thread. */
 template <int D>
 class MovingCorridors {
@@ -17,9 +21,13 @@ class MovingCorridors {
    * `features`. If the answer is kHolds, and the places are the ends of the ways, the corridor becomes that of the end.
    * Throws std::bad_alloc.
    * @param ends where a path is blocked, `arrival` is not valid.
-   * @param call the number of the call on the body. */
+   * @param call the number of the call on the body.
+   * @param is_kept whether the corridor serves another call, and should become that of the end. */
   Verdict ask(Corridor<D>& corridor, uint64_t call, const PointWay (&ends)[2], const double* const (&places)[2],
-              bool are_ends);
+              bool are_ends, bool is_kept = true);
+  /** Whether an edge in two cells passes the only facet between them on its whole way: much cheaper than to ask, and nothing is
+   * noted. The facets that its ends pass are known, or they do not leave their cells. */
+  bool keeps_to_facet(const PointWay (&ends)[2]) const noexcept;
   /** What the last edge may touch. */
   CandidateView<D> features() const noexcept { return rings_.features(); }
   /** Takes the last edge on: its corridor becomes that of the ends of its ways, if a few turns are enough. Nothing is

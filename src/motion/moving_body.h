@@ -18,17 +18,18 @@ struct MovingBody {
   Body<D>* body = nullptr;
   PointArray targets;         // where the vertices are told to go, one for each slot
   Array<VertexWay> ways;      // by slot
-  Array<PathFacets> crossed;  // by the paths of the vertices; empty unless the body keeps corridors
+  Array<PathFacets> crossed;  // by the paths of the vertices; empty unless they are noted
 
   explicit MovingBody(const Memory* memory) : ways(memory), crossed(memory) {}
-  /** All vertices are where they start. Throws std::bad_alloc. */
-  void start(Body<D>& moved, PointArray to) {
+  /** All vertices are where they start. Throws std::bad_alloc.
+   * @param notes_paths whether the facets that paths pass are noted. */
+  void start(Body<D>& moved, PointArray to, bool notes_paths) {
     body = &moved;
     targets = to;
     const size_t count = body->vertices.size();
     ways.resize(count);
     for (uint32_t v = 0; v < count; ++v) stay(v);
-    crossed.assign(body->keeps_corridors() ? count : 0, PathFacets{});
+    crossed.assign(notes_paths ? count : 0, PathFacets{});
   }
   PathFacets crossed_by(uint32_t v) const { return crossed.empty() ? PathFacets{} : crossed[v]; }
   /** The way of a vertex ends where it is. */

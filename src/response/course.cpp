@@ -6,7 +6,7 @@ namespace dsw {
 
 template <int D>
 void Course<D>::start(Body<D>& moved, PointArray to, MoveOrder wanted) {
-  motion.start(moved, to);
+  motion.start(moved, to, moved.keeps_corridors());
   const Body<D>* const body = motion.body;
   order.clear();
   all_clear = false;

@@ -36,6 +36,7 @@ class MovingWalls {
   bool stays_valid_to_ends() const;
   /** Whether what touches at its start is free on the way to its end, under the shift. */
   bool is_kept_free(const WayTouch<D>& touch) const;
+  static bool notes_paths(const Body<D>&) noexcept { return false; }
   const double* nexts() const noexcept { return next_; }
   /** Where the way of a vertex of the environment ends. */
   void place(uint32_t v, double* at) const;

@@ -20,13 +20,13 @@ void NearWalls<D>::start(const Array<Trajectory<D>>& trajectories) {
   }
 }
 
-/** Whether something is remembered of what is near a part. Edges with corridors among convex cells remember nothing, as
- * their corridors mostly answer. */
+/** Whether something is remembered of what is near a part. Edges among convex cells remember nothing, as corridors mostly
+ * answer. */
 template <int D>
 bool NearWalls<D>::keeps_notes(const Trajectory<D>& of, const Simplex& part) const {
   const Body<D>& body = *of.motion.body;
   if (of.notes == nullptr || is_covered(body, part)) return false;
-  if (part.kind != Simplex::kEdge || !body.keeps_corridors()) return true;
+  if (part.kind != Simplex::kEdge) return true;
   return !env_.map.convex(body.vertices[body.edges[part.index].ends[0]].cell);
 }
 

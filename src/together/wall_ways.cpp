@@ -25,6 +25,7 @@ namespace dsw {
 template <int D>
 void WallWays<D>::start(const Array<Trajectory<D>>& trajectories) {
   near_.start(trajectories);
+  starts_.start(trajectories);
   counts = {};
 }
 
@@ -124,11 +125,47 @@ template <class Visit>
 bool WallWays<D>::visit_parts(const Array<Trajectory<D>>& trajectories, Visit visit) {
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
     const Trajectory<D>& of = trajectories[t];
+    open_.clear();
+    note_vertices(of);
     const bool is_done = for_each_simplex(*of.motion.body, [&](const Simplex& part) {
-      return part.kind == Simplex::kVertex || visit_part(of, t, part, visit);
+      return part.kind == Simplex::kVertex || is_done_with_edge(of, part) || visit_part(of, t, part, visit);
     });
     if (!is_done) return false;
+    starts_.look_at(of, t, open_);
+    for (const uint32_t e : open_) {
+      const Simplex edge{Simplex::kEdge, e};
+      const SimplexCorners<D> corners(*of.motion.body, edge);
+      const double limit = std::min(of.limits[corners.vertices[0]], of.limits[corners.vertices[1]]);
+      if (!visit_edge(PartWay(of, t, edge, corners, limit), visit)) return false;
+    }
   }
+  return true;
+}
+
+/** Notes of each vertex what is asked for all edges at it. */
+template <int D>
+void WallWays<D>::note_vertices(const Trajectory<D>& of) {
+  const size_t count = of.motion.ways.size();
+  vertices_.assign(count, 0);
+  for (uint32_t v = 0; v < count; ++v) {
+    if (!of.motion.body->has_vertex(v)) continue;
+    const VertexWay& way = of.motion.ways[v];
+    vertices_[v] = static_cast<uint8_t>((of.is_new[v] != 0 ? kNew : 0) | (of.moves(v) ? kMoves : 0) |
+                                        (way.from != way.arrival ? kLeaves : 0));
+  }
+}
+
+/** Whether a part is an edge that need not be looked at, or that stays in one convex cell, as most do. */
+template <int D>
+bool WallWays<D>::is_done_with_edge(const Trajectory<D>& of, const Simplex& part) {
+  if (part.kind != Simplex::kEdge) return false;
+  const uint32_t(&ends)[2] = of.motion.body->edges[part.index].ends;
+  const uint32_t noted = vertices_[ends[0]] | vertices_[ends[1]];
+  if ((noted & kNew) == 0 || (noted & kMoves) == 0) return true;
+  const Cell cell = of.motion.ways[ends[0]].from;
+  if ((noted & kLeaves) != 0 || of.motion.ways[ends[1]].from != cell || !env_.map.convex(cell)) return false;
+  ++counts.swept;
+  ++counts.skipped;
   return true;
 }
 
@@ -183,31 +220,47 @@ bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Sim
   if (!is_new(of, corners)) return true;
   if (dsw::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
   ++counts.swept;
+  if (stays_in_cell(of, corners)) {
+    ++counts.skipped;
+    return true;
+  }
   double limit = 1;
   for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
   if (!(limit > 0)) return true;
+  const bool is_edge = part.kind == Simplex::kEdge, has_corridor = is_edge && of.motion.body->keeps_corridors();
+  if (is_edge && !has_corridor && limit == 1 &&
+      corridors_.keeps_to_facet({way_of(of, corners.vertices[0]), way_of(of, corners.vertices[1])})) {
+    ++counts.skipped;
+    return true;
+  }
   const PartWay way(of, number, part, corners, limit);
   if (is_alone(way)) {
     ++counts.skipped;
     return true;
   }
-  if (part.kind == Simplex::kEdge && of.motion.body->keeps_corridors()) return visit_edge(way, visit);
-  return visit_features(way, near_.find(of, number, part), visit);
+  if (!is_edge) return visit_features(way, near_.find(of, number, part), visit);
+  if (has_corridor) return visit_edge(way, visit);
+  open_.push_back(part.index);
+  return true;
 }
 
-/** Calls visit(touch) for the features that an edge with a corridor touches, until it returns false. */
+template <int D>
+PointWay WallWays<D>::way_of(const Trajectory<D>& of, uint32_t v) {
+  const VertexWay& way = of.motion.ways[v];
+  return {of.start(v), of.end(v), way.from, way.arrival, of.motion.crossed[v]};
+}
+
+/** Calls visit(touch) for the features that an edge touches, until it returns false. */
 template <int D>
 template <class Visit>
 bool WallWays<D>::visit_edge(const PartWay& way, Visit visit) {
-  const MovingBody<D>& motion = way.of.motion;
-  const Body<D>& body = *motion.body;
-  const auto end_of = [&](uint32_t v) -> PointWay {
-    return {way.of.start(v), way.of.end(v), body.vertices[v].cell, motion.ways[v].arrival, motion.crossed[v]};
-  };
-  const PointWay ends[2] = {end_of(way.corners.vertices[0]), end_of(way.corners.vertices[1])};
-  Corridor<D>& corridor = body.corridors[way.part.index];
+  const Body<D>& body = *way.of.motion.body;
+  const PointWay ends[2] = {way_of(way.of, way.corners.vertices[0]), way_of(way.of, way.corners.vertices[1])};
+  Corridor<D>& corridor =
+      body.keeps_corridors() ? body.corridors[way.part.index] : starts_.find(way.of, way.number, way.part.index);
   const bool are_ends = way.limit == 1;
-  const Verdict verdict = corridors_.ask(corridor, body.call, ends, {way.points[1], way.points[3]}, are_ends);
+  const Verdict verdict =
+      corridors_.ask(corridor, body.call, ends, {way.points[1], way.points[3]}, are_ends, body.keeps_corridors());
   if (verdict == Verdict::kUnknown) return visit_features(way, near_.find(way.of, way.number, way.part), visit);
   if (verdict != Verdict::kStopsAtRidge) {
     ++counts.skipped;
@@ -218,7 +271,7 @@ bool WallWays<D>::visit_edge(const PartWay& way, Visit visit) {
     touches = true;
     return visit(touch);
   });
-  if (!touches && are_ends) corridors_.go_on(corridor, body.call, ends);
+  if (!touches && are_ends && body.keeps_corridors()) corridors_.go_on(corridor, body.call, ends);
   return goes_on;
 }
 
@@ -255,19 +308,26 @@ bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& nea
   return true;
 }
 
-/** Whether a part meets nothing since its corners stay in one convex cell, or since nothing is near, or in the box of its way. */
+/** Whether all corners of a part stay in one convex cell. */
+template <int D>
+bool WallWays<D>::stays_in_cell(const Trajectory<D>& of, const SimplexCorners<D>& corners) const noexcept {
+  const Cell cell = of.motion.ways[corners.vertices[0]].from;
+  uint32_t differ = 0;
+  for (const uint32_t v : corners) {
+    const VertexWay& way = of.motion.ways[v];
+    differ |= static_cast<uint32_t>(way.from != cell) | static_cast<uint32_t>(way.arrival != cell);
+  }
+  return differ == 0 && env_.map.convex(cell);
+}
+
+/** Whether a part meets nothing since nothing is near, or in the box of its way. */
 template <int D>
 bool WallWays<D>::is_alone(const PartWay& way) {
-  const Trajectory<D>& of = way.of;
-  const SimplexCorners<D>& corners = way.corners;
-  const Cell cell = of.motion.body->vertices[corners.vertices[0]].cell;
-  const bool stays = dsw::all_of(corners.begin(), corners.end(), [&](uint32_t v) {
-    return of.motion.body->vertices[v].cell == cell && of.motion.ways[v].arrival == cell;
-  });
-  if ((stays && env_.map.convex(cell)) || near_.is_alone(of, way.part)) return true;
+  if (near_.is_alone(way.of, way.part)) return true;
+  const Cell cell = way.of.motion.body->vertices[way.corners.vertices[0]].cell;
   if (!BoxProbe<D>::suits(env_, cell)) return false;
   Bounds<D> box(way.points[0]);
-  for (uint32_t i = 1; i < 2 * corners.count; ++i) box.include(way.points[i]);
+  for (uint32_t i = 1; i < 2 * way.corners.count; ++i) box.include(way.points[i]);
   return probe_.is_free(box, cell);
 }
 

@@ -5,6 +5,7 @@
 #include "corridor/moving_corridors.h"
 #include "together/held_points.h"
 #include "together/near_walls.h"
+#include "together/start_corridors.h"
 #include "together/thick_ways.h"
 #include "walk/packet.h"
 
@@ -14,7 +15,7 @@ namespace dsw {
 template <int D>
 class WallWays {
  public:
-  explicit WallWays(const Environment<D>& env) : env_(env), near_(env), probe_(env), corridors_(env) {}
+  explicit WallWays(const Environment<D>& env) : env_(env), near_(env), probe_(env), corridors_(env), starts_(env) {}
 
   /** Forgets what was found for another call. */
   void start(const Array<Trajectory<D>>& trajectories);
@@ -50,12 +51,14 @@ class WallWays {
   void finish_round() const noexcept {}
   void set_end(double) noexcept {}
   void set_step_end(double) noexcept {}
+  /** Corridors of edges need the facets that their ends pass. */
+  static bool notes_paths(const Body<D>& body) noexcept { return covers_edges(body.level); }
   static const double* nexts() noexcept { return nullptr; }
   void place(uint32_t v, double* at) const { std::copy_n(env_.point(v), D, at); }
   static bool stays_valid_to_ends() noexcept { return true; }
   template <class Touch>
   void describe(const Array<Trajectory<D>>&, const Array<Touch>&) noexcept {}
-  void set_counters(CastCounters* counters) { counters_ = corridors_.counters = counters; }
+  void set_counters(CastCounters* counters) { counters_ = corridors_.counters = starts_.counters = counters; }
   SweepCounts counts;  // of edges and faces
 
  private:
@@ -65,6 +68,10 @@ class WallWays {
   template <class Visit>
   bool visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit);
   struct PartWay;
+  void note_vertices(const Trajectory<D>& of);
+  bool is_done_with_edge(const Trajectory<D>& of, const Simplex& part);
+  static PointWay way_of(const Trajectory<D>& of, uint32_t v);
+  bool stays_in_cell(const Trajectory<D>& of, const SimplexCorners<D>& corners) const noexcept;
   bool is_alone(const PartWay& way);
   template <class Visit>
   bool visit_edge(const PartWay& way, Visit visit);
@@ -77,10 +84,14 @@ class WallWays {
   NearWalls<D> near_;
   BoxProbe<D> probe_;
   MovingCorridors<D> corridors_;
+  StartCorridors<D> starts_;
   Packet<D> packet_;
   CastCounters* counters_ = nullptr;
   Array<WayTouch<D>> blocked_{env_.memory};  // what paths of vertices touch
-  Array<uint8_t> is_beside_{env_.memory};    // by plane of the part: all of its way is on one side of it
+  static constexpr uint32_t kNew = 1, kMoves = 2, kLeaves = 4;
+  Array<uint8_t> vertices_{env_.memory};   // of one trajectory: these bits
+  Array<uint32_t> open_{env_.memory};      // edges of one trajectory whose corridors have to be found
+  Array<uint8_t> is_beside_{env_.memory};  // by plane of the part: all of its way is on one side of it
 };
 
 }  // namespace dsw

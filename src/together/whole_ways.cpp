@@ -53,7 +53,7 @@ void set_rooms(Array<Trajectory<D>>& trajectories) {
 template <int D, class Walls>
 void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift) {
   for (Trajectory<D>& of : trajectories) {
-    of.motion.start(*of.motion.body, of.motion.targets);
+    of.motion.start(*of.motion.body, of.motion.targets, Walls::notes_paths(*of.motion.body));
     const size_t count = of.motion.body->vertices.size();
     of.ends.resize(count * D);
     of.reaches.clear();

@@ -30,7 +30,7 @@ inline std::ostream& operator<<(std::ostream& out, const Kind& kind) { return ou
 
 struct Counts {
   size_t asked = 0, free = 0, by_rings = 0, known = 0, at_ends = 0, clear = 0, followed = 0, facets = 0, most = 0,
-         first_found = 0, changes = 0;
+         first_found = 0, changes = 0, at_facet = 0;
 };
 
 template <int D>
@@ -322,12 +322,15 @@ class EdgeOfGround {
     rings_.passes(way_.from[0], way_.from[1], place_of(0), before);
     const bool rings = rings_.are_free(way_, place_of(0)), known = says_nothing(corridors_, body_);
     check_features();
+    const bool is_at_facet = corridors_.keeps_to_facet(ends_);
     SCOPED_TRACE(testing::Message() << describe());
     // Asks again about an edge of which nothing is known.
     other_.corridors[0].clear();
     const bool anew = says_nothing(fresh_, other_);
     ASSERT_TRUE(kind_.mixed || known == anew) << "what was kept matters";
     ASSERT_TRUE(kind_.mixed || known || !rings);
+    ASSERT_TRUE(!is_at_facet || known) << "what keeps to one facet is not known";
+    counts_.at_facet += is_at_facet ? 1 : 0;
     if (known || anew || rings) {
       ASSERT_TRUE(!touches || may_touch()) << "it touches something";
       ASSERT_FALSE(kind_.points == Points::kOnLattice && is_coarse(way_) && obstacles_.touch(shifted(way_)));

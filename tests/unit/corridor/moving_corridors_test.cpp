@@ -55,6 +55,48 @@ TEST(MovingCorridors, KeepToBoxes) {
   }
 }
 
+/** Edges along a row of boxes, by the places of their ends before and after. */
+TEST(MovingCorridors, KeepToTheOnlyFacetBetweenTwoCells) {
+  struct Case {
+    double from[2], to[2];
+    bool keeps;
+  };
+  const Case cases[] = {{{1.5, 2.5}, {1.6, 2.4}, true},    // both ends stay
+                        {{1.5, 2.5}, {2.2, 2.5}, true},    // one goes through the facet
+                        {{1.5, 2.5}, {1.5, 1.8}, true},    // the other one does
+                        {{1.5, 1.2}, {2.2, 1.2}, true},    // from the same box
+                        {{2.5, 2.2}, {2.5, 1.8}, true},    // the other one
+                        {{1.5, 1.2}, {2.2, 2.1}, false},   // both go through it
+                        {{1.5, 2.5}, {0.5, 2.5}, false},   // an end goes elsewhere
+                        {{1.5, 3.5}, {1.6, 3.4}, false},   // there is a box between them
+                        {{1.5, 1.6}, {1.4, 1.7}, false},   // one box
+                        {{1.5, 2.5}, {1.6, 9.0}, false}};  // a path leaves the row
+  Mesh3 mesh;
+  add_boxes(mesh, 4, 1, 1);
+  const auto env = mesh.build();
+  MovingCorridors<3> corridors(*env);
+  for (const Case& each : cases) {
+    double at[2][3], end[2][3];
+    PointWay ends[2];
+    for (int i = 0; i < 2; ++i) {
+      const double x[2] = {each.from[i], each.to[i]};
+      for (double(*point)[3] : {&at[i], &end[i]}) {
+        (*point)[0] = x[point == &at[i] ? 0 : 1];
+        (*point)[1] = 0.41;
+        (*point)[2] = 0.62;
+      }
+      const Cell start = env->map.cell(static_cast<uint32_t>(each.from[i]));
+      const CastResult path = cast(*env, at[i], end[i], start);
+      ends[i] = {at[i], end[i], start, path.end == CastEnd::kReached ? path.cell : Cell{},
+                 path_facets(env->map, start, path)};
+    }
+    EXPECT_EQ(corridors.keeps_to_facet(ends), each.keeps) << each.from[0] << ' ' << each.to[0] << ' ' << each.to[1];
+    ends[0].end = at[0];  // a line that does not pass it
+    at[0][1] = 40;
+    EXPECT_FALSE(corridors.keeps_to_facet(ends));
+  }
+}
+
 /** An end comes into a polygon that is not convex, and is blocked there. */
 TEST(MovingCorridors, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
   Mesh2 mesh;
@@ -102,9 +144,9 @@ TEST_P(MovingCorridorsTest, WhatIsKnownToMeetNothingTouchesNothing) {
   std::printf(
       "%s: %zu ways, %zu touch nothing, %zu by rings alone, %zu are known to, %zu of these begin or end exactly on "
       "something; what %zu others touch first was found; where %zu end, %.1f facets (at most %zu), %zu corridors "
-      "known; %zu changes\n",
+      "known, %zu by one facet; %zu changes\n",
       kind.name, n.asked, n.free, n.by_rings, n.known, n.at_ends, n.first_found, n.clear,
-      static_cast<double>(n.facets) / static_cast<double>(n.clear), n.most, n.followed, n.changes);
+      static_cast<double>(n.facets) / static_cast<double>(n.clear), n.most, n.followed, n.at_facet, n.changes);
   EXPECT_GE(static_cast<double>(n.known - n.at_ends), kind.least_known * static_cast<double>(n.free));
   EXPECT_GE(static_cast<double>(n.followed), kind.least_followed * static_cast<double>(n.clear));
 }
