@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Signed distances of points beside Open3D and libigl, and what bodies that are far away add to casts.
+"""Signed distances of points beside Open3D, libigl, VTK and trimesh, and what bodies that are far away add to casts.
 
 usage: beside_peers.py [--points N] [--json FILE]     with the package dartsweep; peers are left out where they are not installed
 
@@ -51,6 +51,28 @@ def peers(points, corners, places):
         found["igl"] = microseconds(len(some), lambda: igl.signed_distance(some, points, corners))
     except ImportError as error:
         print("without libigl:", error)
+    try:
+        import vtk
+        from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+
+        surface, triangles, places_of = vtk.vtkPolyData(), vtk.vtkCellArray(), vtk.vtkPoints()
+        places_of.SetData(numpy_to_vtk(points, deep=True))
+        triangles.SetData(3, numpy_to_vtkIdTypeArray(corners.astype(np.int64).ravel(), deep=True))
+        surface.SetPoints(places_of)
+        surface.SetPolys(triangles)
+        distance, answers = vtk.vtkImplicitPolyDataDistance(), vtk.vtkDoubleArray()
+        distance.SetInput(surface)
+        few = numpy_to_vtk(places[: len(places) // 50], deep=True)
+        found["vtk"] = microseconds(len(places) // 50, lambda: distance.FunctionValue(few, answers))
+    except ImportError as error:
+        print("without VTK:", error)
+    try:
+        import rtree  # noqa: F401  trimesh needs it
+
+        mesh, few_places = trimesh.Trimesh(points, corners, process=False), places[: len(places) // 500]
+        found["trimesh"] = microseconds(len(few_places), lambda: trimesh.proximity.signed_distance(mesh, few_places))
+    except ImportError as error:
+        print("without trimesh's distances:", error)
     return found
 
 
