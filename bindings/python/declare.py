@@ -30,8 +30,8 @@ LONG = {  # calls that follow the size of arrays or meshes, though their functio
 }
 SHORT = {  # calls that are shorter than it would take to let others run, though not O(1)
     "Body::add_edge", "Body::add_face", "Body::add_vertex", "Body::collapse_edge", "Body::get_edge_ids", "Body::get_edge_indices",
-    "Body::get_face_ids", "Body::get_face_indices", "Body::get_vertex_ids", "Body::remove_edge", "Body::remove_face", "Body::remove_vertex",
-    "Body::split_edge", "Environment::cast", "Environment::classify", "Environment::copy_vertices", "Environment::cross_check",
+    "Body::get_face_ids", "Body::get_face_indices", "Body::get_untested_edges", "Body::get_vertex_ids", "Body::remove_edge", "Body::remove_face",
+    "Body::remove_vertex", "Body::split_edge", "Environment::cast", "Environment::classify", "Environment::copy_vertices", "Environment::cross_check",
     "Environment::get_centre", "Environment::get_edge_id", "Environment::get_volume_counts", "Environment::is_impassable",
     "Environment::is_valid", "Environment::locate", "Scene::create_particle", "Scene::get_body_ids", "Scene::get_particle_ids",
     "Scene::move_particle", "Scene::start_recording", "Scene::write_bug_report", "Trace::add_walk",

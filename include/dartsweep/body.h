@@ -44,7 +44,11 @@ enum {
   DSW_BODY_RIGID = 0x40,
   /** Lossless. Edges keep no sequences, which they do from DSW_LEVEL_EDGES_SWEPT on: a surface takes
    * a quarter of the memory or less, and moves are slower. @since 2.1 */
-  DSW_BODY_NO_SEQUENCES = 0x80
+  DSW_BODY_NO_SEQUENCES = 0x80,
+  /** Lossy, with DSW_BODY_SKIP_BACK_EDGES, which then works as in [JCD10] 6.2 and 6.3: an edge that
+   * goes inwards is not tested until it goes outwards. Meanwhile it can meet something impassable:
+   * see dsw_body_get_untested_edges. @since 2.1 */
+  DSW_BODY_LEAVE_BACK_EDGES = 0x100
 };
 
 /** Describes a body. */
@@ -90,7 +94,8 @@ DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
 /** Creates a body. Vertices and edges keep their indices; other edges of faces follow.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE, INDEX_OUT_OF_RANGE, REPEATED_VERTEX, DUPLICATE_PART,
  * NOT_ORIENTED; NOT_MANIFOLD: three triangles at an edge, several fans at a vertex; OCCUPIED: not
- * free, or too near; for DSW_BODY_SKIP_BACK_EDGES NOT_CLOSED, NOT_ORIENTED: no volume inside.
+ * free, or too near; for DSW_BODY_SKIP_BACK_EDGES NOT_CLOSED, NOT_ORIENTED: no volume inside;
+ * UNSUPPORTED: DSW_BODY_LEAVE_BACK_EDGES without it, with a radius, RIGID or SKIP_SIMILAR_MOTION.
  * @note Cost: O(vertices + volumes that edges cross). Batch. Source: [JCD10] 4. */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
 
@@ -171,6 +176,14 @@ DSW_API dsw_status dsw_body_get_edge_ids(const dsw_scene *scene, dsw_body_id bod
 /** Copies the ids of all triangles, by index. @note Cost: O(slots). */
 DSW_API dsw_status dsw_body_get_face_ids(const dsw_scene *scene, dsw_body_id body,
                                          dsw_body_face_id *faces, size_t capacity, size_t *count);
+
+/** Copies the ids of the edges that DSW_BODY_LEAVE_BACK_EDGES has left untested where they are, by
+ * index. All others are free. Calls that do not move the body test them first; while one is not
+ * free, they see the vertices of this body alone: bindings/docs/moving_bodies.md.
+ * @note Cost: O(slots). @since 2.1 */
+DSW_API dsw_status dsw_body_get_untested_edges(const dsw_scene *scene, dsw_body_id body,
+                                               dsw_body_edge_id *edges, size_t capacity,
+                                               size_t *count);
 
 /** Gives the two ends of an edge. */
 DSW_API dsw_status dsw_body_get_edge_ends(const dsw_scene *scene, dsw_body_id body,

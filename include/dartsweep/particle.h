@@ -44,6 +44,17 @@ DSW_API dsw_status dsw_scene_get_particle_ids(const dsw_scene *scene, dsw_partic
 DSW_API dsw_status dsw_particle_get_position(const dsw_scene *scene, dsw_particle_id particle,
                                              double *position, dsw_volume_id *volume);
 
+/** Gives the state of a particle [JCD10] 3.3: the cell in which it lies, and the cell at which it
+ * aims. A tie is decided by Simulation of Simplicity, so a particle lies in a volume, and never on a
+ * face, an edge or a vertex.
+ * @param cell may be null; its kind is DSW_CELL_VOLUME.
+ * @param aimed_at may be null; the face (in the plane the side) of the volume that stopped the
+ * particle last, until it leaves the volume or the volume changes; else the null cell. Its `index`
+ * is that of the volume. Moves ask it first in volumes of no common form and in polygons.
+ * @since 2.1 */
+DSW_API dsw_status dsw_particle_get_state(const dsw_scene *scene, dsw_particle_id particle,
+                                          dsw_cell *cell, dsw_cell *aimed_at);
+
 /** Gives positions and volumes of particles. An id may occur many times.
  * @param positions, volumes may be null.
  * @note Cost: O(count). */

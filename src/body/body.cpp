@@ -112,6 +112,7 @@ void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more
   if (body.skipping.by_clearance) body.clearances.resize(body.vertices.size() + more_vertices);
   if (body.keeps_corridors()) keep_corridors(body, body.edges.size() + more_edges);
   if (body.keeps_lengths()) body.lengths.reserve(body.edges.size() + more_edges);
+  if (body.skipping.leaves_back_edges) body.untested.reserve(body.edges.size() + more_edges);
   if (!body.boxes.empty()) reserve_boxes(body, body.boxes[0], more_vertices, more_edges, more_faces);
 }
 
@@ -119,6 +120,7 @@ template <int D>
 void shrink_to_fit(Body<D>& body) {
   for (SlotPool* slots : {&body.vertex_slots, &body.edge_slots, &body.face_slots}) slots->shrink_to_fit();
   body.edges.shrink_to_fit();  // faces may have found their edges
+  body.untested.shrink_to_fit();
   if (!body.keeps_corridors()) return;
   body.corridors.erase(body.corridors.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.corridors.end());
   body.corridors.shrink_to_fit();
@@ -185,6 +187,10 @@ uint32_t add_edge(Body<D>& body, uint32_t a, uint32_t b) noexcept {
   edge.ends[0] = a;
   edge.ends[1] = b;
   const uint32_t e = acquire(body.edge_slots, body.edges, edge);
+  if (body.skipping.leaves_back_edges) {
+    if (e == body.untested.size()) body.untested.push_back(0);
+    body.untested[e] = 0;
+  }
   link_edge(body, e, 0);
   link_edge(body, e, 1);
   measure(body, e);
@@ -229,6 +235,7 @@ void remove_edge(Body<D>& body, uint32_t edge) noexcept {
   if (!body.boxes.empty()) body.boxes[0].edges.remove(edge);
   for (const uint32_t v : body.edges[edge].ends) note_vertex(body, v);
   body.edges[edge] = BodyEdge{};
+  if (!body.untested.empty()) body.untested[edge] = 0;
   body.edge_slots.release(edge);
 }
 

@@ -51,6 +51,7 @@ struct BodyFace {
 struct Skipping {
   bool corridors = false, no_corridors = false, by_environment = false, by_clearance = false;
   bool back_edges = false, by_similar_motion = false;  // at EDGES
+  bool leaves_back_edges = false;                      // with back_edges: they are not tested where they arrive
   double motion_share = 0.1;
 };
 
@@ -103,8 +104,10 @@ struct Body {
   Array<RigidShape<D>> shape;  // one, if walls move the body as a whole; else none
   ContactFilter filter;
   double radius = 0;
-  Array<double> lengths;  // by edge, if they are kept: when the radius was set; see proximity/joined.h
+  Array<double> lengths;    // by edge, if they are kept: when the radius was set; see proximity/joined.h
+  Array<uint8_t> untested;  // by edge, if back edges are left: 1: it may not be free where it is
   SweepLevel level = SweepLevel::kEdgesSwept;
+  bool hides_edges = false;  // while a call sees its vertices alone; see scene/untested.h
   Skipping skipping;
 
   explicit Body(const Memory* memory)
@@ -121,7 +124,8 @@ struct Body {
         kept_clearances(memory),
         boxes(memory),
         shape(memory),
-        lengths(memory) {}
+        lengths(memory),
+        untested(memory) {}
 
   bool is_rigid() const { return !shape.empty(); }
   bool keeps_lengths() const { return radius > 0 && filter.self; }
@@ -130,6 +134,7 @@ struct Body {
   bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
   bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }
   const double* position(uint32_t v) const { return vertices[v].position; }
+  bool is_untested(uint32_t e) const { return !untested.empty() && untested[e] != 0; }
   uint64_t memory_bytes() const {
     uint64_t of_parts = array_bytes(corridors);
     for (const Corridor<D>& each : corridors)
@@ -138,7 +143,8 @@ struct Body {
     for (const RigidShape<D>& each : shape) of_parts += sizeof each + each.memory_bytes();
     return of_parts + array_bytes(touched) + array_bytes(clearances) + array_bytes(kept_clearances) +
            array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) + array_bytes(inserted) +
-           array_bytes(lengths) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();
+           array_bytes(lengths) + array_bytes(untested) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() +
+           face_slots.memory_bytes();
   }
 };
 

@@ -11,6 +11,11 @@ using dsw::fail;
 
 namespace {
 
+void check_thickness(const dsw::Skipping& skipping, double radius, const char* name) {
+  if (radius > 0 && skipping.leaves_back_edges)
+    fail(DSW_STATUS_UNSUPPORTED, "%s is %g, must be 0 with DSW_BODY_LEAVE_BACK_EDGES", name, radius);
+}
+
 template <int D>
 dsw::BodyDescription to_description(const dsw::Scene<D>& scene, const dsw_body_desc& d) {
   const dsw::SweepLevel level = capi::to_body_level<D>(d.level, "desc->level");
@@ -38,6 +43,7 @@ dsw::BodyDescription to_description(const dsw::Scene<D>& scene, const dsw_body_d
   out.face_count = d.face_count;
   out.face_corner_count = d.face_corner_count;
   out.radius = capi::to_length(d.radius, "desc->radius");
+  check_thickness(out.skipping, out.radius, "desc->radius");
   return out;
 }
 
@@ -138,6 +144,7 @@ dsw_status dsw_body_get_radius(const dsw_scene* scene, dsw_body_id body, double*
 dsw_status dsw_body_set_radius(dsw_scene* scene, dsw_body_id body, double radius) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const double wanted = capi::to_length(radius, "radius");
+    check_thickness(of.body.skipping, wanted, "radius");
     capi::Recorded call(scene, capi::row_of<dsw_body_set_radius>, body, radius);
     set_radius(of.scene, of.record, wanted);
     call.done();
@@ -146,7 +153,9 @@ dsw_status dsw_body_set_radius(dsw_scene* scene, dsw_body_id body, double radius
 
 dsw_status dsw_body_find_least_gap(dsw_scene* scene, dsw_body_id body, double limit, double* gap) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
-    capi::give(gap, "gap", find_least_gap(of.scene, of.body, capi::to_length(limit, "limit")));
+    const double most = capi::to_length(limit, "limit");
+    const dsw::FreeBodies<capi::kDimension<decltype(of)>> free(of.scene);
+    capi::give(gap, "gap", find_least_gap(of.scene, of.body, most));
   });
 }
 
@@ -174,6 +183,20 @@ dsw_status dsw_body_get_edge_ids(const dsw_scene* scene, dsw_body_id body, dsw_b
                                  size_t* count) {
   return capi::guarded_body(__func__, scene, body,
                             [&](const auto& of) { capi::copy_ids(of.body.edge_slots, edges, capacity, count); });
+}
+
+dsw_status dsw_body_get_untested_edges(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id* edges,
+                                       size_t capacity, size_t* count) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    const auto& b = of.body;
+    const auto is_listed = [&](uint32_t e) { return b.has_edge(e) && b.is_untested(e); };
+    size_t listed = 0;
+    for (uint32_t e = 0; e < b.untested.size(); ++e) listed += is_listed(e) ? 1 : 0;
+    capi::check_capacity(listed, capacity, edges, count);
+    for (uint32_t e = 0; e < b.untested.size(); ++e) {
+      if (is_listed(e)) *edges++ = {e, b.edge_slots.generation(e)};
+    }
+  });
 }
 
 dsw_status dsw_body_get_face_ids(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id* faces, size_t capacity,

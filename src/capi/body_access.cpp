@@ -7,7 +7,7 @@ Skipping to_skipping(uint32_t flags, double share) {
   check_flags(flags,
               DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE |
                   DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_SELF_CONTACTS | DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_RIGID |
-                  DSW_BODY_NO_SEQUENCES,
+                  DSW_BODY_NO_SEQUENCES | DSW_BODY_LEAVE_BACK_EDGES,
               "desc->flags");
   if ((flags & DSW_BODY_SEQUENCES) != 0 && (flags & DSW_BODY_NO_SEQUENCES) != 0) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->flags: DSW_BODY_SEQUENCES and DSW_BODY_NO_SEQUENCES exclude each other");
@@ -19,6 +19,15 @@ Skipping to_skipping(uint32_t flags, double share) {
   skipping.by_clearance = (flags & DSW_BODY_SKIP_BY_CLEARANCE) != 0;
   skipping.by_similar_motion = (flags & DSW_BODY_SKIP_SIMILAR_MOTION) != 0;
   skipping.back_edges = (flags & DSW_BODY_SKIP_BACK_EDGES) != 0;
+  skipping.leaves_back_edges = (flags & DSW_BODY_LEAVE_BACK_EDGES) != 0;
+  if (skipping.leaves_back_edges) {
+    constexpr uint32_t kOthers = DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_RIGID;
+    if (!skipping.back_edges || (flags & kOthers) != 0) {
+      fail(DSW_STATUS_UNSUPPORTED,
+           "desc->flags: DSW_BODY_LEAVE_BACK_EDGES needs DSW_BODY_SKIP_BACK_EDGES, and is neither for "
+           "DSW_BODY_SKIP_SIMILAR_MOTION nor for DSW_BODY_RIGID");
+    }
+  }
   if (to_length(share, "desc->motion_share") != 0) skipping.motion_share = share;
   return skipping;
 }

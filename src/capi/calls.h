@@ -193,6 +193,17 @@ constexpr bool changes_environment(const Row<kNumber, kFunction, Kinds...>&) {
   return std::is_same_v<std::tuple_element_t<0, Given>, dsw_environment*> || (moves_points<Kinds> || ...);
 }
 
+/** Whether a call relies on bodies that are free. Moves of bodies whose back edges are left do not. */
+template <uint32_t kNumber, auto kFunction, class... Kinds>
+constexpr bool needs_free_bodies(const Row<kNumber, kFunction, Kinds...>& row) {
+  constexpr uint32_t kFirstOfParticles = row_of<dsw_particle_create>.number,
+                     kLastOfParticles = row_of<dsw_scene_reset_statistics>.number;
+  const auto is = [&](const auto& other) { return row.number == other.number; };
+  return !(row.number >= kFirstOfParticles && row.number <= kLastOfParticles) && !is(row_of<dsw_environment_set_tag>) &&
+         !is(row_of<dsw_body_destroy>) && !is(row_of<dsw_body_set_level>) && !is(row_of<dsw_body_move>) &&
+         !is(row_of<dsw_scene_move_bodies>);
+}
+
 /** Calls use(row) with the row that has a number. False: there is none. */
 template <class Use>
 bool visit_row(uint64_t number, const Use& use) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "capi/body_access.h"
+#include "scene/untested.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -40,6 +41,7 @@ dsw_status hand_out_near(const char* function, const dsw_scene* scene, dsw_body_
 dsw_status dsw_body_find_near_rows(dsw_scene* scene, dsw_body_id body, const dsw_near_options* options,
                                    size_t* row_count) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    const dsw::FreeBodies<capi::kDimension<decltype(of)>> free(of.scene);
     find_near_rows(of.scene, of.record, to_settings(options, of.body.radius));
     if (row_count != nullptr) *row_count = of.record.near[0].rows.size();
   });

@@ -87,6 +87,21 @@ dsw_status dsw_particle_get_position(const dsw_scene* scene, dsw_particle_id par
   });
 }
 
+dsw_status dsw_particle_get_state(const dsw_scene* scene, dsw_particle_id particle, dsw_cell* cell,
+                                  dsw_cell* aimed_at) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
+    check_particle(s, particle);
+    const auto& state = s.particles[particle.index];
+    const dsw_volume_id volume = volume_id(s.env.map, state.cell);
+    if (cell != nullptr) *cell = {DSW_CELL_VOLUME, volume.index, volume.generation, 0};
+    if (aimed_at == nullptr) return;
+    *aimed_at = {};
+    if (state.forecast == dsw::kNoFacet) return;
+    const dsw_face_id face = face_id(s.env.map, s.env.map.half_facet(state.cell, state.forecast));
+    *aimed_at = {DSW_CELL_FACE, face.volume, face.generation, face.local};
+  });
+}
+
 dsw_status dsw_scene_get_particle_positions(const dsw_scene* scene, const dsw_particle_id* particles, size_t count,
                                             double* positions, size_t stride_bytes, dsw_volume_id* volumes) {
   return capi::guarded_visit(__func__, scene, [&](auto& s) {

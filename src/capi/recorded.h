@@ -9,6 +9,7 @@
 #include "capi/calls.h"
 #include "capi/convert.h"
 #include "capi/scene_handle.h"
+#include "scene/untested.h"
 #include "snapshot/record.h"
 #include "snapshot/scene_snapshot.h"
 
@@ -77,12 +78,14 @@ class Recorded {
         with_environment_(changes_environment(row)) {
     if (host_ != nullptr) visit(*host_->environment, [](auto& env) { env.map.begin_call(); });
     if constexpr (kCanRecord) write(row, arguments...);
+    if (needs_free_bodies(row)) hide_edges();
   }
 
   /** It has done what it should; `results` are what it answered or changed, whatever is quick to read. */
   template <class... Results>
   void done(const Results&... results) noexcept {
     if (host_ != nullptr) visit(*host_->environment, [](auto& env) { env.map.keep_tables(); });
+    show_edges(true);
     if (!kCanRecord || scene_ == nullptr) return;
     Digest digest;
     [[maybe_unused]] const auto add = [&](const void* bytes, size_t count) { digest.put(bytes, count); };
@@ -92,6 +95,7 @@ class Recorded {
 
   /** Not done: it failed. */
   ~Recorded() {
+    show_edges(false);
     if (kCanRecord && scene_ != nullptr) finish(true, 0);
   }
   Recorded(const Recorded&) = delete;
@@ -124,9 +128,22 @@ class Recorded {
   void begin(uint64_t number, size_t size) noexcept;
   void finish(bool failed, uint64_t digest) noexcept;
 
+  void hide_edges() noexcept {
+    if (host_ == nullptr) return;
+    visit(*host_, [&](auto& scene) {
+      hides_ = has_untested(scene);
+      if (hides_) hide_blocked_edges(scene, true);
+    });
+  }
+  void show_edges(bool changed) noexcept {
+    if (!std::exchange(hides_, false)) return;
+    visit(*host_, [&](auto& scene) { dsw::show_edges(scene, changed); });
+  }
+
   dsw_scene* host_;   // null: an environment without one
   dsw_scene* scene_;  // null: nobody wants to know
   bool with_environment_;
+  bool hides_ = false;  // edges of bodies, while the call is made
 };
 
 }  // namespace dsw::capi

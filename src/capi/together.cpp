@@ -215,6 +215,7 @@ dsw_status dsw_scene_step_fraction(dsw_scene* scene, const dsw_body_id* bodies, 
     const dsw::PointArray points = check_steps(records, steps, step_count, stride_bytes);
     check_environment_steps(s.env, environment_steps, point_count);
     dsw::StepAnswer answer(s.memory);
+    const dsw::FreeBodies<D> free(s);
     find_step_fraction(s, records.data(), count, {points, environment_steps}, settings, answer);
     *fraction = answer.fraction;
     if (fractions != nullptr) std::copy(answer.fractions.begin(), answer.fractions.end(), fractions);

@@ -31,17 +31,20 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
   before_.assign(body.vertices.begin(), body.vertices.end());
   Body<D> whole(env_.memory);
   if (edits) whole = body;
+  untested_.assign(body.untested.begin(), body.untested.end());
   const auto go_back = [&] {
     if (edits) {
       std::swap(body, whole);
     } else {
       put_vertices(body, before_.data());
+      std::copy(untested_.begin(), untested_.end(), body.untested.begin());
     }
   };
   try {
     const Skipping& skipping = body.skipping;
     const bool may_skip =
         (skipping.back_edges || skipping.by_similar_motion) && covers_edges(body.level) && !sweeps_edges(body.level);
+    leaves_ = may_skip && skipping.leaves_back_edges;
     if (!run(settings, record, may_skip)) {
       // An edge that was left out is not free where it ends: once more, and nothing is left out.
       if (edits) {
@@ -166,7 +169,7 @@ bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may
   // Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are
   // cast where their ends arrive, or by the later of these, which moves alone.
   const auto is_free = [&](uint32_t v) { return casts_.is_star_free(v); };
-  if (may_skip && !dsw::all_of(strays_.begin(), strays_.end(), is_free)) return false;
+  if (may_skip && !leaves_ && !dsw::all_of(strays_.begin(), strays_.end(), is_free)) return false;
   if (settings.passes != 0) go_on(settings, record);
   return true;
 }
@@ -205,7 +208,8 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
       if (notes) turns_.note(*course_.motion.body, v, before, false);
       continue;
     }
-    if (may_skip && !casts_.is_star_free(v)) return false;
+    if (leaves_) test_untested(v, false);
+    if (may_skip && !leaves_ && !casts_.is_star_free(v)) return false;
     const size_t edits = record.edits.size();
     const uint32_t limited = record.limited;
     // If nobody doubts it, and no edge was left out, only another body or this one can stop it.
@@ -219,9 +223,35 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     }
     if (!reached || record.edits.size() != edits) disturb(v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(record.edits[i].vertex.index);
+    if (leaves_) keep_untested();
   }
   star_.near = nullptr;
   return true;
+}
+
+/** Before a vertex moves alone: which of its edges are free where they are. Those that are not meet nothing. What was found
+ * out of edges whose other ends have their turns later counts again when this one is over.
+ * @param is_pass of further passes: all have had their turns. */
+template <int D>
+void BodyMove<D>::test_untested(uint32_t v, bool is_pass) {
+  const Body<D>& body = *course_.motion.body;
+  left_.clear();
+  for_each_edge(body, v, [&](uint32_t e) {
+    const uint32_t w = body.edges[e].other(v);
+    const bool is_later = !is_pass && w < course_.vertices.size() && course_.moves(w) &&
+                          course_.vertices[w].rank > course_.vertices[v].rank;
+    if (is_later) left_.push_back({e, body.untested[e]});
+    return true;
+  });
+  casts_.test_star(v);
+}
+
+template <int D>
+void BodyMove<D>::keep_untested() {
+  Body<D>& body = *course_.motion.body;
+  for (const Left& each : left_) {
+    if (body.has_edge(each.edge)) body.untested[each.edge] = each.untested;
+  }
 }
 
 /** Finds what of a body that meets itself can come near what, where many of its vertices move. */
@@ -260,6 +290,7 @@ void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
       std::copy_n(body.position(v), D, before);
       const uint32_t limited = record.limited;
       const size_t edits = record.edits.size();
+      if (leaves_) test_untested(v, true);
       const bool reached = alone.move(v, course_.motion.targets[v]);
       record.stopped -= reached ? 1 : 0;
       turns_.note(body, v, before, !reached && record.limited == limited, record.edits.data() + edits,
@@ -293,7 +324,7 @@ void BodyMove<D>::remove_noise(Body<D>& body, double share, MoveRecord& record) 
       if (count < 2) edges[count] = e;
       return ++count < 3;
     });
-    if (count != 2) continue;
+    if (count != 2 || body.is_untested(edges[0]) || body.is_untested(edges[1])) continue;
     const double *a = body.position(body.edges[edges[0]].other(v)), *b = body.position(body.edges[edges[1]].other(v));
     const Vec line = difference<D>(b, a), off = difference<D>(body.position(v), a);
     const double size = length(line), beside = length(off.cross(unit(line)));

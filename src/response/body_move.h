@@ -59,6 +59,8 @@ class BodyMove {
   void go_on(const MoveSettings& settings, MoveRecord& record);
   void disturb(uint32_t v);
   void look_ahead(bool slides);
+  void test_untested(uint32_t v, bool is_pass);
+  void keep_untested();
   void remove_noise(Body<D>& body, double share, MoveRecord& record);
 
   const Environment<D>& env_;
@@ -69,9 +71,16 @@ class BodyMove {
   FacePass<D> faces_;
   NearEdges near_;
   const KnownObstacles<D>* known_ = nullptr;
-  Array<uint16_t> beyond_{env_.memory};       // scratch of find_clear_parts
-  Array<uint32_t> strays_{env_.memory};       // vertices that are not where their neighbours took them to be
-  Turns<D> turns_{env_.memory};               // if there are further passes
+  Array<uint16_t> beyond_{env_.memory};   // scratch of find_clear_parts
+  Array<uint32_t> strays_{env_.memory};   // vertices that are not where their neighbours took them to be
+  Turns<D> turns_{env_.memory};           // if there are further passes
+  bool leaves_ = false;                   // back edges are left out that are not free where they arrive
+  Array<uint8_t> untested_{env_.memory};  // of the body before the move, if they are
+  struct Left {
+    uint32_t edge;
+    uint8_t untested;
+  };
+  Array<Left> left_{env_.memory};  // edges of a vertex that moves alone, whose other ends have their turns later
   Array<BodyVertex<D>> before_{env_.memory};  // to go back to
   Array<BodyVertex<D>> here_{env_.memory};    // where a step began
   Array<double> places_{env_.memory};         // of all vertices, in a step

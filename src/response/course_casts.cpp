@@ -64,25 +64,46 @@ void CourseCasts<D>::run_edges() {
   packet_.clear();
 }
 
+/** Calls visit(edge) for each edge of a vertex that is not free where it is, until it returns false; whether it never did. */
 template <int D>
-bool CourseCasts<D>::is_star_free(uint32_t v) {
+template <class Visit>
+bool CourseCasts<D>::visit_blocked(uint32_t v, Visit visit) {
   const Body<D>& body = *course_.motion.body;
   if (!body.has_vertex(v)) return true;
   const BodyVertex<D>& at = body.vertices[v];
-  bool free = true;
+  bool go_on = true;
   const auto run_some = [&] {
     packet_.run(env_, sweeps_.counters);
-    for (uint32_t i = 0; i < packet_.count(); ++i) free = free && packet_.reached(i);
+    for (uint32_t i = 0; i < packet_.count() && go_on; ++i) go_on = packet_.reached(i) || visit(edges_[i]);
     packet_.clear();
   };
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex<D>& other = body.vertices[body.edges[e].other(v)];
+    edges_[packet_.count()] = e;
     packet_.add(env_, at.cell, at.position, other.position).end = other.cell;
     if (packet_.full()) run_some();
-    return true;
+    return go_on;
   });
   run_some();
-  return free;
+  return go_on;
+}
+
+template <int D>
+bool CourseCasts<D>::is_star_free(uint32_t v) {
+  return visit_blocked(v, [](uint32_t) { return false; });
+}
+
+template <int D>
+void CourseCasts<D>::test_star(uint32_t v) {
+  Array<uint8_t>& untested = course_.motion.body->untested;
+  for_each_edge(*course_.motion.body, v, [&](uint32_t e) {
+    untested[e] = 0;
+    return true;
+  });
+  visit_blocked(v, [&](uint32_t e) {
+    untested[e] = 1;
+    return true;
+  });
 }
 
 template class CourseCasts<2>;

@@ -11,10 +11,15 @@ void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
   const Body<D>& body = *course_.motion.body;
   const bool only_places = !sweeps_edges(body.level) && !body.keeps_corridors();
   const bool skips_back = may_skip && body.skipping.back_edges;
+  const bool leaves_back = skips_back && body.skipping.leaves_back_edges;
   sieve_.start(may_skip);
   while (sieve_.next()) {
     if (only_places) {
-      for (const uint32_t e : sieve_) cast_places(e, skips_back);
+      if (leaves_back) {
+        for (const uint32_t e : sieve_) cast_outward_places(e);
+      } else {
+        for (const uint32_t e : sieve_) cast_places(e, skips_back);
+      }
     } else if (!body.keeps_corridors()) {
       for (const uint32_t e : sieve_) sweep_ways(e);
     } else {
@@ -51,6 +56,34 @@ void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
   if (second.doubtful) return;
   ++sweeps_.counts.swept;
   if (!is_clear) casts_.add_place(e, w, {second_way.arrival, targets[w]}, {first_way.arrival, targets[v]});
+}
+
+/** Casts an edge in its new places for its ends that do not go towards the inside, as cast_places does. If the end whose
+ * turn comes last goes inwards, the edge has not been tested where it arrives [JCD10] 6.2. */
+template <int D>
+void EdgePass<D>::cast_outward_places(uint32_t e) {
+  Body<D>& body = *course_.motion.body;
+  const PointArray targets = course_.motion.targets;
+  const uint32_t(&ends)[2] = body.edges[e].ends;
+  const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
+  const uint32_t v = ends[k], w = ends[1 - k];
+  typename Course<D>::Vertex &first = course_.vertices[v], &second = course_.vertices[w];
+  if (first.rank == kNone) return;
+  const VertexWay &first_way = course_.motion.ways[v], &second_way = course_.motion.ways[w];
+  const bool both = second.rank != kNone, is_clear = course_.is_edge_clear(e), closed = body.edges[e].faces[1] != kNone;
+  const bool skips_first = first.inwards && closed, skips_second = second.inwards && closed;
+  const auto count = [&](bool skips) {
+    ++sweeps_.counts.swept;
+    sweeps_.counts.skipped += skips ? 1 : 0;
+    return !skips && !is_clear;
+  };
+  if (!first.doubtful && count(skips_first))
+    casts_.add_place(e, v, {first_way.arrival, targets[v]}, {second_way.from, body.position(w)});
+  body.untested[e] = (both ? skips_second : skips_first) ? 1 : 0;
+  if (!both) return;
+  second.doubtful = second.doubtful || !first_way.arrival.valid();
+  if (!second.doubtful && count(skips_second))
+    casts_.add_place(e, w, {second_way.arrival, targets[w]}, {first_way.arrival, targets[v]});
 }
 
 /** Finds the edges of a chunk whose ends stay in their cells: in one convex cell, or in two between which the edge is

@@ -18,6 +18,7 @@ class EdgePass {
 
  private:
   void cast_places(uint32_t e, bool skips_back);
+  void cast_outward_places(uint32_t e);
   void ask_side_by_side();
   bool keeps_between(uint32_t e) const;
   void sweep_chunk();

@@ -17,6 +17,27 @@ void EdgeSieve<D>::start(bool may_skip) {
   next_ = count_ = 0;
   if (skipping.by_clearance) measure_clearances();
   if (may_skip && skipping.back_edges) find_inwards();
+  const bool only_places = !sweeps_edges(course_.motion.body->level) && !course_.motion.body->keeps_corridors();
+  sifts_ = only_places && (skipping.by_environment || (may_skip && skipping.back_edges));
+  if (sifts_) note_vertices();
+}
+
+/** What sift asks of the ends of edges, in few bytes. */
+template <int D>
+void EdgeSieve<D>::note_vertices() {
+  const Array<VertexWay>& ways = course_.motion.ways;
+  stays_.resize(ways.size());
+  states_.resize(ways.size());
+  others_ = false;
+  for (size_t v = 0; v < ways.size(); ++v) {
+    const Vertex& turn = course_.vertices[v];
+    const Cell from = ways[v].from;
+    const bool stays = from == ways[v].arrival, convex = stays && from.valid() && env_.map.convex(from);
+    stays_[v] = convex ? from.unit : kNone;
+    states_[v] = static_cast<uint8_t>((turn.rank != kNone ? kMoves : 0) | (turn.doubtful ? 0 : kSure) |
+                                      (turn.inwards ? kInwards : 0));
+    others_ = others_ || (stays && !convex);
+  }
 }
 
 /** For vertices whose edges had to be cast; and how much room all have now. */
@@ -39,20 +60,23 @@ void EdgeSieve<D>::measure_clearances() {
 }
 
 /** Which vertices go towards the inside of a closed body: against the normals of all faces at them, where these were
- * when the move began. In doubles: what is left out by this is cast where it arrives. */
+ * when the move began. In doubles: what is left out by this is cast where it arrives, or listed. A face none of whose
+ * corners can go inwards any more is not looked at. */
 template <int D>
 void EdgeSieve<D>::find_inwards() {
   const Body<D>& body = *course_.motion.body;
-  for (const uint32_t v : course_.order) course_.vertices[v].inwards = course_.moves(v);
-  for (uint32_t f = 0; f < body.faces.size(); ++f) {
-    if (!body.has_face(f)) continue;
-    const uint32_t(&corners)[3] = body.faces[f].corners;
-    const double* const p = body.position(corners[0]);
-    const Vec normal = difference<D>(body.position(corners[1]), p).cross(difference<D>(body.position(corners[2]), p));
-    for (const uint32_t v : corners) {
-      const Vec way = difference<D>(course_.place(v, kNone), body.position(v));
-      course_.vertices[v].inwards &= dot(way, normal) < 0;
-    }
+  Vertex* const vertices = course_.vertices.data();
+  const PointArray targets = course_.motion.targets;
+  for (const uint32_t v : course_.order) vertices[v].inwards = course_.moves(v);
+  for (const BodyFace& face : body.faces) {
+    const uint32_t a = face.corners[0], b = face.corners[1], c = face.corners[2];
+    if (a == kNone || !(vertices[a].inwards || vertices[b].inwards || vertices[c].inwards)) continue;
+    const double *const p = body.position(a), *const q = body.position(b), *const r = body.position(c);
+    const Vec normal = difference<D>(q, p).cross(difference<D>(r, p));
+    // One that does not go inwards may stay, and then its target is not read.
+    if (vertices[a].inwards) vertices[a].inwards = dot(difference<D>(targets[a], p), normal) < 0;
+    if (vertices[b].inwards) vertices[b].inwards = dot(difference<D>(targets[b], q), normal) < 0;
+    if (vertices[c].inwards) vertices[c].inwards = dot(difference<D>(targets[c], r), normal) < 0;
   }
 }
 
@@ -60,12 +84,67 @@ template <int D>
 bool EdgeSieve<D>::next() {
   const Skipping& skipping = course_.motion.body->skipping;
   if (next_ >= course_.motion.body->edges.size()) return false;
-  gather();
-  if (skipping.by_environment && !course_.motion.body->keeps_corridors()) drop_inside();
+  if (sifts_) {
+    sift();
+  } else {
+    gather();
+  }
+  if (skipping.by_environment && !course_.motion.body->keeps_corridors() && (!sifts_ || others_)) drop_inside();
   if (skipping.by_clearance && sweeps_.max_volumes == 0) drop_clear();
   if (may_skip_ && skipping.by_similar_motion) drop_similar();
-  if (may_skip_ && skipping.back_edges) drop_back();
+  if (may_skip_ && skipping.back_edges && !sifts_) drop_back();
   return true;
+}
+
+/** Gathers a chunk without the edges that stay in one convex cell [JCD10] 6.1, which need no cast, and without those that
+ * go towards the inside 6.2: these are cast where they arrive, or left. At EDGES, where no corridors are kept. */
+template <int D>
+void EdgeSieve<D>::sift() {
+  Body<D>& body = *course_.motion.body;
+  const bool skips_back = may_skip_ && body.skipping.back_edges, knows_cells = body.skipping.by_environment;
+  uint8_t* const untested = skips_back && body.skipping.leaves_back_edges ? body.untested.data() : nullptr;
+  const uint8_t* const states = states_.data();
+  const uint32_t* const stays = stays_.data();
+  const uint32_t goes_back = skips_back ? 1 : 0;
+  uint32_t kept = 0, back_count = 0, back_edges[kChunk], dropped = 0, skipped = 0;
+  const uint32_t end = next_ + std::min<uint32_t>(kChunk, static_cast<uint32_t>(body.edges.size()) - next_);
+  for (uint32_t e = next_; e < end; ++e) {
+    const BodyEdge& edge = body.edges[e];
+    if (edge.ends[0] == kNone) continue;
+    const uint32_t a = states[edge.ends[0]], b = states[edge.ends[1]], both = a & b;
+    const uint32_t cell = stays[edge.ends[0]], moves = (a | b) & kMoves, sure = moves & (both / kSure);
+    const uint32_t inside = sure & (cell == stays[edge.ends[1]] ? 1u : 0u) & (cell != kNone ? 1u : 0u);
+    const uint32_t closed = edge.faces[1] != kNone ? goes_back : 0;
+    const uint32_t back = sure & (inside ^ 1) & (both / kInwards) & closed;
+    chunk_[kept] = e;
+    kept += moves & ((inside | back) ^ 1);
+    back_edges[back_count] = e;
+    back_count += back;
+    dropped += (inside | back) * ((a & kMoves) + (b & kMoves));
+    if (untested != nullptr) untested[e] = static_cast<uint8_t>((untested[e] & (inside ^ 1)) | back);
+    if (!knows_cells && (inside & closed) != 0 && ((a | b) & kInwards) != 0) skipped += skip_inside(e);
+  }
+  next_ = end;
+  count_ = kept;
+  sweeps_.counts.swept += dropped;
+  sweeps_.counts.skipped += knows_cells ? dropped : 2 * back_count + skipped;
+  if (untested != nullptr) return;
+  for (uint32_t i = 0; i < back_count; ++i) cast_where_it_arrives(back_edges[i]);
+}
+
+/** How many tests 6.2 alone leaves out of an edge that stays in one cell, and whether this edge is listed: as if nothing was
+ * known of cells. */
+template <int D>
+uint32_t EdgeSieve<D>::skip_inside(uint32_t e) {
+  Body<D>& body = *course_.motion.body;
+  const uint32_t(&ends)[2] = body.edges[e].ends;
+  const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
+  const Vertex &first = course_.vertices[ends[k]], &second = course_.vertices[ends[1 - k]];
+  const uint32_t first_in = first.inwards ? 1 : 0, second_in = second.inwards ? 1 : 0;
+  const bool both = second.rank != kNone;
+  if (!body.skipping.leaves_back_edges) return both ? first_in * (1 + second_in) : 0;
+  body.untested[e] = static_cast<uint8_t>(both ? second_in : first_in);
+  return first_in + second_in;
 }
 
 /** What is known of the ends of the edges is on its way when they are looked at. */
@@ -117,10 +196,18 @@ void EdgeSieve<D>::drop_and_cast(Skips skips) {
     dropped += skip ? 1 : 0;
     return skip;
   });
-  for (uint32_t i = 0; i < dropped; ++i) {
-    const uint32_t e = skipped[i], a = course_.motion.body->edges[e].ends[0], b = course_.motion.body->edges[e].ends[1];
-    casts_.add_edge(e, kNone, {course_.motion.ways[a].arrival, course_.place(a, kNone)},
-                    {course_.motion.ways[b].arrival, course_.place(b, kNone)});
+  for (uint32_t i = 0; i < dropped; ++i) cast_where_it_arrives(skipped[i]);
+}
+
+template <int D>
+void EdgeSieve<D>::cast_where_it_arrives(uint32_t e) {
+  const uint32_t a = course_.motion.body->edges[e].ends[0], b = course_.motion.body->edges[e].ends[1];
+  const typename CourseCasts<D>::End from{course_.motion.ways[a].arrival, course_.place(a, kNone)},
+      to{course_.motion.ways[b].arrival, course_.place(b, kNone)};
+  if (course_.motion.body->keeps_corridors()) {
+    casts_.add_edge(e, kNone, from, to);
+  } else {
+    casts_.add_place(e, kNone, from, to);
   }
 }
 
@@ -141,11 +228,14 @@ bool EdgeSieve<D>::sees_all_of_cell(uint32_t v) {
 template <int D>
 void EdgeSieve<D>::drop_inside() {
   const VertexWay* const ways = course_.motion.ways.data();
+  const bool leaves = may_skip_ && course_.motion.body->skipping.leaves_back_edges;
+  uint8_t* const untested = course_.motion.body->untested.data();
   drop([&](const Vertex& turn_a, const Vertex& turn_b, uint32_t e) {
     const uint32_t(&ends)[2] = course_.motion.body->edges[e].ends;
     const VertexWay &a = ways[ends[0]], &b = ways[ends[1]];
     const uint32_t inside = uint32_t{a.from == a.arrival} & uint32_t{b.from == b.arrival} & uint32_t{a.from == b.from};
     const uint32_t decided = inside & uint32_t{env_.map.convex(a.from)};
+    if (leaves) untested[e] &= decided != 0 ? 0 : 1;
     if (DSW_LIKELY(inside == decided)) return decided != 0;
     return sees_all_of_cell(ends[turn_a.rank < turn_b.rank ? 0 : 1]);
   });
@@ -185,12 +275,18 @@ void EdgeSieve<D>::drop_similar() {
   });
 }
 
-/** Edges both ends of which go towards the inside [JCD10] 6.2. */
+/** Edges both ends of which go towards the inside [JCD10] 6.2. They are cast where they arrive, or left. */
 template <int D>
 void EdgeSieve<D>::drop_back() {
-  drop_and_cast([&](const Vertex& a, const Vertex& b, uint32_t e) {
-    return (uint32_t{a.inwards} & uint32_t{b.inwards} & (course_.motion.body->edges[e].faces[1] != kNone ? 1u : 0u)) !=
-           0;
+  Body<D>& body = *course_.motion.body;
+  const auto goes_back = [&](const Vertex& a, const Vertex& b, uint32_t e) {
+    return (uint32_t{a.inwards} & uint32_t{b.inwards} & (body.edges[e].faces[1] != kNone ? 1u : 0u)) != 0;
+  };
+  if (!body.skipping.leaves_back_edges) return drop_and_cast(goes_back);
+  drop([&](const Vertex& a, const Vertex& b, uint32_t e) {
+    const bool left = goes_back(a, b, e);
+    body.untested[e] |= left ? 1 : 0;
+    return left;
   });
 }
 

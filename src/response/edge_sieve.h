@@ -30,11 +30,16 @@ class EdgeSieve {
 
  private:
   static constexpr uint32_t kChunk = 64;
+  static constexpr uint32_t kMoves = 1, kSure = 2, kInwards = 4;  // of a vertex: in this order, see sift
   using Vertex = typename Course<D>::Vertex;
 
   void measure_clearances();
   void find_inwards();
+  void note_vertices();
   void gather();
+  void sift();
+  uint32_t skip_inside(uint32_t e);
+  void cast_where_it_arrives(uint32_t e);
   template <class Drops>
   void drop(Drops drops);
   template <class Skips>
@@ -50,9 +55,13 @@ class EdgeSieve {
   Course<D>& course_;
   CourseCasts<D>& casts_;
   bool may_skip_ = false;
+  bool sifts_ = false;   // edges are sifted while they are gathered
+  bool others_ = false;  // a vertex stays in a cell that is not convex
   uint32_t next_ = 0, count_ = 0;
   uint32_t chunk_[kChunk] = {};
-  Array<double> rooms_{env_.memory};  // by vertex, if balls are kept: see room_squared
+  Array<double> rooms_{env_.memory};    // by vertex, if balls are kept: see room_squared
+  Array<uint32_t> stays_{env_.memory};  // by vertex: the convex cell in which it stays; kNone: it does not
+  Array<uint8_t> states_{env_.memory};  // by vertex: whether it moves, is beyond doubt, goes inwards
 };
 
 }  // namespace dsw

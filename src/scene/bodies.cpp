@@ -165,6 +165,7 @@ dsw_body_id enter_body(Scene<D>& scene, BodyRecord<D>&& made) {
   } else {
     scene.bodies[slot.index] = std::move(made);
   }
+  scene.leaving += scene.bodies[slot.index].body.skipping.leaves_back_edges ? 1 : 0;
   note_body(scene, slot.index);
   return {slot.index, slot.generation};
 }
@@ -181,6 +182,7 @@ dsw_body_id create_body(Scene<D>& scene, const BodyDescription& d) {
 
 template <int D>
 void destroy_body(Scene<D>& scene, uint32_t slot) noexcept {
+  scene.leaving -= scene.bodies[slot].body.skipping.leaves_back_edges ? 1 : 0;
   scene.body_slots.release(slot);
   scene.body_boxes.remove(slot);
   scene.bodies[slot] = BodyRecord<D>(scene.memory);
@@ -203,6 +205,7 @@ void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level) {
   try {
     if (level > before) check_free(scene, body, level);
     if (body.keeps_corridors()) keep_corridors(body, body.edges.size());
+    if (level != before) std::fill(body.untested.begin(), body.untested.end(), uint8_t{0});
   } catch (...) {
     body.level = before;
     throw;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/dimensions.h"
+#include "base/search.h"
 #include "response/body_move.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
@@ -68,7 +69,9 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
   Array<size_t> first(count, 0, scene.memory);
   Array<CastCounters> casts(count, CastCounters{}, scene.memory);
   // If one runs out of memory, none has moved.
-  const bool edits = settings.may_edit();
+  const bool edits = settings.may_edit() || dsw::any_of(bodies, bodies + count, [](const BodyRecord<D>* each) {
+                       return each->body.skipping.leaves_back_edges;
+                     });
   Array<Body<D>> wholes{scene.memory};
   wholes.reserve(edits ? count : 0);
   size_t at = 0;

@@ -197,6 +197,7 @@ Body<D> without_forecasts(const Body<D>& body) {
   Body<D> copy(body);
   for (Corridor<D>& corridor : copy.corridors) corridor.forget();
   copy.touched.clear();
+  std::fill(copy.untested.begin(), copy.untested.end(), uint8_t{0});  // all edges are looked at
   std::fill(copy.clearances.begin(), copy.clearances.end(), Clearance<D>{});
   if (!copy.boxes.empty()) fresh_boxes(copy);
   return copy;

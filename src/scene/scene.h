@@ -70,6 +70,7 @@ struct Scene {
   Array<dsw_body_id> occupant_bodies{memory};       // likewise
   Array<BodyRecord<D>> bodies{memory};              // by slot
   SlotPool body_slots{memory};
+  uint32_t leaving = 0;           // bodies whose back edges are left: see scene/untested.h
   BoxGrid<D> body_boxes{memory};  // by slot, if bodies keep boxes
   // Engines that are made when they are needed first. Sources that use one include its header.
   Owned<BodyMove<D>> mover{memory};                    // what moves of single bodies keep from call to call

@@ -17,7 +17,7 @@ uint64_t flags_of(const Body<D>& body) {
   return (body.is_rigid() ? kRigidFlag : 0) | (body.filter.self ? kSelfFlag : 0) | (s.corridors ? kSequencesFlag : 0) |
          (s.by_environment ? kEnvironmentFlag : 0) | (s.by_clearance ? kClearanceFlag : 0) |
          (s.by_similar_motion ? kSimilarMotionFlag : 0) | (s.back_edges ? kBackEdgesFlag : 0) |
-         (s.no_corridors ? kNoSequencesFlag : 0);
+         (s.no_corridors ? kNoSequencesFlag : 0) | (s.leaves_back_edges ? kLeaveFlag : 0);
 }
 
 template <class T>
@@ -69,6 +69,7 @@ void append_parts(const Map<D>& map, const Body<D>& body, SceneImage& image) {
   for (const BodyEdge& e : body.edges) {
     append(image.edges, {e.ends[0], e.ends[1], e.next[0], e.next[1], e.faces[0], e.faces[1]});
   }
+  for (const uint8_t untested : body.untested) append(image.edges, {uint32_t{untested}});
   append_all(image.edge_slots, body.edge_slots.words());
   append_all(image.free_edges, body.edge_slots.free_slots());
   for (const BodyFace& face : body.faces) append(image.faces, face.corners, 3);

@@ -94,6 +94,14 @@ void BodyReader<D>::read_parts(Body<D>& body, const uint64_t* n) {
     std::copy_n(words + 4, 2, edge.faces);
     words += 6;
   }
+  if (body.skipping.leaves_back_edges) {
+    words = take(image_.edges, edge_, edges);
+    body.untested.resize(static_cast<size_t>(edges));
+    for (uint32_t e = 0; e < edges; ++e, ++words) {
+      if (*words > 1 || (*words == 1 && !body.has_edge(e))) fail_corrupt("which edges are untested");
+      body.untested[e] = static_cast<uint8_t>(*words);
+    }
+  }
   words = take(image_.faces, face_, 3 * faces);
   body.faces.resize(static_cast<size_t>(faces));
   for (BodyFace& face : body.faces) {
@@ -276,7 +284,7 @@ template <int D>
 void BodyReader<D>::read_radius(Body<D>& body, const uint64_t* n) {
   const auto is_length = [](double x) { return x >= 0 && std::isfinite(x); };
   body.radius = bits_as<double>(n[kRadius]);
-  if (!is_length(body.radius)) fail_corrupt("a radius");
+  if (!is_length(body.radius) || (body.radius > 0 && body.skipping.leaves_back_edges)) fail_corrupt("a radius");
   const bool keeps_lengths = body.keeps_lengths();
   if (n[kLengths] != (keeps_lengths ? body.edges.size() : 0)) fail_corrupt("the number of lengths");
   const double* const lengths = take(image_.lengths, length_, n[kLengths]);
@@ -299,7 +307,10 @@ void BodyReader<D>::check(const Body<D>& body) {
   }
   Array<uint32_t> blocked{env_.memory};
   BodyProbe<D>(env_, Obstacle::kCells).find_blocked(body, body.level, blocked);
-  if (!blocked.empty()) fail_corrupt("a body is not free, or that was in another environment");
+  for (size_t i = 0; i < blocked.size(); i += 2) {
+    const uint32_t e = find_edge(body, blocked[i], blocked[i + 1]);
+    if (e == kNone || !body.is_untested(e)) fail_corrupt("a body is not free, or that was in another environment");
+  }
 }
 
 template <int D>
@@ -316,6 +327,10 @@ void BodyReader<D>::read(BodyRecord<D>& of) {
   body.skipping.by_clearance = (n[kFlags] & kClearanceFlag) != 0;
   body.skipping.by_similar_motion = (n[kFlags] & kSimilarMotionFlag) != 0;
   body.skipping.back_edges = (n[kFlags] & kBackEdgesFlag) != 0;
+  body.skipping.leaves_back_edges = (n[kFlags] & kLeaveFlag) != 0;
+  constexpr uint64_t kNotLeft = kSimilarMotionFlag | kRigidFlag;
+  if (body.skipping.leaves_back_edges && (!body.skipping.back_edges || (n[kFlags] & kNotLeft) != 0 || D == 2))
+    fail_corrupt("flags of a body");
   body.skipping.motion_share = bits_as<double>(n[kMotionShare]);
   body.clearance_credit = bits_as<int64_t>(n[kCredit]);
   body.filter = {static_cast<uint32_t>(n[kCategory]), static_cast<uint32_t>(n[kMask]), (n[kFlags] & kSelfFlag) != 0};

@@ -122,6 +122,7 @@ void join_bodies(Scene<D>& scene) {
     const size_t partners = scene.features.contacts ? of.record.contacts.size() : 0;
     if (of.record.partners.size() != partners) fail_corrupt("the number of partners");
     prepare_body(scene, of);
+    scene.leaving += of.body.skipping.leaves_back_edges ? 1 : 0;
     note_body(scene, slot);
   });
   ThickSweep<D> thick(scene.env);

@@ -5,6 +5,17 @@
 #include "body/simplices.h"
 
 namespace dsw {
+namespace {
+
+/** Whether a simplex at a moving vertex sweeps something: the vertex has its path, and an edge that is not free where it
+ * is meets nothing until it has been freed. */
+template <int D>
+bool is_swept(const Body<D>& body, const Simplex& each) {
+  return each.kind == Simplex::kFace || (each.kind == Simplex::kEdge && !body.is_untested(each.index));
+}
+
+}  // namespace
+
 /** The vertex on its way. */
 template <int D>
 MovingPart StarSweep<D>::go(const Body<D>& body, uint32_t v, const double* to, CastResult* path) {
@@ -51,7 +62,7 @@ WayEnd StarSweep<D>::try_walls(const Body<D>& body, uint32_t v, const double* to
   const MovingPart vertex = go(body, v, to, &path);
   *cell = path.cell;
   const auto passes = [&](const Simplex& each) {
-    if (each.kind == Simplex::kVertex || simplices.passes(body, sweep_of(body, vertex, each))) return true;
+    if (!is_swept(body, each) || simplices.passes(body, sweep_of(body, vertex, each))) return true;
     *part = each;
     return false;
   };
@@ -94,7 +105,7 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
   if (any) *first = path_contact(env_, path);
   first->part = vertex.part;
   for_each_simplex_at(body, v, [&](const Simplex& each) {
-    if (each.kind == Simplex::kVertex) return true;
+    if (!is_swept(body, each)) return true;
     SweepContact met;
     const SweepEvent* const before = any ? &first->event : nullptr;
     if (!simplices.find_first(body, sweep_of(body, vertex, each), before, &met)) return true;
@@ -136,7 +147,7 @@ void StarSweep<D>::find_all(const Body<D>& body, uint32_t v, const double* to, c
     }
   };
   for_each_simplex_at(body, v, [&](const Simplex& each) {
-    if (each.kind != Simplex::kEdge) return true;
+    if (each.kind != Simplex::kEdge || !is_swept(body, each)) return true;
     const MovingPart sweep = sweep_of(body, vertex, each);
     // At EDGES an edge that is free in its new place meets nothing.
     const bool free = vertex.reached && !sweeps_edges(body.level) && simplices.passes(body, sweep);

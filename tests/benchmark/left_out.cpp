@@ -113,6 +113,7 @@ std::vector<Setting> all_settings() {
           flag("skip similar motion", DSW_BODY_SKIP_SIMILAR_MOTION),
           flag("skip back edges", DSW_BODY_SKIP_BACK_EDGES),
           flag("hybrid", DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BACK_EDGES),
+          flag("left back edges", DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_LEAVE_BACK_EDGES),
           flag("rigid", DSW_BODY_RIGID),
           use("no sequences", [](Setting& s) { s.flags = DSW_BODY_NO_SEQUENCES; }),
           use("self contacts",

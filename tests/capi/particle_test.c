@@ -187,6 +187,32 @@ static void a_stopped_particle_stays_on_this_side(void) {
   CHECK_OK(dsw_scene_destroy(scene));
 }
 
+static void the_state_names_the_wall_that_stopped_it(void) {
+  dsw_scene *const scene = make_scene(g_env, 0);
+  const dsw_particle_id id = particle_at(scene, g_middle);
+  const double up[3] = {1.5, 1.5, 9.5}, aside[3] = {1.75, 1.5, 3.5}, away[3] = {1.5, 1.5, 0.5};
+  const uint32_t top = 1 + 4 * (1 + 4 * 3), start = 1 + 4 * (1 + 4 * 1);
+  dsw_cell cell, aim = cell_at(DSW_CELL_EDGE, 7, 7);
+  CHECK_OK(dsw_particle_get_state(scene, id, &cell, &aim));
+  CHECK(cell.kind == DSW_CELL_VOLUME && cell.index == start && cell.generation == 1 && cell.local == 0);
+  CHECK(aim.kind == DSW_CELL_NONE && aim.generation == 0); /* it has not moved */
+  CHECK_OK(dsw_particle_move(scene, id, up, NULL, NULL));
+  CHECK_OK(dsw_particle_get_state(scene, id, &cell, &aim));
+  CHECK(cell.index == top && aim.kind == DSW_CELL_FACE && aim.index == top && aim.generation == 1 &&
+        aim.local == FACE_Z1);
+  CHECK_OK(dsw_particle_move(scene, id, aside, NULL, NULL)); /* in its volume */
+  CHECK_OK(dsw_particle_get_state(scene, id, NULL, &aim));
+  CHECK(aim.kind == DSW_CELL_FACE && aim.local == FACE_Z1);
+  CHECK_OK(dsw_particle_move(scene, id, away, NULL, NULL));
+  CHECK_OK(dsw_particle_get_state(scene, id, NULL, &aim));
+  CHECK(aim.kind == DSW_CELL_NONE);
+  CHECK_OK(dsw_particle_get_state(scene, id, NULL, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_get_state(scene, stale_particle, &cell, &aim));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_particle_get_state(NULL, id, &cell, &aim));
+  CHECK(cell.index == top); /* failures write nothing */
+  CHECK_OK(dsw_scene_destroy(scene));
+}
+
 static void options_are_obeyed(void) {
   dsw_scene *const scene = make_scene(g_env, 0);
   const dsw_particle_id id = particle_at(scene, g_middle);
@@ -481,6 +507,7 @@ int main(void) {
   many_are_created_or_none();
   a_move_reaches_its_target();
   a_stopped_particle_stays_on_this_side();
+  the_state_names_the_wall_that_stopped_it();
   options_are_obeyed();
   a_bad_move_changes_nothing();
   far_targets_are_values();

@@ -6,6 +6,7 @@
 #include "rounds.h"
 #include "sweep_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dsw::oracle {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr uint32_t kFlags[] = {DSW_BODY_SKIP_BACK_EDGES, DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_SKIP_BY_ENVIRONMENT,
                                DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_SEQUENCES};
+constexpr uint32_t kOthers[] = {0, DSW_BODY_SKIP_BY_CLEARANCE};
 constexpr int kMoves = 10;  // of a body
 
 /// A closed body, its faces counter-clockwise seen from outside: a tetrahedron, an octahedron or a cube.
@@ -52,7 +54,9 @@ class ClosedBody {
       for (size_t k = 0; k < 3; ++k) p[k] = centre[k] + radius_ * (p[k] + rng_.range(-0.3, 0.3));
     }
     dsw_body_id body;
-    const dsw_status status = create_body(scene_, plan, DSW_LEVEL_EDGES, kFlags[rng_.below(3)], {}, &body);
+    const uint32_t left = rng_.chance(0.5) ? DSW_BODY_LEAVE_BACK_EDGES : 0;
+    const uint32_t flags = kFlags[rng_.below(3)] | kOthers[rng_.below(2)] | left;
+    const dsw_status status = create_body(scene_, plan, DSW_LEVEL_EDGES, flags, {}, &body);
     if (status != DSW_STATUS_OK) {
       const bool right = status == DSW_STATUS_OUTSIDE || status == DSW_STATUS_IMPASSABLE ||
                          status == DSW_STATUS_OCCUPIED || status == DSW_STATUS_NON_FINITE ||
@@ -101,6 +105,11 @@ class ClosedBody {
       return false;
     }
     checker_.replay(state, move, DSW_LEVEL_EDGES, answer, " back edges");
+    report_.left += answer.after.untested.size();
+    for (const size_t e : checker_.blocked_edges(answer.after, DSW_LEVEL_EDGES)) {
+      const uint32_t index = answer.after.edge_ids[e].index;
+      report_.crossed += std::count(answer.after.untested.begin(), answer.after.untested.end(), index) != 0 ? 1 : 0;
+    }
     ++report_.moves;
     report_.swept += answer.report.edges_swept;
     report_.skipped += answer.report.edges_skipped;
@@ -144,14 +153,16 @@ std::string to_json(const BackEdgeReport& report) {
     return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
   };
   const SweepTally& t = report.faults.total;
-  char text[640];
+  char text[800];
   std::snprintf(text, sizeof text,
                 "{\n  \"edges.back_edge_moves\": %.10g,\n  \"edges.back_edge_contacts\": %.10g,\n"
                 "  \"edges.back_edge_not_free_after\": %.10g,\n  \"edges.back_edge_missed_share\": %.10g,\n"
-                "  \"edges.back_edge_skipped_share\": %.10g,\n  \"edges.back_edge_faults\": %.10g\n}\n",
+                "  \"edges.back_edge_skipped_share\": %.10g,\n  \"edges.back_edge_faults\": %.10g,\n"
+                "  \"edges.back_edge_untested\": %.10g,\n  \"edges.back_edge_untested_crossed\": %.10g\n}\n",
                 static_cast<double>(report.moves), static_cast<double>(report.contacts),
                 static_cast<double>(t.not_free_after), share(report.missed, report.contacts),
-                share(report.skipped, report.swept), static_cast<double>(t.faults()));
+                share(report.skipped, report.swept), static_cast<double>(t.faults()), static_cast<double>(report.left),
+                static_cast<double>(report.crossed));
   return text;
 }
 

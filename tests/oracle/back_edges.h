@@ -7,10 +7,11 @@ namespace dsw::oracle {
 
 struct BackEdgeReport {
   explicit BackEdgeReport(int print_most) : faults(print_most) {}
-  bool right() const { return faults.total.faults() == 0 && contacts != 0 && skipped != 0; }
+  bool right() const { return faults.total.faults() == 0 && contacts != 0 && skipped != 0 && left != 0; }
 
   SweepReport faults;  // what is missed on the way is none
   uint64_t moves = 0, contacts = 0, missed = 0, swept = 0, skipped = 0;
+  uint64_t left = 0, crossed = 0;  // edges that were untested after a move, and those of them that were not free
 };
 
 /// Closed bodies in the scenes of swept edges, until there are so many moves.

@@ -113,6 +113,16 @@ std::string read_body(const dsw_scene* scene, dsw_body_id body, BodyState& s) {
   if (fault.empty()) fault = read_ids(scene, body, dsw_body_get_edge_ids, counts.edge_count, s.edge_ids);
   if (fault.empty()) fault = read_ids(scene, body, dsw_body_get_face_ids, counts.face_count, s.face_ids);
   if (!fault.empty()) return fault;
+  std::vector<dsw_body_edge_id> untested(s.edge_ids.size());
+  if (dsw_body_get_untested_edges(scene, body, untested.data(), untested.size(), &count) != DSW_STATUS_OK)
+    return dsw_last_error_message();
+  s.untested.clear();
+  for (size_t i = 0; i < count; ++i) {
+    const auto is_it = [&](const dsw_body_edge_id& e) { return same_id(e, untested[i]); };
+    if (std::none_of(s.edge_ids.begin(), s.edge_ids.end(), is_it)) return "an untested edge that is none";
+    if (i > 0 && untested[i].index <= untested[i - 1].index) return "the order of untested edges";
+    s.untested.push_back(untested[i].index);
+  }
   s.vertices.assign(slots, {0, 0});
   for (const dsw_body_vertex_id& v : living) {
     if (v.index >= slots || v.generation == 0 || s.vertices[v.index].generation != 0) return "ids of vertices";

@@ -24,6 +24,7 @@ struct BodyState {
   std::vector<std::array<uint32_t, 2>> edges;
   std::vector<dsw_body_face_id> face_ids;
   std::vector<std::array<uint32_t, 3>> faces;
+  std::vector<uint32_t> untested;  // indices of edges that were left so, ascending
 
   /// Where the vertex would go to, and what hangs on it. The edges and faces come in the order of the lists.
   VertexMove flight(size_t vertex, const Vec& to, std::vector<size_t>* edges_of = nullptr,

@@ -19,6 +19,7 @@ constexpr Asked kNothingAsked = {"nothing", 0, 0, 0, 0, 0, false, false, false};
 constexpr Asked kAllAsked[] = {
     {"back edges", 0, DSW_BODY_SKIP_BACK_EDGES, 0, 0, 0, false, false, false},
     {"hybrid", 0, DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BACK_EDGES, 0, 0, 0, false, false, false},
+    {"left back edges", 0, DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_LEAVE_BACK_EDGES, 0, 0, 0, false, false, false},
     {"self contacts", DSW_FEATURE_BODY_CONTACTS, DSW_BODY_SELF_CONTACTS, 0, 0, 0, false, false, false},
     {"RIGID", 0, DSW_BODY_RIGID, 0, 0, 0, false, false, false},
     {"NO_SEQUENCES", 0, DSW_BODY_NO_SEQUENCES, 0, 0, 0, false, false, false},

@@ -109,4 +109,25 @@ static partial class Tests
       }
     }
   }
+
+  public static void BackEdgesThatAreLeftAreListed()
+  {
+    double[] points = { 0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 4, 4, 0, 4, 4, 4, 4, 0, 4, 4 };
+    double[] corners = { 1, 1, 1, 2, 1, 1, 1, 2, 1, 1, 1, 2 }, inwards = { 1, 1, 1, 2, 1, 1, 1, 2, 1, 1.1, 1.1, 1.7 };
+    BodyDesc desc = new BodyDesc { Level = Level.Edges, Flags = Library.BODY_SKIP_BACK_EDGES | Library.BODY_LEAVE_BACK_EDGES };
+    using (Environment environment = new Environment(points, new[] { 0, 1, 2, 3, 4, 5, 6, 7 }, CellType.Hexahedron))
+    using (Scene scene = new Scene(environment))
+    {
+      Body body = scene.CreateBody(corners, null, new uint[] { 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3 }, desc);
+      Same(0, body.GetUntestedEdges().Length);
+      body.Move(inwards);
+      Same(3, body.GetUntestedEdges().Length);
+      body.Move(corners);
+      Same(0, body.GetUntestedEdges().Length);
+      ParticleId particle = scene.CreateParticle(new Vec3(2, 2, 2));
+      True(scene.GetParticleCell(particle).Kind == CellKind.Volume && scene.GetParticleAim(particle).Kind == CellKind.None);
+      scene.MoveParticle(particle, new Vec3(2, 2, 9));
+      Same(CellKind.Face, scene.GetParticleAim(particle).Kind);
+    }
+  }
 }

@@ -104,3 +104,26 @@ function TestRigid:test_only_the_parts_that_touch_stop_or_are_pushed()
     lu.assertAlmostEquals(bar:get_ways_left()[3], stops and 0 or -1, 1e-9)
   end
 end
+
+function TestRigid:test_back_edges_that_are_left_are_listed()
+  local environment <close> = make_room()
+  local scene <close> = dsw.Scene(environment)
+  local flags = dsw.BODY_SKIP_BACK_EDGES | dsw.BODY_LEAVE_BACK_EDGES
+  local corners, faces = {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}
+  local body = scene:create_body {positions = corners, triangles = faces, level = dsw.LEVEL_EDGES, flags = flags}
+  lu.assertEquals(#body:get_untested_edges(), 0)
+  body:move {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1.1, 1.1, 1.7}} -- the tip goes inwards
+  lu.assertEquals(#body:get_untested_edges(), 3)
+  body:move(corners)
+  lu.assertEquals(#body:get_untested_edges(), 0)
+end
+
+function TestRigid:test_a_particle_has_a_state()
+  local environment <close> = make_room()
+  local scene <close> = dsw.Scene(environment)
+  local particle = scene:create_particle {2, 2, 2}
+  lu.assertEquals(scene:get_particle_cell(particle).kind, dsw.CELL_VOLUME)
+  lu.assertEquals(scene:get_particle_aim(particle).kind, dsw.CELL_NONE)
+  scene:move_particle(particle, {2, 2, 9})
+  lu.assertEquals(scene:get_particle_aim(particle).kind, dsw.CELL_FACE)
+end

@@ -159,3 +159,26 @@ test('wrong moves together are refused', () => {
   assert.throws(() => scene.moveTogether([body], strand(2), { stop: 3 }), dsw.UnsupportedError);
   assert.throws(() => makeRoom(0).scene.deform(corners), dsw.NotEnabledError);
 });
+
+test('back edges that are left are listed', () => {
+  const { scene } = makeRoom(0);
+  const tip = [1, 1, 2];
+  const base = [1, 1, 1, 2, 1, 1, 1, 2, 1];
+  const flags = dsw.BODY_SKIP_BACK_EDGES | dsw.BODY_LEAVE_BACK_EDGES;
+  const triangles = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
+  const body = scene.createBody([...base, ...tip], null, { triangles, level: dsw.Level.Edges, flags });
+  assert.equal(body.getUntestedEdges().length, 0);
+  body.move([...base, 1.1, 1.1, 1.7]); // the tip goes inwards
+  assert.equal(body.getUntestedEdges().length, 3);
+  body.move([...base, ...tip]);
+  assert.equal(body.getUntestedEdges().length, 0);
+});
+
+test('a particle has a state', () => {
+  const { scene } = makeRoom(0);
+  const particle = scene.createParticle([2, 2, 2]);
+  assert.equal(scene.getParticleCell(particle).kind, dsw.CellKind.Volume);
+  assert.equal(scene.getParticleAim(particle).kind, dsw.CellKind.None);
+  scene.moveParticle(particle, [2, 2, 9]);
+  assert.equal(scene.getParticleAim(particle).kind, dsw.CellKind.Face);
+});

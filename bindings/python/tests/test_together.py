@@ -192,3 +192,23 @@ def test_how_much_of_steps_is_free(room: ds.Scene) -> None:
     assert room.step_fraction([left.id, right.id], steps, options=by_island).fractions[1] < 1
     with pytest.raises(ds.errors.WrongSize):
         room.step_fraction([left.id], steps)
+
+
+def test_back_edges_that_are_left_are_listed(room: ds.Scene) -> None:
+    corners = np.array([(1, 1, 1), (2, 1, 1), (1, 2, 1), (1, 1, 2)], np.float64)
+    faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+    flags = ds.BodyFlag.SKIP_BACK_EDGES | ds.BodyFlag.LEAVE_BACK_EDGES
+    body = room.create_body(corners, triangles=faces, level=ds.Level.EDGES, flags=flags)
+    assert len(body.untested_edges()) == 0
+    body.move([*corners[:3], (1.1, 1.1, 1.7)])  # the tip goes inwards
+    assert {tuple(sorted(body.edge_ends(edge)["index"])) for edge in body.untested_edges()} == {(0, 3), (1, 3), (2, 3)}
+    body.move(corners)
+    assert len(body.untested_edges()) == 0
+
+
+def test_a_particle_has_a_state(room: ds.Scene) -> None:
+    particle = room.create_particle((2, 2, 2))
+    cell, aim = room.particle_state(particle)
+    assert cell.kind == ds.CellKind.VOLUME and aim.kind == ds.CellKind.NONE
+    room.move_particle(particle, (2, 2, 9))
+    assert room.particle_state(particle)[1].kind == ds.CellKind.FACE

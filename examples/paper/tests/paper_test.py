@@ -31,7 +31,7 @@ def made_figures():
     for _, key, overhead, _ in results.ELIMINATIONS:
         figures[f"edges.fig12.ns.{key}"] = 160.0
         figures[f"edges.fig12.{overhead}"] = 4.0
-    for key in ("vertices", "coarse.overhead_hybrid", "back_edge_missed_share", "back_edge_not_free_after", "hybrid_not_free_after",
+    for key in ("vertices", "none", "coarse.overhead_hybrid", "back_edge_missed_share", "back_edge_not_free_after", "hybrid_not_free_after",
                 "similar_motion_not_free_after"):
         figures[f"edges.fig12.{key}"] = 1.0
     return figures
@@ -97,7 +97,7 @@ class PaperTest(unittest.TestCase):
 
     def test_what_holds_follows_from_the_numbers(self):
         held = {row["quantity"]: row["holds"] for row in results.figure12(self.folder).results}
-        self.assertEqual(held["edges over particles alone, no elimination"], "yes")
+        self.assertEqual(held["edges over particles alone, no flag"], "yes")
         self.assertEqual(held["hybrid"], "no")
         self.assertEqual(held["similar motion (ours)"], "")
         self.assertEqual(held["back edges, over no elimination"], "yes")  # few are left out, so that need not pay

@@ -57,6 +57,9 @@ class Body {
   Array<dsw_body_edge_id> get_edge_ids() const {
     return fill<dsw_body_edge_id>(dsw_body_get_edge_ids);
   }
+  Array<dsw_body_edge_id> get_untested_edges() const {
+    return fill<dsw_body_edge_id>(dsw_body_get_untested_edges);
+  }
   Array<dsw_body_face_id> get_face_ids() const {
     return fill<dsw_body_face_id>(dsw_body_get_face_ids);
   }

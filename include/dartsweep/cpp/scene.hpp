@@ -116,6 +116,19 @@ class Scene {
     out.position = {xyz[0], xyz[1], xyz[2]};
     return out;
   }
+  dsw_cell get_particle_cell(dsw_particle_id particle) const {
+    const SceneReading self(*state_);
+    dsw_cell out = {};
+    check(dsw_particle_get_state(self.handle, particle, &out, nullptr));
+    return out;
+  }
+  // The cell that it aims at.
+  dsw_cell get_particle_aim(dsw_particle_id particle) const {
+    const SceneReading self(*state_);
+    dsw_cell out = {};
+    check(dsw_particle_get_state(self.handle, particle, nullptr, &out));
+    return out;
+  }
   void get_particle_positions(View<const dsw_particle_id> particles, PointsOut positions,
                               View<dsw_volume_id> volumes = {}) const {
     count_points(dimension(), positions);

@@ -114,6 +114,10 @@ class Body:
         """Ids of the edges."""
         return self._core.get_edge_ids()  # type: ignore[no-any-return]
 
+    def untested_edges(self) -> Records:
+        """Ids of the edges that BodyFlag.LEAVE_BACK_EDGES has left untested where they are. All others are free."""
+        return self._core.get_untested_edges()  # type: ignore[no-any-return]
+
     def face_ids(self) -> Records:
         """Ids of the triangles."""
         return self._core.get_face_ids()  # type: ignore[no-any-return]

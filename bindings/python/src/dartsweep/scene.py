@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core, dtypes
 from ._core import (
     CastOptions,
+    Cell,
     DeformReport,
     Flight,
     MoveOptions,
@@ -166,6 +167,11 @@ class Scene:
         """Position and volume of a particle."""
         both = self._core.get_particle_position(particle)
         return both.position[: self._core.dimension()], both.volume
+
+    def particle_state(self, particle: Any) -> tuple[Cell, Cell]:
+        """The cell in which a particle lies, a volume, and the cell at which it was last seen to aim: a face of the volume, or null
+        where that is not kept."""
+        return self._core.get_particle_cell(particle), self._core.get_particle_aim(particle)
 
     def particle_positions(self, particles: Ids, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
         """Positions of particles."""

@@ -228,4 +228,31 @@ class TogetherTest {
       }
     }
   }
+
+  @Test
+  void backEdgesThatAreLeftAreListed() {
+    double[] corners = {1, 1, 1, 2, 1, 1, 1, 2, 1, 1, 1, 2}, inwards = {1, 1, 1, 2, 1, 1, 1, 2, 1, 1.1, 1.1, 1.7};
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, 0)) {
+      BodyDesc desc = new BodyDesc();
+      desc.setLevel(Level.EDGES);
+      desc.setFlags(Dartsweep.BODY_SKIP_BACK_EDGES | Dartsweep.BODY_LEAVE_BACK_EDGES);
+      Body body = scene.createBody(DoubleBuffer.wrap(corners), null, new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}, desc);
+      assertEquals(0, body.getUntestedEdges().size());
+      body.move(DoubleBuffer.wrap(inwards));
+      assertEquals(3, body.getUntestedEdges().size());
+      body.move(DoubleBuffer.wrap(corners));
+      assertEquals(0, body.getUntestedEdges().size());
+    }
+  }
+
+  @Test
+  void aParticleHasAState() {
+    try (Environment environment = makeRoom(); Scene scene = new Scene(environment, 0)) {
+      ParticleId particle = scene.createParticle(new double[] {2, 2, 2});
+      assertEquals(CellKind.VOLUME, scene.getParticleCell(particle).getKind());
+      assertEquals(CellKind.NONE, scene.getParticleAim(particle).getKind());
+      scene.moveParticle(particle, new double[] {2, 2, 9});
+      assertEquals(CellKind.FACE, scene.getParticleAim(particle).getKind());
+    }
+  }
 }
