@@ -238,9 +238,9 @@ class TogetherTest {
       desc.setFlags(Dartsweep.BODY_SKIP_BACK_EDGES | Dartsweep.BODY_LEAVE_BACK_EDGES);
       Body body = scene.createBody(DoubleBuffer.wrap(corners), null, new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}, desc);
       assertEquals(0, body.getUntestedEdges().size());
-      body.move(DoubleBuffer.wrap(inwards));
+      body.move(inwards, null);
       assertEquals(3, body.getUntestedEdges().size());
-      body.move(DoubleBuffer.wrap(corners));
+      body.move(corners, null);
       assertEquals(0, body.getUntestedEdges().size());
     }
   }
