@@ -43,7 +43,7 @@ struct PieceEnd {
 };
 
 template <int D>
-struct Piece {
+struct EdgePiece {
   PieceEnd<D> ends[2];
   bool is_left = false;  // else there is no free place for it
   uint32_t edge = kNone;
@@ -121,7 +121,7 @@ class BodyCutter {
     const BodyEdge edge = body.edges[e];
     const uint32_t a = edge.ends[0], b = edge.ends[1];
     find_crossings(body.position(a), body.position(b));
-    pieces_.assign(crossings_.size() + 1, Piece<D>());
+    pieces_.assign(crossings_.size() + 1, EdgePiece<D>());
     if (!crossed.has_faces) {
       Partners<D> partners(scene_.memory);
       if (scene_.features.contacts) find_partners(scene_, body, reach_of(body), partners);
@@ -141,12 +141,12 @@ class BodyCutter {
     reserve_more(cuts, crossings_.size());
     reserve_more(ends_, 2 * crossings_.size());
     remove_edge(body, e);
-    for (Piece<D>& piece : pieces_) put(body, piece);
+    for (EdgePiece<D>& piece : pieces_) put(body, piece);
     for (size_t i = 0; i < crossings_.size(); ++i) {
       cut.edge_parameter = crossings_[i].time;
       point_at<D>(from, to, cut.edge_parameter, cut.point);
       for (size_t k = 0; k < 2; ++k) {
-        const Piece<D>& piece = pieces_[i + k];
+        const EdgePiece<D>& piece = pieces_[i + k];
         cut.vertices[k] = piece.is_left ? vertex_id(body, piece.ends[1 - k].vertex) : dsw_body_vertex_id{};
         cut.parts[k] = piece.is_left ? edge_id(body, piece.edge) : dsw_body_edge_id{};
         // Where nothing is left up to an end of the edge, that end is the free one.
@@ -159,7 +159,7 @@ class BodyCutter {
   }
 
   /** Makes a piece a part of the body. */
-  void put(Body<D>& body, Piece<D>& piece) noexcept {
+  void put(Body<D>& body, EdgePiece<D>& piece) noexcept {
     if (!piece.is_left) return;
     for (PieceEnd<D>& end : piece.ends) {
       if (end.vertex == kNone) end.vertex = add_vertex(body, end.at, end.cell);
@@ -176,7 +176,7 @@ class BodyCutter {
     // Both sides of a thick thread that meets itself have to be apart.
     const double apart = body.keeps_lengths() ? body.radius / length(difference<D>(b, a)) : 0;
     double step = first_step<D>(a, b, 1);
-    Piece<D>& piece = pieces_[i];
+    EdgePiece<D>& piece = pieces_[i];
     for (int tries = 0; tries < 60; ++tries, step *= 2) {
       const double from = is_first ? 0 : low + apart + step, to = is_last ? 1 : high - apart - step;
       if (!(from < to)) return;
@@ -292,7 +292,7 @@ class BodyCutter {
   BladeTree<D> tree_;
   SimplexSweep<D> sweeps_;
   Array<EdgeCrossing> crossings_{scene_.memory};
-  Array<Piece<D>> pieces_{scene_.memory};
+  Array<EdgePiece<D>> pieces_{scene_.memory};
   Array<uint32_t> ends_{scene_.memory};  // free ends at the cuts of a body
 };
 
