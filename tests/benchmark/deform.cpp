@@ -73,6 +73,8 @@ struct Contest {
   std::vector<DeformStep> steps;  // the last that the peers repeat
   std::map<std::string, std::unique_ptr<MovingEngine>> peers;
   std::map<std::string, Times> times;  // by engine: the median step of each round
+  std::vector<double> alone,
+      ns_each;  // of steps of SWEPT: vertices that moved one at a time; time of the update for each
 };
 
 /** Steps of ours, two more that warm the caches. @return the median. */
@@ -81,7 +83,11 @@ Times run_ours(Contest& contest, dsw_deform_method method, std::size_t steps) {
   Times times;
   for (std::size_t i = 0; i < steps + 2; ++i) {
     const DeformCase::Times ns = contest.scene->advance(method, contest.steps[i]);
-    if (i >= 2) times.add(ns.update, ns.queries);
+    if (i < 2) continue;
+    times.add(ns.update, ns.queries);
+    if (ns.alone == 0) continue;
+    contest.alone.push_back(ns.alone);
+    contest.ns_each.push_back(ns.update / ns.alone);
   }
   return times;
 }
@@ -93,6 +99,8 @@ Contest make_contest(const std::string& size, std::size_t cells) {
   contest.scene = std::make_unique<DeformCase>(cells);
   run_ours(contest, DSW_DEFORM_SWEPT, 4);
   run_ours(contest, DSW_DEFORM_END_STATE, 4);
+  contest.alone.clear();
+  contest.ns_each.clear();
   const WallMesh& walls = contest.scene->walls();
   contest.peers["embree_refit"] = keep_fastest(*contest.scene, contest.steps, make_moving_embrees(walls));
   contest.peers["bullet_refit"] = keep_fastest(*contest.scene, contest.steps, make_moving_bullets(walls));
@@ -159,6 +167,8 @@ void run_deform(const Options& options, Report& report, Agreement& agreement) {
     for (const auto& [name, peer] : contest.peers) {
       report.set("deform.vs_" + name + contest.size, median_ratio(contest.times.at(name).both, ours));
     }
+    report.set("deform.alone" + contest.size, median(contest.alone));
+    report.set("deform.ns_each" + contest.size, median(contest.ns_each));
     report.set("deform.pushed" + contest.size, static_cast<double>(contest.scene->pushed()));
     report.set("deform.shortened" + contest.size, static_cast<double>(contest.scene->shortened()));
   }
@@ -167,6 +177,7 @@ void run_deform(const Options& options, Report& report, Agreement& agreement) {
     report.set("deform.flatness" + end,
                median_ratio(contests.back().times.at(name).both, contests.front().times.at(name).both));
   }
+  report.set("deform.flatness.swept_each", median(contests.back().ns_each) / median(contests.front().ns_each));
   for (const auto& [name, values] : shares) {
     report.set("deform.agree_share." + name, *std::min_element(values.begin(), values.end()));
   }

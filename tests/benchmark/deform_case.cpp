@@ -114,6 +114,7 @@ DeformCase::Times DeformCase::advance(dsw_deform_method method, DeformStep& step
     check(dsw_scene_cast_from_particles(scene, sources_.data(), sources_.size(), to_.data(), 0, nullptr,
                                         flights_.data()));
   });
+  times.alone = report.near_count;
   pushed_ += report.pushed_count;
   shortened_ += report.outcome == DSW_DEFORM_DONE ? 0 : 1;
 

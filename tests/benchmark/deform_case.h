@@ -35,6 +35,7 @@ class DeformCase {
 
   struct Times {
     double update, queries;  // ns
+    std::uint32_t alone;     // vertices that moved one at a time
   };
   /** Takes the environment to the next step of the wave; particles lie at all vertices of the bodies and are cast. */
   Times advance(dsw_deform_method method, DeformStep& step);

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace dsw::bench {
 namespace {
@@ -149,26 +148,32 @@ Figures run_size(std::size_t cells, const std::string& suffix, const Options& op
   if (auto fcl = make_near_fcl(wall_mesh)) peers.push_back(std::move(fcl));
 
   std::size_t rows = 0;
-  std::vector<std::pair<std::string, std::function<void()>>> runs;
-  runs.emplace_back("moving", [&] { rows = wires.find(margin); });
-  runs.emplace_back("first", [&] { wires.find(margin); });
-  for (const auto& peer : peers) runs.emplace_back(peer->name(), [&] { wires.ask(*peer, margin); });
-  std::vector<std::vector<double>> rounds(runs.size());
   wires.find(margin);
-  for (int round = 0; round < (options.quick ? 9 : 25); ++round) {
-    wires.move();
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-      if (r == 1) change_environment(world);
-      rounds[r].push_back(1e-3 * cpu_time_ns(runs[r].second) / static_cast<double>(wires.edge_count()));
+  const auto time_of = [&](const auto& call) {
+    return 1e-3 * cpu_time_ns(call) / static_cast<double>(wires.edge_count());
+  };
+  /** Medians of our times, with the ratios to the peers' in the report. */
+  const auto run_rounds = [&](const std::string& key, bool forgets) {
+    std::vector<double> ours;
+    std::vector<std::vector<double>> theirs(peers.size());
+    for (int round = 0; round < (options.quick ? 9 : 25); ++round) {
+      wires.move();
+      if (forgets) change_environment(world);
+      ours.push_back(time_of([&] { rows = wires.find(margin); }));
+      for (std::size_t p = 0; p < peers.size(); ++p) {
+        theirs[p].push_back(time_of([&] { wires.ask(*peers[p], margin); }));
+      }
     }
-  }
-  const Figures figures{median(rounds[1]), median(rounds[0])};
+    for (std::size_t p = 0; p < peers.size(); ++p) {
+      report.set("near." + key + "_vs_" + peers[p]->name() + suffix, median_ratio(theirs[p], ours));
+    }
+    return median(ours);
+  };
+  // One after the other: in a simulation the environment does not change between most calls.
+  const double moving = run_rounds("rows", false), first = run_rounds("first_rows", true);
+  const Figures figures{first, moving};
   report.set("near.us_per_edge" + suffix, figures.moving);
   report.set("near.first_us_per_edge" + suffix, figures.first);
-  for (std::size_t p = 0; p < peers.size(); ++p) {
-    report.set("near.rows_vs_" + peers[p]->name() + suffix, median_ratio(rounds[2 + p], rounds[0]));
-    report.set("near.first_rows_vs_" + peers[p]->name() + suffix, median_ratio(rounds[2 + p], rounds[1]));
-  }
   report.set("near.rows_per_edge" + suffix, static_cast<double>(rows) / static_cast<double>(wires.edge_count()));
   return figures;
 }
