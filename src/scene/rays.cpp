@@ -98,7 +98,8 @@ class BodiesAbout {
   bool may_meet(const double* from, const double* to) const noexcept {
     bool apart = false;
     for (int k = 0; k < D; ++k) {
-      apart |= (std::max(from[k], to[k]) < all_.lower[k]) | (all_.upper[k] < std::min(from[k], to[k]));
+      apart |= std::max(from[k], to[k]) < all_.lower[k];
+      apart |= all_.upper[k] < std::min(from[k], to[k]);
     }
     return !apart && may_be_held(from, to);
   }

@@ -104,7 +104,7 @@ class Cutting {
   }
 
   size_t threads() const { return threads_.size(); }
-  int cuts = 0, wrong = 0, not_free = 0, parts = 0, ends = 0;
+  int cuts = 0, wrong = 0, not_free = 0, parts = 0;
 
   void cut_once(const std::string& where) {
     const int before = failures();
@@ -209,7 +209,6 @@ class Cutting {
       int at_end = 0;
       for (const auto& [id, ends_of] : thread->edges) at_end += ends_of[0] == end || ends_of[1] == end ? 1 : 0;
       EXPECT_EQ(at_end, 1) << where;
-      ++ends;
     }
   }
 
@@ -250,7 +249,7 @@ class Cutting {
 };
 
 TEST_P(ThreadCutsTest, WhatCrossesIsCutAndNothingElse) {
-  int calls = 0, cuts = 0, wrong = 0, not_free = 0, parts = 0, ends = 0;
+  int calls = 0, cuts = 0, wrong = 0, not_free = 0, parts = 0;
   for (uint64_t seed = 21; seed < 21 + seeds_of(4); ++seed) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
@@ -265,7 +264,6 @@ TEST_P(ThreadCutsTest, WhatCrossesIsCutAndNothingElse) {
     wrong += cutting.wrong;
     not_free += cutting.not_free;
     parts += cutting.parts;
-    ends += cutting.ends;
   }
   RecordProperty("thread_cuts", cuts);
   RecordProperty("threads_wrong", wrong);
