@@ -396,13 +396,83 @@ bool stands(const TurningPair<D>& pair) noexcept {
   return true;
 }
 
+// The pair with all lengths times one power of two, so that the largest coordinate is near 1. What underflows then is less than
+// 2^-970 of the bounds.
+template <int D>
+class ScaledPair {
+ public:
+  TurningPair<D> pair;
+
+  explicit ScaledPair(const TurningPair<D>& given) noexcept : pair(given) {
+    const int first_count = given.kind == PairKind::kEdgeEdge ? 2 : 1;
+    const auto raise = [this](const double* point) {
+      for (int k = 0; k < D; ++k) most_ = std::fabs(point[k]) > most_ ? std::fabs(point[k]) : most_;
+    };
+    for (int i = 0; i <= D; ++i) {
+      raise(given.start[i]);
+      if (given.way[i < first_count ? 0 : 1] == nullptr) raise(given.end[i]);
+    }
+    for (const TurningWay* const way : given.way) {
+      if (way == nullptr) continue;
+      raise(way->centre);
+      raise(way->place[0]);
+      raise(way->place[1]);
+    }
+    if (!is_far_from_1()) return;
+    const double scale = integers::of_bits((std::uint64_t{2046} - (integers::bits_of(most_) >> 52)) << 52);
+    for (int i = 0; i <= D; ++i) {
+      const bool turns = given.way[i < first_count ? 0 : 1] != nullptr;
+      for (int k = 0; k < D; ++k) {
+        points_[0][i][k] = scale * given.start[i][k];
+        points_[1][i][k] = turns ? 0 : scale * given.end[i][k];
+      }
+      pair.start[i] = points_[0][i];
+      pair.end[i] = points_[1][i];
+    }
+    for (int side = 0; side < 2; ++side) {
+      if (given.way[side] == nullptr) continue;
+      TurningWay& way = ways_[side] = *given.way[side];
+      for (int k = 0; k < D; ++k) {
+        way.centre[k] *= scale;
+        way.place[0][k] *= scale;
+        way.place[1][k] *= scale;
+      }
+      pair.way[side] = &way;
+    }
+  }
+  ScaledPair(const ScaledPair&) = delete;
+  ScaledPair& operator=(const ScaledPair&) = delete;
+
+  // Whether lengths may be out of the filter's range though their ratios are not.
+  bool is_far_from_1() const noexcept {
+    return (most_ < 0x1p-90 && most_ >= 0x1p-1000) || (most_ > 0x1p90 && most_ <= 0x1p1020);
+  }
+
+ private:
+  double most_ = 0;
+  double points_[2][D + 1][D];
+  TurningWay ways_[2];
+};
+
+template <int D>
+Filtered filter_in_range(const TurningPair<D>& pair, double* time) noexcept {
+  if (pair.way[0] != nullptr && pair.way[1] != nullptr) return TurningFilter<D, Other::kTurns>(pair).first_touch(time);
+  if (stands(pair)) return TurningFilter<D, Other::kStands>(pair).first_touch(time);
+  return TurningFilter<D, Other::kGoes>(pair).first_touch(time);
+}
+
+template <int D>
+DSW_COLD Filtered filter_scaled(const TurningPair<D>& pair, double* time) noexcept {
+  const ScaledPair<D> scaled(pair);
+  return scaled.is_far_from_1() ? filter_in_range(scaled.pair, time) : Filtered::kUnknown;
+}
+
 }  // namespace
 
 template <int D>
 Filtered filter_first_touch(const TurningPair<D>& pair, double* time) noexcept {
-  if (pair.way[0] != nullptr && pair.way[1] != nullptr) return TurningFilter<D, Other::kTurns>(pair).first_touch(time);
-  if (stands(pair)) return TurningFilter<D, Other::kStands>(pair).first_touch(time);
-  return TurningFilter<D, Other::kGoes>(pair).first_touch(time);
+  const Filtered answer = filter_in_range(pair, time);
+  return answer == Filtered::kUnknown ? filter_scaled(pair, time) : answer;
 }
 
 template Filtered filter_first_touch(const TurningPair<2>&, double*) noexcept;

@@ -15,7 +15,8 @@
 //   - The volume at one time, by double-double: a product loses 8u^2, a sum 3u^2, and errors of factors are added. It is 11u^2
 //     for q, 39u^2 for r, 95u^2 for an entry of R(r), 120u^2 for a turned point, 170u^2 T for the volume. The slope errs by
 //     700u T, which counts 2800u^2 T over four doubles; the curvature counts 640u^2 T. Together less than 2^-88 T.
-// With lengths in [2^-100, 2^100] and components of quaternions near 1 nothing over- or underflows that counts.
+// With lengths in [2^-100, 2^100] and components of quaternions near 1 nothing over- or underflows that counts. Others are scaled by a
+// power of two first.
 #pragma once
 
 #include "predicates/touch_search.h"

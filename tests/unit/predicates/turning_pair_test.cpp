@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <string>
@@ -93,6 +94,45 @@ TEST_P(TurningPairTest, OrdersAreTrue) {
   } else {
     orders_are_true<3>();
   }
+}
+
+/** All lengths of a pair times a power of two. */
+template <int D>
+TurningCase<D> scaled_by(TurningCase<D> c, int bits) {
+  const auto scale = [bits](double& x) { x = std::ldexp(x, bits); };
+  for (auto* points : {&c.points.start, &c.points.end}) {
+    for (auto& x : *points) std::for_each(x.begin(), x.end(), scale);
+  }
+  for (TurningWay& way : c.ways) {
+    for (double* const point : {way.centre, way.place[0], way.place[1]}) std::for_each(point, point + 3, scale);
+  }
+  return c;
+}
+
+template <int D>
+void lengths_may_be_of_any_size(PairKind kind) {
+  Random random(88);
+  const auto cases = static_cast<std::uint64_t>(effort_of(64));
+  std::uint64_t touching = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    const auto family = i % 2 == 0 ? TurningFamily::kRandom : TurningFamily::kHinged;
+    const TurningCase<D> c = draw_turning<D>(random, family, kind, 1 + random.below(3));
+    const FirstTouch truth = true_first_touch(c.pair());
+    touching += truth.touches ? 1 : 0;
+    for (const int bits : {-900, -120, -95, 95, 120, 900, 1010}) {
+      const TurningCase<D> other = scaled_by(c, bits);
+      const FirstTouch found = first_touch(other.pair());
+      ASSERT_EQ(found.touches, truth.touches) << other.text();
+      ASSERT_EQ(found.time, truth.time) << other.text();
+    }
+  }
+  EXPECT_GT(touching, cases / 50);
+}
+
+TEST(TurningPairTest, LengthsMayBeOfAnySize) {
+  lengths_may_be_of_any_size<3>(PairKind::kVertexFace);
+  lengths_may_be_of_any_size<3>(PairKind::kEdgeEdge);
+  lengths_may_be_of_any_size<2>(PairKind::kVertexEdge);
 }
 
 /** A vertex that goes round by half a turn about z, at a radius of 1 from (0, -1, 0) to (0, 1, 0). */
