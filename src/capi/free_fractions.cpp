@@ -1,10 +1,10 @@
 #include "scene/free_fractions.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/search.h"
 #include "capi/body_access.h"
+#include "capi/rows.h"
 #include "dartsweep/move.h"
 
 namespace capi = dsw::capi;
@@ -13,23 +13,17 @@ using dsw::fail;
 namespace {
 
 constexpr size_t kNumbersOfPose = 7, kMostPaths = size_t{1} << 28;
+constexpr uint32_t kPoseOffPlane = 1u << 0 | 1u << 1 | 1u << 6;  // the numbers of a pose that are 0 in the plane
 static_assert(sizeof(dsw::Pose) == kNumbersOfPose * sizeof(double), "a pose is read where it is");
 
-/** Refuses quaternions of 0, what leaves the plane, and poses that lead further than doubles go. */
+/** Refuses what is not finite, what leaves the plane, quaternions of 0, and poses that lead further than doubles go. */
 template <int D>
 void check_poses(const dsw::Body<D>& body, const double* centre, const double* poses, size_t count) {
-  constexpr size_t kOffPlane[] = {0, 1, 6};
   for (size_t i = 0; i < count; ++i) {
     const double* const pose = poses + kNumbersOfPose * i;
-    for (size_t k = 0; k < kNumbersOfPose; ++k) {
-      if (!std::isfinite(pose[k])) fail(DSW_STATUS_NON_FINITE, "poses[%zu][%zu] is %g, must be finite", i, k, pose[k]);
-    }
+    capi::check_row("poses", i, pose, kNumbersOfPose, D == 2 ? kPoseOffPlane : 0);
     if (dsw::all_of(pose, pose + 4, [](double x) { return x == 0; })) {
       fail(DSW_STATUS_OUT_OF_RANGE, "poses[%zu] has a quaternion that is 0", i);
-    }
-    for (const size_t k : kOffPlane) {
-      if (D == 3 || pose[k] == 0) continue;
-      fail(DSW_STATUS_OUT_OF_RANGE, "poses[%zu][%zu] is %g, must be 0 in the plane", i, k, pose[k]);
     }
     if (dsw::is_pose_finite(body, centre, reinterpret_cast<const dsw::Pose*>(poses)[i])) continue;
     fail(DSW_STATUS_NON_FINITE, "poses[%zu] leads further than doubles go", i);

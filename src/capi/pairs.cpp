@@ -1,8 +1,7 @@
 #include "dartsweep/pairs.h"
 
-#include <cmath>
-
 #include "capi/handle.h"
+#include "capi/rows.h"
 #include "query/moving_pairs.h"
 
 namespace capi = dsw::capi;
@@ -24,22 +23,15 @@ void check_kinds(uint32_t dimension, const uint8_t* kinds, size_t count) {
 }
 
 constexpr size_t kNumbersOfMotion = 17;
+// The numbers of a motion that are 0 in the plane.
+constexpr uint32_t kMotionOffPlane = 1u << 0 | 1u << 1 | 1u << 4 | 1u << 5 | 1u << 10 | 1u << 13 | 1u << 16;
 
 /** Refuses what is not finite, what leaves the plane, and quaternions that are 0 at some time. */
 void check_motions(uint32_t dimension, const double* motions, size_t count) {
   static_assert(sizeof(dsw::TurningWay) == kNumbersOfMotion * sizeof(double), "a motion is read where it is");
-  constexpr size_t kOffPlane[] = {0, 1, 4, 5, 10, 13, 16};
   for (size_t i = 0; i < count; ++i) {
-    const double* const motion = motions + kNumbersOfMotion * i;
-    for (size_t k = 0; k < kNumbersOfMotion; ++k) {
-      if (!std::isfinite(motion[k])) {
-        fail(DSW_STATUS_NON_FINITE, "motions[%zu][%zu] is %g, must be finite", i, k, motion[k]);
-      }
-    }
-    for (const size_t k : kOffPlane) {
-      if (dimension == 3 || motion[k] == 0) continue;
-      fail(DSW_STATUS_OUT_OF_RANGE, "motions[%zu][%zu] is %g, must be 0 in the plane", i, k, motion[k]);
-    }
+    capi::check_row("motions", i, motions + kNumbersOfMotion * i, kNumbersOfMotion,
+                    dimension == 2 ? kMotionOffPlane : 0);
     const dsw::TurningWay& way = reinterpret_cast<const dsw::TurningWay*>(motions)[i];
     if (capi::with_dimension(dimension, [&](auto d) { return dsw::has_turn<decltype(d)::value>(way); })) continue;
     fail(DSW_STATUS_OUT_OF_RANGE, "motions[%zu] has a quaternion that is 0 at some time", i);
