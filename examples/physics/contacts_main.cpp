@@ -3,12 +3,11 @@
 // Writes contact_stability.csv, a row for each case.
 // Prints a summary, a key and its value in each line. --quick: no random corners, every third case. Exit code 1: the library broke its promise,
 // more than 2 % of the rows have less than 100 contacts, or an unstable row has no cause; 2: an option or file can't be used.
-#include <getopt.h>
-
 #include <fstream>
 #include <iostream>
 
 #include "contact_stability.h"
+#include "options.h"
 #include "table.h"
 
 namespace {
@@ -53,30 +52,14 @@ void print(const Summary& s) {
             << "\nstability.contacts_met " << s.all.contacts << '\n';
 }
 
-int usage() {
-  std::cerr << "usage: contacts [--quick] [--out FOLDER]\n";
-  return 2;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  static const option kOptions[] = {
-      {"quick", no_argument, nullptr, 'q'}, {"out", required_argument, nullptr, 'o'}, {nullptr, 0, nullptr, 0}};
-  bool quick = false;
-  std::string folder = ".";
-  for (int letter; (letter = getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
-    if (letter == 'q') {
-      quick = true;
-    } else if (letter == 'o') {
-      folder = optarg;
-    } else {
-      return usage();
-    }
+  const std::optional<physics::MeasureOptions> options = physics::read_options(argc, argv, "contacts");
+  if (!options) {
+    return 2;
   }
-  if (optind != argc) {
-    return usage();
-  }
+  const auto& [quick, folder] = *options;
   try {
     Summary summary;
     physics::Table table;

@@ -4,37 +4,17 @@
 // that went wrong.
 #include "dials.h"
 
-#include <getopt.h>
-
 #include <exception>
 #include <iostream>
 
-namespace {
-
-int usage() {
-  std::cerr << "usage: dials [--quick] [--out FOLDER]\n";
-  return 2;
-}
-
-}  // namespace
+#include "options.h"
 
 int main(int argc, char** argv) {
-  static const option kOptions[] = {
-      {"quick", no_argument, nullptr, 'q'}, {"out", required_argument, nullptr, 'o'}, {nullptr, 0, nullptr, 0}};
-  bool quick = false;
-  std::string folder = ".";
-  for (int letter; (letter = getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
-    if (letter == 'q') {
-      quick = true;
-    } else if (letter == 'o') {
-      folder = optarg;
-    } else {
-      return usage();
-    }
+  const std::optional<physics::MeasureOptions> options = physics::read_options(argc, argv, "dials");
+  if (!options) {
+    return 2;
   }
-  if (optind != argc) {
-    return usage();
-  }
+  const auto& [quick, folder] = *options;
   try {
     for (const auto measure : {physics::measure_integrators, physics::measure_solvers, physics::measure_shape_matching,
                                physics::measure_omega, physics::measure_time_step, physics::measure_contacts,

@@ -3,8 +3,6 @@
 // Writes stability.csv, extremes.csv and stability.json (both tables and a summary), and two curves out of the table: energy_drift and
 // largest_stretch (see curve.h). Prints a summary, a key and its value in each line. Exit code 1: the library broke its promise, or implicit
 // Euler is unstable somewhere; 2: an option or file can't be used.
-#include <getopt.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -13,6 +11,7 @@
 
 #include "curve.h"
 #include "extremes.h"
+#include "options.h"
 #include "stability.h"
 #include "table.h"
 
@@ -201,30 +200,14 @@ bool write_files(const std::string& folder, const Table& grid, const Table& extr
   return stability_csv && extremes_csv && json;
 }
 
-int usage() {
-  std::cerr << "usage: stability [--quick] [--out FOLDER]\n";
-  return 2;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  static const option kOptions[] = {
-      {"quick", no_argument, nullptr, 'q'}, {"out", required_argument, nullptr, 'o'}, {nullptr, 0, nullptr, 0}};
-  bool quick = false;
-  std::string folder = ".";
-  for (int letter; (letter = getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
-    if (letter == 'q') {
-      quick = true;
-    } else if (letter == 'o') {
-      folder = optarg;
-    } else {
-      return usage();
-    }
+  const std::optional<physics::MeasureOptions> options = physics::read_options(argc, argv, "stability");
+  if (!options) {
+    return 2;
   }
-  if (optind != argc) {
-    return usage();
-  }
+  const auto& [quick, folder] = *options;
   try {
     Summary summary;
     const std::vector<physics::StabilityRow> grid = run_grid(quick, &summary);

@@ -64,18 +64,32 @@ void release_elements(const Memory* memory, void* block, size_t bytes) noexcept 
   release_bytes(memory, block, bytes, block_alignment(bytes));
 }
 
-void* moved_elements(const Memory* memory, void* block, size_t size_bytes, size_t block_bytes, size_t room_bytes) {
-  void* const moved = allocate_bytes(memory, room_bytes, block_alignment(room_bytes));
-  if (size_bytes != 0) std::memcpy(moved, block, size_bytes);
-  if (block != nullptr) release_elements(memory, block, block_bytes);
-  return moved;
-}
-
 size_t grown_room(size_t size, size_t more, size_t element_bytes) {
   const size_t most = static_cast<size_t>(PTRDIFF_MAX) / element_bytes;
   if (more > most - size) throw std::bad_alloc();
   const size_t room = size + (size > more ? size : more);
   return room < most ? room : most;
+}
+
+void ByteArray::move_bytes(size_t room, size_t kept_bytes, size_t element_bytes) {
+  auto* const block = static_cast<char*>(allocate_elements(memory_, room, element_bytes));
+  if (kept_bytes != 0) std::memcpy(block, first_, kept_bytes);
+  if (first_ != nullptr) release_elements(memory_, first_, room_bytes());
+  first_ = block;
+  last_ = block + kept_bytes;
+  room_ = block + room * element_bytes;
+}
+
+void ByteArray::grow_bytes(size_t more, size_t element_bytes) {
+  move_bytes(grown_room(size_bytes() / element_bytes, more, element_bytes), size_bytes(), element_bytes);
+}
+
+void* ByteArray::push_bytes(const void* element, size_t element_bytes) {
+  grow_bytes(1, element_bytes);
+  void* const place = last_;
+  std::memcpy(place, element, element_bytes);
+  last_ = static_cast<char*>(place) + element_bytes;
+  return place;
 }
 
 }  // namespace dsw

@@ -69,10 +69,33 @@ struct Allocator {
 /** Memory for `count` elements. Throws std::bad_alloc. */
 void* allocate_elements(const Memory* memory, size_t count, size_t element_bytes);
 void release_elements(const Memory* memory, void* block, size_t bytes) noexcept;
-/** A block of `room_bytes` that begins with the first `size_bytes` of `block`, which is released. Throws std::bad_alloc. */
-void* moved_elements(const Memory* memory, void* block, size_t size_bytes, size_t block_bytes, size_t room_bytes);
 /** The room of an array of `size` elements that grows by `more`: at least twice as much. Throws std::bad_alloc. */
 size_t grown_room(size_t size, size_t more, size_t element_bytes);
+
+/** What an array of elements that are plain bytes does to make room, the same code for all of them. Throws std::bad_alloc and changes
+ * nothing. */
+class ByteArray {
+ protected:
+  ByteArray() = default;
+  explicit ByteArray(const Memory* memory) : memory_(memory) {}
+  ByteArray(const ByteArray&) = default;
+  ByteArray& operator=(const ByteArray&) = default;
+  ~ByteArray() = default;
+
+  size_t size_bytes() const { return static_cast<size_t>(static_cast<char*>(last_) - static_cast<char*>(first_)); }
+  size_t room_bytes() const { return static_cast<size_t>(static_cast<char*>(room_) - static_cast<char*>(first_)); }
+  /** Moves to a block of so many elements, with the first `kept_bytes`. */
+  void move_bytes(size_t room, size_t kept_bytes, size_t element_bytes);
+  /** Makes room for `more` elements. */
+  void grow_bytes(size_t more, size_t element_bytes);
+  /** Makes room, and adds an element. @return where. */
+  void* push_bytes(const void* element, size_t element_bytes);
+
+  void* first_ = nullptr;
+  void* last_ = nullptr;
+  void* room_ = nullptr;
+  const Memory* memory_ = nullptr;
+};
 
 /**
  * Does what std::vector does with an Allocator, in less code: several hundred types had a copy each of what makes room, and
@@ -80,7 +103,7 @@ size_t grown_room(size_t size, size_t more, size_t element_bytes);
  * added, the array keeps those that it had.
  */
 template <class T>
-class Array {
+class Array : private ByteArray {
   static constexpr bool kIsBytes = std::is_trivially_copyable_v<T>;
   template <class It>
   using IfIterator = typename std::iterator_traits<It>::iterator_category;
@@ -98,7 +121,7 @@ class Array {
   using allocator_type = Allocator<T>;
 
   Array() = default;
-  explicit Array(const Allocator<T>& allocator) : memory_(allocator.memory) {}
+  explicit Array(const Allocator<T>& allocator) : ByteArray(allocator.memory) {}
   explicit Array(size_t count, const Allocator<T>& allocator = {}) : Array(allocator) { resize(count); }
   Array(size_t count, const T& value, const Allocator<T>& allocator = {}) : Array(allocator) { assign(count, value); }
   template <class It, class = IfIterator<It>>
@@ -110,9 +133,7 @@ class Array {
   }
   Array(const Array& other) : Array(other, Allocator<T>(other.memory_)) {}
   Array(const Array& other, const Allocator<T>& allocator) : Array(allocator) { assign(other.begin(), other.end()); }
-  Array(Array&& other) noexcept : first_(other.first_), last_(other.last_), room_(other.room_), memory_(other.memory_) {
-    other.first_ = other.last_ = other.room_ = nullptr;
-  }
+  Array(Array&& other) noexcept : ByteArray(other) { other.first_ = other.last_ = other.room_ = nullptr; }
   ~Array() { drop(); }
 
   /** Keeps its own memory, as a vector does. */
@@ -123,10 +144,7 @@ class Array {
   Array& operator=(Array&& other) noexcept {
     if (this == &other) return *this;
     drop();
-    first_ = other.first_;
-    last_ = other.last_;
-    room_ = other.room_;
-    memory_ = other.memory_;
+    ByteArray::operator=(other);
     other.first_ = other.last_ = other.room_ = nullptr;
     return *this;
   }
@@ -143,26 +161,26 @@ class Array {
   friend void swap(Array& a, Array& b) noexcept { a.swap(b); }
 
   Allocator<T> get_allocator() const { return memory_; }
-  size_t size() const { return static_cast<size_t>(last_ - first_); }
-  size_t capacity() const { return static_cast<size_t>(room_ - first_); }
+  size_t size() const { return static_cast<size_t>(end() - begin()); }
+  size_t capacity() const { return static_cast<size_t>(static_cast<T*>(room_) - begin()); }
   static constexpr size_t max_size() { return static_cast<size_t>(PTRDIFF_MAX) / sizeof(T); }
   bool empty() const { return first_ == last_; }
 
-  T* data() { return first_; }
-  const T* data() const { return first_; }
-  T* begin() { return first_; }
-  const T* begin() const { return first_; }
-  T* end() { return last_; }
-  const T* end() const { return last_; }
-  T& operator[](size_t i) { return first_[i]; }
-  const T& operator[](size_t i) const { return first_[i]; }
-  T& front() { return *first_; }
-  const T& front() const { return *first_; }
-  T& back() { return last_[-1]; }
-  const T& back() const { return last_[-1]; }
+  T* data() { return static_cast<T*>(first_); }
+  const T* data() const { return static_cast<T*>(first_); }
+  T* begin() { return static_cast<T*>(first_); }
+  const T* begin() const { return static_cast<T*>(first_); }
+  T* end() { return static_cast<T*>(last_); }
+  const T* end() const { return static_cast<T*>(last_); }
+  T& operator[](size_t i) { return begin()[i]; }
+  const T& operator[](size_t i) const { return begin()[i]; }
+  T& front() { return *begin(); }
+  const T& front() const { return *begin(); }
+  T& back() { return end()[-1]; }
+  const T& back() const { return end()[-1]; }
 
-  void clear() { destroy_from(first_); }
-  void pop_back() { destroy_from(last_ - 1); }
+  void clear() { destroy_from(begin()); }
+  void pop_back() { destroy_from(end() - 1); }
   void reserve(size_t count) {
     if (count > capacity()) set_room(count);
   }
@@ -176,55 +194,61 @@ class Array {
     }
   }
   void resize(size_t count) {
-    if (count < size()) return destroy_from(first_ + count);
+    if (count < size()) return destroy_from(begin() + count);
     if (count > capacity()) grow(count - size());
     append_each(count - size(), [](void* place) { ::new (place) T(); });
   }
   void resize(size_t count, const T& value) {
-    if (count < size()) return destroy_from(first_ + count);
+    if (count < size()) return destroy_from(begin() + count);
     append_copies(count - size(), value);
   }
 
   void push_back(const T& value) {
     if (last_ == room_) return push_grown(T(value)), void();
-    ::new (static_cast<void*>(last_)) T(value);
-    ++last_;
+    ::new (last_) T(value);
+    last_ = end() + 1;
   }
   void push_back(T&& value) { emplace_back(std::move(value)); }
   template <class... Arguments>
   T& emplace_back(Arguments&&... arguments) {
     if (last_ == room_) return push_grown(T(std::forward<Arguments>(arguments)...));
-    ::new (static_cast<void*>(last_)) T(std::forward<Arguments>(arguments)...);
-    return *last_++;
+    T* const place = ::new (last_) T(std::forward<Arguments>(arguments)...);
+    last_ = place + 1;
+    return *place;
   }
 
   void assign(size_t count, const T& value) {
-    if (count > capacity()) {
-      Array other(get_allocator());
-      other.set_room(count);
-      other.append_copies(count, value);
-      return swap(other);
-    }
     const T kept(value);  // it may be an element
+    if (count > capacity()) {
+      if constexpr (kIsBytes) {
+        move_bytes(count, 0, sizeof(T));
+      } else {
+        Array other(get_allocator());
+        other.set_room(count);
+        other.append_copies(count, kept);
+        return swap(other);
+      }
+    }
     clear();
     append_copies(count, kept);
   }
   template <class It, class = IfIterator<It>>
   void assign(It first, It last) {
     const size_t count = static_cast<size_t>(std::distance(first, last));
-    if (count > capacity()) {
+    if constexpr (std::is_convertible_v<It, const T*> && kIsBytes) {
+      if (count > capacity()) move_bytes(count, 0, sizeof(T));  // so it is no part of this array
+      if (count != 0) std::memmove(first_, first, count * sizeof(T));
+      last_ = begin() + count;
+    } else if (count > capacity()) {
       Array other(get_allocator());
       other.set_room(count);
       other.append(first, count);
       swap(other);
-    } else if constexpr (std::is_convertible_v<It, const T*> && kIsBytes) {
-      if (count != 0) std::memmove(static_cast<void*>(first_), first, count * sizeof(T));
-      last_ = first_ + count;
     } else {  // what elements own is used again
-      T* to = first_;
+      T* to = begin();
       for (; to != last_ && first != last; ++to, ++first) *to = *first;
       destroy_from(to);
-      append(first, count - static_cast<size_t>(to - first_));
+      append(first, count - static_cast<size_t>(to - begin()));
     }
   }
   void assign(std::initializer_list<T> values) { assign(values.begin(), values.end()); }
@@ -235,14 +259,14 @@ class Array {
   }
   T* insert(const T* place, std::initializer_list<T> values) { return insert(place, values.begin(), values.end()); }
   T* insert(const T* place, size_t count, const T& value) {
-    const size_t at = static_cast<size_t>(place - first_), before = size();
+    const size_t at = static_cast<size_t>(place - begin()), before = size();
     append_copies(count, value);
     return rotate(at, before);
   }
   /** What is inserted is no part of this array. */
   template <class It, class = IfIterator<It>>
   T* insert(const T* place, It first, It last) {
-    const size_t at = static_cast<size_t>(place - first_), before = size();
+    const size_t at = static_cast<size_t>(place - begin()), before = size();
     const size_t count = static_cast<size_t>(std::distance(first, last));
     if (count > capacity() - before) grow(count);
     append(first, count);
@@ -250,8 +274,8 @@ class Array {
   }
   T* erase(const T* place) { return erase(place, place + 1); }
   T* erase(const T* first, const T* last) {
-    T* const at = first_ + (first - first_);
-    if (first != last) destroy_from(move_down(at, first_ + (last - first_), last_));
+    T* const at = begin() + (first - begin());
+    if (first != last) destroy_from(move_down(at, begin() + (last - begin()), end()));
     return at;
   }
 
@@ -267,14 +291,18 @@ class Array {
  private:
   void destroy_from(T* place) {
     if constexpr (!std::is_trivially_destructible_v<T>) {
-      while (last_ != place) (--last_)->~T();
+      while (last_ != place) {
+        T* const gone = end() - 1;
+        last_ = gone;
+        gone->~T();
+      }
     } else {
       last_ = place;
     }
   }
   void drop() {
-    destroy_from(first_);
-    if (first_ != nullptr) release_elements(memory_, first_, capacity() * sizeof(T));
+    destroy_from(begin());
+    if (first_ != nullptr) release_elements(memory_, first_, room_bytes());
   }
   /** The end of what has been moved. */
   static T* move_down(T* to, T* first, T* last) {
@@ -288,36 +316,50 @@ class Array {
     }
   }
 
-  DSW_NOINLINE void grow(size_t more) { set_room(grown_room(size(), more, sizeof(T))); }
-  /** Moves to a block of so many elements, which has room for all. */
-  DSW_NOINLINE void set_room(size_t room) {
-    const size_t count = size();
+  void grow(size_t more) {
     if constexpr (kIsBytes) {
-      if (room > max_size()) throw std::bad_alloc();
-      void* const block = moved_elements(memory_, first_, count * sizeof(T), capacity() * sizeof(T), room * sizeof(T));
-      first_ = static_cast<T*>(block);
-      last_ = first_ + count;
+      grow_bytes(more, sizeof(T));
     } else {
-      static_assert(std::is_nothrow_move_constructible_v<T>, "an array that can't grow stays as it was");
-      T* const block = static_cast<T*>(allocate_elements(memory_, room, sizeof(T)));
-      for (size_t i = 0; i < count; ++i) ::new (static_cast<void*>(block + i)) T(std::move(first_[i]));
-      drop();
-      first_ = block;
-      last_ = first_ + count;
+      set_room(grown_room(size(), more, sizeof(T)));
     }
-    room_ = first_ + room;
   }
-  DSW_NOINLINE T& push_grown(T&& value) {
-    set_room(grown_room(size(), 1, sizeof(T)));
-    ::new (static_cast<void*>(last_)) T(std::move(value));
-    return *last_++;
+  /** Moves to a block of so many elements, which has room for all. */
+  void set_room(size_t room) {
+    if constexpr (kIsBytes) {
+      move_bytes(room, size_bytes(), sizeof(T));
+    } else {
+      move_elements(room);
+    }
+  }
+  DSW_NOINLINE void move_elements(size_t room) {
+    static_assert(std::is_nothrow_move_constructible_v<T>, "an array that can't grow stays as it was");
+    const size_t count = size();
+    T* const block = static_cast<T*>(allocate_elements(memory_, room, sizeof(T)));
+    for (size_t i = 0; i < count; ++i) ::new (static_cast<void*>(block + i)) T(std::move(begin()[i]));
+    drop();
+    first_ = block;
+    last_ = block + count;
+    room_ = block + room;
+  }
+  T& push_grown(T&& value) {
+    if constexpr (kIsBytes) {
+      return *static_cast<T*>(push_bytes(&value, sizeof(T)));
+    } else {
+      return push_moved(std::move(value));
+    }
+  }
+  DSW_NOINLINE T& push_moved(T&& value) {
+    move_elements(grown_room(size(), 1, sizeof(T)));
+    T* const place = ::new (last_) T(std::move(value));
+    last_ = place + 1;
+    return *place;
   }
   /** There is room. */
   template <class It>
   void append(It first, size_t count) {
     if constexpr (std::is_convertible_v<It, const T*> && kIsBytes) {
-      if (count != 0) std::memcpy(static_cast<void*>(last_), first, count * sizeof(T));
-      last_ += count;
+      if (count != 0) std::memcpy(last_, first, count * sizeof(T));
+      last_ = end() + count;
     } else {
       append_each(count, [&](void* place) { ::new (place) T(*first), ++first; });
     }
@@ -325,28 +367,28 @@ class Array {
   template <class Make>
   void append_each(size_t count, Make make) {
     if constexpr (kIsBytes) {  // a loop that the compiler knows
-      T* place = last_;
-      for (T* const end = last_ + count; place != end; ++place) make(place);
+      T* place = end();
+      for (T* const behind = place + count; place != behind; ++place) make(place);
       last_ = place;
     } else {
       const size_t before = size();
       try {
-        for (; count != 0; --count, ++last_) make(last_);
+        for (; count != 0; --count, last_ = end() + 1) make(last_);
       } catch (...) {
-        destroy_from(first_ + before);
+        destroy_from(begin() + before);
         throw;
       }
     }
   }
   void append_copies(size_t count, const T& value) {
     const T kept(value);
-    if (count > static_cast<size_t>(room_ - last_)) grow(count);
+    if (count > capacity() - size()) grow(count);
     append_each(count, [&](void* place) { ::new (place) T(kept); });
   }
   /** Takes the elements from `before` on to `at`; returns where they are. */
   T* rotate(size_t at, size_t before) {
-    T* const place = first_ + at;
-    if (at != before) reverse(place, first_ + before), reverse(first_ + before, last_), reverse(place, last_);
+    T* const place = begin() + at;
+    if (at != before) reverse(place, begin() + before), reverse(begin() + before, end()), reverse(place, end());
     return place;
   }
   static void reverse(T* first, T* last) {
@@ -355,11 +397,6 @@ class Array {
       swap(*first++, *last);
     }
   }
-
-  T* first_ = nullptr;
-  T* last_ = nullptr;
-  T* room_ = nullptr;
-  const Memory* memory_ = nullptr;
 };
 
 /** One bit each. */

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/position.h"
 #include "base/slot_pool.h"
 
 namespace dsw {
@@ -109,6 +110,36 @@ typename BoxGrid<D>::Look BoxGrid<D>::find_range(const Level& level, const Box<D
     cells *= static_cast<double>(range.high[k] - range.low[k]) + 1;
   }
   return cells <= static_cast<double>(items_.size()) + 8 ? Look::kRange : Look::kEverywhere;
+}
+
+template <int D>
+bool BoxGrid<D>::visit(const Box<D>& box, FunctionRef<bool(uint32_t)> visit) const {
+  for (uint32_t k = 0; k < level_count_; ++k) {
+    const Level& level = levels_[k];
+    Range range{};
+    const Look look = find_range(level, box, range);
+    if (look == Look::kNowhere) continue;
+    if (look == Look::kEverywhere) {
+      for (uint32_t i = 0; i < items_.size(); ++i) {
+        if (items_[i].exponent == level.exponent && items_[i].box.overlaps(box) && !visit(i)) return false;
+      }
+      continue;
+    }
+    Place at;
+    for (at.x[0] = range.low[0]; at.x[0] <= range.high[0]; ++at.x[0]) {
+      for (at.x[1] = range.low[1]; at.x[1] <= range.high[1]; ++at.x[1]) {
+        for (at.x[2] = range.low[2]; at.x[2] <= range.high[2]; ++at.x[2]) {
+          for (uint32_t i = heads_[head_of(at, level.exponent)]; i != kEnd; i = items_[i].next) {
+            const Item& item = items_[i];
+            if (item.exponent != level.exponent || !item.box.overlaps(box)) continue;
+            // Other cells share the list.
+            if (place_of(level, item.box) == at && !visit(i)) return false;
+          }
+        }
+      }
+    }
+  }
+  return true;
 }
 
 template class BoxGrid<2>;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "base/function_ref.h"
 #include "base/memory.h"
 #include "body/box.h"
 
@@ -23,35 +24,7 @@ class BoxGrid {
   void remove(uint32_t number) noexcept;
 
   /** Calls visit(number) for each box that overlaps this one, in any order, until it is false; whether it never was. */
-  template <class Visit>
-  bool visit(const Box<D>& box, Visit visit) const {
-    for (uint32_t k = 0; k < level_count_; ++k) {
-      const Level& level = levels_[k];
-      Range range{};
-      const Look look = find_range(level, box, range);
-      if (look == Look::kNowhere) continue;
-      if (look == Look::kEverywhere) {
-        for (uint32_t i = 0; i < items_.size(); ++i) {
-          if (items_[i].exponent == level.exponent && items_[i].box.overlaps(box) && !visit(i)) return false;
-        }
-        continue;
-      }
-      Place at;
-      for (at.x[0] = range.low[0]; at.x[0] <= range.high[0]; ++at.x[0]) {
-        for (at.x[1] = range.low[1]; at.x[1] <= range.high[1]; ++at.x[1]) {
-          for (at.x[2] = range.low[2]; at.x[2] <= range.high[2]; ++at.x[2]) {
-            for (uint32_t i = heads_[head_of(at, level.exponent)]; i != kEnd; i = items_[i].next) {
-              const Item& item = items_[i];
-              if (item.exponent != level.exponent || !item.box.overlaps(box)) continue;
-              // Other cells share the list.
-              if (place_of(level, item.box) == at && !visit(i)) return false;
-            }
-          }
-        }
-      }
-    }
-    return true;
-  }
+  bool visit(const Box<D>& box, FunctionRef<bool(uint32_t)> visit) const;
 
   bool empty() const noexcept { return level_count_ == 0; }
   uint64_t memory_bytes() const noexcept { return array_bytes(items_) + array_bytes(heads_) + array_bytes(levels_); }

@@ -2,6 +2,7 @@
 
 #include "base/dimensions.h"
 #include "base/search.h"
+#include "base/sort.h"
 
 #include <algorithm>
 #include <utility>
@@ -43,7 +44,7 @@ const char* check_edges(const Body<D>& body, EdgesByEnds& by_ends) {
     }
     by_ends.emplace_back(key_of(edge.ends[0], edge.ends[1]), e);
   }
-  std::sort(by_ends.begin(), by_ends.end());
+  dsw::sort(by_ends.begin(), by_ends.end());
   const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
   return std::adjacent_find(by_ends.begin(), by_ends.end(), same) == by_ends.end() ? nullptr : "two edges are the same";
 }

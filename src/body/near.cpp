@@ -2,6 +2,7 @@
 
 #include "base/dimensions.h"
 #include "base/search.h"
+#include "base/sort.h"
 
 #include <algorithm>
 
@@ -66,7 +67,7 @@ void find_overlapping(const BoxGrid<D>& grid, const Places<D>& places, Array<uin
       return true;
     });
   }
-  std::sort(found.begin(), found.end());
+  dsw::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 

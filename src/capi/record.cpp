@@ -140,10 +140,20 @@ static void renew_kept(dsw_scene& scene) noexcept {
   }
 }
 
-void Recorded::begin(uint64_t number, size_t size) noexcept {
+void Recorded::write_call(uint64_t number, const void* row, const void* given,
+                          void (*put)(const void* row, const void* given, const CallPlace& place,
+                                      const WordSink& use)) noexcept {
+  const CallPlace place{scene_, nullptr, is_planar(*scene_) ? 2u : 3u};
+  size_t size = sizeof number;
+  put(row, given, place,
+      {&size, [](void* sum, const void*, size_t bytes) { *static_cast<size_t*>(sum) += (bytes + 7) & ~size_t{7}; }});
   renew_kept(*scene_);
-  scene_->recording->writer.begin(EntryKind::kCall, size);
-  scene_->recording->writer.put(&number, sizeof number);
+  RecordWriter& writer = scene_->recording->writer;
+  writer.begin(EntryKind::kCall, size);
+  writer.put(&number, sizeof number);
+  put(row, given, place,
+      {&writer, [](void* to, const void* bytes, size_t count) { static_cast<RecordWriter*>(to)->put(bytes, count); }});
+  writer.end();
 }
 
 void Recorded::finish(bool failed, uint64_t digest) noexcept {

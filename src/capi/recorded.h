@@ -88,7 +88,8 @@ class Recorded {
     show_edges(true);
     if (!kCanRecord || scene_ == nullptr) return;
     Digest digest;
-    [[maybe_unused]] const auto add = [&](const void* bytes, size_t count) { digest.put(bytes, count); };
+    [[maybe_unused]] const WordSink add{
+        &digest, [](void* to, const void* bytes, size_t count) { static_cast<Digest*>(to)->put(bytes, count); }};
     (for_each_part(as_result(results), add), ...);
     finish(false, digest.value());
   }
@@ -107,16 +108,16 @@ class Recorded {
     if (scene_ == nullptr || scene_->recording == nullptr) return;
     typename Row::Given given{};
     fill<1>(given, arguments...);
-    const CallPlace place{scene_, nullptr, is_planar(*scene_) ? 2u : 3u};
-    size_t size = sizeof(uint64_t);
-    const auto measure = [&](const void*, size_t bytes) { size += (bytes + 7) & ~size_t{7}; };
-    for_each(row.kinds, [&](const auto& kind) { kind.write(given, place, measure); });
-    begin(row.number, size);
-    for_each(row.kinds, [&](const auto& kind) {
-      kind.write(given, place, [&](const void* bytes, size_t count) { scene_->recording->writer.put(bytes, count); });
-    });
-    scene_->recording->writer.end();
+    write_call(
+        row.number, &row, &given, [](const void* of, const void* all, const CallPlace& place, const WordSink& use) {
+          for_each(static_cast<const Row*>(of)->kinds,
+                   [&](const auto& kind) { kind.write(*static_cast<const typename Row::Given*>(all), place, use); });
+        });
   }
+  /** Writes a call whose arguments `put` gives to a sink, first to learn how many words they are. */
+  void write_call(uint64_t number, const void* row, const void* given,
+                  void (*put)(const void* row, const void* given, const CallPlace& place,
+                              const WordSink& use)) noexcept;
   template <size_t kAt, class Given, class First, class... Rest>
   static void fill(Given& given, const First& first, const Rest&... rest) noexcept {
     std::get<kAt>(given) = first;
@@ -125,7 +126,6 @@ class Recorded {
   template <size_t kAt, class Given>
   static void fill(Given&) noexcept {}
 
-  void begin(uint64_t number, size_t size) noexcept;
   void finish(bool failed, uint64_t digest) noexcept;
 
   void hide_edges() noexcept {

@@ -42,6 +42,14 @@ dsw::TogetherSettings to_settings(const Options& o) {
   return s;
 }
 
+/** Ends a call that has moved bodies. `results`: what else it has changed. */
+template <int D, class... Results>
+void give_reports(capi::Recorded& call, const dsw::Array<dsw::BodyRecord<D>*>& records, dsw_move_report* reports,
+                  const Results&... results) {
+  call.done(results..., capi::Moved<D>{records.data(), records.size()});
+  for (size_t i = 0; reports != nullptr && i < records.size(); ++i) reports[i] = capi::to_report(records[i]->record);
+}
+
 template <int D>
 void check_step(const double* from, const double* step, const char* name, size_t index) {
   for (int k = 0; k < D; ++k) {
@@ -88,8 +96,7 @@ dsw_status dsw_scene_move_together(dsw_scene* scene, const dsw_body_id* bodies, 
     capi::Recorded call(scene, capi::row_of<dsw_scene_move_together>, bodies, count, targets, target_count,
                         stride_bytes, &o);
     move_together(s, records.data(), count, points, settings);
-    call.done(capi::Moved<D>{records.data(), count});
-    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
+    give_reports(call, records, reports);
   });
 }
 
@@ -127,8 +134,7 @@ dsw_status dsw_scene_move_rigid(dsw_scene* scene, const dsw_body_id* bodies, siz
     const dsw::Array<dsw::RigidMove<D>> rigid = check_motions(s, records, motions);
     capi::Recorded call(scene, capi::row_of<dsw_scene_move_rigid>, bodies, count, motions, &o);
     move_rigid_together(s, records.data(), rigid.data(), count, settings);
-    call.done(capi::Moved<D>{records.data(), count});
-    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
+    give_reports(call, records, reports);
   });
 }
 
@@ -164,9 +170,8 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
     deform_together(s, next, o.point_room, records.data(), count, points, settings);
     const dsw::WallRecord& record = s.deformation.get()->record;
     const dsw_deform_report done = capi::to_report(record, 0);
-    call.done(done, capi::Moved<D>{records.data(), count});
     if (report != nullptr) *report = done;
-    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
+    give_reports(call, records, reports, done);
   });
 }
 
@@ -193,9 +198,8 @@ dsw_status dsw_scene_deform_rigid(dsw_scene* scene, double* next, size_t point_c
                         &written);
     deform_rigid(s, next, o.point_room, records.data(), rigid.data(), count, settings);
     const dsw_deform_report done = capi::to_report(s.deformation.get()->record, 0);
-    call.done(done, capi::Moved<D>{records.data(), count});
     if (report != nullptr) *report = done;
-    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = capi::to_report(records[i]->record);
+    give_reports(call, records, reports, done);
   });
 }
 

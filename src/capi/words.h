@@ -39,6 +39,14 @@ struct Points {
 
 constexpr uint64_t kNullArray = UINT64_MAX;
 
+/** Takes the bytes of what is written, part by part. */
+struct WordSink {
+  void* to;
+  void (*put)(void* to, const void* bytes, size_t size);
+
+  void operator()(const void* bytes, size_t size) const { put(to, bytes, size); }
+};
+
 /** Calls use(bytes, size) for each part of what is written of something. */
 template <class T, class Use>
 void for_each_part(const T& value, const Use& use) {

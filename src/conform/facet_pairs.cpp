@@ -1,9 +1,9 @@
 #include "conform/facet_pairs.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "predicates/turn.h"
 
 namespace dsw {
@@ -203,7 +203,7 @@ void FacetPairs::find_pairs(const Array<uint32_t>& inner) {
     partners_[next[pair.high]++] = pair.low;
   }
   for (uint32_t i = 0; i < outer_.count(); ++i) {
-    std::sort(partners_.begin() + first_[i], partners_.begin() + first_[i + 1]);
+    dsw::sort(partners_.begin() + first_[i], partners_.begin() + first_[i + 1]);
   }
 }
 

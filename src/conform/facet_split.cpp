@@ -4,6 +4,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "environment/recut.h"
 #include "predicates/turn.h"
 
@@ -91,7 +92,7 @@ bool FacetSplit::join_holes() {
     vertices.push_back(s.from);
     vertices.push_back(s.to);
   }
-  std::sort(vertices.begin(), vertices.end());
+  dsw::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   const auto number = [&](uint32_t v) {
     return static_cast<uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
@@ -134,7 +135,7 @@ uint32_t FacetSplit::next(const Array<Segment>& halves, uint32_t half) const {
 
 bool FacetSplit::add_loop(const Array<uint32_t>& loop, const double* apex, Loops& out) const {
   Array<uint32_t> sorted(loop);
-  std::sort(sorted.begin(), sorted.end());
+  dsw::sort(sorted.begin(), sorted.end());
   const VertexRange range{loop.data(), loop.data() + loop.size()};
   if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) {
     out.add(range);
@@ -153,7 +154,7 @@ bool FacetSplit::add_loop(const Array<uint32_t>& loop, const double* apex, Loops
 }
 
 bool FacetSplit::run(const double* apex, Loops& out) {
-  std::sort(segments_.begin(), segments_.end());
+  dsw::sort(segments_.begin(), segments_.end());
   segments_.erase(std::unique(segments_.begin(), segments_.end()), segments_.end());
   if (!join_holes()) return false;
   Array<Segment> halves{env_.memory};
@@ -162,7 +163,7 @@ bool FacetSplit::run(const double* apex, Loops& out) {
     halves.push_back(s);
     halves.push_back({s.to, s.from});
   }
-  std::sort(halves.begin(), halves.end());
+  dsw::sort(halves.begin(), halves.end());
   Array<uint8_t> done(halves.size(), 0, env_.memory);
   Array<uint32_t> loop{env_.memory};
   for (uint32_t start = 0; start < halves.size(); ++start) {

@@ -21,6 +21,7 @@
 #include <tuple>
 
 #include "base/memory.h"
+#include "base/sort.h"
 #include "environment/marking.h"
 #include "map/ridge_walk.h"
 #include "walk/shear.h"
@@ -180,7 +181,7 @@ void RidgeRings<D>::add_features() {
   planes_.clear();
   numbers_.clear();
   const auto name = [](const Fan& fan) { return std::make_tuple(fan.ridge.vertices[0], fan.ridge.vertices[1]); };
-  std::sort(fans_.begin(), fans_.end(), [&](const Fan& a, const Fan& b) { return name(a) < name(b); });
+  dsw::sort(fans_.begin(), fans_.end(), [&](const Fan& a, const Fan& b) { return name(a) < name(b); });
   for (size_t i = 0; i < fans_.size();) {
     const Fan& first = fans_[i];
     Candidate feature{{{first.ridge.vertices[0], first.ridge.vertices[1], KeyTable::kNone}, D - 1, {}, {}}, 0, 0};

@@ -16,8 +16,7 @@
 
 #include "corridor/solid_sweep.h"
 
-#include <algorithm>
-
+#include "base/sort.h"
 #include "environment/marking.h"
 #include "predicates/filtered.h"
 #include "predicates/point_box.h"
@@ -171,7 +170,7 @@ SweepResult SolidSweep<D>::sweep(const SolidMotion<D>& m, Cell start, uint32_t m
     enter_neighbours(solid, c);
   });
   // No two are equivalent: each vertex is tested once, and of equal times the numbers of vertices decide.
-  std::sort(found_.begin(), found_.end(), [&](const SweepContact& a, const SweepContact& b) {
+  dsw::sort(found_.begin(), found_.end(), [&](const SweepContact& a, const SweepContact& b) {
     return comes_before(map_, solid.at[0], solid.at[1], a, b);
   });
   return result_;

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "corridor/fan.h"
 #include "map/dart.h"
 #include "map/ridge_walk.h"
@@ -305,7 +306,7 @@ void SweepFlood<3>::for_each_cell_round(const SweepContact& wall, Visit visit) c
 void SweepFlood<3>::decide_ties() {
   const EdgeMotion& m = triangle_->motion();
   const auto before = [&](const SweepContact& a, const SweepContact& b) { return comes_before(map_, m.p, m.to, a, b); };
-  std::sort(tied_.begin(), tied_.end(), before);  // the order in which cells were entered does not count
+  dsw::sort(tied_.begin(), tied_.end(), before);  // the order in which cells were entered does not count
   const auto near =
       dsw::find_if(tied_.begin(), tied_.end(), [&](const SweepContact& each) { return comes_from(each); });
   if (near == tied_.end()) return;
@@ -355,9 +356,9 @@ void SweepFlood<3>::sort_found() {
     if (same_event(a, b)) return before(a, b);
     return event_key(env_, a) < event_key(env_, b);
   };
-  std::sort(found_.begin(), found_.end(), by_event);
+  dsw::sort(found_.begin(), found_.end(), by_event);
   found_.erase(std::unique(found_.begin(), found_.end(), same_event), found_.end());
-  std::sort(found_.begin(), found_.end(), before);
+  dsw::sort(found_.begin(), found_.end(), before);
   // Ties have been decided for the first.
   const auto first = dsw::find_if(found_.begin(), found_.end(),
                                   [&](const SweepContact& each) { return same_event(each, result_.contact); });

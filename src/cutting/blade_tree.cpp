@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
 #include "base/vec.h"
 
 namespace dsw {
@@ -150,7 +151,7 @@ void BladeTree<D>::build(uint32_t first, uint32_t end) {
     const auto extent = [&](int k) { return 0.5 * box.upper[k] - 0.5 * box.lower[k]; };
     for (int k = 1; k < D; ++k) longest = extent(k) > extent(longest) ? k : longest;
     const auto middle = [&](const Leaf& leaf) { return 0.5 * leaf.box.lower[longest] + 0.5 * leaf.box.upper[longest]; };
-    std::sort(leaves_.data() + first, leaves_.data() + end, [&](const Leaf& a, const Leaf& b) {
+    dsw::sort(leaves_.data() + first, leaves_.data() + end, [&](const Leaf& a, const Leaf& b) {
       const double of_a = middle(a), of_b = middle(b);
       return of_a != of_b ? of_a < of_b : a.simplex < b.simplex;
     });

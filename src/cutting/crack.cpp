@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "map/records.h"
 
@@ -323,13 +324,13 @@ void Crack<D>::part() {
       corners.push_back({v, i, 1});
     }
   }
-  std::sort(corners.begin(), corners.end());
+  dsw::sort(corners.begin(), corners.end());
   Array<MouthAt> mouths{env_.memory};
   for (uint32_t m = 0; m < mouths_.size(); ++m) {
     mouths.push_back({dart_vertex(map_, mouths_[m].dart), m});
     if (D == 3) mouths.push_back({dart_target(map_, mouths_[m].dart), m});
   }
-  std::sort(mouths.begin(), mouths.end());
+  dsw::sort(mouths.begin(), mouths.end());
   Array<uint32_t> here{env_.memory};
   auto mouth = mouths.begin();
   for (size_t i = 0, end = 0; i < corners.size(); i = end) {

@@ -1,6 +1,7 @@
 #include "cutting/cut.h"
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "environment/marking.h"
 #include "environment/recut.h"
 #include "map/dart.h"
@@ -154,7 +155,7 @@ void Cut<D>::choose_cells() {
       const HalfFacet o = map_.opposite(map_.half_facet(c, facets[d]));
       if (o.valid()) changed_.insert(map_.cell_of(o).unit);
     }
-    std::sort(on_edges_.begin() + static_cast<ptrdiff_t>(first), on_edges_.end(),
+    dsw::sort(on_edges_.begin() + static_cast<ptrdiff_t>(first), on_edges_.end(),
               [](const OnEdge& a, const OnEdge& b) { return a.node < b.node; });
   }
   first_on_edges_.push_back(static_cast<uint32_t>(on_edges_.size()));

@@ -9,6 +9,7 @@
 #include <initializer_list>
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "walk/cast.h"
 
@@ -95,7 +96,7 @@ Inset::Inset(const Environment<3>& env, const Piece& piece, const PieceSurface& 
   Array<uint32_t> corners(surface.triangles.size() * 3, 0, env.memory);
   const auto vertex_of = [&](uint32_t corner) { return surface.triangles[corner / 3].corners[corner % 3]; };
   for (uint32_t i = 0; i < corners.size(); ++i) corners[i] = i;
-  std::sort(corners.begin(), corners.end(),
+  dsw::sort(corners.begin(), corners.end(),
             [&](uint32_t a, uint32_t b) { return vertex_of(a) != vertex_of(b) ? vertex_of(a) < vertex_of(b) : a < b; });
   Array<Vec> normals{env.memory};
   const uint32_t* corner = corners.data();

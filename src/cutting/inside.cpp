@@ -1,6 +1,7 @@
 #include "cutting/inside.h"
 
 #include "base/dimensions.h"
+#include "base/sort.h"
 #include "cutting/start.h"
 #include "map/dart.h"
 #include "walk/cast.h"
@@ -57,7 +58,7 @@ void Inside<D>::flood_all() {
           env_, [&](const CellTree<D>& cells) { cells.visit_box(box.lower, box.upper, add); }, add)) {
     for (uint32_t i = 0; i < map_.index_count(); ++i) add(i);
   }
-  std::sort(near.begin(), near.end());
+  dsw::sort(near.begin(), near.end());
   for (const uint32_t index : near) {
     const Cell c = map_.cell(index);
     if (c.valid() && typename BladeTree<D>::Box(env_, c).overlaps(box)) flood(c);
@@ -169,7 +170,7 @@ void find_all(const Environment<D>& env, const BladeTree<D>& tree, Crossings<D>&
   });
   Array<uint32_t> indices{env.memory};
   for (uint32_t i = 0; i < near.size(); ++i) indices.push_back(static_cast<uint32_t>(near[i]));
-  std::sort(indices.begin(), indices.end());
+  dsw::sort(indices.begin(), indices.end());
   for (const uint32_t index : indices) seed_all(env, crossings, tree, env.map.cell(index));
   crossings.run();
 }

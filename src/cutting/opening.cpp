@@ -1,6 +1,7 @@
 #include "cutting/opening.h"
 
 #include "base/error.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "cutting/fold.h"
 #include "environment/marking.h"
@@ -54,7 +55,7 @@ FacetCutter<D>::FacetCutter(const Environment<D>& env, Edit<D>& edit, size_t dra
       keys_.push_back({word_of(facet, facet.near), i, f});
     }
   }
-  std::sort(keys_.begin(), keys_.end());
+  dsw::sort(keys_.begin(), keys_.end());
 }
 
 /** Null where there is none among the drafts. */
@@ -301,7 +302,7 @@ void Opening<D>::add_side(Edit<D>& edit, size_t draft, FacetDraft&& facet, uint6
 /** Facets across the gap over the same ridge are joined; what is left of them is on the outer boundary. */
 template <int D>
 void Opening<D>::join_sides(Edit<D>& edit) {
-  std::sort(sides_.begin(), sides_.end(), [](const Side& x, const Side& y) {
+  dsw::sort(sides_.begin(), sides_.end(), [](const Side& x, const Side& y) {
     if (x.ridge != y.ridge) return x.ridge < y.ridge;
     return x.at.draft != y.at.draft ? x.at.draft < y.at.draft : x.at.facet < y.at.facet;
   });

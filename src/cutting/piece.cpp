@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/key_table.h"
+#include "base/sort.h"
 
 namespace dsw {
 namespace {
@@ -95,7 +96,7 @@ class Cracks {
 
   /** False: the other side of a crack can lie where nothing has led to yet. */
   bool pair_up(Array<FacetPair>& pairs) {
-    std::sort(open_.begin(), open_.end());
+    dsw::sort(open_.begin(), open_.end());
     Array<bool> paired(open_.size(), false, env_.memory);
     bool all_seen = true;
     for (size_t i = 0; i < open_.size(); ++i) {
@@ -172,7 +173,7 @@ void Piece::find_cracks() {
     sewn_.push_back(each);
     if (contains(env_.map.cell_of(each.b))) sewn_.push_back({each.b, each.a});
   }
-  std::sort(sewn_.begin(), sewn_.end(), [](const FacetPair& x, const FacetPair& y) { return x.a.word < y.a.word; });
+  dsw::sort(sewn_.begin(), sewn_.end(), [](const FacetPair& x, const FacetPair& y) { return x.a.word < y.a.word; });
 }
 
 HalfFacet Piece::behind(HalfFacet h) const {

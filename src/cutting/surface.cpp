@@ -5,6 +5,7 @@
 #include "cutting/surface.h"
 
 #include "base/key_table.h"
+#include "base/sort.h"
 
 namespace dsw {
 namespace {
@@ -145,7 +146,7 @@ class Triangles {
 
   void split_edges() {
     middles_.assign(whole_.size() * 3, kNoCell);
-    std::sort(sides_.begin(), sides_.end());
+    dsw::sort(sides_.begin(), sides_.end());
     for (size_t i = 1; i < sides_.size(); ++i) {
       const Side &side = sides_[i], &last = sides_[i - 1];
       if (side.ends != last.ends) continue;

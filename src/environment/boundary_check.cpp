@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/sort.h"
 #include "environment/boundary_surface.h"
 #include "predicates/filtered.h"
 #include "predicates/turn.h"
@@ -284,7 +285,7 @@ class Check {
     check_pairs();
     if (bad_cells_.empty()) check_sheets();
     if (offenders != nullptr) {
-      std::sort(bad_cells_.begin(), bad_cells_.end());
+      dsw::sort(bad_cells_.begin(), bad_cells_.end());
       for (const uint32_t cell : bad_cells_) offenders->add(cell);
     }
     return !bad_cells_.empty();

@@ -4,6 +4,7 @@
 
 #include "base/dimensions.h"
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 
 namespace dsw {
 namespace {
@@ -93,7 +94,7 @@ BoundarySurface<D>::BoundarySurface(const Environment<D>& env) : simplices(env.m
       }
     }
   });
-  std::sort(starts.begin(), starts.end());
+  dsw::sort(starts.begin(), starts.end());
   for (const FacetStart& start : starts) find_mates(map, starts, start, *this);
   const auto count = static_cast<uint32_t>(simplices.size());
   DisjointSets sheets(count, env.memory);

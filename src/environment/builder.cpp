@@ -7,6 +7,7 @@
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/points.h"
+#include "base/sort.h"
 #include "environment/boundary_check.h"
 #include "environment/facet_matcher.h"
 #include "environment/mesh_reader.h"
@@ -63,7 +64,7 @@ template <int D>
                              BuildReport& report) {
   if (defect == MatchDefect::kSameSide) fail_inverted(env, report);
   report.offenders = offenders;
-  std::sort(report.offenders.index, report.offenders.index + report.offenders.count);
+  dsw::sort(report.offenders.index, report.offenders.index + report.offenders.count);
   const uint32_t a = offenders.index[0], b = offenders.index[1];
   if (defect == MatchDefect::kSameSide)
     fail(DSW_STATUS_DUPLICATE_CELL, "cells %u and %u lie on the same side of a face", a, b);
@@ -118,7 +119,7 @@ void validate(Environment<D>& env, bool was_split, BuildReport& report) {
   });
   if (inverted.count != 0) fail_inverted(env, report);
   if (invalid.count == 0) return;
-  std::sort(invalid.index, invalid.index + invalid.count);
+  dsw::sort(invalid.index, invalid.index + invalid.count);
   invalid.count = static_cast<uint32_t>(std::unique(invalid.index, invalid.index + invalid.count) - invalid.index);
   report.offenders = invalid;
   fail(DSW_STATUS_INVALID_CELL, "cell %u is flat, folded, or not seen whole from the mean of its vertices%s",
@@ -224,7 +225,7 @@ Array<Cell> find_invalid(Environment<D>& env) {
   look_at_cells(env, unused, [&](Cell c, CellState state) {
     if (state == CellState::kInvalid) failed.push_back(c);
   });
-  std::sort(failed.begin(), failed.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
+  dsw::sort(failed.begin(), failed.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
   for (const Cell c : failed) {
     const bool is_new = invalid.empty() || invalid.back() != c;
     if (is_new && check_cell(env, c) == CellState::kInvalid) invalid.push_back(c);

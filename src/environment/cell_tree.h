@@ -10,6 +10,7 @@
 
 #include "base/compiler.h"
 #include "base/memory.h"
+#include "base/nearest_first.h"
 #include "map/map.h"
 
 namespace dsw {
@@ -80,32 +81,12 @@ class CellTree {
       const double steps = distance * coarsest;
       return steps > 0 ? static_cast<float>(std::min(1e9, 1.0001 * steps + 0.001)) : 0.001f;
     };
-    struct Node {
-      float distance;
-      uint32_t level, place;  // a group, or below level 0 a cell
-    } nodes[kWidth * (kMostLevels + 1)];
-    uint32_t count = 0;
-    float limit = limit_of(reach);
-    nodes[count++] = {0, level_count_, 0};
-    while (count != 0) {
-      const Node node = nodes[--count];
-      if (node.distance > limit) continue;
-      if (node.level == 0) {
-        limit = limit_of(look(cells_[node.place]));
-        continue;
-      }
-      const uint32_t level = node.level - 1;
-      float distances[kWidth];
-      measure(groups_[level_first_[level] + node.place], at, weights, distances);
-      const uint32_t first = count;
-      for (uint32_t i = 0; i < kWidth; ++i) {
-        if (!(distances[i] <= limit)) continue;
-        const Node child{distances[i], level, node.place * kWidth + i};
-        uint32_t to = count++;
-        for (; to != first && nodes[to - 1].distance < child.distance; --to) nodes[to] = nodes[to - 1];
-        nodes[to] = child;
-      }
-    }
+    visit_nearest_first<kMostLevels>(
+        level_count_, limit_of(reach),
+        [&](uint32_t level, uint32_t group, float* distances) {
+          measure(groups_[level_first_[level] + group], at, weights, distances);
+        },
+        [&](uint32_t cell, float) { return limit_of(look(cells_[cell])); });
     return true;
   }
   const Array<uint32_t>& cells() const noexcept { return cells_; }
@@ -124,7 +105,7 @@ class CellTree {
   CellTree* older = nullptr;              // may still be read
 
  private:
-  static constexpr uint32_t kWidth = 8, kMostLevels = 12;
+  static constexpr uint32_t kWidth = kBoxesInGroup, kMostLevels = 12;
   static constexpr int kLastStep = 65535;
   static constexpr double kFarthest = 1e6;  // steps, of which a float keeps a sixteenth
 

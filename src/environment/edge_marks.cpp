@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
+
 namespace dsw {
 namespace {
 
@@ -72,7 +74,7 @@ void EdgeMarks::copy_sorted(Array<uint64_t>& out) const {
   for (const uint64_t key : slots_) {
     if (key != kEmpty) out.push_back(key);
   }
-  std::sort(out.begin(), out.end());
+  dsw::sort(out.begin(), out.end());
 }
 
 }  // namespace dsw

@@ -1,6 +1,7 @@
 #include "environment/find_facets.h"
 
 #include "base/dimensions.h"
+#include "base/sort.h"
 
 #include <algorithm>
 
@@ -37,7 +38,7 @@ void find_facets(const Environment<D>& env, size_t count, const size_t* offsets,
   Queries queries(map.vertex_count, count, env.memory);
   for (size_t i = 0; i < count; ++i) {
     out[i] = {};
-    std::sort(begin(i), begin(i + 1));
+    dsw::sort(begin(i), begin(i + 1));
     if (begin(i) != begin(i + 1) && *(begin(i + 1) - 1) < map.vertex_count)
       queries.add(static_cast<uint32_t>(i), *begin(i));
   }
@@ -52,7 +53,7 @@ void find_facets(const Environment<D>& env, size_t count, const size_t* offsets,
       for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { face.push_back(map.vertex(cell, local)); });
       const uint32_t lowest = *std::min_element(face.begin(), face.end());
       if (queries.first(lowest) == kNoQuery) continue;
-      std::sort(face.begin(), face.end());
+      dsw::sort(face.begin(), face.end());
       for (uint32_t i = queries.first(lowest); i != kNoQuery; i = queries.next(i)) {
         if (out[i].valid() || !std::equal(face.begin(), face.end(), begin(i), begin(i + 1))) continue;
         out[i] = h;

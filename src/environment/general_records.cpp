@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/sort.h"
 
 namespace dsw {
 namespace {
@@ -46,7 +47,7 @@ bool GeneralRecords<D>::write_polyhedron(uint32_t i, const GeneralCell& cell) {
 template <int D>
 bool GeneralRecords<D>::write_polygon(uint32_t i, const GeneralCell& cell) {
   sorted_ = cell.points;
-  std::sort(sorted_.begin(), sorted_.end());
+  dsw::sort(sorted_.begin(), sorted_.end());
   if (std::adjacent_find(sorted_.begin(), sorted_.end()) != sorted_.end()) return false;
   const uint32_t number = polygon_shape(cell.points.size());
   if (number == kNoShape) return false;

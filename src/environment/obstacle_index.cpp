@@ -3,6 +3,7 @@
 #include <new>
 
 #include "base/owned.h"
+#include "base/sort.h"
 #include "environment/environment.h"
 #include "environment/obstacles.h"
 
@@ -81,7 +82,7 @@ void ObstacleIndex<D>::gather(const Environment<D>& env) const {
 /** Notes the cells at vertices that were noted. */
 template <int D>
 void ObstacleIndex<D>::resolve(const Environment<D>& env) const {
-  std::sort(vertices_.begin(), vertices_.end());
+  dsw::sort(vertices_.begin(), vertices_.end());
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   bool has_room = true;
   const auto look = [&](uint32_t index) {
@@ -112,7 +113,7 @@ void ObstacleIndex<D>::merge(const Environment<D>& env) const {
   CellTree<D>* const tree = tree_.load(std::memory_order_relaxed);
   Array<uint32_t> cells(tree->cells().begin(), tree->cells().end(), Allocator<uint32_t>(memory_));
   for_each_beside(*tree, [&](uint32_t index) { cells.push_back(index); });
-  std::sort(cells.begin(), cells.end());
+  dsw::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   const auto is_idle = [&](uint32_t index) {
     const Cell c = env.map.cell(index);

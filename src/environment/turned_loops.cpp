@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/search.h"
+#include "base/sort.h"
 
 namespace dsw {
 namespace {
@@ -28,7 +29,7 @@ std::vector<Side> sides_of(const std::vector<uint16_t>& vertices, const std::vec
       sides.push_back({std::min(u, v), std::max(u, v), f, u < v});
     }
   }
-  std::sort(sides.begin(), sides.end());
+  dsw::sort(sides.begin(), sides.end());
   return sides;
 }
 
@@ -49,7 +50,7 @@ std::vector<Link> links_of(const std::vector<Side>& sides) {
     links.push_back({sides[i].loop, sides[i + 1].loop, is_turned});
     links.push_back({sides[i + 1].loop, sides[i].loop, is_turned});
   }
-  std::sort(links.begin(), links.end());
+  dsw::sort(links.begin(), links.end());
   return links;
 }
 

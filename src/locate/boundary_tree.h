@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/memory.h"
+#include "base/nearest_first.h"
 #include "base/vec.h"
 #include "environment/environment.h"
 
@@ -40,34 +41,17 @@ class BoundaryTree {
     }
     if (!(scale_ > 0 && farthest < kFarthest)) return false;
     const auto slack = static_cast<float>(kRoom * (1 + farthest));
-    struct Node {
-      float distance;
-      uint32_t level, place;
-    } nodes[kWidth * (kMostLevels + 1)];
-    uint32_t count = 0;
-    float limit = HUGE_VALF;
-    nodes[count++] = {0, static_cast<uint32_t>(level_count_), 0};
-    while (count != 0) {
-      const Node node = nodes[--count];
-      if (node.distance > limit) continue;
-      if (node.level == 0) {
-        const size_t first = size_t{node.place} * kLeaf, end = std::min(first + kLeaf, simplices_.size());
-        for (size_t i = first; i < end; ++i)
-          limit = static_cast<float>(look(simplices_[i]) * scale_ * (1 + kRoom)) + slack;
-        continue;
-      }
-      const uint32_t level = node.level - 1;
-      float distances[kWidth];
-      measure(groups_[level_first_[level] + node.place], at, distances);
-      const uint32_t first = count;
-      for (uint32_t i = 0; i < kWidth; ++i) {
-        if (!(distances[i] <= limit)) continue;
-        const Node child{distances[i], level, node.place * kWidth + i};
-        uint32_t to = count++;
-        for (; to != first && nodes[to - 1].distance < child.distance; --to) nodes[to] = nodes[to - 1];
-        nodes[to] = child;
-      }
-    }
+    visit_nearest_first<kMostLevels>(
+        static_cast<uint32_t>(level_count_), HUGE_VALF,
+        [&](uint32_t level, uint32_t group, float* distances) {
+          measure(groups_[level_first_[level] + group], at, distances);
+        },
+        [&](uint32_t leaf, float limit) {
+          const size_t first = size_t{leaf} * kLeaf, end = std::min(first + kLeaf, simplices_.size());
+          for (size_t i = first; i < end; ++i)
+            limit = static_cast<float>(look(simplices_[i]) * scale_ * (1 + kRoom)) + slack;
+          return limit;
+        });
     return true;
   }
   /** Calls look(simplex) for all. */
@@ -77,7 +61,7 @@ class BoundaryTree {
   }
 
  private:
-  static constexpr uint32_t kWidth = 8, kLeaf = 4, kMostLevels = 11;
+  static constexpr uint32_t kWidth = kBoxesInGroup, kLeaf = 4, kMostLevels = 11;
   static constexpr double kRoom = 0x1p-17, kFarthest = 1000;
 
   /** Eight boxes; one that is not used has a negative half. */

@@ -4,6 +4,7 @@
 
 #include "base/compiler.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "walk/standard_facets.h"
 
 namespace dsw {
@@ -261,7 +262,7 @@ void BoundedFlood<D, From>::note_sight(double distance, const Way& at, const Fea
 template <int D, class From>
 SearchEnd BoundedFlood<D, From>::decide() {
   if (sights_.empty()) return limit_ == radius_ ? SearchEnd::kNothing : SearchEnd::kUnknown;
-  std::sort(sights_.begin(), sights_.end(), [&](const Sight& a, const Sight& b) {
+  dsw::sort(sights_.begin(), sights_.end(), [&](const Sight& a, const Sight& b) {
     return a.distance != b.distance ? a.distance < b.distance : distances_.precedes(a.feature, b.feature);
   });
   for (auto first = sights_.begin(); first != sights_.end() && first->distance <= limit_;) {

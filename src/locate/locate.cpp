@@ -1,8 +1,7 @@
 #include "locate/locate.h"
 
-#include <algorithm>
-
 #include "base/compiler.h"
+#include "base/sort.h"
 
 namespace dsw {
 namespace {
@@ -55,7 +54,7 @@ class Candidates {
     for (uint32_t i = 0, count = env_.map.vertices_of(c); i < count; ++i) prefetch_line(env_.point(c, i));
   }
   void look() noexcept {
-    std::sort(indices_, indices_ + count_);
+    dsw::sort(indices_, indices_ + count_);
     for (uint32_t i = 0; i < count_; ++i) prefetch_vertices(indices_[i]);
     for (uint32_t i = 0; i < count_ && indices_[i] < lowest_; ++i) {
       if (holds(env_, env_.map.cell(indices_[i]), point_)) lowest_ = indices_[i];

@@ -20,6 +20,7 @@
 
 #include "base/dimensions.h"
 #include "base/position.h"
+#include "base/sort.h"
 #include "locate/locate.h"
 #include "predicates/filtered.h"
 #include "predicates/plane_hit.h"
@@ -241,7 +242,7 @@ class BoundarySearch {
     for (uint32_t k = 0; k < D; ++k) {
       if ((corners >> k & 1) != 0) vertices[count++] = near.vertices[k];
     }
-    std::sort(vertices, vertices + count);
+    dsw::sort(vertices, vertices + count);
     return count;
   }
 

@@ -9,6 +9,7 @@
 
 #include "base/dimensions.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "map/records.h"
 
 namespace dsw {
@@ -29,8 +30,8 @@ bool fills_loop(const Shape& shape, uint32_t f, Array<uint32_t>& sides, Array<ui
   for (uint32_t k = 0; k < n; ++k) {
     darts.push_back(side_key(shape.dart_vertex(first + k), shape.dart_vertex(first + (k + 1) % n)));
   }
-  std::sort(sides.begin(), sides.end());
-  std::sort(darts.begin(), darts.end());
+  dsw::sort(sides.begin(), sides.end());
+  dsw::sort(darts.begin(), darts.end());
   if (std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return false;
   if (!std::includes(sides.begin(), sides.end(), darts.begin(), darts.end())) return false;
   return dsw::all_of(sides.begin(), sides.end(), [&](uint32_t side) {
@@ -123,7 +124,7 @@ template <int D>
 bool vertices_sound(const Map<D>& map, Cell c, Array<uint32_t>& sorted) {
   sorted.clear();
   for (uint32_t k = 0, n = map.vertices_of(c); k < n; ++k) sorted.push_back(map.vertex(c, k));
-  std::sort(sorted.begin(), sorted.end());
+  dsw::sort(sorted.begin(), sorted.end());
   return sorted.back() < map.vertex_count && std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
 }
 
@@ -289,7 +290,7 @@ bool cut_alike(const Map<3>& map, Cell a, uint32_t fa, Cell b, uint32_t fb) {
   const auto triangle = [&](Cell c, const Shape& shape, uint32_t s) {
     const uint16_t* v = shape.simplices() + 3 * s;
     std::array<uint32_t, 3> t{map.vertex(c, v[0]), map.vertex(c, v[1]), map.vertex(c, v[2])};
-    std::sort(t.begin(), t.end());
+    dsw::sort(t.begin(), t.end());
     return t;
   };
   const Shape sa = map.shape(a), sb = map.shape(b);
@@ -303,8 +304,8 @@ bool cut_alike(const Map<3>& map, Cell a, uint32_t fa, Cell b, uint32_t fb) {
     ta.push_back(triangle(a, sa, at + k));
     tb.push_back(triangle(b, sb, bt + k));
   }
-  std::sort(ta.begin(), ta.end());
-  std::sort(tb.begin(), tb.end());
+  dsw::sort(ta.begin(), ta.end());
+  dsw::sort(tb.begin(), tb.end());
   return ta == tb;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort.h"
 #include "body/body.h"
 
 namespace dsw {
@@ -47,7 +48,7 @@ void NearList<D>::finish(PointArray points, bool has_features) {
 template <int D>
 void NearList<D>::number_vertices(PointArray points) {
   for (const WallFeature& o : obstacles_) vertices_.insert(vertices_.end(), o.vertices, o.vertices + o.count);
-  std::sort(vertices_.begin(), vertices_.end());
+  dsw::sort(vertices_.begin(), vertices_.end());
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   for (const uint32_t v : vertices_) points_.insert(points_.end(), points[v], points[v] + D);
   // Obstacles are counted at each vertex, and then put in their places from behind.
@@ -91,7 +92,7 @@ void NearList<D>::add_features_at(uint32_t vertex) {
       others[count++] = {o.vertices[k], third};
     }
   }
-  std::sort(others, others + count);
+  dsw::sort(others, others + count);
   count = static_cast<size_t>(std::unique(others, others + count) - others);
   for (size_t i = 0; i < count; ++i) {
     if (i == 0 || others[i].first != others[i - 1].first) around_.push_back(others[i].first);

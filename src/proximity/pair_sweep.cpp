@@ -5,6 +5,7 @@
 #include "proximity/pair_sweep.h"
 
 #include "base/dimensions.h"
+#include "base/function_ref.h"
 #include "base/search.h"
 #include "predicates/swept_plane.h"
 
@@ -65,9 +66,11 @@ class Chain {
 };
 
 /** Calls visit(touch) for all that is touched, until it returns false. */
-template <int D, class Visit>
+template <int D>
 class StarTouches {
  public:
+  using Visit = FunctionRef<bool(const PairContact<D>&)>;
+
   StarTouches(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to, const NearEdges* near,
               Visit visit)
       : partners_(partners), body_(body), v_(v), p_(body.position(v)), to_(to), near_(near), visit_(visit) {}
@@ -327,10 +330,10 @@ class StarTouches {
   uint32_t into_ = kNone;
 };
 
-template <int D, class Visit>
+template <int D>
 bool for_each_touch(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
-                    const NearEdges* near, Visit visit) {
-  return StarTouches<D, Visit>(partners, body, v, to, near, visit).run();
+                    const NearEdges* near, typename StarTouches<D>::Visit visit) {
+  return StarTouches<D>(partners, body, v, to, near, visit).run();
 }
 
 template <int D>
@@ -355,7 +358,7 @@ template <int D>
 bool is_merge_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, uint32_t into) noexcept {
   if (!partners.reach.contains(body.position(into))) return false;
   const auto never = [](const PairContact<D>&) { return false; };
-  return StarTouches<D, decltype(never)>(partners, body, v, into, never).run();
+  return StarTouches<D>(partners, body, v, into, never).run();
 }
 
 template <int D>

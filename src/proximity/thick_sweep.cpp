@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/search.h"
+#include "base/sort.h"
 
 namespace dsw {
 namespace {
@@ -80,8 +81,8 @@ bool ThickSweep<D>::for_each_swept(const Body<D>& body, uint32_t v, const double
 }
 
 template <int D>
-template <class Visit>
-bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, double distance, double limit, Visit visit) {
+bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, double distance, double limit,
+                                VisitThing visit) {
   const double reach = distance + limit, wanted = least_of(swept, distance);
   const Box<D> box = box_round<D>(swept.hull, reach);
   const auto look = [&](const NearList<D>& list, const WallFeature& obstacle) {
@@ -101,9 +102,8 @@ bool ThickSweep<D>::visit_walls(const Body<D>& body, const Swept& swept, double 
 }
 
 template <int D>
-template <class Visit>
 bool ThickSweep<D>::visit_partner(const Partners<D>& partners, uint32_t number, const Body<D>& body, const Box<D>& box,
-                                  double wanted, Visit visit) const {
+                                  double wanted, VisitThing visit) const {
   const Body<D>& other = *partners.all[number].body;
   const auto look = [&](const Simplex& part) {
     const SimplexCorners<D> corners(other, part);
@@ -125,9 +125,8 @@ bool ThickSweep<D>::visit_partner(const Partners<D>& partners, uint32_t number, 
 }
 
 template <int D>
-template <class Visit>
 bool ThickSweep<D>::visit_near(const Partners<D>* partners, const Body<D>& body, const Swept& swept, double limit,
-                               Visit visit) {
+                               VisitThing visit) {
   const double of_walls = body.radius > 0 ? body.radius + bend : 0;
   if (of_walls + limit > 0 && !visit_walls(body, swept, of_walls, limit, visit)) return false;
   if (partners == nullptr) return true;
@@ -219,7 +218,7 @@ bool ThickSweep<D>::keeps_apart(const Body<D>& a, PointArray to_a, const Body<D>
   for_each_outer(a, [&](const Simplex& part) {
     const Way way = way_of(a, part, to_a);
     const Box<D> box = box_round<D>(way.hull, distance);
-    return std::all_of(ways.begin(), ways.end(), [&](const Way& other) {
+    return dsw::all_of(ways.begin(), ways.end(), [&](const Way& other) {
       if (!is_in(box, other.hull) || are_far_apart<D>(way.hull, other.hull, wanted)) return true;
       keeps = false;
       if (near == nullptr) return false;
@@ -310,7 +309,7 @@ void ThickSweep<D>::find_all(const Partners<D>* partners, const Body<D>& body, u
                              Array<TooNear<D>>& all) {
   all.clear();
   visit_too_near(partners, body, v, to, nullptr, [&](const TooNear<D>& found) { all.push_back(found); });
-  std::sort(all.begin(), all.end(), precedes<D>);
+  dsw::sort(all.begin(), all.end(), precedes<D>);
 }
 
 template <int D>

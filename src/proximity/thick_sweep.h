@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/function_ref.h"
 #include "predicates/hull_gap.h"
 #include "proximity/joined.h"
 #include "proximity/near_lists.h"
@@ -99,19 +100,18 @@ class ThickSweep {
     const WallFeature* obstacle;  // of the list
     const NearList<D>* list;
   };
+  using VisitThing = FunctionRef<bool(const Thing&)>;
+
   Swept sweep_of(const Body<D>& body, const Simplex& part, uint32_t v, const double* to) const noexcept;
   static double least_of(const Swept& swept, double wanted) noexcept;
   template <class Visit>
   bool for_each_swept(const Body<D>& body, uint32_t v, const double* to, Visit visit) const;
   /** Calls visit(thing) for all that may be nearer than wanted and a limit more, until it returns false; whether it
    * never did. What is joined to the part is left out. */
-  template <class Visit>
-  bool visit_near(const Partners<D>* partners, const Body<D>& body, const Swept& swept, double limit, Visit visit);
-  template <class Visit>
-  bool visit_walls(const Body<D>& body, const Swept& swept, double wanted, double limit, Visit visit);
-  template <class Visit>
+  bool visit_near(const Partners<D>* partners, const Body<D>& body, const Swept& swept, double limit, VisitThing visit);
+  bool visit_walls(const Body<D>& body, const Swept& swept, double wanted, double limit, VisitThing visit);
   bool visit_partner(const Partners<D>& partners, uint32_t number, const Body<D>& body, const Box<D>& box,
-                     double wanted, Visit visit) const;
+                     double wanted, VisitThing visit) const;
   bool keeps_swept(const Partners<D>* partners, const Body<D>& body, const Swept& swept);
   static void name_thing(const Swept& swept, const HullGap& gap, const Thing& thing, TooNear<D>* found);
   static bool keeps_until(ConvexHull start, const double* to, double time, const Thing& thing) noexcept;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort.h"
 #include "motion/place_on_way.h"
 #include "proximity/part.h"
 
@@ -30,7 +31,7 @@ FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& w
   }
   if (turns_.empty()) return first_;
   find_parts(body);
-  std::sort(turns_.begin(), turns_.end(),
+  dsw::sort(turns_.begin(), turns_.end(),
             [](const Turn& a, const Turn& b) { return a.piece != b.piece ? a.piece < b.piece : a.number < b.number; });
   for (const Turn& turn : turns_) {
     if (turn.piece > last_piece(way)) break;

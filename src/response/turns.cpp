@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "contact/describe.h"
 
 namespace dsw {
@@ -58,7 +59,7 @@ void drop_repeated(MoveRecord& record) {
   const auto count = static_cast<uint32_t>(record.contacts.size());
   Array<uint32_t> latest_first(count, memory);
   for (uint32_t i = 0; i < count; ++i) latest_first[i] = count - 1 - i;
-  std::sort(latest_first.begin(), latest_first.end(), [&](uint32_t a, uint32_t b) {
+  dsw::sort(latest_first.begin(), latest_first.end(), [&](uint32_t a, uint32_t b) {
     const auto key_a = key(a), key_b = key(b);
     return key_a != key_b ? key_a < key_b : a > b;
   });

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/key_table.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "contact/names.h"
 #include "environment/marking.h"
@@ -166,7 +167,7 @@ void Detachment::draw_in(Body<3>& body) {
       if (error.status() != DSW_STATUS_OCCUPIED) throw;
     }
     Array<uint32_t> moving(scene_.offending);
-    std::sort(moving.begin(), moving.end());
+    dsw::sort(moving.begin(), moving.end());
     moving.erase(std::unique(moving.begin(), moving.end()), moving.end());
     for (const uint32_t v : moving) {
       if (tried_[v] == attempts_) give_up(scene_.offending[0], scene_.offending[1]);

@@ -6,6 +6,7 @@
 
 #include "base/dimensions.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "map/cell_queue.h"
 #include "scene/live_register.h"
 #include "scene/near_bodies.h"
@@ -116,7 +117,7 @@ class Followers {
     };
     if (scene_.features.live) {
       for (const Cell c : edit_.removed()) scene_.live.get()->particles.for_each(c, look);
-      std::sort(particles_.begin(), particles_.end(),
+      dsw::sort(particles_.begin(), particles_.end(),
                 [](const Location& a, const Location& b) { return a.place < b.place; });
     } else {
       for (uint32_t slot = 0, slots = static_cast<uint32_t>(scene_.particles.size()); slot < slots; ++slot) look(slot);

@@ -7,6 +7,7 @@
 #include "base/dimensions.h"
 #include "base/disjoint_sets.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "scene/scene.h"
 
 namespace dsw {
@@ -164,7 +165,7 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
   }
   islands.bodies.resize(count);
   std::iota(islands.bodies.begin(), islands.bodies.end(), 0u);
-  std::sort(islands.bodies.begin(), islands.bodies.end(), [&](uint32_t i, uint32_t j) {
+  dsw::sort(islands.bodies.begin(), islands.bodies.end(), [&](uint32_t i, uint32_t j) {
     const uint32_t a = sets.root(i), b = sets.root(j);
     return a != b ? a < b : i < j;
   });

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
+
 namespace dsw {
 namespace {
 
@@ -42,7 +44,7 @@ NearBodies<D>::NearBodies(const Scene<D>& scene, BoxGroups<D>& places) : boxes_(
       return true;
     });
   }
-  std::sort(pairs.begin(), pairs.end());
+  dsw::sort(pairs.begin(), pairs.end());
   boxes_.reserve(pairs.size());
   for (const Pair& pair : pairs) {
     boxes_.push_back(places.boxes()[pair.box]);

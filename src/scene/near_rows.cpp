@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/dimensions.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "contact/geometry.h"
 #include "contact/names.h"
@@ -179,7 +180,7 @@ void make_jacobian(const Array<dsw_near_row>& rows, uint32_t own_key, NearJacobi
       entries[count++] = {row.obstacle_vertices[i], -row.obstacle_weights[i]};
     }
     // A vertex of both parts has its own weight first.
-    std::sort(entries, entries + count, [](const Entry& a, const Entry& b) {
+    dsw::sort(entries, entries + count, [](const Entry& a, const Entry& b) {
       return a.vertex != b.vertex ? a.vertex < b.vertex : a.weight > b.weight;
     });
     for (int i = 0; i < count; ++i) {
@@ -218,7 +219,7 @@ void find_rows(Scene<D>& scene, BodyRecord<D>& of, const NearSettings& settings,
     dsw_near_row& row = near.rows.back();
     row.gap = row.distance - (pair.partner == kNone ? radius : radii_with(partners.all[pair.partner]));
   }
-  std::sort(near.rows.begin(), near.rows.end(), precedes);
+  dsw::sort(near.rows.begin(), near.rows.end(), precedes);
   follow(near.rows, near.last);
   if (settings.jacobian) make_jacobian<D>(near.rows, own_key, near.jacobian);
 }

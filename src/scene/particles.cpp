@@ -4,6 +4,7 @@
 
 #include "base/batch.h"
 #include "base/dimensions.h"
+#include "base/sort.h"
 #include "environment/marking.h"
 #include "locate/locate.h"
 #include "query/locations.h"
@@ -68,7 +69,7 @@ void add_occupants(Scene<D>& scene, Cell cell) {
 template <int D>
 size_t sort_occupants(Scene<D>& scene) {
   Array<dsw_particle_id>& all = scene.occupants;
-  std::sort(all.begin(), all.end(), [](dsw_particle_id a, dsw_particle_id b) { return a.index < b.index; });
+  dsw::sort(all.begin(), all.end(), [](dsw_particle_id a, dsw_particle_id b) { return a.index < b.index; });
   const auto same = [](dsw_particle_id a, dsw_particle_id b) { return a.index == b.index; };
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
   return all.size();
@@ -144,7 +145,7 @@ size_t find_occupants(Scene<D>& scene, const Cell* cells, size_t count) {
     const uint32_t bit = bit_of(units[i]);
     seen[bit / 64] |= uint64_t{1} << (bit % 64);
   }
-  std::sort(units, units + count);
+  dsw::sort(units, units + count);
   for (uint32_t slot = 0; slot < scene.particles.size(); ++slot) {
     const uint32_t unit = scene.particles[slot].cell.unit, bit = bit_of(unit);
     if (((seen[bit / 64] >> (bit % 64)) & 1u) == 0 || !std::binary_search(units, units + count, unit)) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/sort.h"
 #include "contact/describe.h"
 
 namespace dsw {
@@ -74,7 +75,7 @@ const TouchHistory::Stop* TouchHistory::find_last(const Stop& wanted, bool same_
 void TouchHistory::prepare(const MoveRecord& last) {
   stops_.clear();
   for (uint32_t i = 0; i < last.contacts.size(); ++i) stops_.push_back(to_stop(last, i));
-  std::sort(stops_.begin(), stops_.end());
+  dsw::sort(stops_.begin(), stops_.end());
   later_.clear();
   later_.reserve(earlier.size() + stops_.size());
 }

@@ -1,6 +1,7 @@
 #include "split/cell_parts.h"
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "environment/validity.h"
 #include "predicates/turn.h"
 #include "split/ears.h"
@@ -25,7 +26,7 @@ Array<SideOwner> owners_of(const Array<PartHull<3>>& parts) {
   for (uint32_t p = 0; p < parts.size(); ++p) {
     for (const PartSide<3>& side : parts[p]) owners.push_back({side, p});
   }
-  std::sort(owners.begin(), owners.end());
+  dsw::sort(owners.begin(), owners.end());
   return owners;
 }
 
@@ -204,7 +205,7 @@ void CellParts<3>::append(size_t cell, Cell c, uint32_t part, Loops& out) const 
     });
     if (has_part) add_loop(env_, c, f, out);
   }
-  std::sort(outer.begin(), outer.end());
+  dsw::sort(outer.begin(), outer.end());
   for (const PartSide<3>& side : parts_[cell][part]) {
     if (!std::binary_search(outer.begin(), outer.end(), side)) add_loop(side, out);
   }

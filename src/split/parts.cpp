@@ -3,6 +3,7 @@
 #include "base/dimensions.h"
 #include "base/disjoint_sets.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "environment/validity.h"
 #include "predicates/filtered.h"
 
@@ -51,7 +52,7 @@ Array<PartWall<D>> walls_of(const Array<PartHull<D>>& parts) {
       walls.push_back(other < s ? PartWall<D>{other, p, true} : PartWall<D>{s, p, false});
     }
   }
-  std::sort(walls.begin(), walls.end());
+  dsw::sort(walls.begin(), walls.end());
   return walls;
 }
 
@@ -59,8 +60,8 @@ Array<PartWall<D>> walls_of(const Array<PartHull<D>>& parts) {
 template <int D>
 PartHull<D> joined(const PartHull<D>& a, const PartHull<D>& b) {
   PartHull<D> sorted_a(a), sorted_b(b), left(a.get_allocator());
-  std::sort(sorted_a.begin(), sorted_a.end());
-  std::sort(sorted_b.begin(), sorted_b.end());
+  dsw::sort(sorted_a.begin(), sorted_a.end());
+  dsw::sort(sorted_b.begin(), sorted_b.end());
   const auto add_others = [&](const PartHull<D>& from, const PartHull<D>& than) {
     for (const PartSide<D>& s : from) {
       if (!std::binary_search(than.begin(), than.end(), turned(s))) left.push_back(s);

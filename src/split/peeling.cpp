@@ -4,6 +4,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "split/crossing.h"
 #include "split/inner_point.h"
 
@@ -39,7 +40,7 @@ class Rest {
  public:
   Rest(const PartPoints<3>& at, const PartHull<3>& surface, uint32_t order)
       : at_(at), order_(order), triangles_(surface), sides_(at.memory()), vertices_(at.memory()) {
-    std::sort(triangles_.begin(), triangles_.end());
+    dsw::sort(triangles_.begin(), triangles_.end());
     for (uint32_t t = 0; t < triangles_.size(); ++t) {
       const uint32_t* const v = triangles_[t].v;
       for (int k = 0; k < 3; ++k) {
@@ -47,8 +48,8 @@ class Rest {
         vertices_.push_back(v[k]);
       }
     }
-    std::sort(sides_.begin(), sides_.end());
-    std::sort(vertices_.begin(), vertices_.end());
+    dsw::sort(sides_.begin(), sides_.end());
+    dsw::sort(vertices_.begin(), vertices_.end());
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
     for (const uint32_t v : vertices_) {
       for (int k = 0; k < 3; ++k) scale_ = std::max(scale_, std::fabs(at_[v][k] / 2 - at_[vertices_[0]][k] / 2));

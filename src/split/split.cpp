@@ -5,6 +5,7 @@
 #include "base/dimensions.h"
 #include "base/error.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "environment/mesh_reader.h"
 #include "split/cell_parts.h"
 
@@ -31,7 +32,7 @@ bool add_neighbours(const Environment<D>& env, const Array<Cell>& failed, Array<
       if (other.valid()) cells.push_back(env.map.cell_of(other));
     }
   }
-  std::sort(cells.begin(), cells.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
+  dsw::sort(cells.begin(), cells.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return cells.size() != before;
 }
@@ -132,7 +133,7 @@ class SplitMesh<D>::Writer {
   /** A part that may be a simplex. */
   void add_part(Cell c, const Loops& loops) {
     Array<uint32_t> vertices(loops.vertices);
-    std::sort(vertices.begin(), vertices.end());
+    dsw::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     if (vertices.size() != D + 1 || (D == 3 && loops.count() != D + 1)) {
       add(c, loops);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
 #include "body/simplices.h"
 
 namespace dsw {
@@ -157,7 +158,7 @@ void StarSweep<D>::find_all(const Body<D>& body, uint32_t v, const double* to, c
   if (first.part.kind == Simplex::kFace) all.push_back(first);
   // No two are equivalent: of one edge or face there is one contact with each thing.
   const auto before = [&](const SweepContact& a, const SweepContact& b) { return comes_first(vertex.way, a, b); };
-  std::sort(all.begin(), all.end(), before);
+  dsw::sort(all.begin(), all.end(), before);
 }
 
 template class StarSweep<2>;

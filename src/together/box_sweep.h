@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "base/memory.h"
+#include "base/sort.h"
 #include "body/box.h"
 
 namespace dsw {
@@ -116,7 +117,7 @@ class BoxSweep {
       overlaps[k] = overlaps_along(k, boxes, others);
       axes_[k] = k;
     }
-    std::sort(axes_, axes_ + D,
+    dsw::sort(axes_, axes_ + D,
               [&](int a, int b) { return overlaps[a] != overlaps[b] ? overlaps[a] < overlaps[b] : a < b; });
     const int k = axes_[1];
     double lower = Box<D>::kInfinity, upper = -Box<D>::kInfinity, sizes = 0;
@@ -145,7 +146,7 @@ class BoxSweep {
       const uint32_t last = strip_of(boxes[i].upper[across]);
       for (uint32_t s = strip_of(boxes[i].lower[across]); s <= last; ++s) ++list.first[s];
     }
-    std::sort(order_.begin(), order_.end());
+    dsw::sort(order_.begin(), order_.end());
     uint32_t sum = 0;
     for (uint32_t& each : list.first) {
       const uint32_t count = each;

@@ -4,6 +4,7 @@
 
 #include "base/dimensions.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "contact/describe.h"
 #include "contact/normals.h"
@@ -80,7 +81,7 @@ dsw_body_contact describe_part(const Environment<D>& env, const Trajectory<D>& o
 
 template <int D>
 void describe_touches(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<WayTouch<D>>& touches) {
-  std::sort(touches.begin(), touches.end(),
+  dsw::sort(touches.begin(), touches.end(),
             [](const WayTouch<D>& a, const WayTouch<D>& b) { return name_of(a) < name_of(b); });
   for (const WayTouch<D>& met : touches) {
     const auto add = [&](uint32_t number, const Simplex& part, const Partner<D>* other, const Simplex& other_part,
@@ -116,7 +117,7 @@ Touch touch_of(const Environment<D>& env, const Trajectory<D>& of, const TooNear
 
 template <int D>
 void describe_too_near(const Environment<D>& env, Array<Trajectory<D>>& trajectories, Array<TooNearOnWay<D>>& first) {
-  std::sort(first.begin(), first.end(),
+  dsw::sort(first.begin(), first.end(),
             [&](const TooNearOnWay<D>& a, const TooNearOnWay<D>& b) { return name_of(a) < name_of(b); });
   for (const TooNearOnWay<D>& near : first) {
     const auto add = [&](uint32_t number, const Simplex& part, const Partner<D>* other, const Simplex& other_part,

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "environment/validity.h"
 #include "motion/place_on_way.h"
 
@@ -43,7 +44,7 @@ void HeldPoints<D>::add_all(const CellQueue& cells) {
   for (size_t i = 0; i < cells.size(); ++i) {
     env_.map.for_each_vertex(cells[i], [&](uint32_t v) { vertices.push_back(v); });
   }
-  std::sort(vertices.begin(), vertices.end());
+  dsw::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   const auto is_known = [&](uint32_t v) { return is_at(find(v), v); };
   vertices.erase(std::remove_if(vertices.begin(), vertices.end(), is_known), vertices.end());
@@ -52,7 +53,7 @@ void HeldPoints<D>::add_all(const CellQueue& cells) {
     Point& made = points_.emplace_back(Point{v, false, 1, {}});
     std::copy_n(way_->next(v), D, made.target);
   }
-  std::sort(order_.begin(), order_.end(),
+  dsw::sort(order_.begin(), order_.end(),
             [&](uint32_t a, uint32_t b) { return points_[a].vertex < points_[b].vertex; });
 }
 

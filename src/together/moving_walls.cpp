@@ -14,6 +14,7 @@
 
 #include "base/dimensions.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "contact/describe.h"
 #include "environment/validity.h"
 #include "motion/place_on_way.h"
@@ -272,7 +273,7 @@ void MovingWalls<D>::set_step_end(double fraction) {
     for (size_t i = 0; i < checked_.size(); ++i) {
       env_.map.for_each_vertex(checked_[i], [&](uint32_t v) { met_.push_back(v); });
     }
-    std::sort(met_.begin(), met_.end());
+    dsw::sort(met_.begin(), met_.end());
     met_.erase(std::unique(met_.begin(), met_.end()), met_.end());
   }
   for (const uint32_t v : met_) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/sort.h"
+
 namespace dsw {
 
 template <int D>
@@ -137,7 +139,7 @@ void NearWalls<D>::add_features(bool corners_alone, Range& near) {
       }
     }
   }
-  std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
+  dsw::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
     return std::tie(a.vertices[0], a.vertices[1], a.obstacle) < std::tie(b.vertices[0], b.vertices[1], b.obstacle);
   });
   for (size_t i = 0; i < sides_.size();) {

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "predicates/filtered.h"
 #include "together/moving_walls.h"
 #include "together/wall_ways.h"
@@ -40,7 +41,7 @@ std::tuple<double, uint32_t> key_of(const TooNearOnWay<D>& near) {
 
 template <class Touch>
 void sort_by_time(Array<Touch>& touches) {
-  std::sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) {
+  dsw::sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) {
     return std::make_tuple(key_of(a), name_of(a)) < std::make_tuple(key_of(b), name_of(b));
   });
 }
@@ -283,7 +284,7 @@ void ShortenedWays<D, Walls>::collect_again(Array<Trajectory<D>>& trajectories) 
     }
     return false;
   };
-  if (std::none_of(trajectories.begin(), trajectories.end(), leaves)) return;
+  if (dsw::none_of(trajectories.begin(), trajectories.end(), leaves)) return;
   for (Trajectory<D>& of : trajectories) {
     of.reaches = of.goals;
     of.renew_rooms();

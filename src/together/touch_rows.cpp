@@ -14,6 +14,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/search.h"
+#include "base/sort.h"
 #include "together/touch_moment.h"
 
 namespace dsw {
@@ -29,7 +31,7 @@ constexpr double kNext = 0x1p-4;          // likewise: of a corner that comes to
 /** Orders points by where they go. */
 template <int D>
 void sort_points(const MovingPair<D>& pair, uint32_t* order, uint32_t first, uint32_t end) {
-  std::sort(order + first, order + end, [&](uint32_t a, uint32_t b) {
+  dsw::sort(order + first, order + end, [&](uint32_t a, uint32_t b) {
     return is_before<D>(pair.start[a], pair.end[a], pair.start[b], pair.end[b]);
   });
 }
@@ -179,7 +181,7 @@ double TouchRows<D>::set_key(const double* const* starts, const double* const* e
 /** Adds a point to a row; a vertex that stands there already gets its weight, too. */
 template <int D>
 void TouchRows<D>::add_point(const Point& point, Row& row) {
-  Point* const same = std::find_if(row.points, row.points + row.count, [&](const Point& each) {
+  Point* const same = dsw::find_if(row.points, row.points + row.count, [&](const Point& each) {
     return each.trajectory != kNone && each.trajectory == point.trajectory && each.vertex == point.vertex;
   });
   if (same != row.points + row.count) {
@@ -307,7 +309,7 @@ bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const 
   row.least = near.wanted + row.apart;
   row.carries = carries_ && near.other == nullptr;
   row.name = near_name_of(near, turns, points, first_count, count);
-  Row* const same = std::find_if(rows_.begin(), rows_.end(), [&](const Row& each) {
+  Row* const same = dsw::find_if(rows_.begin(), rows_.end(), [&](const Row& each) {
     return each.name == row.name && std::get<0>(each.key) == round;
   });
   if (same == rows_.end()) return add_row(trajectories, points, count, row);
@@ -331,7 +333,7 @@ typename TouchRows<D>::NearName TouchRows<D>::near_name_of(const TooNearOnWay<D>
     uint32_t at = 2;
     for (uint32_t i = s == 0 ? 0 : first_count; i < (s == 0 ? first_count : count); ++i)
       sides[s][at++] = points[i].name;
-    std::sort(sides[s].begin() + 2, sides[s].end());
+    dsw::sort(sides[s].begin() + 2, sides[s].end());
   }
   const auto& [first, second] = std::minmax(sides[0], sides[1]);
   NearName name;
@@ -424,7 +426,7 @@ void TouchRows<D>::give_way(Array<Trajectory<D>>& trajectories, Row& row) {
 
 template <int D>
 void TouchRows<D>::solve(Array<Trajectory<D>>& trajectories) {
-  std::sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) { return a.key < b.key; });
+  dsw::sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) { return a.key < b.key; });
   for (Array<Base>& bases : bases_) {
     for (Base& base : bases) base.is_carried = false;
   }
@@ -448,7 +450,7 @@ void TouchRows<D>::solve(Array<Trajectory<D>>& trajectories) {
       }
       // Sums of numbers depend on their order.
       if (end - first > 1) {
-        std::sort(&rows_[first], &rows_[first] + (end - first), [](const Row& a, const Row& b) {
+        dsw::sort(&rows_[first], &rows_[first] + (end - first), [](const Row& a, const Row& b) {
           return std::make_tuple(a.step, a.normal.x(), a.normal.y(), a.normal.z()) <
                  std::make_tuple(b.step, b.normal.x(), b.normal.y(), b.normal.z());
         });

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "body/simplices.h"
 #include "contact/way_touch.h"
 #include "motion/moving_body.h"
@@ -96,7 +97,7 @@ PairName pair_name_of(const Touch& t) noexcept {
                    kNone};
   if (t.other == nullptr) {
     std::copy_n(t.wall.vertices, 3, name.begin() + 6);
-    std::sort(name.begin() + 6, name.end());
+    dsw::sort(name.begin() + 6, name.end());
     return name;
   }
   const std::array<uint32_t, 3> own = {t.trajectory, name[1], name[2]},

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "motion/place_on_way.h"
 #include "together/describe.h"
@@ -123,7 +124,7 @@ void WholeWays<D, Walls>::drop_covering(const Array<Trajectory<D>>& trajectories
   for (const WayTouch<D>& each : first) {
     if (each.other == nullptr) names.push_back(name(each.trajectory, each.part.kind, each.part.index));
   }
-  std::sort(names.begin(), names.end());
+  dsw::sort(names.begin(), names.end());
   const auto touches = [&](uint32_t trajectory, Simplex::Kind kind, uint32_t index) {
     return std::binary_search(names.begin(), names.end(), name(trajectory, kind, index));
   };

@@ -2,6 +2,7 @@
 
 #include "base/dimensions.h"
 #include "base/error.h"
+#include "base/sort.h"
 #include "environment/mesh_reader.h"
 #include "topology/operations.h"
 
@@ -69,7 +70,7 @@ class Addition {
 
   void add_facet(uint32_t i, CellDraft& draft, FacetDraft&& facet) {
     Vertices sorted = facet.loop;
-    std::sort(sorted.begin(), sorted.end());
+    dsw::sort(sorted.begin(), sorted.end());
     if (sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
       fail(DSW_STATUS_BAD_CELL, "a face of new volume %u has fewer than three vertices, or one vertex twice", i);
     }
@@ -129,7 +130,7 @@ class Addition {
     for (uint32_t i = 0; i < in_.cell_count; ++i) {
       for (uint32_t f = 0; f < edit_.draft(i).facets.size(); ++f) places_.push_back({i, f});
     }
-    std::sort(places_.begin(), places_.end(), by_vertices);
+    dsw::sort(places_.begin(), places_.end(), by_vertices);
     for (size_t k = 0; k + 1 < places_.size(); ++k) {
       if (keys_less(places_[k], places_[k + 1])) continue;
       FacetDraft &a = facet(places_[k]), &b = facet(places_[k + 1]);
@@ -146,7 +147,7 @@ class Addition {
   }
 
   static Vertices key_of(Vertices loop) {
-    std::sort(loop.begin(), loop.end());
+    dsw::sort(loop.begin(), loop.end());
     return loop;
   }
   bool keys_less(const Place& a, const Place& b) { return key_of(loop(a)) < key_of(loop(b)); }

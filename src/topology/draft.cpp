@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "environment/recut.h"
 #include "predicates/filtered.h"
 
@@ -13,7 +14,7 @@ namespace {
 /** Triangles as sorted triples in ascending order. */
 void sort_triangles(const FacetDraft& facet, Vertices& out) {
   out = facet.triangles;
-  for (size_t t = 0; t < out.size(); t += 3) std::sort(out.begin() + t, out.begin() + t + 3);
+  for (size_t t = 0; t < out.size(); t += 3) dsw::sort(out.begin() + t, out.begin() + t + 3);
   // Few and short: insertion by whole triples.
   for (size_t t = 3; t < out.size(); t += 3) {
     for (size_t u = t; u >= 3; u -= 3) {
@@ -274,7 +275,7 @@ bool order_sides(const CellDraft& draft, uint32_t first, Array<uint32_t>& out) {
   Array<uint32_t> by_start(sides.size(), 0, out.get_allocator());
   std::iota(by_start.begin(), by_start.end(), 0u);
   const auto less = [&](uint32_t a, uint32_t b) { return sides[a].loop[0] < sides[b].loop[0]; };
-  std::sort(by_start.begin(), by_start.end(), less);
+  dsw::sort(by_start.begin(), by_start.end(), less);
   const auto not_less = [&](uint32_t a, uint32_t b) { return !less(a, b); };
   if (std::adjacent_find(by_start.begin(), by_start.end(), not_less) != by_start.end()) return false;
   out.clear();

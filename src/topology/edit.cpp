@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/position.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "environment/marking.h"
 #include "environment/validity.h"
 #include "map/integrity.h"
@@ -168,7 +169,7 @@ HalfFacet Edit<D>::half_facet(size_t i, uint32_t facet) const {
 
 template <int D>
 void Edit<D>::prepare(Array<uint32_t>* invalid) {
-  std::sort(removed_.begin(), removed_.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
+  dsw::sort(removed_.begin(), removed_.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
   if (!removed_.empty()) {
     lowest_gone_ = removed_.front().unit;
     gone_span_ = removed_.back().unit - lowest_gone_;
@@ -273,7 +274,7 @@ void Edit<D>::collect_links() {
         add(facet.far);
     }
   }
-  std::sort(links_.begin(), links_.end());
+  dsw::sort(links_.begin(), links_.end());
 }
 
 /** What a facet comes from: the half-facet's address, or of a pair its number from the end of the same range; kNoFacet:

@@ -6,6 +6,7 @@
 
 #include "base/points.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "environment/marking.h"
 #include "environment/validity.h"
 #include "map/records.h"
@@ -279,7 +280,7 @@ bool Repair::write(Edit<3>& edit) {
 }
 
 void Repair::prepare(std::optional<Edit<3>>& edit) {
-  std::sort(wanted_.begin(), wanted_.end(), [&](Cell a, Cell b) { return env_.map.index(a) < env_.map.index(b); });
+  dsw::sort(wanted_.begin(), wanted_.end(), [&](Cell a, Cell b) { return env_.map.index(a) < env_.map.index(b); });
   wanted_.erase(std::unique(wanted_.begin(), wanted_.end()), wanted_.end());
   for (const Cell c : wanted_) {
     if (patch_of(c) == kNoPatch) repair(c);

@@ -3,6 +3,7 @@
 #include "base/dimensions.h"
 #include "base/error.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "topology/operations.h"
 
 namespace dsw {
@@ -109,7 +110,7 @@ void sew(Edit<D>& edit, const FacetPair* pairs, size_t count) {
     words.push_back(pairs[i].a.word);
     words.push_back(pairs[i].b.word);
   }
-  std::sort(words.begin(), words.end());
+  dsw::sort(words.begin(), words.end());
   if (std::adjacent_find(words.begin(), words.end()) != words.end()) {
     fail(DSW_STATUS_DUPLICATE_ID, "a face occurs in two pairs");
   }

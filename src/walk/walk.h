@@ -51,6 +51,11 @@ struct Walk {
   bool (*admits_with_centre)(const Environment<D>& env, Cell cell, double* centre) noexcept;
 };
 
+/** A walk that counts, the same for all instruction sets: what is counted does not depend on them. */
+template <int D>
+void walk_counted(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
+                  CastCounters* counters) noexcept;
+
 // Constants that no code makes. They are there before the first constructor runs, and no instruction is run to make
 // them that a processor has not.
 extern const Walk<2> kPlaneWalk;

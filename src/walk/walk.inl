@@ -479,13 +479,6 @@ void walk_plain(const Environment<D>& env, const CastRequest* requests, uint32_t
   Walkers<D, CountNothing>(env, requests, results, {}).run(count);
 }
 template <int D>
-void walk_counted(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
-                  CastCounters* counters) noexcept {
-  Walkers<D, CountAll>(env, requests, results, {counters}).run(count);
-  counters->casts += count;
-  for (uint32_t i = 0; i < count; ++i) counters->volumes_visited += results[i].volumes_visited;
-}
-template <int D>
 bool contains(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept {
   CountNothing nothing;
   return ExitFinder<D, CountNothing>(env, centre, point, nothing).contains(cell);

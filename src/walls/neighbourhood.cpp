@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/sort.h"
 #include "sweep/body_probe.h"
 
 namespace dsw {
@@ -65,7 +66,7 @@ bool Neighbourhood<D>::find_turns(Array<uint32_t>& turns) {
     turns.push_back(points_.touched()[i]);
     near_[i].step = step_;
   }
-  std::sort(turns.begin(), turns.end());
+  dsw::sort(turns.begin(), turns.end());
   return !turns.empty();
 }
 
@@ -92,7 +93,7 @@ void Neighbourhood<D>::find_features(Array<Feature>& features) {
   for (const Cell c : star_) {
     features_.for_each(env_.map.index(c), [&](const Feature& feature) { features.push_back(feature); });
   }
-  std::sort(features.begin(), features.end());
+  dsw::sort(features.begin(), features.end());
   features.erase(std::unique(features.begin(), features.end()), features.end());
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
 #include "body/feature.h"
 #include "proximity/partners.h"
 #include "response/settings.h"
@@ -101,7 +102,7 @@ class CellFeatures {
       return a.cell != b.cell ? a.cell < b.cell : a.feature < b.feature;
     };
     const auto same = [](const Node& a, const Node& b) { return a.cell == b.cell && a.feature == b.feature; };
-    std::sort(nodes_.begin(), nodes_.end(), before);
+    dsw::sort(nodes_.begin(), nodes_.end(), before);
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end(), same), nodes_.end());
     for (uint32_t n = 0; n < nodes_.size(); ++n) {
       const bool first = n == 0 || nodes_[n - 1].cell != nodes_[n].cell;

@@ -1,6 +1,7 @@
 #pragma once
 // How an environment's points are moved, and what comes of it.
 
+#include "base/sort.h"
 #include "dartsweep/deform.h"
 #include "walls/wall_sweep.h"
 
@@ -39,8 +40,8 @@ struct WallRecord {
   void sort() noexcept {
     const auto before = [](const auto& a, const auto& b) { return a.index < b.index; };
     const auto same = [](const auto& a, const auto& b) { return a.index == b.index; };
-    std::sort(held.begin(), held.end(), before);
-    std::sort(invalid.begin(), invalid.end(), before);
+    dsw::sort(held.begin(), held.end(), before);
+    dsw::sort(invalid.begin(), invalid.end(), before);
     invalid.erase(std::unique(invalid.begin(), invalid.end(), same), invalid.end());
   }
   uint64_t memory_bytes() const { return array_bytes(contacts) + array_bytes(held) + array_bytes(invalid); }

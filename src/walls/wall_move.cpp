@@ -1,6 +1,7 @@
 #include "walls/wall_move.h"
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "contact/names.h"
 #include "response/insertion.h"
@@ -119,7 +120,7 @@ bool WallMove<D>::find_hits(const double* from, const double* to) {
     WallHit hit;
     if (walls_.meets(all_, feature, from, to, &hit)) hits_.push_back(hit);
   }
-  std::sort(hits_.begin(), hits_.end());
+  dsw::sort(hits_.begin(), hits_.end());
   return !hits_.empty();
 }
 

@@ -206,7 +206,10 @@ TEST_P(CuboidsTest, EndCastsAsBentHexahedraDo) {
         if (cast.expected.end == CastEnd::kReached && (begin + i) % 5 == 0) requests[i].end = cast.expected.cell;
         requests[i].crossing_user = &cast.crossings;
       }
-      each.walk.counted(env, requests, static_cast<uint32_t>(count), results, &counters);
+      each.walk.plain(env, requests, static_cast<uint32_t>(count), results);
+      CastResult same[kPacket];
+      for (size_t i = 0; i < count; ++i) requests[i].crossing = nullptr;
+      each.walk.counted(env, requests, static_cast<uint32_t>(count), same, &counters);
       for (size_t i = 0; i < count; ++i) {
         SCOPED_TRACE(begin + i);
         CastResult expected = casts[begin + i].expected;
