@@ -55,7 +55,7 @@ void print(const Summary& s) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::optional<physics::MeasureOptions> options = physics::read_options(argc, argv, "contacts");
+  const std::optional<physics::MeasureArguments> options = physics::read_options(argc, argv, "contacts");
   if (!options) {
     return 2;
   }

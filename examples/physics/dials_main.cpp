@@ -10,7 +10,7 @@
 #include "options.h"
 
 int main(int argc, char** argv) {
-  const std::optional<physics::MeasureOptions> options = physics::read_options(argc, argv, "dials");
+  const std::optional<physics::MeasureArguments> options = physics::read_options(argc, argv, "dials");
   if (!options) {
     return 2;
   }

@@ -10,16 +10,16 @@
 
 namespace physics {
 
-struct MeasureOptions {
+struct MeasureArguments {
   bool quick = false;
   std::string folder = ".";
 };
 
 // Nothing where an option can't be used; then it has said how the program is called.
-inline std::optional<MeasureOptions> read_options(int argc, char** argv, const char* name) {
+inline std::optional<MeasureArguments> read_options(int argc, char** argv, const char* name) {
   static const option kOptions[] = {
       {"quick", no_argument, nullptr, 'q'}, {"out", required_argument, nullptr, 'o'}, {nullptr, 0, nullptr, 0}};
-  MeasureOptions options;
+  MeasureArguments options;
   bool is_good = true;
   for (int letter; (letter = getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
     if (letter == 'q') {

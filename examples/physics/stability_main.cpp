@@ -203,7 +203,7 @@ bool write_files(const std::string& folder, const Table& grid, const Table& extr
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::optional<physics::MeasureOptions> options = physics::read_options(argc, argv, "stability");
+  const std::optional<physics::MeasureArguments> options = physics::read_options(argc, argv, "stability");
   if (!options) {
     return 2;
   }

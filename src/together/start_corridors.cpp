@@ -6,6 +6,9 @@ template <int D>
 void StartCorridors<D>::start(const Array<Trajectory<D>>& trajectories) {
   first_ranges_.clear();
   facets_.clear();
+  packet_.clear();  // what a call left that ran out of memory
+  cast_.clear();
+  corridor_.facets.reserve(1);  // Corridor::forget() needs it
   size_t count = 0;
   for (const Trajectory<D>& of : trajectories) {
     const Body<D>& body = *of.motion.body;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "dartsweep/cpp/error.hpp"
+#include "dartsweep/environment.h"
 #include "dartsweep/ids.h"
 
 namespace dartsweep {
