@@ -178,8 +178,9 @@ DSW_API dsw_status dsw_body_get_face_ids(const dsw_scene *scene, dsw_body_id bod
                                          dsw_body_face_id *faces, size_t capacity, size_t *count);
 
 /** Copies the ids of the edges that DSW_BODY_LEAVE_BACK_EDGES has left untested where they are, by
- * index. All others are free. Calls that do not move the body test them first; while one is not
- * free, they see the vertices of this body alone: bindings/docs/moving_bodies.md.
+ * index. All others are free. Other calls than dsw_body_move, dsw_scene_move_bodies and those of
+ * particles test them first. While one is not free, such calls see the vertices of this body
+ * alone: bindings/docs/moving_bodies.md.
  * @note Cost: O(slots). @since 2.1 */
 DSW_API dsw_status dsw_body_get_untested_edges(const dsw_scene *scene, dsw_body_id body,
                                                dsw_body_edge_id *edges, size_t capacity,

@@ -97,7 +97,7 @@ DSW_API dsw_status dsw_environment_mark_exits(dsw_environment *environment,
 DSW_API dsw_status dsw_environment_get_exit(const dsw_environment *environment, dsw_face_id face,
                                             uint32_t *patch);
 
-/** Copies the faces of all exits, by volume and number.
+/** Copies the faces of all exits, ordered by the indices of volumes, then by `local`.
  * @note Cost: O(exits). @since 2.1 */
 DSW_API dsw_status dsw_environment_get_exit_faces(const dsw_environment *environment,
                                                   dsw_face_id *faces, size_t capacity,

@@ -190,8 +190,8 @@ DSW_API dsw_status dsw_body_get_previous_contacts(const dsw_scene *scene, dsw_bo
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body,
                                       const dsw_body_edit **edits, size_t *count);
 
-/** Gives the vertices that left in the last move of a body, in order (DSW_MOVE_LEAVE). Their ids are
- * stale. @since 2.1 */
+/** Gives the vertices that left in the last move of a body (DSW_MOVE_LEAVE), in the order in which
+ * they came to an exit. Their ids are stale. @since 2.1 */
 DSW_API dsw_status dsw_body_get_exits(const dsw_scene *scene, dsw_body_id body,
                                       const dsw_exit **exits, size_t *count);
 

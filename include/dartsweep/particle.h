@@ -50,7 +50,7 @@ DSW_API dsw_status dsw_particle_get_position(const dsw_scene *scene, dsw_particl
  * @param cell may be null; its kind is DSW_CELL_VOLUME.
  * @param aimed_at may be null; the face (in the plane the side) of the volume that stopped the
  * particle last, until it leaves the volume or the volume changes; else the null cell. Its `index`
- * is that of the volume. Moves ask it first in volumes of no common form and in polygons.
+ * is that of the volume. In polyhedra of no common form, and in polygons, moves test it first.
  * @since 2.1 */
 DSW_API dsw_status dsw_particle_get_state(const dsw_scene *scene, dsw_particle_id particle,
                                           dsw_cell *cell, dsw_cell *aimed_at);

@@ -23,7 +23,7 @@ bool Exits::has_cell(uint32_t cell) const noexcept {
 void Exits::set(const Exit* exits, size_t count) noexcept {
   const auto end = static_cast<ptrdiff_t>(all_.size());
   for (size_t i = 0; i < count; ++i) {
-    // What is there is sorted; what is new comes behind it.
+    // Exits before `end` are sorted; new ones come behind them.
     const auto at = std::lower_bound(all_.begin(), all_.begin() + end, exits[i]);
     if (at != all_.begin() + end && !(exits[i] < *at)) {
       at->patch = exits[i].patch;

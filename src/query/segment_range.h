@@ -1,5 +1,5 @@
 #pragma once
-// Casts of a part of a batch, for who asks more of each segment while it is at hand.
+// Casts of a part of a batch, for callers that ask more about each segment while it is at hand.
 
 #include "query/starts.h"
 

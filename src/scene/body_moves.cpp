@@ -68,18 +68,18 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
                  const MoveSettings& settings) {
   Array<size_t> first(count, 0, scene.memory);
   Array<CastCounters> casts(count, CastCounters{}, scene.memory);
-  // If one runs out of memory, none has moved.
-  const bool edits = settings.may_edit() || dsw::any_of(bodies, bodies + count, [](const BodyRecord<D>* each) {
-                       return each->body.skipping.leaves_back_edges;
-                     });
+  // If one runs out of memory, none has moved. Positions alone do not bring back parts and lists of untested edges.
+  const bool keeps_wholes = settings.may_edit() || dsw::any_of(bodies, bodies + count, [](const BodyRecord<D>* each) {
+                              return each->body.skipping.leaves_back_edges;
+                            });
   Array<Body<D>> wholes{scene.memory};
-  wholes.reserve(edits ? count : 0);
+  wholes.reserve(keeps_wholes ? count : 0);
   size_t at = 0;
   for (size_t i = 0; i < count; ++i) {
     BodyRecord<D>& body = *bodies[i];
     begin_move(scene, body);
     if (settings.leaves) reserve_removals(body.body);
-    if (edits) wholes.push_back(body.body);
+    if (keeps_wholes) wholes.push_back(body.body);
     first[i] = at;
     at += body.body.vertices.size();
   }
@@ -100,7 +100,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, Po
   } catch (const std::bad_alloc&) {
     for (size_t i = 0; i < count; ++i) {
       BodyRecord<D>& body = *bodies[i];
-      if (edits) {
+      if (keeps_wholes) {
         std::swap(body.body, wholes[i]);
       } else {
         put_vertices(body.body, body.before.data());

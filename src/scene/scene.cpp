@@ -32,7 +32,7 @@ uint64_t Scene<D>::memory_bytes() const {
   if (live.get() != nullptr) of_bodies += live.get()->memory_bytes();
   return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
          array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) + array_bytes(occupants) +
-         array_bytes(occupant_bodies) + array_bytes(exits) + of_bodies;
+         array_bytes(occupant_bodies) + array_bytes(exits) + array_bytes(body_cuts) + of_bodies;
 }
 
 template <int D>

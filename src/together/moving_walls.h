@@ -91,10 +91,10 @@ class MovingWalls {
     Simplex part;
     uint32_t first_feature = 0, feature_end = 0;
     uint32_t first_cell = 0, cell_end = 0;  // of a vertex: where it may arrive; none: nobody has looked
-    uint32_t outer = kNone;                 // its number among these; kNone: another part covers it
-    uint32_t ends[2] = {kNone,
-                        kNone};  // the numbers of those ends that an edge stands for: a flood finds for all three
-    bool has_edge = false;       // an edge stands for it
+    uint32_t outer = kNone;                 // its number in near_outers; kNone: another part covers it
+    // The numbers of those ends that an edge stands for: one flood finds what comes near all three.
+    uint32_t ends[2] = {kNone, kNone};
+    bool has_edge = false;  // an edge stands for it
 
     Near(uint32_t of, const Simplex& each) : trajectory(of), part(each) {}
   };

@@ -73,8 +73,8 @@ struct Contest {
   std::vector<DeformStep> steps;  // the last that the peers repeat
   std::map<std::string, std::unique_ptr<MovingEngine>> peers;
   std::map<std::string, Times> times;  // by engine: the median step of each round
-  std::vector<double> alone,
-      ns_each;  // of steps of SWEPT: vertices that moved one at a time; time of the update for each
+  // How many vertices moved one at a time in each step of SWEPT, and the time of the update for each of them.
+  std::vector<double> alone, ns_each;
 };
 
 /** Steps of ours, two more that warm the caches. @return the median. */

@@ -122,7 +122,7 @@ class Scene {
     check(dsw_particle_get_state(self.handle, particle, &out, nullptr));
     return out;
   }
-  // The cell that it aims at.
+  /** The face of its volume that stopped the particle last, or the null cell. */
   dsw_cell get_particle_aim(dsw_particle_id particle) const {
     const SceneReading self(*state_);
     dsw_cell out = {};

@@ -169,8 +169,8 @@ class Scene:
         return both.position[: self._core.dimension()], both.volume
 
     def particle_state(self, particle: Any) -> tuple[Cell, Cell]:
-        """The cell in which a particle lies, a volume, and the cell at which it was last seen to aim: a face of the volume, or null
-        where that is not kept."""
+        """The cell in which a particle lies, a volume, and the cell at which it aims: the face of the volume that stopped it last, or the
+        null cell."""
         return self._core.get_particle_cell(particle), self._core.get_particle_aim(particle)
 
     def particle_positions(self, particles: Ids, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
