@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort.h"
+
 namespace dsw {
 
 /** The first exit that is not before a facet. */
@@ -32,7 +34,7 @@ void Exits::set(const Exit* exits, size_t count) noexcept {
     }
   }
   remove_if([](const Exit& exit) { return exit.patch == 0; });
-  std::sort(all_.begin(), all_.end());
+  dsw::sort(all_.begin(), all_.end());
   const auto is_same = [](const Exit& a, const Exit& b) { return !(a < b); };
   all_.erase(std::unique(all_.begin(), all_.end(), is_same), all_.end());
 }

@@ -9,6 +9,7 @@
 
 #include "base/dimensions.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "contact/describe.h"
 #include "cutting/blade_tree.h"
 #include "locate/locate.h"
@@ -111,7 +112,7 @@ class BodyCutter {
       crossings_.push_back({crossing_time<D>(a, b, corners), s});
       return true;
     });
-    std::sort(crossings_.begin(), crossings_.end(), [](const EdgeCrossing& x, const EdgeCrossing& y) {
+    dsw::sort(crossings_.begin(), crossings_.end(), [](const EdgeCrossing& x, const EdgeCrossing& y) {
       return x.time != y.time ? x.time < y.time : x.simplex < y.simplex;
     });
   }
