@@ -51,11 +51,10 @@ void cast_side_by_side(const Environment<D>& env, const CastRequest* requests, u
                        CastCounters* counters) noexcept {
   DSW_ASSERT(count <= kPacket && are_finite<D>(requests, count));
   if (count == 0) return;
-  const Walk<D>& walk = walk_for(env, requests[0].start);
   if (counters == nullptr) {
-    walk.plain(env, requests, count, results);
+    walk_for(env, requests[0].start).plain(env, requests, count, results);
   } else {
-    walk.counted(env, requests, count, results, counters);
+    walk_counted(env, requests, count, results, counters);
   }
 }
 

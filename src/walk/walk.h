@@ -44,8 +44,6 @@ struct CountAll {
 template <int D>
 struct Walk {
   void (*plain)(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results) noexcept;
-  void (*counted)(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
-                  CastCounters* counters) noexcept;
   bool (*contains)(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept;
   bool (*sees_all)(const Environment<D>& env, Cell cell, const double* point) noexcept;
   bool (*admits_with_centre)(const Environment<D>& env, Cell cell, double* centre) noexcept;

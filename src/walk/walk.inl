@@ -495,4 +495,4 @@ bool sees_all(const Environment<D>& env, Cell cell, const double* point) noexcep
   }
 }
 template <int D>
-constexpr Walk<D> kThisWalk = {walk_plain<D>, walk_counted<D>, contains<D>, sees_all<D>, admits_with_centre<D>};
+constexpr Walk<D> kThisWalk = {walk_plain<D>, contains<D>, sees_all<D>, admits_with_centre<D>};

@@ -184,7 +184,7 @@ TEST_P(CuboidsTest, EndCastsAsBentHexahedraDo) {
     request.through_walls = n % 6 == 0;
     request.crossing = n % 3 == 0 ? nullptr : note;
     request.crossing_user = &cast.expected_crossings;
-    kPortableWalk.counted(env, &request, 1, &cast.expected, &bent_counters);
+    walk_counted(env, &request, 1, &cast.expected, &bent_counters);
     hits += cast.expected.end == CastEnd::kHit ? 1u : 0u;
   }
   EXPECT_GT(hits, casts.size() / 10);
@@ -209,7 +209,7 @@ TEST_P(CuboidsTest, EndCastsAsBentHexahedraDo) {
       each.walk.plain(env, requests, static_cast<uint32_t>(count), results);
       CastResult same[kPacket];
       for (size_t i = 0; i < count; ++i) requests[i].crossing = nullptr;
-      each.walk.counted(env, requests, static_cast<uint32_t>(count), same, &counters);
+      walk_counted(env, requests, static_cast<uint32_t>(count), same, &counters);
       for (size_t i = 0; i < count; ++i) {
         SCOPED_TRACE(begin + i);
         CastResult expected = casts[begin + i].expected;

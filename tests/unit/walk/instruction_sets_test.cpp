@@ -149,7 +149,7 @@ void compare(const Environment<3>& env, Group& group, const Walk<3>& walk) {
     group.casts[i].crossings.clear();
     group.requests[i].crossing_user = &group.casts[i].crossings;
   }
-  walk.counted(env, group.requests, group.count, results, &counters);
+  walk_counted(env, group.requests, group.count, results, &counters);
   expect_same(group.counters, counters);
   for (uint32_t i = 0; i < group.count; ++i) {
     const Flown& cast = group.casts[i];
@@ -235,7 +235,7 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
       cast.expected_crossings.clear();
       request.crossing_user = &cast.expected_crossings;
       const CastCounters before = group.counters;
-      all[0].walk.counted(env, &request, 1, &cast.expected, &group.counters);
+      walk_counted(env, &request, 1, &cast.expected, &group.counters);
       EXPECT_EQ(group.counters.casts, before.casts + 1);
       centre(env, cast.expected.cell, cast.apex);
       cast.contained = all[0].walk.contains(env, cast.expected.cell, cast.apex, cast.to);
