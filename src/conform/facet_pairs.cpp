@@ -11,10 +11,29 @@ namespace {
 
 bool has(VertexRange loop, uint32_t vertex) { return dsw::find(loop.begin(), loop.end(), vertex) != loop.end(); }
 
-/** Twice the area of a triangle with a coordinate left out, rounded. */
-double area(const double* const (&t)[3], int axis) {
-  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-  return std::fabs((t[1][i] - t[0][i]) * (t[2][j] - t[0][j]) - (t[1][j] - t[0][j]) * (t[2][i] - t[0][i]));
+/** Corners of a triangle in a unit near its size, a power of two, so that no product of differences overflows or vanishes. */
+struct ScaledTriangle {
+  double corners[3][3];
+  ScaledTriangle(const double* const (&t)[3], int exponent) {
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) corners[i][k] = exponent == 0 ? t[i][k] : std::ldexp(t[i][k], -exponent);
+    }
+  }
+  double difference(int axis, int i, int j) const { return corners[j][axis] - corners[i][axis]; }
+  /** Twice the area with a coordinate left out, rounded. */
+  double area(int axis) const {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    return std::fabs(difference(i, 0, 1) * difference(j, 0, 2) - difference(j, 0, 1) * difference(i, 0, 2));
+  }
+};
+
+/** The exponent of that unit for all triangles in a box: 0 where products need none. */
+int unit_exponent(const ClosedBox<3>& box) {
+  double half = 0;  // of the size, which may overflow
+  for (int k = 0; k < 3; ++k) half = std::fmax(half, box.upper[k] / 2 - box.lower[k] / 2);
+  int exponent = 0;
+  std::frexp(half, &exponent);
+  return exponent > -400 && exponent < 400 ? 0 : exponent;
 }
 
 bool is_in_box(const ClosedBox<3>& box, const double* p, double room) {
@@ -88,12 +107,14 @@ int FacetPairs::turn(LoopView view, uint32_t a, uint32_t b, uint32_t c) const {
 FacetPairs::Face FacetPairs::face_of(uint32_t i) const {
   const VertexRange loop = outer_.loop(i), triangles = outer_.simplices(i);
   Face made{{}, 0, true, loop.size() <= 4};
+  const int exponent = unit_exponent(outer_.box(i));
   const double* points[3];
   double largest = -1;
   for (uint32_t t = 0; t < triangles.size(); t += 3) {
     points_of(triangles.first + t, points);
+    const ScaledTriangle triangle(points, exponent);
     for (int axis = 0; axis < 3; ++axis) {
-      const double seen = area(points, axis);
+      const double seen = triangle.area(axis);
       if (!(seen > largest)) continue;
       largest = seen;
       made.largest = t;
@@ -116,7 +137,11 @@ bool FacetPairs::is_in_plane(const uint32_t* triangle, const double* p) const {
   points_of(triangle, t);
   if (orient<3>(t, p) == 0) return true;
   if (!(room_ > 0)) return false;
-  const filter::Vec<3> normal = filter::cross(filter::difference<3>(t[1], t[0]), filter::difference<3>(t[2], t[0]));
+  ClosedBox<3> box;
+  for (const double* corner : t) box.add(corner);
+  const ScaledTriangle scaled(t, unit_exponent(box));
+  const filter::Vec<3> normal = filter::cross(filter::difference<3>(scaled.corners[1], scaled.corners[0]),
+                                              filter::difference<3>(scaled.corners[2], scaled.corners[0]));
   const double length = std::sqrt(filter::dot(normal, normal));
   return std::fabs(filter::dot(normal, filter::difference<3>(p, t[0]))) <= room_ * length;
 }

@@ -44,6 +44,38 @@ TEST_P(ConformTest, AnOctreeIsOnePart) {
   }
 }
 
+/** Faces of a sheared octree are seen largest along any axis; products of their sides overflow or vanish. */
+TEST_P(ConformTest, TheUnitOfLengthDoesNotMatter) {
+  const unsigned dimension = GetParam();
+  for (int round = 0; round < effort_of(40); ++round) {
+    std::mt19937_64 random(seed_of(1700 + static_cast<unsigned>(round)));
+    std::vector<Box> boxes;
+    for (int x = 0; x < 2; ++x) refine({{double(x), 0, 0}, {x + 1.0, 1, 1}}, dimension, 2, 0.7, random, boxes);
+    double shear[3][3] = {};
+    for (unsigned k = 0; k < dimension; ++k) {
+      for (unsigned j = 0; j < dimension; ++j) shear[k][j] = k == j ? 1 : k > j ? double(int(random() % 5) - 2) / 4 : 0;
+    }
+    for (const int exponent : {0, 900, 1020, -480, -700, -1000}) {
+      LooseMesh mesh;
+      mesh.dimension = dimension;
+      for (const Box& box : boxes) mesh.add_box(box.low, box.high);
+      for (size_t at = 0; at < mesh.points.size(); at += dimension) {
+        const std::vector<double> p(&mesh.points[at], &mesh.points[at] + dimension);
+        for (unsigned k = 0; k < dimension; ++k) {
+          double sum = 0;
+          for (unsigned j = 0; j < dimension; ++j) sum += shear[k][j] * p[j];
+          mesh.points[at + k] = std::ldexp(sum, exponent);
+        }
+      }
+      dsw_build_report report;
+      const Owner sewn = mesh.create(DSW_ENVIRONMENT_CONFORM | DSW_ENVIRONMENT_FIND_TOUCHING, report);
+      ASSERT_EQ(report.status, DSW_STATUS_OK) << round << " 2^" << exponent << ": " << dsw_last_error_message();
+      EXPECT_EQ(report.part_count, 1u) << round << " 2^" << exponent;
+      EXPECT_EQ(report.touching_face_count, 0u) << round << " 2^" << exponent;
+    }
+  }
+}
+
 /** Boxes of a grid; sides between them that are planted have points of their own, one in `finer` has half the width. */
 TEST_P(ConformTest, PlantedPartsAreAllCounted) {
   const unsigned dimension = GetParam();
