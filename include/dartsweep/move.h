@@ -53,8 +53,8 @@ enum {
   /** For dsw_body_move and dsw_scene_move_bodies: vertices that come to an exit
    * (dsw_environment_mark_exits) stop there, whatever the response. When all have moved they are
    * removed with their edges and faces, and so make way for the next ones. A thick vertex comes to an
-   * exit when it is as near as the radius. Thick bodies with DSW_BODY_SELF_CONTACTS refuse the flag.
-   * @since 2.1 */
+   * exit when it is as near as the radius, also if walls are as near. Thick bodies with
+   * DSW_BODY_SELF_CONTACTS refuse the flag. @since 2.1 */
   DSW_MOVE_LEAVE = 0x4
 };
 

@@ -109,7 +109,8 @@ DSW_API dsw_status dsw_replay_describe_next(dsw_replay *replay, char *text, size
 
 /** A validation of a call's result, by exact integers and against every obstacle: how many `places`
  * (particles and vertices of bodies) are `lost` outside of their volumes; how many `edges` (from
- * DSW_LEVEL_EDGES on) are `crossing`, `faces` (at DSW_LEVEL_FACES) are `pierced` and `ways`
+ * DSW_LEVEL_EDGES on, without dsw_body_get_untested_edges) are `crossing`, `faces` (at
+ * DSW_LEVEL_FACES) are `pierced` and `ways`
  * (reported free, from DSW_LEVEL_EDGES_SWEPT on with what edges swept) are `missed`, so not free;
  * how many first `contacts` with the environment have a `wrong` time. */
 typedef struct dsw_validation {
