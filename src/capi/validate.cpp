@@ -181,7 +181,7 @@ class CallValidator {
 
   void look_at_body(uint32_t slot, const Body<D>& body) {
     for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
-      if (!body.has_edge(e)) continue;
+      if (!body.has_edge(e) || body.is_untested(e)) continue;  // those that were left may meet something
       const BodyEdge& edge = body.edges[e];
       validator_.add(add_subject(kEdgeIsFree, slot, e), body.position(edge.ends[0]), body.position(edge.ends[1]));
       ++validation_.edges;

@@ -210,7 +210,7 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     }
     if (leaves_) test_untested(v, false);
     if (may_skip && !leaves_ && !casts_.is_star_free(v)) return false;
-    const size_t edits = record.edits.size();
+    const size_t edits = record.edits.size(), exits = record.exits.size();
     const uint32_t limited = record.limited;
     // If nobody doubts it, and no edge was left out, only another body or this one can stop it.
     const bool past_walls = !course_.vertices[v].doubtful && !may_skip && settings.max_volumes == 0;
@@ -218,8 +218,8 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
         alone.move(v, course_.motion.targets[v], past_walls ? &course_.motion.ways[v].arrival : nullptr);
     record.stopped += reached ? 0 : 1;
     if (notes) {
-      turns_.note(*course_.motion.body, v, before, !reached && record.limited == limited, record.edits.data() + edits,
-                  record.edits.size() - edits);
+      const bool may_go_on = !reached && record.limited == limited && record.exits.size() == exits;
+      turns_.note(*course_.motion.body, v, before, may_go_on, record.edits.data() + edits, record.edits.size() - edits);
     }
     if (!reached || record.edits.size() != edits) disturb(v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(record.edits[i].vertex.index);
@@ -289,12 +289,12 @@ void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
       double before[D];
       std::copy_n(body.position(v), D, before);
       const uint32_t limited = record.limited;
-      const size_t edits = record.edits.size();
+      const size_t edits = record.edits.size(), exits = record.exits.size();
       if (leaves_) test_untested(v, true);
       const bool reached = alone.move(v, course_.motion.targets[v]);
       record.stopped -= reached ? 1 : 0;
-      turns_.note(body, v, before, !reached && record.limited == limited, record.edits.data() + edits,
-                  record.edits.size() - edits);
+      const bool may_go_on = !reached && record.limited == limited && record.exits.size() == exits;
+      turns_.note(body, v, before, may_go_on, record.edits.data() + edits, record.edits.size() - edits);
     }
   }
   if (record.contacts.size() != contacts) drop_repeated(record);
@@ -314,10 +314,15 @@ void BodyMove<D>::disturb(uint32_t v) {
   });
 }
 
-/** Merges inserted vertices that stand off the line between their two neighbours by less than noise. */
+/** Merges inserted vertices that stand off the line between their two neighbours by less than noise. What leaves through
+ * an exit is removed after the move, so it is not merged, and nothing is merged into it. */
 template <int D>
 void BodyMove<D>::remove_noise(Body<D>& body, double share, MoveRecord& record) {
   const Array<uint32_t> candidates = body.inserted;
+  const auto leaves = [&](uint32_t v) {
+    return dsw::any_of(record.exits.begin(), record.exits.end(),
+                       [v](const dsw_exit& exit) { return exit.vertex.index == v; });
+  };
   for (const uint32_t v : candidates) {
     uint32_t edges[2] = {kNone, kNone}, count = 0;
     for_each_edge(body, v, [&](uint32_t e) {
@@ -325,6 +330,7 @@ void BodyMove<D>::remove_noise(Body<D>& body, double share, MoveRecord& record) 
       return ++count < 3;
     });
     if (count != 2 || body.is_untested(edges[0]) || body.is_untested(edges[1])) continue;
+    if (leaves(v) || leaves(body.edges[edges[0]].other(v))) continue;
     const double *a = body.position(body.edges[edges[0]].other(v)), *b = body.position(body.edges[edges[1]].other(v));
     const Vec line = difference<D>(b, a), off = difference<D>(body.position(v), a);
     const double size = length(line), beside = length(off.cross(unit(line)));

@@ -35,7 +35,6 @@ bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival) 
   first_edit_ = record_.edits.size();
   double to[D];
   std::copy_n(target, D, to);
-  if (has_left(v)) return false;
   for (;;) {
     const size_t first_contact = record_.contacts.size();
     double before[D];
@@ -68,16 +67,10 @@ bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival) 
   }
 }
 
-template <int D>
-bool VertexMove<D>::has_left(uint32_t v) const noexcept {
-  const auto is_its = [v](const dsw_exit& exit) { return exit.vertex.index == v; };
-  return dsw::any_of(record_.exits.begin(), record_.exits.end(), is_its);
-}
-
 /** Notes that the vertex leaves where it met an exit; false: it met something else. */
 template <int D>
 bool VertexMove<D>::leave(uint32_t v, const dsw_body_contact& contact) {
-  const dsw_face_id wall = contact.contact.wall;
+  const dsw_face_id wall = body_.radius > 0 ? exit_ : contact.contact.wall;
   const uint32_t patch = settings_.leaves && wall.generation != 0 ? env_.exits.patch(wall.volume, wall.local) : 0;
   if (patch == 0) return false;
   dsw_exit exit{};
@@ -88,6 +81,27 @@ bool VertexMove<D>::leave(uint32_t v, const dsw_body_contact& contact) {
   exit.vertex = vertex_id(body_, v);
   record_.exits.push_back(exit);
   return true;
+}
+
+/** The exit among all that a thick vertex comes to first. Which of them is told as the contact depends on how the
+ * environment is numbered, so it does not say whether the vertex leaves. Of several exits the one with the lowest patch. */
+template <int D>
+void VertexMove<D>::find_exit(uint32_t v, const double* to, const TooNear<D>& first) {
+  constexpr double kTie = 0x1p-40;  // equal but for rounding
+  if (!settings_.leaves || first.partner != kNone || env_.exits.empty()) return;
+  Array<TooNear<D>> all{env_.memory};
+  sweeps_.thick.find_all(sweeps_.partners, body_, v, to, all);
+  uint32_t lowest = 0;
+  for (const TooNear<D>& near : all) {
+    if (near.time > first.time + kTie) break;
+    const dsw_body_contact contact = describe(env_, body_, v, to, near);
+    const dsw_face_id wall = contact.contact.wall;
+    if (wall.generation == 0 || contact.edge.generation != 0 || contact.face.generation != 0) continue;
+    const uint32_t patch = env_.exits.patch(wall.volume, wall.local);
+    if (patch == 0 || (lowest != 0 && patch >= lowest)) continue;
+    lowest = patch;
+    exit_ = wall;
+  }
 }
 
 template <int D>
@@ -103,6 +117,7 @@ void VertexMove<D>::put(uint32_t v, const double* position, Cell cell) {
 template <int D>
 bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival) {
   under_.clear();
+  exit_ = {};
   if (settings_.search == Search::kBisection) return advance_by_halving(v, to);
   TooNear<D> near;
   const bool is_too_near = sweeps_.thick.find_first(sweeps_.partners, body_, v, to, &near);
@@ -154,6 +169,7 @@ void VertexMove<D>::stop_before(uint32_t v, const double* to, const dsw_body_con
 template <int D>
 dsw_body_contact VertexMove<D>::record_too_near(uint32_t v, const double* to, const TooNear<D>& first) {
   const dsw_body_contact contact = describe(env_, body_, v, to, first);
+  find_exit(v, to, first);
   record_.add(contact, partner_of(sweeps_.partners, first));
   const bool records = settings_.search == Search::kAll;
   const bool inserts = settings_.edge == Response::kAdaptiveMany && contact.edge.generation != 0;
@@ -258,6 +274,7 @@ dsw_body_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const
   if (end == WayEnd::kTooNear) {
     TooNear<D> near;
     sweeps_.thick.find_first(sweeps_.partners, body_, v, met, &near);
+    find_exit(v, met, near);
     contact = describe(env_, body_, v, met, near);
     *partner = partner_of(sweeps_.partners, near);
   } else if (end == WayEnd::kPartner) {

@@ -30,8 +30,8 @@ class VertexMove {
   };
 
   void put(uint32_t v, const double* position, Cell cell);
-  bool has_left(uint32_t v) const noexcept;
   bool leave(uint32_t v, const dsw_body_contact& contact);
+  void find_exit(uint32_t v, const double* to, const TooNear<D>& first);
   bool advance(uint32_t v, const double* to, const Cell* arrival);
   void stop_before(uint32_t v, const double* to, const dsw_body_contact& contact);
   dsw_body_contact record_too_near(uint32_t v, const double* to, const TooNear<D>& first);
@@ -60,6 +60,7 @@ class VertexMove {
   MoveRecord& record_;
   size_t first_edit_ = 0;  // of this vertex
   double off_ = 0;         // kept from the wall that was touched last
+  dsw_face_id exit_{};     // to which a thick vertex came last, or null
   Array<dsw_body_contact> under_{
       env_.memory};  // the touching edge, behind the first contact; if vertices are put there
 };

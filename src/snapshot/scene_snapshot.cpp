@@ -110,6 +110,9 @@ void load_particles(Scene<D>& scene, SceneImage& image) {
     if (alive ? !can_be_at(scene.env, state.cell, state.position) : cell != kNoIndex) {
       fail_corrupt("a particle is not where it is said to be, or that was in another environment");
     }
+    if (alive && state.forecast != kNoFacet && state.forecast >= scene.env.map.facets_of(state.cell)) {
+      fail_corrupt("the face that a particle aims at");
+    }
     note_particle(scene, slot);
   }
 }

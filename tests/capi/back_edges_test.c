@@ -176,6 +176,28 @@ static void snapshots_keep_the_list(void) {
   end();
 }
 
+static void a_validation_leaves_out_what_is_listed(void) {
+  static tape recording;
+  const dsw_recording_desc to = to_tape(&recording);
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  dsw_validation validation;
+  begin();
+  CHECK_OK(dsw_scene_start_recording(g_scene, &to));
+  lift_top(make(kLeft), 1.5);
+  CHECK_OK(dsw_scene_stop_recording(g_scene));
+  CHECK_OK(dsw_replay_create(NULL, recording.bytes, recording.size, &replay));
+  memset(&validation, 0, sizeof validation);
+  validation.struct_size = sizeof validation;
+  CHECK_OK(dsw_replay_step_validated(replay, &report, &validation));
+  CHECK(report.outcome == DSW_REPLAY_SAME && validation.is_right == 1 && validation.edges == kEdges);
+  CHECK_OK(dsw_replay_step_validated(replay, &report, &validation));
+  CHECK(report.outcome == DSW_REPLAY_SAME && validation.is_right == 1);
+  CHECK(validation.edges > 0 && validation.edges < kEdges); /* without those of the top, which meet the cube */
+  CHECK_OK(dsw_replay_destroy(replay));
+  end();
+}
+
 static void what_the_flag_is_not_for(void) {
   const uint32_t wrong[4] = {DSW_BODY_LEAVE_BACK_EDGES, kLeft | DSW_BODY_RIGID, kLeft | DSW_BODY_SKIP_SIMILAR_MOTION,
                              kLeft};
@@ -201,6 +223,7 @@ int main(void) {
   other_calls_see_the_vertices_alone_while_an_edge_is_not_free();
   a_mark_may_come_into_the_way_of_edges_that_are_not_seen();
   snapshots_keep_the_list();
+  a_validation_leaves_out_what_is_listed();
   what_the_flag_is_not_for();
   return check_result();
 }

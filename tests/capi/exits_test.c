@@ -251,6 +251,69 @@ static void a_thick_vertex_leaves_at_its_radius(void) {
   end();
 }
 
+/* A vertex in a corner between an exit, on the side that is 1 in the numbering of faces, and a wall: both are as near at
+   once, and which of them is told depends on numbers. */
+static void a_thick_vertex_leaves_beside_a_wall(void) {
+  unsigned axis;
+  for (axis = 0; axis < g_dimension; ++axis) {
+    static const uint32_t space[3] = {FACE_X1, FACE_Y1, FACE_Z1}, plane[2] = {1, 2};
+    const uint32_t local = g_dimension == 3 ? space[axis] : plane[axis];
+    const dsw_face_id outlet_face = face_at(g_dimension == 3 ? 7 : 3, local);
+    dsw_body_desc d;
+    dsw_body_id body;
+    dsw_move_report r;
+    dsw_move_options o = move_options();
+    double from[3], to[3];
+    g_env = g_dimension == 3 ? make_environment(NULL, 2, 2, 2) : make_squares(NULL, 2, 2);
+    CHECK_OK(dsw_environment_mark_exits(g_env, &outlet_face, 1, OUTLET));
+    g_scene = make_scene(g_env, 0);
+    put(from, 1.5, 1.5, 1.5);
+    put(to, 2.5, 2.5, 2.5);
+    d = body_desc(from, 1, NULL, 0, DSW_LEVEL_POINTS);
+    d.radius = 0.125;
+    o.flags = DSW_MOVE_LEAVE;
+    CHECK_OK(dsw_body_create(g_scene, &d, &body));
+    CHECK_OK(dsw_body_move(g_scene, body, to, 1, 0, &o, &r));
+    CHECK(body_counts(g_scene, body).vertex_count == 0);
+    end();
+  }
+}
+
+/* The middle of an edge is put there by a response, and is noise when the edge has come to the exit. */
+static void an_inserted_vertex_leaves(void) {
+  dsw_body_id wire;
+  dsw_move_options o = move_options();
+  dsw_move_report r;
+  dsw_body_vertex_id vertex;
+  dsw_body_desc d;
+  const dsw_exit *exits;
+  double at[12];
+  size_t count = 99, i;
+  begin(0);
+  put(put(at, 0.5, 0.5, 0.5), 0.5, 1.75, 0.5);
+  d = line_desc(at, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_OK(dsw_body_create(g_scene, &d, &wire));
+  o.edge_response = DSW_RESPONSE_ADAPTIVE_ONE;
+  CHECK_OK(set_volume_mark(g_env, 1, DSW_MARK_IMPASSABLE));
+  put(put(at, 0.5, 0.5, 0.5), 2.5, 1.25, 0.5);
+  CHECK_OK(dsw_body_move(g_scene, wire, at, 2, 0, &o, &r));
+  CHECK_OK(dsw_body_get_positions(g_scene, wire, at, 4, 0, NULL, &count));
+  CHECK_OK(set_volume_mark(g_env, 1, DSW_MARK_PASSABLE));
+  CHECK(count == 3);
+  for (i = 0; i < count; ++i) at[i * g_dimension] = 8;
+  o = move_options();
+  o.flags = DSW_MOVE_LEAVE;
+  o.noise_share = 0.5;
+  CHECK_OK(dsw_body_move(g_scene, wire, at, count, 0, &o, &r));
+  CHECK_OK(dsw_body_get_exits(g_scene, wire, &exits, &count));
+  CHECK(count == 3 && r.edit_count == 0);
+  CHECK(body_counts(g_scene, wire).vertex_count == 0 && body_counts(g_scene, wire).edge_count == 0);
+  put(at, 0.5, 0.5, 0.5);
+  CHECK_OK(dsw_body_add_vertex(g_scene, wire, at, no_volume, &vertex));
+  CHECK(body_counts(g_scene, wire).vertex_count == 1);
+  end();
+}
+
 /* A blade along x at y = `y` that reaches through the exit. */
 static void cut_along(double y, uint32_t flags) {
   double points[12];
@@ -425,6 +488,8 @@ int main(void) {
     a_wire_leaves(DSW_FEATURE_LIVE_CHANGES, DSW_RESPONSE_SLIDE);
     many_bodies_leave_at_once();
     a_thick_vertex_leaves_at_its_radius();
+    a_thick_vertex_leaves_beside_a_wall();
+    an_inserted_vertex_leaves();
     exits_follow_changes();
     exits_are_saved();
     bad_arguments_change_nothing();

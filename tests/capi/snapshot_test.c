@@ -211,6 +211,57 @@ static void a_scene_that_bends_stays_alone(void) {
   end_scene(loaded);
 }
 
+static uint64_t mixed(uint64_t sum, const unsigned char *bytes, size_t size) {
+  size_t i;
+  int k;
+  for (i = 0; i < size; i += 8) {
+    uint64_t word = 0;
+    for (k = 8; k-- != 0;) word = word << 8 | bytes[i + (size_t)k];
+    sum = (sum ^ word) * UINT64_C(0x9e3779b97f4a7c15);
+    sum ^= sum >> 32;
+  }
+  return sum;
+}
+
+/* Whatever word of a snapshot is wrong behind a right checksum, a particle that is accepted aims at a face of its volume. */
+static void a_particle_aims_at_a_face_that_is_there(void) {
+  enum { kChecksum = 24, kBegin = 48 };
+  dsw_environment *const env = plain_environment();
+  dsw_scene *const scene = make_scene(env, 0);
+  static unsigned char block[4096], damaged[4096];
+  const double at[3] = {0.5, 0.5, 0.5}, to[3] = {0.5, -3, 0.5};
+  dsw_particle_id particle;
+  dsw_flight flight;
+  dsw_cell cell, face;
+  size_t size = 0, i, k, refused = 0;
+  CHECK_OK(dsw_particle_create(scene, at, no_volume, &particle));
+  CHECK_OK(dsw_particle_move(scene, particle, to, NULL, &flight));
+  CHECK_OK(dsw_particle_get_state(scene, particle, &cell, &face));
+  CHECK(face.kind == DSW_CELL_FACE);
+  CHECK_OK(dsw_scene_save(scene, block, sizeof block, &size));
+  for (i = kBegin; i + 4 <= size; i += 4) {
+    dsw_scene *loaded = NULL;
+    dsw_status status;
+    uint64_t sum;
+    memcpy(damaged, block, size);
+    memset(damaged + i, 1, 3);
+    damaged[i + 3] = 0;
+    sum = mixed(mixed(0, damaged, kChecksum), damaged + kChecksum + 8, size - kChecksum - 8);
+    for (k = 0; k < 8; ++k) damaged[kChecksum + k] = (unsigned char)(sum >> (8 * k));
+    status = dsw_scene_load(env, damaged, size, &loaded);
+    refused += status == DSW_STATUS_CORRUPT && strstr(dsw_last_error_message(), "aims at") != NULL ? 1 : 0;
+    if (status != DSW_STATUS_OK) continue;
+    if (dsw_particle_get_state(loaded, particle, &cell, &face) == DSW_STATUS_OK && face.kind != DSW_CELL_NONE) {
+      uint32_t faces = 0;
+      CHECK_OK(dsw_environment_get_volume_counts(env, volume_at(cell.index), NULL, NULL, NULL, &faces));
+      CHECK(face.local < faces);
+    }
+    CHECK_OK(dsw_scene_destroy(loaded));
+  }
+  CHECK(refused == 1);
+  end_scene(scene);
+}
+
 /* A scene goes into an environment of its own dimension. */
 static void the_dimension_is_kept(void) {
   dsw_environment *const env[2] = {make_environment(NULL, 1, 1, 1), make_squares(NULL, 1, 1)};
@@ -235,6 +286,7 @@ int main(void) {
     a_context_is_used_and_kept();
     scenes_are_saved_and_loaded();
     a_scene_that_bends_stays_alone();
+    a_particle_aims_at_a_face_that_is_there();
   }
   check_in("");
   the_dimension_is_kept();
