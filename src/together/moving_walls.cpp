@@ -371,11 +371,12 @@ template <int D>
 bool MovingWalls<D>::stays_free(const WayTouch<D>& touch, const Feature& feature) const {
   const uint32_t count = 1 + static_cast<uint32_t>(touch.part.kind);
   if (keeps_sides(touch.pair, count, touch.comes_first)) return true;
-  MovingPair<D> rest = touch.pair;
-  double ends[D + 1][D];
-  if (leave_out_way_of(touch.comes_first ? count : 0, rest, ends) &&
-      (!any_moves(rest) || keeps_sides(rest, count, touch.comes_first))) {
-    return true;
+  // Of each corner of the feature: which one shows it must not depend on how the environment is numbered.
+  for (uint32_t corner = 0; corner < D + 1 - count; ++corner) {
+    MovingPair<D> rest = touch.pair;
+    double ends[D + 1][D];
+    const bool is_exact = leave_out_way_of((touch.comes_first ? count : 0) + corner, rest, ends);
+    if (is_exact && (!any_moves(rest) || keeps_sides(rest, count, touch.comes_first))) return true;
   }
   const auto walls = walls_.begin();
   return dsw::any_of(walls + static_cast<std::ptrdiff_t>(feature.first_wall),
@@ -398,10 +399,12 @@ bool MovingWalls<D>::is_beside(const WayTouch<D>& touch, const Wall& wall) const
   for (uint32_t i = 0; i < count; ++i) {
     pair.start[0] = touch.pair.start[first + i];
     pair.end[0] = touch.pair.end[first + i];
-    MovingPair<D> rest = pair;
-    double without[D + 1][D];
     int own = side_kept(pair, 1, true);
-    if (own == 0 && leave_out_way_of(1, rest, without)) own = side_kept(rest, 1, true);
+    for (uint32_t corner = 1; own == 0 && corner <= D; ++corner) {
+      MovingPair<D> rest = pair;
+      double without[D + 1][D];
+      if (leave_out_way_of(corner, rest, without)) own = side_kept(rest, 1, true);
+    }
     if (own == 0 || (side != 0 && own != side)) return false;
     side = own;
   }

@@ -434,10 +434,57 @@ static void in_both(void) {
   memory_runs_out();
 }
 
+/* A vertex leaves the wall on which it lies exactly, faster than the wall follows: it touches nothing, however the points
+   are numbered. */
+static void a_vertex_leaves_a_wall_that_follows(void) {
+  static const double places[5][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, 1}, {0.25, 0.25, -1}};
+  static const double up[3] = {0.0625, 0.125, 0.03125};
+  static const uint32_t orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+  int i, k;
+  for (i = 0; i < 18; ++i) {
+    const uint32_t *const at = orders[i % 6];
+    const uint32_t moving = (uint32_t)i / 6; /* which corner of the wall */
+    const double from[3] = {0.25, 0.25, 0}, to[3] = {0.25, 0.25, 0.25};
+    double points[15], next[15];
+    int64_t cells[8];
+    dsw_environment_desc d;
+    dsw_environment *env = NULL;
+    dsw_scene *scene;
+    dsw_body_desc desc = body_desc(from, 1, NULL, 0, DSW_LEVEL_POINTS);
+    dsw_body_id body;
+    dsw_scene_deform_options o;
+    dsw_deform_report report;
+    dsw_move_report moved;
+    for (k = 0; k < 15; ++k) points[3 * (k / 3 < 3 ? (int)at[k / 3] : k / 3) + k % 3] = places[k / 3][k % 3];
+    for (k = 0; k < 3; ++k) cells[k] = cells[4 + (3 - k) % 3] = at[k];
+    cells[3] = 3;
+    cells[7] = 4;
+    dsw_environment_desc_init(&d, sizeof d);
+    d.points = points;
+    d.point_count = 5;
+    d.volume_count = 2;
+    d.connectivity = cells;
+    d.connectivity_count = 8;
+    d.uniform_cell_type = DSW_CELL_TYPE_TETRA;
+    CHECK_OK(dsw_environment_create(NULL, &d, &env, NULL));
+    scene = make_scene(env, DSW_FEATURE_DEFORMING);
+    CHECK_OK(set_volume_mark(env, 1, DSW_MARK_IMPASSABLE));
+    CHECK_OK(dsw_body_create(scene, &desc, &body));
+    memcpy(next, points, sizeof next);
+    for (k = 0; k < 3; ++k) next[3 * at[moving] + (uint32_t)k] += up[k];
+    dsw_scene_deform_options_init(&o, sizeof o);
+    o.stop = DSW_TOGETHER_STOP_FEATURE;
+    CHECK_OK(dsw_scene_deform(scene, next, 5, &body, 1, to, 1, 0, &o, &report, &moved));
+    CHECK(report.outcome == DSW_DEFORM_DONE && report.contact_count == 0 && moved.vertices_stopped == 0);
+    end_scene(scene);
+  }
+}
+
 int main(void) {
   use_dimension(2);
   in_both();
   use_dimension(3);
   in_both();
+  a_vertex_leaves_a_wall_that_follows();
   return check_result();
 }
