@@ -371,7 +371,7 @@ template <int D>
 bool MovingWalls<D>::stays_free(const WayTouch<D>& touch, const Feature& feature) const {
   const uint32_t count = 1 + static_cast<uint32_t>(touch.part.kind);
   if (keeps_sides(touch.pair, count, touch.comes_first)) return true;
-  // Of each corner of the feature: which one shows it must not depend on how the environment is numbered.
+  // Each corner of the feature is tried, so that no answer depends on how the environment is numbered.
   for (uint32_t corner = 0; corner < D + 1 - count; ++corner) {
     MovingPair<D> rest = touch.pair;
     double ends[D + 1][D];
