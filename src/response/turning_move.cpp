@@ -21,10 +21,15 @@ constexpr int kMostTries = 4000, kMostGap = 16;
 constexpr double kStepInTouch = 0x1p-6, kSameTouch = 0x1p-20;
 constexpr double kLeastThick = 0x1p-44;  // finer steps are below what distances of thick bodies may lose
 
-/** A PlaceFn as RigidMove::place, to the next doubles towards the start. */
+/** Places at the next doubles towards the start from those of a PlaceFn. */
+struct Beside {
+  PlaceFn place;
+  const void* user;
+};
 template <int D>
 void place_beside(const void* user, uint32_t vertex, const double* from, double fraction, double* to) noexcept {
-  RigidMove<D>::place(user, vertex, from, fraction, to);
+  const Beside& of = *static_cast<const Beside*>(user);
+  of.place(of.user, vertex, from, fraction, to);
   for (int k = 0; k < D; ++k) to[k] = std::nextafter(to[k], from[k]);
 }
 
@@ -42,15 +47,18 @@ struct TurningMove<D>::Steps {
   int tries = 0;
   double at = 0;
 
-  bool go_to(double fraction, MoveRecord* record = nullptr) { return go_by(place, fraction, record); }
+  bool go_to(double fraction, MoveRecord* record = nullptr) { return go_by(place, user, fraction, record); }
   /** Not of a body that keeps its shape: its places follow from that. */
-  bool go_beside(double fraction) { return !body.is_rigid() && go_by(place_beside<D>, fraction, nullptr); }
-  bool go_by(PlaceFn to, double fraction, MoveRecord* record) {
+  bool go_beside(double fraction) {
+    const Beside beside{place, user};
+    return !body.is_rigid() && go_by(place_beside<D>, &beside, fraction, nullptr);
+  }
+  bool go_by(PlaceFn to, const void* of, double fraction, MoveRecord* record) {
     ++tries;
     mover.set_bend(way.sagitta(fraction - at));
     // An edge tilts between the turns of its ends, to the other side if they go in the other order.
-    const bool arrives = mover.step(body, to, user, fraction, order, record) ||
-                         (record == nullptr && mover.step(body, to, user, fraction, reversed, nullptr));
+    const bool arrives = mover.step(body, to, of, fraction, order, record) ||
+                         (record == nullptr && mover.step(body, to, of, fraction, reversed, nullptr));
     mover.set_bend(0);
     if (arrives) at = fraction;
     return arrives;
