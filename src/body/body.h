@@ -105,7 +105,7 @@ struct Body {
   ContactFilter filter;
   double radius = 0;
   Array<double> lengths;    // by edge, if they are kept: when the radius was set; see proximity/joined.h
-  Array<uint8_t> untested;  // by edge, if back edges are left: 1: it may not be free where it is
+  Array<uint8_t> untested;  // by edge, if back edges are left: 1: it may not be free where it is; see scene/untested.h
   SweepLevel level = SweepLevel::kEdgesSwept;
   bool hides_edges = false;  // while a call sees its vertices alone; see scene/untested.h
   Skipping skipping;
@@ -134,7 +134,7 @@ struct Body {
   bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
   bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }
   const double* position(uint32_t v) const { return vertices[v].position; }
-  bool is_untested(uint32_t e) const { return !untested.empty() && untested[e] != 0; }
+  bool is_untested(uint32_t e) const { return !untested.empty() && untested[e] == 1; }
   uint64_t memory_bytes() const {
     uint64_t of_parts = array_bytes(corridors);
     for (const Corridor<D>& each : corridors)

@@ -6,6 +6,8 @@
 namespace dsw {
 namespace {
 
+constexpr uint8_t kFoundFree = 2;  // an edge that leaves the list, unless the call fails
+
 /** Calls visit(edge, free) for each edge that was left. */
 template <int D, class Visit>
 void test_untested(const Environment<D>& env, const Body<D>& body, Visit visit) noexcept {
@@ -36,7 +38,7 @@ void hide_blocked_edges(Scene<D>& scene, bool settles) noexcept {
     bool is_free = true;
     test_untested(scene.env, body, [&](uint32_t e, bool free) {
       is_free = is_free && free;
-      if (settles && free) body.untested[e] = 0;
+      if (settles && free) body.untested[e] = kFoundFree;
     });
     if (is_free) continue;
     body.level = SweepLevel::kPoints;
@@ -48,6 +50,9 @@ template <int D>
 void show_edges(Scene<D>& scene, bool changed) noexcept {
   for (BodyRecord<D>& of : scene.bodies) {
     Body<D>& body = of.body;
+    for (uint8_t& each : body.untested) {
+      if (each == kFoundFree) each = changed ? 0 : 1;
+    }
     if (!body.hides_edges) continue;
     body.level = SweepLevel::kEdges;
     body.hides_edges = false;

@@ -12,11 +12,12 @@ bool has_untested(const Scene<D>& scene) noexcept {
 }
 /** A call begins that moves no such body, but relies on bodies that are free: the edges that were left are tested where
  * they are. A body with one that is not free counts with its vertices alone until show_edges. Casts; allocates nothing.
- * @param settles whether edges that are free leave the list: of a call that changes the scene. */
+ * @param settles whether edges that are free leave the list when it is over: of a call that changes the scene. */
 template <int D>
 void hide_blocked_edges(Scene<D>& scene, bool settles) noexcept;
 /** The call is over.
- * @param changed whether anything can have come into the way of the edges that were hidden: all of them are untested. */
+ * @param changed it was made: edges that were found free leave the list, and all edges that were hidden are untested, since anything can
+ * have come into their way. Else the list is as before. */
 template <int D>
 void show_edges(Scene<D>& scene, bool changed) noexcept;
 

@@ -115,7 +115,7 @@ static void other_calls_see_the_vertices_alone_while_an_edge_is_not_free(void) {
   dsw_body_id body;
   dsw_level level;
   double gap = 0;
-  size_t rows = 0;
+  size_t rows = 0, listed;
   dsw_near_options near_options;
   dsw_rigid_motion still;
   begin();
@@ -135,8 +135,11 @@ static void other_calls_see_the_vertices_alone_while_an_edge_is_not_free(void) {
   CHECK_OK(dsw_body_get_level(g_scene, body, &level));
   CHECK(level == DSW_LEVEL_EDGES && untested(body) == kEdges); /* any of them may be in something now */
   CHECK(lift_top(body, 2.5).vertices_stopped == 0 && !is_untested(body, 0, 2) && is_untested(body, 4, 5));
-  /* All are free again: the next call finds that out, and sees them. */
+  /* All are free again: the next call finds that out, and sees them. If it fails, the list is as before. */
+  listed = untested(body);
   CHECK(set_volume_mark(g_environment, below, DSW_MARK_IMPASSABLE) == DSW_STATUS_OCCUPIED);
+  CHECK(listed > 0 && untested(body) == listed && is_untested(body, 4, 5));
+  CHECK_OK(set_volume_mark(g_environment, 1 + kSide * kSide * (kSide - 1), DSW_MARK_IMPASSABLE)); /* far above */
   CHECK(untested(body) == 0);
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES_SWEPT));
   end();
