@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "names.h"
+
 namespace dsw::oracle {
 namespace {
 
