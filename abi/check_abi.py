@@ -8,6 +8,7 @@ usage: check_abi.py symbols LIBRARY        exported names = names declared in th
        check_abi.py source                 the headers declare what those of the last release do, word for word
        check_abi.py layout                 every public struct and member stands in layout.c
        check_abi.py structs                every struct that grows, and function that takes it, is in struct_size_test.c
+       check_abi.py calls                  the hosts of each release call every function that it had
        check_abi.py versions               header, CMake, bindings and the changelog's first section have one version
        check_abi.py refused PROGRAM LIBRARY FOLDER
                                            the loader refuses the library to a program of an older SONAME, which starts
@@ -284,6 +285,16 @@ def check_structs():
             [f"{STRUCT_TEST.name} has X({', '.join(pair)}), which no header declares" for pair in sorted(tested - declared)])
 
 
+def check_calls():
+    problems = []
+    for folder in sorted((ABI / "clients").glob("*/calls")):
+        release = folder.parent.name
+        called = set(re.findall(r"\b(dsw_\w+)\s*[(,]", "".join(path.read_text() for path in folder.glob("*.c"))))
+        names = listed(ABI / "baseline" / f"{release}.symbols")
+        problems += [f"clients/{release}/calls calls no {name}" for name in names if name not in called]
+    return problems
+
+
 def check_versions():
     root = ABI.parent
     version = ".".join(re.findall(r"^#define DSW_VERSION_\w+ (\d+)", (HEADERS / "base.h").read_text(), flags=re.M))
@@ -392,7 +403,7 @@ def write_map():
 
 
 COMMANDS = {"symbols": check_symbols, "needed": check_needed, "abidiff": check_abidiff, "source": check_source,
-            "layout": check_layout, "structs": check_structs, "versions": check_versions, "refused": check_refused,
+            "layout": check_layout, "structs": check_structs, "calls": check_calls, "versions": check_versions, "refused": check_refused,
             "too_old": check_too_old, "map": write_map, "describe": describe, "names": print_names, "next-version": next_version}
 
 

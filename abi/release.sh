@@ -55,7 +55,8 @@ client=abi/clients/$version
 mkdir -p "$client"
 if [ ! -f "$client/client.c" ]; then
   last=$(ls abi/clients | grep -Fvx "$version" | sort -V | tail -n 1)
-  cp "abi/clients/$last"/client.c "abi/clients/$last"/extension.* "$client"
+  cp -r "abi/clients/$last"/client.c "abi/clients/$last"/extension.* "abi/clients/$last/calls" "$client"
+  rm -f "$client/calls/answers.txt"
 fi
 rm -rf "$client/include"
 mkdir -p "$client/include/dartsweep"
@@ -65,6 +66,7 @@ cmake --preset release
 cmake --build --preset release --target abi_programs
 mkdir -p "$client/kept"
 "build/release/abi/abi_client_$version" write "$client/kept" >/dev/null
+"build/release/abi/abi_calls_$version" >"$client/calls/answers.txt"
 cmake --preset release
 ctest --preset release -L abi -LE source
 echo

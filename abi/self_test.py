@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-CHECKS = ["symbols", "needed", "abidiff", "source", "layout", "offsets", "structs", "versions"]
+CHECKS = ["symbols", "needed", "abidiff", "source", "layout", "offsets", "structs", "versions", "calls"]
 
 # An edit is a file, what is found there, and what stands there then. `code` joins the library, `link` its link.
 Case = collections.namedtuple("Case", "what caught_by edits code link", defaults=("", ()))
@@ -58,6 +58,8 @@ CASES = [
     Case("a struct is missing in layout.c", "layout", [("abi/layout.c", r"\nSIZE\(dsw_crossing, 32\);", "")]),
     Case("a function is missing in the test of structs", "structs",
          [("tests/capi/struct_size_test.c", r"  X\(dsw_trace_get_data, dsw_trace_data\)", "")]),
+    Case("a function of the last release is no longer called", "calls",
+         [("abi/clients/2.0.0/calls/environment.c", r"TRY\(dsw_environment_get_centre\(.*\n", "")]),
     Case("an enumerator gets another value", "abidiff source", [(header("base"), r"DSW_STATUS_OUTSIDE = 19", "DSW_STATUS_OUTSIDE = 119")]),
     Case("an enumerator is removed", "abidiff source", [(header("base"), r"\n  DSW_STATUS_OUTSIDE = 19,", "")]),
     Case("a flag gets another value", "source", [(header("scene"), r"DSW_FEATURE_CROSSINGS = 0x2", "DSW_FEATURE_CROSSINGS = 0x200")]),
@@ -103,6 +105,19 @@ REPLACEMENTS = {
     "refuses what an earlier version has saved": (
         "dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes, dsw_environment **environment)",
         "(void)context, (void)block, (void)size_bytes, (void)environment; return DSW_STATUS_BAD_VERSION;"),
+    "another default": ("void dsw_move_options_init(dsw_move_options *options, size_t size)",
+                        "real(options, size); if (size >= sizeof *options) options->bisection_depth = 21;"),
+    "another status for the same mistake": (
+        "dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge)",
+        "dsw_status status = real(scene, body, edge); return status == DSW_STATUS_STALE_ID ? DSW_STATUS_OUT_OF_RANGE : status;"),
+    "another meaning of 0": (
+        "dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc, dsw_change *change)",
+        "dsw_cut_desc known; if (desc == NULL || desc->struct_size != sizeof known || desc->snap != 0) return real(environment, desc, change);"
+        "known = *desc; known.snap = 0.02; return real(environment, &known, change);"),
+    "memory that is valid for less time": (
+        "dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body, const dsw_body_edit **edits, size_t *count)",
+        "static dsw_body_edit both[2]; static int turn; dsw_status status = real(scene, body, edits, count);"
+        "if (status == DSW_STATUS_OK && *count > 0) { turn = !turn; both[turn] = **edits; *edits = &both[turn]; *count = 1; } return status;"),
     "does not look at what it does not know": (
         "dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc, dsw_scene **scene)",
         "dsw_scene_desc known; if (desc == NULL || desc->struct_size <= sizeof known) return real(environment, desc, scene);"
@@ -145,7 +160,7 @@ class Copy:
         for edit in case.edits:
             self.edit(*edit)
         library = self.build(case)
-        found = {name: getattr(self.checks, f"check_{name}")() for name in ("source", "layout", "structs", "versions")}
+        found = {name: getattr(self.checks, f"check_{name}")() for name in ("source", "layout", "structs", "versions", "calls")}
         found.update((name, getattr(self.checks, f"check_{name}")(library)) for name in ("symbols", "needed"))
         if shutil.which("abidiff"):
             found["abidiff"] = self.checks.abidiff(library)
