@@ -91,8 +91,9 @@ def write_sources(tree, field):
         if path in by_path:
             text = '#include "base/fault.h"\n#line 1\n' + text
         write(tree / path, text)
-    lists = (ROOT / "src/CMakeLists.txt").read_text().replace("  base/error.cpp\n", "  base/error.cpp\n  base/fault.cpp\n")
-    lists += LAST_LINES.format(count=len(field.faults))
+    sources = (ROOT / "src/sources.cmake").read_text().replace("  base/error.cpp\n", "  base/error.cpp\n  base/fault.cpp\n")
+    write(tree / "src/sources.cmake", sources)
+    lists = (ROOT / "src/CMakeLists.txt").read_text() + LAST_LINES.format(count=len(field.faults))
     write(tree / "src/CMakeLists.txt", lists)
 
 
