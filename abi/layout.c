@@ -298,6 +298,13 @@ AT(dsw_exit, patch, 44);
 AT(dsw_exit, particle, 48);
 AT(dsw_exit, vertex, 56);
 
+SIZE(dsw_penetration, 104);
+AT(dsw_penetration, point, 0);
+AT(dsw_penetration, part, 24);
+AT(dsw_penetration, other, 56);
+AT(dsw_penetration, wall, 88);
+AT(dsw_penetration, reserved, 100);
+
 SIZE(dsw_body_cut, 96);
 AT(dsw_body_cut, point, 0);
 AT(dsw_body_cut, edge_parameter, 24);

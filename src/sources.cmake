@@ -337,6 +337,7 @@ list(APPEND dsw_sources
   scene/change.cpp
   scene/deform_call.cpp
   scene/deformation.cpp
+  scene/depenetration.cpp
   scene/detachment.cpp
   scene/distances.cpp
   scene/edits.cpp
@@ -348,9 +349,11 @@ list(APPEND dsw_sources
   scene/near_rows.cpp
   scene/occupation.cpp
   scene/particles.cpp
+  scene/penetrations.cpp
   scene/scene.cpp
   scene/rigid_moves.cpp
   scene/rays.cpp
+  scene/right_side.cpp
   scene/rigid_deform.cpp
   scene/rigid_together.cpp
   scene/step_fraction.cpp
@@ -400,6 +403,7 @@ list(APPEND dsw_sources
   capi/near.cpp
   capi/pairs.cpp
   capi/particle.cpp
+  capi/penetration.cpp
   capi/query.cpp
   capi/rays.cpp
   capi/record.cpp

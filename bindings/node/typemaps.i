@@ -144,6 +144,7 @@ DSW_STRUCT(dartsweep::FaceSplit)
 DSW_STRUCT(dartsweep::EdgeSplit)
 DSW_STRUCT(dartsweep::Particle)
 DSW_STRUCT(dartsweep::BodyFilter)
+DSW_STRUCT(dartsweep::Depenetration)
 
 // One point: an array of 3 numbers, or 2 in the plane.
 %typemap(in) const dartsweep::Point & (dartsweep::Point point) {

@@ -2,6 +2,7 @@
  * Bodies: vertices joined by edges and, for surfaces, by triangles. The parts that a body's level
  * covers never meet anything impassable, exactly. With DSW_FEATURE_BODY_CONTACTS, bodies whose
  * filters match do not touch or pass each other either. Calls that would break this are refused.
+ * Exceptions, each by its own flag: DSW_BODY_LEAVE_BACK_EDGES, DSW_BODY_START_PENETRATING.
  *
  * A body with a radius is thick. At every level, on the whole way of its vertices, edges and faces,
  * it keeps its radius from anything impassable, and the sum of both radii from a body that it can
@@ -48,7 +49,11 @@ enum {
   /** Lossy, with DSW_BODY_SKIP_BACK_EDGES, which then works as in [JCD10] 6.2 and 6.3: an edge that
    * goes inwards is not tested until it goes outwards. Meanwhile it can meet something impassable:
    * see dsw_body_get_untested_edges. @since 2.1 */
-  DSW_BODY_LEAVE_BACK_EDGES = 0x100
+  DSW_BODY_LEAVE_BACK_EDGES = 0x100,
+  /** The body is created even if it is not free, or lies outside. Then it penetrates: only
+   * functions that take a const scene, dsw_body_destroy and those of penetrations accept it (others:
+   * OCCUPIED), and nothing meets it, until dsw_body_depenetrate frees it. @since 2.1 */
+  DSW_BODY_START_PENETRATING = 0x200
 };
 
 /** Describes a body. */
@@ -95,9 +100,41 @@ DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE, INDEX_OUT_OF_RANGE, REPEATED_VERTEX, DUPLICATE_PART,
  * NOT_ORIENTED; NOT_MANIFOLD: three triangles at an edge, several fans at a vertex; OCCUPIED: not
  * free, or too near; for DSW_BODY_SKIP_BACK_EDGES NOT_CLOSED, NOT_ORIENTED: no volume inside;
- * UNSUPPORTED: DSW_BODY_LEAVE_BACK_EDGES without it, with a radius, RIGID or SKIP_SIMILAR_MOTION.
+ * UNSUPPORTED: DSW_BODY_LEAVE_BACK_EDGES without it, with a radius, RIGID, SKIP_SIMILAR_MOTION or
+ * START_PENETRATING.
  * @note Cost: O(vertices + volumes that edges cross). Batch. Source: [JCD10] 4. */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
+
+/** Tells whether a body penetrates: created with DSW_BODY_START_PENETRATING, and not freed yet.
+ * @param penetrating 1 or 0.
+ * @since 2.1 */
+DSW_API dsw_status dsw_body_is_penetrating(const dsw_scene *scene, dsw_body_id body,
+                                           uint32_t *penetrating);
+
+/** Finds what a penetrating body crosses where it lies: each vertex or edge that is not free, with
+ * the first wall; if there is none, each face with a wall; each pair of parts of bodies that touch.
+ * If all that is empty, the parts that are too near to something. Nothing for other bodies.
+ * @param penetrations by vertices, edges, faces; those with walls first.
+ * @note Cost: as creation. Writes the scene. @since 2.1 */
+DSW_API dsw_status dsw_body_find_penetrations(dsw_scene *scene, dsw_body_id body,
+                                              const dsw_penetration **penetrations, size_t *count);
+
+/** Moves a penetrating body out, or leaves it as it is. All that its level covers is then free, by
+ * the tests of dsw_body_create at the rounded places. Of walls, each connected part goes to the side
+ * on which most of its vertices are that free edges join; these vertices pass no wall. Bodies that
+ * don't bend, and those that cross bodies, are also tried as a whole in 26 directions (8 in the
+ * plane): a convex body leaves another one by at most twice the depth. Other bodies stay. Works
+ * for what is shallower than half an edge; parts that cross deeply or knot can fail.
+ * @param inside null, or a volume: the side is what passable faces join with it. Needed if no
+ * vertex of the body lies in a passable volume.
+ * @param max_distance largest displacement of a vertex; 0: any.
+ * @param freed 1, or 0: dsw_scene_get_offending_edges gives what could not be freed.
+ * @param distance null, or the largest displacement of a vertex, rounded.
+ * @return DSW_STATUS_IMPASSABLE: `inside`.
+ * @note Cost: O(creation) for each of up to 64 rounds and 1000 tries. A free body: nothing is done.
+ * @since 2.1 */
+DSW_API dsw_status dsw_body_depenetrate(dsw_scene *scene, dsw_body_id body, dsw_volume_id inside,
+                                        double max_distance, uint32_t *freed, double *distance);
 
 /** Gives the edges that made the last dsw_body_create or dsw_body_set_... answer OCCUPIED.
  * @param vertices two indices for each edge, equal for a lone vertex. */

@@ -137,4 +137,15 @@ typedef struct dsw_contact_partner {
   dsw_body_face_id face;
 } dsw_contact_partner;
 
+/** What a penetrating body crosses. @since 2.1 */
+typedef struct dsw_penetration {
+  double point[3];          /**< A common point of both, rounded; without one, a point of `part`. */
+  dsw_contact_partner part; /**< The body, and its vertex, edge or face. */
+  dsw_contact_partner other; /**< The body, perhaps the same one, that is crossed, or null. */
+  /** The first wall that is crossed, canonical. Null at a body, at a marked edge, for a part that is
+   * too near to something, and for a part that lies outside or in impassable volumes as a whole. */
+  dsw_face_id wall;
+  uint32_t reserved;
+} dsw_penetration;
+
 #endif

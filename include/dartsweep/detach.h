@@ -16,7 +16,7 @@ extern "C" {
 /** Describes a piece; `category`, `mask` and `motion_share` as in dsw_body_desc. */
 typedef struct dsw_detach_desc {
   uint32_t struct_size;
-  uint32_t flags;  /**< DSW_BODY_... of the body. */
+  uint32_t flags;  /**< DSW_BODY_... of the body; not START_PENETRATING. */
   dsw_level level; /**< DSW_LEVEL_EDGES_SWEPT by default. */
   uint32_t category;
   uint32_t mask;

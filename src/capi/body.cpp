@@ -72,7 +72,7 @@ dsw_status dsw_scene_get_occupant_bodies(const dsw_scene* scene, const dsw_body_
 }
 
 dsw_status dsw_body_destroy(dsw_scene* scene, dsw_body_id body) {
-  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, static_cast<const dsw_scene*>(scene), body, [&](const auto& of) {
     capi::Recorded call(scene, capi::row_of<dsw_body_destroy>, body);
     destroy_body(of.scene, body.index);
     call.done();
@@ -209,7 +209,7 @@ dsw_status dsw_body_get_vertex_id(const dsw_scene* scene, dsw_body_id body, uint
                                   dsw_body_vertex_id* vertex) {
   return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
-    if (!b.has_vertex(index)) {
+    if (index >= b.vertices.size() || !b.vertex_slots.alive(index, b.vertex_slots.generation(index))) {
       fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, which names no vertex; there are %zu slots", index,
            b.vertices.size());
     }

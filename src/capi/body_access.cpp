@@ -7,7 +7,7 @@ Skipping to_skipping(uint32_t flags, double share) {
   check_flags(flags,
               DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE |
                   DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_SELF_CONTACTS | DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_RIGID |
-                  DSW_BODY_NO_SEQUENCES | DSW_BODY_LEAVE_BACK_EDGES,
+                  DSW_BODY_NO_SEQUENCES | DSW_BODY_LEAVE_BACK_EDGES | DSW_BODY_START_PENETRATING,
               "desc->flags");
   if ((flags & DSW_BODY_SEQUENCES) != 0 && (flags & DSW_BODY_NO_SEQUENCES) != 0) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->flags: DSW_BODY_SEQUENCES and DSW_BODY_NO_SEQUENCES exclude each other");
@@ -21,11 +21,11 @@ Skipping to_skipping(uint32_t flags, double share) {
   skipping.back_edges = (flags & DSW_BODY_SKIP_BACK_EDGES) != 0;
   skipping.leaves_back_edges = (flags & DSW_BODY_LEAVE_BACK_EDGES) != 0;
   if (skipping.leaves_back_edges) {
-    constexpr uint32_t kOthers = DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_RIGID;
+    constexpr uint32_t kOthers = DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_RIGID | DSW_BODY_START_PENETRATING;
     if (!skipping.back_edges || (flags & kOthers) != 0) {
       fail(DSW_STATUS_UNSUPPORTED,
-           "desc->flags: DSW_BODY_LEAVE_BACK_EDGES needs DSW_BODY_SKIP_BACK_EDGES, and is neither for "
-           "DSW_BODY_SKIP_SIMILAR_MOTION nor for DSW_BODY_RIGID");
+           "desc->flags: DSW_BODY_LEAVE_BACK_EDGES needs DSW_BODY_SKIP_BACK_EDGES, and is for none of "
+           "DSW_BODY_SKIP_SIMILAR_MOTION, DSW_BODY_RIGID and DSW_BODY_START_PENETRATING");
     }
   }
   if (to_length(share, "desc->motion_share") != 0) skipping.motion_share = share;
@@ -56,6 +56,7 @@ BodyDescription to_description(const Scene<D>& scene, const BodyOptions& options
   }
   out.filter = to_filter(options.category, options.mask, self);
   out.rigid = (options.flags & DSW_BODY_RIGID) != 0;
+  out.may_penetrate = (options.flags & DSW_BODY_START_PENETRATING) != 0;
   return out;
 }
 

@@ -20,10 +20,18 @@ struct BodyAccess {
 /** Runs the body of the entry point named `function`, a template on BodyAccess, with a scene and one of its bodies,
  * whatever the dimension; fails with what is wrong with either. */
 template <class Use>
-dsw_status guarded_body(const char* function, const dsw_scene* scene, dsw_body_id body, const Use& use) noexcept {
-  return guarded_visit(function, const_cast<dsw_scene*>(scene), [&](auto& s) {
+dsw_status guarded_body(const char* function, dsw_scene* scene, dsw_body_id body, const Use& use) noexcept {
+  return guarded_visit(function, scene, [&](auto& s) {
     auto& record = check_body(s, body, "body");
     use(BodyAccess<kDimension<decltype(s)>>{s, record, record.body});
+  });
+}
+/** Does that for an entry point that reads, which accepts a body that penetrates something, too. */
+template <class Use>
+dsw_status guarded_body(const char* function, const dsw_scene* scene, dsw_body_id body, const Use& use) noexcept {
+  return guarded_visit(function, const_cast<dsw_scene*>(scene), [&](auto& s) {
+    auto& record = check_body_id(s, body, "body");
+    use(BodyAccess<kDimension<decltype(s)>>{s, record, record.told()});
   });
 }
 

@@ -156,7 +156,9 @@ inline constexpr auto kTable = std::make_tuple(
     DSW_ROW(54, dsw_environment_mark_exits)(array<1, 2>("faces"), value<3>("patch")),
     DSW_ROW(55, dsw_scene_cut_bodies)(structure<1>("desc",
         points("points", &dsw_cut_desc::points, blade_points, &dsw_cut_desc::point_stride_bytes)),
-        array<2, 3>("bodies")));
+        array<2, 3>("bodies")),
+    DSW_ROW(56, dsw_body_depenetrate)(value<1>("body"), value<2>("inside"), value<3>("max_distance"),
+        result<4>()));
 // clang-format on
 #undef DSW_ROW
 constexpr size_t kCallCount = std::tuple_size_v<decltype(kTable)>;

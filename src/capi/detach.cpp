@@ -30,6 +30,7 @@ dsw_status dsw_environment_detach(dsw_environment* environment, const dsw_detach
     dsw::Scene<3>& engine = capi::space(*scene);
     const dsw::BodyDescription like =
         capi::to_description(engine, {level, d.flags, d.motion_share, d.category, d.mask});
+    if (like.may_penetrate) fail(DSW_STATUS_UNSUPPORTED, "desc->flags has DSW_BODY_START_PENETRATING: a piece is free");
     dsw::Environment<3>& env = capi::space(home);
     const dsw::Cell start = capi::to_engine(env.map, d.volume, "desc->volume");
     capi::Recorded call(scene, capi::row_of<dsw_environment_detach>, &d);

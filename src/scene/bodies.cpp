@@ -170,13 +170,47 @@ dsw_body_id enter_body(Scene<D>& scene, BodyRecord<D>&& made) {
   return {slot.index, slot.generation};
 }
 
+namespace {
+
+/** Whether a call that proves something of a body is made; what says that the body is not free is no failure. */
+template <class Call>
+bool succeeds(const Call& call) {
+  try {
+    call();
+    return true;
+  } catch (const Error& error) {
+    const dsw_status status = error.status();
+    if (status != DSW_STATUS_OUTSIDE && status != DSW_STATUS_IMPASSABLE && status != DSW_STATUS_OCCUPIED) throw;
+    return false;
+  }
+}
+
+/** Sets a body aside until it is free. */
+template <int D>
+void set_aside(const Scene<D>& scene, BodyRecord<D>& made) {
+  made.penetrating.push_back(std::move(made.body));
+  made.body = Body<D>(scene.memory);
+  made.penetrating[0].boxes.clear();
+  for (BodyVertex<D>& each : made.penetrating[0].vertices) each.cell = Cell{};
+  prepare_body(scene, made);
+}
+
+}  // namespace
+
 template <int D>
 dsw_body_id create_body(Scene<D>& scene, const BodyDescription& d) {
   if (d.vertex_count >= kNone) fail(DSW_STATUS_TOO_LARGE, "desc->vertex_count is %zu", d.vertex_count);
   Array<Cell> cells(d.vertex_count, Cell{}, scene.memory);
-  place_points(scene, d.positions, d.vertex_count, d.hints, true, cells.data(), nullptr);
+  const auto place = [&] { place_points(scene, d.positions, d.vertex_count, d.hints, true, cells.data(), nullptr); };
+  const bool is_placed = d.may_penetrate ? succeeds(place) : (place(), true);
   BodyRecord<D> made = make_body(scene, d, cells.data());
-  check_free(scene, made.body, made.body.level);
+  scene.offending.clear();
+  const auto check = [&] { check_free(scene, made.body, made.body.level); };
+  if (!d.may_penetrate) {
+    check();
+  } else if (!is_placed || !succeeds(check)) {
+    set_aside(scene, made);
+  }
   return enter_body(scene, std::move(made));
 }
 
@@ -189,12 +223,22 @@ void destroy_body(Scene<D>& scene, uint32_t slot) noexcept {
 }
 
 template <int D>
-BodyRecord<D>& check_body(Scene<D>& scene, dsw_body_id id, ArgumentName argument, size_t index) {
+BodyRecord<D>& check_body_id(Scene<D>& scene, dsw_body_id id, ArgumentName argument, size_t index) {
   if (!scene.body_slots.alive(id.index, id.generation)) {
     fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no body", ElementName(argument, index).text, id.index,
          id.generation);
   }
   return scene.bodies[id.index];
+}
+
+template <int D>
+BodyRecord<D>& check_body(Scene<D>& scene, dsw_body_id id, ArgumentName argument, size_t index) {
+  BodyRecord<D>& of = check_body_id(scene, id, argument, index);
+  if (of.is_penetrating()) {
+    fail(DSW_STATUS_OCCUPIED, "%s {index %u, generation %u} penetrates something: see dsw_body_depenetrate",
+         ElementName(argument, index).text, id.index, id.generation);
+  }
+  return of;
 }
 
 template <int D>
@@ -231,6 +275,7 @@ DSW_INSTANTIATE(enter_body);
 DSW_INSTANTIATE(prepare_body);
 DSW_INSTANTIATE(follow_changes);
 DSW_INSTANTIATE(destroy_body);
+DSW_INSTANTIATE(check_body_id);
 DSW_INSTANTIATE(check_body);
 DSW_INSTANTIATE(set_level);
 DSW_INSTANTIATE(set_filter);

@@ -22,15 +22,28 @@ struct BodyRecord {
   MoveRecord next;              // of a move under way
   Array<BodyVertex<D>> before;  // to go back to, if another body's move fails
   TouchHistory touches;
-  Array<NearRecord<D>> near;  // one, if near rows have been asked for; else none
-  NearNotes<D> kept_near;     // what is near its parts; see NearNotes
-  uint64_t followed = 0;      // up to which change of the topology its corridors are true, see gone_facets.h
+  Array<NearRecord<D>> near;   // one, if near rows have been asked for; else none
+  NearNotes<D> kept_near;      // what is near its parts; see NearNotes
+  Array<Body<D>> penetrating;  // one, while it penetrates something: `body` has no parts then, so that nothing meets it
+  uint64_t followed = 0;       // up to which change of the topology its corridors are true, see gone_facets.h
 
   explicit BodyRecord(const Memory* memory)
-      : body(memory), record(memory), next(memory), before(memory), touches(memory), near(memory), kept_near(memory) {}
+      : body(memory),
+        record(memory),
+        next(memory),
+        before(memory),
+        touches(memory),
+        near(memory),
+        kept_near(memory),
+        penetrating(memory) {}
+  bool is_penetrating() const { return !penetrating.empty(); }
+  /** What a host reads. */
+  Body<D>& told() { return is_penetrating() ? penetrating[0] : body; }
+  const Body<D>& told() const { return is_penetrating() ? penetrating[0] : body; }
   uint64_t memory_bytes() const {
     uint64_t of_near = 0;
     for (const NearRecord<D>& each : near) of_near += each.memory_bytes();
+    for (const Body<D>& each : penetrating) of_near += sizeof each + each.memory_bytes();
     return of_near + kept_near.memory_bytes() + body.memory_bytes() + array_bytes(record.contacts) +
            array_bytes(record.partners) + array_bytes(record.previous) + array_bytes(record.edits) +
            array_bytes(record.exits) + array_bytes(next.exits) + array_bytes(next.contacts) +
@@ -52,7 +65,8 @@ struct BodyDescription {
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
   ContactFilter filter;
-  bool rigid = false;  // walls move it as a whole
+  bool rigid = false;          // walls move it as a whole
+  bool may_penetrate = false;  // it need not be free
   double radius = 0;
 };
 
@@ -73,6 +87,9 @@ void follow_changes(const Scene<D>& scene, BodyRecord<D>& of) noexcept;
 template <int D>
 void destroy_body(Scene<D>& scene, uint32_t slot) noexcept;
 /** Throws unless the id is alive. `argument` names it in messages. */
+template <int D>
+BodyRecord<D>& check_body_id(Scene<D>& scene, dsw_body_id id, ArgumentName argument, size_t index = 0);
+/** Throws unless the id is alive and the body does not penetrate anything. */
 template <int D>
 BodyRecord<D>& check_body(Scene<D>& scene, dsw_body_id id, ArgumentName argument, size_t index = 0);
 template <int D>

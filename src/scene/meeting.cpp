@@ -57,7 +57,8 @@ void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& rea
 template <int D>
 void note_body(Scene<D>& scene, uint32_t slot) noexcept {
   const Body<D>& body = scene.bodies[slot].body;
-  if (scene.keeps_boxes()) scene.body_boxes.put(slot, widened(body.boxes[0].bounds, body.radius));
+  if (scene.keeps_boxes() && !scene.bodies[slot].is_penetrating())
+    scene.body_boxes.put(slot, widened(body.boxes[0].bounds, body.radius));
 }
 
 template <int D>

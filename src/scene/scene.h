@@ -78,6 +78,7 @@ struct Scene {
   Owned<TurningTogether<D>> turning_together{memory};  // what rigid moves at once keep
   Owned<TogetherMove<D>> together{memory};             // what moves of all vertices at once keep from call to call
   Array<dsw_body_cut> body_cuts{memory};               // of the last cut of bodies
+  Array<dsw_penetration> penetrations{memory};         // that were found last
   Array<uint32_t> offending{memory};                   // pairs of vertices of edges that were found not free
   Owned<Deformation<D>> deformation{memory};           // if enabled
   Owned<LiveRegister<D>> live{memory};                 // if enabled

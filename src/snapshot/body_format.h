@@ -42,7 +42,8 @@ constexpr size_t numbers_of(uint32_t format) {
 }
 
 constexpr uint64_t kSequencesFlag = 1, kEnvironmentFlag = 2, kClearanceFlag = 4, kSimilarMotionFlag = 8, kSelfFlag = 16,
-                   kBackEdgesFlag = 32, kRigidFlag = 64, kNoSequencesFlag = 128, kLeaveFlag = 256, kAllFlags = 511;
+                   kBackEdgesFlag = 32, kRigidFlag = 64, kNoSequencesFlag = 128, kLeaveFlag = 256,
+                   kPenetratingFlag = 512, kAllFlags = 1023;
 
 template <class To, class From>
 To bits_as(const From& from) {

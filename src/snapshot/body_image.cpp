@@ -83,7 +83,7 @@ template <int D>
 void append_forecasts(const Scene<D>& scene, const BodyRecord<D>& of, size_t sequences, size_t balls,
                       SceneImage& image) {
   const Environment<D>& env = scene.env;
-  const Body<D>& body = of.body;
+  const Body<D>& body = of.told();
   for (size_t e = 0; e < sequences; ++e) {
     const Corridor<D>& sequence = body.corridors[e];
     const bool gone = scene.features.live && scene.live.get()->gone.are_in(sequence, of.followed);
@@ -131,7 +131,7 @@ void append_history(const BodyRecord<D>& of, SceneImage& image) {
 
 template <int D>
 void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& content, SceneImage& image) {
-  const Body<D>& body = of.body;
+  const Body<D>& body = of.told();
   const size_t edges = body.edges.size(), vertices = body.vertices.size();
   // There can be room for more, or they are no longer kept.
   const size_t sequences = content.forecasts ? std::min(body.corridors.size(), edges) : 0;
@@ -139,7 +139,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, const SceneContent& 
   const size_t balls = content.forecasts && body.skipping.by_clearance ? vertices : 0;
   uint64_t numbers[kNumbers] = {};
   numbers[kLevel] = static_cast<uint64_t>(body.level);
-  numbers[kFlags] = flags_of(body);
+  numbers[kFlags] = flags_of(body) | (of.is_penetrating() ? kPenetratingFlag : 0);
   numbers[kMotionShare] = bits_as<uint64_t>(body.skipping.motion_share);
   numbers[kCredit] = content.forecasts ? bits_as<uint64_t>(body.clearance_credit) : 0;
   numbers[kVertices] = vertices;

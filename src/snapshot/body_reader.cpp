@@ -313,6 +313,20 @@ void BodyReader<D>::check(const Body<D>& body) {
   }
 }
 
+/** A body that penetrates something is in no cells, and has not moved yet. While it is read its vertices get any cell,
+ * as a sign that they live. */
+template <int D>
+void BodyReader<D>::let_penetrate(Body<D>& body, const uint64_t* n) const {
+  if (body.skipping.leaves_back_edges || n[kContacts] != 0 || n[kInserted] != 0 || n[kMoves] != 0)
+    fail_corrupt("a body that penetrates something");
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    BodyVertex<D>& vertex = body.vertices[v];
+    const bool finite = dsw::all_of(vertex.position, vertex.position + D, [](double x) { return std::isfinite(x); });
+    if (vertex.cell.valid() || !finite) fail_corrupt("a vertex of a body that penetrates something");
+    if (body.vertex_slots.alive(v, body.vertex_slots.generation(v))) vertex.cell = Cell{0};
+  }
+}
+
 template <int D>
 void BodyReader<D>::read(BodyRecord<D>& of) {
   Body<D>& body = of.body;
@@ -337,9 +351,14 @@ void BodyReader<D>::read(BodyRecord<D>& of) {
   if (n[kCategory] != body.filter.category || n[kMask] != body.filter.mask) fail_corrupt("a filter");
   if (!(body.skipping.motion_share >= 0) || !std::isfinite(body.skipping.motion_share)) fail_corrupt("a motion share");
   read_parts(body, n);
+  const bool penetrates = (n[kFlags] & kPenetratingFlag) != 0;
+  if (penetrates) let_penetrate(body, n);
   if (const char* const broken = check_integrity(body)) fail_corrupt(broken);
+  if (penetrates) {
+    for (BodyVertex<D>& each : body.vertices) each.cell = Cell{};
+  }
   read_radius(body, n);
-  check(body);
+  if (!penetrates) check(body);
   read_sequences(body, n[kSequences]);
   read_touched(body, n[kTouched]);
   read_balls(body, n[kBalls]);
@@ -349,6 +368,9 @@ void BodyReader<D>::read(BodyRecord<D>& of) {
   if ((n[kFlags] & kRigidFlag) != 0) body.shape.emplace_back(env_.memory);
   read_shape(body, n[kRest]);
   reserve(body, 0, 0, 0);
+  if (!penetrates) return;
+  of.penetrating.push_back(std::move(body));
+  of.body = Body<D>(env_.memory);
 }
 
 template <int D>

@@ -131,6 +131,7 @@ class BodyReader {
   void read_radius(Body<D>& body, const uint64_t* numbers);
   void take_numbers(uint64_t* numbers);
   void read_history(BodyRecord<D>& of, const uint64_t* numbers);
+  void let_penetrate(Body<D>& body, const uint64_t* n) const;
   void check(const Body<D>& body);
 
   const Environment<D>& env_;

@@ -130,6 +130,7 @@ void join_bodies(Scene<D>& scene) {
   });
   ThickSweep<D> thick(scene.env);
   for_each_body(scene, [&](uint32_t, const BodyRecord<D>& of) {
+    if (of.is_penetrating()) return;
     Partners<D> partners(scene.memory);
     if (scene.features.contacts) find_partners(scene, of.body, reach_of(of.body), partners);
     const auto stop = [](uint32_t, uint32_t) { return false; };

@@ -19,6 +19,7 @@ NOT_RECORDED = {
     "dsw_scene_cast": "notes where parts of bodies are, on which no result depends",
     "dsw_scene_find_nearest": "notes where parts of bodies are, on which no result depends",
     "dsw_scene_step_fraction": "moves nothing, and what it remembers of places near the bodies changes no result",
+    "dsw_body_find_penetrations": "writes its answer alone, on which no other call depends",
     "dsw_body_find_least_gap": "writes what is remembered of places near the body, on which no result depends",
 }
 

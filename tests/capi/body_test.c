@@ -165,8 +165,8 @@ static void bad_members_are_refused(void) {
   newer.known.struct_size = sizeof newer;
   newer.unknown = 1;
   refuses(DSW_STATUS_UNSUPPORTED, &newer.known, "non-zero byte");
-  d = pyramid(), d.flags = 0x200;
-  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->flags is 0x200, this version knows 0x1ff");
+  d = pyramid(), d.flags = 0x400;
+  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->flags is 0x400, this version knows 0x3ff");
   d.flags = DSW_BODY_SEQUENCES | DSW_BODY_NO_SEQUENCES;
   refuses(DSW_STATUS_OUT_OF_RANGE, &d, "exclude each other");
   d.flags = 0;

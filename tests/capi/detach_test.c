@@ -191,6 +191,8 @@ static void bad_arguments(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_detach(g_env, &g_desc, NULL, NULL));
   CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, g_desc, struct_size, 8, dsw_environment_detach(g_env, &bad, &body, NULL));
   CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, flags, 0x100, dsw_environment_detach(g_env, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, flags, DSW_BODY_START_PENETRATING,
+                dsw_environment_detach(g_env, &bad, &body, NULL));
   CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, level, (dsw_level)9, dsw_environment_detach(g_env, &bad, &body, NULL));
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, gap, 0.26, dsw_environment_detach(g_env, &bad, &body, NULL));
   CHECK_MESSAGE("desc->gap");

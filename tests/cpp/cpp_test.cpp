@@ -306,6 +306,27 @@ TEST(Cpp, WhatLeavesIsRead) {
   EXPECT_EQ(body.get_exits()[0].patch, 6u);
 }
 
+TEST(Cpp, ABodyThatPenetratesIsFreed) {
+  Environment environment = cube();
+  Scene scene(environment);
+  const std::vector<Row> wire = {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}, {1.25, 0.5, 0.5}};
+  const std::vector<std::uint32_t> edges = {0, 1, 1, 2};
+  EXPECT_THROW(scene.create_body(wire, edges), Outside);
+  dsw_body_desc desc;
+  dsw_body_desc_init(&desc, sizeof desc);
+  desc.flags = DSW_BODY_START_PENETRATING;
+  Body body(scene, scene.create_body(wire, edges, {}, {}, {}, &desc));
+  EXPECT_TRUE(body.is_penetrating());
+  ASSERT_EQ(body.find_penetrations().size(), 1u);
+  EXPECT_EQ(body.find_penetrations()[0].part.edge.index, 1u);
+  EXPECT_FALSE(body.depenetrate({}, 0.125).freed);
+  const Depenetration made = body.depenetrate();
+  EXPECT_TRUE(made.freed);
+  EXPECT_GE(made.distance, 0.25);
+  EXPECT_LE(made.distance, 0.5);
+  EXPECT_FALSE(body.is_penetrating());
+}
+
 TEST(Cpp, AThreadIsCut) {
   Environment environment = cube();
   Scene scene(environment);

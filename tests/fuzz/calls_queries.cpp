@@ -228,6 +228,7 @@ dsw_status Calls::look_at_body() {
                    << read_all<dsw_previous_contact>(of_body(dsw_body_get_previous_contacts))
                    << read_all<dsw_body_edit>(of_body(dsw_body_get_edits))
                    << read_all<dsw_exit>(of_body(dsw_body_get_exits))
+                   << read_all<dsw_penetration>(of_body(dsw_body_find_penetrations))
                    << dsw_body_find_near_rows(scene_, id, &near, nullptr)
                    << read_all<dsw_near_row>(of_body(dsw_body_get_near_rows))
                    << read_all<uint32_t>(of_body(dsw_body_get_near_offsets))

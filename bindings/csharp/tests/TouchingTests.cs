@@ -36,6 +36,27 @@ static partial class Tests
     }
   }
 
+  public static void BodiesThatPenetrateAreFreed()
+  {
+    using (Environment environment = CreateCubes(0, 0, new[] { 0.0, 0, 0, 1 }))
+    using (Scene scene = new Scene(environment))
+    {
+      double[] line = { 0.25, 0.5, 0.5, 0.75, 0.5, 0.5, 1.25, 0.5, 0.5 };
+      uint[] edges = { 0, 1, 1, 2 };
+      Throws<OutsideException>(() => scene.CreateBody(line, edges, null, new BodyDesc()));
+      Body wire = scene.CreateBody(line, edges, null, new BodyDesc { Flags = Library.BODY_START_PENETRATING });
+      True(wire.IsPenetrating(), "a wire that begins crossed");
+      Same(1, wire.FindPenetrations().Length);
+      Same(1u, wire.FindPenetrations()[0].Part.Edge.Index);
+      Throws<OccupiedException>(() => wire.Move(line));
+      True(!wire.Depenetrate(new VolumeId(), 0.125).Freed, "a way that is too long");
+      Depenetration made = wire.Depenetrate();
+      True(made.Freed && made.Distance >= 0.25 && made.Distance <= 0.5, "the way out");
+      True(!wire.IsPenetrating(), "a wire that is free");
+      Same(0, wire.FindPenetrations().Length);
+    }
+  }
+
   public static void ThreadsAreCut()
   {
     using (Environment environment = CreateCubes(0, 0, new[] { 0.0, 0, 0, 1 }))

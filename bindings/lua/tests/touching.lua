@@ -51,6 +51,21 @@ function TestTouching:test_particles_and_vertices_leave()
   lu.assertError(environment.mark_exits, environment, {dsw.FaceId(0, 1, 9)}, 1)
 end
 
+function TestTouching:test_bodies_that_penetrate_are_freed()
+  local environment <close> = cubes(0, 0, {0, 0, 0, 1})
+  local scene <close> = dsw.Scene(environment)
+  local line = {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}, {1.25, 0.5, 0.5}}
+  lu.assertError(scene.create_body, scene, {positions = line, edges = {0, 1, 1, 2}})
+  local wire = scene:create_body {positions = line, edges = {0, 1, 1, 2}, flags = dsw.BODY_START_PENETRATING}
+  local crossed = wire:find_penetrations()
+  lu.assertEquals({wire:is_penetrating(), #crossed, crossed[1].part.edge.index}, {true, 1, 1})
+  lu.assertError(wire.move, wire, line)
+  lu.assertEquals({wire:depenetrate(dsw.VolumeId(0, 0), 0.125)}, {false, 0})
+  local freed, distance = wire:depenetrate()
+  lu.assertEquals({freed, wire:is_penetrating(), #wire:find_penetrations()}, {true, false, 0})
+  lu.assertTrue(distance >= 0.25 and distance <= 0.5)
+end
+
 function TestTouching:test_threads_are_cut()
   local environment <close> = cubes(0, 0, {0, 0, 0, 1})
   local scene <close> = dsw.Scene(environment)

@@ -189,6 +189,10 @@ export class Body {
   getRadius(): number;
   /** A lower bound of the least gap: distance less the radii; at most `limit`. */
   findLeastGap(limit: number): number;
+  /** Whether the body was created with BODY_START_PENETRATING where it is not free, and has not been freed yet. */
+  isPenetrating(): boolean;
+  /** Moves such a body out, to the side of walls on which `inside` is, if that is given; at most so far, if not 0. */
+  depenetrate(inside?: VolumeId, maxDistance?: number): { freed: boolean; distance: number };
 
   /** Gives the positions of all vertices by index; the arrays are filled where they are given. */
   getPositions(positions?: Float64Array, volumes?: VolumeIdArray): Float64Array;

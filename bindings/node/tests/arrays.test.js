@@ -71,6 +71,21 @@ test('particles and vertices leave through exits', () => {
   assert.equal(rod.getExits().at(0).vertex.index, 1);
 });
 
+test('bodies that penetrate are freed', () => {
+  const points = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1];
+  const scene = new dsw.Scene(new dsw.Environment(points, [0, 1, 2, 3, 4, 5, 6, 7], { type: dsw.CellType.Hexahedron }));
+  const line = [0.25, 0.5, 0.5, 0.75, 0.5, 0.5, 1.25, 0.5, 0.5];
+  assert.throws(() => scene.createBody(line, [0, 1, 1, 2]), dsw.OutsideError);
+  const wire = scene.createBody(line, [0, 1, 1, 2], { flags: dsw.BODY_START_PENETRATING });
+  const crossed = wire.findPenetrations();
+  assert.deepEqual([wire.isPenetrating(), crossed.length, crossed.at(0).part.edge.index], [true, 1, 1]);
+  assert.throws(() => wire.move(line), dsw.OccupiedError);
+  assert.deepEqual(wire.depenetrate(new dsw.VolumeId(0, 0), 0.125), { freed: false, distance: 0 });
+  const made = wire.depenetrate();
+  assert.ok(made.freed && made.distance >= 0.25 && made.distance <= 0.5);
+  assert.equal(wire.isPenetrating(), false);
+});
+
 test('threads are cut', () => {
   const points = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1];
   const scene = new dsw.Scene(new dsw.Environment(points, [0, 1, 2, 3, 4, 5, 6, 7], { type: dsw.CellType.Hexahedron }));

@@ -155,6 +155,18 @@ def test_thread_that_is_cut() -> None:
         assert thread.move(apart).vertices_stopped == 0
 
 
+def test_wire_that_begins_in_the_wall() -> None:
+    """A wire that was registered from images pokes through the wall of its vessel: it is told where, and moved inside."""
+    with ds.from_pyvista(box(8, 2, 2)) as vessel, ds.Scene(vessel) as scene:
+        x = np.linspace(0.25, 3.75, 15)
+        registered = np.stack([x, 0.5 + 0.52 * np.sin(x), 0 * x + 0.5], axis=1)
+        wire = scene.create_body(registered, [(i, i + 1) for i in range(14)], flags=ds.BodyFlag.START_PENETRATING)
+        assert wire.is_penetrating and all(each["wall"]["generation"] > 0 for each in wire.penetrations())
+        moved = wire.depenetrate(max_distance=0.05)
+        assert moved is not None and moved <= 0.05 and not wire.is_penetrating
+        assert np.abs(wire.positions() - registered).max() <= moved + 1e-12
+
+
 def test_cloth_on_a_ball() -> None:
     """A sheet falls on a ball and hangs over it; lengths of its edges are kept by a few rounds of averaging."""
     ball, sheet = trimesh.creation.icosphere(subdivisions=2), pyvista.Plane(i_size=2.5, j_size=2.5, i_resolution=10, j_resolution=10).triangulate()

@@ -41,6 +41,23 @@ class Body {
     return out;
   }
 
+  // --- penetrations of a body that was created with DSW_BODY_START_PENETRATING
+  bool is_penetrating() const { return one<std::uint32_t>(dsw_body_is_penetrating) != 0; }
+  Array<dsw_penetration> find_penetrations() {
+    const SceneWriting self(*state_);
+    return copied<dsw_penetration>([&](const dsw_penetration **out, std::size_t *count) {
+      return dsw_body_find_penetrations(self.handle, id_, out, count);
+    });
+  }
+  // Moves the body out, to the side of walls on which `inside` is, if that is given.
+  Depenetration depenetrate(dsw_volume_id inside = {}, double max_distance = 0) {
+    Depenetration out = {};
+    std::uint32_t freed = 0;
+    change(dsw_body_depenetrate, inside, max_distance, &freed, &out.distance);
+    out.freed = freed != 0;
+    return out;
+  }
+
   // --- parts
   void get_positions(PointsOut positions, View<dsw_volume_id> volumes = {}) const {
     count_points(dimension(), positions);

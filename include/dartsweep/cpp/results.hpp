@@ -55,6 +55,11 @@ struct BodyFilter {
   std::uint32_t category, mask;
 };
 
+struct Depenetration {
+  bool freed;
+  double distance;  // of the vertex that moved farthest
+};
+
 /** The cell that an id names. */
 inline dsw_cell cell_of(dsw_vertex_id id) { return {DSW_CELL_VERTEX, id.index, id.generation, 0}; }
 inline dsw_cell cell_of(dsw_edge_id id) {

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, dtypes
-from ._core import BodyCounts, BodyEdgeId, BodyEdit, BodyFaceId, BodyId, BodyVertexId, MoveOptions, MoveReport, NearOptions, RigidMotion
+from ._core import BodyCounts, BodyEdgeId, BodyEdit, BodyFaceId, BodyId, BodyVertexId, MoveOptions, MoveReport, NearOptions, RigidMotion, VolumeId
 from .enums import Level, NearFlag
 from .errors import Error
 from .options import options as described
@@ -90,6 +90,24 @@ class Body:
     def least_gap(self, limit: float) -> float:
         """A lower bound of the least gap: distance less the radii, over all that the body must not touch; at most `limit`."""
         return self._core.find_least_gap(limit)  # type: ignore[no-any-return]
+
+    # --- penetrations of a body that was created with BodyFlag.START_PENETRATING
+
+    @property
+    def is_penetrating(self) -> bool:
+        """Whether the body was created where it is not free, and has not been freed yet. Nothing meets it until then."""
+        return self._core.is_penetrating()  # type: ignore[no-any-return]
+
+    def penetrations(self) -> Records:
+        """What a penetrating body crosses where it lies (dtypes.PENETRATION): walls, and parts of bodies."""
+        return self._core.find_penetrations()  # type: ignore[no-any-return]
+
+    def depenetrate(self, inside: Any = None, max_distance: float = 0.0) -> float | None:
+        """Moves a penetrating body to where it is exactly free; returns the distance of the vertex that moved farthest. None: it could not be freed,
+        and stays where it is; Scene.offending_edges() gives what is left. inside: a volume on the side of the walls to go to, by default where most
+        of the body is."""
+        made = self._core.depenetrate(VolumeId(0, 0) if inside is None else inside, max_distance)
+        return made.distance if made.freed else None
 
     # --- parts
 

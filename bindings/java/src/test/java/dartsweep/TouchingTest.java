@@ -1,7 +1,9 @@
 package dartsweep;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.DoubleBuffer;
 import org.junit.jupiter.api.Test;
@@ -55,6 +57,28 @@ class TouchingTest {
       away.setFlags(Dartsweep.MOVE_LEAVE);
       body.move(DoubleBuffer.wrap(new double[] {0.25, 0.5, 0.75, 0.25, 0.5, 1.25}), away);
       assertEquals(1, body.getExits().get(0).getVertex().index());
+    }
+  }
+
+  @Test
+  void bodiesThatPenetrateAreFreed() {
+    try (Environment environment = create(0, 0, new double[] {0, 0, 0, 1});
+        Scene scene = new Scene(environment)) {
+      double[] line = {0.25, 0.5, 0.5, 0.75, 0.5, 0.5, 1.25, 0.5, 0.5};
+      int[] edges = {0, 1, 1, 2};
+      BodyDesc desc = new BodyDesc();
+      assertThrows(DartsweepException.Outside.class, () -> scene.createBody(DoubleBuffer.wrap(line), edges, null, desc));
+      desc.setFlags(Dartsweep.BODY_START_PENETRATING);
+      Body wire = scene.createBody(DoubleBuffer.wrap(line), edges, null, desc);
+      assertTrue(wire.isPenetrating());
+      assertEquals(1, wire.findPenetrations().size());
+      assertEquals(1, wire.findPenetrations().get(0).getPart().getEdge().index());
+      assertThrows(DartsweepException.Occupied.class, () -> wire.move(DoubleBuffer.wrap(line)));
+      assertFalse(wire.depenetrate(new VolumeId(0, 0), 0.125).getFreed());
+      Depenetration made = wire.depenetrate();
+      assertTrue(made.getFreed());
+      assertEquals(0.3, made.getDistance(), 0.2);
+      assertFalse(wire.isPenetrating());
     }
   }
 
