@@ -17,7 +17,7 @@ namespace dsw {
 
 namespace {
 
-constexpr int kMostTries = 4000, kMostGap = 16;
+constexpr int kMostGap = 16;
 constexpr double kStepInTouch = 0x1p-6, kSameTouch = 0x1p-20;
 constexpr double kLeastThick = 0x1p-44;  // finer steps are below what distances of thick bodies may lose
 
@@ -67,7 +67,7 @@ struct TurningMove<D>::Steps {
 
 template <int D>
 RigidSteps<typename TurningMove<D>::Steps> TurningMove<D>::along(Steps& steps) const noexcept {
-  return {steps, way_.least_step(), way_.is_coarse(), kMostTries};
+  return {steps, way_.least_step(), way_.is_coarse(), most_tries_};
 }
 
 /** Thick bodies go in halves of the way, halves of these, and so on: where one is too wide for what it keeps from, it is halved. */
@@ -75,7 +75,7 @@ template <int D>
 bool TurningMove<D>::go_thick(Steps& steps, double touch, double most_step) {
   const double end = along(steps).end_before(touch), least = std::max(way_.least_step(), kLeastThick);
   double step = most_step;
-  while (steps.at < end && steps.tries < kMostTries) {
+  while (steps.at < end && steps.tries < most_tries_) {
     const double next = std::min(end, steps.at + step);
     if (steps.go_to(next)) {
       while (2 * step <= most_step && std::floor(steps.at / (2 * step)) * (2 * step) == steps.at) step *= 2;
@@ -172,6 +172,7 @@ void TurningMove<D>::move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>&
     if (chords.at < 1) record_contact(chords, partners, touch, record);
     steps.set_known(nullptr);
     steps.end_steps(body, chords.at, record);
+    tries_ = chords.tries;
     for (dsw_body_contact& contact : record.contacts) {  // of the motion, not of a chord
       const double* const to = way_.place(way_.pieces(), contact.vertex.index);
       contact.distance_left = length(difference<D>(to, body.position(contact.vertex.index)));

@@ -11,6 +11,8 @@ namespace dsw {
 template <int D>
 class TurningMove {
  public:
+  static constexpr int kMostTries = 4000;
+
   explicit TurningMove(const Environment<D>& env)
       : env_(env), touches_(env), way_(env.memory), here_(env.memory), reversed_(env.memory) {}
 
@@ -18,6 +20,11 @@ class TurningMove {
    * as it was; the record is cleared first. */
   void move(BodyMove<D>& steps, Body<D>& body, const RigidMove<D>& motion, PlaceFn place, const void* user,
             MoveOrder order, const Partners<D>* partners, MoveRecord& record);
+
+  /** After about so many chords a body stops, free. Where it touches much, chords are short. */
+  void set_most_tries(int most) noexcept { most_tries_ = most; }
+  /** The chords that the last move tried. */
+  int tries() const noexcept { return tries_; }
 
  private:
   struct Steps;
@@ -33,6 +40,7 @@ class TurningMove {
   RigidWay<D> way_;
   Array<BodyVertex<D>> here_;
   Array<uint32_t> reversed_;  // the order of the call, backwards
+  int most_tries_ = kMostTries, tries_ = 0;
 };
 
 }  // namespace dsw

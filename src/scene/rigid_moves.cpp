@@ -30,8 +30,17 @@ class RigidCall {
     of.touches.prepare(of.record);
     if (scene.turning.get() == nullptr) scene.turning.make(scene.env);
   }
-  /** Makes a motion as far as it is free; what was met goes to the record. */
-  void go(const RigidMove<D>& motion, MoveRecord& record) {
+  /** Makes a motion as far as it is free, by about `most_chords` at most; what was met goes to the record. Returns the
+   * number of chords that were tried. */
+  int go(const RigidMove<D>& motion, MoveRecord& record, int most_chords = TurningMove<D>::kMostTries) {
+    scene_.turning.get()->set_most_tries(most_chords);
+    go_on(motion, record);
+    return scene_.turning.get()->tries();
+  }
+  void end() noexcept { end_move(scene_, of_, casts_); }
+
+ private:
+  void go_on(const RigidMove<D>& motion, MoveRecord& record) {
     Body<D>& body = of_.body;
     // Distances are widened by the bend of the way, at most by a radius.
     if (scene_.features.contacts) {
@@ -50,9 +59,6 @@ class RigidCall {
     }
     if (record.fraction > 0) body.shape[0].moved = kept.moved(record.fraction);
   }
-  void end() noexcept { end_move(scene_, of_, casts_); }
-
- private:
   const Partners<D>* partners() const { return scene_.features.contacts ? &partners_ : nullptr; }
   void move(const RigidMove<D>& motion, PlaceFn place, const void* user, MoveRecord& record) {
     scene_.turning.get()->move(mover_, of_.body, motion, place, user, order_, partners(), record);
@@ -178,7 +184,7 @@ void add_contacts(MoveRecord& all, const MoveRecord& more) {
 /** Slides on after a first motion. */
 template <int D>
 void slide_on(Scene<D>& scene, RigidCall<D>& call, BodyRecord<D>& of, RigidSlide<D>& slide, uint32_t rounds) {
-  constexpr int kMostInVain = 12;
+  constexpr int kMostInVain = 12, kMostChords = 1000;
   constexpr double kGain = 1 - 0x1p-30, kAtOnce = 0x1p-20;
   Body<D>& body = of.body;
   Array<BodyVertex<D>> before(scene.memory);
@@ -186,9 +192,9 @@ void slide_on(Scene<D>& scene, RigidCall<D>& call, BodyRecord<D>& of, RigidSlide
   MoveRecord record(scene.memory);
   record.keeps_partners = of.next.keeps_partners;
   double distance = slide.distance(), share = 1;
-  int in_vain = 0;
+  int in_vain = 0, chords = 0;
   bool has_gained = true;  // since walls were forgotten
-  for (uint32_t round = 0; round < rounds && distance > 0; ++round) {
+  for (uint32_t round = 0; round < rounds && distance > 0 && chords < kMostChords; ++round) {
     PlainMotion next;
     if (!slide.propose(share, &next)) {
       // In a corner of walls of which it may have left some.
@@ -201,7 +207,7 @@ void slide_on(Scene<D>& scene, RigidCall<D>& call, BodyRecord<D>& of, RigidSlide
     const RigidMove<D> motion(next.rotation, next.centre, next.translation);
     before.assign(body.vertices.begin(), body.vertices.end());
     shape = body.shape;
-    call.go(motion, record);
+    chords += call.go(motion, record, kMostChords - chords);
     const double now = slide.distance();
     of.next.sweeps.swept += record.sweeps.swept;
     of.next.sweeps.skipped += record.sweeps.skipped;

@@ -263,6 +263,72 @@ static void a_deformation_leaves_nothing(void) {
   grid_destroy(&next);
 }
 
+enum { SIDES = 12, RINGS = 5, POINTS = SIDES * RINGS + 2, TRIANGLES = 2 * SIDES * RINGS };
+
+static void add_triangle(uint32_t *corners, size_t *count, uint32_t a, uint32_t b, uint32_t c) {
+  corners[(*count)++] = a;
+  corners[(*count)++] = b;
+  corners[(*count)++] = c;
+}
+
+/* A ball of 120 triangles: the upper pole, rings downwards, the lower pole. */
+static dsw_body_id make_ball(dsw_scene *scene, double radius, double x, double y, double z) {
+  const double pi = 3.14159265358979312;
+  double at[3 * POINTS];
+  uint32_t corners[3 * TRIANGLES], offsets[TRIANGLES + 1], ring, k;
+  size_t count = 0, i;
+  dsw_body_desc d;
+  dsw_body_id body;
+  for (i = 0; i < POINTS; ++i) {
+    const double polar = i == 0 ? 0 : i == POINTS - 1 ? pi : pi * (double)(1 + (i - 1) / SIDES) / (RINGS + 1);
+    const double turn = 2 * pi * (double)((i + SIDES - 1) % SIDES) / SIDES;
+    at[3 * i] = x + radius * sin(polar) * cos(turn);
+    at[3 * i + 1] = y + radius * sin(polar) * sin(turn);
+    at[3 * i + 2] = z + radius * cos(polar);
+  }
+  for (k = 0; k < SIDES; ++k) {
+    const uint32_t next = (k + 1) % SIDES, last = POINTS - 1;
+    add_triangle(corners, &count, 0, 1 + k, 1 + next);
+    for (ring = 0; ring + 1 < RINGS; ++ring) {
+      const uint32_t a = 1 + ring * SIDES, b = a + SIDES;
+      add_triangle(corners, &count, a + k, b + k, b + next);
+      add_triangle(corners, &count, a + k, b + next, a + next);
+    }
+    add_triangle(corners, &count, last, last - SIDES + next, last - SIDES + k);
+  }
+  for (i = 0; i <= TRIANGLES; ++i) offsets[i] = (uint32_t)(3 * i);
+  d = surface_desc(at, POINTS, offsets, corners, TRIANGLES, DSW_LEVEL_FACES);
+  d.flags = DSW_BODY_RIGID;
+  CHECK_OK(dsw_body_create(scene, &d, &body));
+  return body;
+}
+
+/* A ball that is pressed into a hole touches its edges all over, where only short chords are free: their number ends. */
+static void a_ball_in_a_hole_ends(void) {
+  dsw_environment *const environment = make_environment(NULL, N, N, 3);
+  dsw_scene *const scene = make_scene(environment, DSW_FEATURE_STATISTICS);
+  const dsw_body_id body = make_ball(scene, 0.7, 1.6, 1.53, 2);
+  dsw_rigid_motion m = shift_by(0, 0, -2);
+  dsw_statistics statistics;
+  dsw_move_report report;
+  uint32_t cell;
+  for (cell = 0; cell < N * N; ++cell) {
+    if (cell != N + 1) CHECK_OK(set_volume_mark(environment, cell, DSW_MARK_IMPASSABLE));
+  }
+  memset(&statistics, 0, sizeof statistics);
+  statistics.struct_size = sizeof statistics;
+  m.rotation[0] = 0.1;
+  m.rotation[1] = 0.2;
+  m.centre[0] = 1.6;
+  m.centre[1] = 1.53;
+  m.centre[2] = 2;
+  report = move(scene, body, &m, 1, 0);
+  CHECK(report.fraction > 0.2 && report.fraction < 0.25 && report.contact_count > 10);
+  CHECK_OK(dsw_scene_get_statistics(scene, &statistics));
+  CHECK(statistics.casts > 20000 && statistics.casts < 300000);
+  end_scene(scene);
+}
+
 static void refused(void) {
   dsw_scene *const scene = make_scene(make_environment(NULL, N, N, N), 0);
   const dsw_body_id body = make_plate(scene, 0), none = {7, 1};
@@ -284,6 +350,7 @@ int main(int argc, char **argv) {
   a_plate_slides(0);
   a_plate_slides(DSW_BODY_RIGID);
   a_deformation_leaves_nothing();
+  a_ball_in_a_hole_ends();
   refused();
   for (dimension = 2; dimension <= 3; ++dimension) {
     tally t;
